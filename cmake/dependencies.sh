@@ -1,0 +1,46 @@
+# Sourced by demo.sh and test.sh: makes sure that what Pelagic builds with is there.
+#
+# On Debian 12 it installs the missing packages, saying which, with sudo only if you are not root. On another system
+# it prints the list and stops; PELAGIC_SKIP_SETUP=1 goes on with what that system has.
+
+pelagic_packages=(
+  g++ cmake make
+  libtbb-dev               # oneTBB: jobs
+  libxsimd-dev             # xsimd: kernels
+  libxxhash-dev            # XXH3: the hash of a frame
+  libopenimageio-dev       # OpenImageIO: EXR, PNG, TIFF
+  openimageio-tools        # its CMake files ask for its programs
+  libcli11-dev             # CLI11: the command line
+  libtomlplusplus-dev      # toml++: --config
+  nlohmann-json3-dev       # sea.json
+  libgtest-dev             # GoogleTest
+  libbenchmark-dev         # Google Benchmark
+  libopenexr-dev libpng-dev  # tests read the files back with other readers than the one that wrote them
+)
+
+pelagic_install_dependencies() {
+  [ -n "${PELAGIC_SKIP_SETUP:-}" ] && return 0
+  if ! grep -qs '^ID=debian$' /etc/os-release || ! command -v apt-get >/dev/null; then
+    echo "This set-up knows Debian 12. Install what these Debian packages hold, then run again with PELAGIC_SKIP_SETUP=1:"
+    echo "  ${pelagic_packages[*]}"
+    return 1
+  fi
+
+  local missing=() package
+  for package in "${pelagic_packages[@]}"; do
+    dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null | grep -q '^installed$' || missing+=("$package")
+  done
+  [ ${#missing[@]} -eq 0 ] && return 0
+
+  local as_root=()
+  if [ "$(id -u)" -ne 0 ]; then
+    command -v sudo >/dev/null || {
+      echo "Missing: ${missing[*]}. There is no sudo here: install them as root, then run this again."
+      return 1
+    }
+    as_root=(sudo)
+  fi
+  echo "Installing ${missing[*]}"
+  "${as_root[@]}" apt-get update -qq
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
+}

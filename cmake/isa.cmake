@@ -1,0 +1,27 @@
+# The instruction sets that kernels are compiled for, and the flags of each.
+#
+# PELAGIC_ISAS                the list for the target processor, weakest first
+# PELAGIC_ISA_FLAGS_<isa>     compiler flags of its one object
+# PELAGIC_XSIMD_ARCH_<isa>    what xsimd calls it
+#
+# xsimd selects its code by these flags: avx512 means F, CD, DQ and BW, which every AVX-512 server and desktop
+# core has. FMA is left out on purpose: products and sums round apart on every instruction set, so that SSE4.2,
+# which has no fused form, yields the same bits.
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$")
+  set(PELAGIC_ISAS sse4_2 avx2 avx512)
+elseif(CMAKE_SYSTEM_PROCESSOR MATCHES "^(aarch64|arm64)$")
+  set(PELAGIC_ISAS neon)
+else()
+  message(FATAL_ERROR "Pelagic has kernels for x86-64 and 64-bit Arm, not for ${CMAKE_SYSTEM_PROCESSOR}")
+endif()
+set(PELAGIC_ISA_FLAGS_sse4_2 -msse4.2)
+set(PELAGIC_ISA_FLAGS_avx2 -mavx2)
+set(PELAGIC_ISA_FLAGS_avx512 -mavx512f -mavx512cd -mavx512dq -mavx512bw)
+set(PELAGIC_ISA_FLAGS_neon)
+set(PELAGIC_XSIMD_ARCH_sse4_2 sse4_2)
+set(PELAGIC_XSIMD_ARCH_avx2 avx2)
+set(PELAGIC_XSIMD_ARCH_avx512 avx512bw)
+set(PELAGIC_XSIMD_ARCH_neon neon64)
+
+# xsimd is header-only; Debian's CMake target of it links an xtl that the package does not ship.
+find_path(PELAGIC_XSIMD_INCLUDE_DIR xsimd/xsimd.hpp REQUIRED)

@@ -1,0 +1,14 @@
+# What every target of Pelagic shares: the language, the floating-point policy, warnings, sanitizers.
+function(pelagic_target target)
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
+  target_include_directories(${target} PUBLIC ${PROJECT_SOURCE_DIR})
+  # A compiler that fuses a*b + c where the instruction set allows it rounds once instead of twice, so each
+  # instruction set would yield a sea of its own. Off everywhere: the bits are part of the interface.
+  target_compile_options(${target} PRIVATE -ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow -Wconversion
+                                           -Wno-sign-conversion)
+  if(PELAGIC_SANITIZE)
+    target_compile_options(${target} PRIVATE -fsanitize=${PELAGIC_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+    target_link_options(${target} PUBLIC -fsanitize=${PELAGIC_SANITIZE})
+  endif()
+endfunction()

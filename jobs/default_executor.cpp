@@ -1,0 +1,13 @@
+#include "jobs/executor.hpp"
+
+namespace pelagic {
+
+std::shared_ptr<Executor> make_default_executor(int threads) {
+#if defined(PELAGIC_HAS_TBB)
+    return make_tbb_executor(threads);
+#else
+    return make_thread_executor(threads);
+#endif
+}
+
+}  // namespace pelagic

@@ -1,0 +1,60 @@
+// Where jobs run: the one interface behind which threads stand. A host may bring its own.
+#pragma once
+
+#include <memory>
+#include <string_view>
+
+#include "jobs/job_graph.hpp"
+
+namespace pelagic {
+
+/// A job graph bound to an executor: built once, run as often as wanted, one run at a time.
+class GraphRun {
+   public:
+    /// Waits for a run in flight.
+    virtual ~GraphRun() = default;
+
+    /// Starts every stage in its order and returns at once. Allocates nothing in Pelagic's code.
+    /// \pre no run is in flight (asserted)
+    virtual void schedule() = 0;
+
+    /// Returns when every stage is done; the calling thread helps. Returns at once if nothing is scheduled.
+    virtual void complete() = 0;
+
+    /// True if no run is in flight or all of its stages are done. Never blocks.
+    virtual bool is_done() const = 0;
+};
+
+/// Runs graphs. Several runs of different graphs may be in flight at once; methods may be called from any thread.
+class Executor {
+   public:
+    virtual ~Executor() = default;
+
+    /// \param graph outlives the run and does not change meanwhile
+    virtual std::unique_ptr<GraphRun> prepare(const JobGraph& graph) = 0;
+
+    /// Most threads that work on one graph at the same time, the completing one included.
+    virtual int thread_limit() const = 0;
+
+    virtual std::string_view name() const = 0;
+};
+
+/// No threads: complete() does all the work on the calling thread, in order.
+std::shared_ptr<Executor> make_serial_executor();
+
+/// A pool of std::thread, for builds without oneTBB and for ThreadSanitizer. `threads` counts the completing
+/// thread too: 1 starts none, so the work is done in complete(). 0 means one per core; range 0 to 1024, else
+/// std::invalid_argument.
+std::shared_ptr<Executor> make_thread_executor(int threads = 0);
+
+#if defined(PELAGIC_HAS_TBB)
+/// oneTBB: a flow graph with one node a stage, each a parallel loop. Every graph has an arena of `threads` slots, one
+/// of them kept for the scheduling and completing thread. 0 means oneTBB's default, one per core; range 0 to 1024,
+/// else std::invalid_argument. With 1 the work is done in complete().
+std::shared_ptr<Executor> make_tbb_executor(int threads = 0);
+#endif
+
+/// oneTBB where this build has it, else the thread executor.
+std::shared_ptr<Executor> make_default_executor(int threads = 0);
+
+}  // namespace pelagic

@@ -1,0 +1,28 @@
+#include "jobs/job_graph.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+namespace pelagic {
+
+StageId JobGraph::add(Stage stage) {
+    const StageId id = stages_.size();
+    if (stage.batch == 0) throw std::invalid_argument("stage " + stage.name + " has a batch of 0, needs at least 1");
+    if (!stage.body) throw std::invalid_argument("stage " + stage.name + " has no body");
+    for (const StageId earlier : stage.waits_for)
+        if (earlier >= id)
+            throw std::invalid_argument("stage " + stage.name + " waits for stage number " + std::to_string(earlier) +
+                                        ", needs one of the " + std::to_string(id) + " added before it");
+    stages_.push_back(std::move(stage));
+    return id;
+}
+
+std::size_t block_count(const Stage& stage) { return (stage.count + stage.batch - 1) / stage.batch; }
+
+void run_block(const Stage& stage, std::size_t block) {
+    const std::size_t begin = block * stage.batch;
+    stage.body(begin, std::min(begin + stage.batch, stage.count));
+}
+
+}  // namespace pelagic

@@ -1,0 +1,43 @@
+#include <cassert>
+#include <utility>
+
+#include "jobs/executor.hpp"
+
+namespace pelagic {
+namespace {
+
+class SerialRun final : public GraphRun {
+   public:
+    explicit SerialRun(const JobGraph& graph) : graph_(graph) {}
+    ~SerialRun() override { complete(); }
+
+    void schedule() override {
+        assert(!scheduled_);
+        scheduled_ = true;
+    }
+
+    void complete() override {
+        if (!std::exchange(scheduled_, false)) return;
+        for (const Stage& stage : graph_.stages())
+            for (std::size_t block = 0; block < block_count(stage); ++block) run_block(stage, block);
+    }
+
+    bool is_done() const override { return !scheduled_; }
+
+   private:
+    const JobGraph& graph_;
+    bool scheduled_ = false;
+};
+
+class SerialExecutor final : public Executor {
+   public:
+    std::unique_ptr<GraphRun> prepare(const JobGraph& graph) override { return std::make_unique<SerialRun>(graph); }
+    int thread_limit() const override { return 1; }
+    std::string_view name() const override { return "serial"; }
+};
+
+}  // namespace
+
+std::shared_ptr<Executor> make_serial_executor() { return std::make_shared<SerialExecutor>(); }
+
+}  // namespace pelagic

@@ -1,0 +1,97 @@
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/flow_graph.h>
+#include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
+
+#include <atomic>
+#include <cassert>
+#include <deque>
+#include <optional>
+
+#include "jobs/executor.hpp"
+#include "jobs/thread_count.hpp"
+
+namespace pelagic {
+namespace {
+
+using tbb::flow::continue_msg;
+
+/// A flow graph in an arena of its own: a thread that completes one graph can't be caught up in another one's jobs,
+/// and the reserved slot is always free for it.
+class TbbRun final : public GraphRun {
+   public:
+    TbbRun(const JobGraph& graph, int threads) : arena_(threads, 1) {
+        // A flow graph puts its tasks into the arena that it is built in.
+        arena_.execute([&] { build(graph); });
+    }
+    ~TbbRun() override { complete(); }
+
+    void schedule() override {
+        assert(is_done());
+        stages_left_ = nodes_.size();
+        arena_.execute([&] { start_->try_put(continue_msg()); });
+    }
+    void complete() override {
+        arena_.execute([&] { flow_->wait_for_all(); });
+    }
+    bool is_done() const override { return stages_left_ == 0; }
+
+   private:
+    using Node = tbb::flow::continue_node<continue_msg>;
+
+    void build(const JobGraph& graph) {
+        flow_.emplace();
+        start_.emplace(*flow_);
+        for (const Stage& stage : graph.stages()) {
+            Node& node = nodes_.emplace_back(*flow_, [this, &stage](const continue_msg&) { run(stage); });
+            if (stage.waits_for.empty()) tbb::flow::make_edge(*start_, node);
+            for (const StageId earlier : stage.waits_for) tbb::flow::make_edge(nodes_[earlier], node);
+        }
+    }
+
+    void run(const Stage& stage) {
+        const std::size_t blocks = block_count(stage);
+        if (blocks == 1)
+            run_block(stage, 0);
+        else if (blocks > 1)
+            tbb::parallel_for(
+                tbb::blocked_range<std::size_t>(0, blocks, 1),
+                [&stage](const tbb::blocked_range<std::size_t>& range) {
+                    for (std::size_t block = range.begin(); block < range.end(); ++block) run_block(stage, block);
+                },
+                tbb::simple_partitioner());
+        --stages_left_;
+    }
+
+    tbb::task_arena arena_;
+    std::optional<tbb::flow::graph> flow_;
+    std::optional<tbb::flow::broadcast_node<continue_msg>> start_;
+    std::deque<Node> nodes_;
+    std::atomic<std::size_t> stages_left_ = 0;
+};
+
+class TbbExecutor final : public Executor {
+   public:
+    explicit TbbExecutor(int threads) : threads_(threads) {
+        // oneTBB makes no more threads than cores unless told; whoever asks for more gets them.
+        if (threads > cores()) more_threads_.emplace(tbb::global_control::max_allowed_parallelism, threads);
+    }
+    std::unique_ptr<GraphRun> prepare(const JobGraph& graph) override {
+        return std::make_unique<TbbRun>(graph, threads_);
+    }
+    int thread_limit() const override { return threads_; }
+    std::string_view name() const override { return "tbb"; }
+
+   private:
+    int threads_;
+    std::optional<tbb::global_control> more_threads_;
+};
+
+}  // namespace
+
+std::shared_ptr<Executor> make_tbb_executor(int threads) {
+    return std::make_shared<TbbExecutor>(checked_thread_count(threads));
+}
+
+}  // namespace pelagic

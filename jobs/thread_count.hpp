@@ -1,0 +1,20 @@
+// What a number of threads means when a host asks for an executor.
+#pragma once
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <thread>
+
+namespace pelagic {
+
+inline int cores() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
+
+/// `threads`, or one per core for 0. Throws std::invalid_argument outside 0 to 1024.
+inline int checked_thread_count(int threads) {
+    if (threads < 0 || threads > 1024)
+        throw std::invalid_argument("threads is " + std::to_string(threads) + ", needs 0 to 1024");
+    return threads == 0 ? cores() : threads;
+}
+
+}  // namespace pelagic

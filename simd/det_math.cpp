@@ -1,0 +1,89 @@
+#include "simd/det_math.hpp"
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+namespace pelagic::det {
+namespace {
+
+// ln 2 in two parts; the high one has 33 bits, so that its product with an exponent is exact.
+constexpr double ln2_high = 6.93147180369123816490e-01;
+constexpr double ln2_low = 1.90821492927058770002e-10;
+constexpr double log2_e = 1.44269504088896338700;
+constexpr double two_pi = 6.28318530717958647693;
+
+constexpr int exponent_bias = 1023;
+constexpr int mantissa_bits = 52;
+
+double two_to_the(int exponent) {
+    return std::bit_cast<double>(static_cast<std::uint64_t>(exponent + exponent_bias) << mantissa_bits);
+}
+
+}  // namespace
+
+// x = 2^e m with m in [sqrt(1/2), sqrt(2)); log m = 2 artanh(s), s = (m - 1)/(m + 1), |s| < 0.172, as a series in s^2:
+// eleven terms reach 2e-18.
+double log(double x) {
+    const auto bits = std::bit_cast<std::uint64_t>(x);
+    int exponent = static_cast<int>(bits >> mantissa_bits) - exponent_bias;
+    double m = std::bit_cast<double>((bits & 0x000FFFFFFFFFFFFFu) | 0x3FF0000000000000u);
+    if (m > 1.4142135623730951) {
+        m *= 0.5;
+        ++exponent;
+    }
+    const double s = (m - 1) / (m + 1);
+    const double z = s * s;
+    double series = 1.0 / 23;
+    for (int odd = 21; odd >= 3; odd -= 2) series = series * z + 1.0 / odd;
+    const double tail = 2 * s * (z * series) + exponent * ln2_low;
+    return exponent * ln2_high + (2 * s + tail);
+}
+
+// x = k ln 2 + r with |r| <= ln 2 / 2; e^r as a Taylor series: fourteen terms reach 4e-18.
+double exp(double x) {
+    if (x > 709.78) return std::numeric_limits<double>::infinity();
+    if (!(x > -708)) return 0;
+    const double k = std::floor(x * log2_e + 0.5);
+    const double r = (x - k * ln2_high) - k * ln2_low;
+    double series = 1;
+    for (int term = 14; term >= 2; --term) series = 1 + series * r / term;
+    const double e_r = 1 + r * series;
+    // 2^1024 is no double: split the scale.
+    const int half = static_cast<int>(k) / 2;
+    return e_r * two_to_the(half) * two_to_the(static_cast<int>(k) - half);
+}
+
+double pow(double x, double y) { return exp(y * log(x)); }
+
+// (1 - e)/(1 + e) with e = exp(-2x) loses digits for small x, where the odd Taylor series does not.
+double tanh(double x) {
+    if (x < 0.05) {
+        const double z = x * x;
+        return x * (1 + z * (-1.0 / 3 + z * (2.0 / 15 + z * (-17.0 / 315 + z * (62.0 / 2835 + z * (-1382.0 / 155925))))));
+    }
+    const double e = exp(-2 * x);
+    return (1 - e) / (1 + e);
+}
+
+// The nearest quarter turn goes exactly, what is left is at most pi/4: Taylor series up to its 17th power.
+SineCosine sine_cosine_of_turns(double turns) {
+    const double quarters = std::floor(4 * turns + 0.5);
+    const double angle = (turns - quarters * 0.25) * two_pi;
+    const double z = angle * angle;
+    double sine = 1, cosine = 1;
+    for (int term = 16; term >= 2; term -= 2) {
+        sine = 1 - sine * z / (term * (term + 1));
+        cosine = 1 - cosine * z / (term * (term - 1));
+    }
+    sine *= angle;
+    switch (static_cast<std::int64_t>(quarters) & 3) {
+        case 0: return {sine, cosine};
+        case 1: return {cosine, -sine};
+        case 2: return {-sine, -cosine};
+        default: return {-cosine, sine};
+    }
+}
+
+}  // namespace pelagic::det

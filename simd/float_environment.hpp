@@ -1,0 +1,46 @@
+// The floating-point environment that every job runs in.
+//
+// Engines and audio libraries like to switch their threads to flush-to-zero or another rounding mode, and the threads
+// of a host's own executor may arrive like that. Either would change the sea's bits, so each job sets the IEEE 754
+// default (round to nearest even, denormals kept, no traps) and puts back what it found.
+#pragma once
+
+#include <cstdint>
+
+#if defined(__x86_64__)
+#include <xmmintrin.h>
+#endif
+
+namespace pelagic {
+
+class DefaultFloatEnvironment {
+   public:
+    DefaultFloatEnvironment() : found_(read()) {
+        if (found_ != standard) write(standard);
+    }
+    ~DefaultFloatEnvironment() {
+        if (found_ != standard) write(found_);
+    }
+    DefaultFloatEnvironment(const DefaultFloatEnvironment&) = delete;
+    DefaultFloatEnvironment& operator=(const DefaultFloatEnvironment&) = delete;
+
+   private:
+#if defined(__x86_64__)
+    using Word = std::uint32_t;
+    static constexpr Word standard = 0x1F80;  // MXCSR at reset: all exceptions masked, nothing else set
+    static Word read() { return _mm_getcsr() & ~Word{0x3F}; }  // without the sticky exception flags
+    static void write(Word word) { _mm_setcsr(word); }
+#elif defined(__aarch64__)
+    using Word = std::uint64_t;
+    static constexpr Word standard = 0;  // FPCR at reset
+    static Word read() {
+        Word word;
+        __asm__ __volatile__("mrs %0, fpcr" : "=r"(word));
+        return word;
+    }
+    static void write(Word word) { __asm__ __volatile__("msr fpcr, %0" : : "r"(word)); }
+#endif
+    Word found_;
+};
+
+}  // namespace pelagic

@@ -1,0 +1,74 @@
+#include "simd/isa.hpp"
+
+#include <array>
+#include <cstdlib>
+#include <stdexcept>
+#include <string>
+
+namespace pelagic {
+namespace {
+
+constexpr std::array isa_names = {std::string_view("sse4.2"), std::string_view("avx2"), std::string_view("avx512"),
+                                  std::string_view("neon")};
+constexpr std::array all_isas = {Isa::sse4_2, Isa::avx2, Isa::avx512, Isa::neon};
+
+std::string names_here() {
+    std::string names;
+    for (const Isa isa : isas_here()) names.append(names.empty() ? "" : ", ").append(name_of(isa));
+    return names.empty() ? "none" : names;
+}
+
+[[noreturn]] void refuse(std::string_view asked_by, std::string_view value) {
+    throw std::invalid_argument(std::string(asked_by) + " is " + std::string(value) +
+                                ", needs an instruction set that this CPU runs: " + names_here());
+}
+
+}  // namespace
+
+std::string_view name_of(Isa isa) { return isa_names[static_cast<std::size_t>(isa)]; }
+
+std::optional<Isa> isa_named(std::string_view name) {
+    for (const Isa isa : all_isas)
+        if (name_of(isa) == name) return isa;
+    return {};
+}
+
+bool runs_here(Isa isa) {
+#if defined(__x86_64__)
+    switch (isa) {
+        case Isa::sse4_2: return __builtin_cpu_supports("sse4.2");
+        case Isa::avx2: return __builtin_cpu_supports("avx2");
+        case Isa::avx512:
+            return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512cd") &&
+                   __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw");
+        case Isa::neon: return false;
+    }
+    return false;
+#else
+    return isa == Isa::neon;  // part of every 64-bit Arm
+#endif
+}
+
+std::vector<Isa> isas_here() {
+    std::vector<Isa> isas;
+    for (const Isa isa : all_isas)
+        if (runs_here(isa)) isas.push_back(isa);
+    return isas;
+}
+
+Isa choose_isa(std::optional<Isa> wanted) {
+    if (wanted) {
+        if (!runs_here(*wanted)) refuse("isa", name_of(*wanted));
+        return *wanted;
+    }
+    if (const char* name = std::getenv("PELAGIC_ISA"); name && *name) {
+        const std::optional<Isa> isa = isa_named(name);
+        if (!isa || !runs_here(*isa)) refuse("PELAGIC_ISA", name);
+        return *isa;
+    }
+    const std::vector<Isa> isas = isas_here();
+    if (isas.empty()) throw std::invalid_argument("this CPU lacks SSE4.2, the least that Pelagic's kernels need");
+    return isas.back();
+}
+
+}  // namespace pelagic
