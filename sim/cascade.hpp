@@ -1,0 +1,97 @@
+// One patch of waves: its buffers, and the stages that turn a spectrum into textures.
+//
+//   spectrum (on demand) -> evolve -> rows -> columns -> finalize -> gradients -> mipmaps -> mipmaps tail
+//
+// The stages of a frame go through two scratch buffers (A -> B -> A, VR Ocean, figure 4) into one of two slots: one
+// frame is computed while the host still draws the one before.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "jobs/job_graph.hpp"
+#include "sim/dispersion.hpp"
+#include "sim/fft_plan.hpp"
+#include "sim/frame.hpp"
+#include "sim/initial_spectrum.hpp"
+#include "sim/kernels/kernels.hpp"
+#include "sim/mipmaps.hpp"
+#include "sim/sea_state.hpp"
+#include "simd/aligned_buffer.hpp"
+
+namespace pelagic {
+
+class Cascade {
+   public:
+    /// \param kernels  outlives the cascade
+    Cascade(const SeaState& sea, const Kernels& kernels);
+    Cascade(const Cascade&) = delete;  // stages point into it
+    Cascade& operator=(const Cascade&) = delete;
+
+    /// Adds the stages of a frame, or the one stage of a spectrum; the cascade outlives the graph's runs.
+    void add_frame_stages(JobGraph& graph);
+    void add_spectrum_stage(JobGraph& graph);
+
+    /// What the next run of the frame's stages makes. \pre none is in flight
+    void begin_frame(double time_s);
+    /// The frame of the last run.
+    const Frame& end_frame();
+
+    /// What the next run of the spectrum's stage bakes; adopt_spectrum() makes it the sea of the
+    /// frames to come. A cascade has no waves before the first one.
+    void begin_spectrum(const SeaState& sea);
+    void adopt_spectrum();
+
+    const SeaState& sea() const { return sea_; }
+    std::size_t bytes() const;
+
+   private:
+    /// The outputs of one frame.
+    struct Slot {
+        explicit Slot(int resolution);
+        float* plane(std::size_t c);  ///< texel (0, 0) of dx, height or dz
+        std::size_t bytes() const { return planes.bytes() + rgba16f.bytes() + rgba8.bytes(); }
+
+        int resolution;
+        AlignedBuffer<float> planes;
+        AlignedBuffer<std::uint16_t> rgba16f;
+        AlignedBuffer<std::uint32_t> rgba8;
+        Frame frame;
+    };
+
+    Slot& back() { return slots_[back_]; }
+    void evolve(std::size_t block);
+    void rows(std::size_t block);
+    void columns(std::size_t block_pair);
+    void finalize(std::size_t first_row, std::size_t end_row);
+    void gradients(std::size_t row_pair);
+
+    SeaState sea_;
+    const Kernels& kernels_;
+    FftPlan plan_;
+    FftTables fft_;
+
+    PackedSpectrum spectrum_;
+
+    /// A spectrum being baked.
+    struct Bake {
+        SeaState sea;
+        WaveSpectrum model;
+        PackedSpectrum spectrum;
+    };
+    std::optional<Bake> bake_;
+
+    AlignedBuffer<float> waves_;  ///< A: waves, later the surface
+    AlignedBuffer<float> lines_;  ///< B
+    MipAverages mip_averages_;
+    std::vector<RowBounds> row_bounds_;  ///< of each batch of finalize
+
+    std::array<Slot, 2> slots_;
+    std::size_t back_ = 0;
+    LoopFraction fraction_;
+};
+
+}  // namespace pelagic

@@ -1,0 +1,63 @@
+#include "sim/fft_plan.hpp"
+
+#include <bit>
+#include <cassert>
+
+#include "simd/det_math.hpp"
+#include "simd/float_environment.hpp"
+
+namespace pelagic {
+namespace {
+
+// log2 of each radix, first step first: as many eights as leave only fours. The four-point steps come first, where
+// the data is still in order.
+struct Radices {
+    std::array<int, 4> bits{};
+    std::size_t count = 0;
+};
+
+Radices radices_of(int size) {
+    const int total_bits = std::bit_width(static_cast<unsigned>(size)) - 1;
+    const int fours = total_bits % 3 == 0 ? 0 : (3 - total_bits % 3);  // 2 bits each: 1 left over takes two of them
+    Radices radices;
+    for (int i = 0; i < fours; ++i) radices.bits[radices.count++] = 2;
+    for (int left = total_bits - 2 * fours; left > 0; left -= 3) radices.bits[radices.count++] = 3;
+    return radices;
+}
+
+}  // namespace
+
+FftPlan::FftPlan(int size) : size_(size) {
+    assert(size >= 16 && size <= 2048 && std::has_single_bit(static_cast<unsigned>(size)));
+    const DefaultFloatEnvironment environment;
+    const Radices radices = radices_of(size);
+    int span = 1;
+    for (std::size_t step = 0; step < radices.count; ++step) {
+        const int radix = 1 << radices.bits[step];
+        steps_[step_count_++] = {radix, span, twiddles_.size()};
+        for (int j = 0; j < span; ++j) {
+            for (int l = 1; l < radix; ++l) {
+                const auto root = det::sine_cosine_of_turns(static_cast<double>(l * j) / (radix * span));
+                twiddles_.push_back(static_cast<float>(root.cosine));
+                twiddles_.push_back(static_cast<float>(root.sine));
+            }
+        }
+        span *= radix;
+    }
+
+    // The last step joins the inputs by their remainder modulo its radix, the one before by the next digit, ...
+    positions_.resize(static_cast<std::size_t>(size));
+    for (int i = 0; i < size; ++i) {
+        int rest = i;
+        int block = size;
+        int position = 0;
+        for (std::size_t step = step_count_; step-- > 0;) {
+            block /= steps_[step].radix;
+            position += rest % steps_[step].radix * block;
+            rest /= steps_[step].radix;
+        }
+        positions_[static_cast<std::size_t>(i)] = static_cast<std::uint16_t>(position);
+    }
+}
+
+}  // namespace pelagic

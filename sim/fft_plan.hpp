@@ -1,0 +1,35 @@
+// How a transform of N points is cut: radix 8 and 4 steps, where each input goes, and the twiddle factors.
+//
+// Decimation in time (Cooley and Tukey 1965; VR Ocean, 3.6) with mixed radices, the paper's radix 2 costs three times
+// the passes over the data. Kernel e^{+2 pi i/N}, no 1/N: the paper prints the other sign (errata).
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "sim/fft_tables.hpp"
+
+namespace pelagic {
+
+/// The plan of one size; tables() points into it.
+class FftPlan {
+   public:
+    /// \param size  a power of two from 16 to 2048
+    explicit FftPlan(int size);
+
+    FftTables tables() const {
+        return {size_, steps_.data(), step_count_, twiddles_.data(), positions_.data()};
+    }
+    std::size_t bytes() const { return twiddles_.capacity() * sizeof(float) + positions_.capacity() * 2; }
+
+   private:
+    int size_;
+    std::size_t step_count_ = 0;
+    std::array<FftStep, 4> steps_{};
+    std::vector<float> twiddles_;
+    std::vector<std::uint16_t> positions_;
+};
+
+}  // namespace pelagic

@@ -1,0 +1,62 @@
+// What a frame yields, as views into the ocean that made it.
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace pelagic {
+
+/// A square of floats, texel (i, j) at data[j * stride + i]; stride is in floats and at least resolution.
+struct PlaneView {
+    const float* data = nullptr;
+    int resolution = 0;
+    std::ptrdiff_t stride = 0;
+
+    float at(int i, int j) const { return data[j * stride + i]; }
+    std::span<const float> row(int j) const { return {data + j * stride, static_cast<std::size_t>(resolution)}; }
+};
+
+/// Extremes of a frame, for culling boxes. Exact, not estimates.
+struct FrameBounds {
+    float height_min_m = 0;
+    float height_max_m = 0;
+    float sideways_x_max_m = 0;  ///< largest |Dx|
+    float sideways_z_max_m = 0;  ///< largest |Dz|
+};
+
+/// Levels in a gradient chain: resolution, resolution / 2, ..., 1.
+constexpr int mip_levels(int resolution) { return std::bit_width(static_cast<unsigned>(resolution)); }
+
+/// First texel of level `level` in the chain (VR Ocean, equation 55, which counts texels, not bytes).
+constexpr std::size_t mip_offset(int resolution, int level) {
+    const std::size_t all = (4 * static_cast<std::size_t>(resolution) * resolution - 1) / 3;
+    const std::size_t from_here = ((std::size_t{1} << 2 * (mip_levels(resolution) - level)) - 1) / 3;
+    return all - from_here;
+}
+
+/// One frame. Texel (i, j) rests at x = i L/N, z = j L/N and is drawn at (x + Dx, height, z + Dz); metres.
+/// Views stay valid until the ocean schedules the second frame after this one.
+struct Frame {
+    double time_s = 0;
+    PlaneView dx, height, dz;
+    /// resolution^2 texels of four IEEE half floats: Dx, height, Dz, foam (0 none to 1 covered). Rows are tight.
+    std::span<const std::uint16_t> displacement_rgba16f;
+    /// The chain of mip_levels() levels, one texel a word: normal x, normal z, Jacobian, smoothness from the lowest
+    /// byte up (VR Ocean, equations 50 and 51); level m starts at mip_offset(resolution, m).
+    std::span<const std::uint32_t> gradient_rgba8;
+    FrameBounds bounds;
+
+    int resolution() const { return height.resolution; }
+    std::span<const std::uint32_t> gradient_level(int level) const {
+        const std::size_t side = static_cast<std::size_t>(resolution()) >> level;
+        return gradient_rgba8.subspan(mip_offset(resolution(), level), side * side);
+    }
+};
+
+/// XXH3 of every output of the frame: the rows of dx, height and dz, the half floats, the gradient chain and the
+/// bounds, in this order, little-endian. The time is not in it. Two frames with equal hashes hold the same bits.
+std::uint64_t hash_of(const Frame& frame);
+
+}  // namespace pelagic

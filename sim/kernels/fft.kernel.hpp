@@ -1,0 +1,105 @@
+// Inverse transforms of W lines at once, a line a lane, in place: element p of the data is W real parts, then W
+// imaginary ones. See fft_plan.hpp for the order of the steps.
+#pragma once
+
+#include <cstddef>
+#include <xsimd/xsimd.hpp>
+
+#include "sim/fft_tables.hpp"
+
+namespace pelagic::kernels {
+
+template <class Arch>
+struct Complex {
+    using V = xsimd::batch<float, Arch>;
+    V re, im;
+
+    static Complex load(const float* from) { return {V::load_aligned(from), V::load_aligned(from + V::size)}; }
+    void store(float* to) const {
+        re.store_aligned(to);
+        im.store_aligned(to + V::size);
+    }
+    Complex operator+(const Complex& o) const { return {re + o.re, im + o.im}; }
+    Complex operator-(const Complex& o) const { return {re - o.re, im - o.im}; }
+    Complex plus_i_times(const Complex& o) const { return {re - o.im, im + o.re}; }
+    Complex minus_i_times(const Complex& o) const { return {re + o.im, im - o.re}; }
+    /// Times the pair (re, im) at `root`, the same for every line.
+    Complex times(const float* root) const {
+        const V c(root[0]), s(root[1]);
+        return {re * c - im * s, re * s + im * c};
+    }
+};
+
+template <class Arch>
+inline void butterfly_4(Complex<Arch> (&x)[4]) {
+    const Complex<Arch> even_sum = x[0] + x[2];
+    const Complex<Arch> even_difference = x[0] - x[2];
+    const Complex<Arch> odd_sum = x[1] + x[3];
+    const Complex<Arch> odd_difference = x[1] - x[3];
+    x[0] = even_sum + odd_sum;
+    x[1] = even_difference.plus_i_times(odd_difference);
+    x[2] = even_sum - odd_sum;
+    x[3] = even_difference.minus_i_times(odd_difference);
+}
+
+// Two transforms of four, joined by the eighth roots of one: 1, r, i, i r with r = (1 + i)/sqrt(2).
+template <class Arch>
+inline void butterfly_8(Complex<Arch> (&x)[8]) {
+    Complex<Arch> even[4] = {x[0], x[2], x[4], x[6]};
+    Complex<Arch> odd[4] = {x[1], x[3], x[5], x[7]};
+    butterfly_4<Arch>(even);
+    butterfly_4<Arch>(odd);
+    const xsimd::batch<float, Arch> root_half(0.70710678f);
+    odd[1] = {(odd[1].re - odd[1].im) * root_half, (odd[1].re + odd[1].im) * root_half};
+    odd[3] = {(odd[3].re - odd[3].im) * root_half, (odd[3].re + odd[3].im) * root_half};
+    for (int k = 0; k < 2; ++k) {
+        x[k] = even[k] + odd[k];
+        x[k + 2] = even[k + 2].plus_i_times(odd[k + 2]);
+        x[k + 4] = even[k] - odd[k];
+        x[k + 6] = even[k + 2].minus_i_times(odd[k + 2]);
+    }
+}
+
+template <class Arch, int Radix>
+inline void fft_step(float* data, int size, const FftStep& step, const float* twiddles) {
+    constexpr std::size_t element = 2 * xsimd::batch<float, Arch>::size;
+    const std::size_t span = static_cast<std::size_t>(step.span);
+    const std::size_t group = Radix * span;
+
+    for (std::size_t first = 0; first < static_cast<std::size_t>(size); first += group) {
+        const float* roots = twiddles + step.first_twiddle;
+        for (std::size_t j = 0; j < span; ++j, roots += 2 * (Radix - 1)) {
+            float* at = data + (first + j) * element;
+            Complex<Arch> x[Radix];
+            x[0] = Complex<Arch>::load(at);
+            for (std::size_t l = 1; l < Radix; ++l)
+                x[l] = Complex<Arch>::load(at + l * span * element).times(roots + 2 * (l - 1));
+            if constexpr (Radix == 8)
+                butterfly_8<Arch>(x);
+            else
+                butterfly_4<Arch>(x);
+            for (std::size_t k = 0; k < Radix; ++k) x[k].store(at + k * span * element);
+        }
+    }
+}
+
+/// \param data  aligned to 64 bytes, fft.size elements, input i at position fft.positions[i]; results in order
+template <class Arch>
+inline void inverse_fft(float* data, const FftTables& fft) {
+    for (std::size_t s = 0; s < fft.step_count; ++s) {
+        const FftStep& step = fft.steps[s];
+        if (step.radix == 8)
+            fft_step<Arch, 8>(data, fft.size, step, fft.twiddles);
+        else
+            fft_step<Arch, 4>(data, fft.size, step, fft.twiddles);
+    }
+}
+
+/// The largest transform's working memory, on the stack: 8 N W bytes.
+template <class Arch>
+struct alignas(64) FftWorkspace {
+    static constexpr std::size_t largest_size = 2048;
+    float data[largest_size * 2 * xsimd::batch<float, Arch>::size];
+};
+
+}  // namespace pelagic::kernels

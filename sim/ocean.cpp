@@ -1,0 +1,99 @@
+#include "sim/ocean.hpp"
+
+#include <cassert>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "sim/cascade.hpp"
+#include "sim/kernels/kernels.hpp"
+
+namespace pelagic {
+namespace {
+
+const SeaState& checked(const SeaState& sea) {
+    if (const std::string reason = check(sea); !reason.empty()) throw std::invalid_argument(reason);
+    return sea;
+}
+
+}  // namespace
+
+// The runs are last, so that they go first and wait for what is in flight.
+struct Ocean::State {
+    State(const SeaState& sea, OceanOptions options)
+        : executor(options.executor ? std::move(options.executor) : make_default_executor()),
+          isa(choose_isa(options.isa)),
+          cascade(checked(sea), kernels_for(isa)) {
+        cascade.add_frame_stages(frame_graph);
+        cascade.add_spectrum_stage(spectrum_graph);
+        frame_run = executor->prepare(frame_graph);
+        spectrum_run = executor->prepare(spectrum_graph);
+    }
+
+    std::shared_ptr<Executor> executor;
+    Isa isa;
+    Cascade cascade;
+    JobGraph frame_graph, spectrum_graph;
+    bool frame_in_flight = false;
+    bool sea_in_flight = false;
+    const Frame* completed = nullptr;
+    std::unique_ptr<GraphRun> frame_run, spectrum_run;
+};
+
+Ocean::Ocean(const SeaState& sea, OceanOptions options) : state_(new State(checked(sea), std::move(options))) {
+    schedule_sea(sea);
+    complete_sea();
+}
+
+Ocean::~Ocean() = default;
+
+void Ocean::schedule(double time_s) {
+    assert(!state_->frame_in_flight && "complete() the frame in flight first");
+    assert(std::isfinite(time_s));
+    state_->cascade.begin_frame(time_s);
+    state_->frame_in_flight = true;
+    state_->frame_run->schedule();
+}
+
+const Frame& Ocean::complete() {
+    assert((state_->frame_in_flight || state_->completed) && "schedule() a frame first");
+    if (state_->frame_in_flight) {
+        state_->frame_run->complete();
+        state_->frame_in_flight = false;
+        state_->completed = &state_->cascade.end_frame();
+    }
+    return *state_->completed;
+}
+
+const Frame& Ocean::frame_at(double time_s) {
+    schedule(time_s);
+    return complete();
+}
+
+void Ocean::schedule_sea(const SeaState& sea) {
+    assert(!state_->sea_in_flight && "complete_sea() first");
+    if (checked(sea).resolution != state_->cascade.sea().resolution)
+        throw std::invalid_argument("resolution is " + std::to_string(sea.resolution) + ", needs " +
+                                    std::to_string(state_->cascade.sea().resolution) + ", as the ocean was built");
+    state_->cascade.begin_spectrum(sea);
+    state_->sea_in_flight = true;
+    state_->spectrum_run->schedule();
+}
+
+bool Ocean::sea_is_ready() const { return state_->spectrum_run->is_done(); }
+
+void Ocean::complete_sea() {
+    assert(!state_->frame_in_flight && "complete() the frame in flight first");
+    if (!state_->sea_in_flight) return;
+    state_->spectrum_run->complete();
+    state_->sea_in_flight = false;
+    state_->cascade.adopt_spectrum();
+}
+
+const SeaState& Ocean::sea() const { return state_->cascade.sea(); }
+Isa Ocean::isa() const { return state_->isa; }
+const Executor& Ocean::executor() const { return *state_->executor; }
+const JobGraph& Ocean::graph() const { return state_->frame_graph; }
+std::size_t Ocean::memory_bytes() const { return sizeof(State) + state_->cascade.bytes(); }
+
+}  // namespace pelagic

@@ -1,0 +1,72 @@
+// The sea: construct it once, then schedule and complete a frame as often as you draw.
+//
+//   Ocean ocean({.wind_speed_mps = 9});
+//   ocean.schedule(0.0);
+//   for (double t = 0;; t += 1.0 / 90) {
+//       const Frame& frame = ocean.complete();  // the frame scheduled last
+//       ocean.schedule(t + 1.0 / 90);           // the next one is computed while this one is drawn
+//       draw(frame);
+//   }
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+
+#include "jobs/executor.hpp"
+#include "sim/frame.hpp"
+#include "sim/sea_state.hpp"
+#include "simd/isa.hpp"
+
+namespace pelagic {
+
+/// How the sea is computed; nothing in here changes a bit of it.
+struct OceanOptions {
+    std::shared_ptr<Executor> executor = {};  ///< none: oneTBB with its default number of threads
+    std::optional<Isa> isa = {};              ///< none: PELAGIC_ISA, else the strongest that this CPU runs
+};
+
+/// One patch of sea. Not thread-safe: one thread at a time calls its methods; the work runs on the executor.
+/// After construction a frame neither throws nor allocates in Pelagic's code. Misuse is asserted.
+class Ocean {
+   public:
+    /// Bakes the spectrum. Throws std::invalid_argument(check(sea)) if an option is out of range, and what
+    /// choose_isa() throws.
+    explicit Ocean(const SeaState& sea, OceanOptions options = {});
+    ~Ocean();  ///< waits for work in flight
+    Ocean(const Ocean&) = delete;
+    Ocean& operator=(const Ocean&) = delete;
+
+    /// Starts the frame at `time_s` and returns at once. Any finite time, in any order: a frame is a pure function of
+    /// the sea and the time, and time_s + n * loop_period_s gives the same bits.
+    /// \pre no frame is in flight
+    void schedule(double time_s);
+
+    /// Waits for the scheduled frame, helping, and hands it out. Without one in flight: the frame completed last.
+    /// Its views stay valid while the next frame is computed, until the second schedule() from now.
+    const Frame& complete();
+
+    /// schedule() and complete() in one.
+    const Frame& frame_at(double time_s);
+
+    /// Starts to bake the spectrum of another sea beside the current one (stage `spectrum`); frames go on with the
+    /// old one. The resolution must stay. Throws std::invalid_argument if a value is out of range or it does not.
+    /// \pre no other sea is being baked
+    void schedule_sea(const SeaState& sea);
+    bool sea_is_ready() const;  ///< complete_sea() would not wait
+    /// Frames scheduled from now on show the sea given last to schedule_sea(); waits for its spectrum.
+    /// \pre no frame is in flight
+    void complete_sea();
+
+    const SeaState& sea() const;  ///< the sea that the next frame shows
+    Isa isa() const;
+    const Executor& executor() const;
+    const JobGraph& graph() const;       ///< the stages of a frame
+    std::size_t memory_bytes() const;    ///< everything that the ocean allocated, two frames and the spectrum included
+
+   private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace pelagic

@@ -1,0 +1,155 @@
+#include "sim/statistics.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <vector>
+
+#include "sim/dispersion.hpp"
+#include "sim/initial_spectrum.hpp"
+#include "sim/spectra.hpp"
+#include "simd/det_math.hpp"
+#include "simd/float_environment.hpp"
+
+namespace pelagic {
+namespace {
+
+constexpr double two_pi = 6.28318530717958647693;
+
+/// Calls visit(m, n) for every wave of the grid but DC and the Nyquist row and column, which hold none.
+template <class Visit>
+void for_each_wave(int resolution, Visit visit) {
+    for (int n = 1 - resolution / 2; n < resolution / 2; ++n)
+        for (int m = 1 - resolution / 2; m < resolution / 2; ++m)
+            if (m != 0 || n != 0) visit(m, n);
+}
+
+/// The model's energy over wave number, whatever its scale, m^3.
+double radial_energy(const WaveSpectrum& spectrum, const SeaState& sea, double k) {
+    if (spectrum.is_physical()) return spectrum.radial_density(k);
+    // Along the wind the paper's spectrum has the shape of the whole: its spreading does not depend on k.
+    const auto wind = det::sine_cosine_of_turns(sea.wind_direction_rad / two_pi);
+    return k * spectrum.amplitude_variance(k * wind.cosine, k * wind.sine);
+}
+
+// Wave numbers to look at: from ten times the longest wave of the wind to a tenth of a millimetre, 2 % apart.
+constexpr double shortest_k = 1e-5;
+constexpr double longest_k = 6e4;
+constexpr double k_ratio = 1.02;
+
+struct Peak {
+    double k, omega;
+};
+
+// The largest S(omega) = S(k) / (d omega / d k), refined by halving steps around the best of the coarse grid.
+Peak peak_of(const WaveSpectrum& spectrum, const SeaState& sea) {
+    const auto density = [&](double k) {
+        return radial_energy(spectrum, sea, k) / group_velocity(k, sea.depth_m);
+    };
+    double best = shortest_k;
+    for (double k = shortest_k; k < longest_k; k *= k_ratio)
+        if (density(k) > density(best)) best = k;
+    for (double step = k_ratio - 1; step > 1e-7; step *= 0.5)
+        for (const double k : {best * (1 - step), best * (1 + step)})
+            if (density(k) > density(best)) best = k;
+    return {best, angular_frequency(best, sea.depth_m)};
+}
+
+// Trapezoidal rule in log k, which the smooth spectrum makes accurate to far better than 1e-6.
+double model_variance(const WaveSpectrum& spectrum) {
+    double sum = 0;
+    const double step = det::log(k_ratio);
+    for (double k = shortest_k; k < longest_k; k *= k_ratio) sum += spectrum.radial_density(k) * k * step;
+    return sum;
+}
+
+std::string text(const char* format, double a, double b) {
+    std::array<char, 256> line;
+    std::snprintf(line.data(), line.size(), format, a, b);
+    return line.data();
+}
+
+}  // namespace
+
+ExpectedWaves expected_waves(const SeaState& sea) {
+    const DefaultFloatEnvironment environment;
+    const WaveSpectrum spectrum(sea);
+    const double spacing = two_pi / sea.patch_size_m;
+    // Each h~(k) is h0(k) and a mirror of h0(-k), so every amplitude counts twice in the variance.
+    double variance = 0;
+    for_each_wave(sea.resolution, [&](int m, int n) {
+        variance += 2 * spectrum.amplitude_variance(m * spacing, n * spacing);
+    });
+    const Peak peak = peak_of(spectrum, sea);
+    ExpectedWaves waves{4 * std::sqrt(variance), two_pi / peak.omega, two_pi / peak.k, {}};
+    if (spectrum.is_physical()) waves.model_significant_wave_height_m = 4 * std::sqrt(model_variance(spectrum));
+    return waves;
+}
+
+double measured_significant_wave_height_m(const Frame& frame) {
+    const DefaultFloatEnvironment environment;
+    const double count = static_cast<double>(frame.resolution()) * frame.resolution();
+    double sum = 0, squares = 0;
+    for (int j = 0; j < frame.resolution(); ++j) {
+        for (const float h : frame.height.row(j)) {
+            sum += h;
+            squares += static_cast<double>(h) * h;
+        }
+    }
+    const double mean = sum / count;
+    return 4 * std::sqrt(std::max(0.0, squares / count - mean * mean));
+}
+
+double measured_peak_period_s(const SeaState& sea) {
+    const DefaultFloatEnvironment environment;
+    const WaveSpectrum spectrum(sea);
+    const double spacing = two_pi / sea.patch_size_m;
+
+    // Bands 5 % wide from the grid's longest wave up to its shortest.
+    constexpr double band_ratio = 1.05;
+    const double log_ratio = det::log(band_ratio);
+    const double lowest = angular_frequency(spacing, sea.depth_m) / two_pi;
+    std::vector<double> energy;
+    for_each_wave(sea.resolution, [&](int m, int n) {
+        const double k = spacing * std::sqrt(static_cast<double>(m) * m + static_cast<double>(n) * n);
+        const double frequency = angular_frequency(k, sea.depth_m) / two_pi;
+        const auto band = static_cast<std::size_t>(std::max(0.0, det::log(frequency / lowest) / log_ratio));
+        if (band >= energy.size()) energy.resize(band + 1);
+        energy[band] += std::norm(initial_amplitude(sea, spectrum, m, n));
+    });
+
+    double weight = 0, weighted_frequency = 0;
+    double edge = lowest;
+    for (const double e : energy) {
+        const double width = edge * (band_ratio - 1);
+        const double density = e / width;
+        const double fourth = density * density * density * density * width;
+        weight += fourth;
+        weighted_frequency += fourth * (edge + 0.5 * width);
+        edge *= band_ratio;
+    }
+    return weight / weighted_frequency;
+}
+
+std::vector<std::string> warnings_about(const SeaState& sea) {
+    const ExpectedWaves waves = expected_waves(sea);
+    std::vector<std::string> warnings;
+    if (sea.patch_size_m < 2 * waves.peak_wavelength_m)
+        warnings.push_back(text("the patch of %g m is shorter than two peak wavelengths (%.3g m): the largest waves are "
+                                "missing or few, and the sea is lower than its wind makes it",
+                                sea.patch_size_m, 2 * waves.peak_wavelength_m));
+    if (const double shortest = 2 * sea.patch_size_m / sea.resolution; waves.peak_wavelength_m < 2 * shortest)
+        warnings.push_back(text("the grid's shortest wave of %.3g m is longer than half the peak wavelength (%.3g m): "
+                                "raise the resolution or shrink the patch",
+                                shortest, waves.peak_wavelength_m));
+    const double omega = two_pi / waves.peak_period_s;
+    const double looped = loop_harmonic(omega, sea.loop_period_s) * two_pi / sea.loop_period_s;
+    if (std::fabs(looped / omega - 1) > 0.1)
+        warnings.push_back(text("a loop of %g s bends the peak's period by %.0f %%: waves of a loop run a whole number "
+                                "of periods",
+                                sea.loop_period_s, 100 * std::fabs(omega / looped - 1)));
+    return warnings;
+}
+
+}  // namespace pelagic
