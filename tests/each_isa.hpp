@@ -1,0 +1,26 @@
+// The instruction set as a test parameter: TEST_P(EvolveOnEachIsa, ...) runs on all that this CPU has.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "sim/kernels/kernels.hpp"
+#include "simd/isa.hpp"
+
+namespace pelagic {
+
+class OnEachIsa : public testing::TestWithParam<Isa> {
+   protected:
+    const Kernels& kernels() const { return kernels_for(GetParam()); }
+};
+
+/// "sse4_2": GoogleTest allows no dots in names.
+inline std::string isa_test_name(const testing::TestParamInfo<Isa>& info) {
+    std::string name(name_of(info.param));
+    std::replace(name.begin(), name.end(), '.', '_');
+    return name;
+}
+
+}  // namespace pelagic
