@@ -1,0 +1,32 @@
+#!/usr/bin/env bash
+# From a fresh Debian 12 to a looping sea on disk: installs what is missing, builds, exports into out/.
+set -euo pipefail
+cd "$(dirname "$0")"
+. cmake/dependencies.sh
+pelagic_install_dependencies
+
+echo "Building (a minute or two the first time) ..."
+log=$(mktemp)
+trap 'rm -f "$log"' EXIT
+if ! { cmake --preset release -DPELAGIC_TESTS=OFF -DPELAGIC_BENCH=OFF && cmake --build --preset release -j "$(nproc)" --target pelagic; } >"$log" 2>&1; then
+  cat "$log"
+  echo "The build failed."
+  exit 1
+fi
+
+# Eight seconds are short enough to play as 64 frames at 8 a second, and a whole number of periods for every wave.
+command=(build/release/bin/pelagic export --out out --loop-period 8 --loop-frames 64 --mips --overwrite)
+"${command[@]}"
+cat <<END
+
+Your sea is in out/:
+  displacement_0000.exr ... displacement_0063.exr   metres: red = Dx, green = height, blue = Dz
+  gradient_0000.png ... gradient_0063.png           normal x, normal z, Jacobian, smoothness (and _mip1 ...)
+  sea.json                                          every option, wave heights, a hash for each frame
+Play the 64 frames at 8 a second: after the last one the first follows without a seam.
+It was made by:
+  ${command[*]}
+Try also:
+  build/release/bin/pelagic info --preset storm
+  build/release/bin/pelagic export --help
+END
