@@ -14,8 +14,8 @@ if ! { cmake --preset release -DPELAGIC_TESTS=OFF -DPELAGIC_BENCH=OFF && cmake -
   exit 1
 fi
 
-# Eight seconds are short enough to play as 64 frames at 8 a second, and a whole number of periods for every wave.
-command=(build/release/bin/pelagic export --out out --loop-period 8 --loop-frames 64 --mips --overwrite)
+# 12.8 seconds are 64 frames at 5 a second and nearly two periods of the highest waves, so the loop bends them little.
+command=(build/release/bin/pelagic export --out out --loop-period 12.8 --loop-frames 64 --mips)
 "${command[@]}"
 cat <<END
 
@@ -23,7 +23,7 @@ Your sea is in out/:
   displacement_0000.exr ... displacement_0063.exr   metres: red = Dx, green = height, blue = Dz
   gradient_0000.png ... gradient_0063.png           normal x, normal z, Jacobian, smoothness (and _mip1 ...)
   sea.json                                          every option, wave heights, a hash for each frame
-Play the 64 frames at 8 a second: after the last one the first follows without a seam.
+Play the 64 frames at 5 a second: after the last one the first follows without a seam.
 It was made by:
   ${command[*]}
 Try also:

@@ -9,7 +9,6 @@ pelagic_packages=(
   libxsimd-dev             # xsimd: kernels
   libxxhash-dev            # XXH3: the hash of a frame
   libopenimageio-dev       # OpenImageIO: EXR, PNG, TIFF
-  openimageio-tools        # its CMake files ask for its programs
   libcli11-dev             # CLI11: the command line
   libtomlplusplus-dev      # toml++: --config
   nlohmann-json3-dev       # sea.json

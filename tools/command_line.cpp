@@ -1,0 +1,96 @@
+#include "tools/command_line.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "tools/errors.hpp"
+#include "tools/export_command.hpp"
+#include "tools/info_command.hpp"
+#include "tools/option_text.hpp"
+
+namespace pelagic::tools {
+namespace {
+
+std::vector<std::string> option_names(const CLI::App& app) {
+    std::vector<std::string> names;
+    for (const CLI::Option* option : app.get_options())
+        if (!option->get_lnames().empty()) names.push_back("--" + option->get_lnames().front());
+    return names;
+}
+
+/// What CLI11 says, as one line of ours.
+InputError from_cli(const CLI::ParseError& error, const CLI::App& app, const std::vector<std::string>& words) {
+    const auto commands = app.get_subcommands();
+    const CLI::App& used = commands.empty() ? app : *commands.front();
+    const std::vector<std::string> options = option_names(used);
+
+    // CLI11 meets an unknown option before it looks at the values of others.
+    if (dynamic_cast<const CLI::ExtrasError*>(&error)) {
+        const std::vector<std::string> extras = used.remaining(true);
+        const std::string word = extras.empty() ? "" : extras.front();
+        const std::string name = word.substr(0, word.find('='));
+        if (commands.empty()) return InputError("unknown command " + word + ", needs export or info");
+        if (!name.starts_with('-')) return InputError("unexpected word " + word + ", needs options such as " + options.back());
+        return InputError("unknown option " + name + ", the nearest known one is " + nearest_name(name, options));
+    }
+    // The others name the option first: "--seed: ..." or "--seed requires an argument".
+    for (const std::string& option : options) {
+        const auto times = std::count_if(words.begin(), words.end(), [&](const std::string& word) {
+            return word == option || word.starts_with(option + "=");
+        });
+        const std::string what = error.what();
+        if (what.find(option + ":") == std::string::npos && what.find(option + " ") == std::string::npos) continue;
+        if (times > 1) return InputError(option + " is given " + std::to_string(times) + " times, needs to be given once");
+        if (words.back() == option) return InputError(option + " has no value, needs one");
+    }
+    std::string line = error.what();
+    std::replace(line.begin(), line.end(), '\n', ' ');
+    return InputError(line);
+}
+
+int run(int argc, const char* const* argv) {
+    CLI::App app("An open sea on CPU jobs and SIMD: exports seamlessly looping displacement and normal maps.", "pelagic");
+    app.set_version_flag("--version", "pelagic " PELAGIC_VERSION);
+    app.get_formatter()->column_width(34);
+
+    CLI::App& export_app = *app.add_subcommand("export", "write frames of a sea as images, and sea.json");
+    ExportFlags export_flags;
+    export_flags.add_to(export_app);
+    CLI::App& info_app = *app.add_subcommand("info", "say what a sea is, before anything is written");
+    InfoFlags info_flags;
+    info_flags.add_to(info_app);
+
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::Success& help_or_version) {
+        return app.exit(help_or_version);
+    } catch (const CLI::ParseError& error) {
+        throw from_cli(error, app, {argv + 1, argv + argc});
+    }
+    if (export_app.parsed())
+        run_export(export_flags.resolve());
+    else if (info_app.parsed())
+        info_flags.run();
+    else
+        throw InputError("no command, needs export or info; pelagic --help says more");
+    return 0;
+}
+
+}  // namespace
+
+int run_command_line(int argc, const char* const* argv) {
+    try {
+        return run(argc, argv);
+    } catch (const InputError& error) {
+        std::fprintf(stderr, "pelagic: %s\n", error.what());
+        return 2;
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "pelagic: %s\n", error.what());
+        return 1;
+    }
+}
+
+}  // namespace pelagic::tools

@@ -1,0 +1,61 @@
+#include "tools/config_file.hpp"
+
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+
+#include "tools/errors.hpp"
+#include "tools/option_text.hpp"
+
+namespace pelagic::tools {
+namespace {
+
+std::string read_text(const std::filesystem::path& file) {
+    if (std::filesystem::is_directory(file))
+        throw InputError("--config is " + file.string() + ", a folder, needs a TOML file");
+    std::ifstream stream(file, std::ios::binary);
+    std::ostringstream text;
+    if (stream) text << stream.rdbuf();
+    if (!stream) throw InputError("--config is " + file.string() + ", which can't be read, needs a TOML file");
+    return text.str();
+}
+
+std::string place_of(const std::filesystem::path& file, const toml::source_region& source) {
+    return file.string() + ":" + std::to_string(source.begin.line);
+}
+
+std::string value_text(const toml::node& node, const std::string& place, std::string_view key) {
+    if (const auto* text = node.as_string()) return text->get();
+    if (const auto* whole = node.as_integer()) return std::to_string(whole->get());
+    if (const auto* number = node.as_floating_point()) return number_text(number->get());
+    std::ostringstream type;
+    type << node.type();
+    throw InputError(place + ": " + std::string(key) + " is of type " + type.str() + ", needs a number or a text");
+}
+
+}  // namespace
+
+std::vector<ConfigEntry> read_config(const std::filesystem::path& file, std::span<const std::string> known) {
+    const std::string text = read_text(file);
+    toml::table table;
+    try {
+        table = toml::parse(text);
+    } catch (const toml::parse_error& error) {
+        throw InputError(place_of(file, error.source()) + ": " + std::string(error.description()) +
+                         ", needs lines such as wind_speed = 9.0");
+    }
+    std::vector<ConfigEntry> entries;
+    for (const auto& [name, node] : table) {
+        const std::string key(name.str());
+        const std::string place = place_of(file, node.source());
+        if (std::find(known.begin(), known.end(), key) == known.end())
+            throw InputError(place + ": unknown key " + key + ", the nearest known one is " +
+                             nearest_name(key, known));
+        entries.push_back({key, value_text(node, place, key), place});
+    }
+    return entries;
+}
+
+}  // namespace pelagic::tools

@@ -1,0 +1,22 @@
+// A sea in a TOML file: one `key = value` a line, keys named as the flags with underscores for dashes.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace pelagic::tools {
+
+/// A key and its value as the command line would spell it, and where it stands.
+struct ConfigEntry {
+    std::string key;
+    std::string value;
+    std::string place;  ///< "sea.toml:3"
+};
+
+/// Reads the top-level keys of a file. Throws InputError, one line with file and line number, for a file that can't be
+/// read, malformed TOML, duplicate keys, tables and arrays, and for a key that is not in `known` (it names the nearest).
+std::vector<ConfigEntry> read_config(const std::filesystem::path& file, std::span<const std::string> known);
+
+}  // namespace pelagic::tools

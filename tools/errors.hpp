@@ -1,0 +1,24 @@
+// The two ways in which a command fails: main prints the one line and exits with the code.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace pelagic::tools {
+
+/// What the user asked for can't be done. Exit code 2; nothing has been written.
+struct InputError : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// A file could not be written or read. Exit code 1.
+struct FileError : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// "--wind-speed is -3, needs (0, 60]".
+inline InputError bad_value(const std::string& option, const std::string& value, const std::string& accepted) {
+    return InputError(option + " is " + value + ", needs " + accepted);
+}
+
+}  // namespace pelagic::tools

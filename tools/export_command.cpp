@@ -1,0 +1,178 @@
+#include "tools/export_command.hpp"
+
+#include <array>
+#include <cstdio>
+#include <deque>
+#include <future>
+#include <map>
+#include <thread>
+#include <vector>
+
+#include "sim/ocean.hpp"
+#include "sim/statistics.hpp"
+#include "tools/atomic_file.hpp"
+#include "tools/errors.hpp"
+#include "tools/export_journal.hpp"
+#include "tools/progress.hpp"
+
+namespace pelagic::tools {
+namespace {
+
+std::string file_name(const char* map, int frame, int level, const char* extension) {
+    std::array<char, 64> name;
+    if (level == 0)
+        std::snprintf(name.data(), name.size(), "%s_%04d.%s", map, frame, extension);
+    else
+        std::snprintf(name.data(), name.size(), "%s_%04d_mip%d.%s", map, frame, level, extension);
+    return name.data();
+}
+
+/// A frame's outputs copied, so that its images can be encoded while the ocean goes on.
+class FrameCopy {
+   public:
+    explicit FrameCopy(const Frame& frame) : frame_(frame) {
+        const std::size_t n = static_cast<std::size_t>(frame.resolution());
+        planes_.reserve(3 * n * n);
+        for (PlaneView* plane : {&frame_.dx, &frame_.height, &frame_.dz}) {
+            const float* copy = planes_.data() + planes_.size();
+            for (int j = 0; j < plane->resolution; ++j) {
+                const auto row = plane->row(j);
+                planes_.insert(planes_.end(), row.begin(), row.end());
+            }
+            *plane = {copy, plane->resolution, plane->resolution};
+        }
+        halves_.assign(frame.displacement_rgba16f.begin(), frame.displacement_rgba16f.end());
+        bytes_.assign(frame.gradient_rgba8.begin(), frame.gradient_rgba8.end());
+        frame_.displacement_rgba16f = halves_;
+        frame_.gradient_rgba8 = bytes_;
+    }
+    FrameCopy(FrameCopy&&) = default;  // vectors keep their memory when they move
+    FrameCopy(const FrameCopy&) = delete;
+
+    const Frame& frame() const { return frame_; }
+
+   private:
+    Frame frame_;
+    std::vector<float> planes_;
+    std::vector<std::uint16_t> halves_;
+    std::vector<std::uint32_t> bytes_;
+};
+
+FileRecord write_image(const ExportOptions& options, const std::string& name, std::vector<unsigned char> image) {
+    write_whole_file(options.folder / name, std::as_bytes(std::span(image)));
+    return {name, xxh3_text(image.data(), image.size())};
+}
+
+FrameRecord write_frame(const ExportOptions& options, int number, const Frame& frame) {
+    FrameRecord record{.frame = number,
+                       .time_s = frame.time_s,
+                       .hash = hex_text(hash_of(frame)),
+                       .significant_wave_height_m = measured_significant_wave_height_m(frame),
+                       .height_min_m = frame.bounds.height_min_m,
+                       .height_max_m = frame.bounds.height_max_m,
+                       .files = {}};
+    if (options.displacement)
+        record.files.push_back(
+            write_image(options, file_name("displacement", number, 0, displacement_extension(options.format)),
+                        encode_displacement(frame, options.format, options.half)));
+    if (options.gradient)
+        for (int level = 0; level < (options.mips ? mip_levels(frame.resolution()) : 1); ++level)
+            record.files.push_back(
+                write_image(options, file_name("gradient", number, level, gradient_extension(options.format)),
+                            encode_gradient(frame, level, options.format)));
+    return record;
+}
+
+/// Encodes frames on a few threads and journals them in order. Memory is bounded: one frame a thread.
+class FrameWriter {
+   public:
+    FrameWriter(const ExportOptions& options, ExportJournal& journal, std::map<int, FrameRecord>& records)
+        : options_(options), journal_(journal), records_(records) {
+        const unsigned cores = std::max(1u, std::thread::hardware_concurrency());
+        most_ = options.compute.threads == 0 ? cores : static_cast<std::size_t>(options.compute.threads);
+    }
+
+    void write(int number, const Frame& frame) {
+        while (in_flight_.size() >= most_) take_oldest();
+        // With one thread the work is done when it is taken, by the thread that takes it.
+        const auto policy = most_ == 1 ? std::launch::deferred : std::launch::async;
+        in_flight_.push_back(std::async(policy, [this, number, copy = FrameCopy(frame)] {
+            return write_frame(options_, number, copy.frame());
+        }));
+    }
+
+    void finish() {
+        while (!in_flight_.empty()) take_oldest();
+    }
+
+   private:
+    void take_oldest() {
+        std::future<FrameRecord> oldest = std::move(in_flight_.front());
+        in_flight_.pop_front();
+        FrameRecord record = oldest.get();
+        journal_.add(record);
+        const int number = record.frame;
+        records_.emplace(number, std::move(record));
+    }
+
+    const ExportOptions& options_;
+    ExportJournal& journal_;
+    std::map<int, FrameRecord>& records_;
+    std::size_t most_;
+    std::deque<std::future<FrameRecord>> in_flight_;
+};
+
+void make_folder(const std::filesystem::path& folder) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error) throw FileError("can't write " + folder.string() + ": " + error.message());
+}
+
+/// Computes and writes the frames that `records` lacks.
+void make_frames(const ExportOptions& options, ExportJournal& journal, std::map<int, FrameRecord>& records,
+                 Isa isa) {
+    std::vector<int> missing;
+    for (int frame = 0; frame < options.frames; ++frame)
+        if (!records.contains(frame)) missing.push_back(frame);
+    if (missing.empty()) return;
+
+    Ocean ocean(options.sea.sea, {.executor = make_default_executor(options.compute.threads), .isa = isa});
+    Progress progress("frame", missing.size());
+    FrameWriter writer(options, journal, records);
+    ocean.schedule(options.time_of(missing.front()));
+    for (std::size_t i = 0; i < missing.size(); ++i) {
+        progress.show(i);
+        const Frame& frame = ocean.complete();
+        if (i + 1 < missing.size()) ocean.schedule(options.time_of(missing[i + 1]));
+        writer.write(missing[i], frame);
+    }
+    writer.finish();
+}
+
+void print_summary(const ExportOptions& options, const std::vector<FrameRecord>& frames, std::size_t kept) {
+    double height = 0;
+    for (const FrameRecord& frame : frames) height += frame.significant_wave_height_m;
+    std::printf("%s: %zu frame%s", options.folder.c_str(), frames.size(), frames.size() == 1 ? "" : "s");
+    if (options.resume) std::printf(" (%zu of them kept)", kept);
+    std::printf(", %s sea, Hs %.2f m, peak period %.1f s\n", std::string(name_of(options.sea.sea.spectrum)).c_str(),
+                height / static_cast<double>(frames.size()), expected_waves(options.sea.sea).peak_period_s);
+    for (const std::string& warning : warnings_about(options.sea.sea)) std::printf("note: %s\n", warning.c_str());
+}
+
+}  // namespace
+
+void run_export(const ExportOptions& options) {
+    ExportJournal journal(options);
+    make_folder(options.folder);
+    journal.begin();
+    std::map<int, FrameRecord> records = journal.done();
+    const std::size_t kept = records.size();
+    make_frames(options, journal, records, *options.compute.isa);
+
+    std::vector<FrameRecord> frames;
+    for (auto& [number, record] : records) frames.push_back(std::move(record));
+    journal.end(frames);
+    print_summary(options, frames, kept);
+}
+
+}  // namespace pelagic::tools

@@ -1,0 +1,146 @@
+#include "tools/export_options.hpp"
+
+#include <array>
+#include <stdexcept>
+#include <vector>
+
+#include "tools/errors.hpp"
+#include "tools/option_text.hpp"
+
+namespace pelagic::tools {
+namespace {
+
+constexpr int most_frames = 1'000'000;
+constexpr double latest_start_s = 1e9;
+constexpr double most_fps = 1000;
+constexpr double default_fps = 24;
+
+int whole_number(const std::string& option, const std::string& text, int least, int most) {
+    const auto value = parse_integer(text);
+    if (!value || *value < least || *value > most)
+        throw bad_value(option, text,
+                        "a whole number from " + std::to_string(least) + " to " + std::to_string(most));
+    return static_cast<int>(*value);
+}
+
+std::vector<std::string> names_of_isas_here() {
+    std::vector<std::string> names;
+    for (const Isa isa : isas_here()) names.emplace_back(name_of(isa));
+    return names;
+}
+
+void choose_maps(ExportOptions& options, const std::string& text) {
+    options.displacement = options.gradient = false;
+    for (const std::string& map : split_at_commas(text)) {
+        bool& chosen = map == "gradient" ? options.gradient : options.displacement;
+        if ((map != "displacement" && map != "gradient") || chosen)
+            throw bad_value("--maps", text, "displacement, gradient or displacement,gradient");
+        chosen = true;
+    }
+}
+
+// A folder may be missing; what is there must be one.
+std::filesystem::path checked_folder(const std::optional<std::string>& text) {
+    if (!text || text->empty()) throw InputError("--out is missing, needs a folder to write to");
+    std::error_code error;
+    std::filesystem::path path = *text;
+    for (std::filesystem::path up = path; !up.empty(); up = up.parent_path()) {
+        const auto status = std::filesystem::status(up, error);
+        if (std::filesystem::exists(status) && !std::filesystem::is_directory(status))
+            throw bad_value("--out", *text, "a folder, but " + up.string() + " is a file");
+        if (!up.has_relative_path()) break;
+    }
+    return path;
+}
+
+}  // namespace
+
+void ComputeFlags::add_to(CLI::App& app) {
+    app.add_option("--threads", threads_, "most threads to use; 0 to 1024, default 0: all cores")
+        ->type_name("NUMBER")
+        ->group("Computing (the same bits whatever you choose)");
+    const std::vector<std::string> isas = names_of_isas_here();
+    app.add_option("--isa", isa_, "instruction set: " + list_of(isas) + " here; default the strongest")
+        ->type_name("NAME")
+        ->group("Computing (the same bits whatever you choose)");
+}
+
+ComputeOptions ComputeFlags::resolve() const {
+    ComputeOptions options;
+    if (threads_) options.threads = whole_number("--threads", *threads_, 0, 1024);
+    if (isa_) {
+        options.isa = isa_named(*isa_);
+        const std::vector<std::string> here = names_of_isas_here();
+        if (!options.isa || !runs_here(*options.isa)) throw bad_value("--isa", *isa_, list_of(here) + " on this CPU");
+    }
+    try {
+        options.isa = choose_isa(options.isa);
+    } catch (const std::invalid_argument& error) {
+        throw InputError(error.what());
+    }
+    return options;
+}
+
+double ExportOptions::time_of(int frame) const {
+    if (fps) return start_s + frame / *fps;
+    return start_s + frame * (sea.sea.loop_period_s / frames);
+}
+
+void ExportFlags::add_to(CLI::App& app) {
+    const auto add = [&](const std::string& flag, const std::string& type, const std::string& help) {
+        app.add_option("--" + flag, typed_[flag], help)->type_name(type);
+    };
+    add("out", "DIR", "folder for the files; made if missing, an earlier export in it is replaced");
+    add("start", "SECONDS", "time of the first frame; default 0");
+    add("frames", "NUMBER", "how many frames; 1 to 1000000, default 1");
+    add("fps", "NUMBER", "frames a second; (0, 1000], default 24");
+    add("loop-frames", "NUMBER", "that many frames over exactly one loop period, instead of --frames and --fps");
+    add("maps", "NAMES", "displacement, gradient or both with a comma; default both");
+    add("format", "NAME", "exr (displacement as EXR, gradient as PNG) or tif (both as TIFF); default exr");
+    app.add_flag("--mips", mips_, "every level of the gradient, down to one texel");
+    app.add_flag("--half", half_, "displacement as 16-bit instead of 32-bit floats");
+    app.add_flag("--resume", resume_, "keep the frames of an interrupted export that are whole, make the rest");
+    sea_.add_to(app);
+    compute_.add_to(app);
+}
+
+ExportOptions ExportFlags::resolve() const {
+    ExportOptions options;
+    options.folder = checked_folder(typed_.at("out"));
+    options.sea = sea_.resolve();
+    options.compute = compute_.resolve();
+    options.mips = mips_;
+    options.half = half_;
+    options.resume = resume_;
+
+    if (const auto& start = typed_.at("start")) {
+        const auto value = parse_number(*start);
+        if (!value || *value < -latest_start_s || *value > latest_start_s)
+            throw bad_value("--start", *start, "seconds in [-1e9, 1e9]");
+        options.start_s = *value;
+    }
+    const auto& loop_frames = typed_.at("loop-frames");
+    for (const std::string other : {"frames", "fps"})
+        if (loop_frames && typed_.at(other))
+            throw InputError("--loop-frames is " + *loop_frames + " and --" + other + " is " + *typed_.at(other) +
+                             ", needs one of the two: a loop's frames follow from its period");
+    if (loop_frames) {
+        options.frames = whole_number("--loop-frames", *loop_frames, 1, most_frames);
+    } else {
+        options.fps = default_fps;
+        if (const auto& frames = typed_.at("frames")) options.frames = whole_number("--frames", *frames, 1, most_frames);
+        if (const auto& fps = typed_.at("fps")) {
+            options.fps = parse_number(*fps);
+            if (!options.fps || *options.fps <= 0 || *options.fps > most_fps)
+                throw bad_value("--fps", *fps, "(0, 1000]");
+        }
+    }
+    if (const auto& maps = typed_.at("maps")) choose_maps(options, *maps);
+    if (const auto& format = typed_.at("format")) {
+        if (*format != "exr" && *format != "tif") throw bad_value("--format", *format, "exr or tif");
+        if (*format == "tif") options.format = ImageFormat::tiff;
+    }
+    return options;
+}
+
+}  // namespace pelagic::tools

@@ -1,0 +1,76 @@
+#include "tools/image_writer.hpp"
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+
+namespace pelagic::tools {
+namespace {
+
+using OIIO::ImageOutput;
+using OIIO::ImageSpec;
+using OIIO::TypeDesc;
+
+std::vector<unsigned char> encode(const std::string& extension, const ImageSpec& spec, const void* pixels) {
+    const std::string name = "sea." + extension;  // OpenImageIO chooses the format by the name
+    const auto output = ImageOutput::create(name);
+    if (!output) throw std::runtime_error("OpenImageIO has no writer for " + extension + ": " + OIIO::geterror());
+    std::vector<unsigned char> bytes;
+    OIIO::Filesystem::IOVecOutput memory(bytes);
+    if (!output->set_ioproxy(&memory) || !output->open(name, spec) || !output->write_image(spec.format, pixels) ||
+        !output->close())
+        throw std::runtime_error("OpenImageIO can't encode " + extension + ": " + output->geterror());
+    return bytes;
+}
+
+/// `channels` interleaved values a texel, from the frame's float planes.
+std::vector<float> interleaved_floats(const Frame& frame) {
+    std::vector<float> pixels;
+    pixels.reserve(3 * static_cast<std::size_t>(frame.resolution()) * frame.resolution());
+    for (int j = 0; j < frame.resolution(); ++j) {
+        const auto dx = frame.dx.row(j), height = frame.height.row(j), dz = frame.dz.row(j);
+        for (std::size_t i = 0; i < dx.size(); ++i) pixels.insert(pixels.end(), {dx[i], height[i], dz[i]});
+    }
+    return pixels;
+}
+
+/// The first three of the frame's four halves a texel: the fourth is foam.
+std::vector<std::uint16_t> three_halves(const Frame& frame) {
+    std::vector<std::uint16_t> pixels;
+    pixels.reserve(frame.displacement_rgba16f.size() / 4 * 3);
+    for (std::size_t texel = 0; texel < frame.displacement_rgba16f.size(); texel += 4) {
+        const std::uint16_t* halves = frame.displacement_rgba16f.data() + texel;
+        pixels.insert(pixels.end(), halves, halves + 3);
+    }
+    return pixels;
+}
+
+}  // namespace
+
+std::vector<unsigned char> encode_displacement(const Frame& frame, ImageFormat format, bool half) {
+    const int n = frame.resolution();
+    ImageSpec spec(n, n, 3, half ? TypeDesc::HALF : TypeDesc::FLOAT);
+    spec.attribute("compression", "zip");
+    spec.attribute("oiio:ColorSpace", "Linear");
+    if (half) return encode(displacement_extension(format), spec, three_halves(frame).data());
+    return encode(displacement_extension(format), spec, interleaved_floats(frame).data());
+}
+
+std::vector<unsigned char> encode_gradient(const Frame& frame, int level, ImageFormat format) {
+    const int side = frame.resolution() >> level;
+    ImageSpec spec(side, side, 4, TypeDesc::UINT8);
+    spec.alpha_channel = 3;
+    spec.attribute("oiio:UnassociatedAlpha", 1);
+    spec.attribute("oiio:ColorSpace", "Raw");
+    if (format == ImageFormat::tiff) spec.attribute("compression", "zip");
+    // A texel's lowest byte is its red one, in memory the first.
+    return encode(gradient_extension(format), spec, frame.gradient_level(level).data());
+}
+
+const char* displacement_extension(ImageFormat format) { return format == ImageFormat::tiff ? "tif" : "exr"; }
+const char* gradient_extension(ImageFormat format) { return format == ImageFormat::tiff ? "tif" : "png"; }
+
+}  // namespace pelagic::tools

@@ -1,0 +1,24 @@
+// Frames as image files, encoded in memory. Image row j is texel row j (z), column i is x.
+#pragma once
+
+#include <vector>
+
+#include "sim/frame.hpp"
+
+namespace pelagic::tools {
+
+enum class ImageFormat { exr_and_png, tiff };
+
+/// Dx, height, Dz as the channels R, G, B in metres: EXR or TIFF, lossless, 32-bit floats or 16-bit halves (which are
+/// the frame's own: rounded to nearest even once). Throws std::runtime_error with OpenImageIO's reason.
+std::vector<unsigned char> encode_displacement(const Frame& frame, ImageFormat format, bool half);
+
+/// One level of the gradient chain as RGBA8, PNG or TIFF, byte for byte: alpha is a smoothness, not a coverage, so
+/// it is marked as unassociated, or OpenImageIO would divide the normals by it.
+std::vector<unsigned char> encode_gradient(const Frame& frame, int level, ImageFormat format);
+
+/// "exr", "png" or "tif".
+const char* displacement_extension(ImageFormat format);
+const char* gradient_extension(ImageFormat format);
+
+}  // namespace pelagic::tools

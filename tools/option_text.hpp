@@ -1,0 +1,31 @@
+// Option values as people type them: strict numbers, and the nearest name to a misspelt one.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace pelagic::tools {
+
+/// The whole text as a finite decimal number, in any locale with a point; none for anything else (NaN, inf, hex, units).
+std::optional<double> parse_number(std::string_view text);
+
+/// The whole text as a decimal integer that fits.
+std::optional<std::int64_t> parse_integer(std::string_view text);
+
+/// The shortest text that reads back as the same number.
+std::string number_text(double value);
+
+/// "a, b or c".
+std::string list_of(std::span<const std::string> names);
+
+/// The name with the smallest edit distance to `name`. \pre names is not empty
+std::string nearest_name(std::string_view name, std::span<const std::string> names);
+
+/// "a,b" as {"a", "b"}; empty parts stay.
+std::vector<std::string> split_at_commas(std::string_view text);
+
+}  // namespace pelagic::tools

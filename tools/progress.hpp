@@ -1,0 +1,30 @@
+// How far long work has come, on a terminal; nothing in a pipe.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <string>
+
+namespace pelagic::tools {
+
+/// One line on stderr that is written over: "frame 12 of 64, 18 %, 5 s left". Cleared when it goes out of scope.
+class Progress {
+   public:
+    Progress(std::string item, std::size_t total);
+    ~Progress();
+    Progress(const Progress&) = delete;
+    Progress& operator=(const Progress&) = delete;
+
+    void show(std::size_t done);
+
+   private:
+    using Clock = std::chrono::steady_clock;
+
+    std::string item_;
+    std::size_t total_;
+    bool on_terminal_;
+    Clock::time_point start_ = Clock::now();
+    Clock::time_point last_shown_ = start_ - std::chrono::hours(1);
+};
+
+}  // namespace pelagic::tools

@@ -1,0 +1,98 @@
+#include "tools/sea_json.hpp"
+
+#include <array>
+#include <cstdio>
+
+#include "sim/statistics.hpp"
+
+namespace pelagic::tools {
+
+std::string hex_text(std::uint64_t value) {
+    std::array<char, 17> text;
+    std::snprintf(text.data(), text.size(), "%016llx", static_cast<unsigned long long>(value));
+    return text.data();
+}
+
+Json sea_as_json(const ResolvedSea& resolved) {
+    const SeaState& sea = resolved.sea;
+    return {{"spectrum", name_of(sea.spectrum)},
+            {"resolution", sea.resolution},
+            {"patch_size_m", sea.patch_size_m},
+            {"wind_speed_mps", sea.wind_speed_mps},
+            {"wind_direction_deg", resolved.wind_direction_deg},
+            {"fetch_m", sea.fetch_m},
+            {"depth_m", sea.depth_m},
+            {"choppiness", sea.choppiness},
+            {"roughness", sea.roughness},
+            {"small_waves", sea.small_waves},
+            {"alignment", sea.alignment},
+            {"loop_period_s", sea.loop_period_s},
+            {"seed", sea.seed}};
+}
+
+Json options_as_json(const ExportOptions& options) {
+    Json maps = Json::array();
+    if (options.displacement) maps.push_back("displacement");
+    if (options.gradient) maps.push_back("gradient");
+    Json how = {{"start_s", options.start_s}, {"frames", options.frames}};
+    if (options.fps)
+        how["fps"] = *options.fps;
+    else
+        how["loop"] = true;
+    how["maps"] = maps;
+    how["mips"] = options.mips;
+    how["half"] = options.half;
+    how["format"] = options.format == ImageFormat::tiff ? "tif" : "exr";
+    return {{"version", PELAGIC_VERSION}, {"sea", sea_as_json(options.sea)}, {"export", how}};
+}
+
+Json frame_as_json(const FrameRecord& record) {
+    Json files = Json::array();
+    for (const FileRecord& file : record.files) files.push_back({{"name", file.name}, {"xxh3", file.xxh3}});
+    return {{"frame", record.frame},
+            {"time_s", record.time_s},
+            {"hash", record.hash},
+            {"significant_wave_height_m", record.significant_wave_height_m},
+            {"height_min_m", record.height_min_m},
+            {"height_max_m", record.height_max_m},
+            {"files", files}};
+}
+
+FrameRecord frame_from_json(const Json& json) {
+    FrameRecord record{.frame = json.at("frame"),
+                       .time_s = json.at("time_s"),
+                       .hash = json.at("hash"),
+                       .significant_wave_height_m = json.at("significant_wave_height_m"),
+                       .height_min_m = json.at("height_min_m"),
+                       .height_max_m = json.at("height_max_m"),
+                       .files = {}};
+    for (const Json& file : json.at("files")) record.files.push_back({file.at("name"), file.at("xxh3")});
+    return record;
+}
+
+Json waves_as_json(const SeaState& sea, double measured_significant_wave_height_m) {
+    const ExpectedWaves expected = expected_waves(sea);
+    Json height = {{"expected", expected.significant_wave_height_m}, {"measured", measured_significant_wave_height_m}};
+    if (expected.model_significant_wave_height_m) height["model"] = *expected.model_significant_wave_height_m;
+    return {{"significant_wave_height_m", height},
+            {"peak_period_s", {{"expected", expected.peak_period_s}, {"measured", measured_peak_period_s(sea)}}},
+            {"peak_wavelength_m", expected.peak_wavelength_m}};
+}
+
+Json sea_json(const ExportOptions& options, const std::vector<FrameRecord>& frames) {
+    double height_sum = 0;
+    Json list = Json::array();
+    for (const FrameRecord& frame : frames) {
+        height_sum += frame.significant_wave_height_m;
+        list.push_back(frame_as_json(frame));
+    }
+    Json json = options_as_json(options);
+    json["channels"] = {{"displacement", {"Dx, metres", "height, metres", "Dz, metres"}},
+                        {"gradient", {"normal x", "normal z", "Jacobian", "smoothness"}}};
+    json["waves"] = waves_as_json(options.sea.sea, height_sum / static_cast<double>(frames.size()));
+    json["warnings"] = warnings_about(options.sea.sea);
+    json["frames"] = list;
+    return json;
+}
+
+}  // namespace pelagic::tools

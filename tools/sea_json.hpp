@@ -1,0 +1,49 @@
+// sea.json: what an export holds and how it was made. The same on every machine: no times, paths or thread counts.
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "sim/frame.hpp"
+#include "tools/export_options.hpp"
+
+namespace pelagic::tools {
+
+using Json = nlohmann::ordered_json;
+
+/// A file of a frame and the XXH3 of its bytes, by which --resume knows that it is whole.
+struct FileRecord {
+    std::string name;
+    std::string xxh3;
+};
+
+/// What sea.json and the journal say of one frame.
+struct FrameRecord {
+    int frame = 0;
+    double time_s = 0;
+    std::string hash;  ///< hash_of() as 16 hexadecimal digits
+    double significant_wave_height_m = 0;
+    double height_min_m = 0, height_max_m = 0;
+    std::vector<FileRecord> files;
+};
+
+std::string hex_text(std::uint64_t value);
+
+/// Every option of a sea, resolved; keys as in a config file, with units.
+Json sea_as_json(const ResolvedSea& sea);
+
+/// Every option that decides what is in the files: {"version", "sea", "export"}.
+Json options_as_json(const ExportOptions& options);
+
+Json frame_as_json(const FrameRecord& record);
+FrameRecord frame_from_json(const Json& json);  ///< throws nlohmann's exceptions if it is no such record
+
+/// Heights and periods, expected by the model and measured: {"significant_wave_height_m", "peak_period_s", ...}.
+Json waves_as_json(const SeaState& sea, double measured_significant_wave_height_m);
+
+/// The whole file.
+Json sea_json(const ExportOptions& options, const std::vector<FrameRecord>& frames);
+
+}  // namespace pelagic::tools

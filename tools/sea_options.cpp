@@ -1,0 +1,163 @@
+#include "tools/sea_options.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "tools/config_file.hpp"
+#include "tools/errors.hpp"
+#include "tools/option_text.hpp"
+
+namespace pelagic::tools {
+namespace {
+
+constexpr double radians_per_degree = 3.14159265358979323846 / 180;
+
+/// A numeric flag and the field of SeaState behind it.
+struct SeaFlag {
+    std::string_view flag;
+    std::string_view field;
+    std::string_view help;
+};
+
+constexpr std::array sea_flags = {
+    SeaFlag{"resolution", "resolution", "texels along a side"},
+    SeaFlag{"patch-size", "patch_size_m", "side of the patch, which tiles, in metres"},
+    SeaFlag{"wind-speed", "wind_speed_mps", "mean wind 10 m above the sea, in m/s"},
+    SeaFlag{"wind-direction", "wind_direction_rad", "where the wind blows towards, in degrees from +x towards +z"},
+    SeaFlag{"fetch", "fetch_m", "how far the wind has blown over water, in metres (jonswap)"},
+    SeaFlag{"depth", "depth_m", "water depth in metres"},
+    SeaFlag{"choppiness", "choppiness", "sideways motion that sharpens crests"},
+    SeaFlag{"roughness", "roughness", "of the water between texels"},
+    SeaFlag{"small-waves", "small_waves", "damping of small waves: 1 removes those below a quarter of the patch"},
+    SeaFlag{"alignment", "alignment", "of the waves with the wind"},
+    SeaFlag{"loop-period", "loop_period_s", "the sea repeats exactly after this time, in seconds"},
+    SeaFlag{"seed", "seed", "which sea of this kind"},
+};
+
+const SeaStateField& field_of(const SeaFlag& flag) {
+    const auto fields = sea_state_fields();
+    return *std::find_if(fields.begin(), fields.end(), [&](const auto& field) { return field.name == flag.field; });
+}
+
+bool is_angle(const SeaFlag& flag) { return flag.field == "wind_direction_rad"; }
+
+std::string accepted_by(const SeaFlag& flag) {
+    return std::string(is_angle(flag) ? "degrees in [-360, 360]" : field_of(flag).accepted);
+}
+
+std::string default_of(const SeaFlag& flag) {
+    return std::visit([](auto member) { return number_text(static_cast<double>(SeaState{}.*member)); },
+                      field_of(flag).member);
+}
+
+std::string config_key(std::string_view flag) {
+    std::string key(flag);
+    std::replace(key.begin(), key.end(), '-', '_');
+    return key;
+}
+
+std::vector<std::string> names_of_spectra() {
+    std::vector<std::string> names;
+    for (const SpectrumModel model : spectrum_models()) names.emplace_back(name_of(model));
+    return names;
+}
+
+std::vector<std::string> names_of_presets() {
+    std::vector<std::string> names;
+    for (const SeaPreset& preset : sea_presets()) names.emplace_back(preset.name);
+    return names;
+}
+
+[[noreturn]] void refuse_name(const std::string& asked_by, const std::string& value,
+                              const std::vector<std::string>& names) {
+    throw bad_value(asked_by, value, list_of(names) + " (the nearest is " + nearest_name(value, names) + ")");
+}
+
+void apply_preset(ResolvedSea& resolved, const std::string& name, const std::string& asked_by) {
+    for (const SeaPreset& preset : sea_presets()) {
+        if (preset.name != name) continue;
+        resolved = {preset.sea, preset.sea.wind_direction_rad / radians_per_degree, name};
+        return;
+    }
+    refuse_name(asked_by, name, names_of_presets());
+}
+
+void apply_number(ResolvedSea& resolved, const SeaFlag& flag, const std::string& text, const std::string& asked_by) {
+    const SeaStateField& field = field_of(flag);
+    const bool whole = !std::holds_alternative<double SeaState::*>(field.member);
+    std::optional<double> number = parse_number(text);
+    if (number && whole && !parse_integer(text)) number.reset();
+    const double value = number ? (is_angle(flag) ? *number * radians_per_degree : *number) : 0;
+    if (!number || !field.accepts(value)) throw bad_value(asked_by, text, accepted_by(flag));
+
+    std::visit([&]<class Number>(Number SeaState::*member) { resolved.sea.*member = static_cast<Number>(value); },
+               field.member);
+    if (is_angle(flag)) resolved.wind_direction_deg = *number;
+}
+
+/// One option other than the preset, by its flag's name.
+void apply(ResolvedSea& resolved, std::string_view name, const std::string& text, const std::string& asked_by) {
+    if (name == "spectrum") {
+        const auto model = spectrum_model_named(text);
+        if (!model) refuse_name(asked_by, text, names_of_spectra());
+        resolved.sea.spectrum = *model;
+        return;
+    }
+    for (const SeaFlag& flag : sea_flags)
+        if (flag.flag == name) apply_number(resolved, flag, text, asked_by);
+}
+
+/// Names of the flags that a config file may hold, the preset first.
+std::vector<std::string> configurable_flags() {
+    std::vector<std::string> flags = {"preset", "spectrum"};
+    for (const SeaFlag& flag : sea_flags) flags.emplace_back(flag.flag);
+    return flags;
+}
+
+}  // namespace
+
+void SeaOptions::add_to(CLI::App& app) {
+    const auto add = [&](std::string_view flag, const std::string& type, const std::string& help) {
+        const std::string name(flag);
+        app.add_option("--" + name, typed_[name], help)->type_name(type)->group("Sea");
+    };
+    std::string presets = "a sea by name:";
+    for (const SeaPreset& preset : sea_presets())
+        presets.append("\n").append(preset.name).append(": ").append(preset.summary);
+    add("preset", "NAME", presets);
+    add("config", "FILE.toml", "a sea in a file: keys are these flags' names with underscores, flags win");
+    add("spectrum", "NAME", list_of(names_of_spectra()) + "; default " + std::string(name_of(SeaState{}.spectrum)));
+    for (const SeaFlag& flag : sea_flags)
+        add(flag.flag, "NUMBER", std::string(flag.help) + "; " + accepted_by(flag) + ", default " + default_of(flag));
+}
+
+ResolvedSea SeaOptions::resolve() const {
+    const std::vector<std::string> flags = configurable_flags();
+    std::vector<ConfigEntry> config;
+    if (const auto& file = typed_.at("config")) {
+        std::vector<std::string> keys;
+        for (const std::string& flag : flags) keys.push_back(config_key(flag));
+        config = read_config(*file, keys);
+    }
+
+    ResolvedSea resolved;
+    const auto from_config = [&](const std::string& flag, auto use) {
+        for (const ConfigEntry& entry : config)
+            if (entry.key == config_key(flag)) use(entry.value, entry.place + ": " + entry.key);
+    };
+    if (const auto& preset = typed_.at("preset"))
+        apply_preset(resolved, *preset, "--preset");
+    else
+        from_config("preset", [&](const auto& value, const auto& place) { apply_preset(resolved, value, place); });
+
+    for (const std::string& flag : flags) {
+        if (flag == "preset") continue;
+        from_config(flag, [&](const auto& value, const auto& place) { apply(resolved, flag, value, place); });
+        if (const auto& value = typed_.at(flag)) apply(resolved, flag, *value, "--" + flag);
+    }
+    return resolved;
+}
+
+}  // namespace pelagic::tools
