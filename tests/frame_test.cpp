@@ -1,0 +1,172 @@
+// Whole frames through the public interface, against the oracle.
+#include <half.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "sim/ocean.hpp"
+#include "tests/each_isa.hpp"
+#include "tests/oracle/gradient_oracle.hpp"
+#include "tests/oracle/sea_oracle.hpp"
+
+namespace pelagic {
+namespace {
+
+Ocean ocean_on(const SeaState& sea, Isa isa) {
+    return Ocean(sea, {.executor = make_serial_executor(), .isa = isa});
+}
+
+struct Case {
+    std::string name;
+    SeaState sea;
+    double time_s;
+};
+
+std::vector<Case> cases() {
+    return {
+        {"N16", {.resolution = 16}, 1.5},
+        {"N32", {.resolution = 32, .wind_direction_rad = 2.5}, 17.25},
+        {"N64", {.resolution = 64}, 0},
+        {"N64_later", {.resolution = 64, .wind_direction_rad = -1}, 143.7},
+        {"N64_lambda_0", {.resolution = 64, .choppiness = 0}, 3},
+        {"N64_lambda_1_odd_patch", {.resolution = 64, .patch_size_m = 37.3, .wind_speed_mps = 6, .choppiness = 1}, 3},
+        {"N64_paper", {.spectrum = SpectrumModel::phillips_paper, .resolution = 64}, 5},
+        {"N64_phillips", {.spectrum = SpectrumModel::phillips, .resolution = 64, .alignment = 0}, 5},
+        {"N64_pierson", {.spectrum = SpectrumModel::pierson_moskowitz, .resolution = 64, .alignment = 1}, 5},
+        {"N64_small_waves_shallow", {.resolution = 64, .depth_m = 5, .small_waves = 0.5}, 5},
+        {"N64_short_loop", {.resolution = 64, .loop_period_s = 3.7}, 1.1},
+        {"N256", {.resolution = 256}, 12.34},
+        {"N256_storm", {.resolution = 256, .patch_size_m = 1000, .wind_speed_mps = 25, .fetch_m = 5e5, .choppiness = 1}, 77},
+    };
+}
+
+class FrameOnEachIsa : public testing::TestWithParam<std::tuple<Isa, Case>> {
+   protected:
+    const Case& one() const { return std::get<Case>(GetParam()); }
+    Isa isa() const { return std::get<Isa>(GetParam()); }
+};
+
+INSTANTIATE_TEST_SUITE_P(Seas, FrameOnEachIsa,
+                         testing::Combine(testing::ValuesIn(isas_here()), testing::ValuesIn(cases())),
+                         [](const auto& test) {
+                             return isa_test_name({std::get<Isa>(test.param), 0}) + "_" + std::get<Case>(test.param).name;
+                         });
+
+void expect_close(const PlaneView& plane, const oracle::ComplexField& truth, const char* name) {
+    double largest = 0, error = 0;
+    for (int j = 0; j < plane.resolution; ++j) {
+        for (int i = 0; i < plane.resolution; ++i) {
+            const double value = truth[static_cast<std::size_t>(j * plane.resolution + i)].real();
+            largest = std::max(largest, std::fabs(value));
+            error = std::max(error, std::fabs(plane.at(i, j) - value));
+        }
+    }
+    // The project's promise; what floats leave is about 3e-7.
+    EXPECT_LE(error, 2e-6 * largest) << name;
+    testing::Test::RecordProperty(std::string(name) + "_relative_error",
+                                  std::to_string(largest > 0 ? error / largest * 1e9 : 0) + "e-9");
+}
+
+TEST_P(FrameOnEachIsa, DisplacementMatchesTheOracle) {
+    Ocean ocean = ocean_on(one().sea, isa());
+    const Frame& frame = ocean.frame_at(one().time_s);
+    const oracle::Fields truth = oracle::fields_at(one().sea, one().time_s);
+    expect_close(frame.height, truth.height, "height");
+    expect_close(frame.dx, truth.dx, "dx");
+    expect_close(frame.dz, truth.dz, "dz");
+}
+
+TEST_P(FrameOnEachIsa, BoundsAreThePlanesExtremes) {
+    Ocean ocean = ocean_on(one().sea, isa());
+    const Frame& frame = ocean.frame_at(one().time_s);
+    FrameBounds bounds{.height_min_m = frame.height.at(0, 0), .height_max_m = frame.height.at(0, 0)};
+    for (int j = 0; j < frame.resolution(); ++j) {
+        for (int i = 0; i < frame.resolution(); ++i) {
+            bounds.height_min_m = std::min(bounds.height_min_m, frame.height.at(i, j));
+            bounds.height_max_m = std::max(bounds.height_max_m, frame.height.at(i, j));
+            bounds.sideways_x_max_m = std::max(bounds.sideways_x_max_m, std::fabs(frame.dx.at(i, j)));
+            bounds.sideways_z_max_m = std::max(bounds.sideways_z_max_m, std::fabs(frame.dz.at(i, j)));
+        }
+    }
+    EXPECT_EQ(frame.bounds.height_min_m, bounds.height_min_m);
+    EXPECT_EQ(frame.bounds.height_max_m, bounds.height_max_m);
+    EXPECT_EQ(frame.bounds.sideways_x_max_m, bounds.sideways_x_max_m);
+    EXPECT_EQ(frame.bounds.sideways_z_max_m, bounds.sideways_z_max_m);
+}
+
+// Imath's half is what OpenEXR rounds with: to nearest even.
+TEST_P(FrameOnEachIsa, HalvesAreTheFloatsRoundedToNearestEven) {
+    Ocean ocean = ocean_on(one().sea, isa());
+    const Frame& frame = ocean.frame_at(one().time_s);
+    const auto jacobian = oracle::jacobian_of(oracle::displacement_of(frame), one().sea.patch_size_m);
+    for (int j = 0; j < frame.resolution(); ++j) {
+        for (int i = 0; i < frame.resolution(); ++i) {
+            const std::size_t texel = static_cast<std::size_t>(j * frame.resolution() + i);
+            const std::uint16_t* halves = frame.displacement_rgba16f.data() + 4 * texel;
+            ASSERT_EQ(halves[0], Imath::half(frame.dx.at(i, j)).bits()) << i << ", " << j;
+            ASSERT_EQ(halves[1], Imath::half(frame.height.at(i, j)).bits()) << i << ", " << j;
+            ASSERT_EQ(halves[2], Imath::half(frame.dz.at(i, j)).bits()) << i << ", " << j;
+            // Half a step of a half below one is 2.5e-4; the float Jacobian adds 1e-4 where slopes are steep.
+            Imath::half foam;
+            foam.setBits(halves[3]);
+            ASSERT_NEAR(foam, std::clamp((0.5 - jacobian[texel]) / 0.5, 0.0, 1.0), 4e-4) << i << ", " << j;
+        }
+    }
+}
+
+// Rounding may fall on either side of a step, so one step is the best bound there is. Smoothness is steepest at a
+// length of one, where the length's error of 2e-7 becomes sqrt(3.5 * 2e-7) = 8e-4 or 0.2 steps: still within one.
+TEST_P(FrameOnEachIsa, GradientBytesOfEveryLevelAreWithinOneStepOfEquation50) {
+    Ocean ocean = ocean_on(one().sea, isa());
+    const Frame& frame = ocean.frame_at(one().time_s);
+    const auto levels =
+        oracle::levels_of(oracle::displacement_of(frame), one().sea.patch_size_m, one().sea.roughness);
+    ASSERT_EQ(static_cast<int>(levels.size()), mip_levels(frame.resolution()));
+    for (std::size_t m = 0; m < levels.size(); ++m) {
+        const auto texels = frame.gradient_level(static_cast<int>(m));
+        ASSERT_EQ(texels.size(), levels[m].normal.size());
+        for (std::size_t texel = 0; texel < texels.size(); ++texel) {
+            const auto expected = oracle::bytes_of(levels[m], texel);
+            for (std::size_t c = 0; c < 4; ++c) {
+                const double byte = texels[texel] >> 8 * c & 0xFF;
+                ASSERT_NEAR(byte, std::floor(expected[c] + 0.5), 1) << "level " << m << " texel " << texel << " byte " << c;
+            }
+        }
+    }
+}
+
+TEST(MipChain, OffsetsAreARunningSumOfTexels) {
+    for (int n = 1; n <= 4096; n *= 2) {
+        std::size_t sum = 0;
+        int level = 0;
+        for (int side = n; side >= 1; side /= 2, ++level) {
+            EXPECT_EQ(mip_offset(n, level), sum) << n << " level " << level;
+            sum += static_cast<std::size_t>(side) * side;
+        }
+        EXPECT_EQ(mip_levels(n), level);
+        EXPECT_EQ(mip_offset(n, level), sum) << n << " whole chain";
+    }
+}
+
+TEST(Ocean, BadOptionsThrowTheReasonOfCheck) {
+    const SeaState bad{.wind_speed_mps = -3};
+    try {
+        Ocean ocean(bad);
+        FAIL() << "no exception";
+    } catch (const std::invalid_argument& error) {
+        EXPECT_STREQ(error.what(), "wind_speed_mps is -3, needs (0, 60]");
+    }
+    Ocean ocean(SeaState{.resolution = 16});
+    EXPECT_THROW(ocean.schedule_sea(SeaState{.resolution = 32}), std::invalid_argument);
+    EXPECT_THROW(ocean.schedule_sea(bad), std::invalid_argument);
+}
+
+TEST(Ocean, EveryPresetIsUsableAndHoldsTwoPeakWavelengths) {
+    for (const SeaPreset& preset : sea_presets()) EXPECT_EQ(check(preset.sea), "") << preset.name;
+}
+
+}  // namespace
+}  // namespace pelagic
