@@ -7,6 +7,7 @@
 #include <atomic>
 #include <cassert>
 #include <deque>
+#include <mutex>
 #include <optional>
 
 #include "jobs/executor.hpp"
@@ -71,12 +72,22 @@ class TbbRun final : public GraphRun {
     std::atomic<std::size_t> stages_left_ = 0;
 };
 
+/// oneTBB makes no more threads than cores unless told. Of several such wishes the smallest wins, so there is one for the
+/// whole program, the largest that anybody had.
+void allow_threads(int threads) {
+    static std::mutex mutex;
+    static int allowed = cores();
+    static std::unique_ptr<tbb::global_control> control;
+    const std::lock_guard lock(mutex);
+    if (threads <= allowed) return;
+    control.reset();
+    control = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism, threads);
+    allowed = threads;
+}
+
 class TbbExecutor final : public Executor {
    public:
-    explicit TbbExecutor(int threads) : threads_(threads) {
-        // oneTBB makes no more threads than cores unless told; whoever asks for more gets them.
-        if (threads > cores()) more_threads_.emplace(tbb::global_control::max_allowed_parallelism, threads);
-    }
+    explicit TbbExecutor(int threads) : threads_(threads) { allow_threads(threads); }
     std::unique_ptr<GraphRun> prepare(const JobGraph& graph) override {
         return std::make_unique<TbbRun>(graph, threads_);
     }
@@ -85,7 +96,6 @@ class TbbExecutor final : public Executor {
 
    private:
     int threads_;
-    std::optional<tbb::global_control> more_threads_;
 };
 
 }  // namespace

@@ -1,0 +1,64 @@
+// How fast waves run, and the loop.
+#include "sim/dispersion.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace pelagic {
+namespace {
+
+constexpr double two_pi = 2 * std::numbers::pi;
+
+TEST(Dispersion, DeepWaterFollowsEquation15) {
+    for (const double k : {0.01, 0.1, 1.0, 30.0})
+        EXPECT_NEAR(angular_frequency(k, 4000), std::sqrt(gravity_mps2 * k), 1e-14 * std::sqrt(gravity_mps2 * k));
+}
+
+TEST(Dispersion, ShallowWaterRunsAtTheSquareRootOfGravityTimesDepth) {
+    constexpr double depth = 2, k = 1e-4;
+    const double speed = std::sqrt(gravity_mps2 * depth);
+    // tanh(kd)/(kd) = 1 - (kd)^2/3: 1.3e-8 here.
+    EXPECT_NEAR(angular_frequency(k, depth) / k, speed, 1e-7 * speed);
+    EXPECT_NEAR(group_velocity(k, depth), speed, 1e-7 * speed);
+}
+
+TEST(Dispersion, GroupVelocityIsTheSlopeOfTheFrequency) {
+    for (const double depth : {1.0, 10.0, 4000.0}) {
+        for (const double k : {0.01, 0.3, 5.0}) {
+            const double step = 1e-5 * k;
+            const double slope =
+                (angular_frequency(k + step, depth) - angular_frequency(k - step, depth)) / (2 * step);
+            EXPECT_NEAR(group_velocity(k, depth), slope, 1e-8 * slope) << k << " at " << depth;
+        }
+    }
+}
+
+// The errata's row on equation 16: round is within half a harmonic, floor is up to a whole one low.
+TEST(Loop, HarmonicsAreTheNearestWholeNumberOfPeriods) {
+    for (double omega = 0.05; omega < 20; omega *= 1.013) {
+        const double harmonic = loop_harmonic(omega, 200);
+        EXPECT_LE(std::fabs(harmonic - omega * 200 / two_pi), 0.5 + 1e-12);
+    }
+}
+
+TEST(Loop, NoWaveStandsFrozenHoweverShortTheLoop) { EXPECT_EQ(loop_harmonic(0.01, 2), 1u); }
+
+TEST(Loop, FractionsOfThePeriodAreExact) {
+    for (std::uint32_t part = 0; part < 64; ++part)
+        EXPECT_EQ(loop_fraction(part * 200.0 / 64, 200).turns, part << 26);
+}
+
+TEST(Loop, WholePeriodsDropOutAtAnyAge) {
+    for (const double period : {200.0, 8.0, 12.8, 0.1, 7.3, 86400.0}) {
+        for (const double periods : {1.0, 2.0, 1000.0, -1.0, 4294967296.0})
+            EXPECT_EQ(loop_fraction(periods * period, period).turns, 0u) << periods << " periods of " << period;
+        EXPECT_EQ(loop_fraction(-1e-300, period).turns, 0u);
+    }
+    EXPECT_EQ(loop_fraction(36000 + 50, 200).turns, std::uint32_t{1} << 30);
+    EXPECT_EQ(loop_fraction(-50, 200).turns, std::uint32_t{3} << 30);
+}
+
+}  // namespace
+}  // namespace pelagic

@@ -1,0 +1,135 @@
+// Numbers that docs/equations.md states about the paper's equations 45 to 50, and the normal of a wave known in closed form.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "sim/ocean.hpp"
+#include "sim/surface_look.hpp"
+#include "simd/aligned_buffer.hpp"
+#include "tests/each_isa.hpp"
+#include "tests/oracle/gradient_oracle.hpp"
+#include "tests/oracle/sea_oracle.hpp"
+
+namespace pelagic {
+namespace {
+
+using std::numbers::pi;
+
+// The mean normal of a GGX surface of roughness 1 (alpha = 1): its distribution is D = 1/pi, weighted with
+// cos(theta) over the hemisphere; the mean of cos(theta) is the integral of D cos^2, which is 2/3.
+TEST(Errata, RoughSurfacesHaveNormalsOfTwoThirdsAndEquation49IsNearIt) {
+    constexpr int steps = 100000;
+    double mean = 0;
+    for (int i = 0; i < steps; ++i) {
+        const double cosine = (i + 0.5) / steps;  // uniform in solid angle
+        mean += 2 * pi * (1 / pi) * cosine * cosine / steps;
+    }
+    EXPECT_NEAR(mean, 2.0 / 3, 1e-9);
+    EXPECT_NEAR(mean_normal_length(1), 0.662, 1e-6);
+    EXPECT_NEAR(mean_normal_length(1), mean, 0.012);
+    EXPECT_EQ(mean_normal_length(0), 1.f);
+    for (float r = 0; r < 1; r += 0.01f) EXPECT_GT(mean_normal_length(r), mean_normal_length(r + 0.01f));
+}
+
+TEST(Errata, OneStepOfAByteBelowLengthOneAlreadyMeansASmoothnessOf88Percent) {
+    const double length = 1 - 1.0 / 255;
+    const double t = (length - 2.0 / 3) * 3;
+    EXPECT_NEAR(1 - std::sqrt(1 - t * (0.85 + 0.15 * t)), 0.88, 0.005);
+}
+
+// Equation 45 against the derivative of the same waves taken in the spectrum, where it is exact.
+TEST(Errata, CentralDifferencesLoseATenthOfTheSlope) {
+    const SeaState sea{.resolution = 256};
+    const oracle::Fields fields = oracle::fields_at(sea, 1);
+    oracle::Displacement surface{256, {}, {}, {}};
+    for (std::size_t i = 0; i < fields.height.size(); ++i) surface.height.push_back(fields.height[i].real());
+    double difference = 0, exact = 0;
+    for (int j = 0; j < 256; ++j) {
+        for (int i = 0; i < 256; ++i) {
+            const auto at = [&](int a) { return surface.height[static_cast<std::size_t>(j * 256 + (a + 256) % 256)]; };
+            const double slope = (at(i + 1) - at(i - 1)) * 256 / (2 * sea.patch_size_m);
+            difference += slope * slope;
+        }
+    }
+    oracle::ComplexField slopes = oracle::spectrum_at(sea, 1);
+    for (std::size_t i = 0; i < slopes.size(); ++i)
+        slopes[i] *= oracle::Complex(0, 2 * pi / sea.patch_size_m * oracle::wave_number(i % 256, 256));
+    for (const oracle::Complex& slope : slopes) exact += std::norm(slope) * static_cast<double>(slopes.size());
+    const double lost = 1 - std::sqrt(difference / exact);
+    RecordProperty("lost", std::to_string(lost));
+    EXPECT_GT(lost, 0.08);
+    EXPECT_LT(lost, 0.20);
+}
+
+TEST(Errata, NormalsFromTheHeightAloneAreDegreesOff) {
+    const SeaState sea{.resolution = 128, .wind_speed_mps = 12, .choppiness = 1};
+    Ocean ocean(sea, {.executor = make_serial_executor()});
+    const oracle::Displacement surface = oracle::displacement_of(ocean.frame_at(1));
+    oracle::Displacement height_only = surface;
+    std::fill(height_only.dx.begin(), height_only.dx.end(), 0);
+    std::fill(height_only.dz.begin(), height_only.dz.end(), 0);
+    const auto full = oracle::levels_of(surface, sea.patch_size_m, 0).front().normal;
+    const auto plain = oracle::levels_of(height_only, sea.patch_size_m, 0).front().normal;
+    double most = 0;
+    for (std::size_t i = 0; i < full.size(); ++i) {
+        const double cosine = full[i][0] * plain[i][0] + full[i][1] * plain[i][1] + full[i][2] * plain[i][2];
+        most = std::max(most, std::acos(std::min(1.0, cosine)) * 180 / pi);
+    }
+    RecordProperty("degrees", std::to_string(most));
+    EXPECT_GT(most, 3);
+}
+
+// One wave h = a cos(kx - phase) moved sideways by -lambda a sin: x -> x + Dx is a trochoid, whose tangent along x is
+// (1 + Dx', h', 0), so its normal is (-h', 1 + Dx', 0) over their length. Through the kernel, on every instruction set.
+class NormalOnEachIsa : public OnEachIsa {};
+INSTANTIATE_TEST_SUITE_P(Isas, NormalOnEachIsa, testing::ValuesIn(isas_here()), isa_test_name);
+
+TEST_P(NormalOnEachIsa, OfASingleWaveIsTheTrochoidsTangentTurned) {
+    constexpr int n = 256;
+    constexpr double patch = 100, amplitude = 2, lambda = 0.9;
+    const double k = 2 * pi * 3 / patch;
+    constexpr std::ptrdiff_t stride = n + 16;
+    GradientsJob job{.planes = {},
+                     .stride = stride,
+                     .resolution = n,
+                     .row_pair = 0,
+                     .half_texels_per_metre = static_cast<float>(n / (2 * patch)),
+                     .normal_length = 1,
+                     .smoothness = 1,
+                     .rgba8 = nullptr,
+                     .rgba16f = nullptr,
+                     .mip_row = {}};
+    AlignedBuffer<float> planes(3 * stride * (n + 1));
+    for (int c = 0; c < 3; ++c) job.planes[c] = planes.data() + c * stride * (n + 1) + 16;
+    for (int j = 0; j < n; ++j) {
+        for (int i = -1; i <= n; ++i) {
+            const std::ptrdiff_t at = j * stride + i + 16;
+            planes[static_cast<std::size_t>(at)] = static_cast<float>(-lambda * amplitude * std::sin(k * i * patch / n));
+            planes[static_cast<std::size_t>(stride * (n + 1) + at)] = static_cast<float>(amplitude * std::cos(k * i * patch / n));
+        }
+    }
+    std::vector<std::uint32_t> rgba8(n * n);
+    std::vector<std::uint16_t> rgba16f(4 * n * n);
+    AlignedBuffer<float> mips(4 * n);
+    job.rgba8 = rgba8.data();
+    job.rgba16f = rgba16f.data();
+    for (int c = 0; c < 4; ++c) job.mip_row[c] = mips.data() + c * n;
+    kernels().gradients(job);
+
+    // Central differences shrink a slope by sin(k d)/(k d), d the texel: 1 - 0.0009 here, a fifth of a byte's step.
+    const double d = patch / n, shrunk = std::sin(k * d) / (k * d);
+    EXPECT_GT(shrunk, 0.999);
+    for (int i = 0; i < n; ++i) {
+        const double slope = -amplitude * k * std::sin(k * i * d), stretch = 1 - lambda * amplitude * k * std::cos(k * i * d);
+        const double length = std::hypot(slope, stretch);
+        EXPECT_NEAR(rgba8[static_cast<std::size_t>(i)] & 0xFF, (-slope / length * 0.5 + 0.5) * 255, 1) << i;
+        EXPECT_NEAR(rgba8[static_cast<std::size_t>(i)] >> 8 & 0xFF, 127.5, 1) << i;
+        EXPECT_NEAR(rgba8[static_cast<std::size_t>(i)] >> 16 & 0xFF, (std::min(1.0, stretch) * 0.5 + 0.5) * 255, 1) << i;
+        EXPECT_EQ(rgba8[static_cast<std::size_t>(i)] >> 24, 255u);
+    }
+}
+
+}  // namespace
+}  // namespace pelagic
