@@ -14,7 +14,9 @@ using OIIO::ImageOutput;
 using OIIO::ImageSpec;
 using OIIO::TypeDesc;
 
-std::vector<unsigned char> encode(const std::string& extension, const ImageSpec& spec, const void* pixels) {
+std::vector<unsigned char> encode(const std::string& extension, ImageSpec spec, const void* pixels) {
+    // EXR and TIFF would note the moment of writing, and no two exports of a sea would be the same.
+    if (extension != "png") spec.attribute("DateTime", "1970:01:01 00:00:00");
     const std::string name = "sea." + extension;  // OpenImageIO chooses the format by the name
     const auto output = ImageOutput::create(name);
     if (!output) throw std::runtime_error("OpenImageIO has no writer for " + extension + ": " + OIIO::geterror());

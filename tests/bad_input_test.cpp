@@ -1,0 +1,146 @@
+// Bad input: exit code 2, one line that names the option, the value and what is accepted, and nothing written.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "tests/run_pelagic.hpp"
+
+namespace pelagic {
+namespace {
+
+struct BadInput {
+    std::vector<std::string> arguments;   ///< OUT becomes a folder that does not exist, CONFIG a file with `config` in it
+    std::vector<std::string> says;        ///< the line holds all of these
+    std::string config = {};
+};
+
+std::vector<BadInput> bad_inputs() {
+    std::vector<BadInput> all = {
+        // Commands and words.
+        {{}, {"no command", "export", "info"}},
+        {{"exprot"}, {"exprot", "export"}},
+        {{"--frobnicate"}, {"--frobnicate", "export"}},
+        {{"export", "--out", "OUT", "stray"}, {"stray", "unexpected"}},
+        {{"export", "--out", "OUT", "--wnid-speed", "3"}, {"--wnid-speed", "--wind-speed"}},
+        {{"export", "--out", "OUT", "--resolutoin=64"}, {"--resolutoin", "--resolution"}},
+        {{"info", "--out", "OUT"}, {"--out", "unknown"}},
+        {{"export", "--out", "OUT", "--seed", "1", "--seed", "2"}, {"--seed", "2 times", "once"}},
+        {{"export", "--out", "OUT", "--seed"}, {"--seed", "no value"}},
+        // Where to.
+        {{"export"}, {"--out", "missing", "folder"}},
+        {{"export", "--out", ""}, {"--out", "folder"}},
+        {{"export", "--out", "CONFIG"}, {"--out", "CONFIG", "is a file"}},
+        {{"export", "--out", "CONFIG/below"}, {"--out", "CONFIG", "is a file"}},
+        // Export's own options.
+        {{"export", "--out", "OUT", "--frames", "0"}, {"--frames", "is 0", "1 to 1000000"}},
+        {{"export", "--out", "OUT", "--frames", "-4"}, {"--frames", "is -4", "1 to 1000000"}},
+        {{"export", "--out", "OUT", "--frames", "2.5"}, {"--frames", "is 2.5", "whole number"}},
+        {{"export", "--out", "OUT", "--frames", "many"}, {"--frames", "is many", "whole number"}},
+        {{"export", "--out", "OUT", "--frames", "99999999999999999999"}, {"--frames", "1 to 1000000"}},
+        {{"export", "--out", "OUT", "--loop-frames", "0"}, {"--loop-frames", "is 0", "1 to 1000000"}},
+        {{"export", "--out", "OUT", "--loop-frames", "8", "--fps", "24"}, {"--loop-frames is 8", "--fps is 24"}},
+        {{"export", "--out", "OUT", "--loop-frames", "8", "--frames", "8"}, {"--loop-frames is 8", "--frames is 8"}},
+        {{"export", "--out", "OUT", "--fps", "0"}, {"--fps", "is 0", "(0, 1000]"}},
+        {{"export", "--out", "OUT", "--fps", "-24"}, {"--fps", "is -24", "(0, 1000]"}},
+        {{"export", "--out", "OUT", "--fps", "nan"}, {"--fps", "is nan", "(0, 1000]"}},
+        {{"export", "--out", "OUT", "--start", "inf"}, {"--start", "is inf", "[-1e9, 1e9]"}},
+        {{"export", "--out", "OUT", "--start", "noon"}, {"--start", "is noon", "[-1e9, 1e9]"}},
+        {{"export", "--out", "OUT", "--maps", "colour"}, {"--maps", "is colour", "displacement", "gradient"}},
+        {{"export", "--out", "OUT", "--maps", ""}, {"--maps", "displacement", "gradient"}},
+        {{"export", "--out", "OUT", "--maps", "gradient,gradient"}, {"--maps", "gradient,gradient"}},
+        {{"export", "--out", "OUT", "--format", "bmp"}, {"--format", "is bmp", "exr or tif"}},
+        {{"export", "--out", "OUT", "--threads", "-1"}, {"--threads", "is -1", "0 to 1024"}},
+        {{"export", "--out", "OUT", "--threads", "2000"}, {"--threads", "is 2000", "0 to 1024"}},
+        {{"export", "--out", "OUT", "--threads", "two"}, {"--threads", "is two", "0 to 1024"}},
+        {{"export", "--out", "OUT", "--isa", "mmx"}, {"--isa", "is mmx", "on this CPU"}},
+#if defined(__x86_64__)
+        {{"export", "--out", "OUT", "--isa", "neon"}, {"--isa", "is neon", "sse4.2", "on this CPU"}},
+#endif
+        // Names.
+        {{"export", "--out", "OUT", "--spectrum", "jonsawp"}, {"--spectrum", "is jonsawp", "nearest is jonswap"}},
+        {{"export", "--out", "OUT", "--spectrum", ""}, {"--spectrum", "phillips-paper"}},
+        {{"export", "--out", "OUT", "--preset", "strom"}, {"--preset", "is strom", "nearest is storm"}},
+        // Config files.
+        {{"export", "--out", "OUT", "--config", "/nowhere/sea.toml"}, {"--config", "/nowhere/sea.toml", "can't be read"}},
+        {{"export", "--out", "OUT", "--config", "/tmp"}, {"--config", "/tmp", "folder"}},
+        {{"export", "--out", "OUT", "--config", "CONFIG"}, {"CONFIG:2", "wind_sped", "wind_speed"}, "seed = 1\nwind_sped = 3\n"},
+        {{"export", "--out", "OUT", "--config", "CONFIG"}, {"CONFIG:1"}, "wind_speed = = 3\n"},
+        {{"export", "--out", "OUT", "--config", "CONFIG"}, {"CONFIG:2", "seed"}, "seed = 1\nseed = 2\n"},
+        {{"export", "--out", "OUT", "--config", "CONFIG"}, {"CONFIG:1", "wind_speed", "-3", "(0, 60]"}, "wind_speed = -3\n"},
+        {{"export", "--out", "OUT", "--config", "CONFIG"}, {"CONFIG:1", "wind_speed", "nan", "(0, 60]"}, "wind_speed = nan\n"},
+        {{"export", "--out", "OUT", "--config", "CONFIG"}, {"CONFIG:1", "wind_speed", "boolean"}, "wind_speed = true\n"},
+        {{"export", "--out", "OUT", "--config", "CONFIG"}, {"CONFIG:1", "resolution", "64.5", "power of two"}, "resolution = 64.5\n"},
+        {{"export", "--out", "OUT", "--config", "CONFIG"}, {"CONFIG:1", "sea", "known"}, "[sea]\nseed = 1\n"},
+        {{"export", "--out", "OUT", "--config", "CONFIG"}, {"CONFIG:1", "seed", "array"}, "seed = [1, 2]\n"},
+        {{"export", "--out", "OUT", "--config", "CONFIG"}, {"CONFIG:1", "preset", "strom", "storm"}, "preset = \"strom\"\n"},
+        {{"info", "--config", "CONFIG"}, {"CONFIG:1", "spectrum", "sine", "jonswap"}, "spectrum = \"sine\"\n"},
+        // A bad value in the file is an error even where a flag would win.
+        {{"export", "--out", "OUT", "--wind-speed", "5", "--config", "CONFIG"}, {"CONFIG:1", "-3"}, "wind_speed = -3\n"},
+    };
+    // Every number of the sea: below, above, not finite, not a number.
+    struct Range {
+        std::string flag, accepted;
+        std::vector<std::string> values;
+    };
+    for (const auto& [flag, accepted, values] : std::vector<Range>{
+             {"--resolution", "a power of two from 16 to 2048", {"0", "8", "100", "4096", "-64", "64.0", "1e2", "0x40", "", "64 "}},
+             {"--patch-size", "[0.001, 1e6]", {"0", "-250", "2e6", "nan", "inf", "250m"}},
+             {"--wind-speed", "(0, 60]", {"0", "-3", "61", "nan", "inf", "-inf", "abc", "12,5"}},
+             {"--wind-direction", "[-360, 360]", {"361", "-400", "nan", "north"}},
+             {"--fetch", "(0, 2e6]", {"0", "-1", "3e6", "inf"}},
+             {"--depth", "(0, 11000]", {"0", "-10", "12000", "deep"}},
+             {"--choppiness", "[0, 1]", {"-0.1", "1.01", "nan"}},
+             {"--roughness", "[0, 1]", {"-0.1", "1.01"}},
+             {"--small-waves", "[0, 1]", {"-0.1", "2"}},
+             {"--alignment", "[0, 1]", {"-1", "1.5"}},
+             {"--loop-period", "[0.1, 86400]", {"0", "-200", "1e5", "nan"}},
+             {"--seed", "a whole number from 0 to 4294967295", {"-1", "4294967296", "1.5", "luck"}}})
+        for (const std::string& value : values)
+            all.push_back({{"export", "--out", "OUT", flag, value}, {flag + " is " + value + ", needs", accepted}});
+    return all;
+}
+
+TEST(BadInput, GivesOneLineThatNamesOptionValueAndRangeAndWritesNothing) {
+    const std::vector<BadInput> all = bad_inputs();
+    EXPECT_GE(all.size(), 40u);
+    for (const BadInput& bad : all) {
+        const TemporaryFolder folder;
+        const std::string config = (folder / "sea.toml").string();
+        write_file(config, bad.config);
+        const auto filled_in = [&](std::string text) {
+            for (const auto& [name, value] : {std::pair<std::string, std::string>{"OUT", (folder / "out").string()}, {"CONFIG", config}})
+                if (const auto at = text.find(name); at != std::string::npos) text.replace(at, name.size(), value);
+            return text;
+        };
+        std::vector<std::string> arguments;
+        std::string command = "pelagic";
+        for (const std::string& argument : bad.arguments) command += " " + arguments.emplace_back(filled_in(argument));
+
+        const Outcome outcome = run_pelagic(arguments);
+        EXPECT_EQ(outcome.exit_code, 2) << command;
+        EXPECT_EQ(outcome.out, "") << command;
+        EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << command << "\n" << outcome.err;
+        EXPECT_TRUE(outcome.err.starts_with("pelagic: ")) << outcome.err;
+        for (const std::string& word : bad.says)
+            EXPECT_NE(outcome.err.find(filled_in(word)), std::string::npos) << command << "\n" << outcome.err << "lacks " << word;
+        EXPECT_EQ(files_in(folder.path()).size(), 1u) << command << " wrote something";
+    }
+}
+
+TEST(BadInput, HelpAndVersionAreNone) {
+    for (const std::vector<std::string>& arguments :
+         std::vector<std::vector<std::string>>{{"--help"}, {"--version"}, {"export", "--help"}, {"info", "--help"}}) {
+        const Outcome outcome = run_pelagic(arguments);
+        EXPECT_EQ(outcome.exit_code, 0);
+        EXPECT_EQ(outcome.err, "");
+        EXPECT_NE(outcome.out.find("pelagic"), std::string::npos);
+    }
+    const std::string help = run_pelagic({"export", "--help"}).out;
+    for (const char* part : {"--wind-speed", "m/s", "(0, 60]", "default 12", "power of two", "storm"})
+        EXPECT_NE(help.find(part), std::string::npos) << part;
+}
+
+}  // namespace
+}  // namespace pelagic

@@ -1,0 +1,180 @@
+// Exports that go wrong: killed, without space, without permission. Nothing half-written, and --resume mends it.
+#include <gtest/gtest.h>
+#include <pty.h>
+#include <signal.h>
+#include <sys/mount.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <random>
+#include <string>
+#include <thread>
+
+#include "tests/run_pelagic.hpp"
+
+namespace pelagic {
+namespace {
+
+std::vector<std::string> arguments_of(const std::filesystem::path& folder, std::vector<std::string> more = {}) {
+    std::vector<std::string> all = {"export", "--out", folder.string(), "--resolution", "64", "--frames", "12", "--mips"};
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+}
+
+std::map<std::string, std::string> undisturbed_export() {
+    const TemporaryFolder folder;
+    EXPECT_EQ(run_pelagic(arguments_of(folder.path())).exit_code, 0);
+    return files_in(folder.path());
+}
+
+void expect_no_half_written_file(const std::filesystem::path& folder, const std::map<std::string, std::string>& whole) {
+    for (const auto& [name, bytes] : files_in(folder)) {
+        if (name.starts_with('.')) continue;  // parts and the journal
+        const auto same = whole.find(name);
+        ASSERT_NE(same, whole.end()) << name;
+        EXPECT_TRUE(bytes == same->second) << name << " is not whole";
+    }
+}
+
+TEST(KilledExport, EndsWithTheSameBytesAfterResume) {
+    const auto whole = undisturbed_export();
+    const auto start = std::chrono::steady_clock::now();
+    undisturbed_export();
+    const auto full_time = std::chrono::steady_clock::now() - start;
+
+    std::mt19937 random(20);
+    int killed_midway = 0;
+    for (int attempt = 0; attempt < 20; ++attempt) {
+        const TemporaryFolder folder, logs;
+        const pid_t process = start_pelagic(arguments_of(folder.path()), logs / "out", logs / "err");
+        std::this_thread::sleep_for(full_time * std::uniform_real_distribution<double>(0.3, 1)(random));
+        ::kill(process, SIGKILL);
+        const int code = wait_for(process);
+        expect_no_half_written_file(folder.path(), whole);
+        killed_midway += code == 128 + SIGKILL;
+
+        const Outcome resumed = run_pelagic(arguments_of(folder.path(), {"--resume"}));
+        ASSERT_EQ(resumed.exit_code, 0) << resumed.err;
+        EXPECT_TRUE(files_in(folder.path()) == whole) << "attempt " << attempt;
+    }
+    EXPECT_GE(killed_midway, 10) << "most attempts should catch it at work";
+}
+
+TEST(Resume, MakesTornEditedAndMissingFilesAgainAndKeepsTheRest) {
+    const TemporaryFolder folder;
+    ASSERT_EQ(run_pelagic(arguments_of(folder.path())).exit_code, 0);
+    const auto whole = files_in(folder.path());
+    std::filesystem::resize_file(folder / "displacement_0003.exr", 100);
+    std::string edited = whole.at("gradient_0005_mip2.png");
+    edited[edited.size() / 2] ^= 1;
+    write_file(folder / "gradient_0005_mip2.png", edited);
+    std::filesystem::remove(folder / "gradient_0007.png");
+    const auto untouched = std::filesystem::last_write_time(folder / "displacement_0001.exr");
+
+    const Outcome outcome = run_pelagic(arguments_of(folder.path(), {"--resume"}));
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("9 of them kept"), std::string::npos) << outcome.out;
+    EXPECT_TRUE(files_in(folder.path()) == whole);
+    EXPECT_EQ(std::filesystem::last_write_time(folder / "displacement_0001.exr"), untouched);
+}
+
+TEST(Resume, OfAnotherSeaIsRefusedAndLosesNothing) {
+    const TemporaryFolder folder;
+    ASSERT_EQ(run_pelagic(arguments_of(folder.path())).exit_code, 0);
+    const auto before = files_in(folder.path());
+    const Outcome outcome = run_pelagic(arguments_of(folder.path(), {"--resume", "--wind-speed", "9"}));
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_NE(outcome.err.find("wind_speed_mps was 12"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("is 9"), std::string::npos) << outcome.err;
+    EXPECT_TRUE(files_in(folder.path()) == before);
+}
+
+TEST(Resume, OfADamagedRecordIsRefusedInOneLine) {
+    const TemporaryFolder folder;
+    ASSERT_EQ(run_pelagic(arguments_of(folder.path())).exit_code, 0);
+    write_file(folder / "sea.json", "{ torn");
+    const Outcome outcome = run_pelagic(arguments_of(folder.path(), {"--resume"}));
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+}
+
+TEST(Resume, OfNothingIsAWholeExport) {
+    const TemporaryFolder folder;
+    EXPECT_EQ(run_pelagic(arguments_of(folder.path(), {"--resume"})).exit_code, 0);
+    EXPECT_TRUE(files_in(folder.path()) == undisturbed_export());
+}
+
+void expect_write_error(const Outcome& outcome, const std::filesystem::path& folder, const std::string& reason) {
+    EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    EXPECT_NE(outcome.err.find("can't write " + folder.string()), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find(reason), std::string::npos) << outcome.err;
+}
+
+// A real full disk where mounting is allowed (as in a root's CI); everywhere, a limit on the size of a file.
+TEST(FullDisk, GivesOneLineAndNoHalfWrittenFile) {
+    const auto whole = undisturbed_export();
+    const TemporaryFolder disk;
+    if (::mount("tmpfs", disk.path().c_str(), "tmpfs", 0, "size=200k") == 0) {
+        const Outcome outcome = run_pelagic(arguments_of(disk / "sea"));
+        expect_write_error(outcome, disk / "sea", "No space left on device");
+        expect_no_half_written_file(disk / "sea", whole);
+        for (const auto& [name, bytes] : files_in(disk / "sea")) EXPECT_FALSE(name.ends_with(".part")) << name;
+        EXPECT_FALSE(std::filesystem::exists(disk / "sea" / "sea.json"));
+        EXPECT_EQ(::umount(disk.path().c_str()), 0);
+    }
+    const TemporaryFolder folder;
+    const Outcome outcome = run_pelagic(arguments_of(folder.path()), [] {
+        const rlimit least{4096, 4096};
+        ::setrlimit(RLIMIT_FSIZE, &least);
+        ::signal(SIGXFSZ, SIG_IGN);
+    });
+    expect_write_error(outcome, folder.path(), "File too large");
+    expect_no_half_written_file(folder.path(), whole);
+    for (const auto& [name, bytes] : files_in(folder.path())) EXPECT_FALSE(name.ends_with(".part")) << name;
+
+    // Once there is space, --resume ends as if nothing had happened.
+    EXPECT_EQ(run_pelagic(arguments_of(folder.path(), {"--resume"})).exit_code, 0);
+    EXPECT_TRUE(files_in(folder.path()) == whole);
+}
+
+TEST(ReadOnlyFolder, GivesOneLineAndNothingElse) {
+    const TemporaryFolder parent;
+    std::filesystem::permissions(parent.path(), std::filesystem::perms(0755));
+    const std::filesystem::path folder = parent / "sea";
+    std::filesystem::create_directory(folder);
+    std::filesystem::permissions(folder, std::filesystem::perms(0555));
+    // Permissions do not hold root back: become nobody.
+    const auto as_nobody = [] {
+        if (::getuid() == 0 && (::setgid(65534) != 0 || ::setuid(65534) != 0)) std::_Exit(126);
+    };
+    expect_write_error(run_pelagic(arguments_of(folder), as_nobody), folder, "Permission denied");
+    EXPECT_TRUE(files_in(folder).empty());
+    expect_write_error(run_pelagic(arguments_of(folder / "new"), as_nobody), folder / "new", "Permission denied");
+    EXPECT_TRUE(files_in(folder).empty());
+}
+
+TEST(Progress, ShowsFramesAndTimeLeftOnATerminal) {
+    const TemporaryFolder folder;
+    int terminal = -1;
+    const pid_t process = ::forkpty(&terminal, nullptr, nullptr, nullptr);
+    ASSERT_GE(process, 0);
+    if (process == 0) {
+        const std::string out = folder.path().string();
+        ::execl(PELAGIC_BINARY, "pelagic", "export", "--out", out.c_str(), "--frames", "40", "--resolution", "128", nullptr);
+        std::_Exit(127);
+    }
+    std::string shown;
+    char buffer[4096];
+    for (ssize_t got; (got = ::read(terminal, buffer, sizeof buffer)) > 0;) shown.append(buffer, static_cast<std::size_t>(got));
+    EXPECT_EQ(wait_for(process), 0);
+    ::close(terminal);
+    EXPECT_NE(shown.find("of 40, "), std::string::npos) << shown;
+    EXPECT_NE(shown.find(" s left"), std::string::npos) << shown;
+}
+
+}  // namespace
+}  // namespace pelagic

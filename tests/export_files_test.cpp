@@ -1,0 +1,256 @@
+// What an export leaves on disk, read back by other programs' libraries: OpenEXR, libpng, OpenImageIO.
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfInputFile.h>
+#include <OpenImageIO/imageio.h>
+#include <gtest/gtest.h>
+#include <png.h>
+
+#include <bit>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "sim/ocean.hpp"
+#include "sim/statistics.hpp"
+#include "tests/run_pelagic.hpp"
+
+namespace pelagic {
+namespace {
+
+using nlohmann::json;
+
+constexpr SeaState small_sea{.resolution = 32};
+const std::vector<std::string> small_flags = {"--resolution", "32"};
+
+/// An export of the small sea with more flags; the folder must be empty.
+Outcome export_to(const std::filesystem::path& folder, std::vector<std::string> flags) {
+    std::vector<std::string> arguments = {"export", "--out", folder.string()};
+    arguments.insert(arguments.end(), small_flags.begin(), small_flags.end());
+    arguments.insert(arguments.end(), flags.begin(), flags.end());
+    Outcome outcome = run_pelagic(arguments);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return outcome;
+}
+
+class Library {
+   public:
+    explicit Library(const SeaState& sea = small_sea) : ocean_(sea, {.executor = make_serial_executor()}) {}
+    const Frame& frame_at(double time_s) { return ocean_.frame_at(time_s); }
+
+   private:
+    Ocean ocean_;
+};
+
+/// A channel of an EXR file by OpenEXR itself, row by row; T is float or half.
+template <class T>
+std::vector<T> read_exr(const std::filesystem::path& file, const char* channel, Imf::PixelType type) {
+    Imf::InputFile input(file.c_str());
+    const auto window = input.header().dataWindow();
+    const int width = window.max.x + 1, height = window.max.y + 1;
+    EXPECT_EQ(input.header().channels().findChannel(channel)->type, type);
+    std::vector<T> pixels(static_cast<std::size_t>(width) * height);
+    Imf::FrameBuffer buffer;
+    buffer.insert(channel, Imf::Slice(type, reinterpret_cast<char*>(pixels.data()), sizeof(T), sizeof(T) * width));
+    input.setFrameBuffer(buffer);
+    input.readPixels(window.min.y, window.max.y);
+    return pixels;
+}
+
+TEST(ExportedFiles, ExrHoldsTheFramesFloatsBitForBit) {
+    const TemporaryFolder folder;
+    export_to(folder.path(), {"--start", "1.25", "--maps", "displacement"});
+    Library library;
+    const Frame& frame = library.frame_at(1.25);
+    const std::pair<const char*, const PlaneView*> channels[] = {{"R", &frame.dx}, {"G", &frame.height}, {"B", &frame.dz}};
+    for (const auto& [channel, plane] : channels) {
+        const auto pixels = read_exr<float>(folder / "displacement_0000.exr", channel, Imf::FLOAT);
+        for (int j = 0; j < 32; ++j)
+            for (int i = 0; i < 32; ++i)
+                ASSERT_EQ(std::bit_cast<std::uint32_t>(pixels[static_cast<std::size_t>(j * 32 + i)]), std::bit_cast<std::uint32_t>(plane->at(i, j)));
+    }
+    EXPECT_FALSE(std::filesystem::exists(folder / "gradient_0000.png"));
+}
+
+TEST(ExportedFiles, ExrIsTheSameToOpenImageIO) {
+    const TemporaryFolder folder;
+    export_to(folder.path(), {});
+    Library library;
+    const Frame& frame = library.frame_at(0);
+    const auto input = OIIO::ImageInput::open((folder / "displacement_0000.exr").string());
+    ASSERT_TRUE(input);
+    ASSERT_EQ(input->spec().nchannels, 3);
+    std::vector<float> pixels(32 * 32 * 3);
+    ASSERT_TRUE(input->read_image(0, 0, 0, -1, OIIO::TypeDesc::FLOAT, pixels.data()));
+    for (std::size_t texel = 0; texel < 32 * 32; ++texel)
+        ASSERT_EQ(pixels[3 * texel + 1], frame.height.at(static_cast<int>(texel % 32), static_cast<int>(texel / 32)));
+}
+
+TEST(ExportedFiles, HalvesAreTheFramesOwn) {
+    const TemporaryFolder folder;
+    export_to(folder.path(), {"--half"});
+    Library library;
+    const Frame& frame = library.frame_at(0);
+    const char* channels[] = {"R", "G", "B"};
+    for (std::size_t c = 0; c < 3; ++c) {
+        const auto pixels = read_exr<Imath::half>(folder / "displacement_0000.exr", channels[c], Imf::HALF);
+        for (int j = 0; j < 32; ++j)
+            for (int i = 0; i < 32; ++i)
+                ASSERT_EQ(pixels[static_cast<std::size_t>(j * 32 + i)].bits(), frame.displacement_rgba16f[static_cast<std::size_t>(4 * (j * 32 + i)) + c]);
+    }
+}
+
+/// RGBA bytes by libpng's own simplified reader, without any conversion.
+std::vector<std::uint8_t> read_png(const std::filesystem::path& file, unsigned side) {
+    png_image image{};
+    image.version = PNG_IMAGE_VERSION;
+    EXPECT_TRUE(png_image_begin_read_from_file(&image, file.c_str())) << file;
+    EXPECT_EQ(image.width, side);
+    EXPECT_EQ(image.height, side);
+    EXPECT_EQ(image.format & (PNG_FORMAT_FLAG_ALPHA | PNG_FORMAT_FLAG_COLOR | PNG_FORMAT_FLAG_LINEAR), PNG_FORMAT_RGBA);
+    image.format = PNG_FORMAT_RGBA;
+    std::vector<std::uint8_t> bytes(PNG_IMAGE_SIZE(image));
+    EXPECT_TRUE(png_image_finish_read(&image, nullptr, bytes.data(), 0, nullptr));
+    return bytes;
+}
+
+void expect_bytes(const std::vector<std::uint8_t>& bytes, std::span<const std::uint32_t> texels) {
+    ASSERT_EQ(bytes.size(), 4 * texels.size());
+    for (std::size_t i = 0; i < bytes.size(); ++i) ASSERT_EQ(bytes[i], texels[i / 4] >> 8 * (i % 4) & 0xFF) << i;
+}
+
+TEST(ExportedFiles, PngHoldsEveryGradientByteOfEveryLevel) {
+    const TemporaryFolder folder;
+    export_to(folder.path(), {"--mips", "--maps", "gradient"});
+    Library library;
+    const Frame& frame = library.frame_at(0);
+    expect_bytes(read_png(folder / "gradient_0000.png", 32), frame.gradient_level(0));
+    for (int level = 1; level < mip_levels(32); ++level)
+        expect_bytes(read_png(folder / ("gradient_0000_mip" + std::to_string(level) + ".png"), 32u >> level),
+                     frame.gradient_level(level));
+    EXPECT_FALSE(std::filesystem::exists(folder / "gradient_0000_mip6.png"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "displacement_0000.exr"));
+}
+
+TEST(ExportedFiles, TiffHoldsTheSame) {
+    const TemporaryFolder folder;
+    export_to(folder.path(), {"--format", "tif"});
+    Library library;
+    const Frame& frame = library.frame_at(0);
+    OIIO::ImageSpec as_it_is;
+    as_it_is.attribute("oiio:UnassociatedAlpha", 1);  // or the reader would multiply normals by smoothness
+    auto gradient = OIIO::ImageInput::open((folder / "gradient_0000.tif").string(), &as_it_is);
+    ASSERT_TRUE(gradient);
+    EXPECT_EQ(gradient->spec().get_int_attribute("oiio:UnassociatedAlpha"), 1);
+    std::vector<std::uint8_t> bytes(32 * 32 * 4);
+    ASSERT_TRUE(gradient->read_image(0, 0, 0, -1, OIIO::TypeDesc::UINT8, bytes.data()));
+    expect_bytes(bytes, frame.gradient_level(0));
+
+    auto displacement = OIIO::ImageInput::open((folder / "displacement_0000.tif").string());
+    ASSERT_TRUE(displacement);
+    EXPECT_EQ(displacement->spec().format, OIIO::TypeDesc::FLOAT);
+    std::vector<float> pixels(32 * 32 * 3);
+    ASSERT_TRUE(displacement->read_image(0, 0, 0, -1, OIIO::TypeDesc::FLOAT, pixels.data()));
+    for (std::size_t texel = 0; texel < 32 * 32; ++texel)
+        ASSERT_EQ(pixels[3 * texel + 1], frame.height.at(static_cast<int>(texel % 32), static_cast<int>(texel / 32)));
+}
+
+TEST(ExportedFiles, SeaJsonSaysWhatIsThere) {
+    const TemporaryFolder folder;
+    export_to(folder.path(), {"--loop-frames", "4", "--loop-period", "8", "--wind-direction", "30"});
+    const json sea = json::parse(read_file(folder / "sea.json"));
+    EXPECT_EQ(sea["sea"]["resolution"], 32);
+    EXPECT_EQ(sea["sea"]["wind_direction_deg"], 30);
+    EXPECT_EQ(sea["sea"]["spectrum"], "jonswap");
+    EXPECT_EQ(sea["sea"].size(), 13u) << "every option of a sea";
+
+    SeaState same = small_sea;
+    same.loop_period_s = 8;
+    same.wind_direction_rad = 30 * 3.14159265358979323846 / 180;
+    Library library(same);
+    double height = 0;
+    ASSERT_EQ(sea["frames"].size(), 4u);
+    for (int i = 0; i < 4; ++i) {
+        const Frame& frame = library.frame_at(2.0 * i);
+        const json& said = sea["frames"][static_cast<std::size_t>(i)];
+        EXPECT_EQ(said["time_s"], 2.0 * i);
+        EXPECT_EQ(std::stoull(said["hash"].get<std::string>(), nullptr, 16), hash_of(frame));
+        EXPECT_EQ(said["height_max_m"], frame.bounds.height_max_m);
+        for (const json& file : said["files"]) EXPECT_TRUE(std::filesystem::exists(folder / file["name"]));
+        height += measured_significant_wave_height_m(frame) / 4;
+    }
+    const ExpectedWaves expected = expected_waves(same);
+    const json& waves = sea["waves"];
+    EXPECT_NEAR(waves["significant_wave_height_m"]["measured"].get<double>(), height, 1e-12);
+    EXPECT_EQ(waves["significant_wave_height_m"]["expected"], expected.significant_wave_height_m);
+    EXPECT_EQ(waves["peak_period_s"]["expected"], expected.peak_period_s);
+    EXPECT_EQ(waves["peak_period_s"]["measured"], measured_peak_period_s(same));
+    EXPECT_EQ(sea["warnings"].get<std::vector<std::string>>(), warnings_about(same));
+}
+
+TEST(ExportedFiles, AreTheSameForEveryThreadCountAndInstructionSet) {
+    const TemporaryFolder first;
+    export_to(first.path(), {"--frames", "5", "--mips"});
+    const auto expected = files_in(first.path());
+    for (const std::string threads : {"1", "2", "3"}) {
+        for (const Isa isa : isas_here()) {
+            const TemporaryFolder other;
+            export_to(other.path(), {"--frames", "5", "--mips", "--threads", threads, "--isa", std::string(name_of(isa))});
+            EXPECT_EQ(files_in(other.path()), expected) << threads << " " << name_of(isa);
+        }
+    }
+}
+
+TEST(ExportedFiles, FlagsBeatTheConfigFileBeatsThePreset) {
+    const TemporaryFolder folder;
+    write_file(folder / "sea.toml", "preset = \"storm\"\nresolution = 64\nwind_speed = 7\nchoppiness = 0.25\n");
+    export_to(folder / "out", {"--config", (folder / "sea.toml").string(), "--wind-speed", "9.5"});
+    const json sea = json::parse(read_file(folder / "out" / "sea.json"))["sea"];
+    EXPECT_EQ(sea["resolution"], 32);         // flag
+    EXPECT_EQ(sea["wind_speed_mps"], 9.5);    // flag
+    EXPECT_EQ(sea["choppiness"], 0.25);       // file
+    EXPECT_EQ(sea["fetch_m"], 400000.0);      // preset
+    EXPECT_EQ(sea["depth_m"], 4000.0);        // default
+}
+
+TEST(ExportedFiles, NothingOnStderrInAPipe) {
+    const TemporaryFolder folder;
+    const Outcome outcome = export_to(folder.path(), {"--frames", "3"});
+    EXPECT_EQ(outcome.err, "");
+    EXPECT_NE(outcome.out.find("3 frames"), std::string::npos);
+}
+
+TEST(ExportedFiles, AShorterExportReplacesALongerOne) {
+    const TemporaryFolder folder, fresh;
+    write_file(folder / "gradient_notes.txt", "mine");
+    export_to(folder.path(), {"--frames", "4", "--mips"});
+    export_to(folder.path(), {"--frames", "2"});
+    export_to(fresh.path(), {"--frames", "2"});
+    auto expected = files_in(fresh.path());
+    expected["gradient_notes.txt"] = "mine";
+    EXPECT_EQ(files_in(folder.path()), expected);
+}
+
+TEST(Info, SaysTheSameAsTheLibrary) {
+    const Outcome outcome = run_pelagic({"info", "--json", "--resolution", "32"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const json info = json::parse(outcome.out);
+    Library library;
+    const Frame& frame = library.frame_at(0);
+    EXPECT_EQ(std::stoull(info["first_frame"]["hash"].get<std::string>(), nullptr, 16), hash_of(frame));
+    EXPECT_EQ(info["waves"]["peak_period_s"]["expected"], expected_waves(small_sea).peak_period_s);
+    EXPECT_GT(info["computing"]["memory_bytes"], 0);
+    EXPECT_EQ(info["computing"]["stages"][0]["name"], "evolve");
+    const Outcome table = run_pelagic({"info", "--preset", "storm"});
+    for (const char* part : {"wind_speed_mps", "19", "evolve -> rows -> columns", "peak_period_s"})
+        EXPECT_NE(table.out.find(part), std::string::npos) << part;
+}
+
+TEST(Info, WarnsOfAPatchShorterThanTwoPeakWaves) {
+    const Outcome outcome = run_pelagic({"info", "--patch-size", "100", "--resolution", "32"});
+    EXPECT_NE(outcome.out.find("shorter than two peak wavelengths"), std::string::npos) << outcome.out;
+}
+
+}  // namespace
+}  // namespace pelagic
