@@ -6,6 +6,7 @@
 
 #include "sim/kernels/kernels.hpp"
 #include "sim/kernels/mipmaps.kernel.hpp"
+#include "simd/exact.kernel.hpp"
 #include "simd/half.kernel.hpp"
 #include "simd/lanes.hpp"
 
@@ -44,7 +45,7 @@ inline Surface<Arch> surface_at(const RowWindow (&rows)[3], std::size_t x, float
     const V n_z = h_x * dx_z - h_z * j_xx;
     // A surface crushed to a point has no normal; the guard keeps it finite.
     const V squared = n_x * n_x + jacobian * jacobian + n_z * n_z;
-    const V inverse = one / xsimd::sqrt(xsimd::max(squared, V(1e-30f)));
+    const V inverse = divided<Arch>(one, square_root<Arch>(xsimd::max(squared, V(1e-30f))));
     return {n_x * inverse, jacobian * inverse, n_z * inverse, jacobian};
 }
 

@@ -6,6 +6,7 @@
 #include <xsimd/xsimd.hpp>
 
 #include "sim/kernels/kernels.hpp"
+#include "simd/exact.kernel.hpp"
 #include "simd/lanes.hpp"
 
 namespace pelagic::kernels {
@@ -54,14 +55,14 @@ void pack_mip(const PackMipJob& job) {
         const V n_x = V::load_aligned(job.row[0] + x);
         const V n_y = V::load_aligned(job.row[1] + x);
         const V n_z = V::load_aligned(job.row[2] + x);
-        const V length = xsimd::sqrt(n_x * n_x + n_y * n_y + n_z * n_z);
+        const V length = square_root<Arch>(n_x * n_x + n_y * n_y + n_z * n_z);
 
         // Equation 53.
         const V t = clamped<Arch>((length - V(2.f / 3.f)) * V(3.f), 0.f, 1.f);
         const V roughness = xsimd::max(one - t * (V(0.85f) + t * V(0.15f)), V(0.f));
-        const V smoothness = one - xsimd::sqrt(roughness);
+        const V smoothness = one - square_root<Arch>(roughness);
 
-        const V inverse = one / xsimd::max(length, V(1e-15f));
+        const V inverse = divided<Arch>(one, xsimd::max(length, V(1e-15f)));
         alignas(64) std::uint32_t texels[V::size];
         pack_rgba8<Arch>(n_x * inverse, n_z * inverse, V::load_aligned(job.row[3] + x), smoothness, texels);
         const std::size_t here = job.count - x < V::size ? job.count - x : V::size;

@@ -1,0 +1,51 @@
+// A frame allocates nothing after the first. In a program of its own, because it replaces operator new.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+#include "sim/ocean.hpp"
+
+namespace {
+std::atomic<long> allocations = 0;
+
+void* counted(std::size_t size, std::size_t alignment) {
+    ++allocations;
+    void* memory = std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
+    if (!memory) throw std::bad_alloc();
+    return memory;
+}
+}  // namespace
+
+void* operator new(std::size_t size) { return counted(size, alignof(std::max_align_t)); }
+void* operator new(std::size_t size, std::align_val_t alignment) { return counted(size, static_cast<std::size_t>(alignment)); }
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+
+namespace pelagic {
+namespace {
+
+// oneTBB allocates its own tasks through its own pools, so the default executor is left out: the promise is ours.
+TEST(Allocation, FramesAfterTheFirstAllocateNothing) {
+    for (const auto& executor : {make_serial_executor(), make_thread_executor(3)}) {
+        const long before_building = allocations;
+        Ocean ocean({.resolution = 64}, {.executor = executor});
+        EXPECT_GT(allocations, before_building) << "the counter does not count";
+        ocean.frame_at(0);
+        const long before = allocations;
+        for (int i = 0; i < 100; ++i) ocean.frame_at(i * 0.1);
+        EXPECT_EQ(allocations, before) << executor->name();
+    }
+}
+
+TEST(Allocation, MemoryBytesIsWhatAnOceanHolds) {
+    Ocean ocean({.resolution = 256}, {.executor = make_serial_executor()});
+    // Scratch 24, spectrum 14, mip averages 5.3, two slots of 12.75 + 8 + 5.3 bytes a texel: 96, and tables.
+    EXPECT_NEAR(static_cast<double>(ocean.memory_bytes()) / (256 * 256), 96, 1);
+}
+
+}  // namespace
+}  // namespace pelagic
