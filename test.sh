@@ -10,7 +10,7 @@ presets=("$@")
 [ ${#presets[@]} -gt 0 ] || presets=(tsan asan release)
 for preset in "${presets[@]}"; do
   echo "== $preset"
-  cmake --preset "$preset" -DPELAGIC_TESTS=ON -DPELAGIC_BENCH=ON
+  cmake --preset "$preset" -DPELAGIC_TESTS=ON -DPELAGIC_BENCH="$([ "$preset" = release ] && echo ON || echo OFF)"
   cmake --build --preset "$preset" -j "$(nproc)"
   ctest --preset "$preset" -j "$(nproc)"
 done

@@ -11,6 +11,8 @@
 
 namespace pelagic {
 
+inline void PrintTo(Isa isa, std::ostream* out) { *out << name_of(isa); }
+
 class OnEachIsa : public testing::TestWithParam<Isa> {
    protected:
     const Kernels& kernels() const { return kernels_for(GetParam()); }

@@ -30,6 +30,15 @@ std::map<std::string, std::string> undisturbed_export() {
     return files_in(folder.path());
 }
 
+void expect_same_files(const std::filesystem::path& folder, const std::map<std::string, std::string>& expected) {
+    const auto files = files_in(folder);
+    for (const auto& [name, bytes] : files) {
+        ASSERT_TRUE(expected.contains(name)) << name << " should not be there";
+        EXPECT_TRUE(bytes == expected.at(name)) << name << " has other bytes";
+    }
+    EXPECT_EQ(files.size(), expected.size());
+}
+
 void expect_no_half_written_file(const std::filesystem::path& folder, const std::map<std::string, std::string>& whole) {
     for (const auto& [name, bytes] : files_in(folder)) {
         if (name.starts_with('.')) continue;  // parts and the journal
@@ -58,7 +67,7 @@ TEST(KilledExport, EndsWithTheSameBytesAfterResume) {
 
         const Outcome resumed = run_pelagic(arguments_of(folder.path(), {"--resume"}));
         ASSERT_EQ(resumed.exit_code, 0) << resumed.err;
-        EXPECT_TRUE(files_in(folder.path()) == whole) << "attempt " << attempt;
+        expect_same_files(folder.path(), whole);
     }
     EXPECT_GE(killed_midway, 10) << "most attempts should catch it at work";
 }
@@ -77,7 +86,7 @@ TEST(Resume, MakesTornEditedAndMissingFilesAgainAndKeepsTheRest) {
     const Outcome outcome = run_pelagic(arguments_of(folder.path(), {"--resume"}));
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_NE(outcome.out.find("9 of them kept"), std::string::npos) << outcome.out;
-    EXPECT_TRUE(files_in(folder.path()) == whole);
+    expect_same_files(folder.path(), whole);
     EXPECT_EQ(std::filesystem::last_write_time(folder / "displacement_0001.exr"), untouched);
 }
 
@@ -89,7 +98,23 @@ TEST(Resume, OfAnotherSeaIsRefusedAndLosesNothing) {
     EXPECT_EQ(outcome.exit_code, 2);
     EXPECT_NE(outcome.err.find("wind_speed_mps was 12"), std::string::npos) << outcome.err;
     EXPECT_NE(outcome.err.find("is 9"), std::string::npos) << outcome.err;
-    EXPECT_TRUE(files_in(folder.path()) == before);
+    expect_same_files(folder.path(), before);
+}
+
+// Forty frames are there, twelve shall replace them, and the disk fills up in between.
+TEST(Resume, ForgetsNothingOfAnExportThatWasBeingReplaced) {
+    const auto whole = undisturbed_export();
+    const TemporaryFolder folder;
+    ASSERT_EQ(run_pelagic({"export", "--out", folder.path().string(), "--resolution", "32", "--frames", "40"}).exit_code, 0);
+    const Outcome failed = run_pelagic(arguments_of(folder.path()), [] {
+        const rlimit least{20000, 20000};
+        ::setrlimit(RLIMIT_FSIZE, &least);
+        ::signal(SIGXFSZ, SIG_IGN);
+    });
+    ASSERT_EQ(failed.exit_code, 1) << failed.err;
+    EXPECT_FALSE(std::filesystem::exists(folder / "sea.json")) << "nobody may take this for a whole export";
+    ASSERT_EQ(run_pelagic(arguments_of(folder.path(), {"--resume"})).exit_code, 0);
+    expect_same_files(folder.path(), whole);
 }
 
 TEST(Resume, OfADamagedRecordIsRefusedInOneLine) {
@@ -104,7 +129,7 @@ TEST(Resume, OfADamagedRecordIsRefusedInOneLine) {
 TEST(Resume, OfNothingIsAWholeExport) {
     const TemporaryFolder folder;
     EXPECT_EQ(run_pelagic(arguments_of(folder.path(), {"--resume"})).exit_code, 0);
-    EXPECT_TRUE(files_in(folder.path()) == undisturbed_export());
+    expect_same_files(folder.path(), undisturbed_export());
 }
 
 void expect_write_error(const Outcome& outcome, const std::filesystem::path& folder, const std::string& reason) {
@@ -138,7 +163,7 @@ TEST(FullDisk, GivesOneLineAndNoHalfWrittenFile) {
 
     // Once there is space, --resume ends as if nothing had happened.
     EXPECT_EQ(run_pelagic(arguments_of(folder.path(), {"--resume"})).exit_code, 0);
-    EXPECT_TRUE(files_in(folder.path()) == whole);
+    expect_same_files(folder.path(), whole);
 }
 
 TEST(ReadOnlyFolder, GivesOneLineAndNothingElse) {

@@ -25,6 +25,8 @@ struct Case {
     double time_s;
 };
 
+void PrintTo(const Case& one, std::ostream* out) { *out << one.name; }
+
 std::vector<Case> cases() {
     return {
         {"N16", {.resolution = 16}, 1.5},

@@ -21,6 +21,8 @@ struct Kind {
     int threads;
 };
 
+void PrintTo(const Kind& kind, std::ostream* out) { *out << kind.name; }
+
 std::vector<Kind> kinds() {
     std::vector<Kind> all = {{"serial", [](int) { return make_serial_executor(); }, 1}};
     for (const int threads : {1, 2, 3, 8}) {

@@ -24,26 +24,29 @@ std::optional<std::string> file_hash(const std::filesystem::path& file) {
 /// "wind_speed_mps was 9 and is 12", for the first value that differs.
 std::string first_difference(const Json& earlier, const Json& now) {
     const Json was = earlier.flatten(), is = now.flatten();
-    for (const auto& [key, value] : is.items())
-        if (!was.contains(key) || was.at(key) != value)
-            return key.substr(key.rfind('/', key.size()) + 1) + " was " +
-                   (was.contains(key) ? was.at(key).dump() : "not set") + " and is " + value.dump();
-    for (const auto& [key, value] : was.items())
-        if (!is.contains(key)) return key.substr(key.rfind('/') + 1) + " was " + value.dump() + " and is not set";
+    const auto text_of = [](const Json& values, const std::string& key) {
+        return values.contains(key) ? values.at(key).dump() : "not set";
+    };
+    for (const Json& values : {is, was})
+        for (const auto& [key, value] : values.items())
+            if (text_of(was, key) != text_of(is, key))
+                return key.substr(key.rfind('/') + 1) + " was " + text_of(was, key) + " and is " + text_of(is, key);
     return {};
 }
 
-/// What an earlier export recorded: its options, and its frames in any order.
+/// What an earlier export recorded: its options, its frames in any order, and files that it was about to replace.
 struct Earlier {
     Json options;
     std::vector<FrameRecord> frames;
+    std::vector<std::string> replaced_files;
 };
 
 std::optional<Earlier> read_journal(const std::filesystem::path& file) {
     std::ifstream stream(file);
     std::string line;
     if (!std::getline(stream, line)) return {};
-    Earlier earlier{Json::parse(line), {}};
+    const Json header = Json::parse(line);
+    Earlier earlier{header.at("options"), {}, header.at("replaced_files")};
     while (std::getline(stream, line)) {
         // A line may be torn if the export was killed while writing it: its frame does not count.
         const Json record = Json::parse(line, nullptr, false);
@@ -56,7 +59,7 @@ std::optional<Earlier> read_sea_json(const std::filesystem::path& file) {
     std::ifstream stream(file);
     if (!stream) return {};
     const Json json = Json::parse(stream);
-    Earlier earlier{{{"version", json.at("version")}, {"sea", json.at("sea")}, {"export", json.at("export")}}, {}};
+    Earlier earlier{{{"version", json.at("version")}, {"sea", json.at("sea")}, {"export", json.at("export")}}, {}, {}};
     for (const Json& frame : json.at("frames")) earlier.frames.push_back(frame_from_json(frame));
     return earlier;
 }
@@ -84,6 +87,7 @@ void ExportJournal::read_earlier(bool resume) {
     }
     if (!earlier) return;
 
+    earlier_files_ = earlier->replaced_files;
     for (const FrameRecord& frame : earlier->frames)
         for (const FileRecord& file : frame.files) earlier_files_.push_back(file.name);
     if (!resume) return;
@@ -103,7 +107,8 @@ void ExportJournal::forget_torn_frames() {
 }
 
 void ExportJournal::begin() {
-    std::string lines = options_as_json(options_).dump() + "\n";
+    const Json header = {{"options", options_as_json(options_)}, {"replaced_files", earlier_files_}};
+    std::string lines = header.dump() + "\n";
     for (const auto& [number, record] : done_) lines += frame_as_json(record).dump() + "\n";
     write_whole_file(journal_, lines);
     std::filesystem::remove(sea_json_);

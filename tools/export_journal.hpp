@@ -1,6 +1,6 @@
 // What makes --resume safe: a file beside the frames that says which of them are done.
 //
-// Line 1 holds the options of the export, each further line a frame whose files stand under their final names. The
+// Line 1 holds the options of the export and the files of an older one that it replaces, each further line a frame whose files stand under their final names. The
 // journal is removed when sea.json, which holds the same records, is whole; a finished export is resumed from that.
 // A frame counts as done only if every file of it still has the recorded XXH3, so torn, edited and deleted files are
 // made again.
