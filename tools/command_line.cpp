@@ -2,7 +2,10 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
+#include <iostream>
 #include <string>
 #include <vector>
 
@@ -10,6 +13,7 @@
 #include "tools/export_command.hpp"
 #include "tools/info_command.hpp"
 #include "tools/option_text.hpp"
+#include "tools/stop_signal.hpp"
 
 namespace pelagic::tools {
 namespace {
@@ -27,6 +31,12 @@ InputError from_cli(const CLI::ParseError& error, const CLI::App& app, const std
     const CLI::App& used = commands.empty() ? app : *commands.front();
     const std::vector<std::string> options = option_names(used);
 
+    // `--wind-speed --seed 3`: CLI11 takes --seed for the wind and complains of the 3.
+    for (std::size_t i = 0; i + 1 < words.size(); ++i) {
+        const CLI::Option* option = used.get_option_no_throw(words[i]);
+        if (option && option->get_items_expected_min() > 0 && used.get_option_no_throw(words[i + 1]))
+            return InputError(words[i] + " has no value, needs one");
+    }
     // CLI11 meets an unknown option before it looks at the values of others.
     if (dynamic_cast<const CLI::ExtrasError*>(&error)) {
         const std::vector<std::string> extras = used.remaining(true);
@@ -44,11 +54,33 @@ InputError from_cli(const CLI::ParseError& error, const CLI::App& app, const std
         const std::string what = error.what();
         if (what.find(option + ":") == std::string::npos && what.find(option + " ") == std::string::npos) continue;
         if (times > 1) return InputError(option + " is given " + std::to_string(times) + " times, needs to be given once");
-        if (words.back() == option) return InputError(option + " has no value, needs one");
+        if (dynamic_cast<const CLI::ArgumentMismatch*>(&error)) return InputError(option + " has no value, needs one");
     }
     std::string line = error.what();
     std::replace(line.begin(), line.end(), '\n', ' ');
     return InputError(line);
+}
+
+/// Control characters, which a value or a file's name may hold, escaped: an error stays one line.
+std::string one_line(std::string_view text) {
+    constexpr std::string_view digits = "0123456789abcdef";
+    std::string line;
+    for (const char c : text) {
+        const auto code = static_cast<unsigned char>(c);
+        if (c == '\n')
+            line += "\\n";
+        else if (code < 0x20 || code == 0x7f)
+            line.append("\\x").append({digits[code >> 4], digits[code & 15]});
+        else
+            line += c;
+    }
+    return line;
+}
+
+/// Output that a full disk swallowed is a failure, not a success without words.
+void check_standard_output() {
+    if (std::cout.flush() && std::fflush(stdout) == 0 && !std::ferror(stdout)) return;
+    throw FileError(std::string("can't write standard output: ") + std::strerror(errno));
 }
 
 int run(int argc, const char* const* argv) {
@@ -56,6 +88,7 @@ int run(int argc, const char* const* argv) {
     app.set_version_flag("--version", "pelagic " PELAGIC_VERSION);
     app.get_formatter()->column_width(34);
 
+    app.require_subcommand(0, 1);
     CLI::App& export_app = *app.add_subcommand("export", "write frames of a sea as images, and sea.json");
     ExportFlags export_flags;
     export_flags.add_to(export_app);
@@ -63,10 +96,14 @@ int run(int argc, const char* const* argv) {
     InfoFlags info_flags;
     info_flags.add_to(info_app);
 
+    for (CLI::App* command : {&export_app, &info_app}) command->set_version_flag("--version", "pelagic " PELAGIC_VERSION);
+
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& help_or_version) {
-        return app.exit(help_or_version);
+        const int code = app.exit(help_or_version);
+        check_standard_output();
+        return code;
     } catch (const CLI::ParseError& error) {
         throw from_cli(error, app, {argv + 1, argv + argc});
     }
@@ -76,6 +113,7 @@ int run(int argc, const char* const* argv) {
         info_flags.run();
     else
         throw InputError("no command, needs export or info; pelagic --help says more");
+    check_standard_output();
     return 0;
 }
 
@@ -85,10 +123,14 @@ int run_command_line(int argc, const char* const* argv) {
     try {
         return run(argc, argv);
     } catch (const InputError& error) {
-        std::fprintf(stderr, "pelagic: %s\n", error.what());
+        std::fprintf(stderr, "pelagic: %s\n", one_line(error.what()).c_str());
         return 2;
+    } catch (const Stopped& stop) {
+        std::fprintf(stderr, "pelagic: stopped after %d of %d frames; the same command with --resume makes the rest\n",
+                     stop.done, stop.total);
+        return 128 + stop.signal;
     } catch (const std::exception& error) {
-        std::fprintf(stderr, "pelagic: %s\n", error.what());
+        std::fprintf(stderr, "pelagic: %s\n", one_line(error.what()).c_str());
         return 1;
     }
 }

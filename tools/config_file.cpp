@@ -50,10 +50,12 @@ std::vector<ConfigEntry> read_config(const std::filesystem::path& file, std::spa
     for (const auto& [name, node] : table) {
         const std::string key(name.str());
         const std::string place = place_of(file, node.source());
+        if (node.is_table())
+            throw InputError(place + ": " + key + " is a table, needs known keys at the top level, such as wind_speed = 9.0");
         if (std::find(known.begin(), known.end(), key) == known.end())
             throw InputError(place + ": unknown key " + key + ", the nearest known one is " +
                              nearest_name(key, known));
-        entries.push_back({key, value_text(node, place, key), place});
+        entries.push_back({key, value_text(node, place, key), place, node.is_string()});
     }
     return entries;
 }

@@ -13,6 +13,7 @@ struct ConfigEntry {
     std::string key;
     std::string value;
     std::string place;  ///< "sea.toml:3"
+    bool quoted;        ///< a text in quotes, not a number
 };
 
 /// Reads the top-level keys of a file. Throws InputError, one line with file and line number, for a file that can't be

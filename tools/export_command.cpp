@@ -1,5 +1,6 @@
 #include "tools/export_command.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <deque>
@@ -14,6 +15,7 @@
 #include "tools/errors.hpp"
 #include "tools/export_journal.hpp"
 #include "tools/progress.hpp"
+#include "tools/stop_signal.hpp"
 
 namespace pelagic::tools {
 namespace {
@@ -83,13 +85,19 @@ FrameRecord write_frame(const ExportOptions& options, int number, const Frame& f
     return record;
 }
 
-/// Encodes frames on a few threads and journals them in order. Memory is bounded: one frame a thread.
+/// A frame in flight is copied, interleaved, encoded and compressed: about so many bytes a texel, measured.
+constexpr std::size_t bytes_per_texel_in_flight = 64;
+constexpr std::size_t most_bytes_in_flight = std::size_t{2} << 30;
+
+/// Encodes frames on a few threads and journals them in order. Memory is bounded: one frame a thread, 2 GiB in all.
 class FrameWriter {
    public:
     FrameWriter(const ExportOptions& options, ExportJournal& journal, std::map<int, FrameRecord>& records)
         : options_(options), journal_(journal), records_(records) {
         const unsigned cores = std::max(1u, std::thread::hardware_concurrency());
-        most_ = options.compute.threads == 0 ? cores : static_cast<std::size_t>(options.compute.threads);
+        const std::size_t threads = options.compute.threads == 0 ? cores : static_cast<std::size_t>(options.compute.threads);
+        const std::size_t texels = static_cast<std::size_t>(options.sea.sea.resolution) * options.sea.sea.resolution;
+        most_ = std::min(threads, std::max<std::size_t>(1, most_bytes_in_flight / (texels * bytes_per_texel_in_flight)));
     }
 
     void write(int number, const Frame& frame) {
@@ -141,6 +149,10 @@ void make_frames(const ExportOptions& options, ExportJournal& journal, std::map<
     FrameWriter writer(options, journal, records);
     ocean.schedule(options.time_of(missing.front()));
     for (std::size_t i = 0; i < missing.size(); ++i) {
+        if (stop_signal() != 0) {
+            writer.finish();
+            throw Stopped{stop_signal(), static_cast<int>(records.size()), options.frames};
+        }
         progress.show(i);
         const Frame& frame = ocean.complete();
         if (i + 1 < missing.size()) ocean.schedule(options.time_of(missing[i + 1]));
@@ -162,6 +174,7 @@ void print_summary(const ExportOptions& options, const std::vector<FrameRecord>&
 }  // namespace
 
 void run_export(const ExportOptions& options) {
+    catch_stop_signals();
     ExportJournal journal(options);
     make_folder(options.folder);
     journal.begin();

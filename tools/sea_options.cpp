@@ -144,8 +144,14 @@ ResolvedSea SeaOptions::resolve() const {
 
     ResolvedSea resolved;
     const auto from_config = [&](const std::string& flag, auto use) {
-        for (const ConfigEntry& entry : config)
-            if (entry.key == config_key(flag)) use(entry.value, entry.place + ": " + entry.key);
+        for (const ConfigEntry& entry : config) {
+            if (entry.key != config_key(flag)) continue;
+            const std::string place = entry.place + ": " + entry.key;
+            for (const SeaFlag& number : sea_flags)
+                if (number.flag == flag && entry.quoted)
+                    throw bad_value(place, '"' + entry.value + '"', "a number without quotes: " + accepted_by(number));
+            use(entry.value, place);
+        }
     };
     if (const auto& preset = typed_.at("preset"))
         apply_preset(resolved, *preset, "--preset");

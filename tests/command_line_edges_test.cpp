@@ -1,0 +1,78 @@
+// The corners of the command line: values and names that would break the one line, and output that goes nowhere.
+#include <OpenImageIO/imageio.h>
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <string>
+
+#include "sim/ocean.hpp"
+#include "tests/run_pelagic.hpp"
+
+namespace pelagic {
+namespace {
+
+struct Edge {
+    std::vector<std::string> arguments;  ///< OUT becomes a folder that does not exist
+    std::string says;
+    std::string config = {};  ///< given as --config if not empty
+};
+
+TEST(CommandLineEdges, AreOneLineAndExitCode2) {
+    const Edge edges[] = {
+        {{"info", "--wind-speed", "3\n4"}, "--wind-speed is 3\\n4, needs (0, 60]"},
+        {{"info", "--wind-speed", "\x1b[2J"}, "--wind-speed is \\x1b[2J, needs (0, 60]"},
+        {{"info", "--seed="}, "--seed has no value"},
+        {{"info", "--wind-speed", "--seed", "3"}, "--wind-speed has no value"},
+        {{"info", "--wind-speed", "+-3"}, "--wind-speed is +-3, needs (0, 60]"},
+        {{"info", "export", "--out", "OUT"}, "export"},
+        {{"export", "--out", "OUT", "info"}, "info"},
+        {{"info"}, ":1: wind_speed is \"9\", needs a number without quotes: (0, 60]", "wind_speed = \"9\"\n"},
+        {{"info"}, ":2: sea is a table", "seed = 1\n[sea]\nwind_speed = 9\n"},
+        {{"info"}, "unknown key a\\nb", "\"a\\nb\" = 1\n"},
+    };
+    for (const Edge& edge : edges) {
+        const TemporaryFolder folder;
+        std::vector<std::string> arguments = edge.arguments;
+        std::replace(arguments.begin(), arguments.end(), std::string("OUT"), (folder / "out").string());
+        if (!edge.config.empty()) {
+            write_file(folder / "sea.toml", edge.config);
+            arguments.insert(arguments.end(), {"--config", (folder / "sea.toml").string()});
+        }
+        const Outcome outcome = run_pelagic(arguments);
+        EXPECT_EQ(outcome.exit_code, 2) << edge.says;
+        EXPECT_EQ(outcome.out, "") << edge.says;
+        EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+        EXPECT_NE(outcome.err.find(edge.says), std::string::npos) << outcome.err << "lacks " << edge.says;
+        EXPECT_FALSE(std::filesystem::exists(folder / "out")) << edge.says;
+    }
+}
+
+TEST(CommandLineEdges, VersionWorksForEachCommand) {
+    for (const char* command : {"export", "info"}) EXPECT_EQ(run_pelagic({command, "--version"}).out, run_pelagic({"--version"}).out);
+}
+
+TEST(StandardOutput, ThatIsFullIsAnError) {
+    for (const std::vector<std::string>& arguments : {std::vector<std::string>{"info", "--json"}, {"--help"}}) {
+        const Outcome outcome = run_pelagic(arguments, [] { ::dup2(::open("/dev/full", O_WRONLY), STDOUT_FILENO); });
+        EXPECT_EQ(outcome.exit_code, 1);
+        EXPECT_EQ(outcome.err, "pelagic: can't write standard output: No space left on device\n");
+    }
+}
+
+TEST(TiffHalves, StayHalves) {
+    const TemporaryFolder folder;
+    ASSERT_EQ(run_pelagic({"export", "--out", folder.path().string(), "--resolution", "32", "--format", "tif", "--half"}).exit_code, 0);
+    const auto file = OIIO::ImageInput::open((folder / "displacement_0000.tif").string());
+    ASSERT_TRUE(file);
+    ASSERT_EQ(file->spec().format, OIIO::TypeDesc::HALF);
+    std::vector<std::uint16_t> pixels(32 * 32 * 3);
+    ASSERT_TRUE(file->read_image(0, 0, 0, -1, OIIO::TypeDesc::HALF, pixels.data()));
+    Ocean ocean({.resolution = 32}, {.executor = make_serial_executor()});
+    const Frame& frame = ocean.frame_at(0);
+    for (std::size_t i = 0; i < pixels.size(); ++i) ASSERT_EQ(pixels[i], frame.displacement_rgba16f[i / 3 * 4 + i % 3]) << i;
+}
+
+}  // namespace
+}  // namespace pelagic

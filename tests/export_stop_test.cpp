@@ -1,0 +1,91 @@
+// Exports that are told to stop, run into a limit or die while they replace another: nothing is lost or left over.
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <chrono>
+#include <string>
+#include <thread>
+
+#include "tests/run_pelagic.hpp"
+
+namespace pelagic {
+namespace {
+
+using Arguments = std::vector<std::string>;
+
+Arguments export_arguments(const std::filesystem::path& folder, const Arguments& more) {
+    Arguments all = {"export", "--out", folder.string(), "--resolution", "32"};
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+}
+
+const std::string journal = ".pelagic-export.jsonl";
+
+/// True once the running export has journaled `lines` lines and `text` stands in the journal.
+bool wait_for_journal(const std::filesystem::path& folder, int lines, const std::string& text) {
+    const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(30);
+    while (std::chrono::steady_clock::now() < deadline) {
+        if (std::filesystem::exists(folder / journal)) {
+            const std::string now = read_file(folder / journal);
+            if (now.find(text) != std::string::npos && std::count(now.begin(), now.end(), '\n') >= lines) return true;
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    return false;
+}
+
+class StoppedExport : public testing::TestWithParam<int> {};
+
+TEST_P(StoppedExport, EndsCleanlySaysHowToGoOnAndResumes) {
+    const TemporaryFolder folder, logs, fresh;
+    const Arguments many = {"--frames", "400"};
+    const pid_t process = start_pelagic(export_arguments(folder.path(), many), logs / "out", logs / "err");
+    ASSERT_TRUE(wait_for_journal(folder.path(), 5, "version"));
+    ::kill(process, GetParam());
+    EXPECT_EQ(wait_for(process), 128 + GetParam());
+    const std::string said = read_file(logs / "err");
+    EXPECT_TRUE(said.starts_with("pelagic: stopped after ")) << said;
+    EXPECT_NE(said.find(" of 400 frames"), std::string::npos) << said;
+    EXPECT_NE(said.find("--resume"), std::string::npos) << said;
+    EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;
+    for (const auto& [name, bytes] : files_in(folder.path())) EXPECT_FALSE(name.ends_with(".part")) << name;
+    EXPECT_FALSE(std::filesystem::exists(folder / "sea.json"));
+
+    EXPECT_EQ(run_pelagic(export_arguments(folder.path(), {"--frames", "400", "--resume"})).exit_code, 0);
+    EXPECT_EQ(run_pelagic(export_arguments(fresh.path(), many)).exit_code, 0);
+    EXPECT_TRUE(files_in(folder.path()) == files_in(fresh.path()));
+}
+
+INSTANTIATE_TEST_SUITE_P(Signals, StoppedExport, testing::Values(SIGINT, SIGTERM));
+
+TEST(KilledReplacement, LeavesNothingOfTheExportBeforeItAfterResume) {
+    const TemporaryFolder folder, logs, fresh;
+    ASSERT_EQ(run_pelagic(export_arguments(folder.path(), {"--frames", "40", "--mips"})).exit_code, 0);
+    const Arguments second = {"--frames", "300", "--wind-speed", "9", "--maps", "displacement"};
+    const pid_t process = start_pelagic(export_arguments(folder.path(), second), logs / "out", logs / "err");
+    ASSERT_TRUE(wait_for_journal(folder.path(), 4, "\"wind_speed_mps\":9"));
+    ::kill(process, SIGKILL);
+    EXPECT_EQ(wait_for(process), 128 + SIGKILL);
+
+    Arguments again = second;
+    again.push_back("--resume");
+    EXPECT_EQ(run_pelagic(export_arguments(folder.path(), again)).exit_code, 0);
+    EXPECT_EQ(run_pelagic(export_arguments(fresh.path(), second)).exit_code, 0);
+    EXPECT_TRUE(files_in(folder.path()) == files_in(fresh.path()));
+}
+
+TEST(FileSizeLimit, IsAWriteErrorAndNoSignal) {
+    const TemporaryFolder folder;
+    const Outcome outcome = run_pelagic(export_arguments(folder.path(), {}), [] {
+        const rlimit least{4096, 4096};
+        ::setrlimit(RLIMIT_FSIZE, &least);
+    });
+    EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
+    EXPECT_NE(outcome.err.find("can't write "), std::string::npos) << outcome.err;
+    for (const auto& [name, bytes] : files_in(folder.path())) EXPECT_TRUE(name == journal) << name;
+}
+
+}  // namespace
+}  // namespace pelagic
