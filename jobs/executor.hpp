@@ -8,13 +8,15 @@
 
 namespace pelagic {
 
-/// A job graph bound to an executor: built once, run as often as wanted, one run at a time.
+/// A job graph bound to an executor: built once, run as often as wanted, one run at a time. Any thread may ask
+/// is_done() at any time; the other methods are for one thread at a time.
 class GraphRun {
    public:
     /// Waits for a run in flight.
     virtual ~GraphRun() = default;
 
-    /// Starts every stage in its order and returns at once. Allocates nothing in Pelagic's code.
+    /// Starts every stage in its order and returns at once. Allocates nothing in Pelagic's code; oneTBB takes its
+    /// tasks from pools of its own.
     /// \pre no run is in flight (asserted)
     virtual void schedule() = 0;
 
@@ -44,13 +46,14 @@ std::shared_ptr<Executor> make_serial_executor();
 
 /// A pool of std::thread, for builds without oneTBB and for ThreadSanitizer. `threads` counts the completing
 /// thread too: 1 starts none, so the work is done in complete(). 0 means one per core; range 0 to 1024, else
-/// std::invalid_argument.
+/// std::invalid_argument. Throws std::system_error if the system has no more threads to give.
 std::shared_ptr<Executor> make_thread_executor(int threads = 0);
 
 #if defined(PELAGIC_HAS_TBB)
 /// oneTBB: a flow graph with one node a stage, each a parallel loop. Every graph has an arena of `threads` slots, one
-/// of them kept for the scheduling and completing thread. 0 means oneTBB's default, one per core; range 0 to 1024,
-/// else std::invalid_argument. With 1 the work is done in complete().
+/// of them kept for the scheduling and completing thread. 0 means oneTBB's default, one per core that the
+/// process may use; range 0 to 1024, else std::invalid_argument. With 1 the work is done in complete(). All graphs share
+/// oneTBB's workers, so one whose threads are taken by another graph may not start before its complete().
 std::shared_ptr<Executor> make_tbb_executor(int threads = 0);
 #endif
 

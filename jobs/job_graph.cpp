@@ -18,11 +18,14 @@ StageId JobGraph::add(Stage stage) {
     return id;
 }
 
-std::size_t block_count(const Stage& stage) { return (stage.count + stage.batch - 1) / stage.batch; }
+std::size_t block_count(const Stage& stage) {
+    // Not (count + batch - 1) / batch: the sum wraps for a batch that means "all in one block".
+    return stage.count / stage.batch + (stage.count % stage.batch != 0);
+}
 
 void run_block(const Stage& stage, std::size_t block) {
     const std::size_t begin = block * stage.batch;
-    stage.body(begin, std::min(begin + stage.batch, stage.count));
+    stage.body(begin, begin + std::min(stage.batch, stage.count - begin));
 }
 
 }  // namespace pelagic

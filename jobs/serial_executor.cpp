@@ -1,5 +1,6 @@
+// The executor without threads: the plain order that the others are compared with.
+#include <atomic>
 #include <cassert>
-#include <utility>
 
 #include "jobs/executor.hpp"
 
@@ -17,16 +18,17 @@ class SerialRun final : public GraphRun {
     }
 
     void complete() override {
-        if (!std::exchange(scheduled_, false)) return;
+        if (!scheduled_) return;
         for (const Stage& stage : graph_.stages())
             for (std::size_t block = 0; block < block_count(stage); ++block) run_block(stage, block);
+        scheduled_ = false;
     }
 
     bool is_done() const override { return !scheduled_; }
 
    private:
     const JobGraph& graph_;
-    bool scheduled_ = false;
+    std::atomic<bool> scheduled_ = false;
 };
 
 class SerialExecutor final : public Executor {

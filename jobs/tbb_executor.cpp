@@ -1,12 +1,15 @@
+// Graphs on oneTBB: a flow graph node a stage, a parallel loop in each node.
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/flow_graph.h>
 #include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/info.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 
 #include <atomic>
 #include <cassert>
 #include <deque>
+#include <memory>
 #include <mutex>
 #include <optional>
 
@@ -56,13 +59,19 @@ class TbbRun final : public GraphRun {
         if (blocks == 1)
             run_block(stage, 0);
         else if (blocks > 1)
-            tbb::parallel_for(
-                tbb::blocked_range<std::size_t>(0, blocks, 1),
-                [&stage](const tbb::blocked_range<std::size_t>& range) {
-                    for (std::size_t block = range.begin(); block < range.end(); ++block) run_block(stage, block);
-                },
-                tbb::simple_partitioner());
+            tbb::this_task_arena::isolate([&] { run_blocks(stage, blocks); });
         --stages_left_;
+    }
+
+    /// To be isolated: a thread that waits here for the last blocks would take up another stage meanwhile, on top of
+    /// this one's stack, and hold back whatever waits for this one until that other stage is done.
+    static void run_blocks(const Stage& stage, std::size_t blocks) {
+        tbb::parallel_for(
+            tbb::blocked_range<std::size_t>(0, blocks, 1),
+            [&stage](const tbb::blocked_range<std::size_t>& range) {
+                for (std::size_t block = range.begin(); block < range.end(); ++block) run_block(stage, block);
+            },
+            tbb::simple_partitioner());
     }
 
     tbb::task_arena arena_;
@@ -72,11 +81,11 @@ class TbbRun final : public GraphRun {
     std::atomic<std::size_t> stages_left_ = 0;
 };
 
-/// oneTBB makes no more threads than cores unless told. Of several such wishes the smallest wins, so there is one for the
-/// whole program, the largest that anybody had.
+/// oneTBB makes no more threads than cores that the process may use, unless told. Of several such wishes the smallest
+/// wins, so there is one for the whole program, the largest that anybody had.
 void allow_threads(int threads) {
     static std::mutex mutex;
-    static int allowed = cores();
+    static int allowed = tbb::info::default_concurrency();
     static std::unique_ptr<tbb::global_control> control;
     const std::lock_guard lock(mutex);
     if (threads <= allowed) return;
@@ -101,7 +110,8 @@ class TbbExecutor final : public Executor {
 }  // namespace
 
 std::shared_ptr<Executor> make_tbb_executor(int threads) {
-    return std::make_shared<TbbExecutor>(checked_thread_count(threads));
+    const int wanted = checked_thread_count(threads);
+    return std::make_shared<TbbExecutor>(threads == 0 ? tbb::info::default_concurrency() : wanted);
 }
 
 }  // namespace pelagic

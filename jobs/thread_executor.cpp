@@ -85,7 +85,8 @@ class Progress {
 /// The threads, and every run that they might work on.
 class Pool {
    public:
-    explicit Pool(int threads) : thread_count_(threads) {
+    // Delegates, so that ~Pool ends the threads already started if the system refuses one.
+    explicit Pool(int threads) : Pool() {
         for (int i = 1; i < threads; ++i) threads_.emplace_back([this] { work(); });
     }
 
@@ -98,7 +99,7 @@ class Pool {
         for (std::thread& thread : threads_) thread.join();
     }
 
-    int thread_count() const { return thread_count_; }
+    int thread_count() const { return static_cast<int>(threads_.size()) + 1; }
 
     void add(Progress& run) {
         const std::lock_guard lock(mutex_);
@@ -130,6 +131,8 @@ class Pool {
     }
 
    private:
+    Pool() = default;
+
     void work() {
         std::unique_lock lock(mutex_);
         while (!stopping_)
@@ -154,7 +157,6 @@ class Pool {
         if (run.end(block)) changed_.notify_all();
     }
 
-    const int thread_count_;
     std::mutex mutex_;
     std::condition_variable changed_;
     bool stopping_ = false;

@@ -1,9 +1,12 @@
 // Executors: each block once, stages in their order, threads within the limit, nothing lost.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <functional>
 #include <latch>
+#include <limits>
 #include <mutex>
 #include <set>
 #include <stdexcept>
@@ -14,6 +17,18 @@
 
 namespace pelagic {
 namespace {
+
+/// Far longer than any machine needs: a test that waits in vain fails instead of hanging.
+constexpr std::chrono::seconds patience(20);
+
+bool wait_until(const std::function<bool()>& condition, std::chrono::milliseconds limit = patience) {
+    const auto deadline = std::chrono::steady_clock::now() + limit;
+    while (!condition()) {
+        if (std::chrono::steady_clock::now() > deadline) return false;
+        std::this_thread::sleep_for(std::chrono::microseconds(50));
+    }
+    return true;
+}
 
 struct Kind {
     std::string name;
@@ -41,6 +56,8 @@ class EachExecutor : public testing::TestWithParam<Kind> {
 INSTANTIATE_TEST_SUITE_P(Kinds, EachExecutor, testing::ValuesIn(kinds()),
                          [](const auto& test) { return test.param.name; });
 
+using Blocks = std::set<std::pair<std::size_t, std::size_t>>;
+
 void run_once(GraphRun& run) {
     run.schedule();
     run.complete();
@@ -50,7 +67,7 @@ TEST_P(EachExecutor, RunsEveryItemOnceInTheDocumentedBlocks) {
     for (const auto& [count, batch] : {std::pair{0, 4}, {1, 1}, {7, 3}, {64, 64}, {65, 64}, {1000, 1}, {10, 100}}) {
         std::vector<std::atomic<int>> hits(static_cast<std::size_t>(count));
         std::mutex mutex;
-        std::set<std::pair<std::size_t, std::size_t>> blocks;
+        Blocks blocks;
         JobGraph graph;
         graph.add({.name = "count",
                    .count = static_cast<std::size_t>(count),
@@ -67,6 +84,19 @@ TEST_P(EachExecutor, RunsEveryItemOnceInTheDocumentedBlocks) {
             EXPECT_EQ(begin % static_cast<std::size_t>(batch), 0u);
             EXPECT_EQ(end, std::min(begin + static_cast<std::size_t>(batch), static_cast<std::size_t>(count)));
         }
+    }
+}
+
+// A batch of "everything" must not wrap around to no block at all, which would never end.
+TEST(JobGraph, BatchMayBeAsLargeAsANumberGets) {
+    constexpr std::size_t all = std::numeric_limits<std::size_t>::max();
+    for (const std::size_t count : {std::size_t{0}, std::size_t{1}, std::size_t{5}, all}) {
+        Blocks blocks;
+        const Stage stage{.name = "all", .count = count, .batch = all, .body = [&](std::size_t begin, std::size_t end) {
+                              blocks.insert({begin, end});
+                          }};
+        for (std::size_t block = 0; block < block_count(stage); ++block) run_block(stage, block);
+        EXPECT_EQ(blocks, count == 0 ? Blocks{} : (Blocks{{0, count}}));
     }
 }
 
@@ -98,6 +128,56 @@ TEST_P(EachExecutor, StagesWaitForWhatTheyNameAThousandTimes) {
     EXPECT_EQ(too_early, 0);
 }
 
+// Empty stages in a row, at the start and at the end: nothing but their order makes them run.
+TEST_P(EachExecutor, ChainsGoOnThroughEmptyStages) {
+    std::vector<std::size_t> order;
+    std::mutex mutex;
+    JobGraph graph;
+    for (const std::size_t count : {0, 0, 1, 0, 0, 1, 1, 0}) {
+        const StageId id = graph.stages().size();
+        graph.add({.name = "link",
+                   .count = count,
+                   .waits_for = id == 0 ? std::vector<StageId>{} : std::vector<StageId>{id - 1, id - 1},
+                   .body = [&, id](std::size_t, std::size_t) {
+                       const std::lock_guard lock(mutex);
+                       order.push_back(id);
+                   }});
+    }
+    const auto run = executor_->prepare(graph);
+    for (int round = 0; round < 100; ++round) {
+        order.clear();
+        run_once(*run);
+        ASSERT_EQ(order, (std::vector<std::size_t>{2, 5, 6}));
+    }
+}
+
+TEST_P(EachExecutor, GraphWithoutWorkIsDoneAtOnce) {
+    JobGraph nothing, empty;
+    empty.add({.name = "empty", .body = [](std::size_t, std::size_t) { FAIL(); }});
+    for (const JobGraph* graph : {&nothing, &empty}) {
+        const auto run = executor_->prepare(*graph);
+        run_once(*run);
+        EXPECT_TRUE(run->is_done());
+    }
+}
+
+TEST_P(EachExecutor, IsNotDoneWhileABodyRuns) {
+    GraphRun* running = nullptr;
+    std::atomic<int> bodies = 0, done_too_early = 0;
+    JobGraph graph;
+    graph.add({.name = "ask", .count = 5, .body = [&](std::size_t, std::size_t) {
+                   ++bodies;
+                   if (running->is_done()) ++done_too_early;
+               }});
+    const auto run = executor_->prepare(graph);
+    running = run.get();
+    EXPECT_TRUE(run->is_done());
+    run_once(*run);
+    EXPECT_TRUE(run->is_done());
+    EXPECT_EQ(bodies, 5);
+    EXPECT_EQ(done_too_early, 0);
+}
+
 TEST_P(EachExecutor, NeverUsesMoreThreadsThanItsLimit) {
     EXPECT_EQ(executor_->thread_limit(), GetParam().threads);
     std::atomic<int> inside = 0, most = 0;
@@ -124,7 +204,13 @@ TEST_P(EachExecutor, TwoGraphsMayBeInFlightAtOnce) {
     for (int round = 1; round <= 200; ++round) {
         run_a->schedule();
         run_b->schedule();
-        run_b->complete();
+        {
+            // From two threads at once, and one after the other.
+            const std::jthread elsewhere([&] {
+                if (round % 2 == 0) run_a->complete();
+            });
+            run_b->complete();
+        }
         run_a->complete();
         ASSERT_EQ(first, 100 * round);
         ASSERT_EQ(second, 100 * round);
@@ -149,12 +235,12 @@ TEST_P(EachExecutor, CompletingNothingReturns) {
 }
 
 class ParallelExecutor : public EachExecutor {};
-std::vector<Kind> parallel_kinds() {
+std::vector<Kind> kinds_with_at_least(int threads) {
     std::vector<Kind> all = kinds();
-    std::erase_if(all, [](const Kind& kind) { return kind.threads == 1; });
+    std::erase_if(all, [&](const Kind& kind) { return kind.threads < threads; });
     return all;
 }
-INSTANTIATE_TEST_SUITE_P(Kinds, ParallelExecutor, testing::ValuesIn(parallel_kinds()),
+INSTANTIATE_TEST_SUITE_P(Kinds, ParallelExecutor, testing::ValuesIn(kinds_with_at_least(2)),
                          [](const auto& test) { return test.param.name; });
 
 // The body can only end after schedule() has returned.
@@ -168,6 +254,56 @@ TEST_P(ParallelExecutor, SchedulingDoesNotBlock) {
     scheduled.count_down();
     run->complete();
     EXPECT_TRUE(run->is_done());
+}
+
+TEST_P(ParallelExecutor, WorkIsDoneUnasked) {
+    std::atomic<int> done = 0;
+    JobGraph graph;
+    const StageId first = graph.add({.name = "first", .count = 5, .body = [&](std::size_t, std::size_t) { ++done; }});
+    graph.add({.name = "last", .count = 5, .waits_for = {first}, .body = [&](std::size_t, std::size_t) { ++done; }});
+    const auto run = executor_->prepare(graph);
+    run->schedule();
+    EXPECT_TRUE(wait_until([&] { return run->is_done(); }));
+    EXPECT_EQ(done, 10);
+}
+
+/// One thread for each block of `stage` and one for a neighbour.
+class ThreeThreadExecutor : public EachExecutor {};
+INSTANTIATE_TEST_SUITE_P(Kinds, ThreeThreadExecutor, testing::ValuesIn(kinds_with_at_least(3)),
+                         [](const auto& test) { return test.param.name; });
+
+// A thread that has done its blocks of `stage` looks for work while another one does the last block. If it took up a
+// `neighbour`, which here waits for `follower`, then `stage` could not end and `follower` never start.
+TEST_P(ThreeThreadExecutor, StageEndsWithItsLastBlockHoweverLongItsNeighboursTake) {
+    const int threads = GetParam().threads;
+    std::latch all_busy(3);
+    const auto meet = [&] {
+        all_busy.count_down();
+        wait_until([&] { return all_busy.try_wait(); });
+    };
+    std::atomic<bool> gate_ended = false, follower_ran = false;
+    std::atomic<int> waited_in_vain = 0;
+    JobGraph graph;
+    const StageId stage = graph.add({.name = "stage", .count = 2, .body = [&](std::size_t block, std::size_t) {
+                                         meet();
+                                         wait_until([&] { return gate_ended.load(); });
+                                         if (block == 1) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+                                     }});
+    graph.add({.name = "follower", .count = 1, .waits_for = {stage}, .body = [&](std::size_t, std::size_t) {
+                   follower_ran = true;
+               }});
+    const StageId gate = graph.add({.name = "gate", .count = 1, .body = [&](std::size_t, std::size_t) {
+                                        meet();
+                                        gate_ended = true;
+                                    }});
+    // As many as can wait without taking the follower's thread too.
+    for (int i = 1; i < threads; ++i) {
+        graph.add({.name = "neighbour", .count = 1, .waits_for = {gate}, .body = [&](std::size_t, std::size_t) {
+                       if (!wait_until([&] { return follower_ran.load(); }, std::chrono::seconds(5))) ++waited_in_vain;
+                   }});
+    }
+    run_once(*executor_->prepare(graph));
+    EXPECT_EQ(waited_in_vain, 0);
 }
 
 // Bodies that wait for each other: as many as the limit must run at the same time, the completing thread among them.
@@ -187,24 +323,71 @@ TEST_P(ParallelExecutor, AsManyJobsAsTheLimitRunAtOnce) {
                        std::this_thread::yield();
                    }
                }});
-    run_once(*executor_->prepare(graph));
+    // The run keeps its threads though nobody holds the executor any more.
+    const auto run = executor_->prepare(graph);
+    executor_.reset();
+    run_once(*run);
     EXPECT_EQ(timeouts, 0);
 }
 
-TEST(ExecutorOptions, BadThreadCountsThrowTheRange) {
-    for (const int threads : {-1, 1025}) {
-        EXPECT_THROW(make_thread_executor(threads), std::invalid_argument);
-        EXPECT_THROW(make_default_executor(threads), std::invalid_argument);
+#if !defined(NDEBUG)  // assertions are compiled in
+class MisuseDeathTest : public EachExecutor {};
+INSTANTIATE_TEST_SUITE_P(Kinds, MisuseDeathTest, testing::ValuesIn(kinds()),
+                         [](const auto& test) { return test.param.name; });
+
+TEST_P(MisuseDeathTest, SchedulingARunInFlightIsAsserted) {
+    testing::GTEST_FLAG(death_test_style) = "threadsafe";
+    JobGraph graph;
+    graph.add({.name = "long", .count = 1, .body = [](std::size_t, std::size_t) {
+                   std::this_thread::sleep_for(patience);
+               }});
+    const auto run = executor_->prepare(graph);
+    EXPECT_DEATH((run->schedule(), run->schedule()), "schedule");
+}
+#endif
+
+/// What `action` throws as std::invalid_argument.
+std::string reason_of(const std::function<void()>& action) {
+    try {
+        action();
+    } catch (const std::invalid_argument& error) {
+        return error.what();
     }
-    EXPECT_GE(make_default_executor(0)->thread_limit(), 1);
+    return "nothing";
 }
 
-TEST(JobGraph, BadStagesThrow) {
+TEST(ExecutorOptions, BadThreadCountsThrowTheRange) {
+    for (const auto make : {make_thread_executor, make_default_executor}) {
+        EXPECT_EQ(reason_of([&] { make(-3); }), "threads is -3, needs 0 to 1024");
+        EXPECT_EQ(reason_of([&] { make(1025); }), "threads is 1025, needs 0 to 1024");
+    }
+}
+
+TEST(ExecutorOptions, ZeroThreadsMeansOnePerCore) {
+    const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    EXPECT_EQ(make_thread_executor(0)->thread_limit(), cores);
+    // oneTBB leaves out the cores that the process may not use.
+    EXPECT_GE(make_default_executor(0)->thread_limit(), 1);
+    EXPECT_LE(make_default_executor(0)->thread_limit(), cores);
+}
+
+TEST(ExecutorOptions, DefaultIsOneTbbWhereItIsBuilt) {
+#if defined(PELAGIC_HAS_TBB)
+    EXPECT_EQ(make_default_executor(2)->name(), "tbb");
+#else
+    EXPECT_EQ(make_default_executor(2)->name(), "thread");
+#endif
+    EXPECT_EQ(make_default_executor(2)->thread_limit(), 2);
+}
+
+TEST(JobGraph, BadStagesThrowTheReasonAndAreNotAdded) {
     JobGraph graph;
     const JobBody nothing = [](std::size_t, std::size_t) {};
-    EXPECT_THROW(graph.add({.name = "no batch", .count = 1, .batch = 0, .body = nothing}), std::invalid_argument);
-    EXPECT_THROW(graph.add({.name = "no body", .count = 1, .body = {}}), std::invalid_argument);
-    EXPECT_THROW(graph.add({.name = "itself", .count = 1, .waits_for = {0}, .body = nothing}), std::invalid_argument);
+    EXPECT_EQ(reason_of([&] { graph.add({.name = "rows", .count = 1, .batch = 0, .body = nothing}); }),
+              "stage rows has a batch of 0, needs at least 1");
+    EXPECT_EQ(reason_of([&] { graph.add({.name = "rows", .count = 1, .body = {}}); }), "stage rows has no body");
+    EXPECT_EQ(reason_of([&] { graph.add({.name = "rows", .count = 1, .waits_for = {0}, .body = nothing}); }),
+              "stage rows waits for stage number 0, needs one of the 0 added before it");
     EXPECT_EQ(graph.add({.name = "good", .count = 1, .body = nothing}), 0u);
 }
 
