@@ -79,9 +79,9 @@ TEST_P(EvolveOnEachIsa, MatchesItsEquationInDouble) {
     }
 }
 
-// Amplitudes of one sign at a time: a zero must be the same zero on every instruction set (see determinism_test for
+// A zero must be the same zero on every instruction set (see determinism_test for
 // whole frames), which a sign flipped by a unary minus would break.
-TEST_P(EvolveOnEachIsa, SilenceIsPositiveZeroEverywhereButWhereTheEquationSubtracts) {
+TEST_P(EvolveOnEachIsa, SilenceIsPositiveZero) {
     AlignedBuffer<ModeRow> modes(1);
     AlignedBuffer<float> waves(wave_row_floats);
     kernels().evolve({.modes = modes.data(), .count = 1, .fraction = 0, .waves = waves.data()});
