@@ -14,11 +14,11 @@ using JobBody = std::function<void(std::size_t begin, std::size_t end)>;
 using StageId = std::size_t;
 
 struct Stage {
-    std::string name;                ///< the same word in code, trace, benchmark and docs
-    std::size_t count = 0;           ///< items in the loop; 0 is allowed and does nothing
-    std::size_t batch = 1;           ///< items a job; at least 1
+    std::string name;                     ///< the same word in code, trace, benchmark and docs
+    std::size_t count = 0;                ///< items in the loop; 0 is allowed and does nothing
+    std::size_t batch = 1;                ///< items a job; at least 1
     std::vector<StageId> waits_for = {};  ///< stages that must be done before this one starts
-    JobBody body;                    ///< called once per block of `batch` items, the last block may be short
+    JobBody body;                         ///< called once per block of `batch` items, the last block may be short
 };
 
 /// Stages in an order in which each one comes after all that it waits for, so the graph can't have a cycle.

@@ -65,8 +65,7 @@ void Cascade::add_spectrum_stage(JobGraph& graph) {
     graph.add({.name = "spectrum",
                .count = line_count(sea_.resolution),
                .batch = spectrum_batch,
-               .body = for_each_item(
-                   [this](std::size_t line) { bake_spectrum_line(bake_->sea, bake_->model, line, bake_->spectrum); })});
+               .body = for_each_item([this](std::size_t line) { spectrum(line); })});
 }
 
 void Cascade::add_frame_stages(JobGraph& graph) {
@@ -95,19 +94,16 @@ void Cascade::add_frame_stages(JobGraph& graph) {
                                               .batch = gradients_batch,
                                               .waits_for = {finalized},
                                               .body = for_each_item([this](std::size_t pair) { gradients(pair); })});
-    const StageId bands_done = graph.add(
-        {.name = "mipmaps",
-         .count = mip_bands(sea_.resolution),
-         .waits_for = {gradients_done},
-         .body = for_each_item([this](std::size_t band) {
-             mipmap_band(mip_averages_, sea_.resolution, band, back().rgba8.data(), kernels_);
-         })});
+    const StageId bands_done = graph.add({.name = "mipmaps",
+                                          .count = mip_bands(sea_.resolution),
+                                          .waits_for = {gradients_done},
+                                          .body = for_each_item([this](std::size_t band) { mipmaps(band); })});
+    // clang-format off: it would indent the body beyond the name.
     graph.add({.name = "mipmaps tail",
                .count = 1,
                .waits_for = {bands_done},
-               .body = for_each_item([this](std::size_t) {
-                   mipmap_tail(mip_averages_, sea_.resolution, back().rgba8.data(), kernels_);
-               })});
+               .body = for_each_item([this](std::size_t) { mipmaps_tail(); })});
+    // clang-format on
 }
 
 void Cascade::begin_frame(double time_s) {
@@ -139,6 +135,8 @@ void Cascade::adopt_spectrum() {
     sea_ = bake_->sea;
     bake_.reset();
 }
+
+void Cascade::spectrum(std::size_t line) { bake_spectrum_line(bake_->sea, bake_->model, line, bake_->spectrum); }
 
 void Cascade::evolve(std::size_t block) {
     const std::size_t n = static_cast<std::size_t>(sea_.resolution);
@@ -195,9 +193,15 @@ void Cascade::gradients(std::size_t row_pair) {
     kernels_.gradients(job);
 }
 
+void Cascade::mipmaps(std::size_t band) {
+    mipmap_band(mip_averages_, sea_.resolution, band, back().rgba8.data(), kernels_);
+}
+
+void Cascade::mipmaps_tail() { mipmap_tail(mip_averages_, sea_.resolution, back().rgba8.data(), kernels_); }
+
 std::size_t Cascade::bytes() const {
-    return plan_.bytes() + spectrum_.modes.bytes() + waves_.bytes() + lines_.bytes() +
-           mip_averages_.bytes() + row_bounds_.capacity() * sizeof(RowBounds) + slots_[0].bytes() + slots_[1].bytes();
+    return plan_.bytes() + spectrum_.modes.bytes() + waves_.bytes() + lines_.bytes() + mip_averages_.bytes() +
+           row_bounds_.capacity() * sizeof(RowBounds) + slots_[0].bytes() + slots_[1].bytes();
 }
 
 }  // namespace pelagic

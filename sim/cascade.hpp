@@ -63,11 +63,14 @@ class Cascade {
     };
 
     Slot& back() { return slots_[back_]; }
+    void spectrum(std::size_t line);
     void evolve(std::size_t block);
     void rows(std::size_t block);
     void columns(std::size_t block_pair);
     void finalize(std::size_t first_row, std::size_t end_row);
     void gradients(std::size_t row_pair);
+    void mipmaps(std::size_t band);
+    void mipmaps_tail();
 
     SeaState sea_;
     const Kernels& kernels_;

@@ -19,9 +19,7 @@ class FftPlan {
     /// \param size  a power of two from 16 to 2048
     explicit FftPlan(int size);
 
-    FftTables tables() const {
-        return {size_, steps_.data(), step_count_, twiddles_.data(), positions_.data()};
-    }
+    FftTables tables() const { return {size_, steps_.data(), step_count_, twiddles_.data(), positions_.data()}; }
     std::size_t bytes() const { return twiddles_.capacity() * sizeof(float) + positions_.capacity() * 2; }
 
    private:

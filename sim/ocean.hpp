@@ -61,8 +61,8 @@ class Ocean {
     const SeaState& sea() const;  ///< the sea that the next frame shows
     Isa isa() const;
     const Executor& executor() const;
-    const JobGraph& graph() const;       ///< the stages of a frame
-    std::size_t memory_bytes() const;    ///< everything that the ocean allocated, two frames and the spectrum included
+    const JobGraph& graph() const;     ///< the stages of a frame
+    std::size_t memory_bytes() const;  ///< everything that the ocean allocated, two frames and the spectrum included
 
    private:
     struct State;

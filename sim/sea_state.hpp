@@ -21,18 +21,18 @@ std::span<const SpectrumModel> spectrum_models();
 struct SeaState {
     SpectrumModel spectrum = SpectrumModel::jonswap;
 
-    int resolution = 256;            ///< N, texels along a side; a power of two, 16 to 2048
-    double patch_size_m = 250;       ///< L, the sea repeats after this length; [0.001, 1e6]
-    double wind_speed_mps = 12;      ///< U10, mean wind 10 m above the sea; (0, 60]
-    double wind_direction_rad = 0;   ///< where the wind blows towards, from +x towards +z; [-2 pi, 2 pi]
-    double fetch_m = 100e3;          ///< how far the wind has blown over water (jonswap); (0, 2e6]
-    double depth_m = 4000;           ///< water depth in the dispersion relation; (0, 11000]
-    double choppiness = 0.8;         ///< lambda, 0 gives a height field; [0, 1]
-    double roughness = 0.1;          ///< of the water between texels, for the smoothness channel; [0, 1]
-    double small_waves = 0;          ///< beta of equation 11: 0 keeps small waves, 1 removes those below L/4; [0, 1]
-    double alignment = 0.5;          ///< alpha of equations 6 and 8: 0 waves from everywhere, 1 along the wind; [0, 1]
-    double loop_period_s = 200;      ///< T, the sea repeats exactly after this time; [0.1, 86400]
-    std::uint32_t seed = 1;          ///< which sea of this kind; any 32-bit number
+    int resolution = 256;           ///< N, texels along a side; a power of two, 16 to 2048
+    double patch_size_m = 250;      ///< L, the sea repeats after this length; [0.001, 1e6]
+    double wind_speed_mps = 12;     ///< U10, mean wind 10 m above the sea; (0, 60]
+    double wind_direction_rad = 0;  ///< where the wind blows towards, from +x towards +z; [-2 pi, 2 pi]
+    double fetch_m = 100e3;         ///< how far the wind has blown over water (jonswap); (0, 2e6]
+    double depth_m = 4000;          ///< water depth in the dispersion relation; (0, 11000]
+    double choppiness = 0.8;        ///< lambda, 0 gives a height field; [0, 1]
+    double roughness = 0.1;         ///< of the water between texels, for the smoothness channel; [0, 1]
+    double small_waves = 0;         ///< beta of equation 11: 0 keeps small waves, 1 removes those below L/4; [0, 1]
+    double alignment = 0.5;         ///< alpha of equations 6 and 8: 0 waves from everywhere, 1 along the wind; [0, 1]
+    double loop_period_s = 200;     ///< T, the sea repeats exactly after this time; [0.1, 86400]
+    std::uint32_t seed = 1;         ///< which sea of this kind; any 32-bit number
 };
 
 /// One numeric option: the key of files and messages, where it lives and what it accepts.
@@ -41,7 +41,7 @@ struct SeaStateField {
     std::variant<int SeaState::*, double SeaState::*, std::uint32_t SeaState::*> member;
     double least;
     double most;
-    bool open_below;            ///< the range is (least, most] instead of [least, most]
+    bool open_below;  ///< the range is (least, most] instead of [least, most]
     bool power_of_two;
     std::string_view accepted;  ///< the range in words: "(0, 60]", "a power of two from 16 to 2048"
 

@@ -11,12 +11,12 @@ namespace {
 constexpr double two_pi = 6.28318530717958647693;
 constexpr double euler_e = 2.71828182845904523536;
 
-constexpr double phillips_constant = 0.0081;      // alpha; Phillips 1958, Pierson and Moskowitz 1964
-constexpr double pierson_moskowitz_beta = 0.74;   // Pierson and Moskowitz 1964
-constexpr double jonswap_gamma = 3.3;             // Hasselmann et al. 1973, as all of JONSWAP below
+constexpr double phillips_constant = 0.0081;     // alpha; Phillips 1958, Pierson and Moskowitz 1964
+constexpr double pierson_moskowitz_beta = 0.74;  // Pierson and Moskowitz 1964
+constexpr double jonswap_gamma = 3.3;            // Hasselmann et al. 1973, as all of JONSWAP below
 constexpr double jonswap_width_below_peak = 0.07;
 constexpr double jonswap_width_above_peak = 0.09;
-constexpr double smallest_wave_m = 0.001;         // l_min of VR Ocean, equation 11
+constexpr double smallest_wave_m = 0.001;  // l_min of VR Ocean, equation 11
 
 double fourth_power(double x) { return (x * x) * (x * x); }
 

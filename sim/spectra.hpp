@@ -34,12 +34,12 @@ class WaveSpectrum {
     SeaState sea_;
     DirectionalSpreading spreading_;
     double wind_x_, wind_z_;
-    double largest_wave_m_;   // L = V^2 / g of equation 3
-    double cutoff_m_;         // l of equation 11
-    double grid_spacing_;     // dk in rad/m
-    double paper_scale_;      // A of equation 4
+    double largest_wave_m_;  // L = V^2 / g of equation 3
+    double cutoff_m_;        // l of equation 11
+    double grid_spacing_;    // dk in rad/m
+    double paper_scale_;     // A of equation 4
     double jonswap_alpha_;
-    double jonswap_peak_;     // rad/s
+    double jonswap_peak_;  // rad/s
 };
 
 }  // namespace pelagic

@@ -44,9 +44,7 @@ struct Peak {
 
 // The largest S(omega) = S(k) / (d omega / d k), refined by halving steps around the best of the coarse grid.
 Peak peak_of(const WaveSpectrum& spectrum, const SeaState& sea) {
-    const auto density = [&](double k) {
-        return radial_energy(spectrum, sea, k) / group_velocity(k, sea.depth_m);
-    };
+    const auto density = [&](double k) { return radial_energy(spectrum, sea, k) / group_velocity(k, sea.depth_m); };
     double best = shortest_k;
     for (double k = shortest_k; k < longest_k; k *= k_ratio)
         if (density(k) > density(best)) best = k;
@@ -78,9 +76,8 @@ ExpectedWaves expected_waves(const SeaState& sea) {
     const double spacing = two_pi / sea.patch_size_m;
     // Each h~(k) is h0(k) and a mirror of h0(-k), so every amplitude counts twice in the variance.
     double variance = 0;
-    for_each_wave(sea.resolution, [&](int m, int n) {
-        variance += 2 * spectrum.amplitude_variance(m * spacing, n * spacing);
-    });
+    for_each_wave(sea.resolution,
+                  [&](int m, int n) { variance += 2 * spectrum.amplitude_variance(m * spacing, n * spacing); });
     const Peak peak = peak_of(spectrum, sea);
     ExpectedWaves waves{4 * std::sqrt(variance), two_pi / peak.omega, two_pi / peak.k, {}};
     if (spectrum.is_physical()) waves.model_significant_wave_height_m = 4 * std::sqrt(model_variance(spectrum));
@@ -136,19 +133,22 @@ std::vector<std::string> warnings_about(const SeaState& sea) {
     const ExpectedWaves waves = expected_waves(sea);
     std::vector<std::string> warnings;
     if (sea.patch_size_m < 2 * waves.peak_wavelength_m)
-        warnings.push_back(text("the patch of %g m is shorter than two peak wavelengths (%.3g m): the largest waves are "
-                                "missing or few, and the sea is lower than its wind makes it",
-                                sea.patch_size_m, 2 * waves.peak_wavelength_m));
+        warnings.push_back(
+            text("the patch of %g m is shorter than two peak wavelengths (%.3g m): the largest waves are "
+                 "missing or few, and the sea is lower than its wind makes it",
+                 sea.patch_size_m, 2 * waves.peak_wavelength_m));
     if (const double shortest = 2 * sea.patch_size_m / sea.resolution; waves.peak_wavelength_m < 2 * shortest)
-        warnings.push_back(text("the grid's shortest wave of %.3g m is longer than half the peak wavelength (%.3g m): "
-                                "raise the resolution or shrink the patch",
-                                shortest, waves.peak_wavelength_m));
+        warnings.push_back(
+            text("the grid's shortest wave of %.3g m is longer than half the peak wavelength (%.3g m): "
+                 "raise the resolution or shrink the patch",
+                 shortest, waves.peak_wavelength_m));
     const double omega = two_pi / waves.peak_period_s;
     const double looped = loop_harmonic(omega, sea.loop_period_s) * two_pi / sea.loop_period_s;
     if (std::fabs(looped / omega - 1) > 0.1)
-        warnings.push_back(text("a loop of %g s bends the peak's period by %.0f %%: waves of a loop run a whole number "
-                                "of periods",
-                                sea.loop_period_s, 100 * std::fabs(omega / looped - 1)));
+        warnings.push_back(
+            text("a loop of %g s bends the peak's period by %.0f %%: waves of a loop run a whole number "
+                 "of periods",
+                 sea.loop_period_s, 100 * std::fabs(omega / looped - 1)));
     return warnings;
 }
 

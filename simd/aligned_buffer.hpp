@@ -18,7 +18,7 @@ class AlignedBuffer {
 
     AlignedBuffer() = default;
     explicit AlignedBuffer(std::size_t size)
-        : data_(static_cast<T*>(::operator new(size * sizeof(T), std::align_val_t{alignment}))), size_(size) {
+        : data_(static_cast<T*>(::operator new (size * sizeof(T), std::align_val_t{alignment}))), size_(size) {
         std::memset(static_cast<void*>(data_), 0, size * sizeof(T));
     }
     AlignedBuffer(AlignedBuffer&& other) noexcept : AlignedBuffer() { swap(other); }
@@ -26,7 +26,7 @@ class AlignedBuffer {
         swap(other);
         return *this;
     }
-    ~AlignedBuffer() { ::operator delete(data_, std::align_val_t{alignment}); }
+    ~AlignedBuffer() { ::operator delete (data_, std::align_val_t{alignment}); }
 
     T* data() { return data_; }
     const T* data() const { return data_; }

@@ -61,7 +61,8 @@ double pow(double x, double y) { return exp(y * log(x)); }
 double tanh(double x) {
     if (x < 0.05) {
         const double z = x * x;
-        return x * (1 + z * (-1.0 / 3 + z * (2.0 / 15 + z * (-17.0 / 315 + z * (62.0 / 2835 + z * (-1382.0 / 155925))))));
+        return x *
+               (1 + z * (-1.0 / 3 + z * (2.0 / 15 + z * (-17.0 / 315 + z * (62.0 / 2835 + z * (-1382.0 / 155925))))));
     }
     const double e = exp(-2 * x);
     return (1 - e) / (1 + e);

@@ -11,8 +11,9 @@ namespace pelagic {
 namespace {
 
 struct BadInput {
-    std::vector<std::string> arguments;   ///< OUT becomes a folder that does not exist, CONFIG a file with `config` in it
-    std::vector<std::string> says;        ///< the line holds all of these
+    std::vector<std::string>
+        arguments;                  ///< OUT becomes a folder that does not exist, CONFIG a file with `config` in it
+    std::vector<std::string> says;  ///< the line holds all of these
     std::string config = {};
 };
 
@@ -63,40 +64,57 @@ std::vector<BadInput> bad_inputs() {
         {{"export", "--out", "OUT", "--spectrum", ""}, {"--spectrum", "phillips-paper"}},
         {{"export", "--out", "OUT", "--preset", "strom"}, {"--preset", "is strom", "nearest is storm"}},
         // Config files.
-        {{"export", "--out", "OUT", "--config", "/nowhere/sea.toml"}, {"--config", "/nowhere/sea.toml", "can't be read"}},
+        {{"export", "--out", "OUT", "--config", "/nowhere/sea.toml"},
+         {"--config", "/nowhere/sea.toml", "can't be read"}},
         {{"export", "--out", "OUT", "--config", "/tmp"}, {"--config", "/tmp", "folder"}},
-        {{"export", "--out", "OUT", "--config", "CONFIG"}, {"CONFIG:2", "wind_sped", "wind_speed"}, "seed = 1\nwind_sped = 3\n"},
+        {{"export", "--out", "OUT", "--config", "CONFIG"},
+         {"CONFIG:2", "wind_sped", "wind_speed"},
+         "seed = 1\nwind_sped = 3\n"},
         {{"export", "--out", "OUT", "--config", "CONFIG"}, {"CONFIG:1"}, "wind_speed = = 3\n"},
         {{"export", "--out", "OUT", "--config", "CONFIG"}, {"CONFIG:2", "seed"}, "seed = 1\nseed = 2\n"},
-        {{"export", "--out", "OUT", "--config", "CONFIG"}, {"CONFIG:1", "wind_speed", "-3", "(0, 60]"}, "wind_speed = -3\n"},
-        {{"export", "--out", "OUT", "--config", "CONFIG"}, {"CONFIG:1", "wind_speed", "nan", "(0, 60]"}, "wind_speed = nan\n"},
-        {{"export", "--out", "OUT", "--config", "CONFIG"}, {"CONFIG:1", "wind_speed", "boolean"}, "wind_speed = true\n"},
-        {{"export", "--out", "OUT", "--config", "CONFIG"}, {"CONFIG:1", "resolution", "64.5", "power of two"}, "resolution = 64.5\n"},
+        {{"export", "--out", "OUT", "--config", "CONFIG"},
+         {"CONFIG:1", "wind_speed", "-3", "(0, 60]"},
+         "wind_speed = -3\n"},
+        {{"export", "--out", "OUT", "--config", "CONFIG"},
+         {"CONFIG:1", "wind_speed", "nan", "(0, 60]"},
+         "wind_speed = nan\n"},
+        {{"export", "--out", "OUT", "--config", "CONFIG"},
+         {"CONFIG:1", "wind_speed", "boolean"},
+         "wind_speed = true\n"},
+        {{"export", "--out", "OUT", "--config", "CONFIG"},
+         {"CONFIG:1", "resolution", "64.5", "power of two"},
+         "resolution = 64.5\n"},
         {{"export", "--out", "OUT", "--config", "CONFIG"}, {"CONFIG:1", "sea", "known"}, "[sea]\nseed = 1\n"},
         {{"export", "--out", "OUT", "--config", "CONFIG"}, {"CONFIG:1", "seed", "array"}, "seed = [1, 2]\n"},
-        {{"export", "--out", "OUT", "--config", "CONFIG"}, {"CONFIG:1", "preset", "strom", "storm"}, "preset = \"strom\"\n"},
+        {{"export", "--out", "OUT", "--config", "CONFIG"},
+         {"CONFIG:1", "preset", "strom", "storm"},
+         "preset = \"strom\"\n"},
         {{"info", "--config", "CONFIG"}, {"CONFIG:1", "spectrum", "sine", "jonswap"}, "spectrum = \"sine\"\n"},
         // A bad value in the file is an error even where a flag would win.
-        {{"export", "--out", "OUT", "--wind-speed", "5", "--config", "CONFIG"}, {"CONFIG:1", "-3"}, "wind_speed = -3\n"},
+        {{"export", "--out", "OUT", "--wind-speed", "5", "--config", "CONFIG"},
+         {"CONFIG:1", "-3"},
+         "wind_speed = -3\n"},
     };
     // Every number of the sea: below, above, not finite, not a number.
     struct Range {
         std::string flag, accepted;
         std::vector<std::string> values;
     };
-    for (const auto& [flag, accepted, values] : std::vector<Range>{
-             {"--resolution", "a power of two from 16 to 2048", {"0", "8", "100", "4096", "-64", "64.0", "1e2", "0x40", "", "64 "}},
-             {"--patch-size", "[0.001, 1e6]", {"0", "-250", "2e6", "nan", "inf", "250m"}},
-             {"--wind-speed", "(0, 60]", {"0", "-3", "61", "nan", "inf", "-inf", "abc", "12,5"}},
-             {"--wind-direction", "[-360, 360]", {"361", "-400", "nan", "north"}},
-             {"--fetch", "(0, 2e6]", {"0", "-1", "3e6", "inf"}},
-             {"--depth", "(0, 11000]", {"0", "-10", "12000", "deep"}},
-             {"--choppiness", "[0, 1]", {"-0.1", "1.01", "nan"}},
-             {"--roughness", "[0, 1]", {"-0.1", "1.01"}},
-             {"--small-waves", "[0, 1]", {"-0.1", "2"}},
-             {"--alignment", "[0, 1]", {"-1", "1.5"}},
-             {"--loop-period", "[0.1, 86400]", {"0", "-200", "1e5", "nan"}},
-             {"--seed", "a whole number from 0 to 4294967295", {"-1", "4294967296", "1.5", "luck"}}})
+    for (const auto& [flag, accepted, values] :
+         std::vector<Range>{{"--resolution",
+                             "a power of two from 16 to 2048",
+                             {"0", "8", "100", "4096", "-64", "64.0", "1e2", "0x40", "", "64 "}},
+                            {"--patch-size", "[0.001, 1e6]", {"0", "-250", "2e6", "nan", "inf", "250m"}},
+                            {"--wind-speed", "(0, 60]", {"0", "-3", "61", "nan", "inf", "-inf", "abc", "12,5"}},
+                            {"--wind-direction", "[-360, 360]", {"361", "-400", "nan", "north"}},
+                            {"--fetch", "(0, 2e6]", {"0", "-1", "3e6", "inf"}},
+                            {"--depth", "(0, 11000]", {"0", "-10", "12000", "deep"}},
+                            {"--choppiness", "[0, 1]", {"-0.1", "1.01", "nan"}},
+                            {"--roughness", "[0, 1]", {"-0.1", "1.01"}},
+                            {"--small-waves", "[0, 1]", {"-0.1", "2"}},
+                            {"--alignment", "[0, 1]", {"-1", "1.5"}},
+                            {"--loop-period", "[0.1, 86400]", {"0", "-200", "1e5", "nan"}},
+                            {"--seed", "a whole number from 0 to 4294967295", {"-1", "4294967296", "1.5", "luck"}}})
         for (const std::string& value : values)
             all.push_back({{"export", "--out", "OUT", flag, value}, {flag + " is " + value + ", needs", accepted}});
     return all;
@@ -110,13 +128,15 @@ TEST(BadInput, GivesOneLineThatNamesOptionValueAndRangeAndWritesNothing) {
         const std::string config = (folder / "sea.toml").string();
         write_file(config, bad.config);
         const auto filled_in = [&](std::string text) {
-            for (const auto& [name, value] : {std::pair<std::string, std::string>{"OUT", (folder / "out").string()}, {"CONFIG", config}})
+            for (const auto& [name, value] :
+                 {std::pair<std::string, std::string>{"OUT", (folder / "out").string()}, {"CONFIG", config}})
                 if (const auto at = text.find(name); at != std::string::npos) text.replace(at, name.size(), value);
             return text;
         };
         std::vector<std::string> arguments;
         std::string command = "pelagic";
-        for (const std::string& argument : bad.arguments) command += " " + arguments.emplace_back(filled_in(argument));
+        for (const std::string& argument : bad.arguments)
+            command += " " + arguments.emplace_back(filled_in(argument));
 
         const Outcome outcome = run_pelagic(arguments);
         EXPECT_EQ(outcome.exit_code, 2) << command;
@@ -124,7 +144,8 @@ TEST(BadInput, GivesOneLineThatNamesOptionValueAndRangeAndWritesNothing) {
         EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << command << "\n" << outcome.err;
         EXPECT_TRUE(outcome.err.starts_with("pelagic: ")) << outcome.err;
         for (const std::string& word : bad.says)
-            EXPECT_NE(outcome.err.find(filled_in(word)), std::string::npos) << command << "\n" << outcome.err << "lacks " << word;
+            EXPECT_NE(outcome.err.find(filled_in(word)), std::string::npos) << command << "\n"
+                                                                            << outcome.err << "lacks " << word;
         EXPECT_EQ(files_in(folder.path()).size(), 1u) << command << " wrote something";
     }
 }

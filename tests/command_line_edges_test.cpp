@@ -50,7 +50,8 @@ TEST(CommandLineEdges, AreOneLineAndExitCode2) {
 }
 
 TEST(CommandLineEdges, VersionWorksForEachCommand) {
-    for (const char* command : {"export", "info"}) EXPECT_EQ(run_pelagic({command, "--version"}).out, run_pelagic({"--version"}).out);
+    for (const char* command : {"export", "info"})
+        EXPECT_EQ(run_pelagic({command, "--version"}).out, run_pelagic({"--version"}).out);
 }
 
 TEST(StandardOutput, ThatIsFullIsAnError) {
@@ -63,7 +64,10 @@ TEST(StandardOutput, ThatIsFullIsAnError) {
 
 TEST(TiffHalves, StayHalves) {
     const TemporaryFolder folder;
-    ASSERT_EQ(run_pelagic({"export", "--out", folder.path().string(), "--resolution", "32", "--format", "tif", "--half"}).exit_code, 0);
+    ASSERT_EQ(
+        run_pelagic({"export", "--out", folder.path().string(), "--resolution", "32", "--format", "tif", "--half"})
+            .exit_code,
+        0);
     const auto file = OIIO::ImageInput::open((folder / "displacement_0000.tif").string());
     ASSERT_TRUE(file);
     ASSERT_EQ(file->spec().format, OIIO::TypeDesc::HALF);
@@ -71,7 +75,8 @@ TEST(TiffHalves, StayHalves) {
     ASSERT_TRUE(file->read_image(0, 0, 0, -1, OIIO::TypeDesc::HALF, pixels.data()));
     Ocean ocean({.resolution = 32}, {.executor = make_serial_executor()});
     const Frame& frame = ocean.frame_at(0);
-    for (std::size_t i = 0; i < pixels.size(); ++i) ASSERT_EQ(pixels[i], frame.displacement_rgba16f[i / 3 * 4 + i % 3]) << i;
+    for (std::size_t i = 0; i < pixels.size(); ++i)
+        ASSERT_EQ(pixels[i], frame.displacement_rgba16f[i / 3 * 4 + i % 3]) << i;
 }
 
 }  // namespace

@@ -112,7 +112,8 @@ TEST(Determinism, AFrameStaysWhileTheNextOneIsComputed) {
 }
 
 TEST(Determinism, AWindChangeWaitsForTheHostAndThenIsWholeInOneFrame) {
-    const SeaState before{.resolution = 64}, after{.resolution = 64, .wind_speed_mps = 20, .choppiness = 0.3, .seed = 4};
+    const SeaState before{.resolution = 64},
+        after{.resolution = 64, .wind_speed_mps = 20, .choppiness = 0.3, .seed = 4};
     for (const Host& host : hosts()) {
         Ocean ocean(before, {.executor = host.executor});
         ocean.schedule_sea(after);

@@ -48,7 +48,9 @@ TEST(Errata, CentralDifferencesLoseATenthOfTheSlope) {
     double difference = 0, exact = 0;
     for (int j = 0; j < 256; ++j) {
         for (int i = 0; i < 256; ++i) {
-            const auto at = [&](int a) { return surface.height[static_cast<std::size_t>(j * 256 + (a + 256) % 256)]; };
+            const auto at = [&](int a) {
+                return surface.height[static_cast<std::size_t>(j * 256 + (a + 256) % 256)];
+            };
             const double slope = (at(i + 1) - at(i - 1)) * 256 / (2 * sea.patch_size_m);
             difference += slope * slope;
         }
@@ -106,8 +108,10 @@ TEST_P(NormalOnEachIsa, OfASingleWaveIsTheTrochoidsTangentTurned) {
     for (int j = 0; j < n; ++j) {
         for (int i = -1; i <= n; ++i) {
             const std::ptrdiff_t at = j * stride + i + 16;
-            planes[static_cast<std::size_t>(at)] = static_cast<float>(-lambda * amplitude * std::sin(k * i * patch / n));
-            planes[static_cast<std::size_t>(stride * (n + 1) + at)] = static_cast<float>(amplitude * std::cos(k * i * patch / n));
+            planes[static_cast<std::size_t>(at)] =
+                static_cast<float>(-lambda * amplitude * std::sin(k * i * patch / n));
+            planes[static_cast<std::size_t>(stride * (n + 1) + at)] =
+                static_cast<float>(amplitude * std::cos(k * i * patch / n));
         }
     }
     std::vector<std::uint32_t> rgba8(n * n);
@@ -122,11 +126,13 @@ TEST_P(NormalOnEachIsa, OfASingleWaveIsTheTrochoidsTangentTurned) {
     const double d = patch / n, shrunk = std::sin(k * d) / (k * d);
     EXPECT_GT(shrunk, 0.999);
     for (int i = 0; i < n; ++i) {
-        const double slope = -amplitude * k * std::sin(k * i * d), stretch = 1 - lambda * amplitude * k * std::cos(k * i * d);
+        const double slope = -amplitude * k * std::sin(k * i * d),
+                     stretch = 1 - lambda * amplitude * k * std::cos(k * i * d);
         const double length = std::hypot(slope, stretch);
         EXPECT_NEAR(rgba8[static_cast<std::size_t>(i)] & 0xFF, (-slope / length * 0.5 + 0.5) * 255, 1) << i;
         EXPECT_NEAR(rgba8[static_cast<std::size_t>(i)] >> 8 & 0xFF, 127.5, 1) << i;
-        EXPECT_NEAR(rgba8[static_cast<std::size_t>(i)] >> 16 & 0xFF, (std::min(1.0, stretch) * 0.5 + 0.5) * 255, 1) << i;
+        EXPECT_NEAR(rgba8[static_cast<std::size_t>(i)] >> 16 & 0xFF, (std::min(1.0, stretch) * 0.5 + 0.5) * 255, 1)
+            << i;
         EXPECT_EQ(rgba8[static_cast<std::size_t>(i)] >> 24, 255u);
     }
 }

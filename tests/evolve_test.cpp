@@ -51,7 +51,8 @@ TEST_P(EvolveOnEachIsa, MatchesItsEquationInDouble) {
     std::normal_distribution<float> amplitude;
     for (ModeRow* mode = modes.data(); mode != modes.data() + rows; ++mode) {
         for (std::size_t lane = 0; lane < lane_block; ++lane) {
-            for (auto* part : {mode->cos_re, mode->cos_im, mode->sin_re, mode->sin_im}) part[lane] = amplitude(random);
+            for (auto* part : {mode->cos_re, mode->cos_im, mode->sin_re, mode->sin_im})
+                part[lane] = amplitude(random);
             const float angle = amplitude(random);
             mode->dir_x[lane] = std::cos(angle);
             mode->dir_z[lane] = std::sin(angle);
@@ -70,8 +71,7 @@ TEST_P(EvolveOnEachIsa, MatchesItsEquationInDouble) {
             // i h along x and z, then P = Dx + i Dz and Q = Dx - i Dz.
             const double dx_re = -mode.dir_x[lane] * h_im, dx_im = mode.dir_x[lane] * h_re;
             const double dz_re = -mode.dir_z[lane] * h_im, dz_im = mode.dir_z[lane] * h_re;
-            const double expected[] = {h_re,          h_im,          dx_re - dz_im,
-                                       dx_im + dz_re, dx_re + dz_im, dx_im - dz_re};
+            const double expected[] = {h_re, h_im, dx_re - dz_im, dx_im + dz_re, dx_re + dz_im, dx_im - dz_re};
             // Amplitudes are up to 4, sums of four products of them: 2e-6 of that.
             for (std::size_t c6 = 0; c6 < wave_components; ++c6)
                 EXPECT_NEAR(waves[p * wave_row_floats + c6 * lane_block + lane], expected[c6], 4e-6);

@@ -19,7 +19,8 @@ namespace pelagic {
 namespace {
 
 std::vector<std::string> arguments_of(const std::filesystem::path& folder, std::vector<std::string> more = {}) {
-    std::vector<std::string> all = {"export", "--out", folder.string(), "--resolution", "64", "--frames", "12", "--mips"};
+    std::vector<std::string> all = {"export",   "--out", folder.string(), "--resolution", "64",
+                                    "--frames", "12",    "--mips"};
     all.insert(all.end(), more.begin(), more.end());
     return all;
 }
@@ -39,7 +40,8 @@ void expect_same_files(const std::filesystem::path& folder, const std::map<std::
     EXPECT_EQ(files.size(), expected.size());
 }
 
-void expect_no_half_written_file(const std::filesystem::path& folder, const std::map<std::string, std::string>& whole) {
+void expect_no_half_written_file(const std::filesystem::path& folder,
+                                 const std::map<std::string, std::string>& whole) {
     for (const auto& [name, bytes] : files_in(folder)) {
         if (name.starts_with('.')) continue;  // parts and the journal
         const auto same = whole.find(name);
@@ -109,7 +111,9 @@ TEST(Resume, OfAnotherSeaIsRefusedAndLosesNothing) {
 TEST(Resume, ForgetsNothingOfAnExportThatWasBeingReplaced) {
     const auto whole = undisturbed_export();
     const TemporaryFolder folder;
-    ASSERT_EQ(run_pelagic({"export", "--out", folder.path().string(), "--resolution", "32", "--frames", "40"}).exit_code, 0);
+    ASSERT_EQ(
+        run_pelagic({"export", "--out", folder.path().string(), "--resolution", "32", "--frames", "40"}).exit_code,
+        0);
     const Outcome failed = run_pelagic(arguments_of(folder.path()), [] {
         const rlimit least{20000, 20000};
         ::setrlimit(RLIMIT_FSIZE, &least);
@@ -193,12 +197,14 @@ TEST(Progress, ShowsFramesAndTimeLeftOnATerminal) {
     ASSERT_GE(process, 0);
     if (process == 0) {
         const std::string out = folder.path().string();
-        ::execl(PELAGIC_BINARY, "pelagic", "export", "--out", out.c_str(), "--frames", "40", "--resolution", "128", nullptr);
+        ::execl(PELAGIC_BINARY, "pelagic", "export", "--out", out.c_str(), "--frames", "40", "--resolution", "128",
+                nullptr);
         std::_Exit(127);
     }
     std::string shown;
     char buffer[4096];
-    for (ssize_t got; (got = ::read(terminal, buffer, sizeof buffer)) > 0;) shown.append(buffer, static_cast<std::size_t>(got));
+    for (ssize_t got; (got = ::read(terminal, buffer, sizeof buffer)) > 0;)
+        shown.append(buffer, static_cast<std::size_t>(got));
     EXPECT_EQ(wait_for(process), 0);
     ::close(terminal);
     EXPECT_NE(shown.find("of 40, "), std::string::npos) << shown;

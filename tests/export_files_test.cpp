@@ -63,12 +63,14 @@ TEST(ExportedFiles, ExrHoldsTheFramesFloatsBitForBit) {
     export_to(folder.path(), {"--start", "1.25", "--maps", "displacement"});
     Library library;
     const Frame& frame = library.frame_at(1.25);
-    const std::pair<const char*, const PlaneView*> channels[] = {{"R", &frame.dx}, {"G", &frame.height}, {"B", &frame.dz}};
+    const std::pair<const char*, const PlaneView*> channels[] = {
+        {"R", &frame.dx}, {"G", &frame.height}, {"B", &frame.dz}};
     for (const auto& [channel, plane] : channels) {
         const auto pixels = read_exr<float>(folder / "displacement_0000.exr", channel, Imf::FLOAT);
         for (int j = 0; j < 32; ++j)
             for (int i = 0; i < 32; ++i)
-                ASSERT_EQ(std::bit_cast<std::uint32_t>(pixels[static_cast<std::size_t>(j * 32 + i)]), std::bit_cast<std::uint32_t>(plane->at(i, j)));
+                ASSERT_EQ(std::bit_cast<std::uint32_t>(pixels[static_cast<std::size_t>(j * 32 + i)]),
+                          std::bit_cast<std::uint32_t>(plane->at(i, j)));
     }
     EXPECT_FALSE(std::filesystem::exists(folder / "gradient_0000.png"));
 }
@@ -97,7 +99,8 @@ TEST(ExportedFiles, HalvesAreTheFramesOwn) {
         const auto pixels = read_exr<Imath::half>(folder / "displacement_0000.exr", channels[c], Imf::HALF);
         for (int j = 0; j < 32; ++j)
             for (int i = 0; i < 32; ++i)
-                ASSERT_EQ(pixels[static_cast<std::size_t>(j * 32 + i)].bits(), frame.displacement_rgba16f[static_cast<std::size_t>(4 * (j * 32 + i)) + c]);
+                ASSERT_EQ(pixels[static_cast<std::size_t>(j * 32 + i)].bits(),
+                          frame.displacement_rgba16f[static_cast<std::size_t>(4 * (j * 32 + i)) + c]);
     }
 }
 
@@ -108,7 +111,8 @@ std::vector<std::uint8_t> read_png(const std::filesystem::path& file, unsigned s
     EXPECT_TRUE(png_image_begin_read_from_file(&image, file.c_str())) << file;
     EXPECT_EQ(image.width, side);
     EXPECT_EQ(image.height, side);
-    EXPECT_EQ(image.format & (PNG_FORMAT_FLAG_ALPHA | PNG_FORMAT_FLAG_COLOR | PNG_FORMAT_FLAG_LINEAR), PNG_FORMAT_RGBA);
+    EXPECT_EQ(image.format & (PNG_FORMAT_FLAG_ALPHA | PNG_FORMAT_FLAG_COLOR | PNG_FORMAT_FLAG_LINEAR),
+              PNG_FORMAT_RGBA);
     image.format = PNG_FORMAT_RGBA;
     std::vector<std::uint8_t> bytes(PNG_IMAGE_SIZE(image));
     EXPECT_TRUE(png_image_finish_read(&image, nullptr, bytes.data(), 0, nullptr));
@@ -196,7 +200,8 @@ TEST(ExportedFiles, AreTheSameForEveryThreadCountAndInstructionSet) {
     for (const std::string threads : {"1", "2", "3"}) {
         for (const Isa isa : isas_here()) {
             const TemporaryFolder other;
-            export_to(other.path(), {"--frames", "5", "--mips", "--threads", threads, "--isa", std::string(name_of(isa))});
+            export_to(other.path(),
+                      {"--frames", "5", "--mips", "--threads", threads, "--isa", std::string(name_of(isa))});
             EXPECT_EQ(files_in(other.path()), expected) << threads << " " << name_of(isa);
         }
     }
@@ -207,11 +212,11 @@ TEST(ExportedFiles, FlagsBeatTheConfigFileBeatsThePreset) {
     write_file(folder / "sea.toml", "preset = \"storm\"\nresolution = 64\nwind_speed = 7\nchoppiness = 0.25\n");
     export_to(folder / "out", {"--config", (folder / "sea.toml").string(), "--wind-speed", "9.5"});
     const json sea = json::parse(read_file(folder / "out" / "sea.json"))["sea"];
-    EXPECT_EQ(sea["resolution"], 32);         // flag
-    EXPECT_EQ(sea["wind_speed_mps"], 9.5);    // flag
-    EXPECT_EQ(sea["choppiness"], 0.25);       // file
-    EXPECT_EQ(sea["fetch_m"], 400000.0);      // preset
-    EXPECT_EQ(sea["depth_m"], 4000.0);        // default
+    EXPECT_EQ(sea["resolution"], 32);       // flag
+    EXPECT_EQ(sea["wind_speed_mps"], 9.5);  // flag
+    EXPECT_EQ(sea["choppiness"], 0.25);     // file
+    EXPECT_EQ(sea["fetch_m"], 400000.0);    // preset
+    EXPECT_EQ(sea["depth_m"], 4000.0);      // default
 }
 
 TEST(ExportedFiles, NothingOnStderrInAPipe) {

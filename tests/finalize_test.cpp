@@ -53,9 +53,16 @@ TEST_P(FinalizeOnEachIsa, BoundsOfAStillSeaArePositiveZeros) {
     AlignedBuffer<float> surface(surface_block_floats(n)), storage(3 * (lane_block + (n + lane_block) * n));
     for (std::size_t i = 0; i < surface.size(); i += 3) surface[i] = -0.f;
     RowBounds bounds;
-    FinalizeJob job{.surface = surface.data(), .resolution = n, .first_row = 0, .end_row = n, .choppiness = 1,
-                    .planes = {}, .stride = n + lane_block, .bounds = &bounds};
-    for (std::size_t c = 0; c < 3; ++c) job.planes[c] = storage.data() + c * (lane_block + (n + lane_block) * n) + lane_block;
+    FinalizeJob job{.surface = surface.data(),
+                    .resolution = n,
+                    .first_row = 0,
+                    .end_row = n,
+                    .choppiness = 1,
+                    .planes = {},
+                    .stride = n + lane_block,
+                    .bounds = &bounds};
+    for (std::size_t c = 0; c < 3; ++c)
+        job.planes[c] = storage.data() + c * (lane_block + (n + lane_block) * n) + lane_block;
     kernels().finalize(job);
     for (const float bound : {bounds.height_min, bounds.height_max, bounds.sideways_x_max, bounds.sideways_z_max}) {
         EXPECT_EQ(bound, 0.f);

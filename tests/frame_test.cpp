@@ -15,9 +15,7 @@
 namespace pelagic {
 namespace {
 
-Ocean ocean_on(const SeaState& sea, Isa isa) {
-    return Ocean(sea, {.executor = make_serial_executor(), .isa = isa});
-}
+Ocean ocean_on(const SeaState& sea, Isa isa) { return Ocean(sea, {.executor = make_serial_executor(), .isa = isa}); }
 
 struct Case {
     std::string name;
@@ -41,7 +39,9 @@ std::vector<Case> cases() {
         {"N64_small_waves_shallow", {.resolution = 64, .depth_m = 5, .small_waves = 0.5}, 5},
         {"N64_short_loop", {.resolution = 64, .loop_period_s = 3.7}, 1.1},
         {"N256", {.resolution = 256}, 12.34},
-        {"N256_storm", {.resolution = 256, .patch_size_m = 1000, .wind_speed_mps = 25, .fetch_m = 5e5, .choppiness = 1}, 77},
+        {"N256_storm",
+         {.resolution = 256, .patch_size_m = 1000, .wind_speed_mps = 25, .fetch_m = 5e5, .choppiness = 1},
+         77},
     };
 }
 
@@ -51,11 +51,11 @@ class FrameOnEachIsa : public testing::TestWithParam<std::tuple<Isa, Case>> {
     Isa isa() const { return std::get<Isa>(GetParam()); }
 };
 
-INSTANTIATE_TEST_SUITE_P(Seas, FrameOnEachIsa,
-                         testing::Combine(testing::ValuesIn(isas_here()), testing::ValuesIn(cases())),
-                         [](const auto& test) {
-                             return isa_test_name({std::get<Isa>(test.param), 0}) + "_" + std::get<Case>(test.param).name;
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    Seas, FrameOnEachIsa, testing::Combine(testing::ValuesIn(isas_here()), testing::ValuesIn(cases())),
+    [](const auto& test) {
+        return isa_test_name({std::get<Isa>(test.param), 0}) + "_" + std::get<Case>(test.param).name;
+    });
 
 void expect_close(const PlaneView& plane, const oracle::ComplexField& truth, const char* name) {
     double largest = 0, error = 0;
@@ -134,7 +134,8 @@ TEST_P(FrameOnEachIsa, GradientBytesOfEveryLevelAreWithinOneStepOfEquation50) {
             const auto expected = oracle::bytes_of(levels[m], texel);
             for (std::size_t c = 0; c < 4; ++c) {
                 const double byte = texels[texel] >> 8 * c & 0xFF;
-                ASSERT_NEAR(byte, std::floor(expected[c] + 0.5), 1) << "level " << m << " texel " << texel << " byte " << c;
+                ASSERT_NEAR(byte, std::floor(expected[c] + 0.5), 1)
+                    << "level " << m << " texel " << texel << " byte " << c;
             }
         }
     }

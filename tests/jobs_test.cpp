@@ -92,9 +92,10 @@ TEST(JobGraph, BatchMayBeAsLargeAsANumberGets) {
     constexpr std::size_t all = std::numeric_limits<std::size_t>::max();
     for (const std::size_t count : {std::size_t{0}, std::size_t{1}, std::size_t{5}, all}) {
         Blocks blocks;
-        const Stage stage{.name = "all", .count = count, .batch = all, .body = [&](std::size_t begin, std::size_t end) {
-                              blocks.insert({begin, end});
-                          }};
+        const Stage stage{
+            .name = "all", .count = count, .batch = all, .body = [&](std::size_t begin, std::size_t end) {
+                blocks.insert({begin, end});
+            }};
         for (std::size_t block = 0; block < block_count(stage); ++block) run_block(stage, block);
         EXPECT_EQ(blocks, count == 0 ? Blocks{} : (Blocks{{0, count}}));
     }
@@ -299,7 +300,8 @@ TEST_P(ThreeThreadExecutor, StageEndsWithItsLastBlockHoweverLongItsNeighboursTak
     // As many as can wait without taking the follower's thread too.
     for (int i = 1; i < threads; ++i) {
         graph.add({.name = "neighbour", .count = 1, .waits_for = {gate}, .body = [&](std::size_t, std::size_t) {
-                       if (!wait_until([&] { return follower_ran.load(); }, std::chrono::seconds(5))) ++waited_in_vain;
+                       if (!wait_until([&] { return follower_ran.load(); }, std::chrono::seconds(5)))
+                           ++waited_in_vain;
                    }});
     }
     run_once(*executor_->prepare(graph));

@@ -25,8 +25,8 @@ TEST(Oracle, FftEqualsTheNaiveDft) {
 TEST(Oracle, OneWaveIsACosineAlongItsOwnDirection) {
     constexpr int n = 16;
     ComplexField spectrum(n * n);
-    spectrum[2 * n + 3] = 0.5;                // k = (3, 2)
-    spectrum[(n - 2) * n + (n - 3)] = 0.5;    // k = (-3, -2)
+    spectrum[2 * n + 3] = 0.5;              // k = (3, 2)
+    spectrum[(n - 2) * n + (n - 3)] = 0.5;  // k = (-3, -2)
     const ComplexField field = naive_inverse_dft(spectrum, n);
     for (int j = 0; j < n; ++j)
         for (int i = 0; i < n; ++i)

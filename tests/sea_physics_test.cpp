@@ -82,7 +82,9 @@ TEST(WaveHeight, IsWithinThreePercentOfTheSpectrumsIntegralOver16Seeds) {
 TEST(WaveHeight, OfPiersonMoskowitzIsThePublishedOne) {
     for (const double speed : {5.0, 10.0, 20.0}) {
         const double unit = speed * speed / oracle::gravity;
-        const SeaState sea{.spectrum = SpectrumModel::pierson_moskowitz, .patch_size_m = 30 * unit, .wind_speed_mps = speed,
+        const SeaState sea{.spectrum = SpectrumModel::pierson_moskowitz,
+                           .patch_size_m = 30 * unit,
+                           .wind_speed_mps = speed,
                            .alignment = 0.2};
         EXPECT_NEAR(expected_waves(sea).model_significant_wave_height_m.value(), 0.21 * unit, 0.005 * 0.21 * unit);
         const double measured = mean_significant_height(sea, 16);
@@ -94,7 +96,8 @@ TEST(WaveHeight, OfPiersonMoskowitzIsThePublishedOne) {
 // In closed form: the integral of alpha/2 k^-3 exp(-1/(kL)^2) is alpha L^2/4, so Hs = 2 sqrt(0.0081) V^2/g.
 TEST(WaveHeight, OfPhillipsIsItsClosedForm) {
     const double unit = 8 * 8 / oracle::gravity;
-    const SeaState sea{.spectrum = SpectrumModel::phillips, .patch_size_m = 30 * unit, .wind_speed_mps = 8, .alignment = 0.2};
+    const SeaState sea{
+        .spectrum = SpectrumModel::phillips, .patch_size_m = 30 * unit, .wind_speed_mps = 8, .alignment = 0.2};
     EXPECT_NEAR(expected_waves(sea).model_significant_wave_height_m.value(), 0.18 * unit, 1e-4 * unit);
     EXPECT_NEAR(mean_significant_height(sea, 16), 0.18 * unit, 0.03 * 0.18 * unit);
 }
@@ -118,8 +121,8 @@ TEST(WaveHeight, DependsOnNeitherResolutionNorPatch) {
         heights.push_back(
             expected_waves({.resolution = n, .patch_size_m = 300, .wind_speed_mps = 10}).significant_wave_height_m);
     for (const double patch : {150.0, 300.0, 600.0})
-        heights.push_back(
-            expected_waves({.resolution = 512, .patch_size_m = patch, .wind_speed_mps = 10}).significant_wave_height_m);
+        heights.push_back(expected_waves({.resolution = 512, .patch_size_m = patch, .wind_speed_mps = 10})
+                              .significant_wave_height_m);
     const auto [least, most] = std::minmax_element(heights.begin(), heights.end());
     // What the coarsest grid (4.7 m) and the smallest patch (three peak waves) miss.
     EXPECT_LT(*most / *least, 1.03);
@@ -133,8 +136,11 @@ TEST(WaveHeight, DependsOnNeitherResolutionNorPatch) {
 // little more stays.
 TEST(WaveHeight, OfThePapersScalingFallsWithTheResolution) {
     const auto height = [](int n) {
-        return expected_waves({.spectrum = SpectrumModel::phillips_paper, .resolution = n, .patch_size_m = 500,
-                               .wind_speed_mps = 10}).significant_wave_height_m;
+        return expected_waves({.spectrum = SpectrumModel::phillips_paper,
+                               .resolution = n,
+                               .patch_size_m = 500,
+                               .wind_speed_mps = 10})
+            .significant_wave_height_m;
     };
     EXPECT_NEAR(height(512) / height(64), std::pow(8.0, -0.25), 0.03);
 }
@@ -147,7 +153,8 @@ TEST(PeakPeriod, MeasuredIsNearExpected) {
     }
     // In closed form: omega_p = (4 0.74/5)^(1/4) g/V for Pierson-Moskowitz.
     const SeaState sea{.spectrum = SpectrumModel::pierson_moskowitz, .wind_speed_mps = 10};
-    EXPECT_NEAR(expected_waves(sea).peak_period_s, 2 * pi / (std::pow(0.8 * 0.74, 0.25) * oracle::gravity / 10), 1e-4);
+    EXPECT_NEAR(expected_waves(sea).peak_period_s, 2 * pi / (std::pow(0.8 * 0.74, 0.25) * oracle::gravity / 10),
+                1e-4);
 }
 
 // Drawn by wave vector, the sea is real, Nyquist included; drawn by index its imaginary part would be as large.
@@ -246,13 +253,15 @@ TEST(Resolution, TwiceAsFineAGridKeepsTheSea) {
         Ocean fine_ocean = ocean_of(sea);
         const oracle::Displacement coarse = oracle::displacement_of(coarse_ocean.frame_at(6));
         const oracle::Displacement fine = oracle::displacement_of(fine_ocean.frame_at(6));
-        for (const auto plane : {&oracle::Displacement::height, &oracle::Displacement::dx, &oracle::Displacement::dz}) {
+        for (const auto plane :
+             {&oracle::Displacement::height, &oracle::Displacement::dx, &oracle::Displacement::dz}) {
             const auto waves = oracle::forward_fft({(fine.*plane).begin(), (fine.*plane).end()}, 2 * n);
             oracle::ComplexField long_waves(static_cast<std::size_t>(n) * n);
             for (std::size_t j = 0; j < long_waves.size(); ++j) {
                 const int kx = oracle::wave_number(j % n, n), kz = oracle::wave_number(j / n, n);
                 if (kx == -n / 2 || kz == -n / 2) continue;
-                long_waves[j] = waves[static_cast<std::size_t>((kz + 2 * n) % (2 * n) * 2 * n + (kx + 2 * n) % (2 * n))];
+                long_waves[j] =
+                    waves[static_cast<std::size_t>((kz + 2 * n) % (2 * n) * 2 * n + (kx + 2 * n) % (2 * n))];
             }
             const auto kept = oracle::inverse_fft(long_waves, n);
             for (std::size_t j = 0; j < kept.size(); ++j) ASSERT_NEAR(kept[j].real(), (coarse.*plane)[j], 1e-5) << n;

@@ -37,7 +37,9 @@ TEST_P(SymmetryOnEachIsa, ImaginaryResidueIsAMillionthOfTheRealMaximum) {
         double real = 0, imaginary = 0, mirror = 0;
         for (std::size_t x = 0; x < static_cast<std::size_t>(n); ++x) {
             const float* at = lines.data() + x / lane_block * lines_block_floats(n) + x % lane_block;
-            const auto part = [&](WaveComponent component) { return static_cast<double>(at[component * lane_block]); };
+            const auto part = [&](WaveComponent component) {
+                return static_cast<double>(at[component * lane_block]);
+            };
             real = std::max({real, std::fabs(part(height_re)), std::fabs(part(p_re))});
             imaginary = std::max(imaginary, std::fabs(part(height_im)));
             mirror = std::max(mirror, std::hypot(part(p_re) - part(q_re), part(p_im) + part(q_im)));
@@ -54,7 +56,8 @@ TEST_P(SymmetryOnEachIsa, ImaginaryResidueIsAMillionthOfTheRealMaximum) {
 TEST(Symmetry, TheNyquistColumnHoldsNoWave) {
     const SeaState sea{.resolution = 32};
     PackedSpectrum spectrum(32);
-    for (std::size_t line = 0; line < line_count(32); ++line) bake_spectrum_line(sea, WaveSpectrum(sea), line, spectrum);
+    for (std::size_t line = 0; line < line_count(32); ++line)
+        bake_spectrum_line(sea, WaveSpectrum(sea), line, spectrum);
     for (const float value : spectrum.modes[16].cos_re) EXPECT_EQ(value, 0.f);
     for (const float value : spectrum.modes[16].sin_im) EXPECT_EQ(value, 0.f);
     EXPECT_NE(spectrum.modes[15].cos_re[3], 0.f);

@@ -50,13 +50,12 @@ class TransformOnEachIsa : public testing::TestWithParam<std::tuple<Isa, int>> {
     std::mt19937 random_;
 };
 
-INSTANTIATE_TEST_SUITE_P(Sizes, TransformOnEachIsa,
-                         testing::Combine(testing::ValuesIn(isas_here()),
-                                          testing::Values(16, 32, 64, 128, 256, 512, 1024, 2048)),
-                         [](const auto& test) {
-                             return isa_test_name({std::get<Isa>(test.param), 0}) + "_" +
-                                    std::to_string(std::get<int>(test.param));
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    Sizes, TransformOnEachIsa,
+    testing::Combine(testing::ValuesIn(isas_here()), testing::Values(16, 32, 64, 128, 256, 512, 1024, 2048)),
+    [](const auto& test) {
+        return isa_test_name({std::get<Isa>(test.param), 0}) + "_" + std::to_string(std::get<int>(test.param));
+    });
 
 TEST_P(TransformOnEachIsa, RowsAreInverseTransformsWithXAsTheLane) {
     AlignedBuffer<float> waves(waves_block_floats(resolution()));

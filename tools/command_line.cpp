@@ -43,7 +43,8 @@ InputError from_cli(const CLI::ParseError& error, const CLI::App& app, const std
         const std::string word = extras.empty() ? "" : extras.front();
         const std::string name = word.substr(0, word.find('='));
         if (commands.empty()) return InputError("unknown command " + word + ", needs export or info");
-        if (!name.starts_with('-')) return InputError("unexpected word " + word + ", needs options such as " + options.back());
+        if (!name.starts_with('-'))
+            return InputError("unexpected word " + word + ", needs options such as " + options.back());
         return InputError("unknown option " + name + ", the nearest known one is " + nearest_name(name, options));
     }
     // The others name the option first: "--seed: ..." or "--seed requires an argument".
@@ -53,8 +54,10 @@ InputError from_cli(const CLI::ParseError& error, const CLI::App& app, const std
         });
         const std::string what = error.what();
         if (what.find(option + ":") == std::string::npos && what.find(option + " ") == std::string::npos) continue;
-        if (times > 1) return InputError(option + " is given " + std::to_string(times) + " times, needs to be given once");
-        if (dynamic_cast<const CLI::ArgumentMismatch*>(&error)) return InputError(option + " has no value, needs one");
+        if (times > 1)
+            return InputError(option + " is given " + std::to_string(times) + " times, needs to be given once");
+        if (dynamic_cast<const CLI::ArgumentMismatch*>(&error))
+            return InputError(option + " has no value, needs one");
     }
     std::string line = error.what();
     std::replace(line.begin(), line.end(), '\n', ' ');
@@ -84,7 +87,8 @@ void check_standard_output() {
 }
 
 int run(int argc, const char* const* argv) {
-    CLI::App app("An open sea on CPU jobs and SIMD: exports seamlessly looping displacement and normal maps.", "pelagic");
+    CLI::App app("An open sea on CPU jobs and SIMD: exports seamlessly looping displacement and normal maps.",
+                 "pelagic");
     app.set_version_flag("--version", "pelagic " PELAGIC_VERSION);
     app.get_formatter()->column_width(34);
 
@@ -96,7 +100,8 @@ int run(int argc, const char* const* argv) {
     InfoFlags info_flags;
     info_flags.add_to(info_app);
 
-    for (CLI::App* command : {&export_app, &info_app}) command->set_version_flag("--version", "pelagic " PELAGIC_VERSION);
+    for (CLI::App* command : {&export_app, &info_app})
+        command->set_version_flag("--version", "pelagic " PELAGIC_VERSION);
 
     try {
         app.parse(argc, argv);
@@ -126,7 +131,8 @@ int run_command_line(int argc, const char* const* argv) {
         std::fprintf(stderr, "pelagic: %s\n", one_line(error.what()).c_str());
         return 2;
     } catch (const Stopped& stop) {
-        std::fprintf(stderr, "pelagic: stopped after %d of %d frames; the same command with --resume makes the rest\n",
+        std::fprintf(stderr,
+                     "pelagic: stopped after %d of %d frames; the same command with --resume makes the rest\n",
                      stop.done, stop.total);
         return 128 + stop.signal;
     } catch (const std::exception& error) {

@@ -51,7 +51,8 @@ std::vector<ConfigEntry> read_config(const std::filesystem::path& file, std::spa
         const std::string key(name.str());
         const std::string place = place_of(file, node.source());
         if (node.is_table())
-            throw InputError(place + ": " + key + " is a table, needs known keys at the top level, such as wind_speed = 9.0");
+            throw InputError(place + ": " + key +
+                             " is a table, needs known keys at the top level, such as wind_speed = 9.0");
         if (std::find(known.begin(), known.end(), key) == known.end())
             throw InputError(place + ": unknown key " + key + ", the nearest known one is " +
                              nearest_name(key, known));

@@ -95,18 +95,19 @@ class FrameWriter {
     FrameWriter(const ExportOptions& options, ExportJournal& journal, std::map<int, FrameRecord>& records)
         : options_(options), journal_(journal), records_(records) {
         const unsigned cores = std::max(1u, std::thread::hardware_concurrency());
-        const std::size_t threads = options.compute.threads == 0 ? cores : static_cast<std::size_t>(options.compute.threads);
+        const std::size_t threads =
+            options.compute.threads == 0 ? cores : static_cast<std::size_t>(options.compute.threads);
         const std::size_t texels = static_cast<std::size_t>(options.sea.sea.resolution) * options.sea.sea.resolution;
-        most_ = std::min(threads, std::max<std::size_t>(1, most_bytes_in_flight / (texels * bytes_per_texel_in_flight)));
+        most_ =
+            std::min(threads, std::max<std::size_t>(1, most_bytes_in_flight / (texels * bytes_per_texel_in_flight)));
     }
 
     void write(int number, const Frame& frame) {
         while (in_flight_.size() >= most_) take_oldest();
         // With one thread the work is done when it is taken, by the thread that takes it.
         const auto policy = most_ == 1 ? std::launch::deferred : std::launch::async;
-        in_flight_.push_back(std::async(policy, [this, number, copy = FrameCopy(frame)] {
-            return write_frame(options_, number, copy.frame());
-        }));
+        in_flight_.push_back(std::async(
+            policy, [this, number, copy = FrameCopy(frame)] { return write_frame(options_, number, copy.frame()); }));
     }
 
     void finish() {
@@ -137,8 +138,7 @@ void make_folder(const std::filesystem::path& folder) {
 }
 
 /// Computes and writes the frames that `records` lacks.
-void make_frames(const ExportOptions& options, ExportJournal& journal, std::map<int, FrameRecord>& records,
-                 Isa isa) {
+void make_frames(const ExportOptions& options, ExportJournal& journal, std::map<int, FrameRecord>& records, Isa isa) {
     std::vector<int> missing;
     for (int frame = 0; frame < options.frames; ++frame)
         if (!records.contains(frame)) missing.push_back(frame);

@@ -59,7 +59,8 @@ std::optional<Earlier> read_sea_json(const std::filesystem::path& file) {
     std::ifstream stream(file);
     if (!stream) return {};
     const Json json = Json::parse(stream);
-    Earlier earlier{{{"version", json.at("version")}, {"sea", json.at("sea")}, {"export", json.at("export")}}, {}, {}};
+    Earlier earlier{
+        {{"version", json.at("version")}, {"sea", json.at("sea")}, {"export", json.at("export")}}, {}, {}};
     for (const Json& frame : json.at("frames")) earlier.frames.push_back(frame_from_json(frame));
     return earlier;
 }
@@ -93,8 +94,8 @@ void ExportJournal::read_earlier(bool resume) {
     if (!resume) return;
     const Json now = options_as_json(options_);
     if (earlier->options != now)
-        throw InputError("--resume is not possible in " + options_.folder.string() + ", whose export had other options: " +
-                         first_difference(earlier->options, now));
+        throw InputError("--resume is not possible in " + options_.folder.string() +
+                         ", whose export had other options: " + first_difference(earlier->options, now));
     for (FrameRecord& frame : earlier->frames) done_[frame.frame] = std::move(frame);
 }
 

@@ -18,8 +18,7 @@ constexpr double default_fps = 24;
 int whole_number(const std::string& option, const std::string& text, int least, int most) {
     const auto value = parse_integer(text);
     if (!value || *value < least || *value > most)
-        throw bad_value(option, text,
-                        "a whole number from " + std::to_string(least) + " to " + std::to_string(most));
+        throw bad_value(option, text, "a whole number from " + std::to_string(least) + " to " + std::to_string(most));
     return static_cast<int>(*value);
 }
 
@@ -128,7 +127,8 @@ ExportOptions ExportFlags::resolve() const {
         options.frames = whole_number("--loop-frames", *loop_frames, 1, most_frames);
     } else {
         options.fps = default_fps;
-        if (const auto& frames = typed_.at("frames")) options.frames = whole_number("--frames", *frames, 1, most_frames);
+        if (const auto& frames = typed_.at("frames"))
+            options.frames = whole_number("--frames", *frames, 1, most_frames);
         if (const auto& fps = typed_.at("fps")) {
             options.fps = parse_number(*fps);
             if (!options.fps || *options.fps <= 0 || *options.fps > most_fps)

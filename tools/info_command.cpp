@@ -29,12 +29,9 @@ Json info_json(const ResolvedSea& resolved, const ComputeOptions& compute) {
                            {"sideways_x_max_m", frame.bounds.sideways_x_max_m},
                            {"sideways_z_max_m", frame.bounds.sideways_z_max_m}};
     json["warnings"] = warnings_about(resolved.sea);
-    json["computing"] = {{"isa", name_of(ocean.isa())},
-                         {"isas_here", isas},
-                         {"executor", ocean.executor().name()},
-                         {"threads", ocean.executor().thread_limit()},
-                         {"memory_bytes", ocean.memory_bytes()},
-                         {"stages", stages}};
+    json["computing"] = {{"isa", name_of(ocean.isa())},          {"isas_here", isas},
+                         {"executor", ocean.executor().name()},  {"threads", ocean.executor().thread_limit()},
+                         {"memory_bytes", ocean.memory_bytes()}, {"stages", stages}};
     return json;
 }
 
@@ -43,10 +40,12 @@ void print_section(const char* title, const Json& values) {
     for (const auto& [key, value] : values.items()) {
         if (value.is_object() && !value.empty()) {
             std::string parts;
-            for (const auto& [name, part] : value.items()) parts += (parts.empty() ? "" : ", ") + name + " " + part.dump();
+            for (const auto& [name, part] : value.items())
+                parts += (parts.empty() ? "" : ", ") + name + " " + part.dump();
             std::printf("  %-28s%s\n", key.c_str(), parts.c_str());
         } else {
-            std::printf("  %-28s%s\n", key.c_str(), value.is_string() ? value.get<std::string>().c_str() : value.dump().c_str());
+            std::printf("  %-28s%s\n", key.c_str(),
+                        value.is_string() ? value.get<std::string>().c_str() : value.dump().c_str());
         }
     }
 }

@@ -21,7 +21,8 @@ void Progress::show(std::size_t done) {
     std::fprintf(stderr, "\r\033[K%s %zu of %zu, %zu %%", item_.c_str(), done, total_, 100 * done / total_);
     if (done > 0) {
         const double elapsed = std::chrono::duration<double>(now - start_).count();
-        std::fprintf(stderr, ", %.0f s left", elapsed * static_cast<double>(total_ - done) / static_cast<double>(done));
+        std::fprintf(stderr, ", %.0f s left",
+                     elapsed * static_cast<double>(total_ - done) / static_cast<double>(done));
     }
     std::fflush(stderr);
 }

@@ -72,7 +72,8 @@ FrameRecord frame_from_json(const Json& json) {
 
 Json waves_as_json(const SeaState& sea, double measured_significant_wave_height_m) {
     const ExpectedWaves expected = expected_waves(sea);
-    Json height = {{"expected", expected.significant_wave_height_m}, {"measured", measured_significant_wave_height_m}};
+    Json height = {{"expected", expected.significant_wave_height_m},
+                   {"measured", measured_significant_wave_height_m}};
     if (expected.model_significant_wave_height_m) height["model"] = *expected.model_significant_wave_height_m;
     return {{"significant_wave_height_m", height},
             {"peak_period_s", {{"expected", expected.peak_period_s}, {"measured", measured_peak_period_s(sea)}}},

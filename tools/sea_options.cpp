@@ -149,7 +149,8 @@ ResolvedSea SeaOptions::resolve() const {
             const std::string place = entry.place + ": " + entry.key;
             for (const SeaFlag& number : sea_flags)
                 if (number.flag == flag && entry.quoted)
-                    throw bad_value(place, '"' + entry.value + '"', "a number without quotes: " + accepted_by(number));
+                    throw bad_value(place, '"' + entry.value + '"',
+                                    "a number without quotes: " + accepted_by(number));
             use(entry.value, place);
         }
     };

@@ -42,8 +42,13 @@ inline void sideways_columns(const float* lines, const FftTables& fft, float* su
             return V::load_aligned(lines + n * wave_row_floats + component * lane_block + lane);
         };
         load_column<Arch>(
-            data, fft, [&](std::size_t n) { return Complex<Arch>{part(n, p_re), part(n, p_im)}; },
-            [&](std::size_t n) { return Complex<Arch>{part(n, q_re), V(0.f) - part(n, q_im)}; });
+            data, fft,
+            [&](std::size_t n) {
+                return Complex<Arch>{part(n, p_re), part(n, p_im)};
+            },
+            [&](std::size_t n) {
+                return Complex<Arch>{part(n, q_re), V(0.f) - part(n, q_im)};
+            });
         inverse_fft<Arch>(data, fft);
         store_column<Arch>(data, static_cast<std::size_t>(fft.size), surface + surface_dx * lane_block + lane,
                            surface + surface_dz * lane_block + lane);

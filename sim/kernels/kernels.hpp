@@ -28,18 +28,18 @@ struct EvolveJob {
 /// Stage `rows`: the transforms along x of one block of lines, all three fields, turned so that x becomes the lane.
 /// Stack: at most 8 N W bytes, W the instruction set's lanes: 256 KiB for AVX-512 at N = 2048.
 struct RowsJob {
-    const float* waves;        ///< one line block
-    std::size_t first_line;    ///< kz of its lane 0
-    std::size_t line_count;    ///< lanes that hold lines: a multiple of 4, at most lane_block
+    const float* waves;      ///< one line block
+    std::size_t first_line;  ///< kz of its lane 0
+    std::size_t line_count;  ///< lanes that hold lines: a multiple of 4, at most lane_block
     const FftTables* fft;
-    float* lines;              ///< the whole buffer; aliases no input
+    float* lines;  ///< the whole buffer; aliases no input
 };
 
 /// Stage `columns`: the transforms along z of two column blocks (the second may be missing for N = 16). Same stack.
 struct ColumnsJob {
     const float* lines[2];  ///< one column block each; [1] may be null
     const FftTables* fft;
-    float* surface[2];      ///< one column block each, metres before choppiness; aliases no input
+    float* surface[2];  ///< one column block each, metres before choppiness; aliases no input
 };
 
 /// Extremes of some rows of a frame, in metres; merged in any order they give the same bits.
@@ -54,9 +54,9 @@ struct FinalizeJob {
     std::size_t resolution;
     std::size_t first_row, end_row;
     float choppiness;
-    float* planes[3];        ///< dx, height, dz: texel (0, 0) of each; x = -1 and x = N are written too (wrap-around)
-    std::ptrdiff_t stride;   ///< floats between rows, at least N + 2
-    RowBounds* bounds;       ///< of these rows
+    float* planes[3];       ///< dx, height, dz: texel (0, 0) of each; x = -1 and x = N are written too (wrap-around)
+    std::ptrdiff_t stride;  ///< floats between rows, at least N + 2
+    RowBounds* bounds;      ///< of these rows
 };
 
 /// Stage `gradients`: rows 2 row_pair and 2 row_pair + 1. Central differences with wrap (equations 45, 46), the full
@@ -72,7 +72,7 @@ struct GradientsJob {
     float smoothness;             ///< 1 - sqrt(roughness)
     std::uint32_t* rgba8;         ///< level 0, tight rows
     std::uint16_t* rgba16f;       ///< tight rows of four halves a texel
-    float* mip_row[4];            ///< level 1, row row_pair: nx, ny, nz of the scaled normal, and J clamped to [-1, 1]
+    float* mip_row[4];  ///< level 1, row row_pair: nx, ny, nz of the scaled normal, and J clamped to [-1, 1]
 };
 
 /// Stage `mipmaps`, half a step: averages two rows of a level to one of the next (equation 52).
@@ -87,7 +87,7 @@ struct HalveJob {
 struct PackMipJob {
     const float* row[4] = {};  ///< padded to a whole lane_block
     std::size_t count;
-    std::uint32_t* out;   ///< count texels
+    std::uint32_t* out;  ///< count texels
 };
 
 struct Kernels {

@@ -27,8 +27,7 @@ inline xsimd::batch<std::int32_t, Arch> byte_of(xsimd::batch<float, Arch> v) {
 /// VR Ocean, equations 50 and 51. `jacobian` is within [-1, 1], the rest as a unit vector and a smoothness are.
 template <class Arch>
 inline void pack_rgba8(xsimd::batch<float, Arch> n_x, xsimd::batch<float, Arch> n_z,
-                       xsimd::batch<float, Arch> jacobian, xsimd::batch<float, Arch> smoothness,
-                       std::uint32_t* out) {
+                       xsimd::batch<float, Arch> jacobian, xsimd::batch<float, Arch> smoothness, std::uint32_t* out) {
     using V = xsimd::batch<float, Arch>;
     const V half(0.5f);
     const auto packed = byte_of<Arch>(n_x * half + half) | (byte_of<Arch>(n_z * half + half) << 8) |

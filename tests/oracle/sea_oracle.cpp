@@ -74,8 +74,8 @@ Complex initial_amplitude(const SeaState& sea, int m, int n) {
     const double k = std::hypot(kx, kz);
     const double kl = k * sea.wind_speed_mps * sea.wind_speed_mps / gravity;
     const double a_fft = std::pow(sea.resolution, -0.25), a_spatial = std::numbers::e / sea.patch_size_m;
-    const double p = a_fft * a_fft * a_spatial * a_spatial * std::exp(-1 / (kl * kl)) / std::pow(k, 4) *
-                     small_wave_factor(sea, k);
+    const double p =
+        a_fft * a_fft * a_spatial * a_spatial * std::exp(-1 / (kl * kl)) / std::pow(k, 4) * small_wave_factor(sea, k);
     return Complex(xi.re, xi.im) / std::numbers::sqrt2 *
            std::sqrt(p * spreading_weight(sea.alignment, cosine_to_wind(sea, kx, kz)));
 }

@@ -33,6 +33,8 @@ ComplexField spectrum_at(const SeaState& sea, double time_s);
 Fields fields_at(const SeaState& sea, double time_s);
 
 /// Wave number of an index in FFT order.
-inline int wave_number(std::size_t p, int n) { return static_cast<int>(p) < n / 2 ? static_cast<int>(p) : static_cast<int>(p) - n; }
+inline int wave_number(std::size_t p, int n) {
+    return static_cast<int>(p) < n / 2 ? static_cast<int>(p) : static_cast<int>(p) - n;
+}
 
 }  // namespace pelagic::oracle
