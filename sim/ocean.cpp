@@ -26,8 +26,13 @@ struct Ocean::State {
           cascade(checked(sea), kernels_for(isa)) {
         cascade.add_frame_stages(frame_graph);
         cascade.add_spectrum_stage(spectrum_graph);
-        frame_run = executor->prepare(frame_graph);
-        spectrum_run = executor->prepare(spectrum_graph);
+        frame_run = prepare(frame_graph, options.trace, "frame");
+        spectrum_run = prepare(spectrum_graph, options.trace, "sea");
+    }
+
+    std::unique_ptr<GraphRun> prepare(const JobGraph& graph, const std::shared_ptr<TraceSink>& trace,
+                                      const char* run_name) {
+        return trace ? prepare_traced(*executor, graph, trace, run_name) : executor->prepare(graph);
     }
 
     std::shared_ptr<Executor> executor;

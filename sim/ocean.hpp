@@ -14,6 +14,7 @@
 #include <optional>
 
 #include "jobs/executor.hpp"
+#include "jobs/trace.hpp"
 #include "sim/frame.hpp"
 #include "sim/sea_state.hpp"
 #include "simd/isa.hpp"
@@ -24,6 +25,7 @@ namespace pelagic {
 struct OceanOptions {
     std::shared_ptr<Executor> executor = {};  ///< none: oneTBB with its default number of threads
     std::optional<Isa> isa = {};              ///< none: PELAGIC_ISA, else the strongest that this CPU runs
+    std::shared_ptr<TraceSink> trace = {};    ///< none: no clock is read. ChromeTrace or the host's own profiler
 };
 
 /// One patch of sea. Not thread-safe: one thread at a time calls its methods; the work runs on the executor.

@@ -1,0 +1,109 @@
+#include "jobs/chrome_trace.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <ostream>
+#include <string_view>
+
+namespace pelagic {
+namespace {
+
+/// Not by the stream, whose locale might write 1.234,5.
+std::string number(double value) {
+    char text[32];
+    return {text, std::to_chars(text, text + sizeof text, value).ptr};
+}
+
+/// To the nanosecond.
+std::string microseconds(TraceClock::duration time) {
+    char text[64];
+    const double value = std::chrono::duration<double, std::micro>(time).count();
+    return {text, std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, 3).ptr};
+}
+
+std::string quoted(std::string_view text) {
+    constexpr std::string_view digits = "0123456789abcdef";
+    std::string quoted = "\"";
+    for (const char c : text) {
+        const auto code = static_cast<unsigned char>(c);
+        if (code < 0x20)
+            quoted.append("\\u00").append({digits[code >> 4], digits[code & 15]});
+        else if (c == '"' || c == '\\')
+            quoted.append({'\\', c});
+        else
+            quoted += c;
+    }
+    return quoted + '"';
+}
+
+/// Where `value` stands in the list, at its end if it is new. A trace has few names and threads.
+template <class List, class Value>
+std::uint32_t index_in(List& list, const Value& value) {
+    const auto found = std::find(list.begin(), list.end(), value);
+    const auto index = static_cast<std::uint32_t>(found - list.begin());
+    if (found == list.end()) list.emplace_back(value);
+    return index;
+}
+
+/// Tracks count from 1: viewers give 0 a meaning of its own.
+std::string track(std::uint32_t thread) { return R"("pid":1,"tid":)" + std::to_string(thread + 1); }
+
+std::string metadata(const char* key, std::uint32_t thread, const std::string& name) {
+    return R"({"ph":"M","name":")" + std::string(key) + "\"," + track(thread) + R"(,"args":{"name":)" + quoted(name) +
+           "}}";
+}
+
+}  // namespace
+
+ChromeTrace::ChromeTrace(std::size_t most_spans) : most_spans_(most_spans) { spans_.reserve(most_spans); }
+
+void ChromeTrace::work(const TraceSpan& span) noexcept { keep(span, true); }
+
+void ChromeTrace::in_flight(const TraceSpan& span) noexcept { keep(span, false); }
+
+void ChromeTrace::keep(const TraceSpan& span, bool on_this_thread) noexcept {
+    const std::lock_guard lock(mutex_);
+    if (spans_.size() == most_spans_) {
+        ++left_out_;
+        return;
+    }
+    const std::uint32_t thread = on_this_thread ? index_in(threads_, std::this_thread::get_id()) : not_on_a_thread;
+    spans_.push_back({index_in(names_, span.name), thread, span.category, span.args, span.start, span.end});
+}
+
+std::size_t ChromeTrace::left_out() const {
+    const std::lock_guard lock(mutex_);
+    return left_out_;
+}
+
+std::string ChromeTrace::event(const Kept& kept, char phase, TraceClock::time_point when) const {
+    std::string args;
+    for (const TraceArg& arg : kept.args)
+        if (arg.name) args += (args.empty() ? "" : ",") + quoted(arg.name) + ":" + number(arg.value);
+    return R"({"ph":")" + std::string(1, phase) + R"(","name":)" + quoted(names_[kept.name]) + R"(,"cat":)" +
+           quoted(kept.category) + "," + track(kept.thread == not_on_a_thread ? 0 : kept.thread) + R"(,"ts":)" +
+           microseconds(when - origin_) + R"(,"args":{)" + args + "}";
+}
+
+void ChromeTrace::write(std::ostream& out) const {
+    const std::lock_guard lock(mutex_);
+    out << R"({"displayTimeUnit":"ns","otherData":{"spans_left_out":)" << std::to_string(left_out_)
+        << "},\"traceEvents\":[\n"
+        << metadata("process_name", 0, "pelagic");
+    for (std::uint32_t thread = 0; thread < threads_.size(); ++thread)
+        out << ",\n" << metadata("thread_name", thread, thread == 0 ? "host" : "worker " + std::to_string(thread));
+    for (std::size_t i = 0; i < spans_.size(); ++i) {
+        const Kept& kept = spans_[i];
+        if (kept.thread != not_on_a_thread) {
+            out << ",\n"
+                << event(kept, 'X', kept.start) << R"(,"dur":)" << microseconds(kept.end - kept.start) << "}";
+            continue;
+        }
+        // The number in the list is an identity that no other pair has.
+        const std::string id = R"(,"id":)" + std::to_string(i + 1) + "}";
+        out << ",\n" << event(kept, 'b', kept.start) << id << ",\n" << event(kept, 'e', kept.end) << id;
+    }
+    out << "\n]}\n";
+}
+
+}  // namespace pelagic

@@ -1,0 +1,64 @@
+#include "jobs/trace.hpp"
+
+#include <cstdint>
+#include <utility>
+
+namespace pelagic {
+namespace {
+
+class TracedRun final : public GraphRun {
+   public:
+    TracedRun(Executor& executor, const JobGraph& graph, std::shared_ptr<TraceSink> sink, const char* run_name)
+        : sink_(std::move(sink)), run_name_(run_name) {
+        for (const Stage& stage : graph.stages())
+            timed_graph_.add(
+                {.name = stage.name,
+                 .count = stage.count,
+                 .batch = stage.batch,
+                 .waits_for = stage.waits_for,
+                 .body = [this, &stage](std::size_t begin, std::size_t end) {
+                     const auto block = static_cast<double>(begin / stage.batch);
+                     const TraceScope scope(sink_.get(), stage.name, "job", {run_number(), {"block", block}});
+                     stage.body(begin, end);
+                 }});
+        timed_run_ = executor.prepare(timed_graph_);
+    }
+    ~TracedRun() override { complete(); }
+
+    void schedule() override {
+        start_ = TraceClock::now();
+        scheduled_ = true;
+        timed_run_->schedule();
+    }
+
+    void complete() override {
+        timed_run_->complete();
+        if (!scheduled_) return;
+        sink_->in_flight({run_name_, "flight", {run_number()}, start_, TraceClock::now()});
+        scheduled_ = false;
+        // Only now, when no job reads it.
+        ++run_;
+    }
+
+    bool is_done() const override { return timed_run_->is_done(); }
+
+   private:
+    TraceArg run_number() const { return {run_name_, static_cast<double>(run_)}; }
+
+    std::shared_ptr<TraceSink> sink_;
+    const char* run_name_;
+    std::uint64_t run_ = 0;
+    bool scheduled_ = false;
+    TraceClock::time_point start_;
+    JobGraph timed_graph_;
+    std::unique_ptr<GraphRun> timed_run_;
+};
+
+}  // namespace
+
+std::unique_ptr<GraphRun> prepare_traced(Executor& executor, const JobGraph& graph, std::shared_ptr<TraceSink> sink,
+                                         const char* run_name) {
+    return std::make_unique<TracedRun>(executor, graph, std::move(sink), run_name);
+}
+
+}  // namespace pelagic
