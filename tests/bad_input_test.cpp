@@ -59,6 +59,12 @@ std::vector<BadInput> bad_inputs() {
 #if defined(__x86_64__)
         {{"export", "--out", "OUT", "--isa", "neon"}, {"--isa", "is neon", "sse4.2", "on this CPU"}},
 #endif
+        {{"export", "--out", "OUT", "--trace", ""}, {"--trace", "empty", "file"}},
+        {{"export", "--out", "OUT", "--trace", "/tmp"}, {"--trace", "/tmp", "is a folder"}},
+        {{"export", "--out", "OUT", "--trace", "new/"}, {"--trace", "new/", "is a folder"}},
+        {{"export", "--out", "OUT", "--trace", "/dev/null"}, {"--trace", "/dev/null", "is a device"}},
+        {{"export", "--out", "OUT", "--trace", "OUT/sea.json"}, {"--trace", "OUT/sea.json", "uses that one itself"}},
+        {{"export", "--out", "OUT/", "--trace", "OUT/./gradient_0000.png"}, {"--trace", "uses that one itself"}},
         // Names.
         {{"export", "--out", "OUT", "--spectrum", "jonsawp"}, {"--spectrum", "is jonsawp", "nearest is jonswap"}},
         {{"export", "--out", "OUT", "--spectrum", ""}, {"--spectrum", "phillips-paper"}},

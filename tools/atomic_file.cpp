@@ -13,6 +13,8 @@
 namespace pelagic::tools {
 namespace {
 
+constexpr int part_flags = O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC;
+
 FileError write_error(const std::filesystem::path& file, int reason) {
     return FileError("can't write " + file.string() + ": " + std::strerror(reason));
 }
@@ -51,7 +53,7 @@ std::filesystem::path part_name(const std::filesystem::path& file) {
 
 void write_whole_file(const std::filesystem::path& file, std::span<const std::byte> bytes) {
     const std::filesystem::path part = part_name(file);
-    int reason = Output(part, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC).write_and_close(bytes);
+    int reason = Output(part, part_flags).write_and_close(bytes);
     if (reason == 0 && std::rename(part.c_str(), file.c_str()) != 0) reason = errno;
     if (reason == 0) return;
     ::unlink(part.c_str());
@@ -60,6 +62,13 @@ void write_whole_file(const std::filesystem::path& file, std::span<const std::by
 
 void write_whole_file(const std::filesystem::path& file, std::string_view text) {
     write_whole_file(file, std::as_bytes(std::span(text)));
+}
+
+void check_writable(const std::filesystem::path& file) {
+    const std::filesystem::path part = part_name(file);
+    const int reason = Output(part, part_flags).write_and_close({});
+    if (reason != 0) throw write_error(file, reason);
+    ::unlink(part.c_str());
 }
 
 void append_line(const std::filesystem::path& file, std::string_view line) {

@@ -15,6 +15,10 @@ std::filesystem::path part_name(const std::filesystem::path& file);
 void write_whole_file(const std::filesystem::path& file, std::span<const std::byte> bytes);
 void write_whole_file(const std::filesystem::path& file, std::string_view text);
 
+/// Throws what write_whole_file() would for want of a folder or a permission, without touching the file: for what is
+/// only written after long work.
+void check_writable(const std::filesystem::path& file);
+
 /// Adds a line to a file, which is created if it is missing. Throws FileError likewise.
 void append_line(const std::filesystem::path& file, std::string_view line);
 

@@ -6,9 +6,12 @@
 #include <deque>
 #include <future>
 #include <map>
+#include <memory>
+#include <sstream>
 #include <thread>
 #include <vector>
 
+#include "jobs/chrome_trace.hpp"
 #include "sim/ocean.hpp"
 #include "sim/statistics.hpp"
 #include "tools/atomic_file.hpp"
@@ -60,12 +63,29 @@ class FrameCopy {
     std::vector<std::uint32_t> bytes_;
 };
 
-FileRecord write_image(const ExportOptions& options, const std::string& name, std::vector<unsigned char> image) {
+constexpr const char* file_category = "file";
+
+FileRecord write_image(const ExportOptions& options, const std::string& name, std::vector<unsigned char> image,
+                       TraceSink* trace) {
+    const TraceScope scope(trace, "write", file_category, {{{"bytes", static_cast<double>(image.size())}}});
     write_whole_file(options.folder / name, std::as_bytes(std::span(image)));
     return {name, xxh3_text(image.data(), image.size())};
 }
 
-FrameRecord write_frame(const ExportOptions& options, int number, const Frame& frame) {
+std::vector<unsigned char> displacement_image(const ExportOptions& options, const Frame& frame, TraceSink* trace) {
+    const TraceScope scope(trace, "encode displacement", file_category);
+    return encode_displacement(frame, options.format, options.half);
+}
+
+std::vector<unsigned char> gradient_image(const ExportOptions& options, const Frame& frame, int level,
+                                          TraceSink* trace) {
+    const TraceScope scope(trace, "encode gradient", file_category, {{{"level", static_cast<double>(level)}}});
+    return encode_gradient(frame, level, options.format);
+}
+
+FrameRecord write_frame(const ExportOptions& options, int number, const Frame& frame, TraceSink* trace) {
+    const TraceScope scope(trace, "files", file_category,
+                           {{{"frame", static_cast<double>(number)}, {"time_s", frame.time_s}}});
     FrameRecord record{.frame = number,
                        .time_s = frame.time_s,
                        .hash = hex_text(hash_of(frame)),
@@ -76,12 +96,12 @@ FrameRecord write_frame(const ExportOptions& options, int number, const Frame& f
     if (options.displacement)
         record.files.push_back(
             write_image(options, file_name("displacement", number, 0, displacement_extension(options.format)),
-                        encode_displacement(frame, options.format, options.half)));
+                        displacement_image(options, frame, trace), trace));
     if (options.gradient)
         for (int level = 0; level < (options.mips ? mip_levels(frame.resolution()) : 1); ++level)
             record.files.push_back(
                 write_image(options, file_name("gradient", number, level, gradient_extension(options.format)),
-                            encode_gradient(frame, level, options.format)));
+                            gradient_image(options, frame, level, trace), trace));
     return record;
 }
 
@@ -92,8 +112,9 @@ constexpr std::size_t most_bytes_in_flight = std::size_t{2} << 30;
 /// Encodes frames on a few threads and journals them in order. Memory is bounded: one frame a thread, 2 GiB in all.
 class FrameWriter {
    public:
-    FrameWriter(const ExportOptions& options, ExportJournal& journal, std::map<int, FrameRecord>& records)
-        : options_(options), journal_(journal), records_(records) {
+    FrameWriter(const ExportOptions& options, ExportJournal& journal, std::map<int, FrameRecord>& records,
+                TraceSink* trace)
+        : options_(options), journal_(journal), records_(records), trace_(trace) {
         const unsigned cores = std::max(1u, std::thread::hardware_concurrency());
         const std::size_t threads =
             options.compute.threads == 0 ? cores : static_cast<std::size_t>(options.compute.threads);
@@ -106,8 +127,9 @@ class FrameWriter {
         while (in_flight_.size() >= most_) take_oldest();
         // With one thread the work is done when it is taken, by the thread that takes it.
         const auto policy = most_ == 1 ? std::launch::deferred : std::launch::async;
-        in_flight_.push_back(std::async(
-            policy, [this, number, copy = FrameCopy(frame)] { return write_frame(options_, number, copy.frame()); }));
+        in_flight_.push_back(std::async(policy, [this, number, copy = FrameCopy(frame)] {
+            return write_frame(options_, number, copy.frame(), trace_);
+        }));
     }
 
     void finish() {
@@ -118,15 +140,21 @@ class FrameWriter {
     void take_oldest() {
         std::future<FrameRecord> oldest = std::move(in_flight_.front());
         in_flight_.pop_front();
-        FrameRecord record = oldest.get();
+        FrameRecord record = wait_for(oldest);
         journal_.add(record);
         const int number = record.frame;
         records_.emplace(number, std::move(record));
     }
 
+    FrameRecord wait_for(std::future<FrameRecord>& files) {
+        const TraceScope scope(trace_, "wait for files", file_category);
+        return files.get();
+    }
+
     const ExportOptions& options_;
     ExportJournal& journal_;
     std::map<int, FrameRecord>& records_;
+    TraceSink* trace_;
     std::size_t most_;
     std::deque<std::future<FrameRecord>> in_flight_;
 };
@@ -138,15 +166,17 @@ void make_folder(const std::filesystem::path& folder) {
 }
 
 /// Computes and writes the frames that `records` lacks.
-void make_frames(const ExportOptions& options, ExportJournal& journal, std::map<int, FrameRecord>& records, Isa isa) {
+void make_frames(const ExportOptions& options, ExportJournal& journal, std::map<int, FrameRecord>& records, Isa isa,
+                 const std::shared_ptr<ChromeTrace>& trace) {
     std::vector<int> missing;
     for (int frame = 0; frame < options.frames; ++frame)
         if (!records.contains(frame)) missing.push_back(frame);
     if (missing.empty()) return;
 
-    Ocean ocean(options.sea.sea, {.executor = make_default_executor(options.compute.threads), .isa = isa});
+    Ocean ocean(options.sea.sea,
+                {.executor = make_default_executor(options.compute.threads), .isa = isa, .trace = trace});
     Progress progress("frame", missing.size());
-    FrameWriter writer(options, journal, records);
+    FrameWriter writer(options, journal, records, trace.get());
     ocean.schedule(options.time_of(missing.front()));
     for (std::size_t i = 0; i < missing.size(); ++i) {
         if (stop_signal() != 0) {
@@ -159,6 +189,12 @@ void make_frames(const ExportOptions& options, ExportJournal& journal, std::map<
         writer.write(missing[i], frame);
     }
     writer.finish();
+}
+
+void write_trace(const std::filesystem::path& file, const ChromeTrace& trace) {
+    std::ostringstream json;
+    trace.write(json);
+    write_whole_file(file, json.view());
 }
 
 void print_summary(const ExportOptions& options, const std::vector<FrameRecord>& frames, std::size_t kept) {
@@ -177,15 +213,26 @@ void run_export(const ExportOptions& options) {
     catch_stop_signals();
     ExportJournal journal(options);
     make_folder(options.folder);
+    if (options.trace) check_writable(*options.trace);
     journal.begin();
     std::map<int, FrameRecord> records = journal.done();
     const std::size_t kept = records.size();
-    make_frames(options, journal, records, *options.compute.isa);
+    const auto trace = options.trace ? std::make_shared<ChromeTrace>() : nullptr;
+    try {
+        make_frames(options, journal, records, *options.compute.isa, trace);
+    } catch (const Stopped&) {
+        if (trace) write_trace(*options.trace, *trace);
+        throw;
+    }
 
     std::vector<FrameRecord> frames;
     for (auto& [number, record] : records) frames.push_back(std::move(record));
     journal.end(frames);
+    if (trace) write_trace(*options.trace, *trace);
     print_summary(options, frames, kept);
+    if (trace && trace->left_out() > 0)
+        std::printf("note: %s holds the first %zu spans, %zu later ones are left out\n", options.trace->c_str(),
+                    ChromeTrace::default_most_spans, trace->left_out());
 }
 
 }  // namespace pelagic::tools

@@ -14,6 +14,8 @@
 namespace pelagic::tools {
 namespace {
 
+bool is_image(const std::string& name) { return name.starts_with("displacement_") || name.starts_with("gradient_"); }
+
 std::optional<std::string> file_hash(const std::filesystem::path& file) {
     std::ifstream stream(file, std::ios::binary);
     if (!stream) return {};
@@ -66,6 +68,10 @@ std::optional<Earlier> read_sea_json(const std::filesystem::path& file) {
 }
 
 }  // namespace
+
+bool is_export_file(const std::string& name) {
+    return name == journal_name || name == sea_json_name || is_image(name);
+}
 
 std::string xxh3_text(const void* bytes, std::size_t size) { return hex_text(XXH3_64bits(bytes, size)); }
 
@@ -126,8 +132,7 @@ void ExportJournal::end(const std::vector<FrameRecord>& frames) {
     std::error_code ignored;
     for (const std::string& name : earlier_files_) {
         // Only plain names that an export could have made: a sea.json is a file that anybody may have edited.
-        const bool ours = name.starts_with("displacement_") || name.starts_with("gradient_");
-        if (ours && name.find('/') == std::string::npos && !made.contains(name))
+        if (is_image(name) && name.find('/') == std::string::npos && !made.contains(name))
             std::filesystem::remove(options_.folder / name, ignored);
     }
     for (const std::string& name : made) std::filesystem::remove(part_name(options_.folder / name), ignored);

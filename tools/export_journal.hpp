@@ -17,6 +17,9 @@ namespace pelagic::tools {
 inline constexpr const char* journal_name = ".pelagic-export.jsonl";
 inline constexpr const char* sea_json_name = "sea.json";
 
+/// True for names that an export gives to files of its own.
+bool is_export_file(const std::string& name);
+
 class ExportJournal {
    public:
     /// Looks at what is in the folder. Throws InputError if --resume was asked for and the earlier export had other

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tools/errors.hpp"
+#include "tools/export_journal.hpp"
 #include "tools/option_text.hpp"
 
 namespace pelagic::tools {
@@ -49,6 +50,24 @@ std::filesystem::path checked_folder(const std::optional<std::string>& text) {
             throw bad_value("--out", *text, "a folder, but " + up.string() + " is a file");
         if (!up.has_relative_path()) break;
     }
+    return path;
+}
+
+// The finished trace is renamed to its name, so it would take the place of a device, or of a file of the export.
+std::filesystem::path checked_trace(const std::string& text, const std::filesystem::path& folder) {
+    if (text.empty()) throw InputError("--trace is empty, needs a file to write to");
+    const std::filesystem::path path = text;
+    std::error_code error;
+    const auto status = std::filesystem::status(path, error);
+    if (std::filesystem::is_directory(status) || path.filename().empty())
+        throw bad_value("--trace", text, "a file, but that is a folder");
+    if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+        throw bad_value("--trace", text, "a file, but that is a device or the like");
+    const auto place_of = [&](const std::filesystem::path& file) {
+        return std::filesystem::weakly_canonical(std::filesystem::absolute(file), error);
+    };
+    if (is_export_file(path.filename().string()) && place_of(path) == place_of(folder / path.filename()))
+        throw bad_value("--trace", text, "another name, since the export uses that one itself");
     return path;
 }
 
@@ -99,6 +118,7 @@ void ExportFlags::add_to(CLI::App& app) {
     app.add_flag("--mips", mips_, "every level of the gradient, down to one texel");
     app.add_flag("--half", half_, "displacement as 16-bit instead of 32-bit floats");
     app.add_flag("--resume", resume_, "keep the frames of an interrupted export that are whole, make the rest");
+    add("trace", "FILE", "Chrome trace of stages and workers, opens in ui.perfetto.dev; where the time goes");
     sea_.add_to(app);
     compute_.add_to(app);
 }
@@ -140,6 +160,7 @@ ExportOptions ExportFlags::resolve() const {
         if (*format != "exr" && *format != "tif") throw bad_value("--format", *format, "exr or tif");
         if (*format == "tif") options.format = ImageFormat::tiff;
     }
+    if (const auto& trace = typed_.at("trace")) options.trace = checked_trace(*trace, options.folder);
     return options;
 }
 

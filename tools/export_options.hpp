@@ -42,6 +42,7 @@ struct ExportOptions {
     bool half = false;
     ImageFormat format = ImageFormat::exr_and_png;
     bool resume = false;
+    std::optional<std::filesystem::path> trace;
 
     double time_of(int frame) const;
 };

@@ -1,0 +1,150 @@
+// `pelagic export --trace`: a file that viewers open, with every job and file of the export, and the same images.
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <algorithm>
+#include <chrono>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "sim/ocean.hpp"
+#include "tests/run_pelagic.hpp"
+
+namespace pelagic {
+namespace {
+
+using nlohmann::json;
+
+std::vector<std::string> arguments_of(const std::filesystem::path& folder, const std::vector<std::string>& more) {
+    std::vector<std::string> all = {"export", "--out", folder.string(), "--resolution", "32", "--mips"};
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+}
+
+/// The events of a trace, each with what viewers need.
+std::vector<json> checked_events(const std::filesystem::path& file) {
+    const json trace = json::parse(read_file(file));
+    const std::vector<json> events = trace.at("traceEvents");
+    std::set<int> named_threads;
+    for (const json& event : events)
+        if (event.at("name") == "thread_name") named_threads.insert(event.at("tid").get<int>());
+    for (const json& event : events) {
+        EXPECT_TRUE(event.at("name").is_string());
+        EXPECT_TRUE(event.at("pid").is_number_integer());
+        EXPECT_TRUE(named_threads.contains(event.at("tid").get<int>())) << event;
+        const std::string phase = event.at("ph");
+        if (phase == "M") {
+            EXPECT_TRUE(event.at("args").at("name").is_string());
+            continue;
+        }
+        EXPECT_TRUE(phase == "X" || phase == "b" || phase == "e") << event;
+        EXPECT_TRUE(event.at("cat").is_string());
+        EXPECT_GE(event.at("ts").get<double>(), 0);
+        if (phase == "X") {
+            EXPECT_GE(event.at("dur").get<double>(), 0);
+        } else {
+            EXPECT_TRUE(event.at("id").is_number_integer());
+        }
+    }
+    return events;
+}
+
+TEST(ExportTrace, HoldsEveryJobOfEveryFrameAndEveryFile) {
+    constexpr int frames = 3;
+    Ocean ocean({.resolution = 32}, {.executor = make_serial_executor()});
+    std::map<std::string, int> jobs_expected;
+    for (const Stage& stage : ocean.graph().stages())
+        jobs_expected[stage.name] += frames * static_cast<int>(block_count(stage));
+
+    for (const std::string threads : {"1", "3"}) {
+        const TemporaryFolder folder;
+        const Outcome outcome =
+            run_pelagic(arguments_of(folder / "sea", {"--frames", std::to_string(frames), "--threads", threads,
+                                                      "--trace", (folder / "trace.json").string()}));
+        ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+        std::map<std::string, int> jobs, files;
+        std::map<int, int> started, ended;
+        for (const json& event : checked_events(folder / "trace.json")) {
+            if (event["ph"] == "b") ++started[event["id"]];
+            if (event["ph"] == "e") ++ended[event["id"]];
+            if (event["ph"] != "X") continue;
+            if (event["cat"] == "file") ++files[event["name"]];
+            if (event["cat"] == "job" && event["args"].contains("frame")) ++jobs[event["name"]];
+        }
+        EXPECT_EQ(jobs, jobs_expected);
+        EXPECT_EQ(started.size(), frames + 1u) << "each frame and the sea";
+        EXPECT_EQ(started, ended);
+        EXPECT_EQ(files["files"], frames);
+        EXPECT_EQ(files["encode displacement"], frames);
+        EXPECT_EQ(files["encode gradient"], frames * mip_levels(32));
+        EXPECT_EQ(files["write"], frames * (1 + mip_levels(32)));
+    }
+}
+
+TEST(ExportTrace, ChangesNoFileAndIsAllThatIsAdded) {
+    const TemporaryFolder plain, traced;
+    ASSERT_EQ(run_pelagic(arguments_of(plain.path(), {"--frames", "2"})).exit_code, 0);
+    ASSERT_EQ(run_pelagic(arguments_of(traced.path(), {"--frames", "2", "--trace", (traced / "trace.json").string()}))
+                  .exit_code,
+              0);
+    auto files = files_in(traced.path());
+    EXPECT_EQ(files.erase("trace.json"), 1u);
+    EXPECT_TRUE(files == files_in(plain.path()));
+}
+
+TEST(ExportTrace, OfAResumedExportHoldsWhatWasLeftToDo) {
+    const TemporaryFolder folder;
+    const auto more = [&](const std::string& name) {
+        return std::vector<std::string>{"--frames", "3", "--resume", "--trace", (folder / name).string()};
+    };
+    ASSERT_EQ(run_pelagic(arguments_of(folder / "sea", {"--frames", "3"})).exit_code, 0);
+    std::filesystem::remove(folder / "sea" / "gradient_0001.png");
+    ASSERT_EQ(run_pelagic(arguments_of(folder / "sea", more("one.json"))).exit_code, 0);
+    ASSERT_EQ(run_pelagic(arguments_of(folder / "sea", more("none.json"))).exit_code, 0);
+    std::set<int> made;
+    for (const json& event : checked_events(folder / "one.json"))
+        if (event["name"] == "files") made.insert(event["args"]["frame"].get<int>());
+    EXPECT_EQ(made, std::set<int>{1});
+    for (const json& event : checked_events(folder / "none.json")) EXPECT_EQ(event["ph"], "M");
+}
+
+TEST(ExportTrace, IsWrittenWhenTheExportIsStopped) {
+    const TemporaryFolder folder, logs;
+    const pid_t process =
+        start_pelagic(arguments_of(folder / "sea", {"--frames", "4000", "--trace", (folder / "trace.json").string()}),
+                      logs / "out", logs / "err");
+    const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(30);
+    while (!std::filesystem::exists(folder / "sea" / "gradient_0002.png") &&
+           std::chrono::steady_clock::now() < deadline)
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    ::kill(process, SIGTERM);
+    EXPECT_EQ(wait_for(process), 128 + SIGTERM) << read_file(logs / "err");
+    const std::vector<json> events = checked_events(folder / "trace.json");
+    EXPECT_GT(std::count_if(events.begin(), events.end(), [](const json& event) { return event["name"] == "files"; }),
+              1);
+}
+
+// Before the first frame, so that nobody waits for an hour to be told of a typing error.
+TEST(ExportTrace, ThatCanNotBeWrittenIsSaidBeforeAnyWorkAndLeavesAnEarlierExport) {
+    const TemporaryFolder folder;
+    ASSERT_EQ(run_pelagic(arguments_of(folder / "sea", {"--frames", "2"})).exit_code, 0);
+    write_file(folder / "file", "mine");
+    const auto before = files_in(folder / "sea");
+    for (const auto& [place, reason] :
+         {std::pair<std::string, std::string>{"missing", "No such file or directory"}, {"file", "Not a directory"}}) {
+        const std::string trace = (folder / place / "trace.json").string();
+        const Outcome outcome = run_pelagic(arguments_of(folder / "sea", {"--trace", trace}));
+        EXPECT_EQ(outcome.exit_code, 1);
+        EXPECT_EQ(outcome.err, "pelagic: can't write " + trace + ": " + reason + "\n");
+        EXPECT_EQ(outcome.out, "");
+        EXPECT_TRUE(files_in(folder / "sea") == before);
+    }
+    EXPECT_EQ(read_file(folder / "file"), "mine");
+}
+
+}  // namespace
+}  // namespace pelagic
