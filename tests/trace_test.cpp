@@ -107,6 +107,20 @@ TEST_P(TraceOnEachExecutor, HoldsEveryBlockOfEveryStageOnceAFrame) {
     EXPECT_EQ(found, expected);
 }
 
+// The sea's stages may all come to have batches of one item.
+TEST_P(TraceOnEachExecutor, CountsBlocksAndNotItems) {
+    JobGraph graph;
+    graph.add({.name = "sevens", .count = 7, .batch = 3, .body = [](std::size_t, std::size_t) {}});
+    const auto sink = std::make_shared<RecordingSink>();
+    const auto run = prepare_traced(*executor(), graph, sink, "round");
+    run->schedule();
+    run->complete();
+    std::vector<double> blocks;
+    for (const Recorded& job : sink->of_runs("round", false)) blocks.push_back(job.span.args[1].value);
+    std::sort(blocks.begin(), blocks.end());
+    EXPECT_EQ(blocks, (std::vector<double>{0, 1, 2}));
+}
+
 TEST_P(TraceOnEachExecutor, StagesStartWhenThoseThatTheyWaitForHaveEnded) {
     draw();
     const std::vector<Recorded> jobs = sink_->of_runs("frame", false);
