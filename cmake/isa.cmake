@@ -15,7 +15,7 @@ else()
   message(FATAL_ERROR "Pelagic has kernels for x86-64 and 64-bit Arm, not for ${CMAKE_SYSTEM_PROCESSOR}")
 endif()
 set(PELAGIC_ISA_FLAGS_sse4_2 -msse4.2)
-set(PELAGIC_ISA_FLAGS_avx2 -mavx2)
+set(PELAGIC_ISA_FLAGS_avx2 -mavx2 -mf16c)
 set(PELAGIC_ISA_FLAGS_avx512 -mavx512f -mavx512cd -mavx512dq -mavx512bw)
 set(PELAGIC_ISA_FLAGS_neon)
 set(PELAGIC_XSIMD_ARCH_sse4_2 sse4_2)
@@ -23,5 +23,23 @@ set(PELAGIC_XSIMD_ARCH_avx2 avx2)
 set(PELAGIC_XSIMD_ARCH_avx512 avx512bw)
 set(PELAGIC_XSIMD_ARCH_neon neon64)
 
+# Instrumented for a sanitizer, -O3 compiles for minutes and finds nothing more.
+set(PELAGIC_KERNEL_OPTIMISATION $<IF:$<BOOL:${PELAGIC_SANITIZE}>,-O1,-O3> CACHE STRING "Optimisation of the kernels, in every build type")
+
 # xsimd is header-only; Debian's CMake target of it links an xtl that the package does not ship.
 find_path(PELAGIC_XSIMD_INCLUDE_DIR xsimd/xsimd.hpp REQUIRED)
+
+# One object of kernels for one instruction set. It is optimised in every build type: unoptimised xsimd is a hundred
+# times slower, and its functions would no longer be inlined but kept by the linker as common ones.
+function(pelagic_kernel_objects target isa source)
+  add_library(${target} OBJECT ${source})
+  pelagic_target(${target})
+  target_compile_definitions(${target} PRIVATE PELAGIC_ISA_NAME=${isa} PELAGIC_ISA_ARCH=${PELAGIC_XSIMD_ARCH_${isa}})
+  target_compile_options(${target} PRIVATE ${PELAGIC_KERNEL_OPTIMISATION} -fno-exceptions -Wno-conversion
+                                           ${PELAGIC_ISA_FLAGS_${isa}})
+  target_include_directories(${target} SYSTEM PRIVATE ${PELAGIC_XSIMD_INCLUDE_DIR})
+  # g++ 12 takes the undefined lanes that its own AVX-512 header passes on purpose for uninitialised variables.
+  if(isa STREQUAL "avx512" AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    target_compile_options(${target} PRIVATE -Wno-uninitialized -Wno-maybe-uninitialized)
+  endif()
+endfunction()

@@ -1,9 +1,10 @@
 // One patch of waves: its buffers, and the stages that turn a spectrum into textures.
 //
-//   spectrum (on demand) -> evolve -> rows -> columns -> finalize -> gradients -> mipmaps -> mipmaps tail
+//   spectrum (on demand) -> evolve+rows -> columns+finalize -> gradients+mipmaps -> mipmaps tail
 //
-// The stages of a frame go through two scratch buffers (A -> B -> A, VR Ocean, figure 4) into one of two slots: one
-// frame is computed while the host still draws the one before.
+// Stages that can hand each other their data while it is in a near cache are one job. Everything between spectrum and
+// outputs lives on the stack or in the outputs themselves, of which there are two slots: one frame is computed while
+// the host still draws the one before.
 #pragma once
 
 #include <array>
@@ -51,12 +52,10 @@ class Cascade {
    private:
     /// The outputs of one frame.
     struct Slot {
-        explicit Slot(int resolution);
-        float* plane(std::size_t c);  ///< texel (0, 0) of dx, height or dz
-        std::size_t bytes() const { return planes.bytes() + rgba16f.bytes() + rgba8.bytes(); }
+        Slot(int resolution, std::size_t lanes);
+        std::size_t bytes() const { return surface.bytes() + rgba16f.bytes() + rgba8.bytes(); }
 
-        int resolution;
-        AlignedBuffer<float> planes;
+        AlignedBuffer<float> surface;  ///< lines at first, see wave_blocks.hpp
         AlignedBuffer<std::uint16_t> rgba16f;
         AlignedBuffer<std::uint32_t> rgba8;
         Frame frame;
@@ -64,12 +63,9 @@ class Cascade {
 
     Slot& back() { return slots_[back_]; }
     void spectrum(std::size_t line);
-    void evolve(std::size_t block);
-    void rows(std::size_t block);
-    void columns(std::size_t block_pair);
-    void finalize(std::size_t first_row, std::size_t end_row);
-    void gradients(std::size_t row_pair);
-    void mipmaps(std::size_t band);
+    void evolve_rows(std::size_t line_block);
+    void columns_finalize(std::size_t number);
+    void gradients_mipmaps(std::size_t tile);
     void mipmaps_tail();
 
     SeaState sea_;
@@ -87,10 +83,8 @@ class Cascade {
     };
     std::optional<Bake> bake_;
 
-    AlignedBuffer<float> waves_;  ///< A: waves, later the surface
-    AlignedBuffer<float> lines_;  ///< B
     MipAverages mip_averages_;
-    std::vector<RowBounds> row_bounds_;  ///< of each batch of finalize
+    std::vector<PartBounds> part_bounds_;  ///< of each pair of column blocks
 
     std::array<Slot, 2> slots_;
     std::size_t back_ = 0;

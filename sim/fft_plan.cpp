@@ -44,12 +44,16 @@ FftPlan::FftPlan(int size) : size_(size) {
         }
         span *= radix;
     }
+    place_inputs();
+    pair_groups();
+}
 
-    // The last step joins the inputs by their remainder modulo its radix, the one before by the next digit, ...
-    positions_.resize(static_cast<std::size_t>(size));
-    for (int i = 0; i < size; ++i) {
+// The last step joins the inputs by their remainder modulo its radix, the one before by the next digit, ...
+void FftPlan::place_inputs() {
+    positions_.resize(static_cast<std::size_t>(size_));
+    for (int i = 0; i < size_; ++i) {
         int rest = i;
-        int block = size;
+        int block = size_;
         int position = 0;
         for (std::size_t step = step_count_; step-- > 0;) {
             block /= steps_[step].radix;
@@ -58,6 +62,30 @@ FftPlan::FftPlan(int size) : size_(size) {
         }
         positions_[static_cast<std::size_t>(i)] = static_cast<std::uint16_t>(position);
     }
+}
+
+void FftPlan::pair_groups() {
+    const int groups = size_ / steps_[0].radix;
+    const int parts = steps_[step_count_ - 1].radix;
+    for (int part = 0; part <= parts / 2; ++part) {
+        const bool is_own_negative = part == 0 || part == parts / 2;
+        for (int plus = part; plus < groups; plus += parts) {
+            const int minus = (groups - plus) % groups;
+            if (is_own_negative && minus < plus) continue;  // met before, as the other one's negative
+            pairs_.push_back({static_cast<std::uint16_t>(plus), static_cast<std::uint16_t>(minus)});
+        }
+        first_pair_[static_cast<std::size_t>(part) + 1] = static_cast<std::uint16_t>(pairs_.size());
+    }
+}
+
+FftTables FftPlan::tables() const {
+    return {size_,         steps_.data(),     step_count_, twiddles_.data(), positions_.data(),
+            pairs_.data(), first_pair_.data()};
+}
+
+std::size_t FftPlan::bytes() const {
+    return twiddles_.capacity() * sizeof(float) + positions_.capacity() * sizeof(std::uint16_t) +
+           pairs_.capacity() * sizeof(GroupPair);
 }
 
 }  // namespace pelagic

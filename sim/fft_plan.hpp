@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "sim/fft_tables.hpp"
@@ -19,15 +20,21 @@ class FftPlan {
     /// \param size  a power of two from 16 to 2048
     explicit FftPlan(int size);
 
-    FftTables tables() const { return {size_, steps_.data(), step_count_, twiddles_.data(), positions_.data()}; }
-    std::size_t bytes() const { return twiddles_.capacity() * sizeof(float) + positions_.capacity() * 2; }
+    FftTables tables() const;
+    std::span<const GroupPair> pairs() const { return pairs_; }
+    std::size_t bytes() const;
 
    private:
+    void place_inputs();
+    void pair_groups();
+
     int size_;
     std::size_t step_count_ = 0;
     std::array<FftStep, 4> steps_{};
     std::vector<float> twiddles_;
     std::vector<std::uint16_t> positions_;
+    std::vector<GroupPair> pairs_;
+    std::array<std::uint16_t, 6> first_pair_{};
 };
 
 }  // namespace pelagic

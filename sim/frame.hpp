@@ -4,18 +4,30 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <span>
 
 namespace pelagic {
 
-/// A square of floats, texel (i, j) at data[j * stride + i]; stride is in floats and at least resolution.
+/// A square of floats, stored in blocks of a few columns, which is how they are computed: texel (i, j) is
+/// data[i / block_columns * block_stride + j * row_stride + i % block_columns]; strides are in floats. The number of
+/// columns in a block depends on the instruction set. A plain array is one block.
 struct PlaneView {
     const float* data = nullptr;
     int resolution = 0;
-    std::ptrdiff_t stride = 0;
+    int block_columns = 0;
+    std::ptrdiff_t row_stride = 0;
+    std::ptrdiff_t block_stride = 0;
 
-    float at(int i, int j) const { return data[j * stride + i]; }
-    std::span<const float> row(int j) const { return {data + j * stride, static_cast<std::size_t>(resolution)}; }
+    float at(int i, int j) const {
+        return data[i / block_columns * block_stride + j * row_stride + i % block_columns];
+    }
+    /// Writes the resolution floats of row j.
+    void copy_row(int j, float* out) const {
+        for (int i = 0; i < resolution; i += block_columns)
+            std::memcpy(out + i, data + i / block_columns * block_stride + j * row_stride,
+                        static_cast<std::size_t>(block_columns) * sizeof(float));
+    }
 };
 
 /// Extremes of a frame, for culling boxes. Exact, not estimates.

@@ -1,5 +1,6 @@
 #include "sim/initial_spectrum.hpp"
 
+#include <array>
 #include <cmath>
 
 #include "sim/dispersion.hpp"
@@ -12,6 +13,16 @@ constexpr double two_pi = 6.28318530717958647693;
 
 // Waves below this many metres are none: nobody can see an atom's width, but denormal floats slow every transform.
 constexpr double least_amplitude_m = 1e-20;
+
+using PackedWave = std::array<float, 4>;
+
+/// S' of equation 22.
+PackedWave packed_wave(const SeaState& sea, const WaveSpectrum& spectrum, int m, int n) {
+    const std::complex<double> along = initial_amplitude(sea, spectrum, m, n);
+    const std::complex<double> against = std::conj(initial_amplitude(sea, spectrum, -m, -n));
+    return {static_cast<float>(along.real() + against.real()), static_cast<float>(along.imag() + against.imag()),
+            static_cast<float>(along.imag() - against.imag()), static_cast<float>(against.real() - along.real())};
+}
 
 }  // namespace
 
@@ -27,30 +38,40 @@ std::complex<double> initial_amplitude(const SeaState& sea, const WaveSpectrum& 
     return {draw.re * scale, draw.im * scale};
 }
 
-void bake_spectrum_line(const SeaState& sea, const WaveSpectrum& spectrum, std::size_t line, PackedSpectrum& out) {
+PackedSpectrum::PackedSpectrum(const FftPlan& plan, std::size_t lane_count)
+    : lanes(lane_count),
+      pairs(plan.pairs().size() * static_cast<std::size_t>(plan.tables().first_step().radix)),
+      waves(line_blocks(plan.tables().size, lanes) * pairs * wave_quantities * lanes),
+      harmonics(line_blocks(plan.tables().size, lanes) * pairs * lanes) {}
+
+void bake_spectrum_line(const SeaState& sea, const WaveSpectrum& spectrum, const FftPlan& plan, std::size_t line,
+                        PackedSpectrum& out) {
     const int resolution = sea.resolution;
+    const int radix = plan.tables().first_step().radix;
     const int n = static_cast<int>(line);
     const double spacing = two_pi / sea.patch_size_m;
-    const std::size_t lane = line % lane_block;
-    ModeRow* rows = out.modes.data() + line / lane_block * static_cast<std::size_t>(resolution);
+    float* wave = out.block(line / out.lanes) + line % out.lanes;
+    std::uint32_t* harmonic = out.block_harmonics(line / out.lanes) + line % out.lanes;
 
-    for (int p = 0; p < resolution; ++p) {
-        const int m = p < resolution / 2 ? p : p - resolution;
-        const std::complex<double> along = initial_amplitude(sea, spectrum, m, n);
-        const std::complex<double> against =
-            m == -resolution / 2 ? 0 : std::conj(initial_amplitude(sea, spectrum, -m, -n));
-        const double length = std::sqrt(static_cast<double>(m) * m + static_cast<double>(n) * n);
-        const bool is_dc = length == 0;
-
-        ModeRow& row = rows[p];
-        row.cos_re[lane] = static_cast<float>(along.real() + against.real());
-        row.cos_im[lane] = static_cast<float>(along.imag() + against.imag());
-        row.sin_re[lane] = static_cast<float>(along.imag() - against.imag());
-        row.sin_im[lane] = static_cast<float>(against.real() - along.real());
-        row.dir_x[lane] = is_dc ? 0.f : static_cast<float>(m / length);
-        row.dir_z[lane] = is_dc ? 0.f : static_cast<float>(n / length);
-        row.harmonic[lane] =
-            is_dc ? 0 : loop_harmonic(angular_frequency(length * spacing, sea.depth_m), sea.loop_period_s);
+    for (const GroupPair& pair : plan.pairs()) {
+        for (int s = 0; s < radix; ++s, wave += wave_quantities * out.lanes, harmonic += out.lanes) {
+            const int position = pair.plus + s * (resolution / radix);
+            const int m = position < resolution / 2 ? position : position - resolution;
+            const auto put = [&](WaveQuantity quantity, double value) {
+                wave[quantity * out.lanes] = static_cast<float>(value);
+            };
+            const auto put_wave = [&](WaveQuantity first, int signed_m) {
+                const PackedWave packed = packed_wave(sea, spectrum, signed_m, n);
+                for (std::size_t i = 0; i < packed.size(); ++i) wave[(first + i) * out.lanes] = packed[i];
+            };
+            if (m == -resolution / 2 || (m == 0 && n == 0)) continue;  // no wave: all zeros
+            put_wave(plus_cos_re, m);
+            if (!pair.is_own_negative()) put_wave(minus_cos_re, -m);
+            const double length = std::sqrt(static_cast<double>(m) * m + static_cast<double>(n) * n);
+            put(direction_x, m / length);
+            put(direction_z, n / length);
+            *harmonic = loop_harmonic(angular_frequency(length * spacing, sea.depth_m), sea.loop_period_s);
+        }
     }
 }
 

@@ -7,7 +7,9 @@
 
 #include <complex>
 #include <cstddef>
+#include <cstdint>
 
+#include "sim/fft_plan.hpp"
 #include "sim/sea_state.hpp"
 #include "sim/spectra.hpp"
 #include "sim/wave_blocks.hpp"
@@ -15,12 +17,27 @@
 
 namespace pelagic {
 
-/// The packed half plane: row p of block b is modes[b * N + p], p in FFT order (kx = p, or p - N from N/2 on).
+/// The packed half plane, in the order in which the first transform takes it: for each of plan.pairs(), one pair of
+/// waves for each input of the group `plus`. Groups that are their own negatives hold every wave as a `plus`; a pair's
+/// `minus` is then zero.
 struct PackedSpectrum {
-    explicit PackedSpectrum(int n) : resolution(n), modes(line_blocks(n) * static_cast<std::size_t>(n)) {}
+    /// \param lanes  of the instruction set that reads it, Kernels::lanes
+    PackedSpectrum(const FftPlan& plan, std::size_t lanes);
 
-    int resolution;
-    AlignedBuffer<ModeRow> modes;
+    /// Pairs of waves in one block of lines.
+    std::size_t pairs_per_block() const { return pairs; }
+    float* block(std::size_t line_block) { return waves.data() + line_block * pairs * wave_quantities * lanes; }
+    const float* block(std::size_t line_block) const { return const_cast<PackedSpectrum*>(this)->block(line_block); }
+    std::uint32_t* block_harmonics(std::size_t line_block) { return harmonics.data() + line_block * pairs * lanes; }
+    const std::uint32_t* block_harmonics(std::size_t line_block) const {
+        return const_cast<PackedSpectrum*>(this)->block_harmonics(line_block);
+    }
+    std::size_t bytes() const { return waves.bytes() + harmonics.bytes(); }
+
+    std::size_t lanes;
+    std::size_t pairs;
+    AlignedBuffer<float> waves;              ///< [line block][pair][WaveQuantity][lane]
+    AlignedBuffer<std::uint32_t> harmonics;  ///< [line block][pair][lane], periods in one loop
 };
 
 /// h0 of the wave numbers (m, n), metres (VR Ocean, equation 13). Zero at DC (equation 14), and on the Nyquist row
@@ -28,6 +45,7 @@ struct PackedSpectrum {
 std::complex<double> initial_amplitude(const SeaState& sea, const WaveSpectrum& spectrum, int m, int n);
 
 /// Fills one line, 0 <= line < line_count(). Lines are independent.
-void bake_spectrum_line(const SeaState& sea, const WaveSpectrum& spectrum, std::size_t line, PackedSpectrum& out);
+void bake_spectrum_line(const SeaState& sea, const WaveSpectrum& spectrum, const FftPlan& plan, std::size_t line,
+                        PackedSpectrum& out);
 
 }  // namespace pelagic

@@ -89,9 +89,10 @@ double measured_significant_wave_height_m(const Frame& frame) {
     const double count = static_cast<double>(frame.resolution()) * frame.resolution();
     double sum = 0, squares = 0;
     for (int j = 0; j < frame.resolution(); ++j) {
-        for (const float h : frame.height.row(j)) {
+        for (int i = 0; i < frame.resolution(); ++i) {
+            const double h = frame.height.at(i, j);
             sum += h;
-            squares += static_cast<double>(h) * h;
+            squares += h * h;
         }
     }
     const double mean = sum / count;

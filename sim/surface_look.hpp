@@ -1,6 +1,8 @@
 // What roughness means for the smoothness channel: the two numbers that stage `gradients` writes on every texel.
 #pragma once
 
+#include <cstdint>
+
 namespace pelagic {
 
 /// Mean length of the normals of a surface of roughness r in [0, 1]: 1 - r (0.306 + r (0.113 - r 0.081)).
@@ -13,5 +15,8 @@ constexpr float mean_normal_length(float roughness) {
 
 /// 1 - sqrt(r), in [0, 1], as equation 53 ends; the paper's text has 1 - r for the base level (errata).
 float smoothness_of(float roughness);
+
+/// The same as the highest byte of a texel (VR Ocean, equation 51).
+std::int32_t smoothness_bits(float roughness);
 
 }  // namespace pelagic

@@ -1,13 +1,52 @@
-// Float to IEEE 754 half, round to nearest even, in integer operations that every instruction set has.
-//
-// The hardware conversions (F16C, NEON) give the same bits for every number; SSE4.2 has none. Magnitudes above 65504
-// plus half a step become infinity. NaN does not occur in a sea.
+// Float to IEEE 754 half, round to nearest even: the hardware's conversion (F16C, AVX-512, NEON), which gives the same
+// bits everywhere, and integer operations for SSE4.2, which has none. Magnitudes above 65504 plus half a step become
+// infinity. NaN does not occur in a sea.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <xsimd/xsimd.hpp>
 
+#include "simd/always_inline.hpp"
+
 namespace pelagic::kernels {
+
+#if defined(__AVX512F__)
+
+/// Four halves a lane, side by side: a, b, c, d of lane 0, then of lane 1, ... `out` is aligned to 64 bytes.
+template <class Arch>
+PELAGIC_INLINE void store_halves(xsimd::batch<float, Arch> a, xsimd::batch<float, Arch> b,
+                                 xsimd::batch<float, Arch> c, xsimd::batch<float, Arch> d, std::uint16_t* out) {
+    // 32-bit words of a and b, and of c and d, one a lane; then the words of a lane side by side.
+    const auto words = [](__m512 low, __m512 high) {
+        const __m512i low_bits = _mm512_cvtepu16_epi32(_mm512_cvtps_ph(low, _MM_FROUND_TO_NEAREST_INT));
+        const __m512i high_bits = _mm512_cvtepu16_epi32(_mm512_cvtps_ph(high, _MM_FROUND_TO_NEAREST_INT));
+        return _mm512_or_si512(low_bits, _mm512_slli_epi32(high_bits, 16));
+    };
+    const __m512i ab = words(a, b), cd = words(c, d);
+    const __m512i first = _mm512_set_epi32(23, 7, 22, 6, 21, 5, 20, 4, 19, 3, 18, 2, 17, 1, 16, 0);
+    const __m512i second = _mm512_set_epi32(31, 15, 30, 14, 29, 13, 28, 12, 27, 11, 26, 10, 25, 9, 24, 8);
+    _mm512_store_si512(out, _mm512_permutex2var_epi32(ab, first, cd));
+    _mm512_store_si512(out + 32, _mm512_permutex2var_epi32(ab, second, cd));
+}
+
+#elif defined(__AVX2__)
+
+template <class Arch>
+PELAGIC_INLINE void store_halves(xsimd::batch<float, Arch> a, xsimd::batch<float, Arch> b,
+                                 xsimd::batch<float, Arch> c, xsimd::batch<float, Arch> d, std::uint16_t* out) {
+    const auto halves = [](__m256 v) { return _mm256_cvtps_ph(v, _MM_FROUND_TO_NEAREST_INT); };
+    const __m128i a_halves = halves(a), b_halves = halves(b), c_halves = halves(c), d_halves = halves(d);
+    const __m128i ab[2] = {_mm_unpacklo_epi16(a_halves, b_halves), _mm_unpackhi_epi16(a_halves, b_halves)};
+    const __m128i cd[2] = {_mm_unpacklo_epi16(c_halves, d_halves), _mm_unpackhi_epi16(c_halves, d_halves)};
+    __m128i* to = reinterpret_cast<__m128i*>(out);
+    for (int i = 0; i < 2; ++i) {
+        _mm_store_si128(to + 2 * i, _mm_unpacklo_epi32(ab[i], cd[i]));
+        _mm_store_si128(to + 2 * i + 1, _mm_unpackhi_epi32(ab[i], cd[i]));
+    }
+}
+
+#elif defined(__x86_64__)
 
 /// The half's 16 bits in the low half of each lane, the high half zero.
 template <class Arch>
@@ -30,5 +69,26 @@ inline xsimd::batch<std::int32_t, Arch> half_bits(xsimd::batch<float, Arch> valu
 
     return xsimd::select(magnitude < I(113 << 23), subnormal, normal) | sign;
 }
+
+template <class Arch>
+PELAGIC_INLINE void store_halves(xsimd::batch<float, Arch> a, xsimd::batch<float, Arch> b,
+                                 xsimd::batch<float, Arch> c, xsimd::batch<float, Arch> d, std::uint16_t* out) {
+    const __m128i ab = half_bits<Arch>(a) | (half_bits<Arch>(b) << 16);
+    const __m128i cd = half_bits<Arch>(c) | (half_bits<Arch>(d) << 16);
+    __m128i* to = reinterpret_cast<__m128i*>(out);
+    _mm_store_si128(to, _mm_unpacklo_epi32(ab, cd));
+    _mm_store_si128(to + 1, _mm_unpackhi_epi32(ab, cd));
+}
+
+#else
+
+template <class Arch>
+PELAGIC_INLINE void store_halves(xsimd::batch<float, Arch> a, xsimd::batch<float, Arch> b,
+                                 xsimd::batch<float, Arch> c, xsimd::batch<float, Arch> d, std::uint16_t* out) {
+    const auto halves = [](float32x4_t v) { return vreinterpret_u16_f16(vcvt_f16_f32(v)); };
+    vst4_u16(out, uint16x4x4_t{{halves(a), halves(b), halves(c), halves(d)}});
+}
+
+#endif
 
 }  // namespace pelagic::kernels

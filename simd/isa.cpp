@@ -1,5 +1,9 @@
 #include "simd/isa.hpp"
 
+#if defined(__x86_64__)
+#include <cpuid.h>
+#endif
+
 #include <array>
 #include <cstdlib>
 #include <stdexcept>
@@ -17,6 +21,15 @@ std::string names_here() {
     for (const Isa isa : isas_here()) names.append(names.empty() ? "" : ", ").append(name_of(isa));
     return names.empty() ? "none" : names;
 }
+
+#if defined(__x86_64__)
+// Half conversions came a processor generation before AVX2, but are a feature of their own, which clang 14's
+// __builtin_cpu_supports() doesn't know.
+bool has_f16c() {
+    unsigned a = 0, b = 0, c = 0, d = 0;
+    return __get_cpuid(1, &a, &b, &c, &d) != 0 && (c & bit_F16C) != 0;
+}
+#endif
 
 [[noreturn]] void refuse(std::string_view asked_by, std::string_view value) {
     throw std::invalid_argument(std::string(asked_by) + " is " + std::string(value) +
@@ -37,7 +50,7 @@ bool runs_here(Isa isa) {
 #if defined(__x86_64__)
     switch (isa) {
         case Isa::sse4_2: return __builtin_cpu_supports("sse4.2");
-        case Isa::avx2: return __builtin_cpu_supports("avx2");
+        case Isa::avx2: return __builtin_cpu_supports("avx2") && has_f16c();
         case Isa::avx512:
             return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512cd") &&
                    __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw");

@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <xsimd/xsimd.hpp>
 
+#include "simd/always_inline.hpp"
+
 namespace pelagic::kernels {
 
 template <class Arch>
@@ -15,7 +17,7 @@ struct Rotation {
 };
 
 template <class Arch>
-inline Rotation<Arch> rotation_of_turns(xsimd::batch<std::uint32_t, Arch> phase) {
+PELAGIC_INLINE Rotation<Arch> rotation_of_turns(xsimd::batch<std::uint32_t, Arch> phase) {
     using V = xsimd::batch<float, Arch>;
     using I = xsimd::batch<std::int32_t, Arch>;
 

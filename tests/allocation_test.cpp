@@ -45,8 +45,17 @@ TEST(Allocation, FramesAfterTheFirstAllocateNothing) {
 
 TEST(Allocation, MemoryBytesIsWhatAnOceanHolds) {
     Ocean ocean({.resolution = 256}, {.executor = make_serial_executor()});
-    // Scratch 24, spectrum 14, mip averages 5.3, two slots of 12.75 + 8 + 5.3 bytes a texel: 96, and tables.
-    EXPECT_NEAR(static_cast<double>(ocean.memory_bytes()) / (256 * 256), 96, 1);
+    // Bytes a texel: 44 for each pair of waves, of which there is one for four texels, makes 11; two slots of 12 + 8 +
+    // 5.3; half a byte of mip averages; half a byte between column blocks. And tables.
+    EXPECT_NEAR(static_cast<double>(ocean.memory_bytes()) / (256 * 256), 63, 1);
+}
+
+// Two frames in flight and every output; the paper's buffers take 7.5 MB for one.
+TEST(Allocation, AnOceanOf256TakesLessThanSixMegabytes) {
+    for (const Isa isa : isas_here()) {
+        Ocean ocean({.resolution = 256}, {.executor = make_serial_executor(), .isa = isa});
+        EXPECT_LE(ocean.memory_bytes(), 6'000'000u) << name_of(isa);
+    }
 }
 
 }  // namespace

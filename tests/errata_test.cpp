@@ -7,6 +7,7 @@
 
 #include "sim/ocean.hpp"
 #include "sim/surface_look.hpp"
+#include "sim/wave_blocks.hpp"
 #include "simd/aligned_buffer.hpp"
 #include "tests/each_isa.hpp"
 #include "tests/oracle/gradient_oracle.hpp"
@@ -92,35 +93,38 @@ TEST_P(NormalOnEachIsa, OfASingleWaveIsTheTrochoidsTangentTurned) {
     constexpr int n = 256;
     constexpr double patch = 100, amplitude = 2, lambda = 0.9;
     const double k = 2 * pi * 3 / patch;
-    constexpr std::ptrdiff_t stride = n + 16;
-    GradientsJob job{.planes = {},
-                     .stride = stride,
-                     .resolution = n,
-                     .row_pair = 0,
-                     .half_texels_per_metre = static_cast<float>(n / (2 * patch)),
-                     .normal_length = 1,
-                     .smoothness = 1,
-                     .rgba8 = nullptr,
-                     .rgba16f = nullptr,
-                     .mip_row = {}};
-    AlignedBuffer<float> planes(3 * stride * (n + 1));
-    for (int c = 0; c < 3; ++c) job.planes[c] = planes.data() + c * stride * (n + 1) + 16;
-    for (int j = 0; j < n; ++j) {
-        for (int i = -1; i <= n; ++i) {
-            const std::ptrdiff_t at = j * stride + i + 16;
-            planes[static_cast<std::size_t>(at)] =
-                static_cast<float>(-lambda * amplitude * std::sin(k * i * patch / n));
-            planes[static_cast<std::size_t>(stride * (n + 1) + at)] =
-                static_cast<float>(amplitude * std::cos(k * i * patch / n));
+    const std::size_t lanes = kernels().lanes;
+    const std::size_t block_floats = column_block_floats(n, lanes);
+    AlignedBuffer<float> surface(column_blocks(n, lanes) * block_floats);
+    for (std::size_t i = 0; i < n; ++i) {
+        for (std::size_t j = 0; j < n; ++j) {
+            float* at = surface.data() + i / lanes * block_floats + j * surface_components * lanes + i % lanes;
+            const double phase = k * static_cast<double>(i) * patch / n;
+            at[surface_dx * lanes] = static_cast<float>(-lambda * amplitude * std::sin(phase));
+            at[surface_height * lanes] = static_cast<float>(amplitude * std::cos(phase));
         }
     }
-    std::vector<std::uint32_t> rgba8(n * n);
-    std::vector<std::uint16_t> rgba16f(4 * n * n);
-    AlignedBuffer<float> mips(4 * n);
-    job.rgba8 = rgba8.data();
-    job.rgba16f = rgba16f.data();
-    for (int c = 0; c < 4; ++c) job.mip_row[c] = mips.data() + c * n;
-    kernels().gradients(job);
+    AlignedBuffer<std::uint32_t> rgba8(n * n);
+    AlignedBuffer<std::uint16_t> rgba16f(4 * n * n);
+    AlignedBuffer<std::uint32_t> levels(GradientsJob::tile_levels * n * n);
+    AlignedBuffer<float> averages(n * (mip_planes + 1) * n);
+    const double two_texels = 2 * patch / n;
+    GradientsJob job{.surface = surface.data(),
+                     .resolution = n,
+                     .first_row = 0,
+                     .first_column = 0,
+                     .block_stride = block_floats,
+                     .two_texels_m = static_cast<float>(two_texels),
+                     .jacobian_factor = static_cast<float>(1 / (two_texels * two_texels)),
+                     .normal_length = 1,
+                     .smoothness_bits = smoothness_bits(0),
+                     .rgba16f = rgba16f.data(),
+                     .levels = {rgba8.data()},
+                     .averages = averages.data(),
+                     .average_stride = n};
+    for (std::size_t level = 1; level <= GradientsJob::tile_levels; ++level)
+        job.levels[level] = levels.data() + (level - 1) * n * n;
+    for (; job.first_column < n; job.first_column += GradientsJob::tile_columns) kernels().gradients(job);
 
     // Central differences shrink a slope by sin(k d)/(k d), d the texel: 1 - 0.0009 here, a fifth of a byte's step.
     const double d = patch / n, shrunk = std::sin(k * d) / (k * d);

@@ -18,31 +18,29 @@ TEST_P(SymmetryOnEachIsa, ImaginaryResidueIsAMillionthOfTheRealMaximum) {
     for (int n = 16; n <= 512; n *= 2) {
         const SeaState sea{.resolution = n, .choppiness = 1};
         const WaveSpectrum model(sea);
-        PackedSpectrum spectrum(n);
-        for (std::size_t line = 0; line < line_count(n); ++line) bake_spectrum_line(sea, model, line, spectrum);
-
-        AlignedBuffer<float> waves(waves_block_floats(n)), lines(lines_floats(n));
-        kernels().evolve({.modes = spectrum.modes.data(),
-                          .count = static_cast<std::size_t>(n),
-                          .fraction = loop_fraction(12.34, sea.loop_period_s).turns,
-                          .waves = waves.data()});
         const FftPlan plan(n);
         const FftTables fft = plan.tables();
-        kernels().rows({.waves = waves.data(),
-                        .first_line = 0,
-                        .line_count = std::min(lane_block, line_count(n)),
-                        .fft = &fft,
-                        .lines = lines.data()});
+        const std::size_t lanes = kernels().lanes;
+        PackedSpectrum spectrum(plan, lanes);
+        for (std::size_t line = 0; line < line_count(n); ++line) bake_spectrum_line(sea, model, plan, line, spectrum);
+
+        AlignedBuffer<float> lines(column_blocks(n, lanes) * column_block_floats(n, lanes));
+        kernels().evolve_rows({.waves = spectrum.block(0),
+                               .harmonics = spectrum.block_harmonics(0),
+                               .fraction = loop_fraction(12.34, sea.loop_period_s).turns,
+                               .first_line = 0,
+                               .line_count = std::min(lanes, line_count(n)),
+                               .fft = &fft,
+                               .lines = lines.data()});
 
         double real = 0, imaginary = 0, mirror = 0;
         for (std::size_t x = 0; x < static_cast<std::size_t>(n); ++x) {
-            const float* at = lines.data() + x / lane_block * lines_block_floats(n) + x % lane_block;
-            const auto part = [&](WaveComponent component) {
-                return static_cast<double>(at[component * lane_block]);
-            };
+            const float* at = lines.data() + x / lanes * column_block_floats(n, lanes) + x % lanes;
+            const auto part = [&](LineComponent component) { return static_cast<double>(at[component * lanes]); };
             real = std::max({real, std::fabs(part(height_re)), std::fabs(part(p_re))});
             imaginary = std::max(imaginary, std::fabs(part(height_im)));
-            mirror = std::max(mirror, std::hypot(part(p_re) - part(q_re), part(p_im) + part(q_im)));
+            // conj(R / i) is R with its parts exchanged.
+            mirror = std::max(mirror, std::hypot(part(p_re) - part(r_im), part(p_im) - part(r_re)));
         }
         ASSERT_GT(real, 0);
         EXPECT_LE(imaginary, 1e-6 * real) << n;
@@ -55,12 +53,22 @@ TEST_P(SymmetryOnEachIsa, ImaginaryResidueIsAMillionthOfTheRealMaximum) {
 // Nyquist: no wave there, in either direction, so no odd factor has to be cut (errata, equation 30).
 TEST(Symmetry, TheNyquistColumnHoldsNoWave) {
     const SeaState sea{.resolution = 32};
-    PackedSpectrum spectrum(32);
-    for (std::size_t line = 0; line < line_count(32); ++line)
-        bake_spectrum_line(sea, WaveSpectrum(sea), line, spectrum);
-    for (const float value : spectrum.modes[16].cos_re) EXPECT_EQ(value, 0.f);
-    for (const float value : spectrum.modes[16].sin_im) EXPECT_EQ(value, 0.f);
-    EXPECT_NE(spectrum.modes[15].cos_re[3], 0.f);
+    const WaveSpectrum model(sea);
+    for (int k = -15; k < 16; ++k) {
+        EXPECT_EQ(initial_amplitude(sea, model, -16, k), 0.0);
+        EXPECT_EQ(initial_amplitude(sea, model, k, -16), 0.0);
+    }
+    EXPECT_NE(initial_amplitude(sea, model, 15, 3), 0.0);
+
+    // Group 0 takes the inputs 0, N/R, ...: N/2 stands in its middle.
+    const FftPlan plan(32);
+    PackedSpectrum spectrum(plan, 4);
+    for (std::size_t line = 0; line < line_count(32); ++line) bake_spectrum_line(sea, model, plan, line, spectrum);
+    ASSERT_EQ(plan.pairs().front().plus, 0);
+    const auto wave = static_cast<std::size_t>(plan.tables().first_step().radix) / 2;
+    for (std::size_t i = 0; i < wave_quantities * 4; ++i)
+        EXPECT_EQ(spectrum.waves[wave * wave_quantities * 4 + i], 0);
+    EXPECT_NE(spectrum.waves[(wave + 1) * wave_quantities * 4 + 3], 0);
 }
 
 }  // namespace

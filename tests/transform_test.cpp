@@ -1,4 +1,6 @@
-// Stages `rows` and `columns` alone, each size, against a DFT in double: X[x] = sum over p of w[p] e^{+2 pi i p x / N}.
+// The jobs evolve+rows and columns+finalize alone, each size, against a DFT in double: X[x] = sum over p of w[p] e^{+2 pi i p x / N}.
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <numbers>
@@ -7,6 +9,7 @@
 #include <vector>
 
 #include "sim/fft_plan.hpp"
+#include "sim/initial_spectrum.hpp"
 #include "sim/wave_blocks.hpp"
 #include "simd/aligned_buffer.hpp"
 #include "tests/each_isa.hpp"
@@ -42,6 +45,7 @@ class TransformOnEachIsa : public testing::TestWithParam<std::tuple<Isa, int>> {
     TransformOnEachIsa() : plan_(resolution()), fft_(plan_.tables()), random_(42) {}
     int resolution() const { return std::get<int>(GetParam()); }
     std::size_t size() const { return static_cast<std::size_t>(resolution()); }
+    std::size_t lanes() const { return kernels().lanes; }
     const Kernels& kernels() const { return kernels_for(std::get<Isa>(GetParam())); }
     float noise() { return std::normal_distribution<float>()(random_); }
 
@@ -58,77 +62,174 @@ INSTANTIATE_TEST_SUITE_P(
     });
 
 TEST_P(TransformOnEachIsa, RowsAreInverseTransformsWithXAsTheLane) {
-    AlignedBuffer<float> waves(waves_block_floats(resolution()));
-    AlignedBuffer<float> lines(lines_floats(resolution()));
-    const std::size_t lanes = std::min(lane_block, line_count(resolution()));
-    for (std::size_t i = 0; i < waves.size(); ++i)
-        if (i % lane_block < lanes) waves[i] = noise();
-
+    PackedSpectrum spectrum(plan_, lanes());
     // The last block of lines: its place in the output is the interesting one.
-    const std::size_t first_line = (line_blocks(resolution()) - 1) * lane_block;
-    kernels().rows(
-        {.waves = waves.data(), .first_line = first_line, .line_count = lanes, .fft = &fft_, .lines = lines.data()});
+    const std::size_t block = line_blocks(resolution(), lanes()) - 1;
+    const std::size_t first_line = block * lanes();
+    const std::size_t lines_here = std::min(lanes(), line_count(resolution()));
+    constexpr std::uint32_t fraction = 0x12345678;
 
-    for (std::size_t lane = 0; lane < lanes; lane += 5) {
-        for (std::size_t part = 0; part < wave_components; part += 2) {
-            Line line(size());
-            for (std::size_t p = 0; p < size(); ++p) {
-                const float* wave = waves.data() + p * wave_row_floats + part * lane_block + lane;
-                line[p] = {wave[0], wave[lane_block]};
+    // Random waves, and the three fields that they make at the moment, in double; kx = -p stands at N - p.
+    const int radix = fft_.first_step().radix;
+    std::vector<std::array<Line, 3>> expected(lines_here, {Line(size()), Line(size()), Line(size())});
+    float* wave = spectrum.block(block);
+    std::uint32_t* harmonic = spectrum.block_harmonics(block);
+    for (const GroupPair& pair : plan_.pairs()) {
+        for (int s = 0; s < radix; ++s, wave += wave_quantities * lanes(), harmonic += lanes()) {
+            const std::size_t position = pair.plus + static_cast<std::size_t>(s) * (size() / radix);
+            for (std::size_t lane = 0; lane < lines_here; ++lane) {
+                const auto quantity = [&](std::size_t number) -> float& { return wave[number * lanes() + lane]; };
+                harmonic[lane] = static_cast<std::uint32_t>(random_());
+                const double angle = harmonic[lane] * fraction * 0x1p-32 * 2 * std::numbers::pi;
+                const float direction = noise();
+                quantity(direction_x) = std::cos(direction);
+                quantity(direction_z) = std::sin(direction);
+                for (const bool is_minus : {false, true}) {
+                    if (is_minus && pair.is_own_negative()) continue;
+                    const std::size_t first = is_minus ? minus_cos_re : plus_cos_re;
+                    for (std::size_t i = 0; i < 4; ++i) quantity(first + i) = noise();
+                    const double c = std::cos(angle), sine = std::sin(angle);
+                    const std::complex<double> h(quantity(first) * c + quantity(first + 2) * sine,
+                                                 quantity(first + 1) * c + quantity(first + 3) * sine);
+                    const std::complex<double> i_unit(0, 1);
+                    const double x = is_minus ? -quantity(direction_x) : quantity(direction_x);
+                    const std::complex<double> dx = i_unit * x * h, dz = i_unit * (1.0 * quantity(direction_z)) * h;
+                    const std::size_t p = is_minus ? (size() - position) % size() : position;
+                    expected[lane][0][p] = h;
+                    expected[lane][1][p] = -(dx + i_unit * dz);
+                    expected[lane][2][p] = -i_unit * (dx - i_unit * dz);
+                }
             }
-            const double largest = 4 * std::sqrt(static_cast<double>(size()));  // four sigma of the sum
+        }
+    }
+
+    AlignedBuffer<float> lines(column_blocks(resolution(), lanes()) * column_block_floats(resolution(), lanes()));
+    kernels().evolve_rows({.waves = spectrum.block(block),
+                           .harmonics = spectrum.block_harmonics(block),
+                           .fraction = fraction,
+                           .first_line = first_line,
+                           .line_count = lines_here,
+                           .fft = &fft_,
+                           .lines = lines.data()});
+
+    // Four sigma of a sum of N waves of variance two.
+    const double largest = 4 * std::sqrt(2.0 * static_cast<double>(size()));
+    constexpr LineComponent parts[3][2] = {{height_re, height_im}, {p_re, p_im}, {r_re, r_im}};
+    for (std::size_t lane = 0; lane < lines_here; lane += 5) {
+        for (std::size_t field = 0; field < 3; ++field) {
             for (const std::size_t x : outputs_to_check(size())) {
-                const std::complex<double> expected = naive_inverse_dft(line, x);
-                const float* out = lines.data() + x / lane_block * lines_block_floats(resolution()) +
-                                   (first_line + lane) * wave_row_floats + part * lane_block + x % lane_block;
-                ASSERT_NEAR(out[0], expected.real(), tolerance * largest) << x;
-                ASSERT_NEAR(out[lane_block], expected.imag(), tolerance * largest) << x;
+                const std::complex<double> truth = naive_inverse_dft(expected[lane][field], x);
+                const float* out = lines.data() + x / lanes() * column_block_floats(resolution(), lanes()) +
+                                   (first_line + lane) * line_components * lanes() + x % lanes();
+                ASSERT_NEAR(out[parts[field][0] * lanes()], truth.real(), tolerance * largest) << x;
+                ASSERT_NEAR(out[parts[field][1] * lanes()], truth.imag(), tolerance * largest) << x;
             }
         }
     }
 }
 
-TEST_P(TransformOnEachIsa, ColumnsTurnHalfAPlaneIntoRealFields) {
-    const std::size_t blocks = std::min<std::size_t>(2, column_blocks(resolution()));
-    AlignedBuffer<float> lines(blocks * lines_block_floats(resolution()));
-    AlignedBuffer<float> surface(blocks * surface_block_floats(resolution()));
-    for (std::size_t i = 0; i < lines.size(); ++i) lines[i] = noise();
-    // The sea's own symmetry: at kz = 0 a column of heights is real, and Q is the mirror of P.
-    for (std::size_t block = 0; block < blocks; ++block) {
-        float* row = lines.data() + block * lines_block_floats(resolution());
-        for (std::size_t lane = 0; lane < lane_block; ++lane) row[height_im * lane_block + lane] = 0;
-    }
+TEST_P(TransformOnEachIsa, ColumnsTurnHalfAPlaneIntoRealFieldsTimesChoppiness) {
+    constexpr float choppiness = 0.7f;
+    const std::size_t block_floats = column_block_floats(resolution(), lanes());
+    const std::size_t row_floats = line_components * lanes();
+    const ColumnBlockPair pair =
+        column_block_pair(resolution(), lanes(), column_block_pairs(resolution(), lanes()) - 1);
+    AlignedBuffer<float> data(column_blocks(resolution(), lanes()) * block_floats);
+    for (std::size_t i = 0; i < data.size(); ++i) data[i] = noise();
+    // The sea's own symmetry: at kz = 0 a column of heights is real.
+    std::vector<std::size_t> blocks = {pair.first};
+    if (pair.has_second) blocks.push_back(pair.second);
+    for (const std::size_t block : blocks)
+        for (std::size_t lane = 0; lane < lanes(); ++lane)
+            data[block * block_floats + height_im * lanes() + lane] = 0;
+    const std::vector<float> lines(data.data(), data.data() + data.size());
 
-    ColumnsJob job{.lines = {}, .fft = &fft_, .surface = {}};
-    for (std::size_t block = 0; block < blocks; ++block) {
-        job.lines[block] = lines.data() + block * lines_block_floats(resolution());
-        job.surface[block] = surface.data() + block * surface_block_floats(resolution());
-    }
-    kernels().columns(job);
+    PartBounds bounds;
+    ColumnsFinalizeJob job{.blocks = {}, .fft = &fft_, .choppiness = choppiness, .bounds = &bounds};
+    for (std::size_t i = 0; i < blocks.size(); ++i) job.blocks[i] = data.data() + blocks[i] * block_floats;
+    kernels().columns_finalize(job);
 
-    for (std::size_t column = 0; column < blocks * lane_block; column += 3) {
-        const std::size_t block = column / lane_block, lane = column % lane_block;
-        const auto value = [&](std::size_t n, std::size_t part) {
-            const float* at = job.lines[block] + n * wave_row_floats + part * lane_block + lane;
-            return std::complex<double>(at[0], at[lane_block]);
-        };
-        Line height(size()), sideways(size());
-        height[0] = value(0, height_re);
-        sideways[0] = value(0, p_re);
-        for (std::size_t n = 1; n < size() / 2; ++n) {
-            height[n] = value(n, height_re);
-            height[size() - n] = std::conj(height[n]);
-            sideways[n] = value(n, p_re);
-            sideways[size() - n] = std::conj(value(n, q_re));
+    PartBounds expected{data[blocks[0] * block_floats + surface_height * lanes()], -1e30f, 0, 0};
+    for (const std::size_t block : blocks) {
+        for (std::size_t lane = 0; lane < lanes(); ++lane) {
+            for (std::size_t z = 0; z < size(); ++z) {
+                const float* out = data.data() + block * block_floats + z * surface_components * lanes() + lane;
+                expected.height_min = std::min(expected.height_min, out[surface_height * lanes()]);
+                expected.height_max = std::max(expected.height_max, out[surface_height * lanes()]);
+                expected.sideways_x_max = std::max(expected.sideways_x_max, std::fabs(out[surface_dx * lanes()]));
+                expected.sideways_z_max = std::max(expected.sideways_z_max, std::fabs(out[surface_dz * lanes()]));
+            }
+            if (lane % 3 != 0) continue;
+            const auto value = [&](std::size_t n, LineComponent re, LineComponent im) {
+                const float* at = lines.data() + block * block_floats + n * row_floats + lane;
+                return std::complex<double>(at[re * lanes()], at[im * lanes()]);
+            };
+            // P = -(Dx + i Dz) belongs to kz; to -kz the conjugate of -(Dx - i Dz), which is R over i.
+            Line height(size()), sideways(size());
+            height[0] = value(0, height_re, height_im);
+            sideways[0] = value(0, p_re, p_im);
+            for (std::size_t n = 1; n < size() / 2; ++n) {
+                height[n] = value(n, height_re, height_im);
+                height[size() - n] = std::conj(height[n]);
+                sideways[n] = value(n, p_re, p_im);
+                sideways[size() - n] = std::conj(std::complex<double>(0, -1) * value(n, r_re, r_im));
+            }
+            const double largest = 4 * std::sqrt(2.0 * static_cast<double>(size()));
+            for (const std::size_t z : outputs_to_check(size())) {
+                const float* out = data.data() + block * block_floats + z * surface_components * lanes() + lane;
+                const std::complex<double> h = naive_inverse_dft(height, z), d = -naive_inverse_dft(sideways, z);
+                ASSERT_NEAR(out[surface_height * lanes()], h.real(), tolerance * largest) << z;
+                ASSERT_NEAR(out[surface_dx * lanes()], choppiness * d.real(), tolerance * largest) << z;
+                ASSERT_NEAR(out[surface_dz * lanes()], choppiness * d.imag(), tolerance * largest) << z;
+            }
         }
-        const double largest = 4 * std::sqrt(2.0 * static_cast<double>(size()));
-        for (const std::size_t z : outputs_to_check(size())) {
-            const float* out = job.surface[block] + z * surface_row_floats + lane;
-            const std::complex<double> h = naive_inverse_dft(height, z), d = naive_inverse_dft(sideways, z);
-            ASSERT_NEAR(out[surface_height * lane_block], h.real(), tolerance * largest) << z;
-            ASSERT_NEAR(out[surface_dx * lane_block], d.real(), tolerance * largest) << z;
-            ASSERT_NEAR(out[surface_dz * lane_block], d.imag(), tolerance * largest) << z;
+    }
+    EXPECT_EQ(bounds.height_min, expected.height_min);
+    EXPECT_EQ(bounds.height_max, expected.height_max);
+    EXPECT_EQ(bounds.sideways_x_max, expected.sideways_x_max);
+    EXPECT_EQ(bounds.sideways_z_max, expected.sideways_z_max);
+}
+
+// Whatever the order in which lanes meet them, zeros of both signs count as one zero.
+TEST_P(TransformOnEachIsa, BoundsOfAStillSeaArePositiveZeros) {
+    AlignedBuffer<float> data(2 * column_block_floats(resolution(), lanes()));
+    for (std::size_t i = 0; i < data.size(); i += 3) data[i] = -0.f;
+    PartBounds bounds;
+    kernels().columns_finalize({.blocks = {data.data(), data.data() + column_block_floats(resolution(), lanes())},
+                                .fft = &fft_,
+                                .choppiness = 1,
+                                .bounds = &bounds});
+    for (const float bound : {bounds.height_min, bounds.height_max, bounds.sideways_x_max, bounds.sideways_z_max}) {
+        EXPECT_EQ(bound, 0.f);
+        EXPECT_FALSE(std::signbit(bound));
+    }
+}
+
+// Every input goes through the first step once, with its negative in the partner group at the opposite place, and
+// parts come in the order in which the last step's parts are finished.
+TEST(FftPlan, PairsHoldEveryInputOnceBesideItsNegative) {
+    for (int size = 16; size <= 2048; size *= 2) {
+        const FftPlan plan(size);
+        const FftTables fft = plan.tables();
+        const int radix = fft.first_step().radix, parts = fft.last_step().radix;
+        std::vector<int> hits(static_cast<std::size_t>(size));
+        const auto input = [&](int group, int s) { return group + s * (size / radix); };
+        for (int part = 0; part <= parts / 2; ++part) {
+            for (int number = fft.first_pair[part]; number < fft.first_pair[part + 1]; ++number) {
+                const GroupPair pair = fft.pairs[number];
+                EXPECT_EQ(pair.plus % parts, part);
+                EXPECT_EQ(pair.minus % parts, (parts - part) % parts);
+                for (int s = 0; s < radix; ++s) {
+                    ++hits.at(static_cast<std::size_t>(input(pair.plus, s)));
+                    EXPECT_EQ(fft.positions[input(pair.plus, s)], fft.positions[pair.plus] + s);
+                    if (pair.is_own_negative()) continue;
+                    ++hits.at(static_cast<std::size_t>(input(pair.minus, s)));
+                    EXPECT_EQ(input(pair.minus, radix - 1 - s), size - input(pair.plus, s));
+                }
+            }
         }
+        EXPECT_EQ(std::count(hits.begin(), hits.end(), 1), size);
+        EXPECT_EQ(fft.first_pair[parts / 2 + 1], plan.pairs().size());
     }
 }
 

@@ -39,12 +39,11 @@ class FrameCopy {
         const std::size_t n = static_cast<std::size_t>(frame.resolution());
         planes_.reserve(3 * n * n);
         for (PlaneView* plane : {&frame_.dx, &frame_.height, &frame_.dz}) {
-            const float* copy = planes_.data() + planes_.size();
-            for (int j = 0; j < plane->resolution; ++j) {
-                const auto row = plane->row(j);
-                planes_.insert(planes_.end(), row.begin(), row.end());
-            }
-            *plane = {copy, plane->resolution, plane->resolution};
+            const int size = plane->resolution;
+            float* copy = planes_.data() + planes_.size();
+            planes_.resize(planes_.size() + n * n);
+            for (int j = 0; j < size; ++j) plane->copy_row(j, copy + j * size);
+            *plane = {copy, size, size, size, 0};
         }
         halves_.assign(frame.displacement_rgba16f.begin(), frame.displacement_rgba16f.end());
         bytes_.assign(frame.gradient_rgba8.begin(), frame.gradient_rgba8.end());

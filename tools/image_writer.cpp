@@ -41,8 +41,8 @@ std::vector<float> interleaved_floats(const Frame& frame) {
     std::vector<float> pixels;
     pixels.reserve(3 * static_cast<std::size_t>(frame.resolution()) * frame.resolution());
     for (int j = 0; j < frame.resolution(); ++j) {
-        const auto dx = frame.dx.row(j), height = frame.height.row(j), dz = frame.dz.row(j);
-        for (std::size_t i = 0; i < dx.size(); ++i) pixels.insert(pixels.end(), {dx[i], height[i], dz[i]});
+        for (int i = 0; i < frame.resolution(); ++i)
+            pixels.insert(pixels.end(), {frame.dx.at(i, j), frame.height.at(i, j), frame.dz.at(i, j)});
     }
     return pixels;
 }

@@ -6,6 +6,7 @@
 #include <xsimd/xsimd.hpp>
 
 #include "sim/fft_tables.hpp"
+#include "simd/always_inline.hpp"
 
 namespace pelagic::kernels {
 
@@ -31,7 +32,7 @@ struct Complex {
 };
 
 template <class Arch>
-inline void butterfly_4(Complex<Arch> (&x)[4]) {
+PELAGIC_INLINE void butterfly_4(Complex<Arch> (&x)[4]) {
     const Complex<Arch> even_sum = x[0] + x[2];
     const Complex<Arch> even_difference = x[0] - x[2];
     const Complex<Arch> odd_sum = x[1] + x[3];
@@ -44,7 +45,7 @@ inline void butterfly_4(Complex<Arch> (&x)[4]) {
 
 // Two transforms of four, joined by the eighth roots of one: 1, r, i, i r with r = (1 + i)/sqrt(2).
 template <class Arch>
-inline void butterfly_8(Complex<Arch> (&x)[8]) {
+PELAGIC_INLINE void butterfly_8(Complex<Arch> (&x)[8]) {
     Complex<Arch> even[4] = {x[0], x[2], x[4], x[6]};
     Complex<Arch> odd[4] = {x[1], x[3], x[5], x[7]};
     butterfly_4<Arch>(even);
@@ -60,46 +61,65 @@ inline void butterfly_8(Complex<Arch> (&x)[8]) {
     }
 }
 
-template <class Arch, int Radix>
-inline void fft_step(float* data, int size, const FftStep& step, const float* twiddles) {
+template <class Arch>
+PELAGIC_INLINE void butterfly(Complex<Arch> (&x)[4]) {
+    butterfly_4<Arch>(x);
+}
+template <class Arch>
+PELAGIC_INLINE void butterfly(Complex<Arch> (&x)[8]) {
+    butterfly_8<Arch>(x);
+}
+
+/// Elements j, j + span, ..., of one group, times their twiddle factors, through the butterfly.
+template <class Arch, std::size_t Radix>
+PELAGIC_INLINE void joined(Complex<Arch> (&x)[Radix], const float* at, std::size_t span, const float* roots) {
+    constexpr std::size_t element = 2 * xsimd::batch<float, Arch>::size;
+    x[0] = Complex<Arch>::load(at);
+    for (std::size_t l = 1; l < Radix; ++l)
+        x[l] = Complex<Arch>::load(at + l * span * element).times(roots + 2 * (l - 1));
+    butterfly<Arch>(x);
+}
+
+/// The butterflies [j_begin, j_end) of one group of Radix spans, in place.
+template <class Arch, std::size_t Radix>
+inline void fft_group(float* data, std::size_t span, std::size_t j_begin, std::size_t j_end, const float* twiddles) {
+    constexpr std::size_t element = 2 * xsimd::batch<float, Arch>::size;
+    for (std::size_t j = j_begin; j < j_end; ++j) {
+        float* at = data + j * element;
+        Complex<Arch> x[Radix];
+        joined<Arch, Radix>(x, at, span, twiddles + 2 * (Radix - 1) * j);
+        for (std::size_t k = 0; k < Radix; ++k) x[k].store(at + k * span * element);
+    }
+}
+
+template <class Arch, std::size_t Radix>
+inline void fft_step(float* data, std::size_t size, const FftStep& step, const float* twiddles) {
     constexpr std::size_t element = 2 * xsimd::batch<float, Arch>::size;
     const std::size_t span = static_cast<std::size_t>(step.span);
-    const std::size_t group = Radix * span;
-
-    for (std::size_t first = 0; first < static_cast<std::size_t>(size); first += group) {
-        const float* roots = twiddles + step.first_twiddle;
-        for (std::size_t j = 0; j < span; ++j, roots += 2 * (Radix - 1)) {
-            float* at = data + (first + j) * element;
-            Complex<Arch> x[Radix];
-            x[0] = Complex<Arch>::load(at);
-            for (std::size_t l = 1; l < Radix; ++l)
-                x[l] = Complex<Arch>::load(at + l * span * element).times(roots + 2 * (l - 1));
-            if constexpr (Radix == 8)
-                butterfly_8<Arch>(x);
-            else
-                butterfly_4<Arch>(x);
-            for (std::size_t k = 0; k < Radix; ++k) x[k].store(at + k * span * element);
-        }
-    }
+    for (std::size_t first = 0; first < size; first += Radix * span)
+        fft_group<Arch, Radix>(data + first * element, span, 0, span, twiddles + step.first_twiddle);
 }
 
-/// \param data  aligned to 64 bytes, fft.size elements, input i at position fft.positions[i]; results in order
+/// The steps between the first and the last on one part of the last one's input: fft.last_step().span elements.
 template <class Arch>
-inline void inverse_fft(float* data, const FftTables& fft) {
-    for (std::size_t s = 0; s < fft.step_count; ++s) {
-        const FftStep& step = fft.steps[s];
-        if (step.radix == 8)
-            fft_step<Arch, 8>(data, fft.size, step, fft.twiddles);
+inline void middle_steps(float* data, const FftTables& fft) {
+    const std::size_t size = static_cast<std::size_t>(fft.last_step().span);
+    for (std::size_t s = 1; s + 1 < fft.step_count; ++s) {
+        if (fft.steps[s].radix == 8)
+            fft_step<Arch, 8>(data, size, fft.steps[s], fft.twiddles);
         else
-            fft_step<Arch, 4>(data, fft.size, step, fft.twiddles);
+            fft_step<Arch, 4>(data, size, fft.steps[s], fft.twiddles);
     }
 }
 
-/// The largest transform's working memory, on the stack: 8 N W bytes.
+/// Floats of working memory for one transform.
 template <class Arch>
-struct alignas(64) FftWorkspace {
-    static constexpr std::size_t largest_size = 2048;
-    float data[largest_size * 2 * xsimd::batch<float, Arch>::size];
-};
+constexpr std::size_t workspace_floats(const FftTables& fft) {
+    return static_cast<std::size_t>(fft.size) * 2 * xsimd::batch<float, Arch>::size;
+}
+
+/// Working memory on the stack of the kernel that says this, as much as the transform's size needs and no more: a
+/// host's threads may have small stacks. Aligned to 64 bytes.
+#define PELAGIC_STACK_FLOATS(count) static_cast<float*>(__builtin_alloca_with_align((count) * sizeof(float), 512))
 
 }  // namespace pelagic::kernels

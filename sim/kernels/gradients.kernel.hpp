@@ -2,111 +2,211 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <xsimd/xsimd.hpp>
 
 #include "sim/kernels/kernels.hpp"
 #include "sim/kernels/mipmaps.kernel.hpp"
+#include "sim/wave_blocks.hpp"
 #include "simd/exact.kernel.hpp"
 #include "simd/half.kernel.hpp"
-#include "simd/lanes.hpp"
+#include "simd/neighbours.kernel.hpp"
 
 namespace pelagic::kernels {
 
-/// Three rows of one plane around the row at hand.
-struct RowWindow {
-    const float *above, *here, *below;
+/// What the tile keeps for its mipmaps: sums of row pairs of level 0, and the levels made from them. Whole registers
+/// are read and written, two at a time.
+template <class Arch>
+struct MipScratch {
+    static constexpr std::size_t slack = 2 * xsimd::batch<float, Arch>::size;
+    static constexpr std::size_t columns = GradientsJob::tile_columns + slack;
+    static constexpr std::size_t level_columns = GradientsJob::tile_columns / 2 + slack;
+    static constexpr std::size_t rows = GradientsJob::tile_rows / 2;
+
+    alignas(64) float sums[rows][mip_planes][columns];
+    alignas(64) float levels[2][rows][mip_planes + 1][level_columns];
 };
 
+/// A normal of any length, and the factor that makes it a unit vector.
 template <class Arch>
-struct Surface {
-    xsimd::batch<float, Arch> n_x, n_y, n_z;  ///< unit normal
-    xsimd::batch<float, Arch> jacobian;
-};
-
-template <class Arch>
-inline Surface<Arch> surface_at(const RowWindow (&rows)[3], std::size_t x, float half_texels_per_metre) {
+struct Normal {
     using V = xsimd::batch<float, Arch>;
-    const V scale(half_texels_per_metre);
-    const V one(1.f);
-    const auto along_x = [&](const RowWindow& w) {
-        return (V::load_unaligned(w.here + x + 1) - V::load_unaligned(w.here + x - 1)) * scale;
-    };
-    const auto along_z = [&](const RowWindow& w) {
-        return (V::load_aligned(w.below + x) - V::load_aligned(w.above + x)) * scale;
-    };
-    const V dx_x = along_x(rows[0]), dx_z = along_z(rows[0]);
-    const V h_x = along_x(rows[1]), h_z = along_z(rows[1]);
-    const V dz_x = along_x(rows[2]), dz_z = along_z(rows[2]);
+    V x, y, z, inverse_length;
 
-    const V j_xx = one + dx_x;
-    const V j_zz = one + dz_z;
-    const V jacobian = j_xx * j_zz - dx_z * dz_x;
-    const V n_x = h_z * dz_x - h_x * j_zz;
-    const V n_z = h_x * dx_z - h_z * j_xx;
+    static constexpr std::size_t floats = 4 * V::size;
+    static Normal load(const float* from) {
+        return {V::load_aligned(from), V::load_aligned(from + V::size), V::load_aligned(from + 2 * V::size),
+                V::load_aligned(from + 3 * V::size)};
+    }
+    void store(float* to) const {
+        x.store_aligned(to);
+        y.store_aligned(to + V::size);
+        z.store_aligned(to + 2 * V::size);
+        inverse_length.store_aligned(to + 3 * V::size);
+    }
+};
+
+/// How the surface changes over two texels along an axis: the difference of the neighbours on both sides, metres.
+template <class Arch>
+struct Differences {
+    xsimd::batch<float, Arch> x, z;
+};
+
+/// Equations 45 to 48, times (2 L/N)^2: differences are not divided by the distance, because the normal's length
+/// doesn't matter, and J, which is its y, takes the square of it later.
+template <class Arch>
+PELAGIC_INLINE Normal<Arch> normal_of(const Differences<Arch>& dx, const Differences<Arch>& h,
+                                      const Differences<Arch>& dz, xsimd::batch<float, Arch> two_texels) {
+    using V = xsimd::batch<float, Arch>;
+    const V j_xx = two_texels + dx.x;
+    const V j_zz = two_texels + dz.z;
+    const V n_x = h.z * dz.x - h.x * j_zz;
+    const V n_y = j_xx * j_zz - dx.z * dz.x;
+    const V n_z = h.x * dx.z - h.z * j_xx;
     // A surface crushed to a point has no normal; the guard keeps it finite.
-    const V squared = n_x * n_x + jacobian * jacobian + n_z * n_z;
-    const V inverse = divided<Arch>(one, square_root<Arch>(xsimd::max(squared, V(1e-30f))));
-    return {n_x * inverse, jacobian * inverse, n_z * inverse, jacobian};
+    const V squared = xsimd::max(n_x * n_x + n_y * n_y + n_z * n_z, V(1e-30f));
+    return {n_x, n_y, n_z, divided<Arch>(V(1.f), square_root<Arch>(squared))};
 }
 
-/// Four half floats a texel: dx, height, dz, foam.
+/// The surface as columns_finalize() leaves it.
 template <class Arch>
-inline void store_halves(const RowWindow (&rows)[3], std::size_t x, xsimd::batch<float, Arch> jacobian,
-                         std::uint16_t* out) {
+class BlockSurface {
     using V = xsimd::batch<float, Arch>;
-    using I = xsimd::batch<std::int32_t, Arch>;
-    const V foam = clamped<Arch>((V(0.5f) - jacobian) * V(2.f), 0.f, 1.f);
-    const I low = half_bits<Arch>(V::load_aligned(rows[0].here + x)) |
-                  (half_bits<Arch>(V::load_aligned(rows[1].here + x)) << 16);
-    const I high = half_bits<Arch>(V::load_aligned(rows[2].here + x)) | (half_bits<Arch>(foam) << 16);
+    static constexpr std::size_t row_floats = surface_components * V::size;
 
-    alignas(64) std::uint32_t pairs[2][V::size];
-    xsimd::bitwise_cast<xsimd::batch<std::uint32_t, Arch>>(low).store_aligned(pairs[0]);
-    xsimd::bitwise_cast<xsimd::batch<std::uint32_t, Arch>>(high).store_aligned(pairs[1]);
-    for (std::size_t i = 0; i < V::size; ++i) {
-        out[4 * i] = static_cast<std::uint16_t>(pairs[0][i]);
-        out[4 * i + 1] = static_cast<std::uint16_t>(pairs[0][i] >> 16);
-        out[4 * i + 2] = static_cast<std::uint16_t>(pairs[1][i]);
-        out[4 * i + 3] = static_cast<std::uint16_t>(pairs[1][i] >> 16);
+   public:
+    explicit BlockSurface(const GradientsJob& job)
+        : data_(job.surface), block_stride_(job.block_stride), last_(job.resolution - 1) {}
+
+    V at(SurfaceComponent component, std::size_t x, std::size_t z) const { return load(block(x), z, component); }
+
+    /// Calls take(dx, height, dz) with the Differences at each W texels of a row.
+    template <class Take>
+    PELAGIC_INLINE void differences_of_row(std::size_t z, std::size_t first_column, std::size_t columns,
+                                           Take take) const {
+        const std::size_t above = (z - 1) & last_, below = (z + 1) & last_;
+        const float* before = block(first_column - V::size);
+        for (std::size_t x = first_column; x < first_column + columns; x += V::size) {
+            const float* here = block(x);
+            const float* behind = block(x + V::size);
+            const auto difference = [&](SurfaceComponent component) {
+                const V value = load(here, z, component);
+                return Differences<Arch>{one_behind<Arch>(value, load(behind, z, component)) -
+                                             one_before<Arch>(load(before, z, component), value),
+                                         load(here, below, component) - load(here, above, component)};
+            };
+            take(difference(surface_dx), difference(surface_height), difference(surface_dz));
+            before = here;
+        }
+    }
+
+   private:
+    const float* block(std::size_t x) const { return data_ + (x & last_) / V::size * block_stride_; }
+    static V load(const float* column, std::size_t z, SurfaceComponent component) {
+        return V::load_aligned(column + z * row_floats + component * V::size);
+    }
+
+    const float* data_;
+    std::size_t block_stride_;
+    std::size_t last_;  ///< N - 1, the mask that wraps
+};
+
+/// Writes W texels of level 0 and of the half floats; returns in `averages` what the mipmaps average.
+template <class Arch>
+PELAGIC_INLINE void pack_texels(const GradientsJob& job, const Normal<Arch>& normal, xsimd::batch<float, Arch> dx,
+                                xsimd::batch<float, Arch> height, xsimd::batch<float, Arch> dz, std::size_t texel,
+                                xsimd::batch<float, Arch> (&averages)[mip_planes]) {
+    using V = xsimd::batch<float, Arch>;
+    const V jacobian = normal.y * V(job.jacobian_factor);
+    const V clamped_jacobian = clamped<Arch>(jacobian, -1.f, 1.f);
+    const V to_byte = normal.inverse_length * V(signed_byte_factor);
+    store_texels<Arch>(
+        signed_bytes<Arch>(normal.x * to_byte, normal.z * to_byte, clamped_jacobian * V(signed_byte_factor)) |
+            xsimd::batch<std::int32_t, Arch>(job.smoothness_bits),
+        job.levels[0] + texel);
+
+    const V foam = clamped<Arch>(V(1.f) - (jacobian + jacobian), 0.f, 1.f);
+    store_halves<Arch>(dx, height, dz, foam, job.rgba16f + 4 * texel);
+
+    const V scaled = normal.inverse_length * V(job.normal_length);
+    averages[0] = normal.x * scaled;
+    averages[1] = normal.y * scaled;
+    averages[2] = normal.z * scaled;
+    averages[3] = clamped_jacobian;
+}
+
+/// Two rows of the tile. Normals first, packing afterwards: roots and divisions take long to come, and short loops let
+/// the processor begin the next ones meanwhile.
+template <class Arch, class Surface>
+inline void gradient_rows(const GradientsJob& job, const Surface& surface, std::size_t row, std::size_t columns,
+                          MipScratch<Arch>& scratch) {
+    using V = xsimd::batch<float, Arch>;
+    constexpr std::size_t row_floats = Normal<Arch>::floats * GradientsJob::tile_columns / V::size;
+    alignas(64) float normals[2][row_floats];
+    const std::size_t z = job.first_row + row;
+    const V two_texels(job.two_texels_m);
+    for (std::size_t i = 0; i < 2; ++i) {
+        float* to = normals[i];
+        surface.differences_of_row(z + i, job.first_column, columns,
+                                   [&](const auto& dx, const auto& h, const auto& dz) {
+                                       normal_of<Arch>(dx, h, dz, two_texels).store(to);
+                                       to += Normal<Arch>::floats;
+                                   });
+    }
+    for (std::size_t column = 0; column < columns; column += V::size) {
+        const std::size_t x = job.first_column + column;
+        V averages[2][mip_planes];
+        for (std::size_t i = 0; i < 2; ++i)
+            pack_texels<Arch>(job, Normal<Arch>::load(normals[i] + column / V::size * Normal<Arch>::floats),
+                              surface.at(surface_dx, x, z + i), surface.at(surface_height, x, z + i),
+                              surface.at(surface_dz, x, z + i), (z + i) * job.resolution + x, averages[i]);
+        for (std::size_t plane = 0; plane < mip_planes; ++plane)
+            (averages[0][plane] + averages[1][plane]).store_aligned(scratch.sums[row / 2][plane] + column);
+    }
+}
+
+/// The stage's whole job, for any surface that has at() and differences_of_row().
+template <class Arch, class Surface>
+inline void gradients_of(const GradientsJob& job, const Surface& surface) {
+    using V = xsimd::batch<float, Arch>;
+    const std::size_t n = job.resolution;
+    const std::size_t rows = n < GradientsJob::tile_rows ? n : GradientsJob::tile_rows;
+    const std::size_t columns = n < GradientsJob::tile_columns ? n : GradientsJob::tile_columns;
+    MipScratch<Arch> scratch;
+    for (std::size_t row = 0; row < rows; row += 2) gradient_rows<Arch>(job, surface, row, columns, scratch);
+
+    for (int level = 1; level <= GradientsJob::tile_levels; ++level) {
+        const std::size_t side = n >> level;
+        const std::size_t first_row = job.first_row >> level, first_column = job.first_column >> level;
+        std::uint32_t* texels = job.levels[level] + first_row * side + first_column;
+        const LevelScratch finer{scratch.levels[level % 2][0][0], MipScratch<Arch>::level_columns};
+        const LevelScratch coarser{scratch.levels[(level + 1) % 2][0][0], MipScratch<Arch>::level_columns};
+        if (level == 1)
+            make_level<Arch>(
+                rows >> level, columns >> level,
+                [&](std::size_t row, std::size_t plane, std::size_t x) {
+                    return V::load_aligned(scratch.sums[row][plane] + x);
+                },
+                coarser, texels, side);
+        else
+            make_level<Arch>(
+                rows >> level, columns >> level,
+                [&](std::size_t row, std::size_t plane, std::size_t x) {
+                    return row_pair_sum<Arch>(finer, row, plane, x);
+                },
+                coarser, texels, side);
+        if (level < GradientsJob::tile_levels) continue;
+        const LevelScratch all{job.averages, job.average_stride};
+        for (std::size_t row = 0; row < rows >> level; ++row)
+            for (std::size_t plane = 0; plane < mip_planes; ++plane)
+                std::memcpy(all.row(first_row + row) + plane * all.plane_stride + first_column,
+                            coarser.row(row) + plane * coarser.plane_stride, (columns >> level) * sizeof(float));
     }
 }
 
 template <class Arch>
 void gradients(const GradientsJob& job) {
-    using V = xsimd::batch<float, Arch>;
-    const std::size_t size = job.resolution;
-    const V length(job.normal_length);
-
-    for (std::size_t x = 0; x < size; x += lane_block) {
-        // Sums of the two rows, to be halved along x for the first mip.
-        alignas(64) float sums[4][lane_block];
-        for (std::size_t half = 0; half < 2; ++half) {
-            const std::size_t z = 2 * job.row_pair + half;
-            RowWindow rows[3];
-            for (int c = 0; c < 3; ++c) {
-                const auto row = [&](std::size_t j) {
-                    return job.planes[c] + static_cast<std::ptrdiff_t>(j & (size - 1)) * job.stride;
-                };
-                rows[c] = {row(z + size - 1), row(z), row(z + 1)};
-            }
-            for (std::size_t lane = 0; lane < lane_block; lane += V::size) {
-                const Surface<Arch> at = surface_at<Arch>(rows, x + lane, job.half_texels_per_metre);
-                const V clamped_jacobian = clamped<Arch>(at.jacobian, -1.f, 1.f);
-                pack_rgba8<Arch>(at.n_x, at.n_z, clamped_jacobian, V(job.smoothness),
-                                 job.rgba8 + z * size + x + lane);
-                store_halves<Arch>(rows, x + lane, at.jacobian, job.rgba16f + 4 * (z * size + x + lane));
-
-                const V values[4] = {at.n_x * length, at.n_y * length, at.n_z * length, clamped_jacobian};
-                for (std::size_t c = 0; c < 4; ++c) {
-                    float* sum = sums[c] + lane;
-                    (half == 0 ? values[c] : V::load_aligned(sum) + values[c]).store_aligned(sum);
-                }
-            }
-        }
-        for (std::size_t c = 0; c < 4; ++c)
-            for (std::size_t i = 0; i < lane_block / 2; ++i)
-                job.mip_row[c][x / 2 + i] = (sums[c][2 * i] + sums[c][2 * i + 1]) * 0.25f;
-    }
+    gradients_of<Arch>(job, BlockSurface<Arch>(job));
 }
 
 }  // namespace pelagic::kernels

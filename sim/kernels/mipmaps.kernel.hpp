@@ -2,12 +2,12 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <xsimd/xsimd.hpp>
 
 #include "sim/kernels/kernels.hpp"
+#include "simd/always_inline.hpp"
 #include "simd/exact.kernel.hpp"
-#include "simd/lanes.hpp"
+#include "simd/neighbours.kernel.hpp"
 
 namespace pelagic::kernels {
 
@@ -17,56 +17,106 @@ inline xsimd::batch<float, Arch> clamped(xsimd::batch<float, Arch> v, float leas
     return xsimd::min(xsimd::max(v, V(least)), V(most));
 }
 
-/// floor(v 255 + 1/2) for v in [0, 1].
+/// Channels of [-1, 1] become bytes as v 127.5 + 128, cut: equations 50 and 51 with rounding.
+inline constexpr float signed_byte_factor = 127.5f;
+
+/// Normal x, normal z and Jacobian, each already times signed_byte_factor, as the lowest three bytes.
 template <class Arch>
-inline xsimd::batch<std::int32_t, Arch> byte_of(xsimd::batch<float, Arch> v) {
-    using V = xsimd::batch<float, Arch>;
-    return xsimd::to_int(v * V(255.f) + V(0.5f));
+PELAGIC_INLINE xsimd::batch<std::int32_t, Arch> signed_bytes(xsimd::batch<float, Arch> n_x,
+                                                             xsimd::batch<float, Arch> n_z,
+                                                             xsimd::batch<float, Arch> jacobian) {
+    const xsimd::batch<float, Arch> middle(128.f);
+    return xsimd::to_int(n_x + middle) | (xsimd::to_int(n_z + middle) << 8) |
+           (xsimd::to_int(jacobian + middle) << 16);
 }
 
-/// VR Ocean, equations 50 and 51. `jacobian` is within [-1, 1], the rest as a unit vector and a smoothness are.
+/// A smoothness in [0, 1] as the highest byte.
 template <class Arch>
-inline void pack_rgba8(xsimd::batch<float, Arch> n_x, xsimd::batch<float, Arch> n_z,
-                       xsimd::batch<float, Arch> jacobian, xsimd::batch<float, Arch> smoothness, std::uint32_t* out) {
+PELAGIC_INLINE xsimd::batch<std::int32_t, Arch> smoothness_byte(xsimd::batch<float, Arch> smoothness) {
     using V = xsimd::batch<float, Arch>;
-    const V half(0.5f);
-    const auto packed = byte_of<Arch>(n_x * half + half) | (byte_of<Arch>(n_z * half + half) << 8) |
-                        (byte_of<Arch>(jacobian * half + half) << 16) | (byte_of<Arch>(smoothness) << 24);
-    xsimd::bitwise_cast<xsimd::batch<std::uint32_t, Arch>>(packed).store_unaligned(out);
+    return xsimd::to_int(smoothness * V(255.f) + V(0.5f)) << 24;
 }
 
 template <class Arch>
-void halve(const HalveJob& job) {
-    for (std::size_t c = 0; c < 4; ++c) {
-        const float* above = job.above[c];
-        const float* below = job.below[c];
-        float* out = job.out[c];
-        for (std::size_t x = 0; x < job.count; ++x)
-            out[x] = ((above[2 * x] + below[2 * x]) + (above[2 * x + 1] + below[2 * x + 1])) * 0.25f;
+PELAGIC_INLINE void store_texels(xsimd::batch<std::int32_t, Arch> texels, std::uint32_t* out) {
+    xsimd::bitwise_cast<xsimd::batch<std::uint32_t, Arch>>(texels).store_unaligned(out);
+}
+
+/// W averages of a level and the length of their normals; `sums` are the sums of two finer rows in 2 W columns.
+/// Rows of the planes stand `plane_stride` apart, the lengths behind the last plane.
+template <class Arch, class Sums>
+PELAGIC_INLINE void average_texels(Sums sums, float* averages, std::size_t plane_stride) {
+    using V = xsimd::batch<float, Arch>;
+    V average[mip_planes];
+    for (std::size_t plane = 0; plane < mip_planes; ++plane) {
+        average[plane] = pair_sums<Arch>(sums(plane, 0), sums(plane, V::size)) * V(0.25f);
+        average[plane].store_unaligned(averages + plane * plane_stride);
     }
+    const V squared = average[0] * average[0] + average[1] * average[1] + average[2] * average[2];
+    square_root<Arch>(squared).store_unaligned(averages + mip_planes * plane_stride);
 }
 
+/// W texels from their averages: smoothness by equation 53, the normal of unit length again.
 template <class Arch>
-void pack_mip(const PackMipJob& job) {
+PELAGIC_INLINE xsimd::batch<std::int32_t, Arch> texels_of_averages(const float* averages, std::size_t plane_stride) {
     using V = xsimd::batch<float, Arch>;
+    const auto plane = [&](std::size_t number) { return V::load_unaligned(averages + number * plane_stride); };
     const V one(1.f);
-    for (std::size_t x = 0; x < job.count; x += V::size) {
-        const V n_x = V::load_aligned(job.row[0] + x);
-        const V n_y = V::load_aligned(job.row[1] + x);
-        const V n_z = V::load_aligned(job.row[2] + x);
-        const V length = square_root<Arch>(n_x * n_x + n_y * n_y + n_z * n_z);
+    const V length = plane(mip_planes);
+    const V to_byte = divided<Arch>(V(signed_byte_factor), xsimd::max(length, V(1e-15f)));
+    const V t = clamped<Arch>((length - V(2.f / 3.f)) * V(3.f), 0.f, 1.f);
+    const V roughness = xsimd::max(one - t * (V(0.85f) + t * V(0.15f)), V(0.f));
+    return signed_bytes<Arch>(plane(0) * to_byte, plane(2) * to_byte, plane(3) * V(signed_byte_factor)) |
+           smoothness_byte<Arch>(one - square_root<Arch>(roughness));
+}
 
-        // Equation 53.
-        const V t = clamped<Arch>((length - V(2.f / 3.f)) * V(3.f), 0.f, 1.f);
-        const V roughness = xsimd::max(one - t * (V(0.85f) + t * V(0.15f)), V(0.f));
-        const V smoothness = one - square_root<Arch>(roughness);
+/// What a job makes of one level: rows of averages in planes and the length of their normals, in whole registers.
+struct LevelScratch {
+    float* averages;  ///< [row][plane][column], the lengths as the plane behind the last
+    std::size_t plane_stride;
 
-        const V inverse = divided<Arch>(one, xsimd::max(length, V(1e-15f)));
-        alignas(64) std::uint32_t texels[V::size];
-        pack_rgba8<Arch>(n_x * inverse, n_z * inverse, V::load_aligned(job.row[3] + x), smoothness, texels);
-        const std::size_t here = job.count - x < V::size ? job.count - x : V::size;
-        std::memcpy(job.out + x, texels, here * sizeof(std::uint32_t));
+    float* row(std::size_t number) const { return averages + number * (mip_planes + 1) * plane_stride; }
+};
+
+/// A level's rows from the rows of the finer one: averages first, texels afterwards. Roots and divisions take long to
+/// come, and short loops let the processor begin the next ones meanwhile.
+template <class Arch, class Sums>
+inline void make_level(std::size_t rows, std::size_t columns, Sums sums, const LevelScratch& level,
+                       std::uint32_t* texels, std::size_t texel_stride) {
+    using V = xsimd::batch<float, Arch>;
+    for (std::size_t row = 0; row < rows; ++row)
+        for (std::size_t x = 0; x < columns; x += V::size)
+            average_texels<Arch>([&](std::size_t plane, std::size_t i) { return sums(row, plane, 2 * x + i); },
+                                 level.row(row) + x, level.plane_stride);
+
+    for (std::size_t row = 0; row < rows; ++row) {
+        std::uint32_t* to = texels + row * texel_stride;
+        std::size_t x = 0;
+        for (; x + V::size <= columns; x += V::size)
+            store_texels<Arch>(texels_of_averages<Arch>(level.row(row) + x, level.plane_stride), to + x);
+        if (x == columns) continue;
+        std::uint32_t last[V::size];
+        store_texels<Arch>(texels_of_averages<Arch>(level.row(row) + x, level.plane_stride), last);
+        for (std::size_t i = 0; x + i < columns; ++i) to[x + i] = last[i];
     }
+}
+
+/// Sums of the rows 2 row and 2 row + 1 of a finer level.
+template <class Arch>
+PELAGIC_INLINE xsimd::batch<float, Arch> row_pair_sum(const LevelScratch& finer, std::size_t row, std::size_t plane,
+                                                      std::size_t x) {
+    using V = xsimd::batch<float, Arch>;
+    const std::size_t at = plane * finer.plane_stride + x;
+    return V::load_unaligned(finer.row(2 * row) + at) + V::load_unaligned(finer.row(2 * row + 1) + at);
+}
+
+template <class Arch>
+void mip_level(const MipLevelJob& job) {
+    const LevelScratch finer{job.finer, job.finer_stride};
+    make_level<Arch>(
+        job.side, job.side,
+        [&](std::size_t row, std::size_t plane, std::size_t x) { return row_pair_sum<Arch>(finer, row, plane, x); },
+        LevelScratch{job.averages, job.stride}, job.texels, job.side);
 }
 
 }  // namespace pelagic::kernels

@@ -1,0 +1,69 @@
+// The stages of a frame one after the other, each over the whole sea, one float at a time: no registers, no blocks, no
+// fusing, no threads. The arithmetic is the kernels', operation by operation, so the bits must be too.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "sim/fft_plan.hpp"
+#include "sim/frame.hpp"
+#include "sim/sea_state.hpp"
+
+namespace pelagic::unfused {
+
+struct Complex {
+    float re = 0, im = 0;
+};
+
+class UnfusedSea {
+   public:
+    /// Bakes the spectrum. \pre check(sea) is empty
+    explicit UnfusedSea(const SeaState& sea);
+
+    /// Views of it stay valid until the next call.
+    const Frame& frame_at(double time_s);
+
+   private:
+    struct Wave {
+        float cos_re, cos_im, sin_re, sin_im;  ///< S'
+        float direction_x, direction_z;
+        std::uint32_t harmonic;
+    };
+    /// Row n holds kz = n at first kx, later x: N/2 rows of N.
+    struct Field {
+        std::vector<Complex> h, p, r;
+    };
+    /// What mipmaps average.
+    struct Average {
+        float n_x, n_y, n_z, jacobian;
+    };
+
+    void spectrum();
+    void evolve(std::uint32_t fraction);
+    void rows();
+    void columns();
+    void finalize();
+    void gradients();
+    void mipmaps();
+
+    std::size_t at(std::size_t x, std::size_t row) const { return row * n_ + x; }
+
+    SeaState sea_;
+    std::size_t n_;
+    FftPlan plan_;
+    std::vector<Wave> waves_;
+    Field fields_;
+    std::vector<float> dx_, height_, dz_;
+    std::vector<std::uint16_t> halves_;
+    std::vector<std::uint32_t> texels_;
+    std::vector<Average> averages_;  ///< of the finest level not yet made
+    Frame frame_;
+};
+
+/// Sine and cosine of phase / 2^32 turns, as evolve takes them.
+struct Rotation {
+    float sine, cosine;
+};
+Rotation rotation_of_turns(std::uint32_t phase);
+
+}  // namespace pelagic::unfused

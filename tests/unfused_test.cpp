@@ -1,0 +1,53 @@
+// The fused kernels against the stages one after the other, bit for bit.
+#include <tuple>
+
+#include "sim/ocean.hpp"
+#include "tests/each_isa.hpp"
+#include "tests/unfused/unfused_sea.hpp"
+
+namespace pelagic {
+namespace {
+
+void expect_same_bits(const SeaState& sea, double time_s, Isa isa, const char* what) {
+    Ocean ocean(sea, {.executor = make_serial_executor(), .isa = isa});
+    unfused::UnfusedSea stages(sea);
+    const Frame& fused = ocean.frame_at(time_s);
+    const Frame& apart = stages.frame_at(time_s);
+    EXPECT_EQ(hash_of(fused), hash_of(apart)) << what << ", N = " << sea.resolution;
+    // Where they differ, for whoever has to find out why.
+    for (int j = 0; j < sea.resolution; ++j) {
+        for (int i = 0; i < sea.resolution; ++i) {
+            ASSERT_EQ(fused.dx.at(i, j), apart.dx.at(i, j)) << i << ", " << j;
+            ASSERT_EQ(fused.height.at(i, j), apart.height.at(i, j)) << i << ", " << j;
+            ASSERT_EQ(fused.dz.at(i, j), apart.dz.at(i, j)) << i << ", " << j;
+        }
+    }
+}
+
+class UnfusedOnEachIsa : public testing::TestWithParam<std::tuple<Isa, int>> {};
+INSTANTIATE_TEST_SUITE_P(
+    Sizes, UnfusedOnEachIsa,
+    testing::Combine(testing::ValuesIn(isas_here()), testing::Values(16, 32, 64, 128, 256, 512, 1024, 2048)),
+    [](const auto& test) {
+        return isa_test_name({std::get<Isa>(test.param), 0}) + "_" + std::to_string(std::get<int>(test.param));
+    });
+
+TEST_P(UnfusedOnEachIsa, StagesGiveTheBitsOfTheFusedJobs) {
+    const auto [isa, n] = GetParam();
+    expect_same_bits({.resolution = n, .wind_direction_rad = 1, .choppiness = 1}, 12.34, isa, "choppy");
+    if (n > 256) return;
+    expect_same_bits({.resolution = n}, 0, isa, "default");
+    expect_same_bits({.resolution = n, .choppiness = 0}, 3, isa, "without choppiness");
+    for (const SpectrumModel model : spectrum_models())
+        expect_same_bits({.spectrum = model, .resolution = n, .wind_speed_mps = 4, .roughness = 0.5}, 7.5, isa,
+                         "every spectrum");
+    expect_same_bits({.spectrum = SpectrumModel::phillips_paper,
+                      .resolution = n,
+                      .patch_size_m = 50,
+                      .wind_speed_mps = 25,
+                      .choppiness = 1},
+                     77, isa, "breaking");
+}
+
+}  // namespace
+}  // namespace pelagic
