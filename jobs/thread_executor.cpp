@@ -9,11 +9,24 @@
 #include <thread>
 #include <vector>
 
+#if defined(__x86_64__)
+#include <immintrin.h>
+#endif
+
 #include "jobs/executor.hpp"
 #include "jobs/thread_count.hpp"
 
 namespace pelagic {
 namespace {
+
+/// Tells the core that this thread is only waiting.
+void pause() {
+#if defined(__x86_64__)
+    _mm_pause();
+#elif defined(__aarch64__)
+    __asm__ __volatile__("yield");
+#endif
+}
 
 struct Block {
     StageId stage;
@@ -87,6 +100,7 @@ class Pool {
    public:
     // Delegates, so that ~Pool ends the threads already started if the system refuses one.
     explicit Pool(int threads) : Pool() {
+        if (threads <= static_cast<int>(std::thread::hardware_concurrency())) looks_ = 2000;
         for (int i = 1; i < threads; ++i) threads_.emplace_back([this] { work(); });
     }
 
@@ -94,8 +108,8 @@ class Pool {
         {
             const std::lock_guard lock(mutex_);
             stopping_ = true;
+            announce_change();
         }
-        changed_.notify_all();
         for (std::thread& thread : threads_) thread.join();
     }
 
@@ -112,11 +126,9 @@ class Pool {
     }
 
     void start(Progress& run) {
-        {
-            const std::lock_guard lock(mutex_);
-            run.start();
-        }
-        changed_.notify_all();
+        const std::lock_guard lock(mutex_);
+        run.start();
+        announce_change();
     }
 
     /// Works on `run` until it is done.
@@ -126,7 +138,7 @@ class Pool {
             if (const auto block = run.claim())
                 run_unlocked(run, *block, lock);
             else
-                changed_.wait(lock);
+                wait_for_change(lock);
         }
     }
 
@@ -136,7 +148,23 @@ class Pool {
     void work() {
         std::unique_lock lock(mutex_);
         while (!stopping_)
-            if (!work_on_any_run(lock)) changed_.wait(lock);
+            if (!work_on_any_run(lock)) wait_for_change(lock);
+    }
+
+    /// Stages follow each other within microseconds and waking a thread takes longer, so a thread looks out for a while
+    /// before it goes to sleep; unless there are more threads than cores, when it would keep the others from working.
+    void wait_for_change(std::unique_lock<std::mutex>& lock) {
+        const std::size_t seen = changes_;
+        lock.unlock();
+        for (int look = 0; look < looks_ && changes_ == seen; ++look) pause();
+        lock.lock();
+        changed_.wait(lock, [&] { return changes_ != seen; });
+    }
+
+    /// \pre the mutex is locked
+    void announce_change() {
+        ++changes_;
+        changed_.notify_all();
     }
 
     bool work_on_any_run(std::unique_lock<std::mutex>& lock) {
@@ -154,11 +182,13 @@ class Pool {
         lock.unlock();
         run.run(block);
         lock.lock();
-        if (run.end(block)) changed_.notify_all();
+        if (run.end(block)) announce_change();
     }
 
     std::mutex mutex_;
     std::condition_variable changed_;
+    std::atomic<std::size_t> changes_ = 0;  ///< announced so far; written under the mutex
+    int looks_ = 0;
     bool stopping_ = false;
     std::vector<Progress*> runs_;
     std::vector<std::thread> threads_;

@@ -11,6 +11,9 @@
 namespace pelagic {
 namespace {
 
+// A frame of 64 x 64 takes 20 microseconds; sharing it among threads takes as long again. See docs/benchmarks.md.
+constexpr int largest_resolution_without_jobs = 64;
+
 const SeaState& checked(const SeaState& sea) {
     if (const std::string reason = check(sea); !reason.empty()) throw std::invalid_argument(reason);
     return sea;
@@ -26,13 +29,15 @@ struct Ocean::State {
           cascade(checked(sea), kernels_for(isa)) {
         cascade.add_frame_stages(frame_graph);
         cascade.add_spectrum_stage(spectrum_graph);
-        frame_run = prepare(frame_graph, options.trace, "frame");
-        spectrum_run = prepare(spectrum_graph, options.trace, "sea");
+        const bool is_small = sea.resolution <= largest_resolution_without_jobs;
+        const std::shared_ptr<Executor> frame_executor = is_small ? make_serial_executor() : executor;
+        frame_run = prepare(*frame_executor, frame_graph, options.trace, "frame");
+        spectrum_run = prepare(*executor, spectrum_graph, options.trace, "sea");
     }
 
-    std::unique_ptr<GraphRun> prepare(const JobGraph& graph, const std::shared_ptr<TraceSink>& trace,
-                                      const char* run_name) {
-        return trace ? prepare_traced(*executor, graph, trace, run_name) : executor->prepare(graph);
+    static std::unique_ptr<GraphRun> prepare(Executor& on, const JobGraph& graph,
+                                             const std::shared_ptr<TraceSink>& trace, const char* run_name) {
+        return trace ? prepare_traced(on, graph, trace, run_name) : on.prepare(graph);
     }
 
     std::shared_ptr<Executor> executor;

@@ -39,7 +39,8 @@ class Ocean {
     Ocean(const Ocean&) = delete;
     Ocean& operator=(const Ocean&) = delete;
 
-    /// Starts the frame at `time_s` and returns at once. Any finite time, in any order: a frame is a pure function of
+    /// Starts the frame at `time_s` and returns at once; a small one (N up to 64) is left to complete(), which is done
+    /// with it sooner than other threads would be. Any finite time, in any order: a frame is a pure function of
     /// the sea and the time, and time_s + n * loop_period_s gives the same bits.
     /// \pre no frame is in flight
     void schedule(double time_s);
