@@ -1,58 +1,119 @@
-// Every stage of a frame, and the whole frame, for each size and instruction set, on the calling thread.
+// Every job of a frame, the whole frame on one thread and on more, and the machine's ceilings.
 //
 //   taskset -c 1 build/release/bin/pelagic_bench --benchmark_filter='avx2/256' --benchmark_repetitions=9
 //
-// Names are stage/instruction set/N; items are texels, which makes sizes comparable.
+// Names are stage/instruction set/N, frame/instruction set/N/threads, ceiling/instruction set/what. Items are texels,
+// which makes sizes comparable. FLOP/s and B/s are a stage's own count of work over its time; the ceilings say what
+// one core could do.
 #include <benchmark/benchmark.h>
 
+#include <bit>
+#include <map>
 #include <memory>
 #include <string>
+#include <thread>
 
+#include "bench/ceilings.hpp"
 #include "sim/ocean.hpp"
+#include "simd/aligned_buffer.hpp"
 
 namespace pelagic {
 namespace {
 
-std::unique_ptr<Ocean> ocean_of(int resolution, Isa isa) {
+/// What a stage has to do for one texel, whoever does it: floating-point operations without conversions and packing,
+/// and bytes of its inputs and outputs, each once.
+struct Work {
+    double flops, bytes;
+};
+
+/// A complex transform of N points counts 5 N log2 N operations, as is usual; there are 1.5 N of them in each
+/// direction.
+double transform_flops(int n) { return 1.5 * 5 * (std::bit_width(static_cast<unsigned>(n)) - 1); }
+
+Work work_of(const std::string& stage, int n) {
+    // Half a wave a texel: 16 for the rotation, shared by two, 6 for the height, 8 for the sideways pair.
+    if (stage == "evolve+rows") return {0.5 * 22 + transform_flops(n), 11 + 12};
+    // Choppiness: two products.
+    if (stage == "columns+finalize") return {2 + transform_flops(n), 12 + 12};
+    // 44 for a texel (differences 6, normal 13, length 7, J and foam 3, bytes 7, averages 8), 33 for one of a mip, of
+    // which there is a third.
+    if (stage == "gradients+mipmaps") return {44 + 33 / 3.0, 12 + 8 + 16 / 3.0};
+    return {33.0 / 3 / 64, 16.0 / 3 / 64};
+}
+
+std::unique_ptr<Ocean> ocean_of(int resolution, Isa isa, std::shared_ptr<Executor> executor) {
     SeaState sea;
     sea.resolution = resolution;
-    auto ocean = std::make_unique<Ocean>(sea, OceanOptions{.executor = make_serial_executor(), .isa = isa});
+    auto ocean = std::make_unique<Ocean>(sea, OceanOptions{.executor = std::move(executor), .isa = isa});
     ocean->frame_at(1);
     return ocean;
 }
 
-void count_texels(benchmark::State& state, int resolution) {
+void count(benchmark::State& state, int resolution, Work work) {
+    const double texels = static_cast<double>(resolution) * resolution;
     state.SetItemsProcessed(state.iterations() * resolution * resolution);
+    state.counters["FLOP/s"] = benchmark::Counter(texels * work.flops, benchmark::Counter::kIsIterationInvariantRate);
+    state.counters["B/s"] = benchmark::Counter(texels * work.bytes, benchmark::Counter::kIsIterationInvariantRate);
 }
 
 // A stage's jobs may be run again on what the last frame left: their work does not depend on the values.
 void time_stage(benchmark::State& state, int resolution, Isa isa, std::size_t stage_number) {
-    const auto ocean = ocean_of(resolution, isa);
+    const auto ocean = ocean_of(resolution, isa, make_serial_executor());
     const Stage& stage = ocean->graph().stages()[stage_number];
     for (auto _ : state)
         for (std::size_t block = 0; block < block_count(stage); ++block) run_block(stage, block);
-    count_texels(state, resolution);
+    count(state, resolution, work_of(stage.name, resolution));
 }
 
-void time_frame(benchmark::State& state, int resolution, Isa isa) {
-    const auto ocean = ocean_of(resolution, isa);
+/// One thread is a direct call, without a job system.
+void time_frame(benchmark::State& state, int resolution, Isa isa, int threads) {
+    const auto ocean =
+        ocean_of(resolution, isa, threads == 1 ? make_serial_executor() : make_default_executor(threads));
     double time_s = 0;
     for (auto _ : state) benchmark::DoNotOptimize(ocean->frame_at(time_s += 1.0 / 72).height.data);
-    count_texels(state, resolution);
+    Work work{};
+    for (const Stage& stage : ocean->graph().stages()) {
+        work.flops += work_of(stage.name, resolution).flops;
+        work.bytes += work_of(stage.name, resolution).bytes;
+    }
+    count(state, resolution, work);
+}
+
+void time_arithmetic(benchmark::State& state, Isa isa) {
+    double flops = 0;
+    for (auto _ : state) flops += bench::run_arithmetic(isa, 10000);
+    state.counters["FLOP/s"] = benchmark::Counter(flops, benchmark::Counter::kIsRate);
+}
+
+void time_copy(benchmark::State& state, Isa isa, std::size_t bytes) {
+    const std::size_t floats = bytes / 2 / sizeof(float);
+    AlignedBuffer<float> from(floats), to(floats);
+    double copied = 0;
+    for (auto _ : state) copied += bench::run_copy(isa, from.data(), to.data(), floats, 1 + (1 << 20) / floats);
+    state.counters["B/s"] = benchmark::Counter(copied, benchmark::Counter::kIsRate);
 }
 
 void register_all() {
+    using benchmark::RegisterBenchmark;
+    const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
     for (const Isa isa : isas_here()) {
-        for (int resolution = 64; resolution <= 1024; resolution *= 2) {
-            std::string suffix("/");
-            suffix.append(name_of(isa)).append("/").append(std::to_string(resolution));
-            const auto ocean = ocean_of(resolution, isa);
+        const std::string name(name_of(isa));
+        RegisterBenchmark(("ceiling/" + name + "/add_and_multiply").c_str(), time_arithmetic, isa);
+        for (const auto& [place, kib] : std::map<std::string, std::size_t>{
+                 {"copy_16KiB", 16}, {"copy_256KiB", 256}, {"copy_8MiB", 8192}, {"copy_256MiB", 262144}})
+            RegisterBenchmark(("ceiling/" + name + "/" + place).c_str(), time_copy, isa, kib * 1024);
+        for (int n = 64; n <= 1024; n *= 2) {
+            const std::string suffix = "/" + name + "/" + std::to_string(n);
+            const auto ocean = ocean_of(n, isa, make_serial_executor());
             const auto stages = ocean->graph().stages();
             for (std::size_t i = 0; i < stages.size(); ++i)
-                benchmark::RegisterBenchmark((stages[i].name + suffix).c_str(), time_stage, resolution, isa, i)
+                RegisterBenchmark((stages[i].name + suffix).c_str(), time_stage, n, isa, i)
                     ->Unit(benchmark::kMicrosecond);
-            benchmark::RegisterBenchmark(("frame" + suffix).c_str(), time_frame, resolution, isa)
-                ->Unit(benchmark::kMicrosecond);
+            for (int threads = 1; threads <= cores; threads *= 2)
+                RegisterBenchmark(("frame" + suffix + "/" + std::to_string(threads)).c_str(), time_frame, n, isa,
+                                  threads)
+                    ->Unit(benchmark::kMicrosecond)
+                    ->UseRealTime();
         }
     }
 }

@@ -15,18 +15,26 @@ pelagic_packages=(
   libgtest-dev             # GoogleTest
   libbenchmark-dev         # Google Benchmark
   libopenexr-dev libpng-dev  # tests read the files back with other readers than the one that wrote them
+  libfftw3-dev             # FFTW: what Pelagic is measured against
 )
 
+# What only the determinism tests need: another compiler, and 64-bit Arm to build for and to run.
+pelagic_test_packages=(clang)
+[ "$(uname -m)" = aarch64 ] ||
+  pelagic_test_packages+=(g++-aarch64-linux-gnu qemu-user libtbb-dev:arm64 libgtest-dev:arm64 libimath-dev:arm64)
+
+# usage: pelagic_install_dependencies [PACKAGE...]   more packages than pelagic_packages
 pelagic_install_dependencies() {
+  local packages=("${pelagic_packages[@]}" "$@")
   [ -n "${PELAGIC_SKIP_SETUP:-}" ] && return 0
   if ! grep -qs '^ID=debian$' /etc/os-release || ! command -v apt-get >/dev/null; then
     echo "This set-up knows Debian 12. Install what these Debian packages hold, then run again with PELAGIC_SKIP_SETUP=1:"
-    echo "  ${pelagic_packages[*]}"
+    echo "  ${packages[*]}"
     return 1
   fi
 
   local missing=() package
-  for package in "${pelagic_packages[@]}"; do
+  for package in "${packages[@]}"; do
     dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null | grep -q '^installed$' || missing+=("$package")
   done
   [ ${#missing[@]} -eq 0 ] && return 0
@@ -40,6 +48,7 @@ pelagic_install_dependencies() {
     as_root=(sudo)
   fi
   echo "Installing ${missing[*]}"
+  case "${missing[*]}" in *:arm64*) "${as_root[@]}" dpkg --add-architecture arm64 ;; esac
   "${as_root[@]}" apt-get update -qq
   "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
 }

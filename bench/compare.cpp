@@ -1,0 +1,225 @@
+// Pelagic beside its peers, in one process and one run: the same sea, the same outputs, taking turns, so that whatever
+// else the machine does meets all of them alike.
+//
+//   pelagic-compare [--quick] [--json FILE] [--sizes 64,256] [--isa avx2]
+//
+// A turn is a few frames of each; a figure is the median over the turns, its spread the quartiles. FFTW's is the
+// better of two arrangements. Rows with more than one thread time Pelagic on its default executor against the peers
+// on one thread.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <fstream>
+#include <functional>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "bench/machine.hpp"
+#include "bench/peers/fftw_frame.hpp"
+#include "bench/peers/paper_frame.hpp"
+#include "sim/ocean.hpp"
+
+namespace pelagic {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+struct Options {
+    std::vector<int> sizes;
+    std::vector<Isa> isas;
+    bool quick = false;
+    std::string json_file;
+};
+
+/// One contestant: draws the frame of a time; `batch` frames make a turn.
+struct Contestant {
+    std::function<void(double)> frame;
+    int batch = 1;
+    std::vector<double> turns_ms = {};
+};
+
+double quantile(std::vector<double> values, double q) {
+    std::sort(values.begin(), values.end());
+    return values[static_cast<std::size_t>(q * static_cast<double>(values.size() - 1) + 0.5)];
+}
+
+double median(const std::vector<double>& values) { return quantile(values, 0.5); }
+
+/// Two frames of warming up, for the turn before left the caches to somebody else and Pelagic alternates between two
+/// slots; then the batch.
+double turn_ms(const Contestant& contestant, double& time_s) {
+    for (int i = 0; i < 2; ++i) contestant.frame(time_s += 1.0 / 72);
+    const Clock::time_point start = Clock::now();
+    for (int i = 0; i < contestant.batch; ++i) contestant.frame(time_s += 1.0 / 72);
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count() / contestant.batch;
+}
+
+void take_turns(std::vector<Contestant*> contestants, double seconds, std::size_t least_turns) {
+    double time_s = 0;
+    for (Contestant* contestant : contestants) {
+        // Turns of about a millisecond or more.
+        contestant->batch = 1;
+        const double once = turn_ms(*contestant, time_s);
+        contestant->batch = std::max(1, static_cast<int>(1.0 / once));
+        contestant->turns_ms.clear();
+    }
+    const Clock::time_point start = Clock::now();
+    for (std::size_t turn = 0;
+         turn < least_turns || std::chrono::duration<double>(Clock::now() - start).count() < seconds; ++turn)
+        for (Contestant* contestant : contestants) contestant->turns_ms.push_back(turn_ms(*contestant, time_s));
+}
+
+struct Row {
+    int n;
+    Isa isa;
+    int threads;
+    double ours_ms, fftw_ms, paper_ms;
+    double ratio_low, ratio_high;  ///< quartiles of ours / FFTW turn by turn
+    std::string arrangement;
+};
+
+/// The peers of one size, and every row of it.
+class Comparison {
+   public:
+    Comparison(int n, Isa isa, const Options& options)
+        : sea_{.resolution = n},
+          isa_(isa),
+          seconds_(options.quick ? 2 : 10),
+          packed_(sea_, isa, peers::FftwArrangement::packed),
+          separate_(sea_, isa, peers::FftwArrangement::separate),
+          paper_(sea_) {}
+
+    Row row(int threads) {
+        // One thread means a direct call, on one core.
+        std::optional<bench::PinnedToOneCore> pinned;
+        if (threads == 1) pinned.emplace();
+        Ocean ocean(
+            sea_, {.executor = threads == 1 ? make_serial_executor() : make_default_executor(threads), .isa = isa_});
+        Contestant ours{[&](double t) { ocean.frame_at(t); }};
+        Contestant packed{[&](double t) { packed_.frame_at(t); }};
+        Contestant separate{[&](double t) { separate_.frame_at(t); }};
+        Contestant paper{[&](double t) { paper_.frame_at(t); }};
+        take_turns({&ours, &packed, &separate}, seconds_, 15);
+        take_turns({&paper}, seconds_ / 10, 3);
+
+        const bool packed_wins = median(packed.turns_ms) <= median(separate.turns_ms);
+        const Contestant& fftw = packed_wins ? packed : separate;
+        std::vector<double> ratios;
+        for (std::size_t i = 0; i < ours.turns_ms.size(); ++i) ratios.push_back(ours.turns_ms[i] / fftw.turns_ms[i]);
+        return {sea_.resolution,
+                isa_,
+                threads,
+                median(ours.turns_ms),
+                median(fftw.turns_ms),
+                median(paper.turns_ms),
+                quantile(ratios, 0.25),
+                quantile(ratios, 0.75),
+                packed_wins ? "complex + real" : "three real"};
+    }
+
+   private:
+    SeaState sea_;
+    Isa isa_;
+    double seconds_;
+    peers::FftwFrame packed_, separate_;
+    peers::PaperFrame paper_;
+};
+
+void print_heading() {
+    std::printf("%5s %-7s %7s | %9s %9s %9s | %9s  %-13s %8s  %s\n", "N", "isa", "threads", "ours ms", "FFTW ms",
+                "paper ms", "ours/FFTW", "(quartiles)", "paper/ours", "FFTW's fields");
+}
+
+void print(const Row& row) {
+    std::printf("%5d %-7s %7d | %9.4f %9.4f %9.3f | %9.3f  (%.3f-%.3f) %8.1f  %s\n", row.n,
+                std::string(name_of(row.isa)).c_str(), row.threads, row.ours_ms, row.fftw_ms, row.paper_ms,
+                row.ours_ms / row.fftw_ms, row.ratio_low, row.ratio_high, row.paper_ms / row.ours_ms,
+                row.arrangement.c_str());
+    std::fflush(stdout);
+}
+
+nlohmann::ordered_json json_of(const Row& row) {
+    return {{"n", row.n},
+            {"isa", name_of(row.isa)},
+            {"threads", row.threads},
+            {"ours_ms", row.ours_ms},
+            {"fftw_ms", row.fftw_ms},
+            {"paper_ms", row.paper_ms},
+            {"ours_over_fftw", row.ours_ms / row.fftw_ms},
+            {"ours_over_fftw_quartiles", {row.ratio_low, row.ratio_high}},
+            {"fftw_arrangement", row.arrangement}};
+}
+
+Options options_from(int argc, char** argv, CLI::App& app) {
+    Options options;
+    std::string isa_name;
+    app.add_flag("--quick", options.quick, "N = 64, 128 and 256 only, short turns: under a minute");
+    app.add_option("--json", options.json_file, "write the table as JSON");
+    app.add_option("--sizes", options.sizes, "N, separated by commas [64,128,256,512,1024]")
+        ->delimiter(',')
+        ->check(CLI::IsMember({32, 64, 128, 256, 512, 1024, 2048}));
+    app.add_option("--isa", isa_name, "sse4.2, avx2, avx512 or neon [the two strongest that run here]");
+    app.parse(argc, argv);
+    if (options.sizes.empty())
+        options.sizes = options.quick ? std::vector{64, 128, 256} : std::vector{64, 128, 256, 512, 1024};
+    if (isa_name.empty()) {
+        const std::vector<Isa> here = isas_here();
+        const std::size_t count = options.quick ? 1 : std::min<std::size_t>(2, here.size());
+        options.isas.assign(here.rbegin(), here.rbegin() + static_cast<std::ptrdiff_t>(count));
+    } else {
+        const std::optional<Isa> isa = isa_named(isa_name);
+        if (!isa || !runs_here(*isa))
+            throw CLI::ValidationError("--isa", "is " + isa_name + ", needs an instruction set that this CPU runs");
+        options.isas = {*isa};
+    }
+    return options;
+}
+
+void run(const Options& options) {
+    std::ofstream json_file;
+    if (!options.json_file.empty()) {
+        json_file.open(options.json_file);
+        if (!json_file) throw std::runtime_error("can't write " + options.json_file);
+    }
+    nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+    const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    std::printf("%s, %s. FFTW plans are PATIENT: planning takes a while.\n", bench::cpu_name().c_str(),
+                bench::compiler_name().c_str());
+    print_heading();
+    for (const int n : options.sizes) {
+        for (const Isa isa : options.isas) {
+            Comparison comparison(n, isa, options);
+            for (int threads = 1; threads <= cores; threads *= 2) {
+                const Row row = comparison.row(threads);
+                print(row);
+                rows.push_back(json_of(row));
+            }
+        }
+    }
+    if (options.json_file.empty()) return;
+    const nlohmann::ordered_json all = {
+        {"cpu", bench::cpu_name()}, {"compiler", bench::compiler_name()}, {"rows", rows}};
+    json_file << all.dump(2) << "\n";
+    if (!json_file.flush()) throw std::runtime_error("can't write " + options.json_file);
+}
+
+}  // namespace
+}  // namespace pelagic
+
+int main(int argc, char** argv) {
+    CLI::App app("Pelagic beside FFTW and the paper, in one run");
+    try {
+        pelagic::run(pelagic::options_from(argc, argv, app));
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? 0 : 2;
+    } catch (const std::exception& error) {
+        std::cerr << "pelagic-compare: " << error.what() << "\n";
+        return 1;
+    }
+}

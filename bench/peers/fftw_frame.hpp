@@ -1,0 +1,63 @@
+// The same frame on FFTW, as an expert would write it: PATIENT plans, real fields as real transforms or two in one
+// complex transform, everything else vectorised with Pelagic's own kernels. One thread.
+//
+// FFTW chooses its code by itself, whatever the instruction set here; Debian's build knows SSE2 and AVX.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "bench/peers/fftw_kernels.hpp"
+#include "bench/peers/peer_frame.hpp"
+#include "sim/mipmaps.hpp"
+#include "sim/sea_state.hpp"
+#include "simd/aligned_buffer.hpp"
+#include "simd/isa.hpp"
+
+namespace pelagic::peers {
+
+/// How the three real fields go through FFTW.
+enum class FftwArrangement {
+    packed,   ///< Dx + i Dz in one complex transform, the height in a real one
+    separate  ///< three real transforms
+};
+
+class FftwFrame {
+   public:
+    /// Plans (seconds to minutes) and bakes. \pre check(sea) is empty, runs_here(isa), N >= 2 lanes of isa
+    FftwFrame(const SeaState& sea, Isa isa, FftwArrangement arrangement);
+    ~FftwFrame();
+
+    /// The frame at `time_s`, finite; valid until the next call. Never allocates.
+    const PeerFrame& frame_at(double time_s);
+
+   private:
+    struct Plans;
+
+    void bake_spectrum();
+    void evolve(std::uint32_t fraction);
+    void gradients();
+    float* plane(std::size_t component) { return planes_.data() + component * texels_; }
+
+    SeaState sea_;
+    FftwArrangement arrangement_;
+    const Kernels& kernels_;
+    const FftwKernels& own_kernels_;
+    std::size_t size_, texels_;
+    AlignedBuffer<float> waves_;
+    AlignedBuffer<std::uint32_t> harmonics_;
+    AlignedBuffer<float> height_spectrum_;
+    AlignedBuffer<float> sideways_spectrum_, sideways_;  ///< of the packed arrangement
+    AlignedBuffer<float> dx_spectrum_, dz_spectrum_;     ///< of the separate one
+    AlignedBuffer<float> planes_;                        ///< dx, height, dz
+    MipAverages mip_averages_;
+    std::unique_ptr<Plans> plans_;
+    std::vector<std::uint16_t> halves_;
+    std::vector<std::uint32_t> bytes_;
+    PartBounds bounds_{};
+    PeerFrame frame_;
+};
+
+}  // namespace pelagic::peers

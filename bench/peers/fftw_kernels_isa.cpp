@@ -1,0 +1,138 @@
+// Compiled once for each instruction set, as sim/kernels/kernels_isa.cpp is and under the same rules.
+#include "bench/peers/fftw_kernels.hpp"
+#include "bench/peers/interleaved.kernel.hpp"
+#include "sim/kernels/columns_finalize.kernel.hpp"
+#include "sim/kernels/evolve_rows.kernel.hpp"
+#include "sim/kernels/gradients.kernel.hpp"
+
+#define PELAGIC_JOINED(a, b) a##b
+#define PELAGIC_TABLE(name) PELAGIC_JOINED(fftw_kernels_, name)
+
+namespace pelagic::peers {
+namespace {
+
+using Arch = xsimd::PELAGIC_ISA_ARCH;
+using V = xsimd::batch<float, Arch>;
+using U = xsimd::batch<std::uint32_t, Arch>;
+using kernels::Complex;
+
+void store(float* row, std::size_t number, const Complex<Arch>& value) {
+    const Pair<Arch> numbers = interleaved<Arch>(value.re, value.im);
+    numbers.first.store_unaligned(row + 2 * number);
+    numbers.second.store_unaligned(row + 2 * number + V::size);
+}
+
+/// Lane i goes to -(number + i) of a row of `size` numbers; 0 is its own negative and written elsewhere.
+void store_negatives(float* row, std::size_t size, std::size_t number, const Complex<Arch>& value) {
+    const Pair<Arch> numbers = reversed<Arch>(interleaved<Arch>(value.re, value.im));
+    float* to = row + 2 * (size - number - V::size + 1);
+    if (number > 0) {
+        numbers.first.store_unaligned(to);
+        numbers.second.store_unaligned(to + V::size);
+        return;
+    }
+    float all[2 * V::size];
+    numbers.first.store_unaligned(all);
+    numbers.second.store_unaligned(all + V::size);
+    for (std::size_t i = 0; i < 2 * (V::size - 1); ++i) to[i] = all[i];
+}
+
+template <class Store>
+void evolve(const FftwEvolveJob& job, Store store_waves) {
+    const std::size_t n = job.half_size;
+    const auto row = [&](std::size_t quantity, std::size_t x) {
+        return V::load_unaligned(job.waves.planes + quantity * n + x);
+    };
+    for (std::size_t x = 0; x < n; x += V::size) {
+        const auto rotation =
+            kernels::rotation_of_turns<Arch>(U::load_unaligned(job.waves.harmonics + x) * U(job.fraction));
+        const V along = row(8, x), across = row(9, x);
+        for (std::size_t sign = 0; sign < (job.is_one_row ? 1u : 2u); ++sign) {
+            const std::size_t first = 4 * sign;
+            const Complex<Arch> h{row(first, x) * rotation.cosine + row(first + 2, x) * rotation.sine,
+                                  row(first + 1, x) * rotation.cosine + row(first + 3, x) * rotation.sine};
+            store(job.height[sign], x, h);
+            const V z = sign == 0 ? across : V(0.f) - across;
+            // i h times the direction's parts.
+            store_waves(sign, x, Complex<Arch>{V(0.f) - along * h.im, along * h.re},
+                        Complex<Arch>{V(0.f) - z * h.im, z * h.re});
+        }
+    }
+}
+
+void evolve_packed(const FftwEvolveJob& job) {
+    evolve(job, [&](std::size_t sign, std::size_t x, const Complex<Arch>& dx, const Complex<Arch>& dz) {
+        // Dx + i Dz of the wave, and of its mirror image: conj(Dx) + i conj(Dz).
+        store(job.sideways[sign], x, {dx.re - dz.im, dx.im + dz.re});
+        store_negatives(job.sideways[1 - sign], 2 * job.half_size, x, {dx.re + dz.im, dz.re - dx.im});
+    });
+}
+
+void evolve_separate(const FftwEvolveJob& job) {
+    evolve(job, [&](std::size_t sign, std::size_t x, const Complex<Arch>& dx, const Complex<Arch>& dz) {
+        store(job.dx[sign], x, dx);
+        store(job.dz[sign], x, dz);
+    });
+}
+
+void finalize(const FftwFinalizeJob& job) {
+    const V factor(job.choppiness);
+    V least(3.4e38f), most(-3.4e38f), most_x(0.f), most_z(0.f);
+    for (std::size_t i = 0; i < job.texels; i += V::size) {
+        Pair<Arch> sideways{V::load_unaligned(job.dx + i), V::load_unaligned(job.dz + i)};
+        if (job.sideways)
+            sideways = deinterleaved<Arch>(V::load_unaligned(job.sideways + 2 * i),
+                                           V::load_unaligned(job.sideways + 2 * i + V::size));
+        const V dx = sideways.first * factor, dz = sideways.second * factor;
+        dx.store_unaligned(job.dx + i);
+        dz.store_unaligned(job.dz + i);
+        const V height = V::load_unaligned(job.height + i);
+        least = xsimd::min(least, height);
+        most = xsimd::max(most, height);
+        most_x = xsimd::max(most_x, xsimd::abs(dx));
+        most_z = xsimd::max(most_z, xsimd::abs(dz));
+    }
+    *job.bounds = {kernels::least_lane<Arch>(least), kernels::most_lane<Arch>(most), kernels::most_lane<Arch>(most_x),
+                   kernels::most_lane<Arch>(most_z)};
+}
+
+/// Three planes with tight rows.
+class PlaneSurface {
+   public:
+    explicit PlaneSurface(const GradientsJob& job) : job_(job), last_(job.resolution - 1) {}
+
+    V at(SurfaceComponent component, std::size_t x, std::size_t z) const {
+        return V::load_unaligned(job_.surface + component * job_.block_stride + z * job_.resolution + x);
+    }
+
+    template <class Take>
+    PELAGIC_INLINE void differences_of_row(std::size_t z, std::size_t first_column, std::size_t columns,
+                                           Take take) const {
+        const std::size_t above = (z - 1) & last_, below = (z + 1) & last_;
+        for (std::size_t x = first_column; x < first_column + columns; x += V::size) {
+            const auto difference = [&](SurfaceComponent component) {
+                const V here = at(component, x, z);
+                const V before = at(component, (x - V::size) & last_, z);
+                const V behind = at(component, (x + V::size) & last_, z);
+                return kernels::Differences<Arch>{
+                    kernels::one_behind<Arch>(here, behind) - kernels::one_before<Arch>(before, here),
+                    at(component, x, below) - at(component, x, above)};
+            };
+            take(difference(surface_dx), difference(surface_height), difference(surface_dz));
+        }
+    }
+
+   private:
+    const GradientsJob& job_;
+    std::size_t last_;
+};
+
+void gradients(const GradientsJob& job) { kernels::gradients_of<Arch>(job, PlaneSurface(job)); }
+
+}  // namespace
+
+extern const FftwKernels PELAGIC_TABLE(PELAGIC_ISA_NAME);
+
+const FftwKernels PELAGIC_TABLE(PELAGIC_ISA_NAME) = {evolve_packed, evolve_separate, finalize, gradients};
+
+}  // namespace pelagic::peers

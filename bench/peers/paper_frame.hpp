@@ -1,0 +1,91 @@
+// VR Ocean's frame typed in from the paper, sections 3.4 to 3.9: what a reader of it gets in plain scalar C++.
+//
+// The stages of its table 1, an item at a time on the calling thread: all N^2 waves evolve in a centred spectrum;
+// three full complex transforms, rows then columns, radix 2, with twiddles computed in every butterfly (section
+// 3.6.3); sign correction; gradients by central differences; a chain of mipmaps. Only errata that make the sea wrong
+// are mended (docs/equations.md): the transform's sign, the full normal, the sign in equation 49, mipmaps from
+// floats, and rounded frequencies. Amplitudes, frequencies and time are Pelagic's, so it is the same sea.
+//
+// The paper's sine and cosine are one intrinsic that its compiler inlines at reduced precision; here a polynomial
+// stands for it. There are no SIMD intrinsics, and what the optimiser makes of the loops is its own affair.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "bench/peers/peer_frame.hpp"
+#include "sim/sea_state.hpp"
+
+namespace pelagic::peers {
+
+namespace paper {
+
+struct Complex {
+    float re, im;
+};
+
+/// The paper's four-component displacement: Dx and Dz as complex numbers.
+struct Sideways {
+    Complex x, z;
+};
+
+/// S' of equation 22: two complex factors, of the cosine and of the sine.
+struct PackedWave {
+    Complex of_cosine, of_sine;
+};
+
+/// A texel of the mip chain before it is packed: the scaled normal and the clamped Jacobian.
+struct GradientTexel {
+    float n_x, n_y, n_z, jacobian;
+};
+
+/// Both spectra, later both surfaces, N * N each.
+struct Fields {
+    std::vector<Complex> height;
+    std::vector<Sideways> sideways;
+};
+
+struct Outputs {
+    std::vector<float> dx, height, dz;
+    std::vector<std::uint16_t> rgba16f;
+    std::vector<std::uint32_t> rgba8;
+};
+
+}  // namespace paper
+
+class PaperFrame {
+   public:
+    /// Bakes the spectrum and allocates all there is. \pre check(sea) is empty
+    explicit PaperFrame(const SeaState& sea);
+
+    /// The frame at `time_s`, finite; valid until the next call. Never allocates.
+    const PeerFrame& frame_at(double time_s);
+
+   private:
+    void bake_spectrum();
+    void evolve(std::uint32_t index);
+    void horizontal_pass(std::uint32_t row);
+    void vertical_pass(std::uint32_t column);
+    void finalize(std::uint32_t index);
+    void gradient(std::uint32_t index);
+    void halve(int level, std::uint32_t index);
+
+    SeaState sea_;
+    std::uint32_t resolution_;
+    int log_resolution_;
+    float choppiness_;
+    float half_texels_per_metre_;
+    float normal_length_;
+    float smoothness_;
+    std::uint32_t turns_ = 0;  ///< LoopFraction of the frame at hand
+
+    std::vector<paper::PackedWave> initial_amplitudes_;
+    std::vector<std::uint32_t> harmonics_;
+    paper::Fields a_, b_;  ///< figure 4: evolve writes A, rows A to B, columns B to A
+    std::vector<paper::GradientTexel> chain_;
+    paper::Outputs outputs_;
+    PeerFrame frame_;  ///< views of them
+};
+
+}  // namespace pelagic::peers

@@ -1,0 +1,16 @@
+// What every peer of the benchmark yields, so that their frames can be compared with Pelagic's before being timed.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+namespace pelagic::peers {
+
+/// The outputs of a peer's frame, views into the peer, row-major and tight; they mean what pelagic::Frame's mean.
+struct PeerFrame {
+    std::span<const float> dx, height, dz;   ///< N * N each, metres
+    std::span<const std::uint16_t> rgba16f;  ///< 4 * N * N half floats: Dx, height, Dz, foam
+    std::span<const std::uint32_t> rgba8;  ///< the whole gradient chain, level m at mip_offset(N, m) of sim/frame.hpp
+};
+
+}  // namespace pelagic::peers

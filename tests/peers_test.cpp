@@ -1,0 +1,216 @@
+// The benchmark's peers against Pelagic's own frames: who is compared in speed must yield the same sea.
+#include <gtest/gtest.h>
+#include <half.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <optional>
+#include <random>
+#include <span>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "bench/peers/fftw_frame.hpp"
+#include "bench/peers/paper_frame.hpp"
+#include "bench/peers/scalar_half.hpp"
+#include "sim/ocean.hpp"
+
+namespace pelagic::peers {
+namespace {
+
+enum Component { component_dx, component_height, component_dz };
+
+/// The one place that knows how a Frame stores its planes.
+float plane_value(const Frame& frame, Component component, int i, int j) {
+    const PlaneView* planes[] = {&frame.dx, &frame.height, &frame.dz};
+    return planes[component]->at(i, j);
+}
+
+std::span<const float> plane_of(const PeerFrame& frame, Component component) {
+    const std::span<const float> planes[] = {frame.dx, frame.height, frame.dz};
+    return planes[component];
+}
+
+struct Case {
+    std::string name;
+    SeaState sea;
+    double time_s;
+};
+
+void PrintTo(const Case& one, std::ostream* out) { *out << one.name; }
+
+/// Winds across both axes, so that a turned sign or a swapped axis shows.
+std::vector<Case> cases() {
+    return {
+        {"N32", {.resolution = 32, .wind_direction_rad = 2.5}, 1.5},
+        {"N64", {.resolution = 64, .wind_direction_rad = -1}, 143.7},
+        {"N64_choppy_and_shallow",
+         {.resolution = 64,
+          .patch_size_m = 37.3,
+          .wind_speed_mps = 6,
+          .depth_m = 5,
+          .choppiness = 1,
+          .roughness = 0.4},
+         -3},
+        {"N256", {.resolution = 256}, 12.34},
+        {"N256_breaking",
+         {.spectrum = SpectrumModel::phillips_paper,
+          .patch_size_m = 50,
+          .wind_speed_mps = 25,
+          .wind_direction_rad = 0.6,
+          .choppiness = 1},
+         77},
+    };
+}
+
+enum class Peer { paper, fftw_packed, fftw_separate };
+
+class PeerOf : public testing::TestWithParam<std::tuple<Peer, Case>> {
+   protected:
+    PeerOf() : ocean_(one().sea, {.executor = make_serial_executor()}), ours_(ocean_.frame_at(one().time_s)) {
+        switch (std::get<Peer>(GetParam())) {
+            case Peer::paper: paper_.emplace(one().sea); break;
+            case Peer::fftw_packed: fftw_.emplace(one().sea, choose_isa(), FftwArrangement::packed); break;
+            case Peer::fftw_separate: fftw_.emplace(one().sea, choose_isa(), FftwArrangement::separate); break;
+        }
+        theirs_ = paper_ ? paper_->frame_at(one().time_s) : fftw_->frame_at(one().time_s);
+    }
+
+    const Case& one() const { return std::get<Case>(GetParam()); }
+    int resolution() const { return one().sea.resolution; }
+    std::size_t texel(int i, int j) const { return static_cast<std::size_t>(j) * resolution() + i; }
+
+    double largest(Component component) const {
+        double most = 0;
+        for (int j = 0; j < resolution(); ++j)
+            for (int i = 0; i < resolution(); ++i)
+                most = std::max(most, std::fabs(static_cast<double>(plane_value(ours_, component, i, j))));
+        return most;
+    }
+
+    Ocean ocean_;
+    std::optional<PaperFrame> paper_;
+    std::optional<FftwFrame> fftw_;
+    const Frame& ours_;
+    PeerFrame theirs_;
+};
+
+std::string name_of_peer(Peer peer) {
+    switch (peer) {
+        case Peer::paper: return "paper";
+        case Peer::fftw_packed: return "fftw_packed";
+        case Peer::fftw_separate: return "fftw_separate";
+    }
+    return {};
+}
+
+INSTANTIATE_TEST_SUITE_P(Seas, PeerOf,
+                         testing::Combine(testing::Values(Peer::paper, Peer::fftw_packed, Peer::fftw_separate),
+                                          testing::ValuesIn(cases())),
+                         [](const auto& test) {
+                             return name_of_peer(std::get<Peer>(test.param)) + "_" + std::get<Case>(test.param).name;
+                         });
+
+// Both sum N^2 waves in floats: the paper's radix 2 rounds in each of its 2 log2 N stages and once more in each
+// twiddle, which is a polynomial of a 24-bit angle. A few units of 6e-8 each make about 5e-7 of the largest value; 1e-5
+// leaves room for other compilers and seas, and is far below what a wrong sign or axis does.
+constexpr double plane_tolerance = 1e-5;
+
+TEST_P(PeerOf, PlanesArePelagics) {
+    for (const Component component : {component_dx, component_height, component_dz}) {
+        double error = 0;
+        for (int j = 0; j < resolution(); ++j)
+            for (int i = 0; i < resolution(); ++i)
+                error = std::max(error, std::fabs(static_cast<double>(plane_of(theirs_, component)[texel(i, j)]) -
+                                                  plane_value(ours_, component, i, j)));
+        EXPECT_LE(error, plane_tolerance * largest(component)) << "component " << component;
+        RecordProperty("relative_error_of_" + std::to_string(component),
+                       std::to_string(error / largest(component) * 1e9) + "e-9");
+    }
+}
+
+// Values on either side of a rounding edge differ by a step. Smoothness is infinitely steep at a length of one, where
+// the lengths' error of some 1e-7 is up to half a step by itself: hence two in rare cases.
+TEST_P(PeerOf, GradientBytesAreWithinAStepOfPelagics) {
+    ASSERT_EQ(theirs_.rgba8.size(), ours_.gradient_rgba8.size());
+    std::size_t beyond_one = 0;
+    for (std::size_t i = 0; i < theirs_.rgba8.size(); ++i) {
+        for (int shift = 0; shift < 32; shift += 8) {
+            const int theirs = theirs_.rgba8[i] >> shift & 0xFF;
+            const int ours = ours_.gradient_rgba8[i] >> shift & 0xFF;
+            ASSERT_LE(std::abs(theirs - ours), 2) << "texel " << i << " of the chain, bit " << shift;
+            if (std::abs(theirs - ours) > 1) ++beyond_one;
+        }
+    }
+    EXPECT_LE(static_cast<double>(beyond_one), 0.001 * 4 * static_cast<double>(theirs_.rgba8.size()));
+}
+
+float value_of_half(std::uint16_t bits) {
+    Imath::half half;
+    half.setBits(bits);
+    return half;
+}
+
+/// From |value|, a half, to the next larger one.
+double step_of_half(float value) {
+    const auto bits = static_cast<std::uint16_t>(Imath::half(std::fabs(value)).bits());
+    return static_cast<double>(value_of_half(static_cast<std::uint16_t>(bits + 1))) - value_of_half(bits);
+}
+
+// One step of a half, as either may round across an edge, and what the planes may differ by, which near zero is many
+// of a half's steps. Foam is 1 - 2 J, and J moves by at most about four slopes' errors: each is that of two texels,
+// times N/(2 L).
+TEST_P(PeerOf, HalvesAreWithinAStepOfPelagics) {
+    const double slope_tolerance = plane_tolerance * std::max({largest(component_dx), largest(component_dz)}) *
+                                   resolution() / one().sea.patch_size_m;
+    const double tolerance[] = {plane_tolerance * largest(component_dx), plane_tolerance * largest(component_height),
+                                plane_tolerance * largest(component_dz), 8 * slope_tolerance};
+    ASSERT_EQ(theirs_.rgba16f.size(), ours_.displacement_rgba16f.size());
+    for (std::size_t i = 0; i < theirs_.rgba16f.size(); ++i) {
+        const float theirs = value_of_half(theirs_.rgba16f[i]);
+        const float ours = value_of_half(ours_.displacement_rgba16f[i]);
+        ASSERT_NEAR(theirs, ours, std::max(step_of_half(theirs), step_of_half(ours)) + tolerance[i % 4])
+            << "half " << i % 4 << " of texel " << i / 4;
+    }
+}
+
+// Else foam would be compared where all of it is zero.
+TEST(PeerCases, OneSeaBreaks) {
+    PaperFrame paper(cases().back().sea);
+    const PeerFrame& frame = paper.frame_at(cases().back().time_s);
+    std::size_t partly = 0, wholly = 0;
+    for (std::size_t i = 3; i < frame.rgba16f.size(); i += 4) {
+        const float foam = value_of_half(frame.rgba16f[i]);
+        if (foam == 1) ++wholly;
+        if (foam > 0 && foam < 1) ++partly;
+    }
+    EXPECT_GT(partly, 100u);
+    EXPECT_GT(wholly, 100u);
+}
+
+// Imath's half is what OpenEXR rounds with: to nearest even.
+TEST(ScalarHalf, RoundsAsImathDoes) {
+    std::mt19937 random(1);
+    std::vector<float> values = {0.f,        -0.f,       1.f,       65504.f,  65519.996f, 65520.f,
+                                 -65520.f,   1e10f,      0x1p-14f,  0x1p-15f, 0x1p-24f,   0x1p-25f,
+                                 0x1.8p-24f, 0x1.8p-25f, 0x1p-126f, 0x1p-140f};
+    for (int i = 0; i < 1000000; ++i) {
+        const auto bits = static_cast<std::uint32_t>(random());
+        const auto value = std::bit_cast<float>(bits);
+        if (!std::isnan(value)) values.push_back(value);
+    }
+    for (std::uint32_t bits = 0; bits < 0x7C00; ++bits) {
+        // Halfway between two neighbours, where evenness decides.
+        const float here = value_of_half(static_cast<std::uint16_t>(bits));
+        const float next = value_of_half(static_cast<std::uint16_t>(bits + 1));
+        if (!std::isinf(next)) values.push_back(here + (next - here) / 2);
+    }
+    for (const float value : values) ASSERT_EQ(half_of(value), Imath::half(value).bits()) << value;
+}
+
+}  // namespace
+}  // namespace pelagic::peers
