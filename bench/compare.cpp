@@ -3,11 +3,14 @@
 //
 //   pelagic-compare [--quick] [--json FILE] [--sizes 64,256] [--isa avx2]
 //
+// Without --json, a whole run goes to bench/results/<cpu>.json; a part of one (--quick, --sizes, --isa) is only printed.
+//
 // A turn is a few frames of each; a figure is the median over the turns, its spread the quartiles. FFTW's is the
-// better of two arrangements. Rows with more than one thread time Pelagic on its default executor against the peers
-// on one thread.
+// better of two arrangements. Rows with more than one thread time Pelagic on its default executor against the peers on
+// one thread, and against itself called directly on one.
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cctype>
 #include <chrono>
 #include <cstdio>
 #include <fstream>
@@ -80,6 +83,7 @@ struct Row {
     Isa isa;
     int threads;
     double ours_ms, fftw_ms, paper_ms;
+    double speedup;                ///< over ours on one thread, in the same turns
     double ratio_low, ratio_high;  ///< quartiles of ours / FFTW turn by turn
     std::string arrangement;
 };
@@ -90,7 +94,7 @@ class Comparison {
     Comparison(int n, Isa isa, const Options& options)
         : sea_{.resolution = n},
           isa_(isa),
-          seconds_(options.quick ? 2 : 10),
+          seconds_(options.quick ? 2 : 6),
           packed_(sea_, isa, peers::FftwArrangement::packed),
           separate_(sea_, isa, peers::FftwArrangement::separate),
           paper_(sea_) {}
@@ -99,14 +103,18 @@ class Comparison {
         // One thread means a direct call, on one core.
         std::optional<bench::PinnedToOneCore> pinned;
         if (threads == 1) pinned.emplace();
-        Ocean ocean(
-            sea_, {.executor = threads == 1 ? make_serial_executor() : make_default_executor(threads), .isa = isa_});
-        Contestant ours{[&](double t) { ocean.frame_at(t); }};
+        Ocean alone(sea_, {.executor = make_serial_executor(), .isa = isa_});
+        Ocean together(sea_, {.executor = make_default_executor(threads), .isa = isa_});
+        Contestant ours_alone{[&](double t) { alone.frame_at(t); }};
+        Contestant ours_together{[&](double t) { together.frame_at(t); }};
         Contestant packed{[&](double t) { packed_.frame_at(t); }};
         Contestant separate{[&](double t) { separate_.frame_at(t); }};
         Contestant paper{[&](double t) { paper_.frame_at(t); }};
-        take_turns({&ours, &packed, &separate}, seconds_, 15);
+        std::vector<Contestant*> contestants = {&ours_alone, &packed, &separate};
+        if (threads > 1) contestants.push_back(&ours_together);
+        take_turns(contestants, seconds_, 15);
         take_turns({&paper}, seconds_ / 10, 3);
+        const Contestant& ours = threads > 1 ? ours_together : ours_alone;
 
         const bool packed_wins = median(packed.turns_ms) <= median(separate.turns_ms);
         const Contestant& fftw = packed_wins ? packed : separate;
@@ -118,6 +126,7 @@ class Comparison {
                 median(ours.turns_ms),
                 median(fftw.turns_ms),
                 median(paper.turns_ms),
+                median(ours_alone.turns_ms) / median(ours.turns_ms),
                 quantile(ratios, 0.25),
                 quantile(ratios, 0.75),
                 packed_wins ? "complex + real" : "three real"};
@@ -132,14 +141,14 @@ class Comparison {
 };
 
 void print_heading() {
-    std::printf("%5s %-7s %7s | %9s %9s %9s | %9s  %-13s %8s  %s\n", "N", "isa", "threads", "ours ms", "FFTW ms",
-                "paper ms", "ours/FFTW", "(quartiles)", "paper/ours", "FFTW's fields");
+    std::printf("%5s %-7s %7s | %9s %9s %9s | %9s  %-13s %10s %7s  %s\n", "N", "isa", "threads", "ours ms", "FFTW ms",
+                "paper ms", "ours/FFTW", "(quartiles)", "paper/ours", "speedup", "FFTW's fields");
 }
 
 void print(const Row& row) {
-    std::printf("%5d %-7s %7d | %9.4f %9.4f %9.3f | %9.3f  (%.3f-%.3f) %8.1f  %s\n", row.n,
+    std::printf("%5d %-7s %7d | %9.4f %9.4f %9.3f | %9.3f  (%.3f-%.3f) %10.1f %7.2f  %s\n", row.n,
                 std::string(name_of(row.isa)).c_str(), row.threads, row.ours_ms, row.fftw_ms, row.paper_ms,
-                row.ours_ms / row.fftw_ms, row.ratio_low, row.ratio_high, row.paper_ms / row.ours_ms,
+                row.ours_ms / row.fftw_ms, row.ratio_low, row.ratio_high, row.paper_ms / row.ours_ms, row.speedup,
                 row.arrangement.c_str());
     std::fflush(stdout);
 }
@@ -153,19 +162,35 @@ nlohmann::ordered_json json_of(const Row& row) {
             {"paper_ms", row.paper_ms},
             {"ours_over_fftw", row.ours_ms / row.fftw_ms},
             {"ours_over_fftw_quartiles", {row.ratio_low, row.ratio_high}},
+            {"speedup", row.speedup},
             {"fftw_arrangement", row.arrangement}};
+}
+
+/// "AMD EPYC 9B14" -> "amd-epyc-9b14"
+std::string file_name_of(const std::string& cpu) {
+    std::string name;
+    for (const char c : cpu) {
+        if (std::isalnum(static_cast<unsigned char>(c)) != 0)
+            name += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+        else if (!name.empty() && name.back() != '-')
+            name += '-';
+    }
+    return name;
 }
 
 Options options_from(int argc, char** argv, CLI::App& app) {
     Options options;
     std::string isa_name;
     app.add_flag("--quick", options.quick, "N = 64, 128 and 256 only, short turns: under a minute");
-    app.add_option("--json", options.json_file, "write the table as JSON");
+    app.add_option("--json", options.json_file, "write the table as JSON [a whole run: bench/results/<cpu>.json]");
     app.add_option("--sizes", options.sizes, "N, separated by commas [64,128,256,512,1024]")
         ->delimiter(',')
         ->check(CLI::IsMember({32, 64, 128, 256, 512, 1024, 2048}));
     app.add_option("--isa", isa_name, "sse4.2, avx2, avx512 or neon [the two strongest that run here]");
     app.parse(argc, argv);
+    const bool is_whole = !options.quick && options.sizes.empty() && isa_name.empty();
+    if (is_whole && options.json_file.empty())
+        options.json_file = std::string(PELAGIC_RESULTS_FOLDER) + "/" + file_name_of(bench::cpu_name()) + ".json";
     if (options.sizes.empty())
         options.sizes = options.quick ? std::vector{64, 128, 256} : std::vector{64, 128, 256, 512, 1024};
     if (isa_name.empty()) {

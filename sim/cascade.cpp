@@ -82,10 +82,8 @@ void Cascade::add_frame_stages(JobGraph& graph) {
                    .count = tiles(sea_.resolution).count(),
                    .waits_for = {surface_done},
                    .body = for_each_item([this](std::size_t tile) { gradients_mipmaps(tile); })});
-    graph.add(
-        {.name = "mipmaps tail", .count = 1, .waits_for = {tiles_done}, .body = for_each_item([this](std::size_t) {
-                                                                            mipmaps_tail();
-                                                                        })});
+    const auto tail = [this](std::size_t) { mipmaps_tail(); };
+    graph.add({.name = "mipmaps tail", .count = 1, .waits_for = {tiles_done}, .body = for_each_item(tail)});
 }
 
 void Cascade::begin_frame(double time_s) {
