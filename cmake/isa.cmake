@@ -24,7 +24,11 @@ set(PELAGIC_XSIMD_ARCH_avx512 avx512bw)
 set(PELAGIC_XSIMD_ARCH_neon neon64)
 
 # Instrumented for a sanitizer, -O3 compiles for minutes and finds nothing more.
-set(PELAGIC_KERNEL_OPTIMISATION $<IF:$<BOOL:${PELAGIC_SANITIZE}>,-O1,-O3> CACHE STRING "Optimisation of the kernels, in every build type")
+set(kernel_optimisation -O3)
+if(PELAGIC_SANITIZE)
+  set(kernel_optimisation -O1)
+endif()
+set(PELAGIC_KERNEL_OPTIMISATION ${kernel_optimisation} CACHE STRING "Optimisation of the kernels, in every build type")
 
 # xsimd is header-only; Debian's CMake target of it links an xtl that the package does not ship.
 find_path(PELAGIC_XSIMD_INCLUDE_DIR xsimd/xsimd.hpp REQUIRED)
