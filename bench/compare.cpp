@@ -13,6 +13,7 @@
 #include <cctype>
 #include <chrono>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <functional>
 #include <iostream>
@@ -112,8 +113,8 @@ class Comparison {
         Contestant paper{[&](double t) { paper_.frame_at(t); }};
         std::vector<Contestant*> contestants = {&ours_alone, &packed, &separate};
         if (threads > 1) contestants.push_back(&ours_together);
+        contestants.push_back(&paper);
         take_turns(contestants, seconds_, 15);
-        take_turns({&paper}, seconds_ / 10, 3);
         const Contestant& ours = threads > 1 ? ours_together : ours_alone;
 
         const bool packed_wins = median(packed.turns_ms) <= median(separate.turns_ms);
@@ -207,10 +208,12 @@ Options options_from(int argc, char** argv, CLI::App& app) {
 }
 
 void run(const Options& options) {
+    // Beside its name until it is whole; tried before the work, not after it.
+    const std::string part_file = options.json_file + ".part";
     std::ofstream json_file;
     if (!options.json_file.empty()) {
-        json_file.open(options.json_file);
-        if (!json_file) throw std::runtime_error("can't write " + options.json_file);
+        json_file.open(part_file);
+        if (!json_file) throw std::runtime_error("can't write " + part_file);
     }
     nlohmann::ordered_json rows = nlohmann::ordered_json::array();
     const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
@@ -231,7 +234,8 @@ void run(const Options& options) {
     const nlohmann::ordered_json all = {
         {"cpu", bench::cpu_name()}, {"compiler", bench::compiler_name()}, {"rows", rows}};
     json_file << all.dump(2) << "\n";
-    if (!json_file.flush()) throw std::runtime_error("can't write " + options.json_file);
+    if (!json_file.flush()) throw std::runtime_error("can't write " + part_file);
+    std::filesystem::rename(part_file, options.json_file);
 }
 
 }  // namespace

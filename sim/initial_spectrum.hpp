@@ -24,8 +24,6 @@ struct PackedSpectrum {
     /// \param lanes  of the instruction set that reads it, Kernels::lanes
     PackedSpectrum(const FftPlan& plan, std::size_t lanes);
 
-    /// Pairs of waves in one block of lines.
-    std::size_t pairs_per_block() const { return pairs; }
     float* block(std::size_t line_block) { return waves.data() + line_block * pairs * wave_quantities * lanes; }
     const float* block(std::size_t line_block) const { return const_cast<PackedSpectrum*>(this)->block(line_block); }
     std::uint32_t* block_harmonics(std::size_t line_block) { return harmonics.data() + line_block * pairs * lanes; }
@@ -35,7 +33,7 @@ struct PackedSpectrum {
     std::size_t bytes() const { return waves.bytes() + harmonics.bytes(); }
 
     std::size_t lanes;
-    std::size_t pairs;
+    std::size_t pairs;                       ///< of waves in one block of lines
     AlignedBuffer<float> waves;              ///< [line block][pair][WaveQuantity][lane]
     AlignedBuffer<std::uint32_t> harmonics;  ///< [line block][pair][lane], periods in one loop
 };

@@ -34,7 +34,7 @@ namespace {
 TEST(Allocation, FramesAfterTheFirstAllocateNothing) {
     for (const auto& executor : {make_serial_executor(), make_thread_executor(3)}) {
         const long before_building = allocations;
-        Ocean ocean({.resolution = 64}, {.executor = executor});
+        Ocean ocean({.resolution = 128}, {.executor = executor});  // 64 would not use the executor
         EXPECT_GT(allocations, before_building) << "the counter does not count";
         ocean.frame_at(0);
         const long before = allocations;

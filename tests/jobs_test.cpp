@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "jobs/executor.hpp"
+#include "tests/each_executor.hpp"
 
 namespace pelagic {
 namespace {
@@ -30,30 +31,11 @@ bool wait_until(const std::function<bool()>& condition, std::chrono::millisecond
     return true;
 }
 
-struct Kind {
-    std::string name;
-    std::shared_ptr<Executor> (*make)(int threads);
-    int threads;
-};
-
-void PrintTo(const Kind& kind, std::ostream* out) { *out << kind.name; }
-
-std::vector<Kind> kinds() {
-    std::vector<Kind> all = {{"serial", [](int) { return make_serial_executor(); }, 1}};
-    for (const int threads : {1, 2, 3, 8}) {
-        all.push_back({"thread_" + std::to_string(threads), make_thread_executor, threads});
-#if defined(PELAGIC_HAS_TBB)
-        all.push_back({"tbb_" + std::to_string(threads), make_tbb_executor, threads});
-#endif
-    }
-    return all;
-}
-
-class EachExecutor : public testing::TestWithParam<Kind> {
+class EachExecutor : public testing::TestWithParam<ExecutorKind> {
    protected:
     std::shared_ptr<Executor> executor_ = GetParam().make(GetParam().threads);
 };
-INSTANTIATE_TEST_SUITE_P(Kinds, EachExecutor, testing::ValuesIn(kinds()),
+INSTANTIATE_TEST_SUITE_P(Kinds, EachExecutor, testing::ValuesIn(executor_kinds()),
                          [](const auto& test) { return test.param.name; });
 
 using Blocks = std::set<std::pair<std::size_t, std::size_t>>;
@@ -236,9 +218,9 @@ TEST_P(EachExecutor, CompletingNothingReturns) {
 }
 
 class ParallelExecutor : public EachExecutor {};
-std::vector<Kind> kinds_with_at_least(int threads) {
-    std::vector<Kind> all = kinds();
-    std::erase_if(all, [&](const Kind& kind) { return kind.threads < threads; });
+std::vector<ExecutorKind> kinds_with_at_least(int threads) {
+    std::vector<ExecutorKind> all = executor_kinds();
+    std::erase_if(all, [&](const ExecutorKind& kind) { return kind.threads < threads; });
     return all;
 }
 INSTANTIATE_TEST_SUITE_P(Kinds, ParallelExecutor, testing::ValuesIn(kinds_with_at_least(2)),
@@ -334,7 +316,7 @@ TEST_P(ParallelExecutor, AsManyJobsAsTheLimitRunAtOnce) {
 
 #if !defined(NDEBUG)  // assertions are compiled in
 class MisuseDeathTest : public EachExecutor {};
-INSTANTIATE_TEST_SUITE_P(Kinds, MisuseDeathTest, testing::ValuesIn(kinds()),
+INSTANTIATE_TEST_SUITE_P(Kinds, MisuseDeathTest, testing::ValuesIn(executor_kinds()),
                          [](const auto& test) { return test.param.name; });
 
 TEST_P(MisuseDeathTest, SchedulingARunInFlightIsAsserted) {

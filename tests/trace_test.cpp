@@ -13,6 +13,7 @@
 
 #include "jobs/chrome_trace.hpp"
 #include "sim/ocean.hpp"
+#include "tests/each_executor.hpp"
 
 namespace pelagic {
 namespace {
@@ -48,30 +49,12 @@ class RecordingSink final : public TraceSink {
     std::vector<Recorded> all_;
 };
 
-constexpr SeaState small_sea{.resolution = 64};
+/// The smallest whose frames go to the executor.
+constexpr SeaState small_sea{.resolution = 128};
 constexpr int frames = 5;
 
-struct Kind {
-    std::string name;
-    std::shared_ptr<Executor> (*make)(int threads);
-    int threads;
-};
-
-void PrintTo(const Kind& kind, std::ostream* out) { *out << kind.name; }
-
-std::vector<Kind> kinds() {
-    std::vector<Kind> all = {{"serial", [](int) { return make_serial_executor(); }, 1}};
-    for (const int threads : {1, 3, 8}) {
-        all.push_back({"thread_" + std::to_string(threads), make_thread_executor, threads});
-#if defined(PELAGIC_HAS_TBB)
-        all.push_back({"tbb_" + std::to_string(threads), make_tbb_executor, threads});
-#endif
-    }
-    return all;
-}
-
 /// A few frames of a small sea, the next one scheduled before the last is looked at, as hosts do.
-class TraceOnEachExecutor : public testing::TestWithParam<Kind> {
+class TraceOnEachExecutor : public testing::TestWithParam<ExecutorKind> {
    protected:
     std::shared_ptr<Executor> executor() const { return GetParam().make(GetParam().threads); }
 
@@ -87,7 +70,7 @@ class TraceOnEachExecutor : public testing::TestWithParam<Kind> {
     Ocean ocean_{small_sea, {.executor = executor(), .trace = sink_}};
     std::vector<std::uint64_t> hashes_;
 };
-INSTANTIATE_TEST_SUITE_P(Kinds, TraceOnEachExecutor, testing::ValuesIn(kinds()),
+INSTANTIATE_TEST_SUITE_P(Kinds, TraceOnEachExecutor, testing::ValuesIn(executor_kinds()),
                          [](const auto& test) { return test.param.name; });
 
 using Job = std::tuple<std::string, double, double>;  // stage, frame, block
@@ -105,6 +88,15 @@ TEST_P(TraceOnEachExecutor, HoldsEveryBlockOfEveryStageOnceAFrame) {
         ++found[{job.name, job.span.args[0].value, job.span.args[1].value}];
     }
     EXPECT_EQ(found, expected);
+}
+
+// Sharing so little work out would only slow it down.
+TEST_P(TraceOnEachExecutor, FramesOf64StayOnTheCompletingThread) {
+    Ocean ocean({.resolution = 64}, {.executor = executor(), .trace = sink_});
+    for (int i = 0; i < frames; ++i) ocean.frame_at(i);
+    const auto jobs = sink_->of_runs("frame", false);
+    ASSERT_FALSE(jobs.empty());
+    for (const Recorded& job : jobs) EXPECT_EQ(job.thread, std::this_thread::get_id()) << job.name;
 }
 
 // The sea's stages may all come to have batches of one item.

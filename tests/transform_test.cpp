@@ -112,8 +112,7 @@ TEST_P(TransformOnEachIsa, RowsAreInverseTransformsWithXAsTheLane) {
                            .fft = &fft_,
                            .lines = lines.data()});
 
-    // Four sigma of a sum of N waves of variance two.
-    const double largest = 4 * std::sqrt(2.0 * static_cast<double>(size()));
+    const double largest = 4 * std::sqrt(static_cast<double>(size()));  // four sigma of the sum
     constexpr LineComponent parts[3][2] = {{height_re, height_im}, {p_re, p_im}, {r_re, r_im}};
     for (std::size_t lane = 0; lane < lines_here; lane += 5) {
         for (std::size_t field = 0; field < 3; ++field) {

@@ -115,7 +115,10 @@ void FftwFrame::evolve(std::uint32_t fraction) {
                           .dz = {}};
         for (std::size_t i = 0; i < 2; ++i) {
             job.height[i] = height_spectrum_.data() + rows[i] * 2 * (half + 1);
-            job.sideways[i] = sideways_spectrum_.data() + rows[i] * 2 * size_;
+            if (arrangement_ == FftwArrangement::packed) {
+                job.sideways[i] = sideways_spectrum_.data() + rows[i] * 2 * size_;
+                continue;
+            }
             job.dx[i] = dx_spectrum_.data() + rows[i] * 2 * (half + 1);
             job.dz[i] = dz_spectrum_.data() + rows[i] * 2 * (half + 1);
         }

@@ -111,7 +111,7 @@ inline void turn_lines(const float* data, const EvolveRowsJob& job, std::size_t 
         V block[V::size];
         load_transposed<Arch>(data + x * element + part * V::size, element, block);
         float* to = lines + (part == 0 ? re : im) * V::size;
-        if (job.line_count == V::size) {
+        if (job.line_count == V::size) {  // nearly always, and then without a loop
             for (std::size_t i = 0; i < V::size; ++i) block[i].store_aligned(to + i * row);
         } else {
             for (std::size_t i = 0; i < job.line_count; ++i) block[i].store_aligned(to + i * row);
