@@ -8,6 +8,7 @@ pelagic_packages=(
   libtbb-dev               # oneTBB: jobs
   libxsimd-dev             # xsimd: kernels
   libxxhash-dev            # XXH3: the hash of a frame
+  libglm-dev               # GLM: cameras, in the quadtree
   libopenimageio-dev       # OpenImageIO: EXR, PNG, TIFF
   libcli11-dev             # CLI11: the command line
   libtomlplusplus-dev      # toml++: --config

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <new>
 
+#include "quadtree/selection.hpp"
 #include "sim/ocean.hpp"
 
 namespace {
@@ -55,6 +56,22 @@ TEST(Allocation, AnOceanOf256TakesLessThanSixMegabytes) {
     for (const Isa isa : isas_here()) {
         Ocean ocean({.resolution = 256}, {.executor = make_serial_executor(), .isa = isa});
         EXPECT_LE(ocean.memory_bytes(), 6'000'000u) << name_of(isa);
+    }
+}
+
+TEST(Allocation, SelectionsAllocateNothing) {
+    for (const QuadtreePreset& preset : quadtree_presets()) {
+        QuadtreeOptions options = preset.options(8192);
+        options.batch_limit = 3;
+        Selection selection(options);
+        const glm::dmat4 views[2] = {glm::dmat4(1), glm::dmat4(2)};
+        const long before = allocations;
+        for (int i = 0; i < 500; ++i) {
+            const glm::dvec3 viewer(i * 37.1, i % 50, i * -11.3);
+            selection.select({.viewer_m = viewer});
+            selection.select({.viewer_m = viewer, .views = views});
+        }
+        EXPECT_EQ(allocations, before) << preset.name;
     }
 }
 

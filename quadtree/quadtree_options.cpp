@@ -1,0 +1,48 @@
+#include "quadtree/quadtree_options.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace pelagic {
+namespace {
+
+template <class Value>
+std::string wrong(const char* field, Value value, const char* accepted) {
+    std::ostringstream text;
+    text << field << " is " << value << ", needs " << accepted;
+    return text.str();
+}
+
+// Every tau of ours is well above 1.58, where neighbours two levels apart begin (errata), so hardly a patch is split
+// for its neighbour's sake. A cull scale of 1 suffices because the boxes hold the frame's own extremes.
+constexpr QuadtreePreset presets[] = {
+    {"low", 16, 1.8, 1.0},        {"medium", 32, 2.0, 1.0},      {"high", 64, 2.2, 1.0},
+    {"ultra", 128, 2.4, 1.0},     {"paper_low", 16, 2.0, 1.2},   {"paper_medium", 32, 1.5, 1.5},
+    {"paper_high", 64, 1.2, 1.8}, {"paper_ultra", 64, 1.0, 2.0},
+};
+
+}  // namespace
+
+std::string check(const QuadtreeOptions& o) {
+    if (!(o.size_m >= 256 && o.size_m <= 8192)) return wrong("size_m", o.size_m, "[256, 8192]");
+    if (o.vertices < 2 || o.vertices > 128 || o.vertices % 2 != 0)
+        return wrong("vertices", o.vertices, "an even number from 2 to 128");
+    if (!(o.lod_scale >= 0.75 && o.lod_scale <= 8)) return wrong("lod_scale", o.lod_scale, "[0.75, 8]");
+    if (!(o.cull_scale >= 1 && o.cull_scale <= 4)) return wrong("cull_scale", o.cull_scale, "[1, 4]");
+    if (o.batch_limit < 0) return wrong("batch_limit", o.batch_limit, "0 or more");
+    return "";
+}
+
+int deepest_level(double size_m) {
+    return std::clamp(static_cast<int>(std::floor(std::log2(size_m / 64) + 0.5)), 2, 8);
+}
+
+std::span<const QuadtreePreset> quadtree_presets() { return presets; }
+
+const QuadtreePreset* quadtree_preset_named(std::string_view name) {
+    const auto* preset = std::ranges::find(presets, name, &QuadtreePreset::name);
+    return preset == std::end(presets) ? nullptr : preset;
+}
+
+}  // namespace pelagic

@@ -1,0 +1,196 @@
+#include "quadtree/selection.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+
+#include "quadtree/stitching.hpp"
+
+namespace pelagic {
+namespace {
+
+constexpr double furthest_m = 1e8;  // steps of the finest vertices still fit an exact double
+constexpr std::size_t most_views = 32;
+
+QuadtreeOptions checked(const QuadtreeOptions& options) {
+    if (const std::string reason = check(options); !reason.empty()) throw std::invalid_argument(reason);
+    return options;
+}
+
+void check_position(const char* name, const double* values, int count) {
+    for (int i = 0; i < count; ++i) {
+        if (std::abs(values[i]) <= furthest_m) continue;  // false for NaN
+        std::ostringstream text;
+        text << name << " holds " << values[i] << ", needs finite numbers within 1e8 m of the origin";
+        throw std::invalid_argument(text.str());
+    }
+}
+
+void check_bounds(const SurfaceBounds& b) {
+    const bool ok = std::isfinite(b.height_min_m) && std::isfinite(b.height_max_m) &&
+                    b.height_min_m <= b.height_max_m && std::isfinite(b.sideways_x_max_m) &&
+                    b.sideways_x_max_m >= 0 && std::isfinite(b.sideways_z_max_m) && b.sideways_z_max_m >= 0;
+    if (!ok)
+        throw std::invalid_argument(
+            "bounds need finite metres, height_min_m <= height_max_m and sideways distances of 0 or more");
+}
+
+/// The neighbour's place across a side.
+constexpr std::int32_t step_x[4] = {1, 0, -1, 0};
+constexpr std::int32_t step_z[4] = {0, 1, 0, -1};
+
+}  // namespace
+
+Selection::Selection(const QuadtreeOptions& options) : options_(checked(options)), levels_(options_) {
+    list_.instances.reserve(levels_.most_patches());
+    found_.reserve(levels_.most_patches());
+    list_.batches.reserve(16 + (options_.batch_limit > 0
+                                    ? levels_.most_patches() / static_cast<std::size_t>(options_.batch_limit)
+                                    : 0));
+    list_.skirt.reserve(4 * static_cast<std::size_t>(levels_.width()));
+    stack_.reserve(4 + 3 * static_cast<std::size_t>(levels_.deepest_level()));
+    frusta_.reserve(most_views);
+    next_frusta_.reserve(most_views);
+}
+
+const DrawList& Selection::select(const SelectionInput& input) {
+    check_position("viewer_m", &input.viewer_m.x, 3);
+    const glm::dvec2 centre = input.centre_m.value_or(glm::dvec2(input.viewer_m.x, input.viewer_m.z));
+    check_position("centre_m", &centre.x, 2);
+    check_bounds(input.bounds);
+    if (input.views.size() > most_views) throw std::invalid_argument("views are more than 32");
+    next_frusta_.clear();  // apart, so that a bad view leaves the list as it is
+    for (const glm::dmat4& view : input.views) next_frusta_.emplace_back(view, input.depth);
+
+    frusta_.swap(next_frusta_);
+    list_.grid = grid_around(centre);
+    const glm::dvec2 corner = glm::dvec2(list_.grid.corner) * list_.grid.step_m;
+    levels_.update({input.viewer_m.x - corner.x, input.viewer_m.y, input.viewer_m.z - corner.y});
+    list_.figures = {};
+    walk(input.bounds);
+    sort_into_batches();
+    walk_border();
+    return list_;
+}
+
+QuadtreeGrid Selection::grid_around(glm::dvec2 centre_m) const {
+    QuadtreeGrid grid;
+    grid.vertices = options_.vertices;
+    grid.deepest_level = levels_.deepest_level();
+    grid.side = levels_.width() * options_.vertices;
+    grid.step_m = options_.size_m / grid.side;
+    const std::int32_t snap = grid.side / 4;  // whole: the width is a multiple of 4
+    const double snap_m = options_.size_m / 4;
+    for (int axis = 0; axis < 2; ++axis)
+        grid.corner[axis] =
+            static_cast<std::int64_t>(std::floor(centre_m[axis] / snap_m + 0.5)) * snap - grid.side / 2;
+    grid.fade_centre = centre_m;
+    grid.fade_start_m = options_.size_m * 5 / 16;
+    grid.fade_end_m = options_.size_m * 3 / 8;  // half of S less half of a snap
+    return grid;
+}
+
+std::uint32_t Selection::views_that_see(const Box& box, std::uint32_t of) const {
+    std::uint32_t seeing = 0;
+    for (std::size_t v = 0; v < frusta_.size(); ++v)
+        if ((of >> v & 1) != 0 && frusta_[v].may_see(box)) seeing |= 1u << v;
+    return seeing;
+}
+
+void Selection::walk(const SurfaceBounds& bounds) {
+    const QuadtreeGrid& grid = list_.grid;
+    // Rest level included: the waves fade out.
+    const double low = std::min(bounds.height_min_m, 0.0), high = std::max(bounds.height_max_m, 0.0);
+    const glm::dvec2 corner_m = glm::dvec2(grid.corner) * grid.step_m;
+    const glm::dvec2 sideways(bounds.sideways_x_max_m, bounds.sideways_z_max_m);
+    const bool culls = !frusta_.empty();
+
+    found_.clear();
+    stack_.clear();
+    stack_.push_back({0, 0, 0, static_cast<std::uint32_t>((std::uint64_t{1} << frusta_.size()) - 1)});
+    while (!stack_.empty()) {
+        Node node = stack_.back();
+        stack_.pop_back();
+        ++list_.figures.nodes_visited;
+        if (culls) {
+            const double half_m = grid.patch_size_m(node.level) / 2;
+            const glm::dvec2 centre = corner_m + glm::dvec2(node.x + 0.5, node.z + 0.5) * (2 * half_m);
+            const glm::dvec2 half = half_m * options_.cull_scale + sideways;
+            node.seeing = views_that_see({{centre.x, (low + high) / 2, centre.y}, {half.x, (high - low) / 2, half.y}},
+                                         node.seeing);
+            if (node.seeing == 0) continue;
+        }
+        if (!levels_.splits(node.level, node.x, node.z)) {
+            emit(node);
+            continue;
+        }
+        for (const std::int32_t child : {3, 2, 1, 0})  // the lowest x and z comes off first
+            stack_.push_back({node.level + 1, 2 * node.x + child % 2, 2 * node.z + child / 2, node.seeing});
+    }
+}
+
+void Selection::emit(const Node& node) {
+    const std::int32_t side = list_.grid.patch_side(node.level);
+    Found found{};
+    found.patch.corner_x = static_cast<std::uint16_t>(node.x * side);
+    found.patch.corner_z = static_cast<std::uint16_t>(node.z * side);
+    found.patch.level = static_cast<std::uint8_t>(node.level);
+    // The coarser squares alternate over the whole parent; this quadrant begins V/2 of them in.
+    found.patch.diagonals = static_cast<std::uint8_t>((node.x + node.z) * (options_.vertices / 2) & 1);
+    if (node.level > 0) {
+        const int above = node.level - 1;
+        const std::int32_t cells = std::int32_t{1} << node.level;
+        const std::uint16_t inner = levels_.weight(above, node.x >> 1, node.z >> 1);
+        found.patch.inner_weight = inner;
+        for (std::size_t side_of = 0; side_of < 4; ++side_of) {
+            const std::int32_t x = node.x + step_x[side_of], z = node.z + step_z[side_of];
+            std::uint16_t& weight = found.patch.edge_weights[side_of];
+            weight = inner;
+            if (x < 0 || z < 0 || x >= cells || z >= cells) continue;  // the skirt takes every vertex
+            weight = std::min(inner, levels_.weight(above, x >> 1, z >> 1));
+            if (!levels_.splits(above, x >> 1, z >> 1)) found.stitches |= static_cast<std::uint8_t>(1u << side_of);
+        }
+    }
+    found_.push_back(found);
+    ++list_.figures.patches_by_level[static_cast<std::size_t>(node.level)];
+    list_.figures.triangles += patch_triangles(options_.vertices, found.stitches);
+}
+
+void Selection::sort_into_batches() {
+    std::array<std::uint32_t, 17> start{};
+    for (const Found& found : found_) ++start[found.stitches + 1u];
+    for (std::size_t s = 0; s < 16; ++s) start[s + 1] += start[s];
+
+    list_.batches.clear();
+    const std::uint32_t limit = options_.batch_limit > 0 ? static_cast<std::uint32_t>(options_.batch_limit)
+                                                         : std::numeric_limits<std::uint32_t>::max();
+    for (std::uint8_t s = 0; s < 16; ++s) {
+        for (std::uint32_t first = start[s]; first < start[s + 1u];) {
+            const std::uint32_t count = std::min(limit, start[s + 1u] - first);
+            list_.batches.push_back({s, first, count});
+            first += count;
+        }
+    }
+    list_.instances.resize(found_.size());
+    for (const Found& found : found_) list_.instances[start[found.stitches]++] = found.patch;
+}
+
+void Selection::walk_border() {
+    const QuadtreeGrid& grid = list_.grid;
+    const std::int32_t width = levels_.width();
+    list_.skirt.clear();
+    for (const Side side : {east, north, west, south}) {
+        const std::int32_t across = side == east || side == north ? width - 1 : 0;
+        const bool along_z = side == east || side == west;
+        for (std::int32_t cell = 0; cell < width;) {
+            const int level = along_z ? levels_.level_at(across, cell) : levels_.level_at(cell, across);
+            list_.skirt.push_back(
+                {static_cast<std::uint16_t>(cell * grid.vertices), static_cast<std::uint8_t>(level), side});
+            cell += std::int32_t{1} << (grid.deepest_level - level);
+        }
+    }
+}
+
+}  // namespace pelagic

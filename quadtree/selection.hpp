@@ -1,0 +1,84 @@
+// Chooses the patches to draw: one list for all views of a frame.
+//
+//   Selection selection(quadtree_preset_named("high")->options(2048));
+//   const DrawList& list = selection.select({.viewer_m = eyes, .views = both_eyes, .bounds = bounds_of_the_frame});
+//
+// The tree is walked with a stack; subtrees that no view can see are left out whole, so it visits what it draws and
+// the nodes above. What is split depends on the viewer alone (level_map.hpp), never on what is seen.
+#pragma once
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "quadtree/draw_list.hpp"
+#include "quadtree/frustum.hpp"
+#include "quadtree/level_map.hpp"
+#include "quadtree/quadtree_options.hpp"
+
+namespace pelagic {
+
+/// How far the surface leaves its rest anywhere; a frame's own extremes, or those of all frames.
+struct SurfaceBounds {
+    double height_min_m = 0;
+    double height_max_m = 0;
+    double sideways_x_max_m = 0;  ///< largest |Dx|
+    double sideways_z_max_m = 0;
+};
+
+struct SelectionInput {
+    glm::dvec3 viewer_m{};                 ///< decides the levels; between the eyes of a headset
+    std::optional<glm::dvec2> centre_m{};  ///< the grid is around it; none: around the viewer
+    std::span<const glm::dmat4> views{};   ///< clip from world: both eyes, a shadow's view; none: nothing is culled
+    SurfaceBounds bounds{};
+    ClipDepth depth = ClipDepth::either;  ///< of all views
+};
+
+class Selection {
+   public:
+    /// Throws std::invalid_argument(check(options)).
+    explicit Selection(const QuadtreeOptions& options);
+
+    /// The list stays valid until the next call. Throws std::invalid_argument if a number is not finite, the viewer or
+    /// the centre is further than 1e8 m from the origin, a view has no inverse, there are more than 32 or bounds are upside down; the list is
+    /// then the one before. Never allocates.
+    ///
+    /// The grid follows the centre in steps of S/4, by which every vertex and every patch from level 2 on stays where
+    /// it is; equation 69's S/(2V) keeps vertices but cuts the patches anew, which pops (errata). The waves fade out
+    /// between 5/16 S and 3/8 S from the centre, which is inside of the grid wherever it snapped to.
+    const DrawList& select(const SelectionInput& input);
+
+    const DrawList& list() const { return list_; }
+    /// The levels over the whole grid as of the last select().
+    const LevelMap& level_map() const { return levels_; }
+    const QuadtreeOptions& options() const { return options_; }
+
+   private:
+    struct Node {
+        std::int32_t level, x, z;
+        std::uint32_t seeing;  ///< a bit for each view that saw its parent
+    };
+    struct Found {
+        PatchInstance patch;
+        std::uint8_t stitches;
+    };
+
+    QuadtreeGrid grid_around(glm::dvec2 centre_m) const;
+    void walk(const SurfaceBounds& bounds);
+    void emit(const Node& node);
+    void sort_into_batches();
+    void walk_border();
+    std::uint32_t views_that_see(const Box& box, std::uint32_t of) const;
+
+    QuadtreeOptions options_;
+    LevelMap levels_;
+    DrawList list_;
+    std::vector<Frustum> frusta_, next_frusta_;
+    std::vector<Node> stack_;
+    std::vector<Found> found_;
+};
+
+}  // namespace pelagic

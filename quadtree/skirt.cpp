@@ -1,0 +1,26 @@
+#include "quadtree/skirt.hpp"
+
+namespace pelagic {
+
+SkirtMesh::SkirtMesh(int v) : vertices(v) {
+    // t runs so that, seen from above, the sea outside lies to the right of it: see skirt_position().
+    for (int t = 0; t < v; ++t) {
+        const auto inner = static_cast<std::uint16_t>(2 * t);
+        for (const int k : {0, 2, 1, 1, 2, 3}) indices.push_back(static_cast<std::uint16_t>(inner + k));
+    }
+}
+
+glm::dvec2 skirt_position(const QuadtreeGrid& grid, const SkirtInstance& piece, int t, bool outer) {
+    // East runs up z and west down, north down x and south up: all four turn the same way round.
+    const bool runs_down = piece.side == north || piece.side == west;
+    const std::int32_t along = piece.start + (runs_down ? grid.vertices - t : t) * grid.stride(piece.level);
+    const std::int32_t across = piece.side == east || piece.side == north ? grid.side : 0;
+    const bool along_z = piece.side == east || piece.side == west;
+    const glm::dvec2 index(along_z ? across : along, along_z ? along : across);
+    const glm::dvec2 inner = (glm::dvec2(grid.corner) + index) * grid.step_m;
+    if (!outer) return inner;
+    const glm::dvec2 middle = (glm::dvec2(grid.corner) + 0.5 * grid.side) * grid.step_m;
+    return middle + (inner - middle) * (2 * skirt_reach);
+}
+
+}  // namespace pelagic

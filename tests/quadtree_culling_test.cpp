@@ -1,0 +1,241 @@
+// Culling against every triangle of the displaced mesh, clipped by the view's own volume.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+#include <map>
+#include <numbers>
+#include <set>
+#include <tuple>
+
+#include "sim/ocean.hpp"
+#include "tests/quadtree_scene.hpp"
+
+namespace pelagic {
+namespace {
+
+#if defined(NDEBUG)
+constexpr int views = 1000;
+#else
+constexpr int views = 24;
+#endif
+
+/// A frame's displacement between its texels, as a GPU's bilinear filter has it, in double.
+class FrameSea {
+   public:
+    FrameSea(const Frame& frame, double patch_size_m) : frame_(frame), texel_m_(patch_size_m / frame.resolution()) {}
+
+    glm::dvec3 operator()(glm::dvec2 rest) const {
+        const double x = rest.x / texel_m_, z = rest.y / texel_m_;
+        const double fx = x - std::floor(x), fz = z - std::floor(z);
+        const auto n = static_cast<std::int64_t>(frame_.resolution());
+        const int i0 = static_cast<int>(((static_cast<std::int64_t>(std::floor(x)) % n) + n) % n);
+        const int j0 = static_cast<int>(((static_cast<std::int64_t>(std::floor(z)) % n) + n) % n);
+        const int i1 = (i0 + 1) % frame_.resolution(), j1 = (j0 + 1) % frame_.resolution();
+        const auto between = [&](const PlaneView& plane) {
+            return (plane.at(i0, j0) * (1 - fx) + plane.at(i1, j0) * fx) * (1 - fz) +
+                   (plane.at(i0, j1) * (1 - fx) + plane.at(i1, j1) * fx) * fz;
+        };
+        return {between(frame_.dx), between(frame_.height), between(frame_.dz)};
+    }
+    SurfaceBounds bounds() const {
+        const FrameBounds& b = frame_.bounds;
+        return {b.height_min_m, b.height_max_m, b.sideways_x_max_m, b.sideways_z_max_m};
+    }
+
+   private:
+    const Frame& frame_;
+    double texel_m_;
+};
+
+/// What a projection's depth may be. The volume itself is cut with these planes and no wider ones.
+struct Projection {
+    glm::dmat4 matrix;
+    bool zero_to_one;
+};
+
+/// Reversed depth with an infinite far plane: z = near / distance, from 1 down to 0.
+glm::dmat4 reversed_infinite(double fov, double aspect, double near) {
+    const double f = 1 / std::tan(fov / 2);
+    glm::dmat4 m(0);
+    m[0][0] = f / aspect;
+    m[1][1] = f;
+    m[2][3] = -1;
+    m[3][2] = near;
+    return m;
+}
+
+Projection random_projection(Random& random, int number) {
+    const double fov = random.between(0.4, 1.9), aspect = random.between(0.5, 2.2), near = random.between(0.05, 1);
+    const double far = random.between(200, 6000);
+    const auto lopsided = [&](double low, double high) { return near * random.between(low, high); };
+    switch (number % 7) {
+        case 0: return {glm::perspectiveRH_NO(fov, aspect, near, far), false};
+        case 1: return {glm::perspectiveRH_ZO(fov, aspect, near, far), true};
+        case 2:  // a headset's eye
+            return {glm::frustumRH_NO(lopsided(-1.4, -0.7), lopsided(0.6, 1.1), lopsided(-1.3, -0.8),
+                                      lopsided(0.8, 1.2), near, far),
+                    false};
+        case 3: return {glm::infinitePerspective(fov, aspect, near), false};
+        case 4: return {reversed_infinite(fov, aspect, near), true};
+        case 5:  // reversed depth: near and far changed places
+            return {glm::perspectiveRH_ZO(fov, aspect, far, near), true};
+        default:  // a shadow's view
+            return {glm::orthoRH_ZO(-300.0, 200.0, -150.0, 250.0, 0.1, far), true};
+    }
+}
+
+glm::dmat4 random_camera(Random& random, glm::dvec3 eye) {
+    const double heading = random.between(0, 2 * std::numbers::pi), pitch = random.between(-1.4, 0.6);
+    const glm::dvec3 forward(std::cos(pitch) * std::cos(heading), std::sin(pitch),
+                             std::cos(pitch) * std::sin(heading));
+    const double roll = random.between(-0.4, 0.4);
+    const glm::dvec3 up = glm::dvec3(glm::rotate(glm::dmat4(1), roll, forward) * glm::dvec4(0, 1, 0, 0));
+    return glm::lookAtRH(eye, eye + forward, up);
+}
+
+/// Part of the triangle lies in the clip volume: Sutherland and Hodgman's clipping leaves something.
+bool is_visible(const std::array<glm::dvec4, 3>& triangle, bool zero_to_one) {
+    using Distance = double (*)(const glm::dvec4&);
+    const Distance near = zero_to_one ? Distance([](const glm::dvec4& p) { return p.z; })
+                                      : Distance([](const glm::dvec4& p) { return p.w + p.z; });
+    const std::array<Distance, 6> inside = {[](const glm::dvec4& p) { return p.w + p.x; },
+                                            [](const glm::dvec4& p) { return p.w - p.x; },
+                                            [](const glm::dvec4& p) { return p.w + p.y; },
+                                            [](const glm::dvec4& p) { return p.w - p.y; },
+                                            near,
+                                            [](const glm::dvec4& p) { return p.w - p.z; }};
+    for (const Distance distance : inside)
+        if (distance(triangle[0]) < 0 && distance(triangle[1]) < 0 && distance(triangle[2]) < 0) return false;
+    std::vector<glm::dvec4> polygon(triangle.begin(), triangle.end()), cut;
+    for (const Distance distance : inside) {
+        cut.clear();
+        for (std::size_t k = 0; k < polygon.size(); ++k) {
+            const glm::dvec4 &a = polygon[k], &b = polygon[(k + 1) % polygon.size()];
+            const double da = distance(a), db = distance(b);
+            if (da >= 0) cut.push_back(a);
+            if ((da >= 0) != (db >= 0)) cut.push_back(a + (b - a) * (da / (da - db)));
+        }
+        polygon.swap(cut);
+        if (polygon.size() < 3) return false;
+    }
+    return true;
+}
+
+/// Which patches of an unculled list have a visible triangle.
+std::vector<bool> truly_visible(const DrawList& list, const PatchMesh& mesh, const FrameSea& sea,
+                                const std::vector<std::pair<glm::dmat4, bool>>& seen_by) {
+    std::vector<bool> visible(list.instances.size(), false);
+    std::vector<glm::dvec4> clip;
+    for (const DrawBatch& batch : list.batches) {
+        const PatchMesh::Range range = mesh.ranges[batch.stitches];
+        for (std::uint32_t i = batch.first; i < batch.first + batch.count; ++i) {
+            const std::vector<glm::dvec3> at = patch_positions(list.grid, list.instances[i], sea);
+            for (const auto& [clip_from_world, zero_to_one] : seen_by) {
+                clip.clear();
+                for (const glm::dvec3& p : at) clip.push_back(clip_from_world * glm::dvec4(p, 1));
+                for (std::uint32_t k = range.first; k < range.first + range.count && !visible[i]; k += 3)
+                    visible[i] = is_visible(
+                        {clip[mesh.indices[k]], clip[mesh.indices[k + 1]], clip[mesh.indices[k + 2]]}, zero_to_one);
+            }
+        }
+    }
+    return visible;
+}
+
+class Culling : public testing::Test {
+   protected:
+    Culling() : sea_(ocean_.frame_at(7.5), 250) {}
+
+    /// Compares one selection with the truth; counts.
+    void compare(const QuadtreeOptions& options, glm::dvec3 viewer,
+                 const std::vector<std::pair<glm::dmat4, bool>>& seen_by) {
+        Selection everything(options), culled(options), wider(options);
+        const DrawList& all = everything.select({.viewer_m = viewer});
+        std::vector<glm::dmat4> matrices;
+        for (const auto& view : seen_by) matrices.push_back(view.first);
+        const DrawList& kept =
+            culled.select({.viewer_m = viewer,
+                           .views = matrices,
+                           .bounds = sea_.bounds(),
+                           .depth = seen_by[0].second ? ClipDepth::zero_to_one : ClipDepth::minus_one_to_one});
+        // Without a word on the depth it keeps all of these, and perhaps more.
+        std::set<std::tuple<int, int, int>> kept_by_wider;
+        for (const PatchInstance& patch :
+             wider.select({.viewer_m = viewer, .views = matrices, .bounds = sea_.bounds()}).instances)
+            kept_by_wider.insert({patch.level, patch.corner_x, patch.corner_z});
+        for (const PatchInstance& patch : kept.instances)
+            EXPECT_TRUE(kept_by_wider.contains({patch.level, patch.corner_x, patch.corner_z}));
+        const PatchMesh mesh(options.vertices);
+        const std::vector<bool> visible = truly_visible(all, mesh, sea_, seen_by);
+        int lost = 0, seen = 0;
+        std::map<std::tuple<int, int, int>, const PatchInstance*> drawn;
+        for (const PatchInstance& patch : kept.instances)
+            drawn[{patch.level, patch.corner_x, patch.corner_z}] = &patch;
+        for (std::size_t i = 0; i < visible.size(); ++i) {
+            const PatchInstance& patch = all.instances[i];
+            const auto found = drawn.find({patch.level, patch.corner_x, patch.corner_z});
+            if (visible[i]) ++seen;
+            if (visible[i] && found == drawn.end()) ++lost;
+            if (found != drawn.end()) {
+                ASSERT_EQ(*found->second, patch);  // culling changes nothing else
+            }
+        }
+        EXPECT_EQ(lost, 0);
+        truly_ += seen;
+        kept_ += static_cast<int>(kept.instances.size());
+        // Views that graze the crests see a few patches; the boxes, as high as the highest crest, keep a few more.
+        if (seen >= 12) worst_ = std::max(worst_, static_cast<double>(kept.instances.size()) / seen);
+    }
+
+    Ocean ocean_{{.resolution = 64, .patch_size_m = 250, .wind_speed_mps = 18}, {.executor = make_serial_executor()}};
+    FrameSea sea_;
+    int truly_ = 0, kept_ = 0;
+    double worst_ = 0;
+};
+
+TEST_F(Culling, LosesNoVisibleTriangleAndKeepsFewInvisiblePatches) {
+    Random random(11);
+    const QuadtreeOptions choices[] = {quadtree_preset_named("low")->options(2048),
+                                       {.size_m = 1024, .vertices = 16, .lod_scale = 2.4},
+                                       {.size_m = 8192, .vertices = 8, .lod_scale = 2.2}};
+    for (int i = 0; i < views; ++i) {
+        const QuadtreeOptions& options = choices[i % 3];
+        const double height = i % 5 == 0 ? random.between(20, options.size_m / 4) : random.between(-3, 12);
+        const glm::dvec3 eye(random.between(-3000, 3000), height, random.between(-3000, 3000));
+        const Projection projection = random_projection(random, i);
+        SCOPED_TRACE("view " + std::to_string(i));
+        ASSERT_NO_FATAL_FAILURE(
+            compare(options, eye, {{projection.matrix * random_camera(random, eye), projection.zero_to_one}}));
+    }
+    ASSERT_GT(truly_, 10 * views);
+    EXPECT_LE(kept_, 1.6 * truly_);
+    EXPECT_LE(worst_, 1.6);
+    RecordProperty("kept_over_visible", std::to_string(static_cast<double>(kept_) / truly_));
+    RecordProperty("worst_view", std::to_string(worst_));
+    std::printf("kept %.3f times the visible patches, %.3f in the worst view\n", static_cast<double>(kept_) / truly_,
+                worst_);
+}
+
+TEST_F(Culling, LosesNothingOfEitherEye) {
+    Random random(12);
+    const QuadtreeOptions options = quadtree_preset_named("low")->options(2048);
+    for (int i = 0; i < views / 10; ++i) {
+        const glm::dvec3 head(random.between(-900, 900), random.between(0.5, 5), random.between(-900, 900));
+        const glm::dmat4 camera = random_camera(random, head);
+        std::vector<std::pair<glm::dmat4, bool>> eyes;
+        for (const double side : {-0.032, 0.032}) {
+            const glm::dmat4 eye = glm::translate(glm::dmat4(1), glm::dvec3(-side, 0, 0)) * camera;
+            const double inner = 0.9, outer = 1.3, near = 0.1;
+            const double left = side < 0 ? outer : inner, right = side < 0 ? inner : outer;
+            eyes.push_back({glm::frustumRH_ZO(-left * near, right * near, -near, near, near, 5000.0) * eye, true});
+        }
+        ASSERT_NO_FATAL_FAILURE(compare(options, head, eyes));
+    }
+    EXPECT_LE(kept_, 1.6 * truly_);
+}
+
+}  // namespace
+}  // namespace pelagic

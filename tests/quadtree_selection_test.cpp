@@ -1,0 +1,333 @@
+// Which patches are chosen: against the rule evaluated on the whole tree, and against each other.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <map>
+
+#include "quadtree/stitching.hpp"
+#include "tests/quadtree_scene.hpp"
+
+namespace pelagic {
+namespace {
+
+/// level_map.hpp's rule on every node of every level, until nothing changes any more.
+class WholeTree {
+   public:
+    WholeTree(const QuadtreeOptions& o, glm::dvec3 viewer_m) : deepest_(deepest_level(o.size_m)) {
+        const auto cells = [](int level) { return 1 << level; };
+        for (int level = 0; level < deepest_; ++level) {
+            const double side = o.size_m / cells(level);
+            for (int z = 0; z < cells(level); ++z)
+                for (int x = 0; x < cells(level); ++x) {
+                    const glm::dvec3 centre((x + 0.5) * side, 0, (z + 0.5) * side);
+                    const glm::dvec3 away = centre - viewer_m;
+                    measures_[{level, x, z}] =
+                        static_cast<float>(1 - glm::dot(away, away) / (o.lod_scale * side * o.lod_scale * side));
+                }
+        }
+        for (bool changed = true; changed;) {
+            changed = false;
+            for (const auto& [node, g] : measures_) {
+                const auto [level, x, z] = node;
+                for (const auto& [dx, dz] : {std::pair{0, 0}, {1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
+                    if (x + dx < 0 || z + dz < 0) continue;
+                    const auto parent = measures_.find({level - 1, (x + dx) / 2, (z + dz) / 2});
+                    if (parent == measures_.end()) continue;
+                    const float demand = 0.25f + std::min(g, 0.f);
+                    if (parent->second >= demand) continue;
+                    parent->second = demand;
+                    changed = true;
+                }
+            }
+        }
+    }
+    int level_at(int x, int z) const {
+        int level = 0;
+        while (level < deepest_ && measures_.at({level, x >> (deepest_ - level), z >> (deepest_ - level)}) > 0)
+            ++level;
+        return level;
+    }
+
+   private:
+    int deepest_;
+    std::map<std::array<int, 3>, float> measures_;
+};
+
+std::vector<QuadtreeOptions> all_options() {
+    std::vector<QuadtreeOptions> all;
+    for (const QuadtreePreset& preset : quadtree_presets())
+        for (const double size : sizes_m) all.push_back(preset.options(size));
+    return all;
+}
+
+TEST(Selection, SplitsWhatTheRuleSplitsOnTheWholeTree) {
+    Random random(1);
+    for (const double size : {256.0, 512.0, 1024.0, 2048.0}) {
+        for (const double tau : {0.75, 1.0, 1.5, 2.0, 3.0}) {
+            Selection selection({.size_m = size, .vertices = 2, .lod_scale = tau});
+            for (int i = 0; i < 12; ++i) {
+                const SelectionInput input = random_viewer(random, size, i);
+                const QuadtreeGrid& grid = selection.select(input).grid;
+                const glm::dvec2 corner = glm::dvec2(grid.corner) * grid.step_m;
+                const WholeTree tree(selection.options(), input.viewer_m - glm::dvec3(corner.x, 0, corner.y));
+                const int width = selection.level_map().width();
+                for (int z = 0; z < width; ++z)
+                    for (int x = 0; x < width; ++x)
+                        ASSERT_EQ(selection.level_map().level_at(x, z), tree.level_at(x, z))
+                            << describe(selection.options(), input) << " cell " << x << " " << z;
+            }
+        }
+    }
+}
+
+// Where the paper's rule alone is balanced already, nothing is added to it but a node that is split a little early for
+// its neighbour's sake: those whose measure is above -k.
+TEST(Selection, SplitsByEquation57WhereThatIsBalanced) {
+    Random random(2);
+    const double size = 2048, tau = 2.4;
+    Selection selection({.size_m = size, .vertices = 2, .lod_scale = tau});
+    for (int i = 0; i < 200; ++i) {
+        const SelectionInput input{.viewer_m = {random.between(-500, 500), 2, random.between(-500, 500)}};
+        const QuadtreeGrid& grid = selection.select(input).grid;
+        for (int level = 0; level < grid.deepest_level; ++level) {
+            const double side = size / (1 << level);
+            for (int z = 0; z < 1 << level; ++z)
+                for (int x = 0; x < 1 << level; ++x) {
+                    const glm::dvec2 centre =
+                        glm::dvec2(grid.corner) * grid.step_m + glm::dvec2(x + 0.5, z + 0.5) * side;
+                    const double d = glm::length(glm::dvec3(centre.x, 0, centre.y) - input.viewer_m);
+                    if (d < side * tau * 0.999999) {
+                        ASSERT_TRUE(selection.level_map().splits(level, x, z));
+                    }
+                    if (d > side * tau * std::sqrt(1 + LevelMap::morph_zone)) {
+                        ASSERT_FALSE(selection.level_map().splits(level, x, z));
+                    }
+                }
+        }
+    }
+}
+
+TEST(Selection, DeepestLevelIsEquation56) {
+    EXPECT_EQ(deepest_level(256), 2);
+    EXPECT_EQ(deepest_level(300), 2);
+    EXPECT_EQ(deepest_level(512), 3);
+    EXPECT_EQ(deepest_level(1024), 4);
+    EXPECT_EQ(deepest_level(8192), 7);
+}
+
+// The drawn patches tile the grid as the level map says, and cover it once.
+TEST(Selection, TheLevelMapHoldsWhatIsDrawnAndWhatWouldBe) {
+    Random random(3);
+    for (const QuadtreeOptions& options : all_options()) {
+        Selection selection(options), culled(options);
+        for (int i = 0; i < 30; ++i) {
+            SelectionInput input = random_viewer(random, options.size_m, i);
+            const DrawList& list = selection.select(input);
+            const int width = selection.level_map().width();
+            std::vector<int> covered(static_cast<std::size_t>(width * width), 0);
+            for (const PatchInstance& patch : list.instances) {
+                const int cells = 1 << (list.grid.deepest_level - patch.level);
+                const int x0 = patch.corner_x / options.vertices, z0 = patch.corner_z / options.vertices;
+                for (int z = z0; z < z0 + cells; ++z)
+                    for (int x = x0; x < x0 + cells; ++x) {
+                        ++covered[static_cast<std::size_t>(x + z * width)];
+                        ASSERT_EQ(selection.level_map().level_at(x, z), patch.level);
+                    }
+            }
+            ASSERT_TRUE(std::ranges::all_of(covered, [](int n) { return n == 1; })) << describe(options, input);
+
+            const glm::dmat4 nothing_seen(glm::dvec4(1, 0, 0, 0), glm::dvec4(0, 1, 0, 0), glm::dvec4(0, 0, 1, 0),
+                                          glm::dvec4(0, -1e9, 0, 1));
+            input.views = {&nothing_seen, 1};
+            EXPECT_TRUE(culled.select(input).instances.empty());
+            for (int z = 0; z < width; ++z)
+                for (int x = 0; x < width; ++x)
+                    ASSERT_EQ(culled.level_map().level_at(x, z), selection.level_map().level_at(x, z));
+        }
+    }
+}
+
+TEST(Selection, MoreTauMeansMoreTriangles) {
+    Random random(4);
+    for (const double size : sizes_m) {
+        for (int i = 0; i < 60; ++i) {
+            const SelectionInput input = random_viewer(random, size, i);
+            std::uint64_t before = 0;
+            for (double tau = 0.75; tau <= 8; tau *= 1.25) {
+                Selection selection({.size_m = size, .vertices = 16, .lod_scale = tau});
+                const std::uint64_t triangles = selection.select(input).figures.triangles;
+                EXPECT_GE(triangles, before) << describe(selection.options(), input);
+                before = triangles;
+            }
+        }
+    }
+    // And really more where there is something to split.
+    Selection coarse({.size_m = 4096, .lod_scale = 1}), fine({.size_m = 4096, .lod_scale = 2});
+    const SelectionInput on_board{.viewer_m = {0, 3, 0}};
+    EXPECT_GT(fine.select(on_board).figures.triangles, 2 * coarse.select(on_board).figures.triangles);
+}
+
+TEST(Selection, PresetsGrowInTrianglesAndInDetail) {
+    for (const double size : sizes_m) {
+        std::uint64_t triangles = 0;
+        double step = std::numeric_limits<double>::infinity();
+        for (const char* name : {"low", "medium", "high", "ultra"}) {
+            Selection selection(quadtree_preset_named(name)->options(size));
+            const DrawList& list = selection.select({.viewer_m = {10, 2, 20}});
+            EXPECT_GT(list.figures.triangles, triangles) << name << " " << size;
+            EXPECT_LT(list.grid.step_m, step) << name << " " << size;
+            triangles = list.figures.triangles;
+            step = list.grid.step_m;
+        }
+    }
+}
+
+TEST(Selection, ThePapersPresetsStayAvailable) {
+    // Table 2: vertices, LOD scale, cull scale.
+    const std::map<std::string, std::array<double, 3>> table = {{"paper_low", {16, 2.0, 1.2}},
+                                                                {"paper_medium", {32, 1.5, 1.5}},
+                                                                {"paper_high", {64, 1.2, 1.8}},
+                                                                {"paper_ultra", {64, 1.0, 2.0}}};
+    for (const auto& [name, values] : table) {
+        const QuadtreePreset* preset = quadtree_preset_named(name);
+        ASSERT_NE(preset, nullptr) << name;
+        EXPECT_EQ(
+            (std::array<double, 3>{static_cast<double>(preset->vertices), preset->lod_scale, preset->cull_scale}),
+            values);
+    }
+    EXPECT_EQ(quadtree_preset_named("best"), nullptr);
+}
+
+TEST(Selection, BatchesHoldEveryInstanceOnceAtAnyLimit) {
+    Selection unlimited({.size_m = 4096, .vertices = 16});
+    const SelectionInput input{.viewer_m = {100, 3, -70}};
+    const DrawList& all = unlimited.select(input);
+    EXPECT_LE(all.batches.size(), 16u);
+    const auto count = static_cast<int>(all.instances.size());
+    for (int limit = 1; limit <= count + 1; ++limit) {
+        Selection limited({.size_m = 4096, .vertices = 16, .batch_limit = limit});
+        const DrawList& list = limited.select(input);
+        ASSERT_EQ(list.instances, all.instances);
+        std::uint32_t next = 0;
+        for (const DrawBatch& batch : list.batches) {
+            ASSERT_EQ(batch.first, next);
+            ASSERT_GT(batch.count, 0u);
+            ASSERT_LE(batch.count, static_cast<std::uint32_t>(limit));
+            next += batch.count;
+        }
+        ASSERT_EQ(next, all.instances.size());
+        // Each instance is still drawn with the stitches it had.
+        for (const DrawBatch& whole : all.batches)
+            for (const DrawBatch& part : list.batches)
+                if (part.first >= whole.first && part.first < whole.first + whole.count) {
+                    ASSERT_EQ(part.stitches, whole.stitches);
+                }
+    }
+}
+
+TEST(Selection, CountsWhatItDraws) {
+    Selection selection(quadtree_preset_named("high")->options(8192));
+    const DrawList& list = selection.select({.viewer_m = {3, 2, 4}});
+    std::uint64_t triangles = 0, patches = 0;
+    for (const DrawBatch& batch : list.batches)
+        triangles += std::uint64_t{batch.count} * patch_triangles(64, batch.stitches);
+    for (const std::uint32_t n : list.figures.patches_by_level) patches += n;
+    EXPECT_EQ(list.figures.triangles, triangles);
+    EXPECT_EQ(patches, list.instances.size());
+    // A tree whose inner nodes have four children: n leaves hang under (n - 1) / 3 others.
+    EXPECT_EQ(list.figures.nodes_visited, patches + (patches - 1) / 3);
+}
+
+// One level more for twice the size: the cost follows what is drawn.
+TEST(Selection, VisitsGrowWithTheLevelsAndNotWithTheArea) {
+    std::vector<double> visits;
+    for (const double size : sizes_m) {
+        Selection selection(quadtree_preset_named("medium")->options(size));
+        visits.push_back(selection.select({.viewer_m = {1, 2, 3}}).figures.nodes_visited);
+    }
+    for (std::size_t k = 3; k < visits.size(); ++k)
+        EXPECT_LT(visits[k] - visits[k - 1], 1.5 * (visits[k - 1] - visits[k - 2]) + 20);
+    EXPECT_LT(visits.back(), 500);  // of 21845 nodes
+}
+
+TEST(Selection, AllViewsShareOneListThatHoldsWhatAnySees) {
+    Random random(5);
+    const auto towards = [](double heading) {  // a box 400 m long and 100 m wide, as a shadow's view
+        const double c = std::cos(heading), s = std::sin(heading);
+        return glm::dmat4(c / 200, 0, s / 50, 0, 0, 1e-3, 0, 0, -s / 200, 0, c / 50, 0, -1, 0, 0, 1);
+    };
+    const QuadtreeOptions options = quadtree_preset_named("low")->options(2048);
+    Selection one(options), other(options), both(options);
+    const auto contains = [](const DrawList& list, const PatchInstance& patch) {
+        return std::ranges::find(list.instances, patch) != list.instances.end();
+    };
+    for (int i = 0; i < 200; ++i) {
+        const std::array<glm::dmat4, 2> views = {towards(random.between(0, 6.28)), towards(random.between(0, 6.28))};
+        const glm::dvec3 viewer(random.between(-9, 9), 2, 0);
+        one.select({.viewer_m = viewer, .views = {&views[0], 1}});
+        other.select({.viewer_m = viewer, .views = {&views[1], 1}});
+        both.select({.viewer_m = viewer, .views = views});
+        for (const PatchInstance& patch : both.list().instances)
+            EXPECT_TRUE(contains(one.list(), patch) || contains(other.list(), patch));
+        for (const DrawList* list : {&one.list(), &other.list()})
+            for (const PatchInstance& patch : list->instances) EXPECT_TRUE(contains(both.list(), patch));
+        EXPECT_GT(one.list().instances.size(), 0u);
+    }
+}
+
+void expect_refused(const QuadtreeOptions& options, const std::string& said) {
+    try {
+        Selection selection(options);
+        ADD_FAILURE() << "accepted, should say " << said;
+    } catch (const std::invalid_argument& error) {
+        EXPECT_EQ(error.what(), said);
+    }
+}
+
+TEST(SelectionInput, OptionsOutOfRangeAreNamed) {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    expect_refused({.size_m = 255}, "size_m is 255, needs [256, 8192]");
+    expect_refused({.size_m = 8193}, "size_m is 8193, needs [256, 8192]");
+    expect_refused({.size_m = nan}, "size_m is nan, needs [256, 8192]");
+    expect_refused({.vertices = 0}, "vertices is 0, needs an even number from 2 to 128");
+    expect_refused({.vertices = 63}, "vertices is 63, needs an even number from 2 to 128");
+    expect_refused({.vertices = 130}, "vertices is 130, needs an even number from 2 to 128");
+    expect_refused({.lod_scale = 0.5}, "lod_scale is 0.5, needs [0.75, 8]");
+    expect_refused({.lod_scale = nan}, "lod_scale is nan, needs [0.75, 8]");
+    expect_refused({.cull_scale = 0.9}, "cull_scale is 0.9, needs [1, 4]");
+    expect_refused({.batch_limit = -1}, "batch_limit is -1, needs 0 or more");
+}
+
+TEST(SelectionInput, BadFramesAreRefusedAndLeaveTheListAsItWas) {
+    const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+    Selection selection({});
+    const std::vector<PatchInstance> before = selection.select({.viewer_m = {1, 2, 3}}).instances;
+    glm::dmat4 no_number(1), flat(1), twice(1);
+    no_number[2][1] = nan;
+    flat[1] = glm::dvec4(0);
+    twice[0] = twice[1];
+    const glm::dmat4 zero(0);
+    const std::vector<SelectionInput> bad = {
+        {.viewer_m = {nan, 0, 0}},
+        {.viewer_m = {0, inf, 0}},
+        {.viewer_m = {0, 0, 1e9}},
+        {.centre_m = glm::dvec2(nan, 0)},
+        {.views = {&no_number, 1}},
+        {.views = {&flat, 1}},
+        {.views = {&twice, 1}},
+        {.views = {&zero, 1}},
+        {.bounds = {.height_min_m = nan}},
+        {.bounds = {.height_min_m = 2, .height_max_m = 1}},
+        {.bounds = {.sideways_x_max_m = -1}},
+    };
+    for (std::size_t i = 0; i < bad.size(); ++i) {
+        EXPECT_THROW(selection.select(bad[i]), std::invalid_argument) << i;
+        EXPECT_EQ(selection.list().instances, before) << i;
+    }
+    EXPECT_EQ(selection.select({.viewer_m = {1, 2, 3}}).instances, before);
+}
+
+}  // namespace
+}  // namespace pelagic

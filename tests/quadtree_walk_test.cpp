@@ -1,0 +1,190 @@
+// A viewer walks: what stays in the mesh stays in its place, and the surface never jumps.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+
+#include "tests/quadtree_scene.hpp"
+
+namespace pelagic {
+namespace {
+
+#if defined(NDEBUG)
+constexpr double walk_m = 1000;
+#else
+constexpr double walk_m = 20;  // sanitizers look for other things
+#endif
+constexpr double pace_m = 0.01;
+
+struct Walk {
+    const char* preset;
+    double size_m;
+};
+void PrintTo(const Walk& walk, std::ostream* out) { *out << walk.preset << " " << walk.size_m; }
+
+class EachWalk : public testing::TestWithParam<Walk> {
+   protected:
+    QuadtreeOptions options() const { return quadtree_preset_named(GetParam().preset)->options(GetParam().size_m); }
+    /// Slanted, so that borders are crossed at an angle, and longer than a snap.
+    glm::dvec3 on_the_way(double m) const { return {m * 0.8 + 11, 1.7, m * 0.6 - 3}; }
+};
+INSTANTIATE_TEST_SUITE_P(Walks, EachWalk,
+                         testing::Values(Walk{"low", 1024}, Walk{"medium", 1024}, Walk{"high", 1024},
+                                         Walk{"ultra", 1024}, Walk{"low", 256}, Walk{"medium", 8192},
+                                         Walk{"paper_low", 1024}, Walk{"paper_medium", 2048},
+                                         Walk{"paper_high", 2048}, Walk{"paper_ultra", 2048}),
+                         [](const auto& test) {
+                             return std::string(test.param.preset) + "_" +
+                                    std::to_string(static_cast<int>(test.param.size_m));
+                         });
+
+/// The height of the mesh over a point, for a sea that only moves up and down: so points rest where they are drawn.
+class MeshHeight {
+   public:
+    MeshHeight(const Selection& selection, const SineSea& sea) : selection_(selection), sea_(sea) {
+        const QuadtreeGrid& grid = selection.list().grid;
+        patches_.assign(static_cast<std::size_t>(selection.level_map().width() * selection.level_map().width()),
+                        nullptr);
+        for (const DrawBatch& batch : selection.list().batches)
+            for (std::uint32_t i = batch.first; i < batch.first + batch.count; ++i) {
+                const PatchInstance& patch = selection.list().instances[i];
+                slot(patch.corner_x / grid.vertices, patch.corner_z / grid.vertices) = &patch;
+            }
+        for (const DrawBatch& batch : selection.list().batches)
+            ends_.push_back({&selection.list().instances[batch.first] + batch.count, batch.stitches});
+    }
+
+    double at(glm::dvec2 point) {
+        const QuadtreeGrid& grid = selection_.list().grid;
+        const glm::dvec2 steps = point / grid.step_m - glm::dvec2(grid.corner);
+        if (steps.x < 0 || steps.y < 0 || steps.x >= grid.side || steps.y >= grid.side) return 0;  // the skirt
+        const auto cell_x = static_cast<int>(steps.x) / grid.vertices,
+                   cell_z = static_cast<int>(steps.y) / grid.vertices;
+        const int level = selection_.level_map().level_at(cell_x, cell_z);
+        const int cells = 1 << (grid.deepest_level - level);
+        const PatchInstance& patch = *slot(cell_x / cells * cells, cell_z / cells * cells);
+        // In vertices of the patch; then in its 3 x 3 cell, whose fan turns around the middle.
+        const glm::dvec2 in_patch = (steps - glm::dvec2(patch.corner_x, patch.corner_z)) / double(grid.stride(level));
+        const int cx = std::min(static_cast<int>(in_patch.x) / 2, grid.vertices / 2 - 1);
+        const int cz = std::min(static_cast<int>(in_patch.y) / 2, grid.vertices / 2 - 1);
+        const glm::dvec2 from_middle = in_patch - glm::dvec2(2 * cx + 1, 2 * cz + 1);
+        return fan_height(patch, stitches_of(&patch), cx, cz, from_middle);
+    }
+
+   private:
+    const PatchInstance*& slot(int x, int z) {
+        return patches_[static_cast<std::size_t>(x + z * selection_.level_map().width())];
+    }
+    unsigned stitches_of(const PatchInstance* patch) const {
+        for (const auto& [end, stitches] : ends_)
+            if (patch < end) return stitches;
+        return 0;
+    }
+
+    /// Walks round the cell's edge: which triangle (middle, a, b) holds the point, and its plane there.
+    double fan_height(const PatchInstance& patch, unsigned stitches, int cx, int cz, glm::dvec2 p) const {
+        const QuadtreeGrid& grid = selection_.list().grid;
+        const int v = grid.vertices;
+        const auto height = [&](int di, int dj) {
+            return patch_vertex(grid, patch, 2 * cx + 1 + di, 2 * cz + 1 + dj, sea_).y;
+        };
+        // The quarter: east |x| >= |z| with x > 0, and so on. Its side may lack the midpoint.
+        const bool is_x = std::abs(p.x) >= std::abs(p.y);
+        const int sign = (is_x ? p.x : p.y) >= 0 ? 1 : -1;
+        const Side side = is_x ? (sign > 0 ? east : west) : (sign > 0 ? north : south);
+        const bool at_border = is_x ? (sign > 0 ? cx == v / 2 - 1 : cx == 0) : (sign > 0 ? cz == v / 2 - 1 : cz == 0);
+        const double out = std::abs(is_x ? p.x : p.y), along = is_x ? p.y : p.x;
+        const auto edge_height = [&](int a) { return is_x ? height(sign, a) : height(a, sign); };
+        const double middle = height(0, 0);
+        if (out == 0) return middle;
+        // On the side itself the point is at along / out, from -1 to 1.
+        const double s = along / out;
+        double edge;
+        if (at_border && (stitches >> side & 1) != 0)
+            edge = edge_height(-1) * (1 - s) / 2 + edge_height(1) * (1 + s) / 2;
+        else if (s < 0)
+            edge = edge_height(-1) * -s + edge_height(0) * (1 + s);
+        else
+            edge = edge_height(1) * s + edge_height(0) * (1 - s);
+        return middle * (1 - out) + edge * out;
+    }
+
+    const Selection& selection_;
+    const SineSea& sea_;
+    std::vector<const PatchInstance*> patches_;
+    std::vector<std::pair<const PatchInstance*, unsigned>> ends_;
+};
+
+// A pop would be as high as what a coarser grid misses: up to the wave's whole height, 4 m.
+TEST_P(EachWalk, TheSurfaceChangesByLessThanAMillimetreAStep) {
+    const SineSea sea{.height_m = 2, .sideways_m = 0};
+    Random random(10);
+    std::vector<glm::dvec2> points;
+    for (int i = 0; i < 100; ++i) {
+        const glm::dvec3 near = on_the_way(random.between(-0.2, 1.2) * walk_m);
+        points.push_back({near.x + random.between(-150, 150), near.z + random.between(-150, 150)});
+    }
+    Selection selection(options());
+    std::vector<double> before;
+    double largest = 0, whole = 0;
+    for (int step = 0; step * pace_m <= walk_m; ++step) {
+        selection.select({.viewer_m = on_the_way(step * pace_m)});
+        MeshHeight mesh(selection, sea);
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const double height = mesh.at(points[i]);
+            if (step == 0) {
+                before.push_back(height);
+                continue;
+            }
+            const double change = std::abs(height - before[i]);
+            ASSERT_LT(change, 1e-3) << "step " << step << " point " << points[i].x << " " << points[i].y;
+            largest = std::max(largest, change);
+            whole += change;
+            before[i] = height;
+        }
+    }
+    RecordProperty("largest_change_mm", std::to_string(largest * 1000));
+    if (walk_m >= 1000 && options().size_m > 256) {
+        EXPECT_GT(whole, 0.1) << "nothing ever morphed, so nothing was tested";
+    }
+}
+
+// Rest positions by level: a patch of level 2 and finer lies on the world's own raster of its size, so the same place
+// is always covered by the same patch, and its vertices are the same doubles.
+TEST_P(EachWalk, NoVertexThatStaysInTheMeshMoves) {
+    Selection selection(options());
+    using Place = std::tuple<int, std::int64_t, std::int64_t>;  // level, raster
+    std::map<Place, std::pair<glm::dvec2, glm::dvec2>> known;   // its first and last vertex
+    for (double m = 0; m <= walk_m; m += 0.5) {
+        const QuadtreeGrid& grid = selection.select({.viewer_m = on_the_way(m)}).grid;
+        for (const PatchInstance& patch : selection.list().instances) {
+            if (patch.level < 2) continue;
+            const std::int64_t side = grid.patch_side(patch.level);
+            const std::int64_t x = grid.corner.x + patch.corner_x, z = grid.corner.y + patch.corner_z;
+            ASSERT_EQ(x % side, 0);
+            ASSERT_EQ(z % side, 0);
+            const std::pair corners(rest_position(grid, patch, 0, 0), rest_position(grid, patch, grid.vertices, 1));
+            const auto [entry, is_new] = known.try_emplace({patch.level, x / side, z / side}, corners);
+            ASSERT_EQ(entry->second, corners);
+        }
+    }
+    EXPECT_GT(known.size(), 4u);
+}
+
+// The grid goes along: the viewer is never further than S/8 from its middle, on either axis.
+TEST_P(EachWalk, TheGridFollowsInStepsOfAQuarter) {
+    Selection selection(options());
+    for (double m = 0; m <= walk_m; m += 0.5) {
+        const glm::dvec3 viewer = on_the_way(m);
+        const QuadtreeGrid& grid = selection.select({.viewer_m = viewer}).grid;
+        const glm::dvec2 middle = (glm::dvec2(grid.corner) + grid.side / 2.0) * grid.step_m;
+        ASSERT_LE(std::abs(middle.x - viewer.x), grid.size_m() / 8 * (1 + 1e-12));
+        ASSERT_LE(std::abs(middle.y - viewer.z), grid.size_m() / 8 * (1 + 1e-12));
+        ASSERT_EQ(grid.corner.x % (grid.side / 4), 0);
+    }
+}
+
+}  // namespace
+}  // namespace pelagic
