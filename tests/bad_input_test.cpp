@@ -20,7 +20,7 @@ struct BadInput {
 std::vector<BadInput> bad_inputs() {
     std::vector<BadInput> all = {
         // Commands and words.
-        {{}, {"no command", "export", "info"}},
+        {{}, {"no command", "export", "info", "quadtree"}},
         {{"exprot"}, {"exprot", "export"}},
         {{"--frobnicate"}, {"--frobnicate", "export"}},
         {{"export", "--out", "OUT", "stray"}, {"stray", "unexpected"}},
@@ -34,6 +34,23 @@ std::vector<BadInput> bad_inputs() {
         {{"export", "--out", ""}, {"--out", "folder"}},
         {{"export", "--out", "CONFIG"}, {"--out", "CONFIG", "is a file"}},
         {{"export", "--out", "CONFIG/below"}, {"--out", "CONFIG", "is a file"}},
+        // The quadtree's options.
+        {{"quadtree", "--size", "255"}, {"--size", "is 255", "[256, 8192]"}},
+        {{"quadtree", "--size", "9000"}, {"--size", "is 9000", "[256, 8192]"}},
+        {{"quadtree", "--size", "nan"}, {"--size", "is nan", "[256, 8192]"}},
+        {{"quadtree", "--quality", "best"}, {"--quality", "is best", "low, medium, high, ultra"}},
+        {{"quadtree", "--camera", "1,2"}, {"--camera", "is 1,2", "X,Y,Z"}},
+        {{"quadtree", "--camera", "1,nan,2"}, {"--camera", "is 1,nan,2", "X,Y,Z"}},
+        {{"quadtree", "--target", "1,2,1e9"}, {"--target", "is 1,2,1e9", "[-1e7, 1e7]"}},
+        {{"quadtree", "--camera", "1,2,3", "--target", "1,2,3"},
+         {"--target", "1,2,3", "another place than --camera"}},
+        {{"quadtree", "--fov", "0"}, {"--fov", "is 0", "[1, 160]"}},
+        {{"quadtree", "--fov", "180"}, {"--fov", "is 180", "[1, 160]"}},
+        {{"quadtree", "--stereo", "0"}, {"--stereo", "is 0", "(0, 1]"}},
+        {{"quadtree", "--stereo", "-0.06"}, {"--stereo", "is -0.06", "(0, 1]"}},
+        {{"quadtree", "--time", "noon"}, {"--time", "is noon", "[-1e9, 1e9]"}},
+        {{"quadtree", "--obj", ""}, {"--obj", "empty", "a file"}},
+        {{"quadtree", "--wind-speed", "-3"}, {"--wind-speed", "is -3"}},
         // Export's own options.
         {{"export", "--out", "OUT", "--frames", "0"}, {"--frames", "is 0", "1 to 1000000"}},
         {{"export", "--out", "OUT", "--frames", "-4"}, {"--frames", "is -4", "1 to 1000000"}},

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/displacement_sampler.hpp"
 #include "sim/ocean.hpp"
 #include "tests/each_isa.hpp"
 #include "tests/oracle/gradient_oracle.hpp"
@@ -138,6 +139,31 @@ TEST_P(FrameOnEachIsa, GradientBytesOfEveryLevelAreWithinOneStepOfEquation50) {
                     << "level " << m << " texel " << texel << " byte " << c;
             }
         }
+    }
+}
+
+TEST(DisplacementSampler, HoldsTexelsGoesStraightBetweenThemAndRepeats) {
+    const double side = 130;
+    Ocean ocean = ocean_on({.resolution = 32, .patch_size_m = 130}, choose_isa());
+    const Frame& frame = ocean.frame_at(4);
+    const DisplacementSampler sampler(frame, side);
+    const double texel = side / 32;
+    for (const int patch : {0, 1, -3}) {
+        for (int j = 0; j < 32; ++j)
+            for (int i = 0; i < 32; ++i) {
+                // A texel's place may round to a hair before it: off by that part of a slope below 1.
+                const Displacement at = sampler.at(i * texel + patch * side, j * texel - patch * side);
+                EXPECT_NEAR(at.dx, frame.dx.at(i, j), 1e-9);
+                EXPECT_NEAR(at.height, frame.height.at(i, j), 1e-9);
+                EXPECT_NEAR(at.dz, frame.dz.at(i, j), 1e-9);
+                const Displacement centre = sampler.at((i + 0.5) * texel + patch * side, (j + 0.5) * texel);
+                const int right = (i + 1) % 32, below = (j + 1) % 32;
+                const auto mean = [&](const PlaneView& p) {
+                    return (double{p.at(i, j)} + p.at(right, j) + p.at(i, below) + p.at(right, below)) / 4;
+                };
+                EXPECT_NEAR(centre.height, mean(frame.height), 1e-9);
+                EXPECT_NEAR(centre.dz, mean(frame.dz), 1e-9);
+            }
     }
 }
 

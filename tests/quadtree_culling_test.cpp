@@ -10,6 +10,7 @@
 #include <set>
 #include <tuple>
 
+#include "sim/displacement_sampler.hpp"
 #include "sim/ocean.hpp"
 #include "tests/quadtree_scene.hpp"
 
@@ -22,23 +23,14 @@ constexpr int views = 1000;
 constexpr int views = 24;
 #endif
 
-/// A frame's displacement between its texels, as a GPU's bilinear filter has it, in double.
+/// A frame's displacement between its texels.
 class FrameSea {
    public:
-    FrameSea(const Frame& frame, double patch_size_m) : frame_(frame), texel_m_(patch_size_m / frame.resolution()) {}
+    FrameSea(const Frame& frame, double patch_size_m) : frame_(frame), sampler_(frame, patch_size_m) {}
 
     glm::dvec3 operator()(glm::dvec2 rest) const {
-        const double x = rest.x / texel_m_, z = rest.y / texel_m_;
-        const double fx = x - std::floor(x), fz = z - std::floor(z);
-        const auto n = static_cast<std::int64_t>(frame_.resolution());
-        const int i0 = static_cast<int>(((static_cast<std::int64_t>(std::floor(x)) % n) + n) % n);
-        const int j0 = static_cast<int>(((static_cast<std::int64_t>(std::floor(z)) % n) + n) % n);
-        const int i1 = (i0 + 1) % frame_.resolution(), j1 = (j0 + 1) % frame_.resolution();
-        const auto between = [&](const PlaneView& plane) {
-            return (plane.at(i0, j0) * (1 - fx) + plane.at(i1, j0) * fx) * (1 - fz) +
-                   (plane.at(i0, j1) * (1 - fx) + plane.at(i1, j1) * fx) * fz;
-        };
-        return {between(frame_.dx), between(frame_.height), between(frame_.dz)};
+        const Displacement d = sampler_.at(rest.x, rest.y);
+        return {d.dx, d.height, d.dz};
     }
     SurfaceBounds bounds() const {
         const FrameBounds& b = frame_.bounds;
@@ -47,7 +39,7 @@ class FrameSea {
 
    private:
     const Frame& frame_;
-    double texel_m_;
+    DisplacementSampler sampler_;
 };
 
 /// What a projection's depth may be. The volume itself is cut with these planes and no wider ones.

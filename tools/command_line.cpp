@@ -13,10 +13,13 @@
 #include "tools/export_command.hpp"
 #include "tools/info_command.hpp"
 #include "tools/option_text.hpp"
+#include "tools/quadtree_command.hpp"
 #include "tools/stop_signal.hpp"
 
 namespace pelagic::tools {
 namespace {
+
+constexpr const char* commands_text = "export, info or quadtree";
 
 std::vector<std::string> option_names(const CLI::App& app) {
     std::vector<std::string> names;
@@ -42,7 +45,7 @@ InputError from_cli(const CLI::ParseError& error, const CLI::App& app, const std
         const std::vector<std::string> extras = used.remaining(true);
         const std::string word = extras.empty() ? "" : extras.front();
         const std::string name = word.substr(0, word.find('='));
-        if (commands.empty()) return InputError("unknown command " + word + ", needs export or info");
+        if (commands.empty()) return InputError("unknown command " + word + ", needs " + commands_text);
         if (!name.starts_with('-'))
             return InputError("unexpected word " + word + ", needs options such as " + options.back());
         return InputError("unknown option " + name + ", the nearest known one is " + nearest_name(name, options));
@@ -99,8 +102,11 @@ int run(int argc, const char* const* argv) {
     CLI::App& info_app = *app.add_subcommand("info", "say what a sea is, before anything is written");
     InfoFlags info_flags;
     info_flags.add_to(info_app);
+    CLI::App& quadtree_app = *app.add_subcommand("quadtree", "which patches a view draws: figures, mesh, plan");
+    QuadtreeCommandFlags quadtree_flags;
+    quadtree_flags.add_to(quadtree_app);
 
-    for (CLI::App* command : {&export_app, &info_app})
+    for (CLI::App* command : {&export_app, &info_app, &quadtree_app})
         command->set_version_flag("--version", "pelagic " PELAGIC_VERSION);
 
     try {
@@ -116,8 +122,10 @@ int run(int argc, const char* const* argv) {
         run_export(export_flags.resolve());
     else if (info_app.parsed())
         info_flags.run();
+    else if (quadtree_app.parsed())
+        quadtree_flags.run();
     else
-        throw InputError("no command, needs export or info; pelagic --help says more");
+        throw InputError(std::string("no command, needs ") + commands_text + "; pelagic --help says more");
     check_standard_output();
     return 0;
 }

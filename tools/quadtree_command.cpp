@@ -1,0 +1,164 @@
+#include "tools/quadtree_command.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <glm/ext/matrix_clip_space.hpp>
+#include <glm/trigonometric.hpp>
+#include <vector>
+
+#include "quadtree/selection.hpp"
+#include "sim/displacement_sampler.hpp"
+#include "sim/ocean.hpp"
+#include "tools/atomic_file.hpp"
+#include "tools/errors.hpp"
+#include "tools/option_text.hpp"
+#include "tools/quadtree_files.hpp"
+#include "tools/sea_json.hpp"
+
+namespace pelagic::tools {
+namespace {
+
+constexpr double aspect = 16.0 / 9;
+constexpr double near_m = 0.1;
+constexpr double latest_s = 1e9;
+
+double number_in(const std::string& option, const std::string& text, double least, double most,
+                 const char* accepted) {
+    const auto number = parse_number(text);
+    if (!number || *number < least || *number > most) throw bad_value(option, text, accepted);
+    return *number;
+}
+
+/// One view, or two eyes side by side.
+std::vector<glm::dmat4> views_of(const Camera& camera, double eyes_apart_m) {
+    const glm::dmat4 projection = glm::infinitePerspectiveRH(glm::radians(camera.fov_deg), aspect, near_m);
+    std::vector<glm::dmat4> views;
+    if (eyes_apart_m == 0) return {projection * camera.view_from_world()};
+    for (const double side : {-0.5, 0.5})
+        views.push_back(projection * camera.moved_right(side * eyes_apart_m).view_from_world());
+    return views;
+}
+
+/// The median of calls that have warmed up.
+double microseconds_of(Selection& selection, const SelectionInput& input) {
+    std::vector<double> all;
+    for (int i = 0; i < 101; ++i) {
+        const auto start = std::chrono::steady_clock::now();
+        selection.select(input);
+        all.push_back(std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count());
+    }
+    std::nth_element(all.begin(), all.begin() + 50, all.end());
+    return all[50];
+}
+
+Json figures_json(const DrawList& list, const QuadtreeOptions& options, std::size_t views, double microseconds) {
+    Json levels = Json::array();
+    for (int level = 0; level <= list.grid.deepest_level; ++level)
+        levels.push_back({{"level", level},
+                          {"patch_size_m", list.grid.patch_size_m(level)},
+                          {"patches", list.figures.patches_by_level[static_cast<std::size_t>(level)]}});
+    Json batches = Json::array();
+    for (const DrawBatch& batch : list.batches)
+        batches.push_back({{"stitches", batch.stitches}, {"instances", batch.count}});
+    return {{"size_m", options.size_m},
+            {"vertices", options.vertices},
+            {"lod_scale", options.lod_scale},
+            {"cull_scale", options.cull_scale},
+            {"views", views},
+            {"instances", list.instances.size()},
+            {"triangles", list.figures.triangles},
+            {"nodes_visited", list.figures.nodes_visited},
+            {"microseconds", std::round(microseconds * 100) / 100},
+            {"skirt_pieces", list.skirt.size()},
+            {"patches_by_level", levels},
+            {"batches", batches}};
+}
+
+void print_table(const Json& json) {
+    std::printf("%-18s%g m, %d steps a patch side, lod scale %g\n", "grid", json.at("size_m").get<double>(),
+                json.at("vertices").get<int>(), json.at("lod_scale").get<double>());
+    for (const char* name : {"views", "instances", "triangles", "nodes_visited", "microseconds"})
+        std::printf("%-18s%s\n", name, json.at(name).dump().c_str());
+    std::printf("%-18s%zu, and the skirt\n", "batches", json.at("batches").size());
+    for (const Json& level : json.at("patches_by_level"))
+        std::printf("  level %d, %6g m  %s\n", level.at("level").get<int>(), level.at("patch_size_m").get<double>(),
+                    level.at("patches").dump().c_str());
+}
+
+}  // namespace
+
+void QuadtreeFlags::add_to(CLI::App& app, const std::string& size_option) {
+    size_option_ = size_option;
+    app.add_option(size_option, size_, "side of the square of sea, metres, [256, 8192] [2048]")->type_name("M");
+    app.add_option("--quality", quality_,
+                   "level of detail: low, medium, high or ultra; paper_low ... paper_ultra are the paper's [high]")
+        ->type_name("NAME");
+}
+
+QuadtreeOptions QuadtreeFlags::resolve() const {
+    const std::string name = quality_.value_or("high");
+    const QuadtreePreset* preset = quadtree_preset_named(name);
+    if (preset == nullptr) {
+        std::vector<std::string> names;
+        for (const QuadtreePreset& known : quadtree_presets()) names.emplace_back(known.name);
+        throw bad_value("--quality", name, list_of(names));
+    }
+    const double size_m = size_ ? number_in(size_option_, *size_, 256, 8192, "[256, 8192]") : 2048;
+    return preset->options(size_m);
+}
+
+void QuadtreeCommandFlags::add_to(CLI::App& app) {
+    quadtree_.add_to(app, "--size");
+    camera_.add_to(app);
+    app.add_option("--stereo", stereo_, "two eyes that far apart, metres, (0, 1]")->type_name("M");
+    app.add_option("--time", time_, "of the frame, seconds, [-1e9, 1e9] [0]")->type_name("S");
+    app.add_flag("--all", all_, "every patch, whatever the camera sees");
+    app.add_option("--obj", obj_, "write the displaced mesh")->type_name("FILE");
+    app.add_option("--json", json_, "write the figures")->type_name("FILE");
+    app.add_option("--svg", svg_, "write the plan, coloured by level")->type_name("FILE");
+    sea_.add_to(app);
+    compute_.add_to(app);
+}
+
+void QuadtreeCommandFlags::run() const {
+    const QuadtreeOptions options = quadtree_.resolve();
+    const Camera camera = camera_.resolve();
+    const double apart_m = stereo_ ? number_in("--stereo", *stereo_, 0, 1, "(0, 1]") : 0;
+    if (stereo_ && apart_m == 0) throw bad_value("--stereo", *stereo_, "(0, 1]");
+    const double time_s = time_ ? number_in("--time", *time_, -latest_s, latest_s, "[-1e9, 1e9]") : 0;
+    const ResolvedSea sea = sea_.resolve();
+    const ComputeOptions compute = compute_.resolve();
+    for (const auto& [option, file] : {std::pair{"--obj", obj_}, {"--json", json_}, {"--svg", svg_}}) {
+        if (file && file->empty()) throw InputError(std::string(option) + " is empty, needs a file to write to");
+        if (file) check_writable(*file);
+    }
+
+    Ocean ocean(sea.sea, {.executor = make_default_executor(compute.threads), .isa = compute.isa});
+    const Frame& frame = ocean.frame_at(time_s);
+    const std::vector<glm::dmat4> views = all_ ? std::vector<glm::dmat4>() : views_of(camera, apart_m);
+    const SelectionInput input{.viewer_m = camera.eye_m,
+                               .views = views,
+                               .bounds = {frame.bounds.height_min_m, frame.bounds.height_max_m,
+                                          frame.bounds.sideways_x_max_m, frame.bounds.sideways_z_max_m},
+                               .depth = ClipDepth::minus_one_to_one};
+    Selection selection(options);
+    const double microseconds = microseconds_of(selection, input);
+    const DrawList& list = selection.list();
+
+    const Json figures = figures_json(list, options, views.size(), microseconds);
+    if (obj_) write_whole_file(*obj_, mesh_as_obj(list, DisplacementSampler(frame, sea.sea.patch_size_m)));
+    if (json_) write_whole_file(*json_, figures.dump(2) + "\n");
+    if (svg_) {
+        Selection everything(options);
+        const DrawList& all = everything.select({.viewer_m = camera.eye_m});
+        std::vector<Frustum> frusta;
+        for (const glm::dmat4& view : views) frusta.emplace_back(view, ClipDepth::minus_one_to_one);
+        write_whole_file(*svg_, plan_as_svg(list, all, frusta, camera.eye_m));
+    }
+    print_table(figures);
+}
+
+}  // namespace pelagic::tools
