@@ -16,8 +16,9 @@ Displacement DisplacementSampler::at(double x_m, double z_m) const {
     const int i0 = static_cast<int>(static_cast<long long>(column) & mask), i1 = (i0 + 1) & mask;
     const int j0 = static_cast<int>(static_cast<long long>(row) & mask), j1 = (j0 + 1) & mask;
     const auto between = [&](const PlaneView& plane) {
-        const double upper = plane.at(i0, j0) + right * (plane.at(i1, j0) - plane.at(i0, j0));
-        const double lower = plane.at(i0, j1) + right * (plane.at(i1, j1) - plane.at(i0, j1));
+        const auto at = [&](int i, int j) { return static_cast<double>(plane.at(i, j)); };
+        const double upper = at(i0, j0) + right * (at(i1, j0) - at(i0, j0));
+        const double lower = at(i0, j1) + right * (at(i1, j1) - at(i0, j1));
         return upper + down * (lower - upper);
     };
     return {between(frame_.dx), between(frame_.height), between(frame_.dz)};
