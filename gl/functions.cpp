@@ -1,0 +1,59 @@
+#include "gl/functions.hpp"
+
+#include <string>
+
+#include "gl/errors.hpp"
+
+namespace pelagic::gl {
+namespace {
+
+template <class Function>
+void load(GetProcAddress get, const char* name, Function& function) {
+    function = reinterpret_cast<Function>(get(name));
+}
+
+}  // namespace
+
+Functions load_functions(GetProcAddress get) {
+    Functions gl;
+#define PELAGIC_GL_LOAD(name)           \
+    load(get, "gl" #name, gl.name);     \
+    if (!gl.name) throw GlError("the OpenGL ES driver has no gl" #name ", needs OpenGL ES 3.0; Debian: libgl1-mesa-dri");
+    PELAGIC_GL_FUNCTIONS(PELAGIC_GL_LOAD)
+#undef PELAGIC_GL_LOAD
+
+    const auto* version = reinterpret_cast<const char*>(gl.GetString(GL_VERSION));
+    if (!version) throw GlError("no OpenGL ES context is current on this thread, needs one");
+    const std::string text = version;
+    if (!text.starts_with("OpenGL ES ") || text.size() < 11 || text[10] < '3')
+        throw GlError("the context is \"" + text + "\", needs OpenGL ES 3.0 or later");
+
+    if (has_extension(gl, "GL_KHR_debug")) load(get, "glDebugMessageCallbackKHR", gl.DebugMessageCallbackKHR);
+    if (has_extension(gl, "GL_KHR_robustness"))
+        load(get, "glGetGraphicsResetStatusKHR", gl.GetGraphicsResetStatus);
+    else if (has_extension(gl, "GL_EXT_robustness"))
+        load(get, "glGetGraphicsResetStatusEXT", gl.GetGraphicsResetStatus);
+    if (has_extension(gl, "GL_OVR_multiview2"))
+        load(get, "glFramebufferTextureMultiviewOVR", gl.FramebufferTextureMultiviewOVR);
+    // ES 3.2 has it without an extension, and drivers of 3.2 list it all the same.
+    gl.renders_to_half_floats =
+        has_extension(gl, "GL_EXT_color_buffer_half_float") || has_extension(gl, "GL_EXT_color_buffer_float");
+    if (has_extension(gl, "GL_EXT_texture_filter_anisotropic"))
+        gl.GetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, &gl.most_anisotropy);
+    return gl;
+}
+
+bool has_extension(const Functions& gl, std::string_view name) {
+    GLint count = 0;
+    gl.GetIntegerv(GL_NUM_EXTENSIONS, &count);
+    for (GLint i = 0; i < count; ++i)
+        if (name == reinterpret_cast<const char*>(gl.GetStringi(GL_EXTENSIONS, static_cast<GLuint>(i)))) return true;
+    return false;
+}
+
+void check_context(const Functions& gl) {
+    if (gl.GetGraphicsResetStatus && gl.GetGraphicsResetStatus() != GL_NO_ERROR)
+        throw ContextLost("the graphics driver reset its context; build a new one and the renderer in it");
+}
+
+}  // namespace pelagic::gl
