@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "gl/errors.hpp"
+#include "gl/stopwatch.hpp"
 
 namespace pelagic::gl {
 namespace {
@@ -103,6 +104,7 @@ void FrameTextures::upload(const Frame& frame) {
     std::memcpy(to + displacement_bytes(), frame.gradient_rgba8.data(), gradient_bytes());
     gl_.UnmapBuffer(GL_PIXEL_UNPACK_BUFFER);
 
+    const Stopwatch driver;
     gl_.BindTexture(GL_TEXTURE_2D, displacement());
     gl_.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, resolution_, resolution_, GL_RGBA, GL_HALF_FLOAT, nullptr);
     if (has_displacement_mips()) gl_.GenerateMipmap(GL_TEXTURE_2D);
@@ -113,6 +115,7 @@ void FrameTextures::upload(const Frame& frame) {
                           GL_UNSIGNED_BYTE, buffer_offset(offset));
     }
     pixels.done = gl_.FenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+    driver_ms_ = driver.milliseconds();
 }
 
 }  // namespace pelagic::gl

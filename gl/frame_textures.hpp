@@ -30,6 +30,7 @@ class FrameTextures {
     int resolution() const { return resolution_; }
     /// The driver made the displacement's mips, and vertices may take them.
     bool has_displacement_mips() const { return gl_.renders_to_half_floats; }
+    double last_driver_ms() const { return driver_ms_; }  ///< of the last upload(): the calls that move texels
     std::size_t bytes_per_frame() const { return displacement_bytes() + gradient_bytes(); }
 
    private:
@@ -51,6 +52,7 @@ class FrameTextures {
     std::array<Pair, 2> pairs_;
     std::array<PixelBuffer, 3> ring_;
     std::size_t pair_ = 0, next_buffer_ = 0;
+    double driver_ms_ = 0;
 };
 
 }  // namespace pelagic::gl

@@ -22,7 +22,7 @@ namespace pelagic::gl {
     X(FrontFace) X(GenBuffers) X(GenFramebuffers) X(GenRenderbuffers) X(GenSamplers) X(GenTextures)                   \
     X(GenVertexArrays) X(GenerateMipmap) X(GetBooleanv) X(GetError) X(GetFloatv) X(GetIntegeri_v) X(GetIntegerv)      \
     X(GetProgramInfoLog) X(GetProgramiv) X(GetShaderInfoLog) X(GetShaderiv) X(GetString) X(GetStringi)                \
-    X(GetUniformBlockIndex) X(GetUniformLocation) X(IsEnabled) X(LinkProgram) X(MapBufferRange) X(PixelStorei)        \
+    X(GetUniformBlockIndex) X(GetUniformLocation) X(IsEnabled) X(LinkProgram) X(MapBufferRange) X(PixelStorei) X(PolygonOffset) X(Uniform1f) \
     X(ReadPixels) X(RenderbufferStorageMultisample) X(SamplerParameteri) X(SamplerParameterf) X(Scissor)              \
     X(ShaderSource) X(TexParameteri) X(TexStorage2D) X(TexSubImage2D) X(Uniform1i) X(UniformBlockBinding)             \
     X(UnmapBuffer) X(UseProgram) X(VertexAttribDivisor) X(VertexAttribIPointer) X(VertexAttribPointer) X(Viewport)

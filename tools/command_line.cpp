@@ -14,6 +14,9 @@
 #include "tools/info_command.hpp"
 #include "tools/option_text.hpp"
 #include "tools/quadtree_command.hpp"
+#if defined(PELAGIC_HAS_GL)
+#include "tools/render_command.hpp"
+#endif
 #include "tools/stop_signal.hpp"
 
 namespace pelagic::tools {
@@ -106,7 +109,16 @@ int run(int argc, const char* const* argv) {
     QuadtreeCommandFlags quadtree_flags;
     quadtree_flags.add_to(quadtree_app);
 
-    for (CLI::App* command : {&export_app, &info_app, &quadtree_app})
+#if defined(PELAGIC_HAS_GL)
+    CLI::App& render_app = *app.add_subcommand("render", "draw pictures of a sea, without a window");
+    RenderFlags render_flags;
+    render_flags.add_to(render_app);
+#else
+    CLI::App& render_app = *app.add_subcommand("render", "not in this build, which was configured with PELAGIC_GL=OFF");
+    render_app.allow_extras();
+#endif
+
+    for (CLI::App* command : {&export_app, &info_app, &quadtree_app, &render_app})
         command->set_version_flag("--version", "pelagic " PELAGIC_VERSION);
 
     try {
@@ -124,6 +136,12 @@ int run(int argc, const char* const* argv) {
         info_flags.run();
     else if (quadtree_app.parsed())
         quadtree_flags.run();
+    else if (render_app.parsed())
+#if defined(PELAGIC_HAS_GL)
+        run_render(render_flags.resolve());
+#else
+        throw InputError("render is not in this build, needs one configured with -DPELAGIC_GL=ON");
+#endif
     else
         throw InputError(std::string("no command, needs ") + commands_text + "; pelagic --help says more");
     check_standard_output();

@@ -82,6 +82,15 @@ std::vector<unsigned char> encode_gradient(const Frame& frame, int level, ImageF
     return encode(gradient_extension(format), spec, frame.gradient_level(level).data());
 }
 
+std::vector<unsigned char> encode_picture(std::span<const std::uint8_t> rgba, int width, int height) {
+    std::vector<std::uint8_t> rgb;
+    rgb.reserve(rgba.size() / 4 * 3);
+    for (std::size_t i = 0; i < rgba.size(); i += 4) rgb.insert(rgb.end(), {rgba[i], rgba[i + 1], rgba[i + 2]});
+    ImageSpec spec(width, height, 3, TypeDesc::UINT8);
+    spec.attribute("oiio:ColorSpace", "sRGB");
+    return encode("png", spec, rgb.data());
+}
+
 const char* displacement_extension(ImageFormat format) { return format == ImageFormat::tiff ? "tif" : "exr"; }
 const char* gradient_extension(ImageFormat format) { return format == ImageFormat::tiff ? "tif" : "png"; }
 

@@ -1,6 +1,8 @@
 // Frames as image files, encoded in memory. Image row j is texel row j (z), column i is x.
 #pragma once
 
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "sim/frame.hpp"
@@ -16,6 +18,9 @@ std::vector<unsigned char> encode_displacement(const Frame& frame, ImageFormat f
 /// One level of the gradient chain as RGBA8, PNG or TIFF, byte for byte: alpha is a smoothness, not a coverage, so
 /// it is marked as unassociated, or OpenImageIO would divide the normals by it.
 std::vector<unsigned char> encode_gradient(const Frame& frame, int level, ImageFormat format);
+
+/// A picture for people: sRGB PNG from RGBA8 pixels, the upper row first; their alpha is left out.
+std::vector<unsigned char> encode_picture(std::span<const std::uint8_t> rgba, int width, int height);
 
 /// "exr", "png" or "tif".
 const char* displacement_extension(ImageFormat format);

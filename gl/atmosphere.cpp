@@ -1,0 +1,137 @@
+#include "gl/atmosphere.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/exponential.hpp>
+#include <glm/geometric.hpp>
+
+namespace pelagic::gl {
+namespace {
+
+constexpr float pi = 3.14159265f;
+constexpr int elevations = 96, azimuths = 33;
+constexpr int view_samples = 40, sun_samples = 12;
+
+/// Distance from a point at `height_m`, towards an angle from the zenith, to the sphere of `top_m` above the sea.
+float distance_to_height(float height_m, float cosine, float top_m) {
+    // In double: the squares of the earth's radius leave a float no metres.
+    const double r = double{earth_radius_m} + height_m, top = double{earth_radius_m} + top_m;
+    const double b = r * cosine;
+    return static_cast<float>(-b + std::sqrt(std::max(0.0, b * b - r * r + top * top)));
+}
+
+float height_at(float height_m, float cosine, float distance_m) {
+    const double r = double{earth_radius_m} + height_m, d = distance_m;
+    return static_cast<float>(std::sqrt(r * r + d * d + 2 * r * d * cosine) - earth_radius_m);
+}
+
+}  // namespace
+
+float haze_per_m(float visibility_m) { return std::max(2e-6f, 3.912f / visibility_m - rayleigh_per_m.y); }
+
+float mie_phase(float cosine, float g) {
+    const float g2 = g * g;
+    return 3 / (8 * pi) * (1 - g2) * (1 + cosine * cosine) /
+           ((2 + g2) * std::pow(std::max(1e-4f, 1 + g2 - 2 * g * cosine), 1.5f));
+}
+
+float rayleigh_phase(float cosine) { return 3 / (16 * pi) * (1 + cosine * cosine); }
+
+Atmosphere::Atmosphere(glm::vec3 sun, float visibility_m) : sun_(sun), haze_per_m_(haze_per_m(visibility_m)) {
+    fill_table();
+}
+
+glm::vec3 Atmosphere::optical_depth(float height_m, float cosine) const {
+    const float length = distance_to_height(height_m, cosine, atmosphere_top_m);
+    glm::vec3 depth(0);
+    float before = 0;
+    for (int i = 1; i <= sun_samples; ++i) {
+        // Steps grow with distance: the air that counts is near.
+        const float part = static_cast<float>(i) / sun_samples;
+        const float end = length * part * part;
+        const float h = std::max(0.f, height_at(height_m, cosine, (before + end) / 2));
+        depth += (rayleigh_per_m * std::exp(-h / rayleigh_height_m) + haze_per_m_ * std::exp(-h / mie_height_m)) *
+                 (end - before);
+        before = end;
+    }
+    return depth;
+}
+
+glm::vec3 Atmosphere::sun_transmittance(float height_m) const {
+    // The earth's shadow, with a soft edge of the sun's own width: 0.27 degrees to either side.
+    const float r = earth_radius_m;
+    const float horizon = -std::sqrt(std::max(0.f, 1 - (r / (r + height_m)) * (r / (r + height_m))));
+    const float lit = glm::clamp((sun_.y - horizon) / 0.0094f + 0.5f, 0.f, 1.f);
+    return lit > 0 ? lit * glm::exp(-optical_depth(height_m, sun_.y)) : glm::vec3(0);
+}
+
+glm::vec3 Atmosphere::transmittance(float sine_of_elevation, float distance_m) const {
+    glm::vec3 depth(0);
+    constexpr int samples = 8;
+    for (int i = 0; i < samples; ++i) {
+        const float at = distance_m * (static_cast<float>(i) + 0.5f) / samples;
+        const float h = std::max(0.f, height_at(0, sine_of_elevation, at));
+        depth += rayleigh_per_m * std::exp(-h / rayleigh_height_m) + haze_per_m_ * std::exp(-h / mie_height_m);
+    }
+    return glm::exp(-depth * (distance_m / samples));
+}
+
+void Atmosphere::fill_table() {
+    table_.resize(elevations * azimuths);
+    const float sun_across = std::sqrt(std::max(0.f, 1 - sun_.y * sun_.y));
+    for (int e = 0; e < elevations; ++e) {
+        const float root = static_cast<float>(e) / (elevations - 1);
+        const float sine = root * root, across = std::sqrt(1 - sine * sine);
+        for (int a = 0; a < azimuths; ++a) {
+            const float azimuth = pi * static_cast<float>(a) / (azimuths - 1);
+            const float length = distance_to_height(0, sine, atmosphere_top_m);
+            Scattered sum;
+            glm::vec3 depth(0);
+            float before = 0;
+            for (int i = 1; i <= view_samples; ++i) {
+                const float part = static_cast<float>(i) / view_samples;
+                const float end = length * part * part, at = (before + end) / 2, step = end - before;
+                before = end;
+                const float h = std::max(0.f, height_at(0, sine, at));
+                const float air = std::exp(-h / rayleigh_height_m), haze = std::exp(-h / mie_height_m);
+                const glm::vec3 taken = (rayleigh_per_m * air + haze_per_m_ * haze) * step;
+                // The zenith turns by the distance over the radius: it decides where the sun sets.
+                const float turn = at * across / earth_radius_m;
+                const float sun_sine = sun_.y * std::cos(turn) + sun_across * std::cos(azimuth) * std::sin(turn);
+                const float r = earth_radius_m;
+                const float horizon = -std::sqrt(std::max(0.f, 1 - (r / (r + h)) * (r / (r + h))));
+                const float lit = glm::clamp((sun_sine - horizon) / 0.0094f + 0.5f, 0.f, 1.f);
+                if (lit > 0) {
+                    const glm::vec3 light = lit * glm::exp(-(depth + 0.5f * taken + optical_depth(h, sun_sine)));
+                    sum.rayleigh += light * rayleigh_per_m * (air * step);
+                    sum.mie += light * (haze_per_m_ * mie_albedo * haze * step);
+                }
+                depth += taken;
+            }
+            table_[static_cast<std::size_t>(e * azimuths + a)] = sum;
+        }
+    }
+}
+
+glm::vec3 Atmosphere::radiance(glm::vec3 direction) const {
+    const float sun_across = std::sqrt(std::max(1e-8f, 1 - sun_.y * sun_.y));
+    const float across = std::sqrt(std::max(1e-8f, direction.x * direction.x + direction.z * direction.z));
+    const float cosine = (direction.x * sun_.x + direction.z * sun_.z) / (across * sun_across);
+    const float azimuth = std::acos(glm::clamp(cosine, -1.f, 1.f)) / pi * (azimuths - 1);
+    const float elevation = std::sqrt(std::clamp(direction.y, 0.f, 1.f)) * (elevations - 1);
+    const int e = std::min(static_cast<int>(elevation), elevations - 2);
+    const int a = std::min(static_cast<int>(azimuth), azimuths - 2);
+    const float fe = elevation - static_cast<float>(e), fa = azimuth - static_cast<float>(a);
+    const auto at = [&](int de, int da) -> const Scattered& {
+        return table_[static_cast<std::size_t>((e + de) * azimuths + a + da)];
+    };
+    const auto mixed = [&](glm::vec3 Scattered::*part) {
+        return (1 - fe) * ((1 - fa) * at(0, 0).*part + fa * at(0, 1).*part) +
+               fe * ((1 - fa) * at(1, 0).*part + fa * at(1, 1).*part);
+    };
+    const float to_sun = glm::dot(direction, sun_);
+    return mixed(&Scattered::rayleigh) * rayleigh_phase(to_sun) +
+           mixed(&Scattered::mie) * mie_phase(to_sun, mie_asymmetry);
+}
+
+}  // namespace pelagic::gl

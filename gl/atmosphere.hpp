@@ -1,0 +1,57 @@
+// The clear sky: sunlight scattered once by air (Rayleigh) and by haze (Mie), seen from sea level.
+//
+// Coefficients and scale heights: Bruneton and Neyret 2008, "Precomputed Atmospheric Scattering", table 1 and section 2.1
+// (after Riley et al. 2004); no ozone. The sun's irradiance above the air is 1 in every channel: the picture's white.
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <vector>
+
+namespace pelagic::gl {
+
+inline constexpr float earth_radius_m = 6.36e6f;
+inline constexpr float atmosphere_top_m = 60e3f;
+/// Scattering by air at sea level for 680, 550 and 440 nm, 1/m, and the height in which it falls to 1/e.
+inline constexpr glm::vec3 rayleigh_per_m{5.8e-6f, 13.5e-6f, 33.1e-6f};
+inline constexpr float rayleigh_height_m = 8000;
+inline constexpr float mie_height_m = 1200;
+inline constexpr float mie_albedo = 0.9f;       ///< scattering over extinction
+inline constexpr float mie_asymmetry = 0.76f;   ///< g
+
+/// Extinction by haze at sea level, 1/m, for a visibility: the distance at which contrast falls to 2 % (Koschmieder
+/// 1924), less what air itself takes at 550 nm.
+float haze_per_m(float visibility_m);
+
+/// Cornette and Shanks 1992, normalised over the sphere.
+float mie_phase(float cosine, float asymmetry);
+float rayleigh_phase(float cosine);
+
+/// The sky for one sun. Directions are unit vectors, +y up; radiance is relative to the sun's irradiance.
+class Atmosphere {
+   public:
+    /// \param sun  towards the sun; it may stand below the horizon
+    Atmosphere(glm::vec3 sun, float visibility_m);
+
+    /// Radiance of the clear sky; below the horizon that of the horizon.
+    glm::vec3 radiance(glm::vec3 direction) const;
+    /// Part of the sun's light that arrives at `height_m` above the sea.
+    glm::vec3 sun_transmittance(float height_m = 0) const;
+    /// Part of light that is left after a path from sea level, `distance_m` towards an elevation.
+    glm::vec3 transmittance(float sine_of_elevation, float distance_m) const;
+    glm::vec3 sun() const { return sun_; }
+
+   private:
+    glm::vec3 optical_depth(float height_m, float cosine) const;
+    void fill_table();
+
+    // Light scattered by air and by haze apart, without the phase functions, which would need a finer table.
+    struct Scattered {
+        glm::vec3 rayleigh{}, mie{};
+    };
+    glm::vec3 sun_;
+    float haze_per_m_;
+    std::vector<Scattered> table_;  ///< by the root of the elevation's sine and the azimuth from the sun
+};
+
+}  // namespace pelagic::gl

@@ -1,0 +1,47 @@
+// The patch mesh, its lines and the skirt's mesh as GL buffers, and the instances of a draw list.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "gl/objects.hpp"
+#include "quadtree/draw_list.hpp"
+#include "quadtree/patch_mesh.hpp"
+
+namespace pelagic::gl {
+
+class PatchBuffers {
+   public:
+    PatchBuffers(const Functions& gl, int vertices);
+
+    /// Hands a list's instances to the driver; returns their bytes. Buffers alternate, so nothing waits.
+    std::size_t upload(const DrawList& list);
+
+    struct Counts {
+        int calls = 0;
+        std::uint64_t triangles = 0;
+        double driver_ms = 0;  ///< inside the draw calls
+    };
+    /// \pre upload(list), and the patch program is in use
+    Counts draw_patches(const DrawList& list, bool as_lines);
+    /// \pre upload(list), and the skirt's program is in use
+    Counts draw_skirt(const DrawList& list);
+
+   private:
+    struct Lists {
+        VertexArray patches, lines, skirt;
+        Buffer instances;
+        std::size_t capacity = 0, skirt_offset = 0;
+    };
+    void describe_patches(const Buffer& indices);
+
+    const Functions& gl_;
+    PatchMesh mesh_;
+    std::array<PatchMesh::Range, 16> line_ranges_{};
+    std::size_t skirt_indices_ = 0;
+    Buffer vertices_, triangles_, lines_, skirt_;
+    std::array<Lists, 3> ring_;
+    std::size_t current_ = 0;
+};
+
+}  // namespace pelagic::gl

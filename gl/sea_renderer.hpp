@@ -1,0 +1,81 @@
+// Draws the sea: uploads a frame, then draws the quadtree's patches, the skirt and the sky for one eye or two.
+//
+//   SeaRenderer renderer(gl, {.patch_vertices = selection.options().vertices, .resolution = ocean.sea().resolution});
+//   renderer.set_sky(baker.complete());
+//   each frame:  renderer.upload(ocean.complete());
+//                renderer.draw({.eyes = eyes, .viewer_m = head, .list = selection.select(...), .sea = &ocean.sea(), ...});
+//
+// It needs an OpenGL ES 3.0 context, current whenever it is built, called or destroyed; any context does, the host's too.
+// No compute shaders, nothing is read back. draw() needs a bound framebuffer with depth, cleared by the host. Every
+// piece of GL state ends as it was found, apart from the viewport, which is that of the last eye.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include "gl/frame_textures.hpp"
+#include "gl/sky_baker.hpp"
+#include "gl/views.hpp"
+#include "quadtree/draw_list.hpp"
+#include "sim/sea_state.hpp"
+
+namespace pelagic::gl {
+
+struct RendererOptions {
+    int patch_vertices = 64;           ///< V of the draw lists
+    int resolution = 256;              ///< N of the frames
+    bool framebuffer_is_srgb = false;  ///< it encodes what shaders write; else they do
+    bool multiview = false;            ///< the framebuffer holds both eyes as layers (OVR_multiview2)
+    float most_anisotropy = 8;         ///< of the gradient map, where the driver has such a filter; [1, 16]
+};
+
+enum class DrawMode { shaded, wireframe };
+
+struct DrawInput {
+    std::span<const Eye> eyes;      ///< one or two
+    glm::dvec3 viewer_m{};          ///< what positions are relative to: the selection's viewer
+    const DrawList* list = nullptr;
+    double lod_scale = 2.2;         ///< tau of the selection, by which the displacement's mip follows the mesh
+    const SeaState* sea = nullptr;
+    double significant_wave_height_m = 1;
+    double time_s = 0;
+    DrawMode mode = DrawMode::shaded;
+    bool draws_sky = true;
+};
+
+/// What the last draw() handed to the driver.
+struct DrawFigures {
+    int sea_calls = 0;  ///< of the views together: patches and skirt
+    int sky_calls = 0;
+    std::uint64_t triangles = 0;
+    std::size_t instance_bytes = 0;
+    /// The host's time in draw() and in the last upload(), and the part of each inside calls in which the driver itself
+    /// transforms, rasterises or copies texels: a software driver does that at once.
+    double draw_ms = 0, draw_driver_ms = 0;
+    double upload_ms = 0, upload_driver_ms = 0;
+    std::size_t upload_bytes = 0;
+};
+
+class SeaRenderer {
+   public:
+    /// \param gl  outlives the renderer. Throws GlError if the driver refuses a shader.
+    SeaRenderer(const Functions& gl, const RendererOptions& options);
+    ~SeaRenderer();
+    SeaRenderer(const SeaRenderer&) = delete;
+    SeaRenderer& operator=(const SeaRenderer&) = delete;
+
+    void set_sky(const Sky& sky);
+    void upload(const Frame& frame);
+    /// \pre upload() and set_sky() have been called; all pointers are set; patches have options.patch_vertices
+    const DrawFigures& draw(const DrawInput& input);
+
+    const FrameTextures& textures() const;
+    const DrawFigures& figures() const;
+
+   private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace pelagic::gl

@@ -1,0 +1,220 @@
+// Open sea. In the order of main():
+//
+//   waves       normal and roughness from the gradient map's mips, ripples that no texel holds, coverage by foam
+//   reflection  the sky, mirrored by waves of which those that lean towards the eye count most, Fresnel
+//   sun         its glint, GGX
+//   water       light from below: absorption and backscattering (Beer-Lambert), light through crests
+//   foam        white and diffuse, over all of it
+//   haze        towards the colour that the sky has at the horizon there
+//
+// Sources: Schlick 1994, "An Inexpensive BRDF Model for Physically-based Rendering"; Walter et al. 2007 (GGX); Heitz 2014,
+// "Understanding the Masking-Shadowing Function"; Bruneton, Neyret and Holzschuch 2010, "Real-time Realistic Ocean
+// Lighting using Seamless Transitions from Geometry to BRDF"; Morel and Prieur 1977 (colour of sea water);
+// Koepke 1984 (whitecaps); VR Ocean, equations 49 to 53 (the gradient map).
+precision highp float;
+precision highp int;
+#ifdef MULTIVIEW
+#extension GL_OVR_multiview2 : require
+#endif
+#include "scene.glsl"
+#include "tone.glsl"
+
+uniform sampler2D gradient;         // normal x, normal z, Jacobian, smoothness
+uniform sampler2D detail;           // slopes of ripples, foam's structure, how much of the slopes this mip still holds
+uniform highp samplerCube sky;      // level m: mirrored by alpha = (m / last)^2
+
+in vec4 place;
+in vec2 rest;
+out vec4 colour;
+
+const float pi = 3.14159265;
+const float water_f0 = 0.02;  // ((1.333 - 1) / (1.333 + 1))^2
+
+struct Waves {
+    vec3 normal;
+    float alpha2;    // GGX roughness squared: slopes below the size of a pixel, mean square
+    float jacobian;  // 1 at rest, 0 where the water folds
+};
+
+// Slopes of the gradient map, dy/dx and dy/dz with the sign of the normal, its Jacobian and alpha^2.
+vec4 map_slopes(vec2 uv) {
+    vec4 texel = texture(gradient, uv);
+    vec2 n = texel.xy * 2.0 - 1.0;
+    float rough = 1.0 - texel.w;
+    float alpha = rough * rough;
+    return vec4(n * inversesqrt(max(1.0 - dot(n, n), 0.04)), texel.z * 2.0 - 1.0, alpha * alpha);
+}
+
+vec2 detail_uv(int layer, vec2 at) {
+    vec2 row = detail_turn[layer].xy;
+    vec2 shift = layer == 0 ? detail_shift.xy : detail_shift.zw;
+    return vec2(row.x * at.x + row.y * at.y, row.x * at.y - row.y * at.x) + shift;
+}
+
+// The slopes of a layer, turned back into the world.
+vec2 turned_back(int layer, vec2 slopes) {
+    vec2 row = detail_turn[layer].zw;  // cosine and sine
+    return vec2(row.x * slopes.x - row.y * slopes.y, row.y * slopes.x + row.x * slopes.y);
+}
+
+// From above, or far away, a sea that repeats every L shows as a carpet. The waves of a second copy, turned by 20.9
+// degrees and stretched by the golden ratio, which meet the first in no period, take over part of the slopes there.
+// Their weights are those of independent waves: the mean square slope stays what it is.
+Waves waves_at(vec2 at, float distance_m) {
+    vec2 uv = viewer.xy + at * viewer.w;
+    vec4 near_slopes = map_slopes(uv);
+    float far = smoothstep(0.4, 4.0, distance_m * viewer.w);
+    float second = 0.66 * far;
+    float first = sqrt(1.0 - second * second);
+    const mat2 turn = mat2(0.9342, 0.3567, -0.3567, 0.9342);
+    vec4 far_slopes = map_slopes(turn * at * (0.618034 * viewer.w) + second_shift.xy);
+    vec2 slopes = first * near_slopes.xy + second * (far_slopes.xy * turn);
+    float alpha2 = mix(near_slopes.w, far_slopes.w, second * second);
+
+    // Gusts: patches of rougher water, hundreds of metres wide, that every sea has.
+    float gust = texture(detail, at * noise_scale.z + gust_shift.xy).z +
+                 texture(detail, at.yx * noise_scale.w + gust_shift.zw).z;
+    gust = clamp(0.35 + 1.3 * (gust - 0.5), 0.35, 1.7);
+
+    // Ripples: what a mip no longer holds as slopes comes back as roughness.
+    vec4 a = texture(detail, detail_uv(0, at));
+    vec4 b = texture(detail, detail_uv(1, at));
+    float mean_square = water_scattering.w;
+    float amplitude = sqrt(gust * mean_square * 0.5) * 4.0;  // slopes are stored as a quarter of their deviations
+    slopes += amplitude * (turned_back(0, a.xy * 2.0 - 1.0) + turned_back(1, b.xy * 2.0 - 1.0));
+    alpha2 = max(alpha2 - mean_square, 0.0004) + gust * mean_square * (1.0 - 0.5 * (a.w + b.w));
+
+    Waves waves;
+    waves.normal = normalize(vec3(slopes.x, 1.0, slopes.y));
+    waves.alpha2 = clamp(alpha2, 0.0004, 1.0);
+    waves.jacobian = near_slopes.z;
+    return waves;
+}
+
+// The mean normal of the waves that an eye sees. Of slopes with deviation s around the mean, those that lean towards
+// the eye show more of themselves, in proportion to their projected area, max(mu + s_v tan, 0); the mean slope towards
+// the eye under this weight is s^2 t P(a) / (mu P(a) + s t p(a)), a = mu / (s t), with Gauss' density p and
+// distribution P. At grazing angles this is 1.25 s: the far sea mirrors the sky well above the horizon.
+vec3 visible_normal(vec3 normal, vec3 to_eye, float alpha2) {
+    float mu = dot(normal, to_eye);
+    vec3 along = to_eye - normal * mu;
+    float t = max(length(along), 1e-4);
+    float s = sqrt(0.5 * alpha2);
+    float a = clamp(mu / (s * t), -3.0, 12.0);
+    float density = 0.3989423 * exp(-0.5 * a * a);
+    float distribution = 1.0 / (1.0 + exp(-1.5976 * a - 0.070566 * a * a * a));  // Page 1977, within 1.4e-4
+    float slope = s * distribution / max(a * distribution + density, 1e-4);
+    return normalize(normal + along / t * min(slope, 1.5));
+}
+
+// Schlick's curve, averaged over slopes of deviation s: Bruneton et al. 2010, equation 16.
+float mean_fresnel(float cosine, float s) {
+    float grazing = pow(1.0 - cosine, 5.0 * exp(-2.69 * s)) / (1.0 + 22.7 * pow(s, 1.5));
+    return water_f0 + (1.0 - water_f0) * grazing;
+}
+
+// GGX with Smith's height-correlated masking (Heitz 2014), times the cosine of the light.
+float glint(vec3 normal, vec3 to_eye, float alpha2) {
+    float nl = dot(normal, sun.xyz);
+    if (nl <= 0.0) return 0.0;
+    float nv = max(dot(normal, to_eye), 0.01);
+    vec3 middle = normalize(sun.xyz + to_eye);
+    float nh = max(dot(normal, middle), 0.0);
+    alpha2 += 4.0 * sun.w * sun.w;  // the disc is not a point
+    float d = nh * nh * (alpha2 - 1.0) + 1.0;
+    float distribution = alpha2 / (pi * d * d);
+    float visibility =
+        0.5 / (nl * sqrt(nv * nv * (1.0 - alpha2) + alpha2) + nv * sqrt(nl * nl * (1.0 - alpha2) + alpha2));
+    float fresnel = water_f0 + (1.0 - water_f0) * pow(1.0 - max(dot(middle, to_eye), 0.0), 5.0);
+    return distribution * visibility * fresnel * nl;
+}
+
+// Light that comes up out of the water. Part of what goes down is scattered back before it is absorbed: 0.33 bb / (a +
+// bb) of it in deep water (Morel and Prieur 1977). Over a bottom within sight its sand shines through, dimmed twice.
+vec3 upwelling(vec3 light_down, float depth) {
+    vec3 absorption = water_absorption.rgb, scattering = water_scattering.rgb;
+    vec3 reflectance = 0.33 * scattering / (absorption + scattering);
+    vec3 through = exp(-2.0 * (absorption + scattering) * max(depth, 0.0));
+    const vec3 sand = vec3(0.35, 0.31, 0.25);
+    // 0.54: the surface's transmission and the widening of rays, t / n^2 (Austin 1974).
+    return 0.54 * mix(reflectance, sand, through) * light_down / pi;
+}
+
+// Sunlight that enters a crest behind and leaves it towards the eye: the water's colour at its most saturated. The way
+// through is short near the top of a high wave; scattering is strongly forwards.
+vec3 through_crests(vec3 normal, vec3 to_eye, float height) {
+    float crest = clamp(height / (0.75 * waves.x), 0.0, 1.0);
+    float way = waves.x * mix(1.6, 0.25, crest);
+    vec3 taken = exp(-(water_absorption.rgb + water_scattering.rgb) * way);
+    float towards = dot(-to_eye, sun.xyz);
+    const float g = 0.6;
+    float phase = (1.0 - g * g) / (4.0 * pi * pow(1.0 + g * g - 2.0 * g * towards, 1.5));
+    // Only faces that look at the eye and away from the sun are lit through.
+    float faces = clamp(dot(normal, to_eye), 0.0, 1.0) * clamp(0.75 - 0.75 * dot(normal, sun.xyz), 0.0, 1.0);
+    const float scattered_per_m = 0.25;
+    float scattered = 1.0 - exp(-scattered_per_m * way);
+    return sun_irradiance.rgb * taken * (phase * faces * scattered * crest * crest * 1.6) +
+           sky_irradiance.rgb * taken * (0.03 * crest * crest * faces);
+}
+
+// How much of the pixel foam covers. The Jacobian says where water folds now; foam stays there while the crest moves
+// on, so older foam is what the crest has left behind it: the Jacobian further down the wind, thinner the older.
+float foam_cover(vec2 at, float jacobian, float distance_m) {
+    vec2 uv = viewer.xy + at * viewer.w;
+    vec2 step_uv = waves.zw * waves.x * 0.9 * viewer.w;
+    float fresh = smoothstep(0.55, -0.05, jacobian);
+    float old = 0.0;
+    float weight = 0.62;
+    for (int i = 1; i <= 4; ++i) {
+        float then = texture(gradient, uv + step_uv * float(i), 0.6 * float(i)).z * 2.0 - 1.0;
+        old = max(old, weight * smoothstep(0.5, 0.0, then));
+        weight *= 0.72;
+    }
+    // Structure: bubbles in cells and threads, at two scales that share no period.
+    float lace = 0.62 * texture(detail, at * noise_scale.x + foam_shift.xy).z +
+                 0.38 * texture(detail, at.yx * noise_scale.y + foam_shift.zw).z;
+    float amount = max(fresh, old);
+    float soft = mix(0.16, 0.5, smoothstep(50.0, 800.0, distance_m));
+    float cover = smoothstep(1.0 - amount - soft, 1.0 - amount + soft, lace) * smoothstep(0.0, 0.12, amount);
+    return cover * mix(0.7, 1.0, fresh);
+}
+
+void main() {
+    vec3 at = place.xyz / place.w;
+    vec2 resting = rest / place.w;
+    vec3 from_eye = at - eye[EYE].xyz;
+    float distance_m = length(from_eye);
+    vec3 to_eye = -from_eye / distance_m;
+    float height = at.y + viewer.z;
+
+    Waves surface = waves_at(resting, distance_m);
+    vec3 normal = surface.normal;
+    float deviation = sqrt(0.5 * surface.alpha2);
+
+    vec3 mirror = visible_normal(normal, to_eye, surface.alpha2);
+    vec3 reflected = reflect(-to_eye, mirror);
+    float level = sqrt(sqrt(surface.alpha2)) * sky_irradiance.w;
+    vec3 sky_light = textureLod(sky, reflected, level).rgb;
+    float fresnel = mean_fresnel(clamp(dot(normal, to_eye), 0.0, 1.0), deviation);
+
+    vec3 sun_light = sun_irradiance.rgb * glint(normal, to_eye, surface.alpha2);
+
+    float sun_height = max(sun.y, 0.0);
+    vec3 light_down = sun_irradiance.rgb * sun_height * (1.0 - mean_fresnel(sun_height, 0.15)) + 0.934 * sky_irradiance.rgb;
+    vec3 water_light = upwelling(light_down, water_absorption.w + height) + through_crests(normal, to_eye, height);
+
+    vec3 radiance = mix(water_light, sky_light, fresnel) + sun_light;
+
+    // Fresh whitecaps reflect about 0.55, with the air in them that thins out (Koepke 1984).
+    float foam = foam_cover(resting, surface.jacobian, distance_m);
+    vec3 foam_light = (sun_irradiance.rgb * max(dot(normalize(normal + vec3(0.0, 0.5, 0.0)), sun.xyz), 0.0) +
+                       sky_irradiance.rgb * (0.5 + 0.5 * normal.y)) * (0.55 / pi);
+    radiance = mix(radiance, foam_light, foam);
+
+    // Where haze ends the view it has the sky's own colour at the horizon, so the two meet without a line. The second
+    // factor softens the last quarter of a degree, in which rows of pixels are kilometres apart.
+    vec3 horizon = textureLod(sky, normalize(vec3(from_eye.x, 0.0, from_eye.z)), 0.0).rgb;
+    float soft = distance_m / haze.w;
+    vec3 left = exp(-haze.rgb * distance_m) * exp(-soft * soft);
+    colour = screen_colour(mix(horizon, radiance, left));
+}

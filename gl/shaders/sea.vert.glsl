@@ -1,0 +1,59 @@
+// A patch of the quadtree: rest positions from integers, displacement from the texture, the morph between levels.
+// The same as quadtree/patch_vertex.hpp, and the two must stay the same.
+#ifdef MULTIVIEW
+#extension GL_OVR_multiview2 : require
+layout(num_views = 2) in;
+#endif
+precision highp float;
+precision highp int;
+#include "scene.glsl"
+
+layout(location = 0) in uvec2 vertex;   // i, j: 0 to V
+layout(location = 1) in uvec2 corner;   // steps from the grid's corner to the patch's
+layout(location = 2) in uvec2 level;    // x: level; y: which diagonals
+layout(location = 3) in float inner_weight;
+layout(location = 4) in vec4 edge_weights;  // +x, +z, -x, -z
+
+uniform highp sampler2D displacement;  // Dx, height, Dz, foam
+
+out vec4 place;  // homogeneous, relative to the viewer
+out vec2 rest;   // where the water rests, times place.w
+flat out int patch_level;
+
+invariant gl_Position;
+
+// The mip depends on the rest position alone, so that every patch that has this vertex takes the same one. It grows
+// with distance as the vertices' spacing does; half a level below it, because waves of a few vertices still count.
+vec3 displaced(ivec2 index) {
+    vec2 at = grid.xy + vec2(index) * grid.z;
+    vec2 from_centre = abs(at - fade.xy);
+    float left = clamp((fade.z - max(from_centre.x, from_centre.y)) * fade.w, 0.0, 1.0);
+    float spacing = max(mesh.y, length(vec3(at.x, viewer.z, at.y)) * mesh.x);
+    float mip = clamp(log2(spacing * mesh.w) - 0.5, 0.0, mesh.z);
+    return textureLod(displacement, viewer.xy + at * viewer.w, mip).xyz * left;
+}
+
+void main() {
+    int last = int(grid.w);
+    ivec2 ij = ivec2(vertex);
+    int stride = 1 << (int(skirt.w) - int(level.x));
+    ivec2 index = ivec2(corner) + ij * stride;
+    vec3 moved = displaced(index);
+
+    ivec2 odd = ij & 1;
+    if (odd != ivec2(0)) {
+        float weight = inner_weight;
+        if (ij.x == 0) weight = edge_weights.z;
+        if (ij.x == last) weight = edge_weights.x;
+        if (ij.y == 0) weight = edge_weights.w;
+        if (ij.y == last) weight = edge_weights.y;
+        ivec2 offset = odd;
+        if (odd == ivec2(1) && ((ij.x / 2 + ij.y / 2 + int(level.y)) & 1) != 0) offset.y = -1;
+        offset *= stride;
+        if (weight < 1.0) moved = mix(0.5 * (displaced(index - offset) + displaced(index + offset)), moved, weight);
+    }
+    rest = grid.xy + vec2(index) * grid.z;
+    place = vec4(rest.x + moved.x, moved.y - viewer.z, rest.y + moved.z, 1.0);
+    patch_level = int(level.x);
+    gl_Position = clip_from_viewer[EYE] * place;
+}

@@ -1,0 +1,322 @@
+#include "gl/sky_baker.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cassert>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/exponential.hpp>
+#include <glm/geometric.hpp>
+#include <glm/gtc/packing.hpp>
+#include <optional>
+#include <stdexcept>
+
+#include "gl/atmosphere.hpp"
+#include "gl/clouds.hpp"
+
+namespace pelagic::gl {
+namespace {
+
+constexpr float pi = 3.14159265f;
+constexpr float half_max = 65504;
+/// Seen by the exposure as a surface that reflects this part of the light: photographers' middle grey.
+constexpr float middle_grey = 0.18f;
+/// What a mean sea gives back of the sky, for the mirrors' lower half: Fresnel averaged over a clouded sky, 0.066
+/// (Payne 1972, "Albedo of the sea surface"), more towards the horizon.
+constexpr float sea_albedo = 0.066f;
+
+/// OpenGL ES 3.0, table 3.21: the direction through a texel of a face, s and t in [-1, 1], not normalised.
+glm::vec3 face_direction(int face, float s, float t) {
+    switch (face) {
+        case 0: return {1, -t, -s};
+        case 1: return {-1, -t, s};
+        case 2: return {s, 1, t};
+        case 3: return {s, -1, -t};
+        case 4: return {s, -t, 1};
+        default: return {-s, -t, -1};
+    }
+}
+
+struct FacePoint {
+    int face;
+    float s, t;
+};
+
+FacePoint face_of(glm::vec3 d) {
+    const glm::vec3 a = glm::abs(d);
+    if (a.x >= a.y && a.x >= a.z) return d.x > 0 ? FacePoint{0, -d.z / a.x, -d.y / a.x} : FacePoint{1, d.z / a.x, -d.y / a.x};
+    if (a.y >= a.z) return d.y > 0 ? FacePoint{2, d.x / a.y, d.z / a.y} : FacePoint{3, d.x / a.y, -d.z / a.y};
+    return d.z > 0 ? FacePoint{4, d.x / a.z, -d.y / a.z} : FacePoint{5, -d.x / a.z, -d.y / a.z};
+}
+
+/// Six square faces of colours.
+struct Cube {
+    int side = 0;
+    std::vector<glm::vec3> texels;
+
+    explicit Cube(int size) : side(size), texels(std::size_t{6} * size * size) {}
+    glm::vec3& at(int face, int x, int y) {
+        return texels[(static_cast<std::size_t>(face) * side + y) * side + static_cast<std::size_t>(x)];
+    }
+    const glm::vec3& at(int face, int x, int y) const { return const_cast<Cube*>(this)->at(face, x, y); }
+    glm::vec3 direction(int face, int x, int y) const {
+        const float scale = 2.f / static_cast<float>(side);
+        return glm::normalize(face_direction(face, (static_cast<float>(x) + 0.5f) * scale - 1,
+                                             (static_cast<float>(y) + 0.5f) * scale - 1));
+    }
+    /// Bilinear within a face; at its edges the nearest texel, which is enough for averages.
+    glm::vec3 sample(glm::vec3 d) const {
+        const FacePoint p = face_of(d);
+        const float half = 0.5f * static_cast<float>(side), last = static_cast<float>(side - 1);
+        const float x = std::clamp((p.s + 1) * half - 0.5f, 0.f, last);
+        const float y = std::clamp((p.t + 1) * half - 0.5f, 0.f, last);
+        const int x0 = std::min(static_cast<int>(x), std::max(0, side - 2)), x1 = std::min(x0 + 1, side - 1);
+        const int y0 = std::min(static_cast<int>(y), std::max(0, side - 2)), y1 = std::min(y0 + 1, side - 1);
+        const float fx = x - static_cast<float>(x0), fy = y - static_cast<float>(y0);
+        return glm::mix(glm::mix(at(p.face, x0, y0), at(p.face, x1, y0), fx),
+                        glm::mix(at(p.face, x0, y1), at(p.face, x1, y1), fx), fy);
+    }
+};
+
+/// The solid angle of a texel, over that of one in the middle of the face.
+float texel_weight(float s, float t) { return std::pow(1 + s * s + t * t, -1.5f); }
+
+/// Hammersley's points on the square.
+glm::vec2 hammersley(std::uint32_t i, std::uint32_t count) {
+    std::uint32_t bits = i;
+    bits = bits << 16 | bits >> 16;
+    bits = (bits & 0x55555555u) << 1 | (bits & 0xaaaaaaaau) >> 1;
+    bits = (bits & 0x33333333u) << 2 | (bits & 0xccccccccu) >> 2;
+    bits = (bits & 0x0f0f0f0fu) << 4 | (bits & 0xf0f0f0f0u) >> 4;
+    bits = (bits & 0x00ff00ffu) << 8 | (bits & 0xff00ff00u) >> 8;
+    return {(static_cast<float>(i) + 0.5f) / static_cast<float>(count), static_cast<float>(bits) * 0x1p-32f};
+}
+
+bool in_range(float value, float least, float most) { return value >= least && value <= most; }
+
+}  // namespace
+
+std::string check(const SkyOptions& options) {
+    const auto bad = [](const char* field, float value, const char* range) {
+        return std::string(field) + " is " + std::to_string(value) + ", needs " + range;
+    };
+    if (!std::isfinite(options.sun_azimuth_rad))
+        return bad("sun_azimuth_rad", options.sun_azimuth_rad, "a finite number");
+    if (!in_range(options.sun_elevation_rad, -pi / 2, pi / 2))
+        return bad("sun_elevation_rad", options.sun_elevation_rad, "[-pi/2, pi/2]");
+    if (!in_range(options.cloud_cover, 0, 1)) return bad("cloud_cover", options.cloud_cover, "[0, 1]");
+    if (!in_range(options.visibility_m, 500, 300e3f)) return bad("visibility_m", options.visibility_m, "[500, 300e3]");
+    return {};
+}
+
+glm::vec3 sun_direction(const SkyOptions& options) {
+    const float across = std::cos(options.sun_elevation_rad);
+    return {across * std::cos(options.sun_azimuth_rad), std::sin(options.sun_elevation_rad),
+            across * std::sin(options.sun_azimuth_rad)};
+}
+
+int sky_levels(int face_size) { return std::bit_width(static_cast<unsigned>(face_size)) - 2; }
+
+std::span<const std::uint16_t> Sky::face(int level, int face) const {
+    std::size_t start = 0;
+    for (int m = 0; m < level; ++m) start += std::size_t{6} * (face_size >> m) * (face_size >> m);
+    const std::size_t texels_of_face = static_cast<std::size_t>(face_size >> level) * (face_size >> level);
+    return std::span(texels).subspan(4 * (start + face * texels_of_face), 4 * texels_of_face);
+}
+
+// The stages, in order: `sky light` (tables and irradiance), `sky faces` (level 0, a job is a row of all six), `sky
+// averages` (box mips, which the mirrors sample), `sky mirrors` (GGX levels), `sky packing`.
+struct SkyBaker::State {
+    State(std::shared_ptr<Executor> on, int face_size) : executor(std::move(on)), size(face_size) {
+        for (int side = size; side >= 4; side /= 2) averages.emplace_back(side);
+        for (int side = size; side >= 4; side /= 2) mirrors.emplace_back(side);
+        for (Sky& sky : skies) {
+            sky.face_size = size;
+            sky.levels = sky_levels(size);
+            std::size_t texels = 0;
+            for (const Cube& cube : mirrors) texels += cube.texels.size();
+            sky.texels.resize(4 * texels);
+        }
+        const StageId light = graph.add({"sky light", 1, 1, {}, [this](auto, auto) { prepare_light(); }});
+        const auto rows = static_cast<std::size_t>(size);
+        const StageId faces = graph.add({"sky faces", rows, 2, {light}, [this](std::size_t begin, std::size_t end) {
+                                             for (std::size_t row = begin; row < end; ++row)
+                                                 bake_row(static_cast<int>(row));
+                                         }});
+        const StageId box = graph.add({"sky averages", 1, 1, {faces}, [this](auto, auto) { average(); }});
+        std::size_t mirror_rows = 0;
+        for (std::size_t level = 1; level < mirrors.size(); ++level) mirror_rows += 6 * mirrors[level].side;
+        const StageId mirror =
+            graph.add({"sky mirrors", mirror_rows, 8, {box}, [this](std::size_t begin, std::size_t end) {
+                           for (std::size_t row = begin; row < end; ++row) filter_row(row);
+                       }});
+        graph.add({"sky packing", 1, 1, {mirror}, [this](auto, auto) { pack(); }});
+        run = executor->prepare(graph);
+    }
+
+    Sky& target() { return skies[writing]; }
+
+    void prepare_light() {
+        Sky& sky = target();
+        sky.sun_direction = sun_direction(sky.options);
+        atmosphere.emplace(sky.sun_direction, sky.options.visibility_m);
+        // Of the clear sky, for the clouds; that of the whole sky follows from the baked faces.
+        glm::vec3 irradiance(0);
+        constexpr std::uint32_t samples = 256;
+        for (std::uint32_t i = 0; i < samples; ++i) {
+            const glm::vec2 u = hammersley(i, samples);
+            const float across = std::sqrt(u.x), angle = 2 * pi * u.y;
+            irradiance += atmosphere->radiance(
+                {across * std::cos(angle), std::sqrt(1 - u.x), across * std::sin(angle)});
+        }
+        clouds.emplace(CloudOptions{.cover = sky.options.cloud_cover, .seed = sky.options.cloud_seed}, *atmosphere,
+                       irradiance * (pi / samples));
+        sky.sun_irradiance = atmosphere->sun_transmittance() * clouds->sun_visibility();
+        sky.haze_per_m = rayleigh_per_m + haze_per_m(sky.options.visibility_m);
+    }
+
+    void bake_row(int y) {
+        Cube& cube = mirrors[0];
+        for (int face = 0; face < 6; ++face) {
+            for (int x = 0; x < size; ++x) {
+                const glm::vec3 d = cube.direction(face, x, y);
+                glm::vec3 radiance;
+                if (d.y >= 0) {
+                    const CloudLight cloud = clouds->along(d);
+                    radiance = atmosphere->radiance(d) * cloud.transmittance + cloud.radiance;
+                } else {
+                    // Under the horizon mirrors see other waves: the sky's image there, weaker the steeper they look.
+                    const float grazing = std::pow(1 + std::max(d.y, -1.f), 5.f);
+                    const glm::vec3 up(d.x, -d.y, d.z);
+                    radiance = atmosphere->radiance(up) * glm::mix(sea_albedo, 1.f, grazing);
+                }
+                cube.at(face, x, y) = glm::clamp(radiance, 0.f, half_max);
+            }
+        }
+    }
+
+    void average() {
+        averages[0].texels = mirrors[0].texels;
+        for (std::size_t level = 1; level < averages.size(); ++level) {
+            const Cube& finer = averages[level - 1];
+            Cube& cube = averages[level];
+            for (int face = 0; face < 6; ++face)
+                for (int y = 0; y < cube.side; ++y)
+                    for (int x = 0; x < cube.side; ++x)
+                        cube.at(face, x, y) =
+                            0.25f * (finer.at(face, 2 * x, 2 * y) + finer.at(face, 2 * x + 1, 2 * y) +
+                                     finer.at(face, 2 * x, 2 * y + 1) + finer.at(face, 2 * x + 1, 2 * y + 1));
+        }
+        measure_irradiance();
+    }
+
+    void measure_irradiance() {
+        Sky& sky = target();
+        const Cube& cube = averages[std::min<std::size_t>(averages.size() - 1, 2)];
+        glm::vec3 irradiance(0);
+        float weights = 0;
+        for (int face = 0; face < 6; ++face)
+            for (int y = 0; y < cube.side; ++y)
+                for (int x = 0; x < cube.side; ++x) {
+                    const float scale = 2.f / static_cast<float>(cube.side);
+                    const float weight = texel_weight((static_cast<float>(x) + 0.5f) * scale - 1,
+                                                      (static_cast<float>(y) + 0.5f) * scale - 1);
+                    const glm::vec3 d = cube.direction(face, x, y);
+                    weights += weight;
+                    if (d.y > 0) irradiance += cube.at(face, x, y) * (d.y * weight);
+                }
+        sky.sky_irradiance = irradiance * (4 * pi / weights);
+        // Rec. 709's luminance of a grey card that lies in the open.
+        const glm::vec3 card = (sky.sky_irradiance + sky.sun_irradiance * std::max(0.f, sky.sun_direction.y)) / pi;
+        const float luminance = glm::dot(card, glm::vec3(0.2126f, 0.7152f, 0.0722f));
+        sky.exposure = 1 / std::max(luminance, 1e-6f) * 0.62f;
+    }
+
+    /// One row of one face of a mirror's level: samples of GGX's lobe around the direction, each taken from the average
+    /// whose texels are as large as the sample (Karis 2013, "Real Shading in Unreal Engine 4"; Krivanek and Colbert
+    /// 2008, "Real-time Shading with Filtered Importance Sampling").
+    void filter_row(std::size_t row) {
+        std::size_t level = 1;
+        while (row >= 6 * static_cast<std::size_t>(mirrors[level].side))
+            row -= 6 * static_cast<std::size_t>(mirrors[level++].side);
+        Cube& cube = mirrors[level];
+        const int face = static_cast<int>(row) / cube.side, y = static_cast<int>(row) % cube.side;
+        const float perceptual = static_cast<float>(level) / static_cast<float>(mirrors.size() - 1);
+        const float alpha = perceptual * perceptual;
+        const std::uint32_t samples = level == 1 ? 24 : 64;
+        const float texel_angle = 4 * pi / (6 * static_cast<float>(size) * static_cast<float>(size));
+        for (int x = 0; x < cube.side; ++x) {
+            const glm::vec3 n = cube.direction(face, x, y);
+            const glm::vec3 helper = std::abs(n.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
+            const glm::vec3 tangent = glm::normalize(glm::cross(helper, n)), across = glm::cross(n, tangent);
+            glm::vec3 sum(0);
+            float weights = 0;
+            for (std::uint32_t i = 0; i < samples; ++i) {
+                const glm::vec2 u = hammersley(i, samples);
+                const float cosine = std::sqrt((1 - u.x) / (1 + (alpha * alpha - 1) * u.x));
+                const float sine = std::sqrt(1 - cosine * cosine), angle = 2 * pi * u.y;
+                const glm::vec3 h =
+                    tangent * (sine * std::cos(angle)) + across * (sine * std::sin(angle)) + n * cosine;
+                const glm::vec3 light = 2 * cosine * h - n;
+                const float to_light = glm::dot(light, n);
+                if (to_light <= 0) continue;
+                const float denominator = cosine * cosine * (alpha * alpha - 1) + 1;
+                const float density = alpha * alpha / (pi * denominator * denominator) / 4;
+                const float sample_angle = 1 / (static_cast<float>(samples) * density);
+                const float from = std::clamp(0.5f * std::log2(sample_angle / texel_angle) + 0.5f, 0.f,
+                                              static_cast<float>(averages.size() - 1));
+                sum += averages[static_cast<std::size_t>(from + 0.5f)].sample(light) * to_light;
+                weights += to_light;
+            }
+            cube.at(face, x, y) = sum / std::max(weights, 1e-6f);
+        }
+    }
+
+    void pack() {
+        std::uint16_t* to = target().texels.data();
+        for (const Cube& cube : mirrors)
+            for (const glm::vec3& texel : cube.texels) {
+                const std::uint64_t halves = glm::packHalf4x16(glm::vec4(texel, 1));
+                for (int c = 0; c < 4; ++c) *to++ = static_cast<std::uint16_t>(halves >> 16 * c);
+            }
+    }
+
+    std::shared_ptr<Executor> executor;
+    int size;
+    std::optional<Atmosphere> atmosphere;
+    std::optional<CloudLayer> clouds;
+    std::vector<Cube> averages, mirrors;
+    std::array<Sky, 2> skies;
+    std::size_t writing = 0;
+    bool in_flight = false;
+    JobGraph graph;
+    std::unique_ptr<GraphRun> run;  // last: it waits for what is in flight
+};
+
+SkyBaker::SkyBaker(std::shared_ptr<Executor> executor, int face_size) {
+    if (face_size < 16 || face_size > 2048 || !std::has_single_bit(static_cast<unsigned>(face_size)))
+        throw std::invalid_argument("face_size is " + std::to_string(face_size) +
+                                    ", needs a power of two from 16 to 2048");
+    state_ = std::make_unique<State>(std::move(executor), face_size);
+}
+SkyBaker::~SkyBaker() = default;
+
+void SkyBaker::schedule(const SkyOptions& options) {
+    assert(!state_->in_flight && "complete() the sky in flight first");
+    if (const std::string reason = check(options); !reason.empty()) throw std::invalid_argument(reason);
+    state_->writing = 1 - state_->writing;
+    state_->target().options = options;
+    state_->in_flight = true;
+    state_->run->schedule();
+}
+
+bool SkyBaker::is_done() const { return state_->run->is_done(); }
+
+const Sky& SkyBaker::complete() {
+    if (state_->in_flight) state_->run->complete();
+    state_->in_flight = false;
+    return state_->target();
+}
+
+}  // namespace pelagic::gl

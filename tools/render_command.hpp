@@ -1,0 +1,11 @@
+// `pelagic render`: pictures of a sea, without a window.
+#pragma once
+
+#include "tools/render_options.hpp"
+
+namespace pelagic::tools {
+
+/// Draws and writes the pictures. Throws FileError if one can't be written, gl::GlError without a driver.
+void run_render(const RenderOptions& options);
+
+}  // namespace pelagic::tools
