@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
 
@@ -39,6 +40,7 @@ float rayleigh_phase(float cosine) { return 3 / (16 * pi) * (1 + cosine * cosine
 
 Atmosphere::Atmosphere(glm::vec3 sun, float visibility_m) : sun_(sun), haze_per_m_(haze_per_m(visibility_m)) {
     fill_table();
+    add_further_orders();
 }
 
 glm::vec3 Atmosphere::optical_depth(float height_m, float cosine) const {
@@ -106,11 +108,36 @@ void Atmosphere::fill_table() {
                     sum.rayleigh += light * rayleigh_per_m * (air * step);
                     sum.mie += light * (haze_per_m_ * mie_albedo * haze * step);
                 }
+                const glm::vec3 scattering = rayleigh_per_m * air + haze_per_m_ * mie_albedo * haze;
+                sum.again += glm::exp(-(depth + 0.5f * taken)) * scattering * (step / (4 * pi));
                 depth += taken;
             }
             table_[static_cast<std::size_t>(e * azimuths + a)] = sum;
         }
     }
+}
+
+// `again` holds how bright the sky would be if light of 1 came to every point from all around, in sum. What comes is the
+// light of the order before, taken as the same in all heights and directions; orders so shrink by a constant factor, and
+// their sum is a geometric series (the idea of Hillaire 2020, "A Scalable and Production Ready Sky", with one point).
+void Atmosphere::add_further_orders() {
+    glm::vec3 first(0), second(0);
+    float weights = 0;
+    for (int e = 0; e < elevations; ++e)
+        for (int a = 0; a < azimuths; ++a) {
+            const float root = static_cast<float>(e) / (elevations - 1), sine = root * root;
+            const float azimuth = pi * static_cast<float>(a) / (azimuths - 1), across = std::sqrt(1 - sine * sine);
+            const glm::vec3 direction(across * std::cos(azimuth), sine, across * std::sin(azimuth));
+            const Scattered& here = table_[static_cast<std::size_t>(e * azimuths + a)];
+            const float to_sun = sun_.y * sine + std::sqrt(1 - sun_.y * sun_.y) * direction.x;
+            const float weight = root;  // of equal steps in the root of the sine
+            first += weight * (here.rayleigh * rayleigh_phase(to_sun) + here.mie * mie_phase(to_sun, mie_asymmetry));
+            second += weight * here.again;
+            weights += weight;
+        }
+    // Over the upper half; the sea sends little back up.
+    const glm::vec3 light = first * (2 * pi / weights), ratio = second * (2 * pi / weights);
+    for (Scattered& entry : table_) entry.again *= light / (1.f - glm::min(ratio, glm::vec3(0.9f)));
 }
 
 glm::vec3 Atmosphere::radiance(glm::vec3 direction) const {
@@ -131,7 +158,7 @@ glm::vec3 Atmosphere::radiance(glm::vec3 direction) const {
     };
     const float to_sun = glm::dot(direction, sun_);
     return mixed(&Scattered::rayleigh) * rayleigh_phase(to_sun) +
-           mixed(&Scattered::mie) * mie_phase(to_sun, mie_asymmetry);
+           mixed(&Scattered::mie) * mie_phase(to_sun, mie_asymmetry) + mixed(&Scattered::again);
 }
 
 }  // namespace pelagic::gl

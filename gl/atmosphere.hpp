@@ -1,4 +1,5 @@
-// The clear sky: sunlight scattered once by air (Rayleigh) and by haze (Mie), seen from sea level.
+// The clear sky: sunlight scattered once by air (Rayleigh) and by haze (Mie), seen from sea level, and a plain estimate
+// of what is scattered again, without which the horizon would be brown.
 //
 // Coefficients and scale heights: Bruneton and Neyret 2008, "Precomputed Atmospheric Scattering", table 1 and section 2.1
 // (after Riley et al. 2004); no ozone. The sun's irradiance above the air is 1 in every channel: the picture's white.
@@ -44,10 +45,12 @@ class Atmosphere {
    private:
     glm::vec3 optical_depth(float height_m, float cosine) const;
     void fill_table();
+    void add_further_orders();
 
     // Light scattered by air and by haze apart, without the phase functions, which would need a finer table.
     struct Scattered {
         glm::vec3 rayleigh{}, mie{};
+        glm::vec3 again{};  ///< radiance of light scattered more than once
     };
     glm::vec3 sun_;
     float haze_per_m_;

@@ -1,7 +1,9 @@
 // A layer of cumulus above the sea, marched along a ray: noise for its shape, Beer-Lambert for its light.
 #pragma once
 
+#include <cstdint>
 #include <glm/vec3.hpp>
+#include <vector>
 
 #include "gl/atmosphere.hpp"
 
@@ -14,6 +16,22 @@ struct CloudOptions {
     unsigned seed = 1;
 };
 
+/// Noise that heaps clouds up, in a box that repeats: five octaves, kept as bytes so that a ray's samples hit the cache.
+class CloudShape {
+   public:
+    static constexpr int side = 256, layers = 48;
+    static constexpr float width_m = 4600, height_m = 900;
+
+    CloudShape() : values_(std::size_t{side} * side * layers) {}
+    /// One row of all layers; rows are independent.
+    void fill_row(int row, unsigned seed);
+    /// In [0, 1], trilinear; repeats along x and z.
+    float at(glm::vec3 point_m) const;
+
+   private:
+    std::vector<std::uint8_t> values_;  ///< layer fastest: a ray climbs
+};
+
 /// What a ray from sea level meets.
 struct CloudLight {
     glm::vec3 radiance{0};    ///< towards the eye, haze in front of it included
@@ -23,19 +41,23 @@ struct CloudLight {
 class CloudLayer {
    public:
     /// \param sky_irradiance  of the clear sky on a level plane, for the light that clouds get from everywhere
-    CloudLayer(const CloudOptions& options, const Atmosphere& atmosphere, glm::vec3 sky_irradiance);
+    CloudLayer(const CloudOptions& options, const Atmosphere& atmosphere, const CloudShape& shape,
+               glm::vec3 sky_irradiance);
 
     /// \param direction  unit vector
+    /// \pre `shape` is filled
     CloudLight along(glm::vec3 direction) const;
     /// Part of the sun's light that comes through to the eye at sea level.
     float sun_visibility() const;
 
    private:
-    float density(glm::vec3 at, float height_part, bool with_detail) const;
-    float depth_towards_sun(glm::vec3 at, float height_part) const;
+    float threshold(glm::vec3 at) const;
+    float density(glm::vec3 at, float height_part, float threshold) const;
+    float depth_towards_sun(glm::vec3 at, float height_part, float threshold) const;
 
     CloudOptions options_;
     const Atmosphere& atmosphere_;
+    const CloudShape& shape_;
     glm::vec3 sun_light_, sky_light_;
 };
 

@@ -20,8 +20,8 @@ namespace {
 
 constexpr float pi = 3.14159265f;
 constexpr float half_max = 65504;
-/// Seen by the exposure as a surface that reflects this part of the light: photographers' middle grey.
-constexpr float middle_grey = 0.18f;
+/// Where the exposure puts a white card in the open: the filmic curve shows that as 75 % white.
+constexpr float white_card = 1.15f;
 /// What a mean sea gives back of the sky, for the mirrors' lower half: Fresnel averaged over a clouded sky, 0.066
 /// (Payne 1972, "Albedo of the sea surface"), more towards the horizon.
 constexpr float sea_albedo = 0.066f;
@@ -125,7 +125,7 @@ std::span<const std::uint16_t> Sky::face(int level, int face) const {
     return std::span(texels).subspan(4 * (start + face * texels_of_face), 4 * texels_of_face);
 }
 
-// The stages, in order: `sky light` (tables and irradiance), `sky faces` (level 0, a job is a row of all six), `sky
+// The stages, in order: `sky light` (tables) and `sky heaps` (the clouds' noise, once a seed), `sky faces` (level 0, a job is a row of all six), `sky
 // averages` (box mips, which the mirrors sample), `sky mirrors` (GGX levels), `sky packing`.
 struct SkyBaker::State {
     State(std::shared_ptr<Executor> on, int face_size) : executor(std::move(on)), size(face_size) {
@@ -140,7 +140,13 @@ struct SkyBaker::State {
         }
         const StageId light = graph.add({"sky light", 1, 1, {}, [this](auto, auto) { prepare_light(); }});
         const auto rows = static_cast<std::size_t>(size);
-        const StageId faces = graph.add({"sky faces", rows, 2, {light}, [this](std::size_t begin, std::size_t end) {
+        const StageId heaps =
+            graph.add({"sky heaps", CloudShape::side, 8, {}, [this](std::size_t begin, std::size_t end) {
+                           if (heaps_seed == target().options.cloud_seed) return;
+                           for (std::size_t row = begin; row < end; ++row)
+                               shape.fill_row(static_cast<int>(row), target().options.cloud_seed);
+                       }});
+        const StageId faces = graph.add({"sky faces", rows, 2, {light, heaps}, [this](std::size_t begin, std::size_t end) {
                                              for (std::size_t row = begin; row < end; ++row)
                                                  bake_row(static_cast<int>(row));
                                          }});
@@ -151,7 +157,10 @@ struct SkyBaker::State {
             graph.add({"sky mirrors", mirror_rows, 8, {box}, [this](std::size_t begin, std::size_t end) {
                            for (std::size_t row = begin; row < end; ++row) filter_row(row);
                        }});
-        graph.add({"sky packing", 1, 1, {mirror}, [this](auto, auto) { pack(); }});
+        graph.add({"sky packing", 1, 1, {mirror}, [this](auto, auto) {
+                       pack();
+                       heaps_seed = target().options.cloud_seed;
+                   }});
         run = executor->prepare(graph);
     }
 
@@ -171,8 +180,7 @@ struct SkyBaker::State {
                 {across * std::cos(angle), std::sqrt(1 - u.x), across * std::sin(angle)});
         }
         clouds.emplace(CloudOptions{.cover = sky.options.cloud_cover, .seed = sky.options.cloud_seed}, *atmosphere,
-                       irradiance * (pi / samples));
-        sky.sun_irradiance = atmosphere->sun_transmittance() * clouds->sun_visibility();
+                       shape, irradiance * (pi / samples));
         sky.haze_per_m = rayleigh_per_m + haze_per_m(sky.options.visibility_m);
     }
 
@@ -226,11 +234,12 @@ struct SkyBaker::State {
                     weights += weight;
                     if (d.y > 0) irradiance += cube.at(face, x, y) * (d.y * weight);
                 }
+        sky.sun_irradiance = atmosphere->sun_transmittance() * clouds->sun_visibility();
         sky.sky_irradiance = irradiance * (4 * pi / weights);
-        // Rec. 709's luminance of a grey card that lies in the open.
+        // Rec. 709's luminance of a white card that lies in the open.
         const glm::vec3 card = (sky.sky_irradiance + sky.sun_irradiance * std::max(0.f, sky.sun_direction.y)) / pi;
         const float luminance = glm::dot(card, glm::vec3(0.2126f, 0.7152f, 0.0722f));
-        sky.exposure = 1 / std::max(luminance, 1e-6f) * 0.62f;
+        sky.exposure = white_card / std::max(luminance, 1e-6f);
     }
 
     /// One row of one face of a mirror's level: samples of GGX's lobe around the direction, each taken from the average
@@ -284,6 +293,8 @@ struct SkyBaker::State {
 
     std::shared_ptr<Executor> executor;
     int size;
+    CloudShape shape;
+    std::optional<unsigned> heaps_seed;  ///< of what `shape` holds
     std::optional<Atmosphere> atmosphere;
     std::optional<CloudLayer> clouds;
     std::vector<Cube> averages, mirrors;

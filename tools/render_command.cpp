@@ -149,8 +149,8 @@ void run_render(const RenderOptions& options) {
         for (int frame = 0; frame < options.frames; ++frame) {
             progress.show(static_cast<std::size_t>(frame));
             const std::vector<std::uint8_t> pixels = maker.picture(options.time_s + frame / options.fps);
-            write_whole_file(options.file_of(frame),
-                             std::as_bytes(std::span(encode_picture(pixels, options.width, options.height))));
+            const std::vector<unsigned char> png = encode_picture(pixels, options.width, options.height);
+            write_whole_file(options.file_of(frame), std::as_bytes(std::span(png)));
         }
     }
     Json json = {{"version", PELAGIC_VERSION}, {"file", options.file_of(0).string()},

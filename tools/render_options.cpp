@@ -37,13 +37,14 @@ std::vector<double> numbers(const std::string& option, const std::string& text, 
 
 void read_size(RenderOptions& options, const std::string& text) {
     const std::size_t x = text.find('x');
-    const auto width = parse_integer(std::string_view(text).substr(0, x));
-    const auto height = x == std::string::npos ? std::nullopt : parse_integer(std::string_view(text).substr(x + 1));
-    const auto fits = [](const auto& side) { return side && *side >= 16 && *side <= most_pixels_a_side; };
-    if (!fits(width) || !fits(height))
-        throw bad_value("--size", text, "WIDTHxHEIGHT, each from 16 to " + std::to_string(most_pixels_a_side));
-    options.width = static_cast<int>(*width);
-    options.height = static_cast<int>(*height);
+    const auto side = [&](std::string_view digits) {
+        const std::int64_t pixels = parse_integer(digits).value_or(0);
+        if (pixels < 16 || pixels > most_pixels_a_side)
+            throw bad_value("--size", text, "WIDTHxHEIGHT, each from 16 to " + std::to_string(most_pixels_a_side));
+        return static_cast<int>(pixels);
+    };
+    options.width = side(std::string_view(text).substr(0, x));
+    options.height = side(x == std::string::npos ? "" : std::string_view(text).substr(x + 1));
 }
 
 std::filesystem::path checked_file(const std::optional<std::string>& text) {
