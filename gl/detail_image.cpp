@@ -23,12 +23,12 @@ void add_ripples(std::vector<glm::vec4>& texels, std::minstd_rand& engine) {
     for (int wave = 0; wave < 96; ++wave) {
         // Wave numbers are spread evenly in their logarithm; slopes fall slowly, as in the saturation range, where the
         // slope spectrum is flat in the logarithm.
-        const float k = 6 * std::pow(64.f / 6, (static_cast<float>(wave) + uniform(engine)) / 96);
+        const float k = 3 * std::pow(72.f / 3, (static_cast<float>(wave) + uniform(engine)) / 96);
         // The sum of three uniform numbers is round enough for a spread of 45 degrees around the wind.
         const float angle = (uniform(engine) + uniform(engine) + uniform(engine) - 1.5f) * 1.6f;
         const float kx = std::round(k * std::cos(angle)), kz = std::round(k * std::sin(angle));
         const float phase = uniform(engine), length = std::max(1.f, std::hypot(kx, kz));
-        const glm::vec2 along = glm::vec2(kx, kz) / length * std::pow(length / 6, -0.25f);
+        const glm::vec2 along = glm::vec2(kx, kz) / length * std::pow(length / 3, -0.2f);
         for (int z = 0; z < n; ++z)
             for (int x = 0; x < n; ++x)
                 slopes[static_cast<std::size_t>(z * n + x)] +=

@@ -17,7 +17,7 @@ struct DetailImage {
     const std::uint8_t* level(int level) const;
 };
 
-/// Always the same bytes on one machine. Ripples run along +x, spread as Poisson's sum of 96 waves of 6 to 64 cycles a
+/// Always the same bytes on one machine. Ripples run along +x, spread around it, a sum of 96 waves of 3 to 72 cycles a
 /// tile; the lace is the distance to the nearest and second nearest of random points (Worley 1996, "A Cellular Texture
 /// Basis Function") at four sizes.
 DetailImage make_detail_image();

@@ -38,8 +38,6 @@ Functions load_functions(GetProcAddress get) {
     // ES 3.2 has it without an extension, and drivers of 3.2 list it all the same.
     gl.renders_to_half_floats =
         has_extension(gl, "GL_EXT_color_buffer_half_float") || has_extension(gl, "GL_EXT_color_buffer_float");
-    if (has_extension(gl, "GL_EXT_texture_filter_anisotropic"))
-        gl.GetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, &gl.most_anisotropy);
     return gl;
 }
 

@@ -41,7 +41,6 @@ struct Functions {
     PFNGLFRAMEBUFFERTEXTUREMULTIVIEWOVRPROC FramebufferTextureMultiviewOVR = nullptr;
 
     bool renders_to_half_floats = false;  ///< so that it can build the displacement's mips
-    float most_anisotropy = 1;            ///< 1: no anisotropic filter
 };
 
 /// Loads the table for the context that is current on this thread. Throws GlError if it is older than ES 3.0.

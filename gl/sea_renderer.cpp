@@ -23,15 +23,15 @@ constexpr float sun_radius_rad = 0.00465f;
 
 // Sea water for 680, 550 and 440 nm. Absorption: pure water (Pope and Fry 1997; 0.465, 0.0565, 0.0064 1/m) and what lives
 // and is dissolved in it where chlorophyll is 0.3 mg/m^3 (Bricaud et al. 1995). Scattering backwards: water's own (Morel
-// 1974: half of 0.0007, 0.0019, 0.0049 1/m) and particles' (about 0.002 1/m).
+// 1974: half of 0.0007, 0.0019, 0.0049 1/m) and particles' (0.004 1/m).
 constexpr glm::vec3 absorption_per_m{0.470f, 0.064f, 0.036f};
-constexpr glm::vec3 backscattering_per_m{0.0022f, 0.0030f, 0.0046f};
+constexpr glm::vec3 backscattering_per_m{0.0043f, 0.0050f, 0.0065f};
 
 /// Ripples stand for this part of the roughness that the sea has between its texels; the rest is too fine even for them.
 constexpr float detail_part = 0.75f;
-/// A tile of ripples in texels of the sea: its longest waves, a sixth of it, are twice as long as the sea's shortest.
-constexpr double detail_texels = 12;
-/// Layers have no period in common: the golden ratio, and its square.
+/// A tile of ripples in texels of the sea: its longest waves, a third of it, are as long as the sea's shortest.
+constexpr double detail_texels = 6;
+/// Layers have no period in common: their sizes stand in powers of the golden ratio.
 constexpr double golden = 1.6180339887;
 constexpr double layer_turns_rad[2] = {0.21, -0.47};
 
@@ -135,6 +135,7 @@ struct SeaRenderer::State {
         const double height = std::max(1.5, std::abs(input.viewer_m.y));
         block.haze = {haze_per_m, height / std::tan(softened_horizon_rad)};
         block.water_absorption = {absorption_per_m, sea.depth_m};
+        block.output_kind.y = input.whitecap_jacobian;
         const float alpha = static_cast<float>(sea.roughness);
         const float detail_square = detail_part * alpha * alpha;
         block.water_scattering = {backscattering_per_m, detail_square};
@@ -150,10 +151,10 @@ struct SeaRenderer::State {
         const double loop = fraction(time_s / sea.loop_period_s);
         glm::dvec2 shifts[2];
         for (int layer = 0; layer < 2; ++layer) {
-            const double tile_m = detail_texels * texel_m / (layer == 0 ? 1 : golden * golden);
+            const double tile_m = detail_texels * texel_m / (layer == 0 ? 1 : golden * golden * golden);
             const double angle = sea.wind_direction_rad + layer_turns_rad[layer];
-            // Ripples travel as waves of a twelfth of the tile do in deep water; the way in a loop is whole tiles.
-            const double speed = std::sqrt(gravity_mps2 * tile_m / 12 / (2 * pi));
+            // Ripples travel as waves of a tenth of the tile do in deep water; the way in a loop is whole tiles.
+            const double speed = std::sqrt(gravity_mps2 * tile_m / 10 / (2 * pi));
             const double tiles = std::round(speed * sea.loop_period_s / tile_m);
             shifts[layer] = place_in_tile(viewer, angle, tile_m) - glm::dvec2(fraction(tiles * loop), 0);
             block.detail_turn[static_cast<std::size_t>(layer)] = {std::cos(angle) / tile_m, std::sin(angle) / tile_m,

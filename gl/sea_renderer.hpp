@@ -27,7 +27,6 @@ struct RendererOptions {
     int resolution = 256;              ///< N of the frames
     bool framebuffer_is_srgb = false;  ///< it encodes what shaders write; else they do
     bool multiview = false;            ///< the framebuffer holds both eyes as layers (OVR_multiview2)
-    float most_anisotropy = 8;         ///< of the gradient map, where the driver has such a filter; [1, 16]
 };
 
 enum class DrawMode { shaded, wireframe };
@@ -39,6 +38,7 @@ struct DrawInput {
     double lod_scale = 2.2;         ///< tau of the selection, by which the displacement's mip follows the mesh
     const SeaState* sea = nullptr;
     double significant_wave_height_m = 1;
+    float whitecap_jacobian = 0;  ///< foam begins below it: whitecaps.hpp
     double time_s = 0;
     DrawMode mode = DrawMode::shaded;
     bool draws_sky = true;

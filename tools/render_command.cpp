@@ -10,6 +10,7 @@
 #include "gl/render_target.hpp"
 #include "gl/sea_renderer.hpp"
 #include "gl/stopwatch.hpp"
+#include "gl/whitecaps.hpp"
 #include "quadtree/selection.hpp"
 #include "sim/ocean.hpp"
 #include "sim/statistics.hpp"
@@ -69,6 +70,8 @@ class PictureMaker {
         const gl::Stopwatch all;
         const Frame& frame = ocean_.frame_at(time_s);
         measured_.sea_ms.push_back(all.milliseconds());
+        if (measured_.sea_ms.size() == 1)
+            whitecap_jacobian_ = gl::whitecap_jacobian(frame, options_.sea.sea.wind_speed_mps);
 
         const gl::Stopwatch select;
         const FrameBounds& bounds = frame.bounds;
@@ -90,6 +93,7 @@ class PictureMaker {
                             .lod_scale = options_.quadtree.lod_scale,
                             .sea = &options_.sea.sea,
                             .significant_wave_height_m = wave_height_m_,
+                            .whitecap_jacobian = whitecap_jacobian_,
                             .time_s = time_s,
                             .mode = options_.wireframe ? gl::DrawMode::wireframe : gl::DrawMode::shaded});
         measured_.upload_ms.push_back(figures.upload_ms);
@@ -136,6 +140,7 @@ class PictureMaker {
     std::vector<gl::Eye> eyes_;
     std::vector<glm::dmat4> views_;
     double wave_height_m_ = 0, sky_ms_ = 0;
+    float whitecap_jacobian_ = 0;
     Measured measured_;
 };
 

@@ -32,5 +32,6 @@ layout(std140) uniform Scene {
     highp vec4 noise_scale;       // xy: of foam's two layers, zw: of the gusts' two, 1/m
     highp vec4 foam_shift;        // where the viewer is in them
     highp vec4 gust_shift;
-    highp vec4 output_kind;       // x: 1 if the shader encodes sRGB, 0 if the framebuffer does
+    highp vec4 output_kind;       // x: 1 if the shader encodes sRGB, 0 if the framebuffer does;
+                                  // y: the Jacobian below which foam begins
 };

@@ -36,13 +36,62 @@ struct Waves {
     float jacobian;  // 1 at rest, 0 where the water folds
 };
 
-// Slopes of the gradient map, dy/dx and dy/dz with the sign of the normal, its Jacobian and alpha^2.
+// A pixel near the horizon covers a long and thin piece of sea, which mips, being square, would blur to nothing. Taps
+// along it, each from a mip as wide as the piece is; the same on every driver, unlike their anisotropic filters.
+const int taps = 4;
+struct Footprint {
+    vec2 along;  // from the first tap to the one after the last, texture coordinates
+    float mip;
+};
+
+Footprint footprint_of(vec2 uv, float side) {
+    vec2 dx = dFdx(uv), dy = dFdy(uv);
+    float x2 = dot(dx, dx), y2 = dot(dy, dy);
+    float long_side = sqrt(max(x2, y2));
+    float wide = max(sqrt(min(x2, y2)), long_side / float(taps));
+    // Beyond a whole tile there is nothing to tell apart.
+    float all = min(long_side, 1.0) / max(long_side, 1e-9);
+    return Footprint((x2 > y2 ? dx : dy) * all, log2(max(wide * side, 1e-6)));
+}
+
+vec2 tap(Footprint footprint, vec2 uv, int i) {
+    return uv + footprint.along * ((float(i) + 0.5) / float(taps) - 0.5);
+}
+
+// Slopes of the gradient map with the sign of the normal, its Jacobian and alpha^2. Where slopes differ between the
+// taps, their variance is roughness too.
 vec4 map_slopes(vec2 uv) {
-    vec4 texel = texture(gradient, uv);
-    vec2 n = texel.xy * 2.0 - 1.0;
-    float rough = 1.0 - texel.w;
-    float alpha = rough * rough;
-    return vec4(n * inversesqrt(max(1.0 - dot(n, n), 0.04)), texel.z * 2.0 - 1.0, alpha * alpha);
+    Footprint footprint = footprint_of(uv, mesh.w / viewer.w);
+    vec4 sum = vec4(0.0);
+    float square = 0.0;
+    for (int i = 0; i < taps; ++i) {
+        vec4 texel = textureLod(gradient, tap(footprint, uv, i), footprint.mip);
+        vec2 n = texel.xy * 2.0 - 1.0;
+        vec2 slope = n * inversesqrt(max(1.0 - dot(n, n), 0.04));
+        float rough = 1.0 - texel.w;
+        sum += vec4(slope, texel.z * 2.0 - 1.0, rough * rough * rough * rough);
+        square += dot(slope, slope);
+    }
+    sum /= float(taps);
+    sum.w += max(square / float(taps) - dot(sum.xy, sum.xy), 0.0);
+    return sum;
+}
+
+// The same of a layer of ripples: slopes in xy, in w how much of their mean square the mip holds.
+vec4 map_detail(vec2 uv) {
+    Footprint footprint = footprint_of(uv, 256.0);
+    vec4 sum = vec4(0.0);
+    float square = 0.0;
+    for (int i = 0; i < taps; ++i) {
+        vec4 texel = textureLod(detail, tap(footprint, uv, i), footprint.mip);
+        vec2 slope = texel.xy * 2.0 - 1.0;
+        sum += vec4(slope, texel.zw);
+        square += dot(slope, slope);
+    }
+    sum /= float(taps);
+    // Slopes are stored as a quarter of their deviations: their mean square is 1/16.
+    sum.w -= 16.0 * max(square / float(taps) - dot(sum.xy, sum.xy), 0.0);
+    return sum;
 }
 
 vec2 detail_uv(int layer, vec2 at) {
@@ -77,11 +126,11 @@ Waves waves_at(vec2 at, float distance_m) {
     gust = clamp(0.35 + 1.3 * (gust - 0.5), 0.35, 1.7);
 
     // Ripples: what a mip no longer holds as slopes comes back as roughness.
-    vec4 a = texture(detail, detail_uv(0, at));
-    vec4 b = texture(detail, detail_uv(1, at));
+    vec4 a = map_detail(detail_uv(0, at));
+    vec4 b = map_detail(detail_uv(1, at));
     float mean_square = water_scattering.w;
-    float amplitude = sqrt(gust * mean_square * 0.5) * 4.0;  // slopes are stored as a quarter of their deviations
-    slopes += amplitude * (turned_back(0, a.xy * 2.0 - 1.0) + turned_back(1, b.xy * 2.0 - 1.0));
+    float amplitude = sqrt(gust * mean_square * 0.5) * 4.0;
+    slopes += amplitude * (turned_back(0, a.xy) + turned_back(1, b.xy));
     alpha2 = max(alpha2 - mean_square, 0.0004) + gust * mean_square * (1.0 - 0.5 * (a.w + b.w));
 
     Waves waves;
@@ -157,17 +206,20 @@ vec3 through_crests(vec3 normal, vec3 to_eye, float height) {
            sky_irradiance.rgb * taken * (0.03 * crest * crest * faces);
 }
 
+// 0 where no foam begins, 1 where the water folds further than most.
+float folding(float jacobian) { return smoothstep(output_kind.y + 0.08, output_kind.y - 0.14, jacobian); }
+
 // How much of the pixel foam covers. The Jacobian says where water folds now; foam stays there while the crest moves
 // on, so older foam is what the crest has left behind it: the Jacobian further down the wind, thinner the older.
 float foam_cover(vec2 at, float jacobian, float distance_m) {
     vec2 uv = viewer.xy + at * viewer.w;
     vec2 step_uv = waves.zw * waves.x * 0.9 * viewer.w;
-    float fresh = smoothstep(0.55, -0.05, jacobian);
+    float fresh = folding(jacobian);
     float old = 0.0;
     float weight = 0.62;
     for (int i = 1; i <= 4; ++i) {
         float then = texture(gradient, uv + step_uv * float(i), 0.6 * float(i)).z * 2.0 - 1.0;
-        old = max(old, weight * smoothstep(0.5, 0.0, then));
+        old = max(old, weight * folding(then));
         weight *= 0.72;
     }
     // Structure: bubbles in cells and threads, at two scales that share no period.
