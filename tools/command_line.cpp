@@ -16,13 +16,14 @@
 #include "tools/quadtree_command.hpp"
 #if defined(PELAGIC_HAS_GL)
 #include "tools/render_command.hpp"
+#include "tools/view_command.hpp"
 #endif
 #include "tools/stop_signal.hpp"
 
 namespace pelagic::tools {
 namespace {
 
-constexpr const char* commands_text = "export, info or quadtree";
+constexpr const char* commands_text = "export, info, quadtree, render or view";
 
 std::vector<std::string> option_names(const CLI::App& app) {
     std::vector<std::string> names;
@@ -113,12 +114,18 @@ int run(int argc, const char* const* argv) {
     CLI::App& render_app = *app.add_subcommand("render", "draw pictures of a sea, without a window");
     RenderFlags render_flags;
     render_flags.add_to(render_app);
+    CLI::App& view_app = *app.add_subcommand("view", "look at a sea in a window, and change it");
+    ViewFlags view_flags;
+    view_flags.add_to(view_app);
 #else
-    CLI::App& render_app = *app.add_subcommand("render", "not in this build, which was configured with PELAGIC_GL=OFF");
+    CLI::App& render_app =
+        *app.add_subcommand("render", "not in this build, which was configured with PELAGIC_GL=OFF");
     render_app.allow_extras();
+    CLI::App& view_app = *app.add_subcommand("view", "not in this build, which was configured with PELAGIC_GL=OFF");
+    view_app.allow_extras();
 #endif
 
-    for (CLI::App* command : {&export_app, &info_app, &quadtree_app, &render_app})
+    for (CLI::App* command : {&export_app, &info_app, &quadtree_app, &render_app, &view_app})
         command->set_version_flag("--version", "pelagic " PELAGIC_VERSION);
 
     try {
@@ -136,11 +143,15 @@ int run(int argc, const char* const* argv) {
         info_flags.run();
     else if (quadtree_app.parsed())
         quadtree_flags.run();
-    else if (render_app.parsed())
 #if defined(PELAGIC_HAS_GL)
+    else if (render_app.parsed())
         run_render(render_flags.resolve());
+    else if (view_app.parsed())
+        view_flags.run();
 #else
-        throw InputError("render is not in this build, needs one configured with -DPELAGIC_GL=ON");
+    else if (render_app.parsed() || view_app.parsed())
+        throw InputError(app.get_subcommands().front()->get_name() +
+                         " is not in this build, needs one configured with -DPELAGIC_GL=ON");
 #endif
     else
         throw InputError(std::string("no command, needs ") + commands_text + "; pelagic --help says more");

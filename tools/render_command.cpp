@@ -44,24 +44,25 @@ class PictureMaker {
    public:
     explicit PictureMaker(const RenderOptions& options)
         : options_(options),
-          ocean_(options.sea.sea, {.executor = make_default_executor(options.compute.threads), .isa = options.compute.isa}),
-          target_(context_.functions(), options.width, options.height, samples_a_pixel),
-          renderer_(context_.functions(),
-                    {.patch_vertices = options.quadtree.vertices, .resolution = options.sea.sea.resolution}),
-          selection_(options.quadtree) {
+          ocean_(options.scene.sea.sea, {.executor = make_default_executor(options.scene.compute.threads),
+                                         .isa = options.scene.compute.isa}),
+          target_(context_.functions(), options.scene.width, options.scene.height, samples_a_pixel),
+          renderer_(context_.functions(), {.patch_vertices = options.scene.quadtree.vertices,
+                                           .resolution = options.scene.sea.sea.resolution}),
+          selection_(options.scene.quadtree) {
         const gl::Stopwatch watch;
-        gl::SkyBaker baker(make_default_executor(options.compute.threads), sky_face_size);
-        baker.schedule(options.sky);
+        gl::SkyBaker baker(make_default_executor(options.scene.compute.threads), sky_face_size);
+        baker.schedule(options.scene.sky);
         renderer_.set_sky(baker.complete());
         sky_ms_ = watch.milliseconds();
-        wave_height_m_ = expected_waves(options.sea.sea).significant_wave_height_m;
+        wave_height_m_ = expected_waves(options.scene.sea.sea).significant_wave_height_m;
 
-        const gl::Viewport whole{0, 0, options.width, options.height};
+        const gl::Viewport whole{0, 0, options.scene.width, options.scene.height};
         if (options.stereo) {
-            const gl::EyePair pair = gl::eyes_of(options.camera, whole, eye_distance_m);
+            const gl::EyePair pair = gl::eyes_of(options.scene.camera, whole, eye_distance_m);
             eyes_ = {pair.left, pair.right};
         } else {
-            eyes_ = {gl::eye_of(options.camera, whole)};
+            eyes_ = {gl::eye_of(options.scene.camera, whole)};
         }
         for (const gl::Eye& eye : eyes_) views_.push_back(eye.clip_from_world);
     }
@@ -71,14 +72,14 @@ class PictureMaker {
         const Frame& frame = ocean_.frame_at(time_s);
         measured_.sea_ms.push_back(all.milliseconds());
         if (measured_.sea_ms.size() == 1)
-            whitecap_jacobian_ = gl::whitecap_jacobian(frame, options_.sea.sea.wind_speed_mps);
+            whitecap_jacobian_ = gl::whitecap_jacobian(frame, options_.scene.sea.sea.wind_speed_mps);
 
         const gl::Stopwatch select;
         const FrameBounds& bounds = frame.bounds;
-        const DrawList& list = selection_.select({.viewer_m = options_.camera.position_m,
-                                                  .views = views_,
-                                                  .bounds = {bounds.height_min_m, bounds.height_max_m,
-                                                             bounds.sideways_x_max_m, bounds.sideways_z_max_m}});
+        const DrawList& list = selection_.select(
+            {.viewer_m = options_.scene.camera.position_m,
+             .views = views_,
+             .bounds = {bounds.height_min_m, bounds.height_max_m, bounds.sideways_x_max_m, bounds.sideways_z_max_m}});
         measured_.select_ms.push_back(select.milliseconds());
 
         const gl::Functions& functions = context_.functions();
@@ -88,10 +89,10 @@ class PictureMaker {
         renderer_.upload(frame);
         const gl::DrawFigures& figures =
             renderer_.draw({.eyes = eyes_,
-                            .viewer_m = options_.camera.position_m,
+                            .viewer_m = options_.scene.camera.position_m,
                             .list = &list,
-                            .lod_scale = options_.quadtree.lod_scale,
-                            .sea = &options_.sea.sea,
+                            .lod_scale = options_.scene.quadtree.lod_scale,
+                            .sea = &options_.scene.sea.sea,
                             .significant_wave_height_m = wave_height_m_,
                             .whitecap_jacobian = whitecap_jacobian_,
                             .time_s = time_s,
@@ -154,13 +155,13 @@ void run_render(const RenderOptions& options) {
         for (int frame = 0; frame < options.frames; ++frame) {
             progress.show(static_cast<std::size_t>(frame));
             const std::vector<std::uint8_t> pixels = maker.picture(options.time_s + frame / options.fps);
-            const std::vector<unsigned char> png = encode_picture(pixels, options.width, options.height);
+            const std::vector<unsigned char> png = encode_picture(pixels, options.scene.width, options.scene.height);
             write_whole_file(options.file_of(frame), std::as_bytes(std::span(png)));
         }
     }
-    Json json = {{"version", PELAGIC_VERSION}, {"file", options.file_of(0).string()},
-                 {"width", options.width},     {"height", options.height},
-                 {"quality", options.quality}, {"sea", sea_as_json(options.sea)},
+    Json json = {{"version", PELAGIC_VERSION},       {"file", options.file_of(0).string()},
+                 {"width", options.scene.width},     {"height", options.scene.height},
+                 {"quality", options.scene.quality}, {"sea", sea_as_json(options.scene.sea)},
                  {"figures", maker.figures()}};
     if (options.json) {
         std::printf("%s\n", json.dump(2).c_str());
@@ -168,8 +169,8 @@ void run_render(const RenderOptions& options) {
     }
     const Json& figures = json["figures"];
     std::printf("%s: %d picture%s of %dx%d, %d draw calls a view, %llu triangles, by %s\n",
-                options.file_of(0).c_str(), options.frames, options.frames == 1 ? "" : "s", options.width,
-                options.height, figures["sea_draw_calls_a_view"].get<int>(),
+                options.file_of(0).c_str(), options.frames, options.frames == 1 ? "" : "s", options.scene.width,
+                options.scene.height, figures["sea_draw_calls_a_view"].get<int>(),
                 static_cast<unsigned long long>(figures["triangles"].get<std::uint64_t>()),
                 figures["renderer"].get<std::string>().c_str());
 }

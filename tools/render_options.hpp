@@ -7,25 +7,16 @@
 #include <optional>
 #include <string>
 
-#include "gl/sky_baker.hpp"
-#include "gl/views.hpp"
-#include "quadtree/quadtree_options.hpp"
-#include "tools/export_options.hpp"
+#include "tools/scene_options.hpp"
 
 namespace pelagic::tools {
 
 struct RenderOptions {
-    ResolvedSea sea;
-    ComputeOptions compute;
+    SceneOptions scene;
     std::filesystem::path file;
-    int width = 1280, height = 720;
     double time_s = 0;
     int frames = 1;
     double fps = 24;
-    gl::Camera camera;
-    gl::SkyOptions sky;
-    std::string quality;
-    QuadtreeOptions quadtree;
     bool wireframe = false, stereo = false, json = false;
 
     /// FILE.png, or FILE_0000.png and so on where there is more than one frame.
@@ -39,8 +30,7 @@ class RenderFlags {
     RenderOptions resolve() const;
 
    private:
-    SeaOptions sea_;
-    ComputeFlags compute_;
+    SceneFlags scene_;
     std::map<std::string, std::optional<std::string>> typed_;  ///< by flag name, where it was given
     bool wireframe_ = false, stereo_ = false, json_ = false;
 };

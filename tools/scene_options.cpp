@@ -1,0 +1,104 @@
+#include "tools/scene_options.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "sim/statistics.hpp"
+#include "tools/errors.hpp"
+#include "tools/option_text.hpp"
+
+namespace pelagic::tools {
+namespace {
+
+constexpr double radians_per_degree = 3.14159265358979323846 / 180;
+constexpr int most_pixels_a_side = 8192;
+
+void read_size(SceneOptions& options, const std::string& text) {
+    const std::size_t x = text.find('x');
+    const auto side = [&](std::string_view digits) {
+        const std::int64_t pixels = parse_integer(digits).value_or(0);
+        if (pixels < 16 || pixels > most_pixels_a_side)
+            throw bad_value("--size", text, "WIDTHxHEIGHT, each from 16 to " + std::to_string(most_pixels_a_side));
+        return static_cast<int>(pixels);
+    };
+    options.width = side(std::string_view(text).substr(0, x));
+    options.height = side(x == std::string::npos ? "" : std::string_view(text).substr(x + 1));
+}
+
+void choose_quality(SceneOptions& options, const std::string& name) {
+    const QuadtreePreset* preset = quadtree_preset_named(name);
+    if (!preset) {
+        std::vector<std::string> names;
+        for (const QuadtreePreset& each : quadtree_presets()) names.emplace_back(each.name);
+        throw bad_value("--quality", name, list_of(names) + " (the nearest is " + nearest_name(name, names) + ")");
+    }
+    options.quality = name;
+    // From high up one sees far: waves end at 5/16 of the square's side.
+    const double size_m = options.camera.position_m.y > 100 ? 8192 : 4096;
+    options.quadtree = preset->options(size_m);
+}
+
+/// As typed; without a place, above the highest crests.
+gl::Camera chosen_camera(const CameraFlags& flags, const SeaState& sea) {
+    Camera camera = flags.resolve();
+    if (!flags.has_place())
+        camera.eye_m.y = std::max(camera.eye_m.y, 2 + 1.2 * expected_waves(sea).significant_wave_height_m);
+    return {.position_m = camera.eye_m,
+            .target_m = camera.target_m,
+            .vertical_view_rad = camera.fov_deg * radians_per_degree};
+}
+
+/// The stronger the wind, the more clouds and spray: a fair day at 3 m/s, a ragged sky in a gale.
+gl::SkyOptions usual_sky(const SeaState& sea) {
+    const double wind = sea.wind_speed_mps;
+    return {.sun_azimuth_rad = static_cast<float>(80 * radians_per_degree),
+            .sun_elevation_rad = static_cast<float>(32 * radians_per_degree),
+            .cloud_cover = static_cast<float>(std::clamp(0.22 + 0.022 * wind, 0.2, 0.75)),
+            .visibility_m = static_cast<float>(std::clamp(60e3 - 2e3 * wind, 12e3, 60e3))};
+}
+
+}  // namespace
+
+void SceneFlags::add_to(CLI::App& app) {
+    const auto add = [&](const std::string& flag, const std::string& type, const std::string& help) {
+        app.add_option("--" + flag, typed_[flag], help)->type_name(type);
+    };
+    add("size", "WxH", "pixels, each side from 16 to 8192; default 1280x720");
+    camera_.add_to(app);
+    add("sun", "AZIMUTH,ELEVATION", "degrees, from +x towards +z and [-90, 90] above the horizon; default 80,32");
+    add("clouds", "PART", "of the sky, [0, 1]; default by the wind");
+    add("quality", "NAME", "level of detail: low, medium, high or ultra; default high");
+    sea_.add_to(app);
+    compute_.add_to(app);
+}
+
+SceneOptions SceneFlags::resolve() const {
+    SceneOptions options;
+    options.sea = sea_.resolve();
+    options.compute = compute_.resolve();
+    options.camera = chosen_camera(camera_, options.sea.sea);
+    options.sky = usual_sky(options.sea.sea);
+
+    const auto given = [&](const char* flag, auto use) {
+        if (const auto& text = typed_.at(flag)) use("--" + std::string(flag), *text);
+    };
+    given("size", [&](const auto&, const auto& text) { read_size(options, text); });
+    given("sun", [&](const auto& option, const auto& text) {
+        const std::vector<std::string> parts = split_at_commas(text);
+        const auto azimuth = parse_number(parts[0]), elevation = parse_number(parts.size() == 2 ? parts[1] : "");
+        if (!azimuth || !elevation || std::abs(*azimuth) > 3600 || std::abs(*elevation) > 90)
+            throw bad_value(option, text, "AZIMUTH,ELEVATION in degrees, elevation in [-90, 90]");
+        options.sky.sun_azimuth_rad = static_cast<float>(*azimuth * radians_per_degree);
+        options.sky.sun_elevation_rad = static_cast<float>(*elevation * radians_per_degree);
+    });
+    given("clouds", [&](const auto& option, const auto& text) {
+        const auto cover = parse_number(text);
+        if (!cover || *cover < 0 || *cover > 1) throw bad_value(option, text, "a part in [0, 1]");
+        options.sky.cloud_cover = static_cast<float>(*cover);
+    });
+    choose_quality(options, typed_.at("quality").value_or("high"));
+    return options;
+}
+
+}  // namespace pelagic::tools

@@ -1,0 +1,96 @@
+#include "tools/view_command.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <glm/trigonometric.hpp>
+#include <variant>
+
+#include "tools/atomic_file.hpp"
+#include "tools/errors.hpp"
+#include "tools/image_writer.hpp"
+#include "tools/option_text.hpp"
+#include "viewer/viewer.hpp"
+
+namespace pelagic::tools {
+namespace {
+
+/// Pictures are numbered on, so that none is overwritten.
+std::filesystem::path next_picture(const std::filesystem::path& folder) {
+    for (int number = 1;; ++number) {
+        char name[32];
+        std::snprintf(name, sizeof name, "pelagic_%04d.png", number);
+        if (!std::filesystem::exists(folder / name)) return folder / name;
+    }
+}
+
+std::string point_text(glm::dvec3 p) {
+    const auto centimetres = [](double metres) { return number_text(std::round(metres * 100) / 100); };
+    return centimetres(p.x) + "," + centimetres(p.y) + "," + centimetres(p.z);
+}
+
+std::string degrees_text(double radians) { return number_text(std::round(glm::degrees(radians) * 10) / 10); }
+
+/// `pelagic render` with what the window showed when it was closed. Values that are the default's are left out.
+std::string render_command_of(const viewer::ViewResult& result) {
+    const SeaState usual;
+    const SeaState& sea = result.settings.sea;
+    std::string text = "pelagic render --out sea.png --spectrum " + std::string(name_of(sea.spectrum));
+    for (const SeaStateField& field : sea_state_fields()) {
+        // "wind_speed_mps" is --wind-speed: the flag has no unit.
+        const double value = std::visit([&](auto member) { return static_cast<double>(sea.*member); }, field.member);
+        const double default_value =
+            std::visit([&](auto member) { return static_cast<double>(usual.*member); }, field.member);
+        if (value == default_value) continue;
+        const bool is_angle = field.name.ends_with("_rad");
+        std::string flag(field.name);
+        for (const char* unit : {"_mps", "_rad", "_m", "_s"})
+            if (flag.ends_with(unit)) flag.resize(flag.size() - std::string_view(unit).size());
+        for (char& c : flag)
+            if (c == '_') c = '-';
+        text += " --" + flag + " " + (is_angle ? degrees_text(value) : number_text(value));
+    }
+    text += " --camera " + point_text(result.camera.position_m) + " --target " + point_text(result.camera.target_m) +
+            " --fov " + degrees_text(result.camera.vertical_view_rad) + " --sun " +
+            degrees_text(static_cast<double>(result.settings.sky.sun_azimuth_rad)) + "," +
+            degrees_text(static_cast<double>(result.settings.sky.sun_elevation_rad)) + " --clouds " +
+            number_text(std::round(static_cast<double>(result.settings.sky.cloud_cover) * 100) / 100) +
+            " --quality " + result.settings.quality;
+    return text;
+}
+
+}  // namespace
+
+void ViewFlags::add_to(CLI::App& app) {
+    scene_.add_to(app);
+    app.add_option("--pictures", pictures_, "where key P saves pictures, a folder [.]")->type_name("FOLDER");
+}
+
+void ViewFlags::run() const {
+    const SceneOptions scene = scene_.resolve();
+    const std::filesystem::path folder = pictures_.value_or(".");
+    if (!std::filesystem::is_directory(folder))
+        throw bad_value("--pictures", folder.string(), "a folder that exists");
+
+    viewer::ViewOptions options{.settings = {.sea = scene.sea.sea,
+                                             .sky = scene.sky,
+                                             .quality = scene.quality,
+                                             .size_m = scene.quadtree.size_m},
+                                .camera = scene.camera,
+                                .width = scene.width,
+                                .height = scene.height,
+                                .threads = scene.compute.threads};
+    options.save_picture = [&](std::span<const std::uint8_t> pixels, int width, int height) {
+        const std::filesystem::path file = next_picture(folder);
+        const std::vector<unsigned char> png = encode_picture({pixels.begin(), pixels.end()}, width, height);
+        write_whole_file(file, std::as_bytes(std::span(png)));
+        std::printf("saved %s\n", file.c_str());
+        std::fflush(stdout);
+    };
+    const viewer::ViewResult result = viewer::show_sea(options);
+    std::printf("%llu frames, by %s. The same without a window:\n  %s\n",
+                static_cast<unsigned long long>(result.frames), result.renderer.c_str(),
+                render_command_of(result).c_str());
+}
+
+}  // namespace pelagic::tools

@@ -1,0 +1,24 @@
+// `pelagic view`: the sea in a window.
+#pragma once
+
+#include <CLI/App.hpp>
+#include <optional>
+#include <string>
+
+#include "tools/scene_options.hpp"
+
+namespace pelagic::tools {
+
+class ViewFlags {
+   public:
+    void add_to(CLI::App& app);
+    /// Shows the window until it is closed, then prints the command that draws what was seen last. Throws InputError,
+    /// FileError and gl::GlError.
+    void run() const;
+
+   private:
+    SceneFlags scene_;
+    std::optional<std::string> pictures_;
+};
+
+}  // namespace pelagic::tools

@@ -1,0 +1,98 @@
+#include "viewer/panel.hpp"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <numbers>
+
+#include "quadtree/quadtree_options.hpp"
+
+namespace pelagic::viewer {
+namespace {
+
+constexpr float panel_width = 360;
+constexpr float to_deg = 180 / std::numbers::pi_v<float>;
+
+/// A slider of a double.
+bool slide(const char* label, double& value, double least, double most, const char* format) {
+    return ImGui::SliderScalar(label, ImGuiDataType_Double, &value, &least, &most, format);
+}
+
+/// A slider in degrees of radians.
+bool slide_degrees(const char* label, auto& radians, float least, float most) {
+    float degrees = static_cast<float>(radians) * to_deg;
+    if (!ImGui::SliderFloat(label, &degrees, least, most, "%.0f deg")) return false;
+    radians = static_cast<std::remove_reference_t<decltype(radians)>>(degrees / to_deg);
+    return true;
+}
+
+void choose_preset(SeaState& sea) {
+    if (!ImGui::BeginCombo("sea state", "choose ...")) return;
+    for (const SeaPreset& preset : sea_presets()) {
+        if (!ImGui::Selectable(std::string(preset.name).c_str())) continue;
+        const int resolution = sea.resolution;  // the textures stay
+        sea = preset.sea;
+        sea.resolution = resolution;
+    }
+    ImGui::EndCombo();
+}
+
+void choose_quality(std::string& quality) {
+    if (!ImGui::BeginCombo("quality", quality.c_str())) return;
+    for (const QuadtreePreset& preset : quadtree_presets()) {
+        const std::string name(preset.name);
+        if (ImGui::Selectable(name.c_str(), name == quality)) quality = name;
+    }
+    ImGui::EndCombo();
+}
+
+void show_times(const ViewFigures& figures, const std::vector<StageTimes::Row>& rows) {
+    ImGui::Text("%.1f ms a frame, %.2f million triangles", figures.frame_ms,
+                static_cast<double>(figures.triangles) / 1e6);
+    ImGui::Text("%zu patches in %d draws, selected in %.0f us", figures.patches, figures.draw_calls,
+                figures.select_us);
+    ImGui::Text("CPU: upload %.2f ms, draw %.2f ms", figures.upload_ms, figures.draw_ms);
+    for (const StageTimes::Row& row : rows) {
+        const float largest = *std::max_element(row.ms.begin(), row.ms.end());
+        char text[80];
+        std::snprintf(text, sizeof text, "%s %.3f ms", row.name.c_str(), static_cast<double>(row.ms.back()));
+        ImGui::PlotLines(("##" + row.name).c_str(), row.ms.data(), static_cast<int>(row.ms.size()), 0, text, 0,
+                         std::max(largest, 0.01f) * 1.2f, ImVec2(panel_width - 16, 34));
+    }
+}
+
+}  // namespace
+
+void show_panel(ViewSettings& settings, ViewCamera& camera, const ViewFigures& figures,
+                const std::vector<StageTimes::Row>& stage_times) {
+    ImGui::SetNextWindowPos(ImVec2(10, 10), ImGuiCond_FirstUseEver);
+    ImGui::SetNextWindowSize(ImVec2(panel_width, 0), ImGuiCond_Always);
+    ImGui::Begin("Pelagic");
+    slide("wind", settings.sea.wind_speed_mps, 1, 30, "%.1f m/s");
+    slide_degrees("wind towards", settings.sea.wind_direction_rad, -180, 180);
+    slide("choppiness", settings.sea.choppiness, 0, 1, "%.2f");
+    choose_preset(settings.sea);
+    ImGui::SliderFloat("foam", &settings.more_foam, -0.5f, 0.5f, "%+.2f");
+    ImGui::Text("waves of %.2f m%s", figures.significant_wave_height_m, figures.sea_is_baking ? ", changing" : "");
+    ImGui::Separator();
+    slide_degrees("sun towards", settings.sky.sun_azimuth_rad, -180, 180);
+    slide_degrees("sun height", settings.sky.sun_elevation_rad, -5, 90);
+    ImGui::SliderFloat("clouds", &settings.sky.cloud_cover, 0, 1, "%.2f");
+    if (figures.sky_is_baking) ImGui::Text("baking the sky ...");
+    ImGui::Separator();
+    choose_quality(settings.quality);
+    ImGui::Checkbox("wireframe", &settings.wireframe);
+    ImGui::SameLine();
+    ImGui::Checkbox("freeze", &settings.frozen);
+    ImGui::SameLine();
+    bool flies = camera.mode() == ViewCamera::Mode::fly;
+    if (ImGui::Checkbox("fly", &flies)) camera.set_mode(flies ? ViewCamera::Mode::fly : ViewCamera::Mode::orbit);
+    ImGui::Separator();
+    show_times(figures, stage_times);
+    ImGui::TextDisabled("camera: drag, wheel, WASD, R, F");
+    ImGui::TextDisabled("H hides this, P saves a picture, Esc ends");
+    ImGui::End();
+}
+
+}  // namespace pelagic::viewer

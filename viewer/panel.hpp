@@ -1,0 +1,40 @@
+// The panel of the window: what can be changed while one looks, and how long it takes.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "gl/sky_baker.hpp"
+#include "sim/sea_state.hpp"
+#include "viewer/stage_times.hpp"
+#include "viewer/view_camera.hpp"
+
+namespace pelagic::viewer {
+
+/// What the user has chosen.
+struct ViewSettings {
+    SeaState sea;
+    gl::SkyOptions sky;
+    std::string quality = "high";
+    double size_m = 2048;
+    float more_foam = 0;  ///< added to the Jacobian at which foam begins; [-0.5, 0.5]
+    bool wireframe = false;
+    bool frozen = false;
+};
+
+/// What the panel shows of the last frame.
+struct ViewFigures {
+    double frame_ms = 0;
+    double select_us = 0, upload_ms = 0, draw_ms = 0;
+    int draw_calls = 0;
+    std::uint64_t triangles = 0;
+    std::size_t patches = 0;
+    double significant_wave_height_m = 0;
+    bool sea_is_baking = false, sky_is_baking = false;
+};
+
+/// Draws the widgets of one Dear ImGui frame and lets them change the settings and the camera's mode.
+void show_panel(ViewSettings& settings, ViewCamera& camera, const ViewFigures& figures,
+                const std::vector<StageTimes::Row>& stage_times);
+
+}  // namespace pelagic::viewer

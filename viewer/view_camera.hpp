@@ -1,0 +1,37 @@
+// The camera of the window: round a point, or free.
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "gl/views.hpp"
+
+namespace pelagic::viewer {
+
+class ViewCamera {
+   public:
+    explicit ViewCamera(const gl::Camera& start);
+
+    enum class Mode { orbit, fly };
+    Mode mode() const { return mode_; }
+    /// The picture stays what it is.
+    void set_mode(Mode mode) { mode_ = mode; }
+
+    /// A drag of the mouse, radians to the right and down: round the target, or of the head.
+    void turn(glm::dvec2 radians);
+    /// Nearer (below 1) or further (above): the distance to the target when orbiting, a step ahead when flying.
+    void zoom(double factor);
+    /// Right, up, ahead, in metres.
+    void move(glm::dvec3 metres);
+
+    gl::Camera camera() const;
+
+   private:
+    glm::dvec3 ahead() const;
+
+    Mode mode_ = Mode::orbit;
+    glm::dvec3 eye_;
+    double heading_, pitch_, distance_, vertical_view_rad_;
+};
+
+}  // namespace pelagic::viewer

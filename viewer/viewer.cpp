@@ -1,0 +1,258 @@
+#include "viewer/viewer.hpp"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <backends/imgui_impl_glfw.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <vector>
+
+#include "gl/sea_renderer.hpp"
+#include "gl/stopwatch.hpp"
+#include "gl/whitecaps.hpp"
+#include "quadtree/selection.hpp"
+#include "sim/ocean.hpp"
+#include "sim/statistics.hpp"
+#include "viewer/panel_renderer.hpp"
+#include "viewer/stage_times.hpp"
+#include "viewer/window.hpp"
+
+namespace pelagic::viewer {
+namespace {
+
+constexpr int sky_face_size = 256;
+constexpr double radians_a_pixel = 0.004;
+constexpr double slowest_mps = 8;  // flying; faster with height
+
+bool same_sea(const SeaState& a, const SeaState& b) {
+    if (a.spectrum != b.spectrum) return false;
+    return std::ranges::all_of(sea_state_fields(), [&](const SeaStateField& field) {
+        return std::visit([&](auto member) { return a.*member == b.*member; }, field.member);
+    });
+}
+
+bool same_sky(const gl::SkyOptions& a, const gl::SkyOptions& b) {
+    return a.sun_azimuth_rad == b.sun_azimuth_rad && a.sun_elevation_rad == b.sun_elevation_rad &&
+           a.cloud_cover == b.cloud_cover && a.visibility_m == b.visibility_m && a.cloud_seed == b.cloud_seed;
+}
+
+const QuadtreePreset& preset_named(const std::string& name) {
+    const QuadtreePreset* preset = quadtree_preset_named(name);
+    if (!preset) throw std::invalid_argument("no quality is called " + name);
+    return *preset;
+}
+
+/// Dear ImGui and its input, for as long as the window is there.
+class PanelInput {
+   public:
+    explicit PanelInput(GLFWwindow* window) {
+        ImGui::CreateContext();
+        ImGui::GetIO().IniFilename = nullptr;  // leaves no file where the user happens to be
+        ImGui::StyleColorsDark();
+        ImGui::GetStyle().Colors[ImGuiCol_WindowBg].w = 0.82f;
+        ImGui_ImplGlfw_InitForOther(window, true);
+    }
+    ~PanelInput() {
+        ImGui_ImplGlfw_Shutdown();
+        ImGui::DestroyContext();
+    }
+    PanelInput(const PanelInput&) = delete;
+    PanelInput& operator=(const PanelInput&) = delete;
+};
+
+class Viewer {
+   public:
+    explicit Viewer(const ViewOptions& options)
+        : options_(options),
+          settings_(options.settings),
+          window_(options.width, options.height, "Pelagic"),
+          input_(window_.handle()),
+          panel_renderer_(window_.functions(), Window::get_proc_address()),
+          ocean_(settings_.sea, {.executor = make_default_executor(options.threads), .trace = stage_times_}),
+          shown_sea_(settings_.sea),
+          baker_(make_default_executor(options.threads), sky_face_size),
+          shown_sky_(settings_.sky),
+          camera_(options.camera) {
+        stage_times_->follow(ocean_.graph());
+        baker_.schedule(settings_.sky);
+        choose_quality();
+        renderer_->set_sky(baker_.complete());
+        ocean_.schedule(0);
+    }
+
+    ViewResult run() {
+        gl::Stopwatch since_start;
+        double last_s = 0;
+        while (!window_.should_close()) {
+            window_.poll();
+            const double now_s = since_start.milliseconds() / 1000;
+            const double passed_s = std::min(now_s - last_s, 0.25);  // no leaps after a pause
+            figures_.frame_ms = (now_s - last_s) * 1000;
+            last_s = now_s;
+            if (!settings_.frozen) time_s_ += passed_s;
+            take_input(passed_s);
+            follow_settings();
+            if (window_.width() > 0 && window_.height() > 0) draw_frame();
+            window_.swap();
+            ++frames_;
+        }
+        return {settings_, camera_.camera(), frames_,
+                reinterpret_cast<const char*>(window_.functions().GetString(GL_RENDERER))};
+    }
+
+   private:
+    void take_input(double passed_s) {
+        ImGui_ImplGlfw_NewFrame();
+        ImGui::NewFrame();
+        const ImGuiIO& io = ImGui::GetIO();
+        if (!io.WantTextInput) {
+            for (const int key : window_.pressed_keys()) {
+                if (key == GLFW_KEY_ESCAPE) window_.close();
+                if (key == GLFW_KEY_H) shows_panel_ = !shows_panel_;
+                if (key == GLFW_KEY_P) takes_picture_ = true;
+            }
+            const auto held = [](int key) { return ImGui::IsKeyDown(key) ? 1.0 : 0.0; };
+            const double metres = passed_s * std::max(slowest_mps, std::abs(camera_.camera().position_m.y));
+            camera_.move(metres * glm::dvec3(held(GLFW_KEY_D) - held(GLFW_KEY_A), held(GLFW_KEY_R) - held(GLFW_KEY_F),
+                                             held(GLFW_KEY_W) - held(GLFW_KEY_S)));
+        }
+        if (io.WantCaptureMouse) return;
+        if (ImGui::IsMouseDragging(ImGuiMouseButton_Left, 0))
+            camera_.turn(radians_a_pixel * glm::dvec2(io.MouseDelta.x, io.MouseDelta.y));
+        if (io.MouseWheel != 0) camera_.zoom(std::pow(0.9, static_cast<double>(io.MouseWheel)));
+    }
+
+    /// Starts what the settings ask for, and takes over what is ready; nothing waits.
+    void follow_settings() {
+        if (figures_.sky_is_baking && baker_.is_done()) {
+            renderer_->set_sky(baker_.complete());
+            figures_.sky_is_baking = false;
+        }
+        if (!figures_.sky_is_baking && !same_sky(settings_.sky, shown_sky_)) {
+            shown_sky_ = settings_.sky;
+            baker_.schedule(shown_sky_);
+            figures_.sky_is_baking = true;
+        }
+        if (!figures_.sea_is_baking && !same_sea(settings_.sea, shown_sea_)) {
+            shown_sea_ = settings_.sea;
+            ocean_.schedule_sea(shown_sea_);
+            figures_.sea_is_baking = true;
+        }
+        if (settings_.quality != quality_) choose_quality();
+    }
+
+    /// Textures and meshes belong to the quality; the sky is uploaded again.
+    void choose_quality() {
+        quality_ = settings_.quality;
+        selection_.emplace(preset_named(quality_).options(settings_.size_m));
+        renderer_ = std::make_unique<gl::SeaRenderer>(
+            window_.functions(), gl::RendererOptions{.patch_vertices = selection_->options().vertices,
+                                                     .resolution = settings_.sea.resolution});
+        if (!figures_.sky_is_baking && frames_ > 0) renderer_->set_sky(baker_.complete());
+        foam_of_ = {};
+    }
+
+    /// The frame that was scheduled one picture ago, then the next one: computed while this one is drawn.
+    const Frame& next_frame() {
+        const Frame& frame = ocean_.complete();
+        stage_times_->end_frame();
+        if (figures_.sea_is_baking && ocean_.sea_is_ready()) {
+            ocean_.complete_sea();
+            figures_.sea_is_baking = false;
+            foam_of_ = {};
+        }
+        ocean_.schedule(time_s_);
+        return frame;
+    }
+
+    void draw_frame() {
+        const Frame& frame = next_frame();
+        const SeaState& sea = ocean_.sea();
+        if (!foam_of_) {
+            foam_of_ = gl::whitecap_jacobian(frame, sea.wind_speed_mps);
+            figures_.significant_wave_height_m = expected_waves(sea).significant_wave_height_m;
+        }
+        const gl::Camera camera = camera_.camera();
+        const gl::Eye eye = gl::eye_of(camera, {0, 0, window_.width(), window_.height()});
+        const gl::Stopwatch select;
+        const DrawList& list =
+            selection_->select({.viewer_m = camera.position_m,
+                                .views = {&eye.clip_from_world, 1},
+                                .bounds = {frame.bounds.height_min_m, frame.bounds.height_max_m,
+                                           frame.bounds.sideways_x_max_m, frame.bounds.sideways_z_max_m},
+                                .depth = ClipDepth::minus_one_to_one});
+        figures_.select_us = select.milliseconds() * 1000;
+        figures_.patches = list.instances.size();
+
+        const gl::Functions& functions = window_.functions();
+        functions.BindFramebuffer(GL_FRAMEBUFFER, 0);
+        functions.ClearColor(0, 0, 0, 1);
+        functions.ClearDepthf(1);
+        functions.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        renderer_->upload(frame);
+        const gl::DrawFigures& drawn =
+            renderer_->draw({.eyes = {&eye, 1},
+                             .viewer_m = camera.position_m,
+                             .list = &list,
+                             .lod_scale = selection_->options().lod_scale,
+                             .sea = &sea,
+                             .significant_wave_height_m = figures_.significant_wave_height_m,
+                             .whitecap_jacobian = *foam_of_ + settings_.more_foam,
+                             .time_s = frame.time_s,
+                             .mode = settings_.wireframe ? gl::DrawMode::wireframe : gl::DrawMode::shaded});
+        figures_.upload_ms = drawn.upload_ms - drawn.upload_driver_ms;
+        figures_.draw_ms = drawn.draw_ms - drawn.draw_driver_ms;
+        figures_.draw_calls = drawn.sea_calls + drawn.sky_calls;
+        figures_.triangles = drawn.triangles;
+        if (takes_picture_) take_picture();
+
+        if (shows_panel_) show_panel(settings_, camera_, figures_, stage_times_->rows());
+        ImGui::Render();
+        panel_renderer_.draw(*ImGui::GetDrawData());
+    }
+
+    /// Without the panel: it is drawn afterwards.
+    void take_picture() {
+        takes_picture_ = false;
+        const int width = window_.width(), height = window_.height();
+        const auto row = static_cast<std::size_t>(width) * 4;
+        std::vector<std::uint8_t> upwards(row * static_cast<std::size_t>(height)), pixels;
+        window_.functions().PixelStorei(GL_PACK_ALIGNMENT, 4);
+        window_.functions().ReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, upwards.data());
+        for (int j = height - 1; j >= 0; --j) {
+            const auto start = upwards.begin() + static_cast<std::ptrdiff_t>(row) * j;
+            pixels.insert(pixels.end(), start, start + static_cast<std::ptrdiff_t>(row));
+        }
+        if (options_.save_picture) options_.save_picture(pixels, width, height);
+    }
+
+    const ViewOptions& options_;
+    ViewSettings settings_;
+    Window window_;
+    PanelInput input_;
+    PanelRenderer panel_renderer_;
+    std::shared_ptr<StageTimes> stage_times_ = std::make_shared<StageTimes>();
+    Ocean ocean_;
+    SeaState shown_sea_;
+    gl::SkyBaker baker_;
+    gl::SkyOptions shown_sky_;
+    ViewCamera camera_;
+    std::string quality_;
+    std::optional<Selection> selection_;
+    std::unique_ptr<gl::SeaRenderer> renderer_;
+    std::optional<float> foam_of_;  ///< the Jacobian at which this sea's foam begins
+    ViewFigures figures_;
+    bool shows_panel_ = true, takes_picture_ = false;
+    double time_s_ = 0;
+    std::uint64_t frames_ = 0;
+};
+
+}  // namespace
+
+ViewResult show_sea(const ViewOptions& options) { return Viewer(options).run(); }
+
+}  // namespace pelagic::viewer

@@ -1,0 +1,34 @@
+// `pelagic view`: the sea in a window, with a panel to change it.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <span>
+
+#include "gl/views.hpp"
+#include "viewer/panel.hpp"
+
+namespace pelagic::viewer {
+
+struct ViewOptions {
+    ViewSettings settings;
+    gl::Camera camera;
+    int width = 1280, height = 720;
+    int threads = 0;  ///< as make_default_executor() takes them
+
+    /// Called with each picture that the user takes (key P): RGBA8, the upper row first.
+    std::function<void(std::span<const std::uint8_t> pixels, int width, int height)> save_picture = {};
+};
+
+/// Shows the sea until the window is closed. Returns what the user left it at.
+/// Throws gl::GlError if there is no display or no driver; std::invalid_argument for options out of range.
+struct ViewResult {
+    ViewSettings settings;
+    gl::Camera camera;
+    std::uint64_t frames = 0;
+    std::string renderer;  ///< the driver's name for itself
+};
+ViewResult show_sea(const ViewOptions& options);
+
+}  // namespace pelagic::viewer

@@ -1,0 +1,79 @@
+#include "viewer/window.hpp"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include "gl/errors.hpp"
+
+namespace pelagic::viewer {
+namespace {
+
+gl::GlError failure(const std::string& what) {
+    const char* reason = nullptr;
+    glfwGetError(&reason);
+    return gl::GlError(what + (reason ? std::string(": ") + reason : std::string()));
+}
+
+}  // namespace
+
+Window::Window(int width, int height, const std::string& title) {
+    if (!glfwInit())
+        throw failure("no display to open a window on; needs X11 (DISPLAY is set there), or Debian's xvfb");
+    glfwWindowHint(GLFW_CLIENT_API, GLFW_OPENGL_ES_API);
+    glfwWindowHint(GLFW_CONTEXT_CREATION_API, GLFW_EGL_CONTEXT_API);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 0);
+    glfwWindowHint(GLFW_SAMPLES, 4);
+    window_ = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
+    if (!window_) {
+        const gl::GlError error = failure("no window with OpenGL ES 3.0; Debian: libegl1 libgles2 libgl1-mesa-dri");
+        glfwTerminate();
+        throw error;
+    }
+    glfwSetWindowUserPointer(window_, this);
+    // Dear ImGui sets its own later and calls this one.
+    glfwSetKeyCallback(window_, [](GLFWwindow* handle, int key, int, int action, int) {
+        if (action == GLFW_PRESS)
+            static_cast<Window*>(glfwGetWindowUserPointer(handle))->pressed_keys_.push_back(key);
+    });
+    glfwMakeContextCurrent(window_);
+    glfwSwapInterval(1);
+    try {
+        functions_ = gl::load_functions(get_proc_address());
+    } catch (...) {
+        glfwDestroyWindow(window_);
+        glfwTerminate();
+        throw;
+    }
+}
+
+Window::~Window() {
+    glfwDestroyWindow(window_);
+    glfwTerminate();
+}
+
+bool Window::should_close() const { return glfwWindowShouldClose(window_) != 0; }
+void Window::close() { glfwSetWindowShouldClose(window_, GLFW_TRUE); }
+void Window::poll() {
+    pressed_keys_.clear();
+    glfwPollEvents();
+}
+void Window::swap() { glfwSwapBuffers(window_); }
+
+int Window::width() const {
+    int width = 0;
+    glfwGetFramebufferSize(window_, &width, nullptr);
+    return width;
+}
+
+int Window::height() const {
+    int height = 0;
+    glfwGetFramebufferSize(window_, nullptr, &height);
+    return height;
+}
+
+gl::GetProcAddress Window::get_proc_address() {
+    return [](const char* name) { return reinterpret_cast<void*>(glfwGetProcAddress(name)); };
+}
+
+}  // namespace pelagic::viewer
