@@ -22,7 +22,7 @@
 namespace pelagic::tools {
 namespace {
 
-constexpr const char* commands_text = "export, info or quadtree";
+constexpr const char* commands_text = "export, info, quadtree or render";
 
 std::vector<std::string> option_names(const CLI::App& app) {
     std::vector<std::string> names;
