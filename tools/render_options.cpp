@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <glm/geometric.hpp>
 #include <vector>
 
 #include "sim/statistics.hpp"
@@ -17,7 +16,6 @@ namespace {
 constexpr double radians_per_degree = 3.14159265358979323846 / 180;
 constexpr int most_pixels_a_side = 8192;
 constexpr int most_frames = 100'000;
-constexpr double furthest_m = 1e6;
 
 double number_in(const std::string& option, const std::string& text, double least, double most,
                  const std::string& accepted) {
@@ -69,17 +67,21 @@ void choose_quality(RenderOptions& options, const std::string& name) {
     options.quadtree = preset->options(size_m);
 }
 
-/// A boat's view along +x: above the crests, a little downwards.
-gl::Camera usual_camera(const SeaState& sea) {
-    const double height = 2 + 1.1 * expected_waves(sea).significant_wave_height_m;
-    return {.position_m = {0, height, 0}, .target_m = {100, height - 8, 0}, .vertical_view_rad = 45 * radians_per_degree};
+/// As typed; without a place, above the highest crests.
+gl::Camera chosen_camera(const CameraFlags& flags, const SeaState& sea) {
+    Camera camera = flags.resolve();
+    if (!flags.has_place())
+        camera.eye_m.y = std::max(camera.eye_m.y, 2 + 1.2 * expected_waves(sea).significant_wave_height_m);
+    return {.position_m = camera.eye_m,
+            .target_m = camera.target_m,
+            .vertical_view_rad = camera.fov_deg * radians_per_degree};
 }
 
 /// The stronger the wind, the more clouds and spray: a fair day at 3 m/s, a ragged sky in a gale.
 gl::SkyOptions usual_sky(const SeaState& sea) {
     const double wind = sea.wind_speed_mps;
-    return {.sun_azimuth_rad = static_cast<float>(38 * radians_per_degree),
-            .sun_elevation_rad = static_cast<float>(28 * radians_per_degree),
+    return {.sun_azimuth_rad = static_cast<float>(80 * radians_per_degree),
+            .sun_elevation_rad = static_cast<float>(32 * radians_per_degree),
             .cloud_cover = static_cast<float>(std::clamp(0.22 + 0.022 * wind, 0.2, 0.75)),
             .visibility_m = static_cast<float>(std::clamp(60e3 - 2e3 * wind, 12e3, 60e3))};
 }
@@ -102,10 +104,8 @@ void RenderFlags::add_to(CLI::App& app) {
     add("time", "SECONDS", "of the first frame, in [-1e9, 1e9]; default 0");
     add("frames", "NUMBER", "how many pictures; 1 to 100000, default 1");
     add("fps", "NUMBER", "pictures a second; (0, 1000], default 24");
-    add("camera", "X,Y,Z", "where the eye is, metres, y above the rest level; default above the crests");
-    add("target", "X,Y,Z", "what it looks at; default 100 m along +x");
-    add("fov", "DEGREES", "vertical field of view, [5, 150]; default 45");
-    add("sun", "AZIMUTH,ELEVATION", "degrees, from +x towards +z and [-90, 90] above the horizon; default 38,28");
+    camera_.add_to(app);
+    add("sun", "AZIMUTH,ELEVATION", "degrees, from +x towards +z and [-90, 90] above the horizon; default 80,32");
     add("clouds", "PART", "of the sky, [0, 1]; default by the wind");
     add("quality", "NAME", "level of detail: low, medium, high or ultra; default high");
     app.add_flag("--wireframe", wireframe_, "the mesh, a colour for each level of detail");
@@ -123,7 +123,7 @@ RenderOptions RenderFlags::resolve() const {
     options.wireframe = wireframe_;
     options.stereo = stereo_;
     options.json = json_;
-    options.camera = usual_camera(options.sea.sea);
+    options.camera = chosen_camera(camera_, options.sea.sea);
     options.sky = usual_sky(options.sea.sea);
 
     const auto given = [&](const char* flag, auto use) {
@@ -141,20 +141,6 @@ RenderOptions RenderFlags::resolve() const {
     });
     given("fps", [&](const auto& option, const auto& text) {
         options.fps = number_in(option, text, 1e-6, 1000, "frames a second in (0, 1000]");
-    });
-    const auto point = [&](const std::string& option, const std::string& text) {
-        const auto xyz = numbers(option, text, 3, furthest_m, "three numbers X,Y,Z in [-1e6, 1e6], metres");
-        return glm::dvec3(xyz[0], xyz[1], xyz[2]);
-    };
-    given("camera", [&](const auto& option, const auto& text) {
-        options.camera.position_m = point(option, text);
-        options.camera.target_m = options.camera.position_m + glm::dvec3(100, -8, 0);
-    });
-    given("target", [&](const auto& option, const auto& text) { options.camera.target_m = point(option, text); });
-    if (glm::distance(options.camera.position_m, options.camera.target_m) < 1e-3)
-        throw InputError("--target is where --camera is, needs another point to look at");
-    given("fov", [&](const auto& option, const auto& text) {
-        options.camera.vertical_view_rad = radians_per_degree * number_in(option, text, 5, 150, "degrees in [5, 150]");
     });
     given("sun", [&](const auto& option, const auto& text) {
         const std::string accepted = "AZIMUTH,ELEVATION in degrees, elevation in [-90, 90]";

@@ -10,6 +10,7 @@
 #include "gl/sky_baker.hpp"
 #include "gl/views.hpp"
 #include "quadtree/quadtree_options.hpp"
+#include "tools/camera_options.hpp"
 #include "tools/export_options.hpp"
 
 namespace pelagic::tools {
@@ -41,6 +42,7 @@ class RenderFlags {
    private:
     SeaOptions sea_;
     ComputeFlags compute_;
+    CameraFlags camera_;
     std::map<std::string, std::optional<std::string>> typed_;  ///< by flag name, where it was given
     bool wireframe_ = false, stereo_ = false, json_ = false;
 };
