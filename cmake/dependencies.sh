@@ -9,6 +9,8 @@ pelagic_packages=(
   libxsimd-dev             # xsimd: kernels
   libxxhash-dev            # XXH3: the hash of a frame
   libglm-dev               # GLM: cameras, in the quadtree
+  libegl-dev libgles-dev   # headers of EGL and OpenGL ES
+  libegl1 libgles2 libgl1-mesa-dri  # and a driver that draws without a GPU: pelagic render
   libopenimageio-dev       # OpenImageIO: EXR, PNG, TIFF
   libcli11-dev             # CLI11: the command line
   libtomlplusplus-dev      # toml++: --config

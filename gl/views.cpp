@@ -1,6 +1,5 @@
 #include "gl/views.hpp"
 
-#include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -11,17 +10,18 @@ namespace {
 constexpr double near_m = 0.1;
 
 glm::dvec3 right_of(const Camera& camera) {
-    return glm::normalize(glm::cross(camera.target_m - camera.position_m, glm::dvec3(0, 1, 0)));
+    const glm::dvec3 forward = glm::normalize(camera.target_m - camera.position_m);
+    const glm::dvec3 level = glm::cross(forward, glm::dvec3(0, 1, 0));
+    // Straight down or up +x is at the top.
+    if (glm::length(level) < 1e-9) return {0, 0, forward.y < 0 ? 1 : -1};
+    return glm::normalize(level);
 }
 
 }  // namespace
 
 Eye eye_of(const Camera& camera, const Viewport& viewport) {
     const double aspect = static_cast<double>(viewport.width) / viewport.height;
-    glm::dvec3 up(0, 1, 0);
-    // Straight down there is no up; north is as good as any.
-    const glm::dvec3 forward = glm::normalize(camera.target_m - camera.position_m);
-    if (std::abs(forward.y) > 0.9999) up = {0, 0, -1};
+    const glm::dvec3 up = glm::cross(right_of(camera), glm::normalize(camera.target_m - camera.position_m));
     return {glm::infinitePerspective(camera.vertical_view_rad, aspect, near_m) *
                 glm::lookAt(camera.position_m, camera.target_m, up),
             camera.position_m, viewport};

@@ -27,7 +27,7 @@ struct Camera {
     double vertical_view_rad = 0.8;
 };
 
-/// The camera's eye, with an infinite far plane. \pre the target is not straight above or below; height is not 0
+/// The camera's eye, with an infinite far plane. \pre the target is not where the camera is
 Eye eye_of(const Camera& camera, const Viewport& viewport);
 
 /// Two parallel eyes, `apart_m` from each other, beside one another in the framebuffer.

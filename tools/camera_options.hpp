@@ -26,7 +26,8 @@ struct Camera {
 class CameraFlags {
    public:
     void add_to(CLI::App& app);
-    Camera resolve() const;  ///< throws InputError
+    Camera resolve() const;                                 ///< throws InputError
+    bool has_place() const { return camera_.has_value(); }  ///< --camera was given
 
    private:
     std::optional<std::string> camera_, target_, fov_;

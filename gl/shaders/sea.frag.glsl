@@ -257,10 +257,10 @@ void main() {
 
     vec3 radiance = mix(water_light, sky_light, fresnel) + sun_light;
 
-    // Fresh whitecaps reflect about 0.55, with the air in them that thins out (Koepke 1984).
+    // Thick fresh foam reflects 0.6 and more, thin old foam less (Whitlock et al. 1982; Koepke 1984 has 0.55 in the mean).
     float foam = foam_cover(resting, surface.jacobian, distance_m);
     vec3 foam_light = (sun_irradiance.rgb * max(dot(normalize(normal + vec3(0.0, 0.5, 0.0)), sun.xyz), 0.0) +
-                       sky_irradiance.rgb * (0.5 + 0.5 * normal.y)) * (0.55 / pi);
+                       sky_irradiance.rgb * (0.5 + 0.5 * normal.y)) * (0.7 / pi);
     radiance = mix(radiance, foam_light, foam);
 
     // Where haze ends the view it has the sky's own colour at the horizon, so the two meet without a line. The second

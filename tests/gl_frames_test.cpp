@@ -1,0 +1,63 @@
+// Many frames: the driver has nothing to say, calls and time stay within their limits, a lost context is survived.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/gl_scene.hpp"
+
+namespace pelagic {
+namespace {
+
+gl::Camera moving_camera(int frame) {
+    const double x = 3.0 * frame;
+    return {.position_m = {x, 5, 0.2 * x}, .target_m = {x + 100, 0, 30}};
+}
+
+std::string all_of(const std::vector<std::string>& messages) {
+    std::string text;
+    for (const std::string& message : messages) text += message + "\n";
+    return text;
+}
+
+TEST(GlFrames, DriverIsSilentOver200FramesWithResizesAndALostContext) {
+    std::vector<std::uint8_t> before;
+    for (int life = 0; life < 2; ++life) {
+        // The second scene is what a host builds after its context was lost: everything anew.
+        GlScene scene({.quality = "low", .resolution = 64, .width = 96, .height = 64, .samples = 1, .size_m = 1024});
+        ASSERT_TRUE(scene.context.has_debug());
+        for (int frame = 0; frame < 100; ++frame) {
+            if (frame % 25 == 24) scene.resize(64 + frame, 120 - frame);
+            scene.draw(moving_camera(frame), frame / 90.0, true, frame % 2 == 1);
+        }
+        scene.resize(96, 64);
+        const std::vector<std::uint8_t> picture = scene.picture(moving_camera(0), 1);
+        EXPECT_EQ(all_of(scene.context.messages()), "");
+        EXPECT_EQ(scene.gl().GetError(), static_cast<GLenum>(GL_NO_ERROR));
+        if (life == 1) {
+            EXPECT_EQ(picture, before);
+        }
+        before = picture;
+    }
+}
+
+TEST(GlFrames, CallsAndTheHostsTimeStayWithinTheirLimits) {
+    GlScene scene({.preset = "moderate", .resolution = 256, .width = 96, .height = 64, .samples = 1});
+    std::vector<double> own_ms;
+    for (int frame = 0; frame < 40; ++frame) {
+        const bool stereo = frame % 2 == 1;
+        const gl::DrawFigures& figures = scene.draw(moving_camera(frame), frame / 90.0, true, stereo);
+        const int views = stereo ? 2 : 1;
+        EXPECT_LE(figures.sea_calls, 17 * views);
+        EXPECT_EQ(figures.sky_calls, views);
+        EXPECT_EQ(figures.upload_bytes, 256u * 256 * 8 + 4 * (4u * 256 * 256 - 1) / 3);
+        own_ms.push_back(figures.upload_ms - figures.upload_driver_ms + figures.draw_ms - figures.draw_driver_ms);
+        scene.gl().Finish();
+    }
+    std::nth_element(own_ms.begin(), own_ms.begin() + 20, own_ms.end());
+    RecordProperty("own_microseconds", static_cast<int>(own_ms[20] * 1000));
+    // 0.3 ms is the promise; sanitizers and a busy machine take some more.
+    EXPECT_LE(own_ms[20], 0.6);
+}
+
+}  // namespace
+}  // namespace pelagic

@@ -1,0 +1,57 @@
+// A small sea with everything that is needed to draw it without a window.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "gl/headless_context.hpp"
+#include "gl/render_target.hpp"
+#include "gl/sea_renderer.hpp"
+#include "quadtree/selection.hpp"
+#include "sim/ocean.hpp"
+
+namespace pelagic {
+
+/// The named preset, with another resolution if one is given.
+SeaState sea_named(std::string_view preset, int resolution = 0);
+
+class GlScene {
+   public:
+    struct Options {
+        std::string_view preset = "moderate";
+        std::string_view quality = "high";
+        int resolution = 0;  ///< 0: the preset's
+        int width = 320, height = 180, samples = 4;
+        double size_m = 4096;
+    };
+    explicit GlScene(const Options& options);
+
+    /// Draws into the scene's target; clears with `clear` first.
+    const gl::DrawFigures& draw(const gl::Camera& camera, double time_s, bool draws_sky = true, bool stereo = false,
+                                glm::vec3 clear = {0, 0, 0});
+    std::vector<std::uint8_t> picture(const gl::Camera& camera, double time_s) {
+        draw(camera, time_s);
+        return target->read();
+    }
+    void resize(int width, int height);
+    const gl::Functions& gl() const { return context.functions(); }
+
+    gl::HeadlessContext context{{.debug = true}};
+    Ocean ocean;
+    QuadtreeOptions quadtree;
+    Selection selection;
+    std::optional<gl::RenderTarget> target;
+    std::optional<gl::SeaRenderer> renderer;
+
+   private:
+    int samples_;
+    double wave_height_m_;
+    float whitecap_jacobian_;
+};
+
+/// Light of an sRGB byte, [0, 1].
+float linear_of(std::uint8_t srgb);
+
+}  // namespace pelagic
