@@ -1,0 +1,179 @@
+// `pelagic view` as its user meets it: a window under Xvfb, a mouse and keys by XTest, a picture of the screen.
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <functional>
+#include <regex>
+#include <set>
+#include <string>
+#include <thread>
+
+#include "tests/run_pelagic.hpp"
+
+namespace pelagic {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// What a command prints; its status is asserted.
+std::string shell(const std::string& command) {
+    std::string text;
+    FILE* pipe = popen(command.c_str(), "r");
+    char bytes[4096];
+    while (const std::size_t count = fread(bytes, 1, sizeof bytes, pipe)) text.append(bytes, count);
+    EXPECT_EQ(pclose(pipe), 0) << command;
+    return text;
+}
+
+bool wait_until(const std::function<bool()>& condition) {
+    for (int i = 0; i < 1200; ++i) {  // two minutes: a software driver under a sanitizer is slow
+        if (condition()) return true;
+        std::this_thread::sleep_for(100ms);
+    }
+    return false;
+}
+
+/// An X server of its own, on a display number that it finds itself.
+class Display {
+   public:
+    Display() : number_file_(folder_ / "number") {
+        process_ = fork();
+        if (process_ == 0) {
+            if (freopen(number_file_.c_str(), "w", stdout) && freopen("/dev/null", "w", stderr))
+                execlp("Xvfb", "Xvfb", "-displayfd", "1", "-screen", "0", "800x600x24", nullptr);
+            _exit(127);
+        }
+        EXPECT_TRUE(wait_until([&] { return read_file(number_file_).find('\n') != std::string::npos; }))
+            << "no Xvfb; Debian: xvfb";
+        const std::string number = read_file(number_file_);
+        name_ = ":" + number.substr(0, number.find('\n'));
+    }
+    ~Display() {
+        kill(process_, SIGTERM);
+        wait_for(process_);
+    }
+    const std::string& name() const { return name_; }
+
+    /// xdotool's words: "key p".
+    void act(const std::string& words) const { shell("DISPLAY=" + name_ + " xdotool " + words); }
+    /// The whole screen as RGB, three bytes a pixel.
+    std::string screen() const {
+        const std::string ppm = shell("DISPLAY=" + name_ + " xwd -root -silent | xwdtopnm 2>/dev/null");
+        return ppm.substr(ppm.size() - 800 * 600 * 3);
+    }
+
+   private:
+    TemporaryFolder folder_;
+    std::filesystem::path number_file_;
+    pid_t process_ = -1;
+    std::string name_;
+};
+
+/// The program in its window.
+class ViewTest : public testing::Test {
+   protected:
+    void start() {
+        process_ = start_pelagic({"view", "--resolution", "64", "--quality", "low", "--size", "480x560",
+                                  "--wind-speed", "3", "--pictures", folder_.path().string()},
+                                 out_, err_, [&] { setenv("DISPLAY", display_.name().c_str(), 1); });
+        ASSERT_TRUE(wait_until([&] {
+            return shell("DISPLAY=" + display_.name() + " xdotool search --name Pelagic || true")
+                       .find_first_of("123456789") != std::string::npos;
+        })) << read_file(err_);
+        display_.act("search --sync --onlyvisible --name Pelagic windowfocus --sync");
+        // Something was drawn: not one colour.
+        ASSERT_TRUE(wait_until([&] { return colours(display_.screen()) > 1000; }));
+    }
+    static std::size_t colours(const std::string& pixels) {
+        std::set<std::string> all;
+        for (std::size_t i = 0; i < pixels.size(); i += 3) all.insert(pixels.substr(i, 3));
+        return all.size();
+    }
+    std::size_t pictures() const { return files_in(folder_.path()).size(); }
+
+    /// Presses and waits for the picture's file to be there under its name.
+    void take_picture() {
+        const std::size_t before = pictures();
+        display_.act("key p");
+        ASSERT_TRUE(wait_until([&] {
+            const auto files = files_in(folder_.path());
+            return files.size() > before &&
+                   std::ranges::none_of(files, [](const auto& file) { return file.first.ends_with(".part"); });
+        }));
+    }
+    std::string end() {
+        display_.act("key Escape");
+        EXPECT_EQ(wait_for(process_), 0) << read_file(err_);
+        return read_file(out_);
+    }
+    static double wind_in(const std::string& text) {
+        std::smatch found;
+        EXPECT_TRUE(std::regex_search(text, found, std::regex("--wind-speed ([0-9.]+)"))) << text;
+        return found.empty() ? 0 : std::stod(found[1]);
+    }
+
+    Display display_;
+    TemporaryFolder folder_, log_;
+    std::filesystem::path out_ = log_ / "out", err_ = log_ / "err";
+    pid_t process_ = -1;
+};
+
+// The slider "wind" is the first row of the panel: 233 pixels from x = 18 for 1 to 30 m/s.
+TEST_F(ViewTest, ASliderMovesTheWindAndAKeySavesAPicture) {
+    ASSERT_NO_FATAL_FAILURE(start());
+    ASSERT_NO_FATAL_FAILURE(take_picture());
+    const std::string before = display_.screen();
+    display_.act("mousemove 60 46 mousedown 1");
+    std::this_thread::sleep_for(2s);  // a frame between the events: Dear ImGui looks once a frame
+    display_.act("mousemove 200 46");
+    std::this_thread::sleep_for(2s);
+    display_.act("mouseup 1");
+    std::this_thread::sleep_for(3s);
+    EXPECT_NE(display_.screen(), before);
+    ASSERT_NO_FATAL_FAILURE(take_picture());
+
+    const auto files = files_in(folder_.path());
+    ASSERT_EQ(files.size(), 2u);
+    EXPECT_EQ(files.count("pelagic_0001.png") + files.count("pelagic_0002.png"), 2u);
+    for (const auto& [name, bytes] : files) EXPECT_EQ(bytes.substr(1, 3), "PNG") << name;
+    EXPECT_NE(files.at("pelagic_0001.png"), files.at("pelagic_0002.png"));
+
+    const std::string said = end();
+    // x = 200 is 0.78 of the way; the grab's width and the slider's ends leave a meter a second or two.
+    EXPECT_NEAR(wind_in(said), 1 + 29 * (200 - 18) / 233.0, 2) << said;
+    EXPECT_NE(said.find("pelagic render --out sea.png"), std::string::npos);
+}
+
+// The panel covers the left of the window; its title bar is blue as no sea is.
+TEST_F(ViewTest, KeyHHidesThePanel) {
+    ASSERT_NO_FATAL_FAILURE(start());
+    const auto pixel = [&] {
+        const std::string screen = display_.screen();
+        return screen.substr((20 * 800 + 300) * 3, 3);
+    };
+    const std::string title = pixel();
+    display_.act("key h");
+    EXPECT_TRUE(wait_until([&] { return pixel() != title; }));
+    display_.act("key h");
+    EXPECT_TRUE(wait_until([&] { return pixel() == title; }));
+    end();
+}
+
+TEST(View, WithoutADisplayItSaysWhatIsMissing) {
+    const Outcome run = run_pelagic({"view", "--resolution", "32"}, [] {
+        unsetenv("DISPLAY");
+        unsetenv("WAYLAND_DISPLAY");
+    });
+    EXPECT_EQ(run.exit_code, 1);
+    EXPECT_NE(run.err.find("no display"), std::string::npos) << run.err;
+    EXPECT_NE(run.err.find("xvfb"), std::string::npos) << run.err;
+    EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1);
+}
+
+}  // namespace
+}  // namespace pelagic
