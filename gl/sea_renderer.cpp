@@ -23,9 +23,9 @@ constexpr float sun_radius_rad = 0.00465f;
 
 // Sea water for 680, 550 and 440 nm. Absorption: pure water (Pope and Fry 1997; 0.465, 0.0565, 0.0064 1/m) and what lives
 // and is dissolved in it where chlorophyll is 0.3 mg/m^3 (Bricaud et al. 1995). Scattering backwards: water's own (Morel
-// 1974: half of 0.0007, 0.0019, 0.0049 1/m) and particles' (0.004 1/m).
+// 1974: half of 0.0007, 0.0019, 0.0049 1/m) and particles' (0.006 1/m).
 constexpr glm::vec3 absorption_per_m{0.470f, 0.064f, 0.036f};
-constexpr glm::vec3 backscattering_per_m{0.0043f, 0.0050f, 0.0065f};
+constexpr glm::vec3 backscattering_per_m{0.0063f, 0.0070f, 0.0085f};
 
 /// Ripples stand for this part of the roughness that the sea has between its texels; the rest is too fine even for them.
 constexpr float detail_part = 0.75f;

@@ -21,7 +21,7 @@ namespace {
 constexpr float pi = 3.14159265f;
 constexpr float half_max = 65504;
 /// Where the exposure puts a white card in the open: the filmic curve shows that as 80 % white.
-constexpr float white_card = 1.2f;
+constexpr float white_card = 1.35f;
 /// What a mean sea gives back of the sky, for the mirrors' lower half: Fresnel averaged over a clouded sky, 0.066
 /// (Payne 1972, "Albedo of the sea surface"), more towards the horizon.
 constexpr float sea_albedo = 0.066f;
@@ -236,8 +236,10 @@ struct SkyBaker::State {
                 }
         sky.sun_irradiance = atmosphere->sun_transmittance() * clouds->sun_visibility();
         sky.sky_irradiance = irradiance * (4 * pi / weights);
-        // Rec. 709's luminance of a white card that lies in the open.
-        const glm::vec3 card = (sky.sky_irradiance + sky.sun_irradiance * std::max(0.f, sky.sun_direction.y)) / pi;
+        // Rec. 709's luminance of a white card in the open, tilted half way from level towards the sun: lying flat it would
+        // take an evening for a night.
+        const float tilted = sky.sun_direction.y > 0 ? 0.5f + 0.5f * sky.sun_direction.y : 0;
+        const glm::vec3 card = (sky.sky_irradiance + sky.sun_irradiance * tilted) / pi;
         // Under an overcast the sky itself is as bright as the card, so it counts too, or it would burn out.
         const glm::vec3 scene = card + 0.6f / pi * sky.sky_irradiance;
         const float luminance = glm::dot(scene, glm::vec3(0.2126f, 0.7152f, 0.0722f));

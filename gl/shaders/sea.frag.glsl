@@ -226,9 +226,10 @@ float foam_cover(vec2 at, float jacobian, float distance_m) {
     float lace = 0.62 * texture(detail, at * noise_scale.x + foam_shift.xy).z +
                  0.38 * texture(detail, at.yx * noise_scale.y + foam_shift.zw).z;
     float amount = max(fresh, old);
-    float soft = mix(0.16, 0.5, smoothstep(50.0, 800.0, distance_m));
+    float soft = mix(0.22, 0.5, smoothstep(50.0, 800.0, distance_m));
     float cover = smoothstep(1.0 - amount - soft, 1.0 - amount + soft, lace) * smoothstep(0.0, 0.12, amount);
-    return cover * mix(0.7, 1.0, fresh);
+    // Thick where its threads meet, thin between them.
+    return cover * mix(0.45 + 0.4 * lace, 0.75 + 0.25 * lace, fresh);
 }
 
 void main() {

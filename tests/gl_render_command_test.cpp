@@ -1,0 +1,116 @@
+// `pelagic render` as a user's shell runs it: pictures, figures, and one clear line where something is missing.
+#include <gtest/gtest.h>
+#include <png.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "tests/run_pelagic.hpp"
+
+namespace pelagic {
+namespace {
+
+struct Picture {
+    unsigned width = 0, height = 0;
+    std::vector<std::uint8_t> rgb;
+};
+
+Picture read_png(const std::filesystem::path& file) {
+    png_image image{};
+    image.version = PNG_IMAGE_VERSION;
+    Picture picture;
+    if (!png_image_begin_read_from_file(&image, file.c_str())) return picture;
+    image.format = PNG_FORMAT_RGB;
+    picture.rgb.resize(PNG_IMAGE_SIZE(image));
+    png_image_finish_read(&image, nullptr, picture.rgb.data(), 0, nullptr);
+    picture.width = image.width;
+    picture.height = image.height;
+    return picture;
+}
+
+/// Root of the mean square difference of bytes, over blocks of 4 x 4 pixels: waves that a driver rounds to the next pixel
+/// do not count, a colour or a shape that has changed does.
+double difference(const Picture& a, const Picture& b) {
+    double squares = 0;
+    int count = 0;
+    for (unsigned y = 0; y + 4 <= a.height; y += 4)
+        for (unsigned x = 0; x + 4 <= a.width; x += 4)
+            for (unsigned c = 0; c < 3; ++c) {
+                double sum = 0;
+                for (unsigned i = 0; i < 16; ++i) {
+                    const std::size_t at = 3 * (std::size_t{y + i / 4} * a.width + x + i % 4) + c;
+                    sum += (static_cast<double>(a.rgb[at]) - b.rgb[at]) / 16;
+                }
+                squares += sum * sum;
+                ++count;
+            }
+    return std::sqrt(squares / count);
+}
+
+// The references were made by the same command, looked at, and kept; PELAGIC_UPDATE_PICTURES=1 makes new ones.
+TEST(RenderCommand, PicturesLookLikeTheReferences) {
+    const std::filesystem::path references = PELAGIC_REFERENCE_PICTURES;
+    const TemporaryFolder folder;
+    for (const std::string preset : {"calm", "moderate", "storm"}) {
+        const std::filesystem::path file = folder / (preset + ".png");
+        const Outcome run = run_pelagic({"render", "--preset", preset, "--size", "320x180", "--quality", "low", "--out", file.string()});
+        ASSERT_EQ(run.exit_code, 0) << run.err;
+        if (std::getenv("PELAGIC_UPDATE_PICTURES")) std::filesystem::copy_file(file, references / (preset + ".png"), std::filesystem::copy_options::overwrite_existing);
+        const Picture made = read_png(file), kept = read_png(references / (preset + ".png"));
+        ASSERT_EQ(made.width, 320u);
+        ASSERT_EQ(made.rgb.size(), kept.rgb.size());
+        // Steps of 8 bits. Another machine's rounding and libm give 0.0 to 0.5; a change that one sees gives more than 3.
+        EXPECT_LE(difference(made, kept), 3) << preset;
+    }
+}
+
+TEST(RenderCommand, PrintsItsFiguresAndNumbersItsPictures) {
+    const TemporaryFolder folder;
+    const Outcome run = run_pelagic({"render", "--resolution", "64", "--size", "64x48", "--quality", "low", "--frames", "2", "--stereo",
+                                     "--json", "--out", (folder / "sea.png").string()});
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    const auto figures = nlohmann::json::parse(run.out).at("figures");
+    EXPECT_EQ(figures.at("views"), 2);
+    EXPECT_LE(figures.at("sea_draw_calls_a_view"), 17);
+    EXPECT_EQ(figures.at("uploaded_bytes"), 64 * 64 * 8 + 4 * (4 * 64 * 64 - 1) / 3);
+    EXPECT_GT(figures.at("triangles"), 0);
+    EXPECT_TRUE(figures.at("median_ms").contains("draw_in_driver"));
+    EXPECT_EQ(read_png(folder / "sea_0000.png").width, 64u);
+    EXPECT_EQ(read_png(folder / "sea_0001.png").height, 48u);
+}
+
+TEST(RenderCommand, NamesOptionValueAndRange) {
+    const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
+        {{"--out", "a.jpg"}, "pelagic: --out is a.jpg, needs a file named *.png\n"},
+        {{"--out", "a.png", "--size", "12x9000"}, "pelagic: --size is 12x9000, needs WIDTHxHEIGHT, each from 16 to 8192\n"},
+        {{"--out", "a.png", "--sun", "3"}, "pelagic: --sun is 3, needs AZIMUTH,ELEVATION in degrees, elevation in [-90, 90]\n"},
+        {{"--out", "a.png", "--clouds", "2"}, "pelagic: --clouds is 2, needs a part in [0, 1]\n"},
+        {{"--out", "a.png", "--frames", "0"}, "pelagic: --frames is 0, needs a whole number from 1 to 100000\n"},
+        {{}, "pelagic: --out is missing, needs a PNG file to write\n"},
+    };
+    for (const auto& [arguments, line] : cases) {
+        std::vector<std::string> words = {"render"};
+        words.insert(words.end(), arguments.begin(), arguments.end());
+        const Outcome run = run_pelagic(words);
+        EXPECT_EQ(run.exit_code, 2);
+        EXPECT_EQ(run.err, line);
+    }
+}
+
+// libglvnd takes its list of drivers from the variable; with none of them EGL is there, but draws nothing.
+TEST(RenderCommand, SaysWhichPackageIsMissingWithoutADriver) {
+    const TemporaryFolder folder;
+    const auto without_driver = [] { ::setenv("__EGL_VENDOR_LIBRARY_FILENAMES", "/nonexistent.json", 1); };
+    const Outcome render = run_pelagic({"render", "--out", (folder / "sea.png").string()}, without_driver);
+    EXPECT_EQ(render.exit_code, 1);
+    EXPECT_NE(render.err.find("libgl1-mesa-dri"), std::string::npos) << render.err;
+    EXPECT_EQ(std::count(render.err.begin(), render.err.end(), '\n'), 1);
+    EXPECT_TRUE(files_in(folder.path()).empty());
+    EXPECT_EQ(run_pelagic({"export", "--resolution", "16", "--out", (folder / "sea").string()}, without_driver).exit_code, 0);
+}
+
+}  // namespace
+}  // namespace pelagic
