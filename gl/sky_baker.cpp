@@ -239,7 +239,9 @@ struct SkyBaker::State {
         // Rec. 709's luminance of a white card in the open, tilted half way from level towards the sun: lying flat it would
         // take an evening for a night.
         const float tilted = sky.sun_direction.y > 0 ? 0.5f + 0.5f * sky.sun_direction.y : 0;
-        const glm::vec3 card = (sky.sky_irradiance + sky.sun_irradiance * tilted) / pi;
+        // A cloud before the sun dims this place, not the whole view.
+        const glm::vec3 sunlight = glm::max(sky.sun_irradiance, 0.5f * atmosphere->sun_transmittance());
+        const glm::vec3 card = (sky.sky_irradiance + sunlight * tilted) / pi;
         // Under an overcast the sky itself is as bright as the card, so it counts too, or it would burn out.
         const glm::vec3 scene = card + 0.6f / pi * sky.sky_irradiance;
         const float luminance = glm::dot(scene, glm::vec3(0.2126f, 0.7152f, 0.0722f));
