@@ -114,7 +114,8 @@ int run(int argc, const char* const* argv) {
     RenderFlags render_flags;
     render_flags.add_to(render_app);
 #else
-    CLI::App& render_app = *app.add_subcommand("render", "not in this build, which was configured with PELAGIC_GL=OFF");
+    CLI::App& render_app =
+        *app.add_subcommand("render", "not in this build, which was configured with PELAGIC_GL=OFF");
     render_app.allow_extras();
 #endif
 

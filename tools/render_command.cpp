@@ -44,7 +44,8 @@ class PictureMaker {
    public:
     explicit PictureMaker(const RenderOptions& options)
         : options_(options),
-          ocean_(options.sea.sea, {.executor = make_default_executor(options.compute.threads), .isa = options.compute.isa}),
+          ocean_(options.sea.sea,
+                 {.executor = make_default_executor(options.compute.threads), .isa = options.compute.isa}),
           target_(context_.functions(), options.width, options.height, samples_a_pixel),
           renderer_(context_.functions(),
                     {.patch_vertices = options.quadtree.vertices, .resolution = options.sea.sea.resolution}),
@@ -75,10 +76,10 @@ class PictureMaker {
 
         const gl::Stopwatch select;
         const FrameBounds& bounds = frame.bounds;
-        const DrawList& list = selection_.select({.viewer_m = options_.camera.position_m,
-                                                  .views = views_,
-                                                  .bounds = {bounds.height_min_m, bounds.height_max_m,
-                                                             bounds.sideways_x_max_m, bounds.sideways_z_max_m}});
+        const DrawList& list = selection_.select(
+            {.viewer_m = options_.camera.position_m,
+             .views = views_,
+             .bounds = {bounds.height_min_m, bounds.height_max_m, bounds.sideways_x_max_m, bounds.sideways_z_max_m}});
         measured_.select_ms.push_back(select.milliseconds());
 
         const gl::Functions& functions = context_.functions();
