@@ -8,7 +8,7 @@ pelagic_install_dependencies
 echo "Building (a minute or two the first time) ..."
 log=$(mktemp)
 trap 'rm -f "$log"' EXIT
-if ! { cmake --preset release -DPELAGIC_TESTS=OFF -DPELAGIC_BENCH=OFF && cmake --build --preset release -j "$(nproc)" --target pelagic; } >"$log" 2>&1; then
+if ! { cmake --preset release -DPELAGIC_TESTS=OFF -DPELAGIC_BENCH=OFF -DPELAGIC_EXAMPLES=OFF && cmake --build --preset release -j "$(nproc)" --target pelagic; } >"$log" 2>&1; then
   cat "$log"
   echo "The build failed."
   exit 1
@@ -17,6 +17,9 @@ fi
 # 12.8 seconds are 64 frames at 5 a second and nearly two periods of the highest waves, so the loop bends them little.
 command=(build/release/bin/pelagic export --out out --loop-period 12.8 --loop-frames 64 --mips)
 "${command[@]}"
+picture=(build/release/bin/pelagic render --out out/sea.png --loop-period 12.8)
+"${picture[@]}" ||
+  echo "No picture: see above what is missing; the export needs none of it."
 cat <<END
 
 Your sea is in out/:
@@ -24,8 +27,10 @@ Your sea is in out/:
   gradient_0000.png ... gradient_0063.png           normal x, normal z, Jacobian, smoothness (and _mip1 ...)
   sea.json                                          every option, wave heights, a hash for each frame
 Play the 64 frames at 5 a second: after the last one the first follows without a seam.
-It was made by:
+  sea.png                                           the same sea as it looks
+They were made by:
   ${command[*]}
+  ${picture[*]}
 Try also:
   build/release/bin/pelagic info --preset storm
   build/release/bin/pelagic export --help

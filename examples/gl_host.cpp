@@ -26,9 +26,8 @@ constexpr int width = 960, height = 540;
 void make_context() {
     const auto get_platform_display =
         reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(eglGetProcAddress("eglGetPlatformDisplayEXT"));
-    EGLDisplay display = get_platform_display
-                             ? get_platform_display(EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr)
-                             : eglGetDisplay(EGL_DEFAULT_DISPLAY);
+    EGLDisplay display = get_platform_display ? get_platform_display(EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr)
+                                              : eglGetDisplay(EGL_DEFAULT_DISPLAY);
     if (!eglInitialize(display, nullptr, nullptr)) give_up("no EGL display");
     eglBindAPI(EGL_OPENGL_ES_API);
     const EGLint wishes[] = {EGL_RENDERABLE_TYPE, EGL_OPENGL_ES3_BIT, EGL_SURFACE_TYPE, 0, EGL_NONE};
@@ -77,8 +76,8 @@ int main() {
         gl::load_functions([](const char* name) { return reinterpret_cast<void*>(eglGetProcAddress(name)); });
     Ocean ocean({.patch_size_m = 200, .wind_speed_mps = 9});
     Selection selection(quadtree_preset_named("medium")->options(2048));
-    gl::SeaRenderer renderer(functions, {.patch_vertices = selection.options().vertices,
-                                         .resolution = ocean.sea().resolution});
+    gl::SeaRenderer renderer(functions,
+                             {.patch_vertices = selection.options().vertices, .resolution = ocean.sea().resolution});
     gl::SkyBaker baker(make_default_executor(), 128);
     baker.schedule({.sun_elevation_rad = 0.5f});
     renderer.set_sky(baker.complete());
@@ -95,10 +94,10 @@ int main() {
         const gl::Camera camera{.position_m = {0, 6, 0}, .target_m = {60, 0, 40}};
         const gl::Eye eye = gl::eye_of(camera, {0, 0, width, height});
         const FrameBounds& bounds = frame.bounds;
-        const DrawList& list = selection.select({.viewer_m = camera.position_m,
-                                                 .views = {&eye.clip_from_world, 1},
-                                                 .bounds = {bounds.height_min_m, bounds.height_max_m,
-                                                            bounds.sideways_x_max_m, bounds.sideways_z_max_m}});
+        const DrawList& list = selection.select(
+            {.viewer_m = camera.position_m,
+             .views = {&eye.clip_from_world, 1},
+             .bounds = {bounds.height_min_m, bounds.height_max_m, bounds.sideways_x_max_m, bounds.sideways_z_max_m}});
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         renderer.draw({.eyes = {&eye, 1},
                        .viewer_m = camera.position_m,

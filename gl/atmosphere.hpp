@@ -17,8 +17,8 @@ inline constexpr float atmosphere_top_m = 60e3f;
 inline constexpr glm::vec3 rayleigh_per_m{5.8e-6f, 13.5e-6f, 33.1e-6f};
 inline constexpr float rayleigh_height_m = 8000;
 inline constexpr float mie_height_m = 1200;
-inline constexpr float mie_albedo = 0.9f;       ///< scattering over extinction
-inline constexpr float mie_asymmetry = 0.76f;   ///< g
+inline constexpr float mie_albedo = 0.9f;      ///< scattering over extinction
+inline constexpr float mie_asymmetry = 0.76f;  ///< g
 
 /// Extinction by haze at sea level, 1/m, for a visibility: the distance at which contrast falls to 2 % (Koschmieder
 /// 1924), less what air itself takes at 550 nm.

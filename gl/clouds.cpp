@@ -52,8 +52,8 @@ void CloudShape::fill_row(int row, unsigned seed) {
             float sum = 0;
             for (unsigned octave = 0; octave < 5; ++octave) {
                 const float scale = static_cast<float>(cells[octave]) / side;
-                const float up = (static_cast<float>(layer) / layers) * height_m / width_m *
-                                 static_cast<float>(cells[octave]);
+                const float up =
+                    (static_cast<float>(layer) / layers) * height_m / width_m * static_cast<float>(cells[octave]);
                 const glm::vec3 p(static_cast<float>(x) * scale, up, static_cast<float>(row) * scale);
                 sum += weights[octave] * noise(p, cells[octave], seed + octave);
             }
@@ -74,7 +74,8 @@ float CloudShape::at(glm::vec3 point_m) const {
         const std::uint8_t* from = &values_[(cz * side + cx) * layers + y0];
         return glm::mix(static_cast<float>(from[0]), static_cast<float>(from[1]), v);
     };
-    return (1 / 255.f) * glm::mix(glm::mix(column(x0, z0), column(x1, z0), u), glm::mix(column(x0, z1), column(x1, z1), u), w);
+    return (1 / 255.f) *
+           glm::mix(glm::mix(column(x0, z0), column(x1, z0), u), glm::mix(column(x0, z1), column(x1, z1), u), w);
 }
 
 CloudLayer::CloudLayer(const CloudOptions& options, const Atmosphere& atmosphere, const CloudShape& shape,
@@ -94,7 +95,8 @@ float CloudLayer::threshold(glm::vec3 at) const {
 
 /// Flat bases, round tops: the higher, the rarer.
 float CloudLayer::density(glm::vec3 at, float height_part, float threshold) const {
-    const float shape = shape_.at(at - glm::vec3(0, options_.base_m, 0)) - threshold - 0.34f * height_part * height_part;
+    const float shape =
+        shape_.at(at - glm::vec3(0, options_.base_m, 0)) - threshold - 0.34f * height_part * height_part;
     if (shape <= 0) return 0;
     return glm::smoothstep(0.f, 0.12f, height_part) * std::min(1.f, shape * 7);
 }

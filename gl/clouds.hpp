@@ -10,9 +10,9 @@
 namespace pelagic::gl {
 
 struct CloudOptions {
-    float cover = 0.4f;        ///< part of the sky that clouds take, about; [0, 1]
-    float base_m = 900;        ///< height of the flat bases: the usual one of fair-weather cumulus
-    float thickness_m = 900;   ///< up to the highest tops
+    float cover = 0.4f;       ///< part of the sky that clouds take, about; [0, 1]
+    float base_m = 900;       ///< height of the flat bases: the usual one of fair-weather cumulus
+    float thickness_m = 900;  ///< up to the highest tops
     unsigned seed = 1;
 };
 

@@ -32,7 +32,8 @@ void add_ripples(std::vector<glm::vec4>& texels, std::minstd_rand& engine) {
         for (int z = 0; z < n; ++z)
             for (int x = 0; x < n; ++x)
                 slopes[static_cast<std::size_t>(z * n + x)] +=
-                    along * std::cos(two_pi * ((kx * static_cast<float>(x) + kz * static_cast<float>(z)) / n + phase));
+                    along *
+                    std::cos(two_pi * ((kx * static_cast<float>(x) + kz * static_cast<float>(z)) / n + phase));
     }
     double square = 0;
     for (const glm::vec2& slope : slopes) square += 0.5 * glm::dot(slope, slope);
@@ -59,8 +60,8 @@ class Cells {
             for (int dx = -1; dx <= 1; ++dx) {
                 const int px = (cx + dx + cells_) % cells_, pz = (cz + dz + cells_) % cells_;
                 const glm::vec2 point = points_[static_cast<std::size_t>(pz * cells_ + px)];
-                const float d = std::hypot(static_cast<float>(cx + dx) + point.x - x,
-                                           static_cast<float>(cz + dz) + point.y - z);
+                const float d =
+                    std::hypot(static_cast<float>(cx + dx) + point.x - x, static_cast<float>(cz + dz) + point.y - z);
                 if (d < found.x)
                     found = {d, found.x};
                 else

@@ -16,9 +16,10 @@ void load(GetProcAddress get, const char* name, Function& function) {
 
 Functions load_functions(GetProcAddress get) {
     Functions gl;
-#define PELAGIC_GL_LOAD(name)           \
-    load(get, "gl" #name, gl.name);     \
-    if (!gl.name) throw GlError("the OpenGL ES driver has no gl" #name ", needs OpenGL ES 3.0; Debian: libgl1-mesa-dri");
+#define PELAGIC_GL_LOAD(name)       \
+    load(get, "gl" #name, gl.name); \
+    if (!gl.name)                   \
+        throw GlError("the OpenGL ES driver has no gl" #name ", needs OpenGL ES 3.0; Debian: libgl1-mesa-dri");
     PELAGIC_GL_FUNCTIONS(PELAGIC_GL_LOAD)
 #undef PELAGIC_GL_LOAD
 

@@ -79,8 +79,8 @@ EGLDisplay open_display(const Egl& egl) {
     const char* client = egl.query_string(EGL_NO_DISPLAY, EGL_EXTENSIONS);
     EGLint major = 0, minor = 0;
     if (lists(client, "EGL_MESA_platform_surfaceless") && lists(client, "EGL_EXT_platform_base")) {
-        const auto get_platform_display = reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(
-            egl.get_proc_address("eglGetPlatformDisplayEXT"));
+        const auto get_platform_display =
+            reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(egl.get_proc_address("eglGetPlatformDisplayEXT"));
         EGLDisplay display = get_platform_display(EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr);
         if (display != EGL_NO_DISPLAY && egl.initialize(display, &major, &minor)) return display;
     }

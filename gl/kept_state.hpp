@@ -18,9 +18,12 @@ class KeptState {
     KeptState& operator=(const KeptState&) = delete;
 
    private:
-    static constexpr std::array<GLenum, 7> switches = {GL_DEPTH_TEST,   GL_CULL_FACE,
-                                                       GL_BLEND,        GL_STENCIL_TEST,
-                                                       GL_SCISSOR_TEST, GL_POLYGON_OFFSET_FILL,
+    static constexpr std::array<GLenum, 7> switches = {GL_DEPTH_TEST,
+                                                       GL_CULL_FACE,
+                                                       GL_BLEND,
+                                                       GL_STENCIL_TEST,
+                                                       GL_SCISSOR_TEST,
+                                                       GL_POLYGON_OFFSET_FILL,
                                                        GL_PRIMITIVE_RESTART_FIXED_INDEX};
     const Functions& gl_;
     GLint program_ = 0, vertex_array_ = 0, array_buffer_ = 0, unit_ = 0, depth_func_ = 0;

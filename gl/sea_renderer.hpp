@@ -32,10 +32,10 @@ struct RendererOptions {
 enum class DrawMode { shaded, wireframe };
 
 struct DrawInput {
-    std::span<const Eye> eyes;      ///< one or two
-    glm::dvec3 viewer_m{};          ///< what positions are relative to: the selection's viewer
+    std::span<const Eye> eyes;  ///< one or two
+    glm::dvec3 viewer_m{};      ///< what positions are relative to: the selection's viewer
     const DrawList* list = nullptr;
-    double lod_scale = 2.2;         ///< tau of the selection, by which the displacement's mip follows the mesh
+    double lod_scale = 2.2;  ///< tau of the selection, by which the displacement's mip follows the mesh
     const SeaState* sea = nullptr;
     double significant_wave_height_m = 1;
     float whitecap_jacobian = 0;  ///< foam begins below it: whitecaps.hpp

@@ -45,7 +45,8 @@ struct FacePoint {
 
 FacePoint face_of(glm::vec3 d) {
     const glm::vec3 a = glm::abs(d);
-    if (a.x >= a.y && a.x >= a.z) return d.x > 0 ? FacePoint{0, -d.z / a.x, -d.y / a.x} : FacePoint{1, d.z / a.x, -d.y / a.x};
+    if (a.x >= a.y && a.x >= a.z)
+        return d.x > 0 ? FacePoint{0, -d.z / a.x, -d.y / a.x} : FacePoint{1, d.z / a.x, -d.y / a.x};
     if (a.y >= a.z) return d.y > 0 ? FacePoint{2, d.x / a.y, d.z / a.y} : FacePoint{3, d.x / a.y, -d.z / a.y};
     return d.z > 0 ? FacePoint{4, d.x / a.z, -d.y / a.z} : FacePoint{5, -d.x / a.z, -d.y / a.z};
 }
@@ -106,7 +107,8 @@ std::string check(const SkyOptions& options) {
     if (!in_range(options.sun_elevation_rad, -pi / 2, pi / 2))
         return bad("sun_elevation_rad", options.sun_elevation_rad, "[-pi/2, pi/2]");
     if (!in_range(options.cloud_cover, 0, 1)) return bad("cloud_cover", options.cloud_cover, "[0, 1]");
-    if (!in_range(options.visibility_m, 500, 300e3f)) return bad("visibility_m", options.visibility_m, "[500, 300e3]");
+    if (!in_range(options.visibility_m, 500, 300e3f))
+        return bad("visibility_m", options.visibility_m, "[500, 300e3]");
     return {};
 }
 
@@ -146,10 +148,10 @@ struct SkyBaker::State {
                            for (std::size_t row = begin; row < end; ++row)
                                shape.fill_row(static_cast<int>(row), target().options.cloud_seed);
                        }});
-        const StageId faces = graph.add({"sky faces", rows, 2, {light, heaps}, [this](std::size_t begin, std::size_t end) {
-                                             for (std::size_t row = begin; row < end; ++row)
-                                                 bake_row(static_cast<int>(row));
-                                         }});
+        const StageId faces =
+            graph.add({"sky faces", rows, 2, {light, heaps}, [this](std::size_t begin, std::size_t end) {
+                           for (std::size_t row = begin; row < end; ++row) bake_row(static_cast<int>(row));
+                       }});
         const StageId box = graph.add({"sky averages", 1, 1, {faces}, [this](auto, auto) { average(); }});
         std::size_t mirror_rows = 0;
         for (std::size_t level = 1; level < mirrors.size(); ++level) mirror_rows += 6 * mirrors[level].side;
@@ -176,8 +178,8 @@ struct SkyBaker::State {
         for (std::uint32_t i = 0; i < samples; ++i) {
             const glm::vec2 u = hammersley(i, samples);
             const float across = std::sqrt(u.x), angle = 2 * pi * u.y;
-            irradiance += atmosphere->radiance(
-                {across * std::cos(angle), std::sqrt(1 - u.x), across * std::sin(angle)});
+            irradiance +=
+                atmosphere->radiance({across * std::cos(angle), std::sqrt(1 - u.x), across * std::sin(angle)});
         }
         clouds.emplace(CloudOptions{.cover = sky.options.cloud_cover, .seed = sky.options.cloud_seed}, *atmosphere,
                        shape, irradiance * (pi / samples));
@@ -239,7 +241,9 @@ struct SkyBaker::State {
         // Rec. 709's luminance of a white card in the open, tilted half way from level towards the sun: lying flat it would
         // take an evening for a night.
         const float tilted = sky.sun_direction.y > 0 ? 0.5f + 0.5f * sky.sun_direction.y : 0;
-        const glm::vec3 card = (sky.sky_irradiance + sky.sun_irradiance * tilted) / pi;
+        // A cloud before the sun dims this place, not the whole view.
+        const glm::vec3 sunlight = glm::max(sky.sun_irradiance, 0.5f * atmosphere->sun_transmittance());
+        const glm::vec3 card = (sky.sky_irradiance + sunlight * tilted) / pi;
         // Under an overcast the sky itself is as bright as the card, so it counts too, or it would burn out.
         const glm::vec3 scene = card + 0.6f / pi * sky.sky_irradiance;
         const float luminance = glm::dot(scene, glm::vec3(0.2126f, 0.7152f, 0.0722f));

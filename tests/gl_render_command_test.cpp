@@ -56,9 +56,12 @@ TEST(RenderCommand, PicturesLookLikeTheReferences) {
     const TemporaryFolder folder;
     for (const std::string preset : {"calm", "moderate", "storm"}) {
         const std::filesystem::path file = folder / (preset + ".png");
-        const Outcome run = run_pelagic({"render", "--preset", preset, "--size", "320x180", "--quality", "low", "--out", file.string()});
+        const Outcome run = run_pelagic(
+            {"render", "--preset", preset, "--size", "320x180", "--quality", "low", "--out", file.string()});
         ASSERT_EQ(run.exit_code, 0) << run.err;
-        if (std::getenv("PELAGIC_UPDATE_PICTURES")) std::filesystem::copy_file(file, references / (preset + ".png"), std::filesystem::copy_options::overwrite_existing);
+        if (std::getenv("PELAGIC_UPDATE_PICTURES"))
+            std::filesystem::copy_file(file, references / (preset + ".png"),
+                                       std::filesystem::copy_options::overwrite_existing);
         const Picture made = read_png(file), kept = read_png(references / (preset + ".png"));
         ASSERT_EQ(made.width, 320u);
         ASSERT_EQ(made.rgb.size(), kept.rgb.size());
@@ -69,8 +72,8 @@ TEST(RenderCommand, PicturesLookLikeTheReferences) {
 
 TEST(RenderCommand, PrintsItsFiguresAndNumbersItsPictures) {
     const TemporaryFolder folder;
-    const Outcome run = run_pelagic({"render", "--resolution", "64", "--size", "64x48", "--quality", "low", "--frames", "2", "--stereo",
-                                     "--json", "--out", (folder / "sea.png").string()});
+    const Outcome run = run_pelagic({"render", "--resolution", "64", "--size", "64x48", "--quality", "low",
+                                     "--frames", "2", "--stereo", "--json", "--out", (folder / "sea.png").string()});
     ASSERT_EQ(run.exit_code, 0) << run.err;
     const auto figures = nlohmann::json::parse(run.out).at("figures");
     EXPECT_EQ(figures.at("views"), 2);
@@ -85,8 +88,10 @@ TEST(RenderCommand, PrintsItsFiguresAndNumbersItsPictures) {
 TEST(RenderCommand, NamesOptionValueAndRange) {
     const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
         {{"--out", "a.jpg"}, "pelagic: --out is a.jpg, needs a file named *.png\n"},
-        {{"--out", "a.png", "--size", "12x9000"}, "pelagic: --size is 12x9000, needs WIDTHxHEIGHT, each from 16 to 8192\n"},
-        {{"--out", "a.png", "--sun", "3"}, "pelagic: --sun is 3, needs AZIMUTH,ELEVATION in degrees, elevation in [-90, 90]\n"},
+        {{"--out", "a.png", "--size", "12x9000"},
+         "pelagic: --size is 12x9000, needs WIDTHxHEIGHT, each from 16 to 8192\n"},
+        {{"--out", "a.png", "--sun", "3"},
+         "pelagic: --sun is 3, needs AZIMUTH,ELEVATION in degrees, elevation in [-90, 90]\n"},
         {{"--out", "a.png", "--clouds", "2"}, "pelagic: --clouds is 2, needs a part in [0, 1]\n"},
         {{"--out", "a.png", "--frames", "0"}, "pelagic: --frames is 0, needs a whole number from 1 to 100000\n"},
         {{}, "pelagic: --out is missing, needs a PNG file to write\n"},
@@ -109,7 +114,9 @@ TEST(RenderCommand, SaysWhichPackageIsMissingWithoutADriver) {
     EXPECT_NE(render.err.find("libgl1-mesa-dri"), std::string::npos) << render.err;
     EXPECT_EQ(std::count(render.err.begin(), render.err.end(), '\n'), 1);
     EXPECT_TRUE(files_in(folder.path()).empty());
-    EXPECT_EQ(run_pelagic({"export", "--resolution", "16", "--out", (folder / "sea").string()}, without_driver).exit_code, 0);
+    EXPECT_EQ(
+        run_pelagic({"export", "--resolution", "16", "--out", (folder / "sea").string()}, without_driver).exit_code,
+        0);
 }
 
 }  // namespace

@@ -38,7 +38,8 @@ GlScene::GlScene(const Options& options)
       wave_height_m_(expected_waves(ocean.sea()).significant_wave_height_m),
       whitecap_jacobian_(gl::whitecap_jacobian(ocean.frame_at(0), ocean.sea().wind_speed_mps)) {
     resize(options.width, options.height);
-    renderer.emplace(gl(), gl::RendererOptions{.patch_vertices = quadtree.vertices, .resolution = ocean.sea().resolution});
+    renderer.emplace(gl(),
+                     gl::RendererOptions{.patch_vertices = quadtree.vertices, .resolution = ocean.sea().resolution});
     renderer->set_sky(test_sky());
 }
 

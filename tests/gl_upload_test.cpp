@@ -38,7 +38,8 @@ TEST(GlUpload, TexturesHoldTheFramesBytesInEveryMip) {
         // Every half is a float too, so the way through floats loses nothing.
         const auto floats = read_level<float>(scene.gl(), textures.displacement(), 0, 128, GL_FLOAT);
         for (std::size_t v = 0; v < floats.size(); ++v)
-            ASSERT_EQ(glm::packHalf1x16(floats[v]), frame.displacement_rgba16f[v]) << "frame " << i << ", value " << v;
+            ASSERT_EQ(glm::packHalf1x16(floats[v]), frame.displacement_rgba16f[v])
+                << "frame " << i << ", value " << v;
     }
 }
 
@@ -70,11 +71,24 @@ TEST(GlState, UploadAndDrawLeaveTheHostsStateAsItWas) {
         gl.ColorMask(GL_TRUE, GL_FALSE, GL_TRUE, GL_FALSE);
         gl.PolygonOffset(3, 4);
     };
-    constexpr std::array names = {GL_CURRENT_PROGRAM, GL_VERTEX_ARRAY_BINDING, GL_ARRAY_BUFFER_BINDING,
-                                  GL_UNIFORM_BUFFER_BINDING, GL_PIXEL_UNPACK_BUFFER_BINDING, GL_ACTIVE_TEXTURE,
-                                  GL_UNPACK_ALIGNMENT, GL_UNPACK_ROW_LENGTH, GL_CULL_FACE, GL_BLEND, GL_DEPTH_FUNC,
-                                  GL_DEPTH_WRITEMASK, GL_DEPTH_TEST, GL_SCISSOR_TEST, GL_STENCIL_TEST,
-                                  GL_POLYGON_OFFSET_FACTOR, GL_POLYGON_OFFSET_UNITS, GL_DRAW_FRAMEBUFFER_BINDING,
+    constexpr std::array names = {GL_CURRENT_PROGRAM,
+                                  GL_VERTEX_ARRAY_BINDING,
+                                  GL_ARRAY_BUFFER_BINDING,
+                                  GL_UNIFORM_BUFFER_BINDING,
+                                  GL_PIXEL_UNPACK_BUFFER_BINDING,
+                                  GL_ACTIVE_TEXTURE,
+                                  GL_UNPACK_ALIGNMENT,
+                                  GL_UNPACK_ROW_LENGTH,
+                                  GL_CULL_FACE,
+                                  GL_BLEND,
+                                  GL_DEPTH_FUNC,
+                                  GL_DEPTH_WRITEMASK,
+                                  GL_DEPTH_TEST,
+                                  GL_SCISSOR_TEST,
+                                  GL_STENCIL_TEST,
+                                  GL_POLYGON_OFFSET_FACTOR,
+                                  GL_POLYGON_OFFSET_UNITS,
+                                  GL_DRAW_FRAMEBUFFER_BINDING,
                                   GL_READ_FRAMEBUFFER_BINDING};
     const auto state = [&] {
         std::vector<GLint> values;
@@ -101,8 +115,11 @@ TEST(GlState, UploadAndDrawLeaveTheHostsStateAsItWas) {
     scene.renderer->upload(frame);
     EXPECT_EQ(state(), before);
     for (const gl::DrawMode mode : {gl::DrawMode::shaded, gl::DrawMode::wireframe}) {
-        scene.renderer->draw({.eyes = {&eye, 1}, .viewer_m = camera.position_m, .list = &list,
-                              .sea = &scene.ocean.sea(), .mode = mode});
+        scene.renderer->draw({.eyes = {&eye, 1},
+                              .viewer_m = camera.position_m,
+                              .list = &list,
+                              .sea = &scene.ocean.sea(),
+                              .mode = mode});
         EXPECT_EQ(state(), before);
     }
     EXPECT_EQ(scene.gl().GetError(), static_cast<GLenum>(GL_NO_ERROR));

@@ -9,8 +9,8 @@ picture() {
   shift
   "$pelagic" render --size 960x540 --out "docs/images/render_$name.png" "$@"
 }
-picture calm --preset calm --camera 0,2.2,0 --target 60,-1,25 --fov 50 --sun 60,24
-picture moderate --preset moderate --camera 0,7,0 --target 100,-2,40 --fov 50 --sun 50,20
+picture calm --preset calm --camera 0,2.2,0 --target 60,-1,25 --fov 50 --sun 72,30
+picture moderate --preset moderate --camera 0,7,0 --target 100,-2,40 --fov 50 --sun 66,26
 picture storm --preset storm --camera 0,7,0 --target 60,3,12 --fov 50 --time 7 --sun 105,28
 picture close --preset rough --camera 0,3.2,0 --target 12,1.2,5 --fov 50 --time 3 --sun 75,30
 picture above --preset rough --camera 0,420,0 --target 420,0,160 --fov 55 --sun 110,42

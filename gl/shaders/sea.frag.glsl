@@ -233,8 +233,10 @@ float foam_cover(vec2 at, float jacobian, float distance_m) {
 }
 
 void main() {
-    vec3 at = place.xyz / place.w;
-    vec2 resting = rest / place.w;
+    // At the horizon w goes to 0, and at the edge of a multisampled pixel beyond it: 10 000 km are far enough.
+    float w = max(place.w, 1e-7);
+    vec3 at = place.xyz / w;
+    vec2 resting = rest / w;
     vec3 from_eye = at - eye[EYE].xyz;
     float distance_m = length(from_eye);
     vec3 to_eye = -from_eye / distance_m;
