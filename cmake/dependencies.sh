@@ -11,6 +11,7 @@ pelagic_packages=(
   libglm-dev               # GLM: cameras, in the quadtree
   libegl-dev libgles-dev   # headers of EGL and OpenGL ES
   libegl1 libgles2 libgl1-mesa-dri  # and a driver that draws without a GPU: pelagic render
+  libglfw3-dev libimgui-dev libstb-dev  # GLFW and Dear ImGui: pelagic view
   libopenimageio-dev       # OpenImageIO: EXR, PNG, TIFF
   libcli11-dev             # CLI11: the command line
   libtomlplusplus-dev      # toml++: --config
@@ -21,8 +22,8 @@ pelagic_packages=(
   libfftw3-dev             # FFTW: what Pelagic is measured against
 )
 
-# What only the determinism tests need: another compiler, and 64-bit Arm to build for and to run.
-pelagic_test_packages=(clang)
+# What only tests need: an X server with a mouse for the window's, another compiler, and 64-bit Arm to build for and to run.
+pelagic_test_packages=(xvfb xdotool x11-apps netpbm clang)
 [ "$(uname -m)" = aarch64 ] ||
   pelagic_test_packages+=(g++-aarch64-linux-gnu qemu-user libtbb-dev:arm64 libgtest-dev:arm64 libimath-dev:arm64)
 

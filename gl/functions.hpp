@@ -13,9 +13,10 @@ namespace pelagic::gl {
 /// What the front end calls, and nothing else.
 #define PELAGIC_GL_FUNCTIONS(X)                                                                                      \
     X(ActiveTexture)                                                                                                 \
-    X(AttachShader) X(BindBuffer) X(BindBufferBase) X(BindFramebuffer) X(BindRenderbuffer) X(BindSampler) X(         \
-        BindTexture) X(BindVertexArray) X(BlitFramebuffer) X(BufferData) X(BufferSubData) X(CheckFramebufferStatus)  \
-        X(Clear) X(ClearColor) X(ClearDepthf) X(ClientWaitSync) X(ColorMask) X(CompileShader) X(CreateProgram) X(    \
+    X(AttachShader)                                                                                                  \
+    X(BindBuffer) X(BindBufferBase) X(BindFramebuffer) X(BindRenderbuffer) X(BindSampler) X(BindTexture) X(          \
+        BindVertexArray) X(BlitFramebuffer) X(BufferData) X(BufferSubData) X(CheckFramebufferStatus) X(Clear)        \
+        X(ClearColor) X(ClearDepthf) X(ClientWaitSync) X(ColorMask) X(CompileShader) X(CreateProgram) X(             \
             CreateShader) X(CullFace) X(DeleteBuffers) X(DeleteFramebuffers) X(DeleteProgram) X(DeleteRenderbuffers) \
             X(DeleteSamplers) X(DeleteShader) X(DeleteSync) X(DeleteTextures) X(DeleteVertexArrays) X(DepthFunc)     \
                 X(DepthMask) X(Disable) X(DrawArrays) X(DrawElementsInstanced) X(DrawArraysInstanced) X(Enable)      \

@@ -74,7 +74,7 @@ struct SeaRenderer::State {
 
         const std::string defines = options.multiview ? "#define MULTIVIEW\n" : "";
         patches = make_program("sea.vert.glsl", "sea.frag.glsl", defines);
-        skirt = make_program("skirt.vert.glsl", "sea.frag.glsl", defines);
+        skirt = make_program("skirt.vert.glsl", "sea.frag.glsl", defines + "#define SKIRT\n");
         background = make_program("sky.vert.glsl", "sky.frag.glsl", defines);
         wireframe = make_program("sea.vert.glsl", "wireframe.frag.glsl", defines);
         buffers = std::make_unique<PatchBuffers>(gl, options.patch_vertices);
@@ -120,7 +120,10 @@ struct SeaRenderer::State {
             block.eye[i] = glm::vec4(glm::vec3(input.eyes[i].position_m - input.viewer_m), 0);
         }
         const auto to_float = [](glm::dvec2 v) { return glm::vec2(v); };
-        block.viewer = {fraction(viewer.x / patch_m), fraction(viewer.y / patch_m), input.viewer_m.y, 1 / patch_m};
+        // Texel (i, j) stands at i L/N, j L/N; a texture's texel has its middle half a texel further.
+        const double half_texel = 0.5 / sea.resolution;
+        block.viewer = {fraction(viewer.x / patch_m + half_texel), fraction(viewer.y / patch_m + half_texel),
+                        input.viewer_m.y, 1 / patch_m};
         block.grid = {to_float(glm::dvec2(grid.corner) * grid.step_m - viewer), grid.step_m, grid.vertices};
         block.fade = {to_float(grid.fade_centre - viewer), grid.fade_end_m,
                       1 / (grid.fade_end_m - grid.fade_start_m)};

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <random>
+#include <string_view>
 
 #include "tests/gl_scene.hpp"
 
@@ -30,7 +31,11 @@ class GlHoles : public testing::TestWithParam<const char*> {};
 // The sky is not drawn, so whatever the sea leaves open stays magenta, which it is itself nowhere.
 TEST_P(GlHoles, NothingShowsThroughTheSeaBelowTheHorizon) {
     constexpr int width = 120, height = 80;
-    GlScene scene({.quality = GetParam(), .resolution = 128, .width = width, .height = height, .samples = 1});
+    // A software driver takes minutes for 200 times the millions of vertices of the finest patches: a smaller grid has
+    // the same meshes and seams.
+    const double size_m = std::string_view(GetParam()) == "ultra" ? 512 : 4096;
+    GlScene scene(
+        {.quality = GetParam(), .resolution = 128, .width = width, .height = height, .samples = 1, .size_m = size_m});
     for (int i = 0; i < 200; ++i) {
         const double time_s = 0.1 * i;
         const bool stereo = i % 8 == 7;
@@ -90,9 +95,9 @@ TEST(GlHorizon, SeaAndSkyMeetWithoutALine) {
             RecordProperty(std::string(preset) + "_" + std::to_string(static_cast<int>(above_m)),
                            std::to_string(largest));
             std::printf("horizon %s, %g m above the crests: %.2f steps of 8 bits\n", preset, above_m, largest);
-            // Measured: 1 to 15; 45 from just above a storm's crests, which then are the horizon themselves. The 31 of a calm
-            // from 30 m is a defect: a darker row where the skirt begins, 7 rows below the horizon, towards the sun.
-            EXPECT_LE(largest, 50) << preset << " from " << above_m << " m above the crests";
+            // Measured: 1 to 15. From a little above a storm's crests the next ones stand out against the sky, 44.
+            const bool sees_crests = std::string_view(preset) == "storm" && above_m < 10;
+            EXPECT_LE(largest, sees_crests ? 50 : 20) << preset << " from " << above_m << " m above the crests";
         }
     }
 }

@@ -13,7 +13,7 @@ layout(std140) uniform Scene {
     highp mat4 clip_from_viewer[2];
     highp mat4 viewer_from_clip[2];
     highp vec4 eye[2];            // xyz: from the viewer to the eye
-    highp vec4 viewer;            // xy: where the viewer is in the patch, 0 to 1; z: height above rest; w: 1 / L
+    highp vec4 viewer;            // xy: texture coordinates of the viewer's place; z: height above rest; w: 1 / L
     highp vec4 grid;              // xy: the grid's corner; z: metres a step; w: V
     highp vec4 fade;              // xy: fade centre; z: fade end; w: 1 / (fade end - fade start)
     highp vec4 mesh;              // x: spacing of vertices for each metre of distance; y: finest spacing; z: last mip

@@ -11,11 +11,11 @@
 // "Understanding the Masking-Shadowing Function"; Bruneton, Neyret and Holzschuch 2010, "Real-time Realistic Ocean
 // Lighting using Seamless Transitions from Geometry to BRDF"; Morel and Prieur 1977 (colour of sea water);
 // Koepke 1984 (whitecaps); VR Ocean, equations 49 to 53 (the gradient map).
-precision highp float;
-precision highp int;
 #ifdef MULTIVIEW
 #extension GL_OVR_multiview2 : require
 #endif
+precision highp float;
+precision highp int;
 #include "scene.glsl"
 #include "tone.glsl"
 
@@ -24,7 +24,9 @@ uniform sampler2D detail;           // slopes of ripples, foam's structure, how 
 uniform highp samplerCube sky;      // level m: mirrored by alpha = (m / last)^2
 
 in vec4 place;
+#ifndef SKIRT
 in vec2 rest;
+#endif
 out vec4 colour;
 
 const float pi = 3.14159265;
@@ -232,11 +234,28 @@ float foam_cover(vec2 at, float jacobian, float distance_m) {
     return cover * mix(0.45 + 0.4 * lace, 0.75 + 0.25 * lace, fresh);
 }
 
+#ifdef SKIRT
+// The skirt reaches to infinity, and smoothed edges ask for pixels whose middle is beside its triangles, where the
+// divisor of interpolation may have changed its sign, and that of `place` with it. The direction remains, up to that
+// sign: the ray through the pixel, which leads ahead. It meets the flat sea where it meets it, at the horizon far away.
+vec3 place_on_skirt() {
+    vec3 ray = place.xyz - eye[EYE].xyz * place.w;
+    vec4 middle = viewer_from_clip[EYE] * vec4(0.0, 0.0, 0.0, 1.0);
+    if (dot(ray, middle.xyz / middle.w - eye[EYE].xyz) < 0.0) ray = -ray;
+    ray = normalize(ray);
+    float height = viewer.z + eye[EYE].y;
+    return eye[EYE].xyz + ray * (abs(height) / max(height < 0.0 ? ray.y : -ray.y, 1e-6));
+}
+#endif
+
 void main() {
-    // At the horizon w goes to 0, and at the edge of a multisampled pixel beyond it: 10 000 km are far enough.
-    float w = max(place.w, 1e-7);
-    vec3 at = place.xyz / w;
-    vec2 resting = rest / w;
+#ifdef SKIRT
+    vec3 at = place_on_skirt();
+    vec2 resting = at.xz;
+#else
+    vec3 at = place.xyz;
+    vec2 resting = rest;
+#endif
     vec3 from_eye = at - eye[EYE].xyz;
     float distance_m = length(from_eye);
     vec3 to_eye = -from_eye / distance_m;

@@ -16,8 +16,8 @@ layout(location = 4) in vec4 edge_weights;  // +x, +z, -x, -z
 
 uniform highp sampler2D displacement;  // Dx, height, Dz, foam
 
-out vec4 place;  // homogeneous, relative to the viewer
-out vec2 rest;   // where the water rests, times place.w
+out vec4 place;  // relative to the viewer; w is 1, the skirt has 0 at the horizon
+out vec2 rest;   // where the water rests
 flat out int patch_level;
 
 invariant gl_Position;

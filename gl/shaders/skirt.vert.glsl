@@ -12,7 +12,6 @@ layout(location = 1) in uint start;  // steps along the side
 layout(location = 2) in uvec2 level_and_side;
 
 out vec4 place;
-out vec2 rest;
 flat out int patch_level;
 
 invariant gl_Position;
@@ -29,12 +28,11 @@ void main() {
     vec2 at = grid.xy + vec2(index) * grid.z;
     patch_level = int(level_and_side.x);
     if ((gl_VertexID & 1) == 0) {
-        rest = at;
         place = vec4(at.x, -viewer.z, at.y, 1.0);
         gl_Position = clip_from_viewer[EYE] * place;
     } else {
-        rest = (at - skirt.xy) / (skirt.z * grid.z);
-        place = vec4(rest.x, 0.0, rest.y, 0.0);
+        vec2 outwards = (at - skirt.xy) / (skirt.z * grid.z);
+        place = vec4(outwards.x, 0.0, outwards.y, 0.0);
         gl_Position = clip_from_viewer[EYE] * place;
         // On the far plane, and not a rounding behind it.
         gl_Position.z = min(gl_Position.z, gl_Position.w * 0.9999995);

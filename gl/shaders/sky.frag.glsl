@@ -1,9 +1,9 @@
 // The sky behind the sea: the baked cube, and the sun's disc.
-precision highp float;
-precision highp int;
 #ifdef MULTIVIEW
 #extension GL_OVR_multiview2 : require
 #endif
+precision highp float;
+precision highp int;
 #include "scene.glsl"
 #include "tone.glsl"
 
