@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "sim/surface_texels.hpp"
+#include "simd/float_environment.hpp"
 
 namespace pelagic {
 namespace {
@@ -68,6 +69,7 @@ void FoldMap::mark_squares(int first_x, int last_x, int first_z, int last_z) {
 }
 
 void FoldMap::update(Frame& frame, const Kernels& kernels) {
+    const DefaultFloatEnvironment environment;
     for (std::size_t job = 0; job < jobs(); ++job) find(frame, kernels, job);
     mark(frame);
     frame.folds = squares_;

@@ -86,16 +86,14 @@ struct SurfaceQuery::Sheet {
 };
 
 SurfaceQuery::SurfaceQuery(const Frame& frame, Isa isa, double tolerance_m)
-    : kernels_(&kernels_for(isa)),
-      texels_(texels_of(frame)),
-      folds_(frame.folds),
-      bounds_(frame.bounds),
-      texel_m_(frame.patch_size_m / frame.resolution()),
-      tolerance_m_(static_cast<float>(tolerance_m)),
-      target_(static_cast<float>(std::clamp(tolerance_m * aim / texel_m_, least_target, most_target))) {
+    : kernels_(&kernels_for(isa)), texels_(texels_of(frame)), folds_(frame.folds), bounds_(frame.bounds) {
     assert(tolerance_m > 0);
     if (folds_.empty())
         throw std::invalid_argument("the frame can't be queried, needs an ocean with OceanOptions::queries");
+    const DefaultFloatEnvironment environment;
+    texel_m_ = frame.patch_size_m / frame.resolution();
+    tolerance_m_ = static_cast<float>(tolerance_m);
+    target_ = static_cast<float>(std::clamp(tolerance_m * aim / texel_m_, least_target, most_target));
 }
 
 void SurfaceQuery::sample(const SurfacePoints& points, const SurfaceSamples& samples) const {
