@@ -13,6 +13,7 @@
 #include "tools/export_command.hpp"
 #include "tools/info_command.hpp"
 #include "tools/option_text.hpp"
+#include "tools/query_command.hpp"
 #include "tools/stop_signal.hpp"
 
 namespace pelagic::tools {
@@ -42,7 +43,7 @@ InputError from_cli(const CLI::ParseError& error, const CLI::App& app, const std
         const std::vector<std::string> extras = used.remaining(true);
         const std::string word = extras.empty() ? "" : extras.front();
         const std::string name = word.substr(0, word.find('='));
-        if (commands.empty()) return InputError("unknown command " + word + ", needs export or info");
+        if (commands.empty()) return InputError("unknown command " + word + ", needs export, info or query");
         if (!name.starts_with('-'))
             return InputError("unexpected word " + word + ", needs options such as " + options.back());
         return InputError("unknown option " + name + ", the nearest known one is " + nearest_name(name, options));
@@ -99,8 +100,11 @@ int run(int argc, const char* const* argv) {
     CLI::App& info_app = *app.add_subcommand("info", "say what a sea is, before anything is written");
     InfoFlags info_flags;
     info_flags.add_to(info_app);
+    CLI::App& query_app = *app.add_subcommand("query", "say how high the water is at given points, and how it moves");
+    QueryFlags query_flags;
+    query_flags.add_to(query_app);
 
-    for (CLI::App* command : {&export_app, &info_app})
+    for (CLI::App* command : {&export_app, &info_app, &query_app})
         command->set_version_flag("--version", "pelagic " PELAGIC_VERSION);
 
     try {
@@ -116,8 +120,10 @@ int run(int argc, const char* const* argv) {
         run_export(export_flags.resolve());
     else if (info_app.parsed())
         info_flags.run();
+    else if (query_app.parsed())
+        query_flags.run();
     else
-        throw InputError("no command, needs export or info; pelagic --help says more");
+        throw InputError("no command, needs export, info or query; pelagic --help says more");
     check_standard_output();
     return 0;
 }
