@@ -67,67 +67,101 @@ struct Sideways {
     }
 };
 
+/// W searches for a rest point.
 template <class Arch>
-PELAGIC_INLINE void invert_lanes(const InvertSurfaceJob& job, const TexelPlaces<Arch>& places, std::size_t at) {
+class Inversion {
     using V = xsimd::batch<float, Arch>;
     using I = xsimd::batch<std::int32_t, Arch>;
-    const I world_x = I::load_aligned(job.world.cell_x + at), world_z = I::load_aligned(job.world.cell_z + at);
-    const V world_u = V::load_aligned(job.world.u + at), world_v = V::load_aligned(job.world.v + at);
-    const V texels_per_m(job.texels_per_m), enough(job.target * job.target), near(InvertSurfaceJob::newton_reach);
 
-    // The search begins at the point itself.
-    I x = world_x, z = world_z;
-    V u = world_u, v = world_v, squared(0.f);
-    for (int step = 0;; ++step) {
-        const I column = places.column(x), next_column = places.column(x + I(1));
-        const I row = places.row(z), next_row = places.row(z + I(1));
+   public:
+    /// The search begins at the point itself.
+    PELAGIC_INLINE void begin(const InvertSurfaceJob& job, std::size_t at) {
+        world_x_ = x_ = I::load_aligned(job.world.cell_x + at);
+        world_z_ = z_ = I::load_aligned(job.world.cell_z + at);
+        world_u_ = u_ = V::load_aligned(job.world.u + at);
+        world_v_ = v_ = V::load_aligned(job.world.v + at);
+    }
+
+    PELAGIC_INLINE void look(const InvertSurfaceJob& job, const TexelPlaces<Arch>& places) {
+        const I column = places.column(x_), next_column = places.column(x_ + I(1));
+        const I row = places.row(z_), next_row = places.row(z_ + I(1));
         const I at00 = column + row, at10 = next_column + row, at01 = column + next_row,
                 at11 = next_column + next_row;
-        const auto corners = [&](const float* plane) {
-            return Corners<Arch>{gathered<Arch>(plane, at00), gathered<Arch>(plane, at10),
-                                 gathered<Arch>(plane, at01), gathered<Arch>(plane, at11)};
+        const auto sideways = [&](const float* plane) {
+            const Corners<Arch> corners{gathered<Arch>(plane, at00), gathered<Arch>(plane, at10),
+                                        gathered<Arch>(plane, at01), gathered<Arch>(plane, at11)};
+            return Sideways<Arch>(corners, u_, v_, V(job.texels_per_m));
         };
-        const Sideways<Arch> dx(corners(job.surface.dx), u, v, texels_per_m);
-        const Sideways<Arch> dz(corners(job.surface.dz), u, v, texels_per_m);
+        const Sideways<Arch> dx = sideways(job.surface.dx), dz = sideways(job.surface.dz);
 
         // How far the displaced point is from where it should be, in texels.
-        const V off_x = xsimd::to_float(x - world_x) + (u - world_u) + dx.value;
-        const V off_z = xsimd::to_float(z - world_z) + (v - world_v) + dz.value;
-        squared = off_x * off_x + off_z * off_z;
-        const auto open = squared > enough;
-        if (step == InvertSurfaceJob::most_steps || !xsimd::any(open)) break;
+        const V off_x = xsimd::to_float(x_ - world_x_) + (u_ - world_u_) + dx.value;
+        const V off_z = xsimd::to_float(z_ - world_z_) + (v_ - world_v_) + dz.value;
+        squared_ = off_x * off_x + off_z * off_z;
 
         const V j_xx = V(1.f) + dx.along_u, j_zz = V(1.f) + dz.along_v;
         const V determinant = j_xx * j_zz - dx.along_v * dz.along_u;
         const auto newton = (determinant > V(InvertSurfaceJob::least_determinant)) &
-                            (xsimd::max(xsimd::abs(off_x), xsimd::abs(off_z)) < near);
+                            (xsimd::max(xsimd::abs(off_x), xsimd::abs(off_z)) < V(InvertSurfaceJob::newton_reach));
         const V inverse = divided<Arch>(V(1.f), xsimd::select(newton, determinant, V(1.f)));
-        const V step_x = xsimd::select(newton, (j_zz * off_x - dx.along_v * off_z) * inverse, off_x);
-        const V step_z = xsimd::select(newton, (j_xx * off_z - dz.along_u * off_x) * inverse, off_z);
-
-        // Lanes that are done keep their bits, however long their neighbours take.
-        const auto move = [&open](I& cell, V& within, V by) {
-            const V moved = within - by;
-            const V cut = xsimd::to_float(xsimd::to_int(moved));
-            const V whole = cut - xsimd::select(cut > moved, V(1.f), V(0.f));
-            cell = cell + xsimd::to_int(xsimd::select(open, whole, V(0.f)));
-            within = xsimd::select(open, moved - whole, within);
-        };
-        move(x, u, step_x);
-        move(z, v, step_z);
+        step_x_ = xsimd::select(newton, (j_zz * off_x - dx.along_v * off_z) * inverse, off_x);
+        step_z_ = xsimd::select(newton, (j_xx * off_z - dz.along_u * off_x) * inverse, off_z);
     }
-    x.store_aligned(job.rest.cell_x + at);
-    z.store_aligned(job.rest.cell_z + at);
-    u.store_aligned(job.rest.u + at);
-    v.store_aligned(job.rest.v + at);
-    square_root<Arch>(squared).store_aligned(job.error + at);
+
+    PELAGIC_INLINE auto open(V enough) const { return squared_ > enough; }
+
+    /// Lanes that are done keep their bits, however long their neighbours take.
+    PELAGIC_INLINE void step(V enough) {
+        move(x_, u_, step_x_, enough);
+        move(z_, v_, step_z_, enough);
+    }
+
+    PELAGIC_INLINE void store(const InvertSurfaceJob& job, std::size_t at) const {
+        x_.store_aligned(job.rest.cell_x + at);
+        z_.store_aligned(job.rest.cell_z + at);
+        u_.store_aligned(job.rest.u + at);
+        v_.store_aligned(job.rest.v + at);
+        square_root<Arch>(squared_).store_aligned(job.error + at);
+    }
+
+   private:
+    PELAGIC_INLINE void move(I& cell, V& within, V by, V enough) const {
+        const V moved = within - by;
+        const V cut = xsimd::to_float(xsimd::to_int(moved));
+        const V whole = cut - xsimd::select(cut > moved, V(1.f), V(0.f));
+        cell = cell + xsimd::to_int(xsimd::select(open(enough), whole, V(0.f)));
+        within = xsimd::select(open(enough), moved - whole, within);
+    }
+
+    I world_x_, world_z_, x_, z_;
+    V world_u_, world_v_, u_, v_;
+    V squared_, step_x_, step_z_;
+};
+
+/// Several registers of searches together: each step of one waits for its loads, and meanwhile the others go on.
+template <class Arch, std::size_t Registers>
+PELAGIC_INLINE void invert_registers(const InvertSurfaceJob& job, const TexelPlaces<Arch>& places, std::size_t at) {
+    using V = xsimd::batch<float, Arch>;
+    const V enough(job.target * job.target);
+    Inversion<Arch> searches[Registers];
+    for (std::size_t r = 0; r < Registers; ++r) searches[r].begin(job, at + r * V::size);
+    for (int step = 0;; ++step) {
+        for (Inversion<Arch>& search : searches) search.look(job, places);
+        auto open = searches[0].open(enough);
+        for (std::size_t r = 1; r < Registers; ++r) open = open | searches[r].open(enough);
+        if (step == InvertSurfaceJob::most_steps || !xsimd::any(open)) break;
+        for (Inversion<Arch>& search : searches) search.step(enough);
+    }
+    for (std::size_t r = 0; r < Registers; ++r) searches[r].store(job, at + r * V::size);
 }
 
 template <class Arch>
 void invert_surface(const InvertSurfaceJob& job) {
+    constexpr std::size_t lanes = xsimd::batch<float, Arch>::size;
     const TexelPlaces<Arch> places(job.surface);
-    for (std::size_t at = 0; at < job.count; at += xsimd::batch<float, Arch>::size)
-        invert_lanes<Arch>(job, places, at);
+    std::size_t at = 0;
+    for (; at + 2 * lanes <= job.count; at += 2 * lanes) invert_registers<Arch, 2>(job, places, at);
+    if (at < job.count) invert_registers<Arch, 1>(job, places, at);
 }
 
 /// Slopes of one plane along both axes, per two texels: central differences at the corners of the cell, bilinear
