@@ -80,9 +80,9 @@ struct SurfaceQuery::Chunk {
 struct SurfaceQuery::Sheet {
     bool found = false;
     int cell_x = 0, cell_z = 0;
-    double u = 0, v = 0;
+    float u = 0, v = 0;
     double height = 0;
-    double error = 0;  ///< texels, once u and v are floats
+    float error = 0;  ///< texels
 };
 
 SurfaceQuery::SurfaceQuery(const Frame& frame, Isa isa, double tolerance_m)
@@ -146,9 +146,9 @@ void SurfaceQuery::sample_chunk(const SurfacePoints& points, const SurfaceSample
         if (!sheet.found) continue;  // the error says how good the steps' end is
         chunk.rest_x[i] = sheet.cell_x;
         chunk.rest_z[i] = sheet.cell_z;
-        chunk.rest_u[i] = static_cast<float>(sheet.u);
-        chunk.rest_v[i] = static_cast<float>(sheet.v);
-        chunk.error[i] = static_cast<float>(sheet.error);
+        chunk.rest_u[i] = sheet.u;
+        chunk.rest_v[i] = sheet.v;
+        chunk.error[i] = sheet.error;
     }
 
     const bool wants_normal = !samples.normal_x.empty() || !samples.normal_y.empty() || !samples.normal_z.empty() ||
@@ -236,14 +236,22 @@ SurfaceQuery::Sheet SurfaceQuery::highest_sheet(int cell_x, double u, int cell_z
                 solve_cell(v00, b, c, d, [&](double along_x, double along_z) {
                     const double height = height_at(i, j, along_x, along_z);
                     if (highest.found && height <= highest.height) return;
-                    const double x = static_cast<float>(along_x), z = static_cast<float>(along_z);
-                    const Vector off = v00 + x * b + z * c + x * z * d;
-                    highest = {true, cell_x + i, cell_z + j, x, z, height, std::sqrt(dot(off, off))};
+                    highest = {true, i, j, static_cast<float>(along_x), static_cast<float>(along_z), height};
                 });
             }
             v00 = v10;
             v01 = v11;
         }
+    }
+    if (highest.found) {
+        const int i = highest.cell_x, j = highest.cell_z;
+        const Vector v00 = corner(i, j), b = corner(i + 1, j) - v00, c = corner(i, j + 1) - v00;
+        const double along_x = highest.u, along_z = highest.v;
+        const Vector off =
+            v00 + along_x * b + along_z * c + along_x * along_z * ((corner(i + 1, j + 1) - corner(i, j + 1)) - b);
+        highest.error = static_cast<float>(std::sqrt(dot(off, off)));
+        highest.cell_x += cell_x;
+        highest.cell_z += cell_z;
     }
     return highest;
 }
