@@ -25,9 +25,10 @@ FoldMap::FoldMap(int resolution)
 void FoldMap::find(const Frame& frame, const Kernels& kernels, std::size_t job) {
     assert(frame.resolution() == resolution_);
     assert(static_cast<std::size_t>(frame.height.block_columns) >= kernels.lanes);
+    const double texel_m = frame.patch_size_m / resolution_;
     kernels.find_folds({.surface = texels_of(frame),
-                        .texels_per_m = static_cast<float>(resolution_ / frame.patch_size_m),
-                        .most_jacobian = most_jacobian,
+                        .texel_m = static_cast<float>(texel_m),
+                        .most_area = static_cast<float>(most_jacobian * texel_m * texel_m),
                         .first_row = job * rows_per_job,
                         .rows = rows_per_job,
                         .cells = cells_.data()});

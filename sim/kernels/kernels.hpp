@@ -131,12 +131,12 @@ struct SampleSurfaceJob {
     Outputs out;  ///< aliases no input
 };
 
-/// Cells in which the surface turns over, or nearly so: the least Jacobian is at most `most_jacobian`. Blocks of the
-/// surface have a multiple of W columns.
+/// Cells in which the surface turns over, or nearly so: the least Jacobian, times the area of a texel at rest, is at
+/// most `most_area`. Blocks of the surface have a multiple of W columns.
 struct FindFoldsJob {
     SurfaceTexels surface;
-    float texels_per_m;  ///< N / L
-    float most_jacobian;
+    float texel_m;  ///< L / N
+    float most_area;
     std::size_t first_row, rows;
     std::uint8_t* cells;  ///< N^2 bits, cell (i, j) being bit i % 8 of byte (j N + i) / 8; these rows are written
 };
