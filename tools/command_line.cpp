@@ -14,12 +14,13 @@
 #include "tools/info_command.hpp"
 #include "tools/option_text.hpp"
 #include "tools/quadtree_command.hpp"
+#include "tools/query_command.hpp"
 #include "tools/stop_signal.hpp"
 
 namespace pelagic::tools {
 namespace {
 
-constexpr const char* commands_text = "export, info or quadtree";
+constexpr const char* commands_text = "export, info, quadtree or query";
 
 std::vector<std::string> option_names(const CLI::App& app) {
     std::vector<std::string> names;
@@ -105,8 +106,11 @@ int run(int argc, const char* const* argv) {
     CLI::App& quadtree_app = *app.add_subcommand("quadtree", "which patches a view draws: figures, mesh, plan");
     QuadtreeCommandFlags quadtree_flags;
     quadtree_flags.add_to(quadtree_app);
+    CLI::App& query_app = *app.add_subcommand("query", "say how high the water is at given points, and how it moves");
+    QueryFlags query_flags;
+    query_flags.add_to(query_app);
 
-    for (CLI::App* command : {&export_app, &info_app, &quadtree_app})
+    for (CLI::App* command : {&export_app, &info_app, &quadtree_app, &query_app})
         command->set_version_flag("--version", "pelagic " PELAGIC_VERSION);
 
     try {
@@ -124,6 +128,8 @@ int run(int argc, const char* const* argv) {
         info_flags.run();
     else if (quadtree_app.parsed())
         quadtree_flags.run();
+    else if (query_app.parsed())
+        query_flags.run();
     else
         throw InputError(std::string("no command, needs ") + commands_text + "; pelagic --help says more");
     check_standard_output();
