@@ -57,8 +57,8 @@ void float_in_still_water(FloatingBox& box, double seconds) {
     for (int i = 0; i < seconds / step_s; ++i) step({&box, 1}, water.query(), step_s, hull);
 }
 
-/// Displaces its weight within 0.1 %, and neither moves up or down nor turns. It may still drift: drag that grows with the
-/// velocity squared takes forever.
+/// Displaces its weight within 0.1 %, and neither moves up or down nor turns. It may still drift: drag that grows with
+/// the velocity squared takes forever.
 void expect_rest(const FloatingBox& box) {
     EXPECT_NEAR(box.displaced_kg() / box.options().mass_kg, 1, 1e-3);
     EXPECT_LT(std::fabs(box.state().velocity_mps.y), 1e-3);
@@ -226,13 +226,15 @@ struct Ride {
 };
 
 // Swell: waves below 150 m are faded out, 2 % of the energy is left at 60 m, twelve times the box. Over its length such
-// a wave bends by (pi/12)^2/6 = 1 % of its height. 5 % leaves room for the drag and the step.
+// a wave bends by (pi/12)^2/6 = 1 % of its height. Without the water's acceleration heave would be off by k T, 4 % here.
+// Heel: the box rolls at 2.9 rad/s by itself, so waves of 60 m, 1 rad/s, tilt it by 1 / (1 - (1/2.9)^2) = 1.13 of their
+// slope, and it swings about that.
 TEST(Buoyancy, InLongSwellTheBoxFollowsTheWater) {
     const Ride ride(
         {.resolution = 128, .patch_size_m = 1600, .wind_speed_mps = 20, .fetch_m = 400e3, .small_waves = 0.77},
         {.length_m = 5, .height_m = 1.5, .beam_m = 3, .mass_kg = 9000}, is_sanitized ? 40 : 120);
     ASSERT_GT(rms(ride.wave), 0.5);
-    EXPECT_LT(rms(ride.off) / rms(ride.wave), 0.05);
+    EXPECT_LT(rms(ride.off) / rms(ride.wave), 0.01);
     EXPECT_LT(rms(ride.slope_off) / rms(ride.slope), 0.25) << "it heels with the slope";
     RecordProperty("heave_off", std::to_string(rms(ride.off) / rms(ride.wave)));
     RecordProperty("slope_off", std::to_string(rms(ride.slope_off) / rms(ride.slope)));
@@ -286,15 +288,24 @@ std::vector<std::uint64_t> trajectory_bits(Isa isa, std::shared_ptr<Executor> ex
     return bits;
 }
 
-TEST(Buoyancy, ATrajectoryHasTheSameBitsOnEveryInstructionSetAndThreadCount) {
+// FNV-1a, to hold compilers against one another.
+std::uint64_t hash_of_bits(const std::vector<std::uint64_t>& bits) {
+    std::uint64_t hash = 0xcbf29ce484222325u;
+    for (const std::uint64_t word : bits) hash = (hash ^ word) * 0x100000001b3u;
+    return hash;
+}
+
+TEST(BuoyancyDeterminism, ATrajectoryHasTheSameBitsOnEveryInstructionSetAndThreadCount) {
     const std::vector<std::uint64_t> expected = trajectory_bits(isas_here().front(), make_serial_executor());
     for (const Isa isa : isas_here())
         for (const ExecutorKind& kind : executor_kinds())
             EXPECT_TRUE(trajectory_bits(isa, kind.make(kind.threads)) == expected) << name_of(isa) << kind.name;
+    EXPECT_EQ(hash_of_bits(expected), 13706028884819009965u)
+        << "the same from every compiler; a change of physics changes it, too";
 }
 
-// Thrown into a storm, heeled by 54 degrees and spinning: no box ever has more energy of motion than it would by falling from
-// 5 m above the highest crest into the lowest trough, while the fastest water carries it along.
+// Thrown into a storm, turned by a radian and spinning: no box ever has more energy of motion than it would by falling
+// from 5 m above the highest crest into the lowest trough, while the fastest water carries it along.
 TEST(Buoyancy, AStormNeverMakesABoxExplode) {
     Ocean ocean(small_storm, {.executor = make_serial_executor(), .queries = true, .velocities = true});
     std::vector<FloatingBox> boxes = three_boxes();

@@ -77,9 +77,9 @@ void draw_panel(std::ostream& svg, const Panel& panel, double above, const std::
     }
     for (std::size_t boat = 0; boat < boats.size(); ++boat) {
         svg << "<polyline stroke='" << colours[boat] << "' points='";
-        // Two points a unit of width show all that can be seen.
+        // A point a unit of width shows all that can be seen.
         const std::vector<Moment>& moments = boats[boat].moments;
-        const std::size_t stride = std::max<std::size_t>(1, moments.size() / static_cast<std::size_t>(2 * width));
+        const std::size_t stride = moments.size() / static_cast<std::size_t>(width) + 1;
         for (std::size_t i = 0; i < moments.size(); i += stride)
             svg << x_of(moments[i].time_s) << ',' << y_of(panel.value(moments[i])) << ' ';
         svg << "'/>\n";
