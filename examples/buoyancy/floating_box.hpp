@@ -34,7 +34,8 @@
 
 namespace pelagic::buoyancy {
 
-inline constexpr double water_density_kgpm3 = 1025;  // sea water at 15 degrees C, 3.5 % salt: 1026; ITTC 7.5-02-01-03
+/// Sea water, nominal; 1026 at 15 degrees C (ITTC 7.5-02-01-03).
+inline constexpr double water_density_kgpm3 = 1025;
 
 /// Along the box: x forward (length), y up (height), z to starboard (beam).
 struct BoxOptions {
@@ -45,7 +46,8 @@ struct BoxOptions {
     double centre_of_mass_m = 0;  ///< above the box's middle, ballast makes it negative; within the box
     /// About its axes through the centre of mass. None: that of a solid box. Positive.
     std::optional<glm::dvec3> inertia_kgm2 = {};
-    /// Waves made by heave take away this share of the critical damping; [0, 1). Barges: 0.1 to 0.4 near resonance.
+    /// Waves made by heave take away this share of the critical damping; [0, 1). A choice: in truth it depends on
+    /// the frequency.
     double heave_damping = 0.2;
     double drag_coefficient = 1.05;  ///< Cd; a cube face on, Hoerner, Fluid-Dynamic Drag, 1965; [0, 10]
 };
@@ -108,8 +110,8 @@ class FloatingBox {
     std::size_t across_a_ = 0, across_b_ = 0;
 };
 
-/// Moves all boxes on by one step of semi-implicit Euler: one batch of queries, then each box by itself. Steps of a
-/// 30th of the heave's period or less are stable and calm. \pre frames with velocities, of seas `step_s` apart
+/// Moves all boxes on by one step of semi-implicit Euler: one batch of queries, then each box by itself. A 30th
+/// of the heave's period is a step that is short enough. \pre frames with velocities, of seas `step_s` apart
 void step(std::span<FloatingBox> boxes, const SurfaceQuery& water, double step_s, HullWater& hull);
 
 }  // namespace pelagic::buoyancy

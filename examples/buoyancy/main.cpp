@@ -2,11 +2,14 @@
 //
 //   buoyancy [FOLDER [SECONDS]]     writes FOLDER/trace.csv and FOLDER/trace.svg
 #include <charconv>
+#include <cmath>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <stdexcept>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 #include "examples/buoyancy/floating_box.hpp"
@@ -39,6 +42,7 @@ struct Options {
 
 /// Empty if they can be understood, else what is wrong.
 std::string parse(int argc, char** argv, Options& options) {
+    if (argc > 1 && argv[1][0] == '-') return "unknown option " + std::string(argv[1]) + ", needs [FOLDER [SECONDS]]";
     if (argc > 3) return "unexpected argument " + std::string(argv[3]) + ", needs [FOLDER [SECONDS]]";
     if (argc > 1) options.folder = argv[1];
     if (options.folder.empty()) return "FOLDER is empty, needs the name of a folder";
@@ -58,6 +62,13 @@ SeaState storm() {
     return {};
 }
 
+void make_folder(const std::filesystem::path& folder) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (!error && !std::filesystem::is_directory(folder)) error = std::make_error_code(std::errc::not_a_directory);
+    if (error) throw std::runtime_error(folder.string() + ": " + error.message());
+}
+
 std::vector<BoatTrace> sail(double seconds) {
     Ocean ocean(storm(), {.queries = true, .velocities = true});
     std::vector<FloatingBox> boxes;
@@ -69,7 +80,8 @@ std::vector<BoatTrace> sail(double seconds) {
     }
 
     HullWater hull;
-    const int settling = static_cast<int>(settling_s / step_s), steps = static_cast<int>(seconds / step_s);
+    const int settling = static_cast<int>(std::lround(settling_s / step_s));
+    const int steps = static_cast<int>(std::lround(seconds / step_s));
     ocean.schedule(-settling * step_s);
     for (int i = -settling; i <= steps; ++i) {
         const Frame& frame = ocean.complete();
@@ -91,7 +103,7 @@ int main(int argc, char** argv) {
         return 2;
     }
     try {
-        std::filesystem::create_directories(options.folder);  // before the work, to fail early
+        make_folder(options.folder);  // before the work, to fail early
         const std::vector<BoatTrace> traces = sail(options.seconds);
         write_csv(options.folder / "trace.csv", traces);
         write_svg(options.folder / "trace.svg", "Three boxes in a storm, significant wave height 8 m", traces);

@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <cmath>
 #include <fstream>
+#include <iomanip>
 #include <numbers>
 #include <sstream>
 #include <stdexcept>
@@ -96,6 +97,7 @@ Attitude attitude_of(const BoxState& state) {
 
 void write_csv(const std::filesystem::path& file, const std::vector<BoatTrace>& boats) {
     std::ostringstream csv;
+    csv << std::fixed << std::setprecision(4);
     csv << "time_s,boat,heave_m,pitch_deg,roll_deg\n";
     for (std::size_t i = 0; i < boats.at(0).moments.size(); ++i)
         for (const BoatTrace& boat : boats) {
