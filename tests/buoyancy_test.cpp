@@ -1,10 +1,12 @@
 // Floating boxes held against Archimedes, the metacentre, free heave, and waves that are long or short beside them.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
-#include <cstring>
+#include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <numbers>
 #include <stdexcept>
 #include <string>
