@@ -49,6 +49,9 @@ glm::dquat turned(double angle_rad, const glm::dvec3& axis) {
     return glm::dquat(std::cos(angle_rad / 2), std::sin(angle_rad / 2) * axis);
 }
 
+/// Coming to rest takes long; one density is enough for a sanitizer.
+std::vector<double> densities(const std::vector<double>& all) { return is_sanitized ? std::vector{0.5} : all; }
+
 double heel_rad(const FloatingBox& box) {
     return std::acos(std::clamp(glm::mat3_cast(box.state().orientation)[1].y, -1.0, 1.0));
 }
@@ -68,7 +71,7 @@ void expect_rest(const FloatingBox& box) {
 }
 
 TEST(Buoyancy, ABoxAtRestDisplacesItsWeightAndFloatsLevel) {
-    for (const double density : {0.05, 0.25, 0.5, 0.75, 0.95}) {
+    for (const double density : densities({0.05, 0.25, 0.5, 0.75, 0.95})) {
         SCOPED_TRACE(density);
         // As a raft, three times as broad as high, it is stable at every density.
         FloatingBox box(
@@ -99,7 +102,7 @@ BoxOptions near_critical(double density, double factor) {
 }
 
 TEST(Buoyancy, ATiltedBoxRightsItselfIfItsMetacentricHeightIsPositive) {
-    for (const double density : {0.25, 0.5, 0.75}) {
+    for (const double density : densities({0.25, 0.5, 0.75})) {
         const BoxOptions options = near_critical(density, 1.03);
         ASSERT_GT(Stability(options).gm_m, 0);
         FloatingBox box(options);
@@ -111,7 +114,7 @@ TEST(Buoyancy, ATiltedBoxRightsItselfIfItsMetacentricHeightIsPositive) {
 }
 
 TEST(Buoyancy, WithANegativeMetacentricHeightItLiesAtTheAngleOfLoll) {
-    for (const double density : {0.25, 0.5, 0.75}) {
+    for (const double density : densities({0.25, 0.5, 0.75})) {
         const BoxOptions options = near_critical(density, 0.97);
         const Stability stability(options);
         ASSERT_LT(stability.gm_m, 0);
