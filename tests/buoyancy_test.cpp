@@ -238,9 +238,10 @@ struct Ride {
 // Heel: the box rolls at 2.9 rad/s by itself, so waves of 60 m, 1 rad/s, tilt it by 1 / (1 - (1/2.9)^2) = 1.13 of their
 // slope, and it swings about that.
 TEST(Buoyancy, InLongSwellTheBoxFollowsTheWater) {
+    if (is_sanitized) GTEST_SKIP() << "minutes of frames; the storm below walks the same code";
     const Ride ride(
         {.resolution = 128, .patch_size_m = 1600, .wind_speed_mps = 20, .fetch_m = 400e3, .small_waves = 0.77},
-        {.length_m = 5, .height_m = 1.5, .beam_m = 3, .mass_kg = 9000}, is_sanitized ? 40 : 120);
+        {.length_m = 5, .height_m = 1.5, .beam_m = 3, .mass_kg = 9000}, 120);
     ASSERT_GT(rms(ride.wave), 0.5);
     EXPECT_LT(rms(ride.off) / rms(ride.wave), 0.01);
     EXPECT_LT(rms(ride.slope_off) / rms(ride.slope), 0.25) << "it heels with the slope";
@@ -252,9 +253,10 @@ TEST(Buoyancy, InLongSwellTheBoxFollowsTheWater) {
 // Waves of 5 m at the peak (2 pi U^2 / (0.877^2 g), Pierson and Moskowitz) under a box of 40 m by 15 m: its mean over
 // them has at most 1 / (8 pi) = 4 % of a wave along it and 1 / (3 pi) = 11 % of one across.
 TEST(Buoyancy, WavesMuchShorterThanTheBoxLeaveItAtRest) {
+    if (is_sanitized) GTEST_SKIP() << "minutes of frames; the storm below walks the same code";
     const Ride ride(
         {.spectrum = SpectrumModel::pierson_moskowitz, .resolution = 128, .patch_size_m = 80, .wind_speed_mps = 2.5},
-        {.length_m = 40, .height_m = 3, .beam_m = 15, .mass_kg = 600'000}, is_sanitized ? 25 : 80);
+        {.length_m = 40, .height_m = 3, .beam_m = 15, .mass_kg = 600'000}, 80);
     ASSERT_GT(rms(ride.wave), 0.02);
     EXPECT_LT(rms(ride.heave) / rms(ride.wave), 0.15);
     RecordProperty("heave", std::to_string(rms(ride.heave) / rms(ride.wave)));
