@@ -35,31 +35,40 @@ JobBody for_each_item(Item item) {
 
 }  // namespace
 
-Cascade::Slot::Slot(int n, std::size_t lanes)
+Cascade::Slot::Slot(int n, std::size_t lanes, CascadeExtras extras)
     : surface(column_blocks(n, lanes) * column_block_floats(n, lanes)),
+      velocity(extras.velocities ? surface.size() : 0),
       rgba16f(4 * static_cast<std::size_t>(n) * n),
       rgba8(mip_offset(n, mip_levels(n))) {
-    const auto view = [&](std::size_t component) {
-        return PlaneView{surface.data() + component * lanes, n, static_cast<int>(lanes),
+    const auto view = [&](const AlignedBuffer<float>& planes, std::size_t component) {
+        return PlaneView{planes.data() + component * lanes, n, static_cast<int>(lanes),
                          static_cast<std::ptrdiff_t>(surface_components * lanes),
                          static_cast<std::ptrdiff_t>(column_block_floats(n, lanes))};
     };
-    frame.dx = view(surface_dx);
-    frame.height = view(surface_height);
-    frame.dz = view(surface_dz);
+    frame.dx = view(surface, surface_dx);
+    frame.height = view(surface, surface_height);
+    frame.dz = view(surface, surface_dz);
+    if (extras.velocities) {
+        frame.velocity_x = view(velocity, surface_dx);
+        frame.velocity_y = view(velocity, surface_height);
+        frame.velocity_z = view(velocity, surface_dz);
+    }
+    if (extras.folds) frame.folds = folds.emplace(n).squares();
     frame.displacement_rgba16f = {rgba16f.data(), rgba16f.size()};
     frame.gradient_rgba8 = {rgba8.data(), rgba8.size()};
 }
 
-Cascade::Cascade(const SeaState& sea, const Kernels& kernels)
+Cascade::Cascade(const SeaState& sea, const Kernels& kernels, CascadeExtras extras)
     : sea_(sea),
       kernels_(kernels),
+      extras_(extras),
       plan_(sea.resolution),
       fft_(plan_.tables()),
       spectrum_(plan_, kernels.lanes),
       mip_averages_(sea.resolution),
       part_bounds_(column_block_pairs(sea.resolution, kernels.lanes)),
-      slots_{Slot(sea.resolution, kernels.lanes), Slot(sea.resolution, kernels.lanes)} {}
+      velocity_bounds_(extras.velocities ? part_bounds_.size() : 0),
+      slots_{Slot(sea.resolution, kernels.lanes, extras), Slot(sea.resolution, kernels.lanes, extras)} {}
 
 void Cascade::add_spectrum_stage(JobGraph& graph) {
     graph.add({.name = "spectrum",
@@ -71,12 +80,15 @@ void Cascade::add_spectrum_stage(JobGraph& graph) {
 void Cascade::add_frame_stages(JobGraph& graph) {
     const StageId lines_done = graph.add({.name = "evolve+rows",
                                           .count = line_blocks(sea_.resolution, kernels_.lanes),
-                                          .body = for_each_item([this](std::size_t block) { evolve_rows(block); })});
-    const StageId surface_done =
-        graph.add({.name = "columns+finalize",
-                   .count = part_bounds_.size(),
-                   .waits_for = {lines_done},
-                   .body = for_each_item([this](std::size_t pair) { columns_finalize(pair); })});
+                                          .body = for_each_item([this](std::size_t block) {
+                                              kernels_.evolve_rows(evolve_rows_job(block, back().surface.data()));
+                                          })});
+    const StageId surface_done = graph.add({.name = "columns+finalize",
+                                            .count = part_bounds_.size(),
+                                            .waits_for = {lines_done},
+                                            .body = for_each_item([this](std::size_t pair) {
+                                                columns_finalize(pair, back().surface.data(), part_bounds_[pair]);
+                                            })});
     const StageId tiles_done =
         graph.add({.name = "gradients+mipmaps",
                    .count = tiles(sea_.resolution).count(),
@@ -84,12 +96,41 @@ void Cascade::add_frame_stages(JobGraph& graph) {
                    .body = for_each_item([this](std::size_t tile) { gradients_mipmaps(tile); })});
     const auto tail = [this](std::size_t) { mipmaps_tail(); };
     graph.add({.name = "mipmaps tail", .count = 1, .waits_for = {tiles_done}, .body = for_each_item(tail)});
+    if (extras_.folds) add_fold_stages(graph, surface_done);
+    if (extras_.velocities) add_velocity_stages(graph);
+}
+
+void Cascade::add_fold_stages(JobGraph& graph, StageId surface_done) {
+    const StageId cells_done = graph.add(
+        {.name = "folds",
+         .count = back().folds->jobs(),
+         .waits_for = {surface_done},
+         .body = for_each_item([this](std::size_t job) { back().folds->find(back().frame, kernels_, job); })});
+    const auto tail = [this](std::size_t) { back().folds->mark(back().frame); };
+    graph.add({.name = "folds tail", .count = 1, .waits_for = {cells_done}, .body = for_each_item(tail)});
+}
+
+// The derivative in time of a sum of waves is a sum of waves, so its lines and columns are those of the surface.
+void Cascade::add_velocity_stages(JobGraph& graph) {
+    const StageId lines_done =
+        graph.add({.name = "velocity rows",
+                   .count = line_blocks(sea_.resolution, kernels_.lanes),
+                   .body = for_each_item([this](std::size_t block) {
+                       kernels_.evolve_velocity_rows(evolve_rows_job(block, back().velocity.data()));
+                   })});
+    graph.add({.name = "velocity columns",
+               .count = velocity_bounds_.size(),
+               .waits_for = {lines_done},
+               .body = for_each_item([this](std::size_t pair) {
+                   columns_finalize(pair, back().velocity.data(), velocity_bounds_[pair]);
+               })});
 }
 
 void Cascade::begin_frame(double time_s) {
     const DefaultFloatEnvironment environment;
     back_ = 1 - back_;
     back().frame.time_s = time_s;
+    back().frame.patch_size_m = sea_.patch_size_m;
     fraction_ = loop_fraction(time_s, sea_.loop_period_s);
 }
 
@@ -120,26 +161,26 @@ void Cascade::spectrum(std::size_t line) {
     bake_spectrum_line(bake_->sea, bake_->model, plan_, line, bake_->spectrum);
 }
 
-void Cascade::evolve_rows(std::size_t line_block) {
+EvolveRowsJob Cascade::evolve_rows_job(std::size_t line_block, float* lines) {
+    constexpr double two_pi = 6.28318530717958647693;
     const std::size_t first_line = line_block * kernels_.lanes;
-    kernels_.evolve_rows({.waves = spectrum_.block(line_block),
-                          .harmonics = spectrum_.block_harmonics(line_block),
-                          .fraction = fraction_.turns,
-                          .first_line = first_line,
-                          .line_count = std::min(kernels_.lanes, line_count(sea_.resolution) - first_line),
-                          .fft = &fft_,
-                          .lines = back().surface.data()});
+    return {.waves = spectrum_.block(line_block),
+            .harmonics = spectrum_.block_harmonics(line_block),
+            .fraction = fraction_.turns,
+            .first_line = first_line,
+            .line_count = std::min(kernels_.lanes, line_count(sea_.resolution) - first_line),
+            .fft = &fft_,
+            .lines = lines,
+            .first_frequency = static_cast<float>(two_pi / sea_.loop_period_s)};
 }
 
-void Cascade::columns_finalize(std::size_t number) {
-    ColumnsFinalizeJob job{.blocks = {},
-                           .fft = &fft_,
-                           .choppiness = static_cast<float>(sea_.choppiness),
-                           .bounds = &part_bounds_[number]};
+void Cascade::columns_finalize(std::size_t number, float* surface, PartBounds& bounds) {
+    ColumnsFinalizeJob job{
+        .blocks = {}, .fft = &fft_, .choppiness = static_cast<float>(sea_.choppiness), .bounds = &bounds};
     const std::size_t block_floats = column_block_floats(sea_.resolution, kernels_.lanes);
     const ColumnBlockPair pair = column_block_pair(sea_.resolution, kernels_.lanes, number);
-    job.blocks[0] = back().surface.data() + pair.first * block_floats;
-    if (pair.has_second) job.blocks[1] = back().surface.data() + pair.second * block_floats;
+    job.blocks[0] = surface + pair.first * block_floats;
+    if (pair.has_second) job.blocks[1] = surface + pair.second * block_floats;
     kernels_.columns_finalize(job);
 }
 
@@ -176,8 +217,9 @@ void Cascade::mipmaps_tail() {
 }
 
 std::size_t Cascade::bytes() const {
-    return plan_.bytes() + spectrum_.bytes() + mip_averages_.bytes() + part_bounds_.capacity() * sizeof(PartBounds) +
-           slots_[0].bytes() + slots_[1].bytes();
+    return plan_.bytes() + spectrum_.bytes() + mip_averages_.bytes() +
+           (part_bounds_.capacity() + velocity_bounds_.capacity()) * sizeof(PartBounds) + slots_[0].bytes() +
+           slots_[1].bytes();
 }
 
 }  // namespace pelagic

@@ -2,6 +2,8 @@
 //
 //   spectrum (on demand) -> evolve+rows -> columns+finalize -> gradients+mipmaps -> mipmaps tail
 //
+// Beside the gradients, if wanted: evolve+rows and columns+finalize once more for velocities, and folds -> folds tail.
+//
 // Stages that can hand each other their data while it is in a near cache are one job. Everything between spectrum and
 // outputs lives on the stack or in the outputs themselves, of which there are two slots: one frame is computed while
 // the host still draws the one before.
@@ -16,6 +18,7 @@
 #include "jobs/job_graph.hpp"
 #include "sim/dispersion.hpp"
 #include "sim/fft_plan.hpp"
+#include "sim/fold_map.hpp"
 #include "sim/frame.hpp"
 #include "sim/initial_spectrum.hpp"
 #include "sim/kernels/kernels.hpp"
@@ -25,10 +28,16 @@
 
 namespace pelagic {
 
+/// What a cascade's frames hold beside the sea.
+struct CascadeExtras {
+    bool folds = false;
+    bool velocities = false;
+};
+
 class Cascade {
    public:
     /// \param kernels  outlives the cascade
-    Cascade(const SeaState& sea, const Kernels& kernels);
+    Cascade(const SeaState& sea, const Kernels& kernels, CascadeExtras extras = {});
     Cascade(const Cascade&) = delete;  // stages point into it
     Cascade& operator=(const Cascade&) = delete;
 
@@ -52,24 +61,33 @@ class Cascade {
    private:
     /// The outputs of one frame.
     struct Slot {
-        Slot(int resolution, std::size_t lanes);
-        std::size_t bytes() const { return surface.bytes() + rgba16f.bytes() + rgba8.bytes(); }
+        Slot(int resolution, std::size_t lanes, CascadeExtras extras);
+        std::size_t bytes() const {
+            return surface.bytes() + rgba16f.bytes() + rgba8.bytes() + velocity.bytes() +
+                   (folds ? folds->bytes() : 0);
+        }
 
-        AlignedBuffer<float> surface;  ///< lines at first, see wave_blocks.hpp
+        AlignedBuffer<float> surface;   ///< lines at first, see wave_blocks.hpp
+        AlignedBuffer<float> velocity;  ///< the same for the derivative in time, if wanted
+        std::optional<FoldMap> folds;
         AlignedBuffer<std::uint16_t> rgba16f;
         AlignedBuffer<std::uint32_t> rgba8;
         Frame frame;
     };
 
+    void add_fold_stages(JobGraph& graph, StageId surface_done);
+    void add_velocity_stages(JobGraph& graph);
+
     Slot& back() { return slots_[back_]; }
     void spectrum(std::size_t line);
-    void evolve_rows(std::size_t line_block);
-    void columns_finalize(std::size_t number);
+    EvolveRowsJob evolve_rows_job(std::size_t line_block, float* lines);
+    void columns_finalize(std::size_t number, float* surface, PartBounds& bounds);
     void gradients_mipmaps(std::size_t tile);
     void mipmaps_tail();
 
     SeaState sea_;
     const Kernels& kernels_;
+    CascadeExtras extras_;
     FftPlan plan_;
     FftTables fft_;
 
@@ -84,7 +102,8 @@ class Cascade {
     std::optional<Bake> bake_;
 
     MipAverages mip_averages_;
-    std::vector<PartBounds> part_bounds_;  ///< of each pair of column blocks
+    std::vector<PartBounds> part_bounds_;      ///< of each pair of column blocks
+    std::vector<PartBounds> velocity_bounds_;  ///< the same of velocities; nobody reads them
 
     std::array<Slot, 2> slots_;
     std::size_t back_ = 0;

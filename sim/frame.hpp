@@ -52,7 +52,13 @@ constexpr std::size_t mip_offset(int resolution, int level) {
 /// Views stay valid until the ocean schedules the second frame after this one.
 struct Frame {
     double time_s = 0;
+    double patch_size_m = 0;  ///< L
     PlaneView dx, height, dz;
+    /// How fast the water drawn at a texel moves: the derivatives of dx, height and dz in time, metres a second. No data
+    /// unless OceanOptions::velocities.
+    PlaneView velocity_x, velocity_y, velocity_z;
+    /// Where the surface may lie over itself, for surface queries (fold_map.hpp). Empty unless OceanOptions::queries.
+    std::span<const std::uint8_t> folds;
     /// resolution^2 texels of four IEEE half floats: Dx, height, Dz, foam (0 none to 1 covered). Rows are tight.
     std::span<const std::uint16_t> displacement_rgba16f;
     /// The chain of mip_levels() levels, one texel a word: normal x, normal z, Jacobian, smoothness from the lowest
@@ -68,7 +74,8 @@ struct Frame {
 };
 
 /// XXH3 of every output of the frame: the rows of dx, height and dz, the half floats, the gradient chain and the
-/// bounds, in this order, little-endian. The time is not in it. Two frames with equal hashes hold the same bits.
+/// bounds, in this order, little-endian. The time is not in it, nor are velocities and folds: whoever asks for them has
+/// the same sea as one who doesn't. Two frames with equal hashes hold the same bits.
 std::uint64_t hash_of(const Frame& frame);
 
 }  // namespace pelagic

@@ -26,7 +26,7 @@ struct Ocean::State {
     State(const SeaState& sea, OceanOptions options)
         : executor(options.executor ? std::move(options.executor) : make_default_executor()),
           isa(choose_isa(options.isa)),
-          cascade(checked(sea), kernels_for(isa)) {
+          cascade(checked(sea), kernels_for(isa), {.folds = options.queries, .velocities = options.velocities}) {
         cascade.add_frame_stages(frame_graph);
         cascade.add_spectrum_stage(spectrum_graph);
         const bool is_small = sea.resolution <= largest_resolution_without_jobs;

@@ -21,11 +21,13 @@
 
 namespace pelagic {
 
-/// How the sea is computed; nothing in here changes a bit of it.
+/// How the sea is computed, and what comes with it; nothing in here changes a bit of the sea.
 struct OceanOptions {
     std::shared_ptr<Executor> executor = {};  ///< none: oneTBB with its default number of threads
     std::optional<Isa> isa = {};              ///< none: PELAGIC_ISA, else the strongest that this CPU runs
     std::shared_ptr<TraceSink> trace = {};    ///< none: no clock is read. ChromeTrace or the host's own profiler
+    bool queries = false;     ///< frames can be asked about any point (surface_query.hpp); N^2 / 8 bytes a frame
+    bool velocities = false;  ///< frames have velocities; 12 N^2 bytes a frame and about twice the transforms
 };
 
 /// One patch of sea. Not thread-safe: one thread at a time calls its methods; the work runs on the executor.

@@ -4,9 +4,12 @@
 #include <atomic>
 #include <cstdlib>
 #include <new>
+#include <vector>
 
 #include "quadtree/selection.hpp"
 #include "sim/ocean.hpp"
+#include "sim/surface_query_jobs.hpp"
+#include "sim/surface_ray.hpp"
 
 namespace {
 std::atomic<long> allocations = 0;
@@ -44,11 +47,38 @@ TEST(Allocation, FramesAfterTheFirstAllocateNothing) {
     }
 }
 
+TEST(Allocation, NeitherQueriesNorFramesThatCanBeAskedAllocate) {
+    for (const auto& executor : {make_serial_executor(), make_thread_executor(3)}) {
+        // The paper's own scale folds at such winds, so the search for the highest sheet is in it.
+        Ocean ocean(
+            {.spectrum = SpectrumModel::phillips_paper, .resolution = 64, .wind_speed_mps = 20, .choppiness = 1},
+            {.executor = executor, .queries = true, .velocities = true});
+        SurfaceQueryJobs jobs(executor);
+        std::vector<double> x(3000), z(3000);
+        std::vector<float> height(3000), velocity(3000), normal(3000);
+        for (std::size_t i = 0; i < x.size(); ++i)
+            x[i] = static_cast<double>(i) * 0.7, z[i] = static_cast<double>(i) * 1.3;
+        const SurfaceSamples wanted{.height_m = height, .normal_x = normal, .velocity_y_mps = velocity};
+        ocean.frame_at(0);
+        const long before = allocations;
+        for (int i = 0; i < 10; ++i) {
+            const SurfaceQuery query(ocean.frame_at(i * 0.1), ocean.isa());
+            query.sample({x, z}, wanted);
+            jobs.sample(query, {x, z}, wanted);
+            first_hit(query, {{0, 30, 0}, {1, -0.3, 0.2}, 500});
+        }
+        EXPECT_EQ(allocations, before) << executor->name();
+    }
+}
+
 TEST(Allocation, MemoryBytesIsWhatAnOceanHolds) {
     Ocean ocean({.resolution = 256}, {.executor = make_serial_executor()});
     // Bytes a texel: 44 for each pair of waves, of which there is one for four texels, makes 11; two slots of 12 + 8 +
     // 5.3; half a byte of mip averages; half a byte between column blocks. And tables.
     EXPECT_NEAR(static_cast<double>(ocean.memory_bytes()) / (256 * 256), 63, 1);
+    // Two slots of 12 bytes of velocities and a quarter of folds.
+    Ocean asked({.resolution = 256}, {.executor = make_serial_executor(), .queries = true, .velocities = true});
+    EXPECT_NEAR(static_cast<double>(asked.memory_bytes() - ocean.memory_bytes()) / (256 * 256), 24.5, 0.7);
 }
 
 // Two frames in flight and every output; the paper's buffers take 7.5 MB for one.

@@ -1,15 +1,21 @@
 // One sea, bit for bit: whatever the instruction set, the executor, the threads, the order and the age.
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cfenv>
 #include <fstream>
 #include <map>
 #include <memory>
 #include <random>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "sim/ocean.hpp"
+#include "sim/surface_query_jobs.hpp"
+#include "sim/surface_ray.hpp"
 #include "tests/each_isa.hpp"
+#include "tests/sanitized.hpp"
 
 #if defined(__x86_64__)
 #include <xmmintrin.h>
@@ -38,6 +44,60 @@ std::uint64_t hash_at(const SeaState& sea, double time_s, Isa isa = choose_isa()
                       std::shared_ptr<Executor> executor = make_serial_executor()) {
     Ocean ocean(sea, {.executor = std::move(executor), .isa = isa});
     return hash_of(ocean.frame_at(time_s));
+}
+
+/// Everything that can be asked about a point, as bits.
+struct Answers {
+    explicit Answers(std::size_t count) : values(9, std::vector<float>(count)), converged(count) {}
+    SurfaceSamples view() {
+        return {values[0], values[1], values[2], values[3], values[4],
+                values[5], values[6], values[7], values[8], converged};
+    }
+    std::array<std::uint32_t, 9> of(std::size_t point) const {
+        std::array<std::uint32_t, 9> bits{};
+        for (std::size_t i = 0; i < bits.size(); ++i) bits[i] = std::bit_cast<std::uint32_t>(values[i][point]);
+        return bits;
+    }
+    /// FNV-1a over the bits, point by point.
+    std::uint64_t hash() const {
+        std::uint64_t hash = 0xcbf29ce484222325u;
+        for (std::size_t point = 0; point < converged.size(); ++point)
+            for (const std::uint32_t bits : of(point)) hash = (hash ^ bits) * 0x100000001b3u;
+        return hash;
+    }
+    std::vector<std::vector<float>> values;
+    std::vector<std::uint8_t> converged;
+};
+
+/// Points that no library's distribution has a say in.
+struct AskedPoints {
+    explicit AskedPoints(std::size_t count) {
+        std::mt19937 random(5);
+        for (std::size_t i = 0; i < count; ++i) {
+            x.push_back(static_cast<double>(random()) / 0x1p20 - 2000);
+            z.push_back(static_cast<double>(random()) / 0x1p20 - 2000);
+        }
+    }
+    SurfacePoints view() const { return {x, z}; }
+    std::vector<double> x, z;
+};
+
+/// A sea that folds, and one that does not.
+const SeaState folded_sea{
+    .spectrum = SpectrumModel::phillips_paper, .resolution = 64, .wind_speed_mps = 20, .choppiness = 1};
+const SeaState smooth_sea{.resolution = 256, .choppiness = 1};
+
+std::unique_ptr<Ocean> asked_ocean(const SeaState& sea, Isa isa = choose_isa(),
+                                   std::shared_ptr<Executor> executor = make_serial_executor()) {
+    return std::make_unique<Ocean>(
+        sea, OceanOptions{.executor = std::move(executor), .isa = isa, .queries = true, .velocities = true});
+}
+
+Answers answers_at(const SeaState& sea, double time_s, Isa isa, const AskedPoints& points) {
+    const auto ocean = asked_ocean(sea, isa);
+    Answers answers(points.x.size());
+    SurfaceQuery(ocean->frame_at(time_s), isa).sample(points.view(), answers.view());
+    return answers;
 }
 
 TEST(Determinism, EveryInstructionSetExecutorAndThreadCountGivesTheSameBits) {
@@ -134,16 +194,133 @@ TEST(Determinism, OceansMayBeDestroyedInFlight) {
     }
 }
 
+TEST(Determinism, ASeaThatCanBeAskedIsTheSameSea) {
+    for (const SeaState& sea : {folded_sea, smooth_sea})
+        for (const Host& host : hosts())
+            EXPECT_EQ(hash_of(asked_ocean(sea, choose_isa(), host.executor)->frame_at(7)), hash_at(sea, 7))
+                << host.name;
+}
+
+TEST(Determinism, EveryInstructionSetGivesTheSameAnswers) {
+    const AskedPoints points(20000);
+    for (const SeaState& sea : {folded_sea, smooth_sea}) {
+        const std::uint64_t expected = answers_at(sea, 3, isas_here().front(), points).hash();
+        for (const Isa isa : isas_here()) EXPECT_EQ(answers_at(sea, 3, isa, points).hash(), expected) << name_of(isa);
+    }
+}
+
+TEST(Determinism, AnAnswerDependsOnNoOtherPointOfTheBatch) {
+    const AskedPoints points(1000);
+    for (const SeaState& sea : {folded_sea, smooth_sea}) {
+        const auto ocean = asked_ocean(sea);
+        const SurfaceQuery query(ocean->frame_at(3), ocean->isa());
+        Answers expected(points.x.size());
+        query.sample(points.view(), expected.view());
+
+        std::mt19937 random(1);
+        for (const std::size_t batch : {1, 2, 3, 7, 127, 128, 129, 1000}) {
+            std::vector<std::size_t> order(points.x.size());
+            for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+            std::shuffle(order.begin(), order.end(), random);
+            for (std::size_t first = 0; first < order.size(); first += batch) {
+                const std::size_t count = std::min(batch, order.size() - first);
+                std::vector<double> x, z;
+                for (std::size_t i = 0; i < count; ++i) {
+                    x.push_back(points.x[order[first + i]]);
+                    z.push_back(points.z[order[first + i]]);
+                }
+                Answers some(count);
+                query.sample({x, z}, some.view());
+                for (std::size_t i = 0; i < count; ++i)
+                    ASSERT_EQ(some.of(i), expected.of(order[first + i])) << "batch of " << batch;
+            }
+        }
+        // Nor on what else is asked about it.
+        std::vector<float> height(points.x.size());
+        query.sample(points.view(), {.height_m = height});
+        EXPECT_EQ(height, expected.values[0]);
+    }
+}
+
+TEST(Determinism, EveryExecutorAndThreadCountGivesTheSameAnswers) {
+    const AskedPoints points(30001);
+    const auto ocean = asked_ocean(folded_sea);
+    const SurfaceQuery query(ocean->frame_at(3), ocean->isa());
+    Answers expected(points.x.size());
+    query.sample(points.view(), expected.view());
+    for (const Host& host : hosts()) {
+        SurfaceQueryJobs jobs(host.executor);
+        for (int again = 0; again < 3; ++again) {
+            Answers answers(points.x.size());
+            jobs.sample(query, points.view(), answers.view());
+            EXPECT_EQ(answers.hash(), expected.hash()) << host.name;
+        }
+    }
+}
+
+// The frame before is asked while the next one is computed; whoever asks waits for nobody.
+TEST(Determinism, EightThreadsAskWhileFramesRun) {
+    const SeaState& sea = folded_sea;
+    const AskedPoints points(is_sanitized ? 200 : 2000);
+    const auto executor = make_thread_executor(3);
+    const auto ocean = asked_ocean(sea, choose_isa(), executor);
+    ocean->schedule(0);
+    for (int i = 0; i < 6; ++i) {
+        const Frame& frame = ocean->complete();
+        ocean->schedule((i + 1) * 0.5);
+        const std::uint64_t expected = answers_at(sea, i * 0.5, choose_isa(), points).hash();
+        const SurfaceQuery query(frame, ocean->isa());
+        std::vector<std::uint64_t> hashes(8);
+        std::vector<std::thread> threads;
+        for (std::size_t t = 0; t < hashes.size(); ++t) {
+            threads.emplace_back([&, t] {
+                Answers answers(points.x.size());
+                if (t % 2) {
+                    query.sample(points.view(), answers.view());
+                } else {
+                    SurfaceQueryJobs jobs(executor);  // beside the frame
+                    jobs.sample(query, points.view(), answers.view());
+                }
+                hashes[t] = answers.hash();
+                first_hit(query, {{points.x[t], 20, points.z[t]}, {1, -0.2, 0.5}, 200});
+            });
+        }
+        for (std::thread& thread : threads) thread.join();
+        for (const std::uint64_t hash : hashes) EXPECT_EQ(hash, expected);
+    }
+    ocean->complete();
+}
+
+TEST(Determinism, RaysHitTheSameBitsOnEveryInstructionSet) {
+    std::vector<double> expected;
+    for (const Isa isa : isas_here()) {
+        const auto ocean = asked_ocean(folded_sea, isa);
+        const SurfaceQuery query(ocean->frame_at(3), isa);
+        std::vector<double> hits;
+        for (int i = 0; i < 100; ++i) {
+            const auto hit = first_hit(query, {{i * 3.0, 10, i * 0.5}, {1, -0.1 - i * 0.01, 0.3}, 500});
+            hits.push_back(hit ? hit->distance_m : -1);
+            hits.push_back(hit ? hit->normal[0] : 0);
+        }
+        if (expected.empty()) expected = hits;
+        EXPECT_EQ(hits, expected) << name_of(isa);
+    }
+}
+
 // Engines switch threads to flush-to-zero or another rounding mode; the sea must not notice, and must put it back.
 TEST(Determinism, TheHostsFloatingPointEnvironmentDoesNotReachTheSea) {
     const SeaState sea{.spectrum = SpectrumModel::phillips, .resolution = 64, .wind_speed_mps = 2};
     const std::uint64_t expected = hash_at(sea, 5);
+    const AskedPoints points(2000);
+    const std::uint64_t expected_answers = answers_at(folded_sea, 5, choose_isa(), points).hash();
     for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
         std::fesetround(mode);
         const std::uint64_t hash = hash_at(sea, 5);
+        const std::uint64_t answered = answers_at(folded_sea, 5, choose_isa(), points).hash();
         EXPECT_EQ(std::fegetround(), mode);
         std::fesetround(FE_TONEAREST);
         EXPECT_EQ(hash, expected);
+        EXPECT_EQ(answered, expected_answers);
     }
 #if defined(__x86_64__)
     const unsigned found = _mm_getcsr();
@@ -174,6 +351,14 @@ TEST(Determinism, GoldenHashesNeverChange) {
             EXPECT_EQ(golden[key], hash.str()) << "the line would be: " << key << " " << hash.str();
             ++compared;
         }
+    }
+    // Answers to queries, velocities included.
+    const AskedPoints points(5000);
+    for (const auto& [name, sea] : {std::pair{"queries-folded", folded_sea}, {"queries-smooth", smooth_sea}}) {
+        std::ostringstream hash;
+        hash << std::hex << answers_at(sea, 12.34, choose_isa(), points).hash();
+        EXPECT_EQ(golden[name], hash.str()) << "the line would be: " << name << " " << hash.str();
+        ++compared;
     }
     EXPECT_EQ(golden.size(), compared) << "lines that no test reads";
 }

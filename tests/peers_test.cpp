@@ -17,6 +17,7 @@
 #include "bench/peers/fftw_frame.hpp"
 #include "bench/peers/paper_frame.hpp"
 #include "bench/peers/scalar_half.hpp"
+#include "bench/peers/scalar_query.hpp"
 #include "sim/ocean.hpp"
 
 namespace pelagic::peers {
@@ -190,6 +191,32 @@ TEST(PeerCases, OneSeaBreaks) {
     }
     EXPECT_GT(partly, 100u);
     EXPECT_GT(wholly, 100u);
+}
+
+TEST(ScalarQuery, HasTheBitsOfTheLibrarysQueries) {
+    for (const int n : {64, 256}) {
+        Ocean ocean({.resolution = n, .choppiness = 1}, {.executor = make_serial_executor(), .queries = true});
+        const Frame& frame = ocean.frame_at(3);
+        std::mt19937 random(n);
+        std::uniform_real_distribution<double> anywhere(-500, 500);
+        std::vector<double> x(5000), z(5000);
+        for (std::size_t i = 0; i < x.size(); ++i) x[i] = anywhere(random), z[i] = anywhere(random);
+        std::vector<float> height(5000), normal_x(5000), normal_y(5000), normal_z(5000), error(5000);
+        SurfaceQuery(frame, ocean.isa())
+            .sample({x, z}, {.height_m = height,
+                             .normal_x = normal_x,
+                             .normal_y = normal_y,
+                             .normal_z = normal_z,
+                             .error_m = error});
+        for (std::size_t i = 0; i < x.size(); ++i) {
+            const ScalarSample sample = scalar_query(frame, x[i], z[i]);
+            ASSERT_EQ(sample.height_m, height[i]);
+            ASSERT_EQ(sample.normal_x, normal_x[i]);
+            ASSERT_EQ(sample.normal_y, normal_y[i]);
+            ASSERT_EQ(sample.normal_z, normal_z[i]);
+            ASSERT_EQ(sample.error_m, error[i]);
+        }
+    }
 }
 
 // Imath's half is what OpenEXR rounds with: to nearest even.

@@ -14,6 +14,7 @@
 #include "tools/info_command.hpp"
 #include "tools/option_text.hpp"
 #include "tools/quadtree_command.hpp"
+#include "tools/query_command.hpp"
 #if defined(PELAGIC_HAS_GL)
 #include "tools/render_command.hpp"
 #include "tools/view_command.hpp"
@@ -23,7 +24,7 @@
 namespace pelagic::tools {
 namespace {
 
-constexpr const char* commands_text = "export, info, quadtree, render or view";
+constexpr const char* commands_text = "export, info, quadtree, query, render or view";
 
 std::vector<std::string> option_names(const CLI::App& app) {
     std::vector<std::string> names;
@@ -109,6 +110,9 @@ int run(int argc, const char* const* argv) {
     CLI::App& quadtree_app = *app.add_subcommand("quadtree", "which patches a view draws: figures, mesh, plan");
     QuadtreeCommandFlags quadtree_flags;
     quadtree_flags.add_to(quadtree_app);
+    CLI::App& query_app = *app.add_subcommand("query", "say how high the water is at given points, and how it moves");
+    QueryFlags query_flags;
+    query_flags.add_to(query_app);
 
 #if defined(PELAGIC_HAS_GL)
     CLI::App& render_app = *app.add_subcommand("render", "draw pictures of a sea, without a window");
@@ -125,7 +129,7 @@ int run(int argc, const char* const* argv) {
     view_app.allow_extras();
 #endif
 
-    for (CLI::App* command : {&export_app, &info_app, &quadtree_app, &render_app, &view_app})
+    for (CLI::App* command : {&export_app, &info_app, &quadtree_app, &query_app, &render_app, &view_app})
         command->set_version_flag("--version", "pelagic " PELAGIC_VERSION);
 
     try {
@@ -143,6 +147,8 @@ int run(int argc, const char* const* argv) {
         info_flags.run();
     else if (quadtree_app.parsed())
         quadtree_flags.run();
+    else if (query_app.parsed())
+        query_flags.run();
 #if defined(PELAGIC_HAS_GL)
     else if (render_app.parsed())
         run_render(render_flags.resolve());

@@ -23,6 +23,34 @@ PELAGIC_INLINE Complex<Arch> height_of_wave(const float* packed, const Rotation<
     return {row(0) * rotation.cosine + row(2) * rotation.sine, row(1) * rotation.cosine + row(3) * rotation.sine};
 }
 
+/// What multiplies a wave's S'_xy and S'_zw: cosine and sine of its phase for the height,
+template <class Arch>
+struct HeightOfWaves {
+    using V = xsimd::batch<float, Arch>;
+    using U = xsimd::batch<std::uint32_t, Arch>;
+    explicit HeightOfWaves(const EvolveRowsJob& job) : fraction(job.fraction) {}
+    PELAGIC_INLINE Rotation<Arch> operator()(U harmonic) const {
+        return rotation_of_turns<Arch>(harmonic * fraction);
+    }
+    U fraction;
+};
+
+/// and their derivatives in time for the velocity. The phase grows by the wave's own frequency in the loop.
+template <class Arch>
+struct VelocityOfWaves {
+    using V = xsimd::batch<float, Arch>;
+    using U = xsimd::batch<std::uint32_t, Arch>;
+    explicit VelocityOfWaves(const EvolveRowsJob& job)
+        : height(job), first_frequency(job.first_frequency), minus_first_frequency(0.f - job.first_frequency) {}
+    PELAGIC_INLINE Rotation<Arch> operator()(U harmonic) const {
+        const Rotation<Arch> phase = height(harmonic);
+        const V periods = xsimd::to_float(xsimd::bitwise_cast<xsimd::batch<std::int32_t, Arch>>(harmonic));
+        return {phase.cosine * (periods * first_frequency), phase.sine * (periods * minus_first_frequency)};
+    }
+    HeightOfWaves<Arch> height;
+    V first_frequency, minus_first_frequency;
+};
+
 /// Takes the waves of one group, whose heights are `h`, through the first step of the three transforms. `wave(s)` are
 /// the quantities of the s-th one; `mirrored` if it stands there as (-kx, kz).
 ///
@@ -53,7 +81,7 @@ PELAGIC_INLINE void first_step(Complex<Arch> (&h)[Radix], Wave wave, bool mirror
 }
 
 /// Evolves the waves of a pair of groups and takes their fields through the first step of the transform.
-template <class Arch, std::size_t Radix>
+template <class Arch, std::size_t Radix, class OfWaves>
 inline void evolve_group_pair(const EvolveRowsJob& job, std::size_t number, float* const (&data)[fields]) {
     using V = xsimd::batch<float, Arch>;
     using U = xsimd::batch<std::uint32_t, Arch>;
@@ -63,9 +91,8 @@ inline void evolve_group_pair(const EvolveRowsJob& job, std::size_t number, floa
     const bool has_negatives = !pair.is_own_negative();
     const float* waves = job.waves + number * Radix * pair_floats;
     const std::uint32_t* harmonics = job.harmonics + number * Radix * V::size;
-    const auto rotation = [&](std::size_t s) {
-        return rotation_of_turns<Arch>(U::load_aligned(harmonics + s * V::size) * U(job.fraction));
-    };
+    const OfWaves of_waves(job);
+    const auto rotation = [&](std::size_t s) { return of_waves(U::load_aligned(harmonics + s * V::size)); };
     const auto plus_wave = [waves](std::size_t s) { return waves + s * pair_floats; };
     const auto minus_wave = [waves](std::size_t s) { return waves + (Radix - 1 - s) * pair_floats; };
 
@@ -81,7 +108,7 @@ inline void evolve_group_pair(const EvolveRowsJob& job, std::size_t number, floa
 
 /// All steps but the last. The last one joins parts by the remainder of kx; a part and its negative are evolved and
 /// transformed together, while they are in the first cache.
-template <class Arch, std::size_t FirstRadix>
+template <class Arch, std::size_t FirstRadix, class OfWaves>
 inline void evolve_and_transform_parts(const EvolveRowsJob& job, float* const (&data)[fields]) {
     const FftTables& fft = *job.fft;
     const std::size_t parts = static_cast<std::size_t>(fft.last_step().radix);
@@ -90,7 +117,7 @@ inline void evolve_and_transform_parts(const EvolveRowsJob& job, float* const (&
 
     for (std::size_t part = 0; part <= parts / 2; ++part) {
         for (std::size_t number = fft.first_pair[part]; number < fft.first_pair[part + 1]; ++number)
-            evolve_group_pair<Arch, FirstRadix>(job, number, data);
+            evolve_group_pair<Arch, FirstRadix, OfWaves>(job, number, data);
         const std::size_t negative = (parts - part) % parts;
         for (float* field : data) {
             middle_steps<Arch>(field + part * part_floats, fft);
@@ -142,22 +169,32 @@ inline void last_step_turned(const EvolveRowsJob& job, float* const (&data)[fiel
         for (std::size_t x = 0; x < Radix * span; x += lanes) turn(x);
 }
 
-template <class Arch>
-void evolve_rows(const EvolveRowsJob& job) {
+template <class Arch, class OfWaves>
+inline void evolve_lines(const EvolveRowsJob& job) {
     const FftTables& fft = *job.fft;
     const std::size_t floats = workspace_floats<Arch>(fft);
     float* const workspace = PELAGIC_STACK_FLOATS(fields * floats);
     float* const data[fields] = {workspace, workspace + floats, workspace + 2 * floats};
 
     if (fft.first_step().radix == 8)
-        evolve_and_transform_parts<Arch, 8>(job, data);
+        evolve_and_transform_parts<Arch, 8, OfWaves>(job, data);
     else
-        evolve_and_transform_parts<Arch, 4>(job, data);
+        evolve_and_transform_parts<Arch, 4, OfWaves>(job, data);
 
     if (fft.last_step().radix == 8)
         last_step_turned<Arch, 8>(job, data);
     else
         last_step_turned<Arch, 4>(job, data);
+}
+
+template <class Arch>
+void evolve_rows(const EvolveRowsJob& job) {
+    evolve_lines<Arch, HeightOfWaves<Arch>>(job);
+}
+
+template <class Arch>
+void evolve_velocity_rows(const EvolveRowsJob& job) {
+    evolve_lines<Arch, VelocityOfWaves<Arch>>(job);
 }
 
 }  // namespace pelagic::kernels

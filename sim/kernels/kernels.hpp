@@ -26,6 +26,9 @@ struct EvolveRowsJob {
     std::size_t line_count;          ///< lanes that hold lines, at most W
     const FftTables* fft;
     float* lines;  ///< all column blocks; aliases no input
+    /// Only for evolve_velocity_rows, which makes the same lines of the derivative in time: the angular frequency of
+    /// harmonic 1, 2 pi / T in rad/s.
+    float first_frequency = 0;
 };
 
 /// Extremes of a part of a frame, in metres; merged in any order they give the same bits.
@@ -79,12 +82,75 @@ struct MipLevelJob {
     std::uint32_t* texels;  ///< side^2
 };
 
+/// The surface of a frame as queries read it. Texel (i, j) of a plane is
+/// plane[(i >> block_shift) * block_stride + (i & (block_columns - 1)) + j * row_stride].
+struct SurfaceTexels {
+    const float *dx, *height, *dz;                      ///< metres
+    const float *velocity_x, *velocity_y, *velocity_z;  ///< metres a second; null if the frame has none
+    std::int32_t resolution;                            ///< N, a power of two
+    std::int32_t block_columns, block_shift;            ///< a power of two, and its logarithm
+    std::int32_t row_stride, block_stride;              ///< in floats
+};
+
+/// Places on a square of texels, by component: a cell and where in it, from 0 to 1. Cells may lie outside of the patch.
+/// Arrays are aligned, and as long as whole registers.
+struct CellPlaces {
+    std::int32_t *cell_x, *cell_z;
+    float *u, *v;
+};
+
+/// Which rest point is drawn at a given world point: the q of q + D(q) = p, D being bilinear between texels. Newton's
+/// steps with the slopes of the cell; where they don't hold (far away, or near a fold) q - (q + D(q) - p) instead.
+/// A lane that has come within `target` stays as it is, so no lane depends on its neighbours.
+struct InvertSurfaceJob {
+    static constexpr int most_steps = 12;
+    static constexpr float newton_reach = 2;  ///< texels, along each axis: the slopes of one cell say nothing beyond
+    static constexpr float least_determinant = 0.1f;  ///< a step is at most 1 / this times what is missing
+
+    SurfaceTexels surface;
+    float texels_per_m;  ///< N / L
+    float target;        ///< remaining distance at which a lane stops, in texels
+    std::size_t count;   ///< a multiple of W
+    CellPlaces world;    ///< where to look
+    CellPlaces rest;     ///< what rests there; aliases no input
+    float* error;        ///< remaining distance in texels
+};
+
+/// The surface at rest points: everything bilinear between texels, slopes from central differences at texels.
+struct SampleSurfaceJob {
+    struct Outputs {
+        float* height;                                     ///< metres; null if nobody wants it
+        float *normal_x, *normal_y, *normal_z, *jacobian;  ///< all, with height, or none
+        float *velocity_x, *velocity_y, *velocity_z;       ///< all or none
+    };
+    SurfaceTexels surface;
+    float two_texels_m;     ///< 2 L / N
+    float jacobian_factor;  ///< 1 / two_texels_m^2
+    std::size_t count;      ///< a multiple of W
+    CellPlaces rest;
+    Outputs out;  ///< aliases no input
+};
+
+/// Cells in which the surface turns over, or nearly so: the least Jacobian, times the area of a texel at rest, is at
+/// most `most_area`. Blocks of the surface have a multiple of W columns.
+struct FindFoldsJob {
+    SurfaceTexels surface;
+    float texel_m;  ///< L / N
+    float most_area;
+    std::size_t first_row, rows;
+    std::uint8_t* cells;  ///< N^2 bits, cell (i, j) being bit i % 8 of byte (j N + i) / 8; these rows are written
+};
+
 struct Kernels {
     std::size_t lanes;  ///< floats in a register, and lanes of a block in every buffer
     void (*evolve_rows)(const EvolveRowsJob&);
+    void (*evolve_velocity_rows)(const EvolveRowsJob&);
     void (*columns_finalize)(const ColumnsFinalizeJob&);
     void (*gradients)(const GradientsJob&);
     void (*mip_level)(const MipLevelJob&);
+    void (*find_folds)(const FindFoldsJob&);
+    void (*invert_surface)(const InvertSurfaceJob&);
+    void (*sample_surface)(const SampleSurfaceJob&);
 };
 
 /// \pre runs_here(isa)

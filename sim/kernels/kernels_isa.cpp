@@ -5,8 +5,10 @@
 // PELAGIC_ISA_ARCH  xsimd's name of it
 #include "sim/kernels/columns_finalize.kernel.hpp"
 #include "sim/kernels/evolve_rows.kernel.hpp"
+#include "sim/kernels/folds.kernel.hpp"
 #include "sim/kernels/gradients.kernel.hpp"
 #include "sim/kernels/mipmaps.kernel.hpp"
+#include "sim/kernels/surface_query.kernel.hpp"
 
 #define PELAGIC_JOINED(a, b) a##b
 #define PELAGIC_TABLE(name) PELAGIC_JOINED(kernels_, name)
@@ -16,9 +18,15 @@ namespace pelagic {
 extern const Kernels PELAGIC_TABLE(PELAGIC_ISA_NAME);
 
 const Kernels PELAGIC_TABLE(PELAGIC_ISA_NAME) = {
-    xsimd::batch<float, xsimd::PELAGIC_ISA_ARCH>::size, kernels::evolve_rows<xsimd::PELAGIC_ISA_ARCH>,
-    kernels::columns_finalize<xsimd::PELAGIC_ISA_ARCH>, kernels::gradients<xsimd::PELAGIC_ISA_ARCH>,
+    xsimd::batch<float, xsimd::PELAGIC_ISA_ARCH>::size,
+    kernels::evolve_rows<xsimd::PELAGIC_ISA_ARCH>,
+    kernels::evolve_velocity_rows<xsimd::PELAGIC_ISA_ARCH>,
+    kernels::columns_finalize<xsimd::PELAGIC_ISA_ARCH>,
+    kernels::gradients<xsimd::PELAGIC_ISA_ARCH>,
     kernels::mip_level<xsimd::PELAGIC_ISA_ARCH>,
+    kernels::find_folds<xsimd::PELAGIC_ISA_ARCH>,
+    kernels::invert_surface<xsimd::PELAGIC_ISA_ARCH>,
+    kernels::sample_surface<xsimd::PELAGIC_ISA_ARCH>,
 };
 
 }  // namespace pelagic

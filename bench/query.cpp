@@ -1,0 +1,170 @@
+// Surface queries on one thread: points a second, beside the same method in scalar code and beside a bilinear lookup
+// without inversion, the least that any query costs.
+//
+//   taskset -c 1 build/release/bin/pelagic_query_bench --benchmark_repetitions=9
+//
+// Names are what/instruction set/N/points. Points are random over nine patches, or coherent: a grid of a quarter of a
+// texel, as under a hull. Choppiness is 1.
+#include <benchmark/benchmark.h>
+
+#include <memory>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "bench/peers/scalar_query.hpp"
+#include "sim/ocean.hpp"
+#include "sim/surface_query.hpp"
+#include "sim/surface_ray.hpp"
+#include "sim/surface_texels.hpp"
+#include "simd/aligned_buffer.hpp"
+
+namespace pelagic {
+namespace {
+
+constexpr std::size_t count = 1 << 16;
+
+struct Scene {
+    Scene(int resolution, Isa isa, bool coherent)
+        : ocean({.resolution = resolution, .choppiness = 1},
+                {.executor = make_serial_executor(), .isa = isa, .queries = true, .velocities = true}),
+          frame(ocean.frame_at(1)),
+          query(frame, isa),
+          x(count),
+          z(count) {
+        std::mt19937 random(1);
+        std::uniform_real_distribution<double> anywhere(-frame.patch_size_m, 2 * frame.patch_size_m);
+        const double spacing = frame.patch_size_m / resolution / 4;
+        for (std::size_t i = 0; i < count; ++i) {
+            x[i] = coherent ? static_cast<double>(i % 256) * spacing : anywhere(random);
+            z[i] = coherent ? static_cast<double>(i / 256) * spacing : anywhere(random);
+        }
+    }
+    Ocean ocean;
+    const Frame& frame;
+    SurfaceQuery query;
+    std::vector<double> x, z;
+};
+
+struct Wanted {
+    bool normal, velocity;
+};
+
+void time_query(benchmark::State& state, int resolution, Isa isa, bool coherent, Wanted wanted) {
+    const Scene scene(resolution, isa, coherent);
+    std::vector<std::vector<float>> out(8, std::vector<float>(count));
+    SurfaceSamples samples{.height_m = out[0]};
+    if (wanted.normal) samples.normal_x = out[1], samples.normal_y = out[2], samples.normal_z = out[3];
+    if (wanted.velocity)
+        samples.velocity_x_mps = out[4], samples.velocity_y_mps = out[5], samples.velocity_z_mps = out[6];
+    for (auto _ : state) {
+        scene.query.sample({scene.x, scene.z}, samples);
+        benchmark::ClobberMemory();
+    }
+    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(count));
+}
+
+void time_scalar(benchmark::State& state, int resolution, bool coherent) {
+    const Scene scene(resolution, choose_isa(), coherent);
+    for (auto _ : state)
+        for (std::size_t i = 0; i < count; ++i)
+            benchmark::DoNotOptimize(peers::scalar_query(scene.frame, scene.x[i], scene.z[i]));
+    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(count));
+}
+
+void time_scalar_lookup(benchmark::State& state, int resolution, bool coherent) {
+    const Scene scene(resolution, choose_isa(), coherent);
+    for (auto _ : state)
+        for (std::size_t i = 0; i < count; ++i)
+            benchmark::DoNotOptimize(peers::scalar_lookup(scene.frame, scene.x[i], scene.z[i]));
+    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(count));
+}
+
+/// The kernel that reads heights, at places that are known in texels: W lookups at a time.
+void time_lookup(benchmark::State& state, int resolution, Isa isa, bool coherent) {
+    const Scene scene(resolution, isa, coherent);
+    AlignedBuffer<std::int32_t> cell_x(count), cell_z(count);
+    AlignedBuffer<float> u(count), v(count), height(count);
+    const double texel_m = scene.frame.patch_size_m / resolution;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double x = scene.x[i] / texel_m + resolution, z = scene.z[i] / texel_m + resolution;
+        cell_x[i] = static_cast<std::int32_t>(x);
+        cell_z[i] = static_cast<std::int32_t>(z);
+        u[i] = static_cast<float>(x - cell_x[i]);
+        v[i] = static_cast<float>(z - cell_z[i]);
+    }
+    SampleSurfaceJob job{.surface = texels_of(scene.frame),
+                         .two_texels_m = 0,
+                         .jacobian_factor = 0,
+                         .count = count,
+                         .rest = {cell_x.data(), cell_z.data(), u.data(), v.data()},
+                         .out = {}};
+    job.out.height = height.data();
+    for (auto _ : state) {
+        kernels_for(isa).sample_surface(job);
+        benchmark::ClobberMemory();
+    }
+    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(count));
+}
+
+/// Rays from 20 m up, a few hundred metres long.
+void time_ray(benchmark::State& state, int resolution, Isa isa) {
+    const Scene scene(resolution, isa, false);
+    std::size_t i = 0;
+    for (auto _ : state) {
+        i = (i + 1) % count;
+        benchmark::DoNotOptimize(first_hit(scene.query, {{scene.x[i], 20, scene.z[i]}, {1, -0.1, 0.4}, 1000}));
+    }
+    state.SetItemsProcessed(state.iterations());
+}
+
+/// What a frame takes more for being asked, beside stages.cpp's figures.
+void time_frame(benchmark::State& state, int resolution, Isa isa, bool queries, bool velocities) {
+    Ocean ocean({.resolution = resolution, .choppiness = 1},
+                {.executor = make_serial_executor(), .isa = isa, .queries = queries, .velocities = velocities});
+    double time_s = 0;
+    for (auto _ : state) benchmark::DoNotOptimize(ocean.frame_at(time_s += 1.0 / 72).height.data);
+    state.SetItemsProcessed(state.iterations() * resolution * resolution);
+}
+
+void register_all() {
+    using benchmark::RegisterBenchmark;
+    for (const int n : {256, 512, 1024}) {
+        for (const bool coherent : {false, true}) {
+            const std::string end = "/" + std::to_string(n) + (coherent ? "/coherent" : "/random");
+            for (const Isa isa : isas_here()) {
+                const std::string suffix = "/" + std::string(name_of(isa)) + end;
+                const auto add = [&](const char* what, Wanted wanted) {
+                    RegisterBenchmark((what + suffix).c_str(), time_query, n, isa, coherent, wanted);
+                };
+                add("height", {false, false});
+                add("height+normal", {true, false});
+                add("height+normal+velocity", {true, true});
+                RegisterBenchmark(("lookup" + suffix).c_str(), time_lookup, n, isa, coherent);
+            }
+            RegisterBenchmark(("height+normal/scalar" + end).c_str(), time_scalar, n, coherent);
+            RegisterBenchmark(("lookup/scalar" + end).c_str(), time_scalar_lookup, n, coherent);
+        }
+        for (const Isa isa : isas_here()) {
+            const std::string suffix = "/" + std::string(name_of(isa)) + "/" + std::to_string(n);
+            RegisterBenchmark(("ray" + suffix).c_str(), time_ray, n, isa)->Unit(benchmark::kMicrosecond);
+            RegisterBenchmark(("frame" + suffix).c_str(), time_frame, n, isa, false, false)
+                ->Unit(benchmark::kMicrosecond);
+            RegisterBenchmark(("frame+queries" + suffix).c_str(), time_frame, n, isa, true, false)
+                ->Unit(benchmark::kMicrosecond);
+            RegisterBenchmark(("frame+queries+velocities" + suffix).c_str(), time_frame, n, isa, true, true)
+                ->Unit(benchmark::kMicrosecond);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace pelagic
+
+int main(int argc, char** argv) {
+    pelagic::register_all();
+    benchmark::Initialize(&argc, argv);
+    if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
+    benchmark::RunSpecifiedBenchmarks();
+    benchmark::Shutdown();
+}

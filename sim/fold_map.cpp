@@ -1,0 +1,79 @@
+#include "sim/fold_map.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+#include "sim/surface_texels.hpp"
+#include "simd/float_environment.hpp"
+
+namespace pelagic {
+namespace {
+
+int floor_of(double x) {
+    const int cut = static_cast<int>(x);
+    return cut > x ? cut - 1 : cut;
+}
+
+}  // namespace
+
+FoldMap::FoldMap(int resolution)
+    : resolution_(resolution),
+      cells_(static_cast<std::size_t>(resolution) * static_cast<std::size_t>(resolution) / 8),
+      squares_(cells_.size()) {}
+
+void FoldMap::find(const Frame& frame, const Kernels& kernels, std::size_t job) {
+    assert(frame.resolution() == resolution_);
+    assert(static_cast<std::size_t>(frame.height.block_columns) >= kernels.lanes);
+    const double texel_m = frame.patch_size_m / resolution_;
+    kernels.find_folds({.surface = texels_of(frame),
+                        .texel_m = static_cast<float>(texel_m),
+                        .most_area = static_cast<float>(most_jacobian * texel_m * texel_m),
+                        .first_row = job * rows_per_job,
+                        .rows = rows_per_job,
+                        .cells = cells_.data()});
+}
+
+void FoldMap::mark(const Frame& frame) {
+    const SurfaceTexels surface = texels_of(frame);
+    const double texels_per_m = resolution_ / frame.patch_size_m;
+    std::fill(squares_.begin(), squares_.end(), std::uint8_t{0});
+    for (std::size_t byte = 0; byte < cells_.size(); ++byte) {
+        for (unsigned rest = cells_[byte]; rest != 0; rest &= rest - 1) {
+            const int cell = static_cast<int>(byte) * 8 + std::countr_zero(rest);
+            const int i = cell % resolution_, j = cell / resolution_;
+            double least_x = 1e300, most_x = -1e300, least_z = 1e300, most_z = -1e300;
+            for (const auto& [x, z] : {std::pair{i, j}, {i + 1, j}, {i, j + 1}, {i + 1, j + 1}}) {
+                const std::ptrdiff_t place = place_of(surface, x, z);
+                const double drawn_x = x + surface.dx[place] * texels_per_m;
+                const double drawn_z = z + surface.dz[place] * texels_per_m;
+                least_x = std::min(least_x, drawn_x), most_x = std::max(most_x, drawn_x);
+                least_z = std::min(least_z, drawn_z), most_z = std::max(most_z, drawn_z);
+            }
+            mark_squares(floor_of(least_x - margin), floor_of(most_x + margin), floor_of(least_z - margin),
+                         floor_of(most_z + margin));
+        }
+    }
+}
+
+void FoldMap::mark_squares(int first_x, int last_x, int first_z, int last_z) {
+    // A cell drawn over more than the whole patch marks all of it, once.
+    last_x = std::min(last_x, first_x + resolution_ - 1);
+    last_z = std::min(last_z, first_z + resolution_ - 1);
+    for (int z = first_z; z <= last_z; ++z) {
+        for (int x = first_x; x <= last_x; ++x) {
+            const int square = (z & (resolution_ - 1)) * resolution_ + (x & (resolution_ - 1));
+            std::uint8_t& byte = squares_[static_cast<std::size_t>(square) / 8];
+            byte = static_cast<std::uint8_t>(byte | 1u << square % 8);
+        }
+    }
+}
+
+void FoldMap::update(Frame& frame, const Kernels& kernels) {
+    const DefaultFloatEnvironment environment;
+    for (std::size_t job = 0; job < jobs(); ++job) find(frame, kernels, job);
+    mark(frame);
+    frame.folds = squares_;
+}
+
+}  // namespace pelagic

@@ -1,0 +1,241 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <xsimd/xsimd.hpp>
+
+#include "sim/kernels/kernels.hpp"
+#include "simd/always_inline.hpp"
+#include "simd/exact.kernel.hpp"
+#include "simd/gather.kernel.hpp"
+
+namespace pelagic::kernels {
+
+/// Where texels lie, W at a time; SurfaceTexels says how. Numbers of texels may lie outside the patch.
+template <class Arch>
+class TexelPlaces {
+    using I = xsimd::batch<std::int32_t, Arch>;
+
+   public:
+    explicit TexelPlaces(const SurfaceTexels& surface)
+        : last_(I(surface.resolution - 1)),
+          in_block_(I(surface.block_columns - 1)),
+          row_stride_(I(surface.row_stride)),
+          block_stride_(I(surface.block_stride)),
+          block_shift_(surface.block_shift) {}
+
+    PELAGIC_INLINE I column(I i) const {
+        const I wrapped = i & last_;
+        return (wrapped >> block_shift_) * block_stride_ + (wrapped & in_block_);
+    }
+    PELAGIC_INLINE I row(I j) const { return (j & last_) * row_stride_; }
+
+   private:
+    I last_, in_block_, row_stride_, block_stride_;
+    int block_shift_;
+};
+
+/// Values of one plane at the corners of a cell: first index along x, second along z.
+template <class Arch>
+struct Corners {
+    xsimd::batch<float, Arch> v00, v10, v01, v11;
+};
+
+template <class Arch>
+PELAGIC_INLINE xsimd::batch<float, Arch> between(xsimd::batch<float, Arch> a, xsimd::batch<float, Arch> b,
+                                                 xsimd::batch<float, Arch> t) {
+    return a + t * (b - a);
+}
+
+template <class Arch>
+PELAGIC_INLINE xsimd::batch<float, Arch> bilinear(const Corners<Arch>& c, xsimd::batch<float, Arch> u,
+                                                  xsimd::batch<float, Arch> v) {
+    return between<Arch>(between<Arch>(c.v00, c.v10, u), between<Arch>(c.v01, c.v11, u), v);
+}
+
+/// One sideways component inside a cell, in texels: its value and its slopes.
+template <class Arch>
+struct Sideways {
+    using V = xsimd::batch<float, Arch>;
+    V value, along_u, along_v;
+
+    PELAGIC_INLINE Sideways(const Corners<Arch>& c, V u, V v, V texels_per_m) {
+        const V low = between<Arch>(c.v00, c.v10, u), high = between<Arch>(c.v01, c.v11, u);
+        value = between<Arch>(low, high, v) * texels_per_m;
+        along_u = between<Arch>(c.v10 - c.v00, c.v11 - c.v01, v) * texels_per_m;
+        along_v = (high - low) * texels_per_m;
+    }
+};
+
+/// W searches for a rest point.
+template <class Arch>
+class Inversion {
+    using V = xsimd::batch<float, Arch>;
+    using I = xsimd::batch<std::int32_t, Arch>;
+
+   public:
+    /// The search begins at the point itself.
+    PELAGIC_INLINE void begin(const InvertSurfaceJob& job, std::size_t at) {
+        world_x_ = x_ = I::load_aligned(job.world.cell_x + at);
+        world_z_ = z_ = I::load_aligned(job.world.cell_z + at);
+        world_u_ = u_ = V::load_aligned(job.world.u + at);
+        world_v_ = v_ = V::load_aligned(job.world.v + at);
+    }
+
+    PELAGIC_INLINE void look(const InvertSurfaceJob& job, const TexelPlaces<Arch>& places) {
+        const I column = places.column(x_), next_column = places.column(x_ + I(1));
+        const I row = places.row(z_), next_row = places.row(z_ + I(1));
+        const I at00 = column + row, at10 = next_column + row, at01 = column + next_row,
+                at11 = next_column + next_row;
+        const auto sideways = [&](const float* plane) {
+            const Corners<Arch> corners{gathered<Arch>(plane, at00), gathered<Arch>(plane, at10),
+                                        gathered<Arch>(plane, at01), gathered<Arch>(plane, at11)};
+            return Sideways<Arch>(corners, u_, v_, V(job.texels_per_m));
+        };
+        const Sideways<Arch> dx = sideways(job.surface.dx), dz = sideways(job.surface.dz);
+
+        // How far the displaced point is from where it should be, in texels.
+        const V off_x = xsimd::to_float(x_ - world_x_) + (u_ - world_u_) + dx.value;
+        const V off_z = xsimd::to_float(z_ - world_z_) + (v_ - world_v_) + dz.value;
+        squared_ = off_x * off_x + off_z * off_z;
+
+        const V j_xx = V(1.f) + dx.along_u, j_zz = V(1.f) + dz.along_v;
+        const V determinant = j_xx * j_zz - dx.along_v * dz.along_u;
+        const auto newton = (determinant > V(InvertSurfaceJob::least_determinant)) &
+                            (xsimd::max(xsimd::abs(off_x), xsimd::abs(off_z)) < V(InvertSurfaceJob::newton_reach));
+        const V inverse = divided<Arch>(V(1.f), xsimd::select(newton, determinant, V(1.f)));
+        step_x_ = xsimd::select(newton, (j_zz * off_x - dx.along_v * off_z) * inverse, off_x);
+        step_z_ = xsimd::select(newton, (j_xx * off_z - dz.along_u * off_x) * inverse, off_z);
+    }
+
+    PELAGIC_INLINE auto open(V enough) const { return squared_ > enough; }
+
+    /// Lanes that are done keep their bits, however long their neighbours take.
+    PELAGIC_INLINE void step(V enough) {
+        move(x_, u_, step_x_, enough);
+        move(z_, v_, step_z_, enough);
+    }
+
+    PELAGIC_INLINE void store(const InvertSurfaceJob& job, std::size_t at) const {
+        x_.store_aligned(job.rest.cell_x + at);
+        z_.store_aligned(job.rest.cell_z + at);
+        u_.store_aligned(job.rest.u + at);
+        v_.store_aligned(job.rest.v + at);
+        square_root<Arch>(squared_).store_aligned(job.error + at);
+    }
+
+   private:
+    PELAGIC_INLINE void move(I& cell, V& within, V by, V enough) const {
+        const V moved = within - by;
+        const V cut = xsimd::to_float(xsimd::to_int(moved));
+        const V whole = cut - xsimd::select(cut > moved, V(1.f), V(0.f));
+        cell = cell + xsimd::to_int(xsimd::select(open(enough), whole, V(0.f)));
+        within = xsimd::select(open(enough), moved - whole, within);
+    }
+
+    I world_x_, world_z_, x_, z_;
+    V world_u_, world_v_, u_, v_;
+    V squared_, step_x_, step_z_;
+};
+
+/// Several registers of searches together: each step of one waits for its loads, and meanwhile the others go on.
+template <class Arch, std::size_t Registers>
+PELAGIC_INLINE void invert_registers(const InvertSurfaceJob& job, const TexelPlaces<Arch>& places, std::size_t at) {
+    using V = xsimd::batch<float, Arch>;
+    const V enough(job.target * job.target);
+    Inversion<Arch> searches[Registers];
+    for (std::size_t r = 0; r < Registers; ++r) searches[r].begin(job, at + r * V::size);
+    for (int step = 0;; ++step) {
+        for (Inversion<Arch>& search : searches) search.look(job, places);
+        auto open = searches[0].open(enough);
+        for (std::size_t r = 1; r < Registers; ++r) open = open | searches[r].open(enough);
+        if (step == InvertSurfaceJob::most_steps || !xsimd::any(open)) break;
+        for (Inversion<Arch>& search : searches) search.step(enough);
+    }
+    for (std::size_t r = 0; r < Registers; ++r) searches[r].store(job, at + r * V::size);
+}
+
+template <class Arch>
+void invert_surface(const InvertSurfaceJob& job) {
+    constexpr std::size_t lanes = xsimd::batch<float, Arch>::size;
+    const TexelPlaces<Arch> places(job.surface);
+    std::size_t at = 0;
+    for (; at + 2 * lanes <= job.count; at += 2 * lanes) invert_registers<Arch, 2>(job, places, at);
+    if (at < job.count) invert_registers<Arch, 1>(job, places, at);
+}
+
+/// Slopes of one plane along both axes, per two texels: central differences at the corners of the cell, bilinear
+/// between them. The values are those of four columns in four rows, without the corners of this square.
+template <class Arch>
+struct CellSlopes {
+    using V = xsimd::batch<float, Arch>;
+    V x, z;
+    V value;
+
+    template <class Texel>
+    PELAGIC_INLINE CellSlopes(Texel texel, V u, V v) {
+        const V a1 = texel(1, 0), a2 = texel(2, 0);
+        const V b0 = texel(0, 1), b1 = texel(1, 1), b2 = texel(2, 1), b3 = texel(3, 1);
+        const V c0 = texel(0, 2), c1 = texel(1, 2), c2 = texel(2, 2), c3 = texel(3, 2);
+        const V d1 = texel(1, 3), d2 = texel(2, 3);
+        value = bilinear<Arch>({b1, b2, c1, c2}, u, v);
+        x = bilinear<Arch>({b2 - b0, b3 - b1, c2 - c0, c3 - c1}, u, v);
+        z = bilinear<Arch>({c1 - a1, c2 - a2, d1 - b1, d2 - b2}, u, v);
+    }
+};
+
+template <class Arch>
+PELAGIC_INLINE void sample_lanes(const SampleSurfaceJob& job, const TexelPlaces<Arch>& places, std::size_t at) {
+    using V = xsimd::batch<float, Arch>;
+    using I = xsimd::batch<std::int32_t, Arch>;
+    const I x = I::load_aligned(job.rest.cell_x + at), z = I::load_aligned(job.rest.cell_z + at);
+    const V u = V::load_aligned(job.rest.u + at), v = V::load_aligned(job.rest.v + at);
+    const SampleSurfaceJob::Outputs& out = job.out;
+
+    const I columns[4] = {places.column(x - I(1)), places.column(x), places.column(x + I(1)),
+                          places.column(x + I(2))};
+    const I rows[4] = {places.row(z - I(1)), places.row(z), places.row(z + I(1)), places.row(z + I(2))};
+    const auto value_of = [&](const float* plane) {
+        return bilinear<Arch>(
+            {gathered<Arch>(plane, columns[1] + rows[1]), gathered<Arch>(plane, columns[2] + rows[1]),
+             gathered<Arch>(plane, columns[1] + rows[2]), gathered<Arch>(plane, columns[2] + rows[2])},
+            u, v);
+    };
+    if (out.normal_x) {
+        const auto slopes_of = [&](const float* plane) {
+            return CellSlopes<Arch>(
+                [&](int column, int row) { return gathered<Arch>(plane, columns[column] + rows[row]); }, u, v);
+        };
+        const CellSlopes<Arch> dx = slopes_of(job.surface.dx), h = slopes_of(job.surface.height),
+                               dz = slopes_of(job.surface.dz);
+        // As normal_of() in gradients.kernel.hpp: times (2 L/N)^2, which the normal's length doesn't show.
+        const V two_texels(job.two_texels_m);
+        const V j_xx = two_texels + dx.x, j_zz = two_texels + dz.z;
+        const V n_x = h.z * dz.x - h.x * j_zz;
+        const V n_y = j_xx * j_zz - dx.z * dz.x;
+        const V n_z = h.x * dx.z - h.z * j_xx;
+        const V length = square_root<Arch>(xsimd::max(n_x * n_x + n_y * n_y + n_z * n_z, V(1e-30f)));
+        const V inverse = divided<Arch>(V(1.f), length);
+        h.value.store_aligned(out.height + at);
+        (n_x * inverse).store_aligned(out.normal_x + at);
+        (n_y * inverse).store_aligned(out.normal_y + at);
+        (n_z * inverse).store_aligned(out.normal_z + at);
+        (n_y * V(job.jacobian_factor)).store_aligned(out.jacobian + at);
+    } else if (out.height) {
+        value_of(job.surface.height).store_aligned(out.height + at);
+    }
+    if (out.velocity_x) {
+        value_of(job.surface.velocity_x).store_aligned(out.velocity_x + at);
+        value_of(job.surface.velocity_y).store_aligned(out.velocity_y + at);
+        value_of(job.surface.velocity_z).store_aligned(out.velocity_z + at);
+    }
+}
+
+template <class Arch>
+void sample_surface(const SampleSurfaceJob& job) {
+    const TexelPlaces<Arch> places(job.surface);
+    for (std::size_t at = 0; at < job.count; at += xsimd::batch<float, Arch>::size)
+        sample_lanes<Arch>(job, places, at);
+}
+
+}  // namespace pelagic::kernels

@@ -1,0 +1,86 @@
+// Asks a frame about any points of the world: how high is the water there, which way does it face, how does it move?
+//
+//   Ocean ocean(sea, {.queries = true});
+//   const SurfaceQuery water(ocean.complete(), ocean.isa());
+//   water.sample({.x = xs, .z = zs}, {.height_m = heights});
+//
+// The surface is what a GPU draws: between texels each displacement is bilinear, and the rest point q is drawn at
+// q + D(q). A query looks for the rest point that is drawn at the given (x, z) and reads the frame there. Where sheets
+// lie over one another (breaking crests at high choppiness) the highest one counts.
+//
+// The bits depend on the frame, the point and the tolerance alone: not on other points of the batch, nor their order,
+// nor the thread, nor the instruction set.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "sim/frame.hpp"
+#include "sim/kernels/kernels.hpp"
+
+namespace pelagic {
+
+/// World positions in metres, as far from the origin as you like: the sea repeats in double precision. A position that
+/// is no number, or so far away that doubles can't tell texels apart (2^50 of them), has no sample: its error is
+/// infinite, it is not converged and the rest is that of the origin.
+struct SurfacePoints {
+    std::span<const double> x, z;  ///< equally long
+};
+
+/// What to tell. Each span is as long as the points, or empty if nobody wants it. None aliases another or the points.
+struct SurfaceSamples {
+    std::span<float> height_m = {};
+    /// Unit normal of the displaced surface, (hz Dz,x - hx (1 + Dz,z), J, hx Dx,z - hz (1 + Dx,x)) with slopes by
+    /// central differences at texels, bilinear between them: smooth, as the gradient texture shows it.
+    std::span<float> normal_x = {}, normal_y = {}, normal_z = {};
+    /// The same slopes' (1 + Dx,x)(1 + Dz,z) - Dx,z Dz,x: 1 at rest, small at sharp crests, negative (and the normal
+    /// points down) where the sheet is turned over. Not clamped.
+    std::span<float> jacobian = {};
+    /// How the water that is there now moves: the displacement's derivative in time at the fixed rest point.
+    std::span<float> velocity_x_mps = {}, velocity_y_mps = {}, velocity_z_mps = {};
+    /// How far sideways from the given point the sampled one is drawn.
+    std::span<float> error_m = {};
+    std::span<std::uint8_t> converged = {};  ///< 1 if the error is within the tolerance
+};
+
+/// A view of a frame, cheap to make and to copy; valid as long as the frame's own views, so while the next frame is
+/// computed. All methods may be called from any number of threads at once. Nothing is allocated, nothing waits.
+class SurfaceQuery {
+   public:
+    static constexpr double default_tolerance_m = 1e-3;
+
+    /// \param isa          what to compute with; for an ocean's frames its own
+    /// \param tolerance_m  largest error of a converged point, positive. The search aims at a 64th of it, because on a
+    ///                     steep face a step sideways is a larger one in height, and at no less than float can tell.
+    /// Throws std::invalid_argument if the frame was made without OceanOptions::queries.
+    SurfaceQuery(const Frame& frame, Isa isa, double tolerance_m = default_tolerance_m);
+
+    /// Throws std::invalid_argument, before it writes, if a velocity is wanted of a frame made without
+    /// OceanOptions::velocities. \pre spans are as long as the points or empty (asserted)
+    void sample(const SurfacePoints& points, const SurfaceSamples& samples) const;
+
+    const FrameBounds& bounds() const { return bounds_; }
+    double texel_m() const { return texel_m_; }
+    double tolerance_m() const { return tolerance_m_; }
+    bool has_velocities() const { return texels_.velocity_y != nullptr; }
+
+   private:
+    struct Chunk;
+    struct Sheet;
+
+    void sample_chunk(const SurfacePoints& points, const SurfaceSamples& samples, Chunk& chunk, std::size_t first,
+                      std::size_t count) const;
+    bool may_be_folded(int cell_x, int cell_z) const;
+    Sheet highest_sheet(int cell_x, double u, int cell_z, double v) const;
+
+    const Kernels* kernels_;
+    SurfaceTexels texels_;
+    std::span<const std::uint8_t> folds_;
+    FrameBounds bounds_;
+    double texel_m_;
+    float tolerance_m_;
+    float target_;  ///< where the search stops, in texels
+};
+
+}  // namespace pelagic

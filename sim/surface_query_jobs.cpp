@@ -1,0 +1,71 @@
+#include "sim/surface_query_jobs.hpp"
+
+#include <algorithm>
+
+namespace pelagic {
+namespace {
+
+// A job is some tens of microseconds; waking a thread takes as long. A graph's count is fixed, so a batch is cut into
+// that many jobs, or fewer if it is small. Points don't depend on each other, so the cut can't be seen.
+constexpr std::size_t jobs = 64, least_points_a_job = 512;
+
+template <class T>
+std::span<T> part(std::span<T> all, std::size_t begin, std::size_t count) {
+    return all.empty() ? all : all.subspan(begin, count);
+}
+
+}  // namespace
+
+struct SurfaceQueryJobs::State {
+    void run(std::size_t job) const {
+        const std::size_t begin = job * points_a_job;
+        if (begin >= points.x.size()) return;
+        const std::size_t count = std::min(points_a_job, points.x.size() - begin);
+        query->sample({.x = part(points.x, begin, count), .z = part(points.z, begin, count)},
+                      {.height_m = part(samples.height_m, begin, count),
+                       .normal_x = part(samples.normal_x, begin, count),
+                       .normal_y = part(samples.normal_y, begin, count),
+                       .normal_z = part(samples.normal_z, begin, count),
+                       .jacobian = part(samples.jacobian, begin, count),
+                       .velocity_x_mps = part(samples.velocity_x_mps, begin, count),
+                       .velocity_y_mps = part(samples.velocity_y_mps, begin, count),
+                       .velocity_z_mps = part(samples.velocity_z_mps, begin, count),
+                       .error_m = part(samples.error_m, begin, count),
+                       .converged = part(samples.converged, begin, count)});
+    }
+
+    const SurfaceQuery* query = nullptr;
+    SurfacePoints points;
+    SurfaceSamples samples;
+    std::size_t points_a_job = 0;
+    std::shared_ptr<Executor> executor;
+    JobGraph graph;
+    std::unique_ptr<GraphRun> graph_run;
+};
+
+SurfaceQueryJobs::SurfaceQueryJobs(std::shared_ptr<Executor> executor) : state_(new State) {
+    state_->executor = std::move(executor);
+    state_->graph.add(
+        {.name = "queries", .count = jobs, .body = [state = state_.get()](std::size_t begin, std::size_t end) {
+             for (std::size_t job = begin; job < end; ++job) state->run(job);
+         }});
+    state_->graph_run = state_->executor->prepare(state_->graph);
+}
+
+SurfaceQueryJobs::~SurfaceQueryJobs() = default;
+
+void SurfaceQueryJobs::sample(const SurfaceQuery& query, const SurfacePoints& points, const SurfaceSamples& samples) {
+    const std::size_t count = points.x.size();
+    const bool wants_missing_velocity =
+        !query.has_velocities() &&
+        !(samples.velocity_x_mps.empty() && samples.velocity_y_mps.empty() && samples.velocity_z_mps.empty());
+    if (count <= least_points_a_job || wants_missing_velocity) return query.sample(points, samples);
+    state_->query = &query;
+    state_->points = points;
+    state_->samples = samples;
+    state_->points_a_job = std::max(least_points_a_job, (count + jobs - 1) / jobs);
+    state_->graph_run->schedule();
+    state_->graph_run->complete();
+}
+
+}  // namespace pelagic

@@ -1,0 +1,119 @@
+#include "sim/surface_ray.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "simd/float_environment.hpp"
+
+namespace pelagic {
+namespace {
+
+// Places on the ray that are asked about together: the query's own pace.
+constexpr std::size_t places = 64;
+
+/// A stretch of the ray by distance from the origin, metres.
+struct Stretch {
+    double begin, end;
+};
+
+class RayWalk {
+   public:
+    RayWalk(const SurfaceQuery& query, const SurfaceRay& ray) : query_(query), origin_(ray.origin_m) {
+        const auto& d = ray.direction;
+        const double length = std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+        assert(length > 0 && std::isfinite(length) && ray.reach_m >= 0 && std::isfinite(ray.reach_m));
+        direction_ = {d[0] / length, d[1] / length, d[2] / length};
+    }
+
+    std::array<double, 3> at(double distance) const {
+        return {origin_[0] + distance * direction_[0], origin_[1] + distance * direction_[1],
+                origin_[2] + distance * direction_[2]};
+    }
+    double along_ground() const { return std::sqrt(direction_[0] * direction_[0] + direction_[2] * direction_[2]); }
+
+    /// How high the ray runs above the water at begin + i step.
+    void clearances(double begin, double step, std::size_t count, double* clearance) const {
+        double x[places], z[places];
+        float height[places];
+        for (std::size_t i = 0; i < count; ++i) {
+            const std::array<double, 3> place = at(begin + static_cast<double>(i) * step);
+            x[i] = place[0];
+            clearance[i] = place[1];
+            z[i] = place[2];
+        }
+        query_.sample({.x = {x, count}, .z = {z, count}}, {.height_m = {height, count}});
+        for (std::size_t i = 0; i < count; ++i) clearance[i] -= static_cast<double>(height[i]);
+    }
+
+    /// The part of the ray that is between the lowest and the highest water, with a little more.
+    Stretch near_water(double reach) const {
+        const double margin = 1e-3 + 1e-6 * (std::fabs(origin_[1]) + reach);
+        const double top = query_.bounds().height_max_m + margin, bottom = query_.bounds().height_min_m - margin;
+        if (direction_[1] == 0) return origin_[1] >= bottom && origin_[1] <= top ? Stretch{0, reach} : Stretch{1, 0};
+        const double to_top = (top - origin_[1]) / direction_[1], to_bottom = (bottom - origin_[1]) / direction_[1];
+        return {std::max(0.0, std::min(to_top, to_bottom)), std::min(reach, std::max(to_top, to_bottom))};
+    }
+
+   private:
+    const SurfaceQuery& query_;
+    std::array<double, 3> origin_, direction_;
+};
+
+/// Cuts a stretch at whose ends the ray is on different sides until it is shorter than `tolerance`; each time into as
+/// many parts as go through the query at once, of which the first with different sides goes on.
+double crossing_in(const RayWalk& walk, Stretch stretch, bool below, double tolerance) {
+    double clearance[places];
+    for (;;) {
+        const double step = (stretch.end - stretch.begin) / static_cast<double>(places - 1);
+        walk.clearances(stretch.begin, step, places, clearance);
+        std::size_t i = 1;
+        while (i + 1 < places && (clearance[i] < 0) == below) ++i;
+        const double begin = stretch.begin + static_cast<double>(i - 1) * step;
+        if (step <= tolerance) {
+            // Linear inside the last part; at a wall that is anywhere in it.
+            const double change = clearance[i] - clearance[i - 1];
+            const double part = change == 0 ? 0 : -clearance[i - 1] / change;
+            return begin + std::clamp(part, 0.0, 1.0) * step;
+        }
+        stretch = {begin, begin + step};
+    }
+}
+
+}  // namespace
+
+std::optional<SurfaceHit> first_hit(const SurfaceQuery& query, const SurfaceRay& ray) {
+    const DefaultFloatEnvironment environment;
+    const RayWalk walk(query, ray);
+    const Stretch near = walk.near_water(ray.reach_m);
+    if (near.begin > near.end) return {};
+
+    const double length = near.end - near.begin, ground = length * walk.along_ground();
+    const double steps = std::max(1.0, std::ceil(ground / (0.5 * query.texel_m())));
+    const double step = length / steps;
+    const double tolerance = std::max(query.tolerance_m(), 1e-9 * near.end);
+
+    double clearance[places];
+    walk.clearances(near.begin, 0, 1, clearance);
+    const bool below = clearance[0] < 0;
+    for (double first = 1; first <= steps; first += static_cast<double>(places)) {
+        const auto count = static_cast<std::size_t>(std::min(static_cast<double>(places), steps - first + 1));
+        walk.clearances(near.begin + first * step, step, count, clearance);
+        for (std::size_t i = 0; i < count; ++i) {
+            if ((clearance[i] < 0) == below) continue;
+            const double end = near.begin + (first + static_cast<double>(i)) * step;
+            SurfaceHit hit{.distance_m = crossing_in(walk, {end - step, end}, below, tolerance),
+                           .position_m = {},
+                           .normal = {},
+                           .from_below = below};
+            hit.position_m = walk.at(hit.distance_m);
+            query.sample(
+                {.x = {&hit.position_m[0], 1}, .z = {&hit.position_m[2], 1}},
+                {.normal_x = {&hit.normal[0], 1}, .normal_y = {&hit.normal[1], 1}, .normal_z = {&hit.normal[2], 1}});
+            return hit;
+        }
+    }
+    return {};
+}
+
+}  // namespace pelagic

@@ -1,0 +1,35 @@
+// Where a ray meets the water.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "sim/surface_query.hpp"
+
+namespace pelagic {
+
+struct SurfaceRay {
+    std::array<double, 3> origin_m;   ///< x, y, z
+    std::array<double, 3> direction;  ///< of any length but 0
+    double reach_m;                   ///< how far to look, finite and not negative
+};
+
+struct SurfaceHit {
+    double distance_m;  ///< from the origin
+    std::array<double, 3> position_m;
+    std::array<float, 3> normal;  ///< of the surface there, as SurfaceQuery gives it, whichever side is hit
+    bool from_below;              ///< the ray comes out of the water
+};
+
+/// The first place where the ray passes through the surface, from above or from below; none within its reach.
+///
+/// The surface is the highest sheet, as SurfaceQuery gives it; where a crest hangs over, its front is a wall. The ray is
+/// looked at every half texel along the ground between the lowest and the highest water, so no crest or trough is
+/// missed through which it passes for half a texel (along the ground) or longer; one that it only grazes may be. The
+/// distance is within the query's tolerance, or 1e-9 of itself where that is more.
+///
+/// Const and thread-safe as the query, without allocations; the same bits everywhere.
+/// \pre finite numbers, a direction that is not 0, a reach that is not negative (asserted)
+std::optional<SurfaceHit> first_hit(const SurfaceQuery& query, const SurfaceRay& ray);
+
+}  // namespace pelagic

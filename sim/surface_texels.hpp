@@ -1,0 +1,43 @@
+// A frame's planes as the kernels of surface queries take them.
+#pragma once
+
+#include <bit>
+#include <cassert>
+
+#include "sim/frame.hpp"
+#include "sim/kernels/kernels.hpp"
+
+namespace pelagic {
+
+/// \pre All planes of the frame are laid out alike, in blocks of a power of two of columns (asserted).
+inline SurfaceTexels texels_of(const Frame& frame) {
+    const PlaneView& plane = frame.height;
+    [[maybe_unused]] const auto is_alike = [&](const PlaneView& other) {
+        return other.resolution == plane.resolution && other.block_columns == plane.block_columns &&
+               other.row_stride == plane.row_stride && other.block_stride == plane.block_stride;
+    };
+    assert(is_alike(frame.dx) && is_alike(frame.dz));
+    assert(std::has_single_bit(static_cast<unsigned>(plane.block_columns)));
+    assert(!frame.velocity_y.data ||
+           (is_alike(frame.velocity_x) && is_alike(frame.velocity_y) && is_alike(frame.velocity_z)));
+    return {.dx = frame.dx.data,
+            .height = plane.data,
+            .dz = frame.dz.data,
+            .velocity_x = frame.velocity_x.data,
+            .velocity_y = frame.velocity_y.data,
+            .velocity_z = frame.velocity_z.data,
+            .resolution = plane.resolution,
+            .block_columns = plane.block_columns,
+            .block_shift = std::countr_zero(static_cast<unsigned>(plane.block_columns)),
+            .row_stride = static_cast<std::int32_t>(plane.row_stride),
+            .block_stride = static_cast<std::int32_t>(plane.block_stride)};
+}
+
+/// Where texel (i, j) lies in each plane; i and j may be outside of the patch.
+inline std::ptrdiff_t place_of(const SurfaceTexels& surface, int i, int j) {
+    const int column = i & (surface.resolution - 1), row = j & (surface.resolution - 1);
+    return static_cast<std::ptrdiff_t>(column >> surface.block_shift) * surface.block_stride +
+           (column & (surface.block_columns - 1)) + static_cast<std::ptrdiff_t>(row) * surface.row_stride;
+}
+
+}  // namespace pelagic

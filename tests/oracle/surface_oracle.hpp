@@ -1,0 +1,62 @@
+// The displaced surface of a frame in double, by looking everywhere: bilinear between texels, every rest point that is
+// drawn at a world point. Knows nothing of fold maps, Newton's steps from the point, or closed forms.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "tests/oracle/gradient_oracle.hpp"
+
+namespace pelagic::oracle {
+
+/// A rest point, in texels from the origin of the patch: the cell and where in it.
+struct RestPoint {
+    int i, j;
+    double u, v;
+};
+
+/// One of the rest points that are drawn at a world point.
+struct Sheet {
+    RestPoint rest;
+    double height;
+};
+
+struct SurfaceFacts {
+    double normal_x, normal_y, normal_z, jacobian;
+};
+
+class Surface {
+   public:
+    Surface(const Frame& frame, double patch_size_m);
+
+    /// All sheets over a world point, highest first.
+    std::vector<Sheet> sheets_at(double x_m, double z_m) const;
+
+    /// Bilinear between texels.
+    double value_at(const Plane& plane, const RestPoint& rest) const;
+    /// From slopes by central differences at texels, bilinear between them.
+    SurfaceFacts facts_at(const RestPoint& rest) const;
+    const Displacement& displacement() const { return planes_; }
+
+   private:
+    /// A cell, moved by whole patches so that it is drawn in the first one.
+    struct Candidate {
+        int i, j;
+    };
+    struct Corner {
+        double x, z;
+    };
+    Corner drawn(const Candidate& cell, double u, double v) const;
+    void look_inside(const Candidate& cell, Corner point, double u, double v, double size,
+                     std::vector<Sheet>& sheets) const;
+    void refine(const Candidate& cell, Corner point, double u, double v, std::vector<Sheet>& sheets) const;
+
+    int n_;
+    double texel_m_;
+    Displacement planes_;
+    Plane slopes_[6];                 ///< dx, height, dz along x, then along z
+    std::vector<std::size_t> first_;  ///< of each square of the world, in candidates_
+    std::vector<Candidate> candidates_;
+};
+
+}  // namespace pelagic::oracle

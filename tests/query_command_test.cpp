@@ -1,0 +1,151 @@
+// `pelagic query` as a shell would run it.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <charconv>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "sim/ocean.hpp"
+#include "sim/surface_query.hpp"
+#include "tests/run_pelagic.hpp"
+
+namespace pelagic {
+namespace {
+
+constexpr const char* header = "x,z,height,nx,ny,nz,vx,vy,vz,jacobian,error_m,converged";
+
+std::vector<std::string> lines_of(const std::string& text) {
+    std::vector<std::string> lines;
+    std::istringstream stream(text);
+    for (std::string line; std::getline(stream, line);) lines.push_back(line);
+    return lines;
+}
+
+std::vector<double> numbers_in(const std::string& line) {
+    std::vector<double> numbers;
+    const char* at = line.data();
+    const char* const end = at + line.size();
+    while (at < end) {
+        at = std::from_chars(at, end, numbers.emplace_back()).ptr;
+        if (at < end && *at++ != ',') return {};
+    }
+    return numbers;
+}
+
+Outcome query(const std::string& points, std::vector<std::string> more = {}) {
+    const TemporaryFolder folder;
+    write_file(folder / "points.csv", points);
+    more.insert(more.begin(), {"query", "--points", (folder / "points.csv").string()});
+    return run_pelagic(more);
+}
+
+TEST(QueryCommand, PrintsTheLibrarysAnswersToTheLastBit) {
+    const Outcome outcome =
+        query("x,z\n0,0\n12.25,-3.5\n\n  1e3 ,\t-0.1\r\n",
+              {"--time", "12.5", "--resolution", "64", "--choppiness", "1", "--wind-speed", "9", "--seed", "3"});
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_EQ(outcome.err, "");
+    const std::vector<std::string> lines = lines_of(outcome.out);
+    ASSERT_EQ(lines.size(), 4u);
+    EXPECT_EQ(lines[0], header);
+
+    Ocean ocean({.resolution = 64, .wind_speed_mps = 9, .choppiness = 1, .seed = 3},
+                {.executor = make_serial_executor(), .queries = true, .velocities = true});
+    const std::vector<double> x = {0, 12.25, 1e3}, z = {0, -3.5, -0.1};
+    std::vector<std::vector<float>> values(9, std::vector<float>(3));
+    std::vector<std::uint8_t> converged(3);
+    SurfaceQuery(ocean.frame_at(12.5), ocean.isa())
+        .sample({x, z}, {.height_m = values[0],
+                         .normal_x = values[1],
+                         .normal_y = values[2],
+                         .normal_z = values[3],
+                         .jacobian = values[7],
+                         .velocity_x_mps = values[4],
+                         .velocity_y_mps = values[5],
+                         .velocity_z_mps = values[6],
+                         .error_m = values[8],
+                         .converged = converged});
+    for (std::size_t i = 0; i < 3; ++i) {
+        const std::vector<double> numbers = numbers_in(lines[i + 1]);
+        ASSERT_EQ(numbers.size(), 12u) << lines[i + 1];
+        EXPECT_EQ(numbers[0], x[i]);
+        EXPECT_EQ(numbers[1], z[i]);
+        for (std::size_t value = 0; value < values.size(); ++value)
+            EXPECT_EQ(static_cast<float>(numbers[2 + value]), values[value][i]) << lines[i + 1];
+        EXPECT_EQ(numbers[11], 1);
+    }
+}
+
+TEST(QueryCommand, TakesPointsWithoutAHeaderAndNoneAtAll) {
+    EXPECT_EQ(lines_of(query("1,2\n3,4").out).size(), 3u);
+    EXPECT_EQ(query("").out, std::string(header) + "\n");
+    EXPECT_EQ(query("x,z\n\n").out, std::string(header) + "\n");
+    EXPECT_EQ(lines_of(query("\xEF\xBB\xBFx,z\r\n1,2\r\n").out).size(), 2u);
+}
+
+TEST(QueryCommand, PrintsTheSameOnAnyNumberOfThreadsAndInstructionSet) {
+    std::string points;
+    for (int i = 0; i < 3000; ++i) points += std::to_string(i * 0.37) + "," + std::to_string(500 - i * 1.1) + "\n";
+    const std::string expected = query(points, {"--threads", "1"}).out;
+    EXPECT_EQ(lines_of(expected).size(), 3001u);
+    EXPECT_EQ(query(points, {"--threads", "3"}).out, expected);
+    for (const Isa isa : isas_here()) EXPECT_EQ(query(points, {"--isa", std::string(name_of(isa))}).out, expected);
+}
+
+TEST(QueryCommand, NamesFileLineAndTextOfWhatItCantTake) {
+    for (const auto& [points, says] : std::vector<std::pair<std::string, std::string>>{
+             {"x,z\n1,2\nharbour\n", "points.csv:3: the line is harbour, needs x,z"},
+             {"1\n", ":1: the line is 1, needs x,z"},
+             {"1,2,3\n", ":1: the line is 1,2,3, needs x,z"},
+             {"1;2\n", ":1: the line is 1;2, needs"},
+             {",\n", ":1: the line is ,, needs"},
+             {"1,nan\n", ":1: the line is 1,nan, needs"},
+             {"inf,1\n", ":1: the line is inf,1, needs"},
+             {"1e16,1\n", "[-1e15, 1e15]"},
+             {"1,2\nx,z\n", ":2: the line is x,z, needs"},
+             {"\n\n0x10,1\n", ":3: the line is 0x10,1, needs"},
+             {"1,2\x1b[2J\n", "the line is 1,2\\x1b[2J, needs"}}) {
+        const Outcome outcome = query(points);
+        EXPECT_EQ(outcome.exit_code, 2) << points;
+        EXPECT_EQ(outcome.out, "") << points;
+        EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+        EXPECT_NE(outcome.err.find(says), std::string::npos) << outcome.err << "lacks " << says;
+    }
+}
+
+TEST(QueryCommand, NamesTheOptionThatIsMissingOrWrong) {
+    const TemporaryFolder folder;
+    write_file(folder / "points.csv", "1,2\n");
+    const std::string points = (folder / "points.csv").string();
+    for (const auto& [arguments, says] : std::vector<std::pair<std::vector<std::string>, std::string>>{
+             {{"query"}, "--points is missing, needs a CSV file of lines x,z"},
+             {{"query", "--points", ""}, "--points is missing"},
+             {{"query", "--points", (folder / "none.csv").string()},
+              "none.csv, which can't be read, needs a CSV file"},
+             {{"query", "--points", folder.path().string()}, ", a folder, needs a CSV file"},
+             {{"query", "--points", points, "--time", "noon"}, "--time is noon, needs seconds in [-1e9, 1e9]"},
+             {{"query", "--points", points, "--time", "2e9"}, "--time is 2e9, needs seconds in [-1e9, 1e9]"},
+             {{"query", "--points", points, "--choppiness", "2"}, "--choppiness is 2, needs [0, 1]"},
+             {{"query", "--points", points, "--tmie", "2"}, "unknown option --tmie, the nearest known one is --time"},
+             {{"ask"}, "unknown command ask, needs export, info or query"},
+             {{}, "no command, needs export, info or query"}}) {
+        const Outcome outcome = run_pelagic(arguments);
+        EXPECT_EQ(outcome.exit_code, 2) << says;
+        EXPECT_EQ(outcome.out, "") << says;
+        EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+        EXPECT_NE(outcome.err.find(says), std::string::npos) << outcome.err << "lacks " << says;
+    }
+}
+
+TEST(QueryCommand, HelpNamesWhatItPrints) {
+    const Outcome outcome = run_pelagic({"query", "--help"});
+    EXPECT_EQ(outcome.exit_code, 0);
+    for (const char* part : {"--points", "--time", header})
+        EXPECT_NE(outcome.out.find(part), std::string::npos) << part;
+    EXPECT_NE(run_pelagic({"--help"}).out.find("query"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace pelagic

@@ -1,0 +1,419 @@
+// Queries held against an oracle that looks at every cell, in double, and against closed forms.
+#include "sim/surface_query.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "sim/fold_map.hpp"
+#include "sim/ocean.hpp"
+#include "sim/statistics.hpp"
+#include "tests/each_isa.hpp"
+#include "tests/oracle/sea_oracle.hpp"
+#include "tests/oracle/surface_oracle.hpp"
+#include "tests/sanitized.hpp"
+
+namespace pelagic {
+namespace {
+
+struct Points {
+    std::vector<double> x, z;
+    SurfacePoints view() const { return {x, z}; }
+};
+
+struct Samples {
+    explicit Samples(std::size_t count, bool velocities = false)
+        : height(count),
+          normal_x(count),
+          normal_y(count),
+          normal_z(count),
+          jacobian(count),
+          error(count),
+          converged(count),
+          velocity_x(velocities ? count : 0),
+          velocity_y(velocity_x),
+          velocity_z(velocity_x) {}
+    SurfaceSamples view() {
+        return {height, normal_x, normal_y, normal_z, jacobian, velocity_x, velocity_y, velocity_z, error, converged};
+    }
+    std::vector<float> height, normal_x, normal_y, normal_z, jacobian, error;
+    std::vector<std::uint8_t> converged;
+    std::vector<float> velocity_x, velocity_y, velocity_z;
+};
+
+Points random_points(std::size_t count, double reach_m, unsigned seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> anywhere(-reach_m, reach_m);
+    Points points;
+    for (std::size_t i = 0; i < count; ++i) {
+        points.x.push_back(anywhere(random));
+        points.z.push_back(anywhere(random));
+    }
+    return points;
+}
+
+/// Points in the squares of the world where the surface may be folded.
+Points points_in_folds(const Frame& frame, std::size_t count, unsigned seed) {
+    const std::size_t n = static_cast<std::size_t>(frame.resolution());
+    std::vector<std::size_t> squares;
+    for (std::size_t square = 0; square < n * n; ++square)
+        if (frame.folds[square / 8] >> square % 8 & 1) squares.push_back(square);
+    Points points;
+    if (squares.empty()) return points;
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> within(0, 1);
+    const double texel_m = frame.patch_size_m / static_cast<double>(n);
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t square = squares[random() % squares.size()];
+        points.x.push_back((static_cast<double>(square % n) + within(random)) * texel_m);
+        points.z.push_back((static_cast<double>(square / n) + within(random)) * texel_m);
+    }
+    return points;
+}
+
+std::unique_ptr<Ocean> ocean_of(const SeaState& sea, Isa isa = choose_isa()) {
+    return std::make_unique<Ocean>(
+        sea, OceanOptions{.executor = make_serial_executor(), .isa = isa, .queries = true, .velocities = true});
+}
+
+struct Worst {
+    double height_m = 0, normal = 0, jacobian = 0, error_m = 0;
+    std::size_t folded = 0;  ///< points under more than one sheet
+};
+
+/// Height within 1 mm + 1e-4 Hs: the tolerance in position, on faces that are never steeper than 1 : 1 outside of folds,
+/// and float's rounding of the displacements. Normals and Jacobians within 1e-3 of 1: the search stops 16 micrometres
+/// away, texels are decimetres wide and slopes change by less than 1 from one to the next.
+void expect_as_oracle(const Frame& frame, const oracle::Surface& surface, const Points& points, Worst& worst) {
+    Samples samples(points.x.size());
+    SurfaceQuery(frame, choose_isa()).sample(points.view(), samples.view());
+    const double bound = 1e-3 + 1e-4 * measured_significant_wave_height_m(frame);
+    for (std::size_t i = 0; i < points.x.size(); ++i) {
+        const std::vector<oracle::Sheet> sheets = surface.sheets_at(points.x[i], points.z[i]);
+        ASSERT_FALSE(sheets.empty()) << "the oracle misses " << points.x[i] << ", " << points.z[i];
+        worst.folded += sheets.size() > 1;
+        const double off = std::fabs(samples.height[i] - sheets.front().height);
+        ASSERT_LE(off, bound) << points.x[i] << ", " << points.z[i] << " of " << sheets.size() << " sheets";
+        ASSERT_TRUE(samples.converged[i]) << points.x[i] << ", " << points.z[i];
+        const oracle::SurfaceFacts facts = surface.facts_at(sheets.front().rest);
+        worst.height_m = std::max(worst.height_m, off);
+        worst.error_m = std::max(worst.error_m, static_cast<double>(samples.error[i]));
+        worst.jacobian = std::max(worst.jacobian, std::fabs(samples.jacobian[i] - facts.jacobian));
+        worst.normal = std::max({worst.normal, std::fabs(samples.normal_x[i] - facts.normal_x),
+                                 std::fabs(samples.normal_y[i] - facts.normal_y),
+                                 std::fabs(samples.normal_z[i] - facts.normal_z)});
+    }
+}
+
+// A million points in all.
+TEST(SurfaceQuery, HeightsNormalsAndJacobiansAreThoseOfTheOracleFromCalmToStorm) {
+    const std::size_t points_a_sea = is_sanitized ? 1000 : 65000;
+    unsigned seed = 0;
+    std::size_t all = 0;
+    for (const SeaPreset& preset : sea_presets()) {
+        for (const double choppiness : {0.0, 0.3, 0.7, 1.0}) {
+            SCOPED_TRACE(std::string(preset.name) + ", choppiness " + std::to_string(choppiness));
+            SeaState sea = preset.sea;
+            sea.choppiness = choppiness;
+            sea.wind_direction_rad = 0.35 * ++seed;
+            sea.seed = seed;
+            const auto ocean = ocean_of(sea);
+            const Frame& frame = ocean->frame_at(3.7 * seed);
+            Worst worst;
+            expect_as_oracle(frame, oracle::Surface(frame, sea.patch_size_m),
+                             random_points(points_a_sea, 2 * sea.patch_size_m, seed), worst);
+            EXPECT_LE(worst.normal, 1e-3);
+            EXPECT_LE(worst.jacobian, 1e-3);
+            EXPECT_LE(worst.error_m, 1e-4) << "a 64th of the tolerance is the aim";
+            RecordProperty(std::string(preset.name) + std::to_string(choppiness), std::to_string(worst.height_m));
+            all += points_a_sea;
+        }
+    }
+    EXPECT_GE(all, is_sanitized ? 0u : 1'000'000u);
+}
+
+/// A frame with its sideways displacement several times as large: breaking everywhere, in tangled sheets.
+class Exaggerated {
+   public:
+    Exaggerated(const Frame& frame, float factor, const Kernels& kernels)
+        : planes_(3 * static_cast<std::size_t>(frame.resolution()) * frame.resolution()), folds_(frame.resolution()) {
+        const int n = frame.resolution();
+        const PlaneView* const from[3] = {&frame.dx, &frame.height, &frame.dz};
+        PlaneView* const to[3] = {&frame_.dx, &frame_.height, &frame_.dz};
+        for (int p = 0; p < 3; ++p) {
+            float* plane = planes_.data() + static_cast<std::size_t>(p) * n * n;
+            for (int texel = 0; texel < n * n; ++texel)
+                plane[texel] = from[p]->at(texel % n, texel / n) * (p == 1 ? 1 : factor);
+            *to[p] = {plane, n, n, n, 0};
+        }
+        frame_.patch_size_m = frame.patch_size_m;
+        frame_.bounds = frame.bounds;
+        frame_.bounds.sideways_x_max_m *= factor;
+        frame_.bounds.sideways_z_max_m *= factor;
+        folds_.update(frame_, kernels);
+    }
+    const Frame& frame() const { return frame_; }
+
+   private:
+    std::vector<float> planes_;
+    FoldMap folds_;
+    Frame frame_;
+};
+
+// Linear seas with physical heights do not fold even at choppiness 1; the paper's own scale makes them do.
+TEST(SurfaceQuery, OfSheetsOverOneAnotherTheHighestCounts) {
+    std::size_t folded = 0;
+    for (unsigned seed = 1; seed <= 4; ++seed) {
+        const SeaState sea{.spectrum = SpectrumModel::phillips_paper,
+                           .resolution = seed % 2 ? 128 : 256,
+                           .wind_speed_mps = 20,
+                           .choppiness = 1,
+                           .seed = seed};
+        const auto ocean = ocean_of(sea);
+        const Frame& frame = ocean->frame_at(seed);
+        const oracle::Surface surface(frame, sea.patch_size_m);
+        Worst worst;
+        expect_as_oracle(frame, surface, points_in_folds(frame, is_sanitized ? 500 : 20000, seed), worst);
+        expect_as_oracle(frame, surface, random_points(is_sanitized ? 500 : 20000, 1000, seed), worst);
+        folded += worst.folded;
+    }
+    EXPECT_GE(folded, is_sanitized ? 20u : 1000u) << "the seas should fold";
+}
+
+TEST(SurfaceQuery, TheHighestCountsInATangleOfSheetsToo) {
+    const auto ocean = ocean_of({.resolution = 128, .choppiness = 1});
+    for (const float factor : {8.f, 12.f, 20.f}) {
+        const Exaggerated sea(ocean->frame_at(factor), factor, kernels_for(ocean->isa()));
+        const oracle::Surface surface(sea.frame(), sea.frame().patch_size_m);
+        Worst worst;
+        const std::size_t count = is_sanitized ? 500 : 30000;
+        expect_as_oracle(sea.frame(), surface, random_points(count, 500, 7), worst);
+        EXPECT_GE(worst.folded, count / 100) << factor;
+    }
+}
+
+TEST(SurfaceQuery, TheFoldMapHoldsEveryPointUnderSeveralSheets) {
+    const SeaState sea{
+        .spectrum = SpectrumModel::phillips_paper, .resolution = 64, .wind_speed_mps = 20, .choppiness = 1};
+    const auto ocean = ocean_of(sea);
+    const Frame& frame = ocean->frame_at(5);
+    const oracle::Surface surface(frame, sea.patch_size_m);
+    const Points points = random_points(is_sanitized ? 2000 : 100000, sea.patch_size_m, 6);
+    const double texel_m = sea.patch_size_m / sea.resolution;
+    std::size_t folded = 0;
+    for (std::size_t i = 0; i < points.x.size(); ++i) {
+        if (surface.sheets_at(points.x[i], points.z[i]).size() < 2) continue;
+        ++folded;
+        const auto square_of = [&](double along) {
+            return static_cast<std::size_t>(static_cast<int>(std::floor(along / texel_m)) & (sea.resolution - 1));
+        };
+        const std::size_t square = square_of(points.z[i]) * 64 + square_of(points.x[i]);
+        ASSERT_TRUE(frame.folds[square / 8] >> square % 8 & 1) << points.x[i] << ", " << points.z[i];
+    }
+    EXPECT_GT(folded, 0u);
+}
+
+// x = q - a sin(k q), height A cos(k q): a prolate trochoid for a k > 1, whose crests are loops.
+class Trochoid {
+   public:
+    static constexpr int n = 256;
+    static constexpr double patch_m = 64, a = 12, amplitude = 3;
+    static constexpr double k = 2 * std::numbers::pi / patch_m;
+
+    explicit Trochoid(const Kernels& kernels) : folds_(n) {
+        for (int j = 0; j < n; ++j) {
+            for (int i = 0; i < n; ++i) {
+                const double q = i * patch_m / n;
+                dx_.push_back(static_cast<float>(-a * std::sin(k * q)));
+                height_.push_back(static_cast<float>(amplitude * std::cos(k * q)));
+            }
+        }
+        zero_.assign(dx_.size(), 0.f);
+        const auto view = [](const std::vector<float>& plane) { return PlaneView{plane.data(), n, n, n, 0}; };
+        frame_.patch_size_m = patch_m;
+        frame_.dx = view(dx_), frame_.height = view(height_), frame_.dz = view(zero_);
+        frame_.bounds = {-amplitude, amplitude, a, 0};
+        folds_.update(frame_, kernels);
+    }
+    const Frame& frame() const { return frame_; }
+
+    /// Where the water is drawn, and the highest of the heights there, by bisecting between the turning points.
+    static double x_of(double q) { return q - a * std::sin(k * q); }
+    static double turning_point() { return std::acos(1 / (a * k)) / k; }
+    static double height_at(double x) {
+        const double turn = turning_point();
+        double highest = -1e300;
+        for (int crest = -1; crest <= 1; ++crest) {
+            const double ends[3] = {crest * patch_m - turn, crest * patch_m + turn, (crest + 1) * patch_m - turn};
+            for (int piece = 0; piece < 2; ++piece) {
+                double low = ends[piece], high = ends[piece + 1];
+                if ((x_of(low) < x) == (x_of(high) < x)) continue;
+                for (int step = 0; step < 60; ++step) {
+                    const double middle = (low + high) / 2;
+                    ((x_of(middle) < x) == (x_of(low) < x) ? low : high) = middle;
+                }
+                highest = std::max(highest, amplitude * std::cos(k * low));
+            }
+        }
+        return highest;
+    }
+
+   private:
+    std::vector<float> dx_, height_, zero_;
+    FoldMap folds_;
+    Frame frame_;
+};
+
+TEST(SurfaceQuery, FindsTheTopOfALoopKnownInClosedForm) {
+    ASSERT_GT(Trochoid::a * Trochoid::k, 1.1) << "it should fold";
+    const Trochoid trochoid(kernels_for(choose_isa()));
+    const double width = Trochoid::x_of(-Trochoid::turning_point());  // of half a loop
+    Points points = random_points(20000, 1, 3);
+    for (double& x : points.x) x *= Trochoid::patch_m / 2;
+    Samples samples(points.x.size());
+    SurfaceQuery(trochoid.frame(), choose_isa()).sample(points.view(), samples.view());
+    // Between texels the curve is straight: off by at most the second derivative times an eighth of a texel squared,
+    // sideways (a k^2) and up (A k^2); sideways costs the slope, whose largest value here is below 10, away from the edges.
+    const double texel_m = Trochoid::patch_m / Trochoid::n;
+    const double off = texel_m * texel_m / 8 * Trochoid::k * Trochoid::k;
+    std::size_t inside = 0, turned = 0;
+    for (std::size_t i = 0; i < points.x.size(); ++i) {
+        if (std::fabs(std::fabs(points.x[i]) - width) < 0.05) continue;  // the edge itself is off, too
+        inside += std::fabs(points.x[i]) < width;
+        turned += samples.jacobian[i] < 0;
+        EXPECT_TRUE(samples.converged[i]);
+        ASSERT_NEAR(samples.height[i], Trochoid::height_at(points.x[i]),
+                    1e-3 + off * (Trochoid::amplitude + 10 * Trochoid::a))
+            << points.x[i];
+    }
+    EXPECT_GT(inside, 100u);
+    EXPECT_GT(turned, 100u) << "the top of a loop is a sheet that is turned over";
+}
+
+// The library's phase is a fraction of the loop in steps of 2^-32; differences over 1 ms leave an error of
+// w^3 dt^2 / 6 < 1e-5 of a wave's amplitude up to w = 4 rad/s, which this grid doesn't exceed.
+TEST(SurfaceQuery, VelocityIsTheOraclesDifferenceInTime) {
+    for (const double choppiness : {0.0, 1.0}) {
+        const SeaState sea{.resolution = 64,
+                           .patch_size_m = 200,
+                           .wind_speed_mps = 14,
+                           .choppiness = choppiness,
+                           .loop_period_s = 60};
+        const double time_s = 11.5, dt = 1e-3;
+        const auto ocean = ocean_of(sea);
+        const Frame& frame = ocean->frame_at(time_s);
+        const oracle::Surface surface(frame, sea.patch_size_m);
+        const oracle::Fields before = oracle::fields_at(sea, time_s - dt),
+                             after = oracle::fields_at(sea, time_s + dt);
+        const auto derivative = [&](const oracle::ComplexField oracle::Fields::*field) {
+            oracle::Plane plane;
+            for (std::size_t i = 0; i < (before.*field).size(); ++i)
+                plane.push_back(((after.*field)[i].real() - (before.*field)[i].real()) / (2 * dt));
+            return plane;
+        };
+        const oracle::Plane x = derivative(&oracle::Fields::dx), y = derivative(&oracle::Fields::height),
+                            z = derivative(&oracle::Fields::dz);
+
+        const Points points = random_points(3000, 300, 8);
+        Samples samples(points.x.size(), true);
+        SurfaceQuery(frame, choose_isa()).sample(points.view(), samples.view());
+        for (std::size_t i = 0; i < points.x.size(); ++i) {
+            const oracle::RestPoint rest = surface.sheets_at(points.x[i], points.z[i]).front().rest;
+            // Water moves at some metres a second, and velocity changes by less than 3 per second over a metre.
+            ASSERT_NEAR(samples.velocity_x[i], surface.value_at(x, rest), 2e-4);
+            ASSERT_NEAR(samples.velocity_y[i], surface.value_at(y, rest), 2e-4);
+            ASSERT_NEAR(samples.velocity_z[i], surface.value_at(z, rest), 2e-4);
+        }
+        EXPECT_GT(*std::max_element(samples.velocity_y.begin(), samples.velocity_y.end()), 0.5);
+    }
+}
+
+class SurfaceQueryOnEachIsa : public OnEachIsa {};
+
+TEST_P(SurfaceQueryOnEachIsa, AnswersAsTheOracleForEveryResolution) {
+    for (const int n : {16, 32, 64, 512}) {
+        const SeaState sea{.resolution = n, .patch_size_m = 100, .choppiness = 1};
+        const auto ocean = ocean_of(sea, GetParam());
+        const Frame& frame = ocean->frame_at(1);
+        const oracle::Surface surface(frame, sea.patch_size_m);
+        const Points points = random_points(500, 300, 4);
+        Samples samples(points.x.size());
+        SurfaceQuery(frame, GetParam()).sample(points.view(), samples.view());
+        for (std::size_t i = 0; i < points.x.size(); ++i)
+            ASSERT_NEAR(samples.height[i], surface.sheets_at(points.x[i], points.z[i]).front().height, 1e-3) << n;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Isa, SurfaceQueryOnEachIsa, testing::ValuesIn(isas_here()), isa_test_name);
+
+TEST(SurfaceQuery, TheSeaRepeatsFarFromTheOriginToTheBit) {
+    const SeaState sea{.resolution = 64, .patch_size_m = 128};
+    const auto ocean = ocean_of(sea);
+    const SurfaceQuery query(ocean->frame_at(2), ocean->isa());
+    // Sixteenths of a metre, so that moving them by whole patches is exact.
+    Points near, far;
+    for (int i = 0; i < 400; ++i) {
+        near.x.push_back(i * 0.3125 - 40);
+        near.z.push_back(i * 0.6875 - 100);
+        far.x.push_back(near.x.back() + 128 * 1e9);
+        far.z.push_back(near.z.back() - 128 * 3e8);
+    }
+    Samples here(400), there(400);
+    query.sample(near.view(), here.view());
+    query.sample(far.view(), there.view());
+    EXPECT_EQ(here.height, there.height);
+    EXPECT_EQ(here.normal_x, there.normal_x);
+    EXPECT_EQ(here.error, there.error);
+}
+
+TEST(SurfaceQuery, APlaceThatIsNoneIsNotConverged) {
+    const auto ocean = ocean_of({.resolution = 32});
+    const SurfaceQuery query(ocean->frame_at(0), ocean->isa());
+    const double infinity = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
+    const Points points{{infinity, -infinity, nan, 0, 1e300, 3}, {0, 0, 0, nan, 0, 4}};
+    Samples samples(6);
+    query.sample(points.view(), samples.view());
+    for (std::size_t i = 0; i < 5; ++i) {
+        EXPECT_EQ(samples.error[i], infinity);
+        EXPECT_FALSE(samples.converged[i]);
+        EXPECT_TRUE(std::isfinite(samples.height[i]));
+    }
+    EXPECT_TRUE(samples.converged[5]);
+}
+
+TEST(SurfaceQuery, ErrorIsHonestWhereTheToleranceIsBeyondFloat) {
+    const SeaState sea{.resolution = 64, .patch_size_m = 100};
+    const auto ocean = ocean_of(sea);
+    const SurfaceQuery query(ocean->frame_at(0), ocean->isa(), 1e-12);
+    const Points points = random_points(1000, 100, 5);
+    Samples samples(1000);
+    query.sample(points.view(), samples.view());
+    for (std::size_t i = 0; i < 1000; ++i) {
+        EXPECT_EQ(samples.converged[i] != 0, samples.error[i] <= 1e-12f);
+        EXPECT_LE(samples.error[i], 1e-5);  // a 250000th of a texel and some
+    }
+}
+
+TEST(SurfaceQuery, SaysWhatTheFrameLacks) {
+    Ocean plain({.resolution = 32}, {.executor = make_serial_executor()});
+    EXPECT_THROW(SurfaceQuery(plain.frame_at(0), plain.isa()), std::invalid_argument);
+
+    Ocean still({.resolution = 32}, {.executor = make_serial_executor(), .queries = true});
+    const SurfaceQuery query(still.frame_at(0), still.isa());
+    const Points points{{1}, {2}};
+    std::vector<float> height = {-1}, velocity(1);
+    EXPECT_THROW(query.sample(points.view(), {.height_m = height, .velocity_y_mps = velocity}),
+                 std::invalid_argument);
+    EXPECT_EQ(height[0], -1) << "it wrote before it looked";
+    query.sample(points.view(), {.height_m = height});
+    EXPECT_NE(height[0], -1);
+    query.sample({}, {});
+}
+
+}  // namespace
+}  // namespace pelagic
