@@ -11,7 +11,7 @@ std::shared_ptr<Executor> make_executor(const pelagic_executor_options& options)
     switch (options.kind) {
         case PELAGIC_EXECUTOR_DEFAULT: return make_default_executor(options.threads);
         case PELAGIC_EXECUTOR_SERIAL: return make_serial_executor();
-        case PELAGIC_EXECUTOR_THREADS: return make_thread_executor(options.threads, options.cpu_mask);
+        case PELAGIC_EXECUTOR_THREADS: return make_thread_executor_on(options.cpu_mask, options.threads);
         case PELAGIC_EXECUTOR_TBB:
 #if defined(PELAGIC_HAS_TBB)
             return make_tbb_executor(options.threads);

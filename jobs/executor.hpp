@@ -59,7 +59,7 @@ std::shared_ptr<Executor> make_thread_executor(int threads = 0);
 /// the pool's threads; the completing one is the host's and stays where it is. With 0 threads there are as many as cores
 /// in the mask. Linux and Android only; elsewhere, and where the mask names no CPU that the process may use,
 /// std::invalid_argument.
-std::shared_ptr<Executor> make_thread_executor(int threads, std::uint64_t cpu_mask);
+std::shared_ptr<Executor> make_thread_executor_on(std::uint64_t cpu_mask, int threads = 0);
 
 /// A host's own job system, as plain functions so that C can give them. Called from any thread; they must not throw.
 struct HostJobs {

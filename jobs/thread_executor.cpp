@@ -236,9 +236,9 @@ class ThreadExecutor final : public Executor {
 
 }  // namespace
 
-std::shared_ptr<Executor> make_thread_executor(int threads) { return make_thread_executor(threads, 0); }
+std::shared_ptr<Executor> make_thread_executor(int threads) { return make_thread_executor_on(0, threads); }
 
-std::shared_ptr<Executor> make_thread_executor(int threads, std::uint64_t cpu_mask) {
+std::shared_ptr<Executor> make_thread_executor_on(std::uint64_t cpu_mask, int threads) {
     const int wanted = checked_thread_count(threads);
     const int cpus = checked_cpus(cpu_mask);
     return std::make_shared<ThreadExecutor>(threads == 0 && cpu_mask != 0 ? cpus : wanted, cpu_mask);
