@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 #include <system_error>
+#include <type_traits>
 
 #include "capi/pelagic/pelagic.h"
 
@@ -57,6 +58,8 @@ T& needed_struct(T* pointer, const char* name) {
     if (value.struct_size != sizeof(T))
         refuse(std::string(name) + ".struct_size is " + std::to_string(value.struct_size) + ", needs " +
                std::to_string(sizeof(T)));
+    if constexpr (std::is_const_v<T> && requires { value.reserved; })
+        if (value.reserved != 0) refuse(std::string(name) + ".reserved is set, needs 0");
     return value;
 }
 

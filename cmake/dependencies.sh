@@ -20,7 +20,7 @@ pelagic_packages=(
 )
 
 # What only the determinism tests need: another compiler, and 64-bit Arm to build for and to run.
-pelagic_test_packages=(clang)
+pelagic_test_packages=(clang libclang-rt-14-dev pkg-config)  # libclang-rt: libFuzzer
 [ "$(uname -m)" = aarch64 ] ||
   pelagic_test_packages+=(g++-aarch64-linux-gnu qemu-user libtbb-dev:arm64 libgtest-dev:arm64 libimath-dev:arm64)
 

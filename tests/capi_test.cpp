@@ -210,6 +210,30 @@ TEST(CInterface, AWrongSizeOfAStructIsNamed) {
     }
 }
 
+// What is reserved today may mean something tomorrow.
+TEST(CInterface, ReservedFieldsHaveToBe0) {
+    const COcean ocean = make_ocean();
+    frame_at(ocean.get(), 0);
+    auto executor_options = sized<pelagic_executor_options>();
+    auto ocean_options = sized<pelagic_ocean_options>();
+    auto buffers = sized<pelagic_frame_buffers>();
+    auto points = sized<pelagic_points>(), good_points = points;
+    auto samples = sized<pelagic_samples>();
+    auto ray = sized<pelagic_ray>();
+    auto hit = sized<pelagic_hit>();
+    executor_options.reserved = ocean_options.reserved = buffers.reserved = 1;
+    points.reserved = samples.reserved = ray.reserved = 1;
+    const pelagic_sea sea = small_sea();
+    pelagic_executor* executor = nullptr;
+    pelagic_ocean* made = nullptr;
+    expect_invalid(pelagic_executor_create(&executor_options, &executor), "options.reserved is set, needs 0");
+    expect_invalid(pelagic_ocean_create(&sea, &ocean_options, &made), "options.reserved");
+    expect_invalid(pelagic_ocean_frame_at(ocean.get(), 0, &buffers, nullptr), "buffers.reserved");
+    expect_invalid(pelagic_ocean_query(ocean.get(), &points, &samples), "points.reserved");
+    expect_invalid(pelagic_ocean_query(ocean.get(), &good_points, &samples), "samples.reserved");
+    expect_invalid(pelagic_ocean_first_hit(ocean.get(), &ray, &hit), "ray.reserved");
+}
+
 TEST(CInterface, OptionsOutOfRangeAreNamed) {
     const auto create_with = [](const std::function<void(pelagic_executor_options&)>& change) {
         auto options = sized<pelagic_executor_options>();

@@ -37,8 +37,8 @@ std::string value_text(const toml::node& node, const std::string& place, std::st
 
 }  // namespace
 
-std::vector<ConfigEntry> read_config(const std::filesystem::path& file, std::span<const std::string> known) {
-    const std::string text = read_text(file);
+std::vector<ConfigEntry> parse_config(std::string_view text, const std::filesystem::path& file,
+                                      std::span<const std::string> known) {
     toml::table table;
     try {
         table = toml::parse(text);
@@ -59,6 +59,10 @@ std::vector<ConfigEntry> read_config(const std::filesystem::path& file, std::spa
         entries.push_back({key, value_text(node, place, key), place, node.is_string()});
     }
     return entries;
+}
+
+std::vector<ConfigEntry> read_config(const std::filesystem::path& file, std::span<const std::string> known) {
+    return parse_config(read_text(file), file, known);
 }
 
 }  // namespace pelagic::tools

@@ -20,11 +20,13 @@
  *
  * Errors. Every function that can fail returns a pelagic_status. Unless that is PELAGIC_OK, nothing was written through the
  * other arguments (but a handle that was not created is NULL), nothing has changed, and pelagic_last_error() has one line.
- * No exception crosses this interface. A NULL handle or a NULL pointer that is not said to be optional is PELAGIC_INVALID_ARGUMENT. A
- * handle that was destroyed, or a pointer to less memory than stated, can't be found out: undefined.
+ * No exception crosses this interface. A NULL handle, or a NULL pointer that is not said to be optional, is
+ * PELAGIC_INVALID_ARGUMENT. A handle that was destroyed, or a pointer to less memory than stated, can't be found out:
+ * undefined.
  *
  * Structs. Each begins with struct_size, which the caller sets to sizeof before any call. Later versions add fields at
- * the end only and go on taking the sizes of earlier ones; an unknown size is PELAGIC_INVALID_ARGUMENT.
+ * the end only and go on taking the sizes of earlier ones; an unknown size is PELAGIC_INVALID_ARGUMENT, and so is anything
+ * but 0 in a reserved field that the library reads.
  *
  * Threads. One thread at a time uses an ocean, and different oceans may be used side by side. Exceptions are the queries
  * (pelagic_ocean_query, _first_hit): any number of threads at once, also while that one thread schedules and completes
