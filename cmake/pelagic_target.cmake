@@ -1,8 +1,10 @@
 # What every target of Pelagic shares: the language, the floating-point policy, warnings, sanitizers.
 function(pelagic_target target)
   target_compile_features(${target} PUBLIC cxx_std_20)
-  set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
-  target_include_directories(${target} PUBLIC ${PROJECT_SOURCE_DIR})
+  # Objects are compiled once, for the static library and for the shared one, which shows nothing but the C interface.
+  set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON
+                        CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+  target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:include/pelagic>)
   # A compiler that fuses a*b + c where the instruction set allows it rounds once instead of twice, so each
   # instruction set would yield a sea of its own. Off everywhere: the bits are part of the interface.
   target_compile_options(${target} PRIVATE -ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow -Wconversion
@@ -10,6 +12,9 @@ function(pelagic_target target)
   # g++ 12 sees overlapping copies in every `"text" + std::string` (GCC bug 105651).
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
     target_compile_options(${target} PRIVATE -Wno-restrict)
+  endif()
+  if(PELAGIC_FUZZ)
+    target_compile_options(${target} PRIVATE -fsanitize=fuzzer-no-link)
   endif()
   if(PELAGIC_SANITIZE)
     target_compile_options(${target} PRIVATE -fsanitize=${PELAGIC_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)

@@ -1,6 +1,8 @@
 // Where jobs run: the one interface behind which threads stand. A host may bring its own.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <string_view>
 
@@ -38,6 +40,9 @@ class Executor {
     /// Most threads that work on one graph at the same time, the completing one included.
     virtual int thread_limit() const = 0;
 
+    /// Whether work starts before complete(). If not, complete() does it all, and is_done() says no until then.
+    virtual bool runs_ahead() const { return thread_limit() > 1; }
+
     virtual std::string_view name() const = 0;
 };
 
@@ -48,6 +53,32 @@ std::shared_ptr<Executor> make_serial_executor();
 /// thread too: 1 starts none, so the work is done in complete(). 0 means one per core; range 0 to 1024, else
 /// std::invalid_argument. Throws std::system_error if the system has no more threads to give.
 std::shared_ptr<Executor> make_thread_executor(int threads = 0);
+
+/// The same on chosen cores: bit i of `cpu_mask` allows CPU i, and 0 means all. On a processor with large and small cores a
+/// job on a small one ends last and holds up the frame, and the host may want the largest for itself. The mask is for
+/// the pool's threads; the completing one is the host's and stays where it is. With 0 threads there are as many as cores
+/// in the mask. Linux and Android only; elsewhere, and where the mask names no CPU that the process may use,
+/// std::invalid_argument.
+std::shared_ptr<Executor> make_thread_executor_on(std::uint64_t cpu_mask, int threads = 0);
+
+/// A host's own job system, as plain functions so that C can give them. Called from any thread; they must not throw.
+struct HostJobs {
+    void* user = nullptr;  ///< handed to both
+
+    /// Calls job(work, i) once for each i in [0, count), on any threads, side by side or not, and returns when all are
+    /// done. Called several times a frame, from complete() or from a submitted task.
+    void (*parallel_for)(void* user, std::size_t count, void (*job)(void* work, std::size_t index), void* work);
+
+    /// Calls task(work) once, on some other thread, soon, and returns at once. None: complete() begins the work. A task
+    /// may be called late, even after the run is gone, but has to be called; it calls parallel_for.
+    void (*submit)(void* user, void (*task)(void* work), void* work) = nullptr;
+
+    int threads = 1;  ///< what thread_limit() says; 1 to 1024
+};
+
+/// Stages one after the other, each a parallel_for of the host. Throws std::invalid_argument without parallel_for, and if
+/// threads are out of range.
+std::shared_ptr<Executor> make_host_executor(const HostJobs& jobs);
 
 #if defined(PELAGIC_HAS_TBB)
 /// oneTBB: a flow graph with one node a stage, each a parallel loop. Every graph has an arena of `threads` slots, one

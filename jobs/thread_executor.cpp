@@ -13,6 +13,7 @@
 #include <immintrin.h>
 #endif
 
+#include "jobs/cpu_mask.hpp"
 #include "jobs/executor.hpp"
 #include "jobs/thread_count.hpp"
 
@@ -99,9 +100,13 @@ class Progress {
 class Pool {
    public:
     // Delegates, so that ~Pool ends the threads already started if the system refuses one.
-    explicit Pool(int threads) : Pool() {
+    Pool(int threads, std::uint64_t cpu_mask) : Pool() {
         if (threads <= static_cast<int>(std::thread::hardware_concurrency())) looks_ = 2000;
-        for (int i = 1; i < threads; ++i) threads_.emplace_back([this] { work(); });
+        for (int i = 1; i < threads; ++i)
+            threads_.emplace_back([this, cpu_mask] {
+                keep_this_thread_on(cpu_mask);
+                work();
+            });
     }
 
     ~Pool() {
@@ -218,7 +223,7 @@ class ThreadRun final : public GraphRun {
 
 class ThreadExecutor final : public Executor {
    public:
-    explicit ThreadExecutor(int threads) : pool_(std::make_shared<Pool>(threads)) {}
+    ThreadExecutor(int threads, std::uint64_t cpu_mask) : pool_(std::make_shared<Pool>(threads, cpu_mask)) {}
     std::unique_ptr<GraphRun> prepare(const JobGraph& graph) override {
         return std::make_unique<ThreadRun>(graph, pool_);
     }
@@ -231,8 +236,12 @@ class ThreadExecutor final : public Executor {
 
 }  // namespace
 
-std::shared_ptr<Executor> make_thread_executor(int threads) {
-    return std::make_shared<ThreadExecutor>(checked_thread_count(threads));
+std::shared_ptr<Executor> make_thread_executor(int threads) { return make_thread_executor_on(0, threads); }
+
+std::shared_ptr<Executor> make_thread_executor_on(std::uint64_t cpu_mask, int threads) {
+    const int wanted = checked_thread_count(threads);
+    const int cpus = checked_cpus(cpu_mask);
+    return std::make_shared<ThreadExecutor>(threads == 0 && cpu_mask != 0 ? cpus : wanted, cpu_mask);
 }
 
 }  // namespace pelagic

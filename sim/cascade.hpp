@@ -49,6 +49,8 @@ class Cascade {
     void begin_frame(double time_s);
     /// The frame of the last run.
     const Frame& end_frame();
+    /// Gives the slot of the last frame to the next one, so that the one before it is not written over yet.
+    void drop_frame() { back_ = 1 - back_; }
 
     /// What the next run of the spectrum's stage bakes; adopt_spectrum() makes it the sea of the
     /// frames to come. A cascade has no waves before the first one.

@@ -3,6 +3,7 @@
 #include <cassert>
 #include <cmath>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "sim/cascade.hpp"
@@ -26,11 +27,13 @@ struct Ocean::State {
     State(const SeaState& sea, OceanOptions options)
         : executor(options.executor ? std::move(options.executor) : make_default_executor()),
           isa(choose_isa(options.isa)),
+          has_velocities(options.velocities),
           cascade(checked(sea), kernels_for(isa), {.folds = options.queries, .velocities = options.velocities}) {
         cascade.add_frame_stages(frame_graph);
         cascade.add_spectrum_stage(spectrum_graph);
         const bool is_small = sea.resolution <= largest_resolution_without_jobs;
         const std::shared_ptr<Executor> frame_executor = is_small ? make_serial_executor() : executor;
+        frame_runs_ahead = frame_executor->runs_ahead();
         frame_run = prepare(*frame_executor, frame_graph, options.trace, "frame");
         spectrum_run = prepare(*executor, spectrum_graph, options.trace, "sea");
     }
@@ -42,8 +45,10 @@ struct Ocean::State {
 
     std::shared_ptr<Executor> executor;
     Isa isa;
+    bool has_velocities;
     Cascade cascade;
     JobGraph frame_graph, spectrum_graph;
+    bool frame_runs_ahead = false;  ///< else complete() does all the work
     bool frame_in_flight = false;
     bool sea_in_flight = false;
     const Frame* completed = nullptr;
@@ -65,6 +70,10 @@ void Ocean::schedule(double time_s) {
     state_->frame_run->schedule();
 }
 
+bool Ocean::is_ready() const {
+    return !state_->frame_in_flight || !state_->frame_runs_ahead || state_->frame_run->is_done();
+}
+
 const Frame& Ocean::complete() {
     assert((state_->frame_in_flight || state_->completed) && "schedule() a frame first");
     if (state_->frame_in_flight) {
@@ -80,6 +89,17 @@ const Frame& Ocean::frame_at(double time_s) {
     return complete();
 }
 
+FrameBounds Ocean::frame_at(double time_s, const FrameBuffers& buffers) {
+    const Frame* const completed = state_->completed;
+    if (const std::string reason = check(buffers, sea().resolution, state_->has_velocities); !reason.empty())
+        throw std::invalid_argument(reason);
+    const Frame& frame = frame_at(time_s);
+    copy_frame(frame, buffers);
+    state_->completed = completed;
+    state_->cascade.drop_frame();
+    return frame.bounds;
+}
+
 void Ocean::schedule_sea(const SeaState& sea) {
     assert(!state_->sea_in_flight && "complete_sea() first");
     if (checked(sea).resolution != state_->cascade.sea().resolution)
@@ -90,7 +110,7 @@ void Ocean::schedule_sea(const SeaState& sea) {
     state_->spectrum_run->schedule();
 }
 
-bool Ocean::sea_is_ready() const { return state_->spectrum_run->is_done(); }
+bool Ocean::sea_is_ready() const { return !state_->executor->runs_ahead() || state_->spectrum_run->is_done(); }
 
 void Ocean::complete_sea() {
     assert(!state_->frame_in_flight && "complete() the frame in flight first");

@@ -16,6 +16,7 @@
 #include "jobs/executor.hpp"
 #include "jobs/trace.hpp"
 #include "sim/frame.hpp"
+#include "sim/frame_buffers.hpp"
 #include "sim/sea_state.hpp"
 #include "simd/isa.hpp"
 
@@ -47,6 +48,10 @@ class Ocean {
     /// \pre no frame is in flight
     void schedule(double time_s);
 
+    /// complete() would not wait for other threads: they are done with the frame, or have no part in it (a small frame, an
+    /// executor without threads), or none is in flight. Never blocks.
+    bool is_ready() const;
+
     /// Waits for the scheduled frame, helping, and hands it out. Without one in flight: the frame completed last.
     /// Its views stay valid while the next frame is computed, until the second schedule() from now.
     const Frame& complete();
@@ -54,11 +59,17 @@ class Ocean {
     /// schedule() and complete() in one.
     const Frame& frame_at(double time_s);
 
+    /// Computes the frame of `time_s` and writes it into the caller's arrays; for servers and replays. The views of the frame
+    /// completed last stay valid, and what complete() hands out without a frame in flight is still that one. Throws
+    /// std::invalid_argument(check(buffers, ...)) before it computes.
+    /// \pre no frame is in flight
+    FrameBounds frame_at(double time_s, const FrameBuffers& buffers);
+
     /// Starts to bake the spectrum of another sea beside the current one (stage `spectrum`); frames go on with the
     /// old one. The resolution must stay. Throws std::invalid_argument if a value is out of range or it does not.
     /// \pre no other sea is being baked
     void schedule_sea(const SeaState& sea);
-    bool sea_is_ready() const;  ///< complete_sea() would not wait
+    bool sea_is_ready() const;  ///< complete_sea() would not wait for other threads
     /// Frames scheduled from now on show the sea given last to schedule_sea(); waits for its spectrum.
     /// \pre no frame is in flight
     void complete_sea();

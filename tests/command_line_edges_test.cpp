@@ -30,6 +30,7 @@ TEST(CommandLineEdges, AreOneLineAndExitCode2) {
         {{"export", "--out", "OUT", "info"}, "info"},
         {{"info"}, ":1: wind_speed is \"9\", needs a number without quotes: (0, 60]", "wind_speed = \"9\"\n"},
         {{"info"}, ":2: sea is a table", "seed = 1\n[sea]\nwind_speed = 9\n"},
+        {{"info"}, ": malformed table, needs lines such as", "[ *\n"},  // a fuzzer's find: toml++ asserts
         {{"info"}, "unknown key a\\nb", "\"a\\nb\" = 1\n"},
     };
     for (const Edge& edge : edges) {

@@ -15,6 +15,7 @@
 #include "sim/surface_query_jobs.hpp"
 #include "sim/surface_ray.hpp"
 #include "tests/each_isa.hpp"
+#include "tests/host_jobs.hpp"
 #include "tests/sanitized.hpp"
 
 #if defined(__x86_64__)
@@ -30,7 +31,8 @@ struct Host {
 };
 
 std::vector<Host> hosts() {
-    std::vector<Host> all = {{"serial", make_serial_executor()}};
+    static TestHost own;
+    std::vector<Host> all = {{"serial", make_serial_executor()}, {"host", make_host_executor(own.jobs())}};
     for (const int threads : {1, 2, 3, 8}) {
         all.push_back({"thread_" + std::to_string(threads), make_thread_executor(threads)});
 #if defined(PELAGIC_HAS_TBB)

@@ -1,6 +1,10 @@
 // Executors: each block once, stages in their order, threads within the limit, nothing lost.
 #include <gtest/gtest.h>
 
+#if defined(__linux__)
+#include <sched.h>
+#endif
+
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -15,6 +19,7 @@
 
 #include "jobs/executor.hpp"
 #include "tests/each_executor.hpp"
+#include "tests/host_jobs.hpp"
 
 namespace pelagic {
 namespace {
@@ -353,6 +358,78 @@ TEST(ExecutorOptions, ZeroThreadsMeansOnePerCore) {
     // oneTBB leaves out the cores that the process may not use.
     EXPECT_GE(make_default_executor(0)->thread_limit(), 1);
     EXPECT_LE(make_default_executor(0)->thread_limit(), cores);
+}
+
+TEST(ExecutorOptions, AMaskOfCoresNamesSomeThatThereAre) {
+#if defined(__linux__)
+    EXPECT_EQ(make_thread_executor_on(~std::uint64_t{0}, 3)->thread_limit(), 3);
+    EXPECT_GE(make_thread_executor_on(~std::uint64_t{0})->thread_limit(), 1);
+    if (std::thread::hardware_concurrency() < 64) {
+        EXPECT_EQ(reason_of([] { make_thread_executor_on(std::uint64_t{1} << 63); }),
+                  "cpu_mask is 0x8000000000000000, needs a CPU that this process may use");
+    }
+#endif
+}
+
+#if defined(__linux__)
+TEST(ThreadExecutor, ItsThreadsStayOnTheMasksCores) {
+    cpu_set_t here;
+    CPU_ZERO(&here);
+    ASSERT_EQ(sched_getaffinity(0, sizeof here, &here), 0);
+    int last = -1;
+    for (int cpu = 0; cpu < 64; ++cpu)
+        if (CPU_ISSET(cpu, &here)) last = cpu;
+    if (last < 0) GTEST_SKIP() << "no CPU below 64 may be used";
+    const std::thread::id completing = std::this_thread::get_id();
+    std::atomic<int> elsewhere = 0;
+    JobGraph graph;
+    graph.add({.name = "look", .count = 64, .body = [&](std::size_t, std::size_t) {
+                   std::this_thread::sleep_for(std::chrono::microseconds(100));
+                   if (std::this_thread::get_id() != completing && sched_getcpu() != last) ++elsewhere;
+               }});
+    run_once(*make_thread_executor_on(std::uint64_t{1} << last, 3)->prepare(graph));
+    EXPECT_EQ(elsewhere, 0);
+}
+#endif
+
+TEST(ExecutorOptions, HostsJobsAreChecked) {
+    EXPECT_EQ(reason_of([] { make_host_executor({}); }), "parallel_for is null, needs the host's function");
+    TestHost host;
+    HostJobs jobs = host.jobs();
+    jobs.threads = 0;
+    EXPECT_EQ(reason_of([&] { make_host_executor(jobs); }), "threads is 0, needs 1 to 1024");
+}
+
+TEST(HostExecutor, RunsStagesInOrderAThousandTimes) {
+    TestHost host;
+    std::atomic<std::size_t> first_done = 0;
+    std::atomic<int> too_early = 0, last_done = 0;
+    JobGraph graph;
+    const StageId first =
+        graph.add({.name = "first", .count = 5, .body = [&](std::size_t, std::size_t) { ++first_done; }});
+    graph.add({.name = "last", .count = 3, .waits_for = {first}, .body = [&](std::size_t, std::size_t) {
+                   if (first_done != 5) ++too_early;
+                   ++last_done;
+               }});
+    const auto run = make_host_executor(host.jobs())->prepare(graph);
+    for (int round = 1; round <= 1000; ++round) {
+        first_done = 0;
+        run_once(*run);
+        ASSERT_TRUE(run->is_done());
+        ASSERT_EQ(last_done, 3 * round);
+    }
+    EXPECT_EQ(too_early, 0);
+}
+
+TEST(HostExecutor, WorkIsDoneUnasked) {
+    TestHost host;
+    std::atomic<int> done = 0;
+    JobGraph graph;
+    graph.add({.name = "some", .count = 5, .body = [&](std::size_t, std::size_t) { ++done; }});
+    const auto run = make_host_executor(host.jobs())->prepare(graph);
+    run->schedule();
+    EXPECT_TRUE(wait_until([&] { return run->is_done(); }));
+    EXPECT_EQ(done, 5);
 }
 
 TEST(ExecutorOptions, DefaultIsOneTbbWhereItIsBuilt) {

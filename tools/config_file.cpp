@@ -1,10 +1,20 @@
 #include "tools/config_file.hpp"
 
-#include <toml++/toml.h>
-
 #include <algorithm>
 #include <fstream>
 #include <sstream>
+
+// toml++ 3.3 takes for granted that a table's header goes on with a key, and "[ *" does not: it asserts, and where
+// assertions are off clang compiles the impossible. Such a text is malformed like any other.
+namespace pelagic::tools {
+struct NotToml {};
+constexpr void take_for_granted(bool is_so) {
+    if (!is_so) throw NotToml();
+}
+}  // namespace pelagic::tools
+#undef NDEBUG
+#define TOML_ASSERT(expr) ::pelagic::tools::take_for_granted(static_cast<bool>(expr))
+#include <toml++/toml.h>
 
 #include "tools/errors.hpp"
 #include "tools/option_text.hpp"
@@ -37,14 +47,16 @@ std::string value_text(const toml::node& node, const std::string& place, std::st
 
 }  // namespace
 
-std::vector<ConfigEntry> read_config(const std::filesystem::path& file, std::span<const std::string> known) {
-    const std::string text = read_text(file);
+std::vector<ConfigEntry> parse_config(std::string_view text, const std::filesystem::path& file,
+                                      std::span<const std::string> known) {
     toml::table table;
     try {
         table = toml::parse(text);
     } catch (const toml::parse_error& error) {
         throw InputError(place_of(file, error.source()) + ": " + std::string(error.description()) +
                          ", needs lines such as wind_speed = 9.0");
+    } catch (const NotToml&) {
+        throw InputError(file.string() + ": malformed table, needs lines such as wind_speed = 9.0");
     }
     std::vector<ConfigEntry> entries;
     for (const auto& [name, node] : table) {
@@ -59,6 +71,10 @@ std::vector<ConfigEntry> read_config(const std::filesystem::path& file, std::spa
         entries.push_back({key, value_text(node, place, key), place, node.is_string()});
     }
     return entries;
+}
+
+std::vector<ConfigEntry> read_config(const std::filesystem::path& file, std::span<const std::string> known) {
+    return parse_config(read_text(file), file, known);
 }
 
 }  // namespace pelagic::tools

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace pelagic::tools {
@@ -16,8 +17,12 @@ struct ConfigEntry {
     bool quoted;        ///< a text in quotes, not a number
 };
 
-/// Reads the top-level keys of a file. Throws InputError, one line with file and line number, for a file that can't be
-/// read, malformed TOML, duplicate keys, tables and arrays, and for a key that is not in `known` (it names the nearest).
+/// The top-level keys of a text that came from `file`. Throws InputError, one line with file and line number, for
+/// malformed TOML, duplicate keys, tables and arrays, and for a key that is not in `known` (it names the nearest).
+std::vector<ConfigEntry> parse_config(std::string_view text, const std::filesystem::path& file,
+                                      std::span<const std::string> known);
+
+/// The same of a file. Throws InputError if it can't be read.
 std::vector<ConfigEntry> read_config(const std::filesystem::path& file, std::span<const std::string> known);
 
 }  // namespace pelagic::tools

@@ -1,0 +1,43 @@
+#include "capi/executor.hpp"
+
+#include "capi/status.hpp"
+
+namespace pelagic::capi {
+namespace {
+
+std::shared_ptr<Executor> make_executor(const pelagic_executor_options& options) {
+    if (options.cpu_mask != 0 && options.kind != PELAGIC_EXECUTOR_THREADS)
+        refuse("cpu_mask is set, needs PELAGIC_EXECUTOR_THREADS");
+    switch (options.kind) {
+        case PELAGIC_EXECUTOR_DEFAULT: return make_default_executor(options.threads);
+        case PELAGIC_EXECUTOR_SERIAL: return make_serial_executor();
+        case PELAGIC_EXECUTOR_THREADS: return make_thread_executor_on(options.cpu_mask, options.threads);
+        case PELAGIC_EXECUTOR_TBB:
+#if defined(PELAGIC_HAS_TBB)
+            return make_tbb_executor(options.threads);
+#else
+            refuse("kind is PELAGIC_EXECUTOR_TBB, needs a library built with PELAGIC_TBB");
+#endif
+        case PELAGIC_EXECUTOR_HOST:
+            return make_host_executor({.user = options.user,
+                                       .parallel_for = options.parallel_for,
+                                       .submit = options.submit,
+                                       .threads = options.threads == 0 ? 1 : options.threads});
+        default: refuse("kind is " + std::to_string(options.kind) + ", needs 0 to 4");
+    }
+}
+
+}  // namespace
+}  // namespace pelagic::capi
+
+using namespace pelagic::capi;
+
+pelagic_status pelagic_executor_create(const pelagic_executor_options* options, pelagic_executor** executor) {
+    return guarded([&] {
+        pelagic_executor*& out = needed(executor, "executor");
+        out = nullptr;
+        out = new pelagic_executor{make_executor(needed_struct(options, "options"))};
+    });
+}
+
+void pelagic_executor_destroy(pelagic_executor* executor) { delete executor; }

@@ -1,0 +1,226 @@
+#include "capi/ocean.hpp"
+
+#include <cmath>
+
+#include "capi/executor.hpp"
+#include "capi/sea.hpp"
+#include "capi/status.hpp"
+
+namespace pelagic::capi {
+
+AskedFrames::Reader::Reader(AskedFrames& frames) {
+    for (;;) {
+        slot_ = frames.current_;
+        if (!slot_) return;
+        ++slot_->readers;
+        if (slot_ == frames.current_) return;
+        leave();
+    }
+}
+
+void AskedFrames::Reader::leave() {
+    if (slot_ && --slot_->readers == 0) slot_->readers.notify_all();
+}
+
+void AskedFrames::show(const SurfaceQuery& query) {
+    newest_ = 1 - newest_;
+    slots_[newest_].query = query;
+    current_ = &slots_[newest_];
+}
+
+void AskedFrames::wait_for_old_readers() {
+    std::atomic<int>& readers = slots_[1 - newest_].readers;
+    for (int now = readers; now != 0; now = readers) readers.wait(now);
+}
+
+namespace {
+
+constexpr double least_tolerance_m = 1e-6, most_tolerance_m = 1000;
+
+double query_tolerance_m(const pelagic_ocean_options& options) {
+    const double wanted = options.query_tolerance_m;
+    if (wanted == 0) return SurfaceQuery::default_tolerance_m;
+    if (!(wanted >= least_tolerance_m && wanted <= most_tolerance_m))
+        refuse("query_tolerance_m is " + std::to_string(wanted) + ", needs 0 or [1e-6, 1000]");
+    return wanted;
+}
+
+OceanOptions options_of(const pelagic_ocean_options& options) {
+    OceanOptions result{.queries = options.queries != 0, .velocities = options.velocities != 0};
+    if (options.executor) result.executor = options.executor->executor;
+    if (options.isa) {
+        result.isa = isa_named(options.isa);
+        if (!result.isa)
+            refuse("isa is " + std::string(std::string_view(options.isa).substr(0, 64)) +
+                   ", needs sse4.2, avx2, avx512 or neon");
+    }
+    return result;
+}
+
+void need_finite(double time_s) {
+    if (!std::isfinite(time_s)) refuse("time_s is " + std::to_string(time_s) + ", needs a finite number");
+}
+
+void need_no_frame_in_flight(const pelagic_ocean& ocean) {
+    if (ocean.frame_in_flight) throw WrongOrder("a frame is in flight, needs pelagic_ocean_complete first");
+}
+
+void need_frame_in_flight(const pelagic_ocean& ocean) {
+    if (!ocean.frame_in_flight) throw WrongOrder("no frame is in flight, needs pelagic_ocean_schedule first");
+}
+
+void need_sea_in_flight(const pelagic_ocean& ocean) {
+    if (!ocean.sea_in_flight) throw WrongOrder("no sea is being baked, needs pelagic_ocean_schedule_sea first");
+}
+
+pelagic_plane plane_of(const PlaneView& view) {
+    return {view.data, view.resolution, view.block_columns, view.row_stride, view.block_stride};
+}
+
+pelagic_bounds bounds_of(const FrameBounds& bounds) {
+    return {bounds.height_min_m, bounds.height_max_m, bounds.sideways_x_max_m, bounds.sideways_z_max_m};
+}
+
+void write(const Frame& frame, pelagic_frame& out) {
+    constexpr int most_levels = sizeof out.gradient_offset / sizeof out.gradient_offset[0];
+    static_assert(most_levels >= mip_levels(2048));
+    const int levels = mip_levels(frame.resolution());
+    out.resolution = frame.resolution();
+    out.time_s = frame.time_s;
+    out.patch_size_m = frame.patch_size_m;
+    out.dx = plane_of(frame.dx);
+    out.height = plane_of(frame.height);
+    out.dz = plane_of(frame.dz);
+    out.velocity_x = plane_of(frame.velocity_x);
+    out.velocity_y = plane_of(frame.velocity_y);
+    out.velocity_z = plane_of(frame.velocity_z);
+    out.displacement_rgba16f = frame.displacement_rgba16f.data();
+    out.gradient_rgba8 = frame.gradient_rgba8.data();
+    out.gradient_levels = levels;
+    for (int level = 0; level < most_levels; ++level)
+        out.gradient_offset[level] =
+            level < levels ? static_cast<std::uint32_t>(mip_offset(frame.resolution(), level)) : 0;
+    out.bounds = bounds_of(frame.bounds);
+}
+
+FrameBuffers buffers_of(const pelagic_frame_buffers& buffers) {
+    const auto part = []<class T>(T* data, std::size_t count) {
+        // A pointer with a count of 0 is a mistake, not a wish for nothing; one element is never right.
+        return data ? std::span<T>(data, count == 0 ? 1 : count) : std::span<T>();
+    };
+    return {.dx = part(buffers.dx, buffers.plane_count),
+            .height = part(buffers.height, buffers.plane_count),
+            .dz = part(buffers.dz, buffers.plane_count),
+            .velocity_x = part(buffers.velocity_x, buffers.plane_count),
+            .velocity_y = part(buffers.velocity_y, buffers.plane_count),
+            .velocity_z = part(buffers.velocity_z, buffers.plane_count),
+            .displacement_rgba16f = part(buffers.displacement_rgba16f, buffers.rgba16f_count),
+            .gradient_rgba8 = part(buffers.gradient_rgba8, buffers.rgba8_count)};
+}
+
+}  // namespace
+}  // namespace pelagic::capi
+
+using namespace pelagic;
+using namespace pelagic::capi;
+
+pelagic_status pelagic_ocean_create(const pelagic_sea* sea, const pelagic_ocean_options* options,
+                                    pelagic_ocean** ocean) {
+    return guarded([&] {
+        pelagic_ocean*& out = needed(ocean, "ocean");
+        out = nullptr;
+        const SeaState state = sea_of(sea);
+        const pelagic_ocean_options none{};
+        const pelagic_ocean_options& wanted = options ? needed_struct(options, "options") : none;
+        out = new pelagic_ocean(state, options_of(wanted), query_tolerance_m(wanted));
+    });
+}
+
+void pelagic_ocean_destroy(pelagic_ocean* ocean) { delete ocean; }
+
+pelagic_status pelagic_ocean_describe(const pelagic_ocean* ocean, pelagic_ocean_info* info) {
+    return guarded([&] {
+        const Ocean& sea = needed(ocean, "ocean").ocean;
+        pelagic_ocean_info& out = needed_struct(info, "info");
+        out.resolution = sea.sea().resolution;
+        out.threads = sea.executor().thread_limit();
+        out.reserved = 0;
+        out.memory_bytes = sea.memory_bytes();
+        out.isa = name_of(sea.isa()).data();          // names are literals, so they end in 0
+        out.executor = sea.executor().name().data();  // ours alone: a host's is named "host" here
+    });
+}
+
+pelagic_status pelagic_ocean_schedule(pelagic_ocean* ocean, double time_s) {
+    return guarded([&] {
+        need_no_frame_in_flight(needed(ocean, "ocean"));
+        need_finite(time_s);
+        ocean->asked.wait_for_old_readers();
+        ocean->ocean.schedule(time_s);
+        ocean->frame_in_flight = true;
+    });
+}
+
+pelagic_status pelagic_ocean_poll(const pelagic_ocean* ocean, int32_t* is_ready) {
+    return guarded([&] {
+        need_frame_in_flight(needed(ocean, "ocean"));
+        needed(is_ready, "is_ready") = ocean->ocean.is_ready();
+    });
+}
+
+pelagic_status pelagic_ocean_complete(pelagic_ocean* ocean, pelagic_frame* frame) {
+    return guarded([&] {
+        need_frame_in_flight(needed(ocean, "ocean"));
+        pelagic_frame& out = needed_struct(frame, "frame");
+        ocean->completed = &ocean->ocean.complete();
+        ocean->frame_in_flight = false;
+        if (ocean->has_queries)
+            ocean->asked.show(SurfaceQuery(*ocean->completed, ocean->ocean.isa(), ocean->query_tolerance_m));
+        write(*ocean->completed, out);
+    });
+}
+
+pelagic_status pelagic_ocean_frame_at(pelagic_ocean* ocean, double time_s, const pelagic_frame_buffers* buffers,
+                                      pelagic_bounds* bounds) {
+    return guarded([&] {
+        need_no_frame_in_flight(needed(ocean, "ocean"));
+        need_finite(time_s);
+        const FrameBuffers to = buffers_of(needed_struct(buffers, "buffers"));
+        ocean->asked.wait_for_old_readers();
+        const FrameBounds all = ocean->ocean.frame_at(time_s, to);
+        if (bounds) *bounds = bounds_of(all);
+    });
+}
+
+pelagic_status pelagic_ocean_hash(const pelagic_ocean* ocean, uint64_t* hash) {
+    return guarded([&] {
+        if (!needed(ocean, "ocean").completed)
+            throw WrongOrder("there is no frame yet, needs pelagic_ocean_complete first");
+        needed(hash, "hash") = hash_of(*ocean->completed);
+    });
+}
+
+pelagic_status pelagic_ocean_schedule_sea(pelagic_ocean* ocean, const pelagic_sea* sea) {
+    return guarded([&] {
+        if (needed(ocean, "ocean").sea_in_flight)
+            throw WrongOrder("a sea is being baked, needs pelagic_ocean_complete_sea first");
+        ocean->ocean.schedule_sea(sea_of(sea));
+        ocean->sea_in_flight = true;
+    });
+}
+
+pelagic_status pelagic_ocean_poll_sea(const pelagic_ocean* ocean, int32_t* is_ready) {
+    return guarded([&] {
+        need_sea_in_flight(needed(ocean, "ocean"));
+        needed(is_ready, "is_ready") = ocean->ocean.sea_is_ready();
+    });
+}
+
+pelagic_status pelagic_ocean_complete_sea(pelagic_ocean* ocean) {
+    return guarded([&] {
+        need_no_frame_in_flight(needed(ocean, "ocean"));
+        need_sea_in_flight(*ocean);
+        ocean->ocean.complete_sea();
+        ocean->sea_in_flight = false;
+    });
+}

@@ -1,0 +1,65 @@
+// What a pelagic_ocean is: an Ocean, whether it is in order, and the frame that may be asked.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <optional>
+
+#include "capi/pelagic/pelagic.h"
+#include "sim/ocean.hpp"
+#include "sim/surface_query.hpp"
+
+namespace pelagic::capi {
+
+/// The frame that complete() handed out last, for any number of threads, and the one before as long as somebody asks it.
+///
+/// A reader counts himself in at the current slot and looks again whether it still is. So whoever makes another one
+/// current and then sees nobody at the old one knows that nobody will come. Readers never wait.
+class AskedFrames {
+    struct Slot {
+        std::optional<SurfaceQuery> query;
+        std::atomic<int> readers = 0;
+    };
+
+   public:
+    /// Keeps the current frame from being written over while it lives.
+    class Reader {
+       public:
+        explicit Reader(AskedFrames& frames);
+        ~Reader() { leave(); }
+        Reader(const Reader&) = delete;
+        Reader& operator=(const Reader&) = delete;
+        /// None before the first frame.
+        const SurfaceQuery* query() const { return slot_ ? &*slot_->query : nullptr; }
+
+       private:
+        void leave();
+        Slot* slot_ = nullptr;
+    };
+
+    /// Makes a frame the current one. \pre wait_for_old_readers() since the last time
+    void show(const SurfaceQuery& query);
+
+    /// Returns when nobody reads the frame before the current one any more, so that its memory may be written.
+    void wait_for_old_readers();
+
+   private:
+    std::array<Slot, 2> slots_;
+    std::size_t newest_ = 0;                ///< for the thread that completes frames
+    std::atomic<Slot*> current_ = nullptr;  ///< the same for readers
+};
+
+}  // namespace pelagic::capi
+
+struct pelagic_ocean {
+    pelagic_ocean(const pelagic::SeaState& sea, pelagic::OceanOptions options, double tolerance_m)
+        : ocean(sea, options), has_queries(options.queries), query_tolerance_m(tolerance_m) {}
+
+    pelagic::Ocean ocean;
+    bool has_queries;
+    double query_tolerance_m;
+    bool frame_in_flight = false;
+    bool sea_in_flight = false;
+    const pelagic::Frame* completed = nullptr;
+    mutable pelagic::capi::AskedFrames asked;
+};

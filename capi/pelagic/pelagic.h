@@ -1,0 +1,332 @@
+/* Pelagic for C and for whatever can call C: an open sea on CPU jobs and SIMD.
+ *
+ *   pelagic_sea sea = {.struct_size = sizeof sea};
+ *   pelagic_frame frame = {.struct_size = sizeof frame};
+ *   pelagic_ocean* ocean;
+ *   pelagic_sea_defaults(&sea);
+ *   sea.wind_speed_mps = 9;
+ *   if (pelagic_ocean_create(&sea, NULL, &ocean) != PELAGIC_OK) die(pelagic_last_error());
+ *   pelagic_ocean_schedule(ocean, 0);
+ *   for (t = 0; drawing; t += 1.0 / 90) {
+ *       pelagic_ocean_complete(ocean, &frame);           // the frame scheduled last
+ *       pelagic_ocean_schedule(ocean, t + 1.0 / 90);     // the next is computed while this one is drawn
+ *       draw(frame.displacement_rgba16f, frame.gradient_rgba8);
+ *   }
+ *   pelagic_ocean_destroy(ocean);
+ *
+ * The sea is the one of the C++ interface, bit for bit.
+ *
+ * Conventions. SI units, named in each field; right-handed, +y up, rest level y = 0; angles in radians; time in seconds.
+ *
+ * Errors. Every function that can fail returns a pelagic_status. Unless that is PELAGIC_OK, nothing was written through the
+ * other arguments (but a handle that was not created is NULL), nothing has changed, and pelagic_last_error() has one line.
+ * No exception crosses this interface. A NULL handle, or a NULL pointer that is not said to be optional, is
+ * PELAGIC_INVALID_ARGUMENT. A handle that was destroyed, or a pointer to less memory than stated, can't be found out:
+ * undefined.
+ *
+ * Structs. Each begins with struct_size, which the caller sets to sizeof before any call. Later versions add fields at
+ * the end only and go on taking the sizes of earlier ones; an unknown size is PELAGIC_INVALID_ARGUMENT, and so is anything
+ * but 0 in a reserved field that the library reads.
+ *
+ * Threads. One thread at a time uses an ocean, and different oceans may be used side by side. Exceptions are the queries
+ * (pelagic_ocean_query, _first_hit): any number of threads at once, also while that one thread schedules and completes
+ * frames. An executor may be shared by oceans on any threads.
+ *
+ * Ownership. The caller destroys what pelagic_..._create made, in any order: an ocean keeps its executor alive. What a
+ * pelagic_frame points to belongs to the ocean. Strings that are returned live as long as the library, but for the one of
+ * pelagic_last_error().
+ *
+ * No allocation is made by schedule, poll, complete and queries after an ocean's first frame. */
+#ifndef PELAGIC_PELAGIC_H
+#define PELAGIC_PELAGIC_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#if defined(_WIN32)
+#define PELAGIC_API
+#else
+#define PELAGIC_API __attribute__((visibility("default")))
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define PELAGIC_VERSION_MAJOR 0
+#define PELAGIC_VERSION_MINOR 1
+#define PELAGIC_VERSION_PATCH 0
+
+/* The library's version, which may be later than the header's: major * 10000 + minor * 100 + patch. */
+PELAGIC_API uint32_t pelagic_version(void);
+
+typedef int32_t pelagic_status;
+enum {
+    PELAGIC_OK = 0,
+    PELAGIC_INVALID_ARGUMENT = 1, /* a value, handle, size or pointer that can't be used; the message names it */
+    PELAGIC_WRONG_ORDER = 2,      /* not now: for instance a second schedule without complete. Nothing has changed */
+    PELAGIC_OUT_OF_MEMORY = 3,
+    PELAGIC_SYSTEM_ERROR = 4,  /* the system has no more threads to give */
+    PELAGIC_INTERNAL_ERROR = 5 /* a mistake of Pelagic's: please report the message */
+};
+
+/* Why the last call on this thread that failed did so: one line, "wind_speed_mps is -3, needs (0, 60]". Empty before the
+ * first failure; success leaves it as it is. Valid until the next failure on this thread. */
+PELAGIC_API const char* pelagic_last_error(void);
+
+/* ---- The sea ---------------------------------------------------------------------------------------------------- */
+
+enum {
+    PELAGIC_SPECTRUM_PHILLIPS_PAPER = 0,
+    PELAGIC_SPECTRUM_PHILLIPS = 1,
+    PELAGIC_SPECTRUM_PIERSON_MOSKOWITZ = 2,
+    PELAGIC_SPECTRUM_JONSWAP = 3
+};
+
+/* What sea is wanted. Two machines with the same values and the same Pelagic have the same sea at the same time. */
+typedef struct pelagic_sea {
+    uint32_t struct_size;
+    int32_t spectrum;          /* PELAGIC_SPECTRUM_... */
+    int32_t resolution;        /* N, texels along a side; a power of two, 16 to 2048 */
+    uint32_t seed;             /* which sea of this kind */
+    double patch_size_m;       /* L, the sea repeats after this length; [0.001, 1e6] */
+    double wind_speed_mps;     /* mean wind 10 m above the sea; (0, 60] */
+    double wind_direction_rad; /* where the wind blows towards, from +x towards +z; [-2 pi, 2 pi] */
+    double fetch_m;            /* how far the wind has blown over water (jonswap); (0, 2e6] */
+    double depth_m;            /* (0, 11000] */
+    double choppiness;         /* 0 gives a height field; [0, 1] */
+    double roughness;          /* of the water between texels, for the smoothness channel; [0, 1] */
+    double small_waves;        /* 0 keeps small waves, 1 removes those below L/4; [0, 1] */
+    double alignment;          /* 0 waves from everywhere, 1 along the wind; [0, 1] */
+    double loop_period_s;      /* T, the sea repeats exactly after this time; [0.1, 86400] */
+} pelagic_sea;
+
+/* Sets every field but struct_size. */
+PELAGIC_API pelagic_status pelagic_sea_defaults(pelagic_sea* sea);
+
+/* The same for a sea state: "calm", "moderate", "rough" or "storm". */
+PELAGIC_API pelagic_status pelagic_sea_preset(const char* name, pelagic_sea* sea);
+
+/* PELAGIC_OK if an ocean could be made of it, else the message names the first bad field. */
+PELAGIC_API pelagic_status pelagic_sea_check(const pelagic_sea* sea);
+
+/* ---- Where jobs run --------------------------------------------------------------------------------------------- */
+
+enum {
+    PELAGIC_EXECUTOR_DEFAULT = 0, /* oneTBB where the library was built with it, else threads */
+    PELAGIC_EXECUTOR_SERIAL = 1,  /* no threads: complete() does the work */
+    PELAGIC_EXECUTOR_THREADS = 2, /* a pool of its own */
+    PELAGIC_EXECUTOR_TBB = 3,     /* PELAGIC_INVALID_ARGUMENT if built without */
+    PELAGIC_EXECUTOR_HOST = 4     /* the host's job system, through the callbacks below */
+};
+
+/* Calls job(work, i) once for each i in [0, count), on any threads, side by side or not, and returns when all are done.
+ * Called several times a frame, from complete() or from a submitted task. Jobs need 512 KiB of stack, and
+ * 1 MiB for N = 2048 (exact figures: docs/architecture.md, Memory). */
+typedef void (*pelagic_parallel_for)(void* user, size_t count, void (*job)(void* work, size_t index), void* work);
+
+/* Calls task(work) once, on some other thread, soon; returns at once. A task may be called late, even after the ocean is
+ * gone, but has to be called. */
+typedef void (*pelagic_submit)(void* user, void (*task)(void* work), void* work);
+
+typedef struct pelagic_executor_options {
+    uint32_t struct_size;
+    int32_t kind; /* PELAGIC_EXECUTOR_... */
+    /* Most threads at work on a frame, the completing one included; 1 leaves all work to complete(). 0: one per core (for
+     * threads with a mask, one per core of the mask; for a host, 1). [0, 1024] */
+    int32_t threads;
+    uint32_t reserved; /* 0 */
+    /* PELAGIC_EXECUTOR_THREADS on Linux and Android: bit i allows CPU i to the pool's threads; 0 allows all. */
+    uint64_t cpu_mask;
+    pelagic_parallel_for parallel_for; /* PELAGIC_EXECUTOR_HOST: must be there */
+    pelagic_submit submit;             /* optional: without it complete() begins the work */
+    void* user;                        /* handed to both; outlives every ocean of this executor */
+} pelagic_executor_options;
+
+typedef struct pelagic_executor pelagic_executor;
+
+PELAGIC_API pelagic_status pelagic_executor_create(const pelagic_executor_options* options,
+                                                   pelagic_executor** executor);
+
+/* Oceans that use it keep what they need of it. NULL is ignored. */
+PELAGIC_API void pelagic_executor_destroy(pelagic_executor* executor);
+
+/* ---- The ocean -------------------------------------------------------------------------------------------------- */
+
+typedef struct pelagic_ocean_options {
+    uint32_t struct_size;
+    int32_t queries;    /* not 0: frames can be asked about any point; N^2 / 8 bytes a frame */
+    int32_t velocities; /* not 0: frames have velocities; 12 N^2 bytes a frame and about twice the transforms */
+    uint32_t reserved;  /* 0 */
+    const pelagic_executor* executor; /* NULL: PELAGIC_EXECUTOR_DEFAULT */
+    const char* isa;          /* "sse4.2", "avx2", "avx512" or "neon"; NULL: PELAGIC_ISA, else the strongest */
+    double query_tolerance_m; /* largest error of a converged point; 0: 0.001, else [1e-6, 1000] */
+} pelagic_ocean_options;
+
+typedef struct pelagic_ocean pelagic_ocean;
+
+/* Bakes the spectrum. `options` may be NULL: all 0. */
+PELAGIC_API pelagic_status pelagic_ocean_create(const pelagic_sea* sea, const pelagic_ocean_options* options,
+                                                pelagic_ocean** ocean);
+
+/* Waits for work in flight. No query may be under way. NULL is ignored. */
+PELAGIC_API void pelagic_ocean_destroy(pelagic_ocean* ocean);
+
+typedef struct pelagic_ocean_info {
+    uint32_t struct_size;
+    int32_t resolution;
+    int32_t threads; /* most that work on a frame */
+    uint32_t reserved;
+    uint64_t memory_bytes; /* all that the ocean allocated, two frames and the spectrum included */
+    const char* isa;
+    const char* executor; /* "serial", "thread", "tbb" or "host" */
+} pelagic_ocean_info;
+
+PELAGIC_API pelagic_status pelagic_ocean_describe(const pelagic_ocean* ocean, pelagic_ocean_info* info);
+
+/* ---- Frames ----------------------------------------------------------------------------------------------------- */
+
+/* A square of floats in blocks of a few columns: texel (i, j), column i and row j, is
+ * data[i / block_columns * block_stride + j * row_stride + i % block_columns]; strides are in floats. The number of
+ * columns in a block depends on the instruction set. */
+typedef struct pelagic_plane {
+    const float* data; /* NULL: the ocean was made without it */
+    int32_t resolution;
+    int32_t block_columns;
+    ptrdiff_t row_stride;
+    ptrdiff_t block_stride;
+} pelagic_plane;
+
+/* Extremes of a frame, for culling boxes; exact. */
+typedef struct pelagic_bounds {
+    float height_min_m;
+    float height_max_m;
+    float sideways_x_max_m; /* largest |Dx| */
+    float sideways_z_max_m; /* largest |Dz| */
+} pelagic_bounds;
+
+/* Texel (i, j) rests at x = i L / N, z = j L / N and is drawn at (x + Dx, height, z + Dz); metres. */
+typedef struct pelagic_frame {
+    uint32_t struct_size;
+    int32_t resolution; /* N */
+    double time_s;
+    double patch_size_m; /* L */
+    pelagic_plane dx, height, dz;
+    pelagic_plane velocity_x, velocity_y, velocity_z; /* metres a second; with pelagic_ocean_options.velocities */
+    /* N^2 texels of four IEEE half floats, Dx, height, Dz and foam (0 none to 1 covered): rows are tight, 8 N bytes.
+     * The layout of GL_RGBA16F with GL_HALF_FLOAT and of VK_FORMAT_R16G16B16A16_SFLOAT. */
+    const uint16_t* displacement_rgba16f;
+    /* A chain of gradient_levels levels of N, N / 2, ..., 1 texels a side, rows tight, 4 bytes a texel: normal x, normal
+     * z, Jacobian, smoothness. GL_RGBA8, VK_FORMAT_R8G8B8A8_UNORM. Level m begins gradient_offset[m] texels in. */
+    const uint32_t* gradient_rgba8;
+    int32_t gradient_levels;
+    uint32_t gradient_offset[12];
+    pelagic_bounds bounds;
+} pelagic_frame;
+
+/* Starts the frame at time_s and returns at once. Any finite time, in any order: a frame is a pure function of the sea and
+ * the time, and time_s + n * loop_period_s gives the same bits. A small frame (N up to 64), and any without threads,
+ * is computed in complete(). Waits for queries that began before the last complete(), because it needs the memory of the
+ * frame that they read. PELAGIC_WRONG_ORDER if a frame is in flight. */
+PELAGIC_API pelagic_status pelagic_ocean_schedule(pelagic_ocean* ocean, double time_s);
+
+/* *is_ready becomes 1 if complete() would not wait for other threads, else 0. Never blocks. Do not spin on it: threads
+ * that others keep busy may leave the work to complete(). PELAGIC_WRONG_ORDER if no frame is in flight. */
+PELAGIC_API pelagic_status pelagic_ocean_poll(const pelagic_ocean* ocean, int32_t* is_ready);
+
+/* Waits for the frame in flight, helping, and hands it out. What `frame` points to stays valid while the next frame is
+ * computed: until the second schedule from now, or destroy. PELAGIC_WRONG_ORDER if no frame is in flight. */
+PELAGIC_API pelagic_status pelagic_ocean_complete(pelagic_ocean* ocean, pelagic_frame* frame);
+
+/* Where pelagic_ocean_frame_at writes. Pointers may be NULL: not wanted. Counts are exact, of elements. Rows are tight,
+ * texel (i, j) at j N + i. */
+typedef struct pelagic_frame_buffers {
+    uint32_t struct_size;
+    uint32_t reserved;  /* 0 */
+    size_t plane_count; /* N^2, the length of each of these */
+    float *dx, *height, *dz;
+    float *velocity_x, *velocity_y, *velocity_z;
+    size_t rgba16f_count; /* 4 N^2 */
+    uint16_t* displacement_rgba16f;
+    size_t rgba8_count; /* texels of the chain: (4 N^2 - 1) / 3 */
+    uint32_t* gradient_rgba8;
+} pelagic_frame_buffers;
+
+/* Computes the frame of time_s into the caller's memory, synchronously; for servers and replays. Views and queries of the
+ * frame completed last are not touched. `bounds` may be NULL. PELAGIC_WRONG_ORDER as for schedule. */
+PELAGIC_API pelagic_status pelagic_ocean_frame_at(pelagic_ocean* ocean, double time_s,
+                                                  const pelagic_frame_buffers* buffers, pelagic_bounds* bounds);
+
+/* The 64-bit hash of all outputs of the frame completed last: two machines that agree on it have the same sea.
+ * PELAGIC_WRONG_ORDER before the first. */
+PELAGIC_API pelagic_status pelagic_ocean_hash(const pelagic_ocean* ocean, uint64_t* hash);
+
+/* ---- Another sea ------------------------------------------------------------------------------------------------ */
+
+/* Starts to bake another sea beside the current one; frames go on with the old one. The resolution must stay.
+ * PELAGIC_WRONG_ORDER if one is being baked. */
+PELAGIC_API pelagic_status pelagic_ocean_schedule_sea(pelagic_ocean* ocean, const pelagic_sea* sea);
+
+/* As pelagic_ocean_poll. PELAGIC_WRONG_ORDER if no sea is being baked. */
+PELAGIC_API pelagic_status pelagic_ocean_poll_sea(const pelagic_ocean* ocean, int32_t* is_ready);
+
+/* Frames scheduled from now on show it; waits for its spectrum. PELAGIC_WRONG_ORDER if none is being baked or a frame is
+ * in flight. */
+PELAGIC_API pelagic_status pelagic_ocean_complete_sea(pelagic_ocean* ocean);
+
+/* ---- Queries ---------------------------------------------------------------------------------------------------- */
+
+/* World positions in metres, as far away as you like: the sea repeats in double precision. A position that is no number
+ * has no sample: its error is infinite and it is not converged. */
+typedef struct pelagic_points {
+    uint32_t struct_size;
+    uint32_t reserved; /* 0 */
+    size_t count;
+    const double *x, *z; /* `count` of each; may be NULL if that is 0 */
+} pelagic_points;
+
+/* What to tell: arrays as long as the points, or NULL. None overlaps another or the points. */
+typedef struct pelagic_samples {
+    uint32_t struct_size;
+    uint32_t reserved; /* 0 */
+    float* height_m;
+    float *normal_x, *normal_y, *normal_z; /* unit normal of the displaced surface */
+    float* jacobian;                       /* 1 at rest, small at sharp crests, negative where turned over */
+    float *velocity_x_mps, *velocity_y_mps, *velocity_z_mps; /* of the water there; with the velocities option */
+    float* error_m;                                          /* how far sideways of the point the sample is drawn */
+    uint8_t* converged;                                      /* 1 if that is within the tolerance */
+} pelagic_samples;
+
+/* Asks the frame that complete() handed out last; of sheets over one another the highest counts. Any thread, any number
+ * at once; allocates nothing, never waits. The bits depend on the frame, the point and the tolerance alone.
+ * PELAGIC_INVALID_ARGUMENT if the ocean has no queries, or no velocities and one is wanted; PELAGIC_WRONG_ORDER before the
+ * first frame. */
+PELAGIC_API pelagic_status pelagic_ocean_query(const pelagic_ocean* ocean, const pelagic_points* points,
+                                               const pelagic_samples* samples);
+
+typedef struct pelagic_ray {
+    uint32_t struct_size;
+    uint32_t reserved;   /* 0 */
+    double origin_m[3];  /* x, y, z; [-1e9, 1e9] */
+    double direction[3]; /* its length doesn't matter; [1e-100, 1e100] */
+    double reach_m;      /* how far to look; 0 to 1e6 texels, which are L / N each */
+} pelagic_ray;
+
+typedef struct pelagic_hit {
+    uint32_t struct_size;
+    int32_t is_hit;     /* 0: no water within reach, and the rest is 0 */
+    int32_t from_below; /* the ray comes out of the water */
+    float normal[3];    /* of the surface there, whichever side is hit */
+    double distance_m;
+    double position_m[3];
+} pelagic_hit;
+
+/* The first place where the ray passes through the surface. Threads and errors as pelagic_ocean_query. */
+PELAGIC_API pelagic_status pelagic_ocean_first_hit(const pelagic_ocean* ocean, const pelagic_ray* ray,
+                                                   pelagic_hit* hit);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,92 @@
+#include <cmath>
+#include <limits>
+
+#include "capi/ocean.hpp"
+#include "capi/status.hpp"
+#include "sim/surface_ray.hpp"
+
+namespace pelagic::capi {
+namespace {
+
+const SurfaceQuery& needed_query(const pelagic_ocean& ocean, const AskedFrames::Reader& reader) {
+    if (!ocean.has_queries) refuse("the ocean can't be queried, needs pelagic_ocean_options.queries");
+    if (!reader.query()) throw WrongOrder("there is no frame yet, needs pelagic_ocean_complete first");
+    return *reader.query();
+}
+
+SurfacePoints points_of(const pelagic_points& points) {
+    // More can't be in memory, and a length in bytes still fits.
+    constexpr std::size_t most = std::numeric_limits<std::ptrdiff_t>::max() / sizeof(double);
+    if (points.count > most)
+        refuse("points.count is " + std::to_string(points.count) + ", needs at most " + std::to_string(most));
+    if (points.count == 0) return {};
+    return {.x = {&needed(points.x, "points.x"), points.count}, .z = {&needed(points.z, "points.z"), points.count}};
+}
+
+SurfaceSamples samples_of(const pelagic_samples& samples, std::size_t count) {
+    const auto part = [count]<class T>(T* data) { return data ? std::span<T>(data, count) : std::span<T>(); };
+    return {.height_m = part(samples.height_m),
+            .normal_x = part(samples.normal_x),
+            .normal_y = part(samples.normal_y),
+            .normal_z = part(samples.normal_z),
+            .jacobian = part(samples.jacobian),
+            .velocity_x_mps = part(samples.velocity_x_mps),
+            .velocity_y_mps = part(samples.velocity_y_mps),
+            .velocity_z_mps = part(samples.velocity_z_mps),
+            .error_m = part(samples.error_m),
+            .converged = part(samples.converged)};
+}
+
+void need_within(const char* name, double value, double least, double most, const char* accepted) {
+    if (!(value >= least && value <= most))
+        refuse(std::string(name) + " is " + std::to_string(value) + ", needs " + accepted);
+}
+
+// Limits of what first_hit() may be asked, which also bound the time that it takes.
+SurfaceRay ray_of(const pelagic_ray& ray, double texel_m) {
+    constexpr double far_m = 1e9, most_texels = 1e6;
+    for (const double along : ray.origin_m) need_within("ray.origin_m", along, -far_m, far_m, "[-1e9, 1e9]");
+    const double* const d = ray.direction;
+    const double length = std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+    need_within("ray.direction's length", length, 1e-100, 1e100, "[1e-100, 1e100]");
+    need_within("ray.reach_m", ray.reach_m, 0, most_texels * texel_m, "0 to a million texels");
+    return {.origin_m = {ray.origin_m[0], ray.origin_m[1], ray.origin_m[2]},
+            .direction = {d[0], d[1], d[2]},
+            .reach_m = ray.reach_m};
+}
+
+}  // namespace
+}  // namespace pelagic::capi
+
+using namespace pelagic;
+using namespace pelagic::capi;
+
+pelagic_status pelagic_ocean_query(const pelagic_ocean* ocean, const pelagic_points* points,
+                                   const pelagic_samples* samples) {
+    return guarded([&] {
+        const AskedFrames::Reader reader(needed(ocean, "ocean").asked);
+        const SurfaceQuery& query = needed_query(*ocean, reader);
+        const SurfacePoints where = points_of(needed_struct(points, "points"));
+        query.sample(where, samples_of(needed_struct(samples, "samples"), where.x.size()));
+    });
+}
+
+pelagic_status pelagic_ocean_first_hit(const pelagic_ocean* ocean, const pelagic_ray* ray, pelagic_hit* hit) {
+    return guarded([&] {
+        const AskedFrames::Reader reader(needed(ocean, "ocean").asked);
+        const SurfaceQuery& query = needed_query(*ocean, reader);
+        const SurfaceRay asked = ray_of(needed_struct(ray, "ray"), query.texel_m());
+        pelagic_hit& out = needed_struct(hit, "hit");
+        const std::optional<SurfaceHit> found = first_hit(query, asked);
+        out = pelagic_hit{};
+        out.struct_size = sizeof out;
+        out.is_hit = found.has_value();
+        if (!found) return;
+        out.from_below = found->from_below;
+        out.distance_m = found->distance_m;
+        for (std::size_t i = 0; i < 3; ++i) {
+            out.normal[i] = found->normal[i];
+            out.position_m[i] = found->position_m[i];
+        }
+    });
+}

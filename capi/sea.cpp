@@ -1,0 +1,77 @@
+#include "capi/sea.hpp"
+
+#include "capi/status.hpp"
+
+namespace pelagic::capi {
+namespace {
+
+static_assert(PELAGIC_SPECTRUM_PHILLIPS_PAPER == static_cast<int>(SpectrumModel::phillips_paper));
+static_assert(PELAGIC_SPECTRUM_PHILLIPS == static_cast<int>(SpectrumModel::phillips));
+static_assert(PELAGIC_SPECTRUM_PIERSON_MOSKOWITZ == static_cast<int>(SpectrumModel::pierson_moskowitz));
+static_assert(PELAGIC_SPECTRUM_JONSWAP == static_cast<int>(SpectrumModel::jonswap));
+
+void write(const SeaState& from, pelagic_sea& to) {
+    to.spectrum = static_cast<std::int32_t>(from.spectrum);
+    to.resolution = from.resolution;
+    to.seed = from.seed;
+    to.patch_size_m = from.patch_size_m;
+    to.wind_speed_mps = from.wind_speed_mps;
+    to.wind_direction_rad = from.wind_direction_rad;
+    to.fetch_m = from.fetch_m;
+    to.depth_m = from.depth_m;
+    to.choppiness = from.choppiness;
+    to.roughness = from.roughness;
+    to.small_waves = from.small_waves;
+    to.alignment = from.alignment;
+    to.loop_period_s = from.loop_period_s;
+}
+
+std::string preset_names() {
+    std::string names;
+    for (const SeaPreset& preset : sea_presets()) names.append(names.empty() ? "" : ", ").append(preset.name);
+    return names;
+}
+
+}  // namespace
+
+SeaState sea_of(const pelagic_sea* pointer) {
+    const pelagic_sea& sea = needed_struct(pointer, "sea");
+    return {.spectrum = static_cast<SpectrumModel>(sea.spectrum),
+            .resolution = sea.resolution,
+            .patch_size_m = sea.patch_size_m,
+            .wind_speed_mps = sea.wind_speed_mps,
+            .wind_direction_rad = sea.wind_direction_rad,
+            .fetch_m = sea.fetch_m,
+            .depth_m = sea.depth_m,
+            .choppiness = sea.choppiness,
+            .roughness = sea.roughness,
+            .small_waves = sea.small_waves,
+            .alignment = sea.alignment,
+            .loop_period_s = sea.loop_period_s,
+            .seed = sea.seed};
+}
+
+}  // namespace pelagic::capi
+
+using namespace pelagic;
+using namespace pelagic::capi;
+
+pelagic_status pelagic_sea_defaults(pelagic_sea* sea) {
+    return guarded([&] { write(SeaState(), needed_struct(sea, "sea")); });
+}
+
+pelagic_status pelagic_sea_preset(const char* name, pelagic_sea* sea) {
+    return guarded([&] {
+        const std::string_view wanted = &needed(name, "name");
+        pelagic_sea& out = needed_struct(sea, "sea");
+        for (const SeaPreset& preset : sea_presets())
+            if (preset.name == wanted) return write(preset.sea, out);
+        refuse("preset is " + std::string(wanted.substr(0, 64)) + ", needs one of " + preset_names());
+    });
+}
+
+pelagic_status pelagic_sea_check(const pelagic_sea* sea) {
+    return guarded([&] {
+        if (const std::string reason = check(sea_of(sea)); !reason.empty()) refuse(reason);
+    });
+}

@@ -1,0 +1,12 @@
+// A sea as C spells it.
+#pragma once
+
+#include "capi/pelagic/pelagic.h"
+#include "sim/sea_state.hpp"
+
+namespace pelagic::capi {
+
+/// Throws std::invalid_argument for null and a wrong struct_size. Values are for check().
+SeaState sea_of(const pelagic_sea* sea);
+
+}  // namespace pelagic::capi

@@ -1,0 +1,23 @@
+#include "capi/status.hpp"
+
+#include <cstring>
+
+namespace pelagic::capi {
+namespace {
+thread_local char last_error[512] = "";
+}
+
+pelagic_status failure(pelagic_status status, const char* reason) noexcept {
+    std::strncpy(last_error, reason, sizeof last_error - 1);
+    return status;
+}
+
+void refuse(const std::string& reason) { throw std::invalid_argument(reason); }
+
+}  // namespace pelagic::capi
+
+uint32_t pelagic_version() {
+    return PELAGIC_VERSION_MAJOR * 10000 + PELAGIC_VERSION_MINOR * 100 + PELAGIC_VERSION_PATCH;
+}
+
+const char* pelagic_last_error() { return pelagic::capi::last_error; }

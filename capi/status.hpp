@@ -1,0 +1,66 @@
+// How C++ turns into C: exceptions into codes, reasons into one line of the calling thread.
+#pragma once
+
+#include <exception>
+#include <new>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+#include <type_traits>
+
+#include "capi/pelagic/pelagic.h"
+
+namespace pelagic::capi {
+
+/// Keeps the line for pelagic_last_error(), cut to 511 bytes: no memory is needed to say that there is none.
+pelagic_status failure(pelagic_status status, const char* reason) noexcept;
+
+/// "ocean is NULL, needs an ocean".
+[[noreturn]] void refuse(const std::string& reason);
+
+/// What the host asked for at the wrong moment.
+struct WrongOrder : std::logic_error {
+    using std::logic_error::logic_error;
+};
+
+/// Runs a function's body. Its checks throw as the C++ interface does; none of it gets out.
+template <class Body>
+pelagic_status guarded(Body body) noexcept {
+    try {
+        body();
+        return PELAGIC_OK;
+    } catch (const WrongOrder& error) {
+        return failure(PELAGIC_WRONG_ORDER, error.what());
+    } catch (const std::invalid_argument& error) {
+        return failure(PELAGIC_INVALID_ARGUMENT, error.what());
+    } catch (const std::bad_alloc&) {
+        return failure(PELAGIC_OUT_OF_MEMORY, "out of memory");
+    } catch (const std::system_error& error) {
+        return failure(PELAGIC_SYSTEM_ERROR, error.what());
+    } catch (const std::exception& error) {
+        return failure(PELAGIC_INTERNAL_ERROR, error.what());
+    } catch (...) {
+        return failure(PELAGIC_INTERNAL_ERROR, "unknown exception");
+    }
+}
+
+/// The thing behind a pointer that has to be there.
+template <class T>
+T& needed(T* pointer, const char* name) {
+    if (!pointer) refuse(std::string(name) + " is NULL, needs a pointer");
+    return *pointer;
+}
+
+/// The same for a struct that says its size. A version that adds fields takes the older sizes here.
+template <class T>
+T& needed_struct(T* pointer, const char* name) {
+    T& value = needed(pointer, name);
+    if (value.struct_size != sizeof(T))
+        refuse(std::string(name) + ".struct_size is " + std::to_string(value.struct_size) + ", needs " +
+               std::to_string(sizeof(T)));
+    if constexpr (std::is_const_v<T> && requires { value.reserved; })
+        if (value.reserved != 0) refuse(std::string(name) + ".reserved is set, needs 0");
+    return value;
+}
+
+}  // namespace pelagic::capi

@@ -1,0 +1,44 @@
+/* Draws nothing, but does each frame what a game does: takes the finished one, starts the next, asks for heights. */
+#include <pelagic/pelagic.h>
+#include <stdio.h>
+
+static int failed(pelagic_status status) {
+    if (status != PELAGIC_OK) fprintf(stderr, "c_host: %s\n", pelagic_last_error());
+    return status != PELAGIC_OK;
+}
+
+static int run(pelagic_ocean* ocean) {
+    const double x[3] = {10, 20, 30}, z[3] = {5, 5, 5};
+    float heights[3];
+    const pelagic_points buoys = {.struct_size = sizeof buoys, .count = 3, .x = x, .z = z};
+    const pelagic_samples wanted = {.struct_size = sizeof wanted, .height_m = heights};
+    pelagic_frame frame = {.struct_size = sizeof frame};
+    uint64_t hash;
+    int n;
+
+    if (failed(pelagic_ocean_schedule(ocean, 0))) return 1;
+    for (n = 1; n <= 5; ++n) {
+        if (failed(pelagic_ocean_complete(ocean, &frame))) return 1;   /* scheduled in the frame before */
+        if (failed(pelagic_ocean_schedule(ocean, n / 90.0))) return 1; /* computed while this one is drawn */
+        if (failed(pelagic_ocean_query(ocean, &buoys, &wanted))) return 1;
+        if (failed(pelagic_ocean_hash(ocean, &hash))) return 1;
+        printf("%.4f s: hash %016llx, buoys at %.3f %.3f %.3f m\n", frame.time_s, (unsigned long long)hash,
+               heights[0], heights[1], heights[2]);
+    }
+    return 0;
+}
+
+int main(void) {
+    pelagic_sea sea = {.struct_size = sizeof sea};
+    const pelagic_ocean_options options = {.struct_size = sizeof options, .queries = 1};
+    pelagic_ocean* ocean;
+    int result;
+
+    if (failed(pelagic_sea_defaults(&sea))) return 1;
+    sea.resolution = 128;
+    sea.wind_speed_mps = 9;
+    if (failed(pelagic_ocean_create(&sea, &options, &ocean))) return 1;
+    result = run(ocean);
+    pelagic_ocean_destroy(ocean); /* waits for the frame in flight */
+    return result;
+}

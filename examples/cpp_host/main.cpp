@@ -1,0 +1,22 @@
+// Draws nothing, but does each frame what a game does: takes the finished one, starts the next, asks for heights.
+#include <cstdio>
+#include <vector>
+
+#include "sim/ocean.hpp"
+#include "sim/surface_query.hpp"
+
+int main() {
+    pelagic::Ocean ocean({.resolution = 128, .wind_speed_mps = 9}, {.queries = true});
+    const std::vector<double> buoys_x = {10, 20, 30}, buoys_z = {5, 5, 5};
+    std::vector<float> heights(buoys_x.size());
+
+    ocean.schedule(0);
+    for (int n = 1; n <= 5; ++n) {
+        const pelagic::Frame& frame = ocean.complete();  // scheduled in the frame before
+        ocean.schedule(n / 90.0);                        // computed while this one is drawn
+        const pelagic::SurfaceQuery water(frame, ocean.isa());
+        water.sample({.x = buoys_x, .z = buoys_z}, {.height_m = heights});
+        std::printf("%.4f s: hash %016llx, buoys at %.3f %.3f %.3f m\n", frame.time_s,
+                    static_cast<unsigned long long>(hash_of(frame)), heights[0], heights[1], heights[2]);
+    }
+}

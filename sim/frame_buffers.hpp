@@ -1,0 +1,29 @@
+// A frame as plain arrays of the host's own, for whoever keeps frames: servers, replays, files.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "sim/frame.hpp"
+
+namespace pelagic {
+
+/// Where to write. Each span is as long as stated, N being the frame's resolution, or empty if nobody wants it. Rows are
+/// tight, texel (i, j) at j N + i. None aliases another or the frame.
+struct FrameBuffers {
+    std::span<float> dx = {}, height = {}, dz = {};                      ///< N^2, metres
+    std::span<float> velocity_x = {}, velocity_y = {}, velocity_z = {};  ///< N^2, metres a second
+    std::span<std::uint16_t> displacement_rgba16f = {};                  ///< 4 N^2
+    std::span<std::uint32_t> gradient_rgba8 = {};                        ///< mip_offset(N, mip_levels(N))
+};
+
+/// Empty if frames of this resolution can be written there, else the first bad one: "height has 100 elements, needs
+/// 4096", "velocity_x is wanted, needs an ocean with velocities".
+std::string check(const FrameBuffers& buffers, int resolution, bool has_velocities);
+
+/// Throws std::invalid_argument(check(...)) before it writes.
+void copy_frame(const Frame& frame, const FrameBuffers& buffers);
+
+}  // namespace pelagic

@@ -1,0 +1,126 @@
+// Many oceans, many times, many threads.
+#include <malloc.h>
+
+#include <algorithm>
+#include <atomic>
+#include <random>
+#include <thread>
+
+#include "tests/capi_sea.hpp"
+#include "tests/sanitized.hpp"
+
+namespace pelagic {
+namespace {
+
+std::uint64_t hash_of(const pelagic_ocean* ocean) {
+    std::uint64_t hash = 0;
+    EXPECT_EQ(pelagic_ocean_hash(ocean, &hash), PELAGIC_OK) << pelagic_last_error();
+    return hash;
+}
+
+std::uint64_t hash_at(const pelagic_sea& sea, double time_s) {
+    auto frame = sized<pelagic_frame>();
+    const COcean ocean = ocean_of(sea, executor_of(PELAGIC_EXECUTOR_SERIAL).get());
+    EXPECT_EQ(pelagic_ocean_schedule(ocean.get(), time_s), PELAGIC_OK);
+    EXPECT_EQ(pelagic_ocean_complete(ocean.get(), &frame), PELAGIC_OK);
+    return hash_of(ocean.get());
+}
+
+TEST(CInterfaceLoad, AHundredOceansAtOnceOnOneExecutor) {
+    const COceanExecutor executor = executor_of(PELAGIC_EXECUTOR_THREADS, 3);
+    std::vector<COcean> oceans;
+    for (std::uint32_t i = 0; i < 100; ++i) {
+        pelagic_sea sea = small_sea(i % 2 ? 128 : 16);
+        sea.seed = i / 25;
+        oceans.push_back(ocean_of(sea, executor.get()));
+    }
+    for (int round = 0; round < 2; ++round) {
+        for (const COcean& ocean : oceans) ASSERT_EQ(pelagic_ocean_schedule(ocean.get(), round), PELAGIC_OK);
+        auto frame = sized<pelagic_frame>();
+        for (const COcean& ocean : oceans) ASSERT_EQ(pelagic_ocean_complete(ocean.get(), &frame), PELAGIC_OK);
+    }
+    for (std::uint32_t i = 0; i < 100; i += 7) {
+        pelagic_sea sea = small_sea(i % 2 ? 128 : 16);
+        sea.seed = i / 25;
+        EXPECT_EQ(hash_of(oceans[i].get()), hash_at(sea, 1)) << i;
+    }
+}
+
+// glibc's count of bytes that are handed out; a sanitizer has its own allocator, and looks for leaks itself.
+TEST(CInterfaceLoad, TenThousandOceansLeaveNothingBehind) {
+    const COceanExecutor serial = executor_of(PELAGIC_EXECUTOR_SERIAL);
+    const COceanExecutor threads = executor_of(PELAGIC_EXECUTOR_THREADS, 2);
+    const pelagic_sea sea = small_sea();
+    const auto make_some = [&](int count) {
+        for (int i = 0; i < count; ++i) {
+            const COcean ocean = ocean_of(sea, i % 2 ? serial.get() : threads.get());
+            ASSERT_EQ(pelagic_ocean_schedule(ocean.get(), i), PELAGIC_OK);  // destroyed in flight
+        }
+        for (int i = 0; i < count / 100; ++i) executor_of(PELAGIC_EXECUTOR_THREADS, 3);
+    };
+    make_some(500);
+    const std::size_t before = mallinfo2().uordblks;
+    make_some(is_sanitized ? 1000 : 10000);
+    const std::size_t after = mallinfo2().uordblks;
+    // glibc counts the blocks that a thread keeps for itself as handed out. This is less than a byte an ocean.
+    EXPECT_LE(after, before + 8192);
+}
+
+// What a query tells is of one whole frame, whichever it meets; and the frames do not notice.
+TEST(CInterfaceLoad, EightThreadsAskWhileFramesRun) {
+    constexpr int frames = 40, times = 4;
+    const pelagic_sea sea = small_sea(128);
+    std::vector<double> x, z;
+    std::mt19937 random(3);
+    for (int i = 0; i < 300; ++i) {
+        x.push_back(static_cast<double>(random()) / 0x1p22);
+        z.push_back(static_cast<double>(random()) / 0x1p22);
+    }
+    const auto ask = [&](const pelagic_ocean* ocean) {
+        std::vector<float> heights(x.size());
+        auto points = sized<pelagic_points>();
+        auto samples = sized<pelagic_samples>();
+        points.count = x.size(), points.x = x.data(), points.z = z.data();
+        samples.height_m = heights.data();
+        EXPECT_EQ(pelagic_ocean_query(ocean, &points, &samples), PELAGIC_OK) << pelagic_last_error();
+        return heights;
+    };
+    auto frame = sized<pelagic_frame>();
+    std::vector<std::vector<float>> expected;
+    std::vector<std::uint64_t> hashes;
+    const COcean alone = ocean_of(sea, executor_of(PELAGIC_EXECUTOR_SERIAL).get());
+    for (int n = 0; n < times; ++n) {
+        ASSERT_EQ(pelagic_ocean_schedule(alone.get(), n), PELAGIC_OK);
+        ASSERT_EQ(pelagic_ocean_complete(alone.get(), &frame), PELAGIC_OK);
+        expected.push_back(ask(alone.get()));
+        hashes.push_back(hash_of(alone.get()));
+    }
+
+    const COcean ocean = ocean_of(sea, executor_of(PELAGIC_EXECUTOR_THREADS, 3).get());
+    ASSERT_EQ(pelagic_ocean_schedule(ocean.get(), 0), PELAGIC_OK);
+    ASSERT_EQ(pelagic_ocean_complete(ocean.get(), &frame), PELAGIC_OK);
+    std::atomic<bool> stop = false;
+    std::atomic<int> asked = 0, torn = 0;
+    std::vector<std::thread> askers;
+    for (int i = 0; i < 8; ++i) {
+        askers.emplace_back([&] {
+            while (!stop) {
+                const std::vector<float> heights = ask(ocean.get());
+                ++asked;
+                if (std::find(expected.begin(), expected.end(), heights) == expected.end()) ++torn;
+            }
+        });
+    }
+    for (int n = 1; n <= frames; ++n) {
+        EXPECT_EQ(pelagic_ocean_schedule(ocean.get(), n % times), PELAGIC_OK);
+        EXPECT_EQ(pelagic_ocean_complete(ocean.get(), &frame), PELAGIC_OK);
+        EXPECT_EQ(hash_of(ocean.get()), hashes[static_cast<std::size_t>(n % times)]);
+    }
+    while (asked < 8) std::this_thread::yield();
+    stop = true;
+    for (std::thread& asker : askers) asker.join();
+    EXPECT_EQ(torn, 0);
+}
+
+}  // namespace
+}  // namespace pelagic

@@ -1,0 +1,82 @@
+// Oceans of the C interface that tests share.
+#pragma once
+
+#include <gtest/gtest.h>
+#include <pelagic/pelagic.h>
+
+#include <memory>
+#include <vector>
+
+namespace pelagic {
+
+template <class T>
+T sized() {
+    T value{};
+    value.struct_size = sizeof(T);
+    return value;
+}
+
+inline pelagic_sea small_sea(std::int32_t resolution = 16) {
+    auto sea = sized<pelagic_sea>();
+    EXPECT_EQ(pelagic_sea_defaults(&sea), PELAGIC_OK);
+    sea.resolution = resolution;
+    return sea;
+}
+
+struct DestroyExecutor {
+    void operator()(pelagic_executor* executor) const { pelagic_executor_destroy(executor); }
+};
+using COceanExecutor = std::unique_ptr<pelagic_executor, DestroyExecutor>;
+
+inline COceanExecutor executor_of(std::int32_t kind, std::int32_t threads = 0) {
+    auto options = sized<pelagic_executor_options>();
+    options.kind = kind;
+    options.threads = threads;
+    pelagic_executor* executor = nullptr;
+    EXPECT_EQ(pelagic_executor_create(&options, &executor), PELAGIC_OK) << pelagic_last_error();
+    return COceanExecutor(executor);
+}
+
+struct DestroyOcean {
+    void operator()(pelagic_ocean* ocean) const { pelagic_ocean_destroy(ocean); }
+};
+using COcean = std::unique_ptr<pelagic_ocean, DestroyOcean>;
+
+/// With queries and velocities.
+inline COcean ocean_of(const pelagic_sea& sea, const pelagic_executor* executor) {
+    auto options = sized<pelagic_ocean_options>();
+    options.queries = options.velocities = 1;
+    options.executor = executor;
+    pelagic_ocean* ocean = nullptr;
+    EXPECT_EQ(pelagic_ocean_create(&sea, &options, &ocean), PELAGIC_OK) << pelagic_last_error();
+    return COcean(ocean);
+}
+
+/// Arrays for frame_at(), as long as it wants them.
+struct FrameArrays {
+    explicit FrameArrays(std::int32_t resolution)
+        : planes(6, std::vector<float>(static_cast<std::size_t>(resolution) * resolution)),
+          halves(4 * planes[0].size()),
+          bytes((4 * planes[0].size() - 1) / 3) {}
+
+    pelagic_frame_buffers view() {
+        auto buffers = sized<pelagic_frame_buffers>();
+        buffers.plane_count = planes[0].size();
+        buffers.dx = planes[0].data(), buffers.height = planes[1].data(), buffers.dz = planes[2].data();
+        buffers.velocity_x = planes[3].data();
+        buffers.velocity_y = planes[4].data();
+        buffers.velocity_z = planes[5].data();
+        buffers.rgba16f_count = halves.size();
+        buffers.displacement_rgba16f = halves.data();
+        buffers.rgba8_count = bytes.size();
+        buffers.gradient_rgba8 = bytes.data();
+        return buffers;
+    }
+    bool operator==(const FrameArrays&) const = default;
+
+    std::vector<std::vector<float>> planes;
+    std::vector<std::uint16_t> halves;
+    std::vector<std::uint32_t> bytes;
+};
+
+}  // namespace pelagic

@@ -1,0 +1,539 @@
+// The C interface: the same sea as in C++, every misuse a code and a line, nothing a crash. Linked against the shared
+// library alone.
+#include <atomic>
+#include <cmath>
+#include <cstring>
+#include <functional>
+#include <limits>
+#include <map>
+#include <string>
+#include <thread>
+
+#include "tests/capi_sea.hpp"
+
+namespace pelagic {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+
+/// The call fails as stated, with a message that holds `words`.
+void expect_failure(pelagic_status status, pelagic_status expected, const std::string& words) {
+    EXPECT_EQ(status, expected) << pelagic_last_error();
+    const std::string message = pelagic_last_error();
+    EXPECT_NE(message.find(words), std::string::npos) << message << "\nlacks " << words;
+    EXPECT_EQ(message.find('\n'), std::string::npos);
+}
+void expect_invalid(pelagic_status status, const std::string& words) {
+    expect_failure(status, PELAGIC_INVALID_ARGUMENT, words);
+}
+void expect_wrong_order(pelagic_status status, const std::string& words) {
+    expect_failure(status, PELAGIC_WRONG_ORDER, words);
+}
+
+COcean make_ocean(std::int32_t resolution = 16) {
+    return ocean_of(small_sea(resolution), executor_of(PELAGIC_EXECUTOR_SERIAL).get());
+}
+
+pelagic_frame frame_at(pelagic_ocean* ocean, double time_s) {
+    auto frame = sized<pelagic_frame>();
+    EXPECT_EQ(pelagic_ocean_schedule(ocean, time_s), PELAGIC_OK) << pelagic_last_error();
+    EXPECT_EQ(pelagic_ocean_complete(ocean, &frame), PELAGIC_OK) << pelagic_last_error();
+    return frame;
+}
+
+float at(const pelagic_plane& plane, int i, int j) {
+    return plane.data[i / plane.block_columns * plane.block_stride + j * plane.row_stride + i % plane.block_columns];
+}
+
+TEST(CInterface, HasTheVersionOfTheProject) {
+    EXPECT_STREQ(PELAGIC_PROJECT_VERSION,
+                 (std::to_string(pelagic_version() / 10000) + "." + std::to_string(pelagic_version() / 100 % 100) +
+                  "." + std::to_string(pelagic_version() % 100))
+                     .c_str());
+}
+
+// tests/golden/hashes.txt, default@12.34: the default sea, N = 256.
+TEST(CInterface, GivesTheGoldenFrame) {
+    auto sea = sized<pelagic_sea>();
+    ASSERT_EQ(pelagic_sea_defaults(&sea), PELAGIC_OK);
+    pelagic_ocean* ocean = nullptr;
+    ASSERT_EQ(pelagic_ocean_create(&sea, nullptr, &ocean), PELAGIC_OK);
+    frame_at(ocean, 12.34);
+    std::uint64_t hash = 0;
+    EXPECT_EQ(pelagic_ocean_hash(ocean, &hash), PELAGIC_OK);
+    EXPECT_EQ(hash, 0xf6a9c814a806061du);
+    pelagic_ocean_destroy(ocean);
+}
+
+TEST(CInterface, PresetsAreSeas) {
+    for (const char* name : {"calm", "moderate", "rough", "storm"}) {
+        auto sea = sized<pelagic_sea>();
+        EXPECT_EQ(pelagic_sea_preset(name, &sea), PELAGIC_OK);
+        EXPECT_EQ(pelagic_sea_check(&sea), PELAGIC_OK);
+    }
+    auto sea = sized<pelagic_sea>();
+    expect_invalid(pelagic_sea_preset("choppy", &sea), "preset is choppy, needs one of calm, moderate, rough, storm");
+    expect_invalid(pelagic_sea_preset(std::string(5000, 'x').c_str(), &sea), "preset is xxx");
+}
+
+// The lines are those of check(SeaState).
+TEST(CInterface, BadSeasAreNamedFieldByField) {
+    const std::map<std::string, std::function<void(pelagic_sea&)>> mistakes = {
+        {"spectrum is no known model", [](pelagic_sea& sea) { sea.spectrum = -1; }},
+        {"resolution is 17, needs a power of two from 16 to 2048", [](pelagic_sea& sea) { sea.resolution = 17; }},
+        {"resolution is 1073741824", [](pelagic_sea& sea) { sea.resolution = 1 << 30; }},
+        {"resolution is -2147483648", [](pelagic_sea& sea) { sea.resolution = INT32_MIN; }},
+        {"patch_size_m is nan", [](pelagic_sea& sea) { sea.patch_size_m = nan; }},
+        {"wind_speed_mps is -3, needs (0, 60]", [](pelagic_sea& sea) { sea.wind_speed_mps = -3; }},
+        {"wind_direction_rad is inf", [](pelagic_sea& sea) { sea.wind_direction_rad = infinity; }},
+        {"fetch_m is 0, needs (0, 2e6]", [](pelagic_sea& sea) { sea.fetch_m = 0; }},
+        {"depth_m is -inf", [](pelagic_sea& sea) { sea.depth_m = -infinity; }},
+        {"choppiness is 1.5", [](pelagic_sea& sea) { sea.choppiness = 1.5; }},
+        {"roughness is", [](pelagic_sea& sea) { sea.roughness = nan; }},
+        {"small_waves is", [](pelagic_sea& sea) { sea.small_waves = 1e300; }},
+        {"alignment is", [](pelagic_sea& sea) { sea.alignment = nan; }},
+        {"loop_period_s is", [](pelagic_sea& sea) { sea.loop_period_s = nan; }},
+    };
+    const COcean ocean = make_ocean();
+    for (const auto& [line, make] : mistakes) {
+        pelagic_sea sea = small_sea();
+        make(sea);
+        auto* made = reinterpret_cast<pelagic_ocean*>(1);
+        expect_invalid(pelagic_sea_check(&sea), line);
+        expect_invalid(pelagic_ocean_create(&sea, nullptr, &made), line);
+        EXPECT_EQ(made, nullptr);
+        expect_invalid(pelagic_ocean_schedule_sea(ocean.get(), &sea), line);
+    }
+}
+
+TEST(CInterface, NullIsNamed) {
+    const COcean ocean = make_ocean();
+    auto sea = small_sea();
+    auto frame = sized<pelagic_frame>();
+    auto info = sized<pelagic_ocean_info>();
+    auto options = sized<pelagic_executor_options>();
+    auto points = sized<pelagic_points>();
+    auto samples = sized<pelagic_samples>();
+    auto ray = sized<pelagic_ray>();
+    auto hit = sized<pelagic_hit>();
+    auto buffers = sized<pelagic_frame_buffers>();
+    pelagic_executor* executor = nullptr;
+    pelagic_ocean* made = nullptr;
+    std::int32_t flag = 0;
+    std::uint64_t hash = 0;
+
+    expect_invalid(pelagic_sea_defaults(nullptr), "sea is NULL");
+    expect_invalid(pelagic_sea_preset(nullptr, &sea), "name is NULL");
+    expect_invalid(pelagic_sea_preset("calm", nullptr), "sea is NULL");
+    expect_invalid(pelagic_sea_check(nullptr), "sea is NULL");
+    expect_invalid(pelagic_executor_create(nullptr, &executor), "options is NULL");
+    expect_invalid(pelagic_executor_create(&options, nullptr), "executor is NULL");
+    expect_invalid(pelagic_ocean_create(nullptr, nullptr, &made), "sea is NULL");
+    expect_invalid(pelagic_ocean_create(&sea, nullptr, nullptr), "ocean is NULL");
+    expect_invalid(pelagic_ocean_describe(nullptr, &info), "ocean is NULL");
+    expect_invalid(pelagic_ocean_describe(ocean.get(), nullptr), "info is NULL");
+    expect_invalid(pelagic_ocean_schedule(nullptr, 0), "ocean is NULL");
+    expect_invalid(pelagic_ocean_poll(nullptr, &flag), "ocean is NULL");
+    expect_invalid(pelagic_ocean_complete(nullptr, &frame), "ocean is NULL");
+    expect_invalid(pelagic_ocean_frame_at(nullptr, 0, &buffers, nullptr), "ocean is NULL");
+    expect_invalid(pelagic_ocean_frame_at(ocean.get(), 0, nullptr, nullptr), "buffers is NULL");
+    expect_invalid(pelagic_ocean_hash(nullptr, &hash), "ocean is NULL");
+    expect_invalid(pelagic_ocean_schedule_sea(nullptr, &sea), "ocean is NULL");
+    expect_invalid(pelagic_ocean_schedule_sea(ocean.get(), nullptr), "sea is NULL");
+    expect_invalid(pelagic_ocean_poll_sea(nullptr, &flag), "ocean is NULL");
+    expect_invalid(pelagic_ocean_complete_sea(nullptr), "ocean is NULL");
+    expect_invalid(pelagic_ocean_query(nullptr, &points, &samples), "ocean is NULL");
+    expect_invalid(pelagic_ocean_first_hit(nullptr, &ray, &hit), "ocean is NULL");
+    pelagic_executor_destroy(nullptr);
+    pelagic_ocean_destroy(nullptr);
+
+    EXPECT_EQ(pelagic_ocean_schedule(ocean.get(), 0), PELAGIC_OK);
+    expect_invalid(pelagic_ocean_poll(ocean.get(), nullptr), "is_ready is NULL");
+    expect_invalid(pelagic_ocean_complete(ocean.get(), nullptr), "frame is NULL");
+    EXPECT_EQ(pelagic_ocean_complete(ocean.get(), &frame), PELAGIC_OK) << "a failed complete leaves it in flight";
+    expect_invalid(pelagic_ocean_hash(ocean.get(), nullptr), "hash is NULL");
+    expect_invalid(pelagic_ocean_query(ocean.get(), nullptr, &samples), "points is NULL");
+    expect_invalid(pelagic_ocean_query(ocean.get(), &points, nullptr), "samples is NULL");
+    expect_invalid(pelagic_ocean_first_hit(ocean.get(), nullptr, &hit), "ray is NULL");
+    ray.direction[1] = -1;
+    expect_invalid(pelagic_ocean_first_hit(ocean.get(), &ray, nullptr), "hit is NULL");
+    points.count = 1;
+    expect_invalid(pelagic_ocean_query(ocean.get(), &points, &samples), "points.x is NULL");
+    EXPECT_EQ(pelagic_ocean_schedule_sea(ocean.get(), &sea), PELAGIC_OK);
+    expect_invalid(pelagic_ocean_poll_sea(ocean.get(), nullptr), "is_ready is NULL");
+}
+
+TEST(CInterface, AWrongSizeOfAStructIsNamed) {
+    const COcean ocean = make_ocean();
+    frame_at(ocean.get(), 0);
+    for (const std::uint32_t size : {0u, 1u, 4u, 7u, 100000u, 0xffffffffu}) {
+        const auto with_size = [size]<class T>(T value) {
+            value.struct_size = size;
+            return value;
+        };
+        auto sea = with_size(small_sea());
+        auto good_sea = small_sea();
+        auto executor_options = with_size(pelagic_executor_options{});
+        auto ocean_options = with_size(pelagic_ocean_options{});
+        auto info = with_size(pelagic_ocean_info{});
+        auto frame = with_size(pelagic_frame{});
+        auto buffers = with_size(pelagic_frame_buffers{});
+        auto points = with_size(pelagic_points{});
+        auto samples = with_size(pelagic_samples{});
+        auto good_points = sized<pelagic_points>();
+        auto good_samples = sized<pelagic_samples>();
+        auto ray = with_size(pelagic_ray{});
+        auto good_ray = sized<pelagic_ray>();
+        good_ray.direction[1] = -1;
+        auto hit = with_size(pelagic_hit{});
+        auto good_hit = sized<pelagic_hit>();
+        pelagic_executor* executor = nullptr;
+        pelagic_ocean* made = nullptr;
+
+        expect_invalid(pelagic_sea_defaults(&sea), "sea.struct_size is " + std::to_string(size) + ", needs ");
+        expect_invalid(pelagic_sea_preset("calm", &sea), "sea.struct_size");
+        expect_invalid(pelagic_sea_check(&sea), "sea.struct_size");
+        expect_invalid(pelagic_executor_create(&executor_options, &executor), "options.struct_size");
+        expect_invalid(pelagic_ocean_create(&sea, nullptr, &made), "sea.struct_size");
+        expect_invalid(pelagic_ocean_create(&good_sea, &ocean_options, &made), "options.struct_size");
+        expect_invalid(pelagic_ocean_describe(ocean.get(), &info), "info.struct_size");
+        expect_invalid(pelagic_ocean_frame_at(ocean.get(), 0, &buffers, nullptr), "buffers.struct_size");
+        expect_invalid(pelagic_ocean_schedule_sea(ocean.get(), &sea), "sea.struct_size");
+        expect_invalid(pelagic_ocean_query(ocean.get(), &points, &good_samples), "points.struct_size");
+        expect_invalid(pelagic_ocean_query(ocean.get(), &good_points, &samples), "samples.struct_size");
+        expect_invalid(pelagic_ocean_first_hit(ocean.get(), &ray, &good_hit), "ray.struct_size");
+        expect_invalid(pelagic_ocean_first_hit(ocean.get(), &good_ray, &hit), "hit.struct_size");
+        EXPECT_EQ(pelagic_ocean_schedule(ocean.get(), 0), PELAGIC_OK);
+        expect_invalid(pelagic_ocean_complete(ocean.get(), &frame), "frame.struct_size");
+        frame.struct_size = sizeof frame;
+        EXPECT_EQ(pelagic_ocean_complete(ocean.get(), &frame), PELAGIC_OK);
+    }
+}
+
+// What is reserved today may mean something tomorrow.
+TEST(CInterface, ReservedFieldsHaveToBe0) {
+    const COcean ocean = make_ocean();
+    frame_at(ocean.get(), 0);
+    auto executor_options = sized<pelagic_executor_options>();
+    auto ocean_options = sized<pelagic_ocean_options>();
+    auto buffers = sized<pelagic_frame_buffers>();
+    auto points = sized<pelagic_points>(), good_points = points;
+    auto samples = sized<pelagic_samples>();
+    auto ray = sized<pelagic_ray>();
+    auto hit = sized<pelagic_hit>();
+    executor_options.reserved = ocean_options.reserved = buffers.reserved = 1;
+    points.reserved = samples.reserved = ray.reserved = 1;
+    const pelagic_sea sea = small_sea();
+    pelagic_executor* executor = nullptr;
+    pelagic_ocean* made = nullptr;
+    expect_invalid(pelagic_executor_create(&executor_options, &executor), "options.reserved is set, needs 0");
+    expect_invalid(pelagic_ocean_create(&sea, &ocean_options, &made), "options.reserved");
+    expect_invalid(pelagic_ocean_frame_at(ocean.get(), 0, &buffers, nullptr), "buffers.reserved");
+    expect_invalid(pelagic_ocean_query(ocean.get(), &points, &samples), "points.reserved");
+    expect_invalid(pelagic_ocean_query(ocean.get(), &good_points, &samples), "samples.reserved");
+    expect_invalid(pelagic_ocean_first_hit(ocean.get(), &ray, &hit), "ray.reserved");
+}
+
+TEST(CInterface, OptionsOutOfRangeAreNamed) {
+    const auto create_with = [](const std::function<void(pelagic_executor_options&)>& change) {
+        auto options = sized<pelagic_executor_options>();
+        change(options);
+        pelagic_executor* executor = nullptr;
+        const pelagic_status status = pelagic_executor_create(&options, &executor);
+        EXPECT_EQ(executor, nullptr);
+        return status;
+    };
+    expect_invalid(create_with([](auto& o) { o.kind = 5; }), "kind is 5, needs 0 to 4");
+    expect_invalid(create_with([](auto& o) { o.kind = -1; }), "kind is -1");
+    expect_invalid(create_with([](auto& o) { o.threads = -1; }), "threads is -1, needs 0 to 1024");
+    expect_invalid(create_with([](auto& o) { o.kind = PELAGIC_EXECUTOR_THREADS, o.threads = 1025; }),
+                   "threads is 1025, needs 0 to 1024");
+    expect_invalid(create_with([](auto& o) { o.kind = PELAGIC_EXECUTOR_HOST; }), "parallel_for is null");
+    expect_invalid(create_with([](auto& o) { o.cpu_mask = 1; }), "cpu_mask is set, needs PELAGIC_EXECUTOR_THREADS");
+
+    const pelagic_sea sea = small_sea();
+    const auto ocean_with = [&](const std::function<void(pelagic_ocean_options&)>& change) {
+        auto options = sized<pelagic_ocean_options>();
+        change(options);
+        pelagic_ocean* ocean = nullptr;
+        const pelagic_status status = pelagic_ocean_create(&sea, &options, &ocean);
+        EXPECT_EQ(ocean, nullptr);
+        return status;
+    };
+    expect_invalid(ocean_with([](auto& o) { o.isa = "mmx"; }), "isa is mmx");
+    expect_invalid(ocean_with([](auto& o) { o.query_tolerance_m = nan; }), "query_tolerance_m is nan");
+    expect_invalid(ocean_with([](auto& o) { o.query_tolerance_m = -1; }), "query_tolerance_m is -1");
+}
+
+TEST(CInterface, TheWrongOrderIsAnErrorThatChangesNothing) {
+    const COcean ocean = make_ocean();
+    auto frame = sized<pelagic_frame>();
+    auto buffers = sized<pelagic_frame_buffers>();
+    auto points = sized<pelagic_points>();
+    auto samples = sized<pelagic_samples>();
+    const pelagic_sea sea = small_sea();
+    std::int32_t is_ready = 0;
+    std::uint64_t hash = 0;
+    expect_wrong_order(pelagic_ocean_complete(ocean.get(), &frame), "no frame is in flight");
+    expect_wrong_order(pelagic_ocean_poll(ocean.get(), &is_ready), "no frame is in flight");
+    expect_wrong_order(pelagic_ocean_hash(ocean.get(), &hash), "no frame yet");
+    expect_wrong_order(pelagic_ocean_query(ocean.get(), &points, &samples), "no frame yet");
+    expect_wrong_order(pelagic_ocean_complete_sea(ocean.get()), "no sea is being baked");
+    expect_wrong_order(pelagic_ocean_poll_sea(ocean.get(), &is_ready), "no sea is being baked");
+
+    EXPECT_EQ(pelagic_ocean_schedule(ocean.get(), 3), PELAGIC_OK);
+    expect_wrong_order(pelagic_ocean_schedule(ocean.get(), 4), "a frame is in flight");
+    expect_wrong_order(pelagic_ocean_frame_at(ocean.get(), 4, &buffers, nullptr), "a frame is in flight");
+    EXPECT_EQ(pelagic_ocean_schedule_sea(ocean.get(), &sea), PELAGIC_OK);
+    expect_wrong_order(pelagic_ocean_schedule_sea(ocean.get(), &sea), "a sea is being baked");
+    expect_wrong_order(pelagic_ocean_complete_sea(ocean.get()), "a frame is in flight");
+    EXPECT_EQ(pelagic_ocean_complete(ocean.get(), &frame), PELAGIC_OK);
+    EXPECT_EQ(frame.time_s, 3);
+    expect_wrong_order(pelagic_ocean_complete(ocean.get(), &frame), "no frame is in flight");
+    EXPECT_EQ(pelagic_ocean_complete_sea(ocean.get()), PELAGIC_OK);
+
+    pelagic_sea other = small_sea(32);
+    expect_invalid(pelagic_ocean_schedule_sea(ocean.get(), &other), "resolution is 32, needs 16");
+}
+
+TEST(CInterface, TimesThatAreNoneAreNamed) {
+    const COcean ocean = make_ocean();
+    auto buffers = sized<pelagic_frame_buffers>();
+    expect_invalid(pelagic_ocean_schedule(ocean.get(), nan), "time_s is nan, needs a finite number");
+    expect_invalid(pelagic_ocean_schedule(ocean.get(), -infinity), "time_s is -inf");
+    expect_invalid(pelagic_ocean_frame_at(ocean.get(), infinity, &buffers, nullptr), "time_s is inf");
+    for (const double time_s : {1e300, -1e300, -0.0, 5e-324}) frame_at(ocean.get(), time_s);
+}
+
+TEST(CInterface, HugeCountsAndOddPlacesAreNoCrash) {
+    const COcean ocean = make_ocean();
+    frame_at(ocean.get(), 1);
+    auto points = sized<pelagic_points>();
+    auto samples = sized<pelagic_samples>();
+    const double x[4] = {nan, infinity, 1e300, 1}, z[4] = {0, -infinity, 1, -1e15};
+    float height[4], error[4];
+    std::uint8_t converged[4];
+    points.x = x, points.z = z;
+    samples.height_m = height, samples.error_m = error, samples.converged = converged;
+    for (const std::size_t count : {SIZE_MAX, SIZE_MAX / 2, SIZE_MAX / 8}) {
+        points.count = count;
+        expect_invalid(pelagic_ocean_query(ocean.get(), &points, &samples), "points.count is ");
+    }
+    points.count = 4;
+    EXPECT_EQ(pelagic_ocean_query(ocean.get(), &points, &samples), PELAGIC_OK);
+    for (int i = 0; i < 3; ++i) {
+        EXPECT_EQ(error[i], std::numeric_limits<float>::infinity());
+        EXPECT_EQ(converged[i], 0);
+    }
+    points.count = 0, points.x = points.z = nullptr;
+    EXPECT_EQ(pelagic_ocean_query(ocean.get(), &points, &samples), PELAGIC_OK);
+
+    FrameArrays arrays(16);
+    pelagic_frame_buffers buffers = arrays.view();
+    for (const std::size_t count : {std::size_t{0}, std::size_t{255}, SIZE_MAX}) {
+        buffers.plane_count = count;
+        expect_invalid(pelagic_ocean_frame_at(ocean.get(), 0, &buffers, nullptr), "dx has ");
+    }
+
+    auto ray = sized<pelagic_ray>();
+    auto hit = sized<pelagic_hit>();
+    expect_invalid(pelagic_ocean_first_hit(ocean.get(), &ray, &hit), "ray.direction's length is 0");
+    ray.direction[0] = nan;
+    expect_invalid(pelagic_ocean_first_hit(ocean.get(), &ray, &hit), "ray.direction's length is nan");
+    ray.direction[0] = 1;
+    for (const double reach_m : {nan, -1.0, infinity, 1e300}) {
+        ray.reach_m = reach_m;
+        expect_invalid(pelagic_ocean_first_hit(ocean.get(), &ray, &hit), "ray.reach_m is ");
+    }
+    ray.reach_m = 10, ray.origin_m[2] = nan;
+    expect_invalid(pelagic_ocean_first_hit(ocean.get(), &ray, &hit), "ray.origin_m is nan");
+}
+
+TEST(CInterface, SaysWhatTheOceanLacks) {
+    const pelagic_sea sea = small_sea();
+    pelagic_ocean* plain = nullptr;
+    ASSERT_EQ(pelagic_ocean_create(&sea, nullptr, &plain), PELAGIC_OK);
+    const COcean ocean(plain);
+    EXPECT_EQ(frame_at(plain, 0).velocity_x.data, nullptr);
+    auto points = sized<pelagic_points>();
+    auto samples = sized<pelagic_samples>();
+    expect_invalid(pelagic_ocean_query(plain, &points, &samples), "needs pelagic_ocean_options.queries");
+    FrameArrays arrays(16);
+    const pelagic_frame_buffers buffers = arrays.view();
+    expect_invalid(pelagic_ocean_frame_at(plain, 0, &buffers, nullptr), "velocity_x is wanted");
+}
+
+TEST(CInterface, MessagesAreTheThreadsOwn) {
+    expect_invalid(pelagic_sea_check(nullptr), "sea is NULL");
+    std::thread([] { EXPECT_STREQ(pelagic_last_error(), ""); }).join();
+    const pelagic_sea sea = small_sea();
+    EXPECT_EQ(pelagic_sea_check(&sea), PELAGIC_OK);
+    EXPECT_NE(std::string(pelagic_last_error()), "") << "success leaves the last message";
+}
+
+TEST(CInterface, FrameAtWritesTheFrameAndLeavesTheOthersAlone) {
+    const COcean ocean = ocean_of(small_sea(128), executor_of(PELAGIC_EXECUTOR_THREADS, 3).get());
+    const pelagic_frame shown = frame_at(ocean.get(), 1);
+    std::uint64_t before = 0, after = 0;
+    EXPECT_EQ(pelagic_ocean_hash(ocean.get(), &before), PELAGIC_OK);
+    FrameArrays arrays(128), again(128);
+    const pelagic_frame_buffers buffers = arrays.view(), other = again.view();
+    pelagic_bounds bounds{};
+    EXPECT_EQ(pelagic_ocean_frame_at(ocean.get(), 2, &buffers, &bounds), PELAGIC_OK);
+    EXPECT_EQ(pelagic_ocean_frame_at(ocean.get(), 9, &other, nullptr), PELAGIC_OK);
+    EXPECT_NE(arrays, again);
+    EXPECT_EQ(pelagic_ocean_hash(ocean.get(), &after), PELAGIC_OK);
+    EXPECT_EQ(before, after);
+    EXPECT_EQ(pelagic_ocean_schedule(ocean.get(), 2), PELAGIC_OK);
+    EXPECT_EQ(pelagic_ocean_hash(ocean.get(), &after), PELAGIC_OK);
+    EXPECT_EQ(before, after) << "also while the next frame is computed";
+    EXPECT_NE(shown.height.data, nullptr);
+
+    auto frame = sized<pelagic_frame>();
+    EXPECT_EQ(pelagic_ocean_complete(ocean.get(), &frame), PELAGIC_OK);
+    const pelagic_plane* planes[6] = {&frame.dx,         &frame.height,     &frame.dz,
+                                      &frame.velocity_x, &frame.velocity_y, &frame.velocity_z};
+    for (int p = 0; p < 6; ++p)
+        for (int texel = 0; texel < 128 * 128; ++texel)
+            ASSERT_EQ(at(*planes[p], texel % 128, texel / 128),
+                      arrays.planes[static_cast<std::size_t>(p)][static_cast<std::size_t>(texel)]);
+    EXPECT_EQ(std::memcmp(frame.displacement_rgba16f, arrays.halves.data(), 2 * arrays.halves.size()), 0);
+    EXPECT_EQ(std::memcmp(frame.gradient_rgba8, arrays.bytes.data(), 4 * arrays.bytes.size()), 0);
+    EXPECT_EQ(frame.gradient_levels, 8);
+    EXPECT_EQ(frame.gradient_offset[7] + 1, arrays.bytes.size());
+    EXPECT_EQ(std::memcmp(&frame.bounds, &bounds, sizeof bounds), 0);
+}
+
+// For a frame that complete() computes itself, waiting for poll() would be for ever.
+TEST(CInterface, PollSaysYesInTheEnd) {
+    for (const std::int32_t kind : {PELAGIC_EXECUTOR_SERIAL, PELAGIC_EXECUTOR_THREADS}) {
+        for (const std::int32_t resolution : {16, 256}) {
+            const COcean ocean = ocean_of(small_sea(resolution), executor_of(kind, 2).get());
+            auto frame = sized<pelagic_frame>();
+            const pelagic_sea sea = small_sea(resolution);
+            for (int n = 0; n < 5; ++n) {
+                std::int32_t is_ready = 0, sea_is_ready = 0;
+                ASSERT_EQ(pelagic_ocean_schedule_sea(ocean.get(), &sea), PELAGIC_OK);
+                ASSERT_EQ(pelagic_ocean_schedule(ocean.get(), n), PELAGIC_OK);
+                while (!is_ready || !sea_is_ready) {
+                    ASSERT_EQ(pelagic_ocean_poll(ocean.get(), &is_ready), PELAGIC_OK);
+                    ASSERT_EQ(pelagic_ocean_poll_sea(ocean.get(), &sea_is_ready), PELAGIC_OK);
+                    std::this_thread::yield();
+                }
+                ASSERT_EQ(pelagic_ocean_complete(ocean.get(), &frame), PELAGIC_OK);
+                ASSERT_EQ(pelagic_ocean_complete_sea(ocean.get()), PELAGIC_OK);
+            }
+        }
+    }
+}
+
+TEST(CInterface, ARayMeetsTheWaterWhereAQueryFindsIt) {
+    const COcean ocean = make_ocean(64);
+    frame_at(ocean.get(), 5);
+    auto ray = sized<pelagic_ray>();
+    auto hit = sized<pelagic_hit>();
+    ray.origin_m[0] = 10, ray.origin_m[1] = 50, ray.origin_m[2] = 7;
+    ray.direction[1] = -2, ray.reach_m = 100;
+    ASSERT_EQ(pelagic_ocean_first_hit(ocean.get(), &ray, &hit), PELAGIC_OK) << pelagic_last_error();
+    ASSERT_TRUE(hit.is_hit);
+    EXPECT_FALSE(hit.from_below);
+    auto points = sized<pelagic_points>();
+    auto samples = sized<pelagic_samples>();
+    float height = 0;
+    points.count = 1, points.x = &ray.origin_m[0], points.z = &ray.origin_m[2];
+    samples.height_m = &height;
+    ASSERT_EQ(pelagic_ocean_query(ocean.get(), &points, &samples), PELAGIC_OK);
+    EXPECT_NEAR(hit.position_m[1], height, 2e-3) << "the tolerance is a millimetre";
+    ray.direction[1] = 2;
+    ASSERT_EQ(pelagic_ocean_first_hit(ocean.get(), &ray, &hit), PELAGIC_OK);
+    EXPECT_FALSE(hit.is_hit);
+}
+
+// ---- A host's job system -------------------------------------------------------------------------------------
+
+/// The least there is: a thread for each task, jobs in turn on two threads.
+struct Host {
+    std::atomic<int> submitted = 0, loops = 0;
+    std::vector<std::thread> threads;
+
+    static void parallel_for(void* user, std::size_t count, void (*job)(void*, std::size_t), void* work) {
+        ++static_cast<Host*>(user)->loops;
+        std::atomic<std::size_t> next = 0;
+        const auto take = [&] {
+            for (std::size_t i = next++; i < count; i = next++) job(work, i);
+        };
+        std::thread other(take);
+        take();
+        other.join();
+    }
+    static void submit(void* user, void (*task)(void*), void* work) {
+        auto* host = static_cast<Host*>(user);
+        ++host->submitted;
+        host->threads.emplace_back(task, work);
+    }
+    /// Tasks are called, but only when it is too late.
+    static void submit_late(void* user, void (*task)(void*), void* work) {
+        auto* host = static_cast<Host*>(user);
+        ++host->submitted;
+        host->late.emplace_back(task, work);
+    }
+    std::vector<std::pair<void (*)(void*), void*>> late;
+
+    ~Host() {
+        for (std::thread& thread : threads) thread.join();
+        for (const auto& [task, work] : late) task(work);
+    }
+};
+
+std::uint64_t hash_of_frames(pelagic_ocean* ocean, int frames) {
+    std::uint64_t all = 0;
+    for (int n = 0; n < frames; ++n) {
+        frame_at(ocean, n * 0.1);
+        std::uint64_t hash = 0;
+        EXPECT_EQ(pelagic_ocean_hash(ocean, &hash), PELAGIC_OK);
+        all = all * 31 + hash;
+    }
+    return all;
+}
+
+TEST(CInterface, AHostsOwnJobsGiveTheSameBits) {
+    const std::uint64_t expected = hash_of_frames(make_ocean(128).get(), 10);
+    for (const pelagic_submit submit :
+         {pelagic_submit{}, pelagic_submit{Host::submit}, pelagic_submit{Host::submit_late}}) {
+        Host host;
+        auto options = sized<pelagic_executor_options>();
+        options.kind = PELAGIC_EXECUTOR_HOST;
+        options.threads = 2;
+        options.parallel_for = Host::parallel_for;
+        options.submit = submit;
+        options.user = &host;
+        pelagic_executor* executor = nullptr;
+        ASSERT_EQ(pelagic_executor_create(&options, &executor), PELAGIC_OK) << pelagic_last_error();
+        COcean ocean = ocean_of(small_sea(128), executor);
+        pelagic_executor_destroy(executor);  // the ocean keeps what it needs
+        auto info = sized<pelagic_ocean_info>();
+        EXPECT_EQ(pelagic_ocean_describe(ocean.get(), &info), PELAGIC_OK);
+        EXPECT_STREQ(info.executor, "host");
+        EXPECT_EQ(info.threads, 2);
+        EXPECT_EQ(hash_of_frames(ocean.get(), 10), expected);
+        EXPECT_EQ(pelagic_ocean_schedule(ocean.get(), 0), PELAGIC_OK);  // destroyed in flight
+        ocean.reset();
+        EXPECT_EQ(host.submitted > 0, submit != nullptr);
+        EXPECT_GT(host.loops, 0);
+    }
+}
+
+TEST(CInterface, AMaskOfCoresHoldsThePool) {
+#if defined(__linux__)
+    auto options = sized<pelagic_executor_options>();
+    options.kind = PELAGIC_EXECUTOR_THREADS;
+    options.cpu_mask = ~std::uint64_t{0};
+    pelagic_executor* executor = nullptr;
+    ASSERT_EQ(pelagic_executor_create(&options, &executor), PELAGIC_OK) << pelagic_last_error();
+    const COceanExecutor held(executor);
+    EXPECT_EQ(hash_of_frames(ocean_of(small_sea(128), executor).get(), 3), hash_of_frames(make_ocean(128).get(), 3));
+#endif
+}
+
+}  // namespace
+}  // namespace pelagic

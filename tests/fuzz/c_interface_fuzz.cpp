@@ -1,0 +1,192 @@
+// Calls of the C interface in a random order with random values, on two oceans at once. What a caller can break by
+// himself (dead handles, short arrays) is kept right; all else must be answered by a status.
+#include <pelagic/pelagic.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <iterator>
+#include <vector>
+
+namespace {
+
+/// The input as a source of values; 0 when it is used up.
+class Bytes {
+   public:
+    Bytes(const std::uint8_t* data, std::size_t size) : data_(data), size_(size) {}
+    bool is_empty() const { return size_ == 0; }
+
+    template <class T>
+    T take() {
+        T value{};
+        const std::size_t count = size_ < sizeof(T) ? size_ : sizeof(T);
+        if (count > 0) std::memcpy(&value, data_, count);
+        data_ += count;
+        size_ -= count;
+        return value;
+    }
+
+    /// Mostly a small plain number, sometimes any bits at all.
+    double number() {
+        const auto byte = take<std::uint8_t>();
+        return byte == 255 ? take<double>() : (byte - 100) * 0.25;
+    }
+
+   private:
+    const std::uint8_t* data_;
+    std::size_t size_;
+};
+
+void must_be_a_status(pelagic_status status) {
+    if (status < PELAGIC_OK || status >= PELAGIC_INTERNAL_ERROR) std::abort();
+    if (status != PELAGIC_OK && *pelagic_last_error() == 0) std::abort();
+}
+
+template <class T>
+T sized(Bytes& bytes) {
+    T value{};
+    value.struct_size = bytes.take<std::uint8_t>() == 255 ? bytes.take<std::uint32_t>() : std::uint32_t{sizeof(T)};
+    return value;
+}
+
+void in_turn(void*, std::size_t count, void (*job)(void*, std::size_t), void* work) {
+    for (std::size_t i = 0; i < count; ++i) job(work, i);
+}
+void at_once(void*, void (*task)(void*), void* work) { task(work); }
+
+pelagic_sea any_sea(Bytes& bytes) {
+    auto sea = sized<pelagic_sea>(bytes);
+    const std::uint32_t size = sea.struct_size;
+    sea.struct_size = sizeof sea;
+    must_be_a_status(pelagic_sea_defaults(&sea));
+    sea.struct_size = size;
+    sea.resolution = 16;
+    double* const fields[] = {&sea.patch_size_m, &sea.wind_speed_mps, &sea.wind_direction_rad, &sea.fetch_m,
+                              &sea.depth_m,      &sea.choppiness,     &sea.roughness,          &sea.small_waves,
+                              &sea.alignment,    &sea.loop_period_s};
+    for (int changes = bytes.take<std::uint8_t>() % 4; changes > 0; --changes)
+        *fields[bytes.take<std::uint8_t>() % std::size(fields)] = bytes.number();
+    if (bytes.take<std::uint8_t>() == 255) {
+        // Large ones are slow, not wrong.
+        const auto resolution = bytes.take<std::int32_t>();
+        if (resolution <= 64 || resolution > 2048) sea.resolution = resolution;
+        sea.spectrum = bytes.take<std::int32_t>();
+    } else {
+        sea.spectrum = bytes.take<std::uint8_t>() % 4;
+    }
+    sea.seed = bytes.take<std::uint16_t>();
+    must_be_a_status(pelagic_sea_check(&sea));
+    return sea;
+}
+
+pelagic_ocean* any_ocean(Bytes& bytes) {
+    auto executor_options = sized<pelagic_executor_options>(bytes);
+    constexpr std::int32_t kinds[] = {PELAGIC_EXECUTOR_SERIAL, PELAGIC_EXECUTOR_HOST, PELAGIC_EXECUTOR_TBB, -7};
+    executor_options.kind = kinds[bytes.take<std::uint8_t>() % std::size(kinds)];
+    executor_options.threads = bytes.take<std::int8_t>();
+    if (bytes.take<std::uint8_t>() % 8) executor_options.parallel_for = in_turn;
+    if (bytes.take<std::uint8_t>() % 2) executor_options.submit = at_once;
+    pelagic_executor* executor = nullptr;
+    must_be_a_status(pelagic_executor_create(&executor_options, &executor));
+
+    // Not the default executor: its threads would take longer to start than all calls.
+    pelagic_executor* serial = nullptr;
+    if (!executor) {
+        pelagic_executor_options plain{};
+        plain.struct_size = sizeof plain;
+        plain.kind = PELAGIC_EXECUTOR_SERIAL;
+        must_be_a_status(pelagic_executor_create(&plain, &serial));
+    }
+    auto options = sized<pelagic_ocean_options>(bytes);
+    options.executor = executor ? executor : serial;
+    options.queries = bytes.take<std::uint8_t>() % 4;
+    options.velocities = bytes.take<std::uint8_t>() % 2;
+    options.query_tolerance_m = bytes.take<std::uint8_t>() == 255 ? bytes.number() : 0;
+    const char* const isas[] = {nullptr, nullptr, nullptr, "sse4.2", "avx2", "", "neon"};
+    options.isa = isas[bytes.take<std::uint8_t>() % std::size(isas)];
+    const pelagic_sea sea = any_sea(bytes);
+    pelagic_ocean* ocean = nullptr;
+    must_be_a_status(pelagic_ocean_create(&sea, &options, &ocean));
+    pelagic_executor_destroy(executor);
+    pelagic_executor_destroy(serial);
+    return ocean;
+}
+
+void any_query(Bytes& bytes, const pelagic_ocean* ocean) {
+    constexpr std::size_t most = 40;
+    double x[most], z[most];
+    float out[9][most];
+    std::uint8_t converged[most];
+    auto points = sized<pelagic_points>(bytes);
+    const auto count = bytes.take<std::uint8_t>();
+    points.count = count == 255 ? SIZE_MAX - bytes.take<std::uint8_t>() : count % most;
+    for (std::size_t i = 0; i < points.count % most; ++i) x[i] = bytes.number(), z[i] = bytes.number();
+    points.x = count == 254 ? nullptr : x;
+    points.z = z;
+    auto samples = sized<pelagic_samples>(bytes);
+    float** const wanted[9] = {&samples.height_m,       &samples.normal_x,       &samples.normal_y,
+                               &samples.normal_z,       &samples.jacobian,       &samples.velocity_x_mps,
+                               &samples.velocity_y_mps, &samples.velocity_z_mps, &samples.error_m};
+    const auto which = bytes.take<std::uint16_t>();
+    for (int i = 0; i < 9; ++i)
+        if (which >> i & 1) *wanted[i] = out[i];
+    samples.converged = converged;
+    must_be_a_status(pelagic_ocean_query(ocean, &points, &samples));
+}
+
+void any_ray(Bytes& bytes, const pelagic_ocean* ocean) {
+    auto ray = sized<pelagic_ray>(bytes);
+    for (double& along : ray.origin_m) along = bytes.number();
+    for (double& along : ray.direction) along = bytes.number();
+    ray.reach_m = bytes.number();
+    auto hit = sized<pelagic_hit>(bytes);
+    must_be_a_status(pelagic_ocean_first_hit(ocean, &ray, &hit));
+}
+
+void any_frame_at(Bytes& bytes, pelagic_ocean* ocean) {
+    static std::vector<float> plane(64 * 64);
+    auto buffers = sized<pelagic_frame_buffers>(bytes);
+    auto info = pelagic_ocean_info{};
+    info.struct_size = sizeof info;
+    std::size_t side = 16;
+    if (ocean && pelagic_ocean_describe(ocean, &info) == PELAGIC_OK) side = static_cast<std::size_t>(info.resolution);
+    buffers.plane_count = side * side + (bytes.take<std::uint8_t>() == 255);
+    buffers.height = plane.data();
+    if (bytes.take<std::uint8_t>() % 4 == 0) buffers.velocity_x = plane.data();
+    pelagic_bounds bounds{};
+    must_be_a_status(pelagic_ocean_frame_at(ocean, bytes.number(), &buffers, &bounds));
+}
+
+void any_call(Bytes& bytes, pelagic_ocean*& ocean) {
+    std::int32_t is_ready = 0;
+    std::uint64_t hash = 0;
+    auto frame = sized<pelagic_frame>(bytes);
+    switch (bytes.take<std::uint8_t>() % 12) {
+        case 0: must_be_a_status(pelagic_ocean_schedule(ocean, bytes.number())); break;
+        case 1: must_be_a_status(pelagic_ocean_complete(ocean, &frame)); break;
+        case 2: must_be_a_status(pelagic_ocean_poll(ocean, &is_ready)); break;
+        case 3: must_be_a_status(pelagic_ocean_hash(ocean, &hash)); break;
+        case 4: {
+            const pelagic_sea sea = any_sea(bytes);
+            must_be_a_status(pelagic_ocean_schedule_sea(ocean, &sea));
+            break;
+        }
+        case 5: must_be_a_status(pelagic_ocean_poll_sea(ocean, &is_ready)); break;
+        case 6: must_be_a_status(pelagic_ocean_complete_sea(ocean)); break;
+        case 7: any_query(bytes, ocean); break;
+        case 8: any_ray(bytes, ocean); break;
+        case 9: any_frame_at(bytes, ocean); break;
+        default: pelagic_ocean_destroy(ocean); ocean = any_ocean(bytes);
+    }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    Bytes bytes(data, size);
+    pelagic_ocean* oceans[2] = {any_ocean(bytes), nullptr};
+    while (!bytes.is_empty()) any_call(bytes, oceans[bytes.take<std::uint8_t>() % 8 == 0]);
+    for (pelagic_ocean* ocean : oceans) pelagic_ocean_destroy(ocean);
+    return 0;
+}

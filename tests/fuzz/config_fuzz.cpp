@@ -1,0 +1,20 @@
+// Config files of random bytes: entries, or one line that says why not.
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tools/config_file.hpp"
+#include "tools/errors.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    static const std::vector<std::string> known = {"preset", "spectrum", "wind_speed", "seed", "loop_period"};
+    try {
+        pelagic::tools::parse_config({reinterpret_cast<const char*>(data), size}, "sea.toml", known);
+    } catch (const pelagic::tools::InputError& error) {
+        if (std::string_view(error.what()).find("sea.toml:") == std::string_view::npos) std::abort();
+    }
+    return 0;
+}

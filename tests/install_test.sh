@@ -1,0 +1,48 @@
+#!/usr/bin/env bash
+# Installs into an empty prefix, then builds the example hosts in a place that sees nothing else, and runs them: both
+# print the same frames. Also with pkg-config; and each installed header stands alone and names nobody else's library.
+#
+# usage: install_test.sh BUILD_FOLDER EXAMPLES_FOLDER CMAKE C_COMPILER CXX_COMPILER
+set -euo pipefail
+build=$1 examples=$2 cmake=$3 cc=$4 cxx=$5
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+export DESTDIR=  # the caller's would move the prefix
+
+"$cmake" --install "$build" --prefix "$work/first" >/dev/null
+mv "$work/first" "$work/prefix"  # package files must not remember where they were put
+
+cp -r "$examples" "$work/examples"
+for host in cpp_host c_host; do
+  "$cmake" -S "$work/examples/$host" -B "$work/$host" -DCMAKE_PREFIX_PATH="$work/prefix" -DCMAKE_BUILD_TYPE=Release \
+    -DCMAKE_C_COMPILER="$cc" -DCMAKE_CXX_COMPILER="$cxx" >"$work/log" 2>&1 &&
+    "$cmake" --build "$work/$host" >>"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
+  "$work/$host/$host" >"$work/$host.txt"
+done
+diff "$work/cpp_host.txt" "$work/c_host.txt"
+[ "$(wc -l <"$work/c_host.txt")" -eq 5 ]
+
+PKG_CONFIG_PATH=$(dirname "$(find "$work/prefix" -name pelagic_c.pc)")
+export PKG_CONFIG_PATH
+library_folder=$(dirname "$PKG_CONFIG_PATH")
+if command -v pkg-config >/dev/null; then
+  "$cc" -std=c99 -Wall -Wextra -pedantic -Werror "$examples/c_host/main.c" -o "$work/c_pc" \
+    $(pkg-config --cflags --libs pelagic_c)
+  LD_LIBRARY_PATH="$library_folder" "$work/c_pc" | diff - "$work/c_host.txt"
+  "$cxx" -std=c++20 "$examples/cpp_host/main.cpp" -o "$work/cpp_pc" $(pkg-config --cflags --libs pelagic)
+  "$work/cpp_pc" | diff - "$work/c_host.txt"
+fi
+
+cd "$work/prefix/include/pelagic"
+for header in $(find jobs simd sim -name '*.hpp') pelagic.h; do
+  "$cxx" -std=c++20 -Wall -Wextra -Wpedantic -Werror -fsyntax-only -I. -I.. -x c++ - <<<"#include \"$header\""
+done
+if grep -rnE '#include.*(xsimd|tbb|OpenImageIO|Imath|toml|json|CLI|GL/|GLES|EGL)' .; then
+  echo "an installed header names a library that hosts need not have"
+  exit 1
+fi
+if grep -rn '#include.*glm' jobs simd sim pelagic.h; then
+  echo "GLM is for the quadtree component only"
+  exit 1
+fi
+[ ! -x "$work/prefix/bin/pelagic" ] || "$work/prefix/bin/pelagic" --version >/dev/null
