@@ -14,14 +14,15 @@ namespace pelagic::gl {
 #define PELAGIC_GL_FUNCTIONS(X)                                                                                      \
     X(ActiveTexture)                                                                                                 \
     X(AttachShader)                                                                                                  \
-    X(BindBuffer) X(BindBufferBase) X(BindFramebuffer) X(BindRenderbuffer) X(BindSampler) X(BindTexture) X(          \
-        BindVertexArray) X(BlitFramebuffer) X(BufferData) X(BufferSubData) X(CheckFramebufferStatus) X(Clear)        \
-        X(ClearColor) X(ClearDepthf) X(ClientWaitSync) X(ColorMask) X(CompileShader) X(CreateProgram) X(             \
-            CreateShader) X(CullFace) X(DeleteBuffers) X(DeleteFramebuffers) X(DeleteProgram) X(DeleteRenderbuffers) \
-            X(DeleteSamplers) X(DeleteShader) X(DeleteSync) X(DeleteTextures) X(DeleteVertexArrays) X(DepthFunc)     \
-                X(DepthMask) X(Disable) X(DrawArrays) X(DrawElementsInstanced) X(DrawArraysInstanced) X(Enable)      \
-                    X(EnableVertexAttribArray) X(FenceSync) X(Finish) X(Flush) X(FramebufferRenderbuffer)            \
-                        X(FramebufferTexture2D) X(FrontFace) X(GenBuffers) X(GenFramebuffers) X(GenRenderbuffers)    \
+    X(BindBuffer)                                                                                                    \
+    X(BindBufferBase) X(BindFramebuffer) X(BindRenderbuffer) X(BindSampler) X(BindTexture) X(BindVertexArray) X(     \
+        BlitFramebuffer) X(BufferData) X(BufferSubData) X(CheckFramebufferStatus) X(Clear) X(ClearColor)             \
+        X(ClearDepthf) X(ClientWaitSync) X(ColorMask) X(CompileShader) X(CreateProgram) X(CreateShader) X(CullFace)  \
+            X(DeleteBuffers) X(DeleteFramebuffers) X(DeleteProgram) X(DeleteRenderbuffers) X(DeleteSamplers)         \
+                X(DeleteShader) X(DeleteSync) X(DeleteTextures) X(DeleteVertexArrays) X(DepthFunc) X(DepthMask)      \
+                    X(Disable) X(DrawArrays) X(DrawElementsInstanced) X(DrawArraysInstanced) X(Enable)               \
+                        X(EnableVertexAttribArray) X(FenceSync) X(Finish) X(Flush) X(FramebufferRenderbuffer) X(     \
+                            FramebufferTexture2D) X(FrontFace) X(GenBuffers) X(GenFramebuffers) X(GenRenderbuffers)  \
                             X(GenSamplers) X(GenTextures) X(GenVertexArrays) X(GenerateMipmap) X(GetBooleanv)        \
                                 X(GetError) X(GetFloatv) X(GetIntegeri_v) X(GetIntegerv) X(GetProgramInfoLog)        \
                                     X(GetProgramiv) X(GetShaderInfoLog) X(GetShaderiv) X(GetString) X(GetStringi)    \
