@@ -8,6 +8,7 @@ install(TARGETS pelagic_static pelagic_shared EXPORT pelagic)
 install(EXPORT pelagic NAMESPACE pelagic:: DESTINATION ${package_folder} FILE pelagicTargets.cmake)
 
 # The component that needs GLM. A host that doesn't ask for it needs no GLM either.
+set_target_properties(pelagic_quadtree PROPERTIES EXPORT_NAME quadtree)
 install(TARGETS pelagic_quadtree EXPORT pelagic_quadtree)
 install(EXPORT pelagic_quadtree NAMESPACE pelagic:: DESTINATION ${package_folder} FILE pelagicQuadtreeTargets.cmake)
 

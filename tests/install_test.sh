@@ -22,6 +22,31 @@ done
 diff "$work/cpp_host.txt" "$work/c_host.txt"
 [ "$(wc -l <"$work/c_host.txt")" -eq 5 ]
 
+# The component that needs GLM, which no example uses.
+mkdir "$work/quadtree_host"
+cat >"$work/quadtree_host/CMakeLists.txt" <<'END'
+cmake_minimum_required(VERSION 3.16)
+project(quadtree_host LANGUAGES CXX)
+find_package(pelagic REQUIRED COMPONENTS quadtree)
+add_executable(quadtree_host main.cpp)
+target_link_libraries(quadtree_host PRIVATE pelagic::quadtree)
+END
+cat >"$work/quadtree_host/main.cpp" <<'END'
+#include "quadtree/patch_mesh.hpp"
+#include "quadtree/patch_vertex.hpp"
+#include "quadtree/selection.hpp"
+#include "quadtree/skirt.hpp"
+
+int main() {
+    pelagic::Selection selection(pelagic::quadtree_preset_named("low")->options(1024));
+    return selection.select({.viewer_m = {1, 2, 3}}).instances.empty() ? 1 : 0;
+}
+END
+"$cmake" -S "$work/quadtree_host" -B "$work/quadtree_build" -DCMAKE_PREFIX_PATH="$work/prefix" \
+  -DCMAKE_CXX_COMPILER="$cxx" >"$work/log" 2>&1 &&
+  "$cmake" --build "$work/quadtree_build" >>"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
+"$work/quadtree_build/quadtree_host"
+
 PKG_CONFIG_PATH=$(dirname "$(find "$work/prefix" -name pelagic_c.pc)")
 export PKG_CONFIG_PATH
 library_folder=$(dirname "$PKG_CONFIG_PATH")
