@@ -107,7 +107,7 @@ struct FarBand {
     int first, last;
 };
 
-std::vector<float> light_of(const std::vector<std::uint8_t>& pixels, int width, int height, int block, FarBand rows) {
+std::vector<float> light_of(const std::vector<std::uint8_t>& pixels, int width, int block, FarBand rows) {
     std::vector<float> light;
     for (int y = rows.first; y < rows.last; ++y)
         for (int x = 0; x < width; ++x) {
@@ -118,7 +118,6 @@ std::vector<float> light_of(const std::vector<std::uint8_t>& pixels, int width, 
                         pixels[4 * static_cast<std::size_t>((y * block + dy) * width * block + x * block + dx) + 1]);
             light.push_back(sum / static_cast<float>(block * block));
         }
-    (void)height;
     return light;
 }
 
@@ -128,11 +127,10 @@ TEST(GlSparkle, FarWaterIsAsCalmAsASupersampledPicture) {
     const FarBand rows{height / 2 + 5, height / 2 + 17};
     GlScene scene({.preset = "moderate", .width = width, .height = height});
     std::vector<std::vector<float>> plain, reference;
-    for (int i = 0; i < frames; ++i)
-        plain.push_back(light_of(scene.picture(camera, i / 30.0), width, height, 1, rows));
+    for (int i = 0; i < frames; ++i) plain.push_back(light_of(scene.picture(camera, i / 30.0), width, 1, rows));
     scene.resize(width * finer, height * finer);
     for (int i = 0; i < frames; ++i)
-        reference.push_back(light_of(scene.picture(camera, i / 30.0), width, height, finer, rows));
+        reference.push_back(light_of(scene.picture(camera, i / 30.0), width, finer, rows));
 
     double squared_error = 0, mean = 0, plain_variance = 0, reference_variance = 0;
     const std::size_t count = plain[0].size();
@@ -157,8 +155,10 @@ TEST(GlSparkle, FarWaterIsAsCalmAsASupersampledPicture) {
     const double ratio = std::sqrt(plain_variance / reference_variance);
     std::printf("far water: error %.4f of a mean of %.3f, deviation over %d frames %.2f of the reference's\n", error,
                 mean, frames, ratio);
+    // Measured 0.076 of the mean and 1.04. A sparkling sea, one tap a pixel and no roughness from mips, would have several
+    // times the reference's deviation.
     EXPECT_LE(error, 0.1 * mean);
-    EXPECT_LE(ratio, 1.5);
+    EXPECT_LE(ratio, 1.2);
 }
 
 }  // namespace

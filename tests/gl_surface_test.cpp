@@ -1,0 +1,73 @@
+// The sea that is drawn lies where queries say: seen from straight above through a near plane that cuts the crests off,
+// holes are where the height is above that plane.
+#include <gtest/gtest.h>
+
+#include "sim/displacement_sampler.hpp"
+#include "tests/gl_scene.hpp"
+
+namespace pelagic {
+namespace {
+
+constexpr int side = 160;      // pixels
+constexpr double half_m = 20;  // of the square that is seen
+
+/// From above, x to the right and z down; what is higher than `top_m` lies before the near plane.
+glm::dmat4 slice(double top_m) {
+    glm::dmat4 m(0);
+    m[0][0] = 1 / half_m;
+    m[2][1] = -1 / half_m;
+    m[1][2] = -1.0 / 25;
+    m[3] = {0, 0, top_m / 25 - 1, 1};
+    return m;
+}
+
+TEST(GlSurface, LiesWhereTheFramesTexelsSayAndNotHalfATexelBeside) {
+    // One sheet, straight up and down, with texels of a metre and vertices of half a metre.
+    SeaState sea = sea_named("moderate", 256);
+    sea.patch_size_m = 256;
+    sea.choppiness = 0;
+    GlScene scene(
+        {.quality = "ultra", .resolution = 256, .width = side, .height = side, .samples = 1, .size_m = 512});
+    Ocean ocean(sea, {.executor = make_serial_executor()});
+    const Frame& frame = ocean.frame_at(3);
+    const DisplacementSampler sampler(frame, sea.patch_size_m);
+    const double top_m = 0.1;
+    const glm::dvec3 viewer(0, 1, 0);
+    const gl::Eye eye{.clip_from_world = slice(top_m), .position_m = {0, 30, 0}, .viewport = {0, 0, side, side}};
+    const DrawList& list = scene.selection.select({.viewer_m = viewer});
+    scene.target->bind();
+    scene.gl().ClearColor(1, 0, 1, 1);
+    scene.gl().Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    scene.renderer->upload(frame);
+    scene.renderer->draw({.eyes = {&eye, 1},
+                          .viewer_m = viewer,
+                          .list = &list,
+                          .lod_scale = scene.quadtree.lod_scale,
+                          .sea = &sea,
+                          .draws_sky = false});
+    const std::vector<std::uint8_t> pixels = scene.target->read();
+
+    const auto wrong_pixels = [&](double shift_m) {
+        int wrong = 0;
+        for (int y = 0; y < side; ++y)
+            for (int x = 0; x < side; ++x) {
+                const double world_x = ((x + 0.5) / side * 2 - 1) * half_m,
+                             world_z = ((y + 0.5) / side * 2 - 1) * half_m;
+                const std::uint8_t* rgb = &pixels[4 * static_cast<std::size_t>(y * side + x)];
+                const bool is_cut = rgb[0] == 255 && rgb[1] == 0 && rgb[2] == 255;
+                wrong += is_cut != (sampler.at(world_x + shift_m, world_z + shift_m).height > top_m);
+            }
+        return wrong;
+    };
+    int cut = 0;
+    for (std::size_t i = 0; i < pixels.size(); i += 4) cut += pixels[i + 1] == 0 && pixels[i] == 255;
+    ASSERT_GT(cut, side * side / 10);
+    ASSERT_LT(cut, side * side * 9 / 10);
+    std::printf("pixels on the wrong side: %d in place, %d and %d half a texel beside\n", wrong_pixels(0),
+                wrong_pixels(-0.5), wrong_pixels(0.5));
+    EXPECT_LT(3 * wrong_pixels(0), wrong_pixels(-0.5));
+    EXPECT_LT(3 * wrong_pixels(0), wrong_pixels(0.5));
+}
+
+}  // namespace
+}  // namespace pelagic
