@@ -12,9 +12,8 @@ struct Displacement {
 
 class DisplacementSampler {
    public:
-    /// \param frame         stays valid meanwhile
-    /// \param patch_size_m  of the sea that made the frame
-    DisplacementSampler(const Frame& frame, double patch_size_m);
+    /// \param frame  stays valid meanwhile
+    explicit DisplacementSampler(const Frame& frame);
 
     /// Of the point that rests at (x_m, z_m), anywhere in the world.
     Displacement at(double x_m, double z_m) const;

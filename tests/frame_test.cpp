@@ -146,7 +146,7 @@ TEST(DisplacementSampler, HoldsTexelsGoesStraightBetweenThemAndRepeats) {
     const double side = 130;
     Ocean ocean = ocean_on({.resolution = 32, .patch_size_m = 130}, choose_isa());
     const Frame& frame = ocean.frame_at(4);
-    const DisplacementSampler sampler(frame, side);
+    const DisplacementSampler sampler(frame);
     const double texel = side / 32;
     for (const int patch : {0, 1, -3}) {
         for (int j = 0; j < 32; ++j)

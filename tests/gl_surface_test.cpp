@@ -30,7 +30,7 @@ TEST(GlSurface, LiesWhereTheFramesTexelsSayAndNotHalfATexelBeside) {
         {.quality = "ultra", .resolution = 256, .width = side, .height = side, .samples = 1, .size_m = 512});
     Ocean ocean(sea, {.executor = make_serial_executor()});
     const Frame& frame = ocean.frame_at(3);
-    const DisplacementSampler sampler(frame, sea.patch_size_m);
+    const DisplacementSampler sampler(frame);
     const double top_m = 0.1;
     const glm::dvec3 viewer(0, 1, 0);
     const gl::Eye eye{.clip_from_world = slice(top_m), .position_m = {0, 30, 0}, .viewport = {0, 0, side, side}};

@@ -26,7 +26,7 @@ constexpr int views = 24;
 /// A frame's displacement between its texels.
 class FrameSea {
    public:
-    FrameSea(const Frame& frame, double patch_size_m) : frame_(frame), sampler_(frame, patch_size_m) {}
+    explicit FrameSea(const Frame& frame) : frame_(frame), sampler_(frame) {}
 
     glm::dvec3 operator()(glm::dvec2 rest) const {
         const Displacement d = sampler_.at(rest.x, rest.y);
@@ -139,7 +139,7 @@ std::vector<bool> truly_visible(const DrawList& list, const PatchMesh& mesh, con
 
 class Culling : public testing::Test {
    protected:
-    Culling() : sea_(ocean_.frame_at(7.5), 250) {}
+    Culling() : sea_(ocean_.frame_at(7.5)) {}
 
     /// Compares one selection with the truth; counts.
     void compare(const QuadtreeOptions& options, glm::dvec3 viewer,

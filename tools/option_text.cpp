@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "tools/errors.hpp"
+
 namespace pelagic::tools {
 namespace {
 
@@ -49,6 +51,13 @@ std::string number_text(double value) {
     std::array<char, 64> text;
     const auto format = plain ? std::chars_format::fixed : std::chars_format::general;
     return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value, format).ptr};
+}
+
+double number_in(const std::string& option, const std::string& text, double least, double most,
+                 const std::string& accepted) {
+    const auto value = parse_number(text);
+    if (!value || *value < least || *value > most) throw bad_value(option, text, accepted);
+    return *value;
 }
 
 std::string list_of(std::span<const std::string> names) {

@@ -19,6 +19,10 @@ std::optional<std::int64_t> parse_integer(std::string_view text);
 /// The shortest text that reads back as the same number.
 std::string number_text(double value);
 
+/// The number, if it lies in [least, most]; else throws InputError: "OPTION is TEXT, needs ACCEPTED".
+double number_in(const std::string& option, const std::string& text, double least, double most,
+                 const std::string& accepted);
+
 /// "a, b or c".
 std::string list_of(std::span<const std::string> names);
 

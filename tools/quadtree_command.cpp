@@ -25,13 +25,6 @@ constexpr double aspect = 16.0 / 9;
 constexpr double near_m = 0.1;
 constexpr double latest_s = 1e9;
 
-double number_in(const std::string& option, const std::string& text, double least, double most,
-                 const char* accepted) {
-    const auto number = parse_number(text);
-    if (!number || *number < least || *number > most) throw bad_value(option, text, accepted);
-    return *number;
-}
-
 /// One view, or two eyes side by side.
 std::vector<glm::dmat4> views_of(const Camera& camera, double eyes_apart_m) {
     const glm::dmat4 projection = glm::infinitePerspectiveRH(glm::radians(camera.fov_deg), aspect, near_m);
@@ -149,7 +142,7 @@ void QuadtreeCommandFlags::run() const {
     const DrawList& list = selection.list();
 
     const Json figures = figures_json(list, options, views.size(), microseconds);
-    if (obj_) write_whole_file(*obj_, mesh_as_obj(list, DisplacementSampler(frame, sea.sea.patch_size_m)));
+    if (obj_) write_whole_file(*obj_, mesh_as_obj(list, DisplacementSampler(frame)));
     if (json_) write_whole_file(*json_, figures.dump(2) + "\n");
     if (svg_) {
         Selection everything(options);

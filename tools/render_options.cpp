@@ -11,13 +11,6 @@ namespace {
 
 constexpr int most_frames = 100'000;
 
-double number_in(const std::string& option, const std::string& text, double least, double most,
-                 const std::string& accepted) {
-    const auto value = parse_number(text);
-    if (!value || *value < least || *value > most) throw bad_value(option, text, accepted);
-    return *value;
-}
-
 std::filesystem::path checked_file(const std::optional<std::string>& text) {
     if (!text || text->empty()) throw InputError("--out is missing, needs a PNG file to write");
     const std::filesystem::path file = *text;

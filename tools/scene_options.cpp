@@ -93,9 +93,7 @@ SceneOptions SceneFlags::resolve() const {
         options.sky.sun_elevation_rad = static_cast<float>(*elevation * radians_per_degree);
     });
     given("clouds", [&](const auto& option, const auto& text) {
-        const auto cover = parse_number(text);
-        if (!cover || *cover < 0 || *cover > 1) throw bad_value(option, text, "a part in [0, 1]");
-        options.sky.cloud_cover = static_cast<float>(*cover);
+        options.sky.cloud_cover = static_cast<float>(number_in(option, text, 0, 1, "a part in [0, 1]"));
     });
     choose_quality(options, typed_.at("quality").value_or("high"));
     return options;
