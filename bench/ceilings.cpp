@@ -1,4 +1,4 @@
-#include "bench/ceilings.hpp"
+#include "pelagic/bench/ceilings.hpp"
 
 #include <cstdlib>
 

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "simd/isa.hpp"
+#include "pelagic/simd/isa.hpp"
 
 namespace pelagic::bench {
 

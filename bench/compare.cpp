@@ -24,10 +24,10 @@
 #include <thread>
 #include <vector>
 
-#include "bench/machine.hpp"
-#include "bench/peers/fftw_frame.hpp"
-#include "bench/peers/paper_frame.hpp"
-#include "sim/ocean.hpp"
+#include "pelagic/bench/machine.hpp"
+#include "pelagic/bench/peers/fftw_frame.hpp"
+#include "pelagic/bench/peers/paper_frame.hpp"
+#include "pelagic/sim/ocean.hpp"
 
 namespace pelagic {
 namespace {

@@ -1,4 +1,4 @@
-#include "bench/machine.hpp"
+#include "pelagic/bench/machine.hpp"
 
 #include <fstream>
 

@@ -11,8 +11,8 @@
 #include <glm/ext/matrix_transform.hpp>
 #include <string>
 
-#include "bench/peers/paper_quadtree.hpp"
-#include "quadtree/selection.hpp"
+#include "pelagic/bench/peers/paper_quadtree.hpp"
+#include "pelagic/quadtree/selection.hpp"
 
 namespace pelagic {
 namespace {

@@ -12,12 +12,12 @@
 #include <string>
 #include <vector>
 
-#include "bench/peers/scalar_query.hpp"
-#include "sim/ocean.hpp"
-#include "sim/surface_query.hpp"
-#include "sim/surface_ray.hpp"
-#include "sim/surface_texels.hpp"
-#include "simd/aligned_buffer.hpp"
+#include "pelagic/bench/peers/scalar_query.hpp"
+#include "pelagic/sim/ocean.hpp"
+#include "pelagic/sim/surface_query.hpp"
+#include "pelagic/sim/surface_ray.hpp"
+#include "pelagic/sim/surface_texels.hpp"
+#include "pelagic/simd/aligned_buffer.hpp"
 
 namespace pelagic {
 namespace {

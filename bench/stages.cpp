@@ -13,9 +13,9 @@
 #include <string>
 #include <thread>
 
-#include "bench/ceilings.hpp"
-#include "sim/ocean.hpp"
-#include "simd/aligned_buffer.hpp"
+#include "pelagic/bench/ceilings.hpp"
+#include "pelagic/sim/ocean.hpp"
+#include "pelagic/simd/aligned_buffer.hpp"
 
 namespace pelagic {
 namespace {

@@ -1,6 +1,6 @@
-#include "capi/executor.hpp"
+#include "pelagic/capi/executor.hpp"
 
-#include "capi/status.hpp"
+#include "pelagic/capi/status.hpp"
 
 namespace pelagic::capi {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <memory>
 
-#include "capi/pelagic/pelagic.h"
-#include "jobs/executor.hpp"
+#include "pelagic/jobs/executor.hpp"
+#include "pelagic/pelagic.h"
 
 struct pelagic_executor {
     std::shared_ptr<pelagic::Executor> executor;

@@ -1,10 +1,10 @@
-#include "capi/ocean.hpp"
+#include "pelagic/capi/ocean.hpp"
 
 #include <cmath>
 
-#include "capi/executor.hpp"
-#include "capi/sea.hpp"
-#include "capi/status.hpp"
+#include "pelagic/capi/executor.hpp"
+#include "pelagic/capi/sea.hpp"
+#include "pelagic/capi/status.hpp"
 
 namespace pelagic::capi {
 

@@ -5,9 +5,9 @@
 #include <atomic>
 #include <optional>
 
-#include "capi/pelagic/pelagic.h"
-#include "sim/ocean.hpp"
-#include "sim/surface_query.hpp"
+#include "pelagic/pelagic.h"
+#include "pelagic/sim/ocean.hpp"
+#include "pelagic/sim/surface_query.hpp"
 
 namespace pelagic::capi {
 

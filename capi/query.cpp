@@ -1,9 +1,9 @@
 #include <cmath>
 #include <limits>
 
-#include "capi/ocean.hpp"
-#include "capi/status.hpp"
-#include "sim/surface_ray.hpp"
+#include "pelagic/capi/ocean.hpp"
+#include "pelagic/capi/status.hpp"
+#include "pelagic/sim/surface_ray.hpp"
 
 namespace pelagic::capi {
 namespace {

@@ -1,6 +1,6 @@
-#include "capi/sea.hpp"
+#include "pelagic/capi/sea.hpp"
 
-#include "capi/status.hpp"
+#include "pelagic/capi/status.hpp"
 
 namespace pelagic::capi {
 namespace {

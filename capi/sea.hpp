@@ -1,8 +1,8 @@
 // A sea as C spells it.
 #pragma once
 
-#include "capi/pelagic/pelagic.h"
-#include "sim/sea_state.hpp"
+#include "pelagic/pelagic.h"
+#include "pelagic/sim/sea_state.hpp"
 
 namespace pelagic::capi {
 

@@ -1,4 +1,4 @@
-#include "capi/status.hpp"
+#include "pelagic/capi/status.hpp"
 
 #include <cstring>
 

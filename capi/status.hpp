@@ -8,7 +8,7 @@
 #include <system_error>
 #include <type_traits>
 
-#include "capi/pelagic/pelagic.h"
+#include "pelagic/pelagic.h"
 
 namespace pelagic::capi {
 

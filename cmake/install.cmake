@@ -35,7 +35,7 @@ endforeach()
 
 set(jobs_headers chrome_trace executor job_graph trace)
 set(simd_headers isa)
-set(sim_headers frame frame_buffers kernels/kernels ocean sea_state statistics surface_query surface_query_jobs
+set(sim_headers frame frame_buffers ocean sea_state statistics surface_query surface_query_jobs
                 surface_ray)
 set(quadtree_headers draw_list frustum level_map patch_mesh patch_vertex quadtree_options selection skirt stitching)
 foreach(folder jobs simd sim quadtree)
@@ -45,7 +45,7 @@ foreach(folder jobs simd sim quadtree)
             DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/pelagic/${inside})
   endforeach()
 endforeach()
-install(FILES ${PROJECT_SOURCE_DIR}/capi/pelagic/pelagic.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/pelagic)
+install(FILES ${PROJECT_SOURCE_DIR}/capi/pelagic.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/pelagic)
 
 if(PELAGIC_TOOLS)
   install(TARGETS pelagic)

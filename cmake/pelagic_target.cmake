@@ -1,10 +1,20 @@
+# One include root: every include reads "pelagic/sim/ocean.hpp", here and in an installed tree, and no folder name of ours
+# stands on anybody's path, where a host's own sim/frame.hpp could take its place. The top-level folders are linked below
+# it; pelagic.h, which C hosts include as <pelagic/pelagic.h>, stands beside them.
+set(PELAGIC_INCLUDE_ROOT ${PROJECT_BINARY_DIR}/include)
+file(MAKE_DIRECTORY ${PELAGIC_INCLUDE_ROOT}/pelagic)
+foreach(folder simd jobs sim quadtree capi gl viewer tools bench tests examples)
+  file(CREATE_LINK ${PROJECT_SOURCE_DIR}/${folder} ${PELAGIC_INCLUDE_ROOT}/pelagic/${folder} SYMBOLIC)
+endforeach()
+file(CREATE_LINK ${PROJECT_SOURCE_DIR}/capi/pelagic.h ${PELAGIC_INCLUDE_ROOT}/pelagic/pelagic.h SYMBOLIC)
+
 # What every target of Pelagic shares: the language, the floating-point policy, warnings, sanitizers.
 function(pelagic_target target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   # Objects are compiled once, for the static library and for the shared one, which shows nothing but the C interface.
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON
                         CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
-  target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:include/pelagic>)
+  target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${PELAGIC_INCLUDE_ROOT}> $<INSTALL_INTERFACE:include>)
   # A compiler that fuses a*b + c where the instruction set allows it rounds once instead of twice, so each
   # instruction set would yield a sea of its own. Off everywhere: the bits are part of the interface.
   target_compile_options(${target} PRIVATE -ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow -Wconversion

@@ -8,11 +8,11 @@
 #include <cstdlib>
 #include <vector>
 
-#include "gl/sea_renderer.hpp"
-#include "gl/whitecaps.hpp"
-#include "quadtree/selection.hpp"
-#include "sim/ocean.hpp"
-#include "sim/statistics.hpp"
+#include "pelagic/gl/sea_renderer.hpp"
+#include "pelagic/gl/whitecaps.hpp"
+#include "pelagic/quadtree/selection.hpp"
+#include "pelagic/sim/ocean.hpp"
+#include "pelagic/sim/statistics.hpp"
 
 namespace {
 

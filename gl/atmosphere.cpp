@@ -1,4 +1,4 @@
-#include "gl/atmosphere.hpp"
+#include "pelagic/gl/atmosphere.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "gl/clouds.hpp"
+#include "pelagic/gl/clouds.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-#include "gl/atmosphere.hpp"
+#include "pelagic/gl/atmosphere.hpp"
 
 namespace pelagic::gl {
 

@@ -1,4 +1,4 @@
-#include "gl/detail_image.hpp"
+#include "pelagic/gl/detail_image.hpp"
 
 #include <algorithm>
 #include <array>

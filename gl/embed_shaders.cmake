@@ -7,7 +7,7 @@ foreach(shader IN LISTS SHADERS)
   string(APPEND cases "    if (file == \"${name}\")\n        return R\"glsl(${text})glsl\";\n")
 endforeach()
 file(WRITE ${OUT} "// Made by gl/embed_shaders.cmake.
-#include \"gl/program.hpp\"
+#include \"pelagic/gl/program.hpp\"
 
 namespace pelagic::gl {
 std::string_view shader_text(std::string_view file) {

@@ -1,10 +1,10 @@
-#include "gl/frame_textures.hpp"
+#include "pelagic/gl/frame_textures.hpp"
 
 #include <cassert>
 #include <cstring>
 
-#include "gl/errors.hpp"
-#include "gl/stopwatch.hpp"
+#include "pelagic/gl/errors.hpp"
+#include "pelagic/gl/stopwatch.hpp"
 
 namespace pelagic::gl {
 namespace {

@@ -5,8 +5,8 @@
 #include <array>
 #include <cstddef>
 
-#include "gl/objects.hpp"
-#include "sim/frame.hpp"
+#include "pelagic/gl/objects.hpp"
+#include "pelagic/sim/frame.hpp"
 
 namespace pelagic::gl {
 

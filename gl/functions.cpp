@@ -1,8 +1,8 @@
-#include "gl/functions.hpp"
+#include "pelagic/gl/functions.hpp"
 
 #include <string>
 
-#include "gl/errors.hpp"
+#include "pelagic/gl/errors.hpp"
 
 namespace pelagic::gl {
 namespace {

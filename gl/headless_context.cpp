@@ -1,4 +1,4 @@
-#include "gl/headless_context.hpp"
+#include "pelagic/gl/headless_context.hpp"
 
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <string_view>
 
-#include "gl/errors.hpp"
+#include "pelagic/gl/errors.hpp"
 
 namespace pelagic::gl {
 namespace {

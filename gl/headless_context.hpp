@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "gl/functions.hpp"
+#include "pelagic/gl/functions.hpp"
 
 namespace pelagic::gl {
 

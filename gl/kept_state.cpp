@@ -1,4 +1,4 @@
-#include "gl/kept_state.hpp"
+#include "pelagic/gl/kept_state.hpp"
 
 namespace pelagic::gl {
 

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "gl/functions.hpp"
+#include "pelagic/gl/functions.hpp"
 
 namespace pelagic::gl {
 

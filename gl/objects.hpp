@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "gl/functions.hpp"
+#include "pelagic/gl/functions.hpp"
 
 namespace pelagic::gl {
 

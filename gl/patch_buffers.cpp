@@ -1,11 +1,11 @@
-#include "gl/patch_buffers.hpp"
+#include "pelagic/gl/patch_buffers.hpp"
 
 #include <algorithm>
 #include <cstdint>
 #include <vector>
 
-#include "gl/stopwatch.hpp"
-#include "quadtree/skirt.hpp"
+#include "pelagic/gl/stopwatch.hpp"
+#include "pelagic/quadtree/skirt.hpp"
 
 namespace pelagic::gl {
 namespace {

@@ -4,9 +4,9 @@
 #include <array>
 #include <cstddef>
 
-#include "gl/objects.hpp"
-#include "quadtree/draw_list.hpp"
-#include "quadtree/patch_mesh.hpp"
+#include "pelagic/gl/objects.hpp"
+#include "pelagic/quadtree/draw_list.hpp"
+#include "pelagic/quadtree/patch_mesh.hpp"
 
 namespace pelagic::gl {
 

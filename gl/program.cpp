@@ -1,8 +1,8 @@
-#include "gl/program.hpp"
+#include "pelagic/gl/program.hpp"
 
 #include <utility>
 
-#include "gl/errors.hpp"
+#include "pelagic/gl/errors.hpp"
 
 namespace pelagic::gl {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "gl/functions.hpp"
+#include "pelagic/gl/functions.hpp"
 
 namespace pelagic::gl {
 

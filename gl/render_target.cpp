@@ -1,9 +1,9 @@
-#include "gl/render_target.hpp"
+#include "pelagic/gl/render_target.hpp"
 
 #include <algorithm>
 #include <string>
 
-#include "gl/errors.hpp"
+#include "pelagic/gl/errors.hpp"
 
 namespace pelagic::gl {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "gl/objects.hpp"
+#include "pelagic/gl/objects.hpp"
 
 namespace pelagic::gl {
 

@@ -1,17 +1,17 @@
-#include "gl/sea_renderer.hpp"
+#include "pelagic/gl/sea_renderer.hpp"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "gl/detail_image.hpp"
-#include "gl/errors.hpp"
-#include "gl/kept_state.hpp"
-#include "gl/patch_buffers.hpp"
-#include "gl/program.hpp"
-#include "gl/scene_block.hpp"
-#include "gl/stopwatch.hpp"
+#include "pelagic/gl/detail_image.hpp"
+#include "pelagic/gl/errors.hpp"
+#include "pelagic/gl/kept_state.hpp"
+#include "pelagic/gl/patch_buffers.hpp"
+#include "pelagic/gl/program.hpp"
+#include "pelagic/gl/scene_block.hpp"
+#include "pelagic/gl/stopwatch.hpp"
 
 namespace pelagic::gl {
 namespace {

@@ -14,11 +14,11 @@
 #include <memory>
 #include <span>
 
-#include "gl/frame_textures.hpp"
-#include "gl/sky_baker.hpp"
-#include "gl/views.hpp"
-#include "quadtree/draw_list.hpp"
-#include "sim/sea_state.hpp"
+#include "pelagic/gl/frame_textures.hpp"
+#include "pelagic/gl/sky_baker.hpp"
+#include "pelagic/gl/views.hpp"
+#include "pelagic/quadtree/draw_list.hpp"
+#include "pelagic/sim/sea_state.hpp"
 
 namespace pelagic::gl {
 

@@ -1,4 +1,4 @@
-#include "gl/sky_baker.hpp"
+#include "pelagic/gl/sky_baker.hpp"
 
 #include <algorithm>
 #include <array>
@@ -12,8 +12,8 @@
 #include <optional>
 #include <stdexcept>
 
-#include "gl/atmosphere.hpp"
-#include "gl/clouds.hpp"
+#include "pelagic/gl/atmosphere.hpp"
+#include "pelagic/gl/clouds.hpp"
 
 namespace pelagic::gl {
 namespace {

@@ -1,4 +1,4 @@
-#include "gl/views.hpp"
+#include "pelagic/gl/views.hpp"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>

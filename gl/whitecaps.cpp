@@ -1,4 +1,4 @@
-#include "gl/whitecaps.hpp"
+#include "pelagic/gl/whitecaps.hpp"
 
 #include <algorithm>
 #include <array>

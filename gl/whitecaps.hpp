@@ -1,7 +1,7 @@
 // How much of the sea is white: the wind says how much, the Jacobian says where.
 #pragma once
 
-#include "sim/frame.hpp"
+#include "pelagic/sim/frame.hpp"
 
 namespace pelagic::gl {
 

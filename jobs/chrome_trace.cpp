@@ -1,4 +1,4 @@
-#include "jobs/chrome_trace.hpp"
+#include "pelagic/jobs/chrome_trace.hpp"
 
 #include <algorithm>
 #include <charconv>

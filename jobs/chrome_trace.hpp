@@ -16,7 +16,7 @@
 #include <thread>
 #include <vector>
 
-#include "jobs/trace.hpp"
+#include "pelagic/jobs/trace.hpp"
 
 namespace pelagic {
 

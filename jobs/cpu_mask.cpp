@@ -1,6 +1,6 @@
 // sched_setaffinity with thread 0, the calling one, works on Linux and on Android, whose C library has no
 // pthread_setaffinity_np before API level 36.
-#include "jobs/cpu_mask.hpp"
+#include "pelagic/jobs/cpu_mask.hpp"
 
 #include <bit>
 #include <charconv>

@@ -1,4 +1,4 @@
-#include "jobs/executor.hpp"
+#include "pelagic/jobs/executor.hpp"
 
 namespace pelagic {
 

@@ -6,7 +6,7 @@
 #include <memory>
 #include <string_view>
 
-#include "jobs/job_graph.hpp"
+#include "pelagic/jobs/job_graph.hpp"
 
 namespace pelagic {
 

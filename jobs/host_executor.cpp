@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "jobs/executor.hpp"
+#include "pelagic/jobs/executor.hpp"
 
 namespace pelagic {
 namespace {

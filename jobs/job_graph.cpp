@@ -1,4 +1,4 @@
-#include "jobs/job_graph.hpp"
+#include "pelagic/jobs/job_graph.hpp"
 
 #include <algorithm>
 #include <stdexcept>

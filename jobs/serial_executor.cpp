@@ -2,7 +2,7 @@
 #include <atomic>
 #include <cassert>
 
-#include "jobs/executor.hpp"
+#include "pelagic/jobs/executor.hpp"
 
 namespace pelagic {
 namespace {

@@ -13,8 +13,8 @@
 #include <mutex>
 #include <optional>
 
-#include "jobs/executor.hpp"
-#include "jobs/thread_count.hpp"
+#include "pelagic/jobs/executor.hpp"
+#include "pelagic/jobs/thread_count.hpp"
 
 namespace pelagic {
 namespace {

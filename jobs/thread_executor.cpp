@@ -13,9 +13,9 @@
 #include <immintrin.h>
 #endif
 
-#include "jobs/cpu_mask.hpp"
-#include "jobs/executor.hpp"
-#include "jobs/thread_count.hpp"
+#include "pelagic/jobs/cpu_mask.hpp"
+#include "pelagic/jobs/executor.hpp"
+#include "pelagic/jobs/thread_count.hpp"
 
 namespace pelagic {
 namespace {

@@ -1,4 +1,4 @@
-#include "jobs/trace.hpp"
+#include "pelagic/jobs/trace.hpp"
 
 #include <cstdint>
 #include <utility>

@@ -6,7 +6,7 @@
 #include <memory>
 #include <string_view>
 
-#include "jobs/executor.hpp"
+#include "pelagic/jobs/executor.hpp"
 
 namespace pelagic {
 

@@ -1,4 +1,4 @@
-#include "quadtree/frustum.hpp"
+#include "pelagic/quadtree/frustum.hpp"
 
 #include <algorithm>
 #include <cmath>

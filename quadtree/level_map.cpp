@@ -1,4 +1,4 @@
-#include "quadtree/level_map.hpp"
+#include "pelagic/quadtree/level_map.hpp"
 
 #include <algorithm>
 #include <cassert>

@@ -19,7 +19,7 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-#include "quadtree/quadtree_options.hpp"
+#include "pelagic/quadtree/quadtree_options.hpp"
 
 namespace pelagic {
 

@@ -1,10 +1,10 @@
-#include "quadtree/patch_mesh.hpp"
+#include "pelagic/quadtree/patch_mesh.hpp"
 
 #include <algorithm>
 #include <stdexcept>
 #include <string>
 
-#include "quadtree/stitching.hpp"
+#include "pelagic/quadtree/stitching.hpp"
 
 namespace pelagic {
 namespace {

@@ -16,7 +16,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include "quadtree/draw_list.hpp"
+#include "pelagic/quadtree/draw_list.hpp"
 
 namespace pelagic {
 

@@ -1,4 +1,4 @@
-#include "quadtree/quadtree_options.hpp"
+#include "pelagic/quadtree/quadtree_options.hpp"
 
 #include <algorithm>
 #include <cmath>

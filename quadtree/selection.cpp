@@ -1,4 +1,4 @@
-#include "quadtree/selection.hpp"
+#include "pelagic/quadtree/selection.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "quadtree/stitching.hpp"
+#include "pelagic/quadtree/stitching.hpp"
 
 namespace pelagic {
 namespace {

@@ -14,10 +14,10 @@
 #include <span>
 #include <vector>
 
-#include "quadtree/draw_list.hpp"
-#include "quadtree/frustum.hpp"
-#include "quadtree/level_map.hpp"
-#include "quadtree/quadtree_options.hpp"
+#include "pelagic/quadtree/draw_list.hpp"
+#include "pelagic/quadtree/frustum.hpp"
+#include "pelagic/quadtree/level_map.hpp"
+#include "pelagic/quadtree/quadtree_options.hpp"
 
 namespace pelagic {
 

@@ -1,4 +1,4 @@
-#include "quadtree/skirt.hpp"
+#include "pelagic/quadtree/skirt.hpp"
 
 namespace pelagic {
 

@@ -6,7 +6,7 @@
 #include <glm/vec2.hpp>
 #include <vector>
 
-#include "quadtree/draw_list.hpp"
+#include "pelagic/quadtree/draw_list.hpp"
 
 namespace pelagic {
 

@@ -12,7 +12,7 @@
 #include <array>
 #include <cstdint>
 
-#include "quadtree/draw_list.hpp"
+#include "pelagic/quadtree/draw_list.hpp"
 
 namespace pelagic {
 

@@ -1,11 +1,11 @@
-#include "sim/cascade.hpp"
+#include "pelagic/sim/cascade.hpp"
 
 #include <algorithm>
 #include <utility>
 
-#include "sim/surface_look.hpp"
-#include "sim/wave_blocks.hpp"
-#include "simd/float_environment.hpp"
+#include "pelagic/sim/surface_look.hpp"
+#include "pelagic/sim/wave_blocks.hpp"
+#include "pelagic/simd/float_environment.hpp"
 
 namespace pelagic {
 namespace {

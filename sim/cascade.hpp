@@ -15,16 +15,16 @@
 #include <optional>
 #include <vector>
 
-#include "jobs/job_graph.hpp"
-#include "sim/dispersion.hpp"
-#include "sim/fft_plan.hpp"
-#include "sim/fold_map.hpp"
-#include "sim/frame.hpp"
-#include "sim/initial_spectrum.hpp"
-#include "sim/kernels/kernels.hpp"
-#include "sim/mipmaps.hpp"
-#include "sim/sea_state.hpp"
-#include "simd/aligned_buffer.hpp"
+#include "pelagic/jobs/job_graph.hpp"
+#include "pelagic/sim/dispersion.hpp"
+#include "pelagic/sim/fft_plan.hpp"
+#include "pelagic/sim/fold_map.hpp"
+#include "pelagic/sim/frame.hpp"
+#include "pelagic/sim/initial_spectrum.hpp"
+#include "pelagic/sim/kernels/kernels.hpp"
+#include "pelagic/sim/mipmaps.hpp"
+#include "pelagic/sim/sea_state.hpp"
+#include "pelagic/simd/aligned_buffer.hpp"
 
 namespace pelagic {
 

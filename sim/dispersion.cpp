@@ -1,8 +1,8 @@
-#include "sim/dispersion.hpp"
+#include "pelagic/sim/dispersion.hpp"
 
 #include <cmath>
 
-#include "simd/det_math.hpp"
+#include "pelagic/simd/det_math.hpp"
 
 namespace pelagic {
 namespace {

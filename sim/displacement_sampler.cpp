@@ -1,4 +1,4 @@
-#include "sim/displacement_sampler.hpp"
+#include "pelagic/sim/displacement_sampler.hpp"
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 // The displacement between the texels: bilinear and periodic, as a GPU samples it, in double.
 #pragma once
 
-#include "sim/frame.hpp"
+#include "pelagic/sim/frame.hpp"
 
 namespace pelagic {
 

@@ -1,10 +1,10 @@
-#include "sim/fft_plan.hpp"
+#include "pelagic/sim/fft_plan.hpp"
 
 #include <bit>
 #include <cassert>
 
-#include "simd/det_math.hpp"
-#include "simd/float_environment.hpp"
+#include "pelagic/simd/det_math.hpp"
+#include "pelagic/simd/float_environment.hpp"
 
 namespace pelagic {
 namespace {

@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-#include "sim/fft_tables.hpp"
+#include "pelagic/sim/fft_tables.hpp"
 
 namespace pelagic {
 

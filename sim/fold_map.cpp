@@ -1,11 +1,11 @@
-#include "sim/fold_map.hpp"
+#include "pelagic/sim/fold_map.hpp"
 
 #include <algorithm>
 #include <cassert>
 #include <utility>
 
-#include "sim/surface_texels.hpp"
-#include "simd/float_environment.hpp"
+#include "pelagic/sim/surface_texels.hpp"
+#include "pelagic/simd/float_environment.hpp"
 
 namespace pelagic {
 namespace {

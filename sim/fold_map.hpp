@@ -11,8 +11,8 @@
 #include <span>
 #include <vector>
 
-#include "sim/frame.hpp"
-#include "sim/kernels/kernels.hpp"
+#include "pelagic/sim/frame.hpp"
+#include "pelagic/sim/kernels/kernels.hpp"
 
 namespace pelagic {
 

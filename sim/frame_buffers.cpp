@@ -1,4 +1,4 @@
-#include "sim/frame_buffers.hpp"
+#include "pelagic/sim/frame_buffers.hpp"
 
 #include <cstring>
 #include <stdexcept>

@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-#include "sim/frame.hpp"
+#include "pelagic/sim/frame.hpp"
 
 namespace pelagic {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "sim/frame.hpp"
+#include "pelagic/sim/frame.hpp"
 
 namespace pelagic {
 

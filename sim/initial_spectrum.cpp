@@ -1,10 +1,10 @@
-#include "sim/initial_spectrum.hpp"
+#include "pelagic/sim/initial_spectrum.hpp"
 
 #include <array>
 #include <cmath>
 
-#include "sim/dispersion.hpp"
-#include "sim/wave_noise.hpp"
+#include "pelagic/sim/dispersion.hpp"
+#include "pelagic/sim/wave_noise.hpp"
 
 namespace pelagic {
 namespace {

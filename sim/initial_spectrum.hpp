@@ -9,11 +9,11 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "sim/fft_plan.hpp"
-#include "sim/sea_state.hpp"
-#include "sim/spectra.hpp"
-#include "sim/wave_blocks.hpp"
-#include "simd/aligned_buffer.hpp"
+#include "pelagic/sim/fft_plan.hpp"
+#include "pelagic/sim/sea_state.hpp"
+#include "pelagic/sim/spectra.hpp"
+#include "pelagic/sim/wave_blocks.hpp"
+#include "pelagic/simd/aligned_buffer.hpp"
 
 namespace pelagic {
 

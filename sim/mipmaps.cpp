@@ -1,9 +1,9 @@
-#include "sim/mipmaps.hpp"
+#include "pelagic/sim/mipmaps.hpp"
 
 #include <algorithm>
 
-#include "sim/frame.hpp"
-#include "sim/kernels/kernels.hpp"
+#include "pelagic/sim/frame.hpp"
+#include "pelagic/sim/kernels/kernels.hpp"
 
 namespace pelagic {
 namespace {

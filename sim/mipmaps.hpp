@@ -5,7 +5,7 @@
 
 #include <cstddef>
 
-#include "simd/aligned_buffer.hpp"
+#include "pelagic/simd/aligned_buffer.hpp"
 
 namespace pelagic {
 

@@ -1,4 +1,4 @@
-#include "sim/ocean.hpp"
+#include "pelagic/sim/ocean.hpp"
 
 #include <cassert>
 #include <cmath>
@@ -6,8 +6,8 @@
 #include <string>
 #include <utility>
 
-#include "sim/cascade.hpp"
-#include "sim/kernels/kernels.hpp"
+#include "pelagic/sim/cascade.hpp"
+#include "pelagic/sim/kernels/kernels.hpp"
 
 namespace pelagic {
 namespace {

@@ -13,12 +13,12 @@
 #include <memory>
 #include <optional>
 
-#include "jobs/executor.hpp"
-#include "jobs/trace.hpp"
-#include "sim/frame.hpp"
-#include "sim/frame_buffers.hpp"
-#include "sim/sea_state.hpp"
-#include "simd/isa.hpp"
+#include "pelagic/jobs/executor.hpp"
+#include "pelagic/jobs/trace.hpp"
+#include "pelagic/sim/frame.hpp"
+#include "pelagic/sim/frame_buffers.hpp"
+#include "pelagic/sim/sea_state.hpp"
+#include "pelagic/simd/isa.hpp"
 
 namespace pelagic {
 

@@ -2,7 +2,7 @@
 // Beaufort scale; each patch holds at least two peak wavelengths, so that the sea is the one that the wind makes.
 #include <array>
 
-#include "sim/sea_state.hpp"
+#include "pelagic/sim/sea_state.hpp"
 
 namespace pelagic {
 namespace {

@@ -1,4 +1,4 @@
-#include "sim/sea_state.hpp"
+#include "pelagic/sim/sea_state.hpp"
 
 #include <array>
 #include <charconv>

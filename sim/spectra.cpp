@@ -1,9 +1,9 @@
-#include "sim/spectra.hpp"
+#include "pelagic/sim/spectra.hpp"
 
 #include <cmath>
 
-#include "sim/dispersion.hpp"
-#include "simd/det_math.hpp"
+#include "pelagic/sim/dispersion.hpp"
+#include "pelagic/simd/det_math.hpp"
 
 namespace pelagic {
 namespace {

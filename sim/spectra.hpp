@@ -6,8 +6,8 @@
 // which depends on N and L and has no physical height.
 #pragma once
 
-#include "sim/sea_state.hpp"
-#include "sim/spreading.hpp"
+#include "pelagic/sim/sea_state.hpp"
+#include "pelagic/sim/spreading.hpp"
 
 namespace pelagic {
 

@@ -1,8 +1,8 @@
-#include "sim/spreading.hpp"
+#include "pelagic/sim/spreading.hpp"
 
 #include <cmath>
 
-#include "simd/det_math.hpp"
+#include "pelagic/simd/det_math.hpp"
 
 namespace pelagic {
 namespace {

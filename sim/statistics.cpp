@@ -1,4 +1,4 @@
-#include "sim/statistics.hpp"
+#include "pelagic/sim/statistics.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,11 +6,11 @@
 #include <cstdio>
 #include <vector>
 
-#include "sim/dispersion.hpp"
-#include "sim/initial_spectrum.hpp"
-#include "sim/spectra.hpp"
-#include "simd/det_math.hpp"
-#include "simd/float_environment.hpp"
+#include "pelagic/sim/dispersion.hpp"
+#include "pelagic/sim/initial_spectrum.hpp"
+#include "pelagic/sim/spectra.hpp"
+#include "pelagic/simd/det_math.hpp"
+#include "pelagic/simd/float_environment.hpp"
 
 namespace pelagic {
 namespace {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "sim/frame.hpp"
-#include "sim/sea_state.hpp"
+#include "pelagic/sim/frame.hpp"
+#include "pelagic/sim/sea_state.hpp"
 
 namespace pelagic {
 

@@ -1,7 +1,7 @@
 // Two ways to a rest point. Nearly everywhere it is the only one (fold_map.hpp), and a kernel steps towards it, W points
 // at a time. Where the surface may lie over itself, and where the steps did not arrive, all cells that could be drawn
 // at the point are looked at, in double and in closed form; that is plain code, compiled once.
-#include "sim/surface_query.hpp"
+#include "pelagic/sim/surface_query.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -10,9 +10,10 @@
 #include <limits>
 #include <stdexcept>
 
-#include "sim/fold_map.hpp"
-#include "sim/surface_texels.hpp"
-#include "simd/float_environment.hpp"
+#include "pelagic/sim/fold_map.hpp"
+#include "pelagic/sim/kernels/kernels.hpp"
+#include "pelagic/sim/surface_texels.hpp"
+#include "pelagic/simd/float_environment.hpp"
 
 namespace pelagic {
 namespace {
@@ -86,9 +87,9 @@ struct SurfaceQuery::Sheet {
 };
 
 SurfaceQuery::SurfaceQuery(const Frame& frame, Isa isa, double tolerance_m)
-    : kernels_(&kernels_for(isa)), texels_(texels_of(frame)), folds_(frame.folds), bounds_(frame.bounds) {
+    : kernels_(&kernels_for(isa)), frame_(frame) {
     assert(tolerance_m > 0);
-    if (folds_.empty())
+    if (frame.folds.empty())
         throw std::invalid_argument("the frame can't be queried, needs an ocean with OceanOptions::queries");
     const DefaultFloatEnvironment environment;
     texel_m_ = frame.patch_size_m / frame.resolution();
@@ -118,7 +119,8 @@ void SurfaceQuery::sample_chunk(const SurfacePoints& points, const SurfaceSample
                                 std::size_t first, std::size_t count) const {
     const std::size_t lanes = kernels_->lanes;
     const std::size_t padded = (count + lanes - 1) / lanes * lanes;
-    const std::int64_t last = texels_.resolution - 1;
+    const SurfaceTexels surface = texels_of(frame_);
+    const std::int64_t last = surface.resolution - 1;
     for (std::size_t i = 0; i < padded; ++i) {
         double x = i < count ? points.x[first + i] / texel_m_ : 0;
         double z = i < count ? points.z[first + i] / texel_m_ : 0;
@@ -132,7 +134,7 @@ void SurfaceQuery::sample_chunk(const SurfacePoints& points, const SurfaceSample
     }
 
     const CellPlaces rest{chunk.rest_x, chunk.rest_z, chunk.rest_u, chunk.rest_v};
-    kernels_->invert_surface({.surface = texels_,
+    kernels_->invert_surface({.surface = surface,
                               .texels_per_m = static_cast<float>(1 / texel_m_),
                               .target = target_,
                               .count = padded,
@@ -155,7 +157,7 @@ void SurfaceQuery::sample_chunk(const SurfacePoints& points, const SurfaceSample
                               !samples.jacobian.empty();
     const bool wants_velocity =
         !samples.velocity_x_mps.empty() || !samples.velocity_y_mps.empty() || !samples.velocity_z_mps.empty();
-    SampleSurfaceJob job{.surface = texels_,
+    SampleSurfaceJob job{.surface = surface,
                          .two_texels_m = static_cast<float>(2 * texel_m_),
                          .jacobian_factor = static_cast<float>(1 / (4 * texel_m_ * texel_m_)),
                          .count = padded,
@@ -196,26 +198,27 @@ void SurfaceQuery::sample_chunk(const SurfacePoints& points, const SurfaceSample
 }
 
 bool SurfaceQuery::may_be_folded(int cell_x, int cell_z) const {
-    const auto square = static_cast<std::size_t>(cell_z * texels_.resolution + cell_x);
-    return folds_[square / 8] >> square % 8 & 1;
+    const auto square = static_cast<std::size_t>(cell_z * frame_.resolution() + cell_x);
+    return frame_.folds[square / 8] >> square % 8 & 1;
 }
 
 // A cell (i, j) can be drawn at the point only if it rests within the largest displacement of it.
 SurfaceQuery::Sheet SurfaceQuery::highest_sheet(int cell_x, double u, int cell_z, double v) const {
+    const SurfaceTexels surface = texels_of(frame_);
     const double texels_per_m = 1 / texel_m_;
-    const double reach_x = bounds_.sideways_x_max_m * texels_per_m + edge;
-    const double reach_z = bounds_.sideways_z_max_m * texels_per_m + edge;
+    const double reach_x = frame_.bounds.sideways_x_max_m * texels_per_m + edge;
+    const double reach_z = frame_.bounds.sideways_z_max_m * texels_per_m + edge;
     const auto first_x = static_cast<int>(floor_of(u - reach_x)), last_x = static_cast<int>(floor_of(u + reach_x));
     const auto first_z = static_cast<int>(floor_of(v - reach_z)), last_z = static_cast<int>(floor_of(v + reach_z));
 
     /// A texel as drawn, from the point that is asked about, in texels.
     const auto corner = [&](int i, int j) {
-        const std::ptrdiff_t place = place_of(texels_, cell_x + i, cell_z + j);
-        return Vector{i - u + texels_.dx[place] * texels_per_m, j - v + texels_.dz[place] * texels_per_m};
+        const std::ptrdiff_t place = place_of(surface, cell_x + i, cell_z + j);
+        return Vector{i - u + surface.dx[place] * texels_per_m, j - v + surface.dz[place] * texels_per_m};
     };
     const auto height_at = [&](int i, int j, double along_x, double along_z) {
         const auto texel = [&](int a, int b) {
-            return static_cast<double>(texels_.height[place_of(texels_, cell_x + i + a, cell_z + j + b)]);
+            return static_cast<double>(surface.height[place_of(surface, cell_x + i + a, cell_z + j + b)]);
         };
         const double low = texel(0, 0) + along_x * (texel(1, 0) - texel(0, 0));
         const double high = texel(0, 1) + along_x * (texel(1, 1) - texel(0, 1));

@@ -16,10 +16,12 @@
 #include <cstdint>
 #include <span>
 
-#include "sim/frame.hpp"
-#include "sim/kernels/kernels.hpp"
+#include "pelagic/sim/frame.hpp"
+#include "pelagic/simd/isa.hpp"
 
 namespace pelagic {
+
+struct Kernels;
 
 /// World positions in metres, as far from the origin as you like: the sea repeats in double precision. A position that
 /// is no number, or so far away that doubles can't tell texels apart (2^50 of them), has no sample: its error is
@@ -60,10 +62,10 @@ class SurfaceQuery {
     /// OceanOptions::velocities. \pre spans are as long as the points or empty (asserted)
     void sample(const SurfacePoints& points, const SurfaceSamples& samples) const;
 
-    const FrameBounds& bounds() const { return bounds_; }
+    const FrameBounds& bounds() const { return frame_.bounds; }
     double texel_m() const { return texel_m_; }
     double tolerance_m() const { return tolerance_m_; }
-    bool has_velocities() const { return texels_.velocity_y != nullptr; }
+    bool has_velocities() const { return frame_.velocity_y.data != nullptr; }
 
    private:
     struct Chunk;
@@ -75,9 +77,7 @@ class SurfaceQuery {
     Sheet highest_sheet(int cell_x, double u, int cell_z, double v) const;
 
     const Kernels* kernels_;
-    SurfaceTexels texels_;
-    std::span<const std::uint8_t> folds_;
-    FrameBounds bounds_;
+    Frame frame_;
     double texel_m_;
     float tolerance_m_;
     float target_;  ///< where the search stops, in texels

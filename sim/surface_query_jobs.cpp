@@ -1,4 +1,4 @@
-#include "sim/surface_query_jobs.hpp"
+#include "pelagic/sim/surface_query_jobs.hpp"
 
 #include <algorithm>
 

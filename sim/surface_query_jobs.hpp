@@ -3,8 +3,8 @@
 
 #include <memory>
 
-#include "jobs/executor.hpp"
-#include "sim/surface_query.hpp"
+#include "pelagic/jobs/executor.hpp"
+#include "pelagic/sim/surface_query.hpp"
 
 namespace pelagic {
 

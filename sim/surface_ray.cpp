@@ -1,10 +1,10 @@
-#include "sim/surface_ray.hpp"
+#include "pelagic/sim/surface_ray.hpp"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 
-#include "simd/float_environment.hpp"
+#include "pelagic/simd/float_environment.hpp"
 
 namespace pelagic {
 namespace {

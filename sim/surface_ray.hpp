@@ -4,7 +4,7 @@
 #include <array>
 #include <optional>
 
-#include "sim/surface_query.hpp"
+#include "pelagic/sim/surface_query.hpp"
 
 namespace pelagic {
 

@@ -4,8 +4,8 @@
 #include <bit>
 #include <cassert>
 
-#include "sim/frame.hpp"
-#include "sim/kernels/kernels.hpp"
+#include "pelagic/sim/frame.hpp"
+#include "pelagic/sim/kernels/kernels.hpp"
 
 namespace pelagic {
 

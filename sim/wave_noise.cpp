@@ -1,8 +1,8 @@
-#include "sim/wave_noise.hpp"
+#include "pelagic/sim/wave_noise.hpp"
 
 #include <cmath>
 
-#include "simd/det_math.hpp"
+#include "pelagic/simd/det_math.hpp"
 
 namespace pelagic {
 namespace {

@@ -1,4 +1,4 @@
-#include "simd/det_math.hpp"
+#include "pelagic/simd/det_math.hpp"
 
 #include <bit>
 #include <cmath>

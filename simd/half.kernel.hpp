@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <xsimd/xsimd.hpp>
 
-#include "simd/always_inline.hpp"
+#include "pelagic/simd/always_inline.hpp"
 
 namespace pelagic::kernels {
 

@@ -1,4 +1,4 @@
-#include "simd/isa.hpp"
+#include "pelagic/simd/isa.hpp"
 
 #if defined(__x86_64__)
 #include <cpuid.h>

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <xsimd/xsimd.hpp>
 
-#include "simd/always_inline.hpp"
+#include "pelagic/simd/always_inline.hpp"
 
 namespace pelagic::kernels {
 

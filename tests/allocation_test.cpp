@@ -6,10 +6,10 @@
 #include <new>
 #include <vector>
 
-#include "quadtree/selection.hpp"
-#include "sim/ocean.hpp"
-#include "sim/surface_query_jobs.hpp"
-#include "sim/surface_ray.hpp"
+#include "pelagic/quadtree/selection.hpp"
+#include "pelagic/sim/ocean.hpp"
+#include "pelagic/sim/surface_query_jobs.hpp"
+#include "pelagic/sim/surface_ray.hpp"
 
 namespace {
 std::atomic<long> allocations = 0;

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/run_pelagic.hpp"
+#include "pelagic/tests/run_pelagic.hpp"
 
 namespace pelagic {
 namespace {

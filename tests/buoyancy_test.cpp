@@ -12,13 +12,13 @@
 #include <string>
 #include <vector>
 
-#include "examples/buoyancy/floating_box.hpp"
-#include "examples/buoyancy/trace.hpp"
-#include "sim/fold_map.hpp"
-#include "sim/ocean.hpp"
-#include "tests/each_executor.hpp"
-#include "tests/each_isa.hpp"
-#include "tests/sanitized.hpp"
+#include "pelagic/examples/buoyancy/floating_box.hpp"
+#include "pelagic/examples/buoyancy/trace.hpp"
+#include "pelagic/sim/fold_map.hpp"
+#include "pelagic/sim/ocean.hpp"
+#include "pelagic/tests/each_executor.hpp"
+#include "pelagic/tests/each_isa.hpp"
+#include "pelagic/tests/sanitized.hpp"
 
 namespace pelagic::buoyancy {
 namespace {

@@ -6,8 +6,8 @@
 #include <random>
 #include <thread>
 
-#include "tests/capi_sea.hpp"
-#include "tests/sanitized.hpp"
+#include "pelagic/tests/capi_sea.hpp"
+#include "pelagic/tests/sanitized.hpp"
 
 namespace pelagic {
 namespace {

@@ -9,7 +9,7 @@
 #include <string>
 #include <thread>
 
-#include "tests/capi_sea.hpp"
+#include "pelagic/tests/capi_sea.hpp"
 
 namespace pelagic {
 namespace {

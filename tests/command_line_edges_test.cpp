@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <string>
 
-#include "sim/ocean.hpp"
-#include "tests/run_pelagic.hpp"
+#include "pelagic/sim/ocean.hpp"
+#include "pelagic/tests/run_pelagic.hpp"
 
 namespace pelagic {
 namespace {

@@ -1,5 +1,5 @@
 // Our own elementary functions against libm in long double.
-#include "simd/det_math.hpp"
+#include "pelagic/simd/det_math.hpp"
 
 #include <gtest/gtest.h>
 

@@ -11,12 +11,12 @@
 #include <thread>
 #include <vector>
 
-#include "sim/ocean.hpp"
-#include "sim/surface_query_jobs.hpp"
-#include "sim/surface_ray.hpp"
-#include "tests/each_isa.hpp"
-#include "tests/host_jobs.hpp"
-#include "tests/sanitized.hpp"
+#include "pelagic/sim/ocean.hpp"
+#include "pelagic/sim/surface_query_jobs.hpp"
+#include "pelagic/sim/surface_ray.hpp"
+#include "pelagic/tests/each_isa.hpp"
+#include "pelagic/tests/host_jobs.hpp"
+#include "pelagic/tests/sanitized.hpp"
 
 #if defined(__x86_64__)
 #include <xmmintrin.h>

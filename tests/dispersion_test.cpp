@@ -1,5 +1,5 @@
 // How fast waves run, and the loop.
-#include "sim/dispersion.hpp"
+#include "pelagic/sim/dispersion.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "jobs/executor.hpp"
+#include "pelagic/jobs/executor.hpp"
 
 namespace pelagic {
 

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <string>
 
-#include "sim/kernels/kernels.hpp"
-#include "simd/isa.hpp"
+#include "pelagic/sim/kernels/kernels.hpp"
+#include "pelagic/simd/isa.hpp"
 
 namespace pelagic {
 

@@ -5,13 +5,13 @@
 #include <cmath>
 #include <numbers>
 
-#include "sim/ocean.hpp"
-#include "sim/surface_look.hpp"
-#include "sim/wave_blocks.hpp"
-#include "simd/aligned_buffer.hpp"
-#include "tests/each_isa.hpp"
-#include "tests/oracle/gradient_oracle.hpp"
-#include "tests/oracle/sea_oracle.hpp"
+#include "pelagic/sim/ocean.hpp"
+#include "pelagic/sim/surface_look.hpp"
+#include "pelagic/sim/wave_blocks.hpp"
+#include "pelagic/simd/aligned_buffer.hpp"
+#include "pelagic/tests/each_isa.hpp"
+#include "pelagic/tests/oracle/gradient_oracle.hpp"
+#include "pelagic/tests/oracle/sea_oracle.hpp"
 
 namespace pelagic {
 namespace {

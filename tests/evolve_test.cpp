@@ -6,9 +6,9 @@
 #include <random>
 #include <vector>
 
-#include "sim/fft_plan.hpp"
-#include "sim/initial_spectrum.hpp"
-#include "tests/each_isa.hpp"
+#include "pelagic/sim/fft_plan.hpp"
+#include "pelagic/sim/initial_spectrum.hpp"
+#include "pelagic/tests/each_isa.hpp"
 
 namespace pelagic {
 namespace {

@@ -12,9 +12,9 @@
 #include <string>
 #include <vector>
 
-#include "sim/ocean.hpp"
-#include "sim/statistics.hpp"
-#include "tests/run_pelagic.hpp"
+#include "pelagic/sim/ocean.hpp"
+#include "pelagic/sim/statistics.hpp"
+#include "pelagic/tests/run_pelagic.hpp"
 
 namespace pelagic {
 namespace {

@@ -8,7 +8,7 @@
 #include <string>
 #include <thread>
 
-#include "tests/run_pelagic.hpp"
+#include "pelagic/tests/run_pelagic.hpp"
 
 namespace pelagic {
 namespace {

@@ -11,8 +11,8 @@
 #include <thread>
 #include <vector>
 
-#include "sim/ocean.hpp"
-#include "tests/run_pelagic.hpp"
+#include "pelagic/sim/ocean.hpp"
+#include "pelagic/tests/run_pelagic.hpp"
 
 namespace pelagic {
 namespace {

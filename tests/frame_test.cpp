@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "sim/displacement_sampler.hpp"
-#include "sim/ocean.hpp"
-#include "tests/each_isa.hpp"
-#include "tests/oracle/gradient_oracle.hpp"
-#include "tests/oracle/sea_oracle.hpp"
+#include "pelagic/sim/displacement_sampler.hpp"
+#include "pelagic/sim/ocean.hpp"
+#include "pelagic/tests/each_isa.hpp"
+#include "pelagic/tests/oracle/gradient_oracle.hpp"
+#include "pelagic/tests/oracle/sea_oracle.hpp"
 
 namespace pelagic {
 namespace {

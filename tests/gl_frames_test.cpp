@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "tests/gl_scene.hpp"
+#include "pelagic/tests/gl_scene.hpp"
 
 namespace pelagic {
 namespace {

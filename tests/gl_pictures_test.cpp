@@ -7,7 +7,7 @@
 #include <random>
 #include <string_view>
 
-#include "tests/gl_scene.hpp"
+#include "pelagic/tests/gl_scene.hpp"
 
 namespace pelagic {
 namespace {

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "tests/run_pelagic.hpp"
+#include "pelagic/tests/run_pelagic.hpp"
 
 namespace pelagic {
 namespace {

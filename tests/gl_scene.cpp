@@ -1,9 +1,9 @@
-#include "tests/gl_scene.hpp"
+#include "pelagic/tests/gl_scene.hpp"
 
 #include <cmath>
 
-#include "gl/whitecaps.hpp"
-#include "sim/statistics.hpp"
+#include "pelagic/gl/whitecaps.hpp"
+#include "pelagic/sim/statistics.hpp"
 
 namespace pelagic {
 namespace {

@@ -6,11 +6,11 @@
 #include <string_view>
 #include <vector>
 
-#include "gl/headless_context.hpp"
-#include "gl/render_target.hpp"
-#include "gl/sea_renderer.hpp"
-#include "quadtree/selection.hpp"
-#include "sim/ocean.hpp"
+#include "pelagic/gl/headless_context.hpp"
+#include "pelagic/gl/render_target.hpp"
+#include "pelagic/gl/sea_renderer.hpp"
+#include "pelagic/quadtree/selection.hpp"
+#include "pelagic/sim/ocean.hpp"
 
 namespace pelagic {
 

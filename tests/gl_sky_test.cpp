@@ -6,7 +6,7 @@
 #include <cmath>
 #include <thread>
 
-#include "gl/sky_baker.hpp"
+#include "pelagic/gl/sky_baker.hpp"
 
 namespace pelagic {
 namespace {

@@ -2,8 +2,8 @@
 // holes are where the height is above that plane.
 #include <gtest/gtest.h>
 
-#include "sim/displacement_sampler.hpp"
-#include "tests/gl_scene.hpp"
+#include "pelagic/sim/displacement_sampler.hpp"
+#include "pelagic/tests/gl_scene.hpp"
 
 namespace pelagic {
 namespace {

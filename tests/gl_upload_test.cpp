@@ -5,7 +5,7 @@
 #include <cstring>
 #include <glm/gtc/packing.hpp>
 
-#include "tests/gl_scene.hpp"
+#include "pelagic/tests/gl_scene.hpp"
 
 namespace pelagic {
 namespace {

@@ -8,7 +8,7 @@
 #include <thread>
 #include <utility>
 
-#include "jobs/executor.hpp"
+#include "pelagic/jobs/executor.hpp"
 
 namespace pelagic {
 

@@ -32,10 +32,10 @@ add_executable(quadtree_host main.cpp)
 target_link_libraries(quadtree_host PRIVATE pelagic::quadtree)
 END
 cat >"$work/quadtree_host/main.cpp" <<'END'
-#include "quadtree/patch_mesh.hpp"
-#include "quadtree/patch_vertex.hpp"
-#include "quadtree/selection.hpp"
-#include "quadtree/skirt.hpp"
+#include "pelagic/quadtree/patch_mesh.hpp"
+#include "pelagic/quadtree/patch_vertex.hpp"
+#include "pelagic/quadtree/selection.hpp"
+#include "pelagic/quadtree/skirt.hpp"
 
 int main() {
     pelagic::Selection selection(pelagic::quadtree_preset_named("low")->options(1024));
@@ -60,8 +60,19 @@ fi
 
 cd "$work/prefix/include/pelagic"
 for header in $(find jobs simd sim -name '*.hpp') pelagic.h; do
-  "$cxx" -std=c++20 -Wall -Wextra -Wpedantic -Werror -fsyntax-only -I. -I.. -x c++ - <<<"#include \"$header\""
+  "$cxx" -std=c++20 -Wall -Wextra -Wpedantic -Werror -fsyntax-only -I.. -x c++ - <<<"#include <pelagic/$header>"
 done
+if find . -name '*kernel*' | grep .; then
+  echo "kernels are nobody's business but Pelagic's"
+  exit 1
+fi
+
+# A host whose own folders have the same names, and come first on its path.
+mkdir -p "$work/clash/sim" "$work/clash/jobs" "$work/clash/simd" "$work/clash/quadtree"
+for header in $(find jobs simd sim -name '*.hpp'); do
+  echo '#error "a host file was taken for one of Pelagic"' >"$work/clash/$header"
+done
+"$cxx" -std=c++20 -fsyntax-only -I"$work/clash" -I.. "$examples/cpp_host/main.cpp"
 if grep -rnE '#include.*(xsimd|tbb|OpenImageIO|Imath|toml|json|CLI|GL/|GLES|EGL)' .; then
   echo "an installed header names a library that hosts need not have"
   exit 1

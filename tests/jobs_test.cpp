@@ -17,9 +17,9 @@
 #include <thread>
 #include <utility>
 
-#include "jobs/executor.hpp"
-#include "tests/each_executor.hpp"
-#include "tests/host_jobs.hpp"
+#include "pelagic/jobs/executor.hpp"
+#include "pelagic/tests/each_executor.hpp"
+#include "pelagic/tests/host_jobs.hpp"
 
 namespace pelagic {
 namespace {

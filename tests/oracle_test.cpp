@@ -3,7 +3,7 @@
 
 #include <random>
 
-#include "tests/oracle/dft.hpp"
+#include "pelagic/tests/oracle/dft.hpp"
 
 namespace pelagic::oracle {
 namespace {

@@ -4,8 +4,8 @@
 #include <map>
 #include <utility>
 
-#include "bench/peers/paper_quadtree.hpp"
-#include "tests/quadtree_scene.hpp"
+#include "pelagic/bench/peers/paper_quadtree.hpp"
+#include "pelagic/tests/quadtree_scene.hpp"
 
 namespace pelagic {
 namespace {

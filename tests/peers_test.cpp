@@ -14,11 +14,11 @@
 #include <tuple>
 #include <vector>
 
-#include "bench/peers/fftw_frame.hpp"
-#include "bench/peers/paper_frame.hpp"
-#include "bench/peers/scalar_half.hpp"
-#include "bench/peers/scalar_query.hpp"
-#include "sim/ocean.hpp"
+#include "pelagic/bench/peers/fftw_frame.hpp"
+#include "pelagic/bench/peers/paper_frame.hpp"
+#include "pelagic/bench/peers/scalar_half.hpp"
+#include "pelagic/bench/peers/scalar_query.hpp"
+#include "pelagic/sim/ocean.hpp"
 
 namespace pelagic::peers {
 namespace {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/run_pelagic.hpp"
+#include "pelagic/tests/run_pelagic.hpp"
 
 namespace pelagic {
 namespace {

@@ -10,9 +10,9 @@
 #include <set>
 #include <tuple>
 
-#include "sim/displacement_sampler.hpp"
-#include "sim/ocean.hpp"
-#include "tests/quadtree_scene.hpp"
+#include "pelagic/sim/displacement_sampler.hpp"
+#include "pelagic/sim/ocean.hpp"
+#include "pelagic/tests/quadtree_scene.hpp"
 
 namespace pelagic {
 namespace {

@@ -8,8 +8,8 @@
 #include <set>
 #include <utility>
 
-#include "quadtree/patch_mesh.hpp"
-#include "quadtree/stitching.hpp"
+#include "pelagic/quadtree/patch_mesh.hpp"
+#include "pelagic/quadtree/stitching.hpp"
 
 namespace pelagic {
 namespace {

@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "quadtree/patch_mesh.hpp"
-#include "quadtree/patch_vertex.hpp"
-#include "quadtree/selection.hpp"
+#include "pelagic/quadtree/patch_mesh.hpp"
+#include "pelagic/quadtree/patch_vertex.hpp"
+#include "pelagic/quadtree/selection.hpp"
 
 namespace pelagic {
 

@@ -6,8 +6,8 @@
 #include <limits>
 #include <map>
 
-#include "quadtree/stitching.hpp"
-#include "tests/quadtree_scene.hpp"
+#include "pelagic/quadtree/stitching.hpp"
+#include "pelagic/tests/quadtree_scene.hpp"
 
 namespace pelagic {
 namespace {

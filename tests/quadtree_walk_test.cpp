@@ -6,7 +6,7 @@
 #include <map>
 #include <tuple>
 
-#include "tests/quadtree_scene.hpp"
+#include "pelagic/tests/quadtree_scene.hpp"
 
 namespace pelagic {
 namespace {

@@ -6,8 +6,8 @@
 #include <cstring>
 #include <unordered_map>
 
-#include "quadtree/skirt.hpp"
-#include "tests/quadtree_scene.hpp"
+#include "pelagic/quadtree/skirt.hpp"
+#include "pelagic/tests/quadtree_scene.hpp"
 
 namespace pelagic {
 namespace {

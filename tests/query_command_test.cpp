@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "sim/ocean.hpp"
-#include "sim/surface_query.hpp"
-#include "tests/run_pelagic.hpp"
+#include "pelagic/sim/ocean.hpp"
+#include "pelagic/sim/surface_query.hpp"
+#include "pelagic/tests/run_pelagic.hpp"
 
 namespace pelagic {
 namespace {

@@ -1,4 +1,4 @@
-#include "tests/run_pelagic.hpp"
+#include "pelagic/tests/run_pelagic.hpp"
 
 #include <fcntl.h>
 #include <sys/wait.h>

@@ -7,10 +7,10 @@
 #include <numeric>
 #include <vector>
 
-#include "sim/ocean.hpp"
-#include "sim/statistics.hpp"
-#include "tests/oracle/gradient_oracle.hpp"
-#include "tests/oracle/sea_oracle.hpp"
+#include "pelagic/sim/ocean.hpp"
+#include "pelagic/sim/statistics.hpp"
+#include "pelagic/tests/oracle/gradient_oracle.hpp"
+#include "pelagic/tests/oracle/sea_oracle.hpp"
 
 namespace pelagic {
 namespace {

@@ -1,5 +1,5 @@
 // Queries held against an oracle that looks at every cell, in double, and against closed forms.
-#include "sim/surface_query.hpp"
+#include "pelagic/sim/surface_query.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,13 +10,13 @@
 #include <string>
 #include <vector>
 
-#include "sim/fold_map.hpp"
-#include "sim/ocean.hpp"
-#include "sim/statistics.hpp"
-#include "tests/each_isa.hpp"
-#include "tests/oracle/sea_oracle.hpp"
-#include "tests/oracle/surface_oracle.hpp"
-#include "tests/sanitized.hpp"
+#include "pelagic/sim/fold_map.hpp"
+#include "pelagic/sim/ocean.hpp"
+#include "pelagic/sim/statistics.hpp"
+#include "pelagic/tests/each_isa.hpp"
+#include "pelagic/tests/oracle/sea_oracle.hpp"
+#include "pelagic/tests/oracle/surface_oracle.hpp"
+#include "pelagic/tests/sanitized.hpp"
 
 namespace pelagic {
 namespace {

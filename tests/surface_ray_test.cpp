@@ -1,5 +1,5 @@
 // Rays held against an oracle that walks them in small steps.
-#include "sim/surface_ray.hpp"
+#include "pelagic/sim/surface_ray.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,9 @@
 #include <optional>
 #include <random>
 
-#include "sim/ocean.hpp"
-#include "tests/oracle/surface_oracle.hpp"
-#include "tests/sanitized.hpp"
+#include "pelagic/sim/ocean.hpp"
+#include "pelagic/tests/oracle/surface_oracle.hpp"
+#include "pelagic/tests/sanitized.hpp"
 
 namespace pelagic {
 namespace {

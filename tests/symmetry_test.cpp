@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/dispersion.hpp"
-#include "sim/fft_plan.hpp"
-#include "sim/initial_spectrum.hpp"
-#include "tests/each_isa.hpp"
+#include "pelagic/sim/dispersion.hpp"
+#include "pelagic/sim/fft_plan.hpp"
+#include "pelagic/sim/initial_spectrum.hpp"
+#include "pelagic/tests/each_isa.hpp"
 
 namespace pelagic {
 namespace {

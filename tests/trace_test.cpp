@@ -11,9 +11,9 @@
 #include <tuple>
 #include <vector>
 
-#include "jobs/chrome_trace.hpp"
-#include "sim/ocean.hpp"
-#include "tests/each_executor.hpp"
+#include "pelagic/jobs/chrome_trace.hpp"
+#include "pelagic/sim/ocean.hpp"
+#include "pelagic/tests/each_executor.hpp"
 
 namespace pelagic {
 namespace {

@@ -8,11 +8,11 @@
 #include <tuple>
 #include <vector>
 
-#include "sim/fft_plan.hpp"
-#include "sim/initial_spectrum.hpp"
-#include "sim/wave_blocks.hpp"
-#include "simd/aligned_buffer.hpp"
-#include "tests/each_isa.hpp"
+#include "pelagic/sim/fft_plan.hpp"
+#include "pelagic/sim/initial_spectrum.hpp"
+#include "pelagic/sim/wave_blocks.hpp"
+#include "pelagic/simd/aligned_buffer.hpp"
+#include "pelagic/tests/each_isa.hpp"
 
 namespace pelagic {
 namespace {

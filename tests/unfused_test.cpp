@@ -1,9 +1,9 @@
 // The fused kernels against the stages one after the other, bit for bit.
 #include <tuple>
 
-#include "sim/ocean.hpp"
-#include "tests/each_isa.hpp"
-#include "tests/unfused/unfused_sea.hpp"
+#include "pelagic/sim/ocean.hpp"
+#include "pelagic/tests/each_isa.hpp"
+#include "pelagic/tests/unfused/unfused_sea.hpp"
 
 namespace pelagic {
 namespace {

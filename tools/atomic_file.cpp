@@ -1,4 +1,4 @@
-#include "tools/atomic_file.hpp"
+#include "pelagic/tools/atomic_file.hpp"
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "tools/errors.hpp"
+#include "pelagic/tools/errors.hpp"
 
 namespace pelagic::tools {
 namespace {

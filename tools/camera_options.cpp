@@ -1,11 +1,11 @@
-#include "tools/camera_options.hpp"
+#include "pelagic/tools/camera_options.hpp"
 
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "tools/errors.hpp"
-#include "tools/option_text.hpp"
+#include "pelagic/tools/errors.hpp"
+#include "pelagic/tools/option_text.hpp"
 
 namespace pelagic::tools {
 namespace {

@@ -1,4 +1,4 @@
-#include "tools/command_line.hpp"
+#include "pelagic/tools/command_line.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -9,17 +9,17 @@
 #include <string>
 #include <vector>
 
-#include "tools/errors.hpp"
-#include "tools/export_command.hpp"
-#include "tools/info_command.hpp"
-#include "tools/option_text.hpp"
-#include "tools/quadtree_command.hpp"
-#include "tools/query_command.hpp"
+#include "pelagic/tools/errors.hpp"
+#include "pelagic/tools/export_command.hpp"
+#include "pelagic/tools/info_command.hpp"
+#include "pelagic/tools/option_text.hpp"
+#include "pelagic/tools/quadtree_command.hpp"
+#include "pelagic/tools/query_command.hpp"
 #if defined(PELAGIC_HAS_GL)
-#include "tools/render_command.hpp"
-#include "tools/view_command.hpp"
+#include "pelagic/tools/render_command.hpp"
+#include "pelagic/tools/view_command.hpp"
 #endif
-#include "tools/stop_signal.hpp"
+#include "pelagic/tools/stop_signal.hpp"
 
 namespace pelagic::tools {
 namespace {

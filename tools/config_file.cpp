@@ -1,4 +1,4 @@
-#include "tools/config_file.hpp"
+#include "pelagic/tools/config_file.hpp"
 
 #include <algorithm>
 #include <fstream>
@@ -16,8 +16,8 @@ constexpr void take_for_granted(bool is_so) {
 #define TOML_ASSERT(expr) ::pelagic::tools::take_for_granted(static_cast<bool>(expr))
 #include <toml++/toml.h>
 
-#include "tools/errors.hpp"
-#include "tools/option_text.hpp"
+#include "pelagic/tools/errors.hpp"
+#include "pelagic/tools/option_text.hpp"
 
 namespace pelagic::tools {
 namespace {

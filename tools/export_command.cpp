@@ -1,4 +1,4 @@
-#include "tools/export_command.hpp"
+#include "pelagic/tools/export_command.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,14 +11,14 @@
 #include <thread>
 #include <vector>
 
-#include "jobs/chrome_trace.hpp"
-#include "sim/ocean.hpp"
-#include "sim/statistics.hpp"
-#include "tools/atomic_file.hpp"
-#include "tools/errors.hpp"
-#include "tools/export_journal.hpp"
-#include "tools/progress.hpp"
-#include "tools/stop_signal.hpp"
+#include "pelagic/jobs/chrome_trace.hpp"
+#include "pelagic/sim/ocean.hpp"
+#include "pelagic/sim/statistics.hpp"
+#include "pelagic/tools/atomic_file.hpp"
+#include "pelagic/tools/errors.hpp"
+#include "pelagic/tools/export_journal.hpp"
+#include "pelagic/tools/progress.hpp"
+#include "pelagic/tools/stop_signal.hpp"
 
 namespace pelagic::tools {
 namespace {

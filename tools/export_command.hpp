@@ -1,7 +1,7 @@
 // `pelagic export`: a sea as image files, one set a frame, and sea.json.
 #pragma once
 
-#include "tools/export_options.hpp"
+#include "pelagic/tools/export_options.hpp"
 
 namespace pelagic::tools {
 

@@ -1,4 +1,4 @@
-#include "tools/export_journal.hpp"
+#include "pelagic/tools/export_journal.hpp"
 
 #define XXH_INLINE_ALL
 #include <xxhash.h>
@@ -8,8 +8,8 @@
 #include <optional>
 #include <set>
 
-#include "tools/atomic_file.hpp"
-#include "tools/errors.hpp"
+#include "pelagic/tools/atomic_file.hpp"
+#include "pelagic/tools/errors.hpp"
 
 namespace pelagic::tools {
 namespace {

@@ -10,7 +10,7 @@
 #include <map>
 #include <string>
 
-#include "tools/sea_json.hpp"
+#include "pelagic/tools/sea_json.hpp"
 
 namespace pelagic::tools {
 

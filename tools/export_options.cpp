@@ -1,12 +1,12 @@
-#include "tools/export_options.hpp"
+#include "pelagic/tools/export_options.hpp"
 
 #include <array>
 #include <stdexcept>
 #include <vector>
 
-#include "tools/errors.hpp"
-#include "tools/export_journal.hpp"
-#include "tools/option_text.hpp"
+#include "pelagic/tools/errors.hpp"
+#include "pelagic/tools/export_journal.hpp"
+#include "pelagic/tools/option_text.hpp"
 
 namespace pelagic::tools {
 namespace {

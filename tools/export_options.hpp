@@ -7,9 +7,9 @@
 #include <optional>
 #include <string>
 
-#include "simd/isa.hpp"
-#include "tools/image_writer.hpp"
-#include "tools/sea_options.hpp"
+#include "pelagic/simd/isa.hpp"
+#include "pelagic/tools/image_writer.hpp"
+#include "pelagic/tools/sea_options.hpp"
 
 namespace pelagic::tools {
 

@@ -1,4 +1,4 @@
-#include "tools/image_writer.hpp"
+#include "pelagic/tools/image_writer.hpp"
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>

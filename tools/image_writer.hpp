@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "sim/frame.hpp"
+#include "pelagic/sim/frame.hpp"
 
 namespace pelagic::tools {
 

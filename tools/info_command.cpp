@@ -1,11 +1,11 @@
-#include "tools/info_command.hpp"
+#include "pelagic/tools/info_command.hpp"
 
 #include <cstdio>
 #include <string>
 
-#include "sim/ocean.hpp"
-#include "sim/statistics.hpp"
-#include "tools/sea_json.hpp"
+#include "pelagic/sim/ocean.hpp"
+#include "pelagic/sim/statistics.hpp"
+#include "pelagic/tools/sea_json.hpp"
 
 namespace pelagic::tools {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <CLI/App.hpp>
 
-#include "tools/export_options.hpp"
+#include "pelagic/tools/export_options.hpp"
 
 namespace pelagic::tools {
 

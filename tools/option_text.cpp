@@ -1,4 +1,4 @@
-#include "tools/option_text.hpp"
+#include "pelagic/tools/option_text.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "tools/errors.hpp"
+#include "pelagic/tools/errors.hpp"
 
 namespace pelagic::tools {
 namespace {

@@ -1,4 +1,4 @@
-#include "tools/points_file.hpp"
+#include "pelagic/tools/points_file.hpp"
 
 #include <cmath>
 #include <fstream>
@@ -7,8 +7,8 @@
 #include <string_view>
 #include <utility>
 
-#include "tools/errors.hpp"
-#include "tools/option_text.hpp"
+#include "pelagic/tools/errors.hpp"
+#include "pelagic/tools/option_text.hpp"
 
 namespace pelagic::tools {
 namespace {

@@ -1,4 +1,4 @@
-#include "tools/progress.hpp"
+#include "pelagic/tools/progress.hpp"
 
 #include <unistd.h>
 

@@ -1,4 +1,4 @@
-#include "tools/quadtree_command.hpp"
+#include "pelagic/tools/quadtree_command.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -9,14 +9,14 @@
 #include <glm/trigonometric.hpp>
 #include <vector>
 
-#include "quadtree/selection.hpp"
-#include "sim/displacement_sampler.hpp"
-#include "sim/ocean.hpp"
-#include "tools/atomic_file.hpp"
-#include "tools/errors.hpp"
-#include "tools/option_text.hpp"
-#include "tools/quadtree_files.hpp"
-#include "tools/sea_json.hpp"
+#include "pelagic/quadtree/selection.hpp"
+#include "pelagic/sim/displacement_sampler.hpp"
+#include "pelagic/sim/ocean.hpp"
+#include "pelagic/tools/atomic_file.hpp"
+#include "pelagic/tools/errors.hpp"
+#include "pelagic/tools/option_text.hpp"
+#include "pelagic/tools/quadtree_files.hpp"
+#include "pelagic/tools/sea_json.hpp"
 
 namespace pelagic::tools {
 namespace {

@@ -5,9 +5,9 @@
 #include <optional>
 #include <string>
 
-#include "quadtree/quadtree_options.hpp"
-#include "tools/camera_options.hpp"
-#include "tools/export_options.hpp"
+#include "pelagic/quadtree/quadtree_options.hpp"
+#include "pelagic/tools/camera_options.hpp"
+#include "pelagic/tools/export_options.hpp"
 
 namespace pelagic::tools {
 

@@ -1,4 +1,4 @@
-#include "tools/quadtree_files.hpp"
+#include "pelagic/tools/quadtree_files.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,9 +9,9 @@
 #include <unordered_map>
 #include <vector>
 
-#include "quadtree/patch_mesh.hpp"
-#include "quadtree/patch_vertex.hpp"
-#include "tools/option_text.hpp"
+#include "pelagic/quadtree/patch_mesh.hpp"
+#include "pelagic/quadtree/patch_vertex.hpp"
+#include "pelagic/tools/option_text.hpp"
 
 namespace pelagic::tools {
 namespace {

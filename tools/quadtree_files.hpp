@@ -5,8 +5,8 @@
 #include <span>
 #include <string>
 
-#include "quadtree/selection.hpp"
-#include "sim/displacement_sampler.hpp"
+#include "pelagic/quadtree/selection.hpp"
+#include "pelagic/sim/displacement_sampler.hpp"
 
 namespace pelagic::tools {
 

@@ -1,15 +1,15 @@
-#include "tools/query_command.hpp"
+#include "pelagic/tools/query_command.hpp"
 
 #include <array>
 #include <charconv>
 #include <cstdio>
 #include <vector>
 
-#include "sim/ocean.hpp"
-#include "sim/surface_query_jobs.hpp"
-#include "tools/errors.hpp"
-#include "tools/option_text.hpp"
-#include "tools/points_file.hpp"
+#include "pelagic/sim/ocean.hpp"
+#include "pelagic/sim/surface_query_jobs.hpp"
+#include "pelagic/tools/errors.hpp"
+#include "pelagic/tools/option_text.hpp"
+#include "pelagic/tools/points_file.hpp"
 
 namespace pelagic::tools {
 namespace {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "tools/export_options.hpp"
+#include "pelagic/tools/export_options.hpp"
 
 namespace pelagic::tools {
 

@@ -1,4 +1,4 @@
-#include "tools/render_command.hpp"
+#include "pelagic/tools/render_command.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,18 +6,18 @@
 #include <memory>
 #include <vector>
 
-#include "gl/headless_context.hpp"
-#include "gl/render_target.hpp"
-#include "gl/sea_renderer.hpp"
-#include "gl/stopwatch.hpp"
-#include "gl/whitecaps.hpp"
-#include "quadtree/selection.hpp"
-#include "sim/ocean.hpp"
-#include "sim/statistics.hpp"
-#include "tools/atomic_file.hpp"
-#include "tools/image_writer.hpp"
-#include "tools/progress.hpp"
-#include "tools/sea_json.hpp"
+#include "pelagic/gl/headless_context.hpp"
+#include "pelagic/gl/render_target.hpp"
+#include "pelagic/gl/sea_renderer.hpp"
+#include "pelagic/gl/stopwatch.hpp"
+#include "pelagic/gl/whitecaps.hpp"
+#include "pelagic/quadtree/selection.hpp"
+#include "pelagic/sim/ocean.hpp"
+#include "pelagic/sim/statistics.hpp"
+#include "pelagic/tools/atomic_file.hpp"
+#include "pelagic/tools/image_writer.hpp"
+#include "pelagic/tools/progress.hpp"
+#include "pelagic/tools/sea_json.hpp"
 
 namespace pelagic::tools {
 namespace {

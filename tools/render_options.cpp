@@ -1,10 +1,10 @@
-#include "tools/render_options.hpp"
+#include "pelagic/tools/render_options.hpp"
 
 #include <array>
 #include <cstdio>
 
-#include "tools/errors.hpp"
-#include "tools/option_text.hpp"
+#include "pelagic/tools/errors.hpp"
+#include "pelagic/tools/option_text.hpp"
 
 namespace pelagic::tools {
 namespace {

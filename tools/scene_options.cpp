@@ -1,12 +1,12 @@
-#include "tools/scene_options.hpp"
+#include "pelagic/tools/scene_options.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-#include "sim/statistics.hpp"
-#include "tools/errors.hpp"
-#include "tools/option_text.hpp"
+#include "pelagic/sim/statistics.hpp"
+#include "pelagic/tools/errors.hpp"
+#include "pelagic/tools/option_text.hpp"
 
 namespace pelagic::tools {
 namespace {

@@ -6,11 +6,11 @@
 #include <optional>
 #include <string>
 
-#include "gl/sky_baker.hpp"
-#include "gl/views.hpp"
-#include "quadtree/quadtree_options.hpp"
-#include "tools/camera_options.hpp"
-#include "tools/export_options.hpp"
+#include "pelagic/gl/sky_baker.hpp"
+#include "pelagic/gl/views.hpp"
+#include "pelagic/quadtree/quadtree_options.hpp"
+#include "pelagic/tools/camera_options.hpp"
+#include "pelagic/tools/export_options.hpp"
 
 namespace pelagic::tools {
 

@@ -1,9 +1,9 @@
-#include "tools/sea_json.hpp"
+#include "pelagic/tools/sea_json.hpp"
 
 #include <array>
 #include <cstdio>
 
-#include "sim/statistics.hpp"
+#include "pelagic/sim/statistics.hpp"
 
 namespace pelagic::tools {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "sim/frame.hpp"
-#include "tools/export_options.hpp"
+#include "pelagic/sim/frame.hpp"
+#include "pelagic/tools/export_options.hpp"
 
 namespace pelagic::tools {
 

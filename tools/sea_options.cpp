@@ -1,13 +1,13 @@
-#include "tools/sea_options.hpp"
+#include "pelagic/tools/sea_options.hpp"
 
 #include <algorithm>
 #include <array>
 #include <optional>
 #include <vector>
 
-#include "tools/config_file.hpp"
-#include "tools/errors.hpp"
-#include "tools/option_text.hpp"
+#include "pelagic/tools/config_file.hpp"
+#include "pelagic/tools/errors.hpp"
+#include "pelagic/tools/option_text.hpp"
 
 namespace pelagic::tools {
 namespace {

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "sim/sea_state.hpp"
+#include "pelagic/sim/sea_state.hpp"
 
 namespace pelagic::tools {
 

@@ -1,4 +1,4 @@
-#include "tools/stop_signal.hpp"
+#include "pelagic/tools/stop_signal.hpp"
 
 #include <csignal>
 #include <initializer_list>

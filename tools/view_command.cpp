@@ -1,4 +1,4 @@
-#include "tools/view_command.hpp"
+#include "pelagic/tools/view_command.hpp"
 
 #include <cmath>
 #include <cstdio>
@@ -6,11 +6,11 @@
 #include <glm/trigonometric.hpp>
 #include <variant>
 
-#include "tools/atomic_file.hpp"
-#include "tools/errors.hpp"
-#include "tools/image_writer.hpp"
-#include "tools/option_text.hpp"
-#include "viewer/viewer.hpp"
+#include "pelagic/tools/atomic_file.hpp"
+#include "pelagic/tools/errors.hpp"
+#include "pelagic/tools/image_writer.hpp"
+#include "pelagic/tools/option_text.hpp"
+#include "pelagic/viewer/viewer.hpp"
 
 namespace pelagic::tools {
 namespace {

@@ -1,4 +1,4 @@
-#include "viewer/panel.hpp"
+#include "pelagic/viewer/panel.hpp"
 
 #include <imgui.h>
 
@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <numbers>
 
-#include "quadtree/quadtree_options.hpp"
+#include "pelagic/quadtree/quadtree_options.hpp"
 
 namespace pelagic::viewer {
 namespace {

@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "gl/sky_baker.hpp"
-#include "sim/sea_state.hpp"
-#include "viewer/stage_times.hpp"
-#include "viewer/view_camera.hpp"
+#include "pelagic/gl/sky_baker.hpp"
+#include "pelagic/sim/sea_state.hpp"
+#include "pelagic/viewer/stage_times.hpp"
+#include "pelagic/viewer/view_camera.hpp"
 
 namespace pelagic::viewer {
 

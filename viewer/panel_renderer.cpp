@@ -1,10 +1,10 @@
-#include "viewer/panel_renderer.hpp"
+#include "pelagic/viewer/panel_renderer.hpp"
 
 #include <imgui.h>
 
 #include <cstddef>
 
-#include "gl/errors.hpp"
+#include "pelagic/gl/errors.hpp"
 
 namespace pelagic::viewer {
 namespace {

@@ -1,8 +1,8 @@
 // Draws Dear ImGui's triangles in OpenGL ES 3.0. Debian's library holds the backend for desktop GL only.
 #pragma once
 
-#include "gl/objects.hpp"
-#include "gl/program.hpp"
+#include "pelagic/gl/objects.hpp"
+#include "pelagic/gl/program.hpp"
 
 struct ImDrawData;
 

@@ -1,4 +1,4 @@
-#include "viewer/stage_times.hpp"
+#include "pelagic/viewer/stage_times.hpp"
 
 #include <algorithm>
 

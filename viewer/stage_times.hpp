@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "jobs/job_graph.hpp"
-#include "jobs/trace.hpp"
+#include "pelagic/jobs/job_graph.hpp"
+#include "pelagic/jobs/trace.hpp"
 
 namespace pelagic::viewer {
 

@@ -1,4 +1,4 @@
-#include "viewer/view_camera.hpp"
+#include "pelagic/viewer/view_camera.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include "gl/views.hpp"
+#include "pelagic/gl/views.hpp"
 
 namespace pelagic::viewer {
 

@@ -1,4 +1,4 @@
-#include "viewer/viewer.hpp"
+#include "pelagic/viewer/viewer.hpp"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -11,15 +11,15 @@
 #include <stdexcept>
 #include <vector>
 
-#include "gl/sea_renderer.hpp"
-#include "gl/stopwatch.hpp"
-#include "gl/whitecaps.hpp"
-#include "quadtree/selection.hpp"
-#include "sim/ocean.hpp"
-#include "sim/statistics.hpp"
-#include "viewer/panel_renderer.hpp"
-#include "viewer/stage_times.hpp"
-#include "viewer/window.hpp"
+#include "pelagic/gl/sea_renderer.hpp"
+#include "pelagic/gl/stopwatch.hpp"
+#include "pelagic/gl/whitecaps.hpp"
+#include "pelagic/quadtree/selection.hpp"
+#include "pelagic/sim/ocean.hpp"
+#include "pelagic/sim/statistics.hpp"
+#include "pelagic/viewer/panel_renderer.hpp"
+#include "pelagic/viewer/stage_times.hpp"
+#include "pelagic/viewer/window.hpp"
 
 namespace pelagic::viewer {
 namespace {

@@ -6,8 +6,8 @@
 #include <functional>
 #include <span>
 
-#include "gl/views.hpp"
-#include "viewer/panel.hpp"
+#include "pelagic/gl/views.hpp"
+#include "pelagic/viewer/panel.hpp"
 
 namespace pelagic::viewer {
 

@@ -1,9 +1,9 @@
-#include "viewer/window.hpp"
+#include "pelagic/viewer/window.hpp"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
-#include "gl/errors.hpp"
+#include "pelagic/gl/errors.hpp"
 
 namespace pelagic::viewer {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "gl/functions.hpp"
+#include "pelagic/gl/functions.hpp"
 
 struct GLFWwindow;
 

@@ -1,4 +1,4 @@
-#include "bench/peers/fftw_frame.hpp"
+#include "pelagic/bench/peers/fftw_frame.hpp"
 
 #include <fftw3.h>
 
@@ -7,10 +7,10 @@
 #include <cmath>
 #include <complex>
 
-#include "sim/dispersion.hpp"
-#include "sim/frame.hpp"
-#include "sim/initial_spectrum.hpp"
-#include "sim/surface_look.hpp"
+#include "pelagic/sim/dispersion.hpp"
+#include "pelagic/sim/frame.hpp"
+#include "pelagic/sim/initial_spectrum.hpp"
+#include "pelagic/sim/surface_look.hpp"
 
 namespace pelagic::peers {
 namespace {

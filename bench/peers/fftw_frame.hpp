@@ -9,12 +9,12 @@
 #include <memory>
 #include <vector>
 
-#include "bench/peers/fftw_kernels.hpp"
-#include "bench/peers/peer_frame.hpp"
-#include "sim/mipmaps.hpp"
-#include "sim/sea_state.hpp"
-#include "simd/aligned_buffer.hpp"
-#include "simd/isa.hpp"
+#include "pelagic/bench/peers/fftw_kernels.hpp"
+#include "pelagic/bench/peers/peer_frame.hpp"
+#include "pelagic/sim/mipmaps.hpp"
+#include "pelagic/sim/sea_state.hpp"
+#include "pelagic/simd/aligned_buffer.hpp"
+#include "pelagic/simd/isa.hpp"
 
 namespace pelagic::peers {
 

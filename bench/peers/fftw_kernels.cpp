@@ -1,9 +1,9 @@
-#include "bench/peers/fftw_kernels.hpp"
+#include "pelagic/bench/peers/fftw_kernels.hpp"
 
 #include <cassert>
 #include <cstdlib>
 
-#include "simd/isa.hpp"
+#include "pelagic/simd/isa.hpp"
 
 namespace pelagic::peers {
 

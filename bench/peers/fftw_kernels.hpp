@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "sim/kernels/kernels.hpp"
+#include "pelagic/sim/kernels/kernels.hpp"
 
 namespace pelagic::peers {
 

@@ -1,9 +1,9 @@
 // Compiled once for each instruction set, as sim/kernels/kernels_isa.cpp is and under the same rules.
-#include "bench/peers/fftw_kernels.hpp"
-#include "bench/peers/interleaved.kernel.hpp"
-#include "sim/kernels/columns_finalize.kernel.hpp"
-#include "sim/kernels/evolve_rows.kernel.hpp"
-#include "sim/kernels/gradients.kernel.hpp"
+#include "pelagic/bench/peers/fftw_kernels.hpp"
+#include "pelagic/bench/peers/interleaved.kernel.hpp"
+#include "pelagic/sim/kernels/columns_finalize.kernel.hpp"
+#include "pelagic/sim/kernels/evolve_rows.kernel.hpp"
+#include "pelagic/sim/kernels/gradients.kernel.hpp"
 
 #define PELAGIC_JOINED(a, b) a##b
 #define PELAGIC_TABLE(name) PELAGIC_JOINED(fftw_kernels_, name)

@@ -3,7 +3,7 @@
 
 #include <xsimd/xsimd.hpp>
 
-#include "simd/always_inline.hpp"
+#include "pelagic/simd/always_inline.hpp"
 
 namespace pelagic::peers {
 

@@ -1,4 +1,4 @@
-#include "bench/peers/paper_frame.hpp"
+#include "pelagic/bench/peers/paper_frame.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -7,12 +7,12 @@
 #include <numbers>
 #include <utility>
 
-#include "bench/peers/scalar_half.hpp"
-#include "sim/dispersion.hpp"
-#include "sim/frame.hpp"
-#include "sim/initial_spectrum.hpp"
-#include "sim/spectra.hpp"
-#include "sim/surface_look.hpp"
+#include "pelagic/bench/peers/scalar_half.hpp"
+#include "pelagic/sim/dispersion.hpp"
+#include "pelagic/sim/frame.hpp"
+#include "pelagic/sim/initial_spectrum.hpp"
+#include "pelagic/sim/spectra.hpp"
+#include "pelagic/sim/surface_look.hpp"
 
 namespace pelagic::peers {
 namespace {

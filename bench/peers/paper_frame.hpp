@@ -14,8 +14,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "bench/peers/peer_frame.hpp"
-#include "sim/sea_state.hpp"
+#include "pelagic/bench/peers/peer_frame.hpp"
+#include "pelagic/sim/sea_state.hpp"
 
 namespace pelagic::peers {
 

@@ -1,6 +1,6 @@
-#include "bench/peers/paper_quadtree.hpp"
+#include "pelagic/bench/peers/paper_quadtree.hpp"
 
-#include "quadtree/quadtree_options.hpp"
+#include "pelagic/quadtree/quadtree_options.hpp"
 
 namespace pelagic::peers {
 

@@ -8,7 +8,7 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-#include "quadtree/frustum.hpp"
+#include "pelagic/quadtree/frustum.hpp"
 
 namespace pelagic::peers {
 

@@ -1,9 +1,9 @@
-#include "bench/peers/scalar_query.hpp"
+#include "pelagic/bench/peers/scalar_query.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "sim/surface_texels.hpp"
+#include "pelagic/sim/surface_texels.hpp"
 
 namespace pelagic::peers {
 namespace {

@@ -2,8 +2,8 @@
 // fold, and the same bits (tests/peers_test.cpp); and the floor, a bilinear lookup that ignores the displacement.
 #pragma once
 
-#include "sim/frame.hpp"
-#include "sim/surface_query.hpp"
+#include "pelagic/sim/frame.hpp"
+#include "pelagic/sim/surface_query.hpp"
 
 namespace pelagic::peers {
 

@@ -1,4 +1,4 @@
-#include "examples/buoyancy/floating_box.hpp"
+#include "pelagic/examples/buoyancy/floating_box.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -29,8 +29,8 @@
 #include <string>
 #include <vector>
 
-#include "sim/dispersion.hpp"
-#include "sim/surface_query.hpp"
+#include "pelagic/sim/dispersion.hpp"
+#include "pelagic/sim/surface_query.hpp"
 
 namespace pelagic::buoyancy {
 

@@ -12,9 +12,9 @@
 #include <system_error>
 #include <vector>
 
-#include "examples/buoyancy/floating_box.hpp"
-#include "examples/buoyancy/trace.hpp"
-#include "sim/ocean.hpp"
+#include "pelagic/examples/buoyancy/floating_box.hpp"
+#include "pelagic/examples/buoyancy/trace.hpp"
+#include "pelagic/sim/ocean.hpp"
 
 namespace {
 

@@ -1,4 +1,4 @@
-#include "examples/buoyancy/trace.hpp"
+#include "pelagic/examples/buoyancy/trace.hpp"
 
 #include <algorithm>
 #include <array>

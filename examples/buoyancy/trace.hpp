@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "examples/buoyancy/floating_box.hpp"
+#include "pelagic/examples/buoyancy/floating_box.hpp"
 
 namespace pelagic::buoyancy {
 

@@ -2,8 +2,8 @@
 #include <cstdio>
 #include <vector>
 
-#include "sim/ocean.hpp"
-#include "sim/surface_query.hpp"
+#include "pelagic/sim/ocean.hpp"
+#include "pelagic/sim/surface_query.hpp"
 
 int main() {
     pelagic::Ocean ocean({.resolution = 128, .wind_speed_mps = 9}, {.queries = true});

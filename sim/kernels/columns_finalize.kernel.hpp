@@ -2,9 +2,9 @@
 
 #include <cstddef>
 
-#include "sim/kernels/fft.kernel.hpp"
-#include "sim/kernels/kernels.hpp"
-#include "sim/wave_blocks.hpp"
+#include "pelagic/sim/kernels/fft.kernel.hpp"
+#include "pelagic/sim/kernels/kernels.hpp"
+#include "pelagic/sim/wave_blocks.hpp"
 
 namespace pelagic::kernels {
 

@@ -3,12 +3,12 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "sim/kernels/fft.kernel.hpp"
-#include "sim/kernels/kernels.hpp"
-#include "sim/wave_blocks.hpp"
-#include "simd/always_inline.hpp"
-#include "simd/transpose.kernel.hpp"
-#include "simd/turns.kernel.hpp"
+#include "pelagic/sim/kernels/fft.kernel.hpp"
+#include "pelagic/sim/kernels/kernels.hpp"
+#include "pelagic/sim/wave_blocks.hpp"
+#include "pelagic/simd/always_inline.hpp"
+#include "pelagic/simd/transpose.kernel.hpp"
+#include "pelagic/simd/turns.kernel.hpp"
 
 namespace pelagic::kernels {
 

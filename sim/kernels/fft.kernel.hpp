@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <xsimd/xsimd.hpp>
 
-#include "sim/fft_tables.hpp"
-#include "simd/always_inline.hpp"
+#include "pelagic/sim/fft_tables.hpp"
+#include "pelagic/simd/always_inline.hpp"
 
 namespace pelagic::kernels {
 

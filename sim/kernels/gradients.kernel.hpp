@@ -5,12 +5,12 @@
 #include <cstring>
 #include <xsimd/xsimd.hpp>
 
-#include "sim/kernels/kernels.hpp"
-#include "sim/kernels/mipmaps.kernel.hpp"
-#include "sim/wave_blocks.hpp"
-#include "simd/exact.kernel.hpp"
-#include "simd/half.kernel.hpp"
-#include "simd/neighbours.kernel.hpp"
+#include "pelagic/sim/kernels/kernels.hpp"
+#include "pelagic/sim/kernels/mipmaps.kernel.hpp"
+#include "pelagic/sim/wave_blocks.hpp"
+#include "pelagic/simd/exact.kernel.hpp"
+#include "pelagic/simd/half.kernel.hpp"
+#include "pelagic/simd/neighbours.kernel.hpp"
 
 namespace pelagic::kernels {
 

@@ -1,9 +1,9 @@
-#include "sim/kernels/kernels.hpp"
+#include "pelagic/sim/kernels/kernels.hpp"
 
 #include <cassert>
 #include <cstdlib>
 
-#include "simd/isa.hpp"
+#include "pelagic/simd/isa.hpp"
 
 namespace pelagic {
 

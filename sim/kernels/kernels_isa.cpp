@@ -3,12 +3,12 @@
 //
 // PELAGIC_ISA_NAME  sse4_2, avx2, avx512 or neon
 // PELAGIC_ISA_ARCH  xsimd's name of it
-#include "sim/kernels/columns_finalize.kernel.hpp"
-#include "sim/kernels/evolve_rows.kernel.hpp"
-#include "sim/kernels/folds.kernel.hpp"
-#include "sim/kernels/gradients.kernel.hpp"
-#include "sim/kernels/mipmaps.kernel.hpp"
-#include "sim/kernels/surface_query.kernel.hpp"
+#include "pelagic/sim/kernels/columns_finalize.kernel.hpp"
+#include "pelagic/sim/kernels/evolve_rows.kernel.hpp"
+#include "pelagic/sim/kernels/folds.kernel.hpp"
+#include "pelagic/sim/kernels/gradients.kernel.hpp"
+#include "pelagic/sim/kernels/mipmaps.kernel.hpp"
+#include "pelagic/sim/kernels/surface_query.kernel.hpp"
 
 #define PELAGIC_JOINED(a, b) a##b
 #define PELAGIC_TABLE(name) PELAGIC_JOINED(kernels_, name)

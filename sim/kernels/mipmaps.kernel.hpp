@@ -4,10 +4,10 @@
 #include <cstdint>
 #include <xsimd/xsimd.hpp>
 
-#include "sim/kernels/kernels.hpp"
-#include "simd/always_inline.hpp"
-#include "simd/exact.kernel.hpp"
-#include "simd/neighbours.kernel.hpp"
+#include "pelagic/sim/kernels/kernels.hpp"
+#include "pelagic/simd/always_inline.hpp"
+#include "pelagic/simd/exact.kernel.hpp"
+#include "pelagic/simd/neighbours.kernel.hpp"
 
 namespace pelagic::kernels {
 

@@ -1,4 +1,4 @@
-#include "tests/oracle/dft.hpp"
+#include "pelagic/tests/oracle/dft.hpp"
 
 #include <cstddef>
 #include <numbers>

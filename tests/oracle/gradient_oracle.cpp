@@ -1,4 +1,4 @@
-#include "tests/oracle/gradient_oracle.hpp"
+#include "pelagic/tests/oracle/gradient_oracle.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "sim/frame.hpp"
+#include "pelagic/sim/frame.hpp"
 
 namespace pelagic::oracle {
 

@@ -1,11 +1,11 @@
-#include "tests/oracle/sea_oracle.hpp"
+#include "pelagic/tests/oracle/sea_oracle.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
 
-#include "sim/wave_noise.hpp"
+#include "pelagic/sim/wave_noise.hpp"
 
 namespace pelagic::oracle {
 namespace {

@@ -2,8 +2,8 @@
 // Only the Gaussian draws come from the library; wave_noise_test looks at those.
 #pragma once
 
-#include "sim/sea_state.hpp"
-#include "tests/oracle/dft.hpp"
+#include "pelagic/sim/sea_state.hpp"
+#include "pelagic/tests/oracle/dft.hpp"
 
 namespace pelagic::oracle {
 

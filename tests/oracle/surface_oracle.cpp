@@ -1,4 +1,4 @@
-#include "tests/oracle/surface_oracle.hpp"
+#include "pelagic/tests/oracle/surface_oracle.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "tests/oracle/gradient_oracle.hpp"
+#include "pelagic/tests/oracle/gradient_oracle.hpp"
 
 namespace pelagic::oracle {
 

@@ -1,4 +1,4 @@
-#include "tests/unfused/unfused_sea.hpp"
+#include "pelagic/tests/unfused/unfused_sea.hpp"
 
 #include <half.h>
 
@@ -7,10 +7,10 @@
 #include <complex>
 #include <utility>
 
-#include "sim/dispersion.hpp"
-#include "sim/initial_spectrum.hpp"
-#include "sim/surface_look.hpp"
-#include "sim/wave_blocks.hpp"
+#include "pelagic/sim/dispersion.hpp"
+#include "pelagic/sim/initial_spectrum.hpp"
+#include "pelagic/sim/surface_look.hpp"
+#include "pelagic/sim/wave_blocks.hpp"
 
 namespace pelagic::unfused {
 namespace {

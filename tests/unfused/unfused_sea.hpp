@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "sim/fft_plan.hpp"
-#include "sim/frame.hpp"
-#include "sim/sea_state.hpp"
+#include "pelagic/sim/fft_plan.hpp"
+#include "pelagic/sim/frame.hpp"
+#include "pelagic/sim/sea_state.hpp"
 
 namespace pelagic::unfused {
 
