@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <functional>
+#include <map>
 #include <vector>
 
 #include "pelagic/sim/dispersion.hpp"
@@ -62,7 +64,7 @@ double model_variance(const WaveSpectrum& spectrum) {
     return sum;
 }
 
-std::string text(const char* format, double a, double b) {
+std::string text(const char* format, double a, double b = 0) {
     std::array<char, 256> line;
     std::snprintf(line.data(), line.size(), format, a, b);
     return line.data();
@@ -130,6 +132,33 @@ double measured_peak_period_s(const SeaState& sea) {
     return weight / weighted_frequency;
 }
 
+LoopFrequencies loop_frequencies(const SeaState& sea) {
+    const DefaultFloatEnvironment environment;
+    const WaveSpectrum spectrum(sea);
+    const double spacing = two_pi / sea.patch_size_m;
+    std::map<std::uint32_t, double> variances;
+    double all = 0;
+    for_each_wave(sea.resolution, [&](int m, int n) {
+        const double k = spacing * std::sqrt(static_cast<double>(m) * m + static_cast<double>(n) * n);
+        const double variance = std::norm(initial_amplitude(sea, spectrum, m, n));
+        variances[loop_harmonic(angular_frequency(k, sea.depth_m), sea.loop_period_s)] += variance;
+        all += variance;
+    });
+    if (!(all > 0)) return {};
+
+    std::vector<double> falling;
+    for (const auto& [harmonic, variance] : variances) falling.push_back(variance / all);
+    std::sort(falling.begin(), falling.end(), std::greater());
+    LoopFrequencies found{0, falling.front()};
+    double held = 0;
+    for (const double share : falling) {
+        if (held >= 0.9) break;
+        held += share;
+        ++found.for_90_percent;
+    }
+    return found;
+}
+
 std::vector<std::string> warnings_about(const SeaState& sea) {
     const ExpectedWaves waves = expected_waves(sea);
     std::vector<std::string> warnings;
@@ -150,6 +179,13 @@ std::vector<std::string> warnings_about(const SeaState& sea) {
             text("a loop of %g s bends the peak's period by %.0f %%: waves of a loop run a whole number "
                  "of periods",
                  sea.loop_period_s, 100 * std::fabs(omega / looped - 1)));
+    if (const LoopFrequencies found = loop_frequencies(sea);
+        found.largest_share > 0 && found.for_90_percent < fewest_loop_frequencies)
+        warnings.push_back(
+            text("a loop of %g s is short for this sea: %g of its frequencies hold 90 %% of the energy, so "
+                 "waves rise and fall in step",
+                 sea.loop_period_s, found.for_90_percent) +
+            text("; ten peak periods, %.0f s, leave about ten", 10 * waves.peak_period_s));
     return warnings;
 }
 
