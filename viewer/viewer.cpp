@@ -100,8 +100,13 @@ class Viewer {
             window_.swap();
             ++frames_;
         }
-        return {settings_, camera_.camera(), frames_,
-                reinterpret_cast<const char*>(window_.functions().GetString(GL_RENDERER))};
+        return {.settings = settings_,
+                .camera = camera_.camera(),
+                .time_s = shown_time_s_,
+                .width = window_.width(),
+                .height = window_.height(),
+                .frames = frames_,
+                .renderer = reinterpret_cast<const char*>(window_.functions().GetString(GL_RENDERER))};
     }
 
    private:
@@ -171,6 +176,7 @@ class Viewer {
 
     void draw_frame() {
         const Frame& frame = next_frame();
+        shown_time_s_ = frame.time_s;
         const SeaState& sea = ocean_.sea();
         if (!foam_of_) {
             foam_of_ = gl::whitecap_jacobian(frame, sea.wind_speed_mps);
@@ -247,7 +253,7 @@ class Viewer {
     std::optional<float> foam_of_;  ///< the Jacobian at which this sea's foam begins
     ViewFigures figures_;
     bool shows_panel_ = true, takes_picture_ = false;
-    double time_s_ = 0;
+    double time_s_ = 0, shown_time_s_ = 0;
     std::uint64_t frames_ = 0;
 };
 
