@@ -1,6 +1,7 @@
 #include "pelagic/capi/sea.hpp"
 
 #include "pelagic/capi/status.hpp"
+#include "pelagic/message/refusal.hpp"
 
 namespace pelagic::capi {
 namespace {
@@ -66,7 +67,7 @@ pelagic_status pelagic_sea_preset(const char* name, pelagic_sea* sea) {
         pelagic_sea& out = needed_struct(sea, "sea");
         for (const SeaPreset& preset : sea_presets())
             if (preset.name == wanted) return write(preset.sea, out);
-        refuse("preset is " + std::string(wanted.substr(0, 64)) + ", needs one of " + preset_names());
+        refuse(refusal("preset", wanted, "one of " + preset_names()));
     });
 }
 

@@ -1,14 +1,14 @@
 #include "pelagic/capi/status.hpp"
 
-#include <cstring>
+#include "pelagic/message/one_line.hpp"
 
 namespace pelagic::capi {
 namespace {
-thread_local char last_error[512] = "";
+thread_local char last_error[most_line_bytes + 1] = "";
 }
 
 pelagic_status failure(pelagic_status status, const char* reason) noexcept {
-    std::strncpy(last_error, reason, sizeof last_error - 1);
+    last_error[write_one_line(reason, last_error)] = 0;
     return status;
 }
 

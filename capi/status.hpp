@@ -8,11 +8,12 @@
 #include <system_error>
 #include <type_traits>
 
+#include "pelagic/message/refusal.hpp"
 #include "pelagic/pelagic.h"
 
 namespace pelagic::capi {
 
-/// Keeps the line for pelagic_last_error(), cut to 511 bytes: no memory is needed to say that there is none.
+/// Keeps the reason for pelagic_last_error() as one_line() does: no memory is needed to say that there is none.
 pelagic_status failure(pelagic_status status, const char* reason) noexcept;
 
 /// "ocean is NULL, needs an ocean".
@@ -56,8 +57,7 @@ template <class T>
 T& needed_struct(T* pointer, const char* name) {
     T& value = needed(pointer, name);
     if (value.struct_size != sizeof(T))
-        refuse(std::string(name) + ".struct_size is " + std::to_string(value.struct_size) + ", needs " +
-               std::to_string(sizeof(T)));
+        refuse(refusal(std::string(name) + ".struct_size", value.struct_size, number_text(sizeof(T))));
     if constexpr (std::is_const_v<T> && requires { value.reserved; })
         if (value.reserved != 0) refuse(std::string(name) + ".reserved is set, needs 0");
     return value;

@@ -33,12 +33,12 @@ std::string read_text(const std::filesystem::path& file) {
 }
 
 std::string place_of(const std::filesystem::path& file, const toml::source_region& source) {
-    return file.string() + ":" + std::to_string(source.begin.line);
+    return file.string() + ":" + number_text(source.begin.line);
 }
 
 std::string value_text(const toml::node& node, const std::string& place, std::string_view key) {
     if (const auto* text = node.as_string()) return text->get();
-    if (const auto* whole = node.as_integer()) return std::to_string(whole->get());
+    if (const auto* whole = node.as_integer()) return number_text(whole->get());
     if (const auto* number = node.as_floating_point()) return number_text(number->get());
     std::ostringstream type;
     type << node.type();
