@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "pelagic/sim/cascade.hpp"
-#include "pelagic/sim/kernels/kernels.hpp"
 
 namespace pelagic {
 namespace {
@@ -28,7 +27,7 @@ struct Ocean::State {
         : executor(options.executor ? std::move(options.executor) : make_default_executor()),
           isa(choose_isa(options.isa)),
           has_velocities(options.velocities),
-          cascade(checked(sea), kernels_for(isa), {.folds = options.queries, .velocities = options.velocities}) {
+          cascade(checked(sea), isa, {.folds = options.queries, .velocities = options.velocities}) {
         cascade.add_frame_stages(frame_graph);
         cascade.add_spectrum_stage(spectrum_graph);
         const bool is_small = sea.resolution <= largest_resolution_without_jobs;
