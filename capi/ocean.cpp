@@ -86,7 +86,7 @@ void write(const Frame& frame, pelagic_frame& out) {
     const int levels = mip_levels(frame.resolution());
     out.resolution = frame.resolution();
     out.time_s = frame.time_s;
-    out.patch_size_m = frame.patch_size_m;
+    out.patch_size_m = frame.sea.patch_size_m;
     out.dx = plane_of(frame.dx);
     out.height = plane_of(frame.height);
     out.dz = plane_of(frame.dz);
@@ -173,8 +173,7 @@ pelagic_status pelagic_ocean_complete(pelagic_ocean* ocean, pelagic_frame* frame
         pelagic_frame& out = needed_struct(frame, "frame");
         ocean->completed = &ocean->ocean.complete();
         ocean->frame_in_flight = false;
-        if (ocean->has_queries)
-            ocean->asked.show(SurfaceQuery(*ocean->completed, ocean->ocean.isa(), ocean->query_tolerance_m));
+        if (ocean->has_queries) ocean->asked.show(SurfaceQuery(*ocean->completed, ocean->query_tolerance_m));
         write(*ocean->completed, out);
     });
 }
