@@ -2,6 +2,7 @@
 
 #include "pelagic/capi/sized_struct.hpp"
 #include "pelagic/capi/status.hpp"
+#include "pelagic/message/refusal.hpp"
 
 namespace pelagic::capi {
 namespace {
@@ -24,7 +25,7 @@ std::shared_ptr<Executor> make_executor(const pelagic_executor_options& options)
                                        .parallel_for = options.parallel_for,
                                        .submit = options.submit,
                                        .threads = options.threads == 0 ? 1 : options.threads});
-        default: refuse("kind is " + std::to_string(options.kind) + ", needs 0 to 4");
+        default: refuse(refusal("kind", options.kind, "0 to 4"));
     }
 }
 

@@ -6,6 +6,7 @@
 #include "pelagic/capi/sea.hpp"
 #include "pelagic/capi/sized_struct.hpp"
 #include "pelagic/capi/status.hpp"
+#include "pelagic/message/refusal.hpp"
 
 namespace pelagic::capi {
 
@@ -42,7 +43,7 @@ double query_tolerance_m(const pelagic_ocean_options& options) {
     const double wanted = options.query_tolerance_m;
     if (wanted == 0) return SurfaceQuery::default_tolerance_m;
     if (!(wanted >= least_tolerance_m && wanted <= most_tolerance_m))
-        refuse("query_tolerance_m is " + std::to_string(wanted) + ", needs 0 or [1e-6, 1000]");
+        refuse(refusal("query_tolerance_m", wanted, "0 or [1e-6, 1000]"));
     return wanted;
 }
 
@@ -51,9 +52,7 @@ OceanOptions options_of(const pelagic_ocean_options& options) {
     if (options.executor) result.executor = options.executor->executor;
     if (options.isa) {
         result.isa = isa_named(options.isa);
-        if (!result.isa)
-            refuse("isa is " + std::string(std::string_view(options.isa).substr(0, 64)) +
-                   ", needs sse4.2, avx2, avx512 or neon");
+        if (!result.isa) refuse(refusal("isa", options.isa, "sse4.2, avx2, avx512 or neon"));
     }
     if (!options.allocate != !options.release) refuse("allocate or release is NULL, needs both or neither");
     result.memory = {options.memory_user, options.allocate, options.release};
@@ -61,7 +60,7 @@ OceanOptions options_of(const pelagic_ocean_options& options) {
 }
 
 void need_finite(double time_s) {
-    if (!std::isfinite(time_s)) refuse("time_s is " + std::to_string(time_s) + ", needs a finite number");
+    if (!std::isfinite(time_s)) refuse(refusal("time_s", time_s, "a finite number"));
 }
 
 void need_no_frame_in_flight(const pelagic_ocean& ocean) {

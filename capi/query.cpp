@@ -4,6 +4,7 @@
 #include "pelagic/capi/ocean.hpp"
 #include "pelagic/capi/sized_struct.hpp"
 #include "pelagic/capi/status.hpp"
+#include "pelagic/message/refusal.hpp"
 #include "pelagic/sim/surface_ray.hpp"
 
 namespace pelagic::capi {
@@ -18,8 +19,7 @@ const SurfaceQuery& needed_query(const pelagic_ocean& ocean, const AskedFrames::
 SurfacePoints points_of(const pelagic_points& points) {
     // More can't be in memory, and a length in bytes still fits.
     constexpr std::size_t most = std::numeric_limits<std::ptrdiff_t>::max() / sizeof(double);
-    if (points.count > most)
-        refuse("points.count is " + std::to_string(points.count) + ", needs at most " + std::to_string(most));
+    if (points.count > most) refuse(refusal("points.count", points.count, "at most " + number_text(most)));
     if (points.count == 0) return {};
     return {.x = {&needed(points.x, "points.x"), points.count}, .z = {&needed(points.z, "points.z"), points.count}};
 }
@@ -39,8 +39,7 @@ SurfaceSamples samples_of(const pelagic_samples& samples, std::size_t count) {
 }
 
 void need_within(const char* name, double value, double least, double most, const char* accepted) {
-    if (!(value >= least && value <= most))
-        refuse(std::string(name) + " is " + std::to_string(value) + ", needs " + accepted);
+    if (!(value >= least && value <= most)) refuse(refusal(name, value, accepted));
 }
 
 // Limits of what first_hit() may be asked, which also bound the time that it takes.

@@ -2,6 +2,7 @@
 
 #include "pelagic/capi/sized_struct.hpp"
 #include "pelagic/capi/status.hpp"
+#include "pelagic/message/refusal.hpp"
 
 namespace pelagic::capi {
 namespace {
@@ -72,7 +73,7 @@ pelagic_status pelagic_sea_preset(const char* name, pelagic_sea* sea) {
         struct_bytes(sea, "sea");
         for (const SeaPreset& preset : sea_presets())
             if (preset.name == wanted) return write_struct(c_sea_of(preset.sea), sea);
-        refuse("preset is " + std::string(wanted.substr(0, 64)) + ", needs one of " + preset_names());
+        refuse(refusal("preset", wanted, "one of " + preset_names()));
     });
 }
 

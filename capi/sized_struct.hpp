@@ -39,8 +39,8 @@ std::size_t struct_bytes(const T* pointer, const char* name) {
     static_assert(least_struct_bytes<T> > 0, "say which field was its last at first");
     const std::uint32_t bytes = needed(pointer, name).struct_size;
     if (bytes < least_struct_bytes<T> || bytes > most_struct_bytes)
-        refuse(std::string(name) + ".struct_size is " + std::to_string(bytes) + ", needs " +
-               std::to_string(sizeof(T)) + ", the size of the struct");
+        refuse(
+            refusal(std::string(name) + ".struct_size", bytes, number_text(sizeof(T)) + ", the size of the struct"));
     return bytes;
 }
 

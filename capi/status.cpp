@@ -1,14 +1,13 @@
 #include "pelagic/capi/status.hpp"
 
-#include <algorithm>
-#include <cstddef>
 #include <mutex>
+
+#include "pelagic/message/one_line.hpp"
 
 namespace pelagic::capi {
 namespace {
 
-constexpr std::size_t most_bytes = 300;
-thread_local char last_error[most_bytes] = "";
+thread_local char last_error[most_line_bytes + 1] = "";
 
 struct ErrorCallback {
     pelagic_error_callback function = nullptr;
@@ -17,43 +16,10 @@ struct ErrorCallback {
 std::mutex callback_mutex;
 ErrorCallback callback;
 
-/// Bytes of the character of UTF-8 that `text` begins with; 0 if it begins with none.
-std::size_t character_bytes(std::string_view text) {
-    const auto first = static_cast<unsigned char>(text.front());
-    const std::size_t bytes = first < 0x80              ? 1
-                              : (first & 0xE0u) == 0xC0 ? 2
-                              : (first & 0xF0u) == 0xE0 ? 3
-                              : (first & 0xF8u) == 0xF0 ? 4
-                                                        : 0;
-    if (bytes > text.size()) return 0;
-    for (std::size_t i = 1; i < bytes; ++i)
-        if ((static_cast<unsigned char>(text[i]) & 0xC0u) != 0x80) return 0;
-    return bytes;
-}
-
-/// U+0000 to U+001F and U+007F to U+009F.
-bool is_control(std::string_view character) {
-    const auto first = static_cast<unsigned char>(character.front());
-    return first < 0x20 || first == 0x7F || (first == 0xC2 && static_cast<unsigned char>(character[1]) < 0xA0);
-}
-
-void keep_as_last_error(std::string_view reason) {
-    std::size_t length = 0;
-    while (!reason.empty()) {
-        const std::size_t bytes = character_bytes(reason);
-        const std::string_view character = reason.substr(0, std::max<std::size_t>(bytes, 1));
-        const std::string_view kept = bytes == 0 ? "?" : is_control(character) ? " " : character;
-        if (length + kept.size() >= most_bytes) break;
-        length += kept.copy(last_error + length, kept.size());
-        reason.remove_prefix(character.size());
-    }
-    last_error[length] = 0;
-}
-
 }  // namespace
 
-pelagic_status failure(pelagic_status status, std::string_view reason) noexcept {
-    keep_as_last_error(reason);
+pelagic_status failure(pelagic_status status, const char* reason) noexcept {
+    last_error[write_one_line(reason, last_error)] = 0;
     try {
         // Called outside the lock: it may set another one.
         const ErrorCallback current = [] {

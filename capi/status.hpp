@@ -9,13 +9,14 @@
 #include <system_error>
 
 #include "pelagic/jobs/executor.hpp"
+#include "pelagic/message/refusal.hpp"
 #include "pelagic/pelagic.h"
 
 namespace pelagic::capi {
 
-/// Keeps the line for pelagic_last_error() and tells the host's callback: control characters become spaces, and 299 bytes are
-/// kept, whole characters. No memory is needed to say that there is none.
-pelagic_status failure(pelagic_status status, std::string_view reason) noexcept;
+/// Keeps the reason for pelagic_last_error() as one_line() does, and tells the host's callback: no memory is needed to say
+/// that there is none.
+pelagic_status failure(pelagic_status status, const char* reason) noexcept;
 
 /// "ocean is NULL, needs an ocean".
 [[noreturn]] void refuse(const std::string& reason);

@@ -19,6 +19,7 @@
 
 #include "pelagic/jobs/executor.hpp"
 #include "pelagic/jobs/run_failure.hpp"
+#include "pelagic/message/refusal.hpp"
 
 namespace pelagic {
 namespace {
@@ -212,7 +213,7 @@ class HostExecutor final : public Executor {
 std::shared_ptr<Executor> make_host_executor(const HostJobs& jobs) {
     if (!jobs.parallel_for) throw std::invalid_argument("parallel_for is null, needs the host's function");
     if (jobs.threads < 1 || jobs.threads > 1024)
-        throw std::invalid_argument("threads is " + std::to_string(jobs.threads) + ", needs 1 to 1024");
+        throw std::invalid_argument(refusal("threads", jobs.threads, "1 to 1024"));
     return std::make_shared<HostExecutor>(jobs);
 }
 

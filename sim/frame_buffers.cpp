@@ -4,6 +4,8 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "pelagic/message/number_text.hpp"
+
 namespace pelagic {
 namespace {
 
@@ -36,8 +38,8 @@ std::string check(const FrameBuffers& buffers, int resolution, bool has_velociti
         if (field.is_velocity && !has_velocities)
             return std::string(field.name) + " is wanted, needs an ocean with velocities";
         if (field.size != field.needed)
-            return std::string(field.name) + " has " + std::to_string(field.size) + " elements, needs " +
-                   std::to_string(field.needed);
+            return std::string(field.name) + " has " + number_text(field.size) + " elements, needs " +
+                   number_text(field.needed);
     }
     return {};
 }

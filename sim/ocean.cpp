@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "pelagic/message/refusal.hpp"
 #include "pelagic/sim/cascade.hpp"
 #include "pelagic/sim/kernels/kernels.hpp"
 
@@ -114,8 +115,9 @@ FrameBounds Ocean::frame_at(double time_s, const FrameBuffers& buffers) {
 void Ocean::schedule_sea(const SeaState& sea) {
     assert(!state_->sea_in_flight && "complete_sea() first");
     if (checked(sea).resolution != state_->cascade.sea().resolution)
-        throw std::invalid_argument("resolution is " + std::to_string(sea.resolution) + ", needs " +
-                                    std::to_string(state_->cascade.sea().resolution) + ", as the ocean was built");
+        throw std::invalid_argument(
+            refusal("resolution", sea.resolution,
+                    number_text(state_->cascade.sea().resolution) + ", as the ocean was built"));
     state_->cascade.begin_spectrum(sea);
     try {
         state_->spectrum_run->schedule();

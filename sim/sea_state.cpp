@@ -1,8 +1,9 @@
 #include "pelagic/sim/sea_state.hpp"
 
 #include <array>
-#include <charconv>
 #include <cmath>
+
+#include "pelagic/message/refusal.hpp"
 
 namespace pelagic {
 namespace {
@@ -30,11 +31,6 @@ constexpr std::array fields = {
     SeaStateField{"seed", &SeaState::seed, 0, 4294967295.0, false, false, "a whole number from 0 to 4294967295"},
 };
 
-std::string shortest_text(double value) {
-    std::array<char, 32> text;
-    return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
-}
-
 }  // namespace
 
 std::string_view name_of(SpectrumModel model) { return model_names[static_cast<std::size_t>(model)]; }
@@ -61,8 +57,7 @@ std::string check(const SeaState& sea) {
     if (static_cast<std::size_t>(sea.spectrum) >= models.size()) return "spectrum is no known model";
     for (const SeaStateField& field : fields) {
         const double value = std::visit([&](auto member) { return static_cast<double>(sea.*member); }, field.member);
-        if (!field.accepts(value))
-            return std::string(field.name) + " is " + shortest_text(value) + ", needs " + std::string(field.accepted);
+        if (!field.accepts(value)) return refusal(field.name, value, field.accepted);
     }
     return {};
 }

@@ -1,7 +1,9 @@
 // The C interface: the same sea as in C++, every misuse a code and a line, nothing a crash. Linked against the shared
 // library alone.
 #include <atomic>
+#include <cctype>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <functional>
 #include <limits>
@@ -369,6 +371,28 @@ TEST(CInterface, MessagesAreTheThreadsOwn) {
     const pelagic_sea sea = small_sea();
     EXPECT_EQ(pelagic_sea_check(&sea), PELAGIC_OK);
     EXPECT_NE(std::string(pelagic_last_error()), "") << "success leaves the last message";
+}
+
+TEST(CInterface, MessagesAreOneShortLineWithTheNumberThatWasGiven) {
+    const pelagic_sea sea = small_sea(16);
+    for (const std::string& isa : {std::string("\n\n"), std::string("\x1b[2J"), std::string(5000, 'x')}) {
+        auto options = sized<pelagic_ocean_options>();
+        options.isa = isa.c_str();
+        pelagic_ocean* ocean = nullptr;
+        EXPECT_EQ(pelagic_ocean_create(&sea, &options, &ocean), PELAGIC_INVALID_ARGUMENT);
+        const std::string message = pelagic_last_error();
+        EXPECT_LT(message.size(), 300u);
+        for (const char c : message) EXPECT_FALSE(std::iscntrl(static_cast<unsigned char>(c))) << message;
+        EXPECT_TRUE(message.starts_with("isa is ") && message.ends_with("avx512 or neon")) << message;
+    }
+    for (const double wanted : {1e-300, -2.5e-7, 1000.0000000000001}) {
+        auto options = sized<pelagic_ocean_options>();
+        options.query_tolerance_m = wanted;
+        pelagic_ocean* ocean = nullptr;
+        expect_invalid(pelagic_ocean_create(&sea, &options, &ocean), ", needs 0 or [1e-6, 1000]");
+        const std::string message = pelagic_last_error();
+        EXPECT_EQ(std::strtod(message.c_str() + message.find(" is ") + 4, nullptr), wanted) << message;
+    }
 }
 
 TEST(CInterface, FrameAtWritesTheFrameAndLeavesTheOthersAlone) {

@@ -49,7 +49,7 @@ PointList read_points(const std::filesystem::path& file) {
         if (std::exchange(may_be_header, false) && first == "x" && second == "z") continue;
         const auto x = coordinate(first), z = coordinate(second);
         if (!x || !z)
-            throw InputError(file.string() + ":" + std::to_string(number) + ": the line is " +
+            throw InputError(file.string() + ":" + number_text(number) + ": the line is " +
                              std::string(text.substr(0, 80)) + ", needs x,z: two numbers of metres in [-1e15, 1e15]");
         points.x.push_back(*x);
         points.z.push_back(*z);
