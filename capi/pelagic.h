@@ -115,7 +115,7 @@ typedef struct pelagic_sea {
     double wind_speed_mps;     /* mean wind 10 m above the sea; (0, 60] */
     double wind_direction_rad; /* where the wind blows towards, from +x towards +z; [-2 pi, 2 pi] */
     double fetch_m;            /* how far the wind has blown over water (jonswap); (0, 2e6] */
-    double depth_m;            /* (0, 11000] */
+    double depth_m;            /* [0.01, 11000] */
     double choppiness;         /* 0 gives a height field; [0, 1] */
     double roughness;          /* of the water between texels, for the smoothness channel; [0, 1] */
     double small_waves;        /* 0 keeps small waves, 1 removes those below L/4; [0, 1] */

@@ -19,8 +19,8 @@ struct Stage {
     std::size_t count = 0;                ///< items in the loop; 0 is allowed and does nothing
     std::size_t batch = 1;                ///< items a job; at least 1
     std::vector<StageId> waits_for = {};  ///< stages that must be done before this one starts
-    std::size_t stack_bytes = 0;          ///< what one call of the body takes of the stack; 0: next to nothing
     JobBody body;                         ///< called once per block of `batch` items, the last block may be short
+    std::size_t stack_bytes = 0;          ///< what one call of the body takes of the stack; 0: next to nothing
 };
 
 /// Stages in an order in which each one comes after all that it waits for, so the graph can't have a cycle.

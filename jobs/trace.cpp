@@ -16,12 +16,13 @@ class TracedRun final : public GraphRun {
                  .count = stage.count,
                  .batch = stage.batch,
                  .waits_for = stage.waits_for,
-                 .stack_bytes = stage.stack_bytes,
-                 .body = [this, &stage](std::size_t begin, std::size_t end) {
-                     const auto block = static_cast<double>(begin / stage.batch);
-                     const TraceScope scope(sink_.get(), stage.name, "job", {run_number(), {"block", block}});
-                     stage.body(begin, end);
-                 }});
+                 .body =
+                     [this, &stage](std::size_t begin, std::size_t end) {
+                         const auto block = static_cast<double>(begin / stage.batch);
+                         const TraceScope scope(sink_.get(), stage.name, "job", {run_number(), {"block", block}});
+                         stage.body(begin, end);
+                     },
+                 .stack_bytes = stage.stack_bytes});
         timed_run_ = executor.prepare(timed_graph_);
     }
     ~TracedRun() override {

@@ -84,37 +84,37 @@ void Cascade::add_spectrum_stage(JobGraph& graph) {
     graph.add({.name = "spectrum",
                .count = line_count(sea_.resolution),
                .batch = spectrum_batch,
-               .stack_bytes = stack_margin,
-               .body = for_each_item([this](std::size_t line) { spectrum(line); })});
+               .body = for_each_item([this](std::size_t line) { spectrum(line); }),
+               .stack_bytes = stack_margin});
 }
 
 void Cascade::add_frame_stages(JobGraph& graph) {
     const std::size_t transforms = transform_stack_bytes(sea_.resolution, kernels_.lanes);
     const StageId lines_done = graph.add({.name = "evolve+rows",
                                           .count = line_blocks(sea_.resolution, kernels_.lanes),
-                                          .stack_bytes = transforms,
                                           .body = for_each_item([this](std::size_t block) {
                                               kernels_.evolve_rows(evolve_rows_job(block, back().surface.data()));
-                                          })});
+                                          }),
+                                          .stack_bytes = transforms});
     const StageId surface_done = graph.add({.name = "columns+finalize",
                                             .count = part_bounds_.size(),
                                             .waits_for = {lines_done},
-                                            .stack_bytes = transforms,
                                             .body = for_each_item([this](std::size_t pair) {
                                                 columns_finalize(pair, back().surface.data(), part_bounds_[pair]);
-                                            })});
+                                            }),
+                                            .stack_bytes = transforms});
     const StageId tiles_done =
         graph.add({.name = "gradients+mipmaps",
                    .count = tiles(sea_.resolution).count(),
                    .waits_for = {surface_done},
-                   .stack_bytes = gradients_stack_bytes,
-                   .body = for_each_item([this](std::size_t tile) { gradients_mipmaps(tile); })});
+                   .body = for_each_item([this](std::size_t tile) { gradients_mipmaps(tile); }),
+                   .stack_bytes = gradients_stack_bytes});
     const auto tail = [this](std::size_t) { mipmaps_tail(); };
     graph.add({.name = "mipmaps tail",
                .count = 1,
                .waits_for = {tiles_done},
-               .stack_bytes = stack_margin,
-               .body = for_each_item(tail)});
+               .body = for_each_item(tail),
+               .stack_bytes = stack_margin});
     if (extras_.folds) add_fold_stages(graph, surface_done);
     if (extras_.velocities) add_velocity_stages(graph);
 }
@@ -124,14 +124,14 @@ void Cascade::add_fold_stages(JobGraph& graph, StageId surface_done) {
         {.name = "folds",
          .count = back().folds->jobs(),
          .waits_for = {surface_done},
-         .stack_bytes = stack_margin,
-         .body = for_each_item([this](std::size_t job) { back().folds->find(back().frame, kernels_, job); })});
+         .body = for_each_item([this](std::size_t job) { back().folds->find(back().frame, kernels_, job); }),
+         .stack_bytes = stack_margin});
     const auto tail = [this](std::size_t) { back().folds->mark(back().frame); };
     graph.add({.name = "folds tail",
                .count = 1,
                .waits_for = {cells_done},
-               .stack_bytes = stack_margin,
-               .body = for_each_item(tail)});
+               .body = for_each_item(tail),
+               .stack_bytes = stack_margin});
 }
 
 // The derivative in time of a sum of waves is a sum of waves, so its lines and columns are those of the surface.
@@ -140,17 +140,17 @@ void Cascade::add_velocity_stages(JobGraph& graph) {
     const StageId lines_done =
         graph.add({.name = "velocity rows",
                    .count = line_blocks(sea_.resolution, kernels_.lanes),
-                   .stack_bytes = transforms,
                    .body = for_each_item([this](std::size_t block) {
                        kernels_.evolve_velocity_rows(evolve_rows_job(block, back().velocity.data()));
-                   })});
+                   }),
+                   .stack_bytes = transforms});
     graph.add({.name = "velocity columns",
                .count = velocity_bounds_.size(),
                .waits_for = {lines_done},
-               .stack_bytes = transforms,
                .body = for_each_item([this](std::size_t pair) {
                    columns_finalize(pair, back().velocity.data(), velocity_bounds_[pair]);
-               })});
+               }),
+               .stack_bytes = transforms});
 }
 
 void Cascade::begin_frame(double time_s) {
