@@ -1,6 +1,7 @@
 // A sea in a TOML file: one `key = value` a line, keys named as the flags with underscores for dashes.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -22,7 +23,9 @@ struct ConfigEntry {
 std::vector<ConfigEntry> parse_config(std::string_view text, const std::filesystem::path& file,
                                       std::span<const std::string> known);
 
-/// The same of a file. Throws InputError if it can't be read.
+inline constexpr std::size_t most_config_bytes = std::size_t{64} << 20;
+
+/// The same of a file. Throws InputError if it can't be read or is larger than most_config_bytes.
 std::vector<ConfigEntry> read_config(const std::filesystem::path& file, std::span<const std::string> known);
 
 }  // namespace pelagic::tools
