@@ -49,4 +49,5 @@ install(FILES ${PROJECT_SOURCE_DIR}/capi/pelagic.h DESTINATION ${CMAKE_INSTALL_I
 
 if(PELAGIC_TOOLS)
   install(TARGETS pelagic)
+  install(TARGETS pelagic_images LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/pelagic)
 endif()
