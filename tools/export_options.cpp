@@ -20,7 +20,7 @@ constexpr double default_fps = 24;
 int whole_number(const std::string& option, const std::string& text, int least, int most) {
     const auto value = parse_integer(text);
     if (!value || *value < least || *value > most)
-        throw bad_value(option, text, "a whole number from " + std::to_string(least) + " to " + std::to_string(most));
+        throw bad_value(option, text, "a whole number from " + number_text(least) + " to " + number_text(most));
     return static_cast<int>(*value);
 }
 
