@@ -94,7 +94,7 @@ pelagic_frame c_frame_of(const Frame& frame) {
     const int levels = mip_levels(frame.resolution());
     out.resolution = frame.resolution();
     out.time_s = frame.time_s;
-    out.patch_size_m = frame.patch_size_m;
+    out.patch_size_m = frame.sea.patch_size_m;
     out.dx = plane_of(frame.dx);
     out.height = plane_of(frame.height);
     out.dz = plane_of(frame.dz);
@@ -113,7 +113,7 @@ pelagic_frame c_frame_of(const Frame& frame) {
 /// Makes it the frame that queries, copy and hash tell of.
 void show(pelagic_ocean& ocean, const Frame& frame) {
     ocean.shown = &frame;
-    if (ocean.has_queries) ocean.asked.show(SurfaceQuery(frame, ocean.ocean.isa(), ocean.query_tolerance_m));
+    if (ocean.has_queries) ocean.asked.show(SurfaceQuery(frame, ocean.query_tolerance_m));
 }
 
 FrameBuffers buffers_of(const pelagic_frame_buffers& buffers) {

@@ -1,6 +1,7 @@
 #include "pelagic/sim/cascade.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "pelagic/sim/surface_look.hpp"
@@ -68,17 +69,18 @@ Cascade::Slot::Slot(int n, std::size_t lanes, const CascadeExtras& extras)
     frame.gradient_rgba8 = {rgba8.data(), rgba8.size()};
 }
 
-Cascade::Cascade(const SeaState& sea, const Kernels& kernels, CascadeExtras extras)
+Cascade::Cascade(const SeaState& sea, Isa isa, CascadeExtras extras)
     : sea_(sea),
-      kernels_(kernels),
+      isa_(isa),
+      kernels_(kernels_for(isa)),
       extras_(extras),
       plan_(sea.resolution),
       fft_(plan_.tables()),
-      spectrum_(plan_, kernels.lanes, extras.memory),
+      spectrum_(plan_, kernels_.lanes, extras.memory),
       mip_averages_(sea.resolution, extras.memory),
-      part_bounds_(column_block_pairs(sea.resolution, kernels.lanes)),
+      part_bounds_(column_block_pairs(sea.resolution, kernels_.lanes)),
       velocity_bounds_(extras.velocities ? part_bounds_.size() : 0),
-      slots_{Slot(sea.resolution, kernels.lanes, extras), Slot(sea.resolution, kernels.lanes, extras)} {}
+      slots_{Slot(sea.resolution, kernels_.lanes, extras), Slot(sea.resolution, kernels_.lanes, extras)} {}
 
 void Cascade::add_spectrum_stage(JobGraph& graph) {
     graph.add({.name = "spectrum",
@@ -157,7 +159,9 @@ void Cascade::begin_frame(double time_s) {
     const DefaultFloatEnvironment environment;
     back_ = 1 - back_;
     back().frame.time_s = time_s;
-    back().frame.patch_size_m = sea_.patch_size_m;
+    back().frame.sea = sea_;
+    back().frame.figures = figures_;
+    back().frame.isa = isa_;
     fraction_ = loop_fraction(time_s, sea_.loop_period_s);
 }
 
@@ -175,17 +179,26 @@ const Frame& Cascade::end_frame() {
 
 void Cascade::begin_spectrum(const SeaState& sea) {
     const DefaultFloatEnvironment environment;
-    bake_.emplace(Bake{sea, WaveSpectrum(sea), PackedSpectrum(plan_, kernels_.lanes, extras_.memory)});
+    bake_.emplace(Bake{sea, WaveSpectrum(sea), PackedSpectrum(plan_, kernels_.lanes, extras_.memory),
+                       std::vector<LineFigures>(line_count(sea.resolution))});
 }
 
 void Cascade::adopt_spectrum() {
+    const DefaultFloatEnvironment environment;
     spectrum_ = std::move(bake_->spectrum);
     sea_ = bake_->sea;
+    LineFigures all;
+    for (const LineFigures& line : bake_->lines) {
+        all.height_variance += line.height_variance;
+        all.folding += line.folding;
+    }
+    figures_ = {4 * std::sqrt(all.height_variance),
+                whitecap_jacobian(all.folding, sea_.choppiness, whitecap_cover(sea_.wind_speed_mps))};
     bake_.reset();
 }
 
 void Cascade::spectrum(std::size_t line) {
-    bake_spectrum_line(bake_->sea, bake_->model, plan_, line, bake_->spectrum);
+    bake_->lines[line] = bake_spectrum_line(bake_->sea, bake_->model, plan_, line, bake_->spectrum);
 }
 
 EvolveRowsJob Cascade::evolve_rows_job(std::size_t line_block, float* lines) {

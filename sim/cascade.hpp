@@ -37,8 +37,7 @@ struct CascadeExtras {
 
 class Cascade {
    public:
-    /// \param kernels  outlives the cascade
-    Cascade(const SeaState& sea, const Kernels& kernels, CascadeExtras extras = {});
+    Cascade(const SeaState& sea, Isa isa, CascadeExtras extras = {});
     Cascade(const Cascade&) = delete;  // stages point into it
     Cascade& operator=(const Cascade&) = delete;
 
@@ -90,6 +89,8 @@ class Cascade {
     void mipmaps_tail();
 
     SeaState sea_;
+    SeaFigures figures_;
+    Isa isa_;
     const Kernels& kernels_;
     CascadeExtras extras_;
     FftPlan plan_;
@@ -102,6 +103,7 @@ class Cascade {
         SeaState sea;
         WaveSpectrum model;
         PackedSpectrum spectrum;
+        std::vector<LineFigures> lines;
     };
     std::optional<Bake> bake_;
 

@@ -8,7 +8,6 @@
 
 #include "pelagic/message/refusal.hpp"
 #include "pelagic/sim/cascade.hpp"
-#include "pelagic/sim/kernels/kernels.hpp"
 
 namespace pelagic {
 namespace {
@@ -29,7 +28,7 @@ struct Ocean::State {
         : executor(options.executor ? std::move(options.executor) : make_default_executor()),
           isa(choose_isa(options.isa)),
           has_velocities(options.velocities),
-          cascade(checked(sea), kernels_for(isa),
+          cascade(checked(sea), isa,
                   {.folds = options.queries, .velocities = options.velocities, .memory = options.memory}) {
         cascade.add_frame_stages(frame_graph);
         cascade.add_spectrum_stage(spectrum_graph);

@@ -48,7 +48,7 @@ void QueryFlags::run() const {
 
     const auto executor = make_default_executor(compute.threads);
     Ocean ocean(sea.sea, {.executor = executor, .isa = compute.isa, .queries = true, .velocities = true});
-    const SurfaceQuery query(ocean.frame_at(*time_s), ocean.isa());
+    const SurfaceQuery query(ocean.frame_at(*time_s));
     const std::size_t count = points.x.size();
     std::array<std::vector<float>, 9> out;
     for (std::vector<float>& values : out) values.resize(count);
