@@ -18,7 +18,7 @@ class Shown {
     Shown() : frame_(ocean_.frame_at(0)) {}
     SurfaceQuery query(float number) {
         frame_.bounds = {number, number, number, number};
-        return SurfaceQuery(frame_, ocean_.isa());
+        return SurfaceQuery(frame_);
     }
 
    private:

@@ -38,7 +38,9 @@ class Fold {
     Frame frame() const {
         const auto plane = [](const std::vector<float>& values) { return PlaneView{values.data(), n, n, n, 0}; };
         Frame frame;
-        frame.patch_size_m = n;
+        frame.sea.resolution = n;
+        frame.sea.patch_size_m = n;
+        frame.isa = choose_isa();
         frame.dx = plane(dx_);
         frame.height = plane(height_);
         frame.dz = plane(dz_);
@@ -70,7 +72,7 @@ TEST(SurfaceQueryEdges, APointOnAnEdgeIsOnOneOfItsCells) {
     for (unsigned seed = 0; seed < 100; ++seed) {
         const Fold fold(seed);
         const Frame frame = fold.frame();
-        const SurfaceQuery query(frame, choose_isa());
+        const SurfaceQuery query(frame);
         std::vector<double> x, z;
         // Edges of the highest sheet that lie over the others, along x and along z, quarters and ends.
         for (int j = 2; j < n - 2; ++j) {
