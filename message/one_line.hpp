@@ -6,38 +6,19 @@
 #include <string>
 #include <string_view>
 
+#include "pelagic/message/utf8.hpp"
+
 namespace pelagic {
 
 /// Most bytes of one_line(): with the program's name before it, a message stays under 300.
 inline constexpr std::size_t most_line_bytes = 280;
 
-namespace line_detail {
-
-/// Bytes of the well-formed character that begins at `at`, 0 if none does. RFC 3629.
-inline std::size_t character_bytes(std::string_view text, std::size_t at) {
-    const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(text[i]); };
-    const std::uint8_t lead = byte(at);
-    if (lead < 0x80) return 1;
-    const std::size_t bytes = lead >= 0xc2 && lead < 0xe0 ? 2 : lead >= 0xe0 && lead < 0xf0 ? 3 : 4;
-    if (lead < 0xc2 || lead > 0xf4 || at + bytes > text.size()) return 0;
-    std::uint32_t code = lead & (0xffu >> (bytes + 1));
-    for (std::size_t i = 1; i < bytes; ++i) {
-        if ((byte(at + i) & 0xc0) != 0x80) return 0;
-        code = code << 6 | (byte(at + i) & 0x3fu);
-    }
-    constexpr std::uint32_t least[] = {0, 0, 0x80, 0x800, 0x10000};
-    const bool is_surrogate = code >= 0xd800 && code < 0xe000;
-    return code < least[bytes] || code > 0x10ffff || is_surrogate ? 0 : bytes;
-}
-
 /// Control characters of ASCII and of Latin 1 (a terminal takes U+009B for an escape), and the two line separators.
-inline bool is_control(std::string_view character) {
+inline bool is_control_character(std::string_view character) {
     if (character.size() == 1) return static_cast<std::uint8_t>(character[0]) < 0x20 || character[0] == 0x7f;
     return (character[0] == '\xc2' && static_cast<std::uint8_t>(character[1]) < 0xa0) ||
            character == "\xe2\x80\xa8" || character == "\xe2\x80\xa9";
 }
-
-}  // namespace line_detail
 
 /// Calls write(characters) with the text piece by piece: control characters and bytes that are no UTF-8 as \n or \x1b. Needs
 /// no memory, for messages that say that there is none.
@@ -45,10 +26,10 @@ template <class Write>
 void write_escaped(std::string_view text, Write write) {
     constexpr std::string_view digits = "0123456789abcdef";
     for (std::size_t at = 0; at < text.size();) {
-        const std::size_t bytes = line_detail::character_bytes(text, at);
+        const std::size_t bytes = utf8_character_bytes(text, at);
         const std::string_view character = text.substr(at, bytes == 0 ? 1 : bytes);
         at += character.size();
-        if (bytes > 0 && !line_detail::is_control(character)) {
+        if (bytes > 0 && !is_control_character(character)) {
             write(character);
         } else if (character == "\n") {
             write("\\n");

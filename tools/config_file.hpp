@@ -2,6 +2,7 @@
 // sea.json, which `pelagic export` wrote.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -28,7 +29,10 @@ std::vector<ConfigEntry> parse_config(std::string_view text, const std::filesyst
 std::vector<ConfigEntry> parse_sea_record(std::string_view text, const std::filesystem::path& file,
                                           std::span<const std::string> known);
 
-/// One of the two of a file: a text that begins with { is no TOML. Throws InputError if it can't be read.
+inline constexpr std::size_t most_config_bytes = std::size_t{64} << 20;
+
+/// One of the two of a file: a text that begins with { is no TOML. Throws InputError if it can't be read or is larger than
+/// most_config_bytes.
 std::vector<ConfigEntry> read_config(const std::filesystem::path& file, std::span<const std::string> known);
 
 }  // namespace pelagic::tools
