@@ -26,8 +26,9 @@ pelagic_packages=(
 # for shaders that no driver here compiles.
 pelagic_test_packages=(xvfb xdotool x11-apps netpbm pkg-config glslang-tools)
 
-# What only test.sh's secondary parts need: another compiler with libFuzzer, and 64-bit Arm to build for and to run.
-pelagic_gate_packages=(clang libclang-rt-14-dev)
+# What only test.sh's secondary parts need: another compiler with libFuzzer and the C++ library that headsets have, and
+# 64-bit Arm to build for and to run.
+pelagic_gate_packages=(clang libclang-rt-14-dev libc++-14-dev)
 [ "$(uname -m)" = aarch64 ] ||
   pelagic_gate_packages+=(g++-aarch64-linux-gnu qemu-user libtbb-dev:arm64 libgtest-dev:arm64 libimath-dev:arm64)
 
