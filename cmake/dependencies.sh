@@ -22,9 +22,9 @@ pelagic_packages=(
   libfftw3-dev             # FFTW: what Pelagic is measured against
 )
 
-# What only tests need: an X server with a mouse for the window's, another compiler with libFuzzer, and 64-bit Arm to build
-# for and to run.
-pelagic_test_packages=(xvfb xdotool x11-apps netpbm clang libclang-rt-14-dev pkg-config)
+# What only tests need: an X server with a mouse for the window's, another compiler with libFuzzer, strace to see that files
+# are synced before they count, and 64-bit Arm to build for and to run.
+pelagic_test_packages=(xvfb xdotool x11-apps netpbm clang libclang-rt-14-dev pkg-config strace)
 [ "$(uname -m)" = aarch64 ] ||
   pelagic_test_packages+=(g++-aarch64-linux-gnu qemu-user libtbb-dev:arm64 libgtest-dev:arm64 libimath-dev:arm64)
 
