@@ -1,17 +1,13 @@
 // Exports into folders that somebody has prepared: nothing is followed, read, replaced or removed but what is the export's.
-#include <fcntl.h>
 #include <gtest/gtest.h>
-#include <signal.h>
 #include <sys/stat.h>
 #include <sys/sysmacros.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
-#include <thread>
 
 #include "pelagic/tests/run_pelagic.hpp"
 
@@ -171,57 +167,57 @@ class EditedRecord : public testing::TestWithParam<bool> {
 };
 
 TEST_P(EditedRecord, CountsOnlyIfItIsWhatTheExportWouldWrite) {
-    json& frames = sea_["frames"];
+    const auto frames = [&]() -> json& { return sea_["frames"]; };
     const auto remove_map = [&] { std::filesystem::remove(folder_ / "sea" / "gradient_0001.png"); };
     expect_mended("as it was", "3");
 
     remove_map();
-    frames[1]["files"] = json::array();
+    frames()[1]["files"] = json::array();
     expect_mended("no files", "2");
 
     remove_map();
-    frames[1]["files"].erase(1);
+    frames()[1]["files"].erase(1);
     expect_mended("a file less", "2");
 
-    frames.erase(1);
+    frames().erase(1);
     expect_mended("an entry less", "2");
 
-    frames[1]["frame"] = 77;
+    frames()[1]["frame"] = 77;
     expect_mended("frame 77", "2");
-    frames[1]["frame"] = -5;
+    frames()[1]["frame"] = -5;
     expect_mended("frame -5", "2");
-    frames[1]["frame"] = 4294967297;
+    frames()[1]["frame"] = 4294967297;
     expect_mended("frame 2^32 + 1", "2");
-    frames[1]["frame"] = 1e300;
+    frames()[1]["frame"] = 1e300;
     expect_mended("frame 1e300", "2");
-    frames[1]["frame"] = "1";
+    frames()[1]["frame"] = "1";
     expect_mended("a text as the frame", "2");
 
-    std::swap(frames[0]["files"], frames[1]["files"]);
+    std::swap(frames()[0]["files"], frames()[1]["files"]);
     expect_mended("swapped lists", "1");
-    std::swap(frames[0]["frame"], frames[1]["frame"]);
+    std::swap(frames()[0]["frame"], frames()[1]["frame"]);
     expect_mended("swapped numbers", "1");
-    std::swap(frames[0]["files"][0], frames[0]["files"][1]);
+    std::swap(frames()[0]["files"][0], frames()[0]["files"][1]);
     expect_mended("another order", "2");
 
-    frames[2]["time_s"] = 0.5;
+    frames()[2]["time_s"] = 0.5;
     expect_mended("another time", "2");
-    frames[2]["hash"] = frames[1]["hash"];
+    frames()[2]["hash"] = frames()[1]["hash"];
     expect_mended("another hash", "2");
-    frames[2]["significant_wave_height_m"] = 9.0;
+    frames()[2]["significant_wave_height_m"] = 9.0;
     expect_mended("another height", "2");
-    frames[2]["files"][0]["xxh3"] = frames[2]["files"][1]["xxh3"];
+    frames()[2]["files"][0]["xxh3"] = frames()[2]["files"][1]["xxh3"];
     expect_mended("another hash of a file", "2");
-    frames[0]["files"][0]["xxh3"] = 7;
+    frames()[0]["files"][0]["xxh3"] = 7;
     expect_mended("a number for a hash", "2");
 
-    frames[2] = frames[1];
+    frames()[2] = frames()[1];
     expect_mended("a frame twice", "2");
     for (const json& odd : {json(nullptr), json(3), json("frame"), json::array(), json::object()}) {
-        frames[0] = odd;
+        frames()[0] = odd;
         expect_mended("something else for a frame", "2");
     }
-    frames = json::array();
+    frames() = json::array();
     expect_mended("no frames", "0");
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 #include <numeric>
 #include <vector>
@@ -143,6 +144,24 @@ TEST(WaveHeight, OfThePapersScalingFallsWithTheResolution) {
             .significant_wave_height_m;
     };
     EXPECT_NEAR(height(512) / height(64), std::pow(8.0, -0.25), 0.03);
+}
+
+// A storm on half of the patch that it needs: this seed is higher than the model, and the mean of many is lower.
+TEST(Warnings, SayTheHeightOfAShortPatchOverAllSeedsAndOfTheWind) {
+    SeaState sea = sea_presets().back().sea;
+    sea.patch_size_m = 400;
+    sea.resolution = 64;
+    const std::vector<std::string> warnings = warnings_about(sea);
+    ASSERT_EQ(warnings.size(), 1u);
+    double patch = 0, wind = 0;
+    const auto at = warnings[0].find("Hs ");
+    ASSERT_NE(at, std::string::npos) << warnings[0];
+    ASSERT_EQ(std::sscanf(warnings[0].c_str() + at, "Hs %lf m, where this wind makes %lf m", &patch, &wind), 2);
+    EXPECT_NEAR(wind, integrated_height(sea), 0.005 * wind) << "three digits";
+    // One seed's height scatters by about 12 % here, so the mean of 64 by 1.5 %.
+    EXPECT_NEAR(mean_significant_height(sea, 64), patch, 0.06 * patch);
+    EXPECT_LT(patch, wind);
+    EXPECT_EQ(warnings[0].find("is lower"), std::string::npos) << warnings[0];
 }
 
 TEST(PeakPeriod, MeasuredIsNearExpected) {

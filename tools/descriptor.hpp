@@ -3,7 +3,6 @@
 
 #include <unistd.h>
 
-#include <cerrno>
 #include <utility>
 
 namespace pelagic::tools {
@@ -23,9 +22,6 @@ class Descriptor {
 
     bool is_open() const { return descriptor_ >= 0; }
     int get() const { return descriptor_; }
-
-    /// 0 or an errno: a full disk may only show here.
-    int close() { return ::close(std::exchange(descriptor_, -1)) == 0 ? 0 : errno; }
 
    private:
     int descriptor_ = -1;

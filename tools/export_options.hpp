@@ -46,7 +46,10 @@ struct ExportOptions {
     bool lock = true;  ///< the folder is locked, so that no other export works in it
     std::optional<std::filesystem::path> trace;
 
-    double time_of(int frame) const;
+    double time_of(int frame) const {
+        if (fps) return start_s + frame / *fps;
+        return start_s + frame * (sea.sea.loop_period_s / frames);
+    }
 };
 
 class ExportFlags {

@@ -25,7 +25,7 @@ ReadJson parsed(std::string_view text) {
 }
 
 /// The value of a key; null if there is none, or if `json` is no object.
-const ReadJson& value_of(const ReadJson& json, const char* key) {
+const ReadJson& value_of(const ReadJson& json, const std::string& key) {
     static const ReadJson none;
     if (!json.is_object()) return none;
     const auto found = json.find(key);
@@ -117,20 +117,17 @@ std::size_t most_record_bytes(const ExportOptions& options) {
 }
 
 std::string first_difference(const ReadJson& earlier, const Json& now) {
-    const ReadJson was = earlier.flatten();
-    const Json is = now.flatten();
-    const auto text = [](const auto& values, const std::string& key) {
-        return values.contains(key) ? values.at(key).dump(-1, ' ', true) : "not set";
+    const ReadJson was = earlier.flatten(), is = ReadJson(now).flatten();
+    std::vector<std::string> keys;
+    for (const auto& [key, value] : now.flatten().items()) keys.push_back(key);
+    for (const auto& [key, value] : was.items()) keys.push_back(key);
+    const auto text = [](const ReadJson& value) {
+        return value.is_null() ? "not set" : clipped(value.dump(-1, ' ', true));
     };
-    const auto differing = [&](const auto& values) -> std::string {
-        for (const auto& [key, value] : values.items())
-            if (const std::string before = text(was, key), after = text(is, key); before != after)
-                return clipped(key.substr(key.rfind('/') + 1)) + " was " + clipped(before) + " and is " +
-                       clipped(after);
-        return {};
-    };
-    const std::string changed = differing(is);
-    return changed.empty() ? differing(was) : changed;
+    for (const std::string& key : keys)
+        if (const ReadJson& before = value_of(was, key), &after = value_of(is, key); before != after)
+            return clipped(key.substr(key.rfind('/') + 1)) + " was " + text(before) + " and is " + text(after);
+    return "others than are known here";
 }
 
 }  // namespace pelagic::tools

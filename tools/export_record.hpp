@@ -38,7 +38,7 @@ EarlierExport parse_sea_json(std::string_view text, const ExportOptions& options
 /// Larger ones are not read: more than this export or any other of usual size would write.
 std::size_t most_record_bytes(const ExportOptions& options);
 
-/// "wind_speed_mps was 9 and is 12", for the first value that differs; empty if none does.
+/// "wind_speed_mps was 9 and is 12", for the first value that differs.
 std::string first_difference(const ReadJson& earlier, const Json& now);
 
 }  // namespace pelagic::tools

@@ -66,7 +66,12 @@ class PartFile {
         file_ = Descriptor(::openat(folder_.get(), name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | careful, 0666));
         return file_.is_open() && ::fstat(file_.get(), &created_) == 0 ? 0 : errno;
     }
-    int close() { return file_.close(); }
+    /// 0 or an errno that only shows when a file is closed, as that of a full disk over NFS may. It stays open, since the
+    /// number of a closed file may be given to the next one.
+    int flush() {
+        const int copy = ::fcntl(file_.get(), F_DUPFD_CLOEXEC, 0);
+        return copy >= 0 && ::close(copy) == 0 ? 0 : errno;
+    }
     /// EBUSY if another process has begun to write a file of that name meanwhile.
     int rename_to(const std::string& name) {
         if (!has_its_name()) return EBUSY;
@@ -127,7 +132,7 @@ void OutputFolder::write(const std::string& name, std::string_view text) const {
     PartFile part(folder_, part_name(name));
     int reason = part.create();
     if (reason == 0) reason = write_and_sync(part.file(), text);
-    if (reason == 0) reason = part.close();
+    if (reason == 0) reason = part.flush();
     if (reason == 0) has_regular_file(name, can_not_write);
     if (reason == 0) reason = part.rename_to(name);
     if (reason != 0) throw file_error(can_not_write, path_ / name, reason);

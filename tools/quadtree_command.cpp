@@ -5,8 +5,6 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <glm/ext/matrix_clip_space.hpp>
-#include <glm/trigonometric.hpp>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -24,7 +22,6 @@ namespace pelagic::tools {
 namespace {
 
 constexpr double aspect = 16.0 / 9;
-constexpr double near_m = 0.1;
 constexpr double latest_s = 1e9;
 
 /// Opened before the work begins; none if there is no such option.
@@ -36,12 +33,9 @@ std::optional<OutputFile> file_for(const char* option, const std::optional<std::
 
 /// One view, or two eyes side by side.
 std::vector<glm::dmat4> views_of(const Camera& camera, double eyes_apart_m) {
-    const glm::dmat4 projection = glm::infinitePerspectiveRH(glm::radians(camera.fov_deg), aspect, near_m);
-    std::vector<glm::dmat4> views;
-    if (eyes_apart_m == 0) return {projection * camera.view_from_world()};
-    for (const double side : {-0.5, 0.5})
-        views.push_back(projection * camera.moved_right(side * eyes_apart_m).view_from_world());
-    return views;
+    if (eyes_apart_m == 0) return {camera.clip_from_world(aspect)};
+    return {camera.moved_right(-eyes_apart_m / 2).clip_from_world(aspect),
+            camera.moved_right(eyes_apart_m / 2).clip_from_world(aspect)};
 }
 
 /// The median of calls that have warmed up.
@@ -139,11 +133,8 @@ void QuadtreeCommandFlags::run() const {
     Ocean ocean(sea.sea, {.executor = make_default_executor(compute.threads), .isa = compute.isa});
     const Frame& frame = ocean.frame_at(time_s);
     const std::vector<glm::dmat4> views = all_ ? std::vector<glm::dmat4>() : views_of(camera, apart_m);
-    const SelectionInput input{.viewer_m = camera.eye_m,
-                               .views = views,
-                               .bounds = {frame.bounds.height_min_m, frame.bounds.height_max_m,
-                                          frame.bounds.sideways_x_max_m, frame.bounds.sideways_z_max_m},
-                               .depth = ClipDepth::minus_one_to_one};
+    const SelectionInput input{
+        .viewer_m = camera.position_m, .views = views, .bounds = frame.bounds, .depth = ClipDepth::minus_one_to_one};
     Selection selection(options);
     const double microseconds = microseconds_of(selection, input);
     const DrawList& list = selection.list();
@@ -153,10 +144,10 @@ void QuadtreeCommandFlags::run() const {
     if (json) json->write(figures.dump(2) + "\n");
     if (svg) {
         Selection everything(options);
-        const DrawList& all = everything.select({.viewer_m = camera.eye_m});
+        const DrawList& all = everything.select({.viewer_m = camera.position_m});
         std::vector<Frustum> frusta;
         for (const glm::dmat4& view : views) frusta.emplace_back(view, ClipDepth::minus_one_to_one);
-        svg->write(plan_as_svg(list, all, frusta, camera.eye_m));
+        svg->write(plan_as_svg(list, all, frusta, camera.position_m));
     }
     print_table(figures);
 }

@@ -2,6 +2,7 @@
 
 #include "pelagic/sim/statistics.hpp"
 #include "pelagic/tools/digest.hpp"
+#include "pelagic/tools/pixel_meaning.hpp"
 
 namespace pelagic::tools {
 
@@ -70,8 +71,8 @@ Json sea_json(const ExportOptions& options, const std::vector<FrameRecord>& fram
         list.push_back(frame_as_json(frame));
     }
     Json json = options_as_json(options);
-    json["channels"] = {{"displacement", {"Dx, metres", "height, metres", "Dz, metres"}},
-                        {"gradient", {"normal x", "normal z", "Jacobian", "smoothness"}}};
+    json["channels"] = channels_as_json(options);
+    json["layout"] = layout_as_json(options.sea.sea);
     json["waves"] = waves_as_json(options.sea.sea, height_sum / static_cast<double>(frames.size()));
     json["warnings"] = warnings_about(options.sea.sea);
     json["frames"] = list;
