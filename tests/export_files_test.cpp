@@ -194,6 +194,8 @@ TEST(ExportedFiles, SeaJsonSaysWhatIsThere) {
     EXPECT_EQ(waves["significant_wave_height_m"]["expected"], expected.significant_wave_height_m);
     EXPECT_EQ(waves["peak_period_s"]["expected"], expected.peak_period_s);
     EXPECT_EQ(waves["peak_period_s"]["measured"], measured_peak_period_s(same));
+    EXPECT_EQ(waves["loop_frequencies"]["for_90_percent"], loop_frequencies(same).for_90_percent);
+    EXPECT_EQ(waves["loop_frequencies"]["largest_share"], loop_frequencies(same).largest_share);
     EXPECT_EQ(sea["warnings"].get<std::vector<std::string>>(), warnings_about(same));
 }
 

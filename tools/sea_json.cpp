@@ -58,9 +58,12 @@ Json waves_as_json(const SeaState& sea, double measured_significant_wave_height_
     Json height = {{"expected", expected.significant_wave_height_m},
                    {"measured", measured_significant_wave_height_m}};
     if (expected.model_significant_wave_height_m) height["model"] = *expected.model_significant_wave_height_m;
+    const LoopFrequencies frequencies = loop_frequencies(sea);
     return {{"significant_wave_height_m", height},
             {"peak_period_s", {{"expected", expected.peak_period_s}, {"measured", measured_peak_period_s(sea)}}},
-            {"peak_wavelength_m", expected.peak_wavelength_m}};
+            {"peak_wavelength_m", expected.peak_wavelength_m},
+            {"loop_frequencies",
+             {{"for_90_percent", frequencies.for_90_percent}, {"largest_share", frequencies.largest_share}}}};
 }
 
 Json sea_json(const ExportOptions& options, const std::vector<FrameRecord>& frames) {
