@@ -133,6 +133,9 @@ int run(int argc, const char* const* argv) {
     try {
         app.parse(std::vector<std::string>(words.rbegin(), words.rend()));  // CLI11 takes the last word first
     } catch (const CLI::Success& help_or_version) {
+        // CLI11 helps before it looks at what it does not know.
+        if (app.get_subcommands().empty() && !app.remaining().empty())
+            throw from_cli(CLI::ExtrasError(app.remaining()), app, words);
         const int code = app.exit(help_or_version);
         check_standard_output();
         return code;
