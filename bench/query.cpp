@@ -29,12 +29,12 @@ struct Scene {
         : ocean({.resolution = resolution, .choppiness = 1},
                 {.executor = make_serial_executor(), .isa = isa, .queries = true, .velocities = true}),
           frame(ocean.frame_at(1)),
-          query(frame, isa),
+          query(frame),
           x(count),
           z(count) {
         std::mt19937 random(1);
-        std::uniform_real_distribution<double> anywhere(-frame.patch_size_m, 2 * frame.patch_size_m);
-        const double spacing = frame.patch_size_m / resolution / 4;
+        std::uniform_real_distribution<double> anywhere(-frame.sea.patch_size_m, 2 * frame.sea.patch_size_m);
+        const double spacing = frame.sea.patch_size_m / resolution / 4;
         for (std::size_t i = 0; i < count; ++i) {
             x[i] = coherent ? static_cast<double>(i % 256) * spacing : anywhere(random);
             z[i] = coherent ? static_cast<double>(i / 256) * spacing : anywhere(random);
@@ -85,7 +85,7 @@ void time_lookup(benchmark::State& state, int resolution, Isa isa, bool coherent
     const Scene scene(resolution, isa, coherent);
     AlignedBuffer<std::int32_t> cell_x(count), cell_z(count);
     AlignedBuffer<float> u(count), v(count), height(count);
-    const double texel_m = scene.frame.patch_size_m / resolution;
+    const double texel_m = scene.frame.sea.patch_size_m / resolution;
     for (std::size_t i = 0; i < count; ++i) {
         const double x = scene.x[i] / texel_m + resolution, z = scene.z[i] / texel_m + resolution;
         cell_x[i] = static_cast<std::int32_t>(x);

@@ -1,5 +1,6 @@
 #include "pelagic/capi/executor.hpp"
 
+#include "pelagic/capi/sized_struct.hpp"
 #include "pelagic/capi/status.hpp"
 #include "pelagic/message/refusal.hpp"
 
@@ -37,7 +38,7 @@ pelagic_status pelagic_executor_create(const pelagic_executor_options* options, 
     return guarded([&] {
         pelagic_executor*& out = needed(executor, "executor");
         out = nullptr;
-        out = new pelagic_executor{make_executor(needed_struct(options, "options"))};
+        out = new pelagic_executor{make_executor(read_struct(options, "options"))};
     });
 }
 

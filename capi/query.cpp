@@ -2,6 +2,7 @@
 #include <limits>
 
 #include "pelagic/capi/ocean.hpp"
+#include "pelagic/capi/sized_struct.hpp"
 #include "pelagic/capi/status.hpp"
 #include "pelagic/message/refusal.hpp"
 #include "pelagic/sim/surface_ray.hpp"
@@ -54,6 +55,18 @@ SurfaceRay ray_of(const pelagic_ray& ray, double texel_m) {
             .reach_m = ray.reach_m};
 }
 
+pelagic_hit c_hit_of(const SurfaceHit& found) {
+    pelagic_hit hit{};
+    hit.is_hit = 1;
+    hit.from_below = found.from_below;
+    hit.distance_m = found.distance_m;
+    for (std::size_t i = 0; i < 3; ++i) {
+        hit.normal[i] = found.normal[i];
+        hit.position_m[i] = found.position_m[i];
+    }
+    return hit;
+}
+
 }  // namespace
 }  // namespace pelagic::capi
 
@@ -65,8 +78,8 @@ pelagic_status pelagic_ocean_query(const pelagic_ocean* ocean, const pelagic_poi
     return guarded([&] {
         const AskedFrames::Reader reader(needed(ocean, "ocean").asked);
         const SurfaceQuery& query = needed_query(*ocean, reader);
-        const SurfacePoints where = points_of(needed_struct(points, "points"));
-        query.sample(where, samples_of(needed_struct(samples, "samples"), where.x.size()));
+        const SurfacePoints where = points_of(read_struct(points, "points"));
+        query.sample(where, samples_of(read_struct(samples, "samples"), where.x.size()));
     });
 }
 
@@ -74,18 +87,9 @@ pelagic_status pelagic_ocean_first_hit(const pelagic_ocean* ocean, const pelagic
     return guarded([&] {
         const AskedFrames::Reader reader(needed(ocean, "ocean").asked);
         const SurfaceQuery& query = needed_query(*ocean, reader);
-        const SurfaceRay asked = ray_of(needed_struct(ray, "ray"), query.texel_m());
-        pelagic_hit& out = needed_struct(hit, "hit");
+        const SurfaceRay asked = ray_of(read_struct(ray, "ray"), query.texel_m());
+        struct_bytes(hit, "hit");
         const std::optional<SurfaceHit> found = first_hit(query, asked);
-        out = pelagic_hit{};
-        out.struct_size = sizeof out;
-        out.is_hit = found.has_value();
-        if (!found) return;
-        out.from_below = found->from_below;
-        out.distance_m = found->distance_m;
-        for (std::size_t i = 0; i < 3; ++i) {
-            out.normal[i] = found->normal[i];
-            out.position_m[i] = found->position_m[i];
-        }
+        write_struct(found ? c_hit_of(*found) : pelagic_hit{}, hit);
     });
 }

@@ -22,11 +22,13 @@ pelagic_packages=(
   libfftw3-dev             # FFTW: what Pelagic is measured against
 )
 
-# What only tests need: an X server with a mouse for the window's, another compiler with libFuzzer, and 64-bit Arm to build
-# for and to run.
-pelagic_test_packages=(xvfb xdotool x11-apps netpbm clang libclang-rt-14-dev pkg-config)
+# What only tests need: an X server with a mouse, for the window's; pkg-config, as hosts use it.
+pelagic_test_packages=(xvfb xdotool x11-apps netpbm pkg-config)
+
+# What only test.sh's secondary parts need: another compiler with libFuzzer, and 64-bit Arm to build for and to run.
+pelagic_gate_packages=(clang libclang-rt-14-dev)
 [ "$(uname -m)" = aarch64 ] ||
-  pelagic_test_packages+=(g++-aarch64-linux-gnu qemu-user libtbb-dev:arm64 libgtest-dev:arm64 libimath-dev:arm64)
+  pelagic_gate_packages+=(g++-aarch64-linux-gnu qemu-user libtbb-dev:arm64 libgtest-dev:arm64 libimath-dev:arm64)
 
 # usage: pelagic_install_dependencies [PACKAGE...]   more packages than pelagic_packages
 pelagic_install_dependencies() {

@@ -37,7 +37,7 @@ set(jobs_headers chrome_trace executor job_graph trace)
 set(simd_headers isa)
 set(sim_headers frame frame_buffers ocean sea_state statistics surface_query surface_query_jobs
                 surface_ray)
-set(quadtree_headers draw_list frustum level_map patch_mesh patch_vertex quadtree_options selection skirt stitching)
+set(quadtree_headers camera draw_list frustum level_map patch_mesh patch_vertex quadtree_options selection skirt stitching)
 foreach(folder jobs simd sim quadtree)
   foreach(header IN LISTS ${folder}_headers)
     get_filename_component(inside ${folder}/${header} DIRECTORY)

@@ -9,10 +9,8 @@
 #include <vector>
 
 #include "pelagic/gl/sea_renderer.hpp"
-#include "pelagic/gl/whitecaps.hpp"
 #include "pelagic/quadtree/selection.hpp"
 #include "pelagic/sim/ocean.hpp"
-#include "pelagic/sim/statistics.hpp"
 
 namespace {
 
@@ -81,32 +79,22 @@ int main() {
     gl::SkyBaker baker(make_default_executor(), 128);
     baker.schedule({.sun_elevation_rad = 0.5f});
     renderer.set_sky(baker.complete());
-    const double wave_height_m = expected_waves(ocean.sea()).significant_wave_height_m;
 
     ocean.schedule(0);
-    float whitecaps = 0;
     for (int n = 1; n <= 3; ++n) {
         const Frame& frame = ocean.complete();  // scheduled one frame ago
         ocean.schedule(n / 72.0);               // computed by other threads while this one draws
-        if (n == 1) whitecaps = gl::whitecap_jacobian(frame, ocean.sea().wind_speed_mps);
         renderer.upload(frame);
 
-        const gl::Camera camera{.position_m = {0, 6, 0}, .target_m = {60, 0, 40}};
+        const Camera camera{.position_m = {0, 6, 0}, .target_m = {60, 0, 40}};
         const gl::Eye eye = gl::eye_of(camera, {0, 0, width, height});
-        const FrameBounds& bounds = frame.bounds;
         const DrawList& list = selection.select(
-            {.viewer_m = camera.position_m,
-             .views = {&eye.clip_from_world, 1},
-             .bounds = {bounds.height_min_m, bounds.height_max_m, bounds.sideways_x_max_m, bounds.sideways_z_max_m}});
+            {.viewer_m = camera.position_m, .views = {&eye.clip_from_world, 1}, .bounds = frame.bounds});
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         renderer.draw({.eyes = {&eye, 1},
                        .viewer_m = camera.position_m,
                        .list = &list,
-                       .lod_scale = selection.options().lod_scale,
-                       .sea = &ocean.sea(),
-                       .significant_wave_height_m = wave_height_m,
-                       .whitecap_jacobian = whitecaps,
-                       .time_s = frame.time_s});
+                       .lod_scale = selection.options().lod_scale});
     }
     write_picture();
 }

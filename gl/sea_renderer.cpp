@@ -109,7 +109,6 @@ struct SeaRenderer::State {
 
     SceneBlock scene_of(const DrawInput& input) const {
         SceneBlock block;
-        const SeaState& sea = *input.sea;
         const QuadtreeGrid& grid = input.list->grid;
         const glm::dvec2 viewer(input.viewer_m.x, input.viewer_m.z);
         const double patch_m = sea.patch_size_m;
@@ -138,18 +137,18 @@ struct SeaRenderer::State {
         const double height = std::max(1.5, std::abs(input.viewer_m.y));
         block.haze = {haze_per_m, height / std::tan(softened_horizon_rad)};
         block.water_absorption = {absorption_per_m, sea.depth_m};
-        block.output_kind.y = input.whitecap_jacobian;
+        block.output_kind.y = sea_figures.whitecap_jacobian + input.more_foam;
         const float alpha = static_cast<float>(sea.roughness);
         const float detail_square = detail_part * alpha * alpha;
         block.water_scattering = {backscattering_per_m, detail_square};
         const double wind = sea.wind_direction_rad;
-        block.waves = {std::max(0.05, input.significant_wave_height_m), alpha, std::cos(wind), std::sin(wind)};
-        place_tiles(block, sea, viewer, input.time_s);
+        block.waves = {std::max(0.05, sea_figures.significant_wave_height_m), alpha, std::cos(wind), std::sin(wind)};
+        place_tiles(block, viewer);
         block.output_kind.x = options.framebuffer_is_srgb ? 0 : 1;
         return block;
     }
 
-    void place_tiles(SceneBlock& block, const SeaState& sea, glm::dvec2 viewer, double time_s) const {
+    void place_tiles(SceneBlock& block, glm::dvec2 viewer) const {
         const double texel_m = sea.patch_size_m / sea.resolution;
         const double loop = fraction(time_s / sea.loop_period_s);
         glm::dvec2 shifts[2];
@@ -229,6 +228,10 @@ struct SeaRenderer::State {
     const Functions& gl;
     RendererOptions options;
     FrameTextures textures;
+    // What the uploaded frame says of itself.
+    SeaState sea;
+    SeaFigures sea_figures;
+    double time_s = 0;
     SeaProgram patches, skirt, background, wireframe;
     std::unique_ptr<PatchBuffers> buffers;
     Texture detail, sky;
@@ -278,6 +281,9 @@ void SeaRenderer::set_sky(const Sky& sky) {
 void SeaRenderer::upload(const Frame& frame) {
     const Stopwatch all;
     state_->textures.upload(frame);
+    state_->sea = frame.sea;
+    state_->sea_figures = frame.figures;
+    state_->time_s = frame.time_s;
     state_->figures.upload_ms = all.milliseconds();
     state_->figures.upload_driver_ms = state_->textures.last_driver_ms();
     state_->figures.upload_bytes = state_->textures.bytes_per_frame();
@@ -287,7 +293,7 @@ const DrawFigures& SeaRenderer::draw(const DrawInput& input) {
     const Stopwatch all;
     State& s = *state_;
     const Functions& gl = s.gl;
-    assert(input.list && input.sea && !input.eyes.empty() && input.eyes.size() <= 2);
+    assert(input.list && !input.eyes.empty() && input.eyes.size() <= 2);
     assert(s.sky_face_size > 0 && "set_sky() first");
     const KeptState keep(gl);
     DrawFigures& figures = s.figures;

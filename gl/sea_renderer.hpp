@@ -3,7 +3,7 @@
 //   SeaRenderer renderer(gl, {.patch_vertices = selection.options().vertices, .resolution = ocean.sea().resolution});
 //   renderer.set_sky(baker.complete());
 //   each frame:  renderer.upload(ocean.complete());
-//                renderer.draw({.eyes = eyes, .viewer_m = head, .list = selection.select(...), .sea = &ocean.sea(), ...});
+//                renderer.draw({.eyes = eyes, .viewer_m = head, .list = &selection.select(...)});
 //
 // It needs an OpenGL ES 3.0 context, current whenever it is built, called or destroyed; any context does, the host's too.
 // No compute shaders, nothing is read back. draw() needs a bound framebuffer with depth, cleared by the host. Every
@@ -18,7 +18,6 @@
 #include "pelagic/gl/sky_baker.hpp"
 #include "pelagic/gl/views.hpp"
 #include "pelagic/quadtree/draw_list.hpp"
-#include "pelagic/sim/sea_state.hpp"
 
 namespace pelagic::gl {
 
@@ -36,10 +35,7 @@ struct DrawInput {
     glm::dvec3 viewer_m{};      ///< what positions are relative to: the selection's viewer
     const DrawList* list = nullptr;
     double lod_scale = 2.2;  ///< tau of the selection, by which the displacement's mip follows the mesh
-    const SeaState* sea = nullptr;
-    double significant_wave_height_m = 1;
-    float whitecap_jacobian = 0;  ///< foam begins below it: whitecaps.hpp
-    double time_s = 0;
+    float more_foam = 0;     ///< added to the frame's Jacobian below which the sea is white
     DrawMode mode = DrawMode::shaded;
     bool draws_sky = true;
 };
@@ -66,6 +62,7 @@ class SeaRenderer {
     SeaRenderer& operator=(const SeaRenderer&) = delete;
 
     void set_sky(const Sky& sky);
+    /// From here on the frame's sea is drawn, at its time; the frame's views may go stale.
     void upload(const Frame& frame);
     /// \pre upload() and set_sky() have been called; all pointers are set; patches have options.patch_vertices
     const DrawFigures& draw(const DrawInput& input);

@@ -3,7 +3,8 @@
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
-#include <span>
+
+#include "pelagic/quadtree/camera.hpp"
 
 namespace pelagic::gl {
 
@@ -20,14 +21,7 @@ struct Eye {
     Viewport viewport;
 };
 
-/// A camera as people describe it.
-struct Camera {
-    glm::dvec3 position_m{0, 4, 0};
-    glm::dvec3 target_m{100, 2, 0};
-    double vertical_view_rad = 0.8;
-};
-
-/// The camera's eye, with an infinite far plane. \pre the target is not where the camera is
+/// The camera's eye, with an infinite far plane.
 Eye eye_of(const Camera& camera, const Viewport& viewport);
 
 /// Two parallel eyes, `apart_m` from each other, beside one another in the framebuffer.

@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "pelagic/jobs/stack_room.hpp"
 #include "pelagic/message/refusal.hpp"
 
 namespace pelagic {
@@ -30,7 +31,9 @@ std::size_t block_count(const Stage& stage) {
 
 void run_block(const Stage& stage, std::size_t block) {
     const std::size_t begin = block * stage.batch;
-    stage.body(begin, begin + std::min(stage.batch, stage.count - begin));
+    const std::size_t end = begin + std::min(stage.batch, stage.count - begin);
+    if (stack_holds(stage.stack_bytes)) return stage.body(begin, end);
+    run_on_a_stack_of(stage.stack_bytes, [&] { stage.body(begin, end); });
 }
 
 }  // namespace pelagic

@@ -1,7 +1,7 @@
 // Chooses the patches to draw: one list for all views of a frame.
 //
 //   Selection selection(quadtree_preset_named("high")->options(2048));
-//   const DrawList& list = selection.select({.viewer_m = eyes, .views = both_eyes, .bounds = bounds_of_the_frame});
+//   const DrawList& list = selection.select({.viewer_m = eyes, .views = both_eyes, .bounds = frame.bounds});
 //
 // The tree is walked with a stack; subtrees that no view can see are left out whole, so it visits what it draws and
 // the nodes above. What is split depends on the viewer alone (level_map.hpp), never on what is seen.
@@ -27,6 +27,18 @@ struct SurfaceBounds {
     double height_max_m = 0;
     double sideways_x_max_m = 0;  ///< largest |Dx|
     double sideways_z_max_m = 0;
+
+    constexpr SurfaceBounds() = default;
+    constexpr SurfaceBounds(double height_min, double height_max, double sideways_x_max, double sideways_z_max)
+        : height_min_m(height_min),
+          height_max_m(height_max),
+          sideways_x_max_m(sideways_x_max),
+          sideways_z_max_m(sideways_z_max) {}
+    /// A frame's bounds, or whatever else has members of these names: the quadtree does not know the sea.
+    template <class Extremes>
+    requires requires(const Extremes& e) { e.height_min_m, e.height_max_m, e.sideways_x_max_m, e.sideways_z_max_m; }
+    constexpr SurfaceBounds(const Extremes& e)
+        : SurfaceBounds(e.height_min_m, e.height_max_m, e.sideways_x_max_m, e.sideways_z_max_m) {}
 };
 
 struct SelectionInput {

@@ -32,12 +32,12 @@ namespace pelagic {
 struct CascadeExtras {
     bool folds = false;
     bool velocities = false;
+    HostMemory memory = {};  ///< for everything whose size grows with N^2
 };
 
 class Cascade {
    public:
-    /// \param kernels  outlives the cascade
-    Cascade(const SeaState& sea, const Kernels& kernels, CascadeExtras extras = {});
+    Cascade(const SeaState& sea, Isa isa, CascadeExtras extras = {});
     Cascade(const Cascade&) = delete;  // stages point into it
     Cascade& operator=(const Cascade&) = delete;
 
@@ -56,6 +56,7 @@ class Cascade {
     /// frames to come. A cascade has no waves before the first one.
     void begin_spectrum(const SeaState& sea);
     void adopt_spectrum();
+    void drop_spectrum() { bake_.reset(); }  ///< keeps the sea as it is
 
     const SeaState& sea() const { return sea_; }
     std::size_t bytes() const;
@@ -63,7 +64,7 @@ class Cascade {
    private:
     /// The outputs of one frame.
     struct Slot {
-        Slot(int resolution, std::size_t lanes, CascadeExtras extras);
+        Slot(int resolution, std::size_t lanes, const CascadeExtras& extras);
         std::size_t bytes() const {
             return surface.bytes() + rgba16f.bytes() + rgba8.bytes() + velocity.bytes() +
                    (folds ? folds->bytes() : 0);
@@ -88,6 +89,8 @@ class Cascade {
     void mipmaps_tail();
 
     SeaState sea_;
+    SeaFigures figures_;
+    Isa isa_;
     const Kernels& kernels_;
     CascadeExtras extras_;
     FftPlan plan_;
@@ -100,6 +103,7 @@ class Cascade {
         SeaState sea;
         WaveSpectrum model;
         PackedSpectrum spectrum;
+        std::vector<LineFigures> lines;
     };
     std::optional<Bake> bake_;
 

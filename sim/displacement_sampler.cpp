@@ -5,7 +5,7 @@
 namespace pelagic {
 
 DisplacementSampler::DisplacementSampler(const Frame& frame)
-    : frame_(frame), texels_per_m_(frame.resolution() / frame.patch_size_m) {}
+    : frame_(frame), texels_per_m_(frame.resolution() / frame.sea.patch_size_m) {}
 
 Displacement DisplacementSampler::at(double x_m, double z_m) const {
     const double x = x_m * texels_per_m_, z = z_m * texels_per_m_;

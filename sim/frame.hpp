@@ -7,6 +7,9 @@
 #include <cstring>
 #include <span>
 
+#include "pelagic/sim/sea_state.hpp"
+#include "pelagic/simd/isa.hpp"
+
 namespace pelagic {
 
 /// A square of floats, stored in blocks of a few columns, which is how they are computed: texel (i, j) is
@@ -48,11 +51,23 @@ constexpr std::size_t mip_offset(int resolution, int level) {
     return all - from_here;
 }
 
-/// One frame. Texel (i, j) rests at x = i L/N, z = j L/N and is drawn at (x + Dx, height, z + Dz); metres.
+/// What holds for all frames of a sea, found out when its spectrum is baked.
+struct SeaFigures {
+    /// 4 sqrt(variance), mean over all seeds, of the waves that the grid holds; as expected_waves() has it.
+    double significant_wave_height_m = 0;
+    /// Below this Jacobian the sea is white: as much of it, in the mean over time, as whitecaps cover in that wind
+    /// (whitecaps.hpp).
+    float whitecap_jacobian = 0;
+};
+
+/// One frame, which says what it is: whoever draws it or asks it needs nothing else about the sea.
+/// Texel (i, j) rests at x = i L/N, z = j L/N, L being sea.patch_size_m, and is drawn at (x + Dx, height, z + Dz); metres.
 /// Views stay valid until the ocean schedules the second frame after this one.
 struct Frame {
     double time_s = 0;
-    double patch_size_m = 0;  ///< L
+    SeaState sea;
+    SeaFigures figures;
+    Isa isa = {};  ///< that computed it
     PlaneView dx, height, dz;
     /// How fast the water drawn at a texel moves: the derivatives of dx, height and dz in time, metres a second. No data
     /// unless OceanOptions::velocities.

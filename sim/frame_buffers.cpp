@@ -9,12 +9,6 @@
 namespace pelagic {
 namespace {
 
-void copy_plane(const PlaneView& plane, std::span<float> out) {
-    if (out.empty()) return;
-    for (int j = 0; j < plane.resolution; ++j)
-        plane.copy_row(j, out.data() + static_cast<std::size_t>(j) * static_cast<std::size_t>(plane.resolution));
-}
-
 template <class T>
 void copy_all(std::span<const T> from, std::span<T> to) {
     if (!to.empty()) std::memcpy(to.data(), from.data(), from.size_bytes());
@@ -48,6 +42,15 @@ std::string check(const FrameBuffers& buffers, int resolution, bool has_velociti
                    number_text(field.needed);
     }
     return {};
+}
+
+void copy_plane(const PlaneView& plane, std::span<float> out) {
+    if (out.empty()) return;
+    const auto side = static_cast<std::size_t>(plane.resolution);
+    if (!plane.data || out.size() != side * side)
+        throw std::invalid_argument("the plane has " + std::to_string(plane.data ? side * side : 0) +
+                                    " elements, and room for " + std::to_string(out.size()) + " was given");
+    for (int j = 0; j < plane.resolution; ++j) plane.copy_row(j, out.data() + static_cast<std::size_t>(j) * side);
 }
 
 void copy_frame(const Frame& frame, const FrameBuffers& buffers) {

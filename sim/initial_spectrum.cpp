@@ -5,6 +5,7 @@
 
 #include "pelagic/sim/dispersion.hpp"
 #include "pelagic/sim/wave_noise.hpp"
+#include "pelagic/simd/det_math.hpp"
 
 namespace pelagic {
 namespace {
@@ -14,42 +15,64 @@ constexpr double two_pi = 6.28318530717958647693;
 // Waves below this many metres are none: nobody can see an atom's width, but denormal floats slow every transform.
 constexpr double least_amplitude_m = 1e-20;
 
-using PackedWave = std::array<float, 4>;
+struct Wave {
+    std::complex<double> amplitude;  ///< h0
+    double variance = 0;             ///< E|h0|^2
+};
 
-/// S' of equation 22.
+Wave drawn_wave(const SeaState& sea, const WaveSpectrum& spectrum, int m, int n) {
+    const int nyquist = sea.resolution / 2;
+    if ((m == 0 && n == 0) || m == -nyquist || n == -nyquist) return {};
+
+    const double spacing = two_pi / sea.patch_size_m;
+    const double variance = spectrum.amplitude_variance(m * spacing, n * spacing);
+    // Both parts of the draw have variance 1, so half of E|h0|^2 belongs to each.
+    const double scale = std::sqrt(0.5 * variance);
+    if (scale < least_amplitude_m) return {};
+    const GaussianPair draw = gaussian_pair(sea.seed, m, n);
+    return {{draw.re * scale, draw.im * scale}, variance};
+}
+
+/// S' of equation 22, and the mean squares over time of the wave that it is.
+struct PackedWave {
+    std::array<float, 4> values;
+    double expected_square, drawn_square;
+};
+
 PackedWave packed_wave(const SeaState& sea, const WaveSpectrum& spectrum, int m, int n) {
-    const std::complex<double> along = initial_amplitude(sea, spectrum, m, n);
-    const std::complex<double> against = std::conj(initial_amplitude(sea, spectrum, -m, -n));
-    return {static_cast<float>(along.real() + against.real()), static_cast<float>(along.imag() + against.imag()),
-            static_cast<float>(along.imag() - against.imag()), static_cast<float>(against.real() - along.real())};
+    const Wave wave = drawn_wave(sea, spectrum, m, n), opposite = drawn_wave(sea, spectrum, -m, -n);
+    const std::complex<double> along = wave.amplitude, against = std::conj(opposite.amplitude);
+    return {{static_cast<float>(along.real() + against.real()), static_cast<float>(along.imag() + against.imag()),
+             static_cast<float>(along.imag() - against.imag()), static_cast<float>(against.real() - along.real())},
+            wave.variance + opposite.variance,
+            std::norm(along) + std::norm(against)};
 }
 
 }  // namespace
 
 std::complex<double> initial_amplitude(const SeaState& sea, const WaveSpectrum& spectrum, int m, int n) {
-    const int nyquist = sea.resolution / 2;
-    if ((m == 0 && n == 0) || m == -nyquist || n == -nyquist) return 0;
-
-    const double spacing = two_pi / sea.patch_size_m;
-    // Both parts of the draw have variance 1, so half of E|h0|^2 belongs to each.
-    const double scale = std::sqrt(0.5 * spectrum.amplitude_variance(m * spacing, n * spacing));
-    if (scale < least_amplitude_m) return 0;
-    const GaussianPair draw = gaussian_pair(sea.seed, m, n);
-    return {draw.re * scale, draw.im * scale};
+    return drawn_wave(sea, spectrum, m, n).amplitude;
 }
 
-PackedSpectrum::PackedSpectrum(const FftPlan& plan, std::size_t lane_count)
+PackedSpectrum::PackedSpectrum(const FftPlan& plan, std::size_t lane_count, const HostMemory& memory)
     : lanes(lane_count),
       pairs(plan.pairs().size() * static_cast<std::size_t>(plan.tables().first_step().radix)),
-      waves(line_blocks(plan.tables().size, lanes) * pairs * wave_quantities * lanes),
-      harmonics(line_blocks(plan.tables().size, lanes) * pairs * lanes) {}
+      waves(line_blocks(plan.tables().size, lanes) * pairs * wave_quantities * lanes, memory),
+      harmonics(line_blocks(plan.tables().size, lanes) * pairs * lanes, memory) {}
 
-void bake_spectrum_line(const SeaState& sea, const WaveSpectrum& spectrum, const FftPlan& plan, std::size_t line,
-                        PackedSpectrum& out) {
+LineFigures bake_spectrum_line(const SeaState& sea, const WaveSpectrum& spectrum, const FftPlan& plan,
+                               std::size_t line, PackedSpectrum& out) {
     const int resolution = sea.resolution;
     const int radix = plan.tables().first_step().radix;
     const int n = static_cast<int>(line);
     const double spacing = two_pi / sea.patch_size_m;
+    const double texel_m = sea.patch_size_m / resolution;
+    const auto difference = [&](int of) {
+        return det::sine_cosine_of_turns(static_cast<double>(of) / resolution).sine / texel_m;
+    };
+    const double difference_z = difference(n);
+    const double mirrors = n == 0 ? 1 : 2;  // line 0 holds its own
+    LineFigures figures;
     float* wave = out.block(line / out.lanes) + line % out.lanes;
     std::uint32_t* harmonic = out.block_harmonics(line / out.lanes) + line % out.lanes;
 
@@ -62,7 +85,11 @@ void bake_spectrum_line(const SeaState& sea, const WaveSpectrum& spectrum, const
             };
             const auto put_wave = [&](WaveQuantity first, int signed_m) {
                 const PackedWave packed = packed_wave(sea, spectrum, signed_m, n);
-                for (std::size_t i = 0; i < packed.size(); ++i) wave[(first + i) * out.lanes] = packed[i];
+                for (std::size_t i = 0; i < packed.values.size(); ++i)
+                    wave[(first + i) * out.lanes] = packed.values[i];
+                figures.height_variance += mirrors * packed.expected_square;
+                figures.folding.add_wave(mirrors * packed.drawn_square, signed_m * spacing, n * spacing,
+                                         difference(signed_m), difference_z);
             };
             if (m == -resolution / 2 || (m == 0 && n == 0)) continue;  // no wave: all zeros
             put_wave(plus_cos_re, m);
@@ -73,6 +100,7 @@ void bake_spectrum_line(const SeaState& sea, const WaveSpectrum& spectrum, const
             *harmonic = loop_harmonic(angular_frequency(length * spacing, sea.depth_m), sea.loop_period_s);
         }
     }
+    return figures;
 }
 
 }  // namespace pelagic

@@ -13,6 +13,7 @@
 #include "pelagic/sim/sea_state.hpp"
 #include "pelagic/sim/spectra.hpp"
 #include "pelagic/sim/wave_blocks.hpp"
+#include "pelagic/sim/whitecaps.hpp"
 #include "pelagic/simd/aligned_buffer.hpp"
 
 namespace pelagic {
@@ -22,7 +23,7 @@ namespace pelagic {
 /// `minus` is then zero.
 struct PackedSpectrum {
     /// \param lanes  of the instruction set that reads it, Kernels::lanes
-    PackedSpectrum(const FftPlan& plan, std::size_t lanes);
+    PackedSpectrum(const FftPlan& plan, std::size_t lanes, const HostMemory& memory = {});
 
     float* block(std::size_t line_block) { return waves.data() + line_block * pairs * wave_quantities * lanes; }
     const float* block(std::size_t line_block) const { return const_cast<PackedSpectrum*>(this)->block(line_block); }
@@ -42,8 +43,14 @@ struct PackedSpectrum {
 /// and column: the partner -k of such a wave is itself on the grid, so it can't be told which way it runs.
 std::complex<double> initial_amplitude(const SeaState& sea, const WaveSpectrum& spectrum, int m, int n);
 
+/// What the waves of a line and of its mirror add to the sea.
+struct LineFigures {
+    double height_variance = 0;  ///< m^2, the mean over all seeds
+    FoldMoments folding;         ///< of the waves that this seed drew
+};
+
 /// Fills one line, 0 <= line < line_count(). Lines are independent.
-void bake_spectrum_line(const SeaState& sea, const WaveSpectrum& spectrum, const FftPlan& plan, std::size_t line,
-                        PackedSpectrum& out);
+LineFigures bake_spectrum_line(const SeaState& sea, const WaveSpectrum& spectrum, const FftPlan& plan,
+                               std::size_t line, PackedSpectrum& out);
 
 }  // namespace pelagic

@@ -22,7 +22,7 @@ constexpr std::array fields = {
     SeaStateField{"wind_direction_rad", &SeaState::wind_direction_rad, -two_pi, two_pi, false, false,
                   "[-2 pi, 2 pi]"},
     SeaStateField{"fetch_m", &SeaState::fetch_m, 0, 2e6, true, false, "(0, 2e6]"},
-    SeaStateField{"depth_m", &SeaState::depth_m, 0, 11000, true, false, "(0, 11000]"},
+    SeaStateField{"depth_m", &SeaState::depth_m, 0.01, 11000, false, false, "[0.01, 11000]"},
     SeaStateField{"choppiness", &SeaState::choppiness, 0, 1, false, false, "[0, 1]"},
     SeaStateField{"roughness", &SeaState::roughness, 0, 1, false, false, "[0, 1]"},
     SeaStateField{"small_waves", &SeaState::small_waves, 0, 1, false, false, "[0, 1]"},

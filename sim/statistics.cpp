@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <map>
 #include <vector>
 
 #include "pelagic/message/number_text.hpp"
@@ -133,6 +135,33 @@ double measured_peak_period_s(const SeaState& sea) {
     return weight / weighted_frequency;
 }
 
+LoopFrequencies loop_frequencies(const SeaState& sea) {
+    const DefaultFloatEnvironment environment;
+    const WaveSpectrum spectrum(sea);
+    const double spacing = two_pi / sea.patch_size_m;
+    std::map<std::uint32_t, double> variances;
+    double all = 0;
+    for_each_wave(sea.resolution, [&](int m, int n) {
+        const double k = spacing * std::sqrt(static_cast<double>(m) * m + static_cast<double>(n) * n);
+        const double variance = std::norm(initial_amplitude(sea, spectrum, m, n));
+        variances[loop_harmonic(angular_frequency(k, sea.depth_m), sea.loop_period_s)] += variance;
+        all += variance;
+    });
+    if (!(all > 0)) return {};
+
+    std::vector<double> falling;
+    for (const auto& [harmonic, variance] : variances) falling.push_back(variance / all);
+    std::sort(falling.begin(), falling.end(), std::greater());
+    LoopFrequencies found{0, falling.front()};
+    double held = 0;
+    for (const double share : falling) {
+        if (held >= 0.9) break;
+        held += share;
+        ++found.for_90_percent;
+    }
+    return found;
+}
+
 std::vector<std::string> warnings_about(const SeaState& sea) {
     const DefaultFloatEnvironment environment;
     const Peak peak = peak_of(WaveSpectrum(sea), sea);
@@ -152,6 +181,13 @@ std::vector<std::string> warnings_about(const SeaState& sea) {
         warnings.push_back("a loop of " + number_text(sea.loop_period_s) + " s bends the peak's period by " +
                            number_text(std::round(100 * std::fabs(peak.omega / looped - 1))) +
                            " %: waves of a loop run a whole number of periods");
+    if (const LoopFrequencies found = loop_frequencies(sea);
+        found.largest_share > 0 && found.for_90_percent < fewest_loop_frequencies)
+        warnings.push_back("a loop of " + number_text(sea.loop_period_s) + " s is short for this sea: " +
+                           number_text(found.for_90_percent) +
+                           " of its frequencies hold 90 % of the energy, so waves rise and fall in step; ten peak "
+                           "periods, " +
+                           number_text(std::round(10 * two_pi / peak.omega)) + " s, leave about ten");
     return warnings;
 }
 

@@ -86,13 +86,13 @@ struct SurfaceQuery::Sheet {
     float error = 0;  ///< texels
 };
 
-SurfaceQuery::SurfaceQuery(const Frame& frame, Isa isa, double tolerance_m)
-    : kernels_(&kernels_for(isa)), frame_(frame) {
+SurfaceQuery::SurfaceQuery(const Frame& frame, double tolerance_m)
+    : kernels_(&kernels_for(frame.isa)), frame_(frame) {
     assert(tolerance_m > 0);
     if (frame.folds.empty())
         throw std::invalid_argument("the frame can't be queried, needs an ocean with OceanOptions::queries");
     const DefaultFloatEnvironment environment;
-    texel_m_ = frame.patch_size_m / frame.resolution();
+    texel_m_ = frame.sea.patch_size_m / frame.resolution();
     tolerance_m_ = static_cast<float>(tolerance_m);
     target_ = static_cast<float>(std::clamp(tolerance_m * aim / texel_m_, least_target, most_target));
 }

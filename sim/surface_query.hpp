@@ -1,7 +1,7 @@
 // Asks a frame about any points of the world: how high is the water there, which way does it face, how does it move?
 //
 //   Ocean ocean(sea, {.queries = true});
-//   const SurfaceQuery water(ocean.complete(), ocean.isa());
+//   const SurfaceQuery water(ocean.complete());
 //   water.sample({.x = xs, .z = zs}, {.height_m = heights});
 //
 // The surface is what a GPU draws: between texels each displacement is bilinear, and the rest point q is drawn at
@@ -17,7 +17,6 @@
 #include <span>
 
 #include "pelagic/sim/frame.hpp"
-#include "pelagic/simd/isa.hpp"
 
 namespace pelagic {
 
@@ -52,11 +51,10 @@ class SurfaceQuery {
    public:
     static constexpr double default_tolerance_m = 1e-3;
 
-    /// \param isa          what to compute with; for an ocean's frames its own
     /// \param tolerance_m  largest error of a converged point, positive. The search aims at a 64th of it, because on a
     ///                     steep face a step sideways is a larger one in height, and at no less than float can tell.
     /// Throws std::invalid_argument if the frame was made without OceanOptions::queries.
-    SurfaceQuery(const Frame& frame, Isa isa, double tolerance_m = default_tolerance_m);
+    explicit SurfaceQuery(const Frame& frame, double tolerance_m = default_tolerance_m);
 
     /// Throws std::invalid_argument, before it writes, if a velocity is wanted of a frame made without
     /// OceanOptions::velocities. \pre spans are as long as the points or empty (asserted)

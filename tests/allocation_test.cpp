@@ -62,7 +62,7 @@ TEST(Allocation, NeitherQueriesNorFramesThatCanBeAskedAllocate) {
         ocean.frame_at(0);
         const long before = allocations;
         for (int i = 0; i < 10; ++i) {
-            const SurfaceQuery query(ocean.frame_at(i * 0.1), ocean.isa());
+            const SurfaceQuery query(ocean.frame_at(i * 0.1));
             query.sample({x, z}, wanted);
             jobs.sample(query, {x, z}, wanted);
             first_hit(query, {{0, 30, 0}, {1, -0.3, 0.2}, 500});

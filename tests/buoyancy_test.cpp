@@ -31,12 +31,13 @@ class StillWater {
    public:
     StillWater() : zero_(n * n, 0.f), folds_(n) {
         const PlaneView plane{zero_.data(), n, n, n, 0};
-        frame_.patch_size_m = 64;
+        frame_.sea.patch_size_m = 64;
+        frame_.isa = choose_isa();
         frame_.dx = frame_.height = frame_.dz = plane;
         frame_.velocity_x = frame_.velocity_y = frame_.velocity_z = plane;
         folds_.update(frame_, kernels_for(choose_isa()));
     }
-    SurfaceQuery query() const { return SurfaceQuery(frame_, choose_isa()); }
+    SurfaceQuery query() const { return SurfaceQuery(frame_); }
 
    private:
     static constexpr int n = 16;
@@ -212,7 +213,7 @@ struct Ride {
         FloatingBox box(options);
         HullWater hull;
         for (int i = 0; i < seconds / step_s; ++i) {
-            const SurfaceQuery water(ocean.frame_at(i * step_s), ocean.isa());
+            const SurfaceQuery water(ocean.frame_at(i * step_s));
             if (i * step_s >= 20) compare(box, water);  // the last step brought the box to this frame's moment
             step({&box, 1}, water, step_s, hull);
         }
@@ -288,7 +289,7 @@ std::vector<std::uint64_t> trajectory_bits(Isa isa, std::shared_ptr<Executor> ex
     for (int i = 0; i < 120; ++i) {
         const Frame& frame = ocean.complete();
         ocean.schedule((i + 1) * step_s);  // at work while the boxes ask
-        step(boxes, SurfaceQuery(frame, isa), step_s, hull);
+        step(boxes, SurfaceQuery(frame), step_s, hull);
         for (const FloatingBox& box : boxes)
             for (int axis = 0; axis < 3; ++axis)
                 for (const double value : {box.state().position_m[axis], box.state().velocity_mps[axis],
@@ -323,7 +324,7 @@ TEST(Buoyancy, AStormNeverMakesABoxExplode) {
     double most = 0;
     for (int i = 0; i < (is_sanitized ? 120 : 3600); ++i) {
         const Frame& frame = ocean.frame_at(i * step_s);
-        step(boxes, SurfaceQuery(frame, ocean.isa()), step_s, hull);
+        step(boxes, SurfaceQuery(frame), step_s, hull);
         double water_mps = 0;
         for (int j = 0; j < frame.resolution(); ++j)
             for (int k = 0; k < frame.resolution(); ++k)

@@ -98,7 +98,7 @@ std::unique_ptr<Ocean> asked_ocean(const SeaState& sea, Isa isa = choose_isa(),
 Answers answers_at(const SeaState& sea, double time_s, Isa isa, const AskedPoints& points) {
     const auto ocean = asked_ocean(sea, isa);
     Answers answers(points.x.size());
-    SurfaceQuery(ocean->frame_at(time_s), isa).sample(points.view(), answers.view());
+    SurfaceQuery(ocean->frame_at(time_s)).sample(points.view(), answers.view());
     return answers;
 }
 
@@ -215,7 +215,7 @@ TEST(Determinism, AnAnswerDependsOnNoOtherPointOfTheBatch) {
     const AskedPoints points(1000);
     for (const SeaState& sea : {folded_sea, smooth_sea}) {
         const auto ocean = asked_ocean(sea);
-        const SurfaceQuery query(ocean->frame_at(3), ocean->isa());
+        const SurfaceQuery query(ocean->frame_at(3));
         Answers expected(points.x.size());
         query.sample(points.view(), expected.view());
 
@@ -247,7 +247,7 @@ TEST(Determinism, AnAnswerDependsOnNoOtherPointOfTheBatch) {
 TEST(Determinism, EveryExecutorAndThreadCountGivesTheSameAnswers) {
     const AskedPoints points(30001);
     const auto ocean = asked_ocean(folded_sea);
-    const SurfaceQuery query(ocean->frame_at(3), ocean->isa());
+    const SurfaceQuery query(ocean->frame_at(3));
     Answers expected(points.x.size());
     query.sample(points.view(), expected.view());
     for (const Host& host : hosts()) {
@@ -271,7 +271,7 @@ TEST(Determinism, EightThreadsAskWhileFramesRun) {
         const Frame& frame = ocean->complete();
         ocean->schedule((i + 1) * 0.5);
         const std::uint64_t expected = answers_at(sea, i * 0.5, choose_isa(), points).hash();
-        const SurfaceQuery query(frame, ocean->isa());
+        const SurfaceQuery query(frame);
         std::vector<std::uint64_t> hashes(8);
         std::vector<std::thread> threads;
         for (std::size_t t = 0; t < hashes.size(); ++t) {
@@ -297,7 +297,7 @@ TEST(Determinism, RaysHitTheSameBitsOnEveryInstructionSet) {
     std::vector<double> expected;
     for (const Isa isa : isas_here()) {
         const auto ocean = asked_ocean(folded_sea, isa);
-        const SurfaceQuery query(ocean->frame_at(3), isa);
+        const SurfaceQuery query(ocean->frame_at(3));
         std::vector<double> hits;
         for (int i = 0; i < 100; ++i) {
             const auto hit = first_hit(query, {{i * 3.0, 10, i * 0.5}, {1, -0.1 - i * 0.01, 0.3}, 500});

@@ -8,7 +8,7 @@
 namespace pelagic {
 namespace {
 
-gl::Camera moving_camera(int frame) {
+Camera moving_camera(int frame) {
     const double x = 3.0 * frame;
     return {.position_m = {x, 5, 0.2 * x}, .target_m = {x + 100, 0, 30}};
 }

@@ -15,7 +15,7 @@ namespace {
 constexpr double pi = 3.14159265358979323846;
 
 /// 200 places to look from: near the crests, high, far from the origin, tilted, moving.
-gl::Camera swept_camera(int i, double highest_crest_m) {
+Camera swept_camera(int i, double highest_crest_m) {
     std::minstd_rand random(static_cast<unsigned>(i + 1));
     const auto uniform = [&] { return static_cast<double>(random()) / 2147483647.0; };
     const double height = highest_crest_m + 0.3 + 1500 * std::pow(uniform(), 5);
@@ -39,7 +39,7 @@ TEST_P(GlHoles, NothingShowsThroughTheSeaBelowTheHorizon) {
     for (int i = 0; i < 200; ++i) {
         const double time_s = 0.1 * i;
         const bool stereo = i % 8 == 7;
-        const gl::Camera camera = swept_camera(i, scene.ocean.frame_at(time_s).bounds.height_max_m);
+        const Camera camera = swept_camera(i, scene.ocean.frame_at(time_s).bounds.height_max_m);
         scene.draw(camera, time_s, false, stereo, {1, 0, 1});
         const auto pixels = scene.target->read();
         const int view_width = stereo ? width / 2 : width;
@@ -123,7 +123,7 @@ std::vector<float> light_of(const std::vector<std::uint8_t>& pixels, int width, 
 
 TEST(GlSparkle, FarWaterIsAsCalmAsASupersampledPicture) {
     constexpr int width = 320, height = 180, finer = 4, frames = 8;
-    const gl::Camera camera{.position_m = {0, 12, 0}, .target_m = {100, 12, 70}};
+    const Camera camera{.position_m = {0, 12, 0}, .target_m = {100, 12, 70}};
     const FarBand rows{height / 2 + 5, height / 2 + 17};
     GlScene scene({.preset = "moderate", .width = width, .height = height});
     std::vector<std::vector<float>> plain, reference;

@@ -2,9 +2,6 @@
 
 #include <cmath>
 
-#include "pelagic/gl/whitecaps.hpp"
-#include "pelagic/sim/statistics.hpp"
-
 namespace pelagic {
 namespace {
 
@@ -34,9 +31,7 @@ GlScene::GlScene(const Options& options)
     : ocean(sea_named(options.preset, options.resolution)),
       quadtree(quadtree_preset_named(options.quality)->options(options.size_m)),
       selection(quadtree),
-      samples_(options.samples),
-      wave_height_m_(expected_waves(ocean.sea()).significant_wave_height_m),
-      whitecap_jacobian_(gl::whitecap_jacobian(ocean.frame_at(0), ocean.sea().wind_speed_mps)) {
+      samples_(options.samples) {
     resize(options.width, options.height);
     renderer.emplace(gl(),
                      gl::RendererOptions{.patch_vertices = quadtree.vertices, .resolution = ocean.sea().resolution});
@@ -48,9 +43,8 @@ void GlScene::resize(int width, int height) {
     target.emplace(gl(), width, height, samples_);
 }
 
-const gl::DrawFigures& GlScene::draw(const gl::Camera& camera, double time_s, bool draws_sky, bool stereo,
+const gl::DrawFigures& GlScene::draw(const Camera& camera, const Frame& frame, bool draws_sky, bool stereo,
                                      glm::vec3 clear) {
-    const Frame& frame = ocean.frame_at(time_s);
     const gl::Viewport whole{0, 0, target->width(), target->height()};
     std::vector<gl::Eye> eyes;
     if (stereo) {
@@ -61,11 +55,7 @@ const gl::DrawFigures& GlScene::draw(const gl::Camera& camera, double time_s, bo
     }
     std::vector<glm::dmat4> views;
     for (const gl::Eye& eye : eyes) views.push_back(eye.clip_from_world);
-    const FrameBounds& b = frame.bounds;
-    const DrawList& list =
-        selection.select({.viewer_m = camera.position_m,
-                          .views = views,
-                          .bounds = {b.height_min_m, b.height_max_m, b.sideways_x_max_m, b.sideways_z_max_m}});
+    const DrawList& list = selection.select({.viewer_m = camera.position_m, .views = views, .bounds = frame.bounds});
     target->bind();
     gl().ClearColor(clear.x, clear.y, clear.z, 1);
     gl().Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -74,10 +64,6 @@ const gl::DrawFigures& GlScene::draw(const gl::Camera& camera, double time_s, bo
                            .viewer_m = camera.position_m,
                            .list = &list,
                            .lod_scale = quadtree.lod_scale,
-                           .sea = &ocean.sea(),
-                           .significant_wave_height_m = wave_height_m_,
-                           .whitecap_jacobian = whitecap_jacobian_,
-                           .time_s = time_s,
                            .draws_sky = draws_sky});
 }
 

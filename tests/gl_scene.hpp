@@ -29,10 +29,17 @@ class GlScene {
     explicit GlScene(const Options& options);
 
     /// Draws into the scene's target; clears with `clear` first.
-    const gl::DrawFigures& draw(const gl::Camera& camera, double time_s, bool draws_sky = true, bool stereo = false,
+    const gl::DrawFigures& draw(const Camera& camera, double time_s, bool draws_sky = true, bool stereo = false,
+                                glm::vec3 clear = {0, 0, 0}) {
+        return draw(camera, ocean.frame_at(time_s), draws_sky, stereo, clear);
+    }
+    const gl::DrawFigures& draw(const Camera& camera, const Frame& frame, bool draws_sky = true, bool stereo = false,
                                 glm::vec3 clear = {0, 0, 0});
-    std::vector<std::uint8_t> picture(const gl::Camera& camera, double time_s) {
-        draw(camera, time_s);
+    std::vector<std::uint8_t> picture(const Camera& camera, double time_s) {
+        return picture(camera, ocean.frame_at(time_s));
+    }
+    std::vector<std::uint8_t> picture(const Camera& camera, const Frame& frame) {
+        draw(camera, frame);
         return target->read();
     }
     void resize(int width, int height);
@@ -47,8 +54,6 @@ class GlScene {
 
    private:
     int samples_;
-    double wave_height_m_;
-    float whitecap_jacobian_;
 };
 
 /// Light of an sRGB byte, [0, 1].

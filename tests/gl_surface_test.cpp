@@ -43,7 +43,6 @@ TEST(GlSurface, LiesWhereTheFramesTexelsSayAndNotHalfATexelBeside) {
                           .viewer_m = viewer,
                           .list = &list,
                           .lod_scale = scene.quadtree.lod_scale,
-                          .sea = &sea,
                           .draws_sky = false});
     const std::vector<std::uint8_t> pixels = scene.target->read();
 

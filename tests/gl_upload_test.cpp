@@ -107,7 +107,7 @@ TEST(GlState, UploadAndDrawLeaveTheHostsStateAsItWas) {
         return values;
     };
     const Frame& frame = scene.ocean.frame_at(1);
-    const gl::Camera camera;
+    const Camera camera;
     const gl::Eye eye = gl::eye_of(camera, {0, 0, 64, 64});
     const DrawList& list = scene.selection.select({.viewer_m = camera.position_m});
     set_up();
@@ -115,14 +115,39 @@ TEST(GlState, UploadAndDrawLeaveTheHostsStateAsItWas) {
     scene.renderer->upload(frame);
     EXPECT_EQ(state(), before);
     for (const gl::DrawMode mode : {gl::DrawMode::shaded, gl::DrawMode::wireframe}) {
-        scene.renderer->draw({.eyes = {&eye, 1},
-                              .viewer_m = camera.position_m,
-                              .list = &list,
-                              .sea = &scene.ocean.sea(),
-                              .mode = mode});
+        scene.renderer->draw({.eyes = {&eye, 1}, .viewer_m = camera.position_m, .list = &list, .mode = mode});
         EXPECT_EQ(state(), before);
     }
     EXPECT_EQ(scene.gl().GetError(), static_cast<GLenum>(GL_NO_ERROR));
+}
+
+/// Levels of 255, a byte in the mean.
+double mean_difference(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b) {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) sum += std::abs(a[i] - b[i]);
+    return sum / static_cast<double>(a.size());
+}
+
+TEST(GlUpload, AChangeOfSeaDrawsEachFrameAsTheSeaThatItIs) {
+    // As a host changes the sea: the new one is there while the old one's last frame is still to be drawn.
+    const Camera camera{.position_m = {0, 10, 0}, .target_m = {60, 0, 40}};
+    const SeaState storm = sea_named("storm", 128);
+    GlScene scene({.preset = "calm", .quality = "low", .resolution = 128, .width = 96, .height = 64, .samples = 1});
+    const Frame& last_calm = scene.ocean.frame_at(3);
+    const auto calm_picture = scene.picture(camera, last_calm);
+    scene.ocean.schedule_sea(storm);
+    scene.ocean.complete_sea();
+    scene.ocean.schedule(3);
+    const auto last_calm_picture = scene.picture(camera, last_calm);
+    const auto changed_picture = scene.picture(camera, scene.ocean.complete());
+    GlScene fresh({.preset = "storm", .quality = "low", .resolution = 128, .width = 96, .height = 64, .samples = 1});
+    const auto storm_picture = fresh.picture(camera, 3);
+
+    // The rows at the horizon are not the same to the bit on a software driver with threads: up to 0.6. With the foam of
+    // the calm the storm differs by 3.6, and the two seas by 16.
+    EXPECT_LT(mean_difference(last_calm_picture, calm_picture), 1.5);
+    EXPECT_LT(mean_difference(changed_picture, storm_picture), 1.5);
+    EXPECT_GT(mean_difference(changed_picture, calm_picture), 5);
 }
 
 }  // namespace

@@ -202,12 +202,9 @@ TEST(ScalarQuery, HasTheBitsOfTheLibrarysQueries) {
         std::vector<double> x(5000), z(5000);
         for (std::size_t i = 0; i < x.size(); ++i) x[i] = anywhere(random), z[i] = anywhere(random);
         std::vector<float> height(5000), normal_x(5000), normal_y(5000), normal_z(5000), error(5000);
-        SurfaceQuery(frame, ocean.isa())
-            .sample({x, z}, {.height_m = height,
-                             .normal_x = normal_x,
-                             .normal_y = normal_y,
-                             .normal_z = normal_z,
-                             .error_m = error});
+        SurfaceQuery(frame).sample(
+            {x, z},
+            {.height_m = height, .normal_x = normal_x, .normal_y = normal_y, .normal_z = normal_z, .error_m = error});
         for (std::size_t i = 0; i < x.size(); ++i) {
             const ScalarSample sample = scalar_query(frame, x[i], z[i]);
             ASSERT_EQ(sample.height_m, height[i]);

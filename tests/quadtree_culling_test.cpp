@@ -32,10 +32,7 @@ class FrameSea {
         const Displacement d = sampler_.at(rest.x, rest.y);
         return {d.dx, d.height, d.dz};
     }
-    SurfaceBounds bounds() const {
-        const FrameBounds& b = frame_.bounds;
-        return {b.height_min_m, b.height_max_m, b.sideways_x_max_m, b.sideways_z_max_m};
-    }
+    SurfaceBounds bounds() const { return frame_.bounds; }
 
    private:
     const Frame& frame_;

@@ -62,7 +62,7 @@ TEST(QueryCommand, PrintsTheLibrarysAnswersToTheLastBit) {
     const std::vector<double> x = {0, 12.25, 1e3}, z = {0, -3.5, -0.1};
     std::vector<std::vector<float>> values(9, std::vector<float>(3));
     std::vector<std::uint8_t> converged(3);
-    SurfaceQuery(ocean.frame_at(12.5), ocean.isa())
+    SurfaceQuery(ocean.frame_at(12.5))
         .sample({x, z}, {.height_m = values[0],
                          .normal_x = values[1],
                          .normal_y = values[2],

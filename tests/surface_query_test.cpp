@@ -67,7 +67,7 @@ Points points_in_folds(const Frame& frame, std::size_t count, unsigned seed) {
     if (squares.empty()) return points;
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> within(0, 1);
-    const double texel_m = frame.patch_size_m / static_cast<double>(n);
+    const double texel_m = frame.sea.patch_size_m / static_cast<double>(n);
     for (std::size_t i = 0; i < count; ++i) {
         const std::size_t square = squares[random() % squares.size()];
         points.x.push_back((static_cast<double>(square % n) + within(random)) * texel_m);
@@ -91,7 +91,7 @@ struct Worst {
 /// away, texels are decimetres wide and slopes change by less than 1 from one to the next.
 void expect_as_oracle(const Frame& frame, const oracle::Surface& surface, const Points& points, Worst& worst) {
     Samples samples(points.x.size());
-    SurfaceQuery(frame, choose_isa()).sample(points.view(), samples.view());
+    SurfaceQuery(frame).sample(points.view(), samples.view());
     const double bound = 1e-3 + 1e-4 * measured_significant_wave_height_m(frame);
     for (std::size_t i = 0; i < points.x.size(); ++i) {
         const std::vector<oracle::Sheet> sheets = surface.sheets_at(points.x[i], points.z[i]);
@@ -151,7 +151,8 @@ class Exaggerated {
                 plane[texel] = from[p]->at(texel % n, texel / n) * (p == 1 ? 1 : factor);
             *to[p] = {plane, n, n, n, 0};
         }
-        frame_.patch_size_m = frame.patch_size_m;
+        frame_.sea = frame.sea;
+        frame_.isa = frame.isa;
         frame_.bounds = frame.bounds;
         frame_.bounds.sideways_x_max_m *= factor;
         frame_.bounds.sideways_z_max_m *= factor;
@@ -189,7 +190,7 @@ TEST(SurfaceQuery, TheHighestCountsInATangleOfSheetsToo) {
     const auto ocean = ocean_of({.resolution = 128, .choppiness = 1});
     for (const float factor : {8.f, 12.f, 20.f}) {
         const Exaggerated sea(ocean->frame_at(factor), factor, kernels_for(ocean->isa()));
-        const oracle::Surface surface(sea.frame(), sea.frame().patch_size_m);
+        const oracle::Surface surface(sea.frame(), sea.frame().sea.patch_size_m);
         Worst worst;
         const std::size_t count = is_sanitized ? 500 : 30000;
         expect_as_oracle(sea.frame(), surface, random_points(count, 500, 7), worst);
@@ -235,7 +236,8 @@ class Trochoid {
         }
         zero_.assign(dx_.size(), 0.f);
         const auto view = [](const std::vector<float>& plane) { return PlaneView{plane.data(), n, n, n, 0}; };
-        frame_.patch_size_m = patch_m;
+        frame_.sea.patch_size_m = patch_m;
+        frame_.isa = choose_isa();
         frame_.dx = view(dx_), frame_.height = view(height_), frame_.dz = view(zero_);
         frame_.bounds = {-amplitude, amplitude, a, 0};
         folds_.update(frame_, kernels);
@@ -276,7 +278,7 @@ TEST(SurfaceQuery, FindsTheTopOfALoopKnownInClosedForm) {
     Points points = random_points(20000, 1, 3);
     for (double& x : points.x) x *= Trochoid::patch_m / 2;
     Samples samples(points.x.size());
-    SurfaceQuery(trochoid.frame(), choose_isa()).sample(points.view(), samples.view());
+    SurfaceQuery(trochoid.frame()).sample(points.view(), samples.view());
     // Between texels the curve is straight: off by at most the second derivative times an eighth of a texel squared,
     // sideways (a k^2) and up (A k^2); sideways costs the slope, whose largest value here is below 10, away from the edges.
     const double texel_m = Trochoid::patch_m / Trochoid::n;
@@ -321,7 +323,7 @@ TEST(SurfaceQuery, VelocityIsTheOraclesDifferenceInTime) {
 
         const Points points = random_points(3000, 300, 8);
         Samples samples(points.x.size(), true);
-        SurfaceQuery(frame, choose_isa()).sample(points.view(), samples.view());
+        SurfaceQuery(frame).sample(points.view(), samples.view());
         for (std::size_t i = 0; i < points.x.size(); ++i) {
             const oracle::RestPoint rest = surface.sheets_at(points.x[i], points.z[i]).front().rest;
             // Water moves at some metres a second, and velocity changes by less than 3 per second over a metre.
@@ -343,7 +345,7 @@ TEST_P(SurfaceQueryOnEachIsa, AnswersAsTheOracleForEveryResolution) {
         const oracle::Surface surface(frame, sea.patch_size_m);
         const Points points = random_points(500, 300, 4);
         Samples samples(points.x.size());
-        SurfaceQuery(frame, GetParam()).sample(points.view(), samples.view());
+        SurfaceQuery(frame).sample(points.view(), samples.view());
         for (std::size_t i = 0; i < points.x.size(); ++i)
             ASSERT_NEAR(samples.height[i], surface.sheets_at(points.x[i], points.z[i]).front().height, 1e-3) << n;
     }
@@ -354,7 +356,7 @@ INSTANTIATE_TEST_SUITE_P(Isa, SurfaceQueryOnEachIsa, testing::ValuesIn(isas_here
 TEST(SurfaceQuery, TheSeaRepeatsFarFromTheOriginToTheBit) {
     const SeaState sea{.resolution = 64, .patch_size_m = 128};
     const auto ocean = ocean_of(sea);
-    const SurfaceQuery query(ocean->frame_at(2), ocean->isa());
+    const SurfaceQuery query(ocean->frame_at(2));
     // Sixteenths of a metre, so that moving them by whole patches is exact.
     Points near, far;
     for (int i = 0; i < 400; ++i) {
@@ -373,7 +375,7 @@ TEST(SurfaceQuery, TheSeaRepeatsFarFromTheOriginToTheBit) {
 
 TEST(SurfaceQuery, APlaceThatIsNoneIsNotConverged) {
     const auto ocean = ocean_of({.resolution = 32});
-    const SurfaceQuery query(ocean->frame_at(0), ocean->isa());
+    const SurfaceQuery query(ocean->frame_at(0));
     const double infinity = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
     const Points points{{infinity, -infinity, nan, 0, 1e300, 3}, {0, 0, 0, nan, 0, 4}};
     Samples samples(6);
@@ -389,7 +391,7 @@ TEST(SurfaceQuery, APlaceThatIsNoneIsNotConverged) {
 TEST(SurfaceQuery, ErrorIsHonestWhereTheToleranceIsBeyondFloat) {
     const SeaState sea{.resolution = 64, .patch_size_m = 100};
     const auto ocean = ocean_of(sea);
-    const SurfaceQuery query(ocean->frame_at(0), ocean->isa(), 1e-12);
+    const SurfaceQuery query(ocean->frame_at(0), 1e-12);
     const Points points = random_points(1000, 100, 5);
     Samples samples(1000);
     query.sample(points.view(), samples.view());
@@ -401,10 +403,10 @@ TEST(SurfaceQuery, ErrorIsHonestWhereTheToleranceIsBeyondFloat) {
 
 TEST(SurfaceQuery, SaysWhatTheFrameLacks) {
     Ocean plain({.resolution = 32}, {.executor = make_serial_executor()});
-    EXPECT_THROW(SurfaceQuery(plain.frame_at(0), plain.isa()), std::invalid_argument);
+    EXPECT_THROW(SurfaceQuery(plain.frame_at(0)), std::invalid_argument);
 
     Ocean still({.resolution = 32}, {.executor = make_serial_executor(), .queries = true});
-    const SurfaceQuery query(still.frame_at(0), still.isa());
+    const SurfaceQuery query(still.frame_at(0));
     const Points points{{1}, {2}};
     std::vector<float> height = {-1}, velocity(1);
     EXPECT_THROW(query.sample(points.view(), {.height_m = height, .velocity_y_mps = velocity}),

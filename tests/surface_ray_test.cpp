@@ -21,7 +21,7 @@ class SurfaceRayTest : public testing::Test {
     SurfaceRayTest()
         : ocean_(sea_, {.executor = make_serial_executor(), .queries = true}),
           frame_(ocean_.frame_at(4)),
-          query_(frame_, ocean_.isa()),
+          query_(frame_),
           surface_(frame_, sea_.patch_size_m) {}
 
     double height_at(double x, double z) const { return surface_.sheets_at(x, z).front().height; }

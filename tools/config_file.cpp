@@ -63,7 +63,10 @@ std::vector<ConfigEntry> parse_config(std::string_view text, const std::filesyst
 }
 
 std::vector<ConfigEntry> read_config(const std::filesystem::path& file, std::span<const std::string> known) {
-    return parse_config(InputFile("--config", file, "a TOML file").read_all(most_config_bytes), file, known);
+    const std::string text = InputFile("--config", file, "a TOML file or a sea.json").read_all(most_config_bytes);
+    const std::size_t first = text.find_first_not_of(" \t\r\n");
+    const bool is_json = first != std::string::npos && text[first] == '{';
+    return is_json ? parse_sea_record(text, file, known) : parse_config(text, file, known);
 }
 
 }  // namespace pelagic::tools

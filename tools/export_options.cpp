@@ -9,6 +9,7 @@
 #include "pelagic/tools/export_journal.hpp"
 #include "pelagic/tools/image_codec.hpp"
 #include "pelagic/tools/option_text.hpp"
+#include "pelagic/tools/pixel_meaning.hpp"
 
 namespace pelagic::tools {
 namespace {
@@ -133,6 +134,7 @@ void ExportFlags::add_to(CLI::App& app) {
     add("trace", "FILE", "Chrome trace of stages and workers, opens in ui.perfetto.dev; where the time goes");
     sea_.add_to(app);
     compute_.add_to(app);
+    app.footer(pixel_meaning());
 }
 
 ExportOptions ExportFlags::resolve() const {

@@ -5,12 +5,9 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <glm/ext/matrix_clip_space.hpp>
-#include <glm/trigonometric.hpp>
 #include <vector>
 
 #include "pelagic/quadtree/selection.hpp"
-#include "pelagic/sim/displacement_sampler.hpp"
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/tools/atomic_file.hpp"
 #include "pelagic/tools/errors.hpp"
@@ -22,17 +19,13 @@ namespace pelagic::tools {
 namespace {
 
 constexpr double aspect = 16.0 / 9;
-constexpr double near_m = 0.1;
 constexpr double latest_s = 1e9;
 
 /// One view, or two eyes side by side.
 std::vector<glm::dmat4> views_of(const Camera& camera, double eyes_apart_m) {
-    const glm::dmat4 projection = glm::infinitePerspectiveRH(glm::radians(camera.fov_deg), aspect, near_m);
-    std::vector<glm::dmat4> views;
-    if (eyes_apart_m == 0) return {projection * camera.view_from_world()};
-    for (const double side : {-0.5, 0.5})
-        views.push_back(projection * camera.moved_right(side * eyes_apart_m).view_from_world());
-    return views;
+    if (eyes_apart_m == 0) return {camera.clip_from_world(aspect)};
+    return {camera.moved_right(-eyes_apart_m / 2).clip_from_world(aspect),
+            camera.moved_right(eyes_apart_m / 2).clip_from_world(aspect)};
 }
 
 /// The median of calls that have warmed up.
@@ -109,7 +102,9 @@ void QuadtreeCommandFlags::add_to(CLI::App& app) {
     app.add_option("--stereo", stereo_, "two eyes that far apart, metres, (0, 1]")->type_name("M");
     app.add_option("--time", time_, "of the frame, seconds, [-1e9, 1e9] [0]")->type_name("S");
     app.add_flag("--all", all_, "every patch, whatever the camera sees");
-    app.add_option("--obj", obj_, "write the displaced mesh")->type_name("FILE");
+    app.add_option("--obj", obj_,
+                   "write the displaced mesh, with texture coordinates for an export's maps and normals")
+        ->type_name("FILE");
     app.add_option("--json", json_, "write the figures")->type_name("FILE");
     app.add_option("--svg", svg_, "write the plan, coloured by level")->type_name("FILE");
     sea_.add_to(app);
@@ -132,24 +127,21 @@ void QuadtreeCommandFlags::run() const {
     Ocean ocean(sea.sea, {.executor = make_default_executor(compute.threads), .isa = compute.isa});
     const Frame& frame = ocean.frame_at(time_s);
     const std::vector<glm::dmat4> views = all_ ? std::vector<glm::dmat4>() : views_of(camera, apart_m);
-    const SelectionInput input{.viewer_m = camera.eye_m,
-                               .views = views,
-                               .bounds = {frame.bounds.height_min_m, frame.bounds.height_max_m,
-                                          frame.bounds.sideways_x_max_m, frame.bounds.sideways_z_max_m},
-                               .depth = ClipDepth::minus_one_to_one};
+    const SelectionInput input{
+        .viewer_m = camera.position_m, .views = views, .bounds = frame.bounds, .depth = ClipDepth::minus_one_to_one};
     Selection selection(options);
     const double microseconds = microseconds_of(selection, input);
     const DrawList& list = selection.list();
 
     const Json figures = figures_json(list, options, views.size(), microseconds);
-    if (obj_) write_whole_file(*obj_, mesh_as_obj(list, DisplacementSampler(frame)));
+    if (obj_) write_whole_file(*obj_, mesh_as_obj(list, frame));
     if (json_) write_whole_file(*json_, figures.dump(2) + "\n");
     if (svg_) {
         Selection everything(options);
-        const DrawList& all = everything.select({.viewer_m = camera.eye_m});
+        const DrawList& all = everything.select({.viewer_m = camera.position_m});
         std::vector<Frustum> frusta;
         for (const glm::dmat4& view : views) frusta.emplace_back(view, ClipDepth::minus_one_to_one);
-        write_whole_file(*svg_, plan_as_svg(list, all, frusta, camera.eye_m));
+        write_whole_file(*svg_, plan_as_svg(list, all, frusta, camera.position_m));
     }
     print_table(figures);
 }

@@ -90,7 +90,7 @@ void QueryFlags::run() const {
         answers.resize(block.size());
         for (const double time_s : times_s) {
             if (!frame || times_s.size() > 1) frame = &ocean.frame_at(time_s);
-            jobs.sample(SurfaceQuery(*frame, ocean.isa()), {block.x, block.z}, answers.samples());
+            jobs.sample(SurfaceQuery(*frame), {block.x, block.z}, answers.samples());
             rows.write(block, answers, time_s);
         }
     }

@@ -10,10 +10,8 @@
 #include "pelagic/gl/render_target.hpp"
 #include "pelagic/gl/sea_renderer.hpp"
 #include "pelagic/gl/stopwatch.hpp"
-#include "pelagic/gl/whitecaps.hpp"
 #include "pelagic/quadtree/selection.hpp"
 #include "pelagic/sim/ocean.hpp"
-#include "pelagic/sim/statistics.hpp"
 #include "pelagic/tools/atomic_file.hpp"
 #include "pelagic/tools/image_writer.hpp"
 #include "pelagic/tools/progress.hpp"
@@ -55,7 +53,6 @@ class PictureMaker {
         baker.schedule(options.scene.sky);
         renderer_.set_sky(baker.complete());
         sky_ms_ = watch.milliseconds();
-        wave_height_m_ = expected_waves(options.scene.sea.sea).significant_wave_height_m;
 
         const gl::Viewport whole{0, 0, options.scene.width, options.scene.height};
         if (options.stereo) {
@@ -71,15 +68,10 @@ class PictureMaker {
         const gl::Stopwatch all;
         const Frame& frame = ocean_.frame_at(time_s);
         measured_.sea_ms.push_back(all.milliseconds());
-        if (measured_.sea_ms.size() == 1)
-            whitecap_jacobian_ = gl::whitecap_jacobian(frame, options_.scene.sea.sea.wind_speed_mps);
 
         const gl::Stopwatch select;
-        const FrameBounds& bounds = frame.bounds;
         const DrawList& list = selection_.select(
-            {.viewer_m = options_.scene.camera.position_m,
-             .views = views_,
-             .bounds = {bounds.height_min_m, bounds.height_max_m, bounds.sideways_x_max_m, bounds.sideways_z_max_m}});
+            {.viewer_m = options_.scene.camera.position_m, .views = views_, .bounds = frame.bounds});
         measured_.select_ms.push_back(select.milliseconds());
 
         const gl::Functions& functions = context_.functions();
@@ -92,10 +84,6 @@ class PictureMaker {
                             .viewer_m = options_.scene.camera.position_m,
                             .list = &list,
                             .lod_scale = options_.scene.quadtree.lod_scale,
-                            .sea = &options_.scene.sea.sea,
-                            .significant_wave_height_m = wave_height_m_,
-                            .whitecap_jacobian = whitecap_jacobian_,
-                            .time_s = time_s,
                             .mode = options_.wireframe ? gl::DrawMode::wireframe : gl::DrawMode::shaded});
         measured_.upload_ms.push_back(figures.upload_ms);
         measured_.upload_driver_ms.push_back(figures.upload_driver_ms);
@@ -140,8 +128,7 @@ class PictureMaker {
     Selection selection_;
     std::vector<gl::Eye> eyes_;
     std::vector<glm::dmat4> views_;
-    double wave_height_m_ = 0, sky_ms_ = 0;
-    float whitecap_jacobian_ = 0;
+    double sky_ms_ = 0;
     Measured measured_;
 };
 

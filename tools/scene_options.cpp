@@ -40,13 +40,11 @@ void choose_quality(SceneOptions& options, const std::string& name) {
 }
 
 /// As typed; without a place, above the highest crests.
-gl::Camera chosen_camera(const CameraFlags& flags, const SeaState& sea) {
+Camera chosen_camera(const CameraFlags& flags, const SeaState& sea) {
     Camera camera = flags.resolve();
     if (!flags.has_place())
-        camera.eye_m.y = std::max(camera.eye_m.y, 2 + 1.2 * expected_waves(sea).significant_wave_height_m);
-    return {.position_m = camera.eye_m,
-            .target_m = camera.target_m,
-            .vertical_view_rad = camera.fov_deg * radians_per_degree};
+        camera.position_m.y = std::max(camera.position_m.y, 2 + 1.2 * expected_waves(sea).significant_wave_height_m);
+    return camera;
 }
 
 /// The stronger the wind, the more clouds and spray: a fair day at 3 m/s, a ragged sky in a gale.

@@ -18,7 +18,7 @@ struct SceneOptions {
     ResolvedSea sea;
     ComputeOptions compute;
     int width = 1280, height = 720;
-    gl::Camera camera;
+    Camera camera;
     gl::SkyOptions sky;
     std::string quality;
     QuadtreeOptions quadtree;

@@ -13,8 +13,7 @@ constexpr double highest_m = 5000;
 
 }  // namespace
 
-ViewCamera::ViewCamera(const gl::Camera& start)
-    : eye_(start.position_m), vertical_view_rad_(start.vertical_view_rad) {
+ViewCamera::ViewCamera(const Camera& start) : eye_(start.position_m), vertical_view_rad_(start.vertical_view_rad) {
     const glm::dvec3 to_target = start.target_m - start.position_m;
     distance_ = std::clamp(glm::length(to_target), nearest_m, furthest_m);
     heading_ = std::atan2(to_target.z, to_target.x);
@@ -48,7 +47,7 @@ void ViewCamera::move(glm::dvec3 metres) {
     eye_.y = std::clamp(eye_.y, -50.0, highest_m);
 }
 
-gl::Camera ViewCamera::camera() const {
+Camera ViewCamera::camera() const {
     return {.position_m = eye_, .target_m = eye_ + distance_ * ahead(), .vertical_view_rad = vertical_view_rad_};
 }
 

@@ -10,7 +10,7 @@ namespace pelagic::viewer {
 
 class ViewCamera {
    public:
-    explicit ViewCamera(const gl::Camera& start);
+    explicit ViewCamera(const Camera& start);
 
     enum class Mode { orbit, fly };
     Mode mode() const { return mode_; }
@@ -24,7 +24,7 @@ class ViewCamera {
     /// Right, up, ahead, in metres.
     void move(glm::dvec3 metres);
 
-    gl::Camera camera() const;
+    Camera camera() const;
 
    private:
     glm::dvec3 ahead() const;

@@ -13,10 +13,8 @@
 
 #include "pelagic/gl/sea_renderer.hpp"
 #include "pelagic/gl/stopwatch.hpp"
-#include "pelagic/gl/whitecaps.hpp"
 #include "pelagic/quadtree/selection.hpp"
 #include "pelagic/sim/ocean.hpp"
-#include "pelagic/sim/statistics.hpp"
 #include "pelagic/viewer/panel_renderer.hpp"
 #include "pelagic/viewer/stage_times.hpp"
 #include "pelagic/viewer/window.hpp"
@@ -100,8 +98,13 @@ class Viewer {
             window_.swap();
             ++frames_;
         }
-        return {settings_, camera_.camera(), frames_,
-                reinterpret_cast<const char*>(window_.functions().GetString(GL_RENDERER))};
+        return {.settings = settings_,
+                .camera = camera_.camera(),
+                .time_s = shown_time_s_,
+                .width = window_.width(),
+                .height = window_.height(),
+                .frames = frames_,
+                .renderer = reinterpret_cast<const char*>(window_.functions().GetString(GL_RENDERER))};
     }
 
    private:
@@ -153,7 +156,6 @@ class Viewer {
             window_.functions(), gl::RendererOptions{.patch_vertices = selection_->options().vertices,
                                                      .resolution = settings_.sea.resolution});
         if (!figures_.sky_is_baking && frames_ > 0) renderer_->set_sky(baker_.complete());
-        foam_of_ = {};
     }
 
     /// The frame that was scheduled one picture ago, then the next one: computed while this one is drawn.
@@ -163,7 +165,6 @@ class Viewer {
         if (figures_.sea_is_baking && ocean_.sea_is_ready()) {
             ocean_.complete_sea();
             figures_.sea_is_baking = false;
-            foam_of_ = {};
         }
         ocean_.schedule(time_s_);
         return frame;
@@ -171,20 +172,15 @@ class Viewer {
 
     void draw_frame() {
         const Frame& frame = next_frame();
-        const SeaState& sea = ocean_.sea();
-        if (!foam_of_) {
-            foam_of_ = gl::whitecap_jacobian(frame, sea.wind_speed_mps);
-            figures_.significant_wave_height_m = expected_waves(sea).significant_wave_height_m;
-        }
-        const gl::Camera camera = camera_.camera();
+        shown_time_s_ = frame.time_s;
+        figures_.significant_wave_height_m = frame.figures.significant_wave_height_m;
+        const Camera camera = camera_.camera();
         const gl::Eye eye = gl::eye_of(camera, {0, 0, window_.width(), window_.height()});
         const gl::Stopwatch select;
-        const DrawList& list =
-            selection_->select({.viewer_m = camera.position_m,
-                                .views = {&eye.clip_from_world, 1},
-                                .bounds = {frame.bounds.height_min_m, frame.bounds.height_max_m,
-                                           frame.bounds.sideways_x_max_m, frame.bounds.sideways_z_max_m},
-                                .depth = ClipDepth::minus_one_to_one});
+        const DrawList& list = selection_->select({.viewer_m = camera.position_m,
+                                                   .views = {&eye.clip_from_world, 1},
+                                                   .bounds = frame.bounds,
+                                                   .depth = ClipDepth::minus_one_to_one});
         figures_.select_us = select.milliseconds() * 1000;
         figures_.patches = list.instances.size();
 
@@ -199,10 +195,7 @@ class Viewer {
                              .viewer_m = camera.position_m,
                              .list = &list,
                              .lod_scale = selection_->options().lod_scale,
-                             .sea = &sea,
-                             .significant_wave_height_m = figures_.significant_wave_height_m,
-                             .whitecap_jacobian = *foam_of_ + settings_.more_foam,
-                             .time_s = frame.time_s,
+                             .more_foam = settings_.more_foam,
                              .mode = settings_.wireframe ? gl::DrawMode::wireframe : gl::DrawMode::shaded});
         figures_.upload_ms = drawn.upload_ms - drawn.upload_driver_ms;
         figures_.draw_ms = drawn.draw_ms - drawn.draw_driver_ms;
@@ -244,10 +237,9 @@ class Viewer {
     std::string quality_;
     std::optional<Selection> selection_;
     std::unique_ptr<gl::SeaRenderer> renderer_;
-    std::optional<float> foam_of_;  ///< the Jacobian at which this sea's foam begins
     ViewFigures figures_;
     bool shows_panel_ = true, takes_picture_ = false;
-    double time_s_ = 0;
+    double time_s_ = 0, shown_time_s_ = 0;
     std::uint64_t frames_ = 0;
 };
 

@@ -13,7 +13,7 @@ namespace pelagic::viewer {
 
 struct ViewOptions {
     ViewSettings settings;
-    gl::Camera camera;
+    Camera camera;
     int width = 1280, height = 720;
     int threads = 0;  ///< as make_default_executor() takes them
 
@@ -25,7 +25,9 @@ struct ViewOptions {
 /// Throws gl::GlError if there is no display or no driver; std::invalid_argument for options out of range.
 struct ViewResult {
     ViewSettings settings;
-    gl::Camera camera;
+    Camera camera;
+    double time_s = 0;          ///< of the sea that was drawn last
+    int width = 0, height = 0;  ///< of the window, pixels
     std::uint64_t frames = 0;
     std::string renderer;  ///< the driver's name for itself
 };

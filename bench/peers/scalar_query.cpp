@@ -14,7 +14,7 @@ struct Place {
 };
 
 Place place_in_texels(const Frame& frame, double x_m, double z_m) {
-    const double texel_m = frame.patch_size_m / frame.resolution();
+    const double texel_m = frame.sea.patch_size_m / frame.resolution();
     const double x = x_m / texel_m, z = z_m / texel_m;
     const auto floor_of = [](double t) {
         const auto cut = static_cast<std::int64_t>(t);
@@ -71,7 +71,7 @@ Slopes slopes(const SurfaceTexels& surface, const float* plane, const Place& at)
 
 ScalarSample scalar_query(const Frame& frame, double x_m, double z_m, double tolerance_m) {
     const SurfaceTexels surface = texels_of(frame);
-    const double texel_m = frame.patch_size_m / frame.resolution();
+    const double texel_m = frame.sea.patch_size_m / frame.resolution();
     const auto texels_per_m = static_cast<float>(1 / texel_m);
     const auto target = static_cast<float>(std::clamp(tolerance_m / 64 / texel_m, 4e-6, 1.0 / 64));
     const Place world = place_in_texels(frame, x_m, z_m);

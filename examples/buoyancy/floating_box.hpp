@@ -2,7 +2,7 @@
 //
 //   std::vector<FloatingBox> boats = {FloatingBox({.length_m = 12, .mass_kg = 9000})};
 //   HullWater hull;
-//   step(boats, SurfaceQuery(ocean.complete(), ocean.isa()), 1.0 / 60, hull);
+//   step(boats, SurfaceQuery(ocean.complete()), 1.0 / 60, hull);
 //
 // The box is cut into columns along the one of its axes that is closest to vertical. Each column asks for the water
 // where it crosses the surface, and is wet up to there. Forces:

@@ -86,7 +86,7 @@ std::vector<BoatTrace> sail(double seconds) {
     for (int i = -settling; i <= steps; ++i) {
         const Frame& frame = ocean.complete();
         ocean.schedule((i + 1) * step_s);  // computed while the boats ask about this one
-        step(boxes, SurfaceQuery(frame, ocean.isa()), step_s, hull);
+        step(boxes, SurfaceQuery(frame), step_s, hull);
         if (i < 0) continue;
         for (std::size_t boat = 0; boat < boxes.size(); ++boat)
             traces[boat].moments.push_back({i * step_s, boxes[boat].heave_m(), attitude_of(boxes[boat].state())});

@@ -14,7 +14,7 @@ int main() {
     for (int n = 1; n <= 5; ++n) {
         const pelagic::Frame& frame = ocean.complete();  // scheduled in the frame before
         ocean.schedule(n / 90.0);                        // computed while this one is drawn
-        const pelagic::SurfaceQuery water(frame, ocean.isa());
+        const pelagic::SurfaceQuery water(frame);
         water.sample({.x = buoys_x, .z = buoys_z}, {.height_m = heights});
         std::printf("%.4f s: hash %016llx, buoys at %.3f %.3f %.3f m\n", frame.time_s,
                     static_cast<unsigned long long>(hash_of(frame)), heights[0], heights[1], heights[2]);

@@ -1,0 +1,27 @@
+// How much of the sea is white: the wind says how much, the Jacobian says where.
+#pragma once
+
+namespace pelagic {
+
+/// Part of a sea that whitecaps cover: 3.84e-6 U10^3.41 (Monahan and O'Muircheartaigh 1980), at most 0.4.
+double whitecap_cover(double wind_speed_mps);
+
+/// Sums over the waves of a sea: how much its surface folds, in the mean over time and place. With the derivatives of
+/// the sideways displacement, central differences over texels as stage `gradients` takes them, let
+///
+///   u = (Dx,x + Dz,z) / 2,  v = (Dx,x - Dz,z) / 2,  w = (Dx,z + Dz,x) / 2,  so that  J = (1 + u)^2 - v^2 - w^2
+///
+/// but for (Dx,z - Dz,x)^2 / 4, which is 0 without the differences. A sum of many waves is Gaussian.
+struct FoldMoments {
+    double uu = 0, vv = 0, ww = 0, uv = 0, uw = 0, vw = 0;  ///< covariances at choppiness 1
+
+    /// A wave of that mean square, m^2. Lengths in metres: `wave_number` is |k|, the differences sin(k_x d) / d.
+    void add_wave(double mean_square, double wave_x, double wave_z, double difference_x, double difference_z);
+    FoldMoments& operator+=(const FoldMoments& other);
+};
+
+/// The Jacobian below which that part of the sea lies, so that the crests that fold most are white and the cover is the
+/// one observed at sea, whatever the choppiness: a quantile of J by its first four cumulants (Cornish and Fisher 1938).
+float whitecap_jacobian(const FoldMoments& moments, double choppiness, double cover);
+
+}  // namespace pelagic

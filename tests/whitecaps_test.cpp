@@ -1,0 +1,94 @@
+// What a frame says of its sea: the waves' height, and where it is white.
+#include "pelagic/sim/whitecaps.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "pelagic/sim/ocean.hpp"
+#include "pelagic/sim/statistics.hpp"
+
+namespace pelagic {
+namespace {
+
+/// Part of the texels whose Jacobian, as the GPU reads it, is below the frame's own threshold.
+double white_part(const Frame& frame) {
+    std::size_t white = 0;
+    for (const std::uint32_t texel : frame.gradient_level(0))
+        white += static_cast<float>(texel >> 16 & 255) / 255 * 2 - 1 < frame.figures.whitecap_jacobian;
+    return static_cast<double>(white) / static_cast<double>(frame.gradient_level(0).size());
+}
+
+TEST(Whitecaps, CoverWhatWasObservedAtSea) {
+    // Monahan and O'Muircheartaigh 1980, equation 5: about 1 % at 10 m/s.
+    EXPECT_NEAR(whitecap_cover(10), 3.84e-6 * std::pow(10, 3.41), 1e-12);
+    EXPECT_NEAR(whitecap_cover(10), 0.0099, 1e-4);
+    EXPECT_EQ(whitecap_cover(60), 0.4);
+    EXPECT_GT(whitecap_cover(1e-300), 0);
+}
+
+TEST(Whitecaps, CoverThatPartOfEverySeaInTheMean) {
+    for (const SeaPreset& preset : sea_presets())
+        for (const double choppiness : {0.5, 1.0})
+            for (const double wind_direction_rad : {0.0, 0.7}) {
+                SeaState sea = preset.sea;
+                sea.resolution = 128;
+                sea.choppiness = choppiness;
+                sea.wind_direction_rad = wind_direction_rad;
+                double part = 0;
+                const int seeds = 6, frames = 10;
+                for (int seed = 1; seed <= seeds; ++seed) {
+                    sea.seed = static_cast<std::uint32_t>(seed);
+                    Ocean ocean(sea, {.executor = make_serial_executor()});
+                    for (int i = 0; i < frames; ++i) part += white_part(ocean.frame_at(i * 17.3)) / (seeds * frames);
+                }
+                const double wanted = whitecap_cover(sea.wind_speed_mps);
+                // A patch holds some ten crests of the longest waves, and in the calm a frame has three white texels:
+                // the mean over 60 frames is good to about a tenth.
+                EXPECT_NEAR(part / wanted, 1, 0.2) << preset.name << ", choppiness " << choppiness;
+            }
+}
+
+TEST(Whitecaps, AreNoneWhereNothingFolds) {
+    const SeaState flat{.resolution = 32, .wind_speed_mps = 1e-3};
+    Ocean ocean(flat, {.executor = make_serial_executor()});
+    EXPECT_EQ(ocean.frame_at(0).figures.whitecap_jacobian, 1);
+    const SeaState height_field{.resolution = 32, .choppiness = 0};
+    Ocean unfolded(height_field, {.executor = make_serial_executor()});
+    EXPECT_EQ(unfolded.frame_at(0).figures.whitecap_jacobian, 1);
+}
+
+TEST(FrameFigures, AreThoseOfTheSeaOnEveryInstructionSetAndAfterEveryChange) {
+    const SeaState calm{.resolution = 64, .patch_size_m = 50, .wind_speed_mps = 3};
+    const SeaState storm{.resolution = 64, .patch_size_m = 800, .wind_speed_mps = 20};
+    SeaFigures calm_figures, storm_figures;
+    for (const Isa isa : isas_here()) {
+        Ocean ocean(calm, {.executor = make_serial_executor(), .isa = isa});
+        const Frame& last_calm = ocean.frame_at(1);
+        ocean.schedule_sea(storm);
+        ocean.complete_sea();
+        ocean.schedule(2);
+        EXPECT_EQ(last_calm.sea.patch_size_m, 50);
+        EXPECT_EQ(last_calm.time_s, 1);
+        EXPECT_EQ(last_calm.isa, isa);
+        EXPECT_NEAR(last_calm.figures.significant_wave_height_m / expected_waves(calm).significant_wave_height_m, 1,
+                    1e-12);
+        const SeaFigures before = last_calm.figures;
+        const Frame& first_storm = ocean.complete();
+        EXPECT_EQ(first_storm.sea.patch_size_m, 800);
+        EXPECT_NEAR(first_storm.figures.significant_wave_height_m / expected_waves(storm).significant_wave_height_m,
+                    1, 1e-12);
+        if (isa == isas_here().front()) {
+            calm_figures = before;
+            storm_figures = first_storm.figures;
+        }
+        EXPECT_EQ(before.significant_wave_height_m, calm_figures.significant_wave_height_m);
+        EXPECT_EQ(before.whitecap_jacobian, calm_figures.whitecap_jacobian);
+        EXPECT_EQ(first_storm.figures.significant_wave_height_m, storm_figures.significant_wave_height_m);
+        EXPECT_EQ(first_storm.figures.whitecap_jacobian, storm_figures.whitecap_jacobian);
+    }
+}
+
+}  // namespace
+}  // namespace pelagic
