@@ -1,11 +1,13 @@
 #include "pelagic/tools/export_options.hpp"
 
+#include <algorithm>
 #include <array>
 #include <stdexcept>
 #include <vector>
 
 #include "pelagic/tools/errors.hpp"
 #include "pelagic/tools/export_names.hpp"
+#include "pelagic/tools/image_codec.hpp"
 #include "pelagic/tools/option_text.hpp"
 #include "pelagic/tools/pixel_meaning.hpp"
 
@@ -40,11 +42,21 @@ void choose_maps(ExportOptions& options, const std::string& text) {
     }
 }
 
+/// "wave.%04d.exr" or "wave.png": what other programs take, and what nobody would call a folder.
+bool is_picture_name(const std::filesystem::path& path) {
+    const std::string extension = path.extension().string();
+    constexpr std::array pictures = {".exr", ".png", ".tif", ".tiff", ".jpg", ".jpeg"};
+    return path.filename().string().find('%') != std::string::npos ||
+           std::find(pictures.begin(), pictures.end(), extension) != pictures.end();
+}
+
 // A folder may be missing; what is there must be one.
 std::filesystem::path checked_folder(const std::optional<std::string>& text) {
     if (!text || text->empty()) throw InputError("--out is missing, needs a folder to write to");
     std::error_code error;
     std::filesystem::path path = *text;
+    if (!std::filesystem::is_directory(path, error) && is_picture_name(path))
+        throw bad_value("--out", *text, "a folder: the files in it are named displacement_0000.exr and so on");
     for (std::filesystem::path up = path; !up.empty(); up = up.parent_path()) {
         const auto status = std::filesystem::status(up, error);
         if (std::filesystem::exists(status) && !std::filesystem::is_directory(status))
@@ -164,6 +176,7 @@ ExportOptions ExportFlags::resolve() const {
         if (*format == "tif") options.format = ImageFormat::tiff;
     }
     if (const auto& trace = typed_.at("trace")) options.trace = checked_trace(*trace, options.folder);
+    image_codec();  // before anything is written: without its library nothing will be
     return options;
 }
 

@@ -55,7 +55,8 @@ struct ExportOptions {
 class ExportFlags {
    public:
     void add_to(CLI::App& app);
-    /// Throws InputError, one line that names option, value and range; writes nothing.
+    /// Throws InputError, one line that names option, value and range, and FileError without the library that writes images;
+    /// writes nothing.
     ExportOptions resolve() const;
 
    private:
