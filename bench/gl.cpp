@@ -17,8 +17,8 @@ void time_frame(benchmark::State& state, const char* preset, bool stereo) {
     int frame = 0;
     for (auto _ : state) {
         const double x = 3.0 * frame;
-        const gl::Camera camera{.position_m = {x, 5, 0.2 * x}, .target_m = {x + 100, 0, 30}};
-        const gl::DrawFigures& figures = scene.draw(camera, frame++ / 90.0, true, stereo);
+        const Camera camera{.position_m = {x, 5, 0.2 * x}, .target_m = {x + 100, 0, 30}};
+        const gl::DrawFigures& figures = scene.draw(camera, scene.ocean.frame_at(frame++ / 90.0), true, stereo);
         const double own = figures.upload_ms - figures.upload_driver_ms + figures.draw_ms - figures.draw_driver_ms;
         scene.gl().Finish();
         state.SetIterationTime(own / 1000);
