@@ -16,6 +16,7 @@ tier=gate
 case "${1:-}" in quick | night) tier=$1 && shift ;; esac
 packages=("${pelagic_test_packages[@]}")
 [ "$tier" = quick ] || packages+=("${pelagic_gate_packages[@]}")
+[ "$tier" != night ] || packages+=("${pelagic_night_packages[@]}")
 pelagic_install_dependencies "${packages[@]}" || exit 1
 
 parts=("$@")
