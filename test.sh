@@ -59,7 +59,10 @@ for part in ${parts[@]+"${parts[@]}"}; do
     failed_parts+=("$part")
     [ "$part_failed" -gt 0 ] || { part_failed=1 && of=$((of + 1)); }  # it didn't get as far as its tests
   fi
-  while read -r why; do skipped+=("$part: $why"); done < <(skipped_since "$logs/started" | sort -u)
+  while read -r why; do skipped+=("$part: $why"); done < <(
+    skipped_since "$logs/started" | sort -u
+    sed -nE 's/^\t *[0-9]+ - (.*) \(Skipped\)$/\1/p' "$log"
+  )
   passed=$((passed + of - part_failed)) failed=$((failed + part_failed))
   count_processor_seconds
   table+=("$(printf '%-14s %5.1f %13.1f %8d %8d' "$part" "$(((SECONDS - started) * 10 / 60))e-1" \
