@@ -39,7 +39,7 @@ class Bytes {
 };
 
 void must_be_a_status(pelagic_status status) {
-    if (status < PELAGIC_OK || status >= PELAGIC_INTERNAL_ERROR) std::abort();
+    if (status < PELAGIC_OK || status == PELAGIC_INTERNAL_ERROR || status > PELAGIC_HOST_ERROR) std::abort();
     if (status != PELAGIC_OK && *pelagic_last_error() == 0) std::abort();
 }
 
@@ -47,6 +47,8 @@ template <class T>
 T sized(Bytes& bytes) {
     T value{};
     value.struct_size = bytes.take<std::uint8_t>() == 255 ? bytes.take<std::uint32_t>() : std::uint32_t{sizeof(T)};
+    // A newer host's size would be a promise of memory that is not there.
+    if (value.struct_size > sizeof(T) && value.struct_size <= 4096) value.struct_size = sizeof(T);
     return value;
 }
 
