@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstring>
 #include <iostream>
+#include <new>
 #include <string>
 #include <vector>
 
@@ -179,6 +180,9 @@ int run_command_line(int argc, const char* const* argv) {
                      "pelagic: stopped after %d of %d frames; the same command with --resume makes the rest\n",
                      stop.done, stop.total);
         return 128 + stop.signal;
+    } catch (const std::bad_alloc&) {
+        std::fprintf(stderr, "pelagic: out of memory, a smaller --resolution or fewer --threads want less\n");
+        return 1;
     } catch (const std::exception& error) {
         std::fprintf(stderr, "pelagic: %s\n", one_line(error.what()).c_str());
         return 1;

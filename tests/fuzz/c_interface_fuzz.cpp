@@ -39,7 +39,7 @@ class Bytes {
 };
 
 void must_be_a_status(pelagic_status status) {
-    if (status < PELAGIC_OK || status >= PELAGIC_INTERNAL_ERROR) std::abort();
+    if (status < PELAGIC_OK || status == PELAGIC_INTERNAL_ERROR || status > PELAGIC_HOST_ERROR) std::abort();
     if (status != PELAGIC_OK && *pelagic_last_error() == 0) std::abort();
 }
 

@@ -1,0 +1,79 @@
+// Too little stack, memory or threads: the program works, or says in one line what is missing and exits 1. It is never ended
+// by a signal, or by the C++ library.
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "pelagic/tests/run_pelagic.hpp"
+#include "pelagic/tests/sanitized.hpp"
+
+namespace pelagic {
+namespace {
+
+std::function<void()> with_at_most(int resource, std::size_t bytes) {
+    return [=] {
+        rlimit limit{};
+        getrlimit(static_cast<__rlimit_resource>(resource), &limit);
+        limit.rlim_cur = std::min<rlim_t>(bytes, limit.rlim_max);
+        setrlimit(static_cast<__rlimit_resource>(resource), &limit);
+    };
+}
+
+constexpr std::size_t kib = 1024, mib = 1024 * kib;
+
+class ScarceResources : public testing::Test {
+   protected:
+    void SetUp() override {
+        if (is_sanitized) GTEST_SKIP() << "a sanitizer's own needs are larger";
+    }
+};
+
+// A job of N = 2048 takes 0.4 to 0.8 MiB.
+TEST_F(ScarceResources, ASmallStackIsEnoughForAnyFrame) {
+    for (const char* resolution : {"256", "2048"}) {
+        for (const char* threads : {"1", "2"}) {
+            std::vector<std::string> hashes;
+            for (const std::size_t stack : {64 * kib, 8 * mib}) {
+                const TemporaryFolder folder;
+                const Outcome outcome =
+                    run_pelagic({"export", "--out", folder.path(), "--frames", "1", "--maps", "displacement",
+                                 "--half", "--resolution", resolution, "--threads", threads},
+                                with_at_most(RLIMIT_STACK, stack));
+                ASSERT_EQ(outcome.exit_code, 0) << stack << ": " << outcome.err;
+                hashes.push_back(read_file(folder / "displacement_0000.exr"));
+            }
+            EXPECT_EQ(hashes[0], hashes[1]);
+        }
+    }
+}
+
+// From too little to load the program's libraries to enough.
+TEST_F(ScarceResources, TooLittleMemoryIsALine) {
+    const TemporaryFolder folder;
+    write_file(folder / "points.csv", "x,z\n1,2\n");
+    std::size_t refused = 0, worked = 0;
+    for (std::size_t room = 64 * mib; room <= 1024 * mib; room += 32 * mib) {
+        const Outcome outcome =
+            run_pelagic({"query", "--resolution", "1024", "--threads", "8", "--points", folder / "points.csv"},
+                        with_at_most(RLIMIT_AS, room));
+        // 127: the loader could not map a library.
+        ASSERT_TRUE(outcome.exit_code <= 2 || outcome.exit_code == 127)
+            << room / mib << " MiB: " << outcome.exit_code << " " << outcome.err;
+        if (outcome.exit_code == 1) {
+            ++refused;
+            EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+            EXPECT_EQ(outcome.err.find("pelagic: "), 0u) << outcome.err;
+        } else if (outcome.exit_code != 127) {
+            ++worked;
+        }
+    }
+    EXPECT_GT(refused, 0u);
+    EXPECT_GT(worked, 0u);
+}
+
+}  // namespace
+}  // namespace pelagic
