@@ -183,8 +183,8 @@ std::vector<std::string> warnings_about(const SeaState& sea) {
                            " %: waves of a loop run a whole number of periods");
     if (const LoopFrequencies found = loop_frequencies(sea);
         found.largest_share > 0 && found.for_90_percent < fewest_loop_frequencies)
-        warnings.push_back("a loop of " + number_text(sea.loop_period_s) + " s is short for this sea: " +
-                           number_text(found.for_90_percent) +
+        warnings.push_back("a loop of " + number_text(sea.loop_period_s) +
+                           " s is short for this sea: " + number_text(found.for_90_percent) +
                            " of its frequencies hold 90 % of the energy, so waves rise and fall in step; ten peak "
                            "periods, " +
                            number_text(std::round(10 * two_pi / peak.omega)) + " s, leave about ten");
