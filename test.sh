@@ -1,20 +1,65 @@
 #!/usr/bin/env bash
-# Every test: under ThreadSanitizer (the thread executor), under AddressSanitizer and UndefinedBehaviorSanitizer, and
-# as released; a minute of each fuzzer; then the bits of the sea again from other compilers, optimisations and
-# processors. ./test.sh release runs one of them alone. Installs what is missing, as demo.sh does.
-set -euo pipefail
-cd "$(dirname "$0")"
+# The tests, in tiers:
+#
+#   ./test.sh quick     as released, without soak, sweeps and slow pictures: two minutes after the build
+#   ./test.sh           all that guards a landing
+#   ./test.sh night     what takes hours: a long soak, full sweeps, ten minutes of each fuzzer
+#   ./test.sh PART...   some parts, for instance asan; CMakePresets.json lists them ("workflowPresets"), each with its tier
+#
+# A part that fails does not keep the others from running. Installs what is missing, as demo.sh does. docs/testing.md has
+# what each part costs and how to run one test.
+set -uo pipefail
+cd "$(dirname "$0")" || exit 1
 . cmake/dependencies.sh
-pelagic_install_dependencies "${pelagic_test_packages[@]}"
 
-presets=("$@")
-if [ ${#presets[@]} -eq 0 ]; then
-  presets=(tsan asan release fuzz gcc-o1 clang-o1 clang-o3)
-  [ "$(uname -m)" = aarch64 ] || presets+=(arm64)  # there, release is that already
+tier=gate
+case "${1:-}" in quick | night) tier=$1 && shift ;; esac
+packages=("${pelagic_test_packages[@]}")
+[ "$tier" = quick ] || packages+=("${pelagic_gate_packages[@]}")
+pelagic_install_dependencies "${packages[@]}" || exit 1
+
+parts=("$@")
+if [ ${#parts[@]} -eq 0 ]; then
+  mapfile -t parts < <(cmake --workflow --list-presets | sed -n "s/^ *\"\(.*\)\" *- $tier: .*/\1/p")
 fi
-for preset in "${presets[@]}"; do
-  echo "== $preset"
-  cmake --preset "$preset" -DPELAGIC_TESTS="$([ "$preset" = fuzz ] && echo OFF || echo ON)" -DPELAGIC_BENCH="$([ "$preset" = release ] && echo ON || echo OFF)"
-  cmake --build --preset "$preset" -j "$(nproc)"
-  ctest --preset "$preset" -j "$(nproc)"
+[ "$(uname -m)" != aarch64 ] || parts=("${parts[@]/arm64/}")  # there, release is that already
+
+jobs=$(nproc)
+export CMAKE_BUILD_PARALLEL_LEVEL=$jobs CTEST_PARALLEL_LEVEL=$jobs
+logs=build/logs
+mkdir -p "$logs"
+# What root builds in somebody else's clone would be in the way of its owner's next run.
+[ "$(id -u)" -ne 0 ] || trap 'chown -Rh --reference=. build' EXIT
+
+# Seconds of processor time that finished children have taken, user and system.
+processor_seconds() {
+  times | awk 'NR == 2 { gsub(/[ms]/, " "); print int($1 * 60 + $2 + $3 * 60 + $4) }'
+}
+
+table=() failed_parts=() passed=0 failed=0
+for part in ${parts[@]+"${parts[@]}"}; do
+  [ -n "$part" ] || continue
+  echo "== $part"
+  log=$logs/$part.log started=$SECONDS before=$(processor_seconds)
+  cmake --workflow --preset "$part" 2>&1 | tee "$log"
+  status=${PIPESTATUS[0]}
+  # "98% tests passed, 1 tests failed out of 42"
+  read -r part_failed of < <(sed -nE 's/^[0-9]+% tests passed, ([0-9]+) tests failed out of ([0-9]+)$/\1 \2/p' "$log" | tail -n 1) ||
+    part_failed=0 of=0
+  if [ "$status" -ne 0 ]; then
+    failed_parts+=("$part")
+    [ "$part_failed" -gt 0 ] || { part_failed=1 && of=$((of + 1)); }  # it didn't get as far as its tests
+  fi
+  passed=$((passed + of - part_failed)) failed=$((failed + part_failed))
+  table+=("$(printf '%-14s %5.1f %13.1f %8d %8d' "$part" "$(((SECONDS - started) * 10 / 60))e-1" \
+    "$((($(processor_seconds) - before) * 10 / 60))e-1" $((of - part_failed)) "$part_failed")")
 done
+
+printf '\n%-14s %s\n' part 'minutes  CPU minutes   passed   failed'
+printf '%s\n' ${table[@]+"${table[@]}"}
+for part in ${failed_parts[@]+"${failed_parts[@]}"}; do
+  echo "failed in $part:"
+  sed -n '/^The following tests FAILED:/,/^$/{/^\t/p}' "$logs/$part.log" | grep . || echo "	the build, see $logs/$part.log"
+done
+echo "$passed passed, $failed failed"
+[ "$failed" -eq 0 ] && [ "$passed" -gt 0 ]

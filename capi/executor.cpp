@@ -1,6 +1,8 @@
 #include "pelagic/capi/executor.hpp"
 
+#include "pelagic/capi/sized_struct.hpp"
 #include "pelagic/capi/status.hpp"
+#include "pelagic/message/refusal.hpp"
 
 namespace pelagic::capi {
 namespace {
@@ -23,7 +25,7 @@ std::shared_ptr<Executor> make_executor(const pelagic_executor_options& options)
                                        .parallel_for = options.parallel_for,
                                        .submit = options.submit,
                                        .threads = options.threads == 0 ? 1 : options.threads});
-        default: refuse("kind is " + std::to_string(options.kind) + ", needs 0 to 4");
+        default: refuse(refusal("kind", options.kind, "0 to 4"));
     }
 }
 
@@ -36,7 +38,7 @@ pelagic_status pelagic_executor_create(const pelagic_executor_options* options, 
     return guarded([&] {
         pelagic_executor*& out = needed(executor, "executor");
         out = nullptr;
-        out = new pelagic_executor{make_executor(needed_struct(options, "options"))};
+        out = new pelagic_executor{make_executor(read_struct(options, "options"))};
     });
 }
 

@@ -4,7 +4,9 @@
 
 #include "pelagic/capi/executor.hpp"
 #include "pelagic/capi/sea.hpp"
+#include "pelagic/capi/sized_struct.hpp"
 #include "pelagic/capi/status.hpp"
+#include "pelagic/message/refusal.hpp"
 
 namespace pelagic::capi {
 
@@ -41,7 +43,7 @@ double query_tolerance_m(const pelagic_ocean_options& options) {
     const double wanted = options.query_tolerance_m;
     if (wanted == 0) return SurfaceQuery::default_tolerance_m;
     if (!(wanted >= least_tolerance_m && wanted <= most_tolerance_m))
-        refuse("query_tolerance_m is " + std::to_string(wanted) + ", needs 0 or [1e-6, 1000]");
+        refuse(refusal("query_tolerance_m", wanted, "0 or [1e-6, 1000]"));
     return wanted;
 }
 
@@ -50,19 +52,23 @@ OceanOptions options_of(const pelagic_ocean_options& options) {
     if (options.executor) result.executor = options.executor->executor;
     if (options.isa) {
         result.isa = isa_named(options.isa);
-        if (!result.isa)
-            refuse("isa is " + std::string(std::string_view(options.isa).substr(0, 64)) +
-                   ", needs sse4.2, avx2, avx512 or neon");
+        if (!result.isa) refuse(refusal("isa", options.isa, "sse4.2, avx2, avx512 or neon"));
     }
+    if (!options.allocate != !options.release) refuse("allocate or release is NULL, needs both or neither");
+    result.memory = {options.memory_user, options.allocate, options.release};
     return result;
 }
 
 void need_finite(double time_s) {
-    if (!std::isfinite(time_s)) refuse("time_s is " + std::to_string(time_s) + ", needs a finite number");
+    if (!std::isfinite(time_s)) refuse(refusal("time_s", time_s, "a finite number"));
 }
 
 void need_no_frame_in_flight(const pelagic_ocean& ocean) {
     if (ocean.frame_in_flight) throw WrongOrder("a frame is in flight, needs pelagic_ocean_complete first");
+}
+
+void need_frame(const pelagic_ocean& ocean) {
+    if (!ocean.shown) throw WrongOrder("there is no frame yet, needs pelagic_ocean_complete first");
 }
 
 void need_frame_in_flight(const pelagic_ocean& ocean) {
@@ -81,7 +87,8 @@ pelagic_bounds bounds_of(const FrameBounds& bounds) {
     return {bounds.height_min_m, bounds.height_max_m, bounds.sideways_x_max_m, bounds.sideways_z_max_m};
 }
 
-void write(const Frame& frame, pelagic_frame& out) {
+pelagic_frame c_frame_of(const Frame& frame) {
+    pelagic_frame out{};
     constexpr int most_levels = sizeof out.gradient_offset / sizeof out.gradient_offset[0];
     static_assert(most_levels >= mip_levels(2048));
     const int levels = mip_levels(frame.resolution());
@@ -97,10 +104,16 @@ void write(const Frame& frame, pelagic_frame& out) {
     out.displacement_rgba16f = frame.displacement_rgba16f.data();
     out.gradient_rgba8 = frame.gradient_rgba8.data();
     out.gradient_levels = levels;
-    for (int level = 0; level < most_levels; ++level)
-        out.gradient_offset[level] =
-            level < levels ? static_cast<std::uint32_t>(mip_offset(frame.resolution(), level)) : 0;
+    for (int level = 0; level < levels; ++level)
+        out.gradient_offset[level] = static_cast<std::uint32_t>(mip_offset(frame.resolution(), level));
     out.bounds = bounds_of(frame.bounds);
+    return out;
+}
+
+/// Makes it the frame that queries, copy and hash tell of.
+void show(pelagic_ocean& ocean, const Frame& frame) {
+    ocean.shown = &frame;
+    if (ocean.has_queries) ocean.asked.show(SurfaceQuery(frame, ocean.query_tolerance_m));
 }
 
 FrameBuffers buffers_of(const pelagic_frame_buffers& buffers) {
@@ -130,8 +143,7 @@ pelagic_status pelagic_ocean_create(const pelagic_sea* sea, const pelagic_ocean_
         pelagic_ocean*& out = needed(ocean, "ocean");
         out = nullptr;
         const SeaState state = sea_of(sea);
-        const pelagic_ocean_options none{};
-        const pelagic_ocean_options& wanted = options ? needed_struct(options, "options") : none;
+        const pelagic_ocean_options wanted = options ? read_struct(options, "options") : pelagic_ocean_options{};
         out = new pelagic_ocean(state, options_of(wanted), query_tolerance_m(wanted));
     });
 }
@@ -141,13 +153,14 @@ void pelagic_ocean_destroy(pelagic_ocean* ocean) { delete ocean; }
 pelagic_status pelagic_ocean_describe(const pelagic_ocean* ocean, pelagic_ocean_info* info) {
     return guarded([&] {
         const Ocean& sea = needed(ocean, "ocean").ocean;
-        pelagic_ocean_info& out = needed_struct(info, "info");
+        struct_bytes(info, "info");
+        pelagic_ocean_info out{};
         out.resolution = sea.sea().resolution;
         out.threads = sea.executor().thread_limit();
-        out.reserved = 0;
         out.memory_bytes = sea.memory_bytes();
         out.isa = name_of(sea.isa()).data();          // names are literals, so they end in 0
         out.executor = sea.executor().name().data();  // ours alone: a host's is named "host" here
+        write_struct(out, info);
     });
 }
 
@@ -163,19 +176,27 @@ pelagic_status pelagic_ocean_schedule(pelagic_ocean* ocean, double time_s) {
 
 pelagic_status pelagic_ocean_poll(const pelagic_ocean* ocean, int32_t* is_ready) {
     return guarded([&] {
-        need_frame_in_flight(needed(ocean, "ocean"));
-        needed(is_ready, "is_ready") = ocean->ocean.is_ready();
+        const Ocean& sea = needed(ocean, "ocean").ocean;
+        needed(is_ready, "is_ready") = sea.is_ready();
     });
 }
 
 pelagic_status pelagic_ocean_complete(pelagic_ocean* ocean, pelagic_frame* frame) {
     return guarded([&] {
         need_frame_in_flight(needed(ocean, "ocean"));
-        pelagic_frame& out = needed_struct(frame, "frame");
-        ocean->completed = &ocean->ocean.complete();
-        ocean->frame_in_flight = false;
-        if (ocean->has_queries) ocean->asked.show(SurfaceQuery(*ocean->completed, ocean->query_tolerance_m));
-        write(*ocean->completed, out);
+        struct_bytes(frame, "frame");
+        ocean->frame_in_flight = false;  // whatever comes
+        const Frame& completed = ocean->ocean.complete();
+        ocean->has_completed = true;
+        show(*ocean, completed);
+        write_struct(c_frame_of(completed), frame);
+    });
+}
+
+pelagic_status pelagic_ocean_copy(const pelagic_ocean* ocean, const pelagic_frame_buffers* buffers) {
+    return guarded([&] {
+        need_frame(needed(ocean, "ocean"));
+        copy_frame(*ocean->shown, buffers_of(read_struct(buffers, "buffers")));
     });
 }
 
@@ -184,18 +205,28 @@ pelagic_status pelagic_ocean_frame_at(pelagic_ocean* ocean, double time_s, const
     return guarded([&] {
         need_no_frame_in_flight(needed(ocean, "ocean"));
         need_finite(time_s);
-        const FrameBuffers to = buffers_of(needed_struct(buffers, "buffers"));
+        const FrameBuffers to = buffers_of(read_struct(buffers, "buffers"));
+        Ocean& sea = ocean->ocean;
+        if (const std::string reason = check(to, sea.sea().resolution, ocean->has_velocities); !reason.empty())
+            refuse(reason);
         ocean->asked.wait_for_old_readers();
-        const FrameBounds all = ocean->ocean.frame_at(time_s, to);
+        FrameBounds all;
+        if (ocean->has_completed) {
+            all = sea.frame_at(time_s, to);
+        } else {
+            const Frame& frame = sea.frame_at(time_s);
+            show(*ocean, frame);
+            copy_frame(frame, to);
+            all = frame.bounds;
+        }
         if (bounds) *bounds = bounds_of(all);
     });
 }
 
 pelagic_status pelagic_ocean_hash(const pelagic_ocean* ocean, uint64_t* hash) {
     return guarded([&] {
-        if (!needed(ocean, "ocean").completed)
-            throw WrongOrder("there is no frame yet, needs pelagic_ocean_complete first");
-        needed(hash, "hash") = hash_of(*ocean->completed);
+        need_frame(needed(ocean, "ocean"));
+        needed(hash, "hash") = hash_of(*ocean->shown);
     });
 }
 
@@ -210,8 +241,8 @@ pelagic_status pelagic_ocean_schedule_sea(pelagic_ocean* ocean, const pelagic_se
 
 pelagic_status pelagic_ocean_poll_sea(const pelagic_ocean* ocean, int32_t* is_ready) {
     return guarded([&] {
-        need_sea_in_flight(needed(ocean, "ocean"));
-        needed(is_ready, "is_ready") = ocean->ocean.sea_is_ready();
+        const Ocean& sea = needed(ocean, "ocean").ocean;
+        needed(is_ready, "is_ready") = sea.sea_is_ready();
     });
 }
 
@@ -219,7 +250,7 @@ pelagic_status pelagic_ocean_complete_sea(pelagic_ocean* ocean) {
     return guarded([&] {
         need_no_frame_in_flight(needed(ocean, "ocean"));
         need_sea_in_flight(*ocean);
+        ocean->sea_in_flight = false;  // whatever comes
         ocean->ocean.complete_sea();
-        ocean->sea_in_flight = false;
     });
 }

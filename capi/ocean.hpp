@@ -53,13 +53,18 @@ class AskedFrames {
 
 struct pelagic_ocean {
     pelagic_ocean(const pelagic::SeaState& sea, pelagic::OceanOptions options, double tolerance_m)
-        : ocean(sea, options), has_queries(options.queries), query_tolerance_m(tolerance_m) {}
+        : ocean(sea, options),
+          has_queries(options.queries),
+          has_velocities(options.velocities),
+          query_tolerance_m(tolerance_m) {}
 
     pelagic::Ocean ocean;
     bool has_queries;
+    bool has_velocities;
     double query_tolerance_m;
     bool frame_in_flight = false;
     bool sea_in_flight = false;
-    const pelagic::Frame* completed = nullptr;
+    bool has_completed = false;             ///< by complete(), not by frame_at() alone
+    const pelagic::Frame* shown = nullptr;  ///< what queries, copy and hash tell of
     mutable pelagic::capi::AskedFrames asked;
 };

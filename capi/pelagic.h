@@ -25,8 +25,10 @@
  * undefined.
  *
  * Structs. Each begins with struct_size, which the caller sets to sizeof before any call. Later versions add fields at
- * the end only and go on taking the sizes of earlier ones; an unknown size is PELAGIC_INVALID_ARGUMENT, and so is anything
- * but 0 in a reserved field that the library reads.
+ * the end only, never into padding, and any size from that of a struct's first version to 4096 bytes is taken. Of an older, smaller
+ * struct what is missing counts as 0 and is not written; of a newer, larger one what this library doesn't know has to be 0
+ * where it is read, which tells that the host can do without it, and is set to 0 where it is written. Any other size is
+ * PELAGIC_INVALID_ARGUMENT, and so is anything but 0 in a reserved field that the library reads.
  *
  * Threads. One thread at a time uses an ocean, and different oceans may be used side by side. Exceptions are the queries
  * (pelagic_ocean_query, _first_hit): any number of threads at once, also while that one thread schedules and completes
@@ -36,17 +38,27 @@
  * pelagic_frame points to belongs to the ocean. Strings that are returned live as long as the library, but for the one of
  * pelagic_last_error().
  *
- * No allocation is made by schedule, poll, complete and queries after an ocean's first frame. */
+ * No allocation is made by schedule, poll, complete and queries after an ocean's first frame. What is as large as a frame
+ * or a spectrum comes from pelagic_ocean_options.allocate, if that is there. */
 #ifndef PELAGIC_PELAGIC_H
 #define PELAGIC_PELAGIC_H
 
 #include <stddef.h>
 #include <stdint.h>
 
-#if defined(_WIN32)
+/* What the shared library exports. PELAGIC_STATIC is for hosts that link libpelagic.a; PELAGIC_BUILDING is Pelagic's own. */
+#if defined(PELAGIC_STATIC)
 #define PELAGIC_API
+#elif defined(_WIN32) || defined(__CYGWIN__)
+#if defined(PELAGIC_BUILDING)
+#define PELAGIC_API __declspec(dllexport)
 #else
+#define PELAGIC_API __declspec(dllimport)
+#endif
+#elif defined(__GNUC__)
 #define PELAGIC_API __attribute__((visibility("default")))
+#else
+#define PELAGIC_API
 #endif
 
 #ifdef __cplusplus
@@ -66,13 +78,23 @@ enum {
     PELAGIC_INVALID_ARGUMENT = 1, /* a value, handle, size or pointer that can't be used; the message names it */
     PELAGIC_WRONG_ORDER = 2,      /* not now: for instance a second schedule without complete. Nothing has changed */
     PELAGIC_OUT_OF_MEMORY = 3,
-    PELAGIC_SYSTEM_ERROR = 4,  /* the system has no more threads to give */
-    PELAGIC_INTERNAL_ERROR = 5 /* a mistake of Pelagic's: please report the message */
+    PELAGIC_SYSTEM_ERROR = 4,   /* the system has no more threads to give */
+    PELAGIC_INTERNAL_ERROR = 5, /* a mistake of Pelagic's: please report the message */
+    PELAGIC_HOST_ERROR = 6      /* a callback of the host threw, or returned too early; the message says which */
 };
 
-/* Why the last call on this thread that failed did so: one line, "wind_speed_mps is -3, needs (0, 60]". Empty before the
- * first failure; success leaves it as it is. Valid until the next failure on this thread. */
+/* Why the last call on this thread that failed did so: one line, "wind_speed_mps is -3, needs (0, 60]", less than 300 bytes
+ * of UTF-8 without control characters. Empty before the first failure; success leaves it as it is. Valid until the next
+ * failure on this thread. */
 PELAGIC_API const char* pelagic_last_error(void);
+
+/* Told of each failure, on the thread of the call that is about to return it; `message` is pelagic_last_error(). May call
+ * Pelagic, but for what it is told of; what it throws is dropped. */
+typedef void (*pelagic_error_callback)(void* user, pelagic_status status, const char* message);
+
+/* One for the process, whatever thread fails; NULL for none, as at first. Calls that are under way may still use the one
+ * before. */
+PELAGIC_API void pelagic_set_error_callback(pelagic_error_callback callback, void* user);
 
 /* ---- The sea ---------------------------------------------------------------------------------------------------- */
 
@@ -93,7 +115,7 @@ typedef struct pelagic_sea {
     double wind_speed_mps;     /* mean wind 10 m above the sea; (0, 60] */
     double wind_direction_rad; /* where the wind blows towards, from +x towards +z; [-2 pi, 2 pi] */
     double fetch_m;            /* how far the wind has blown over water (jonswap); (0, 2e6] */
-    double depth_m;            /* (0, 11000] */
+    double depth_m;            /* [0.01, 11000] */
     double choppiness;         /* 0 gives a height field; [0, 1] */
     double roughness;          /* of the water between texels, for the smoothness channel; [0, 1] */
     double small_waves;        /* 0 keeps small waves, 1 removes those below L/4; [0, 1] */
@@ -122,11 +144,14 @@ enum {
 
 /* Calls job(work, i) once for each i in [0, count), on any threads, side by side or not, and returns when all are done.
  * Called several times a frame, from complete() or from a submitted task. Jobs need 512 KiB of stack, and
- * 1 MiB for N = 2048 (exact figures: docs/architecture.md, Memory). */
+ * 1 MiB for N = 2048 (exact figures: docs/architecture.md, Memory); one that finds less takes a thread of its own, which is
+ * slow. If it throws, or returns while jobs are left, those are done by Pelagic, and complete() returns
+ * PELAGIC_HOST_ERROR; that frame or sea is lost, the ocean is not. A job that is called twice, or after its loop has
+ * returned, does nothing, as long as the ocean is there. */
 typedef void (*pelagic_parallel_for)(void* user, size_t count, void (*job)(void* work, size_t index), void* work);
 
 /* Calls task(work) once, on some other thread, soon; returns at once. A task may be called late, even after the ocean is
- * gone, but has to be called. */
+ * gone; called twice or never it does no harm. If this throws, complete() returns PELAGIC_HOST_ERROR as above. */
 typedef void (*pelagic_submit)(void* user, void (*task)(void* work), void* work);
 
 typedef struct pelagic_executor_options {
@@ -153,6 +178,14 @@ PELAGIC_API void pelagic_executor_destroy(pelagic_executor* executor);
 
 /* ---- The ocean -------------------------------------------------------------------------------------------------- */
 
+/* `bytes`, more than 0, at a multiple of `alignment`, a power of two; NULL if there are none, which the call that needed them
+ * returns as PELAGIC_OUT_OF_MEMORY. Called on the thread that creates an ocean or schedules another sea of it. */
+typedef void* (*pelagic_allocate)(void* user, size_t bytes, size_t alignment);
+
+/* Takes back what pelagic_allocate gave, with the same figures; on the thread that destroys an ocean, or schedules or
+ * completes another sea. Must not throw. */
+typedef void (*pelagic_release)(void* user, void* memory, size_t bytes, size_t alignment);
+
 typedef struct pelagic_ocean_options {
     uint32_t struct_size;
     int32_t queries;    /* not 0: frames can be asked about any point; N^2 / 8 bytes a frame */
@@ -161,6 +194,11 @@ typedef struct pelagic_ocean_options {
     const pelagic_executor* executor; /* NULL: PELAGIC_EXECUTOR_DEFAULT */
     const char* isa;          /* "sse4.2", "avx2", "avx512" or "neon"; NULL: PELAGIC_ISA, else the strongest */
     double query_tolerance_m; /* largest error of a converged point; 0: 0.001, else [1e-6, 1000] */
+    /* Newer than the fields above. Both or neither; NULL: operator new. For spectra, planes, textures and maps, which is all that grows with
+     * N^2. Tables, handles and graphs, some 100 KB, and what executors need, threads and oneTBB, come from operator new. */
+    pelagic_allocate allocate;
+    pelagic_release release;
+    void* memory_user; /* handed to both; outlives the ocean */
 } pelagic_ocean_options;
 
 typedef struct pelagic_ocean pelagic_ocean;
@@ -230,15 +268,17 @@ typedef struct pelagic_frame {
  * frame that they read. PELAGIC_WRONG_ORDER if a frame is in flight. */
 PELAGIC_API pelagic_status pelagic_ocean_schedule(pelagic_ocean* ocean, double time_s);
 
-/* *is_ready becomes 1 if complete() would not wait for other threads, else 0. Never blocks. Do not spin on it: threads
- * that others keep busy may leave the work to complete(). PELAGIC_WRONG_ORDER if no frame is in flight. */
+/* *is_ready becomes 1 if complete() would not wait for other threads, else 0: also 1 if no frame is in flight. Never blocks.
+ * Do not spin on it: threads that others keep busy may leave the work to complete(). */
 PELAGIC_API pelagic_status pelagic_ocean_poll(const pelagic_ocean* ocean, int32_t* is_ready);
 
 /* Waits for the frame in flight, helping, and hands it out. What `frame` points to stays valid while the next frame is
- * computed: until the second schedule from now, or destroy. PELAGIC_WRONG_ORDER if no frame is in flight. */
+ * computed: until the second schedule from now, or destroy. PELAGIC_WRONG_ORDER if no frame is in flight. A frame is lost,
+ * and another one may be scheduled, after PELAGIC_HOST_ERROR, and after PELAGIC_SYSTEM_ERROR if a job needed a thread with
+ * more stack and there was none. */
 PELAGIC_API pelagic_status pelagic_ocean_complete(pelagic_ocean* ocean, pelagic_frame* frame);
 
-/* Where pelagic_ocean_frame_at writes. Pointers may be NULL: not wanted. Counts are exact, of elements. Rows are tight,
+/* Where pelagic_ocean_copy and pelagic_ocean_frame_at write. Pointers may be NULL: not wanted. Counts are exact, of elements. Rows are tight,
  * texel (i, j) at j N + i. */
 typedef struct pelagic_frame_buffers {
     uint32_t struct_size;
@@ -252,13 +292,18 @@ typedef struct pelagic_frame_buffers {
     uint32_t* gradient_rgba8;
 } pelagic_frame_buffers;
 
+/* Copies the frame completed last: planes in tight rows, whatever blocks they are computed in, and all levels. Also while the
+ * next frame is computed. PELAGIC_WRONG_ORDER before the first frame. */
+PELAGIC_API pelagic_status pelagic_ocean_copy(const pelagic_ocean* ocean, const pelagic_frame_buffers* buffers);
+
 /* Computes the frame of time_s into the caller's memory, synchronously; for servers and replays. Views and queries of the
- * frame completed last are not touched. `bounds` may be NULL. PELAGIC_WRONG_ORDER as for schedule. */
+ * frame completed last are not touched; before there is one, it is this frame that queries, copy and hash tell of.
+ * `bounds` may be NULL. PELAGIC_WRONG_ORDER as for schedule. */
 PELAGIC_API pelagic_status pelagic_ocean_frame_at(pelagic_ocean* ocean, double time_s,
                                                   const pelagic_frame_buffers* buffers, pelagic_bounds* bounds);
 
 /* The 64-bit hash of all outputs of the frame completed last: two machines that agree on it have the same sea.
- * PELAGIC_WRONG_ORDER before the first. */
+ * PELAGIC_WRONG_ORDER before the first frame. */
 PELAGIC_API pelagic_status pelagic_ocean_hash(const pelagic_ocean* ocean, uint64_t* hash);
 
 /* ---- Another sea ------------------------------------------------------------------------------------------------ */
@@ -267,11 +312,11 @@ PELAGIC_API pelagic_status pelagic_ocean_hash(const pelagic_ocean* ocean, uint64
  * PELAGIC_WRONG_ORDER if one is being baked. */
 PELAGIC_API pelagic_status pelagic_ocean_schedule_sea(pelagic_ocean* ocean, const pelagic_sea* sea);
 
-/* As pelagic_ocean_poll. PELAGIC_WRONG_ORDER if no sea is being baked. */
+/* As pelagic_ocean_poll: 1 also if no sea is being baked. */
 PELAGIC_API pelagic_status pelagic_ocean_poll_sea(const pelagic_ocean* ocean, int32_t* is_ready);
 
 /* Frames scheduled from now on show it; waits for its spectrum. PELAGIC_WRONG_ORDER if none is being baked or a frame is
- * in flight. */
+ * in flight. After PELAGIC_HOST_ERROR the old sea stays. */
 PELAGIC_API pelagic_status pelagic_ocean_complete_sea(pelagic_ocean* ocean);
 
 /* ---- Queries ---------------------------------------------------------------------------------------------------- */
@@ -297,7 +342,7 @@ typedef struct pelagic_samples {
     uint8_t* converged;                                      /* 1 if that is within the tolerance */
 } pelagic_samples;
 
-/* Asks the frame that complete() handed out last; of sheets over one another the highest counts. Any thread, any number
+/* Asks the frame completed last; of sheets over one another the highest counts. Any thread, any number
  * at once; allocates nothing, never waits. The bits depend on the frame, the point and the tolerance alone.
  * PELAGIC_INVALID_ARGUMENT if the ocean has no queries, or no velocities and one is wanted; PELAGIC_WRONG_ORDER before the
  * first frame. */

@@ -2,7 +2,9 @@
 #include <limits>
 
 #include "pelagic/capi/ocean.hpp"
+#include "pelagic/capi/sized_struct.hpp"
 #include "pelagic/capi/status.hpp"
+#include "pelagic/message/refusal.hpp"
 #include "pelagic/sim/surface_ray.hpp"
 
 namespace pelagic::capi {
@@ -17,8 +19,7 @@ const SurfaceQuery& needed_query(const pelagic_ocean& ocean, const AskedFrames::
 SurfacePoints points_of(const pelagic_points& points) {
     // More can't be in memory, and a length in bytes still fits.
     constexpr std::size_t most = std::numeric_limits<std::ptrdiff_t>::max() / sizeof(double);
-    if (points.count > most)
-        refuse("points.count is " + std::to_string(points.count) + ", needs at most " + std::to_string(most));
+    if (points.count > most) refuse(refusal("points.count", points.count, "at most " + number_text(most)));
     if (points.count == 0) return {};
     return {.x = {&needed(points.x, "points.x"), points.count}, .z = {&needed(points.z, "points.z"), points.count}};
 }
@@ -38,8 +39,7 @@ SurfaceSamples samples_of(const pelagic_samples& samples, std::size_t count) {
 }
 
 void need_within(const char* name, double value, double least, double most, const char* accepted) {
-    if (!(value >= least && value <= most))
-        refuse(std::string(name) + " is " + std::to_string(value) + ", needs " + accepted);
+    if (!(value >= least && value <= most)) refuse(refusal(name, value, accepted));
 }
 
 // Limits of what first_hit() may be asked, which also bound the time that it takes.
@@ -55,6 +55,18 @@ SurfaceRay ray_of(const pelagic_ray& ray, double texel_m) {
             .reach_m = ray.reach_m};
 }
 
+pelagic_hit c_hit_of(const SurfaceHit& found) {
+    pelagic_hit hit{};
+    hit.is_hit = 1;
+    hit.from_below = found.from_below;
+    hit.distance_m = found.distance_m;
+    for (std::size_t i = 0; i < 3; ++i) {
+        hit.normal[i] = found.normal[i];
+        hit.position_m[i] = found.position_m[i];
+    }
+    return hit;
+}
+
 }  // namespace
 }  // namespace pelagic::capi
 
@@ -66,8 +78,8 @@ pelagic_status pelagic_ocean_query(const pelagic_ocean* ocean, const pelagic_poi
     return guarded([&] {
         const AskedFrames::Reader reader(needed(ocean, "ocean").asked);
         const SurfaceQuery& query = needed_query(*ocean, reader);
-        const SurfacePoints where = points_of(needed_struct(points, "points"));
-        query.sample(where, samples_of(needed_struct(samples, "samples"), where.x.size()));
+        const SurfacePoints where = points_of(read_struct(points, "points"));
+        query.sample(where, samples_of(read_struct(samples, "samples"), where.x.size()));
     });
 }
 
@@ -75,18 +87,9 @@ pelagic_status pelagic_ocean_first_hit(const pelagic_ocean* ocean, const pelagic
     return guarded([&] {
         const AskedFrames::Reader reader(needed(ocean, "ocean").asked);
         const SurfaceQuery& query = needed_query(*ocean, reader);
-        const SurfaceRay asked = ray_of(needed_struct(ray, "ray"), query.texel_m());
-        pelagic_hit& out = needed_struct(hit, "hit");
+        const SurfaceRay asked = ray_of(read_struct(ray, "ray"), query.texel_m());
+        struct_bytes(hit, "hit");
         const std::optional<SurfaceHit> found = first_hit(query, asked);
-        out = pelagic_hit{};
-        out.struct_size = sizeof out;
-        out.is_hit = found.has_value();
-        if (!found) return;
-        out.from_below = found->from_below;
-        out.distance_m = found->distance_m;
-        for (std::size_t i = 0; i < 3; ++i) {
-            out.normal[i] = found->normal[i];
-            out.position_m[i] = found->position_m[i];
-        }
+        write_struct(found ? c_hit_of(*found) : pelagic_hit{}, hit);
     });
 }

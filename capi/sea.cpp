@@ -1,6 +1,8 @@
 #include "pelagic/capi/sea.hpp"
 
+#include "pelagic/capi/sized_struct.hpp"
 #include "pelagic/capi/status.hpp"
+#include "pelagic/message/refusal.hpp"
 
 namespace pelagic::capi {
 namespace {
@@ -10,7 +12,8 @@ static_assert(PELAGIC_SPECTRUM_PHILLIPS == static_cast<int>(SpectrumModel::phill
 static_assert(PELAGIC_SPECTRUM_PIERSON_MOSKOWITZ == static_cast<int>(SpectrumModel::pierson_moskowitz));
 static_assert(PELAGIC_SPECTRUM_JONSWAP == static_cast<int>(SpectrumModel::jonswap));
 
-void write(const SeaState& from, pelagic_sea& to) {
+pelagic_sea c_sea_of(const SeaState& from) {
+    pelagic_sea to{};
     to.spectrum = static_cast<std::int32_t>(from.spectrum);
     to.resolution = from.resolution;
     to.seed = from.seed;
@@ -24,6 +27,7 @@ void write(const SeaState& from, pelagic_sea& to) {
     to.small_waves = from.small_waves;
     to.alignment = from.alignment;
     to.loop_period_s = from.loop_period_s;
+    return to;
 }
 
 std::string preset_names() {
@@ -35,7 +39,7 @@ std::string preset_names() {
 }  // namespace
 
 SeaState sea_of(const pelagic_sea* pointer) {
-    const pelagic_sea& sea = needed_struct(pointer, "sea");
+    const pelagic_sea sea = read_struct(pointer, "sea");
     return {.spectrum = static_cast<SpectrumModel>(sea.spectrum),
             .resolution = sea.resolution,
             .patch_size_m = sea.patch_size_m,
@@ -57,16 +61,19 @@ using namespace pelagic;
 using namespace pelagic::capi;
 
 pelagic_status pelagic_sea_defaults(pelagic_sea* sea) {
-    return guarded([&] { write(SeaState(), needed_struct(sea, "sea")); });
+    return guarded([&] {
+        struct_bytes(sea, "sea");
+        write_struct(c_sea_of({}), sea);
+    });
 }
 
 pelagic_status pelagic_sea_preset(const char* name, pelagic_sea* sea) {
     return guarded([&] {
         const std::string_view wanted = &needed(name, "name");
-        pelagic_sea& out = needed_struct(sea, "sea");
+        struct_bytes(sea, "sea");
         for (const SeaPreset& preset : sea_presets())
-            if (preset.name == wanted) return write(preset.sea, out);
-        refuse("preset is " + std::string(wanted.substr(0, 64)) + ", needs one of " + preset_names());
+            if (preset.name == wanted) return write_struct(c_sea_of(preset.sea), sea);
+        refuse(refusal("preset", wanted, "one of " + preset_names()));
     });
 }
 

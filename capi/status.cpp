@@ -1,14 +1,34 @@
 #include "pelagic/capi/status.hpp"
 
-#include <cstring>
+#include <mutex>
+
+#include "pelagic/message/one_line.hpp"
 
 namespace pelagic::capi {
 namespace {
-thread_local char last_error[512] = "";
-}
+
+thread_local char last_error[most_line_bytes + 1] = "";
+
+struct ErrorCallback {
+    pelagic_error_callback function = nullptr;
+    void* user = nullptr;
+};
+std::mutex callback_mutex;
+ErrorCallback callback;
+
+}  // namespace
 
 pelagic_status failure(pelagic_status status, const char* reason) noexcept {
-    std::strncpy(last_error, reason, sizeof last_error - 1);
+    last_error[write_one_line(reason, last_error)] = 0;
+    try {
+        // Called outside the lock: it may set another one.
+        const ErrorCallback current = [] {
+            const std::lock_guard lock(callback_mutex);
+            return callback;
+        }();
+        if (current.function) current.function(current.user, status, last_error);
+    } catch (...) {  // nobody to tell: the status says it all
+    }
     return status;
 }
 
@@ -21,3 +41,8 @@ uint32_t pelagic_version() {
 }
 
 const char* pelagic_last_error() { return pelagic::capi::last_error; }
+
+void pelagic_set_error_callback(pelagic_error_callback callback, void* user) {
+    const std::lock_guard lock(pelagic::capi::callback_mutex);
+    pelagic::capi::callback = {callback, user};
+}

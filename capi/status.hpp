@@ -5,14 +5,17 @@
 #include <new>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <system_error>
-#include <type_traits>
 
+#include "pelagic/jobs/executor.hpp"
+#include "pelagic/message/refusal.hpp"
 #include "pelagic/pelagic.h"
 
 namespace pelagic::capi {
 
-/// Keeps the line for pelagic_last_error(), cut to 511 bytes: no memory is needed to say that there is none.
+/// Keeps the reason for pelagic_last_error() as one_line() does, and tells the host's callback: no memory is needed to say
+/// that there is none.
 pelagic_status failure(pelagic_status status, const char* reason) noexcept;
 
 /// "ocean is NULL, needs an ocean".
@@ -31,6 +34,8 @@ pelagic_status guarded(Body body) noexcept {
         return PELAGIC_OK;
     } catch (const WrongOrder& error) {
         return failure(PELAGIC_WRONG_ORDER, error.what());
+    } catch (const HostJobsError& error) {
+        return failure(PELAGIC_HOST_ERROR, error.what());
     } catch (const std::invalid_argument& error) {
         return failure(PELAGIC_INVALID_ARGUMENT, error.what());
     } catch (const std::bad_alloc&) {
@@ -49,18 +54,6 @@ template <class T>
 T& needed(T* pointer, const char* name) {
     if (!pointer) refuse(std::string(name) + " is NULL, needs a pointer");
     return *pointer;
-}
-
-/// The same for a struct that says its size. A version that adds fields takes the older sizes here.
-template <class T>
-T& needed_struct(T* pointer, const char* name) {
-    T& value = needed(pointer, name);
-    if (value.struct_size != sizeof(T))
-        refuse(std::string(name) + ".struct_size is " + std::to_string(value.struct_size) + ", needs " +
-               std::to_string(sizeof(T)));
-    if constexpr (std::is_const_v<T> && requires { value.reserved; })
-        if (value.reserved != 0) refuse(std::string(name) + ".reserved is set, needs 0");
-    return value;
 }
 
 }  // namespace pelagic::capi

@@ -12,6 +12,14 @@ set_target_properties(pelagic_quadtree PROPERTIES EXPORT_NAME quadtree)
 install(TARGETS pelagic_quadtree EXPORT pelagic_quadtree)
 install(EXPORT pelagic_quadtree NAMESPACE pelagic:: DESTINATION ${package_folder} FILE pelagicQuadtreeTargets.cmake)
 
+# The component that needs OpenGL ES headers too; it opens the driver at run time.
+if(PELAGIC_GL)
+  set_target_properties(pelagic_gl PROPERTIES EXPORT_NAME gl)
+  install(TARGETS pelagic_gl EXPORT pelagic_gl)
+  install(EXPORT pelagic_gl NAMESPACE pelagic:: DESTINATION ${package_folder} FILE pelagicGlTargets.cmake)
+  set(gl_headers errors frame_textures functions headless_context objects render_target sea_renderer sky_baker views)
+endif()
+
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/pelagicConfig.cmake.in
   ${PROJECT_BINARY_DIR}/package/pelagicConfig.cmake INSTALL_DESTINATION ${package_folder})
 # A minor version may change the bits of the sea and, before 1.0, the interface.
@@ -38,7 +46,7 @@ set(simd_headers isa)
 set(sim_headers frame frame_buffers ocean sea_state statistics surface_query surface_query_jobs
                 surface_ray)
 set(quadtree_headers camera draw_list frustum level_map patch_mesh patch_vertex quadtree_options selection skirt stitching)
-foreach(folder jobs simd sim quadtree)
+foreach(folder jobs simd sim quadtree gl)
   foreach(header IN LISTS ${folder}_headers)
     get_filename_component(inside ${folder}/${header} DIRECTORY)
     install(FILES ${PROJECT_SOURCE_DIR}/${folder}/${header}.hpp
@@ -49,4 +57,5 @@ install(FILES ${PROJECT_SOURCE_DIR}/capi/pelagic.h DESTINATION ${CMAKE_INSTALL_I
 
 if(PELAGIC_TOOLS)
   install(TARGETS pelagic)
+  install(TARGETS pelagic_images LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/pelagic)
 endif()

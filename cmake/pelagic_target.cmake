@@ -3,13 +3,16 @@
 # it; pelagic.h, which C hosts include as <pelagic/pelagic.h>, stands beside them.
 set(PELAGIC_INCLUDE_ROOT ${PROJECT_BINARY_DIR}/include)
 file(MAKE_DIRECTORY ${PELAGIC_INCLUDE_ROOT}/pelagic)
-foreach(folder simd jobs sim quadtree capi gl viewer tools bench tests examples)
+foreach(folder message simd jobs sim quadtree capi gl viewer tools bench tests examples)
   file(CREATE_LINK ${PROJECT_SOURCE_DIR}/${folder} ${PELAGIC_INCLUDE_ROOT}/pelagic/${folder} SYMBOLIC)
 endforeach()
 file(CREATE_LINK ${PROJECT_SOURCE_DIR}/capi/pelagic.h ${PELAGIC_INCLUDE_ROOT}/pelagic/pelagic.h SYMBOLIC)
 
 # What every target of Pelagic shares: the language, the floating-point policy, warnings, sanitizers.
 function(pelagic_target target)
+  # A host may build all it has with -ffast-math or a part of it. Target options come behind his, so these win.
+  set(strict_floats -fno-fast-math -fno-unsafe-math-optimizations -fno-associative-math -fno-reciprocal-math
+                    -fno-finite-math-only -fsigned-zeros)
   target_compile_features(${target} PUBLIC cxx_std_20)
   # Objects are compiled once, for the static library and for the shared one, which shows nothing but the C interface.
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON
@@ -17,12 +20,14 @@ function(pelagic_target target)
   target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${PELAGIC_INCLUDE_ROOT}> $<INSTALL_INTERFACE:include>)
   # A compiler that fuses a*b + c where the instruction set allows it rounds once instead of twice, so each
   # instruction set would yield a sea of its own. Off everywhere: the bits are part of the interface.
-  target_compile_options(${target} PRIVATE -ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow -Wconversion
+  target_compile_options(${target} PRIVATE ${strict_floats} -ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow -Wconversion
                                            -Wno-sign-conversion)
   # g++ 12 sees overlapping copies in every `"text" + std::string` (GCC bug 105651).
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
     target_compile_options(${target} PRIVATE -Wno-restrict)
   endif()
+  # At the end of a link -ffast-math adds a start-up file that sets flush-to-zero for the whole process.
+  target_link_options(${target} PRIVATE -fno-fast-math)
   if(PELAGIC_FUZZ)
     target_compile_options(${target} PRIVATE -fsanitize=fuzzer-no-link)
   endif()

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "pelagic/gl/errors.hpp"
+#include "pelagic/message/number_text.hpp"
 
 namespace pelagic::gl {
 namespace {
@@ -23,8 +24,8 @@ RenderTarget::RenderTarget(const Functions& gl, int width, int height, int sampl
     gl.GetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &most_side);
     gl.GetIntegerv(GL_MAX_SAMPLES, &most_samples);
     if (width > most_side || height > most_side)
-        throw GlError("a picture of " + std::to_string(width) + "x" + std::to_string(height) +
-                      " is too large for the driver, at most " + std::to_string(most_side) + " pixels a side");
+        throw GlError("a picture of " + number_text(width) + "x" + number_text(height) +
+                      " is too large for the driver, at most " + number_text(most_side) + " pixels a side");
     samples = std::min(samples, static_cast<int>(most_samples));
     colour_ = make_renderbuffer(gl, GL_RGBA8, width, height, samples);
     depth_ = make_renderbuffer(gl, GL_DEPTH_COMPONENT24, width, height, samples);
@@ -38,7 +39,7 @@ RenderTarget::RenderTarget(const Functions& gl, int width, int height, int sampl
     gl.BindFramebuffer(GL_FRAMEBUFFER, resolved_.name());
     gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, resolved_colour_.name());
     if (!is_whole || gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-        throw GlError("the driver can't make a picture of " + std::to_string(width) + "x" + std::to_string(height) +
+        throw GlError("the driver can't make a picture of " + number_text(width) + "x" + number_text(height) +
                       "; is it out of memory?");
     bind();
 }

@@ -14,6 +14,7 @@
 
 #include "pelagic/gl/atmosphere.hpp"
 #include "pelagic/gl/clouds.hpp"
+#include "pelagic/message/refusal.hpp"
 
 namespace pelagic::gl {
 namespace {
@@ -99,16 +100,13 @@ bool in_range(float value, float least, float most) { return value >= least && v
 }  // namespace
 
 std::string check(const SkyOptions& options) {
-    const auto bad = [](const char* field, float value, const char* range) {
-        return std::string(field) + " is " + std::to_string(value) + ", needs " + range;
-    };
     if (!std::isfinite(options.sun_azimuth_rad))
-        return bad("sun_azimuth_rad", options.sun_azimuth_rad, "a finite number");
+        return refusal("sun_azimuth_rad", options.sun_azimuth_rad, "a finite number");
     if (!in_range(options.sun_elevation_rad, -pi / 2, pi / 2))
-        return bad("sun_elevation_rad", options.sun_elevation_rad, "[-pi/2, pi/2]");
-    if (!in_range(options.cloud_cover, 0, 1)) return bad("cloud_cover", options.cloud_cover, "[0, 1]");
+        return refusal("sun_elevation_rad", options.sun_elevation_rad, "[-pi/2, pi/2]");
+    if (!in_range(options.cloud_cover, 0, 1)) return refusal("cloud_cover", options.cloud_cover, "[0, 1]");
     if (!in_range(options.visibility_m, 500, 300e3f))
-        return bad("visibility_m", options.visibility_m, "[500, 300e3]");
+        return refusal("visibility_m", options.visibility_m, "[500, 300e3]");
     return {};
 }
 
@@ -315,8 +313,7 @@ struct SkyBaker::State {
 
 SkyBaker::SkyBaker(std::shared_ptr<Executor> executor, int face_size) {
     if (face_size < 16 || face_size > 2048 || !std::has_single_bit(static_cast<unsigned>(face_size)))
-        throw std::invalid_argument("face_size is " + std::to_string(face_size) +
-                                    ", needs a power of two from 16 to 2048");
+        throw std::invalid_argument(refusal("face_size", face_size, "a power of two from 16 to 2048"));
     state_ = std::make_unique<State>(std::move(executor), face_size);
 }
 SkyBaker::~SkyBaker() = default;

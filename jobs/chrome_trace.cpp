@@ -5,14 +5,10 @@
 #include <ostream>
 #include <string_view>
 
+#include "pelagic/message/number_text.hpp"
+
 namespace pelagic {
 namespace {
-
-/// Not by the stream, whose locale might write 1.234,5.
-std::string number(double value) {
-    char text[32];
-    return {text, std::to_chars(text, text + sizeof text, value).ptr};
-}
 
 /// To the nanosecond.
 std::string microseconds(TraceClock::duration time) {
@@ -79,7 +75,7 @@ std::size_t ChromeTrace::left_out() const {
 std::string ChromeTrace::event(const Kept& kept, char phase, TraceClock::time_point when) const {
     std::string args;
     for (const TraceArg& arg : kept.args)
-        if (arg.name) args += (args.empty() ? "" : ",") + quoted(arg.name) + ":" + number(arg.value);
+        if (arg.name) args += (args.empty() ? "" : ",") + quoted(arg.name) + ":" + number_text(arg.value);
     return R"({"ph":")" + std::string(1, phase) + R"(","name":)" + quoted(names_[kept.name]) + R"(,"cat":)" +
            quoted(kept.category) + "," + track(kept.thread == not_on_a_thread ? 0 : kept.thread) + R"(,"ts":)" +
            microseconds(when - origin_) + R"(,"args":{)" + args + "}";

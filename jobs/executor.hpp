@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <stdexcept>
 #include <string_view>
 
 #include "pelagic/jobs/job_graph.hpp"
@@ -22,7 +23,9 @@ class GraphRun {
     /// \pre no run is in flight (asserted)
     virtual void schedule() = 0;
 
-    /// Returns when every stage is done; the calling thread helps. Returns at once if nothing is scheduled.
+    /// Returns when every stage is done; the calling thread helps. Returns at once if nothing is scheduled. Throws if the
+    /// run failed, once it is over, so that the next one may be scheduled: HostJobsError, std::system_error if a thread
+    /// with the stack that a job needs could not be had, or what a body threw.
     virtual void complete() = 0;
 
     /// True if no run is in flight or all of its stages are done. Never blocks.
@@ -51,7 +54,8 @@ std::shared_ptr<Executor> make_serial_executor();
 
 /// A pool of std::thread, for builds without oneTBB and for ThreadSanitizer. `threads` counts the completing
 /// thread too: 1 starts none, so the work is done in complete(). 0 means one per core; range 0 to 1024, else
-/// std::invalid_argument. Throws std::system_error if the system has no more threads to give.
+/// std::invalid_argument. Throws std::system_error if the system has no more threads to give, "8 threads are wanted, and
+/// the system gives 3: ...". The threads have stacks of 2 MiB, whatever the system's default is.
 std::shared_ptr<Executor> make_thread_executor(int threads = 0);
 
 /// The same on chosen cores: bit i of `cpu_mask` allows CPU i, and 0 means all. On a processor with large and small cores a
@@ -61,7 +65,14 @@ std::shared_ptr<Executor> make_thread_executor(int threads = 0);
 /// std::invalid_argument.
 std::shared_ptr<Executor> make_thread_executor_on(std::uint64_t cpu_mask, int threads = 0);
 
-/// A host's own job system, as plain functions so that C can give them. Called from any thread; they must not throw.
+/// What complete() throws if a host's function broke its promise. The run is over then, and every job was done.
+struct HostJobsError : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// A host's own job system, as plain functions so that C can give them. Called from any thread. Should one of them throw,
+/// or return too early, Pelagic does what is left itself, and complete() throws HostJobsError. A job or task that is called
+/// twice, or after its run, does nothing.
 struct HostJobs {
     void* user = nullptr;  ///< handed to both
 
@@ -70,7 +81,7 @@ struct HostJobs {
     void (*parallel_for)(void* user, std::size_t count, void (*job)(void* work, std::size_t index), void* work);
 
     /// Calls task(work) once, on some other thread, soon, and returns at once. None: complete() begins the work. A task
-    /// may be called late, even after the run is gone, but has to be called; it calls parallel_for.
+    /// may be called late, even after the run is gone; it calls parallel_for.
     void (*submit)(void* user, void (*task)(void* work), void* work) = nullptr;
 
     int threads = 1;  ///< what thread_limit() says; 1 to 1024
@@ -83,7 +94,8 @@ std::shared_ptr<Executor> make_host_executor(const HostJobs& jobs);
 #if defined(PELAGIC_HAS_TBB)
 /// oneTBB: a flow graph with one node a stage, each a parallel loop. Every graph has an arena of `threads` slots, one
 /// of them kept for the scheduling and completing thread. 0 means oneTBB's default, one per core that the
-/// process may use; range 0 to 1024, else std::invalid_argument. With 1 the work is done in complete(). All graphs share
+/// process may use; range 0 to 1024, else std::invalid_argument, and std::system_error if the system has not so many to
+/// give. With 1 the work is done in complete(). All graphs share
 /// oneTBB's workers, so one whose threads are taken by another graph may not start before its complete().
 std::shared_ptr<Executor> make_tbb_executor(int threads = 0);
 #endif

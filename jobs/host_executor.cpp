@@ -3,93 +3,195 @@
 // A submitted task and complete() both offer to do the run's work; whoever comes first does it, and the other one
 // returns or waits. So a host that is slow to start a task never holds up a frame, and a task that comes late finds
 // nothing to do, or begins the next run, which is as welcome.
+//
+// Hosts make mistakes, and here they would be somebody else's memory. So each block is done once, however often and
+// whenever it is called; what a loop leaves undone is done by us; no exception of a job gets into the host's frames; and
+// tasks don't hold a pointer but the number of their run, which leads nowhere once that is gone.
 #include <atomic>
 #include <cassert>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <mutex>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "pelagic/jobs/executor.hpp"
+#include "pelagic/jobs/run_failure.hpp"
+#include "pelagic/message/refusal.hpp"
 
 namespace pelagic {
 namespace {
 
+/// The blocks of one stage as the host's loop sees them.
+class HostLoop {
+   public:
+    /// Closed: until open() every block counts as taken.
+    HostLoop(const Stage& stage, RunFailure& failure)
+        : stage_(stage), failure_(failure), taken_(block_count(stage)), done_(taken_.size()) {
+        for (std::atomic<bool>& taken : taken_) taken = true;
+    }
+
+    std::size_t blocks() const { return taken_.size(); }
+
+    void open() {
+        done_ = 0;
+        for (std::atomic<bool>& taken : taken_) taken = false;
+    }
+
+    /// Does what the host left undone and waits for what is still being done. False if there was any.
+    bool close() {
+        const bool host_did_all = done_ == blocks();
+        for (std::size_t block = 0; block < blocks(); ++block) do_once(block);
+        for (std::size_t now = done_; now != blocks(); now = done_) done_.wait(now);
+        return host_did_all;
+    }
+
+    /// What the host's loop calls.
+    static void job(void* loop, std::size_t block) { static_cast<HostLoop*>(loop)->do_once(block); }
+
+   private:
+    void do_once(std::size_t block) noexcept {
+        if (block >= blocks() || taken_[block].exchange(true)) return;
+        try {
+            run_block(stage_, block);
+        } catch (...) {
+            failure_.keep_current();
+        }
+        if (++done_ == blocks()) done_.notify_all();
+    }
+
+    const Stage& stage_;
+    RunFailure& failure_;
+    std::vector<std::atomic<bool>> taken_;
+    std::atomic<std::size_t> done_;
+};
+
 /// What a run and its tasks share: it lives until the last of them is gone.
 class HostWork {
    public:
-    HostWork(const JobGraph& graph, const HostJobs& jobs) : graph_(graph), jobs_(jobs) {}
-
-    void schedule() {
-        state_ = State::waiting;
-        if (!jobs_.submit) return;
-        ++owners_;
-        jobs_.submit(jobs_.user, &run_task, this);
+    HostWork(const JobGraph& graph, const HostJobs& jobs) : jobs_(jobs) {
+        loops_.reserve(graph.stages().size());
+        for (const Stage& stage : graph.stages()) loops_.push_back(std::make_unique<HostLoop>(stage, failure_));
     }
 
-    void complete() {
+    /// \param number  what run_task() knows it by
+    void schedule(std::uintptr_t number) {
+        state_ = State::waiting;
+        if (!jobs_.submit) return;
+        // Kept until complete(): the task may have been taken in spite of the exception.
+        call("submit", [&] { jobs_.submit(jobs_.user, &run_task, reinterpret_cast<void*>(number)); });
+    }
+
+    void finish() {
         begin_if_waiting();
-        // No mutex: notify_all() is the last that a worker does with the state, and an owner keeps it alive meanwhile.
+        // No mutex: notify_all() is the last that a worker does with the state, and it holds on to this object.
         for (State now = state_; now != State::done; now = state_) state_.wait(now);
     }
 
+    void rethrow_failure() { failure_.rethrow(); }
     bool is_done() const { return state_ == State::done; }
 
-    void drop_owner() {
-        if (--owners_ == 0) delete this;
+    void begin_if_waiting() {
+        State expected = State::waiting;
+        if (!state_.compare_exchange_strong(expected, State::running)) return;
+        for (const auto& loop : loops_) run(*loop);
+        state_ = State::done;
+        state_.notify_all();
     }
 
    private:
     enum class State { waiting, running, done };
 
-    ~HostWork() = default;
+    static void run_task(void* number);
 
-    static void run_task(void* work) {
-        auto* const self = static_cast<HostWork*>(work);
-        self->begin_if_waiting();
-        self->drop_owner();
+    void run(HostLoop& loop) {
+        loop.open();
+        if (loop.blocks() > 1)
+            call("parallel_for", [&] { jobs_.parallel_for(jobs_.user, loop.blocks(), &HostLoop::job, &loop); });
+        if (!loop.close() && loop.blocks() > 1) fail("parallel_for returned before all of its jobs were done");
     }
 
-    void begin_if_waiting() {
-        State expected = State::waiting;
-        if (!state_.compare_exchange_strong(expected, State::running)) return;
-        for (const Stage& stage : graph_.stages()) run(stage);
-        state_ = State::done;
-        state_.notify_all();
+    template <class Call>
+    void call(const std::string& function, Call host) {
+        try {
+            host();
+        } catch (const std::exception& error) {
+            fail(function + " threw an exception: " + error.what());
+        } catch (...) {
+            fail(function + " threw an exception");
+        }
     }
 
-    void run(const Stage& stage) const {
-        const std::size_t blocks = block_count(stage);
-        const auto job = [](void* work, std::size_t block) { run_block(*static_cast<const Stage*>(work), block); };
-        if (blocks == 1)
-            run_block(stage, 0);
-        else if (blocks > 1)
-            jobs_.parallel_for(jobs_.user, blocks, job, const_cast<Stage*>(&stage));
-    }
+    void fail(const std::string& reason) { failure_.keep(std::make_exception_ptr(HostJobsError(reason))); }
 
-    const JobGraph& graph_;  ///< touched only by who began a run, and the run waits for that
     const HostJobs jobs_;
+    RunFailure failure_;
+    /// One a stage, in order; they refer to the graph, and only who began a run touches them, for which the run waits.
+    std::vector<std::unique_ptr<HostLoop>> loops_;
     std::atomic<State> state_ = State::done;
-    std::atomic<int> owners_ = 1;
 };
+
+/// The runs that there are, by a number that no other ever has.
+class LiveRuns {
+   public:
+    std::uintptr_t add(const std::shared_ptr<HostWork>& work) {
+        const std::lock_guard lock(mutex_);
+        runs_.emplace(++last_, work);
+        return last_;
+    }
+    void remove(std::uintptr_t number) {
+        const std::lock_guard lock(mutex_);
+        runs_.erase(number);
+    }
+    /// None if it is gone.
+    std::shared_ptr<HostWork> find(std::uintptr_t number) {
+        const std::lock_guard lock(mutex_);
+        const auto found = runs_.find(number);
+        return found == runs_.end() ? nullptr : found->second;
+    }
+
+   private:
+    std::mutex mutex_;
+    std::uintptr_t last_ = 0;
+    std::map<std::uintptr_t, std::shared_ptr<HostWork>> runs_;
+};
+
+/// Never destroyed: tasks may come at any time.
+LiveRuns& live_runs() {
+    static LiveRuns& runs = *new LiveRuns;
+    return runs;
+}
+
+void HostWork::run_task(void* number) {
+    if (const auto work = live_runs().find(reinterpret_cast<std::uintptr_t>(number))) work->begin_if_waiting();
+}
 
 class HostRun final : public GraphRun {
    public:
-    HostRun(const JobGraph& graph, const HostJobs& jobs) : work_(new HostWork(graph, jobs)) {}
+    HostRun(const JobGraph& graph, const HostJobs& jobs)
+        : work_(std::make_shared<HostWork>(graph, jobs)), number_(live_runs().add(work_)) {}
     ~HostRun() override {
-        complete();
-        work_->drop_owner();
+        work_->finish();
+        live_runs().remove(number_);
     }
     HostRun(const HostRun&) = delete;
     HostRun& operator=(const HostRun&) = delete;
 
     void schedule() override {
         assert(is_done());
-        work_->schedule();
+        work_->schedule(number_);
     }
-    void complete() override { work_->complete(); }
+    void complete() override {
+        work_->finish();
+        work_->rethrow_failure();
+    }
     bool is_done() const override { return work_->is_done(); }
 
    private:
-    HostWork* work_;
+    std::shared_ptr<HostWork> work_;
+    std::uintptr_t number_;
 };
 
 class HostExecutor final : public Executor {
@@ -111,7 +213,7 @@ class HostExecutor final : public Executor {
 std::shared_ptr<Executor> make_host_executor(const HostJobs& jobs) {
     if (!jobs.parallel_for) throw std::invalid_argument("parallel_for is null, needs the host's function");
     if (jobs.threads < 1 || jobs.threads > 1024)
-        throw std::invalid_argument("threads is " + std::to_string(jobs.threads) + ", needs 1 to 1024");
+        throw std::invalid_argument(refusal("threads", jobs.threads, "1 to 1024"));
     return std::make_shared<HostExecutor>(jobs);
 }
 

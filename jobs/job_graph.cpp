@@ -4,16 +4,22 @@
 #include <stdexcept>
 #include <utility>
 
+#include "pelagic/jobs/stack_room.hpp"
+#include "pelagic/message/refusal.hpp"
+
 namespace pelagic {
 
 StageId JobGraph::add(Stage stage) {
     const StageId id = stages_.size();
-    if (stage.batch == 0) throw std::invalid_argument("stage " + stage.name + " has a batch of 0, needs at least 1");
-    if (!stage.body) throw std::invalid_argument("stage " + stage.name + " has no body");
+    const auto refuse = [&](const std::string& what) {
+        throw std::invalid_argument(one_line("stage " + stage.name + what));
+    };
+    if (stage.batch == 0) refuse(" has a batch of 0, needs at least 1");
+    if (!stage.body) refuse(" has no body");
     for (const StageId earlier : stage.waits_for)
         if (earlier >= id)
-            throw std::invalid_argument("stage " + stage.name + " waits for stage number " + std::to_string(earlier) +
-                                        ", needs one of the " + std::to_string(id) + " added before it");
+            refuse(" waits for stage number " + number_text(earlier) + ", needs one of the " + number_text(id) +
+                   " added before it");
     stages_.push_back(std::move(stage));
     return id;
 }
@@ -25,7 +31,9 @@ std::size_t block_count(const Stage& stage) {
 
 void run_block(const Stage& stage, std::size_t block) {
     const std::size_t begin = block * stage.batch;
-    stage.body(begin, begin + std::min(stage.batch, stage.count - begin));
+    const std::size_t end = begin + std::min(stage.batch, stage.count - begin);
+    if (stack_holds(stage.stack_bytes)) return stage.body(begin, end);
+    run_on_a_stack_of(stage.stack_bytes, [&] { stage.body(begin, end); });
 }
 
 }  // namespace pelagic

@@ -9,7 +9,8 @@
 
 namespace pelagic {
 
-/// Does the items [begin, end) of a stage. Called from several threads at once on disjoint ranges; must not throw.
+/// Does the items [begin, end) of a stage. Called from several threads at once on disjoint ranges. Should not throw; if it
+/// does, the run goes on to its end, and complete() throws the first exception.
 using JobBody = std::function<void(std::size_t begin, std::size_t end)>;
 using StageId = std::size_t;
 
@@ -19,6 +20,7 @@ struct Stage {
     std::size_t batch = 1;                ///< items a job; at least 1
     std::vector<StageId> waits_for = {};  ///< stages that must be done before this one starts
     JobBody body;                         ///< called once per block of `batch` items, the last block may be short
+    std::size_t stack_bytes = 0;          ///< what one call of the body takes of the stack; 0: next to nothing
 };
 
 /// Stages in an order in which each one comes after all that it waits for, so the graph can't have a cycle.
@@ -36,7 +38,8 @@ class JobGraph {
 /// Blocks in a stage: ceil(count / batch).
 std::size_t block_count(const Stage& stage);
 
-/// Calls the stage's body on its block number `block`.
+/// Calls the stage's body on its block number `block`: here, or on a thread of its own if too little is left of this
+/// thread's stack. Throws what the body throws, and std::system_error if there is no such thread to be had.
 void run_block(const Stage& stage, std::size_t block);
 
 }  // namespace pelagic

@@ -3,6 +3,7 @@
 #include <cassert>
 
 #include "pelagic/jobs/executor.hpp"
+#include "pelagic/jobs/run_failure.hpp"
 
 namespace pelagic {
 namespace {
@@ -10,7 +11,7 @@ namespace {
 class SerialRun final : public GraphRun {
    public:
     explicit SerialRun(const JobGraph& graph) : graph_(graph) {}
-    ~SerialRun() override { complete(); }
+    ~SerialRun() override { finish(); }
 
     void schedule() override {
         assert(!scheduled_);
@@ -18,16 +19,26 @@ class SerialRun final : public GraphRun {
     }
 
     void complete() override {
-        if (!scheduled_) return;
-        for (const Stage& stage : graph_.stages())
-            for (std::size_t block = 0; block < block_count(stage); ++block) run_block(stage, block);
-        scheduled_ = false;
+        finish();
+        failure_.rethrow();
     }
 
     bool is_done() const override { return !scheduled_; }
 
    private:
+    void finish() noexcept {
+        if (!scheduled_) return;
+        try {
+            for (const Stage& stage : graph_.stages())
+                for (std::size_t block = 0; block < block_count(stage); ++block) run_block(stage, block);
+        } catch (...) {
+            failure_.keep_current();
+        }
+        scheduled_ = false;
+    }
+
     const JobGraph& graph_;
+    RunFailure failure_;
     std::atomic<bool> scheduled_ = false;
 };
 

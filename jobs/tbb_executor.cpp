@@ -14,6 +14,8 @@
 #include <optional>
 
 #include "pelagic/jobs/executor.hpp"
+#include "pelagic/jobs/job_thread.hpp"
+#include "pelagic/jobs/run_failure.hpp"
 #include "pelagic/jobs/thread_count.hpp"
 
 namespace pelagic {
@@ -29,20 +31,30 @@ class TbbRun final : public GraphRun {
         // A flow graph puts its tasks into the arena that it is built in.
         arena_.execute([&] { build(graph); });
     }
-    ~TbbRun() override { complete(); }
+    ~TbbRun() override { finish(); }
 
     void schedule() override {
         assert(is_done());
         stages_left_ = nodes_.size();
-        arena_.execute([&] { start_->try_put(continue_msg()); });
+        try {
+            arena_.execute([&] { start_->try_put(continue_msg()); });
+        } catch (...) {
+            stages_left_ = 0;
+            throw;
+        }
     }
     void complete() override {
-        arena_.execute([&] { flow_->wait_for_all(); });
+        finish();
+        failure_.rethrow();
     }
     bool is_done() const override { return stages_left_ == 0; }
 
    private:
     using Node = tbb::flow::continue_node<continue_msg>;
+
+    void finish() {
+        arena_.execute([&] { flow_->wait_for_all(); });
+    }
 
     void build(const JobGraph& graph) {
         flow_.emplace();
@@ -54,12 +66,17 @@ class TbbRun final : public GraphRun {
         }
     }
 
+    /// Lets no exception out: oneTBB would give up the graph's other nodes.
     void run(const Stage& stage) {
-        const std::size_t blocks = block_count(stage);
-        if (blocks == 1)
-            run_block(stage, 0);
-        else if (blocks > 1)
-            tbb::this_task_arena::isolate([&] { run_blocks(stage, blocks); });
+        try {
+            const std::size_t blocks = block_count(stage);
+            if (blocks == 1)
+                run_block(stage, 0);
+            else if (blocks > 1)
+                tbb::this_task_arena::isolate([&] { run_blocks(stage, blocks); });
+        } catch (...) {
+            failure_.keep_current();
+        }
         --stages_left_;
     }
 
@@ -79,6 +96,7 @@ class TbbRun final : public GraphRun {
     std::optional<tbb::flow::broadcast_node<continue_msg>> start_;
     std::deque<Node> nodes_;
     std::atomic<std::size_t> stages_left_ = 0;
+    RunFailure failure_;
 };
 
 /// oneTBB makes no more threads than cores that the process may use, unless told. Of several such wishes the smallest

@@ -6,14 +6,15 @@
 #include <string>
 #include <thread>
 
+#include "pelagic/message/refusal.hpp"
+
 namespace pelagic {
 
 inline int cores() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
 
 /// `threads`, or one per core for 0. Throws std::invalid_argument outside 0 to 1024.
 inline int checked_thread_count(int threads) {
-    if (threads < 0 || threads > 1024)
-        throw std::invalid_argument("threads is " + std::to_string(threads) + ", needs 0 to 1024");
+    if (threads < 0 || threads > 1024) throw std::invalid_argument(refusal("threads", threads, "0 to 1024"));
     return threads == 0 ? cores() : threads;
 }
 

@@ -6,6 +6,8 @@
 #include <condition_variable>
 #include <mutex>
 #include <optional>
+#include <string>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -15,6 +17,8 @@
 
 #include "pelagic/jobs/cpu_mask.hpp"
 #include "pelagic/jobs/executor.hpp"
+#include "pelagic/jobs/job_thread.hpp"
+#include "pelagic/jobs/run_failure.hpp"
 #include "pelagic/jobs/thread_count.hpp"
 
 namespace pelagic {
@@ -62,7 +66,13 @@ class Progress {
         return {};
     }
 
-    void run(Block block) const { run_block(graph_.stages()[block.stage], block.number); }
+    void run(Block block) noexcept {
+        try {
+            run_block(graph_.stages()[block.stage], block.number);
+        } catch (...) {
+            failure_.keep_current();
+        }
+    }
 
     /// True if the block was the last of its stage, so that others may have become ready.
     bool end(Block block) {
@@ -72,6 +82,9 @@ class Progress {
     }
 
     bool is_done() const { return stages_left_ == 0; }
+
+    /// Throws what one of the run's blocks threw. \pre is_done()
+    void rethrow_failure() { failure_.rethrow(); }
 
    private:
     struct State {
@@ -94,6 +107,7 @@ class Progress {
     const JobGraph& graph_;
     std::vector<State> stages_;
     std::atomic<std::size_t> stages_left_ = 0;
+    RunFailure failure_;
 };
 
 /// The threads, and every run that they might work on.
@@ -102,11 +116,18 @@ class Pool {
     // Delegates, so that ~Pool ends the threads already started if the system refuses one.
     Pool(int threads, std::uint64_t cpu_mask) : Pool() {
         if (threads <= static_cast<int>(std::thread::hardware_concurrency())) looks_ = 2000;
-        for (int i = 1; i < threads; ++i)
-            threads_.emplace_back([this, cpu_mask] {
-                keep_this_thread_on(cpu_mask);
-                work();
-            });
+        threads_.reserve(static_cast<std::size_t>(threads));
+        try {
+            for (int i = 1; i < threads; ++i)
+                threads_.emplace_back([this, cpu_mask] {
+                    keep_this_thread_on(cpu_mask);
+                    work();
+                });
+        } catch (const std::system_error& error) {
+            throw std::system_error(error.code(), std::to_string(threads) +
+                                                      " threads are wanted, and the system gives " +
+                                                      std::to_string(thread_count()));
+        }
     }
 
     ~Pool() {
@@ -115,7 +136,7 @@ class Pool {
             stopping_ = true;
             announce_change();
         }
-        for (std::thread& thread : threads_) thread.join();
+        for (JobThread& thread : threads_) thread.join();
     }
 
     int thread_count() const { return static_cast<int>(threads_.size()) + 1; }
@@ -196,7 +217,7 @@ class Pool {
     int looks_ = 0;
     bool stopping_ = false;
     std::vector<Progress*> runs_;
-    std::vector<std::thread> threads_;
+    std::vector<JobThread> threads_;
 };
 
 class ThreadRun final : public GraphRun {
@@ -205,7 +226,7 @@ class ThreadRun final : public GraphRun {
         pool_->add(progress_);
     }
     ~ThreadRun() override {
-        complete();
+        pool_->finish(progress_);
         pool_->remove(progress_);
     }
 
@@ -213,7 +234,10 @@ class ThreadRun final : public GraphRun {
         assert(is_done());
         pool_->start(progress_);
     }
-    void complete() override { pool_->finish(progress_); }
+    void complete() override {
+        pool_->finish(progress_);
+        progress_.rethrow_failure();
+    }
     bool is_done() const override { return progress_.is_done(); }
 
    private:

@@ -16,14 +16,21 @@ class TracedRun final : public GraphRun {
                  .count = stage.count,
                  .batch = stage.batch,
                  .waits_for = stage.waits_for,
-                 .body = [this, &stage](std::size_t begin, std::size_t end) {
-                     const auto block = static_cast<double>(begin / stage.batch);
-                     const TraceScope scope(sink_.get(), stage.name, "job", {run_number(), {"block", block}});
-                     stage.body(begin, end);
-                 }});
+                 .body =
+                     [this, &stage](std::size_t begin, std::size_t end) {
+                         const auto block = static_cast<double>(begin / stage.batch);
+                         const TraceScope scope(sink_.get(), stage.name, "job", {run_number(), {"block", block}});
+                         stage.body(begin, end);
+                     },
+                 .stack_bytes = stage.stack_bytes});
         timed_run_ = executor.prepare(timed_graph_);
     }
-    ~TracedRun() override { complete(); }
+    ~TracedRun() override {
+        try {
+            complete();
+        } catch (...) {  // nobody is left to be told
+        }
+    }
 
     void schedule() override {
         start_ = TraceClock::now();
@@ -32,7 +39,19 @@ class TracedRun final : public GraphRun {
     }
 
     void complete() override {
+        const EndOfRun at_the_end{*this};  // also if the run failed
         timed_run_->complete();
+    }
+
+    bool is_done() const override { return timed_run_->is_done(); }
+
+   private:
+    struct EndOfRun {
+        TracedRun& run;
+        ~EndOfRun() { run.end(); }
+    };
+
+    void end() {
         if (!scheduled_) return;
         sink_->in_flight({run_name_, "flight", {run_number()}, start_, TraceClock::now()});
         scheduled_ = false;
@@ -40,9 +59,6 @@ class TracedRun final : public GraphRun {
         ++run_;
     }
 
-    bool is_done() const override { return timed_run_->is_done(); }
-
-   private:
     TraceArg run_number() const { return {run_name_, static_cast<double>(run_)}; }
 
     std::shared_ptr<TraceSink> sink_;

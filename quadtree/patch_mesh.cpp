@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "pelagic/message/refusal.hpp"
 #include "pelagic/quadtree/stitching.hpp"
 
 namespace pelagic {
@@ -37,7 +38,7 @@ std::vector<std::uint32_t> cells_in_cache_order(int cells) {
 
 PatchMesh::PatchMesh(int v) : vertices(v) {
     if (v < 2 || v > 128 || v % 2 != 0)
-        throw std::invalid_argument("vertices is " + std::to_string(v) + ", needs an even number from 2 to 128");
+        throw std::invalid_argument(refusal("vertices", v, "an even number from 2 to 128"));
     for (int j = 0; j <= v; ++j)
         for (int i = 0; i <= v; ++i)
             positions.push_back({static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(j)});

@@ -2,17 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
+
+#include "pelagic/message/refusal.hpp"
 
 namespace pelagic {
 namespace {
-
-template <class Value>
-std::string wrong(const char* field, Value value, const char* accepted) {
-    std::ostringstream text;
-    text << field << " is " << value << ", needs " << accepted;
-    return text.str();
-}
 
 // Every tau of ours is well above 1.58, where neighbours two levels apart begin (errata), so hardly a patch is split
 // for its neighbour's sake. A cull scale of 1 suffices because the boxes hold the frame's own extremes.
@@ -25,12 +19,12 @@ constexpr QuadtreePreset presets[] = {
 }  // namespace
 
 std::string check(const QuadtreeOptions& o) {
-    if (!(o.size_m >= 256 && o.size_m <= 8192)) return wrong("size_m", o.size_m, "[256, 8192]");
+    if (!(o.size_m >= 256 && o.size_m <= 8192)) return refusal("size_m", o.size_m, "[256, 8192]");
     if (o.vertices < 2 || o.vertices > 128 || o.vertices % 2 != 0)
-        return wrong("vertices", o.vertices, "an even number from 2 to 128");
-    if (!(o.lod_scale >= 0.75 && o.lod_scale <= 8)) return wrong("lod_scale", o.lod_scale, "[0.75, 8]");
-    if (!(o.cull_scale >= 1 && o.cull_scale <= 4)) return wrong("cull_scale", o.cull_scale, "[1, 4]");
-    if (o.batch_limit < 0) return wrong("batch_limit", o.batch_limit, "0 or more");
+        return refusal("vertices", o.vertices, "an even number from 2 to 128");
+    if (!(o.lod_scale >= 0.75 && o.lod_scale <= 8)) return refusal("lod_scale", o.lod_scale, "[0.75, 8]");
+    if (!(o.cull_scale >= 1 && o.cull_scale <= 4)) return refusal("cull_scale", o.cull_scale, "[1, 4]");
+    if (o.batch_limit < 0) return refusal("batch_limit", o.batch_limit, "0 or more");
     return "";
 }
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
 
+#include "pelagic/message/number_text.hpp"
 #include "pelagic/quadtree/stitching.hpp"
 
 namespace pelagic {
@@ -21,9 +21,8 @@ QuadtreeOptions checked(const QuadtreeOptions& options) {
 void check_position(const char* name, const double* values, int count) {
     for (int i = 0; i < count; ++i) {
         if (std::abs(values[i]) <= furthest_m) continue;  // false for NaN
-        std::ostringstream text;
-        text << name << " holds " << values[i] << ", needs finite numbers within 1e8 m of the origin";
-        throw std::invalid_argument(text.str());
+        throw std::invalid_argument(std::string(name) + " holds " + number_text(values[i]) +
+                                    ", needs finite numbers within 1e8 m of the origin");
     }
 }
 

@@ -11,6 +11,16 @@
 namespace pelagic {
 namespace {
 
+// What a job's own functions take of the stack, beside the arrays that kernels.hpp states.
+constexpr std::size_t stack_margin = 64 * 1024;
+// Tiles are as large whatever N is.
+constexpr std::size_t gradients_stack_bytes = 100 * 1024 + stack_margin;
+
+/// Stages `evolve+rows` and, with less, `columns+finalize`.
+std::size_t transform_stack_bytes(int resolution, std::size_t lanes) {
+    return 24 * static_cast<std::size_t>(resolution) * lanes + stack_margin;
+}
+
 // Lines a job: a wind change should not hold up frames.
 constexpr std::size_t spectrum_batch = 2;
 
@@ -36,11 +46,11 @@ JobBody for_each_item(Item item) {
 
 }  // namespace
 
-Cascade::Slot::Slot(int n, std::size_t lanes, CascadeExtras extras)
-    : surface(column_blocks(n, lanes) * column_block_floats(n, lanes)),
-      velocity(extras.velocities ? surface.size() : 0),
-      rgba16f(4 * static_cast<std::size_t>(n) * n),
-      rgba8(mip_offset(n, mip_levels(n))) {
+Cascade::Slot::Slot(int n, std::size_t lanes, const CascadeExtras& extras)
+    : surface(column_blocks(n, lanes) * column_block_floats(n, lanes), extras.memory),
+      velocity(extras.velocities ? surface.size() : 0, extras.memory),
+      rgba16f(4 * static_cast<std::size_t>(n) * n, extras.memory),
+      rgba8(mip_offset(n, mip_levels(n)), extras.memory) {
     const auto view = [&](const AlignedBuffer<float>& planes, std::size_t component) {
         return PlaneView{planes.data() + component * lanes, n, static_cast<int>(lanes),
                          static_cast<std::ptrdiff_t>(surface_components * lanes),
@@ -54,7 +64,7 @@ Cascade::Slot::Slot(int n, std::size_t lanes, CascadeExtras extras)
         frame.velocity_y = view(velocity, surface_height);
         frame.velocity_z = view(velocity, surface_dz);
     }
-    if (extras.folds) frame.folds = folds.emplace(n).squares();
+    if (extras.folds) frame.folds = folds.emplace(n, extras.memory).squares();
     frame.displacement_rgba16f = {rgba16f.data(), rgba16f.size()};
     frame.gradient_rgba8 = {rgba8.data(), rgba8.size()};
 }
@@ -66,8 +76,8 @@ Cascade::Cascade(const SeaState& sea, Isa isa, CascadeExtras extras)
       extras_(extras),
       plan_(sea.resolution),
       fft_(plan_.tables()),
-      spectrum_(plan_, kernels_.lanes),
-      mip_averages_(sea.resolution),
+      spectrum_(plan_, kernels_.lanes, extras.memory),
+      mip_averages_(sea.resolution, extras.memory),
       part_bounds_(column_block_pairs(sea.resolution, kernels_.lanes)),
       velocity_bounds_(extras.velocities ? part_bounds_.size() : 0),
       slots_{Slot(sea.resolution, kernels_.lanes, extras), Slot(sea.resolution, kernels_.lanes, extras)} {}
@@ -76,28 +86,37 @@ void Cascade::add_spectrum_stage(JobGraph& graph) {
     graph.add({.name = "spectrum",
                .count = line_count(sea_.resolution),
                .batch = spectrum_batch,
-               .body = for_each_item([this](std::size_t line) { spectrum(line); })});
+               .body = for_each_item([this](std::size_t line) { spectrum(line); }),
+               .stack_bytes = stack_margin});
 }
 
 void Cascade::add_frame_stages(JobGraph& graph) {
+    const std::size_t transforms = transform_stack_bytes(sea_.resolution, kernels_.lanes);
     const StageId lines_done = graph.add({.name = "evolve+rows",
                                           .count = line_blocks(sea_.resolution, kernels_.lanes),
                                           .body = for_each_item([this](std::size_t block) {
                                               kernels_.evolve_rows(evolve_rows_job(block, back().surface.data()));
-                                          })});
+                                          }),
+                                          .stack_bytes = transforms});
     const StageId surface_done = graph.add({.name = "columns+finalize",
                                             .count = part_bounds_.size(),
                                             .waits_for = {lines_done},
                                             .body = for_each_item([this](std::size_t pair) {
                                                 columns_finalize(pair, back().surface.data(), part_bounds_[pair]);
-                                            })});
+                                            }),
+                                            .stack_bytes = transforms});
     const StageId tiles_done =
         graph.add({.name = "gradients+mipmaps",
                    .count = tiles(sea_.resolution).count(),
                    .waits_for = {surface_done},
-                   .body = for_each_item([this](std::size_t tile) { gradients_mipmaps(tile); })});
+                   .body = for_each_item([this](std::size_t tile) { gradients_mipmaps(tile); }),
+                   .stack_bytes = gradients_stack_bytes});
     const auto tail = [this](std::size_t) { mipmaps_tail(); };
-    graph.add({.name = "mipmaps tail", .count = 1, .waits_for = {tiles_done}, .body = for_each_item(tail)});
+    graph.add({.name = "mipmaps tail",
+               .count = 1,
+               .waits_for = {tiles_done},
+               .body = for_each_item(tail),
+               .stack_bytes = stack_margin});
     if (extras_.folds) add_fold_stages(graph, surface_done);
     if (extras_.velocities) add_velocity_stages(graph);
 }
@@ -107,25 +126,33 @@ void Cascade::add_fold_stages(JobGraph& graph, StageId surface_done) {
         {.name = "folds",
          .count = back().folds->jobs(),
          .waits_for = {surface_done},
-         .body = for_each_item([this](std::size_t job) { back().folds->find(back().frame, kernels_, job); })});
+         .body = for_each_item([this](std::size_t job) { back().folds->find(back().frame, kernels_, job); }),
+         .stack_bytes = stack_margin});
     const auto tail = [this](std::size_t) { back().folds->mark(back().frame); };
-    graph.add({.name = "folds tail", .count = 1, .waits_for = {cells_done}, .body = for_each_item(tail)});
+    graph.add({.name = "folds tail",
+               .count = 1,
+               .waits_for = {cells_done},
+               .body = for_each_item(tail),
+               .stack_bytes = stack_margin});
 }
 
 // The derivative in time of a sum of waves is a sum of waves, so its lines and columns are those of the surface.
 void Cascade::add_velocity_stages(JobGraph& graph) {
+    const std::size_t transforms = transform_stack_bytes(sea_.resolution, kernels_.lanes);
     const StageId lines_done =
         graph.add({.name = "velocity rows",
                    .count = line_blocks(sea_.resolution, kernels_.lanes),
                    .body = for_each_item([this](std::size_t block) {
                        kernels_.evolve_velocity_rows(evolve_rows_job(block, back().velocity.data()));
-                   })});
+                   }),
+                   .stack_bytes = transforms});
     graph.add({.name = "velocity columns",
                .count = velocity_bounds_.size(),
                .waits_for = {lines_done},
                .body = for_each_item([this](std::size_t pair) {
                    columns_finalize(pair, back().velocity.data(), velocity_bounds_[pair]);
-               })});
+               }),
+               .stack_bytes = transforms});
 }
 
 void Cascade::begin_frame(double time_s) {
@@ -152,7 +179,7 @@ const Frame& Cascade::end_frame() {
 
 void Cascade::begin_spectrum(const SeaState& sea) {
     const DefaultFloatEnvironment environment;
-    bake_.emplace(Bake{sea, WaveSpectrum(sea), PackedSpectrum(plan_, kernels_.lanes),
+    bake_.emplace(Bake{sea, WaveSpectrum(sea), PackedSpectrum(plan_, kernels_.lanes, extras_.memory),
                        std::vector<LineFigures>(line_count(sea.resolution))});
 }
 

@@ -32,6 +32,7 @@ namespace pelagic {
 struct CascadeExtras {
     bool folds = false;
     bool velocities = false;
+    HostMemory memory = {};  ///< for everything whose size grows with N^2
 };
 
 class Cascade {
@@ -55,6 +56,7 @@ class Cascade {
     /// frames to come. A cascade has no waves before the first one.
     void begin_spectrum(const SeaState& sea);
     void adopt_spectrum();
+    void drop_spectrum() { bake_.reset(); }  ///< keeps the sea as it is
 
     const SeaState& sea() const { return sea_; }
     std::size_t bytes() const;
@@ -62,7 +64,7 @@ class Cascade {
    private:
     /// The outputs of one frame.
     struct Slot {
-        Slot(int resolution, std::size_t lanes, CascadeExtras extras);
+        Slot(int resolution, std::size_t lanes, const CascadeExtras& extras);
         std::size_t bytes() const {
             return surface.bytes() + rgba16f.bytes() + rgba8.bytes() + velocity.bytes() +
                    (folds ? folds->bytes() : 0);

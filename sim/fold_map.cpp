@@ -17,10 +17,10 @@ int floor_of(double x) {
 
 }  // namespace
 
-FoldMap::FoldMap(int resolution)
+FoldMap::FoldMap(int resolution, const HostMemory& memory)
     : resolution_(resolution),
-      cells_(static_cast<std::size_t>(resolution) * static_cast<std::size_t>(resolution) / 8),
-      squares_(cells_.size()) {}
+      cells_(static_cast<std::size_t>(resolution) * static_cast<std::size_t>(resolution) / 8, memory),
+      squares_(cells_.size(), memory) {}
 
 void FoldMap::find(const Frame& frame, const Kernels& kernels, std::size_t job) {
     assert(frame.resolution() == resolution_);
@@ -37,7 +37,7 @@ void FoldMap::find(const Frame& frame, const Kernels& kernels, std::size_t job) 
 void FoldMap::mark(const Frame& frame) {
     const SurfaceTexels surface = texels_of(frame);
     const double texels_per_m = resolution_ / frame.sea.patch_size_m;
-    std::fill(squares_.begin(), squares_.end(), std::uint8_t{0});
+    std::fill_n(squares_.data(), squares_.size(), std::uint8_t{0});
     for (std::size_t byte = 0; byte < cells_.size(); ++byte) {
         for (unsigned rest = cells_[byte]; rest != 0; rest &= rest - 1) {
             const int cell = static_cast<int>(byte) * 8 + std::countr_zero(rest);
@@ -73,7 +73,7 @@ void FoldMap::update(Frame& frame, const Kernels& kernels) {
     const DefaultFloatEnvironment environment;
     for (std::size_t job = 0; job < jobs(); ++job) find(frame, kernels, job);
     mark(frame);
-    frame.folds = squares_;
+    frame.folds = squares();
 }
 
 }  // namespace pelagic

@@ -9,10 +9,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "pelagic/sim/frame.hpp"
 #include "pelagic/sim/kernels/kernels.hpp"
+#include "pelagic/simd/aligned_buffer.hpp"
 
 namespace pelagic {
 
@@ -25,7 +25,7 @@ class FoldMap {
     /// Texels around what such cells are drawn on: more than a query's search for a rest point may be off.
     static constexpr double margin = 0.125;
 
-    explicit FoldMap(int resolution);
+    explicit FoldMap(int resolution, const HostMemory& memory = {});
 
     /// Stage `folds`: looks for cells that turn over. Rows of different jobs may be looked at side by side.
     void find(const Frame& frame, const Kernels& kernels, std::size_t job);
@@ -38,15 +38,15 @@ class FoldMap {
     void update(Frame& frame, const Kernels& kernels);
 
     /// N^2 bits: the square of the world from texel (i, j) to (i + 1, j + 1) is bit i % 8 of byte (j N + i) / 8.
-    std::span<const std::uint8_t> squares() const { return squares_; }
-    std::size_t bytes() const { return squares_.capacity() + cells_.capacity(); }
+    std::span<const std::uint8_t> squares() const { return {squares_.data(), squares_.size()}; }
+    std::size_t bytes() const { return squares_.bytes() + cells_.bytes(); }
 
    private:
     void mark_squares(int first_x, int last_x, int first_z, int last_z);
 
     int resolution_;
-    std::vector<std::uint8_t> cells_;    ///< that turn over, of the surface at rest
-    std::vector<std::uint8_t> squares_;  ///< of the world
+    AlignedBuffer<std::uint8_t> cells_;    ///< that turn over, of the surface at rest
+    AlignedBuffer<std::uint8_t> squares_;  ///< of the world
 };
 
 }  // namespace pelagic

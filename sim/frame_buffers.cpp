@@ -4,14 +4,10 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "pelagic/message/number_text.hpp"
+
 namespace pelagic {
 namespace {
-
-void copy_plane(const PlaneView& plane, std::span<float> out) {
-    if (out.empty()) return;
-    for (int j = 0; j < plane.resolution; ++j)
-        plane.copy_row(j, out.data() + static_cast<std::size_t>(j) * static_cast<std::size_t>(plane.resolution));
-}
 
 template <class T>
 void copy_all(std::span<const T> from, std::span<T> to) {
@@ -42,10 +38,19 @@ std::string check(const FrameBuffers& buffers, int resolution, bool has_velociti
         if (field.is_velocity && !has_velocities)
             return std::string(field.name) + " is wanted, needs an ocean with velocities";
         if (field.size != field.needed)
-            return std::string(field.name) + " has " + std::to_string(field.size) + " elements, needs " +
-                   std::to_string(field.needed);
+            return std::string(field.name) + " has " + number_text(field.size) + " elements, needs " +
+                   number_text(field.needed);
     }
     return {};
+}
+
+void copy_plane(const PlaneView& plane, std::span<float> out) {
+    if (out.empty()) return;
+    const auto side = static_cast<std::size_t>(plane.resolution);
+    if (!plane.data || out.size() != side * side)
+        throw std::invalid_argument("the plane has " + std::to_string(plane.data ? side * side : 0) +
+                                    " elements, and room for " + std::to_string(out.size()) + " was given");
+    for (int j = 0; j < plane.resolution; ++j) plane.copy_row(j, out.data() + static_cast<std::size_t>(j) * side);
 }
 
 void copy_frame(const Frame& frame, const FrameBuffers& buffers) {

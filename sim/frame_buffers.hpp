@@ -23,6 +23,10 @@ struct FrameBuffers {
 /// 4096", "velocity_x is wanted, needs an ocean with velocities".
 std::string check(const FrameBuffers& buffers, int resolution, bool has_velocities);
 
+/// Writes a plane, whatever blocks it is stored in, as tight rows: texel (i, j) at j N + i. `out` has N^2 elements, or none
+/// if nobody wants it; else std::invalid_argument. For the planes of a frame; one without data has no rows to write.
+void copy_plane(const PlaneView& plane, std::span<float> out);
+
 /// Throws std::invalid_argument(check(...)) before it writes.
 void copy_frame(const Frame& frame, const FrameBuffers& buffers);
 

@@ -54,11 +54,11 @@ std::complex<double> initial_amplitude(const SeaState& sea, const WaveSpectrum& 
     return drawn_wave(sea, spectrum, m, n).amplitude;
 }
 
-PackedSpectrum::PackedSpectrum(const FftPlan& plan, std::size_t lane_count)
+PackedSpectrum::PackedSpectrum(const FftPlan& plan, std::size_t lane_count, const HostMemory& memory)
     : lanes(lane_count),
       pairs(plan.pairs().size() * static_cast<std::size_t>(plan.tables().first_step().radix)),
-      waves(line_blocks(plan.tables().size, lanes) * pairs * wave_quantities * lanes),
-      harmonics(line_blocks(plan.tables().size, lanes) * pairs * lanes) {}
+      waves(line_blocks(plan.tables().size, lanes) * pairs * wave_quantities * lanes, memory),
+      harmonics(line_blocks(plan.tables().size, lanes) * pairs * lanes, memory) {}
 
 LineFigures bake_spectrum_line(const SeaState& sea, const WaveSpectrum& spectrum, const FftPlan& plan,
                                std::size_t line, PackedSpectrum& out) {

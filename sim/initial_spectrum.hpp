@@ -23,7 +23,7 @@ namespace pelagic {
 /// `minus` is then zero.
 struct PackedSpectrum {
     /// \param lanes  of the instruction set that reads it, Kernels::lanes
-    PackedSpectrum(const FftPlan& plan, std::size_t lanes);
+    PackedSpectrum(const FftPlan& plan, std::size_t lanes, const HostMemory& memory = {});
 
     float* block(std::size_t line_block) { return waves.data() + line_block * pairs * wave_quantities * lanes; }
     const float* block(std::size_t line_block) const { return const_cast<PackedSpectrum*>(this)->block(line_block); }

@@ -24,8 +24,8 @@ std::size_t floats_before(int resolution, int level) {
 
 }  // namespace
 
-MipAverages::MipAverages(int resolution)
-    : resolution_(resolution), values_(floats_before(resolution, mip_levels(resolution))) {}
+MipAverages::MipAverages(int resolution, const HostMemory& memory)
+    : resolution_(resolution), values_(floats_before(resolution, mip_levels(resolution)), memory) {}
 
 float* MipAverages::level(int level) { return values_.data() + floats_before(resolution_, level); }
 

@@ -12,7 +12,7 @@ namespace pelagic {
 /// Float averages of the levels that a tile leaves to others: GradientsJob::tile_levels and up.
 class MipAverages {
    public:
-    explicit MipAverages(int resolution);
+    explicit MipAverages(int resolution, const HostMemory& memory = {});
 
     /// As MipLevelJob wants them.
     float* level(int level);

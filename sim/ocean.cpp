@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "pelagic/message/refusal.hpp"
 #include "pelagic/sim/cascade.hpp"
 
 namespace pelagic {
@@ -27,7 +28,8 @@ struct Ocean::State {
         : executor(options.executor ? std::move(options.executor) : make_default_executor()),
           isa(choose_isa(options.isa)),
           has_velocities(options.velocities),
-          cascade(checked(sea), isa, {.folds = options.queries, .velocities = options.velocities}) {
+          cascade(checked(sea), isa,
+                  {.folds = options.queries, .velocities = options.velocities, .memory = options.memory}) {
         cascade.add_frame_stages(frame_graph);
         cascade.add_spectrum_stage(spectrum_graph);
         const bool is_small = sea.resolution <= largest_resolution_without_jobs;
@@ -65,8 +67,13 @@ void Ocean::schedule(double time_s) {
     assert(!state_->frame_in_flight && "complete() the frame in flight first");
     assert(std::isfinite(time_s));
     state_->cascade.begin_frame(time_s);
+    try {
+        state_->frame_run->schedule();
+    } catch (...) {
+        state_->cascade.drop_frame();
+        throw;
+    }
     state_->frame_in_flight = true;
-    state_->frame_run->schedule();
 }
 
 bool Ocean::is_ready() const {
@@ -76,8 +83,13 @@ bool Ocean::is_ready() const {
 const Frame& Ocean::complete() {
     assert((state_->frame_in_flight || state_->completed) && "schedule() a frame first");
     if (state_->frame_in_flight) {
-        state_->frame_run->complete();
         state_->frame_in_flight = false;
+        try {
+            state_->frame_run->complete();
+        } catch (...) {
+            state_->cascade.drop_frame();
+            throw;
+        }
         state_->completed = &state_->cascade.end_frame();
     }
     return *state_->completed;
@@ -102,11 +114,17 @@ FrameBounds Ocean::frame_at(double time_s, const FrameBuffers& buffers) {
 void Ocean::schedule_sea(const SeaState& sea) {
     assert(!state_->sea_in_flight && "complete_sea() first");
     if (checked(sea).resolution != state_->cascade.sea().resolution)
-        throw std::invalid_argument("resolution is " + std::to_string(sea.resolution) + ", needs " +
-                                    std::to_string(state_->cascade.sea().resolution) + ", as the ocean was built");
+        throw std::invalid_argument(
+            refusal("resolution", sea.resolution,
+                    number_text(state_->cascade.sea().resolution) + ", as the ocean was built"));
     state_->cascade.begin_spectrum(sea);
+    try {
+        state_->spectrum_run->schedule();
+    } catch (...) {
+        state_->cascade.drop_spectrum();
+        throw;
+    }
     state_->sea_in_flight = true;
-    state_->spectrum_run->schedule();
 }
 
 bool Ocean::sea_is_ready() const { return !state_->executor->runs_ahead() || state_->spectrum_run->is_done(); }
@@ -114,8 +132,13 @@ bool Ocean::sea_is_ready() const { return !state_->executor->runs_ahead() || sta
 void Ocean::complete_sea() {
     assert(!state_->frame_in_flight && "complete() the frame in flight first");
     if (!state_->sea_in_flight) return;
-    state_->spectrum_run->complete();
     state_->sea_in_flight = false;
+    try {
+        state_->spectrum_run->complete();
+    } catch (...) {
+        state_->cascade.drop_spectrum();
+        throw;
+    }
     state_->cascade.adopt_spectrum();
 }
 

@@ -18,6 +18,7 @@
 #include "pelagic/sim/frame.hpp"
 #include "pelagic/sim/frame_buffers.hpp"
 #include "pelagic/sim/sea_state.hpp"
+#include "pelagic/simd/host_memory.hpp"
 #include "pelagic/simd/isa.hpp"
 
 namespace pelagic {
@@ -29,14 +30,16 @@ struct OceanOptions {
     std::shared_ptr<TraceSink> trace = {};    ///< none: no clock is read. ChromeTrace or the host's own profiler
     bool queries = false;     ///< frames can be asked about any point (surface_query.hpp); N^2 / 8 bytes a frame
     bool velocities = false;  ///< frames have velocities; 12 N^2 bytes a frame and about twice the transforms
+    HostMemory memory = {};   ///< none: operator new. For frames and spectra, all but some 100 KB of an ocean
 };
 
 /// One patch of sea. Not thread-safe: one thread at a time calls its methods; the work runs on the executor.
-/// After construction a frame neither throws nor allocates in Pelagic's code. Misuse is asserted.
+/// After construction a frame allocates nothing in Pelagic's code, and throws only where an executor fails
+/// (GraphRun::complete()): that frame or sea is lost then, and the next may be scheduled. Misuse is asserted.
 class Ocean {
    public:
-    /// Bakes the spectrum. Throws std::invalid_argument(check(sea)) if an option is out of range, and what
-    /// choose_isa() throws.
+    /// Bakes the spectrum. Throws std::invalid_argument(check(sea)) if an option is out of range, what
+    /// choose_isa() and executors throw, and std::bad_alloc.
     explicit Ocean(const SeaState& sea, OceanOptions options = {});
     ~Ocean();  ///< waits for work in flight
     Ocean(const Ocean&) = delete;

@@ -1,8 +1,9 @@
 #include "pelagic/sim/sea_state.hpp"
 
 #include <array>
-#include <charconv>
 #include <cmath>
+
+#include "pelagic/message/refusal.hpp"
 
 namespace pelagic {
 namespace {
@@ -21,7 +22,7 @@ constexpr std::array fields = {
     SeaStateField{"wind_direction_rad", &SeaState::wind_direction_rad, -two_pi, two_pi, false, false,
                   "[-2 pi, 2 pi]"},
     SeaStateField{"fetch_m", &SeaState::fetch_m, 0, 2e6, true, false, "(0, 2e6]"},
-    SeaStateField{"depth_m", &SeaState::depth_m, 0, 11000, true, false, "(0, 11000]"},
+    SeaStateField{"depth_m", &SeaState::depth_m, 0.01, 11000, false, false, "[0.01, 11000]"},
     SeaStateField{"choppiness", &SeaState::choppiness, 0, 1, false, false, "[0, 1]"},
     SeaStateField{"roughness", &SeaState::roughness, 0, 1, false, false, "[0, 1]"},
     SeaStateField{"small_waves", &SeaState::small_waves, 0, 1, false, false, "[0, 1]"},
@@ -29,11 +30,6 @@ constexpr std::array fields = {
     SeaStateField{"loop_period_s", &SeaState::loop_period_s, 0.1, 86400, false, false, "[0.1, 86400]"},
     SeaStateField{"seed", &SeaState::seed, 0, 4294967295.0, false, false, "a whole number from 0 to 4294967295"},
 };
-
-std::string shortest_text(double value) {
-    std::array<char, 32> text;
-    return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
-}
 
 }  // namespace
 
@@ -61,8 +57,7 @@ std::string check(const SeaState& sea) {
     if (static_cast<std::size_t>(sea.spectrum) >= models.size()) return "spectrum is no known model";
     for (const SeaStateField& field : fields) {
         const double value = std::visit([&](auto member) { return static_cast<double>(sea.*member); }, field.member);
-        if (!field.accepts(value))
-            return std::string(field.name) + " is " + shortest_text(value) + ", needs " + std::string(field.accepted);
+        if (!field.accepts(value)) return refusal(field.name, value, field.accepted);
     }
     return {};
 }

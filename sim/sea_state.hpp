@@ -26,7 +26,7 @@ struct SeaState {
     double wind_speed_mps = 12;     ///< U10, mean wind 10 m above the sea; (0, 60]
     double wind_direction_rad = 0;  ///< where the wind blows towards, from +x towards +z; [-2 pi, 2 pi]
     double fetch_m = 100e3;         ///< how far the wind has blown over water (jonswap); (0, 2e6]
-    double depth_m = 4000;          ///< water depth in the dispersion relation; (0, 11000]
+    double depth_m = 4000;          ///< water depth in the dispersion relation; [0.01, 11000]
     double choppiness = 0.8;        ///< lambda, 0 gives a height field; [0, 1]
     double roughness = 0.1;         ///< of the water between texels, for the smoothness channel; [0, 1]
     double small_waves = 0;         ///< beta of equation 11: 0 keeps small waves, 1 removes those below L/4; [0, 1]

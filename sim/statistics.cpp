@@ -1,11 +1,12 @@
 #include "pelagic/sim/statistics.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
+#include <functional>
+#include <map>
 #include <vector>
 
+#include "pelagic/message/number_text.hpp"
 #include "pelagic/sim/dispersion.hpp"
 #include "pelagic/sim/initial_spectrum.hpp"
 #include "pelagic/sim/spectra.hpp"
@@ -62,10 +63,14 @@ double model_variance(const WaveSpectrum& spectrum) {
     return sum;
 }
 
-std::string text(const char* format, double a, double b) {
-    std::array<char, 256> line;
-    std::snprintf(line.data(), line.size(), format, a, b);
-    return line.data();
+std::string short_text(double value) { return rounded_text(value, 3); }
+
+/// What a patch does to the height, over all seeds: one seed's own may as well be above the model's.
+std::string height_beside_model(const SeaState& sea) {
+    const ExpectedWaves waves = expected_waves(sea);
+    if (!waves.model_significant_wave_height_m) return {};
+    return ", over all seeds Hs " + short_text(waves.significant_wave_height_m) + " m, where this wind makes " +
+           short_text(*waves.model_significant_wave_height_m) + " m";
 }
 
 }  // namespace
@@ -130,26 +135,59 @@ double measured_peak_period_s(const SeaState& sea) {
     return weight / weighted_frequency;
 }
 
+LoopFrequencies loop_frequencies(const SeaState& sea) {
+    const DefaultFloatEnvironment environment;
+    const WaveSpectrum spectrum(sea);
+    const double spacing = two_pi / sea.patch_size_m;
+    std::map<std::uint32_t, double> variances;
+    double all = 0;
+    for_each_wave(sea.resolution, [&](int m, int n) {
+        const double k = spacing * std::sqrt(static_cast<double>(m) * m + static_cast<double>(n) * n);
+        const double variance = std::norm(initial_amplitude(sea, spectrum, m, n));
+        variances[loop_harmonic(angular_frequency(k, sea.depth_m), sea.loop_period_s)] += variance;
+        all += variance;
+    });
+    if (!(all > 0)) return {};
+
+    std::vector<double> falling;
+    for (const auto& [harmonic, variance] : variances) falling.push_back(variance / all);
+    std::sort(falling.begin(), falling.end(), std::greater());
+    LoopFrequencies found{0, falling.front()};
+    double held = 0;
+    for (const double share : falling) {
+        if (held >= 0.9) break;
+        held += share;
+        ++found.for_90_percent;
+    }
+    return found;
+}
+
 std::vector<std::string> warnings_about(const SeaState& sea) {
-    const ExpectedWaves waves = expected_waves(sea);
+    const DefaultFloatEnvironment environment;
+    const Peak peak = peak_of(WaveSpectrum(sea), sea);
+    const double peak_wavelength_m = two_pi / peak.k;
     std::vector<std::string> warnings;
-    if (sea.patch_size_m < 2 * waves.peak_wavelength_m)
-        warnings.push_back(
-            text("the patch of %g m is shorter than two peak wavelengths (%.3g m): the largest waves are "
-                 "missing or few, and the sea is lower than its wind makes it",
-                 sea.patch_size_m, 2 * waves.peak_wavelength_m));
-    if (const double shortest = 2 * sea.patch_size_m / sea.resolution; waves.peak_wavelength_m < 2 * shortest)
-        warnings.push_back(
-            text("the grid's shortest wave of %.3g m is longer than half the peak wavelength (%.3g m): "
-                 "raise the resolution or shrink the patch",
-                 shortest, waves.peak_wavelength_m));
-    const double omega = two_pi / waves.peak_period_s;
-    const double looped = loop_harmonic(omega, sea.loop_period_s) * two_pi / sea.loop_period_s;
-    if (std::fabs(looped / omega - 1) > 0.1)
-        warnings.push_back(
-            text("a loop of %g s bends the peak's period by %.0f %%: waves of a loop run a whole number "
-                 "of periods",
-                 sea.loop_period_s, 100 * std::fabs(omega / looped - 1)));
+    if (sea.patch_size_m < 2 * peak_wavelength_m)
+        warnings.push_back("the patch of " + number_text(sea.patch_size_m) +
+                           " m is shorter than two peak wavelengths (" + short_text(2 * peak_wavelength_m) +
+                           " m): it holds few of the largest waves, or none, so each seed is higher or lower" +
+                           height_beside_model(sea));
+    if (const double shortest = 2 * sea.patch_size_m / sea.resolution; peak_wavelength_m < 2 * shortest)
+        warnings.push_back("the grid's shortest wave of " + short_text(shortest) +
+                           " m is longer than half the peak wavelength (" + short_text(peak_wavelength_m) +
+                           " m): raise the resolution or shrink the patch");
+    const double looped = loop_harmonic(peak.omega, sea.loop_period_s) * two_pi / sea.loop_period_s;
+    if (std::fabs(looped / peak.omega - 1) > 0.1)
+        warnings.push_back("a loop of " + number_text(sea.loop_period_s) + " s bends the peak's period by " +
+                           number_text(std::round(100 * std::fabs(peak.omega / looped - 1))) +
+                           " %: waves of a loop run a whole number of periods");
+    if (const LoopFrequencies found = loop_frequencies(sea);
+        found.largest_share > 0 && found.for_90_percent < fewest_loop_frequencies)
+        warnings.push_back("a loop of " + number_text(sea.loop_period_s) + " s is short for this sea: " +
+                           number_text(found.for_90_percent) +
+                           " of its frequencies hold 90 % of the energy, so waves rise and fall in step; ten peak "
+                           "periods, " +
+                           number_text(std::round(10 * two_pi / peak.omega)) + " s, leave about ten");
     return warnings;
 }
 

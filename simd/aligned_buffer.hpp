@@ -2,10 +2,14 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <new>
+#include <stdexcept>
 #include <type_traits>
 #include <utility>
+
+#include "pelagic/simd/host_memory.hpp"
 
 namespace pelagic {
 
@@ -17,16 +21,24 @@ class AlignedBuffer {
     static constexpr std::size_t alignment = 64;
 
     AlignedBuffer() = default;
-    explicit AlignedBuffer(std::size_t size)
-        : data_(static_cast<T*>(::operator new (size * sizeof(T), std::align_val_t{alignment}))), size_(size) {
-        std::memset(static_cast<void*>(data_), 0, size * sizeof(T));
+    /// Throws std::bad_alloc if there is not so much memory, std::invalid_argument if the host's is not aligned.
+    explicit AlignedBuffer(std::size_t size, const HostMemory& memory = {}) : memory_(memory), size_(size) {
+        if (size == 0) return;
+        data_ = static_cast<T*>(allocated());
+        std::memset(static_cast<void*>(data_), 0, bytes());
     }
     AlignedBuffer(AlignedBuffer&& other) noexcept : AlignedBuffer() { swap(other); }
     AlignedBuffer& operator=(AlignedBuffer&& other) noexcept {
         swap(other);
         return *this;
     }
-    ~AlignedBuffer() { ::operator delete (data_, std::align_val_t{alignment}); }
+    ~AlignedBuffer() {
+        if (!data_) return;
+        if (memory_.release)
+            memory_.release(memory_.user, data_, bytes(), alignment);
+        else
+            ::operator delete (data_, std::align_val_t{alignment});
+    }
 
     T* data() { return data_; }
     const T* data() const { return data_; }
@@ -36,11 +48,27 @@ class AlignedBuffer {
     const T& operator[](std::size_t i) const { return data_[i]; }
 
    private:
+    void* allocated() const {
+        if (!memory_.allocate) return ::operator new (bytes(), std::align_val_t{alignment});
+        void* given = nullptr;
+        try {
+            given = memory_.allocate(memory_.user, bytes(), alignment);
+        } catch (...) {
+            throw std::bad_alloc();
+        }
+        if (!given) throw std::bad_alloc();
+        if (reinterpret_cast<std::uintptr_t>(given) % alignment == 0) return given;
+        memory_.release(memory_.user, given, bytes(), alignment);
+        throw std::invalid_argument("the host's memory is not aligned, needs multiples of 64");
+    }
+
     void swap(AlignedBuffer& other) noexcept {
+        std::swap(memory_, other.memory_);
         std::swap(data_, other.data_);
         std::swap(size_, other.size_);
     }
 
+    HostMemory memory_;
     T* data_ = nullptr;
     std::size_t size_ = 0;
 };

@@ -6,6 +6,8 @@
 // which tests/det_math_test.cpp checks against libm in long double.
 #pragma once
 
+#include "pelagic/simd/strict_floats.hpp"
+
 namespace pelagic::det {
 
 /// Natural logarithm. \pre x is positive, normal and finite

@@ -6,6 +6,8 @@
 
 #include <xsimd/xsimd.hpp>
 
+#include "pelagic/simd/strict_floats.hpp"
+
 namespace pelagic::kernels {
 
 template <class Arch>

@@ -11,6 +11,8 @@
 #include <xmmintrin.h>
 #endif
 
+#include "pelagic/simd/strict_floats.hpp"
+
 namespace pelagic {
 
 class DefaultFloatEnvironment {

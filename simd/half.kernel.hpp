@@ -8,13 +8,14 @@
 #include <xsimd/xsimd.hpp>
 
 #include "pelagic/simd/always_inline.hpp"
+#include "pelagic/simd/lanes.kernel.hpp"
 
 namespace pelagic::kernels {
 
 #if defined(__AVX512F__)
 
 /// Four halves a lane, side by side: a, b, c, d of lane 0, then of lane 1, ... `out` is aligned to 64 bytes.
-template <class Arch>
+template <HasLanes<16> Arch>
 PELAGIC_INLINE void store_halves(xsimd::batch<float, Arch> a, xsimd::batch<float, Arch> b,
                                  xsimd::batch<float, Arch> c, xsimd::batch<float, Arch> d, std::uint16_t* out) {
     // 32-bit words of a and b, and of c and d, one a lane; then the words of a lane side by side.
@@ -30,9 +31,10 @@ PELAGIC_INLINE void store_halves(xsimd::batch<float, Arch> a, xsimd::batch<float
     _mm512_store_si512(out + 32, _mm512_permutex2var_epi32(ab, second, cd));
 }
 
-#elif defined(__AVX2__)
+#endif
+#if defined(__AVX2__) && defined(__F16C__)
 
-template <class Arch>
+template <HasLanes<8> Arch>
 PELAGIC_INLINE void store_halves(xsimd::batch<float, Arch> a, xsimd::batch<float, Arch> b,
                                  xsimd::batch<float, Arch> c, xsimd::batch<float, Arch> d, std::uint16_t* out) {
     const auto halves = [](__m256 v) { return _mm256_cvtps_ph(v, _MM_FROUND_TO_NEAREST_INT); };
@@ -46,7 +48,8 @@ PELAGIC_INLINE void store_halves(xsimd::batch<float, Arch> a, xsimd::batch<float
     }
 }
 
-#elif defined(__x86_64__)
+#endif
+#if defined(__x86_64__)
 
 /// The half's 16 bits in the low half of each lane, the high half zero.
 template <class Arch>
@@ -70,7 +73,7 @@ inline xsimd::batch<std::int32_t, Arch> half_bits(xsimd::batch<float, Arch> valu
     return xsimd::select(magnitude < I(113 << 23), subnormal, normal) | sign;
 }
 
-template <class Arch>
+template <HasLanes<4> Arch>
 PELAGIC_INLINE void store_halves(xsimd::batch<float, Arch> a, xsimd::batch<float, Arch> b,
                                  xsimd::batch<float, Arch> c, xsimd::batch<float, Arch> d, std::uint16_t* out) {
     const __m128i ab = half_bits<Arch>(a) | (half_bits<Arch>(b) << 16);

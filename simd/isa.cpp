@@ -9,6 +9,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "pelagic/message/refusal.hpp"
+
 namespace pelagic {
 namespace {
 
@@ -32,8 +34,7 @@ bool has_f16c() {
 #endif
 
 [[noreturn]] void refuse(std::string_view asked_by, std::string_view value) {
-    throw std::invalid_argument(std::string(asked_by) + " is " + std::string(value) +
-                                ", needs an instruction set that this CPU runs: " + names_here());
+    throw std::invalid_argument(refusal(asked_by, value, "an instruction set that this CPU runs: " + names_here()));
 }
 
 }  // namespace

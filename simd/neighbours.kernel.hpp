@@ -5,19 +5,21 @@
 #include <xsimd/xsimd.hpp>
 
 #include "pelagic/simd/always_inline.hpp"
+#include "pelagic/simd/lanes.kernel.hpp"
 
 namespace pelagic::kernels {
 
 /// Lane i of the result is even lane 2i plus odd lane 2i + 1 of `low` and `high` seen as one row of 2 W.
 #if defined(__AVX512F__)
-template <class Arch>
+template <HasLanes<16> Arch>
 PELAGIC_INLINE xsimd::batch<float, Arch> pair_sums(xsimd::batch<float, Arch> low, xsimd::batch<float, Arch> high) {
     const __m512i evens = _mm512_set_epi32(30, 28, 26, 24, 22, 20, 18, 16, 14, 12, 10, 8, 6, 4, 2, 0);
     const __m512i odds = _mm512_set_epi32(31, 29, 27, 25, 23, 21, 19, 17, 15, 13, 11, 9, 7, 5, 3, 1);
     return _mm512_add_ps(_mm512_permutex2var_ps(low, evens, high), _mm512_permutex2var_ps(low, odds, high));
 }
-#elif defined(__AVX2__)
-template <class Arch>
+#endif
+#if defined(__AVX2__)
+template <HasLanes<8> Arch>
 PELAGIC_INLINE xsimd::batch<float, Arch> pair_sums(xsimd::batch<float, Arch> low, xsimd::batch<float, Arch> high) {
     const __m256 evens = _mm256_shuffle_ps(low, high, _MM_SHUFFLE(2, 0, 2, 0));
     const __m256 odds = _mm256_shuffle_ps(low, high, _MM_SHUFFLE(3, 1, 3, 1));
@@ -25,8 +27,9 @@ PELAGIC_INLINE xsimd::batch<float, Arch> pair_sums(xsimd::batch<float, Arch> low
     const __m256d sums = _mm256_castps_pd(_mm256_add_ps(evens, odds));
     return _mm256_castpd_ps(_mm256_permute4x64_pd(sums, _MM_SHUFFLE(3, 1, 2, 0)));
 }
-#elif defined(__x86_64__)
-template <class Arch>
+#endif
+#if defined(__x86_64__)
+template <HasLanes<4> Arch>
 PELAGIC_INLINE xsimd::batch<float, Arch> pair_sums(xsimd::batch<float, Arch> low, xsimd::batch<float, Arch> high) {
     return _mm_add_ps(_mm_shuffle_ps(low, high, _MM_SHUFFLE(2, 0, 2, 0)),
                       _mm_shuffle_ps(low, high, _MM_SHUFFLE(3, 1, 3, 1)));
@@ -42,36 +45,38 @@ PELAGIC_INLINE xsimd::batch<float, Arch> pair_sums(xsimd::batch<float, Arch> low
 /// The lanes of `here` and the one in front of it, from the end of `before`: lane i is lane i - 1 of `here`.
 /// And the other way: lane i is lane i + 1 of `here`, the last one the first of `behind`.
 #if defined(__AVX512F__)
-template <class Arch>
+template <HasLanes<16> Arch>
 PELAGIC_INLINE xsimd::batch<float, Arch> one_before(xsimd::batch<float, Arch> before,
                                                     xsimd::batch<float, Arch> here) {
     return _mm512_castsi512_ps(_mm512_alignr_epi32(_mm512_castps_si512(here), _mm512_castps_si512(before), 15));
 }
-template <class Arch>
+template <HasLanes<16> Arch>
 PELAGIC_INLINE xsimd::batch<float, Arch> one_behind(xsimd::batch<float, Arch> here,
                                                     xsimd::batch<float, Arch> behind) {
     return _mm512_castsi512_ps(_mm512_alignr_epi32(_mm512_castps_si512(behind), _mm512_castps_si512(here), 1));
 }
-#elif defined(__AVX2__)
-template <class Arch>
+#endif
+#if defined(__AVX2__)
+template <HasLanes<8> Arch>
 PELAGIC_INLINE xsimd::batch<float, Arch> one_before(xsimd::batch<float, Arch> before,
                                                     xsimd::batch<float, Arch> here) {
     const __m256i middle = _mm256_castps_si256(_mm256_permute2f128_ps(before, here, 0x21));
     return _mm256_castsi256_ps(_mm256_alignr_epi8(_mm256_castps_si256(here), middle, 12));
 }
-template <class Arch>
+template <HasLanes<8> Arch>
 PELAGIC_INLINE xsimd::batch<float, Arch> one_behind(xsimd::batch<float, Arch> here,
                                                     xsimd::batch<float, Arch> behind) {
     const __m256i middle = _mm256_castps_si256(_mm256_permute2f128_ps(here, behind, 0x21));
     return _mm256_castsi256_ps(_mm256_alignr_epi8(middle, _mm256_castps_si256(here), 4));
 }
-#elif defined(__x86_64__)
-template <class Arch>
+#endif
+#if defined(__x86_64__)
+template <HasLanes<4> Arch>
 PELAGIC_INLINE xsimd::batch<float, Arch> one_before(xsimd::batch<float, Arch> before,
                                                     xsimd::batch<float, Arch> here) {
     return _mm_castsi128_ps(_mm_alignr_epi8(_mm_castps_si128(here), _mm_castps_si128(before), 12));
 }
-template <class Arch>
+template <HasLanes<4> Arch>
 PELAGIC_INLINE xsimd::batch<float, Arch> one_behind(xsimd::batch<float, Arch> here,
                                                     xsimd::batch<float, Arch> behind) {
     return _mm_castsi128_ps(_mm_alignr_epi8(_mm_castps_si128(behind), _mm_castps_si128(here), 4));

@@ -1,7 +1,9 @@
 // The C interface: the same sea as in C++, every misuse a code and a line, nothing a crash. Linked against the shared
 // library alone.
 #include <atomic>
+#include <cctype>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <functional>
 #include <limits>
@@ -137,6 +139,7 @@ TEST(CInterface, NullIsNamed) {
     expect_invalid(pelagic_ocean_complete(nullptr, &frame), "ocean is NULL");
     expect_invalid(pelagic_ocean_frame_at(nullptr, 0, &buffers, nullptr), "ocean is NULL");
     expect_invalid(pelagic_ocean_frame_at(ocean.get(), 0, nullptr, nullptr), "buffers is NULL");
+    expect_invalid(pelagic_ocean_copy(nullptr, &buffers), "ocean is NULL");
     expect_invalid(pelagic_ocean_hash(nullptr, &hash), "ocean is NULL");
     expect_invalid(pelagic_ocean_schedule_sea(nullptr, &sea), "ocean is NULL");
     expect_invalid(pelagic_ocean_schedule_sea(ocean.get(), nullptr), "sea is NULL");
@@ -151,6 +154,7 @@ TEST(CInterface, NullIsNamed) {
     expect_invalid(pelagic_ocean_poll(ocean.get(), nullptr), "is_ready is NULL");
     expect_invalid(pelagic_ocean_complete(ocean.get(), nullptr), "frame is NULL");
     EXPECT_EQ(pelagic_ocean_complete(ocean.get(), &frame), PELAGIC_OK) << "a failed complete leaves it in flight";
+    expect_invalid(pelagic_ocean_copy(ocean.get(), nullptr), "buffers is NULL");
     expect_invalid(pelagic_ocean_hash(ocean.get(), nullptr), "hash is NULL");
     expect_invalid(pelagic_ocean_query(ocean.get(), nullptr, &samples), "points is NULL");
     expect_invalid(pelagic_ocean_query(ocean.get(), &points, nullptr), "samples is NULL");
@@ -272,14 +276,12 @@ TEST(CInterface, TheWrongOrderIsAnErrorThatChangesNothing) {
     auto points = sized<pelagic_points>();
     auto samples = sized<pelagic_samples>();
     const pelagic_sea sea = small_sea();
-    std::int32_t is_ready = 0;
     std::uint64_t hash = 0;
     expect_wrong_order(pelagic_ocean_complete(ocean.get(), &frame), "no frame is in flight");
-    expect_wrong_order(pelagic_ocean_poll(ocean.get(), &is_ready), "no frame is in flight");
     expect_wrong_order(pelagic_ocean_hash(ocean.get(), &hash), "no frame yet");
     expect_wrong_order(pelagic_ocean_query(ocean.get(), &points, &samples), "no frame yet");
     expect_wrong_order(pelagic_ocean_complete_sea(ocean.get()), "no sea is being baked");
-    expect_wrong_order(pelagic_ocean_poll_sea(ocean.get(), &is_ready), "no sea is being baked");
+    expect_wrong_order(pelagic_ocean_copy(ocean.get(), &buffers), "no frame yet");
 
     EXPECT_EQ(pelagic_ocean_schedule(ocean.get(), 3), PELAGIC_OK);
     expect_wrong_order(pelagic_ocean_schedule(ocean.get(), 4), "a frame is in flight");
@@ -371,6 +373,28 @@ TEST(CInterface, MessagesAreTheThreadsOwn) {
     EXPECT_NE(std::string(pelagic_last_error()), "") << "success leaves the last message";
 }
 
+TEST(CInterface, MessagesAreOneShortLineWithTheNumberThatWasGiven) {
+    const pelagic_sea sea = small_sea(16);
+    for (const std::string& isa : {std::string("\n\n"), std::string("\x1b[2J"), std::string(5000, 'x')}) {
+        auto options = sized<pelagic_ocean_options>();
+        options.isa = isa.c_str();
+        pelagic_ocean* ocean = nullptr;
+        EXPECT_EQ(pelagic_ocean_create(&sea, &options, &ocean), PELAGIC_INVALID_ARGUMENT);
+        const std::string message = pelagic_last_error();
+        EXPECT_LT(message.size(), 300u);
+        for (const char c : message) EXPECT_FALSE(std::iscntrl(static_cast<unsigned char>(c))) << message;
+        EXPECT_TRUE(message.starts_with("isa is ") && message.ends_with("avx512 or neon")) << message;
+    }
+    for (const double wanted : {1e-300, -2.5e-7, 1000.0000000000001}) {
+        auto options = sized<pelagic_ocean_options>();
+        options.query_tolerance_m = wanted;
+        pelagic_ocean* ocean = nullptr;
+        expect_invalid(pelagic_ocean_create(&sea, &options, &ocean), ", needs 0 or [1e-6, 1000]");
+        const std::string message = pelagic_last_error();
+        EXPECT_EQ(std::strtod(message.c_str() + message.find(" is ") + 4, nullptr), wanted) << message;
+    }
+}
+
 TEST(CInterface, FrameAtWritesTheFrameAndLeavesTheOthersAlone) {
     const COcean ocean = ocean_of(small_sea(128), executor_of(PELAGIC_EXECUTOR_THREADS, 3).get());
     const pelagic_frame shown = frame_at(ocean.get(), 1);
@@ -425,6 +449,95 @@ TEST(CInterface, PollSaysYesInTheEnd) {
             }
         }
     }
+}
+
+// As Ocean::is_ready(): there is nothing to wait for.
+TEST(CInterface, PollSaysYesWhereNothingIsInFlight) {
+    const COcean ocean = make_ocean();
+    const pelagic_sea sea = small_sea();
+    const auto expect_ready = [&] {
+        std::int32_t is_ready = -1;
+        EXPECT_EQ(pelagic_ocean_poll(ocean.get(), &is_ready), PELAGIC_OK);
+        EXPECT_EQ(is_ready, 1);
+        is_ready = -1;
+        EXPECT_EQ(pelagic_ocean_poll_sea(ocean.get(), &is_ready), PELAGIC_OK);
+        EXPECT_EQ(is_ready, 1);
+    };
+    expect_ready();
+    frame_at(ocean.get(), 1);
+    ASSERT_EQ(pelagic_ocean_schedule_sea(ocean.get(), &sea), PELAGIC_OK);
+    ASSERT_EQ(pelagic_ocean_complete_sea(ocean.get()), PELAGIC_OK);
+    expect_ready();
+}
+
+TEST(CInterface, ACopyHasTightRows) {
+    const COcean ocean = ocean_of(small_sea(64), executor_of(PELAGIC_EXECUTOR_THREADS, 3).get());
+    const pelagic_frame frame = frame_at(ocean.get(), 2);
+    FrameArrays arrays(64), later(64);
+    const pelagic_frame_buffers buffers = arrays.view(), later_buffers = later.view();
+    ASSERT_EQ(pelagic_ocean_copy(ocean.get(), &buffers), PELAGIC_OK) << pelagic_last_error();
+    const pelagic_plane* planes[6] = {&frame.dx,         &frame.height,     &frame.dz,
+                                      &frame.velocity_x, &frame.velocity_y, &frame.velocity_z};
+    for (std::size_t p = 0; p < 6; ++p)
+        for (int texel = 0; texel < 64 * 64; ++texel)
+            ASSERT_EQ(at(*planes[p], texel % 64, texel / 64), arrays.planes[p][static_cast<std::size_t>(texel)]);
+    EXPECT_EQ(std::memcmp(frame.displacement_rgba16f, arrays.halves.data(), 2 * arrays.halves.size()), 0);
+    EXPECT_EQ(std::memcmp(frame.gradient_rgba8, arrays.bytes.data(), 4 * arrays.bytes.size()), 0);
+
+    ASSERT_EQ(pelagic_ocean_schedule(ocean.get(), 3), PELAGIC_OK);
+    ASSERT_EQ(pelagic_ocean_copy(ocean.get(), &later_buffers), PELAGIC_OK);
+    EXPECT_EQ(arrays, later) << "also while the next frame is computed";
+
+    FrameArrays one(64);
+    auto height_alone = sized<pelagic_frame_buffers>();
+    height_alone.plane_count = 64 * 64;
+    height_alone.height = one.planes[1].data();
+    EXPECT_EQ(pelagic_ocean_copy(ocean.get(), &height_alone), PELAGIC_OK);
+    EXPECT_EQ(one.planes[1], arrays.planes[1]);
+    height_alone.plane_count = 5;
+    expect_invalid(pelagic_ocean_copy(ocean.get(), &height_alone), "height has 5 elements, needs 4096");
+}
+
+// As a C++ host asks the frame that frame_at() hands out.
+TEST(CInterface, AFrameOfFrameAtMayBeAskedBeforeOneIsCompleted) {
+    const COcean ocean = make_ocean(64);
+    auto points = sized<pelagic_points>();
+    auto samples = sized<pelagic_samples>();
+    const double place = 0;
+    float height = 0;
+    points.count = 1, points.x = points.z = &place;
+    samples.height_m = &height;
+    const auto height_by_query = [&] {
+        height = -1000;
+        EXPECT_EQ(pelagic_ocean_query(ocean.get(), &points, &samples), PELAGIC_OK) << pelagic_last_error();
+        return height;
+    };
+    for (const double time_s : {1.0, 2.0, 3.0}) {
+        FrameArrays arrays(64), copied(64);
+        const pelagic_frame_buffers buffers = arrays.view(), copied_buffers = copied.view();
+        ASSERT_EQ(pelagic_ocean_frame_at(ocean.get(), time_s, &buffers, nullptr), PELAGIC_OK);
+        const float asked = height_by_query();
+        ASSERT_EQ(pelagic_ocean_copy(ocean.get(), &copied_buffers), PELAGIC_OK);
+        EXPECT_EQ(copied, arrays) << "copy tells of it too";
+        std::uint64_t hash = 0, expected = 0;
+        EXPECT_EQ(pelagic_ocean_hash(ocean.get(), &hash), PELAGIC_OK);
+        const COcean other = make_ocean(64);
+        frame_at(other.get(), time_s);
+        EXPECT_EQ(pelagic_ocean_hash(other.get(), &expected), PELAGIC_OK);
+        EXPECT_EQ(hash, expected);
+        float other_height = 0;
+        samples.height_m = &other_height;
+        EXPECT_EQ(pelagic_ocean_query(other.get(), &points, &samples), PELAGIC_OK);
+        samples.height_m = &height;
+        EXPECT_EQ(asked, other_height);
+    }
+    // From the first complete() on it is that frame, whatever frame_at() makes.
+    frame_at(ocean.get(), 9);
+    const float shown = height_by_query();
+    FrameArrays arrays(64);
+    const pelagic_frame_buffers buffers = arrays.view();
+    ASSERT_EQ(pelagic_ocean_frame_at(ocean.get(), 1, &buffers, nullptr), PELAGIC_OK);
+    EXPECT_EQ(height_by_query(), shown);
 }
 
 TEST(CInterface, ARayMeetsTheWaterWhereAQueryFindsIt) {

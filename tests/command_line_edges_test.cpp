@@ -32,6 +32,14 @@ TEST(CommandLineEdges, AreOneLineAndExitCode2) {
         {{"info"}, ":2: sea is a table", "seed = 1\n[sea]\nwind_speed = 9\n"},
         {{"info"}, ": malformed table, needs lines such as", "[ *\n"},  // a fuzzer's find: toml++ asserts
         {{"info"}, "unknown key a\\nb", "\"a\\nb\" = 1\n"},
+        {{"info"}, "preset is a\\x00b, needs calm", "preset = \"a\\u0000b\"\n"},
+        {{"info", "--wind-speed",
+          "\xc2\x9b"
+          "2J"},
+         "--wind-speed is \\xc2\\x9b2J, needs (0, 60]"},
+        {{"info", "--wind-speed", std::string(5000, '9')}, "needs (0, 60]"},
+        {{"info", "--config", "/" + std::string(5000, 'x')}, "needs a TOML file"},
+        {{std::string(5000, 'x')}, "query, render or view"},
     };
     for (const Edge& edge : edges) {
         const TemporaryFolder folder;
@@ -45,6 +53,7 @@ TEST(CommandLineEdges, AreOneLineAndExitCode2) {
         EXPECT_EQ(outcome.exit_code, 2) << edge.says;
         EXPECT_EQ(outcome.out, "") << edge.says;
         EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+        EXPECT_LT(outcome.err.size(), 300u) << outcome.err;
         EXPECT_NE(outcome.err.find(edge.says), std::string::npos) << outcome.err << "lacks " << edge.says;
         EXPECT_FALSE(std::filesystem::exists(folder / "out")) << edge.says;
     }

@@ -7,13 +7,17 @@
 #include <gtest/gtest.h>
 #include <png.h>
 
+#include <algorithm>
 #include <bit>
+#include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/statistics.hpp"
+#include "pelagic/sim/surface_query.hpp"
 #include "pelagic/tests/run_pelagic.hpp"
 
 namespace pelagic {
@@ -190,7 +194,97 @@ TEST(ExportedFiles, SeaJsonSaysWhatIsThere) {
     EXPECT_EQ(waves["significant_wave_height_m"]["expected"], expected.significant_wave_height_m);
     EXPECT_EQ(waves["peak_period_s"]["expected"], expected.peak_period_s);
     EXPECT_EQ(waves["peak_period_s"]["measured"], measured_peak_period_s(same));
+    EXPECT_EQ(waves["loop_frequencies"]["for_90_percent"], loop_frequencies(same).for_90_percent);
+    EXPECT_EQ(waves["loop_frequencies"]["largest_share"], loop_frequencies(same).largest_share);
     EXPECT_EQ(sea["warnings"].get<std::vector<std::string>>(), warnings_about(same));
+}
+
+// Numbers without a short decimal form, so that a digit less would be another sea.
+TEST(ExportedFiles, SeaJsonReadsBackAsTheSameSeaBitForBit) {
+    const TemporaryFolder folder;
+    export_to(folder / "out", {"--preset", "rough", "--wind-direction", "33.3", "--wind-speed", "11.100000000000001",
+                               "--fetch", "123456.789", "--loop-period", "61.7", "--seed", "4294967295", "--depth",
+                               "0.1", "--spectrum", "phillips"});
+    const std::string record = (folder / "out" / "sea.json").string();
+    const json said = json::parse(read_file(record));
+    const Outcome info = run_pelagic({"info", "--json", "--config", record});
+    ASSERT_EQ(info.exit_code, 0) << info.err;
+    EXPECT_EQ(json::parse(info.out)["first_frame"]["hash"], said["frames"][0]["hash"]);
+    EXPECT_EQ(json::parse(info.out)["sea"], said["sea"]);
+
+    ASSERT_EQ(run_pelagic({"export", "--config", record, "--out", (folder / "again").string()}).exit_code, 0);
+    EXPECT_EQ(files_in(folder / "again"), files_in(folder / "out"));
+
+    // What info prints reads back too, and flags win.
+    write_file(folder / "info.json", info.out);
+    const Outcome other = run_pelagic({"info", "--json", "--config", (folder / "info.json").string(), "--seed", "2"});
+    ASSERT_EQ(other.exit_code, 0) << other.err;
+    json sea = json::parse(other.out)["sea"];
+    EXPECT_EQ(sea["seed"], 2);
+    sea["seed"] = said["sea"]["seed"];
+    EXPECT_EQ(sea, said["sea"]);
+}
+
+/// The value of a channel by what sea.json says of it, 0 if there is none of that name.
+double value_of(const json& channels, const char* name, const std::map<std::string, double>& pixel) {
+    for (const json& channel : channels)
+        if (channel["name"] == name)
+            return channel["scale"].get<double>() * pixel.at(channel["channel"]) + channel["offset"].get<double>();
+    ADD_FAILURE() << "no channel " << name;
+    return 0;
+}
+
+// A program that knows nothing but sea.json gets from files what a surface query says of the places.
+TEST(ExportedFiles, SeaJsonSaysWhatPixelsMean) {
+    const TemporaryFolder folder;
+    export_to(folder.path(), {"--wind-direction", "40"});
+    const json record = json::parse(read_file(folder / "sea.json"));
+    SeaState sea = small_sea;
+    sea.wind_direction_rad = 40 * 3.14159265358979323846 / 180;
+    Ocean ocean(sea, {.executor = make_serial_executor(), .queries = true});
+    const SurfaceQuery water(ocean.frame_at(0));
+
+    const auto bytes = read_png(folder / "gradient_0000.png", 32);
+    std::map<std::string, std::vector<float>> floats;
+    for (const char* channel : {"R", "G", "B"})
+        floats[channel] = read_exr<float>(folder / "displacement_0000.exr", channel, Imf::FLOAT);
+    const auto at = [&](const char* line, int number) {
+        const json& said = record["layout"][line];
+        return said["scale"].get<double>() * number + said["offset"].get<double>();
+    };
+    for (int j = 0; j < 32; ++j) {
+        for (int i = 0; i < 32; ++i) {
+            const auto texel = static_cast<std::size_t>(32 * j + i);
+            std::map<std::string, double> numbers, parts;
+            for (const auto& [channel, plane] : floats) numbers[channel] = static_cast<double>(plane[texel]);
+            for (std::size_t c = 0; c < 4; ++c) parts[std::string(1, "RGBA"[c])] = bytes[4 * texel + c] / 255.0;
+            const json &displacement = record["channels"]["displacement"], &gradient = record["channels"]["gradient"];
+
+            const double x[] = {at("x_m_of_column", i) + value_of(displacement, "Dx", numbers)};
+            const double z[] = {at("z_m_of_row", j) + value_of(displacement, "Dz", numbers)};
+            float height[1], normal_x[1], normal_z[1], jacobian[1];
+            water.sample({x, z},
+                         {.height_m = height, .normal_x = normal_x, .normal_z = normal_z, .jacobian = jacobian});
+            // A millimetre sideways, the query's tolerance, changes less than that here: texels are 8 m apart.
+            EXPECT_NEAR(value_of(displacement, "height", numbers), height[0], 1e-3);
+            const double half_a_byte = 1 / 255.0 + 1e-3;
+            EXPECT_NEAR(value_of(gradient, "normal_x", parts), normal_x[0], half_a_byte);
+            EXPECT_NEAR(value_of(gradient, "normal_z", parts), normal_z[0], half_a_byte);
+            EXPECT_NEAR(value_of(gradient, "jacobian", parts), std::clamp(jacobian[0], -1.f, 1.f), half_a_byte);
+            EXPECT_NEAR(value_of(gradient, "smoothness", parts), 1 - std::sqrt(sea.roughness), half_a_byte);
+            // A texture holds texel i between u = i / 32 and (i + 1) / 32.
+            EXPECT_NEAR(at("u_of_column", i), (i + 0.5) / 32, 1e-12);
+            EXPECT_NEAR(at("v_down_of_row", j), (j + 0.5) / 32, 1e-12);
+        }
+    }
+    EXPECT_EQ(record["layout"]["repeats_after_m"], 250.0);
+}
+
+TEST(ExportedFiles, HelpSaysWhatPixelsMean) {
+    const std::string help = run_pelagic({"export", "--help"}).out;
+    for (const char* part : {"normal x = 2R - 1", "J = 2B - 1", "clamped to [-1, 1]", "u = (i + 0.5)/N", "upper edge",
+                             "+x east, +y up, +z south", "non-colour"})
+        EXPECT_NE(help.find(part), std::string::npos) << part;
 }
 
 TEST(ExportedFiles, AreTheSameForEveryThreadCountAndInstructionSet) {

@@ -5,18 +5,25 @@
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <sstream>
 #include <string>
 #include <vector>
 
+#include "pelagic/sim/displacement_sampler.hpp"
+#include "pelagic/sim/ocean.hpp"
+#include "pelagic/sim/surface_query.hpp"
 #include "pelagic/tests/run_pelagic.hpp"
 
 namespace pelagic {
 namespace {
 
+using Triple = std::array<double, 3>;
+
 struct Obj {
-    std::vector<std::array<double, 3>> vertices;
-    std::vector<std::array<int, 3>> faces;  ///< from 0
+    std::vector<Triple> vertices, normals;
+    std::vector<std::array<double, 2>> texture;
+    std::vector<std::array<std::size_t, 3>> faces;  ///< from 0
 };
 
 Obj read_obj(const std::string& text) {
@@ -26,17 +33,35 @@ Obj read_obj(const std::string& text) {
         std::istringstream words(line);
         std::string kind;
         words >> kind;
-        if (kind == "v") {
-            auto& v = obj.vertices.emplace_back();
+        if (kind == "v" || kind == "vn") {
+            Triple& v = (kind == "v" ? obj.vertices : obj.normals).emplace_back();
             words >> v[0] >> v[1] >> v[2];
+        } else if (kind == "vt") {
+            auto& t = obj.texture.emplace_back();
+            words >> t[0] >> t[1];
         } else if (kind == "f") {
-            auto& f = obj.faces.emplace_back();
-            words >> f[0] >> f[1] >> f[2];
-            for (int& index : f) --index;
+            auto& face = obj.faces.emplace_back();
+            for (std::size_t& corner : face) {
+                std::size_t texture = 0, normal = 0;
+                char slash = 0;
+                words >> corner >> slash >> texture >> slash >> normal;
+                EXPECT_TRUE(texture == corner && normal == corner && corner > 0) << line;
+                --corner;
+            }
         }
     }
     return obj;
 }
+
+/// Joins what lies at one place, to the bit: a vertex that two patches disagree on stays two.
+struct Welded {
+    explicit Welded(const Obj& obj) {
+        for (const Triple& place : obj.vertices)
+            number_of.push_back(numbers.try_emplace(place, numbers.size()).first->second);
+    }
+    std::map<Triple, std::size_t> numbers;
+    std::vector<std::size_t> number_of;
+};
 
 TEST(QuadtreeCommand, TheWholeMeshIsOneClosedSheetWithAFlatBorder) {
     TemporaryFolder folder;
@@ -47,29 +72,71 @@ TEST(QuadtreeCommand, TheWholeMeshIsOneClosedSheetWithAFlatBorder) {
     const Obj obj = read_obj(read_file(folder / "sea.obj"));
     const auto json = nlohmann::json::parse(read_file(folder / "sea.json"));
     EXPECT_EQ(obj.faces.size(), json.at("triangles").get<std::size_t>());
+    const Welded welded(obj);
+    EXPECT_GT(obj.vertices.size(), welded.numbers.size()) << "each patch has vertices of its own";
 
-    std::map<std::pair<int, int>, int> edges;
+    std::map<std::pair<std::size_t, std::size_t>, int> edges;
+    std::map<std::size_t, Triple> place_of;
     double area = 0;
     for (const auto& f : obj.faces) {
-        const auto &a = obj.vertices.at(static_cast<std::size_t>(f[0])),
-                   &b = obj.vertices.at(static_cast<std::size_t>(f[1])),
-                   &c = obj.vertices.at(static_cast<std::size_t>(f[2]));
+        const Triple &a = obj.vertices.at(f[0]), &b = obj.vertices.at(f[1]), &c = obj.vertices.at(f[2]);
         area += ((b[2] - a[2]) * (c[0] - a[0]) - (b[0] - a[0]) * (c[2] - a[2])) / 2;
-        for (int e = 0; e < 3; ++e)
-            ++edges[{f[static_cast<std::size_t>(e)], f[static_cast<std::size_t>((e + 1) % 3)]}];
+        for (std::size_t e = 0; e < 3; ++e) {
+            const std::size_t from = welded.number_of.at(f[e]), to = welded.number_of.at(f[(e + 1) % 3]);
+            ++edges[{from, to}];
+            place_of[from] = obj.vertices[f[e]];
+        }
     }
-    EXPECT_NEAR(area, 1e6, 1);  // four decimals a vertex
+    EXPECT_NEAR(area, 1e6, 1e-3);  // sums of a hundred thousand products of doubles
     int border = 0;
     for (const auto& [edge, count] : edges) {
         ASSERT_EQ(count, 1);
         if (edges.contains({edge.second, edge.first})) continue;
         ++border;
-        EXPECT_EQ(obj.vertices.at(static_cast<std::size_t>(edge.first))[1], 0);
+        EXPECT_EQ(place_of.at(edge.first)[1], 0);
     }
     EXPECT_GT(border, 0);
     // A sheet: one face more than edges less vertices. An edge inside stands in the map twice.
     const auto all_edges = static_cast<long>((edges.size() + static_cast<std::size_t>(border)) / 2);
-    EXPECT_EQ(static_cast<long>(obj.vertices.size()) - all_edges + static_cast<long>(obj.faces.size()), 1);
+    EXPECT_EQ(static_cast<long>(welded.numbers.size()) - all_edges + static_cast<long>(obj.faces.size()), 1);
+}
+
+// Texture coordinates lead back to the rest place, the rest place to where the sea is drawn, and that to its normal.
+TEST(QuadtreeCommand, VerticesHaveTextureCoordinatesAndNormals) {
+    TemporaryFolder folder;
+    const Outcome run = run_pelagic({"quadtree", "--size", "1000", "--quality", "low", "--all", "--camera", "0,4,0",
+                                     "--obj", (folder / "sea.obj").string(), "--resolution", "64"});
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    const Obj obj = read_obj(read_file(folder / "sea.obj"));
+    ASSERT_EQ(obj.texture.size(), obj.vertices.size());
+    ASSERT_EQ(obj.normals.size(), obj.vertices.size());
+
+    const SeaState sea{.resolution = 64};
+    Ocean ocean(sea, {.executor = make_serial_executor(), .queries = true});
+    const Frame& frame = ocean.frame_at(0);
+    const DisplacementSampler sampler(frame);
+    const SurfaceQuery water(frame);
+    int in_place = 0;
+    for (std::size_t v = 0; v < obj.vertices.size(); ++v) {
+        const Triple &place = obj.vertices[v], &normal = obj.normals[v];
+        EXPECT_NEAR(std::hypot(normal[0], normal[1], normal[2]), 1, 2e-4);
+        const double x = (obj.texture[v][0] - 0.5 / 64) * sea.patch_size_m;
+        const double z = (1 - obj.texture[v][1] - 0.5 / 64) * sea.patch_size_m;
+        // Six decimals of 250 m. Others are on their way between two levels, or fade out towards the border.
+        const Displacement moved = sampler.at(x, z);
+        const double off = std::hypot(x + moved.dx - place[0], moved.height - place[1], z + moved.dz - place[2]);
+        const bool is_fading = std::max(std::abs(x), std::abs(z)) > 5.0 / 16 * 1000 - sea.patch_size_m / 64;
+        if (off > 1e-3 || is_fading) continue;
+        ++in_place;
+        float nx[1], ny[1], nz[1];
+        water.sample({{&place[0], 1}, {&place[2], 1}}, {.normal_x = nx, .normal_y = ny, .normal_z = nz});
+        const double cosine = normal[0] * static_cast<double>(nx[0]) + normal[1] * static_cast<double>(ny[0]) +
+                              normal[2] * static_cast<double>(nz[0]);
+        // Both are made of the same differences; what is left are four decimals and the query's millimetre.
+        EXPECT_GT(cosine / std::hypot(normal[0], normal[1], normal[2]), std::cos(0.05 * std::numbers::pi / 180))
+            << x << " " << z;
+    }
+    EXPECT_GT(in_place, 1000);
 }
 
 TEST(QuadtreeCommand, FiguresAgreeWithEachOther) {

@@ -3,8 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
+#include <cstdio>
+#include <functional>
 #include <numbers>
 #include <numeric>
+#include <string>
 #include <vector>
 
 #include "pelagic/sim/ocean.hpp"
@@ -145,6 +149,24 @@ TEST(WaveHeight, OfThePapersScalingFallsWithTheResolution) {
     EXPECT_NEAR(height(512) / height(64), std::pow(8.0, -0.25), 0.03);
 }
 
+// A storm on half of the patch that it needs: this seed is higher than the model, and the mean of many is lower.
+TEST(Warnings, SayTheHeightOfAShortPatchOverAllSeedsAndOfTheWind) {
+    SeaState sea = sea_presets().back().sea;
+    sea.patch_size_m = 400;
+    sea.resolution = 64;
+    const std::vector<std::string> warnings = warnings_about(sea);
+    ASSERT_EQ(warnings.size(), 1u);
+    double patch = 0, wind = 0;
+    const auto at = warnings[0].find("Hs ");
+    ASSERT_NE(at, std::string::npos) << warnings[0];
+    ASSERT_EQ(std::sscanf(warnings[0].c_str() + at, "Hs %lf m, where this wind makes %lf m", &patch, &wind), 2);
+    EXPECT_NEAR(wind, integrated_height(sea), 0.005 * wind) << "three digits";
+    // One seed's height scatters by about 12 % here, so the mean of 64 by 1.5 %.
+    EXPECT_NEAR(mean_significant_height(sea, 64), patch, 0.06 * patch);
+    EXPECT_LT(patch, wind);
+    EXPECT_EQ(warnings[0].find("is lower"), std::string::npos) << warnings[0];
+}
+
 TEST(PeakPeriod, MeasuredIsNearExpected) {
     for (const SeaPreset& preset : sea_presets()) {
         const double expected = expected_waves(preset.sea).peak_period_s;
@@ -266,6 +288,67 @@ TEST(Resolution, TwiceAsFineAGridKeepsTheSea) {
             const auto kept = oracle::inverse_fft(long_waves, n);
             for (std::size_t j = 0; j < kept.size(); ++j) ASSERT_NEAR(kept[j].real(), (coarse.*plane)[j], 1e-5) << n;
         }
+    }
+}
+
+/// The part of the heights' variance in each frequency 1/T, 2/T, ... of a loop: a Fourier sum over time at every texel.
+std::vector<double> measured_shares(const SeaState& sea, int frames) {
+    Ocean ocean = ocean_of(sea);
+    const std::size_t texels = static_cast<std::size_t>(sea.resolution) * static_cast<std::size_t>(sea.resolution);
+    const auto harmonics = static_cast<std::size_t>(frames / 2);
+    std::vector<std::vector<std::complex<double>>> sums(harmonics, std::vector<std::complex<double>>(texels));
+    for (int frame = 0; frame < frames; ++frame) {
+        const PlaneView height = ocean.frame_at(sea.loop_period_s * frame / frames).height;
+        for (std::size_t q = 1; q < harmonics; ++q) {
+            const auto turn = std::polar(1.0, -2 * pi * static_cast<double>(q) * frame / frames);
+            for (std::size_t texel = 0; texel < texels; ++texel)
+                sums[q][texel] += turn * static_cast<double>(height.at(static_cast<int>(texel) % sea.resolution,
+                                                                       static_cast<int>(texel) / sea.resolution));
+        }
+    }
+    std::vector<double> shares;
+    for (const auto& sum : sums)
+        shares.push_back(
+            std::accumulate(sum.begin(), sum.end(), 0.0, [](double all, auto s) { return all + std::norm(s); }));
+    const double all = std::accumulate(shares.begin(), shares.end(), 0.0);
+    for (double& share : shares) share /= all;
+    return shares;
+}
+
+// The shortest wave, along the diagonal of the grid, makes at most 12 periods in each loop: 32 frames hold them all.
+TEST(LoopFrequencies, AreThoseOfItsFrames) {
+    for (const SeaPreset& preset : sea_presets()) {
+        SeaState sea = preset.sea;
+        sea.resolution = 32;
+        sea.loop_period_s = 1.5 * expected_waves(sea).peak_period_s;
+        std::vector<double> shares = measured_shares(sea, 32);
+        std::sort(shares.begin(), shares.end(), std::greater());
+        double held = 0;
+        int count = 0;
+        while (held < 0.9) held += shares[static_cast<std::size_t>(count++)];
+        const LoopFrequencies found = loop_frequencies(sea);
+        EXPECT_EQ(found.for_90_percent, count) << preset.name;
+        EXPECT_NEAR(found.largest_share, shares[0], 1e-5) << preset.name;  // frames are floats
+    }
+}
+
+TEST(LoopFrequencies, AStormOfTwelveSecondsIsNearlyOneWave) {
+    SeaState storm = sea_presets().back().sea;
+    storm.loop_period_s = 12.8;
+    EXPECT_NEAR(loop_frequencies(storm).largest_share, 0.79, 0.01);
+    const auto says = [](const SeaState& sea) {
+        std::string all;
+        for (const std::string& warning : warnings_about(sea)) all += warning;
+        return all;
+    };
+    EXPECT_NE(says(storm).find("a loop of 12.8 s is short for this sea: 2 of its frequencies"), std::string::npos)
+        << says(storm);
+    // The advice is heard: ten peak periods, and the loops that presets have by themselves.
+    for (const SeaPreset& preset : sea_presets()) {
+        SeaState sea = preset.sea;
+        EXPECT_EQ(says(sea), "") << preset.name;
+        sea.loop_period_s = 10 * expected_waves(sea).peak_period_s;
+        EXPECT_EQ(says(sea), "") << preset.name;
     }
 }
 

@@ -10,8 +10,11 @@
 #include <functional>
 #include <regex>
 #include <set>
+#include <sstream>
 #include <string>
 #include <thread>
+#include <utility>
+#include <vector>
 
 #include "pelagic/tests/run_pelagic.hpp"
 
@@ -146,7 +149,34 @@ TEST_F(ViewTest, ASliderMovesTheWindAndAKeySavesAPicture) {
     const std::string said = end();
     // x = 200 is 0.78 of the way; the grab's width and the slider's ends leave a meter a second or two.
     EXPECT_NEAR(wind_in(said), 1 + 29 * (200 - 18) / 233.0, 2) << said;
-    EXPECT_NE(said.find("pelagic render --out sea.png"), std::string::npos);
+}
+
+/// Width and height by a PNG's header.
+std::pair<int, int> size_of_png(const std::string& bytes) {
+    const auto number = [&](std::size_t at) {
+        int value = 0;
+        for (std::size_t i = at; i < at + 4; ++i) value = value << 8 | static_cast<unsigned char>(bytes.at(i));
+        return value;
+    };
+    return {number(16), number(20)};
+}
+
+// The command is run as printed: it has to be one, and to draw a picture of the window's size at the window's moment.
+TEST_F(ViewTest, TheCommandItPrintsDrawsTheSameMomentAndSize) {
+    ASSERT_NO_FATAL_FAILURE(start());
+    const std::string said = end();
+    std::smatch command, time;
+    ASSERT_TRUE(std::regex_search(said, command, std::regex("pelagic (render --out sea\\.png .*)\n"))) << said;
+    const std::string words = command[1];
+    ASSERT_TRUE(std::regex_search(words, time, std::regex(" --time ([0-9.]+)"))) << words;
+    EXPECT_GT(std::stod(time[1]), 0) << words;
+    std::vector<std::string> arguments;
+    std::istringstream stream(words);
+    for (std::string word; stream >> word;)
+        arguments.push_back(word == "sea.png" ? (log_ / "sea.png").string() : word);
+    const Outcome run = run_pelagic(arguments);
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_EQ(size_of_png(read_file(log_ / "sea.png")), (std::pair{480, 560}));
 }
 
 // The panel covers the left of the window; its title bar is blue as no sea is.

@@ -63,29 +63,13 @@ InputError from_cli(const CLI::ParseError& error, const CLI::App& app, const std
         const std::string what = error.what();
         if (what.find(option + ":") == std::string::npos && what.find(option + " ") == std::string::npos) continue;
         if (times > 1)
-            return InputError(option + " is given " + std::to_string(times) + " times, needs to be given once");
+            return InputError(option + " is given " + number_text(times) + " times, needs to be given once");
         if (dynamic_cast<const CLI::ArgumentMismatch*>(&error))
             return InputError(option + " has no value, needs one");
     }
     std::string line = error.what();
     std::replace(line.begin(), line.end(), '\n', ' ');
     return InputError(line);
-}
-
-/// Control characters, which a value or a file's name may hold, escaped: an error stays one line.
-std::string one_line(std::string_view text) {
-    constexpr std::string_view digits = "0123456789abcdef";
-    std::string line;
-    for (const char c : text) {
-        const auto code = static_cast<unsigned char>(c);
-        if (c == '\n')
-            line += "\\n";
-        else if (code < 0x20 || code == 0x7f)
-            line.append("\\x").append({digits[code >> 4], digits[code & 15]});
-        else
-            line += c;
-    }
-    return line;
 }
 
 /// Output that a full disk swallowed is a failure, not a success without words.
@@ -171,7 +155,7 @@ int run_command_line(int argc, const char* const* argv) {
     try {
         return run(argc, argv);
     } catch (const InputError& error) {
-        std::fprintf(stderr, "pelagic: %s\n", one_line(error.what()).c_str());
+        std::fprintf(stderr, "pelagic: %s\n", error.what());
         return 2;
     } catch (const Stopped& stop) {
         std::fprintf(stderr,

@@ -1,7 +1,6 @@
 #include "pelagic/tools/config_file.hpp"
 
 #include <algorithm>
-#include <fstream>
 #include <sstream>
 
 // toml++ 3.3 takes for granted that a table's header goes on with a key, and "[ *" does not: it asserts, and where
@@ -17,28 +16,19 @@ constexpr void take_for_granted(bool is_so) {
 #include <toml++/toml.h>
 
 #include "pelagic/tools/errors.hpp"
+#include "pelagic/tools/input_file.hpp"
 #include "pelagic/tools/option_text.hpp"
 
 namespace pelagic::tools {
 namespace {
 
-std::string read_text(const std::filesystem::path& file) {
-    if (std::filesystem::is_directory(file))
-        throw InputError("--config is " + file.string() + ", a folder, needs a TOML file");
-    std::ifstream stream(file, std::ios::binary);
-    std::ostringstream text;
-    if (stream) text << stream.rdbuf();
-    if (!stream) throw InputError("--config is " + file.string() + ", which can't be read, needs a TOML file");
-    return text.str();
-}
-
 std::string place_of(const std::filesystem::path& file, const toml::source_region& source) {
-    return file.string() + ":" + std::to_string(source.begin.line);
+    return file.string() + ":" + number_text(source.begin.line);
 }
 
 std::string value_text(const toml::node& node, const std::string& place, std::string_view key) {
     if (const auto* text = node.as_string()) return text->get();
-    if (const auto* whole = node.as_integer()) return std::to_string(whole->get());
+    if (const auto* whole = node.as_integer()) return number_text(whole->get());
     if (const auto* number = node.as_floating_point()) return number_text(number->get());
     std::ostringstream type;
     type << node.type();
@@ -74,7 +64,10 @@ std::vector<ConfigEntry> parse_config(std::string_view text, const std::filesyst
 }
 
 std::vector<ConfigEntry> read_config(const std::filesystem::path& file, std::span<const std::string> known) {
-    return parse_config(read_text(file), file, known);
+    const std::string text = InputFile("--config", file, "a TOML file or a sea.json").read_all(most_config_bytes);
+    const std::size_t first = text.find_first_not_of(" \t\r\n");
+    const bool is_json = first != std::string::npos && text[first] == '{';
+    return is_json ? parse_sea_record(text, file, known) : parse_config(text, file, known);
 }
 
 }  // namespace pelagic::tools

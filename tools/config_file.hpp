@@ -1,6 +1,8 @@
-// A sea in a TOML file: one `key = value` a line, keys named as the flags with underscores for dashes.
+// A sea in a TOML file: one `key = value` a line, keys named as the flags with underscores for dashes. Or the sea of a
+// sea.json, which `pelagic export` wrote.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -22,7 +24,15 @@ struct ConfigEntry {
 std::vector<ConfigEntry> parse_config(std::string_view text, const std::filesystem::path& file,
                                       std::span<const std::string> known);
 
-/// The same of a file. Throws InputError if it can't be read.
+/// The sea of a sea.json or of `pelagic info --json`, as the same keys: "wind_speed_mps" becomes wind_speed. Numbers keep
+/// every digit, so the sea is the same bit for bit. Throws InputError as parse_config() does.
+std::vector<ConfigEntry> parse_sea_record(std::string_view text, const std::filesystem::path& file,
+                                          std::span<const std::string> known);
+
+inline constexpr std::size_t most_config_bytes = std::size_t{64} << 20;
+
+/// One of the two of a file: a text that begins with { is no TOML. Throws InputError if it can't be read or is larger than
+/// most_config_bytes.
 std::vector<ConfigEntry> read_config(const std::filesystem::path& file, std::span<const std::string> known);
 
 }  // namespace pelagic::tools

@@ -4,21 +4,23 @@
 #include <stdexcept>
 #include <string>
 
+#include "pelagic/message/refusal.hpp"
+
 namespace pelagic::tools {
 
 /// What the user asked for can't be done. Exit code 2; nothing has been written.
 struct InputError : std::runtime_error {
-    using std::runtime_error::runtime_error;
+    explicit InputError(const std::string& what) : std::runtime_error(one_line(what)) {}
 };
 
 /// A file could not be written or read. Exit code 1.
 struct FileError : std::runtime_error {
-    using std::runtime_error::runtime_error;
+    explicit FileError(const std::string& what) : std::runtime_error(one_line(what)) {}
 };
 
 /// "--wind-speed is -3, needs (0, 60]".
 inline InputError bad_value(const std::string& option, const std::string& value, const std::string& accepted) {
-    return InputError(option + " is " + value + ", needs " + accepted);
+    return InputError(refusal(option, value, accepted));
 }
 
 }  // namespace pelagic::tools

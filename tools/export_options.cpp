@@ -7,6 +7,7 @@
 #include "pelagic/tools/errors.hpp"
 #include "pelagic/tools/export_journal.hpp"
 #include "pelagic/tools/option_text.hpp"
+#include "pelagic/tools/pixel_meaning.hpp"
 
 namespace pelagic::tools {
 namespace {
@@ -19,7 +20,7 @@ constexpr double default_fps = 24;
 int whole_number(const std::string& option, const std::string& text, int least, int most) {
     const auto value = parse_integer(text);
     if (!value || *value < least || *value > most)
-        throw bad_value(option, text, "a whole number from " + std::to_string(least) + " to " + std::to_string(most));
+        throw bad_value(option, text, "a whole number from " + number_text(least) + " to " + number_text(most));
     return static_cast<int>(*value);
 }
 
@@ -121,6 +122,7 @@ void ExportFlags::add_to(CLI::App& app) {
     add("trace", "FILE", "Chrome trace of stages and workers, opens in ui.perfetto.dev; where the time goes");
     sea_.add_to(app);
     compute_.add_to(app);
+    app.footer(pixel_meaning());
 }
 
 ExportOptions ExportFlags::resolve() const {

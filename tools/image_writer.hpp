@@ -1,4 +1,6 @@
-// Frames as image files, encoded in memory. Image row j is texel row j (z), column i is x.
+// Frames as image files, encoded in memory by the library of image_codec.hpp, which is opened for the first of them. Image
+// row j is texel row j (z), column i is x. All of them throw std::runtime_error with OpenImageIO's reason, and FileError if
+// that library is not there.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +14,7 @@ namespace pelagic::tools {
 enum class ImageFormat { exr_and_png, tiff };
 
 /// Dx, height, Dz as the channels R, G, B in metres: EXR or TIFF, lossless, 32-bit floats or 16-bit halves (which are
-/// the frame's own: rounded to nearest even once). Throws std::runtime_error with OpenImageIO's reason.
+/// the frame's own: rounded to nearest even once).
 std::vector<unsigned char> encode_displacement(const Frame& frame, ImageFormat format, bool half);
 
 /// One level of the gradient chain as RGBA8, PNG or TIFF, byte for byte: alpha is a smoothness, not a coverage, so

@@ -1,7 +1,6 @@
 #include "pelagic/tools/option_text.hpp"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <numeric>
@@ -44,14 +43,6 @@ std::optional<double> parse_number(std::string_view text) {
 }
 
 std::optional<std::int64_t> parse_integer(std::string_view text) { return parse_whole<std::int64_t>(text); }
-
-std::string number_text(double value) {
-    // People read 100000 more easily than 1e+05.
-    const bool plain = value == 0 || (std::fabs(value) >= 1e-4 && std::fabs(value) < 1e15);
-    std::array<char, 64> text;
-    const auto format = plain ? std::chars_format::fixed : std::chars_format::general;
-    return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value, format).ptr};
-}
 
 double number_in(const std::string& option, const std::string& text, double least, double most,
                  const std::string& accepted) {

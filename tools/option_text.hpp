@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "pelagic/message/number_text.hpp"
+
 namespace pelagic::tools {
 
 /// The whole text as a finite decimal number, in any locale with a point; none for anything else (NaN, inf, hex, units).
@@ -15,9 +17,6 @@ std::optional<double> parse_number(std::string_view text);
 
 /// The whole text as a decimal integer that fits.
 std::optional<std::int64_t> parse_integer(std::string_view text);
-
-/// The shortest text that reads back as the same number.
-std::string number_text(double value);
 
 /// The number, if it lies in [least, most]; else throws InputError: "OPTION is TEXT, needs ACCEPTED".
 double number_in(const std::string& option, const std::string& text, double least, double most,

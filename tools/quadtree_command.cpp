@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "pelagic/quadtree/selection.hpp"
-#include "pelagic/sim/displacement_sampler.hpp"
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/tools/atomic_file.hpp"
 #include "pelagic/tools/errors.hpp"
@@ -103,7 +102,9 @@ void QuadtreeCommandFlags::add_to(CLI::App& app) {
     app.add_option("--stereo", stereo_, "two eyes that far apart, metres, (0, 1]")->type_name("M");
     app.add_option("--time", time_, "of the frame, seconds, [-1e9, 1e9] [0]")->type_name("S");
     app.add_flag("--all", all_, "every patch, whatever the camera sees");
-    app.add_option("--obj", obj_, "write the displaced mesh")->type_name("FILE");
+    app.add_option("--obj", obj_,
+                   "write the displaced mesh, with texture coordinates for an export's maps and normals")
+        ->type_name("FILE");
     app.add_option("--json", json_, "write the figures")->type_name("FILE");
     app.add_option("--svg", svg_, "write the plan, coloured by level")->type_name("FILE");
     sea_.add_to(app);
@@ -133,7 +134,7 @@ void QuadtreeCommandFlags::run() const {
     const DrawList& list = selection.list();
 
     const Json figures = figures_json(list, options, views.size(), microseconds);
-    if (obj_) write_whole_file(*obj_, mesh_as_obj(list, DisplacementSampler(frame)));
+    if (obj_) write_whole_file(*obj_, mesh_as_obj(list, frame));
     if (json_) write_whole_file(*json_, figures.dump(2) + "\n");
     if (svg_) {
         Selection everything(options);

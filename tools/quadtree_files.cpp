@@ -4,13 +4,14 @@
 #include <array>
 #include <cstdint>
 #include <cstdio>
+#include <glm/geometric.hpp>
 #include <set>
 #include <tuple>
-#include <unordered_map>
 #include <vector>
 
 #include "pelagic/quadtree/patch_mesh.hpp"
 #include "pelagic/quadtree/patch_vertex.hpp"
+#include "pelagic/sim/displacement_sampler.hpp"
 #include "pelagic/tools/option_text.hpp"
 
 namespace pelagic::tools {
@@ -22,7 +23,6 @@ constexpr std::array<const char*, 9> level_colours = {"#440154", "#46327e", "#36
 
 constexpr double plan_side = 1000;  ///< of the square, in SVG units
 
-/// Millimetres are enough, and centimetres of a hundredth for the plan.
 template <class... Values>
 std::string line(const char* format, Values... values) {
     char text[400];
@@ -50,17 +50,36 @@ std::vector<glm::dvec2> footprint(const Frustum& view, glm::dvec2 low, glm::dvec
     return polygon;
 }
 
+/// The normal where the sea rests at `rest`, from the differences of its neighbours a texel away on both sides, as
+/// equations 45 to 47 take them; faded as the vertices are. The same for every patch that has the vertex.
+template <class Displacement>
+glm::dvec3 normal_at(const QuadtreeGrid& grid, glm::dvec2 rest, double texel_m, const Displacement& displacement) {
+    const auto drawn = [&](glm::dvec2 away) {
+        const glm::dvec2 place = rest + away;
+        const double fade = border_fade(grid, place);
+        const glm::dvec3 moved = fade > 0 ? displacement(place) * fade : glm::dvec3(0);
+        return glm::dvec3(away.x, 0, away.y) + moved;
+    };
+    const glm::dvec3 along_x = drawn({texel_m, 0}) - drawn({-texel_m, 0});
+    const glm::dvec3 along_z = drawn({0, texel_m}) - drawn({0, -texel_m});
+    const glm::dvec3 up = glm::cross(along_z, along_x);
+    const double length = glm::length(up);
+    return length > 0 ? up / length : glm::dvec3(0, 1, 0);  // crushed to a point it has none
+}
+
 }  // namespace
 
-std::string mesh_as_obj(const DrawList& list, const DisplacementSampler& sea) {
+std::string mesh_as_obj(const DrawList& list, const Frame& frame) {
     const QuadtreeGrid& grid = list.grid;
     const PatchMesh mesh(grid.vertices);
+    const DisplacementSampler sea(frame);
     const auto displacement = [&](glm::dvec2 rest) {
         const Displacement d = sea.at(rest.x, rest.y);
         return glm::dvec3(d.dx, d.height, d.dz);
     };
+    const double length_m = frame.sea.patch_size_m, texel_m = length_m / frame.resolution();
     std::string vertices, faces;
-    std::unordered_map<std::uint64_t, std::uint32_t> numbers;  // by place on the finest raster
+    std::uint32_t written = 0;
     std::vector<std::uint32_t> number_of(mesh.positions.size());
     for (const DrawBatch& batch : list.batches) {
         const PatchMesh::Range range = mesh.ranges[batch.stitches];
@@ -69,20 +88,21 @@ std::string mesh_as_obj(const DrawList& list, const DisplacementSampler& sea) {
         std::for_each(first, first + range.count, [&](std::uint16_t index) { is_used[index] = true; });
         for (std::uint32_t i = batch.first; i < batch.first + batch.count; ++i) {
             const PatchInstance& patch = list.instances[i];
-            const std::uint64_t stride = static_cast<std::uint64_t>(grid.stride(patch.level));
             for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
                 if (!is_used[v]) continue;
+                number_of[v] = ++written;
                 const PatchMesh::Vertex at = mesh.positions[v];
-                const std::uint64_t place = (patch.corner_x + at.i * stride) << 32 | (patch.corner_z + at.j * stride);
-                const auto [entry, is_new] =
-                    numbers.try_emplace(place, static_cast<std::uint32_t>(numbers.size() + 1));
-                number_of[v] = entry->second;
-                if (!is_new) continue;
                 const glm::dvec3 p = patch_vertex(grid, patch, at.i, at.j, displacement);
-                vertices += line("v %.4f %.4f %.4f\n", p.x, p.y, p.z);
+                const glm::dvec2 rest = rest_position(grid, patch, at.i, at.j);
+                const glm::dvec3 n = normal_at(grid, rest, texel_m, displacement);
+                vertices += "v " + number_text(p.x) + ' ' + number_text(p.y) + ' ' + number_text(p.z) + '\n';
+                vertices += line("vt %.6f %.6f\nvn %.4f %.4f %.4f\n", (rest.x + texel_m / 2) / length_m,
+                                 1 - (rest.y + texel_m / 2) / length_m, n.x, n.y, n.z);
             }
-            for (auto index = first; index != first + range.count; index += 3)
-                faces += line("f %u %u %u\n", number_of[index[0]], number_of[index[1]], number_of[index[2]]);
+            for (auto index = first; index != first + range.count; index += 3) {
+                const std::uint32_t a = number_of[index[0]], b = number_of[index[1]], c = number_of[index[2]];
+                faces += line("f %u/%u/%u %u/%u/%u %u/%u/%u\n", a, a, a, b, b, b, c, c, c);
+            }
         }
     }
     return "# Pelagic: a sea's level-of-detail mesh, metres, y up, faces counter-clockwise from above\n" + vertices +

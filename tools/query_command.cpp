@@ -1,80 +1,100 @@
 #include "pelagic/tools/query_command.hpp"
 
-#include <array>
-#include <charconv>
-#include <cstdio>
-#include <vector>
+#include <algorithm>
+#include <cmath>
 
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/surface_query_jobs.hpp"
 #include "pelagic/tools/errors.hpp"
+#include "pelagic/tools/input_file.hpp"
 #include "pelagic/tools/option_text.hpp"
 #include "pelagic/tools/points_file.hpp"
+#include "pelagic/tools/query_rows.hpp"
 
 namespace pelagic::tools {
 namespace {
 
 constexpr double latest_time_s = 1e9;  // as `export --start`
+constexpr std::size_t most_times = 1'000'000;
 
-/// The shortest digits that read back as the same number.
-template <class Number>
-void append(std::string& line, Number value) {
-    std::array<char, 32> text;
-    if (!line.empty()) line += ',';
-    line.append(text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr);
+/// Points in memory at once: some megabytes, and enough for each of many threads.
+constexpr std::size_t block_points = std::size_t{1} << 15;
+
+constexpr const char* a_series = "FIRST:LAST:STEP in seconds, FIRST <= LAST in [-1e9, 1e9], at most 1000000 times";
+
+std::vector<double> series(const std::string& text) {
+    const auto first_colon = text.find(':'), last_colon = text.rfind(':');
+    if (first_colon == last_colon) throw bad_value("--times", text, a_series);
+    const auto first = parse_number(std::string_view(text).substr(0, first_colon));
+    const auto last = parse_number(std::string_view(text).substr(first_colon + 1, last_colon - first_colon - 1));
+    const auto step = parse_number(std::string_view(text).substr(last_colon + 1));
+    if (!first || !last || !step || *step <= 0 || *first > *last || std::fabs(*first) > latest_time_s ||
+        std::fabs(*last) > latest_time_s)
+        throw bad_value("--times", text, a_series);
+    // 0:1:0.1 has 11 times, though ten tenths are not quite one.
+    const double steps = std::floor((*last - *first) / *step + 1e-6);
+    if (steps >= static_cast<double>(most_times)) throw bad_value("--times", text, a_series);
+    std::vector<double> times;
+    for (double i = 0; i <= steps; ++i) times.push_back(std::min(*first + i * *step, *last));
+    return times;
 }
 
 }  // namespace
 
 void QueryFlags::add_to(CLI::App& app) {
-    app.add_option("--points", points_, "where to look: lines x,z in metres; a first line x,z is skipped")
+    app.add_option(
+           "--points", points_,
+           "where to look: lines x,z in metres, or columns x and z and others by a first line that names them; "
+           "- is standard input")
         ->type_name("FILE.csv");
     app.add_option("--time", time_, "in seconds; [-1e9, 1e9], default 0")->type_name("NUMBER");
+    app.add_option(
+           "--times", times_,
+           "a series instead: every point at FIRST, then at FIRST + STEP and so on, the time in a first column")
+        ->type_name("FIRST:LAST:STEP");
+    app.add_flag("--json", json_, "an array of objects, one a line, instead of CSV");
     sea_.add_to(app);
     compute_.add_to(app);
     app.footer(
         "Prints x,z,height,nx,ny,nz,vx,vy,vz,jacobian,error_m,converged: metres, metres a second, the normal as a\n"
-        "unit vector, how far the sampled point is from the one asked for, and whether that is within a millimetre.");
+        "unit vector, how far the sampled point is from the one asked for, and whether that is within a millimetre.\n"
+        "Columns of the file stand before the answers, as they are. A file may have any length, in blocks of 32768\n"
+        "points: a bad line ends the work when its block is reached, and --times goes block by block.");
+}
+
+std::vector<double> QueryFlags::times() const {
+    if (times_ && time_)
+        throw InputError("--times is " + *times_ + " and --time is " + *time_ + ", needs one of the two");
+    if (times_) return series(*times_);
+    return {time_ ? number_in("--time", *time_, -latest_time_s, latest_time_s, "seconds in [-1e9, 1e9]") : 0};
 }
 
 void QueryFlags::run() const {
     const ResolvedSea sea = sea_.resolve();
     const ComputeOptions compute = compute_.resolve();
-    const std::optional<double> time_s = parse_number(time_.value_or("0"));
-    if (!time_s || *time_s < -latest_time_s || *time_s > latest_time_s)
-        throw bad_value("--time", *time_, "seconds in [-1e9, 1e9]");
-    if (!points_ || points_->empty()) throw InputError("--points is missing, needs a CSV file of lines x,z");
-    const PointList points = read_points(*points_);
+    const std::vector<double> times_s = times();
+    if (!points_ || points_->empty())
+        throw InputError("--points is missing, needs a CSV file of lines x,z, or - for standard input");
+    InputFile file("--points", *points_, "a CSV file of lines x,z", true);
+    PointReader reader(file.name(), [&](std::span<char> bytes) { return file.read(bytes); });
+    PointBlock block;
+    bool has_points = reader.read_block(block, block_points);
 
     const auto executor = make_default_executor(compute.threads);
     Ocean ocean(sea.sea, {.executor = executor, .isa = compute.isa, .queries = true, .velocities = true});
-    const SurfaceQuery query(ocean.frame_at(*time_s));
-    const std::size_t count = points.x.size();
-    std::array<std::vector<float>, 9> out;
-    for (std::vector<float>& values : out) values.resize(count);
-    auto& [height, nx, ny, nz, vx, vy, vz, jacobian, error_m] = out;
-    std::vector<std::uint8_t> converged(count);
-    SurfaceQueryJobs(executor).sample(query, {points.x, points.z},
-                                      {.height_m = height,
-                                       .normal_x = nx,
-                                       .normal_y = ny,
-                                       .normal_z = nz,
-                                       .jacobian = jacobian,
-                                       .velocity_x_mps = vx,
-                                       .velocity_y_mps = vy,
-                                       .velocity_z_mps = vz,
-                                       .error_m = error_m,
-                                       .converged = converged});
-
-    std::printf("x,z,height,nx,ny,nz,vx,vy,vz,jacobian,error_m,converged\n");
-    std::string line;
-    for (std::size_t i = 0; i < count; ++i) {
-        line.clear();
-        append(line, points.x[i]);
-        append(line, points.z[i]);
-        for (const std::vector<float>& values : out) append(line, values[i]);
-        std::printf("%s,%d\n", line.c_str(), converged[i]);
+    SurfaceQueryJobs jobs(executor);
+    RowWriter rows(executor, json_, times_.has_value());
+    Answers answers;
+    const Frame* frame = nullptr;
+    for (rows.begin(reader); has_points; has_points = reader.read_block(block, block_points)) {
+        answers.resize(block.size());
+        for (const double time_s : times_s) {
+            if (!frame || times_s.size() > 1) frame = &ocean.frame_at(time_s);
+            jobs.sample(SurfaceQuery(*frame), {block.x, block.z}, answers.samples());
+            rows.write(block, answers, time_s);
+        }
     }
+    rows.end();
 }
 
 }  // namespace pelagic::tools

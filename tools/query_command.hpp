@@ -4,6 +4,7 @@
 #include <CLI/App.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "pelagic/tools/export_options.hpp"
 
@@ -12,13 +13,17 @@ namespace pelagic::tools {
 class QueryFlags {
    public:
     void add_to(CLI::App& app);
-    /// Reads the points and prints a line for each of them, after a header. Throws InputError, before it prints.
+    /// Reads points block by block and prints a row for each of them, so that memory does not grow with the file. Throws
+    /// InputError, for what is wrong with the options or the first block before anything is printed, and FileError.
     void run() const;
 
    private:
+    std::vector<double> times() const;
+
     SeaOptions sea_;
     ComputeFlags compute_;
-    std::optional<std::string> points_, time_;
+    std::optional<std::string> points_, time_, times_;
+    bool json_ = false;
 };
 
 }  // namespace pelagic::tools

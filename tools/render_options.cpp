@@ -60,7 +60,7 @@ RenderOptions RenderFlags::resolve() const {
     given("frames", [&](const auto& option, const auto& text) {
         const auto count = parse_integer(text);
         if (!count || *count < 1 || *count > most_frames)
-            throw bad_value(option, text, "a whole number from 1 to " + std::to_string(most_frames));
+            throw bad_value(option, text, "a whole number from 1 to " + number_text(most_frames));
         options.frames = static_cast<int>(*count);
     });
     given("fps", [&](const auto& option, const auto& text) {

@@ -19,7 +19,7 @@ void read_size(SceneOptions& options, const std::string& text) {
     const auto side = [&](std::string_view digits) {
         const std::int64_t pixels = parse_integer(digits).value_or(0);
         if (pixels < 16 || pixels > most_pixels_a_side)
-            throw bad_value("--size", text, "WIDTHxHEIGHT, each from 16 to " + std::to_string(most_pixels_a_side));
+            throw bad_value("--size", text, "WIDTHxHEIGHT, each from 16 to " + number_text(most_pixels_a_side));
         return static_cast<int>(pixels);
     };
     options.width = side(std::string_view(text).substr(0, x));

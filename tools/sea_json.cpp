@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "pelagic/sim/statistics.hpp"
+#include "pelagic/tools/pixel_meaning.hpp"
 
 namespace pelagic::tools {
 
@@ -75,9 +76,12 @@ Json waves_as_json(const SeaState& sea, double measured_significant_wave_height_
     Json height = {{"expected", expected.significant_wave_height_m},
                    {"measured", measured_significant_wave_height_m}};
     if (expected.model_significant_wave_height_m) height["model"] = *expected.model_significant_wave_height_m;
+    const LoopFrequencies frequencies = loop_frequencies(sea);
     return {{"significant_wave_height_m", height},
             {"peak_period_s", {{"expected", expected.peak_period_s}, {"measured", measured_peak_period_s(sea)}}},
-            {"peak_wavelength_m", expected.peak_wavelength_m}};
+            {"peak_wavelength_m", expected.peak_wavelength_m},
+            {"loop_frequencies",
+             {{"for_90_percent", frequencies.for_90_percent}, {"largest_share", frequencies.largest_share}}}};
 }
 
 Json sea_json(const ExportOptions& options, const std::vector<FrameRecord>& frames) {
@@ -88,8 +92,8 @@ Json sea_json(const ExportOptions& options, const std::vector<FrameRecord>& fram
         list.push_back(frame_as_json(frame));
     }
     Json json = options_as_json(options);
-    json["channels"] = {{"displacement", {"Dx, metres", "height, metres", "Dz, metres"}},
-                        {"gradient", {"normal x", "normal z", "Jacobian", "smoothness"}}};
+    json["channels"] = channels_as_json(options);
+    json["layout"] = layout_as_json(options.sea.sea);
     json["waves"] = waves_as_json(options.sea.sea, height_sum / static_cast<double>(frames.size()));
     json["warnings"] = warnings_about(options.sea.sea);
     json["frames"] = list;

@@ -127,7 +127,9 @@ void SeaOptions::add_to(CLI::App& app) {
     for (const SeaPreset& preset : sea_presets())
         presets.append("\n").append(preset.name).append(": ").append(preset.summary);
     add("preset", "NAME", presets);
-    add("config", "FILE.toml", "a sea in a file: keys are these flags' names with underscores, flags win");
+    add("config", "FILE",
+        "a sea in a file: TOML whose keys are these flags' names with underscores, or a sea.json of export; flags "
+        "win");
     add("spectrum", "NAME", list_of(names_of_spectra()) + "; default " + std::string(name_of(SeaState{}.spectrum)));
     for (const SeaFlag& flag : sea_flags)
         add(flag.flag, "NUMBER", std::string(flag.help) + "; " + accepted_by(flag) + ", default " + default_of(flag));

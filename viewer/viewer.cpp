@@ -98,8 +98,13 @@ class Viewer {
             window_.swap();
             ++frames_;
         }
-        return {settings_, camera_.camera(), frames_,
-                reinterpret_cast<const char*>(window_.functions().GetString(GL_RENDERER))};
+        return {.settings = settings_,
+                .camera = camera_.camera(),
+                .time_s = shown_time_s_,
+                .width = window_.width(),
+                .height = window_.height(),
+                .frames = frames_,
+                .renderer = reinterpret_cast<const char*>(window_.functions().GetString(GL_RENDERER))};
     }
 
    private:
@@ -167,6 +172,7 @@ class Viewer {
 
     void draw_frame() {
         const Frame& frame = next_frame();
+        shown_time_s_ = frame.time_s;
         figures_.significant_wave_height_m = frame.figures.significant_wave_height_m;
         const Camera camera = camera_.camera();
         const gl::Eye eye = gl::eye_of(camera, {0, 0, window_.width(), window_.height()});
@@ -233,7 +239,7 @@ class Viewer {
     std::unique_ptr<gl::SeaRenderer> renderer_;
     ViewFigures figures_;
     bool shows_panel_ = true, takes_picture_ = false;
-    double time_s_ = 0;
+    double time_s_ = 0, shown_time_s_ = 0;
     std::uint64_t frames_ = 0;
 };
 

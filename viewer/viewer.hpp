@@ -26,6 +26,8 @@ struct ViewOptions {
 struct ViewResult {
     ViewSettings settings;
     Camera camera;
+    double time_s = 0;          ///< of the sea that was drawn last
+    int width = 0, height = 0;  ///< of the window, pixels
     std::uint64_t frames = 0;
     std::string renderer;  ///< the driver's name for itself
 };

@@ -6,6 +6,8 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "pelagic/message/refusal.hpp"
+
 namespace pelagic::buoyancy {
 namespace {
 
@@ -21,24 +23,22 @@ double plate_added_mass_kg(double side_m, double other_m) {
 }  // namespace
 
 std::string check(const BoxOptions& box) {
-    const auto bad = [](const char* name, double value, const std::string& needs) {
-        return std::string(name) + " is " + std::to_string(value) + ", needs " + needs;
-    };
-    if (!(box.length_m > 0 && box.length_m <= 1000)) return bad("length_m", box.length_m, "(0, 1000]");
-    if (!(box.height_m > 0 && box.height_m <= 1000)) return bad("height_m", box.height_m, "(0, 1000]");
-    if (!(box.beam_m > 0 && box.beam_m <= 1000)) return bad("beam_m", box.beam_m, "(0, 1000]");
+    if (!(box.length_m > 0 && box.length_m <= 1000)) return refusal("length_m", box.length_m, "(0, 1000]");
+    if (!(box.height_m > 0 && box.height_m <= 1000)) return refusal("height_m", box.height_m, "(0, 1000]");
+    if (!(box.beam_m > 0 && box.beam_m <= 1000)) return refusal("beam_m", box.beam_m, "(0, 1000]");
     const double most_kg = water_density_kgpm3 * box.length_m * box.height_m * box.beam_m;
     if (!(box.mass_kg > 0 && box.mass_kg < most_kg))
-        return bad("mass_kg", box.mass_kg, "(0, " + std::to_string(most_kg) + ") to float");
+        return refusal("mass_kg", box.mass_kg, "(0, " + number_text(most_kg) + ") to float");
     if (!(std::fabs(box.centre_of_mass_m) <= box.height_m / 2))
-        return bad("centre_of_mass_m", box.centre_of_mass_m, "at most half the height");
+        return refusal("centre_of_mass_m", box.centre_of_mass_m, "at most half the height");
     if (box.inertia_kgm2)
         for (int axis = 0; axis < 3; ++axis)
             if (!((*box.inertia_kgm2)[axis] > 0 && std::isfinite((*box.inertia_kgm2)[axis])))
-                return bad("inertia_kgm2", (*box.inertia_kgm2)[axis], "a positive number");
-    if (!(box.heave_damping >= 0 && box.heave_damping < 1)) return bad("heave_damping", box.heave_damping, "[0, 1)");
+                return refusal("inertia_kgm2", (*box.inertia_kgm2)[axis], "a positive number");
+    if (!(box.heave_damping >= 0 && box.heave_damping < 1))
+        return refusal("heave_damping", box.heave_damping, "[0, 1)");
     if (!(box.drag_coefficient >= 0 && box.drag_coefficient <= 10))
-        return bad("drag_coefficient", box.drag_coefficient, "[0, 10]");
+        return refusal("drag_coefficient", box.drag_coefficient, "[0, 10]");
     return {};
 }
 

@@ -1,0 +1,73 @@
+// Structs that say their size: those of older hosts are smaller than ours, those of newer hosts larger.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <string>
+
+#include "pelagic/capi/status.hpp"
+#include "pelagic/pelagic.h"
+
+namespace pelagic::capi {
+
+/// Larger ones are taken for a struct_size that nobody has set.
+inline constexpr std::uint32_t most_struct_bytes = 4096;
+
+/// The size of the first version, up to its last field: what padding follows may differ, and holds nothing.
+template <class T>
+inline constexpr std::size_t least_struct_bytes = 0;
+#define PELAGIC_LAST_FIELD_AT_FIRST(type, field) \
+    template <>                                  \
+    inline constexpr std::size_t least_struct_bytes<type> = offsetof(type, field) + sizeof(type::field)
+PELAGIC_LAST_FIELD_AT_FIRST(pelagic_sea, loop_period_s);
+PELAGIC_LAST_FIELD_AT_FIRST(pelagic_executor_options, user);
+PELAGIC_LAST_FIELD_AT_FIRST(pelagic_ocean_options, query_tolerance_m);
+PELAGIC_LAST_FIELD_AT_FIRST(pelagic_ocean_info, executor);
+PELAGIC_LAST_FIELD_AT_FIRST(pelagic_frame, bounds);
+PELAGIC_LAST_FIELD_AT_FIRST(pelagic_frame_buffers, gradient_rgba8);
+PELAGIC_LAST_FIELD_AT_FIRST(pelagic_points, z);
+PELAGIC_LAST_FIELD_AT_FIRST(pelagic_samples, converged);
+PELAGIC_LAST_FIELD_AT_FIRST(pelagic_ray, reach_m);
+PELAGIC_LAST_FIELD_AT_FIRST(pelagic_hit, position_m);
+#undef PELAGIC_LAST_FIELD_AT_FIRST
+
+/// The size that the host states. Throws std::invalid_argument for null and a size that no struct has.
+template <class T>
+std::size_t struct_bytes(const T* pointer, const char* name) {
+    static_assert(least_struct_bytes<T> > 0, "say which field was its last at first");
+    const std::uint32_t bytes = needed(pointer, name).struct_size;
+    if (bytes < least_struct_bytes<T> || bytes > most_struct_bytes)
+        refuse(
+            refusal(std::string(name) + ".struct_size", bytes, number_text(sizeof(T)) + ", the size of the struct"));
+    return bytes;
+}
+
+/// The host's struct as ours: 0 where his is shorter. Throws as above, and for what is set and not known.
+template <class T>
+T read_struct(const T* pointer, const char* name) {
+    const std::size_t bytes = struct_bytes(pointer, name);
+    T ours{};
+    std::memcpy(&ours, pointer, std::min(bytes, sizeof ours));
+    const auto* const all = reinterpret_cast<const unsigned char*>(pointer);
+    if (std::any_of(all + std::min(bytes, sizeof ours), all + bytes, [](unsigned char byte) { return byte != 0; }))
+        refuse(std::string(name) + " sets fields of a later version, needs 0 there");
+    if constexpr (requires { ours.reserved; })
+        if (ours.reserved != 0) refuse(std::string(name) + ".reserved is set, needs 0");
+    return ours;
+}
+
+/// Fills the host's struct with ours, but for struct_size: as much as he has room for, and 0 in what we don't know.
+/// \pre struct_bytes() took it
+template <class T>
+void write_struct(const T& ours, T* pointer) {
+    const std::size_t bytes = pointer->struct_size;
+    auto* const all = reinterpret_cast<unsigned char*>(pointer);
+    constexpr std::size_t head = sizeof ours.struct_size;
+    std::memcpy(all + head, reinterpret_cast<const unsigned char*>(&ours) + head,
+                std::min(bytes, sizeof ours) - head);
+    if (bytes > sizeof ours) std::memset(all + sizeof ours, 0, bytes - sizeof ours);
+}
+
+}  // namespace pelagic::capi

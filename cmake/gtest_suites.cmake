@@ -1,0 +1,45 @@
+# Run after a GoogleTest program was built (pelagic_test.cmake): writes one ctest test for each of its suites. A process a
+# suite, not a case: hundreds of processes take longer to start than to run, above all under a sanitizer.
+cmake_minimum_required(VERSION 3.25)
+
+execute_process(COMMAND ${EMULATOR} ${PROGRAM} --gtest_list_tests OUTPUT_VARIABLE listed RESULT_VARIABLE result TIMEOUT 120)
+if(NOT result EQUAL 0)
+  file(REMOVE ${PROGRAM})  # so that the next build asks again
+  message(FATAL_ERROR "${PROGRAM} --gtest_list_tests: ${result}\n${listed}")
+endif()
+
+# "Kinds/EachExecutor.  # GetParam() = ..." and "Seas/EachExecutor." are both the suite EachExecutor.
+string(REGEX MATCHALL "(^|\n)[A-Za-z0-9_/]+\\." names "${listed}")
+list(TRANSFORM names REPLACE "^\n" "")
+list(TRANSFORM names REPLACE "\\.$" "")
+list(TRANSFORM names REPLACE "/[0-9]+$" "")
+list(TRANSFORM names REPLACE "^.*/" "")
+list(REMOVE_DUPLICATES names)
+
+set(script)
+function(add_suite test suite timeout environment labels)
+  set(filter "${suite}.*:*/${suite}.*:${suite}/*:*/${suite}/*")
+  set(command)
+  foreach(word IN ITEMS ${LAUNCHER} ${EMULATOR} ${PROGRAM} --gtest_filter=${filter})
+    string(APPEND command " [==[${word}]==]")
+  endforeach()
+  list(JOIN PROPERTIES " " properties)
+  string(APPEND script "add_test([==[${test}]==]${command})\n"
+    "set_tests_properties([==[${test}]==] PROPERTIES TIMEOUT ${timeout} LABELS [==[${labels}]==]"
+    " ENVIRONMENT_MODIFICATION [==[${environment}]==] ${properties})\n")
+  set(script "${script}" PARENT_SCOPE)
+endfunction()
+
+foreach(suite IN LISTS names)
+  if(suite IN_LIST SWEEPS)
+    list(REMOVE_ITEM SWEEPS ${suite})
+    add_suite(${suite} ${suite} ${TIMEOUT_S} "${ENVIRONMENT}" "${LABELS};sweep")
+    add_suite(Night.${suite} ${suite} ${NIGHT_TIMEOUT_S} "${ENVIRONMENT};PELAGIC_FULL_SWEEPS=set:1" "night")
+  else()
+    add_suite(${suite} ${suite} ${TIMEOUT_S} "${ENVIRONMENT}" "${LABELS}")
+  endif()
+endforeach()
+if(SWEEPS)
+  message(FATAL_ERROR "${PROGRAM} has no suite ${SWEEPS}")
+endif()
+file(WRITE ${SUITES} "${script}")

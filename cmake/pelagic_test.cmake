@@ -1,0 +1,85 @@
+# How tests run. Each is one process with a limit of time and of memory, and carries labels, by which the presets choose.
+#
+#   pelagic_add_suites(pelagic_query_tests LABELS bits SWEEPS SurfaceQuery)   every suite of a GoogleTest program
+#   pelagic_add_test(CInterfaceSoak LABELS night COMMAND pelagic_soak 1000000)  any other program
+#
+# LABELS       bits (other compilers and processors), threads (ThreadSanitizer), c-interface, gl-small, fuzz, night
+# SWEEPS       suites that walk a sample in the gate (label sweep, left out by `quick`) and everything as Night.SUITE
+# TIMEOUT_S    wall-clock seconds, far more than a loaded machine needs
+# MEMORY_MIB   address space; resident under a sanitizer, which maps terabytes
+#
+# The target tests-LABEL builds the programs that carry a label.
+set(PELAGIC_TEST_TIMEOUT_S 600)
+set(PELAGIC_NIGHT_TIMEOUT_S 7200)
+set(PELAGIC_TEST_MEMORY_MIB 4096)
+find_program(PELAGIC_PRLIMIT prlimit REQUIRED)
+
+# What goes before a command, and into its environment, so that it gets no more than `mib`.
+function(pelagic_memory_limit mib launcher environment)
+  set(${launcher} PARENT_SCOPE)
+  set(${environment} PARENT_SCOPE)
+  if(PELAGIC_SANITIZE MATCHES thread)
+    set(${launcher} ${PROJECT_SOURCE_DIR}/tests/limit_resident.sh ${mib} PARENT_SCOPE)
+  elseif(PELAGIC_SANITIZE)
+    set(${environment} ASAN_OPTIONS=path_list_append:hard_rss_limit_mb=${mib} PARENT_SCOPE)
+  else()
+    math(EXPR bytes "${mib} * 1024 * 1024")
+    set(${launcher} ${PELAGIC_PRLIMIT} --as=${bytes} -- PARENT_SCOPE)
+  endif()
+endfunction()
+
+function(pelagic_label target)
+  foreach(label IN LISTS ARGN)
+    if(NOT TARGET tests-${label})
+      add_custom_target(tests-${label})
+    endif()
+    add_dependencies(tests-${label} ${target})
+  endforeach()
+endfunction()
+
+macro(pelagic_test_arguments)
+  cmake_parse_arguments(PARSE_ARGV 1 test "" "TIMEOUT_S;MEMORY_MIB" "LABELS;SWEEPS;PROPERTIES;COMMAND")
+  if(NOT test_TIMEOUT_S)
+    set(test_TIMEOUT_S ${PELAGIC_TEST_TIMEOUT_S})
+  endif()
+  if(NOT test_MEMORY_MIB)
+    set(test_MEMORY_MIB ${PELAGIC_TEST_MEMORY_MIB})
+  endif()
+  if(test_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "${ARGV0}: what is ${test_UNPARSED_ARGUMENTS}?")
+  endif()
+  pelagic_memory_limit(${test_MEMORY_MIB} launcher environment)
+endmacro()
+
+function(pelagic_add_test name)
+  pelagic_test_arguments()
+  list(POP_FRONT test_COMMAND program)
+  set(emulator)
+  if(TARGET ${program})
+    pelagic_label(${program} ${test_LABELS})
+    set(emulator ${CMAKE_CROSSCOMPILING_EMULATOR})
+    set(program $<TARGET_FILE:${program}>)
+  endif()
+  add_test(NAME ${name} COMMAND ${launcher} ${emulator} ${program} ${test_COMMAND})
+  set_tests_properties(${name} PROPERTIES TIMEOUT ${test_TIMEOUT_S} LABELS "${test_LABELS}"
+                       ENVIRONMENT_MODIFICATION "${environment}" ${test_PROPERTIES})
+endfunction()
+
+# The program is asked for its suites each time it has been built.
+function(pelagic_add_suites target)
+  pelagic_test_arguments()
+  pelagic_label(${target} ${test_LABELS})
+  set(suites ${CMAKE_CURRENT_BINARY_DIR}/${target}_suites.cmake)
+  set(not_built ${CMAKE_CURRENT_BINARY_DIR}/${target}_not_built.cmake)
+  add_custom_command(TARGET ${target} POST_BUILD
+    COMMAND ${CMAKE_COMMAND} -D "PROGRAM=$<TARGET_FILE:${target}>" -D "EMULATOR=${CMAKE_CROSSCOMPILING_EMULATOR}"
+            -D "LAUNCHER=${launcher}" -D "ENVIRONMENT=${environment}" -D "LABELS=${test_LABELS}" -D "SWEEPS=${test_SWEEPS}"
+            -D "TIMEOUT_S=${test_TIMEOUT_S}" -D "NIGHT_TIMEOUT_S=${PELAGIC_NIGHT_TIMEOUT_S}"
+            -D "PROPERTIES=${test_PROPERTIES}" -D "SUITES=${suites}" -P ${PROJECT_SOURCE_DIR}/cmake/gtest_suites.cmake
+    BYPRODUCTS ${suites} VERBATIM)
+  # A program that a preset forgot to build is a failure of that preset.
+  file(WRITE ${not_built} "if(EXISTS \"${suites}\")\n  include(\"${suites}\")\nelse()\n"
+    "  add_test(${target}_was_not_built ${target}_was_not_built)\n"
+    "  set_tests_properties(${target}_was_not_built PROPERTIES TIMEOUT 1 LABELS \"${test_LABELS}\")\nendif()\n")
+  set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${not_built})
+endfunction()

@@ -1,0 +1,117 @@
+# A sea of `pelagic export` in Blender: a mesh that a modifier moves vertex by vertex, three patches by three, with foam.
+#
+#   blender -b --python-exit-code 1 -P blender.py -- FOLDER PICTURE.png
+#
+# FOLDER holds sea.json, displacement_*.exr and gradient_*.png. In the window: Scripting, open this file, set the two names.
+import json
+import math
+import sys
+from pathlib import Path
+
+import bpy
+
+folder, picture = sys.argv[sys.argv.index("--") + 1:][:2]
+folder = Path(folder).resolve()
+record = json.loads((folder / "sea.json").read_text())
+N = record["sea"]["resolution"]
+L = record["sea"]["patch_size_m"]
+frames = len(record["frames"])
+patches = 3
+
+bpy.ops.wm.read_factory_settings(use_empty=True)
+scene = bpy.context.scene
+scene.frame_start, scene.frame_end = 1, frames
+
+
+def load(name):
+    """A sequence of numbers, not of colours: no colour space, and alpha is a number of its own."""
+    image = bpy.data.images.load(str(folder / name))
+    image.colorspace_settings.name = "Non-Color"
+    image.alpha_mode = "CHANNEL_PACKED"
+    image.source = "SEQUENCE" if frames > 1 else "FILE"
+    return image
+
+
+def play(user):
+    """Frame 1 of the scene is file 0000, and after the last file the first one follows."""
+    user.frame_start, user.frame_duration, user.frame_offset = 1, frames, -1
+    user.use_cyclic = user.use_auto_refresh = True
+
+
+# Vertex (i, j) rests at x = i L/N, z = j L/N in Pelagic's axes: x east, y up, z south. Texel (i, j) belongs to it, and
+# texels count from the upper edge of the image, while v counts from the lower one. Column N and row N repeat the first.
+mesh = bpy.data.meshes.new("sea")
+mesh.from_pydata([(i * L / N, 0, j * L / N) for j in range(N + 1) for i in range(N + 1)], [],
+                 [(a, a + N + 1, a + N + 2, a + 1) for j in range(N) for a in range(j * (N + 1), j * (N + 1) + N)])
+mesh.polygons.foreach_set("use_smooth", [True] * (N * N))
+uv = mesh.uv_layers.new(name="texels")
+for loop in mesh.loops:
+    j, i = divmod(loop.vertex_index, N + 1)
+    uv.data[loop.index].uv = ((i + 0.5) / N, 1 - (j + 0.5) / N)
+sea = bpy.data.objects.new("sea", mesh)
+sea.rotation_euler.x = math.radians(90)  # Blender's z is up: y becomes z, and z, which is south, becomes -y
+scene.collection.objects.link(sea)
+
+texture = bpy.data.textures.new("displacement", "IMAGE")
+texture.image = load("displacement_0000.exr")
+texture.extension = "REPEAT"
+texture.use_interpolation = False  # a vertex takes its own texel
+texture.use_clamp = False  # negative numbers are water below the rest level
+play(texture.image_user)
+displace = sea.modifiers.new("displace", "DISPLACE")
+displace.texture = texture
+displace.texture_coords, displace.uv_layer = "UV", "texels"
+displace.direction, displace.space = "RGB_TO_XYZ", "LOCAL"
+displace.mid_level, displace.strength = 0, 1
+for axis in (0, 2):
+    tiles = sea.modifiers.new("patches", "ARRAY")
+    tiles.count = patches
+    tiles.use_relative_offset, tiles.use_constant_offset = False, True
+    tiles.constant_offset_displace = [L if axis == k else 0 for k in range(3)]
+    tiles.use_merge_vertices, tiles.merge_threshold = True, 1e-3
+
+# Foam where the surface is pressed together: J = 2 c - 1 of the third channel, foam = 1 - 2 J within [0, 1].
+water = bpy.data.materials.new("water")
+water.use_nodes = True
+nodes, links = water.node_tree.nodes, water.node_tree.links
+surface = nodes["Principled BSDF"]
+surface.inputs["Roughness"].default_value = 0.08
+surface.inputs["IOR"].default_value = 1.333
+gradient = nodes.new("ShaderNodeTexImage")
+gradient.image = load("gradient_0000.png")
+play(gradient.image_user)
+channels = nodes.new("ShaderNodeSeparateColor")
+foam = nodes.new("ShaderNodeMath")
+foam.operation, foam.use_clamp = "MULTIPLY_ADD", True  # 1 - 2 (2 c - 1) = 3 - 4 c
+foam.inputs[1].default_value, foam.inputs[2].default_value = -4, 3
+colour = nodes.new("ShaderNodeMixRGB")
+colour.inputs["Color1"].default_value = (0.004, 0.022, 0.035, 1)
+colour.inputs["Color2"].default_value = (0.8, 0.85, 0.88, 1)
+links.new(gradient.outputs["Color"], channels.inputs["Color"])
+links.new(channels.outputs["Blue"], foam.inputs[0])
+links.new(foam.outputs["Value"], colour.inputs["Fac"])
+links.new(colour.outputs["Color"], surface.inputs["Base Color"])
+mesh.materials.append(water)
+
+# A sky, and a camera in the middle patch's south-west that looks north-east.
+world = scene.world = bpy.data.worlds.new("sky")
+world.use_nodes = True
+sky = world.node_tree.nodes.new("ShaderNodeTexSky")
+sky.sun_elevation, sky.sun_rotation = math.radians(28), math.radians(75)
+sky.sun_intensity = 0.2
+world.node_tree.links.new(sky.outputs["Color"], world.node_tree.nodes["Background"].inputs["Color"])
+world.node_tree.nodes["Background"].inputs["Strength"].default_value = 0.12
+highest = max(frame["height_max_m"] for frame in record["frames"])
+camera = bpy.data.objects.new("camera", bpy.data.cameras.new("camera"))
+camera.location = (L, -2 * L, 3 * highest + 3)
+camera.rotation_euler = (math.radians(84), 0, math.radians(-45))
+scene.collection.objects.link(camera)
+scene.camera = camera
+
+scene.render.engine = "CYCLES"
+scene.cycles.samples = 32
+scene.cycles.use_denoising = False  # Debian's Blender is built without a denoiser
+scene.render.resolution_x, scene.render.resolution_y = 480, 270
+scene.frame_set(1)
+scene.render.filepath = str(Path(picture).resolve())
+bpy.ops.render.render(write_still=True)

@@ -1,0 +1,84 @@
+#include "pelagic/jobs/job_thread.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <latch>
+#include <string>
+#include <system_error>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#if __has_include(<pthread.h>)
+#include <limits.h>
+#include <pthread.h>
+#define PELAGIC_HAS_PTHREADS
+#endif
+
+namespace pelagic {
+
+#if defined(PELAGIC_HAS_PTHREADS)
+
+// The C++ library's threads have no say in their stacks.
+struct JobThread::Handle {
+    Handle(std::function<void()> wanted, std::size_t stack_bytes) : work(std::move(wanted)) {
+        pthread_attr_t attributes;
+        int error = pthread_attr_init(&attributes);
+        if (error == 0) {
+            error = pthread_attr_setstacksize(&attributes,
+                                              std::max(stack_bytes, static_cast<std::size_t>(PTHREAD_STACK_MIN)));
+            if (error == 0) error = pthread_create(&thread, &attributes, &run, this);
+            pthread_attr_destroy(&attributes);
+        }
+        if (error != 0) throw std::system_error(error, std::generic_category());
+    }
+    void join() { pthread_join(thread, nullptr); }
+
+    static void* run(void* handle) {
+        static_cast<Handle*>(handle)->work();
+        return nullptr;
+    }
+
+    std::function<void()> work;
+    pthread_t thread{};
+};
+
+#else
+
+struct JobThread::Handle {
+    Handle(std::function<void()> work, std::size_t) : thread(std::move(work)) {}
+    void join() { thread.join(); }
+    std::thread thread;
+};
+
+#endif
+
+JobThread::JobThread(std::function<void()> work, std::size_t stack_bytes)
+    : handle_(std::make_unique<Handle>(std::move(work), stack_bytes)) {}
+JobThread::JobThread(JobThread&&) noexcept = default;
+JobThread::~JobThread() { assert(!handle_); }
+
+void JobThread::join() {
+    handle_->join();
+    handle_.reset();
+}
+
+void need_threads(int count, std::size_t stack_bytes) {
+    std::latch all_asked(1);
+    std::vector<JobThread> threads;
+    threads.reserve(static_cast<std::size_t>(std::max(count - 1, 0)));
+    std::error_code refusal;
+    try {
+        for (int i = 1; i < count; ++i) threads.emplace_back([&] { all_asked.wait(); }, stack_bytes);
+    } catch (const std::system_error& error) {
+        refusal = error.code();
+    }
+    const std::size_t given = threads.size() + 1;
+    all_asked.count_down();
+    for (JobThread& thread : threads) thread.join();
+    if (refusal)
+        throw std::system_error(
+            refusal, std::to_string(count) + " threads are wanted, and the system gives " + std::to_string(given));
+}
+
+}  // namespace pelagic

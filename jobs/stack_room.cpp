@@ -1,0 +1,71 @@
+#include "pelagic/jobs/stack_room.hpp"
+
+#include <cstdint>
+#include <exception>
+#include <string>
+#include <system_error>
+
+#include "pelagic/jobs/job_thread.hpp"
+
+#if __has_include(<pthread.h>)
+#include <pthread.h>
+#endif
+
+namespace pelagic {
+namespace {
+
+/// [begin, end); empty where the system doesn't say.
+struct Stack {
+    std::uintptr_t begin = 0, end = 0;
+};
+
+Stack stack_of_this_thread() {
+#if defined(__linux__)
+    pthread_attr_t attributes;
+    if (pthread_getattr_np(pthread_self(), &attributes) != 0) return {};
+    void* begin = nullptr;
+    std::size_t bytes = 0, guard = 0;
+    const bool is_known = pthread_attr_getstack(&attributes, &begin, &bytes) == 0;
+    pthread_attr_getguardsize(&attributes, &guard);
+    pthread_attr_destroy(&attributes);
+    // Older C libraries count the guard page among the stack.
+    const auto first = reinterpret_cast<std::uintptr_t>(begin);
+    return is_known && guard < bytes ? Stack{first + guard, first + bytes} : Stack{};
+#elif defined(__APPLE__)
+    const auto end = reinterpret_cast<std::uintptr_t>(pthread_get_stackaddr_np(pthread_self()));
+    return {end - pthread_get_stacksize_np(pthread_self()), end};
+#else
+    return {};
+#endif
+}
+
+}  // namespace
+
+bool stack_holds(std::size_t bytes) {
+    thread_local const Stack stack = stack_of_this_thread();
+    const auto here = reinterpret_cast<std::uintptr_t>(__builtin_frame_address(0));
+    return here < stack.begin || here >= stack.end || here - stack.begin >= bytes;
+}
+
+void run_on_a_stack_of(std::size_t bytes, const std::function<void()>& work) {
+    std::exception_ptr failure;
+    try {
+        JobThread thread(
+            [&] {
+                try {
+                    work();
+                } catch (...) {
+                    failure = std::current_exception();
+                }
+            },
+            bytes);
+        thread.join();
+    } catch (const std::system_error& error) {
+        throw std::system_error(error.code(), "the calling thread's stack is too small for a job of " +
+                                                  std::to_string(bytes / 1024) +
+                                                  " KiB, and no thread with a larger one can be had");
+    }
+    if (failure) std::rethrow_exception(failure);
+}
+
+}  // namespace pelagic

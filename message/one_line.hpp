@@ -1,0 +1,76 @@
+// Messages stay one line that a terminal shows as it is, whatever text from outside stands in them.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "pelagic/message/utf8.hpp"
+
+namespace pelagic {
+
+/// Most bytes of one_line(): with the program's name before it, a message stays under 300.
+inline constexpr std::size_t most_line_bytes = 280;
+
+/// Control characters of ASCII and of Latin 1 (a terminal takes U+009B for an escape), and the two line separators.
+inline bool is_control_character(std::string_view character) {
+    if (character.size() == 1) return static_cast<std::uint8_t>(character[0]) < 0x20 || character[0] == 0x7f;
+    return (character[0] == '\xc2' && static_cast<std::uint8_t>(character[1]) < 0xa0) ||
+           character == "\xe2\x80\xa8" || character == "\xe2\x80\xa9";
+}
+
+/// Calls write(characters) with the text piece by piece: control characters and bytes that are no UTF-8 as \n or \x1b. Needs
+/// no memory, for messages that say that there is none.
+template <class Write>
+void write_escaped(std::string_view text, Write write) {
+    constexpr std::string_view digits = "0123456789abcdef";
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t bytes = utf8_character_bytes(text, at);
+        const std::string_view character = text.substr(at, bytes == 0 ? 1 : bytes);
+        at += character.size();
+        if (bytes > 0 && !is_control_character(character)) {
+            write(character);
+        } else if (character == "\n") {
+            write("\\n");
+        } else {
+            for (const char c : character) {
+                const auto code = static_cast<std::uint8_t>(c);
+                const char escape[] = {'\\', 'x', digits[code >> 4], digits[code & 15]};
+                write(std::string_view(escape, sizeof escape));
+            }
+        }
+    }
+}
+
+/// The text escaped, and cut in its middle if it is long: what it begins with, "--wind-speed is ...", and what it ends
+/// with, "... needs (0, 60]", both say what to do. A line stays as it is.
+///
+/// \param line  room for most_line_bytes
+/// \return bytes written
+inline std::size_t write_one_line(std::string_view text, char* line) {
+    constexpr std::string_view gap = " ... ";
+    constexpr std::size_t most_head = 140, most_tail = most_line_bytes - most_head - gap.size();
+    std::size_t all = 0;
+    write_escaped(text, [&](std::string_view piece) { all += piece.size(); });
+
+    std::size_t at = 0, length = 0;
+    bool has_gap = false;
+    write_escaped(text, [&](std::string_view piece) {
+        const auto put = [&](std::string_view part) { length += part.copy(line + length, part.size()); };
+        const std::size_t begin = at;
+        at += piece.size();
+        if (all <= most_line_bytes || (at <= most_head && !has_gap) || begin + most_tail >= all) return put(piece);
+        if (!has_gap) put(gap);
+        has_gap = true;
+    });
+    return length;
+}
+
+inline std::string one_line(std::string_view text) {
+    std::string line(most_line_bytes, '\0');
+    line.resize(write_one_line(text, line.data()));
+    return line;
+}
+
+}  // namespace pelagic

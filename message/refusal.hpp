@@ -1,0 +1,28 @@
+// What is said of a value that can't be taken: "wind_speed_mps is -3, needs (0, 60]".
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <type_traits>
+
+#include "pelagic/message/number_text.hpp"
+#include "pelagic/message/one_line.hpp"
+
+namespace pelagic {
+
+/// \param name      of the option or field
+/// \param value     a number, or a text as it was given
+/// \param accepted  a range or a list
+/// One line of at most most_line_bytes, whatever is in the parts.
+template <class Value>
+std::string refusal(std::string_view name, const Value& value, std::string_view accepted) {
+    std::string text(name);
+    text += " is ";
+    if constexpr (std::is_arithmetic_v<Value>)
+        append_number(text, value);
+    else
+        text += value;
+    return one_line(text.append(", needs ").append(accepted));
+}
+
+}  // namespace pelagic

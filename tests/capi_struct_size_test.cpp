@@ -1,0 +1,164 @@
+// Structs of older and newer hosts, as capi/pelagic.h promises: never more is read or written than struct_size says, what an
+// older host doesn't have counts as 0, and what a newer one asks for beyond this library is refused rather than ignored.
+#include <algorithm>
+#include <cstddef>
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include "pelagic/tests/capi_sea.hpp"
+
+namespace pelagic {
+namespace {
+
+constexpr unsigned char untouched = 0xAB;
+
+/// A struct of `bytes` bytes at the front of memory that nobody may read or write.
+template <class T>
+class HostStruct {
+   public:
+    explicit HostStruct(std::size_t bytes, const T& value = {}) : bytes_(bytes), memory_(8192, untouched) {
+        std::memset(memory_.data(), 0, bytes);
+        std::memcpy(memory_.data(), &value, std::min(bytes, sizeof value));
+        get()->struct_size = static_cast<std::uint32_t>(bytes);
+    }
+    T* get() { return reinterpret_cast<T*>(memory_.data()); }
+    unsigned char& byte(std::size_t place) { return memory_[place]; }
+
+    /// Bytes [begin, end) all are `value`.
+    bool holds(unsigned char value, std::size_t begin, std::size_t end) const {
+        return std::all_of(memory_.begin() + static_cast<std::ptrdiff_t>(begin),
+                           memory_.begin() + static_cast<std::ptrdiff_t>(end),
+                           [value](unsigned char byte) { return byte == value; });
+    }
+    bool is_untouched_behind() const { return holds(untouched, bytes_, memory_.size()); }
+
+   private:
+    std::size_t bytes_;
+    std::vector<unsigned char> memory_;
+};
+
+/// Up to the last field of the first version: a host's compiler may or may not have padded it.
+template <class T, class Field>
+std::size_t size_at_first(Field T::*last) {
+    static const T value{};
+    const auto* const field = reinterpret_cast<const unsigned char*>(&(value.*last));
+    return static_cast<std::size_t>(field - reinterpret_cast<const unsigned char*>(&value)) + sizeof(Field);
+}
+
+class StructSizes : public testing::Test {
+   protected:
+    COcean ocean = ocean_of(small_sea(), executor_of(PELAGIC_EXECUTOR_SERIAL).get());
+
+    void complete_one() {
+        auto frame = sized<pelagic_frame>();
+        ASSERT_EQ(pelagic_ocean_schedule(ocean.get(), 1), PELAGIC_OK);
+        ASSERT_EQ(pelagic_ocean_complete(ocean.get(), &frame), PELAGIC_OK);
+    }
+};
+
+/// `call` is taken with the first size and with a newer one whose new fields are 0, and not with one byte less than the
+/// first, nor with new fields that mean something.
+template <class T, class Field, class Call>
+void expect_read_in_every_size(const T& value, Field T::*last, Call call) {
+    const std::size_t first = size_at_first(last);
+    EXPECT_EQ(call(HostStruct<T>(first, value).get()), PELAGIC_OK) << pelagic_last_error();
+    EXPECT_EQ(call(HostStruct<T>(first - 1, value).get()), PELAGIC_INVALID_ARGUMENT);
+    for (const std::size_t bytes : {sizeof(T) + 8, std::size_t{4096}}) {
+        HostStruct<T> newer(bytes, value);
+        EXPECT_EQ(call(newer.get()), PELAGIC_OK) << bytes << ": " << pelagic_last_error();
+        newer.byte(bytes - 1) = 1;
+        EXPECT_EQ(call(newer.get()), PELAGIC_INVALID_ARGUMENT);
+        EXPECT_NE(std::string(pelagic_last_error()).find("sets fields of a later version"), std::string::npos)
+            << pelagic_last_error();
+    }
+    EXPECT_EQ(call(HostStruct<T>(4097, value).get()), PELAGIC_INVALID_ARGUMENT);
+}
+
+TEST_F(StructSizes, WhatIsReadMayBeOlderOrNewer) {
+    complete_one();
+    expect_read_in_every_size(small_sea(), &pelagic_sea::loop_period_s,
+                              [](pelagic_sea* sea) { return pelagic_sea_check(sea); });
+    auto serial = sized<pelagic_executor_options>();
+    serial.kind = PELAGIC_EXECUTOR_SERIAL;
+    expect_read_in_every_size(serial, &pelagic_executor_options::user, [](pelagic_executor_options* options) {
+        pelagic_executor* executor = nullptr;
+        const pelagic_status status = pelagic_executor_create(options, &executor);
+        pelagic_executor_destroy(executor);
+        return status;
+    });
+    // Its first version ends before `allocate`: what stands there in an older host's memory is none of our business.
+    expect_read_in_every_size(pelagic_ocean_options{}, &pelagic_ocean_options::query_tolerance_m,
+                              [](pelagic_ocean_options* options) {
+                                  const pelagic_sea sea = small_sea();
+                                  pelagic_ocean* made = nullptr;
+                                  const pelagic_status status = pelagic_ocean_create(&sea, options, &made);
+                                  pelagic_ocean_destroy(made);
+                                  return status;
+                              });
+    expect_read_in_every_size(pelagic_frame_buffers{}, &pelagic_frame_buffers::gradient_rgba8,
+                              [&](pelagic_frame_buffers* to) { return pelagic_ocean_copy(ocean.get(), to); });
+    const auto points = sized<pelagic_points>();
+    const auto samples = sized<pelagic_samples>();
+    expect_read_in_every_size(points, &pelagic_points::z, [&](pelagic_points* asked) {
+        return pelagic_ocean_query(ocean.get(), asked, &samples);
+    });
+    expect_read_in_every_size(samples, &pelagic_samples::converged, [&](pelagic_samples* wanted) {
+        return pelagic_ocean_query(ocean.get(), &points, wanted);
+    });
+    auto ray = sized<pelagic_ray>();
+    ray.direction[1] = -1;
+    expect_read_in_every_size(ray, &pelagic_ray::reach_m, [&](pelagic_ray* asked) {
+        auto hit = sized<pelagic_hit>();
+        return pelagic_ocean_first_hit(ocean.get(), asked, &hit);
+    });
+}
+
+/// `call` fills a struct of the first size and a newer one with the bytes of today's, puts 0 where it knows nothing, and
+/// leaves the size and what lies behind it alone.
+template <class T, class Field, class Call>
+void expect_written_in_every_size(Field T::*last, Call call) {
+    HostStruct<T> today(sizeof(T));
+    ASSERT_EQ(call(today.get()), PELAGIC_OK) << pelagic_last_error();
+    const std::size_t first = size_at_first(last);
+    for (const std::size_t bytes : {first, sizeof(T), sizeof(T) + 8, std::size_t{4096}}) {
+        HostStruct<T> host(bytes);
+        if (bytes > sizeof(T)) host.byte(bytes - 1) = untouched;
+        ASSERT_EQ(call(host.get()), PELAGIC_OK) << pelagic_last_error();
+        EXPECT_EQ(host.get()->struct_size, bytes);
+        EXPECT_EQ(std::memcmp(&host.byte(4), &today.byte(4), first - 4), 0) << bytes;
+        EXPECT_TRUE(host.is_untouched_behind()) << bytes;
+        EXPECT_TRUE(host.holds(0, std::min(sizeof(T), bytes), bytes)) << bytes;
+    }
+    HostStruct<T> smaller(first - 1);
+    EXPECT_EQ(call(smaller.get()), PELAGIC_INVALID_ARGUMENT);
+    EXPECT_TRUE(smaller.is_untouched_behind());
+}
+
+TEST_F(StructSizes, WhatIsWrittenMayBeOlderOrNewer) {
+    expect_written_in_every_size(&pelagic_sea::loop_period_s,
+                                 [](pelagic_sea* sea) { return pelagic_sea_defaults(sea); });
+    expect_written_in_every_size(&pelagic_sea::loop_period_s,
+                                 [](pelagic_sea* sea) { return pelagic_sea_preset("storm", sea); });
+    expect_written_in_every_size(&pelagic_ocean_info::executor,
+                                 [&](pelagic_ocean_info* info) { return pelagic_ocean_describe(ocean.get(), info); });
+    const COcean serial = ocean_of(small_sea(), executor_of(PELAGIC_EXECUTOR_SERIAL).get());
+    expect_written_in_every_size(&pelagic_frame::bounds, [&](pelagic_frame* frame) {
+        // Every other frame lies in the same memory, so two of them leave the pointers as they were.
+        auto other = sized<pelagic_frame>();
+        pelagic_ocean_schedule(serial.get(), 2);
+        pelagic_ocean_complete(serial.get(), &other);
+        pelagic_ocean_schedule(serial.get(), 1);
+        const pelagic_status status = pelagic_ocean_complete(serial.get(), frame);
+        if (status != PELAGIC_OK) pelagic_ocean_complete(serial.get(), &other);
+        return status;
+    });
+    complete_one();
+    auto ray = sized<pelagic_ray>();
+    ray.origin_m[1] = 50, ray.direction[1] = -1, ray.reach_m = 100;
+    expect_written_in_every_size(&pelagic_hit::position_m,
+                                 [&](pelagic_hit* hit) { return pelagic_ocean_first_hit(ocean.get(), &ray, hit); });
+}
+
+}  // namespace
+}  // namespace pelagic

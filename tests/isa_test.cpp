@@ -1,0 +1,27 @@
+// Which instruction sets were put to the test: those that this CPU lacks are named, and `./test.sh` repeats them at its end.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "pelagic/simd/isa.hpp"
+#include "pelagic/tests/each_isa.hpp"
+
+namespace pelagic {
+namespace {
+
+std::vector<Isa> compiled_isas() { return {PELAGIC_COMPILED_ISAS}; }
+
+class CompiledIsa : public testing::TestWithParam<Isa> {};
+INSTANTIATE_TEST_SUITE_P(Isas, CompiledIsa, testing::ValuesIn(compiled_isas()), isa_test_name);
+
+TEST_P(CompiledIsa, RunsHere) {
+    const std::vector<Isa> here = isas_here();
+    if (!runs_here(GetParam()))
+        GTEST_SKIP() << "this machine has no " << name_of(GetParam()) << ": its kernels were compiled, never run";
+    EXPECT_EQ(std::ranges::count(here, GetParam()), 1);
+    EXPECT_EQ(choose_isa(GetParam()), GetParam());
+}
+
+}  // namespace
+}  // namespace pelagic

@@ -1,0 +1,35 @@
+"""Asks `pelagic query` how high the sea is where another program drew it."""
+import csv
+import json
+import math
+import subprocess
+import tempfile
+from pathlib import Path
+
+
+def float_step(value):
+    """Distance of neighbouring 32-bit floats."""
+    return 2.0 ** (math.frexp(value)[1] - 24)
+
+
+def compare(pelagic, folder, frame_number, places):
+    """places: (x, y, z) in Pelagic's axes, whole patches of an export in folder, as 32-bit floats drew them."""
+    sea_json = Path(folder) / "sea.json"
+    record = json.loads(sea_json.read_text())
+    frame = record["frames"][frame_number]
+    with tempfile.NamedTemporaryFile("w", suffix=".csv") as points:
+        points.writelines(f"{x!r},{z!r}\n" for x, _, z in places)
+        points.flush()
+        answer = subprocess.run([pelagic, "query", "--config", str(sea_json), "--time", repr(frame["time_s"]),
+                                 "--points", points.name], check=True, capture_output=True, text=True).stdout
+    heights = [float(row["height"]) for row in csv.DictReader(answer.splitlines())]
+    assert len(heights) == len(places)
+    worst = max(abs(y - height) for (_, y, _), height in zip(places, heights))
+    # Queries are within 8 micrometres of an oracle. A place is a 32-bit float: half a step at the far end sideways, which
+    # is as much in height on a slope of 1, and half a step more for a program that turns the mesh.
+    farthest = max(max(abs(x), abs(z)) for x, _, z in places)
+    bound = 8e-6 + float_step(farthest)
+    print(f"frame {frame_number}: {len(places)} vertices, at most {worst:.2g} m from query's height (bound {bound:.2g})")
+    assert worst < bound
+    highest = max(abs(y) for _, y, _ in places)
+    assert highest > 0.25 * frame["significant_wave_height_m"], f"{highest} m is a flat sea"

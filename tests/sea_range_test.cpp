@@ -1,0 +1,177 @@
+// Whatever check() takes makes a whole frame of finite numbers: every option at the edges of its range, alone, in pairs and
+// all together.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "pelagic/message/number_text.hpp"
+#include "pelagic/sim/ocean.hpp"
+#include "pelagic/sim/statistics.hpp"
+#include "pelagic/sim/surface_query.hpp"
+
+namespace pelagic {
+    namespace {
+
+    using Edges = std::vector<double>;
+
+    /// Least, most, and what lies next to them inside; a range that is open below begins with the smallest number there is.
+    Edges edges_of(const SeaStateField& field) {
+        if (field.name == "resolution") return {16, 32};  // a frame of 2048 is no more at an edge than one of 32
+        if (std::holds_alternative<std::uint32_t SeaState::*>(field.member)) return {field.least, 1, field.most};
+        const auto inside = [](double edge, double towards) { return std::nextafter(edge, towards); };
+        Edges edges = {inside(field.least, field.most), inside(field.most, field.least), field.most};
+        if (!field.open_below) edges.push_back(field.least);
+        return edges;
+    }
+
+    void set(SeaState& sea, const SeaStateField& field, double value) {
+        std::visit(
+            [&](auto member) { sea.*member = static_cast<std::remove_reference_t<decltype(sea.*member)>>(value); },
+            field.member);
+    }
+
+    std::string text_of(const SeaState& sea) {
+        std::string text(name_of(sea.spectrum));
+        for (const SeaStateField& field : sea_state_fields())
+            std::visit([&](auto member) { text += " " + std::string(field.name) + " " + number_text(sea.*member); },
+                       field.member);
+        return text;
+    }
+
+    bool is_finite_half(std::uint16_t half) { return (half & 0x7C00) != 0x7C00; }
+
+    /// Empty, or what is wrong with the frame.
+    std::string fault_of(const Frame& frame) {
+        float least = std::numeric_limits<float>::infinity(), most = -least, most_dx = 0, most_dz = 0;
+        for (int j = 0; j < frame.resolution(); ++j) {
+            for (int i = 0; i < frame.resolution(); ++i) {
+                for (const PlaneView* plane :
+                     {&frame.dx, &frame.height, &frame.dz, &frame.velocity_x, &frame.velocity_y, &frame.velocity_z})
+                    if (!std::isfinite(plane->at(i, j))) return "a plane is not finite";
+                least = std::min(least, frame.height.at(i, j));
+                most = std::max(most, frame.height.at(i, j));
+                most_dx = std::max(most_dx, std::fabs(frame.dx.at(i, j)));
+                most_dz = std::max(most_dz, std::fabs(frame.dz.at(i, j)));
+            }
+        }
+        const FrameBounds& bounds = frame.bounds;
+        if (bounds.height_min_m != least || bounds.height_max_m != most || bounds.sideways_x_max_m != most_dx ||
+            bounds.sideways_z_max_m != most_dz)
+            return "bounds are not the extremes";
+        for (const std::uint16_t half : frame.displacement_rgba16f)
+            if (!is_finite_half(half)) return "a half is not finite";
+        return {};
+    }
+
+    std::string fault_of_answers(const SurfaceQuery& query, double patch_size_m) {
+        constexpr std::size_t count = 16;
+        std::vector<double> x(count), z(count);
+        for (std::size_t i = 0; i < count; ++i) {
+            x[i] = static_cast<double>(i) * 0.37 * patch_size_m;
+            z[i] = static_cast<double>(i) * -0.11 * patch_size_m;
+        }
+        std::vector<float> values[9];
+        for (auto& each : values) each.resize(count);
+        query.sample({x, z}, {.height_m = values[0],
+                              .normal_x = values[1],
+                              .normal_y = values[2],
+                              .normal_z = values[3],
+                              .jacobian = values[4],
+                              .velocity_x_mps = values[5],
+                              .velocity_y_mps = values[6],
+                              .velocity_z_mps = values[7],
+                              .error_m = values[8]});
+        for (std::size_t i = 0; i < count; ++i) {
+            for (const auto& each : values)
+                if (!std::isfinite(each[i])) return "an answer is not finite";
+            // Bilinear between texels, in float.
+            const double slack =
+                1e-6 * (1 + std::fabs(query.bounds().height_max_m) + std::fabs(query.bounds().height_min_m));
+            if (values[0][i] < query.bounds().height_min_m - slack ||
+                values[0][i] > query.bounds().height_max_m + slack)
+                return "a height is out of bounds";
+            const double length = std::hypot(values[1][i], values[2][i], values[3][i]);
+            if (std::fabs(length - 1) > 1e-5) return "a normal has the length " + number_text(length);
+        }
+        return {};
+    }
+
+    void expect_finite(const SeaState& sea) {
+        ASSERT_EQ(check(sea), "") << text_of(sea);
+        Ocean ocean(sea, {.executor = make_serial_executor(), .queries = true, .velocities = true});
+        for (const double time_s : {0.0, 0.7 * sea.loop_period_s}) {
+            const Frame& frame = ocean.frame_at(time_s);
+            const std::string fault = fault_of(frame);
+            ASSERT_EQ(fault, "") << text_of(sea);
+            ASSERT_EQ(fault_of_answers(SurfaceQuery(frame), sea.patch_size_m), "") << text_of(sea);
+        }
+    }
+
+    class SeaRange : public testing::TestWithParam<SpectrumModel> {};
+    INSTANTIATE_TEST_SUITE_P(Models, SeaRange, testing::ValuesIn(spectrum_models().begin(), spectrum_models().end()),
+                             [](const auto& test) {
+                                 std::string name(name_of(test.param));
+                                 std::erase(name, '-');
+                                 return name;
+                             });
+
+    TEST_P(SeaRange, PairsOfEdgesGiveFiniteFrames) {
+        const auto fields = sea_state_fields();
+        for (std::size_t a = 0; a < fields.size(); ++a) {
+            for (std::size_t b = a; b < fields.size(); ++b) {
+                for (const double first : edges_of(fields[a])) {
+                    for (const double second : edges_of(fields[b])) {
+                        SeaState sea{.spectrum = GetParam(), .resolution = 16};
+                        set(sea, fields[a], first);
+                        set(sea, fields[b], second);
+                        expect_finite(sea);
+                        if (HasFatalFailure()) return;
+                    }
+                }
+            }
+        }
+    }
+
+    TEST_P(SeaRange, AllAtAnEdgeAtOnceGiveFiniteFramesAndFigures) {
+        std::mt19937 random(11);
+        for (int n = 0; n < 300; ++n) {
+            SeaState sea{.spectrum = GetParam()};
+            for (const SeaStateField& field : sea_state_fields()) {
+                const Edges edges = edges_of(field);
+                set(sea, field, edges[random() % edges.size()]);
+            }
+            expect_finite(sea);
+            if (HasFatalFailure()) return;
+            const ExpectedWaves waves = expected_waves(sea);
+            ASSERT_TRUE(std::isfinite(waves.significant_wave_height_m)) << text_of(sea);
+            ASSERT_TRUE(std::isfinite(waves.peak_period_s) && waves.peak_period_s > 0) << text_of(sea);
+            ASSERT_TRUE(std::isfinite(waves.peak_wavelength_m) && waves.peak_wavelength_m > 0) << text_of(sea);
+            ASSERT_TRUE(std::isfinite(waves.model_significant_wave_height_m.value_or(0))) << text_of(sea);
+            for (const std::string& warning : warnings_about(sea)) {
+                ASSERT_EQ(warning.find("nan"), std::string::npos) << warning << text_of(sea);
+                ASSERT_EQ(warning.find("inf"), std::string::npos) << warning << text_of(sea);
+            }
+        }
+    }
+
+    // Outside of them, or no number, is an error.
+    TEST(SeaRange, WhatLiesBeyondAnEdgeIsRefused) {
+        for (const SeaStateField& field : sea_state_fields()) {
+            const double infinity = std::numeric_limits<double>::infinity();
+            EXPECT_FALSE(field.accepts(std::nextafter(field.least, -infinity))) << field.name;
+            EXPECT_FALSE(field.accepts(std::nextafter(field.most, infinity))) << field.name;
+            EXPECT_EQ(field.accepts(field.least), !field.open_below) << field.name;
+            EXPECT_TRUE(field.accepts(field.most)) << field.name;
+            for (const double value : {infinity, -infinity, std::numeric_limits<double>::quiet_NaN()})
+                EXPECT_FALSE(field.accepts(value)) << field.name;
+        }
+    }
+
+    }  // namespace
+}  // namespace pelagic

@@ -1,0 +1,32 @@
+// Between the tool and the library that it opens when an image is written, pelagic_images: OpenImageIO needs 250 shared
+// libraries, which would take most of the time of every other command.
+#pragma once
+
+#include <vector>
+
+namespace pelagic::tools {
+
+/// Pixels in memory: rows from the top, channels interleaved, no gaps.
+struct ImageDescription {
+    enum class Sample { uint8, half, float32 };
+
+    const char* extension;  ///< names the format: "exr", "png" or "tif"
+    int width, height, channels;
+    Sample sample;
+    const char* colour_space;             ///< as OpenImageIO names it
+    const char* compression;              ///< as OpenImageIO names it; none for the format's own
+    int png_level = 0;                    ///< zlib's, 1 to 9; 0 for the format's own
+    bool has_unassociated_alpha = false;  ///< the fourth channel is no coverage, and nothing is multiplied by it
+};
+
+/// What the library exports as `pelagic_image_codec`.
+struct ImageCodec {
+    const char* version;  ///< of Pelagic: the library and the tool are built together
+    /// The image's file in memory. Throws std::runtime_error with OpenImageIO's reason.
+    std::vector<unsigned char> (*encode)(const ImageDescription& image, const void* pixels);
+};
+
+/// The library beside the tool, opened by the first call, from any thread. Throws FileError that names the file.
+const ImageCodec& image_codec();
+
+}  // namespace pelagic::tools

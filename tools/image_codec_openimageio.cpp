@@ -1,0 +1,62 @@
+// The library pelagic_images: the only place that names OpenImageIO.
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+
+#include <stdexcept>
+#include <string>
+
+#include "pelagic/tools/image_codec.hpp"
+
+namespace pelagic::tools {
+namespace {
+
+using OIIO::ImageOutput;
+using OIIO::ImageSpec;
+using OIIO::TypeDesc;
+
+/// OpenImageIO's defaults: OpenEXR takes a thread for every core, whatever --threads says, and TIFF turns halves into
+/// floats in silence.
+void set_up_open_image_io() {
+    static const bool done = OIIO::attribute("exr_threads", -1) && OIIO::attribute("tiff:half", 1);
+    if (!done) throw std::runtime_error("OpenImageIO knows neither exr_threads nor tiff:half");
+}
+
+TypeDesc type_of(ImageDescription::Sample sample) {
+    switch (sample) {
+        case ImageDescription::Sample::uint8: return TypeDesc::UINT8;
+        case ImageDescription::Sample::half: return TypeDesc::HALF;
+        case ImageDescription::Sample::float32: return TypeDesc::FLOAT;
+    }
+    return TypeDesc::UNKNOWN;
+}
+
+std::vector<unsigned char> encode(const ImageDescription& image, const void* pixels) {
+    set_up_open_image_io();
+    const std::string extension = image.extension;
+    ImageSpec spec(image.width, image.height, image.channels, type_of(image.sample));
+    spec.attribute("oiio:ColorSpace", image.colour_space);
+    if (image.compression) spec.attribute("compression", image.compression);
+    if (image.png_level > 0) spec.attribute("png:compressionLevel", image.png_level);
+    if (image.has_unassociated_alpha) {
+        spec.alpha_channel = 3;
+        spec.attribute("oiio:UnassociatedAlpha", 1);
+    }
+    // EXR and TIFF would note the moment of writing, and no two exports of a sea would be the same.
+    if (extension != "png") spec.attribute("DateTime", "1970:01:01 00:00:00");
+
+    const std::string name = "sea." + extension;  // OpenImageIO chooses the format by the name
+    const auto output = ImageOutput::create(name);
+    if (!output) throw std::runtime_error("OpenImageIO has no writer for " + extension + ": " + OIIO::geterror());
+    std::vector<unsigned char> bytes;
+    OIIO::Filesystem::IOVecOutput memory(bytes);
+    if (!output->set_ioproxy(&memory) || !output->open(name, spec) || !output->write_image(spec.format, pixels) ||
+        !output->close())
+        throw std::runtime_error("OpenImageIO can't encode " + extension + ": " + output->geterror());
+    return bytes;
+}
+
+}  // namespace
+}  // namespace pelagic::tools
+
+extern "C" __attribute__((visibility("default")))
+const pelagic::tools::ImageCodec pelagic_image_codec = {PELAGIC_VERSION, pelagic::tools::encode};
