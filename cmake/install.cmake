@@ -56,7 +56,7 @@ set(simd_headers host_memory isa)
 set(sim_headers frame frame_buffers ocean sea_state statistics surface_query surface_query_jobs
                 surface_ray)
 set(quadtree_headers camera draw_list frustum level_map patch_mesh patch_vertex quadtree_options selection skirt stitching)
-set(gl_headers errors frame_textures functions headless_context objects render_target sea_renderer sky_baker views)
+set(gl_headers errors frame_textures functions headless_context objects render_target sea_renderer sky sky_baker views)
 set(folders jobs simd sim)
 if(PELAGIC_QUADTREE)
   list(APPEND folders quadtree)
