@@ -14,6 +14,8 @@
 
 #include "pelagic/gl/atmosphere.hpp"
 #include "pelagic/gl/clouds.hpp"
+#include "pelagic/gl/cube.hpp"
+#include "pelagic/gl/sky_mirrors.hpp"
 #include "pelagic/message/refusal.hpp"
 
 namespace pelagic::gl {
@@ -27,103 +29,10 @@ constexpr float white_card = 1.35f;
 /// (Payne 1972, "Albedo of the sea surface"), more towards the horizon.
 constexpr float sea_albedo = 0.066f;
 
-/// OpenGL ES 3.0, table 3.21: the direction through a texel of a face, s and t in [-1, 1], not normalised.
-glm::vec3 face_direction(int face, float s, float t) {
-    switch (face) {
-        case 0: return {1, -t, -s};
-        case 1: return {-1, -t, s};
-        case 2: return {s, 1, t};
-        case 3: return {s, -1, -t};
-        case 4: return {s, -t, 1};
-        default: return {-s, -t, -1};
-    }
-}
-
-struct FacePoint {
-    int face;
-    float s, t;
-};
-
-FacePoint face_of(glm::vec3 d) {
-    const glm::vec3 a = glm::abs(d);
-    if (a.x >= a.y && a.x >= a.z)
-        return d.x > 0 ? FacePoint{0, -d.z / a.x, -d.y / a.x} : FacePoint{1, d.z / a.x, -d.y / a.x};
-    if (a.y >= a.z) return d.y > 0 ? FacePoint{2, d.x / a.y, d.z / a.y} : FacePoint{3, d.x / a.y, -d.z / a.y};
-    return d.z > 0 ? FacePoint{4, d.x / a.z, -d.y / a.z} : FacePoint{5, -d.x / a.z, -d.y / a.z};
-}
-
-/// Six square faces of colours.
-struct Cube {
-    int side = 0;
-    std::vector<glm::vec3> texels;
-
-    explicit Cube(int size) : side(size), texels(std::size_t{6} * size * size) {}
-    glm::vec3& at(int face, int x, int y) {
-        return texels[(static_cast<std::size_t>(face) * side + y) * side + static_cast<std::size_t>(x)];
-    }
-    const glm::vec3& at(int face, int x, int y) const { return const_cast<Cube*>(this)->at(face, x, y); }
-    glm::vec3 direction(int face, int x, int y) const {
-        const float scale = 2.f / static_cast<float>(side);
-        return glm::normalize(face_direction(face, (static_cast<float>(x) + 0.5f) * scale - 1,
-                                             (static_cast<float>(y) + 0.5f) * scale - 1));
-    }
-    /// Bilinear within a face; at its edges the nearest texel, which is enough for averages.
-    glm::vec3 sample(glm::vec3 d) const {
-        const FacePoint p = face_of(d);
-        const float half = 0.5f * static_cast<float>(side), last = static_cast<float>(side - 1);
-        const float x = std::clamp((p.s + 1) * half - 0.5f, 0.f, last);
-        const float y = std::clamp((p.t + 1) * half - 0.5f, 0.f, last);
-        const int x0 = std::min(static_cast<int>(x), std::max(0, side - 2)), x1 = std::min(x0 + 1, side - 1);
-        const int y0 = std::min(static_cast<int>(y), std::max(0, side - 2)), y1 = std::min(y0 + 1, side - 1);
-        const float fx = x - static_cast<float>(x0), fy = y - static_cast<float>(y0);
-        return glm::mix(glm::mix(at(p.face, x0, y0), at(p.face, x1, y0), fx),
-                        glm::mix(at(p.face, x0, y1), at(p.face, x1, y1), fx), fy);
-    }
-};
-
 /// The solid angle of a texel, over that of one in the middle of the face.
 float texel_weight(float s, float t) { return std::pow(1 + s * s + t * t, -1.5f); }
 
-/// Hammersley's points on the square.
-glm::vec2 hammersley(std::uint32_t i, std::uint32_t count) {
-    std::uint32_t bits = i;
-    bits = bits << 16 | bits >> 16;
-    bits = (bits & 0x55555555u) << 1 | (bits & 0xaaaaaaaau) >> 1;
-    bits = (bits & 0x33333333u) << 2 | (bits & 0xccccccccu) >> 2;
-    bits = (bits & 0x0f0f0f0fu) << 4 | (bits & 0xf0f0f0f0u) >> 4;
-    bits = (bits & 0x00ff00ffu) << 8 | (bits & 0xff00ff00u) >> 8;
-    return {(static_cast<float>(i) + 0.5f) / static_cast<float>(count), static_cast<float>(bits) * 0x1p-32f};
-}
-
-bool in_range(float value, float least, float most) { return value >= least && value <= most; }
-
 }  // namespace
-
-std::string check(const SkyOptions& options) {
-    if (!std::isfinite(options.sun_azimuth_rad))
-        return refusal("sun_azimuth_rad", options.sun_azimuth_rad, "a finite number");
-    if (!in_range(options.sun_elevation_rad, -pi / 2, pi / 2))
-        return refusal("sun_elevation_rad", options.sun_elevation_rad, "[-pi/2, pi/2]");
-    if (!in_range(options.cloud_cover, 0, 1)) return refusal("cloud_cover", options.cloud_cover, "[0, 1]");
-    if (!in_range(options.visibility_m, 500, 300e3f))
-        return refusal("visibility_m", options.visibility_m, "[500, 300e3]");
-    return {};
-}
-
-glm::vec3 sun_direction(const SkyOptions& options) {
-    const float across = std::cos(options.sun_elevation_rad);
-    return {across * std::cos(options.sun_azimuth_rad), std::sin(options.sun_elevation_rad),
-            across * std::sin(options.sun_azimuth_rad)};
-}
-
-int sky_levels(int face_size) { return std::bit_width(static_cast<unsigned>(face_size)) - 2; }
-
-std::span<const std::uint16_t> Sky::face(int level, int face) const {
-    std::size_t start = 0;
-    for (int m = 0; m < level; ++m) start += std::size_t{6} * (face_size >> m) * (face_size >> m);
-    const std::size_t texels_of_face = static_cast<std::size_t>(face_size >> level) * (face_size >> level);
-    return std::span(texels).subspan(4 * (start + face * texels_of_face), 4 * texels_of_face);
-}
 
 // The stages, in order: `sky light` (tables) and `sky heaps` (the clouds' noise, once a seed), `sky faces` (level 0, a job is a row of all six), `sky
 // averages` (box mips, which the mirrors sample), `sky mirrors` (GGX levels), `sky packing`.
@@ -155,7 +64,7 @@ struct SkyBaker::State {
         for (std::size_t level = 1; level < mirrors.size(); ++level) mirror_rows += 6 * mirrors[level].side;
         const StageId mirror =
             graph.add({"sky mirrors", mirror_rows, 8, {box}, [this](std::size_t begin, std::size_t end) {
-                           for (std::size_t row = begin; row < end; ++row) filter_row(row);
+                           for (std::size_t row = begin; row < end; ++row) filter_mirror_row(averages, mirrors, row);
                        }});
         graph.add({"sky packing", 1, 1, {mirror}, [this](auto, auto) {
                        pack();
@@ -246,46 +155,6 @@ struct SkyBaker::State {
         const glm::vec3 scene = card + 0.6f / pi * sky.sky_irradiance;
         const float luminance = glm::dot(scene, glm::vec3(0.2126f, 0.7152f, 0.0722f));
         sky.exposure = white_card / std::max(luminance, 1e-6f);
-    }
-
-    /// One row of one face of a mirror's level: samples of GGX's lobe around the direction, each taken from the average
-    /// whose texels are as large as the sample (Karis 2013, "Real Shading in Unreal Engine 4"; Krivanek and Colbert
-    /// 2008, "Real-time Shading with Filtered Importance Sampling").
-    void filter_row(std::size_t row) {
-        std::size_t level = 1;
-        while (row >= 6 * static_cast<std::size_t>(mirrors[level].side))
-            row -= 6 * static_cast<std::size_t>(mirrors[level++].side);
-        Cube& cube = mirrors[level];
-        const int face = static_cast<int>(row) / cube.side, y = static_cast<int>(row) % cube.side;
-        const float perceptual = static_cast<float>(level) / static_cast<float>(mirrors.size() - 1);
-        const float alpha = perceptual * perceptual;
-        const std::uint32_t samples = level == 1 ? 24 : 64;
-        const float texel_angle = 4 * pi / (6 * static_cast<float>(size) * static_cast<float>(size));
-        for (int x = 0; x < cube.side; ++x) {
-            const glm::vec3 n = cube.direction(face, x, y);
-            const glm::vec3 helper = std::abs(n.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
-            const glm::vec3 tangent = glm::normalize(glm::cross(helper, n)), across = glm::cross(n, tangent);
-            glm::vec3 sum(0);
-            float weights = 0;
-            for (std::uint32_t i = 0; i < samples; ++i) {
-                const glm::vec2 u = hammersley(i, samples);
-                const float cosine = std::sqrt((1 - u.x) / (1 + (alpha * alpha - 1) * u.x));
-                const float sine = std::sqrt(1 - cosine * cosine), angle = 2 * pi * u.y;
-                const glm::vec3 h =
-                    tangent * (sine * std::cos(angle)) + across * (sine * std::sin(angle)) + n * cosine;
-                const glm::vec3 light = 2 * cosine * h - n;
-                const float to_light = glm::dot(light, n);
-                if (to_light <= 0) continue;
-                const float denominator = cosine * cosine * (alpha * alpha - 1) + 1;
-                const float density = alpha * alpha / (pi * denominator * denominator) / 4;
-                const float sample_angle = 1 / (static_cast<float>(samples) * density);
-                const float from = std::clamp(0.5f * std::log2(sample_angle / texel_angle) + 0.5f, 0.f,
-                                              static_cast<float>(averages.size() - 1));
-                sum += averages[static_cast<std::size_t>(from + 0.5f)].sample(light) * to_light;
-                weights += to_light;
-            }
-            cube.at(face, x, y) = sum / std::max(weights, 1e-6f);
-        }
     }
 
     void pack() {

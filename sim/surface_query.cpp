@@ -76,6 +76,11 @@ struct SurfaceQuery::Chunk {
     alignas(64) Floats world_u, world_v, rest_u, rest_v, error;
     alignas(64) Floats height, normal_x, normal_y, normal_z, jacobian, velocity_x, velocity_y, velocity_z;
     bool is_somewhere[chunk_points];
+
+    std::size_t first = 0, count = 0;  ///< of the batch
+    std::size_t padded = 0;            ///< count, up to whole registers
+
+    CellPlaces rest() { return {rest_x, rest_z, rest_u, rest_v}; }
 };
 
 struct SurfaceQuery::Sheet {
@@ -111,19 +116,23 @@ void SurfaceQuery::sample(const SurfacePoints& points, const SurfaceSamples& sam
 
     const DefaultFloatEnvironment environment;
     Chunk chunk;
-    for (std::size_t first = 0; first < count; first += chunk_points)
-        sample_chunk(points, samples, chunk, first, std::min(chunk_points, count - first));
+    for (std::size_t first = 0; first < count; first += chunk_points) {
+        chunk.first = first;
+        chunk.count = std::min(chunk_points, count - first);
+        chunk.padded = (chunk.count + kernels_->lanes - 1) / kernels_->lanes * kernels_->lanes;
+        place_points(points, chunk);
+        find_rest_points(chunk);
+        read_surface(samples, chunk);
+        hand_out(samples, chunk);
+    }
 }
 
-void SurfaceQuery::sample_chunk(const SurfacePoints& points, const SurfaceSamples& samples, Chunk& chunk,
-                                std::size_t first, std::size_t count) const {
-    const std::size_t lanes = kernels_->lanes;
-    const std::size_t padded = (count + lanes - 1) / lanes * lanes;
-    const SurfaceTexels surface = texels_of(frame_);
-    const std::int64_t last = surface.resolution - 1;
-    for (std::size_t i = 0; i < padded; ++i) {
-        double x = i < count ? points.x[first + i] / texel_m_ : 0;
-        double z = i < count ? points.z[first + i] / texel_m_ : 0;
+/// Each point becomes a cell of the patch and a place in it.
+void SurfaceQuery::place_points(const SurfacePoints& points, Chunk& chunk) const {
+    const std::int64_t last = frame_.resolution() - 1;
+    for (std::size_t i = 0; i < chunk.padded; ++i) {
+        double x = i < chunk.count ? points.x[chunk.first + i] / texel_m_ : 0;
+        double z = i < chunk.count ? points.z[chunk.first + i] / texel_m_ : 0;
         chunk.is_somewhere[i] = x >= -most_texels && x <= most_texels && z >= -most_texels && z <= most_texels;
         if (!chunk.is_somewhere[i]) x = z = 0;
         const std::int64_t cell_x = floor_of(x), cell_z = floor_of(z);
@@ -132,17 +141,18 @@ void SurfaceQuery::sample_chunk(const SurfacePoints& points, const SurfaceSample
         chunk.world_u[i] = static_cast<float>(x - static_cast<double>(cell_x));
         chunk.world_v[i] = static_cast<float>(z - static_cast<double>(cell_z));
     }
+}
 
-    const CellPlaces rest{chunk.rest_x, chunk.rest_z, chunk.rest_u, chunk.rest_v};
-    kernels_->invert_surface({.surface = surface,
+void SurfaceQuery::find_rest_points(Chunk& chunk) const {
+    kernels_->invert_surface({.surface = texels_of(frame_),
                               .texels_per_m = static_cast<float>(1 / texel_m_),
                               .target = target_,
-                              .count = padded,
+                              .count = chunk.padded,
                               .world = {chunk.world_x, chunk.world_z, chunk.world_u, chunk.world_v},
-                              .rest = rest,
+                              .rest = chunk.rest(),
                               .error = chunk.error});
 
-    for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < chunk.count; ++i) {
         if (chunk.error[i] <= target_ && !may_be_folded(chunk.world_x[i], chunk.world_z[i])) continue;
         const Sheet sheet = highest_sheet(chunk.world_x[i], chunk.world_u[i], chunk.world_z[i], chunk.world_v[i]);
         if (!sheet.found) continue;  // the error says how good the steps' end is
@@ -152,16 +162,19 @@ void SurfaceQuery::sample_chunk(const SurfacePoints& points, const SurfaceSample
         chunk.rest_v[i] = sheet.v;
         chunk.error[i] = sheet.error;
     }
+}
 
+/// Reads the frame at the rest points, and no more of it than is wanted.
+void SurfaceQuery::read_surface(const SurfaceSamples& samples, Chunk& chunk) const {
     const bool wants_normal = !samples.normal_x.empty() || !samples.normal_y.empty() || !samples.normal_z.empty() ||
                               !samples.jacobian.empty();
     const bool wants_velocity =
         !samples.velocity_x_mps.empty() || !samples.velocity_y_mps.empty() || !samples.velocity_z_mps.empty();
-    SampleSurfaceJob job{.surface = surface,
+    SampleSurfaceJob job{.surface = texels_of(frame_),
                          .two_texels_m = static_cast<float>(2 * texel_m_),
                          .jacobian_factor = static_cast<float>(1 / (4 * texel_m_ * texel_m_)),
-                         .count = padded,
-                         .rest = rest,
+                         .count = chunk.padded,
+                         .rest = chunk.rest(),
                          .out = {}};
     if (wants_normal || !samples.height_m.empty()) job.out.height = chunk.height;
     if (wants_normal) {
@@ -176,24 +189,26 @@ void SurfaceQuery::sample_chunk(const SurfacePoints& points, const SurfaceSample
         job.out.velocity_z = chunk.velocity_z;
     }
     kernels_->sample_surface(job);
+}
 
-    const auto hand_out = [&](std::span<float> to, const float* from) {
-        if (!to.empty()) std::memcpy(to.data() + first, from, count * sizeof(float));
+void SurfaceQuery::hand_out(const SurfaceSamples& samples, const Chunk& chunk) const {
+    const auto copy = [&](std::span<float> to, const float* from) {
+        if (!to.empty()) std::memcpy(to.data() + chunk.first, from, chunk.count * sizeof(float));
     };
-    hand_out(samples.height_m, chunk.height);
-    hand_out(samples.normal_x, chunk.normal_x);
-    hand_out(samples.normal_y, chunk.normal_y);
-    hand_out(samples.normal_z, chunk.normal_z);
-    hand_out(samples.jacobian, chunk.jacobian);
-    hand_out(samples.velocity_x_mps, chunk.velocity_x);
-    hand_out(samples.velocity_y_mps, chunk.velocity_y);
-    hand_out(samples.velocity_z_mps, chunk.velocity_z);
+    copy(samples.height_m, chunk.height);
+    copy(samples.normal_x, chunk.normal_x);
+    copy(samples.normal_y, chunk.normal_y);
+    copy(samples.normal_z, chunk.normal_z);
+    copy(samples.jacobian, chunk.jacobian);
+    copy(samples.velocity_x_mps, chunk.velocity_x);
+    copy(samples.velocity_y_mps, chunk.velocity_y);
+    copy(samples.velocity_z_mps, chunk.velocity_z);
     if (samples.error_m.empty() && samples.converged.empty()) return;
-    for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < chunk.count; ++i) {
         const float error_m = chunk.is_somewhere[i] ? chunk.error[i] * static_cast<float>(texel_m_)
                                                     : std::numeric_limits<float>::infinity();
-        if (!samples.error_m.empty()) samples.error_m[first + i] = error_m;
-        if (!samples.converged.empty()) samples.converged[first + i] = error_m <= tolerance_m_;
+        if (!samples.error_m.empty()) samples.error_m[chunk.first + i] = error_m;
+        if (!samples.converged.empty()) samples.converged[chunk.first + i] = error_m <= tolerance_m_;
     }
 }
 

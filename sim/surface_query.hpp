@@ -69,8 +69,10 @@ class SurfaceQuery {
     struct Chunk;
     struct Sheet;
 
-    void sample_chunk(const SurfacePoints& points, const SurfaceSamples& samples, Chunk& chunk, std::size_t first,
-                      std::size_t count) const;
+    void place_points(const SurfacePoints& points, Chunk& chunk) const;
+    void find_rest_points(Chunk& chunk) const;
+    void read_surface(const SurfaceSamples& samples, Chunk& chunk) const;
+    void hand_out(const SurfaceSamples& samples, const Chunk& chunk) const;
     bool may_be_folded(int cell_x, int cell_z) const;
     Sheet highest_sheet(int cell_x, double u, int cell_z, double v) const;
 

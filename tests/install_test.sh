@@ -39,7 +39,7 @@ refused() {  # usage: refused COMPONENT REASON [OPTION...]
   ! configure_c_host "without_$1" "COMPONENTS $1" "${@:3}" || { echo "$1 was found"; exit 1; }
   tr -s '\n ' ' ' <"$work/log" | grep -qF "component $1 is missing: $2" || { cat "$work/log"; exit 1; }
 }
-refused python "there is no such component: c, cpp and quadtree are"
+refused python "there is no such component: c, cpp, gl and quadtree are"
 refused cpp "it needs the CMake package Threads, which was not found" "-DCMAKE_DISABLE_FIND_PACKAGE_Threads=ON"
 if grep -q "PELAGIC_TBB:BOOL=ON" "$build/CMakeCache.txt"; then
   refused cpp "it needs the CMake package TBB, which was not found" "-DCMAKE_DISABLE_FIND_PACKAGE_TBB=ON"
@@ -73,6 +73,24 @@ END
   -DCMAKE_CXX_COMPILER="$cxx" >"$work/log" 2>&1 &&
   "$cmake" --build "$work/quadtree_build" >>"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
 "$work/quadtree_build/quadtree_host"
+
+# The component that draws, by the example of a host with a context of its own.
+if [ -d "$work/prefix/include/pelagic/gl" ]; then
+  mkdir "$work/gl_host"
+  cat >"$work/gl_host/CMakeLists.txt" <<'END'
+cmake_minimum_required(VERSION 3.16)
+project(gl_host LANGUAGES CXX)
+find_package(pelagic REQUIRED COMPONENTS gl)
+add_executable(gl_host main.cpp)
+target_link_libraries(gl_host PRIVATE pelagic::gl EGL GLESv2)
+END
+  cp "$work/examples/gl_host.cpp" "$work/gl_host/main.cpp"
+  "$cmake" -S "$work/gl_host" -B "$work/gl_build" -DCMAKE_PREFIX_PATH="$work/prefix" -DCMAKE_BUILD_TYPE=Release \
+    -DCMAKE_CXX_COMPILER="$cxx" >"$work/log" 2>&1 &&
+    "$cmake" --build "$work/gl_build" >>"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
+  (cd "$work" && gl_build/gl_host)
+  [ "$(head -c 14 "$work/sea.ppm" | tr '\n' ' ')" = "P6 960 540 255" ]
+fi
 
 PKG_CONFIG_PATH=$(dirname "$(find "$work/prefix" -name pelagic_c.pc)")
 export PKG_CONFIG_PATH
@@ -112,7 +130,8 @@ for header in $(find jobs simd sim -name '*.hpp'); do
   echo '#error "a host file was taken for one of Pelagic"' >"$work/clash/$header"
 done
 "$cxx" -std=c++20 -fsyntax-only -I"$work/clash" -I.. "$examples/cpp_host/main.cpp"
-if grep -rnE '#include.*(xsimd|tbb|OpenImageIO|Imath|toml|json|CLI|GL/|GLES|EGL)' .; then
+if grep -rnE '#include.*(xsimd|tbb|OpenImageIO|Imath|toml|json|CLI|GL/|GLES|EGL)' jobs simd sim quadtree pelagic.h ||
+  grep -rnE '#include.*(xsimd|tbb|OpenImageIO|Imath|toml|json|CLI)' .; then
   echo "an installed header names a library that hosts need not have"
   exit 1
 fi

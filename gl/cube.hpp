@@ -1,0 +1,25 @@
+// The faces of a cube map on the CPU.
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <vector>
+
+namespace pelagic::gl {
+
+/// Six square faces of colours.
+struct Cube {
+    int side = 0;
+    std::vector<glm::vec3> texels;
+
+    explicit Cube(int size) : side(size), texels(std::size_t{6} * size * size) {}
+    glm::vec3& at(int face, int x, int y) {
+        return texels[(static_cast<std::size_t>(face) * side + y) * side + static_cast<std::size_t>(x)];
+    }
+    const glm::vec3& at(int face, int x, int y) const { return const_cast<Cube*>(this)->at(face, x, y); }
+    /// Through the middle of a texel; a unit vector.
+    glm::vec3 direction(int face, int x, int y) const;
+    /// Bilinear within a face; at its edges the nearest texel, which is enough for averages.
+    glm::vec3 sample(glm::vec3 direction) const;
+};
+
+}  // namespace pelagic::gl
