@@ -77,7 +77,7 @@ std::string mesh_as_obj(const DrawList& list, const Frame& frame) {
         const Displacement d = sea.at(rest.x, rest.y);
         return glm::dvec3(d.dx, d.height, d.dz);
     };
-    const double length_m = frame.patch_size_m, texel_m = length_m / frame.resolution();
+    const double length_m = frame.sea.patch_size_m, texel_m = length_m / frame.resolution();
     std::string vertices, faces;
     std::uint32_t written = 0;
     std::vector<std::uint32_t> number_of(mesh.positions.size());
