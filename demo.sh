@@ -14,19 +14,20 @@ if ! { cmake --preset release -DPELAGIC_TESTS=OFF -DPELAGIC_BENCH=OFF -DPELAGIC_
   exit 1
 fi
 
-# 12.8 seconds are 64 frames at 5 a second and nearly two periods of the highest waves, so the loop bends them little.
-command=(build/release/bin/pelagic export --out out --loop-period 12.8 --loop-frames 64 --mips)
+# 60 seconds are nine periods of the highest waves, so the loop looks like a sea and not like a machine. The shortest wave of
+# this coarse grid takes 1.6 seconds, so 4 frames a second are enough where the player blends between them.
+command=(build/release/bin/pelagic export --out out --resolution 128 --loop-period 60 --loop-frames 240 --mips)
 "${command[@]}"
-picture=(build/release/bin/pelagic render --out out/sea.png --loop-period 12.8)
+picture=(build/release/bin/pelagic render --out out/sea.png --loop-period 60)
 "${picture[@]}" ||
   echo "No picture: see above what is missing; the export needs none of it."
 cat <<END
 
 Your sea is in out/:
-  displacement_0000.exr ... displacement_0063.exr   metres: red = Dx, green = height, blue = Dz
-  gradient_0000.png ... gradient_0063.png           normal x, normal z, Jacobian, smoothness (and _mip1 ...)
-  sea.json                                          every option, wave heights, a hash for each frame
-Play the 64 frames at 5 a second: after the last one the first follows without a seam.
+  displacement_0000.exr ... displacement_0239.exr   metres: red = Dx, green = height, blue = Dz
+  gradient_0000.png ... gradient_0239.png           normal x, normal z, Jacobian, smoothness (and _mip1 ...)
+  sea.json                                          every option, what pixels mean, a hash for each frame
+Play the 240 frames at 4 a second, blended: after the last one the first follows without a seam.
   sea.png                                           the same sea as it looks
 They were made by:
   ${command[*]}

@@ -16,6 +16,7 @@ tier=gate
 case "${1:-}" in quick | night) tier=$1 && shift ;; esac
 packages=("${pelagic_test_packages[@]}")
 [ "$tier" = quick ] || packages+=("${pelagic_gate_packages[@]}")
+[ "$tier" != night ] || packages+=("${pelagic_night_packages[@]}")
 pelagic_install_dependencies "${packages[@]}" || exit 1
 
 parts=("$@")
@@ -31,16 +32,24 @@ mkdir -p "$logs"
 # What root builds in somebody else's clone would be in the way of its owner's next run.
 [ "$(id -u)" -ne 0 ] || trap 'chown -Rh --reference=. build' EXIT
 
-# Seconds of processor time that finished children have taken, user and system.
-processor_seconds() {
-  times | awk 'NR == 2 { gsub(/[ms]/, " "); print int($1 * 60 + $2 + $3 * 60 + $4) }'
+# Seconds of processor time that finished children have taken, user and system. Not in a subshell, which has none.
+count_processor_seconds() {
+  times >"$logs/times"
+  processor_seconds=$(awk 'NR == 2 { gsub(/[ms]/, " "); print int($1 * 60 + $2 + $3 * 60 + $4) }' "$logs/times")
 }
 
-table=() failed_parts=() passed=0 failed=0
+# Why GoogleTest's cases were skipped, instruction sets that this machine lacks above all, in logs newer than FILE.
+skipped_since() {
+  find build -maxdepth 4 -name LastTest.log -newer "$1" -exec awk '/: Skipped$/ { getline; print }' {} +
+}
+
+table=() failed_parts=() skipped=() passed=0 failed=0
 for part in ${parts[@]+"${parts[@]}"}; do
   [ -n "$part" ] || continue
   echo "== $part"
-  log=$logs/$part.log started=$SECONDS before=$(processor_seconds)
+  count_processor_seconds
+  log=$logs/$part.log started=$SECONDS before=$processor_seconds
+  : >"$logs/started"
   cmake --workflow --preset "$part" 2>&1 | tee "$log"
   status=${PIPESTATUS[0]}
   # "98% tests passed, 1 tests failed out of 42"
@@ -50,13 +59,16 @@ for part in ${parts[@]+"${parts[@]}"}; do
     failed_parts+=("$part")
     [ "$part_failed" -gt 0 ] || { part_failed=1 && of=$((of + 1)); }  # it didn't get as far as its tests
   fi
+  while read -r why; do skipped+=("$part: $why"); done < <(skipped_since "$logs/started" | sort -u)
   passed=$((passed + of - part_failed)) failed=$((failed + part_failed))
+  count_processor_seconds
   table+=("$(printf '%-14s %5.1f %13.1f %8d %8d' "$part" "$(((SECONDS - started) * 10 / 60))e-1" \
-    "$((($(processor_seconds) - before) * 10 / 60))e-1" $((of - part_failed)) "$part_failed")")
+    "$(((processor_seconds - before) * 10 / 60))e-1" $((of - part_failed)) "$part_failed")")
 done
 
 printf '\n%-14s %s\n' part 'minutes  CPU minutes   passed   failed'
 printf '%s\n' ${table[@]+"${table[@]}"}
+[ ${#skipped[@]} -eq 0 ] || printf 'not run in %s\n' "${skipped[@]}"
 for part in ${failed_parts[@]+"${failed_parts[@]}"}; do
   echo "failed in $part:"
   sed -n '/^The following tests FAILED:/,/^$/{/^\t/p}' "$logs/$part.log" | grep . || echo "	the build, see $logs/$part.log"

@@ -22,13 +22,20 @@ pelagic_packages=(
   libfftw3-dev             # FFTW: what Pelagic is measured against
 )
 
-# What only tests need: an X server with a mouse, for the window's; pkg-config, as hosts use it.
-pelagic_test_packages=(xvfb xdotool x11-apps netpbm pkg-config)
+# What only tests need: an X server with a mouse, for the window's; pkg-config, as hosts use it; the reference compiler of GLSL,
+# for shaders that no driver here compiles; strace, to see that files are synced before they count.
+pelagic_test_packages=(xvfb xdotool x11-apps netpbm pkg-config glslang-tools strace)
 
-# What only test.sh's secondary parts need: another compiler with libFuzzer, and 64-bit Arm to build for and to run.
-pelagic_gate_packages=(clang libclang-rt-14-dev)
+# What only test.sh's secondary parts need: another compiler with libFuzzer and the C++ library that headsets have, and
+# 64-bit Arm to build for and to run.
+pelagic_gate_packages=(clang libclang-rt-14-dev libc++-14-dev)
 [ "$(uname -m)" = aarch64 ] ||
   pelagic_gate_packages+=(g++-aarch64-linux-gnu qemu-user libtbb-dev:arm64 libgtest-dev:arm64 libimath-dev:arm64)
+
+# What only the night's tests need: programs that show an export by the recipes of docs/users/exporter.md. three.js comes by
+# npm, of which Debian's package is large and Node's own does as well.
+pelagic_night_packages=(blender godot3 chromium xauth)
+command -v npm >/dev/null || pelagic_night_packages+=(npm)
 
 # usage: pelagic_install_dependencies [PACKAGE...]   more packages than pelagic_packages
 pelagic_install_dependencies() {

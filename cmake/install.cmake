@@ -4,13 +4,17 @@ include(CMakePackageConfigHelpers)
 
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/pelagic)
 
-install(TARGETS pelagic_static pelagic_shared EXPORT pelagic)
-install(EXPORT pelagic NAMESPACE pelagic:: DESTINATION ${package_folder} FILE pelagicTargets.cmake)
-
-# The component that needs GLM. A host that doesn't ask for it needs no GLM either.
-set_target_properties(pelagic_quadtree PROPERTIES EXPORT_NAME quadtree)
-install(TARGETS pelagic_quadtree EXPORT pelagic_quadtree)
-install(EXPORT pelagic_quadtree NAMESPACE pelagic:: DESTINATION ${package_folder} FILE pelagicQuadtreeTargets.cmake)
+# A file of targets for each component, so that a host needs the packages of what it asks for and no others.
+function(pelagic_install_component component target)
+  install(TARGETS ${target} EXPORT pelagic_${component})
+  install(EXPORT pelagic_${component} NAMESPACE pelagic:: DESTINATION ${package_folder} FILE pelagic_${component}_targets.cmake)
+endfunction()
+pelagic_install_component(c pelagic_shared)
+pelagic_install_component(cpp pelagic_static)
+if(PELAGIC_QUADTREE)
+  set_target_properties(pelagic_quadtree PROPERTIES EXPORT_NAME quadtree)
+  pelagic_install_component(quadtree pelagic_quadtree)
+endif()
 
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/pelagicConfig.cmake.in
   ${PROJECT_BINARY_DIR}/package/pelagicConfig.cmake INSTALL_DESTINATION ${package_folder})
@@ -28,17 +32,31 @@ if(PELAGIC_TBB)
   set(pelagic_pc_requires "Requires: tbb")
   set(pelagic_pc_definitions " -DPELAGIC_HAS_TBB")
 endif()
-foreach(name pelagic pelagic_c)
+# A C compiler links the static library if it is told about the C++ library: pkg-config --static.
+set(pelagic_pc_runtime ${CMAKE_CXX_IMPLICIT_LINK_LIBRARIES})
+list(FILTER pelagic_pc_runtime INCLUDE REGEX "^(stdc\\+\\+|c\\+\\+|c\\+\\+abi|m)$")
+list(REMOVE_DUPLICATES pelagic_pc_runtime)
+list(TRANSFORM pelagic_pc_runtime PREPEND -l)
+list(JOIN pelagic_pc_runtime " " pelagic_pc_runtime)
+set(packages pelagic pelagic_c)
+if(PELAGIC_QUADTREE)
+  list(APPEND packages pelagic_quadtree)
+endif()
+foreach(name IN LISTS packages)
   configure_file(${CMAKE_CURRENT_LIST_DIR}/${name}.pc.in ${PROJECT_BINARY_DIR}/package/${name}.pc @ONLY)
   install(FILES ${PROJECT_BINARY_DIR}/package/${name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 endforeach()
 
 set(jobs_headers chrome_trace executor job_graph trace)
-set(simd_headers isa)
+set(simd_headers host_memory isa)
 set(sim_headers frame frame_buffers ocean sea_state statistics surface_query surface_query_jobs
                 surface_ray)
 set(quadtree_headers camera draw_list frustum level_map patch_mesh patch_vertex quadtree_options selection skirt stitching)
-foreach(folder jobs simd sim quadtree)
+set(folders jobs simd sim)
+if(PELAGIC_QUADTREE)
+  list(APPEND folders quadtree)
+endif()
+foreach(folder IN LISTS folders)
   foreach(header IN LISTS ${folder}_headers)
     get_filename_component(inside ${folder}/${header} DIRECTORY)
     install(FILES ${PROJECT_SOURCE_DIR}/${folder}/${header}.hpp
@@ -46,6 +64,8 @@ foreach(folder jobs simd sim quadtree)
   endforeach()
 endforeach()
 install(FILES ${PROJECT_SOURCE_DIR}/capi/pelagic.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/pelagic)
+
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/NOTICE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 if(PELAGIC_TOOLS)
   install(TARGETS pelagic)

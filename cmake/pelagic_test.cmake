@@ -3,8 +3,10 @@
 #   pelagic_add_suites(pelagic_query_tests LABELS bits SWEEPS SurfaceQuery)   every suite of a GoogleTest program
 #   pelagic_add_test(CInterfaceSoak LABELS night COMMAND pelagic_soak 1000000)  any other program
 #
-# LABELS       bits (other compilers and processors), threads (ThreadSanitizer), c-interface, gl-small, fuzz, night
-# SWEEPS       suites that walk a sample in the gate (label sweep, left out by `quick`) and everything as Night.SUITE
+# LABELS       bits (other compilers and processors), threads (ThreadSanitizer), c-interface, gl-small, fuzz, slow and soak
+#              (not in `quick`), night
+# SLOW         suites that `quick` leaves out (label slow)
+# SWEEPS       suites that walk a sample in the gate (label slow, left out by `quick`) and everything as Night.SUITE
 # TIMEOUT_S    wall-clock seconds, far more than a loaded machine needs
 # MEMORY_MIB   address space; resident under a sanitizer, which maps terabytes
 #
@@ -38,7 +40,7 @@ function(pelagic_label target)
 endfunction()
 
 macro(pelagic_test_arguments)
-  cmake_parse_arguments(PARSE_ARGV 1 test "" "TIMEOUT_S;MEMORY_MIB" "LABELS;SWEEPS;PROPERTIES;COMMAND")
+  cmake_parse_arguments(PARSE_ARGV 1 test "" "TIMEOUT_S;MEMORY_MIB" "LABELS;SLOW;SWEEPS;PROPERTIES;COMMAND")
   if(NOT test_TIMEOUT_S)
     set(test_TIMEOUT_S ${PELAGIC_TEST_TIMEOUT_S})
   endif()
@@ -73,7 +75,7 @@ function(pelagic_add_suites target)
   set(not_built ${CMAKE_CURRENT_BINARY_DIR}/${target}_not_built.cmake)
   add_custom_command(TARGET ${target} POST_BUILD
     COMMAND ${CMAKE_COMMAND} -D "PROGRAM=$<TARGET_FILE:${target}>" -D "EMULATOR=${CMAKE_CROSSCOMPILING_EMULATOR}"
-            -D "LAUNCHER=${launcher}" -D "ENVIRONMENT=${environment}" -D "LABELS=${test_LABELS}" -D "SWEEPS=${test_SWEEPS}"
+            -D "LAUNCHER=${launcher}" -D "ENVIRONMENT=${environment}" -D "LABELS=${test_LABELS}" -D "SLOW=${test_SLOW}" -D "SWEEPS=${test_SWEEPS}"
             -D "TIMEOUT_S=${test_TIMEOUT_S}" -D "NIGHT_TIMEOUT_S=${PELAGIC_NIGHT_TIMEOUT_S}"
             -D "PROPERTIES=${test_PROPERTIES}" -D "SUITES=${suites}" -P ${PROJECT_SOURCE_DIR}/cmake/gtest_suites.cmake
     BYPRODUCTS ${suites} VERBATIM)

@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "pelagic/gl/errors.hpp"
+#include "pelagic/gl/kept_state.hpp"
 #include "pelagic/gl/stopwatch.hpp"
 
 namespace pelagic::gl {
@@ -22,40 +23,10 @@ Texture make_texture(const Functions& gl, GLenum format, int side, int levels) {
     return texture;
 }
 
-/// Texture unit 0 and the unpacking state as they were, at the end of a scope.
-class KeepUploadState {
-   public:
-    explicit KeepUploadState(const Functions& gl) : gl_(gl) {
-        gl.GetIntegerv(GL_ACTIVE_TEXTURE, &unit_);
-        gl.ActiveTexture(GL_TEXTURE0);
-        gl.GetIntegerv(GL_TEXTURE_BINDING_2D, &texture_);
-        gl.GetIntegerv(GL_PIXEL_UNPACK_BUFFER_BINDING, &buffer_);
-        for (std::size_t i = 0; i < pixel_store.size(); ++i) {
-            gl.GetIntegerv(pixel_store[i], &stored_[i]);
-            gl.PixelStorei(pixel_store[i], pixel_store[i] == GL_UNPACK_ALIGNMENT ? 4 : 0);
-        }
-    }
-    ~KeepUploadState() {
-        for (std::size_t i = 0; i < pixel_store.size(); ++i) gl_.PixelStorei(pixel_store[i], stored_[i]);
-        gl_.BindBuffer(GL_PIXEL_UNPACK_BUFFER, static_cast<GLuint>(buffer_));
-        gl_.BindTexture(GL_TEXTURE_2D, static_cast<GLuint>(texture_));
-        gl_.ActiveTexture(static_cast<GLenum>(unit_));
-    }
-    KeepUploadState(const KeepUploadState&) = delete;
-    KeepUploadState& operator=(const KeepUploadState&) = delete;
-
-   private:
-    static constexpr std::array<GLenum, 4> pixel_store = {GL_UNPACK_ALIGNMENT, GL_UNPACK_ROW_LENGTH,
-                                                          GL_UNPACK_SKIP_PIXELS, GL_UNPACK_SKIP_ROWS};
-    const Functions& gl_;
-    GLint unit_ = 0, texture_ = 0, buffer_ = 0;
-    std::array<GLint, pixel_store.size()> stored_{};
-};
-
 }  // namespace
 
 FrameTextures::FrameTextures(const Functions& gl, int resolution) : gl_(gl), resolution_(resolution) {
-    const KeepUploadState keep(gl);
+    const KeptState keep(gl);
     const int levels = mip_levels(resolution);
     for (Pair& pair : pairs_) {
         pair.displacement = make_texture(gl, GL_RGBA16F, resolution, has_displacement_mips() ? levels : 1);
@@ -79,7 +50,7 @@ std::size_t FrameTextures::gradient_bytes() const {
 
 void FrameTextures::upload(const Frame& frame) {
     assert(frame.resolution() == resolution_ && "the textures were made for another resolution");
-    const KeepUploadState keep(gl_);
+    const KeptState keep(gl_);
     PixelBuffer& pixels = ring_[next_buffer_];
     next_buffer_ = (next_buffer_ + 1) % ring_.size();
     pair_ = 1 - pair_;

@@ -20,7 +20,7 @@ class FrameTextures {
 
     /// Copies the frame into the next pixel buffer and starts its way into the next pair of textures; the frame's
     /// views may go stale afterwards. Call it at the start of a host's frame, with the frame that complete() gave.
-    /// Waits only if the GPU is three frames behind. Binds texture unit 0 and the pixel buffer; both end as they were.
+    /// Waits only if the GPU is three frames behind. GL state ends as it was.
     /// Mips of the displacement are the driver's (box filter), those of the gradients are the frame's.
     /// \pre frame.resolution() is the one given above
     void upload(const Frame& frame);

@@ -7,14 +7,32 @@ KeptState::KeptState(const Functions& gl) : gl_(gl) {
     gl.GetIntegerv(GL_VERTEX_ARRAY_BINDING, &vertex_array_);
     gl.GetIntegerv(GL_ARRAY_BUFFER_BINDING, &array_buffer_);
     gl.GetIntegerv(GL_UNIFORM_BUFFER_BINDING, &uniform_buffer_);
-    gl.GetIntegeri_v(GL_UNIFORM_BUFFER_BINDING, 0, &indexed_uniform_buffer_);
-    gl.GetIntegerv(GL_ACTIVE_TEXTURE, &unit_);
+    gl.GetIntegeri_v(GL_UNIFORM_BUFFER_BINDING, 0, &first_uniform_buffer_);
+    gl.GetInteger64i_v(GL_UNIFORM_BUFFER_START, 0, &first_uniform_start_);
+    gl.GetInteger64i_v(GL_UNIFORM_BUFFER_SIZE, 0, &first_uniform_size_);
+    gl.GetIntegerv(GL_VIEWPORT, viewport_.data());
     gl.GetIntegerv(GL_DEPTH_FUNC, &depth_func_);
-    gl.GetFloatv(GL_POLYGON_OFFSET_FACTOR, &offset_factor_);
-    gl.GetFloatv(GL_POLYGON_OFFSET_UNITS, &offset_units_);
+    gl.GetFloatv(GL_DEPTH_RANGE, depth_range_.data());
     gl.GetBooleanv(GL_DEPTH_WRITEMASK, &depth_mask_);
     gl.GetBooleanv(GL_COLOR_WRITEMASK, colour_mask_.data());
-    for (std::size_t i = 0; i < switches.size(); ++i) switched_[i] = gl.IsEnabled(switches[i]);
+    gl.GetFloatv(GL_POLYGON_OFFSET_FACTOR, &offset_factor_);
+    gl.GetFloatv(GL_POLYGON_OFFSET_UNITS, &offset_units_);
+    gl.DepthFunc(GL_LESS);
+    gl.DepthRangef(0, 1);
+    gl.DepthMask(GL_TRUE);
+    gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    for (std::size_t i = 0; i < switches.size(); ++i) {
+        switched_[i] = gl.IsEnabled(switches[i]);
+        gl.Disable(switches[i]);
+    }
+
+    gl.GetIntegerv(GL_PIXEL_UNPACK_BUFFER_BINDING, &unpack_buffer_);
+    gl.BindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
+    for (std::size_t i = 0; i < unpacking.size(); ++i) {
+        gl.GetIntegerv(unpacking[i], &unpacking_[i]);
+        gl.PixelStorei(unpacking[i], unpacking[i] == GL_UNPACK_ALIGNMENT ? 4 : 0);
+    }
+    gl.GetIntegerv(GL_ACTIVE_TEXTURE, &unit_);
     for (std::size_t i = 0; i < units_.size(); ++i) {
         gl.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(i));
         gl.GetIntegerv(GL_TEXTURE_BINDING_2D, &units_[i].flat);
@@ -23,6 +41,9 @@ KeptState::KeptState(const Functions& gl) : gl_(gl) {
         // A sampler of the host's would override how our textures are filtered.
         gl.BindSampler(static_cast<GLuint>(i), 0);
     }
+    gl.ActiveTexture(GL_TEXTURE0);
+    // Index buffers belong to the array that is bound.
+    gl.BindVertexArray(0);
 }
 
 KeptState::~KeptState() {
@@ -33,17 +54,29 @@ KeptState::~KeptState() {
         gl_.BindSampler(static_cast<GLuint>(i), static_cast<GLuint>(units_[i].sampler));
     }
     gl_.ActiveTexture(static_cast<GLenum>(unit_));
+    for (std::size_t i = 0; i < unpacking.size(); ++i) gl_.PixelStorei(unpacking[i], unpacking_[i]);
+    gl_.BindBuffer(GL_PIXEL_UNPACK_BUFFER, static_cast<GLuint>(unpack_buffer_));
+
     for (std::size_t i = 0; i < switches.size(); ++i) {
         if (switched_[i])
             gl_.Enable(switches[i]);
         else
             gl_.Disable(switches[i]);
     }
-    gl_.ColorMask(colour_mask_[0], colour_mask_[1], colour_mask_[2], colour_mask_[3]);
     gl_.PolygonOffset(offset_factor_, offset_units_);
+    gl_.ColorMask(colour_mask_[0], colour_mask_[1], colour_mask_[2], colour_mask_[3]);
     gl_.DepthMask(depth_mask_);
+    gl_.DepthRangef(depth_range_[0], depth_range_[1]);
     gl_.DepthFunc(static_cast<GLenum>(depth_func_));
-    gl_.BindBufferBase(GL_UNIFORM_BUFFER, 0, static_cast<GLuint>(indexed_uniform_buffer_));
+    gl_.Viewport(viewport_[0], viewport_[1], viewport_[2], viewport_[3]);
+
+    // A size of 0 is a buffer that was bound whole.
+    if (first_uniform_size_ == 0)
+        gl_.BindBufferBase(GL_UNIFORM_BUFFER, 0, static_cast<GLuint>(first_uniform_buffer_));
+    else
+        gl_.BindBufferRange(GL_UNIFORM_BUFFER, 0, static_cast<GLuint>(first_uniform_buffer_),
+                            static_cast<GLintptr>(first_uniform_start_),
+                            static_cast<GLsizeiptr>(first_uniform_size_));
     gl_.BindBuffer(GL_UNIFORM_BUFFER, static_cast<GLuint>(uniform_buffer_));
     gl_.BindVertexArray(static_cast<GLuint>(vertex_array_));
     gl_.BindBuffer(GL_ARRAY_BUFFER, static_cast<GLuint>(array_buffer_));

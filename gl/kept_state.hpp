@@ -1,4 +1,5 @@
-// The GL state that drawing changes, kept at the start of a scope and put back at its end.
+// All GL state that the front end changes, or that a host may have left in its way. A scope begins with OpenGL's own
+// defaults and ends with what the host had. This is the only place that knows either.
 #pragma once
 
 #include <array>
@@ -18,23 +19,36 @@ class KeptState {
     KeptState& operator=(const KeptState&) = delete;
 
    private:
-    static constexpr std::array<GLenum, 7> switches = {GL_DEPTH_TEST,
-                                                       GL_CULL_FACE,
-                                                       GL_BLEND,
-                                                       GL_STENCIL_TEST,
-                                                       GL_SCISSOR_TEST,
-                                                       GL_POLYGON_OFFSET_FILL,
-                                                       GL_PRIMITIVE_RESTART_FIXED_INDEX};
-    const Functions& gl_;
-    GLint program_ = 0, vertex_array_ = 0, array_buffer_ = 0, unit_ = 0, depth_func_ = 0;
-    GLint uniform_buffer_ = 0, indexed_uniform_buffer_ = 0;
-    GLfloat offset_factor_ = 0, offset_units_ = 0;
-    GLboolean depth_mask_ = GL_TRUE;
-    std::array<GLboolean, 4> colour_mask_{};
-    std::array<GLboolean, switches.size()> switched_{};
+    /// Off at the start of a scope.
+    static constexpr std::array<GLenum, 10> switches = {GL_DEPTH_TEST,
+                                                        GL_CULL_FACE,
+                                                        GL_BLEND,
+                                                        GL_STENCIL_TEST,
+                                                        GL_SCISSOR_TEST,
+                                                        GL_POLYGON_OFFSET_FILL,
+                                                        GL_SAMPLE_ALPHA_TO_COVERAGE,
+                                                        GL_SAMPLE_COVERAGE,
+                                                        GL_RASTERIZER_DISCARD,
+                                                        GL_PRIMITIVE_RESTART_FIXED_INDEX};
+    /// 0 at the start of a scope, and the alignment 4.
+    static constexpr std::array<GLenum, 6> unpacking = {GL_UNPACK_ALIGNMENT,    GL_UNPACK_ROW_LENGTH,
+                                                        GL_UNPACK_IMAGE_HEIGHT, GL_UNPACK_SKIP_PIXELS,
+                                                        GL_UNPACK_SKIP_ROWS,    GL_UNPACK_SKIP_IMAGES};
     struct Unit {
         GLint flat = 0, cube = 0, sampler = 0;
     };
+
+    const Functions& gl_;
+    GLint program_ = 0, vertex_array_ = 0, array_buffer_ = 0, unit_ = 0, depth_func_ = 0;
+    GLint uniform_buffer_ = 0, first_uniform_buffer_ = 0, unpack_buffer_ = 0;
+    GLint64 first_uniform_start_ = 0, first_uniform_size_ = 0;
+    std::array<GLint, 4> viewport_{};
+    GLfloat offset_factor_ = 0, offset_units_ = 0;
+    std::array<GLfloat, 2> depth_range_{};
+    GLboolean depth_mask_ = GL_TRUE;
+    std::array<GLboolean, 4> colour_mask_{};
+    std::array<GLboolean, switches.size()> switched_{};
+    std::array<GLint, unpacking.size()> unpacking_{};
     std::array<Unit, texture_units> units_;
 };
 

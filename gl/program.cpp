@@ -26,7 +26,7 @@ std::string expanded(std::string_view file) {
 }
 
 GLuint compiled(const Functions& gl, GLenum kind, std::string_view file, const std::string& defines) {
-    const std::string text = "#version 300 es\n" + defines + expanded(file);
+    const std::string text = shader_source(file, defines);
     const GLuint shader = gl.CreateShader(kind);
     const char* start = text.c_str();
     gl.ShaderSource(shader, 1, &start, nullptr);
@@ -43,6 +43,10 @@ GLuint compiled(const Functions& gl, GLenum kind, std::string_view file, const s
 }
 
 }  // namespace
+
+std::string shader_source(std::string_view file, const std::string& defines) {
+    return "#version 300 es\n" + defines + expanded(file);
+}
 
 Program::Program(const Functions& gl, std::string_view vertex_file, std::string_view fragment_file,
                  const std::string& defines)

@@ -11,6 +11,9 @@ namespace pelagic::gl {
 /// The text of gl/shaders/<file>; empty if there is none.
 std::string_view shader_text(std::string_view file);
 
+/// What the driver compiles: version, `defines` and the file with its includes. Throws GlError if there is no such file.
+std::string shader_source(std::string_view file, const std::string& defines = "");
+
 /// A linked program. Lines `#include "file"` in a shader take another file of the same folder in.
 class Program {
    public:

@@ -6,8 +6,8 @@
 //                renderer.draw({.eyes = eyes, .viewer_m = head, .list = &selection.select(...)});
 //
 // It needs an OpenGL ES 3.0 context, current whenever it is built, called or destroyed; any context does, the host's too.
-// No compute shaders, nothing is read back. draw() needs a bound framebuffer with depth, cleared by the host. Every
-// piece of GL state ends as it was found, apart from the viewport, which is that of the last eye.
+// No compute shaders, nothing is read back. draw() needs a bound framebuffer with depth, which the host has cleared
+// to 1. GL state may be anything before and is the same afterwards.
 #pragma once
 
 #include <cstdint>

@@ -99,13 +99,23 @@ class TbbRun final : public GraphRun {
     RunFailure failure_;
 };
 
+// What oneTBB gives its workers on 64-bit systems, 4 MiB, and the page that guards it.
+constexpr std::size_t worker_stack_bytes = (std::size_t{4} << 20) + 64 * 1024;
+
 /// oneTBB makes no more threads than cores that the process may use, unless told. Of several such wishes the smallest
 /// wins, so there is one for the whole program, the largest that anybody had.
 void allow_threads(int threads) {
     static std::mutex mutex;
     static int allowed = tbb::info::default_concurrency();
     static std::unique_ptr<tbb::global_control> control;
+    static int proven = 1;
     const std::lock_guard lock(mutex);
+    // oneTBB ends the program if the system refuses it a thread. It makes them one by one when there is work, and keeps
+    // them, so what was there once will be there again unless others take it.
+    if (threads > proven) {
+        need_threads(threads, worker_stack_bytes);
+        proven = threads;
+    }
     if (threads <= allowed) return;
     control.reset();
     control = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism, threads);

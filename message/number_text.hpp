@@ -5,6 +5,7 @@
 #include <cmath>
 #include <concepts>
 #include <string>
+#include <string_view>
 
 namespace pelagic {
 
@@ -34,10 +35,29 @@ std::string number_text(Number value) {
 
 /// For people: `digits` that mean something, 1 to 17. rounded_text(7.65432, 4) is "7.654", of 1234567 "1235000".
 inline std::string rounded_text(double value, int digits) {
-    char text[32];
-    const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::scientific, digits - 1).ptr;
-    std::from_chars(text, end, value);
-    return number_text(value);
+    if (value == 0 || !std::isfinite(value)) return number_text(value);
+    // "1.2340e+02": the C++ library of Android can't read it back as a number, so its digits are put in their places.
+    char text[40];
+    const auto end =
+        std::to_chars(text, text + sizeof text, std::fabs(value), std::chars_format::scientific, digits - 1).ptr;
+    const std::string_view all(text, static_cast<std::size_t>(end - text));
+    const std::size_t e = all.find('e');
+    int exponent = 0;
+    std::from_chars(text + e + 2, end, exponent);
+    if (all[e + 1] == '-') exponent = -exponent;
+    std::string kept(1, all[0]);
+    if (e > 2) kept += all.substr(2, e - 2);
+    kept.erase(kept.find_last_not_of('0') + 1);
+
+    const std::string sign = value < 0 ? "-" : "";
+    const auto with_point = [](std::string digits_text, std::size_t whole) {
+        return whole < digits_text.size() ? digits_text.insert(whole, ".") : digits_text;
+    };
+    if (exponent < -4 || exponent >= 15) return sign + with_point(kept, 1) + std::string(all.substr(e));
+    if (exponent < 0) return sign + "0." + std::string(static_cast<std::size_t>(-exponent - 1), '0') + kept;
+    const auto whole = static_cast<std::size_t>(exponent) + 1;
+    if (kept.size() < whole) kept.append(whole - kept.size(), '0');
+    return sign + with_point(kept, whole);
 }
 
 }  // namespace pelagic

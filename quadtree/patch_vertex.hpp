@@ -28,11 +28,6 @@ inline glm::dvec2 rest_position(const QuadtreeGrid& grid, const PatchInstance& p
     return glm::dvec2(index) * grid.step_m;
 }
 
-/// The middle of a patch, metres.
-inline glm::dvec2 patch_centre(const QuadtreeGrid& grid, const PatchInstance& patch) {
-    return rest_position(grid, patch, 0, 0) + 0.5 * grid.patch_size_m(patch.level);
-}
-
 /// The part of the displacement that is left near the border: 1 inside, 0 where the skirt begins.
 inline double border_fade(const QuadtreeGrid& grid, glm::dvec2 rest) {
     const glm::dvec2 away = glm::abs(rest - grid.fade_centre);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
 #include <stdexcept>
 
 #include "pelagic/message/number_text.hpp"
@@ -163,11 +164,11 @@ void Selection::sort_into_batches() {
     for (std::size_t s = 0; s < 16; ++s) start[s + 1] += start[s];
 
     list_.batches.clear();
-    const std::uint32_t limit = options_.batch_limit > 0 ? static_cast<std::uint32_t>(options_.batch_limit)
-                                                         : std::numeric_limits<std::uint32_t>::max();
+    const std::size_t limit =
+        options_.batch_limit > 0 ? static_cast<std::size_t>(options_.batch_limit) : found_.size();
     for (std::uint8_t s = 0; s < 16; ++s) {
         for (std::uint32_t first = start[s]; first < start[s + 1u];) {
-            const std::uint32_t count = std::min(limit, start[s + 1u] - first);
+            const auto count = static_cast<std::uint32_t>(std::min<std::size_t>(limit, start[s + 1u] - first));
             list_.batches.push_back({s, first, count});
             first += count;
         }

@@ -89,7 +89,9 @@ template <class Arch>
 PELAGIC_INLINE void store_halves(xsimd::batch<float, Arch> a, xsimd::batch<float, Arch> b,
                                  xsimd::batch<float, Arch> c, xsimd::batch<float, Arch> d, std::uint16_t* out) {
     const auto halves = [](float32x4_t v) { return vreinterpret_u16_f16(vcvt_f16_f32(v)); };
-    vst4_u16(out, uint16x4x4_t{{halves(a), halves(b), halves(c), halves(d)}});
+    // Named, because clang's vst4_u16 is a macro, to which these commas would be between its own arguments.
+    const uint16x4x4_t texels = {{halves(a), halves(b), halves(c), halves(d)}};
+    vst4_u16(out, texels);
 }
 
 #endif

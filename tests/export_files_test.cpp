@@ -242,7 +242,7 @@ TEST(ExportedFiles, SeaJsonSaysWhatPixelsMean) {
     SeaState sea = small_sea;
     sea.wind_direction_rad = 40 * 3.14159265358979323846 / 180;
     Ocean ocean(sea, {.executor = make_serial_executor(), .queries = true});
-    const SurfaceQuery water(ocean.frame_at(0), ocean.isa());
+    const SurfaceQuery water(ocean.frame_at(0));
 
     const auto bytes = read_png(folder / "gradient_0000.png", 32);
     std::map<std::string, std::vector<float>> floats;

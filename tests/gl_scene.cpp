@@ -3,9 +3,6 @@
 #include <cmath>
 
 namespace pelagic {
-namespace {
-
-/// Baked once for all tests of a process: the sky is the same in each.
 const gl::Sky& test_sky() {
     static gl::SkyBaker baker(make_default_executor(), 64);
     static const gl::Sky& sky = []() -> const gl::Sky& {
@@ -14,8 +11,6 @@ const gl::Sky& test_sky() {
     }();
     return sky;
 }
-
-}  // namespace
 
 SeaState sea_named(std::string_view name, int resolution) {
     for (const SeaPreset& preset : sea_presets())
@@ -60,6 +55,8 @@ const gl::DrawFigures& GlScene::draw(const Camera& camera, const Frame& frame, b
     gl().ClearColor(clear.x, clear.y, clear.z, 1);
     gl().Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     renderer->upload(frame);
+    // Mesa's software driver with threads may sample mips before they are written; pictures are to be the same each time.
+    gl().Finish();
     return renderer->draw({.eyes = eyes,
                            .viewer_m = camera.position_m,
                            .list = &list,

@@ -17,6 +17,9 @@ namespace pelagic {
 /// The named preset, with another resolution if one is given.
 SeaState sea_named(std::string_view preset, int resolution = 0);
 
+/// Baked once for all tests of a process: the sky is the same in each.
+const gl::Sky& test_sky();
+
 class GlScene {
    public:
     struct Options {

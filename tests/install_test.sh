@@ -22,6 +22,33 @@ done
 diff "$work/cpp_host.txt" "$work/c_host.txt"
 [ "$(wc -l <"$work/c_host.txt")" -eq 5 ]
 
+# A C host needs nobody's packages, whether it asks for components or not; whoever asks for what is missing is told why.
+# usage: configure_c_host NAME WANTED [OPTION...]
+configure_c_host() {
+  mkdir -p "$work/$1"
+  sed "s/find_package(.*/find_package(pelagic REQUIRED $2)/" "$examples/c_host/CMakeLists.txt" >"$work/$1/CMakeLists.txt"
+  cp "$examples/c_host/main.c" "$work/$1"
+  "$cmake" -S "$work/$1" -B "$work/$1/build" -DCMAKE_PREFIX_PATH="$work/prefix" -DCMAKE_C_COMPILER="$cc" "${@:3}" \
+    >"$work/log" 2>&1
+}
+without_packages=(-DCMAKE_DISABLE_FIND_PACKAGE_TBB=ON -DCMAKE_DISABLE_FIND_PACKAGE_glm=ON -DCMAKE_DISABLE_FIND_PACKAGE_Threads=ON)
+for wanted in "" "COMPONENTS c"; do
+  configure_c_host "bare${wanted: -1}" "$wanted" "${without_packages[@]}" || { cat "$work/log"; exit 1; }
+done
+refused() {  # usage: refused COMPONENT REASON [OPTION...]
+  ! configure_c_host "without_$1" "COMPONENTS $1" "${@:3}" || { echo "$1 was found"; exit 1; }
+  tr -s '\n ' ' ' <"$work/log" | grep -qF "component $1 is missing: $2" || { cat "$work/log"; exit 1; }
+}
+refused python "there is no such component: c, cpp and quadtree are"
+refused cpp "it needs the CMake package Threads, which was not found" "-DCMAKE_DISABLE_FIND_PACKAGE_Threads=ON"
+if grep -q "PELAGIC_TBB:BOOL=ON" "$build/CMakeCache.txt"; then
+  refused cpp "it needs the CMake package TBB, which was not found" "-DCMAKE_DISABLE_FIND_PACKAGE_TBB=ON"
+fi
+refused quadtree "it needs the CMake package glm, which was not found" "-DCMAKE_DISABLE_FIND_PACKAGE_glm=ON"
+mv "$(find "$work/prefix" -name pelagic_quadtree_targets.cmake)" "$work/hidden.cmake"
+refused quadtree "this Pelagic was built without it"
+mv "$work/hidden.cmake" "$(dirname "$(find "$work/prefix" -name pelagic_c_targets.cmake)")/pelagic_quadtree_targets.cmake"
+
 # The component that needs GLM, which no example uses.
 mkdir "$work/quadtree_host"
 cat >"$work/quadtree_host/CMakeLists.txt" <<'END'
@@ -56,7 +83,19 @@ if command -v pkg-config >/dev/null; then
   LD_LIBRARY_PATH="$library_folder" "$work/c_pc" | diff - "$work/c_host.txt"
   "$cxx" -std=c++20 "$examples/cpp_host/main.cpp" -o "$work/cpp_pc" $(pkg-config --cflags --libs pelagic)
   "$work/cpp_pc" | diff - "$work/c_host.txt"
+  # The static library, linked by a C compiler.
+  "$cc" -std=c99 "$examples/c_host/main.c" -o "$work/c_static" $(pkg-config --static --cflags --libs pelagic)
+  env -u LD_LIBRARY_PATH "$work/c_static" | diff - "$work/c_host.txt"
+  "$cxx" -std=c++20 "$work/quadtree_host/main.cpp" -o "$work/quadtree_pc" $(pkg-config --cflags --libs pelagic_quadtree)
+  "$work/quadtree_pc"
 fi
+
+# The licences of what is compiled in come along.
+notice=$(find "$work/prefix" -name NOTICE)
+for name in xsimd xxHash GLM oneTBB CLI11 toml++ nlohmann-json "Dear ImGui" stb OpenImageIO Imath; do
+  grep -qF "$name" "$notice" || { echo "NOTICE lacks $name"; exit 1; }
+done
+[ -s "$(dirname "$notice")/LICENSE" ]
 
 cd "$work/prefix/include/pelagic"
 for header in $(find jobs simd sim -name '*.hpp') pelagic.h; do

@@ -4,22 +4,28 @@
 #if defined(__linux__)
 #include <sched.h>
 #endif
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cstdio>
+#include <cstdlib>
 #include <functional>
 #include <latch>
 #include <limits>
 #include <mutex>
 #include <set>
 #include <stdexcept>
+#include <system_error>
 #include <thread>
 #include <utility>
 
 #include "pelagic/jobs/executor.hpp"
+#include "pelagic/jobs/job_thread.hpp"
 #include "pelagic/tests/each_executor.hpp"
 #include "pelagic/tests/host_jobs.hpp"
+#include "pelagic/tests/sanitized.hpp"
 
 namespace pelagic {
 namespace {
@@ -317,6 +323,80 @@ TEST_P(ParallelExecutor, AsManyJobsAsTheLimitRunAtOnce) {
     executor_.reset();
     run_once(*run);
     EXPECT_EQ(timeouts, 0);
+}
+
+// ---- What goes wrong ------------------------------------------------------------------------------------------
+
+/// Writes on `bytes` of the stack.
+[[gnu::noinline]] int use_stack(std::size_t bytes) {
+    auto* const memory = static_cast<volatile char*>(__builtin_alloca(bytes));
+    for (std::size_t i = 0; i < bytes; i += 512) memory[i] = 1;
+    return memory[0];
+}
+
+// `ulimit -s 64` leaves a program's first thread, and those that it starts, no more than that.
+TEST_P(EachExecutor, JobsFindTheStackThatTheyAskFor) {
+    constexpr std::size_t needed = std::size_t{3} << 20;  // more than our own threads have
+    std::atomic<int> done = 0;
+    JobGraph graph;
+    graph.add({.name = "deep",
+               .count = 16,
+               .body =
+                   [&](std::size_t begin, std::size_t end) {
+                       for (std::size_t i = begin; i < end; ++i) done += use_stack(needed - 64 * 1024);
+                   },
+               .stack_bytes = needed});
+    const auto run = executor_->prepare(graph);
+    JobThread host([&] { run_once(*run); }, 128 * 1024);
+    host.join();
+    EXPECT_EQ(done, 16);
+}
+
+TEST_P(EachExecutor, WhatABodyThrowsComesOutOfCompleteWhenAllIsOver) {
+    std::atomic<int> done = 0;
+    std::atomic<bool> throws = true;
+    JobGraph graph;
+    const StageId first = graph.add({.name = "throws", .count = 100, .body = [&](std::size_t begin, std::size_t) {
+                                         if (throws && begin == 13) throw std::runtime_error("thirteen");
+                                         ++done;
+                                     }});
+    graph.add({.name = "after", .count = 1, .waits_for = {first}, .body = [](std::size_t, std::size_t) {}});
+    const auto run = executor_->prepare(graph);
+    for (int n = 0; n < 20; ++n) {
+        run->schedule();
+        EXPECT_THROW(run->complete(), std::runtime_error);
+        EXPECT_TRUE(run->is_done());
+        run->complete();  // it is told once
+    }
+    executor_->prepare(graph)->schedule();  // destroyed in flight: nobody is left to be told
+    throws = false;
+    done = 0;
+    run_once(*run);
+    EXPECT_EQ(done, 100);
+}
+
+// Address space for a few stacks, as a limit of processes would be: a sanitizer's own needs are larger.
+TEST(ExecutorDeathTest, ThreadsThatTheSystemRefusesAreALineAndNoEnd) {
+    if (is_sanitized) GTEST_SKIP() << "it maps terabytes";
+    testing::GTEST_FLAG(death_test_style) = "threadsafe";
+    const auto ask = [](std::shared_ptr<Executor> (*make)(int)) {
+        rlimit room{};
+        getrlimit(RLIMIT_AS, &room);
+        room.rlim_cur = std::size_t{700} << 20;
+        setrlimit(RLIMIT_AS, &room);
+        try {
+            make(1000);
+        } catch (const std::system_error& error) {
+            std::fprintf(stderr, "%s\n", error.what());
+            std::exit(7);
+        }
+        std::exit(0);
+    };
+    const char* const line = "1000 threads are wanted, and the system gives [0-9]+: Resource temporarily unavailable";
+    EXPECT_EXIT(ask(make_thread_executor), testing::ExitedWithCode(7), line);
+#if defined(PELAGIC_HAS_TBB)
+    EXPECT_EXIT(ask(make_tbb_executor), testing::ExitedWithCode(7), line);
+#endif
 }
 
 #if !defined(NDEBUG)  // assertions are compiled in

@@ -115,7 +115,7 @@ TEST(QuadtreeCommand, VerticesHaveTextureCoordinatesAndNormals) {
     Ocean ocean(sea, {.executor = make_serial_executor(), .queries = true});
     const Frame& frame = ocean.frame_at(0);
     const DisplacementSampler sampler(frame);
-    const SurfaceQuery water(frame, ocean.isa());
+    const SurfaceQuery water(frame);
     int in_place = 0;
     for (std::size_t v = 0; v < obj.vertices.size(); ++v) {
         const Triple &place = obj.vertices[v], &normal = obj.normals[v];

@@ -277,6 +277,15 @@ TEST(Selection, AllViewsShareOneListThatHoldsWhatAnySees) {
     }
 }
 
+TEST(Selection, KeepsTheSeaAtRestWhateverTheBounds) {
+    // Sees what lies between a metre below rest and a metre above it: there the waves have faded out.
+    const glm::dmat4 slice(1e-4, 0, 0, 0, 0, 0, 1, 0, 0, 1e-4, 0, 0, 0, 0, 0, 1);
+    Selection selection(quadtree_preset_named("low")->options(1024));
+    for (const SurfaceBounds& bounds : {SurfaceBounds{3, 4, 0, 0}, SurfaceBounds{-4, -3, 0, 0}})
+        EXPECT_EQ(selection.select({.views = {&slice, 1}, .bounds = bounds}).instances.size(),
+                  selection.select({}).instances.size());
+}
+
 void expect_refused(const QuadtreeOptions& options, const std::string& said) {
     try {
         Selection selection(options);

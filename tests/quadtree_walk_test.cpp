@@ -21,24 +21,33 @@ constexpr double pace_m = 0.01;
 struct Walk {
     const char* preset;
     double size_m;
+    int vertices = 0;  ///< 0: the preset's
 };
-void PrintTo(const Walk& walk, std::ostream* out) { *out << walk.preset << " " << walk.size_m; }
+void PrintTo(const Walk& walk, std::ostream* out) {
+    *out << walk.preset << " " << walk.size_m << " " << walk.vertices;
+}
 
 class EachWalk : public testing::TestWithParam<Walk> {
    protected:
-    QuadtreeOptions options() const { return quadtree_preset_named(GetParam().preset)->options(GetParam().size_m); }
+    QuadtreeOptions options() const {
+        QuadtreeOptions all = quadtree_preset_named(GetParam().preset)->options(GetParam().size_m);
+        if (GetParam().vertices > 0) all.vertices = GetParam().vertices;
+        return all;
+    }
     /// Slanted, so that borders are crossed at an angle, and longer than a snap.
     glm::dvec3 on_the_way(double m) const { return {m * 0.8 + 11, 1.7, m * 0.6 - 3}; }
 };
-INSTANTIATE_TEST_SUITE_P(Walks, EachWalk,
-                         testing::Values(Walk{"low", 1024}, Walk{"medium", 1024}, Walk{"high", 1024},
-                                         Walk{"ultra", 1024}, Walk{"low", 256}, Walk{"medium", 8192},
-                                         Walk{"paper_low", 1024}, Walk{"paper_medium", 2048},
-                                         Walk{"paper_high", 2048}, Walk{"paper_ultra", 2048}),
-                         [](const auto& test) {
-                             return std::string(test.param.preset) + "_" +
-                                    std::to_string(static_cast<int>(test.param.size_m));
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    Walks, EachWalk,
+    testing::Values(Walk{"low", 1024}, Walk{"medium", 1024}, Walk{"high", 1024}, Walk{"ultra", 1024},
+                    Walk{"low", 256}, Walk{"medium", 8192}, Walk{"paper_low", 1024}, Walk{"paper_medium", 2048},
+                    Walk{"paper_high", 2048}, Walk{"paper_ultra", 2048},
+                    // An odd number of coarser squares: their diagonals turn from patch to patch.
+                    Walk{"low", 512, 6}, Walk{"low", 512, 10}),
+    [](const auto& test) {
+        return std::string(test.param.preset) + "_" + std::to_string(static_cast<int>(test.param.size_m)) +
+               (test.param.vertices > 0 ? "_V" + std::to_string(test.param.vertices) : "");
+    });
 
 /// The height of the mesh over a point, for a sea that only moves up and down: so points rest where they are drawn.
 class MeshHeight {

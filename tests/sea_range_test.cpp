@@ -109,7 +109,7 @@ namespace pelagic {
             const Frame& frame = ocean.frame_at(time_s);
             const std::string fault = fault_of(frame);
             ASSERT_EQ(fault, "") << text_of(sea);
-            ASSERT_EQ(fault_of_answers(SurfaceQuery(frame, ocean.isa()), sea.patch_size_m), "") << text_of(sea);
+            ASSERT_EQ(fault_of_answers(SurfaceQuery(frame), sea.patch_size_m), "") << text_of(sea);
         }
     }
 

@@ -6,6 +6,7 @@
 #include "pelagic/message/number_text.hpp"
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/statistics.hpp"
+#include "pelagic/tools/digest.hpp"
 #include "pelagic/tools/sea_json.hpp"
 
 namespace pelagic::tools {

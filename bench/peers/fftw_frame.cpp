@@ -67,9 +67,13 @@ FftwFrame::FftwFrame(const SeaState& sea, Isa isa, FftwArrangement arrangement)
         std::fill(spectrum->data(), spectrum->data() + spectrum->size(), 0.f);
 
     bake_spectrum();
-    halves_.resize(4 * texels_);
-    bytes_.resize(mip_offset(sea.resolution, mip_levels(sea.resolution)));
-    frame_ = {{plane(0), texels_}, {plane(1), texels_}, {plane(2), texels_}, halves_, bytes_};
+    halves_ = AlignedBuffer<std::uint16_t>(4 * texels_);
+    bytes_ = AlignedBuffer<std::uint32_t>(mip_offset(sea.resolution, mip_levels(sea.resolution)));
+    frame_ = {{plane(0), texels_},
+              {plane(1), texels_},
+              {plane(2), texels_},
+              {halves_.data(), halves_.size()},
+              {bytes_.data(), bytes_.size()}};
 }
 
 FftwFrame::~FftwFrame() = default;

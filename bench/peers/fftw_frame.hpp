@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <vector>
 
 #include "pelagic/bench/peers/fftw_kernels.hpp"
 #include "pelagic/bench/peers/peer_frame.hpp"
@@ -54,8 +53,8 @@ class FftwFrame {
     AlignedBuffer<float> planes_;                        ///< dx, height, dz
     MipAverages mip_averages_;
     std::unique_ptr<Plans> plans_;
-    std::vector<std::uint16_t> halves_;
-    std::vector<std::uint32_t> bytes_;
+    AlignedBuffer<std::uint16_t> halves_;
+    AlignedBuffer<std::uint32_t> bytes_;
     PartBounds bounds_{};
     PeerFrame frame_;
 };

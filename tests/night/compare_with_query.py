@@ -12,8 +12,8 @@ def float_step(value):
     return 2.0 ** (math.frexp(value)[1] - 24)
 
 
-def compare(pelagic, folder, frame_number, places):
-    """places: (x, y, z) in Pelagic's axes, whole patches of an export in folder, as 32-bit floats drew them."""
+def compare(pelagic, folder, frame_number, places, bits=24):
+    """places: (x, y, z) in Pelagic's axes, whole patches of an export in folder, drawn from floats of so many bits."""
     sea_json = Path(folder) / "sea.json"
     record = json.loads(sea_json.read_text())
     frame = record["frames"][frame_number]
@@ -29,6 +29,8 @@ def compare(pelagic, folder, frame_number, places):
     # is as much in height on a slope of 1, and half a step more for a program that turns the mesh.
     farthest = max(max(abs(x), abs(z)) for x, _, z in places)
     bound = 8e-6 + float_step(farthest)
+    if bits < 24:  # Godot 3 cuts what it can't hold: a step of height, and a step sideways on a slope of 1
+        bound += 2 * float_step(max(-frame["height_min_m"], frame["height_max_m"])) * 2 ** (24 - bits)
     print(f"frame {frame_number}: {len(places)} vertices, at most {worst:.2g} m from query's height (bound {bound:.2g})")
     assert worst < bound
     highest = max(abs(y) for _, y, _ in places)

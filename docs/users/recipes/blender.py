@@ -111,7 +111,7 @@ scene.camera = camera
 scene.render.engine = "CYCLES"
 scene.cycles.samples = 32
 scene.cycles.use_denoising = False  # Debian's Blender is built without a denoiser
-scene.render.resolution_x, scene.render.resolution_y = 480, 270
+scene.render.resolution_x, scene.render.resolution_y = 640, 360
 scene.frame_set(1)
 scene.render.filepath = str(Path(picture).resolve())
 bpy.ops.render.render(write_still=True)

@@ -1,0 +1,36 @@
+// The host's own share of a drawn frame, without the driver: upload() and draw() of the OpenGL ES front end.
+//
+//   taskset -c 1 build/release/bin/pelagic_gl_bench
+//
+// own_ms is what Pelagic does on the calling thread; 0.3 ms is what a headset's frame can spare. Draws into an offscreen
+// target with whatever EGL driver there is.
+#include <benchmark/benchmark.h>
+
+#include "pelagic/tests/gl_scene.hpp"
+
+namespace pelagic {
+namespace {
+
+void time_frame(benchmark::State& state, const char* preset, bool stereo) {
+    GlScene scene({.preset = preset, .resolution = 256, .width = 96, .height = 64, .samples = 1});
+    double own_ms = 0;
+    int frame = 0;
+    for (auto _ : state) {
+        const double x = 3.0 * frame;
+        const gl::Camera camera{.position_m = {x, 5, 0.2 * x}, .target_m = {x + 100, 0, 30}};
+        const gl::DrawFigures& figures = scene.draw(camera, frame++ / 90.0, true, stereo);
+        const double own = figures.upload_ms - figures.upload_driver_ms + figures.draw_ms - figures.draw_driver_ms;
+        scene.gl().Finish();
+        state.SetIterationTime(own / 1000);
+        own_ms += own;
+    }
+    state.counters["own_ms"] = own_ms / static_cast<double>(state.iterations());
+}
+
+BENCHMARK_CAPTURE(time_frame, moderate_one_eye, "moderate", false)->UseManualTime()->Iterations(100);
+BENCHMARK_CAPTURE(time_frame, moderate_two_eyes, "moderate", true)->UseManualTime()->Iterations(100);
+
+}  // namespace
+}  // namespace pelagic
+
+BENCHMARK_MAIN();

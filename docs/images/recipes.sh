@@ -1,0 +1,12 @@
+#!/usr/bin/env bash
+# Makes the pictures of docs/users/exporter.md: the same sea in Blender, three.js and Godot, as the tests of the night draw it.
+# usage: docs/images/recipes.sh [PELAGIC]   default build/release/bin/pelagic
+set -euo pipefail
+cd "$(dirname "$0")/../.."
+pelagic=$(realpath "${1:-build/release/bin/pelagic}")
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+for recipe in blender three godot; do
+  tests/night/recipe_test.sh "$recipe" "$pelagic" "$work"
+  cp "$work/$recipe.png" "docs/images/recipe_$recipe.png"
+done

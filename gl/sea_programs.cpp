@@ -1,0 +1,36 @@
+#include "pelagic/gl/sea_programs.hpp"
+
+namespace pelagic::gl {
+
+std::array<ProgramFiles, 4> sea_program_files(bool multiview) {
+    const std::string defines = multiview ? "#define MULTIVIEW\n" : "";
+    return {{{"sea.vert.glsl", "sea.frag.glsl", defines},
+             {"skirt.vert.glsl", "sea.frag.glsl", defines + "#define SKIRT\n"},
+             {"sky.vert.glsl", "sky.frag.glsl", defines},
+             {"sea.vert.glsl", "wireframe.frag.glsl", defines}}};
+}
+
+SeaProgram::SeaProgram(const Functions& gl, const ProgramFiles& files)
+    : program(gl, files.vertex, files.fragment, files.defines) {
+    gl.UseProgram(program.name());
+    gl.UniformBlockBinding(program.name(), gl.GetUniformBlockIndex(program.name(), "Scene"), 0);
+    gl.Uniform1i(program.uniform("displacement"), displacement_unit);
+    gl.Uniform1i(program.uniform("gradient"), gradient_unit);
+    gl.Uniform1i(program.uniform("detail"), detail_unit);
+    gl.Uniform1i(program.uniform("sky"), sky_unit);
+    eye_index = program.uniform("eye_index");
+    brightness = program.uniform("brightness");
+}
+
+void SeaProgram::use(const Functions& gl, int eye) const {
+    gl.UseProgram(program.name());
+    if (eye_index >= 0) gl.Uniform1i(eye_index, eye);
+}
+
+SeaPrograms::SeaPrograms(const Functions& gl, bool multiview) {
+    const std::array<ProgramFiles, 4> files = sea_program_files(multiview);
+    SeaProgram* const programs[] = {&patches, &skirt, &background, &wireframe};
+    for (std::size_t i = 0; i < files.size(); ++i) *programs[i] = SeaProgram(gl, files[i]);
+}
+
+}  // namespace pelagic::gl

@@ -1,0 +1,40 @@
+// The programs that draw the sea, and the shader files that each is made of.
+#pragma once
+
+#include <array>
+#include <string>
+
+#include "pelagic/gl/program.hpp"
+
+namespace pelagic::gl {
+
+/// Texture units, as the programs read them.
+enum Unit : GLint { displacement_unit, gradient_unit, detail_unit, sky_unit };
+
+struct ProgramFiles {
+    const char* vertex;
+    const char* fragment;
+    std::string defines;  ///< lines
+};
+
+/// For patches, skirt, background and wireframe, in this order.
+std::array<ProgramFiles, 4> sea_program_files(bool multiview);
+
+struct SeaProgram {
+    SeaProgram() = default;
+    SeaProgram(const Functions& gl, const ProgramFiles& files);
+    /// \param eye  0 or 1; with multiview the driver knows
+    void use(const Functions& gl, int eye) const;
+
+    Program program;
+    GLint eye_index = -1, brightness = -1;
+};
+
+struct SeaPrograms {
+    /// Throws GlError if the driver refuses a shader. Leaves one of them in use.
+    SeaPrograms(const Functions& gl, bool multiview);
+
+    SeaProgram patches, skirt, background, wireframe;
+};
+
+}  // namespace pelagic::gl

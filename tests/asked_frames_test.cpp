@@ -1,0 +1,112 @@
+// Which frame of the C interface may be asked, and that its memory stays as it is while somebody does.
+#include "pelagic/capi/ocean.hpp"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <memory>
+#include <thread>
+#include <vector>
+
+namespace pelagic::capi {
+namespace {
+
+/// Frames that differ in their bounds, which a query keeps beside them.
+class Shown {
+   public:
+    Shown() : frame_(ocean_.frame_at(0)) {}
+    SurfaceQuery query(float number) {
+        frame_.bounds = {number, number, number, number};
+        return SurfaceQuery(frame_);
+    }
+
+   private:
+    Ocean ocean_{{.resolution = 16}, {.executor = make_serial_executor(), .queries = true}};
+    Frame frame_;
+};
+
+float number_of(const AskedFrames::Reader& reader) { return reader.query()->bounds().height_min_m; }
+
+TEST(CInterfaceAskedFrames, AReaderSeesTheNewestFrameAndKeepsIt) {
+    Shown shown;
+    AskedFrames frames;
+    EXPECT_EQ(AskedFrames::Reader(frames).query(), nullptr);
+    frames.show(shown.query(1));
+    const AskedFrames::Reader first(frames);
+    EXPECT_EQ(number_of(first), 1);
+    frames.wait_for_old_readers();
+    frames.show(shown.query(2));
+    EXPECT_EQ(number_of(first), 1);
+    EXPECT_EQ(number_of(AskedFrames::Reader(frames)), 2);
+}
+
+// Long enough for a thread that doesn't wait to get through; one that waits is never caught by a slow machine.
+constexpr std::chrono::milliseconds a_while(100);
+
+TEST(CInterfaceAskedFrames, AFrameIsWrittenOverWhenItsLastReaderHasGone) {
+    Shown shown;
+    AskedFrames frames;
+    frames.show(shown.query(1));
+    auto first = std::make_unique<AskedFrames::Reader>(frames);
+    auto second = std::make_unique<AskedFrames::Reader>(frames);
+    frames.wait_for_old_readers();  // nobody reads the one before
+    frames.show(shown.query(2));
+    const AskedFrames::Reader of_the_newest(frames);
+
+    std::atomic<bool> waits = false, is_free = false;
+    std::thread host([&] {
+        waits = true;
+        frames.wait_for_old_readers();
+        is_free = true;
+    });
+    while (!waits) std::this_thread::yield();
+    std::this_thread::sleep_for(a_while);
+    EXPECT_FALSE(is_free) << "two readers are there";
+    first.reset();
+    std::this_thread::sleep_for(a_while);
+    EXPECT_FALSE(is_free) << "one is left";
+    second.reset();
+    host.join();
+    EXPECT_TRUE(is_free) << "whoever reads the newest frame holds up nobody";
+}
+
+// Readers that come while the host goes from frame to frame: what they hold never changes under them. The host's steps are
+// short, so that every order of the two comes up in a second.
+TEST(CInterfaceAskedFrames, WhatAReaderHoldsNeverChanges) {
+    Shown shown;
+    std::vector<SurfaceQuery> queries;
+    for (int n = 0; n < 64; ++n) queries.push_back(shown.query(static_cast<float>(n)));
+    AskedFrames frames;
+    frames.show(queries[0]);
+    std::atomic<bool> is_over = false;
+    std::atomic<long> changed = 0, reads = 0;
+    std::vector<std::thread> readers;
+    for (int thread = 0; thread < 3; ++thread) {
+        readers.emplace_back([&] {
+            while (!is_over) {
+                const AskedFrames::Reader reader(frames);
+                const float number = number_of(reader);
+                for (int look = 0; look < 3000; ++look) {
+                    const FrameBounds bounds = reader.query()->bounds();
+                    changed += bounds.height_min_m != number || bounds.sideways_z_max_m != number;
+                    std::atomic_signal_fence(std::memory_order_seq_cst);
+                }
+                ++reads;
+            }
+        });
+    }
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(1);
+    for (std::size_t n = 1; std::chrono::steady_clock::now() < end || reads < 1000; ++n) {
+        frames.wait_for_old_readers();
+        // A frame takes a while: whoever has come too late for this memory, and reads it, sees it change.
+        for (int i = 0; i < 300; ++i) std::atomic_signal_fence(std::memory_order_seq_cst);
+        frames.show(queries[n % queries.size()]);
+    }
+    is_over = true;
+    for (std::thread& reader : readers) reader.join();
+    EXPECT_EQ(changed, 0) << "of " << reads;
+}
+
+}  // namespace
+}  // namespace pelagic::capi

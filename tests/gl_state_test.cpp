@@ -1,0 +1,241 @@
+// A host may leave GL in any state: it gets it back after every call, and the picture is that of a fresh context.
+#include <dlfcn.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "pelagic/gl/program.hpp"
+#include "pelagic/tests/gl_scene.hpp"
+
+namespace pelagic {
+namespace {
+
+constexpr int side = 48;
+
+template <class Function>
+Function* loaded(const char* name) {
+    void* const egl = dlopen("libEGL.so.1", RTLD_NOW);
+    const auto get = reinterpret_cast<void* (*)(const char*)>(dlsym(egl, "eglGetProcAddress"));
+    return reinterpret_cast<Function*>(get(name));
+}
+
+/// Colour, depth and stencil.
+struct Target {
+    explicit Target(const gl::Functions& gl) : colour(gl), depth(gl), framebuffer(gl) {
+        gl.BindRenderbuffer(GL_RENDERBUFFER, colour.name());
+        gl.RenderbufferStorageMultisample(GL_RENDERBUFFER, 0, GL_RGBA8, side, side);
+        gl.BindRenderbuffer(GL_RENDERBUFFER, depth.name());
+        gl.RenderbufferStorageMultisample(GL_RENDERBUFFER, 0, GL_DEPTH24_STENCIL8, side, side);
+        gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
+        gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, colour.name());
+        gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER, depth.name());
+        gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+    }
+    gl::Renderbuffer colour, depth;
+    gl::Framebuffer framebuffer;
+};
+
+constexpr std::array switches = {GL_CULL_FACE,
+                                 GL_BLEND,
+                                 GL_STENCIL_TEST,
+                                 GL_SCISSOR_TEST,
+                                 GL_POLYGON_OFFSET_FILL,
+                                 GL_SAMPLE_ALPHA_TO_COVERAGE,
+                                 GL_SAMPLE_COVERAGE,
+                                 GL_RASTERIZER_DISCARD,
+                                 GL_PRIMITIVE_RESTART_FIXED_INDEX};
+
+constexpr std::array integers = {GL_CURRENT_PROGRAM,
+                                 GL_VERTEX_ARRAY_BINDING,
+                                 GL_ARRAY_BUFFER_BINDING,
+                                 GL_ELEMENT_ARRAY_BUFFER_BINDING,
+                                 GL_UNIFORM_BUFFER_BINDING,
+                                 GL_PIXEL_UNPACK_BUFFER_BINDING,
+                                 GL_DRAW_FRAMEBUFFER_BINDING,
+                                 GL_READ_FRAMEBUFFER_BINDING,
+                                 GL_RENDERBUFFER_BINDING,
+                                 GL_ACTIVE_TEXTURE,
+                                 GL_UNPACK_ALIGNMENT,
+                                 GL_UNPACK_ROW_LENGTH,
+                                 GL_UNPACK_IMAGE_HEIGHT,
+                                 GL_UNPACK_SKIP_PIXELS,
+                                 GL_UNPACK_SKIP_ROWS,
+                                 GL_UNPACK_SKIP_IMAGES,
+                                 GL_CULL_FACE_MODE,
+                                 GL_FRONT_FACE,
+                                 GL_DEPTH_FUNC,
+                                 GL_DEPTH_WRITEMASK,
+                                 GL_STENCIL_FUNC,
+                                 GL_STENCIL_WRITEMASK,
+                                 GL_BLEND_SRC_RGB,
+                                 GL_BLEND_DST_RGB};
+
+/// Everything that a host could have set and that drawing could touch, by name.
+std::map<std::string, std::vector<GLfloat>> state_of(const gl::Functions& gl) {
+    std::map<std::string, std::vector<GLfloat>> state;
+    for (const GLenum name : switches) state["switch " + std::to_string(name)] = {GLfloat(gl.IsEnabled(name))};
+    for (const GLenum name : {GL_DEPTH_TEST, GL_DITHER})
+        state["switch " + std::to_string(name)] = {GLfloat(gl.IsEnabled(name))};
+    for (const auto name : integers) {
+        GLint value = 0;
+        gl.GetIntegerv(static_cast<GLenum>(name), &value);
+        state["integer " + std::to_string(name)] = {static_cast<GLfloat>(value)};
+    }
+    for (const auto name :
+         {GL_VIEWPORT, GL_SCISSOR_BOX, GL_COLOR_WRITEMASK, GL_DEPTH_RANGE, GL_POLYGON_OFFSET_FACTOR,
+          GL_POLYGON_OFFSET_UNITS, GL_SAMPLE_COVERAGE_VALUE, GL_COLOR_CLEAR_VALUE, GL_DEPTH_CLEAR_VALUE}) {
+        std::vector<GLfloat> values(4);
+        gl.GetFloatv(static_cast<GLenum>(name), values.data());
+        state["float " + std::to_string(name)] = values;
+    }
+    GLint buffer = 0;
+    GLint64 start = 0, size = 0;
+    gl.GetIntegeri_v(GL_UNIFORM_BUFFER_BINDING, 0, &buffer);
+    gl.GetInteger64i_v(GL_UNIFORM_BUFFER_START, 0, &start);
+    gl.GetInteger64i_v(GL_UNIFORM_BUFFER_SIZE, 0, &size);
+    state["uniform block 0"] = {GLfloat(buffer), GLfloat(start), GLfloat(size)};
+    GLint unit = 0;
+    gl.GetIntegerv(GL_ACTIVE_TEXTURE, &unit);
+    for (GLuint i = 0; i < 6; ++i) {
+        gl.ActiveTexture(GL_TEXTURE0 + i);
+        for (const GLenum name : {GL_TEXTURE_BINDING_2D, GL_TEXTURE_BINDING_CUBE_MAP, GL_SAMPLER_BINDING}) {
+            GLint value = 0;
+            gl.GetIntegerv(name, &value);
+            state["unit " + std::to_string(i)].push_back(static_cast<GLfloat>(value));
+        }
+    }
+    gl.ActiveTexture(static_cast<GLenum>(unit));
+    return state;
+}
+
+/// State of which each piece alone would spoil the picture, or crash.
+class NastyHost {
+   public:
+    explicit NastyHost(const gl::Functions& gl)
+        : gl_(gl),
+          buffer_(gl),
+          small_(gl),
+          texture_(gl),
+          cube_(gl),
+          array_(gl),
+          sampler_(gl),
+          program_(gl, "sky.vert.glsl", "sky.frag.glsl") {
+        gl.BindVertexArray(array_.name());
+        gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, small_.name());
+        gl.BindBuffer(GL_ARRAY_BUFFER, buffer_.name());
+        gl.BufferData(GL_ARRAY_BUFFER, 1024, nullptr, GL_STATIC_DRAW);
+        gl.BindBufferRange(GL_UNIFORM_BUFFER, 0, buffer_.name(), 256, 128);
+        gl.BindBuffer(GL_UNIFORM_BUFFER, small_.name());
+        gl.BindBuffer(GL_PIXEL_UNPACK_BUFFER, small_.name());
+        gl.BufferData(GL_PIXEL_UNPACK_BUFFER, 16, nullptr, GL_STATIC_DRAW);
+        gl.UseProgram(program_.name());
+        for (GLuint unit = 0; unit < 6; ++unit) {
+            gl.ActiveTexture(GL_TEXTURE0 + unit);
+            gl.BindTexture(GL_TEXTURE_2D, texture_.name());
+            gl.BindTexture(GL_TEXTURE_CUBE_MAP, cube_.name());
+            gl.BindSampler(unit, sampler_.name());
+        }
+        gl.ActiveTexture(GL_TEXTURE2);
+        gl.PixelStorei(GL_UNPACK_ALIGNMENT, 8);
+        gl.PixelStorei(GL_UNPACK_ROW_LENGTH, 1'000'000);
+        gl.PixelStorei(GL_UNPACK_IMAGE_HEIGHT, 9);
+        gl.PixelStorei(GL_UNPACK_SKIP_PIXELS, 3);
+        gl.PixelStorei(GL_UNPACK_SKIP_ROWS, 5);
+        gl.PixelStorei(GL_UNPACK_SKIP_IMAGES, 2);
+        loaded<void(GLenum)>("glCullFace")(GL_FRONT_AND_BACK);
+        loaded<void(GLenum)>("glFrontFace")(GL_CW);
+        loaded<void(GLenum, GLenum)>("glBlendFunc")(GL_ZERO, GL_ONE);
+        loaded<void(GLenum, GLint, GLuint)>("glStencilFunc")(GL_NEVER, 1, 1);
+        loaded<void(GLuint)>("glStencilMask")(2);
+        loaded<void(GLfloat, GLboolean)>("glSampleCoverage")(0.25f, GL_TRUE);
+        gl.Scissor(1, 2, 3, 4);
+        gl.PolygonOffset(-50, -1e6f);
+        gl.DepthFunc(GL_GREATER);
+        gl.DepthRangef(1, 0);
+        gl.DepthMask(GL_FALSE);
+        gl.ColorMask(GL_TRUE, GL_FALSE, GL_TRUE, GL_FALSE);
+        gl.Viewport(5, 6, 7, 8);
+        set_switches(true);
+    }
+    /// As a host would before it clears or reads; `on` brings the nasty state back.
+    void set_switches(bool on) const {
+        for (const GLenum name : switches) on ? gl_.Enable(name) : gl_.Disable(name);
+    }
+
+   private:
+    const gl::Functions& gl_;
+    gl::Buffer buffer_, small_;
+    gl::Texture texture_, cube_;
+    gl::VertexArray array_;
+    gl::Sampler sampler_;
+    gl::Program program_;
+};
+
+/// A renderer's whole life in one context. \param after_each_call  named
+template <class Check>
+std::vector<std::uint8_t> picture(const gl::Functions& gl, const Frame& frame, gl::DrawMode mode,
+                                  Check after_each_call) {
+    const QuadtreeOptions quadtree = quadtree_preset_named("low")->options(512);
+    gl::SeaRenderer renderer(gl, {.patch_vertices = quadtree.vertices, .resolution = frame.resolution()});
+    after_each_call("constructor");
+    renderer.set_sky(test_sky());
+    after_each_call("set_sky");
+    renderer.upload(frame);
+    after_each_call("upload");
+    gl.Finish();
+    const Camera camera{.position_m = {0, 10, 0}, .target_m = {60, 0, 40}};
+    const gl::Eye eye = gl::eye_of(camera, {0, 0, side, side});
+    Selection selection(quadtree);
+    const DrawList& list =
+        selection.select({.viewer_m = camera.position_m, .views = {&eye.clip_from_world, 1}, .bounds = frame.bounds});
+    renderer.draw({.eyes = {&eye, 1},
+                   .viewer_m = camera.position_m,
+                   .list = &list,
+                   .lod_scale = quadtree.lod_scale,
+                   .mode = mode});
+    after_each_call("draw");
+    std::vector<std::uint8_t> pixels(std::size_t{4} * side * side);
+    gl.ReadPixels(0, 0, side, side, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+    EXPECT_EQ(gl.GetError(), static_cast<GLenum>(GL_NO_ERROR));
+    return pixels;
+}
+
+class GlState : public testing::TestWithParam<gl::DrawMode> {};
+
+TEST_P(GlState, OfAHostIsKeptAndSpoilsNoPicture) {
+    Ocean ocean({.resolution = 32, .patch_size_m = 60, .wind_speed_mps = 9}, {.executor = make_serial_executor()});
+    const Frame& frame = ocean.frame_at(2);
+
+    gl::HeadlessContext clean_context;
+    std::vector<std::uint8_t> clean;
+    {
+        const Target target(clean_context.functions());
+        clean = picture(clean_context.functions(), frame, GetParam(), [](const char*) {});
+    }
+    // Not a picture of one colour.
+    EXPECT_GT(std::set(clean.begin(), clean.end()).size(), 5u);
+
+    gl::HeadlessContext context;
+    const gl::Functions& gl = context.functions();
+    const Target target(gl);
+    const NastyHost host(gl);
+    const auto before = state_of(gl);
+    const auto nasty = picture(gl, frame, GetParam(), [&](const char* call) {
+        const auto after = state_of(gl);
+        for (const auto& [name, values] : before) EXPECT_EQ(after.at(name), values) << name << " after " << call;
+    });
+    EXPECT_EQ(nasty, clean);
+    host.set_switches(false);
+}
+
+INSTANTIATE_TEST_SUITE_P(Modes, GlState, testing::Values(gl::DrawMode::shaded, gl::DrawMode::wireframe),
+                         [](const auto& mode) {
+                             return mode.param == gl::DrawMode::shaded ? "shaded" : "wireframe";
+                         });
+
+}  // namespace
+}  // namespace pelagic

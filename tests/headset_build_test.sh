@@ -1,0 +1,28 @@
+#!/usr/bin/env bash
+# The line of docs/users/headset.md, with a stand-in for the NDK's toolchain file: it configures without GLM, oneTBB and a
+# graphics library, and makes a library for 64-bit Arm that has the C interface and takes all else from the system's C++.
+#
+# usage: headset_build_test.sh SOURCE_FOLDER CMAKE
+set -euo pipefail
+source=$1 cmake=$2
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+mkdir "$work/deps"
+ln -s /usr/include/xsimd /usr/include/xxhash.h "$work/deps"
+
+# Taken from the page, but for the NDK, so that it can't grow old.
+line=$(sed -n '/^    cmake -S \. -B build\/android/,/[^\\]$/p' "$source/docs/users/headset.md" | sed 's/\\$//' | tr '\n' ' ')
+[[ $line == *-DPELAGIC_XXHASH_INCLUDE_DIR* ]] || { echo "the page has no such line any more"; exit 1; }
+options=$(sed -E 's/^ *cmake -S \. -B build\/android//; s/-DCMAKE_TOOLCHAIN_FILE=[^ ]*//; s/-DANDROID_[A-Z]*=[^ ]*//g; s/\$DEPS/DEPS/g' <<<"$line")
+options=${options//DEPS/"$work/deps"}
+# shellcheck disable=SC2086
+"$cmake" -S "$source" -B "$work/build" -DCMAKE_TOOLCHAIN_FILE="$source/cmake/arm64-libcxx.cmake" $options \
+  -DPELAGIC_KERNEL_OPTIMISATION=-O1 >"$work/log" 2>&1 &&
+  "$cmake" --build "$work/build" --target pelagic_shared -j 2 >>"$work/log" 2>&1 || { tail -40 "$work/log"; exit 1; }
+
+library=$work/build/capi/libpelagic_c.so
+[ "$(od -An -j18 -N2 -tu2 "$library" | tr -d ' ')" = 183 ] || { echo "not for 64-bit Arm"; exit 1; }
+nm -D "$library" >"$work/symbols"
+"$source/tests/c_symbols.sh" nm "$library" "$source/tests/abi/pelagic.symbols"
+grep -q 'U _ZNSt3__1' "$work/symbols" || { echo "not built with libc++"; exit 1; }
