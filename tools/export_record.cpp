@@ -117,9 +117,10 @@ std::size_t most_record_bytes(const ExportOptions& options) {
 }
 
 std::string first_difference(const ReadJson& earlier, const Json& now) {
-    const ReadJson was = earlier.flatten(), is = ReadJson(now).flatten();
+    const Json ordered = now.flatten();  // the order in which options are written
+    const ReadJson was = earlier.flatten(), is = ReadJson(ordered);
     std::vector<std::string> keys;
-    for (const auto& [key, value] : now.flatten().items()) keys.push_back(key);
+    for (const auto& [key, value] : ordered.items()) keys.push_back(key);
     for (const auto& [key, value] : was.items()) keys.push_back(key);
     const auto text = [](const ReadJson& value) {
         return value.is_null() ? "not set" : clipped(value.dump(-1, ' ', true));
