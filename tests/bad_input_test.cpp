@@ -34,6 +34,8 @@ std::vector<BadInput> bad_inputs() {
         {{"export", "--out", ""}, {"--out", "folder"}},
         {{"export", "--out", "CONFIG"}, {"--out", "CONFIG", "is a file"}},
         {{"export", "--out", "CONFIG/below"}, {"--out", "CONFIG", "is a file"}},
+        {{"export", "--out", "OUT/wave.%04d.exr"}, {"--out", "wave.%04d.exr", "a folder", "displacement_0000.exr"}},
+        {{"export", "--out", "OUT.png"}, {"--out", "a folder", "displacement_0000.exr"}},
         // The quadtree's options.
         {{"quadtree", "--size", "255"}, {"--size", "is 255", "[256, 8192]"}},
         {{"quadtree", "--size", "9000"}, {"--size", "is 9000", "[256, 8192]"}},
@@ -86,12 +88,18 @@ std::vector<BadInput> bad_inputs() {
         {{"export", "--out", "OUT", "--spectrum", "jonsawp"}, {"--spectrum", "is jonsawp", "nearest is jonswap"}},
         {{"export", "--out", "OUT", "--spectrum", ""}, {"--spectrum", "phillips-paper"}},
         {{"export", "--out", "OUT", "--preset", "strom"}, {"--preset", "is strom", "nearest is storm"}},
+        {{"info", "--preset", "hurricane"}, {"--preset is hurricane, needs calm, moderate, rough or storm\n"}},
+        {{"info", "--spectrum", "sine"}, {"needs phillips-paper, phillips, pierson-moskowitz or jonswap\n"}},
+        {{"quadtree", "--quality", "hihg"}, {"low, medium, high, ultra", "nearest is high"}},
+        {{"help", "exprot"}, {"exprot", "export, info, quadtree"}},
+        {{"info", "--frobnicate"}, {"unknown option --frobnicate; pelagic info --help lists all"}},
         // Config files.
         {{"export", "--out", "OUT", "--config", "/nowhere/sea.toml"},
          {"--config", "/nowhere/sea.toml", "can't be read"}},
         {{"export", "--out", "OUT", "--config", "/tmp"}, {"--config", "/tmp", "folder"}},
+        {{"info", "--config", "/proc/self/mem"}, {"--config", "/proc/self/mem", "can't be read"}},
         {{"export", "--out", "OUT", "--config", "CONFIG"},
-         {"CONFIG:2", "wind_sped", "wind_speed"},
+         {"CONFIG:2", "wind_sped", "needs preset, spectrum,", "nearest is wind_speed"},
          "seed = 1\nwind_sped = 3\n"},
         {{"export", "--out", "OUT", "--config", "CONFIG"}, {"CONFIG:1"}, "wind_speed = = 3\n"},
         {{"export", "--out", "OUT", "--config", "CONFIG"}, {"CONFIG:2", "seed"}, "seed = 1\nseed = 2\n"},
@@ -186,6 +194,15 @@ TEST(BadInput, GivesOneLineThatNamesOptionValueAndRangeAndWritesNothing) {
     }
 }
 
+TEST(BadInput, AConfigFileOfMoreThan64MiBIsOne) {
+    const TemporaryFolder folder;
+    write_file(folder / "sea.toml", "");
+    std::filesystem::resize_file(folder / "sea.toml", (std::uintmax_t{64} << 20) + 1);  // a hole, no room on the disk
+    const Outcome outcome = run_pelagic({"info", "--config", (folder / "sea.toml").string()});
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_NE(outcome.err.find("which has more than 64 MiB, needs a TOML file"), std::string::npos) << outcome.err;
+}
+
 TEST(BadInput, HelpAndVersionAreNone) {
     for (const std::vector<std::string>& arguments :
          std::vector<std::vector<std::string>>{{"--help"}, {"--version"}, {"export", "--help"}, {"info", "--help"}}) {
@@ -195,6 +212,8 @@ TEST(BadInput, HelpAndVersionAreNone) {
         EXPECT_NE(outcome.out.find("pelagic"), std::string::npos);
     }
     const std::string help = run_pelagic({"export", "--help"}).out;
+    EXPECT_EQ(run_pelagic({"help", "export"}).out, help);
+    EXPECT_EQ(run_pelagic({"help"}).out, run_pelagic({"--help"}).out);
     for (const char* part : {"--wind-speed", "m/s", "(0, 60]", "default 12", "power of two", "storm"})
         EXPECT_NE(help.find(part), std::string::npos) << part;
 }

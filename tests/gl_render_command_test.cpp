@@ -1,6 +1,8 @@
 // `pelagic render` as a user's shell runs it: pictures, figures, and one clear line where something is missing.
 #include <gtest/gtest.h>
 #include <png.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -103,6 +105,27 @@ TEST(RenderCommand, NamesOptionValueAndRange) {
         EXPECT_EQ(run.exit_code, 2);
         EXPECT_EQ(run.err, line);
     }
+}
+
+// Opening a FIFO waited for a reader, and SIGTERM did not end that.
+TEST(RenderCommand, ReplacesNothingThatIsNoRegularFile) {
+    const TemporaryFolder folder;
+    write_file(folder / "victim", "mine");
+    for (const std::string name : {"sea.png", ".sea.png.part"}) {
+        const std::filesystem::path place = folder / name;
+        ASSERT_EQ(::mkfifo(place.c_str(), 0666), 0);
+        for (const std::string kind : {"a FIFO", "a symbolic link"}) {
+            const Outcome run = run_pelagic(
+                {"render", "--resolution", "16", "--size", "16x16", "--out", (folder / "sea.png").string()},
+                [] { ::alarm(60); });
+            EXPECT_EQ(run.exit_code, 1);
+            EXPECT_NE(run.err.find(place.string() + ": it is " + kind), std::string::npos) << run.err;
+            EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+            EXPECT_TRUE(std::filesystem::remove(place)) << "still there";
+            if (kind == "a FIFO") std::filesystem::create_symlink(folder / "victim", place);
+        }
+    }
+    EXPECT_EQ(read_file(folder / "victim"), "mine");
 }
 
 // libglvnd takes its list of drivers from the variable; with none of them EGL is there, but draws nothing.

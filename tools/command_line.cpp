@@ -50,10 +50,15 @@ InputError from_cli(const CLI::ParseError& error, const CLI::App& app, const std
         const std::vector<std::string> extras = used.remaining(true);
         const std::string word = extras.empty() ? "" : extras.front();
         const std::string name = word.substr(0, word.find('='));
-        if (commands.empty()) return InputError("unknown command " + word + ", needs " + commands_text);
+        if (commands.empty())
+            return InputError((name.starts_with('-') ? "unknown option " : "unknown command ") + word + ", needs " +
+                              commands_text);
+        const std::string help = "; pelagic " + used.get_name() + " --help lists all";
         if (!name.starts_with('-'))
-            return InputError("unexpected word " + word + ", needs options such as " + options.back());
-        return InputError("unknown option " + name + ", the nearest known one is " + nearest_name(name, options));
+            return InputError("unexpected word " + word + ", needs options such as " + options.back() + help);
+        const auto nearest = near_name(name, options);
+        return InputError("unknown option " + name + (nearest ? ", the nearest known one is " + *nearest : "") +
+                          help);
     }
     // The others name the option first: "--seed: ..." or "--seed requires an argument".
     for (const std::string& option : options) {
@@ -76,6 +81,14 @@ InputError from_cli(const CLI::ParseError& error, const CLI::App& app, const std
 void check_standard_output() {
     if (std::cout.flush() && std::fflush(stdout) == 0 && !std::ferror(stdout)) return;
     throw FileError(std::string("can't write standard output: ") + std::strerror(errno));
+}
+
+/// `help export` is `export --help`, and `help` alone `--help`.
+std::vector<std::string> without_help_command(std::vector<std::string> words) {
+    if (words.empty() || words.front() != "help") return words;
+    words.erase(words.begin());
+    words.push_back("--help");
+    return words;
 }
 
 int run(int argc, const char* const* argv) {
@@ -116,14 +129,18 @@ int run(int argc, const char* const* argv) {
     for (CLI::App* command : {&export_app, &info_app, &quadtree_app, &query_app, &render_app, &view_app})
         command->set_version_flag("--version", "pelagic " PELAGIC_VERSION);
 
+    const std::vector<std::string> words = without_help_command({argv + 1, argv + argc});
     try {
-        app.parse(argc, argv);
+        app.parse(std::vector<std::string>(words.rbegin(), words.rend()));  // CLI11 takes the last word first
     } catch (const CLI::Success& help_or_version) {
+        // CLI11 helps before it looks at what it does not know.
+        if (app.get_subcommands().empty() && !app.remaining().empty())
+            throw from_cli(CLI::ExtrasError(app.remaining()), app, words);
         const int code = app.exit(help_or_version);
         check_standard_output();
         return code;
     } catch (const CLI::ParseError& error) {
-        throw from_cli(error, app, {argv + 1, argv + argc});
+        throw from_cli(error, app, words);
     }
     if (export_app.parsed())
         run_export(export_flags.resolve());

@@ -56,8 +56,7 @@ std::vector<ConfigEntry> parse_config(std::string_view text, const std::filesyst
             throw InputError(place + ": " + key +
                              " is a table, needs known keys at the top level, such as wind_speed = 9.0");
         if (std::find(known.begin(), known.end(), key) == known.end())
-            throw InputError(place + ": unknown key " + key + ", the nearest known one is " +
-                             nearest_name(key, known));
+            throw InputError(place + ": unknown key " + key + ", needs " + list_of(known) + nearest_hint(key, known));
         entries.push_back({key, value_text(node, place, key), place, node.is_string()});
     }
     return entries;

@@ -1,11 +1,13 @@
 #include "pelagic/tools/export_options.hpp"
 
+#include <algorithm>
 #include <array>
 #include <stdexcept>
 #include <vector>
 
 #include "pelagic/tools/errors.hpp"
-#include "pelagic/tools/export_journal.hpp"
+#include "pelagic/tools/export_names.hpp"
+#include "pelagic/tools/image_codec.hpp"
 #include "pelagic/tools/option_text.hpp"
 #include "pelagic/tools/pixel_meaning.hpp"
 
@@ -40,11 +42,21 @@ void choose_maps(ExportOptions& options, const std::string& text) {
     }
 }
 
+/// "wave.%04d.exr" or "wave.png": what other programs take, and what nobody would call a folder.
+bool is_picture_name(const std::filesystem::path& path) {
+    const std::string extension = path.extension().string();
+    constexpr std::array pictures = {".exr", ".png", ".tif", ".tiff", ".jpg", ".jpeg"};
+    return path.filename().string().find('%') != std::string::npos ||
+           std::find(pictures.begin(), pictures.end(), extension) != pictures.end();
+}
+
 // A folder may be missing; what is there must be one.
 std::filesystem::path checked_folder(const std::optional<std::string>& text) {
     if (!text || text->empty()) throw InputError("--out is missing, needs a folder to write to");
     std::error_code error;
     std::filesystem::path path = *text;
+    if (!std::filesystem::is_directory(path, error) && is_picture_name(path))
+        throw bad_value("--out", *text, "a folder: the files in it are named displacement_0000.exr and so on");
     for (std::filesystem::path up = path; !up.empty(); up = up.parent_path()) {
         const auto status = std::filesystem::status(up, error);
         if (std::filesystem::exists(status) && !std::filesystem::is_directory(status))
@@ -67,7 +79,7 @@ std::filesystem::path checked_trace(const std::string& text, const std::filesyst
     const auto place_of = [&](const std::filesystem::path& file) {
         return std::filesystem::weakly_canonical(std::filesystem::absolute(file), error);
     };
-    if (is_export_file(path.filename().string()) && place_of(path) == place_of(folder / path.filename()))
+    if (is_export_name(path.filename().string()) && place_of(path) == place_of(folder / path.filename()))
         throw bad_value("--trace", text, "another name, since the export uses that one itself");
     return path;
 }
@@ -100,11 +112,6 @@ ComputeOptions ComputeFlags::resolve() const {
     return options;
 }
 
-double ExportOptions::time_of(int frame) const {
-    if (fps) return start_s + frame / *fps;
-    return start_s + frame * (sea.sea.loop_period_s / frames);
-}
-
 void ExportFlags::add_to(CLI::App& app) {
     const auto add = [&](const std::string& flag, const std::string& type, const std::string& help) {
         app.add_option("--" + flag, typed_[flag], help)->type_name(type);
@@ -119,6 +126,10 @@ void ExportFlags::add_to(CLI::App& app) {
     app.add_flag("--mips", mips_, "every level of the gradient, down to one texel");
     app.add_flag("--half", half_, "displacement as 16-bit instead of 32-bit floats");
     app.add_flag("--resume", resume_, "keep the frames of an interrupted export that are whole, make the rest");
+    app.add_flag("--no-sync", no_sync_,
+                 "don't wait for the disk: faster, but a power cut may cost frames that are done");
+    app.add_flag("--no-lock", no_lock_,
+                 "for file systems without locks; see to it that no other export uses the folder");
     add("trace", "FILE", "Chrome trace of stages and workers, opens in ui.perfetto.dev; where the time goes");
     sea_.add_to(app);
     compute_.add_to(app);
@@ -133,6 +144,8 @@ ExportOptions ExportFlags::resolve() const {
     options.mips = mips_;
     options.half = half_;
     options.resume = resume_;
+    options.sync = !no_sync_;
+    options.lock = !no_lock_;
 
     if (const auto& start = typed_.at("start")) {
         const auto value = parse_number(*start);
@@ -163,6 +176,7 @@ ExportOptions ExportFlags::resolve() const {
         if (*format == "tif") options.format = ImageFormat::tiff;
     }
     if (const auto& trace = typed_.at("trace")) options.trace = checked_trace(*trace, options.folder);
+    image_codec();  // before anything is written: without its library nothing will be
     return options;
 }
 

@@ -42,22 +42,28 @@ struct ExportOptions {
     bool half = false;
     ImageFormat format = ImageFormat::exr_and_png;
     bool resume = false;
+    bool sync = true;  ///< a frame counts as done once the disk has it
+    bool lock = true;  ///< the folder is locked, so that no other export works in it
     std::optional<std::filesystem::path> trace;
 
-    double time_of(int frame) const;
+    double time_of(int frame) const {
+        if (fps) return start_s + frame / *fps;
+        return start_s + frame * (sea.sea.loop_period_s / frames);
+    }
 };
 
 class ExportFlags {
    public:
     void add_to(CLI::App& app);
-    /// Throws InputError, one line that names option, value and range; writes nothing.
+    /// Throws InputError, one line that names option, value and range, and FileError without the library that writes images;
+    /// writes nothing.
     ExportOptions resolve() const;
 
    private:
     SeaOptions sea_;
     ComputeFlags compute_;
     std::map<std::string, std::optional<std::string>> typed_;  ///< by flag name, where it was given
-    bool mips_ = false, half_ = false, resume_ = false;
+    bool mips_ = false, half_ = false, resume_ = false, no_sync_ = false, no_lock_ = false;
 };
 
 }  // namespace pelagic::tools

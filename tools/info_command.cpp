@@ -3,8 +3,10 @@
 #include <cstdio>
 #include <string>
 
+#include "pelagic/message/number_text.hpp"
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/statistics.hpp"
+#include "pelagic/tools/digest.hpp"
 #include "pelagic/tools/sea_json.hpp"
 
 namespace pelagic::tools {
@@ -35,24 +37,29 @@ Json info_json(const ResolvedSea& resolved, const ComputeOptions& compute) {
     return json;
 }
 
-void print_section(const char* title, const Json& values) {
+/// Four digits of what is computed, and six of what was asked for: more mean nothing to a reader, and --json has all.
+std::string value_text(const Json& value, int digits) {
+    if (value.is_string()) return value.get<std::string>();
+    return value.is_number_float() ? rounded_text(value.get<double>(), digits) : value.dump();
+}
+
+void print_section(const char* title, const Json& values, int digits = 4) {
     std::printf("%s\n", title);
     for (const auto& [key, value] : values.items()) {
         if (value.is_object() && !value.empty()) {
             std::string parts;
             for (const auto& [name, part] : value.items())
-                parts += (parts.empty() ? "" : ", ") + name + " " + part.dump();
+                parts += (parts.empty() ? "" : ", ") + name + " " + value_text(part, digits);
             std::printf("  %-28s%s\n", key.c_str(), parts.c_str());
         } else {
-            std::printf("  %-28s%s\n", key.c_str(),
-                        value.is_string() ? value.get<std::string>().c_str() : value.dump().c_str());
+            std::printf("  %-28s%s\n", key.c_str(), value_text(value, digits).c_str());
         }
     }
 }
 
 void print_table(const Json& json) {
     const std::string preset = json.value("preset", "");
-    print_section(("Sea" + (preset.empty() ? "" : ", preset " + preset)).c_str(), json.at("sea"));
+    print_section(("Sea" + (preset.empty() ? "" : ", preset " + preset)).c_str(), json.at("sea"), 6);
     print_section("Waves", json.at("waves"));
     print_section("Frame at 0 s", json.at("first_frame"));
     Json computing = json.at("computing");

@@ -58,10 +58,21 @@ std::string list_of(std::span<const std::string> names) {
     return list;
 }
 
-std::string nearest_name(std::string_view name, std::span<const std::string> names) {
-    return *std::min_element(names.begin(), names.end(), [&](const std::string& a, const std::string& b) {
-        return edit_distance(name, a) < edit_distance(name, b);
-    });
+std::optional<std::string> near_name(std::string_view name, std::span<const std::string> names) {
+    std::optional<std::string> nearest;
+    std::size_t least = std::min<std::size_t>(3, name.size() / 2) + 1;
+    for (const std::string& known : names) {
+        const std::size_t distance = edit_distance(name, known);
+        if (distance >= least) continue;
+        least = distance;
+        nearest = known;
+    }
+    return nearest;
+}
+
+std::string nearest_hint(std::string_view name, std::span<const std::string> names) {
+    const auto nearest = near_name(name, names);
+    return nearest ? " (the nearest is " + *nearest + ")" : "";
 }
 
 std::vector<std::string> split_at_commas(std::string_view text) {

@@ -25,8 +25,12 @@ double number_in(const std::string& option, const std::string& text, double leas
 /// "a, b or c".
 std::string list_of(std::span<const std::string> names);
 
-/// The name with the smallest edit distance to `name`. \pre names is not empty
-std::string nearest_name(std::string_view name, std::span<const std::string> names);
+/// The name that `name` is most likely a slip for: at most half of its letters differ, and no more than 3. None if no name
+/// is so near.
+std::optional<std::string> near_name(std::string_view name, std::span<const std::string> names);
+
+/// " (the nearest is storm)", or nothing.
+std::string nearest_hint(std::string_view name, std::span<const std::string> names);
 
 /// "a,b" as {"a", "b"}; empty parts stay.
 std::vector<std::string> split_at_commas(std::string_view text);

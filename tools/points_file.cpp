@@ -19,7 +19,7 @@ constexpr const char* a_point = "x,z: two numbers of metres in [-1e15, 1e15]";
 // What is in memory at once, whatever the file's length: more bytes in a line are no points.
 constexpr std::size_t most_line_length = std::size_t{1} << 16;
 constexpr std::size_t most_block_text = std::size_t{4} << 20;
-constexpr std::size_t buffer_size = std::size_t{1} << 20;
+constexpr std::size_t buffer_size = 2 * most_line_length;
 
 std::string_view trimmed(std::string_view text) {
     constexpr std::string_view blanks = " \t\r";

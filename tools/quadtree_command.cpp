@@ -5,13 +5,15 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "pelagic/quadtree/selection.hpp"
 #include "pelagic/sim/ocean.hpp"
-#include "pelagic/tools/atomic_file.hpp"
 #include "pelagic/tools/errors.hpp"
 #include "pelagic/tools/option_text.hpp"
+#include "pelagic/tools/output_folder.hpp"
 #include "pelagic/tools/quadtree_files.hpp"
 #include "pelagic/tools/sea_json.hpp"
 
@@ -20,6 +22,13 @@ namespace {
 
 constexpr double aspect = 16.0 / 9;
 constexpr double latest_s = 1e9;
+
+/// Opened before the work begins; none if there is no such option.
+std::optional<OutputFile> file_for(const char* option, const std::optional<std::string>& file) {
+    if (!file) return {};
+    if (file->empty()) throw InputError(std::string(option) + " is empty, needs a file to write to");
+    return std::optional<OutputFile>(std::in_place, *file);
+}
 
 /// One view, or two eyes side by side.
 std::vector<glm::dmat4> views_of(const Camera& camera, double eyes_apart_m) {
@@ -90,7 +99,7 @@ QuadtreeOptions QuadtreeFlags::resolve() const {
     if (preset == nullptr) {
         std::vector<std::string> names;
         for (const QuadtreePreset& known : quadtree_presets()) names.emplace_back(known.name);
-        throw bad_value("--quality", name, list_of(names));
+        throw bad_value("--quality", name, list_of(names) + nearest_hint(name, names));
     }
     const double size_m = size_ ? number_in(size_option_, *size_, 256, 8192, "[256, 8192]") : 2048;
     return preset->options(size_m);
@@ -119,10 +128,8 @@ void QuadtreeCommandFlags::run() const {
     const double time_s = time_ ? number_in("--time", *time_, -latest_s, latest_s, "[-1e9, 1e9]") : 0;
     const ResolvedSea sea = sea_.resolve();
     const ComputeOptions compute = compute_.resolve();
-    for (const auto& [option, file] : {std::pair{"--obj", obj_}, {"--json", json_}, {"--svg", svg_}}) {
-        if (file && file->empty()) throw InputError(std::string(option) + " is empty, needs a file to write to");
-        if (file) check_writable(*file);
-    }
+    const std::optional<OutputFile> obj = file_for("--obj", obj_), json = file_for("--json", json_),
+                                    svg = file_for("--svg", svg_);
 
     Ocean ocean(sea.sea, {.executor = make_default_executor(compute.threads), .isa = compute.isa});
     const Frame& frame = ocean.frame_at(time_s);
@@ -134,14 +141,14 @@ void QuadtreeCommandFlags::run() const {
     const DrawList& list = selection.list();
 
     const Json figures = figures_json(list, options, views.size(), microseconds);
-    if (obj_) write_whole_file(*obj_, mesh_as_obj(list, frame));
-    if (json_) write_whole_file(*json_, figures.dump(2) + "\n");
-    if (svg_) {
+    if (obj) obj->write(mesh_as_obj(list, frame));
+    if (json) json->write(figures.dump(2) + "\n");
+    if (svg) {
         Selection everything(options);
         const DrawList& all = everything.select({.viewer_m = camera.position_m});
         std::vector<Frustum> frusta;
         for (const glm::dmat4& view : views) frusta.emplace_back(view, ClipDepth::minus_one_to_one);
-        write_whole_file(*svg_, plan_as_svg(list, all, frusta, camera.position_m));
+        svg->write(plan_as_svg(list, all, frusta, camera.position_m));
     }
     print_table(figures);
 }

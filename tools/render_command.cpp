@@ -12,8 +12,8 @@
 #include "pelagic/gl/stopwatch.hpp"
 #include "pelagic/quadtree/selection.hpp"
 #include "pelagic/sim/ocean.hpp"
-#include "pelagic/tools/atomic_file.hpp"
 #include "pelagic/tools/image_writer.hpp"
+#include "pelagic/tools/output_folder.hpp"
 #include "pelagic/tools/progress.hpp"
 #include "pelagic/tools/sea_json.hpp"
 
@@ -135,7 +135,8 @@ class PictureMaker {
 }  // namespace
 
 void run_render(const RenderOptions& options) {
-    check_writable(options.file_of(0));
+    const OutputFolder folder = OutputFolder::of(options.file);
+    folder.check_writable(options.file_of(0).filename());
     PictureMaker maker(options);
     {
         Progress progress("picture", static_cast<std::size_t>(options.frames));
@@ -143,9 +144,10 @@ void run_render(const RenderOptions& options) {
             progress.show(static_cast<std::size_t>(frame));
             const std::vector<std::uint8_t> pixels = maker.picture(options.time_s + frame / options.fps);
             const std::vector<unsigned char> png = encode_picture(pixels, options.scene.width, options.scene.height);
-            write_whole_file(options.file_of(frame), std::as_bytes(std::span(png)));
+            folder.write(options.file_of(frame).filename(), std::as_bytes(std::span(png)));
         }
     }
+    folder.sync();
     Json json = {{"version", PELAGIC_VERSION},       {"file", options.file_of(0).string()},
                  {"width", options.scene.width},     {"height", options.scene.height},
                  {"quality", options.scene.quality}, {"sea", sea_as_json(options.scene.sea)},

@@ -15,6 +15,8 @@ std::filesystem::path checked_file(const std::optional<std::string>& text) {
     if (!text || text->empty()) throw InputError("--out is missing, needs a PNG file to write");
     const std::filesystem::path file = *text;
     if (file.extension() != ".png" || file.stem().empty()) throw bad_value("--out", *text, "a file named *.png");
+    if (file.filename().string().find('%') != std::string::npos)
+        throw bad_value("--out", *text, "a name without %: with --frames, FILE.png becomes FILE_0000.png and so on");
     std::error_code error;
     if (std::filesystem::is_directory(file, error)) throw bad_value("--out", *text, "a file, but that is a folder");
     return file;

@@ -31,7 +31,7 @@ void choose_quality(SceneOptions& options, const std::string& name) {
     if (!preset) {
         std::vector<std::string> names;
         for (const QuadtreePreset& each : quadtree_presets()) names.emplace_back(each.name);
-        throw bad_value("--quality", name, list_of(names) + " (the nearest is " + nearest_name(name, names) + ")");
+        throw bad_value("--quality", name, list_of(names) + nearest_hint(name, names));
     }
     options.quality = name;
     // From high up one sees far: waves end at 5/16 of the square's side.

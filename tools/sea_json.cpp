@@ -1,18 +1,10 @@
 #include "pelagic/tools/sea_json.hpp"
 
-#include <array>
-#include <cstdio>
-
 #include "pelagic/sim/statistics.hpp"
+#include "pelagic/tools/digest.hpp"
 #include "pelagic/tools/pixel_meaning.hpp"
 
 namespace pelagic::tools {
-
-std::string hex_text(std::uint64_t value) {
-    std::array<char, 17> text;
-    std::snprintf(text.data(), text.size(), "%016llx", static_cast<unsigned long long>(value));
-    return text.data();
-}
 
 Json sea_as_json(const ResolvedSea& resolved) {
     const SeaState& sea = resolved.sea;
@@ -50,25 +42,15 @@ Json options_as_json(const ExportOptions& options) {
 Json frame_as_json(const FrameRecord& record) {
     Json files = Json::array();
     for (const FileRecord& file : record.files) files.push_back({{"name", file.name}, {"xxh3", file.xxh3}});
-    return {{"frame", record.frame},
-            {"time_s", record.time_s},
-            {"hash", record.hash},
-            {"significant_wave_height_m", record.significant_wave_height_m},
-            {"height_min_m", record.height_min_m},
-            {"height_max_m", record.height_max_m},
-            {"files", files}};
-}
-
-FrameRecord frame_from_json(const Json& json) {
-    FrameRecord record{.frame = json.at("frame"),
-                       .time_s = json.at("time_s"),
-                       .hash = json.at("hash"),
-                       .significant_wave_height_m = json.at("significant_wave_height_m"),
-                       .height_min_m = json.at("height_min_m"),
-                       .height_max_m = json.at("height_max_m"),
-                       .files = {}};
-    for (const Json& file : json.at("files")) record.files.push_back({file.at("name"), file.at("xxh3")});
-    return record;
+    Json json = {{"frame", record.frame},
+                 {"time_s", record.time_s},
+                 {"hash", record.hash},
+                 {"significant_wave_height_m", record.significant_wave_height_m},
+                 {"height_min_m", record.height_min_m},
+                 {"height_max_m", record.height_max_m},
+                 {"files", files}};
+    json["record_xxh3"] = digest_of(json.dump());
+    return json;
 }
 
 Json waves_as_json(const SeaState& sea, double measured_significant_wave_height_m) {

@@ -1,7 +1,6 @@
 // sea.json: what an export holds and how it was made. The same on every machine: no times, paths or thread counts.
 #pragma once
 
-#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -29,16 +28,14 @@ struct FrameRecord {
     std::vector<FileRecord> files;
 };
 
-std::string hex_text(std::uint64_t value);
-
 /// Every option of a sea, resolved; keys as in a config file, with units.
 Json sea_as_json(const ResolvedSea& sea);
 
 /// Every option that decides what is in the files: {"version", "sea", "export"}.
 Json options_as_json(const ExportOptions& options);
 
+/// The record, and an XXH3 of it by which an edited one is known.
 Json frame_as_json(const FrameRecord& record);
-FrameRecord frame_from_json(const Json& json);  ///< throws nlohmann's exceptions if it is no such record
 
 /// Heights and periods, expected by the model and measured: {"significant_wave_height_m", "peak_period_s", ...}.
 Json waves_as_json(const SeaState& sea, double measured_significant_wave_height_m);

@@ -8,6 +8,7 @@
 #include "pelagic/tools/config_file.hpp"
 #include "pelagic/tools/errors.hpp"
 #include "pelagic/tools/option_text.hpp"
+#include "pelagic/tools/wind_text.hpp"
 
 namespace pelagic::tools {
 namespace {
@@ -24,8 +25,9 @@ struct SeaFlag {
 constexpr std::array sea_flags = {
     SeaFlag{"resolution", "resolution", "texels along a side"},
     SeaFlag{"patch-size", "patch_size_m", "side of the patch, which tiles, in metres"},
-    SeaFlag{"wind-speed", "wind_speed_mps", "mean wind 10 m above the sea, in m/s"},
-    SeaFlag{"wind-direction", "wind_direction_rad", "where the wind blows towards, in degrees from +x towards +z"},
+    SeaFlag{"wind-speed", "wind_speed_mps", "mean wind 10 m above the sea"},
+    SeaFlag{"wind-direction", "wind_direction_rad",
+            "where the wind blows towards, from +x (east) towards +z (south; north is -z)"},
     SeaFlag{"fetch", "fetch_m", "how far the wind has blown over water, in metres (jonswap)"},
     SeaFlag{"depth", "depth_m", "water depth in metres"},
     SeaFlag{"choppiness", "choppiness", "sideways motion that sharpens crests"},
@@ -42,9 +44,25 @@ const SeaStateField& field_of(const SeaFlag& flag) {
 }
 
 bool is_angle(const SeaFlag& flag) { return flag.field == "wind_direction_rad"; }
+bool is_speed(const SeaFlag& flag) { return flag.field == "wind_speed_mps"; }
 
 std::string accepted_by(const SeaFlag& flag) {
-    return std::string(is_angle(flag) ? "degrees in [-360, 360]" : field_of(flag).accepted);
+    if (is_angle(flag)) return "degrees in [-360, 360], or one of 16 points such as from-NW or to-SE";
+    const std::string accepted(field_of(flag).accepted);
+    return is_speed(flag) ? accepted + " " + speed_units : accepted;
+}
+
+/// A text in a config file, "20kn" or "from-NW", may stand for a number.
+bool takes_words(const SeaFlag& flag) { return is_angle(flag) || is_speed(flag); }
+
+/// In the flag's unit, which for an angle is degrees.
+std::optional<double> parse_value(const SeaFlag& flag, const std::string& text) {
+    if (is_speed(flag)) return parse_speed_mps(text);
+    if (is_angle(flag))
+        if (const auto degrees = parse_compass_deg(text)) return degrees;
+    const bool is_whole = !std::holds_alternative<double SeaState::*>(field_of(flag).member);
+    if (is_whole && !parse_integer(text)) return {};
+    return parse_number(text);
 }
 
 std::string default_of(const SeaFlag& flag) {
@@ -72,7 +90,7 @@ std::vector<std::string> names_of_presets() {
 
 [[noreturn]] void refuse_name(const std::string& asked_by, const std::string& value,
                               const std::vector<std::string>& names) {
-    throw bad_value(asked_by, value, list_of(names) + " (the nearest is " + nearest_name(value, names) + ")");
+    throw bad_value(asked_by, value, list_of(names) + nearest_hint(value, names));
 }
 
 void apply_preset(ResolvedSea& resolved, const std::string& name, const std::string& asked_by) {
@@ -86,9 +104,11 @@ void apply_preset(ResolvedSea& resolved, const std::string& name, const std::str
 
 void apply_number(ResolvedSea& resolved, const SeaFlag& flag, const std::string& text, const std::string& asked_by) {
     const SeaStateField& field = field_of(flag);
-    const bool whole = !std::holds_alternative<double SeaState::*>(field.member);
-    std::optional<double> number = parse_number(text);
-    if (number && whole && !parse_integer(text)) number.reset();
+    const std::optional<double> number = parse_value(flag, text);
+    if (is_angle(flag) && is_compass_point(text))
+        throw bad_value(
+            asked_by, text,
+            "from-" + text + " or to-" + text + ": winds are named for where they come from, seas by where they go");
     const double value = number ? (is_angle(flag) ? *number * radians_per_degree : *number) : 0;
     if (!number || !field.accepts(value)) throw bad_value(asked_by, text, accepted_by(flag));
 
@@ -132,7 +152,8 @@ void SeaOptions::add_to(CLI::App& app) {
         "win");
     add("spectrum", "NAME", list_of(names_of_spectra()) + "; default " + std::string(name_of(SeaState{}.spectrum)));
     for (const SeaFlag& flag : sea_flags)
-        add(flag.flag, "NUMBER", std::string(flag.help) + "; " + accepted_by(flag) + ", default " + default_of(flag));
+        add(flag.flag, takes_words(flag) ? "WIND" : "NUMBER",
+            std::string(flag.help) + "; " + accepted_by(flag) + ", default " + default_of(flag));
 }
 
 ResolvedSea SeaOptions::resolve() const {
@@ -150,7 +171,7 @@ ResolvedSea SeaOptions::resolve() const {
             if (entry.key != config_key(flag)) continue;
             const std::string place = entry.place + ": " + entry.key;
             for (const SeaFlag& number : sea_flags)
-                if (number.flag == flag && entry.quoted)
+                if (number.flag == flag && entry.quoted && (parse_number(entry.value) || !takes_words(number)))
                     throw bad_value(place, '"' + entry.value + '"',
                                     "a number without quotes: " + accepted_by(number));
             use(entry.value, place);

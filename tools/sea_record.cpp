@@ -22,7 +22,7 @@ Json parse(std::string_view text, const std::filesystem::path& file) {
         return Json::parse(text);
     } catch (const Json::parse_error& error) {
         const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
-        throw InputError(file.string() + ":" + std::to_string(1 + std::count(text.begin(), end, '\n')) +
+        throw InputError(file.string() + ":" + number_text(1 + std::count(text.begin(), end, '\n')) +
                          ": malformed JSON, needs a sea.json of pelagic export");
     } catch (const Json::exception&) {  // such as a number beyond every double
         throw InputError(file.string() + ": malformed JSON, needs a sea.json of pelagic export");
@@ -41,8 +41,8 @@ std::vector<ConfigEntry> parse_sea_record(std::string_view text, const std::file
     for (const auto& [name, value] : sea->items()) {
         const std::string key = key_without_unit(name), place = file.string() + ": sea";
         if (std::find(known.begin(), known.end(), key) == known.end())
-            throw InputError(place + ": unknown key " + name + ", the nearest known one is " +
-                             nearest_name(key, known));
+            throw InputError(place + ": unknown key " + name + ", needs " + list_of(known) +
+                             nearest_hint(key, known));
         if (!value.is_number() && !value.is_string())
             throw InputError(place + ": " + name + " is of type " + value.type_name() + ", needs a number or a text");
         entries.push_back(

@@ -6,10 +6,10 @@
 #include <glm/trigonometric.hpp>
 #include <variant>
 
-#include "pelagic/tools/atomic_file.hpp"
 #include "pelagic/tools/errors.hpp"
 #include "pelagic/tools/image_writer.hpp"
 #include "pelagic/tools/option_text.hpp"
+#include "pelagic/tools/output_folder.hpp"
 #include "pelagic/viewer/viewer.hpp"
 
 namespace pelagic::tools {
@@ -85,7 +85,7 @@ void ViewFlags::run() const {
     options.save_picture = [&](std::span<const std::uint8_t> pixels, int width, int height) {
         const std::filesystem::path file = next_picture(folder);
         const std::vector<unsigned char> png = encode_picture({pixels.begin(), pixels.end()}, width, height);
-        write_whole_file(file, std::as_bytes(std::span(png)));
+        OutputFile(file).write(std::as_bytes(std::span(png)));
         std::printf("saved %s\n", file.c_str());
         std::fflush(stdout);
     };

@@ -1,0 +1,198 @@
+// Two exports and one folder, and what the disk is told before a frame counts. The kernel itself plays the file system that
+// refuses: a seccomp filter gives the tool's own calls an errno.
+#include <gtest/gtest.h>
+#include <linux/filter.h>
+#include <linux/seccomp.h>
+#include <signal.h>
+#include <sys/prctl.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstddef>
+#include <cstdlib>
+#include <iterator>
+#include <sstream>
+#include <string>
+#include <thread>
+
+#include "pelagic/tests/run_pelagic.hpp"
+
+namespace pelagic {
+namespace {
+
+using Arguments = std::vector<std::string>;
+
+Arguments export_to(const std::filesystem::path& folder, const Arguments& more = {}) {
+    Arguments all = {"export", "--out", folder.string(), "--resolution", "32"};
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+}
+
+template <class Condition>
+bool comes_true(Condition condition) {
+    const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+    while (std::chrono::steady_clock::now() < deadline) {
+        if (condition()) return true;
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    return false;
+}
+
+/// An export of many frames that is in the middle of them, and stopped: it holds the folder for as long as the test likes.
+class ExportAtWork {
+   public:
+    explicit ExportAtWork(const std::filesystem::path& folder, const Arguments& more = {}) {
+        Arguments arguments = export_to(folder, {"--frames", "100000"});
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        process_ = start_pelagic(arguments, logs_ / "out", logs_ / "err");
+        EXPECT_TRUE(comes_true([&] { return std::filesystem::exists(folder / "gradient_0002.png"); }));
+        ::kill(process_, SIGSTOP);
+    }
+    ~ExportAtWork() { die(); }
+
+    void die() {
+        if (process_ <= 0) return;
+        ::kill(process_, SIGKILL);
+        EXPECT_EQ(wait_for(process_), 128 + SIGKILL);
+        process_ = -1;
+    }
+
+   private:
+    TemporaryFolder logs_;
+    pid_t process_;
+};
+
+void expect_one_line(const Outcome& outcome, int exit_code, const std::string& says) {
+    EXPECT_EQ(outcome.exit_code, exit_code) << outcome.err;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    EXPECT_NE(outcome.err.find(says), std::string::npos) << outcome.err << "lacks " << says;
+}
+
+/// Lets a system call of this process, and of what it becomes, fail with an errno.
+void let_fail(int call, int reason) {
+    sock_filter filter[] = {
+        BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr)),
+        BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, static_cast<std::uint32_t>(call), 0, 1),
+        BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ERRNO | static_cast<std::uint32_t>(reason)),
+        BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW),
+    };
+    const sock_fprog program{static_cast<unsigned short>(std::size(filter)), filter};
+    if (::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0 || ::prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) != 0)
+        std::_Exit(126);
+}
+
+TEST(FolderLock, KeepsASecondExportOutWithoutTouchingAnything) {
+    const TemporaryFolder folder;
+    ExportAtWork first(folder.path());
+    const auto before = files_in(folder.path());
+    for (const Arguments& more : {Arguments{}, {"--resume"}, {"--frames", "2", "--wind-speed", "9"}})
+        expect_one_line(run_pelagic(export_to(folder.path(), more)), 2, "another export is at work there");
+    EXPECT_TRUE(files_in(folder.path()) == before);
+}
+
+TEST(FolderLock, IsFreeWhenItsOwnerWasKilled) {
+    const TemporaryFolder folder;
+    ExportAtWork first(folder.path());
+    ASSERT_EQ(run_pelagic(export_to(folder.path())).exit_code, 2);
+    first.die();
+    const Outcome second = run_pelagic(export_to(folder.path()));
+    EXPECT_EQ(second.exit_code, 0) << second.err;
+}
+
+TEST(FolderLock, IsNotAskedForWithNoLock) {
+    const TemporaryFolder folder;
+    ExportAtWork first(folder.path(), {"--no-lock"});
+    EXPECT_FALSE(std::filesystem::exists(folder / ".sea.lock"));
+    EXPECT_EQ(run_pelagic(export_to(folder.path())).exit_code, 0);
+}
+
+TEST(FolderLock, ThatTheFileSystemLacksIsRefusedButForNoLock) {
+    const auto without_locks = [] { let_fail(SYS_flock, ENOLCK); };
+    const TemporaryFolder folder;
+    expect_one_line(run_pelagic(export_to(folder.path()), without_locks), 2, "--no-lock");
+    EXPECT_EQ(files_in(folder.path()).size(), 1u) << "the lock's file, and nothing else";
+    EXPECT_EQ(run_pelagic(export_to(folder.path(), {"--no-lock"}), without_locks).exit_code, 0);
+}
+
+// Somebody else's lock file, in a folder that both may write to.
+TEST(FolderLock, MayBelongToSomebodyElse) {
+    const TemporaryFolder folder;
+    write_file(folder / ".sea.lock", "");
+    std::filesystem::permissions(folder / ".sea.lock", std::filesystem::perms(0444));
+    std::filesystem::permissions(folder.path(), std::filesystem::perms(0777));
+    const auto as_nobody = [] {
+        if (::getuid() == 0 && (::setgid(65534) != 0 || ::setuid(65534) != 0)) std::_Exit(126);
+    };
+    const Outcome probe = run_pelagic({"--version"}, as_nobody);
+    if (probe.exit_code == 127) GTEST_SKIP() << "nobody may not run this build";
+    const Outcome outcome = run_pelagic(export_to(folder.path()), as_nobody);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+}
+
+class UnsyncedDisk : public testing::TestWithParam<int> {};
+
+TEST_P(UnsyncedDisk, IsAWriteErrorUnlessNobodyAsks) {
+    const auto without_sync = [] { let_fail(GetParam(), EIO); };
+    const TemporaryFolder folder;
+    expect_one_line(run_pelagic(export_to(folder.path()), without_sync), 1, "Input/output error");
+    for (const auto& [name, bytes] : files_in(folder.path())) {
+        EXPECT_FALSE(name.ends_with(".part")) << name;
+        EXPECT_TRUE(name.starts_with('.')) << name << " counts as written";
+    }
+    EXPECT_EQ(run_pelagic(export_to(folder.path(), {"--no-sync"}), without_sync).exit_code, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Calls, UnsyncedDisk, testing::Values(SYS_fsync, SYS_fdatasync),
+                         [](const auto& call) { return call.param == SYS_fsync ? "Folders" : "Files"; });
+
+// In the order in which the kernel was asked, as strace tells it.
+TEST(SyncedExport, HasAFrameOnTheDiskBeforeItCounts) {
+    const TemporaryFolder folder;
+    std::filesystem::create_directory(folder / "sea");
+    const std::string trace = (folder / "trace").string();
+    std::string command =
+        "ASAN_OPTIONS=detect_leaks=0 strace -f -y -e trace=fsync,fdatasync,rename,renameat,renameat2,write -o '" +
+        trace + "' " PELAGIC_BINARY;
+    for (const std::string& argument : export_to(folder / "sea", {"--frames", "2", "--threads", "1"}))
+        command += " '" + argument + "'";
+    if (std::system("strace -o /dev/null true 2>/dev/null") != 0) GTEST_SKIP() << "strace may not trace here";
+    ASSERT_EQ(std::system((command + " >/dev/null").c_str()), 0);
+
+    std::vector<std::string> calls;
+    std::istringstream lines(read_file(trace));
+    for (std::string line; std::getline(lines, line);) calls.push_back(line);
+    const std::string in_folder = std::filesystem::canonical(folder / "sea").string();
+    /// The first call from `from` on that has all of it in its line, or the end.
+    const auto find = [&](std::size_t from, const std::vector<std::string>& words) {
+        for (; from < calls.size(); ++from)
+            if (std::all_of(words.begin(), words.end(),
+                            [&](const std::string& word) { return calls[from].find(word) != std::string::npos; }))
+                break;
+        return from;
+    };
+    std::size_t last_frame = 0;
+    for (const std::string frame : {"0000", "0001"}) {
+        std::size_t renamed = 0;
+        for (const std::string& name : {"displacement_" + frame + ".exr", "gradient_" + frame + ".png"}) {
+            const std::size_t synced = find(0, {"fdatasync(", "/." + name + ".part>"});
+            const std::size_t placed = find(0, {"renameat(", "\"" + name + "\""});
+            EXPECT_LT(synced, placed) << name;
+            ASSERT_LT(placed, calls.size()) << name;
+            renamed = std::max(renamed, placed);
+        }
+        const std::size_t folder_synced = find(renamed, {"fsync(", in_folder + ">"});
+        const std::size_t counted = find(renamed, {"write(", "/.pelagic-export.jsonl>"});
+        EXPECT_LT(folder_synced, counted) << frame;
+        EXPECT_LT(find(counted, {"fdatasync(", "/.pelagic-export.jsonl>"}), calls.size()) << frame;
+        last_frame = counted;
+    }
+    const std::size_t record = find(0, {"renameat(", "\"sea.json\""});
+    EXPECT_LT(last_frame, record);
+    EXPECT_LT(find(0, {"fdatasync(", "/.sea.json.part>"}), record);
+    EXPECT_LT(find(record, {"fsync(", in_folder + ">"}), calls.size());
+}
+
+}  // namespace
+}  // namespace pelagic

@@ -1,0 +1,299 @@
+// Exports into folders that somebody has prepared: nothing is followed, read, replaced or removed but what is the export's.
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <sys/sysmacros.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "pelagic/tests/run_pelagic.hpp"
+
+namespace pelagic {
+namespace {
+
+using nlohmann::json;
+using Arguments = std::vector<std::string>;
+
+const std::string journal = ".pelagic-export.jsonl";
+
+Arguments export_to(const std::filesystem::path& folder, const Arguments& more = {}) {
+    Arguments all = {"export", "--out", folder.string(), "--resolution", "16", "--frames", "3"};
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+}
+
+/// Ends the program if it hangs; before, opening a FIFO outlasted SIGTERM.
+void at_most_a_minute() { ::alarm(60); }
+
+Outcome run(const Arguments& arguments) { return run_pelagic(arguments, at_most_a_minute); }
+
+void expect_one_line(const Outcome& outcome, int exit_code, const std::string& says) {
+    EXPECT_EQ(outcome.exit_code, exit_code) << outcome.err;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    EXPECT_NE(outcome.err.find(says), std::string::npos) << outcome.err << "lacks " << says;
+}
+
+/// What may have a name instead of a file; each kind that the system lets the test make.
+struct Obstacle {
+    std::string name;
+    mode_t type;
+    std::function<bool(const std::filesystem::path&)> make;
+};
+
+std::vector<Obstacle> obstacles(const std::filesystem::path& victim) {
+    return {{"a symbolic link", S_IFLNK,
+             [victim](const auto& path) { return ::symlink(victim.c_str(), path.c_str()) == 0; }},
+            {"a folder", S_IFDIR, [](const auto& path) { return ::mkdir(path.c_str(), 0777) == 0; }},
+            {"a FIFO", S_IFIFO, [](const auto& path) { return ::mkfifo(path.c_str(), 0666) == 0; }},
+            // A copy of /dev/null, for root only.
+            {"a device", S_IFCHR,
+             [](const auto& path) { return ::mknod(path.c_str(), S_IFCHR | 0666, makedev(1, 3)) == 0; }}};
+}
+
+mode_t type_of(const std::filesystem::path& path) {
+    struct stat status {};
+    return ::lstat(path.c_str(), &status) == 0 ? status.st_mode & S_IFMT : 0;
+}
+
+/// Runs a command that would write `name` in `folder`, once for each obstacle under each name in question.
+void expect_refused(const std::vector<std::string>& names,
+                    const std::function<Arguments(const std::filesystem::path&)>& command) {
+    for (const std::string& name : names) {
+        const TemporaryFolder elsewhere;
+        write_file(elsewhere / "victim", "mine");
+        for (const Obstacle& obstacle : obstacles(elsewhere / "victim")) {
+            const TemporaryFolder folder;
+            if (!obstacle.make(folder / name)) continue;
+            SCOPED_TRACE(name + " is " + obstacle.name);
+            expect_one_line(run(command(folder.path())), 1, (folder / name).string() + ": it is " + obstacle.name);
+            EXPECT_EQ(type_of(folder / name), obstacle.type) << "still what it was";
+            EXPECT_EQ(read_file(elsewhere / "victim"), "mine");
+        }
+        EXPECT_EQ(files_in(elsewhere.path()).size(), 1u) << "nothing was made beside it";
+    }
+}
+
+TEST(PreparedFolder, HasNothingReplacedThatIsNoRegularFile) {
+    expect_refused({"sea.json", ".sea.json.part", journal, "." + journal + ".part", "displacement_0000.exr",
+                    ".displacement_0000.exr.part", "gradient_0002.png", ".gradient_0002.png.part", ".sea.lock"},
+                   [](const auto& folder) { return export_to(folder); });
+}
+
+TEST(PreparedFolder, HasNothingReadThatIsNoRegularFile) {
+    expect_refused({"sea.json", journal}, [](const auto& folder) { return export_to(folder, {"--resume"}); });
+}
+
+TEST(PreparedFolder, HasItsImagesCheckedBeforeTheyAreBelieved) {
+    const TemporaryFolder elsewhere;
+    for (const Obstacle& obstacle : obstacles(elsewhere / "image")) {
+        const TemporaryFolder folder;
+        ASSERT_EQ(run(export_to(folder.path())).exit_code, 0);
+        std::filesystem::rename(folder / "gradient_0001.png", elsewhere / "image");
+        if (!obstacle.make(folder / "gradient_0001.png")) continue;
+        expect_one_line(run(export_to(folder.path(), {"--resume"})), 1, "it is " + obstacle.name);
+        EXPECT_EQ(type_of(folder / "gradient_0001.png"), obstacle.type);
+    }
+}
+
+TEST(PreparedFolder, HasNothingReplacedByQuadtreeFiles) {
+    for (const std::string option : {"--svg", "--obj", "--json"})
+        expect_refused({"plan", ".plan.part"}, [&](const auto& folder) {
+            return Arguments{"quadtree", "--resolution", "16", option, (folder / "plan").string()};
+        });
+}
+
+TEST(PreparedFolder, HasNoPartOfATraceFollowed) {
+    expect_refused({".trace.json.part"}, [](const auto& folder) {
+        return export_to(folder / "sea", {"--trace", (folder / "trace.json").string()});
+    });
+}
+
+// A part that a killed run left is a regular file, maybe one with a second name.
+TEST(PreparedFolder, LosesAStalePartButNotTheFileThatSharesItsBytes) {
+    const TemporaryFolder folder, fresh;
+    ASSERT_EQ(run(export_to(fresh.path())).exit_code, 0);
+    write_file(folder / "victim", "mine");
+    std::filesystem::create_hard_link(folder / "victim", folder / ".sea.json.part");
+    write_file(folder / ".gradient_0001.png.part", "torn");
+    ASSERT_EQ(run(export_to(folder.path())).exit_code, 0);
+    auto files = files_in(folder.path());
+    EXPECT_EQ(files["victim"], "mine");
+    files.erase("victim");
+    EXPECT_TRUE(files == files_in(fresh.path()));
+}
+
+/// A finished export whose sea.json, or journal of the same records, is edited before it goes on.
+class EditedRecord : public testing::TestWithParam<bool> {
+   protected:
+    void SetUp() override {
+        ASSERT_EQ(run(arguments()).exit_code, 0);
+        whole_ = files_in(folder_ / "sea");
+        sea_ = json::parse(whole_.at("sea.json"));
+    }
+
+    Arguments arguments(const Arguments& more = {}) const {
+        Arguments all = export_to(folder_ / "sea", {"--mips"});
+        all.insert(all.end(), more.begin(), more.end());
+        return all;
+    }
+
+    /// Puts sea_ there as the record, resumes, and expects all that a whole export has and nothing else.
+    void expect_mended(const std::string& what, const std::string& kept) {
+        SCOPED_TRACE(what);
+        std::filesystem::remove(folder_ / "sea" / journal);
+        std::filesystem::remove(folder_ / "sea" / "sea.json");
+        if (GetParam()) {
+            const json options = {{"version", sea_["version"]}, {"sea", sea_["sea"]}, {"export", sea_["export"]}};
+            std::string lines = json{{"options", options}, {"replaced_files", replaced_}}.dump() + "\n";
+            for (const json& frame : sea_["frames"]) lines += frame.dump() + "\n";
+            write_file(folder_ / "sea" / journal, lines);
+        } else {
+            write_file(folder_ / "sea" / "sea.json", sea_.dump());
+        }
+        const Outcome outcome = run(arguments({"--resume"}));
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        EXPECT_NE(outcome.out.find("(" + kept + " of them kept)"), std::string::npos) << outcome.out;
+        EXPECT_TRUE(files_in(folder_ / "sea") == whole_);
+        sea_ = json::parse(whole_.at("sea.json"));
+    }
+
+    const TemporaryFolder folder_;
+    std::map<std::string, std::string> whole_;
+    json sea_;
+    std::vector<std::string> replaced_;
+};
+
+TEST_P(EditedRecord, CountsOnlyIfItIsWhatTheExportWouldWrite) {
+    const auto frames = [&]() -> json& { return sea_["frames"]; };
+    const auto remove_map = [&] { std::filesystem::remove(folder_ / "sea" / "gradient_0001.png"); };
+    expect_mended("as it was", "3");
+
+    remove_map();
+    frames()[1]["files"] = json::array();
+    expect_mended("no files", "2");
+
+    remove_map();
+    frames()[1]["files"].erase(1);
+    expect_mended("a file less", "2");
+
+    frames().erase(1);
+    expect_mended("an entry less", "2");
+
+    frames()[1]["frame"] = 77;
+    expect_mended("frame 77", "2");
+    frames()[1]["frame"] = -5;
+    expect_mended("frame -5", "2");
+    frames()[1]["frame"] = 4294967297;
+    expect_mended("frame 2^32 + 1", "2");
+    frames()[1]["frame"] = 1e300;
+    expect_mended("frame 1e300", "2");
+    frames()[1]["frame"] = "1";
+    expect_mended("a text as the frame", "2");
+
+    std::swap(frames()[0]["files"], frames()[1]["files"]);
+    expect_mended("swapped lists", "1");
+    std::swap(frames()[0]["frame"], frames()[1]["frame"]);
+    expect_mended("swapped numbers", "1");
+    std::swap(frames()[0]["files"][0], frames()[0]["files"][1]);
+    expect_mended("another order", "2");
+
+    frames()[2]["time_s"] = 0.5;
+    expect_mended("another time", "2");
+    frames()[2]["hash"] = frames()[1]["hash"];
+    expect_mended("another hash", "2");
+    frames()[2]["significant_wave_height_m"] = 9.0;
+    expect_mended("another height", "2");
+    frames()[2]["files"][0]["xxh3"] = frames()[2]["files"][1]["xxh3"];
+    expect_mended("another hash of a file", "2");
+    frames()[0]["files"][0]["xxh3"] = 7;
+    expect_mended("a number for a hash", "2");
+
+    frames()[2] = frames()[1];
+    expect_mended("a frame twice", "2");
+    for (const json& odd : {json(nullptr), json(3), json("frame"), json::array(), json::object()}) {
+        frames()[0] = odd;
+        expect_mended("something else for a frame", "2");
+    }
+    frames() = json::array();
+    expect_mended("no frames", "0");
+}
+
+TEST_P(EditedRecord, HasNoFileRemovedThatNoExportCanHaveNamed) {
+    std::filesystem::create_directories(folder_ / "victim" / "empty");
+    const std::map<std::string, std::string> mine = {{"precious", "1"},
+                                                     {".precious.part", "2"},
+                                                     {"displacement_0001.exr", "3"},
+                                                     {".displacement_0001.exr.part", "4"}};
+    for (const auto& [name, text] : mine) write_file(folder_ / "victim" / name, text);
+    const Arguments own = {"displacement_notes.txt", "gradient_1.png",           "gradient_00001.png",
+                           "gradient_0001_mip0.png", "gradient_0001_mip12.png",  "displacement_0001_mip1.exr",
+                           "displacement_0001.png",  "displacement_1000000.exr", "gradient_0001.png.bak"};
+    Arguments names = {"../victim/precious",
+                       "../victim/empty",
+                       "../victim/displacement_0001.exr",
+                       "../victim",
+                       "..",
+                       ".",
+                       "",
+                       "/etc/passwd",
+                       "displacement_0001.exr/../../victim/precious",
+                       "victim",
+                       std::string(100000, 'a')};
+    names.insert(names.end(), own.begin(), own.end());
+    for (const std::string& name : own) {
+        write_file(folder_ / "sea" / name, "mine");
+        whole_[name] = "mine";
+    }
+    for (const std::string& name : names) {
+        sea_["frames"][0]["files"].push_back({{"name", name}, {"xxh3", "0000000000000000"}});
+        replaced_.push_back(name);
+    }
+    expect_mended("names that are none", "2");
+    auto left = files_in(folder_ / "victim");
+    left.erase("empty");
+    EXPECT_TRUE(left == mine);
+    EXPECT_TRUE(std::filesystem::is_directory(folder_ / "victim" / "empty"));
+}
+
+// Of an older export's images those go that a new one replaces, if they are files.
+TEST_P(EditedRecord, HasAnOlderImageRemovedOnlyIfItIsAFile) {
+    std::filesystem::create_directory(folder_ / "sea" / "gradient_0007.png");
+    write_file(folder_ / "sea" / "gradient_0008_mip3.png", "old");
+    write_file(folder_ / "sea" / "displacement_123456.tif", "old");
+    for (const std::string name : {"gradient_0007.png", "gradient_0008_mip3.png", "displacement_123456.tif"}) {
+        sea_["frames"][0]["files"].push_back({{"name", name}, {"xxh3", "0000000000000000"}});
+        replaced_.push_back(name);
+    }
+    whole_["gradient_0007.png"] = "";
+    expect_mended("older images", "2");
+}
+
+INSTANTIATE_TEST_SUITE_P(Records, EditedRecord, testing::Bool(),
+                         [](const auto& record) { return record.param ? "Journal" : "SeaJson"; });
+
+TEST(DamagedRecord, IsRefusedInOneLineAndReplacedWithoutResume) {
+    for (const std::string& text :
+         {std::string("{ torn"), std::string("[]"), std::string("7"), std::string("{}"), std::string(1000000, '['),
+          std::string("{\"version\":1,\"sea\":{},\"export\":{}}"),
+          std::string("{\"version\":1,\"sea\":{},\"export\":{},\"frames\":1e999}")}) {
+        const TemporaryFolder folder;
+        write_file(folder / "sea.json", text);
+        expect_one_line(run(export_to(folder.path(), {"--resume"})), 2, "damaged");
+        EXPECT_EQ(read_file(folder / "sea.json"), text);
+        EXPECT_EQ(run(export_to(folder.path())).exit_code, 0);
+        EXPECT_EQ(run(export_to(folder.path(), {"--resume"})).exit_code, 0);
+    }
+}
+
+TEST(DamagedRecord, OfAnySizeIsRefused) {
+    const TemporaryFolder folder;
+    write_file(folder / "sea.json", "");
+    std::filesystem::resize_file(folder / "sea.json", std::uintmax_t{1} << 40);  // a hole, which takes no room
+    expect_one_line(run(export_to(folder.path(), {"--resume"})), 2, "damaged");
+}
+
+}  // namespace
+}  // namespace pelagic

@@ -1,0 +1,94 @@
+// The exporter's writer: several frames at once, but never more than fit in the memory that it may take.
+#include "pelagic/tools/frame_writer.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <mutex>
+#include <string_view>
+#include <vector>
+
+#include "pelagic/sim/ocean.hpp"
+#include "pelagic/tests/run_pelagic.hpp"
+
+namespace pelagic {
+namespace {
+
+using namespace tools;
+
+/// The most frames that were on their way to the disk at one time.
+class FramesAtOnce final : public TraceSink {
+   public:
+    void work(const TraceSpan& span) noexcept override {
+        if (span.name != "files") return;
+        const std::lock_guard lock(mutex_);
+        spans_.push_back({span.start, span.end});
+    }
+    void in_flight(const TraceSpan&) noexcept override {}
+
+    std::size_t most() const {
+        std::size_t most = 0;
+        for (const Span& one : spans_)
+            most = std::max(
+                most, static_cast<std::size_t>(std::count_if(spans_.begin(), spans_.end(), [&](const Span& other) {
+                    return other.start <= one.start && one.start < other.end;
+                })));
+        return most;
+    }
+    std::size_t frames() const { return spans_.size(); }
+
+   private:
+    struct Span {
+        TraceClock::time_point start, end;
+    };
+    std::mutex mutex_;
+    std::vector<Span> spans_;
+};
+
+/// How many of 24 frames are written at once by 8 threads in so much memory, and that all of them are.
+std::size_t frames_at_once(std::size_t most_bytes) {
+    const TemporaryFolder path;
+    ExportOptions options;
+    options.sea.sea = {.resolution = 64};
+    options.compute.threads = 8;
+    options.folder = path.path();
+    options.frames = 24;
+    options.fps = 24;
+    options.mips = true;
+    options.sync = false;
+    const OutputFolder folder(options.folder, Sync::no);
+    ExportJournal journal(options, folder);
+    journal.begin();
+    std::map<int, FrameRecord> records;
+    FramesAtOnce seen;
+    Ocean ocean(options.sea.sea, {.executor = make_serial_executor()});
+    FrameWriter writer(options, folder, journal, records, &seen, most_bytes);
+    for (int frame = 0; frame < options.frames; ++frame) writer.write(frame, ocean.frame_at(options.time_of(frame)));
+    writer.finish();
+    EXPECT_EQ(seen.frames(), 24u);
+    EXPECT_EQ(records.size(), 24u);
+    return seen.most();
+}
+
+constexpr std::size_t bytes_of_a_frame = 64 * 64 * bytes_per_texel_in_flight;
+
+TEST(FrameWriter, HoldsNoMoreFramesThanFitInItsMemory) {
+    EXPECT_LE(frames_at_once(2 * bytes_of_a_frame), 2u);
+    EXPECT_LE(frames_at_once(3 * bytes_of_a_frame + 1), 3u);
+    EXPECT_EQ(frames_at_once(1), 1u) << "one frame is written, however large it is";
+}
+
+TEST(FrameWriter, HoldsNoMoreFramesThanThreads) { EXPECT_LE(frames_at_once(std::size_t{1} << 40), 8u); }
+
+// README and help promise 2 GiB: eight frames of N = 2048.
+TEST(FrameWriter, TakesTwoGibibytesAtMost) {
+    ExportOptions options;
+    options.sea.sea = {.resolution = 2048};
+    options.compute.threads = 1024;
+    EXPECT_EQ(frames_in_flight(options, most_bytes_in_flight), 8u);
+    options.compute.threads = 3;
+    EXPECT_EQ(frames_in_flight(options, most_bytes_in_flight), 3u);
+}
+
+}  // namespace
+}  // namespace pelagic

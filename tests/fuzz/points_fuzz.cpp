@@ -1,0 +1,53 @@
+// Points files of random bytes, in reads of random lengths: points as another reader sees them, or one line that says why not.
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <string_view>
+#include <vector>
+
+#include "pelagic/tools/errors.hpp"
+#include "pelagic/tools/points_file.hpp"
+
+namespace {
+
+void must(bool is_so) {
+    if (!is_so) std::abort();
+}
+
+void check_block(const pelagic::tools::PointReader& reader, const pelagic::tools::PointBlock& block) {
+    must(block.size() > 0 && block.z.size() == block.size() && block.row_ends.size() == block.size());
+    std::vector<std::string_view> cells;
+    for (std::size_t i = 0; i < block.size(); ++i) {
+        must(std::fabs(block.x[i]) <= 1e15 && std::fabs(block.z[i]) <= 1e15);
+        must(block.row(i).find('\n') == std::string_view::npos);
+        pelagic::tools::split_cells(block.row(i), cells);
+        must(cells.size() == reader.columns().size());
+    }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    if (size == 0) return 0;
+    // The first byte says how much a read gives and how much a block takes.
+    const std::size_t step = 1 + data[0] % 16, most_points = 1 + data[0] / 16;
+    std::size_t at = 1;
+    pelagic::tools::PointReader reader("points.csv", [&](std::span<char> bytes) {
+        std::size_t count = size - at < step ? size - at : step;
+        if (bytes.size() < count) count = bytes.size();
+        std::memcpy(bytes.data(), data + at, count);
+        at += count;
+        return count;
+    });
+    try {
+        pelagic::tools::PointBlock block;
+        while (reader.read_block(block, most_points)) check_block(reader, block);
+    } catch (const pelagic::tools::InputError& error) {
+        const std::string_view what = error.what();
+        must(what.starts_with("points.csv") && what.find("needs") != std::string_view::npos && what.size() < 300);
+        must(what.find('\n') == std::string_view::npos);
+    }
+    return 0;
+}

@@ -1,0 +1,82 @@
+// Options, viewers and views of random bytes: a list that can be drawn, or one line that says why not.
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <stdexcept>
+#include <string_view>
+#include <vector>
+
+#include "pelagic/quadtree/selection.hpp"
+
+namespace {
+
+class Bytes {
+   public:
+    Bytes(const std::uint8_t* data, std::size_t size) : data_(data), size_(size) {}
+
+    template <class T>
+    T take() {
+        T value{};
+        const std::size_t count = size_ < sizeof(T) ? size_ : sizeof(T);
+        if (count > 0) std::memcpy(&value, data_, count);
+        data_ += count;
+        size_ -= count;
+        return value;
+    }
+
+    /// Mostly within [least, most], sometimes any bits at all.
+    double number(double least, double most) {
+        const auto byte = take<std::uint8_t>();
+        return byte == 255 ? take<double>() : least + (most - least) * byte / 254;
+    }
+
+    /// Mostly 0 to 254, sometimes any 31 bits.
+    int whole() {
+        const auto byte = take<std::uint8_t>();
+        return byte == 255 ? take<std::int32_t>() / 2 : byte;
+    }
+
+   private:
+    const std::uint8_t* data_;
+    std::size_t size_;
+};
+
+void must(bool is_so) {
+    if (!is_so) std::abort();
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    Bytes bytes(data, size);
+    const pelagic::QuadtreeOptions options{.size_m = bytes.number(256, 8192),
+                                           .vertices = bytes.whole(),
+                                           .lod_scale = bytes.number(0.75, 8),
+                                           .cull_scale = bytes.number(1, 4),
+                                           .batch_limit = bytes.whole() - 2};
+    const bool is_usable = pelagic::check(options).empty();
+    try {
+        pelagic::Selection selection(options);
+        must(is_usable);
+        for (int frame = 0; frame < 3; ++frame) {
+            const glm::dvec3 viewer(bytes.number(-1e4, 1e4), bytes.number(-10, 1e3), bytes.number(-1e4, 1e4));
+            std::vector<glm::dmat4> views(bytes.take<std::uint8_t>() % 3, glm::dmat4(1));
+            for (glm::dmat4& view : views)
+                for (int i = 0; i < 16; ++i) view[i / 4][i % 4] = bytes.number(-2, 2);
+            const pelagic::DrawList& list = selection.select({.viewer_m = viewer, .views = views});
+            std::size_t drawn = 0;
+            for (const pelagic::DrawBatch& batch : list.batches) {
+                must(batch.stitches < 16 && batch.count > 0 && batch.first == drawn);
+                must(options.batch_limit == 0 || batch.count <= static_cast<std::uint32_t>(options.batch_limit));
+                drawn += batch.count;
+            }
+            must(drawn == list.instances.size());
+        }
+    } catch (const std::invalid_argument& error) {
+        const std::string_view what = error.what();
+        must(!what.empty() && what.size() < 300 && what.find('\n') == std::string_view::npos);
+    }
+    return 0;
+}

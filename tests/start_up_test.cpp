@@ -1,0 +1,86 @@
+// What a command has to load before it begins, counted and not timed: nobody waits for libraries of images who asks for help.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <set>
+#include <sstream>
+#include <string>
+
+#include "pelagic/tests/run_pelagic.hpp"
+
+namespace pelagic {
+namespace {
+
+/// Names of the shared libraries that the loader opens while the command runs; LD_DEBUG=files is glibc's.
+std::set<std::string> loaded_by(const std::vector<std::string>& arguments, const std::filesystem::path& folder) {
+    const TemporaryFolder logs;
+    EXPECT_EQ(run_pelagic(arguments,
+                          [&] {
+                              ::setenv("LD_DEBUG", "files", 1);
+                              ::setenv("LD_DEBUG_OUTPUT", (logs / "load").c_str(), 1);
+                              if (::chdir(folder.c_str()) != 0) std::_Exit(126);
+                          })
+                  .exit_code,
+              0);
+    std::set<std::string> names;
+    for (const auto& [file, text] : files_in(logs.path())) {
+        std::istringstream lines(text);
+        const std::string mark = "calling init: ";
+        for (std::string line; std::getline(lines, line);)
+            if (const auto at = line.find(mark); at != std::string::npos) names.insert(line.substr(at + mark.size()));
+    }
+    return names;
+}
+
+bool has(const std::set<std::string>& names, const std::string& part) {
+    for (const std::string& name : names)
+        if (name.find(part) != std::string::npos) return true;
+    return false;
+}
+
+TEST(StartUp, LoadsLibrariesOfImagesOnlyForAnImage) {
+    const TemporaryFolder folder;
+    write_file(folder / "points.csv", "1,2\n");
+    for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
+             {"--help"}, {"info"}, {"query", "--points", "points.csv"}, {"quadtree"}, {"export", "--help"}}) {
+        const std::set<std::string> names = loaded_by(arguments, folder.path());
+        EXPECT_TRUE(has(names, "libstdc++")) << "the loader said nothing";
+        EXPECT_FALSE(has(names, "OpenImageIO")) << arguments[0];
+        // 16 on Debian 12, with oneTBB, GLFW and what X needs; the sanitizers bring a few.
+        EXPECT_LE(names.size(), 30u) << arguments[0];
+    }
+    EXPECT_TRUE(has(loaded_by({"export", "--out", "out", "--resolution", "16"}, folder.path()), "OpenImageIO"));
+}
+
+// Where the tool is moved to does not matter, nor the folder it is called from; without its library it says so.
+TEST(StartUp, FindsTheLibraryOfImagesBesideTheTool) {
+    const TemporaryFolder folder;
+    const std::filesystem::path bin = folder / "bin", tool = bin / "pelagic";
+    const std::filesystem::path library = (bin / PELAGIC_MODULE_FOLDER / "pelagic_images.so").lexically_normal();
+    std::filesystem::create_directories(bin);
+    std::filesystem::create_directories(library.parent_path());
+    std::filesystem::copy_file(PELAGIC_BINARY, tool);
+    std::filesystem::create_symlink(tool, folder / "link");
+    const auto run = [&] {
+        const pid_t process = ::fork();
+        if (process == 0) {
+            const std::string out = (folder / "out").string();
+            if (!std::freopen((folder / "err").c_str(), "w", stderr)) std::_Exit(126);
+            ::execl((folder / "link").c_str(), "pelagic", "export", "--out", out.c_str(), "--resolution", "16",
+                    nullptr);
+            std::_Exit(127);
+        }
+        return wait_for(process);
+    };
+    EXPECT_EQ(run(), 1);
+    EXPECT_NE(read_file(folder / "err").find("pelagic_images.so, which writes images"), std::string::npos)
+        << read_file(folder / "err");
+    EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+    std::filesystem::copy_file(
+        (std::filesystem::path(PELAGIC_BINARY).parent_path() / PELAGIC_MODULE_FOLDER / "pelagic_images.so"), library);
+    EXPECT_EQ(run(), 0) << read_file(folder / "err");
+}
+
+}  // namespace
+}  // namespace pelagic

@@ -1,0 +1,58 @@
+#include "pelagic/tools/export_names.hpp"
+
+#include <array>
+#include <cstdio>
+#include <regex>
+
+namespace pelagic::tools {
+namespace {
+
+std::string image_name(const char* map, int frame, int level, const char* extension) {
+    std::array<char, 64> name;
+    if (level == 0)
+        std::snprintf(name.data(), name.size(), "%s_%04d.%s", map, frame, extension);
+    else
+        std::snprintf(name.data(), name.size(), "%s_%04d_mip%d.%s", map, frame, level, extension);
+    return name.data();
+}
+
+}  // namespace
+
+std::string displacement_name(const ExportOptions& options, int frame) {
+    return image_name("displacement", frame, 0, displacement_extension(options.format));
+}
+
+std::string gradient_name(const ExportOptions& options, int frame, int level) {
+    return image_name("gradient", frame, level, gradient_extension(options.format));
+}
+
+int gradient_levels(const ExportOptions& options) {
+    if (!options.gradient) return 0;
+    return options.mips ? mip_levels(options.sea.sea.resolution) : 1;
+}
+
+std::vector<std::string> image_names(const ExportOptions& options, int frame) {
+    std::vector<std::string> names;
+    if (options.displacement) names.push_back(displacement_name(options, frame));
+    for (int level = 0; level < gradient_levels(options); ++level)
+        names.push_back(gradient_name(options, frame, level));
+    return names;
+}
+
+// Frames to 999999 in four digits or more, and the levels of N = 2048.
+bool is_image_name(std::string_view name) {
+    constexpr std::size_t longest = 40;  // std::regex takes stack by the length of the text
+    static const std::regex pattern(
+        "displacement_([0-9]{4}|[1-9][0-9]{4,5})\\.(exr|tif)|"
+        "gradient_([0-9]{4}|[1-9][0-9]{4,5})(_mip([1-9]|1[01]))?\\.(png|tif)");
+    return name.size() <= longest && std::regex_match(name.begin(), name.end(), pattern);
+}
+
+bool is_export_name(std::string_view name) {
+    constexpr std::string_view end = ".part";
+    if (name.starts_with('.') && name.ends_with(end) && name.size() > end.size())
+        name = name.substr(1, name.size() - 1 - end.size());
+    return name == sea_json_name || name == journal_name || name == lock_name || is_image_name(name);
+}
+
+}  // namespace pelagic::tools

@@ -1,0 +1,133 @@
+#include "pelagic/tools/export_record.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "pelagic/tools/digest.hpp"
+#include "pelagic/tools/export_names.hpp"
+
+namespace pelagic::tools {
+namespace {
+
+/// Ours have five levels. Some of the library's functions take stack by the level.
+constexpr int deepest_level = 8;
+
+ReadJson parsed(std::string_view text) {
+    const auto check_depth = [](int depth, ReadJson::parse_event_t, ReadJson&) {
+        if (depth > deepest_level) throw DamagedRecord();
+        return true;
+    };
+    try {
+        return ReadJson::parse(text.begin(), text.end(), check_depth);
+    } catch (const ReadJson::exception&) {
+        throw DamagedRecord();
+    }
+}
+
+/// The value of a key; null if there is none, or if `json` is no object.
+const ReadJson& value_of(const ReadJson& json, const std::string& key) {
+    static const ReadJson none;
+    if (!json.is_object()) return none;
+    const auto found = json.find(key);
+    return found == json.end() ? none : *found;
+}
+
+std::string text_of(const ReadJson& json) { return json.is_string() ? json.get<std::string>() : std::string(); }
+double number_of(const ReadJson& json) { return json.is_number() ? json.get<double>() : 0; }
+
+/// The frame that an entry is about, if it says exactly what this export would say.
+std::optional<FrameRecord> accepted(const ReadJson& entry, const ExportOptions& options) {
+    const ReadJson& number = value_of(entry, "frame");
+    if (!number.is_number_unsigned() || number.get<std::uint64_t>() >= static_cast<std::uint64_t>(options.frames))
+        return {};
+    FrameRecord record{.frame = number.get<int>(),
+                       .time_s = options.time_of(number.get<int>()),
+                       .hash = text_of(value_of(entry, "hash")),
+                       .significant_wave_height_m = number_of(value_of(entry, "significant_wave_height_m")),
+                       .height_min_m = number_of(value_of(entry, "height_min_m")),
+                       .height_max_m = number_of(value_of(entry, "height_max_m")),
+                       .files = {}};
+    const ReadJson& files = value_of(entry, "files");
+    const std::vector<std::string> names = image_names(options, record.frame);
+    if (files.size() != names.size()) return {};
+    for (std::size_t i = 0; i < names.size(); ++i)
+        record.files.push_back({names[i], files.is_array() ? text_of(value_of(files[i], "xxh3")) : ""});
+    // Time and names are ours by now: an entry with others is not equal. Nor is one whose digest does not fit the rest.
+    if (entry != ReadJson(frame_as_json(record))) return {};
+    return record;
+}
+
+void take_name(const ReadJson& name, std::vector<std::string>& names) {
+    if (std::string text = text_of(name); is_image_name(text)) names.push_back(std::move(text));
+}
+
+void take_frame(const ReadJson& entry, const ExportOptions& options, EarlierExport& earlier) {
+    const ReadJson& files = value_of(entry, "files");
+    if (files.is_array())
+        for (const ReadJson& file : files) take_name(value_of(file, "name"), earlier.images);
+    if (auto record = accepted(entry, options)) earlier.frames.insert_or_assign(record->frame, std::move(*record));
+}
+
+std::string_view next_line(std::string_view& text) {
+    const std::string_view line = text.substr(0, text.find('\n'));
+    text.remove_prefix(std::min(line.size() + 1, text.size()));
+    return line;
+}
+
+std::string clipped(std::string text) {
+    constexpr std::size_t longest = 60;
+    if (text.size() > longest) text = text.substr(0, longest) + "...";
+    return text;
+}
+
+}  // namespace
+
+EarlierExport parse_journal(std::string_view text, const ExportOptions& options) {
+    const ReadJson header = parsed(next_line(text));
+    EarlierExport earlier{value_of(header, "options"), {}, {}};
+    const ReadJson& replaced = value_of(header, "replaced_files");
+    if (!earlier.options.is_object() || !replaced.is_array()) throw DamagedRecord();
+    for (const ReadJson& name : replaced) take_name(name, earlier.images);
+    while (!text.empty()) try {
+            take_frame(parsed(next_line(text)), options, earlier);
+        } catch (const DamagedRecord&) {
+            // A line may be torn if the export was killed while writing it: its frame does not count.
+        }
+    return earlier;
+}
+
+EarlierExport parse_sea_json(std::string_view text, const ExportOptions& options) {
+    const ReadJson json = parsed(text);
+    const ReadJson& frames = value_of(json, "frames");
+    EarlierExport earlier{ReadJson::object(), {}, {}};
+    for (const char* key : {"version", "sea", "export"}) {
+        if (value_of(json, key).is_null()) throw DamagedRecord();
+        earlier.options[key] = value_of(json, key);
+    }
+    if (!frames.is_array()) throw DamagedRecord();
+    for (const ReadJson& frame : frames) take_frame(frame, options, earlier);
+    return earlier;
+}
+
+std::size_t most_record_bytes(const ExportOptions& options) {
+    constexpr std::size_t usual = std::size_t{64} << 20;
+    constexpr std::size_t bytes_a_frame = 1000, bytes_a_file = 200;  // twice what sea.json takes
+    const std::size_t files = image_names(options, 0).size();
+    return std::max(usual, static_cast<std::size_t>(options.frames) * (bytes_a_frame + files * bytes_a_file));
+}
+
+std::string first_difference(const ReadJson& earlier, const Json& now) {
+    const ReadJson was = earlier.flatten(), is = ReadJson(now).flatten();
+    std::vector<std::string> keys;
+    for (const auto& [key, value] : now.flatten().items()) keys.push_back(key);
+    for (const auto& [key, value] : was.items()) keys.push_back(key);
+    const auto text = [](const ReadJson& value) {
+        return value.is_null() ? "not set" : clipped(value.dump(-1, ' ', true));
+    };
+    for (const std::string& key : keys)
+        if (const ReadJson& before = value_of(was, key), &after = value_of(is, key); before != after)
+            return clipped(key.substr(key.rfind('/') + 1)) + " was " + text(before) + " and is " + text(after);
+    return "others than are known here";
+}
+
+}  // namespace pelagic::tools

@@ -1,0 +1,146 @@
+#include "pelagic/tools/frame_writer.hpp"
+
+#include <algorithm>
+#include <span>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "pelagic/sim/statistics.hpp"
+#include "pelagic/tools/digest.hpp"
+#include "pelagic/tools/export_names.hpp"
+
+namespace pelagic::tools {
+namespace {
+
+/// A frame's outputs copied, so that its images can be encoded while the ocean goes on.
+class FrameCopy {
+   public:
+    explicit FrameCopy(const Frame& frame) : frame_(frame) {
+        const std::size_t n = static_cast<std::size_t>(frame.resolution());
+        planes_.reserve(3 * n * n);
+        for (PlaneView* plane : {&frame_.dx, &frame_.height, &frame_.dz}) {
+            const int size = plane->resolution;
+            float* copy = planes_.data() + planes_.size();
+            planes_.resize(planes_.size() + n * n);
+            for (int j = 0; j < size; ++j) plane->copy_row(j, copy + j * size);
+            *plane = {copy, size, size, size, 0};
+        }
+        halves_.assign(frame.displacement_rgba16f.begin(), frame.displacement_rgba16f.end());
+        bytes_.assign(frame.gradient_rgba8.begin(), frame.gradient_rgba8.end());
+        frame_.displacement_rgba16f = halves_;
+        frame_.gradient_rgba8 = bytes_;
+    }
+    FrameCopy(FrameCopy&&) = default;  // vectors keep their memory when they move
+    FrameCopy(const FrameCopy&) = delete;
+
+    const Frame& frame() const { return frame_; }
+
+   private:
+    Frame frame_;
+    std::vector<float> planes_;
+    std::vector<std::uint16_t> halves_;
+    std::vector<std::uint32_t> bytes_;
+};
+
+constexpr const char* file_category = "file";
+
+/// The images of one frame, one after the other.
+class FrameFiles {
+   public:
+    FrameFiles(const ExportOptions& options, const OutputFolder& folder, int number, const Frame& frame,
+               TraceSink* trace)
+        : options_(options), folder_(folder), number_(number), frame_(frame), trace_(trace) {}
+
+    std::vector<FileRecord> write() {
+        if (options_.displacement) write_image(displacement_name(options_, number_), displacement());
+        for (int level = 0; level < gradient_levels(options_); ++level)
+            write_image(gradient_name(options_, number_, level), gradient(level));
+        return std::move(files_);
+    }
+
+   private:
+    std::vector<unsigned char> displacement() const {
+        const TraceScope scope(trace_, "encode displacement", file_category);
+        return encode_displacement(frame_, options_.format, options_.half);
+    }
+
+    std::vector<unsigned char> gradient(int level) const {
+        const TraceScope scope(trace_, "encode gradient", file_category, {{{"level", static_cast<double>(level)}}});
+        return encode_gradient(frame_, level, options_.format);
+    }
+
+    void write_image(const std::string& name, const std::vector<unsigned char>& image) {
+        const TraceScope scope(trace_, "write", file_category, {{{"bytes", static_cast<double>(image.size())}}});
+        const std::string_view bytes(reinterpret_cast<const char*>(image.data()), image.size());
+        folder_.write(name, bytes);
+        files_.push_back({name, digest_of(bytes)});
+    }
+
+    const ExportOptions& options_;
+    const OutputFolder& folder_;
+    int number_;
+    const Frame& frame_;
+    TraceSink* trace_;
+    std::vector<FileRecord> files_;
+};
+
+FrameRecord write_frame(const ExportOptions& options, const OutputFolder& folder, int number, const Frame& frame,
+                        TraceSink* trace) {
+    const TraceScope scope(trace, "files", file_category,
+                           {{{"frame", static_cast<double>(number)}, {"time_s", frame.time_s}}});
+    return {.frame = number,
+            .time_s = frame.time_s,
+            .hash = hex_text(hash_of(frame)),
+            .significant_wave_height_m = measured_significant_wave_height_m(frame),
+            .height_min_m = frame.bounds.height_min_m,
+            .height_max_m = frame.bounds.height_max_m,
+            .files = FrameFiles(options, folder, number, frame, trace).write()};
+}
+
+}  // namespace
+
+std::size_t frames_in_flight(const ExportOptions& options, std::size_t most_bytes) {
+    const std::size_t threads = options.compute.threads == 0 ? std::max(1u, std::thread::hardware_concurrency())
+                                                             : static_cast<std::size_t>(options.compute.threads);
+    const std::size_t texels = static_cast<std::size_t>(options.sea.sea.resolution) * options.sea.sea.resolution;
+    return std::min(threads, std::max<std::size_t>(1, most_bytes / (texels * bytes_per_texel_in_flight)));
+}
+
+FrameWriter::FrameWriter(const ExportOptions& options, const OutputFolder& folder, ExportJournal& journal,
+                         std::map<int, FrameRecord>& records, TraceSink* trace, std::size_t most_bytes)
+    : options_(options),
+      folder_(folder),
+      journal_(journal),
+      records_(records),
+      trace_(trace),
+      most_(frames_in_flight(options, most_bytes)) {}
+
+void FrameWriter::write(int number, const Frame& frame) {
+    while (in_flight_.size() >= most_) take_oldest();
+    // With one thread the work is done when it is taken, by the thread that takes it.
+    const auto policy = most_ == 1 ? std::launch::deferred : std::launch::async;
+    in_flight_.push_back(std::async(policy, [this, number, copy = FrameCopy(frame)] {
+        return write_frame(options_, folder_, number, copy.frame(), trace_);
+    }));
+}
+
+void FrameWriter::finish() {
+    while (!in_flight_.empty()) take_oldest();
+}
+
+void FrameWriter::take_oldest() {
+    std::future<FrameRecord> oldest = std::move(in_flight_.front());
+    in_flight_.pop_front();
+    FrameRecord record = wait_for(oldest);
+    journal_.add(record);
+    const int number = record.frame;
+    records_.emplace(number, std::move(record));
+}
+
+FrameRecord FrameWriter::wait_for(std::future<FrameRecord>& files) {
+    const TraceScope scope(trace_, "wait for files", file_category);
+    return files.get();
+}
+
+}  // namespace pelagic::tools
