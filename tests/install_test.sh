@@ -139,4 +139,9 @@ if grep -rn '#include.*glm' jobs simd sim pelagic.h; then
   echo "GLM is for the quadtree component only"
   exit 1
 fi
-[ ! -x "$work/prefix/bin/pelagic" ] || "$work/prefix/bin/pelagic" --version >/dev/null
+if [ -x "$work/prefix/bin/pelagic" ]; then
+  "$work/prefix/bin/pelagic" --version >/dev/null
+  # Images are written by a library that is installed beside the tool and found relative to it.
+  "$work/prefix/bin/pelagic" export --out "$work/export" --resolution 16 --frames 1 --maps displacement >/dev/null
+  [ -s "$work/export/displacement_0000.exr" ] || { ls -R "$work/export"; exit 1; }
+fi
