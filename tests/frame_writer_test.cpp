@@ -2,14 +2,18 @@
 #include "pelagic/tools/frame_writer.hpp"
 
 #include <gtest/gtest.h>
+#include <pthread.h>
 
 #include <algorithm>
 #include <mutex>
 #include <string_view>
+#include <system_error>
+#include <thread>
 #include <vector>
 
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/tests/run_pelagic.hpp"
+#include "pelagic/tools/image_codec.hpp"
 
 namespace pelagic {
 namespace {
@@ -43,6 +47,27 @@ class FramesAtOnce final : public TraceSink {
     };
     std::mutex mutex_;
     std::vector<Span> spans_;
+};
+
+/// While it lives, the system refuses every thread whose stack is of the usual size: it is larger than what can be mapped.
+class NoThreads {
+   public:
+    NoThreads() {
+        pthread_attr_t refused;
+        pthread_getattr_default_np(&usual_);
+        pthread_attr_init(&refused);
+        pthread_attr_setstacksize(&refused, std::size_t{1} << 60);
+        pthread_setattr_default_np(&refused);
+        pthread_attr_destroy(&refused);
+    }
+    ~NoThreads() {
+        pthread_setattr_default_np(&usual_);
+        pthread_attr_destroy(&usual_);
+    }
+    NoThreads(const NoThreads&) = delete;
+
+   private:
+    pthread_attr_t usual_;
 };
 
 /// How many of 24 frames are written at once by 8 threads in so much memory, and that all of them are.
@@ -79,6 +104,13 @@ TEST(FrameWriter, HoldsNoMoreFramesThanFitInItsMemory) {
 }
 
 TEST(FrameWriter, HoldsNoMoreFramesThanThreads) { EXPECT_LE(frames_at_once(std::size_t{1} << 40), 8u); }
+
+TEST(FrameWriter, WritesEveryFrameWithoutAThreadOfItsOwn) {
+    image_codec();  // its libraries start threads
+    const NoThreads none;
+    ASSERT_THROW(std::thread([] {}).join(), std::system_error);
+    EXPECT_EQ(frames_at_once(std::size_t{1} << 40), 1u);
+}
 
 // README and help promise 2 GiB: eight frames of N = 2048.
 TEST(FrameWriter, TakesTwoGibibytesAtMost) {

@@ -4,6 +4,7 @@
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
@@ -70,6 +71,46 @@ TEST_F(ScarceResources, TooLittleMemoryIsALine) {
         } else if (outcome.exit_code != 127) {
             ++worked;
         }
+    }
+    EXPECT_GT(refused, 0u);
+    EXPECT_GT(worked, 0u);
+}
+
+// The image library's dependencies start threads when they are loaded, and crash or hang where the system refuses one. Their
+// stacks are as large as the limit, and none so large fits.
+TEST_F(ScarceResources, TooFewThreadsForTheImageLibraryIsALineAndNothingIsWritten) {
+    constexpr std::size_t too_large = 64 * 1024 * mib;
+    rlimit limit{};
+    getrlimit(RLIMIT_STACK, &limit);
+    if (limit.rlim_max < too_large) GTEST_SKIP() << "stacks are limited to " << limit.rlim_max << " bytes";
+    const TemporaryFolder folder;
+    const Outcome outcome = run_pelagic({"export", "--out", folder / "out", "--resolution", "16"}, [] {
+        with_at_most(RLIMIT_STACK, too_large)();
+        with_at_most(RLIMIT_AS, 3 * 1024 * mib)();
+    });
+    EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
+    EXPECT_EQ(outcome.err.find("pelagic: can't load "), 0u) << outcome.err;
+    EXPECT_NE(outcome.err.find("5 threads are wanted, and the system gives 1: "), std::string::npos) << outcome.err;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+}
+
+// As above; between too little and enough the dependencies have several ways to crash.
+TEST_F(ScarceResources, TooLittleMemoryForTheImageLibraryIsALine) {
+    std::size_t refused = 0, worked = 0;
+    for (std::size_t room = 320 * mib; room <= 1024 * mib; room += room < 512 * mib ? 16 * mib : 256 * mib) {
+        const TemporaryFolder folder;
+        const Outcome outcome =
+            run_pelagic({"export", "--out", folder / "out", "--resolution", "16", "--threads", "1"},
+                        with_at_most(RLIMIT_AS, room));
+        if (outcome.exit_code == 0) {
+            ++worked;
+            continue;
+        }
+        ++refused;
+        EXPECT_EQ(outcome.exit_code, 1) << room / mib << " MiB: " << outcome.err;
+        EXPECT_EQ(outcome.err.find("pelagic: "), 0u) << room / mib << " MiB: " << outcome.err;
+        EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
     }
     EXPECT_GT(refused, 0u);
     EXPECT_GT(worked, 0u);

@@ -1,7 +1,9 @@
 #include "pelagic/tools/frame_writer.hpp"
 
 #include <algorithm>
+#include <memory>
 #include <span>
+#include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -31,7 +33,6 @@ class FrameCopy {
         frame_.displacement_rgba16f = halves_;
         frame_.gradient_rgba8 = bytes_;
     }
-    FrameCopy(FrameCopy&&) = default;  // vectors keep their memory when they move
     FrameCopy(const FrameCopy&) = delete;
 
     const Frame& frame() const { return frame_; }
@@ -118,11 +119,18 @@ FrameWriter::FrameWriter(const ExportOptions& options, const OutputFolder& folde
 
 void FrameWriter::write(int number, const Frame& frame) {
     while (in_flight_.size() >= most_) take_oldest();
-    // With one thread the work is done when it is taken, by the thread that takes it.
-    const auto policy = most_ == 1 ? std::launch::deferred : std::launch::async;
-    in_flight_.push_back(std::async(policy, [this, number, copy = FrameCopy(frame)] {
-        return write_frame(options_, folder_, number, copy.frame(), trace_);
+    in_flight_.push_back(start([this, number, copy = std::make_shared<const FrameCopy>(frame)] {
+        return write_frame(options_, folder_, number, copy->frame(), trace_);
     }));
+}
+
+std::future<FrameRecord> FrameWriter::start(const std::function<FrameRecord()>& work) {
+    try {
+        if (most_ > 1) return std::async(std::launch::async, work);
+    } catch (const std::system_error&) {
+        // The system has no thread to give.
+    }
+    return std::async(std::launch::deferred, work);
 }
 
 void FrameWriter::finish() {

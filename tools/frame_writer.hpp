@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <deque>
+#include <functional>
 #include <future>
 #include <map>
 
@@ -37,6 +38,8 @@ class FrameWriter {
     void finish();
 
    private:
+    /// On a thread of its own; where there is to be none or the system refuses one, when it is waited for.
+    std::future<FrameRecord> start(const std::function<FrameRecord()>& work);
     void take_oldest();
     FrameRecord wait_for(std::future<FrameRecord>& files);
 
