@@ -11,7 +11,7 @@
 namespace pelagic::gl {
 namespace {
 
-constexpr float half_pi = 3.14159265f / 2, most = std::numeric_limits<float>::max();
+constexpr auto half_pi = double{3.14159265f / 2}, most = double{std::numeric_limits<float>::max()};
 
 using Field = NumericField<SkyOptions>;
 constexpr std::array fields = {
