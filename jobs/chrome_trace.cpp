@@ -42,7 +42,7 @@ std::uint32_t index_in(List& list, const Value& value) {
 }
 
 /// Tracks count from 1: viewers give 0 a meaning of its own.
-std::string track(std::uint32_t thread) { return R"("pid":1,"tid":)" + std::to_string(thread + 1); }
+std::string track(std::uint32_t thread) { return R"("pid":1,"tid":)" + number_text(thread + 1); }
 
 std::string metadata(const char* key, std::uint32_t thread, const std::string& name) {
     return R"({"ph":"M","name":")" + std::string(key) + "\"," + track(thread) + R"(,"args":{"name":)" + quoted(name) +
@@ -83,11 +83,11 @@ std::string ChromeTrace::event(const Kept& kept, char phase, TraceClock::time_po
 
 void ChromeTrace::write(std::ostream& out) const {
     const std::lock_guard lock(mutex_);
-    out << R"({"displayTimeUnit":"ns","otherData":{"spans_left_out":)" << std::to_string(left_out_)
+    out << R"({"displayTimeUnit":"ns","otherData":{"spans_left_out":)" << number_text(left_out_)
         << "},\"traceEvents\":[\n"
         << metadata("process_name", 0, "pelagic");
     for (std::uint32_t thread = 0; thread < threads_.size(); ++thread)
-        out << ",\n" << metadata("thread_name", thread, thread == 0 ? "host" : "worker " + std::to_string(thread));
+        out << ",\n" << metadata("thread_name", thread, thread == 0 ? "host" : "worker " + number_text(thread));
     for (std::size_t i = 0; i < spans_.size(); ++i) {
         const Kept& kept = spans_[i];
         if (kept.thread != not_on_a_thread) {
@@ -96,7 +96,7 @@ void ChromeTrace::write(std::ostream& out) const {
             continue;
         }
         // The number in the list is an identity that no other pair has.
-        const std::string id = R"(,"id":)" + std::to_string(i + 1) + "}";
+        const std::string id = R"(,"id":)" + number_text(i + 1) + "}";
         out << ",\n" << event(kept, 'b', kept.start) << id << ",\n" << event(kept, 'e', kept.end) << id;
     }
     out << "\n]}\n";

@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "pelagic/message/number_text.hpp"
+
 #if __has_include(<pthread.h>)
 #include <limits.h>
 #include <pthread.h>
@@ -78,7 +80,7 @@ void need_threads(int count, std::size_t stack_bytes) {
     for (JobThread& thread : threads) thread.join();
     if (refusal)
         throw std::system_error(
-            refusal, std::to_string(count) + " threads are wanted, and the system gives " + std::to_string(given));
+            refusal, number_text(count) + " threads are wanted, and the system gives " + number_text(given));
 }
 
 }  // namespace pelagic

@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "pelagic/jobs/job_thread.hpp"
+#include "pelagic/message/number_text.hpp"
 
 #if __has_include(<pthread.h>)
 #include <pthread.h>
@@ -65,7 +66,7 @@ void run_on_a_stack_of(std::size_t bytes, const std::function<void()>& work) {
         thread.join();
     } catch (const std::system_error& error) {
         throw std::system_error(error.code(), "the calling thread's stack is too small for a job of " +
-                                                  std::to_string(bytes / 1024) +
+                                                  number_text(bytes / 1024) +
                                                   " KiB, and no thread with a larger one can be had");
     }
     if (failure) std::rethrow_exception(failure);

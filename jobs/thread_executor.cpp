@@ -20,6 +20,7 @@
 #include "pelagic/jobs/job_thread.hpp"
 #include "pelagic/jobs/run_failure.hpp"
 #include "pelagic/jobs/thread_count.hpp"
+#include "pelagic/message/number_text.hpp"
 
 namespace pelagic {
 namespace {
@@ -124,9 +125,9 @@ class Pool {
                     work();
                 });
         } catch (const std::system_error& error) {
-            throw std::system_error(error.code(), std::to_string(threads) +
-                                                      " threads are wanted, and the system gives " +
-                                                      std::to_string(thread_count()));
+            throw std::system_error(
+                error.code(),
+                number_text(threads) + " threads are wanted, and the system gives " + number_text(thread_count()));
         }
     }
 

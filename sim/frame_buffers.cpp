@@ -48,8 +48,8 @@ void copy_plane(const PlaneView& plane, std::span<float> out) {
     if (out.empty()) return;
     const auto side = static_cast<std::size_t>(plane.resolution);
     if (!plane.data || out.size() != side * side)
-        throw std::invalid_argument("the plane has " + std::to_string(plane.data ? side * side : 0) +
-                                    " elements, and room for " + std::to_string(out.size()) + " was given");
+        throw std::invalid_argument("the plane has " + number_text(plane.data ? side * side : 0) +
+                                    " elements, and room for " + number_text(out.size()) + " was given");
     for (int j = 0; j < plane.resolution; ++j) plane.copy_row(j, out.data() + static_cast<std::size_t>(j) * side);
 }
 

@@ -52,8 +52,8 @@ std::string render_command_of(const viewer::ViewResult& result) {
             degrees_text(static_cast<double>(result.settings.sky.sun_elevation_rad)) + " --clouds " +
             number_text(std::round(static_cast<double>(result.settings.sky.cloud_cover) * 100) / 100) +
             " --quality " + result.settings.quality + " --time " +
-            number_text(std::round(result.time_s * 1000) / 1000) + " --size " + std::to_string(result.width) + "x" +
-            std::to_string(result.height);
+            number_text(std::round(result.time_s * 1000) / 1000) + " --size " + number_text(result.width) + "x" +
+            number_text(result.height);
     return text;
 }
 
