@@ -30,7 +30,7 @@ struct SeaFacts {
     bool framebuffer_is_srgb = false;
 };
 
-/// The light of a baked sky, as sky_baker.hpp has it.
+/// The light of a baked sky, as sky.hpp has it.
 struct SkyLight {
     int levels = 1;
     glm::vec3 sun_direction{0, 1, 0}, sun_irradiance{1}, sky_irradiance{1}, haze_per_m{0};

@@ -1,30 +1,29 @@
 #include "pelagic/gl/sky.hpp"
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <glm/trigonometric.hpp>
+#include <limits>
 
 #include "pelagic/message/refusal.hpp"
 
 namespace pelagic::gl {
 namespace {
 
-constexpr float pi = 3.14159265f;
+constexpr auto half_pi = double{3.14159265f / 2}, most = double{std::numeric_limits<float>::max()};
 
-bool in_range(float value, float least, float most) { return value >= least && value <= most; }
+using Field = NumericField<SkyOptions>;
+constexpr std::array fields = {
+    Field{"sun_azimuth_rad", &SkyOptions::sun_azimuth_rad, -most, most, "a finite number"},
+    Field{"sun_elevation_rad", &SkyOptions::sun_elevation_rad, -half_pi, half_pi, "[-pi/2, pi/2]"},
+    Field{"cloud_cover", &SkyOptions::cloud_cover, 0, 1, "[0, 1]"},
+    Field{"visibility_m", &SkyOptions::visibility_m, 500, 300e3, "[500, 300e3]"},
+};
 
 }  // namespace
 
-std::string check(const SkyOptions& options) {
-    if (!std::isfinite(options.sun_azimuth_rad))
-        return refusal("sun_azimuth_rad", options.sun_azimuth_rad, "a finite number");
-    if (!in_range(options.sun_elevation_rad, -pi / 2, pi / 2))
-        return refusal("sun_elevation_rad", options.sun_elevation_rad, "[-pi/2, pi/2]");
-    if (!in_range(options.cloud_cover, 0, 1)) return refusal("cloud_cover", options.cloud_cover, "[0, 1]");
-    if (!in_range(options.visibility_m, 500, 300e3f))
-        return refusal("visibility_m", options.visibility_m, "[500, 300e3]");
-    return {};
-}
+std::string check(const SkyOptions& options) { return check_fields(options, fields); }
 
 glm::vec3 sun_direction(const SkyOptions& options) {
     const float across = std::cos(options.sun_elevation_rad);

@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "pelagic/message/number_text.hpp"
+#include "pelagic/message/numeric_field.hpp"
 #include "pelagic/message/one_line.hpp"
 
 namespace pelagic {
@@ -23,6 +24,16 @@ std::string refusal(std::string_view name, const Value& value, std::string_view 
     else
         text += value;
     return one_line(text.append(", needs ").append(accepted));
+}
+
+/// Empty if every field accepts its value, else the refusal of the first that doesn't. The table's order is that of checks.
+template <class Options, class Fields>
+std::string check_fields(const Options& options, const Fields& fields) {
+    for (const NumericField<Options>& field : fields) {
+        if (field.accepts(field.value_in(options))) continue;
+        return std::visit([&](auto at) { return refusal(field.name, options.*at, field.accepted); }, field.member);
+    }
+    return {};
 }
 
 }  // namespace pelagic

@@ -1,7 +1,9 @@
 #include "pelagic/quadtree/quadtree_options.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 #include "pelagic/message/refusal.hpp"
 
@@ -16,17 +18,18 @@ constexpr QuadtreePreset presets[] = {
     {"paper_high", 64, 1.2, 1.8}, {"paper_ultra", 64, 1.0, 2.0},
 };
 
+using Field = NumericField<QuadtreeOptions>;
+constexpr std::array fields = {
+    Field{"size_m", &QuadtreeOptions::size_m, 256, 8192, "[256, 8192]"},
+    Field{"vertices", &QuadtreeOptions::vertices, 2, 128, "an even number from 2 to 128", Among::even},
+    Field{"lod_scale", &QuadtreeOptions::lod_scale, 0.75, 8, "[0.75, 8]"},
+    Field{"cull_scale", &QuadtreeOptions::cull_scale, 1, 4, "[1, 4]"},
+    Field{"batch_limit", &QuadtreeOptions::batch_limit, 0, std::numeric_limits<int>::max(), "0 or more"},
+};
+
 }  // namespace
 
-std::string check(const QuadtreeOptions& o) {
-    if (!(o.size_m >= 256 && o.size_m <= 8192)) return refusal("size_m", o.size_m, "[256, 8192]");
-    if (o.vertices < 2 || o.vertices > 128 || o.vertices % 2 != 0)
-        return refusal("vertices", o.vertices, "an even number from 2 to 128");
-    if (!(o.lod_scale >= 0.75 && o.lod_scale <= 8)) return refusal("lod_scale", o.lod_scale, "[0.75, 8]");
-    if (!(o.cull_scale >= 1 && o.cull_scale <= 4)) return refusal("cull_scale", o.cull_scale, "[1, 4]");
-    if (o.batch_limit < 0) return refusal("batch_limit", o.batch_limit, "0 or more");
-    return "";
-}
+std::string check(const QuadtreeOptions& options) { return check_fields(options, fields); }
 
 int deepest_level(double size_m) {
     return std::clamp(static_cast<int>(std::floor(std::log2(size_m / 64) + 0.5)), 2, 8);

@@ -43,6 +43,11 @@ struct PackedSpectrum {
 /// and column: the partner -k of such a wave is itself on the grid, so it can't be told which way it runs.
 std::complex<double> initial_amplitude(const SeaState& sea, const WaveSpectrum& spectrum, int m, int n);
 
+/// |h0(k)|^2 + |h0(-k)|^2 of the waves that this seed drew, m^2. \pre the shell is that of (m, n), which is neither DC nor in
+/// the Nyquist row or column
+double drawn_variance(const SeaState& sea, const WaveSpectrum& spectrum, const WaveSpectrum::Shell& shell, int m,
+                      int n);
+
 /// What the waves of a line and of its mirror add to the sea.
 struct LineFigures {
     double height_variance = 0;  ///< m^2, the mean over all seeds

@@ -1,7 +1,6 @@
 #include "pelagic/sim/sea_state.hpp"
 
 #include <array>
-#include <cmath>
 
 #include "pelagic/message/refusal.hpp"
 
@@ -16,19 +15,19 @@ constexpr std::array<std::string_view, models.size()> model_names = {"phillips-p
 constexpr double two_pi = 6.283185307179586;
 
 constexpr std::array fields = {
-    SeaStateField{"resolution", &SeaState::resolution, 16, 2048, false, true, "a power of two from 16 to 2048"},
-    SeaStateField{"patch_size_m", &SeaState::patch_size_m, 0.001, 1e6, false, false, "[0.001, 1e6]"},
-    SeaStateField{"wind_speed_mps", &SeaState::wind_speed_mps, 0, 60, true, false, "(0, 60]"},
-    SeaStateField{"wind_direction_rad", &SeaState::wind_direction_rad, -two_pi, two_pi, false, false,
-                  "[-2 pi, 2 pi]"},
-    SeaStateField{"fetch_m", &SeaState::fetch_m, 0, 2e6, true, false, "(0, 2e6]"},
-    SeaStateField{"depth_m", &SeaState::depth_m, 0.01, 11000, false, false, "[0.01, 11000]"},
-    SeaStateField{"choppiness", &SeaState::choppiness, 0, 1, false, false, "[0, 1]"},
-    SeaStateField{"roughness", &SeaState::roughness, 0, 1, false, false, "[0, 1]"},
-    SeaStateField{"small_waves", &SeaState::small_waves, 0, 1, false, false, "[0, 1]"},
-    SeaStateField{"alignment", &SeaState::alignment, 0, 1, false, false, "[0, 1]"},
-    SeaStateField{"loop_period_s", &SeaState::loop_period_s, 0.1, 86400, false, false, "[0.1, 86400]"},
-    SeaStateField{"seed", &SeaState::seed, 0, 4294967295.0, false, false, "a whole number from 0 to 4294967295"},
+    SeaStateField{"resolution", &SeaState::resolution, 16, 2048, "a power of two from 16 to 2048",
+                  Among::powers_of_two},
+    SeaStateField{"patch_size_m", &SeaState::patch_size_m, 0.001, 1e6, "[0.001, 1e6]"},
+    SeaStateField{"wind_speed_mps", &SeaState::wind_speed_mps, 0, 60, "(0, 60]", Among::above_least},
+    SeaStateField{"wind_direction_rad", &SeaState::wind_direction_rad, -two_pi, two_pi, "[-2 pi, 2 pi]"},
+    SeaStateField{"fetch_m", &SeaState::fetch_m, 0, 2e6, "(0, 2e6]", Among::above_least},
+    SeaStateField{"depth_m", &SeaState::depth_m, 0.01, 11000, "[0.01, 11000]"},
+    SeaStateField{"choppiness", &SeaState::choppiness, 0, 1, "[0, 1]"},
+    SeaStateField{"roughness", &SeaState::roughness, 0, 1, "[0, 1]"},
+    SeaStateField{"small_waves", &SeaState::small_waves, 0, 1, "[0, 1]"},
+    SeaStateField{"alignment", &SeaState::alignment, 0, 1, "[0, 1]"},
+    SeaStateField{"loop_period_s", &SeaState::loop_period_s, 0.1, 86400, "[0.1, 86400]"},
+    SeaStateField{"seed", &SeaState::seed, 0, 4294967295.0, "a whole number from 0 to 4294967295"},
 };
 
 }  // namespace
@@ -43,23 +42,11 @@ std::optional<SpectrumModel> spectrum_model_named(std::string_view name) {
 
 std::span<const SpectrumModel> spectrum_models() { return models; }
 
-bool SeaStateField::accepts(double value) const {
-    // The first comparison is false for NaN.
-    if (!(value >= least && value <= most) || (open_below && value == least)) return false;
-    if (!power_of_two) return true;
-    const auto whole = static_cast<long>(value);
-    return static_cast<double>(whole) == value && (whole & (whole - 1)) == 0;
-}
-
 std::span<const SeaStateField> sea_state_fields() { return fields; }
 
 std::string check(const SeaState& sea) {
     if (static_cast<std::size_t>(sea.spectrum) >= models.size()) return "spectrum is no known model";
-    for (const SeaStateField& field : fields) {
-        const double value = std::visit([&](auto member) { return static_cast<double>(sea.*member); }, field.member);
-        if (!field.accepts(value)) return refusal(field.name, value, field.accepted);
-    }
-    return {};
+    return check_fields(sea, fields);
 }
 
 }  // namespace pelagic

@@ -6,7 +6,8 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <variant>
+
+#include "pelagic/message/numeric_field.hpp"
 
 namespace pelagic {
 
@@ -17,7 +18,7 @@ std::string_view name_of(SpectrumModel);
 std::optional<SpectrumModel> spectrum_model_named(std::string_view name);
 std::span<const SpectrumModel> spectrum_models();
 
-/// SI units, and each name says its unit. Ranges stand in fields() and are checked by check().
+/// SI units, and each name says its unit. Ranges stand in sea_state_fields() and are checked by check().
 struct SeaState {
     SpectrumModel spectrum = SpectrumModel::jonswap;
 
@@ -35,18 +36,8 @@ struct SeaState {
     std::uint32_t seed = 1;         ///< which sea of this kind; any 32-bit number
 };
 
-/// One numeric option: the key of files and messages, where it lives and what it accepts.
-struct SeaStateField {
-    std::string_view name;  ///< as the member is called, unit included: "wind_speed_mps"
-    std::variant<int SeaState::*, double SeaState::*, std::uint32_t SeaState::*> member;
-    double least;
-    double most;
-    bool open_below;  ///< the range is (least, most] instead of [least, most]
-    bool power_of_two;
-    std::string_view accepted;  ///< the range in words: "(0, 60]", "a power of two from 16 to 2048"
-
-    bool accepts(double value) const;  ///< false for NaN and infinities
-};
+/// `name` is the key of files, too.
+using SeaStateField = NumericField<SeaState>;
 
 /// Every numeric option, in the order of the struct.
 std::span<const SeaStateField> sea_state_fields();

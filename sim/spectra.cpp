@@ -48,15 +48,21 @@ WaveSpectrum::WaveSpectrum(const SeaState& sea)
 }
 
 double WaveSpectrum::amplitude_variance(double kx, double kz) const {
-    const double k = std::sqrt(kx * kx + kz * kz);
-    const double cosine = (kx * wind_x_ + kz * wind_z_) / k;
-    if (is_physical())
-        return 0.5 * grid_spacing_ * grid_spacing_ * (radial_density(k) / k) * spreading_.density(cosine);
+    return amplitude_variances(shell(std::sqrt(kx * kx + kz * kz)), kx, kz).along;
+}
+
+WaveSpectrum::Shell WaveSpectrum::shell(double k) const {
+    if (is_physical()) return {k, 0.5 * grid_spacing_ * grid_spacing_ * (radial_density(k) / k), 1};
 
     // Equations 3 to 13, with D once; the weight holds sigma, the square of equation 9's amplitude factor.
     const double kl = k * largest_wave_m_;
-    return paper_scale_ * det::exp(-1 / (kl * kl)) / fourth_power(k) * spreading_.weight(cosine) *
-           small_wave_cutoff(k);
+    return {k, paper_scale_ * det::exp(-1 / (kl * kl)) / fourth_power(k), small_wave_cutoff(k)};
+}
+
+DirectionalSpreading::Opposites WaveSpectrum::amplitude_variances(const Shell& shell, double kx, double kz) const {
+    const double cosine = (kx * wind_x_ + kz * wind_z_) / shell.k;
+    const auto spread = is_physical() ? spreading_.densities(cosine) : spreading_.weights(cosine);
+    return {shell.before * spread.along * shell.after, shell.before * spread.against * shell.after};
 }
 
 double WaveSpectrum::radial_density(double k) const {

@@ -20,6 +20,16 @@ class WaveSpectrum {
     /// E|h0(k)|^2 in m^2 at the wave vector (kx, kz) in rad/m of the sea's grid. \pre k is not 0
     double amplitude_variance(double kx, double kz) const;
 
+    /// What all waves of one wave number share, which is most of the work: E|h0(k)|^2 = before * spreading * after.
+    struct Shell {
+        double k;  ///< rad/m
+        double before, after;
+    };
+    /// \pre k is not 0
+    Shell shell(double k) const;
+    /// amplitude_variance() of (kx, kz) and of (-kx, -kz), the same bits. \pre the shell is that of their length
+    DirectionalSpreading::Opposites amplitude_variances(const Shell& shell, double kx, double kz) const;
+
     /// Energy over wave number, all directions together: the integral over k is the variance, m^3.
     /// \pre the model is a physical one
     double radial_density(double k) const;

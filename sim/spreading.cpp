@@ -23,11 +23,13 @@ DirectionalSpreading::DirectionalSpreading(double alignment)
       opposing_(0.01 + 0.49 * (1 - alignment) * (1 - alignment)),
       integral_(half_circle_integral(exponent_) * (1 + opposing_)) {}
 
-double DirectionalSpreading::weight(double cosine) const {
+double DirectionalSpreading::weight(double cosine) const { return weights(cosine).along; }
+
+DirectionalSpreading::Opposites DirectionalSpreading::weights(double cosine) const {
     const double size = std::fabs(cosine);
-    if (size < 1e-12) return 0;
-    const double along = det::pow(size, exponent_);
-    return cosine < 0 ? along * opposing_ : along;
+    if (size < 1e-12) return {0, 0};
+    const double with_wind = det::pow(size, exponent_), against_wind = with_wind * opposing_;
+    return cosine < 0 ? Opposites{against_wind, with_wind} : Opposites{with_wind, against_wind};
 }
 
 }  // namespace pelagic

@@ -13,8 +13,19 @@ class DirectionalSpreading {
     /// The paper's value. \param cosine of the angle between the wave and the wind
     double weight(double cosine) const;
 
+    /// Values of a wave and of the one that runs against it.
+    struct Opposites {
+        double along, against;
+    };
+    /// weight() of the cosine and of its negative, the same bits for half the work.
+    Opposites weights(double cosine) const;
+
     /// weight() divided by its integral over all directions, 1/rad, so that it moves energy without adding any.
     double density(double cosine) const { return weight(cosine) / integral_; }
+    Opposites densities(double cosine) const {
+        const Opposites both = weights(cosine);
+        return {both.along / integral_, both.against / integral_};
+    }
 
    private:
     double exponent_;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <map>
+#include <unordered_map>
 #include <vector>
 
 #include "pelagic/message/number_text.hpp"
@@ -18,12 +18,30 @@ namespace {
 
 constexpr double two_pi = 6.28318530717958647693;
 
-/// Calls visit(m, n) for every wave of the grid but DC and the Nyquist row and column, which hold none.
+/// Calls visit(shell, variance) for the waves (m, n), (-m, n), (m, -n) and (-m, -n) of the grid together, which share a wave
+/// number. `variance` is the sum of variance_of(shell, m, n), what a wave and its opposite hold, over what of them there is:
+/// on the axes two. DC and the Nyquist row and column hold no waves.
+template <class VarianceOf, class Visit>
+void for_each_shell(const SeaState& sea, const WaveSpectrum& spectrum, VarianceOf variance_of, Visit visit) {
+    const double spacing = two_pi / sea.patch_size_m;
+    for (int n = 0; n < sea.resolution / 2; ++n) {
+        for (int m = n == 0 ? 1 : 0; m < sea.resolution / 2; ++m) {
+            const double kx = m * spacing, kz = n * spacing;
+            const WaveSpectrum::Shell shell = spectrum.shell(std::sqrt(kx * kx + kz * kz));
+            double variance = variance_of(shell, m, n);
+            if (m > 0 && n > 0) variance += variance_of(shell, -m, n);
+            visit(shell, variance);
+        }
+    }
+}
+
+/// The same with the waves that this seed drew.
 template <class Visit>
-void for_each_wave(int resolution, Visit visit) {
-    for (int n = 1 - resolution / 2; n < resolution / 2; ++n)
-        for (int m = 1 - resolution / 2; m < resolution / 2; ++m)
-            if (m != 0 || n != 0) visit(m, n);
+void for_each_drawn_shell(const SeaState& sea, const WaveSpectrum& spectrum, Visit visit) {
+    const auto variance_of = [&](const WaveSpectrum::Shell& shell, int m, int n) {
+        return drawn_variance(sea, spectrum, shell, m, n);
+    };
+    for_each_shell(sea, spectrum, variance_of, visit);
 }
 
 /// The model's energy over wave number, whatever its scale, m^3.
@@ -81,8 +99,11 @@ ExpectedWaves expected_waves(const SeaState& sea) {
     const double spacing = two_pi / sea.patch_size_m;
     // Each h~(k) is h0(k) and a mirror of h0(-k), so every amplitude counts twice in the variance.
     double variance = 0;
-    for_each_wave(sea.resolution,
-                  [&](int m, int n) { variance += 2 * spectrum.amplitude_variance(m * spacing, n * spacing); });
+    const auto variance_of = [&](const WaveSpectrum::Shell& shell, int m, int n) {
+        const auto waves = spectrum.amplitude_variances(shell, m * spacing, n * spacing);
+        return waves.along + waves.against;
+    };
+    for_each_shell(sea, spectrum, variance_of, [&](const auto&, double held) { variance += 2 * held; });
     const Peak peak = peak_of(spectrum, sea);
     ExpectedWaves waves{4 * std::sqrt(variance), two_pi / peak.omega, two_pi / peak.k, {}};
     if (spectrum.is_physical()) waves.model_significant_wave_height_m = 4 * std::sqrt(model_variance(spectrum));
@@ -114,12 +135,11 @@ double measured_peak_period_s(const SeaState& sea) {
     const double log_ratio = det::log(band_ratio);
     const double lowest = angular_frequency(spacing, sea.depth_m) / two_pi;
     std::vector<double> energy;
-    for_each_wave(sea.resolution, [&](int m, int n) {
-        const double k = spacing * std::sqrt(static_cast<double>(m) * m + static_cast<double>(n) * n);
-        const double frequency = angular_frequency(k, sea.depth_m) / two_pi;
+    for_each_drawn_shell(sea, spectrum, [&](const WaveSpectrum::Shell& shell, double variance) {
+        const double frequency = angular_frequency(shell.k, sea.depth_m) / two_pi;
         const auto band = static_cast<std::size_t>(std::max(0.0, det::log(frequency / lowest) / log_ratio));
         if (band >= energy.size()) energy.resize(band + 1);
-        energy[band] += std::norm(initial_amplitude(sea, spectrum, m, n));
+        energy[band] += variance;
     });
 
     double weight = 0, weighted_frequency = 0;
@@ -138,13 +158,10 @@ double measured_peak_period_s(const SeaState& sea) {
 LoopFrequencies loop_frequencies(const SeaState& sea) {
     const DefaultFloatEnvironment environment;
     const WaveSpectrum spectrum(sea);
-    const double spacing = two_pi / sea.patch_size_m;
-    std::map<std::uint32_t, double> variances;
+    std::unordered_map<std::uint32_t, double> variances;
     double all = 0;
-    for_each_wave(sea.resolution, [&](int m, int n) {
-        const double k = spacing * std::sqrt(static_cast<double>(m) * m + static_cast<double>(n) * n);
-        const double variance = std::norm(initial_amplitude(sea, spectrum, m, n));
-        variances[loop_harmonic(angular_frequency(k, sea.depth_m), sea.loop_period_s)] += variance;
+    for_each_drawn_shell(sea, spectrum, [&](const WaveSpectrum::Shell& shell, double variance) {
+        variances[loop_harmonic(angular_frequency(shell.k, sea.depth_m), sea.loop_period_s)] += variance;
         all += variance;
     });
     if (!(all > 0)) return {};

@@ -116,7 +116,7 @@ done
 [ -s "$(dirname "$notice")/LICENSE" ]
 
 cd "$work/prefix/include/pelagic"
-for header in $(find jobs simd sim -name '*.hpp') pelagic.h; do
+for header in $(find message jobs simd sim -name '*.hpp') pelagic.h; do
   "$cxx" -std=c++20 -Wall -Wextra -Wpedantic -Werror -fsyntax-only -I.. -x c++ - <<<"#include <pelagic/$header>"
 done
 if find . -name '*kernel*' | grep .; then
@@ -125,17 +125,17 @@ if find . -name '*kernel*' | grep .; then
 fi
 
 # A host whose own folders have the same names, and come first on its path.
-mkdir -p "$work/clash/sim" "$work/clash/jobs" "$work/clash/simd" "$work/clash/quadtree"
-for header in $(find jobs simd sim -name '*.hpp'); do
+mkdir -p "$work/clash/sim" "$work/clash/jobs" "$work/clash/simd" "$work/clash/message" "$work/clash/quadtree"
+for header in $(find message jobs simd sim -name '*.hpp'); do
   echo '#error "a host file was taken for one of Pelagic"' >"$work/clash/$header"
 done
 "$cxx" -std=c++20 -fsyntax-only -I"$work/clash" -I.. "$examples/cpp_host/main.cpp"
-if grep -rnE '#include.*(xsimd|tbb|OpenImageIO|Imath|toml|json|CLI|GL/|GLES|EGL)' jobs simd sim quadtree pelagic.h ||
+if grep -rnE '#include.*(xsimd|tbb|OpenImageIO|Imath|toml|json|CLI|GL/|GLES|EGL)' message jobs simd sim quadtree pelagic.h ||
   grep -rnE '#include.*(xsimd|tbb|OpenImageIO|Imath|toml|json|CLI)' .; then
   echo "an installed header names a library that hosts need not have"
   exit 1
 fi
-if grep -rn '#include.*glm' jobs simd sim pelagic.h; then
+if grep -rn '#include.*glm' message jobs simd sim pelagic.h; then
   echo "GLM is for the quadtree component only"
   exit 1
 fi

@@ -48,7 +48,8 @@ class Display {
         process_ = fork();
         if (process_ == 0) {
             if (freopen(number_file_.c_str(), "w", stdout) && freopen("/dev/null", "w", stderr))
-                execlp("Xvfb", "Xvfb", "-displayfd", "1", "-screen", "0", "800x600x24", nullptr);
+                // Without -noreset it starts anew when its last client leaves, and refuses whoever comes meanwhile.
+                execlp("Xvfb", "Xvfb", "-noreset", "-displayfd", "1", "-screen", "0", "800x600x24", nullptr);
             _exit(127);
         }
         EXPECT_TRUE(wait_until([&] { return read_file(number_file_).find('\n') != std::string::npos; }))

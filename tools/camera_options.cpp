@@ -50,11 +50,7 @@ Camera CameraFlags::resolve() const {
             camera.position_m + glm::dvec3(60, -8, 60);  // ahead and a little down, wherever the camera is
     if (glm::length(camera.target_m - camera.position_m) < 1e-6)
         throw bad_value("--target", target_.value_or("the default"), "another place than --camera");
-    if (fov_) {
-        const auto degrees = parse_number(*fov_);
-        if (!degrees || *degrees < 1 || *degrees > 160) throw bad_value("--fov", *fov_, "[1, 160]");
-        camera.vertical_view_rad = glm::radians(*degrees);
-    }
+    if (fov_) camera.vertical_view_rad = glm::radians(number_in("--fov", *fov_, 1, 160, "[1, 160]"));
     return camera;
 }
 

@@ -19,13 +19,6 @@ constexpr double latest_start_s = 1e9;
 constexpr double most_fps = 1000;
 constexpr double default_fps = 24;
 
-int whole_number(const std::string& option, const std::string& text, int least, int most) {
-    const auto value = parse_integer(text);
-    if (!value || *value < least || *value > most)
-        throw bad_value(option, text, "a whole number from " + number_text(least) + " to " + number_text(most));
-    return static_cast<int>(*value);
-}
-
 std::vector<std::string> names_of_isas_here() {
     std::vector<std::string> names;
     for (const Isa isa : isas_here()) names.emplace_back(name_of(isa));
@@ -98,7 +91,7 @@ void ComputeFlags::add_to(CLI::App& app) {
 
 ComputeOptions ComputeFlags::resolve() const {
     ComputeOptions options;
-    if (threads_) options.threads = whole_number("--threads", *threads_, 0, 1024);
+    if (threads_) options.threads = whole_number_in("--threads", *threads_, 0, 1024);
     if (isa_) {
         options.isa = isa_named(*isa_);
         const std::vector<std::string> here = names_of_isas_here();
@@ -147,23 +140,19 @@ ExportOptions ExportFlags::resolve() const {
     options.sync = !no_sync_;
     options.lock = !no_lock_;
 
-    if (const auto& start = typed_.at("start")) {
-        const auto value = parse_number(*start);
-        if (!value || *value < -latest_start_s || *value > latest_start_s)
-            throw bad_value("--start", *start, "seconds in [-1e9, 1e9]");
-        options.start_s = *value;
-    }
+    if (const auto& start = typed_.at("start"))
+        options.start_s = number_in("--start", *start, -latest_start_s, latest_start_s, "seconds in [-1e9, 1e9]");
     const auto& loop_frames = typed_.at("loop-frames");
     for (const std::string other : {"frames", "fps"})
         if (loop_frames && typed_.at(other))
             throw InputError("--loop-frames is " + *loop_frames + " and --" + other + " is " + *typed_.at(other) +
                              ", needs one of the two: a loop's frames follow from its period");
     if (loop_frames) {
-        options.frames = whole_number("--loop-frames", *loop_frames, 1, most_frames);
+        options.frames = whole_number_in("--loop-frames", *loop_frames, 1, most_frames);
     } else {
         options.fps = default_fps;
         if (const auto& frames = typed_.at("frames"))
-            options.frames = whole_number("--frames", *frames, 1, most_frames);
+            options.frames = whole_number_in("--frames", *frames, 1, most_frames);
         if (const auto& fps = typed_.at("fps")) {
             options.fps = parse_number(*fps);
             if (!options.fps || *options.fps <= 0 || *options.fps > most_fps)

@@ -51,6 +51,13 @@ double number_in(const std::string& option, const std::string& text, double leas
     return *value;
 }
 
+int whole_number_in(const std::string& option, const std::string& text, int least, int most) {
+    const auto value = parse_integer(text);
+    if (!value || *value < least || *value > most)
+        throw bad_value(option, text, "a whole number from " + number_text(least) + " to " + number_text(most));
+    return static_cast<int>(*value);
+}
+
 std::string list_of(std::span<const std::string> names) {
     std::string list;
     for (std::size_t i = 0; i < names.size(); ++i)

@@ -22,6 +22,9 @@ std::optional<std::int64_t> parse_integer(std::string_view text);
 double number_in(const std::string& option, const std::string& text, double least, double most,
                  const std::string& accepted);
 
+/// The same of whole numbers: "OPTION is TEXT, needs a whole number from LEAST to MOST".
+int whole_number_in(const std::string& option, const std::string& text, int least, int most);
+
 /// "a, b or c".
 std::string list_of(std::span<const std::string> names);
 

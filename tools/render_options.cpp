@@ -60,10 +60,7 @@ RenderOptions RenderFlags::resolve() const {
         options.time_s = number_in(option, text, -1e9, 1e9, "seconds in [-1e9, 1e9]");
     });
     given("frames", [&](const auto& option, const auto& text) {
-        const auto count = parse_integer(text);
-        if (!count || *count < 1 || *count > most_frames)
-            throw bad_value(option, text, "a whole number from 1 to " + number_text(most_frames));
-        options.frames = static_cast<int>(*count);
+        options.frames = whole_number_in(option, text, 1, most_frames);
     });
     given("fps", [&](const auto& option, const auto& text) {
         options.fps = number_in(option, text, 1e-6, 1000, "frames a second in (0, 1000]");

@@ -8,19 +8,14 @@ namespace pelagic::tools {
 
 Json sea_as_json(const ResolvedSea& resolved) {
     const SeaState& sea = resolved.sea;
-    return {{"spectrum", name_of(sea.spectrum)},
-            {"resolution", sea.resolution},
-            {"patch_size_m", sea.patch_size_m},
-            {"wind_speed_mps", sea.wind_speed_mps},
-            {"wind_direction_deg", resolved.wind_direction_deg},
-            {"fetch_m", sea.fetch_m},
-            {"depth_m", sea.depth_m},
-            {"choppiness", sea.choppiness},
-            {"roughness", sea.roughness},
-            {"small_waves", sea.small_waves},
-            {"alignment", sea.alignment},
-            {"loop_period_s", sea.loop_period_s},
-            {"seed", sea.seed}};
+    Json json = {{"spectrum", name_of(sea.spectrum)}};
+    for (const SeaStateField& field : sea_state_fields()) {
+        if (field.name == "wind_direction_rad")
+            json["wind_direction_deg"] = resolved.wind_direction_deg;  // as it was typed
+        else
+            std::visit([&](auto member) { json[field.name] = sea.*member; }, field.member);
+    }
+    return json;
 }
 
 Json options_as_json(const ExportOptions& options) {

@@ -65,10 +65,7 @@ std::optional<double> parse_value(const SeaFlag& flag, const std::string& text) 
     return parse_number(text);
 }
 
-std::string default_of(const SeaFlag& flag) {
-    return std::visit([](auto member) { return number_text(static_cast<double>(SeaState{}.*member)); },
-                      field_of(flag).member);
-}
+std::string default_of(const SeaFlag& flag) { return number_text(field_of(flag).value_in({})); }
 
 std::string config_key(std::string_view flag) {
     std::string key(flag);
@@ -112,8 +109,7 @@ void apply_number(ResolvedSea& resolved, const SeaFlag& flag, const std::string&
     const double value = number ? (is_angle(flag) ? *number * radians_per_degree : *number) : 0;
     if (!number || !field.accepts(value)) throw bad_value(asked_by, text, accepted_by(flag));
 
-    std::visit([&]<class Number>(Number SeaState::*member) { resolved.sea.*member = static_cast<Number>(value); },
-               field.member);
+    field.set(resolved.sea, value);
     if (is_angle(flag)) resolved.wind_direction_deg = *number;
 }
 

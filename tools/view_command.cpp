@@ -4,7 +4,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <glm/trigonometric.hpp>
-#include <variant>
 
 #include "pelagic/tools/errors.hpp"
 #include "pelagic/tools/image_writer.hpp"
@@ -33,15 +32,12 @@ std::string degrees_text(double radians) { return number_text(std::round(glm::de
 
 /// `pelagic render` with what the window showed when it was closed. Values that are the default's are left out.
 std::string render_command_of(const viewer::ViewResult& result) {
-    const SeaState usual;
     const SeaState& sea = result.settings.sea;
     std::string text = "pelagic render --out sea.png --spectrum " + std::string(name_of(sea.spectrum));
     for (const SeaStateField& field : sea_state_fields()) {
         // "wind_speed_mps" is --wind-speed: the flag has no unit.
-        const double value = std::visit([&](auto member) { return static_cast<double>(sea.*member); }, field.member);
-        const double default_value =
-            std::visit([&](auto member) { return static_cast<double>(usual.*member); }, field.member);
-        if (value == default_value) continue;
+        const double value = field.value_in(sea);
+        if (value == field.value_in({})) continue;
         const bool is_angle = field.name.ends_with("_rad");
         std::string flag(field.name);
         for (const char* unit : {"_mps", "_rad", "_m", "_s"})

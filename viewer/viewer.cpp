@@ -28,9 +28,8 @@ constexpr double slowest_mps = 8;  // flying; faster with height
 
 bool same_sea(const SeaState& a, const SeaState& b) {
     if (a.spectrum != b.spectrum) return false;
-    return std::ranges::all_of(sea_state_fields(), [&](const SeaStateField& field) {
-        return std::visit([&](auto member) { return a.*member == b.*member; }, field.member);
-    });
+    return std::ranges::all_of(sea_state_fields(),
+                               [&](const SeaStateField& field) { return field.value_in(a) == field.value_in(b); });
 }
 
 bool same_sky(const gl::SkyOptions& a, const gl::SkyOptions& b) {

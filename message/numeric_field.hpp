@@ -1,0 +1,43 @@
+// A struct of options as a table of its numbers: each one's name, where it lives and what it accepts.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <variant>
+
+namespace pelagic {
+
+/// Which numbers from the least to the most.
+enum class Among { all, above_least, even, powers_of_two };
+
+/// One numeric option of a struct.
+template <class Options>
+struct NumericField {
+    std::string_view name;  ///< as the member is called, unit included: "wind_speed_mps"
+    std::variant<int Options::*, float Options::*, double Options::*, std::uint32_t Options::*> member;
+    double least;
+    double most;
+    std::string_view accepted;  ///< the range in words: "(0, 60]", "a power of two from 16 to 2048"
+    Among among = Among::all;
+
+    /// False for NaN and infinities.
+    bool accepts(double value) const {
+        if (!(value >= least && value <= most)) return false;  // of NaN, too
+        if (among == Among::all) return true;
+        if (among == Among::above_least) return value > least;
+        const auto whole = static_cast<long long>(value);
+        return static_cast<double>(whole) == value &&
+               (among == Among::even ? whole % 2 == 0 : (whole & (whole - 1)) == 0);
+    }
+
+    double value_in(const Options& options) const {
+        return std::visit([&](auto at) { return static_cast<double>(options.*at); }, member);
+    }
+
+    /// \pre accepts(value)
+    void set(Options& options, double value) const {
+        std::visit([&]<class Number>(Number Options::*at) { options.*at = static_cast<Number>(value); }, member);
+    }
+};
+
+}  // namespace pelagic
