@@ -33,11 +33,12 @@ std::string degrees_text(double radians) { return number_text(std::round(glm::de
 /// `pelagic render` with what the window showed when it was closed. Values that are the default's are left out.
 std::string render_command_of(const viewer::ViewResult& result) {
     const SeaState& sea = result.settings.sea;
+    const SeaState defaults;
     std::string text = "pelagic render --out sea.png --spectrum " + std::string(name_of(sea.spectrum));
     for (const SeaStateField& field : sea_state_fields()) {
         // "wind_speed_mps" is --wind-speed: the flag has no unit.
         const double value = field.value_in(sea);
-        if (value == field.value_in({})) continue;
+        if (value == field.value_in(defaults)) continue;
         const bool is_angle = field.name.ends_with("_rad");
         std::string flag(field.name);
         for (const char* unit : {"_mps", "_rad", "_m", "_s"})
