@@ -36,3 +36,11 @@ function(pelagic_target target)
     target_link_options(${target} PUBLIC -fsanitize=${PELAGIC_SANITIZE})
   endif()
 endfunction()
+
+# For what waits for files and processes rather than computes: instrumented for a sanitizer, it compiles twice as fast
+# unoptimised, and runs as fast as before.
+function(pelagic_compile_quickly target)
+  if(PELAGIC_SANITIZE)
+    target_compile_options(${target} PRIVATE -O0)
+  endif()
+endfunction()
