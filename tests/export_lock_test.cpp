@@ -6,6 +6,7 @@
 #include <signal.h>
 #include <sys/prctl.h>
 #include <sys/syscall.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -49,6 +50,10 @@ class ExportAtWork {
         process_ = start_pelagic(arguments, logs_ / "out", logs_ / "err");
         EXPECT_TRUE(comes_true([&] { return std::filesystem::exists(folder / "gradient_0002.png"); }));
         ::kill(process_, SIGSTOP);
+        // Its threads stop one by one, and some finish a file on the way.
+        int status = 0;
+        EXPECT_EQ(::waitpid(process_, &status, WUNTRACED), process_);
+        EXPECT_TRUE(WIFSTOPPED(status));
     }
     ~ExportAtWork() { die(); }
 
