@@ -84,7 +84,8 @@ TEST(FileSizeLimit, IsAWriteErrorAndNoSignal) {
     });
     EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
     EXPECT_NE(outcome.err.find("can't write "), std::string::npos) << outcome.err;
-    for (const auto& [name, bytes] : files_in(folder.path())) EXPECT_TRUE(name == journal || name == ".sea.lock") << name;
+    for (const auto& [name, bytes] : files_in(folder.path()))
+        EXPECT_TRUE(name == journal || name == ".sea.lock") << name;
 }
 
 }  // namespace
