@@ -1,10 +1,8 @@
 // Exports that go wrong: killed, without space, without permission. Nothing half-written, and --resume mends it.
 #include <gtest/gtest.h>
-#include <linux/capability.h>
 #include <pty.h>
 #include <signal.h>
 #include <sys/mount.h>
-#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -175,14 +173,6 @@ TEST(FullDisk, GivesOneLineAndNoHalfWrittenFile) {
     // Once there is space, --resume ends as if nothing had happened.
     EXPECT_EQ(run_pelagic(arguments_of(folder.path(), {"--resume"})).exit_code, 0);
     expect_same_files(folder.path(), whole);
-}
-
-/// In the child: root gives up what lets it pass over permissions, for good. It stays root, so that it reaches its own
-/// folders wherever they are, which another user might not.
-void obey_permissions() {
-    if (::getuid() != 0) return;
-    for (const int power : {CAP_DAC_OVERRIDE, CAP_DAC_READ_SEARCH})
-        if (::prctl(PR_CAPBSET_DROP, power) != 0) std::_Exit(126);
 }
 
 TEST(ReadOnlyFolder, GivesOneLineAndNothingElse) {

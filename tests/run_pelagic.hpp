@@ -25,6 +25,10 @@ int wait_for(pid_t process);
 
 Outcome run_pelagic(const std::vector<std::string>& arguments, const std::function<void()>& in_child = {});
 
+/// For `in_child`: root gives up what lets it pass over permissions, for good. It stays root, so that it reaches its own
+/// folders wherever they are, which another user might not.
+void obey_permissions();
+
 /// A folder that is empty at first and gone at the end.
 class TemporaryFolder {
    public:
