@@ -14,9 +14,9 @@
 
 #include "pelagic/bench/peers/scalar_query.hpp"
 #include "pelagic/sim/ocean.hpp"
+#include "pelagic/sim/surface/surface_texels.hpp"
 #include "pelagic/sim/surface_query.hpp"
 #include "pelagic/sim/surface_ray.hpp"
-#include "pelagic/sim/surface_texels.hpp"
 #include "pelagic/simd/aligned_buffer.hpp"
 
 namespace pelagic {

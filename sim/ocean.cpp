@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "pelagic/message/refusal.hpp"
-#include "pelagic/sim/cascade.hpp"
+#include "pelagic/sim/sources/cascade.hpp"
 
 namespace pelagic {
 namespace {

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "pelagic/message/number_text.hpp"
-#include "pelagic/sim/dispersion.hpp"
-#include "pelagic/sim/initial_spectrum.hpp"
-#include "pelagic/sim/spectra.hpp"
+#include "pelagic/sim/sources/packed_spectrum.hpp"
+#include "pelagic/sim/spectrum/dispersion.hpp"
+#include "pelagic/sim/spectrum/spectra.hpp"
 #include "pelagic/simd/det_math.hpp"
 #include "pelagic/simd/float_environment.hpp"
 

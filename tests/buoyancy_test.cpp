@@ -14,8 +14,8 @@
 
 #include "pelagic/examples/buoyancy/floating_box.hpp"
 #include "pelagic/examples/buoyancy/trace.hpp"
-#include "pelagic/sim/fold_map.hpp"
 #include "pelagic/sim/ocean.hpp"
+#include "pelagic/sim/surface/fold_map.hpp"
 #include "pelagic/tests/each_executor.hpp"
 #include "pelagic/tests/each_isa.hpp"
 #include "pelagic/tests/sanitized.hpp"

@@ -1,5 +1,5 @@
 // How fast waves run, and the loop.
-#include "pelagic/sim/dispersion.hpp"
+#include "pelagic/sim/spectrum/dispersion.hpp"
 
 #include <gtest/gtest.h>
 

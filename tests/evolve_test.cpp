@@ -6,8 +6,8 @@
 #include <random>
 #include <vector>
 
-#include "pelagic/sim/fft_plan.hpp"
-#include "pelagic/sim/initial_spectrum.hpp"
+#include "pelagic/sim/sources/fft_plan.hpp"
+#include "pelagic/sim/sources/packed_spectrum.hpp"
 #include "pelagic/tests/each_isa.hpp"
 
 namespace pelagic {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "pelagic/sim/displacement_sampler.hpp"
 #include "pelagic/sim/ocean.hpp"
+#include "pelagic/sim/surface/displacement_sampler.hpp"
 #include "pelagic/tests/each_isa.hpp"
 #include "pelagic/tests/oracle/gradient_oracle.hpp"
 #include "pelagic/tests/oracle/sea_oracle.hpp"

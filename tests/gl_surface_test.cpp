@@ -2,7 +2,7 @@
 // holes are where the height is above that plane.
 #include <gtest/gtest.h>
 
-#include "pelagic/sim/displacement_sampler.hpp"
+#include "pelagic/sim/surface/displacement_sampler.hpp"
 #include "pelagic/tests/gl_scene.hpp"
 
 namespace pelagic {

@@ -10,8 +10,8 @@
 #include <set>
 #include <tuple>
 
-#include "pelagic/sim/displacement_sampler.hpp"
 #include "pelagic/sim/ocean.hpp"
+#include "pelagic/sim/surface/displacement_sampler.hpp"
 #include "pelagic/tests/quadtree_scene.hpp"
 
 namespace pelagic {

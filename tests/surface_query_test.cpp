@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "pelagic/sim/fold_map.hpp"
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/statistics.hpp"
+#include "pelagic/sim/surface/fold_map.hpp"
 #include "pelagic/tests/each_isa.hpp"
 #include "pelagic/tests/oracle/sea_oracle.hpp"
 #include "pelagic/tests/oracle/surface_oracle.hpp"

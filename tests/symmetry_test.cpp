@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pelagic/sim/dispersion.hpp"
-#include "pelagic/sim/fft_plan.hpp"
-#include "pelagic/sim/initial_spectrum.hpp"
+#include "pelagic/sim/sources/fft_plan.hpp"
+#include "pelagic/sim/sources/packed_spectrum.hpp"
+#include "pelagic/sim/spectrum/dispersion.hpp"
 #include "pelagic/tests/each_isa.hpp"
 
 namespace pelagic {

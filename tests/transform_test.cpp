@@ -8,9 +8,9 @@
 #include <tuple>
 #include <vector>
 
-#include "pelagic/sim/fft_plan.hpp"
-#include "pelagic/sim/initial_spectrum.hpp"
-#include "pelagic/sim/wave_blocks.hpp"
+#include "pelagic/sim/kernels/wave_blocks.hpp"
+#include "pelagic/sim/sources/fft_plan.hpp"
+#include "pelagic/sim/sources/packed_spectrum.hpp"
 #include "pelagic/simd/aligned_buffer.hpp"
 #include "pelagic/tests/each_isa.hpp"
 

@@ -1,5 +1,5 @@
 // The Gaussian draws: distribution, independence, and what they are keyed by.
-#include "pelagic/sim/wave_noise.hpp"
+#include "pelagic/sim/spectrum/wave_noise.hpp"
 
 #include <gtest/gtest.h>
 

@@ -11,7 +11,7 @@
 
 #include "pelagic/quadtree/patch_mesh.hpp"
 #include "pelagic/quadtree/patch_vertex.hpp"
-#include "pelagic/sim/displacement_sampler.hpp"
+#include "pelagic/sim/surface/displacement_sampler.hpp"
 #include "pelagic/tools/option_text.hpp"
 
 namespace pelagic::tools {

@@ -10,8 +10,8 @@
 
 #include "pelagic/bench/peers/fftw_kernels.hpp"
 #include "pelagic/bench/peers/peer_frame.hpp"
-#include "pelagic/sim/mipmaps.hpp"
 #include "pelagic/sim/sea_state.hpp"
+#include "pelagic/sim/surface/mipmaps.hpp"
 #include "pelagic/simd/aligned_buffer.hpp"
 #include "pelagic/simd/isa.hpp"
 

@@ -10,7 +10,7 @@
 namespace pelagic::peers {
 
 /// Waves (kx, kz) and (kx, -kz) for kx in [0, N/2), planes of N/2 floats each for one kz: S' of both, then k / |k| of
-/// the first, as in sim/wave_blocks.hpp but with kz turned instead of kx.
+/// the first, as in sim/kernels/wave_blocks.hpp but with kz turned instead of kx.
 struct FftwWaves {
     const float* planes;             ///< 10 rows of N/2
     const std::uint32_t* harmonics;  ///< N/2

@@ -8,11 +8,11 @@
 #include <utility>
 
 #include "pelagic/bench/peers/scalar_half.hpp"
-#include "pelagic/sim/dispersion.hpp"
 #include "pelagic/sim/frame.hpp"
-#include "pelagic/sim/initial_spectrum.hpp"
-#include "pelagic/sim/spectra.hpp"
-#include "pelagic/sim/surface_look.hpp"
+#include "pelagic/sim/sources/packed_spectrum.hpp"
+#include "pelagic/sim/spectrum/dispersion.hpp"
+#include "pelagic/sim/spectrum/spectra.hpp"
+#include "pelagic/sim/surface/surface_look.hpp"
 
 namespace pelagic::peers {
 namespace {

@@ -29,7 +29,7 @@
 #include <string>
 #include <vector>
 
-#include "pelagic/sim/dispersion.hpp"
+#include "pelagic/sim/spectrum/dispersion.hpp"
 #include "pelagic/sim/surface_query.hpp"
 
 namespace pelagic::buoyancy {

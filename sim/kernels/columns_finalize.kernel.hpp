@@ -4,7 +4,7 @@
 
 #include "pelagic/sim/kernels/fft.kernel.hpp"
 #include "pelagic/sim/kernels/kernels.hpp"
-#include "pelagic/sim/wave_blocks.hpp"
+#include "pelagic/sim/kernels/wave_blocks.hpp"
 
 namespace pelagic::kernels {
 

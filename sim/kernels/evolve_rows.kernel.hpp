@@ -5,7 +5,7 @@
 
 #include "pelagic/sim/kernels/fft.kernel.hpp"
 #include "pelagic/sim/kernels/kernels.hpp"
-#include "pelagic/sim/wave_blocks.hpp"
+#include "pelagic/sim/kernels/wave_blocks.hpp"
 #include "pelagic/simd/always_inline.hpp"
 #include "pelagic/simd/transpose.kernel.hpp"
 #include "pelagic/simd/turns.kernel.hpp"

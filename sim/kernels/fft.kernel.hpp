@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <xsimd/xsimd.hpp>
 
-#include "pelagic/sim/fft_tables.hpp"
+#include "pelagic/sim/kernels/fft_tables.hpp"
 #include "pelagic/simd/always_inline.hpp"
 
 namespace pelagic::kernels {

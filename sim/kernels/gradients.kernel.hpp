@@ -7,7 +7,7 @@
 
 #include "pelagic/sim/kernels/kernels.hpp"
 #include "pelagic/sim/kernels/mipmaps.kernel.hpp"
-#include "pelagic/sim/wave_blocks.hpp"
+#include "pelagic/sim/kernels/wave_blocks.hpp"
 #include "pelagic/simd/exact.kernel.hpp"
 #include "pelagic/simd/half.kernel.hpp"
 #include "pelagic/simd/neighbours.kernel.hpp"

@@ -5,7 +5,7 @@
 #include <map>
 #include <numbers>
 
-#include "pelagic/sim/wave_noise.hpp"
+#include "pelagic/sim/spectrum/wave_noise.hpp"
 
 namespace pelagic::oracle {
 namespace {

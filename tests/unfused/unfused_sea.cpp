@@ -7,10 +7,10 @@
 #include <complex>
 #include <utility>
 
-#include "pelagic/sim/dispersion.hpp"
-#include "pelagic/sim/initial_spectrum.hpp"
-#include "pelagic/sim/surface_look.hpp"
-#include "pelagic/sim/wave_blocks.hpp"
+#include "pelagic/sim/kernels/wave_blocks.hpp"
+#include "pelagic/sim/sources/packed_spectrum.hpp"
+#include "pelagic/sim/spectrum/dispersion.hpp"
+#include "pelagic/sim/surface/surface_look.hpp"
 
 namespace pelagic::unfused {
 namespace {

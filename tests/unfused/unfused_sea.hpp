@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "pelagic/sim/fft_plan.hpp"
 #include "pelagic/sim/frame.hpp"
 #include "pelagic/sim/sea_state.hpp"
+#include "pelagic/sim/sources/fft_plan.hpp"
 
 namespace pelagic::unfused {
 

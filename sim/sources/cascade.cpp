@@ -1,11 +1,11 @@
-#include "pelagic/sim/cascade.hpp"
+#include "pelagic/sim/sources/cascade.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "pelagic/sim/surface_look.hpp"
-#include "pelagic/sim/wave_blocks.hpp"
+#include "pelagic/sim/kernels/wave_blocks.hpp"
+#include "pelagic/sim/surface/surface_look.hpp"
 #include "pelagic/simd/float_environment.hpp"
 
 namespace pelagic {

@@ -16,14 +16,14 @@
 #include <vector>
 
 #include "pelagic/jobs/job_graph.hpp"
-#include "pelagic/sim/dispersion.hpp"
-#include "pelagic/sim/fft_plan.hpp"
-#include "pelagic/sim/fold_map.hpp"
 #include "pelagic/sim/frame.hpp"
-#include "pelagic/sim/initial_spectrum.hpp"
 #include "pelagic/sim/kernels/kernels.hpp"
-#include "pelagic/sim/mipmaps.hpp"
 #include "pelagic/sim/sea_state.hpp"
+#include "pelagic/sim/sources/fft_plan.hpp"
+#include "pelagic/sim/sources/packed_spectrum.hpp"
+#include "pelagic/sim/spectrum/dispersion.hpp"
+#include "pelagic/sim/surface/fold_map.hpp"
+#include "pelagic/sim/surface/mipmaps.hpp"
 #include "pelagic/simd/aligned_buffer.hpp"
 
 namespace pelagic {

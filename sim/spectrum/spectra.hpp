@@ -7,7 +7,7 @@
 #pragma once
 
 #include "pelagic/sim/sea_state.hpp"
-#include "pelagic/sim/spreading.hpp"
+#include "pelagic/sim/spectrum/spreading.hpp"
 
 namespace pelagic {
 

@@ -1,4 +1,4 @@
-#include "pelagic/sim/mipmaps.hpp"
+#include "pelagic/sim/surface/mipmaps.hpp"
 
 #include <algorithm>
 

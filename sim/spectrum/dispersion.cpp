@@ -1,4 +1,4 @@
-#include "pelagic/sim/dispersion.hpp"
+#include "pelagic/sim/spectrum/dispersion.hpp"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "pelagic/sim/surface_look.hpp"
+#include "pelagic/sim/surface/surface_look.hpp"
 
 #include <cmath>
 

@@ -1,10 +1,10 @@
-#include "pelagic/sim/fold_map.hpp"
+#include "pelagic/sim/surface/fold_map.hpp"
 
 #include <algorithm>
 #include <cassert>
 #include <utility>
 
-#include "pelagic/sim/surface_texels.hpp"
+#include "pelagic/sim/surface/surface_texels.hpp"
 #include "pelagic/simd/float_environment.hpp"
 
 namespace pelagic {

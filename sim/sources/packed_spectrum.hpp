@@ -9,11 +9,11 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "pelagic/sim/fft_plan.hpp"
+#include "pelagic/sim/kernels/wave_blocks.hpp"
 #include "pelagic/sim/sea_state.hpp"
-#include "pelagic/sim/spectra.hpp"
-#include "pelagic/sim/wave_blocks.hpp"
-#include "pelagic/sim/whitecaps.hpp"
+#include "pelagic/sim/sources/fft_plan.hpp"
+#include "pelagic/sim/spectrum/spectra.hpp"
+#include "pelagic/sim/spectrum/whitecaps.hpp"
 #include "pelagic/simd/aligned_buffer.hpp"
 
 namespace pelagic {

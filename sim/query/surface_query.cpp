@@ -10,9 +10,9 @@
 #include <limits>
 #include <stdexcept>
 
-#include "pelagic/sim/fold_map.hpp"
 #include "pelagic/sim/kernels/kernels.hpp"
-#include "pelagic/sim/surface_texels.hpp"
+#include "pelagic/sim/surface/fold_map.hpp"
+#include "pelagic/sim/surface/surface_texels.hpp"
 #include "pelagic/simd/float_environment.hpp"
 
 namespace pelagic {

@@ -1,4 +1,4 @@
-#include "pelagic/sim/wave_noise.hpp"
+#include "pelagic/sim/spectrum/wave_noise.hpp"
 
 #include <cmath>
 

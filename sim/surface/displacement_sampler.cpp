@@ -1,4 +1,4 @@
-#include "pelagic/sim/displacement_sampler.hpp"
+#include "pelagic/sim/surface/displacement_sampler.hpp"
 
 #include <cmath>
 

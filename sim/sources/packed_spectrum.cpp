@@ -1,10 +1,10 @@
-#include "pelagic/sim/initial_spectrum.hpp"
+#include "pelagic/sim/sources/packed_spectrum.hpp"
 
 #include <array>
 #include <cmath>
 
-#include "pelagic/sim/dispersion.hpp"
-#include "pelagic/sim/wave_noise.hpp"
+#include "pelagic/sim/spectrum/dispersion.hpp"
+#include "pelagic/sim/spectrum/wave_noise.hpp"
 #include "pelagic/simd/det_math.hpp"
 
 namespace pelagic {

@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-#include "pelagic/sim/fft_tables.hpp"
+#include "pelagic/sim/kernels/fft_tables.hpp"
 
 namespace pelagic {
 

@@ -1,4 +1,4 @@
-#include "pelagic/sim/whitecaps.hpp"
+#include "pelagic/sim/spectrum/whitecaps.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "pelagic/sim/spreading.hpp"
+#include "pelagic/sim/spectrum/spreading.hpp"
 
 #include <cmath>
 

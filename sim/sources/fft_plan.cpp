@@ -1,4 +1,4 @@
-#include "pelagic/sim/fft_plan.hpp"
+#include "pelagic/sim/sources/fft_plan.hpp"
 
 #include <bit>
 #include <cassert>

@@ -1,8 +1,8 @@
-#include "pelagic/sim/spectra.hpp"
+#include "pelagic/sim/spectrum/spectra.hpp"
 
 #include <cmath>
 
-#include "pelagic/sim/dispersion.hpp"
+#include "pelagic/sim/spectrum/dispersion.hpp"
 #include "pelagic/simd/det_math.hpp"
 
 namespace pelagic {
