@@ -21,26 +21,26 @@ constexpr double smallest_wave_m = 0.001;  // l_min of VR Ocean, equation 11
 double fourth_power(double x) { return (x * x) * (x * x); }
 
 // l = l_min (L / 4 / l_min)^beta: VR Ocean, equation 11.
-double cutoff_wavelength(const SeaState& sea) {
-    const double longest = 0.25 * sea.patch_size_m;
+double cutoff_wavelength(const SeaState& sea, const TilePlan& tile) {
+    const double longest = 0.25 * tile.lattice.side_m;
     return smallest_wave_m * det::pow(longest / smallest_wave_m, sea.small_waves);
 }
 
 }  // namespace
 
-WaveSpectrum::WaveSpectrum(const SeaState& sea)
+WaveSpectrum::WaveSpectrum(const SeaState& sea, const TilePlan& tile)
     : sea_(sea),
       spreading_(sea.alignment),
       largest_wave_m_(sea.wind_speed_mps * sea.wind_speed_mps / gravity_mps2),
-      cutoff_m_(cutoff_wavelength(sea)),
-      grid_spacing_(two_pi / sea.patch_size_m) {
+      cutoff_m_(cutoff_wavelength(sea, tile)),
+      grid_spacing_(tile.spacing()) {
     const auto wind = det::sine_cosine_of_turns(sea.wind_direction_rad / two_pi);
     wind_x_ = wind.cosine;
     wind_z_ = wind.sine;
 
     // A = A_fft^2 A_spatial^2 with A_fft = N^(-1/4), A_spatial = e / L: VR Ocean, equations 4 and 5.
-    const double spatial = euler_e / sea.patch_size_m;
-    paper_scale_ = spatial * spatial / std::sqrt(static_cast<double>(sea.resolution));
+    const double spatial = euler_e / tile.lattice.side_m;
+    paper_scale_ = spatial * spatial / std::sqrt(static_cast<double>(tile.resolution));
 
     const double speed = sea.wind_speed_mps;
     jonswap_alpha_ = 0.076 * det::pow(speed * speed / (sea.fetch_m * gravity_mps2), 0.22);
