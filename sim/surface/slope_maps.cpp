@@ -1,6 +1,7 @@
 #include "pelagic/sim/surface/slope_maps.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "pelagic/sim/frame.hpp"
 
@@ -11,7 +12,15 @@ std::size_t jobs_across(int resolution) {
     return std::max(static_cast<std::size_t>(resolution) / SlopesJob::tile_columns, std::size_t{1});
 }
 
+// Flatter than any byte of a normal can tell.
+constexpr double least_mean_square_slope = 1e-12;
+
 }  // namespace
+
+SlopeRanges slope_ranges(double mean_square_slope) {
+    const double square = std::max(mean_square_slope, least_mean_square_slope);
+    return {static_cast<float>(4 * std::sqrt(square)), static_cast<float>(3 * square)};
+}
 
 std::size_t SlopeMaps::jobs() const {
     return jobs_across(resolution) * static_cast<std::size_t>(resolution) / SlopesJob::tile_rows;

@@ -10,6 +10,11 @@
 
 namespace pelagic {
 
+/// Ranges for a tile whose waves have that mean square slope, h_x^2 + h_z^2: four times its root, which is at least
+/// four standard deviations along any axis and five where waves go both ways, and three times itself. D_xx, D_zz and D_xz
+/// vary no more than slopes do, choppiness being at most 1. A sea without waves gets ranges too.
+SlopeRanges slope_ranges(double mean_square_slope);
+
 /// Where slopes come from and where they go; a view.
 struct SlopeMaps {
     const float* surface;  ///< column blocks (wave_blocks.hpp) for the kernels' lanes
