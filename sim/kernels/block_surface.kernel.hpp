@@ -68,29 +68,47 @@ class BlockSurface {
         }
     }
 
-    /// Calls take(dx, height, dz) with the weighted Differences of the two neighbours on each side,
-    /// f(1) - f(-1) + far_weight (f(2) - f(-2)), at the W texels from (x, z) on.
-    template <class Take>
-    PELAGIC_INLINE void wide_differences(std::size_t x, std::size_t z, V far_weight, Take take) const {
-        const float *before = block(x - V::size), *here = block(x), *behind = block(x + V::size);
-        const std::size_t above = (z - 1) & last_, far_above = (z - 2) & last_;
-        const std::size_t below = (z + 1) & last_, far_below = (z + 2) & last_;
-        const auto difference = [&](SurfaceComponent component) {
-            const V left = load(before, z, component), value = load(here, z, component);
-            const V right = load(behind, z, component);
-            return Differences<Arch>{
-                (lanes_behind<1, Arch>(value, right) - lanes_before<1, Arch>(left, value)) +
-                    far_weight * (lanes_behind<2, Arch>(value, right) - lanes_before<2, Arch>(left, value)),
-                (load(here, below, component) - load(here, above, component)) +
-                    far_weight * (load(here, far_below, component) - load(here, far_above, component))};
-        };
-        take(difference(surface_dx), difference(surface_height), difference(surface_dz));
+    /// Three blocks side by side.
+    struct Blocks {
+        const float *before, *here, *behind;
+    };
+    Blocks blocks_at(std::size_t x) const { return {block(x - V::size), block(x), block(x + V::size)}; }
+    Blocks next(const Blocks& blocks, std::size_t x) const {
+        return {blocks.here, blocks.behind, block(x + V::size)};
+    }
+
+    /// Where a row and its two neighbours on each side lie in a block.
+    struct Rows {
+        std::size_t far_above, above, here, below, far_below;
+    };
+    Rows rows_at(std::size_t z) const {
+        const auto row = [&](std::size_t of) { return (of & last_) * row_floats; };
+        return {row(z - 2), row(z - 1), row(z), row(z + 1), row(z + 2)};
+    }
+
+    PELAGIC_INLINE static V at(SurfaceComponent component, const Blocks& blocks, const Rows& rows) {
+        return load_row(blocks.here, rows.here, component);
+    }
+
+    /// The weighted Differences of the two neighbours on each side, f(1) - f(-1) + far_weight (f(2) - f(-2)), at W texels.
+    PELAGIC_INLINE static Differences<Arch> wide_difference(SurfaceComponent component, const Blocks& blocks,
+                                                            const Rows& rows, V far_weight) {
+        const auto column = [&](std::size_t row) { return load_row(blocks.here, row, component); };
+        const V before = load_row(blocks.before, rows.here, component), here = column(rows.here);
+        const V behind = load_row(blocks.behind, rows.here, component);
+        return {(lanes_behind<1, Arch>(here, behind) - lanes_before<1, Arch>(before, here)) +
+                    far_weight * (lanes_behind<2, Arch>(here, behind) - lanes_before<2, Arch>(before, here)),
+                (column(rows.below) - column(rows.above)) +
+                    far_weight * (column(rows.far_below) - column(rows.far_above))};
     }
 
    private:
     const float* block(std::size_t x) const { return data_ + (x & last_) / V::size * block_stride_; }
     static V load(const float* column, std::size_t z, SurfaceComponent component) {
-        return V::load_aligned(column + z * row_floats + component * V::size);
+        return load_row(column, z * row_floats, component);
+    }
+    static V load_row(const float* column, std::size_t row, SurfaceComponent component) {
+        return V::load_aligned(column + row + component * V::size);
     }
 
     const float* data_;

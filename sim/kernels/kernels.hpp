@@ -68,8 +68,9 @@ struct GradientsJob {
     std::uint32_t* levels[tile_levels + 1];  ///< tight rows of RGBA8, the texels of level 0 to 3
     float* averages;                         ///< of level 3, for MipLevelJob
     std::size_t average_stride;
-    float cosine = 1, sine = 0;  ///< of the angle by which the tile's axes are turned in the world, from +x towards +z;
-                                 ///< displacement, normals and J are along the world's axes
+    float cosine = 1,
+          sine = 0;  ///< of the angle by which the tile's axes are turned in the world, from +x towards +z;
+                     ///< displacement, normals and J are along the world's axes
 };
 
 /// Stage `mipmaps`, one level: the averages of 2 x 2 texels (52), smoothness from the normal's length (53),

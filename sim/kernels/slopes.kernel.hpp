@@ -131,26 +131,36 @@ inline void make_slope_level(std::size_t rows, std::size_t columns, const SlopeA
     }
 }
 
-/// Writes W texels of level 0 and, if wanted, of the half floats; returns what the levels average.
+/// The slopes at W texels, and their squares.
 template <class Arch, class Turn>
-PELAGIC_INLINE void slopes_at(const SlopesJob& job, const BlockSurface<Arch>& surface, const Turn& turn,
-                              std::size_t x, std::size_t z, xsimd::batch<float, Arch> (&planes)[slope_planes]) {
+PELAGIC_INLINE void slopes_at(const SlopesJob& job, const typename BlockSurface<Arch>::Blocks& blocks,
+                              const typename BlockSurface<Arch>::Rows& rows, const Turn& turn,
+                              xsimd::batch<float, Arch> (&planes)[slope_planes]) {
     using V = xsimd::batch<float, Arch>;
+    const auto difference = [&](SurfaceComponent component) {
+        const V far_weight(static_cast<float>(SlopesJob::far_weight / SlopesJob::near_weight));
+        return turn(BlockSurface<Arch>::wide_difference(component, blocks, rows, far_weight));
+    };
     const V factor(job.difference_factor);
-    const V far_weight(static_cast<float>(SlopesJob::far_weight / SlopesJob::near_weight));
-    surface.wide_differences(x, z, far_weight, [&](const auto& along_dx, const auto& along_h, const auto& along_dz) {
-        const Differences<Arch> h = turn(along_h), dx = turn(along_dx), dz = turn(along_dz);
-        planes[h_x] = h.x * factor;
-        planes[h_z] = h.z * factor;
-        planes[d_xx] = dx.x * factor;
-        planes[d_zz] = dz.z * factor;
-        planes[d_xz] = (dx.z + dz.x) * (V(0.5f) * factor);
-    });
+    const Differences<Arch> dx = difference(surface_dx), dz = difference(surface_dz);
+    planes[d_xx] = dx.x * factor;
+    planes[d_zz] = dz.z * factor;
+    planes[d_xz] = (dx.z + dz.x) * (V(0.5f) * factor);
+    const Differences<Arch> h = difference(surface_height);
+    planes[h_x] = h.x * factor;
+    planes[h_z] = h.z * factor;
     planes[h_x_h_x] = planes[h_x] * planes[h_x];
     planes[h_z_h_z] = planes[h_z] * planes[h_z];
     planes[h_x_h_z] = planes[h_x] * planes[h_z];
+}
 
-    const std::size_t texel = z * job.resolution + x;
+/// Writes W texels of level 0 and, if wanted, of the half floats.
+template <class Arch>
+PELAGIC_INLINE void pack_slopes(const SlopesJob& job, const typename BlockSurface<Arch>::Blocks& blocks,
+                                const typename BlockSurface<Arch>::Rows& rows,
+                                const xsimd::batch<float, Arch> (&planes)[slope_planes], std::size_t texel) {
+    using V = xsimd::batch<float, Arch>;
+    using Surface = BlockSurface<Arch>;
     store_texels<Arch>(slopes_word<Arch>(planes), job.slopes[0] + texel);
     constexpr std::uint32_t no_variances = 0x80000000;
     store_texels<Arch>(byte_around_zero<Arch>(planes[d_xz]) |
@@ -160,8 +170,8 @@ PELAGIC_INLINE void slopes_at(const SlopesJob& job, const BlockSurface<Arch>& su
     const V one(1.f), range(job.slope_range);
     const V twist = planes[d_xz] * range;
     const V jacobian = (one + planes[d_xx] * range) * (one + planes[d_zz] * range) - twist * twist;
-    store_halves<Arch>(surface.at(surface_dx, x, z), surface.at(surface_height, x, z), surface.at(surface_dz, x, z),
-                       foam_of<Arch>(jacobian), job.rgba16f + 4 * texel);
+    store_halves<Arch>(Surface::at(surface_dx, blocks, rows), Surface::at(surface_height, blocks, rows),
+                       Surface::at(surface_dz, blocks, rows), foam_of<Arch>(jacobian), job.rgba16f + 4 * texel);
 }
 
 /// What the tile keeps of its levels. Whole registers are read and written, two at a time.
@@ -189,14 +199,21 @@ inline void slope_rows(const SlopesJob& job, const BlockSurface<Arch>& surface, 
                        std::size_t columns, const SlopeAverages<float>& level, const SlopeRows& texels) {
     using V = xsimd::batch<float, Arch>;
     const std::size_t z = job.first_row + row;
+    const typename BlockSurface<Arch>::Rows rows[] = {surface.rows_at(z), surface.rows_at(z + 1)};
+    auto blocks = surface.blocks_at(job.first_column);
     alignas(64) float sums[slope_planes][2 * V::size] = {};
     for (std::size_t column = 0; column < columns; column += 2 * V::size) {
         for (std::size_t i = 0; i < 2 * V::size && column + i < columns; i += V::size) {
-            V planes[2][slope_planes];
-            for (std::size_t below = 0; below < 2; ++below)
-                slopes_at<Arch>(job, surface, turn, job.first_column + column + i, z + below, planes[below]);
+            const std::size_t x = job.first_column + column + i;
+            const std::size_t texel = z * job.resolution + x;
+            V above[slope_planes], below[slope_planes];
+            slopes_at<Arch>(job, blocks, rows[0], turn, above);
+            pack_slopes<Arch>(job, blocks, rows[0], above, texel);
+            slopes_at<Arch>(job, blocks, rows[1], turn, below);
+            pack_slopes<Arch>(job, blocks, rows[1], below, texel + job.resolution);
             for (std::size_t plane = 0; plane < slope_planes; ++plane)
-                (planes[0][plane] + planes[1][plane]).store_aligned(sums[plane] + i);
+                (above[plane] + below[plane]).store_aligned(sums[plane] + i);
+            blocks = surface.next(blocks, x + V::size);
         }
         V average[slope_planes];
         average_slopes<Arch>([&](std::size_t plane, std::size_t i) { return V::load_aligned(sums[plane] + i); },
