@@ -29,7 +29,7 @@ GlScene::GlScene(const Options& options)
       samples_(options.samples) {
     resize(options.width, options.height);
     renderer.emplace(gl(),
-                     gl::RendererOptions{.patch_vertices = quadtree.vertices, .resolution = ocean.sea().resolution});
+                     gl::RendererOptions{.patch_vertices = quadtree.vertices, .resolution = ocean.resolution(), .tiles = static_cast<int>(ocean.tile_count())});
     renderer->set_sky(test_sky());
 }
 
