@@ -47,17 +47,6 @@ void for_each_drawn_wave_number(const SeaState& sea, Visit visit) {
     for_each_wave_number(sea, variances_of, visit);
 }
 
-/// The model's peak, whatever tiles hold its waves.
-SpectralPeak peak_of(const SeaState& sea) { return peak_of(WaveSpectrum(sea, plan_tiles(sea).front()), sea); }
-
-// Trapezoidal rule in log k, which the smooth spectrum makes accurate to far better than 1e-6.
-double model_variance(const WaveSpectrum& spectrum) {
-    double sum = 0;
-    const double step = det::log(k_ratio);
-    for (double k = shortest_k; k < longest_k; k *= k_ratio) sum += spectrum.radial_density(k) * k * step;
-    return sum;
-}
-
 std::string short_text(double value) { return rounded_text(value, 3); }
 
 /// What a patch does to the height, over all seeds: one seed's own may as well be above the model's.
@@ -82,7 +71,7 @@ ExpectedWaves expected_waves(const SeaState& sea) {
     for_each_wave_number(sea, variances_of, [&](double, double held) { variance += 2 * held; });
     const SpectralPeak peak = peak_of(spectrum, sea);
     ExpectedWaves waves{4 * std::sqrt(variance), two_pi / peak.omega, two_pi / peak.k, {}};
-    if (spectrum.is_physical()) waves.model_significant_wave_height_m = 4 * std::sqrt(model_variance(spectrum));
+    if (spectrum.is_physical()) waves.model_significant_wave_height_m = 4 * std::sqrt(spectrum.variance());
     return waves;
 }
 
@@ -157,10 +146,17 @@ LoopFrequencies loop_frequencies(const SeaState& sea) {
 
 std::vector<std::string> warnings_about(const SeaState& sea) {
     const DefaultFloatEnvironment environment;
-    const SpectralPeak peak = peak_of(sea);
     const TilePlan coarsest = plan_tiles(sea).front(), finest = plan_tiles(sea).back();
+    const WaveSpectrum spectrum(sea, coarsest);
+    const SpectralPeak peak = peak_of(spectrum, sea);
     const double peak_wavelength_m = two_pi / peak.k;
     std::vector<std::string> warnings;
+    if (const double kept = spectrum.kept_by_breaking(); kept < 1) {
+        const double height = highest_over_depth * sea.depth_m;
+        warnings.push_back("in " + number_text(sea.depth_m) + " m of water waves break: of Hs " +
+                           short_text(height / std::sqrt(kept)) + " m " + short_text(height) +
+                           " m is left, 0.6 of the depth");
+    }
     if (coarsest.lattice.side_m < 2 * peak_wavelength_m)
         warnings.push_back("the patch of " + number_text(coarsest.lattice.side_m) +
                            " m is shorter than two peak wavelengths (" + short_text(2 * peak_wavelength_m) +

@@ -48,7 +48,7 @@ class TileWaves {
 
     /// E|h0|^2 of (m, n) and (-m, -n), and of (-m, n) and (m, -n), m^2; what pair() holds in the mean, for less. \pre as above
     struct MirroredVariances {
-        DirectionalSpreading::Opposites plus, minus;
+        OppositeDensities plus, minus;
     };
     MirroredVariances variances(int m, int n) const;
 
