@@ -11,8 +11,7 @@
 #include <vector>
 
 #include "pelagic/sim/ocean.hpp"
-#include "pelagic/sim/sources/packed_spectrum.hpp"
-#include "pelagic/sim/spectrum/spectra.hpp"
+#include "pelagic/sim/spectrum/amplitudes.hpp"
 #include "pelagic/sim/statistics.hpp"
 
 namespace pelagic {
@@ -21,6 +20,12 @@ namespace {
 using std::numbers::pi;
 
 constexpr double gravity = 9.80665;
+
+/// One tile of the sea's waves, without surface tension.
+TilePlan tile_of(const SeaState& sea) {
+    return {.lattice = {.side_m = sea.patch_size_m}, .resolution = sea.resolution};
+}
+WaveSpectrum spectrum_of(const SeaState& sea) { return WaveSpectrum(sea, tile_of(sea)); }
 
 /// Simpson's rule.
 double integral(const std::function<double(double)>& f, double first, double last, int steps = 4000) {
@@ -63,7 +68,7 @@ TEST(Depth, FactorIsOneToTheBitWhereNoDoubleTells) {
         SeaState deeper = sea;
         deeper.depth_m = 11000;
         for (const double k : {2 * pi / 1000, 0.01, 0.3, 40.0})
-            EXPECT_EQ(WaveSpectrum(sea).radial_density(k), WaveSpectrum(deeper).radial_density(k)) << k;
+            EXPECT_EQ(spectrum_of(sea).radial_density(k), spectrum_of(deeper).radial_density(k)) << k;
     }
 }
 
@@ -71,7 +76,7 @@ TEST(Depth, FactorIsOneToTheBitWhereNoDoubleTells) {
 // Kitaigorodskii's factor is for.
 TEST(Depth, LeavesTheSaturationRangeOverWaveNumbers) {
     const SeaState sea{.spectrum = SpectrumModel::pierson_moskowitz, .wind_speed_mps = 30, .depth_m = 15};
-    const WaveSpectrum spectrum(sea);
+    const WaveSpectrum spectrum = spectrum_of(sea);
     ASSERT_EQ(spectrum.kept_by_breaking(), 1);
     // exp(-0.74 (g/(V w))^4) is 0.99 at three times g/V.
     const double k = wave_number(3 * gravity / 30, 15);
@@ -124,7 +129,7 @@ std::vector<double> measured_bands(SeaState sea, const std::vector<int>& harmoni
         const auto last = static_cast<std::size_t>(harmonics.back());
         std::vector<std::complex<double>> sums(last * texels);
         for (int frame = 0; frame < frames; ++frame) {
-            const PlaneView height = ocean.frame_at(sea.loop_period_s * frame / frames).height;
+            const PlaneView height = ocean.frame_at(sea.loop_period_s * frame / frames).tiles[0].height;
             for (std::size_t q = static_cast<std::size_t>(harmonics.front()); q < last; ++q) {
                 const auto turn = std::polar(1.0, -2 * pi * static_cast<double>(q) * frame / frames);
                 for (std::size_t texel = 0; texel < texels; ++texel)
@@ -152,7 +157,7 @@ TEST(Depth, FrequenciesAtAPointAreThoseOfTheSpectrum) {
                            .fetch_m = 100e3,
                            .depth_m = depth,
                            .loop_period_s = 60};
-        const WaveSpectrum spectrum(sea);
+        const WaveSpectrum spectrum = spectrum_of(sea);
         ASSERT_EQ(spectrum.kept_by_breaking(), 1);
         // From half the peak frequency up to the shortest wave that the grid holds in all directions, 26 m.
         const std::vector<int> harmonics = {5, 8, 10, 13};
@@ -206,7 +211,7 @@ TEST(Swell, HasTheHeightAndPeriodAskedFor) {
 // closed form. A jonswap sea has 3, a fully developed one 2.
 TEST(Swell, IsNarrowerThanAWindSea) {
     const auto peakedness = [](const SeaState& sea) {
-        const WaveSpectrum spectrum(sea);
+        const WaveSpectrum spectrum = spectrum_of(sea);
         const double m0 = moment(spectrum, 0);
         return 2 / (m0 * m0) *
                integral(
@@ -223,14 +228,14 @@ TEST(Swell, IsNarrowerThanAWindSea) {
 
 TEST(Swell, AddsItsEnergyToThatOfTheWind) {
     SeaState sea{.wind_speed_mps = 9};
-    const double wind = WaveSpectrum(sea).variance();
+    const double wind = spectrum_of(sea).variance();
     sea.swell_height_m = 2.5;
-    EXPECT_NEAR(WaveSpectrum(sea).variance(), wind + 2.5 * 2.5 / 16, 1e-6);
+    EXPECT_NEAR(spectrum_of(sea).variance(), wind + 2.5 * 2.5 / 16, 1e-6);
     // And wave by wave, of all directions.
     sea.swell_height_m = 0;
-    const WaveSpectrum without(sea);
+    const WaveSpectrum without = spectrum_of(sea);
     sea.swell_height_m = 2.5;
-    const WaveSpectrum with(sea);
+    const WaveSpectrum with = spectrum_of(sea);
     const DirectionalLobe lobe = DirectionalLobe::cosine_2s(cosine_2s_exponent(15 * pi / 180));
     for (const double angle : {0.0, 0.2, 1.0, 3.0, 5.0}) {
         const double kx = 0.03 * std::cos(angle), kz = 0.03 * std::sin(angle);
@@ -246,9 +251,9 @@ TEST(Swell, AddsItsEnergyToThatOfTheWind) {
 
 TEST(Swell, LeavesTheSmallWavesToTheWind) {
     SeaState sea{.wind_speed_mps = 9, .swell_height_m = 4};
-    const WaveSpectrum with(sea);
+    const WaveSpectrum with = spectrum_of(sea);
     sea.swell_height_m = 0;
-    const WaveSpectrum without(sea);
+    const WaveSpectrum without = spectrum_of(sea);
     for (const double k : {1.0, 10.0, 100.0})
         EXPECT_NEAR(with.radial_density(k) / without.radial_density(k), 1, 1e-5) << k;
 }
@@ -260,7 +265,9 @@ struct Directions {
 
 /// First circular moment of the waves that 16 seeds drew, around the direction; `expected` from the variances alone.
 Directions directions(SeaState sea, bool drawn) {
-    const WaveSpectrum spectrum(sea);
+    const WaveSpectrum spectrum = spectrum_of(sea);
+    std::vector<TileWaves> seeds;
+    for (sea.seed = 1; drawn && sea.seed <= 16; ++sea.seed) seeds.emplace_back(sea, tile_of(sea));
     double x = 0, z = 0, all = 0, squares = 0;
     const int half = sea.resolution / 2;
     for (int n = -half + 1; n < half; ++n)
@@ -270,8 +277,7 @@ Directions directions(SeaState sea, bool drawn) {
             const double dk = 2 * pi / sea.patch_size_m, length = std::hypot(m, n);
             const double variance = spectrum.amplitude_variance(m * dk, n * dk);
             if (drawn) {
-                for (sea.seed = 1; sea.seed <= 16; ++sea.seed)
-                    energy += std::norm(initial_amplitude(sea, spectrum, m, n)) / 16;
+                for (const TileWaves& waves : seeds) energy += std::norm(waves.amplitude(m, n)) / 16;
             } else {
                 energy = variance;
             }
@@ -302,7 +308,7 @@ TEST(Directions, OfDrawnWavesAreThoseOfTheSpreading) {
                      .patch_size_m = 1200,
                      .wind_speed_mps = 12,
                      .wind_direction_rad = -1.1};
-        const WaveSpectrum spectrum(sea);
+        const WaveSpectrum spectrum = spectrum_of(sea);
         const double peak = 22 * std::cbrt(gravity * gravity / (12 * 100e3)), age = 12 * peak / gravity;
         const auto s_at = [&](double over_peak) {
             if (model == SpreadingModel::cosine_2s)
@@ -334,7 +340,7 @@ TEST(SmallWaves, EndBelowAQuarterOfThePeaksWhateverTheTile) {
         few.small_waves = 1;
         const double peak = 2 * pi / expected_waves(all).peak_wavelength_m;
         const auto kept = [&](double k) {
-            return WaveSpectrum(few).radial_density(k) / WaveSpectrum(all).radial_density(k);
+            return spectrum_of(few).radial_density(k) / spectrum_of(all).radial_density(k);
         };
         EXPECT_NEAR(kept(4 * peak), std::exp(-4), 0.02 * std::exp(-4)) << name_of(model);
         EXPECT_NEAR(kept(peak), std::exp(-0.25), 0.01) << name_of(model);
@@ -344,7 +350,7 @@ TEST(SmallWaves, EndBelowAQuarterOfThePeaksWhateverTheTile) {
         SeaState other = few;
         other.patch_size_m = 33;
         other.resolution = 16;
-        EXPECT_EQ(WaveSpectrum(few).radial_density(1), WaveSpectrum(other).radial_density(1));
+        EXPECT_EQ(spectrum_of(few).radial_density(1), spectrum_of(other).radial_density(1));
     }
 }
 
@@ -353,7 +359,7 @@ TEST(Directions, AWaveAndItsOppositeAreFoundAtOnce) {
     for (const SpreadingModel model : spreading_models()) {
         const SeaState sea{
             .spreading = model, .wind_direction_rad = 0.7, .swell_height_m = 1, .swell_direction_rad = 4};
-        const WaveSpectrum spectrum(sea);
+        const WaveSpectrum spectrum = spectrum_of(sea);
         for (int i = 1; i < 40; ++i) {
             const double kx = 0.03 * i, kz = 0.017 * (20 - i);
             const auto both = spectrum.amplitude_variances(spectrum.shell(std::sqrt(kx * kx + kz * kz)), kx, kz);
@@ -365,11 +371,11 @@ TEST(Directions, AWaveAndItsOppositeAreFoundAtOnce) {
 
 TEST(Swell, OfNoHeightChangesNoBit) {
     SeaState sea;
-    const WaveSpectrum before(sea);
+    const WaveSpectrum before = spectrum_of(sea);
     sea.swell_period_s = 20;
     sea.swell_direction_rad = 1;
     sea.swell_spread_rad = 0.1;
-    const WaveSpectrum after(sea);
+    const WaveSpectrum after = spectrum_of(sea);
     for (const double k : {0.03, 0.3, 3.0})
         EXPECT_EQ(before.amplitude_variance(k, k / 2), after.amplitude_variance(k, k / 2));
 }

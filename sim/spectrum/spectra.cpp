@@ -48,12 +48,12 @@ double cutoff_length(const SeaState& sea, double peak) {
 
 }  // namespace
 
-WaveSpectrum::WaveSpectrum(const SeaState& sea)
+WaveSpectrum::WaveSpectrum(const SeaState& sea, const TilePlan& tile)
     : sea_(sea),
-      water_(sea.depth_m),
+      water_(sea.depth_m, tile.has_surface_tension ? sea_surface_tension_m3ps2 : 0),
       paper_spreading_(sea.alignment),
       largest_wave_m_(sea.wind_speed_mps * sea.wind_speed_mps / gravity_mps2),
-      grid_spacing_(two_pi / sea.patch_size_m),
+      grid_spacing_(tile.spacing()),
       peak_(deep_peak(sea)),
       cutoff_m_(cutoff_length(sea, peak_)),
       swell_variance_(sea.swell_height_m * sea.swell_height_m / 16),
@@ -67,8 +67,8 @@ WaveSpectrum::WaveSpectrum(const SeaState& sea)
     swell_z_ = swell.sine;
 
     // A = A_fft^2 A_spatial^2 with A_fft = N^(-1/4), A_spatial = e / L: VR Ocean, equations 4 and 5.
-    const double spatial = euler_e / sea.patch_size_m;
-    paper_scale_ = spatial * spatial / std::sqrt(static_cast<double>(sea.resolution));
+    const double spatial = euler_e / tile.lattice.side_m;
+    paper_scale_ = spatial * spatial / std::sqrt(static_cast<double>(tile.resolution));
 
     const double speed = sea.wind_speed_mps;
     jonswap_alpha_ = 0.076 * det::pow(speed * speed / (sea.fetch_m * gravity_mps2), 0.22);

@@ -13,6 +13,7 @@
 #include "pelagic/sim/sea_state.hpp"
 #include "pelagic/sim/spectrum/dispersion.hpp"
 #include "pelagic/sim/spectrum/spreading.hpp"
+#include "pelagic/sim/tile_plan.hpp"
 
 namespace pelagic {
 
@@ -20,13 +21,13 @@ namespace pelagic {
 /// breaks (Thornton and Guza 1982).
 inline constexpr double highest_over_depth = 0.6;
 
-/// The spectrum of one sea. Construction does the slow part; calls are const and thread-safe.
+/// The spectrum of one sea on the lattice of one of its tiles. Construction does the slow part; calls are const and thread-safe.
 class WaveSpectrum {
    public:
     /// \pre check(sea) is empty
-    explicit WaveSpectrum(const SeaState& sea);
+    WaveSpectrum(const SeaState& sea, const TilePlan& tile);
 
-    /// E|h0(k)|^2 in m^2 at the wave vector (kx, kz) in rad/m of the sea's grid. \pre k is not 0
+    /// E|h0(k)|^2 in m^2 at the wave vector (kx, kz) in rad/m of the tile's lattice. \pre k is not 0
     double amplitude_variance(double kx, double kz) const;
 
     /// What all waves of one wave number share, which is most of the work:

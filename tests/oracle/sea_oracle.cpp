@@ -138,7 +138,7 @@ Complex amplitude(const SeaState& sea, double kept, int m, int n) {
     if ((m == 0 && n == 0) || m == -nyquist || n == -nyquist) return 0;
     const double dk = 2 * pi / sea.patch_size_m;
     const double kx = m * dk, kz = n * dk;
-    const GaussianPair xi = gaussian_pair(sea.seed, m, n);
+    const GaussianPair xi = gaussian_pair(sea.seed, 0, m, n);
     if (sea.spectrum != SpectrumModel::phillips_paper)
         return Complex(xi.re, xi.im) / 2.0 * std::sqrt(kept * unbroken_density(sea, kx, kz)) * dk;
 
