@@ -48,7 +48,7 @@ double short_number(double value, bool up) {
 
 /// Where the slopes of the model reach what tiles may hold, rad/m; the shortest wave's if they never do.
 double end_of_slopes(const WaveSpectrum& spectrum, const SeaState& sea) {
-    const double most = most_of_slopes * cox_munk_slopes(sea.wind_speed_mps).total();
+    const double most = most_of_slopes * measured_slopes(sea.wind_speed_mps).total();
     constexpr double ratio = 1.02;
     const double step = det::log(ratio), last = two_pi / shortest_wave_m;
     double sum = 0;
@@ -61,10 +61,12 @@ double end_of_slopes(const WaveSpectrum& spectrum, const SeaState& sea) {
 
 std::vector<TilePlan> plan_stack(const SeaState& sea) {
     const int count = cascades_of(sea), n = resolution_of(sea);
-    const WaveSpectrum spectrum(sea, {.lattice = {.side_m = papers_side_m}, .resolution = n, .has_surface_tension = true});
+    const WaveSpectrum spectrum(sea,
+                                {.lattice = {.side_m = papers_side_m}, .resolution = n, .has_surface_tension = true});
     const double peak_wave_m = two_pi / peak_of(spectrum, sea).k;
-    const double coarsest_m = std::clamp(short_number(std::clamp(peak_waves * peak_wave_m, least_side_m, most_side_m), false),
-                                         least_side_m, most_side_m);
+    const double coarsest_m =
+        std::clamp(short_number(std::clamp(peak_waves * peak_wave_m, least_side_m, most_side_m), false), least_side_m,
+                   most_side_m);
     const double end = end_of_slopes(spectrum, sea);
 
     const double widest = n / (texels_a_wave * steps_a_band);
