@@ -20,10 +20,11 @@ constexpr double two_to_minus_53 = 1.0 / 9007199254740992.0;
 
 }  // namespace
 
-GaussianPair gaussian_pair(std::uint32_t seed, int m, int n) {
+GaussianPair gaussian_pair(std::uint32_t seed, int tile, int m, int n) {
     const std::uint64_t wave = std::uint64_t{static_cast<std::uint32_t>(m)} << 32 | static_cast<std::uint32_t>(n);
+    const std::uint64_t sea = std::uint64_t{static_cast<std::uint32_t>(tile)} << 32 | seed;
     // The seed is mixed before it meets the wave: otherwise seeds would be shifted copies of one another.
-    const std::uint64_t state = mix(wave + golden_gamma) ^ mix(seed + 2 * golden_gamma);
+    const std::uint64_t state = mix(wave + golden_gamma) ^ mix(sea + 2 * golden_gamma);
     const std::uint64_t first = mix(state + golden_gamma);
     const std::uint64_t second = mix(state + 2 * golden_gamma);
 
