@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pelagic/sim/frame.hpp"
+#include "pelagic/sim/tile.hpp"
 
 namespace pelagic {
 namespace {

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "pelagic/sim/frame.hpp"
+#include "pelagic/sim/tile.hpp"
 #include "pelagic/sim/kernels/kernels.hpp"
 
 namespace pelagic::unfused {
