@@ -5,6 +5,7 @@
 
 #include "pelagic/sim/kernels/wave_blocks.hpp"
 #include "pelagic/sim/surface/item_stage.hpp"
+#include "pelagic/sim/surface/slope_maps.hpp"
 
 namespace pelagic {
 namespace {
@@ -84,6 +85,7 @@ void Cascade::begin_frame(double time_s) {
     Tile& tile = slots_.tile(tile_);
     tile.lattice = lattice_;
     tile.whitecap_jacobian = whitecap_jacobian_;
+    tile.slope_ranges = slope_ranges_;
 }
 
 FrameBounds Cascade::end_frame() {
@@ -106,12 +108,14 @@ LineFigures Cascade::adopt_spectrum() {
     LineFigures all;
     for (const LineFigures& line : bake_->lines) {
         all.height_variance += line.height_variance;
+        all.mean_square_slope += line.mean_square_slope;
         all.folding += line.folding;
     }
     const SeaState& sea = bake_->sea;
     whitecap_jacobian_ = bake_->whitecap_cover > 0
                              ? whitecap_jacobian(all.folding, sea.choppiness, bake_->whitecap_cover)
                              : Tile::no_whitecaps;
+    slope_ranges_ = slope_ranges(all.mean_square_slope);
     lattice_ = bake_->waves.tile().lattice;
     loop_period_s_ = sea.loop_period_s;
     choppiness_ = static_cast<float>(sea.choppiness);

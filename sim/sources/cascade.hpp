@@ -64,6 +64,7 @@ class Cascade final : public WaveSource {
     double loop_period_s_ = 1;
     float choppiness_ = 0;
     float whitecap_jacobian_ = 0;
+    SlopeRanges slope_ranges_;
 
     /// A spectrum being baked.
     struct Bake {

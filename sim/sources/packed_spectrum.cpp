@@ -52,6 +52,8 @@ LineFigures bake_spectrum_line(const SeaState& sea, const TileWaves& waves, cons
             const int position = pair.plus + s * (resolution / radix);
             const int m = position < resolution / 2 ? position : position - resolution;
             if (!waves.holds(m, n)) continue;  // all zeros
+            const double length = std::sqrt(static_cast<double>(m) * m + static_cast<double>(n) * n);
+            const double k = length * spacing;
             const auto put = [&](WaveQuantity quantity, double value) {
                 wave[quantity * out.lanes] = static_cast<float>(value);
             };
@@ -59,13 +61,13 @@ LineFigures bake_spectrum_line(const SeaState& sea, const TileWaves& waves, cons
                 const PackedWave values = packed(opposites);
                 for (std::size_t i = 0; i < values.size(); ++i) wave[(first + i) * out.lanes] = values[i];
                 figures.height_variance += mirrors * opposites.expected_square();
+                figures.mean_square_slope += mirrors * opposites.expected_square() * k * k;
                 figures.folding.add_wave(mirrors * opposites.drawn_square(), signed_m * spacing, n * spacing,
                                          difference(signed_m), difference_z);
             };
             const TileWaves::MirroredPair mirrored = waves.pair(m, n);
             put_wave(plus_cos_re, mirrored.plus, m);
             if (!pair.is_own_negative()) put_wave(minus_cos_re, mirrored.minus, -m);
-            const double length = std::sqrt(static_cast<double>(m) * m + static_cast<double>(n) * n);
             put(direction_x, m / length);
             put(direction_z, n / length);
             *harmonic =

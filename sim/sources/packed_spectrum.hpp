@@ -40,8 +40,9 @@ struct PackedSpectrum {
 
 /// What the waves of a line and of its mirror add to the sea.
 struct LineFigures {
-    double height_variance = 0;  ///< m^2, the mean over all seeds
-    FoldMoments folding;         ///< of the waves that this seed drew
+    double height_variance = 0;    ///< m^2, the mean over all seeds
+    double mean_square_slope = 0;  ///< h_x^2 + h_z^2, the mean over all seeds
+    FoldMoments folding;           ///< of the waves that this seed drew
 };
 
 /// Fills one line, 0 <= line < line_count(). Lines are independent.
