@@ -93,7 +93,7 @@ void time_lookup(benchmark::State& state, int resolution, Isa isa, bool coherent
         u[i] = static_cast<float>(x - cell_x[i]);
         v[i] = static_cast<float>(z - cell_z[i]);
     }
-    SampleSurfaceJob job{.surface = texels_of(scene.frame),
+    SampleSurfaceJob job{.surface = texels_of(scene.frame.tiles[0]),
                          .two_texels_m = 0,
                          .jacobian_factor = 0,
                          .count = count,
@@ -123,7 +123,7 @@ void time_frame(benchmark::State& state, int resolution, Isa isa, bool queries, 
     Ocean ocean({.resolution = resolution, .choppiness = 1},
                 {.executor = make_serial_executor(), .isa = isa, .queries = queries, .velocities = velocities});
     double time_s = 0;
-    for (auto _ : state) benchmark::DoNotOptimize(ocean.frame_at(time_s += 1.0 / 72).height.data);
+    for (auto _ : state) benchmark::DoNotOptimize(ocean.frame_at(time_s += 1.0 / 72).tiles[0].height.data);
     state.SetItemsProcessed(state.iterations() * resolution * resolution);
 }
 

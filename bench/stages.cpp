@@ -70,7 +70,7 @@ void time_frame(benchmark::State& state, int resolution, Isa isa, int threads) {
     const auto ocean =
         ocean_of(resolution, isa, threads == 1 ? make_serial_executor() : make_default_executor(threads));
     double time_s = 0;
-    for (auto _ : state) benchmark::DoNotOptimize(ocean->frame_at(time_s += 1.0 / 72).height.data);
+    for (auto _ : state) benchmark::DoNotOptimize(ocean->frame_at(time_s += 1.0 / 72).tiles[0].height.data);
     Work work{};
     for (const Stage& stage : ocean->graph().stages()) {
         work.flops += work_of(stage.name, resolution).flops;

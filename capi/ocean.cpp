@@ -91,21 +91,21 @@ pelagic_frame c_frame_of(const Frame& frame) {
     pelagic_frame out{};
     constexpr int most_levels = sizeof out.gradient_offset / sizeof out.gradient_offset[0];
     static_assert(most_levels >= mip_levels(2048));
-    const int levels = mip_levels(frame.resolution());
-    out.resolution = frame.resolution();
+    const int levels = mip_levels(frame.tiles[0].resolution());
+    out.resolution = frame.tiles[0].resolution();
     out.time_s = frame.time_s;
     out.patch_size_m = frame.sea.patch_size_m;
-    out.dx = plane_of(frame.dx);
-    out.height = plane_of(frame.height);
-    out.dz = plane_of(frame.dz);
-    out.velocity_x = plane_of(frame.velocity_x);
-    out.velocity_y = plane_of(frame.velocity_y);
-    out.velocity_z = plane_of(frame.velocity_z);
-    out.displacement_rgba16f = frame.displacement_rgba16f.data();
-    out.gradient_rgba8 = frame.gradient_rgba8.data();
+    out.dx = plane_of(frame.tiles[0].dx);
+    out.height = plane_of(frame.tiles[0].height);
+    out.dz = plane_of(frame.tiles[0].dz);
+    out.velocity_x = plane_of(frame.tiles[0].velocity_x);
+    out.velocity_y = plane_of(frame.tiles[0].velocity_y);
+    out.velocity_z = plane_of(frame.tiles[0].velocity_z);
+    out.displacement_rgba16f = frame.tiles[0].displacement_rgba16f.data();
+    out.gradient_rgba8 = frame.tiles[0].gradient_rgba8.data();
     out.gradient_levels = levels;
     for (int level = 0; level < levels; ++level)
-        out.gradient_offset[level] = static_cast<std::uint32_t>(mip_offset(frame.resolution(), level));
+        out.gradient_offset[level] = static_cast<std::uint32_t>(mip_offset(frame.tiles[0].resolution(), level));
     out.bounds = bounds_of(frame.bounds);
     return out;
 }
@@ -207,7 +207,8 @@ pelagic_status pelagic_ocean_frame_at(pelagic_ocean* ocean, double time_s, const
         need_finite(time_s);
         const FrameBuffers to = buffers_of(read_struct(buffers, "buffers"));
         Ocean& sea = ocean->ocean;
-        if (const std::string reason = check(to, sea.sea().resolution, ocean->has_velocities); !reason.empty())
+        if (const std::string reason = check({&to, 1}, sea.tile_count(), sea.resolution(), ocean->has_velocities);
+            !reason.empty())
             refuse(reason);
         ocean->asked.wait_for_old_readers();
         FrameBounds all;

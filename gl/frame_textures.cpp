@@ -49,7 +49,7 @@ std::size_t FrameTextures::gradient_bytes() const {
 }
 
 void FrameTextures::upload(const Frame& frame) {
-    assert(frame.resolution() == resolution_ && "the textures were made for another resolution");
+    assert(frame.tiles[0].resolution() == resolution_ && "the textures were made for another resolution");
     const KeptState keep(gl_);
     PixelBuffer& pixels = ring_[next_buffer_];
     next_buffer_ = (next_buffer_ + 1) % ring_.size();
@@ -71,8 +71,8 @@ void FrameTextures::upload(const Frame& frame) {
         check_context(gl_);
         throw GlError("the driver maps no pixel buffer; is it out of memory?");
     }
-    std::memcpy(to, frame.displacement_rgba16f.data(), displacement_bytes());
-    std::memcpy(to + displacement_bytes(), frame.gradient_rgba8.data(), gradient_bytes());
+    std::memcpy(to, frame.tiles[0].displacement_rgba16f.data(), displacement_bytes());
+    std::memcpy(to + displacement_bytes(), frame.tiles[0].gradient_rgba8.data(), gradient_bytes());
     gl_.UnmapBuffer(GL_PIXEL_UNPACK_BUFFER);
 
     const Stopwatch driver;

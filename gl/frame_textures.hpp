@@ -22,7 +22,7 @@ class FrameTextures {
     /// views may go stale afterwards. Call it at the start of a host's frame, with the frame that complete() gave.
     /// Waits only if the GPU is three frames behind. GL state ends as it was.
     /// Mips of the displacement are the driver's (box filter), those of the gradients are the frame's.
-    /// \pre frame.resolution() is the one given above
+    /// \pre frame.tiles[0].resolution() is the one given above
     void upload(const Frame& frame);
 
     GLuint displacement() const { return pairs_[pair_].displacement.name(); }

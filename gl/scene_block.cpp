@@ -100,7 +100,7 @@ SceneBlock scene_block_of(const DrawInput& input, const SeaFacts& facts, const S
     const double height = std::max(1.5, std::abs(input.viewer_m.y));
     block.haze = {sky.haze_per_m, height / std::tan(softened_horizon_rad)};
     block.water_absorption = {absorption_per_m, sea.depth_m};
-    block.output_kind.y = facts.figures.whitecap_jacobian + input.more_foam;
+    block.output_kind.y = facts.whitecap_jacobian + input.more_foam;
     const float alpha = static_cast<float>(sea.roughness);
     const float detail_square = detail_part * alpha * alpha;
     block.water_scattering = {backscattering_per_m, detail_square};

@@ -25,6 +25,7 @@ struct SceneBlock {
 struct SeaFacts {
     SeaState sea;
     SeaFigures figures;
+    float whitecap_jacobian = 0;
     double time_s = 0;
     bool has_displacement_mips = false;
     bool framebuffer_is_srgb = false;

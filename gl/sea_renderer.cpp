@@ -129,6 +129,7 @@ void SeaRenderer::upload(const Frame& frame) {
     state_->textures.upload(frame);
     state_->facts.sea = frame.sea;
     state_->facts.figures = frame.figures;
+    state_->facts.whitecap_jacobian = frame.tiles[0].whitecap_jacobian;
     state_->facts.time_s = frame.time_s;
     state_->figures.upload_ms = all.milliseconds();
     state_->figures.upload_driver_ms = state_->textures.last_driver_ms();

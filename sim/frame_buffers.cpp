@@ -14,9 +14,7 @@ void copy_all(std::span<const T> from, std::span<T> to) {
     if (!to.empty()) std::memcpy(to.data(), from.data(), from.size_bytes());
 }
 
-}  // namespace
-
-std::string check(const FrameBuffers& buffers, int resolution, bool has_velocities) {
+std::string check_tile(const FrameBuffers& buffers, int resolution, bool has_velocities) {
     const std::size_t texels = static_cast<std::size_t>(resolution) * static_cast<std::size_t>(resolution);
     struct Field {
         std::string_view name;
@@ -44,6 +42,16 @@ std::string check(const FrameBuffers& buffers, int resolution, bool has_velociti
     return {};
 }
 
+}  // namespace
+
+std::string check(std::span<const FrameBuffers> tiles, std::size_t tile_count, int resolution, bool has_velocities) {
+    if (tiles.size() != tile_count)
+        return "there are buffers of " + number_text(tiles.size()) + " tiles, needs " + number_text(tile_count);
+    for (const FrameBuffers& buffers : tiles)
+        if (std::string reason = check_tile(buffers, resolution, has_velocities); !reason.empty()) return reason;
+    return {};
+}
+
 void copy_plane(const PlaneView& plane, std::span<float> out) {
     if (out.empty()) return;
     const auto side = static_cast<std::size_t>(plane.resolution);
@@ -53,18 +61,24 @@ void copy_plane(const PlaneView& plane, std::span<float> out) {
     for (int j = 0; j < plane.resolution; ++j) plane.copy_row(j, out.data() + static_cast<std::size_t>(j) * side);
 }
 
-void copy_frame(const Frame& frame, const FrameBuffers& buffers) {
-    if (const std::string reason = check(buffers, frame.resolution(), frame.velocity_x.data != nullptr);
+void copy_frame(const Frame& frame, std::span<const FrameBuffers> tiles) {
+    const Tile& first = frame.tiles.front();
+    if (const std::string reason =
+            check(tiles, frame.tiles.size(), first.resolution(), first.velocity_x.data != nullptr);
         !reason.empty())
         throw std::invalid_argument(reason);
-    copy_plane(frame.dx, buffers.dx);
-    copy_plane(frame.height, buffers.height);
-    copy_plane(frame.dz, buffers.dz);
-    copy_plane(frame.velocity_x, buffers.velocity_x);
-    copy_plane(frame.velocity_y, buffers.velocity_y);
-    copy_plane(frame.velocity_z, buffers.velocity_z);
-    copy_all(frame.displacement_rgba16f, buffers.displacement_rgba16f);
-    copy_all(frame.gradient_rgba8, buffers.gradient_rgba8);
+    for (std::size_t i = 0; i < tiles.size(); ++i) {
+        const Tile& from = frame.tiles[i];
+        const FrameBuffers& to = tiles[i];
+        copy_plane(from.dx, to.dx);
+        copy_plane(from.height, to.height);
+        copy_plane(from.dz, to.dz);
+        copy_plane(from.velocity_x, to.velocity_x);
+        copy_plane(from.velocity_y, to.velocity_y);
+        copy_plane(from.velocity_z, to.velocity_z);
+        copy_all(from.displacement_rgba16f, to.displacement_rgba16f);
+        copy_all(from.gradient_rgba8, to.gradient_rgba8);
+    }
 }
 
 }  // namespace pelagic

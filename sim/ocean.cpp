@@ -5,15 +5,19 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "pelagic/message/refusal.hpp"
 #include "pelagic/sim/sources/cascade.hpp"
+#include "pelagic/sim/surface/surface_stages.hpp"
+#include "pelagic/sim/tile_plan.hpp"
+#include "pelagic/simd/float_environment.hpp"
 
 namespace pelagic {
 namespace {
 
 // A frame of 64 x 64 takes 20 microseconds; sharing it among threads takes as long again. See docs/benchmarks.md.
-constexpr int largest_resolution_without_jobs = 64;
+constexpr std::size_t most_texels_without_jobs = 64 * 64;
 
 const SeaState& checked(const SeaState& sea) {
     if (const std::string reason = check(sea); !reason.empty()) throw std::invalid_argument(reason);
@@ -22,17 +26,101 @@ const SeaState& checked(const SeaState& sea) {
 
 }  // namespace
 
+/// What the sources of all tiles share, and how a frame is put together from what they make.
+class Ocean::Sources {
+   public:
+    Sources(const SeaState& sea, Isa isa, const FrameExtras& extras) : Sources(plan_tiles(sea), isa, extras) {}
+
+    Sources(const std::vector<TilePlan>& plans, Isa isa, const FrameExtras& extras)
+        : isa_(isa), slots_(plans.size(), plans.front().resolution, kernels_for(isa).lanes, extras) {
+        for (std::size_t tile = 0; tile < plans.size(); ++tile) {
+            cascades_.push_back(std::make_unique<Cascade>(slots_, tile, kernels_for(isa), extras));
+            surfaces_.push_back(std::make_unique<SurfaceStages>(slots_, tile, kernels_for(isa), extras.memory));
+        }
+    }
+
+    void add_frame_stages(JobGraph& graph) {
+        for (std::size_t tile = 0; tile < cascades_.size(); ++tile)
+            surfaces_[tile]->add_to(graph, cascades_[tile]->add_frame_stages(graph));
+    }
+    void add_spectrum_stages(JobGraph& graph) {
+        for (const auto& cascade : cascades_) cascade->add_spectrum_stage(graph);
+    }
+
+    void begin_frame(double time_s) {
+        const DefaultFloatEnvironment environment;
+        slots_.turn();
+        Frame& frame = slots_.frame();
+        frame.time_s = time_s;
+        frame.sea = sea_;
+        frame.figures = figures_;
+        frame.isa = isa_;
+        for (const auto& cascade : cascades_) cascade->begin_frame(time_s);
+    }
+    const Frame& end_frame() {
+        Frame& frame = slots_.frame();
+        frame.bounds = {};
+        for (std::size_t tile = 0; tile < cascades_.size(); ++tile) {
+            const FrameBounds bounds = slots_.tile(tile).bounds = cascades_[tile]->end_frame();
+            frame.bounds.height_min_m += bounds.height_min_m;
+            frame.bounds.height_max_m += bounds.height_max_m;
+            frame.bounds.sideways_x_max_m += bounds.sideways_x_max_m;
+            frame.bounds.sideways_z_max_m += bounds.sideways_z_max_m;
+        }
+        return frame;
+    }
+    void drop_frame() { slots_.turn(); }
+
+    void begin_sea(const SeaState& sea) {
+        const DefaultFloatEnvironment environment;
+        const std::vector<TilePlan> plans = plan_tiles(sea);
+        for (std::size_t tile = 0; tile < plans.size(); ++tile) cascades_[tile]->begin_spectrum(sea, plans[tile]);
+        baked_sea_ = sea;
+    }
+    void adopt_sea() {
+        const DefaultFloatEnvironment environment;
+        double variance = 0;
+        for (const auto& cascade : cascades_) variance += cascade->adopt_spectrum().height_variance;
+        figures_.significant_wave_height_m = 4 * std::sqrt(variance);
+        sea_ = baked_sea_;
+    }
+    void drop_sea() {
+        for (const auto& cascade : cascades_) cascade->drop_spectrum();
+    }
+
+    const SeaState& sea() const { return sea_; }
+    std::size_t tile_count() const { return slots_.tile_count(); }
+    int resolution() const { return slots_.resolution(); }
+    std::size_t texels() const {
+        return tile_count() * static_cast<std::size_t>(resolution()) * static_cast<std::size_t>(resolution());
+    }
+    std::size_t bytes() const {
+        std::size_t bytes = slots_.bytes();
+        for (const auto& cascade : cascades_) bytes += sizeof(Cascade) + cascade->bytes();
+        for (const auto& surface : surfaces_) bytes += sizeof(SurfaceStages) + surface->bytes();
+        return bytes;
+    }
+
+   private:
+    Isa isa_;
+    FrameSlots slots_;
+    std::vector<std::unique_ptr<Cascade>> cascades_;
+    std::vector<std::unique_ptr<SurfaceStages>> surfaces_;
+    SeaState sea_, baked_sea_;
+    SeaFigures figures_;
+};
+
 // The runs are last, so that they go first and wait for what is in flight.
 struct Ocean::State {
     State(const SeaState& sea, OceanOptions options)
         : executor(options.executor ? std::move(options.executor) : make_default_executor()),
           isa(choose_isa(options.isa)),
           has_velocities(options.velocities),
-          cascade(checked(sea), isa,
+          sources(checked(sea), isa,
                   {.folds = options.queries, .velocities = options.velocities, .memory = options.memory}) {
-        cascade.add_frame_stages(frame_graph);
-        cascade.add_spectrum_stage(spectrum_graph);
-        const bool is_small = sea.resolution <= largest_resolution_without_jobs;
+        sources.add_frame_stages(frame_graph);
+        sources.add_spectrum_stages(spectrum_graph);
+        const bool is_small = sources.texels() <= most_texels_without_jobs;
         const std::shared_ptr<Executor> frame_executor = is_small ? make_serial_executor() : executor;
         frame_runs_ahead = frame_executor->runs_ahead();
         frame_run = prepare(*frame_executor, frame_graph, options.trace, "frame");
@@ -47,7 +135,7 @@ struct Ocean::State {
     std::shared_ptr<Executor> executor;
     Isa isa;
     bool has_velocities;
-    Cascade cascade;
+    Sources sources;
     JobGraph frame_graph, spectrum_graph;
     bool frame_runs_ahead = false;  ///< else complete() does all the work
     bool frame_in_flight = false;
@@ -66,11 +154,11 @@ Ocean::~Ocean() = default;
 void Ocean::schedule(double time_s) {
     assert(!state_->frame_in_flight && "complete() the frame in flight first");
     assert(std::isfinite(time_s));
-    state_->cascade.begin_frame(time_s);
+    state_->sources.begin_frame(time_s);
     try {
         state_->frame_run->schedule();
     } catch (...) {
-        state_->cascade.drop_frame();
+        state_->sources.drop_frame();
         throw;
     }
     state_->frame_in_flight = true;
@@ -87,10 +175,10 @@ const Frame& Ocean::complete() {
         try {
             state_->frame_run->complete();
         } catch (...) {
-            state_->cascade.drop_frame();
+            state_->sources.drop_frame();
             throw;
         }
-        state_->completed = &state_->cascade.end_frame();
+        state_->completed = &state_->sources.end_frame();
     }
     return *state_->completed;
 }
@@ -100,28 +188,31 @@ const Frame& Ocean::frame_at(double time_s) {
     return complete();
 }
 
-FrameBounds Ocean::frame_at(double time_s, const FrameBuffers& buffers) {
+FrameBounds Ocean::frame_at(double time_s, std::span<const FrameBuffers> tiles) {
     const Frame* const completed = state_->completed;
-    if (const std::string reason = check(buffers, sea().resolution, state_->has_velocities); !reason.empty())
+    if (const std::string reason = check(tiles, tile_count(), resolution(), state_->has_velocities); !reason.empty())
         throw std::invalid_argument(reason);
     const Frame& frame = frame_at(time_s);
-    copy_frame(frame, buffers);
+    copy_frame(frame, tiles);
     state_->completed = completed;
-    state_->cascade.drop_frame();
+    state_->sources.drop_frame();
     return frame.bounds;
 }
 
 void Ocean::schedule_sea(const SeaState& sea) {
     assert(!state_->sea_in_flight && "complete_sea() first");
-    if (checked(sea).resolution != state_->cascade.sea().resolution)
+    const std::vector<TilePlan> plans = plan_tiles(checked(sea));
+    if (plans.size() != tile_count())
         throw std::invalid_argument(
-            refusal("resolution", sea.resolution,
-                    number_text(state_->cascade.sea().resolution) + ", as the ocean was built"));
-    state_->cascade.begin_spectrum(sea);
+            refusal("cascades", plans.size(), number_text(tile_count()) + ", as the ocean was built"));
+    if (plans.front().resolution != resolution())
+        throw std::invalid_argument(
+            refusal("resolution", plans.front().resolution, number_text(resolution()) + ", as the ocean was built"));
+    state_->sources.begin_sea(sea);
     try {
         state_->spectrum_run->schedule();
     } catch (...) {
-        state_->cascade.drop_spectrum();
+        state_->sources.drop_sea();
         throw;
     }
     state_->sea_in_flight = true;
@@ -136,16 +227,18 @@ void Ocean::complete_sea() {
     try {
         state_->spectrum_run->complete();
     } catch (...) {
-        state_->cascade.drop_spectrum();
+        state_->sources.drop_sea();
         throw;
     }
-    state_->cascade.adopt_spectrum();
+    state_->sources.adopt_sea();
 }
 
-const SeaState& Ocean::sea() const { return state_->cascade.sea(); }
+std::size_t Ocean::tile_count() const { return state_->sources.tile_count(); }
+int Ocean::resolution() const { return state_->sources.resolution(); }
+const SeaState& Ocean::sea() const { return state_->sources.sea(); }
 Isa Ocean::isa() const { return state_->isa; }
 const Executor& Ocean::executor() const { return *state_->executor; }
 const JobGraph& Ocean::graph() const { return state_->frame_graph; }
-std::size_t Ocean::memory_bytes() const { return sizeof(State) + state_->cascade.bytes(); }
+std::size_t Ocean::memory_bytes() const { return sizeof(State) + state_->sources.bytes(); }
 
 }  // namespace pelagic

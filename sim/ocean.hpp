@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <span>
 
 #include "pelagic/jobs/executor.hpp"
 #include "pelagic/jobs/trace.hpp"
@@ -33,7 +34,7 @@ struct OceanOptions {
     HostMemory memory = {};   ///< none: operator new. For frames and spectra, all but some 100 KB of an ocean
 };
 
-/// One patch of sea. Not thread-safe: one thread at a time calls its methods; the work runs on the executor.
+/// Not thread-safe: one thread at a time calls its methods; the work runs on the executor.
 /// After construction a frame allocates nothing in Pelagic's code, and throws only where an executor fails
 /// (GraphRun::complete()): that frame or sea is lost then, and the next may be scheduled. Misuse is asserted.
 class Ocean {
@@ -62,11 +63,12 @@ class Ocean {
     /// schedule() and complete() in one.
     const Frame& frame_at(double time_s);
 
-    /// Computes the frame of `time_s` and writes it into the caller's arrays; for servers and replays. The views of the frame
+    /// Computes the frame of `time_s` and writes it into the caller's arrays, those of a tile each; for servers and replays. The views of the frame
     /// completed last stay valid, and what complete() hands out without a frame in flight is still that one. Throws
     /// std::invalid_argument(check(buffers, ...)) before it computes.
     /// \pre no frame is in flight
-    FrameBounds frame_at(double time_s, const FrameBuffers& buffers);
+    FrameBounds frame_at(double time_s, std::span<const FrameBuffers> tiles);
+    FrameBounds frame_at(double time_s, const FrameBuffers& only_tile) { return frame_at(time_s, {&only_tile, 1}); }
 
     /// Starts to bake the spectrum of another sea beside the current one (stage `spectrum`); frames go on with the
     /// old one. The resolution must stay. Throws std::invalid_argument if a value is out of range or it does not.
@@ -77,13 +79,16 @@ class Ocean {
     /// \pre no frame is in flight
     void complete_sea();
 
-    const SeaState& sea() const;  ///< the sea that the next frame shows
+    std::size_t tile_count() const;  ///< of every frame
+    int resolution() const;          ///< texels along a side of each tile
+    const SeaState& sea() const;     ///< the sea that the next frame shows
     Isa isa() const;
     const Executor& executor() const;
     const JobGraph& graph() const;     ///< the stages of a frame
     std::size_t memory_bytes() const;  ///< everything that the ocean allocated, two frames and the spectrum included
 
    private:
+    class Sources;
     struct State;
     std::unique_ptr<State> state_;
 };

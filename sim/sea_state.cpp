@@ -12,6 +12,11 @@ constexpr std::array models = {SpectrumModel::phillips_paper, SpectrumModel::phi
 constexpr std::array<std::string_view, models.size()> model_names = {"phillips-paper", "phillips",
                                                                      "pierson-moskowitz", "jonswap"};
 
+constexpr std::array spreadings = {SpreadingModel::paper, SpreadingModel::cosine_2s, SpreadingModel::hasselmann,
+                                   SpreadingModel::donelan_banner};
+constexpr std::array<std::string_view, spreadings.size()> spreading_names = {"paper", "cosine-2s", "hasselmann",
+                                                                             "donelan-banner"};
+
 constexpr double two_pi = 6.283185307179586;
 
 constexpr std::array fields = {
@@ -26,6 +31,10 @@ constexpr std::array fields = {
     SeaStateField{"roughness", &SeaState::roughness, 0, 1, "[0, 1]"},
     SeaStateField{"small_waves", &SeaState::small_waves, 0, 1, "[0, 1]"},
     SeaStateField{"alignment", &SeaState::alignment, 0, 1, "[0, 1]"},
+    SeaStateField{"swell_height_m", &SeaState::swell_height_m, 0, 30, "[0, 30]"},
+    SeaStateField{"swell_period_s", &SeaState::swell_period_s, 1, 40, "[1, 40]"},
+    SeaStateField{"swell_direction_rad", &SeaState::swell_direction_rad, -two_pi, two_pi, "[-2 pi, 2 pi]"},
+    SeaStateField{"swell_spread_rad", &SeaState::swell_spread_rad, two_pi / 360, 2 * two_pi / 9, "[pi/180, 4 pi/9]"},
     SeaStateField{"loop_period_s", &SeaState::loop_period_s, 0.1, 86400, "[0.1, 86400]"},
     SeaStateField{"seed", &SeaState::seed, 0, 4294967295.0, "a whole number from 0 to 4294967295"},
 };
@@ -42,11 +51,28 @@ std::optional<SpectrumModel> spectrum_model_named(std::string_view name) {
 
 std::span<const SpectrumModel> spectrum_models() { return models; }
 
+std::string_view name_of(SpreadingModel model) { return spreading_names[static_cast<std::size_t>(model)]; }
+
+std::optional<SpreadingModel> spreading_model_named(std::string_view name) {
+    for (const SpreadingModel model : spreadings)
+        if (name_of(model) == name) return model;
+    return {};
+}
+
+std::span<const SpreadingModel> spreading_models() { return spreadings; }
+
 std::span<const SeaStateField> sea_state_fields() { return fields; }
 
 std::string check(const SeaState& sea) {
     if (static_cast<std::size_t>(sea.spectrum) >= models.size()) return "spectrum is no known model";
-    return check_fields(sea, fields);
+    if (static_cast<std::size_t>(sea.spreading) >= spreadings.size()) return "spreading is no known model";
+    if (const std::string reason = check_fields(sea, fields); !reason.empty()) return reason;
+    if (sea.spectrum != SpectrumModel::phillips_paper) return {};
+    if (sea.spreading != SpreadingModel::paper)
+        return refusal("spreading", name_of(sea.spreading), "paper where the spectrum is phillips-paper");
+    if (sea.swell_height_m != 0)
+        return refusal("swell_height_m", sea.swell_height_m, "0 where the spectrum is phillips-paper");
+    return {};
 }
 
 }  // namespace pelagic

@@ -4,12 +4,13 @@
 #include <cmath>
 #include <functional>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "pelagic/message/number_text.hpp"
+#include "pelagic/sim/spectrum/amplitudes.hpp"
 #include "pelagic/sim/spectrum/dispersion.hpp"
-#include "pelagic/sim/spectrum/spectra.hpp"
-#include "pelagic/sim/spectrum/wave_noise.hpp"
+#include "pelagic/sim/spectrum/spectral_peak.hpp"
 #include "pelagic/simd/det_math.hpp"
 #include "pelagic/simd/float_environment.hpp"
 
@@ -31,63 +32,57 @@ struct Moments {
     }
 };
 
-/// |h0|^2 of the wave (m, n) that this seed drew; both parts of the draw have variance 1, so half of E|h0|^2 belongs to each.
-double drawn_square(const SeaState& sea, double expected_square, int m, int n) {
-    return 0.5 * expected_square * gaussian_pair_square(sea.seed, m, n);
-}
-
-/// What one pass over the grid finds: every figure of this file comes from these.
+/// What one pass over all tiles' lattices finds: every figure of this file comes from these.
 struct GridSums {
-    Moments expected;           ///< the mean over all seeds
-    SlopeVariance slopes;       ///< the same
-    Moments drawn;              ///< of this seed, as are the rest
-    std::vector<double> bands;  ///< of frequency, band_ratio wide, from that of the grid's longest wave on; m^2
+    Moments expected;               ///< the mean over all seeds
+    std::vector<TileSlopes> tiles;  ///< the same
+    Moments drawn;                  ///< of this seed, as are the rest
+    std::vector<double> bands;      ///< of frequency, band_ratio wide, from that of the longest wave on; m^2
     std::unordered_map<std::uint32_t, double> harmonics;  ///< periods in a loop, m^2
 };
 
-// Bands 5 % wide from the grid's longest wave up to its shortest.
+// Bands 5 % wide from the longest wave of the lattice up to the shortest.
 constexpr double band_ratio = 1.05;
 
 double lowest_band_hz(const SeaState& sea) {
-    return angular_frequency(two_pi / sea.patch_size_m, sea.depth_m) / two_pi;
+    return angular_frequency(plan_tiles(sea).front().spacing(), sea.depth_m) / two_pi;
 }
 
 enum class Draws { no, yes };
 
-/// Waves whose numbers differ in sign or order share a wave number, and most of the work. DC and the Nyquist row and column
-/// hold no waves. Without draws only `expected` is summed, which is half the work.
-GridSums sums_over(const SeaState& sea, const WaveSpectrum& spectrum, Draws draws) {
-    const double spacing = two_pi / sea.patch_size_m;
+/// Adds a tile's waves. (m, n) and (-m, n) share a wave number, and most of the work. Without draws only what is the mean over
+/// all seeds is summed, for half the work.
+void add_tile(const SeaState& sea, const TilePlan& tile, Draws draws, GridSums& sums) {
+    const TileWaves waves(sea, tile);
+    const Water water(sea.depth_m, tile.has_surface_tension ? sea_surface_tension_m3ps2 : 0);
     const auto wind = det::sine_cosine_of_turns(sea.wind_direction_rad / two_pi);
     const double log_ratio = det::log(band_ratio), lowest = lowest_band_hz(sea);
-    GridSums sums;
+    SlopeVariance slopes;
 
     // The wave (m, n) and the one against it; what they hold of this seed.
-    const auto add_pair = [&](const WaveSpectrum::Shell& shell, int m, int n) {
-        const double kx = m * spacing, kz = n * spacing;
-        const auto variances = spectrum.amplitude_variances(shell, kx, kz);
+    const auto add_pair = [&](const OppositeDensities& variances, int m, int n, double k) {
+        const auto [kx, kz] = tile.lattice.in_world(m * tile.spacing(), n * tile.spacing());
         // Each h~(k) is h0(k) and a mirror of h0(-k), so every amplitude counts twice in the variance.
-        sums.expected.add(2 * variances.along, 2 * variances.against, kx / shell.k, kz / shell.k);
+        sums.expected.add(2 * variances.along, 2 * variances.against, kx / k, kz / k);
         const double expected = 2 * (variances.along + variances.against);
         const double k_along = kx * wind.cosine + kz * wind.sine, k_across = kz * wind.cosine - kx * wind.sine;
-        sums.slopes.along_wind += expected * (k_along * k_along);
-        sums.slopes.across_wind += expected * (k_across * k_across);
+        slopes.along_wind += expected * (k_along * k_along);
+        slopes.across_wind += expected * (k_across * k_across);
         if (draws == Draws::no) return 0.0;
-        const double along = 2 * drawn_square(sea, variances.along, m, n);
-        const double against = 2 * drawn_square(sea, variances.against, -m, -n);
-        sums.drawn.add(along, against, kx / shell.k, kz / shell.k);
+        const double along = 2 * waves.drawn_square(variances.along, m, n);
+        const double against = 2 * waves.drawn_square(variances.against, -m, -n);
+        sums.drawn.add(along, against, kx / k, kz / k);
         return along + against;
     };
-    for (int n = 0; n < sea.resolution / 2; ++n) {
-        for (int m = std::max(n, 1); m < sea.resolution / 2; ++m) {
-            const double kx = m * spacing, kz = n * spacing;
-            const WaveSpectrum::Shell shell = spectrum.shell(std::sqrt(kx * kx + kz * kz));
-            double drawn = add_pair(shell, m, n);
-            if (n > 0) drawn += add_pair(shell, -m, n);
-            if (m > n) drawn += add_pair(shell, n, m);
-            if (m > n && n > 0) drawn += add_pair(shell, -n, m);
-            if (draws == Draws::no) continue;
-            const double omega = angular_frequency(shell.k, sea.depth_m);
+    // DC and the Nyquist row and column hold no waves.
+    for (int n = 0; n < tile.resolution / 2; ++n) {
+        for (int m = n == 0 ? 1 : 0; m < tile.resolution / 2; ++m) {
+            const double k = tile.spacing() * std::sqrt(static_cast<double>(m) * m + static_cast<double>(n) * n);
+            const TileWaves::MirroredVariances variances = waves.variances(m, n);
+            double drawn = add_pair(variances.plus, m, n, k);
+            if (m > 0 && n > 0) drawn += add_pair(variances.minus, -m, n, k);
+            if (!(drawn > 0)) continue;
+            const double omega = angular_frequency(k, water);
             const double rise = det::log(omega / two_pi / lowest) / log_ratio;
             const auto band = static_cast<std::size_t>(std::max(0.0, rise));
             if (band >= sums.bands.size()) sums.bands.resize(band + 1);
@@ -95,53 +90,21 @@ GridSums sums_over(const SeaState& sea, const WaveSpectrum& spectrum, Draws draw
             sums.harmonics[loop_harmonic(omega, sea.loop_period_s)] += drawn;
         }
     }
+    sums.tiles.push_back({tile.lattice.side_m, tile.resolution, slopes});
+}
+
+GridSums sums_over(const SeaState& sea, Draws draws) {
+    GridSums sums;
+    for (const TilePlan& tile : plan_tiles(sea)) add_tile(sea, tile, draws, sums);
     return sums;
-}
-
-/// The model's energy over wave number, whatever its scale, m^3.
-double radial_energy(const WaveSpectrum& spectrum, const SeaState& sea, double k) {
-    if (spectrum.is_physical()) return spectrum.radial_density(k);
-    // Along the wind the paper's spectrum has the shape of the whole: its spreading does not depend on k.
-    const auto wind = det::sine_cosine_of_turns(sea.wind_direction_rad / two_pi);
-    return k * spectrum.amplitude_variance(k * wind.cosine, k * wind.sine);
-}
-
-// Wave numbers to look at: from ten times the longest wave of the wind to a tenth of a millimetre, 2 % apart.
-constexpr double shortest_k = 1e-5;
-constexpr double longest_k = 6e4;
-constexpr double k_ratio = 1.02;
-
-struct Peak {
-    double k, omega;
-};
-
-// The largest S(omega) = S(k) / (d omega / d k), refined by halving steps around the best of the coarse grid.
-Peak peak_of(const WaveSpectrum& spectrum, const SeaState& sea) {
-    const auto density = [&](double k) { return radial_energy(spectrum, sea, k) / group_velocity(k, sea.depth_m); };
-    double best = shortest_k, most = density(best);
-    const auto look_at = [&](double k) {
-        if (const double here = density(k); here > most) best = k, most = here;
-    };
-    for (double k = shortest_k; k < longest_k; k *= k_ratio) look_at(k);
-    for (double step = k_ratio - 1; step > 1e-7; step *= 0.5)
-        for (const double k : {best * (1 - step), best * (1 + step)}) look_at(k);
-    return {best, angular_frequency(best, sea.depth_m)};
-}
-
-// Trapezoidal rule in log k, which the smooth spectrum makes accurate to far better than 1e-6.
-double model_variance(const WaveSpectrum& spectrum) {
-    double sum = 0;
-    const double step = det::log(k_ratio);
-    for (double k = shortest_k; k < longest_k; k *= k_ratio) sum += spectrum.radial_density(k) * k * step;
-    return sum;
 }
 
 std::string short_text(double value) { return rounded_text(value, 3); }
 
 /// What the model says, with the sums of the grid.
-ExpectedWaves expected_from(const WaveSpectrum& spectrum, const Peak& peak, const GridSums& sums) {
+ExpectedWaves expected_from(const WaveSpectrum& spectrum, const SpectralPeak& peak, const GridSums& sums) {
     ExpectedWaves waves{4 * std::sqrt(sums.expected.variance), two_pi / peak.omega, two_pi / peak.k, {}};
-    if (spectrum.is_physical()) waves.model_significant_wave_height_m = 4 * std::sqrt(model_variance(spectrum));
+    if (spectrum.is_physical()) waves.model_significant_wave_height_m = 4 * std::sqrt(spectrum.variance());
     return waves;
 }
 
@@ -195,22 +158,29 @@ WaveDirections directions_from(const Moments& moments) {
     return {angle_of(moments.x, moments.z), std::sqrt(2 * std::max(0.0, 1 - first))};
 }
 
-std::vector<std::string> warnings_from(const SeaState& sea, const Peak& peak, const ExpectedWaves& waves,
-                                       const LoopFrequencies& found) {
-    std::vector<std::string> warnings;
+std::vector<std::string> warnings_from(const SeaState& sea, const WaveSpectrum& spectrum, const SpectralPeak& peak,
+                                       const ExpectedWaves& waves, const LoopFrequencies& found) {
+    const TilePlan coarsest = plan_tiles(sea).front(), finest = plan_tiles(sea).back();
+    const double peak_wavelength_m = waves.peak_wavelength_m;
     // What a patch does to the height, over all seeds: one seed's own may as well be above the model's.
     const auto height_beside_model = [&]() -> std::string {
         if (!waves.model_significant_wave_height_m) return {};
         return ", over all seeds Hs " + short_text(waves.significant_wave_height_m) + " m, where this wind makes " +
                short_text(*waves.model_significant_wave_height_m) + " m";
     };
-    const double peak_wavelength_m = waves.peak_wavelength_m;
-    if (sea.patch_size_m < 2 * peak_wavelength_m)
-        warnings.push_back("the patch of " + number_text(sea.patch_size_m) +
+    std::vector<std::string> warnings;
+    if (const double kept = spectrum.kept_by_breaking(); kept < 1) {
+        const double height = highest_over_depth * sea.depth_m;
+        warnings.push_back("in " + number_text(sea.depth_m) + " m of water waves break: of Hs " +
+                           short_text(height / std::sqrt(kept)) + " m " + short_text(height) +
+                           " m is left, 0.6 of the depth");
+    }
+    if (coarsest.lattice.side_m < 2 * peak_wavelength_m)
+        warnings.push_back("the patch of " + number_text(coarsest.lattice.side_m) +
                            " m is shorter than two peak wavelengths (" + short_text(2 * peak_wavelength_m) +
                            " m): it holds few of the largest waves, or none, so each seed is higher or lower" +
                            height_beside_model());
-    if (const double shortest = 2 * sea.patch_size_m / sea.resolution; peak_wavelength_m < 2 * shortest)
+    if (const double shortest = 2 * finest.lattice.side_m / finest.resolution; peak_wavelength_m < 2 * shortest)
         warnings.push_back("the grid's shortest wave of " + short_text(shortest) +
                            " m is longer than half the peak wavelength (" + short_text(peak_wavelength_m) +
                            " m): raise the resolution or shrink the patch");
@@ -232,17 +202,17 @@ std::vector<std::string> warnings_from(const SeaState& sea, const Peak& peak, co
 
 SeaReport report_on(const SeaState& sea) {
     const DefaultFloatEnvironment environment;
-    const WaveSpectrum spectrum(sea);
-    const Peak peak = peak_of(spectrum, sea);
-    const GridSums sums = sums_over(sea, spectrum, Draws::yes);
+    const WaveSpectrum spectrum(sea, plan_tiles(sea).front());
+    const SpectralPeak peak = peak_of(spectrum, sea);
+    GridSums sums = sums_over(sea, Draws::yes);
     SeaReport report;
     report.expected = expected_from(spectrum, peak, sums);
     report.drawn_peak_period_s = peak_period_from(sea, sums);
     report.expected_directions = directions_from(sums.expected);
     report.drawn_directions = directions_from(sums.drawn);
-    report.tiles = {{sea.patch_size_m, sea.resolution, sums.slopes}};
+    report.tiles = std::move(sums.tiles);
     report.loop_frequencies = loop_frequencies_from(sums);
-    report.warnings = warnings_from(sea, peak, report.expected, report.loop_frequencies);
+    report.warnings = warnings_from(sea, spectrum, peak, report.expected, report.loop_frequencies);
     return report;
 }
 
@@ -253,23 +223,27 @@ SlopeVariance cox_and_munk_slopes(double wind_speed_mps) {
 
 ExpectedWaves expected_waves(const SeaState& sea) {
     const DefaultFloatEnvironment environment;
-    const WaveSpectrum spectrum(sea);
-    return expected_from(spectrum, peak_of(spectrum, sea), sums_over(sea, spectrum, Draws::no));
+    const WaveSpectrum spectrum(sea, plan_tiles(sea).front());
+    return expected_from(spectrum, peak_of(spectrum, sea), sums_over(sea, Draws::no));
 }
 
 double measured_significant_wave_height_m(const Frame& frame) {
     const DefaultFloatEnvironment environment;
-    const double count = static_cast<double>(frame.resolution()) * frame.resolution();
-    double sum = 0, squares = 0;
-    for (int j = 0; j < frame.resolution(); ++j) {
-        for (int i = 0; i < frame.resolution(); ++i) {
-            const double h = frame.height.at(i, j);
-            sum += h;
-            squares += h * h;
+    double variance = 0;
+    for (const Tile& tile : frame.tiles) {
+        const double count = static_cast<double>(tile.resolution()) * tile.resolution();
+        double sum = 0, squares = 0;
+        for (int j = 0; j < tile.resolution(); ++j) {
+            for (int i = 0; i < tile.resolution(); ++i) {
+                const double h = tile.height.at(i, j);
+                sum += h;
+                squares += h * h;
+            }
         }
+        const double mean = sum / count;
+        variance += std::max(0.0, squares / count - mean * mean);
     }
-    const double mean = sum / count;
-    return 4 * std::sqrt(std::max(0.0, squares / count - mean * mean));
+    return 4 * std::sqrt(variance);
 }
 
 double measured_peak_period_s(const SeaState& sea) { return report_on(sea).drawn_peak_period_s; }

@@ -63,7 +63,7 @@ class SurfaceQuery {
     const FrameBounds& bounds() const { return frame_.bounds; }
     double texel_m() const { return texel_m_; }
     double tolerance_m() const { return tolerance_m_; }
-    bool has_velocities() const { return frame_.velocity_y.data != nullptr; }
+    bool has_velocities() const { return tile_->velocity_y.data != nullptr; }
 
    private:
     struct Chunk;
@@ -78,6 +78,7 @@ class SurfaceQuery {
 
     const Kernels* kernels_;
     Frame frame_;
+    const Tile* tile_;
     double texel_m_;
     float tolerance_m_;
     float target_;  ///< where the search stops, in texels

@@ -1,4 +1,4 @@
-// Lanes and their neighbours: sums of pairs, and rows moved by one lane. xsimd 8.1 has neither.
+// Lanes and their neighbours: sums of pairs, and rows moved by one lane or two. xsimd 8.1 has neither.
 #pragma once
 
 #include <cstddef>
@@ -42,55 +42,56 @@ PELAGIC_INLINE xsimd::batch<float, Arch> pair_sums(xsimd::batch<float, Arch> low
 }
 #endif
 
-/// The lanes of `here` and the one in front of it, from the end of `before`: lane i is lane i - 1 of `here`.
-/// And the other way: lane i is lane i + 1 of `here`, the last one the first of `behind`.
+/// The lanes of `here` moved by `count`, 1 or 2, with what is missing from the end of `before`: lane i is lane i - count.
+/// And the other way: lane i is lane i + count of `here`, the last ones the first of `behind`.
 #if defined(__AVX512F__)
-template <HasLanes<16> Arch>
-PELAGIC_INLINE xsimd::batch<float, Arch> one_before(xsimd::batch<float, Arch> before,
-                                                    xsimd::batch<float, Arch> here) {
-    return _mm512_castsi512_ps(_mm512_alignr_epi32(_mm512_castps_si512(here), _mm512_castps_si512(before), 15));
+template <int count, HasLanes<16> Arch>
+PELAGIC_INLINE xsimd::batch<float, Arch> lanes_before(xsimd::batch<float, Arch> before,
+                                                      xsimd::batch<float, Arch> here) {
+    return _mm512_castsi512_ps(
+        _mm512_alignr_epi32(_mm512_castps_si512(here), _mm512_castps_si512(before), 16 - count));
 }
-template <HasLanes<16> Arch>
-PELAGIC_INLINE xsimd::batch<float, Arch> one_behind(xsimd::batch<float, Arch> here,
-                                                    xsimd::batch<float, Arch> behind) {
-    return _mm512_castsi512_ps(_mm512_alignr_epi32(_mm512_castps_si512(behind), _mm512_castps_si512(here), 1));
+template <int count, HasLanes<16> Arch>
+PELAGIC_INLINE xsimd::batch<float, Arch> lanes_behind(xsimd::batch<float, Arch> here,
+                                                      xsimd::batch<float, Arch> behind) {
+    return _mm512_castsi512_ps(_mm512_alignr_epi32(_mm512_castps_si512(behind), _mm512_castps_si512(here), count));
 }
 #endif
 #if defined(__AVX2__)
-template <HasLanes<8> Arch>
-PELAGIC_INLINE xsimd::batch<float, Arch> one_before(xsimd::batch<float, Arch> before,
-                                                    xsimd::batch<float, Arch> here) {
+template <int count, HasLanes<8> Arch>
+PELAGIC_INLINE xsimd::batch<float, Arch> lanes_before(xsimd::batch<float, Arch> before,
+                                                      xsimd::batch<float, Arch> here) {
     const __m256i middle = _mm256_castps_si256(_mm256_permute2f128_ps(before, here, 0x21));
-    return _mm256_castsi256_ps(_mm256_alignr_epi8(_mm256_castps_si256(here), middle, 12));
+    return _mm256_castsi256_ps(_mm256_alignr_epi8(_mm256_castps_si256(here), middle, 16 - 4 * count));
 }
-template <HasLanes<8> Arch>
-PELAGIC_INLINE xsimd::batch<float, Arch> one_behind(xsimd::batch<float, Arch> here,
-                                                    xsimd::batch<float, Arch> behind) {
+template <int count, HasLanes<8> Arch>
+PELAGIC_INLINE xsimd::batch<float, Arch> lanes_behind(xsimd::batch<float, Arch> here,
+                                                      xsimd::batch<float, Arch> behind) {
     const __m256i middle = _mm256_castps_si256(_mm256_permute2f128_ps(here, behind, 0x21));
-    return _mm256_castsi256_ps(_mm256_alignr_epi8(middle, _mm256_castps_si256(here), 4));
+    return _mm256_castsi256_ps(_mm256_alignr_epi8(middle, _mm256_castps_si256(here), 4 * count));
 }
 #endif
 #if defined(__x86_64__)
-template <HasLanes<4> Arch>
-PELAGIC_INLINE xsimd::batch<float, Arch> one_before(xsimd::batch<float, Arch> before,
-                                                    xsimd::batch<float, Arch> here) {
-    return _mm_castsi128_ps(_mm_alignr_epi8(_mm_castps_si128(here), _mm_castps_si128(before), 12));
+template <int count, HasLanes<4> Arch>
+PELAGIC_INLINE xsimd::batch<float, Arch> lanes_before(xsimd::batch<float, Arch> before,
+                                                      xsimd::batch<float, Arch> here) {
+    return _mm_castsi128_ps(_mm_alignr_epi8(_mm_castps_si128(here), _mm_castps_si128(before), 16 - 4 * count));
 }
-template <HasLanes<4> Arch>
-PELAGIC_INLINE xsimd::batch<float, Arch> one_behind(xsimd::batch<float, Arch> here,
-                                                    xsimd::batch<float, Arch> behind) {
-    return _mm_castsi128_ps(_mm_alignr_epi8(_mm_castps_si128(behind), _mm_castps_si128(here), 4));
+template <int count, HasLanes<4> Arch>
+PELAGIC_INLINE xsimd::batch<float, Arch> lanes_behind(xsimd::batch<float, Arch> here,
+                                                      xsimd::batch<float, Arch> behind) {
+    return _mm_castsi128_ps(_mm_alignr_epi8(_mm_castps_si128(behind), _mm_castps_si128(here), 4 * count));
 }
 #else
-template <class Arch>
-PELAGIC_INLINE xsimd::batch<float, Arch> one_before(xsimd::batch<float, Arch> before,
-                                                    xsimd::batch<float, Arch> here) {
-    return vextq_f32(before, here, 3);
+template <int count, class Arch>
+PELAGIC_INLINE xsimd::batch<float, Arch> lanes_before(xsimd::batch<float, Arch> before,
+                                                      xsimd::batch<float, Arch> here) {
+    return vextq_f32(before, here, 4 - count);
 }
-template <class Arch>
-PELAGIC_INLINE xsimd::batch<float, Arch> one_behind(xsimd::batch<float, Arch> here,
-                                                    xsimd::batch<float, Arch> behind) {
-    return vextq_f32(here, behind, 1);
+template <int count, class Arch>
+PELAGIC_INLINE xsimd::batch<float, Arch> lanes_behind(xsimd::batch<float, Arch> here,
+                                                      xsimd::batch<float, Arch> behind) {
+    return vextq_f32(here, behind, count);
 }
 #endif
 

@@ -89,7 +89,7 @@ std::vector<BadInput> bad_inputs() {
         {{"export", "--out", "OUT", "--spectrum", ""}, {"--spectrum", "phillips-paper"}},
         {{"export", "--out", "OUT", "--preset", "strom"}, {"--preset", "is strom", "nearest is storm"}},
         {{"info", "--preset", "hurricane"},
-         {"--preset is hurricane, needs calm, lake, moderate, rough, storm or beaufort-0 to beaufort-12\n"}},
+         {"--preset is hurricane, needs calm, lake, swell, moderate, rough, storm or beaufort-0 to beaufort-12\n"}},
         {{"info", "--preset", "beufort-12"}, {"beaufort-0 to beaufort-12 (the nearest is beaufort-12)\n"}},
         {{"info", "--spectrum", "sine"}, {"needs phillips-paper, phillips, pierson-moskowitz or jonswap\n"}},
         {{"quadtree", "--quality", "hihg"}, {"low, medium, high, ultra", "nearest is high"}},

@@ -18,6 +18,7 @@
 #include "pelagic/sim/surface/fold_map.hpp"
 #include "pelagic/tests/each_executor.hpp"
 #include "pelagic/tests/each_isa.hpp"
+#include "pelagic/tests/one_tile_frame.hpp"
 #include "pelagic/tests/sanitized.hpp"
 
 namespace pelagic::buoyancy {
@@ -31,19 +32,20 @@ class StillWater {
    public:
     StillWater() : zero_(n * n, 0.f), folds_(n) {
         const PlaneView plane{zero_.data(), n, n, n, 0};
-        frame_.sea.patch_size_m = 64;
-        frame_.isa = choose_isa();
-        frame_.dx = frame_.height = frame_.dz = plane;
-        frame_.velocity_x = frame_.velocity_y = frame_.velocity_z = plane;
-        folds_.update(frame_, kernels_for(choose_isa()));
+        water_.frame.isa = choose_isa();
+        Tile& tile = water_.tile;
+        tile.lattice.side_m = 64;
+        tile.dx = tile.height = tile.dz = plane;
+        tile.velocity_x = tile.velocity_y = tile.velocity_z = plane;
+        folds_.update(tile, kernels_for(choose_isa()));
     }
-    SurfaceQuery query() const { return SurfaceQuery(frame_); }
+    SurfaceQuery query() const { return SurfaceQuery(water_.frame); }
 
    private:
     static constexpr int n = 16;
     std::vector<float> zero_;
     FoldMap folds_;
-    Frame frame_;
+    OneTileFrame water_;
 };
 
 glm::dquat turned(double angle_rad, const glm::dvec3& axis) {
@@ -326,11 +328,11 @@ TEST(Buoyancy, AStormNeverMakesABoxExplode) {
         const Frame& frame = ocean.frame_at(i * step_s);
         step(boxes, SurfaceQuery(frame), step_s, hull);
         double water_mps = 0;
-        for (int j = 0; j < frame.resolution(); ++j)
-            for (int k = 0; k < frame.resolution(); ++k)
-                water_mps = std::max<double>(
-                    water_mps,
-                    std::hypot(frame.velocity_x.at(k, j), frame.velocity_y.at(k, j), frame.velocity_z.at(k, j)));
+        const Tile& tile = frame.tiles[0];
+        for (int j = 0; j < tile.resolution(); ++j)
+            for (int k = 0; k < tile.resolution(); ++k)
+                water_mps = std::max<double>(water_mps, std::hypot(tile.velocity_x.at(k, j), tile.velocity_y.at(k, j),
+                                                                   tile.velocity_z.at(k, j)));
         const double fall_m = 5 + frame.bounds.height_max_m - frame.bounds.height_min_m;
         const double fastest_mps = std::sqrt(2 * gravity_mps2 * fall_m) + water_mps;
         for (const FloatingBox& box : boxes) {

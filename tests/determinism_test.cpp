@@ -334,16 +334,86 @@ TEST(Determinism, TheHostsFloatingPointEnvironmentDoesNotReachTheSea) {
 #endif
 }
 
+/// FNV-1a over the bits of all displacement planes, row by row.
+std::uint64_t hash_of_displacement(const Frame& frame) {
+    std::uint64_t hash = 0xcbf29ce484222325u;
+    for (const Tile& tile : frame.tiles)
+        for (const PlaneView* plane : {&tile.dx, &tile.height, &tile.dz})
+            for (int j = 0; j < plane->resolution; ++j)
+                for (int i = 0; i < plane->resolution; ++i)
+                    hash = (hash ^ std::bit_cast<std::uint32_t>(plane->at(i, j))) * 0x100000001b3u;
+    return hash;
+}
+
+/// Seas of one tile over deep water, which were defaults and presets before there were stacks of tiles.
+std::map<std::string, SeaState> seas_of_one_tile() {
+    std::map<std::string, SeaState> seas = {
+        {"one-tile-256", {.resolution = 256, .patch_size_m = 250, .roughness = 0.1}},
+        {"one-tile-calm",
+         {.resolution = 256,
+          .patch_size_m = 50,
+          .wind_speed_mps = 3,
+          .fetch_m = 20e3,
+          .choppiness = 0.6,
+          .roughness = 0.05}},
+        {"one-tile-rough",
+         {.resolution = 256,
+          .patch_size_m = 300,
+          .wind_speed_mps = 12,
+          .fetch_m = 200e3,
+          .choppiness = 0.9,
+          .roughness = 0.15,
+          .alignment = 0.6}},
+        {"one-tile-storm",
+         {.resolution = 512,
+          .patch_size_m = 800,
+          .wind_speed_mps = 19,
+          .fetch_m = 400e3,
+          .choppiness = 1,
+          .roughness = 0.2,
+          .alignment = 0.7}}};
+    for (const SpectrumModel model : spectrum_models())
+        seas[std::string(name_of(model)) + "-64"] = {
+            .spectrum = model, .resolution = 64, .patch_size_m = 250, .roughness = 0.1};
+    return seas;
+}
+
+// The waves of one deep tile have had these bits since the first version; its normals, whose roughness was the user's alone
+// then, are in the hashes of whole frames.
+TEST(Determinism, ADeepTileKeepsItsDisplacement) {
+    std::map<std::string, std::string> golden;
+    std::ifstream file(PELAGIC_GOLDEN_FOLDER "/displacement_hashes.txt");
+    for (std::string name, hash; file >> name >> hash;) golden[name] = hash;
+    std::size_t compared = 0;
+    for (const auto& [name, sea] : seas_of_one_tile()) {
+        Ocean ocean(sea, {.executor = make_serial_executor()});
+        for (const char* time : {"0", "12.34"}) {
+            std::ostringstream hash;
+            hash << std::hex << hash_of_displacement(ocean.frame_at(std::stod(time)));
+            const std::string key = name + "@" + time;
+            EXPECT_EQ(golden[key], hash.str()) << "the line would be: " << key << " " << hash.str();
+            ++compared;
+        }
+    }
+    EXPECT_EQ(golden.size(), compared) << "lines that no test reads";
+}
+
 // A change of these is a change of everybody's sea: the commit must say why.
 TEST(Determinism, GoldenHashesNeverChange) {
     std::map<std::string, SeaState> seas = {{"default", {}}};
     for (const SpectrumModel model : spectrum_models())
         seas[std::string(name_of(model)) + "-64"] = {.spectrum = model, .resolution = 64};
+    for (const SpreadingModel model : spreading_models())
+        if (model != SpreadingModel::paper)
+            seas["spreading-" + std::string(name_of(model)) + "-64"] = {.spreading = model, .resolution = 64};
+    seas["shallow-64"] = {.resolution = 64, .depth_m = 8};
+    seas["breaking-swell-64"] = {.resolution = 64, .depth_m = 2, .swell_height_m = 1, .swell_direction_rad = 2};
+    seas["small-waves-64"] = {.resolution = 64, .small_waves = 0.8};
     for (const std::string name : {"calm", "moderate", "rough", "storm"})
         seas["preset-" + name] = sea_preset_named(name)->sea;
 
     std::map<std::string, std::string> golden;
-    std::ifstream file(PELAGIC_GOLDEN_HASHES);
+    std::ifstream file(PELAGIC_GOLDEN_FOLDER "/hashes.txt");
     for (std::string name, hash; file >> name >> hash;) golden[name] = hash;
     std::size_t compared = 0;
     for (const auto& [name, sea] : seas) {

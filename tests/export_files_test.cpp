@@ -68,7 +68,7 @@ TEST(ExportedFiles, ExrHoldsTheFramesFloatsBitForBit) {
     Library library;
     const Frame& frame = library.frame_at(1.25);
     const std::pair<const char*, const PlaneView*> channels[] = {
-        {"R", &frame.dx}, {"G", &frame.height}, {"B", &frame.dz}};
+        {"R", &frame.tiles[0].dx}, {"G", &frame.tiles[0].height}, {"B", &frame.tiles[0].dz}};
     for (const auto& [channel, plane] : channels) {
         const auto pixels = read_exr<float>(folder / "displacement_0000.exr", channel, Imf::FLOAT);
         for (int j = 0; j < 32; ++j)
@@ -90,7 +90,8 @@ TEST(ExportedFiles, ExrIsTheSameToOpenImageIO) {
     std::vector<float> pixels(32 * 32 * 3);
     ASSERT_TRUE(input->read_image(0, 0, 0, -1, OIIO::TypeDesc::FLOAT, pixels.data()));
     for (std::size_t texel = 0; texel < 32 * 32; ++texel)
-        ASSERT_EQ(pixels[3 * texel + 1], frame.height.at(static_cast<int>(texel % 32), static_cast<int>(texel / 32)));
+        ASSERT_EQ(pixels[3 * texel + 1],
+                  frame.tiles[0].height.at(static_cast<int>(texel % 32), static_cast<int>(texel / 32)));
 }
 
 TEST(ExportedFiles, HalvesAreTheFramesOwn) {
@@ -104,7 +105,7 @@ TEST(ExportedFiles, HalvesAreTheFramesOwn) {
         for (int j = 0; j < 32; ++j)
             for (int i = 0; i < 32; ++i)
                 ASSERT_EQ(pixels[static_cast<std::size_t>(j * 32 + i)].bits(),
-                          frame.displacement_rgba16f[static_cast<std::size_t>(4 * (j * 32 + i)) + c]);
+                          frame.tiles[0].displacement_rgba16f[static_cast<std::size_t>(4 * (j * 32 + i)) + c]);
     }
 }
 
@@ -133,10 +134,10 @@ TEST(ExportedFiles, PngHoldsEveryGradientByteOfEveryLevel) {
     export_to(folder.path(), {"--mips", "--maps", "gradient"});
     Library library;
     const Frame& frame = library.frame_at(0);
-    expect_bytes(read_png(folder / "gradient_0000.png", 32), frame.gradient_level(0));
+    expect_bytes(read_png(folder / "gradient_0000.png", 32), frame.tiles[0].gradient_level(0));
     for (int level = 1; level < mip_levels(32); ++level)
         expect_bytes(read_png(folder / ("gradient_0000_mip" + std::to_string(level) + ".png"), 32u >> level),
-                     frame.gradient_level(level));
+                     frame.tiles[0].gradient_level(level));
     EXPECT_FALSE(std::filesystem::exists(folder / "gradient_0000_mip6.png"));
     EXPECT_FALSE(std::filesystem::exists(folder / "displacement_0000.exr"));
 }
@@ -153,7 +154,7 @@ TEST(ExportedFiles, TiffHoldsTheSame) {
     EXPECT_EQ(gradient->spec().get_int_attribute("oiio:UnassociatedAlpha"), 1);
     std::vector<std::uint8_t> bytes(32 * 32 * 4);
     ASSERT_TRUE(gradient->read_image(0, 0, 0, -1, OIIO::TypeDesc::UINT8, bytes.data()));
-    expect_bytes(bytes, frame.gradient_level(0));
+    expect_bytes(bytes, frame.tiles[0].gradient_level(0));
 
     auto displacement = OIIO::ImageInput::open((folder / "displacement_0000.tif").string());
     ASSERT_TRUE(displacement);
@@ -161,7 +162,8 @@ TEST(ExportedFiles, TiffHoldsTheSame) {
     std::vector<float> pixels(32 * 32 * 3);
     ASSERT_TRUE(displacement->read_image(0, 0, 0, -1, OIIO::TypeDesc::FLOAT, pixels.data()));
     for (std::size_t texel = 0; texel < 32 * 32; ++texel)
-        ASSERT_EQ(pixels[3 * texel + 1], frame.height.at(static_cast<int>(texel % 32), static_cast<int>(texel / 32)));
+        ASSERT_EQ(pixels[3 * texel + 1],
+                  frame.tiles[0].height.at(static_cast<int>(texel % 32), static_cast<int>(texel / 32)));
 }
 
 TEST(ExportedFiles, SeaJsonSaysWhatIsThere) {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "pelagic/sim/ocean.hpp"
-#include "pelagic/sim/surface/displacement_sampler.hpp"
+#include "pelagic/sim/surface/tile_sum.hpp"
 #include "pelagic/tests/each_isa.hpp"
 #include "pelagic/tests/oracle/gradient_oracle.hpp"
 #include "pelagic/tests/oracle/sea_oracle.hpp"
@@ -38,6 +38,24 @@ std::vector<Case> cases() {
         {"N64_phillips", {.spectrum = SpectrumModel::phillips, .resolution = 64, .alignment = 0}, 5},
         {"N64_pierson", {.spectrum = SpectrumModel::pierson_moskowitz, .resolution = 64, .alignment = 1}, 5},
         {"N64_small_waves_shallow", {.resolution = 64, .depth_m = 5, .small_waves = 0.5}, 5},
+        {"N64_phillips_shallow",
+         {.spectrum = SpectrumModel::phillips, .resolution = 64, .patch_size_m = 60, .depth_m = 6},
+         5},
+        {"N64_breaking", {.resolution = 64, .depth_m = 1.5, .swell_height_m = 1}, 5},
+        {"N64_swell",
+         {.resolution = 64,
+          .patch_size_m = 600,
+          .wind_speed_mps = 4,
+          .swell_height_m = 3,
+          .swell_period_s = 11,
+          .swell_direction_rad = 2,
+          .swell_spread_rad = 0.4},
+         5},
+        {"N64_cosine_2s", {.spreading = SpreadingModel::cosine_2s, .resolution = 64, .wind_direction_rad = 1}, 5},
+        {"N64_hasselmann", {.spreading = SpreadingModel::hasselmann, .resolution = 64, .wind_direction_rad = -2}, 5},
+        {"N64_donelan_banner",
+         {.spreading = SpreadingModel::donelan_banner, .resolution = 64, .patch_size_m = 60},
+         5},
         {"N64_short_loop", {.resolution = 64, .loop_period_s = 3.7}, 1.1},
         {"N256", {.resolution = 256}, 12.34},
         {"N256_storm",
@@ -77,21 +95,22 @@ TEST_P(FrameOnEachIsa, DisplacementMatchesTheOracle) {
     Ocean ocean = ocean_on(one().sea, isa());
     const Frame& frame = ocean.frame_at(one().time_s);
     const oracle::Fields truth = oracle::fields_at(one().sea, one().time_s);
-    expect_close(frame.height, truth.height, "height");
-    expect_close(frame.dx, truth.dx, "dx");
-    expect_close(frame.dz, truth.dz, "dz");
+    expect_close(frame.tiles[0].height, truth.height, "height");
+    expect_close(frame.tiles[0].dx, truth.dx, "dx");
+    expect_close(frame.tiles[0].dz, truth.dz, "dz");
 }
 
 TEST_P(FrameOnEachIsa, BoundsAreThePlanesExtremes) {
     Ocean ocean = ocean_on(one().sea, isa());
     const Frame& frame = ocean.frame_at(one().time_s);
-    FrameBounds bounds{.height_min_m = frame.height.at(0, 0), .height_max_m = frame.height.at(0, 0)};
-    for (int j = 0; j < frame.resolution(); ++j) {
-        for (int i = 0; i < frame.resolution(); ++i) {
-            bounds.height_min_m = std::min(bounds.height_min_m, frame.height.at(i, j));
-            bounds.height_max_m = std::max(bounds.height_max_m, frame.height.at(i, j));
-            bounds.sideways_x_max_m = std::max(bounds.sideways_x_max_m, std::fabs(frame.dx.at(i, j)));
-            bounds.sideways_z_max_m = std::max(bounds.sideways_z_max_m, std::fabs(frame.dz.at(i, j)));
+    FrameBounds bounds{.height_min_m = frame.tiles[0].height.at(0, 0),
+                       .height_max_m = frame.tiles[0].height.at(0, 0)};
+    for (int j = 0; j < frame.tiles[0].resolution(); ++j) {
+        for (int i = 0; i < frame.tiles[0].resolution(); ++i) {
+            bounds.height_min_m = std::min(bounds.height_min_m, frame.tiles[0].height.at(i, j));
+            bounds.height_max_m = std::max(bounds.height_max_m, frame.tiles[0].height.at(i, j));
+            bounds.sideways_x_max_m = std::max(bounds.sideways_x_max_m, std::fabs(frame.tiles[0].dx.at(i, j)));
+            bounds.sideways_z_max_m = std::max(bounds.sideways_z_max_m, std::fabs(frame.tiles[0].dz.at(i, j)));
         }
     }
     EXPECT_EQ(frame.bounds.height_min_m, bounds.height_min_m);
@@ -105,13 +124,13 @@ TEST_P(FrameOnEachIsa, HalvesAreTheFloatsRoundedToNearestEven) {
     Ocean ocean = ocean_on(one().sea, isa());
     const Frame& frame = ocean.frame_at(one().time_s);
     const auto jacobian = oracle::jacobian_of(oracle::displacement_of(frame), one().sea.patch_size_m);
-    for (int j = 0; j < frame.resolution(); ++j) {
-        for (int i = 0; i < frame.resolution(); ++i) {
-            const std::size_t texel = static_cast<std::size_t>(j * frame.resolution() + i);
-            const std::uint16_t* halves = frame.displacement_rgba16f.data() + 4 * texel;
-            ASSERT_EQ(halves[0], Imath::half(frame.dx.at(i, j)).bits()) << i << ", " << j;
-            ASSERT_EQ(halves[1], Imath::half(frame.height.at(i, j)).bits()) << i << ", " << j;
-            ASSERT_EQ(halves[2], Imath::half(frame.dz.at(i, j)).bits()) << i << ", " << j;
+    for (int j = 0; j < frame.tiles[0].resolution(); ++j) {
+        for (int i = 0; i < frame.tiles[0].resolution(); ++i) {
+            const std::size_t texel = static_cast<std::size_t>(j * frame.tiles[0].resolution() + i);
+            const std::uint16_t* halves = frame.tiles[0].displacement_rgba16f.data() + 4 * texel;
+            ASSERT_EQ(halves[0], Imath::half(frame.tiles[0].dx.at(i, j)).bits()) << i << ", " << j;
+            ASSERT_EQ(halves[1], Imath::half(frame.tiles[0].height.at(i, j)).bits()) << i << ", " << j;
+            ASSERT_EQ(halves[2], Imath::half(frame.tiles[0].dz.at(i, j)).bits()) << i << ", " << j;
             // Half a step of a half below one is 2.5e-4; the float Jacobian adds 1e-4 where slopes are steep.
             Imath::half foam;
             foam.setBits(halves[3]);
@@ -127,9 +146,9 @@ TEST_P(FrameOnEachIsa, GradientBytesOfEveryLevelAreWithinOneStepOfEquation50) {
     const Frame& frame = ocean.frame_at(one().time_s);
     const auto levels =
         oracle::levels_of(oracle::displacement_of(frame), one().sea.patch_size_m, one().sea.roughness);
-    ASSERT_EQ(static_cast<int>(levels.size()), mip_levels(frame.resolution()));
+    ASSERT_EQ(static_cast<int>(levels.size()), mip_levels(frame.tiles[0].resolution()));
     for (std::size_t m = 0; m < levels.size(); ++m) {
-        const auto texels = frame.gradient_level(static_cast<int>(m));
+        const auto texels = frame.tiles[0].gradient_level(static_cast<int>(m));
         ASSERT_EQ(texels.size(), levels[m].normal.size());
         for (std::size_t texel = 0; texel < texels.size(); ++texel) {
             const auto expected = oracle::bytes_of(levels[m], texel);
@@ -142,27 +161,27 @@ TEST_P(FrameOnEachIsa, GradientBytesOfEveryLevelAreWithinOneStepOfEquation50) {
     }
 }
 
-TEST(DisplacementSampler, HoldsTexelsGoesStraightBetweenThemAndRepeats) {
+TEST(TileSum, HoldsTexelsGoesStraightBetweenThemAndRepeats) {
     const double side = 130;
     Ocean ocean = ocean_on({.resolution = 32, .patch_size_m = 130}, choose_isa());
     const Frame& frame = ocean.frame_at(4);
-    const DisplacementSampler sampler(frame);
     const double texel = side / 32;
     for (const int patch : {0, 1, -3}) {
         for (int j = 0; j < 32; ++j)
             for (int i = 0; i < 32; ++i) {
                 // A texel's place may round to a hair before it: off by that part of a slope below 1.
-                const Displacement at = sampler.at(i * texel + patch * side, j * texel - patch * side);
-                EXPECT_NEAR(at.dx, frame.dx.at(i, j), 1e-9);
-                EXPECT_NEAR(at.height, frame.height.at(i, j), 1e-9);
-                EXPECT_NEAR(at.dz, frame.dz.at(i, j), 1e-9);
-                const Displacement centre = sampler.at((i + 0.5) * texel + patch * side, (j + 0.5) * texel);
+                const Displacement at = displacement_of(frame, i * texel + patch * side, j * texel - patch * side);
+                EXPECT_NEAR(at.dx, frame.tiles[0].dx.at(i, j), 1e-9);
+                EXPECT_NEAR(at.height, frame.tiles[0].height.at(i, j), 1e-9);
+                EXPECT_NEAR(at.dz, frame.tiles[0].dz.at(i, j), 1e-9);
+                const Displacement centre =
+                    displacement_of(frame, (i + 0.5) * texel + patch * side, (j + 0.5) * texel);
                 const int right = (i + 1) % 32, below = (j + 1) % 32;
                 const auto mean = [&](const PlaneView& p) {
                     return (double{p.at(i, j)} + p.at(right, j) + p.at(i, below) + p.at(right, below)) / 4;
                 };
-                EXPECT_NEAR(centre.height, mean(frame.height), 1e-9);
-                EXPECT_NEAR(centre.dz, mean(frame.dz), 1e-9);
+                EXPECT_NEAR(centre.height, mean(frame.tiles[0].height), 1e-9);
+                EXPECT_NEAR(centre.dz, mean(frame.tiles[0].dz), 1e-9);
             }
     }
 }

@@ -180,7 +180,7 @@ template <class Check>
 std::vector<std::uint8_t> picture(const gl::Functions& gl, const Frame& frame, gl::DrawMode mode,
                                   Check after_each_call) {
     const QuadtreeOptions quadtree = quadtree_preset_named("low")->options(512);
-    gl::SeaRenderer renderer(gl, {.patch_vertices = quadtree.vertices, .resolution = frame.resolution()});
+    gl::SeaRenderer renderer(gl, {.patch_vertices = quadtree.vertices, .resolution = frame.tiles[0].resolution()});
     after_each_call("constructor");
     renderer.set_sky(test_sky());
     after_each_call("set_sky");

@@ -2,7 +2,7 @@
 // holes are where the height is above that plane.
 #include <gtest/gtest.h>
 
-#include "pelagic/sim/surface/displacement_sampler.hpp"
+#include "pelagic/sim/surface/tile_sum.hpp"
 #include "pelagic/tests/gl_scene.hpp"
 
 namespace pelagic {
@@ -30,7 +30,6 @@ TEST(GlSurface, LiesWhereTheFramesTexelsSayAndNotHalfATexelBeside) {
         {.quality = "ultra", .resolution = 256, .width = side, .height = side, .samples = 1, .size_m = 512});
     Ocean ocean(sea, {.executor = make_serial_executor()});
     const Frame& frame = ocean.frame_at(3);
-    const DisplacementSampler sampler(frame);
     const double top_m = 0.1;
     const glm::dvec3 viewer(0, 1, 0);
     const gl::Eye eye{.clip_from_world = slice(top_m), .position_m = {0, 30, 0}, .viewport = {0, 0, side, side}};
@@ -54,7 +53,7 @@ TEST(GlSurface, LiesWhereTheFramesTexelsSayAndNotHalfATexelBeside) {
                              world_z = ((y + 0.5) / side * 2 - 1) * half_m;
                 const std::uint8_t* rgb = &pixels[4 * static_cast<std::size_t>(y * side + x)];
                 const bool is_cut = rgb[0] == 255 && rgb[1] == 0 && rgb[2] == 255;
-                wrong += is_cut != (sampler.at(world_x + shift_m, world_z + shift_m).height > top_m);
+                wrong += is_cut != (displacement_of(frame, world_x + shift_m, world_z + shift_m).height > top_m);
             }
         return wrong;
     };

@@ -32,13 +32,13 @@ TEST(GlUpload, TexturesHoldTheFramesBytesInEveryMip) {
         for (int level = 0; level < mip_levels(128); ++level) {
             const auto bytes =
                 read_level<std::uint8_t>(scene.gl(), textures.gradient(), level, 128 >> level, GL_UNSIGNED_BYTE);
-            ASSERT_EQ(0, std::memcmp(bytes.data(), frame.gradient_level(level).data(), bytes.size()))
+            ASSERT_EQ(0, std::memcmp(bytes.data(), frame.tiles[0].gradient_level(level).data(), bytes.size()))
                 << "frame " << i << ", level " << level;
         }
         // Every half is a float too, so the way through floats loses nothing.
         const auto floats = read_level<float>(scene.gl(), textures.displacement(), 0, 128, GL_FLOAT);
         for (std::size_t v = 0; v < floats.size(); ++v)
-            ASSERT_EQ(glm::packHalf1x16(floats[v]), frame.displacement_rgba16f[v])
+            ASSERT_EQ(glm::packHalf1x16(floats[v]), frame.tiles[0].displacement_rgba16f[v])
                 << "frame " << i << ", value " << v;
     }
 }

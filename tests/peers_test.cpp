@@ -27,7 +27,7 @@ enum Component { component_dx, component_height, component_dz };
 
 /// The one place that knows how a Frame stores its planes.
 float plane_value(const Frame& frame, Component component, int i, int j) {
-    const PlaneView* planes[] = {&frame.dx, &frame.height, &frame.dz};
+    const PlaneView* planes[] = {&frame.tiles[0].dx, &frame.tiles[0].height, &frame.tiles[0].dz};
     return planes[component]->at(i, j);
 }
 
@@ -137,12 +137,12 @@ TEST_P(PeerOf, PlanesArePelagics) {
 // Values on either side of a rounding edge differ by a step. Smoothness is infinitely steep at a length of one, where
 // the lengths' error of some 1e-7 is up to half a step by itself: hence two in rare cases.
 TEST_P(PeerOf, GradientBytesAreWithinAStepOfPelagics) {
-    ASSERT_EQ(theirs_.rgba8.size(), ours_.gradient_rgba8.size());
+    ASSERT_EQ(theirs_.rgba8.size(), ours_.tiles[0].gradient_rgba8.size());
     std::size_t beyond_one = 0;
     for (std::size_t i = 0; i < theirs_.rgba8.size(); ++i) {
         for (int shift = 0; shift < 32; shift += 8) {
             const int theirs = theirs_.rgba8[i] >> shift & 0xFF;
-            const int ours = ours_.gradient_rgba8[i] >> shift & 0xFF;
+            const int ours = ours_.tiles[0].gradient_rgba8[i] >> shift & 0xFF;
             ASSERT_LE(std::abs(theirs - ours), 2) << "texel " << i << " of the chain, bit " << shift;
             if (std::abs(theirs - ours) > 1) ++beyond_one;
         }
@@ -170,10 +170,10 @@ TEST_P(PeerOf, HalvesAreWithinAStepOfPelagics) {
                                    resolution() / one().sea.patch_size_m;
     const double tolerance[] = {plane_tolerance * largest(component_dx), plane_tolerance * largest(component_height),
                                 plane_tolerance * largest(component_dz), 8 * slope_tolerance};
-    ASSERT_EQ(theirs_.rgba16f.size(), ours_.displacement_rgba16f.size());
+    ASSERT_EQ(theirs_.rgba16f.size(), ours_.tiles[0].displacement_rgba16f.size());
     for (std::size_t i = 0; i < theirs_.rgba16f.size(); ++i) {
         const float theirs = value_of_half(theirs_.rgba16f[i]);
-        const float ours = value_of_half(ours_.displacement_rgba16f[i]);
+        const float ours = value_of_half(ours_.tiles[0].displacement_rgba16f[i]);
         ASSERT_NEAR(theirs, ours, std::max(step_of_half(theirs), step_of_half(ours)) + tolerance[i % 4])
             << "half " << i % 4 << " of texel " << i / 4;
     }

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "pelagic/sim/ocean.hpp"
-#include "pelagic/sim/surface/displacement_sampler.hpp"
+#include "pelagic/sim/surface/tile_sum.hpp"
 #include "pelagic/sim/surface_query.hpp"
 #include "pelagic/tests/run_pelagic.hpp"
 
@@ -114,7 +114,6 @@ TEST(QuadtreeCommand, VerticesHaveTextureCoordinatesAndNormals) {
     const SeaState sea{.resolution = 64};
     Ocean ocean(sea, {.executor = make_serial_executor(), .queries = true});
     const Frame& frame = ocean.frame_at(0);
-    const DisplacementSampler sampler(frame);
     const SurfaceQuery water(frame);
     int in_place = 0;
     for (std::size_t v = 0; v < obj.vertices.size(); ++v) {
@@ -123,7 +122,7 @@ TEST(QuadtreeCommand, VerticesHaveTextureCoordinatesAndNormals) {
         const double x = (obj.texture[v][0] - 0.5 / 64) * sea.patch_size_m;
         const double z = (1 - obj.texture[v][1] - 0.5 / 64) * sea.patch_size_m;
         // Six decimals of 250 m. Others are on their way between two levels, or fade out towards the border.
-        const Displacement moved = sampler.at(x, z);
+        const Displacement moved = displacement_of(frame, x, z);
         const double off = std::hypot(x + moved.dx - place[0], moved.height - place[1], z + moved.dz - place[2]);
         const bool is_fading = std::max(std::abs(x), std::abs(z)) > 5.0 / 16 * 1000 - sea.patch_size_m / 64;
         if (off > 1e-3 || is_fading) continue;

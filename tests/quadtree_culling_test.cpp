@@ -11,7 +11,7 @@
 #include <tuple>
 
 #include "pelagic/sim/ocean.hpp"
-#include "pelagic/sim/surface/displacement_sampler.hpp"
+#include "pelagic/sim/surface/tile_sum.hpp"
 #include "pelagic/tests/quadtree_scene.hpp"
 
 namespace pelagic {
@@ -26,17 +26,16 @@ constexpr int views = 24;
 /// A frame's displacement between its texels.
 class FrameSea {
    public:
-    explicit FrameSea(const Frame& frame) : frame_(frame), sampler_(frame) {}
+    explicit FrameSea(const Frame& frame) : frame_(frame) {}
 
     glm::dvec3 operator()(glm::dvec2 rest) const {
-        const Displacement d = sampler_.at(rest.x, rest.y);
+        const Displacement d = displacement_of(frame_, rest.x, rest.y);
         return {d.dx, d.height, d.dz};
     }
     SurfaceBounds bounds() const { return frame_.bounds; }
 
    private:
     const Frame& frame_;
-    DisplacementSampler sampler_;
 };
 
 /// What a projection's depth may be. The volume itself is cut with these planes and no wider ones.

@@ -42,22 +42,23 @@ bool is_finite_half(std::uint16_t half) { return (half & 0x7C00) != 0x7C00; }
 /// Empty, or what is wrong with the frame.
 std::string fault_of(const Frame& frame) {
     float least = std::numeric_limits<float>::infinity(), most = -least, most_dx = 0, most_dz = 0;
-    for (int j = 0; j < frame.resolution(); ++j) {
-        for (int i = 0; i < frame.resolution(); ++i) {
+    for (int j = 0; j < frame.tiles[0].resolution(); ++j) {
+        for (int i = 0; i < frame.tiles[0].resolution(); ++i) {
             for (const PlaneView* plane :
-                 {&frame.dx, &frame.height, &frame.dz, &frame.velocity_x, &frame.velocity_y, &frame.velocity_z})
+                 {&frame.tiles[0].dx, &frame.tiles[0].height, &frame.tiles[0].dz, &frame.tiles[0].velocity_x,
+                  &frame.tiles[0].velocity_y, &frame.tiles[0].velocity_z})
                 if (!std::isfinite(plane->at(i, j))) return "a plane is not finite";
-            least = std::min(least, frame.height.at(i, j));
-            most = std::max(most, frame.height.at(i, j));
-            most_dx = std::max(most_dx, std::fabs(frame.dx.at(i, j)));
-            most_dz = std::max(most_dz, std::fabs(frame.dz.at(i, j)));
+            least = std::min(least, frame.tiles[0].height.at(i, j));
+            most = std::max(most, frame.tiles[0].height.at(i, j));
+            most_dx = std::max(most_dx, std::fabs(frame.tiles[0].dx.at(i, j)));
+            most_dz = std::max(most_dz, std::fabs(frame.tiles[0].dz.at(i, j)));
         }
     }
     const FrameBounds& bounds = frame.bounds;
     if (bounds.height_min_m != least || bounds.height_max_m != most || bounds.sideways_x_max_m != most_dx ||
         bounds.sideways_z_max_m != most_dz)
         return "bounds are not the extremes";
-    for (const std::uint16_t half : frame.displacement_rgba16f)
+    for (const std::uint16_t half : frame.tiles[0].displacement_rgba16f)
         if (!is_finite_half(half)) return "a half is not finite";
     return {};
 }

@@ -109,9 +109,9 @@ TEST(SeaReport, OfASeaWithoutWavesIsCalm) {
 // The square of a draw, alone, is that of the draw.
 TEST(WaveNoise, SquareOfADrawIsItsOwn) {
     for (int m = -20; m < 20; ++m) {
-        const GaussianPair draw = gaussian_pair(7, m, 3 - m);
+        const GaussianPair draw = gaussian_pair(7, 2, m, 3 - m);
         const double square = draw.re * draw.re + draw.im * draw.im;
-        EXPECT_NEAR(gaussian_pair_square(7, m, 3 - m) / square, 1, 1e-14);  // the sine and cosine's own rounding
+        EXPECT_NEAR(gaussian_pair_square(7, 2, m, 3 - m) / square, 1, 1e-14);  // the sine and cosine's own rounding
     }
 }
 

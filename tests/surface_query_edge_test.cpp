@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "pelagic/sim/surface_query.hpp"
+#include "pelagic/tests/one_tile_frame.hpp"
 
 namespace pelagic {
 namespace {
@@ -35,23 +36,20 @@ class Crumpled {
         }
     }
 
-    Frame frame() const {
+    void show_in(OneTileFrame& water) const {
         const auto plane = [](const std::vector<float>& values) { return PlaneView{values.data(), n, n, n, 0}; };
         const auto largest = [](const std::vector<float>& values) {
             float size = 0;
             for (const float value : values) size = std::max(size, std::fabs(value));
             return size;
         };
-        Frame frame;
-        frame.sea.resolution = n;
-        frame.sea.patch_size_m = n;
-        frame.isa = choose_isa();
-        frame.dx = plane(dx_);
-        frame.height = plane(height_);
-        frame.dz = plane(dz_);
-        frame.folds = folds_;
-        frame.bounds = {-4, 4, largest(dx_), largest(dz_)};
-        return frame;
+        water.frame.isa = choose_isa();
+        water.tile.lattice.side_m = n;
+        water.tile.dx = plane(dx_);
+        water.tile.height = plane(height_);
+        water.tile.dz = plane(dz_);
+        water.tile.folds = folds_;
+        water.set_bounds({-4, 4, largest(dx_), largest(dz_)});
     }
 
     struct Place {
@@ -72,7 +70,9 @@ TEST(SurfaceQueryEdges, APointOnAnEdgeIsOnOneOfItsCells) {
     std::size_t asked = 0, lower = 0;
     for (unsigned seed = 0; seed < 5; ++seed) {
         const Crumpled surface(seed);
-        const Frame frame = surface.frame();
+        OneTileFrame water;
+        surface.show_in(water);
+        const Frame& frame = water.frame;
         const SurfaceQuery query(frame);
         std::vector<double> x, z, on_edge;
         for (int texel = 0; texel < n * n; ++texel) {

@@ -17,12 +17,12 @@ INSTANTIATE_TEST_SUITE_P(Isas, SymmetryOnEachIsa, testing::ValuesIn(isas_here())
 TEST_P(SymmetryOnEachIsa, ImaginaryResidueIsAMillionthOfTheRealMaximum) {
     for (int n = 16; n <= 512; n *= 2) {
         const SeaState sea{.resolution = n, .choppiness = 1};
-        const WaveSpectrum model(sea);
+        const TileWaves waves(sea, plan_tiles(sea).front());
         const FftPlan plan(n);
         const FftTables fft = plan.tables();
         const std::size_t lanes = kernels().lanes;
         PackedSpectrum spectrum(plan, lanes);
-        for (std::size_t line = 0; line < line_count(n); ++line) bake_spectrum_line(sea, model, plan, line, spectrum);
+        for (std::size_t line = 0; line < line_count(n); ++line) bake_spectrum_line(sea, waves, plan, line, spectrum);
 
         AlignedBuffer<float> lines(column_blocks(n, lanes) * column_block_floats(n, lanes));
         kernels().evolve_rows({.waves = spectrum.block(0),
@@ -53,17 +53,17 @@ TEST_P(SymmetryOnEachIsa, ImaginaryResidueIsAMillionthOfTheRealMaximum) {
 // Nyquist: no wave there, in either direction, so no odd factor has to be cut (errata, equation 30).
 TEST(Symmetry, TheNyquistColumnHoldsNoWave) {
     const SeaState sea{.resolution = 32};
-    const WaveSpectrum model(sea);
+    const TileWaves waves(sea, plan_tiles(sea).front());
     for (int k = -15; k < 16; ++k) {
-        EXPECT_EQ(initial_amplitude(sea, model, -16, k), 0.0);
-        EXPECT_EQ(initial_amplitude(sea, model, k, -16), 0.0);
+        EXPECT_EQ(waves.amplitude(-16, k), 0.0);
+        EXPECT_EQ(waves.amplitude(k, -16), 0.0);
     }
-    EXPECT_NE(initial_amplitude(sea, model, 15, 3), 0.0);
+    EXPECT_NE(waves.amplitude(15, 3), 0.0);
 
     // Group 0 takes the inputs 0, N/R, ...: N/2 stands in its middle.
     const FftPlan plan(32);
     PackedSpectrum spectrum(plan, 4);
-    for (std::size_t line = 0; line < line_count(32); ++line) bake_spectrum_line(sea, model, plan, line, spectrum);
+    for (std::size_t line = 0; line < line_count(32); ++line) bake_spectrum_line(sea, waves, plan, line, spectrum);
     ASSERT_EQ(plan.pairs().front().plus, 0);
     const auto wave = static_cast<std::size_t>(plan.tables().first_step().radix) / 2;
     for (std::size_t i = 0; i < wave_quantities * 4; ++i)

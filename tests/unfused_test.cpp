@@ -17,9 +17,9 @@ void expect_same_bits(const SeaState& sea, double time_s, Isa isa, const char* w
     // Where they differ, for whoever has to find out why.
     for (int j = 0; j < sea.resolution; ++j) {
         for (int i = 0; i < sea.resolution; ++i) {
-            ASSERT_EQ(fused.dx.at(i, j), apart.dx.at(i, j)) << i << ", " << j;
-            ASSERT_EQ(fused.height.at(i, j), apart.height.at(i, j)) << i << ", " << j;
-            ASSERT_EQ(fused.dz.at(i, j), apart.dz.at(i, j)) << i << ", " << j;
+            ASSERT_EQ(fused.tiles[0].dx.at(i, j), apart.tiles[0].dx.at(i, j)) << i << ", " << j;
+            ASSERT_EQ(fused.tiles[0].height.at(i, j), apart.tiles[0].height.at(i, j)) << i << ", " << j;
+            ASSERT_EQ(fused.tiles[0].dz.at(i, j), apart.tiles[0].dz.at(i, j)) << i << ", " << j;
         }
     }
 }

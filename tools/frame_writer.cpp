@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "pelagic/sim/frame_buffers.hpp"
 #include "pelagic/sim/statistics.hpp"
 #include "pelagic/tools/digest.hpp"
 #include "pelagic/tools/export_names.hpp"
@@ -18,30 +19,43 @@ namespace {
 /// A frame's outputs copied, so that its images can be encoded while the ocean goes on.
 class FrameCopy {
    public:
-    explicit FrameCopy(const Frame& frame) : frame_(frame) {
-        const std::size_t n = static_cast<std::size_t>(frame.resolution());
-        planes_.reserve(3 * n * n);
-        for (PlaneView* plane : {&frame_.dx, &frame_.height, &frame_.dz}) {
-            const int size = plane->resolution;
-            float* copy = planes_.data() + planes_.size();
-            planes_.resize(planes_.size() + n * n);
-            for (int j = 0; j < size; ++j) plane->copy_row(j, copy + j * size);
-            *plane = {copy, size, size, size, 0};
-        }
-        halves_.assign(frame.displacement_rgba16f.begin(), frame.displacement_rgba16f.end());
-        bytes_.assign(frame.gradient_rgba8.begin(), frame.gradient_rgba8.end());
-        frame_.displacement_rgba16f = halves_;
-        frame_.gradient_rgba8 = bytes_;
+    explicit FrameCopy(const Frame& frame) : frame_(frame), tiles_(frame.tiles.begin(), frame.tiles.end()) {
+        for (Tile& tile : tiles_) copies_.push_back(copied(tile));
+        frame_.tiles = tiles_;
     }
     FrameCopy(const FrameCopy&) = delete;
 
     const Frame& frame() const { return frame_; }
 
    private:
+    struct Copies {
+        std::vector<float> planes;
+        std::vector<std::uint16_t> halves;
+        std::vector<std::uint32_t> bytes;
+    };
+
+    /// Of what the tile's views show, which show the copies from now on.
+    static Copies copied(Tile& tile) {
+        Copies copies;
+        const int side = tile.resolution();
+        const std::size_t texels = static_cast<std::size_t>(side) * static_cast<std::size_t>(side);
+        copies.planes.resize(3 * texels);
+        float* to = copies.planes.data();
+        for (PlaneView* plane : {&tile.dx, &tile.height, &tile.dz}) {
+            copy_plane(*plane, {to, texels});
+            *plane = {to, side, side, side, 0};
+            to += texels;
+        }
+        copies.halves.assign(tile.displacement_rgba16f.begin(), tile.displacement_rgba16f.end());
+        copies.bytes.assign(tile.gradient_rgba8.begin(), tile.gradient_rgba8.end());
+        tile.displacement_rgba16f = copies.halves;
+        tile.gradient_rgba8 = copies.bytes;
+        return copies;
+    }
+
     Frame frame_;
-    std::vector<float> planes_;
-    std::vector<std::uint16_t> halves_;
-    std::vector<std::uint32_t> bytes_;
+    std::vector<Tile> tiles_;
+    std::vector<Copies> copies_;
 };
 
 constexpr const char* file_category = "file";

@@ -10,10 +10,11 @@ using Sample = ImageDescription::Sample;
 /// `channels` interleaved values a texel, from the frame's float planes.
 std::vector<float> interleaved_floats(const Frame& frame) {
     std::vector<float> pixels;
-    pixels.reserve(3 * static_cast<std::size_t>(frame.resolution()) * frame.resolution());
-    for (int j = 0; j < frame.resolution(); ++j) {
-        for (int i = 0; i < frame.resolution(); ++i)
-            pixels.insert(pixels.end(), {frame.dx.at(i, j), frame.height.at(i, j), frame.dz.at(i, j)});
+    pixels.reserve(3 * static_cast<std::size_t>(frame.tiles[0].resolution()) * frame.tiles[0].resolution());
+    for (int j = 0; j < frame.tiles[0].resolution(); ++j) {
+        for (int i = 0; i < frame.tiles[0].resolution(); ++i)
+            pixels.insert(pixels.end(),
+                          {frame.tiles[0].dx.at(i, j), frame.tiles[0].height.at(i, j), frame.tiles[0].dz.at(i, j)});
     }
     return pixels;
 }
@@ -21,9 +22,9 @@ std::vector<float> interleaved_floats(const Frame& frame) {
 /// The first three of the frame's four halves a texel: the fourth is foam.
 std::vector<std::uint16_t> three_halves(const Frame& frame) {
     std::vector<std::uint16_t> pixels;
-    pixels.reserve(frame.displacement_rgba16f.size() / 4 * 3);
-    for (std::size_t texel = 0; texel < frame.displacement_rgba16f.size(); texel += 4) {
-        const std::uint16_t* halves = frame.displacement_rgba16f.data() + texel;
+    pixels.reserve(frame.tiles[0].displacement_rgba16f.size() / 4 * 3);
+    for (std::size_t texel = 0; texel < frame.tiles[0].displacement_rgba16f.size(); texel += 4) {
+        const std::uint16_t* halves = frame.tiles[0].displacement_rgba16f.data() + texel;
         pixels.insert(pixels.end(), halves, halves + 3);
     }
     return pixels;
@@ -32,7 +33,7 @@ std::vector<std::uint16_t> three_halves(const Frame& frame) {
 }  // namespace
 
 std::vector<unsigned char> encode_displacement(const Frame& frame, ImageFormat format, bool half) {
-    const int n = frame.resolution();
+    const int n = frame.tiles[0].resolution();
     const ImageDescription image{.extension = displacement_extension(format),
                                  .width = n,
                                  .height = n,
@@ -45,7 +46,7 @@ std::vector<unsigned char> encode_displacement(const Frame& frame, ImageFormat f
 }
 
 std::vector<unsigned char> encode_gradient(const Frame& frame, int level, ImageFormat format) {
-    const int side = frame.resolution() >> level;
+    const int side = frame.tiles[0].resolution() >> level;
     const bool is_tiff = format == ImageFormat::tiff;
     // zlib's default for PNG, 6, takes four times as long for files 6 % smaller (512 x 512, jonswap).
     const ImageDescription image{.extension = gradient_extension(format),
@@ -58,7 +59,7 @@ std::vector<unsigned char> encode_gradient(const Frame& frame, int level, ImageF
                                  .png_level = is_tiff ? 0 : 2,
                                  .has_unassociated_alpha = true};
     // A texel's lowest byte is its red one, in memory the first.
-    return image_codec().encode(image, frame.gradient_level(level).data());
+    return image_codec().encode(image, frame.tiles[0].gradient_level(level).data());
 }
 
 std::vector<unsigned char> encode_picture(std::span<const std::uint8_t> rgba, int width, int height) {

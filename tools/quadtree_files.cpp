@@ -11,7 +11,7 @@
 
 #include "pelagic/quadtree/patch_mesh.hpp"
 #include "pelagic/quadtree/patch_vertex.hpp"
-#include "pelagic/sim/surface/displacement_sampler.hpp"
+#include "pelagic/sim/surface/tile_sum.hpp"
 #include "pelagic/tools/option_text.hpp"
 
 namespace pelagic::tools {
@@ -72,12 +72,11 @@ glm::dvec3 normal_at(const QuadtreeGrid& grid, glm::dvec2 rest, double texel_m, 
 std::string mesh_as_obj(const DrawList& list, const Frame& frame) {
     const QuadtreeGrid& grid = list.grid;
     const PatchMesh mesh(grid.vertices);
-    const DisplacementSampler sea(frame);
     const auto displacement = [&](glm::dvec2 rest) {
-        const Displacement d = sea.at(rest.x, rest.y);
+        const Displacement d = displacement_of(frame, rest.x, rest.y);
         return glm::dvec3(d.dx, d.height, d.dz);
     };
-    const double length_m = frame.sea.patch_size_m, texel_m = length_m / frame.resolution();
+    const double length_m = frame.tiles[0].lattice.side_m, texel_m = frame.tiles[0].texel_m();
     std::string vertices, faces;
     std::uint32_t written = 0;
     std::vector<std::uint32_t> number_of(mesh.positions.size());

@@ -13,10 +13,10 @@ double degrees(double radians) { return radians * (180 / 3.14159265358979323846)
 
 Json sea_as_json(const ResolvedSea& resolved) {
     const SeaState& sea = resolved.sea;
-    Json json = {{"spectrum", name_of(sea.spectrum)}};
+    Json json = {{"spectrum", name_of(sea.spectrum)}, {"spreading", name_of(sea.spreading)}};
     for (const SeaStateField& field : sea_state_fields()) {
-        if (field.name == "wind_direction_rad")
-            json["wind_direction_deg"] = resolved.wind_direction_deg;  // as it was typed
+        if (const SeaAngle* angle = sea_angle(field.name))
+            json[angle->in_file] = resolved.*angle->degrees;  // as it was typed
         else
             std::visit([&](auto member) { json[field.name] = sea.*member; }, field.member);
     }

@@ -79,7 +79,7 @@ FftwFrame::FftwFrame(const SeaState& sea, Isa isa, FftwArrangement arrangement)
 FftwFrame::~FftwFrame() = default;
 
 void FftwFrame::bake_spectrum() {
-    const WaveSpectrum model(sea_);
+    const TileWaves waves(sea_, plan_tiles(sea_).front());
     const double spacing = two_pi / sea_.patch_size_m;
     const std::size_t half = size_ / 2;
     for (std::size_t row = 0; row < half; ++row) {
@@ -87,8 +87,8 @@ void FftwFrame::bake_spectrum() {
             const int m = static_cast<int>(column), n = static_cast<int>(row);
             float* wave = waves_.data() + row * wave_rows * half + column;
             for (const int sign : {1, -1}) {
-                const std::complex<double> along = initial_amplitude(sea_, model, m, sign * n);
-                const std::complex<double> against = std::conj(initial_amplitude(sea_, model, -m, -sign * n));
+                const std::complex<double> along = waves.amplitude(m, sign * n);
+                const std::complex<double> against = std::conj(waves.amplitude(-m, -sign * n));
                 for (const double part : {along.real() + against.real(), along.imag() + against.imag(),
                                           along.imag() - against.imag(), against.real() - along.real()}) {
                     *wave = static_cast<float>(part);

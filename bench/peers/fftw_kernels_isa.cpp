@@ -115,7 +115,7 @@ class PlaneSurface {
                 const V before = at(component, (x - V::size) & last_, z);
                 const V behind = at(component, (x + V::size) & last_, z);
                 return kernels::Differences<Arch>{
-                    kernels::one_behind<Arch>(here, behind) - kernels::one_before<Arch>(before, here),
+                    kernels::lanes_behind<1, Arch>(here, behind) - kernels::lanes_before<1, Arch>(before, here),
                     at(component, x, below) - at(component, x, above)};
             };
             take(difference(surface_dx), difference(surface_height), difference(surface_dz));

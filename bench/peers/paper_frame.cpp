@@ -160,7 +160,7 @@ PaperFrame::PaperFrame(const SeaState& sea)
 // Equations 16 to 22 on the centred grid of equation 2. Waves on the Nyquist row and column, index 0, are none, so it
 // does no harm that each of them is its own partner in the wrapped index below.
 void PaperFrame::bake_spectrum() {
-    const WaveSpectrum spectrum(sea_);
+    const TileWaves waves(sea_, plan_tiles(sea_).front());
     const int centre = sea_.resolution / 2;
     const double spacing = 2 * std::numbers::pi / sea_.patch_size_m;
     std::vector<std::complex<double>> h0(initial_amplitudes_.size());
@@ -168,7 +168,7 @@ void PaperFrame::bake_spectrum() {
         const int m = static_cast<int>(index & (resolution_ - 1)) - centre;
         const int n = static_cast<int>(index >> log_resolution_) - centre;
         const double length = std::sqrt(static_cast<double>(m) * m + static_cast<double>(n) * n);
-        h0[index] = initial_amplitude(sea_, spectrum, m, n);
+        h0[index] = waves.amplitude(m, n);
         harmonics_[index] =
             length == 0 ? 0 : loop_harmonic(angular_frequency(length * spacing, sea_.depth_m), sea_.loop_period_s);
     }

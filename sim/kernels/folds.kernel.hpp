@@ -36,9 +36,9 @@ PELAGIC_INLINE xsimd::batch<float, Arch> least_area(const TexelPairs<Arch>& here
     using V = xsimd::batch<float, Arch>;
     V upper_x[2], lower_x[2], behind_z[2];
     for (int axis = 0; axis < 2; ++axis) {
-        upper_x[axis] = one_behind<Arch>(here.upper[axis], behind.upper[axis]) - here.upper[axis];
-        lower_x[axis] = one_behind<Arch>(here.lower[axis], behind.lower[axis]) - here.lower[axis];
-        behind_z[axis] = one_behind<Arch>(here.along_z[axis], behind.along_z[axis]);
+        upper_x[axis] = lanes_behind<1, Arch>(here.upper[axis], behind.upper[axis]) - here.upper[axis];
+        lower_x[axis] = lanes_behind<1, Arch>(here.lower[axis], behind.lower[axis]) - here.lower[axis];
+        behind_z[axis] = lanes_behind<1, Arch>(here.along_z[axis], behind.along_z[axis]);
     }
     upper_x[0] = upper_x[0] + texel;
     lower_x[0] = lower_x[0] + texel;

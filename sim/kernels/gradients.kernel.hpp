@@ -5,12 +5,11 @@
 #include <cstring>
 #include <xsimd/xsimd.hpp>
 
+#include "pelagic/sim/kernels/block_surface.kernel.hpp"
 #include "pelagic/sim/kernels/kernels.hpp"
 #include "pelagic/sim/kernels/mipmaps.kernel.hpp"
-#include "pelagic/sim/kernels/wave_blocks.hpp"
 #include "pelagic/simd/exact.kernel.hpp"
 #include "pelagic/simd/half.kernel.hpp"
-#include "pelagic/simd/neighbours.kernel.hpp"
 
 namespace pelagic::kernels {
 
@@ -46,12 +45,6 @@ struct Normal {
     }
 };
 
-/// How the surface changes over two texels along an axis: the difference of the neighbours on both sides, metres.
-template <class Arch>
-struct Differences {
-    xsimd::batch<float, Arch> x, z;
-};
-
 /// Equations 45 to 48, times (2 L/N)^2: differences are not divided by the distance, because the normal's length
 /// doesn't matter, and J, which is its y, takes the square of it later.
 template <class Arch>
@@ -68,50 +61,13 @@ PELAGIC_INLINE Normal<Arch> normal_of(const Differences<Arch>& dx, const Differe
     return {n_x, n_y, n_z, divided<Arch>(V(1.f), square_root<Arch>(squared))};
 }
 
-/// The surface as columns_finalize() leaves it.
+/// 0 where the surface keeps at least half of its area, 1 where it folds, linear between.
 template <class Arch>
-class BlockSurface {
-    using V = xsimd::batch<float, Arch>;
-    static constexpr std::size_t row_floats = surface_components * V::size;
+PELAGIC_INLINE xsimd::batch<float, Arch> foam_of(xsimd::batch<float, Arch> jacobian) {
+    return clamped<Arch>(xsimd::batch<float, Arch>(1.f) - (jacobian + jacobian), 0.f, 1.f);
+}
 
-   public:
-    explicit BlockSurface(const GradientsJob& job)
-        : data_(job.surface), block_stride_(job.block_stride), last_(job.resolution - 1) {}
-
-    V at(SurfaceComponent component, std::size_t x, std::size_t z) const { return load(block(x), z, component); }
-
-    /// Calls take(dx, height, dz) with the Differences at each W texels of a row.
-    template <class Take>
-    PELAGIC_INLINE void differences_of_row(std::size_t z, std::size_t first_column, std::size_t columns,
-                                           Take take) const {
-        const std::size_t above = (z - 1) & last_, below = (z + 1) & last_;
-        const float* before = block(first_column - V::size);
-        for (std::size_t x = first_column; x < first_column + columns; x += V::size) {
-            const float* here = block(x);
-            const float* behind = block(x + V::size);
-            const auto difference = [&](SurfaceComponent component) {
-                const V value = load(here, z, component);
-                return Differences<Arch>{one_behind<Arch>(value, load(behind, z, component)) -
-                                             one_before<Arch>(load(before, z, component), value),
-                                         load(here, below, component) - load(here, above, component)};
-            };
-            take(difference(surface_dx), difference(surface_height), difference(surface_dz));
-            before = here;
-        }
-    }
-
-   private:
-    const float* block(std::size_t x) const { return data_ + (x & last_) / V::size * block_stride_; }
-    static V load(const float* column, std::size_t z, SurfaceComponent component) {
-        return V::load_aligned(column + z * row_floats + component * V::size);
-    }
-
-    const float* data_;
-    std::size_t block_stride_;
-    std::size_t last_;  ///< N - 1, the mask that wraps
-};
-
-/// Writes W texels of level 0 and of the half floats; returns in `averages` what the mipmaps average.
+/// Writes W texels of level 0 and, if wanted, of the half floats; returns in `averages` what the mipmaps average.
 template <class Arch>
 PELAGIC_INLINE void pack_texels(const GradientsJob& job, const Normal<Arch>& normal, xsimd::batch<float, Arch> dx,
                                 xsimd::batch<float, Arch> height, xsimd::batch<float, Arch> dz, std::size_t texel,
@@ -125,8 +81,7 @@ PELAGIC_INLINE void pack_texels(const GradientsJob& job, const Normal<Arch>& nor
             xsimd::batch<std::int32_t, Arch>(job.smoothness_bits),
         job.levels[0] + texel);
 
-    const V foam = clamped<Arch>(V(1.f) - (jacobian + jacobian), 0.f, 1.f);
-    store_halves<Arch>(dx, height, dz, foam, job.rgba16f + 4 * texel);
+    if (job.rgba16f) store_halves<Arch>(dx, height, dz, foam_of<Arch>(jacobian), job.rgba16f + 4 * texel);
 
     const V scaled = normal.inverse_length * V(job.normal_length);
     averages[0] = normal.x * scaled;
@@ -135,11 +90,11 @@ PELAGIC_INLINE void pack_texels(const GradientsJob& job, const Normal<Arch>& nor
     averages[3] = clamped_jacobian;
 }
 
-/// Two rows of the tile. Normals first, packing afterwards: roots and divisions take long to come, and short loops let
+/// Two rows of the tile, whose axes `turn` takes to the world's. Normals first, packing afterwards: roots and divisions take long to come, and short loops let
 /// the processor begin the next ones meanwhile.
-template <class Arch, class Surface>
-inline void gradient_rows(const GradientsJob& job, const Surface& surface, std::size_t row, std::size_t columns,
-                          MipScratch<Arch>& scratch) {
+template <class Arch, class Surface, class Turn>
+inline void gradient_rows(const GradientsJob& job, const Surface& surface, const Turn& turn, std::size_t row,
+                          std::size_t columns, MipScratch<Arch>& scratch) {
     using V = xsimd::batch<float, Arch>;
     constexpr std::size_t row_floats = Normal<Arch>::floats * GradientsJob::tile_columns / V::size;
     alignas(64) float normals[2][row_floats];
@@ -149,7 +104,7 @@ inline void gradient_rows(const GradientsJob& job, const Surface& surface, std::
         float* to = normals[i];
         surface.differences_of_row(z + i, job.first_column, columns,
                                    [&](const auto& dx, const auto& h, const auto& dz) {
-                                       normal_of<Arch>(dx, h, dz, two_texels).store(to);
+                                       normal_of<Arch>(turn(dx), turn(h), turn(dz), two_texels).store(to);
                                        to += Normal<Arch>::floats;
                                    });
     }
@@ -173,7 +128,14 @@ inline void gradients_of(const GradientsJob& job, const Surface& surface) {
     const std::size_t rows = n < GradientsJob::tile_rows ? n : GradientsJob::tile_rows;
     const std::size_t columns = n < GradientsJob::tile_columns ? n : GradientsJob::tile_columns;
     MipScratch<Arch> scratch;
-    for (std::size_t row = 0; row < rows; row += 2) gradient_rows<Arch>(job, surface, row, columns, scratch);
+    const auto all_rows = [&](const auto& turn) {
+        for (std::size_t row = 0; row < rows; row += 2)
+            gradient_rows<Arch>(job, surface, turn, row, columns, scratch);
+    };
+    if (job.sine != 0 || job.cosine != 1)
+        all_rows(Turned<Arch>{V(job.cosine), V(job.sine)});
+    else
+        all_rows(NotTurned{});
 
     for (int level = 1; level <= GradientsJob::tile_levels; ++level) {
         const std::size_t side = n >> level;
@@ -206,7 +168,7 @@ inline void gradients_of(const GradientsJob& job, const Surface& surface) {
 
 template <class Arch>
 void gradients(const GradientsJob& job) {
-    gradients_of<Arch>(job, BlockSurface<Arch>(job));
+    gradients_of<Arch>(job, BlockSurface<Arch>(job.surface, job.resolution, job.block_stride));
 }
 
 }  // namespace pelagic::kernels

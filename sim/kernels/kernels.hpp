@@ -64,10 +64,13 @@ struct GradientsJob {
     float jacobian_factor;                   ///< 1 / two_texels_m^2
     float normal_length;                     ///< equation 49 at the sea's roughness
     std::int32_t smoothness_bits;            ///< 1 - sqrt(roughness) as the highest byte of a texel
-    std::uint16_t* rgba16f;                  ///< tight rows of four halves a texel
+    std::uint16_t* rgba16f;                  ///< tight rows of four halves a texel; null: nobody wants them
     std::uint32_t* levels[tile_levels + 1];  ///< tight rows of RGBA8, the texels of level 0 to 3
     float* averages;                         ///< of level 3, for MipLevelJob
     std::size_t average_stride;
+    float cosine = 1,
+          sine = 0;  ///< of the angle by which the tile's axes are turned in the world, from +x towards +z;
+                     ///< displacement, normals and J are along the world's axes
 };
 
 /// Stage `mipmaps`, one level: the averages of 2 x 2 texels (52), smoothness from the normal's length (53),
@@ -80,6 +83,55 @@ struct MipLevelJob {
     float* averages;  ///< of this level; aliases no input
     std::size_t stride;
     std::uint32_t* texels;  ///< side^2
+};
+
+/// What the slopes' levels are averaged from: h_x, h_z, D_xx, D_zz, D_xz and the mean squares h_x^2, h_z^2, h_x h_z,
+/// in parts of slope_range.
+inline constexpr std::size_t slope_planes = 8;
+
+/// Stage `slopes` and its first levels on one tile of texels: what of a surface can be added to other surfaces', so that
+/// a sum of tiles has the normals and Jacobians of the sum (surface/slope_sum.hpp). Two words a texel, from the lowest byte up:
+///   slopes   h_x, h_z, D_xx, D_zz, signed, in parts of slope_range
+///   moments  D_xz = (Dx,z + Dz,x)/2, signed, in parts of slope_range; var h_x, var h_z from 0, cov(h_x, h_z) signed, in
+///            parts of variance_range
+/// A signed byte b is (b - 128)/127, one from 0 is b/255; values beyond the ranges stop there. Derivatives are along the
+/// world's axes. Variances are those within a texel (LEAN mapping: Olano and Baker 2010); none at level 0.
+///
+/// Derivatives are near_weight (f(1) - f(-1)) + far_weight (f(2) - f(-2)) over the texel's size. One number is free when
+/// a constant slope keeps its value. It is chosen so that what a GPU shows, bilinear between texels, is nearest the
+/// surface itself: of all waves with 6/128 to 1/3 steps a texel, each octave as steep, from everywhere, in the mean over
+/// the square between texels (docs/equations.md has the integral). The derivative at a texel therefore overstates short
+/// waves as much as the filter takes of them.
+struct SlopesJob {
+    static constexpr std::size_t tile_rows = 16, tile_columns = 256;
+    static constexpr int tile_levels = 3;
+    static constexpr double far_weight = -0.2194, near_weight = 0.5 - 2 * far_weight;
+
+    const float* surface;  ///< all column blocks
+    std::size_t resolution;
+    std::size_t first_row, first_column;  ///< of the tile, which is smaller than the above if N is
+    std::size_t block_stride;             ///< floats between column blocks
+    float cosine, sine;                   ///< as in GradientsJob
+    float difference_factor;              ///< near_weight / (slope_range L / N)
+    float slope_range;
+    float variance_factor;                    ///< slope_range^2 / variance_range
+    std::uint16_t* rgba16f;                   ///< as in GradientsJob, J from these slopes; null: nobody wants them
+    std::uint32_t* slopes[tile_levels + 1];   ///< tight rows, the texels of level 0 to 3
+    std::uint32_t* moments[tile_levels + 1];  ///< the same
+    float* averages;                          ///< of level 3, for SlopeLevelJob
+    std::size_t average_stride;
+};
+
+/// Stage `slopes tail`, one level: averages of 2 x 2 texels, packed. Averages are rows of slope_planes planes, `stride`
+/// floats each, at least 32 and the level's side.
+struct SlopeLevelJob {
+    const float* finer;  ///< averages of the finer level
+    std::size_t finer_stride;
+    std::size_t side;
+    float* averages;  ///< of this level; aliases no input
+    std::size_t stride;
+    float variance_factor;
+    std::uint32_t *slopes, *moments;  ///< side^2 each
 };
 
 /// The surface of a frame as queries read it. Texel (i, j) of a plane is
@@ -148,6 +200,8 @@ struct Kernels {
     void (*columns_finalize)(const ColumnsFinalizeJob&);
     void (*gradients)(const GradientsJob&);
     void (*mip_level)(const MipLevelJob&);
+    void (*slopes)(const SlopesJob&);
+    void (*slope_level)(const SlopeLevelJob&);
     void (*find_folds)(const FindFoldsJob&);
     void (*invert_surface)(const InvertSurfaceJob&);
     void (*sample_surface)(const SampleSurfaceJob&);

@@ -8,6 +8,7 @@
 #include "pelagic/sim/kernels/folds.kernel.hpp"
 #include "pelagic/sim/kernels/gradients.kernel.hpp"
 #include "pelagic/sim/kernels/mipmaps.kernel.hpp"
+#include "pelagic/sim/kernels/slopes.kernel.hpp"
 #include "pelagic/sim/kernels/surface_query.kernel.hpp"
 
 #define PELAGIC_JOINED(a, b) a##b
@@ -24,6 +25,8 @@ const Kernels PELAGIC_TABLE(PELAGIC_ISA_NAME) = {
     kernels::columns_finalize<xsimd::PELAGIC_ISA_ARCH>,
     kernels::gradients<xsimd::PELAGIC_ISA_ARCH>,
     kernels::mip_level<xsimd::PELAGIC_ISA_ARCH>,
+    kernels::slopes<xsimd::PELAGIC_ISA_ARCH>,
+    kernels::slope_level<xsimd::PELAGIC_ISA_ARCH>,
     kernels::find_folds<xsimd::PELAGIC_ISA_ARCH>,
     kernels::invert_surface<xsimd::PELAGIC_ISA_ARCH>,
     kernels::sample_surface<xsimd::PELAGIC_ISA_ARCH>,

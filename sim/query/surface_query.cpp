@@ -92,12 +92,12 @@ struct SurfaceQuery::Sheet {
 };
 
 SurfaceQuery::SurfaceQuery(const Frame& frame, double tolerance_m)
-    : kernels_(&kernels_for(frame.isa)), frame_(frame) {
+    : kernels_(&kernels_for(frame.isa)), frame_(frame), tile_(&frame.tiles.front()) {
     assert(tolerance_m > 0);
-    if (frame.folds.empty())
+    if (frame.tiles.front().folds.empty())
         throw std::invalid_argument("the frame can't be queried, needs an ocean with OceanOptions::queries");
     const DefaultFloatEnvironment environment;
-    texel_m_ = frame.sea.patch_size_m / frame.resolution();
+    texel_m_ = frame.tiles.front().texel_m();
     tolerance_m_ = static_cast<float>(tolerance_m);
     target_ = static_cast<float>(std::clamp(tolerance_m * aim / texel_m_, least_target, most_target));
 }
@@ -129,7 +129,7 @@ void SurfaceQuery::sample(const SurfacePoints& points, const SurfaceSamples& sam
 
 /// Each point becomes a cell of the patch and a place in it.
 void SurfaceQuery::place_points(const SurfacePoints& points, Chunk& chunk) const {
-    const std::int64_t last = frame_.resolution() - 1;
+    const std::int64_t last = tile_->resolution() - 1;
     for (std::size_t i = 0; i < chunk.padded; ++i) {
         double x = i < chunk.count ? points.x[chunk.first + i] / texel_m_ : 0;
         double z = i < chunk.count ? points.z[chunk.first + i] / texel_m_ : 0;
@@ -144,7 +144,7 @@ void SurfaceQuery::place_points(const SurfacePoints& points, Chunk& chunk) const
 }
 
 void SurfaceQuery::find_rest_points(Chunk& chunk) const {
-    kernels_->invert_surface({.surface = texels_of(frame_),
+    kernels_->invert_surface({.surface = texels_of(*tile_),
                               .texels_per_m = static_cast<float>(1 / texel_m_),
                               .target = target_,
                               .count = chunk.padded,
@@ -170,7 +170,7 @@ void SurfaceQuery::read_surface(const SurfaceSamples& samples, Chunk& chunk) con
                               !samples.jacobian.empty();
     const bool wants_velocity =
         !samples.velocity_x_mps.empty() || !samples.velocity_y_mps.empty() || !samples.velocity_z_mps.empty();
-    SampleSurfaceJob job{.surface = texels_of(frame_),
+    SampleSurfaceJob job{.surface = texels_of(*tile_),
                          .two_texels_m = static_cast<float>(2 * texel_m_),
                          .jacobian_factor = static_cast<float>(1 / (4 * texel_m_ * texel_m_)),
                          .count = chunk.padded,
@@ -213,16 +213,16 @@ void SurfaceQuery::hand_out(const SurfaceSamples& samples, const Chunk& chunk) c
 }
 
 bool SurfaceQuery::may_be_folded(int cell_x, int cell_z) const {
-    const auto square = static_cast<std::size_t>(cell_z * frame_.resolution() + cell_x);
-    return frame_.folds[square / 8] >> square % 8 & 1;
+    const auto square = static_cast<std::size_t>(cell_z * tile_->resolution() + cell_x);
+    return tile_->folds[square / 8] >> square % 8 & 1;
 }
 
 // A cell (i, j) can be drawn at the point only if it rests within the largest displacement of it.
 SurfaceQuery::Sheet SurfaceQuery::highest_sheet(int cell_x, double u, int cell_z, double v) const {
-    const SurfaceTexels surface = texels_of(frame_);
+    const SurfaceTexels surface = texels_of(*tile_);
     const double texels_per_m = 1 / texel_m_;
-    const double reach_x = frame_.bounds.sideways_x_max_m * texels_per_m + edge;
-    const double reach_z = frame_.bounds.sideways_z_max_m * texels_per_m + edge;
+    const double reach_x = tile_->bounds.sideways_x_max_m * texels_per_m + edge;
+    const double reach_z = tile_->bounds.sideways_z_max_m * texels_per_m + edge;
     const auto first_x = static_cast<int>(floor_of(u - reach_x)), last_x = static_cast<int>(floor_of(u + reach_x));
     const auto first_z = static_cast<int>(floor_of(v - reach_z)), last_z = static_cast<int>(floor_of(v + reach_z));
 

@@ -5,14 +5,13 @@
 // Only kz in [0, N/2) is kept: the other half plane is its mirror, because the sea is real.
 #pragma once
 
-#include <complex>
 #include <cstddef>
 #include <cstdint>
 
 #include "pelagic/sim/kernels/wave_blocks.hpp"
 #include "pelagic/sim/sea_state.hpp"
 #include "pelagic/sim/sources/fft_plan.hpp"
-#include "pelagic/sim/spectrum/spectra.hpp"
+#include "pelagic/sim/spectrum/amplitudes.hpp"
 #include "pelagic/sim/spectrum/whitecaps.hpp"
 #include "pelagic/simd/aligned_buffer.hpp"
 
@@ -39,15 +38,6 @@ struct PackedSpectrum {
     AlignedBuffer<std::uint32_t> harmonics;  ///< [line block][pair][lane], periods in one loop
 };
 
-/// h0 of the wave numbers (m, n), metres (VR Ocean, equation 13). Zero at DC (equation 14), and on the Nyquist row
-/// and column: the partner -k of such a wave is itself on the grid, so it can't be told which way it runs.
-std::complex<double> initial_amplitude(const SeaState& sea, const WaveSpectrum& spectrum, int m, int n);
-
-/// |h0(k)|^2 + |h0(-k)|^2 of the waves that this seed drew, m^2. \pre the shell is that of (m, n), which is neither DC nor in
-/// the Nyquist row or column
-double drawn_variance(const SeaState& sea, const WaveSpectrum& spectrum, const WaveSpectrum::Shell& shell, int m,
-                      int n);
-
 /// What the waves of a line and of its mirror add to the sea.
 struct LineFigures {
     double height_variance = 0;  ///< m^2, the mean over all seeds
@@ -55,7 +45,7 @@ struct LineFigures {
 };
 
 /// Fills one line, 0 <= line < line_count(). Lines are independent.
-LineFigures bake_spectrum_line(const SeaState& sea, const WaveSpectrum& spectrum, const FftPlan& plan,
-                               std::size_t line, PackedSpectrum& out);
+LineFigures bake_spectrum_line(const SeaState& sea, const TileWaves& waves, const FftPlan& plan, std::size_t line,
+                               PackedSpectrum& out);
 
 }  // namespace pelagic

@@ -18,10 +18,11 @@ std::uint64_t mix(std::uint64_t z) {
 
 constexpr double two_to_minus_53 = 1.0 / 9007199254740992.0;
 
-std::uint64_t state_of(std::uint32_t seed, int m, int n) {
+std::uint64_t state_of(std::uint32_t seed, int tile, int m, int n) {
     const std::uint64_t wave = std::uint64_t{static_cast<std::uint32_t>(m)} << 32 | static_cast<std::uint32_t>(n);
+    const std::uint64_t sea = std::uint64_t{static_cast<std::uint32_t>(tile)} << 32 | seed;
     // The seed is mixed before it meets the wave: otherwise seeds would be shifted copies of one another.
-    return mix(wave + golden_gamma) ^ mix(seed + 2 * golden_gamma);
+    return mix(wave + golden_gamma) ^ mix(sea + 2 * golden_gamma);
 }
 
 double squared_radius(std::uint64_t state) {
@@ -32,8 +33,8 @@ double squared_radius(std::uint64_t state) {
 
 }  // namespace
 
-GaussianPair gaussian_pair(std::uint32_t seed, int m, int n) {
-    const std::uint64_t state = state_of(seed, m, n);
+GaussianPair gaussian_pair(std::uint32_t seed, int tile, int m, int n) {
+    const std::uint64_t state = state_of(seed, tile, m, n);
     const std::uint64_t second = mix(state + 2 * golden_gamma);
     const double u2 = static_cast<double>(second >> 11) * two_to_minus_53;
     const double radius = std::sqrt(squared_radius(state));
@@ -41,6 +42,8 @@ GaussianPair gaussian_pair(std::uint32_t seed, int m, int n) {
     return {radius * angle.sine, radius * angle.cosine};
 }
 
-double gaussian_pair_square(std::uint32_t seed, int m, int n) { return squared_radius(state_of(seed, m, n)); }
+double gaussian_pair_square(std::uint32_t seed, int tile, int m, int n) {
+    return squared_radius(state_of(seed, tile, m, n));
+}
 
 }  // namespace pelagic

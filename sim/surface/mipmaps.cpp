@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "pelagic/sim/frame.hpp"
-#include "pelagic/sim/kernels/kernels.hpp"
 
 namespace pelagic {
 namespace {
@@ -15,19 +14,19 @@ std::size_t stride_of(int resolution, int level) {
     return std::max(static_cast<std::size_t>(resolution) >> level, least_stride);
 }
 
-std::size_t floats_before(int resolution, int level) {
+}  // namespace
+
+MipAverages::MipAverages(int resolution, const HostMemory& memory, std::size_t planes)
+    : resolution_(resolution), planes_(planes), values_(floats_before(mip_levels(resolution)), memory) {}
+
+std::size_t MipAverages::floats_before(int level) const {
     std::size_t floats = 0;
     for (int l = GradientsJob::tile_levels; l < level; ++l)
-        floats += (static_cast<std::size_t>(resolution) >> l) * (mip_planes + 1) * stride_of(resolution, l);
+        floats += (static_cast<std::size_t>(resolution_) >> l) * planes_ * stride_of(resolution_, l);
     return floats;
 }
 
-}  // namespace
-
-MipAverages::MipAverages(int resolution, const HostMemory& memory)
-    : resolution_(resolution), values_(floats_before(resolution, mip_levels(resolution)), memory) {}
-
-float* MipAverages::level(int level) { return values_.data() + floats_before(resolution_, level); }
+float* MipAverages::level(int level) { return values_.data() + floats_before(level); }
 
 std::size_t MipAverages::stride(int level) const { return stride_of(resolution_, level); }
 

@@ -1,10 +1,11 @@
-// Stage `mipmaps`: the chain of averaged normals and Jacobians, kept in float because bytes lose the smoothness:
+// Stage `mipmaps`: the chain of averaged normals and Jacobians, or of slopes (kernels.hpp), kept in float because bytes lose the smoothness:
 // at a length of one a single step of a byte already means 0.88 (errata). Tiles of texels make the first levels
 // (kernels.hpp), one job the rest, the tail.
 #pragma once
 
 #include <cstddef>
 
+#include "pelagic/sim/kernels/kernels.hpp"
 #include "pelagic/simd/aligned_buffer.hpp"
 
 namespace pelagic {
@@ -12,15 +13,19 @@ namespace pelagic {
 /// Float averages of the levels that a tile leaves to others: GradientsJob::tile_levels and up.
 class MipAverages {
    public:
-    explicit MipAverages(int resolution, const HostMemory& memory = {});
+    /// \param planes  of a row of averages: those of MipLevelJob, or slope_planes for SlopeLevelJob
+    explicit MipAverages(int resolution, const HostMemory& memory = {}, std::size_t planes = mip_planes + 1);
 
-    /// As MipLevelJob wants them.
+    /// As those jobs want them.
     float* level(int level);
     std::size_t stride(int level) const;
     std::size_t bytes() const { return values_.bytes(); }
 
    private:
+    std::size_t floats_before(int level) const;
+
     int resolution_;
+    std::size_t planes_;
     AlignedBuffer<float> values_;
 };
 

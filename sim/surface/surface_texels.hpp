@@ -1,31 +1,31 @@
-// A frame's planes as the kernels of surface queries take them.
+// A tile's planes as the kernels of surface queries take them.
 #pragma once
 
 #include <bit>
 #include <cassert>
 
-#include "pelagic/sim/frame.hpp"
 #include "pelagic/sim/kernels/kernels.hpp"
+#include "pelagic/sim/tile.hpp"
 
 namespace pelagic {
 
-/// \pre All planes of the frame are laid out alike, in blocks of a power of two of columns (asserted).
-inline SurfaceTexels texels_of(const Frame& frame) {
-    const PlaneView& plane = frame.height;
+/// \pre All planes of the tile are laid out alike, in blocks of a power of two of columns (asserted).
+inline SurfaceTexels texels_of(const Tile& tile) {
+    const PlaneView& plane = tile.height;
     [[maybe_unused]] const auto is_alike = [&](const PlaneView& other) {
         return other.resolution == plane.resolution && other.block_columns == plane.block_columns &&
                other.row_stride == plane.row_stride && other.block_stride == plane.block_stride;
     };
-    assert(is_alike(frame.dx) && is_alike(frame.dz));
+    assert(is_alike(tile.dx) && is_alike(tile.dz));
     assert(std::has_single_bit(static_cast<unsigned>(plane.block_columns)));
-    assert(!frame.velocity_y.data ||
-           (is_alike(frame.velocity_x) && is_alike(frame.velocity_y) && is_alike(frame.velocity_z)));
-    return {.dx = frame.dx.data,
+    assert(!tile.velocity_y.data ||
+           (is_alike(tile.velocity_x) && is_alike(tile.velocity_y) && is_alike(tile.velocity_z)));
+    return {.dx = tile.dx.data,
             .height = plane.data,
-            .dz = frame.dz.data,
-            .velocity_x = frame.velocity_x.data,
-            .velocity_y = frame.velocity_y.data,
-            .velocity_z = frame.velocity_z.data,
+            .dz = tile.dz.data,
+            .velocity_x = tile.velocity_x.data,
+            .velocity_y = tile.velocity_y.data,
+            .velocity_z = tile.velocity_z.data,
             .resolution = plane.resolution,
             .block_columns = plane.block_columns,
             .block_shift = std::countr_zero(static_cast<unsigned>(plane.block_columns)),

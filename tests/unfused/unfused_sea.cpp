@@ -99,11 +99,12 @@ UnfusedSea::UnfusedSea(const SeaState& sea)
     const auto view = [&](const std::vector<float>& plane) {
         return PlaneView{plane.data(), sea.resolution, sea.resolution, sea.resolution, 0};
     };
-    frame_.dx = view(dx_);
-    frame_.height = view(height_);
-    frame_.dz = view(dz_);
-    frame_.displacement_rgba16f = halves_;
-    frame_.gradient_rgba8 = texels_;
+    tile_.dx = view(dx_);
+    tile_.height = view(height_);
+    tile_.dz = view(dz_);
+    tile_.displacement_rgba16f = halves_;
+    tile_.gradient_rgba8 = texels_;
+    frame_.tiles = {&tile_, 1};
 }
 
 const Frame& UnfusedSea::frame_at(double time_s) {
@@ -118,7 +119,7 @@ const Frame& UnfusedSea::frame_at(double time_s) {
 }
 
 void UnfusedSea::spectrum() {
-    const WaveSpectrum model(sea_);
+    const TileWaves waves(sea_, plan_tiles(sea_).front());
     const double spacing = 6.28318530717958647693 / sea_.patch_size_m;
     for (int n = 0; n < sea_.resolution / 2; ++n) {
         for (int position = 0; position < sea_.resolution; ++position) {
@@ -128,8 +129,8 @@ void UnfusedSea::spectrum() {
                 waves_.push_back({});
                 continue;
             }
-            const std::complex<double> along = initial_amplitude(sea_, model, m, n);
-            const std::complex<double> against = std::conj(initial_amplitude(sea_, model, -m, -n));
+            const std::complex<double> along = waves.amplitude(m, n);
+            const std::complex<double> against = std::conj(waves.amplitude(-m, -n));
             const double length = std::sqrt(static_cast<double>(m) * m + static_cast<double>(n) * n);
             waves_.push_back(
                 {static_cast<float>(along.real() + against.real()), static_cast<float>(along.imag() + against.imag()),
@@ -211,7 +212,7 @@ void UnfusedSea::finalize() {
         bounds.sideways_x_max_m = std::max(bounds.sideways_x_max_m, std::fabs(dx_[i]));
         bounds.sideways_z_max_m = std::max(bounds.sideways_z_max_m, std::fabs(dz_[i]));
     }
-    frame_.bounds = bounds;
+    tile_.bounds = bounds;
 }
 
 void UnfusedSea::gradients() {

@@ -1,0 +1,63 @@
+// Slopes that add: what the words of a tile's slope maps mean, and the normal and Jacobian of a sum of tiles.
+//
+// Normals and Jacobians of a sum are no sums of normals and Jacobians, but derivatives are sums of derivatives. So whoever
+// draws or asks adds what the tiles say about a point and makes a normal of the sum. Filters and mipmaps may come
+// before it, because they are linear. Shaders do the same.
+#pragma once
+
+#include <cstdint>
+
+namespace pelagic {
+
+/// What the bytes of a tile's slope maps count in.
+struct SlopeRanges {
+    float slope = 1;     ///< of h_x, h_z, D_xx, D_zz, D_xz
+    float variance = 1;  ///< of h_x and h_z within a texel
+};
+
+/// How a surface changes along the world's x and z, at rest: of one tile, or of several once added.
+struct SurfaceSlopes {
+    double h_x = 0, h_z = 0;                    ///< of the height
+    double d_xx = 0, d_zz = 0, d_xz = 0;        ///< of the sideways displacement; Dx,z = Dz,x in a sea of waves
+    double var_xx = 0, var_zz = 0, cov_xz = 0;  ///< of h_x and h_z within the texel; waves of tiles are independent
+
+    SurfaceSlopes& operator+=(const SurfaceSlopes& other) {
+        h_x += other.h_x;
+        h_z += other.h_z;
+        d_xx += other.d_xx;
+        d_zz += other.d_zz;
+        d_xz += other.d_xz;
+        var_xx += other.var_xx;
+        var_zz += other.var_zz;
+        cov_xz += other.cov_xz;
+        return *this;
+    }
+};
+
+/// A texel of both maps, bytes from the lowest up: h_x, h_z, D_xx, D_zz; D_xz, var_xx, var_zz, cov_xz. Variances are
+/// b/255 of their range, all others (b - 128)/127. With a texture's v = b/255 that is v and v 255/127 - 128/127.
+inline SurfaceSlopes slopes_of_texel(std::uint32_t slopes, std::uint32_t moments, const SlopeRanges& ranges) {
+    const auto byte = [](std::uint32_t word, int number) { return static_cast<double>(word >> 8 * number & 0xFF); };
+    const auto around_zero = [&](std::uint32_t word, int number) { return (byte(word, number) - 128) / 127; };
+    return {.h_x = around_zero(slopes, 0) * ranges.slope,
+            .h_z = around_zero(slopes, 1) * ranges.slope,
+            .d_xx = around_zero(slopes, 2) * ranges.slope,
+            .d_zz = around_zero(slopes, 3) * ranges.slope,
+            .d_xz = around_zero(moments, 0) * ranges.slope,
+            .var_xx = byte(moments, 1) / 255 * ranges.variance,
+            .var_zz = byte(moments, 2) / 255 * ranges.variance,
+            .cov_xz = around_zero(moments, 3) * ranges.variance};
+}
+
+/// N of VR Ocean's equations 47 and 48, of any length: the cross product of the tangents (D_xz, h_z, 1 + D_zz) and
+/// (1 + D_xx, h_x, D_xz). `y` is the Jacobian.
+struct SurfaceNormal {
+    double x, y, z;
+};
+inline SurfaceNormal normal_of(const SurfaceSlopes& sum) {
+    const double j_xx = 1 + sum.d_xx, j_zz = 1 + sum.d_zz;
+    return {sum.h_z * sum.d_xz - sum.h_x * j_zz, j_xx * j_zz - sum.d_xz * sum.d_xz,
+            sum.h_x * sum.d_xz - sum.h_z * j_xx};
+}
+
+}  // namespace pelagic

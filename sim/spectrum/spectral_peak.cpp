@@ -1,0 +1,40 @@
+#include "pelagic/sim/spectrum/spectral_peak.hpp"
+
+#include "pelagic/sim/spectrum/dispersion.hpp"
+#include "pelagic/simd/det_math.hpp"
+
+namespace pelagic {
+namespace {
+
+// Wave numbers to look at: from ten times the longest wave of the wind to a tenth of a millimetre, 2 % apart.
+constexpr double shortest_k = 1e-5;
+constexpr double longest_k = 6e4;
+constexpr double k_ratio = 1.02;
+
+}  // namespace
+
+double radial_energy(const WaveSpectrum& spectrum, const SeaState& sea, double k) {
+    if (spectrum.is_physical()) return spectrum.radial_density(k);
+    // Along the wind the paper's spectrum has the shape of the whole: its spreading does not depend on k.
+    constexpr double two_pi = 6.28318530717958647693;
+    const auto wind = det::sine_cosine_of_turns(sea.wind_direction_rad / two_pi);
+    return k * spectrum.amplitude_variance(k * wind.cosine, k * wind.sine);
+}
+
+// The best of a coarse grid, refined by halving steps around it.
+SpectralPeak peak_of(const WaveSpectrum& spectrum, const SeaState& sea) {
+    const auto density = [&](double k) { return radial_energy(spectrum, sea, k) / group_velocity(k, sea.depth_m); };
+    double best = shortest_k, most = density(best);
+    const auto try_out = [&](double k) {
+        const double here = density(k);
+        if (!(here > most)) return;
+        best = k;
+        most = here;
+    };
+    for (double k = shortest_k; k < longest_k; k *= k_ratio) try_out(k);
+    for (double step = k_ratio - 1; step > 1e-7; step *= 0.5)
+        for (const double k : {best * (1 - step), best * (1 + step)}) try_out(k);
+    return {best, angular_frequency(best, sea.depth_m)};
+}
+
+}  // namespace pelagic

@@ -1,0 +1,67 @@
+// The buffers of frames: two slots, so that one frame is computed while the host still draws the one before.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "pelagic/sim/frame.hpp"
+#include "pelagic/sim/surface/fold_map.hpp"
+#include "pelagic/simd/aligned_buffer.hpp"
+
+namespace pelagic {
+
+/// What frames hold beside the sea.
+struct FrameExtras {
+    bool folds = false;
+    bool velocities = false;
+    HostMemory memory = {};  ///< for everything whose size grows with N^2
+};
+
+/// The buffers of one tile of one frame, and the views of them.
+struct TileBuffers {
+    /// \param lanes  Kernels::lanes of the instruction set that computes them
+    TileBuffers(int resolution, std::size_t lanes, const FrameExtras& extras);
+    std::size_t bytes() const;
+
+    AlignedBuffer<float> surface;   ///< lines at first, see kernels/wave_blocks.hpp
+    AlignedBuffer<float> velocity;  ///< the same for the derivative in time, if wanted
+    std::optional<FoldMap> folds;
+    AlignedBuffer<std::uint16_t> rgba16f;
+    AlignedBuffer<std::uint32_t> rgba8;
+};
+
+/// Stages write to the slot that is the back one, and look for it when they run.
+class FrameSlots {
+   public:
+    /// \param tiles  how many there are, of resolution^2 texels each
+    FrameSlots(std::size_t tiles, int resolution, std::size_t lanes, const FrameExtras& extras);
+    FrameSlots(const FrameSlots&) = delete;  // frames point into it
+    FrameSlots& operator=(const FrameSlots&) = delete;
+
+    std::size_t tile_count() const { return slots_[0].tiles.size(); }
+    int resolution() const { return slots_[0].tiles.front().resolution(); }
+
+    TileBuffers& buffers(std::size_t tile) { return slots_[back_].buffers[tile]; }
+    Tile& tile(std::size_t tile) { return slots_[back_].tiles[tile]; }
+    Frame& frame() { return slots_[back_].frame; }
+
+    /// Makes the other slot the back one: for the next frame, and to give up the last one, so that the one before it is not
+    /// written over yet.
+    void turn() { back_ = 1 - back_; }
+
+    std::size_t bytes() const;
+
+   private:
+    struct Slot {
+        std::vector<TileBuffers> buffers;
+        std::vector<Tile> tiles;
+        Frame frame;
+    };
+    std::array<Slot, 2> slots_;
+    std::size_t back_ = 0;
+};
+
+}  // namespace pelagic

@@ -1,0 +1,67 @@
+#include "pelagic/sim/surface/slope_maps.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "pelagic/sim/frame.hpp"
+
+namespace pelagic {
+namespace {
+
+std::size_t jobs_across(int resolution) {
+    return std::max(static_cast<std::size_t>(resolution) / SlopesJob::tile_columns, std::size_t{1});
+}
+
+// Flatter than any byte of a normal can tell.
+constexpr double least_mean_square_slope = 1e-12;
+
+}  // namespace
+
+SlopeRanges slope_ranges(double mean_square_slope) {
+    const double square = std::max(mean_square_slope, least_mean_square_slope);
+    return {static_cast<float>(4 * std::sqrt(square)), static_cast<float>(3 * square)};
+}
+
+std::size_t SlopeMaps::jobs() const {
+    return jobs_across(resolution) * static_cast<std::size_t>(resolution) / SlopesJob::tile_rows;
+}
+
+void SlopeMaps::make(const Kernels& kernels, std::size_t job) const {
+    const std::size_t across = jobs_across(resolution);
+    const double texel_m = side_m / resolution;
+    SlopesJob slopes_job{
+        .surface = surface,
+        .resolution = static_cast<std::size_t>(resolution),
+        .first_row = job / across * SlopesJob::tile_rows,
+        .first_column = job % across * SlopesJob::tile_columns,
+        .block_stride = block_stride,
+        .cosine = static_cast<float>(cosine),
+        .sine = static_cast<float>(sine),
+        .difference_factor = static_cast<float>(SlopesJob::near_weight / (double{ranges.slope} * texel_m)),
+        .slope_range = ranges.slope,
+        .variance_factor = variance_factor(),
+        .rgba16f = rgba16f,
+        .slopes = {},
+        .moments = {},
+        .averages = averages->level(SlopesJob::tile_levels),
+        .average_stride = averages->stride(SlopesJob::tile_levels)};
+    for (int level = 0; level <= SlopesJob::tile_levels; ++level) {
+        slopes_job.slopes[level] = slopes + mip_offset(resolution, level);
+        slopes_job.moments[level] = moments + mip_offset(resolution, level);
+    }
+    kernels.slopes(slopes_job);
+}
+
+void SlopeMaps::make_tail(const Kernels& kernels) const {
+    for (int level = SlopesJob::tile_levels + 1; level < mip_levels(resolution); ++level)
+        kernels.slope_level({.finer = averages->level(level - 1),
+                             .finer_stride = averages->stride(level - 1),
+                             .side = static_cast<std::size_t>(resolution) >> level,
+                             .averages = averages->level(level),
+                             .stride = averages->stride(level),
+                             .variance_factor = variance_factor(),
+                             .slopes = slopes + mip_offset(resolution, level),
+                             .moments = moments + mip_offset(resolution, level)});
+}
+
+}  // namespace pelagic

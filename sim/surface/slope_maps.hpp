@@ -1,0 +1,40 @@
+// Stages `slopes+mipmaps` and `slopes tail` of one tile: from its surface to the two maps of sim/slope_sum.hpp.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "pelagic/sim/kernels/kernels.hpp"
+#include "pelagic/sim/slope_sum.hpp"
+#include "pelagic/sim/surface/mipmaps.hpp"
+
+namespace pelagic {
+
+/// Ranges for a tile whose waves have that mean square slope, h_x^2 + h_z^2: four times its root, which is at least
+/// four standard deviations along any axis and five where waves go both ways, and three times itself. D_xx, D_zz and D_xz
+/// vary no more than slopes do, choppiness being at most 1. A sea without waves gets ranges too.
+SlopeRanges slope_ranges(double mean_square_slope);
+
+/// Where slopes come from and where they go; a view.
+struct SlopeMaps {
+    const float* surface;  ///< column blocks (wave_blocks.hpp) for the kernels' lanes
+    int resolution;
+    std::size_t block_stride;         ///< floats between column blocks
+    double side_m;                    ///< of the tile
+    double cosine = 1, sine = 0;      ///< how its axes are turned, GradientsJob
+    SlopeRanges ranges;               ///< positive
+    std::uint16_t* rgba16f;           ///< 4 N^2, null if nobody wants them
+    std::uint32_t *slopes, *moments;  ///< chains of mip_offset(N, mip_levels(N)) texels
+    MipAverages* averages;            ///< of slope_planes planes
+
+    /// Jobs of the first stage; they may run side by side.
+    std::size_t jobs() const;
+    void make(const Kernels& kernels, std::size_t job) const;
+    /// The second stage.
+    void make_tail(const Kernels& kernels) const;
+
+   private:
+    float variance_factor() const { return ranges.slope * ranges.slope / ranges.variance; }
+};
+
+}  // namespace pelagic

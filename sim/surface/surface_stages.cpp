@@ -1,0 +1,101 @@
+#include "pelagic/sim/surface/surface_stages.hpp"
+
+#include <algorithm>
+
+#include "pelagic/sim/kernels/wave_blocks.hpp"
+#include "pelagic/sim/surface/item_stage.hpp"
+#include "pelagic/sim/surface/surface_look.hpp"
+
+namespace pelagic {
+namespace {
+
+// Pieces of a tile that one job takes are as large whatever N is.
+constexpr std::size_t gradients_stack_bytes = 100 * 1024 + stack_margin;
+
+struct Pieces {
+    std::size_t across, down;
+    std::size_t count() const { return across * down; }
+};
+
+Pieces pieces_of(int resolution) {
+    const std::size_t n = static_cast<std::size_t>(resolution);
+    return {std::max(n / GradientsJob::tile_columns, std::size_t{1}),
+            std::max(n / GradientsJob::tile_rows, std::size_t{1})};
+}
+
+}  // namespace
+
+SurfaceStages::SurfaceStages(FrameSlots& slots, std::size_t tile, const Kernels& kernels, const HostMemory& memory)
+    : slots_(slots),
+      tile_(tile),
+      kernels_(kernels),
+      resolution_(slots.resolution()),
+      mip_averages_(resolution_, memory) {}
+
+void SurfaceStages::add_to(JobGraph& graph, StageId surface_done) {
+    const StageId pieces_done =
+        graph.add({.name = stage_name("gradients+mipmaps", tile_),
+                   .count = pieces_of(resolution_).count(),
+                   .waits_for = {surface_done},
+                   .body = for_each_item([this](std::size_t piece) { gradients_mipmaps(piece); }),
+                   .stack_bytes = gradients_stack_bytes});
+    const auto tail = [this](std::size_t) { mipmaps_tail(); };
+    graph.add({.name = stage_name("mipmaps tail", tile_),
+               .count = 1,
+               .waits_for = {pieces_done},
+               .body = for_each_item(tail),
+               .stack_bytes = stack_margin});
+    if (slots_.buffers(tile_).folds) add_fold_stages(graph, surface_done);
+}
+
+void SurfaceStages::add_fold_stages(JobGraph& graph, StageId surface_done) {
+    const auto find = [this](std::size_t job) {
+        slots_.buffers(tile_).folds->find(slots_.tile(tile_), kernels_, job);
+    };
+    const StageId cells_done = graph.add({.name = stage_name("folds", tile_),
+                                          .count = slots_.buffers(tile_).folds->jobs(),
+                                          .waits_for = {surface_done},
+                                          .body = for_each_item(find),
+                                          .stack_bytes = stack_margin});
+    const auto tail = [this](std::size_t) { slots_.buffers(tile_).folds->mark(slots_.tile(tile_)); };
+    graph.add({.name = stage_name("folds tail", tile_),
+               .count = 1,
+               .waits_for = {cells_done},
+               .body = for_each_item(tail),
+               .stack_bytes = stack_margin});
+}
+
+void SurfaceStages::gradients_mipmaps(std::size_t piece) {
+    const auto roughness = static_cast<float>(slots_.frame().sea.roughness);
+    const double two_texels_m = 2 * slots_.tile(tile_).lattice.side_m / resolution_;
+    const Pieces all = pieces_of(resolution_);
+    TileBuffers& buffers = slots_.buffers(tile_);
+    GradientsJob job{.surface = buffers.surface.data(),
+                     .resolution = static_cast<std::size_t>(resolution_),
+                     .first_row = piece / all.across * GradientsJob::tile_rows,
+                     .first_column = piece % all.across * GradientsJob::tile_columns,
+                     .block_stride = column_block_floats(resolution_, kernels_.lanes),
+                     .two_texels_m = static_cast<float>(two_texels_m),
+                     .jacobian_factor = static_cast<float>(1 / (two_texels_m * two_texels_m)),
+                     .normal_length = mean_normal_length(roughness),
+                     .smoothness_bits = smoothness_bits(roughness),
+                     .rgba16f = buffers.rgba16f.data(),
+                     .levels = {},
+                     .averages = mip_averages_.level(GradientsJob::tile_levels),
+                     .average_stride = mip_averages_.stride(GradientsJob::tile_levels)};
+    for (int level = 0; level <= GradientsJob::tile_levels; ++level)
+        job.levels[level] = buffers.rgba8.data() + mip_offset(resolution_, level);
+    kernels_.gradients(job);
+}
+
+void SurfaceStages::mipmaps_tail() {
+    for (int level = GradientsJob::tile_levels + 1; level < mip_levels(resolution_); ++level)
+        kernels_.mip_level({.finer = mip_averages_.level(level - 1),
+                            .finer_stride = mip_averages_.stride(level - 1),
+                            .side = static_cast<std::size_t>(resolution_) >> level,
+                            .averages = mip_averages_.level(level),
+                            .stride = mip_averages_.stride(level),
+                            .texels = slots_.buffers(tile_).rgba8.data() + mip_offset(resolution_, level)});
+}
+
+}  // namespace pelagic

@@ -1,0 +1,98 @@
+// One square of waves of a frame, which repeats over the whole sea. A frame is a stack of them: displacements add.
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <span>
+
+namespace pelagic {
+
+/// A square of floats, stored in blocks of a few columns, which is how they are computed: texel (i, j) is
+/// data[i / block_columns * block_stride + j * row_stride + i % block_columns]; strides are in floats. The number of
+/// columns in a block depends on the instruction set. A plain array is one block.
+struct PlaneView {
+    const float* data = nullptr;
+    int resolution = 0;
+    int block_columns = 0;
+    std::ptrdiff_t row_stride = 0;
+    std::ptrdiff_t block_stride = 0;
+
+    float at(int i, int j) const {
+        return data[i / block_columns * block_stride + j * row_stride + i % block_columns];
+    }
+    /// Writes the resolution floats of row j.
+    void copy_row(int j, float* out) const {
+        for (int i = 0; i < resolution; i += block_columns)
+            std::memcpy(out + i, data + i / block_columns * block_stride + j * row_stride,
+                        static_cast<std::size_t>(block_columns) * sizeof(float));
+    }
+};
+
+/// Extremes of displacements, for culling boxes.
+struct FrameBounds {
+    float height_min_m = 0;
+    float height_max_m = 0;
+    float sideways_x_max_m = 0;  ///< largest |Dx|
+    float sideways_z_max_m = 0;  ///< largest |Dz|
+};
+
+/// Levels in a gradient chain: resolution, resolution / 2, ..., 1.
+constexpr int mip_levels(int resolution) { return std::bit_width(static_cast<unsigned>(resolution)); }
+
+/// First texel of level `level` in the chain (VR Ocean, equation 55, which counts texels, not bytes).
+constexpr std::size_t mip_offset(int resolution, int level) {
+    const std::size_t all = (4 * static_cast<std::size_t>(resolution) * resolution - 1) / 3;
+    const std::size_t from_here = ((std::size_t{1} << 2 * (mip_levels(resolution) - level)) - 1) / 3;
+    return all - from_here;
+}
+
+/// Where the texels of a tile rest. Its lattice may be turned against the world: texel (i, j), N being the resolution,
+/// rests at x = (c i - s j) L/N, z = (s i + c j) L/N, c and s being the turn's cosine and sine. What the texels hold is in the
+/// world's axes, whatever the turn.
+struct TileLattice {
+    double side_m = 0;            ///< L, the tile repeats after this length along both of its axes
+    double cosine = 1, sine = 0;  ///< of the turn, from +x towards +z
+
+    bool is_turned() const { return sine != 0; }
+
+    struct Place {
+        double along, across;
+    };
+    /// A place of the world along the tile's own axes, metres.
+    Place in_tile(double x_m, double z_m) const { return {cosine * x_m + sine * z_m, cosine * z_m - sine * x_m}; }
+    /// The other way round: x and z.
+    Place in_world(double along_m, double across_m) const {
+        return {cosine * along_m - sine * across_m, sine * along_m + cosine * across_m};
+    }
+};
+
+/// What a tile of one frame holds, as views into the ocean that made it.
+struct Tile {
+    TileLattice lattice;
+    PlaneView dx, height, dz;  ///< metres, in the world's axes
+    /// How fast the water drawn at a texel moves: the derivatives of dx, height and dz in time, metres a second. No data
+    /// unless OceanOptions::velocities.
+    PlaneView velocity_x, velocity_y, velocity_z;
+    /// Where the surface may lie over itself, for surface queries (surface/fold_map.hpp). Empty unless OceanOptions::queries.
+    std::span<const std::uint8_t> folds;
+    /// resolution^2 texels of four IEEE half floats: Dx, height, Dz, foam (0 none to 1 covered). Rows are tight.
+    std::span<const std::uint16_t> displacement_rgba16f;
+    /// The chain of mip_levels() levels, one texel a word: normal x, normal z, Jacobian, smoothness from the lowest
+    /// byte up (VR Ocean, equations 50 and 51); level m starts at mip_offset(resolution, m).
+    std::span<const std::uint32_t> gradient_rgba8;
+    FrameBounds bounds;  ///< exact, not estimates
+    /// Below this Jacobian of the tile the sea is white: as much of it, in the mean over time, as whitecaps cover in that wind
+    /// (spectrum/whitecaps.hpp).
+    float whitecap_jacobian = 0;
+
+    int resolution() const { return height.resolution; }
+    double texel_m() const { return lattice.side_m / resolution(); }
+    std::span<const std::uint32_t> gradient_level(int level) const {
+        const std::size_t side = static_cast<std::size_t>(resolution()) >> level;
+        return gradient_rgba8.subspan(mip_offset(resolution(), level), side * side);
+    }
+};
+
+}  // namespace pelagic

@@ -1,0 +1,29 @@
+// Which tiles a sea is made of, and which waves each of them holds.
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "pelagic/sim/sea_state.hpp"
+#include "pelagic/sim/tile.hpp"
+
+namespace pelagic {
+
+/// One tile. Its wave vectors are (2 pi / side)(m, n) along the tile's own axes, m and n from -N/2 to N/2 - 1.
+struct TilePlan {
+    TileLattice lattice;
+    int resolution = 0;  ///< N
+    int number = 0;      ///< in the stack, 0 is the coarsest; tiles draw their waves independently of one another
+    /// Its waves have least_k <= |k| < most_k, rad/m. A cell of wave vectors that an end cuts holds the share inside.
+    double least_k = 0, most_k = std::numeric_limits<double>::infinity();
+    bool has_surface_tension =
+        false;  ///< short waves feel it; a tile whose side is given keeps to the paper, without
+
+    double spacing() const { return 6.28318530717958647693 / lattice.side_m; }  ///< dk in rad/m
+    bool is_banded() const { return least_k > 0 || most_k < std::numeric_limits<double>::infinity(); }
+};
+
+/// The tiles of a sea, the coarsest first. \pre check(sea) is empty
+std::vector<TilePlan> plan_tiles(const SeaState& sea);
+
+}  // namespace pelagic

@@ -1,0 +1,53 @@
+// The slopes of any planes, by the kernels of an instruction set.
+#pragma once
+
+#include "pelagic/sim/frame.hpp"
+#include "pelagic/sim/kernels/wave_blocks.hpp"
+#include "pelagic/sim/surface/slope_maps.hpp"
+#include "pelagic/tests/unfused/unfused_slopes.hpp"
+
+namespace pelagic {
+
+/// Planes as columns_finalize() would leave them.
+inline AlignedBuffer<float> surface_of(const unfused::TilePlanes& planes, std::size_t lanes) {
+    const int n = planes.resolution;
+    const auto side = static_cast<std::size_t>(n);
+    AlignedBuffer<float> surface(column_blocks(n, lanes) * column_block_floats(n, lanes));
+    for (std::size_t z = 0; z < side; ++z) {
+        for (std::size_t x = 0; x < side; ++x) {
+            float* texel = surface.data() + x / lanes * column_block_floats(n, lanes) +
+                           z * surface_components * lanes + x % lanes;
+            texel[surface_dx * lanes] = planes.dx[z * side + x];
+            texel[surface_height * lanes] = planes.height[z * side + x];
+            texel[surface_dz * lanes] = planes.dz[z * side + x];
+        }
+    }
+    return surface;
+}
+
+inline unfused::TileSlopes slopes_by(const Kernels& kernels, const unfused::TilePlanes& planes,
+                                     const SlopeRanges& ranges) {
+    const int n = planes.resolution;
+    const AlignedBuffer<float> surface = surface_of(planes, kernels.lanes);
+    AlignedBuffer<std::uint16_t> halves(4 * planes.height.size());
+    AlignedBuffer<std::uint32_t> slopes(mip_offset(n, mip_levels(n))), moments(slopes.size());
+    MipAverages averages(n, {}, slope_planes);
+    const SlopeMaps maps{.surface = surface.data(),
+                         .resolution = n,
+                         .block_stride = column_block_floats(n, kernels.lanes),
+                         .side_m = planes.side_m,
+                         .cosine = planes.cosine,
+                         .sine = planes.sine,
+                         .ranges = ranges,
+                         .rgba16f = halves.data(),
+                         .slopes = slopes.data(),
+                         .moments = moments.data(),
+                         .averages = &averages};
+    for (std::size_t job = 0; job < maps.jobs(); ++job) maps.make(kernels, job);
+    maps.make_tail(kernels);
+    return {{slopes.data(), slopes.data() + slopes.size()},
+            {moments.data(), moments.data() + moments.size()},
+            {halves.data(), halves.data() + halves.size()}};
+}
+
+}  // namespace pelagic

@@ -1,0 +1,132 @@
+#include "pelagic/tests/unfused/unfused_slopes.hpp"
+
+#include <half.h>
+
+#include <algorithm>
+#include <array>
+
+#include "pelagic/sim/frame.hpp"
+#include "pelagic/sim/kernels/kernels.hpp"
+
+namespace pelagic::unfused {
+namespace {
+
+/// What levels average.
+struct Slopes {
+    float h_x, h_z, d_xx, d_zz, d_xz;
+    float h_x_h_x, h_z_h_z, h_x_h_z;
+};
+constexpr std::array parts = {&Slopes::h_x,  &Slopes::h_z,     &Slopes::d_xx,    &Slopes::d_zz,
+                              &Slopes::d_xz, &Slopes::h_x_h_x, &Slopes::h_z_h_z, &Slopes::h_x_h_z};
+
+std::uint32_t byte_around_zero(float value) {
+    return static_cast<std::uint32_t>(static_cast<int>(std::min(std::max(value, -1.f), 1.f) * 127.f + 128.5f));
+}
+
+std::uint32_t byte_from_zero(float value) {
+    return static_cast<std::uint32_t>(static_cast<int>(std::min(std::max(value, 0.f), 1.f) * 255.f + 0.5f));
+}
+
+std::uint32_t slopes_word(const Slopes& s) {
+    return byte_around_zero(s.h_x) | byte_around_zero(s.h_z) << 8 | byte_around_zero(s.d_xx) << 16 |
+           byte_around_zero(s.d_zz) << 24;
+}
+
+std::uint32_t moments_word(const Slopes& s, float variance_factor) {
+    return byte_around_zero(s.d_xz) | byte_from_zero((s.h_x_h_x - s.h_x * s.h_x) * variance_factor) << 8 |
+           byte_from_zero((s.h_z_h_z - s.h_z * s.h_z) * variance_factor) << 16 |
+           byte_around_zero((s.h_x_h_z - s.h_x * s.h_z) * variance_factor) << 24;
+}
+
+struct Along {
+    float x, z;
+};
+
+class Tile {
+   public:
+    Tile(const TilePlanes& planes, const SlopeRanges& ranges)
+        : planes_(planes),
+          n_(static_cast<std::size_t>(planes.resolution)),
+          range_(ranges.slope),
+          factor_(static_cast<float>(SlopesJob::near_weight /
+                                     (double{ranges.slope} * (planes.side_m / planes.resolution)))) {}
+
+    Slopes slopes_at(std::size_t x, std::size_t z) const {
+        const Along h = along(planes_.height, x, z), dx = along(planes_.dx, x, z), dz = along(planes_.dz, x, z);
+        Slopes s{.h_x = h.x * factor_,
+                 .h_z = h.z * factor_,
+                 .d_xx = dx.x * factor_,
+                 .d_zz = dz.z * factor_,
+                 .d_xz = (dx.z + dz.x) * (0.5f * factor_),
+                 .h_x_h_x = 0,
+                 .h_z_h_z = 0,
+                 .h_x_h_z = 0};
+        s.h_x_h_x = s.h_x * s.h_x;
+        s.h_z_h_z = s.h_z * s.h_z;
+        s.h_x_h_z = s.h_x * s.h_z;
+        return s;
+    }
+
+    std::array<float, 4> displacement_and_foam(const Slopes& s, std::size_t texel) const {
+        const float twist = s.d_xz * range_;
+        const float jacobian = (1.f + s.d_xx * range_) * (1.f + s.d_zz * range_) - twist * twist;
+        const float foam = std::min(std::max(1.f - (jacobian + jacobian), 0.f), 1.f);
+        return {planes_.dx[texel], planes_.height[texel], planes_.dz[texel], foam};
+    }
+
+   private:
+    Along along(const std::vector<float>& plane, std::size_t x, std::size_t z) const {
+        const auto at = [&](std::size_t i, std::size_t j) { return plane[j % n_ * n_ + i % n_]; };
+        constexpr auto far_weight = static_cast<float>(SlopesJob::far_weight / SlopesJob::near_weight);
+        const Along lattice = {(at(x + 1, z) - at(x + n_ - 1, z)) + far_weight * (at(x + 2, z) - at(x + n_ - 2, z)),
+                               (at(x, z + 1) - at(x, z + n_ - 1)) + far_weight * (at(x, z + 2) - at(x, z + n_ - 2))};
+        if (planes_.sine == 0 && planes_.cosine == 1) return lattice;
+        return {lattice.x * planes_.cosine - lattice.z * planes_.sine,
+                lattice.x * planes_.sine + lattice.z * planes_.cosine};
+    }
+
+    const TilePlanes& planes_;
+    std::size_t n_;
+    float range_;
+    float factor_;
+};
+
+}  // namespace
+
+TileSlopes slopes_of(const TilePlanes& planes, const SlopeRanges& ranges) {
+    const auto n = static_cast<std::size_t>(planes.resolution);
+    const float variance_factor = ranges.slope * ranges.slope / ranges.variance;
+    const Tile tile(planes, ranges);
+    TileSlopes out;
+    std::vector<Slopes> level(n * n);
+    for (std::size_t i = 0; i < level.size(); ++i) {
+        level[i] = tile.slopes_at(i % n, i / n);
+        out.slopes.push_back(slopes_word(level[i]));
+        out.moments.push_back(byte_around_zero(level[i].d_xz) | 0x80000000u);
+        for (const float value : tile.displacement_and_foam(level[i], i))
+            out.halves.push_back(Imath::half(value).bits());
+    }
+    for (int number = 1; number < mip_levels(planes.resolution); ++number) {
+        const std::size_t side = n >> number;
+        std::vector<Slopes> coarser(side * side);
+        for (std::size_t i = 0; i < coarser.size(); ++i) {
+            const Slopes* above = &level[2 * (i / side) * 2 * side + 2 * (i % side)];
+            const Slopes* below = above + 2 * side;
+            Slopes& s = coarser[i];
+            for (float Slopes::*part : parts)
+                s.*part = ((above[0].*part + below[0].*part) + (above[1].*part + below[1].*part)) * 0.25f;
+            const auto shown = [](float square, float product) { return product + (square - product) * (1.f / 3.f); };
+            if (number == 1) {
+                s.h_x_h_x = shown(s.h_x_h_x, s.h_x * s.h_x);
+                s.h_z_h_z = shown(s.h_z_h_z, s.h_z * s.h_z);
+                s.h_x_h_z = shown(s.h_x_h_z, s.h_x * s.h_z);
+            }
+            out.slopes.push_back(slopes_word(s));
+            out.moments.push_back(moments_word(s, variance_factor));
+        }
+        level = std::move(coarser);
+    }
+    return out;
+}
+
+}  // namespace pelagic::unfused

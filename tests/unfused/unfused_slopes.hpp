@@ -1,0 +1,26 @@
+// Stages `slopes` and `slopes tail` over a whole tile, one float at a time, as UnfusedSea has the others.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "pelagic/sim/slope_sum.hpp"
+
+namespace pelagic::unfused {
+
+/// What a tile's slopes are made from: tight rows of N^2, metres.
+struct TilePlanes {
+    int resolution;
+    double side_m;
+    float cosine, sine;  ///< how the tile is turned
+    std::vector<float> dx, height, dz;
+};
+
+struct TileSlopes {
+    std::vector<std::uint32_t> slopes, moments;  ///< chains
+    std::vector<std::uint16_t> halves;
+};
+
+TileSlopes slopes_of(const TilePlanes& planes, const SlopeRanges& ranges);
+
+}  // namespace pelagic::unfused
