@@ -73,12 +73,15 @@ std::span<const SeaStateField> sea_state_fields();
 /// to go with a swell, and knows no other spreading than its own.
 std::string check(const SeaState&);
 
-/// Named seas for people who think in sea states, mildest first: calm, moderate, rough, storm.
+/// Named seas for people who think in sea states, mildest first, and then the open sea of each force of wind, beaufort-0 to
+/// beaufort-12. They are the files of presets/, installed as share/pelagic/presets for copying.
 struct SeaPreset {
     std::string_view name;
     std::string_view summary;
     SeaState sea;
 };
 std::span<const SeaPreset> sea_presets();
+/// Null if there is none of that name.
+const SeaPreset* sea_preset_named(std::string_view name);
 
 }  // namespace pelagic

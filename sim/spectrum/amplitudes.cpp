@@ -81,6 +81,10 @@ std::complex<double> TileWaves::amplitude(int m, int n) const {
     return holds(m, n) ? drawn(variances(m, n).plus.along, m, n).amplitude : std::complex<double>{};
 }
 
+double TileWaves::drawn_square(double variance, int m, int n) const {
+    return 0.5 * variance * gaussian_pair_square(seed_, tile_.number, m, n);
+}
+
 Wave TileWaves::drawn(double variance, int m, int n) const {
     // Both parts of the draw have variance 1, so half of E|h0|^2 belongs to each.
     const double scale = std::sqrt(0.5 * variance);

@@ -53,6 +53,9 @@ class TileWaves {
     };
     MirroredVariances variances(int m, int n) const;
 
+    /// |h0|^2 of the wave (m, n) that this seed drew, m^2, where E|h0|^2 is `variance`; for less than the wave itself.
+    double drawn_square(double variance, int m, int n) const;
+
     /// h0 of the wave numbers (m, n), metres (VR Ocean, equation 13); 0 where the tile holds no wave.
     std::complex<double> amplitude(int m, int n) const;
 
