@@ -28,7 +28,7 @@ constexpr std::array fields = {
     SeaStateField{"fetch_m", &SeaState::fetch_m, 0, 2e6, "(0, 2e6]", Among::above_least},
     SeaStateField{"depth_m", &SeaState::depth_m, 0.01, 11000, "[0.01, 11000]"},
     SeaStateField{"choppiness", &SeaState::choppiness, 0, 1, "[0, 1]"},
-    SeaStateField{"roughness", &SeaState::roughness, 0, 1, "[0, 1]"},
+    SeaStateField{"roughness", &SeaState::roughness, 0, 1, "[0, 1], or -1: from the wind", Among::all, -1},
     SeaStateField{"small_waves", &SeaState::small_waves, 0, 1, "[0, 1]"},
     SeaStateField{"alignment", &SeaState::alignment, 0, 1, "[0, 1]"},
     SeaStateField{"swell_height_m", &SeaState::swell_height_m, 0, 30, "[0, 30]"},

@@ -107,6 +107,7 @@ LineFigures Cascade::adopt_spectrum() {
     for (const LineFigures& line : bake_->lines) {
         all.height_variance += line.height_variance;
         all.folding += line.folding;
+        all.slopes += line.slopes;
     }
     const SeaState& sea = bake_->sea;
     whitecap_jacobian_ = whitecap_jacobian(all.folding, sea.choppiness, whitecap_cover(sea.wind_speed_mps));

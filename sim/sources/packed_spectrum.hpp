@@ -12,6 +12,7 @@
 #include "pelagic/sim/sea_state.hpp"
 #include "pelagic/sim/sources/fft_plan.hpp"
 #include "pelagic/sim/spectrum/amplitudes.hpp"
+#include "pelagic/sim/spectrum/mean_square_slope.hpp"
 #include "pelagic/sim/spectrum/whitecaps.hpp"
 #include "pelagic/simd/aligned_buffer.hpp"
 
@@ -42,6 +43,7 @@ struct PackedSpectrum {
 struct LineFigures {
     double height_variance = 0;  ///< m^2, the mean over all seeds
     FoldMoments folding;         ///< of the waves that this seed drew
+    SlopeMoments slopes;         ///< the mean over all seeds, along the tile's own axes
 };
 
 /// Fills one line, 0 <= line < line_count(). Lines are independent.

@@ -66,7 +66,7 @@ void SurfaceStages::add_fold_stages(JobGraph& graph, StageId surface_done) {
 }
 
 void SurfaceStages::gradients_mipmaps(std::size_t piece) {
-    const auto roughness = static_cast<float>(slots_.frame().sea.roughness);
+    const auto roughness = static_cast<float>(slots_.frame().figures.roughness);
     const double two_texels_m = 2 * slots_.tile(tile_).lattice.side_m / resolution_;
     const Pieces all = pieces_of(resolution_);
     TileBuffers& buffers = slots_.buffers(tile_);
