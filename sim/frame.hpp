@@ -5,6 +5,7 @@
 #include <span>
 
 #include "pelagic/sim/sea_state.hpp"
+#include "pelagic/sim/slope_variance.hpp"
 #include "pelagic/sim/tile.hpp"
 #include "pelagic/simd/isa.hpp"
 
@@ -14,6 +15,12 @@ namespace pelagic {
 struct SeaFigures {
     /// 4 sqrt(variance), mean over all seeds, of the waves that the tiles hold; as expected_waves() has it.
     double significant_wave_height_m = 0;
+    /// Mean squares of the slopes that the tiles' textures show at their finest level, mean over all seeds; and what is left
+    /// of those that were measured in such a wind (Cox and Munk 1954, spectrum/mean_square_slope.hpp).
+    SlopeVariance resolved_slopes, unresolved_slopes;
+    /// What the smoothness channel says of the water between texels, 1 - sqrt(roughness): SeaState::roughness, or what the wind
+    /// and the unresolved slopes make of it.
+    double roughness = 0;
 };
 
 /// One frame, which says what it is: whoever draws it or asks it needs nothing else about the sea.

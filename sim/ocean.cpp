@@ -95,9 +95,17 @@ class Ocean::Sources {
     void adopt_sea() {
         const DefaultFloatEnvironment environment;
         double variance = 0;
-        for (const auto& cascade : cascades_) variance += cascade->adopt_spectrum().height_variance;
-        figures_.significant_wave_height_m = 4 * std::sqrt(variance);
+        SlopeMoments slopes;
+        for (const auto& cascade : cascades_) {
+            const LineFigures added = cascade->adopt_spectrum();
+            variance += added.height_variance;
+            slopes += added.slopes.in_world(cascade->lattice());
+        }
         sea_ = baked_sea_;
+        figures_.significant_wave_height_m = 4 * std::sqrt(variance);
+        figures_.resolved_slopes = slopes.around(sea_.wind_direction_rad);
+        figures_.unresolved_slopes = unresolved_slopes(figures_.resolved_slopes, sea_.wind_speed_mps);
+        figures_.roughness = roughness_of(sea_, figures_.unresolved_slopes);
     }
     void drop_sea() {
         for (const auto& cascade : cascades_) cascade->drop_spectrum();

@@ -46,8 +46,10 @@ struct SeaState {
     double fetch_m = 100e3;         ///< how far the wind has blown over water (jonswap); (0, 2e6]
     double depth_m = 4000;          ///< of the water: waves that feel it are slower and lower; [0.01, 11000]
     double choppiness = 0.8;        ///< lambda, 0 gives a height field; [0, 1]
-    double roughness = 0.1;         ///< of the water between texels, for the smoothness channel; [0, 1]
-    double small_waves = 0;         ///< 0 keeps small waves, 1 removes those below a quarter of the peak's; [0, 1]
+    double roughness =
+        -1;  ///< of the water between texels, for the smoothness channel; [0, 1], or -1: what the tiles
+             ///< do not resolve of the slopes of a sea in this wind (SeaFigures)
+    double small_waves = 0;      ///< 0 keeps small waves, 1 removes those below a quarter of the peak's; [0, 1]
     double alignment = 0.5;      ///< alpha of equations 6 to 9, spreading `paper`: with 0 a third of the energy runs
                                  ///< against the wind and little across, with 1 a hundredth; [0, 1]
     double swell_height_m = 0;   ///< Hs of waves from elsewhere, beside those of the wind; 0: none; [0, 30]

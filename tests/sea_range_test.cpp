@@ -27,6 +27,7 @@ Edges edges_of(const SeaStateField& field) {
     const auto inside = [](double edge, double towards) { return std::nextafter(edge, towards); };
     Edges edges = {inside(field.least, field.most), inside(field.most, field.least), field.most};
     if (field.among != Among::above_least) edges.push_back(field.least);
+    if (field.also) edges.push_back(*field.also);
     return edges;
 }
 

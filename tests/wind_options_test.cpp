@@ -77,6 +77,13 @@ TEST(Wind, IsTakenFromFlagsAndFiles) {
     EXPECT_NEAR(sea_of({}, "wind_speed = \"bft6\"\n").at("wind_speed_mps").get<double>(), 12.29, 0.005);
 }
 
+TEST(Roughness, IsANumberOrTheWinds) {
+    EXPECT_EQ(sea_of({}).at("roughness"), -1);
+    EXPECT_EQ(sea_of({"--roughness", "0.3"}).at("roughness"), 0.3);
+    EXPECT_EQ(sea_of({"--roughness", "wind"}, "roughness = 0.3\n").at("roughness"), -1);
+    EXPECT_EQ(sea_of({}, "roughness = \"wind\"\n").at("roughness"), -1);
+}
+
 TEST(Swell, IsTakenFromFlagsAndFiles) {
     const nlohmann::json typed = sea_of({"--swell-height", "2.5", "--swell-period", "14", "--swell-direction",
                                          "from-W", "--swell-spread", "20", "--spreading", "donelan-banner"});

@@ -110,6 +110,7 @@ LineFigures Cascade::adopt_spectrum() {
         all.height_variance += line.height_variance;
         all.mean_square_slope += line.mean_square_slope;
         all.folding += line.folding;
+        all.slopes += line.slopes;
     }
     const SeaState& sea = bake_->sea;
     whitecap_jacobian_ = bake_->whitecap_cover > 0

@@ -41,7 +41,8 @@ class Cascade final : public WaveSource {
     void begin_spectrum(const SeaState& sea, const TilePlan& plan, double whitecap_cover);
     /// Says what the new waves add to the sea.
     LineFigures adopt_spectrum();
-    void drop_spectrum() { bake_.reset(); }  ///< keeps the waves as they are
+    const TileLattice& lattice() const { return lattice_; }  ///< of the frames to come
+    void drop_spectrum() { bake_.reset(); }                  ///< keeps the waves as they are
 
    private:
     void add_velocity_stages(JobGraph& graph);

@@ -64,6 +64,7 @@ LineFigures bake_spectrum_line(const SeaState& sea, const TileWaves& waves, cons
                 figures.mean_square_slope += mirrors * opposites.expected_square() * k * k;
                 figures.folding.add_wave(mirrors * opposites.drawn_square(), signed_m * spacing, n * spacing,
                                          difference(signed_m), difference_z);
+                figures.slopes.add_wave(mirrors * opposites.expected_square(), difference(signed_m), difference_z);
             };
             const TileWaves::MirroredPair mirrored = waves.pair(m, n);
             put_wave(plus_cos_re, mirrored.plus, m);

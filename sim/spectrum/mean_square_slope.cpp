@@ -1,6 +1,7 @@
 #include "pelagic/sim/spectrum/mean_square_slope.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "pelagic/simd/det_math.hpp"
 
@@ -25,6 +26,11 @@ SlopeMoments& SlopeMoments::operator+=(const SlopeMoments& other) {
     return *this;
 }
 
+SlopeMoments SlopeMoments::in_world(const TileLattice& lattice) const {
+    const double c = lattice.cosine, s = lattice.sine, both = 2 * c * s * xz;
+    return {c * c * xx - both + s * s * zz, s * s * xx + both + c * c * zz, c * s * (xx - zz) + (c * c - s * s) * xz};
+}
+
 SlopeVariance SlopeMoments::around(double wind_direction_rad) const {
     const auto [s, c] = det::sine_cosine_of_turns(wind_direction_rad / two_pi);
     const double both = 2 * s * c * xz;
@@ -34,6 +40,10 @@ SlopeVariance SlopeMoments::around(double wind_direction_rad) const {
 SlopeVariance unresolved_slopes(const SlopeVariance& resolved, double wind_speed_mps) {
     const SlopeVariance all = measured_slopes(wind_speed_mps);
     return {std::max(0.0, all.upwind - resolved.upwind), std::max(0.0, all.crosswind - resolved.crosswind)};
+}
+
+double roughness_of(const SeaState& sea, const SlopeVariance& unresolved) {
+    return sea.roughness < 0 ? std::min(1.0, std::sqrt(unresolved.total())) : sea.roughness;
 }
 
 }  // namespace pelagic

@@ -1,20 +1,17 @@
 // How steep the sea is: what was measured over a wind, what the waves of a tile have of it, and what is left for the light.
 #pragma once
 
+#include "pelagic/sim/sea_state.hpp"
+#include "pelagic/sim/slope_variance.hpp"
+#include "pelagic/sim/tile.hpp"
+
 namespace pelagic {
-
-/// Mean squares of the surface's slope, of its components along the wind and across. Their sum is that of the slope.
-struct SlopeVariance {
-    double upwind = 0, crosswind = 0;
-
-    double total() const { return upwind + crosswind; }
-};
 
 /// Of a clean sea, from the sun's glitter: 0.00316 U up- and 0.003 + 0.00192 U crosswind, within 0.004 and 0.002, measured
 /// from 1 to 14 m/s (Cox and Munk 1954). Their wind was that of 12.5 m; as there, U at 10 m is 2 % less and put in unchanged.
 SlopeVariance measured_slopes(double wind_speed_mps);
 
-/// Sums over the waves of a sea: mean squares and product of the slopes that a texture of it shows.
+/// Sums over the waves of a sea: mean squares and product of the slopes along two axes that a texture of it shows.
 struct SlopeMoments {
     double xx = 0, zz = 0, xz = 0;
 
@@ -23,12 +20,18 @@ struct SlopeMoments {
     void add_wave(double mean_square, double difference_x, double difference_z);
     SlopeMoments& operator+=(const SlopeMoments& other);
 
-    /// Along a wind and across it.
+    /// Those of a tile, along its own axes, along the world's.
+    SlopeMoments in_world(const TileLattice& lattice) const;
+    /// Along a wind and across it. \pre the axes are the world's
     SlopeVariance around(double wind_direction_rad) const;
 };
 
 /// What is left of measured_slopes(): never less than 0, in both directions. A tile's steeper waves don't lend the other
 /// direction what they have too much.
 SlopeVariance unresolved_slopes(const SlopeVariance& resolved, double wind_speed_mps);
+
+/// What the smoothness channel says: the sea's own roughness if it has one, else alpha of a GGX surface whose mean square
+/// slope, alpha^2, is what the tiles leave; at most 1.
+double roughness_of(const SeaState& sea, const SlopeVariance& unresolved);
 
 }  // namespace pelagic

@@ -86,7 +86,7 @@ void SurfaceStages::add_fold_stages(JobGraph& graph, StageId surface_done) {
 }
 
 void SurfaceStages::gradients_mipmaps(std::size_t piece) {
-    const auto roughness = static_cast<float>(slots_.frame().sea.roughness);
+    const auto roughness = static_cast<float>(slots_.frame().figures.roughness);
     const TileLattice& lattice = slots_.tile(tile_).lattice;
     const double two_texels_m = 2 * lattice.side_m / resolution_;
     const Pieces all = pieces_of(resolution_);
