@@ -105,6 +105,13 @@ enum {
     PELAGIC_SPECTRUM_JONSWAP = 3
 };
 
+enum {
+    PELAGIC_SPREADING_PAPER = 0,
+    PELAGIC_SPREADING_COSINE_2S = 1,
+    PELAGIC_SPREADING_HASSELMANN = 2,
+    PELAGIC_SPREADING_DONELAN_BANNER = 3
+};
+
 /* What sea is wanted. Two machines with the same values and the same Pelagic have the same sea at the same time. */
 typedef struct pelagic_sea {
     uint32_t struct_size;
@@ -115,18 +122,26 @@ typedef struct pelagic_sea {
     double wind_speed_mps;     /* mean wind 10 m above the sea; (0, 60] */
     double wind_direction_rad; /* where the wind blows towards, from +x towards +z; [-2 pi, 2 pi] */
     double fetch_m;            /* how far the wind has blown over water (jonswap); (0, 2e6] */
-    double depth_m;            /* [0.01, 11000] */
+    double depth_m;            /* waves over 0.6 of it break; [0.01, 11000] */
     double choppiness;         /* 0 gives a height field; [0, 1] */
-    double roughness;          /* of the water between texels, for the smoothness channel; [0, 1] */
-    double small_waves;        /* 0 keeps small waves, 1 removes those below L/4; [0, 1] */
-    double alignment;          /* 0 waves from everywhere, 1 along the wind; [0, 1] */
-    double loop_period_s;      /* T, the sea repeats exactly after this time; [0.1, 86400] */
+    double roughness;     /* of the water between texels, for the smoothness channel; [0, 1], or -1: from the wind */
+    double small_waves;   /* 0 keeps small waves, 1 removes those below a quarter of the peak's; [0, 1] */
+    double alignment;     /* with 0 a third of the energy runs against the wind, with 1 a hundredth; [0, 1] */
+    double loop_period_s; /* T, the sea repeats exactly after this time; [0.1, 86400] */
+    /* Newer than the fields above. */
+    int32_t spreading;          /* PELAGIC_SPREADING_...; the spectrum phillips-paper takes no other than paper */
+    uint32_t reserved;          /* 0 */
+    double swell_height_m;      /* significant height of waves from elsewhere; 0: none; [0, 30] */
+    double swell_period_s;      /* at which their spectrum peaks; 0: 12, else [1, 40] */
+    double swell_direction_rad; /* where they run towards, as wind_direction_rad */
+    double swell_spread_rad;    /* standard deviation of their directions; 0: 15 degrees, else [pi/180, 4 pi/9] */
 } pelagic_sea;
 
 /* Sets every field but struct_size. */
 PELAGIC_API pelagic_status pelagic_sea_defaults(pelagic_sea* sea);
 
-/* The same for a sea state: "calm", "moderate", "rough" or "storm". */
+/* The same for a sea state: "calm", "lake", "swell", "moderate", "rough" or "storm", or the open sea of a force of wind,
+ * "beaufort-0" to "beaufort-12". */
 PELAGIC_API pelagic_status pelagic_sea_preset(const char* name, pelagic_sea* sea);
 
 /* PELAGIC_OK if an ocean could be made of it, else the message names the first bad field. */

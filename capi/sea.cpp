@@ -11,6 +11,13 @@ static_assert(PELAGIC_SPECTRUM_PHILLIPS_PAPER == static_cast<int>(SpectrumModel:
 static_assert(PELAGIC_SPECTRUM_PHILLIPS == static_cast<int>(SpectrumModel::phillips));
 static_assert(PELAGIC_SPECTRUM_PIERSON_MOSKOWITZ == static_cast<int>(SpectrumModel::pierson_moskowitz));
 static_assert(PELAGIC_SPECTRUM_JONSWAP == static_cast<int>(SpectrumModel::jonswap));
+static_assert(PELAGIC_SPREADING_PAPER == static_cast<int>(SpreadingModel::paper));
+static_assert(PELAGIC_SPREADING_COSINE_2S == static_cast<int>(SpreadingModel::cosine_2s));
+static_assert(PELAGIC_SPREADING_HASSELMANN == static_cast<int>(SpreadingModel::hasselmann));
+static_assert(PELAGIC_SPREADING_DONELAN_BANNER == static_cast<int>(SpreadingModel::donelan_banner));
+
+/// An older host's struct has 0 where a range has none.
+double or_default(double value, double SeaState::*member) { return value == 0 ? SeaState{}.*member : value; }
 
 pelagic_sea c_sea_of(const SeaState& from) {
     pelagic_sea to{};
@@ -27,13 +34,19 @@ pelagic_sea c_sea_of(const SeaState& from) {
     to.small_waves = from.small_waves;
     to.alignment = from.alignment;
     to.loop_period_s = from.loop_period_s;
+    to.spreading = static_cast<std::int32_t>(from.spreading);
+    to.swell_height_m = from.swell_height_m;
+    to.swell_period_s = from.swell_period_s;
+    to.swell_direction_rad = from.swell_direction_rad;
+    to.swell_spread_rad = from.swell_spread_rad;
     return to;
 }
 
 std::string preset_names() {
     std::string names;
-    for (const SeaPreset& preset : sea_presets()) names.append(names.empty() ? "" : ", ").append(preset.name);
-    return names;
+    for (const SeaPreset& preset : sea_presets())
+        if (!preset.name.starts_with("beaufort-")) names.append(preset.name).append(", ");
+    return names + "beaufort-0 to beaufort-12";
 }
 
 }  // namespace
@@ -41,6 +54,7 @@ std::string preset_names() {
 SeaState sea_of(const pelagic_sea* pointer) {
     const pelagic_sea sea = read_struct(pointer, "sea");
     return {.spectrum = static_cast<SpectrumModel>(sea.spectrum),
+            .spreading = static_cast<SpreadingModel>(sea.spreading),
             .resolution = sea.resolution,
             .patch_size_m = sea.patch_size_m,
             .wind_speed_mps = sea.wind_speed_mps,
@@ -51,6 +65,10 @@ SeaState sea_of(const pelagic_sea* pointer) {
             .roughness = sea.roughness,
             .small_waves = sea.small_waves,
             .alignment = sea.alignment,
+            .swell_height_m = sea.swell_height_m,
+            .swell_period_s = or_default(sea.swell_period_s, &SeaState::swell_period_s),
+            .swell_direction_rad = sea.swell_direction_rad,
+            .swell_spread_rad = or_default(sea.swell_spread_rad, &SeaState::swell_spread_rad),
             .loop_period_s = sea.loop_period_s,
             .seed = sea.seed};
 }
@@ -71,8 +89,7 @@ pelagic_status pelagic_sea_preset(const char* name, pelagic_sea* sea) {
     return guarded([&] {
         const std::string_view wanted = &needed(name, "name");
         struct_bytes(sea, "sea");
-        for (const SeaPreset& preset : sea_presets())
-            if (preset.name == wanted) return write_struct(c_sea_of(preset.sea), sea);
+        if (const SeaPreset* preset = sea_preset_named(wanted)) return write_struct(c_sea_of(preset->sea), sea);
         refuse(refusal("preset", wanted, "one of " + preset_names()));
     });
 }

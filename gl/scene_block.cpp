@@ -45,6 +45,7 @@ glm::dvec2 place_in_square(glm::dvec2 at, double angle, double tile_m) {
 std::size_t tile_of_breakers(const SeaFacts& facts) {
     std::size_t tile = 0;
     while (tile + 1 < facts.tiles.size() &&
+           facts.tiles[tile + 1].whitecap_jacobian != Tile::no_whitecaps &&
            facts.texel_m(facts.tiles[tile + 1]) > facts.figures.significant_wave_height_m / 3)
         ++tile;
     return tile;
@@ -113,12 +114,16 @@ SeaFacts facts_of(const Frame& frame) {
                    .resolution = frame.tiles[0].resolution(),
                    .tiles = {},
                    .time_s = frame.time_s};
-    for (const Tile& tile : frame.tiles)
+    // A finer tile's waves are those that have less than three texels of the coarser one (sim/spectrum/bands.cpp).
+    double longest_wave_m = frame.tiles[0].lattice.side_m;
+    for (const Tile& tile : frame.tiles) {
         facts.tiles.push_back({.lattice = tile.lattice,
                                .ranges = tile.slope_ranges,
-                               .longest_wave_m = tile.longest_wave_m,
+                               .longest_wave_m = longest_wave_m,
                                .slope_variance = whole_variance(tile),
                                .whitecap_jacobian = tile.whitecap_jacobian});
+        longest_wave_m = 3 * tile.texel_m();
+    }
     return facts;
 }
 
@@ -147,7 +152,7 @@ SceneBlock scene_block_of(const DrawInput& input, const SeaFacts& facts, const S
     const double height = std::max(1.5, std::abs(input.viewer_m.y));
     block.haze = {sky.haze_per_m, height / std::tan(softened_horizon_rad)};
     block.water_absorption = {absorption_per_m, sea.depth_m};
-    const float alpha = static_cast<float>(sea.roughness);
+    const float alpha = static_cast<float>(facts.figures.roughness);
     const float detail_square = detail_part * alpha * alpha;
     block.water_scattering = {backscattering_per_m, detail_square};
     const double wind = sea.wind_direction_rad;

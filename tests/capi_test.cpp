@@ -63,18 +63,19 @@ TEST(CInterface, GivesTheGoldenFrame) {
     frame_at(ocean, 12.34);
     std::uint64_t hash = 0;
     EXPECT_EQ(pelagic_ocean_hash(ocean, &hash), PELAGIC_OK);
-    EXPECT_EQ(hash, 0xf6a9c814a806061du);
+    EXPECT_EQ(hash, 0xf5584db5c3a67b1au);
     pelagic_ocean_destroy(ocean);
 }
 
 TEST(CInterface, PresetsAreSeas) {
-    for (const char* name : {"calm", "moderate", "rough", "storm"}) {
+    for (const char* name : {"calm", "lake", "swell", "moderate", "rough", "storm", "beaufort-0", "beaufort-12"}) {
         auto sea = sized<pelagic_sea>();
         EXPECT_EQ(pelagic_sea_preset(name, &sea), PELAGIC_OK);
         EXPECT_EQ(pelagic_sea_check(&sea), PELAGIC_OK);
     }
     auto sea = sized<pelagic_sea>();
-    expect_invalid(pelagic_sea_preset("choppy", &sea), "preset is choppy, needs one of calm, moderate, rough, storm");
+    expect_invalid(pelagic_sea_preset("choppy", &sea),
+                   "preset is choppy, needs one of calm, lake, swell, moderate, rough, storm, beaufort-0 to beaufort-12");
     expect_invalid(pelagic_sea_preset(std::string(5000, 'x').c_str(), &sea), "preset is xxx");
 }
 
@@ -95,6 +96,22 @@ TEST(CInterface, BadSeasAreNamedFieldByField) {
         {"small_waves is", [](pelagic_sea& sea) { sea.small_waves = 1e300; }},
         {"alignment is", [](pelagic_sea& sea) { sea.alignment = nan; }},
         {"loop_period_s is", [](pelagic_sea& sea) { sea.loop_period_s = nan; }},
+        {"spreading is no known model", [](pelagic_sea& sea) { sea.spreading = 4; }},
+        {"swell_height_m is 31, needs [0, 30]", [](pelagic_sea& sea) { sea.swell_height_m = 31; }},
+        {"swell_period_s is 0.5, needs [1, 40]", [](pelagic_sea& sea) { sea.swell_period_s = 0.5; }},
+        {"swell_direction_rad is", [](pelagic_sea& sea) { sea.swell_direction_rad = nan; }},
+        {"swell_spread_rad is 2, needs [pi/180, 4 pi/9]", [](pelagic_sea& sea) { sea.swell_spread_rad = 2; }},
+        {"sea.reserved is set", [](pelagic_sea& sea) { sea.reserved = 1; }},
+        {"spreading is hasselmann, needs paper where the spectrum is phillips-paper",
+         [](pelagic_sea& sea) {
+             sea.spectrum = PELAGIC_SPECTRUM_PHILLIPS_PAPER;
+             sea.spreading = PELAGIC_SPREADING_HASSELMANN;
+         }},
+        {"swell_height_m is 2, needs 0 where the spectrum is phillips-paper",
+         [](pelagic_sea& sea) {
+             sea.spectrum = PELAGIC_SPECTRUM_PHILLIPS_PAPER;
+             sea.swell_height_m = 2;
+         }},
     };
     const COcean ocean = make_ocean();
     for (const auto& [line, make] : mistakes) {

@@ -403,7 +403,14 @@ TEST(Determinism, GoldenHashesNeverChange) {
     std::map<std::string, SeaState> seas = {{"default", {}}};
     for (const SpectrumModel model : spectrum_models())
         seas[std::string(name_of(model)) + "-64"] = {.spectrum = model, .resolution = 64};
-    for (const SeaPreset& preset : sea_presets()) seas["preset-" + std::string(preset.name)] = preset.sea;
+    for (const SpreadingModel model : spreading_models())
+        if (model != SpreadingModel::paper)
+            seas["spreading-" + std::string(name_of(model)) + "-64"] = {.spreading = model, .resolution = 64};
+    seas["shallow-64"] = {.resolution = 64, .depth_m = 8};
+    seas["breaking-swell-64"] = {.resolution = 64, .depth_m = 2, .swell_height_m = 1, .swell_direction_rad = 2};
+    seas["small-waves-64"] = {.resolution = 64, .small_waves = 0.8};
+    for (const std::string name : {"calm", "moderate", "rough", "storm"})
+        seas["preset-" + name] = sea_preset_named(name)->sea;
 
     std::map<std::string, std::string> golden;
     std::ifstream file(PELAGIC_GOLDEN_FOLDER "/hashes.txt");

@@ -3,6 +3,16 @@
 #include <cmath>
 
 namespace pelagic {
+namespace {
+
+SeaState sea_of(const GlScene::Options& options) {
+    SeaState sea = sea_named(options.preset, options.resolution);
+    sea.patch_size_m = options.patch_size_m;
+    return sea;
+}
+
+}  // namespace
+
 const gl::Sky& test_sky() {
     static gl::SkyBaker baker(make_default_executor(), 64);
     static const gl::Sky& sky = []() -> const gl::Sky& {
@@ -13,23 +23,21 @@ const gl::Sky& test_sky() {
 }
 
 SeaState sea_named(std::string_view name, int resolution) {
-    for (const SeaPreset& preset : sea_presets())
-        if (preset.name == name) {
-            SeaState sea = preset.sea;
-            if (resolution > 0) sea.resolution = resolution;
-            return sea;
-        }
-    return {};
+    SeaState sea = sea_preset_named(name)->sea;
+    if (resolution > 0) sea.resolution = resolution;
+    return sea;
 }
 
 GlScene::GlScene(const Options& options)
-    : ocean(sea_named(options.preset, options.resolution)),
+    : ocean(sea_of(options), {.slopes = true}),
       quadtree(quadtree_preset_named(options.quality)->options(options.size_m)),
       selection(quadtree),
       samples_(options.samples) {
     resize(options.width, options.height);
     renderer.emplace(gl(),
-                     gl::RendererOptions{.patch_vertices = quadtree.vertices, .resolution = ocean.resolution(), .tiles = static_cast<int>(ocean.tile_count())});
+                     gl::RendererOptions{.patch_vertices = quadtree.vertices,
+                                         .resolution = ocean.resolution(),
+                                         .tiles = static_cast<int>(ocean.tile_count())});
     renderer->set_sky(test_sky());
 }
 

@@ -22,6 +22,14 @@ struct SeaFlag {
     std::string_view help;
 };
 
+constexpr std::array angles = {
+    SeaAngle{"wind_direction_rad", "wind_direction_deg", &SeaState::wind_direction_rad,
+             &ResolvedSea::wind_direction_deg},
+    SeaAngle{"swell_direction_rad", "swell_direction_deg", &SeaState::swell_direction_rad,
+             &ResolvedSea::swell_direction_deg},
+    SeaAngle{"swell_spread_rad", "swell_spread_deg", &SeaState::swell_spread_rad, &ResolvedSea::swell_spread_deg},
+};
+
 constexpr std::array sea_flags = {
     SeaFlag{"resolution", "resolution", "texels along a side"},
     SeaFlag{"patch-size", "patch_size_m", "side of the patch, which tiles, in metres"},
@@ -29,11 +37,19 @@ constexpr std::array sea_flags = {
     SeaFlag{"wind-direction", "wind_direction_rad",
             "where the wind blows towards, from +x (east) towards +z (south; north is -z)"},
     SeaFlag{"fetch", "fetch_m", "how far the wind has blown over water, in metres (jonswap)"},
-    SeaFlag{"depth", "depth_m", "water depth in metres"},
+    SeaFlag{"depth", "depth_m", "water depth in metres; waves over 0.6 of it break"},
     SeaFlag{"choppiness", "choppiness", "sideways motion that sharpens crests"},
-    SeaFlag{"roughness", "roughness", "of the water between texels"},
-    SeaFlag{"small-waves", "small_waves", "damping of small waves: 1 removes those below a quarter of the patch"},
-    SeaFlag{"alignment", "alignment", "of the waves with the wind"},
+    SeaFlag{"roughness", "roughness",
+            "of the water between texels; wind: what the waves of the grid lack of a sea's slopes"},
+    SeaFlag{"small-waves", "small_waves",
+            "damping of small waves: 1 removes those shorter than a quarter of the peak's"},
+    SeaFlag{"alignment", "alignment",
+            "of the waves with the wind (spreading paper): with 0 a third of the energy runs against it, with 1 a "
+            "hundredth"},
+    SeaFlag{"swell-height", "swell_height_m", "significant height of waves from elsewhere, in metres; 0: none"},
+    SeaFlag{"swell-period", "swell_period_s", "peak period of the swell, in seconds"},
+    SeaFlag{"swell-direction", "swell_direction_rad", "where the swell runs towards, as --wind-direction"},
+    SeaFlag{"swell-spread", "swell_spread_rad", "standard deviation of the swell's directions"},
     SeaFlag{"loop-period", "loop_period_s", "the sea repeats exactly after this time, in seconds"},
     SeaFlag{"seed", "seed", "which sea of this kind"},
 };
@@ -43,29 +59,38 @@ const SeaStateField& field_of(const SeaFlag& flag) {
     return *std::find_if(fields.begin(), fields.end(), [&](const auto& field) { return field.name == flag.field; });
 }
 
-bool is_angle(const SeaFlag& flag) { return flag.field == "wind_direction_rad"; }
+bool is_angle(const SeaFlag& flag) { return sea_angle(flag.field) != nullptr; }
+bool is_roughness(const SeaFlag& flag) { return flag.field == "roughness"; }
+bool is_direction(const SeaFlag& flag) { return flag.field.ends_with("_direction_rad"); }
 bool is_speed(const SeaFlag& flag) { return flag.field == "wind_speed_mps"; }
 
 std::string accepted_by(const SeaFlag& flag) {
-    if (is_angle(flag)) return "degrees in [-360, 360], or one of 16 points such as from-NW or to-SE";
+    if (is_direction(flag)) return "degrees in [-360, 360], or one of 16 points such as from-NW or to-SE";
+    if (is_angle(flag)) return "degrees in [1, 80]";
+    if (is_roughness(flag)) return "[0, 1] or wind";
     const std::string accepted(field_of(flag).accepted);
     return is_speed(flag) ? accepted + " " + speed_units : accepted;
 }
 
 /// A text in a config file, "20kn" or "from-NW", may stand for a number.
-bool takes_words(const SeaFlag& flag) { return is_angle(flag) || is_speed(flag); }
+bool takes_words(const SeaFlag& flag) { return is_direction(flag) || is_speed(flag) || is_roughness(flag); }
 
 /// In the flag's unit, which for an angle is degrees.
 std::optional<double> parse_value(const SeaFlag& flag, const std::string& text) {
     if (is_speed(flag)) return parse_speed_mps(text);
-    if (is_angle(flag))
+    if (is_roughness(flag) && text == "wind") return -1;
+    if (is_direction(flag))
         if (const auto degrees = parse_compass_deg(text)) return degrees;
     const bool is_whole = !std::holds_alternative<double SeaState::*>(field_of(flag).member);
     if (is_whole && !parse_integer(text)) return {};
     return parse_number(text);
 }
 
-std::string default_of(const SeaFlag& flag) { return number_text(field_of(flag).value_in({})); }
+std::string default_of(const SeaFlag& flag) {
+    if (is_roughness(flag)) return "wind";
+    const SeaAngle* const angle = sea_angle(flag.field);
+    return number_text(angle ? ResolvedSea{}.*angle->degrees : field_of(flag).value_in({}));
+}
 
 std::string config_key(std::string_view flag) {
     std::string key(flag);
@@ -79,10 +104,20 @@ std::vector<std::string> names_of_spectra() {
     return names;
 }
 
-std::vector<std::string> names_of_presets() {
+std::vector<std::string> names_of_spreadings() {
     std::vector<std::string> names;
-    for (const SeaPreset& preset : sea_presets()) names.emplace_back(preset.name);
+    for (const SpreadingModel model : spreading_models()) names.emplace_back(name_of(model));
     return names;
+}
+
+bool is_force(const SeaPreset& preset) { return preset.name.starts_with("beaufort-"); }
+
+/// A line for each preset but those of Beaufort's forces, which share one: thirteen of them would bury the others.
+std::string help_of_presets() {
+    std::string help = "a sea by name:";
+    for (const SeaPreset& preset : sea_presets())
+        if (!is_force(preset)) help.append("\n").append(preset.name).append(": ").append(preset.summary);
+    return help + "\nbeaufort-0 to beaufort-12: the open sea of that force of wind, Hs 0 to 14 m";
 }
 
 [[noreturn]] void refuse_name(const std::string& asked_by, const std::string& value,
@@ -91,26 +126,37 @@ std::vector<std::string> names_of_presets() {
 }
 
 void apply_preset(ResolvedSea& resolved, const std::string& name, const std::string& asked_by) {
-    for (const SeaPreset& preset : sea_presets()) {
-        if (preset.name != name) continue;
-        resolved = {preset.sea, preset.sea.wind_direction_rad / radians_per_degree, name};
+    if (const SeaPreset* preset = sea_preset_named(name)) {
+        resolved = {};
+        for (const SeaAngle& angle : angles)  // a degree that a preset leaves as it is by default keeps its digits
+            if (preset->sea.*angle.radians != resolved.sea.*angle.radians)
+                resolved.*angle.degrees = preset->sea.*angle.radians / radians_per_degree;
+        resolved.sea = preset->sea;
+        resolved.preset = name;
         return;
     }
-    refuse_name(asked_by, name, names_of_presets());
+    std::vector<std::string> all, few;
+    for (const SeaPreset& preset : sea_presets()) {
+        all.emplace_back(preset.name);
+        if (!is_force(preset)) few.push_back(all.back());
+    }
+    few.push_back("beaufort-0 to beaufort-12");
+    throw bad_value(asked_by, name, list_of(few) + nearest_hint(name, all));
 }
 
 void apply_number(ResolvedSea& resolved, const SeaFlag& flag, const std::string& text, const std::string& asked_by) {
     const SeaStateField& field = field_of(flag);
     const std::optional<double> number = parse_value(flag, text);
-    if (is_angle(flag) && is_compass_point(text))
+    if (is_direction(flag) && is_compass_point(text))
         throw bad_value(
             asked_by, text,
             "from-" + text + " or to-" + text + ": winds are named for where they come from, seas by where they go");
-    const double value = number ? (is_angle(flag) ? *number * radians_per_degree : *number) : 0;
+    const SeaAngle* const angle = sea_angle(flag.field);
+    const double value = number ? (angle ? *number * radians_per_degree : *number) : 0;
     if (!number || !field.accepts(value)) throw bad_value(asked_by, text, accepted_by(flag));
 
     field.set(resolved.sea, value);
-    if (is_angle(flag)) resolved.wind_direction_deg = *number;
+    if (angle) resolved.*angle->degrees = *number;
 }
 
 /// One option other than the preset, by its flag's name.
@@ -121,34 +167,46 @@ void apply(ResolvedSea& resolved, std::string_view name, const std::string& text
         resolved.sea.spectrum = *model;
         return;
     }
+    if (name == "spreading") {
+        const auto model = spreading_model_named(text);
+        if (!model) refuse_name(asked_by, text, names_of_spreadings());
+        resolved.sea.spreading = *model;
+        return;
+    }
     for (const SeaFlag& flag : sea_flags)
         if (flag.flag == name) apply_number(resolved, flag, text, asked_by);
 }
 
 /// Names of the flags that a config file may hold, the preset first.
 std::vector<std::string> configurable_flags() {
-    std::vector<std::string> flags = {"preset", "spectrum"};
+    std::vector<std::string> flags = {"preset", "spectrum", "spreading"};
     for (const SeaFlag& flag : sea_flags) flags.emplace_back(flag.flag);
     return flags;
 }
 
 }  // namespace
 
+const SeaAngle* sea_angle(std::string_view field) {
+    const auto found =
+        std::find_if(angles.begin(), angles.end(), [&](const auto& angle) { return angle.field == field; });
+    return found == angles.end() ? nullptr : found;
+}
+
 void SeaOptions::add_to(CLI::App& app) {
     const auto add = [&](std::string_view flag, const std::string& type, const std::string& help) {
         const std::string name(flag);
         app.add_option("--" + name, typed_[name], help)->type_name(type)->group("Sea");
     };
-    std::string presets = "a sea by name:";
-    for (const SeaPreset& preset : sea_presets())
-        presets.append("\n").append(preset.name).append(": ").append(preset.summary);
-    add("preset", "NAME", presets);
+    add("preset", "NAME", help_of_presets());
     add("config", "FILE",
         "a sea in a file: TOML whose keys are these flags' names with underscores, or a sea.json of export; flags "
         "win");
     add("spectrum", "NAME", list_of(names_of_spectra()) + "; default " + std::string(name_of(SeaState{}.spectrum)));
+    add("spreading", "NAME",
+        "how waves spread around the wind: " + list_of(names_of_spreadings()) + "; default " +
+            std::string(name_of(SeaState{}.spreading)));
     for (const SeaFlag& flag : sea_flags)
-        add(flag.flag, takes_words(flag) ? "WIND" : "NUMBER",
+        add(flag.flag, is_direction(flag) || is_speed(flag) ? "WIND" : "NUMBER",
             std::string(flag.help) + "; " + accepted_by(flag) + ", default " + default_of(flag));
 }
 
@@ -183,6 +241,8 @@ ResolvedSea SeaOptions::resolve() const {
         from_config(flag, [&](const auto& value, const auto& place) { apply(resolved, flag, value, place); });
         if (const auto& value = typed_.at(flag)) apply(resolved, flag, *value, "--" + flag);
     }
+    // Each option has been looked at alone.
+    if (const std::string reason = check(resolved.sea); !reason.empty()) throw InputError(reason);
     return resolved;
 }
 

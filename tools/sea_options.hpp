@@ -5,21 +5,34 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "pelagic/sim/sea_state.hpp"
 
 namespace pelagic::tools {
 
-/// A sea as resolved; the direction is kept in degrees as typed, so that files show the same number.
+/// A sea as resolved; angles are kept in degrees as typed, so that files show the same number.
 struct ResolvedSea {
     SeaState sea;
     double wind_direction_deg = 0;
+    double swell_direction_deg = 0;
+    double swell_spread_deg = 15;
     std::string preset;  ///< empty if none was named
 };
 
+/// An option that is radians in a SeaState, and degrees on the command line and in files.
+struct SeaAngle {
+    std::string_view field;    ///< "wind_direction_rad"
+    std::string_view in_file;  ///< "wind_direction_deg"
+    double SeaState::*radians;
+    double ResolvedSea::*degrees;
+};
+/// Null for what is no angle. \param field  of sea_state_fields()
+const SeaAngle* sea_angle(std::string_view field);
+
 class SeaOptions {
    public:
-    /// Declares --preset, --config, --spectrum and a flag for each numeric field, with units, ranges and defaults.
+    /// Declares --preset, --config, --spectrum, --spreading and a flag for each numeric field, with units, ranges and defaults.
     void add_to(CLI::App& app);
 
     /// Defaults < preset < config file < flags. Throws InputError, one line that names option, value and range.

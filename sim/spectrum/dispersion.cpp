@@ -9,13 +9,37 @@ namespace {
 constexpr double two_pi = 6.28318530717958647693;
 }
 
-double angular_frequency(double k, double depth_m) { return std::sqrt(gravity_mps2 * k * det::tanh(k * depth_m)); }
+double angular_frequency(double k, const Water& water) {
+    return std::sqrt((gravity_mps2 * k + water.tension_m3ps2 * (k * k * k)) * det::tanh(k * water.depth_m));
+}
 
-// d/dk of omega^2 = g k tanh(k d): 2 omega omega' = g (tanh(k d) + k d (1 - tanh^2(k d))).
-double group_velocity(double k, double depth_m) {
-    const double kd = k * depth_m;
+// d/dk of omega^2 = (g k + T k^3) tanh(k d): 2 omega omega' = g (t + k d (1 - t^2)) + T k^2 (3 t + k d (1 - t^2)).
+double group_velocity(double k, const Water& water) {
+    const double kd = k * water.depth_m;
     const double tanh_kd = det::tanh(kd);
-    return gravity_mps2 * (tanh_kd + kd * (1 - tanh_kd * tanh_kd)) / (2 * angular_frequency(k, depth_m));
+    const double ground = kd * (1 - tanh_kd * tanh_kd);
+    const double gravity = gravity_mps2 * (tanh_kd + ground);
+    const double tension = water.tension_m3ps2 * (k * k) * (3 * tanh_kd + ground);
+    return (gravity + tension) / (2 * angular_frequency(k, water));
+}
+
+// With k = omega^2 / g in deep water and t = tanh(k d) the ratio is t^3 / (t + k d (1 - t^2)).
+double depth_factor(double k, double depth_m) {
+    const double kd = k * depth_m;
+    const double t = det::tanh(kd);
+    if (t == 1) return 1;
+    return t * t * t / (t + kd * (1 - t * t));
+}
+
+// Eckart's k d = x / sqrt(tanh x), x = omega^2 d / g (1952), is within 5 %; each step of Newton's squares the error.
+double wave_number(double omega, double depth_m) {
+    const double deep_kd = omega * omega / gravity_mps2 * depth_m;
+    double kd = deep_kd / std::sqrt(det::tanh(deep_kd));
+    for (int step = 0; step < 4; ++step) {
+        const double t = det::tanh(kd);
+        kd -= (kd * t - deep_kd) / (t + kd * (1 - t * t));
+    }
+    return kd / depth_m;
 }
 
 std::uint32_t loop_harmonic(double omega, double loop_period_s) {

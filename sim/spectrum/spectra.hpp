@@ -1,16 +1,25 @@
 // The wave spectra: how much energy each wave vector holds.
 //
-// Physical models are a frequency spectrum S(omega) in m^2 s, spread over directions and carried to wave vectors:
-//   S(kx, kz) = S(omega) (d omega / d k) / k D(theta), in m^4, so that the integral over all k is the variance
-// and E|h0(k)|^2 = S dk^2 / 2 on a grid with spacing dk = 2 pi / L. `phillips-paper` keeps the paper's own scaling,
-// which depends on N and L and has no physical height.
+// Physical models are a frequency spectrum S(omega) in m^2 s of deep water, times Kitaigorodskii's factor where the depth is
+// felt (TMA: Bouws et al. 1985), spread over directions and carried to wave vectors:
+//   S(kx, kz) = S(omega) phi(omega, depth) (d omega / d k) / k D(theta), in m^4; the integral over all k is the variance
+// and E|h0(k)|^2 = S dk^2 / 2 on a grid with spacing dk = 2 pi / L. A swell adds its own energy. Higher waves than a depth
+// bears break: then all energy is lower by one factor. `phillips-paper` keeps the paper's own scaling, which depends on N and
+// L and has no physical height.
 #pragma once
 
+#include <optional>
+
 #include "pelagic/sim/sea_state.hpp"
+#include "pelagic/sim/spectrum/dispersion.hpp"
 #include "pelagic/sim/spectrum/spreading.hpp"
 #include "pelagic/sim/tile_plan.hpp"
 
 namespace pelagic {
+
+/// Largest significant wave height over depth: Hrms = 0.42 d, so Hs = 0.6 d, on a beach where every wave that comes in
+/// breaks (Thornton and Guza 1982).
+inline constexpr double highest_over_depth = 0.6;
 
 /// The spectrum of one sea on the lattice of one of its tiles. Construction does the slow part; calls are const and thread-safe.
 class WaveSpectrum {
@@ -21,36 +30,57 @@ class WaveSpectrum {
     /// E|h0(k)|^2 in m^2 at the wave vector (kx, kz) in rad/m of the tile's lattice. \pre k is not 0
     double amplitude_variance(double kx, double kz) const;
 
-    /// What all waves of one wave number share, which is most of the work: E|h0(k)|^2 = before * spreading * after.
+    /// What all waves of one wave number share, which is most of the work:
+    /// E|h0(k)|^2 = before * spreading * after + swell * spreading of the swell.
     struct Shell {
         double k;  ///< rad/m
         double before, after;
+        double swell;
+        DirectionalLobe lobe;  ///< of the wind's waves, but for spreading `paper`
     };
     /// \pre k is not 0
     Shell shell(double k) const;
     /// amplitude_variance() of (kx, kz) and of (-kx, -kz), the same bits. \pre the shell is that of their length
-    DirectionalSpreading::Opposites amplitude_variances(const Shell& shell, double kx, double kz) const;
+    OppositeDensities amplitude_variances(const Shell& shell, double kx, double kz) const;
 
     /// Energy over wave number, all directions together: the integral over k is the variance, m^3.
     /// \pre the model is a physical one
     double radial_density(double k) const;
+    /// That integral, m^2.
+    double variance() const;
+
+    /// The part of the energy that breaking leaves: less than 1 where the waves that wind and swell would make are higher than
+    /// highest_over_depth of the depth.
+    double kept_by_breaking() const { return kept_; }
+
+    const Water& water() const { return water_; }
 
     /// False for phillips-paper.
     bool is_physical() const { return sea_.spectrum != SpectrumModel::phillips_paper; }
 
    private:
+    double wind_density(double k) const;   // of radial_density(): the wind's part,
+    double swell_density(double k) const;  // and the swell's
     double frequency_density(double omega) const;
     double small_wave_cutoff(double k) const;
+    double largest_variance() const;
 
     SeaState sea_;
-    DirectionalSpreading spreading_;
+    Water water_;
+    PaperSpreading paper_spreading_;
     double wind_x_, wind_z_;
     double largest_wave_m_;  // L = V^2 / g of equation 3
-    double cutoff_m_;        // l of equation 11
     double grid_spacing_;    // dk in rad/m
     double paper_scale_;     // A of equation 4
     double jonswap_alpha_;
-    double jonswap_peak_;  // rad/s
+    double peak_;      // of the wind's waves in deep water, rad/s
+    double cutoff_m_;  // l of equation 10
+    std::optional<MeasuredSpreading> measured_spreading_;
+    double swell_variance_;  // m^2
+    double swell_peak_;      // rad/s
+    double swell_x_, swell_z_;
+    DirectionalLobe swell_lobe_;
+    double kept_ = 1;
 };
 
 }  // namespace pelagic

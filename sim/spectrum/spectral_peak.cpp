@@ -4,6 +4,14 @@
 #include "pelagic/simd/det_math.hpp"
 
 namespace pelagic {
+namespace {
+
+// Wave numbers to look at: from ten times the longest wave of the wind to a tenth of a millimetre, 2 % apart.
+constexpr double shortest_k = 1e-5;
+constexpr double longest_k = 6e4;
+constexpr double k_ratio = 1.02;
+
+}  // namespace
 
 double radial_energy(const WaveSpectrum& spectrum, const SeaState& sea, double k) {
     if (spectrum.is_physical()) return spectrum.radial_density(k);

@@ -16,9 +16,4 @@ struct SpectralPeak {
 /// The largest S(omega) = S(k) / (d omega / d k).
 SpectralPeak peak_of(const WaveSpectrum& spectrum, const SeaState& sea);
 
-// Wave numbers to look at: from ten times the longest wave of the wind to a tenth of a millimetre, 2 % apart.
-inline constexpr double shortest_k = 1e-5;
-inline constexpr double longest_k = 6e4;
-inline constexpr double k_ratio = 1.02;
-
 }  // namespace pelagic

@@ -67,9 +67,10 @@ pelagic_sea any_sea(Bytes& bytes) {
     must_be_a_status(pelagic_sea_defaults(&sea));
     sea.struct_size = size;
     sea.resolution = 16;
-    double* const fields[] = {&sea.patch_size_m, &sea.wind_speed_mps, &sea.wind_direction_rad, &sea.fetch_m,
-                              &sea.depth_m,      &sea.choppiness,     &sea.roughness,          &sea.small_waves,
-                              &sea.alignment,    &sea.loop_period_s};
+    double* const fields[] = {
+        &sea.patch_size_m,   &sea.wind_speed_mps, &sea.wind_direction_rad,  &sea.fetch_m,         &sea.depth_m,
+        &sea.choppiness,     &sea.roughness,      &sea.small_waves,         &sea.alignment,       &sea.loop_period_s,
+        &sea.swell_height_m, &sea.swell_period_s, &sea.swell_direction_rad, &sea.swell_spread_rad};
     for (int changes = bytes.take<std::uint8_t>() % 4; changes > 0; --changes)
         *fields[bytes.take<std::uint8_t>() % std::size(fields)] = bytes.number();
     if (bytes.take<std::uint8_t>() == 255) {
@@ -81,6 +82,7 @@ pelagic_sea any_sea(Bytes& bytes) {
         sea.spectrum = bytes.take<std::uint8_t>() % 4;
     }
     sea.seed = bytes.take<std::uint16_t>();
+    sea.spreading = bytes.take<std::uint8_t>() % 5;
     must_be_a_status(pelagic_sea_check(&sea));
     return sea;
 }

@@ -28,9 +28,127 @@ double spreading_integral(double alpha) {
     return half_circle * (1 + 0.01 + 0.49 * (1 - alpha) * (1 - alpha));
 }
 
+/// d omega / d k by a central difference: independent of the library's closed form.
+double slope_of_frequency(double k, double depth_m) {
+    const auto omega = [&](double at) { return std::sqrt(gravity * at * std::tanh(at * depth_m)); };
+    const double step = 1e-5 * k;
+    return (omega(k + step) - omega(k - step)) / (2 * step);
+}
+
+/// Kitaigorodskii's factor by its definition: k^-3 dk/domega at the depth over the same in deep water.
+double depth_factor(double k, double depth_m) {
+    const double deep_k = k * std::tanh(k * depth_m);
+    const double ratio = deep_k / k;
+    return ratio * ratio * ratio * slope_of_frequency(deep_k, 1e9) / slope_of_frequency(k, depth_m);
+}
+
+/// omega in deep water where each model's frequency spectrum peaks.
+double peak_frequency(const SeaState& sea) {
+    if (sea.spectrum == SpectrumModel::jonswap)
+        return 22 * std::cbrt(gravity * gravity / (sea.wind_speed_mps * sea.fetch_m));
+    const double beta = sea.spectrum == SpectrumModel::pierson_moskowitz ? 0.74 : 1;
+    return std::pow(0.8 * beta, 0.25) * gravity / sea.wind_speed_mps;
+}
+
+/// Wave number of a frequency, by halving an interval.
+double wave_number_of(double omega, double depth_m) {
+    double low = 1e-9, high = 1e9;
+    while (high / low > 1 + 1e-14) {
+        const double middle = std::sqrt(low * high);
+        (gravity * middle * std::tanh(middle * depth_m) < omega * omega ? low : high) = middle;
+    }
+    return low;
+}
+
 double small_wave_factor(const SeaState& sea, double k) {
-    const double l = 0.001 * std::pow(sea.patch_size_m * 0.25 / 0.001, sea.small_waves);
+    if (sea.small_waves == 0) return std::exp(-k * k * 1e-6);
+    const double longest = 0.5 / wave_number_of(peak_frequency(sea), sea.depth_m);
+    const double l = 0.001 * std::pow(longest / 0.001, sea.small_waves);
     return std::exp(-k * k * l * l);
+}
+
+/// cos(theta/2)^(2s) over its integral in closed form.
+double cosine_2s(double s, double angle) {
+    const double integral = 2 * std::sqrt(pi) * std::exp(std::lgamma(s + 0.5) - std::lgamma(s + 1));
+    return std::pow(std::fabs(std::cos(angle / 2)), 2 * s) / integral;
+}
+
+double wind_directional(const SeaState& sea, double k, double angle) {
+    if (sea.spreading == SpreadingModel::paper)
+        return spreading_weight(sea.alignment, std::cos(angle)) / spreading_integral(sea.alignment);
+    const double over_peak = frequency_of(sea, k) / peak_frequency(sea);
+    const double age = std::min(5.0, std::max(0.83, sea.wind_speed_mps * peak_frequency(sea) / gravity));
+    if (sea.spreading == SpreadingModel::cosine_2s)
+        return cosine_2s(11.5 * std::pow(age, -2.5) * std::pow(over_peak, over_peak <= 1 ? 5 : -2.5), angle);
+    if (sea.spreading == SpreadingModel::hasselmann)
+        return cosine_2s(over_peak < 1.05 ? 6.97 * std::pow(over_peak, 4.06)
+                                          : 9.77 * std::pow(over_peak, -2.33 - 1.45 * (age - 1.17)),
+                         angle);
+    const double beta = over_peak >= 1.6
+                            ? std::pow(10, -0.4 + 0.8393 * std::exp(-0.567 * std::log(over_peak * over_peak)))
+                        : over_peak >= 0.95 ? 2.28 * std::pow(over_peak, -1.3)
+                                            : 2.61 * std::pow(std::max(over_peak, 0.56), 1.3);
+    const double wrapped = std::remainder(angle, 2 * pi);
+    return beta / (2 * std::tanh(beta * pi)) * std::pow(std::cosh(beta * wrapped), -2);
+}
+
+/// Energy over wave number, before waves break.
+double wind_radial(const SeaState& sea, double k) {
+    const double all = slope_of_frequency(k, sea.depth_m) * depth_factor(k, sea.depth_m) * small_wave_factor(sea, k);
+    const double omega = frequency_of(sea, k);
+    if (sea.spectrum == SpectrumModel::phillips)  // in deep water equation 3's shape, see docs/equations.md
+        return 0.0081 * gravity * gravity * std::pow(omega, -5) *
+               std::exp(-std::pow(gravity / (sea.wind_speed_mps * omega), 4)) * all;
+    return frequency_density(sea, omega) * all;
+}
+
+double swell_radial(const SeaState& sea, double k) {
+    const double peak = 2 * pi / sea.swell_period_s, lambda = 3, omega = frequency_of(sea, k);
+    // Ochi and Hubble 1976 as they print it.
+    return 0.25 * std::pow((4 * lambda + 1) / 4 * std::pow(peak, 4), lambda) / std::tgamma(lambda) *
+           sea.swell_height_m * sea.swell_height_m / std::pow(omega, 4 * lambda + 1) *
+           std::exp(-(4 * lambda + 1) / 4 * std::pow(peak / omega, 4)) * slope_of_frequency(k, sea.depth_m);
+}
+
+/// What breaking leaves: Simpson's rule over log k, where the depth may tell.
+double kept_by_breaking(const SeaState& sea) {
+    if (sea.depth_m > 100 || sea.spectrum == SpectrumModel::phillips_paper) return 1;
+    const double first = std::log(1e-4), last = std::log(1e4);
+    constexpr int steps = 2000;
+    double variance = 0;
+    for (int i = 0; i <= steps; ++i) {
+        const double k = std::exp(first + (last - first) * i / steps);
+        const double weight = i == 0 || i == steps ? 1 : i % 2 == 1 ? 4 : 2;
+        variance += weight * (wind_radial(sea, k) + swell_radial(sea, k)) * k * (last - first) / steps / 3;
+    }
+    return std::min(1.0, std::pow(0.6 * sea.depth_m / 4, 2) / variance);
+}
+
+double unbroken_density(const SeaState& sea, double kx, double kz) {
+    const double k = std::hypot(kx, kz), direction = std::atan2(kz, kx);
+    const double s = 2 / (sea.swell_spread_rad * sea.swell_spread_rad) - 1;
+    return (wind_radial(sea, k) * wind_directional(sea, k, direction - sea.wind_direction_rad) +
+            swell_radial(sea, k) * cosine_2s(s, direction - sea.swell_direction_rad)) /
+           k;
+}
+
+/// \param kept  kept_by_breaking(sea)
+Complex amplitude(const SeaState& sea, double kept, int m, int n) {
+    const int nyquist = sea.resolution / 2;
+    if ((m == 0 && n == 0) || m == -nyquist || n == -nyquist) return 0;
+    const double dk = 2 * pi / sea.patch_size_m;
+    const double kx = m * dk, kz = n * dk;
+    const GaussianPair xi = gaussian_pair(sea.seed, 0, m, n);
+    if (sea.spectrum != SpectrumModel::phillips_paper)
+        return Complex(xi.re, xi.im) / 2.0 * std::sqrt(kept * unbroken_density(sea, kx, kz)) * dk;
+
+    const double k = std::hypot(kx, kz);
+    const double kl = k * sea.wind_speed_mps * sea.wind_speed_mps / gravity;
+    const double a_fft = std::pow(sea.resolution, -0.25), a_spatial = std::numbers::e / sea.patch_size_m;
+    const double p =
+        a_fft * a_fft * a_spatial * a_spatial * std::exp(-1 / (kl * kl)) / std::pow(k, 4) * small_wave_factor(sea, k);
+    return Complex(xi.re, xi.im) / std::numbers::sqrt2 *
+           std::sqrt(p * spreading_weight(sea.alignment, cosine_to_wind(sea, kx, kz)));
 }
 
 }  // namespace
@@ -49,41 +167,16 @@ double frequency_density(const SeaState& sea, double w) {
 }
 
 double density(const SeaState& sea, double kx, double kz) {
-    const double k = std::hypot(kx, kz);
-    const double directional =
-        spreading_weight(sea.alignment, cosine_to_wind(sea, kx, kz)) / spreading_integral(sea.alignment);
-    if (sea.spectrum == SpectrumModel::phillips) {
-        const double kl = k * sea.wind_speed_mps * sea.wind_speed_mps / gravity;
-        return 0.0081 / 2 * std::pow(k, -4) * std::exp(-1 / (kl * kl)) * directional * small_wave_factor(sea, k);
-    }
-    // d omega / d k by a central difference: independent of the library's closed form.
-    const double step = 1e-5 * k;
-    const double slope = (frequency_of(sea, k + step) - frequency_of(sea, k - step)) / (2 * step);
-    return frequency_density(sea, frequency_of(sea, k)) * slope / k * directional * small_wave_factor(sea, k);
+    return kept_by_breaking(sea) * unbroken_density(sea, kx, kz);
 }
 
-Complex initial_amplitude(const SeaState& sea, int m, int n) {
-    const int nyquist = sea.resolution / 2;
-    if ((m == 0 && n == 0) || m == -nyquist || n == -nyquist) return 0;
-    const double dk = 2 * pi / sea.patch_size_m;
-    const double kx = m * dk, kz = n * dk;
-    const GaussianPair xi = gaussian_pair(sea.seed, 0, m, n);
-    if (sea.spectrum != SpectrumModel::phillips_paper)
-        return Complex(xi.re, xi.im) / 2.0 * std::sqrt(density(sea, kx, kz)) * dk;
-
-    const double k = std::hypot(kx, kz);
-    const double kl = k * sea.wind_speed_mps * sea.wind_speed_mps / gravity;
-    const double a_fft = std::pow(sea.resolution, -0.25), a_spatial = std::numbers::e / sea.patch_size_m;
-    const double p =
-        a_fft * a_fft * a_spatial * a_spatial * std::exp(-1 / (kl * kl)) / std::pow(k, 4) * small_wave_factor(sea, k);
-    return Complex(xi.re, xi.im) / std::numbers::sqrt2 *
-           std::sqrt(p * spreading_weight(sea.alignment, cosine_to_wind(sea, kx, kz)));
-}
+Complex initial_amplitude(const SeaState& sea, int m, int n) { return amplitude(sea, kept_by_breaking(sea), m, n); }
 
 ComplexField spectrum_at(const SeaState& sea, double time_s) {
     const int n = sea.resolution;
     const std::size_t side = static_cast<std::size_t>(n);
     const double turns_of_loop = time_s / sea.loop_period_s;
+    const double kept = kept_by_breaking(sea);
     ComplexField waves(side * side);
     for (std::size_t j = 0; j < side; ++j) {
         for (std::size_t i = 0; i < side; ++i) {
@@ -92,8 +185,8 @@ ComplexField spectrum_at(const SeaState& sea, double time_s) {
             const double k = 2 * pi / sea.patch_size_m * std::hypot(kx, kz);
             const double q = std::max(1.0, std::floor(frequency_of(sea, k) * sea.loop_period_s / (2 * pi) + 0.5));
             const double phase = 2 * pi * std::fmod(q * std::fmod(turns_of_loop, 1.0), 1.0);
-            waves[j * side + i] = initial_amplitude(sea, kx, kz) * std::polar(1.0, -phase) +
-                                  std::conj(initial_amplitude(sea, -kx, -kz)) * std::polar(1.0, phase);
+            waves[j * side + i] = amplitude(sea, kept, kx, kz) * std::polar(1.0, -phase) +
+                                  std::conj(amplitude(sea, kept, -kx, -kz)) * std::polar(1.0, phase);
         }
     }
     return waves;

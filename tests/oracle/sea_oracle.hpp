@@ -12,10 +12,10 @@ inline constexpr double gravity = 9.80665;
 /// omega in rad/s: omega^2 = g k tanh(k d).
 double frequency_of(const SeaState& sea, double k);
 
-/// Energy over frequency, m^2 s, of pierson-moskowitz and jonswap.
+/// Energy over frequency in deep water, m^2 s, of pierson-moskowitz and jonswap.
 double frequency_density(const SeaState& sea, double omega);
 
-/// Energy over wave vectors, m^4, of the physical models.
+/// Energy over wave vectors, m^4, of the physical models, swell, depth and breaking included.
 double density(const SeaState& sea, double kx, double kz);
 
 /// h0 of the wave numbers (m, n).
