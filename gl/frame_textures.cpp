@@ -33,8 +33,8 @@ std::string refusal_of(const Frame& frame, int resolution, int tiles) {
         if (tile.resolution() != resolution)
             return "the frame has tiles of " + std::to_string(tile.resolution()) + " texels, the renderer was made for " +
                    std::to_string(resolution) + " (RendererOptions::resolution)";
-        if (tile.slopes_rgba8.empty() || tile.displacement_rgba16f.empty())
-            return "the frame has no slopes or no half floats; drawing needs an ocean with OceanOptions::slopes";
+        if (tile.slopes_rgba8.empty())
+            return "the frame has no slopes; drawing needs an ocean with OceanOptions::slopes";
     }
     return {};
 }

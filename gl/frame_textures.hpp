@@ -22,7 +22,7 @@ class FrameTextures {
     /// views may go stale afterwards. Call it at the start of a host's frame, with the frame that complete() gave.
     /// Waits only if the GPU is three frames behind. GL state ends as it was.
     /// Mips of the displacement are the driver's (box filter), those of the slopes are the frame's.
-    /// Throws std::invalid_argument, before it touches anything, for a frame without slopes or half floats, of another
+    /// Throws std::invalid_argument, before it touches anything, for a frame without slopes, of another
     /// resolution or with another number of tiles.
     void upload(const Frame& frame);
 

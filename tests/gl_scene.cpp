@@ -7,6 +7,7 @@ namespace {
 
 SeaState sea_of(const GlScene::Options& options) {
     SeaState sea = sea_named(options.preset, options.resolution);
+    sea.cascades = options.cascades;
     sea.patch_size_m = options.patch_size_m;
     return sea;
 }

@@ -26,7 +26,8 @@ class GlScene {
         std::string_view preset = "moderate";
         std::string_view quality = "high";
         int resolution = 0;       ///< 0: the preset's
-        double patch_size_m = 0;  ///< of an only tile; 0: the default tiles
+        int cascades = 0;         ///< 0: as many as are chosen by default
+        double patch_size_m = 0;  ///< of an only tile; 0: sides chosen from the sea
         int width = 320, height = 180, samples = 4;
         double size_m = 4096;
     };
