@@ -42,20 +42,21 @@ GlScene::GlScene(const Options& options)
     renderer->set_sky(test_sky());
 }
 
-void GlScene::resize(int width, int height) {
+void GlScene::resize(int width, int height, PictureRows only) {
+    if (only.count == 0) only = {0, height};
     target.reset();
-    target.emplace(gl(), width, height, samples_);
+    target.emplace(gl(), width, only.count, samples_);
+    whole_ = {0, only.first + only.count - height, width, height};
 }
 
 const gl::DrawFigures& GlScene::draw(const Camera& camera, const Frame& frame, bool draws_sky, bool stereo,
                                      glm::vec3 clear) {
-    const gl::Viewport whole{0, 0, target->width(), target->height()};
     std::vector<gl::Eye> eyes;
     if (stereo) {
-        const gl::EyePair pair = gl::eyes_of(camera, whole, 0.063);
+        const gl::EyePair pair = gl::eyes_of(camera, whole_, 0.063);
         eyes = {pair.left, pair.right};
     } else {
-        eyes = {gl::eye_of(camera, whole)};
+        eyes = {gl::eye_of(camera, whole_)};
     }
     std::vector<glm::dmat4> views;
     for (const gl::Eye& eye : eyes) views.push_back(eye.clip_from_world);

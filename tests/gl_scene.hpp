@@ -20,6 +20,11 @@ SeaState sea_named(std::string_view preset, int resolution = 0);
 /// Baked once for all tests of a process: the sky is the same in each.
 const gl::Sky& test_sky();
 
+/// Rows of a picture, from above.
+struct PictureRows {
+    int first = 0, count = 0;
+};
+
 class GlScene {
    public:
     struct Options {
@@ -47,7 +52,8 @@ class GlScene {
         draw(camera, frame);
         return target->read();
     }
-    void resize(int width, int height);
+    /// \param only  if it has any, the target holds these rows of the picture: the others take no time
+    void resize(int width, int height, PictureRows only = {});
     const gl::Functions& gl() const { return context.functions(); }
 
     gl::HeadlessContext context{{.debug = true}};
@@ -59,6 +65,7 @@ class GlScene {
 
    private:
     int samples_;
+    gl::Viewport whole_;  ///< of the picture, in the target
 };
 
 /// Light of an sRGB byte, [0, 1].

@@ -38,8 +38,8 @@ const float water_f0 = 0.02;  // ((1.333 - 1) / (1.333 + 1))^2
 const int most_taps = 4;
 struct Footprint {
     vec2 along;    // from one end to the other, metres at rest
-    float length;  // of that
-    float width;   // of a tap
+    float long_m;  // the length of that
+    float wide_m;  // of a tap
 };
 
 Footprint footprint_of(vec2 at) {
@@ -51,7 +51,7 @@ Footprint footprint_of(vec2 at) {
 
 // As many taps as lie further apart than texels do: near the eye, where texels are larger than pixels, it is one.
 int taps_of(Footprint pixel, float texel_m) {
-    return clamp(int(ceil(pixel.length / max(pixel.width, texel_m))), 1, most_taps);
+    return clamp(int(ceil(pixel.long_m / max(pixel.wide_m, texel_m))), 1, most_taps);
 }
 
 // The place of a tap, in parts of the whole length from the middle.
@@ -88,12 +88,12 @@ Slopes look_at_tile(int tile, vec2 uv, vec2 along, float mip, int taps) {
 // The same of a pixel. A tile of which no wave is left in the pixel is roughness, and costs nothing.
 Slopes tile_slopes(int tile, vec2 at, Footprint pixel) {
     float side = tile_scale[tile].z;
-    float mip = log2(pixel.width * tile_scale[tile].x);
+    float mip = log2(pixel.wide_m * tile_scale[tile].x);
     float weight = weight_of_tile(tile, mip);
     float all = tile_slope[tile].z;
     if (weight <= 0.0) return Slopes(vec2(0.0), vec3(0.0), all);
     // Beyond a whole tile there is nothing to tell apart.
-    vec2 along = way_in_tile(tile, pixel.along) * min(1.0, side / pixel.length);
+    vec2 along = way_in_tile(tile, pixel.along) * min(1.0, side / pixel.long_m);
     Slopes seen = look_at_tile(tile, place_in_tile(tile, at), along, mip, taps_of(pixel, 1.0 / tile_scale[tile].x));
     return Slopes(weight * seen.h, weight * seen.d, mix(all, seen.variance, weight * weight));
 }
@@ -140,8 +140,8 @@ void mix_second_copy(vec2 at, Footprint pixel, float distance_m, inout Waves mix
     const mat2 turn = mat2(0.9342, 0.3567, -0.3567, 0.9342);
     float scale = 0.618034 / tile_scale[0].z;
     float texels_a_m = 0.618034 * tile_scale[0].x;
-    vec2 along = turn * pixel.along * (scale * min(1.0, 1.0 / (scale * pixel.length)));
-    Slopes seen = look_at_tile(0, turn * at * scale + second_shift.xy, along, log2(pixel.width * texels_a_m),
+    vec2 along = turn * pixel.along * (scale * min(1.0, 1.0 / (scale * pixel.long_m)));
+    Slopes seen = look_at_tile(0, turn * at * scale + second_shift.xy, along, log2(pixel.wide_m * texels_a_m),
                                taps_of(pixel, 1.0 / texels_a_m));
     mixed.slopes = sqrt(1.0 - second * second) * mixed.slopes + second * (normal_slopes(seen) * turn);
     mixed.alpha2 = mix(mixed.alpha2, seen.variance, second * second);
@@ -152,11 +152,11 @@ void mix_second_copy(vec2 at, Footprint pixel, float distance_m, inout Waves mix
 vec4 layer_of_ripples(int layer, vec2 uv, Footprint pixel) {
     vec2 row = detail_turn[layer].xy;
     float tiles_a_m = length(row);
-    float mip = log2(pixel.width * tiles_a_m * 256.0);
+    float mip = log2(pixel.wide_m * tiles_a_m * 256.0);
     // Their longest waves are a third of the texture: at 2 texels none is left.
     if (mip >= 7.0) return vec4(0.0);
     vec2 along = vec2(row.x * pixel.along.x + row.y * pixel.along.y, row.x * pixel.along.y - row.y * pixel.along.x) *
-                 min(1.0, 1.0 / (tiles_a_m * pixel.length));
+                 min(1.0, 1.0 / (tiles_a_m * pixel.long_m));
     int taps = taps_of(pixel, 1.0 / (256.0 * tiles_a_m));
     vec4 sum = vec4(0.0);
     float square = 0.0;
