@@ -131,8 +131,7 @@ TEST(GlSparkle, FarWaterIsAsCalmAsASupersampledPicture) {
     std::vector<std::vector<float>> plain, reference;
     for (int i = 0; i < frames; ++i) plain.push_back(light_of(scene.picture(camera, i / 30.0), width, 1));
     scene.resize(width * finer, height * finer, far_rows(height * finer));
-    for (int i = 0; i < frames; ++i)
-        reference.push_back(light_of(scene.picture(camera, i / 30.0), width, finer));
+    for (int i = 0; i < frames; ++i) reference.push_back(light_of(scene.picture(camera, i / 30.0), width, finer));
 
     double squared_error = 0, mean = 0, plain_variance = 0, reference_variance = 0;
     const std::size_t count = plain[0].size();
