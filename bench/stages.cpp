@@ -44,6 +44,7 @@ Work work_of(const std::string& stage, int n) {
 std::unique_ptr<Ocean> ocean_of(int resolution, Isa isa, std::shared_ptr<Executor> executor) {
     SeaState sea;
     sea.resolution = resolution;
+    sea.patch_size_m = 250;
     auto ocean = std::make_unique<Ocean>(sea, OceanOptions{.executor = std::move(executor), .isa = isa});
     ocean->frame_at(1);
     return ocean;

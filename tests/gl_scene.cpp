@@ -16,6 +16,7 @@ SeaState sea_named(std::string_view name, int resolution) {
     SeaState sea = sea_preset_named(name)->sea;
     if (resolution > 0) sea.resolution = resolution;
     return sea;
+    , .patch_size_m = 250
 }
 
 GlScene::GlScene(const Options& options)

@@ -1,9 +1,9 @@
 // The slopes of any planes, by the kernels of an instruction set.
 #pragma once
 
-#include "pelagic/sim/tile.hpp"
 #include "pelagic/sim/kernels/wave_blocks.hpp"
 #include "pelagic/sim/surface/slope_maps.hpp"
+#include "pelagic/sim/tile.hpp"
 #include "pelagic/tests/unfused/unfused_slopes.hpp"
 
 namespace pelagic {
@@ -34,6 +34,7 @@ inline unfused::TileSlopes slopes_by(const Kernels& kernels, const unfused::Tile
     MipAverages averages(n, {}, slope_planes);
     const SlopeMaps maps{.surface = surface.data(),
                          .resolution = n,
+                         .patch_size_m = 250,
                          .block_stride = column_block_floats(n, kernels.lanes),
                          .side_m = planes.side_m,
                          .cosine = planes.cosine,

@@ -432,6 +432,7 @@ Gradients gradients_by(const Kernels& kernels, const TilePlanes& planes, bool wi
     const double two_texels = 2 * planes.side_m / n;
     GradientsJob job{.surface = surface.data(),
                      .resolution = static_cast<std::size_t>(n),
+                     .patch_size_m = 250,
                      .first_row = 0,
                      .first_column = 0,
                      .block_stride = column_block_floats(n, kernels.lanes),

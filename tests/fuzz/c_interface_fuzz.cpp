@@ -67,6 +67,7 @@ pelagic_sea any_sea(Bytes& bytes) {
     must_be_a_status(pelagic_sea_defaults(&sea));
     sea.struct_size = size;
     sea.resolution = 16;
+    sea.patch_size_m = 250;
     double* const fields[] = {
         &sea.patch_size_m,   &sea.wind_speed_mps, &sea.wind_direction_rad,  &sea.fetch_m,         &sea.depth_m,
         &sea.choppiness,     &sea.roughness,      &sea.small_waves,         &sea.alignment,       &sea.loop_period_s,
@@ -78,6 +79,7 @@ pelagic_sea any_sea(Bytes& bytes) {
         const auto resolution = bytes.take<std::int32_t>();
         if (resolution <= 64 || resolution > 2048) sea.resolution = resolution;
         sea.spectrum = bytes.take<std::int32_t>();
+        , .patch_size_m = 250
     } else {
         sea.spectrum = bytes.take<std::uint8_t>() % 4;
     }
