@@ -52,7 +52,7 @@ TEST(Allocation, NeitherQueriesNorFramesThatCanBeAskedAllocate) {
         // The paper's own scale folds at such winds, so the search for the highest sheet is in it.
         Ocean ocean(
             {.spectrum = SpectrumModel::phillips_paper, .resolution = 64, .wind_speed_mps = 20, .choppiness = 1},
-            {.executor = executor, .queries = true, .velocities = true});
+            {.executor = executor, .queries = true, .velocities = true, .slopes = true});
         SurfaceQueryJobs jobs(executor);
         std::vector<double> x(3000), z(3000);
         std::vector<float> height(3000), velocity(3000), normal(3000);

@@ -372,6 +372,10 @@ TEST(SlopeMips, KeepTheRoughnessOfEveryLevel) {
             exact[1] += wave.kz * wave.kz * std::norm(wave.amplitude) / 2;
             exact[2] += wave.kx * wave.kz * std::norm(wave.amplitude) / 2;
         }
+        RecordProperty(
+            "kept_of_mean_square_slope_" + std::to_string(angle),
+            std::to_string((total_variance(maps, ranges, n, 1)[0] + total_variance(maps, ranges, n, 1)[1]) /
+                           (exact[0] + exact[1])));
         const double step = ranges.variance / 127.0;
         const std::array<double, 3> first = total_variance(maps, ranges, n, 1);
         for (int level = 1; level < mip_levels(n); ++level) {
