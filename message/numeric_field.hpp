@@ -19,9 +19,11 @@ struct NumericField {
     double most;
     std::string_view accepted;  ///< the range in words: "(0, 60]", "a power of two from 16 to 2048"
     Among among = Among::all;
+    bool or_zero = false;  ///< 0 is accepted too: it leaves the choice to us
 
     /// False for NaN and infinities.
     bool accepts(double value) const {
+        if (or_zero && value == 0) return true;
         if (!(value >= least && value <= most)) return false;  // of NaN, too
         if (among == Among::all) return true;
         if (among == Among::above_least) return value > least;

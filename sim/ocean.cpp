@@ -1,5 +1,6 @@
 #include "pelagic/sim/ocean.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <stdexcept>
@@ -9,6 +10,7 @@
 
 #include "pelagic/message/refusal.hpp"
 #include "pelagic/sim/sources/cascade.hpp"
+#include "pelagic/sim/spectrum/whitecaps.hpp"
 #include "pelagic/sim/surface/surface_stages.hpp"
 #include "pelagic/sim/tile_plan.hpp"
 #include "pelagic/simd/float_environment.hpp"
@@ -83,7 +85,11 @@ class Ocean::Sources {
     void begin_sea(const SeaState& sea) {
         const DefaultFloatEnvironment environment;
         const std::vector<TilePlan> plans = plan_tiles(sea);
-        for (std::size_t tile = 0; tile < plans.size(); ++tile) cascades_[tile]->begin_spectrum(sea, plans[tile]);
+        const auto white =
+            std::count_if(plans.begin(), plans.end(), [](const TilePlan& plan) { return plan.makes_whitecaps(); });
+        const double cover = cover_of_each(whitecap_cover(sea.wind_speed_mps), static_cast<int>(white));
+        for (std::size_t tile = 0; tile < plans.size(); ++tile)
+            cascades_[tile]->begin_spectrum(sea, plans[tile], plans[tile].makes_whitecaps() ? cover : 0);
         baked_sea_ = sea;
     }
     void adopt_sea() {

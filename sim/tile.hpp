@@ -91,8 +91,9 @@ struct Tile {
     SlopeRanges slope_ranges;
     FrameBounds bounds;  ///< exact, not estimates
     /// Below this Jacobian of the tile the sea is white: as much of it, in the mean over time, as whitecaps cover in that wind
-    /// (spectrum/whitecaps.hpp).
+    /// (spectrum/whitecaps.hpp), tiles together. no_whitecaps where the tile makes none.
     float whitecap_jacobian = 0;
+    static constexpr float no_whitecaps = -10;
 
     int resolution() const { return height.resolution; }
     double texel_m() const { return lattice.side_m / resolution(); }

@@ -88,7 +88,9 @@ std::vector<BadInput> bad_inputs() {
         {{"export", "--out", "OUT", "--spectrum", "jonsawp"}, {"--spectrum", "is jonsawp", "nearest is jonswap"}},
         {{"export", "--out", "OUT", "--spectrum", ""}, {"--spectrum", "phillips-paper"}},
         {{"export", "--out", "OUT", "--preset", "strom"}, {"--preset", "is strom", "nearest is storm"}},
-        {{"info", "--preset", "hurricane"}, {"--preset is hurricane, needs calm, moderate, rough or storm\n"}},
+        {{"info", "--preset", "hurricane"},
+         {"--preset is hurricane, needs calm, lake, swell, moderate, rough, storm or beaufort-0 to beaufort-12\n"}},
+        {{"info", "--preset", "beufort-12"}, {"beaufort-0 to beaufort-12 (the nearest is beaufort-12)\n"}},
         {{"info", "--spectrum", "sine"}, {"needs phillips-paper, phillips, pierson-moskowitz or jonswap\n"}},
         {{"quadtree", "--quality", "hihg"}, {"low, medium, high, ultra", "nearest is high"}},
         {{"help", "exprot"}, {"exprot", "export, info, quadtree"}},
@@ -121,6 +123,8 @@ std::vector<BadInput> bad_inputs() {
          {"CONFIG:1", "preset", "strom", "storm"},
          "preset = \"strom\"\n"},
         {{"info", "--config", "CONFIG"}, {"CONFIG:1", "spectrum", "sine", "jonswap"}, "spectrum = \"sine\"\n"},
+        {{"info", "--spectrum", "phillips-paper", "--swell-height", "2"},
+         {"swell_height_m is 2, needs 0 where the spectrum is phillips-paper"}},
         // A sea.json given as one.
         {{"info", "--config", "CONFIG"}, {"CONFIG:3", "malformed JSON", "sea.json"}, "{\n\"sea\": {\n"},
         {{"info", "--config", "CONFIG"}, {"CONFIG", "malformed JSON"}, "{\"sea\": {\"seed\": 1e999}}"},
@@ -157,6 +161,11 @@ std::vector<BadInput> bad_inputs() {
                             {"--roughness", "[0, 1]", {"-0.1", "1.01"}},
                             {"--small-waves", "[0, 1]", {"-0.1", "2"}},
                             {"--alignment", "[0, 1]", {"-1", "1.5"}},
+                            {"--swell-height", "[0, 30]", {"-1", "31"}},
+                            {"--swell-period", "[1, 40]", {"0", "41"}},
+                            {"--swell-direction", "[-360, 360]", {"361", "west"}},
+                            {"--swell-spread", "degrees in [1, 80]", {"0", "81", "from-W"}},
+                            {"--spreading", "paper, cosine-2s, hasselmann or donelan-banner", {"cosine", "1"}},
                             {"--loop-period", "[0.1, 86400]", {"0", "-200", "1e5", "nan"}},
                             {"--seed", "a whole number from 0 to 4294967295", {"-1", "4294967296", "1.5", "luck"}}})
         for (const std::string& value : values)

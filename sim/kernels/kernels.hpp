@@ -43,6 +43,8 @@ struct ColumnsFinalizeJob {
     float* blocks[2];  ///< lines before, surface afterwards, metres; [1] holds the partners of [0]; null for N = 16
     const FftTables* fft;
     float choppiness;
+    float cosine,
+        sine;  ///< of the angle by which the tile's axes are turned; sideways parts leave in the world's axes
     PartBounds* bounds;
 };
 

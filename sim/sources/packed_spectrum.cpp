@@ -35,7 +35,10 @@ LineFigures bake_spectrum_line(const SeaState& sea, const TileWaves& waves, cons
     const int n = static_cast<int>(line);
     const double spacing = tile.spacing();
     const double texel_m = tile.lattice.side_m / resolution;
+    // What a derivative makes of a wave number: of a tile on its own central differences, which are the paper's, of one in a stack
+    // nearly the wave number itself.
     const auto difference = [&](int of) {
+        if (tile.is_banded()) return of * spacing;
         return det::sine_cosine_of_turns(static_cast<double>(of) / resolution).sine / texel_m;
     };
     const double difference_z = difference(n);
@@ -67,7 +70,8 @@ LineFigures bake_spectrum_line(const SeaState& sea, const TileWaves& waves, cons
             if (!pair.is_own_negative()) put_wave(minus_cos_re, mirrored.minus, -m);
             put(direction_x, m / length);
             put(direction_z, n / length);
-            *harmonic = loop_harmonic(angular_frequency(length * spacing, sea.depth_m), sea.loop_period_s);
+            *harmonic =
+                loop_harmonic(angular_frequency(length * spacing, waves.spectrum().water()), sea.loop_period_s);
         }
     }
     return figures;
