@@ -56,7 +56,7 @@ TEST(Allocation, NeitherQueriesNorFramesThatCanBeAskedAllocate) {
                      .patch_size_m = 250,
                      .wind_speed_mps = 20,
                      .choppiness = 1},
-                    {.executor = executor, .queries = true, .velocities = true});
+                    {.executor = executor, .queries = true, .velocities = true, .slopes = true});
         SurfaceQueryJobs jobs(executor);
         std::vector<double> x(3000), z(3000);
         std::vector<float> height(3000), velocity(3000), normal(3000);

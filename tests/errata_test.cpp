@@ -111,7 +111,6 @@ TEST_P(NormalOnEachIsa, OfASingleWaveIsTheTrochoidsTangentTurned) {
     const double two_texels = 2 * patch / n;
     GradientsJob job{.surface = surface.data(),
                      .resolution = n,
-                     .patch_size_m = 250,
                      .first_row = 0,
                      .first_column = 0,
                      .block_stride = block_floats,

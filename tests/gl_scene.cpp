@@ -16,7 +16,6 @@ SeaState sea_named(std::string_view name, int resolution) {
     SeaState sea = sea_preset_named(name)->sea;
     if (resolution > 0) sea.resolution = resolution;
     return sea;
-    , .patch_size_m = 250
 }
 
 GlScene::GlScene(const Options& options)

@@ -34,7 +34,6 @@ inline unfused::TileSlopes slopes_by(const Kernels& kernels, const unfused::Tile
     MipAverages averages(n, {}, slope_planes);
     const SlopeMaps maps{.surface = surface.data(),
                          .resolution = n,
-                         .patch_size_m = 250,
                          .block_stride = column_block_floats(n, kernels.lanes),
                          .side_m = planes.side_m,
                          .cosine = planes.cosine,

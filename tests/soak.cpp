@@ -44,7 +44,6 @@ pelagic_sea sea_number(int number, std::int32_t resolution) {
     sea.patch_size_m = 250;
     sea.seed = static_cast<std::uint32_t>(number);
     return sea;
-    , .patch_size_m = 250
 }
 
 pelagic_executor* make_executor(std::int32_t kind, std::int32_t threads) {

@@ -38,7 +38,7 @@ TEST(Whitecaps, CoverThatPartOfEverySeaInTheMean) {
                 sea.choppiness = choppiness;
                 sea.wind_direction_rad = wind_direction_rad;
                 double part = 0;
-                const int seeds = 6, .patch_size_m = 250, frames = 10;
+                const int seeds = 6, frames = 10;
                 for (int seed = 1; seed <= seeds; ++seed) {
                     sea.seed = static_cast<std::uint32_t>(seed);
                     Ocean ocean(sea, {.executor = make_serial_executor()});

@@ -79,7 +79,6 @@ pelagic_sea any_sea(Bytes& bytes) {
         const auto resolution = bytes.take<std::int32_t>();
         if (resolution <= 64 || resolution > 2048) sea.resolution = resolution;
         sea.spectrum = bytes.take<std::int32_t>();
-        , .patch_size_m = 250
     } else {
         sea.spectrum = bytes.take<std::uint8_t>() % 4;
     }
