@@ -46,7 +46,7 @@ TEST(GlFrames, DriverIsSilentOver200FramesWithResizesAndALostContext) {
 
 TEST(GlFrames, CallsAndBytesStayWithinTheirLimits) {
     GlScene scene(
-        {.preset = "moderate", .resolution = 256, .patch_size_m = 250, .width = 96, .height = 64, .samples = 1});
+        {.preset = "moderate", .resolution = 256, .width = 96, .height = 64, .samples = 1});
     for (int frame = 0; frame < 8; ++frame) {
         const bool stereo = frame % 2 == 1;
         const gl::DrawFigures& figures = scene.draw(moving_camera(frame), frame / 90.0, true, stereo);

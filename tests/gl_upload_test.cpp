@@ -24,7 +24,7 @@ std::vector<Value> read_level(const gl::Functions& gl, GLuint texture, int level
 
 // Seven uploads go around the ring of pixel buffers and the pair of textures more than once.
 TEST(GlUpload, TexturesHoldTheFramesBytesInEveryMip) {
-    GlScene scene({.resolution = 128, .patch_size_m = 250, .width = 64, .height = 64});
+    GlScene scene({.resolution = 128, .width = 64, .height = 64});
     for (int i = 0; i < 7; ++i) {
         const Frame& frame = scene.ocean.frame_at(0.37 * i);
         scene.renderer->upload(frame);
