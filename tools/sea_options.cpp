@@ -179,6 +179,12 @@ std::vector<std::string> configurable_flags() {
     return flags;
 }
 
+std::vector<std::string> config_keys() {
+    std::vector<std::string> keys;
+    for (const std::string& flag : configurable_flags()) keys.push_back(config_key(flag));
+    return keys;
+}
+
 }  // namespace
 
 const SeaAngle* sea_angle(std::string_view field) {
@@ -205,15 +211,26 @@ void SeaOptions::add_to(CLI::App& app) {
             std::string(flag.help) + "; " + accepted_by(flag) + ", default " + default_of(flag));
 }
 
-ResolvedSea SeaOptions::resolve() const {
-    const std::vector<std::string> flags = configurable_flags();
-    std::vector<ConfigEntry> config;
-    if (const auto& file = typed_.at("config")) {
-        std::vector<std::string> keys;
-        for (const std::string& flag : flags) keys.push_back(config_key(flag));
-        config = read_config(*file, keys);
-    }
+bool SeaOptions::is_given() const {
+    return std::any_of(typed_.begin(), typed_.end(), [](const auto& flag) { return flag.second.has_value(); });
+}
 
+ResolvedSea SeaOptions::resolve() const {
+    const auto file = typed("config");
+    return resolve_with(file ? read_config(*file, config_keys()) : std::vector<ConfigEntry>());
+}
+
+ResolvedSea SeaOptions::of_record(std::string_view text, const std::filesystem::path& file) {
+    return SeaOptions().resolve_with(parse_sea_record(text, file, config_keys()));
+}
+
+std::optional<std::string> SeaOptions::typed(const std::string& flag) const {
+    const auto found = typed_.find(flag);
+    return found == typed_.end() ? std::nullopt : found->second;
+}
+
+ResolvedSea SeaOptions::resolve_with(const std::vector<ConfigEntry>& config) const {
+    const std::vector<std::string> flags = configurable_flags();
     ResolvedSea resolved;
     const auto from_config = [&](const std::string& flag, auto use) {
         for (const ConfigEntry& entry : config) {
@@ -226,7 +243,7 @@ ResolvedSea SeaOptions::resolve() const {
             use(entry.value, place);
         }
     };
-    if (const auto& preset = typed_.at("preset"))
+    if (const auto preset = typed("preset"))
         apply_preset(resolved, *preset, "--preset");
     else
         from_config("preset", [&](const auto& value, const auto& place) { apply_preset(resolved, value, place); });
@@ -234,7 +251,7 @@ ResolvedSea SeaOptions::resolve() const {
     for (const std::string& flag : flags) {
         if (flag == "preset") continue;
         from_config(flag, [&](const auto& value, const auto& place) { apply(resolved, flag, value, place); });
-        if (const auto& value = typed_.at(flag)) apply(resolved, flag, *value, "--" + flag);
+        if (const auto value = typed(flag)) apply(resolved, flag, *value, "--" + flag);
     }
     // Each option has been looked at alone.
     if (const std::string reason = check(resolved.sea); !reason.empty()) throw InputError(reason);
