@@ -11,11 +11,13 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "pelagic/sim/statistics.hpp"
 #include "pelagic/tests/run_pelagic.hpp"
 #include "pelagic/tools/fourier.hpp"
+#include "pelagic/tools/wave_measurement.hpp"
 
 namespace pelagic {
 namespace {
@@ -165,6 +167,61 @@ TEST(Measure, OneWaveHasItsFrequencyLengthAndDirection) {
     EXPECT_NEAR(most / all, 1, 1e-9);
 }
 
+/// A wave (m, n) of a tile's lattice at a time, by its dispersion in deep water rounded to the loop.
+std::vector<float> wave_of(const TilePlan& tile, int m, int n, double amplitude_m, double time_s,
+                           double loop_period_s) {
+    const double k = tile.spacing() * std::hypot(m, n);
+    const double periods = std::round(std::sqrt(9.80665 * k) * loop_period_s / (2 * pi));
+    std::vector<float> heights;
+    for (int j = 0; j < tile.resolution; ++j)
+        for (int i = 0; i < tile.resolution; ++i)
+            heights.push_back(static_cast<float>(
+                amplitude_m *
+                std::cos(2 * pi *
+                         (static_cast<double>(m * i + n * j) / tile.resolution - periods * time_s / loop_period_s))));
+    return heights;
+}
+
+// Two tiles, the finer one turned by 40 degrees: energies add, and directions are the world's.
+TEST(Measure, WavesOfSeveralTilesAddInTheWorldsAxes) {
+    const double turn = 40 * pi / 180, loop_s = 30;
+    const TilePlan coarse{.lattice = {.side_m = 200}, .resolution = 16, .most_k = 0.2};
+    const TilePlan fine{.lattice = {.side_m = 30, .cosine = std::cos(turn), .sine = std::sin(turn)},
+                        .resolution = 16,
+                        .number = 1,
+                        .least_k = 0.2};
+    const int frames = 90;
+    std::vector<tools::WaveMeasurement> tiles;
+    for (const TilePlan& tile : {coarse, fine})
+        tiles.emplace_back(tools::HeightSeries{.tile = tile,
+                                               .depth_m = 4000,
+                                               .loop_period_s = loop_s,
+                                               .likely_peak_period_s = 6,
+                                               .frames = frames,
+                                               .step_s = loop_s / frames,
+                                               .is_one_loop = true});
+    for (int frame = 0; frame < frames; ++frame) {
+        const double time_s = loop_s / frames * frame;
+        tiles[0].add_frame(wave_of(coarse, 4, 0, 0.4, time_s, loop_s));  // along +x
+        tiles[1].add_frame(wave_of(fine, 0, 3, 0.3, time_s, loop_s));    // a quarter turn and 40 degrees from it
+    }
+    const tools::MeasuredWaves found = measured_waves(tiles);
+    EXPECT_NEAR(found.significant_wave_height_m, 4 * std::sqrt((0.16 + 0.09) / 2), 1e-6);
+    ASSERT_TRUE(found.directions);
+    const double x = 0.16 - 0.09 * std::sin(turn), z = 0.09 * std::cos(turn);
+    EXPECT_NEAR(found.directions->mean_rad, std::atan2(z, x), 1e-5);
+    EXPECT_NEAR(found.directions->spread_rad, std::sqrt(2 * (1 - std::hypot(x, z) / 0.25)), 1e-5);
+    // Each wave in its ring, and the two in their bands of frequency.
+    double rings = 0, bands = 0;
+    for (const auto& ring : found.by_wave_number)
+        for (const auto& [tile, number, amplitude] : {std::tuple(coarse, 4, 0.4), std::tuple(fine, 3, 0.3)})
+            if (std::fabs(ring.at - number * tile.spacing()) < 1e-9)
+                rings += ring.density * tile.spacing() * 2 / (amplitude * amplitude);
+    EXPECT_NEAR(rings, 2, 1e-6);
+    for (const auto& band : found.by_frequency) bands += band.density > 0.01 ? 1 : 0;
+    EXPECT_EQ(bands, 2);
+}
+
 TEST(Measure, OneFrameTellsNeitherPeriodNorDirection) {
     const TemporaryFolder folder;
     export_to(folder / "out", {"--resolution", "32"});
@@ -186,7 +243,8 @@ TEST(Measure, WritesAPictureWhereItIsToldAndNothingElse) {
         run_pelagic({"info", "--measure", (folder / "out").string(), "--svg", (folder / "plot.svg").string()});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_EQ(outcome.err, "");
-    for (const char* part : {"32 frames of 16 x 16 texels", "one loop", "found", "expected", "peak_wavelength_m"})
+    for (const char* part :
+         {"32 frames, ", "16 x 16 texels on 250 m", "one loop", "found", "expected", "peak_wavelength_m"})
         EXPECT_NE(outcome.out.find(part), std::string::npos) << part << outcome.out;
     EXPECT_EQ(files_in(folder / "out"), before);
     const std::string svg = read_file(folder / "plot.svg");

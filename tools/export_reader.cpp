@@ -10,7 +10,6 @@
 #include <system_error>
 
 #include "pelagic/message/number_text.hpp"
-#include "pelagic/sim/tile_plan.hpp"
 #include "pelagic/tools/errors.hpp"
 #include "pelagic/tools/export_names.hpp"
 #include "pelagic/tools/image_codec.hpp"
@@ -60,17 +59,24 @@ const Json& value_of(const Json& json, const char* key) {
     return found == json.end() ? none : *found;
 }
 
-/// The image of the frame's heights; empty if the record names none.
-std::string heights_name(const Json& frame) {
+/// The images of the frame's heights, of the coarsest tile and of as many finer ones as it lists: "displacement_0000.exr",
+/// "displacement_c1_0000.exr", ...
+std::vector<std::string> heights_names(const Json& frame, std::size_t most_tiles) {
+    std::vector<std::string> names;
     const Json& files = value_of(frame, "files");
     if (!files.is_array()) return {};
-    for (const Json& file : files) {
-        const Json& name = value_of(file, "name");
-        if (!name.is_string()) continue;
-        const auto& text = name.get_ref<const std::string&>();
-        if (is_image_name(text) && text.starts_with("displacement_") && text.find("_c") == text.npos) return text;
+    while (names.size() < most_tiles) {
+        const std::string prefix = "displacement_" + (names.empty() ? "" : "c" + number_text(names.size()) + "_");
+        const auto found = std::find_if(files.begin(), files.end(), [&](const Json& file) {
+            const Json& name = value_of(file, "name");
+            if (!name.is_string()) return false;
+            const auto& text = name.get_ref<const std::string&>();
+            return is_image_name(text) && text.starts_with(prefix) && text[prefix.size()] != 'c';
+        });
+        if (found == files.end()) break;
+        names.push_back(value_of(*found, "name").get<std::string>());
     }
-    return {};
+    return names;
 }
 
 }  // namespace
@@ -84,7 +90,7 @@ ExportReader::ExportReader(std::string option, const std::filesystem::path& fold
         throw InputError(place.string() + " has more than " + number_text(most_record_bytes >> 20) + " MiB");
     const Json record = parsed(*text, place.string());
     sea_ = SeaOptions::of_record(*text, place);
-    resolution_ = plan_tiles(sea_.sea).front().resolution;
+    tiles_ = plan_tiles(sea_.sea);
 
     const Json& frames = value_of(record, "frames");
     if (!frames.is_array() || frames.empty())
@@ -98,8 +104,9 @@ ExportReader::ExportReader(std::string option, const std::filesystem::path& fold
         if (!time.is_number() || !std::isfinite(time.get<double>()))
             throw InputError(where + " has no time_s, needs a number");
         times_s.push_back(time.get<double>());
-        names_.push_back(heights_name(frame));
-        if (names_.back().empty())
+        names_.push_back(heights_names(frame, tiles_.size()));
+        if (names_.size() == 1) tiles_.resize(std::min(tiles_.size(), names_[0].size()));
+        if (names_.back().empty() || names_.back().size() < tiles_.size())
             throw InputError(where + " names no displacement image, needs an export with --maps displacement");
     }
     if (times_s.size() < 2) return;
@@ -112,20 +119,21 @@ ExportReader::ExportReader(std::string option, const std::filesystem::path& fold
     }
 }
 
-std::vector<float> ExportReader::heights(std::size_t frame) const {
-    const std::string& name = names_[frame];
+std::vector<float> ExportReader::heights(std::size_t frame, std::size_t tile) const {
+    const std::string& name = names_[frame][tile];
+    const int resolution = tiles_[tile].resolution;
     const std::filesystem::path place = folder_.path() / name;
-    const std::size_t texels = static_cast<std::size_t>(resolution_) * resolution_;
+    const std::size_t texels = static_cast<std::size_t>(resolution) * resolution;
     const std::size_t most_bytes =
         2 * texels * 3 * sizeof(float) + (std::size_t{1} << 20);  // nothing grows so by compression
     const std::optional<std::string> file = folder_.read_text(name, most_bytes);
     if (!file) throw FileError("can't read " + place.string() + ": " + std::strerror(ENOENT));
     if (file->size() > most_bytes)
-        throw FileError("can't read " + place.string() + ": it is larger than " + number_text(resolution_) + " x " +
-                        number_text(resolution_) + " pixels can be");
+        throw FileError("can't read " + place.string() + ": it is larger than " + number_text(resolution) + " x " +
+                        number_text(resolution) + " pixels can be");
     const ImageDescription image{.extension = name.ends_with(".tif") ? "tif" : "exr",
-                                 .width = resolution_,
-                                 .height = resolution_,
+                                 .width = resolution,
+                                 .height = resolution,
                                  .channels = 3,
                                  .sample = ImageDescription::Sample::float32,
                                  .colour_space = "Linear",

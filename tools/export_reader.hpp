@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "pelagic/sim/tile_plan.hpp"
 #include "pelagic/tools/output_folder.hpp"
 #include "pelagic/tools/sea_options.hpp"
 
@@ -24,8 +25,10 @@ class ExportReader {
     std::size_t frames_there() const { return frames_there_; }
     /// Between two frames; 0 if there is one.
     double step_s() const { return step_s_; }
-    /// The heights of the coarsest tile, N x N, row by row, metres.
-    std::vector<float> heights(std::size_t frame) const;
+    /// The tiles that the export has images of, the coarsest first.
+    const std::vector<TilePlan>& tiles() const { return tiles_; }
+    /// The heights of a tile, N x N, row by row, metres.
+    std::vector<float> heights(std::size_t frame, std::size_t tile) const;
 
     static constexpr std::size_t most_frames = 65536;
 
@@ -33,8 +36,8 @@ class ExportReader {
     std::string option_;
     OutputFolder folder_;
     ResolvedSea sea_;
-    int resolution_ = 0;
-    std::vector<std::string> names_;
+    std::vector<TilePlan> tiles_;
+    std::vector<std::vector<std::string>> names_;  ///< [frame][tile]
     std::size_t frames_there_ = 0;
     double step_s_ = 0;
 };

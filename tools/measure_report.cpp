@@ -66,30 +66,37 @@ std::vector<PlottedPoint> points_of(const Json& spectrum, const char* at, const 
 Json measure_export(const std::filesystem::path& folder) {
     const ExportReader reader("--measure", folder);
     const SeaState& sea = reader.sea().sea;
-    const TilePlan tile = plan_tiles(sea).front();
     const SeaReport report = report_on(sea);
     const double whole_s = reader.step_s() * static_cast<double>(reader.frames_there());
     const bool is_one_loop = reader.frames() == reader.frames_there() && reader.frames() > 1 &&
                              std::fabs(whole_s / sea.loop_period_s - 1) < 1e-6;
-    WaveMeasurement measurement({.resolution = tile.resolution,
-                                 .lattice = tile.lattice,
-                                 .depth_m = sea.depth_m,
-                                 .loop_period_s = sea.loop_period_s,
-                                 .likely_peak_period_s = report.expected.peak_period_s,
-                                 .frames = reader.frames(),
-                                 .step_s = reader.step_s(),
-                                 .is_one_loop = is_one_loop});
+    std::vector<WaveMeasurement> tiles;
+    for (const TilePlan& tile : reader.tiles())
+        tiles.emplace_back(HeightSeries{.tile = tile,
+                                        .depth_m = sea.depth_m,
+                                        .loop_period_s = sea.loop_period_s,
+                                        .likely_peak_period_s = report.expected.peak_period_s,
+                                        .frames = reader.frames(),
+                                        .step_s = reader.step_s(),
+                                        .is_one_loop = is_one_loop});
     {
         Progress progress("frame", reader.frames());
         for (std::size_t frame = 0; frame < reader.frames(); ++frame) {
             progress.show(frame);
-            measurement.add_frame(reader.heights(frame));
+            for (std::size_t tile = 0; tile < tiles.size(); ++tile)
+                tiles[tile].add_frame(reader.heights(frame, tile));
         }
     }
-    const MeasuredWaves found = measurement.result();
+    const MeasuredWaves found = measured_waves(tiles);
     Json json = {{"version", PELAGIC_VERSION}, {"sea", sea_as_json(reader.sea())}};
-    json["frames"] = {{"read", reader.frames()}, {"there", reader.frames_there()}, {"apart_s", reader.step_s()},
-                      {"one_loop", is_one_loop}, {"resolution", tile.resolution},  {"side_m", tile.lattice.side_m}};
+    json["frames"] = {{"read", reader.frames()},
+                      {"there", reader.frames_there()},
+                      {"apart_s", reader.step_s()},
+                      {"one_loop", is_one_loop}};
+    json["tiles"] = Json::array();
+    for (const TilePlan& tile : reader.tiles())
+        json["tiles"].push_back({{"side_m", tile.lattice.side_m}, {"resolution", tile.resolution}});
+    json["tiles_there"] = plan_tiles(sea).size();
     json["method"] = {{"by_frequency", found.frequency_method}};
     json["waves"] = figures_json(found, report);
     json["by_frequency"] = spectrum_json(found.by_frequency, "frequency_hz", "m2_per_hz",
@@ -113,18 +120,23 @@ void print_measurement(const Json& measured) {
     const auto number = [](const Json& value) {
         return value.is_null() ? std::string("-") : rounded_text(value.get<double>(), 4);
     };
-    std::printf("%s frame%s of %s x %s texels, %s m", number(frames.at("read")).c_str(),
-                frames.at("read") == 1 ? "" : "s", number(frames.at("resolution")).c_str(),
-                number(frames.at("resolution")).c_str(), number(frames.at("side_m")).c_str());
+    std::printf("%s frame%s", number(frames.at("read")).c_str(), frames.at("read") == 1 ? "" : "s");
     if (frames.at("read") > 1)
         std::printf(", %s s apart%s", number(frames.at("apart_s")).c_str(),
                     frames.at("one_loop").get<bool>() ? ", one loop" : "");
+    for (const Json& tile : measured.at("tiles"))
+        std::printf(", %s x %s texels on %s m", number(tile.at("resolution")).c_str(),
+                    number(tile.at("resolution")).c_str(), number(tile.at("side_m")).c_str());
     std::printf("\n%-30s%-14s%-14s%s\n", "Waves", "found", "drawn", "expected");
     for (const auto& [name, value] : measured.at("waves").items())
         std::printf("  %-28s%-14s%-14s%s\n", name.c_str(), number(value.at("found")).c_str(),
                     number(value.at("drawn")).c_str(), number(value.at("expected")).c_str());
     std::printf("  %-28s%s\n", "spectrum by frequency",
                 measured.at("method").at("by_frequency").get<std::string>().c_str());
+    if (measured.at("tiles").size() < measured.at("tiles_there"))
+        std::printf(
+            "note: the export has images of %zu of the sea's %s tiles: the waves of the others are not in it\n",
+            measured.at("tiles").size(), number(measured.at("tiles_there")).c_str());
     if (frames.at("read") != frames.at("there"))
         std::printf("note: the export has %s frames, of which the first %s were read\n",
                     number(frames.at("there")).c_str(), number(frames.at("read")).c_str());

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -120,12 +121,18 @@ std::string help_of_presets() {
     throw bad_value(asked_by, value, list_of(names) + nearest_hint(value, names));
 }
 
+/// As they would be typed, if those are the same radians: 30, not 29.999999999999996.
+double degrees_of(double radians) {
+    const double degrees = radians / radians_per_degree, typed = std::round(1e6 * degrees) / 1e6;
+    return typed * radians_per_degree == radians ? typed : degrees;
+}
+
 void apply_preset(ResolvedSea& resolved, const std::string& name, const std::string& asked_by) {
     if (const SeaPreset* preset = sea_preset_named(name)) {
         resolved = {};
         for (const SeaAngle& angle : angles)  // a degree that a preset leaves as it is by default keeps its digits
             if (preset->sea.*angle.radians != resolved.sea.*angle.radians)
-                resolved.*angle.degrees = preset->sea.*angle.radians / radians_per_degree;
+                resolved.*angle.degrees = degrees_of(preset->sea.*angle.radians);
         resolved.sea = preset->sea;
         resolved.preset = name;
         return;

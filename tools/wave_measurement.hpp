@@ -6,19 +6,20 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "pelagic/sim/statistics.hpp"
+#include "pelagic/sim/tile_plan.hpp"
 
 namespace pelagic::tools {
 
-/// Where and when the heights are.
+/// Where and when the heights of one tile are.
 struct HeightSeries {
-    int resolution = 0;  ///< N, a power of two
-    TileLattice lattice;
+    TilePlan tile;
     double depth_m = 0;
     double loop_period_s = 0;
     double likely_peak_period_s = 0;  ///< how far apart in time two frames tell directions best
@@ -38,11 +39,12 @@ struct MeasuredWaves {
     std::optional<double> peak_period_s;
     /// The same of by_wave_number carried to frequencies, as a wavelength; none for a flat sea.
     std::optional<double> peak_wavelength_m;
-    std::optional<WaveDirections> directions;  ///< needs two frames
+    std::optional<WaveDirections> directions;  ///< needs two frames that tell half of the energy and more
     std::vector<SpectrumPoint>
         by_frequency;  ///< mean over the points, in bands of 8 %; empty for fewer than 16 frames
-    std::vector<SpectrumPoint> by_wave_number;  ///< mean over some frames, in rings of one step of the lattice
-    std::string frequency_method;               ///< how by_frequency was estimated, for people
+    /// Mean over some frames, in rings as wide as a tile's lattice is fine. Rings that the end of a tile's band cuts are left out.
+    std::vector<SpectrumPoint> by_wave_number;
+    std::string frequency_method;  ///< how by_frequency was estimated, for people
 };
 
 class WaveMeasurement {
@@ -52,20 +54,26 @@ class WaveMeasurement {
     /// The frames in their order, N x N heights each, row by row. \pre no more than were announced
     void add_frame(std::span<const float> heights_m);
 
-    /// \pre all frames were added
-    MeasuredWaves result() const;
+    /// Of all tiles together, whose waves are independent. \pre all frames of each were added; the series differ in the tile only
+    friend MeasuredWaves measured_waves(std::span<const WaveMeasurement> tiles);
 
    private:
     struct Pair {
         std::size_t first, second;
         std::vector<float> heights_of_first;
     };
-    void add_pair(std::span<const float> first, std::span<const float> second);
-    void measure_frequencies(MeasuredWaves& found) const;
-    void measure_wave_numbers(MeasuredWaves& found) const;
+    void add_pair(const Pair& pair, std::span<const float> second);
+    struct Running {
+        double variance = 0, x = 0,
+               z = 0;  ///< of waves whose direction is known; times its unit vector along the tile's axes
+    };
+    Running running() const;
+    bool holds_whole_ring(std::size_t number) const;
+    std::size_t segment_length() const;
+    std::vector<double> frequency_density() const;
 
     HeightSeries series_;
-    std::size_t added_ = 0, gap_ = 0;
+    std::size_t added_ = 0;
     double variances_ = 0;
     std::size_t points_a_side_;
     std::vector<std::vector<float>> at_points_;  ///< [point][frame]
@@ -75,8 +83,11 @@ class WaveMeasurement {
         double variance = 0, weighted_k = 0;
     };
     std::vector<Ring> rings_;
-    double running_ = 0, running_x_ = 0,
-           running_z_ = 0;  ///< energy of waves whose direction is known; times its unit vector
+    std::vector<double>
+        running_;  ///< [wave] m^2 of the wave that runs along it, summed over the pairs that could tell
+    std::vector<std::uint8_t> told_;  ///< [wave] how many could
 };
+
+MeasuredWaves measured_waves(std::span<const WaveMeasurement> tiles);
 
 }  // namespace pelagic::tools
