@@ -140,7 +140,8 @@ typedef struct pelagic_sea {
 /* Sets every field but struct_size. */
 PELAGIC_API pelagic_status pelagic_sea_defaults(pelagic_sea* sea);
 
-/* The same for a sea state: "calm", "moderate", "rough" or "storm". */
+/* The same for a sea state: "calm", "lake", "swell", "moderate", "rough" or "storm", or the open sea of a force of wind,
+ * "beaufort-0" to "beaufort-12". */
 PELAGIC_API pelagic_status pelagic_sea_preset(const char* name, pelagic_sea* sea);
 
 /* PELAGIC_OK if an ocean could be made of it, else the message names the first bad field. */

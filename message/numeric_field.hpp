@@ -20,7 +20,7 @@ struct NumericField {
     double most;
     std::string_view accepted;  ///< the range in words: "(0, 60]", "a power of two from 16 to 2048"
     Among among = Among::all;
-    std::optional<double> also = {};  ///< one more number, which means something else: such as -1, from the wind
+    std::optional<double> also = {};  ///< one more number, which means something else: such as 0, chosen for you
 
     /// False for NaN and infinities.
     bool accepts(double value) const {

@@ -68,13 +68,14 @@ TEST(CInterface, GivesTheGoldenFrame) {
 }
 
 TEST(CInterface, PresetsAreSeas) {
-    for (const char* name : {"calm", "moderate", "rough", "storm"}) {
+    for (const char* name : {"calm", "lake", "swell", "moderate", "rough", "storm", "beaufort-0", "beaufort-12"}) {
         auto sea = sized<pelagic_sea>();
         EXPECT_EQ(pelagic_sea_preset(name, &sea), PELAGIC_OK);
         EXPECT_EQ(pelagic_sea_check(&sea), PELAGIC_OK);
     }
     auto sea = sized<pelagic_sea>();
-    expect_invalid(pelagic_sea_preset("choppy", &sea), "preset is choppy, needs one of calm, moderate, rough, storm");
+    expect_invalid(pelagic_sea_preset("choppy", &sea),
+                   "preset is choppy, needs one of calm, lake, swell, moderate, rough, storm, beaufort-0 to beaufort-12");
     expect_invalid(pelagic_sea_preset(std::string(5000, 'x').c_str(), &sea), "preset is xxx");
 }
 

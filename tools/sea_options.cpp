@@ -110,10 +110,14 @@ std::vector<std::string> names_of_spreadings() {
     return names;
 }
 
-std::vector<std::string> names_of_presets() {
-    std::vector<std::string> names;
-    for (const SeaPreset& preset : sea_presets()) names.emplace_back(preset.name);
-    return names;
+bool is_force(const SeaPreset& preset) { return preset.name.starts_with("beaufort-"); }
+
+/// A line for each preset but those of Beaufort's forces, which share one: thirteen of them would bury the others.
+std::string help_of_presets() {
+    std::string help = "a sea by name:";
+    for (const SeaPreset& preset : sea_presets())
+        if (!is_force(preset)) help.append("\n").append(preset.name).append(": ").append(preset.summary);
+    return help + "\nbeaufort-0 to beaufort-12: the open sea of that force of wind, Hs 0 to 14 m";
 }
 
 [[noreturn]] void refuse_name(const std::string& asked_by, const std::string& value,
@@ -122,17 +126,22 @@ std::vector<std::string> names_of_presets() {
 }
 
 void apply_preset(ResolvedSea& resolved, const std::string& name, const std::string& asked_by) {
-    for (const SeaPreset& preset : sea_presets()) {
-        if (preset.name != name) continue;
+    if (const SeaPreset* preset = sea_preset_named(name)) {
         resolved = {};
         for (const SeaAngle& angle : angles)  // a degree that a preset leaves as it is by default keeps its digits
-            if (preset.sea.*angle.radians != resolved.sea.*angle.radians)
-                resolved.*angle.degrees = preset.sea.*angle.radians / radians_per_degree;
-        resolved.sea = preset.sea;
+            if (preset->sea.*angle.radians != resolved.sea.*angle.radians)
+                resolved.*angle.degrees = preset->sea.*angle.radians / radians_per_degree;
+        resolved.sea = preset->sea;
         resolved.preset = name;
         return;
     }
-    refuse_name(asked_by, name, names_of_presets());
+    std::vector<std::string> all, few;
+    for (const SeaPreset& preset : sea_presets()) {
+        all.emplace_back(preset.name);
+        if (!is_force(preset)) few.push_back(all.back());
+    }
+    few.push_back("beaufort-0 to beaufort-12");
+    throw bad_value(asked_by, name, list_of(few) + nearest_hint(name, all));
 }
 
 void apply_number(ResolvedSea& resolved, const SeaFlag& flag, const std::string& text, const std::string& asked_by) {
@@ -188,10 +197,7 @@ void SeaOptions::add_to(CLI::App& app) {
         const std::string name(flag);
         app.add_option("--" + name, typed_[name], help)->type_name(type)->group("Sea");
     };
-    std::string presets = "a sea by name:";
-    for (const SeaPreset& preset : sea_presets())
-        presets.append("\n").append(preset.name).append(": ").append(preset.summary);
-    add("preset", "NAME", presets);
+    add("preset", "NAME", help_of_presets());
     add("config", "FILE",
         "a sea in a file: TOML whose keys are these flags' names with underscores, or a sea.json of export; flags "
         "win");
