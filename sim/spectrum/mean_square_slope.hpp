@@ -26,8 +26,8 @@ struct SlopeMoments {
     SlopeVariance around(double wind_direction_rad) const;
 };
 
-/// What is left of measured_slopes(): never less than 0, in both directions. A tile's steeper waves don't lend the other
-/// direction what they have too much.
+/// What is left of measured_slopes(), never less than 0. Waves that have too much in one direction take it from the other, so
+/// that both sums together are the measured one, unless the waves alone have more.
 SlopeVariance unresolved_slopes(const SlopeVariance& resolved, double wind_speed_mps);
 
 /// What the smoothness channel says: the sea's own roughness if it has one, else alpha of a GGX surface whose mean square
