@@ -15,8 +15,8 @@ SlopeVariance measured_slopes(double wind_speed_mps);
 struct SlopeMoments {
     double xx = 0, zz = 0, xz = 0;
 
-    /// A wave of that mean square, m^2. `difference_x` and `_z` are what the derivative makes of the wave number, 1/m:
-    /// sin(k_x d) / d for central differences over texels of side d, k_x for a derivative that is exact.
+    /// A wave of that mean square, m^2. `difference_x` and `_z` are what the texture's derivative makes of the wave number, 1/m:
+    /// sin(k_x d) / d for central differences over texels of side d.
     void add_wave(double mean_square, double difference_x, double difference_z);
     SlopeMoments& operator+=(const SlopeMoments& other);
 
