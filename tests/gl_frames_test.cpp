@@ -23,7 +23,6 @@ TEST(GlFrames, DriverIsSilentOver200FramesWithResizesAndALostContext) {
         // The second scene is what a host builds after its context was lost: everything anew.
         GlScene scene({.quality = "low",
                        .resolution = 64,
-                       .patch_size_m = 250,
                        .width = 96,
                        .height = 64,
                        .samples = 1,

@@ -37,7 +37,6 @@ TEST_P(GlHoles, NothingShowsThroughTheSeaBelowTheHorizon) {
     const double size_m = std::string_view(GetParam()) == "ultra" ? 512 : 4096;
     GlScene scene({.quality = GetParam(),
                    .resolution = 128,
-                   .patch_size_m = 250,
                    .width = width,
                    .height = height,
                    .samples = 1,

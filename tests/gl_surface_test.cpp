@@ -28,7 +28,6 @@ TEST(GlSurface, LiesWhereTheFramesTexelsSayAndNotHalfATexelBeside) {
     sea.choppiness = 0;
     GlScene scene({.quality = "ultra",
                    .resolution = 256,
-                   .patch_size_m = 250,
                    .width = side,
                    .height = side,
                    .samples = 1,
@@ -78,7 +77,6 @@ TEST(GlSurface, IsTheSameWhateverItsPositionsAreRelativeTo) {
     GlScene scene({.preset = "moderate",
                    .quality = "low",
                    .resolution = 64,
-                   .patch_size_m = 250,
                    .width = 160,
                    .height = 90,
                    .samples = 1});

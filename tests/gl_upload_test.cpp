@@ -50,7 +50,6 @@ TEST(GlUpload, AChangeOfSeaDrawsEachFrameAsTheSeaThatItIs) {
     GlScene scene({.preset = "calm",
                    .quality = "low",
                    .resolution = 128,
-                   .patch_size_m = 250,
                    .width = 96,
                    .height = 64,
                    .samples = 1});
@@ -64,7 +63,6 @@ TEST(GlUpload, AChangeOfSeaDrawsEachFrameAsTheSeaThatItIs) {
     GlScene fresh({.preset = "storm",
                    .quality = "low",
                    .resolution = 128,
-                   .patch_size_m = 250,
                    .width = 96,
                    .height = 64,
                    .samples = 1});
