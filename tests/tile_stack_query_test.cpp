@@ -107,7 +107,7 @@ TEST(TileStackQuery, AnswersAsTheOracleForTwoToFourTurnedTiles) {
                 SCOPED_TRACE(std::to_string(tiles) + " tiles, " + std::to_string(wind_mps) + " m/s, choppiness " +
                              std::to_string(choppiness));
                 const TileStack stack(TileStack::of_scales(tiles, wind_mps, choppiness, 5, 64), 3.7);
-                expect_as_oracle(stack.frame(), random_points(is_sanitized ? 10 : 150, 3000, 4), false);
+                expect_as_oracle(stack.frame(), random_points(is_sanitized ? 10 : 600, 3000, 4), false);
             }
         }
     }
@@ -122,10 +122,10 @@ std::vector<TileStack::Part> exaggerated(std::vector<TileStack::Part> parts, dou
 TEST(TileStackQuery, OfSheetsOverOneAnotherTheHighestCounts) {
     std::size_t folded = 0;
     for (const std::size_t tiles : {2, 3, 4}) {
-        for (const double factor : {2.0, 3.0}) {
+        for (const double factor : {4.0, 6.0, 10.0}) {
             SCOPED_TRACE(std::to_string(tiles) + " tiles, " + std::to_string(factor) + " times as steep");
             const TileStack stack(exaggerated(TileStack::of_scales(tiles, 12, 1, 9, 32), factor), 2);
-            folded += expect_as_oracle(stack.frame(), random_points(is_sanitized ? 5 : 100, 300, 6), true);
+            folded += expect_as_oracle(stack.frame(), random_points(is_sanitized ? 5 : 300, 300, 6), true);
         }
     }
     EXPECT_GT(folded, is_sanitized ? 0u : 60u);
