@@ -124,10 +124,10 @@ typedef struct pelagic_sea {
     double fetch_m;            /* how far the wind has blown over water (jonswap); (0, 2e6] */
     double depth_m;            /* waves over 0.6 of it break; [0.01, 11000] */
     double choppiness;         /* 0 gives a height field; [0, 1] */
-    double roughness;          /* of the water between texels, for the smoothness channel; [0, 1] */
-    double small_waves;        /* 0 keeps small waves, 1 removes those below a quarter of the peak's; [0, 1] */
-    double alignment;          /* with 0 a third of the energy runs against the wind, with 1 a hundredth; [0, 1] */
-    double loop_period_s;      /* T, the sea repeats exactly after this time; [0.1, 86400] */
+    double roughness;     /* of the water between texels, for the smoothness channel; [0, 1], or -1: from the wind */
+    double small_waves;   /* 0 keeps small waves, 1 removes those below a quarter of the peak's; [0, 1] */
+    double alignment;     /* with 0 a third of the energy runs against the wind, with 1 a hundredth; [0, 1] */
+    double loop_period_s; /* T, the sea repeats exactly after this time; [0.1, 86400] */
     /* Newer than the fields above. */
     int32_t spreading;          /* PELAGIC_SPREADING_...; the spectrum phillips-paper takes no other than paper */
     uint32_t reserved;          /* 0 */
@@ -140,7 +140,8 @@ typedef struct pelagic_sea {
 /* Sets every field but struct_size. */
 PELAGIC_API pelagic_status pelagic_sea_defaults(pelagic_sea* sea);
 
-/* The same for a sea state: "calm", "moderate", "rough" or "storm". */
+/* The same for a sea state: "calm", "lake", "swell", "moderate", "rough" or "storm", or the open sea of a force of wind,
+ * "beaufort-0" to "beaufort-12". */
 PELAGIC_API pelagic_status pelagic_sea_preset(const char* name, pelagic_sea* sea);
 
 /* PELAGIC_OK if an ocean could be made of it, else the message names the first bad field. */

@@ -44,8 +44,9 @@ pelagic_sea c_sea_of(const SeaState& from) {
 
 std::string preset_names() {
     std::string names;
-    for (const SeaPreset& preset : sea_presets()) names.append(names.empty() ? "" : ", ").append(preset.name);
-    return names;
+    for (const SeaPreset& preset : sea_presets())
+        if (!preset.name.starts_with("beaufort-")) names.append(preset.name).append(", ");
+    return names + "beaufort-0 to beaufort-12";
 }
 
 }  // namespace
@@ -88,8 +89,7 @@ pelagic_status pelagic_sea_preset(const char* name, pelagic_sea* sea) {
     return guarded([&] {
         const std::string_view wanted = &needed(name, "name");
         struct_bytes(sea, "sea");
-        for (const SeaPreset& preset : sea_presets())
-            if (preset.name == wanted) return write_struct(c_sea_of(preset.sea), sea);
+        if (const SeaPreset* preset = sea_preset_named(wanted)) return write_struct(c_sea_of(preset->sea), sea);
         refuse(refusal("preset", wanted, "one of " + preset_names()));
     });
 }

@@ -1,5 +1,7 @@
-// Seas by name. Heights follow the World Meteorological Organization's sea states (code table 3700), winds the
-// Beaufort scale; each patch holds at least two peak wavelengths, so that the sea is the one that the wind makes.
+// Seas by name: the files of presets/, which cmake/sea_presets.cmake has made a table of. Heights of the named ones follow the
+// World Meteorological Organization's sea states (Manual on Codes, WMO-No. 306, code table 3700). Those of beaufort-1 to
+// beaufort-12 are the probable wave heights of the open sea in its table of Beaufort's forces, at a speed of the force's range
+// and the fetch that gives them; waves of 0.1 m, the table's least, need more than a light air, so beaufort-1 has 0.06 m.
 #include <array>
 
 #include "pelagic/sim/sea_state.hpp"
@@ -8,33 +10,17 @@ namespace pelagic {
 namespace {
 
 const std::array presets = {
-    SeaPreset{"calm",
-              "light breeze near a coast, Hs 0.3 m (sea state 2)",
-              {.patch_size_m = 50, .wind_speed_mps = 3, .fetch_m = 20e3, .choppiness = 0.6, .roughness = 0.05}},
-    SeaPreset{"moderate",
-              "fresh breeze in open water, Hs 2.2 m (sea state 4)",
-              {.patch_size_m = 200, .wind_speed_mps = 8, .fetch_m = 150e3, .choppiness = 0.8}},
-    SeaPreset{"rough",
-              "strong breeze over a long fetch, Hs 3.5 m (sea state 5)",
-              {.patch_size_m = 300,
-               .wind_speed_mps = 12,
-               .fetch_m = 200e3,
-               .choppiness = 0.9,
-               .roughness = 0.15,
-               .alignment = 0.6}},
-    SeaPreset{"storm",
-              "gale over a long fetch, Hs 8 m (sea state 7)",
-              {.resolution = 512,
-               .patch_size_m = 800,
-               .wind_speed_mps = 19,
-               .fetch_m = 400e3,
-               .choppiness = 1,
-               .roughness = 0.2,
-               .alignment = 0.7}},
+#include "pelagic/generated/sea_presets.inc"
 };
 
 }  // namespace
 
 std::span<const SeaPreset> sea_presets() { return presets; }
+
+const SeaPreset* sea_preset_named(std::string_view name) {
+    for (const SeaPreset& preset : presets)
+        if (preset.name == name) return &preset;
+    return nullptr;
+}
 
 }  // namespace pelagic

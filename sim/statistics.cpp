@@ -19,60 +19,212 @@ namespace {
 
 constexpr double two_pi = 6.28318530717958647693;
 
-/// Calls visit(k, variance) for the waves (m, n), (-m, n), (m, -n) and (-m, -n) of each tile's lattice together, which share a
-/// wave number. `variance` is the sum of variances_of(waves, m, n), two numbers: what (m, n) and its opposite hold, and what
-/// (-m, n) and its opposite hold; on the axes the first alone. DC and the Nyquist row and column hold no waves.
-template <class VariancesOf, class Visit>
-void for_each_wave_number(const SeaState& sea, VariancesOf variances_of, Visit visit) {
-    for (const TilePlan& tile : plan_tiles(sea)) {
-        const TileWaves waves(sea, tile);
-        const double spacing = tile.spacing();
-        for (int n = 0; n < tile.resolution / 2; ++n) {
-            for (int m = n == 0 ? 1 : 0; m < tile.resolution / 2; ++m) {
-                const double kx = m * spacing, kz = n * spacing;
-                const auto [plus, minus] = variances_of(waves, m, n);
-                visit(std::sqrt(kx * kx + kz * kz), m > 0 && n > 0 ? plus + minus : plus);
-            }
-        }
+/// Sums over waves of their variance, m^2.
+struct Moments {
+    double variance = 0;
+    double x = 0, z = 0;  ///< times the unit vector in which they run
+
+    /// A wave that runs along (cosine_x, cosine_z) and the one against it.
+    void add(double along, double against, double cosine_x, double cosine_z) {
+        variance += along + against;
+        x += (along - against) * cosine_x;
+        z += (along - against) * cosine_z;
     }
+};
+
+/// What one pass over all tiles' lattices finds: every figure of this file comes from these.
+struct GridSums {
+    Moments expected;               ///< the mean over all seeds
+    std::vector<TileSlopes> tiles;  ///< the same
+    Moments drawn;                  ///< of this seed, as are the rest
+    std::vector<double> bands;      ///< of frequency, band_ratio wide, from that of the longest wave on; m^2
+    std::unordered_map<std::uint32_t, double> harmonics;  ///< periods in a loop, m^2
+};
+
+// Bands 5 % wide from the longest wave of the lattice up to the shortest.
+constexpr double band_ratio = 1.05;
+
+double lowest_band_hz(const SeaState& sea) {
+    return angular_frequency(plan_tiles(sea).front().spacing(), sea.depth_m) / two_pi;
 }
 
-/// The same with the waves that this seed drew.
-template <class Visit>
-void for_each_drawn_wave_number(const SeaState& sea, Visit visit) {
-    const auto variances_of = [](const TileWaves& waves, int m, int n) {
-        const TileWaves::MirroredPair pair = waves.pair(m, n);
-        return std::pair(pair.plus.drawn_square(), pair.minus.drawn_square());
+enum class Draws { no, yes };
+
+/// Adds a tile's waves. (m, n) and (-m, n) share a wave number, and most of the work. Without draws only what is the mean over
+/// all seeds is summed, for half the work.
+void add_tile(const SeaState& sea, const TilePlan& tile, Draws draws, GridSums& sums) {
+    const TileWaves waves(sea, tile);
+    const Water water(sea.depth_m, tile.has_surface_tension ? sea_surface_tension_m3ps2 : 0);
+    const auto wind = det::sine_cosine_of_turns(sea.wind_direction_rad / two_pi);
+    const double log_ratio = det::log(band_ratio), lowest = lowest_band_hz(sea);
+    SlopeVariance slopes;
+
+    // The wave (m, n) and the one against it; what they hold of this seed.
+    const auto add_pair = [&](const OppositeDensities& variances, int m, int n, double k) {
+        const auto [kx, kz] = tile.lattice.in_world(m * tile.spacing(), n * tile.spacing());
+        // Each h~(k) is h0(k) and a mirror of h0(-k), so every amplitude counts twice in the variance.
+        sums.expected.add(2 * variances.along, 2 * variances.against, kx / k, kz / k);
+        const double expected = 2 * (variances.along + variances.against);
+        const double k_along = kx * wind.cosine + kz * wind.sine, k_across = kz * wind.cosine - kx * wind.sine;
+        slopes.along_wind += expected * (k_along * k_along);
+        slopes.across_wind += expected * (k_across * k_across);
+        if (draws == Draws::no) return 0.0;
+        const double along = 2 * waves.drawn_square(variances.along, m, n);
+        const double against = 2 * waves.drawn_square(variances.against, -m, -n);
+        sums.drawn.add(along, against, kx / k, kz / k);
+        return along + against;
     };
-    for_each_wave_number(sea, variances_of, visit);
+    // DC and the Nyquist row and column hold no waves.
+    for (int n = 0; n < tile.resolution / 2; ++n) {
+        for (int m = n == 0 ? 1 : 0; m < tile.resolution / 2; ++m) {
+            const double k = tile.spacing() * std::sqrt(static_cast<double>(m) * m + static_cast<double>(n) * n);
+            const TileWaves::MirroredVariances variances = waves.variances(m, n);
+            double drawn = add_pair(variances.plus, m, n, k);
+            if (m > 0 && n > 0) drawn += add_pair(variances.minus, -m, n, k);
+            if (!(drawn > 0)) continue;
+            const double omega = angular_frequency(k, water);
+            const double rise = det::log(omega / two_pi / lowest) / log_ratio;
+            const auto band = static_cast<std::size_t>(std::max(0.0, rise));
+            if (band >= sums.bands.size()) sums.bands.resize(band + 1);
+            sums.bands[band] += drawn;
+            sums.harmonics[loop_harmonic(omega, sea.loop_period_s)] += drawn;
+        }
+    }
+    sums.tiles.push_back({tile.lattice.side_m, tile.resolution, slopes});
+}
+
+GridSums sums_over(const SeaState& sea, Draws draws) {
+    GridSums sums;
+    for (const TilePlan& tile : plan_tiles(sea)) add_tile(sea, tile, draws, sums);
+    return sums;
 }
 
 std::string short_text(double value) { return rounded_text(value, 3); }
 
-/// What a patch does to the height, over all seeds: one seed's own may as well be above the model's.
-std::string height_beside_model(const SeaState& sea) {
-    const ExpectedWaves waves = expected_waves(sea);
-    if (!waves.model_significant_wave_height_m) return {};
-    return ", over all seeds Hs " + short_text(waves.significant_wave_height_m) + " m, where this wind makes " +
-           short_text(*waves.model_significant_wave_height_m) + " m";
+/// What the model says, with the sums of the grid.
+ExpectedWaves expected_from(const WaveSpectrum& spectrum, const SpectralPeak& peak, const GridSums& sums) {
+    ExpectedWaves waves{4 * std::sqrt(sums.expected.variance), two_pi / peak.omega, two_pi / peak.k, {}};
+    if (spectrum.is_physical()) waves.model_significant_wave_height_m = 4 * std::sqrt(spectrum.variance());
+    return waves;
+}
+
+double peak_period_from(const SeaState& sea, const GridSums& sums) {
+    double weight = 0, weighted_frequency = 0;
+    double edge = lowest_band_hz(sea);
+    for (const double energy : sums.bands) {
+        const double width = edge * (band_ratio - 1);
+        const double density = energy / width;
+        const double fourth = density * density * density * density * width;
+        weight += fourth;
+        weighted_frequency += fourth * (edge + 0.5 * width);
+        edge *= band_ratio;
+    }
+    return weight / weighted_frequency;
+}
+
+LoopFrequencies loop_frequencies_from(const GridSums& sums) {
+    std::vector<double> falling;
+    double all = 0;
+    for (const auto& [harmonic, variance] : sums.harmonics) falling.push_back(variance);
+    std::sort(falling.begin(), falling.end(), std::greater());
+    for (const double variance : falling) all += variance;
+    if (!(all > 0)) return {};
+    LoopFrequencies found{0, falling.front() / all};
+    double held = 0;
+    for (const double variance : falling) {
+        if (held >= 0.9) break;
+        held += variance / all;
+        ++found.for_90_percent;
+    }
+    return found;
+}
+
+/// The angle of (x, z) in (-pi, pi], the same bits everywhere: Newton's steps from the nearest quarter of a turn, each of
+/// which leaves the cube of the error over six.
+double angle_of(double x, double z) {
+    const double length = std::sqrt(x * x + z * z);
+    if (!(length > 0)) return 0;
+    double turns = std::fabs(z) > std::fabs(x) ? (z > 0 ? 0.25 : -0.25) : x < 0 ? (z < 0 ? -0.5 : 0.5) : 0.0;
+    for (int step = 0; step < 5; ++step) {
+        const auto at = det::sine_cosine_of_turns(turns);
+        turns += (z * at.cosine - x * at.sine) / length / two_pi;
+    }
+    return turns * two_pi;
+}
+
+WaveDirections directions_from(const Moments& moments) {
+    if (!(moments.variance > 0)) return {};
+    const double first = std::sqrt(moments.x * moments.x + moments.z * moments.z) / moments.variance;
+    return {angle_of(moments.x, moments.z), std::sqrt(2 * std::max(0.0, 1 - first))};
+}
+
+std::vector<std::string> warnings_from(const SeaState& sea, const WaveSpectrum& spectrum, const SpectralPeak& peak,
+                                       const ExpectedWaves& waves, const LoopFrequencies& found) {
+    const TilePlan coarsest = plan_tiles(sea).front(), finest = plan_tiles(sea).back();
+    const double peak_wavelength_m = waves.peak_wavelength_m;
+    // What a patch does to the height, over all seeds: one seed's own may as well be above the model's.
+    const auto height_beside_model = [&]() -> std::string {
+        if (!waves.model_significant_wave_height_m) return {};
+        return ", over all seeds Hs " + short_text(waves.significant_wave_height_m) + " m, where this wind makes " +
+               short_text(*waves.model_significant_wave_height_m) + " m";
+    };
+    std::vector<std::string> warnings;
+    if (const double kept = spectrum.kept_by_breaking(); kept < 1) {
+        const double height = highest_over_depth * sea.depth_m;
+        warnings.push_back("in " + number_text(sea.depth_m) + " m of water waves break: of Hs " +
+                           short_text(height / std::sqrt(kept)) + " m " + short_text(height) +
+                           " m is left, 0.6 of the depth");
+    }
+    if (coarsest.lattice.side_m < 2 * peak_wavelength_m)
+        warnings.push_back("the patch of " + number_text(coarsest.lattice.side_m) +
+                           " m is shorter than two peak wavelengths (" + short_text(2 * peak_wavelength_m) +
+                           " m): it holds few of the largest waves, or none, so each seed is higher or lower" +
+                           height_beside_model());
+    if (const double shortest = 2 * finest.lattice.side_m / finest.resolution; peak_wavelength_m < 2 * shortest)
+        warnings.push_back("the grid's shortest wave of " + short_text(shortest) +
+                           " m is longer than half the peak wavelength (" + short_text(peak_wavelength_m) +
+                           " m): raise the resolution or shrink the patch");
+    const double looped = loop_harmonic(peak.omega, sea.loop_period_s) * two_pi / sea.loop_period_s;
+    if (std::fabs(looped / peak.omega - 1) > 0.1)
+        warnings.push_back("a loop of " + number_text(sea.loop_period_s) + " s bends the peak's period by " +
+                           number_text(std::round(100 * std::fabs(peak.omega / looped - 1))) +
+                           " %: waves of a loop run a whole number of periods");
+    if (found.largest_share > 0 && found.for_90_percent < fewest_loop_frequencies)
+        warnings.push_back("a loop of " + number_text(sea.loop_period_s) +
+                           " s is short for this sea: " + number_text(found.for_90_percent) +
+                           " of its frequencies hold 90 % of the energy, so waves rise and fall in step; ten peak "
+                           "periods, " +
+                           number_text(std::round(10 * two_pi / peak.omega)) + " s, leave about ten");
+    return warnings;
 }
 
 }  // namespace
 
+SeaReport report_on(const SeaState& sea) {
+    const DefaultFloatEnvironment environment;
+    const WaveSpectrum spectrum(sea, plan_tiles(sea).front());
+    const SpectralPeak peak = peak_of(spectrum, sea);
+    GridSums sums = sums_over(sea, Draws::yes);
+    SeaReport report;
+    report.expected = expected_from(spectrum, peak, sums);
+    report.drawn_peak_period_s = peak_period_from(sea, sums);
+    report.expected_directions = directions_from(sums.expected);
+    report.drawn_directions = directions_from(sums.drawn);
+    report.tiles = std::move(sums.tiles);
+    report.loop_frequencies = loop_frequencies_from(sums);
+    report.warnings = warnings_from(sea, spectrum, peak, report.expected, report.loop_frequencies);
+    return report;
+}
+
+// W was measured 12.5 m above the sea, where wind blows 2 % faster than at 10 m: less than the formula is sure of.
+SlopeVariance cox_and_munk_slopes(double wind_speed_mps) {
+    return {0.00316 * wind_speed_mps, 0.003 + 0.00192 * wind_speed_mps};
+}
+
 ExpectedWaves expected_waves(const SeaState& sea) {
     const DefaultFloatEnvironment environment;
     const WaveSpectrum spectrum(sea, plan_tiles(sea).front());
-    // Each h~(k) is h0(k) and a mirror of h0(-k), so every amplitude counts twice in the variance.
-    double variance = 0;
-    const auto variances_of = [](const TileWaves& waves, int m, int n) {
-        const auto [plus, minus] = waves.variances(m, n);
-        return std::pair(plus.along + plus.against, minus.along + minus.against);
-    };
-    for_each_wave_number(sea, variances_of, [&](double, double held) { variance += 2 * held; });
-    const SpectralPeak peak = peak_of(spectrum, sea);
-    ExpectedWaves waves{4 * std::sqrt(variance), two_pi / peak.omega, two_pi / peak.k, {}};
-    if (spectrum.is_physical()) waves.model_significant_wave_height_m = 4 * std::sqrt(spectrum.variance());
-    return waves;
+    return expected_from(spectrum, peak_of(spectrum, sea), sums_over(sea, Draws::no));
 }
 
 double measured_significant_wave_height_m(const Frame& frame) {
@@ -94,91 +246,10 @@ double measured_significant_wave_height_m(const Frame& frame) {
     return 4 * std::sqrt(variance);
 }
 
-double measured_peak_period_s(const SeaState& sea) {
-    const DefaultFloatEnvironment environment;
-    // Bands 5 % wide from the longest wave of the lattice up to the shortest.
-    constexpr double band_ratio = 1.05;
-    const double log_ratio = det::log(band_ratio);
-    const double lowest = angular_frequency(plan_tiles(sea).front().spacing(), sea.depth_m) / two_pi;
-    std::vector<double> energy;
-    for_each_drawn_wave_number(sea, [&](double k, double variance) {
-        const double frequency = angular_frequency(k, sea.depth_m) / two_pi;
-        const auto band = static_cast<std::size_t>(std::max(0.0, det::log(frequency / lowest) / log_ratio));
-        if (band >= energy.size()) energy.resize(band + 1);
-        energy[band] += variance;
-    });
+double measured_peak_period_s(const SeaState& sea) { return report_on(sea).drawn_peak_period_s; }
 
-    double weight = 0, weighted_frequency = 0;
-    double edge = lowest;
-    for (const double e : energy) {
-        const double width = edge * (band_ratio - 1);
-        const double density = e / width;
-        const double fourth = density * density * density * density * width;
-        weight += fourth;
-        weighted_frequency += fourth * (edge + 0.5 * width);
-        edge *= band_ratio;
-    }
-    return weight / weighted_frequency;
-}
+LoopFrequencies loop_frequencies(const SeaState& sea) { return report_on(sea).loop_frequencies; }
 
-LoopFrequencies loop_frequencies(const SeaState& sea) {
-    const DefaultFloatEnvironment environment;
-    std::unordered_map<std::uint32_t, double> variances;
-    double all = 0;
-    for_each_drawn_wave_number(sea, [&](double k, double variance) {
-        variances[loop_harmonic(angular_frequency(k, sea.depth_m), sea.loop_period_s)] += variance;
-        all += variance;
-    });
-    if (!(all > 0)) return {};
-
-    std::vector<double> falling;
-    for (const auto& [harmonic, variance] : variances) falling.push_back(variance / all);
-    std::sort(falling.begin(), falling.end(), std::greater());
-    LoopFrequencies found{0, falling.front()};
-    double held = 0;
-    for (const double share : falling) {
-        if (held >= 0.9) break;
-        held += share;
-        ++found.for_90_percent;
-    }
-    return found;
-}
-
-std::vector<std::string> warnings_about(const SeaState& sea) {
-    const DefaultFloatEnvironment environment;
-    const TilePlan coarsest = plan_tiles(sea).front(), finest = plan_tiles(sea).back();
-    const WaveSpectrum spectrum(sea, coarsest);
-    const SpectralPeak peak = peak_of(spectrum, sea);
-    const double peak_wavelength_m = two_pi / peak.k;
-    std::vector<std::string> warnings;
-    if (const double kept = spectrum.kept_by_breaking(); kept < 1) {
-        const double height = highest_over_depth * sea.depth_m;
-        warnings.push_back("in " + number_text(sea.depth_m) + " m of water waves break: of Hs " +
-                           short_text(height / std::sqrt(kept)) + " m " + short_text(height) +
-                           " m is left, 0.6 of the depth");
-    }
-    if (coarsest.lattice.side_m < 2 * peak_wavelength_m)
-        warnings.push_back("the patch of " + number_text(coarsest.lattice.side_m) +
-                           " m is shorter than two peak wavelengths (" + short_text(2 * peak_wavelength_m) +
-                           " m): it holds few of the largest waves, or none, so each seed is higher or lower" +
-                           height_beside_model(sea));
-    if (const double shortest = 2 * finest.lattice.side_m / finest.resolution; peak_wavelength_m < 2 * shortest)
-        warnings.push_back("the grid's shortest wave of " + short_text(shortest) +
-                           " m is longer than half the peak wavelength (" + short_text(peak_wavelength_m) +
-                           " m): raise the resolution or shrink the patch");
-    const double looped = loop_harmonic(peak.omega, sea.loop_period_s) * two_pi / sea.loop_period_s;
-    if (std::fabs(looped / peak.omega - 1) > 0.1)
-        warnings.push_back("a loop of " + number_text(sea.loop_period_s) + " s bends the peak's period by " +
-                           number_text(std::round(100 * std::fabs(peak.omega / looped - 1))) +
-                           " %: waves of a loop run a whole number of periods");
-    if (const LoopFrequencies found = loop_frequencies(sea);
-        found.largest_share > 0 && found.for_90_percent < fewest_loop_frequencies)
-        warnings.push_back("a loop of " + number_text(sea.loop_period_s) +
-                           " s is short for this sea: " + number_text(found.for_90_percent) +
-                           " of its frequencies hold 90 % of the energy, so waves rise and fall in step; ten peak "
-                           "periods, " +
-                           number_text(std::round(10 * two_pi / peak.omega)) + " s, leave about ten");
-    return warnings;
-}
+std::vector<std::string> warnings_about(const SeaState& sea) { return report_on(sea).warnings; }
 
 }  // namespace pelagic

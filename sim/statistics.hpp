@@ -1,4 +1,4 @@
-// How high and how long the waves are: what the model promises, and what this sea holds.
+// How high, long, steep and spread the waves are: what the model promises, and what this sea holds.
 #pragma once
 
 #include <optional>
@@ -18,7 +18,7 @@ struct ExpectedWaves {
     std::optional<double> model_significant_wave_height_m;
 };
 
-/// Sums the spectrum over the grid: O(N^2).
+/// Sums the spectrum over the grid, without this seed's draws: O(N^2).
 ExpectedWaves expected_waves(const SeaState& sea);
 
 /// 4 times the standard deviation of the frame's heights, summed in double, row by row.
@@ -41,6 +41,43 @@ LoopFrequencies loop_frequencies(const SeaState& sea);
 /// equal waves of their own frequencies has the kurtosis 3 - 3/(2n): from 8 on it is within a sixteenth of the 3 of a
 /// real sea's, which is Gaussian. With the wind's spectra that is a loop of about eight peak periods.
 inline constexpr int fewest_loop_frequencies = 8;
+
+/// Where waves run, over the whole spectrum with its energy as weight (Kuik, van Vledder and Holthuijsen 1988, J. Phys.
+/// Oceanogr. 18, 1020-1034): with a = sum E cos(theta) / sum E and b the same of the sine, the mean is the angle of (a, b).
+struct WaveDirections {
+    double mean_rad = 0;  ///< towards which they run, from +x towards +z, in (-pi, pi]
+    /// sqrt(2 (1 - sqrt(a^2 + b^2))): the standard deviation where it is small; 0 for one direction, sqrt(2) for all alike.
+    double spread_rad = 0;
+};
+
+/// Mean square of the sea's slope along the wind and across it, tangents squared.
+struct SlopeVariance {
+    double along_wind = 0, across_wind = 0;
+    double total() const { return along_wind + across_wind; }
+};
+
+/// What a clean sea has in all: 0.00316 W along the wind and 0.003 + 0.00192 W across it (Cox and Munk 1954, J. Opt. Soc.
+/// Am. 44, 838-850, whose fit of the total by itself is 0.003 + 0.00512 W).
+SlopeVariance cox_and_munk_slopes(double wind_speed_mps);
+
+/// The slope of the waves that a tile holds, the mean over all seeds; shorter waves are below its texels.
+struct TileSlopes {
+    double side_m;
+    int resolution;
+    SlopeVariance slopes;
+};
+
+/// All that follows from a sea's options, in one pass over its waves: as long as one of the functions above and below.
+struct SeaReport {
+    ExpectedWaves expected;
+    double drawn_peak_period_s = 0;  ///< measured_peak_period_s()
+    WaveDirections expected_directions;
+    WaveDirections drawn_directions;  ///< of the waves that this seed drew
+    std::vector<TileSlopes> tiles;
+    LoopFrequencies loop_frequencies = {};
+    std::vector<std::string> warnings;  ///< warnings_about()
+};
+SeaReport report_on(const SeaState& sea);
 
 /// What a user should know before trusting this sea, a sentence each: a patch shorter than two peak wavelengths,
 /// a grid too coarse for the peak, a loop so short that the peak's period is far off or that few

@@ -13,13 +13,9 @@ const gl::Sky& test_sky() {
 }
 
 SeaState sea_named(std::string_view name, int resolution) {
-    for (const SeaPreset& preset : sea_presets())
-        if (preset.name == name) {
-            SeaState sea = preset.sea;
-            if (resolution > 0) sea.resolution = resolution;
-            return sea;
-        }
-    return {};
+    SeaState sea = sea_preset_named(name)->sea;
+    if (resolution > 0) sea.resolution = resolution;
+    return sea;
 }
 
 GlScene::GlScene(const Options& options)

@@ -12,6 +12,7 @@ export DESTDIR=  # the caller's would move the prefix
 "$cmake" --install "$build" --prefix "$work/first" >/dev/null
 mv "$work/first" "$work/prefix"  # package files must not remember where they were put
 
+diff -r "$examples/../presets" "$work/prefix/share/pelagic/presets"
 cp -r "$examples" "$work/examples"
 for host in cpp_host c_host; do
   "$cmake" -S "$work/examples/$host" -B "$work/$host" -DCMAKE_PREFIX_PATH="$work/prefix" -DCMAKE_BUILD_TYPE=Release \

@@ -73,10 +73,12 @@ enum class Peer { paper, fftw_packed, fftw_separate };
 class PeerOf : public testing::TestWithParam<std::tuple<Peer, Case>> {
    protected:
     PeerOf() : ocean_(one().sea, {.executor = make_serial_executor()}), ours_(ocean_.frame_at(one().time_s)) {
+        SeaState sea = one().sea;
+        sea.roughness = ours_.figures.roughness;  // peers know no other than the user's
         switch (std::get<Peer>(GetParam())) {
-            case Peer::paper: paper_.emplace(one().sea); break;
-            case Peer::fftw_packed: fftw_.emplace(one().sea, choose_isa(), FftwArrangement::packed); break;
-            case Peer::fftw_separate: fftw_.emplace(one().sea, choose_isa(), FftwArrangement::separate); break;
+            case Peer::paper: paper_.emplace(sea); break;
+            case Peer::fftw_packed: fftw_.emplace(sea, choose_isa(), FftwArrangement::packed); break;
+            case Peer::fftw_separate: fftw_.emplace(sea, choose_isa(), FftwArrangement::separate); break;
         }
         theirs_ = paper_ ? paper_->frame_at(one().time_s) : fftw_->frame_at(one().time_s);
     }

@@ -144,7 +144,8 @@ TEST_P(TransformOnEachIsa, ColumnsTurnHalfAPlaneIntoRealFieldsTimesChoppiness) {
     const std::vector<float> lines(data.data(), data.data() + data.size());
 
     PartBounds bounds;
-    ColumnsFinalizeJob job{.blocks = {}, .fft = &fft_, .choppiness = choppiness, .bounds = &bounds};
+    ColumnsFinalizeJob job{
+        .blocks = {}, .fft = &fft_, .choppiness = choppiness, .cosine = 1, .sine = 0, .bounds = &bounds};
     for (std::size_t i = 0; i < blocks.size(); ++i) job.blocks[i] = data.data() + blocks[i] * block_floats;
     kernels().columns_finalize(job);
 

@@ -29,10 +29,10 @@ TEST(Whitecaps, CoverWhatWasObservedAtSea) {
 }
 
 TEST(Whitecaps, CoverThatPartOfEverySeaInTheMean) {
-    for (const SeaPreset& preset : sea_presets())
+    for (const char* name : {"calm", "moderate", "rough", "storm"})
         for (const double choppiness : {0.5, 1.0})
             for (const double wind_direction_rad : {0.0, 0.7}) {
-                SeaState sea = preset.sea;
+                SeaState sea = sea_preset_named(name)->sea;
                 sea.resolution = 128;
                 sea.choppiness = choppiness;
                 sea.wind_direction_rad = wind_direction_rad;
@@ -46,7 +46,7 @@ TEST(Whitecaps, CoverThatPartOfEverySeaInTheMean) {
                 const double wanted = whitecap_cover(sea.wind_speed_mps);
                 // A patch holds some ten crests of the longest waves, and in the calm a frame has three white texels:
                 // the mean over 60 frames is good to about a tenth.
-                EXPECT_NEAR(part / wanted, 1, 0.2) << preset.name << ", choppiness " << choppiness;
+                EXPECT_NEAR(part / wanted, 1, 0.2) << name << ", choppiness " << choppiness;
             }
 }
 

@@ -1,7 +1,9 @@
 #include "pelagic/tools/info_command.hpp"
 
 #include <cstdio>
+#include <future>
 #include <string>
+#include <system_error>
 
 #include "pelagic/message/number_text.hpp"
 #include "pelagic/sim/ocean.hpp"
@@ -12,7 +14,18 @@
 namespace pelagic::tools {
 namespace {
 
+/// Made beside the ocean's own spectrum, which takes as long, if there is a thread for it.
+std::future<SeaReport> begin_report(const SeaState& sea, const ComputeOptions& compute) {
+    const auto report = [sea] { return report_on(sea); };
+    try {
+        if (compute.threads != 1) return std::async(std::launch::async, report);
+    } catch (const std::system_error&) {  // no thread left
+    }
+    return std::async(std::launch::deferred, report);
+}
+
 Json info_json(const ResolvedSea& resolved, const ComputeOptions& compute) {
+    std::future<SeaReport> begun = begin_report(resolved.sea, compute);
     Ocean ocean(resolved.sea, {.executor = make_default_executor(compute.threads), .isa = compute.isa});
     const Frame& frame = ocean.frame_at(0);
 
@@ -24,13 +37,14 @@ Json info_json(const ResolvedSea& resolved, const ComputeOptions& compute) {
 
     Json json = {{"version", PELAGIC_VERSION}, {"sea", sea_as_json(resolved)}};
     if (!resolved.preset.empty()) json["preset"] = resolved.preset;
-    json["waves"] = waves_as_json(resolved.sea, measured_significant_wave_height_m(frame));
+    const SeaReport report = begun.get();
+    json["waves"] = waves_as_json(resolved.sea, report, measured_significant_wave_height_m(frame));
     json["first_frame"] = {{"hash", hex_text(hash_of(frame))},
                            {"height_min_m", frame.bounds.height_min_m},
                            {"height_max_m", frame.bounds.height_max_m},
                            {"sideways_x_max_m", frame.bounds.sideways_x_max_m},
                            {"sideways_z_max_m", frame.bounds.sideways_z_max_m}};
-    json["warnings"] = warnings_about(resolved.sea);
+    json["warnings"] = report.warnings;
     json["computing"] = {{"isa", name_of(ocean.isa())},          {"isas_here", isas},
                          {"executor", ocean.executor().name()},  {"threads", ocean.executor().thread_limit()},
                          {"memory_bytes", ocean.memory_bytes()}, {"stages", stages}};
@@ -57,10 +71,31 @@ void print_section(const char* title, const Json& values, int digits = 4) {
     }
 }
 
+/// Steps of scales as "6, strong breeze", and a row for each tile's slopes.
+Json waves_for_people(const Json& waves) {
+    Json rows = Json::object();
+    for (const auto& [key, value] : waves.items()) {
+        if (value.is_object() && value.contains("number")) {
+            rows[key] = value.at("number").dump() + ", " + value.at("name").get<std::string>();
+        } else if (key == "slope_variance") {
+            for (Json tile : value.at("tiles")) {
+                const std::string side = rounded_text(tile.at("side_m").get<double>(), 4);
+                tile.erase("side_m");
+                tile.erase("resolution");
+                rows[key + ", " + side + " m"] = tile;
+            }
+            rows["  of Cox and Munk"] = value.at("cox_and_munk");
+        } else {
+            rows[key] = value;
+        }
+    }
+    return rows;
+}
+
 void print_table(const Json& json) {
     const std::string preset = json.value("preset", "");
     print_section(("Sea" + (preset.empty() ? "" : ", preset " + preset)).c_str(), json.at("sea"), 6);
-    print_section("Waves", json.at("waves"));
+    print_section("Waves", waves_for_people(json.at("waves")));
     print_section("Frame at 0 s", json.at("first_frame"));
     Json computing = json.at("computing");
     std::string stages;

@@ -1,10 +1,15 @@
 #include "pelagic/tools/sea_json.hpp"
 
-#include "pelagic/sim/statistics.hpp"
 #include "pelagic/tools/digest.hpp"
 #include "pelagic/tools/pixel_meaning.hpp"
+#include "pelagic/tools/sea_scales.hpp"
 
 namespace pelagic::tools {
+namespace {
+
+double degrees(double radians) { return radians * (180 / 3.14159265358979323846); }
+
+}  // namespace
 
 Json sea_as_json(const ResolvedSea& resolved) {
     const SeaState& sea = resolved.sea;
@@ -48,17 +53,37 @@ Json frame_as_json(const FrameRecord& record) {
     return json;
 }
 
-Json waves_as_json(const SeaState& sea, double measured_significant_wave_height_m) {
-    const ExpectedWaves expected = expected_waves(sea);
-    Json height = {{"expected", expected.significant_wave_height_m},
-                   {"measured", measured_significant_wave_height_m}};
+Json waves_as_json(const SeaState& sea, const SeaReport& report, double measured_significant_wave_height_m) {
+    const ExpectedWaves& expected = report.expected;
+    const auto both = [](double of_all_seeds, double of_this_one) -> Json {
+        return {{"expected", of_all_seeds}, {"measured", of_this_one}};
+    };
+    const auto step = [](const ScaleStep& of) -> Json { return {{"number", of.number}, {"name", of.name}}; };
+    const auto slopes = [](const SlopeVariance& of) -> Json {
+        return {{"total", of.total()}, {"along_wind", of.along_wind}, {"across_wind", of.across_wind}};
+    };
+    Json height = both(expected.significant_wave_height_m, measured_significant_wave_height_m);
     if (expected.model_significant_wave_height_m) height["model"] = *expected.model_significant_wave_height_m;
-    const LoopFrequencies frequencies = loop_frequencies(sea);
+    Json tiles = Json::array();
+    for (const TileSlopes& tile : report.tiles) {
+        Json entry = {{"side_m", tile.side_m}, {"resolution", tile.resolution}};
+        entry.update(slopes(tile.slopes));
+        tiles.push_back(entry);
+    }
     return {{"significant_wave_height_m", height},
-            {"peak_period_s", {{"expected", expected.peak_period_s}, {"measured", measured_peak_period_s(sea)}}},
+            {"peak_period_s", both(expected.peak_period_s, report.drawn_peak_period_s)},
             {"peak_wavelength_m", expected.peak_wavelength_m},
+            {"mean_direction_deg",
+             both(degrees(report.expected_directions.mean_rad), degrees(report.drawn_directions.mean_rad))},
+            {"directional_spread_deg",
+             both(degrees(report.expected_directions.spread_rad), degrees(report.drawn_directions.spread_rad))},
+            {"steepness", expected.significant_wave_height_m / expected.peak_wavelength_m},
+            {"beaufort", step(beaufort_of(sea.wind_speed_mps))},
+            {"sea_state", step(sea_state_of(expected.significant_wave_height_m))},
+            {"slope_variance", {{"tiles", tiles}, {"cox_and_munk", slopes(cox_and_munk_slopes(sea.wind_speed_mps))}}},
             {"loop_frequencies",
-             {{"for_90_percent", frequencies.for_90_percent}, {"largest_share", frequencies.largest_share}}}};
+             {{"for_90_percent", report.loop_frequencies.for_90_percent},
+              {"largest_share", report.loop_frequencies.largest_share}}}};
 }
 
 Json sea_json(const ExportOptions& options, const std::vector<FrameRecord>& frames) {
@@ -71,8 +96,9 @@ Json sea_json(const ExportOptions& options, const std::vector<FrameRecord>& fram
     Json json = options_as_json(options);
     json["channels"] = channels_as_json(options);
     json["layout"] = layout_as_json(options.sea.sea);
-    json["waves"] = waves_as_json(options.sea.sea, height_sum / static_cast<double>(frames.size()));
-    json["warnings"] = warnings_about(options.sea.sea);
+    const SeaReport report = report_on(options.sea.sea);
+    json["waves"] = waves_as_json(options.sea.sea, report, height_sum / static_cast<double>(frames.size()));
+    json["warnings"] = report.warnings;
     json["frames"] = list;
     return json;
 }

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "pelagic/sim/frame.hpp"
+#include "pelagic/sim/statistics.hpp"
 #include "pelagic/tools/export_options.hpp"
 
 namespace pelagic::tools {
@@ -37,8 +37,8 @@ Json options_as_json(const ExportOptions& options);
 /// The record, and an XXH3 of it by which an edited one is known.
 Json frame_as_json(const FrameRecord& record);
 
-/// Heights and periods, expected by the model and measured: {"significant_wave_height_m", "peak_period_s", ...}.
-Json waves_as_json(const SeaState& sea, double measured_significant_wave_height_m);
+/// Heights, periods, directions, slopes, expected by the model and measured: {"significant_wave_height_m", ...}.
+Json waves_as_json(const SeaState& sea, const SeaReport& report, double measured_significant_wave_height_m);
 
 /// The whole file.
 Json sea_json(const ExportOptions& options, const std::vector<FrameRecord>& frames);

@@ -39,7 +39,8 @@ constexpr std::array sea_flags = {
     SeaFlag{"fetch", "fetch_m", "how far the wind has blown over water, in metres (jonswap)"},
     SeaFlag{"depth", "depth_m", "water depth in metres; waves over 0.6 of it break"},
     SeaFlag{"choppiness", "choppiness", "sideways motion that sharpens crests"},
-    SeaFlag{"roughness", "roughness", "of the water between texels"},
+    SeaFlag{"roughness", "roughness",
+            "of the water between texels; wind: what the waves of the grid lack of a sea's slopes"},
     SeaFlag{"small-waves", "small_waves",
             "damping of small waves: 1 removes those shorter than a quarter of the peak's"},
     SeaFlag{"alignment", "alignment",
@@ -59,22 +60,25 @@ const SeaStateField& field_of(const SeaFlag& flag) {
 }
 
 bool is_angle(const SeaFlag& flag) { return sea_angle(flag.field) != nullptr; }
+bool is_roughness(const SeaFlag& flag) { return flag.field == "roughness"; }
 bool is_direction(const SeaFlag& flag) { return flag.field.ends_with("_direction_rad"); }
 bool is_speed(const SeaFlag& flag) { return flag.field == "wind_speed_mps"; }
 
 std::string accepted_by(const SeaFlag& flag) {
     if (is_direction(flag)) return "degrees in [-360, 360], or one of 16 points such as from-NW or to-SE";
     if (is_angle(flag)) return "degrees in [1, 80]";
+    if (is_roughness(flag)) return "[0, 1] or wind";
     const std::string accepted(field_of(flag).accepted);
     return is_speed(flag) ? accepted + " " + speed_units : accepted;
 }
 
 /// A text in a config file, "20kn" or "from-NW", may stand for a number.
-bool takes_words(const SeaFlag& flag) { return is_direction(flag) || is_speed(flag); }
+bool takes_words(const SeaFlag& flag) { return is_direction(flag) || is_speed(flag) || is_roughness(flag); }
 
 /// In the flag's unit, which for an angle is degrees.
 std::optional<double> parse_value(const SeaFlag& flag, const std::string& text) {
     if (is_speed(flag)) return parse_speed_mps(text);
+    if (is_roughness(flag) && text == "wind") return -1;
     if (is_direction(flag))
         if (const auto degrees = parse_compass_deg(text)) return degrees;
     const bool is_whole = !std::holds_alternative<double SeaState::*>(field_of(flag).member);
@@ -83,6 +87,7 @@ std::optional<double> parse_value(const SeaFlag& flag, const std::string& text) 
 }
 
 std::string default_of(const SeaFlag& flag) {
+    if (is_roughness(flag)) return "wind";
     const SeaAngle* const angle = sea_angle(flag.field);
     return number_text(angle ? ResolvedSea{}.*angle->degrees : field_of(flag).value_in({}));
 }
@@ -105,10 +110,14 @@ std::vector<std::string> names_of_spreadings() {
     return names;
 }
 
-std::vector<std::string> names_of_presets() {
-    std::vector<std::string> names;
-    for (const SeaPreset& preset : sea_presets()) names.emplace_back(preset.name);
-    return names;
+bool is_force(const SeaPreset& preset) { return preset.name.starts_with("beaufort-"); }
+
+/// A line for each preset but those of Beaufort's forces, which share one: thirteen of them would bury the others.
+std::string help_of_presets() {
+    std::string help = "a sea by name:";
+    for (const SeaPreset& preset : sea_presets())
+        if (!is_force(preset)) help.append("\n").append(preset.name).append(": ").append(preset.summary);
+    return help + "\nbeaufort-0 to beaufort-12: the open sea of that force of wind, Hs 0 to 14 m";
 }
 
 [[noreturn]] void refuse_name(const std::string& asked_by, const std::string& value,
@@ -117,17 +126,22 @@ std::vector<std::string> names_of_presets() {
 }
 
 void apply_preset(ResolvedSea& resolved, const std::string& name, const std::string& asked_by) {
-    for (const SeaPreset& preset : sea_presets()) {
-        if (preset.name != name) continue;
+    if (const SeaPreset* preset = sea_preset_named(name)) {
         resolved = {};
         for (const SeaAngle& angle : angles)  // a degree that a preset leaves as it is by default keeps its digits
-            if (preset.sea.*angle.radians != resolved.sea.*angle.radians)
-                resolved.*angle.degrees = preset.sea.*angle.radians / radians_per_degree;
-        resolved.sea = preset.sea;
+            if (preset->sea.*angle.radians != resolved.sea.*angle.radians)
+                resolved.*angle.degrees = preset->sea.*angle.radians / radians_per_degree;
+        resolved.sea = preset->sea;
         resolved.preset = name;
         return;
     }
-    refuse_name(asked_by, name, names_of_presets());
+    std::vector<std::string> all, few;
+    for (const SeaPreset& preset : sea_presets()) {
+        all.emplace_back(preset.name);
+        if (!is_force(preset)) few.push_back(all.back());
+    }
+    few.push_back("beaufort-0 to beaufort-12");
+    throw bad_value(asked_by, name, list_of(few) + nearest_hint(name, all));
 }
 
 void apply_number(ResolvedSea& resolved, const SeaFlag& flag, const std::string& text, const std::string& asked_by) {
@@ -183,10 +197,7 @@ void SeaOptions::add_to(CLI::App& app) {
         const std::string name(flag);
         app.add_option("--" + name, typed_[name], help)->type_name(type)->group("Sea");
     };
-    std::string presets = "a sea by name:";
-    for (const SeaPreset& preset : sea_presets())
-        presets.append("\n").append(preset.name).append(": ").append(preset.summary);
-    add("preset", "NAME", presets);
+    add("preset", "NAME", help_of_presets());
     add("config", "FILE",
         "a sea in a file: TOML whose keys are these flags' names with underscores, or a sea.json of export; flags "
         "win");
@@ -195,7 +206,7 @@ void SeaOptions::add_to(CLI::App& app) {
         "how waves spread around the wind: " + list_of(names_of_spreadings()) + "; default " +
             std::string(name_of(SeaState{}.spreading)));
     for (const SeaFlag& flag : sea_flags)
-        add(flag.flag, takes_words(flag) ? "WIND" : "NUMBER",
+        add(flag.flag, is_direction(flag) || is_speed(flag) ? "WIND" : "NUMBER",
             std::string(flag.help) + "; " + accepted_by(flag) + ", default " + default_of(flag));
 }
 

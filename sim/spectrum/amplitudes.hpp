@@ -2,6 +2,7 @@
 #pragma once
 
 #include <complex>
+#include <cstdint>
 
 #include "pelagic/sim/sea_state.hpp"
 #include "pelagic/sim/spectrum/spectra.hpp"
@@ -52,10 +53,15 @@ class TileWaves {
     };
     MirroredVariances variances(int m, int n) const;
 
+    /// |h0|^2 of the wave (m, n) that this seed drew, m^2, where E|h0|^2 is `variance`; for less than the wave itself.
+    double drawn_square(double variance, int m, int n) const;
+
     /// h0 of the wave numbers (m, n), metres (VR Ocean, equation 13); 0 where the tile holds no wave.
     std::complex<double> amplitude(int m, int n) const;
 
    private:
+    MirroredVariances point_variances(double m, double n) const;
+    MirroredVariances cell_variances(int m, int n) const;
     Wave drawn(double variance, int m, int n) const;
 
     std::uint32_t seed_;

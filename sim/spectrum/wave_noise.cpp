@@ -18,21 +18,32 @@ std::uint64_t mix(std::uint64_t z) {
 
 constexpr double two_to_minus_53 = 1.0 / 9007199254740992.0;
 
-}  // namespace
-
-GaussianPair gaussian_pair(std::uint32_t seed, int tile, int m, int n) {
+std::uint64_t state_of(std::uint32_t seed, int tile, int m, int n) {
     const std::uint64_t wave = std::uint64_t{static_cast<std::uint32_t>(m)} << 32 | static_cast<std::uint32_t>(n);
     const std::uint64_t sea = std::uint64_t{static_cast<std::uint32_t>(tile)} << 32 | seed;
     // The seed is mixed before it meets the wave: otherwise seeds would be shifted copies of one another.
-    const std::uint64_t state = mix(wave + golden_gamma) ^ mix(sea + 2 * golden_gamma);
-    const std::uint64_t first = mix(state + golden_gamma);
-    const std::uint64_t second = mix(state + 2 * golden_gamma);
+    return mix(wave + golden_gamma) ^ mix(sea + 2 * golden_gamma);
+}
 
+double squared_radius(std::uint64_t state) {
+    const std::uint64_t first = mix(state + golden_gamma);
     const double u1 = static_cast<double>((first >> 11) + 1) * two_to_minus_53;  // never 0: its logarithm is taken
+    return -2.0 * det::log(u1);
+}
+
+}  // namespace
+
+GaussianPair gaussian_pair(std::uint32_t seed, int tile, int m, int n) {
+    const std::uint64_t state = state_of(seed, tile, m, n);
+    const std::uint64_t second = mix(state + 2 * golden_gamma);
     const double u2 = static_cast<double>(second >> 11) * two_to_minus_53;
-    const double radius = std::sqrt(-2.0 * det::log(u1));
+    const double radius = std::sqrt(squared_radius(state));
     const det::SineCosine angle = det::sine_cosine_of_turns(u2);
     return {radius * angle.sine, radius * angle.cosine};
+}
+
+double gaussian_pair_square(std::uint32_t seed, int tile, int m, int n) {
+    return squared_radius(state_of(seed, tile, m, n));
 }
 
 }  // namespace pelagic

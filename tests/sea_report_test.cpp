@@ -1,0 +1,119 @@
+// Directions, spreads and slopes of a sea, held against closed forms and sums over the oracle's own waves.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+#include "pelagic/sim/spectrum/wave_noise.hpp"
+#include "pelagic/sim/statistics.hpp"
+#include "pelagic/tests/oracle/sea_oracle.hpp"
+
+namespace pelagic {
+namespace {
+
+using std::numbers::pi;
+
+/// Integral of cos^p over the half circle around 0.
+double cosine_integral(double p) { return std::sqrt(pi) * std::tgamma((p + 1) / 2) / std::tgamma(p / 2 + 1); }
+
+/// How far b is from a on the circle.
+double apart(double a, double b) { return std::fabs(std::remainder(a - b, 2 * pi)); }
+
+// |cos|^s, and sigma of it against the wind, have the first moment (1 - sigma) / (1 + sigma) times that of cos^s.
+TEST(SeaReport, SpreadIsThatOfTheCosinesPower) {
+    for (const double alignment : {0.0, 0.3, 0.5, 1.0}) {
+        const double s = 1 + 5 * alignment * alignment, sigma = 0.01 + 0.49 * (1 - alignment) * (1 - alignment);
+        const double first = (1 - sigma) / (1 + sigma) * cosine_integral(s + 1) / cosine_integral(s);
+        // Sixteen peak waves a side: the grid's few directions at the peak are averaged out to less than a degree.
+        const SeaReport report = report_on({.resolution = 128, .patch_size_m = 1000, .alignment = alignment});
+        EXPECT_NEAR(report.expected_directions.spread_rad, std::sqrt(2 * (1 - first)), 0.01) << alignment;
+    }
+}
+
+TEST(SeaReport, MeanDirectionIsTheWinds) {
+    for (int twelfth = -12; twelfth <= 12; ++twelfth) {
+        const double wind = twelfth * pi / 6 + 0.01;
+        const SeaReport report = report_on({.resolution = 64, .patch_size_m = 500, .wind_direction_rad = wind});
+        EXPECT_LT(apart(report.expected_directions.mean_rad, wind), 0.01) << wind;
+        EXPECT_LE(std::fabs(report.expected_directions.mean_rad), pi);
+    }
+}
+
+// The same waves by the oracle, over the full plane and by libm.
+TEST(SeaReport, DrawnDirectionsAreThoseOfTheDrawnWaves) {
+    for (const std::uint32_t seed : {1u, 2u, 3u}) {
+        const SeaState sea{.resolution = 32, .wind_direction_rad = 2, .seed = seed};
+        double all = 0, x = 0, z = 0;
+        for (int n = -15; n <= 15; ++n) {
+            for (int m = -15; m <= 15; ++m) {
+                if (m == 0 && n == 0) continue;
+                const double energy = std::norm(oracle::initial_amplitude(sea, m, n));
+                all += energy;
+                x += energy * m / std::hypot(m, n);
+                z += energy * n / std::hypot(m, n);
+            }
+        }
+        const WaveDirections drawn = report_on(sea).drawn_directions;
+        EXPECT_LT(apart(drawn.mean_rad, std::atan2(z, x)), 1e-9) << seed;
+        EXPECT_NEAR(drawn.spread_rad, std::sqrt(2 * (1 - std::hypot(x, z) / all)), 1e-9) << seed;
+    }
+}
+
+TEST(SeaReport, SlopesAreTheSumOfTheirWaves) {
+    const SeaState sea{.resolution = 64, .patch_size_m = 120, .wind_speed_mps = 7, .wind_direction_rad = 0.8};
+    const double spacing = 2 * pi / sea.patch_size_m;
+    double along = 0, across = 0;
+    for (int n = -31; n <= 31; ++n) {
+        for (int m = -31; m <= 31; ++m) {
+            if (m == 0 && n == 0) continue;
+            const double kx = m * spacing, kz = n * spacing;
+            const double energy = oracle::density(sea, kx, kz) * spacing * spacing;
+            along += energy * std::pow(kx * std::cos(0.8) + kz * std::sin(0.8), 2);
+            across += energy * std::pow(kz * std::cos(0.8) - kx * std::sin(0.8), 2);
+        }
+    }
+    const SeaReport report = report_on(sea);
+    ASSERT_EQ(report.tiles.size(), 1u);
+    EXPECT_EQ(report.tiles[0].side_m, 120);
+    EXPECT_EQ(report.tiles[0].resolution, 64);
+    EXPECT_NEAR(report.tiles[0].slopes.along_wind / along, 1, 1e-6);
+    EXPECT_NEAR(report.tiles[0].slopes.across_wind / across, 1, 1e-6);
+}
+
+// Cox and Munk's own example of a clean sea: 10 m/s gives 0.003 + 0.0512.
+TEST(SeaReport, SlopesOfCoxAndMunkAreThePublishedOnes) {
+    EXPECT_NEAR(cox_and_munk_slopes(10).total(), 0.003 + 5.12e-3 * 10, 2e-4 * 10) << "their sum is rounded by itself";
+    EXPECT_NEAR(cox_and_munk_slopes(10).along_wind, 0.0316, 1e-12);
+    EXPECT_NEAR(cox_and_munk_slopes(10).across_wind, 0.0222, 1e-12);
+}
+
+// One pass gives what each question gives by itself.
+TEST(SeaReport, AgreesWithTheSingleFigures) {
+    const SeaState sea{.resolution = 64, .loop_period_s = 12.8, .seed = 5};
+    const SeaReport report = report_on(sea);
+    EXPECT_EQ(report.expected.significant_wave_height_m, expected_waves(sea).significant_wave_height_m);
+    EXPECT_EQ(report.drawn_peak_period_s, measured_peak_period_s(sea));
+    EXPECT_EQ(report.loop_frequencies.for_90_percent, loop_frequencies(sea).for_90_percent);
+    EXPECT_EQ(report.warnings, warnings_about(sea));
+    EXPECT_FALSE(report.warnings.empty());
+}
+
+TEST(SeaReport, OfASeaWithoutWavesIsCalm) {
+    const SeaReport report = report_on({.resolution = 16, .wind_speed_mps = 1e-3});
+    EXPECT_EQ(report.expected_directions.spread_rad, 0);
+    EXPECT_EQ(report.drawn_directions.mean_rad, 0);
+    EXPECT_EQ(report.loop_frequencies.for_90_percent, 0);
+}
+
+// The square of a draw, alone, is that of the draw.
+TEST(WaveNoise, SquareOfADrawIsItsOwn) {
+    for (int m = -20; m < 20; ++m) {
+        const GaussianPair draw = gaussian_pair(7, 2, m, 3 - m);
+        const double square = draw.re * draw.re + draw.im * draw.im;
+        EXPECT_NEAR(gaussian_pair_square(7, 2, m, 3 - m) / square, 1, 1e-14);  // the sine and cosine's own rounding
+    }
+}
+
+}  // namespace
+}  // namespace pelagic
