@@ -122,7 +122,7 @@ std::vector<TileStack::Part> exaggerated(std::vector<TileStack::Part> parts, dou
 TEST(TileStackQuery, OfSheetsOverOneAnotherTheHighestCounts) {
     std::size_t folded = 0;
     for (const std::size_t tiles : {2, 3, 4}) {
-        for (const double factor : {4.0, 6.0, 10.0}) {
+        for (const double factor : {6.0, 12.0, 20.0}) {
             SCOPED_TRACE(std::to_string(tiles) + " tiles, " + std::to_string(factor) + " times as steep");
             const TileStack stack(exaggerated(TileStack::of_scales(tiles, 12, 1, 9, 32), factor), 2);
             folded += expect_as_oracle(stack.frame(), random_points(is_sanitized ? 5 : 300, 300, 6), true);

@@ -6,7 +6,6 @@
 #include "pelagic/sim/surface/squeeze_map.hpp"
 #include "pelagic/sim/surface/surface_texels.hpp"
 
-long pelagic_searches = 0, pelagic_boxes = 0;
 namespace pelagic {
 namespace {
 
@@ -15,6 +14,11 @@ constexpr double surroundings = 1.5;
 
 // Boxes below this slack are cut further: Newton's steps would lead far away.
 constexpr double least_slack = 0.02;
+
+// Of the finest texel: sheets that rest nearer together than some of this are not told apart. Boxes of this size are searched
+// whether they can be proven or not, because a sheet that is turned over can't.
+constexpr double same_sheet = 1.0 / 128;
+constexpr double small_surroundings = 2;
 
 // Metres. Displacements are floats, whose last digits are larger; Newton's steps in double go on to here.
 constexpr double exact_m = 1e-10;
@@ -210,12 +214,12 @@ bool StackSearch::step_towards(const StackPoint& point, Offset& offset) const {
 }
 
 void StackSearch::look_into(const StackPoint& point, const Box& box, Sheets& sheets) const {
+    const double small = same_sheet / tiles_.back().texels_per_m;
     // Each level of the search leaves at most three boxes behind.
     std::array<Box, 128> waiting;
     std::size_t count = 0;
     waiting[count++] = box;
     while (count > 0) {
-        ++pelagic_boxes;
         const Box here = waiting[--count];
         const Drawn drawn = drawn_at(point, here.centre);
         const double radius = here.half * square_root_of_2;
@@ -224,12 +228,14 @@ void StackSearch::look_into(const StackPoint& point, const Box& box, Sheets& she
             most += std::min(static_cast<double>(tiles_[t].squeeze.stretch) * radius,
                              static_cast<double>(tiles_[t].squeeze.largest_m) + drawn.displacement[t]);
         if (drawn.distance() > most) continue;
-        if (slack_within(point, here.centre, here.half * surroundings, tiles_.size(), true) >= least_slack) {
-            if (sheets.has_one_in(here, surroundings)) continue;
+        const bool is_small = here.half <= small;
+        if (is_small || slack_within(point, here.centre, here.half * surroundings, tiles_.size(), true) >= least_slack) {
+            const double near = is_small ? small_surroundings : surroundings;
+            if (sheets.has_one_in(here, near)) continue;
             Offset found = here.centre;
             if (step_towards(point, found)) {
                 sheets.add(*this, point, found, drawn_at(point, found).distance());
-                if (here.contains(found, surroundings)) continue;
+                if (here.contains(found, near)) continue;
             }
         }
         if (here.half <= target_m_ || count + 4 > waiting.size()) {
@@ -244,7 +250,6 @@ void StackSearch::look_into(const StackPoint& point, const Box& box, Sheets& she
 }
 
 StackSheet StackSearch::highest_sheet(const StackPoint& point, const Offset* known) const {
-    ++pelagic_searches;
     Sheets sheets;
     Box box{{}, 0};
     if (known) {

@@ -2,9 +2,9 @@
 //
 // surface/squeeze_map.hpp says why a box holds at most one of them where the tiles squeeze little, and how far from a known
 // one others can be. A box is left out if it is drawn too far away: from its centre c, no tile's displacement changes by more
-// than its stretch times the distance, nor by more than |D_i(c)| and the largest |D_i| together. Where a box holds at most one,
-// Newton's steps find it. What is neither is cut in four, down to the search's tolerance. Plain code, compiled once for
-// everybody; nothing is allocated.
+// than its stretch times the distance, nor by more than |D_i(c)| and the largest |D_i| together. Where a box holds at most one, or
+// is small, Newton's steps find it. What is neither is cut in four, down to the search's tolerance. Plain code, compiled once
+// for everybody; nothing is allocated.
 #pragma once
 
 #include <array>
