@@ -61,6 +61,7 @@ class SurfaceQuery {
     /// OceanOptions::velocities. \pre spans are as long as the points or empty (asserted)
     void sample(const SurfacePoints& points, const SurfaceSamples& samples) const;
 
+    const Frame& frame() const { return frame_; }
     const FrameBounds& bounds() const { return frame_.bounds; }
     double texel_m() const { return texel_m_; }  ///< of the finest tile
     double tolerance_m() const { return tolerance_m_; }

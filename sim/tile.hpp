@@ -80,6 +80,10 @@ struct TileSqueeze {
     std::span<const std::uint8_t> around;
     float largest_m = 0;  ///< of the sideways displacements
     float stretch = 0;    ///< two rest points' displacements differ by at most this times their distance
+    float steepness = 0;  ///< and their heights by this times their distance
+
+    /// The most of all blocks.
+    double most() const { return static_cast<double>(blocks.back()) / one; }
 
     bool empty() const { return blocks.empty(); }
 };

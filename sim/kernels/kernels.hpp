@@ -199,6 +199,7 @@ struct FindFoldsJob {
 struct SqueezeExtremes {
     float displacement_squared;  ///< largest Dx^2 + Dz^2
     float stretch;               ///< what no slope matrix makes a vector grow by more than
+    float steepness_squared;     ///< largest square of the height's gradient
 };
 
 /// How much a tile squeezes the water together at most, by blocks of 2 x 2 cells: minus the least eigenvalue of the

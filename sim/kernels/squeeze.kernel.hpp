@@ -59,11 +59,12 @@ void find_squeeze(const FindSqueezeJob& job) {
     const std::size_t n = static_cast<std::size_t>(surface.resolution);
     const V cosine(job.cosine), sine(job.sine);
     const V most_byte(255.f), scale(job.one * job.texels_per_m), up(0.999f);
-    V displacement(0.f), stretch(0.f);
+    V displacement(0.f), stretch(0.f), steepness(0.f);
     for (std::size_t z = job.first_row; z < job.first_row + job.rows; z += 2) {
         std::uint8_t* const blocks = job.blocks + z / 2 * (n / 2);
         struct Rows {
             Vectors rows[3];
+            V height[3];
         };
         const auto rows_at = [&](std::size_t x) {
             const int i = static_cast<int>(x & (n - 1));
@@ -73,6 +74,7 @@ void find_squeeze(const FindSqueezeJob& job) {
                 const int place = column + static_cast<int>((z + r) & (n - 1)) * surface.row_stride;
                 const V dx = V::load_unaligned(surface.dx + place), dz = V::load_unaligned(surface.dz + place);
                 loaded.rows[r] = {cosine * dx + sine * dz, cosine * dz - sine * dx};
+                loaded.height[r] = V::load_unaligned(surface.height + place);
             }
             return loaded;
         };
@@ -87,12 +89,21 @@ void find_squeeze(const FindSqueezeJob& job) {
                            row;
                 displacement = xsimd::max(displacement, row.along * row.along + row.across * row.across);
             }
+            V rises[3];
+            for (int r = 0; r < 3; ++r) {
+                const V rise = lanes_behind<1, Arch>(here.height[r], behind.height[r]) - here.height[r];
+                rises[r] = rise * rise;
+            }
             SqueezeOfCells<Arch> cells;
             for (int r = 0; r < 2; ++r) {
                 sides[r] = here.rows[r + 1] - here.rows[r];
                 const Vectors side_behind = behind.rows[r + 1] - behind.rows[r];
                 next_sides[r] = {lanes_behind<1, Arch>(sides[r].along, side_behind.along),
                                  lanes_behind<1, Arch>(sides[r].across, side_behind.across)};
+                const V side = here.height[r + 1] - here.height[r];
+                const V next_side = lanes_behind<1, Arch>(side, behind.height[r + 1] - behind.height[r]);
+                steepness = xsimd::max(
+                    steepness, xsimd::max(rises[r], rises[r + 1]) + xsimd::max(side * side, next_side * next_side));
                 for (int e = r; e < r + 2; ++e) {
                     cells.look(edges[e], sides[r]);
                     cells.look(edges[e], next_sides[r]);
@@ -112,6 +123,7 @@ void find_squeeze(const FindSqueezeJob& job) {
     }
     job.extremes->displacement_squared = largest_of<Arch>(displacement);
     job.extremes->stretch = largest_of<Arch>(stretch) * job.texels_per_m;
+    job.extremes->steepness_squared = largest_of<Arch>(steepness) * job.texels_per_m * job.texels_per_m;
 }
 
 /// Of `count` entries, `stride` bytes each, entry i becomes the largest of i to i + width - 1, byte by byte; the last

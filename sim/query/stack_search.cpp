@@ -229,7 +229,8 @@ void StackSearch::look_into(const StackPoint& point, const Box& box, Sheets& she
                              static_cast<double>(tiles_[t].squeeze.largest_m) + drawn.displacement[t]);
         if (drawn.distance() > most) continue;
         const bool is_small = here.half <= small;
-        if (is_small || slack_within(point, here.centre, here.half * surroundings, tiles_.size(), true) >= least_slack) {
+        if (is_small ||
+            slack_within(point, here.centre, here.half * surroundings, tiles_.size(), true) >= least_slack) {
             const double near = is_small ? small_surroundings : surroundings;
             if (sheets.has_one_in(here, near)) continue;
             Offset found = here.centre;

@@ -74,12 +74,16 @@ void SqueezeMap::spread(Tile& tile, std::span<const SqueezeMap* const> maps, std
     else
         std::fill_n(around_.data(), around_.size(), *from);
 
-    float stretch = 0;
-    for (const SqueezeExtremes& part : extremes_) stretch = std::max(stretch, part.stretch);
+    float stretch = 0, steepness_squared = 0;
+    for (const SqueezeExtremes& part : extremes_) {
+        stretch = std::max(stretch, part.stretch);
+        steepness_squared = std::max(steepness_squared, part.steepness_squared);
+    }
     tile.squeeze = {.blocks = {blocks_.data(), blocks_.size()},
                     .around = {around_.data(), around_.size()},
                     .largest_m = static_cast<float>(largest_m()),
-                    .stretch = static_cast<float>(stretch * rounding)};
+                    .stretch = static_cast<float>(static_cast<double>(stretch) * rounding),
+                    .steepness = static_cast<float>(std::sqrt(static_cast<double>(steepness_squared)) * rounding)};
 }
 
 void SqueezeMap::update(std::span<Tile> tiles, std::span<SqueezeMap* const> maps, const Kernels& kernels) {
