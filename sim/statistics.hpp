@@ -7,6 +7,7 @@
 
 #include "pelagic/sim/frame.hpp"
 #include "pelagic/sim/sea_state.hpp"
+#include "pelagic/sim/slope_variance.hpp"
 
 namespace pelagic {
 
@@ -49,16 +50,6 @@ struct WaveDirections {
     /// sqrt(2 (1 - sqrt(a^2 + b^2))): the standard deviation where it is small; 0 for one direction, sqrt(2) for all alike.
     double spread_rad = 0;
 };
-
-/// Mean square of the sea's slope along the wind and across it, tangents squared.
-struct SlopeVariance {
-    double along_wind = 0, across_wind = 0;
-    double total() const { return along_wind + across_wind; }
-};
-
-/// What a clean sea has in all: 0.00316 W along the wind and 0.003 + 0.00192 W across it (Cox and Munk 1954, J. Opt. Soc.
-/// Am. 44, 838-850, whose fit of the total by itself is 0.003 + 0.00512 W).
-SlopeVariance cox_and_munk_slopes(double wind_speed_mps);
 
 /// The slope of the waves that a tile holds, the mean over all seeds; shorter waves are below its texels.
 struct TileSlopes {

@@ -25,7 +25,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr SeaState small_sea{.resolution = 32};
+constexpr SeaState small_sea{.resolution = 32, .patch_size_m = 250};
 const std::vector<std::string> small_flags = {"--resolution", "32"};
 
 /// An export of the small sea with more flags; the folder must be empty.

@@ -32,7 +32,11 @@ TEST(Presets, FilesAreTheSeasOfTheirNames) {
         const ResolvedSea named = resolved("--preset", std::string(preset.name));
         EXPECT_EQ(sea_as_json(resolved("--config", file_of(preset).string())), sea_as_json(named)) << preset.name;
         // In C++ the angle is in radians.
-        EXPECT_EQ(sea_as_json({preset.sea, named.wind_direction_deg, ""}), sea_as_json(named)) << preset.name;
+        ResolvedSea in_library = named;
+        in_library.sea = preset.sea;
+        in_library.sea.cascades = cascades_of(preset.sea);
+        in_library.sea.resolution = resolution_of(preset.sea);
+        EXPECT_EQ(sea_as_json(in_library), sea_as_json(named)) << preset.name;
         EXPECT_EQ(sea_preset_named(preset.name), &preset);
     }
     const auto files = std::distance(std::filesystem::directory_iterator(PELAGIC_PRESETS), {});

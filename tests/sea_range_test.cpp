@@ -122,7 +122,7 @@ TEST_P(SeaRange, PairsOfEdgesGiveFiniteFrames) {
         for (std::size_t b = a; b < fields.size(); ++b) {
             for (const double first : edges_of(fields[a])) {
                 for (const double second : edges_of(fields[b])) {
-                    SeaState sea{.spectrum = GetParam(), .resolution = 16};
+                    SeaState sea{.spectrum = GetParam(), .resolution = 16, .patch_size_m = 250};
                     fields[a].set(sea, first);
                     fields[b].set(sea, second);
                     expect_finite(sea);

@@ -31,8 +31,9 @@ constexpr std::array angles = {
 };
 
 constexpr std::array sea_flags = {
-    SeaFlag{"resolution", "resolution", "texels along a side"},
-    SeaFlag{"patch-size", "patch_size_m", "side of the patch, which tiles, in metres"},
+    SeaFlag{"cascades", "cascades", "tiles, each with a band of the waves, their sides chosen from the sea"},
+    SeaFlag{"resolution", "resolution", "texels along a side of a tile"},
+    SeaFlag{"patch-size", "patch_size_m", "one tile, of this side in metres, after which the sea repeats"},
     SeaFlag{"wind-speed", "wind_speed_mps", "mean wind 10 m above the sea"},
     SeaFlag{"wind-direction", "wind_direction_rad",
             "where the wind blows towards, from +x (east) towards +z (south; north is -z)"},
@@ -88,6 +89,9 @@ std::optional<double> parse_value(const SeaFlag& flag, const std::string& text) 
 
 std::string default_of(const SeaFlag& flag) {
     if (is_roughness(flag)) return "wind";
+    if (flag.field == "cascades") return number_text(default_cascades) + ", of one side 1";
+    if (flag.field == "resolution") return "128, of one tile with --patch-size 256";
+    if (flag.field == "patch_size_m") return "several tiles";
     const SeaAngle* const angle = sea_angle(flag.field);
     return number_text(angle ? ResolvedSea{}.*angle->degrees : field_of(flag).value_in({}));
 }
@@ -243,6 +247,10 @@ ResolvedSea SeaOptions::resolve() const {
     }
     // Each option has been looked at alone.
     if (const std::string reason = check(resolved.sea); !reason.empty()) throw InputError(reason);
+    // What is chosen is written down, so that a file says it to whoever chooses otherwise.
+    const int cascades = cascades_of(resolved.sea), resolution = resolution_of(resolved.sea);
+    resolved.sea.cascades = cascades;
+    resolved.sea.resolution = resolution;
     return resolved;
 }
 

@@ -92,7 +92,7 @@ struct MipLevelJob {
 inline constexpr std::size_t slope_planes = 8;
 
 /// Stage `slopes` and its first levels on one tile of texels: what of a surface can be added to other surfaces', so that
-/// a sum of tiles has the normals and Jacobians of the sum (surface/slope_sum.hpp). Two words a texel, from the lowest byte up:
+/// a sum of tiles has the normals and Jacobians of the sum (sim/slope_sum.hpp). Two words a texel, from the lowest byte up:
 ///   slopes   h_x, h_z, D_xx, D_zz, signed, in parts of slope_range
 ///   moments  D_xz = (Dx,z + Dz,x)/2, signed, in parts of slope_range; var h_x, var h_z from 0, cov(h_x, h_z) signed, in
 ///            parts of variance_range

@@ -7,10 +7,6 @@
 
 namespace pelagic {
 
-/// Of a clean sea, from the sun's glitter: 0.00316 U up- and 0.003 + 0.00192 U crosswind, within 0.004 and 0.002, measured
-/// from 1 to 14 m/s (Cox and Munk 1954). Their wind was that of 12.5 m; as there, U at 10 m is 2 % less and put in unchanged.
-SlopeVariance measured_slopes(double wind_speed_mps);
-
 /// Sums over the waves of a sea: mean squares and product of the slopes along two axes that a texture of it shows.
 struct SlopeMoments {
     double xx = 0, zz = 0, xz = 0;
