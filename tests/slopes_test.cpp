@@ -181,6 +181,68 @@ TEST(SlopeSum, TurnedTilesAreNearTheExactSurface) {
     RecordProperty("jacobian_most", std::to_string(jacobian_most));
 }
 
+/// All waves that a tile of a sea holds at t = 0: h = sum of h0 e^{ikx} and its conjugate.
+WaveTile waves_of(const SeaState& sea, const TilePlan& plan) {
+    const TileLattice& lattice = plan.lattice;
+    WaveTile tile{plan.resolution, lattice.side_m, std::atan2(lattice.sine, lattice.cosine), {}, 0};
+    const TileWaves waves(sea, plan);
+    const int half = plan.resolution / 2;
+    for (int n = -half; n < half; ++n) {
+        for (int m = -half; m < half; ++m) {
+            const std::complex<double> h0 = waves.amplitude(m, n);
+            if (h0 == 0.0) continue;
+            const auto [kx, kz] = lattice.in_world(m * plan.spacing(), n * plan.spacing());
+            tile.waves.push_back({kx, kz, 2.0 * h0});
+        }
+    }
+    return tile;
+}
+
+// The same of real seas, from their own spectrum to the bytes of a frame. Their ranges come from the sea, too.
+TEST(SlopeSum, OfAnOceansTilesIsNearTheExactSurface) {
+    for (const int cascades : {3, 4}) {
+        const SeaState sea{.cascades = cascades, .wind_direction_rad = 0.7};
+        Ocean ocean(sea, {.executor = make_serial_executor()});
+        const Frame& frame = ocean.frame_at(0);
+        const std::vector<TilePlan> plans = plan_tiles(sea);
+        ASSERT_EQ(frame.tiles.size(), static_cast<std::size_t>(cascades));
+        std::vector<WaveTile> waves;
+        std::vector<TileSlopes> maps;
+        for (std::size_t t = 0; t < plans.size(); ++t) {
+            const Tile& tile = frame.tiles[t];
+            waves.push_back(waves_of(sea, plans[t]));
+            maps.push_back({{tile.slopes_rgba8.begin(), tile.slopes_rgba8.end()},
+                            {tile.moments_rgba8.begin(), tile.moments_rgba8.end()},
+                            {}});
+        }
+        std::mt19937 random(2);
+        std::uniform_real_distribution<double> place(-2000, 2000);
+        double normal_squares = 0, jacobian_squares = 0, exact_squares = 0, shown_squares = 0;
+        constexpr int points = 600;
+        for (int p = 0; p < points; ++p) {
+            const double x = place(random), z = place(random);
+            SurfaceSlopes exact, shown;
+            for (std::size_t t = 0; t < plans.size(); ++t) {
+                exact += exact_slopes(waves[t], sea.choppiness, x, z);
+                shown += filtered(waves[t], maps[t], frame.tiles[t].slope_ranges, x, z);
+            }
+            const double degrees = angle_between(normal_of(exact), normal_of(shown)) * 180 / pi;
+            const double difference = normal_of(exact).y - normal_of(shown).y;
+            normal_squares += degrees * degrees / points;
+            jacobian_squares += difference * difference / points;
+            exact_squares += (exact.h_x * exact.h_x + exact.h_z * exact.h_z) / points;
+            shown_squares += (shown.h_x * shown.h_x + shown.h_z * shown.h_z) / points;
+        }
+        EXPECT_LE(std::sqrt(normal_squares), 2) << cascades;
+        EXPECT_LE(std::sqrt(jacobian_squares), 0.03) << cascades;
+        const std::string which = std::to_string(cascades) + "_tiles_";
+        RecordProperty(which + "normal_rms_deg", std::to_string(std::sqrt(normal_squares)));
+        RecordProperty(which + "jacobian_rms", std::to_string(std::sqrt(jacobian_squares)));
+        RecordProperty(which + "mean_square_slope", std::to_string(exact_squares));
+        RecordProperty(which + "mean_square_slope_shown", std::to_string(shown_squares));
+    }
+}
+
 /// sin^2(t/2) / (t/2)^2 and (2 + cos t) / 3: the mean over a texel of a wave that a bilinear filter reads, against the wave
 /// and against itself.
 double against_wave(double t) { return std::pow(std::sin(t / 2) / (t / 2), 2); }
@@ -372,6 +434,10 @@ TEST(SlopeMips, KeepTheRoughnessOfEveryLevel) {
             exact[1] += wave.kz * wave.kz * std::norm(wave.amplitude) / 2;
             exact[2] += wave.kx * wave.kz * std::norm(wave.amplitude) / 2;
         }
+        RecordProperty(
+            "kept_of_mean_square_slope_" + std::to_string(angle),
+            std::to_string((total_variance(maps, ranges, n, 1)[0] + total_variance(maps, ranges, n, 1)[1]) /
+                           (exact[0] + exact[1])));
         const double step = ranges.variance / 127.0;
         const std::array<double, 3> first = total_variance(maps, ranges, n, 1);
         for (int level = 1; level < mip_levels(n); ++level) {

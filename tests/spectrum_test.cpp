@@ -23,7 +23,7 @@ constexpr double gravity = 9.80665;
 
 /// One tile of the sea's waves, without surface tension.
 TilePlan tile_of(const SeaState& sea) {
-    return {.lattice = {.side_m = sea.patch_size_m}, .resolution = sea.resolution};
+    return {.lattice = {.side_m = sea.patch_size_m > 0 ? sea.patch_size_m : 250}, .resolution = resolution_of(sea)};
 }
 WaveSpectrum spectrum_of(const SeaState& sea) { return WaveSpectrum(sea, tile_of(sea)); }
 

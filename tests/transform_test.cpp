@@ -198,6 +198,8 @@ TEST_P(TransformOnEachIsa, BoundsOfAStillSeaArePositiveZeros) {
     kernels().columns_finalize({.blocks = {data.data(), data.data() + column_block_floats(resolution(), lanes())},
                                 .fft = &fft_,
                                 .choppiness = 1,
+                                .cosine = 1,
+                                .sine = 0,
                                 .bounds = &bounds});
     for (const float bound : {bounds.height_min, bounds.height_max, bounds.sideways_x_max, bounds.sideways_z_max}) {
         EXPECT_EQ(bound, 0.f);
