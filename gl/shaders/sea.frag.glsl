@@ -125,7 +125,9 @@ Waves resolved_waves(vec2 at, Footprint pixel) {
     for (int tile = 0; tile < TILES; ++tile) {
         Slopes seen = tile_slopes(tile, at, pixel);
         sum = Slopes(sum.h + seen.h, sum.d + seen.d, sum.variance + seen.variance);
-        foam = max(foam, folding(tile, jacobian_of(seen.d)));
+        // Foam of coarser tiles drifts off the water that finer waves stretch: a crest of the coarsest alone would be white all over.
+        float jacobian = jacobian_of(seen.d);
+        foam = max(foam * smoothstep(1.1, 1.0, jacobian), folding(tile, jacobian));
     }
     return Waves(normal_slopes(sum), sum.variance, foam);
 }
