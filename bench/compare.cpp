@@ -93,7 +93,7 @@ struct Row {
 class Comparison {
    public:
     Comparison(int n, Isa isa, const Options& options)
-        : sea_{.resolution = n},
+        : sea_{.resolution = n, .patch_size_m = 250, .roughness = 0.1},
           isa_(isa),
           seconds_(options.quick ? 2 : 6),
           packed_(sea_, isa, peers::FftwArrangement::packed),

@@ -26,7 +26,7 @@ constexpr std::size_t count = 1 << 16;
 
 struct Scene {
     Scene(int resolution, Isa isa, bool coherent)
-        : ocean({.resolution = resolution, .choppiness = 1},
+        : ocean({.resolution = resolution, .patch_size_m = 250, .choppiness = 1},
                 {.executor = make_serial_executor(), .isa = isa, .queries = true, .velocities = true}),
           frame(ocean.frame_at(1)),
           query(frame),
@@ -120,7 +120,7 @@ void time_ray(benchmark::State& state, int resolution, Isa isa) {
 
 /// What a frame takes more for being asked, beside stages.cpp's figures.
 void time_frame(benchmark::State& state, int resolution, Isa isa, bool queries, bool velocities) {
-    Ocean ocean({.resolution = resolution, .choppiness = 1},
+    Ocean ocean({.resolution = resolution, .patch_size_m = 250, .choppiness = 1},
                 {.executor = make_serial_executor(), .isa = isa, .queries = queries, .velocities = velocities});
     double time_s = 0;
     for (auto _ : state) benchmark::DoNotOptimize(ocean.frame_at(time_s += 1.0 / 72).tiles[0].height.data);

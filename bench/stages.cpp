@@ -38,12 +38,15 @@ Work work_of(const std::string& stage, int n) {
     // 44 for a texel (differences 6, normal 13, length 7, J and foam 3, bytes 7, averages 8), 33 for one of a mip, of
     // which there is a third.
     if (stage == "gradients+mipmaps") return {44 + 33 / 3.0, 12 + 8 + 16 / 3.0};
+    // 46 for a texel (differences 24, slopes 6, squares 3, J and foam 5, averages 8), 48 for one of a mip.
+    if (stage == "slopes+mipmaps") return {46 + 48 / 3.0, 12 + 8 + 2 * 16 / 3.0};
     return {33.0 / 3 / 64, 16.0 / 3 / 64};
 }
 
 std::unique_ptr<Ocean> ocean_of(int resolution, Isa isa, std::shared_ptr<Executor> executor) {
     SeaState sea;
     sea.resolution = resolution;
+    sea.patch_size_m = 250;
     auto ocean = std::make_unique<Ocean>(sea, OceanOptions{.executor = std::move(executor), .isa = isa});
     ocean->frame_at(1);
     return ocean;

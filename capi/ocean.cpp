@@ -207,7 +207,8 @@ pelagic_status pelagic_ocean_frame_at(pelagic_ocean* ocean, double time_s, const
         need_finite(time_s);
         const FrameBuffers to = buffers_of(read_struct(buffers, "buffers"));
         Ocean& sea = ocean->ocean;
-        if (const std::string reason = check({&to, 1}, sea.tile_count(), sea.resolution(), ocean->has_velocities);
+        if (const std::string reason =
+                check({&to, 1}, sea.tile_count(), sea.resolution(), {.velocities = ocean->has_velocities});
             !reason.empty())
             refuse(reason);
         ocean->asked.wait_for_old_readers();

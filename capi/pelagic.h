@@ -124,10 +124,10 @@ typedef struct pelagic_sea {
     double fetch_m;            /* how far the wind has blown over water (jonswap); (0, 2e6] */
     double depth_m;            /* waves over 0.6 of it break; [0.01, 11000] */
     double choppiness;         /* 0 gives a height field; [0, 1] */
-    double roughness;          /* of the water between texels, for the smoothness channel; [0, 1] */
-    double small_waves;        /* 0 keeps small waves, 1 removes those below a quarter of the peak's; [0, 1] */
-    double alignment;          /* with 0 a third of the energy runs against the wind, with 1 a hundredth; [0, 1] */
-    double loop_period_s;      /* T, the sea repeats exactly after this time; [0.1, 86400] */
+    double roughness;     /* of the water between texels, for the smoothness channel; [0, 1], or -1: from the wind */
+    double small_waves;   /* 0 keeps small waves, 1 removes those below a quarter of the peak's; [0, 1] */
+    double alignment;     /* with 0 a third of the energy runs against the wind, with 1 a hundredth; [0, 1] */
+    double loop_period_s; /* T, the sea repeats exactly after this time; [0.1, 86400] */
     /* Newer than the fields above. */
     int32_t spreading;          /* PELAGIC_SPREADING_...; the spectrum phillips-paper takes no other than paper */
     uint32_t reserved;          /* 0 */

@@ -101,7 +101,7 @@ SceneBlock scene_block_of(const DrawInput& input, const SeaFacts& facts, const S
     block.haze = {sky.haze_per_m, height / std::tan(softened_horizon_rad)};
     block.water_absorption = {absorption_per_m, sea.depth_m};
     block.output_kind.y = facts.whitecap_jacobian + input.more_foam;
-    const float alpha = static_cast<float>(sea.roughness);
+    const float alpha = static_cast<float>(facts.figures.roughness);
     const float detail_square = detail_part * alpha * alpha;
     block.water_scattering = {backscattering_per_m, detail_square};
     const double wind = sea.wind_direction_rad;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <variant>
 
@@ -19,9 +20,11 @@ struct NumericField {
     double most;
     std::string_view accepted;  ///< the range in words: "(0, 60]", "a power of two from 16 to 2048"
     Among among = Among::all;
+    std::optional<double> also = {};  ///< one more number, which means something else: such as 0, chosen for you
 
     /// False for NaN and infinities.
     bool accepts(double value) const {
+        if (also && value == *also) return true;
         if (!(value >= least && value <= most)) return false;  // of NaN, too
         if (among == Among::all) return true;
         if (among == Among::above_least) return value > least;

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "pelagic/sim/sea_state.hpp"
+#include "pelagic/sim/slope_variance.hpp"
 #include "pelagic/sim/tile.hpp"
 #include "pelagic/simd/isa.hpp"
 
@@ -14,6 +15,12 @@ namespace pelagic {
 struct SeaFigures {
     /// 4 sqrt(variance), mean over all seeds, of the waves that the tiles hold; as expected_waves() has it.
     double significant_wave_height_m = 0;
+    /// Mean squares of the slopes that the tiles' textures show at their finest level, mean over all seeds; and what is left
+    /// of those that were measured in such a wind (Cox and Munk 1954, spectrum/mean_square_slope.hpp).
+    SlopeVariance resolved_slopes, unresolved_slopes;
+    /// What the smoothness channel says of the water between texels, 1 - sqrt(roughness): SeaState::roughness, or what the wind
+    /// and the unresolved slopes make of it.
+    double roughness = 0;
 };
 
 /// One frame, which says what it is: whoever draws it or asks it needs nothing else about the sea.
@@ -29,9 +36,9 @@ struct Frame {
     FrameBounds bounds;
 };
 
-/// XXH3 of every output of the frame: of each tile the rows of dx, height and dz, the half floats, the gradient chain and the
-/// bounds, in this order, little-endian. The time is not in it, nor are velocities and folds: whoever asks for them has
-/// the same sea as one who doesn't. Two frames with equal hashes hold the same bits.
+/// XXH3 of every output of the frame: of each tile the rows of dx, height and dz, the half floats, the gradient chain (of
+/// several tiles the two chains of slopes instead) and the bounds, in this order, little-endian. The time is not in it, nor are
+/// velocities, folds and whichever chains only OceanOptions asked for: whoever wants them has the same sea as one who doesn't. Two frames with equal hashes hold the same bits.
 std::uint64_t hash_of(const Frame& frame);
 
 }  // namespace pelagic

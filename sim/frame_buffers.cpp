@@ -14,27 +14,31 @@ void copy_all(std::span<const T> from, std::span<T> to) {
     if (!to.empty()) std::memcpy(to.data(), from.data(), from.size_bytes());
 }
 
-std::string check_tile(const FrameBuffers& buffers, int resolution, bool has_velocities) {
+std::string check_tile(const FrameBuffers& buffers, int resolution, const FrameContents& contents) {
     const std::size_t texels = static_cast<std::size_t>(resolution) * static_cast<std::size_t>(resolution);
+    const std::size_t chain = mip_offset(resolution, mip_levels(resolution));
     struct Field {
         std::string_view name;
         std::size_t size, needed;
-        bool is_velocity;
+        bool is_there;
+        std::string_view part;
     };
     const Field fields[] = {
-        {"dx", buffers.dx.size(), texels, false},
-        {"height", buffers.height.size(), texels, false},
-        {"dz", buffers.dz.size(), texels, false},
-        {"velocity_x", buffers.velocity_x.size(), texels, true},
-        {"velocity_y", buffers.velocity_y.size(), texels, true},
-        {"velocity_z", buffers.velocity_z.size(), texels, true},
-        {"displacement_rgba16f", buffers.displacement_rgba16f.size(), 4 * texels, false},
-        {"gradient_rgba8", buffers.gradient_rgba8.size(), mip_offset(resolution, mip_levels(resolution)), false},
+        {"dx", buffers.dx.size(), texels, true, {}},
+        {"height", buffers.height.size(), texels, true, {}},
+        {"dz", buffers.dz.size(), texels, true, {}},
+        {"velocity_x", buffers.velocity_x.size(), texels, contents.velocities, "velocities"},
+        {"velocity_y", buffers.velocity_y.size(), texels, contents.velocities, "velocities"},
+        {"velocity_z", buffers.velocity_z.size(), texels, contents.velocities, "velocities"},
+        {"displacement_rgba16f", buffers.displacement_rgba16f.size(), 4 * texels, true, {}},
+        {"gradient_rgba8", buffers.gradient_rgba8.size(), chain, contents.gradients, "gradients"},
+        {"slopes_rgba8", buffers.slopes_rgba8.size(), chain, contents.slopes, "slopes"},
+        {"moments_rgba8", buffers.moments_rgba8.size(), chain, contents.slopes, "slopes"},
     };
     for (const Field& field : fields) {
         if (field.size == 0) continue;
-        if (field.is_velocity && !has_velocities)
-            return std::string(field.name) + " is wanted, needs an ocean with velocities";
+        if (!field.is_there)
+            return std::string(field.name) + " is wanted, needs an ocean with " + std::string(field.part);
         if (field.size != field.needed)
             return std::string(field.name) + " has " + number_text(field.size) + " elements, needs " +
                    number_text(field.needed);
@@ -44,11 +48,12 @@ std::string check_tile(const FrameBuffers& buffers, int resolution, bool has_vel
 
 }  // namespace
 
-std::string check(std::span<const FrameBuffers> tiles, std::size_t tile_count, int resolution, bool has_velocities) {
+std::string check(std::span<const FrameBuffers> tiles, std::size_t tile_count, int resolution,
+                  const FrameContents& contents) {
     if (tiles.size() != tile_count)
         return "there are buffers of " + number_text(tiles.size()) + " tiles, needs " + number_text(tile_count);
     for (const FrameBuffers& buffers : tiles)
-        if (std::string reason = check_tile(buffers, resolution, has_velocities); !reason.empty()) return reason;
+        if (std::string reason = check_tile(buffers, resolution, contents); !reason.empty()) return reason;
     return {};
 }
 
@@ -63,8 +68,10 @@ void copy_plane(const PlaneView& plane, std::span<float> out) {
 
 void copy_frame(const Frame& frame, std::span<const FrameBuffers> tiles) {
     const Tile& first = frame.tiles.front();
-    if (const std::string reason =
-            check(tiles, frame.tiles.size(), first.resolution(), first.velocity_x.data != nullptr);
+    if (const std::string reason = check(tiles, frame.tiles.size(), first.resolution(),
+                                         {.velocities = first.velocity_x.data != nullptr,
+                                          .gradients = !first.gradient_rgba8.empty(),
+                                          .slopes = !first.slopes_rgba8.empty()});
         !reason.empty())
         throw std::invalid_argument(reason);
     for (std::size_t i = 0; i < tiles.size(); ++i) {
@@ -78,6 +85,8 @@ void copy_frame(const Frame& frame, std::span<const FrameBuffers> tiles) {
         copy_plane(from.velocity_z, to.velocity_z);
         copy_all(from.displacement_rgba16f, to.displacement_rgba16f);
         copy_all(from.gradient_rgba8, to.gradient_rgba8);
+        copy_all(from.slopes_rgba8, to.slopes_rgba8);
+        copy_all(from.moments_rgba8, to.moments_rgba8);
     }
 }
 

@@ -17,11 +17,18 @@ struct FrameBuffers {
     std::span<float> velocity_x = {}, velocity_y = {}, velocity_z = {};  ///< N^2, metres a second
     std::span<std::uint16_t> displacement_rgba16f = {};                  ///< 4 N^2
     std::span<std::uint32_t> gradient_rgba8 = {};                        ///< mip_offset(N, mip_levels(N))
+    std::span<std::uint32_t> slopes_rgba8 = {}, moments_rgba8 = {};      ///< the same
+};
+
+/// Which parts frames have that not every frame has.
+struct FrameContents {
+    bool velocities = false, gradients = true, slopes = false;
 };
 
 /// Empty if frames of so many tiles of this resolution can be written there, else what is bad first: "height has 100 elements,
 /// needs 4096", "velocity_x is wanted, needs an ocean with velocities", "there are buffers of 2 tiles, needs 3".
-std::string check(std::span<const FrameBuffers> tiles, std::size_t tile_count, int resolution, bool has_velocities);
+std::string check(std::span<const FrameBuffers> tiles, std::size_t tile_count, int resolution,
+                  const FrameContents& contents);
 
 /// Writes a plane, whatever blocks it is stored in, as tight rows: texel (i, j) at j N + i. `out` has N^2 elements, or none
 /// if nobody wants it; else std::invalid_argument. For the planes of a frame; one without data has no rows to write.

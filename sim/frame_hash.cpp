@@ -22,7 +22,12 @@ std::uint64_t hash_of(const Frame& frame) {
             }
         }
         XXH3_64bits_update(&state, tile.displacement_rgba16f.data(), tile.displacement_rgba16f.size_bytes());
-        XXH3_64bits_update(&state, tile.gradient_rgba8.data(), tile.gradient_rgba8.size_bytes());
+        if (frame.tiles.size() == 1) {
+            XXH3_64bits_update(&state, tile.gradient_rgba8.data(), tile.gradient_rgba8.size_bytes());
+        } else {
+            XXH3_64bits_update(&state, tile.slopes_rgba8.data(), tile.slopes_rgba8.size_bytes());
+            XXH3_64bits_update(&state, tile.moments_rgba8.data(), tile.moments_rgba8.size_bytes());
+        }
         const float bounds[] = {tile.bounds.height_min_m, tile.bounds.height_max_m, tile.bounds.sideways_x_max_m,
                                 tile.bounds.sideways_z_max_m};
         XXH3_64bits_update(&state, bounds, sizeof bounds);

@@ -1,5 +1,6 @@
 #include "pelagic/sim/ocean.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <stdexcept>
@@ -9,6 +10,7 @@
 
 #include "pelagic/message/refusal.hpp"
 #include "pelagic/sim/sources/cascade.hpp"
+#include "pelagic/sim/spectrum/whitecaps.hpp"
 #include "pelagic/sim/surface/surface_stages.hpp"
 #include "pelagic/sim/tile_plan.hpp"
 #include "pelagic/simd/float_environment.hpp"
@@ -31,11 +33,20 @@ class Ocean::Sources {
    public:
     Sources(const SeaState& sea, Isa isa, const FrameExtras& extras) : Sources(plan_tiles(sea), isa, extras) {}
 
-    Sources(const std::vector<TilePlan>& plans, Isa isa, const FrameExtras& extras)
-        : isa_(isa), slots_(plans.size(), plans.front().resolution, kernels_for(isa).lanes, extras) {
+    /// One tile always has gradients, several always have slopes.
+    static FrameExtras completed(FrameExtras extras, std::size_t tiles) {
+        extras.gradients |= tiles == 1;
+        extras.slopes |= tiles > 1;
+        return extras;
+    }
+
+    Sources(const std::vector<TilePlan>& plans, Isa isa, const FrameExtras& wanted)
+        : isa_(isa),
+          extras_(completed(wanted, plans.size())),
+          slots_(plans.size(), plans.front().resolution, kernels_for(isa).lanes, extras_) {
         for (std::size_t tile = 0; tile < plans.size(); ++tile) {
-            cascades_.push_back(std::make_unique<Cascade>(slots_, tile, kernels_for(isa), extras));
-            surfaces_.push_back(std::make_unique<SurfaceStages>(slots_, tile, kernels_for(isa), extras.memory));
+            cascades_.push_back(std::make_unique<Cascade>(slots_, tile, kernels_for(isa), extras_));
+            surfaces_.push_back(std::make_unique<SurfaceStages>(slots_, tile, kernels_for(isa), extras_));
         }
     }
 
@@ -74,21 +85,34 @@ class Ocean::Sources {
     void begin_sea(const SeaState& sea) {
         const DefaultFloatEnvironment environment;
         const std::vector<TilePlan> plans = plan_tiles(sea);
-        for (std::size_t tile = 0; tile < plans.size(); ++tile) cascades_[tile]->begin_spectrum(sea, plans[tile]);
+        const auto white =
+            std::count_if(plans.begin(), plans.end(), [](const TilePlan& plan) { return plan.makes_whitecaps(); });
+        const double cover = cover_of_each(whitecap_cover(sea.wind_speed_mps), static_cast<int>(white));
+        for (std::size_t tile = 0; tile < plans.size(); ++tile)
+            cascades_[tile]->begin_spectrum(sea, plans[tile], plans[tile].makes_whitecaps() ? cover : 0);
         baked_sea_ = sea;
     }
     void adopt_sea() {
         const DefaultFloatEnvironment environment;
         double variance = 0;
-        for (const auto& cascade : cascades_) variance += cascade->adopt_spectrum().height_variance;
-        figures_.significant_wave_height_m = 4 * std::sqrt(variance);
+        SlopeMoments slopes;
+        for (const auto& cascade : cascades_) {
+            const LineFigures added = cascade->adopt_spectrum();
+            variance += added.height_variance;
+            slopes += added.slopes.in_world(cascade->lattice());
+        }
         sea_ = baked_sea_;
+        figures_.significant_wave_height_m = 4 * std::sqrt(variance);
+        figures_.resolved_slopes = slopes.around(sea_.wind_direction_rad);
+        figures_.unresolved_slopes = unresolved_slopes(figures_.resolved_slopes, sea_.wind_speed_mps);
+        figures_.roughness = roughness_of(sea_, figures_.unresolved_slopes);
     }
     void drop_sea() {
         for (const auto& cascade : cascades_) cascade->drop_spectrum();
     }
 
     const SeaState& sea() const { return sea_; }
+    const FrameExtras& extras() const { return extras_; }
     std::size_t tile_count() const { return slots_.tile_count(); }
     int resolution() const { return slots_.resolution(); }
     std::size_t texels() const {
@@ -103,6 +127,7 @@ class Ocean::Sources {
 
    private:
     Isa isa_;
+    FrameExtras extras_;
     FrameSlots slots_;
     std::vector<std::unique_ptr<Cascade>> cascades_;
     std::vector<std::unique_ptr<SurfaceStages>> surfaces_;
@@ -115,9 +140,12 @@ struct Ocean::State {
     State(const SeaState& sea, OceanOptions options)
         : executor(options.executor ? std::move(options.executor) : make_default_executor()),
           isa(choose_isa(options.isa)),
-          has_velocities(options.velocities),
           sources(checked(sea), isa,
-                  {.folds = options.queries, .velocities = options.velocities, .memory = options.memory}) {
+                  {.folds = options.queries,
+                   .velocities = options.velocities,
+                   .gradients = options.gradients,
+                   .slopes = options.slopes,
+                   .memory = options.memory}) {
         sources.add_frame_stages(frame_graph);
         sources.add_spectrum_stages(spectrum_graph);
         const bool is_small = sources.texels() <= most_texels_without_jobs;
@@ -134,7 +162,6 @@ struct Ocean::State {
 
     std::shared_ptr<Executor> executor;
     Isa isa;
-    bool has_velocities;
     Sources sources;
     JobGraph frame_graph, spectrum_graph;
     bool frame_runs_ahead = false;  ///< else complete() does all the work
@@ -190,7 +217,9 @@ const Frame& Ocean::frame_at(double time_s) {
 
 FrameBounds Ocean::frame_at(double time_s, std::span<const FrameBuffers> tiles) {
     const Frame* const completed = state_->completed;
-    if (const std::string reason = check(tiles, tile_count(), resolution(), state_->has_velocities); !reason.empty())
+    const FrameExtras& extras = state_->sources.extras();
+    const FrameContents contents{extras.velocities, extras.gradients, extras.slopes};
+    if (const std::string reason = check(tiles, tile_count(), resolution(), contents); !reason.empty())
         throw std::invalid_argument(reason);
     const Frame& frame = frame_at(time_s);
     copy_frame(frame, tiles);

@@ -31,6 +31,8 @@ struct OceanOptions {
     std::shared_ptr<TraceSink> trace = {};    ///< none: no clock is read. ChromeTrace or the host's own profiler
     bool queries = false;     ///< frames can be asked about any point (surface_query.hpp); N^2 / 8 bytes a frame
     bool velocities = false;  ///< frames have velocities; 12 N^2 bytes a frame and about twice the transforms
+    bool gradients = false;   ///< frames of several tiles have each tile's own normals too; those of one always do
+    bool slopes = false;      ///< a frame of one tile has slopes too (slope_sum.hpp); those of several always do
     HostMemory memory = {};   ///< none: operator new. For frames and spectra, all but some 100 KB of an ocean
 };
 

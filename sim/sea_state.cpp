@@ -17,18 +17,23 @@ constexpr std::array spreadings = {SpreadingModel::paper, SpreadingModel::cosine
 constexpr std::array<std::string_view, spreadings.size()> spreading_names = {"paper", "cosine-2s", "hasselmann",
                                                                              "donelan-banner"};
 
+// With 3 texels to its shortest wave and 6 steps of its lattice to its longest, a tile of N texels is N / 18 times shorter than
+// the one above it at most. Fewer texels make no stack.
+constexpr int least_resolution_of_stacks = 32;
+
 constexpr double two_pi = 6.283185307179586;
 
 constexpr std::array fields = {
-    SeaStateField{"resolution", &SeaState::resolution, 16, 2048, "a power of two from 16 to 2048",
-                  Among::powers_of_two},
-    SeaStateField{"patch_size_m", &SeaState::patch_size_m, 0.001, 1e6, "[0.001, 1e6]"},
+    SeaStateField{"cascades", &SeaState::cascades, 1, 4, "1, 2, 3 or 4", Among::all, 0},
+    SeaStateField{"resolution", &SeaState::resolution, 16, 2048, "a power of two from 16 to 2048", Among::powers_of_two,
+                  0},
+    SeaStateField{"patch_size_m", &SeaState::patch_size_m, 0.001, 1e6, "[0.001, 1e6]", Among::all, 0},
     SeaStateField{"wind_speed_mps", &SeaState::wind_speed_mps, 0, 60, "(0, 60]", Among::above_least},
     SeaStateField{"wind_direction_rad", &SeaState::wind_direction_rad, -two_pi, two_pi, "[-2 pi, 2 pi]"},
     SeaStateField{"fetch_m", &SeaState::fetch_m, 0, 2e6, "(0, 2e6]", Among::above_least},
     SeaStateField{"depth_m", &SeaState::depth_m, 0.01, 11000, "[0.01, 11000]"},
     SeaStateField{"choppiness", &SeaState::choppiness, 0, 1, "[0, 1]"},
-    SeaStateField{"roughness", &SeaState::roughness, 0, 1, "[0, 1]"},
+    SeaStateField{"roughness", &SeaState::roughness, 0, 1, "[0, 1], or -1: from the wind", Among::all, -1},
     SeaStateField{"small_waves", &SeaState::small_waves, 0, 1, "[0, 1]"},
     SeaStateField{"alignment", &SeaState::alignment, 0, 1, "[0, 1]"},
     SeaStateField{"swell_height_m", &SeaState::swell_height_m, 0, 30, "[0, 30]"},
@@ -40,6 +45,18 @@ constexpr std::array fields = {
 };
 
 }  // namespace
+
+int cascades_of(const SeaState& sea) {
+    if (sea.cascades != 0) return sea.cascades;
+    const bool is_one = sea.patch_size_m > 0 || sea.spectrum == SpectrumModel::phillips_paper ||
+                        (sea.resolution != 0 && sea.resolution < least_resolution_of_stacks);
+    return is_one ? 1 : default_cascades;
+}
+
+int resolution_of(const SeaState& sea) {
+    if (sea.resolution != 0) return sea.resolution;
+    return sea.patch_size_m > 0 || sea.spectrum == SpectrumModel::phillips_paper ? 256 : 128;
+}
 
 std::string_view name_of(SpectrumModel model) { return model_names[static_cast<std::size_t>(model)]; }
 
@@ -67,7 +84,14 @@ std::string check(const SeaState& sea) {
     if (static_cast<std::size_t>(sea.spectrum) >= models.size()) return "spectrum is no known model";
     if (static_cast<std::size_t>(sea.spreading) >= spreadings.size()) return "spreading is no known model";
     if (const std::string reason = check_fields(sea, fields); !reason.empty()) return reason;
-    if (sea.spectrum != SpectrumModel::phillips_paper) return {};
+    const bool is_papers = sea.spectrum == SpectrumModel::phillips_paper;
+    if (sea.cascades > 1) {
+        if (sea.patch_size_m > 0) return refusal("cascades", sea.cascades, "1 where the side of the tile is given");
+        if (is_papers) return refusal("cascades", sea.cascades, "1 where the spectrum is phillips-paper");
+        if (sea.resolution != 0 && sea.resolution < least_resolution_of_stacks)
+            return refusal("cascades", sea.cascades, "1 where the resolution is " + number_text(sea.resolution));
+    }
+    if (!is_papers) return {};
     if (sea.spreading != SpreadingModel::paper)
         return refusal("spreading", name_of(sea.spreading), "paper where the spectrum is phillips-paper");
     if (sea.swell_height_m != 0)

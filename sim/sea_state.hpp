@@ -26,20 +26,30 @@ std::string_view name_of(SpreadingModel);
 std::optional<SpreadingModel> spreading_model_named(std::string_view name);
 std::span<const SpreadingModel> spreading_models();
 
+/// A stack of so many tiles holds the waves of a sea down to a hand's width.
+inline constexpr int default_cascades = 4;
+
 /// SI units, and each name says its unit. Ranges stand in sea_state_fields() and are checked by check().
 struct SeaState {
     SpectrumModel spectrum = SpectrumModel::jonswap;
     SpreadingModel spreading = SpreadingModel::paper;  ///< phillips-paper takes no other
 
-    int resolution = 256;           ///< N, texels along a side; a power of two, 16 to 2048
-    double patch_size_m = 250;      ///< L, the sea repeats after this length; [0.001, 1e6]
+    /// How many tiles hold its waves, each a band of them (tile_plan.hpp); 1 to 4. 0: default_cascades, or one where the side is
+    /// given or the model knows no other.
+    int cascades = 0;
+    /// N, texels along a side of each tile; a power of two, 16 to 2048. 0: 128, or 256 where the side is given.
+    int resolution = 0;
+    /// L, the side of the one tile, after which the sea repeats; [0.001, 1e6]. 0: sides chosen from the sea.
+    double patch_size_m = 0;
     double wind_speed_mps = 12;     ///< U10, mean wind 10 m above the sea; (0, 60]
     double wind_direction_rad = 0;  ///< where the wind blows towards, from +x towards +z; [-2 pi, 2 pi]
     double fetch_m = 100e3;         ///< how far the wind has blown over water (jonswap); (0, 2e6]
     double depth_m = 4000;          ///< of the water: waves that feel it are slower and lower; [0.01, 11000]
     double choppiness = 0.8;        ///< lambda, 0 gives a height field; [0, 1]
-    double roughness = 0.1;         ///< of the water between texels, for the smoothness channel; [0, 1]
-    double small_waves = 0;         ///< 0 keeps small waves, 1 removes those below a quarter of the peak's; [0, 1]
+    double roughness =
+        -1;  ///< of the water between texels, for the smoothness channel; [0, 1], or -1: what the tiles
+             ///< do not resolve of the slopes of a sea in this wind (SeaFigures)
+    double small_waves = 0;      ///< 0 keeps small waves, 1 removes those below a quarter of the peak's; [0, 1]
     double alignment = 0.5;      ///< alpha of equations 6 to 9, spreading `paper`: with 0 a third of the energy runs
                                  ///< against the wind and little across, with 1 a hundredth; [0, 1]
     double swell_height_m = 0;   ///< Hs of waves from elsewhere, beside those of the wind; 0: none; [0, 30]
@@ -50,6 +60,10 @@ struct SeaState {
     double loop_period_s = 200;  ///< T, the sea repeats exactly after this time; [0.1, 86400]
     std::uint32_t seed = 1;      ///< which sea of this kind; any 32-bit number
 };
+
+/// What is chosen where a sea says 0. \pre check(sea) is empty
+int cascades_of(const SeaState& sea);
+int resolution_of(const SeaState& sea);
 
 /// `name` is the key of files, too.
 using SeaStateField = NumericField<SeaState>;

@@ -8,6 +8,7 @@
 
 #include "pelagic/sim/frame.hpp"
 #include "pelagic/sim/sea_state.hpp"
+#include "pelagic/sim/slope_variance.hpp"
 
 namespace pelagic {
 
@@ -59,16 +60,6 @@ WaveDirections directions_of_moment(double a, double b);
 /// \pre every frequency, in Hz, or wave number, in rad/m, is above 0
 std::vector<double> model_by_frequency(const SeaState& sea, std::span<const double> frequencies_hz);
 std::vector<double> model_by_wave_number(const SeaState& sea, std::span<const double> wave_numbers);
-
-/// Mean square of the sea's slope along the wind and across it, tangents squared.
-struct SlopeVariance {
-    double along_wind = 0, across_wind = 0;
-    double total() const { return along_wind + across_wind; }
-};
-
-/// What a clean sea has in all: 0.00316 W along the wind and 0.003 + 0.00192 W across it (Cox and Munk 1954, J. Opt. Soc.
-/// Am. 44, 838-850, whose fit of the total by itself is 0.003 + 0.00512 W).
-SlopeVariance cox_and_munk_slopes(double wind_speed_mps);
 
 /// The slope of the waves that a tile holds, the mean over all seeds; shorter waves are below its texels.
 struct TileSlopes {

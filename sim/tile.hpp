@@ -7,6 +7,8 @@
 #include <cstring>
 #include <span>
 
+#include "pelagic/sim/slope_sum.hpp"
+
 namespace pelagic {
 
 /// A square of floats, stored in blocks of a few columns, which is how they are computed: texel (i, j) is
@@ -80,18 +82,26 @@ struct Tile {
     /// resolution^2 texels of four IEEE half floats: Dx, height, Dz, foam (0 none to 1 covered). Rows are tight.
     std::span<const std::uint16_t> displacement_rgba16f;
     /// The chain of mip_levels() levels, one texel a word: normal x, normal z, Jacobian, smoothness from the lowest
-    /// byte up (VR Ocean, equations 50 and 51); level m starts at mip_offset(resolution, m).
+    /// byte up (VR Ocean, equations 50 and 51); level m starts at mip_offset(resolution, m). Of the tile alone: normals of a
+    /// sum are no sums of normals. Empty in a frame of several tiles unless OceanOptions::gradients.
     std::span<const std::uint32_t> gradient_rgba8;
+    /// Two chains like it, of slopes that add to other tiles' and of how much they vary within a texel: slope_sum.hpp says
+    /// what the bytes mean and how to get a normal. Empty in a frame of one tile unless OceanOptions::slopes.
+    std::span<const std::uint32_t> slopes_rgba8, moments_rgba8;
+    SlopeRanges slope_ranges;
     FrameBounds bounds;  ///< exact, not estimates
     /// Below this Jacobian of the tile the sea is white: as much of it, in the mean over time, as whitecaps cover in that wind
-    /// (spectrum/whitecaps.hpp).
+    /// (spectrum/whitecaps.hpp), tiles together. no_whitecaps where the tile makes none.
     float whitecap_jacobian = 0;
+    static constexpr float no_whitecaps = -10;
 
     int resolution() const { return height.resolution; }
     double texel_m() const { return lattice.side_m / resolution(); }
-    std::span<const std::uint32_t> gradient_level(int level) const {
+    std::span<const std::uint32_t> gradient_level(int level) const { return level_of(gradient_rgba8, level); }
+    /// One level of any of the chains.
+    std::span<const std::uint32_t> level_of(std::span<const std::uint32_t> chain, int level) const {
         const std::size_t side = static_cast<std::size_t>(resolution()) >> level;
-        return gradient_rgba8.subspan(mip_offset(resolution(), level), side * side);
+        return chain.subspan(mip_offset(resolution(), level), side * side);
     }
 };
 

@@ -19,6 +19,9 @@ struct TilePlan {
     bool has_surface_tension =
         false;  ///< short waves feel it; a tile whose side is given keeps to the paper, without
 
+    /// Waves shorter than a metre break without white water.
+    bool makes_whitecaps() const { return least_k < 6.28318530717958647693; }
+
     double spacing() const { return 6.28318530717958647693 / lattice.side_m; }  ///< dk in rad/m
     bool is_banded() const { return least_k > 0 || most_k < std::numeric_limits<double>::infinity(); }
 };

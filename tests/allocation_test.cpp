@@ -38,7 +38,8 @@ namespace {
 TEST(Allocation, FramesAfterTheFirstAllocateNothing) {
     for (const auto& executor : {make_serial_executor(), make_thread_executor(3)}) {
         const long before_building = allocations;
-        Ocean ocean({.resolution = 128}, {.executor = executor});  // 64 would not use the executor
+        Ocean ocean({.resolution = 128, .patch_size_m = 250},
+                    {.executor = executor});  // 64 would not use the executor
         EXPECT_GT(allocations, before_building) << "the counter does not count";
         ocean.frame_at(0);
         const long before = allocations;
@@ -50,9 +51,12 @@ TEST(Allocation, FramesAfterTheFirstAllocateNothing) {
 TEST(Allocation, NeitherQueriesNorFramesThatCanBeAskedAllocate) {
     for (const auto& executor : {make_serial_executor(), make_thread_executor(3)}) {
         // The paper's own scale folds at such winds, so the search for the highest sheet is in it.
-        Ocean ocean(
-            {.spectrum = SpectrumModel::phillips_paper, .resolution = 64, .wind_speed_mps = 20, .choppiness = 1},
-            {.executor = executor, .queries = true, .velocities = true});
+        Ocean ocean({.spectrum = SpectrumModel::phillips_paper,
+                     .resolution = 64,
+                     .patch_size_m = 250,
+                     .wind_speed_mps = 20,
+                     .choppiness = 1},
+                    {.executor = executor, .queries = true, .velocities = true, .slopes = true});
         SurfaceQueryJobs jobs(executor);
         std::vector<double> x(3000), z(3000);
         std::vector<float> height(3000), velocity(3000), normal(3000);
@@ -72,19 +76,20 @@ TEST(Allocation, NeitherQueriesNorFramesThatCanBeAskedAllocate) {
 }
 
 TEST(Allocation, MemoryBytesIsWhatAnOceanHolds) {
-    Ocean ocean({.resolution = 256}, {.executor = make_serial_executor()});
+    Ocean ocean({.resolution = 256, .patch_size_m = 250}, {.executor = make_serial_executor()});
     // Bytes a texel: 44 for each pair of waves, of which there is one for four texels, makes 11; two slots of 12 + 8 +
     // 5.3; half a byte of mip averages; half a byte between column blocks. And tables.
     EXPECT_NEAR(static_cast<double>(ocean.memory_bytes()) / (256 * 256), 63, 1);
     // Two slots of 12 bytes of velocities and a quarter of folds.
-    Ocean asked({.resolution = 256}, {.executor = make_serial_executor(), .queries = true, .velocities = true});
+    Ocean asked({.resolution = 256, .patch_size_m = 250},
+                {.executor = make_serial_executor(), .queries = true, .velocities = true});
     EXPECT_NEAR(static_cast<double>(asked.memory_bytes() - ocean.memory_bytes()) / (256 * 256), 24.5, 0.7);
 }
 
 // Two frames in flight and every output; the paper's buffers take 7.5 MB for one.
 TEST(Allocation, AnOceanOf256TakesLessThanSixMegabytes) {
     for (const Isa isa : isas_here()) {
-        Ocean ocean({.resolution = 256}, {.executor = make_serial_executor(), .isa = isa});
+        Ocean ocean({.resolution = 256, .patch_size_m = 250}, {.executor = make_serial_executor(), .isa = isa});
         EXPECT_LE(ocean.memory_bytes(), 6'000'000u) << name_of(isa);
     }
 }

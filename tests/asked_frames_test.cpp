@@ -22,7 +22,7 @@ class Shown {
     }
 
    private:
-    Ocean ocean_{{.resolution = 16}, {.executor = make_serial_executor(), .queries = true}};
+    Ocean ocean_{{.resolution = 16, .patch_size_m = 250}, {.executor = make_serial_executor(), .queries = true}};
     Frame frame_;
 };
 

@@ -123,6 +123,8 @@ std::vector<BadInput> bad_inputs() {
          {"CONFIG:1", "preset", "strom", "storm"},
          "preset = \"strom\"\n"},
         {{"info", "--config", "CONFIG"}, {"CONFIG:1", "spectrum", "sine", "jonswap"}, "spectrum = \"sine\"\n"},
+        {{"info", "--spectrum", "phillips-paper", "--swell-height", "2"},
+         {"swell_height_m is 2, needs 0 where the spectrum is phillips-paper"}},
         // A sea.json given as one.
         {{"info", "--config", "CONFIG"}, {"CONFIG:3", "malformed JSON", "sea.json"}, "{\n\"sea\": {\n"},
         {{"info", "--config", "CONFIG"}, {"CONFIG", "malformed JSON"}, "{\"sea\": {\"seed\": 1e999}}"},
@@ -156,9 +158,14 @@ std::vector<BadInput> bad_inputs() {
                             {"--fetch", "(0, 2e6]", {"0", "-1", "3e6", "inf"}},
                             {"--depth", "[0.01, 11000]", {"0", "1e-300", "0.009", "-10", "12000", "deep"}},
                             {"--choppiness", "[0, 1]", {"-0.1", "1.01", "nan"}},
-                            {"--roughness", "[0, 1]", {"-0.1", "1.01"}},
+                            {"--roughness", "[0, 1] or wind", {"-0.1", "1.01", "from-W"}},
                             {"--small-waves", "[0, 1]", {"-0.1", "2"}},
                             {"--alignment", "[0, 1]", {"-1", "1.5"}},
+                            {"--swell-height", "[0, 30]", {"-1", "31"}},
+                            {"--swell-period", "[1, 40]", {"0", "41"}},
+                            {"--swell-direction", "[-360, 360]", {"361", "west"}},
+                            {"--swell-spread", "degrees in [1, 80]", {"0", "81", "from-W"}},
+                            {"--spreading", "paper, cosine-2s, hasselmann or donelan-banner", {"cosine", "1"}},
                             {"--loop-period", "[0.1, 86400]", {"0", "-200", "1e5", "nan"}},
                             {"--seed", "a whole number from 0 to 4294967295", {"-1", "4294967296", "1.5", "luck"}}})
         for (const std::string& value : values)

@@ -83,7 +83,7 @@ TEST(TiffHalves, StayHalves) {
     ASSERT_EQ(file->spec().format, OIIO::TypeDesc::HALF);
     std::vector<std::uint16_t> pixels(32 * 32 * 3);
     ASSERT_TRUE(file->read_image(0, 0, 0, -1, OIIO::TypeDesc::HALF, pixels.data()));
-    Ocean ocean({.resolution = 32}, {.executor = make_serial_executor()});
+    Ocean ocean({.resolution = 32, .patch_size_m = 250}, {.executor = make_serial_executor()});
     const Frame& frame = ocean.frame_at(0);
     for (std::size_t i = 0; i < pixels.size(); ++i)
         ASSERT_EQ(pixels[i], frame.tiles[0].displacement_rgba16f[i / 3 * 4 + i % 3]) << i;

@@ -85,9 +85,12 @@ struct AskedPoints {
 };
 
 /// A sea that folds, and one that does not.
-const SeaState folded_sea{
-    .spectrum = SpectrumModel::phillips_paper, .resolution = 64, .wind_speed_mps = 20, .choppiness = 1};
-const SeaState smooth_sea{.resolution = 256, .choppiness = 1};
+const SeaState folded_sea{.spectrum = SpectrumModel::phillips_paper,
+                          .resolution = 64,
+                          .patch_size_m = 250,
+                          .wind_speed_mps = 20,
+                          .choppiness = 1};
+const SeaState smooth_sea{.resolution = 256, .patch_size_m = 250, .choppiness = 1};
 
 std::unique_ptr<Ocean> asked_ocean(const SeaState& sea, Isa isa = choose_isa(),
                                    std::shared_ptr<Executor> executor = make_serial_executor()) {
@@ -105,7 +108,8 @@ Answers answers_at(const SeaState& sea, double time_s, Isa isa, const AskedPoint
 TEST(Determinism, EveryInstructionSetExecutorAndThreadCountGivesTheSameBits) {
     for (const int n : {16, 64, 128, 256}) {
         for (const double choppiness : {0.0, 1.0}) {
-            const SeaState sea{.resolution = n, .wind_direction_rad = 1, .choppiness = choppiness};
+            const SeaState sea{
+                .resolution = n, .patch_size_m = 250, .wind_direction_rad = 1, .choppiness = choppiness};
             const std::uint64_t expected = hash_at(sea, 12.34, isas_here().front());
             for (const Isa isa : isas_here())
                 for (const Host& host : hosts())
@@ -117,7 +121,7 @@ TEST(Determinism, EveryInstructionSetExecutorAndThreadCountGivesTheSameBits) {
 
 TEST(Determinism, LargeSeasToo) {
     for (const int n : {512, 1024, 2048}) {
-        const SeaState sea{.resolution = n};
+        const SeaState sea{.resolution = n, .patch_size_m = 250};
         const std::uint64_t expected = hash_at(sea, 3.5, isas_here().front());
         for (const Isa isa : isas_here())
             EXPECT_EQ(hash_at(sea, 3.5, isa, make_thread_executor(3)), expected) << n << " " << name_of(isa);
@@ -126,7 +130,8 @@ TEST(Determinism, LargeSeasToo) {
 
 TEST(Determinism, WholeLoopsGiveTheBitsOfTimeZero) {
     for (const double period : {200.0, 8.0, 0.1, 7.3, 86400.0}) {
-        Ocean ocean({.resolution = 32, .loop_period_s = period}, {.executor = make_serial_executor()});
+        Ocean ocean({.resolution = 32, .patch_size_m = 250, .loop_period_s = period},
+                    {.executor = make_serial_executor()});
         const std::uint64_t start = hash_of(ocean.frame_at(0));
         for (const double periods : {1.0, 2.0, 1000.0, -1.0})
             EXPECT_EQ(hash_of(ocean.frame_at(periods * period)), start) << periods << " periods of " << period;
@@ -135,7 +140,7 @@ TEST(Determinism, WholeLoopsGiveTheBitsOfTimeZero) {
 }
 
 TEST(Determinism, TenHoursLaterFrameZeroHasTheSameBits) {
-    Ocean ocean({.resolution = 64}, {.executor = make_serial_executor()});
+    Ocean ocean({.resolution = 64, .patch_size_m = 250}, {.executor = make_serial_executor()});
     const std::uint64_t start = hash_of(ocean.frame_at(0)), later = hash_of(ocean.frame_at(1.25));
     // Ten hours at 1 Hz, drawn; the loop is 200 s, so 36000 s is a whole number of them.
     for (int second = 0; second < 36000; second += 97) ocean.frame_at(second);
@@ -146,7 +151,7 @@ TEST(Determinism, TenHoursLaterFrameZeroHasTheSameBits) {
 TEST(Determinism, AnyOrderOfFramesGivesTheSameBits) {
     std::vector<double> times;
     for (int i = 0; i < 24; ++i) times.push_back(i * 8.3 - 40);
-    const SeaState sea{.resolution = 128};  // smaller frames are computed without jobs
+    const SeaState sea{.resolution = 128, .patch_size_m = 250};  // smaller frames are computed without jobs
     std::map<double, std::uint64_t> expected;
     for (const double time : times) expected[time] = hash_at(sea, time);
 
@@ -159,7 +164,7 @@ TEST(Determinism, AnyOrderOfFramesGivesTheSameBits) {
 }
 
 TEST(Determinism, AFrameStaysWhileTheNextOneIsComputed) {
-    const SeaState sea{.resolution = 128};
+    const SeaState sea{.resolution = 128, .patch_size_m = 250};
     Ocean ocean(sea, {.executor = make_thread_executor(2)});
     ocean.schedule(0);
     std::uint64_t expected = hash_at(sea, 0);
@@ -174,8 +179,8 @@ TEST(Determinism, AFrameStaysWhileTheNextOneIsComputed) {
 }
 
 TEST(Determinism, AWindChangeWaitsForTheHostAndThenIsWholeInOneFrame) {
-    const SeaState before{.resolution = 128},
-        after{.resolution = 128, .wind_speed_mps = 20, .choppiness = 0.3, .seed = 4};
+    const SeaState before{.resolution = 128, .patch_size_m = 250},
+        after{.resolution = 128, .patch_size_m = 250, .wind_speed_mps = 20, .choppiness = 0.3, .seed = 4};
     for (const Host& host : hosts()) {
         Ocean ocean(before, {.executor = host.executor});
         ocean.schedule_sea(after);
@@ -189,8 +194,8 @@ TEST(Determinism, AWindChangeWaitsForTheHostAndThenIsWholeInOneFrame) {
 TEST(Determinism, OceansMayBeDestroyedInFlight) {
     for (const Host& host : hosts()) {
         for (int i = 0; i < 10; ++i) {
-            Ocean ocean({.resolution = 128}, {.executor = host.executor});
-            ocean.schedule_sea({.resolution = 128, .seed = 2});
+            Ocean ocean({.resolution = 128, .patch_size_m = 250}, {.executor = host.executor});
+            ocean.schedule_sea({.resolution = 128, .patch_size_m = 250, .seed = 2});
             ocean.schedule(1);
         }
     }
@@ -311,7 +316,8 @@ TEST(Determinism, RaysHitTheSameBitsOnEveryInstructionSet) {
 
 // Engines switch threads to flush-to-zero or another rounding mode; the sea must not notice, and must put it back.
 TEST(Determinism, TheHostsFloatingPointEnvironmentDoesNotReachTheSea) {
-    const SeaState sea{.spectrum = SpectrumModel::phillips, .resolution = 64, .wind_speed_mps = 2};
+    const SeaState sea{
+        .spectrum = SpectrumModel::phillips, .resolution = 64, .patch_size_m = 250, .wind_speed_mps = 2};
     const std::uint64_t expected = hash_at(sea, 5);
     const AskedPoints points(2000);
     const std::uint64_t expected_answers = answers_at(folded_sea, 5, choose_isa(), points).hash();
@@ -402,13 +408,15 @@ TEST(Determinism, ADeepTileKeepsItsDisplacement) {
 TEST(Determinism, GoldenHashesNeverChange) {
     std::map<std::string, SeaState> seas = {{"default", {}}};
     for (const SpectrumModel model : spectrum_models())
-        seas[std::string(name_of(model)) + "-64"] = {.spectrum = model, .resolution = 64};
+        seas[std::string(name_of(model)) + "-64"] = {.spectrum = model, .resolution = 64, .patch_size_m = 250};
     for (const SpreadingModel model : spreading_models())
         if (model != SpreadingModel::paper)
-            seas["spreading-" + std::string(name_of(model)) + "-64"] = {.spreading = model, .resolution = 64};
-    seas["shallow-64"] = {.resolution = 64, .depth_m = 8};
-    seas["breaking-swell-64"] = {.resolution = 64, .depth_m = 2, .swell_height_m = 1, .swell_direction_rad = 2};
-    seas["small-waves-64"] = {.resolution = 64, .small_waves = 0.8};
+            seas["spreading-" + std::string(name_of(model)) + "-64"] = {
+                .spreading = model, .resolution = 64, .patch_size_m = 250};
+    seas["shallow-64"] = {.resolution = 64, .patch_size_m = 250, .depth_m = 8};
+    seas["breaking-swell-64"] = {
+        .resolution = 64, .patch_size_m = 250, .depth_m = 2, .swell_height_m = 1, .swell_direction_rad = 2};
+    seas["small-waves-64"] = {.resolution = 64, .patch_size_m = 250, .small_waves = 0.8};
     for (const std::string name : {"calm", "moderate", "rough", "storm"})
         seas["preset-" + name] = sea_preset_named(name)->sea;
 

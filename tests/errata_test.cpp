@@ -42,7 +42,7 @@ TEST(Errata, OneStepOfAByteBelowLengthOneAlreadyMeansASmoothnessOf88Percent) {
 
 // Equation 45 against the derivative of the same waves taken in the spectrum, where it is exact.
 TEST(Errata, CentralDifferencesLoseATenthOfTheSlope) {
-    const SeaState sea{.resolution = 256};
+    const SeaState sea{.resolution = 256, .patch_size_m = 250};
     const oracle::Fields fields = oracle::fields_at(sea, 1);
     oracle::Displacement surface{256, {}, {}, {}};
     for (std::size_t i = 0; i < fields.height.size(); ++i) surface.height.push_back(fields.height[i].real());
@@ -67,7 +67,7 @@ TEST(Errata, CentralDifferencesLoseATenthOfTheSlope) {
 }
 
 TEST(Errata, NormalsFromTheHeightAloneAreDegreesOff) {
-    const SeaState sea{.resolution = 128, .wind_speed_mps = 12, .choppiness = 1};
+    const SeaState sea{.resolution = 128, .patch_size_m = 250, .wind_speed_mps = 12, .choppiness = 1};
     Ocean ocean(sea, {.executor = make_serial_executor()});
     const oracle::Displacement surface = oracle::displacement_of(ocean.frame_at(1));
     oracle::Displacement height_only = surface;

@@ -25,7 +25,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr SeaState small_sea{.resolution = 32};
+constexpr SeaState small_sea{.resolution = 32, .patch_size_m = 250};
 const std::vector<std::string> small_flags = {"--resolution", "32"};
 
 /// An export of the small sea with more flags; the folder must be empty.
@@ -244,7 +244,9 @@ TEST(ExportedFiles, SeaJsonSaysWhatPixelsMean) {
     SeaState sea = small_sea;
     sea.wind_direction_rad = 40 * 3.14159265358979323846 / 180;
     Ocean ocean(sea, {.executor = make_serial_executor(), .queries = true});
-    const SurfaceQuery water(ocean.frame_at(0));
+    const Frame& frame = ocean.frame_at(0);
+    const double roughness = frame.figures.roughness;
+    const SurfaceQuery water(frame);
 
     const auto bytes = read_png(folder / "gradient_0000.png", 32);
     std::map<std::string, std::vector<float>> floats;
@@ -273,7 +275,7 @@ TEST(ExportedFiles, SeaJsonSaysWhatPixelsMean) {
             EXPECT_NEAR(value_of(gradient, "normal_x", parts), normal_x[0], half_a_byte);
             EXPECT_NEAR(value_of(gradient, "normal_z", parts), normal_z[0], half_a_byte);
             EXPECT_NEAR(value_of(gradient, "jacobian", parts), std::clamp(jacobian[0], -1.f, 1.f), half_a_byte);
-            EXPECT_NEAR(value_of(gradient, "smoothness", parts), 1 - std::sqrt(sea.roughness), half_a_byte);
+            EXPECT_NEAR(value_of(gradient, "smoothness", parts), 1 - std::sqrt(roughness), half_a_byte);
             // A texture holds texel i between u = i / 32 and (i + 1) / 32.
             EXPECT_NEAR(at("u_of_column", i), (i + 0.5) / 32, 1e-12);
             EXPECT_NEAR(at("v_down_of_row", j), (j + 0.5) / 32, 1e-12);
@@ -334,7 +336,7 @@ TEST(ExportedFiles, AShorterExportReplacesALongerOne) {
 }
 
 TEST(Info, SaysTheSameAsTheLibrary) {
-    const Outcome outcome = run_pelagic({"info", "--json", "--resolution", "32"});
+    const Outcome outcome = run_pelagic({"info", "--json", "--resolution", "32", "--patch-size", "250"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     const json info = json::parse(outcome.out);
     Library library;
@@ -345,8 +347,32 @@ TEST(Info, SaysTheSameAsTheLibrary) {
     EXPECT_EQ(info["computing"]["stages"][0]["name"], "evolve+rows");
     const Outcome table = run_pelagic({"info", "--preset", "storm"});
     for (const char* part :
-         {"wind_speed_mps", "19", "evolve+rows -> columns+finalize -> gradients+mipmaps", "peak_period_s"})
+         {"wind_speed_mps", "19", "evolve+rows -> columns+finalize -> slopes+mipmaps", "peak_period_s"})
         EXPECT_NE(table.out.find(part), std::string::npos) << part;
+}
+
+TEST(Info, SaysForceStateDirectionSpreadAndSlopes) {
+    const Outcome outcome =
+        run_pelagic({"info", "--json", "--preset", "beaufort-5", "--cascades", "2", "--wind-direction", "30"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const json waves = json::parse(outcome.out)["waves"];
+    EXPECT_EQ(waves["beaufort"], (json{{"number", 5}, {"name", "fresh breeze"}}));
+    EXPECT_EQ(waves["sea_state"], (json{{"number", 4}, {"name", "moderate"}}));
+    EXPECT_NEAR(waves["mean_direction_deg"]["expected"].get<double>(), 30, 1);
+    EXPECT_GT(waves["directional_spread_deg"]["measured"].get<double>(), 10);
+    EXPECT_NEAR(
+        waves["steepness"].get<double>(),
+        waves["significant_wave_height_m"]["expected"].get<double>() / waves["peak_wavelength_m"].get<double>(),
+        1e-12);
+    const json& slopes = waves["slope_variance"];
+    ASSERT_EQ(slopes["tiles"].size(), 2u);
+    EXPECT_NEAR(slopes["tiles"][0]["total"].get<double>() + slopes["tiles"][1]["total"].get<double>(),
+                slopes["all"]["total"].get<double>(), 1e-12);
+    EXPECT_LT(slopes["all"]["total"], slopes["cox_and_munk"]["total"]);
+    const std::string table = run_pelagic({"info", "--preset", "beaufort-5"}).out;
+    for (const char* part :
+         {"5, fresh breeze", "4, moderate", "slope_variance, all", "of Cox and Munk", "mean_direction_deg"})
+        EXPECT_NE(table.find(part), std::string::npos) << part;
 }
 
 TEST(Info, WarnsOfAPatchShorterThanTwoPeakWaves) {

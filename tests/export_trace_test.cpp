@@ -55,7 +55,7 @@ std::vector<json> checked_events(const std::filesystem::path& file) {
 
 TEST(ExportTrace, HoldsEveryJobOfEveryFrameAndEveryFile) {
     constexpr int frames = 3;
-    Ocean ocean({.resolution = 32}, {.executor = make_serial_executor()});
+    Ocean ocean({.resolution = 32, .patch_size_m = 250}, {.executor = make_serial_executor()});
     std::map<std::string, int> jobs_expected;
     for (const Stage& stage : ocean.graph().stages())
         jobs_expected[stage.name] += frames * static_cast<int>(block_count(stage));

@@ -28,20 +28,24 @@ void PrintTo(const Case& one, std::ostream* out) { *out << one.name; }
 
 std::vector<Case> cases() {
     return {
-        {"N16", {.resolution = 16}, 1.5},
-        {"N32", {.resolution = 32, .wind_direction_rad = 2.5}, 17.25},
-        {"N64", {.resolution = 64}, 0},
-        {"N64_later", {.resolution = 64, .wind_direction_rad = -1}, 143.7},
-        {"N64_lambda_0", {.resolution = 64, .choppiness = 0}, 3},
+        {"N16", {.resolution = 16, .patch_size_m = 250}, 1.5},
+        {"N32", {.resolution = 32, .patch_size_m = 250, .wind_direction_rad = 2.5}, 17.25},
+        {"N64", {.resolution = 64, .patch_size_m = 250}, 0},
+        {"N64_later", {.resolution = 64, .patch_size_m = 250, .wind_direction_rad = -1}, 143.7},
+        {"N64_lambda_0", {.resolution = 64, .patch_size_m = 250, .choppiness = 0}, 3},
         {"N64_lambda_1_odd_patch", {.resolution = 64, .patch_size_m = 37.3, .wind_speed_mps = 6, .choppiness = 1}, 3},
-        {"N64_paper", {.spectrum = SpectrumModel::phillips_paper, .resolution = 64}, 5},
-        {"N64_phillips", {.spectrum = SpectrumModel::phillips, .resolution = 64, .alignment = 0}, 5},
-        {"N64_pierson", {.spectrum = SpectrumModel::pierson_moskowitz, .resolution = 64, .alignment = 1}, 5},
-        {"N64_small_waves_shallow", {.resolution = 64, .depth_m = 5, .small_waves = 0.5}, 5},
+        {"N64_paper", {.spectrum = SpectrumModel::phillips_paper, .resolution = 64, .patch_size_m = 250}, 5},
+        {"N64_phillips",
+         {.spectrum = SpectrumModel::phillips, .resolution = 64, .patch_size_m = 250, .alignment = 0},
+         5},
+        {"N64_pierson",
+         {.spectrum = SpectrumModel::pierson_moskowitz, .resolution = 64, .patch_size_m = 250, .alignment = 1},
+         5},
+        {"N64_small_waves_shallow", {.resolution = 64, .patch_size_m = 250, .depth_m = 5, .small_waves = 0.5}, 5},
         {"N64_phillips_shallow",
          {.spectrum = SpectrumModel::phillips, .resolution = 64, .patch_size_m = 60, .depth_m = 6},
          5},
-        {"N64_breaking", {.resolution = 64, .depth_m = 1.5, .swell_height_m = 1}, 5},
+        {"N64_breaking", {.resolution = 64, .patch_size_m = 250, .depth_m = 1.5, .swell_height_m = 1}, 5},
         {"N64_swell",
          {.resolution = 64,
           .patch_size_m = 600,
@@ -51,13 +55,17 @@ std::vector<Case> cases() {
           .swell_direction_rad = 2,
           .swell_spread_rad = 0.4},
          5},
-        {"N64_cosine_2s", {.spreading = SpreadingModel::cosine_2s, .resolution = 64, .wind_direction_rad = 1}, 5},
-        {"N64_hasselmann", {.spreading = SpreadingModel::hasselmann, .resolution = 64, .wind_direction_rad = -2}, 5},
+        {"N64_cosine_2s",
+         {.spreading = SpreadingModel::cosine_2s, .resolution = 64, .patch_size_m = 250, .wind_direction_rad = 1},
+         5},
+        {"N64_hasselmann",
+         {.spreading = SpreadingModel::hasselmann, .resolution = 64, .patch_size_m = 250, .wind_direction_rad = -2},
+         5},
         {"N64_donelan_banner",
          {.spreading = SpreadingModel::donelan_banner, .resolution = 64, .patch_size_m = 60},
          5},
-        {"N64_short_loop", {.resolution = 64, .loop_period_s = 3.7}, 1.1},
-        {"N256", {.resolution = 256}, 12.34},
+        {"N64_short_loop", {.resolution = 64, .patch_size_m = 250, .loop_period_s = 3.7}, 1.1},
+        {"N256", {.resolution = 256, .patch_size_m = 250}, 12.34},
         {"N256_storm",
          {.resolution = 256, .patch_size_m = 1000, .wind_speed_mps = 25, .fetch_m = 5e5, .choppiness = 1},
          77},
@@ -145,7 +153,7 @@ TEST_P(FrameOnEachIsa, GradientBytesOfEveryLevelAreWithinOneStepOfEquation50) {
     Ocean ocean = ocean_on(one().sea, isa());
     const Frame& frame = ocean.frame_at(one().time_s);
     const auto levels =
-        oracle::levels_of(oracle::displacement_of(frame), one().sea.patch_size_m, one().sea.roughness);
+        oracle::levels_of(oracle::displacement_of(frame), one().sea.patch_size_m, frame.figures.roughness);
     ASSERT_EQ(static_cast<int>(levels.size()), mip_levels(frame.tiles[0].resolution()));
     for (std::size_t m = 0; m < levels.size(); ++m) {
         const auto texels = frame.tiles[0].gradient_level(static_cast<int>(m));
@@ -207,8 +215,8 @@ TEST(Ocean, BadOptionsThrowTheReasonOfCheck) {
     } catch (const std::invalid_argument& error) {
         EXPECT_STREQ(error.what(), "wind_speed_mps is -3, needs (0, 60]");
     }
-    Ocean ocean(SeaState{.resolution = 16});
-    EXPECT_THROW(ocean.schedule_sea(SeaState{.resolution = 32}), std::invalid_argument);
+    Ocean ocean(SeaState{.resolution = 16, .patch_size_m = 250});
+    EXPECT_THROW(ocean.schedule_sea(SeaState{.resolution = 32, .patch_size_m = 250}), std::invalid_argument);
     EXPECT_THROW(ocean.schedule_sea(bad), std::invalid_argument);
 }
 

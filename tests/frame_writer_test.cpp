@@ -74,7 +74,7 @@ class NoThreads {
 std::size_t frames_at_once(std::size_t most_bytes) {
     const TemporaryFolder path;
     ExportOptions options;
-    options.sea.sea = {.resolution = 64};
+    options.sea.sea = {.resolution = 64, .patch_size_m = 250};
     options.compute.threads = 8;
     options.folder = path.path();
     options.frames = 24;
@@ -115,7 +115,7 @@ TEST(FrameWriter, WritesEveryFrameWithoutAThreadOfItsOwn) {
 // README and help promise 2 GiB: eight frames of N = 2048.
 TEST(FrameWriter, TakesTwoGibibytesAtMost) {
     ExportOptions options;
-    options.sea.sea = {.resolution = 2048};
+    options.sea.sea = {.resolution = 2048, .patch_size_m = 250};
     options.compute.threads = 1024;
     EXPECT_EQ(frames_in_flight(options, most_bytes_in_flight), 8u);
     options.compute.threads = 3;

@@ -21,7 +21,13 @@ TEST(GlFrames, DriverIsSilentOver200FramesWithResizesAndALostContext) {
     std::vector<std::uint8_t> before;
     for (int life = 0; life < 2; ++life) {
         // The second scene is what a host builds after its context was lost: everything anew.
-        GlScene scene({.quality = "low", .resolution = 64, .width = 96, .height = 64, .samples = 1, .size_m = 1024});
+        GlScene scene({.quality = "low",
+                       .resolution = 64,
+                       .patch_size_m = 250,
+                       .width = 96,
+                       .height = 64,
+                       .samples = 1,
+                       .size_m = 1024});
         ASSERT_TRUE(scene.context.has_debug());
         for (int frame = 0; frame < 100; ++frame) {
             if (frame % 25 == 24) scene.resize(64 + frame, 120 - frame);
@@ -39,7 +45,8 @@ TEST(GlFrames, DriverIsSilentOver200FramesWithResizesAndALostContext) {
 }
 
 TEST(GlFrames, CallsAndBytesStayWithinTheirLimits) {
-    GlScene scene({.preset = "moderate", .resolution = 256, .width = 96, .height = 64, .samples = 1});
+    GlScene scene(
+        {.preset = "moderate", .resolution = 256, .patch_size_m = 250, .width = 96, .height = 64, .samples = 1});
     for (int frame = 0; frame < 8; ++frame) {
         const bool stereo = frame % 2 == 1;
         const gl::DrawFigures& figures = scene.draw(moving_camera(frame), frame / 90.0, true, stereo);

@@ -35,8 +35,13 @@ TEST_P(GlHoles, NothingShowsThroughTheSeaBelowTheHorizon) {
     // A software driver takes minutes for 200 times the millions of vertices of the finest patches: a smaller grid has
     // the same meshes and seams.
     const double size_m = std::string_view(GetParam()) == "ultra" ? 512 : 4096;
-    GlScene scene(
-        {.quality = GetParam(), .resolution = 128, .width = width, .height = height, .samples = 1, .size_m = size_m});
+    GlScene scene({.quality = GetParam(),
+                   .resolution = 128,
+                   .patch_size_m = 250,
+                   .width = width,
+                   .height = height,
+                   .samples = 1,
+                   .size_m = size_m});
     // The gate looks from every seventh place, 29 in all, of which three are far away and four have two eyes.
     for (int i = 0; i < 200; i += of_sweep(7, 1)) {
         const double time_s = 0.1 * i;

@@ -26,8 +26,13 @@ TEST(GlSurface, LiesWhereTheFramesTexelsSayAndNotHalfATexelBeside) {
     SeaState sea = sea_named("moderate", 256);
     sea.patch_size_m = 256;
     sea.choppiness = 0;
-    GlScene scene(
-        {.quality = "ultra", .resolution = 256, .width = side, .height = side, .samples = 1, .size_m = 512});
+    GlScene scene({.quality = "ultra",
+                   .resolution = 256,
+                   .patch_size_m = 250,
+                   .width = side,
+                   .height = side,
+                   .samples = 1,
+                   .size_m = 512});
     Ocean ocean(sea, {.executor = make_serial_executor()});
     const Frame& frame = ocean.frame_at(3);
     const double top_m = 0.1;
@@ -70,8 +75,13 @@ TEST(GlSurface, LiesWhereTheFramesTexelsSayAndNotHalfATexelBeside) {
 // The viewer is what positions are relative to, and nothing else: a picture is that of the eye. The second copy of the
 // waves, whose turn C++ and the shader both know, would be another sea from elsewhere.
 TEST(GlSurface, IsTheSameWhateverItsPositionsAreRelativeTo) {
-    GlScene scene(
-        {.preset = "moderate", .quality = "low", .resolution = 64, .width = 160, .height = 90, .samples = 1});
+    GlScene scene({.preset = "moderate",
+                   .quality = "low",
+                   .resolution = 64,
+                   .patch_size_m = 250,
+                   .width = 160,
+                   .height = 90,
+                   .samples = 1});
     const Frame& frame = scene.ocean.frame_at(3);
     const Camera camera{.position_m = {0, 40, 0}, .target_m = {200, 0, 130}};
     const gl::Eye eye = gl::eye_of(camera, {0, 0, 160, 90});

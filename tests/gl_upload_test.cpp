@@ -24,7 +24,7 @@ std::vector<Value> read_level(const gl::Functions& gl, GLuint texture, int level
 
 // Seven uploads go around the ring of pixel buffers and the pair of textures more than once.
 TEST(GlUpload, TexturesHoldTheFramesBytesInEveryMip) {
-    GlScene scene({.resolution = 128, .width = 64, .height = 64});
+    GlScene scene({.resolution = 128, .patch_size_m = 250, .width = 64, .height = 64});
     for (int i = 0; i < 7; ++i) {
         const Frame& frame = scene.ocean.frame_at(0.37 * i);
         scene.renderer->upload(frame);
@@ -47,7 +47,13 @@ TEST(GlUpload, AChangeOfSeaDrawsEachFrameAsTheSeaThatItIs) {
     // As a host changes the sea: the new one is there while the old one's last frame is still to be drawn.
     const Camera camera{.position_m = {0, 10, 0}, .target_m = {60, 0, 40}};
     const SeaState storm = sea_named("storm", 128);
-    GlScene scene({.preset = "calm", .quality = "low", .resolution = 128, .width = 96, .height = 64, .samples = 1});
+    GlScene scene({.preset = "calm",
+                   .quality = "low",
+                   .resolution = 128,
+                   .patch_size_m = 250,
+                   .width = 96,
+                   .height = 64,
+                   .samples = 1});
     const Frame& last_calm = scene.ocean.frame_at(3);
     const auto calm_picture = scene.picture(camera, last_calm);
     scene.ocean.schedule_sea(storm);
@@ -55,7 +61,13 @@ TEST(GlUpload, AChangeOfSeaDrawsEachFrameAsTheSeaThatItIs) {
     scene.ocean.schedule(3);
     const auto last_calm_picture = scene.picture(camera, last_calm);
     const auto changed_picture = scene.picture(camera, scene.ocean.complete());
-    GlScene fresh({.preset = "storm", .quality = "low", .resolution = 128, .width = 96, .height = 64, .samples = 1});
+    GlScene fresh({.preset = "storm",
+                   .quality = "low",
+                   .resolution = 128,
+                   .patch_size_m = 250,
+                   .width = 96,
+                   .height = 64,
+                   .samples = 1});
     const auto storm_picture = fresh.picture(camera, 3);
 
     EXPECT_EQ(last_calm_picture, calm_picture);

@@ -1,9 +1,9 @@
 // The slopes of any planes, by the kernels of an instruction set.
 #pragma once
 
-#include "pelagic/sim/frame.hpp"
 #include "pelagic/sim/kernels/wave_blocks.hpp"
 #include "pelagic/sim/surface/slope_maps.hpp"
+#include "pelagic/sim/tile.hpp"
 #include "pelagic/tests/unfused/unfused_slopes.hpp"
 
 namespace pelagic {

@@ -23,7 +23,7 @@ class MisuseDeathTest : public testing::Test {
         testing::GTEST_FLAG(death_test_style) = "threadsafe";
     }
 
-    Ocean ocean_{{.resolution = 16}, {.executor = make_serial_executor(), .queries = true}};
+    Ocean ocean_{{.resolution = 16, .patch_size_m = 250}, {.executor = make_serial_executor(), .queries = true}};
 };
 
 TEST_F(MisuseDeathTest, AFrameIsScheduledWhileOneIsInFlight) {
@@ -41,13 +41,15 @@ TEST_F(MisuseDeathTest, AFrameIsCompletedBeforeTheFirst) {
 }
 
 TEST_F(MisuseDeathTest, ASeaIsScheduledWhileOneIsBaked) {
-    EXPECT_DEATH((ocean_.schedule_sea({.resolution = 16}), ocean_.schedule_sea({.resolution = 16})),
+    EXPECT_DEATH((ocean_.schedule_sea({.resolution = 16, .patch_size_m = 250}),
+                  ocean_.schedule_sea({.resolution = 16, .patch_size_m = 250})),
                  "complete_sea\\(\\) first");
 }
 
 TEST_F(MisuseDeathTest, ASeaIsCompletedWhileAFrameIsInFlight) {
-    EXPECT_DEATH((ocean_.schedule_sea({.resolution = 16}), ocean_.schedule(0), ocean_.complete_sea()),
-                 "complete\\(\\) the frame in flight first");
+    EXPECT_DEATH(
+        (ocean_.schedule_sea({.resolution = 16, .patch_size_m = 250}), ocean_.schedule(0), ocean_.complete_sea()),
+        "complete\\(\\) the frame in flight first");
 }
 
 TEST_F(MisuseDeathTest, AQueryHasNoTolerance) {

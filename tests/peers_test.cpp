@@ -47,8 +47,8 @@ void PrintTo(const Case& one, std::ostream* out) { *out << one.name; }
 /// Winds across both axes, so that a turned sign or a swapped axis shows.
 std::vector<Case> cases() {
     return {
-        {"N32", {.resolution = 32, .wind_direction_rad = 2.5}, 1.5},
-        {"N64", {.resolution = 64, .wind_direction_rad = -1}, 143.7},
+        {"N32", {.resolution = 32, .patch_size_m = 250, .wind_direction_rad = 2.5}, 1.5},
+        {"N64", {.resolution = 64, .patch_size_m = 250, .wind_direction_rad = -1}, 143.7},
         {"N64_choppy_and_shallow",
          {.resolution = 64,
           .patch_size_m = 37.3,
@@ -57,7 +57,7 @@ std::vector<Case> cases() {
           .choppiness = 1,
           .roughness = 0.4},
          -3},
-        {"N256", {.resolution = 256}, 12.34},
+        {"N256", {.resolution = 256, .patch_size_m = 250}, 12.34},
         {"N256_breaking",
          {.spectrum = SpectrumModel::phillips_paper,
           .patch_size_m = 50,
@@ -73,10 +73,12 @@ enum class Peer { paper, fftw_packed, fftw_separate };
 class PeerOf : public testing::TestWithParam<std::tuple<Peer, Case>> {
    protected:
     PeerOf() : ocean_(one().sea, {.executor = make_serial_executor()}), ours_(ocean_.frame_at(one().time_s)) {
+        SeaState sea = one().sea;
+        sea.roughness = ours_.figures.roughness;  // peers know no other than the user's
         switch (std::get<Peer>(GetParam())) {
-            case Peer::paper: paper_.emplace(one().sea); break;
-            case Peer::fftw_packed: fftw_.emplace(one().sea, choose_isa(), FftwArrangement::packed); break;
-            case Peer::fftw_separate: fftw_.emplace(one().sea, choose_isa(), FftwArrangement::separate); break;
+            case Peer::paper: paper_.emplace(sea); break;
+            case Peer::fftw_packed: fftw_.emplace(sea, choose_isa(), FftwArrangement::packed); break;
+            case Peer::fftw_separate: fftw_.emplace(sea, choose_isa(), FftwArrangement::separate); break;
         }
         theirs_ = paper_ ? paper_->frame_at(one().time_s) : fftw_->frame_at(one().time_s);
     }
@@ -195,7 +197,8 @@ TEST(PeerCases, OneSeaBreaks) {
 
 TEST(ScalarQuery, HasTheBitsOfTheLibrarysQueries) {
     for (const int n : {64, 256}) {
-        Ocean ocean({.resolution = n, .choppiness = 1}, {.executor = make_serial_executor(), .queries = true});
+        Ocean ocean({.resolution = n, .patch_size_m = 250, .choppiness = 1},
+                    {.executor = make_serial_executor(), .queries = true});
         const Frame& frame = ocean.frame_at(3);
         std::mt19937 random(n);
         std::uniform_real_distribution<double> anywhere(-500, 500);

@@ -111,7 +111,7 @@ TEST(QuadtreeCommand, VerticesHaveTextureCoordinatesAndNormals) {
     ASSERT_EQ(obj.texture.size(), obj.vertices.size());
     ASSERT_EQ(obj.normals.size(), obj.vertices.size());
 
-    const SeaState sea{.resolution = 64};
+    const SeaState sea{.resolution = 64, .patch_size_m = 250};
     Ocean ocean(sea, {.executor = make_serial_executor(), .queries = true});
     const Frame& frame = ocean.frame_at(0);
     const SurfaceQuery water(frame);

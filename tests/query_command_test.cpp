@@ -57,7 +57,7 @@ TEST(QueryCommand, PrintsTheLibrarysAnswersToTheLastBit) {
     ASSERT_EQ(lines.size(), 4u);
     EXPECT_EQ(lines[0], header);
 
-    Ocean ocean({.resolution = 64, .wind_speed_mps = 9, .choppiness = 1, .seed = 3},
+    Ocean ocean({.resolution = 64, .patch_size_m = 250, .wind_speed_mps = 9, .choppiness = 1, .seed = 3},
                 {.executor = make_serial_executor(), .queries = true, .velocities = true});
     const std::vector<double> x = {0, 12.25, 1e3}, z = {0, -3.5, -0.1};
     std::vector<std::vector<float>> values(9, std::vector<float>(3));

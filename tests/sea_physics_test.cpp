@@ -154,6 +154,7 @@ TEST(Warnings, SayTheHeightOfAShortPatchOverAllSeedsAndOfTheWind) {
     SeaState sea = sea_preset_named("storm")->sea;
     sea.patch_size_m = 400;
     sea.resolution = 64;
+    sea.patch_size_m = 250;
     const std::vector<std::string> warnings = warnings_about(sea);
     ASSERT_EQ(warnings.size(), 1u);
     double patch = 0, wind = 0;
@@ -182,7 +183,7 @@ TEST(PeakPeriod, MeasuredIsNearExpected) {
 // Drawn by wave vector, the sea is real, Nyquist included; drawn by index its imaginary part would be as large.
 TEST(Symmetry, TheSeaOfTheLibrarysDrawsIsReal) {
     for (const int n : {16, 64}) {
-        const oracle::Fields fields = oracle::fields_at({.resolution = n, .choppiness = 1}, 3.3);
+        const oracle::Fields fields = oracle::fields_at({.resolution = n, .patch_size_m = 250, .choppiness = 1}, 3.3);
         for (const oracle::ComplexField* field : {&fields.height, &fields.dx, &fields.dz}) {
             double real = 0, imaginary = 0;
             for (const oracle::Complex& value : *field) {
@@ -195,7 +196,7 @@ TEST(Symmetry, TheSeaOfTheLibrarysDrawsIsReal) {
 }
 
 TEST(Symmetry, EnergyInSpaceIsEnergyInTheSpectrum) {
-    const SeaState sea{.resolution = 128};
+    const SeaState sea{.resolution = 128, .patch_size_m = 250};
     Ocean ocean = ocean_of(sea);
     const oracle::Displacement surface = oracle::displacement_of(ocean.frame_at(4.5));
     double space = 0, waves = 0;
@@ -209,7 +210,7 @@ TEST(Symmetry, EnergyInSpaceIsEnergyInTheSpectrum) {
 TEST(Direction, WavesRunDownTheWind) {
     for (int eighth = 0; eighth < 8; ++eighth) {
         const double direction = eighth * pi / 4;
-        const SeaState sea{.resolution = 64, .wind_direction_rad = direction, .alignment = 1};
+        const SeaState sea{.resolution = 64, .patch_size_m = 250, .wind_direction_rad = direction, .alignment = 1};
         Ocean ocean = ocean_of(sea);
         const auto spectrum_of = [&](double time_s) {
             const oracle::Displacement surface = oracle::displacement_of(ocean.frame_at(time_s));
@@ -236,7 +237,7 @@ TEST(Direction, WavesRunDownTheWind) {
 
 TEST(Crests, AreSharpAndTheJacobianIsLeastOnThem) {
     for (const SpectrumModel model : spectrum_models()) {
-        const SeaState sea{.spectrum = model, .resolution = 256, .choppiness = 1};
+        const SeaState sea{.spectrum = model, .resolution = 256, .patch_size_m = 250, .choppiness = 1};
         Ocean ocean = ocean_of(sea);
         const oracle::Displacement surface = oracle::displacement_of(ocean.frame_at(2));
         const oracle::Plane jacobian = oracle::jacobian_of(surface, sea.patch_size_m);
@@ -257,7 +258,7 @@ TEST(Crests, AreSharpAndTheJacobianIsLeastOnThem) {
 }
 
 TEST(Crests, WithoutChoppinessNothingMovesSideways) {
-    Ocean ocean = ocean_of({.resolution = 64, .choppiness = 0});
+    Ocean ocean = ocean_of({.resolution = 64, .patch_size_m = 250, .choppiness = 0});
     const Frame& frame = ocean.frame_at(1.7);
     for (int j = 0; j < 64; ++j) {
         for (int i = 0; i < 64; ++i) {
@@ -269,9 +270,10 @@ TEST(Crests, WithoutChoppinessNothingMovesSideways) {
 
 TEST(Resolution, TwiceAsFineAGridKeepsTheSea) {
     for (const int n : {16, 64, 128}) {
-        SeaState sea{.resolution = n, .choppiness = 1};
+        SeaState sea{.resolution = n, .patch_size_m = 250, .choppiness = 1};
         Ocean coarse_ocean = ocean_of(sea);
         sea.resolution = 2 * n;
+        sea.patch_size_m = 250;
         Ocean fine_ocean = ocean_of(sea);
         const oracle::Displacement coarse = oracle::displacement_of(coarse_ocean.frame_at(6));
         const oracle::Displacement fine = oracle::displacement_of(fine_ocean.frame_at(6));
@@ -320,6 +322,7 @@ TEST(LoopFrequencies, AreThoseOfItsFrames) {
     for (const char* name : {"calm", "moderate", "rough", "storm"}) {
         SeaState sea = sea_preset_named(name)->sea;
         sea.resolution = 32;
+        sea.patch_size_m = 250;
         sea.loop_period_s = 1.5 * expected_waves(sea).peak_period_s;
         std::vector<double> shares = measured_shares(sea, 32);
         std::sort(shares.begin(), shares.end(), std::greater());

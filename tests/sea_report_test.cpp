@@ -43,7 +43,7 @@ TEST(SeaReport, MeanDirectionIsTheWinds) {
 // The same waves by the oracle, over the full plane and by libm.
 TEST(SeaReport, DrawnDirectionsAreThoseOfTheDrawnWaves) {
     for (const std::uint32_t seed : {1u, 2u, 3u}) {
-        const SeaState sea{.resolution = 32, .wind_direction_rad = 2, .seed = seed};
+        const SeaState sea{.resolution = 32, .patch_size_m = 250, .wind_direction_rad = 2, .seed = seed};
         double all = 0, x = 0, z = 0;
         for (int n = -15; n <= 15; ++n) {
             for (int m = -15; m <= 15; ++m) {
@@ -77,20 +77,20 @@ TEST(SeaReport, SlopesAreTheSumOfTheirWaves) {
     ASSERT_EQ(report.tiles.size(), 1u);
     EXPECT_EQ(report.tiles[0].side_m, 120);
     EXPECT_EQ(report.tiles[0].resolution, 64);
-    EXPECT_NEAR(report.tiles[0].slopes.along_wind / along, 1, 1e-6);
-    EXPECT_NEAR(report.tiles[0].slopes.across_wind / across, 1, 1e-6);
+    EXPECT_NEAR(report.tiles[0].slopes.upwind / along, 1, 1e-6);
+    EXPECT_NEAR(report.tiles[0].slopes.crosswind / across, 1, 1e-6);
 }
 
 // Cox and Munk's own example of a clean sea: 10 m/s gives 0.003 + 0.0512.
 TEST(SeaReport, SlopesOfCoxAndMunkAreThePublishedOnes) {
-    EXPECT_NEAR(cox_and_munk_slopes(10).total(), 0.003 + 5.12e-3 * 10, 2e-4 * 10) << "their sum is rounded by itself";
-    EXPECT_NEAR(cox_and_munk_slopes(10).along_wind, 0.0316, 1e-12);
-    EXPECT_NEAR(cox_and_munk_slopes(10).across_wind, 0.0222, 1e-12);
+    EXPECT_NEAR(measured_slopes(10).total(), 0.003 + 5.12e-3 * 10, 2e-4 * 10) << "their sum is rounded by itself";
+    EXPECT_NEAR(measured_slopes(10).upwind, 0.0316, 1e-12);
+    EXPECT_NEAR(measured_slopes(10).crosswind, 0.0222, 1e-12);
 }
 
 // One pass gives what each question gives by itself.
 TEST(SeaReport, AgreesWithTheSingleFigures) {
-    const SeaState sea{.resolution = 64, .loop_period_s = 12.8, .seed = 5};
+    const SeaState sea{.resolution = 64, .patch_size_m = 250, .loop_period_s = 12.8, .seed = 5};
     const SeaReport report = report_on(sea);
     EXPECT_EQ(report.expected.significant_wave_height_m, expected_waves(sea).significant_wave_height_m);
     EXPECT_EQ(report.drawn_peak_period_s, measured_peak_period_s(sea));
@@ -100,7 +100,7 @@ TEST(SeaReport, AgreesWithTheSingleFigures) {
 }
 
 TEST(SeaReport, OfASeaWithoutWavesIsCalm) {
-    const SeaReport report = report_on({.resolution = 16, .wind_speed_mps = 1e-3});
+    const SeaReport report = report_on({.resolution = 16, .patch_size_m = 250, .wind_speed_mps = 1e-3});
     EXPECT_EQ(report.expected_directions.spread_rad, 0);
     EXPECT_EQ(report.drawn_directions.mean_rad, 0);
     EXPECT_EQ(report.loop_frequencies.for_90_percent, 0);

@@ -11,8 +11,12 @@
 #include <string>
 #include <vector>
 
+#include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/slope_sum.hpp"
+#include "pelagic/sim/spectrum/amplitudes.hpp"
 #include "pelagic/sim/surface/surface_look.hpp"
+#include "pelagic/sim/surface/surface_stages.hpp"
+#include "pelagic/sim/tile_plan.hpp"
 #include "pelagic/tests/each_isa.hpp"
 #include "pelagic/tests/kernel_slopes.hpp"
 
@@ -175,6 +179,68 @@ TEST(SlopeSum, TurnedTilesAreNearTheExactSurface) {
     RecordProperty("normal_most_deg", std::to_string(normal_most));
     RecordProperty("jacobian_rms", std::to_string(std::sqrt(jacobian_squares)));
     RecordProperty("jacobian_most", std::to_string(jacobian_most));
+}
+
+/// All waves that a tile of a sea holds at t = 0: h = sum of h0 e^{ikx} and its conjugate.
+WaveTile waves_of(const SeaState& sea, const TilePlan& plan) {
+    const TileLattice& lattice = plan.lattice;
+    WaveTile tile{plan.resolution, lattice.side_m, std::atan2(lattice.sine, lattice.cosine), {}, 0};
+    const TileWaves waves(sea, plan);
+    const int half = plan.resolution / 2;
+    for (int n = -half; n < half; ++n) {
+        for (int m = -half; m < half; ++m) {
+            const std::complex<double> h0 = waves.amplitude(m, n);
+            if (h0 == 0.0) continue;
+            const auto [kx, kz] = lattice.in_world(m * plan.spacing(), n * plan.spacing());
+            tile.waves.push_back({kx, kz, 2.0 * h0});
+        }
+    }
+    return tile;
+}
+
+// The same of real seas, from their own spectrum to the bytes of a frame. Their ranges come from the sea, too.
+TEST(SlopeSum, OfAnOceansTilesIsNearTheExactSurface) {
+    for (const int cascades : {3, 4}) {
+        const SeaState sea{.cascades = cascades, .wind_direction_rad = 0.7};
+        Ocean ocean(sea, {.executor = make_serial_executor()});
+        const Frame& frame = ocean.frame_at(0);
+        const std::vector<TilePlan> plans = plan_tiles(sea);
+        ASSERT_EQ(frame.tiles.size(), static_cast<std::size_t>(cascades));
+        std::vector<WaveTile> waves;
+        std::vector<TileSlopes> maps;
+        for (std::size_t t = 0; t < plans.size(); ++t) {
+            const Tile& tile = frame.tiles[t];
+            waves.push_back(waves_of(sea, plans[t]));
+            maps.push_back({{tile.slopes_rgba8.begin(), tile.slopes_rgba8.end()},
+                            {tile.moments_rgba8.begin(), tile.moments_rgba8.end()},
+                            {}});
+        }
+        std::mt19937 random(2);
+        std::uniform_real_distribution<double> place(-2000, 2000);
+        double normal_squares = 0, jacobian_squares = 0, exact_squares = 0, shown_squares = 0;
+        constexpr int points = 600;
+        for (int p = 0; p < points; ++p) {
+            const double x = place(random), z = place(random);
+            SurfaceSlopes exact, shown;
+            for (std::size_t t = 0; t < plans.size(); ++t) {
+                exact += exact_slopes(waves[t], sea.choppiness, x, z);
+                shown += filtered(waves[t], maps[t], frame.tiles[t].slope_ranges, x, z);
+            }
+            const double degrees = angle_between(normal_of(exact), normal_of(shown)) * 180 / pi;
+            const double difference = normal_of(exact).y - normal_of(shown).y;
+            normal_squares += degrees * degrees / points;
+            jacobian_squares += difference * difference / points;
+            exact_squares += (exact.h_x * exact.h_x + exact.h_z * exact.h_z) / points;
+            shown_squares += (shown.h_x * shown.h_x + shown.h_z * shown.h_z) / points;
+        }
+        EXPECT_LE(std::sqrt(normal_squares), 2) << cascades;
+        EXPECT_LE(std::sqrt(jacobian_squares), 0.03) << cascades;
+        const std::string which = std::to_string(cascades) + "_tiles_";
+        RecordProperty(which + "normal_rms_deg", std::to_string(std::sqrt(normal_squares)));
+        RecordProperty(which + "jacobian_rms", std::to_string(std::sqrt(jacobian_squares)));
+        RecordProperty(which + "mean_square_slope", std::to_string(exact_squares));
+        RecordProperty(which + "mean_square_slope_shown", std::to_string(shown_squares));
+    }
 }
 
 /// sin^2(t/2) / (t/2)^2 and (2 + cos t) / 3: the mean over a texel of a wave that a bilinear filter reads, against the wave
@@ -368,6 +434,10 @@ TEST(SlopeMips, KeepTheRoughnessOfEveryLevel) {
             exact[1] += wave.kz * wave.kz * std::norm(wave.amplitude) / 2;
             exact[2] += wave.kx * wave.kz * std::norm(wave.amplitude) / 2;
         }
+        RecordProperty(
+            "kept_of_mean_square_slope_" + std::to_string(angle),
+            std::to_string((total_variance(maps, ranges, n, 1)[0] + total_variance(maps, ranges, n, 1)[1]) /
+                           (exact[0] + exact[1])));
         const double step = ranges.variance / 127.0;
         const std::array<double, 3> first = total_variance(maps, ranges, n, 1);
         for (int level = 1; level < mip_levels(n); ++level) {
@@ -487,6 +557,113 @@ TEST_P(SlopesOnEachIsa, GradientsWithoutHalvesAreTheSame) {
     const Gradients with = gradients_by(kernels(), planes, true), without = gradients_by(kernels(), planes, false);
     EXPECT_EQ(with.texels, without.texels);
     EXPECT_EQ(std::ranges::count(without.halves, 0), static_cast<std::ptrdiff_t>(without.halves.size()));
+}
+
+TilePlanes planes_of(const Tile& tile) {
+    TilePlanes planes{tile.resolution(),
+                      tile.lattice.side_m,
+                      static_cast<float>(tile.lattice.cosine),
+                      static_cast<float>(tile.lattice.sine),
+                      {},
+                      {},
+                      {}};
+    for (int j = 0; j < tile.resolution(); ++j) {
+        for (int i = 0; i < tile.resolution(); ++i) {
+            planes.dx.push_back(tile.dx.at(i, j));
+            planes.height.push_back(tile.height.at(i, j));
+            planes.dz.push_back(tile.dz.at(i, j));
+        }
+    }
+    return planes;
+}
+
+void expect_slopes(const Tile& tile, const TileSlopes& expected) {
+    EXPECT_TRUE(std::ranges::equal(tile.slopes_rgba8, expected.slopes));
+    EXPECT_TRUE(std::ranges::equal(tile.moments_rgba8, expected.moments));
+}
+
+TEST(SlopesOfFrames, AreThereForOneTileIfAskedAndChangeNoHash) {
+    const SeaState sea{.resolution = 64, .patch_size_m = 60};
+    Ocean plain(sea, {.executor = make_serial_executor()});
+    Ocean asked(sea, {.executor = make_serial_executor(), .slopes = true});
+    const Frame& without = plain.frame_at(3);
+    const Frame& with = asked.frame_at(3);
+    EXPECT_TRUE(without.tiles[0].slopes_rgba8.empty());
+    EXPECT_TRUE(without.tiles[0].moments_rgba8.empty());
+    EXPECT_EQ(hash_of(with), hash_of(without));
+    EXPECT_GT(asked.memory_bytes(), plain.memory_bytes());
+    const Tile& tile = with.tiles[0];
+    expect_slopes(tile, unfused::slopes_of(planes_of(tile), tile.slope_ranges));
+
+    // The ranges follow from the waves: their mean square slope by the definition.
+    const TilePlan plan = plan_tiles(sea)[0];
+    const TileWaves waves(sea, plan);
+    double mean_square_slope = 0;
+    for (int n = 0; n < 32; ++n) {
+        for (int m = -31; m < 32; ++m) {
+            if (n == 0 && m <= 0) continue;
+            const auto [along, against] = waves.variances(m, n).plus;
+            const double k = plan.spacing() * std::hypot(m, n);
+            mean_square_slope += 2 * k * k * (along + against);
+        }
+    }
+    EXPECT_NEAR(tile.slope_ranges.slope, 4 * std::sqrt(mean_square_slope), 1e-6);
+    EXPECT_NEAR(tile.slope_ranges.variance, 3 * mean_square_slope, 1e-6);
+
+    std::vector<std::uint32_t> slopes(tile.slopes_rgba8.size()), moments(slopes.size());
+    FrameBuffers buffers{.slopes_rgba8 = slopes, .moments_rgba8 = moments};
+    asked.frame_at(3, buffers);
+    EXPECT_TRUE(std::ranges::equal(slopes, tile.slopes_rgba8));
+    EXPECT_TRUE(std::ranges::equal(moments, tile.moments_rgba8));
+    try {
+        plain.frame_at(3, buffers);
+        FAIL() << "no exception";
+    } catch (const std::invalid_argument& error) {
+        EXPECT_STREQ(error.what(), "slopes_rgba8 is wanted, needs an ocean with slopes");
+    }
+}
+
+// Displacement that a test writes, in a frame of two tiles.
+TEST(SlopesOfFrames, MakeTheHalvesAndTheHashOfSeveralTiles) {
+    std::mt19937 random(12);
+    const Kernels& kernels = kernels_for(choose_isa());
+    const FrameExtras extras{.gradients = false, .slopes = true};
+    FrameSlots slots(2, 32, kernels.lanes, extras);
+    SurfaceStages first(slots, 0, kernels, extras), second(slots, 1, kernels, extras);
+    JobGraph graph;
+    const StageId surface_done = graph.add({.name = "surface", .count = 1, .body = [](std::size_t, std::size_t) {}});
+    first.add_to(graph, surface_done);
+    second.add_to(graph, surface_done);
+    const WaveTile waves[] = {random_tile(32, 100, 0, 2, 0.02, random), random_tile(32, 13, 0.7, 3, 0.02, random)};
+    for (std::size_t t = 0; t < 2; ++t) {
+        const TilePlanes planes = planes_of(waves[t], 0.8);
+        slots.buffers(t).surface = surface_of(planes, kernels.lanes);
+        // The views of the buffer that was there before.
+        slots.tile(t).dx.data = slots.buffers(t).surface.data();
+        slots.tile(t).height.data = slots.buffers(t).surface.data() + surface_height * kernels.lanes;
+        slots.tile(t).dz.data = slots.buffers(t).surface.data() + surface_dz * kernels.lanes;
+        slots.tile(t).lattice = {waves[t].side_m, std::cos(waves[t].angle_rad), std::sin(waves[t].angle_rad)};
+        slots.tile(t).slope_ranges = slope_ranges(waves[t].mean_square_slope);
+    }
+    const auto executor = make_serial_executor();
+    const auto run = executor->prepare(graph);
+    run->schedule();
+    run->complete();
+    for (std::size_t t = 0; t < 2; ++t) {
+        const Tile& tile = slots.tile(t);
+        const TileSlopes expected = unfused::slopes_of(planes_of(waves[t], 0.8), tile.slope_ranges);
+        expect_slopes(tile, expected);
+        EXPECT_TRUE(std::ranges::equal(tile.displacement_rgba16f, expected.halves));
+        EXPECT_TRUE(tile.gradient_rgba8.empty());
+    }
+    const std::uint64_t hash = hash_of(slots.frame());
+    slots.buffers(1).moments[5] ^= 1;
+    EXPECT_NE(hash_of(slots.frame()), hash);
+    slots.buffers(1).moments[5] ^= 1;
+    EXPECT_EQ(hash_of(slots.frame()), hash);
+    const std::vector<std::uint32_t> gradients(mip_offset(32, mip_levels(32)));
+    slots.tile(0).gradient_rgba8 = gradients;
+    EXPECT_EQ(hash_of(slots.frame()), hash) << "gradients beside slopes are an option";
 }
 
 }  // namespace

@@ -41,6 +41,7 @@ pelagic_sea sea_number(int number, std::int32_t resolution) {
     auto sea = sized<pelagic_sea>();
     must(pelagic_sea_preset(number == 0 ? "calm" : number == 1 ? "rough" : "storm", &sea));
     sea.resolution = resolution;
+    sea.patch_size_m = 250;
     sea.seed = static_cast<std::uint32_t>(number);
     return sea;
 }

@@ -177,6 +177,7 @@ TEST(SurfaceQuery, OfSheetsOverOneAnotherTheHighestCounts) {
     for (unsigned seed = 1; seed <= 4; ++seed) {
         const SeaState sea{.spectrum = SpectrumModel::phillips_paper,
                            .resolution = seed % 2 ? 128 : 256,
+                           .patch_size_m = 250,
                            .wind_speed_mps = 20,
                            .choppiness = 1,
                            .seed = seed};
@@ -192,7 +193,7 @@ TEST(SurfaceQuery, OfSheetsOverOneAnotherTheHighestCounts) {
 }
 
 TEST(SurfaceQuery, TheHighestCountsInATangleOfSheetsToo) {
-    const auto ocean = ocean_of({.resolution = 128, .choppiness = 1});
+    const auto ocean = ocean_of({.resolution = 128, .patch_size_m = 250, .choppiness = 1});
     for (const float factor : {8.f, 12.f, 20.f}) {
         const Exaggerated sea(ocean->frame_at(factor), factor, kernels_for(ocean->isa()));
         const oracle::Surface surface(sea.frame(), sea.frame().sea.patch_size_m);
@@ -204,8 +205,11 @@ TEST(SurfaceQuery, TheHighestCountsInATangleOfSheetsToo) {
 }
 
 TEST(SurfaceQuery, TheFoldMapHoldsEveryPointUnderSeveralSheets) {
-    const SeaState sea{
-        .spectrum = SpectrumModel::phillips_paper, .resolution = 64, .wind_speed_mps = 20, .choppiness = 1};
+    const SeaState sea{.spectrum = SpectrumModel::phillips_paper,
+                       .resolution = 64,
+                       .patch_size_m = 250,
+                       .wind_speed_mps = 20,
+                       .choppiness = 1};
     const auto ocean = ocean_of(sea);
     const Frame& frame = ocean->frame_at(5);
     const oracle::Surface surface(frame, sea.patch_size_m);
@@ -379,7 +383,7 @@ TEST(SurfaceQuery, TheSeaRepeatsFarFromTheOriginToTheBit) {
 }
 
 TEST(SurfaceQuery, APlaceThatIsNoneIsNotConverged) {
-    const auto ocean = ocean_of({.resolution = 32});
+    const auto ocean = ocean_of({.resolution = 32, .patch_size_m = 250});
     const SurfaceQuery query(ocean->frame_at(0));
     const double infinity = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
     const Points points{{infinity, -infinity, nan, 0, 1e300, 3}, {0, 0, 0, nan, 0, 4}};
@@ -407,10 +411,10 @@ TEST(SurfaceQuery, ErrorIsHonestWhereTheToleranceIsBeyondFloat) {
 }
 
 TEST(SurfaceQuery, SaysWhatTheFrameLacks) {
-    Ocean plain({.resolution = 32}, {.executor = make_serial_executor()});
+    Ocean plain({.resolution = 32, .patch_size_m = 250}, {.executor = make_serial_executor()});
     EXPECT_THROW(SurfaceQuery(plain.frame_at(0)), std::invalid_argument);
 
-    Ocean still({.resolution = 32}, {.executor = make_serial_executor(), .queries = true});
+    Ocean still({.resolution = 32, .patch_size_m = 250}, {.executor = make_serial_executor(), .queries = true});
     const SurfaceQuery query(still.frame_at(0));
     const Points points{{1}, {2}};
     std::vector<float> height = {-1}, velocity(1);

@@ -51,7 +51,7 @@ class RecordingSink final : public TraceSink {
 };
 
 /// The smallest whose frames go to the executor.
-constexpr SeaState small_sea{.resolution = 128};
+constexpr SeaState small_sea{.resolution = 128, .patch_size_m = 250};
 constexpr int frames = 5;
 
 /// A few frames of a small sea, the next one scheduled before the last is looked at, as hosts do.
@@ -93,7 +93,7 @@ TEST_P(TraceOnEachExecutor, HoldsEveryBlockOfEveryStageOnceAFrame) {
 
 // Sharing so little work out would only slow it down.
 TEST_P(TraceOnEachExecutor, FramesOf64StayOnTheCompletingThread) {
-    Ocean ocean({.resolution = 64}, {.executor = executor(), .trace = sink_});
+    Ocean ocean({.resolution = 64, .patch_size_m = 250}, {.executor = executor(), .trace = sink_});
     for (int i = 0; i < frames; ++i) ocean.frame_at(i);
     const auto jobs = sink_->of_runs("frame", false);
     ASSERT_FALSE(jobs.empty());
@@ -181,7 +181,7 @@ TEST_P(TraceOnEachExecutor, AFrameIsInFlightFromScheduleToCompleteAroundItsJobs)
 
 TEST_P(TraceOnEachExecutor, ANewSeaIsTracedBesideTheFrames) {
     draw();
-    ocean_.schedule_sea({.resolution = small_sea.resolution, .seed = 5});
+    ocean_.schedule_sea({.resolution = small_sea.resolution, .patch_size_m = 250, .seed = 5});
     draw();
     ocean_.complete_sea();
     EXPECT_EQ(sink_->of_runs("sea", true).size(), 2u) << "the first one and the new one";

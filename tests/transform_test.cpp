@@ -144,7 +144,8 @@ TEST_P(TransformOnEachIsa, ColumnsTurnHalfAPlaneIntoRealFieldsTimesChoppiness) {
     const std::vector<float> lines(data.data(), data.data() + data.size());
 
     PartBounds bounds;
-    ColumnsFinalizeJob job{.blocks = {}, .fft = &fft_, .choppiness = choppiness, .bounds = &bounds};
+    ColumnsFinalizeJob job{
+        .blocks = {}, .fft = &fft_, .choppiness = choppiness, .cosine = 1, .sine = 0, .bounds = &bounds};
     for (std::size_t i = 0; i < blocks.size(); ++i) job.blocks[i] = data.data() + blocks[i] * block_floats;
     kernels().columns_finalize(job);
 
@@ -197,6 +198,8 @@ TEST_P(TransformOnEachIsa, BoundsOfAStillSeaArePositiveZeros) {
     kernels().columns_finalize({.blocks = {data.data(), data.data() + column_block_floats(resolution(), lanes())},
                                 .fft = &fft_,
                                 .choppiness = 1,
+                                .cosine = 1,
+                                .sine = 0,
                                 .bounds = &bounds});
     for (const float bound : {bounds.height_min, bounds.height_max, bounds.sideways_x_max, bounds.sideways_z_max}) {
         EXPECT_EQ(bound, 0.f);

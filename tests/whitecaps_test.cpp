@@ -34,6 +34,7 @@ TEST(Whitecaps, CoverThatPartOfEverySeaInTheMean) {
             for (const double wind_direction_rad : {0.0, 0.7}) {
                 SeaState sea = sea_preset_named(name)->sea;
                 sea.resolution = 128;
+                sea.patch_size_m = 250;
                 sea.choppiness = choppiness;
                 sea.wind_direction_rad = wind_direction_rad;
                 double part = 0;
@@ -51,10 +52,10 @@ TEST(Whitecaps, CoverThatPartOfEverySeaInTheMean) {
 }
 
 TEST(Whitecaps, AreNoneWhereNothingFolds) {
-    const SeaState flat{.resolution = 32, .wind_speed_mps = 1e-3};
+    const SeaState flat{.resolution = 32, .patch_size_m = 250, .wind_speed_mps = 1e-3};
     Ocean ocean(flat, {.executor = make_serial_executor()});
     EXPECT_EQ(ocean.frame_at(0).tiles[0].whitecap_jacobian, 1);
-    const SeaState height_field{.resolution = 32, .choppiness = 0};
+    const SeaState height_field{.resolution = 32, .patch_size_m = 250, .choppiness = 0};
     Ocean unfolded(height_field, {.executor = make_serial_executor()});
     EXPECT_EQ(unfolded.frame_at(0).tiles[0].whitecap_jacobian, 1);
 }

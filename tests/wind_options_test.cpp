@@ -77,6 +77,29 @@ TEST(Wind, IsTakenFromFlagsAndFiles) {
     EXPECT_NEAR(sea_of({}, "wind_speed = \"bft6\"\n").at("wind_speed_mps").get<double>(), 12.29, 0.005);
 }
 
+TEST(Roughness, IsANumberOrTheWinds) {
+    EXPECT_EQ(sea_of({}).at("roughness"), -1);
+    EXPECT_EQ(sea_of({"--roughness", "0.3"}).at("roughness"), 0.3);
+    EXPECT_EQ(sea_of({"--roughness", "wind"}, "roughness = 0.3\n").at("roughness"), -1);
+    EXPECT_EQ(sea_of({}, "roughness = \"wind\"\n").at("roughness"), -1);
+}
+
+TEST(Swell, IsTakenFromFlagsAndFiles) {
+    const nlohmann::json typed = sea_of({"--swell-height", "2.5", "--swell-period", "14", "--swell-direction",
+                                         "from-W", "--swell-spread", "20", "--spreading", "donelan-banner"});
+    EXPECT_EQ(typed.at("swell_height_m"), 2.5);
+    EXPECT_EQ(typed.at("swell_period_s"), 14);
+    EXPECT_EQ(typed.at("swell_direction_deg"), 0);
+    EXPECT_EQ(typed.at("swell_spread_deg"), 20);
+    EXPECT_EQ(typed.at("spreading"), "donelan-banner");
+    EXPECT_EQ(sea_of({},
+                     "swell_height = 2.5\nswell_period = 14\nswell_direction = \"to-E\"\nswell_spread = 20\n"
+                     "spreading = \"donelan-banner\"\n"),
+              typed);
+    EXPECT_EQ(sea_of({}).at("swell_spread_deg"), 15);
+    EXPECT_EQ(sea_of({"--preset", "storm"}).at("swell_spread_deg"), 15);
+}
+
 TEST(Wind, ThatSaysTooLittleIsRefused) {
     for (const auto& [arguments, says] : std::vector<std::pair<std::vector<std::string>, std::string>>{
              {{"info", "--wind-direction", "NW"}, "--wind-direction is NW, needs from-NW or to-NW"},

@@ -7,44 +7,47 @@
 namespace pelagic::tools {
 namespace {
 
-std::string image_name(const char* map, int frame, int level, const char* extension) {
-    std::array<char, 64> name;
-    if (level == 0)
-        std::snprintf(name.data(), name.size(), "%s_%04d.%s", map, frame, extension);
-    else
-        std::snprintf(name.data(), name.size(), "%s_%04d_mip%d.%s", map, frame, level, extension);
-    return name.data();
+std::string image_name(const char* map, int tile, int frame, int level, const char* extension) {
+    std::array<char, 16> number;
+    std::snprintf(number.data(), number.size(), "%04d", frame);
+    std::string name = map;
+    if (tile > 0) name += "_c" + std::to_string(tile);
+    name.append("_").append(number.data());
+    if (level > 0) name += "_mip" + std::to_string(level);
+    return name + "." + extension;
 }
 
 }  // namespace
 
-std::string displacement_name(const ExportOptions& options, int frame) {
-    return image_name("displacement", frame, 0, displacement_extension(options.format));
+std::string displacement_name(const ExportOptions& options, int tile, int frame) {
+    return image_name("displacement", tile, frame, 0, displacement_extension(options.format));
 }
 
-std::string gradient_name(const ExportOptions& options, int frame, int level) {
-    return image_name("gradient", frame, level, gradient_extension(options.format));
+std::string gradient_name(const ExportOptions& options, int tile, int frame, int level) {
+    return image_name("gradient", tile, frame, level, gradient_extension(options.format));
 }
 
 int gradient_levels(const ExportOptions& options) {
     if (!options.gradient) return 0;
-    return options.mips ? mip_levels(options.sea.sea.resolution) : 1;
+    return options.mips ? mip_levels(resolution_of(options.sea.sea)) : 1;
 }
 
 std::vector<std::string> image_names(const ExportOptions& options, int frame) {
     std::vector<std::string> names;
-    if (options.displacement) names.push_back(displacement_name(options, frame));
-    for (int level = 0; level < gradient_levels(options); ++level)
-        names.push_back(gradient_name(options, frame, level));
+    for (int tile = 0; tile < cascades_of(options.sea.sea); ++tile) {
+        if (options.displacement) names.push_back(displacement_name(options, tile, frame));
+        for (int level = 0; level < gradient_levels(options); ++level)
+            names.push_back(gradient_name(options, tile, frame, level));
+    }
     return names;
 }
 
-// Frames to 999999 in four digits or more, and the levels of N = 2048.
+// Tiles to 3, frames to 999999 in four digits or more, and the levels of N = 2048.
 bool is_image_name(std::string_view name) {
     constexpr std::size_t longest = 40;  // std::regex takes stack by the length of the text
     static const std::regex pattern(
-        "displacement_([0-9]{4}|[1-9][0-9]{4,5})\\.(exr|tif)|"
-        "gradient_([0-9]{4}|[1-9][0-9]{4,5})(_mip([1-9]|1[01]))?\\.(png|tif)");
+        "displacement_(c[1-3]_)?([0-9]{4}|[1-9][0-9]{4,5})\\.(exr|tif)|"
+        "gradient_(c[1-3]_)?([0-9]{4}|[1-9][0-9]{4,5})(_mip([1-9]|1[01]))?\\.(png|tif)");
     return name.size() <= longest && std::regex_match(name.begin(), name.end(), pattern);
 }
 

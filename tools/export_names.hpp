@@ -13,12 +13,12 @@ inline constexpr const char* sea_json_name = "sea.json";
 inline constexpr const char* journal_name = ".pelagic-export.jsonl";
 inline constexpr const char* lock_name = ".sea.lock";
 
-/// "displacement_0007.exr".
-std::string displacement_name(const ExportOptions& options, int frame);
-/// "gradient_0007.png", or "gradient_0007_mip2.png" for level 2.
-std::string gradient_name(const ExportOptions& options, int frame, int level);
+/// "displacement_0007.exr" of the coarsest tile, 0, and "displacement_c1_0007.exr" of the next one.
+std::string displacement_name(const ExportOptions& options, int tile, int frame);
+/// "gradient_0007.png", or "gradient_c1_0007_mip2.png" for level 2 of tile 1.
+std::string gradient_name(const ExportOptions& options, int tile, int frame, int level);
 
-/// How many levels of the gradient a frame has files of.
+/// How many levels of the gradient each tile of a frame has files of.
 int gradient_levels(const ExportOptions& options);
 
 /// Every image of a frame, in the order in which records list them.

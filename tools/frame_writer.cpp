@@ -68,21 +68,26 @@ class FrameFiles {
         : options_(options), folder_(folder), number_(number), frame_(frame), trace_(trace) {}
 
     std::vector<FileRecord> write() {
-        if (options_.displacement) write_image(displacement_name(options_, number_), displacement());
-        for (int level = 0; level < gradient_levels(options_); ++level)
-            write_image(gradient_name(options_, number_, level), gradient(level));
+        int number = 0;
+        for (const Tile& tile : frame_.tiles) write_tile(number++, tile);
         return std::move(files_);
     }
 
    private:
-    std::vector<unsigned char> displacement() const {
-        const TraceScope scope(trace_, "encode displacement", file_category);
-        return encode_displacement(frame_, options_.format, options_.half);
+    void write_tile(int number, const Tile& tile) {
+        if (options_.displacement) write_image(displacement_name(options_, number, number_), displacement(tile));
+        for (int level = 0; level < gradient_levels(options_); ++level)
+            write_image(gradient_name(options_, number, number_, level), gradient(tile, level));
     }
 
-    std::vector<unsigned char> gradient(int level) const {
+    std::vector<unsigned char> displacement(const Tile& tile) const {
+        const TraceScope scope(trace_, "encode displacement", file_category);
+        return encode_displacement(tile, options_.format, options_.half);
+    }
+
+    std::vector<unsigned char> gradient(const Tile& tile, int level) const {
         const TraceScope scope(trace_, "encode gradient", file_category, {{{"level", static_cast<double>(level)}}});
-        return encode_gradient(frame_, level, options_.format);
+        return encode_gradient(tile, level, options_.format);
     }
 
     void write_image(const std::string& name, const std::vector<unsigned char>& image) {
@@ -118,7 +123,8 @@ FrameRecord write_frame(const ExportOptions& options, const OutputFolder& folder
 std::size_t frames_in_flight(const ExportOptions& options, std::size_t most_bytes) {
     const std::size_t threads = options.compute.threads == 0 ? std::max(1u, std::thread::hardware_concurrency())
                                                              : static_cast<std::size_t>(options.compute.threads);
-    const std::size_t texels = static_cast<std::size_t>(options.sea.sea.resolution) * options.sea.sea.resolution;
+    const auto side = static_cast<std::size_t>(resolution_of(options.sea.sea));
+    const std::size_t texels = side * side * static_cast<std::size_t>(cascades_of(options.sea.sea));
     return std::min(threads, std::max<std::size_t>(1, most_bytes / (texels * bytes_per_texel_in_flight)));
 }
 

@@ -7,24 +7,24 @@ namespace {
 
 using Sample = ImageDescription::Sample;
 
-/// `channels` interleaved values a texel, from the frame's float planes.
-std::vector<float> interleaved_floats(const Frame& frame) {
+/// `channels` interleaved values a texel, from the tile's float planes.
+std::vector<float> interleaved_floats(const Tile& tile) {
     std::vector<float> pixels;
-    pixels.reserve(3 * static_cast<std::size_t>(frame.tiles[0].resolution()) * frame.tiles[0].resolution());
-    for (int j = 0; j < frame.tiles[0].resolution(); ++j) {
-        for (int i = 0; i < frame.tiles[0].resolution(); ++i)
+    pixels.reserve(3 * static_cast<std::size_t>(tile.resolution()) * tile.resolution());
+    for (int j = 0; j < tile.resolution(); ++j) {
+        for (int i = 0; i < tile.resolution(); ++i)
             pixels.insert(pixels.end(),
-                          {frame.tiles[0].dx.at(i, j), frame.tiles[0].height.at(i, j), frame.tiles[0].dz.at(i, j)});
+                          {tile.dx.at(i, j), tile.height.at(i, j), tile.dz.at(i, j)});
     }
     return pixels;
 }
 
-/// The first three of the frame's four halves a texel: the fourth is foam.
-std::vector<std::uint16_t> three_halves(const Frame& frame) {
+/// The first three of the tile's four halves a texel: the fourth is foam.
+std::vector<std::uint16_t> three_halves(const Tile& tile) {
     std::vector<std::uint16_t> pixels;
-    pixels.reserve(frame.tiles[0].displacement_rgba16f.size() / 4 * 3);
-    for (std::size_t texel = 0; texel < frame.tiles[0].displacement_rgba16f.size(); texel += 4) {
-        const std::uint16_t* halves = frame.tiles[0].displacement_rgba16f.data() + texel;
+    pixels.reserve(tile.displacement_rgba16f.size() / 4 * 3);
+    for (std::size_t texel = 0; texel < tile.displacement_rgba16f.size(); texel += 4) {
+        const std::uint16_t* halves = tile.displacement_rgba16f.data() + texel;
         pixels.insert(pixels.end(), halves, halves + 3);
     }
     return pixels;
@@ -32,8 +32,8 @@ std::vector<std::uint16_t> three_halves(const Frame& frame) {
 
 }  // namespace
 
-std::vector<unsigned char> encode_displacement(const Frame& frame, ImageFormat format, bool half) {
-    const int n = frame.tiles[0].resolution();
+std::vector<unsigned char> encode_displacement(const Tile& tile, ImageFormat format, bool half) {
+    const int n = tile.resolution();
     const ImageDescription image{.extension = displacement_extension(format),
                                  .width = n,
                                  .height = n,
@@ -41,12 +41,12 @@ std::vector<unsigned char> encode_displacement(const Frame& frame, ImageFormat f
                                  .sample = half ? Sample::half : Sample::float32,
                                  .colour_space = "Linear",
                                  .compression = "zip"};
-    return half ? image_codec().encode(image, three_halves(frame).data())
-                : image_codec().encode(image, interleaved_floats(frame).data());
+    return half ? image_codec().encode(image, three_halves(tile).data())
+                : image_codec().encode(image, interleaved_floats(tile).data());
 }
 
-std::vector<unsigned char> encode_gradient(const Frame& frame, int level, ImageFormat format) {
-    const int side = frame.tiles[0].resolution() >> level;
+std::vector<unsigned char> encode_gradient(const Tile& tile, int level, ImageFormat format) {
+    const int side = tile.resolution() >> level;
     const bool is_tiff = format == ImageFormat::tiff;
     // zlib's default for PNG, 6, takes four times as long for files 6 % smaller (512 x 512, jonswap).
     const ImageDescription image{.extension = gradient_extension(format),
@@ -59,7 +59,7 @@ std::vector<unsigned char> encode_gradient(const Frame& frame, int level, ImageF
                                  .png_level = is_tiff ? 0 : 2,
                                  .has_unassociated_alpha = true};
     // A texel's lowest byte is its red one, in memory the first.
-    return image_codec().encode(image, frame.tiles[0].gradient_level(level).data());
+    return image_codec().encode(image, tile.gradient_level(level).data());
 }
 
 std::vector<unsigned char> encode_picture(std::span<const std::uint8_t> rgba, int width, int height) {

@@ -1,12 +1,18 @@
 #include "pelagic/tools/pixel_meaning.hpp"
 
 #include <array>
+#include <string>
 #include <string_view>
+#include <vector>
+
+#include "pelagic/sim/tile_plan.hpp"
 
 namespace pelagic::tools {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+constexpr double two_pi = 6.28318530717958647693;
 
 struct Channel {
     std::string_view channel, name, unit;
@@ -46,6 +52,24 @@ Json list_of(const std::array<Channel, Count>& channels) {
 
 Json line(double scale, double offset) { return {{"scale", scale}, {"offset", offset}}; }
 
+/// Where the texels of a tile rest: x and z are sums of what a column and a row give.
+Json tile_as_json(const TilePlan& tile) {
+    const TileLattice& lattice = tile.lattice;
+    const double texel_m = lattice.side_m / tile.resolution;
+    const auto place = [](double column_m, double row_m) -> Json {
+        return {{"column", column_m}, {"row", row_m}, {"offset", 0.0}};
+    };
+    Json json = {{"in_file_names", tile.number == 0 ? "" : "c" + std::to_string(tile.number)},
+                 {"side_m", lattice.side_m},
+                 {"resolution", tile.resolution},
+                 {"turn", {{"cosine", lattice.cosine}, {"sine", lattice.sine}}},
+                 {"x_m", place(lattice.cosine * texel_m, -lattice.sine * texel_m)},
+                 {"z_m", place(lattice.sine * texel_m, lattice.cosine * texel_m)}};
+    if (tile.least_k > 0) json["longest_wave_m"] = two_pi / tile.least_k;
+    if (tile.is_banded()) json["shortest_wave_m"] = two_pi / tile.most_k;
+    return json;
+}
+
 }  // namespace
 
 Json channels_as_json(const ExportOptions& options) {
@@ -56,14 +80,18 @@ Json channels_as_json(const ExportOptions& options) {
 }
 
 Json layout_as_json(const SeaState& sea) {
-    const double n = sea.resolution, texel_m = sea.patch_size_m / n;
+    const std::vector<TilePlan> plans = plan_tiles(sea);
+    const double n = plans.front().resolution, side_m = plans.front().lattice.side_m, texel_m = side_m / n;
+    Json tiles = Json::array();
+    for (const TilePlan& plan : plans) tiles.push_back(tile_as_json(plan));
     return {{"axes", {{"east", "+x"}, {"up", "+y"}, {"south", "+z"}}},
             {"row_0", "upper edge of the image"},
             {"x_m_of_column", line(texel_m, 0)},
             {"z_m_of_row", line(texel_m, 0)},
             {"u_of_column", line(1 / n, 0.5 / n)},
             {"v_down_of_row", line(1 / n, 0.5 / n)},
-            {"repeats_after_m", sea.patch_size_m},
+            {"repeats_after_m", side_m},
+            {"tiles", tiles},
             {"colour", false},
             {"alpha_is_opacity", false}};
 }
@@ -82,7 +110,15 @@ std::string pixel_meaning() {
            "is\n"
            "                the texel's corner, its number stands at the centre: u = (i + 0.5)/N, v = (j + 0.5)/N "
            "from\n"
-           "                the upper edge. The patch repeats after L, so column N is column 0 again\n"
+           "                the upper edge. The tile repeats after L, so column N is column 0 again\n"
+           "  several tiles what they hold adds up. Files of the coarsest have no mark, those of the next c1, c2, c3. Their "
+           "sides\n"
+           "                differ, and their columns and rows are turned in the world, about x = z = 0: sea.json "
+           "says how\n"
+           "                (layout, tiles). Dx, Dz and normals are along the world's axes in all of them. Displacements "
+           "add;\n"
+           "                normals don't, so take them from the sum, or add the slopes -x/y and -z/y for a "
+           "start\n"
            "  axes          right-handed: +x east, +y up, +z south, so north is -z\n"
            "  colour        none: load as linear, non-colour data, without sRGB, premultiplied alpha or compression";
 }

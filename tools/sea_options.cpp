@@ -32,15 +32,17 @@ constexpr std::array angles = {
 };
 
 constexpr std::array sea_flags = {
-    SeaFlag{"resolution", "resolution", "texels along a side"},
-    SeaFlag{"patch-size", "patch_size_m", "side of the patch, which tiles, in metres"},
+    SeaFlag{"cascades", "cascades", "tiles, each with a band of the waves, their sides chosen from the sea"},
+    SeaFlag{"resolution", "resolution", "texels along a side of a tile"},
+    SeaFlag{"patch-size", "patch_size_m", "one tile, of this side in metres, after which the sea repeats"},
     SeaFlag{"wind-speed", "wind_speed_mps", "mean wind 10 m above the sea"},
     SeaFlag{"wind-direction", "wind_direction_rad",
             "where the wind blows towards, from +x (east) towards +z (south; north is -z)"},
     SeaFlag{"fetch", "fetch_m", "how far the wind has blown over water, in metres (jonswap)"},
     SeaFlag{"depth", "depth_m", "water depth in metres; waves over 0.6 of it break"},
     SeaFlag{"choppiness", "choppiness", "sideways motion that sharpens crests"},
-    SeaFlag{"roughness", "roughness", "of the water between texels"},
+    SeaFlag{"roughness", "roughness",
+            "of the water between texels; wind: what the waves of the grid lack of a sea's slopes"},
     SeaFlag{"small-waves", "small_waves",
             "damping of small waves: 1 removes those shorter than a quarter of the peak's"},
     SeaFlag{"alignment", "alignment",
@@ -60,22 +62,25 @@ const SeaStateField& field_of(const SeaFlag& flag) {
 }
 
 bool is_angle(const SeaFlag& flag) { return sea_angle(flag.field) != nullptr; }
+bool is_roughness(const SeaFlag& flag) { return flag.field == "roughness"; }
 bool is_direction(const SeaFlag& flag) { return flag.field.ends_with("_direction_rad"); }
 bool is_speed(const SeaFlag& flag) { return flag.field == "wind_speed_mps"; }
 
 std::string accepted_by(const SeaFlag& flag) {
     if (is_direction(flag)) return "degrees in [-360, 360], or one of 16 points such as from-NW or to-SE";
     if (is_angle(flag)) return "degrees in [1, 80]";
+    if (is_roughness(flag)) return "[0, 1] or wind";
     const std::string accepted(field_of(flag).accepted);
     return is_speed(flag) ? accepted + " " + speed_units : accepted;
 }
 
 /// A text in a config file, "20kn" or "from-NW", may stand for a number.
-bool takes_words(const SeaFlag& flag) { return is_direction(flag) || is_speed(flag); }
+bool takes_words(const SeaFlag& flag) { return is_direction(flag) || is_speed(flag) || is_roughness(flag); }
 
 /// In the flag's unit, which for an angle is degrees.
 std::optional<double> parse_value(const SeaFlag& flag, const std::string& text) {
     if (is_speed(flag)) return parse_speed_mps(text);
+    if (is_roughness(flag) && text == "wind") return -1;
     if (is_direction(flag))
         if (const auto degrees = parse_compass_deg(text)) return degrees;
     const bool is_whole = !std::holds_alternative<double SeaState::*>(field_of(flag).member);
@@ -84,6 +89,10 @@ std::optional<double> parse_value(const SeaFlag& flag, const std::string& text) 
 }
 
 std::string default_of(const SeaFlag& flag) {
+    if (is_roughness(flag)) return "wind";
+    if (flag.field == "cascades") return number_text(default_cascades) + ", of one side 1";
+    if (flag.field == "resolution") return "128, of one tile with --patch-size 256";
+    if (flag.field == "patch_size_m") return "several tiles";
     const SeaAngle* const angle = sea_angle(flag.field);
     return number_text(angle ? ResolvedSea{}.*angle->degrees : field_of(flag).value_in({}));
 }
@@ -214,7 +223,7 @@ void SeaOptions::add_to(CLI::App& app) {
         "how waves spread around the wind: " + list_of(names_of_spreadings()) + "; default " +
             std::string(name_of(SeaState{}.spreading)));
     for (const SeaFlag& flag : sea_flags)
-        add(flag.flag, takes_words(flag) ? "WIND" : "NUMBER",
+        add(flag.flag, is_direction(flag) || is_speed(flag) ? "WIND" : "NUMBER",
             std::string(flag.help) + "; " + accepted_by(flag) + ", default " + default_of(flag));
 }
 
@@ -262,6 +271,10 @@ ResolvedSea SeaOptions::resolve_with(const std::vector<ConfigEntry>& config) con
     }
     // Each option has been looked at alone.
     if (const std::string reason = check(resolved.sea); !reason.empty()) throw InputError(reason);
+    // What is chosen is written down, so that a file says it to whoever chooses otherwise.
+    const int cascades = cascades_of(resolved.sea), resolution = resolution_of(resolved.sea);
+    resolved.sea.cascades = cascades;
+    resolved.sea.resolution = resolution;
     return resolved;
 }
 

@@ -31,8 +31,10 @@ void choose_preset(SeaState& sea) {
     if (!ImGui::BeginCombo("sea state", "choose ...")) return;
     for (const SeaPreset& preset : sea_presets()) {
         if (!ImGui::Selectable(std::string(preset.name).c_str())) continue;
-        const int resolution = sea.resolution;  // the textures stay
+        // The textures stay.
+        const int cascades = cascades_of(sea), resolution = resolution_of(sea);
         sea = preset.sea;
+        sea.cascades = cascades;
         sea.resolution = resolution;
     }
     ImGui::EndCombo();

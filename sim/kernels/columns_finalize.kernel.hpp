@@ -81,30 +81,46 @@ inline void transform_columns(const FftTables& fft, float* data, Wave wave, Mirr
         finish_columns<Arch, 4>(data, fft, finish);
 }
 
-/// The sideways pair of one column block: P above, R with its parts exchanged below. Times lambda; P is minus the
-/// displacement.
-template <class Arch>
-inline void sideways_columns(float* block, const FftTables& fft, float* workspace, float choppiness,
+/// From a transformed sideways pair, which is minus the displacement along the tile's axes, to the displacement along the
+/// world's, times lambda.
+template <class Arch, bool Turned>
+struct SidewaysFactors {
+    using V = xsimd::batch<float, Arch>;
+    explicit SidewaysFactors(const ColumnsFinalizeJob& job)
+        : straight(0.f - (Turned ? job.choppiness * job.cosine : job.choppiness)),
+          crossed(0.f - job.choppiness * job.sine) {}
+    PELAGIC_INLINE V x(const Complex<Arch>& p) const {
+        return Turned ? p.re * straight - p.im * crossed : p.re * straight;
+    }
+    PELAGIC_INLINE V z(const Complex<Arch>& p) const {
+        return Turned ? p.re * crossed + p.im * straight : p.im * straight;
+    }
+    V straight, crossed;
+};
+
+/// The sideways pair of one column block: P above, R with its parts exchanged below.
+template <class Arch, bool Turned>
+inline void sideways_columns(const ColumnsFinalizeJob& job, float* block, float* workspace,
                              xsimd::batch<float, Arch> (&most)[2]) {
     using V = xsimd::batch<float, Arch>;
     const auto line = [block](std::size_t n, std::size_t component) {
         return V::load_aligned(block + (n * line_components + component) * V::size);
     };
-    const V factor(0.f - choppiness);
+    const SidewaysFactors<Arch, Turned> factors(job);
     V most_x = most[0], most_z = most[1];
     transform_columns<Arch>(
-        fft, workspace,
+        *job.fft, workspace,
         [line](std::size_t n) {
             return Complex<Arch>{line(n, p_re), line(n, p_im)};
         },
         [line](std::size_t n) {
             return Complex<Arch>{line(n, r_im), line(n, r_re)};
         },
-        [&most_x, &most_z, factor, block](std::size_t row, std::size_t span, const auto& results) {
+        [&most_x, &most_z, factors, block](std::size_t row, std::size_t span, const auto& results) {
             float* to = block + row * surface_components * V::size;
             V here_x(0.f), here_z(0.f);
             for (const Complex<Arch>& result : results) {
-                const V dx = result.re * factor, dz = result.im * factor;
+                const V dx = factors.x(result), dz = factors.z(result);
                 dx.store_aligned(to + surface_dx * V::size);
                 dz.store_aligned(to + surface_dz * V::size);
                 here_x = xsimd::max(here_x, xsimd::abs(dx));
@@ -173,8 +189,13 @@ void columns_finalize(const ColumnsFinalizeJob& job) {
         height_columns<Arch, false>(job.blocks[0], nullptr, fft, workspace, *job.bounds);
 
     V most[2] = {V(0.f), V(0.f)};
-    for (float* block : job.blocks)
-        if (block) sideways_columns<Arch>(block, fft, workspace, job.choppiness, most);
+    for (float* block : job.blocks) {
+        if (!block) continue;
+        if (job.sine == 0)
+            sideways_columns<Arch, false>(job, block, workspace, most);
+        else
+            sideways_columns<Arch, true>(job, block, workspace, most);
+    }
     job.bounds->sideways_x_max = most_lane<Arch>(most[0]);
     job.bounds->sideways_z_max = most_lane<Arch>(most[1]);
 }

@@ -43,6 +43,8 @@ struct ColumnsFinalizeJob {
     float* blocks[2];  ///< lines before, surface afterwards, metres; [1] holds the partners of [0]; null for N = 16
     const FftTables* fft;
     float choppiness;
+    float cosine,
+        sine;  ///< of the angle by which the tile's axes are turned; sideways parts leave in the world's axes
     PartBounds* bounds;
 };
 
@@ -86,11 +88,11 @@ struct MipLevelJob {
 };
 
 /// What the slopes' levels are averaged from: h_x, h_z, D_xx, D_zz, D_xz and the mean squares h_x^2, h_z^2, h_x h_z,
-/// in parts of slope_range.
+/// in steps of a byte.
 inline constexpr std::size_t slope_planes = 8;
 
 /// Stage `slopes` and its first levels on one tile of texels: what of a surface can be added to other surfaces', so that
-/// a sum of tiles has the normals and Jacobians of the sum (surface/slope_sum.hpp). Two words a texel, from the lowest byte up:
+/// a sum of tiles has the normals and Jacobians of the sum (sim/slope_sum.hpp). Two words a texel, from the lowest byte up:
 ///   slopes   h_x, h_z, D_xx, D_zz, signed, in parts of slope_range
 ///   moments  D_xz = (Dx,z + Dz,x)/2, signed, in parts of slope_range; var h_x, var h_z from 0, cov(h_x, h_z) signed, in
 ///            parts of variance_range
@@ -109,12 +111,12 @@ struct SlopesJob {
 
     const float* surface;  ///< all column blocks
     std::size_t resolution;
-    std::size_t first_row, first_column;  ///< of the tile, which is smaller than the above if N is
-    std::size_t block_stride;             ///< floats between column blocks
-    float cosine, sine;                   ///< as in GradientsJob
-    float difference_factor;              ///< near_weight / (slope_range L / N)
-    float slope_range;
-    float variance_factor;                    ///< slope_range^2 / variance_range
+    std::size_t first_row, first_column;      ///< of the tile, which is smaller than the above if N is
+    std::size_t block_stride;                 ///< floats between column blocks
+    float cosine, sine;                       ///< as in GradientsJob
+    float difference_factor;                  ///< near_weight / (slope_step L / N)
+    float slope_step;                         ///< slope_range / 127
+    float variance_factor;                    ///< slope_step^2 / variance_range
     std::uint16_t* rgba16f;                   ///< as in GradientsJob, J from these slopes; null: nobody wants them
     std::uint32_t* slopes[tile_levels + 1];   ///< tight rows, the texels of level 0 to 3
     std::uint32_t* moments[tile_levels + 1];  ///< the same

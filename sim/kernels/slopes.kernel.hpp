@@ -9,6 +9,7 @@
 #include "pelagic/sim/kernels/gradients.kernel.hpp"
 #include "pelagic/sim/kernels/kernels.hpp"
 #include "pelagic/sim/kernels/mipmaps.kernel.hpp"
+#include "pelagic/simd/bytes.kernel.hpp"
 #include "pelagic/simd/half.kernel.hpp"
 #include "pelagic/simd/neighbours.kernel.hpp"
 
@@ -16,20 +17,6 @@ namespace pelagic::kernels {
 
 enum SlopePlane { h_x, h_z, d_xx, d_zz, d_xz, h_x_h_x, h_z_h_z, h_x_h_z };
 static_assert(h_x_h_z + 1 == slope_planes);
-
-/// [-1, 1] as bytes of which 128 is zero.
-template <class Arch>
-PELAGIC_INLINE xsimd::batch<std::int32_t, Arch> byte_around_zero(xsimd::batch<float, Arch> value) {
-    using V = xsimd::batch<float, Arch>;
-    return xsimd::to_int(clamped<Arch>(value, -1.f, 1.f) * V(127.f) + V(128.5f));
-}
-
-/// [0, 1] as bytes.
-template <class Arch>
-PELAGIC_INLINE xsimd::batch<std::int32_t, Arch> byte_from_zero(xsimd::batch<float, Arch> value) {
-    using V = xsimd::batch<float, Arch>;
-    return xsimd::to_int(clamped<Arch>(value, 0.f, 1.f) * V(255.f) + V(0.5f));
-}
 
 /// W texels of a level.
 template <class Arch>
@@ -39,21 +26,21 @@ struct SlopeTexels {
 
 template <class Arch>
 PELAGIC_INLINE xsimd::batch<std::int32_t, Arch> slopes_word(const xsimd::batch<float, Arch> (&planes)[slope_planes]) {
-    return byte_around_zero<Arch>(planes[h_x]) | byte_around_zero<Arch>(planes[h_z]) << 8 |
-           byte_around_zero<Arch>(planes[d_xx]) << 16 | byte_around_zero<Arch>(planes[d_zz]) << 24;
+    return four_bytes<Arch>(planes[h_x], planes[h_z], planes[d_xx], planes[d_zz]);
 }
 
 /// Of averages: what the mean squares have beyond the squares of the means is the variance within a texel.
 template <class Arch>
 PELAGIC_INLINE SlopeTexels<Arch> texels_of_slopes(const xsimd::batch<float, Arch> (&planes)[slope_planes],
-                                                  xsimd::batch<float, Arch> variance_factor) {
+                                                  float variance_factor) {
+    using V = xsimd::batch<float, Arch>;
     const auto variance = [&](SlopePlane square, SlopePlane a, SlopePlane b) {
-        return (planes[square] - planes[a] * planes[b]) * variance_factor;
+        return planes[square] - planes[a] * planes[b];
     };
-    return {slopes_word<Arch>(planes), byte_around_zero<Arch>(planes[d_xz]) |
-                                           byte_from_zero<Arch>(variance(h_x_h_x, h_x, h_x)) << 8 |
-                                           byte_from_zero<Arch>(variance(h_z_h_z, h_z, h_z)) << 16 |
-                                           byte_around_zero<Arch>(variance(h_x_h_z, h_x, h_z)) << 24};
+    const V from_zero(255.f * variance_factor), around_zero(127.f * variance_factor), zero(-128.f);
+    return {slopes_word<Arch>(planes), four_bytes<Arch>(planes[d_xz], variance(h_x_h_x, h_x, h_x) * from_zero + zero,
+                                                        variance(h_z_h_z, h_z, h_z) * from_zero + zero,
+                                                        variance(h_x_h_z, h_x, h_z) * around_zero)};
 }
 
 /// Where the texels of a level go.
@@ -125,7 +112,7 @@ inline void make_slope_level(std::size_t rows, std::size_t columns, const SlopeA
                 },
                 average);
             store_averages<Arch>(average, level, row, x);
-            store_slope_texels<Arch>(texels_of_slopes<Arch>(average, V(variance_factor)), texels.from(row, x),
+            store_slope_texels<Arch>(texels_of_slopes<Arch>(average, variance_factor), texels.from(row, x),
                                      columns - x);
         }
     }
@@ -162,14 +149,12 @@ PELAGIC_INLINE void pack_slopes(const SlopesJob& job, const typename BlockSurfac
     using V = xsimd::batch<float, Arch>;
     using Surface = BlockSurface<Arch>;
     store_texels<Arch>(slopes_word<Arch>(planes), job.slopes[0] + texel);
-    constexpr std::uint32_t no_variances = 0x80000000;
-    store_texels<Arch>(byte_around_zero<Arch>(planes[d_xz]) |
-                           xsimd::batch<std::int32_t, Arch>(static_cast<std::int32_t>(no_variances)),
-                       job.moments[0] + texel);
+    const V no_variance(-128.f);
+    store_texels<Arch>(four_bytes<Arch>(planes[d_xz], no_variance, no_variance, V(0.f)), job.moments[0] + texel);
     if (!job.rgba16f) return;
-    const V one(1.f), range(job.slope_range);
-    const V twist = planes[d_xz] * range;
-    const V jacobian = (one + planes[d_xx] * range) * (one + planes[d_zz] * range) - twist * twist;
+    const V one(1.f), step(job.slope_step);
+    const V twist = planes[d_xz] * step;
+    const V jacobian = (one + planes[d_xx] * step) * (one + planes[d_zz] * step) - twist * twist;
     store_halves<Arch>(Surface::at(surface_dx, blocks, rows), Surface::at(surface_height, blocks, rows),
                        Surface::at(surface_dz, blocks, rows), foam_of<Arch>(jacobian), job.rgba16f + 4 * texel);
 }
@@ -226,7 +211,7 @@ inline void slope_rows(const SlopesJob& job, const BlockSurface<Arch>& surface, 
         shown(h_z_h_z, h_z, h_z);
         shown(h_x_h_z, h_x, h_z);
         store_averages<Arch>(average, level, row / 2, column / 2);
-        store_slope_texels<Arch>(texels_of_slopes<Arch>(average, V(job.variance_factor)),
+        store_slope_texels<Arch>(texels_of_slopes<Arch>(average, job.variance_factor),
                                  texels.from(row / 2, column / 2), (columns - column) / 2);
     }
 }

@@ -5,6 +5,7 @@
 
 #include "pelagic/sim/kernels/wave_blocks.hpp"
 #include "pelagic/sim/surface/item_stage.hpp"
+#include "pelagic/sim/surface/slope_maps.hpp"
 
 namespace pelagic {
 namespace {
@@ -84,6 +85,7 @@ void Cascade::begin_frame(double time_s) {
     Tile& tile = slots_.tile(tile_);
     tile.lattice = lattice_;
     tile.whitecap_jacobian = whitecap_jacobian_;
+    tile.slope_ranges = slope_ranges_;
 }
 
 FrameBounds Cascade::end_frame() {
@@ -97,8 +99,8 @@ FrameBounds Cascade::end_frame() {
     return {all.height_min, all.height_max, all.sideways_x_max, all.sideways_z_max};
 }
 
-void Cascade::begin_spectrum(const SeaState& sea, const TilePlan& plan) {
-    bake_.emplace(Bake{sea, TileWaves(sea, plan), PackedSpectrum(plan_, kernels_.lanes, memory_),
+void Cascade::begin_spectrum(const SeaState& sea, const TilePlan& plan, double whitecap_cover) {
+    bake_.emplace(Bake{sea, whitecap_cover, TileWaves(sea, plan), PackedSpectrum(plan_, kernels_.lanes, memory_),
                        std::vector<LineFigures>(line_count(resolution_))});
 }
 
@@ -106,10 +108,15 @@ LineFigures Cascade::adopt_spectrum() {
     LineFigures all;
     for (const LineFigures& line : bake_->lines) {
         all.height_variance += line.height_variance;
+        all.mean_square_slope += line.mean_square_slope;
         all.folding += line.folding;
+        all.slopes += line.slopes;
     }
     const SeaState& sea = bake_->sea;
-    whitecap_jacobian_ = whitecap_jacobian(all.folding, sea.choppiness, whitecap_cover(sea.wind_speed_mps));
+    whitecap_jacobian_ = bake_->whitecap_cover > 0
+                             ? whitecap_jacobian(all.folding, sea.choppiness, bake_->whitecap_cover)
+                             : Tile::no_whitecaps;
+    slope_ranges_ = slope_ranges(all.mean_square_slope);
     lattice_ = bake_->waves.tile().lattice;
     loop_period_s_ = sea.loop_period_s;
     choppiness_ = static_cast<float>(sea.choppiness);
@@ -136,7 +143,12 @@ EvolveRowsJob Cascade::evolve_rows_job(std::size_t line_block, float* lines) {
 }
 
 void Cascade::columns_finalize(std::size_t number, float* surface, PartBounds& bounds) {
-    ColumnsFinalizeJob job{.blocks = {}, .fft = &fft_, .choppiness = choppiness_, .bounds = &bounds};
+    ColumnsFinalizeJob job{.blocks = {},
+                           .fft = &fft_,
+                           .choppiness = choppiness_,
+                           .cosine = static_cast<float>(lattice_.cosine),
+                           .sine = static_cast<float>(lattice_.sine),
+                           .bounds = &bounds};
     const std::size_t block_floats = column_block_floats(resolution_, kernels_.lanes);
     const ColumnBlockPair pair = column_block_pair(resolution_, kernels_.lanes, number);
     job.blocks[0] = surface + pair.first * block_floats;

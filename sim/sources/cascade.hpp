@@ -37,10 +37,12 @@ class Cascade final : public WaveSource {
     void add_spectrum_stage(JobGraph& graph);
     /// What the next run of the spectrum's stage bakes; adopt_spectrum() makes it that of the frames to come. A cascade has
     /// no waves before the first one. \pre the plan has the resolution of the slots
-    void begin_spectrum(const SeaState& sea, const TilePlan& plan);
+    /// \param whitecap_cover  part of the sea that is to be white with what the tile folds, 0 for none
+    void begin_spectrum(const SeaState& sea, const TilePlan& plan, double whitecap_cover);
     /// Says what the new waves add to the sea.
     LineFigures adopt_spectrum();
-    void drop_spectrum() { bake_.reset(); }  ///< keeps the waves as they are
+    const TileLattice& lattice() const { return lattice_; }  ///< of the frames to come
+    void drop_spectrum() { bake_.reset(); }                  ///< keeps the waves as they are
 
    private:
     void add_velocity_stages(JobGraph& graph);
@@ -63,10 +65,12 @@ class Cascade final : public WaveSource {
     double loop_period_s_ = 1;
     float choppiness_ = 0;
     float whitecap_jacobian_ = 0;
+    SlopeRanges slope_ranges_;
 
     /// A spectrum being baked.
     struct Bake {
         SeaState sea;
+        double whitecap_cover;
         TileWaves waves;
         PackedSpectrum spectrum;
         std::vector<LineFigures> lines;

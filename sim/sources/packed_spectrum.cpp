@@ -35,7 +35,10 @@ LineFigures bake_spectrum_line(const SeaState& sea, const TileWaves& waves, cons
     const int n = static_cast<int>(line);
     const double spacing = tile.spacing();
     const double texel_m = tile.lattice.side_m / resolution;
+    // What a derivative makes of a wave number: of a tile on its own central differences, which are the paper's, of one in a stack
+    // nearly the wave number itself.
     const auto difference = [&](int of) {
+        if (tile.is_banded()) return of * spacing;
         return det::sine_cosine_of_turns(static_cast<double>(of) / resolution).sine / texel_m;
     };
     const double difference_z = difference(n);
@@ -49,6 +52,8 @@ LineFigures bake_spectrum_line(const SeaState& sea, const TileWaves& waves, cons
             const int position = pair.plus + s * (resolution / radix);
             const int m = position < resolution / 2 ? position : position - resolution;
             if (!waves.holds(m, n)) continue;  // all zeros
+            const double length = std::sqrt(static_cast<double>(m) * m + static_cast<double>(n) * n);
+            const double k = length * spacing;
             const auto put = [&](WaveQuantity quantity, double value) {
                 wave[quantity * out.lanes] = static_cast<float>(value);
             };
@@ -56,16 +61,18 @@ LineFigures bake_spectrum_line(const SeaState& sea, const TileWaves& waves, cons
                 const PackedWave values = packed(opposites);
                 for (std::size_t i = 0; i < values.size(); ++i) wave[(first + i) * out.lanes] = values[i];
                 figures.height_variance += mirrors * opposites.expected_square();
+                figures.mean_square_slope += mirrors * opposites.expected_square() * k * k;
                 figures.folding.add_wave(mirrors * opposites.drawn_square(), signed_m * spacing, n * spacing,
                                          difference(signed_m), difference_z);
+                figures.slopes.add_wave(mirrors * opposites.expected_square(), difference(signed_m), difference_z);
             };
             const TileWaves::MirroredPair mirrored = waves.pair(m, n);
             put_wave(plus_cos_re, mirrored.plus, m);
             if (!pair.is_own_negative()) put_wave(minus_cos_re, mirrored.minus, -m);
-            const double length = std::sqrt(static_cast<double>(m) * m + static_cast<double>(n) * n);
             put(direction_x, m / length);
             put(direction_z, n / length);
-            *harmonic = loop_harmonic(angular_frequency(length * spacing, sea.depth_m), sea.loop_period_s);
+            *harmonic =
+                loop_harmonic(angular_frequency(length * spacing, waves.spectrum().water()), sea.loop_period_s);
         }
     }
     return figures;

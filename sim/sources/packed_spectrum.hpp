@@ -12,6 +12,7 @@
 #include "pelagic/sim/sea_state.hpp"
 #include "pelagic/sim/sources/fft_plan.hpp"
 #include "pelagic/sim/spectrum/amplitudes.hpp"
+#include "pelagic/sim/spectrum/mean_square_slope.hpp"
 #include "pelagic/sim/spectrum/whitecaps.hpp"
 #include "pelagic/simd/aligned_buffer.hpp"
 
@@ -40,8 +41,10 @@ struct PackedSpectrum {
 
 /// What the waves of a line and of its mirror add to the sea.
 struct LineFigures {
-    double height_variance = 0;  ///< m^2, the mean over all seeds
-    FoldMoments folding;         ///< of the waves that this seed drew
+    double height_variance = 0;    ///< m^2, the mean over all seeds
+    double mean_square_slope = 0;  ///< h_x^2 + h_z^2 of the waves themselves, the mean over all seeds
+    SlopeMoments slopes;           ///< as the tile shows them, the mean over all seeds, along the tile's own axes
+    FoldMoments folding;           ///< of the waves that this seed drew
 };
 
 /// Fills one line, 0 <= line < line_count(). Lines are independent.

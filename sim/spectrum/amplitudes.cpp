@@ -1,6 +1,7 @@
 #include "pelagic/sim/spectrum/amplitudes.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include "pelagic/sim/spectrum/wave_noise.hpp"
 
@@ -10,16 +11,64 @@ namespace {
 // Waves below this many metres are none: nobody can see an atom's width, but denormal floats slow every transform.
 constexpr double least_amplitude_m = 1e-20;
 
+// In steps of the lattice. Within half a diagonal of its middle lies all of a cell.
+constexpr double half_diagonal = 0.7071067811865476;
+
+// A spectrum falls as k^-4, which the middle of a cell m steps away tells within 0.7 / m^2 of the cell's mean.
+constexpr double steps_of_wide_cells = 16;
+constexpr int points_of_wide_cell = 4;
+
+// As many as tell a cut cell's share within a hundredth; a band's end cuts dozens of them, whose errors cancel.
+constexpr int points_of_cut_cell = 8;
+
+// The model has no energy at k = 0, and no direction.
+constexpr double least_steps = 1e-3;
+
 }  // namespace
 
 TileWaves::TileWaves(const SeaState& sea, const TilePlan& tile)
     : seed_(sea.seed), tile_(tile), spectrum_(sea, tile) {}
 
 TileWaves::MirroredVariances TileWaves::variances(int m, int n) const {
+    return tile_.is_banded() ? cell_variances(m, n) : point_variances(m, n);
+}
+
+/// What the cells of two wave vectors would hold if the spectrum were everywhere in them as at these places.
+TileWaves::MirroredVariances TileWaves::point_variances(double m, double n) const {
     const double spacing = tile_.spacing();
-    const double kx = m * spacing, kz = n * spacing;
-    const WaveSpectrum::Shell shell = spectrum_.shell(std::sqrt(kx * kx + kz * kz));
-    return {spectrum_.amplitude_variances(shell, kx, kz), spectrum_.amplitude_variances(shell, -kx, kz)};
+    const double along = m * spacing, across = n * spacing;
+    const auto [c, s] = std::pair(tile_.lattice.cosine, tile_.lattice.sine);
+    const WaveSpectrum::Shell shell = spectrum_.shell(std::sqrt(along * along + across * across));
+    return {spectrum_.amplitude_variances(shell, c * along - s * across, s * along + c * across),
+            spectrum_.amplitude_variances(shell, -c * along - s * across, c * across - s * along)};
+}
+
+/// The means over that part of the cells which is in the band, from points in rows of as many as it takes: where an end of the
+/// band cuts the cell, and where the spectrum changes much from one side of it to the other.
+TileWaves::MirroredVariances TileWaves::cell_variances(int m, int n) const {
+    const double steps = std::sqrt(static_cast<double>(m) * m + static_cast<double>(n) * n);
+    const double least = tile_.least_k / tile_.spacing(), most = tile_.most_k / tile_.spacing();
+    if (steps + half_diagonal < least || steps - half_diagonal >= most) return {};
+    const bool is_cut = steps - half_diagonal < least || steps + half_diagonal >= most;
+    const int points = is_cut ? points_of_cut_cell : steps < steps_of_wide_cells ? points_of_wide_cell : 1;
+
+    MirroredVariances sum{};
+    const auto add = [](OppositeDensities& to, const OppositeDensities& part) {
+        to.along += part.along;
+        to.against += part.against;
+    };
+    for (int row = 0; row < points; ++row) {
+        for (int column = 0; column < points; ++column) {
+            const double at_m = m + (column + 0.5) / points - 0.5, at_n = n + (row + 0.5) / points - 0.5;
+            const double at = std::sqrt(at_m * at_m + at_n * at_n);
+            if (at < least || at >= most || at < least_steps) continue;
+            const MirroredVariances here = point_variances(at_m, at_n);
+            add(sum.plus, here.plus);
+            add(sum.minus, here.minus);
+        }
+    }
+    const double share = 1.0 / (points * points);
+    return {{sum.plus.along * share, sum.plus.against * share}, {sum.minus.along * share, sum.minus.against * share}};
 }
 
 TileWaves::MirroredPair TileWaves::pair(int m, int n) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <complex>
+#include <cstdint>
 
 #include "pelagic/sim/sea_state.hpp"
 #include "pelagic/sim/spectrum/spectra.hpp"
@@ -59,6 +60,8 @@ class TileWaves {
     std::complex<double> amplitude(int m, int n) const;
 
    private:
+    MirroredVariances point_variances(double m, double n) const;
+    MirroredVariances cell_variances(int m, int n) const;
     Wave drawn(double variance, int m, int n) const;
 
     std::uint32_t seed_;

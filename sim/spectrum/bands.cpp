@@ -1,9 +1,106 @@
+#include <algorithm>
+#include <cmath>
+
+#include "pelagic/sim/spectrum/dispersion.hpp"
+#include "pelagic/sim/spectrum/mean_square_slope.hpp"
+#include "pelagic/sim/spectrum/spectral_peak.hpp"
 #include "pelagic/sim/tile_plan.hpp"
+#include "pelagic/simd/det_math.hpp"
 
 namespace pelagic {
+namespace {
+
+constexpr double two_pi = 6.28318530717958647693;
+
+/// The side of the paper's one tile, whose scale depends on it.
+constexpr double papers_side_m = 250;
+
+/// The coarsest tile has so many of the peak's waves: it repeats beyond what the eye compares.
+constexpr double peak_waves = 16;
+constexpr double least_side_m = 1, most_side_m = 1e5;
+
+/// A wave has at least so many texels, and a tile's longest so many steps of the lattice between it and k = 0, so that its
+/// directions are many.
+constexpr double texels_a_wave = 3;
+constexpr double steps_a_band = 6;
+
+/// No tile is more than nearly as long as the one above it.
+constexpr double least_ratio = 1.5;
+
+/// Shorter waves nobody sees.
+constexpr double shortest_wave_m = 0.02;
+
+/// Tiles hold this part of Cox and Munk's mean square slope at most. In light winds the spectra, whose tails know no ripples, have
+/// more.
+constexpr double most_of_slopes = 0.9;
+
+/// Lattices are turned against each other by this part of a quarter turn, which meets no earlier one: the golden ratio's.
+constexpr double turn_a_tile = 0.25 * 0.6180339887498949;
+
+/// Two digits are enough for a side. `up`: not less than the value.
+double short_number(double value, bool up) {
+    double unit = 1;
+    while (value / unit < 10) unit /= 10;
+    while (value / unit >= 100) unit *= 10;
+    const double digits = up ? std::ceil(value / unit) : std::floor(value / unit + 0.5);
+    return unit < 1 ? digits / std::floor(1 / unit + 0.5) : digits * unit;
+}
+
+/// Where the slopes of the model reach what tiles may hold, rad/m; the shortest wave's if they never do.
+double end_of_slopes(const WaveSpectrum& spectrum, const SeaState& sea) {
+    const double most = most_of_slopes * measured_slopes(sea.wind_speed_mps).total();
+    constexpr double ratio = 1.02;
+    const double step = det::log(ratio), last = two_pi / shortest_wave_m;
+    double sum = 0;
+    for (double k = 1e-5; k < last; k *= ratio) {
+        sum += spectrum.radial_density(k) * k * k * k * step;
+        if (sum > most) return k;
+    }
+    return last;
+}
+
+std::vector<TilePlan> plan_stack(const SeaState& sea) {
+    const int count = cascades_of(sea), n = resolution_of(sea);
+    const WaveSpectrum spectrum(sea,
+                                {.lattice = {.side_m = papers_side_m}, .resolution = n, .has_surface_tension = true});
+    const double peak_wave_m = two_pi / peak_of(spectrum, sea).k;
+    const double coarsest_m =
+        std::clamp(short_number(std::clamp(peak_waves * peak_wave_m, least_side_m, most_side_m), false), least_side_m,
+                   most_side_m);
+    const double end = end_of_slopes(spectrum, sea);
+
+    const double widest = n / (texels_a_wave * steps_a_band);
+    double ratio = widest;
+    if (count > 1) {
+        const double finest_m = two_pi / end * n / texels_a_wave;
+        const double wanted = det::pow(std::max(1.0, coarsest_m / finest_m), 1.0 / (count - 1));
+        ratio = std::clamp(wanted, least_ratio, widest);
+    }
+
+    std::vector<TilePlan> tiles;
+    double side_m = coarsest_m, least_k = 0;
+    for (int number = 0; number < count; ++number) {
+        const det::SineCosine turn = det::sine_cosine_of_turns(turn_a_tile * number);
+        const double most_k = two_pi * n / (texels_a_wave * side_m);
+        tiles.push_back({.lattice = {.side_m = side_m, .cosine = turn.cosine, .sine = turn.sine},
+                         .resolution = n,
+                         .number = number,
+                         .least_k = least_k,
+                         .most_k = number + 1 == count ? std::min(most_k, end) : most_k,
+                         .has_surface_tension = true});
+        least_k = most_k;
+        side_m = short_number(side_m / ratio, true);
+    }
+    return tiles;
+}
+
+}  // namespace
 
 std::vector<TilePlan> plan_tiles(const SeaState& sea) {
-    return {{.lattice = {.side_m = sea.patch_size_m}, .resolution = sea.resolution}};
+    const bool is_papers = sea.spectrum == SpectrumModel::phillips_paper;
+    if (sea.patch_size_m == 0 && !is_papers) return plan_stack(sea);
+    return {{.lattice = {.side_m = sea.patch_size_m > 0 ? sea.patch_size_m : papers_side_m},
+             .resolution = resolution_of(sea)}};
 }
 
 }  // namespace pelagic

@@ -27,6 +27,7 @@ double group_velocity(double k, const Water& water) {
 double depth_factor(double k, double depth_m) {
     const double kd = k * depth_m;
     const double t = det::tanh(kd);
+    if (t == 1) return 1;
     return t * t * t / (t + kd * (1 - t * t));
 }
 

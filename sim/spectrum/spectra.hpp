@@ -53,6 +53,8 @@ class WaveSpectrum {
     /// highest_over_depth of the depth.
     double kept_by_breaking() const { return kept_; }
 
+    const Water& water() const { return water_; }
+
     /// False for phillips-paper.
     bool is_physical() const { return sea_.spectrum != SpectrumModel::phillips_paper; }
 

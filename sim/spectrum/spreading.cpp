@@ -25,7 +25,7 @@ double half_circle_integral(double exponent) {
 // (Tricomi and Erdelyi 1951), reached from s by Gamma(x + 1) = x Gamma(x). Within 1e-11.
 double gamma_of_s_plus_1_over_gamma_of_s_plus_half(double s) {
     double z = s + 0.5, above = 1, below = 1;
-    for (; z < 12; ++z) {
+    for (; z < 20; ++z) {
         above *= z;
         below *= z + 0.5;
     }
@@ -35,11 +35,11 @@ double gamma_of_s_plus_1_over_gamma_of_s_plus_half(double s) {
     return std::sqrt(z) * series * above / below;
 }
 
-// The angle in [0, pi] of a cosine, from its half, whose sine and cosine are well known at both ends: a polynomial
-// (Abramowitz and Stegun 1964, 4.4.45: within 7e-5) and one step that leaves the cube of its error.
-double angle_of(double cosine) {
+// The angle in [0, pi/2] of a cosine that is not negative, from its half, whose sine and cosine are well known at both ends:
+// a polynomial (Abramowitz and Stegun 1964, 4.4.45: within 7e-5) and one step that leaves the cube of its error.
+double acute_angle_of(double cosine) {
     const double half_sine = std::sqrt(std::max(0.0, 0.5 * (1 - cosine)));
-    const double half_cosine = std::sqrt(std::max(0.0, 0.5 * (1 + cosine)));
+    const double half_cosine = std::sqrt(0.5 * (1 + cosine));
     const double c = half_cosine;
     const double near =
         std::sqrt(std::max(0.0, 1 - c)) * (1.5707288 + c * (-0.2121144 + c * (0.0742610 - c * 0.0187293)));
@@ -89,9 +89,10 @@ DirectionalLobe DirectionalLobe::sech_squared(double beta) {
 
 OppositeDensities DirectionalLobe::densities(double cosine) const {
     if (shape_ == Shape::sech_squared) {
-        const double angle = angle_of(cosine);
-        return {factor_ * sech_squared_of(narrowness_ * angle),
-                factor_ * sech_squared_of(narrowness_ * (pi - angle))};
+        const double angle = acute_angle_of(std::fabs(cosine));
+        const double near = factor_ * sech_squared_of(narrowness_ * angle);
+        const double far = cosine == 0 ? near : factor_ * sech_squared_of(narrowness_ * (pi - angle));
+        return cosine < 0 ? OppositeDensities{far, near} : OppositeDensities{near, far};
     }
     const auto power = [&](double cosine_of_wave) {
         const double half_cosine_squared =

@@ -37,6 +37,8 @@ double whitecap_cover(double wind_speed_mps) {
     return std::min(0.4, 3.84e-6 * det::pow(std::max(wind_speed_mps, least_wind_mps), 3.41));
 }
 
+double cover_of_each(double cover, int tiles) { return tiles == 1 ? cover : 1 - det::pow(1 - cover, 1.0 / tiles); }
+
 void FoldMoments::add_wave(double mean_square, double wave_x, double wave_z, double difference_x,
                            double difference_z) {
     const double part = mean_square / (wave_x * wave_x + wave_z * wave_z);

@@ -6,8 +6,11 @@ namespace pelagic {
 /// Part of a sea that whitecaps cover: 3.84e-6 U10^3.41 (Monahan and O'Muircheartaigh 1980), at most 0.4.
 double whitecap_cover(double wind_speed_mps);
 
+/// What each of some tiles has to cover, one independent of the other, so that a part `cover` of the sea is under any of them.
+double cover_of_each(double cover, int tiles);
+
 /// Sums over the waves of a sea: how much its surface folds, in the mean over time and place. With the derivatives of
-/// the sideways displacement, central differences over texels as stage `gradients` takes them, let
+/// the sideways displacement, over texels as the tile is drawn, let
 ///
 ///   u = (Dx,x + Dz,z) / 2,  v = (Dx,x - Dz,z) / 2,  w = (Dx,z + Dz,x) / 2,  so that  J = (1 + u)^2 - v^2 - w^2
 ///

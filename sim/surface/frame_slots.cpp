@@ -23,6 +23,8 @@ Tile views_of(const TileBuffers& buffers, int n, std::size_t lanes) {
     if (buffers.folds) tile.folds = buffers.folds->squares();
     tile.displacement_rgba16f = {buffers.rgba16f.data(), buffers.rgba16f.size()};
     tile.gradient_rgba8 = {buffers.rgba8.data(), buffers.rgba8.size()};
+    tile.slopes_rgba8 = {buffers.slopes.data(), buffers.slopes.size()};
+    tile.moments_rgba8 = {buffers.moments.data(), buffers.moments.size()};
     return tile;
 }
 
@@ -32,12 +34,15 @@ TileBuffers::TileBuffers(int n, std::size_t lanes, const FrameExtras& extras)
     : surface(column_blocks(n, lanes) * column_block_floats(n, lanes), extras.memory),
       velocity(extras.velocities ? surface.size() : 0, extras.memory),
       rgba16f(4 * static_cast<std::size_t>(n) * n, extras.memory),
-      rgba8(mip_offset(n, mip_levels(n)), extras.memory) {
+      rgba8(extras.gradients ? mip_offset(n, mip_levels(n)) : 0, extras.memory),
+      slopes(extras.slopes ? mip_offset(n, mip_levels(n)) : 0, extras.memory),
+      moments(slopes.size(), extras.memory) {
     if (extras.folds) folds.emplace(n, extras.memory);
 }
 
 std::size_t TileBuffers::bytes() const {
-    return surface.bytes() + velocity.bytes() + rgba16f.bytes() + rgba8.bytes() + (folds ? folds->bytes() : 0);
+    return surface.bytes() + velocity.bytes() + rgba16f.bytes() + rgba8.bytes() + slopes.bytes() + moments.bytes() +
+           (folds ? folds->bytes() : 0);
 }
 
 FrameSlots::FrameSlots(std::size_t tiles, int resolution, std::size_t lanes, const FrameExtras& extras) {

@@ -17,6 +17,8 @@ namespace pelagic {
 struct FrameExtras {
     bool folds = false;
     bool velocities = false;
+    bool gradients = true;   ///< each tile's own normals
+    bool slopes = false;     ///< and those that add to other tiles'
     HostMemory memory = {};  ///< for everything whose size grows with N^2
 };
 
@@ -30,7 +32,8 @@ struct TileBuffers {
     AlignedBuffer<float> velocity;  ///< the same for the derivative in time, if wanted
     std::optional<FoldMap> folds;
     AlignedBuffer<std::uint16_t> rgba16f;
-    AlignedBuffer<std::uint32_t> rgba8;
+    AlignedBuffer<std::uint32_t> rgba8;            ///< gradients, if wanted
+    AlignedBuffer<std::uint32_t> slopes, moments;  ///< if wanted
 };
 
 /// Stages write to the slot that is the back one, and look for it when they run.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pelagic/sim/frame.hpp"
+#include "pelagic/sim/tile.hpp"
 
 namespace pelagic {
 namespace {
@@ -37,8 +37,8 @@ void SlopeMaps::make(const Kernels& kernels, std::size_t job) const {
         .block_stride = block_stride,
         .cosine = static_cast<float>(cosine),
         .sine = static_cast<float>(sine),
-        .difference_factor = static_cast<float>(SlopesJob::near_weight / (double{ranges.slope} * texel_m)),
-        .slope_range = ranges.slope,
+        .difference_factor = static_cast<float>(SlopesJob::near_weight / (double{slope_step()} * texel_m)),
+        .slope_step = slope_step(),
         .variance_factor = variance_factor(),
         .rgba16f = rgba16f,
         .slopes = {},

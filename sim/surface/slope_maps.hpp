@@ -34,7 +34,8 @@ struct SlopeMaps {
     void make_tail(const Kernels& kernels) const;
 
    private:
-    float variance_factor() const { return ranges.slope * ranges.slope / ranges.variance; }
+    float slope_step() const { return ranges.slope / 127.f; }
+    float variance_factor() const { return slope_step() * slope_step() / ranges.variance; }
 };
 
 }  // namespace pelagic

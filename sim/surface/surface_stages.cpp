@@ -11,6 +11,7 @@ namespace {
 
 // Pieces of a tile that one job takes are as large whatever N is.
 constexpr std::size_t gradients_stack_bytes = 100 * 1024 + stack_margin;
+constexpr std::size_t slopes_stack_bytes = 60 * 1024 + stack_margin;
 
 struct Pieces {
     std::size_t across, down;
@@ -25,14 +26,19 @@ Pieces pieces_of(int resolution) {
 
 }  // namespace
 
-SurfaceStages::SurfaceStages(FrameSlots& slots, std::size_t tile, const Kernels& kernels, const HostMemory& memory)
-    : slots_(slots),
-      tile_(tile),
-      kernels_(kernels),
-      resolution_(slots.resolution()),
-      mip_averages_(resolution_, memory) {}
+SurfaceStages::SurfaceStages(FrameSlots& slots, std::size_t tile, const Kernels& kernels, const FrameExtras& extras)
+    : slots_(slots), tile_(tile), kernels_(kernels), resolution_(slots.resolution()) {
+    if (extras.gradients) gradient_averages_.emplace(resolution_, extras.memory);
+    if (extras.slopes) slope_averages_.emplace(resolution_, extras.memory, slope_planes);
+}
 
 void SurfaceStages::add_to(JobGraph& graph, StageId surface_done) {
+    if (gradient_averages_) add_gradient_stages(graph, surface_done);
+    if (slope_averages_) add_slope_stages(graph, surface_done);
+    if (slots_.buffers(tile_).folds) add_fold_stages(graph, surface_done);
+}
+
+void SurfaceStages::add_gradient_stages(JobGraph& graph, StageId surface_done) {
     const StageId pieces_done =
         graph.add({.name = stage_name("gradients+mipmaps", tile_),
                    .count = pieces_of(resolution_).count(),
@@ -45,7 +51,21 @@ void SurfaceStages::add_to(JobGraph& graph, StageId surface_done) {
                .waits_for = {pieces_done},
                .body = for_each_item(tail),
                .stack_bytes = stack_margin});
-    if (slots_.buffers(tile_).folds) add_fold_stages(graph, surface_done);
+}
+
+void SurfaceStages::add_slope_stages(JobGraph& graph, StageId surface_done) {
+    const StageId pieces_done =
+        graph.add({.name = stage_name("slopes+mipmaps", tile_),
+                   .count = slope_maps().jobs(),
+                   .waits_for = {surface_done},
+                   .body = for_each_item([this](std::size_t piece) { slope_maps().make(kernels_, piece); }),
+                   .stack_bytes = slopes_stack_bytes});
+    const auto tail = [this](std::size_t) { slope_maps().make_tail(kernels_); };
+    graph.add({.name = stage_name("slopes tail", tile_),
+               .count = 1,
+               .waits_for = {pieces_done},
+               .body = for_each_item(tail),
+               .stack_bytes = stack_margin});
 }
 
 void SurfaceStages::add_fold_stages(JobGraph& graph, StageId surface_done) {
@@ -66,8 +86,9 @@ void SurfaceStages::add_fold_stages(JobGraph& graph, StageId surface_done) {
 }
 
 void SurfaceStages::gradients_mipmaps(std::size_t piece) {
-    const auto roughness = static_cast<float>(slots_.frame().sea.roughness);
-    const double two_texels_m = 2 * slots_.tile(tile_).lattice.side_m / resolution_;
+    const auto roughness = static_cast<float>(slots_.frame().figures.roughness);
+    const TileLattice& lattice = slots_.tile(tile_).lattice;
+    const double two_texels_m = 2 * lattice.side_m / resolution_;
     const Pieces all = pieces_of(resolution_);
     TileBuffers& buffers = slots_.buffers(tile_);
     GradientsJob job{.surface = buffers.surface.data(),
@@ -79,10 +100,12 @@ void SurfaceStages::gradients_mipmaps(std::size_t piece) {
                      .jacobian_factor = static_cast<float>(1 / (two_texels_m * two_texels_m)),
                      .normal_length = mean_normal_length(roughness),
                      .smoothness_bits = smoothness_bits(roughness),
-                     .rgba16f = buffers.rgba16f.data(),
+                     .rgba16f = slopes_make_halves() ? nullptr : buffers.rgba16f.data(),
                      .levels = {},
-                     .averages = mip_averages_.level(GradientsJob::tile_levels),
-                     .average_stride = mip_averages_.stride(GradientsJob::tile_levels)};
+                     .averages = gradient_averages_->level(GradientsJob::tile_levels),
+                     .average_stride = gradient_averages_->stride(GradientsJob::tile_levels),
+                     .cosine = static_cast<float>(lattice.cosine),
+                     .sine = static_cast<float>(lattice.sine)};
     for (int level = 0; level <= GradientsJob::tile_levels; ++level)
         job.levels[level] = buffers.rgba8.data() + mip_offset(resolution_, level);
     kernels_.gradients(job);
@@ -90,12 +113,28 @@ void SurfaceStages::gradients_mipmaps(std::size_t piece) {
 
 void SurfaceStages::mipmaps_tail() {
     for (int level = GradientsJob::tile_levels + 1; level < mip_levels(resolution_); ++level)
-        kernels_.mip_level({.finer = mip_averages_.level(level - 1),
-                            .finer_stride = mip_averages_.stride(level - 1),
+        kernels_.mip_level({.finer = gradient_averages_->level(level - 1),
+                            .finer_stride = gradient_averages_->stride(level - 1),
                             .side = static_cast<std::size_t>(resolution_) >> level,
-                            .averages = mip_averages_.level(level),
-                            .stride = mip_averages_.stride(level),
+                            .averages = gradient_averages_->level(level),
+                            .stride = gradient_averages_->stride(level),
                             .texels = slots_.buffers(tile_).rgba8.data() + mip_offset(resolution_, level)});
+}
+
+SlopeMaps SurfaceStages::slope_maps() {
+    TileBuffers& buffers = slots_.buffers(tile_);
+    const Tile& tile = slots_.tile(tile_);
+    return {.surface = buffers.surface.data(),
+            .resolution = resolution_,
+            .block_stride = column_block_floats(resolution_, kernels_.lanes),
+            .side_m = tile.lattice.side_m,
+            .cosine = tile.lattice.cosine,
+            .sine = tile.lattice.sine,
+            .ranges = tile.slope_ranges,
+            .rgba16f = slopes_make_halves() ? buffers.rgba16f.data() : nullptr,
+            .slopes = buffers.slopes.data(),
+            .moments = buffers.moments.data(),
+            .averages = &*slope_averages_};
 }
 
 }  // namespace pelagic

@@ -1,38 +1,49 @@
-// From a tile's displacement to what consumers take: stages `gradients+mipmaps` and `mipmaps tail`, and for queries `folds`
-// and `folds tail`.
+// From a tile's displacement to what consumers take: stages `gradients+mipmaps` and `mipmaps tail`, `slopes+mipmaps` and
+// `slopes tail`, and for queries `folds` and `folds tail`.
 #pragma once
 
 #include <cstddef>
+#include <optional>
 
 #include "pelagic/jobs/job_graph.hpp"
 #include "pelagic/sim/kernels/kernels.hpp"
 #include "pelagic/sim/surface/frame_slots.hpp"
 #include "pelagic/sim/surface/mipmaps.hpp"
+#include "pelagic/sim/surface/slope_maps.hpp"
 
 namespace pelagic {
 
 /// The stages of one tile.
 class SurfaceStages {
    public:
-    SurfaceStages(FrameSlots& slots, std::size_t tile, const Kernels& kernels, const HostMemory& memory);
+    SurfaceStages(FrameSlots& slots, std::size_t tile, const Kernels& kernels, const FrameExtras& extras);
     SurfaceStages(const SurfaceStages&) = delete;  // stages point into it
     SurfaceStages& operator=(const SurfaceStages&) = delete;
 
     /// \param surface_done  the stage that leaves the displacement in the tile's buffers
     void add_to(JobGraph& graph, StageId surface_done);
 
-    std::size_t bytes() const { return mip_averages_.bytes(); }
+    std::size_t bytes() const {
+        return (gradient_averages_ ? gradient_averages_->bytes() : 0) +
+               (slope_averages_ ? slope_averages_->bytes() : 0);
+    }
 
    private:
+    void add_gradient_stages(JobGraph& graph, StageId surface_done);
+    void add_slope_stages(JobGraph& graph, StageId surface_done);
     void add_fold_stages(JobGraph& graph, StageId surface_done);
-    void gradients_mipmaps(std::size_t texel_tile);
+    void gradients_mipmaps(std::size_t piece);
     void mipmaps_tail();
+    SlopeMaps slope_maps();
+    /// Foam stands in the half floats. Of one tile it comes with the paper's gradients, of several with slopes, which they
+    /// always have.
+    bool slopes_make_halves() const { return slots_.tile_count() > 1; }
 
     FrameSlots& slots_;
     std::size_t tile_;
     const Kernels& kernels_;
     int resolution_;
-    MipAverages mip_averages_;
+    std::optional<MipAverages> gradient_averages_, slope_averages_;
 };
 
 }  // namespace pelagic

@@ -67,6 +67,7 @@ pelagic_sea any_sea(Bytes& bytes) {
     must_be_a_status(pelagic_sea_defaults(&sea));
     sea.struct_size = size;
     sea.resolution = 16;
+    sea.patch_size_m = 250;
     double* const fields[] = {
         &sea.patch_size_m,   &sea.wind_speed_mps, &sea.wind_direction_rad,  &sea.fetch_m,         &sea.depth_m,
         &sea.choppiness,     &sea.roughness,      &sea.small_waves,         &sea.alignment,       &sea.loop_period_s,

@@ -13,7 +13,7 @@ namespace pelagic {
 /// Two frames of a small sea, with the gradient's first level: what the kept corpus was made with.
 inline tools::ExportOptions small_export() {
     tools::ExportOptions options;
-    options.sea.sea = {.resolution = 16};
+    options.sea.sea = {.resolution = 16, .patch_size_m = 250};
     options.frames = 2;
     options.fps = 24;
     return options;

@@ -4,8 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
-#include "pelagic/sim/frame.hpp"
+#include "pelagic/sim/tile.hpp"
 #include "pelagic/sim/kernels/kernels.hpp"
 
 namespace pelagic::unfused {
@@ -19,23 +20,19 @@ struct Slopes {
 constexpr std::array parts = {&Slopes::h_x,  &Slopes::h_z,     &Slopes::d_xx,    &Slopes::d_zz,
                               &Slopes::d_xz, &Slopes::h_x_h_x, &Slopes::h_z_h_z, &Slopes::h_x_h_z};
 
-std::uint32_t byte_around_zero(float value) {
-    return static_cast<std::uint32_t>(static_cast<int>(std::min(std::max(value, -1.f), 1.f) * 127.f + 128.5f));
-}
-
-std::uint32_t byte_from_zero(float value) {
-    return static_cast<std::uint32_t>(static_cast<int>(std::min(std::max(value, 0.f), 1.f) * 255.f + 0.5f));
+std::uint32_t byte_of(float steps) {
+    return static_cast<std::uint32_t>(std::clamp(static_cast<int>(std::nearbyint(steps)), -128, 127) + 128);
 }
 
 std::uint32_t slopes_word(const Slopes& s) {
-    return byte_around_zero(s.h_x) | byte_around_zero(s.h_z) << 8 | byte_around_zero(s.d_xx) << 16 |
-           byte_around_zero(s.d_zz) << 24;
+    return byte_of(s.h_x) | byte_of(s.h_z) << 8 | byte_of(s.d_xx) << 16 | byte_of(s.d_zz) << 24;
 }
 
 std::uint32_t moments_word(const Slopes& s, float variance_factor) {
-    return byte_around_zero(s.d_xz) | byte_from_zero((s.h_x_h_x - s.h_x * s.h_x) * variance_factor) << 8 |
-           byte_from_zero((s.h_z_h_z - s.h_z * s.h_z) * variance_factor) << 16 |
-           byte_around_zero((s.h_x_h_z - s.h_x * s.h_z) * variance_factor) << 24;
+    const float from_zero = 255.f * variance_factor, around_zero = 127.f * variance_factor;
+    return byte_of(s.d_xz) | byte_of((s.h_x_h_x - s.h_x * s.h_x) * from_zero + -128.f) << 8 |
+           byte_of((s.h_z_h_z - s.h_z * s.h_z) * from_zero + -128.f) << 16 |
+           byte_of((s.h_x_h_z - s.h_x * s.h_z) * around_zero) << 24;
 }
 
 struct Along {
@@ -47,9 +44,9 @@ class Tile {
     Tile(const TilePlanes& planes, const SlopeRanges& ranges)
         : planes_(planes),
           n_(static_cast<std::size_t>(planes.resolution)),
-          range_(ranges.slope),
-          factor_(static_cast<float>(SlopesJob::near_weight /
-                                     (double{ranges.slope} * (planes.side_m / planes.resolution)))) {}
+          step_(ranges.slope / 127.f),
+          factor_(
+              static_cast<float>(SlopesJob::near_weight / (double{step_} * (planes.side_m / planes.resolution)))) {}
 
     Slopes slopes_at(std::size_t x, std::size_t z) const {
         const Along h = along(planes_.height, x, z), dx = along(planes_.dx, x, z), dz = along(planes_.dz, x, z);
@@ -68,8 +65,8 @@ class Tile {
     }
 
     std::array<float, 4> displacement_and_foam(const Slopes& s, std::size_t texel) const {
-        const float twist = s.d_xz * range_;
-        const float jacobian = (1.f + s.d_xx * range_) * (1.f + s.d_zz * range_) - twist * twist;
+        const float twist = s.d_xz * step_;
+        const float jacobian = (1.f + s.d_xx * step_) * (1.f + s.d_zz * step_) - twist * twist;
         const float foam = std::min(std::max(1.f - (jacobian + jacobian), 0.f), 1.f);
         return {planes_.dx[texel], planes_.height[texel], planes_.dz[texel], foam};
     }
@@ -87,7 +84,7 @@ class Tile {
 
     const TilePlanes& planes_;
     std::size_t n_;
-    float range_;
+    float step_;
     float factor_;
 };
 
@@ -95,14 +92,15 @@ class Tile {
 
 TileSlopes slopes_of(const TilePlanes& planes, const SlopeRanges& ranges) {
     const auto n = static_cast<std::size_t>(planes.resolution);
-    const float variance_factor = ranges.slope * ranges.slope / ranges.variance;
+    const float step = ranges.slope / 127.f;
+    const float variance_factor = step * step / ranges.variance;
     const Tile tile(planes, ranges);
     TileSlopes out;
     std::vector<Slopes> level(n * n);
     for (std::size_t i = 0; i < level.size(); ++i) {
         level[i] = tile.slopes_at(i % n, i / n);
         out.slopes.push_back(slopes_word(level[i]));
-        out.moments.push_back(byte_around_zero(level[i].d_xz) | 0x80000000u);
+        out.moments.push_back(byte_of(level[i].d_xz) | 0x80000000u);
         for (const float value : tile.displacement_and_foam(level[i], i))
             out.halves.push_back(Imath::half(value).bits());
     }

@@ -1,0 +1,49 @@
+#include "pelagic/sim/spectrum/mean_square_slope.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "pelagic/simd/det_math.hpp"
+
+namespace pelagic {
+namespace {
+constexpr double two_pi = 6.28318530717958647693;
+}
+
+SlopeVariance measured_slopes(double wind_speed_mps) {
+    return {0.00316 * wind_speed_mps, 0.003 + 0.00192 * wind_speed_mps};
+}
+
+void SlopeMoments::add_wave(double mean_square, double difference_x, double difference_z) {
+    *this += {mean_square * difference_x * difference_x, mean_square * difference_z * difference_z,
+              mean_square * difference_x * difference_z};
+}
+
+SlopeMoments& SlopeMoments::operator+=(const SlopeMoments& other) {
+    xx += other.xx;
+    zz += other.zz;
+    xz += other.xz;
+    return *this;
+}
+
+SlopeMoments SlopeMoments::in_world(const TileLattice& lattice) const {
+    const double c = lattice.cosine, s = lattice.sine, both = 2 * c * s * xz;
+    return {c * c * xx - both + s * s * zz, s * s * xx + both + c * c * zz, c * s * (xx - zz) + (c * c - s * s) * xz};
+}
+
+SlopeVariance SlopeMoments::around(double wind_direction_rad) const {
+    const auto [s, c] = det::sine_cosine_of_turns(wind_direction_rad / two_pi);
+    const double both = 2 * s * c * xz;
+    return {c * c * xx + both + s * s * zz, s * s * xx - both + c * c * zz};
+}
+
+SlopeVariance unresolved_slopes(const SlopeVariance& resolved, double wind_speed_mps) {
+    const SlopeVariance all = measured_slopes(wind_speed_mps);
+    return {std::max(0.0, all.upwind - resolved.upwind), std::max(0.0, all.crosswind - resolved.crosswind)};
+}
+
+double roughness_of(const SeaState& sea, const SlopeVariance& unresolved) {
+    return sea.roughness < 0 ? std::min(1.0, std::sqrt(unresolved.total())) : sea.roughness;
+}
+
+}  // namespace pelagic

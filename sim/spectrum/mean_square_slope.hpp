@@ -1,0 +1,33 @@
+// How steep the sea is: what was measured over a wind, what the waves of a tile have of it, and what is left for the light.
+#pragma once
+
+#include "pelagic/sim/sea_state.hpp"
+#include "pelagic/sim/slope_variance.hpp"
+#include "pelagic/sim/tile.hpp"
+
+namespace pelagic {
+
+/// Sums over the waves of a sea: mean squares and product of the slopes along two axes that a texture of it shows.
+struct SlopeMoments {
+    double xx = 0, zz = 0, xz = 0;
+
+    /// A wave of that mean square, m^2. `difference_x` and `_z` are what the derivative makes of the wave number, 1/m:
+    /// sin(k_x d) / d for central differences over texels of side d, k_x for a derivative that is exact.
+    void add_wave(double mean_square, double difference_x, double difference_z);
+    SlopeMoments& operator+=(const SlopeMoments& other);
+
+    /// Those of a tile, along its own axes, along the world's.
+    SlopeMoments in_world(const TileLattice& lattice) const;
+    /// Along a wind and across it. \pre the axes are the world's
+    SlopeVariance around(double wind_direction_rad) const;
+};
+
+/// What is left of measured_slopes(): never less than 0, in both directions. A tile's steeper waves don't lend the other
+/// direction what they have too much.
+SlopeVariance unresolved_slopes(const SlopeVariance& resolved, double wind_speed_mps);
+
+/// What the smoothness channel says: the sea's own roughness if it has one, else alpha of a GGX surface whose mean square
+/// slope, alpha^2, is what the tiles leave; at most 1.
+double roughness_of(const SeaState& sea, const SlopeVariance& unresolved);
+
+}  // namespace pelagic

@@ -1,0 +1,152 @@
+// How steep the sea is, beside what was measured.
+#include "pelagic/sim/spectrum/mean_square_slope.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <string>
+
+#include "pelagic/sim/ocean.hpp"
+
+namespace pelagic {
+namespace {
+
+using std::numbers::pi;
+
+// Cox and Munk 1954: they fitted the sum by itself, 0.003 + 0.00512 U, so the parts' coefficients add up but for rounding.
+TEST(MeanSquareSlope, IsThatOfCoxAndMunk) {
+    for (const double wind : {1.0, 5.0, 10.0, 14.0}) {
+        EXPECT_NEAR(measured_slopes(wind).total(), 0.003 + 0.00512 * wind, 0.041e-3 * wind) << wind;
+        EXPECT_NEAR(measured_slopes(wind).upwind, 0.00316 * wind, 1e-15);
+        EXPECT_NEAR(measured_slopes(wind).crosswind, 0.003 + 0.00192 * wind, 1e-15);
+    }
+}
+
+// Of one wave a cos(k.x) the slope's mean square is (a k)^2 / 2, all of it along k.
+TEST(MeanSquareSlope, OfOneWaveLiesAlongIt) {
+    const double k = 0.7, mean_square = 0.08, direction = 1.1;
+    SlopeMoments moments;
+    moments.add_wave(mean_square, k * std::cos(direction), k * std::sin(direction));
+    EXPECT_NEAR(moments.around(direction).upwind, mean_square * k * k, 1e-15);
+    EXPECT_NEAR(moments.around(direction).crosswind, 0, 1e-15);
+    EXPECT_NEAR(moments.around(direction + pi / 2).crosswind, mean_square * k * k, 1e-15);
+    EXPECT_NEAR(moments.around(direction + pi / 4).upwind, mean_square * k * k / 2, 1e-15);
+}
+
+// The sums in the wind's own axes, wave by wave.
+TEST(MeanSquareSlope, OfManyWavesTurnsWithTheWind) {
+    std::mt19937 random(3);
+    const auto number = [&] { return static_cast<double>(random()) / 4294967296.0 - 0.5; };
+    for (const double wind : {0.0, 0.4, -2.0, 6.2}) {
+        SlopeMoments first, second;
+        double up = 0, cross = 0;
+        for (int i = 0; i < 50; ++i) {
+            const double square = number() + 0.5, x = number(), z = number();
+            (i < 20 ? first : second).add_wave(square, x, z);
+            up += square * std::pow(x * std::cos(wind) + z * std::sin(wind), 2);
+            cross += square * std::pow(z * std::cos(wind) - x * std::sin(wind), 2);
+        }
+        first += second;
+        EXPECT_NEAR(first.around(wind).upwind, up, 1e-12);
+        EXPECT_NEAR(first.around(wind).crosswind, cross, 1e-12);
+    }
+}
+
+TEST(MeanSquareSlope, WhatIsLeftIsNeverNegative) {
+    const SlopeVariance all = measured_slopes(10);
+    EXPECT_EQ(unresolved_slopes({}, 10).total(), all.total());
+    EXPECT_NEAR(unresolved_slopes({0.01, 0.02}, 10).upwind, all.upwind - 0.01, 1e-15);
+    EXPECT_NEAR(unresolved_slopes({0.01, 0.02}, 10).crosswind, all.crosswind - 0.02, 1e-15);
+    EXPECT_EQ(unresolved_slopes({0.5, 0.01}, 10).upwind, 0);
+    EXPECT_EQ(unresolved_slopes({0.01, 0.5}, 10).crosswind, 0);
+}
+
+// The same waves in the world's axes, wave by wave.
+TEST(MeanSquareSlope, OfATurnedTileIsThatOfItsWavesInTheWorld) {
+    std::mt19937 random(4);
+    const auto number = [&] { return static_cast<double>(random()) / 4294967296.0 - 0.5; };
+    const TileLattice lattice{.side_m = 1, .cosine = std::cos(0.9), .sine = std::sin(0.9)};
+    SlopeMoments in_tile, in_world;
+    for (int i = 0; i < 30; ++i) {
+        const double square = number() + 0.5, along = number(), across = number();
+        in_tile.add_wave(square, along, across);
+        const TileLattice::Place wave = lattice.in_world(along, across);
+        in_world.add_wave(square, wave.along, wave.across);
+    }
+    const SlopeMoments turned = in_tile.in_world(lattice);
+    EXPECT_NEAR(turned.xx, in_world.xx, 1e-12);
+    EXPECT_NEAR(turned.zz, in_world.zz, 1e-12);
+    EXPECT_NEAR(turned.xz, in_world.xz, 1e-12);
+}
+
+/// Mean squares of the slopes between texels' neighbours, along the wind and across, summed over the tiles of a frame: waves
+/// of tiles are independent.
+SlopeVariance shown_slopes(const Frame& frame) {
+    const double c = std::cos(frame.sea.wind_direction_rad), s = std::sin(frame.sea.wind_direction_rad);
+    SlopeVariance all;
+    for (const Tile& tile : frame.tiles) {
+        const int n = tile.resolution();
+        double up = 0, cross = 0;
+        for (int j = 0; j < n; ++j)
+            for (int i = 0; i < n; ++i) {
+                const auto h = [&](int x, int z) {
+                    return static_cast<double>(tile.height.at((x + n) % n, (z + n) % n));
+                };
+                const double along = (h(i + 1, j) - h(i - 1, j)) / (2 * tile.texel_m());
+                const double across = (h(i, j + 1) - h(i, j - 1)) / (2 * tile.texel_m());
+                const auto [x, z] = tile.lattice.in_world(along, across);
+                up += std::pow(c * x + s * z, 2);
+                cross += std::pow(c * z - s * x, 2);
+            }
+        all.upwind += up / n / n;
+        all.crosswind += cross / n / n;
+    }
+    return all;
+}
+
+/// alpha^2 of what the smoothness channel says.
+double rough_slopes(const Frame& frame) {
+    const double smoothness = (frame.tiles[0].gradient_level(0)[0] >> 24) / 255.0;
+    return std::pow(1 - smoothness, 4);
+}
+
+// Whatever the wind, its direction and the grid: what is drawn as waves and what is said as roughness are the slopes that
+// were measured.
+TEST(MeanSquareSlope, OfWavesAndRoughnessTogetherIsTheSeas) {
+    for (const double wind : {3.0, 5.0, 8.0, 12.0, 18.0, 25.0})
+        for (const int resolution : {64, 256})
+            for (const SpreadingModel spreading : {SpreadingModel::paper, SpreadingModel::donelan_banner}) {
+                SlopeVariance shown;
+                double rough = 0, resolved = 0;
+                constexpr int seeds = 4;
+                for (std::uint32_t seed = 1; seed <= seeds; ++seed) {
+                    Ocean ocean({.spreading = spreading,
+                                 .resolution = resolution,
+                                 .patch_size_m = 250,
+                                 .wind_speed_mps = wind,
+                                 .wind_direction_rad = 0.6,
+                                 .seed = seed},
+                                {.executor = make_serial_executor()});
+                    const Frame& frame = ocean.frame_at(3);
+                    const SlopeVariance here = shown_slopes(frame);
+                    shown.upwind += here.upwind / seeds;
+                    shown.crosswind += here.crosswind / seeds;
+                    rough = rough_slopes(frame);
+                    resolved = frame.figures.resolved_slopes.total();
+                    // A frame of 250 m at 25 m/s holds few of the waves that matter; four seeds are good to some 5 %.
+                    EXPECT_NEAR(frame.figures.unresolved_slopes.total() + frame.figures.resolved_slopes.total(),
+                                measured_slopes(wind).total(), 1e-12);
+                }
+                const std::string which = std::to_string(static_cast<int>(wind)) + "_" + std::to_string(resolution) +
+                                          "_" + std::string(name_of(spreading));
+                RecordProperty(which, std::to_string((shown.total() + rough) / measured_slopes(wind).total()));
+                EXPECT_NEAR((shown.total() + rough) / (0.003 + 0.00512 * wind), 1, 0.05) << which;
+                EXPECT_NEAR(shown.total() / resolved, 1, 0.08) << which;
+                EXPECT_GT(resolved, 0.05 * measured_slopes(wind).total()) << which;
+            }
+}
+
+}  // namespace
+}  // namespace pelagic
