@@ -34,8 +34,9 @@ TEST(Presets, FilesAreTheSeasOfTheirNames) {
         // The file's angles are degrees, the library's radians: to the bit. What it chooses itself the command says.
         const SeaState from_file = resolved("--config", file_of(preset).string()).sea;
         for (const SeaStateField& field : sea_state_fields())
-            if (const SeaAngle* angle = sea_angle(field.name))
+            if (const SeaAngle* angle = sea_angle(field.name)) {
                 EXPECT_EQ(from_file.*angle->radians, preset.sea.*angle->radians) << preset.name << ": " << field.name;
+            }
         ResolvedSea in_library = named;
         in_library.sea = preset.sea;
         in_library.sea.cascades = cascades_of(preset.sea);
