@@ -89,8 +89,13 @@ TEST(GlHorizon, SeaAndSkyMeetWithoutALine) {
         constexpr PictureRows rows{height / 2 - 5, 17};
         scene.resize(width, height, rows);
         for (const double above_m : {3.0, 30.0, 300.0}) {
-            const double at_m = scene.ocean.frame_at(0).bounds.height_max_m + above_m;
-            const auto pixels = scene.picture({.position_m = {0, at_m, 0}, .target_m = {100, at_m, 0}}, 0);
+            Frame frame = scene.ocean.frame_at(0);
+            // Whitecaps are lines of their own: a fifth of a storm is white.
+            std::vector<Tile> tiles(frame.tiles.begin(), frame.tiles.end());
+            for (Tile& tile : tiles) tile.whitecap_jacobian = Tile::no_whitecaps;
+            frame.tiles = tiles;
+            const double at_m = frame.bounds.height_max_m + above_m;
+            const auto pixels = scene.picture({.position_m = {0, at_m, 0}, .target_m = {100, at_m, 0}}, frame);
             double largest = 0;
             for (int y = 1; y < rows.count; ++y)
                 for (int x = 0; x < width; x += piece)
@@ -99,7 +104,7 @@ TEST(GlHorizon, SeaAndSkyMeetWithoutALine) {
             RecordProperty(std::string(preset) + "_" + std::to_string(static_cast<int>(above_m)),
                            std::to_string(largest));
             std::printf("horizon %s, %g m above the crests: %.2f steps of 8 bits\n", preset, above_m, largest);
-            // Measured: 1 to 17. From a little above a storm's crests the next ones stand out against the sky, 27.
+            // Measured: 1 to 17. From a little above a storm's crests the next ones stand out against the sky, 25.
             const bool sees_crests = std::string_view(preset) == "storm" && above_m < 10;
             EXPECT_LE(largest, sees_crests ? 35 : 20) << preset << " from " << above_m << " m above the crests";
         }

@@ -108,8 +108,11 @@ vec2 normal_slopes(Slopes sum) {
     return normal.xz / max(normal.y, 0.2 * length(normal));
 }
 
-// 0 where no foam begins, 1 where the water folds further than most.
-float folding(float begins, float jacobian) { return smoothstep(begins + 0.08, begins - 0.14, jacobian); }
+// 0 where no foam begins, 1 where the water folds further than most. `shown` is the part of the waves' height that the pixel
+// shows: where none is left there is no foam.
+float folding(float begins, float jacobian, float shown) {
+    return smoothstep(begins + 0.08 * shown, begins - mix(0.07, 0.14, shown), jacobian);
+}
 
 struct Waves {
     vec2 slopes;   // with the sign of the normal
@@ -123,16 +126,18 @@ struct Waves {
 Waves resolved_waves(vec2 at, Footprint pixel) {
     Slopes sum = Slopes(vec2(0.0), vec3(0.0), 0.0);
     vec3 folds = vec3(0.0);
-    float depth = 0.0;
+    float depth = 0.0, whole_depth = 1e-6;
     for (int tile = 0; tile < TILES; ++tile) {
         Slopes seen = tile_slopes(tile, at, pixel);
         sum = Slopes(sum.h + seen.h, sum.d + seen.d, sum.variance + seen.variance);
         float begins = 1.0 - tile_slope[tile].w;
         if (begins > 5.0) continue;  // its waves break without white water
         folds += seen.d;
+        whole_depth += begins * begins;
         depth += begins * begins * clamp(1.0 - seen.variance / tile_slope[tile].z, 0.0, 1.0);
     }
-    return Waves(normal_slopes(sum), sum.variance, folding(1.0 - foam_trail.y * sqrt(depth), jacobian_of(folds)));
+    float foam = folding(1.0 - foam_trail.y * sqrt(depth), jacobian_of(folds), sqrt(depth / whole_depth));
+    return Waves(normal_slopes(sum), sum.variance, foam);
 }
 
 #if TILES == 1
@@ -294,7 +299,7 @@ float foam_behind_crests(vec2 at) {
     float weight = 0.62;
     for (int i = 1; i <= 4; ++i) {
         vec2 d = texture(slopes, vec3(uv + foam_trail.zw * float(i), tile), 0.6 * float(i)).zw * signed_scale - signed_zero;
-        old = max(old, weight * folding(tile_slope[tile].w, 1.0 + tile_slope[tile].x * (d.x + d.y)));
+        old = max(old, weight * folding(tile_slope[tile].w, 1.0 + tile_slope[tile].x * (d.x + d.y), 1.0));
         weight *= 0.72;
     }
     return old;
