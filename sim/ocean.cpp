@@ -11,6 +11,7 @@
 #include "pelagic/message/refusal.hpp"
 #include "pelagic/sim/sources/cascade.hpp"
 #include "pelagic/sim/spectrum/whitecaps.hpp"
+#include "pelagic/sim/surface/fold_stages.hpp"
 #include "pelagic/sim/surface/surface_stages.hpp"
 #include "pelagic/sim/tile_plan.hpp"
 #include "pelagic/simd/float_environment.hpp"
@@ -43,7 +44,8 @@ class Ocean::Sources {
     Sources(const std::vector<TilePlan>& plans, Isa isa, const FrameExtras& wanted)
         : isa_(isa),
           extras_(completed(wanted, plans.size())),
-          slots_(plans.size(), plans.front().resolution, kernels_for(isa).lanes, extras_) {
+          slots_(plans.size(), plans.front().resolution, kernels_for(isa).lanes, extras_),
+          folds_(slots_, kernels_for(isa)) {
         for (std::size_t tile = 0; tile < plans.size(); ++tile) {
             cascades_.push_back(std::make_unique<Cascade>(slots_, tile, kernels_for(isa), extras_));
             surfaces_.push_back(std::make_unique<SurfaceStages>(slots_, tile, kernels_for(isa), extras_));
@@ -51,8 +53,12 @@ class Ocean::Sources {
     }
 
     void add_frame_stages(JobGraph& graph) {
-        for (std::size_t tile = 0; tile < cascades_.size(); ++tile)
-            surfaces_[tile]->add_to(graph, cascades_[tile]->add_frame_stages(graph));
+        std::vector<StageId> surfaces_done;
+        for (std::size_t tile = 0; tile < cascades_.size(); ++tile) {
+            surfaces_done.push_back(cascades_[tile]->add_frame_stages(graph));
+            surfaces_[tile]->add_to(graph, surfaces_done.back());
+        }
+        if (extras_.folds) folds_.add_to(graph, surfaces_done);
     }
     void add_spectrum_stages(JobGraph& graph) {
         for (const auto& cascade : cascades_) cascade->add_spectrum_stage(graph);
@@ -131,6 +137,7 @@ class Ocean::Sources {
     FrameSlots slots_;
     std::vector<std::unique_ptr<Cascade>> cascades_;
     std::vector<std::unique_ptr<SurfaceStages>> surfaces_;
+    FoldStages folds_;
     SeaState sea_, baked_sea_;
     SeaFigures figures_;
 };

@@ -21,6 +21,7 @@
 namespace pelagic {
 
 struct Kernels;
+struct PointChunk;
 
 /// World positions in metres, as far from the origin as you like: the sea repeats in double precision. A position that
 /// is no number, or so far away that doubles can't tell texels apart (2^50 of them), has no sample: its error is
@@ -60,28 +61,20 @@ class SurfaceQuery {
     /// OceanOptions::velocities. \pre spans are as long as the points or empty (asserted)
     void sample(const SurfacePoints& points, const SurfaceSamples& samples) const;
 
+    const Frame& frame() const { return frame_; }
     const FrameBounds& bounds() const { return frame_.bounds; }
-    double texel_m() const { return texel_m_; }
+    double texel_m() const { return texel_m_; }  ///< of the finest tile
     double tolerance_m() const { return tolerance_m_; }
-    bool has_velocities() const { return tile_->velocity_y.data != nullptr; }
+    bool has_velocities() const { return frame_.tiles.front().velocity_y.data != nullptr; }
 
    private:
-    struct Chunk;
-    struct Sheet;
-
-    void place_points(const SurfacePoints& points, Chunk& chunk) const;
-    void find_rest_points(Chunk& chunk) const;
-    void read_surface(const SurfaceSamples& samples, Chunk& chunk) const;
-    void hand_out(const SurfaceSamples& samples, const Chunk& chunk) const;
-    bool may_be_folded(int cell_x, int cell_z) const;
-    Sheet highest_sheet(int cell_x, double u, int cell_z, double v) const;
+    void hand_out(const SurfaceSamples& samples, const PointChunk& chunk) const;
 
     const Kernels* kernels_;
     Frame frame_;
-    const Tile* tile_;
     double texel_m_;
+    double asked_tolerance_m_;
     float tolerance_m_;
-    float target_;  ///< where the search stops, in texels
 };
 
 }  // namespace pelagic

@@ -70,6 +70,24 @@ struct TileLattice {
     }
 };
 
+/// How much a tile squeezes the water together, for queries of frames with several tiles (surface/squeeze_map.hpp).
+struct TileSqueeze {
+    static constexpr int one = 160;  ///< bytes are parts of this; the largest byte means that or anything more
+
+    /// By blocks of 2 x 2 cells, (N/2)^2 of them; then of 4 x 4, and so on to one byte for all.
+    std::span<const std::uint8_t> blocks;
+    /// (N/2)^2: the most around a block, as far as other rest points of the same place can be.
+    std::span<const std::uint8_t> around;
+    float largest_m = 0;  ///< of the sideways displacements
+    float stretch = 0;    ///< two rest points' displacements differ by at most this times their distance
+    float steepness = 0;  ///< and their heights by this times their distance
+
+    /// The most of all blocks.
+    double most() const { return static_cast<double>(blocks.back()) / one; }
+
+    bool empty() const { return blocks.empty(); }
+};
+
 /// What a tile of one frame holds, as views into the ocean that made it.
 struct Tile {
     TileLattice lattice;
@@ -77,8 +95,10 @@ struct Tile {
     /// How fast the water drawn at a texel moves: the derivatives of dx, height and dz in time, metres a second. No data
     /// unless OceanOptions::velocities.
     PlaneView velocity_x, velocity_y, velocity_z;
-    /// Where the surface may lie over itself, for surface queries (surface/fold_map.hpp). Empty unless OceanOptions::queries.
+    /// Where the surface may lie over itself, for surface queries (surface/fold_map.hpp). Empty unless
+    /// OceanOptions::queries, and where a frame has several tiles.
     std::span<const std::uint8_t> folds;
+    TileSqueeze squeeze;  ///< instead of folds, where a frame has several tiles
     /// resolution^2 texels of four IEEE half floats: Dx, height, Dz, foam (0 none to 1 covered). Rows are tight.
     std::span<const std::uint16_t> displacement_rgba16f;
     /// The chain of mip_levels() levels, one texel a word: normal x, normal z, Jacobian, smoothness from the lowest

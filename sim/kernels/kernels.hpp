@@ -195,6 +195,79 @@ struct FindFoldsJob {
     std::uint8_t* cells;  ///< N^2 bits, cell (i, j) being bit i % 8 of byte (j N + i) / 8; these rows are written
 };
 
+/// Extremes of a part of a tile.
+struct SqueezeExtremes {
+    float displacement_squared;  ///< largest Dx^2 + Dz^2
+    float stretch;               ///< what no slope matrix makes a vector grow by more than
+    float steepness_squared;     ///< largest square of the height's gradient
+};
+
+/// How much a tile squeezes the water together at most, by blocks of 2 x 2 cells: minus the least eigenvalue of the
+/// symmetric part of its slopes, or 0, times `one`, rounded up; the largest byte means that or anything more. Inside
+/// a cell the slopes lie between those at its corners, and the least eigenvalue is a concave function of them, so it is
+/// least at a corner. Blocks of the surface have a multiple of W columns.
+struct FindSqueezeJob {
+    SurfaceTexels surface;
+    float texels_per_m;           ///< N / L
+    float cosine, sine;           ///< of the tile's lattice
+    float one;                    ///< the byte that means 1
+    std::size_t first_row, rows;  ///< even
+    std::uint8_t* blocks;         ///< (N/2)^2, tight rows; those of these rows are written
+    SqueezeExtremes* extremes;    ///< of these rows
+};
+
+/// The largest byte within `reach` of each along both axes; the square of bytes repeats.
+struct SpreadSqueezeJob {
+    static constexpr std::size_t most_side = 1024;  ///< half of the largest resolution
+
+    const std::uint8_t* from;  ///< side^2
+    std::size_t side;          ///< a power of two
+    std::size_t reach;         ///< less than side / 2
+    std::uint8_t* scratch;     ///< 2 side^2
+    std::uint8_t* to;          ///< side^2
+};
+
+/// The largest byte of each 2 x 2.
+struct HalveSqueezeJob {
+    const std::uint8_t* from;  ///< 4 side^2
+    std::size_t side;
+    std::uint8_t* to;  ///< side^2
+};
+
+/// Tiles that a kernel adds up, at most.
+inline constexpr std::size_t most_tiles = 4;
+
+/// One tile of a stack as queries read it. A point that is drawn d metres from where it rests rests at world - d.
+struct StackTile {
+    SurfaceTexels surface;
+    float along, across;  ///< the lattice's cosine and sine, times N / L
+    CellPlaces world;     ///< of each point, along the tile's own axes
+};
+
+/// InvertSurfaceJob for a sum of tiles: the offset o with o + sum of D(p + o) = 0. Coarse tiles first: the first look adds
+/// up one tile, the next two, until all are in. From then on a lane that has come within `target` stays as it is.
+struct InvertStackJob {
+    static constexpr int most_steps = 16;
+    static constexpr float least_determinant = 0.1f;
+
+    StackTile tiles[most_tiles];
+    std::size_t tile_count;
+    float target;                ///< metres
+    float reach;                 ///< metres: no offset is longer than the largest displacement
+    std::size_t count;           ///< a multiple of W
+    float *offset_x, *offset_z;  ///< metres, from the given points to those that rest there; alias no input
+    float* error;                ///< remaining distance in metres
+};
+
+/// SampleSurfaceJob for a sum of tiles: slopes add, and normals are those of the sum.
+struct SampleStackJob {
+    StackTile tiles[most_tiles];
+    std::size_t tile_count;
+    std::size_t count;  ///< a multiple of W
+    const float *offset_x, *offset_z;
+    SampleSurfaceJob::Outputs out;  ///< aliases no input
+};
+
 struct Kernels {
     std::size_t lanes;  ///< floats in a register, and lanes of a block in every buffer
     void (*evolve_rows)(const EvolveRowsJob&);
@@ -207,6 +280,11 @@ struct Kernels {
     void (*find_folds)(const FindFoldsJob&);
     void (*invert_surface)(const InvertSurfaceJob&);
     void (*sample_surface)(const SampleSurfaceJob&);
+    void (*find_squeeze)(const FindSqueezeJob&);
+    void (*spread_squeeze)(const SpreadSqueezeJob&);
+    void (*halve_squeeze)(const HalveSqueezeJob&);
+    void (*invert_stack)(const InvertStackJob&);
+    void (*sample_stack)(const SampleStackJob&);
 };
 
 /// \pre runs_here(isa)

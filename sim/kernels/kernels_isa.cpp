@@ -9,6 +9,8 @@
 #include "pelagic/sim/kernels/gradients.kernel.hpp"
 #include "pelagic/sim/kernels/mipmaps.kernel.hpp"
 #include "pelagic/sim/kernels/slopes.kernel.hpp"
+#include "pelagic/sim/kernels/squeeze.kernel.hpp"
+#include "pelagic/sim/kernels/stack_query.kernel.hpp"
 #include "pelagic/sim/kernels/surface_query.kernel.hpp"
 
 #define PELAGIC_JOINED(a, b) a##b
@@ -30,6 +32,11 @@ const Kernels PELAGIC_TABLE(PELAGIC_ISA_NAME) = {
     kernels::find_folds<xsimd::PELAGIC_ISA_ARCH>,
     kernels::invert_surface<xsimd::PELAGIC_ISA_ARCH>,
     kernels::sample_surface<xsimd::PELAGIC_ISA_ARCH>,
+    kernels::find_squeeze<xsimd::PELAGIC_ISA_ARCH>,
+    kernels::spread_squeeze<xsimd::PELAGIC_ISA_ARCH>,
+    kernels::halve_squeeze<xsimd::PELAGIC_ISA_ARCH>,
+    kernels::invert_stack<xsimd::PELAGIC_ISA_ARCH>,
+    kernels::sample_stack<xsimd::PELAGIC_ISA_ARCH>,
 };
 
 }  // namespace pelagic

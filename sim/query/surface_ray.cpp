@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <optional>
 
+#include "pelagic/sim/query/height_change.hpp"
 #include "pelagic/simd/float_environment.hpp"
 
 namespace pelagic {
@@ -30,6 +32,7 @@ class RayWalk {
         return {origin_[0] + distance * direction_[0], origin_[1] + distance * direction_[1],
                 origin_[2] + distance * direction_[2]};
     }
+    double upwards() const { return std::fabs(direction_[1]); }
     double along_ground() const { return std::sqrt(direction_[0] * direction_[0] + direction_[2] * direction_[2]); }
 
     /// How high the ray runs above the water at begin + i step.
@@ -80,6 +83,26 @@ double crossing_in(const RayWalk& walk, Stretch stretch, bool below, double tole
     }
 }
 
+/// How many steps of a ray can't meet the water, from its clearance. None of a frame of one tile, which is walked step by step.
+class FreeSteps {
+   public:
+    FreeSteps(const SurfaceQuery& query, const RayWalk& walk, double step_m)
+        : ground_(walk.along_ground()), rise_(walk.upwards()), step_m_(step_m), unsure_m_(2 * query.tolerance_m()) {
+        if (query.frame().tiles.size() > 1) change_.emplace(query.frame().tiles);
+    }
+
+    double from(double clearance_m, double most) const {
+        if (!change_) return 0;
+        const double sure_m = std::fabs(clearance_m) - unsure_m_;
+        return std::floor(change_->free_distance(sure_m, ground_, rise_, most * step_m_) / step_m_);
+    }
+
+   private:
+    double ground_, rise_, step_m_;
+    double unsure_m_;  ///< a clearance may be off by this
+    std::optional<HeightChange> change_;
+};
+
 }  // namespace
 
 std::optional<SurfaceHit> first_hit(const SurfaceQuery& query, const SurfaceRay& ray) {
@@ -93,25 +116,37 @@ std::optional<SurfaceHit> first_hit(const SurfaceQuery& query, const SurfaceRay&
     const double step = length / steps;
     const double tolerance = std::max(query.tolerance_m(), 1e-9 * near.end);
 
+    const auto hit_in = [&](Stretch stretch, bool below) {
+        SurfaceHit hit{.distance_m = crossing_in(walk, stretch, below, tolerance),
+                       .position_m = {},
+                       .normal = {},
+                       .from_below = below};
+        hit.position_m = walk.at(hit.distance_m);
+        query.sample(
+            {.x = {&hit.position_m[0], 1}, .z = {&hit.position_m[2], 1}},
+            {.normal_x = {&hit.normal[0], 1}, .normal_y = {&hit.normal[1], 1}, .normal_z = {&hit.normal[2], 1}});
+        return hit;
+    };
+
+    const FreeSteps free_steps(query, walk, step);
     double clearance[places];
     walk.clearances(near.begin, 0, 1, clearance);
     const bool below = clearance[0] < 0;
-    for (double first = 1; first <= steps; first += static_cast<double>(places)) {
-        const auto count = static_cast<std::size_t>(std::min(static_cast<double>(places), steps - first + 1));
+    double here = clearance[0];
+    for (double done = 0; done < steps;) {
+        // Steps that can't be near the water are one; else as many as go through the query at once.
+        const double free = free_steps.from(here, steps - done);
+        const bool is_far = free > static_cast<double>(places);
+        const double first = is_far ? done + free : done + 1;
+        const auto count = is_far ? 1 : static_cast<std::size_t>(std::min(static_cast<double>(places), steps - done));
         walk.clearances(near.begin + first * step, step, count, clearance);
         for (std::size_t i = 0; i < count; ++i) {
             if ((clearance[i] < 0) == below) continue;
             const double end = near.begin + (first + static_cast<double>(i)) * step;
-            SurfaceHit hit{.distance_m = crossing_in(walk, {end - step, end}, below, tolerance),
-                           .position_m = {},
-                           .normal = {},
-                           .from_below = below};
-            hit.position_m = walk.at(hit.distance_m);
-            query.sample(
-                {.x = {&hit.position_m[0], 1}, .z = {&hit.position_m[2], 1}},
-                {.normal_x = {&hit.normal[0], 1}, .normal_y = {&hit.normal[1], 1}, .normal_z = {&hit.normal[2], 1}});
-            return hit;
+            return hit_in({is_far ? near.begin + done * step : end - step, end}, below);
         }
+        here = clearance[count - 1];
+        done = first + static_cast<double>(count - 1);
     }
     return {};
 }

@@ -30,26 +30,28 @@ Tile views_of(const TileBuffers& buffers, int n, std::size_t lanes) {
 
 }  // namespace
 
-TileBuffers::TileBuffers(int n, std::size_t lanes, const FrameExtras& extras)
+TileBuffers::TileBuffers(std::size_t tiles, int n, std::size_t lanes, const FrameExtras& extras)
     : surface(column_blocks(n, lanes) * column_block_floats(n, lanes), extras.memory),
       velocity(extras.velocities ? surface.size() : 0, extras.memory),
       rgba16f(4 * static_cast<std::size_t>(n) * n, extras.memory),
       rgba8(extras.gradients ? mip_offset(n, mip_levels(n)) : 0, extras.memory),
       slopes(extras.slopes ? mip_offset(n, mip_levels(n)) : 0, extras.memory),
       moments(slopes.size(), extras.memory) {
-    if (extras.folds) folds.emplace(n, extras.memory);
+    if (extras.folds && tiles == 1) folds.emplace(n, extras.memory);
+    if (extras.folds && tiles > 1) squeeze.emplace(n, extras.memory);
 }
 
 std::size_t TileBuffers::bytes() const {
     return surface.bytes() + velocity.bytes() + rgba16f.bytes() + rgba8.bytes() + slopes.bytes() + moments.bytes() +
-           (folds ? folds->bytes() : 0);
+           (folds ? folds->bytes() : 0) + (squeeze ? squeeze->bytes() : 0);
 }
 
 FrameSlots::FrameSlots(std::size_t tiles, int resolution, std::size_t lanes, const FrameExtras& extras) {
     for (Slot& slot : slots_) {
         slot.buffers.reserve(tiles);  // views point into the elements
         for (std::size_t i = 0; i < tiles; ++i)
-            slot.tiles.push_back(views_of(slot.buffers.emplace_back(resolution, lanes, extras), resolution, lanes));
+            slot.tiles.push_back(
+                views_of(slot.buffers.emplace_back(tiles, resolution, lanes, extras), resolution, lanes));
         slot.frame.tiles = slot.tiles;
     }
 }

@@ -9,6 +9,7 @@
 
 #include "pelagic/sim/frame.hpp"
 #include "pelagic/sim/surface/fold_map.hpp"
+#include "pelagic/sim/surface/squeeze_map.hpp"
 #include "pelagic/simd/aligned_buffer.hpp"
 
 namespace pelagic {
@@ -25,12 +26,14 @@ struct FrameExtras {
 /// The buffers of one tile of one frame, and the views of them.
 struct TileBuffers {
     /// \param lanes  Kernels::lanes of the instruction set that computes them
-    TileBuffers(int resolution, std::size_t lanes, const FrameExtras& extras);
+    /// \param tiles  of the frame
+    TileBuffers(std::size_t tiles, int resolution, std::size_t lanes, const FrameExtras& extras);
     std::size_t bytes() const;
 
-    AlignedBuffer<float> surface;   ///< lines at first, see kernels/wave_blocks.hpp
-    AlignedBuffer<float> velocity;  ///< the same for the derivative in time, if wanted
-    std::optional<FoldMap> folds;
+    AlignedBuffer<float> surface;       ///< lines at first, see kernels/wave_blocks.hpp
+    AlignedBuffer<float> velocity;      ///< the same for the derivative in time, if wanted
+    std::optional<FoldMap> folds;       ///< of one tile, if wanted
+    std::optional<SqueezeMap> squeeze;  ///< of several
     AlignedBuffer<std::uint16_t> rgba16f;
     AlignedBuffer<std::uint32_t> rgba8;            ///< gradients, if wanted
     AlignedBuffer<std::uint32_t> slopes, moments;  ///< if wanted

@@ -35,7 +35,6 @@ SurfaceStages::SurfaceStages(FrameSlots& slots, std::size_t tile, const Kernels&
 void SurfaceStages::add_to(JobGraph& graph, StageId surface_done) {
     if (gradient_averages_) add_gradient_stages(graph, surface_done);
     if (slope_averages_) add_slope_stages(graph, surface_done);
-    if (slots_.buffers(tile_).folds) add_fold_stages(graph, surface_done);
 }
 
 void SurfaceStages::add_gradient_stages(JobGraph& graph, StageId surface_done) {
@@ -64,23 +63,6 @@ void SurfaceStages::add_slope_stages(JobGraph& graph, StageId surface_done) {
     graph.add({.name = stage_name("slopes tail", tile_),
                .count = 1,
                .waits_for = {pieces_done},
-               .body = for_each_item(tail),
-               .stack_bytes = stack_margin});
-}
-
-void SurfaceStages::add_fold_stages(JobGraph& graph, StageId surface_done) {
-    const auto find = [this](std::size_t job) {
-        slots_.buffers(tile_).folds->find(slots_.tile(tile_), kernels_, job);
-    };
-    const StageId cells_done = graph.add({.name = stage_name("folds", tile_),
-                                          .count = slots_.buffers(tile_).folds->jobs(),
-                                          .waits_for = {surface_done},
-                                          .body = for_each_item(find),
-                                          .stack_bytes = stack_margin});
-    const auto tail = [this](std::size_t) { slots_.buffers(tile_).folds->mark(slots_.tile(tile_)); };
-    graph.add({.name = stage_name("folds tail", tile_),
-               .count = 1,
-               .waits_for = {cells_done},
                .body = for_each_item(tail),
                .stack_bytes = stack_margin});
 }

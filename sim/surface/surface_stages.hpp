@@ -1,5 +1,5 @@
 // From a tile's displacement to what consumers take: stages `gradients+mipmaps` and `mipmaps tail`, `slopes+mipmaps` and
-// `slopes tail`, and for queries `folds` and `folds tail`.
+// `slopes tail`.
 #pragma once
 
 #include <cstddef>
@@ -31,7 +31,6 @@ class SurfaceStages {
    private:
     void add_gradient_stages(JobGraph& graph, StageId surface_done);
     void add_slope_stages(JobGraph& graph, StageId surface_done);
-    void add_fold_stages(JobGraph& graph, StageId surface_done);
     void gradients_mipmaps(std::size_t piece);
     void mipmaps_tail();
     SlopeMaps slope_maps();

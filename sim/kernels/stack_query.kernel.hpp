@@ -1,0 +1,214 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <xsimd/xsimd.hpp>
+
+#include "pelagic/sim/kernels/kernels.hpp"
+#include "pelagic/sim/kernels/surface_query.kernel.hpp"
+#include "pelagic/simd/always_inline.hpp"
+#include "pelagic/simd/exact.kernel.hpp"
+#include "pelagic/simd/gather.kernel.hpp"
+
+namespace pelagic::kernels {
+
+/// W places of one tile: where the points are that rest at world + offset.
+template <class Arch>
+struct StackPlaces {
+    using V = xsimd::batch<float, Arch>;
+    using I = xsimd::batch<std::int32_t, Arch>;
+    I x, z;
+    V u, v;
+
+    PELAGIC_INLINE StackPlaces(const StackTile& tile, std::size_t at, V offset_x, V offset_z) {
+        const V along(tile.along), across(tile.across);
+        split(tile.world.cell_x + at, V::load_aligned(tile.world.u + at) + (along * offset_x + across * offset_z), x,
+              u);
+        split(tile.world.cell_z + at, V::load_aligned(tile.world.v + at) + (along * offset_z - across * offset_x), z,
+              v);
+    }
+
+   private:
+    PELAGIC_INLINE static void split(const std::int32_t* world, V moved, I& cell, V& within) {
+        const V cut = xsimd::to_float(xsimd::to_int(moved));
+        const V whole = cut - xsimd::select(cut > moved, V(1.f), V(0.f));
+        cell = I::load_aligned(world) + xsimd::to_int(whole);
+        within = moved - whole;
+    }
+};
+
+/// W searches for a rest point.
+template <class Arch>
+class StackSearch {
+    using V = xsimd::batch<float, Arch>;
+    using I = xsimd::batch<std::int32_t, Arch>;
+
+   public:
+    PELAGIC_INLINE void look(const InvertStackJob& job, std::size_t tiles, std::size_t at) {
+        V off_x = x_, off_z = z_;
+        V x_x(1.f), x_z(0.f), z_x(0.f), z_z(1.f);
+        for (std::size_t t = 0; t < tiles; ++t) {
+            const StackTile& tile = job.tiles[t];
+            const TexelPlaces<Arch> texels(tile.surface);
+            const StackPlaces<Arch> place(tile, at, x_, z_);
+            const I column = texels.column(place.x), next_column = texels.column(place.x + I(1));
+            const I row = texels.row(place.z), next_row = texels.row(place.z + I(1));
+            const I at00 = column + row, at10 = next_column + row, at01 = column + next_row,
+                    at11 = next_column + next_row;
+            const auto sideways = [&](const float* plane) {
+                const Corners<Arch> corners{gathered<Arch>(plane, at00), gathered<Arch>(plane, at10),
+                                            gathered<Arch>(plane, at01), gathered<Arch>(plane, at11)};
+                return Sideways<Arch>(corners, place.u, place.v, V(1.f));
+            };
+            const Sideways<Arch> dx = sideways(tile.surface.dx), dz = sideways(tile.surface.dz);
+            const V along(tile.along), across(tile.across);
+            off_x = off_x + dx.value;
+            off_z = off_z + dz.value;
+            x_x = x_x + (along * dx.along_u - across * dx.along_v);
+            x_z = x_z + (across * dx.along_u + along * dx.along_v);
+            z_x = z_x + (along * dz.along_u - across * dz.along_v);
+            z_z = z_z + (across * dz.along_u + along * dz.along_v);
+        }
+        squared_ = off_x * off_x + off_z * off_z;
+        const V determinant = x_x * z_z - x_z * z_x;
+        const auto newton = determinant > V(InvertStackJob::least_determinant);
+        const V inverse = divided<Arch>(V(1.f), xsimd::select(newton, determinant, V(1.f)));
+        step_x_ = xsimd::select(newton, (z_z * off_x - x_z * off_z) * inverse, off_x);
+        step_z_ = xsimd::select(newton, (x_x * off_z - z_x * off_x) * inverse, off_z);
+    }
+
+    PELAGIC_INLINE auto open(V enough) const { return squared_ > enough; }
+
+    PELAGIC_INLINE void step(V reach) {
+        x_ = within(x_ - step_x_, reach);
+        z_ = within(z_ - step_z_, reach);
+    }
+    /// Lanes that are done keep their bits, however long their neighbours take.
+    PELAGIC_INLINE void step(V reach, V enough) {
+        x_ = xsimd::select(open(enough), within(x_ - step_x_, reach), x_);
+        z_ = xsimd::select(open(enough), within(z_ - step_z_, reach), z_);
+    }
+
+    PELAGIC_INLINE void store(const InvertStackJob& job, std::size_t at) const {
+        x_.store_aligned(job.offset_x + at);
+        z_.store_aligned(job.offset_z + at);
+        square_root<Arch>(squared_).store_aligned(job.error + at);
+    }
+
+   private:
+    PELAGIC_INLINE static V within(V offset, V reach) {
+        return xsimd::min(xsimd::max(offset, V(0.f) - reach), reach);
+    }
+
+    V x_ = V(0.f), z_ = V(0.f);
+    V squared_, step_x_, step_z_;
+};
+
+template <class Arch, std::size_t Registers>
+PELAGIC_INLINE void invert_stack_registers(const InvertStackJob& job, std::size_t at) {
+    using V = xsimd::batch<float, Arch>;
+    const V enough(job.target * job.target), reach(job.reach);
+    StackSearch<Arch> searches[Registers];
+    for (std::size_t tiles = 1; tiles < job.tile_count; ++tiles) {
+        for (std::size_t r = 0; r < Registers; ++r) searches[r].look(job, tiles, at + r * V::size);
+        for (StackSearch<Arch>& search : searches) search.step(reach);
+    }
+    for (int step = 0;; ++step) {
+        for (std::size_t r = 0; r < Registers; ++r) searches[r].look(job, job.tile_count, at + r * V::size);
+        auto open = searches[0].open(enough);
+        for (std::size_t r = 1; r < Registers; ++r) open = open | searches[r].open(enough);
+        if (step == InvertStackJob::most_steps || !xsimd::any(open)) break;
+        for (StackSearch<Arch>& search : searches) search.step(reach, enough);
+    }
+    for (std::size_t r = 0; r < Registers; ++r) searches[r].store(job, at + r * V::size);
+}
+
+template <class Arch>
+void invert_stack(const InvertStackJob& job) {
+    constexpr std::size_t lanes = xsimd::batch<float, Arch>::size;
+    std::size_t at = 0;
+    for (; at + 2 * lanes <= job.count; at += 2 * lanes) invert_stack_registers<Arch, 2>(job, at);
+    if (at < job.count) invert_stack_registers<Arch, 1>(job, at);
+}
+
+/// Slopes of one plane along the world's axes, added up tile by tile, and its value.
+template <class Arch>
+struct SlopeSum {
+    using V = xsimd::batch<float, Arch>;
+    V value = V(0.f), x = V(0.f), z = V(0.f);
+
+    PELAGIC_INLINE void add(const CellSlopes<Arch>& tile, V half_along, V half_across) {
+        value = value + tile.value;
+        x = x + (half_along * tile.x - half_across * tile.z);
+        z = z + (half_across * tile.x + half_along * tile.z);
+    }
+};
+
+template <class Arch>
+PELAGIC_INLINE void sample_stack_lanes(const SampleStackJob& job, std::size_t at) {
+    using V = xsimd::batch<float, Arch>;
+    using I = xsimd::batch<std::int32_t, Arch>;
+    const V offset_x = V::load_aligned(job.offset_x + at), offset_z = V::load_aligned(job.offset_z + at);
+    const SampleSurfaceJob::Outputs& out = job.out;
+    SlopeSum<Arch> dx, height, dz;
+    V velocity_x(0.f), velocity_y(0.f), velocity_z(0.f);
+    for (std::size_t t = 0; t < job.tile_count; ++t) {
+        const StackTile& tile = job.tiles[t];
+        const TexelPlaces<Arch> texels(tile.surface);
+        const StackPlaces<Arch> place(tile, at, offset_x, offset_z);
+        const I columns[4] = {texels.column(place.x - I(1)), texels.column(place.x), texels.column(place.x + I(1)),
+                              texels.column(place.x + I(2))};
+        const I rows[4] = {texels.row(place.z - I(1)), texels.row(place.z), texels.row(place.z + I(1)),
+                           texels.row(place.z + I(2))};
+        const auto value_of = [&](const float* plane) {
+            return bilinear<Arch>(
+                {gathered<Arch>(plane, columns[1] + rows[1]), gathered<Arch>(plane, columns[2] + rows[1]),
+                 gathered<Arch>(plane, columns[1] + rows[2]), gathered<Arch>(plane, columns[2] + rows[2])},
+                place.u, place.v);
+        };
+        if (out.normal_x) {
+            const V half_along(0.5f * tile.along), half_across(0.5f * tile.across);
+            const auto add_to = [&](SlopeSum<Arch>& sum, const float* plane) {
+                sum.add(CellSlopes<Arch>(
+                            [&](int column, int row) { return gathered<Arch>(plane, columns[column] + rows[row]); },
+                            place.u, place.v),
+                        half_along, half_across);
+            };
+            add_to(dx, tile.surface.dx);
+            add_to(height, tile.surface.height);
+            add_to(dz, tile.surface.dz);
+        } else if (out.height) {
+            height.value = height.value + value_of(tile.surface.height);
+        }
+        if (out.velocity_x) {
+            velocity_x = velocity_x + value_of(tile.surface.velocity_x);
+            velocity_y = velocity_y + value_of(tile.surface.velocity_y);
+            velocity_z = velocity_z + value_of(tile.surface.velocity_z);
+        }
+    }
+    if (out.height) height.value.store_aligned(out.height + at);
+    if (out.normal_x) {
+        const V x_x = V(1.f) + dx.x, z_z = V(1.f) + dz.z;
+        const V n_x = height.z * dz.x - height.x * z_z;
+        const V n_y = x_x * z_z - dx.z * dz.x;
+        const V n_z = height.x * dx.z - height.z * x_x;
+        const V length = square_root<Arch>(xsimd::max(n_x * n_x + n_y * n_y + n_z * n_z, V(1e-30f)));
+        const V inverse = divided<Arch>(V(1.f), length);
+        (n_x * inverse).store_aligned(out.normal_x + at);
+        (n_y * inverse).store_aligned(out.normal_y + at);
+        (n_z * inverse).store_aligned(out.normal_z + at);
+        n_y.store_aligned(out.jacobian + at);
+    }
+    if (out.velocity_x) {
+        velocity_x.store_aligned(out.velocity_x + at);
+        velocity_y.store_aligned(out.velocity_y + at);
+        velocity_z.store_aligned(out.velocity_z + at);
+    }
+}
+
+template <class Arch>
+void sample_stack(const SampleStackJob& job) {
+    for (std::size_t at = 0; at < job.count; at += xsimd::batch<float, Arch>::size) sample_stack_lanes<Arch>(job, at);
+}
+
+}  // namespace pelagic::kernels

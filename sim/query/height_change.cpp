@@ -1,0 +1,50 @@
+#include "pelagic/sim/query/height_change.hpp"
+
+#include <algorithm>
+
+namespace pelagic {
+namespace {
+
+/// Below this, rounding of the squeezes counts.
+constexpr double least_slack = 1e-3;
+
+}  // namespace
+
+HeightChange::HeightChange(std::span<const Tile> tiles) : count_(tiles.size()) {
+    double slack = 1, further_m = 0;
+    for (const Tile& tile : tiles) further_m += 2 * static_cast<double>(tile.squeeze.largest_m);
+    for (std::size_t i = 0; i < count_; ++i) {
+        const Tile& tile = tiles[i];
+        parts_[i] = {.steepness = static_cast<double>(tile.squeeze.steepness),
+                     .range_m = static_cast<double>(tile.bounds.height_max_m - tile.bounds.height_min_m),
+                     .slack = slack,
+                     .further_m = further_m};
+        slack -= tile.squeeze.most();
+        further_m = std::max(0.0, further_m - 2 * static_cast<double>(tile.squeeze.largest_m));
+    }
+    parts_[count_] = {.steepness = 0, .range_m = 0, .slack = slack, .further_m = 0};
+}
+
+double HeightChange::within(double distance_m) const {
+    double at_rest_m = distance_m + parts_[0].further_m;
+    for (std::size_t i = 1; i <= count_ && parts_[i].slack >= least_slack; ++i)
+        at_rest_m = std::min(at_rest_m, (distance_m + parts_[i].further_m) / parts_[i].slack);
+    double change_m = 0;
+    for (std::size_t i = 0; i < count_; ++i) change_m += std::min(parts_[i].steepness * at_rest_m, parts_[i].range_m);
+    return change_m;
+}
+
+double HeightChange::free_distance(double clearance_m, double ground, double rise, double most_m) const {
+    const auto is_free = [&](double distance_m) {
+        return within(distance_m * ground) + distance_m * rise < clearance_m;
+    };
+    if (is_free(most_m)) return most_m;
+    double free_m = 0, end_m = most_m;
+    for (int halving = 0; halving < 20 && end_m > 0; ++halving) {
+        const double middle_m = (free_m + end_m) / 2;
+        (is_free(middle_m) ? free_m : end_m) = middle_m;
+    }
+    return free_m;
+}
+
+}  // namespace pelagic

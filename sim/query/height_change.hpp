@@ -1,0 +1,44 @@
+// How much the height of the water can differ between two places.
+//
+// Let q and q' be rest points of places d apart, e_i, -s_i and g_i a tile's largest sideways displacement, its least eigenvalue
+// as in surface/squeeze_map.hpp, over the whole tile, and the steepest its heights are at rest. For any number k of the coarsest
+// tiles that leave m = 1 - s_0 - ... - s_(k-1) > 0,
+//
+//   m |q' - q| <= |C(q') - C(q)| <= d + 2 (e_k + e_(k+1) + ...),      C(q) = q + D_0(q) + ... + D_(k-1)(q)
+//
+// and no tile's height changes by more than g_i |q' - q|, nor by more than from its lowest to its highest. Folds are no exception:
+// it holds for every sheet.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "pelagic/sim/kernels/kernels.hpp"
+#include "pelagic/sim/tile.hpp"
+
+namespace pelagic {
+
+class HeightChange {
+   public:
+    /// \param tiles  of a frame of several, made with OceanOptions::queries
+    explicit HeightChange(std::span<const Tile> tiles);
+
+    /// Metres, at most, between places so far apart.
+    double within(double distance_m) const;
+
+    /// How far along a ray that is `clearance_m` above or below the water it stays on that side for certain. The ray covers
+    /// `ground` along the ground and `rise` upwards or downwards of each metre.
+    double free_distance(double clearance_m, double ground, double rise, double most_m) const;
+
+   private:
+    struct Part {
+        double steepness, range_m;
+        double slack;      ///< what the tiles before this leave of 1
+        double further_m;  ///< 2 (e_i + e_(i+1) + ...)
+    };
+    std::array<Part, most_tiles + 1> parts_;  ///< the last one after all tiles
+    std::size_t count_;
+};
+
+}  // namespace pelagic

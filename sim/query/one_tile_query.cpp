@@ -1,0 +1,179 @@
+// Two ways to a rest point. Nearly everywhere it is the only one (fold_map.hpp), and a kernel steps towards it, W points
+// at a time. Where the surface may lie over itself, and where the steps did not arrive, all cells that could be drawn
+// at the point are looked at, in double and in closed form; that is plain code, compiled once.
+#include "pelagic/sim/query/one_tile_query.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "pelagic/sim/surface/fold_map.hpp"
+#include "pelagic/sim/surface/surface_texels.hpp"
+
+namespace pelagic {
+namespace {
+
+// Texels. Float tells places some texels away to 1e-6; beyond the most, a false rest point might be taken for a true
+// one outside of the fold map's margin.
+constexpr double least_target = 4e-6, most_target = 1.0 / 64;
+static_assert(most_target < FoldMap::margin);
+
+// A point on the edge between cells must not fall between them by rounding. In texels.
+constexpr double edge = 1e-7;
+
+struct Vector {
+    double x, z;
+    friend Vector operator+(Vector a, Vector b) { return {a.x + b.x, a.z + b.z}; }
+    friend Vector operator-(Vector a, Vector b) { return {a.x - b.x, a.z - b.z}; }
+    friend Vector operator*(double f, Vector a) { return {f * a.x, f * a.z}; }
+};
+double cross(Vector a, Vector b) { return a.x * b.z - a.z * b.x; }
+double dot(Vector a, Vector b) { return a.x * b.x + a.z * b.z; }
+
+/// Calls take(u, v) with each place in the unit square where a + b u + c v + d u v = 0. The cross product with c + d u,
+/// along which v moves, leaves a quadratic equation for u.
+template <class Take>
+void solve_cell(Vector a, Vector b, Vector c, Vector d, Take take) {
+    const double square = cross(b, d), linear = cross(a, d) + cross(b, c), constant = cross(a, c);
+    const double discriminant = linear * linear - 4 * square * constant;
+    if (!(discriminant >= 0)) return;
+    const double root = std::sqrt(discriminant);
+    const double larger = -0.5 * (linear < 0 ? linear - root : linear + root);
+    const auto take_if_inside = [&](double u) {
+        const Vector along = c + u * d;
+        const double v = -dot(a + u * b, along) / dot(along, along);
+        const auto is_inside = [](double t) { return t >= -edge && t <= 1 + edge; };  // false for 0 / 0
+        if (is_inside(u) && is_inside(v)) take(std::clamp(u, 0.0, 1.0), std::clamp(v, 0.0, 1.0));
+    };
+    take_if_inside(constant / larger);
+    if (root > 0) take_if_inside(larger / square);
+}
+
+}  // namespace
+
+struct OneTileQuery::Sheet {
+    bool found = false;
+    int cell_x = 0, cell_z = 0;
+    float u = 0, v = 0;
+    double height = 0;
+    float error = 0;  ///< texels
+};
+
+OneTileQuery::OneTileQuery(const Tile& tile, const Kernels& kernels, double tolerance_m)
+    : kernels_(kernels),
+      tile_(tile),
+      texel_m_(tile.texel_m()),
+      target_(static_cast<float>(std::clamp(tolerance_m * query_aim / texel_m_, least_target, most_target))) {}
+
+/// Each point becomes a cell of the patch and a place in it.
+void OneTileQuery::place(const SurfacePoints& points, PointChunk& chunk) const {
+    const std::int64_t last = tile_.resolution() - 1;
+    PointChunk::World& world = chunk.world[0];
+    for (std::size_t i = 0; i < chunk.padded; ++i) {
+        double x = i < chunk.count ? points.x[chunk.first + i] / texel_m_ : 0;
+        double z = i < chunk.count ? points.z[chunk.first + i] / texel_m_ : 0;
+        chunk.is_somewhere[i] =
+            x >= -most_texels_away && x <= most_texels_away && z >= -most_texels_away && z <= most_texels_away;
+        if (!chunk.is_somewhere[i]) x = z = 0;
+        const std::int64_t cell_x = floor_of(x), cell_z = floor_of(z);
+        world.cell_x[i] = static_cast<std::int32_t>(cell_x & last);
+        world.cell_z[i] = static_cast<std::int32_t>(cell_z & last);
+        world.u[i] = static_cast<float>(x - static_cast<double>(cell_x));
+        world.v[i] = static_cast<float>(z - static_cast<double>(cell_z));
+    }
+}
+
+void OneTileQuery::find_rest_points(PointChunk& chunk) const {
+    PointChunk::World& world = chunk.world[0];
+    kernels_.invert_surface({.surface = texels_of(tile_),
+                             .texels_per_m = static_cast<float>(1 / texel_m_),
+                             .target = target_,
+                             .count = chunk.padded,
+                             .world = world.places(),
+                             .rest = chunk.rest.places(),
+                             .error = chunk.error});
+
+    for (std::size_t i = 0; i < chunk.count; ++i) {
+        if (chunk.error[i] <= target_ && !may_be_folded(world.cell_x[i], world.cell_z[i])) continue;
+        const Sheet sheet = highest_sheet(world.cell_x[i], world.u[i], world.cell_z[i], world.v[i]);
+        if (!sheet.found) continue;  // the error says how good the steps' end is
+        chunk.rest.cell_x[i] = sheet.cell_x;
+        chunk.rest.cell_z[i] = sheet.cell_z;
+        chunk.rest.u[i] = sheet.u;
+        chunk.rest.v[i] = sheet.v;
+        chunk.error[i] = sheet.error;
+    }
+    for (std::size_t i = 0; i < chunk.count; ++i) chunk.error[i] *= static_cast<float>(texel_m_);
+}
+
+void OneTileQuery::read(const SampleSurfaceJob::Outputs& outputs, PointChunk& chunk) const {
+    kernels_.sample_surface({.surface = texels_of(tile_),
+                             .two_texels_m = static_cast<float>(2 * texel_m_),
+                             .jacobian_factor = static_cast<float>(1 / (4 * texel_m_ * texel_m_)),
+                             .count = chunk.padded,
+                             .rest = chunk.rest.places(),
+                             .out = outputs});
+}
+
+bool OneTileQuery::may_be_folded(int cell_x, int cell_z) const {
+    const auto square = static_cast<std::size_t>(cell_z * tile_.resolution() + cell_x);
+    return tile_.folds[square / 8] >> square % 8 & 1;
+}
+
+// A cell (i, j) can be drawn at the point only if it rests within the largest displacement of it.
+OneTileQuery::Sheet OneTileQuery::highest_sheet(int cell_x, double u, int cell_z, double v) const {
+    const SurfaceTexels surface = texels_of(tile_);
+    const double texels_per_m = 1 / texel_m_;
+    const double reach_x = tile_.bounds.sideways_x_max_m * texels_per_m + edge;
+    const double reach_z = tile_.bounds.sideways_z_max_m * texels_per_m + edge;
+    const auto first_x = static_cast<int>(floor_of(u - reach_x)), last_x = static_cast<int>(floor_of(u + reach_x));
+    const auto first_z = static_cast<int>(floor_of(v - reach_z)), last_z = static_cast<int>(floor_of(v + reach_z));
+
+    /// A texel as drawn, from the point that is asked about, in texels.
+    const auto corner = [&](int i, int j) {
+        const std::ptrdiff_t place = place_of(surface, cell_x + i, cell_z + j);
+        return Vector{i - u + surface.dx[place] * texels_per_m, j - v + surface.dz[place] * texels_per_m};
+    };
+    const auto height_at = [&](int i, int j, double along_x, double along_z) {
+        const auto texel = [&](int a, int b) {
+            return static_cast<double>(surface.height[place_of(surface, cell_x + i + a, cell_z + j + b)]);
+        };
+        const double low = texel(0, 0) + along_x * (texel(1, 0) - texel(0, 0));
+        const double high = texel(0, 1) + along_x * (texel(1, 1) - texel(0, 1));
+        return low + along_z * (high - low);
+    };
+
+    Sheet highest;
+    for (int j = first_z; j <= last_z; ++j) {
+        Vector v00 = corner(first_x, j), v01 = corner(first_x, j + 1);
+        for (int i = first_x; i <= last_x; ++i) {
+            const Vector v10 = corner(i + 1, j), v11 = corner(i + 1, j + 1);
+            const auto straddles = [](double a, double b, double c, double d) {
+                return std::min(std::min(a, b), std::min(c, d)) <= edge &&
+                       std::max(std::max(a, b), std::max(c, d)) >= -edge;
+            };
+            if (straddles(v00.x, v10.x, v01.x, v11.x) && straddles(v00.z, v10.z, v01.z, v11.z)) {
+                const Vector b = v10 - v00, c = v01 - v00, d = (v11 - v01) - b;
+                solve_cell(v00, b, c, d, [&](double along_x, double along_z) {
+                    const double height = height_at(i, j, along_x, along_z);
+                    if (highest.found && height <= highest.height) return;
+                    highest = {true, i, j, static_cast<float>(along_x), static_cast<float>(along_z), height};
+                });
+            }
+            v00 = v10;
+            v01 = v11;
+        }
+    }
+    if (highest.found) {
+        const int i = highest.cell_x, j = highest.cell_z;
+        const Vector v00 = corner(i, j), b = corner(i + 1, j) - v00, c = corner(i, j + 1) - v00;
+        const double along_x = highest.u, along_z = highest.v;
+        const Vector off =
+            v00 + along_x * b + along_z * c + along_x * along_z * ((corner(i + 1, j + 1) - corner(i, j + 1)) - b);
+        highest.error = static_cast<float>(std::sqrt(dot(off, off)));
+        highest.cell_x += cell_x;
+        highest.cell_z += cell_z;
+    }
+    return highest;
+}
+
+}  // namespace pelagic

@@ -1,0 +1,31 @@
+// Queries of a frame of one tile.
+#pragma once
+
+#include "pelagic/sim/query/point_chunk.hpp"
+#include "pelagic/sim/surface_query.hpp"
+
+namespace pelagic {
+
+class OneTileQuery {
+   public:
+    OneTileQuery(const Tile& tile, const Kernels& kernels, double tolerance_m);
+
+    /// Each point of a chunk becomes a cell of the patch and a place in it.
+    void place(const SurfacePoints& points, PointChunk& chunk) const;
+    void find_rest_points(PointChunk& chunk) const;
+    /// Reads the frame at the rest points.
+    void read(const SampleSurfaceJob::Outputs& outputs, PointChunk& chunk) const;
+
+   private:
+    struct Sheet;
+
+    bool may_be_folded(int cell_x, int cell_z) const;
+    Sheet highest_sheet(int cell_x, double u, int cell_z, double v) const;
+
+    const Kernels& kernels_;
+    const Tile& tile_;
+    double texel_m_;
+    float target_;  ///< where the search stops, in texels
+};
+
+}  // namespace pelagic

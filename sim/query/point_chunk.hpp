@@ -1,0 +1,47 @@
+// Points of a batch that go through the kernels together.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "pelagic/sim/kernels/kernels.hpp"
+
+namespace pelagic {
+
+/// The search aims at this part of the tolerance, because on a steep face a step sideways is a larger one in height.
+inline constexpr double query_aim = 1.0 / 64;
+
+/// Texels from the origin beyond which doubles can't tell them apart.
+inline constexpr double most_texels_away = 0x1p50;
+
+inline std::int64_t floor_of(double x) {
+    const auto cut = static_cast<std::int64_t>(x);
+    return cut - (static_cast<double>(cut) > x);
+}
+
+/// On the stack, and what one tile needs of it, 8 KB, stays in the first cache.
+struct PointChunk {
+    static constexpr std::size_t most = 128;
+    using Floats = float[most];
+    using Cells = std::int32_t[most];
+
+    /// Where points are along the axes of a tile.
+    struct World {
+        alignas(64) Cells cell_x, cell_z;
+        alignas(64) Floats u, v;
+
+        CellPlaces places() { return {cell_x, cell_z, u, v}; }
+    };
+
+    World world[most_tiles];
+    World rest;                             ///< what rests there, of one tile
+    alignas(64) Floats offset_x, offset_z;  ///< the same of several, metres from the points
+    alignas(64) Floats error;               ///< metres, when all is done
+    alignas(64) Floats height, normal_x, normal_y, normal_z, jacobian, velocity_x, velocity_y, velocity_z;
+    bool is_somewhere[most];
+
+    std::size_t first = 0, count = 0;  ///< of the batch
+    std::size_t padded = 0;            ///< count, up to whole registers
+};
+
+}  // namespace pelagic

@@ -1,0 +1,127 @@
+// As for one tile there are two ways to a rest point. A kernel steps towards one, W points at a time, and one byte of each tile
+// says whether it is the only one (squeeze_map.hpp). Where they don't, and where the steps did not arrive, stack_search.hpp
+// looks at all.
+#include "pelagic/sim/query/stack_query.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "pelagic/sim/surface/squeeze_map.hpp"
+
+namespace pelagic {
+namespace {
+
+// Metres. Of the offset, and of the finest texel: beyond the most, a false rest point might be taken for a true one.
+constexpr double least_target = 1e-6, most_target = 1.0 / 64;
+static_assert(most_target < SqueezeMap::margin);
+
+// Bytes that the tiles' squeezes add up to at most, rounded down.
+constexpr int most_but_last = static_cast<int>(TileSqueeze::one * (1 - SqueezeMap::least_slack));
+constexpr int most_of_all = static_cast<int>(TileSqueeze::one * (1 - SqueezeMap::least_slack_of_all));
+static_assert(most_of_all < 255, "the largest byte must fail");
+
+}  // namespace
+
+StackQuery::StackQuery(std::span<const Tile> tiles, const Kernels& kernels, double tolerance_m)
+    : kernels_(kernels), tiles_(tiles), finest_texel_m_(tiles.back().texel_m()) {
+    for (std::size_t t = 0; t < tiles.size(); ++t) {
+        search_tiles_[t] = SearchTile(tiles[t]);
+        reach_m_ += static_cast<double>(tiles[t].squeeze.largest_m);
+    }
+    target_m_ = std::clamp(tolerance_m * query_aim, least_target * (1 + reach_m_), most_target * finest_texel_m_);
+}
+
+void StackQuery::place(const SurfacePoints& points, PointChunk& chunk) const {
+    const double most_m = most_texels_away * finest_texel_m_;
+    double x[PointChunk::most], z[PointChunk::most];
+    for (std::size_t i = 0; i < chunk.padded; ++i) {
+        x[i] = i < chunk.count ? points.x[chunk.first + i] : 0;
+        z[i] = i < chunk.count ? points.z[chunk.first + i] : 0;
+        chunk.is_somewhere[i] = x[i] >= -most_m && x[i] <= most_m && z[i] >= -most_m && z[i] <= most_m;
+        if (!chunk.is_somewhere[i]) x[i] = z[i] = 0;
+    }
+    for (std::size_t t = 0; t < tiles_.size(); ++t) {
+        const SearchTile& tile = search_tiles_[t];
+        const std::int64_t last = tile.texels.resolution - 1;
+        PointChunk::World& world = chunk.world[t];
+        for (std::size_t i = 0; i < chunk.padded; ++i) {
+            const double along = tile.along * x[i] + tile.across * z[i],
+                         across = tile.along * z[i] - tile.across * x[i];
+            const std::int64_t cell_x = floor_of(along), cell_z = floor_of(across);
+            world.cell_x[i] = static_cast<std::int32_t>(cell_x & last);
+            world.cell_z[i] = static_cast<std::int32_t>(cell_z & last);
+            world.u[i] = static_cast<float>(along - static_cast<double>(cell_x));
+            world.v[i] = static_cast<float>(across - static_cast<double>(cell_z));
+        }
+    }
+}
+
+StackTile StackQuery::stack_tile(std::size_t tile, PointChunk& chunk) const {
+    return {.surface = search_tiles_[tile].texels,
+            .along = static_cast<float>(search_tiles_[tile].along),
+            .across = static_cast<float>(search_tiles_[tile].across),
+            .world = chunk.world[tile].places()};
+}
+
+void StackQuery::find_rest_points(PointChunk& chunk) const {
+    InvertStackJob job{.tiles = {},
+                       .tile_count = tiles_.size(),
+                       .target = static_cast<float>(target_m_),
+                       .reach = static_cast<float>(reach_m_),
+                       .count = chunk.padded,
+                       .offset_x = chunk.offset_x,
+                       .offset_z = chunk.offset_z,
+                       .error = chunk.error};
+    for (std::size_t t = 0; t < tiles_.size(); ++t) job.tiles[t] = stack_tile(t, chunk);
+    kernels_.invert_stack(job);
+    for (std::size_t i = 0; i < chunk.count; ++i)
+        if (!(chunk.error[i] <= static_cast<float>(target_m_) && is_only_one(chunk, i))) search(chunk, i);
+}
+
+bool StackQuery::is_only_one(const PointChunk& chunk, std::size_t point) const {
+    const double x = static_cast<double>(chunk.offset_x[point]), z = static_cast<double>(chunk.offset_z[point]);
+    int sum = 0;
+    for (std::size_t t = 0; t < tiles_.size(); ++t) {
+        const SearchTile& tile = search_tiles_[t];
+        const PointChunk::World& world = chunk.world[t];
+        const double u = static_cast<double>(world.u[point]) + (tile.along * x + tile.across * z);
+        const double v = static_cast<double>(world.v[point]) + (tile.along * z - tile.across * x);
+        const int half = tile.texels.resolution / 2;
+        const int i = (world.cell_x[point] + static_cast<int>(floor_of(u))) >> 1 & (half - 1);
+        const int j = (world.cell_z[point] + static_cast<int>(floor_of(v))) >> 1 & (half - 1);
+        sum += tile.squeeze.around[static_cast<std::size_t>(j * half + i)];
+        if (sum > (t + 1 < tiles_.size() ? most_but_last : most_of_all)) return false;
+    }
+    return true;
+}
+
+void StackQuery::search(PointChunk& chunk, std::size_t point) const {
+    StackPoint where;
+    for (std::size_t t = 0; t < tiles_.size(); ++t) {
+        where.cell_x[t] = chunk.world[t].cell_x[point];
+        where.cell_z[t] = chunk.world[t].cell_z[point];
+        where.u[t] = static_cast<double>(chunk.world[t].u[point]);
+        where.v[t] = static_cast<double>(chunk.world[t].v[point]);
+    }
+    const Offset stepped{static_cast<double>(chunk.offset_x[point]), static_cast<double>(chunk.offset_z[point])};
+    const bool has_arrived = chunk.error[point] <= static_cast<float>(target_m_);
+    const StackSheet sheet = StackSearch({search_tiles_.data(), tiles_.size()}, target_m_)
+                                 .highest_sheet(where, has_arrived ? &stepped : nullptr);
+    if (!sheet.found) return;  // the error says how good the steps' end is
+    chunk.offset_x[point] = static_cast<float>(sheet.offset.x);
+    chunk.offset_z[point] = static_cast<float>(sheet.offset.z);
+    chunk.error[point] = static_cast<float>(sheet.error_m);
+}
+
+void StackQuery::read(const SampleSurfaceJob::Outputs& outputs, PointChunk& chunk) const {
+    SampleStackJob job{.tiles = {},
+                       .tile_count = tiles_.size(),
+                       .count = chunk.padded,
+                       .offset_x = chunk.offset_x,
+                       .offset_z = chunk.offset_z,
+                       .out = outputs};
+    for (std::size_t t = 0; t < tiles_.size(); ++t) job.tiles[t] = stack_tile(t, chunk);
+    kernels_.sample_stack(job);
+}
+
+}  // namespace pelagic

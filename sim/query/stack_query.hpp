@@ -1,0 +1,34 @@
+// Queries of a frame of several tiles: the same in all as OneTileQuery, of their sum.
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "pelagic/sim/query/point_chunk.hpp"
+#include "pelagic/sim/query/stack_search.hpp"
+#include "pelagic/sim/surface_query.hpp"
+
+namespace pelagic {
+
+class StackQuery {
+   public:
+    StackQuery(std::span<const Tile> tiles, const Kernels& kernels, double tolerance_m);
+
+    void place(const SurfacePoints& points, PointChunk& chunk) const;
+    void find_rest_points(PointChunk& chunk) const;
+    void read(const SampleSurfaceJob::Outputs& outputs, PointChunk& chunk) const;
+
+   private:
+    bool is_only_one(const PointChunk& chunk, std::size_t point) const;
+    void search(PointChunk& chunk, std::size_t point) const;
+    StackTile stack_tile(std::size_t tile, PointChunk& chunk) const;
+
+    const Kernels& kernels_;
+    std::span<const Tile> tiles_;
+    std::array<SearchTile, most_tiles> search_tiles_;
+    double finest_texel_m_;
+    double reach_m_ = 0;  ///< no rest point is farther away from what is drawn there
+    double target_m_;     ///< where the search stops
+};
+
+}  // namespace pelagic

@@ -1,0 +1,269 @@
+#include "pelagic/sim/query/stack_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "pelagic/sim/surface/squeeze_map.hpp"
+#include "pelagic/sim/surface/surface_texels.hpp"
+
+namespace pelagic {
+namespace {
+
+// A box is proven with some of what is around it, so that a rest point just outside of it is not looked for again.
+constexpr double surroundings = 1.5;
+
+// Boxes below this slack are cut further: Newton's steps would lead far away.
+constexpr double least_slack = 0.02;
+
+// Of the finest texel: sheets that rest nearer together than some of this are not told apart. Boxes of this size are searched
+// whether they can be proven or not, because a sheet that is turned over can't.
+constexpr double same_sheet = 1.0 / 128;
+constexpr double small_surroundings = 2;
+
+// Metres. Displacements are floats, whose last digits are larger; Newton's steps in double go on to here.
+constexpr double exact_m = 1e-10;
+constexpr int most_steps = 16;
+
+// Places nearer to one another than this part of the search's target are the same.
+constexpr double same = 1.0 / 4;
+
+constexpr double square_root_of_2 = 1.41421356237309515;
+
+double length_of(double x, double z) { return std::sqrt(x * x + z * z); }
+
+struct CellPlace {
+    int i, j;
+    double u, v;
+};
+
+CellPlace place_in(const SearchTile& tile, const StackPoint& point, std::size_t number, Offset offset) {
+    const double u = point.u[number] + (tile.along * offset.x + tile.across * offset.z);
+    const double v = point.v[number] + (tile.along * offset.z - tile.across * offset.x);
+    const double column = std::floor(u), row = std::floor(v);
+    return {point.cell_x[number] + static_cast<int>(column), point.cell_z[number] + static_cast<int>(row), u - column,
+            v - row};
+}
+
+struct Cell {
+    std::ptrdiff_t at00, at10, at01, at11;
+
+    Cell(const SurfaceTexels& texels, const CellPlace& place)
+        : at00(place_of(texels, place.i, place.j)),
+          at10(place_of(texels, place.i + 1, place.j)),
+          at01(place_of(texels, place.i, place.j + 1)),
+          at11(place_of(texels, place.i + 1, place.j + 1)) {}
+};
+
+/// Value and slopes along the tile's axes, a texel long.
+struct Bilinear {
+    double value, along_u, along_v;
+
+    Bilinear(const float* plane, const Cell& cell, double u, double v) {
+        const double a = plane[cell.at00], b = plane[cell.at10], c = plane[cell.at01], d = plane[cell.at11];
+        const double low = a + u * (b - a), high = c + u * (d - c);
+        value = low + v * (high - low);
+        along_u = (b - a) + v * ((d - c) - (b - a));
+        along_v = high - low;
+    }
+};
+
+}  // namespace
+
+SearchTile::SearchTile(const Tile& tile)
+    : texels(texels_of(tile)),
+      along(tile.lattice.cosine / tile.texel_m()),
+      across(tile.lattice.sine / tile.texel_m()),
+      texels_per_m(1 / tile.texel_m()),
+      squeeze(tile.squeeze) {}
+
+/// Where an offset's rest point is drawn, from the point that is asked about, metres.
+struct StackSearch::Drawn {
+    double x, z;
+    double x_x = 1, x_z = 0, z_x = 0, z_z = 1;         ///< slopes along the world's axes
+    std::array<double, most_tiles> displacement = {};  ///< length of each tile's
+
+    double distance() const { return length_of(x, z); }
+};
+
+/// A square along the world's axes.
+struct StackSearch::Box {
+    Offset centre;
+    double half;
+
+    bool contains(Offset o, double margin) const {
+        return std::fabs(o.x - centre.x) <= half * margin && std::fabs(o.z - centre.z) <= half * margin;
+    }
+};
+
+/// What was found so far.
+struct StackSearch::Sheets {
+    static constexpr std::size_t most_kept = 16;
+
+    void add(const StackSearch& search, const StackPoint& point, Offset offset, double error) {
+        if (count < most_kept) kept[count++] = offset;
+        const double height = search.height_at(point, offset);
+        if (!highest.found || height > highest.height_m) highest = {true, offset, height, error};
+    }
+    bool has_one_in(const Box& box, double margin) const {
+        return std::any_of(kept.begin(), kept.begin() + count, [&](Offset o) { return box.contains(o, margin); });
+    }
+
+    std::array<Offset, most_kept> kept;
+    std::size_t count = 0;
+    StackSheet highest;
+};
+
+StackSearch::Drawn StackSearch::drawn_at(const StackPoint& point, Offset offset) const {
+    Drawn drawn{.x = offset.x, .z = offset.z};
+    for (std::size_t t = 0; t < tiles_.size(); ++t) {
+        const SearchTile& tile = tiles_[t];
+        const CellPlace place = place_in(tile, point, t, offset);
+        const Cell cell(tile.texels, place);
+        const Bilinear dx(tile.texels.dx, cell, place.u, place.v), dz(tile.texels.dz, cell, place.u, place.v);
+        drawn.x += dx.value;
+        drawn.z += dz.value;
+        drawn.x_x += tile.along * dx.along_u - tile.across * dx.along_v;
+        drawn.x_z += tile.across * dx.along_u + tile.along * dx.along_v;
+        drawn.z_x += tile.along * dz.along_u - tile.across * dz.along_v;
+        drawn.z_z += tile.across * dz.along_u + tile.along * dz.along_v;
+        drawn.displacement[t] = length_of(dx.value, dz.value);
+    }
+    return drawn;
+}
+
+double StackSearch::height_at(const StackPoint& point, Offset offset) const {
+    double height = 0;
+    for (std::size_t t = 0; t < tiles_.size(); ++t) {
+        const CellPlace place = place_in(tiles_[t], point, t, offset);
+        height += Bilinear(tiles_[t].texels.height, Cell(tiles_[t].texels, place), place.u, place.v).value;
+    }
+    return height;
+}
+
+/// The most that a tile squeezes on a square of its own axes, `reach` texels to all sides of a place.
+double StackSearch::squeeze_within(const StackPoint& point, std::size_t number, Offset centre, double reach) const {
+    const SearchTile& tile = tiles_[number];
+    const CellPlace place = place_in(tile, point, number, centre);
+    const int n = tile.texels.resolution;
+    const int first_i = place.i + static_cast<int>(std::floor(place.u - reach));
+    const int last_i = place.i + static_cast<int>(std::floor(place.u + reach));
+    const int first_j = place.j + static_cast<int>(std::floor(place.v - reach));
+    const int last_j = place.j + static_cast<int>(std::floor(place.v + reach));
+    // Two blocks along each axis, at most, of the finest level where that is enough.
+    const std::uint8_t* blocks = tile.squeeze.blocks.data();
+    int shift = 1, side = n / 2;
+    while (side > 1 && ((last_i >> shift) - (first_i >> shift) > 1 || (last_j >> shift) - (first_j >> shift) > 1)) {
+        blocks += side * side;
+        side /= 2;
+        ++shift;
+    }
+    const int left = first_i >> shift & (side - 1), right = last_i >> shift & (side - 1);
+    const int upper = (first_j >> shift & (side - 1)) * side, lower = (last_j >> shift & (side - 1)) * side;
+    const int most = std::max(std::max(blocks[upper + left], blocks[upper + right]),
+                              std::max(blocks[lower + left], blocks[lower + right]));
+    return most == 255 ? 1e9 : static_cast<double>(most) / TileSqueeze::one;
+}
+
+/// What the first of the tiles leave of 1 within a circle, or on a square of the world.
+double StackSearch::slack_within(const StackPoint& point, Offset centre, double reach_m, std::size_t tiles,
+                                 bool is_square) const {
+    double slack = 1;
+    for (std::size_t t = 0; t < tiles && slack > 0; ++t) {
+        const SearchTile& tile = tiles_[t];
+        const double texels =
+            reach_m * (is_square ? std::fabs(tile.along) + std::fabs(tile.across) : tile.texels_per_m);
+        slack -= squeeze_within(point, t, centre, texels);
+    }
+    return slack;
+}
+
+/// Where others can be if one is known: the chain of squeeze_map.hpp, as far as it goes here. Empty if there is no other.
+StackSearch::Box StackSearch::around_known(const StackPoint& point, Offset known) const {
+    double rest_m = target_m_;
+    for (const SearchTile& tile : tiles_) rest_m += 2 * tile.squeeze.largest_m;
+    double reach_m = rest_m;
+    for (std::size_t t = 0; t < tiles_.size(); ++t) {
+        const double slack = slack_within(point, known, reach_m, t + 1, false);
+        rest_m -= 2 * tiles_[t].squeeze.largest_m;
+        if (t + 1 == tiles_.size()) {
+            if (slack >= SqueezeMap::least_slack_of_all) return {known, 0};
+        } else if (slack > 0) {
+            reach_m = std::min(reach_m, rest_m / slack);
+        }
+    }
+    return {known, reach_m};
+}
+
+/// Newton's steps; true if they arrive.
+bool StackSearch::step_towards(const StackPoint& point, Offset& offset) const {
+    Offset best = offset;
+    double best_distance = 1e300;
+    for (int step = 0; step < most_steps; ++step) {
+        const Drawn here = drawn_at(point, offset);
+        const double distance = here.distance();
+        if (distance < best_distance) best = offset, best_distance = distance;
+        if (distance <= exact_m) break;
+        const double determinant = here.x_x * here.z_z - here.x_z * here.z_x;
+        if (!(determinant > 1e-6 || determinant < -1e-6)) break;
+        offset.x -= (here.z_z * here.x - here.x_z * here.z) / determinant;
+        offset.z -= (here.x_x * here.z - here.z_x * here.x) / determinant;
+        if (!(std::fabs(offset.x) < 1e6 && std::fabs(offset.z) < 1e6)) break;
+    }
+    offset = best;
+    return best_distance <= target_m_ * same;
+}
+
+void StackSearch::look_into(const StackPoint& point, const Box& box, Sheets& sheets) const {
+    const double small = same_sheet / tiles_.back().texels_per_m;
+    // Each level of the search leaves at most three boxes behind.
+    std::array<Box, 128> waiting;
+    std::size_t count = 0;
+    waiting[count++] = box;
+    while (count > 0) {
+        const Box here = waiting[--count];
+        const Drawn drawn = drawn_at(point, here.centre);
+        const double radius = here.half * square_root_of_2;
+        double most = radius + target_m_;
+        for (std::size_t t = 0; t < tiles_.size(); ++t)
+            most += std::min(static_cast<double>(tiles_[t].squeeze.stretch) * radius,
+                             static_cast<double>(tiles_[t].squeeze.largest_m) + drawn.displacement[t]);
+        if (drawn.distance() > most) continue;
+        const bool is_small = here.half <= small;
+        if (is_small ||
+            slack_within(point, here.centre, here.half * surroundings, tiles_.size(), true) >= least_slack) {
+            const double near = is_small ? small_surroundings : surroundings;
+            if (sheets.has_one_in(here, near)) continue;
+            Offset found = here.centre;
+            if (step_towards(point, found)) {
+                sheets.add(*this, point, found, drawn_at(point, found).distance());
+                if (here.contains(found, near)) continue;
+            }
+        }
+        if (here.half <= target_m_ || count + 4 > waiting.size()) {
+            // A fold's edge: as near as the search is to tell.
+            if (drawn.distance() <= target_m_) sheets.add(*this, point, here.centre, drawn.distance());
+            continue;
+        }
+        const double half = here.half / 2;
+        for (const double x : {-half, half})
+            for (const double z : {-half, half}) waiting[count++] = {{here.centre.x + x, here.centre.z + z}, half};
+    }
+}
+
+StackSheet StackSearch::highest_sheet(const StackPoint& point, const Offset* known) const {
+    Sheets sheets;
+    Box box{{}, 0};
+    if (known) {
+        Offset exact = *known;
+        if (step_towards(point, exact)) {
+            sheets.add(*this, point, exact, drawn_at(point, exact).distance());
+            box = around_known(point, exact);
+        }
+    }
+    if (sheets.count == 0)
+        for (const SearchTile& tile : tiles_) box.half += tile.squeeze.largest_m;
+    if (box.half > 0) look_into(point, box, sheets);
+    return sheets.highest;
+}
+
+}  // namespace pelagic

@@ -1,0 +1,75 @@
+// The exact search for queries of several tiles: all rest points that are drawn at a place, in double, by branch and bound.
+//
+// surface/squeeze_map.hpp says why a box holds at most one of them where the tiles squeeze little, and how far from a known
+// one others can be. A box is left out if it is drawn too far away: from its centre c, no tile's displacement changes by more
+// than its stretch times the distance, nor by more than |D_i(c)| and the largest |D_i| together. Where a box holds at most one, or
+// is small, Newton's steps find it. What is neither is cut in four, down to the search's tolerance. Plain code, compiled once
+// for everybody; nothing is allocated.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "pelagic/sim/kernels/kernels.hpp"
+#include "pelagic/sim/tile.hpp"
+
+namespace pelagic {
+
+/// A tile as the search reads it.
+struct SearchTile {
+    explicit SearchTile(const Tile& tile);
+    SearchTile() = default;
+
+    SurfaceTexels texels;
+    double along, across;  ///< the lattice's cosine and sine, times texels a metre
+    double texels_per_m;
+    TileSqueeze squeeze;
+};
+
+/// Where a point of the world is along the axes of each tile: a cell, and where in it.
+struct StackPoint {
+    std::array<std::int32_t, most_tiles> cell_x, cell_z;
+    std::array<double, most_tiles> u, v;
+};
+
+/// From a point of the world to what rests where it is drawn, metres.
+struct Offset {
+    double x = 0, z = 0;
+};
+
+struct StackSheet {
+    bool found = false;
+    Offset offset;
+    double height_m = 0;
+    double error_m = 0;
+};
+
+class StackSearch {
+   public:
+    /// \param target_m  how near is near enough
+    StackSearch(std::span<const SearchTile> tiles, double target_m) : tiles_(tiles), target_m_(target_m) {}
+
+    /// The highest of the sheets over a point.
+    /// \param known  where one of them rests, or null
+    StackSheet highest_sheet(const StackPoint& point, const Offset* known) const;
+
+   private:
+    struct Drawn;
+    struct Sheets;
+    struct Box;
+
+    Drawn drawn_at(const StackPoint& point, Offset offset) const;
+    double height_at(const StackPoint& point, Offset offset) const;
+    double slack_within(const StackPoint& point, Offset centre, double reach_m, std::size_t tiles,
+                        bool is_square) const;
+    double squeeze_within(const StackPoint& point, std::size_t tile, Offset centre, double reach) const;
+    Box around_known(const StackPoint& point, Offset known) const;
+    bool step_towards(const StackPoint& point, Offset& offset) const;
+    void look_into(const StackPoint& point, const Box& box, Sheets& sheets) const;
+
+    std::span<const SearchTile> tiles_;
+    double target_m_;
+};
+
+}  // namespace pelagic

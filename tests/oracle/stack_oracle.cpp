@@ -1,0 +1,187 @@
+#include "pelagic/tests/oracle/stack_oracle.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pelagic::oracle {
+namespace {
+
+// Of the finest texel: squares below this are searched with Newton's method.
+constexpr double finest = 1.0 / 16;
+
+// Cells along an axis over which a range is looked for value by value.
+constexpr double most_cells = 6;
+
+std::vector<double> plane_of(const PlaneView& view) {
+    std::vector<double> plane;
+    for (int j = 0; view.data && j < view.resolution; ++j)
+        for (int i = 0; i < view.resolution; ++i) plane.push_back(static_cast<double>(view.at(i, j)));
+    return plane;
+}
+
+}  // namespace
+
+Stack::Stack(const Frame& frame) {
+    for (const Tile& tile : frame.tiles) {
+        Layer layer{.n = tile.resolution(),
+                    .texel_m = tile.lattice.side_m / tile.resolution(),
+                    .cosine = tile.lattice.cosine,
+                    .sine = tile.lattice.sine,
+                    .dx = plane_of(tile.dx),
+                    .height = plane_of(tile.height),
+                    .dz = plane_of(tile.dz),
+                    .velocity_x = plane_of(tile.velocity_x),
+                    .velocity_y = plane_of(tile.velocity_y),
+                    .velocity_z = plane_of(tile.velocity_z),
+                    .dx_range = {},
+                    .dz_range = {}};
+        const auto range_of = [&](const std::vector<double>& plane) {
+            const auto [least, most] = std::minmax_element(plane.begin(), plane.end());
+            reach_m_ += std::max(-*least, *most);
+            return Range{*least, *most};
+        };
+        layer.dx_range = range_of(layer.dx);
+        layer.dz_range = range_of(layer.dz);
+        layers_.push_back(std::move(layer));
+    }
+}
+
+double Stack::Layer::at(const std::vector<double>& plane, int i, int j) const {
+    return plane[static_cast<std::size_t>(((j % n + n) % n) * n + (i % n + n) % n)];
+}
+
+double Stack::Layer::value(const std::vector<double>& plane, double u, double v) const {
+    const int i = static_cast<int>(std::floor(u)), j = static_cast<int>(std::floor(v));
+    u -= i;
+    v -= j;
+    return (1 - v) * ((1 - u) * at(plane, i, j) + u * at(plane, i + 1, j)) +
+           v * ((1 - u) * at(plane, i, j + 1) + u * at(plane, i + 1, j + 1));
+}
+
+double Stack::Layer::slope(const std::vector<double>& plane, double u, double v, bool is_across) const {
+    const int i = static_cast<int>(std::floor(u)), j = static_cast<int>(std::floor(v));
+    const auto central = [&](int a, int b) {
+        return is_across ? (at(plane, a, b + 1) - at(plane, a, b - 1)) / (2 * texel_m)
+                         : (at(plane, a + 1, b) - at(plane, a - 1, b)) / (2 * texel_m);
+    };
+    u -= i;
+    v -= j;
+    return (1 - v) * ((1 - u) * central(i, j) + u * central(i + 1, j)) +
+           v * ((1 - u) * central(i, j + 1) + u * central(i + 1, j + 1));
+}
+
+// A bilinear piece lies between its corners, so the values where the square's sides and the texels' lines meet bound it.
+Stack::Range Stack::Layer::range(const std::vector<double>& plane, Range all, double u, double v,
+                                 double reach) const {
+    if (2 * reach > most_cells) return all;
+    Range found{1e300, -1e300};
+    const auto next = [&](double place, double end) {
+        return place >= end ? end + 1 : std::min(end, std::floor(place) + 1);
+    };
+    for (double b = v - reach; b <= v + reach; b = next(b, v + reach)) {
+        for (double a = u - reach; a <= u + reach; a = next(a, u + reach)) {
+            const double here = value(plane, a, b);
+            found = {std::min(found.least, here), std::max(found.most, here)};
+        }
+    }
+    return found;
+}
+
+Stack::Vector Stack::sum(double x_m, double z_m, const std::vector<double> Layer::*x,
+                         const std::vector<double> Layer::*y, const std::vector<double> Layer::*z) const {
+    Vector all{0, 0, 0};
+    for (const Layer& layer : layers_) {
+        const double u = layer.along(x_m, z_m), v = layer.across(x_m, z_m);
+        all.x += layer.value(layer.*x, u, v);
+        all.y += layer.value(layer.*y, u, v);
+        all.z += layer.value(layer.*z, u, v);
+    }
+    return all;
+}
+
+Stack::Vector Stack::displacement_at(double x_m, double z_m) const {
+    return sum(x_m, z_m, &Layer::dx, &Layer::height, &Layer::dz);
+}
+
+Stack::Vector Stack::velocity_at(double x_m, double z_m) const {
+    return sum(x_m, z_m, &Layer::velocity_x, &Layer::velocity_y, &Layer::velocity_z);
+}
+
+SurfaceFacts Stack::facts_at(double x_m, double z_m) const {
+    double slopes[3][2] = {};
+    for (const Layer& layer : layers_) {
+        const double u = layer.along(x_m, z_m), v = layer.across(x_m, z_m);
+        const std::vector<double>* const planes[3] = {&layer.dx, &layer.height, &layer.dz};
+        for (int p = 0; p < 3; ++p) {
+            const double along = layer.slope(*planes[p], u, v, false), across = layer.slope(*planes[p], u, v, true);
+            slopes[p][0] += layer.cosine * along - layer.sine * across;
+            slopes[p][1] += layer.sine * along + layer.cosine * across;
+        }
+    }
+    // Tangents (1 + Dx,x, h,x, Dz,x) and (Dx,z, h,z, 1 + Dz,z); their cross product, the second first, points up.
+    const double x = slopes[1][1] * slopes[2][0] - (1 + slopes[2][1]) * slopes[1][0];
+    const double y = (1 + slopes[2][1]) * (1 + slopes[0][0]) - slopes[0][1] * slopes[2][0];
+    const double z = slopes[0][1] * slopes[1][0] - slopes[1][1] * (1 + slopes[0][0]);
+    const double length = std::sqrt(x * x + y * y + z * z);
+    return {x / length, y / length, z / length, y};
+}
+
+std::vector<StackSheet> Stack::sheets_at(double x_m, double z_m) const {
+    std::vector<StackSheet> sheets;
+    look_inside(x_m, z_m, x_m, z_m, reach_m_, sheets);
+    std::sort(sheets.begin(), sheets.end(),
+              [](const StackSheet& a, const StackSheet& b) { return a.height_m > b.height_m; });
+    return sheets;
+}
+
+// The square of rest points from (x - half, z - half) to (x + half, z + half).
+void Stack::look_inside(double point_x, double point_z, double x, double z, double half,
+                        std::vector<StackSheet>& sheets) const {
+    Range drawn_x{x - half, x + half}, drawn_z{z - half, z + half};
+    for (const Layer& layer : layers_) {
+        const double u = layer.along(x, z), v = layer.across(x, z);
+        const double reach = half / layer.texel_m * (std::fabs(layer.cosine) + std::fabs(layer.sine));
+        const Range dx = layer.range(layer.dx, layer.dx_range, u, v, reach);
+        const Range dz = layer.range(layer.dz, layer.dz_range, u, v, reach);
+        drawn_x = {drawn_x.least + dx.least, drawn_x.most + dx.most};
+        drawn_z = {drawn_z.least + dz.least, drawn_z.most + dz.most};
+    }
+    const auto is_off = [](double p, Range range) { return p < range.least - 1e-9 || p > range.most + 1e-9; };
+    if (is_off(point_x, drawn_x) || is_off(point_z, drawn_z)) return;
+    if (half <= layers_.back().texel_m * finest) return refine(point_x, point_z, x, z, half, sheets);
+    const double quarter = half / 2;
+    for (const double to_x : {-quarter, quarter})
+        for (const double to_z : {-quarter, quarter})
+            look_inside(point_x, point_z, x + to_x, z + to_z, quarter, sheets);
+}
+
+// Newton's method with numeric derivatives.
+void Stack::refine(double point_x, double point_z, double x, double z, double half,
+                   std::vector<StackSheet>& sheets) const {
+    const double begin_x = x, begin_z = z;
+    const auto off = [&](double at_x, double at_z) {
+        const Vector d = displacement_at(at_x, at_z);
+        return Vector{at_x + d.x - point_x, d.y, at_z + d.z - point_z};
+    };
+    for (int step = 0; step < 40; ++step) {
+        const Vector here = off(x, z);
+        if (std::hypot(here.x, here.z) < 1e-11) break;
+        const double small = 1e-7;
+        const Vector right = off(x + small, z), left = off(x - small, z), below = off(x, z + small),
+                     above = off(x, z - small);
+        const double xx = (right.x - left.x) / (2 * small), zx = (right.z - left.z) / (2 * small);
+        const double xz = (below.x - above.x) / (2 * small), zz = (below.z - above.z) / (2 * small);
+        const double determinant = xx * zz - xz * zx;
+        if (determinant == 0) return;
+        x -= (zz * here.x - xz * here.z) / determinant;
+        z -= (xx * here.z - zx * here.x) / determinant;
+        if (!(std::fabs(x - begin_x) < 4 * half && std::fabs(z - begin_z) < 4 * half)) return;
+    }
+    const Vector here = off(x, z);
+    if (std::hypot(here.x, here.z) > 1e-9) return;
+    for (const StackSheet& sheet : sheets)  // found before, from the next square
+        if (std::fabs(sheet.x_m - x) < 1e-6 && std::fabs(sheet.z_m - z) < 1e-6) return;
+    sheets.push_back({x, z, here.y});
+}
+
+}  // namespace pelagic::oracle

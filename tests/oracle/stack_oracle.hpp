@@ -1,0 +1,61 @@
+// The displaced surface of a sum of tiles in double, by looking everywhere: a square of rest points is left out only if the
+// box around all that it is drawn on, from the tiles' own values, lies off the point; the rest is cut in four down to a part
+// of the finest texel. Knows nothing of squeeze maps, slopes or how far from the point a search may begin.
+#pragma once
+
+#include <vector>
+
+#include "pelagic/sim/frame.hpp"
+#include "pelagic/tests/oracle/surface_oracle.hpp"
+
+namespace pelagic::oracle {
+
+/// A rest point of the world, metres, and the height that is drawn from it.
+struct StackSheet {
+    double x_m, z_m, height_m;
+};
+
+class Stack {
+   public:
+    explicit Stack(const Frame& frame);
+
+    /// All sheets over a point of the world, highest first.
+    std::vector<StackSheet> sheets_at(double x_m, double z_m) const;
+    /// From slopes by central differences at texels, bilinear between them, turned into the world's axes and added up.
+    SurfaceFacts facts_at(double rest_x_m, double rest_z_m) const;
+
+    struct Vector {
+        double x, y, z;
+    };
+    Vector displacement_at(double rest_x_m, double rest_z_m) const;
+    Vector velocity_at(double rest_x_m, double rest_z_m) const;
+
+   private:
+    struct Range {
+        double least, most;
+    };
+    struct Layer {
+        int n;
+        double texel_m, cosine, sine;
+        std::vector<double> dx, height, dz, velocity_x, velocity_y, velocity_z;
+        Range dx_range, dz_range;
+
+        double at(const std::vector<double>& plane, int i, int j) const;
+        double value(const std::vector<double>& plane, double u, double v) const;
+        double slope(const std::vector<double>& plane, double u, double v, bool is_across) const;
+        Range range(const std::vector<double>& plane, Range all, double u, double v, double reach) const;
+        double along(double x_m, double z_m) const { return (cosine * x_m + sine * z_m) / texel_m; }
+        double across(double x_m, double z_m) const { return (cosine * z_m - sine * x_m) / texel_m; }
+    };
+    Vector sum(double x_m, double z_m, const std::vector<double> Layer::*x, const std::vector<double> Layer::*y,
+               const std::vector<double> Layer::*z) const;
+    void look_inside(double point_x, double point_z, double x, double z, double half,
+                     std::vector<StackSheet>& sheets) const;
+    void refine(double point_x, double point_z, double x, double z, double half,
+                std::vector<StackSheet>& sheets) const;
+
+    std::vector<Layer> layers_;
+    double reach_m_ = 0;
+};
+
+}  // namespace pelagic::oracle

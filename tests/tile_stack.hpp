@@ -1,0 +1,120 @@
+// A frame of several tiles that no ocean made: waves of several oceans of one tile each, turned against one another.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <memory>
+#include <vector>
+
+#include "pelagic/sim/ocean.hpp"
+#include "pelagic/sim/surface/squeeze_map.hpp"
+#include "pelagic/simd/aligned_buffer.hpp"
+
+namespace pelagic {
+
+class TileStack {
+   public:
+    struct Part {
+        SeaState sea;
+        double turn_rad = 0;
+        double factor = 1;  ///< of all displacements
+    };
+
+    TileStack(const std::vector<Part>& parts, double time_s, Isa isa = choose_isa()) {
+        for (const Part& part : parts) {
+            Ocean ocean(part.sea, {.executor = make_serial_executor(), .isa = isa, .velocities = true});
+            add(ocean.frame_at(time_s).tiles[0], part);
+        }
+        finish(parts.front().sea, isa);
+    }
+    TileStack(const TileStack&) = delete;
+    TileStack& operator=(const TileStack&) = delete;
+
+    const Frame& frame() const { return frame_; }
+
+    /// Seas of one wind each whose tiles have texels of the longest waves of the next, much as the bands of one sea.
+    static std::vector<Part> of_scales(std::size_t tiles, double wind_speed_mps, double choppiness,
+                                       std::uint32_t seed, int resolution = 128) {
+        std::vector<Part> parts;
+        double side_m = 1000 * wind_speed_mps * wind_speed_mps / 144, wind_mps = wind_speed_mps;
+        for (std::size_t i = 0; i < tiles; ++i) {
+            parts.push_back({.sea = {.resolution = resolution,
+                                     .patch_size_m = side_m,
+                                     .wind_speed_mps = wind_mps,
+                                     .choppiness = choppiness,
+                                     .seed = seed + static_cast<std::uint32_t>(i)},
+                             .turn_rad = 0.7 * static_cast<double>(i),
+                             .factor = i == 0 ? 1 : 0.8});
+            side_m /= 6.7;
+            wind_mps /= 2.6;
+        }
+        return parts;
+    }
+
+   private:
+    void add(const Tile& from, const Part& part) {
+        const int n = from.resolution();
+        Tile tile;
+        tile.lattice = {
+            .side_m = from.lattice.side_m, .cosine = std::cos(part.turn_rad), .sine = std::sin(part.turn_rad)};
+        const std::size_t floats = static_cast<std::size_t>(n / from.height.block_columns) *
+                                   static_cast<std::size_t>(from.height.block_stride);
+        const auto turned = [&](const PlaneView& x, const PlaneView& y, const PlaneView& z, PlaneView& to_x,
+                                PlaneView& to_y, PlaneView& to_z) {
+            float* const planes = planes_.emplace_back(floats).data();
+            const auto view = [&](const PlaneView& plane) {
+                PlaneView to = plane;
+                to.data = planes + (plane.data - std::min({x.data, y.data, z.data}));
+                return to;
+            };
+            to_x = view(x), to_y = view(y), to_z = view(z);
+            for (int j = 0; j < n; ++j) {
+                for (int i = 0; i < n; ++i) {
+                    const std::ptrdiff_t at =
+                        i / x.block_columns * x.block_stride + j * x.row_stride + i % x.block_columns;
+                    const auto set = [&](const PlaneView& plane, double value) {
+                        const_cast<float*>(plane.data)[at] = static_cast<float>(part.factor * value);
+                    };
+                    const auto moved =
+                        tile.lattice.in_world(static_cast<double>(x.data[at]), static_cast<double>(z.data[at]));
+                    set(to_x, moved.along);
+                    set(to_y, static_cast<double>(y.data[at]));
+                    set(to_z, moved.across);
+                }
+            }
+        };
+        turned(from.dx, from.height, from.dz, tile.dx, tile.height, tile.dz);
+        turned(from.velocity_x, from.velocity_y, from.velocity_z, tile.velocity_x, tile.velocity_y, tile.velocity_z);
+        FrameBounds& bounds = tile.bounds;
+        for (int j = 0; j < n; ++j) {
+            for (int i = 0; i < n; ++i) {
+                bounds.height_min_m = std::min(bounds.height_min_m, tile.height.at(i, j));
+                bounds.height_max_m = std::max(bounds.height_max_m, tile.height.at(i, j));
+                bounds.sideways_x_max_m = std::max(bounds.sideways_x_max_m, std::fabs(tile.dx.at(i, j)));
+                bounds.sideways_z_max_m = std::max(bounds.sideways_z_max_m, std::fabs(tile.dz.at(i, j)));
+            }
+        }
+        frame_.bounds.height_min_m += bounds.height_min_m;
+        frame_.bounds.height_max_m += bounds.height_max_m;
+        frame_.bounds.sideways_x_max_m += bounds.sideways_x_max_m;
+        frame_.bounds.sideways_z_max_m += bounds.sideways_z_max_m;
+        tiles_.push_back(tile);
+    }
+
+    void finish(const SeaState& sea, Isa isa) {
+        std::vector<SqueezeMap*> maps;
+        for (const Tile& tile : tiles_) maps.push_back(&squeeze_.emplace_back(tile.resolution()));
+        SqueezeMap::update(tiles_, maps, kernels_for(isa));
+        frame_.sea = sea;
+        frame_.isa = isa;
+        frame_.tiles = tiles_;
+    }
+
+    std::deque<AlignedBuffer<float>> planes_;
+    std::deque<SqueezeMap> squeeze_;
+    std::vector<Tile> tiles_;
+    Frame frame_;
+};
+
+}  // namespace pelagic
