@@ -227,9 +227,8 @@ typedef struct pelagic_ocean_options {
     pelagic_release release;
     void* memory_user; /* handed to both; outlives the ocean */
     /* Newer still. */
-    int32_t slopes; /* not 0: a frame of one tile has slopes and moments too; those of several always do */
-    int32_t
-        gradients; /* not 0: frames of several tiles have each tile's own gradient chain too; those of one always do */
+    int32_t slopes;    /* not 0: a frame of one tile has slopes and moments too; those of several always do */
+    int32_t gradients; /* not 0: tiles of several have a gradient chain of their own too; those of one always do */
 } pelagic_ocean_options;
 
 typedef struct pelagic_ocean pelagic_ocean;
@@ -301,7 +300,9 @@ typedef struct pelagic_frame {
     /* Newer than the fields above. */
     uint32_t reserved_1; /* padding in the first version */
     int32_t tile_count;
-    float roughness; /* of the water between texels, in [0, 1]: smoothness is 1 - sqrt(roughness) */
+    /* GGX's alpha of the water between texels, in [0, 1]: its square is the mean square of the slopes that no tile holds.
+     * Smoothness is 1 - sqrt(roughness). */
+    float roughness;
 } pelagic_frame;
 
 /* One square of waves, which repeats over the whole sea along its own two axes. The tiles of a frame add: the water that rests
@@ -327,8 +328,8 @@ typedef struct pelagic_frame {
  *                  cov_xz                       (byte - 128) / 127 * variance_range
  *
  * A texture has byte / 255. h_x is the height's derivative along x at rest, D_xz those of Dx along z and of Dz along x, which
- * are equal. The variances are of h_x and h_z within a texel, for roughness (LEAN mapping, Olano and Baker 2010). With the sums
- * of each over the tiles, the Jacobian J and a normal of any length are
+ * are equal. The variances are of h_x and h_z within a texel, for roughness (LEAN mapping, Olano and Baker 2010): GGX's alpha^2
+ * is var_xx + var_zz + pelagic_frame.roughness^2. With the sums of each over the tiles, the Jacobian J and a normal of any length are
  *
  *   J = (1 + D_xx) (1 + D_zz) - D_xz^2,  n = (h_z D_xz - h_x (1 + D_zz), J, h_x D_xz - h_z (1 + D_xx)).
  *
@@ -337,15 +338,15 @@ typedef struct pelagic_tile {
     uint32_t struct_size;
     int32_t resolution; /* N */
     double side_m;      /* L */
-    double cosine,
-        sine; /* of the turn of the tile's axes against the world's, from +x towards +z; 1 and 0: not turned */
+    /* Of the turn of the tile's axes against the world's, from +x towards +z; 1 and 0: not turned. */
+    double cosine, sine;
+    /* As in pelagic_frame, of this tile alone. */
     pelagic_plane dx, height, dz;
-    pelagic_plane velocity_x, velocity_y,
-        velocity_z; /* as in pelagic_frame, and so are the next two, of this tile alone */
+    pelagic_plane velocity_x, velocity_y, velocity_z;
     const uint16_t* displacement_rgba16f;
-    const uint32_t* gradient_rgba8; /* NULL in a frame of several tiles, unless pelagic_ocean_options.gradients */
-    const uint32_t *slopes_rgba8,
-        *moments_rgba8; /* NULL in a frame of one tile, unless pelagic_ocean_options.slopes */
+    const uint32_t* gradient_rgba8;
+    /* NULL in a frame of one tile, unless pelagic_ocean_options.slopes. */
+    const uint32_t *slopes_rgba8, *moments_rgba8;
     float slope_range, variance_range;
     int32_t levels;            /* of each of the three chains, if it is there */
     uint32_t level_offset[12]; /* level m of any of them begins so many texels in */
@@ -459,7 +460,7 @@ typedef struct pelagic_ray {
     uint32_t reserved;   /* 0 */
     double origin_m[3];  /* x, y, z; [-1e9, 1e9] */
     double direction[3]; /* its length doesn't matter; [1e-100, 1e100] */
-    double reach_m;      /* how far to look; 0 to 1e6 texels, which are L / N each */
+    double reach_m;      /* how far to look; 0 to 1e6 of the finest tile's texels, which are L / N each */
 } pelagic_ray;
 
 typedef struct pelagic_hit {
