@@ -172,10 +172,10 @@ FrameBuffers buffers_of(const pelagic_frame_buffers& buffers) {
 }
 
 /// Where a host wants the tiles of a frame: his structs, one after the other, each of the size that the first states.
-class TileBuffers {
+class HostBuffers {
    public:
     /// Throws std::invalid_argument for null and a wrong struct_size.
-    TileBuffers(const pelagic_frame_buffers* first, std::size_t tile_count) : count_(tile_count) {
+    HostBuffers(const pelagic_frame_buffers* first, std::size_t tile_count) : count_(tile_count) {
         const std::size_t bytes = struct_bytes(first, "buffers");
         if (count_ > 1 && bytes % alignof(pelagic_frame_buffers) != 0)
             refuse(refusal("buffers.struct_size", bytes, number_text(sizeof *first) + ", the size of the struct"));
@@ -273,7 +273,7 @@ pelagic_status pelagic_ocean_tile(const pelagic_ocean* ocean, int32_t index, pel
 pelagic_status pelagic_ocean_copy(const pelagic_ocean* ocean, const pelagic_frame_buffers* buffers) {
     return guarded([&] {
         need_frame(needed(ocean, "ocean"));
-        copy_frame(*ocean->shown, TileBuffers(buffers, ocean->shown->tiles.size()).all());
+        copy_frame(*ocean->shown, HostBuffers(buffers, ocean->shown->tiles.size()).all());
     });
 }
 
@@ -283,7 +283,7 @@ pelagic_status pelagic_ocean_frame_at(pelagic_ocean* ocean, double time_s, const
         need_no_frame_in_flight(needed(ocean, "ocean"));
         need_finite(time_s);
         Ocean& sea = ocean->ocean;
-        const TileBuffers to(buffers, sea.tile_count());
+        const HostBuffers to(buffers, sea.tile_count());
         if (const std::string reason = check(to.all(), sea.tile_count(), sea.resolution(), ocean->contents);
             !reason.empty())
             refuse(reason);

@@ -200,12 +200,12 @@ void any_tile(Bytes& bytes, const pelagic_ocean* ocean) {
     const pelagic_status status = pelagic_ocean_tile(ocean, index, &tile);
     must_be_a_status(status);
     if (status != PELAGIC_OK) return;
-    const auto n = static_cast<std::size_t>(tile.resolution), last = tile.level_offset[tile.levels - 1];
-    unsigned sum = tile.displacement_rgba16f[4 * n * n - 1];
+    const auto n = static_cast<std::size_t>(tile.resolution);
+    const std::size_t last = tile.level_offset[tile.levels - 1];
+    std::uint64_t sum = tile.displacement_rgba16f[4 * n * n - 1];
     for (const std::uint32_t* chain : {tile.gradient_rgba8, tile.slopes_rgba8, tile.moments_rgba8})
         if (chain) sum += chain[last];
-    static volatile unsigned seen;
-    seen = sum;
+    if (sum >> 62 != 0) std::abort();  // it never is; so the reads are not left out
 }
 
 void any_call(Bytes& bytes, pelagic_ocean*& ocean) {
