@@ -300,6 +300,40 @@ TEST_F(CInterfaceTiles, SlopesDecodedAsTheHeaderSaysAddUpToTheSurface) {
     RecordProperty("jacobian_variance", std::to_string(jacobian_variance));
 }
 
+/// The same tile with one level of its slopes as if it were all.
+pelagic_tile level_of(pelagic_tile tile, int level) {
+    tile.slopes_rgba8 += tile.level_offset[level];
+    tile.moments_rgba8 += tile.level_offset[level];
+    tile.resolution >>= level;
+    return tile;
+}
+
+// Over a whole tile waves go up as much as down, and the last level is one texel of the whole: what varied between the texels of
+// a finer level varies within it. Of level 1, because level 0 is sharper for the filter's sake (docs/equations.md).
+TEST_F(CInterfaceTiles, TheLastLevelHasNoSlopeAndTheVarianceOfAll) {
+    const COcean ocean = ocean_of(stack_sea(3), serial.get());
+    for (const pelagic_tile& tile : tiles_of(ocean.get(), complete(ocean.get(), 3))) {
+        double whole[8] = {};
+        const pelagic_tile last = level_of(tile, tile.levels - 1), first = level_of(tile, 1);
+        ASSERT_EQ(last.resolution, 1);
+        add_slopes(&last, 0, 0, whole);
+        for (int i = 0; i < 5; ++i) EXPECT_LT(std::fabs(whole[i]), 0.501 * tile.slope_range / 127) << "half a step";
+        double squares[3] = {};
+        for (int texel = 0; texel < 256; ++texel) {
+            pelagic_tile one = first;
+            one.slopes_rgba8 += texel, one.moments_rgba8 += texel, one.resolution = 1;
+            double sum[8] = {};
+            add_slopes(&one, 0, 0, sum);
+            squares[0] += (sum[0] * sum[0] + sum[5]) / 256;
+            squares[1] += (sum[1] * sum[1] + sum[6]) / 256;
+            squares[2] += (sum[0] * sum[1] + sum[7]) / 256;
+        }
+        EXPECT_GT(squares[0], 10 * tile.variance_range / 255);
+        // Half a step of the last texel, and what the rounding of all others leaves in the mean.
+        for (int i = 0; i < 3; ++i) EXPECT_NEAR(whole[5 + i], squares[i], 0.6 * tile.variance_range / 127) << i;
+    }
+}
+
 /// A plane of the tile where (x, z) rests, bilinear, as pelagic.h says.
 double bilinear(const pelagic_tile& tile, const pelagic_plane& plane, double x, double z) {
     const double u = (tile.cosine * x + tile.sine * z) / tile.side_m * tile.resolution;
