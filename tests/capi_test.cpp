@@ -645,8 +645,9 @@ std::uint64_t hash_of_frames(pelagic_ocean* ocean, int frames) {
     return all;
 }
 
-TEST(CInterface, AHostsOwnJobsGiveTheSameBits) {
-    const std::uint64_t expected = hash_of_frames(make_ocean(128).get(), 10);
+void expect_the_same_bits_of_a_hosts_jobs(const pelagic_sea& sea) {
+    const std::uint64_t expected =
+        hash_of_frames(ocean_of(sea, executor_of(PELAGIC_EXECUTOR_SERIAL).get()).get(), 10);
     for (const pelagic_submit submit :
          {pelagic_submit{}, pelagic_submit{Host::submit}, pelagic_submit{Host::submit_late}}) {
         Host host;
@@ -658,7 +659,7 @@ TEST(CInterface, AHostsOwnJobsGiveTheSameBits) {
         options.user = &host;
         pelagic_executor* executor = nullptr;
         ASSERT_EQ(pelagic_executor_create(&options, &executor), PELAGIC_OK) << pelagic_last_error();
-        COcean ocean = ocean_of(small_sea(128), executor);
+        COcean ocean = ocean_of(sea, executor);
         pelagic_executor_destroy(executor);  // the ocean keeps what it needs
         auto info = sized<pelagic_ocean_info>();
         EXPECT_EQ(pelagic_ocean_describe(ocean.get(), &info), PELAGIC_OK);
@@ -670,6 +671,11 @@ TEST(CInterface, AHostsOwnJobsGiveTheSameBits) {
         EXPECT_EQ(host.submitted > 0, submit != nullptr);
         EXPECT_GT(host.loops, 0);
     }
+}
+
+TEST(CInterface, AHostsOwnJobsGiveTheSameBits) {
+    expect_the_same_bits_of_a_hosts_jobs(small_sea(128));
+    expect_the_same_bits_of_a_hosts_jobs(stack_sea(2, 128));
 }
 
 TEST(CInterface, AMaskOfCoresHoldsThePool) {
