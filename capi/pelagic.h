@@ -120,7 +120,7 @@ enum {
 typedef struct pelagic_sea {
     uint32_t struct_size;
     int32_t spectrum;          /* PELAGIC_SPECTRUM_... */
-    int32_t resolution;        /* N, texels along a side of each tile; a power of two, 16 to 2048. 0: chosen */
+    int32_t resolution;        /* N, texels along a side of each tile; a power of two, 16 to 2048. 0: 128, or 256 where there is one */
     uint32_t seed;             /* which sea of this kind */
     double patch_size_m;       /* the side of the one tile; [0.001, 1e6]. 0: sides chosen from the sea */
     double wind_speed_mps;     /* mean wind 10 m above the sea; (0, 60] */
