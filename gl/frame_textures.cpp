@@ -1,7 +1,8 @@
 #include "pelagic/gl/frame_textures.hpp"
 
-#include <cassert>
 #include <cstring>
+#include <stdexcept>
+#include <string>
 
 #include "pelagic/gl/errors.hpp"
 #include "pelagic/gl/kept_state.hpp"
@@ -12,25 +13,42 @@ namespace {
 
 const void* buffer_offset(std::size_t bytes) { return reinterpret_cast<const void*>(bytes); }
 
-Texture make_texture(const Functions& gl, GLenum format, int side, int levels) {
+Texture make_texture(const Functions& gl, GLenum format, int side, int tiles, int levels) {
     Texture texture(gl);
-    gl.BindTexture(GL_TEXTURE_2D, texture.name());
-    gl.TexStorage2D(GL_TEXTURE_2D, levels, format, side, side);
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_REPEAT);
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_REPEAT);
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, levels > 1 ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR);
+    gl.BindTexture(GL_TEXTURE_2D_ARRAY, texture.name());
+    gl.TexStorage3D(GL_TEXTURE_2D_ARRAY, levels, format, side, side, tiles);
+    gl.TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_S, GL_REPEAT);
+    gl.TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_T, GL_REPEAT);
+    gl.TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    gl.TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, levels > 1 ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR);
     return texture;
+}
+
+/// Why the textures can't take the frame; empty if they can.
+std::string refusal_of(const Frame& frame, int resolution, int tiles) {
+    if (frame.tiles.size() != static_cast<std::size_t>(tiles))
+        return "the frame has " + std::to_string(frame.tiles.size()) + " tiles, the renderer was made for " +
+               std::to_string(tiles) + " (RendererOptions::tiles)";
+    for (const Tile& tile : frame.tiles) {
+        if (tile.resolution() != resolution)
+            return "the frame has tiles of " + std::to_string(tile.resolution()) + " texels, the renderer was made for " +
+                   std::to_string(resolution) + " (RendererOptions::resolution)";
+        if (tile.slopes_rgba8.empty())
+            return "the frame has no slopes; drawing needs an ocean with OceanOptions::slopes";
+    }
+    return {};
 }
 
 }  // namespace
 
-FrameTextures::FrameTextures(const Functions& gl, int resolution) : gl_(gl), resolution_(resolution) {
+FrameTextures::FrameTextures(const Functions& gl, int resolution, int tiles)
+    : gl_(gl), resolution_(resolution), tiles_(tiles) {
     const KeptState keep(gl);
     const int levels = mip_levels(resolution);
-    for (Pair& pair : pairs_) {
-        pair.displacement = make_texture(gl, GL_RGBA16F, resolution, has_displacement_mips() ? levels : 1);
-        pair.gradient = make_texture(gl, GL_RGBA8, resolution, levels);
+    for (Set& set : sets_) {
+        set.displacement = make_texture(gl, GL_RGBA16F, resolution, tiles, has_displacement_mips() ? levels : 1);
+        set.slopes = make_texture(gl, GL_RGBA8, resolution, tiles, levels);
+        set.moments = make_texture(gl, GL_RGBA8, resolution, tiles, levels);
     }
     for (PixelBuffer& pixels : ring_) {
         pixels.buffer = Buffer(gl);
@@ -44,16 +62,50 @@ FrameTextures::~FrameTextures() {
         if (pixels.done) gl_.DeleteSync(pixels.done);
 }
 
-std::size_t FrameTextures::gradient_bytes() const {
-    return sizeof(std::uint32_t) * mip_offset(resolution_, mip_levels(resolution_));
+std::size_t FrameTextures::displacement_bytes() const {
+    return std::size_t{8} * resolution_ * resolution_ * static_cast<std::size_t>(tiles_);
+}
+
+std::size_t FrameTextures::chain_bytes() const {
+    return sizeof(std::uint32_t) * mip_offset(resolution_, mip_levels(resolution_)) * static_cast<std::size_t>(tiles_);
+}
+
+/// All tiles' displacement, then their slopes, then their moments: level by level, so that one call takes a level of all.
+void FrameTextures::fill(std::byte* to, const Frame& frame) const {
+    const auto add = [&](const void* from, std::size_t bytes) {
+        std::memcpy(to, from, bytes);
+        to += bytes;
+    };
+    const auto add_chains = [&](std::span<const std::uint32_t> Tile::* map) {
+        for (int level = 0; level < mip_levels(resolution_); ++level)
+            for (const Tile& tile : frame.tiles) {
+                const std::size_t texels = std::size_t{1} << 2 * (mip_levels(resolution_) - 1 - level);
+                add((tile.*map).data() + mip_offset(resolution_, level), texels * sizeof(std::uint32_t));
+            }
+    };
+    for (const Tile& tile : frame.tiles)
+        add(tile.displacement_rgba16f.data(), tile.displacement_rgba16f.size() * sizeof(std::uint16_t));
+    add_chains(&Tile::slopes_rgba8);
+    add_chains(&Tile::moments_rgba8);
+}
+
+void FrameTextures::upload_chain(GLuint texture, std::size_t offset) const {
+    gl_.BindTexture(GL_TEXTURE_2D_ARRAY, texture);
+    for (int level = 0; level < mip_levels(resolution_); ++level) {
+        const int side = resolution_ >> level;
+        gl_.TexSubImage3D(GL_TEXTURE_2D_ARRAY, level, 0, 0, 0, side, side, tiles_, GL_RGBA, GL_UNSIGNED_BYTE,
+                          buffer_offset(offset));
+        offset += sizeof(std::uint32_t) * static_cast<std::size_t>(side) * static_cast<std::size_t>(side * tiles_);
+    }
 }
 
 void FrameTextures::upload(const Frame& frame) {
-    assert(frame.tiles[0].resolution() == resolution_ && "the textures were made for another resolution");
+    if (const std::string reason = refusal_of(frame, resolution_, tiles_); !reason.empty())
+        throw std::invalid_argument(reason);
     const KeptState keep(gl_);
     PixelBuffer& pixels = ring_[next_buffer_];
     next_buffer_ = (next_buffer_ + 1) % ring_.size();
-    pair_ = 1 - pair_;
+    set_ = 1 - set_;
 
     if (pixels.done) {
         constexpr GLuint64 a_second_ns = 1'000'000'000;
@@ -71,20 +123,16 @@ void FrameTextures::upload(const Frame& frame) {
         check_context(gl_);
         throw GlError("the driver maps no pixel buffer; is it out of memory?");
     }
-    std::memcpy(to, frame.tiles[0].displacement_rgba16f.data(), displacement_bytes());
-    std::memcpy(to + displacement_bytes(), frame.tiles[0].gradient_rgba8.data(), gradient_bytes());
+    fill(to, frame);
     gl_.UnmapBuffer(GL_PIXEL_UNPACK_BUFFER);
 
     const Stopwatch driver;
-    gl_.BindTexture(GL_TEXTURE_2D, displacement());
-    gl_.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, resolution_, resolution_, GL_RGBA, GL_HALF_FLOAT, nullptr);
-    if (has_displacement_mips()) gl_.GenerateMipmap(GL_TEXTURE_2D);
-    gl_.BindTexture(GL_TEXTURE_2D, gradient());
-    for (int level = 0; level < mip_levels(resolution_); ++level) {
-        const std::size_t offset = displacement_bytes() + sizeof(std::uint32_t) * mip_offset(resolution_, level);
-        gl_.TexSubImage2D(GL_TEXTURE_2D, level, 0, 0, resolution_ >> level, resolution_ >> level, GL_RGBA,
-                          GL_UNSIGNED_BYTE, buffer_offset(offset));
-    }
+    gl_.BindTexture(GL_TEXTURE_2D_ARRAY, displacement());
+    gl_.TexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, 0, resolution_, resolution_, tiles_, GL_RGBA, GL_HALF_FLOAT,
+                      nullptr);
+    if (has_displacement_mips()) gl_.GenerateMipmap(GL_TEXTURE_2D_ARRAY);
+    upload_chain(slopes(), displacement_bytes());
+    upload_chain(moments(), displacement_bytes() + chain_bytes());
     pixels.done = gl_.FenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
     driver_ms_ = driver.milliseconds();
 }

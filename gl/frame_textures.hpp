@@ -1,5 +1,5 @@
-// A frame of sea as textures: displacement as RGBA16F, the gradient chain as RGBA8 with our own mips, through a ring of
-// pixel buffers, so that neither the host nor the GPU waits for the other.
+// A frame of sea as textures: arrays with a layer for each tile, displacement as RGBA16F and the two maps of slopes as RGBA8
+// with our own mips, through a ring of pixel buffers, so that neither the host nor the GPU waits for the other.
 #pragma once
 
 #include <array>
@@ -12,35 +12,42 @@ namespace pelagic::gl {
 
 class FrameTextures {
    public:
-    /// Immutable storage for frames of resolution^2 texels.
-    FrameTextures(const Functions& gl, int resolution);
+    /// Immutable storage for frames of so many tiles of resolution^2 texels.
+    FrameTextures(const Functions& gl, int resolution, int tiles);
     ~FrameTextures();
     FrameTextures(const FrameTextures&) = delete;
     FrameTextures& operator=(const FrameTextures&) = delete;
 
-    /// Copies the frame into the next pixel buffer and starts its way into the next pair of textures; the frame's
+    /// Copies the frame into the next pixel buffer and starts its way into the next set of textures; the frame's
     /// views may go stale afterwards. Call it at the start of a host's frame, with the frame that complete() gave.
     /// Waits only if the GPU is three frames behind. GL state ends as it was.
-    /// Mips of the displacement are the driver's (box filter), those of the gradients are the frame's.
-    /// \pre frame.tiles[0].resolution() is the one given above
+    /// Mips of the displacement are the driver's (box filter), those of the slopes are the frame's.
+    /// Throws std::invalid_argument, before it touches anything, for a frame without slopes, of another
+    /// resolution or with another number of tiles.
     void upload(const Frame& frame);
 
-    GLuint displacement() const { return pairs_[pair_].displacement.name(); }
-    GLuint gradient() const { return pairs_[pair_].gradient.name(); }
+    /// GL_TEXTURE_2D_ARRAY each; layer i is tile i.
+    GLuint displacement() const { return sets_[set_].displacement.name(); }
+    GLuint slopes() const { return sets_[set_].slopes.name(); }
+    GLuint moments() const { return sets_[set_].moments.name(); }
     int resolution() const { return resolution_; }
+    int tiles() const { return tiles_; }
     /// The driver made the displacement's mips, and vertices may take them.
     bool has_displacement_mips() const { return gl_.renders_to_half_floats; }
     double last_driver_ms() const { return driver_ms_; }  ///< of the last upload(): the calls that move texels
-    std::size_t bytes_per_frame() const { return displacement_bytes() + gradient_bytes(); }
+    /// tiles (8 N^2 + 2 * 4 (4 N^2 - 1) / 3): 306 KB for a tile of N = 128.
+    std::size_t bytes_per_frame() const { return displacement_bytes() + 2 * chain_bytes(); }
 
    private:
-    std::size_t displacement_bytes() const { return std::size_t{8} * resolution_ * resolution_; }
-    std::size_t gradient_bytes() const;
+    std::size_t displacement_bytes() const;  ///< of all tiles
+    std::size_t chain_bytes() const;         ///< the same, of one map
+    void fill(std::byte* to, const Frame& frame) const;
+    void upload_chain(GLuint texture, std::size_t offset) const;
 
-    // A texture is written while the other pair may still be drawn from, and a pixel buffer is read by the GPU some
+    // Textures are written while the other set may still be drawn from, and a pixel buffer is read by the GPU some
     // time later; three of them cover a GPU two frames behind.
-    struct Pair {
-        Texture displacement, gradient;
+    struct Set {
+        Texture displacement, slopes, moments;
     };
     struct PixelBuffer {
         Buffer buffer;
@@ -48,10 +55,10 @@ class FrameTextures {
     };
 
     const Functions& gl_;
-    int resolution_;
-    std::array<Pair, 2> pairs_;
+    int resolution_, tiles_;
+    std::array<Set, 2> sets_;
     std::array<PixelBuffer, 3> ring_;
-    std::size_t pair_ = 0, next_buffer_ = 0;
+    std::size_t set_ = 0, next_buffer_ = 0;
     double driver_ms_ = 0;
 };
 

@@ -17,17 +17,18 @@ namespace pelagic::gl {
     X(BindRenderbuffer) X(BindSampler) X(BindTexture) X(BindVertexArray) X(BlitFramebuffer) X(BufferData)       \
     X(BufferSubData) X(CheckFramebufferStatus) X(Clear) X(ClearColor) X(ClearDepthf) X(ClientWaitSync)          \
     X(ColorMask) X(CompileShader) X(CreateProgram) X(CreateShader) X(DeleteBuffers) X(DeleteFramebuffers)       \
-    X(DeleteProgram) X(DeleteRenderbuffers) X(DeleteSamplers) X(DeleteShader) X(DeleteSync) X(DeleteTextures)   \
-    X(DeleteVertexArrays) X(DepthFunc) X(DepthMask) X(DepthRangef) X(Disable) X(DrawArrays)                     \
-    X(DrawElementsInstanced) X(Enable) X(EnableVertexAttribArray) X(FenceSync) X(Finish)                        \
+    X(DeleteProgram) X(DeleteRenderbuffers) X(DeleteSamplers) X(DeleteShader) X(DeleteSync)                     \
+    X(DeleteTextures) X(DeleteVertexArrays) X(DepthFunc) X(DepthMask) X(DepthRangef) X(Disable)                 \
+    X(DrawArrays) X(DrawElementsInstanced) X(Enable) X(EnableVertexAttribArray) X(FenceSync) X(Finish)          \
     X(FramebufferRenderbuffer) X(FramebufferTexture2D) X(GenBuffers) X(GenFramebuffers) X(GenRenderbuffers)     \
-    X(GenSamplers) X(GenTextures) X(GenVertexArrays) X(GenerateMipmap) X(GetBooleanv) X(GetError) X(GetFloatv)  \
-    X(GetInteger64i_v) X(GetIntegeri_v) X(GetIntegerv) X(GetProgramInfoLog) X(GetProgramiv) X(GetShaderInfoLog) \
-    X(GetShaderiv) X(GetString) X(GetStringi) X(GetUniformBlockIndex) X(GetUniformLocation) X(IsEnabled)        \
-    X(LinkProgram) X(MapBufferRange) X(PixelStorei) X(PolygonOffset) X(ReadPixels)                              \
-    X(RenderbufferStorageMultisample) X(Scissor) X(ShaderSource) X(TexParameteri) X(TexStorage2D)               \
-    X(TexSubImage2D) X(Uniform1f) X(Uniform1i) X(UniformBlockBinding) X(UnmapBuffer) X(UseProgram)              \
-    X(VertexAttribDivisor) X(VertexAttribIPointer) X(VertexAttribPointer) X(Viewport)
+    X(GenSamplers) X(GenTextures) X(GenVertexArrays) X(GenerateMipmap) X(GetBooleanv) X(GetError)               \
+    X(GetFloatv) X(GetInteger64i_v) X(GetIntegeri_v) X(GetIntegerv) X(GetProgramInfoLog) X(GetProgramiv)        \
+    X(GetShaderInfoLog) X(GetShaderiv) X(GetString) X(GetStringi) X(GetUniformBlockIndex)                       \
+    X(GetUniformLocation) X(IsEnabled) X(LinkProgram) X(MapBufferRange) X(PixelStorei) X(PolygonOffset)         \
+    X(ReadPixels) X(RenderbufferStorageMultisample) X(Scissor) X(ShaderSource) X(TexParameteri)                 \
+    X(TexStorage2D) X(TexStorage3D) X(TexSubImage2D) X(TexSubImage3D) X(Uniform1f) X(Uniform1i)                 \
+    X(UniformBlockBinding) X(UnmapBuffer) X(UseProgram) X(VertexAttribDivisor) X(VertexAttribIPointer)          \
+    X(VertexAttribPointer) X(Viewport)
 // clang-format on
 
 /// Looks a function up by its whole name ("glClear"): eglGetProcAddress, SDL_GL_GetProcAddress, ...

@@ -36,6 +36,7 @@ KeptState::KeptState(const Functions& gl) : gl_(gl) {
     for (std::size_t i = 0; i < units_.size(); ++i) {
         gl.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(i));
         gl.GetIntegerv(GL_TEXTURE_BINDING_2D, &units_[i].flat);
+        gl.GetIntegerv(GL_TEXTURE_BINDING_2D_ARRAY, &units_[i].array);
         gl.GetIntegerv(GL_TEXTURE_BINDING_CUBE_MAP, &units_[i].cube);
         gl.GetIntegerv(GL_SAMPLER_BINDING, &units_[i].sampler);
         // A sampler of the host's would override how our textures are filtered.
@@ -50,6 +51,7 @@ KeptState::~KeptState() {
     for (std::size_t i = 0; i < units_.size(); ++i) {
         gl_.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(i));
         gl_.BindTexture(GL_TEXTURE_2D, static_cast<GLuint>(units_[i].flat));
+        gl_.BindTexture(GL_TEXTURE_2D_ARRAY, static_cast<GLuint>(units_[i].array));
         gl_.BindTexture(GL_TEXTURE_CUBE_MAP, static_cast<GLuint>(units_[i].cube));
         gl_.BindSampler(static_cast<GLuint>(i), static_cast<GLuint>(units_[i].sampler));
     }

@@ -9,7 +9,7 @@
 namespace pelagic::gl {
 
 /// Texture units that the sea's shaders use, from 0 on.
-inline constexpr int texture_units = 4;
+inline constexpr int texture_units = 5;
 
 class KeptState {
    public:
@@ -35,7 +35,7 @@ class KeptState {
                                                         GL_UNPACK_IMAGE_HEIGHT, GL_UNPACK_SKIP_PIXELS,
                                                         GL_UNPACK_SKIP_ROWS,    GL_UNPACK_SKIP_IMAGES};
     struct Unit {
-        GLint flat = 0, cube = 0, sampler = 0;
+        GLint flat = 0, array = 0, cube = 0, sampler = 0;
     };
 
     const Functions& gl_;

@@ -23,7 +23,7 @@ constexpr glm::vec3 backscattering_per_m{0.0063f, 0.0070f, 0.0085f};
 
 /// Ripples stand for this part of the roughness that the sea has between its texels; the rest is too fine even for them.
 constexpr float detail_part = 0.75f;
-/// A tile of ripples in texels of the sea: its longest waves, a third of it, are as long as the sea's shortest.
+/// A tile of ripples in texels of the finest tile: its longest waves, a third of it, are as long as the sea's shortest.
 constexpr double detail_texels = 6;
 /// Layers have no period in common: their sizes stand in powers of the golden ratio.
 constexpr double golden = 1.6180339887;
@@ -35,15 +35,46 @@ constexpr double second_turn_rad = 0.3648;  // sea.frag.glsl: the turn of the se
 
 double fraction(double value) { return value - std::floor(value); }
 
-/// Where the viewer is in a tile that is turned and repeats, [0, 1).
-glm::dvec2 place_in_tile(glm::dvec2 at, double angle, double tile_m) {
+/// Where the viewer is in a square that is turned and repeats, [0, 1).
+glm::dvec2 place_in_square(glm::dvec2 at, double angle, double tile_m) {
     const double c = std::cos(angle), s = std::sin(angle);
     return {fraction((c * at.x + s * at.y) / tile_m), fraction((c * at.y - s * at.x) / tile_m)};
 }
 
-void place_tiles(SceneBlock& block, const SeaFacts& facts, glm::dvec2 viewer) {
+/// Foam is left behind by waves that break: of the tile that has texels of a third of their height or more, and no finer ones.
+std::size_t tile_of_breakers(const SeaFacts& facts) {
+    std::size_t tile = 0;
+    while (tile + 1 < facts.tiles.size() &&
+           facts.tiles[tile + 1].whitecap_jacobian != Tile::no_whitecaps &&
+           facts.texel_m(facts.tiles[tile + 1]) > facts.figures.significant_wave_height_m / 3)
+        ++tile;
+    return tile;
+}
+
+void place_tiles(SceneBlock& block, const SeaFacts& facts, glm::dvec2 viewer, float more_foam) {
+    // Texel (i, j) stands at i L/N, j L/N; a texture's texel has its middle half a texel further.
+    const double half_texel = 0.5 / facts.resolution;
+    for (std::size_t i = 0; i < facts.tiles.size(); ++i) {
+        const TileFacts& tile = facts.tiles[i];
+        const double side = tile.lattice.side_m;
+        const TileLattice::Place at = tile.lattice.in_tile(viewer.x, viewer.y);
+        block.tile_place[i] = {fraction(at.along / side + half_texel), fraction(at.across / side + half_texel),
+                               tile.lattice.cosine / side, tile.lattice.sine / side};
+        // A texel of that mip is as long as the longest waves.
+        const double last_mip = std::log2(tile.longest_wave_m / facts.texel_m(tile));
+        block.tile_scale[i] = {1 / facts.texel_m(tile), last_mip, side, 0};
+        block.tile_slope[i] = {tile.ranges.slope, tile.ranges.variance, tile.slope_variance,
+                               tile.whitecap_jacobian + more_foam};
+    }
+    const std::size_t breakers = tile_of_breakers(facts);
+    const glm::vec4& place = block.tile_place[breakers];
+    const glm::vec2 way = 0.9f * block.waves.x * glm::vec2(block.waves.z, block.waves.w);
+    block.foam_trail = {breakers, 0, place.z * way.x + place.w * way.y, place.z * way.y - place.w * way.x};
+}
+
+void place_details(SceneBlock& block, const SeaFacts& facts, glm::dvec2 viewer) {
     const SeaState& sea = facts.sea;
-    const double texel_m = sea.patch_size_m / sea.resolution;
+    const double texel_m = facts.texel_m(facts.finest_tile());
     const double loop = fraction(facts.time_s / sea.loop_period_s);
     glm::dvec2 shifts[2];
     for (int layer = 0; layer < 2; ++layer) {
@@ -52,31 +83,55 @@ void place_tiles(SceneBlock& block, const SeaFacts& facts, glm::dvec2 viewer) {
         // Ripples travel as waves of a tenth of the tile do in deep water; the way in a loop is whole tiles.
         const double speed = std::sqrt(gravity_mps2 * tile_m / 10 / (2 * pi));
         const double tiles = std::round(speed * sea.loop_period_s / tile_m);
-        shifts[layer] = place_in_tile(viewer, angle, tile_m) - glm::dvec2(fraction(tiles * loop), 0);
+        shifts[layer] = place_in_square(viewer, angle, tile_m) - glm::dvec2(fraction(tiles * loop), 0);
         block.detail_turn[static_cast<std::size_t>(layer)] = {std::cos(angle) / tile_m, std::sin(angle) / tile_m,
                                                               std::cos(angle), std::sin(angle)};
     }
     block.detail_shift = {glm::vec2(shifts[0]), glm::vec2(shifts[1])};
-    // As the shader turns it: the other way than place_in_tile.
-    block.second_shift = {glm::vec2(place_in_tile(viewer, -second_turn_rad, sea.patch_size_m * golden)), 0, 0};
+    // As the shader turns it: the other way than place_in_square.
+    block.second_shift = {glm::vec2(place_in_square(viewer, -second_turn_rad, facts.tiles[0].lattice.side_m * golden)), 0, 0};
     // Lace is as large as the waves that make it: tiles of 5 m in a calm, of 20 m in a storm.
     const double foam_m = 5 + 1.8 * block.waves.x;
     const glm::dvec4 tiles(foam_m, foam_m / golden / 1.1, 460, 1510);  // gusts: metres
     block.noise_scale = glm::vec4(1.0 / tiles);
     const glm::dvec2 turned(viewer.y, viewer.x);
-    const auto placed = [](glm::dvec2 at, double tile) { return glm::vec2(place_in_tile(at, 0, tile)); };
+    const auto placed = [](glm::dvec2 at, double tile) { return glm::vec2(place_in_square(at, 0, tile)); };
     block.foam_shift = {placed(viewer, tiles.x), placed(turned, tiles.y)};
     block.gust_shift = {placed(viewer, tiles.z), placed(turned, tiles.w)};
 }
 
+/// The last mip is one texel: the variance of all waves.
+float whole_variance(const Tile& tile) {
+    const SurfaceSlopes all = slopes_of_texel(tile.slopes_rgba8.back(), tile.moments_rgba8.back(), tile.slope_ranges);
+    return static_cast<float>(all.var_xx + all.var_zz);
+}
+
 }  // namespace
+
+SeaFacts facts_of(const Frame& frame) {
+    SeaFacts facts{.sea = frame.sea,
+                   .figures = frame.figures,
+                   .resolution = frame.tiles[0].resolution(),
+                   .tiles = {},
+                   .time_s = frame.time_s};
+    // A finer tile's waves are those that have less than three texels of the coarser one (sim/spectrum/bands.cpp).
+    double longest_wave_m = frame.tiles[0].lattice.side_m;
+    for (const Tile& tile : frame.tiles) {
+        facts.tiles.push_back({.lattice = tile.lattice,
+                               .ranges = tile.slope_ranges,
+                               .longest_wave_m = longest_wave_m,
+                               .slope_variance = whole_variance(tile),
+                               .whitecap_jacobian = tile.whitecap_jacobian});
+        longest_wave_m = 3 * tile.texel_m();
+    }
+    return facts;
+}
 
 SceneBlock scene_block_of(const DrawInput& input, const SeaFacts& facts, const SkyLight& sky) {
     const SeaState& sea = facts.sea;
     SceneBlock block;
     const QuadtreeGrid& grid = input.list->grid;
     const glm::dvec2 viewer(input.viewer_m.x, input.viewer_m.z);
-    const double patch_m = sea.patch_size_m;
     for (std::size_t i = 0; i < input.eyes.size(); ++i) {
         const glm::dmat4 clip = glm::translate(input.eyes[i].clip_from_world, input.viewer_m);
         block.clip_from_viewer[i] = glm::mat4(clip);
@@ -84,14 +139,11 @@ SceneBlock scene_block_of(const DrawInput& input, const SeaFacts& facts, const S
         block.eye[i] = glm::vec4(glm::vec3(input.eyes[i].position_m - input.viewer_m), 0);
     }
     const auto to_float = [](glm::dvec2 v) { return glm::vec2(v); };
-    // Texel (i, j) stands at i L/N, j L/N; a texture's texel has its middle half a texel further.
-    const double half_texel = 0.5 / sea.resolution;
-    block.viewer = {fraction(viewer.x / patch_m + half_texel), fraction(viewer.y / patch_m + half_texel),
-                    input.viewer_m.y, 1 / patch_m};
+    block.viewer = {0, 0, input.viewer_m.y, 0};
     block.grid = {to_float(glm::dvec2(grid.corner) * grid.step_m - viewer), grid.step_m, grid.vertices};
     block.fade = {to_float(grid.fade_centre - viewer), grid.fade_end_m, 1 / (grid.fade_end_m - grid.fade_start_m)};
     block.mesh = {1 / (input.lod_scale * grid.vertices), grid.step_m,
-                  facts.has_displacement_mips ? mip_levels(sea.resolution) - 1 : 0, sea.resolution / patch_m};
+                  facts.has_displacement_mips ? mip_levels(facts.resolution) - 1 : 0, 0};
     block.skirt = {to_float((glm::dvec2(grid.corner) + 0.5 * grid.side) * grid.step_m - viewer), grid.side,
                    grid.deepest_level};
     block.sun = {sky.sun_direction, sun_radius_rad};
@@ -100,13 +152,13 @@ SceneBlock scene_block_of(const DrawInput& input, const SeaFacts& facts, const S
     const double height = std::max(1.5, std::abs(input.viewer_m.y));
     block.haze = {sky.haze_per_m, height / std::tan(softened_horizon_rad)};
     block.water_absorption = {absorption_per_m, sea.depth_m};
-    block.output_kind.y = facts.whitecap_jacobian + input.more_foam;
     const float alpha = static_cast<float>(facts.figures.roughness);
     const float detail_square = detail_part * alpha * alpha;
     block.water_scattering = {backscattering_per_m, detail_square};
     const double wind = sea.wind_direction_rad;
     block.waves = {std::max(0.05, facts.figures.significant_wave_height_m), alpha, std::cos(wind), std::sin(wind)};
-    place_tiles(block, facts, viewer);
+    place_tiles(block, facts, viewer, input.more_foam);
+    place_details(block, facts, viewer);
     block.output_kind.x = facts.framebuffer_is_srgb ? 0 : 1;
     return block;
 }

@@ -2,33 +2,52 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <vector>
 
 #include "pelagic/sim/frame.hpp"
 
 namespace pelagic::gl {
 
+/// As many tiles as the shaders know.
+inline constexpr std::size_t most_tiles = 4;
+
 struct SceneBlock {
     std::array<glm::mat4, 2> clip_from_viewer{}, viewer_from_clip{};
     std::array<glm::vec4, 2> eye{};
+    std::array<glm::vec4, most_tiles> tile_place{}, tile_scale{}, tile_slope{};
     glm::vec4 viewer{}, grid{}, fade{}, mesh{}, skirt{};
     glm::vec4 sun{}, sun_irradiance{}, sky_irradiance{}, haze{};
     glm::vec4 water_absorption{}, water_scattering{}, waves{};
     std::array<glm::vec4, 2> detail_turn{};
-    glm::vec4 detail_shift{}, second_shift{}, noise_scale{}, foam_shift{}, gust_shift{};
+    glm::vec4 detail_shift{}, second_shift{}, noise_scale{}, foam_shift{}, gust_shift{}, foam_trail{};
     glm::vec4 output_kind{};
+};
+
+/// What stays of a tile when its texels are in a texture.
+struct TileFacts {
+    TileLattice lattice;
+    SlopeRanges ranges;
+    double longest_wave_m = 0;
+    float slope_variance = 0;  ///< of all its waves, both axes: what its last mip has averaged away
+    float whitecap_jacobian = 0;
 };
 
 /// What the uploaded frame says of itself, and how its textures and the framebuffer are made.
 struct SeaFacts {
     SeaState sea;
     SeaFigures figures;
-    float whitecap_jacobian = 0;
+    int resolution = 0;
+    std::vector<TileFacts> tiles;
     double time_s = 0;
     bool has_displacement_mips = false;
     bool framebuffer_is_srgb = false;
+
+    const TileFacts& finest_tile() const { return tiles.back(); }
+    double texel_m(const TileFacts& tile) const { return tile.lattice.side_m / resolution; }
 };
 
 /// The light of a baked sky, as sky.hpp has it.
@@ -37,6 +56,9 @@ struct SkyLight {
     glm::vec3 sun_direction{0, 1, 0}, sun_irradiance{1}, sky_irradiance{1}, haze_per_m{0};
     float exposure = 1;
 };
+
+/// Of the frame alone.
+SeaFacts facts_of(const Frame& frame);
 
 struct DrawInput;
 SceneBlock scene_block_of(const DrawInput& input, const SeaFacts& sea, const SkyLight& sky);

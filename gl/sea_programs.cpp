@@ -2,8 +2,9 @@
 
 namespace pelagic::gl {
 
-std::array<ProgramFiles, 4> sea_program_files(bool multiview) {
-    const std::string defines = multiview ? "#define MULTIVIEW\n" : "";
+std::array<ProgramFiles, 4> sea_program_files(bool multiview, int tiles) {
+    const std::string defines =
+        "#define TILES " + std::to_string(tiles) + (multiview ? "\n#define MULTIVIEW\n" : "\n");
     return {{{"sea.vert.glsl", "sea.frag.glsl", defines},
              {"skirt.vert.glsl", "sea.frag.glsl", defines + "#define SKIRT\n"},
              {"sky.vert.glsl", "sky.frag.glsl", defines},
@@ -15,7 +16,8 @@ SeaProgram::SeaProgram(const Functions& gl, const ProgramFiles& files)
     gl.UseProgram(program.name());
     gl.UniformBlockBinding(program.name(), gl.GetUniformBlockIndex(program.name(), "Scene"), 0);
     gl.Uniform1i(program.uniform("displacement"), displacement_unit);
-    gl.Uniform1i(program.uniform("gradient"), gradient_unit);
+    gl.Uniform1i(program.uniform("slopes"), slopes_unit);
+    gl.Uniform1i(program.uniform("moments"), moments_unit);
     gl.Uniform1i(program.uniform("detail"), detail_unit);
     gl.Uniform1i(program.uniform("sky"), sky_unit);
     eye_index = program.uniform("eye_index");
@@ -27,8 +29,8 @@ void SeaProgram::use(const Functions& gl, int eye) const {
     if (eye_index >= 0) gl.Uniform1i(eye_index, eye);
 }
 
-SeaPrograms::SeaPrograms(const Functions& gl, bool multiview) {
-    const std::array<ProgramFiles, 4> files = sea_program_files(multiview);
+SeaPrograms::SeaPrograms(const Functions& gl, bool multiview, int tiles) {
+    const std::array<ProgramFiles, 4> files = sea_program_files(multiview, tiles);
     SeaProgram* const programs[] = {&patches, &skirt, &background, &wireframe};
     for (std::size_t i = 0; i < files.size(); ++i) *programs[i] = SeaProgram(gl, files[i]);
 }

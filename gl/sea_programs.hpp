@@ -9,7 +9,7 @@
 namespace pelagic::gl {
 
 /// Texture units, as the programs read them.
-enum Unit : GLint { displacement_unit, gradient_unit, detail_unit, sky_unit };
+enum Unit : GLint { displacement_unit, slopes_unit, moments_unit, detail_unit, sky_unit };
 
 struct ProgramFiles {
     const char* vertex;
@@ -17,8 +17,8 @@ struct ProgramFiles {
     std::string defines;  ///< lines
 };
 
-/// For patches, skirt, background and wireframe, in this order.
-std::array<ProgramFiles, 4> sea_program_files(bool multiview);
+/// For patches, skirt, background and wireframe, in this order, of a sea with so many tiles.
+std::array<ProgramFiles, 4> sea_program_files(bool multiview, int tiles);
 
 struct SeaProgram {
     SeaProgram() = default;
@@ -32,7 +32,7 @@ struct SeaProgram {
 
 struct SeaPrograms {
     /// Throws GlError if the driver refuses a shader. Leaves one of them in use.
-    SeaPrograms(const Functions& gl, bool multiview);
+    SeaPrograms(const Functions& gl, bool multiview, int tiles);
 
     SeaProgram patches, skirt, background, wireframe;
 };

@@ -1,6 +1,8 @@
 #include "pelagic/gl/sea_renderer.hpp"
 
 #include <cassert>
+#include <stdexcept>
+#include <string>
 
 #include "pelagic/gl/detail_image.hpp"
 #include "pelagic/gl/kept_state.hpp"
@@ -24,15 +26,20 @@ Texture make_detail_texture(const Functions& gl) {
     return texture;
 }
 
+const RendererOptions& checked(const RendererOptions& options) {
+    if (options.tiles < 1 || options.tiles > static_cast<int>(most_tiles))
+        throw std::invalid_argument("RendererOptions::tiles is " + std::to_string(options.tiles) + ", needs 1 to " +
+                                    std::to_string(most_tiles));
+    return options;
+}
+
 }  // namespace
 
 struct SeaRenderer::State {
     State(const Functions& functions, const RendererOptions& wanted)
-        : gl(functions), options(wanted), textures(functions, wanted.resolution) {
-        facts.has_displacement_mips = textures.has_displacement_mips();
-        facts.framebuffer_is_srgb = wanted.framebuffer_is_srgb;
+        : gl(functions), options(checked(wanted)), textures(functions, wanted.resolution, wanted.tiles) {
         const KeptState keep(gl);
-        programs = std::make_unique<SeaPrograms>(gl, options.multiview);
+        programs = std::make_unique<SeaPrograms>(gl, options.multiview, options.tiles);
         buffers = std::make_unique<PatchBuffers>(gl, options.patch_vertices);
         detail = make_detail_texture(gl);
         empty = VertexArray(gl);
@@ -42,13 +49,15 @@ struct SeaRenderer::State {
     }
 
     void bind_textures() {
-        const GLuint names[] = {textures.displacement(), textures.gradient(), detail.name()};
-        for (GLenum unit = 0; unit < 3; ++unit) {
-            gl.ActiveTexture(GL_TEXTURE0 + unit);
-            gl.BindTexture(GL_TEXTURE_2D, names[unit]);
-        }
-        gl.ActiveTexture(GL_TEXTURE0 + sky_unit);
-        gl.BindTexture(GL_TEXTURE_CUBE_MAP, sky.name());
+        const auto bind = [&](Unit unit, GLenum kind, GLuint name) {
+            gl.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+            gl.BindTexture(kind, name);
+        };
+        bind(displacement_unit, GL_TEXTURE_2D_ARRAY, textures.displacement());
+        bind(slopes_unit, GL_TEXTURE_2D_ARRAY, textures.slopes());
+        bind(moments_unit, GL_TEXTURE_2D_ARRAY, textures.moments());
+        bind(detail_unit, GL_TEXTURE_2D, detail.name());
+        bind(sky_unit, GL_TEXTURE_CUBE_MAP, sky.name());
     }
 
     void add(const PatchBuffers::Counts& counts) {
@@ -127,10 +136,9 @@ void SeaRenderer::set_sky(const Sky& sky) {
 void SeaRenderer::upload(const Frame& frame) {
     const Stopwatch all;
     state_->textures.upload(frame);
-    state_->facts.sea = frame.sea;
-    state_->facts.figures = frame.figures;
-    state_->facts.whitecap_jacobian = frame.tiles[0].whitecap_jacobian;
-    state_->facts.time_s = frame.time_s;
+    state_->facts = facts_of(frame);
+    state_->facts.has_displacement_mips = state_->textures.has_displacement_mips();
+    state_->facts.framebuffer_is_srgb = state_->options.framebuffer_is_srgb;
     state_->figures.upload_ms = all.milliseconds();
     state_->figures.upload_driver_ms = state_->textures.last_driver_ms();
     state_->figures.upload_bytes = state_->textures.bytes_per_frame();
@@ -142,6 +150,7 @@ const DrawFigures& SeaRenderer::draw(const DrawInput& input) {
     const Functions& gl = s.gl;
     assert(input.list && !input.eyes.empty() && input.eyes.size() <= 2);
     assert(s.sky_face_size > 0 && "set_sky() first");
+    assert(!s.facts.tiles.empty() && "upload() a frame first");
     const KeptState keep(gl);
     DrawFigures& figures = s.figures;
     figures.sea_calls = figures.sky_calls = 0;

@@ -1,6 +1,7 @@
 // Draws the sea: uploads a frame, then draws the quadtree's patches, the skirt and the sky for one eye or two.
 //
-//   SeaRenderer renderer(gl, {.patch_vertices = selection.options().vertices, .resolution = ocean.sea().resolution});
+//   SeaRenderer renderer(gl, {.patch_vertices = selection.options().vertices, .resolution = ocean.resolution(),
+//                             .tiles = static_cast<int>(ocean.tile_count())});   // built with OceanOptions::slopes
 //   renderer.set_sky(baker.complete());
 //   each frame:  renderer.upload(ocean.complete());
 //                renderer.draw({.eyes = eyes, .viewer_m = head, .list = &selection.select(...)});
@@ -23,7 +24,8 @@ namespace pelagic::gl {
 
 struct RendererOptions {
     int patch_vertices = 64;           ///< V of the draw lists
-    int resolution = 256;              ///< N of the frames
+    int resolution = 256;              ///< N of the frames' tiles
+    int tiles = 1;                     ///< of the frames, 1 to 4
     bool framebuffer_is_srgb = false;  ///< it encodes what shaders write; else they do
     bool multiview = false;            ///< the framebuffer holds both eyes as layers (OVR_multiview2)
 };
@@ -35,7 +37,7 @@ struct DrawInput {
     glm::dvec3 viewer_m{};      ///< what positions are relative to: the selection's viewer
     const DrawList* list = nullptr;
     double lod_scale = 2.2;  ///< tau of the selection, by which the displacement's mip follows the mesh
-    float more_foam = 0;     ///< added to the frame's Jacobian below which the sea is white
+    float more_foam = 0;     ///< added to the tiles' Jacobians below which the sea is white
     DrawMode mode = DrawMode::shaded;
     bool draws_sky = true;
 };
@@ -55,14 +57,16 @@ struct DrawFigures {
 
 class SeaRenderer {
    public:
-    /// \param gl  outlives the renderer. Throws GlError if the driver refuses a shader.
+    /// \param gl  outlives the renderer. Throws GlError if the driver refuses a shader, std::invalid_argument for a number of
+    /// tiles that no frame has.
     SeaRenderer(const Functions& gl, const RendererOptions& options);
     ~SeaRenderer();
     SeaRenderer(const SeaRenderer&) = delete;
     SeaRenderer& operator=(const SeaRenderer&) = delete;
 
     void set_sky(const Sky& sky);
-    /// From here on the frame's sea is drawn, at its time; the frame's views may go stale.
+    /// From here on the frame's sea is drawn, at its time; the frame's views may go stale. Throws what
+    /// FrameTextures::upload() throws, and draws on what was uploaded before then.
     void upload(const Frame& frame);
     /// \pre upload() and set_sky() have been called; all pointers are set; patches have options.patch_vertices
     const DrawFigures& draw(const DrawInput& input);

@@ -154,8 +154,7 @@ double angle_of(double x, double z) {
 
 WaveDirections directions_from(const Moments& moments) {
     if (!(moments.variance > 0)) return {};
-    const double first = std::sqrt(moments.x * moments.x + moments.z * moments.z) / moments.variance;
-    return {angle_of(moments.x, moments.z), std::sqrt(2 * std::max(0.0, 1 - first))};
+    return directions_of_moment(moments.x / moments.variance, moments.z / moments.variance);
 }
 
 std::vector<std::string> warnings_from(const SeaState& sea, const WaveSpectrum& spectrum, const SpectralPeak& peak,
@@ -207,6 +206,7 @@ SeaReport report_on(const SeaState& sea) {
     GridSums sums = sums_over(sea, Draws::yes);
     SeaReport report;
     report.expected = expected_from(spectrum, peak, sums);
+    report.drawn_significant_wave_height_m = 4 * std::sqrt(sums.drawn.variance);
     report.drawn_peak_period_s = peak_period_from(sea, sums);
     report.expected_directions = directions_from(sums.expected);
     report.drawn_directions = directions_from(sums.drawn);
@@ -214,6 +214,29 @@ SeaReport report_on(const SeaState& sea) {
     report.loop_frequencies = loop_frequencies_from(sums);
     report.warnings = warnings_from(sea, spectrum, peak, report.expected, report.loop_frequencies);
     return report;
+}
+
+WaveDirections directions_of_moment(double a, double b) {
+    return {angle_of(a, b), std::sqrt(2 * std::max(0.0, 1 - std::sqrt(a * a + b * b)))};
+}
+
+std::vector<double> model_by_frequency(const SeaState& sea, std::span<const double> frequencies_hz) {
+    const DefaultFloatEnvironment environment;
+    const WaveSpectrum spectrum(sea, plan_tiles(sea).front());
+    std::vector<double> densities;
+    for (const double hertz : frequencies_hz) {
+        const double k = wave_number(two_pi * hertz, sea.depth_m);
+        densities.push_back(two_pi * radial_energy(spectrum, sea, k) / group_velocity(k, sea.depth_m));
+    }
+    return densities;
+}
+
+std::vector<double> model_by_wave_number(const SeaState& sea, std::span<const double> wave_numbers) {
+    const DefaultFloatEnvironment environment;
+    const WaveSpectrum spectrum(sea, plan_tiles(sea).front());
+    std::vector<double> densities;
+    for (const double k : wave_numbers) densities.push_back(radial_energy(spectrum, sea, k));
+    return densities;
 }
 
 // W was measured 12.5 m above the sea, where wind blows 2 % faster than at 10 m: less than the formula is sure of.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -51,6 +52,15 @@ struct WaveDirections {
     double spread_rad = 0;
 };
 
+/// Of a moment (a, b).
+WaveDirections directions_of_moment(double a, double b);
+
+/// What a sea's options ask of its frequencies, m^2/Hz, and of its wave numbers, m^3, all directions together and whatever the
+/// tiles hold: its integral over Hz or rad/m is the variance, but for phillips-paper, which has a shape and no scale.
+/// \pre every frequency, in Hz, or wave number, in rad/m, is above 0
+std::vector<double> model_by_frequency(const SeaState& sea, std::span<const double> frequencies_hz);
+std::vector<double> model_by_wave_number(const SeaState& sea, std::span<const double> wave_numbers);
+
 /// The slope of the waves that a tile holds, the mean over all seeds; shorter waves are below its texels.
 struct TileSlopes {
     double side_m;
@@ -61,7 +71,8 @@ struct TileSlopes {
 /// All that follows from a sea's options, in one pass over its waves: as long as one of the functions above and below.
 struct SeaReport {
     ExpectedWaves expected;
-    double drawn_peak_period_s = 0;  ///< measured_peak_period_s()
+    double drawn_significant_wave_height_m = 0;  ///< of the waves that this seed drew, the mean over time
+    double drawn_peak_period_s = 0;              ///< measured_peak_period_s()
     WaveDirections expected_directions;
     WaveDirections drawn_directions;  ///< of the waves that this seed drew
     std::vector<TileSlopes> tiles;

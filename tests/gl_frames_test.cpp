@@ -21,13 +21,7 @@ TEST(GlFrames, DriverIsSilentOver200FramesWithResizesAndALostContext) {
     std::vector<std::uint8_t> before;
     for (int life = 0; life < 2; ++life) {
         // The second scene is what a host builds after its context was lost: everything anew.
-        GlScene scene({.quality = "low",
-                       .resolution = 64,
-                       .patch_size_m = 250,
-                       .width = 96,
-                       .height = 64,
-                       .samples = 1,
-                       .size_m = 1024});
+        GlScene scene({.quality = "low", .resolution = 64, .width = 96, .height = 64, .samples = 1, .size_m = 1024});
         ASSERT_TRUE(scene.context.has_debug());
         for (int frame = 0; frame < 100; ++frame) {
             if (frame % 25 == 24) scene.resize(64 + frame, 120 - frame);
@@ -45,15 +39,14 @@ TEST(GlFrames, DriverIsSilentOver200FramesWithResizesAndALostContext) {
 }
 
 TEST(GlFrames, CallsAndBytesStayWithinTheirLimits) {
-    GlScene scene(
-        {.preset = "moderate", .resolution = 256, .patch_size_m = 250, .width = 96, .height = 64, .samples = 1});
+    GlScene scene({.preset = "moderate", .resolution = 128, .width = 96, .height = 64, .samples = 1});
     for (int frame = 0; frame < 8; ++frame) {
         const bool stereo = frame % 2 == 1;
         const gl::DrawFigures& figures = scene.draw(moving_camera(frame), frame / 90.0, true, stereo);
         const int views = stereo ? 2 : 1;
         EXPECT_LE(figures.sea_calls, 17 * views);
         EXPECT_EQ(figures.sky_calls, views);
-        EXPECT_EQ(figures.upload_bytes, 256u * 256 * 8 + 4 * (4u * 256 * 256 - 1) / 3);
+        EXPECT_EQ(figures.upload_bytes, 4 * (128u * 128 * 8 + 2 * 4 * (4u * 128 * 128 - 1) / 3));
     }
 }
 

@@ -3,6 +3,17 @@
 #include <cmath>
 
 namespace pelagic {
+namespace {
+
+SeaState sea_of(const GlScene::Options& options) {
+    SeaState sea = sea_named(options.preset, options.resolution);
+    sea.cascades = options.cascades;
+    sea.patch_size_m = options.patch_size_m;
+    return sea;
+}
+
+}  // namespace
+
 const gl::Sky& test_sky() {
     static gl::SkyBaker baker(make_default_executor(), 64);
     static const gl::Sky& sky = []() -> const gl::Sky& {
@@ -19,30 +30,33 @@ SeaState sea_named(std::string_view name, int resolution) {
 }
 
 GlScene::GlScene(const Options& options)
-    : ocean(sea_named(options.preset, options.resolution)),
+    : ocean(sea_of(options), {.slopes = true}),
       quadtree(quadtree_preset_named(options.quality)->options(options.size_m)),
       selection(quadtree),
       samples_(options.samples) {
     resize(options.width, options.height);
     renderer.emplace(gl(),
-                     gl::RendererOptions{.patch_vertices = quadtree.vertices, .resolution = ocean.sea().resolution});
+                     gl::RendererOptions{.patch_vertices = quadtree.vertices,
+                                         .resolution = ocean.resolution(),
+                                         .tiles = static_cast<int>(ocean.tile_count())});
     renderer->set_sky(test_sky());
 }
 
-void GlScene::resize(int width, int height) {
+void GlScene::resize(int width, int height, PictureRows only) {
+    if (only.count == 0) only = {0, height};
     target.reset();
-    target.emplace(gl(), width, height, samples_);
+    target.emplace(gl(), width, only.count, samples_);
+    whole_ = {0, only.first + only.count - height, width, height};
 }
 
 const gl::DrawFigures& GlScene::draw(const Camera& camera, const Frame& frame, bool draws_sky, bool stereo,
                                      glm::vec3 clear) {
-    const gl::Viewport whole{0, 0, target->width(), target->height()};
     std::vector<gl::Eye> eyes;
     if (stereo) {
-        const gl::EyePair pair = gl::eyes_of(camera, whole, 0.063);
+        const gl::EyePair pair = gl::eyes_of(camera, whole_, 0.063);
         eyes = {pair.left, pair.right};
     } else {
-        eyes = {gl::eye_of(camera, whole)};
+        eyes = {gl::eye_of(camera, whole_)};
     }
     std::vector<glm::dmat4> views;
     for (const gl::Eye& eye : eyes) views.push_back(eye.clip_from_world);

@@ -20,12 +20,19 @@ SeaState sea_named(std::string_view preset, int resolution = 0);
 /// Baked once for all tests of a process: the sky is the same in each.
 const gl::Sky& test_sky();
 
+/// Rows of a picture, from above.
+struct PictureRows {
+    int first = 0, count = 0;
+};
+
 class GlScene {
    public:
     struct Options {
         std::string_view preset = "moderate";
         std::string_view quality = "high";
-        int resolution = 0;  ///< 0: the preset's
+        int resolution = 0;       ///< 0: the preset's
+        int cascades = 0;         ///< 0: as many as are chosen by default
+        double patch_size_m = 0;  ///< of an only tile; 0: sides chosen from the sea
         int width = 320, height = 180, samples = 4;
         double size_m = 4096;
     };
@@ -45,7 +52,8 @@ class GlScene {
         draw(camera, frame);
         return target->read();
     }
-    void resize(int width, int height);
+    /// \param only  if it has any, the target holds these rows of the picture: the others take no time
+    void resize(int width, int height, PictureRows only = {});
     const gl::Functions& gl() const { return context.functions(); }
 
     gl::HeadlessContext context{{.debug = true}};
@@ -57,6 +65,7 @@ class GlScene {
 
    private:
     int samples_;
+    gl::Viewport whole_;  ///< of the picture, in the target
 };
 
 /// Light of an sRGB byte, [0, 1].

@@ -41,15 +41,16 @@ std::string refusal_of(const gl::ProgramFiles& files) {
 
 TEST(Shaders, AreGlslInEveryVariant) {
     std::vector<gl::ProgramFiles> all = {{"panel.vert.glsl", "panel.frag.glsl", ""}};
-    for (const bool multiview : {false, true})
-        for (const gl::ProgramFiles& files : gl::sea_program_files(multiview)) all.push_back(files);
-    ASSERT_EQ(all.size(), 9u);
+    for (const int tiles : {1, 2, 4})
+        for (const bool multiview : {false, true})
+            for (const gl::ProgramFiles& files : gl::sea_program_files(multiview, tiles)) all.push_back(files);
+    ASSERT_EQ(all.size(), 25u);
     for (const gl::ProgramFiles& files : all)
         EXPECT_EQ(refusal_of(files), "") << files.vertex << ", " << files.fragment << "\n" << files.defines;
 }
 
 TEST(Shaders, OfHeadsetsTakeBothEyesInOnePass) {
-    for (const gl::ProgramFiles& files : gl::sea_program_files(true)) {
+    for (const gl::ProgramFiles& files : gl::sea_program_files(true, 4)) {
         EXPECT_NE(gl::shader_source(files.vertex, files.defines).find("num_views = 2"), std::string::npos);
         EXPECT_NE(gl::shader_source(files.vertex, files.defines).find("gl_ViewID_OVR"), std::string::npos);
     }
@@ -58,7 +59,7 @@ TEST(Shaders, OfHeadsetsTakeBothEyesInOnePass) {
 // The check itself: a compiler that takes everything would prove nothing.
 TEST(Shaders, WithAMistakeAreRefused) {
     EXPECT_NE(
-        refusal_of({"sea.vert.glsl", "sea.frag.glsl", "#define MULTIVIEW\n#define gl_ViewID_OVR eye_of_nobody\n"}),
+        refusal_of({"sea.vert.glsl", "sea.frag.glsl", "#define TILES 1\n#define MULTIVIEW\n#define gl_ViewID_OVR eye_of_nobody\n"}),
         "");
 }
 

@@ -102,7 +102,8 @@ std::map<std::string, std::vector<GLfloat>> state_of(const gl::Functions& gl) {
     gl.GetIntegerv(GL_ACTIVE_TEXTURE, &unit);
     for (GLuint i = 0; i < 6; ++i) {
         gl.ActiveTexture(GL_TEXTURE0 + i);
-        for (const GLenum name : {GL_TEXTURE_BINDING_2D, GL_TEXTURE_BINDING_CUBE_MAP, GL_SAMPLER_BINDING}) {
+        for (const GLenum name : {GL_TEXTURE_BINDING_2D, GL_TEXTURE_BINDING_2D_ARRAY, GL_TEXTURE_BINDING_CUBE_MAP,
+                                  GL_SAMPLER_BINDING}) {
             GLint value = 0;
             gl.GetIntegerv(name, &value);
             state["unit " + std::to_string(i)].push_back(static_cast<GLfloat>(value));
@@ -120,6 +121,7 @@ class NastyHost {
           buffer_(gl),
           small_(gl),
           texture_(gl),
+          layers_(gl),
           cube_(gl),
           array_(gl),
           sampler_(gl),
@@ -136,6 +138,7 @@ class NastyHost {
         for (GLuint unit = 0; unit < 6; ++unit) {
             gl.ActiveTexture(GL_TEXTURE0 + unit);
             gl.BindTexture(GL_TEXTURE_2D, texture_.name());
+            gl.BindTexture(GL_TEXTURE_2D_ARRAY, layers_.name());
             gl.BindTexture(GL_TEXTURE_CUBE_MAP, cube_.name());
             gl.BindSampler(unit, sampler_.name());
         }
@@ -169,7 +172,7 @@ class NastyHost {
    private:
     const gl::Functions& gl_;
     gl::Buffer buffer_, small_;
-    gl::Texture texture_, cube_;
+    gl::Texture texture_, layers_, cube_;
     gl::VertexArray array_;
     gl::Sampler sampler_;
     gl::Program program_;
@@ -180,7 +183,9 @@ template <class Check>
 std::vector<std::uint8_t> picture(const gl::Functions& gl, const Frame& frame, gl::DrawMode mode,
                                   Check after_each_call) {
     const QuadtreeOptions quadtree = quadtree_preset_named("low")->options(512);
-    gl::SeaRenderer renderer(gl, {.patch_vertices = quadtree.vertices, .resolution = frame.tiles[0].resolution()});
+    gl::SeaRenderer renderer(gl, {.patch_vertices = quadtree.vertices,
+                                  .resolution = frame.tiles[0].resolution(),
+                                  .tiles = static_cast<int>(frame.tiles.size())});
     after_each_call("constructor");
     renderer.set_sky(test_sky());
     after_each_call("set_sky");
@@ -207,7 +212,7 @@ std::vector<std::uint8_t> picture(const gl::Functions& gl, const Frame& frame, g
 class GlState : public testing::TestWithParam<gl::DrawMode> {};
 
 TEST_P(GlState, OfAHostIsKeptAndSpoilsNoPicture) {
-    Ocean ocean({.resolution = 32, .patch_size_m = 60, .wind_speed_mps = 9}, {.executor = make_serial_executor()});
+    Ocean ocean({.cascades = 3, .resolution = 32, .wind_speed_mps = 9}, {.executor = make_serial_executor()});
     const Frame& frame = ocean.frame_at(2);
 
     gl::HeadlessContext clean_context;

@@ -1,59 +1,105 @@
 // What arrives in the GPU's textures is what the sea computed, and each frame is drawn as the sea that it is.
+#include <dlfcn.h>
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cstring>
 #include <glm/gtc/packing.hpp>
+#include <stdexcept>
+#include <string>
 
 #include "pelagic/tests/gl_scene.hpp"
 
 namespace pelagic {
 namespace {
 
-/// A level of a texture, read through a framebuffer.
+/// What only this test calls.
+template <class Function>
+Function gl_function(const char* name) {
+    const auto get = reinterpret_cast<void* (*)(const char*)>(dlsym(dlopen("libEGL.so.1", RTLD_NOW), "eglGetProcAddress"));
+    return reinterpret_cast<Function>(get(name));
+}
+
+/// A level of a layer of a texture, read through a framebuffer.
 template <class Value>
-std::vector<Value> read_level(const gl::Functions& gl, GLuint texture, int level, int side, GLenum type) {
+std::vector<Value> read_level(const gl::Functions& gl, GLuint texture, int layer, int level, int side, GLenum type) {
+    const auto attach_layer = gl_function<PFNGLFRAMEBUFFERTEXTURELAYERPROC>("glFramebufferTextureLayer");
     gl::Framebuffer framebuffer(gl);
     gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
-    gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, level);
+    attach_layer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, texture, level, layer);
     EXPECT_EQ(gl.CheckFramebufferStatus(GL_FRAMEBUFFER), static_cast<GLenum>(GL_FRAMEBUFFER_COMPLETE));
     std::vector<Value> values(std::size_t{4} * side * side);
     gl.ReadPixels(0, 0, side, side, GL_RGBA, type, values.data());
     return values;
 }
 
+class GlUploads : public testing::TestWithParam<int> {};
+
 // Seven uploads go around the ring of pixel buffers and the pair of textures more than once.
-TEST(GlUpload, TexturesHoldTheFramesBytesInEveryMip) {
-    GlScene scene({.resolution = 128, .patch_size_m = 250, .width = 64, .height = 64});
+TEST_P(GlUploads, TexturesHoldTheFramesBytesInEveryMip) {
+    GlScene scene({.resolution = 64, .cascades = GetParam(), .width = 64, .height = 64});
     for (int i = 0; i < 7; ++i) {
         const Frame& frame = scene.ocean.frame_at(0.37 * i);
         scene.renderer->upload(frame);
         const gl::FrameTextures& textures = scene.renderer->textures();
-        for (int level = 0; level < mip_levels(128); ++level) {
-            const auto bytes =
-                read_level<std::uint8_t>(scene.gl(), textures.gradient(), level, 128 >> level, GL_UNSIGNED_BYTE);
-            ASSERT_EQ(0, std::memcmp(bytes.data(), frame.tiles[0].gradient_level(level).data(), bytes.size()))
-                << "frame " << i << ", level " << level;
+        ASSERT_EQ(frame.tiles.size(), static_cast<std::size_t>(GetParam()));
+        for (int layer = 0; layer < GetParam(); ++layer) {
+            const Tile& tile = frame.tiles[static_cast<std::size_t>(layer)];
+            const auto is_in = [&](GLuint texture, std::span<const std::uint32_t> chain, int level) {
+                const auto bytes =
+                    read_level<std::uint8_t>(scene.gl(), texture, layer, level, 64 >> level, GL_UNSIGNED_BYTE);
+                return 0 == std::memcmp(bytes.data(), tile.level_of(chain, level).data(), bytes.size());
+            };
+            for (int level = 0; level < mip_levels(64); ++level) {
+                ASSERT_TRUE(is_in(textures.slopes(), tile.slopes_rgba8, level))
+                    << "frame " << i << ", tile " << layer << ", level " << level;
+                ASSERT_TRUE(is_in(textures.moments(), tile.moments_rgba8, level))
+                    << "frame " << i << ", tile " << layer << ", level " << level;
+            }
+            // Every half is a float too, so the way through floats loses nothing.
+            const auto floats = read_level<float>(scene.gl(), textures.displacement(), layer, 0, 64, GL_FLOAT);
+            for (std::size_t v = 0; v < floats.size(); ++v)
+                ASSERT_EQ(glm::packHalf1x16(floats[v]), tile.displacement_rgba16f[v])
+                    << "frame " << i << ", tile " << layer << ", value " << v;
         }
-        // Every half is a float too, so the way through floats loses nothing.
-        const auto floats = read_level<float>(scene.gl(), textures.displacement(), 0, 128, GL_FLOAT);
-        for (std::size_t v = 0; v < floats.size(); ++v)
-            ASSERT_EQ(glm::packHalf1x16(floats[v]), frame.tiles[0].displacement_rgba16f[v])
-                << "frame " << i << ", value " << v;
     }
+}
+INSTANTIATE_TEST_SUITE_P(Tiles, GlUploads, testing::Values(1, 4),
+                         [](const auto& tiles) { return std::to_string(tiles.param); });
+
+/// What the renderer says of a frame that it can't draw.
+std::string refusal_of(gl::SeaRenderer& renderer, const Frame& frame) {
+    try {
+        renderer.upload(frame);
+    } catch (const std::invalid_argument& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST(GlUpload, RefusesAFrameThatTheTexturesCannotTakeAndSaysWhatIsMissing) {
+    gl::HeadlessContext context;
+    gl::SeaRenderer renderer(context.functions(), {.patch_vertices = 16, .resolution = 32, .tiles = 1});
+    const auto refused = [&](const SeaState& sea, const OceanOptions& options) {
+        Ocean ocean(sea, options);
+        return refusal_of(renderer, ocean.frame_at(0));
+    };
+    const auto serial = make_serial_executor();
+    EXPECT_EQ(refused({.resolution = 32, .patch_size_m = 60}, {.executor = serial, .slopes = true}), "");
+    EXPECT_EQ(refused({.resolution = 32, .patch_size_m = 60}, {.executor = serial}),
+              "the frame has no slopes; drawing needs an ocean with OceanOptions::slopes");
+    EXPECT_EQ(refused({.resolution = 64, .patch_size_m = 60}, {.executor = serial, .slopes = true}),
+              "the frame has tiles of 64 texels, the renderer was made for 32 (RendererOptions::resolution)");
+    EXPECT_EQ(refused({.cascades = 3, .resolution = 32}, {.executor = serial}),
+              "the frame has 3 tiles, the renderer was made for 1 (RendererOptions::tiles)");
+    EXPECT_THROW(gl::SeaRenderer(context.functions(), {.tiles = 5}), std::invalid_argument);
 }
 
 TEST(GlUpload, AChangeOfSeaDrawsEachFrameAsTheSeaThatItIs) {
     // As a host changes the sea: the new one is there while the old one's last frame is still to be drawn.
     const Camera camera{.position_m = {0, 10, 0}, .target_m = {60, 0, 40}};
     const SeaState storm = sea_named("storm", 128);
-    GlScene scene({.preset = "calm",
-                   .quality = "low",
-                   .resolution = 128,
-                   .patch_size_m = 250,
-                   .width = 96,
-                   .height = 64,
-                   .samples = 1});
+    GlScene scene({.preset = "calm", .quality = "low", .resolution = 128, .width = 96, .height = 64, .samples = 1});
     const Frame& last_calm = scene.ocean.frame_at(3);
     const auto calm_picture = scene.picture(camera, last_calm);
     scene.ocean.schedule_sea(storm);
@@ -61,13 +107,7 @@ TEST(GlUpload, AChangeOfSeaDrawsEachFrameAsTheSeaThatItIs) {
     scene.ocean.schedule(3);
     const auto last_calm_picture = scene.picture(camera, last_calm);
     const auto changed_picture = scene.picture(camera, scene.ocean.complete());
-    GlScene fresh({.preset = "storm",
-                   .quality = "low",
-                   .resolution = 128,
-                   .patch_size_m = 250,
-                   .width = 96,
-                   .height = 64,
-                   .samples = 1});
+    GlScene fresh({.preset = "storm", .quality = "low", .resolution = 128, .width = 96, .height = 64, .samples = 1});
     const auto storm_picture = fresh.picture(camera, 3);
 
     EXPECT_EQ(last_calm_picture, calm_picture);

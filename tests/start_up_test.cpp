@@ -74,7 +74,7 @@ TEST(StartUp, FindsTheLibraryOfImagesBesideTheTool) {
         return wait_for(process);
     };
     EXPECT_EQ(run(), 1);
-    EXPECT_NE(read_file(folder / "err").find("pelagic_images.so, which writes images"), std::string::npos)
+    EXPECT_NE(read_file(folder / "err").find("pelagic_images.so, which writes and reads images"), std::string::npos)
         << read_file(folder / "err");
     EXPECT_FALSE(std::filesystem::exists(folder / "out"));
     std::filesystem::copy_file(

@@ -59,7 +59,7 @@ std::string lack_of_room() {
 const ImageCodec& opened() {
     const std::filesystem::path file = library_path();
     const auto refuse = [&](const std::string& reason) {
-        throw FileError("can't load " + file.string() + ", which writes images: " + reason);
+        throw FileError("can't load " + file.string() + ", which writes and reads images: " + reason);
     };
     if (const std::string lack = lack_of_room(); !lack.empty()) refuse(lack);
     // Never closed: OpenImageIO's threads and static objects live to the end.

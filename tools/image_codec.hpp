@@ -1,7 +1,8 @@
-// Between the tool and the library that it opens when an image is written, pelagic_images: OpenImageIO needs 250 shared
+// Between the tool and the library that it opens when an image is written or read, pelagic_images: OpenImageIO needs 250 shared
 // libraries, which would take most of the time of every other command.
 #pragma once
 
+#include <span>
 #include <vector>
 
 namespace pelagic::tools {
@@ -24,6 +25,9 @@ struct ImageCodec {
     const char* version;  ///< of Pelagic: the library and the tool are built together
     /// The image's file in memory. Throws std::runtime_error with OpenImageIO's reason.
     std::vector<unsigned char> (*encode)(const ImageDescription& image, const void* pixels);
+    /// The pixels of a file in memory as floats, rows from the top, channels interleaved. Throws std::runtime_error with
+    /// OpenImageIO's reason, or if the image's width, height or channels are not `image`'s, before it makes room for any.
+    std::vector<float> (*decode)(const ImageDescription& image, std::span<const unsigned char> file);
 };
 
 /// The library beside the tool, opened by the first call, from any thread. Throws FileError that names the file.

@@ -10,6 +10,7 @@
 namespace pelagic::tools {
 namespace {
 
+using OIIO::ImageInput;
 using OIIO::ImageOutput;
 using OIIO::ImageSpec;
 using OIIO::TypeDesc;
@@ -55,8 +56,34 @@ std::vector<unsigned char> encode(const ImageDescription& image, const void* pix
     return bytes;
 }
 
+std::vector<float> decode(const ImageDescription& image, std::span<const unsigned char> file) {
+    set_up_open_image_io();
+    OIIO::Filesystem::IOMemReader memory(const_cast<unsigned char*>(file.data()), file.size());
+    // By the format alone: by a name OpenImageIO would open a file of that name, and try other formats' readers on it.
+    const auto input = ImageInput::create(image.extension);
+    if (!input)
+        throw std::runtime_error(std::string("OpenImageIO has no reader for ") + image.extension + ": " +
+                                 OIIO::geterror());
+    const auto check = [&](bool is_well) {
+        if (is_well) return;
+        const std::string reason = input->geterror();
+        throw std::runtime_error(reason.empty() ? "OpenImageIO can't decode it" : reason);
+    };
+    ImageSpec spec;
+    check(input->set_ioproxy(&memory) && input->open(std::string("sea.") + image.extension, spec));
+    if (spec.width != image.width || spec.height != image.height || spec.depth != 1 ||
+        spec.nchannels != image.channels)
+        throw std::runtime_error("it has " + std::to_string(spec.width) + " x " + std::to_string(spec.height) +
+                                 " pixels of " + std::to_string(spec.nchannels) + " channels, needs " +
+                                 std::to_string(image.width) + " x " + std::to_string(image.height) + " of " +
+                                 std::to_string(image.channels));
+    std::vector<float> pixels(static_cast<std::size_t>(image.width) * image.height * image.channels);
+    check(input->read_image(0, 0, 0, -1, TypeDesc::FLOAT, pixels.data()));
+    return pixels;
+}
+
 }  // namespace
 }  // namespace pelagic::tools
 
-extern "C" __attribute__((visibility("default")))
-const pelagic::tools::ImageCodec pelagic_image_codec = {PELAGIC_VERSION, pelagic::tools::encode};
+extern "C" __attribute__((visibility("default"))) const pelagic::tools::ImageCodec pelagic_image_codec = {
+    PELAGIC_VERSION, pelagic::tools::encode, pelagic::tools::decode};

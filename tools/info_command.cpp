@@ -9,6 +9,9 @@
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/statistics.hpp"
 #include "pelagic/tools/digest.hpp"
+#include "pelagic/tools/errors.hpp"
+#include "pelagic/tools/measure_report.hpp"
+#include "pelagic/tools/output_folder.hpp"
 #include "pelagic/tools/sea_json.hpp"
 
 namespace pelagic::tools {
@@ -110,16 +113,39 @@ void print_table(const Json& json) {
 
 void InfoFlags::add_to(CLI::App& app) {
     app.add_flag("--json", json_, "for programs");
+    app.add_option("--measure", measure_,
+                   "reads an export back instead: heights, periods, directions and spectra of its frames, beside "
+                   "those of the "
+                   "sea that was asked for")
+        ->type_name("DIR");
+    app.add_option("--svg", svg_, "with --measure: draws both spectra, those found and those asked for")
+        ->type_name("FILE");
     sea_.add_to(app);
     compute_.add_to(app);
 }
 
 void InfoFlags::run() const {
+    if (measure_) return measure();
+    if (svg_) throw InputError("--svg is " + *svg_ + ", needs --measure DIR: it draws what is found there");
     const Json json = info_json(sea_.resolve(), compute_.resolve());
     if (json_)
         std::printf("%s\n", json.dump(2).c_str());
     else
         print_table(json);
+}
+
+void InfoFlags::measure() const {
+    if (sea_.is_given())
+        throw InputError("--measure is " + *measure_ + ", needs no other sea: the export's own sea.json has it");
+    if (svg_ && svg_->empty()) throw InputError("--svg is empty, needs a file to write to");
+    std::optional<OutputFile> svg;
+    if (svg_) svg.emplace(*svg_);  // before the work begins
+    const Json json = measure_export(*measure_);
+    if (svg) svg->write(measurement_as_svg(json));
+    if (json_)
+        std::printf("%s\n", json.dump(2).c_str());
+    else
+        print_measurement(json);
 }
 
 }  // namespace pelagic::tools

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -129,12 +130,18 @@ std::string help_of_presets() {
     throw bad_value(asked_by, value, list_of(names) + nearest_hint(value, names));
 }
 
+/// As they would be typed, if those are the same radians: 30, not 29.999999999999996.
+double degrees_of(double radians) {
+    const double degrees = radians / radians_per_degree, typed = std::round(1e6 * degrees) / 1e6;
+    return typed * radians_per_degree == radians ? typed : degrees;
+}
+
 void apply_preset(ResolvedSea& resolved, const std::string& name, const std::string& asked_by) {
     if (const SeaPreset* preset = sea_preset_named(name)) {
         resolved = {};
         for (const SeaAngle& angle : angles)  // a degree that a preset leaves as it is by default keeps its digits
             if (preset->sea.*angle.radians != resolved.sea.*angle.radians)
-                resolved.*angle.degrees = preset->sea.*angle.radians / radians_per_degree;
+                resolved.*angle.degrees = degrees_of(preset->sea.*angle.radians);
         resolved.sea = preset->sea;
         resolved.preset = name;
         return;
@@ -188,6 +195,12 @@ std::vector<std::string> configurable_flags() {
     return flags;
 }
 
+std::vector<std::string> config_keys() {
+    std::vector<std::string> keys;
+    for (const std::string& flag : configurable_flags()) keys.push_back(config_key(flag));
+    return keys;
+}
+
 }  // namespace
 
 const SeaAngle* sea_angle(std::string_view field) {
@@ -214,15 +227,26 @@ void SeaOptions::add_to(CLI::App& app) {
             std::string(flag.help) + "; " + accepted_by(flag) + ", default " + default_of(flag));
 }
 
-ResolvedSea SeaOptions::resolve() const {
-    const std::vector<std::string> flags = configurable_flags();
-    std::vector<ConfigEntry> config;
-    if (const auto& file = typed_.at("config")) {
-        std::vector<std::string> keys;
-        for (const std::string& flag : flags) keys.push_back(config_key(flag));
-        config = read_config(*file, keys);
-    }
+bool SeaOptions::is_given() const {
+    return std::any_of(typed_.begin(), typed_.end(), [](const auto& flag) { return flag.second.has_value(); });
+}
 
+ResolvedSea SeaOptions::resolve() const {
+    const auto file = typed("config");
+    return resolve_with(file ? read_config(*file, config_keys()) : std::vector<ConfigEntry>());
+}
+
+ResolvedSea SeaOptions::of_record(std::string_view text, const std::filesystem::path& file) {
+    return SeaOptions().resolve_with(parse_sea_record(text, file, config_keys()));
+}
+
+std::optional<std::string> SeaOptions::typed(const std::string& flag) const {
+    const auto found = typed_.find(flag);
+    return found == typed_.end() ? std::nullopt : found->second;
+}
+
+ResolvedSea SeaOptions::resolve_with(const std::vector<ConfigEntry>& config) const {
+    const std::vector<std::string> flags = configurable_flags();
     ResolvedSea resolved;
     const auto from_config = [&](const std::string& flag, auto use) {
         for (const ConfigEntry& entry : config) {
@@ -235,7 +259,7 @@ ResolvedSea SeaOptions::resolve() const {
             use(entry.value, place);
         }
     };
-    if (const auto& preset = typed_.at("preset"))
+    if (const auto preset = typed("preset"))
         apply_preset(resolved, *preset, "--preset");
     else
         from_config("preset", [&](const auto& value, const auto& place) { apply_preset(resolved, value, place); });
@@ -243,7 +267,7 @@ ResolvedSea SeaOptions::resolve() const {
     for (const std::string& flag : flags) {
         if (flag == "preset") continue;
         from_config(flag, [&](const auto& value, const auto& place) { apply(resolved, flag, value, place); });
-        if (const auto& value = typed_.at(flag)) apply(resolved, flag, *value, "--" + flag);
+        if (const auto value = typed(flag)) apply(resolved, flag, *value, "--" + flag);
     }
     // Each option has been looked at alone.
     if (const std::string reason = check(resolved.sea); !reason.empty()) throw InputError(reason);

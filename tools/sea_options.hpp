@@ -2,12 +2,14 @@
 #pragma once
 
 #include <CLI/App.hpp>
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
 #include <string_view>
 
 #include "pelagic/sim/sea_state.hpp"
+#include "pelagic/tools/config_file.hpp"
 
 namespace pelagic::tools {
 
@@ -38,7 +40,16 @@ class SeaOptions {
     /// Defaults < preset < config file < flags. Throws InputError, one line that names option, value and range.
     ResolvedSea resolve() const;
 
+    /// True if any of them was typed.
+    bool is_given() const;
+
+    /// The sea of a sea.json's text, which came from `file`. Throws InputError likewise.
+    static ResolvedSea of_record(std::string_view text, const std::filesystem::path& file);
+
    private:
+    ResolvedSea resolve_with(const std::vector<ConfigEntry>& config) const;
+    std::optional<std::string> typed(const std::string& flag) const;
+
     std::map<std::string, std::optional<std::string>> typed_;  ///< by flag name, where it was given
 };
 

@@ -1,6 +1,9 @@
 // What every shader of the sea knows about the frame. Lengths are metres; positions are relative to the viewer, who
 // stands between the eyes: far from the world's origin a float has no millimetres left, near the viewer it has. y is up.
 // Laid out as gl/scene_block.hpp.
+//
+// The sea is a sum of TILES square tiles of waves, the coarsest first; each repeats, each may be turned, and each is a layer
+// of the textures.
 
 #ifdef MULTIVIEW
 #define EYE int(gl_ViewID_OVR)
@@ -13,11 +16,15 @@ layout(std140) uniform Scene {
     highp mat4 clip_from_viewer[2];
     highp mat4 viewer_from_clip[2];
     highp vec4 eye[2];            // xyz: from the viewer to the eye
-    highp vec4 viewer;            // xy: texture coordinates of the viewer's place; z: height above rest; w: 1 / L
+    highp vec4 tile_place[4];     // xy: texture coordinates of the viewer's place; zw: cosine and sine of its turn over its side
+    highp vec4 tile_scale[4];     // x: texels a metre; y: the mip at which nothing is left of its waves; z: side
+    highp vec4 tile_slope[4];     // x: what slopes count in; y: variances; z: variance of all its waves, of both axes;
+                                  // w: its Jacobian below which foam begins
+    highp vec4 viewer;            // z: height above rest
     highp vec4 grid;              // xy: the grid's corner; z: metres a step; w: V
     highp vec4 fade;              // xy: fade centre; z: fade end; w: 1 / (fade end - fade start)
     highp vec4 mesh;              // x: spacing of vertices for each metre of distance; y: finest spacing; z: last mip
-                                  // of the displacement; w: texels a metre
+                                  // of the displacement
     highp vec4 skirt;             // xy: the grid's middle; z: steps along S; w: deepest level
     highp vec4 sun;               // xyz: towards the sun; w: radius of its disc, radians
     highp vec4 sun_irradiance;    // across the rays; w: exposure
@@ -28,10 +35,24 @@ layout(std140) uniform Scene {
     highp vec4 waves;             // x: significant height; y: alpha of the water between texels; zw: the wind's direction
     highp vec4 detail_turn[2];    // rows of a rotation over the tile's side
     highp vec4 detail_shift;      // xy of layer 0, zw of layer 1: where the viewer is in the tile
-    highp vec4 second_shift;      // xy: where the viewer is in the second copy of the waves
+    highp vec4 second_shift;      // xy: where the viewer is in the second copy of the waves of an only tile
     highp vec4 noise_scale;       // xy: of foam's two layers, zw: of the gusts' two, 1/m
     highp vec4 foam_shift;        // where the viewer is in them
     highp vec4 gust_shift;
-    highp vec4 output_kind;       // x: 1 if the shader encodes sRGB, 0 if the framebuffer does;
-                                  // y: the Jacobian below which foam begins
+    highp vec4 foam_trail;        // x: the tile whose crests leave foam behind; zw: from one look down the wind to the next,
+                                  // texture coordinates
+    highp vec4 output_kind;       // x: 1 if the shader encodes sRGB, 0 if the framebuffer does
 };
+
+// The texture coordinates of a way in the world, metres, in a tile's textures.
+vec2 way_in_tile(int tile, vec2 way) {
+    vec2 turn = tile_place[tile].zw;
+    return vec2(turn.x * way.x + turn.y * way.y, turn.x * way.y - turn.y * way.x);
+}
+
+// Of a place relative to the viewer.
+vec2 place_in_tile(int tile, vec2 at) { return tile_place[tile].xy + way_in_tile(tile, at); }
+
+// How much of a tile counts where it is seen through that mip. At the last level before the one in which no wave is left it
+// begins to leave; tiles that have left cost nothing.
+float weight_of_tile(int tile, float mip) { return clamp(tile_scale[tile].y - mip, 0.0, 1.0); }

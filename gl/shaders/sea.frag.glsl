@@ -1,6 +1,6 @@
 // Open sea. In the order of main():
 //
-//   waves       normal and roughness from the gradient map's mips, ripples that no texel holds, coverage by foam
+//   waves       normal and roughness from the mips of the tiles' slopes, ripples that no texel holds, coverage by foam
 //   reflection  the sky, mirrored by waves of which those that lean towards the eye count most, Fresnel
 //   sun         its glint, GGX
 //   water       light from below: absorption and backscattering (Beer-Lambert), light through crests
@@ -10,7 +10,7 @@
 // Sources: Schlick 1994, "An Inexpensive BRDF Model for Physically-based Rendering"; Walter et al. 2007 (GGX); Heitz 2014,
 // "Understanding the Masking-Shadowing Function"; Bruneton, Neyret and Holzschuch 2010, "Real-time Realistic Ocean
 // Lighting using Seamless Transitions from Geometry to BRDF"; Morel and Prieur 1977 (colour of sea water);
-// Koepke 1984 (whitecaps); VR Ocean, equations 49 to 53 (the gradient map).
+// Koepke 1984 (whitecaps); VR Ocean, equations 47 and 48 (the normal); Olano and Baker 2010, "LEAN Mapping".
 #ifdef MULTIVIEW
 #extension GL_OVR_multiview2 : require
 #endif
@@ -19,9 +19,10 @@ precision highp int;
 #include "scene.glsl"
 #include "tone.glsl"
 
-uniform sampler2D gradient;         // normal x, normal z, Jacobian, smoothness
-uniform sampler2D detail;           // slopes of ripples, foam's structure, how much of the slopes this mip still holds
-uniform highp samplerCube sky;      // level m: mirrored by alpha = (m / last)^2
+uniform highp sampler2DArray slopes;   // of a tile: h_x, h_z, D_xx, D_zz, as sim/slope_sum.hpp says
+uniform highp sampler2DArray moments;  // D_xz, variance of h_x, of h_z, covariance
+uniform sampler2D detail;              // slopes of ripples, foam's structure, how much of the slopes this mip still holds
+uniform highp samplerCube sky;         // level m: mirrored by alpha = (m / last)^2
 
 in vec4 place;
 #ifndef SKIRT
@@ -32,60 +33,135 @@ out vec4 colour;
 const float pi = 3.14159265;
 const float water_f0 = 0.02;  // ((1.333 - 1) / (1.333 + 1))^2
 
-struct Waves {
-    vec3 normal;
-    float alpha2;    // GGX roughness squared: slopes below the size of a pixel, mean square
-    float jacobian;  // 1 at rest, 0 where the water folds
-};
-
 // A pixel near the horizon covers a long and thin piece of sea, which mips, being square, would blur to nothing. Taps
 // along it, each from a mip as wide as the piece is; the same on every driver, unlike their anisotropic filters.
-const int taps = 4;
+const int most_taps = 4;
 struct Footprint {
-    vec2 along;  // from the first tap to the one after the last, texture coordinates
-    float mip;
+    vec2 along;    // from one end to the other, metres at rest
+    float long_m;  // the length of that
+    float wide_m;  // of a tap
 };
 
-Footprint footprint_of(vec2 uv, float side) {
-    vec2 dx = dFdx(uv), dy = dFdy(uv);
+Footprint footprint_of(vec2 at) {
+    vec2 dx = dFdx(at), dy = dFdy(at);
     float x2 = dot(dx, dx), y2 = dot(dy, dy);
-    float long_side = sqrt(max(x2, y2));
-    float wide = max(sqrt(min(x2, y2)), long_side / float(taps));
-    // Beyond a whole tile there is nothing to tell apart.
-    float all = min(long_side, 1.0) / max(long_side, 1e-9);
-    return Footprint((x2 > y2 ? dx : dy) * all, log2(max(wide * side, 1e-6)));
+    float long_side = max(sqrt(max(x2, y2)), 1e-6);
+    return Footprint(x2 > y2 ? dx : dy, long_side, max(sqrt(min(x2, y2)), long_side / float(most_taps)));
 }
 
-vec2 tap(Footprint footprint, vec2 uv, int i) {
-    return uv + footprint.along * ((float(i) + 0.5) / float(taps) - 0.5);
+// As many taps as lie further apart than texels do: near the eye, where texels are larger than pixels, it is one.
+int taps_of(Footprint pixel, float texel_m) {
+    return clamp(int(ceil(pixel.long_m / max(pixel.wide_m, texel_m))), 1, most_taps);
 }
 
-// Slopes of the gradient map with the sign of the normal, its Jacobian and alpha^2. Where slopes differ between the
-// taps, their variance is roughness too.
-vec4 map_slopes(vec2 uv) {
-    Footprint footprint = footprint_of(uv, mesh.w / viewer.w);
+// The place of a tap, in parts of the whole length from the middle.
+float tap(int i, int taps) { return (float(i) + 0.5) / float(taps) - 0.5; }
+
+// How the surface changes along the world's x and z at rest, and the mean square of the slopes that the pixel averages away.
+struct Slopes {
+    vec2 h;          // of the height
+    vec3 d;          // of the sideways displacement: D_xx, D_zz, D_xz
+    float variance;  // of h, both axes
+};
+
+// Bytes of which 128 is zero.
+const float signed_scale = 255.0 / 127.0, signed_zero = 128.0 / 127.0;
+
+// What a tile's maps say around a place in them. `along` is the pixel's length in texture coordinates, `mip` as wide as a tap.
+// Where slopes differ between taps, their variance counts as averaged away.
+Slopes look_at_tile(int tile, vec2 uv, vec2 along, float mip, int taps) {
     vec4 sum = vec4(0.0);
     float square = 0.0;
     for (int i = 0; i < taps; ++i) {
-        vec4 texel = textureLod(gradient, tap(footprint, uv, i), footprint.mip);
-        vec2 n = texel.xy * 2.0 - 1.0;
-        vec2 slope = n * inversesqrt(max(1.0 - dot(n, n), 0.04));
-        float rough = 1.0 - texel.w;
-        sum += vec4(slope, texel.z * 2.0 - 1.0, rough * rough * rough * rough);
-        square += dot(slope, slope);
+        vec4 texel = textureLod(slopes, vec3(uv + along * tap(i, taps), tile), mip) * signed_scale - signed_zero;
+        sum += texel;
+        square += dot(texel.xy, texel.xy);
     }
     sum /= float(taps);
-    sum.w += max(square / float(taps) - dot(sum.xy, sum.xy), 0.0);
-    return sum;
+    float scatter = max(square / float(taps) - dot(sum.xy, sum.xy), 0.0);
+    vec4 moment = textureLod(moments, vec3(uv, tile), mip);
+    float range = tile_slope[tile].x;
+    return Slopes(sum.xy * range, vec3(sum.zw, moment.x * signed_scale - signed_zero) * range,
+                  scatter * range * range + (moment.y + moment.z) * tile_slope[tile].y);
 }
 
-// The same of a layer of ripples: slopes in xy, in w how much of their mean square the mip holds.
-vec4 map_detail(vec2 uv) {
-    Footprint footprint = footprint_of(uv, 256.0);
+// The same of a pixel. A tile of which no wave is left in the pixel is roughness, and costs nothing.
+Slopes tile_slopes(int tile, vec2 at, Footprint pixel) {
+    float side = tile_scale[tile].z;
+    float mip = log2(pixel.wide_m * tile_scale[tile].x);
+    float weight = weight_of_tile(tile, mip);
+    float all = tile_slope[tile].z;
+    if (weight <= 0.0) return Slopes(vec2(0.0), vec3(0.0), all);
+    // Beyond a whole tile there is nothing to tell apart.
+    vec2 along = way_in_tile(tile, pixel.along) * min(1.0, side / pixel.long_m);
+    Slopes seen = look_at_tile(tile, place_in_tile(tile, at), along, mip, taps_of(pixel, 1.0 / tile_scale[tile].x));
+    return Slopes(weight * seen.h, weight * seen.d, mix(all, seen.variance, weight * weight));
+}
+
+// VR Ocean, equation 48, as `y` of the normal.
+float jacobian_of(vec3 d) { return (1.0 + d.x) * (1.0 + d.y) - d.z * d.z; }
+
+// The normal of the sum of all tiles, as its slopes in the world: x and z over y, at most 4.9.
+vec2 normal_slopes(Slopes sum) {
+    vec3 normal = vec3(sum.h.y * sum.d.z - sum.h.x * (1.0 + sum.d.y), jacobian_of(sum.d),
+                       sum.h.x * sum.d.z - sum.h.y * (1.0 + sum.d.x));
+    return normal.xz / max(normal.y, 0.2 * length(normal));
+}
+
+// 0 where no foam begins, 1 where the water folds further than most.
+float folding(int tile, float jacobian) {
+    return smoothstep(tile_slope[tile].w + 0.08, tile_slope[tile].w - 0.14, jacobian);
+}
+
+struct Waves {
+    vec2 slopes;   // with the sign of the normal
+    float alpha2;  // GGX roughness squared: slopes below the size of a pixel, mean square
+    float foam;    // 0 where no tile folds, 1 where one folds further than most
+};
+
+Waves resolved_waves(vec2 at, Footprint pixel) {
+    Slopes sum = Slopes(vec2(0.0), vec3(0.0), 0.0);
+    float foam = 0.0;
+    for (int tile = 0; tile < TILES; ++tile) {
+        Slopes seen = tile_slopes(tile, at, pixel);
+        sum = Slopes(sum.h + seen.h, sum.d + seen.d, sum.variance + seen.variance);
+        foam = max(foam, folding(tile, jacobian_of(seen.d)));
+    }
+    return Waves(normal_slopes(sum), sum.variance, foam);
+}
+
+#if TILES == 1
+// From above, or far away, a sea that repeats every L shows as a carpet. The waves of a second copy, turned by 20.9
+// degrees and stretched by the golden ratio, which meet the first in no period, take over part of the slopes there.
+// Their weights are those of independent waves: the mean square slope stays what it is.
+void mix_second_copy(vec2 at, Footprint pixel, float distance_m, inout Waves mixed) {
+    float second = 0.66 * smoothstep(0.4, 4.0, distance_m / tile_scale[0].z);
+    if (second <= 0.0) return;
+    const mat2 turn = mat2(0.9342, 0.3567, -0.3567, 0.9342);
+    float scale = 0.618034 / tile_scale[0].z;
+    float texels_a_m = 0.618034 * tile_scale[0].x;
+    vec2 along = turn * pixel.along * (scale * min(1.0, 1.0 / (scale * pixel.long_m)));
+    Slopes seen = look_at_tile(0, turn * at * scale + second_shift.xy, along, log2(pixel.wide_m * texels_a_m),
+                               taps_of(pixel, 1.0 / texels_a_m));
+    mixed.slopes = sqrt(1.0 - second * second) * mixed.slopes + second * (normal_slopes(seen) * turn);
+    mixed.alpha2 = mix(mixed.alpha2, seen.variance, second * second);
+}
+#endif
+
+// A layer of ripples: slopes in xy, in w how much of their mean square the pixel does not average away.
+vec4 layer_of_ripples(int layer, vec2 uv, Footprint pixel) {
+    vec2 row = detail_turn[layer].xy;
+    float tiles_a_m = length(row);
+    float mip = log2(pixel.wide_m * tiles_a_m * 256.0);
+    // Their longest waves are a third of the texture: at 2 texels none is left.
+    if (mip >= 7.0) return vec4(0.0);
+    vec2 along = vec2(row.x * pixel.along.x + row.y * pixel.along.y, row.x * pixel.along.y - row.y * pixel.along.x) *
+                 min(1.0, 1.0 / (tiles_a_m * pixel.long_m));
+    int taps = taps_of(pixel, 1.0 / (256.0 * tiles_a_m));
     vec4 sum = vec4(0.0);
     float square = 0.0;
     for (int i = 0; i < taps; ++i) {
-        vec4 texel = textureLod(detail, tap(footprint, uv, i), footprint.mip);
+        vec4 texel = textureLod(detail, uv + along * tap(i, taps), mip);
         vec2 slope = texel.xy * 2.0 - 1.0;
         sum += vec4(slope, texel.zw);
         square += dot(slope, slope);
@@ -93,7 +169,7 @@ vec4 map_detail(vec2 uv) {
     sum /= float(taps);
     // Slopes are stored as a quarter of their deviations: their mean square is 1/16.
     sum.w -= 16.0 * max(square / float(taps) - dot(sum.xy, sum.xy), 0.0);
-    return sum;
+    return sum * min(7.0 - mip, 1.0);
 }
 
 vec2 detail_uv(int layer, vec2 at) {
@@ -108,38 +184,33 @@ vec2 turned_back(int layer, vec2 slopes) {
     return vec2(row.x * slopes.x - row.y * slopes.y, row.y * slopes.x + row.x * slopes.y);
 }
 
-// From above, or far away, a sea that repeats every L shows as a carpet. The waves of a second copy, turned by 20.9
-// degrees and stretched by the golden ratio, which meet the first in no period, take over part of the slopes there.
-// Their weights are those of independent waves: the mean square slope stays what it is.
-Waves waves_at(vec2 at, float distance_m) {
-    vec2 uv = viewer.xy + at * viewer.w;
-    vec4 near_slopes = map_slopes(uv);
-    float far = smoothstep(0.4, 4.0, distance_m * viewer.w);
-    float second = 0.66 * far;
-    float first = sqrt(1.0 - second * second);
-    const mat2 turn = mat2(0.9342, 0.3567, -0.3567, 0.9342);
-    vec4 far_slopes = map_slopes(turn * at * (0.618034 * viewer.w) + second_shift.xy);
-    vec2 slopes = first * near_slopes.xy + second * (far_slopes.xy * turn);
-    float alpha2 = mix(near_slopes.w, far_slopes.w, second * second);
-
-    // Gusts: patches of rougher water, hundreds of metres wide, that every sea has.
+// Gusts: patches of rougher water, hundreds of metres wide, that every sea has.
+float gust_at(vec2 at) {
     float gust = texture(detail, at * noise_scale.z + gust_shift.xy).z +
                  texture(detail, at.yx * noise_scale.w + gust_shift.zw).z;
-    gust = clamp(0.35 + 1.3 * (gust - 0.5), 0.35, 1.7);
+    return clamp(0.35 + 1.3 * (gust - 0.5), 0.35, 1.7);
+}
 
-    // Ripples: what a mip no longer holds as slopes comes back as roughness.
-    vec4 a = map_detail(detail_uv(0, at));
-    vec4 b = map_detail(detail_uv(1, at));
+// The water that no tile holds: waves.y squared, of which ripples show their part as slopes where pixels are small enough.
+void add_water_between_texels(vec2 at, Footprint pixel, inout Waves seen) {
+    float gust = gust_at(at);
+    vec4 a = layer_of_ripples(0, detail_uv(0, at), pixel);
+    vec4 b = layer_of_ripples(1, detail_uv(1, at), pixel);
     float mean_square = water_scattering.w;
     float amplitude = sqrt(gust * mean_square * 0.5) * 4.0;
-    slopes += amplitude * (turned_back(0, a.xy) + turned_back(1, b.xy));
-    alpha2 = max(alpha2 - mean_square, 0.0004) + gust * mean_square * (1.0 - 0.5 * (a.w + b.w));
+    seen.slopes += amplitude * (turned_back(0, a.xy) + turned_back(1, b.xy));
+    float rest = max(waves.y * waves.y - mean_square, 0.0);
+    seen.alpha2 = clamp(seen.alpha2 + rest + gust * mean_square * (1.0 - 0.5 * (a.w + b.w)), 0.0004, 1.0);
+}
 
-    Waves waves;
-    waves.normal = normalize(vec3(slopes.x, 1.0, slopes.y));
-    waves.alpha2 = clamp(alpha2, 0.0004, 1.0);
-    waves.jacobian = near_slopes.z;
-    return waves;
+Waves waves_at(vec2 at, float distance_m) {
+    Footprint pixel = footprint_of(at);
+    Waves seen = resolved_waves(at, pixel);
+#if TILES == 1
+    mix_second_copy(at, pixel, distance_m, seen);
+#endif
+    add_water_between_texels(at, pixel, seen);
+    return seen;
 }
 
 // The mean normal of the waves that an eye sees. Of slopes with deviation s around the mean, those that lean towards
@@ -208,22 +279,25 @@ vec3 through_crests(vec3 normal, vec3 to_eye, float height) {
            sky_irradiance.rgb * taken * (0.03 * crest * crest * faces);
 }
 
-// 0 where no foam begins, 1 where the water folds further than most.
-float folding(float jacobian) { return smoothstep(output_kind.y + 0.08, output_kind.y - 0.14, jacobian); }
-
-// How much of the pixel foam covers. The Jacobian says where water folds now; foam stays there while the crest moves
-// on, so older foam is what the crest has left behind it: the Jacobian further down the wind, thinner the older.
-float foam_cover(vec2 at, float jacobian, float distance_m) {
-    vec2 uv = viewer.xy + at * viewer.w;
-    vec2 step_uv = waves.zw * waves.x * 0.9 * viewer.w;
-    float fresh = folding(jacobian);
+// Foam stays where the water folded while the crest moves on, so older foam is what the crest has left behind it: the
+// Jacobian further down the wind, thinner the older, of the one tile whose waves are those that break. 1 + D_xx + D_zz is the
+// Jacobian where all waves run one way.
+float foam_behind_crests(vec2 at) {
+    int tile = int(foam_trail.x);
+    vec2 uv = place_in_tile(tile, at);
     float old = 0.0;
     float weight = 0.62;
     for (int i = 1; i <= 4; ++i) {
-        float then = texture(gradient, uv + step_uv * float(i), 0.6 * float(i)).z * 2.0 - 1.0;
-        old = max(old, weight * folding(then));
+        vec2 d = texture(slopes, vec3(uv + foam_trail.zw * float(i), tile), 0.6 * float(i)).zw * signed_scale - signed_zero;
+        old = max(old, weight * folding(tile, 1.0 + tile_slope[tile].x * (d.x + d.y)));
         weight *= 0.72;
     }
+    return old;
+}
+
+// How much of the pixel foam covers.
+float foam_cover(vec2 at, float fresh, float distance_m) {
+    float old = foam_behind_crests(at);
     // Structure: bubbles in cells and threads, at two scales that share no period.
     float lace = 0.62 * texture(detail, at * noise_scale.x + foam_shift.xy).z +
                  0.38 * texture(detail, at.yx * noise_scale.y + foam_shift.zw).z;
@@ -262,7 +336,7 @@ void main() {
     float height = at.y + viewer.z;
 
     Waves surface = waves_at(resting, distance_m);
-    vec3 normal = surface.normal;
+    vec3 normal = normalize(vec3(surface.slopes.x, 1.0, surface.slopes.y));
     float deviation = sqrt(0.5 * surface.alpha2);
 
     vec3 mirror = visible_normal(normal, to_eye, surface.alpha2);
@@ -280,7 +354,7 @@ void main() {
     vec3 radiance = mix(water_light, sky_light, fresnel) + sun_light;
 
     // Thick fresh foam reflects 0.6 and more, thin old foam less (Whitlock et al. 1982; Koepke 1984 has 0.55 in the mean).
-    float foam = foam_cover(resting, surface.jacobian, distance_m);
+    float foam = foam_cover(resting, surface.foam, distance_m);
     vec3 foam_light = (sun_irradiance.rgb * max(dot(normalize(normal + vec3(0.0, 0.5, 0.0)), sun.xyz), 0.0) +
                        sky_irradiance.rgb * (0.5 + 0.5 * normal.y)) * (0.7 / pi);
     radiance = mix(radiance, foam_light, foam);

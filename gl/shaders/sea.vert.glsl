@@ -14,7 +14,7 @@ layout(location = 2) in uvec2 level;    // x: level; y: which diagonals
 layout(location = 3) in float inner_weight;
 layout(location = 4) in vec4 edge_weights;  // +x, +z, -x, -z
 
-uniform highp sampler2D displacement;  // Dx, height, Dz, foam
+uniform highp sampler2DArray displacement;  // Dx, height, Dz, foam; a layer a tile
 
 out vec4 place;  // relative to the viewer; w is 1, the skirt has 0 at the horizon
 out vec2 rest;   // where the water rests
@@ -22,15 +22,22 @@ flat out int patch_level;
 
 invariant gl_Position;
 
-// The mip depends on the rest position alone, so that every patch that has this vertex takes the same one. It grows
-// with distance as the vertices' spacing does; half a level below it, because waves of a few vertices still count.
+// The sum of what the tiles hold there. Mips and weights depend on the rest position alone, so that every patch that has this
+// vertex takes the same ones. A mip grows with distance as the vertices' spacing does; half a level below it, because waves
+// of a few vertices still count.
 vec3 displaced(ivec2 index) {
     vec2 at = grid.xy + vec2(index) * grid.z;
     vec2 from_centre = abs(at - fade.xy);
     float left = clamp((fade.z - max(from_centre.x, from_centre.y)) * fade.w, 0.0, 1.0);
     float spacing = max(mesh.y, length(vec3(at.x, viewer.z, at.y)) * mesh.x);
-    float mip = clamp(log2(spacing * mesh.w) - 0.5, 0.0, mesh.z);
-    return textureLod(displacement, viewer.xy + at * viewer.w, mip).xyz * left;
+    vec3 moved = vec3(0.0);
+    for (int tile = 0; tile < TILES; ++tile) {
+        float mip = max(log2(spacing * tile_scale[tile].x) - 0.5, 0.0);
+        float weight = weight_of_tile(tile, mip);
+        if (weight > 0.0)
+            moved += weight * textureLod(displacement, vec3(place_in_tile(tile, at), tile), min(mip, mesh.z)).xyz;
+    }
+    return moved * left;
 }
 
 void main() {

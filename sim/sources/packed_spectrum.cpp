@@ -4,6 +4,7 @@
 #include <cmath>
 #include <complex>
 
+#include "pelagic/sim/kernels/kernels.hpp"
 #include "pelagic/sim/spectrum/dispersion.hpp"
 #include "pelagic/simd/det_math.hpp"
 
@@ -17,6 +18,23 @@ PackedWave packed(const OppositeWaves& waves) {
     const std::complex<double> along = waves.along.amplitude, against = std::conj(waves.against.amplitude);
     return {static_cast<float>(along.real() + against.real()), static_cast<float>(along.imag() + against.imag()),
             static_cast<float>(along.imag() - against.imag()), static_cast<float>(against.real() - along.real())};
+}
+
+/// What a tile's texture shows of a wave's derivative along an axis of the tile.
+struct ShownSlope {
+    double derivative;  ///< 1/m, at texels
+    double filter;      ///< what a bilinear filter leaves of the mean square between them
+};
+
+/// \param periods  of the wave in a side of the tile
+ShownSlope shown_slope(const TilePlan& tile, int periods) {
+    const double texel_m = tile.lattice.side_m / tile.resolution;
+    const auto [sine, cosine] = det::sine_cosine_of_turns(static_cast<double>(periods) / tile.resolution);
+    if (!tile.is_banded())
+        return {sine / texel_m, 1};  // the paper's central differences, whose texels count as they are
+    // Stage `slopes`; the mean of ((1 - u) a + u b)^2 over u is (a^2 + a b + b^2)/3.
+    const double near = SlopesJob::near_weight * sine, far = SlopesJob::far_weight * (2 * sine * cosine);
+    return {2 * (near + far) / texel_m, (2 + cosine) / 3};
 }
 
 }  // namespace
@@ -42,6 +60,7 @@ LineFigures bake_spectrum_line(const SeaState& sea, const TileWaves& waves, cons
         return det::sine_cosine_of_turns(static_cast<double>(of) / resolution).sine / texel_m;
     };
     const double difference_z = difference(n);
+    const ShownSlope shown_z = shown_slope(tile, n);
     const double mirrors = n == 0 ? 1 : 2;  // line 0 holds its own
     LineFigures figures;
     float* wave = out.block(line / out.lanes) + line % out.lanes;
@@ -57,6 +76,7 @@ LineFigures bake_spectrum_line(const SeaState& sea, const TileWaves& waves, cons
             const auto put = [&](WaveQuantity quantity, double value) {
                 wave[quantity * out.lanes] = static_cast<float>(value);
             };
+            const ShownSlope shown_x = shown_slope(tile, m);
             const auto put_wave = [&](WaveQuantity first, const OppositeWaves& opposites, int signed_m) {
                 const PackedWave values = packed(opposites);
                 for (std::size_t i = 0; i < values.size(); ++i) wave[(first + i) * out.lanes] = values[i];
@@ -64,7 +84,8 @@ LineFigures bake_spectrum_line(const SeaState& sea, const TileWaves& waves, cons
                 figures.mean_square_slope += mirrors * opposites.expected_square() * k * k;
                 figures.folding.add_wave(mirrors * opposites.drawn_square(), signed_m * spacing, n * spacing,
                                          difference(signed_m), difference_z);
-                figures.slopes.add_wave(mirrors * opposites.expected_square(), difference(signed_m), difference_z);
+                figures.slopes.add_wave(mirrors * opposites.expected_square() * shown_x.filter * shown_z.filter,
+                                        signed_m == m ? shown_x.derivative : -shown_x.derivative, shown_z.derivative);
             };
             const TileWaves::MirroredPair mirrored = waves.pair(m, n);
             put_wave(plus_cos_re, mirrored.plus, m);

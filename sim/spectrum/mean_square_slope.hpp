@@ -11,8 +11,8 @@ namespace pelagic {
 struct SlopeMoments {
     double xx = 0, zz = 0, xz = 0;
 
-    /// A wave of that mean square, m^2. `difference_x` and `_z` are what the derivative makes of the wave number, 1/m:
-    /// sin(k_x d) / d for central differences over texels of side d, k_x for a derivative that is exact.
+    /// A wave of that mean square, m^2. `difference_x` and `_z` are what the texture's derivative makes of the wave number, 1/m:
+    /// sin(k_x d) / d for central differences over texels of side d.
     void add_wave(double mean_square, double difference_x, double difference_z);
     SlopeMoments& operator+=(const SlopeMoments& other);
 
@@ -22,8 +22,8 @@ struct SlopeMoments {
     SlopeVariance around(double wind_direction_rad) const;
 };
 
-/// What is left of measured_slopes(): never less than 0, in both directions. A tile's steeper waves don't lend the other
-/// direction what they have too much.
+/// What is left of measured_slopes(), never less than 0. Waves that have too much in one direction take it from the other, so
+/// that both sums together are the measured one, unless the waves alone have more.
 SlopeVariance unresolved_slopes(const SlopeVariance& resolved, double wind_speed_mps);
 
 /// What the smoothness channel says: the sea's own roughness if it has one, else alpha of a GGX surface whose mean square

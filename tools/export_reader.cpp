@@ -1,0 +1,158 @@
+#include "pelagic/tools/export_reader.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <nlohmann/json.hpp>
+#include <system_error>
+
+#include "pelagic/message/number_text.hpp"
+#include "pelagic/tools/errors.hpp"
+#include "pelagic/tools/export_names.hpp"
+#include "pelagic/tools/image_codec.hpp"
+
+namespace pelagic::tools {
+namespace {
+
+using Json = nlohmann::json;
+
+/// That of 100,000 frames and more.
+constexpr std::size_t most_record_bytes = std::size_t{256} << 20;
+constexpr int deepest_level = 8;  ///< ours have five
+
+/// Higher than any wave: what is beyond is no height in metres.
+constexpr float highest_m = 1e4f;
+
+constexpr const char* an_export = "a folder that pelagic export has written";
+
+OutputFolder opened(const std::string& option, const std::filesystem::path& folder) {
+    std::error_code error;
+    if (folder.empty()) throw InputError(option + " is empty, needs " + an_export);
+    if (!std::filesystem::is_directory(folder, error))
+        throw bad_value(option, folder.string(),
+                        std::string(an_export) + (error ? " (" + error.message() + ")" : ""));
+    if (::access(folder.c_str(), R_OK | X_OK) != 0)
+        throw bad_value(option, folder.string(), std::string(an_export) + " (" + std::strerror(errno) + ")");
+    return OutputFolder(folder, Sync::no);
+}
+
+Json parsed(const std::string& text, const std::string& place) {
+    bool is_deep = false;
+    const auto check_depth = [&](int depth, Json::parse_event_t, Json&) {
+        is_deep = is_deep || depth > deepest_level;
+        return !is_deep;
+    };
+    const Json json = Json::parse(text, check_depth, false);
+    if (json.is_discarded() || is_deep || !json.is_object())
+        throw InputError(place + ": malformed JSON, needs a sea.json of pelagic export");
+    return json;
+}
+
+/// The value of a key of an object; null if there is none.
+const Json& value_of(const Json& json, const char* key) {
+    static const Json none;
+    if (!json.is_object()) return none;
+    const auto found = json.find(key);
+    return found == json.end() ? none : *found;
+}
+
+/// The images of the frame's heights, of the coarsest tile and of as many finer ones as it lists: "displacement_0000.exr",
+/// "displacement_c1_0000.exr", ...
+std::vector<std::string> heights_names(const Json& frame, std::size_t most_tiles) {
+    std::vector<std::string> names;
+    const Json& files = value_of(frame, "files");
+    if (!files.is_array()) return {};
+    while (names.size() < most_tiles) {
+        const std::string prefix = "displacement_" + (names.empty() ? "" : "c" + number_text(names.size()) + "_");
+        const auto found = std::find_if(files.begin(), files.end(), [&](const Json& file) {
+            const Json& name = value_of(file, "name");
+            if (!name.is_string()) return false;
+            const auto& text = name.get_ref<const std::string&>();
+            return is_image_name(text) && text.starts_with(prefix) && text[prefix.size()] != 'c';
+        });
+        if (found == files.end()) break;
+        names.push_back(value_of(*found, "name").get<std::string>());
+    }
+    return names;
+}
+
+}  // namespace
+
+ExportReader::ExportReader(std::string option, const std::filesystem::path& folder)
+    : option_(std::move(option)), folder_(opened(option_, folder)) {
+    const std::filesystem::path place = folder / sea_json_name;
+    const std::optional<std::string> text = folder_.read_text(sea_json_name, most_record_bytes);
+    if (!text) throw InputError(place.string() + " is missing, needs a finished export");
+    if (text->size() > most_record_bytes)
+        throw InputError(place.string() + " has more than " + number_text(most_record_bytes >> 20) + " MiB");
+    const Json record = parsed(*text, place.string());
+    sea_ = SeaOptions::of_record(*text, place);
+    tiles_ = plan_tiles(sea_.sea);
+
+    const Json& frames = value_of(record, "frames");
+    if (!frames.is_array() || frames.empty())
+        throw InputError(place.string() + " has no frames, needs a finished export");
+    frames_there_ = frames.size();
+    std::vector<double> times_s;
+    for (const Json& frame : frames) {
+        if (names_.size() == most_frames) break;
+        const std::string where = place.string() + ": frame " + number_text(names_.size());
+        const Json& time = value_of(frame, "time_s");
+        if (!time.is_number() || !std::isfinite(time.get<double>()))
+            throw InputError(where + " has no time_s, needs a number");
+        times_s.push_back(time.get<double>());
+        names_.push_back(heights_names(frame, tiles_.size()));
+        if (names_.size() == 1) tiles_.resize(std::min(tiles_.size(), names_[0].size()));
+        if (names_.back().empty() || names_.back().size() < tiles_.size())
+            throw InputError(where + " names no displacement image, needs an export with --maps displacement");
+    }
+    if (times_s.size() < 2) return;
+    step_s_ = (times_s.back() - times_s.front()) / static_cast<double>(times_s.size() - 1);
+    for (std::size_t i = 0; i < times_s.size(); ++i) {
+        const double off = std::fabs(times_s[i] - times_s.front() - static_cast<double>(i) * step_s_);
+        if (!(step_s_ > 0) || off > 1e-3 * step_s_)
+            throw InputError(place.string() +
+                             ": frames are not equally far apart in time, needs them one after the other");
+    }
+}
+
+std::vector<float> ExportReader::heights(std::size_t frame, std::size_t tile) const {
+    const std::string& name = names_[frame][tile];
+    const int resolution = tiles_[tile].resolution;
+    const std::filesystem::path place = folder_.path() / name;
+    const std::size_t texels = static_cast<std::size_t>(resolution) * resolution;
+    const std::size_t most_bytes =
+        2 * texels * 3 * sizeof(float) + (std::size_t{1} << 20);  // nothing grows so by compression
+    const std::optional<std::string> file = folder_.read_text(name, most_bytes);
+    if (!file) throw FileError("can't read " + place.string() + ": " + std::strerror(ENOENT));
+    if (file->size() > most_bytes)
+        throw FileError("can't read " + place.string() + ": it is larger than " + number_text(resolution) + " x " +
+                        number_text(resolution) + " pixels can be");
+    const ImageDescription image{.extension = name.ends_with(".tif") ? "tif" : "exr",
+                                 .width = resolution,
+                                 .height = resolution,
+                                 .channels = 3,
+                                 .sample = ImageDescription::Sample::float32,
+                                 .colour_space = "Linear",
+                                 .compression = nullptr};
+    std::vector<float> heights(texels);
+    try {
+        const auto* bytes = reinterpret_cast<const unsigned char*>(file->data());
+        const std::vector<float> pixels = image_codec().decode(image, {bytes, file->size()});
+        for (std::size_t texel = 0; texel < texels; ++texel) heights[texel] = pixels[3 * texel + 1];
+    } catch (const FileError&) {
+        throw;  // the library itself is missing
+    } catch (const std::runtime_error& error) {
+        throw FileError("can't read " + place.string() + ": " + error.what());
+    }
+    for (const float height : heights)
+        if (!(std::fabs(height) <= highest_m))
+            throw FileError("can't read " + place.string() + ": it holds " + number_text(height) +
+                            ", which is no height in metres");
+    return heights;
+}
+
+}  // namespace pelagic::tools

@@ -1,0 +1,22 @@
+// Spectra found beside those asked for, as a picture for people: SVG, logarithmic axes.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace pelagic::tools {
+
+struct PlottedPoint {
+    double at, found, asked_for;
+};
+
+/// One pair of axes. Points whose values are not above 0 are left out.
+struct SpectrumPanel {
+    std::string title, at_label, density_label;
+    std::vector<PlottedPoint> points;
+};
+
+/// The panels side by side. Texts are ours, or numbers: nothing in them is escaped.
+std::string spectra_as_svg(const std::vector<SpectrumPanel>& panels);
+
+}  // namespace pelagic::tools
