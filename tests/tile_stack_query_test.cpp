@@ -216,7 +216,7 @@ TEST(TileStackQuery, AnswersAsTheOracleOnEveryPreset) {
 
 TEST(TileStackQuery, WhereTheSqueezeMapSaysSoThereIsOneSheet) {
     std::size_t proven = 0, folded = 0;
-    for (const double factor : {14.0, 24.0, 40.0}) {
+    for (const double factor : {8.0, 24.0, 40.0}) {
         std::vector<TileStack::Part> parts = TileStack::of_scales(2, 12, 1, 4, 32);
         parts[0].factor = factor;
         const TileStack stack(parts, 5);
@@ -244,7 +244,7 @@ TEST(TileStackQuery, WhereTheSqueezeMapSaysSoThereIsOneSheet) {
             }
         }
     }
-    EXPECT_GT(proven, is_sanitized ? 5u : 200u);
+    EXPECT_GT(proven, is_sanitized ? 1u : 50u);
     EXPECT_GT(folded, is_sanitized ? 0u : 50u);
 }
 
