@@ -154,7 +154,6 @@ TEST(Warnings, SayTheHeightOfAShortPatchOverAllSeedsAndOfTheWind) {
     SeaState sea = sea_preset_named("storm")->sea;
     sea.patch_size_m = 400;
     sea.resolution = 64;
-    sea.patch_size_m = 250;
     const std::vector<std::string> warnings = warnings_about(sea);
     ASSERT_EQ(warnings.size(), 1u);
     double patch = 0, wind = 0;
@@ -337,6 +336,8 @@ TEST(LoopFrequencies, AreThoseOfItsFrames) {
 
 TEST(LoopFrequencies, AStormOfTwelveSecondsIsNearlyOneWave) {
     SeaState storm = sea_preset_named("storm")->sea;
+    storm.patch_size_m = 800;
+    storm.resolution = 512;
     storm.loop_period_s = 12.8;
     EXPECT_NEAR(loop_frequencies(storm).largest_share, 0.79, 0.01);
     const auto says = [](const SeaState& sea) {
