@@ -34,6 +34,7 @@ struct Moments {
 
 /// What one pass over all tiles' lattices finds: every figure of this file comes from these.
 struct GridSums {
+    double lowest_band_hz = 0;
     Moments expected;               ///< the mean over all seeds
     std::vector<TileSlopes> tiles;  ///< the same
     Moments drawn;                  ///< of this seed, as are the rest
@@ -44,10 +45,6 @@ struct GridSums {
 // Bands 5 % wide from the longest wave of the lattice up to the shortest.
 constexpr double band_ratio = 1.05;
 
-double lowest_band_hz(const SeaState& sea) {
-    return angular_frequency(plan_tiles(sea).front().spacing(), sea.depth_m) / two_pi;
-}
-
 enum class Draws { no, yes };
 
 /// Adds a tile's waves. (m, n) and (-m, n) share a wave number, and most of the work. Without draws only what is the mean over
@@ -56,7 +53,7 @@ void add_tile(const SeaState& sea, const TilePlan& tile, Draws draws, GridSums& 
     const TileWaves waves(sea, tile);
     const Water water(sea.depth_m, tile.has_surface_tension ? sea_surface_tension_m3ps2 : 0);
     const auto wind = det::sine_cosine_of_turns(sea.wind_direction_rad / two_pi);
-    const double log_ratio = det::log(band_ratio), lowest = lowest_band_hz(sea);
+    const double log_ratio = det::log(band_ratio), lowest = sums.lowest_band_hz;
     SlopeVariance slopes;
 
     // The wave (m, n) and the one against it; what they hold of this seed.
@@ -93,9 +90,10 @@ void add_tile(const SeaState& sea, const TilePlan& tile, Draws draws, GridSums& 
     sums.tiles.push_back({tile.lattice.side_m, tile.resolution, slopes});
 }
 
-GridSums sums_over(const SeaState& sea, Draws draws) {
+GridSums sums_over(const SeaState& sea, std::span<const TilePlan> plan, Draws draws) {
     GridSums sums;
-    for (const TilePlan& tile : plan_tiles(sea)) add_tile(sea, tile, draws, sums);
+    sums.lowest_band_hz = angular_frequency(plan.front().spacing(), sea.depth_m) / two_pi;
+    for (const TilePlan& tile : plan) add_tile(sea, tile, draws, sums);
     return sums;
 }
 
@@ -108,9 +106,9 @@ ExpectedWaves expected_from(const WaveSpectrum& spectrum, const SpectralPeak& pe
     return waves;
 }
 
-double peak_period_from(const SeaState& sea, const GridSums& sums) {
+double peak_period_from(const GridSums& sums) {
     double weight = 0, weighted_frequency = 0;
-    double edge = lowest_band_hz(sea);
+    double edge = sums.lowest_band_hz;
     for (const double energy : sums.bands) {
         const double width = edge * (band_ratio - 1);
         const double density = energy / width;
@@ -157,9 +155,10 @@ WaveDirections directions_from(const Moments& moments) {
     return directions_of_moment(moments.x / moments.variance, moments.z / moments.variance);
 }
 
-std::vector<std::string> warnings_from(const SeaState& sea, const WaveSpectrum& spectrum, const SpectralPeak& peak,
+std::vector<std::string> warnings_from(const SeaState& sea, std::span<const TilePlan> plan,
+                                       const WaveSpectrum& spectrum, const SpectralPeak& peak,
                                        const ExpectedWaves& waves, const LoopFrequencies& found) {
-    const TilePlan coarsest = plan_tiles(sea).front(), finest = plan_tiles(sea).back();
+    const TilePlan &coarsest = plan.front(), &finest = plan.back();
     const double peak_wavelength_m = waves.peak_wavelength_m;
     // What a patch does to the height, over all seeds: one seed's own may as well be above the model's.
     const auto height_beside_model = [&]() -> std::string {
@@ -201,18 +200,19 @@ std::vector<std::string> warnings_from(const SeaState& sea, const WaveSpectrum& 
 
 SeaReport report_on(const SeaState& sea) {
     const DefaultFloatEnvironment environment;
-    const WaveSpectrum spectrum(sea, plan_tiles(sea).front());
+    const std::vector<TilePlan> plan = plan_tiles(sea);
+    const WaveSpectrum spectrum(sea, plan.front());
     const SpectralPeak peak = peak_of(spectrum, sea);
-    GridSums sums = sums_over(sea, Draws::yes);
+    GridSums sums = sums_over(sea, plan, Draws::yes);
     SeaReport report;
     report.expected = expected_from(spectrum, peak, sums);
     report.drawn_significant_wave_height_m = 4 * std::sqrt(sums.drawn.variance);
-    report.drawn_peak_period_s = peak_period_from(sea, sums);
+    report.drawn_peak_period_s = peak_period_from(sums);
     report.expected_directions = directions_from(sums.expected);
     report.drawn_directions = directions_from(sums.drawn);
     report.tiles = std::move(sums.tiles);
     report.loop_frequencies = loop_frequencies_from(sums);
-    report.warnings = warnings_from(sea, spectrum, peak, report.expected, report.loop_frequencies);
+    report.warnings = warnings_from(sea, plan, spectrum, peak, report.expected, report.loop_frequencies);
     return report;
 }
 
@@ -239,11 +239,11 @@ std::vector<double> model_by_wave_number(const SeaState& sea, std::span<const do
     return densities;
 }
 
-// W was measured 12.5 m above the sea, where wind blows 2 % faster than at 10 m: less than the formula is sure of.
 ExpectedWaves expected_waves(const SeaState& sea) {
     const DefaultFloatEnvironment environment;
-    const WaveSpectrum spectrum(sea, plan_tiles(sea).front());
-    return expected_from(spectrum, peak_of(spectrum, sea), sums_over(sea, Draws::no));
+    const std::vector<TilePlan> plan = plan_tiles(sea);
+    const WaveSpectrum spectrum(sea, plan.front());
+    return expected_from(spectrum, peak_of(spectrum, sea), sums_over(sea, plan, Draws::no));
 }
 
 double measured_significant_wave_height_m(const Frame& frame) {

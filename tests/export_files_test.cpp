@@ -337,7 +337,7 @@ TEST(ExportedFiles, AShorterExportReplacesALongerOne) {
 }
 
 TEST(Info, SaysTheSameAsTheLibrary) {
-    const Outcome outcome = run_pelagic({"info", "--json", "--resolution", "32"});
+    const Outcome outcome = run_pelagic({"info", "--json", "--resolution", "32", "--patch-size", "250"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     const json info = json::parse(outcome.out);
     Library library;
@@ -348,8 +348,32 @@ TEST(Info, SaysTheSameAsTheLibrary) {
     EXPECT_EQ(info["computing"]["stages"][0]["name"], "evolve+rows");
     const Outcome table = run_pelagic({"info", "--preset", "storm"});
     for (const char* part :
-         {"wind_speed_mps", "19", "evolve+rows -> columns+finalize -> gradients+mipmaps", "peak_period_s"})
+         {"wind_speed_mps", "19", "evolve+rows -> columns+finalize -> slopes+mipmaps", "peak_period_s"})
         EXPECT_NE(table.out.find(part), std::string::npos) << part;
+}
+
+TEST(Info, SaysForceStateDirectionSpreadAndSlopes) {
+    const Outcome outcome =
+        run_pelagic({"info", "--json", "--preset", "beaufort-5", "--cascades", "2", "--wind-direction", "30"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const json waves = json::parse(outcome.out)["waves"];
+    EXPECT_EQ(waves["beaufort"], (json{{"number", 5}, {"name", "fresh breeze"}}));
+    EXPECT_EQ(waves["sea_state"], (json{{"number", 4}, {"name", "moderate"}}));
+    EXPECT_NEAR(waves["mean_direction_deg"]["expected"].get<double>(), 30, 1);
+    EXPECT_GT(waves["directional_spread_deg"]["measured"].get<double>(), 10);
+    EXPECT_NEAR(
+        waves["steepness"].get<double>(),
+        waves["significant_wave_height_m"]["expected"].get<double>() / waves["peak_wavelength_m"].get<double>(),
+        1e-12);
+    const json& slopes = waves["slope_variance"];
+    ASSERT_EQ(slopes["tiles"].size(), 2u);
+    EXPECT_NEAR(slopes["tiles"][0]["total"].get<double>() + slopes["tiles"][1]["total"].get<double>(),
+                slopes["all"]["total"].get<double>(), 1e-12);
+    EXPECT_LT(slopes["all"]["total"], slopes["cox_and_munk"]["total"]);
+    const std::string table = run_pelagic({"info", "--preset", "beaufort-5"}).out;
+    for (const char* part :
+         {"5, fresh breeze", "4, moderate", "slope_variance, all", "of Cox and Munk", "mean_direction_deg"})
+        EXPECT_NE(table.find(part), std::string::npos) << part;
 }
 
 TEST(Info, WarnsOfAPatchShorterThanTwoPeakWaves) {

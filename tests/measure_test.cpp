@@ -69,8 +69,8 @@ TEST(Fourier, IsTheDefinitionForAnyLength) {
 // Half of the least frequency of the sea's shortest wave is between frames: 8 a second, where the grid's shortest take 2.5 s.
 TEST(Measure, ALoopHoldsWhatTheSeedDrew) {
     const TemporaryFolder folder;
-    export_to(folder / "out", {"--preset", "moderate", "--resolution", "64", "--loop-period", "60", "--loop-frames",
-                               "120", "--wind-direction", "70"});
+    export_to(folder / "out", {"--preset", "moderate", "--patch-size", "200", "--resolution", "64", "--loop-period",
+                               "60", "--loop-frames", "120", "--wind-direction", "70"});
     const json found = measured(folder / "out");
     EXPECT_TRUE(found["frames"]["one_loop"].get<bool>());
     const double height = figure(found, "significant_wave_height_m");
@@ -95,8 +95,8 @@ TEST(Measure, ALoopHoldsWhatTheSeedDrew) {
 
 TEST(Measure, HalvesAndTiffAndFramesOfNoLoopGiveTheSame) {
     const TemporaryFolder folder;
-    const std::vector<std::string> sea = {"--preset", "moderate", "--resolution", "32",
-                                          "--frames", "150",      "--fps",        "2"};
+    const std::vector<std::string> sea = {"--preset", "moderate", "--patch-size", "200",   "--resolution",
+                                          "32",       "--frames", "150",          "--fps", "2"};
     std::vector<double> heights;
     for (const auto& more :
          std::vector<std::vector<std::string>>{{}, {"--half"}, {"--format", "tif"}, {"--format", "tif", "--half"}}) {
@@ -165,6 +165,30 @@ TEST(Measure, OneWaveHasItsFrequencyLengthAndDirection) {
         all += ring["found_m3"].get<double>();
     }
     EXPECT_NEAR(most / all, 1, 1e-9);
+}
+
+// Its tiles are turned against each other, and each holds a band of the waves.
+TEST(Measure, SeveralTilesTogetherHoldWhatTheSeedDrew) {
+    const TemporaryFolder folder;
+    export_to(folder / "out", {"--cascades", "3", "--resolution", "32", "--loop-period", "60", "--loop-frames", "60",
+                               "--wind-direction", "200"});
+    const json found = measured(folder / "out");
+    EXPECT_EQ(found["tiles"].size(), 3u);
+    EXPECT_EQ(found["tiles_there"], 3);
+    // A frame a second folds short waves onto each other's frequencies, and a few of them onto twice their own.
+    EXPECT_NEAR(figure(found, "significant_wave_height_m") / figure(found, "significant_wave_height_m", "drawn"), 1,
+                0.02);
+    const double apart = figure(found, "mean_direction_deg") - figure(found, "mean_direction_deg", "drawn");
+    EXPECT_LT(std::fabs(std::remainder(apart, 360)), 5);
+    EXPECT_NEAR(figure(found, "directional_spread_deg"), figure(found, "directional_spread_deg", "drawn"), 5);
+
+    // Without the images of a tile the others are measured, and that is said.
+    json record = json::parse(read_file(folder / "out" / "sea.json"));
+    for (json& frame : record["frames"]) frame["files"].erase(2);
+    write_file(folder / "out" / "sea.json", record.dump());
+    const Outcome outcome = run_pelagic({"info", "--measure", (folder / "out").string()});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("images of 2 of the sea's 3 tiles"), std::string::npos) << outcome.out;
 }
 
 /// A wave (m, n) of a tile's lattice at a time, by its dispersion in deep water rounded to the loop.
@@ -237,7 +261,7 @@ TEST(Measure, OneFrameTellsNeitherPeriodNorDirection) {
 
 TEST(Measure, WritesAPictureWhereItIsToldAndNothingElse) {
     const TemporaryFolder folder;
-    export_to(folder / "out", {"--resolution", "16", "--loop-frames", "32"});
+    export_to(folder / "out", {"--resolution", "16", "--patch-size", "250", "--loop-frames", "32"});
     const auto before = files_in(folder / "out");
     const Outcome outcome =
         run_pelagic({"info", "--measure", (folder / "out").string(), "--svg", (folder / "plot.svg").string()});
@@ -267,7 +291,7 @@ void expect_refused(const std::vector<std::string>& arguments, int code, const s
 TEST(Measure, HostileFoldersAreOneLine) {
     const TemporaryFolder folder;
     const std::filesystem::path out = folder / "out";
-    export_to(out, {"--resolution", "16", "--frames", "3"});
+    export_to(out, {"--resolution", "16", "--patch-size", "250", "--frames", "3"});
     const std::string sea_json = read_file(out / "sea.json"), image = read_file(out / "displacement_0001.exr");
     const std::vector<std::string> measure = {"info", "--measure", out.string()};
     const auto with_record = [&](const auto& change, const std::string& reason) {
@@ -318,7 +342,7 @@ TEST(Measure, HostileFoldersAreOneLine) {
     with_image("no image", "");
     with_image(image.substr(0, image.size() / 2), "");
     with_image(std::string(std::size_t{2} << 20, 'x'), "it is larger than 16 x 16 pixels can be");
-    export_to(folder / "other", {"--resolution", "32"});
+    export_to(folder / "other", {"--resolution", "32", "--patch-size", "250"});
     with_image(read_file(folder / "other" / "displacement_0000.exr"),
                "it has 32 x 32 pixels of 3 channels, needs 16 x 16 of 3");
     std::filesystem::remove(out / "displacement_0001.exr");
@@ -336,7 +360,7 @@ TEST(Measure, HostileFoldersAreOneLine) {
 
 TEST(Measure, WhatIsNoHeightIsRefused) {
     const TemporaryFolder folder;
-    export_to(folder / "out", {"--resolution", "16"});
+    export_to(folder / "out", {"--resolution", "16", "--patch-size", "250"});
     for (const float bad : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), 1e30f}) {
         std::vector<float> pixels(3 * 16 * 16);
         pixels[100 * 3 + 1] = bad;

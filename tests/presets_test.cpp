@@ -31,13 +31,17 @@ TEST(Presets, FilesAreTheSeasOfTheirNames) {
     for (const SeaPreset& preset : sea_presets()) {
         const ResolvedSea named = resolved("--preset", std::string(preset.name));
         EXPECT_EQ(sea_as_json(resolved("--config", file_of(preset).string())), sea_as_json(named)) << preset.name;
-        // The file's angles are degrees, the library's radians: to the bit.
+        // The file's angles are degrees, the library's radians: to the bit. What it chooses itself the command says.
         const SeaState from_file = resolved("--config", file_of(preset).string()).sea;
-        SeaState in_library = preset.sea;  // the command writes down what is chosen
-        in_library.cascades = cascades_of(preset.sea);
-        in_library.resolution = resolution_of(preset.sea);
         for (const SeaStateField& field : sea_state_fields())
-            EXPECT_EQ(field.value_in(from_file), field.value_in(in_library)) << preset.name << ": " << field.name;
+            if (const SeaAngle* angle = sea_angle(field.name)) {
+                EXPECT_EQ(from_file.*angle->radians, preset.sea.*angle->radians) << preset.name << ": " << field.name;
+            }
+        ResolvedSea in_library = named;
+        in_library.sea = preset.sea;
+        in_library.sea.cascades = cascades_of(preset.sea);
+        in_library.sea.resolution = resolution_of(preset.sea);
+        EXPECT_EQ(sea_as_json(in_library), sea_as_json(named)) << preset.name;
         EXPECT_EQ(sea_preset_named(preset.name), &preset);
     }
     const auto files = std::distance(std::filesystem::directory_iterator(PELAGIC_PRESETS), {});

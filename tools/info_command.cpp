@@ -87,6 +87,7 @@ Json waves_for_people(const Json& waves) {
                 tile.erase("resolution");
                 rows[key + ", " + side + " m"] = tile;
             }
+            if (value.at("tiles").size() > 1) rows[key + ", all"] = value.at("all");
             rows["  of Cox and Munk"] = value.at("cox_and_munk");
         } else {
             rows[key] = value;

@@ -65,7 +65,10 @@ Json waves_as_json(const SeaState& sea, const SeaReport& report, double measured
     Json height = both(expected.significant_wave_height_m, measured_significant_wave_height_m);
     if (expected.model_significant_wave_height_m) height["model"] = *expected.model_significant_wave_height_m;
     Json tiles = Json::array();
+    SlopeVariance all;  // waves of different tiles are independent
     for (const TileSlopes& tile : report.tiles) {
+        all.upwind += tile.slopes.upwind;
+        all.crosswind += tile.slopes.crosswind;
         Json entry = {{"side_m", tile.side_m}, {"resolution", tile.resolution}};
         entry.update(slopes(tile.slopes));
         tiles.push_back(entry);
@@ -80,7 +83,8 @@ Json waves_as_json(const SeaState& sea, const SeaReport& report, double measured
             {"steepness", expected.significant_wave_height_m / expected.peak_wavelength_m},
             {"beaufort", step(beaufort_of(sea.wind_speed_mps))},
             {"sea_state", step(sea_state_of(expected.significant_wave_height_m))},
-            {"slope_variance", {{"tiles", tiles}, {"cox_and_munk", slopes(measured_slopes(sea.wind_speed_mps))}}},
+            {"slope_variance",
+             {{"tiles", tiles}, {"all", slopes(all)}, {"cox_and_munk", slopes(measured_slopes(sea.wind_speed_mps))}}},
             {"loop_frequencies",
              {{"for_90_percent", report.loop_frequencies.for_90_percent},
               {"largest_share", report.loop_frequencies.largest_share}}}};
