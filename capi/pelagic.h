@@ -460,7 +460,7 @@ typedef struct pelagic_ray {
     uint32_t reserved;   /* 0 */
     double origin_m[3];  /* x, y, z; [-1e9, 1e9] */
     double direction[3]; /* its length doesn't matter; [1e-100, 1e100] */
-    double reach_m;      /* how far to look; 0 to 1e6 of the finest tile's texels, which are L / N each */
+    double reach_m;      /* how far to look; 0 to 1e6 texels of the coarsest tile, which are L / N each */
 } pelagic_ray;
 
 typedef struct pelagic_hit {

@@ -207,6 +207,8 @@ struct SqueezeExtremes {
 /// a cell the slopes lie between those at its corners, and the least eigenvalue is a concave function of them, so it is
 /// least at a corner. Blocks of the surface have a multiple of W columns.
 struct FindSqueezeJob {
+    static constexpr std::size_t most_resolution = 2048;
+
     SurfaceTexels surface;
     float texels_per_m;           ///< N / L
     float cosine, sine;           ///< of the tile's lattice
