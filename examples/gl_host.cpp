@@ -72,10 +72,11 @@ int main() {
     using namespace pelagic;
     const gl::Functions functions =
         gl::load_functions([](const char* name) { return reinterpret_cast<void*>(eglGetProcAddress(name)); });
-    Ocean ocean({.patch_size_m = 200, .wind_speed_mps = 9});
+    Ocean ocean({.wind_speed_mps = 9});
     Selection selection(quadtree_preset_named("medium")->options(2048));
-    gl::SeaRenderer renderer(functions,
-                             {.patch_vertices = selection.options().vertices, .resolution = ocean.sea().resolution});
+    gl::SeaRenderer renderer(functions, {.patch_vertices = selection.options().vertices,
+                                         .resolution = ocean.resolution(),
+                                         .tiles = ocean.tile_count()});
     gl::SkyBaker baker(make_default_executor(), 128);
     baker.schedule({.sun_elevation_rad = 0.5f});
     renderer.set_sky(baker.complete());

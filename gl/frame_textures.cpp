@@ -13,7 +13,7 @@ namespace {
 
 const void* buffer_offset(std::size_t bytes) { return reinterpret_cast<const void*>(bytes); }
 
-Texture make_texture(const Functions& gl, GLenum format, int side, int tiles, int levels) {
+Texture make_texture(const Functions& gl, GLenum format, int side, GLsizei tiles, int levels) {
     Texture texture(gl);
     gl.BindTexture(GL_TEXTURE_2D_ARRAY, texture.name());
     gl.TexStorage3D(GL_TEXTURE_2D_ARRAY, levels, format, side, side, tiles);
@@ -25,14 +25,15 @@ Texture make_texture(const Functions& gl, GLenum format, int side, int tiles, in
 }
 
 /// Why the textures can't take the frame; empty if they can.
-std::string refusal_of(const Frame& frame, int resolution, int tiles) {
-    if (frame.tiles.size() != static_cast<std::size_t>(tiles))
+std::string refusal_of(const Frame& frame, int resolution, std::size_t tiles) {
+    if (frame.tiles.size() != tiles)
         return "the frame has " + std::to_string(frame.tiles.size()) + " tiles, the renderer was made for " +
                std::to_string(tiles) + " (RendererOptions::tiles)";
     for (const Tile& tile : frame.tiles) {
         if (tile.resolution() != resolution)
-            return "the frame has tiles of " + std::to_string(tile.resolution()) + " texels, the renderer was made for " +
-                   std::to_string(resolution) + " (RendererOptions::resolution)";
+            return "the frame has tiles of " + std::to_string(tile.resolution()) +
+                   " texels, the renderer was made for " + std::to_string(resolution) +
+                   " (RendererOptions::resolution)";
         if (tile.slopes_rgba8.empty())
             return "the frame has no slopes; drawing needs an ocean with OceanOptions::slopes";
     }
@@ -41,14 +42,14 @@ std::string refusal_of(const Frame& frame, int resolution, int tiles) {
 
 }  // namespace
 
-FrameTextures::FrameTextures(const Functions& gl, int resolution, int tiles)
+FrameTextures::FrameTextures(const Functions& gl, int resolution, std::size_t tiles)
     : gl_(gl), resolution_(resolution), tiles_(tiles) {
     const KeptState keep(gl);
     const int levels = mip_levels(resolution);
     for (Set& set : sets_) {
-        set.displacement = make_texture(gl, GL_RGBA16F, resolution, tiles, has_displacement_mips() ? levels : 1);
-        set.slopes = make_texture(gl, GL_RGBA8, resolution, tiles, levels);
-        set.moments = make_texture(gl, GL_RGBA8, resolution, tiles, levels);
+        set.displacement = make_texture(gl, GL_RGBA16F, resolution, layers(), has_displacement_mips() ? levels : 1);
+        set.slopes = make_texture(gl, GL_RGBA8, resolution, layers(), levels);
+        set.moments = make_texture(gl, GL_RGBA8, resolution, layers(), levels);
     }
     for (PixelBuffer& pixels : ring_) {
         pixels.buffer = Buffer(gl);
@@ -62,12 +63,10 @@ FrameTextures::~FrameTextures() {
         if (pixels.done) gl_.DeleteSync(pixels.done);
 }
 
-std::size_t FrameTextures::displacement_bytes() const {
-    return std::size_t{8} * resolution_ * resolution_ * static_cast<std::size_t>(tiles_);
-}
+std::size_t FrameTextures::displacement_bytes() const { return std::size_t{8} * resolution_ * resolution_ * tiles_; }
 
 std::size_t FrameTextures::chain_bytes() const {
-    return sizeof(std::uint32_t) * mip_offset(resolution_, mip_levels(resolution_)) * static_cast<std::size_t>(tiles_);
+    return sizeof(std::uint32_t) * mip_offset(resolution_, mip_levels(resolution_)) * tiles_;
 }
 
 /// All tiles' displacement, then their slopes, then their moments: level by level, so that one call takes a level of all.
@@ -76,7 +75,7 @@ void FrameTextures::fill(std::byte* to, const Frame& frame) const {
         std::memcpy(to, from, bytes);
         to += bytes;
     };
-    const auto add_chains = [&](std::span<const std::uint32_t> Tile::* map) {
+    const auto add_chains = [&](std::span<const std::uint32_t> Tile::*map) {
         for (int level = 0; level < mip_levels(resolution_); ++level)
             for (const Tile& tile : frame.tiles) {
                 const std::size_t texels = std::size_t{1} << 2 * (mip_levels(resolution_) - 1 - level);
@@ -93,9 +92,9 @@ void FrameTextures::upload_chain(GLuint texture, std::size_t offset) const {
     gl_.BindTexture(GL_TEXTURE_2D_ARRAY, texture);
     for (int level = 0; level < mip_levels(resolution_); ++level) {
         const int side = resolution_ >> level;
-        gl_.TexSubImage3D(GL_TEXTURE_2D_ARRAY, level, 0, 0, 0, side, side, tiles_, GL_RGBA, GL_UNSIGNED_BYTE,
+        gl_.TexSubImage3D(GL_TEXTURE_2D_ARRAY, level, 0, 0, 0, side, side, layers(), GL_RGBA, GL_UNSIGNED_BYTE,
                           buffer_offset(offset));
-        offset += sizeof(std::uint32_t) * static_cast<std::size_t>(side) * static_cast<std::size_t>(side * tiles_);
+        offset += sizeof(std::uint32_t) * static_cast<std::size_t>(side) * static_cast<std::size_t>(side) * tiles_;
     }
 }
 
@@ -128,7 +127,7 @@ void FrameTextures::upload(const Frame& frame) {
 
     const Stopwatch driver;
     gl_.BindTexture(GL_TEXTURE_2D_ARRAY, displacement());
-    gl_.TexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, 0, resolution_, resolution_, tiles_, GL_RGBA, GL_HALF_FLOAT,
+    gl_.TexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, 0, resolution_, resolution_, layers(), GL_RGBA, GL_HALF_FLOAT,
                       nullptr);
     if (has_displacement_mips()) gl_.GenerateMipmap(GL_TEXTURE_2D_ARRAY);
     upload_chain(slopes(), displacement_bytes());

@@ -13,7 +13,7 @@ namespace pelagic::gl {
 class FrameTextures {
    public:
     /// Immutable storage for frames of so many tiles of resolution^2 texels.
-    FrameTextures(const Functions& gl, int resolution, int tiles);
+    FrameTextures(const Functions& gl, int resolution, std::size_t tiles);
     ~FrameTextures();
     FrameTextures(const FrameTextures&) = delete;
     FrameTextures& operator=(const FrameTextures&) = delete;
@@ -31,7 +31,7 @@ class FrameTextures {
     GLuint slopes() const { return sets_[set_].slopes.name(); }
     GLuint moments() const { return sets_[set_].moments.name(); }
     int resolution() const { return resolution_; }
-    int tiles() const { return tiles_; }
+    std::size_t tiles() const { return tiles_; }
     /// The driver made the displacement's mips, and vertices may take them.
     bool has_displacement_mips() const { return gl_.renders_to_half_floats; }
     double last_driver_ms() const { return driver_ms_; }  ///< of the last upload(): the calls that move texels
@@ -39,6 +39,7 @@ class FrameTextures {
     std::size_t bytes_per_frame() const { return displacement_bytes() + 2 * chain_bytes(); }
 
    private:
+    GLsizei layers() const { return static_cast<GLsizei>(tiles_); }
     std::size_t displacement_bytes() const;  ///< of all tiles
     std::size_t chain_bytes() const;         ///< the same, of one map
     void fill(std::byte* to, const Frame& frame) const;
@@ -55,7 +56,8 @@ class FrameTextures {
     };
 
     const Functions& gl_;
-    int resolution_, tiles_;
+    int resolution_;
+    std::size_t tiles_;
     std::array<Set, 2> sets_;
     std::array<PixelBuffer, 3> ring_;
     std::size_t set_ = 0, next_buffer_ = 0;

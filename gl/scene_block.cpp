@@ -44,8 +44,7 @@ glm::dvec2 place_in_square(glm::dvec2 at, double angle, double tile_m) {
 /// Foam is left behind by waves that break: of the tile that has texels of a third of their height or more, and no finer ones.
 std::size_t tile_of_breakers(const SeaFacts& facts) {
     std::size_t tile = 0;
-    while (tile + 1 < facts.tiles.size() &&
-           facts.tiles[tile + 1].whitecap_jacobian != Tile::no_whitecaps &&
+    while (tile + 1 < facts.tiles.size() && facts.tiles[tile + 1].whitecap_jacobian != Tile::no_whitecaps &&
            facts.texel_m(facts.tiles[tile + 1]) > facts.figures.significant_wave_height_m / 3)
         ++tile;
     return tile;
@@ -89,7 +88,8 @@ void place_details(SceneBlock& block, const SeaFacts& facts, glm::dvec2 viewer) 
     }
     block.detail_shift = {glm::vec2(shifts[0]), glm::vec2(shifts[1])};
     // As the shader turns it: the other way than place_in_square.
-    block.second_shift = {glm::vec2(place_in_square(viewer, -second_turn_rad, facts.tiles[0].lattice.side_m * golden)), 0, 0};
+    block.second_shift = {
+        glm::vec2(place_in_square(viewer, -second_turn_rad, facts.tiles[0].lattice.side_m * golden)), 0, 0};
     // Lace is as large as the waves that make it: tiles of 5 m in a calm, of 20 m in a storm.
     const double foam_m = 5 + 1.8 * block.waves.x;
     const glm::dvec4 tiles(foam_m, foam_m / golden / 1.1, 460, 1510);  // gusts: metres

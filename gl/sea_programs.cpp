@@ -2,7 +2,7 @@
 
 namespace pelagic::gl {
 
-std::array<ProgramFiles, 4> sea_program_files(bool multiview, int tiles) {
+std::array<ProgramFiles, 4> sea_program_files(bool multiview, std::size_t tiles) {
     const std::string defines =
         "#define TILES " + std::to_string(tiles) + (multiview ? "\n#define MULTIVIEW\n" : "\n");
     return {{{"sea.vert.glsl", "sea.frag.glsl", defines},
@@ -29,7 +29,7 @@ void SeaProgram::use(const Functions& gl, int eye) const {
     if (eye_index >= 0) gl.Uniform1i(eye_index, eye);
 }
 
-SeaPrograms::SeaPrograms(const Functions& gl, bool multiview, int tiles) {
+SeaPrograms::SeaPrograms(const Functions& gl, bool multiview, std::size_t tiles) {
     const std::array<ProgramFiles, 4> files = sea_program_files(multiview, tiles);
     SeaProgram* const programs[] = {&patches, &skirt, &background, &wireframe};
     for (std::size_t i = 0; i < files.size(); ++i) *programs[i] = SeaProgram(gl, files[i]);

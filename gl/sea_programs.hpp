@@ -18,7 +18,7 @@ struct ProgramFiles {
 };
 
 /// For patches, skirt, background and wireframe, in this order, of a sea with so many tiles.
-std::array<ProgramFiles, 4> sea_program_files(bool multiview, int tiles);
+std::array<ProgramFiles, 4> sea_program_files(bool multiview, std::size_t tiles);
 
 struct SeaProgram {
     SeaProgram() = default;
@@ -32,7 +32,7 @@ struct SeaProgram {
 
 struct SeaPrograms {
     /// Throws GlError if the driver refuses a shader. Leaves one of them in use.
-    SeaPrograms(const Functions& gl, bool multiview, int tiles);
+    SeaPrograms(const Functions& gl, bool multiview, std::size_t tiles);
 
     SeaProgram patches, skirt, background, wireframe;
 };

@@ -27,7 +27,7 @@ Texture make_detail_texture(const Functions& gl) {
 }
 
 const RendererOptions& checked(const RendererOptions& options) {
-    if (options.tiles < 1 || options.tiles > static_cast<int>(most_tiles))
+    if (options.tiles < 1 || options.tiles > most_tiles)
         throw std::invalid_argument("RendererOptions::tiles is " + std::to_string(options.tiles) + ", needs 1 to " +
                                     std::to_string(most_tiles));
     return options;

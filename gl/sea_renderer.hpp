@@ -1,7 +1,7 @@
 // Draws the sea: uploads a frame, then draws the quadtree's patches, the skirt and the sky for one eye or two.
 //
 //   SeaRenderer renderer(gl, {.patch_vertices = selection.options().vertices, .resolution = ocean.resolution(),
-//                             .tiles = static_cast<int>(ocean.tile_count())});   // built with OceanOptions::slopes
+//                             .tiles = ocean.tile_count()});  // built with OceanOptions::slopes
 //   renderer.set_sky(baker.complete());
 //   each frame:  renderer.upload(ocean.complete());
 //                renderer.draw({.eyes = eyes, .viewer_m = head, .list = &selection.select(...)});
@@ -11,6 +11,7 @@
 // to 1. GL state may be anything before and is the same afterwards.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -25,7 +26,7 @@ namespace pelagic::gl {
 struct RendererOptions {
     int patch_vertices = 64;           ///< V of the draw lists
     int resolution = 256;              ///< N of the frames' tiles
-    int tiles = 1;                     ///< of the frames, 1 to 4
+    std::size_t tiles = 1;             ///< of the frames, 1 to 4
     bool framebuffer_is_srgb = false;  ///< it encodes what shaders write; else they do
     bool multiview = false;            ///< the framebuffer holds both eyes as layers (OVR_multiview2)
 };

@@ -35,10 +35,9 @@ GlScene::GlScene(const Options& options)
       selection(quadtree),
       samples_(options.samples) {
     resize(options.width, options.height);
-    renderer.emplace(gl(),
-                     gl::RendererOptions{.patch_vertices = quadtree.vertices,
-                                         .resolution = ocean.resolution(),
-                                         .tiles = static_cast<int>(ocean.tile_count())});
+    renderer.emplace(gl(), gl::RendererOptions{.patch_vertices = quadtree.vertices,
+                                               .resolution = ocean.resolution(),
+                                               .tiles = ocean.tile_count()});
     renderer->set_sky(test_sky());
 }
 

@@ -41,7 +41,7 @@ std::string refusal_of(const gl::ProgramFiles& files) {
 
 TEST(Shaders, AreGlslInEveryVariant) {
     std::vector<gl::ProgramFiles> all = {{"panel.vert.glsl", "panel.frag.glsl", ""}};
-    for (const int tiles : {1, 2, 4})
+    for (const std::size_t tiles : {1, 2, 4})
         for (const bool multiview : {false, true})
             for (const gl::ProgramFiles& files : gl::sea_program_files(multiview, tiles)) all.push_back(files);
     ASSERT_EQ(all.size(), 25u);
@@ -58,9 +58,9 @@ TEST(Shaders, OfHeadsetsTakeBothEyesInOnePass) {
 
 // The check itself: a compiler that takes everything would prove nothing.
 TEST(Shaders, WithAMistakeAreRefused) {
-    EXPECT_NE(
-        refusal_of({"sea.vert.glsl", "sea.frag.glsl", "#define TILES 1\n#define MULTIVIEW\n#define gl_ViewID_OVR eye_of_nobody\n"}),
-        "");
+    EXPECT_NE(refusal_of({"sea.vert.glsl", "sea.frag.glsl",
+                          "#define TILES 1\n#define MULTIVIEW\n#define gl_ViewID_OVR eye_of_nobody\n"}),
+              "");
 }
 
 }  // namespace

@@ -102,8 +102,8 @@ std::map<std::string, std::vector<GLfloat>> state_of(const gl::Functions& gl) {
     gl.GetIntegerv(GL_ACTIVE_TEXTURE, &unit);
     for (GLuint i = 0; i < 6; ++i) {
         gl.ActiveTexture(GL_TEXTURE0 + i);
-        for (const GLenum name : {GL_TEXTURE_BINDING_2D, GL_TEXTURE_BINDING_2D_ARRAY, GL_TEXTURE_BINDING_CUBE_MAP,
-                                  GL_SAMPLER_BINDING}) {
+        for (const GLenum name :
+             {GL_TEXTURE_BINDING_2D, GL_TEXTURE_BINDING_2D_ARRAY, GL_TEXTURE_BINDING_CUBE_MAP, GL_SAMPLER_BINDING}) {
             GLint value = 0;
             gl.GetIntegerv(name, &value);
             state["unit " + std::to_string(i)].push_back(static_cast<GLfloat>(value));
@@ -185,7 +185,7 @@ std::vector<std::uint8_t> picture(const gl::Functions& gl, const Frame& frame, g
     const QuadtreeOptions quadtree = quadtree_preset_named("low")->options(512);
     gl::SeaRenderer renderer(gl, {.patch_vertices = quadtree.vertices,
                                   .resolution = frame.tiles[0].resolution(),
-                                  .tiles = static_cast<int>(frame.tiles.size())});
+                                  .tiles = frame.tiles.size()});
     after_each_call("constructor");
     renderer.set_sky(test_sky());
     after_each_call("set_sky");

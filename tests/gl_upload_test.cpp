@@ -16,7 +16,8 @@ namespace {
 /// What only this test calls.
 template <class Function>
 Function gl_function(const char* name) {
-    const auto get = reinterpret_cast<void* (*)(const char*)>(dlsym(dlopen("libEGL.so.1", RTLD_NOW), "eglGetProcAddress"));
+    const auto get =
+        reinterpret_cast<void* (*)(const char*)>(dlsym(dlopen("libEGL.so.1", RTLD_NOW), "eglGetProcAddress"));
     return reinterpret_cast<Function>(get(name));
 }
 

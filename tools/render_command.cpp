@@ -43,10 +43,12 @@ class PictureMaker {
     explicit PictureMaker(const RenderOptions& options)
         : options_(options),
           ocean_(options.scene.sea.sea, {.executor = make_default_executor(options.scene.compute.threads),
-                                         .isa = options.scene.compute.isa}),
+                                         .isa = options.scene.compute.isa,
+                                         .slopes = true}),
           target_(context_.functions(), options.scene.width, options.scene.height, samples_a_pixel),
           renderer_(context_.functions(), {.patch_vertices = options.scene.quadtree.vertices,
-                                           .resolution = options.scene.sea.sea.resolution}),
+                                           .resolution = ocean_.resolution(),
+                                           .tiles = ocean_.tile_count()}),
           selection_(options.scene.quadtree) {
         const gl::Stopwatch watch;
         gl::SkyBaker baker(make_default_executor(options.scene.compute.threads), sky_face_size);

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <numbers>
 
+#include "pelagic/message/number_text.hpp"
 #include "pelagic/quadtree/quadtree_options.hpp"
 
 namespace pelagic::viewer {
@@ -31,13 +32,23 @@ void choose_preset(SeaState& sea) {
     if (!ImGui::BeginCombo("sea state", "choose ...")) return;
     for (const SeaPreset& preset : sea_presets()) {
         if (!ImGui::Selectable(std::string(preset.name).c_str())) continue;
-        // The textures stay.
-        const int cascades = cascades_of(sea), resolution = resolution_of(sea);
+        const SeaState before = sea;  // the textures stay
         sea = preset.sea;
-        sea.cascades = cascades;
-        sea.resolution = resolution;
+        sea.resolution = before.resolution;
+        sea.cascades = before.cascades;
+        sea.patch_size_m = before.patch_size_m;
     }
     ImGui::EndCombo();
+}
+
+/// How many tiles the sea is a sum of, unless the side of the only one was given or the model knows no other.
+void choose_cascades(SeaState& sea, const std::vector<double>& sides_m) {
+    int cascades = cascades_of(sea);
+    const bool is_one_for_good = sea.patch_size_m > 0 || sea.spectrum == SpectrumModel::phillips_paper;
+    if (!is_one_for_good && ImGui::SliderInt("cascades", &cascades, 1, 4)) sea.cascades = cascades;
+    std::string sides;
+    for (const double side : sides_m) sides += (sides.empty() ? "" : ", ") + number_text(side);
+    ImGui::Text("tiles of %s m", sides.c_str());
 }
 
 void choose_quality(std::string& quality) {
@@ -76,6 +87,7 @@ void show_panel(ViewSettings& settings, ViewCamera& camera, const ViewFigures& f
     slide("choppiness", settings.sea.choppiness, 0, 1, "%.2f");
     choose_preset(settings.sea);
     ImGui::SliderFloat("foam", &settings.more_foam, -0.5f, 0.5f, "%+.2f");
+    choose_cascades(settings.sea, figures.tile_sides_m);
     ImGui::Text("waves of %.2f m%s", figures.significant_wave_height_m, figures.sea_is_baking ? ", changing" : "");
     ImGui::Separator();
     slide_degrees("sun towards", settings.sky.sun_azimuth_rad, -180, 180);

@@ -30,6 +30,7 @@ struct ViewFigures {
     std::uint64_t triangles = 0;
     std::size_t patches = 0;
     double significant_wave_height_m = 0;
+    std::vector<double> tile_sides_m;
     bool sea_is_baking = false, sky_is_baking = false;
 };
 

@@ -27,7 +27,7 @@ constexpr double radians_a_pixel = 0.004;
 constexpr double slowest_mps = 8;  // flying; faster with height
 
 bool same_sea(const SeaState& a, const SeaState& b) {
-    if (a.spectrum != b.spectrum) return false;
+    if (a.spectrum != b.spectrum || a.spreading != b.spreading) return false;
     return std::ranges::all_of(sea_state_fields(),
                                [&](const SeaStateField& field) { return field.value_in(a) == field.value_in(b); });
 }
@@ -69,16 +69,14 @@ class Viewer {
           window_(options.width, options.height, "Pelagic"),
           input_(window_.handle()),
           panel_renderer_(window_.functions(), Window::get_proc_address()),
-          ocean_(settings_.sea, {.executor = make_default_executor(options.threads), .trace = stage_times_}),
           shown_sea_(settings_.sea),
           baker_(make_default_executor(options.threads), sky_face_size),
           shown_sky_(settings_.sky),
           camera_(options.camera) {
-        stage_times_->follow(ocean_.graph());
         baker_.schedule(settings_.sky);
+        fill_ocean();
         choose_quality();
         renderer_->set_sky(baker_.complete());
-        ocean_.schedule(0);
     }
 
     ViewResult run() {
@@ -140,38 +138,56 @@ class Viewer {
             figures_.sky_is_baking = true;
         }
         if (!figures_.sea_is_baking && !same_sea(settings_.sea, shown_sea_)) {
-            shown_sea_ = settings_.sea;
-            ocean_.schedule_sea(shown_sea_);
-            figures_.sea_is_baking = true;
+            if (cascades_of(settings_.sea) == static_cast<int>(ocean_->tile_count())) {
+                shown_sea_ = settings_.sea;
+                ocean_->schedule_sea(shown_sea_);
+                figures_.sea_is_baking = true;
+            } else {
+                fill_ocean();
+                choose_quality();
+            }
         }
         if (settings_.quality != quality_) choose_quality();
     }
 
-    /// Textures and meshes belong to the quality; the sky is uploaded again.
+    /// An ocean has its number of tiles for life.
+    void fill_ocean() {
+        shown_sea_ = settings_.sea;
+        ocean_.emplace(
+            shown_sea_,
+            OceanOptions{.executor = make_default_executor(options_.threads), .trace = stage_times_, .slopes = true});
+        stage_times_->follow(ocean_->graph());
+        ocean_->schedule(time_s_);
+    }
+
+    /// Textures and meshes belong to the quality and to the tiles; the sky is uploaded again.
     void choose_quality() {
         quality_ = settings_.quality;
         selection_.emplace(preset_named(quality_).options(settings_.size_m));
         renderer_ = std::make_unique<gl::SeaRenderer>(
             window_.functions(), gl::RendererOptions{.patch_vertices = selection_->options().vertices,
-                                                     .resolution = settings_.sea.resolution});
+                                                     .resolution = ocean_->resolution(),
+                                                     .tiles = ocean_->tile_count()});
         if (!figures_.sky_is_baking && frames_ > 0) renderer_->set_sky(baker_.complete());
     }
 
     /// The frame that was scheduled one picture ago, then the next one: computed while this one is drawn.
     const Frame& next_frame() {
-        const Frame& frame = ocean_.complete();
+        const Frame& frame = ocean_->complete();
         stage_times_->end_frame();
-        if (figures_.sea_is_baking && ocean_.sea_is_ready()) {
-            ocean_.complete_sea();
+        if (figures_.sea_is_baking && ocean_->sea_is_ready()) {
+            ocean_->complete_sea();
             figures_.sea_is_baking = false;
         }
-        ocean_.schedule(time_s_);
+        ocean_->schedule(time_s_);
         return frame;
     }
 
     void draw_frame() {
         const Frame& frame = next_frame();
         shown_time_s_ = frame.time_s;
+        figures_.tile_sides_m.clear();
+        for (const Tile& tile : frame.tiles) figures_.tile_sides_m.push_back(tile.lattice.side_m);
         figures_.significant_wave_height_m = frame.figures.significant_wave_height_m;
         const Camera camera = camera_.camera();
         const gl::Eye eye = gl::eye_of(camera, {0, 0, window_.width(), window_.height()});
@@ -228,7 +244,7 @@ class Viewer {
     PanelInput input_;
     PanelRenderer panel_renderer_;
     std::shared_ptr<StageTimes> stage_times_ = std::make_shared<StageTimes>();
-    Ocean ocean_;
+    std::optional<Ocean> ocean_;
     SeaState shown_sea_;
     gl::SkyBaker baker_;
     gl::SkyOptions shown_sky_;

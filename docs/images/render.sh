@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Makes the README's pictures of the sea with `pelagic render`: on any machine, in about a minute without a GPU.
+# Makes the README's pictures of the sea with `pelagic render`: on any machine, in some minutes without a GPU.
 # usage: docs/images/render.sh [PELAGIC]   default build/release/bin/pelagic
 set -euo pipefail
 cd "$(dirname "$0")/../.."
@@ -15,3 +15,18 @@ picture storm --preset storm --camera 0,7,0 --target 60,3,12 --fov 50 --time 7 -
 picture close --preset rough --camera 0,3.2,0 --target 12,1.2,5 --fov 50 --time 3 --sun 75,30
 picture above --preset rough --camera 0,420,0 --target 420,0,160 --fov 55 --sun 110,42
 picture levels --preset moderate --camera -60,260,-60 --target 240,0,240 --fov 60 --quality low --wireframe
+
+# One tile of 250 m beside the default tiles, from four heights.
+pair() {
+  local name=$1
+  shift
+  for tiles in one all; do
+    local side=()
+    [ "$tiles" = one ] && side=(--patch-size 250)
+    "$pelagic" render --size 480x270 --preset moderate --fov 50 --sun 66,26 --out "docs/images/${tiles}_$name.png" "${side[@]}" "$@"
+  done
+}
+pair 2m --camera 0,2.6,0 --target 60,-1,25
+pair 20m --camera 0,20,0 --target 100,0,40
+pair 250m --camera 0,250,0 --target 400,0,160
+pair 2km --camera 0,2000,0 --target 900,0,360

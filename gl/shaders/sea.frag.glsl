@@ -109,25 +109,30 @@ vec2 normal_slopes(Slopes sum) {
 }
 
 // 0 where no foam begins, 1 where the water folds further than most.
-float folding(int tile, float jacobian) {
-    return smoothstep(tile_slope[tile].w + 0.08, tile_slope[tile].w - 0.14, jacobian);
-}
+float folding(float begins, float jacobian) { return smoothstep(begins + 0.08, begins - 0.14, jacobian); }
 
 struct Waves {
     vec2 slopes;   // with the sign of the normal
     float alpha2;  // GGX roughness squared: slopes below the size of a pixel, mean square
-    float foam;    // 0 where no tile folds, 1 where one folds further than most
+    float foam;    // 0 where the water does not fold, 1 where it does further than most
 };
 
+// Foam is where the sum of the tiles folds. Each tile's own Jacobian is as far below 1 where foam begins as that tile's waves
+// go in that part of the sea; independent waves go as far together as the root of the sum of the squares, each tile with the
+// part of its variance that the pixel shows. So far away, where only long waves are left, as much of the sea is white.
 Waves resolved_waves(vec2 at, Footprint pixel) {
     Slopes sum = Slopes(vec2(0.0), vec3(0.0), 0.0);
-    float foam = 0.0;
+    vec3 folds = vec3(0.0);
+    float depth = 0.0;
     for (int tile = 0; tile < TILES; ++tile) {
         Slopes seen = tile_slopes(tile, at, pixel);
         sum = Slopes(sum.h + seen.h, sum.d + seen.d, sum.variance + seen.variance);
-        foam = max(foam, folding(tile, jacobian_of(seen.d)));
+        float begins = 1.0 - tile_slope[tile].w;
+        if (begins > 5.0) continue;  // its waves break without white water
+        folds += seen.d;
+        depth += begins * begins * clamp(1.0 - seen.variance / tile_slope[tile].z, 0.0, 1.0);
     }
-    return Waves(normal_slopes(sum), sum.variance, foam);
+    return Waves(normal_slopes(sum), sum.variance, folding(1.0 - sqrt(depth), jacobian_of(folds)));
 }
 
 #if TILES == 1
@@ -289,7 +294,7 @@ float foam_behind_crests(vec2 at) {
     float weight = 0.62;
     for (int i = 1; i <= 4; ++i) {
         vec2 d = texture(slopes, vec3(uv + foam_trail.zw * float(i), tile), 0.6 * float(i)).zw * signed_scale - signed_zero;
-        old = max(old, weight * folding(tile, 1.0 + tile_slope[tile].x * (d.x + d.y)));
+        old = max(old, weight * folding(tile_slope[tile].w, 1.0 + tile_slope[tile].x * (d.x + d.y)));
         weight *= 0.72;
     }
     return old;
