@@ -119,11 +119,11 @@ enum {
 /* What sea is wanted. Two machines with the same values and the same Pelagic have the same sea at the same time. */
 typedef struct pelagic_sea {
     uint32_t struct_size;
-    int32_t spectrum;          /* PELAGIC_SPECTRUM_... */
-    int32_t resolution;        /* N, texels along a side of each tile; a power of two, 16 to 2048. 0: 128, or 256 where there is one */
-    uint32_t seed;             /* which sea of this kind */
-    double patch_size_m;       /* the side of the one tile; [0.001, 1e6]. 0: sides chosen from the sea */
-    double wind_speed_mps;     /* mean wind 10 m above the sea; (0, 60] */
+    int32_t spectrum;      /* PELAGIC_SPECTRUM_... */
+    int32_t resolution;    /* N, texels along a tile; a power of two, 16 to 2048. 0: 128, with a patch_size_m 256 */
+    uint32_t seed;         /* which sea of this kind */
+    double patch_size_m;   /* the side of the one tile; [0.001, 1e6]. 0: sides chosen from the sea */
+    double wind_speed_mps; /* mean wind 10 m above the sea; (0, 60] */
     double wind_direction_rad; /* where the wind blows towards, from +x towards +z; [-2 pi, 2 pi] */
     double fetch_m;            /* how far the wind has blown over water (jonswap); (0, 2e6] */
     double depth_m;            /* waves over 0.6 of it break; [0.01, 11000] */
