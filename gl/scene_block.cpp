@@ -68,7 +68,8 @@ void place_tiles(SceneBlock& block, const SeaFacts& facts, glm::dvec2 viewer, fl
     const std::size_t breakers = tile_of_breakers(facts);
     const glm::vec4& place = block.tile_place[breakers];
     const glm::vec2 way = 0.9f * block.waves.x * glm::vec2(block.waves.z, block.waves.w);
-    block.foam_trail = {breakers, 0, place.z * way.x + place.w * way.y, place.z * way.y - place.w * way.x};
+    block.foam_trail = {breakers, facts.figures.whitecap_depth_of_sum, place.z * way.x + place.w * way.y,
+                        place.z * way.y - place.w * way.x};
 }
 
 void place_details(SceneBlock& block, const SeaFacts& facts, glm::dvec2 viewer) {

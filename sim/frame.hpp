@@ -21,6 +21,9 @@ struct SeaFigures {
     /// What the smoothness channel says of the water between texels, 1 - sqrt(roughness): SeaState::roughness, or what the wind
     /// and the unresolved slopes make of it.
     double roughness = 0;
+    /// Where the sum of the tiles, not each, is to be as white as whitecaps cover: its Jacobian there is below 1 by this part of
+    /// the root of the sum of the squares of how far below 1 each Tile::whitecap_jacobian is.
+    double whitecap_depth_of_sum = 1;
 };
 
 /// One frame, which says what it is: whoever draws it or asks it needs nothing else about the sea.

@@ -97,6 +97,7 @@ class Ocean::Sources {
         for (std::size_t tile = 0; tile < plans.size(); ++tile)
             cascades_[tile]->begin_spectrum(sea, plans[tile], plans[tile].makes_whitecaps() ? cover : 0);
         baked_sea_ = sea;
+        baked_whitecap_depth_ = quantile_of_sum(whitecap_cover(sea.wind_speed_mps), static_cast<int>(white));
     }
     void adopt_sea() {
         const DefaultFloatEnvironment environment;
@@ -111,6 +112,7 @@ class Ocean::Sources {
         figures_.significant_wave_height_m = 4 * std::sqrt(variance);
         figures_.resolved_slopes = slopes.around(sea_.wind_direction_rad);
         figures_.unresolved_slopes = unresolved_slopes(figures_.resolved_slopes, sea_.wind_speed_mps);
+        figures_.whitecap_depth_of_sum = baked_whitecap_depth_;
         figures_.roughness = roughness_of(sea_, figures_.unresolved_slopes);
     }
     void drop_sea() {
@@ -139,6 +141,7 @@ class Ocean::Sources {
     std::vector<std::unique_ptr<SurfaceStages>> surfaces_;
     FoldStages folds_;
     SeaState sea_, baked_sea_;
+    double baked_whitecap_depth_ = 1;
     SeaFigures figures_;
 };
 

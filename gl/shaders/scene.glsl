@@ -39,7 +39,8 @@ layout(std140) uniform Scene {
     highp vec4 noise_scale;       // xy: of foam's two layers, zw: of the gusts' two, 1/m
     highp vec4 foam_shift;        // where the viewer is in them
     highp vec4 gust_shift;
-    highp vec4 foam_trail;        // x: the tile whose crests leave foam behind; zw: from one look down the wind to the next,
+    highp vec4 foam_trail;        // x: the tile whose crests leave foam behind; y: how far the sum of
+                                  // tiles folds where foam begins, over the root of the sum of their squares; zw: from one look down the wind to the next,
                                   // texture coordinates
     highp vec4 output_kind;       // x: 1 if the shader encodes sRGB, 0 if the framebuffer does
 };

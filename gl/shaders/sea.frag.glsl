@@ -119,7 +119,7 @@ struct Waves {
 
 // Foam is where the sum of the tiles folds. Each tile's own Jacobian is as far below 1 where foam begins as that tile's waves
 // go in that part of the sea; independent waves go as far together as the root of the sum of the squares, each tile with the
-// part of its variance that the pixel shows. So far away, where only long waves are left, as much of the sea is white.
+// part of its variance that the pixel shows (SeaFigures::whitecap_depth_of_sum). So far away, where only long waves are left, as much of the sea is white.
 Waves resolved_waves(vec2 at, Footprint pixel) {
     Slopes sum = Slopes(vec2(0.0), vec3(0.0), 0.0);
     vec3 folds = vec3(0.0);
@@ -132,7 +132,7 @@ Waves resolved_waves(vec2 at, Footprint pixel) {
         folds += seen.d;
         depth += begins * begins * clamp(1.0 - seen.variance / tile_slope[tile].z, 0.0, 1.0);
     }
-    return Waves(normal_slopes(sum), sum.variance, folding(1.0 - sqrt(depth), jacobian_of(folds)));
+    return Waves(normal_slopes(sum), sum.variance, folding(1.0 - foam_trail.y * sqrt(depth), jacobian_of(folds)));
 }
 
 #if TILES == 1

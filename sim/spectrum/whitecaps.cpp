@@ -39,6 +39,11 @@ double whitecap_cover(double wind_speed_mps) {
 
 double cover_of_each(double cover, int tiles) { return tiles == 1 ? cover : 1 - det::pow(1 - cover, 1.0 / tiles); }
 
+double quantile_of_sum(double cover, int tiles) {
+    const double part = std::clamp(cover, 1e-12, 0.4);
+    return normal_quantile(part) / normal_quantile(cover_of_each(part, tiles));
+}
+
 void FoldMoments::add_wave(double mean_square, double wave_x, double wave_z, double difference_x,
                            double difference_z) {
     const double part = mean_square / (wave_x * wave_x + wave_z * wave_z);
