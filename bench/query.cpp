@@ -3,8 +3,9 @@
 //
 //   taskset -c 1 build/release/bin/pelagic_query_bench --benchmark_repetitions=9
 //
-// Names are what/instruction set/N/points. Points are random over nine patches, or coherent: a grid of a quarter of a
-// texel, as under a hull. Choppiness is 1.
+// Names are what/instruction set/N/points, or what/instruction set/tiles x N/points of the default sea's tiles. Points are
+// random over nine patches, or coherent: a grid of a quarter of a texel, as under a hull. Choppiness is 1, and the wind of
+// several tiles 12 m/s.
 #include <benchmark/benchmark.h>
 
 #include <memory>
@@ -24,17 +25,21 @@ namespace {
 
 constexpr std::size_t count = 1 << 16;
 
+SeaState one_tile(int resolution) { return {.resolution = resolution, .patch_size_m = 250, .choppiness = 1}; }
+SeaState several_tiles(int tiles) { return {.cascades = tiles, .resolution = 128, .choppiness = 1}; }
+
 struct Scene {
-    Scene(int resolution, Isa isa, bool coherent)
-        : ocean({.resolution = resolution, .patch_size_m = 250, .choppiness = 1},
-                {.executor = make_serial_executor(), .isa = isa, .queries = true, .velocities = true}),
+    Scene(int resolution, Isa isa, bool coherent) : Scene(one_tile(resolution), isa, coherent) {}
+    Scene(const SeaState& sea, Isa isa, bool coherent)
+        : ocean(sea, {.executor = make_serial_executor(), .isa = isa, .queries = true, .velocities = true}),
           frame(ocean.frame_at(1)),
           query(frame),
           x(count),
           z(count) {
         std::mt19937 random(1);
-        std::uniform_real_distribution<double> anywhere(-frame.sea.patch_size_m, 2 * frame.sea.patch_size_m);
-        const double spacing = frame.sea.patch_size_m / resolution / 4;
+        const double side_m = frame.tiles[0].lattice.side_m;
+        std::uniform_real_distribution<double> anywhere(-side_m, 2 * side_m);
+        const double spacing = frame.tiles.back().texel_m() / 4;
         for (std::size_t i = 0; i < count; ++i) {
             x[i] = coherent ? static_cast<double>(i % 256) * spacing : anywhere(random);
             z[i] = coherent ? static_cast<double>(i / 256) * spacing : anywhere(random);
@@ -50,8 +55,8 @@ struct Wanted {
     bool normal, velocity;
 };
 
-void time_query(benchmark::State& state, int resolution, Isa isa, bool coherent, Wanted wanted) {
-    const Scene scene(resolution, isa, coherent);
+void time_query(benchmark::State& state, const SeaState& sea, Isa isa, bool coherent, Wanted wanted) {
+    const Scene scene(sea, isa, coherent);
     std::vector<std::vector<float>> out(8, std::vector<float>(count));
     SurfaceSamples samples{.height_m = out[0]};
     if (wanted.normal) samples.normal_x = out[1], samples.normal_y = out[2], samples.normal_z = out[3];
@@ -108,8 +113,8 @@ void time_lookup(benchmark::State& state, int resolution, Isa isa, bool coherent
 }
 
 /// Rays from 20 m up, a few hundred metres long.
-void time_ray(benchmark::State& state, int resolution, Isa isa) {
-    const Scene scene(resolution, isa, false);
+void time_ray(benchmark::State& state, const SeaState& sea, Isa isa) {
+    const Scene scene(sea, isa, false);
     std::size_t i = 0;
     for (auto _ : state) {
         i = (i + 1) % count;
@@ -119,43 +124,53 @@ void time_ray(benchmark::State& state, int resolution, Isa isa) {
 }
 
 /// What a frame takes more for being asked, beside stages.cpp's figures.
-void time_frame(benchmark::State& state, int resolution, Isa isa, bool queries, bool velocities) {
-    Ocean ocean({.resolution = resolution, .patch_size_m = 250, .choppiness = 1},
-                {.executor = make_serial_executor(), .isa = isa, .queries = queries, .velocities = velocities});
+void time_frame(benchmark::State& state, const SeaState& sea, Isa isa, bool queries, bool velocities) {
+    Ocean ocean(sea, {.executor = make_serial_executor(), .isa = isa, .queries = queries, .velocities = velocities});
     double time_s = 0;
     for (auto _ : state) benchmark::DoNotOptimize(ocean.frame_at(time_s += 1.0 / 72).tiles[0].height.data);
-    state.SetItemsProcessed(state.iterations() * resolution * resolution);
+    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(ocean.tile_count()) * ocean.resolution() *
+                            ocean.resolution());
+}
+
+void register_queries(const SeaState& sea, const std::string& size) {
+    using benchmark::RegisterBenchmark;
+    for (const Isa isa : isas_here()) {
+        for (const bool coherent : {false, true}) {
+            const std::string suffix =
+                "/" + std::string(name_of(isa)) + "/" + size + (coherent ? "/coherent" : "/random");
+            const auto add = [&](const char* what, Wanted wanted) {
+                RegisterBenchmark((what + suffix).c_str(), time_query, sea, isa, coherent, wanted);
+            };
+            add("height", {false, false});
+            add("height+normal", {true, false});
+            add("height+normal+velocity", {true, true});
+        }
+        const std::string suffix = "/" + std::string(name_of(isa)) + "/" + size;
+        const auto add_frame = [&](const char* what, bool queries, bool velocities) {
+            RegisterBenchmark((what + suffix).c_str(), time_frame, sea, isa, queries, velocities)
+                ->Unit(benchmark::kMicrosecond);
+        };
+        RegisterBenchmark(("ray" + suffix).c_str(), time_ray, sea, isa)->Unit(benchmark::kMicrosecond);
+        add_frame("frame", false, false);
+        add_frame("frame+queries", true, false);
+        add_frame("frame+queries+velocities", true, true);
+    }
 }
 
 void register_all() {
     using benchmark::RegisterBenchmark;
     for (const int n : {256, 512, 1024}) {
+        register_queries(one_tile(n), std::to_string(n));
         for (const bool coherent : {false, true}) {
             const std::string end = "/" + std::to_string(n) + (coherent ? "/coherent" : "/random");
-            for (const Isa isa : isas_here()) {
-                const std::string suffix = "/" + std::string(name_of(isa)) + end;
-                const auto add = [&](const char* what, Wanted wanted) {
-                    RegisterBenchmark((what + suffix).c_str(), time_query, n, isa, coherent, wanted);
-                };
-                add("height", {false, false});
-                add("height+normal", {true, false});
-                add("height+normal+velocity", {true, true});
-                RegisterBenchmark(("lookup" + suffix).c_str(), time_lookup, n, isa, coherent);
-            }
+            for (const Isa isa : isas_here())
+                RegisterBenchmark(("lookup/" + std::string(name_of(isa)) + end).c_str(), time_lookup, n, isa,
+                                  coherent);
             RegisterBenchmark(("height+normal/scalar" + end).c_str(), time_scalar, n, coherent);
             RegisterBenchmark(("lookup/scalar" + end).c_str(), time_scalar_lookup, n, coherent);
         }
-        for (const Isa isa : isas_here()) {
-            const std::string suffix = "/" + std::string(name_of(isa)) + "/" + std::to_string(n);
-            RegisterBenchmark(("ray" + suffix).c_str(), time_ray, n, isa)->Unit(benchmark::kMicrosecond);
-            RegisterBenchmark(("frame" + suffix).c_str(), time_frame, n, isa, false, false)
-                ->Unit(benchmark::kMicrosecond);
-            RegisterBenchmark(("frame+queries" + suffix).c_str(), time_frame, n, isa, true, false)
-                ->Unit(benchmark::kMicrosecond);
-            RegisterBenchmark(("frame+queries+velocities" + suffix).c_str(), time_frame, n, isa, true, true)
-                ->Unit(benchmark::kMicrosecond);
-        }
     }
+    for (const int tiles : {2, 3, 4}) register_queries(several_tiles(tiles), std::to_string(tiles) + "x128");
 }
 
 }  // namespace

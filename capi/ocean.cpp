@@ -1,11 +1,13 @@
 #include "pelagic/capi/ocean.hpp"
 
+#include <array>
 #include <cmath>
 
 #include "pelagic/capi/executor.hpp"
 #include "pelagic/capi/sea.hpp"
 #include "pelagic/capi/sized_struct.hpp"
 #include "pelagic/capi/status.hpp"
+#include "pelagic/message/number_text.hpp"
 #include "pelagic/message/refusal.hpp"
 
 namespace pelagic::capi {
@@ -48,7 +50,10 @@ double query_tolerance_m(const pelagic_ocean_options& options) {
 }
 
 OceanOptions options_of(const pelagic_ocean_options& options) {
-    OceanOptions result{.queries = options.queries != 0, .velocities = options.velocities != 0};
+    OceanOptions result{.queries = options.queries != 0,
+                        .velocities = options.velocities != 0,
+                        .gradients = options.gradients != 0,
+                        .slopes = options.slopes != 0};
     if (options.executor) result.executor = options.executor->executor;
     if (options.isa) {
         result.isa = isa_named(options.isa);
@@ -87,30 +92,63 @@ pelagic_bounds bounds_of(const FrameBounds& bounds) {
     return {bounds.height_min_m, bounds.height_max_m, bounds.sideways_x_max_m, bounds.sideways_z_max_m};
 }
 
+/// Where the levels of a chain begin, in texels.
+constexpr int most_levels = 12;
+static_assert(mip_levels(2048) == most_levels);
+
+void write_offsets(int resolution, std::uint32_t (&offset)[most_levels]) {
+    for (int level = 0; level < mip_levels(resolution); ++level)
+        offset[level] = static_cast<std::uint32_t>(mip_offset(resolution, level));
+}
+
+/// What C's frame and tile have in common: planes and halves.
+template <class T>
+void write_surface(const Tile& tile, T& out) {
+    out.resolution = tile.resolution();
+    out.dx = plane_of(tile.dx);
+    out.height = plane_of(tile.height);
+    out.dz = plane_of(tile.dz);
+    out.velocity_x = plane_of(tile.velocity_x);
+    out.velocity_y = plane_of(tile.velocity_y);
+    out.velocity_z = plane_of(tile.velocity_z);
+    out.displacement_rgba16f = tile.displacement_rgba16f.data();
+    out.gradient_rgba8 = tile.gradient_rgba8.data();
+}
+
 pelagic_frame c_frame_of(const Frame& frame) {
     pelagic_frame out{};
-    constexpr int most_levels = sizeof out.gradient_offset / sizeof out.gradient_offset[0];
-    static_assert(most_levels >= mip_levels(2048));
-    const int levels = mip_levels(frame.tiles[0].resolution());
-    out.resolution = frame.tiles[0].resolution();
+    const Tile& first = frame.tiles.front();
+    write_surface(first, out);
     out.time_s = frame.time_s;
-    out.patch_size_m = frame.sea.patch_size_m;
-    out.dx = plane_of(frame.tiles[0].dx);
-    out.height = plane_of(frame.tiles[0].height);
-    out.dz = plane_of(frame.tiles[0].dz);
-    out.velocity_x = plane_of(frame.tiles[0].velocity_x);
-    out.velocity_y = plane_of(frame.tiles[0].velocity_y);
-    out.velocity_z = plane_of(frame.tiles[0].velocity_z);
-    out.displacement_rgba16f = frame.tiles[0].displacement_rgba16f.data();
-    out.gradient_rgba8 = frame.tiles[0].gradient_rgba8.data();
-    out.gradient_levels = levels;
-    for (int level = 0; level < levels; ++level)
-        out.gradient_offset[level] = static_cast<std::uint32_t>(mip_offset(frame.tiles[0].resolution(), level));
+    out.patch_size_m = first.lattice.side_m;
+    if (!first.gradient_rgba8.empty()) {
+        out.gradient_levels = mip_levels(first.resolution());
+        write_offsets(first.resolution(), out.gradient_offset);
+    }
     out.bounds = bounds_of(frame.bounds);
+    out.tile_count = static_cast<std::int32_t>(frame.tiles.size());
+    out.roughness = static_cast<float>(frame.figures.roughness);
     return out;
 }
 
-/// Makes it the frame that queries, copy and hash tell of.
+pelagic_tile c_tile_of(const Tile& tile) {
+    pelagic_tile out{};
+    write_surface(tile, out);
+    out.side_m = tile.lattice.side_m;
+    out.cosine = tile.lattice.cosine;
+    out.sine = tile.lattice.sine;
+    out.slopes_rgba8 = tile.slopes_rgba8.data();
+    out.moments_rgba8 = tile.moments_rgba8.data();
+    out.slope_range = tile.slope_ranges.slope;
+    out.variance_range = tile.slope_ranges.variance;
+    out.levels = mip_levels(tile.resolution());
+    write_offsets(tile.resolution(), out.level_offset);
+    out.bounds = bounds_of(tile.bounds);
+    out.whitecap_jacobian = tile.whitecap_jacobian;
+    return out;
+}
+
+/// Makes it the frame that queries, tile, copy and hash tell of.
 void show(pelagic_ocean& ocean, const Frame& frame) {
     ocean.shown = &frame;
     if (ocean.has_queries) ocean.asked.show(SurfaceQuery(frame, ocean.query_tolerance_m));
@@ -128,8 +166,35 @@ FrameBuffers buffers_of(const pelagic_frame_buffers& buffers) {
             .velocity_y = part(buffers.velocity_y, buffers.plane_count),
             .velocity_z = part(buffers.velocity_z, buffers.plane_count),
             .displacement_rgba16f = part(buffers.displacement_rgba16f, buffers.rgba16f_count),
-            .gradient_rgba8 = part(buffers.gradient_rgba8, buffers.rgba8_count)};
+            .gradient_rgba8 = part(buffers.gradient_rgba8, buffers.rgba8_count),
+            .slopes_rgba8 = part(buffers.slopes_rgba8, buffers.slopes_count),
+            .moments_rgba8 = part(buffers.moments_rgba8, buffers.slopes_count)};
 }
+
+/// Where a host wants the tiles of a frame: his structs, one after the other, each of the size that the first states.
+class HostBuffers {
+   public:
+    /// Throws std::invalid_argument for null and a wrong struct_size.
+    HostBuffers(const pelagic_frame_buffers* first, std::size_t tile_count) : count_(tile_count) {
+        const std::size_t bytes = struct_bytes(first, "buffers");
+        if (count_ > 1 && bytes % alignof(pelagic_frame_buffers) != 0)
+            refuse(refusal("buffers.struct_size", bytes, number_text(sizeof *first) + ", the size of the struct"));
+        for (std::size_t i = 0; i < count_; ++i) {
+            const std::string name = i == 0 ? "buffers" : "buffers[" + number_text(i) + "]";
+            const auto* const at = reinterpret_cast<const pelagic_frame_buffers*>(
+                reinterpret_cast<const unsigned char*>(first) + i * bytes);
+            if (at->struct_size != bytes)
+                refuse(refusal(name + ".struct_size", at->struct_size, number_text(bytes) + ", as the first's"));
+            tiles_[i] = buffers_of(read_struct(at, name.c_str()));
+        }
+    }
+    std::span<const FrameBuffers> all() const { return {tiles_.data(), count_}; }
+
+   private:
+    static constexpr std::size_t most_tiles = 4;
+    std::array<FrameBuffers, most_tiles> tiles_;
+    std::size_t count_;
+};
 
 }  // namespace
 }  // namespace pelagic::capi
@@ -155,7 +220,8 @@ pelagic_status pelagic_ocean_describe(const pelagic_ocean* ocean, pelagic_ocean_
         const Ocean& sea = needed(ocean, "ocean").ocean;
         struct_bytes(info, "info");
         pelagic_ocean_info out{};
-        out.resolution = sea.sea().resolution;
+        out.resolution = sea.resolution();
+        out.tile_count = static_cast<std::int32_t>(sea.tile_count());
         out.threads = sea.executor().thread_limit();
         out.memory_bytes = sea.memory_bytes();
         out.isa = name_of(sea.isa()).data();          // names are literals, so they end in 0
@@ -193,10 +259,21 @@ pelagic_status pelagic_ocean_complete(pelagic_ocean* ocean, pelagic_frame* frame
     });
 }
 
+pelagic_status pelagic_ocean_tile(const pelagic_ocean* ocean, int32_t index, pelagic_tile* tile) {
+    return guarded([&] {
+        need_frame(needed(ocean, "ocean"));
+        struct_bytes(tile, "tile");
+        const std::span<const Tile> tiles = ocean->shown->tiles;
+        if (index < 0 || static_cast<std::size_t>(index) >= tiles.size())
+            refuse(refusal("index", index, tiles.size() == 1 ? "0" : "0 to " + number_text(tiles.size() - 1)));
+        write_struct(c_tile_of(tiles[static_cast<std::size_t>(index)]), tile);
+    });
+}
+
 pelagic_status pelagic_ocean_copy(const pelagic_ocean* ocean, const pelagic_frame_buffers* buffers) {
     return guarded([&] {
         need_frame(needed(ocean, "ocean"));
-        copy_frame(*ocean->shown, buffers_of(read_struct(buffers, "buffers")));
+        copy_frame(*ocean->shown, HostBuffers(buffers, ocean->shown->tiles.size()).all());
     });
 }
 
@@ -205,20 +282,19 @@ pelagic_status pelagic_ocean_frame_at(pelagic_ocean* ocean, double time_s, const
     return guarded([&] {
         need_no_frame_in_flight(needed(ocean, "ocean"));
         need_finite(time_s);
-        const FrameBuffers to = buffers_of(read_struct(buffers, "buffers"));
         Ocean& sea = ocean->ocean;
-        if (const std::string reason =
-                check({&to, 1}, sea.tile_count(), sea.resolution(), {.velocities = ocean->has_velocities});
+        const HostBuffers to(buffers, sea.tile_count());
+        if (const std::string reason = check(to.all(), sea.tile_count(), sea.resolution(), ocean->contents);
             !reason.empty())
             refuse(reason);
         ocean->asked.wait_for_old_readers();
         FrameBounds all;
         if (ocean->has_completed) {
-            all = sea.frame_at(time_s, to);
+            all = sea.frame_at(time_s, to.all());
         } else {
             const Frame& frame = sea.frame_at(time_s);
             show(*ocean, frame);
-            copy_frame(frame, to);
+            copy_frame(frame, to.all());
             all = frame.bounds;
         }
         if (bounds) *bounds = bounds_of(all);

@@ -55,16 +55,18 @@ struct pelagic_ocean {
     pelagic_ocean(const pelagic::SeaState& sea, pelagic::OceanOptions options, double tolerance_m)
         : ocean(sea, options),
           has_queries(options.queries),
-          has_velocities(options.velocities),
+          contents{.velocities = options.velocities,
+                   .gradients = options.gradients || ocean.tile_count() == 1,
+                   .slopes = options.slopes || ocean.tile_count() > 1},
           query_tolerance_m(tolerance_m) {}
 
     pelagic::Ocean ocean;
     bool has_queries;
-    bool has_velocities;
+    pelagic::FrameContents contents;  ///< of every frame
     double query_tolerance_m;
     bool frame_in_flight = false;
     bool sea_in_flight = false;
     bool has_completed = false;             ///< by complete(), not by frame_at() alone
-    const pelagic::Frame* shown = nullptr;  ///< what queries, copy and hash tell of
+    const pelagic::Frame* shown = nullptr;  ///< what queries, tile, copy and hash tell of
     mutable pelagic::capi::AskedFrames asked;
 };

@@ -10,7 +10,11 @@
  *   for (t = 0; drawing; t += 1.0 / 90) {
  *       pelagic_ocean_complete(ocean, &frame);           // the frame scheduled last
  *       pelagic_ocean_schedule(ocean, t + 1.0 / 90);     // the next is computed while this one is drawn
- *       draw(frame.displacement_rgba16f, frame.gradient_rgba8);
+ *       for (i = 0; i < frame.tile_count; ++i) {
+ *           pelagic_tile tile = {.struct_size = sizeof tile};
+ *           pelagic_ocean_tile(ocean, i, &tile);         // of the frame completed last
+ *           upload(tile.displacement_rgba16f, tile.slopes_rgba8, tile.moments_rgba8);
+ *       }
  *   }
  *   pelagic_ocean_destroy(ocean);
  *
@@ -115,11 +119,11 @@ enum {
 /* What sea is wanted. Two machines with the same values and the same Pelagic have the same sea at the same time. */
 typedef struct pelagic_sea {
     uint32_t struct_size;
-    int32_t spectrum;          /* PELAGIC_SPECTRUM_... */
-    int32_t resolution;        /* N, texels along a side; a power of two, 16 to 2048 */
-    uint32_t seed;             /* which sea of this kind */
-    double patch_size_m;       /* L, the sea repeats after this length; [0.001, 1e6] */
-    double wind_speed_mps;     /* mean wind 10 m above the sea; (0, 60] */
+    int32_t spectrum;      /* PELAGIC_SPECTRUM_... */
+    int32_t resolution;    /* N, texels along a tile; a power of two, 16 to 2048. 0: 128, with a patch_size_m 256 */
+    uint32_t seed;         /* which sea of this kind */
+    double patch_size_m;   /* the side of the one tile; [0.001, 1e6]. 0: sides chosen from the sea */
+    double wind_speed_mps; /* mean wind 10 m above the sea; (0, 60] */
     double wind_direction_rad; /* where the wind blows towards, from +x towards +z; [-2 pi, 2 pi] */
     double fetch_m;            /* how far the wind has blown over water (jonswap); (0, 2e6] */
     double depth_m;            /* waves over 0.6 of it break; [0.01, 11000] */
@@ -135,13 +139,20 @@ typedef struct pelagic_sea {
     double swell_period_s;      /* at which their spectrum peaks; 0: 12, else [1, 40] */
     double swell_direction_rad; /* where they run towards, as wind_direction_rad */
     double swell_spread_rad;    /* standard deviation of their directions; 0: 15 degrees, else [pi/180, 4 pi/9] */
+    /* How many tiles hold the waves, each a band of them; 1 to 4. 0: chosen, four, or one where patch_size_m is set, where the
+     * resolution is 16 or the spectrum phillips-paper. More than one takes no patch_size_m. A host whose struct ends before
+     * it has one tile. */
+    int32_t cascades;
+    uint32_t reserved_1; /* 0 */
 } pelagic_sea;
 
-/* Sets every field but struct_size. */
+/* Sets every field but struct_size: resolution, patch_size_m and cascades to 0, which is chosen. A host whose struct ends before
+ * `cascades` draws one tile only and gets one: 256 texels on 250 m. */
 PELAGIC_API pelagic_status pelagic_sea_defaults(pelagic_sea* sea);
 
 /* The same for a sea state: "calm", "lake", "swell", "moderate", "rough" or "storm", or the open sea of a force of wind,
- * "beaufort-0" to "beaufort-12". */
+ * "beaufort-0" to "beaufort-12". The one tile of an older host has 256 texels on a quarter of the side that the coarsest of the
+ * sea's tiles would have. */
 PELAGIC_API pelagic_status pelagic_sea_preset(const char* name, pelagic_sea* sea);
 
 /* PELAGIC_OK if an ocean could be made of it, else the message names the first bad field. */
@@ -203,9 +214,10 @@ typedef void (*pelagic_release)(void* user, void* memory, size_t bytes, size_t a
 
 typedef struct pelagic_ocean_options {
     uint32_t struct_size;
-    int32_t queries;    /* not 0: frames can be asked about any point; N^2 / 8 bytes a frame */
-    int32_t velocities; /* not 0: frames have velocities; 12 N^2 bytes a frame and about twice the transforms */
-    uint32_t reserved;  /* 0 */
+    int32_t queries; /* not 0: frames can be asked about any point; N^2 / 8 bytes a tile of a frame */
+    int32_t
+        velocities;    /* not 0: frames have velocities; 12 N^2 bytes a tile of a frame, about twice the transforms */
+    uint32_t reserved; /* 0 */
     const pelagic_executor* executor; /* NULL: PELAGIC_EXECUTOR_DEFAULT */
     const char* isa;          /* "sse4.2", "avx2", "avx512" or "neon"; NULL: PELAGIC_ISA, else the strongest */
     double query_tolerance_m; /* largest error of a converged point; 0: 0.001, else [1e-6, 1000] */
@@ -214,6 +226,9 @@ typedef struct pelagic_ocean_options {
     pelagic_allocate allocate;
     pelagic_release release;
     void* memory_user; /* handed to both; outlives the ocean */
+    /* Newer still. */
+    int32_t slopes;    /* not 0: a frame of one tile has slopes and moments too; those of several always do */
+    int32_t gradients; /* not 0: tiles of several have a gradient chain of their own too; those of one always do */
 } pelagic_ocean_options;
 
 typedef struct pelagic_ocean pelagic_ocean;
@@ -227,12 +242,15 @@ PELAGIC_API void pelagic_ocean_destroy(pelagic_ocean* ocean);
 
 typedef struct pelagic_ocean_info {
     uint32_t struct_size;
-    int32_t resolution;
-    int32_t threads; /* most that work on a frame */
+    int32_t resolution; /* N, of each tile */
+    int32_t threads;    /* most that work on a frame */
     uint32_t reserved;
     uint64_t memory_bytes; /* all that the ocean allocated, two frames and the spectrum included */
     const char* isa;
     const char* executor; /* "serial", "thread", "tbb" or "host" */
+    /* Newer than the fields above. */
+    int32_t tile_count; /* of every frame */
+    uint32_t reserved_1;
 } pelagic_ocean_info;
 
 PELAGIC_API pelagic_status pelagic_ocean_describe(const pelagic_ocean* ocean, pelagic_ocean_info* info);
@@ -250,7 +268,8 @@ typedef struct pelagic_plane {
     ptrdiff_t block_stride;
 } pelagic_plane;
 
-/* Extremes of a frame, for culling boxes; exact. */
+/* Extremes of displacements, for culling boxes. Those of a tile are exact; those of a frame are the sums of its tiles', exact
+ * for one and upper bounds for several, whose extremes need not meet. */
 typedef struct pelagic_bounds {
     float height_min_m;
     float height_max_m;
@@ -258,24 +277,84 @@ typedef struct pelagic_bounds {
     float sideways_z_max_m; /* largest |Dz| */
 } pelagic_bounds;
 
-/* Texel (i, j) rests at x = i L / N, z = j L / N and is drawn at (x + Dx, height, z + Dz); metres. */
+/* A frame is a stack of tiles, the coarsest first, and shows the first of them itself: all there is where tile_count is 1. Then
+ * texel (i, j) rests at x = i L / N, z = j L / N and is drawn at (x + Dx, height, z + Dz); metres. Where there are more, see
+ * pelagic_tile. */
 typedef struct pelagic_frame {
     uint32_t struct_size;
     int32_t resolution; /* N */
     double time_s;
-    double patch_size_m; /* L */
+    double patch_size_m; /* L, the first tile's side */
     pelagic_plane dx, height, dz;
     pelagic_plane velocity_x, velocity_y, velocity_z; /* metres a second; with pelagic_ocean_options.velocities */
     /* N^2 texels of four IEEE half floats, Dx, height, Dz and foam (0 none to 1 covered): rows are tight, 8 N bytes.
      * The layout of GL_RGBA16F with GL_HALF_FLOAT and of VK_FORMAT_R16G16B16A16_SFLOAT. */
     const uint16_t* displacement_rgba16f;
     /* A chain of gradient_levels levels of N, N / 2, ..., 1 texels a side, rows tight, 4 bytes a texel: normal x, normal
-     * z, Jacobian, smoothness. GL_RGBA8, VK_FORMAT_R8G8B8A8_UNORM. Level m begins gradient_offset[m] texels in. */
+     * z, Jacobian, smoothness. GL_RGBA8, VK_FORMAT_R8G8B8A8_UNORM. Level m begins gradient_offset[m] texels in. NULL and
+     * no levels in a frame of several tiles, unless pelagic_ocean_options.gradients. */
     const uint32_t* gradient_rgba8;
     int32_t gradient_levels;
     uint32_t gradient_offset[12];
-    pelagic_bounds bounds;
+    pelagic_bounds bounds; /* of all tiles together */
+    /* Newer than the fields above. */
+    uint32_t reserved_1; /* padding in the first version */
+    int32_t tile_count;
+    /* GGX's alpha of the water between texels, in [0, 1]: its square is the mean square of the slopes that no tile holds.
+     * Smoothness is 1 - sqrt(roughness). */
+    float roughness;
 } pelagic_frame;
+
+/* One square of waves, which repeats over the whole sea along its own two axes. The tiles of a frame add: the water that rests
+ * at (x, z) is drawn at (x + Dx, height, z + Dz), each the sum of what the tiles hold there.
+ *
+ * Places. L being side_m and N the resolution, texel (i, j), column i and row j, rests at
+ *
+ *   x = (cosine i - sine j) L / N,  z = (sine i + cosine j) L / N.
+ *
+ * So (x, z) lies at column u N and row v N, both modulo N, with
+ *
+ *   u = (cosine x + sine z) / L,  v = (cosine z - sine x) / L;
+ *
+ * in a texture that repeats and whose texels' centres are half a texel in, at (u + 0.5 / N, v + 0.5 / N), whatever the level.
+ * What the texels hold is in the world's axes, whatever the turn.
+ *
+ * Slopes. Normals and Jacobians of a sum are no sums of normals and Jacobians, but derivatives add, and filters and levels may
+ * come before it. Two chains like gradient_rgba8 hold them, four bytes a texel from the lowest up:
+ *
+ *   slopes_rgba8   h_x, h_z, D_xx, D_zz         (byte - 128) / 127 * slope_range each
+ *   moments_rgba8  D_xz                         the same
+ *                  var_xx, var_zz               byte / 255 * variance_range
+ *                  cov_xz                       (byte - 128) / 127 * variance_range
+ *
+ * A texture has byte / 255. h_x is the height's derivative along x at rest, D_xz those of Dx along z and of Dz along x, which
+ * are equal. The variances are of h_x and h_z within a texel, for roughness (LEAN mapping, Olano and Baker 2010): GGX's alpha^2
+ * is var_xx + var_zz + pelagic_frame.roughness^2. With the sums of each over the tiles, the Jacobian J and a normal of any length are
+ *
+ *   J = (1 + D_xx) (1 + D_zz) - D_xz^2,  n = (h_z D_xz - h_x (1 + D_zz), J, h_x D_xz - h_z (1 + D_xx)).
+ *
+ * Foam of the stack is at a point the largest of the tiles'. */
+typedef struct pelagic_tile {
+    uint32_t struct_size;
+    int32_t resolution; /* N */
+    double side_m;      /* L */
+    /* Of the turn of the tile's axes against the world's, from +x towards +z; 1 and 0: not turned. */
+    double cosine, sine;
+    /* As in pelagic_frame, of this tile alone. */
+    pelagic_plane dx, height, dz;
+    pelagic_plane velocity_x, velocity_y, velocity_z;
+    const uint16_t* displacement_rgba16f;
+    const uint32_t* gradient_rgba8;
+    /* NULL in a frame of one tile, unless pelagic_ocean_options.slopes. */
+    const uint32_t *slopes_rgba8, *moments_rgba8;
+    float slope_range, variance_range;
+    int32_t levels;            /* of each of the three chains, if it is there */
+    uint32_t level_offset[12]; /* level m of any of them begins so many texels in */
+    pelagic_bounds bounds;
+    /* Below this Jacobian of the tile alone the sea is white: as much of it, in the mean over time, as whitecaps cover in that
+     * wind. -10 where the tile makes none. */
+    float whitecap_jacobian;
+} pelagic_tile;
 
 /* Starts the frame at time_s and returns at once. Any finite time, in any order: a frame is a pure function of the sea and
  * the time, and time_s + n * loop_period_s gives the same bits. A small frame (N up to 64), and any without threads,
@@ -293,8 +372,14 @@ PELAGIC_API pelagic_status pelagic_ocean_poll(const pelagic_ocean* ocean, int32_
  * more stack and there was none. */
 PELAGIC_API pelagic_status pelagic_ocean_complete(pelagic_ocean* ocean, pelagic_frame* frame);
 
-/* Where pelagic_ocean_copy and pelagic_ocean_frame_at write. Pointers may be NULL: not wanted. Counts are exact, of elements. Rows are tight,
- * texel (i, j) at j N + i. */
+/* One tile of the frame completed last, the coarsest being 0; what it points to is valid as long as that frame is. Also while
+ * the next frame is computed. PELAGIC_INVALID_ARGUMENT if `index` is not less than the frame's tile_count;
+ * PELAGIC_WRONG_ORDER before the first frame. */
+PELAGIC_API pelagic_status pelagic_ocean_tile(const pelagic_ocean* ocean, int32_t index, pelagic_tile* tile);
+
+/* Where pelagic_ocean_copy and pelagic_ocean_frame_at write a tile. Pointers may be NULL: not wanted. Counts are exact, of
+ * elements. Rows are tight, texel (i, j) at j N + i. For a frame of several tiles there is an array of them, one for each tile,
+ * all of the struct_size of the first. */
 typedef struct pelagic_frame_buffers {
     uint32_t struct_size;
     uint32_t reserved;  /* 0 */
@@ -305,14 +390,19 @@ typedef struct pelagic_frame_buffers {
     uint16_t* displacement_rgba16f;
     size_t rgba8_count; /* texels of the chain: (4 N^2 - 1) / 3 */
     uint32_t* gradient_rgba8;
+    /* Newer than the fields above. */
+    size_t slopes_count; /* as rgba8_count, the length of each of these */
+    uint32_t *slopes_rgba8, *moments_rgba8;
 } pelagic_frame_buffers;
 
 /* Copies the frame completed last: planes in tight rows, whatever blocks they are computed in, and all levels. Also while the
- * next frame is computed. PELAGIC_WRONG_ORDER before the first frame. */
+ * next frame is computed. PELAGIC_INVALID_ARGUMENT for parts that the ocean was made without. PELAGIC_WRONG_ORDER before the
+ * first frame. */
 PELAGIC_API pelagic_status pelagic_ocean_copy(const pelagic_ocean* ocean, const pelagic_frame_buffers* buffers);
 
 /* Computes the frame of time_s into the caller's memory, synchronously; for servers and replays. Views and queries of the
- * frame completed last are not touched; before there is one, it is this frame that queries, copy and hash tell of.
+ * frame completed last are not touched; before there is one, it is this frame that queries, tile, copy and hash
+ * tell of.
  * `bounds` may be NULL. PELAGIC_WRONG_ORDER as for schedule. */
 PELAGIC_API pelagic_status pelagic_ocean_frame_at(pelagic_ocean* ocean, double time_s,
                                                   const pelagic_frame_buffers* buffers, pelagic_bounds* bounds);
@@ -323,7 +413,8 @@ PELAGIC_API pelagic_status pelagic_ocean_hash(const pelagic_ocean* ocean, uint64
 
 /* ---- Another sea ------------------------------------------------------------------------------------------------ */
 
-/* Starts to bake another sea beside the current one; frames go on with the old one. The resolution must stay.
+/* Starts to bake another sea beside the current one; frames go on with the old one. The resolution and the number of tiles
+ * must stay.
  * PELAGIC_WRONG_ORDER if one is being baked. */
 PELAGIC_API pelagic_status pelagic_ocean_schedule_sea(pelagic_ocean* ocean, const pelagic_sea* sea);
 
@@ -369,7 +460,7 @@ typedef struct pelagic_ray {
     uint32_t reserved;   /* 0 */
     double origin_m[3];  /* x, y, z; [-1e9, 1e9] */
     double direction[3]; /* its length doesn't matter; [1e-100, 1e100] */
-    double reach_m;      /* how far to look; 0 to 1e6 texels, which are L / N each */
+    double reach_m;      /* how far to look; 0 to 1e6 texels of the coarsest tile, which are L / N each */
 } pelagic_ray;
 
 typedef struct pelagic_hit {

@@ -43,13 +43,14 @@ void need_within(const char* name, double value, double least, double most, cons
 }
 
 // Limits of what first_hit() may be asked, which also bound the time that it takes.
-SurfaceRay ray_of(const pelagic_ray& ray, double texel_m) {
+SurfaceRay ray_of(const pelagic_ray& ray, double coarsest_texel_m) {
     constexpr double far_m = 1e9, most_texels = 1e6;
     for (const double along : ray.origin_m) need_within("ray.origin_m", along, -far_m, far_m, "[-1e9, 1e9]");
     const double* const d = ray.direction;
     const double length = std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
     need_within("ray.direction's length", length, 1e-100, 1e100, "[1e-100, 1e100]");
-    need_within("ray.reach_m", ray.reach_m, 0, most_texels * texel_m, "0 to a million texels");
+    need_within("ray.reach_m", ray.reach_m, 0, most_texels * coarsest_texel_m,
+                "0 to a million texels of the coarsest tile");
     return {.origin_m = {ray.origin_m[0], ray.origin_m[1], ray.origin_m[2]},
             .direction = {d[0], d[1], d[2]},
             .reach_m = ray.reach_m};
@@ -87,7 +88,7 @@ pelagic_status pelagic_ocean_first_hit(const pelagic_ocean* ocean, const pelagic
     return guarded([&] {
         const AskedFrames::Reader reader(needed(ocean, "ocean").asked);
         const SurfaceQuery& query = needed_query(*ocean, reader);
-        const SurfaceRay asked = ray_of(read_struct(ray, "ray"), query.texel_m());
+        const SurfaceRay asked = ray_of(read_struct(ray, "ray"), query.frame().tiles.front().texel_m());
         struct_bytes(hit, "hit");
         const std::optional<SurfaceHit> found = first_hit(query, asked);
         write_struct(found ? c_hit_of(*found) : pelagic_hit{}, hit);

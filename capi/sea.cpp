@@ -1,8 +1,11 @@
 #include "pelagic/capi/sea.hpp"
 
+#include <cstddef>
+
 #include "pelagic/capi/sized_struct.hpp"
 #include "pelagic/capi/status.hpp"
 #include "pelagic/message/refusal.hpp"
+#include "pelagic/sim/tile_plan.hpp"
 
 namespace pelagic::capi {
 namespace {
@@ -39,8 +42,24 @@ pelagic_sea c_sea_of(const SeaState& from) {
     to.swell_period_s = from.swell_period_s;
     to.swell_direction_rad = from.swell_direction_rad;
     to.swell_spread_rad = from.swell_spread_rad;
+    to.cascades = from.cascades;
     return to;
 }
+
+/// A host whose struct ends before it was compiled when a frame was one tile, and draws one.
+bool knows_cascades(const pelagic_sea& sea) {
+    return sea.struct_size >= offsetof(pelagic_sea, cascades) + sizeof sea.cascades;
+}
+
+/// For such a host: as it was, 256 texels on this side.
+SeaState one_tile(SeaState sea, double side_m) {
+    sea.resolution = 256;
+    sea.patch_size_m = side_m;
+    return sea;
+}
+
+/// Four peak wavelengths, or so, instead of sixteen: a tile that stands alone needs the short waves too.
+double lone_side_m(const SeaState& sea) { return plan_tiles(sea).front().lattice.side_m / 4; }
 
 std::string preset_names() {
     std::string names;
@@ -55,6 +74,7 @@ SeaState sea_of(const pelagic_sea* pointer) {
     const pelagic_sea sea = read_struct(pointer, "sea");
     return {.spectrum = static_cast<SpectrumModel>(sea.spectrum),
             .spreading = static_cast<SpreadingModel>(sea.spreading),
+            .cascades = knows_cascades(*pointer) ? sea.cascades : 1,
             .resolution = sea.resolution,
             .patch_size_m = sea.patch_size_m,
             .wind_speed_mps = sea.wind_speed_mps,
@@ -81,7 +101,8 @@ using namespace pelagic::capi;
 pelagic_status pelagic_sea_defaults(pelagic_sea* sea) {
     return guarded([&] {
         struct_bytes(sea, "sea");
-        write_struct(c_sea_of({}), sea);
+        constexpr double side_m = 250;
+        write_struct(c_sea_of(knows_cascades(*sea) ? SeaState{} : one_tile({}, side_m)), sea);
     });
 }
 
@@ -89,8 +110,10 @@ pelagic_status pelagic_sea_preset(const char* name, pelagic_sea* sea) {
     return guarded([&] {
         const std::string_view wanted = &needed(name, "name");
         struct_bytes(sea, "sea");
-        if (const SeaPreset* preset = sea_preset_named(wanted)) return write_struct(c_sea_of(preset->sea), sea);
-        refuse(refusal("preset", wanted, "one of " + preset_names()));
+        const SeaPreset* const preset = sea_preset_named(wanted);
+        if (!preset) refuse(refusal("preset", wanted, "one of " + preset_names()));
+        const SeaState& state = preset->sea;
+        write_struct(c_sea_of(knows_cascades(*sea) ? state : one_tile(state, lone_side_m(state))), sea);
     });
 }
 

@@ -26,6 +26,7 @@ PELAGIC_LAST_FIELD_AT_FIRST(pelagic_executor_options, user);
 PELAGIC_LAST_FIELD_AT_FIRST(pelagic_ocean_options, query_tolerance_m);
 PELAGIC_LAST_FIELD_AT_FIRST(pelagic_ocean_info, executor);
 PELAGIC_LAST_FIELD_AT_FIRST(pelagic_frame, bounds);
+PELAGIC_LAST_FIELD_AT_FIRST(pelagic_tile, whitecap_jacobian);
 PELAGIC_LAST_FIELD_AT_FIRST(pelagic_frame_buffers, gradient_rgba8);
 PELAGIC_LAST_FIELD_AT_FIRST(pelagic_points, z);
 PELAGIC_LAST_FIELD_AT_FIRST(pelagic_samples, converged);
@@ -55,6 +56,8 @@ T read_struct(const T* pointer, const char* name) {
         refuse(std::string(name) + " sets fields of a later version, needs 0 there");
     if constexpr (requires { ours.reserved; })
         if (ours.reserved != 0) refuse(std::string(name) + ".reserved is set, needs 0");
+    if constexpr (requires { ours.reserved_1; })
+        if (ours.reserved_1 != 0) refuse(std::string(name) + ".reserved_1 is set, needs 0");
     return ours;
 }
 

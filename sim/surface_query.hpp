@@ -5,7 +5,7 @@
 //   water.sample({.x = xs, .z = zs}, {.height_m = heights});
 //
 // The surface is what a GPU draws: between texels each displacement is bilinear, and the rest point q is drawn at
-// q + D(q). A query looks for the rest point that is drawn at the given (x, z) and reads the frame there. Where sheets
+// q + D(q), D being the sum of the tiles' displacements. A query looks for the rest point that is drawn at the given (x, z) and reads the frame there. Where sheets
 // lie over one another (breaking crests at high choppiness) the highest one counts.
 //
 // The bits depend on the frame, the point and the tolerance alone: not on other points of the batch, nor their order,
@@ -24,7 +24,7 @@ struct Kernels;
 struct PointChunk;
 
 /// World positions in metres, as far from the origin as you like: the sea repeats in double precision. A position that
-/// is no number, or so far away that doubles can't tell texels apart (2^50 of them), has no sample: its error is
+/// is no number, or so far away that doubles can't tell the finest texels apart (2^50 of them), has no sample: its error is
 /// infinite, it is not converged and the rest is that of the origin.
 struct SurfacePoints {
     std::span<const double> x, z;  ///< equally long
@@ -34,7 +34,7 @@ struct SurfacePoints {
 struct SurfaceSamples {
     std::span<float> height_m = {};
     /// Unit normal of the displaced surface, (hz Dz,x - hx (1 + Dz,z), J, hx Dx,z - hz (1 + Dx,x)) with slopes by
-    /// central differences at texels, bilinear between them: smooth, as the gradient texture shows it.
+    /// central differences at texels, bilinear between them, added up over the tiles: smooth, as textures show it.
     std::span<float> normal_x = {}, normal_y = {}, normal_z = {};
     /// The same slopes' (1 + Dx,x)(1 + Dz,z) - Dx,z Dz,x: 1 at rest, small at sharp crests, negative (and the normal
     /// points down) where the sheet is turned over. Not clamped.

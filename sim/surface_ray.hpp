@@ -24,9 +24,9 @@ struct SurfaceHit {
 /// The first place where the ray passes through the surface, from above or from below; none within its reach.
 ///
 /// The surface is the highest sheet, as SurfaceQuery gives it; where a crest hangs over, its front is a wall. The ray is
-/// looked at every half texel along the ground between the lowest and the highest water, so no crest or trough is
-/// missed through which it passes for half a texel (along the ground) or longer; one that it only grazes may be. The
-/// distance is within the query's tolerance, or 1e-9 of itself where that is more.
+/// looked at every half texel of the finest tile along the ground between the lowest and the highest water, but where the
+/// waters around are proven to stay away from it; so no crest or trough is missed through which it passes for half such a
+/// texel (along the ground) or longer; one that it only grazes may be. The distance is within the query's tolerance, or 1e-9 of itself where that is more.
 ///
 /// Const and thread-safe as the query, without allocations; the same bits everywhere.
 /// \pre finite numbers, a direction that is not 0, a reach that is not negative (asserted)

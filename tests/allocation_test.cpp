@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cstdlib>
 #include <new>
+#include <utility>
 #include <vector>
 
 #include "pelagic/quadtree/selection.hpp"
@@ -49,14 +50,19 @@ TEST(Allocation, FramesAfterTheFirstAllocateNothing) {
 }
 
 TEST(Allocation, NeitherQueriesNorFramesThatCanBeAskedAllocate) {
-    for (const auto& executor : {make_serial_executor(), make_thread_executor(3)}) {
-        // The paper's own scale folds at such winds, so the search for the highest sheet is in it.
-        Ocean ocean({.spectrum = SpectrumModel::phillips_paper,
-                     .resolution = 64,
-                     .patch_size_m = 250,
-                     .wind_speed_mps = 20,
-                     .choppiness = 1},
-                    {.executor = executor, .queries = true, .velocities = true, .slopes = true});
+    // The paper's own scale folds at such winds, and tiles in a hurricane are nearly as steep: so the searches for the
+    // highest sheet are in it.
+    const SeaState folded{.spectrum = SpectrumModel::phillips_paper,
+                          .resolution = 64,
+                          .patch_size_m = 250,
+                          .wind_speed_mps = 20,
+                          .choppiness = 1};
+    const SeaState steep_tiles{.cascades = 4, .resolution = 64, .wind_speed_mps = 50, .choppiness = 1};
+    for (const auto& [executor, sea] : {std::pair{make_serial_executor(), folded},
+                                        {make_thread_executor(3), folded},
+                                        {make_serial_executor(), steep_tiles},
+                                        {make_thread_executor(3), steep_tiles}}) {
+        Ocean ocean(sea, {.executor = executor, .queries = true, .velocities = true, .slopes = true});
         SurfaceQueryJobs jobs(executor);
         std::vector<double> x(3000), z(3000);
         std::vector<float> height(3000), velocity(3000), normal(3000);

@@ -48,9 +48,8 @@ pelagic_ocean_options with_heap(HostHeap& heap) {
     return options;
 }
 
-TEST(CInterfaceMemory, AllThatGrowsWithTheGridComesFromTheHost) {
+void expect_all_from_the_host(const pelagic_sea& sea) {
     HostHeap heap;
-    const pelagic_sea sea = small_sea(256);
     const pelagic_ocean_options options = with_heap(heap);
     pelagic_ocean* made = nullptr;
     ASSERT_EQ(pelagic_ocean_create(&sea, &options, &made), PELAGIC_OK) << pelagic_last_error();
@@ -74,6 +73,11 @@ TEST(CInterfaceMemory, AllThatGrowsWithTheGridComesFromTheHost) {
     EXPECT_EQ(heap.held, before);
     ocean.reset();
     EXPECT_EQ(heap.held, 0u);
+}
+
+TEST(CInterfaceMemory, AllThatGrowsWithTheGridComesFromTheHost) {
+    expect_all_from_the_host(small_sea(256));
+    expect_all_from_the_host(stack_sea(3, 128));
 }
 
 TEST(CInterfaceMemory, WhatTheHostDoesNotHaveIsACodeAndNoLeak) {

@@ -16,9 +16,20 @@ T sized() {
     return value;
 }
 
+/// Of one tile.
 inline pelagic_sea small_sea(std::int32_t resolution = 16) {
     auto sea = sized<pelagic_sea>();
     EXPECT_EQ(pelagic_sea_defaults(&sea), PELAGIC_OK);
+    sea.resolution = resolution;
+    sea.patch_size_m = 250;
+    return sea;
+}
+
+/// Of several.
+inline pelagic_sea stack_sea(std::int32_t cascades, std::int32_t resolution = 32) {
+    auto sea = sized<pelagic_sea>();
+    EXPECT_EQ(pelagic_sea_defaults(&sea), PELAGIC_OK);
+    sea.cascades = cascades;
     sea.resolution = resolution;
     return sea;
 }
@@ -42,14 +53,22 @@ struct DestroyOcean {
 };
 using COcean = std::unique_ptr<pelagic_ocean, DestroyOcean>;
 
+inline COcean ocean_of(const pelagic_sea& sea, const pelagic_ocean_options& options) {
+    pelagic_ocean* ocean = nullptr;
+    EXPECT_EQ(pelagic_ocean_create(&sea, &options, &ocean), PELAGIC_OK) << pelagic_last_error();
+    return COcean(ocean);
+}
+
 /// With queries and velocities.
 inline COcean ocean_of(const pelagic_sea& sea, const pelagic_executor* executor) {
     auto options = sized<pelagic_ocean_options>();
     options.queries = options.velocities = 1;
     options.executor = executor;
-    pelagic_ocean* ocean = nullptr;
-    EXPECT_EQ(pelagic_ocean_create(&sea, &options, &ocean), PELAGIC_OK) << pelagic_last_error();
-    return COcean(ocean);
+    return ocean_of(sea, options);
+}
+
+inline float texel_of(const pelagic_plane& plane, int i, int j) {
+    return plane.data[i / plane.block_columns * plane.block_stride + j * plane.row_stride + i % plane.block_columns];
 }
 
 /// Arrays for frame_at(), as long as it wants them.

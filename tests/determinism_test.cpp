@@ -91,6 +91,7 @@ const SeaState folded_sea{.spectrum = SpectrumModel::phillips_paper,
                           .wind_speed_mps = 20,
                           .choppiness = 1};
 const SeaState smooth_sea{.resolution = 256, .patch_size_m = 250, .choppiness = 1};
+const SeaState sea_of_tiles{.cascades = 4, .resolution = 64, .choppiness = 1};
 
 std::unique_ptr<Ocean> asked_ocean(const SeaState& sea, Isa isa = choose_isa(),
                                    std::shared_ptr<Executor> executor = make_serial_executor()) {
@@ -202,7 +203,7 @@ TEST(Determinism, OceansMayBeDestroyedInFlight) {
 }
 
 TEST(Determinism, ASeaThatCanBeAskedIsTheSameSea) {
-    for (const SeaState& sea : {folded_sea, smooth_sea})
+    for (const SeaState& sea : {folded_sea, smooth_sea, sea_of_tiles})
         for (const Host& host : hosts())
             EXPECT_EQ(hash_of(asked_ocean(sea, choose_isa(), host.executor)->frame_at(7)), hash_at(sea, 7))
                 << host.name;
@@ -210,7 +211,7 @@ TEST(Determinism, ASeaThatCanBeAskedIsTheSameSea) {
 
 TEST(Determinism, EveryInstructionSetGivesTheSameAnswers) {
     const AskedPoints points(20000);
-    for (const SeaState& sea : {folded_sea, smooth_sea}) {
+    for (const SeaState& sea : {folded_sea, smooth_sea, sea_of_tiles}) {
         const std::uint64_t expected = answers_at(sea, 3, isas_here().front(), points).hash();
         for (const Isa isa : isas_here()) EXPECT_EQ(answers_at(sea, 3, isa, points).hash(), expected) << name_of(isa);
     }
@@ -218,7 +219,7 @@ TEST(Determinism, EveryInstructionSetGivesTheSameAnswers) {
 
 TEST(Determinism, AnAnswerDependsOnNoOtherPointOfTheBatch) {
     const AskedPoints points(1000);
-    for (const SeaState& sea : {folded_sea, smooth_sea}) {
+    for (const SeaState& sea : {folded_sea, smooth_sea, sea_of_tiles}) {
         const auto ocean = asked_ocean(sea);
         const SurfaceQuery query(ocean->frame_at(3));
         Answers expected(points.x.size());
@@ -435,7 +436,8 @@ TEST(Determinism, GoldenHashesNeverChange) {
     }
     // Answers to queries, velocities included.
     const AskedPoints points(5000);
-    for (const auto& [name, sea] : {std::pair{"queries-folded", folded_sea}, {"queries-smooth", smooth_sea}}) {
+    for (const auto& [name, sea] :
+         {std::pair{"queries-folded", folded_sea}, {"queries-smooth", smooth_sea}, {"queries-tiles", sea_of_tiles}}) {
         std::ostringstream hash;
         hash << std::hex << answers_at(sea, 12.34, choose_isa(), points).hash();
         EXPECT_EQ(golden[name], hash.str()) << "the line would be: " << name << " " << hash.str();

@@ -60,6 +60,7 @@ std::vector<Case> cases() {
         {"N256", {.resolution = 256, .patch_size_m = 250}, 12.34},
         {"N256_breaking",
          {.spectrum = SpectrumModel::phillips_paper,
+          .resolution = 256,
           .patch_size_m = 50,
           .wind_speed_mps = 25,
           .wind_direction_rad = 0.6,

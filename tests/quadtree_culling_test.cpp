@@ -135,7 +135,8 @@ std::vector<bool> truly_visible(const DrawList& list, const PatchMesh& mesh, con
 
 class Culling : public testing::Test {
    protected:
-    Culling() : sea_(ocean_.frame_at(7.5)) {}
+    explicit Culling(const SeaState& sea = {.resolution = 64, .patch_size_m = 250, .wind_speed_mps = 18})
+        : ocean_(sea, {.executor = make_serial_executor()}), sea_(ocean_.frame_at(7.5)) {}
 
     /// Compares one selection with the truth; counts.
     void compare(const QuadtreeOptions& options, glm::dvec3 viewer,
@@ -178,7 +179,7 @@ class Culling : public testing::Test {
         if (seen >= 12) worst_ = std::max(worst_, static_cast<double>(kept.instances.size()) / seen);
     }
 
-    Ocean ocean_{{.resolution = 64, .patch_size_m = 250, .wind_speed_mps = 18}, {.executor = make_serial_executor()}};
+    Ocean ocean_;
     FrameSea sea_;
     int truly_ = 0, kept_ = 0;
     double worst_ = 0;
@@ -223,6 +224,28 @@ TEST_F(Culling, LosesNothingOfEitherEye) {
         ASSERT_NO_FATAL_FAILURE(compare(options, head, eyes));
     }
     EXPECT_LE(kept_, 1.6 * truly_);
+}
+
+class CullingOfSeveralTiles : public Culling {
+   protected:
+    CullingOfSeveralTiles() : Culling({.cascades = 4, .resolution = 32, .wind_speed_mps = 18}) {}
+};
+
+// A frame's bounds are sums of its tiles', whose extremes need not meet: a few more patches are kept.
+TEST_F(CullingOfSeveralTiles, LosesNoVisibleTriangleAndKeepsFewInvisiblePatches) {
+    Random random(13);
+    const QuadtreeOptions options = quadtree_preset_named("low")->options(2048);
+    for (int i = 0; i < views / 10; ++i) {
+        const double height = i % 5 == 0 ? random.between(20, options.size_m / 4) : random.between(-3, 12);
+        const glm::dvec3 eye(random.between(-3000, 3000), height, random.between(-3000, 3000));
+        const Projection projection = random_projection(random, i);
+        SCOPED_TRACE("view " + std::to_string(i));
+        ASSERT_NO_FATAL_FAILURE(
+            compare(options, eye, {{projection.matrix * random_camera(random, eye), projection.zero_to_one}}));
+    }
+    EXPECT_GT(truly_, views);
+    EXPECT_LE(kept_, 1.6 * truly_);
+    std::printf("kept %.3f times the visible patches\n", static_cast<double>(kept_) / truly_);
 }
 
 }  // namespace

@@ -120,6 +120,7 @@ TEST(SurfaceQuery, HeightsNormalsAndJacobiansAreThoseOfTheOracleFromCalmToStorm)
         for (const double choppiness : {0.0, 0.3, 0.7, 1.0}) {
             SCOPED_TRACE(name + ", choppiness " + std::to_string(choppiness));
             SeaState sea = sea_preset_named(name)->sea;
+            sea.patch_size_m = 250;
             sea.choppiness = choppiness;
             sea.wind_direction_rad = 0.35 * ++seed;
             sea.seed = seed;

@@ -3,13 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
+#include <optional>
 #include <random>
 #include <thread>
 #include <vector>
 
+#include "pelagic/sim/query/height_change.hpp"
 #include "pelagic/sim/surface_query.hpp"
+#include "pelagic/sim/surface_ray.hpp"
 #include "pelagic/tests/each_isa.hpp"
 #include "pelagic/tests/oracle/stack_oracle.hpp"
 #include "pelagic/tests/sanitized.hpp"
@@ -129,6 +131,208 @@ TEST(TileStackQuery, OfSheetsOverOneAnotherTheHighestCounts) {
         }
     }
     EXPECT_GT(folded, is_sanitized ? 0u : 60u);
+}
+
+/// Bits don't depend on the batch, the order, the thread or the instruction set.
+TEST(TileStackQuery, AnswersHaveTheSameBitsHoweverTheyAreAsked) {
+    const std::size_t count = 1000;
+    const Points points = random_points(count, 2000, 8);
+    for (const double factor : {1.0, 4.0}) {
+        std::vector<Samples> of_isas;
+        for (const Isa isa : isas_here()) {
+            const TileStack stack(exaggerated(TileStack::of_scales(4, 12, 1, 2, 32), factor), 5, isa);
+            const SurfaceQuery query(stack.frame());
+            Samples together(count);
+            query.sample(points.view(), together.view());
+            of_isas.push_back(together);
+
+            for (std::size_t i = count; i-- > 0;) {
+                Samples one(1);
+                query.sample({{&points.x[i], 1}, {&points.z[i], 1}}, one.view());
+                ASSERT_EQ(one.height[0], together.height[i]);
+                ASSERT_EQ(one.normal_x[0], together.normal_x[i]);
+                ASSERT_EQ(one.velocity_y[0], together.velocity_y[i]);
+                ASSERT_EQ(one.error[0], together.error[i]);
+            }
+
+            Samples of_threads[2] = {Samples(count), Samples(count)};
+            std::thread other([&] { query.sample(points.view(), of_threads[1].view()); });
+            query.sample(points.view(), of_threads[0].view());
+            other.join();
+            EXPECT_TRUE(of_threads[0] == together && of_threads[1] == together);
+        }
+        for (const Samples& samples : of_isas) EXPECT_TRUE(samples == of_isas.front());
+    }
+}
+
+TEST(TileStackQuery, APlaceThatIsNoneIsNotConverged) {
+    const TileStack stack(TileStack::of_scales(3, 12, 1, 2, 32), 5);
+    const double infinity = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
+    const Points points{{infinity, -infinity, nan, 0, 1e300, 3, 1e9}, {0, 0, 0, nan, 0, 4, -1e9}};
+    Samples samples(7);
+    SurfaceQuery(stack.frame()).sample(points.view(), samples.view());
+    for (std::size_t i = 0; i < 5; ++i) {
+        EXPECT_EQ(samples.error[i], infinity);
+        EXPECT_FALSE(samples.converged[i]);
+        EXPECT_TRUE(std::isfinite(samples.height[i]));
+    }
+    EXPECT_TRUE(samples.converged[5]);
+    EXPECT_TRUE(samples.converged[6]) << "a million kilometres away";
+}
+
+TEST(TileStackQuery, ErrorIsHonestWhereTheToleranceIsBeyondFloat) {
+    const TileStack stack(TileStack::of_scales(3, 12, 1, 2, 32), 5);
+    const Points points = random_points(500, 1000, 5);
+    Samples samples(500);
+    SurfaceQuery(stack.frame(), 1e-12).sample(points.view(), samples.view());
+    for (std::size_t i = 0; i < 500; ++i) {
+        EXPECT_EQ(samples.converged[i] != 0, samples.error[i] <= 1e-12f);
+        EXPECT_LE(samples.error[i], 2e-5);
+    }
+}
+
+TEST(TileStackQuery, SaysThatAFrameOfSeveralTilesLacksWhatQueriesNeed) {
+    Ocean plain({.cascades = 3, .resolution = 32}, {.executor = make_serial_executor()});
+    EXPECT_THROW(SurfaceQuery(plain.frame_at(0)), std::invalid_argument);
+    Ocean asked({.cascades = 3, .resolution = 32}, {.executor = make_serial_executor(), .queries = true});
+    const SurfaceQuery query(asked.frame_at(0));
+    EXPECT_EQ(query.texel_m(), asked.frame_at(0).tiles[2].texel_m());
+}
+
+/// What a sea of the default tiles asks its queries, from calm to storm; every preset.
+TEST(TileStackQuery, AnswersAsTheOracleOnEveryPreset) {
+    unsigned seed = 0;
+    for (const SeaPreset& preset : sea_presets()) {
+        SCOPED_TRACE(preset.name);
+        SeaState sea = preset.sea;
+        sea.choppiness = 1;
+        sea.seed = ++seed;
+        if (cascades_of(sea) == 1) continue;
+        Ocean ocean(sea, {.executor = make_serial_executor(), .queries = true, .velocities = true});
+        expect_as_oracle(ocean.frame_at(3.7 * seed), random_points(is_sanitized ? 3 : 100, 2e4, seed), false);
+    }
+    EXPECT_GT(seed, 5u);
+}
+
+TEST(TileStackQuery, WhereTheSqueezeMapSaysSoThereIsOneSheet) {
+    std::size_t proven = 0, folded = 0;
+    for (const double factor : {8.0, 24.0, 40.0}) {
+        std::vector<TileStack::Part> parts = TileStack::of_scales(2, 12, 1, 4, 32);
+        parts[0].factor = factor;
+        const TileStack stack(parts, 5);
+        const oracle::Stack oracle(stack.frame());
+        const Points points = random_points(is_sanitized ? 20 : 1500, 1000, 2);
+        for (std::size_t i = 0; i < points.x.size(); ++i) {
+            const std::vector<oracle::StackSheet> sheets = oracle.sheets_at(points.x[i], points.z[i]);
+            folded += sheets.size() > 1;
+            for (const oracle::StackSheet& sheet : sheets) {
+                int sum = 0;
+                bool is_within = true;
+                for (const Tile& tile : stack.frame().tiles) {
+                    const auto [along, across] = tile.lattice.in_tile(sheet.x_m, sheet.z_m);
+                    const int half = tile.resolution() / 2;
+                    const auto block = [&](double place_m) {
+                        return static_cast<int>(std::floor(place_m / tile.texel_m() / 2)) & (half - 1);
+                    };
+                    sum += tile.squeeze.around[static_cast<std::size_t>(block(across) * half + block(along))];
+                    const bool is_last = &tile == &stack.frame().tiles.back();
+                    is_within &= sum <= TileSqueeze::one * (1 - (is_last ? SqueezeMap::least_slack_of_all
+                                                                         : SqueezeMap::least_slack));
+                }
+                proven += is_within;
+                ASSERT_TRUE(!is_within || sheets.size() == 1) << points.x[i] << ", " << points.z[i];
+            }
+        }
+    }
+    EXPECT_GT(proven, is_sanitized ? 1u : 50u);
+    EXPECT_GT(folded, is_sanitized ? 0u : 50u);
+}
+
+/// The first place where a ray changes sides, looked for at every tenth of the finest texel, and whether it passes through there
+/// for long enough that first_hit() says it is seen.
+struct BruteForceHit {
+    double distance_m;
+    bool is_certain;
+};
+
+std::optional<BruteForceHit> brute_force_hit(const SurfaceQuery& query, const SurfaceRay& ray) {
+    const auto& d = ray.direction;
+    const double length = std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+    const double step = query.texel_m() / 10;
+    const auto steps = static_cast<std::size_t>(ray.reach_m / step);
+    std::vector<double> x(steps), z(steps), y(steps);
+    for (std::size_t i = 0; i < steps; ++i) {
+        const double t = static_cast<double>(i) * step / length;
+        x[i] = ray.origin_m[0] + t * d[0];
+        y[i] = ray.origin_m[1] + t * d[1];
+        z[i] = ray.origin_m[2] + t * d[2];
+    }
+    std::vector<float> height(steps);
+    query.sample({x, z}, {.height_m = height});
+    const auto is_below = [&](std::size_t i) { return y[i] < static_cast<double>(height[i]); };
+    for (std::size_t i = 1; i < steps; ++i) {
+        if (is_below(i) == is_below(0)) continue;
+        std::size_t out = i;
+        while (out < steps && is_below(out) != is_below(0)) ++out;
+        return BruteForceHit{static_cast<double>(i - 1) * step, out - i >= 6};
+    }
+    return {};
+}
+
+TEST(TileStackRay, FirstHitIsTheOneOfSmallSteps) {
+    int hits = 0, misses = 0, from_below = 0;
+    for (const std::size_t tiles : {2, 3, 4}) {
+        for (const double choppiness : {0.8, 1.0}) {
+            const TileStack stack(TileStack::of_scales(tiles, 12, choppiness, 3, 32), 6);
+            const SurfaceQuery query(stack.frame());
+            const double top_m = static_cast<double>(stack.frame().bounds.height_max_m);
+            std::mt19937 random(static_cast<unsigned>(tiles));
+            std::uniform_real_distribution<double> sideways(-1, 1);
+            for (int i = 0; i < (is_sanitized ? 5 : 60); ++i) {
+                const double angle = 3.14159 * sideways(random), down = i % 5 == 0 ? 0 : 0.2 * sideways(random);
+                const SurfaceRay ray{{500 * sideways(random), 1.2 * top_m * sideways(random), 500 * sideways(random)},
+                                     {2 * std::cos(angle), 2 * down, 2 * std::sin(angle)},
+                                     300};
+                const std::optional<BruteForceHit> expected = brute_force_hit(query, ray);
+                const std::optional<SurfaceHit> hit = first_hit(query, ray);
+                if (expected && !expected->is_certain) continue;
+                ASSERT_EQ(hit.has_value(), expected.has_value()) << i;
+                hits += hit.has_value();
+                misses += !hit;
+                if (!hit) continue;
+                from_below += hit->from_below;
+                EXPECT_GE(hit->distance_m, expected->distance_m - 2e-3) << i;
+                EXPECT_LE(hit->distance_m, expected->distance_m + query.texel_m() / 10 + 2e-3) << i;
+            }
+        }
+    }
+    EXPECT_GT(hits, is_sanitized ? 5 : 100);
+    EXPECT_GT(misses, is_sanitized ? 0 : 20);
+    EXPECT_GT(from_below, is_sanitized ? 0 : 30);
+}
+
+// What lets rays skip: between any two places the heights may differ by so much and no more, and it is no idle bound.
+TEST(TileStackRay, HeightsDifferByNoMoreThanTheBound) {
+    for (const double factor : {1.0, 6.0}) {
+        const TileStack stack(exaggerated(TileStack::of_scales(3, 12, 1, 3, 32), factor), 6);
+        const SurfaceQuery query(stack.frame());
+        const HeightChange change(stack.frame().tiles);
+        std::mt19937 random(5);
+        std::uniform_real_distribution<double> sideways(-1, 1);
+        double closest = 0;
+        for (int i = 0; i < (is_sanitized ? 500 : 5000); ++i) {
+            const double distance_m = std::exp(-7 * std::fabs(sideways(random))) * 50,
+                         angle = 3.14159 * sideways(random);
+            const double x = 1000 * sideways(random), z = 1000 * sideways(random);
+            const double xs[] = {x, x + distance_m * std::cos(angle)}, zs[] = {z, z + distance_m * std::sin(angle)};
+            float height[2];
+            query.sample({xs, zs}, {.height_m = height});
+            const double differs = static_cast<double>(std::fabs(height[0] - height[1]));
+            ASSERT_LE(differs, change.within(distance_m) + 1e-3) << distance_m;
+            closest = std::max(closest, differs / change.within(distance_m));
+        }
+        EXPECT_GT(closest, factor > 1 ? 0.1 : 0.2);
+    }
 }
 
 }  // namespace

@@ -1,10 +1,23 @@
-/* Draws nothing, but does each frame what a game does: takes the finished one, starts the next, asks for heights. */
+/* Draws nothing, but does each frame what a game does: takes the finished one, starts the next, looks at its tiles, asks for
+ * heights. */
 #include <pelagic/pelagic.h>
 #include <stdio.h>
 
 static int failed(pelagic_status status) {
     if (status != PELAGIC_OK) fprintf(stderr, "c_host: %s\n", pelagic_last_error());
     return status != PELAGIC_OK;
+}
+
+/* Where a renderer would upload a tile's textures: displacement_rgba16f, and all levels of slopes_rgba8 and moments_rgba8. */
+static int draw(const pelagic_ocean* ocean, const pelagic_frame* frame) {
+    int32_t i;
+    for (i = 0; i < frame->tile_count; ++i) {
+        pelagic_tile tile = {.struct_size = sizeof tile};
+        if (failed(pelagic_ocean_tile(ocean, i, &tile))) return 1;
+        printf(" %g", tile.side_m);
+    }
+    printf(" m\n");
+    return 0;
 }
 
 static int run(pelagic_ocean* ocean) {
@@ -22,8 +35,9 @@ static int run(pelagic_ocean* ocean) {
         if (failed(pelagic_ocean_schedule(ocean, n / 90.0))) return 1; /* computed while this one is drawn */
         if (failed(pelagic_ocean_query(ocean, &buoys, &wanted))) return 1;
         if (failed(pelagic_ocean_hash(ocean, &hash))) return 1;
-        printf("%.4f s: hash %016llx, buoys at %.3f %.3f %.3f m\n", frame.time_s, (unsigned long long)hash,
+        printf("%.4f s: hash %016llx, buoys at %.3f %.3f %.3f m, tiles of", frame.time_s, (unsigned long long)hash,
                heights[0], heights[1], heights[2]);
+        if (draw(ocean, &frame)) return 1;
     }
     return 0;
 }
@@ -35,7 +49,6 @@ int main(void) {
     int result;
 
     if (failed(pelagic_sea_defaults(&sea))) return 1;
-    sea.resolution = 128;
     sea.wind_speed_mps = 9;
     if (failed(pelagic_ocean_create(&sea, &options, &ocean))) return 1;
     result = run(ocean);

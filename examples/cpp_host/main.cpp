@@ -1,4 +1,5 @@
-// Draws nothing, but does each frame what a game does: takes the finished one, starts the next, asks for heights.
+// Draws nothing, but does each frame what a game does: takes the finished one, starts the next, looks at its tiles, asks for
+// heights.
 #include <cstdio>
 #include <vector>
 
@@ -6,7 +7,7 @@
 #include "pelagic/sim/surface_query.hpp"
 
 int main() {
-    pelagic::Ocean ocean({.resolution = 128, .wind_speed_mps = 9}, {.queries = true});
+    pelagic::Ocean ocean({.wind_speed_mps = 9}, {.queries = true});
     const std::vector<double> buoys_x = {10, 20, 30}, buoys_z = {5, 5, 5};
     std::vector<float> heights(buoys_x.size());
 
@@ -16,7 +17,10 @@ int main() {
         ocean.schedule(n / 90.0);                        // computed while this one is drawn
         const pelagic::SurfaceQuery water(frame);
         water.sample({.x = buoys_x, .z = buoys_z}, {.height_m = heights});
-        std::printf("%.4f s: hash %016llx, buoys at %.3f %.3f %.3f m\n", frame.time_s,
+        std::printf("%.4f s: hash %016llx, buoys at %.3f %.3f %.3f m, tiles of", frame.time_s,
                     static_cast<unsigned long long>(hash_of(frame)), heights[0], heights[1], heights[2]);
+        // Where a renderer would upload a tile's textures: displacement_rgba16f, slopes_rgba8 and moments_rgba8.
+        for (const pelagic::Tile& tile : frame.tiles) std::printf(" %g", tile.lattice.side_m);
+        std::printf(" m\n");
     }
 }

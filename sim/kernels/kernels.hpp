@@ -207,6 +207,8 @@ struct SqueezeExtremes {
 /// a cell the slopes lie between those at its corners, and the least eigenvalue is a concave function of them, so it is
 /// least at a corner. Blocks of the surface have a multiple of W columns.
 struct FindSqueezeJob {
+    static constexpr std::size_t most_resolution = 2048;
+
     SurfaceTexels surface;
     float texels_per_m;           ///< N / L
     float cosine, sine;           ///< of the tile's lattice
@@ -244,9 +246,11 @@ struct StackTile {
     CellPlaces world;     ///< of each point, along the tile's own axes
 };
 
-/// InvertSurfaceJob for a sum of tiles: the offset o with o + sum of D(p + o) = 0. Coarse tiles first: the first look adds
-/// up one tile, the next two, until all are in. From then on a lane that has come within `target` stays as it is.
+/// InvertSurfaceJob for a sum of tiles: the offset o with o + sum of D(p + o) = 0. The first step knows the coarsest tiles only:
+/// where finer ones are looked at, the place is right to within their waves. From then on a lane that has come within
+/// `target` stays as it is.
 struct InvertStackJob {
+    static constexpr std::size_t first_tiles = 2;
     static constexpr int most_steps = 16;
     static constexpr float least_determinant = 0.1f;
 

@@ -21,23 +21,27 @@ struct LatticeVectors {
     }
 };
 
-/// What W cells do at most to the water in them.
+/// What W columns of cells do at most to the water in them, times twice the length of a texel.
+///
+/// At a corner, where the edges along the two axes meet: the slopes G are an even part t, a turn w and a part of size r
+/// that stretches one way as much as it squeezes the other. The least eigenvalue of G's symmetric part is t - r, and no
+/// vector grows by more than |t| + |w| + r. The extremes of each over several corners bound what those are at any of them,
+/// and leave one square root for all.
 template <class Arch>
 struct SqueezeOfCells {
     using V = xsimd::batch<float, Arch>;
-    V squeeze = V(0.f), stretch = V(0.f);
+    V least_even = V(1e30f), most_apart_squared = V(0.f);
 
-    /// At a corner, where the edges along the two axes meet: the slopes G are an even part t, a turn w and a part of
-    /// size r that stretches one way as much as it squeezes the other. The least eigenvalue of G's symmetric part is
-    /// t - r, and no vector grows by more than hypot(t, w) + r.
-    PELAGIC_INLINE void look(const LatticeVectors<Arch>& edge, const LatticeVectors<Arch>& side) {
-        const V half(0.5f);
-        const V even = half * (edge.along + side.across), difference = half * (edge.along - side.across);
-        const V shear = half * (edge.across + side.along), turn = half * (edge.across - side.along);
-        const V apart = square_root<Arch>(difference * difference + shear * shear);
-        squeeze = xsimd::max(squeeze, apart - even);
-        stretch = xsimd::max(stretch, xsimd::abs(even) + xsimd::abs(turn) + apart);
+    PELAGIC_INLINE void look(const LatticeVectors<Arch>& edge, const LatticeVectors<Arch>& side, V& most_even,
+                             V& most_turn) {
+        const V even = edge.along + side.across, difference = edge.along - side.across;
+        const V shear = edge.across + side.along, turn = edge.across - side.along;
+        least_even = xsimd::min(least_even, even);
+        most_apart_squared = xsimd::max(most_apart_squared, difference * difference + shear * shear);
+        most_even = xsimd::max(most_even, xsimd::abs(even));
+        most_turn = xsimd::max(most_turn, xsimd::abs(turn));
     }
+    PELAGIC_INLINE V squeeze() const { return square_root<Arch>(most_apart_squared) - least_even; }
 };
 
 template <class Arch>
@@ -49,6 +53,26 @@ PELAGIC_INLINE float largest_of(xsimd::batch<float, Arch> values) {
     return largest;
 }
 
+/// W texels of three rows that follow each other.
+template <class Arch>
+struct TexelRows {
+    using V = xsimd::batch<float, Arch>;
+    LatticeVectors<Arch> sideways[3];
+    V height[3];
+
+    PELAGIC_INLINE TexelRows(const SurfaceTexels& surface, std::size_t column, const int* row_places, V cosine,
+                             V sine) {
+        const int i = static_cast<int>(column) & (surface.resolution - 1);
+        const int place = (i >> surface.block_shift) * surface.block_stride + (i & (surface.block_columns - 1));
+        for (int r = 0; r < 3; ++r) {
+            const V dx = V::load_unaligned(surface.dx + place + row_places[r]);
+            const V dz = V::load_unaligned(surface.dz + place + row_places[r]);
+            sideways[r] = {cosine * dx + sine * dz, cosine * dz - sine * dx};
+            height[r] = V::load_unaligned(surface.height + place + row_places[r]);
+        }
+    }
+};
+
 /// Two rows of cells at a time, whose blocks of 2 x 2 become a byte each.
 template <class Arch>
 void find_squeeze(const FindSqueezeJob& job) {
@@ -58,71 +82,58 @@ void find_squeeze(const FindSqueezeJob& job) {
     const SurfaceTexels& surface = job.surface;
     const std::size_t n = static_cast<std::size_t>(surface.resolution);
     const V cosine(job.cosine), sine(job.sine);
-    const V most_byte(255.f), scale(job.one * job.texels_per_m), up(0.999f);
-    V displacement(0.f), stretch(0.f), steepness(0.f);
+    const V scale(0.5f * job.one * job.texels_per_m), up(0.999f), most_byte(255.f);
+    V displacement(0.f), even(0.f), turn(0.f), apart_squared(0.f), steepness(0.f);
     for (std::size_t z = job.first_row; z < job.first_row + job.rows; z += 2) {
-        std::uint8_t* const blocks = job.blocks + z / 2 * (n / 2);
-        struct Rows {
-            Vectors rows[3];
-            V height[3];
-        };
-        const auto rows_at = [&](std::size_t x) {
-            const int i = static_cast<int>(x & (n - 1));
-            const int column = (i >> surface.block_shift) * surface.block_stride + (i & (surface.block_columns - 1));
-            Rows loaded;
-            for (std::size_t r = 0; r < 3; ++r) {
-                const int place = column + static_cast<int>((z + r) & (n - 1)) * surface.row_stride;
-                const V dx = V::load_unaligned(surface.dx + place), dz = V::load_unaligned(surface.dz + place);
-                loaded.rows[r] = {cosine * dx + sine * dz, cosine * dz - sine * dx};
-                loaded.height[r] = V::load_unaligned(surface.height + place);
-            }
-            return loaded;
-        };
-        Rows here = rows_at(0);
+        alignas(64) std::int32_t columns[FindSqueezeJob::most_resolution];
+        int row_places[3];
+        for (std::size_t r = 0; r < 3; ++r) row_places[r] = static_cast<int>((z + r) & (n - 1)) * surface.row_stride;
+        TexelRows<Arch> here(surface, 0, row_places, cosine, sine);
         for (std::size_t x = 0; x < n; x += lanes) {
-            const Rows behind = rows_at(x + lanes);
-            Vectors edges[3], sides[2], next_sides[2];
-            for (int r = 0; r < 3; ++r) {
-                const Vectors& row = here.rows[r];
-                edges[r] = Vectors{lanes_behind<1, Arch>(row.along, behind.rows[r].along),
-                                   lanes_behind<1, Arch>(row.across, behind.rows[r].across)} -
-                           row;
-                displacement = xsimd::max(displacement, row.along * row.along + row.across * row.across);
-            }
+            const TexelRows<Arch> behind(surface, x + lanes, row_places, cosine, sine);
+            Vectors edges[3];
             V rises[3];
             for (int r = 0; r < 3; ++r) {
+                const Vectors& row = here.sideways[r];
+                edges[r] = Vectors{lanes_behind<1, Arch>(row.along, behind.sideways[r].along),
+                                   lanes_behind<1, Arch>(row.across, behind.sideways[r].across)} -
+                           row;
+                displacement = xsimd::max(displacement, row.along * row.along + row.across * row.across);
                 const V rise = lanes_behind<1, Arch>(here.height[r], behind.height[r]) - here.height[r];
                 rises[r] = rise * rise;
             }
             SqueezeOfCells<Arch> cells;
             for (int r = 0; r < 2; ++r) {
-                sides[r] = here.rows[r + 1] - here.rows[r];
-                const Vectors side_behind = behind.rows[r + 1] - behind.rows[r];
-                next_sides[r] = {lanes_behind<1, Arch>(sides[r].along, side_behind.along),
-                                 lanes_behind<1, Arch>(sides[r].across, side_behind.across)};
-                const V side = here.height[r + 1] - here.height[r];
-                const V next_side = lanes_behind<1, Arch>(side, behind.height[r + 1] - behind.height[r]);
-                steepness = xsimd::max(
-                    steepness, xsimd::max(rises[r], rises[r + 1]) + xsimd::max(side * side, next_side * next_side));
+                const Vectors side = here.sideways[r + 1] - here.sideways[r];
+                const Vectors behind_side = behind.sideways[r + 1] - behind.sideways[r];
+                const Vectors next_side{lanes_behind<1, Arch>(side.along, behind_side.along),
+                                        lanes_behind<1, Arch>(side.across, behind_side.across)};
                 for (int e = r; e < r + 2; ++e) {
-                    cells.look(edges[e], sides[r]);
-                    cells.look(edges[e], next_sides[r]);
+                    cells.look(edges[e], side, even, turn);
+                    cells.look(edges[e], next_side, even, turn);
                 }
+                const V fall = here.height[r + 1] - here.height[r];
+                const V next_fall = lanes_behind<1, Arch>(fall, behind.height[r + 1] - behind.height[r]);
+                steepness = xsimd::max(
+                    steepness, xsimd::max(rises[r], rises[r + 1]) + xsimd::max(fall * fall, next_fall * next_fall));
             }
             here = behind;
-            stretch = xsimd::max(stretch, cells.stretch);
+            apart_squared = xsimd::max(apart_squared, cells.most_apart_squared);
             // Rounded up; what is more than a byte holds is the most that it holds.
-            const V bytes = xsimd::min(cells.squeeze * scale + up, most_byte);
-            std::int32_t whole[lanes];
-            xsimd::to_int(bytes).store_unaligned(whole);
-            for (std::size_t block = 0; block < lanes / 2; ++block) {
-                const std::int32_t left = whole[2 * block], right = whole[2 * block + 1];
-                blocks[x / 2 + block] = static_cast<std::uint8_t>(left > right ? left : right);
-            }
+            xsimd::to_int(xsimd::min(xsimd::max(cells.squeeze(), V(0.f)) * scale + up, most_byte))
+                .store_aligned(columns + x);
+        }
+        std::uint8_t* const blocks = job.blocks + z / 2 * (n / 2);
+        for (std::size_t i = 0; i < n / 2; ++i) {
+            const std::int32_t left = columns[2 * i], right = columns[2 * i + 1];
+            blocks[i] = static_cast<std::uint8_t>(left > right ? left : right);
         }
     }
+    // Each the largest of all lanes, however many those are.
+    const float most_apart = largest_of<Arch>(square_root<Arch>(apart_squared));
+    const float stretch = largest_of<Arch>(even) + largest_of<Arch>(turn) + most_apart;
     job.extremes->displacement_squared = largest_of<Arch>(displacement);
-    job.extremes->stretch = largest_of<Arch>(stretch) * job.texels_per_m;
+    job.extremes->stretch = stretch * (0.5f * job.texels_per_m);
     job.extremes->steepness_squared = largest_of<Arch>(steepness) * job.texels_per_m * job.texels_per_m;
 }
 

@@ -109,8 +109,9 @@ PELAGIC_INLINE void invert_stack_registers(const InvertStackJob& job, std::size_
     using V = xsimd::batch<float, Arch>;
     const V enough(job.target * job.target), reach(job.reach);
     StackSearch<Arch> searches[Registers];
-    for (std::size_t tiles = 1; tiles < job.tile_count; ++tiles) {
-        for (std::size_t r = 0; r < Registers; ++r) searches[r].look(job, tiles, at + r * V::size);
+    if (job.tile_count > InvertStackJob::first_tiles) {
+        for (std::size_t r = 0; r < Registers; ++r)
+            searches[r].look(job, InvertStackJob::first_tiles, at + r * V::size);
         for (StackSearch<Arch>& search : searches) search.step(reach);
     }
     for (int step = 0;; ++step) {

@@ -35,14 +35,11 @@ double HeightChange::within(double distance_m) const {
 }
 
 double HeightChange::free_distance(double clearance_m, double ground, double rise, double most_m) const {
-    const auto is_free = [&](double distance_m) {
-        return within(distance_m * ground) + distance_m * rise < clearance_m;
-    };
-    if (is_free(most_m)) return most_m;
+    if (is_free(clearance_m, ground, rise, most_m)) return most_m;
     double free_m = 0, end_m = most_m;
     for (int halving = 0; halving < 20 && end_m > 0; ++halving) {
         const double middle_m = (free_m + end_m) / 2;
-        (is_free(middle_m) ? free_m : end_m) = middle_m;
+        (is_free(clearance_m, ground, rise, middle_m) ? free_m : end_m) = middle_m;
     }
     return free_m;
 }

@@ -27,8 +27,12 @@ class HeightChange {
     /// Metres, at most, between places so far apart.
     double within(double distance_m) const;
 
-    /// How far along a ray that is `clearance_m` above or below the water it stays on that side for certain. The ray covers
-    /// `ground` along the ground and `rise` upwards or downwards of each metre.
+    /// Whether a ray that is `clearance_m` above or below the water stays on that side for so long. It covers `ground` along
+    /// the ground and `rise` upwards or downwards of each metre.
+    bool is_free(double clearance_m, double ground, double rise, double distance_m) const {
+        return within(distance_m * ground) + distance_m * rise < clearance_m;
+    }
+    /// How long it stays there for certain, at most `most_m`.
     double free_distance(double clearance_m, double ground, double rise, double most_m) const;
 
    private:

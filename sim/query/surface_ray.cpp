@@ -14,6 +14,9 @@ namespace {
 // Places on the ray that are asked about together: the query's own pace.
 constexpr std::size_t places = 64;
 
+// The same far away from the water, where not all answers may be of use.
+constexpr std::size_t far_places = 32;
+
 /// A stretch of the ray by distance from the origin, metres.
 struct Stretch {
     double begin, end;
@@ -83,7 +86,7 @@ double crossing_in(const RayWalk& walk, Stretch stretch, bool below, double tole
     }
 }
 
-/// How many steps of a ray can't meet the water, from its clearance. None of a frame of one tile, which is walked step by step.
+/// How many steps of a ray can't meet the water, from its clearance. Of a frame of one tile each step is looked at.
 class FreeSteps {
    public:
     FreeSteps(const SurfaceQuery& query, const RayWalk& walk, double step_m)
@@ -93,11 +96,15 @@ class FreeSteps {
 
     double from(double clearance_m, double most) const {
         if (!change_) return 0;
-        const double sure_m = std::fabs(clearance_m) - unsure_m_;
-        return std::floor(change_->free_distance(sure_m, ground_, rise_, most * step_m_) / step_m_);
+        return std::floor(change_->free_distance(sure(clearance_m), ground_, rise_, most * step_m_) / step_m_);
+    }
+    bool are_free(double steps, double clearance_m) const {
+        return steps == 1 || change_->is_free(sure(clearance_m), ground_, rise_, steps * step_m_);
     }
 
    private:
+    double sure(double clearance_m) const { return std::fabs(clearance_m) - unsure_m_; }
+
     double ground_, rise_, step_m_;
     double unsure_m_;  ///< a clearance may be off by this
     std::optional<HeightChange> change_;
@@ -134,19 +141,19 @@ std::optional<SurfaceHit> first_hit(const SurfaceQuery& query, const SurfaceRay&
     const bool below = clearance[0] < 0;
     double here = clearance[0];
     for (double done = 0; done < steps;) {
-        // Steps that can't be near the water are one; else as many as go through the query at once.
-        const double free = free_steps.from(here, steps - done);
-        const bool is_far = free > static_cast<double>(places);
-        const double first = is_far ? done + free : done + 1;
-        const auto count = is_far ? 1 : static_cast<std::size_t>(std::min(static_cast<double>(places), steps - done));
-        walk.clearances(near.begin + first * step, step, count, clearance);
+        // Half of what is free from here, as often as it is free from there too, and single steps near the water.
+        const double stride = std::max(1.0, std::floor(free_steps.from(here, steps - done) / 2));
+        const std::size_t together = stride > 1 ? far_places : places;
+        const auto count =
+            static_cast<std::size_t>(std::min(static_cast<double>(together), std::floor((steps - done) / stride)));
+        walk.clearances(near.begin + (done + stride) * step, stride * step, count, clearance);
         for (std::size_t i = 0; i < count; ++i) {
-            if ((clearance[i] < 0) == below) continue;
-            const double end = near.begin + (first + static_cast<double>(i)) * step;
-            return hit_in({is_far ? near.begin + done * step : end - step, end}, below);
+            if (!free_steps.are_free(stride, here)) break;
+            const double end = near.begin + (done + stride) * step;
+            if ((clearance[i] < 0) != below) return hit_in({end - stride * step, end}, below);
+            here = clearance[i];
+            done += stride;
         }
-        here = clearance[count - 1];
-        done = first + static_cast<double>(count - 1);
     }
     return {};
 }

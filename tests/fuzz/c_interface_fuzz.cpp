@@ -2,6 +2,7 @@
 // himself (dead handles, short arrays) is kept right; all else must be answered by a status.
 #include <pelagic/pelagic.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -83,7 +84,14 @@ pelagic_sea any_sea(Bytes& bytes) {
         sea.spectrum = bytes.take<std::uint8_t>() % 4;
     }
     sea.seed = bytes.take<std::uint16_t>();
-    sea.spreading = bytes.take<std::uint8_t>() % 5;
+    // One byte for both, so that a corpus keeps its layout.
+    const auto look = bytes.take<std::uint8_t>();
+    sea.spreading = look % 5;
+    sea.cascades = look / 5 % 6;
+    if (sea.cascades > 1 && look < 250) {
+        sea.patch_size_m = 0;
+        if (sea.resolution == 16) sea.resolution = 32;
+    }
     must_be_a_status(pelagic_sea_check(&sea));
     return sea;
 }
@@ -109,7 +117,10 @@ pelagic_ocean* any_ocean(Bytes& bytes) {
     auto options = sized<pelagic_ocean_options>(bytes);
     options.executor = executor ? executor : serial;
     options.queries = bytes.take<std::uint8_t>() % 4;
-    options.velocities = bytes.take<std::uint8_t>() % 2;
+    const auto parts = bytes.take<std::uint8_t>();
+    options.velocities = parts % 2;
+    options.slopes = parts / 2 % 2;
+    options.gradients = parts / 4 % 2;
     options.query_tolerance_m = bytes.take<std::uint8_t>() == 255 ? bytes.number() : 0;
     const char* const isas[] = {nullptr, nullptr, nullptr, "sse4.2", "avx2", "", "neon"};
     options.isa = isas[bytes.take<std::uint8_t>() % std::size(isas)];
@@ -154,16 +165,47 @@ void any_ray(Bytes& bytes, const pelagic_ocean* ocean) {
 
 void any_frame_at(Bytes& bytes, pelagic_ocean* ocean) {
     static std::vector<float> plane(64 * 64);
-    auto buffers = sized<pelagic_frame_buffers>(bytes);
+    static std::vector<std::uint32_t> chain(64 * 64 * 2);
+    // As many structs as an ocean has tiles, of the size that the first states: more memory than that may take.
+    alignas(pelagic_frame_buffers) static std::array<std::byte, 4 * 4096> tiles;
+    tiles = {};
+    const auto first = sized<pelagic_frame_buffers>(bytes);
     auto info = pelagic_ocean_info{};
     info.struct_size = sizeof info;
     std::size_t side = 16;
     if (ocean && pelagic_ocean_describe(ocean, &info) == PELAGIC_OK) side = static_cast<std::size_t>(info.resolution);
-    buffers.plane_count = side * side + (bytes.take<std::uint8_t>() == 255);
-    buffers.height = plane.data();
-    if (bytes.take<std::uint8_t>() % 4 == 0) buffers.velocity_x = plane.data();
+    const auto texels = bytes.take<std::uint8_t>(), parts = bytes.take<std::uint8_t>();
+    for (std::size_t tile = 0; tile < 4; ++tile) {
+        pelagic_frame_buffers buffers = first;
+        if (parts >= 252 && tile == parts - 252u) buffers.struct_size += 8;
+        buffers.plane_count = side * side + (texels == 255);
+        buffers.height = plane.data();
+        if (parts % 4 == 0) buffers.velocity_x = plane.data();
+        buffers.slopes_count = buffers.rgba8_count = (4 * side * side - 1) / 3;
+        if (parts / 4 % 4 == 1) buffers.slopes_rgba8 = chain.data();
+        if (parts / 4 % 4 == 2) buffers.moments_rgba8 = chain.data();
+        if (parts / 4 % 4 == 3) buffers.gradient_rgba8 = chain.data();
+        const std::size_t place = tile * (first.struct_size <= 4096 ? first.struct_size : 0);
+        if (place + sizeof buffers <= tiles.size()) std::memcpy(tiles.data() + place, &buffers, sizeof buffers);
+    }
     pelagic_bounds bounds{};
-    must_be_a_status(pelagic_ocean_frame_at(ocean, bytes.number(), &buffers, &bounds));
+    must_be_a_status(pelagic_ocean_frame_at(ocean, bytes.number(),
+                                            reinterpret_cast<const pelagic_frame_buffers*>(tiles.data()), &bounds));
+}
+
+/// Every byte of what a tile points to is there.
+void any_tile(Bytes& bytes, const pelagic_ocean* ocean) {
+    auto tile = sized<pelagic_tile>(bytes);
+    const auto index = bytes.take<std::int8_t>();
+    const pelagic_status status = pelagic_ocean_tile(ocean, index, &tile);
+    must_be_a_status(status);
+    if (status != PELAGIC_OK) return;
+    const auto n = static_cast<std::size_t>(tile.resolution);
+    const std::size_t last = tile.level_offset[tile.levels - 1];
+    std::uint64_t sum = tile.displacement_rgba16f[4 * n * n - 1];
+    for (const std::uint32_t* chain : {tile.gradient_rgba8, tile.slopes_rgba8, tile.moments_rgba8})
+        if (chain) sum += chain[last];
+    if (sum >> 62 != 0) std::abort();  // it never is; so the reads are not left out
 }
 
 void any_call(Bytes& bytes, pelagic_ocean*& ocean) {
@@ -185,6 +227,7 @@ void any_call(Bytes& bytes, pelagic_ocean*& ocean) {
         case 7: any_query(bytes, ocean); break;
         case 8: any_ray(bytes, ocean); break;
         case 9: any_frame_at(bytes, ocean); break;
+        case 10: any_tile(bytes, ocean); break;
         default: pelagic_ocean_destroy(ocean); ocean = any_ocean(bytes);
     }
 }

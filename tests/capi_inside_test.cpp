@@ -1,0 +1,119 @@
+// The C interface beside the C++ one that it is made of: the same tiles, and the same seas for hosts of any age.
+#include <gtest/gtest.h>
+#include <pelagic/pelagic.h>
+
+#include <algorithm>
+#include <cstddef>
+
+#include "pelagic/capi/sea.hpp"
+#include "pelagic/sim/ocean.hpp"
+#include "pelagic/sim/tile_plan.hpp"
+
+namespace pelagic::capi {
+namespace {
+
+void expect_same(const pelagic_plane& c, const PlaneView& cpp) {
+    ASSERT_EQ(c.data != nullptr, cpp.data != nullptr);
+    if (!c.data) return;
+    ASSERT_EQ(c.resolution, cpp.resolution);
+    const PlaneView view{c.data, c.resolution, c.block_columns, c.row_stride, c.block_stride};
+    for (int j = 0; j < c.resolution; ++j)
+        for (int i = 0; i < c.resolution; ++i) ASSERT_EQ(view.at(i, j), cpp.at(i, j));
+}
+
+template <class T>
+void expect_same(const T* c, std::span<const T> cpp) {
+    ASSERT_EQ(c == nullptr, cpp.empty());
+    EXPECT_TRUE(std::equal(cpp.begin(), cpp.end(), c));
+}
+
+TEST(CInterfaceInside, TilesAreThoseOfTheCppInterface) {
+    pelagic_executor_options serial{};
+    serial.struct_size = sizeof serial;
+    serial.kind = PELAGIC_EXECUTOR_SERIAL;
+    pelagic_executor* executor = nullptr;
+    ASSERT_EQ(pelagic_executor_create(&serial, &executor), PELAGIC_OK);
+    for (const bool has_all : {false, true}) {
+        pelagic_sea sea{};
+        sea.struct_size = sizeof sea;
+        ASSERT_EQ(pelagic_sea_defaults(&sea), PELAGIC_OK);
+        sea.resolution = 32;
+        sea.cascades = 4;
+        pelagic_ocean_options options{};
+        options.struct_size = sizeof options;
+        options.executor = executor;
+        options.velocities = options.gradients = options.slopes = has_all;
+        pelagic_ocean* made = nullptr;
+        ASSERT_EQ(pelagic_ocean_create(&sea, &options, &made), PELAGIC_OK) << pelagic_last_error();
+        pelagic_frame c_frame{};
+        c_frame.struct_size = sizeof c_frame;
+        ASSERT_EQ(pelagic_ocean_schedule(made, 7), PELAGIC_OK);
+        ASSERT_EQ(pelagic_ocean_complete(made, &c_frame), PELAGIC_OK);
+
+        Ocean ocean(
+            {.cascades = 4, .resolution = 32},
+            {.executor = make_serial_executor(), .velocities = has_all, .gradients = has_all, .slopes = has_all});
+        const Frame& frame = ocean.frame_at(7);
+        std::uint64_t hash = 0;
+        ASSERT_EQ(pelagic_ocean_hash(made, &hash), PELAGIC_OK);
+        EXPECT_EQ(hash, hash_of(frame));
+        ASSERT_EQ(c_frame.tile_count, 4);
+        EXPECT_EQ(c_frame.roughness, static_cast<float>(frame.figures.roughness));
+        for (std::size_t t = 0; t < 4; ++t) {
+            pelagic_tile c{};
+            c.struct_size = sizeof c;
+            ASSERT_EQ(pelagic_ocean_tile(made, static_cast<int32_t>(t), &c), PELAGIC_OK);
+            const Tile& tile = frame.tiles[t];
+            EXPECT_EQ(c.side_m, tile.lattice.side_m);
+            EXPECT_EQ(c.cosine, tile.lattice.cosine);
+            EXPECT_EQ(c.sine, tile.lattice.sine);
+            EXPECT_EQ(c.slope_range, tile.slope_ranges.slope);
+            EXPECT_EQ(c.variance_range, tile.slope_ranges.variance);
+            EXPECT_EQ(c.whitecap_jacobian, tile.whitecap_jacobian);
+            expect_same(c.dx, tile.dx);
+            expect_same(c.height, tile.height);
+            expect_same(c.dz, tile.dz);
+            expect_same(c.velocity_x, tile.velocity_x);
+            expect_same(c.velocity_y, tile.velocity_y);
+            expect_same(c.velocity_z, tile.velocity_z);
+            expect_same(c.displacement_rgba16f, tile.displacement_rgba16f);
+            expect_same(c.gradient_rgba8, tile.gradient_rgba8);
+            expect_same(c.slopes_rgba8, tile.slopes_rgba8);
+            expect_same(c.moments_rgba8, tile.moments_rgba8);
+        }
+        pelagic_ocean_destroy(made);
+    }
+    pelagic_executor_destroy(executor);
+}
+
+/// The sea of a host whose struct ends before `cascades`.
+pelagic_sea older_host() {
+    pelagic_sea sea{};
+    sea.struct_size = offsetof(pelagic_sea, cascades);
+    return sea;
+}
+
+TEST(CInterfaceInside, AnOlderHostHasOneTileOfAQuarterOfTheCoarsestSide) {
+    for (const SeaPreset& preset : sea_presets()) {
+        pelagic_sea older = older_host(), today{};
+        today.struct_size = sizeof today;
+        ASSERT_EQ(pelagic_sea_preset(preset.name.data(), &older), PELAGIC_OK);
+        ASSERT_EQ(pelagic_sea_preset(preset.name.data(), &today), PELAGIC_OK);
+        EXPECT_EQ(today.resolution, 0);
+        EXPECT_EQ(today.patch_size_m, 0);
+        EXPECT_EQ(today.cascades, 0);
+        EXPECT_EQ(older.resolution, 256);
+        EXPECT_EQ(older.patch_size_m, plan_tiles(preset.sea).front().lattice.side_m / 4) << preset.name;
+        EXPECT_EQ(older.wind_speed_mps, today.wind_speed_mps);
+        EXPECT_EQ(older.swell_height_m, today.swell_height_m);
+
+        const SeaState read = sea_of(&older);
+        EXPECT_EQ(read.cascades, 1);
+        EXPECT_EQ(plan_tiles(read).size(), 1u);
+        EXPECT_EQ(sea_of(&today).cascades, 0);
+        EXPECT_EQ(plan_tiles(sea_of(&today)).size(), static_cast<std::size_t>(default_cascades)) << preset.name;
+    }
+}
+
+}  // namespace
+}  // namespace pelagic::capi

@@ -1,0 +1,498 @@
+// Frames of several tiles through the C interface: which tile is where, what its texels mean, what is written into a host's
+// memory. The truth is the surface that the planes themselves describe: their Fourier series, by a slow sum in double.
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstring>
+#include <map>
+#include <numbers>
+#include <random>
+#include <string>
+
+#include "pelagic/tests/capi_sea.hpp"
+#include "pelagic/tests/capi_tile_sum.h"
+
+namespace pelagic {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+void expect_invalid(pelagic_status status, const std::string& line) {
+    EXPECT_EQ(status, PELAGIC_INVALID_ARGUMENT);
+    EXPECT_EQ(pelagic_last_error(), line);
+}
+
+pelagic_ocean_options serial_options(const COceanExecutor& serial) {
+    auto options = sized<pelagic_ocean_options>();
+    options.executor = serial.get();
+    return options;
+}
+
+class CInterfaceTiles : public testing::Test {
+   protected:
+    COceanExecutor serial = executor_of(PELAGIC_EXECUTOR_SERIAL);
+
+    static pelagic_frame complete(pelagic_ocean* ocean, double time_s) {
+        auto frame = sized<pelagic_frame>();
+        EXPECT_EQ(pelagic_ocean_schedule(ocean, time_s), PELAGIC_OK) << pelagic_last_error();
+        EXPECT_EQ(pelagic_ocean_complete(ocean, &frame), PELAGIC_OK) << pelagic_last_error();
+        return frame;
+    }
+    static std::vector<pelagic_tile> tiles_of(const pelagic_ocean* ocean, const pelagic_frame& frame) {
+        std::vector<pelagic_tile> tiles(static_cast<std::size_t>(frame.tile_count), sized<pelagic_tile>());
+        for (std::int32_t i = 0; i < frame.tile_count; ++i)
+            EXPECT_EQ(pelagic_ocean_tile(ocean, i, &tiles[static_cast<std::size_t>(i)]), PELAGIC_OK)
+                << pelagic_last_error();
+        return tiles;
+    }
+};
+
+bool is_same(const pelagic_plane& a, const pelagic_plane& b) {
+    return a.data == b.data && a.resolution == b.resolution && a.block_columns == b.block_columns &&
+           a.row_stride == b.row_stride && a.block_stride == b.block_stride;
+}
+
+TEST_F(CInterfaceTiles, TheFrameItselfShowsTheCoarsest) {
+    const COcean ocean = ocean_of(stack_sea(3), serial.get());
+    auto info = sized<pelagic_ocean_info>();
+    ASSERT_EQ(pelagic_ocean_describe(ocean.get(), &info), PELAGIC_OK);
+    EXPECT_EQ(info.tile_count, 3);
+    EXPECT_EQ(info.resolution, 32);
+    const pelagic_frame frame = complete(ocean.get(), 3);
+    ASSERT_EQ(frame.tile_count, 3);
+    const std::vector<pelagic_tile> tiles = tiles_of(ocean.get(), frame);
+    EXPECT_EQ(frame.resolution, 32);
+    EXPECT_EQ(frame.patch_size_m, tiles[0].side_m);
+    EXPECT_EQ(frame.displacement_rgba16f, tiles[0].displacement_rgba16f);
+    EXPECT_TRUE(is_same(frame.dx, tiles[0].dx) && is_same(frame.height, tiles[0].height) &&
+                is_same(frame.dz, tiles[0].dz) && is_same(frame.velocity_x, tiles[0].velocity_x) &&
+                is_same(frame.velocity_y, tiles[0].velocity_y) && is_same(frame.velocity_z, tiles[0].velocity_z));
+    EXPECT_NE(frame.velocity_x.data, nullptr);
+    EXPECT_EQ(frame.gradient_rgba8, nullptr);
+    EXPECT_EQ(frame.gradient_levels, 0);
+    EXPECT_GT(frame.roughness, 0);
+    EXPECT_LE(frame.roughness, 1);
+    pelagic_bounds sum{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const pelagic_tile& tile = tiles[i];
+        EXPECT_EQ(tile.resolution, 32);
+        EXPECT_NEAR(tile.cosine * tile.cosine + tile.sine * tile.sine, 1, 1e-15);
+        if (i > 0) {
+            EXPECT_LT(tile.side_m, tiles[i - 1].side_m);
+            EXPECT_NE(tile.sine, tiles[i - 1].sine);
+        }
+        EXPECT_EQ(tile.gradient_rgba8, nullptr);
+        ASSERT_EQ(tile.levels, 6);
+        std::uint32_t offset = 0;
+        for (int level = 0; level < 6; ++level) {
+            EXPECT_EQ(tile.level_offset[level], offset);
+            offset += 1024u >> 2 * level;
+        }
+        const auto highest = [&](const pelagic_plane& plane, double sign) {
+            float most = -1e9f;
+            for (int texel = 0; texel < 1024; ++texel)
+                most = std::max(most, static_cast<float>(sign) * texel_of(plane, texel % 32, texel / 32));
+            return most;
+        };
+        EXPECT_EQ(tile.bounds.height_max_m, highest(tile.height, 1));
+        EXPECT_EQ(tile.bounds.height_min_m, -highest(tile.height, -1));
+        EXPECT_EQ(tile.bounds.sideways_x_max_m, std::max(highest(tile.dx, 1), highest(tile.dx, -1)));
+        EXPECT_EQ(tile.bounds.sideways_z_max_m, std::max(highest(tile.dz, 1), highest(tile.dz, -1)));
+        sum.height_min_m += tile.bounds.height_min_m;
+        sum.height_max_m += tile.bounds.height_max_m;
+        sum.sideways_x_max_m += tile.bounds.sideways_x_max_m;
+        sum.sideways_z_max_m += tile.bounds.sideways_z_max_m;
+    }
+    EXPECT_FLOAT_EQ(frame.bounds.height_min_m, sum.height_min_m);
+    EXPECT_FLOAT_EQ(frame.bounds.height_max_m, sum.height_max_m);
+    EXPECT_FLOAT_EQ(frame.bounds.sideways_x_max_m, sum.sideways_x_max_m);
+    EXPECT_FLOAT_EQ(frame.bounds.sideways_z_max_m, sum.sideways_z_max_m);
+}
+
+TEST_F(CInterfaceTiles, WhatIsInATileIsAQuestionOfOptions) {
+    for (const bool is_asked : {false, true}) {
+        pelagic_ocean_options options = serial_options(serial);
+        options.slopes = options.gradients = is_asked;
+        const COcean one = ocean_of(small_sea(32), options), two = ocean_of(stack_sea(2), options);
+        const pelagic_frame frame = complete(one.get(), 1), stack = complete(two.get(), 1);
+        const std::vector<pelagic_tile> alone = tiles_of(one.get(), frame), tiles = tiles_of(two.get(), stack);
+        ASSERT_EQ(alone.size(), 1u);
+        EXPECT_EQ(alone[0].side_m, 250);
+        EXPECT_EQ(alone[0].cosine, 1);
+        EXPECT_EQ(alone[0].sine, 0);
+        EXPECT_EQ(frame.gradient_levels, 6);
+        EXPECT_NE(frame.gradient_rgba8, nullptr);
+        EXPECT_EQ(alone[0].gradient_rgba8, frame.gradient_rgba8);
+        EXPECT_EQ(std::memcmp(alone[0].level_offset, frame.gradient_offset, sizeof frame.gradient_offset), 0);
+        EXPECT_EQ(alone[0].slopes_rgba8 != nullptr, is_asked);
+        EXPECT_EQ(alone[0].moments_rgba8 != nullptr, is_asked);
+        EXPECT_EQ(stack.gradient_levels, is_asked ? 6 : 0);
+        for (const pelagic_tile& tile : tiles) {
+            EXPECT_EQ(tile.gradient_rgba8 != nullptr, is_asked);
+            EXPECT_NE(tile.slopes_rgba8, nullptr);
+            EXPECT_NE(tile.moments_rgba8, nullptr);
+            EXPECT_EQ(tile.velocity_y.data, nullptr);
+        }
+    }
+}
+
+TEST_F(CInterfaceTiles, ATileThatIsNotThereIsNamed) {
+    const COcean one = ocean_of(small_sea(), serial.get()), two = ocean_of(stack_sea(2), serial.get());
+    complete(one.get(), 0), complete(two.get(), 0);
+    pelagic_tile tile, untouched;
+    std::memset(&tile, 0xAB, sizeof tile);
+    tile.struct_size = sizeof tile;
+    std::memcpy(&untouched, &tile, sizeof tile);
+    expect_invalid(pelagic_ocean_tile(one.get(), 1, &tile), "index is 1, needs 0");
+    expect_invalid(pelagic_ocean_tile(two.get(), 2, &tile), "index is 2, needs 0 to 1");
+    expect_invalid(pelagic_ocean_tile(two.get(), -1, &tile), "index is -1, needs 0 to 1");
+    expect_invalid(pelagic_ocean_tile(two.get(), INT32_MIN, &tile), "index is -2147483648, needs 0 to 1");
+    EXPECT_EQ(std::memcmp(&tile, &untouched, sizeof tile), 0);
+    const pelagic_sea lone = small_sea(32), more = stack_sea(3);
+    expect_invalid(pelagic_ocean_schedule_sea(two.get(), &lone), "cascades is 1, needs 2, as the ocean was built");
+    expect_invalid(pelagic_ocean_schedule_sea(two.get(), &more), "cascades is 3, needs 2, as the ocean was built");
+}
+
+TEST_F(CInterfaceTiles, AreThoseOfTheFrameCompletedLast) {
+    const COcean ocean = ocean_of(stack_sea(2), serial.get());
+    const pelagic_frame first = complete(ocean.get(), 1);
+    const pelagic_tile before = tiles_of(ocean.get(), first)[1];
+    const float height = texel_of(before.height, 3, 4);
+    ASSERT_EQ(pelagic_ocean_schedule(ocean.get(), 2), PELAGIC_OK);
+    EXPECT_TRUE(is_same(tiles_of(ocean.get(), first)[1].height, before.height)) << "while the next is computed";
+    auto second = sized<pelagic_frame>();
+    ASSERT_EQ(pelagic_ocean_complete(ocean.get(), &second), PELAGIC_OK);
+    EXPECT_NE(texel_of(tiles_of(ocean.get(), second)[1].height, 3, 4), height);
+    EXPECT_EQ(texel_of(before.height, 3, 4), height) << "views of the frame before are still valid";
+
+    // Another sea has other sides; the frame that is shown is still of the old one.
+    pelagic_sea storm = stack_sea(2);
+    storm.wind_speed_mps = 25;
+    ASSERT_EQ(pelagic_ocean_schedule_sea(ocean.get(), &storm), PELAGIC_OK);
+    ASSERT_EQ(pelagic_ocean_complete_sea(ocean.get()), PELAGIC_OK);
+    EXPECT_EQ(tiles_of(ocean.get(), second)[0].side_m, first.patch_size_m);
+    const pelagic_frame third = complete(ocean.get(), 3);
+    EXPECT_GT(third.patch_size_m, first.patch_size_m);
+    EXPECT_EQ(tiles_of(ocean.get(), third)[0].side_m, third.patch_size_m);
+}
+
+// ---- What texels mean --------------------------------------------------------------------------------------------
+
+/// A plane as the sum of its waves.
+class Series {
+   public:
+    explicit Series(const pelagic_plane& plane) : n_(plane.resolution), half_(n_ / 2) {
+        const auto rows = static_cast<std::size_t>(n_);
+        std::vector<std::complex<double>> half_done(rows * rows);
+        amplitudes_.resize(rows * rows);
+        for (int j = 0; j < n_; ++j)
+            for (int m = 0; m < n_; ++m)
+                for (int i = 0; i < n_; ++i)
+                    half_done[index(m, j)] +=
+                        static_cast<double>(texel_of(plane, i, j)) * turned(-i * (m - half_)) / (1.0 * n_ * n_);
+        for (int m = 0; m < n_; ++m)
+            for (int n = 0; n < n_; ++n)
+                for (int j = 0; j < n_; ++j)
+                    amplitudes_[index(m, n)] += half_done[index(m, j)] * turned(-j * (n - half_));
+    }
+
+    struct Value {
+        double value, along, across;  ///< and its derivatives by u and v, whose period is 1
+    };
+    Value at(double u, double v) const {
+        Value sum{};
+        // Waves have three texels and more, so the first row and column, of two texels, hold none.
+        for (int n = 1; n < n_; ++n) {
+            for (int m = 1; m < n_; ++m) {
+                const std::complex<double> wave =
+                    amplitudes_[index(m, n)] * std::polar(1.0, 2 * pi * ((m - half_) * u + (n - half_) * v));
+                sum.value += wave.real();
+                sum.along -= 2 * pi * (m - half_) * wave.imag();
+                sum.across -= 2 * pi * (n - half_) * wave.imag();
+            }
+        }
+        return sum;
+    }
+
+   private:
+    std::size_t index(int m, int n) const { return static_cast<std::size_t>(n * n_ + m); }
+    std::complex<double> turned(int texels) const { return std::polar(1.0, 2 * pi * (texels % n_) / n_); }
+    int n_, half_;
+    std::vector<std::complex<double>> amplitudes_;
+};
+
+/// The surface of a tile's waves.
+class ExactTile {
+   public:
+    explicit ExactTile(const pelagic_tile& tile) : tile_(tile), dx_(tile.dx), height_(tile.height), dz_(tile.dz) {}
+
+    struct Derivatives {
+        double by_x, by_z;
+    };
+    /// h_x, h_z, D_xx, D_zz, D_xz, D_zx.
+    std::array<double, 6> slopes(double x, double z) const {
+        const auto [h_x, h_z] = derivatives(height_, x, z);
+        const auto [d_xx, d_xz] = derivatives(dx_, x, z);
+        const auto [d_zx, d_zz] = derivatives(dz_, x, z);
+        return {h_x, h_z, d_xx, d_zz, d_xz, d_zx};
+    }
+
+   private:
+    Derivatives derivatives(const Series& series, double x, double z) const {
+        const double c = tile_.cosine, s = tile_.sine, side_m = tile_.side_m;
+        const auto [value, along, across] = series.at((c * x + s * z) / side_m, (c * z - s * x) / side_m);
+        return {(c * along - s * across) / side_m, (s * along + c * across) / side_m};
+    }
+
+    pelagic_tile tile_;
+    Series dx_, height_, dz_;
+};
+
+double degrees_between(const double (&a)[3], const double (&b)[3]) {
+    const double x = a[1] * b[2] - a[2] * b[1], y = a[2] * b[0] - a[0] * b[2], z = a[0] * b[1] - a[1] * b[0];
+    return std::atan2(std::sqrt(x * x + y * y + z * z), a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) * 180 / pi;
+}
+
+// Bounds as in slopes_test.cpp: normals of the summed texture are within 2 degrees, Jacobians within 0.03, rms.
+TEST_F(CInterfaceTiles, SlopesDecodedAsTheHeaderSaysAddUpToTheSurface) {
+    pelagic_sea sea = stack_sea(4, 64);
+    sea.wind_direction_rad = 0.7;
+    const COcean ocean = ocean_of(sea, serial.get());
+    const pelagic_frame frame = complete(ocean.get(), 5);
+    const std::vector<pelagic_tile> tiles = tiles_of(ocean.get(), frame);
+    const std::vector<ExactTile> exact_tiles(tiles.begin(), tiles.end());
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> place(-3000, 3000);
+    double normal_squares = 0, jacobian_squares = 0, slope_squares = 0, jacobian_variance = 0, curl = 0, shear = 0;
+    constexpr int points = 60;
+    for (int p = 0; p < points; ++p) {
+        const double x = place(random), z = place(random);
+        double sum[8] = {}, exact[8] = {}, normal[3], exact_normal[3];
+        for (std::size_t t = 0; t < tiles.size(); ++t) {
+            add_slopes(&tiles[t], x, z, sum);
+            const std::array<double, 6> slopes = exact_tiles[t].slopes(x, z);
+            for (std::size_t i = 0; i < 5; ++i) exact[i] += slopes[i];
+            curl += (slopes[4] - slopes[5]) * (slopes[4] - slopes[5]);
+            shear += slopes[4] * slopes[4];
+        }
+        normal_of_slopes(sum, normal);
+        normal_of_slopes(exact, exact_normal);
+        const double across[3] = {exact[4], exact[1], 1 + exact[3]}, along[3] = {1 + exact[2], exact[0], exact[4]};
+        EXPECT_NEAR(exact_normal[0], across[1] * along[2] - across[2] * along[1], 1e-12) << "the tangents' product";
+        EXPECT_NEAR(exact_normal[1], across[2] * along[0] - across[0] * along[2], 1e-12);
+        EXPECT_NEAR(exact_normal[2], across[0] * along[1] - across[1] * along[0], 1e-12);
+        const double degrees = degrees_between(normal, exact_normal);
+        normal_squares += degrees * degrees / points;
+        jacobian_squares += (normal[1] - exact_normal[1]) * (normal[1] - exact_normal[1]) / points;
+        jacobian_variance += (exact_normal[1] - 1) * (exact_normal[1] - 1) / points;
+        slope_squares += (exact[0] * exact[0] + exact[1] * exact[1]) / points;
+        for (const int variance : {5, 6}) EXPECT_GE(sum[variance], 0);
+    }
+    // Waves move water along themselves: were an axis turned the wrong way, Dx along z would not be Dz along x.
+    EXPECT_LT(curl, 1e-8 * shear);
+    EXPECT_GT(slope_squares, 0.01) << "the normal turns by 6 degrees, thrice the bound";
+    EXPECT_GT(jacobian_variance, 0.06 * 0.06) << "twice the bound";
+    EXPECT_LE(std::sqrt(normal_squares), 2);
+    EXPECT_LE(std::sqrt(jacobian_squares), 0.03);
+    RecordProperty("normal_rms_deg", std::to_string(std::sqrt(normal_squares)));
+    RecordProperty("jacobian_rms", std::to_string(std::sqrt(jacobian_squares)));
+    RecordProperty("slope_squares", std::to_string(slope_squares));
+    RecordProperty("jacobian_variance", std::to_string(jacobian_variance));
+}
+
+/// The same tile with one level of its slopes as if it were all.
+pelagic_tile level_of(pelagic_tile tile, int level) {
+    tile.slopes_rgba8 += tile.level_offset[level];
+    tile.moments_rgba8 += tile.level_offset[level];
+    tile.resolution >>= level;
+    return tile;
+}
+
+// Over a whole tile waves go up as much as down, and the last level is one texel of the whole: what varied between the texels of
+// a finer level varies within it. Of level 1, because level 0 is sharper for the filter's sake (docs/equations.md).
+TEST_F(CInterfaceTiles, TheLastLevelHasNoSlopeAndTheVarianceOfAll) {
+    const COcean ocean = ocean_of(stack_sea(3), serial.get());
+    for (const pelagic_tile& tile : tiles_of(ocean.get(), complete(ocean.get(), 3))) {
+        double whole[8] = {};
+        const pelagic_tile last = level_of(tile, tile.levels - 1), first = level_of(tile, 1);
+        ASSERT_EQ(last.resolution, 1);
+        add_slopes(&last, 0, 0, whole);
+        for (int i = 0; i < 5; ++i) EXPECT_LT(std::fabs(whole[i]), 0.501 * tile.slope_range / 127) << "half a step";
+        double squares[3] = {};
+        for (int texel = 0; texel < 256; ++texel) {
+            pelagic_tile one = first;
+            one.slopes_rgba8 += texel, one.moments_rgba8 += texel, one.resolution = 1;
+            double sum[8] = {};
+            add_slopes(&one, 0, 0, sum);
+            squares[0] += (sum[0] * sum[0] + sum[5]) / 256;
+            squares[1] += (sum[1] * sum[1] + sum[6]) / 256;
+            squares[2] += (sum[0] * sum[1] + sum[7]) / 256;
+        }
+        EXPECT_GT(squares[0], 10 * tile.variance_range / 255);
+        // Half a step of the last texel, and what the rounding of all others leaves in the mean.
+        for (int i = 0; i < 3; ++i) EXPECT_NEAR(whole[5 + i], squares[i], 0.6 * tile.variance_range / 127) << i;
+    }
+}
+
+/// A plane of the tile where (x, z) rests, bilinear, as pelagic.h says.
+double bilinear(const pelagic_tile& tile, const pelagic_plane& plane, double x, double z) {
+    const double u = (tile.cosine * x + tile.sine * z) / tile.side_m * tile.resolution;
+    const double v = (tile.cosine * z - tile.sine * x) / tile.side_m * tile.resolution;
+    const int i = static_cast<int>(std::floor(u)), j = static_cast<int>(std::floor(v)), mask = tile.resolution - 1;
+    const double a = u - i, b = v - j;
+    const auto texel = [&](int right, int below) { return texel_of(plane, (i + right) & mask, (j + below) & mask); };
+    return (1 - b) * ((1 - a) * texel(0, 0) + a * texel(1, 0)) + b * ((1 - a) * texel(0, 1) + a * texel(1, 1));
+}
+
+// Without folds there is one water over each place, and a query finds it.
+TEST_F(CInterfaceTiles, AQueryFindsTheSumOfTilesWhereItIsDrawn) {
+    pelagic_sea sea = stack_sea(3);
+    sea.choppiness = 0.3;
+    const COcean ocean = ocean_of(sea, serial.get());
+    const pelagic_frame frame = complete(ocean.get(), 2);
+    const std::vector<pelagic_tile> tiles = tiles_of(ocean.get(), frame);
+    constexpr std::size_t count = 200;
+    std::vector<double> x(count), z(count), heights(count);
+    std::mt19937 random(8);
+    std::uniform_real_distribution<double> place(-3000, 3000);
+    for (std::size_t p = 0; p < count; ++p) {
+        const double rest_x = place(random), rest_z = place(random);
+        x[p] = rest_x, z[p] = rest_z;
+        for (const pelagic_tile& tile : tiles) {
+            x[p] += bilinear(tile, tile.dx, rest_x, rest_z);
+            z[p] += bilinear(tile, tile.dz, rest_x, rest_z);
+            heights[p] += bilinear(tile, tile.height, rest_x, rest_z);
+        }
+    }
+    std::vector<float> found(count);
+    auto asked = sized<pelagic_points>();
+    asked.count = count, asked.x = x.data(), asked.z = z.data();
+    auto samples = sized<pelagic_samples>();
+    samples.height_m = found.data();
+    ASSERT_EQ(pelagic_ocean_query(ocean.get(), &asked, &samples), PELAGIC_OK) << pelagic_last_error();
+    for (std::size_t p = 0; p < count; ++p) EXPECT_NEAR(found[p], heights[p], 1e-3) << "the query's tolerance";
+}
+
+// ---- A host's memory ---------------------------------------------------------------------------------------------
+
+/// All that a tile of a stack has.
+struct StackArrays {
+    explicit StackArrays(std::size_t side)
+        : planes(6, std::vector<float>(side * side)), halves(4 * side * side), chain((4 * side * side - 1) / 3) {
+        slopes = moments = gradients = chain;
+    }
+    pelagic_frame_buffers view() {
+        auto buffers = sized<pelagic_frame_buffers>();
+        buffers.plane_count = planes[0].size();
+        buffers.dx = planes[0].data(), buffers.height = planes[1].data(), buffers.dz = planes[2].data();
+        buffers.velocity_x = planes[3].data();
+        buffers.velocity_y = planes[4].data();
+        buffers.velocity_z = planes[5].data();
+        buffers.rgba16f_count = halves.size();
+        buffers.displacement_rgba16f = halves.data();
+        buffers.rgba8_count = buffers.slopes_count = chain.size();
+        buffers.gradient_rgba8 = gradients.data();
+        buffers.slopes_rgba8 = slopes.data();
+        buffers.moments_rgba8 = moments.data();
+        return buffers;
+    }
+    bool operator==(const StackArrays&) const = default;
+
+    std::vector<std::vector<float>> planes;
+    std::vector<std::uint16_t> halves;
+    std::vector<std::uint32_t> chain, gradients, slopes, moments;
+};
+
+TEST_F(CInterfaceTiles, ACopyHasEachTileInItsOwnBuffers) {
+    pelagic_ocean_options options = serial_options(serial);
+    options.velocities = options.gradients = 1;
+    const COcean ocean = ocean_of(stack_sea(3), options);
+    std::vector<StackArrays> arrays(3, StackArrays(32)), computed = arrays;
+    std::vector<pelagic_frame_buffers> copies, to;
+    for (StackArrays& tile : arrays) copies.push_back(tile.view());
+    for (StackArrays& tile : computed) to.push_back(tile.view());
+
+    const pelagic_frame frame = complete(ocean.get(), 4);
+    ASSERT_EQ(pelagic_ocean_copy(ocean.get(), copies.data()), PELAGIC_OK) << pelagic_last_error();
+    pelagic_bounds bounds{};
+    ASSERT_EQ(pelagic_ocean_frame_at(ocean.get(), 4, to.data(), &bounds), PELAGIC_OK) << pelagic_last_error();
+    EXPECT_EQ(arrays, computed);
+    EXPECT_EQ(std::memcmp(&bounds, &frame.bounds, sizeof bounds), 0);
+    const std::vector<pelagic_tile> tiles = tiles_of(ocean.get(), frame);
+    for (std::size_t t = 0; t < 3; ++t) {
+        const pelagic_tile& tile = tiles[t];
+        const StackArrays& copy = arrays[t];
+        const pelagic_plane* planes[6] = {&tile.dx,         &tile.height,     &tile.dz,
+                                          &tile.velocity_x, &tile.velocity_y, &tile.velocity_z};
+        for (std::size_t p = 0; p < 6; ++p)
+            for (int texel = 0; texel < 1024; ++texel)
+                ASSERT_EQ(copy.planes[p][static_cast<std::size_t>(texel)],
+                          texel_of(*planes[p], texel % 32, texel / 32));
+        EXPECT_EQ(std::memcmp(tile.displacement_rgba16f, copy.halves.data(), 2 * copy.halves.size()), 0);
+        EXPECT_EQ(std::memcmp(tile.gradient_rgba8, copy.gradients.data(), 4 * copy.chain.size()), 0);
+        EXPECT_EQ(std::memcmp(tile.slopes_rgba8, copy.slopes.data(), 4 * copy.chain.size()), 0);
+        EXPECT_EQ(std::memcmp(tile.moments_rgba8, copy.moments.data(), 4 * copy.chain.size()), 0);
+    }
+    EXPECT_NE(arrays[0], arrays[1]);
+}
+
+// Before the first complete() frame_at() shows its frame, which tiles tell of, too.
+TEST_F(CInterfaceTiles, OfFrameAtMayBeTakenBeforeOneIsCompleted) {
+    const COcean ocean = ocean_of(stack_sea(2), serial.get());
+    pelagic_frame_buffers nothing[2] = {sized<pelagic_frame_buffers>(), sized<pelagic_frame_buffers>()};
+    ASSERT_EQ(pelagic_ocean_frame_at(ocean.get(), 4, nothing, nullptr), PELAGIC_OK) << pelagic_last_error();
+    auto tile = sized<pelagic_tile>();
+    ASSERT_EQ(pelagic_ocean_tile(ocean.get(), 1, &tile), PELAGIC_OK) << pelagic_last_error();
+    const COcean other = ocean_of(stack_sea(2), serial.get());
+    const pelagic_tile expected = tiles_of(other.get(), complete(other.get(), 4))[1];
+    EXPECT_EQ(std::memcmp(tile.slopes_rgba8, expected.slopes_rgba8, 4 * 1024), 0);
+}
+
+TEST_F(CInterfaceTiles, BuffersThatDoNotFitAreNamed) {
+    const COcean ocean = ocean_of(stack_sea(2), serial_options(serial));
+    complete(ocean.get(), 0);
+    std::vector<StackArrays> arrays(2, StackArrays(32));
+    const auto expect_line = [&](const std::string& line, void (*change)(pelagic_frame_buffers*)) {
+        pelagic_frame_buffers buffers[2] = {arrays[0].view(), arrays[1].view()};
+        for (pelagic_frame_buffers& tile : buffers)
+            tile.gradient_rgba8 = nullptr, tile.velocity_x = tile.velocity_y = tile.velocity_z = nullptr;
+        change(buffers);
+        if (line.empty()) {
+            EXPECT_EQ(pelagic_ocean_copy(ocean.get(), buffers), PELAGIC_OK) << pelagic_last_error();
+            return;
+        }
+        const std::vector<StackArrays> before = arrays;
+        expect_invalid(pelagic_ocean_copy(ocean.get(), buffers), line);
+        expect_invalid(pelagic_ocean_frame_at(ocean.get(), 1, buffers, nullptr), line);
+        EXPECT_EQ(arrays, before) << "nothing was written";
+    };
+    const std::string size = std::to_string(sizeof(pelagic_frame_buffers));
+    const std::string odd = std::to_string(sizeof(pelagic_frame_buffers) - 1);
+    expect_line("buffers[1].struct_size is 0, needs " + size + ", as the first's",
+                [](auto* buffers) { buffers[1].struct_size = 0; });
+    // Of the first version, which may be any number of bytes long where there is no second one.
+    expect_line("buffers.struct_size is " + odd + ", needs " + size + ", the size of the struct",
+                [](auto* buffers) { buffers[0].struct_size -= 1; });
+    expect_line("buffers[1].reserved is set, needs 0", [](auto* buffers) { buffers[1].reserved = 1; });
+    expect_line("height has 1023 elements, needs 1024",
+                [](auto* buffers) { buffers[1].plane_count = 1023, buffers[1].dx = nullptr; });
+    expect_line("slopes_rgba8 has 1 elements, needs 1365", [](auto* buffers) { buffers[1].slopes_count = 0; });
+    expect_line("moments_rgba8 has 1366 elements, needs 1365",
+                [](auto* buffers) { buffers[0].slopes_count = 1366, buffers[0].slopes_rgba8 = nullptr; });
+    static float room[1024];
+    static std::uint32_t chain[1365];
+    expect_line("velocity_z is wanted, needs an ocean with velocities",
+                [](auto* buffers) { buffers[1].velocity_z = room; });
+    expect_line("gradient_rgba8 is wanted, needs an ocean with gradients",
+                [](auto* buffers) { buffers[1].gradient_rgba8 = chain; });
+    expect_line("", [](auto*) {});
+
+    const COcean one = ocean_of(small_sea(32), serial_options(serial));
+    complete(one.get(), 0);
+    auto buffers = sized<pelagic_frame_buffers>();
+    buffers.slopes_rgba8 = chain, buffers.slopes_count = 1365;
+    expect_invalid(pelagic_ocean_copy(one.get(), &buffers), "slopes_rgba8 is wanted, needs an ocean with slopes");
+}
+
+}  // namespace
+}  // namespace pelagic
