@@ -24,10 +24,10 @@ constexpr int least_resolution_of_stacks = 32;
 constexpr double two_pi = 6.283185307179586;
 
 constexpr std::array fields = {
-    SeaStateField{"cascades", &SeaState::cascades, 1, 4, "1, 2, 3 or 4", Among::all, 0},
-    SeaStateField{"resolution", &SeaState::resolution, 16, 2048, "a power of two from 16 to 2048", Among::powers_of_two,
-                  0},
-    SeaStateField{"patch_size_m", &SeaState::patch_size_m, 0.001, 1e6, "[0.001, 1e6]", Among::all, 0},
+    SeaStateField{"cascades", &SeaState::cascades, 1, 4, "1, 2, 3 or 4, or 0: chosen", Among::all, 0},
+    SeaStateField{"resolution", &SeaState::resolution, 16, 2048, "a power of two from 16 to 2048, or 0: chosen",
+                  Among::powers_of_two, 0},
+    SeaStateField{"patch_size_m", &SeaState::patch_size_m, 0.001, 1e6, "[0.001, 1e6], or 0: chosen", Among::all, 0},
     SeaStateField{"wind_speed_mps", &SeaState::wind_speed_mps, 0, 60, "(0, 60]", Among::above_least},
     SeaStateField{"wind_direction_rad", &SeaState::wind_direction_rad, -two_pi, two_pi, "[-2 pi, 2 pi]"},
     SeaStateField{"fetch_m", &SeaState::fetch_m, 0, 2e6, "(0, 2e6]", Among::above_least},

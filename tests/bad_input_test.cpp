@@ -138,6 +138,11 @@ std::vector<BadInput> bad_inputs() {
          "{\"sea\": {\"wind_speed_mps\": -3}}"},
         {{"info", "--config", "CONFIG"}, {"CONFIG", "seed", "array"}, "{\"sea\": {\"seed\": [1]}}"},
         {{"info", "--config", "CONFIG"}, {"CONFIG", "seed", "without quotes"}, "{\"sea\": {\"seed\": \"1\"}}"},
+        {{"export", "--out", "OUT", "--cascades", "3", "--patch-size", "100"}, {"cascades is 3, needs 1", "side"}},
+        {{"export", "--out", "OUT", "--cascades", "2", "--resolution", "16"},
+         {"cascades is 2, needs 1", "resolution"}},
+        {{"export", "--out", "OUT", "--cascades", "2", "--spectrum", "phillips-paper"},
+         {"cascades is 2, needs 1", "paper"}},
         // A bad value in the file is an error even where a flag would win.
         {{"export", "--out", "OUT", "--wind-speed", "5", "--config", "CONFIG"},
          {"CONFIG:1", "-3"},
@@ -151,8 +156,9 @@ std::vector<BadInput> bad_inputs() {
     for (const auto& [flag, accepted, values] :
          std::vector<Range>{{"--resolution",
                              "a power of two from 16 to 2048",
-                             {"0", "8", "100", "4096", "-64", "64.0", "1e2", "0x40", "", "64 "}},
-                            {"--patch-size", "[0.001, 1e6]", {"0", "-250", "2e6", "nan", "inf", "250m"}},
+                             {"1", "8", "100", "4096", "-64", "64.0", "1e2", "0x40", "", "64 "}},
+                            {"--cascades", "1, 2, 3 or 4", {"5", "-1", "1.5", "many"}},
+                            {"--patch-size", "[0.001, 1e6]", {"0.0009", "-250", "2e6", "nan", "inf", "250m"}},
                             {"--wind-speed", "(0, 60]", {"0", "-3", "61", "nan", "inf", "-inf", "abc", "12,5"}},
                             {"--wind-direction", "[-360, 360]", {"361", "-400", "nan", "north"}},
                             {"--fetch", "(0, 2e6]", {"0", "-1", "3e6", "inf"}},

@@ -74,10 +74,10 @@ TEST(StandardOutput, ThatIsFullIsAnError) {
 
 TEST(TiffHalves, StayHalves) {
     const TemporaryFolder folder;
-    ASSERT_EQ(
-        run_pelagic({"export", "--out", folder.path().string(), "--resolution", "32", "--format", "tif", "--half"})
-            .exit_code,
-        0);
+    ASSERT_EQ(run_pelagic({"export", "--out", folder.path().string(), "--resolution", "32", "--patch-size", "250",
+                           "--format", "tif", "--half"})
+                  .exit_code,
+              0);
     const auto file = OIIO::ImageInput::open((folder / "displacement_0000.tif").string());
     ASSERT_TRUE(file);
     ASSERT_EQ(file->spec().format, OIIO::TypeDesc::HALF);

@@ -19,8 +19,8 @@ namespace pelagic {
 namespace {
 
 std::vector<std::string> arguments_of(const std::filesystem::path& folder, std::vector<std::string> more = {}) {
-    std::vector<std::string> all = {"export",   "--out", folder.string(), "--resolution", "64",
-                                    "--frames", "12",    "--mips"};
+    std::vector<std::string> all = {"export",       "--out", folder.string(), "--resolution", "64",
+                                    "--patch-size", "250",   "--frames",      "12",           "--mips"};
     all.insert(all.end(), more.begin(), more.end());
     return all;
 }
@@ -112,9 +112,10 @@ TEST(Resume, OfAnotherSeaIsRefusedAndLosesNothing) {
 TEST(Resume, ForgetsNothingOfAnExportThatWasBeingReplaced) {
     const auto whole = undisturbed_export();
     const TemporaryFolder folder;
-    ASSERT_EQ(
-        run_pelagic({"export", "--out", folder.path().string(), "--resolution", "32", "--frames", "40"}).exit_code,
-        0);
+    ASSERT_EQ(run_pelagic({"export", "--out", folder.path().string(), "--resolution", "32", "--patch-size", "250",
+                           "--frames", "40"})
+                  .exit_code,
+              0);
     const Outcome failed = run_pelagic(arguments_of(folder.path()), [] {
         const rlimit least{20000, 20000};
         ::setrlimit(RLIMIT_FSIZE, &least);
@@ -195,7 +196,7 @@ TEST(Progress, ShowsFramesAndTimeLeftOnATerminal) {
     if (process == 0) {
         const std::string out = folder.path().string();
         ::execl(PELAGIC_BINARY, "pelagic", "export", "--out", out.c_str(), "--frames", "40", "--resolution", "128",
-                nullptr);
+                "--patch-size", "250", nullptr);
         std::_Exit(127);
     }
     std::string shown;

@@ -26,7 +26,7 @@ namespace {
 using nlohmann::json;
 
 constexpr SeaState small_sea{.resolution = 32, .patch_size_m = 250};
-const std::vector<std::string> small_flags = {"--resolution", "32"};
+const std::vector<std::string> small_flags = {"--resolution", "32", "--patch-size", "250"};
 
 /// An export of the small sea with more flags; the folder must be empty.
 Outcome export_to(const std::filesystem::path& folder, std::vector<std::string> flags) {

@@ -16,7 +16,7 @@ namespace {
 using Arguments = std::vector<std::string>;
 
 Arguments export_arguments(const std::filesystem::path& folder, const Arguments& more) {
-    Arguments all = {"export", "--out", folder.string(), "--resolution", "32"};
+    Arguments all = {"export", "--out", folder.string(), "--resolution", "32", "--patch-size", "250"};
     all.insert(all.end(), more.begin(), more.end());
     return all;
 }

@@ -20,7 +20,8 @@ namespace {
 using nlohmann::json;
 
 std::vector<std::string> arguments_of(const std::filesystem::path& folder, const std::vector<std::string>& more) {
-    std::vector<std::string> all = {"export", "--out", folder.string(), "--resolution", "32", "--mips"};
+    std::vector<std::string> all = {"export", "--out",        folder.string(), "--resolution",
+                                    "32",     "--patch-size", "250",           "--mips"};
     all.insert(all.end(), more.begin(), more.end());
     return all;
 }

@@ -104,8 +104,9 @@ TEST(QuadtreeCommand, TheWholeMeshIsOneClosedSheetWithAFlatBorder) {
 // Texture coordinates lead back to the rest place, the rest place to where the sea is drawn, and that to its normal.
 TEST(QuadtreeCommand, VerticesHaveTextureCoordinatesAndNormals) {
     TemporaryFolder folder;
-    const Outcome run = run_pelagic({"quadtree", "--size", "1000", "--quality", "low", "--all", "--camera", "0,4,0",
-                                     "--obj", (folder / "sea.obj").string(), "--resolution", "64"});
+    const Outcome run =
+        run_pelagic({"quadtree", "--size", "1000", "--quality", "low", "--all", "--camera", "0,4,0", "--obj",
+                     (folder / "sea.obj").string(), "--resolution", "64", "--patch-size", "250"});
     ASSERT_EQ(run.exit_code, 0) << run.err;
     const Obj obj = read_obj(read_file(folder / "sea.obj"));
     ASSERT_EQ(obj.texture.size(), obj.vertices.size());

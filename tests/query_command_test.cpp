@@ -48,9 +48,9 @@ Outcome query(const std::string& points, std::vector<std::string> more = {}) {
 }
 
 TEST(QueryCommand, PrintsTheLibrarysAnswersToTheLastBit) {
-    const Outcome outcome =
-        query("x,z\n0,0\n12.25,-3.5\n\n  1e3 ,\t-0.1\r\n",
-              {"--time", "12.5", "--resolution", "64", "--choppiness", "1", "--wind-speed", "9", "--seed", "3"});
+    const Outcome outcome = query("x,z\n0,0\n12.25,-3.5\n\n  1e3 ,\t-0.1\r\n",
+                                  {"--time", "12.5", "--resolution", "64", "--patch-size", "250", "--choppiness", "1",
+                                   "--wind-speed", "9", "--seed", "3"});
     EXPECT_EQ(outcome.exit_code, 0);
     EXPECT_EQ(outcome.err, "");
     const std::vector<std::string> lines = lines_of(outcome.out);

@@ -13,8 +13,7 @@ std::vector<float> interleaved_floats(const Tile& tile) {
     pixels.reserve(3 * static_cast<std::size_t>(tile.resolution()) * tile.resolution());
     for (int j = 0; j < tile.resolution(); ++j) {
         for (int i = 0; i < tile.resolution(); ++i)
-            pixels.insert(pixels.end(),
-                          {tile.dx.at(i, j), tile.height.at(i, j), tile.dz.at(i, j)});
+            pixels.insert(pixels.end(), {tile.dx.at(i, j), tile.height.at(i, j), tile.dz.at(i, j)});
     }
     return pixels;
 }
