@@ -16,7 +16,7 @@ fi
 
 # 60 seconds are nine periods of the highest waves, so the loop looks like a sea and not like a machine. The shortest wave of
 # this coarse grid takes 1.6 seconds, so 4 frames a second are enough where the player blends between them.
-command=(build/release/bin/pelagic export --out out --resolution 128 --loop-period 60 --loop-frames 240 --mips)
+command=(build/release/bin/pelagic export --out out --patch-size 250 --resolution 128 --loop-period 60 --loop-frames 240 --mips)
 "${command[@]}"
 picture=(build/release/bin/pelagic render --out out/sea.png --loop-period 60)
 "${picture[@]}" ||
@@ -28,11 +28,12 @@ Your sea is in out/:
   gradient_0000.png ... gradient_0239.png           normal x, normal z, Jacobian, smoothness (and _mip1 ...)
   sea.json                                          every option, what pixels mean, a hash for each frame
 Play the 240 frames at 4 a second, blended: after the last one the first follows without a seam.
-  sea.png                                           the same sea as it looks
+  sea.png                                           a sea in that wind, with its smaller waves
 They were made by:
   ${command[*]}
   ${picture[*]}
 Try also:
+  build/release/bin/pelagic export --out tiles          a frame of all four tiles of the default sea
   build/release/bin/pelagic info --preset storm
   build/release/bin/pelagic export --help
 END

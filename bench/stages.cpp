@@ -82,6 +82,16 @@ void time_frame(benchmark::State& state, int resolution, Isa isa, int threads) {
     count(state, resolution, work);
 }
 
+/// A stack of tiles that the sea chooses.
+void time_stack(benchmark::State& state, int cascades, Isa isa, int threads) {
+    Ocean ocean({.cascades = cascades, .resolution = 128},
+                {.executor = threads == 1 ? make_serial_executor() : make_default_executor(threads), .isa = isa});
+    double time_s = 0;
+    for (auto _ : state) benchmark::DoNotOptimize(ocean.frame_at(time_s += 1.0 / 72).tiles[0].height.data);
+    state.SetItemsProcessed(state.iterations() * cascades * 128 * 128);
+    state.counters["memory"] = static_cast<double>(ocean.memory_bytes());
+}
+
 void time_arithmetic(benchmark::State& state, Isa isa) {
     double flops = 0;
     for (auto _ : state) flops += bench::run_arithmetic(isa, 10000);
@@ -105,6 +115,13 @@ void register_all() {
         for (const auto& [place, kib] : std::map<std::string, std::size_t>{
                  {"copy_16KiB", 16}, {"copy_256KiB", 256}, {"copy_8MiB", 8192}, {"copy_256MiB", 262144}})
             RegisterBenchmark(("ceiling/" + name + "/" + place).c_str(), time_copy, isa, kib * 1024);
+        for (const int cascades : {3, 4})
+            for (int threads = 1; threads <= cores; threads *= 2)
+                RegisterBenchmark(
+                    ("frame/" + name + "/" + std::to_string(cascades) + "x128/" + std::to_string(threads)).c_str(),
+                    time_stack, cascades, isa, threads)
+                    ->Unit(benchmark::kMicrosecond)
+                    ->UseRealTime();
         for (int n = 64; n <= 1024; n *= 2) {
             const std::string suffix = "/" + name + "/" + std::to_string(n);
             const auto ocean = ocean_of(n, isa, make_serial_executor());

@@ -6,7 +6,7 @@ set -euo pipefail
 cd "$(dirname "$0")/../.."
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-build/release/bin/pelagic export --out "$work" --preset rough >/dev/null
+build/release/bin/pelagic export --out "$work" --preset rough --patch-size 300 >/dev/null
 oiiotool "$work/displacement_0000.exr" --ch G,G,G --addc 2.6 --divc 5.6 -d uint8 -o "$work/height.png"
 oiiotool --iconfig oiio:UnassociatedAlpha 1 "$work/gradient_0000.png" --ch R,G,B -o "$work/gradient.png"
 oiiotool "$work/height.png" "$work/height.png" "$work/gradient.png" "$work/gradient.png" --mosaic 4x1 -o docs/images/sea.png

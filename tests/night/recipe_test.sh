@@ -18,7 +18,7 @@ needs() {
 waves=$(mktemp -d)
 trap 'rm -rf "$waves"' EXIT
 # Two frames, so that a program that shows the wrong one is found out.
-make_waves() { "$pelagic" export --out "$waves" --preset "$1" --resolution 128 --loop-period 90 --loop-frames 2; }
+make_waves() { "$pelagic" export --out "$waves" --preset "$1" --patch-size 300 --resolution 128 --loop-period 90 --loop-frames 2; }
 
 case $recipe in
   blender)
