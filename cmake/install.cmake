@@ -54,8 +54,8 @@ endforeach()
 set(message_headers numeric_field)
 set(jobs_headers chrome_trace executor job_graph trace)
 set(simd_headers host_memory isa)
-set(sim_headers frame frame_buffers ocean sea_state slope_variance statistics surface_query surface_query_jobs
-                surface_ray tile tile_plan)
+set(sim_headers frame frame_buffers ocean sea_state slope_sum slope_variance statistics surface_query
+                surface_query_jobs surface_ray tile tile_plan)
 set(quadtree_headers camera draw_list frustum level_map patch_mesh patch_vertex quadtree_options selection skirt stitching)
 set(gl_headers errors frame_textures functions headless_context objects render_target sea_renderer sky sky_baker views)
 set(folders message jobs simd sim)

@@ -178,5 +178,46 @@ TEST(TileStack, BandsShareThePlaneOfWaveNumbers) {
     }
 }
 
+/// Correlation of the heights of two points that are (x, z) apart, in the mean over time and place: from what this seed drew.
+double correlation(const std::vector<TileWaves>& tiles, double x, double z) {
+    double together = 0, all = 0;
+    for (const TileWaves& waves : tiles) {
+        const TilePlan& tile = waves.tile();
+        const int half = tile.resolution / 2;
+        for (int n = 0; n < half; ++n) {
+            for (int m = n == 0 ? 1 : -half + 1; m < half; ++m) {
+                const auto [kx, kz] = tile.lattice.in_world(m * tile.spacing(), n * tile.spacing());
+                const OppositeWaves pair = waves.pair(m, n).plus;
+                together += pair.drawn_square() * std::cos(kx * x + kz * z);
+                all += pair.drawn_square();
+            }
+        }
+    }
+    return together / all;
+}
+
+double largest_correlation(SeaState sea) {
+    std::vector<TileWaves> tiles;
+    for (const TilePlan& tile : plan_tiles(sea)) tiles.emplace_back(sea, tile);
+    double most = 0;
+    for (double lag_m = 200; lag_m <= 900; lag_m += 50)
+        for (int direction = 0; direction < 8; ++direction) {
+            const double angle = direction * pi / 8;
+            most = std::max(most, correlation(tiles, lag_m * std::cos(angle), lag_m * std::sin(angle)));
+        }
+    return most;
+}
+
+// From above a sea shows no pattern that comes again. Waves of one tile of 250 m do, wholly, after 250 m.
+TEST(TileStack, HeightsComeAgainNowhereWithin900Metres) {
+    SeaState sea = sea_preset_named("moderate")->sea;
+    sea.resolution = 64;  // what matters are the long waves; the coarsest tile is as wide
+    const double stack = largest_correlation(sea);
+    EXPECT_LT(stack, 0.25);
+    sea.patch_size_m = 250;
+    EXPECT_GT(largest_correlation(sea), 0.99);
+    RecordProperty("stack", std::to_string(stack));
+}
+
 }  // namespace
 }  // namespace pelagic

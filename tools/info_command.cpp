@@ -103,8 +103,13 @@ void print_table(const Json& json) {
     print_section("Frame at 0 s", json.at("first_frame"));
     Json computing = json.at("computing");
     std::string stages;
-    for (const Json& stage : computing.at("stages"))
-        stages += (stages.empty() ? "" : " -> ") + stage.at("name").get<std::string>();
+    for (const Json& stage : computing.at("stages")) {
+        const auto name = stage.at("name").get<std::string>();
+        const std::size_t at = name.rfind(" c");
+        const bool is_of_finer_tile = at != std::string::npos && at + 3 == name.size();  // "evolve+rows c1"
+        if (is_of_finer_tile) continue;                                                  // as those of the coarsest
+        stages += (stages.empty() ? "" : " -> ") + name;
+    }
     computing["stages"] = stages;
     print_section("Computing", computing);
     for (const Json& warning : json.at("warnings")) std::printf("note: %s\n", warning.get<std::string>().c_str());
