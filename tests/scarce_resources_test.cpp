@@ -42,7 +42,7 @@ TEST_F(ScarceResources, ASmallStackIsEnoughForAnyFrame) {
                 const TemporaryFolder folder;
                 const Outcome outcome =
                     run_pelagic({"export", "--out", folder.path(), "--frames", "1", "--maps", "displacement",
-                                 "--half", "--resolution", resolution, "--threads", threads},
+                                 "--half", "--patch-size", "250", "--resolution", resolution, "--threads", threads},
                                 with_at_most(RLIMIT_STACK, stack));
                 ASSERT_EQ(outcome.exit_code, 0) << stack << ": " << outcome.err;
                 hashes.push_back(read_file(folder / "displacement_0000.exr"));
@@ -58,9 +58,9 @@ TEST_F(ScarceResources, TooLittleMemoryIsALine) {
     write_file(folder / "points.csv", "x,z\n1,2\n");
     std::size_t refused = 0, worked = 0;
     for (std::size_t room = 64 * mib; room <= 1024 * mib; room += 32 * mib) {
-        const Outcome outcome =
-            run_pelagic({"query", "--resolution", "1024", "--threads", "8", "--points", folder / "points.csv"},
-                        with_at_most(RLIMIT_AS, room));
+        const Outcome outcome = run_pelagic({"query", "--patch-size", "250", "--resolution", "1024", "--threads", "8",
+                                             "--points", folder / "points.csv"},
+                                            with_at_most(RLIMIT_AS, room));
         // 127: the loader could not map a library.
         ASSERT_TRUE(outcome.exit_code <= 2 || outcome.exit_code == 127)
             << room / mib << " MiB: " << outcome.exit_code << " " << outcome.err;
