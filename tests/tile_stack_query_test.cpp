@@ -221,7 +221,7 @@ TEST(TileStackQuery, WhereTheSqueezeMapSaysSoThereIsOneSheet) {
         parts[0].factor = factor;
         const TileStack stack(parts, 5);
         const oracle::Stack oracle(stack.frame());
-        const Points points = random_points(is_sanitized ? 20 : 1500, 1000, 2);
+        const Points points = random_points(is_sanitized ? 200 : 1500, 1000, 2);
         for (std::size_t i = 0; i < points.x.size(); ++i) {
             const std::vector<oracle::StackSheet> sheets = oracle.sheets_at(points.x[i], points.z[i]);
             folded += sheets.size() > 1;
