@@ -23,14 +23,6 @@ struct SeaFlag {
     std::string_view help;
 };
 
-constexpr std::array angles = {
-    SeaAngle{"wind_direction_rad", "wind_direction_deg", &SeaState::wind_direction_rad,
-             &ResolvedSea::wind_direction_deg},
-    SeaAngle{"swell_direction_rad", "swell_direction_deg", &SeaState::swell_direction_rad,
-             &ResolvedSea::swell_direction_deg},
-    SeaAngle{"swell_spread_rad", "swell_spread_deg", &SeaState::swell_spread_rad, &ResolvedSea::swell_spread_deg},
-};
-
 constexpr std::array sea_flags = {
     SeaFlag{"cascades", "cascades", "tiles, each with a band of the waves, their sides chosen from the sea"},
     SeaFlag{"resolution", "resolution", "texels along a side of a tile"},
@@ -139,7 +131,8 @@ double degrees_of(double radians) {
 void apply_preset(ResolvedSea& resolved, const std::string& name, const std::string& asked_by) {
     if (const SeaPreset* preset = sea_preset_named(name)) {
         resolved = {};
-        for (const SeaAngle& angle : angles)  // a degree that a preset leaves as it is by default keeps its digits
+        for (const SeaAngle& angle :
+             sea_angles())  // a degree that a preset leaves as it is by default keeps its digits
             if (preset->sea.*angle.radians != resolved.sea.*angle.radians)
                 resolved.*angle.degrees = degrees_of(preset->sea.*angle.radians);
         resolved.sea = preset->sea;
@@ -202,12 +195,6 @@ std::vector<std::string> config_keys() {
 }
 
 }  // namespace
-
-const SeaAngle* sea_angle(std::string_view field) {
-    const auto found =
-        std::find_if(angles.begin(), angles.end(), [&](const auto& angle) { return angle.field == field; });
-    return found == angles.end() ? nullptr : found;
-}
 
 void SeaOptions::add_to(CLI::App& app) {
     const auto add = [&](std::string_view flag, const std::string& type, const std::string& help) {

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -29,6 +30,7 @@ struct SeaAngle {
     double SeaState::*radians;
     double ResolvedSea::*degrees;
 };
+std::span<const SeaAngle> sea_angles();
 /// Null for what is no angle. \param field  of sea_state_fields()
 const SeaAngle* sea_angle(std::string_view field);
 
