@@ -1,5 +1,6 @@
 #include "pelagic/capi/ocean.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -179,12 +180,17 @@ class HostBuffers {
         const std::size_t bytes = struct_bytes(first, "buffers");
         if (count_ > 1 && bytes % alignof(pelagic_frame_buffers) != 0)
             refuse(refusal("buffers.struct_size", bytes, number_text(sizeof *first) + ", the size of the struct"));
+        // Before anybody looks behind the first: a host that knows one tile has one struct.
+        if (std::max(first->tile_count, 1u) != count_)
+            refuse(refusal("buffers.tile_count", first->tile_count,
+                           number_text(count_) + ", with as many structs one after the other"));
         for (std::size_t i = 0; i < count_; ++i) {
             const std::string name = i == 0 ? "buffers" : "buffers[" + number_text(i) + "]";
             const auto* const at = reinterpret_cast<const pelagic_frame_buffers*>(
                 reinterpret_cast<const unsigned char*>(first) + i * bytes);
             if (at->struct_size != bytes)
                 refuse(refusal(name + ".struct_size", at->struct_size, number_text(bytes) + ", as the first's"));
+            if (i > 0 && at->tile_count != 0) refuse(refusal(name + ".tile_count", at->tile_count, "0"));
             tiles_[i] = buffers_of(read_struct(at, name.c_str()));
         }
     }

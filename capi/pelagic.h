@@ -379,10 +379,10 @@ PELAGIC_API pelagic_status pelagic_ocean_tile(const pelagic_ocean* ocean, int32_
 
 /* Where pelagic_ocean_copy and pelagic_ocean_frame_at write a tile. Pointers may be NULL: not wanted. Counts are exact, of
  * elements. Rows are tight, texel (i, j) at j N + i. For a frame of several tiles there is an array of them, one for each tile,
- * all of the struct_size of the first. */
+ * all of the struct_size of the first, which says how many there are. */
 typedef struct pelagic_frame_buffers {
     uint32_t struct_size;
-    uint32_t reserved;  /* 0 */
+    uint32_t tile_count; /* of the first struct: the frame's tiles, 0 for one; of the others 0 */
     size_t plane_count; /* N^2, the length of each of these */
     float *dx, *height, *dz;
     float *velocity_x, *velocity_y, *velocity_z;

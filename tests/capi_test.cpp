@@ -258,14 +258,15 @@ TEST(CInterface, ReservedFieldsHaveToBe0) {
     auto samples = sized<pelagic_samples>();
     auto ray = sized<pelagic_ray>();
     auto hit = sized<pelagic_hit>();
-    executor_options.reserved = ocean_options.reserved = buffers.reserved = 1;
+    executor_options.reserved = ocean_options.reserved = 1;
+    buffers.tile_count = 2;
     points.reserved = samples.reserved = ray.reserved = 1;
     const pelagic_sea sea = small_sea();
     pelagic_executor* executor = nullptr;
     pelagic_ocean* made = nullptr;
     expect_invalid(pelagic_executor_create(&executor_options, &executor), "options.reserved is set, needs 0");
     expect_invalid(pelagic_ocean_create(&sea, &ocean_options, &made), "options.reserved");
-    expect_invalid(pelagic_ocean_frame_at(ocean.get(), 0, &buffers, nullptr), "buffers.reserved");
+    expect_invalid(pelagic_ocean_frame_at(ocean.get(), 0, &buffers, nullptr), "buffers.tile_count is 2, needs 1");
     expect_invalid(pelagic_ocean_query(ocean.get(), &points, &samples), "points.reserved");
     expect_invalid(pelagic_ocean_query(ocean.get(), &good_points, &samples), "samples.reserved");
     expect_invalid(pelagic_ocean_first_hit(ocean.get(), &ray, &hit), "ray.reserved");

@@ -411,6 +411,7 @@ TEST_F(CInterfaceTiles, ACopyHasEachTileInItsOwnBuffers) {
     std::vector<pelagic_frame_buffers> copies, to;
     for (StackArrays& tile : arrays) copies.push_back(tile.view());
     for (StackArrays& tile : computed) to.push_back(tile.view());
+    copies[0].tile_count = to[0].tile_count = 3;
 
     const pelagic_frame frame = complete(ocean.get(), 4);
     ASSERT_EQ(pelagic_ocean_copy(ocean.get(), copies.data()), PELAGIC_OK) << pelagic_last_error();
@@ -440,6 +441,7 @@ TEST_F(CInterfaceTiles, ACopyHasEachTileInItsOwnBuffers) {
 TEST_F(CInterfaceTiles, OfFrameAtMayBeTakenBeforeOneIsCompleted) {
     const COcean ocean = ocean_of(stack_sea(2), serial.get());
     pelagic_frame_buffers nothing[2] = {sized<pelagic_frame_buffers>(), sized<pelagic_frame_buffers>()};
+    nothing[0].tile_count = 2;
     ASSERT_EQ(pelagic_ocean_frame_at(ocean.get(), 4, nothing, nullptr), PELAGIC_OK) << pelagic_last_error();
     auto tile = sized<pelagic_tile>();
     ASSERT_EQ(pelagic_ocean_tile(ocean.get(), 1, &tile), PELAGIC_OK) << pelagic_last_error();
@@ -454,6 +456,7 @@ TEST_F(CInterfaceTiles, BuffersThatDoNotFitAreNamed) {
     std::vector<StackArrays> arrays(2, StackArrays(32));
     const auto expect_line = [&](const std::string& line, void (*change)(pelagic_frame_buffers*)) {
         pelagic_frame_buffers buffers[2] = {arrays[0].view(), arrays[1].view()};
+        buffers[0].tile_count = 2;
         for (pelagic_frame_buffers& tile : buffers)
             tile.gradient_rgba8 = nullptr, tile.velocity_x = tile.velocity_y = tile.velocity_z = nullptr;
         change(buffers);
@@ -473,7 +476,14 @@ TEST_F(CInterfaceTiles, BuffersThatDoNotFitAreNamed) {
     // Of the first version, which may be any number of bytes long where there is no second one.
     expect_line("buffers.struct_size is " + odd + ", needs " + size + ", the size of the struct",
                 [](auto* buffers) { buffers[0].struct_size -= 1; });
-    expect_line("buffers[1].reserved is set, needs 0", [](auto* buffers) { buffers[1].reserved = 1; });
+    expect_line("buffers[1].tile_count is 2, needs 0", [](auto* buffers) { buffers[1].tile_count = 2; });
+    for (const std::uint32_t count : {0u, 1u, 3u}) {
+        pelagic_frame_buffers alone = arrays[0].view();  // what is behind it is nobody's
+        alone.tile_count = count;
+        expect_invalid(
+            pelagic_ocean_copy(ocean.get(), &alone),
+            "buffers.tile_count is " + std::to_string(count) + ", needs 2, with as many structs one after the other");
+    }
     expect_line("height has 1023 elements, needs 1024",
                 [](auto* buffers) { buffers[1].plane_count = 1023, buffers[1].dx = nullptr; });
     expect_line("slopes_rgba8 has 1 elements, needs 1365", [](auto* buffers) { buffers[1].slopes_count = 0; });

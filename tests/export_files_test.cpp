@@ -8,6 +8,7 @@
 #include <png.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <map>
@@ -140,6 +141,80 @@ TEST(ExportedFiles, PngHoldsEveryGradientByteOfEveryLevel) {
                      frame.tiles[0].gradient_level(level));
     EXPECT_FALSE(std::filesystem::exists(folder / "gradient_0000_mip6.png"));
     EXPECT_FALSE(std::filesystem::exists(folder / "displacement_0000.exr"));
+}
+
+/// A map of one tile as a program reads it that knows the files alone: bilinear and periodic.
+class ReadTile {
+   public:
+    ReadTile(const std::filesystem::path& folder, const nlohmann::json& layout)
+        : n_(layout.at("resolution")),
+          side_m_(layout.at("side_m")),
+          cosine_(layout.at("turn").at("cosine")),
+          sine_(layout.at("turn").at("sine")) {
+        const std::string mark = layout.at("in_file_names");
+        const auto file = folder / ("displacement_" + (mark.empty() ? "" : mark + "_") + "0000.exr");
+        for (std::size_t i = 0; i < 3; ++i) {
+            const char* channels[] = {"R", "G", "B"};
+            planes_[i] = read_exr<float>(file, channels[i], Imf::FLOAT);
+        }
+    }
+
+    std::array<double, 3> at(double x_m, double z_m) const {
+        const double u = (cosine_ * x_m + sine_ * z_m) / side_m_ * n_,
+                     v = (cosine_ * z_m - sine_ * x_m) / side_m_ * n_;
+        const double column = std::floor(u), row = std::floor(v);
+        std::array<double, 3> sum{};
+        for (int corner = 0; corner < 4; ++corner) {
+            const double weight = (corner % 2 ? u - column : 1 - u + column) * (corner / 2 ? v - row : 1 - v + row);
+            const auto wrapped = [&](double of) { return static_cast<std::size_t>(of - std::floor(of / n_) * n_); };
+            const std::size_t texel =
+                wrapped(row + corner / 2) * static_cast<std::size_t>(n_) + wrapped(column + corner % 2);
+            for (std::size_t i = 0; i < 3; ++i) sum[i] += weight * static_cast<double>(planes_[i][texel]);
+        }
+        return sum;
+    }
+
+   private:
+    int n_;
+    double side_m_, cosine_, sine_;
+    std::array<std::vector<float>, 3> planes_;
+};
+
+// As docs/users/exporter.md says that tiles add up. A query answers within its tolerance of 1 mm, on slopes of less than 1.
+TEST(ExportedFiles, TilesAddUpToTheSeaThatQueriesKnow) {
+    const TemporaryFolder folder;
+    const Outcome outcome =
+        run_pelagic({"export", "--out", folder.path().string(), "--cascades", "3", "--resolution", "64"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const auto record = nlohmann::json::parse(read_file(folder / "sea.json"));
+    std::vector<ReadTile> tiles;
+    for (const auto& tile : record.at("layout").at("tiles")) tiles.emplace_back(folder.path(), tile);
+    ASSERT_EQ(tiles.size(), 3u);
+
+    Ocean ocean({.cascades = 3, .resolution = 64},
+                {.executor = make_serial_executor(), .queries = true, .gradients = true});
+    const Frame& frame = ocean.frame_at(0);
+    const SurfaceQuery water(frame);
+    int asked = 0;
+    for (int i = 0; i < 500; ++i) {
+        const double x = 7.3 * i - 900, z = 1700 - 11.9 * i;
+        double drawn_x = x, height = 0, drawn_z = z;
+        for (const ReadTile& tile : tiles) {
+            const std::array<double, 3> part = tile.at(x, z);
+            drawn_x += part[0], height += part[1], drawn_z += part[2];
+        }
+        float answer = 0, jacobian = 0;
+        water.sample({.x = {&drawn_x, 1}, .z = {&drawn_z, 1}},
+                     {.height_m = {&answer, 1}, .jacobian = {&jacobian, 1}});
+        if (jacobian < 0.3f) continue;  // sheets may lie over one another
+        ++asked;
+        ASSERT_NEAR(answer, height, 2e-3) << x << ", " << z;
+    }
+    EXPECT_GT(asked, 450);
+
+    for (std::size_t i = 1; i < frame.tiles.size(); ++i)
+        expect_bytes(read_png(folder / ("gradient_c" + std::to_string(i) + "_0000.png"), 64),
+                     frame.tiles[i].gradient_level(0));
 }
 
 TEST(ExportedFiles, TiffHoldsTheSame) {

@@ -178,6 +178,7 @@ void any_frame_at(Bytes& bytes, pelagic_ocean* ocean) {
     for (std::size_t tile = 0; tile < 4; ++tile) {
         pelagic_frame_buffers buffers = first;
         if (parts >= 252 && tile == parts - 252u) buffers.struct_size += 8;
+        if (tile == 0 && parts != 251) buffers.tile_count = static_cast<std::uint32_t>(info.tile_count);
         buffers.plane_count = side * side + (texels == 255);
         buffers.height = plane.data();
         if (parts % 4 == 0) buffers.velocity_x = plane.data();
