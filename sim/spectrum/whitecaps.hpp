@@ -22,7 +22,8 @@ double quantile_of_sum(double cover, int tiles);
 struct FoldMoments {
     double uu = 0, vv = 0, ww = 0, uv = 0, uw = 0, vw = 0;  ///< covariances at choppiness 1
 
-    /// A wave of that mean square, m^2. Lengths in metres: `wave_number` is |k|, the differences sin(k_x d) / d.
+    /// A wave of that mean square, m^2. `wave_x` and `_z` are its wave vector, rad/m; the differences what a derivative makes of
+    /// it: sin(k_x d) / d for central differences over texels of side d, k_x for one that is exact.
     void add_wave(double mean_square, double wave_x, double wave_z, double difference_x, double difference_z);
     FoldMoments& operator+=(const FoldMoments& other);
 };
