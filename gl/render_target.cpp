@@ -1,6 +1,7 @@
 #include "pelagic/gl/render_target.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <string>
 
 #include "pelagic/gl/errors.hpp"
@@ -18,8 +19,11 @@ Renderbuffer make_renderbuffer(const Functions& gl, GLenum format, int width, in
 
 }  // namespace
 
-RenderTarget::RenderTarget(const Functions& gl, int width, int height, int samples)
+RenderTarget::RenderTarget(const Functions& gl, int width, int height, int samples, PixelKind kind)
     : gl_(gl), width_(width), height_(height) {
+    if (kind == PixelKind::radiance && !gl.renders_to_half_floats)
+        throw GlError("the driver can't draw radiance: it has no EXT_color_buffer_half_float");
+    const GLenum format = kind == PixelKind::radiance ? GL_RGBA16F : GL_RGBA8;
     GLint most_side = 0, most_samples = 0;
     gl.GetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &most_side);
     gl.GetIntegerv(GL_MAX_SAMPLES, &most_samples);
@@ -27,9 +31,9 @@ RenderTarget::RenderTarget(const Functions& gl, int width, int height, int sampl
         throw GlError("a picture of " + number_text(width) + "x" + number_text(height) +
                       " is too large for the driver, at most " + number_text(most_side) + " pixels a side");
     samples = std::min(samples, static_cast<int>(most_samples));
-    colour_ = make_renderbuffer(gl, GL_RGBA8, width, height, samples);
+    colour_ = make_renderbuffer(gl, format, width, height, samples);
     depth_ = make_renderbuffer(gl, GL_DEPTH_COMPONENT24, width, height, samples);
-    resolved_colour_ = make_renderbuffer(gl, GL_RGBA8, width, height, 0);
+    resolved_colour_ = make_renderbuffer(gl, format, width, height, 0);
     framebuffer_ = Framebuffer(gl);
     gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
     gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, colour_.name());
@@ -49,21 +53,30 @@ void RenderTarget::bind() {
     gl_.Viewport(0, 0, width_, height_);
 }
 
-std::vector<std::uint8_t> RenderTarget::read() {
+void RenderTarget::read_rows(GLenum type, void* pixels, std::size_t bytes_a_row) {
     gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_.name());
     gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_.name());
     gl_.BlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
     gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, resolved_.name());
-    const std::size_t row = std::size_t{4} * width_;
-    std::vector<std::uint8_t> pixels(row * height_);
     gl_.PixelStorei(GL_PACK_ALIGNMENT, 4);
-    gl_.ReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+    gl_.ReadPixels(0, 0, width_, height_, GL_RGBA, type, pixels);
+    auto* const rows = static_cast<std::byte*>(pixels);
     for (int y = 0; y < height_ / 2; ++y)
-        std::swap_ranges(pixels.begin() + static_cast<std::ptrdiff_t>(row * y),
-                         pixels.begin() + static_cast<std::ptrdiff_t>(row * (y + 1)),
-                         pixels.begin() + static_cast<std::ptrdiff_t>(row * (height_ - 1 - y)));
+        std::swap_ranges(rows + bytes_a_row * y, rows + bytes_a_row * (y + 1),
+                         rows + bytes_a_row * (height_ - 1 - y));
     check_context(gl_);
     bind();
+}
+
+std::vector<std::uint8_t> RenderTarget::read() {
+    std::vector<std::uint8_t> pixels(std::size_t{4} * width_ * height_);
+    read_rows(GL_UNSIGNED_BYTE, pixels.data(), std::size_t{4} * width_);
+    return pixels;
+}
+
+std::vector<float> RenderTarget::read_radiance() {
+    std::vector<float> pixels(std::size_t{4} * width_ * height_);
+    read_rows(GL_FLOAT, pixels.data(), 4 * sizeof(float) * width_);
     return pixels;
 }
 

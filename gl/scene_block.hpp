@@ -45,6 +45,7 @@ struct SeaFacts {
     double time_s = 0;
     bool has_displacement_mips = false;
     bool framebuffer_is_srgb = false;
+    bool writes_radiance = false;
 
     const TileFacts& finest_tile() const { return tiles.back(); }
     double texel_m(const TileFacts& tile) const { return tile.lattice.side_m / resolution; }

@@ -139,6 +139,7 @@ void SeaRenderer::upload(const Frame& frame) {
     state_->facts = facts_of(frame);
     state_->facts.has_displacement_mips = state_->textures.has_displacement_mips();
     state_->facts.framebuffer_is_srgb = state_->options.framebuffer_is_srgb;
+    state_->facts.writes_radiance = state_->options.writes == PixelKind::radiance;
     state_->figures.upload_ms = all.milliseconds();
     state_->figures.upload_driver_ms = state_->textures.last_driver_ms();
     state_->figures.upload_bytes = state_->textures.bytes_per_frame();

@@ -17,6 +17,7 @@ vec3 srgb_encoded(vec3 linear) {
 float dither(vec2 pixel) { return fract(52.9829189 * fract(dot(pixel, vec2(0.06711056, 0.00583715)))) - 0.5; }
 
 vec4 screen_colour(vec3 radiance) {
+    if (output_kind.y > 0.5) return vec4(min(radiance, vec3(6e4)), 1.0);
     vec3 shown = filmic(radiance * sun_irradiance.w);
     if (output_kind.x > 0.5) shown = srgb_encoded(shown) + dither(gl_FragCoord.xy) / 255.0;
     return vec4(shown, 1.0);
