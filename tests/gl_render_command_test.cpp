@@ -78,7 +78,14 @@ TEST(RenderCommand, NamesOptionValueAndRange) {
          "pelagic: --sun is 3, needs AZIMUTH,ELEVATION in degrees, elevation in [-90, 90]\n"},
         {{"--out", "a.png", "--clouds", "2"}, "pelagic: --clouds is 2, needs a part in [0, 1]\n"},
         {{"--out", "a.png", "--frames", "0"}, "pelagic: --frames is 0, needs a whole number from 1 to 100000\n"},
-        {{}, "pelagic: --out is missing, needs a PNG file to write\n"},
+        {{}, "pelagic: --out is missing, needs a PNG file to write; or give --hdr or --sky, an EXR file\n"},
+        {{"--hdr", "a.png"}, "pelagic: --hdr is a.png, needs a file named *.exr\n"},
+        {{"--sky", "a%d.exr"},
+         "pelagic: --sky is a%d.exr, needs a name without %: with --frames, FILE.exr becomes FILE_0000.exr and so "
+         "on\n"},
+        {{"--hdr", "a.exr", "--sky", "a.exr"}, "pelagic: --sky is a.exr, needs another file than --hdr\n"},
+        {{"--hdr", "a.exr", "--wireframe"},
+         "pelagic: --hdr is a.exr, needs a sea without --wireframe, whose colours are no radiance\n"},
     };
     for (const auto& [arguments, line] : cases) {
         std::vector<std::string> words = {"render"};

@@ -4,11 +4,13 @@
 #include <array>
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "pelagic/gl/headless_context.hpp"
 #include "pelagic/gl/render_target.hpp"
 #include "pelagic/gl/sea_renderer.hpp"
+#include "pelagic/gl/sky_panorama.hpp"
 #include "pelagic/gl/stopwatch.hpp"
 #include "pelagic/quadtree/selection.hpp"
 #include "pelagic/sim/ocean.hpp"
@@ -23,6 +25,8 @@ namespace {
 constexpr int samples_a_pixel = 4;
 /// A texel of the sky is then 0.18 degrees wide, about three pixels of the usual picture.
 constexpr int sky_face_size = 512;
+/// Of the sky as a picture of all directions: a texel is as wide as the cube's.
+constexpr int panorama_width = 2048, panorama_height = 1024;
 /// Between the eyes of most people (Dodgson 2004: 63 mm in the mean).
 constexpr double eye_distance_m = 0.063;
 
@@ -37,24 +41,39 @@ struct Measured {
     gl::DrawFigures last;
 };
 
+gl::Sky baked_sky(const SceneOptions& scene) {
+    gl::SkyBaker baker(make_default_executor(scene.compute.threads), sky_face_size);
+    baker.schedule(scene.sky);
+    return baker.complete();
+}
+
+/// Where one kind of picture is drawn, and what draws it.
+struct Canvas {
+    Canvas(const gl::Functions& gl, const RenderOptions& options, const Ocean& ocean, gl::PixelKind kind)
+        : target(gl, options.scene.width, options.scene.height, samples_a_pixel, kind),
+          renderer(gl, {.patch_vertices = options.scene.quadtree.vertices,
+                        .resolution = ocean.resolution(),
+                        .tiles = ocean.tile_count(),
+                        .writes = kind}) {}
+
+    gl::RenderTarget target;
+    gl::SeaRenderer renderer;
+};
+
 /// Everything that a picture needs, built once.
 class PictureMaker {
    public:
-    explicit PictureMaker(const RenderOptions& options)
+    PictureMaker(const RenderOptions& options, const gl::Sky& sky)
         : options_(options),
           ocean_(options.scene.sea.sea, {.executor = make_default_executor(options.scene.compute.threads),
                                          .isa = options.scene.compute.isa,
                                          .slopes = true}),
-          target_(context_.functions(), options.scene.width, options.scene.height, samples_a_pixel),
-          renderer_(context_.functions(), {.patch_vertices = options.scene.quadtree.vertices,
-                                           .resolution = ocean_.resolution(),
-                                           .tiles = ocean_.tile_count()}),
           selection_(options.scene.quadtree) {
-        const gl::Stopwatch watch;
-        gl::SkyBaker baker(make_default_executor(options.scene.compute.threads), sky_face_size);
-        baker.schedule(options.scene.sky);
-        renderer_.set_sky(baker.complete());
-        sky_ms_ = watch.milliseconds();
+        const gl::Functions& gl = context_.functions();
+        if (!options.file.empty()) screen_.emplace(gl, options, ocean_, gl::PixelKind::screen);
+        if (!options.hdr_file.empty()) light_.emplace(gl, options, ocean_, gl::PixelKind::radiance);
+        for (std::optional<Canvas>* canvas : {&screen_, &light_})
+            if (*canvas) (*canvas)->renderer.set_sky(sky);
 
         const gl::Viewport whole{0, 0, options.scene.width, options.scene.height};
         if (options.stereo) {
@@ -66,7 +85,8 @@ class PictureMaker {
         for (const gl::Eye& eye : eyes_) views_.push_back(eye.clip_from_world);
     }
 
-    std::vector<std::uint8_t> picture(double time_s) {
+    /// One frame, for pixels() and radiance().
+    void draw(double time_s) {
         const gl::Stopwatch all;
         const Frame& frame = ocean_.frame_at(time_s);
         measured_.sea_ms.push_back(all.milliseconds());
@@ -76,25 +96,21 @@ class PictureMaker {
             {.viewer_m = options_.scene.camera.position_m, .views = views_, .bounds = frame.bounds});
         measured_.select_ms.push_back(select.milliseconds());
 
-        const gl::Functions& functions = context_.functions();
-        target_.bind();
-        functions.ClearColor(0.004f, 0.008f, 0.016f, 1);
-        functions.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-        renderer_.upload(frame);
-        const gl::DrawFigures& figures =
-            renderer_.draw({.eyes = eyes_,
-                            .viewer_m = options_.scene.camera.position_m,
-                            .list = &list,
-                            .lod_scale = options_.scene.quadtree.lod_scale,
-                            .mode = options_.wireframe ? gl::DrawMode::wireframe : gl::DrawMode::shaded});
-        measured_.upload_ms.push_back(figures.upload_ms);
-        measured_.upload_driver_ms.push_back(figures.upload_driver_ms);
-        measured_.draw_ms.push_back(figures.draw_ms);
-        measured_.draw_driver_ms.push_back(figures.draw_driver_ms);
-        measured_.last = figures;
-        std::vector<std::uint8_t> pixels = target_.read();
+        for (std::optional<Canvas>* canvas : {&light_, &screen_})
+            if (*canvas) draw_on(**canvas, frame, list);
+        if (screen_) pixels_ = screen_->target.read();
+        if (light_) radiance_ = light_->target.read_radiance();
         measured_.picture_ms.push_back(all.milliseconds());
-        return pixels;
+    }
+
+    /// RGBA8, the upper row first.
+    const std::vector<std::uint8_t>& pixels() const { return pixels_; }
+    /// RGB, the upper row first.
+    std::vector<float> radiance() const {
+        std::vector<float> rgb;
+        for (std::size_t i = 0; i < radiance_.size(); i += 4)
+            rgb.insert(rgb.end(), {radiance_[i], radiance_[i + 1], radiance_[i + 2]});
+        return rgb;
     }
 
     Json figures() const {
@@ -117,51 +133,126 @@ class PictureMaker {
                   {"upload_in_driver", median(measured_.upload_driver_ms)},
                   {"draw", median(measured_.draw_ms)},
                   {"draw_in_driver", median(measured_.draw_driver_ms)},
-                  {"picture", median(measured_.picture_ms)}}},
-                {"sky_ms", sky_ms_}};
+                  {"picture", median(measured_.picture_ms)}}}};
     }
 
    private:
+    void draw_on(Canvas& canvas, const Frame& frame, const DrawList& list) {
+        const gl::Functions& functions = context_.functions();
+        canvas.target.bind();
+        functions.ClearColor(0.004f, 0.008f, 0.016f, 1);
+        functions.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        canvas.renderer.upload(frame);
+        const gl::DrawFigures& figures =
+            canvas.renderer.draw({.eyes = eyes_,
+                                  .viewer_m = options_.scene.camera.position_m,
+                                  .list = &list,
+                                  .lod_scale = options_.scene.quadtree.lod_scale,
+                                  .mode = options_.wireframe ? gl::DrawMode::wireframe : gl::DrawMode::shaded});
+        measured_.upload_ms.push_back(figures.upload_ms);
+        measured_.upload_driver_ms.push_back(figures.upload_driver_ms);
+        measured_.draw_ms.push_back(figures.draw_ms);
+        measured_.draw_driver_ms.push_back(figures.draw_driver_ms);
+        measured_.last = figures;
+    }
+
     const RenderOptions& options_;
     gl::HeadlessContext context_;
     Ocean ocean_;
-    gl::RenderTarget target_;
-    gl::SeaRenderer renderer_;
+    std::optional<Canvas> screen_, light_;
     Selection selection_;
+    std::vector<std::uint8_t> pixels_;
+    std::vector<float> radiance_;
     std::vector<gl::Eye> eyes_;
     std::vector<glm::dmat4> views_;
-    double sky_ms_ = 0;
     Measured measured_;
 };
+
+/// The files of one option, --out, --hdr or --sky; none where it was not given.
+class Files {
+   public:
+    Files(const RenderOptions& options, const std::filesystem::path& named) : options_(options), named_(named) {
+        if (named.empty()) return;
+        folder_.emplace(OutputFolder::of(named));
+        folder_->check_writable(options.file_of(named, 0).filename());
+    }
+    void write(int frame, const std::vector<unsigned char>& bytes) const {
+        folder_->write(options_.file_of(named_, frame).filename(), std::as_bytes(std::span(bytes)));
+    }
+    void sync() const {
+        if (folder_) folder_->sync();
+    }
+    explicit operator bool() const { return folder_.has_value(); }
+
+   private:
+    const RenderOptions& options_;
+    std::filesystem::path named_;
+    std::optional<OutputFolder> folder_;
+};
+
+/// What lights a scene besides the sky's own picture.
+Json as_json(const gl::Sky& sky) {
+    const auto values = [](glm::vec3 v) { return Json::array({v.x, v.y, v.z}); };
+    return {{"sun_direction", values(sky.sun_direction)},
+            {"sun_irradiance", values(sky.sun_irradiance)},
+            {"sky_irradiance", values(sky.sky_irradiance)},
+            {"air_extinction_per_m", values(sky.haze_per_m)},
+            {"exposure", sky.exposure}};
+}
+
+/// Draws and writes all pictures; what they took.
+Json write_pictures(const RenderOptions& options, const gl::Sky& sky, const Files& out, const Files& hdr) {
+    const int width = options.scene.width, height = options.scene.height;
+    PictureMaker maker(options, sky);
+    Progress progress("picture", static_cast<std::size_t>(options.frames));
+    for (int frame = 0; frame < options.frames; ++frame) {
+        progress.show(static_cast<std::size_t>(frame));
+        maker.draw(options.time_s + frame / options.fps);
+        if (out) out.write(frame, encode_picture(maker.pixels(), width, height));
+        if (hdr) hdr.write(frame, encode_light(maker.radiance(), width, height));
+    }
+    return maker.figures();
+}
 
 }  // namespace
 
 void run_render(const RenderOptions& options) {
-    const OutputFolder folder = OutputFolder::of(options.file);
-    folder.check_writable(options.file_of(0).filename());
-    PictureMaker maker(options);
-    {
-        Progress progress("picture", static_cast<std::size_t>(options.frames));
-        for (int frame = 0; frame < options.frames; ++frame) {
-            progress.show(static_cast<std::size_t>(frame));
-            const std::vector<std::uint8_t> pixels = maker.picture(options.time_s + frame / options.fps);
-            const std::vector<unsigned char> png = encode_picture(pixels, options.scene.width, options.scene.height);
-            folder.write(options.file_of(frame).filename(), std::as_bytes(std::span(png)));
-        }
+    const Files out(options, options.file), hdr(options, options.hdr_file);
+    const bool draws = out || hdr;
+    std::optional<OutputFile> panorama;
+    if (!options.sky_file.empty()) panorama.emplace(options.sky_file);
+
+    const gl::Stopwatch watch;
+    const gl::Sky sky = baked_sky(options.scene);
+    const double sky_ms = watch.milliseconds();
+    if (panorama) {
+        const auto exr =
+            encode_light(gl::panorama_of(sky, panorama_width, panorama_height), panorama_width, panorama_height);
+        panorama->write(std::as_bytes(std::span(exr)));
     }
-    folder.sync();
-    Json json = {{"version", PELAGIC_VERSION},       {"file", options.file_of(0).string()},
-                 {"width", options.scene.width},     {"height", options.scene.height},
-                 {"quality", options.scene.quality}, {"sea", sea_as_json(options.scene.sea)},
-                 {"figures", maker.figures()}};
+    Json json = {{"version", PELAGIC_VERSION}, {"sky", as_json(sky)}};
+    if (draws) {
+        const std::filesystem::path& first = out ? options.file : options.hdr_file;
+        json.update({{"file", options.file_of(first, 0).string()},
+                     {"width", options.scene.width},
+                     {"height", options.scene.height},
+                     {"quality", options.scene.quality},
+                     {"sea", sea_as_json(options.scene.sea)},
+                     {"figures", write_pictures(options, sky, out, hdr)}});
+        json["figures"]["sky_ms"] = sky_ms;
+    }
+    out.sync();
+    hdr.sync();
     if (options.json) {
         std::printf("%s\n", json.dump(2).c_str());
         return;
     }
+    if (panorama) std::printf("%s: the sky, %dx%d\n", options.sky_file.c_str(), panorama_width, panorama_height);
+    if (!draws) return;
     const Json& figures = json["figures"];
     std::printf("%s: %d picture%s of %dx%d, %d draw calls a view, %llu triangles, by %s\n",
-                options.file_of(0).c_str(), options.frames, options.frames == 1 ? "" : "s", options.scene.width,
-                options.scene.height, figures["sea_draw_calls_a_view"].get<int>(),
+                json["file"].get<std::string>().c_str(), options.frames, options.frames == 1 ? "" : "s",
+                options.scene.width, options.scene.height, figures["sea_draw_calls_a_view"].get<int>(),
                 static_cast<unsigned long long>(figures["triangles"].get<std::uint64_t>()),
                 figures["renderer"].get<std::string>().c_str());
 }
