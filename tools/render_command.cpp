@@ -54,6 +54,7 @@ class PictureMaker {
         gl::SkyBaker baker(make_default_executor(options.scene.compute.threads), sky_face_size);
         baker.schedule(options.scene.sky);
         renderer_.set_sky(baker.complete());
+        renderer_.set_water(options.scene.water);
         sky_ms_ = watch.milliseconds();
 
         const gl::Viewport whole{0, 0, options.scene.width, options.scene.height};
