@@ -15,12 +15,6 @@ constexpr double gravity_mps2 = 9.81;
 /// The sun seen from the earth: 16 minutes of arc.
 constexpr float sun_radius_rad = 0.00465f;
 
-// Sea water for 680, 550 and 440 nm. Absorption: pure water (Pope and Fry 1997; 0.465, 0.0565, 0.0064 1/m) and what lives
-// and is dissolved in it where chlorophyll is 0.3 mg/m^3 (Bricaud et al. 1995). Scattering backwards: water's own (Morel
-// 1974: half of 0.0007, 0.0019, 0.0049 1/m) and particles' (0.006 1/m).
-constexpr glm::vec3 absorption_per_m{0.470f, 0.064f, 0.036f};
-constexpr glm::vec3 backscattering_per_m{0.0063f, 0.0070f, 0.0085f};
-
 /// Ripples stand for this part of the roughness that the sea has between its texels; the rest is too fine even for them.
 constexpr float detail_part = 0.75f;
 /// A tile of ripples in texels of the finest tile: its longest waves, a third of it, are as long as the sea's shortest.
@@ -128,7 +122,8 @@ SeaFacts facts_of(const Frame& frame) {
     return facts;
 }
 
-SceneBlock scene_block_of(const DrawInput& input, const SeaFacts& facts, const SkyLight& sky) {
+SceneBlock scene_block_of(const DrawInput& input, const SeaFacts& facts, const WaterOptics& water,
+                          const SkyLight& sky) {
     const SeaState& sea = facts.sea;
     SceneBlock block;
     const QuadtreeGrid& grid = input.list->grid;
@@ -152,10 +147,11 @@ SceneBlock scene_block_of(const DrawInput& input, const SeaFacts& facts, const S
     block.sky_irradiance = {sky.sky_irradiance, sky.levels - 1};
     const double height = std::max(1.5, std::abs(input.viewer_m.y));
     block.haze = {sky.haze_per_m, height / std::tan(softened_horizon_rad)};
-    block.water_absorption = {absorption_per_m, sea.depth_m};
+    block.water_absorption = {water.absorption_per_m, sea.depth_m};
     const float alpha = static_cast<float>(facts.figures.roughness);
     const float detail_square = detail_part * alpha * alpha;
-    block.water_scattering = {backscattering_per_m, detail_square};
+    block.water_backscattering = {water.backscattering_per_m, detail_square};
+    block.water_scattering = {water.scattering_per_m, 0};
     const double wind = sea.wind_direction_rad;
     block.waves = {std::max(0.05, facts.figures.significant_wave_height_m), alpha, std::cos(wind), std::sin(wind)};
     place_tiles(block, facts, viewer, input.more_foam);

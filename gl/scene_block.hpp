@@ -8,6 +8,7 @@
 #include <glm/vec4.hpp>
 #include <vector>
 
+#include "pelagic/gl/water_optics.hpp"
 #include "pelagic/sim/frame.hpp"
 
 namespace pelagic::gl {
@@ -21,7 +22,7 @@ struct SceneBlock {
     std::array<glm::vec4, most_tiles> tile_place{}, tile_scale{}, tile_slope{};
     glm::vec4 viewer{}, grid{}, fade{}, mesh{}, skirt{};
     glm::vec4 sun{}, sun_irradiance{}, sky_irradiance{}, haze{};
-    glm::vec4 water_absorption{}, water_scattering{}, waves{};
+    glm::vec4 water_absorption{}, water_backscattering{}, water_scattering{}, waves{};
     std::array<glm::vec4, 2> detail_turn{};
     glm::vec4 detail_shift{}, second_shift{}, noise_scale{}, foam_shift{}, gust_shift{}, foam_trail{};
     glm::vec4 output_kind{};
@@ -62,6 +63,6 @@ struct SkyLight {
 SeaFacts facts_of(const Frame& frame);
 
 struct DrawInput;
-SceneBlock scene_block_of(const DrawInput& input, const SeaFacts& sea, const SkyLight& sky);
+SceneBlock scene_block_of(const DrawInput& input, const SeaFacts& sea, const WaterOptics& water, const SkyLight& sky);
 
 }  // namespace pelagic::gl

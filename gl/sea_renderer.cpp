@@ -104,6 +104,7 @@ struct SeaRenderer::State {
     Texture detail, sky;
     int sky_face_size = 0;
     SkyLight light;
+    WaterOptics water = water_optics(default_jerlov_type);
     VertexArray empty;
     Buffer scene;
     DrawFigures figures;
@@ -133,6 +134,8 @@ void SeaRenderer::set_sky(const Sky& sky) {
     s.light = {sky.levels, sky.sun_direction, sky.sun_irradiance, sky.sky_irradiance, sky.haze_per_m, sky.exposure};
 }
 
+void SeaRenderer::set_water(const WaterOptics& water) { state_->water = water; }
+
 void SeaRenderer::upload(const Frame& frame) {
     const Stopwatch all;
     state_->textures.upload(frame);
@@ -158,7 +161,7 @@ const DrawFigures& SeaRenderer::draw(const DrawInput& input) {
     figures.triangles = 0;
     figures.draw_driver_ms = 0;
 
-    const SceneBlock block = scene_block_of(input, s.facts, s.light);
+    const SceneBlock block = scene_block_of(input, s.facts, s.water, s.light);
     gl.BindBuffer(GL_UNIFORM_BUFFER, s.scene.name());
     gl.BufferData(GL_UNIFORM_BUFFER, sizeof(block), &block, GL_STREAM_DRAW);
     gl.BindBufferBase(GL_UNIFORM_BUFFER, 0, s.scene.name());

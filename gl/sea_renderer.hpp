@@ -20,6 +20,7 @@
 #include "pelagic/gl/render_target.hpp"
 #include "pelagic/gl/sky_baker.hpp"
 #include "pelagic/gl/views.hpp"
+#include "pelagic/gl/water_optics.hpp"
 #include "pelagic/quadtree/draw_list.hpp"
 
 namespace pelagic::gl {
@@ -68,6 +69,8 @@ class SeaRenderer {
     SeaRenderer& operator=(const SeaRenderer&) = delete;
 
     void set_sky(const Sky& sky);
+    /// What the sea is made of from now on; Jerlov's type II until then.
+    void set_water(const WaterOptics& water);
     /// From here on the frame's sea is drawn, at its time; the frame's views may go stale. Throws what
     /// FrameTextures::upload() throws, and draws on what was uploaded before then.
     void upload(const Frame& frame);

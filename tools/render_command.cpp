@@ -73,7 +73,10 @@ class PictureMaker {
         if (!options.file.empty()) screen_.emplace(gl, options, ocean_, gl::PixelKind::screen);
         if (!options.hdr_file.empty()) light_.emplace(gl, options, ocean_, gl::PixelKind::radiance);
         for (std::optional<Canvas>* canvas : {&screen_, &light_})
-            if (*canvas) (*canvas)->renderer.set_sky(sky);
+            if (*canvas) {
+                (*canvas)->renderer.set_sky(sky);
+                (*canvas)->renderer.set_water(options.scene.water);
+            }
 
         const gl::Viewport whole{0, 0, options.scene.width, options.scene.height};
         if (options.stereo) {
@@ -190,14 +193,21 @@ class Files {
     std::optional<OutputFolder> folder_;
 };
 
+Json values(glm::vec3 v) { return Json::array({v.x, v.y, v.z}); }
+
 /// What lights a scene besides the sky's own picture.
 Json as_json(const gl::Sky& sky) {
-    const auto values = [](glm::vec3 v) { return Json::array({v.x, v.y, v.z}); };
     return {{"sun_direction", values(sky.sun_direction)},
             {"sun_irradiance", values(sky.sun_irradiance)},
             {"sky_irradiance", values(sky.sky_irradiance)},
             {"air_extinction_per_m", values(sky.haze_per_m)},
             {"exposure", sky.exposure}};
+}
+
+Json as_json(const gl::WaterOptics& water) {
+    return {{"absorption_per_m", values(water.absorption_per_m)},
+            {"scattering_per_m", values(water.scattering_per_m)},
+            {"backscattering_per_m", values(water.backscattering_per_m)}};
 }
 
 /// Draws and writes all pictures; what they took.
@@ -230,7 +240,7 @@ void run_render(const RenderOptions& options) {
             encode_light(gl::panorama_of(sky, panorama_width, panorama_height), panorama_width, panorama_height);
         panorama->write(std::as_bytes(std::span(exr)));
     }
-    Json json = {{"version", PELAGIC_VERSION}, {"sky", as_json(sky)}};
+    Json json = {{"version", PELAGIC_VERSION}, {"sky", as_json(sky)}, {"water", as_json(options.scene.water)}};
     if (draws) {
         const std::filesystem::path& first = out ? options.file : options.hdr_file;
         json.update({{"file", options.file_of(first, 0).string()},

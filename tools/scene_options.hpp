@@ -8,6 +8,7 @@
 
 #include "pelagic/gl/sky_baker.hpp"
 #include "pelagic/gl/views.hpp"
+#include "pelagic/gl/water_optics.hpp"
 #include "pelagic/quadtree/quadtree_options.hpp"
 #include "pelagic/tools/camera_options.hpp"
 #include "pelagic/tools/export_options.hpp"
@@ -20,6 +21,7 @@ struct SceneOptions {
     int width = 1280, height = 720;
     Camera camera;
     gl::SkyOptions sky;
+    gl::WaterOptics water;
     std::string quality;
     QuadtreeOptions quadtree;
 };

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "pelagic/gl/sky_baker.hpp"
+#include "pelagic/gl/water_optics.hpp"
 #include "pelagic/sim/sea_state.hpp"
 #include "pelagic/viewer/stage_times.hpp"
 #include "pelagic/viewer/view_camera.hpp"
@@ -15,6 +16,7 @@ namespace pelagic::viewer {
 struct ViewSettings {
     SeaState sea;
     gl::SkyOptions sky;
+    gl::WaterOptics water;
     std::string quality = "high";
     double size_m = 2048;
     float more_foam = 0;  ///< added to the Jacobian at which foam begins; [-0.5, 0.5]

@@ -168,6 +168,7 @@ class Viewer {
             window_.functions(), gl::RendererOptions{.patch_vertices = selection_->options().vertices,
                                                      .resolution = ocean_->resolution(),
                                                      .tiles = ocean_->tile_count()});
+        renderer_->set_water(settings_.water);
         if (!figures_.sky_is_baking && frames_ > 0) renderer_->set_sky(baker_.complete());
     }
 

@@ -31,7 +31,8 @@ layout(std140) uniform Scene {
     highp vec4 sky_irradiance;    // on a level plane; w: last level of the sky
     highp vec4 haze;              // extinction, 1/m; w: distance at which the horizon's softening has taken 63 %
     highp vec4 water_absorption;  // 1/m; w: depth of the sea
-    highp vec4 water_scattering;  // backwards, 1/m; w: mean square slope of the detail
+    highp vec4 water_backscattering;  // 1/m; w: mean square slope of the detail
+    highp vec4 water_scattering;  // in all directions, 1/m
     highp vec4 waves;             // x: significant height; y: alpha of the water between texels; zw: the wind's direction
     highp vec4 detail_turn[2];    // rows of a rotation over the tile's side
     highp vec4 detail_shift;      // xy of layer 0, zw of layer 1: where the viewer is in the tile

@@ -179,7 +179,7 @@ void add_water_between_texels(vec2 at, Footprint pixel, inout Waves seen) {
     float gust = gust_at(at);
     vec4 a = layer_of_ripples(0, detail_uv(0, at), pixel);
     vec4 b = layer_of_ripples(1, detail_uv(1, at), pixel);
-    float mean_square = water_scattering.w;
+    float mean_square = water_backscattering.w;
     float amplitude = sqrt(gust * mean_square * 0.5) * 4.0;
     seen.slopes += amplitude * (turned_back(0, a.xy) + turned_back(1, b.xy));
     float rest = max(waves.y * waves.y - mean_square, 0.0);

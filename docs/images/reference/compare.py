@@ -21,10 +21,6 @@ import regions
 import scenes
 import sea_mesh
 
-# 680, 550 and 440 nm, 1/m, as gl/scene_block.cpp has them.
-optics = {"absorption": (0.470, 0.064, 0.036), "backscattering": (0.0063, 0.0070, 0.0085)}
-
-
 def rgba(file):
     """(width, height, RGBA floats with row 0 at the top); Blender's rows begin at the bottom."""
     image = bpy.data.images.load(str(file))
@@ -80,9 +76,10 @@ class Comparison:
             self.pelagic, "render", *scenes.sea, "--clouds", "0", "--camera", numbers(camera), "--target", numbers(target),
             "--sun", numbers(sun), "--fov", str(scenes.fov_deg), "--size", f"{scenes.width}x{scenes.height}",
             "--hdr", str(picture), "--sky", str(sky), "--json"])
-        return picture, sky, json.loads(said)["sky"]
+        said = json.loads(said)
+        return picture, sky, said["sky"], said["water"]
 
-    def reference(self, file, camera, target, light, sky):
+    def reference(self, file, camera, target, light, water, sky):
         if self.reuse and file.exists():
             return
         scene = cycles_scene.new_scene(self.samples, scenes.width, scenes.height, self.threads)
@@ -92,18 +89,16 @@ class Comparison:
         # A quarter of a pixel's width at the nearest water, and to 0.1 degrees below the horizon.
         finest = 2.0 ** round(math.log2(camera[1] * 0.0078 / 2))
         sea = sea_mesh.SeaMesh(tiles, finest, max(5e3, 573 * camera[1]), self.all_slopes)
-        for ring in sea.rings:
-            print("ring", ring)
-        cycles_scene.add_sea(scene, sea, optics)
+        cycles_scene.add_sea(scene, sea, water)
         cycles_scene.add_camera(scene, camera, target, scenes.fov_deg)
         cycles_scene.render(scene, file)
 
     def compare(self, name):
         camera, target, sun = scenes.scenes[name]
-        picture, sky_file, light = self.ours(name, camera, target, sun)
+        picture, sky_file, light, water = self.ours(name, camera, target, sun)
         reference_file = self.folder / f"{name}_reference.exr"
         start = time.time()
-        self.reference(reference_file, camera, target, light, sky_file)
+        self.reference(reference_file, camera, target, light, water, sky_file)
         seconds = time.time() - start
         width, height, ours = colours(picture)
         _, _, bare = colours(reference_file)

@@ -67,7 +67,7 @@ def add_sun(scene, direction, irradiance):
 
 
 def water_material(optics):
-    """Rough glass over a medium. \\param optics  1/m: absorption, and scattering backwards
+    """Rough glass over a medium. \\param optics  "water" of `pelagic render --json`
 
     Light that is scattered forwards goes on nearly as if it were not, so only what goes backwards matters, and its shape: real
     water's is nearly even from 120 to 180 degrees (Petzold 1972), while Henyey and Greenstein's curve with the g of real water's
@@ -100,10 +100,10 @@ def water_material(optics):
             node.inputs["Anisotropy"].default_value = g
         return node.outputs["Volume"]
 
-    absorbed = medium("ShaderNodeVolumeAbsorption", optics["absorption"], True)
+    absorbed = medium("ShaderNodeVolumeAbsorption", optics["absorption_per_m"], True)
     # One kind of scattering only: two in one medium make Cycles 3.4 eight times too bright.
     backwards = 0.4
-    scattered = medium("ShaderNodeVolumeScatter", [bb / backwards for bb in optics["backscattering"]], False,
+    scattered = medium("ShaderNodeVolumeScatter", [bb / backwards for bb in optics["backscattering_per_m"]], False,
                        henyey_greenstein_g(backwards))
     both = nodes.new("ShaderNodeAddShader")
     links.new(absorbed, both.inputs[0])
