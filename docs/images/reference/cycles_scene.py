@@ -7,6 +7,7 @@ import bpy
 from mathutils import Matrix, Vector
 
 sun_radius_rad = 0.00465
+water_index = 1.333
 
 
 def blender(p):
@@ -42,8 +43,12 @@ def new_scene(samples, width, height, threads):
 
 
 def add_world(scene, panorama):
+    """Without a panorama it is black."""
     world = scene.world = bpy.data.worlds.new("sky")
     world.use_nodes = True
+    if panorama is None:
+        world.node_tree.nodes["Background"].inputs["Strength"].default_value = 0
+        return
     nodes, links = world.node_tree.nodes, world.node_tree.links
     # Its middle column is +x and azimuths grow to the right, towards Pelagic's +z: Blender's own convention, so unturned.
     picture = nodes.new("ShaderNodeTexEnvironment")
@@ -66,54 +71,93 @@ def add_sun(scene, direction, irradiance):
     scene.collection.objects.link(lamp)
 
 
-def water_material(optics):
-    """Rough glass over a medium. \\param optics  "water" of `pelagic render --json`
+def add_surface(nodes, links, roughness, sun):
+    """What the surface does to light of the sun or, without `sun`, of the sky; the closure's output.
+
+    Cycles 3.4 has a rough glass that takes Fresnel's part of each facet, and follows light from facet to facet, with GGX's
+    distribution only: that is for the sky. Its long tails would widen the sun's path, so the sun has Beckmann's, Gauss' slopes, as
+    Cox and Munk measured them: Fresnel's part is that of the one facet that mirrors the sun to the eye.
+    """
+    def alpha(square):  # alpha^2 is `square` times the mean square slope, and Blender's roughness the root of alpha
+        scaled, root = nodes.new("ShaderNodeMath"), nodes.new("ShaderNodeMath")
+        scaled.operation, root.operation = "MULTIPLY", "POWER"
+        scaled.inputs[1].default_value, root.inputs[1].default_value = square, 0.25
+        links.new(roughness, scaled.inputs[0])
+        links.new(scaled.outputs["Value"], root.inputs[0])
+        return root.outputs["Value"]
+
+    if sun is None:
+        glass = nodes.new("ShaderNodeBsdfGlass")
+        glass.distribution = "MULTI_GGX"
+        glass.inputs["IOR"].default_value = water_index
+        glass.inputs["Color"].default_value = (1, 1, 1, 1)
+        links.new(alpha(math.log(2)), glass.inputs["Roughness"])  # as many facets lean less as of Gauss'
+        return glass.outputs["BSDF"]
+    mirror, lens, mixed = (nodes.new(kind) for kind in
+                           ("ShaderNodeBsdfGlossy", "ShaderNodeBsdfRefraction", "ShaderNodeMixShader"))
+    for node in (mirror, lens):
+        node.distribution = "BECKMANN"
+        node.inputs["Color"].default_value = (1, 1, 1, 1)
+        links.new(alpha(1), node.inputs["Roughness"])
+    lens.inputs["IOR"].default_value = water_index
+    geometry = nodes.new("ShaderNodeNewGeometry")
+    half, facet = nodes.new("ShaderNodeVectorMath"), nodes.new("ShaderNodeVectorMath")
+    half.operation, facet.operation = "ADD", "NORMALIZE"
+    half.inputs[1].default_value = blender(sun)
+    links.new(geometry.outputs["Incoming"], half.inputs[0])
+    links.new(half.outputs["Vector"], facet.inputs[0])
+    # From below, where light leaves the water, the mesh's own normal.
+    chosen = nodes.new("ShaderNodeMixRGB")
+    links.new(geometry.outputs["Backfacing"], chosen.inputs["Fac"])
+    links.new(facet.outputs["Vector"], chosen.inputs["Color1"])
+    links.new(geometry.outputs["Normal"], chosen.inputs["Color2"])
+    fresnel = nodes.new("ShaderNodeFresnel")
+    fresnel.inputs["IOR"].default_value = water_index
+    links.new(chosen.outputs["Color"], fresnel.inputs["Normal"])
+    links.new(fresnel.outputs["Fac"], mixed.inputs["Fac"])
+    links.new(lens.outputs["BSDF"], mixed.inputs[1])
+    links.new(mirror.outputs["BSDF"], mixed.inputs[2])
+    return mixed.outputs["Shader"]
+
+
+def water_material(optics, sun):
+    """A rough surface over a medium. \\param optics  "water" of `pelagic render --json`
 
     Light that is scattered forwards goes on nearly as if it were not, so only what goes backwards matters, and its shape: real
     water's is nearly even from 120 to 180 degrees (Petzold 1972), while Henyey and Greenstein's curve with the g of real water's
-    forward peak has two thirds of its mean there. With g so that 0.4 goes backwards it is 0.9 of even."""
+    forward peak has two thirds of its mean there. With g so that 0.4 goes backwards it is 0.9 of even.
+    """
     material = bpy.data.materials.new("water")
     material.use_nodes = True
     nodes, links = material.node_tree.nodes, material.node_tree.links
     nodes.clear()
     out = nodes.new("ShaderNodeOutputMaterial")
-    glass = nodes.new("ShaderNodeBsdfGlass")
-    glass.distribution = "BECKMANN"  # slopes of Gauss' distribution, as Cox and Munk measured them
-    glass.inputs["IOR"].default_value = 1.333
-    glass.inputs["Color"].default_value = (1, 1, 1, 1)
     left = nodes.new("ShaderNodeAttribute")
     left.attribute_name = "roughness"
-    root = nodes.new("ShaderNodeMath")  # alpha^2 is the mean square slope, and Blender's roughness the root of alpha
-    root.operation = "POWER"
-    root.inputs[1].default_value = 0.25
-    links.new(left.outputs["Fac"], root.inputs[0])
-    links.new(root.outputs["Value"], glass.inputs["Roughness"])
-    links.new(glass.outputs["BSDF"], out.inputs["Surface"])
+    links.new(add_surface(nodes, links, left.outputs["Fac"], sun), out.inputs["Surface"])
 
-    def medium(kind, coefficients, complement, g=None):
+    def medium(kind, coefficients, complement):
         node = nodes.new(kind)
         most = max(coefficients)
         parts = [c / most for c in coefficients]
         node.inputs["Color"].default_value = [1 - p if complement else p for p in parts] + [1]
         node.inputs["Density"].default_value = most
-        if g is not None:
-            node.inputs["Anisotropy"].default_value = g
-        return node.outputs["Volume"]
+        return node
 
-    absorbed = medium("ShaderNodeVolumeAbsorption", optics["absorption_per_m"], True)
-    # One kind of scattering only: two in one medium make Cycles 3.4 eight times too bright.
     backwards = 0.4
-    scattered = medium("ShaderNodeVolumeScatter", [bb / backwards for bb in optics["backscattering_per_m"]], False,
-                       henyey_greenstein_g(backwards))
+    absorbed = medium("ShaderNodeVolumeAbsorption", optics["absorption_per_m"], True)
+    # One kind of scattering only: two in one medium come out several times too bright in Cycles 3.4.
+    scattered = medium("ShaderNodeVolumeScatter", [bb / backwards for bb in optics["backscattering_per_m"]], False)
+    scattered.inputs["Anisotropy"].default_value = henyey_greenstein_g(backwards)
     both = nodes.new("ShaderNodeAddShader")
-    links.new(absorbed, both.inputs[0])
-    links.new(scattered, both.inputs[1])
+    links.new(absorbed.outputs["Volume"], both.inputs[0])
+    links.new(scattered.outputs["Volume"], both.inputs[1])
     links.new(both.outputs["Shader"], out.inputs["Volume"])
     material.cycles.homogeneous_volume = True
     return material
 
 
-def add_sea(scene, sea, optics):
+def add_sea(scene, sea, optics, sun):
     vertices, quads = len(sea.places) // 3, len(sea.quads) // 4
     mesh = bpy.data.meshes.new("sea")
     mesh.vertices.add(vertices)
@@ -126,7 +170,7 @@ def add_sea(scene, sea, optics):
     mesh.attributes.new("roughness", "FLOAT", "POINT").data.foreach_set("value", sea.roughness)
     mesh.update(calc_edges=True)
     mesh.validate()
-    mesh.materials.append(water_material(optics))
+    mesh.materials.append(water_material(optics, sun))
     thing = bpy.data.objects.new("sea", mesh)
     thing.rotation_euler.x = math.radians(90)
     scene.collection.objects.link(thing)
