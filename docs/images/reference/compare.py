@@ -107,10 +107,8 @@ class Comparison:
         bare = self.reference(name, camera, target, light, water, sky_file)
         seconds = time.time() - start
         width, height, ours = colours(picture)
-        sky_width, sky_height, sky_pixels = colours(sky_file)
-        sky = air.Panorama(sky_pixels, sky_width, sky_height)
         rays = list(regions.rays_of(camera, target, scenes.fov_deg, width, height))
-        reference = [air.through_air(c, ray, camera[1], light["air_extinction_per_m"], sky) for c, ray in zip(bare, rays)]
+        reference = [air.through_air(c, ray, camera[1], light) for c, ray in zip(bare, rays)]
         write_png(self.folder / f"{name}.png", (ours, reference), width, height, light["exposure"] * 0.5)
         parts = [regions.region_of(ray, Vector(light["sun_direction"])) for ray in rays]
         return {"ours": regions.means(ours, parts), "reference": regions.means(reference, parts), "seconds": seconds}

@@ -6,6 +6,8 @@ import math
 import bpy
 from mathutils import Matrix, Vector
 
+import facets
+
 sun_radius_rad = 0.00465
 water_index = 1.333
 
@@ -71,56 +73,82 @@ def add_sun(scene, direction, irradiance):
     scene.collection.objects.link(lamp)
 
 
-def add_surface(nodes, links, roughness, sun):
-    """What the surface does to light of the sun or, without `sun`, of the sky; the closure's output.
-
-    Cycles 3.4 has a rough glass that takes Fresnel's part of each facet, and follows light from facet to facet, with GGX's
-    distribution only: that is for the sky. Its long tails would widen the sun's path, so the sun has Beckmann's, Gauss' slopes, as
-    Cox and Munk measured them: Fresnel's part is that of the one facet that mirrors the sun to the eye.
-    """
-    def alpha(square):  # alpha^2 is `square` times the mean square slope, and Blender's roughness the root of alpha
-        scaled, root = nodes.new("ShaderNodeMath"), nodes.new("ShaderNodeMath")
-        scaled.operation, root.operation = "MULTIPLY", "POWER"
-        scaled.inputs[1].default_value, root.inputs[1].default_value = square, 0.25
-        links.new(roughness, scaled.inputs[0])
-        links.new(scaled.outputs["Value"], root.inputs[0])
-        return root.outputs["Value"]
-
-    if sun is None:
-        glass = nodes.new("ShaderNodeBsdfGlass")
-        glass.distribution = "MULTI_GGX"
-        glass.inputs["IOR"].default_value = water_index
-        glass.inputs["Color"].default_value = (1, 1, 1, 1)
-        links.new(alpha(math.log(2)), glass.inputs["Roughness"])  # as many facets lean less as of Gauss'
-        return glass.outputs["BSDF"]
-    mirror, lens, mixed = (nodes.new(kind) for kind in
-                           ("ShaderNodeBsdfGlossy", "ShaderNodeBsdfRefraction", "ShaderNodeMixShader"))
-    for node in (mirror, lens):
-        node.distribution = "BECKMANN"
-        node.inputs["Color"].default_value = (1, 1, 1, 1)
-        links.new(alpha(1), node.inputs["Roughness"])
-    lens.inputs["IOR"].default_value = water_index
-    geometry = nodes.new("ShaderNodeNewGeometry")
+def add_fresnel_of_sun(nodes, links, geometry, sun):
+    """Of the facet that mirrors the sun to the eye; the output that holds it."""
     half, facet = nodes.new("ShaderNodeVectorMath"), nodes.new("ShaderNodeVectorMath")
     half.operation, facet.operation = "ADD", "NORMALIZE"
     half.inputs[1].default_value = blender(sun)
     links.new(geometry.outputs["Incoming"], half.inputs[0])
     links.new(half.outputs["Vector"], facet.inputs[0])
-    # From below, where light leaves the water, the mesh's own normal.
-    chosen = nodes.new("ShaderNodeMixRGB")
-    links.new(geometry.outputs["Backfacing"], chosen.inputs["Fac"])
-    links.new(facet.outputs["Vector"], chosen.inputs["Color1"])
-    links.new(geometry.outputs["Normal"], chosen.inputs["Color2"])
     fresnel = nodes.new("ShaderNodeFresnel")
     fresnel.inputs["IOR"].default_value = water_index
-    links.new(chosen.outputs["Color"], fresnel.inputs["Normal"])
-    links.new(fresnel.outputs["Fac"], mixed.inputs["Fac"])
+    links.new(facet.outputs["Vector"], fresnel.inputs["Normal"])
+    return fresnel.outputs["Fac"]
+
+
+def add_fresnel_of_sky(nodes, links, geometry, roughness, slopes):
+    """The mean of the facets that are seen, by tables for two roughnesses. \\param slopes  mean squares, of the sea's calmest ring and of all"""
+    cosine, root = nodes.new("ShaderNodeVectorMath"), nodes.new("ShaderNodeMath")
+    cosine.operation, root.operation = "DOT_PRODUCT", "SQRT"
+    links.new(geometry.outputs["Incoming"], cosine.inputs[0])
+    links.new(geometry.outputs["Normal"], cosine.inputs[1])
+    links.new(cosine.outputs["Value"], root.inputs[0])
+    between = nodes.new("ShaderNodeMapRange")
+    between.inputs["From Min"].default_value, between.inputs["From Max"].default_value = slopes
+    links.new(roughness, between.inputs["Value"])
+    mixed = nodes.new("ShaderNodeMixRGB")
+    links.new(between.outputs["Result"], mixed.inputs["Fac"])
+    for square, socket in zip(slopes, ("Color1", "Color2")):
+        table = nodes.new("ShaderNodeFloatCurve")
+        curve = table.mapping.curves[0]
+        while len(curve.points) > 2:
+            curve.points.remove(curve.points[1])
+        knots = 20
+        for k in range(knots + 1):
+            at = k / knots
+            value = facets.mean_fresnel(at * at, square)
+            point = curve.points[0] if k == 0 else curve.points[-1] if k == knots else curve.points.new(at, value)
+            point.location = at, value
+        table.mapping.update()
+        links.new(root.outputs["Value"], table.inputs["Value"])
+        links.new(table.outputs["Value"], mixed.inputs[socket])
+    return mixed.outputs["Color"]
+
+
+def add_surface(nodes, links, roughness, sun, slopes):
+    """What the surface does to light of the sun or, without `sun`, of the sky; the closure's output.
+
+    A mirror and a lens with Beckmann's distribution, which is Gauss' of slopes, as Cox and Munk measured them. Cycles 3.4 takes the
+    mean normal's Fresnel for a rough glass, three times too much at grazing angles; so the parts are mixed here. The sun and the sky
+    have pictures of their own because they need different parts.
+    """
+    mirror, lens, mixed = (nodes.new(kind) for kind in
+                           ("ShaderNodeBsdfGlossy", "ShaderNodeBsdfRefraction", "ShaderNodeMixShader"))
+    root = nodes.new("ShaderNodeMath")  # alpha^2 is the mean square slope, and Blender's roughness the root of alpha
+    root.operation = "POWER"
+    root.inputs[1].default_value = 0.25
+    links.new(roughness, root.inputs[0])
+    for node in (mirror, lens):
+        node.distribution = "BECKMANN"
+        node.inputs["Color"].default_value = (1, 1, 1, 1)
+        links.new(root.outputs["Value"], node.inputs["Roughness"])
+    lens.inputs["IOR"].default_value = water_index
+    geometry = nodes.new("ShaderNodeNewGeometry")
+    above = (add_fresnel_of_sun(nodes, links, geometry, sun) if sun else
+             add_fresnel_of_sky(nodes, links, geometry, roughness, slopes))
+    below = nodes.new("ShaderNodeFresnel")  # where light leaves the water
+    below.inputs["IOR"].default_value = water_index
+    chosen = nodes.new("ShaderNodeMixRGB")
+    links.new(geometry.outputs["Backfacing"], chosen.inputs["Fac"])
+    links.new(above, chosen.inputs["Color1"])
+    links.new(below.outputs["Fac"], chosen.inputs["Color2"])
+    links.new(chosen.outputs["Color"], mixed.inputs["Fac"])
     links.new(lens.outputs["BSDF"], mixed.inputs[1])
     links.new(mirror.outputs["BSDF"], mixed.inputs[2])
     return mixed.outputs["Shader"]
 
 
-def water_material(optics, sun):
+def water_material(optics, sun, slopes):
     """A rough surface over a medium. \\param optics  "water" of `pelagic render --json`
 
     Light that is scattered forwards goes on nearly as if it were not, so only what goes backwards matters, and its shape: real
@@ -134,7 +162,7 @@ def water_material(optics, sun):
     out = nodes.new("ShaderNodeOutputMaterial")
     left = nodes.new("ShaderNodeAttribute")
     left.attribute_name = "roughness"
-    links.new(add_surface(nodes, links, left.outputs["Fac"], sun), out.inputs["Surface"])
+    links.new(add_surface(nodes, links, left.outputs["Fac"], sun, slopes), out.inputs["Surface"])
 
     def medium(kind, coefficients, complement):
         node = nodes.new(kind)
@@ -170,7 +198,7 @@ def add_sea(scene, sea, optics, sun):
     mesh.attributes.new("roughness", "FLOAT", "POINT").data.foreach_set("value", sea.roughness)
     mesh.update(calc_edges=True)
     mesh.validate()
-    mesh.materials.append(water_material(optics, sun))
+    mesh.materials.append(water_material(optics, sun, (min(sea.roughness), max(sea.roughness) + 1e-6)))
     thing = bpy.data.objects.new("sea", mesh)
     thing.rotation_euler.x = math.radians(90)
     scene.collection.objects.link(thing)
