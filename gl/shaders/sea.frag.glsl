@@ -60,7 +60,7 @@ void main() {
     float fresnel = mean_fresnel(clamp(dot(normal, to_eye), 0.0, 1.0), sqrt(0.5 * surface.alpha2));
     vec3 water_light = upwelling(normal, to_eye, water_absorption.w + height) +
                        through_crests(normal, to_eye, height, surface.foam);
-    vec3 radiance = mix(water_light, mirrored_sky(normal, to_eye, surface.alpha2), fresnel) +
+    vec3 radiance = mix(water_light, mirrored_light(normal, to_eye, surface.alpha2, water_light), fresnel) +
                     sun_irradiance.rgb * glint(normal, to_eye, surface.alpha2);
     radiance = mix(radiance, foam_light(normal), foam_cover(resting, surface.foam, distance_m));
     colour = screen_colour(through_haze(radiance, from_eye, distance_m));
