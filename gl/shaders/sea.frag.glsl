@@ -56,6 +56,10 @@ void main() {
 
     Waves surface = waves_at(resting, distance_m);
     vec3 normal = normalize(vec3(surface.slopes.x, 1.0, surface.slopes.y));
+#ifndef SKIRT
+    vec3 facet = normalize(cross(dFdx(at), dFdy(at)));
+    normal = seen_normal(normal, facet.y < 0.0 ? -facet : facet, to_eye, surface.alpha2, distance_m);
+#endif
 
     float fresnel = mean_fresnel(clamp(dot(normal, to_eye), 0.0, 1.0), sqrt(0.5 * surface.alpha2));
     vec3 water_light = upwelling(normal, to_eye, water_absorption.w + height) +
