@@ -24,7 +24,7 @@ constexpr double golden = 1.6180339887;
 constexpr double layer_turns_rad[2] = {0.21, -0.47};
 
 /// The horizon softens over this angle below it.
-constexpr double softened_horizon_rad = 0.25 * pi / 180;
+constexpr double softened_horizon_rad = 0.15 * pi / 180;
 constexpr double second_turn_rad = 0.3648;  // sea.frag.glsl: the turn of the second copy of the waves
 
 double fraction(double value) { return value - std::floor(value); }
