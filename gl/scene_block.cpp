@@ -25,7 +25,8 @@ constexpr double layer_turns_rad[2] = {0.21, -0.47};
 
 /// The horizon softens over this angle below it.
 constexpr double softened_horizon_rad = 0.25 * pi / 180;
-constexpr double second_turn_rad = 0.3648;  // sea.frag.glsl: the turn of the second copy of the waves
+/// The noise that tells the copies of a tile apart repeats after so many sides, which no whole number of tiles comes near.
+constexpr double noise_sides = 8 * golden;
 
 double fraction(double value) { return value - std::floor(value); }
 
@@ -53,6 +54,8 @@ void place_tiles(SceneBlock& block, const SeaFacts& facts, glm::dvec2 viewer, fl
         const TileLattice::Place at = tile.lattice.in_tile(viewer.x, viewer.y);
         block.tile_place[i] = {fraction(at.along / side + half_texel), fraction(at.across / side + half_texel),
                                tile.lattice.cosine / side, tile.lattice.sine / side};
+        const double noise_m = noise_sides * side;
+        block.tile_noise[i] = {fraction(at.along / noise_m), fraction(at.across / noise_m), 1 / noise_sides, 0};
         // A texel of that mip is as long as the longest waves.
         const double last_mip = std::log2(tile.longest_wave_m / facts.texel_m(tile));
         block.tile_scale[i] = {1 / facts.texel_m(tile), last_mip, side, 0};
@@ -82,9 +85,6 @@ void place_details(SceneBlock& block, const SeaFacts& facts, glm::dvec2 viewer) 
                                                               std::cos(angle), std::sin(angle)};
     }
     block.detail_shift = {glm::vec2(shifts[0]), glm::vec2(shifts[1])};
-    // As the shader turns it: the other way than place_in_square.
-    block.second_shift = {
-        glm::vec2(place_in_square(viewer, -second_turn_rad, facts.tiles[0].lattice.side_m * golden)), 0, 0};
     // Lace is as large as the waves that make it: tiles of 5 m in a calm, of 20 m in a storm.
     const double foam_m = 5 + 1.8 * block.waves.x;
     const glm::dvec4 tiles(foam_m, foam_m / golden / 1.1, 460, 1510);  // gusts: metres

@@ -19,12 +19,12 @@ inline constexpr std::size_t most_tiles = 4;
 struct SceneBlock {
     std::array<glm::mat4, 2> clip_from_viewer{}, viewer_from_clip{};
     std::array<glm::vec4, 2> eye{};
-    std::array<glm::vec4, most_tiles> tile_place{}, tile_scale{}, tile_slope{};
+    std::array<glm::vec4, most_tiles> tile_place{}, tile_scale{}, tile_slope{}, tile_noise{};
     glm::vec4 viewer{}, grid{}, fade{}, mesh{}, skirt{};
     glm::vec4 sun{}, sun_irradiance{}, sky_irradiance{}, haze{};
     glm::vec4 water_absorption{}, water_backscattering{}, water_scattering{}, waves{};
     std::array<glm::vec4, 2> detail_turn{};
-    glm::vec4 detail_shift{}, second_shift{}, noise_scale{}, foam_shift{}, gust_shift{}, foam_trail{};
+    glm::vec4 detail_shift{}, noise_scale{}, foam_shift{}, gust_shift{}, foam_trail{};
     glm::vec4 output_kind{};
 };
 

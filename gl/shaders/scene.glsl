@@ -20,6 +20,7 @@ layout(std140) uniform Scene {
     highp vec4 tile_scale[4];     // x: texels a metre; y: the mip at which nothing is left of its waves; z: side
     highp vec4 tile_slope[4];     // x: what slopes count in; y: variances; z: variance of all its waves, of both axes;
                                   // w: its Jacobian below which foam begins
+    highp vec4 tile_noise[4];     // xy: the viewer's place in the noise that tells its copies apart; z: the tile's side over the noise's
     highp vec4 viewer;            // z: height above rest
     highp vec4 grid;              // xy: the grid's corner; z: metres a step; w: V
     highp vec4 fade;              // xy: fade centre; z: fade end; w: 1 / (fade end - fade start)
@@ -36,7 +37,6 @@ layout(std140) uniform Scene {
     highp vec4 waves;             // x: significant height; y: alpha of the water between texels; zw: the wind's direction
     highp vec4 detail_turn[2];    // rows of a rotation over the tile's side
     highp vec4 detail_shift;      // xy of layer 0, zw of layer 1: where the viewer is in the tile
-    highp vec4 second_shift;      // xy: where the viewer is in the second copy of the waves of an only tile
     highp vec4 noise_scale;       // xy: of foam's two layers, zw: of the gusts' two, 1/m
     highp vec4 foam_shift;        // where the viewer is in them
     highp vec4 gust_shift;
