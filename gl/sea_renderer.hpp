@@ -18,6 +18,7 @@
 
 #include "pelagic/gl/frame_textures.hpp"
 #include "pelagic/gl/render_target.hpp"
+#include "pelagic/gl/shading.hpp"
 #include "pelagic/gl/sky_baker.hpp"
 #include "pelagic/gl/views.hpp"
 #include "pelagic/gl/water_optics.hpp"
@@ -26,9 +27,10 @@
 namespace pelagic::gl {
 
 struct RendererOptions {
-    int patch_vertices = 64;               ///< V of the draw lists
-    int resolution = 256;                  ///< N of the frames' tiles
-    std::size_t tiles = 1;                 ///< of the frames, 1 to 4
+    int patch_vertices = 64;  ///< V of the draw lists
+    int resolution = 256;     ///< N of the frames' tiles
+    std::size_t tiles = 1;    ///< of the frames, 1 to 4
+    Shading shading = Shading::high;
     bool framebuffer_is_srgb = false;      ///< it encodes what shaders write; else they do
     PixelKind writes = PixelKind::screen;  ///< radiance: linear and not exposed, for a host that has its own camera
     bool multiview = false;                ///< the framebuffer holds both eyes as layers (OVR_multiview2)

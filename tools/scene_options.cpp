@@ -80,9 +80,9 @@ void SceneFlags::add_to(CLI::App& app) {
     camera_.add_to(app);
     add("sun", "AZIMUTH,ELEVATION", "degrees, from +x towards +z and [-90, 90] above the horizon; default 80,32");
     add("clouds", "PART", "of the sky, [0, 1]; default by the wind");
-    add("water", "TYPE",
-        "of Jerlov: I, IA, IB, II, III in the ocean, 1C, 3C, 5C, 7C, 9C at coasts; default II");
+    add("water", "TYPE", "of Jerlov: I, IA, IB, II, III in the ocean, 1C, 3C, 5C, 7C, 9C at coasts; default II");
     add("chlorophyll", "MG_PER_M3", "instead of --water: what lives in the water colours it; [0.01, 30]");
+    add("shading", "TIER", "what a pixel of water may cost: headset, medium or high; default high");
     add("quality", "NAME", "level of detail: low, medium, high or ultra; default high");
     sea_.add_to(app);
     compute_.add_to(app);
@@ -109,6 +109,12 @@ SceneOptions SceneFlags::resolve() const {
     });
     given("clouds", [&](const auto& option, const auto& text) {
         options.sky.cloud_cover = static_cast<float>(number_in(option, text, 0, 1, "a part in [0, 1]"));
+    });
+    given("shading", [&](const auto& option, const auto& text) {
+        const std::optional<gl::Shading> shading = gl::shading_named(text);
+        const std::vector<std::string> names(gl::shading_names.begin(), gl::shading_names.end());
+        if (!shading) throw bad_value(option, text, list_of(names) + nearest_hint(text, names));
+        options.shading = *shading;
     });
     options.water = chosen_water(typed_.at("water"), typed_.at("chlorophyll"));
     choose_quality(options, typed_.at("quality").value_or("high"));

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "pelagic/gl/shading.hpp"
 #include "pelagic/gl/sky_baker.hpp"
 #include "pelagic/gl/views.hpp"
 #include "pelagic/gl/water_optics.hpp"
@@ -22,6 +23,7 @@ struct SceneOptions {
     Camera camera;
     gl::SkyOptions sky;
     gl::WaterOptics water;
+    gl::Shading shading = gl::Shading::high;
     std::string quality;
     QuadtreeOptions quadtree;
 };

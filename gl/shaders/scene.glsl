@@ -5,6 +5,17 @@
 // The sea is a sum of TILES square tiles of waves, the coarsest first; each repeats, each may be turned, and each is a layer
 // of the textures.
 
+// SHADING is how much a pixel may cost: a headset draws nine million of them, 72 times a second.
+#define HEADSET 0
+#define MEDIUM 1
+#define HIGH 2
+// The coarsest of four tiles is shaded from its vertices there.
+#if SHADING == HEADSET && TILES == 4
+#define VERTEX_TILES 1
+#else
+#define VERTEX_TILES 0
+#endif
+
 #ifdef MULTIVIEW
 #define EYE int(gl_ViewID_OVR)
 #else

@@ -16,6 +16,9 @@ precision highp int;
 in vec4 place;
 #ifndef SKIRT
 in vec2 rest;
+#if VERTEX_TILES > 0
+in vec4 coarsest;
+#endif
 #endif
 out vec4 colour;
 
