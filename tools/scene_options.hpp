@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "pelagic/gl/exposure.hpp"
 #include "pelagic/gl/sky_baker.hpp"
 #include "pelagic/gl/views.hpp"
 #include "pelagic/quadtree/quadtree_options.hpp"
@@ -20,6 +21,7 @@ struct SceneOptions {
     int width = 1280, height = 720;
     Camera camera;
     gl::SkyOptions sky;
+    gl::CameraSettings settings;
     std::string quality;
     QuadtreeOptions quadtree;
 };
@@ -31,6 +33,8 @@ class SceneFlags {
     SceneOptions resolve() const;
 
    private:
+    void read_camera_settings(gl::CameraSettings& settings) const;
+
     SeaOptions sea_;
     ComputeFlags compute_;
     CameraFlags camera_;
