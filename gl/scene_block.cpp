@@ -143,7 +143,8 @@ SceneBlock scene_block_of(const DrawInput& input, const SeaFacts& facts, const W
     block.skirt = {to_float((glm::dvec2(grid.corner) + 0.5 * grid.side) * grid.step_m - viewer), grid.side,
                    grid.deepest_level};
     block.sun = {sky.sun_direction, sun_radius_rad};
-    block.sun_irradiance = {sky.sun_irradiance, sky.exposure};
+    const float exposure = input.exposure.value_or(sky.exposure);
+    block.sun_irradiance = {sky.sun_irradiance, exposure};
     block.sky_irradiance = {sky.sky_irradiance, sky.levels - 1};
     const double height = std::max(1.5, std::abs(input.viewer_m.y));
     block.haze = {sky.haze_per_m, height / std::tan(softened_horizon_rad)};
@@ -156,7 +157,8 @@ SceneBlock scene_block_of(const DrawInput& input, const SeaFacts& facts, const W
     block.waves = {std::max(0.05, facts.figures.significant_wave_height_m), alpha, std::cos(wind), std::sin(wind)};
     place_tiles(block, facts, viewer, input.more_foam);
     place_details(block, facts, viewer);
-    block.output_kind = {facts.framebuffer_is_srgb ? 0 : 1, facts.writes_radiance ? 1 : 0, 0, 0};
+    block.output_kind = {facts.framebuffer_is_srgb ? 0 : 1, facts.writes_radiance ? 1 : 0,
+                         input.weighs_samples ? exposure : 0, sky.luminance_of_unit};
     return block;
 }
 

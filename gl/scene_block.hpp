@@ -8,6 +8,7 @@
 #include <glm/vec4.hpp>
 #include <vector>
 
+#include "pelagic/gl/exposure.hpp"
 #include "pelagic/gl/water_optics.hpp"
 #include "pelagic/sim/frame.hpp"
 
@@ -57,6 +58,7 @@ struct SkyLight {
     int levels = 1;
     glm::vec3 sun_direction{0, 1, 0}, sun_irradiance{1}, sky_irradiance{1}, haze_per_m{0};
     float exposure = 1;
+    float luminance_of_unit = sun_illuminance_lx;  ///< cd/m^2 that a radiance of 1 stands for
 };
 
 /// Of the frame alone.

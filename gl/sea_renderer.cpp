@@ -131,7 +131,8 @@ void SeaRenderer::set_sky(const Sky& sky) {
             gl.TexSubImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(face), level, 0, 0,
                              sky.face_size >> level, sky.face_size >> level, GL_RGBA, GL_HALF_FLOAT,
                              sky.face(level, face).data());
-    s.light = {sky.levels, sky.sun_direction, sky.sun_irradiance, sky.sky_irradiance, sky.haze_per_m, sky.exposure};
+    s.light = {sky.levels,     sky.sun_direction, sky.sun_irradiance,     sky.sky_irradiance,
+               sky.haze_per_m, sky.exposure,      sky.luminance_of_unit()};
 }
 
 void SeaRenderer::set_water(const WaterOptics& water) { state_->water = water; }

@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 
 #include "pelagic/gl/frame_textures.hpp"
@@ -46,6 +47,11 @@ struct DrawInput {
     float more_foam = 0;     ///< added to the tiles' Jacobians below which the sea is white
     DrawMode mode = DrawMode::shaded;
     bool draws_sky = true;
+    std::optional<float> exposure =
+        {};  ///< what radiance is multiplied with before the tone curve; the sky's by default
+    /// Where radiance is written: each sample times a weight that is in alpha, which falls with its exposed luminance, for
+    /// gl/display.hpp to divide by. Else alpha is 1, and samples average to true radiance.
+    bool weighs_samples = false;
 };
 
 /// What the last draw() handed to the driver.

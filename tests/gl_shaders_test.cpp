@@ -46,7 +46,9 @@ TEST(Shaders, AreGlslInEveryVariant) {
             for (const gl::Shading shading : {gl::Shading::headset, gl::Shading::medium, gl::Shading::high})
                 for (const gl::ProgramFiles& files : gl::sea_program_files(multiview, tiles, shading))
                     all.push_back(files);
-    ASSERT_EQ(all.size(), 73u);
+    for (const char* pass : {"bloom_down.frag.glsl", "bloom_up.frag.glsl", "display.frag.glsl", "meter.frag.glsl"})
+        all.push_back({"screen.vert.glsl", pass, ""});
+    ASSERT_EQ(all.size(), 77u);
     for (const gl::ProgramFiles& files : all)
         EXPECT_EQ(refusal_of(files), "") << files.vertex << ", " << files.fragment << "\n" << files.defines;
 }

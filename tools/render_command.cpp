@@ -4,9 +4,12 @@
 #include <array>
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <vector>
 
+#include "pelagic/gl/display.hpp"
 #include "pelagic/gl/headless_context.hpp"
+#include "pelagic/gl/light_meter.hpp"
 #include "pelagic/gl/render_target.hpp"
 #include "pelagic/gl/sea_renderer.hpp"
 #include "pelagic/gl/stopwatch.hpp"
@@ -23,6 +26,8 @@ namespace {
 constexpr int samples_a_pixel = 4;
 /// A texel of the sky is then 0.18 degrees wide, about three pixels of the usual picture.
 constexpr int sky_face_size = 512;
+/// Where the exposure is metered: a small picture of the same view.
+constexpr int metered_width = 320;
 /// Between the eyes of most people (Dodgson 2004: 63 mm in the mean).
 constexpr double eye_distance_m = 0.063;
 
@@ -45,27 +50,30 @@ class PictureMaker {
           ocean_(options.scene.sea.sea, {.executor = make_default_executor(options.scene.compute.threads),
                                          .isa = options.scene.compute.isa,
                                          .slopes = true}),
-          target_(context_.functions(), options.scene.width, options.scene.height, samples_a_pixel),
+          target_(context_.functions(), options.scene.width, options.scene.height, samples_a_pixel,
+                  options.wireframe ? gl::PixelKind::screen : gl::PixelKind::radiance),
           renderer_(context_.functions(), {.patch_vertices = options.scene.quadtree.vertices,
                                            .resolution = ocean_.resolution(),
                                            .tiles = ocean_.tile_count(),
-                                           .shading = options.scene.shading}),
+                                           .shading = options.scene.shading,
+                                           .writes = gl::PixelKind::radiance}),
           selection_(options.scene.quadtree) {
         const gl::Stopwatch watch;
         gl::SkyBaker baker(make_default_executor(options.scene.compute.threads), sky_face_size);
         baker.schedule(options.scene.sky);
-        renderer_.set_sky(baker.complete());
         renderer_.set_water(options.scene.water);
+        const gl::Sky& sky = baker.complete();
+        renderer_.set_sky(sky);
+        luminance_of_unit_ = sky.luminance_of_unit();
         sky_ms_ = watch.milliseconds();
 
-        const gl::Viewport whole{0, 0, options.scene.width, options.scene.height};
-        if (options.stereo) {
-            const gl::EyePair pair = gl::eyes_of(options.scene.camera, whole, eye_distance_m);
-            eyes_ = {pair.left, pair.right};
-        } else {
-            eyes_ = {gl::eye_of(options.scene.camera, whole)};
-        }
+        eyes_ = eyes_in(options.scene.width, options.scene.height);
         for (const gl::Eye& eye : eyes_) views_.push_back(eye.clip_from_world);
+        if (options.wireframe) return;
+        display_.emplace(context_.functions());
+        screen_.emplace(context_.functions(), options.scene.width, options.scene.height, 0);
+        const gl::CameraSettings& settings = options.scene.settings;
+        ev_ = settings.fixed_ev ? *settings.fixed_ev : metered_ev() - settings.bias_stops;
     }
 
     std::vector<std::uint8_t> picture(double time_s) {
@@ -78,23 +86,13 @@ class PictureMaker {
             {.viewer_m = options_.scene.camera.position_m, .views = views_, .bounds = frame.bounds});
         measured_.select_ms.push_back(select.milliseconds());
 
-        const gl::Functions& functions = context_.functions();
-        target_.bind();
-        functions.ClearColor(0.004f, 0.008f, 0.016f, 1);
-        functions.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-        renderer_.upload(frame);
-        const gl::DrawFigures& figures =
-            renderer_.draw({.eyes = eyes_,
-                            .viewer_m = options_.scene.camera.position_m,
-                            .list = &list,
-                            .lod_scale = options_.scene.quadtree.lod_scale,
-                            .mode = options_.wireframe ? gl::DrawMode::wireframe : gl::DrawMode::shaded});
+        const gl::DrawFigures& figures = draw(frame, list, eyes_, target_);
         measured_.upload_ms.push_back(figures.upload_ms);
         measured_.upload_driver_ms.push_back(figures.upload_driver_ms);
         measured_.draw_ms.push_back(figures.draw_ms);
         measured_.draw_driver_ms.push_back(figures.draw_driver_ms);
         measured_.last = figures;
-        std::vector<std::uint8_t> pixels = target_.read();
+        std::vector<std::uint8_t> pixels = options_.wireframe ? target_.read() : shown();
         measured_.picture_ms.push_back(all.milliseconds());
         return pixels;
     }
@@ -120,16 +118,70 @@ class PictureMaker {
                   {"draw", median(measured_.draw_ms)},
                   {"draw_in_driver", median(measured_.draw_driver_ms)},
                   {"picture", median(measured_.picture_ms)}}},
-                {"sky_ms", sky_ms_}};
+                {"sky_ms", sky_ms_},
+                {"exposure_ev", ev_}};
     }
 
    private:
+    std::vector<gl::Eye> eyes_in(int width, int height) const {
+        const gl::Viewport whole{0, 0, width, height};
+        if (!options_.stereo) return {gl::eye_of(options_.scene.camera, whole)};
+        const gl::EyePair pair = gl::eyes_of(options_.scene.camera, whole, eye_distance_m);
+        return {pair.left, pair.right};
+    }
+
+    const gl::DrawFigures& draw(const Frame& frame, const DrawList& list, const std::vector<gl::Eye>& eyes,
+                                gl::RenderTarget& target) {
+        const gl::Functions& functions = context_.functions();
+        target.bind();
+        functions.ClearColor(0.004f, 0.008f, 0.016f, 1);
+        functions.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        renderer_.upload(frame);
+        return renderer_.draw({.eyes = eyes,
+                               .viewer_m = options_.scene.camera.position_m,
+                               .list = &list,
+                               .lod_scale = options_.scene.quadtree.lod_scale,
+                               .mode = options_.wireframe ? gl::DrawMode::wireframe : gl::DrawMode::shaded,
+                               .exposure = exposure(),
+                               .weighs_samples = true});
+    }
+
+    float exposure() const { return gl::exposure_of_ev(ev_, luminance_of_unit_); }
+
+    /// Of the view at time 0, whatever times are asked for: camera and light rest, so films don't flicker, and each of their
+    /// pictures is the same in whichever run it is made.
+    float metered_ev() {
+        const int width = std::min(options_.scene.width, metered_width);
+        const int height = std::max(1, options_.scene.height * width / options_.scene.width);
+        gl::RenderTarget small(context_.functions(), width, height, 0, gl::PixelKind::radiance);
+        const Frame& frame = ocean_.frame_at(0);
+        const DrawList& list = selection_.select(
+            {.viewer_m = options_.scene.camera.position_m, .views = views_, .bounds = frame.bounds});
+        draw(frame, list, eyes_in(width, height), small);
+        gl::LightMeter meter(context_.functions());
+        return gl::metered_ev(meter.measure(small.resolved()), luminance_of_unit_);
+    }
+
+    /// What was drawn, as the camera shows it.
+    std::vector<std::uint8_t> shown() {
+        const gl::TexturePart radiance = target_.resolved();
+        screen_->bind();
+        display_->show(
+            radiance,
+            {.exposure = exposure(), .luminance_of_unit = luminance_of_unit_, .bloom = options_.scene.settings.bloom},
+            {0, 0, options_.scene.width, options_.scene.height});
+        return screen_->read();
+    }
+
     const RenderOptions& options_;
     gl::HeadlessContext context_;
     Ocean ocean_;
     gl::RenderTarget target_;
     gl::SeaRenderer renderer_;
     Selection selection_;
+    std::optional<gl::Display> display_;  ///< none for a wireframe
+    std::optional<gl::RenderTarget> screen_;
+    float ev_ = 15, luminance_of_unit_ = 0;
     std::vector<gl::Eye> eyes_;
     std::vector<glm::dmat4> views_;
     double sky_ms_ = 0;

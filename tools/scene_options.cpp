@@ -84,8 +84,32 @@ void SceneFlags::add_to(CLI::App& app) {
     add("chlorophyll", "MG_PER_M3", "instead of --water: what lives in the water colours it; [0.01, 30]");
     add("shading", "TIER", "what a pixel of water may cost: headset, medium or high; default high");
     add("quality", "NAME", "level of detail: low, medium, high or ultra; default high");
+    add("exposure", "EV",
+        "exposure value at ISO 100, [-10, 20]: 15 is sunlight, 12 an overcast day, -3 moonlight; default auto, "
+        "metered on "
+        "what is in view");
+    add("exposure-bias", "STOPS", "brighter than metered, [-5, 5]; default 0");
+    add("bloom", "PART", "of each pixel's light that the lens spreads around it, [0, 1]; default 0.04");
     sea_.add_to(app);
     compute_.add_to(app);
+}
+
+void SceneFlags::read_camera_settings(gl::CameraSettings& settings) const {
+    const auto given = [&](const char* flag, auto use) {
+        if (const auto& text = typed_.at(flag)) use("--" + std::string(flag), *text);
+    };
+    given("exposure", [&](const auto& option, const auto& text) {
+        if (text == "auto") return;
+        settings.fixed_ev = static_cast<float>(number_in(option, text, double{gl::least_ev}, double{gl::most_ev},
+                                                         "auto, or an exposure value in [-10, 20]"));
+    });
+    given("exposure-bias", [&](const auto& option, const auto& text) {
+        const auto most = double{gl::most_bias_stops};
+        settings.bias_stops = static_cast<float>(number_in(option, text, -most, most, "stops in [-5, 5]"));
+    });
+    given("bloom", [&](const auto& option, const auto& text) {
+        settings.bloom = static_cast<float>(number_in(option, text, 0, 1, "a part in [0, 1]"));
+    });
 }
 
 SceneOptions SceneFlags::resolve() const {
@@ -117,6 +141,7 @@ SceneOptions SceneFlags::resolve() const {
         options.shading = *shading;
     });
     options.water = chosen_water(typed_.at("water"), typed_.at("chlorophyll"));
+    read_camera_settings(options.settings);
     choose_quality(options, typed_.at("quality").value_or("high"));
     return options;
 }

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "pelagic/gl/exposure.hpp"
 #include "pelagic/gl/shading.hpp"
 #include "pelagic/gl/sky_baker.hpp"
 #include "pelagic/gl/views.hpp"
@@ -24,6 +25,7 @@ struct SceneOptions {
     gl::SkyOptions sky;
     gl::WaterOptics water;
     gl::Shading shading = gl::Shading::high;
+    gl::CameraSettings settings;
     std::string quality;
     QuadtreeOptions quadtree;
 };
@@ -35,6 +37,8 @@ class SceneFlags {
     SceneOptions resolve() const;
 
    private:
+    void read_camera_settings(gl::CameraSettings& settings) const;
+
     SeaOptions sea_;
     ComputeFlags compute_;
     CameraFlags camera_;

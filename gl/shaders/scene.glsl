@@ -54,7 +54,9 @@ layout(std140) uniform Scene {
     highp vec4 foam_trail;        // x: the tile whose crests leave foam behind; y: how far the sum of
                                   // tiles folds where foam begins, over the root of the sum of their squares; zw: from one look down the wind to the next,
                                   // texture coordinates
-    highp vec4 output_kind;       // x: 1 if the shader encodes sRGB, 0 if the framebuffer does; y: 1 if radiance is asked for
+    highp vec4 output_kind;       // x: 1 if the shader encodes sRGB, 0 if the framebuffer does; y: 1 if radiance is asked for;
+                                  // z: the exposure by which samples of radiance are weighted, or 0; w: luminance of a radiance
+                                  // of 1, cd/m^2
 };
 
 // The texture coordinates of a way in the world, metres, in a tile's textures.
