@@ -121,7 +121,14 @@ TEST(RenderCommand, NamesOptionValueAndRange) {
          "pelagic: --exposure is 21, needs auto, or an exposure value in [-10, 20]\n"},
         {{"--out", "a.png", "--exposure-bias", "6"}, "pelagic: --exposure-bias is 6, needs stops in [-5, 5]\n"},
         {{"--out", "a.png", "--bloom", "-1"}, "pelagic: --bloom is -1, needs a part in [0, 1]\n"},
-        {{}, "pelagic: --out is missing, needs a PNG file to write\n"},
+        {{}, "pelagic: --out is missing, needs a PNG file to write; or give --hdr or --sky, an EXR file\n"},
+        {{"--hdr", "a.png"}, "pelagic: --hdr is a.png, needs a file named *.exr\n"},
+        {{"--sky", "a%d.exr"},
+         "pelagic: --sky is a%d.exr, needs a name without %: with --frames, FILE.exr becomes FILE_0000.exr and so "
+         "on\n"},
+        {{"--hdr", "a.exr", "--sky", "a.exr"}, "pelagic: --sky is a.exr, needs another file than --hdr\n"},
+        {{"--hdr", "a.exr", "--wireframe"},
+         "pelagic: --hdr is a.exr, needs a sea without --wireframe, whose colours are no radiance\n"},
     };
     for (const auto& [arguments, line] : cases) {
         std::vector<std::string> words = {"render"};
