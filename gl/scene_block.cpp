@@ -160,7 +160,8 @@ SceneBlock scene_block_of(const DrawInput& input, const SeaFacts& facts, const S
     block.waves = {std::max(0.05, facts.figures.significant_wave_height_m), alpha, std::cos(wind), std::sin(wind)};
     place_tiles(block, facts, viewer, input.more_foam);
     place_details(block, facts, viewer);
-    block.output_kind = {facts.framebuffer_is_srgb ? 0 : 1, facts.writes_radiance ? 1 : 0, 0, 0};
+    block.output_kind = {facts.framebuffer_is_srgb ? 0 : 1, facts.writes_radiance ? 1 : 0, input.draws_sky ? 1 : 0,
+                         0};
     return block;
 }
 

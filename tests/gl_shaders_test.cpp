@@ -44,7 +44,7 @@ TEST(Shaders, AreGlslInEveryVariant) {
     for (const std::size_t tiles : {1, 2, 4})
         for (const bool multiview : {false, true})
             for (const gl::ProgramFiles& files : gl::sea_program_files(multiview, tiles)) all.push_back(files);
-    ASSERT_EQ(all.size(), 25u);
+    ASSERT_EQ(all.size(), 31u);
     for (const gl::ProgramFiles& files : all)
         EXPECT_EQ(refusal_of(files), "") << files.vertex << ", " << files.fragment << "\n" << files.defines;
 }

@@ -4,12 +4,14 @@
 #include <array>
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "pelagic/gl/headless_context.hpp"
 #include "pelagic/gl/render_target.hpp"
 #include "pelagic/gl/sea_renderer.hpp"
 #include "pelagic/gl/stopwatch.hpp"
+#include "pelagic/gl/water_at_lens.hpp"
 #include "pelagic/quadtree/selection.hpp"
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/tools/image_writer.hpp"
@@ -44,12 +46,15 @@ class PictureMaker {
         : options_(options),
           ocean_(options.scene.sea.sea, {.executor = make_default_executor(options.scene.compute.threads),
                                          .isa = options.scene.compute.isa,
+                                         .queries = true,
                                          .slopes = true}),
           target_(context_.functions(), options.scene.width, options.scene.height, samples_a_pixel),
           renderer_(context_.functions(), {.patch_vertices = options.scene.quadtree.vertices,
                                            .resolution = ocean_.resolution(),
                                            .tiles = ocean_.tile_count()}),
-          selection_(options.scene.quadtree) {
+          selection_(options.scene.quadtree),
+          caustics_(make_default_executor(options.scene.compute.threads)) {
+        renderer_.set_floor(options.scene.floor);
         const gl::Stopwatch watch;
         gl::SkyBaker baker(make_default_executor(options.scene.compute.threads), sky_face_size);
         baker.schedule(options.scene.sky);
@@ -81,12 +86,20 @@ class PictureMaker {
         functions.ClearColor(0.004f, 0.008f, 0.016f, 1);
         functions.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         renderer_.upload(frame);
+        const std::optional<gl::WaterAtLens> water_at_lens =
+            gl::water_at_lens(SurfaceQuery(frame), options_.scene.camera.position_m);
+        if (gl::shows_caustics(options_.scene.floor, frame, options_.scene.camera.position_m)) {
+            caustics_.schedule(frame, {.depth_m = gl::caustics_depth_m(options_.scene.floor, frame.sea.depth_m),
+                                       .sun = gl::sun_direction(options_.scene.sky)});
+            renderer_.set_caustics(caustics_.complete());
+        }
         const gl::DrawFigures& figures =
             renderer_.draw({.eyes = eyes_,
                             .viewer_m = options_.scene.camera.position_m,
                             .list = &list,
                             .lod_scale = options_.scene.quadtree.lod_scale,
-                            .mode = options_.wireframe ? gl::DrawMode::wireframe : gl::DrawMode::shaded});
+                            .mode = options_.wireframe ? gl::DrawMode::wireframe : gl::DrawMode::shaded,
+                            .water_at_lens = water_at_lens});
         measured_.upload_ms.push_back(figures.upload_ms);
         measured_.upload_driver_ms.push_back(figures.upload_driver_ms);
         measured_.draw_ms.push_back(figures.draw_ms);
@@ -128,6 +141,7 @@ class PictureMaker {
     gl::RenderTarget target_;
     gl::SeaRenderer renderer_;
     Selection selection_;
+    gl::CausticsBaker caustics_;
     std::vector<gl::Eye> eyes_;
     std::vector<glm::dmat4> views_;
     double sky_ms_ = 0;

@@ -67,6 +67,7 @@ void SceneFlags::add_to(CLI::App& app) {
     add("sun", "AZIMUTH,ELEVATION", "degrees, from +x towards +z and [-90, 90] above the horizon; default 80,32");
     add("clouds", "PART", "of the sky, [0, 1]; default by the wind");
     add("quality", "NAME", "level of detail: low, medium, high or ultra; default high");
+    floor_.add_to(app);
     sea_.add_to(app);
     compute_.add_to(app);
 }
@@ -77,6 +78,7 @@ SceneOptions SceneFlags::resolve() const {
     options.compute = compute_.resolve();
     options.camera = chosen_camera(camera_, options.sea.sea);
     options.sky = usual_sky(options.sea.sea);
+    options.floor = floor_.resolve();
 
     const auto given = [&](const char* flag, auto use) {
         if (const auto& text = typed_.at(flag)) use("--" + std::string(flag), *text);

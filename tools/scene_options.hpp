@@ -11,6 +11,7 @@
 #include "pelagic/quadtree/quadtree_options.hpp"
 #include "pelagic/tools/camera_options.hpp"
 #include "pelagic/tools/export_options.hpp"
+#include "pelagic/tools/floor_options.hpp"
 
 namespace pelagic::tools {
 
@@ -20,6 +21,7 @@ struct SceneOptions {
     int width = 1280, height = 720;
     Camera camera;
     gl::SkyOptions sky;
+    gl::SeaFloor floor;
     std::string quality;
     QuadtreeOptions quadtree;
 };
@@ -34,6 +36,7 @@ class SceneFlags {
     SeaOptions sea_;
     ComputeFlags compute_;
     CameraFlags camera_;
+    FloorFlags floor_;
     std::map<std::string, std::optional<std::string>> typed_;  ///< by flag name, where it was given
 };
 

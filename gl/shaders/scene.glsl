@@ -42,7 +42,18 @@ layout(std140) uniform Scene {
     highp vec4 foam_trail;        // x: the tile whose crests leave foam behind; y: how far the sum of
                                   // tiles folds where foam begins, over the root of the sum of their squares; zw: from one look down the wind to the next,
                                   // texture coordinates
-    highp vec4 output_kind;       // x: 1 if the shader encodes sRGB, 0 if the framebuffer does; y: 1 if radiance is asked for
+    highp vec4 lens;              // the surface around the lens, relative to the viewer: y = lens.x + dot(lens.yz, xz); w: how
+                                  // far ahead of the eye the near plane lies, 0 where all of the lens is in the air
+    highp vec4 floor_place;       // xy: texture coordinates of the viewer's place; zw: the same a metre, 0 for a plane
+    highp vec4 floor_size;        // xy: metres along x and z; zw: where its corner is, from the viewer
+    highp vec4 floor_mesh;        // xy: cells along x and z; zw: where the viewer is in a square of 64 m
+    highp vec4 floor_look;        // x: height of a plane; y: up to where sand is wet, metres above rest; z: radians a
+                                  // pixel; w: 1 for sand, 0 for an even albedo
+    highp vec4 floor_albedo;      // w: 1 if the floor may be seen from above
+    highp vec4 caustic_place;     // as tile_place, of the caustics' texture; zw: 0 if there is none
+    highp vec4 caustic_row[3];    // xy: radians a metre; z: phase at the viewer; w of the first: depth of the focus
+    highp vec4 output_kind;       // x: 1 if the shader encodes sRGB, 0 if the framebuffer does; y: 1 if radiance is asked for;
+                                  // z: 1 if the sky is drawn, where the lens is in the air
 };
 
 // The texture coordinates of a way in the world, metres, in a tile's textures.
