@@ -135,7 +135,7 @@ SceneBlock scene_block_of(const DrawInput& input, const SeaFacts& facts, const W
         block.eye[i] = glm::vec4(glm::vec3(input.eyes[i].position_m - input.viewer_m), 0);
     }
     const auto to_float = [](glm::dvec2 v) { return glm::vec2(v); };
-    block.viewer = {0, 0, input.viewer_m.y, 0};
+    block.viewer = {input.draws_sky ? 1 : 0, 0, input.viewer_m.y, 0};
     block.grid = {to_float(glm::dvec2(grid.corner) * grid.step_m - viewer), grid.step_m, grid.vertices};
     block.fade = {to_float(grid.fade_centre - viewer), grid.fade_end_m, 1 / (grid.fade_end_m - grid.fade_start_m)};
     block.mesh = {1 / (input.lod_scale * grid.vertices), grid.step_m,

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <vector>
@@ -26,6 +27,9 @@ struct SceneBlock {
     glm::vec4 water_absorption{}, water_backscattering{}, water_scattering{}, waves{};
     std::array<glm::vec4, 2> detail_turn{};
     glm::vec4 detail_shift{}, noise_scale{}, foam_shift{}, gust_shift{}, foam_trail{};
+    // Below the surface.
+    glm::vec4 lens{}, floor_place{}, floor_size{}, floor_mesh{}, floor_look{}, floor_albedo{}, caustic_place{};
+    std::array<glm::vec4, 3> caustic_row{};
     glm::vec4 output_kind{};
 };
 
@@ -64,7 +68,28 @@ struct SkyLight {
 /// Of the frame alone.
 SeaFacts facts_of(const Frame& frame);
 
+/// What stays of a floor when its heights are in a texture.
+struct FloorFacts {
+    int columns = 0, rows = 0;  ///< 0: even
+    glm::dvec2 corner_m{};
+    double metres_a_texel = 1;
+    bool is_sand = true;
+    glm::vec3 albedo{};
+};
+
+/// And of caustics.
+struct CausticFacts {
+    double side_m = 0;  ///< 0: none were handed in
+    double cosine = 1, sine = 0, depth_m = 6;
+};
+
+/// Cells of the mesh that draws a floor; the far ones around them not counted.
+glm::ivec2 floor_cells(const FloorFacts& floor);
+
 struct DrawInput;
 SceneBlock scene_block_of(const DrawInput& input, const SeaFacts& sea, const WaterOptics& water, const SkyLight& sky);
+/// Adds what the shaders are told of what lies below the surface.
+void place_below(SceneBlock& block, const DrawInput& input, const SeaFacts& sea, const FloorFacts& floor,
+                 const CausticFacts& caustics);
 
 }  // namespace pelagic::gl

@@ -2,14 +2,15 @@
 
 namespace pelagic::gl {
 
-std::array<ProgramFiles, 4> sea_program_files(bool multiview, std::size_t tiles, Shading shading) {
+std::array<ProgramFiles, 5> sea_program_files(bool multiview, std::size_t tiles, Shading shading) {
     const std::string defines = "#define TILES " + std::to_string(tiles) + "\n#define SHADING " +
                                 std::to_string(static_cast<int>(shading)) +
                                 (multiview ? "\n#define MULTIVIEW\n" : "\n");
     return {{{"sea.vert.glsl", "sea.frag.glsl", defines},
              {"skirt.vert.glsl", "sea.frag.glsl", defines + "#define SKIRT\n"},
              {"sky.vert.glsl", "sky.frag.glsl", defines},
-             {"sea.vert.glsl", "wireframe.frag.glsl", defines}}};
+             {"sea.vert.glsl", "wireframe.frag.glsl", defines},
+             {"floor.vert.glsl", "floor.frag.glsl", defines + "#define FLOOR\n"}}};
 }
 
 SeaProgram::SeaProgram(const Functions& gl, const ProgramFiles& files)
@@ -21,6 +22,8 @@ SeaProgram::SeaProgram(const Functions& gl, const ProgramFiles& files)
     gl.Uniform1i(program.uniform("moments"), moments_unit);
     gl.Uniform1i(program.uniform("detail"), detail_unit);
     gl.Uniform1i(program.uniform("sky"), sky_unit);
+    gl.Uniform1i(program.uniform("floor_heights"), floor_unit);
+    gl.Uniform1i(program.uniform("caustics"), caustics_unit);
     eye_index = program.uniform("eye_index");
     brightness = program.uniform("brightness");
 }
@@ -31,8 +34,8 @@ void SeaProgram::use(const Functions& gl, int eye) const {
 }
 
 SeaPrograms::SeaPrograms(const Functions& gl, bool multiview, std::size_t tiles, Shading shading) {
-    const std::array<ProgramFiles, 4> files = sea_program_files(multiview, tiles, shading);
-    SeaProgram* const programs[] = {&patches, &skirt, &background, &wireframe};
+    const std::array<ProgramFiles, 5> files = sea_program_files(multiview, tiles, shading);
+    SeaProgram* const programs[] = {&patches, &skirt, &background, &wireframe, &floor};
     for (std::size_t i = 0; i < files.size(); ++i) *programs[i] = SeaProgram(gl, files[i]);
 }
 

@@ -10,7 +10,7 @@
 namespace pelagic::gl {
 
 /// Texture units, as the programs read them.
-enum Unit : GLint { displacement_unit, slopes_unit, moments_unit, detail_unit, sky_unit };
+enum Unit : GLint { displacement_unit, slopes_unit, moments_unit, detail_unit, sky_unit, floor_unit, caustics_unit };
 
 struct ProgramFiles {
     const char* vertex;
@@ -18,8 +18,8 @@ struct ProgramFiles {
     std::string defines;  ///< lines
 };
 
-/// For patches, skirt, background and wireframe, in this order, of a sea with so many tiles.
-std::array<ProgramFiles, 4> sea_program_files(bool multiview, std::size_t tiles, Shading shading);
+/// For patches, skirt, background, wireframe and floor, in this order, of a sea with so many tiles.
+std::array<ProgramFiles, 5> sea_program_files(bool multiview, std::size_t tiles, Shading shading);
 
 struct SeaProgram {
     SeaProgram() = default;
@@ -35,7 +35,7 @@ struct SeaPrograms {
     /// Throws GlError if the driver refuses a shader. Leaves one of them in use.
     SeaPrograms(const Functions& gl, bool multiview, std::size_t tiles, Shading shading);
 
-    SeaProgram patches, skirt, background, wireframe;
+    SeaProgram patches, skirt, background, wireframe, floor;
 };
 
 }  // namespace pelagic::gl

@@ -1,5 +1,6 @@
 #include "pelagic/gl/sea_renderer.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <stdexcept>
 #include <string>
@@ -58,6 +59,8 @@ struct SeaRenderer::State {
         bind(moments_unit, GL_TEXTURE_2D_ARRAY, textures.moments());
         bind(detail_unit, GL_TEXTURE_2D, detail.name());
         bind(sky_unit, GL_TEXTURE_CUBE_MAP, sky.name());
+        bind(floor_unit, GL_TEXTURE_2D, floor.name());
+        bind(caustics_unit, GL_TEXTURE_2D, caustics.name());
     }
 
     void add(const PatchBuffers::Counts& counts) {
@@ -66,12 +69,24 @@ struct SeaRenderer::State {
         figures.draw_driver_ms += counts.driver_ms;
     }
 
+    /// Strips of a grid, made in the vertex shader. Seen from the air only where it may rise above the water.
+    void draw_floor(int eye) {
+        const glm::ivec2 cells = floor_cells(floor_facts);
+        programs->floor.use(gl, eye);
+        gl.BindVertexArray(empty.name());
+        const Stopwatch driver;
+        gl.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 2 * (cells.x + 3), cells.y + 2);
+        figures.draw_driver_ms += driver.milliseconds();
+        ++figures.floor_calls;
+    }
+
     void draw_shaded(const DrawInput& input, int eye) {
+        if (lens_is_wet || floor_facts.columns > 0) draw_floor(eye);
         programs->patches.use(gl, eye);
         add(buffers->draw_patches(*input.list, false));
         programs->skirt.use(gl, eye);
         add(buffers->draw_skirt(*input.list));
-        if (!input.draws_sky) return;
+        if (!input.draws_sky && !lens_is_wet) return;
         // Behind the sea, where it did not draw: its triangle lies on the far plane.
         programs->background.use(gl, eye);
         gl.DepthMask(GL_FALSE);
@@ -101,7 +116,10 @@ struct SeaRenderer::State {
     SeaFacts facts;
     std::unique_ptr<SeaPrograms> programs;
     std::unique_ptr<PatchBuffers> buffers;
-    Texture detail, sky;
+    Texture detail, sky, floor, caustics;
+    FloorFacts floor_facts;
+    CausticFacts caustic_facts;
+    bool lens_is_wet = false;
     int sky_face_size = 0;
     SkyLight light;
     WaterOptics water = water_optics(default_jerlov_type);
@@ -136,6 +154,62 @@ void SeaRenderer::set_sky(const Sky& sky) {
 }
 
 void SeaRenderer::set_water(const WaterOptics& water) { state_->water = water; }
+void SeaRenderer::set_floor(const SeaFloor& floor) {
+    if (const std::string reason = check(floor); !reason.empty()) throw std::invalid_argument(reason);
+    State& s = *state_;
+    const Functions& gl = s.gl;
+    s.floor_facts = {.columns = floor.columns,
+                     .rows = floor.rows,
+                     .corner_m = floor.corner_m,
+                     .metres_a_texel = floor.metres_a_texel,
+                     .is_sand = floor.is_sand,
+                     .albedo = floor.albedo};
+    s.floor.reset();
+    if (floor.is_even()) return;
+    const KeptState keep(gl);
+    const FloorTexels texels = texels_of(floor);
+    s.floor = Texture(gl);
+    gl.ActiveTexture(GL_TEXTURE0 + floor_unit);
+    gl.BindTexture(GL_TEXTURE_2D, s.floor.name());
+    gl.TexStorage2D(GL_TEXTURE_2D, texels.levels, GL_R16F, floor.columns, floor.rows);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    gl.PixelStorei(GL_UNPACK_ALIGNMENT, 2);
+    const std::uint16_t* level_halves = texels.halves.data();
+    for (int level = 0; level < texels.levels; ++level) {
+        const int columns = std::max(floor.columns >> level, 1), rows = std::max(floor.rows >> level, 1);
+        gl.TexSubImage2D(GL_TEXTURE_2D, level, 0, 0, columns, rows, GL_RED, GL_HALF_FLOAT, level_halves);
+        level_halves += static_cast<std::ptrdiff_t>(columns) * rows;
+    }
+}
+
+void SeaRenderer::set_caustics(const Caustics& caustics) {
+    State& s = *state_;
+    const Functions& gl = s.gl;
+    const KeptState keep(gl);
+    gl.ActiveTexture(GL_TEXTURE0 + caustics_unit);
+    const bool is_first = s.caustics.name() == 0;
+    if (is_first) s.caustics = Texture(gl);
+    gl.BindTexture(GL_TEXTURE_2D, s.caustics.name());
+    if (is_first) {
+        gl.TexStorage2D(GL_TEXTURE_2D, Caustics::levels, GL_R16F, Caustics::side, Caustics::side);
+        gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+        gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+        gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_REPEAT);
+        gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_REPEAT);
+    }
+    gl.PixelStorei(GL_UNPACK_ALIGNMENT, 2);
+    const std::uint16_t* halves = caustics.halves.data();
+    for (int level = 0; level < Caustics::levels; ++level) {
+        const int side = Caustics::side >> level;
+        gl.TexSubImage2D(GL_TEXTURE_2D, level, 0, 0, side, side, GL_RED, GL_HALF_FLOAT, halves);
+        halves += side * side;
+    }
+    s.caustic_facts = {caustics.lattice.side_m, caustics.lattice.cosine, caustics.lattice.sine,
+                       caustics.options.depth_m};
+}
 
 void SeaRenderer::upload(const Frame& frame) {
     const Stopwatch all;
@@ -158,11 +232,13 @@ const DrawFigures& SeaRenderer::draw(const DrawInput& input) {
     assert(!s.facts.tiles.empty() && "upload() a frame first");
     const KeptState keep(gl);
     DrawFigures& figures = s.figures;
-    figures.sea_calls = figures.sky_calls = 0;
+    figures.sea_calls = figures.sky_calls = figures.floor_calls = 0;
     figures.triangles = 0;
     figures.draw_driver_ms = 0;
 
-    const SceneBlock block = scene_block_of(input, s.facts, s.water, s.light);
+    SceneBlock block = scene_block_of(input, s.facts, s.water, s.light);
+    place_below(block, input, s.facts, s.floor_facts, s.caustic_facts);
+    s.lens_is_wet = block.lens.w > 0;
     gl.BindBuffer(GL_UNIFORM_BUFFER, s.scene.name());
     gl.BufferData(GL_UNIFORM_BUFFER, sizeof(block), &block, GL_STREAM_DRAW);
     gl.BindBufferBase(GL_UNIFORM_BUFFER, 0, s.scene.name());

@@ -48,7 +48,7 @@ TEST(Shaders, AreGlslInEveryVariant) {
                     all.push_back(files);
     for (const char* pass : {"bloom_down.frag.glsl", "bloom_up.frag.glsl", "display.frag.glsl", "meter.frag.glsl"})
         all.push_back({"screen.vert.glsl", pass, ""});
-    ASSERT_EQ(all.size(), 77u);
+    ASSERT_EQ(all.size(), 95u);
     for (const gl::ProgramFiles& files : all)
         EXPECT_EQ(refusal_of(files), "") << files.vertex << ", " << files.fragment << "\n" << files.defines;
 }

@@ -107,7 +107,7 @@ std::map<std::string, std::vector<GLfloat>> state_of(const gl::Functions& gl) {
     state["uniform block 0"] = {GLfloat(buffer), GLfloat(start), GLfloat(size)};
     GLint unit = 0;
     gl.GetIntegerv(GL_ACTIVE_TEXTURE, &unit);
-    for (GLuint i = 0; i < 6; ++i) {
+    for (GLuint i = 0; i < 8; ++i) {
         gl.ActiveTexture(GL_TEXTURE0 + i);
         for (const GLenum name :
              {GL_TEXTURE_BINDING_2D, GL_TEXTURE_BINDING_2D_ARRAY, GL_TEXTURE_BINDING_CUBE_MAP, GL_SAMPLER_BINDING}) {
@@ -142,7 +142,7 @@ class NastyHost {
         gl.BindBuffer(GL_PIXEL_UNPACK_BUFFER, small_.name());
         gl.BufferData(GL_PIXEL_UNPACK_BUFFER, 16, nullptr, GL_STATIC_DRAW);
         gl.UseProgram(program_.name());
-        for (GLuint unit = 0; unit < 6; ++unit) {
+        for (GLuint unit = 0; unit < 8; ++unit) {
             gl.ActiveTexture(GL_TEXTURE0 + unit);
             gl.BindTexture(GL_TEXTURE_2D, texture_.name());
             gl.BindTexture(GL_TEXTURE_2D_ARRAY, layers_.name());

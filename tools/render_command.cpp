@@ -14,6 +14,7 @@
 #include "pelagic/gl/sea_renderer.hpp"
 #include "pelagic/gl/sky_panorama.hpp"
 #include "pelagic/gl/stopwatch.hpp"
+#include "pelagic/gl/water_at_lens.hpp"
 #include "pelagic/quadtree/selection.hpp"
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/tools/image_writer.hpp"
@@ -58,6 +59,7 @@ class PictureMaker {
         : options_(options),
           ocean_(options.scene.sea.sea, {.executor = make_default_executor(options.scene.compute.threads),
                                          .isa = options.scene.compute.isa,
+                                         .queries = true,
                                          .slopes = true}),
           target_(context_.functions(), options.scene.width, options.scene.height, samples_a_pixel,
                   options.wireframe ? gl::PixelKind::screen : gl::PixelKind::radiance),
@@ -67,8 +69,10 @@ class PictureMaker {
                                            .shading = options.scene.shading,
                                            .writes = gl::PixelKind::radiance}),
           selection_(options.scene.quadtree),
-          luminance_of_unit_(sky.luminance_of_unit()) {
+          luminance_of_unit_(sky.luminance_of_unit()),
+          caustics_(make_default_executor(options.scene.compute.threads)) {
         renderer_.set_water(options.scene.water);
+        renderer_.set_floor(options.scene.floor);
         renderer_.set_sky(sky);
         eyes_ = eyes_in(options.scene.width, options.scene.height);
         for (const gl::Eye& eye : eyes_) views_.push_back(eye.clip_from_world);
@@ -151,13 +155,20 @@ class PictureMaker {
         functions.ClearColor(0.004f, 0.008f, 0.016f, 1);
         functions.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         renderer_.upload(frame);
-        return renderer_.draw({.eyes = eyes,
-                               .viewer_m = options_.scene.camera.position_m,
-                               .list = &list,
-                               .lod_scale = options_.scene.quadtree.lod_scale,
-                               .mode = options_.wireframe ? gl::DrawMode::wireframe : gl::DrawMode::shaded,
-                               .exposure = exposure(),
-                               .weighs_samples = weighs_samples});
+        if (gl::shows_caustics(options_.scene.floor, frame, options_.scene.camera.position_m)) {
+            caustics_.schedule(frame, {.depth_m = gl::caustics_depth_m(options_.scene.floor, frame.sea.depth_m),
+                                       .sun = gl::sun_direction(options_.scene.sky)});
+            renderer_.set_caustics(caustics_.complete());
+        }
+        return renderer_.draw(
+            {.eyes = eyes,
+             .viewer_m = options_.scene.camera.position_m,
+             .list = &list,
+             .lod_scale = options_.scene.quadtree.lod_scale,
+             .mode = options_.wireframe ? gl::DrawMode::wireframe : gl::DrawMode::shaded,
+             .exposure = exposure(),
+             .weighs_samples = weighs_samples,
+             .water_at_lens = gl::water_at_lens(SurfaceQuery(frame), options_.scene.camera.position_m)});
     }
 
     void note(const gl::DrawFigures& figures) {
@@ -204,6 +215,7 @@ class PictureMaker {
     std::optional<gl::Display> display_;  ///< none for a wireframe, or without --out
     std::optional<gl::RenderTarget> screen_;
     float luminance_of_unit_, ev_ = 15;
+    gl::CausticsBaker caustics_;
     std::vector<std::uint8_t> pixels_;
     std::vector<float> radiance_;
     std::vector<gl::Eye> eyes_;

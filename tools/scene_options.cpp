@@ -90,6 +90,7 @@ void SceneFlags::add_to(CLI::App& app) {
         "what is in view");
     add("exposure-bias", "STOPS", "brighter than metered, [-5, 5]; default 0");
     add("bloom", "PART", "of each pixel's light that the lens spreads around it, [0, 1]; default 0.04");
+    floor_.add_to(app);
     sea_.add_to(app);
     compute_.add_to(app);
 }
@@ -118,6 +119,7 @@ SceneOptions SceneFlags::resolve() const {
     options.compute = compute_.resolve();
     options.camera = chosen_camera(camera_, options.sea.sea);
     options.sky = usual_sky(options.sea.sea);
+    options.floor = floor_.resolve();
 
     const auto given = [&](const char* flag, auto use) {
         if (const auto& text = typed_.at(flag)) use("--" + std::string(flag), *text);

@@ -14,6 +14,7 @@
 #include "pelagic/quadtree/quadtree_options.hpp"
 #include "pelagic/tools/camera_options.hpp"
 #include "pelagic/tools/export_options.hpp"
+#include "pelagic/tools/floor_options.hpp"
 
 namespace pelagic::tools {
 
@@ -26,6 +27,7 @@ struct SceneOptions {
     gl::WaterOptics water;
     gl::Shading shading = gl::Shading::high;
     gl::CameraSettings settings;
+    gl::SeaFloor floor;
     std::string quality;
     QuadtreeOptions quadtree;
 };
@@ -42,6 +44,7 @@ class SceneFlags {
     SeaOptions sea_;
     ComputeFlags compute_;
     CameraFlags camera_;
+    FloorFlags floor_;
     std::map<std::string, std::optional<std::string>> typed_;  ///< by flag name, where it was given
 };
 

@@ -72,6 +72,7 @@ class Viewer {
           shown_sea_(settings_.sea),
           baker_(make_default_executor(options.threads), sky_face_size),
           shown_sky_(settings_.sky),
+          caustics_(make_default_executor(options.threads)),
           camera_(options.camera) {
         baker_.schedule(settings_.sky);
         fill_ocean();
@@ -152,10 +153,12 @@ class Viewer {
 
     /// An ocean has its number of tiles for life.
     void fill_ocean() {
+        take_caustics();  // they read the ocean that goes
         shown_sea_ = settings_.sea;
-        ocean_.emplace(
-            shown_sea_,
-            OceanOptions{.executor = make_default_executor(options_.threads), .trace = stage_times_, .slopes = true});
+        ocean_.emplace(shown_sea_, OceanOptions{.executor = make_default_executor(options_.threads),
+                                                .trace = stage_times_,
+                                                .queries = true,
+                                                .slopes = true});
         stage_times_->follow(ocean_->graph());
         ocean_->schedule(time_s_);
     }
@@ -170,6 +173,7 @@ class Viewer {
                                                      .tiles = ocean_->tile_count(),
                                                      .shading = settings_.shading});
         renderer_->set_water(settings_.water);
+        renderer_->set_floor(options_.floor);
         if (!figures_.sky_is_baking && frames_ > 0) renderer_->set_sky(baker_.complete());
     }
 
@@ -181,12 +185,29 @@ class Viewer {
             ocean_->complete_sea();
             figures_.sea_is_baking = false;
         }
+        // They read the frame before this one, whose views end with the next schedule().
+        take_caustics();
         ocean_->schedule(time_s_);
         return frame;
     }
 
+    void take_caustics() {
+        if (!caustics_are_baking_) return;
+        renderer_->set_caustics(caustics_.complete());
+        caustics_are_baking_ = false;
+    }
+
+    /// Every second frame: while the next two are made.
+    void start_caustics(const Frame& frame) {
+        if (frames_ % 2 == 1 || !gl::shows_caustics(options_.floor, frame, camera_.camera().position_m)) return;
+        caustics_.schedule(frame, {.depth_m = gl::caustics_depth_m(options_.floor, frame.sea.depth_m),
+                                   .sun = gl::sun_direction(shown_sky_)});
+        caustics_are_baking_ = true;
+    }
+
     void draw_frame() {
         const Frame& frame = next_frame();
+        start_caustics(frame);
         shown_time_s_ = frame.time_s;
         figures_.tile_sides_m.clear();
         for (const Tile& tile : frame.tiles) figures_.tile_sides_m.push_back(tile.lattice.side_m);
@@ -213,7 +234,8 @@ class Viewer {
                              .list = &list,
                              .lod_scale = selection_->options().lod_scale,
                              .more_foam = settings_.more_foam,
-                             .mode = settings_.wireframe ? gl::DrawMode::wireframe : gl::DrawMode::shaded});
+                             .mode = settings_.wireframe ? gl::DrawMode::wireframe : gl::DrawMode::shaded,
+                             .water_at_lens = gl::water_at_lens(SurfaceQuery(frame), camera.position_m)});
         figures_.upload_ms = drawn.upload_ms - drawn.upload_driver_ms;
         figures_.draw_ms = drawn.draw_ms - drawn.draw_driver_ms;
         figures_.draw_calls = drawn.sea_calls + drawn.sky_calls;
@@ -250,6 +272,8 @@ class Viewer {
     SeaState shown_sea_;
     gl::SkyBaker baker_;
     gl::SkyOptions shown_sky_;
+    gl::CausticsBaker caustics_;
+    bool caustics_are_baking_ = false;
     ViewCamera camera_;
     std::string quality_;
     std::optional<Selection> selection_;

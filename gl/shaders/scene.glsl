@@ -32,7 +32,7 @@ layout(std140) uniform Scene {
     highp vec4 tile_slope[4];     // x: what slopes count in; y: variances; z: variance of all its waves, of both axes;
                                   // w: its Jacobian below which foam begins
     highp vec4 tile_noise[4];     // xy: the viewer's place in the noise that tells its copies apart; z: the tile's side over the noise's
-    highp vec4 viewer;            // z: height above rest
+    highp vec4 viewer;            // x: 1 if the sky is drawn, where the lens is in the air; z: height above rest
     highp vec4 grid;              // xy: the grid's corner; z: metres a step; w: V
     highp vec4 fade;              // xy: fade centre; z: fade end; w: 1 / (fade end - fade start)
     highp vec4 mesh;              // x: spacing of vertices for each metre of distance; y: finest spacing; z: last mip
@@ -54,6 +54,16 @@ layout(std140) uniform Scene {
     highp vec4 foam_trail;        // x: the tile whose crests leave foam behind; y: how far the sum of
                                   // tiles folds where foam begins, over the root of the sum of their squares; zw: from one look down the wind to the next,
                                   // texture coordinates
+    highp vec4 lens;              // the surface around the lens, relative to the viewer: y = lens.x + dot(lens.yz, xz); w: how
+                                  // far ahead of the eye the near plane lies, 0 where all of the lens is in the air
+    highp vec4 floor_place;       // xy: texture coordinates of the viewer's place; zw: the same a metre, 0 for a plane
+    highp vec4 floor_size;        // xy: metres along x and z; zw: where its corner is, from the viewer
+    highp vec4 floor_mesh;        // xy: cells along x and z; zw: where the viewer is in a square of 64 m
+    highp vec4 floor_look;        // x: height of a plane; y: up to where sand is wet, metres above rest; z: radians a
+                                  // pixel; w: 1 for sand, 0 for an even albedo
+    highp vec4 floor_albedo;      // w: 1 if the floor may be seen from above
+    highp vec4 caustic_place;     // as tile_place, of the caustics' texture; zw: 0 if there is none
+    highp vec4 caustic_row[3];    // xy: radians a metre; z: phase at the viewer; w of the first: depth of the focus
     highp vec4 output_kind;       // x: 1 if the shader encodes sRGB, 0 if the framebuffer does; y: 1 if radiance is asked for;
                                   // z: the exposure by which samples of radiance are weighted, or 0; w: luminance of a radiance
                                   // of 1, cd/m^2

@@ -44,6 +44,17 @@ vec3 displaced(ivec2 index) {
     return moved * left;
 }
 
+// Around a lens near the water the mesh is the plane that the lens is told of, or its edge would stand beside the line in the
+// picture: between vertices a mesh is not the surface that queries know.
+vec3 as_at_lens(vec3 at) {
+    if (lens.w <= 0.0) return at;
+    vec3 from_eye = at - eye[EYE].xyz;
+    float near = 1.0 - smoothstep(0.4, 1.2, abs(eye[EYE].y - lens.x - dot(lens.yz, eye[EYE].xz)));
+    float inner = 0.3 + 2.0 * mesh.y;
+    float weight = near * (1.0 - smoothstep(inner, 3.0 * inner, length(from_eye.xz)));
+    return vec3(at.x, mix(at.y, lens.x + dot(lens.yz, at.xz), weight), at.z);
+}
+
 void main() {
     int last = int(grid.w);
     ivec2 ij = ivec2(vertex);
@@ -70,7 +81,7 @@ void main() {
     vec4 texel = textureLod(slopes, vec3(place_in_tile(0, rest), 0.0), mip) * (255.0 / 127.0) - 128.0 / 127.0;
     coarsest = texel * (tile_slope[0].x * weight_of_tile(0, mip));
 #endif
-    place = vec4(rest.x + moved.x, moved.y - viewer.z, rest.y + moved.z, 1.0);
+    place = vec4(as_at_lens(vec3(rest.x + moved.x, moved.y - viewer.z, rest.y + moved.z)), 1.0);
     patch_level = int(level.x);
     gl_Position = clip_from_viewer[EYE] * place;
 }
