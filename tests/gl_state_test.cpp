@@ -132,7 +132,7 @@ class NastyHost {
           cube_(gl),
           array_(gl),
           sampler_(gl),
-          program_(gl, "sky.vert.glsl", "sky.frag.glsl") {
+          program_(gl, "sky.vert.glsl", "sky.frag.glsl", "#define TILES 1\n#define SHADING 2\n") {
         gl.BindVertexArray(array_.name());
         gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, small_.name());
         gl.BindBuffer(GL_ARRAY_BUFFER, buffer_.name());
