@@ -26,7 +26,7 @@ namespace pelagic::gl {
     X(GetShaderInfoLog) X(GetShaderiv) X(GetString) X(GetStringi) X(GetUniformBlockIndex)                       \
     X(GetUniformLocation) X(IsEnabled) X(LinkProgram) X(MapBufferRange) X(PixelStorei) X(PolygonOffset)         \
     X(ReadPixels) X(RenderbufferStorageMultisample) X(Scissor) X(ShaderSource) X(TexParameteri)                 \
-    X(TexStorage2D) X(TexStorage3D) X(TexSubImage2D) X(TexSubImage3D) X(Uniform1f) X(Uniform1i)                 \
+    X(TexStorage2D) X(TexStorage3D) X(TexSubImage2D) X(TexSubImage3D) X(Uniform1f) X(Uniform1i) X(Uniform4f)    \
     X(UniformBlockBinding) X(UnmapBuffer) X(UseProgram) X(VertexAttribDivisor) X(VertexAttribIPointer)          \
     X(VertexAttribPointer) X(Viewport)
 // clang-format on

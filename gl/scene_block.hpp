@@ -9,6 +9,8 @@
 #include <glm/vec4.hpp>
 #include <vector>
 
+#include "pelagic/gl/exposure.hpp"
+#include "pelagic/gl/water_optics.hpp"
 #include "pelagic/sim/frame.hpp"
 
 namespace pelagic::gl {
@@ -19,12 +21,12 @@ inline constexpr std::size_t most_tiles = 4;
 struct SceneBlock {
     std::array<glm::mat4, 2> clip_from_viewer{}, viewer_from_clip{};
     std::array<glm::vec4, 2> eye{};
-    std::array<glm::vec4, most_tiles> tile_place{}, tile_scale{}, tile_slope{};
+    std::array<glm::vec4, most_tiles> tile_place{}, tile_scale{}, tile_slope{}, tile_noise{};
     glm::vec4 viewer{}, grid{}, fade{}, mesh{}, skirt{};
     glm::vec4 sun{}, sun_irradiance{}, sky_irradiance{}, haze{};
-    glm::vec4 water_absorption{}, water_scattering{}, waves{};
+    glm::vec4 water_absorption{}, water_backscattering{}, water_scattering{}, waves{};
     std::array<glm::vec4, 2> detail_turn{};
-    glm::vec4 detail_shift{}, second_shift{}, noise_scale{}, foam_shift{}, gust_shift{}, foam_trail{};
+    glm::vec4 detail_shift{}, noise_scale{}, foam_shift{}, gust_shift{}, foam_trail{};
     // Below the surface.
     glm::vec4 lens{}, floor_place{}, floor_size{}, floor_mesh{}, floor_look{}, floor_albedo{}, caustic_place{};
     std::array<glm::vec4, 3> caustic_row{};
@@ -60,6 +62,7 @@ struct SkyLight {
     int levels = 1;
     glm::vec3 sun_direction{0, 1, 0}, sun_irradiance{1}, sky_irradiance{1}, haze_per_m{0};
     float exposure = 1;
+    float luminance_of_unit = sun_illuminance_lx;  ///< cd/m^2 that a radiance of 1 stands for
 };
 
 /// Of the frame alone.
@@ -84,9 +87,9 @@ struct CausticFacts {
 glm::ivec2 floor_cells(const FloorFacts& floor);
 
 struct DrawInput;
+SceneBlock scene_block_of(const DrawInput& input, const SeaFacts& sea, const WaterOptics& water, const SkyLight& sky);
 /// Adds what the shaders are told of what lies below the surface.
 void place_below(SceneBlock& block, const DrawInput& input, const SeaFacts& sea, const FloorFacts& floor,
                  const CausticFacts& caustics);
-SceneBlock scene_block_of(const DrawInput& input, const SeaFacts& sea, const SkyLight& sky);
 
 }  // namespace pelagic::gl

@@ -2,9 +2,10 @@
 
 namespace pelagic::gl {
 
-std::array<ProgramFiles, 5> sea_program_files(bool multiview, std::size_t tiles) {
-    const std::string defines =
-        "#define TILES " + std::to_string(tiles) + (multiview ? "\n#define MULTIVIEW\n" : "\n");
+std::array<ProgramFiles, 5> sea_program_files(bool multiview, std::size_t tiles, Shading shading) {
+    const std::string defines = "#define TILES " + std::to_string(tiles) + "\n#define SHADING " +
+                                std::to_string(static_cast<int>(shading)) +
+                                (multiview ? "\n#define MULTIVIEW\n" : "\n");
     return {{{"sea.vert.glsl", "sea.frag.glsl", defines},
              {"skirt.vert.glsl", "sea.frag.glsl", defines + "#define SKIRT\n"},
              {"sky.vert.glsl", "sky.frag.glsl", defines},
@@ -32,8 +33,8 @@ void SeaProgram::use(const Functions& gl, int eye) const {
     if (eye_index >= 0) gl.Uniform1i(eye_index, eye);
 }
 
-SeaPrograms::SeaPrograms(const Functions& gl, bool multiview, std::size_t tiles) {
-    const std::array<ProgramFiles, 5> files = sea_program_files(multiview, tiles);
+SeaPrograms::SeaPrograms(const Functions& gl, bool multiview, std::size_t tiles, Shading shading) {
+    const std::array<ProgramFiles, 5> files = sea_program_files(multiview, tiles, shading);
     SeaProgram* const programs[] = {&patches, &skirt, &background, &wireframe, &floor};
     for (std::size_t i = 0; i < files.size(); ++i) *programs[i] = SeaProgram(gl, files[i]);
 }

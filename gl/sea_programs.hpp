@@ -5,6 +5,7 @@
 #include <string>
 
 #include "pelagic/gl/program.hpp"
+#include "pelagic/gl/shading.hpp"
 
 namespace pelagic::gl {
 
@@ -18,7 +19,7 @@ struct ProgramFiles {
 };
 
 /// For patches, skirt, background, wireframe and floor, in this order, of a sea with so many tiles.
-std::array<ProgramFiles, 5> sea_program_files(bool multiview, std::size_t tiles);
+std::array<ProgramFiles, 5> sea_program_files(bool multiview, std::size_t tiles, Shading shading);
 
 struct SeaProgram {
     SeaProgram() = default;
@@ -32,7 +33,7 @@ struct SeaProgram {
 
 struct SeaPrograms {
     /// Throws GlError if the driver refuses a shader. Leaves one of them in use.
-    SeaPrograms(const Functions& gl, bool multiview, std::size_t tiles);
+    SeaPrograms(const Functions& gl, bool multiview, std::size_t tiles, Shading shading);
 
     SeaProgram patches, skirt, background, wireframe, floor;
 };

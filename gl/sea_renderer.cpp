@@ -40,7 +40,7 @@ struct SeaRenderer::State {
     State(const Functions& functions, const RendererOptions& wanted)
         : gl(functions), options(checked(wanted)), textures(functions, wanted.resolution, wanted.tiles) {
         const KeptState keep(gl);
-        programs = std::make_unique<SeaPrograms>(gl, options.multiview, options.tiles);
+        programs = std::make_unique<SeaPrograms>(gl, options.multiview, options.tiles, options.shading);
         buffers = std::make_unique<PatchBuffers>(gl, options.patch_vertices);
         detail = make_detail_texture(gl);
         empty = VertexArray(gl);
@@ -122,6 +122,7 @@ struct SeaRenderer::State {
     bool lens_is_wet = false;
     int sky_face_size = 0;
     SkyLight light;
+    WaterOptics water = water_optics(default_jerlov_type);
     VertexArray empty;
     Buffer scene;
     DrawFigures figures;
@@ -148,9 +149,11 @@ void SeaRenderer::set_sky(const Sky& sky) {
             gl.TexSubImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(face), level, 0, 0,
                              sky.face_size >> level, sky.face_size >> level, GL_RGBA, GL_HALF_FLOAT,
                              sky.face(level, face).data());
-    s.light = {sky.levels, sky.sun_direction, sky.sun_irradiance, sky.sky_irradiance, sky.haze_per_m, sky.exposure};
+    s.light = {sky.levels,     sky.sun_direction, sky.sun_irradiance,     sky.sky_irradiance,
+               sky.haze_per_m, sky.exposure,      sky.luminance_of_unit()};
 }
 
+void SeaRenderer::set_water(const WaterOptics& water) { state_->water = water; }
 void SeaRenderer::set_floor(const SeaFloor& floor) {
     if (const std::string reason = check(floor); !reason.empty()) throw std::invalid_argument(reason);
     State& s = *state_;
@@ -233,7 +236,7 @@ const DrawFigures& SeaRenderer::draw(const DrawInput& input) {
     figures.triangles = 0;
     figures.draw_driver_ms = 0;
 
-    SceneBlock block = scene_block_of(input, s.facts, s.light);
+    SceneBlock block = scene_block_of(input, s.facts, s.water, s.light);
     place_below(block, input, s.facts, s.floor_facts, s.caustic_facts);
     s.lens_is_wet = block.lens.w > 0;
     gl.BindBuffer(GL_UNIFORM_BUFFER, s.scene.name());

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "pelagic/gl/exposure.hpp"
+
 namespace pelagic::gl {
 
 struct SkyOptions {
@@ -34,8 +36,11 @@ struct Sky {
     glm::vec3 sun_irradiance{0};  ///< across its rays at the sea, through air, haze and the clouds before it
     glm::vec3 sky_irradiance{0};  ///< on a level plane, the sun's disc not counted
     glm::vec3 haze_per_m{0};      ///< extinction along the sea
+    float unit = 1;               ///< the radiance that a value of 1 stands for: 1 by day, less at night
     float exposure = 1;           ///< makes a picture under this sky neither dark nor bright
 
+    /// Of a radiance of 1, cd/m^2.
+    float luminance_of_unit() const { return sun_illuminance_lx * unit; }
     std::span<const std::uint16_t> face(int level, int face) const;
 };
 

@@ -110,6 +110,45 @@ TEST(RenderCommand, PrintsItsFiguresAndNumbersItsPictures) {
     EXPECT_EQ(read_picture(folder / "sea_0001.png").spec().height, 48);
 }
 
+/// A view, and the same with more of the sky's bright and dark parts on either side.
+std::vector<OIIO::ImageBuf> narrow_and_wide(const std::filesystem::path& folder, const std::string& exposure) {
+    std::vector<OIIO::ImageBuf> pictures;
+    for (const std::string size : {"64x96", "256x96"}) {
+        const std::filesystem::path file = folder / (size + exposure + ".png");
+        const Outcome run = run_pelagic({"render", "--resolution", "32", "--quality", "low", "--size", size, "--sun",
+                                         "80,12", "--bloom", "0", "--exposure", exposure, "--out", file.string()});
+        EXPECT_EQ(run.exit_code, 0) << run.err;
+        pictures.push_back(read_picture(file));
+    }
+    // The middle of the wide one is the narrow one: its rows are as high.
+    pictures[1] = OIIO::ImageBufAlgo::cut(pictures[1], {96, 160, 0, 96});
+    return pictures;
+}
+
+TEST(RenderCommand, AFixedExposureDoesNotLookAtTheView) {
+    const TemporaryFolder folder;
+    // Fewer patches are drawn in the narrow view, from other places of the same buffers: roundings, a step at most.
+    const auto fixed = narrow_and_wide(folder.path(), "14");
+    EXPECT_LT(difference(fixed[0], fixed[1]), 0.5);
+    const auto metered = narrow_and_wide(folder.path(), "auto");
+    EXPECT_GT(difference(metered[0], metered[1]), 3);
+}
+
+// Pictures of one film are made by several runs, each from its own frame on.
+TEST(RenderCommand, APictureOfAFilmIsTheSameWhereverTheRunBegan) {
+    const TemporaryFolder folder;
+    const std::vector<std::string> scene = {"render", "--resolution", "32",    "--quality", "low",
+                                            "--size", "64x48",        "--fps", "2"};
+    const auto with = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), scene.begin(), scene.end());
+        const Outcome run = run_pelagic(more);
+        EXPECT_EQ(run.exit_code, 0) << run.err;
+    };
+    with({"--frames", "2", "--time", "3", "--out", (folder / "film.png").string()});
+    with({"--time", "3.5", "--out", (folder / "second.png").string()});
+    EXPECT_EQ(read_file(folder / "film_0001.png"), read_file(folder / "second.png"));
+}
+
 TEST(RenderCommand, NamesOptionValueAndRange) {
     const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
         {{"--out", "a.jpg"}, "pelagic: --out is a.jpg, needs a file named *.png\n"},
@@ -129,7 +168,18 @@ TEST(RenderCommand, NamesOptionValueAndRange) {
          "pelagic: --floor-heights is 0,1, needs a PNG: an EXR holds metres\n"},
         {{"--out", "a.png", "--floor", "a.png", "--floor-heights", "3,-1"},
          "pelagic: --floor-heights is 3,-1, needs LOW,HIGH in metres above rest, -11000 <= LOW < HIGH <= 9000\n"},
-        {{}, "pelagic: --out is missing, needs a PNG file to write\n"},
+        {{"--out", "a.png", "--exposure", "21"},
+         "pelagic: --exposure is 21, needs auto, or an exposure value in [-10, 20]\n"},
+        {{"--out", "a.png", "--exposure-bias", "6"}, "pelagic: --exposure-bias is 6, needs stops in [-5, 5]\n"},
+        {{"--out", "a.png", "--bloom", "-1"}, "pelagic: --bloom is -1, needs a part in [0, 1]\n"},
+        {{}, "pelagic: --out is missing, needs a PNG file to write; or give --hdr or --sky, an EXR file\n"},
+        {{"--hdr", "a.png"}, "pelagic: --hdr is a.png, needs a file named *.exr\n"},
+        {{"--sky", "a%d.exr"},
+         "pelagic: --sky is a%d.exr, needs a name without %: with --frames, FILE.exr becomes FILE_0000.exr and so "
+         "on\n"},
+        {{"--hdr", "a.exr", "--sky", "a.exr"}, "pelagic: --sky is a.exr, needs another file than --hdr\n"},
+        {{"--hdr", "a.exr", "--wireframe"},
+         "pelagic: --hdr is a.exr, needs a sea without --wireframe, whose colours are no radiance\n"},
     };
     for (const auto& [arguments, line] : cases) {
         std::vector<std::string> words = {"render"};

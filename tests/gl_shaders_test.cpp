@@ -43,14 +43,18 @@ TEST(Shaders, AreGlslInEveryVariant) {
     std::vector<gl::ProgramFiles> all = {{"panel.vert.glsl", "panel.frag.glsl", ""}};
     for (const std::size_t tiles : {1, 2, 4})
         for (const bool multiview : {false, true})
-            for (const gl::ProgramFiles& files : gl::sea_program_files(multiview, tiles)) all.push_back(files);
-    ASSERT_EQ(all.size(), 31u);
+            for (const gl::Shading shading : {gl::Shading::headset, gl::Shading::medium, gl::Shading::high})
+                for (const gl::ProgramFiles& files : gl::sea_program_files(multiview, tiles, shading))
+                    all.push_back(files);
+    for (const char* pass : {"bloom_down.frag.glsl", "bloom_up.frag.glsl", "display.frag.glsl", "meter.frag.glsl"})
+        all.push_back({"screen.vert.glsl", pass, ""});
+    ASSERT_EQ(all.size(), 95u);
     for (const gl::ProgramFiles& files : all)
         EXPECT_EQ(refusal_of(files), "") << files.vertex << ", " << files.fragment << "\n" << files.defines;
 }
 
 TEST(Shaders, OfHeadsetsTakeBothEyesInOnePass) {
-    for (const gl::ProgramFiles& files : gl::sea_program_files(true, 4)) {
+    for (const gl::ProgramFiles& files : gl::sea_program_files(true, 4, gl::Shading::headset)) {
         EXPECT_NE(gl::shader_source(files.vertex, files.defines).find("num_views = 2"), std::string::npos);
         EXPECT_NE(gl::shader_source(files.vertex, files.defines).find("gl_ViewID_OVR"), std::string::npos);
     }
@@ -58,9 +62,10 @@ TEST(Shaders, OfHeadsetsTakeBothEyesInOnePass) {
 
 // The check itself: a compiler that takes everything would prove nothing.
 TEST(Shaders, WithAMistakeAreRefused) {
-    EXPECT_NE(refusal_of({"sea.vert.glsl", "sea.frag.glsl",
-                          "#define TILES 1\n#define MULTIVIEW\n#define gl_ViewID_OVR eye_of_nobody\n"}),
-              "");
+    EXPECT_NE(
+        refusal_of({"sea.vert.glsl", "sea.frag.glsl",
+                    "#define TILES 1\n#define SHADING 2\n#define MULTIVIEW\n#define gl_ViewID_OVR eye_of_nobody\n"}),
+        "");
 }
 
 }  // namespace

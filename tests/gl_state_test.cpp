@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "pelagic/gl/display.hpp"
+#include "pelagic/gl/light_meter.hpp"
 #include "pelagic/gl/program.hpp"
 #include "pelagic/tests/gl_scene.hpp"
 
@@ -66,6 +68,11 @@ constexpr std::array integers = {GL_CURRENT_PROGRAM,
                                  GL_UNPACK_SKIP_PIXELS,
                                  GL_UNPACK_SKIP_ROWS,
                                  GL_UNPACK_SKIP_IMAGES,
+                                 GL_PIXEL_PACK_BUFFER_BINDING,
+                                 GL_PACK_ALIGNMENT,
+                                 GL_PACK_ROW_LENGTH,
+                                 GL_PACK_SKIP_PIXELS,
+                                 GL_PACK_SKIP_ROWS,
                                  GL_CULL_FACE_MODE,
                                  GL_FRONT_FACE,
                                  GL_DEPTH_FUNC,
@@ -126,7 +133,7 @@ class NastyHost {
           cube_(gl),
           array_(gl),
           sampler_(gl),
-          program_(gl, "sky.vert.glsl", "sky.frag.glsl") {
+          program_(gl, "panel.vert.glsl", "panel.frag.glsl") {
         gl.BindVertexArray(array_.name());
         gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, small_.name());
         gl.BindBuffer(GL_ARRAY_BUFFER, buffer_.name());
@@ -150,6 +157,11 @@ class NastyHost {
         gl.PixelStorei(GL_UNPACK_SKIP_PIXELS, 3);
         gl.PixelStorei(GL_UNPACK_SKIP_ROWS, 5);
         gl.PixelStorei(GL_UNPACK_SKIP_IMAGES, 2);
+        gl.BindBuffer(GL_PIXEL_PACK_BUFFER, small_.name());
+        gl.PixelStorei(GL_PACK_ALIGNMENT, 8);
+        gl.PixelStorei(GL_PACK_ROW_LENGTH, 1'000'000);
+        gl.PixelStorei(GL_PACK_SKIP_PIXELS, 3);
+        gl.PixelStorei(GL_PACK_SKIP_ROWS, 5);
         loaded<void(GLenum)>("glCullFace")(GL_FRONT_AND_BACK);
         loaded<void(GLenum)>("glFrontFace")(GL_CW);
         loaded<void(GLenum, GLenum)>("glBlendFunc")(GL_ZERO, GL_ONE);
@@ -186,6 +198,14 @@ struct Look {
     std::optional<gl::WaterAtLens> water_at_lens = {};
 };
 
+/// Into the first bytes, whatever the host's packing is.
+void read_target(const gl::Functions& gl, std::vector<std::uint8_t>& pixels) {
+    gl.BindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+    for (const GLenum name : {GL_PACK_ROW_LENGTH, GL_PACK_SKIP_PIXELS, GL_PACK_SKIP_ROWS}) gl.PixelStorei(name, 0);
+    gl.ReadPixels(0, 0, side, side, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+    EXPECT_EQ(gl.GetError(), static_cast<GLenum>(GL_NO_ERROR));
+}
+
 /// A renderer's whole life in one context. \param after_each_call  named
 template <class Check>
 std::vector<std::uint8_t> picture(const gl::Functions& gl, const Frame& frame, const Look& look,
@@ -219,8 +239,7 @@ std::vector<std::uint8_t> picture(const gl::Functions& gl, const Frame& frame, c
                    .water_at_lens = look.water_at_lens});
     after_each_call("draw");
     std::vector<std::uint8_t> pixels(std::size_t{4} * side * side);
-    gl.ReadPixels(0, 0, side, side, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
-    EXPECT_EQ(gl.GetError(), static_cast<GLenum>(GL_NO_ERROR));
+    read_target(gl, pixels);
     return pixels;
 }
 
@@ -245,6 +264,59 @@ TEST_P(GlState, OfAHostIsKeptAndSpoilsNoPicture) {
     const NastyHost host(gl);
     const auto before = state_of(gl);
     const auto nasty = picture(gl, frame, GetParam(), [&](const char* call) {
+        const auto after = state_of(gl);
+        for (const auto& [name, values] : before) EXPECT_EQ(after.at(name), values) << name << " after " << call;
+    });
+    EXPECT_EQ(nasty, clean);
+    host.set_switches(false);
+}
+
+TEST(GlStateOfDisplay, OfAHostIsKeptAndSpoilsNoPicture) {
+    const auto picture_of = [](const gl::Functions& gl, const gl::TexturePart& part, auto check) {
+        gl::Display display(gl);
+        check("display's constructor");
+        gl::LightMeter meter(gl);
+        check("meter's constructor");
+        std::vector<std::uint8_t> pixels(std::size_t{4} * side * side);
+        for (const gl::MeteredCell& cell : meter.measure(part))
+            pixels.push_back(static_cast<std::uint8_t>(50 + 10 * cell.mean_of_log2));
+        check("measure");
+        meter.start(part);
+        check("start");
+        gl.Finish();
+        EXPECT_TRUE(meter.finished());
+        check("finished");
+        display.show(part, {.bloom = 0.1f}, {0, 0, side, side});
+        check("show");
+        read_target(gl, pixels);
+        return pixels;
+    };
+    const auto texture_of = [](const gl::Functions& gl) {
+        gl::Texture texture(gl);
+        gl.BindTexture(GL_TEXTURE_2D, texture.name());
+        gl.TexStorage2D(GL_TEXTURE_2D, 1, GL_RGBA16F, 2, 1);
+        const float colours[] = {0.1f, 0.2f, 0.3f, 1, 3, 2, 1, 1};
+        gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 2, 1, GL_RGBA, GL_FLOAT, colours);
+        gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+        return texture;
+    };
+    gl::HeadlessContext clean_context;
+    std::vector<std::uint8_t> clean;
+    {
+        const gl::Functions& gl = clean_context.functions();
+        const gl::Texture texture = texture_of(gl);
+        const Target target(gl);
+        clean = picture_of(gl, {texture.name(), 2, 1, 2, 1}, [](const char*) {});
+    }
+    EXPECT_GT(std::set(clean.begin(), clean.end()).size(), 5u);
+
+    gl::HeadlessContext context;
+    const gl::Functions& gl = context.functions();
+    const gl::Texture texture = texture_of(gl);
+    const Target target(gl);
+    const NastyHost host(gl);
+    const auto before = state_of(gl);
+    const auto nasty = picture_of(gl, {texture.name(), 2, 1, 2, 1}, [&](const char* call) {
         const auto after = state_of(gl);
         for (const auto& [name, values] : before) EXPECT_EQ(after.at(name), values) << name << " after " << call;
     });

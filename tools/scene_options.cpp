@@ -39,6 +39,20 @@ void choose_quality(SceneOptions& options, const std::string& name) {
     options.quadtree = preset->options(size_m);
 }
 
+gl::WaterOptics chosen_water(const std::optional<std::string>& type, const std::optional<std::string>& chlorophyll) {
+    if (type && chlorophyll)
+        throw InputError(
+            "--water and --chlorophyll are both given; each says what the water is made of, needs one of them");
+    if (chlorophyll)
+        return gl::water_optics_of_chlorophyll(
+            static_cast<float>(number_in("--chlorophyll", *chlorophyll, 0.01, 30, "mg/m^3 in [0.01, 30]")));
+    const std::string name = type.value_or(std::string(gl::default_jerlov_type));
+    const std::vector<std::string> names(gl::jerlov_types().begin(), gl::jerlov_types().end());
+    if (std::ranges::find(names, name) == names.end())
+        throw bad_value("--water", name, list_of(names) + nearest_hint(name, names));
+    return gl::water_optics(name);
+}
+
 /// As typed; without a place, above the highest crests.
 Camera chosen_camera(const CameraFlags& flags, const SeaState& sea) {
     Camera camera = flags.resolve();
@@ -66,10 +80,37 @@ void SceneFlags::add_to(CLI::App& app) {
     camera_.add_to(app);
     add("sun", "AZIMUTH,ELEVATION", "degrees, from +x towards +z and [-90, 90] above the horizon; default 80,32");
     add("clouds", "PART", "of the sky, [0, 1]; default by the wind");
+    add("water", "TYPE", "of Jerlov: I, IA, IB, II, III in the ocean, 1C, 3C, 5C, 7C, 9C at coasts; default II");
+    add("chlorophyll", "MG_PER_M3", "instead of --water: what lives in the water colours it; [0.01, 30]");
+    add("shading", "TIER", "what a pixel of water may cost: headset, medium or high; default high");
     add("quality", "NAME", "level of detail: low, medium, high or ultra; default high");
+    add("exposure", "EV",
+        "exposure value at ISO 100, [-10, 20]: 15 is sunlight, 12 an overcast day, -3 moonlight; default auto, "
+        "metered on "
+        "what is in view");
+    add("exposure-bias", "STOPS", "brighter than metered, [-5, 5]; default 0");
+    add("bloom", "PART", "of each pixel's light that the lens spreads around it, [0, 1]; default 0.04");
     floor_.add_to(app);
     sea_.add_to(app);
     compute_.add_to(app);
+}
+
+void SceneFlags::read_camera_settings(gl::CameraSettings& settings) const {
+    const auto given = [&](const char* flag, auto use) {
+        if (const auto& text = typed_.at(flag)) use("--" + std::string(flag), *text);
+    };
+    given("exposure", [&](const auto& option, const auto& text) {
+        if (text == "auto") return;
+        settings.fixed_ev = static_cast<float>(number_in(option, text, double{gl::least_ev}, double{gl::most_ev},
+                                                         "auto, or an exposure value in [-10, 20]"));
+    });
+    given("exposure-bias", [&](const auto& option, const auto& text) {
+        const auto most = double{gl::most_bias_stops};
+        settings.bias_stops = static_cast<float>(number_in(option, text, -most, most, "stops in [-5, 5]"));
+    });
+    given("bloom", [&](const auto& option, const auto& text) {
+        settings.bloom = static_cast<float>(number_in(option, text, 0, 1, "a part in [0, 1]"));
+    });
 }
 
 SceneOptions SceneFlags::resolve() const {
@@ -95,6 +136,14 @@ SceneOptions SceneFlags::resolve() const {
     given("clouds", [&](const auto& option, const auto& text) {
         options.sky.cloud_cover = static_cast<float>(number_in(option, text, 0, 1, "a part in [0, 1]"));
     });
+    given("shading", [&](const auto& option, const auto& text) {
+        const std::optional<gl::Shading> shading = gl::shading_named(text);
+        const std::vector<std::string> names(gl::shading_names.begin(), gl::shading_names.end());
+        if (!shading) throw bad_value(option, text, list_of(names) + nearest_hint(text, names));
+        options.shading = *shading;
+    });
+    options.water = chosen_water(typed_.at("water"), typed_.at("chlorophyll"));
+    read_camera_settings(options.settings);
     choose_quality(options, typed_.at("quality").value_or("high"));
     return options;
 }

@@ -6,8 +6,11 @@
 #include <optional>
 #include <string>
 
+#include "pelagic/gl/exposure.hpp"
+#include "pelagic/gl/shading.hpp"
 #include "pelagic/gl/sky_baker.hpp"
 #include "pelagic/gl/views.hpp"
+#include "pelagic/gl/water_optics.hpp"
 #include "pelagic/quadtree/quadtree_options.hpp"
 #include "pelagic/tools/camera_options.hpp"
 #include "pelagic/tools/export_options.hpp"
@@ -21,6 +24,9 @@ struct SceneOptions {
     int width = 1280, height = 720;
     Camera camera;
     gl::SkyOptions sky;
+    gl::WaterOptics water;
+    gl::Shading shading = gl::Shading::high;
+    gl::CameraSettings settings;
     gl::SeaFloor floor;
     std::string quality;
     QuadtreeOptions quadtree;
@@ -33,6 +39,8 @@ class SceneFlags {
     SceneOptions resolve() const;
 
    private:
+    void read_camera_settings(gl::CameraSettings& settings) const;
+
     SeaOptions sea_;
     ComputeFlags compute_;
     CameraFlags camera_;

@@ -73,6 +73,8 @@ void ViewFlags::run() const {
 
     viewer::ViewOptions options{.settings = {.sea = scene.sea.sea,
                                              .sky = scene.sky,
+                                             .water = scene.water,
+                                             .shading = scene.shading,
                                              .quality = scene.quality,
                                              .size_m = scene.quadtree.size_m},
                                 .camera = scene.camera,

@@ -4,7 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "pelagic/gl/shading.hpp"
 #include "pelagic/gl/sky_baker.hpp"
+#include "pelagic/gl/water_optics.hpp"
 #include "pelagic/sim/sea_state.hpp"
 #include "pelagic/viewer/stage_times.hpp"
 #include "pelagic/viewer/view_camera.hpp"
@@ -15,6 +17,8 @@ namespace pelagic::viewer {
 struct ViewSettings {
     SeaState sea;
     gl::SkyOptions sky;
+    gl::WaterOptics water;
+    gl::Shading shading = gl::Shading::high;
     std::string quality = "high";
     double size_m = 2048;
     float more_foam = 0;  ///< added to the Jacobian at which foam begins; [-0.5, 0.5]

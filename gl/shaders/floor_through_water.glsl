@@ -2,15 +2,15 @@
 
 // Light from below the surface: that of the water down to the floor, and the floor's own, dimmed along the refracted ray.
 vec3 light_from_below(vec3 at, vec3 normal, vec3 to_eye, float distance_m, float height) {
-    if (floor_albedo.w < 0.5) return upwelling(water_absorption.w + height);
+    if (floor_albedo.w < 0.5) return upwelling(normal, to_eye);
     vec3 ray = refract(-to_eye, normal, 1.0 / water_index);
     ray = normalize(vec3(ray.x, min(ray.y, -0.3), ray.z));
     float way = way_to_floor(at, ray);
     vec3 k = attenuation_of_water();
     vec3 there_and_back = exp(-k * (way * (1.0 - ray.y)));
     vec3 bottom = floor_light(at + ray * way, distance_m + way);
-    // 0.54: the surface's transmission and the widening of rays, t / n^2 (Austin 1974).
-    return upwelling(1e4) * (1.0 - there_and_back) + 0.54 * bottom * exp(-k * way);
+    // Crossing the surface widens rays: radiance shrinks by the square of the index.
+    return upwelling(normal, to_eye) * (1.0 - there_and_back) + bottom * exp(-k * way) / (water_index * water_index);
 }
 
 // The last decimetres of water are hardly there: no hard line where the sea meets the sand.

@@ -8,7 +8,7 @@ float foam_behind_crests(vec2 at) {
     vec2 uv = place_in_tile(tile, at);
     float old = 0.0;
     float weight = 0.62;
-    for (int i = 1; i <= 4; ++i) {
+    for (int i = 1; i <= 2 * SHADING; ++i) {
         vec2 d = texture(slopes, vec3(uv + foam_trail.zw * float(i), tile), 0.6 * float(i)).zw * signed_scale - signed_zero;
         old = max(old, weight * folding(tile_slope[tile].w, 1.0 + tile_slope[tile].x * (d.x + d.y), 1.0));
         weight *= 0.72;

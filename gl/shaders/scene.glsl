@@ -5,6 +5,17 @@
 // The sea is a sum of TILES square tiles of waves, the coarsest first; each repeats, each may be turned, and each is a layer
 // of the textures.
 
+// SHADING is how much a pixel may cost: a headset draws nine million of them, 72 times a second.
+#define HEADSET 0
+#define MEDIUM 1
+#define HIGH 2
+// The coarsest of four tiles is shaded from its vertices there.
+#if SHADING == HEADSET && TILES == 4
+#define VERTEX_TILES 1
+#else
+#define VERTEX_TILES 0
+#endif
+
 #ifdef MULTIVIEW
 #define EYE int(gl_ViewID_OVR)
 #else
@@ -20,7 +31,8 @@ layout(std140) uniform Scene {
     highp vec4 tile_scale[4];     // x: texels a metre; y: the mip at which nothing is left of its waves; z: side
     highp vec4 tile_slope[4];     // x: what slopes count in; y: variances; z: variance of all its waves, of both axes;
                                   // w: its Jacobian below which foam begins
-    highp vec4 viewer;            // z: height above rest
+    highp vec4 tile_noise[4];     // xy: the viewer's place in the noise that tells its copies apart; z: the tile's side over the noise's
+    highp vec4 viewer;            // x: 1 if the sky is drawn, where the lens is in the air; z: height above rest
     highp vec4 grid;              // xy: the grid's corner; z: metres a step; w: V
     highp vec4 fade;              // xy: fade centre; z: fade end; w: 1 / (fade end - fade start)
     highp vec4 mesh;              // x: spacing of vertices for each metre of distance; y: finest spacing; z: last mip
@@ -31,11 +43,11 @@ layout(std140) uniform Scene {
     highp vec4 sky_irradiance;    // on a level plane; w: last level of the sky
     highp vec4 haze;              // extinction, 1/m; w: distance at which the horizon's softening has taken 63 %
     highp vec4 water_absorption;  // 1/m; w: depth of the sea
-    highp vec4 water_scattering;  // backwards, 1/m; w: mean square slope of the detail
+    highp vec4 water_backscattering;  // 1/m; w: mean square slope of the detail
+    highp vec4 water_scattering;  // in all directions, 1/m
     highp vec4 waves;             // x: significant height; y: alpha of the water between texels; zw: the wind's direction
     highp vec4 detail_turn[2];    // rows of a rotation over the tile's side
     highp vec4 detail_shift;      // xy of layer 0, zw of layer 1: where the viewer is in the tile
-    highp vec4 second_shift;      // xy: where the viewer is in the second copy of the waves of an only tile
     highp vec4 noise_scale;       // xy: of foam's two layers, zw: of the gusts' two, 1/m
     highp vec4 foam_shift;        // where the viewer is in them
     highp vec4 gust_shift;
@@ -53,7 +65,8 @@ layout(std140) uniform Scene {
     highp vec4 caustic_place;     // as tile_place, of the caustics' texture; zw: 0 if there is none
     highp vec4 caustic_row[3];    // xy: radians a metre; z: phase at the viewer; w of the first: depth of the focus
     highp vec4 output_kind;       // x: 1 if the shader encodes sRGB, 0 if the framebuffer does; y: 1 if radiance is asked for;
-                                  // z: 1 if the sky is drawn, where the lens is in the air
+                                  // z: the exposure by which samples of radiance are weighted, or 0; w: luminance of a radiance
+                                  // of 1, cd/m^2
 };
 
 // The texture coordinates of a way in the world, metres, in a tile's textures.

@@ -18,6 +18,9 @@ precision highp int;
 in vec4 place;
 #ifndef SKIRT
 in vec2 rest;
+#if VERTEX_TILES > 0
+in vec4 coarsest;
+#endif
 #endif
 out vec4 colour;
 
@@ -25,12 +28,12 @@ const float pi = 3.14159265;
 
 #include "waves.glsl"
 #include "mirror.glsl"
+#include "water_light.glsl"
 #include "water.glsl"
 #include "foam.glsl"
 #include "haze.glsl"
 #include "lens.glsl"
 #include "caustics.glsl"
-#include "water_light.glsl"
 #include "floor.glsl"
 #include "floor_through_water.glsl"
 #include "under_water.glsl"
@@ -74,7 +77,7 @@ void main() {
     }
 
     float fresnel = mean_fresnel(clamp(dot(normal, to_eye), 0.0, 1.0), sqrt(0.5 * surface.alpha2));
-    vec3 water_light = light_from_below(at, normal, to_eye, distance_m, height) + through_crests(normal, to_eye, height);
+    vec3 water_light = light_from_below(at, normal, to_eye, distance_m, height) + through_crests(normal, to_eye, height, surface.foam);
     vec3 radiance = mix(water_light, mirrored_sky(normal, to_eye, surface.alpha2), fresnel) +
                     sun_irradiance.rgb * glint(normal, to_eye, surface.alpha2);
     radiance = mix(radiance, foam_light(normal), foam_cover(resting, surface.foam, distance_m));

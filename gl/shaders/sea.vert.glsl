@@ -15,6 +15,10 @@ layout(location = 3) in float inner_weight;
 layout(location = 4) in vec4 edge_weights;  // +x, +z, -x, -z
 
 uniform highp sampler2DArray displacement;  // Dx, height, Dz, foam; a layer a tile
+#if VERTEX_TILES > 0
+uniform highp sampler2DArray slopes;  // as waves.glsl has it
+out vec4 coarsest;                    // h_x, h_z, D_xx, D_zz of the coarsest tile
+#endif
 
 out vec4 place;  // relative to the viewer; w is 1, the skirt has 0 at the horizon
 out vec2 rest;   // where the water rests
@@ -71,6 +75,12 @@ void main() {
         if (weight < 1.0) moved = mix(0.5 * (displaced(index - offset) + displaced(index + offset)), moved, weight);
     }
     rest = grid.xy + vec2(index) * grid.z;
+#if VERTEX_TILES > 0
+    float spacing = max(mesh.y, length(vec3(rest.x, viewer.z, rest.y)) * mesh.x);
+    float mip = max(log2(spacing * tile_scale[0].x), 0.0);
+    vec4 texel = textureLod(slopes, vec3(place_in_tile(0, rest), 0.0), mip) * (255.0 / 127.0) - 128.0 / 127.0;
+    coarsest = texel * (tile_slope[0].x * weight_of_tile(0, mip));
+#endif
     place = vec4(as_at_lens(vec3(rest.x + moved.x, moved.y - viewer.z, rest.y + moved.z)), 1.0);
     patch_level = int(level.x);
     gl_Position = clip_from_viewer[EYE] * place;

@@ -28,7 +28,7 @@ void main() {
         colour = screen_colour(across_meniscus(water, above));
         return;
     }
-    if (output_kind.z < 0.5) discard;
+    if (viewer.x < 0.5) discard;
     // Under the horizon lies the sea; where a host draws none, the horizon goes on.
     vec3 radiance = textureLod(sky, vec3(direction.x, max(direction.y, 0.0), direction.z), 0.0).rgb;
     float off_centre = length(direction - sun.xyz) / sun.w;

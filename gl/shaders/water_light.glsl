@@ -7,7 +7,7 @@
 // the light, as upwelling() has it.
 const float water_index = 1.333;
 
-vec3 attenuation_of_water() { return water_absorption.rgb + water_scattering.rgb; }
+vec3 attenuation_of_water() { return water_absorption.rgb + water_backscattering.rgb; }
 
 // Towards the sun, by Snell's law at level water.
 vec3 sun_in_water() {
@@ -36,7 +36,7 @@ vec3 scattered_light(vec3 ray, float depth, float way, float shafts) {
     vec3 to_sun = sun_in_water();
     vec3 from_sun = sunlight_below() / to_sun.y * exp(-k * depth / to_sun.y);
     vec3 from_sky = skylight_below() * exp(-k * depth);
-    return amount * water_scattering.rgb * seen *
+    return amount * water_backscattering.rgb * seen *
            (from_sun * (shafts * henyey_greenstein(dot(ray, to_sun), lobe)) +
             from_sky * henyey_greenstein(ray.y, lobe));
 }

@@ -1,0 +1,75 @@
+#include "pelagic/gl/exposure.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace pelagic::gl {
+namespace {
+
+constexpr float middle_grey = 0.18f;
+constexpr float calibration = 12.5f / 100;  ///< K over ISO 100
+constexpr float bright_part = 0.02f, shown_bright = 0.9f, most_protection_stops = 1.5f;
+constexpr float darkest_cd_m2 = 1e-5f;
+
+// shaders/film.glsl: (v (v + a) - b) / (v (c v + d) + e).
+constexpr float a = 0.0245786f, b = 0.000090537f, c = 0.983729f, d = 0.4329510f, e = 0.238081f;
+
+float shown_log_average(float luminance_cd_m2) {
+    return std::min(middle_grey, 1.03f - 2 / (2 + std::log10(luminance_cd_m2 + 1)));
+}
+
+}  // namespace
+
+float shown_by_film(float scene) {
+    return std::clamp((scene * (scene + a) - b) / (scene * (c * scene + d) + e), 0.f, 1.f);
+}
+
+float film_input_of(float shown) {
+    const float square = 1 - c * shown, linear = a - d * shown;
+    return (-linear + std::sqrt(linear * linear + 4 * square * (b + e * shown))) / (2 * square);
+}
+
+float exposure_of_ev(float ev, float luminance_of_unit) {
+    return film_input_of(middle_grey) * luminance_of_unit / (calibration * std::exp2(ev));
+}
+
+float ev_of_exposure(float exposure, float luminance_of_unit) {
+    return std::log2(film_input_of(middle_grey) * luminance_of_unit / (calibration * exposure));
+}
+
+float metered_ev(std::span<const MeteredCell> cells, float luminance_of_unit) {
+    const float least = std::log2(darkest_cd_m2 / luminance_of_unit);
+    double sum = 0;
+    std::vector<float> means;
+    for (const MeteredCell& cell : cells) {
+        if (!std::isfinite(cell.mean_of_log2) || !std::isfinite(cell.log2_of_mean)) continue;
+        sum += static_cast<double>(std::max(cell.mean_of_log2, least));
+        means.push_back(std::max(cell.log2_of_mean, least));
+    }
+    const float log_average = means.empty() ? least : static_cast<float>(sum / static_cast<double>(means.size()));
+    const float luminance = std::exp2(log_average) * luminance_of_unit;
+    const float by_average =
+        std::log2(film_input_of(shown_log_average(luminance)) / film_input_of(middle_grey)) - log_average;
+    float stops = by_average;  // of the exposure, where EV is that of a grey card of luminance 1
+    if (!means.empty()) {
+        const auto bright =
+            means.begin() + static_cast<std::ptrdiff_t>(static_cast<float>(means.size() - 1) * (1 - bright_part));
+        std::nth_element(means.begin(), bright, means.end());
+        const float by_highlights = std::log2(film_input_of(shown_bright) / film_input_of(middle_grey)) - *bright;
+        stops = std::max(std::min(by_average, by_highlights), by_average - most_protection_stops);
+    }
+    return std::clamp(std::log2(luminance_of_unit / calibration) - stops, least_ev, most_ev);
+}
+
+void FollowedExposure::follow(float metered, double passed_s) {
+    if (!ev_) {
+        ev_ = metered;
+        return;
+    }
+    const double time_constant_s = metered > *ev_ ? to_brighter_s : to_darker_s;
+    const auto left = static_cast<float>(std::exp(-std::max(passed_s, 0.0) / time_constant_s));
+    *ev_ = metered + (*ev_ - metered) * left;
+}
+
+}  // namespace pelagic::gl
