@@ -281,6 +281,7 @@ struct CausticsBaker::State {
         std::uint64_t all = 0;
         for (const std::uint32_t count : counts) all += count;
         const double mean = static_cast<double>(all) / (static_cast<double>(side) * side);
+        making.light = mean / (parts * parts * static_cast<double>(unit) * weight_steps * weight_steps);
         making.halves.clear();
         std::vector<float> level(blurred.size());
         for (std::size_t i = 0; i < level.size(); ++i) level[i] = static_cast<float>(blurred[i] / mean);

@@ -37,6 +37,8 @@ struct Caustics {
     static constexpr int levels = 9;
 
     CausticsOptions options;
+    /// What all cells take in, over what a level tile does: 1 but for what folds of the surface hide. The texels are divided by it.
+    double light = 1;
     TileLattice
         lattice;  ///< of the tile that made it: texel (i, j)'s middle is (i + 1/2, j + 1/2) side_m / side along its axes
     /// Half floats, level after level, each the box mean of the one before. A texel is where light came through the surface had

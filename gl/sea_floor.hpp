@@ -16,7 +16,7 @@ struct SeaFloor {
     /// Samples along x and z, each from 2 to 4096; 0: an even floor at the depth of the sea that is drawn.
     int columns = 0, rows = 0;
     /// columns * rows heights above rest, metres, [-11000, 9000]; sample (i, j) is heights_m[j * columns + i].
-    std::vector<float> heights_m;
+    std::vector<float> heights_m = {};
     glm::dvec2 corner_m{};  ///< world x and z of sample (0, 0)
     double metres_a_texel =
         1;  ///< between neighbouring samples; (0, 10000]. Beyond its edges the floor goes on as high as they are.
