@@ -26,6 +26,7 @@ struct SceneBlock {
     std::array<glm::vec4, 2> detail_turn{};
     glm::vec4 detail_shift{}, second_shift{}, noise_scale{}, foam_shift{}, gust_shift{}, foam_trail{};
     glm::vec4 output_kind{};
+    glm::vec4 moon{}, stars{};
 };
 
 /// What stays of a tile when its texels are in a texture.
@@ -57,7 +58,9 @@ struct SkyLight {
     int levels = 1;
     glm::vec3 sun_direction{0, 1, 0}, sun_irradiance{1}, sky_irradiance{1}, haze_per_m{0};
     float exposure = 1;
-    float luminance_of_unit = sun_illuminance_lx;  ///< cd/m^2 that a radiance of 1 stands for
+    float unit = 1;
+    bool key_is_moon = false;
+    glm::vec3 true_sun_direction{0, 1, 0};  ///< also where the key light is the moon
 };
 
 /// Of the frame alone.

@@ -130,8 +130,15 @@ void SeaRenderer::set_sky(const Sky& sky) {
             gl.TexSubImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(face), level, 0, 0,
                              sky.face_size >> level, sky.face_size >> level, GL_RGBA, GL_HALF_FLOAT,
                              sky.face(level, face).data());
-    s.light = {sky.levels,     sky.sun_direction, sky.sun_irradiance,     sky.sky_irradiance,
-               sky.haze_per_m, sky.exposure,      sky.luminance_of_unit()};
+    s.light = {.levels = sky.levels,
+               .sun_direction = sky.sun_direction,
+               .sun_irradiance = sky.sun_irradiance,
+               .sky_irradiance = sky.sky_irradiance,
+               .haze_per_m = sky.haze_per_m,
+               .exposure = sky.exposure,
+               .unit = sky.unit,
+               .key_is_moon = sky.key_is_moon,
+               .true_sun_direction = sun_direction(sky.options)};
 }
 
 void SeaRenderer::upload(const Frame& frame) {

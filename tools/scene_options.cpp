@@ -26,6 +26,15 @@ void read_size(SceneOptions& options, const std::string& text) {
     options.height = side(x == std::string::npos ? "" : std::string_view(text).substr(x + 1));
 }
 
+void read_direction(const std::string& option, const std::string& text, float& azimuth_rad, float& elevation_rad) {
+    const std::vector<std::string> parts = split_at_commas(text);
+    const auto azimuth = parse_number(parts[0]), elevation = parse_number(parts.size() == 2 ? parts[1] : "");
+    if (!azimuth || !elevation || std::abs(*azimuth) > 3600 || std::abs(*elevation) > 90)
+        throw bad_value(option, text, "AZIMUTH,ELEVATION in degrees, elevation in [-90, 90]");
+    azimuth_rad = static_cast<float>(*azimuth * radians_per_degree);
+    elevation_rad = static_cast<float>(*elevation * radians_per_degree);
+}
+
 void choose_quality(SceneOptions& options, const std::string& name) {
     const QuadtreePreset* preset = quadtree_preset_named(name);
     if (!preset) {
@@ -65,6 +74,8 @@ void SceneFlags::add_to(CLI::App& app) {
     add("size", "WxH", "pixels, each side from 16 to 8192; default 1280x720");
     camera_.add_to(app);
     add("sun", "AZIMUTH,ELEVATION", "degrees, from +x towards +z and [-90, 90] above the horizon; default 80,32");
+    add("moon", "AZIMUTH,ELEVATION",
+        "as --sun; it shines by night, its phase follows; default opposite the sun, full");
     add("clouds", "PART", "of the sky, [0, 1]; default by the wind");
     add("quality", "NAME", "level of detail: low, medium, high or ultra; default high");
     add("exposure", "EV",
@@ -107,12 +118,11 @@ SceneOptions SceneFlags::resolve() const {
     };
     given("size", [&](const auto&, const auto& text) { read_size(options, text); });
     given("sun", [&](const auto& option, const auto& text) {
-        const std::vector<std::string> parts = split_at_commas(text);
-        const auto azimuth = parse_number(parts[0]), elevation = parse_number(parts.size() == 2 ? parts[1] : "");
-        if (!azimuth || !elevation || std::abs(*azimuth) > 3600 || std::abs(*elevation) > 90)
-            throw bad_value(option, text, "AZIMUTH,ELEVATION in degrees, elevation in [-90, 90]");
-        options.sky.sun_azimuth_rad = static_cast<float>(*azimuth * radians_per_degree);
-        options.sky.sun_elevation_rad = static_cast<float>(*elevation * radians_per_degree);
+        read_direction(option, text, options.sky.sun_azimuth_rad, options.sky.sun_elevation_rad);
+    });
+    given("moon", [&](const auto& option, const auto& text) {
+        read_direction(option, text, options.sky.moon_azimuth_rad, options.sky.moon_elevation_rad);
+        options.sky.places_moon = true;
     });
     given("clouds", [&](const auto& option, const auto& text) {
         options.sky.cloud_cover = static_cast<float>(number_in(option, text, 0, 1, "a part in [0, 1]"));

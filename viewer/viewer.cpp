@@ -32,11 +32,6 @@ bool same_sea(const SeaState& a, const SeaState& b) {
                                [&](const SeaStateField& field) { return field.value_in(a) == field.value_in(b); });
 }
 
-bool same_sky(const gl::SkyOptions& a, const gl::SkyOptions& b) {
-    return a.sun_azimuth_rad == b.sun_azimuth_rad && a.sun_elevation_rad == b.sun_elevation_rad &&
-           a.cloud_cover == b.cloud_cover && a.visibility_m == b.visibility_m && a.cloud_seed == b.cloud_seed;
-}
-
 const QuadtreePreset& preset_named(const std::string& name) {
     const QuadtreePreset* preset = quadtree_preset_named(name);
     if (!preset) throw std::invalid_argument("no quality is called " + name);
@@ -132,7 +127,7 @@ class Viewer {
             renderer_->set_sky(baker_.complete());
             figures_.sky_is_baking = false;
         }
-        if (!figures_.sky_is_baking && !same_sky(settings_.sky, shown_sky_)) {
+        if (!figures_.sky_is_baking && settings_.sky != shown_sky_) {
             shown_sky_ = settings_.sky;
             baker_.schedule(shown_sky_);
             figures_.sky_is_baking = true;
