@@ -141,6 +141,13 @@ void SeaRenderer::set_sky(const Sky& sky) {
                .true_sun_direction = sun_direction(sky.options)};
 }
 
+void SeaRenderer::set_patch_vertices(int patch_vertices) {
+    if (patch_vertices == state_->options.patch_vertices) return;
+    const KeptState keep(state_->gl);
+    state_->buffers = std::make_unique<PatchBuffers>(state_->gl, patch_vertices);
+    state_->options.patch_vertices = patch_vertices;
+}
+
 void SeaRenderer::upload(const Frame& frame) {
     const Stopwatch all;
     state_->textures.upload(frame);

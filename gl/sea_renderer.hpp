@@ -74,6 +74,8 @@ class SeaRenderer {
     SeaRenderer& operator=(const SeaRenderer&) = delete;
 
     void set_sky(const Sky& sky);
+    /// V of the draw lists from here on: another quality's meshes, without new shaders and textures.
+    void set_patch_vertices(int patch_vertices);
     /// From here on the frame's sea is drawn, at its time; the frame's views may go stale. Throws what
     /// FrameTextures::upload() throws, and draws on what was uploaded before then.
     void upload(const Frame& frame);

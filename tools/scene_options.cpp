@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "pelagic/gl/light_presets.hpp"
 #include "pelagic/sim/statistics.hpp"
 #include "pelagic/tools/errors.hpp"
 #include "pelagic/tools/option_text.hpp"
@@ -48,6 +49,13 @@ void choose_quality(SceneOptions& options, const std::string& name) {
     options.quadtree = preset->options(size_m);
 }
 
+const gl::LightPreset& light_named(const std::string& option, const std::string& name) {
+    if (const gl::LightPreset* light = gl::light_preset_named(name)) return *light;
+    std::vector<std::string> names;
+    for (const gl::LightPreset& each : gl::light_presets()) names.emplace_back(each.name);
+    throw bad_value(option, name, list_of(names) + nearest_hint(name, names));
+}
+
 /// As typed; without a place, above the highest crests.
 Camera chosen_camera(const CameraFlags& flags, const SeaState& sea) {
     Camera camera = flags.resolve();
@@ -73,10 +81,16 @@ void SceneFlags::add_to(CLI::App& app) {
     };
     add("size", "WxH", "pixels, each side from 16 to 8192; default 1280x720");
     camera_.add_to(app);
+    std::string lights = "sky and exposure by name; --sun, --moon, --clouds, --visibility and --exposure-bias win:";
+    for (const gl::LightPreset& light : gl::light_presets())
+        lights += (&light == &gl::light_presets().front() ? " " : "; ") + std::string(light.name) + " (" +
+                  std::string(light.meaning) + ")";
+    add("light", "NAME", lights);
     add("sun", "AZIMUTH,ELEVATION", "degrees, from +x towards +z and [-90, 90] above the horizon; default 80,32");
     add("moon", "AZIMUTH,ELEVATION",
         "as --sun; it shines by night, its phase follows; default opposite the sun, full");
     add("clouds", "PART", "of the sky, [0, 1]; default by the wind");
+    add("visibility", "METRES", "where haze leaves 2 % of contrast, [500, 300000]; default by the wind");
     add("quality", "NAME", "level of detail: low, medium, high or ultra; default high");
     add("exposure", "EV",
         "exposure value at ISO 100, [-10, 20]: 15 is sunlight, 12 an overcast day, -3 moonlight; default auto, "
@@ -117,6 +131,12 @@ SceneOptions SceneFlags::resolve() const {
         if (const auto& text = typed_.at(flag)) use("--" + std::string(flag), *text);
     };
     given("size", [&](const auto&, const auto& text) { read_size(options, text); });
+    given("light", [&](const auto& option, const auto& text) {
+        const gl::LightPreset& light = light_named(option, text);
+        options.light = light.name;
+        options.sky = light.sky;
+        options.settings.bias_stops = light.bias_stops;
+    });
     given("sun", [&](const auto& option, const auto& text) {
         read_direction(option, text, options.sky.sun_azimuth_rad, options.sky.sun_elevation_rad);
     });
@@ -126,6 +146,9 @@ SceneOptions SceneFlags::resolve() const {
     });
     given("clouds", [&](const auto& option, const auto& text) {
         options.sky.cloud_cover = static_cast<float>(number_in(option, text, 0, 1, "a part in [0, 1]"));
+    });
+    given("visibility", [&](const auto& option, const auto& text) {
+        options.sky.visibility_m = static_cast<float>(number_in(option, text, 500, 300e3, "metres in [500, 300000]"));
     });
     read_camera_settings(options.settings);
     choose_quality(options, typed_.at("quality").value_or("high"));

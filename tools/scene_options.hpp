@@ -20,6 +20,7 @@ struct SceneOptions {
     ComputeOptions compute;
     int width = 1280, height = 720;
     Camera camera;
+    std::string light;  ///< by which the sky was chosen; empty: by the wind
     gl::SkyOptions sky;
     gl::CameraSettings settings;
     std::string quality;
