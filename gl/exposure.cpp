@@ -15,8 +15,13 @@ constexpr float darkest_cd_m2 = 1e-5f;
 // shaders/film.glsl: (v (v + a) - b) / (v (c v + d) + e).
 constexpr float a = 0.0245786f, b = 0.000090537f, c = 0.983729f, d = 0.4329510f, e = 0.238081f;
 
+float key_of(float luminance_cd_m2) { return 1.03f - 2 / (2 + std::log10(luminance_cd_m2 + 1)); }
+
 float shown_log_average(float luminance_cd_m2) {
-    return std::min(middle_grey, 1.03f - 2 / (2 + std::log10(luminance_cd_m2 + 1)));
+    constexpr float sunlit_cd_m2 = 4000, darkest_key = 0.03f;
+    const float sunlit_key = key_of(sunlit_cd_m2);
+    const float power = std::log(darkest_key / middle_grey) / std::log(darkest_key / sunlit_key);
+    return middle_grey * std::pow(std::min(1.f, key_of(luminance_cd_m2) / sunlit_key), power);
 }
 
 }  // namespace
@@ -38,6 +43,10 @@ float ev_of_exposure(float exposure, float luminance_of_unit) {
     return std::log2(film_input_of(middle_grey) * luminance_of_unit / (calibration * exposure));
 }
 
+float night_darkening(float luminance_cd_m2) {
+    return film_input_of(shown_log_average(luminance_cd_m2)) / film_input_of(middle_grey);
+}
+
 float metered_ev(std::span<const MeteredCell> cells, float luminance_of_unit) {
     const float least = std::log2(darkest_cd_m2 / luminance_of_unit);
     double sum = 0;
@@ -49,8 +58,7 @@ float metered_ev(std::span<const MeteredCell> cells, float luminance_of_unit) {
     }
     const float log_average = means.empty() ? least : static_cast<float>(sum / static_cast<double>(means.size()));
     const float luminance = std::exp2(log_average) * luminance_of_unit;
-    const float by_average =
-        std::log2(film_input_of(shown_log_average(luminance)) / film_input_of(middle_grey)) - log_average;
+    const float by_average = std::log2(night_darkening(luminance)) - log_average;
     float stops = by_average;  // of the exposure, where EV is that of a grey card of luminance 1
     if (!means.empty()) {
         const auto bright =

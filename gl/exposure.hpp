@@ -40,15 +40,18 @@ struct MeteredCell {
 
 /// The exposure value that a view asks for:
 ///
-///   * its log average Y is shown as middle grey (0.18; Reinhard et al. 2002, "Photographic Tone Reproduction", eq. 1), at night
-///     darker, because eyes expect a night to be dark: as 1.03 - 2 / (2 + log10(Y + 1)), Y in cd/m^2, where that is less
-///     (Krawczyk, Myszkowski and Seidel 2005, "Perceptual effects in real-time tone mapping": 0.03 in the dark; it
-///     reaches 0.18 in late dusk at 1.3 cd/m^2);
+///   * its log average Y is shown as middle grey (0.18; Reinhard et al. 2002, "Photographic Tone Reproduction", eq. 1), below 4000
+///     cd/m^2 darker, because eyes expect dusk and night to be dark. Their key is 1.03 - 2 / (2 + log10(Y + 1)) in Krawczyk,
+///     Myszkowski and Seidel 2005, "Perceptual effects in real-time tone mapping"; grey falls as a power of it, to their own
+///     0.03 in the dark;
 ///   * but its brightest 2 % of cells are not shown as more than 0.9, up to 1.5 stops darker for that: where a glitter path
 ///     is, or the sun, no exposure holds both.
 ///
 /// Cells that are not finite don't count; a view without light counts as 1e-5 cd/m^2.
 float metered_ev(std::span<const MeteredCell> cells, float luminance_of_unit);
+
+/// How much darker than by day a scene of that mean luminance is exposed, (0, 1].
+float night_darkening(float luminance_cd_m2);
 
 /// An exposure that follows what is metered, as eyes and cameras do: exponentially in stops, faster to a brighter view. 0.4 s:
 /// Durand and Dorsey 2000, "Interactive Tone Mapping" (light adaptation of rods). Darker three times as slowly, as the

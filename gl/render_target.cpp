@@ -67,6 +67,14 @@ TexturePart RenderTarget::resolved(int width, int height) {
     return {resolved_colour_.name(), width, height, width_, height_};
 }
 
+void RenderTarget::show(int width, int height) {
+    resolved(width, height);
+    gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, resolved_.name());
+    gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+    gl_.BlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    gl_.BindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
 void RenderTarget::read_rows(GLenum type, void* pixels, std::size_t bytes_a_row) {
     resolved();
     gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, resolved_.name());

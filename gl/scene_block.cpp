@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "pelagic/gl/sea_renderer.hpp"
@@ -27,6 +29,9 @@ constexpr double layer_turns_rad[2] = {0.21, -0.47};
 constexpr double softened_horizon_rad = 0.25 * pi / 180;
 /// The noise that tells the copies of a tile apart repeats after so many sides, which no whole number of tiles comes near.
 constexpr double noise_sides = 12 * golden;
+
+/// Of a star of magnitude 0 (Allen 1976, "Astrophysical Quantities").
+constexpr float star_illuminance_lx = 2.54e-6f;
 
 double fraction(double value) { return value - std::floor(value); }
 
@@ -95,6 +100,16 @@ void place_details(SceneBlock& block, const SeaFacts& facts, glm::dvec2 viewer) 
     block.gust_shift = {placed(viewer, tiles.z), placed(turned, tiles.w)};
 }
 
+/// The moon's disc and the stars.
+void place_night(SceneBlock& block, const SkyLight& sky) {
+    const float lit_part = 0.5f - 0.5f * glm::dot(sky.true_sun_direction, sky.sun_direction);
+    block.moon = {sky.true_sun_direction, sky.key_is_moon ? std::max(lit_part, 0.01f) : 0};
+    // While the sun is less than 6 degrees down nobody sees stars.
+    constexpr float civil_twilight = -0.1045f;
+    const float dark = glm::smoothstep(0.f, -0.05f, sky.true_sun_direction.y - civil_twilight);
+    block.stars = {dark * star_illuminance_lx / (sun_illuminance_lx * sky.unit), 0, 0, 0};
+}
+
 /// The last mip is one texel: the variance of all waves.
 float whole_variance(const Tile& tile) {
     const SurfaceSlopes all = slopes_of_texel(tile.slopes_rgba8.back(), tile.moments_rgba8.back(), tile.slope_ranges);
@@ -158,7 +173,8 @@ SceneBlock scene_block_of(const DrawInput& input, const SeaFacts& facts, const W
     place_tiles(block, facts, viewer, input.more_foam);
     place_details(block, facts, viewer);
     block.output_kind = {facts.framebuffer_is_srgb ? 0 : 1, facts.writes_radiance ? 1 : 0,
-                         input.weighs_samples ? exposure : 0, sky.luminance_of_unit};
+                         input.weighs_samples ? exposure : 0, sky.unit * sun_illuminance_lx};
+    place_night(block, sky);
     return block;
 }
 

@@ -31,6 +31,7 @@ struct SceneBlock {
     glm::vec4 lens{}, floor_place{}, floor_size{}, floor_mesh{}, floor_look{}, floor_albedo{}, caustic_place{};
     std::array<glm::vec4, 3> caustic_row{};
     glm::vec4 output_kind{};
+    glm::vec4 moon{}, stars{};
 };
 
 /// What stays of a tile when its texels are in a texture.
@@ -62,7 +63,9 @@ struct SkyLight {
     int levels = 1;
     glm::vec3 sun_direction{0, 1, 0}, sun_irradiance{1}, sky_irradiance{1}, haze_per_m{0};
     float exposure = 1;
-    float luminance_of_unit = sun_illuminance_lx;  ///< cd/m^2 that a radiance of 1 stands for
+    float unit = 1;
+    bool key_is_moon = false;
+    glm::vec3 true_sun_direction{0, 1, 0};  ///< also where the key light is the moon
 };
 
 /// Of the frame alone.

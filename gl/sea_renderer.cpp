@@ -149,8 +149,22 @@ void SeaRenderer::set_sky(const Sky& sky) {
             gl.TexSubImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(face), level, 0, 0,
                              sky.face_size >> level, sky.face_size >> level, GL_RGBA, GL_HALF_FLOAT,
                              sky.face(level, face).data());
-    s.light = {sky.levels,     sky.sun_direction, sky.sun_irradiance,     sky.sky_irradiance,
-               sky.haze_per_m, sky.exposure,      sky.luminance_of_unit()};
+    s.light = {.levels = sky.levels,
+               .sun_direction = sky.sun_direction,
+               .sun_irradiance = sky.sun_irradiance,
+               .sky_irradiance = sky.sky_irradiance,
+               .haze_per_m = sky.haze_per_m,
+               .exposure = sky.exposure,
+               .unit = sky.unit,
+               .key_is_moon = sky.key_is_moon,
+               .true_sun_direction = sun_direction(sky.options)};
+}
+
+void SeaRenderer::set_patch_vertices(int patch_vertices) {
+    if (patch_vertices == state_->options.patch_vertices) return;
+    const KeptState keep(state_->gl);
+    state_->buffers = std::make_unique<PatchBuffers>(state_->gl, patch_vertices);
+    state_->options.patch_vertices = patch_vertices;
 }
 
 void SeaRenderer::set_water(const WaterOptics& water) { state_->water = water; }

@@ -90,6 +90,8 @@ class SeaRenderer {
     void set_floor(const SeaFloor& floor);
     /// Sunlight as the waves gather it, for floors and for shafts of light; without, crests that no wave makes stand for them.
     void set_caustics(const Caustics& caustics);
+    /// V of the draw lists from here on: another quality's meshes, without new shaders and textures.
+    void set_patch_vertices(int patch_vertices);
     /// From here on the frame's sea is drawn, at its time; the frame's views may go stale. Throws what
     /// FrameTextures::upload() throws, and draws on what was uploaded before then.
     void upload(const Frame& frame);

@@ -168,6 +168,12 @@ TEST(RenderCommand, NamesOptionValueAndRange) {
          "pelagic: --floor-heights is 0,1, needs a PNG: an EXR holds metres\n"},
         {{"--out", "a.png", "--floor", "a.png", "--floor-heights", "3,-1"},
          "pelagic: --floor-heights is 3,-1, needs LOW,HIGH in metres above rest, -11000 <= LOW < HIGH <= 9000\n"},
+        {{"--out", "a.png", "--moon", "10,91"},
+         "pelagic: --moon is 10,91, needs AZIMUTH,ELEVATION in degrees, elevation in [-90, 90]\n"},
+        {{"--out", "a.png", "--visibility", "2"}, "pelagic: --visibility is 2, needs metres in [500, 300000]\n"},
+        {{"--out", "a.png", "--light", "moonlit"},
+         "pelagic: --light is moonlit, needs noon, golden-hour, overcast, storm or moonlight (the nearest is "
+         "moonlight)\n"},
         {{"--out", "a.png", "--exposure", "21"},
          "pelagic: --exposure is 21, needs auto, or an exposure value in [-10, 20]\n"},
         {{"--out", "a.png", "--exposure-bias", "6"}, "pelagic: --exposure-bias is 6, needs stops in [-5, 5]\n"},

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "pelagic/gl/light_presets.hpp"
 #include "pelagic/sim/statistics.hpp"
 #include "pelagic/tools/errors.hpp"
 #include "pelagic/tools/option_text.hpp"
@@ -24,6 +25,15 @@ void read_size(SceneOptions& options, const std::string& text) {
     };
     options.width = side(std::string_view(text).substr(0, x));
     options.height = side(x == std::string::npos ? "" : std::string_view(text).substr(x + 1));
+}
+
+void read_direction(const std::string& option, const std::string& text, float& azimuth_rad, float& elevation_rad) {
+    const std::vector<std::string> parts = split_at_commas(text);
+    const auto azimuth = parse_number(parts[0]), elevation = parse_number(parts.size() == 2 ? parts[1] : "");
+    if (!azimuth || !elevation || std::abs(*azimuth) > 3600 || std::abs(*elevation) > 90)
+        throw bad_value(option, text, "AZIMUTH,ELEVATION in degrees, elevation in [-90, 90]");
+    azimuth_rad = static_cast<float>(*azimuth * radians_per_degree);
+    elevation_rad = static_cast<float>(*elevation * radians_per_degree);
 }
 
 void choose_quality(SceneOptions& options, const std::string& name) {
@@ -53,6 +63,13 @@ gl::WaterOptics chosen_water(const std::optional<std::string>& type, const std::
     return gl::water_optics(name);
 }
 
+const gl::LightPreset& light_named(const std::string& option, const std::string& name) {
+    if (const gl::LightPreset* light = gl::light_preset_named(name)) return *light;
+    std::vector<std::string> names;
+    for (const gl::LightPreset& each : gl::light_presets()) names.emplace_back(each.name);
+    throw bad_value(option, name, list_of(names) + nearest_hint(name, names));
+}
+
 /// As typed; without a place, above the highest crests.
 Camera chosen_camera(const CameraFlags& flags, const SeaState& sea) {
     Camera camera = flags.resolve();
@@ -78,11 +95,19 @@ void SceneFlags::add_to(CLI::App& app) {
     };
     add("size", "WxH", "pixels, each side from 16 to 8192; default 1280x720");
     camera_.add_to(app);
+    std::string lights = "sky and exposure by name; --sun, --moon, --clouds, --visibility and --exposure-bias win:";
+    for (const gl::LightPreset& light : gl::light_presets())
+        lights += (&light == &gl::light_presets().front() ? " " : "; ") + std::string(light.name) + " (" +
+                  std::string(light.meaning) + ")";
+    add("light", "NAME", lights);
     add("sun", "AZIMUTH,ELEVATION", "degrees, from +x towards +z and [-90, 90] above the horizon; default 80,32");
+    add("moon", "AZIMUTH,ELEVATION",
+        "as --sun; it shines by night, its phase follows; default opposite the sun, full");
     add("clouds", "PART", "of the sky, [0, 1]; default by the wind");
     add("water", "TYPE", "of Jerlov: I, IA, IB, II, III in the ocean, 1C, 3C, 5C, 7C, 9C at coasts; default II");
     add("chlorophyll", "MG_PER_M3", "instead of --water: what lives in the water colours it; [0.01, 30]");
     add("shading", "TIER", "what a pixel of water may cost: headset, medium or high; default high");
+    add("visibility", "METRES", "where haze leaves 2 % of contrast, [500, 300000]; default by the wind");
     add("quality", "NAME", "level of detail: low, medium, high or ultra; default high");
     add("exposure", "EV",
         "exposure value at ISO 100, [-10, 20]: 15 is sunlight, 12 an overcast day, -3 moonlight; default auto, "
@@ -125,13 +150,18 @@ SceneOptions SceneFlags::resolve() const {
         if (const auto& text = typed_.at(flag)) use("--" + std::string(flag), *text);
     };
     given("size", [&](const auto&, const auto& text) { read_size(options, text); });
+    given("light", [&](const auto& option, const auto& text) {
+        const gl::LightPreset& light = light_named(option, text);
+        options.light = light.name;
+        options.sky = light.sky;
+        options.settings.bias_stops = light.bias_stops;
+    });
     given("sun", [&](const auto& option, const auto& text) {
-        const std::vector<std::string> parts = split_at_commas(text);
-        const auto azimuth = parse_number(parts[0]), elevation = parse_number(parts.size() == 2 ? parts[1] : "");
-        if (!azimuth || !elevation || std::abs(*azimuth) > 3600 || std::abs(*elevation) > 90)
-            throw bad_value(option, text, "AZIMUTH,ELEVATION in degrees, elevation in [-90, 90]");
-        options.sky.sun_azimuth_rad = static_cast<float>(*azimuth * radians_per_degree);
-        options.sky.sun_elevation_rad = static_cast<float>(*elevation * radians_per_degree);
+        read_direction(option, text, options.sky.sun_azimuth_rad, options.sky.sun_elevation_rad);
+    });
+    given("moon", [&](const auto& option, const auto& text) {
+        read_direction(option, text, options.sky.moon_azimuth_rad, options.sky.moon_elevation_rad);
+        options.sky.places_moon = true;
     });
     given("clouds", [&](const auto& option, const auto& text) {
         options.sky.cloud_cover = static_cast<float>(number_in(option, text, 0, 1, "a part in [0, 1]"));
@@ -143,6 +173,9 @@ SceneOptions SceneFlags::resolve() const {
         options.shading = *shading;
     });
     options.water = chosen_water(typed_.at("water"), typed_.at("chlorophyll"));
+    given("visibility", [&](const auto& option, const auto& text) {
+        options.sky.visibility_m = static_cast<float>(number_in(option, text, 500, 300e3, "metres in [500, 300000]"));
+    });
     read_camera_settings(options.settings);
     choose_quality(options, typed_.at("quality").value_or("high"));
     return options;

@@ -23,6 +23,7 @@ struct SceneOptions {
     ComputeOptions compute;
     int width = 1280, height = 720;
     Camera camera;
+    std::string light;  ///< by which the sky was chosen; empty: by the wind
     gl::SkyOptions sky;
     gl::WaterOptics water;
     gl::Shading shading = gl::Shading::high;

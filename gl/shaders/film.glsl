@@ -22,10 +22,10 @@ float dither(vec2 pixel) { return fract(52.9829189 * fract(dot(pixel, vec2(0.067
 // Rec. 709.
 float luminance_of(vec3 colour) { return dot(colour, vec3(0.2126, 0.7152, 0.0722)); }
 
-// In the dark rods see, without colours, and what they see looks blue: Krawczyk, Myszkowski and Seidel 2005, "Perceptual
-// effects in real-time tone mapping", has the rods' part, by cd/m^2, and the tint.
+// In the dark rods see, without colours: by cd/m^2 as in Krawczyk, Myszkowski and Seidel 2005, "Perceptual effects in real-time
+// tone mapping". What they see looks blue, as the chromaticity (0.25, 0.25): Jensen et al. 2000, "Night Rendering".
 vec3 night_vision(vec3 radiance, float luminance_of_unit) {
     float luminance = luminance_of(radiance);
     float rods = 0.04 / (0.04 + luminance * luminance_of_unit);
-    return mix(radiance, luminance * vec3(1.05, 0.97, 1.27), rods);
+    return mix(radiance, luminance * vec3(0.706, 0.990, 1.966), rods);
 }

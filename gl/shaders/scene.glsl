@@ -38,7 +38,7 @@ layout(std140) uniform Scene {
     highp vec4 mesh;              // x: spacing of vertices for each metre of distance; y: finest spacing; z: last mip
                                   // of the displacement
     highp vec4 skirt;             // xy: the grid's middle; z: steps along S; w: deepest level
-    highp vec4 sun;               // xyz: towards the sun; w: radius of its disc, radians
+    highp vec4 sun;               // xyz: towards the sun, or the moon at night; w: radius of its disc, radians
     highp vec4 sun_irradiance;    // across the rays; w: exposure
     highp vec4 sky_irradiance;    // on a level plane; w: last level of the sky
     highp vec4 haze;              // extinction, 1/m; w: distance at which the horizon's softening has taken 63 %
@@ -67,6 +67,9 @@ layout(std140) uniform Scene {
     highp vec4 output_kind;       // x: 1 if the shader encodes sRGB, 0 if the framebuffer does; y: 1 if radiance is asked for;
                                   // z: the exposure by which samples of radiance are weighted, or 0; w: luminance of a radiance
                                   // of 1, cd/m^2
+    highp vec4 moon;              // xyz: towards the sun, which lights it; w: part of its disc that is lit, 0 where the sun is
+                                  // the light that `sun` says
+    highp vec4 stars;             // x: irradiance of a star of magnitude 0; 0 by day
 };
 
 // The texture coordinates of a way in the world, metres, in a tile's textures.
