@@ -1,40 +1,39 @@
 # The air between the eye and the sea, put over the reference's picture: the path tracer draws none.
 #
-# What a path of transmittance T adds is the share (1 - T) / (1 - T_sky) of the sky's radiance in the direction mirrored upwards, T_sky
-# being the whole air's transmittance there: the same source of light, seen through less of it.
+# A path adds its source function times 1 - T, T being what it lets through: the sun's light, scattered once by air (Rayleigh) and haze
+# (Cornette and Shanks 1992), and the sky's, taken as coming evenly from above. Coefficients, asymmetry and the heights in which air and
+# haze thin to 1/e as in gl/atmosphere.hpp.
 import math
 
 rayleigh_per_m = (5.8e-6, 13.5e-6, 33.1e-6)
+haze_albedo, haze_asymmetry = 0.9, 0.76
 rayleigh_height_m, haze_height_m = 8000, 1200
 
 
-def air_mass(sine):
-    """Kasten and Young 1989."""
-    degrees = math.degrees(math.asin(sine))
-    return 1 / (sine + 0.50572 * (degrees + 6.07995) ** -1.6364)
+def rayleigh_phase(cosine):
+    return 3 / (16 * math.pi) * (1 + cosine * cosine)
 
 
-class Panorama:
-    """`pelagic render --sky`, nearest texel. \\param rows  row 0 first, of (r, g, b)"""
-
-    def __init__(self, pixels, width, height):
-        self.pixels, self.width, self.height = pixels, width, height
-
-    def radiance(self, d):
-        i = int((math.atan2(d.z, d.x) / (2 * math.pi) + 0.5) * self.width) % self.width
-        j = int((0.5 - math.asin(max(-1, min(1, d.y))) / math.pi) * self.height)
-        return self.pixels[min(j, self.height - 1) * self.width + i]
+def haze_phase(cosine):
+    g2 = haze_asymmetry ** 2
+    return (3 / (8 * math.pi) * (1 - g2) * (1 + cosine * cosine) /
+            ((2 + g2) * (1 + g2 - 2 * haze_asymmetry * cosine) ** 1.5))
 
 
-def through_air(radiance, ray, height_m, extinction_per_m, sky):
+def through_air(radiance, ray, height_m, light):
+    """\\param light  "sky" of `pelagic render --json`"""
     if ray.y >= 0:
         return radiance
-    up = ray.copy()
-    up.y = -up.y
-    above, mass, way = sky.radiance(up), air_mass(up.y), height_m / up.y
+    to_sun = sum(a * b for a, b in zip(ray, light["sun_direction"]))
     seen = []
     for c in range(3):
-        vertical = rayleigh_per_m[c] * rayleigh_height_m + (extinction_per_m[c] - rayleigh_per_m[c]) * haze_height_m
-        left = math.exp(-extinction_per_m[c] * way)
-        seen.append(radiance[c] * left + above[c] * (1 - left) / (1 - math.exp(-vertical * mass)))
+        def optical_depth(per_m, scale_m):
+            return per_m * scale_m * (1 - math.exp(-height_m / scale_m)) / -ray.y
+
+        air = optical_depth(rayleigh_per_m[c], rayleigh_height_m)
+        haze = optical_depth(light["air_extinction_per_m"][c] - rayleigh_per_m[c], haze_height_m)
+        once = light["sun_irradiance"][c] * (air * rayleigh_phase(to_sun) + haze_albedo * haze * haze_phase(to_sun))
+        again = light["sky_irradiance"][c] / (2 * math.pi) * (air + haze_albedo * haze)
+        left = math.exp(-(air + haze))
+        seen.append(radiance[c] * left + (once + again) / (air + haze) * (1 - left))
     return tuple(seen)

@@ -79,33 +79,36 @@ class Comparison:
         said = json.loads(said)
         return picture, sky, said["sky"], said["water"]
 
-    def reference(self, file, camera, target, light, water, sky):
-        if self.reuse and file.exists():
-            return
-        scene = cycles_scene.new_scene(self.samples, scenes.width, scenes.height, self.threads)
-        cycles_scene.add_world(scene, sky)
-        cycles_scene.add_sun(scene, light["sun_direction"], light["sun_irradiance"])
-        tiles = self.read_tiles()
-        # A quarter of a pixel's width at the nearest water, and to 0.1 degrees below the horizon.
-        finest = 2.0 ** round(math.log2(camera[1] * 0.0078 / 2))
-        sea = sea_mesh.SeaMesh(tiles, finest, max(5e3, 573 * camera[1]), self.all_slopes)
-        cycles_scene.add_sea(scene, sea, water)
-        cycles_scene.add_camera(scene, camera, target, scenes.fov_deg)
-        cycles_scene.render(scene, file)
+    def reference(self, name, camera, target, light, water, sky):
+        """Two pictures, of the sun's light and of the sky's; their sum is the sea's."""
+        files = {kind: self.folder / f"{name}_{kind}.exr" for kind in ("sun", "skylight")}
+        if not (self.reuse and all(file.exists() for file in files.values())):
+            tiles = self.read_tiles()
+            # Half a pixel's width at the nearest water, and to 0.1 degrees below the horizon.
+            finest = 2.0 ** round(math.log2(camera[1] * 0.0078 / 2))
+            sea = sea_mesh.SeaMesh(tiles, finest, max(5e3, 573 * camera[1]), self.all_slopes)
+            for kind, file in files.items():
+                scene = cycles_scene.new_scene(self.samples, scenes.width, scenes.height, self.threads)
+                sun = light["sun_direction"] if kind == "sun" else None
+                cycles_scene.add_world(scene, None if sun else sky)
+                if sun:
+                    cycles_scene.add_sun(scene, sun, light["sun_irradiance"])
+                cycles_scene.add_sea(scene, sea, water, sun)
+                cycles_scene.add_camera(scene, camera, target, scenes.fov_deg)
+                cycles_scene.render(scene, file)
+        _, _, of_sun = colours(files["sun"])
+        _, _, of_sky = colours(files["skylight"])
+        return [tuple(a + b for a, b in zip(*pair)) for pair in zip(of_sun, of_sky)]
 
     def compare(self, name):
         camera, target, sun = scenes.scenes[name]
         picture, sky_file, light, water = self.ours(name, camera, target, sun)
-        reference_file = self.folder / f"{name}_reference.exr"
         start = time.time()
-        self.reference(reference_file, camera, target, light, water, sky_file)
+        bare = self.reference(name, camera, target, light, water, sky_file)
         seconds = time.time() - start
         width, height, ours = colours(picture)
-        _, _, bare = colours(reference_file)
-        sky_width, sky_height, sky_pixels = colours(sky_file)
-        sky = air.Panorama(sky_pixels, sky_width, sky_height)
         rays = list(regions.rays_of(camera, target, scenes.fov_deg, width, height))
-        reference = [air.through_air(c, ray, camera[1], light["air_extinction_per_m"], sky) for c, ray in zip(bare, rays)]
+        reference = [air.through_air(c, ray, camera[1], light) for c, ray in zip(bare, rays)]
         write_png(self.folder / f"{name}.png", (ours, reference), width, height, light["exposure"] * 0.5)
         parts = [regions.region_of(ray, Vector(light["sun_direction"])) for ray in rays]
         return {"ours": regions.means(ours, parts), "reference": regions.means(reference, parts), "seconds": seconds}

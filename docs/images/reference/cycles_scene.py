@@ -6,7 +6,10 @@ import math
 import bpy
 from mathutils import Matrix, Vector
 
+import facets
+
 sun_radius_rad = 0.00465
+water_index = 1.333
 
 
 def blender(p):
@@ -42,8 +45,12 @@ def new_scene(samples, width, height, threads):
 
 
 def add_world(scene, panorama):
+    """Without a panorama it is black."""
     world = scene.world = bpy.data.worlds.new("sky")
     world.use_nodes = True
+    if panorama is None:
+        world.node_tree.nodes["Background"].inputs["Strength"].default_value = 0
+        return
     nodes, links = world.node_tree.nodes, world.node_tree.links
     # Its middle column is +x and azimuths grow to the right, towards Pelagic's +z: Blender's own convention, so unturned.
     picture = nodes.new("ShaderNodeTexEnvironment")
@@ -66,54 +73,119 @@ def add_sun(scene, direction, irradiance):
     scene.collection.objects.link(lamp)
 
 
-def water_material(optics):
-    """Rough glass over a medium. \\param optics  "water" of `pelagic render --json`
+def add_fresnel_of_sun(nodes, links, geometry, sun):
+    """Of the facet that mirrors the sun to the eye; the output that holds it."""
+    half, facet = nodes.new("ShaderNodeVectorMath"), nodes.new("ShaderNodeVectorMath")
+    half.operation, facet.operation = "ADD", "NORMALIZE"
+    half.inputs[1].default_value = blender(sun)
+    links.new(geometry.outputs["Incoming"], half.inputs[0])
+    links.new(half.outputs["Vector"], facet.inputs[0])
+    fresnel = nodes.new("ShaderNodeFresnel")
+    fresnel.inputs["IOR"].default_value = water_index
+    links.new(facet.outputs["Vector"], fresnel.inputs["Normal"])
+    return fresnel.outputs["Fac"]
+
+
+def add_fresnel_of_sky(nodes, links, geometry, roughness, slopes):
+    """The mean of the facets that are seen, by tables for two roughnesses. \\param slopes  mean squares, of the sea's calmest ring and of all"""
+    cosine, root = nodes.new("ShaderNodeVectorMath"), nodes.new("ShaderNodeMath")
+    cosine.operation, root.operation = "DOT_PRODUCT", "SQRT"
+    links.new(geometry.outputs["Incoming"], cosine.inputs[0])
+    links.new(geometry.outputs["Normal"], cosine.inputs[1])
+    links.new(cosine.outputs["Value"], root.inputs[0])
+    between = nodes.new("ShaderNodeMapRange")
+    between.inputs["From Min"].default_value, between.inputs["From Max"].default_value = slopes
+    links.new(roughness, between.inputs["Value"])
+    mixed = nodes.new("ShaderNodeMixRGB")
+    links.new(between.outputs["Result"], mixed.inputs["Fac"])
+    for square, socket in zip(slopes, ("Color1", "Color2")):
+        table = nodes.new("ShaderNodeFloatCurve")
+        curve = table.mapping.curves[0]
+        while len(curve.points) > 2:
+            curve.points.remove(curve.points[1])
+        knots = 20
+        for k in range(knots + 1):
+            at = k / knots
+            value = facets.mean_fresnel(at * at, square)
+            point = curve.points[0] if k == 0 else curve.points[-1] if k == knots else curve.points.new(at, value)
+            point.location = at, value
+        table.mapping.update()
+        links.new(root.outputs["Value"], table.inputs["Value"])
+        links.new(table.outputs["Value"], mixed.inputs[socket])
+    return mixed.outputs["Color"]
+
+
+def add_surface(nodes, links, roughness, sun, slopes):
+    """What the surface does to light of the sun or, without `sun`, of the sky; the closure's output.
+
+    A mirror and a lens with Beckmann's distribution, which is Gauss' of slopes, as Cox and Munk measured them. Cycles 3.4 takes the
+    mean normal's Fresnel for a rough glass, three times too much at grazing angles; so the parts are mixed here. The sun and the sky
+    have pictures of their own because they need different parts.
+    """
+    mirror, lens, mixed = (nodes.new(kind) for kind in
+                           ("ShaderNodeBsdfGlossy", "ShaderNodeBsdfRefraction", "ShaderNodeMixShader"))
+    root = nodes.new("ShaderNodeMath")  # alpha^2 is the mean square slope, and Blender's roughness the root of alpha
+    root.operation = "POWER"
+    root.inputs[1].default_value = 0.25
+    links.new(roughness, root.inputs[0])
+    for node in (mirror, lens):
+        node.distribution = "BECKMANN"
+        node.inputs["Color"].default_value = (1, 1, 1, 1)
+        links.new(root.outputs["Value"], node.inputs["Roughness"])
+    lens.inputs["IOR"].default_value = water_index
+    geometry = nodes.new("ShaderNodeNewGeometry")
+    above = (add_fresnel_of_sun(nodes, links, geometry, sun) if sun else
+             add_fresnel_of_sky(nodes, links, geometry, roughness, slopes))
+    below = nodes.new("ShaderNodeFresnel")  # where light leaves the water
+    below.inputs["IOR"].default_value = water_index
+    chosen = nodes.new("ShaderNodeMixRGB")
+    links.new(geometry.outputs["Backfacing"], chosen.inputs["Fac"])
+    links.new(above, chosen.inputs["Color1"])
+    links.new(below.outputs["Fac"], chosen.inputs["Color2"])
+    links.new(chosen.outputs["Color"], mixed.inputs["Fac"])
+    links.new(lens.outputs["BSDF"], mixed.inputs[1])
+    links.new(mirror.outputs["BSDF"], mixed.inputs[2])
+    return mixed.outputs["Shader"]
+
+
+def water_material(optics, sun, slopes):
+    """A rough surface over a medium. \\param optics  "water" of `pelagic render --json`
 
     Light that is scattered forwards goes on nearly as if it were not, so only what goes backwards matters, and its shape: real
     water's is nearly even from 120 to 180 degrees (Petzold 1972), while Henyey and Greenstein's curve with the g of real water's
-    forward peak has two thirds of its mean there. With g so that 0.4 goes backwards it is 0.9 of even."""
+    forward peak has two thirds of its mean there. With g so that 0.4 goes backwards it is 0.9 of even.
+    """
     material = bpy.data.materials.new("water")
     material.use_nodes = True
     nodes, links = material.node_tree.nodes, material.node_tree.links
     nodes.clear()
     out = nodes.new("ShaderNodeOutputMaterial")
-    glass = nodes.new("ShaderNodeBsdfGlass")
-    glass.distribution = "BECKMANN"  # slopes of Gauss' distribution, as Cox and Munk measured them
-    glass.inputs["IOR"].default_value = 1.333
-    glass.inputs["Color"].default_value = (1, 1, 1, 1)
     left = nodes.new("ShaderNodeAttribute")
     left.attribute_name = "roughness"
-    root = nodes.new("ShaderNodeMath")  # alpha^2 is the mean square slope, and Blender's roughness the root of alpha
-    root.operation = "POWER"
-    root.inputs[1].default_value = 0.25
-    links.new(left.outputs["Fac"], root.inputs[0])
-    links.new(root.outputs["Value"], glass.inputs["Roughness"])
-    links.new(glass.outputs["BSDF"], out.inputs["Surface"])
+    links.new(add_surface(nodes, links, left.outputs["Fac"], sun, slopes), out.inputs["Surface"])
 
-    def medium(kind, coefficients, complement, g=None):
+    def medium(kind, coefficients, complement):
         node = nodes.new(kind)
         most = max(coefficients)
         parts = [c / most for c in coefficients]
         node.inputs["Color"].default_value = [1 - p if complement else p for p in parts] + [1]
         node.inputs["Density"].default_value = most
-        if g is not None:
-            node.inputs["Anisotropy"].default_value = g
-        return node.outputs["Volume"]
+        return node
 
-    absorbed = medium("ShaderNodeVolumeAbsorption", optics["absorption_per_m"], True)
-    # One kind of scattering only: two in one medium make Cycles 3.4 eight times too bright.
     backwards = 0.4
-    scattered = medium("ShaderNodeVolumeScatter", [bb / backwards for bb in optics["backscattering_per_m"]], False,
-                       henyey_greenstein_g(backwards))
+    absorbed = medium("ShaderNodeVolumeAbsorption", optics["absorption_per_m"], True)
+    # One kind of scattering only: two in one medium come out several times too bright in Cycles 3.4.
+    scattered = medium("ShaderNodeVolumeScatter", [bb / backwards for bb in optics["backscattering_per_m"]], False)
+    scattered.inputs["Anisotropy"].default_value = henyey_greenstein_g(backwards)
     both = nodes.new("ShaderNodeAddShader")
-    links.new(absorbed, both.inputs[0])
-    links.new(scattered, both.inputs[1])
+    links.new(absorbed.outputs["Volume"], both.inputs[0])
+    links.new(scattered.outputs["Volume"], both.inputs[1])
     links.new(both.outputs["Shader"], out.inputs["Volume"])
     material.cycles.homogeneous_volume = True
     return material
 
 
-def add_sea(scene, sea, optics):
+def add_sea(scene, sea, optics, sun):
     vertices, quads = len(sea.places) // 3, len(sea.quads) // 4
     mesh = bpy.data.meshes.new("sea")
     mesh.vertices.add(vertices)
@@ -126,7 +198,7 @@ def add_sea(scene, sea, optics):
     mesh.attributes.new("roughness", "FLOAT", "POINT").data.foreach_set("value", sea.roughness)
     mesh.update(calc_edges=True)
     mesh.validate()
-    mesh.materials.append(water_material(optics))
+    mesh.materials.append(water_material(optics, sun, (min(sea.roughness), max(sea.roughness) + 1e-6)))
     thing = bpy.data.objects.new("sea", mesh)
     thing.rotation_euler.x = math.radians(90)
     scene.collection.objects.link(thing)
