@@ -25,6 +25,8 @@ struct SceneBlock {
     glm::vec4 water_absorption{}, water_backscattering{}, water_scattering{}, waves{};
     std::array<glm::vec4, 2> detail_turn{};
     glm::vec4 detail_shift{}, noise_scale{}, foam_shift{}, gust_shift{}, foam_trail{};
+    std::array<glm::vec4, 2> foam_streaks{};
+    glm::vec4 foam_kind{};
     glm::vec4 output_kind{};
 };
 

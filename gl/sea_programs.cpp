@@ -20,6 +20,7 @@ SeaProgram::SeaProgram(const Functions& gl, const ProgramFiles& files)
     gl.Uniform1i(program.uniform("moments"), moments_unit);
     gl.Uniform1i(program.uniform("detail"), detail_unit);
     gl.Uniform1i(program.uniform("sky"), sky_unit);
+    gl.Uniform1i(program.uniform("foam_structure"), foam_unit);
     eye_index = program.uniform("eye_index");
     brightness = program.uniform("brightness");
 }

@@ -9,7 +9,7 @@
 namespace pelagic::gl {
 
 /// Texture units, as the programs read them.
-enum Unit : GLint { displacement_unit, slopes_unit, moments_unit, detail_unit, sky_unit };
+enum Unit : GLint { displacement_unit, slopes_unit, moments_unit, detail_unit, sky_unit, foam_unit };
 
 struct ProgramFiles {
     const char* vertex;

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "pelagic/gl/detail_image.hpp"
+#include "pelagic/gl/foam_image.hpp"
 #include "pelagic/gl/kept_state.hpp"
 #include "pelagic/gl/patch_buffers.hpp"
 #include "pelagic/gl/scene_block.hpp"
@@ -26,6 +27,19 @@ Texture make_detail_texture(const Functions& gl) {
     return texture;
 }
 
+Texture make_foam_texture(const Functions& gl, Executor& executor) {
+    const FoamImage image = make_foam_image(executor);
+    Texture texture(gl);
+    gl.BindTexture(GL_TEXTURE_2D_ARRAY, texture.name());
+    gl.TexStorage3D(GL_TEXTURE_2D_ARRAY, FoamImage::levels, GL_RGBA8, FoamImage::side, FoamImage::side,
+                    FoamImage::layers);
+    for (int level = 0; level < FoamImage::levels; ++level)
+        gl.TexSubImage3D(GL_TEXTURE_2D_ARRAY, level, 0, 0, 0, FoamImage::side >> level, FoamImage::side >> level,
+                         FoamImage::layers, GL_RGBA, GL_UNSIGNED_BYTE, image.level(level));
+    gl.TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    return texture;
+}
+
 const RendererOptions& checked(const RendererOptions& options) {
     if (options.tiles < 1 || options.tiles > most_tiles)
         throw std::invalid_argument("RendererOptions::tiles is " + std::to_string(options.tiles) + ", needs 1 to " +
@@ -42,6 +56,7 @@ struct SeaRenderer::State {
         programs = std::make_unique<SeaPrograms>(gl, options.multiview, options.tiles);
         buffers = std::make_unique<PatchBuffers>(gl, options.patch_vertices);
         detail = make_detail_texture(gl);
+        foam = make_foam_texture(gl, *(options.executor ? options.executor : make_serial_executor()));
         empty = VertexArray(gl);
         scene = Buffer(gl);
         gl.BindBuffer(GL_UNIFORM_BUFFER, scene.name());
@@ -58,6 +73,7 @@ struct SeaRenderer::State {
         bind(moments_unit, GL_TEXTURE_2D_ARRAY, textures.moments());
         bind(detail_unit, GL_TEXTURE_2D, detail.name());
         bind(sky_unit, GL_TEXTURE_CUBE_MAP, sky.name());
+        bind(foam_unit, GL_TEXTURE_2D_ARRAY, foam.name());
     }
 
     void add(const PatchBuffers::Counts& counts) {
@@ -101,7 +117,7 @@ struct SeaRenderer::State {
     SeaFacts facts;
     std::unique_ptr<SeaPrograms> programs;
     std::unique_ptr<PatchBuffers> buffers;
-    Texture detail, sky;
+    Texture detail, foam, sky;
     int sky_face_size = 0;
     SkyLight light;
     WaterOptics water = water_optics(default_jerlov_type);

@@ -31,7 +31,8 @@ struct RendererOptions {
     std::size_t tiles = 1;                 ///< of the frames, 1 to 4
     bool framebuffer_is_srgb = false;      ///< it encodes what shaders write; else they do
     PixelKind writes = PixelKind::screen;  ///< radiance: linear and not exposed, for a host that has its own camera
-    bool multiview = false;                ///< the framebuffer holds both eyes as layers (OVR_multiview2)
+    std::shared_ptr<Executor> executor = nullptr;  ///< bakes textures at the start; null: on this thread
+    bool multiview = false;                        ///< the framebuffer holds both eyes as layers (OVR_multiview2)
 };
 
 enum class DrawMode { shaded, wireframe };

@@ -49,6 +49,15 @@ TEST(Shaders, AreGlslInEveryVariant) {
         EXPECT_EQ(refusal_of(files), "") << files.vertex << ", " << files.fragment << "\n" << files.defines;
 }
 
+// Foam has three tiers (gl/shaders/foam.glsl); programs are made of the last one.
+TEST(Shaders, AreGlslAtEachTierOfShading) {
+    for (const std::string tier : {"0", "1"})
+        for (gl::ProgramFiles files : gl::sea_program_files(false, 3)) {
+            files.defines += "#define SHADING " + tier + "\n";
+            EXPECT_EQ(refusal_of(files), "") << files.fragment << ", tier " << tier;
+        }
+}
+
 TEST(Shaders, OfHeadsetsTakeBothEyesInOnePass) {
     for (const gl::ProgramFiles& files : gl::sea_program_files(true, 4)) {
         EXPECT_NE(gl::shader_source(files.vertex, files.defines).find("num_views = 2"), std::string::npos);

@@ -48,7 +48,8 @@ class PictureMaker {
           target_(context_.functions(), options.scene.width, options.scene.height, samples_a_pixel),
           renderer_(context_.functions(), {.patch_vertices = options.scene.quadtree.vertices,
                                            .resolution = ocean_.resolution(),
-                                           .tiles = ocean_.tile_count()}),
+                                           .tiles = ocean_.tile_count(),
+                                           .executor = make_default_executor(options.scene.compute.threads)}),
           selection_(options.scene.quadtree) {
         const gl::Stopwatch watch;
         gl::SkyBaker baker(make_default_executor(options.scene.compute.threads), sky_face_size);

@@ -167,7 +167,8 @@ class Viewer {
         renderer_ = std::make_unique<gl::SeaRenderer>(
             window_.functions(), gl::RendererOptions{.patch_vertices = selection_->options().vertices,
                                                      .resolution = ocean_->resolution(),
-                                                     .tiles = ocean_->tile_count()});
+                                                     .tiles = ocean_->tile_count(),
+                                                     .executor = make_default_executor(options_.threads)});
         renderer_->set_water(settings_.water);
         if (!figures_.sky_is_baking && frames_ > 0) renderer_->set_sky(baker_.complete());
     }

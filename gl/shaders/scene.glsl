@@ -37,12 +37,15 @@ layout(std140) uniform Scene {
     highp vec4 waves;             // x: significant height; y: alpha of the water between texels; zw: the wind's direction
     highp vec4 detail_turn[2];    // rows of a rotation over the tile's side
     highp vec4 detail_shift;      // xy of layer 0, zw of layer 1: where the viewer is in the tile
-    highp vec4 noise_scale;       // xy: of foam's two layers, zw: of the gusts' two, 1/m
+    highp vec4 noise_scale;       // xy: of foam's bubbles and lace, zw: of the gusts' two, 1/m
     highp vec4 foam_shift;        // where the viewer is in them
     highp vec4 gust_shift;
     highp vec4 foam_trail;        // x: the tile whose crests leave foam behind; y: how far the sum of
                                   // tiles folds where foam begins, over the root of the sum of their squares; zw: from one look down the wind to the next,
                                   // texture coordinates
+    highp vec4 foam_streaks[2];   // along and across the wind, near and far: xy 1/m, zw where the viewer is
+    highp vec4 foam_kind;         // x: part of the sea under thin streaks; y: how softly streaks gather old foam; z: height of
+                                  // fresh foam, m
     highp vec4 output_kind;       // x: 1 if the shader encodes sRGB, 0 if the framebuffer does; y: 1 if radiance is asked for
 };
 

@@ -62,6 +62,6 @@ void main() {
                        through_crests(normal, to_eye, height, surface.foam);
     vec3 radiance = mix(water_light, mirrored_sky(normal, to_eye, surface.alpha2), fresnel) +
                     sun_irradiance.rgb * glint(normal, to_eye, surface.alpha2);
-    radiance = mix(radiance, foam_light(normal), foam_cover(resting, surface.foam, distance_m));
+    radiance = with_foam(radiance, foam_at(resting, surface.foam, to_eye), normal, to_eye, fresnel);
     colour = screen_colour(through_haze(radiance, from_eye, distance_m));
 }
