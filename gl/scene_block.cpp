@@ -177,6 +177,7 @@ SceneBlock scene_block_of(const DrawInput& input, const SeaFacts& facts, const W
     place_tiles(block, facts, viewer, input.more_foam);
     place_details(block, facts, viewer);
     place_foam(block, sea, viewer);
+    if (facts.surface != Surface::open) place_small_water(block, facts, viewer);
     block.output_kind = {facts.framebuffer_is_srgb ? 0 : 1, facts.writes_radiance ? 1 : 0, 0, 0};
     return block;
 }

@@ -8,6 +8,7 @@
 #include <glm/vec4.hpp>
 #include <vector>
 
+#include "pelagic/gl/small_water.hpp"
 #include "pelagic/gl/water_optics.hpp"
 #include "pelagic/sim/frame.hpp"
 
@@ -27,6 +28,11 @@ struct SceneBlock {
     glm::vec4 detail_shift{}, noise_scale{}, foam_shift{}, gust_shift{}, foam_trail{};
     std::array<glm::vec4, 2> foam_streaks{};
     glm::vec4 foam_kind{};
+    std::array<glm::vec4, 8> bump_lattice{}, bump_place{};
+    std::array<glm::vec4, 2> bump_turn{};
+    glm::vec4 bump_kind{};
+    std::array<glm::vec4, 24> pond_wave{};
+    glm::vec4 flow_place{}, flow_cycle{}, flow_jump{};
     glm::vec4 output_kind{};
 };
 
@@ -49,6 +55,8 @@ struct SeaFacts {
     bool has_displacement_mips = false;
     bool framebuffer_is_srgb = false;
     bool writes_radiance = false;
+    Surface surface = Surface::open;
+    FlowExtent flow{};
 
     const TileFacts& finest_tile() const { return tiles.back(); }
     double texel_m(const TileFacts& tile) const { return tile.lattice.side_m / resolution; }

@@ -5,11 +5,12 @@
 #include <string>
 
 #include "pelagic/gl/program.hpp"
+#include "pelagic/gl/small_water.hpp"
 
 namespace pelagic::gl {
 
 /// Texture units, as the programs read them.
-enum Unit : GLint { displacement_unit, slopes_unit, moments_unit, detail_unit, sky_unit, foam_unit };
+enum Unit : GLint { displacement_unit, slopes_unit, moments_unit, detail_unit, sky_unit, foam_unit, flow_unit };
 
 struct ProgramFiles {
     const char* vertex;
@@ -18,7 +19,7 @@ struct ProgramFiles {
 };
 
 /// For patches, skirt, background and wireframe, in this order, of a sea with so many tiles.
-std::array<ProgramFiles, 4> sea_program_files(bool multiview, std::size_t tiles);
+std::array<ProgramFiles, 4> sea_program_files(bool multiview, std::size_t tiles, Surface surface = Surface::open);
 
 struct SeaProgram {
     SeaProgram() = default;
@@ -32,7 +33,7 @@ struct SeaProgram {
 
 struct SeaPrograms {
     /// Throws GlError if the driver refuses a shader. Leaves one of them in use.
-    SeaPrograms(const Functions& gl, bool multiview, std::size_t tiles);
+    SeaPrograms(const Functions& gl, bool multiview, std::size_t tiles, Surface surface);
 
     SeaProgram patches, skirt, background, wireframe;
 };

@@ -40,6 +40,17 @@ Texture make_foam_texture(const Functions& gl, Executor& executor) {
     return texture;
 }
 
+Texture make_flow_texture(const Functions& gl, const FlowMap& map) {
+    Texture texture(gl);
+    gl.BindTexture(GL_TEXTURE_2D, texture.name());
+    gl.TexStorage2D(GL_TEXTURE_2D, 1, GL_RG8, map.side, map.side);
+    gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, map.side, map.side, GL_RG, GL_UNSIGNED_BYTE, map.velocities.data());
+    gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    return texture;
+}
+
 const RendererOptions& checked(const RendererOptions& options) {
     if (options.tiles < 1 || options.tiles > most_tiles)
         throw std::invalid_argument("RendererOptions::tiles is " + std::to_string(options.tiles) + ", needs 1 to " +
@@ -53,10 +64,15 @@ struct SeaRenderer::State {
     State(const Functions& functions, const RendererOptions& wanted)
         : gl(functions), options(checked(wanted)), textures(functions, wanted.resolution, wanted.tiles) {
         const KeptState keep(gl);
-        programs = std::make_unique<SeaPrograms>(gl, options.multiview, options.tiles);
+        programs = std::make_unique<SeaPrograms>(gl, options.multiview, options.tiles, options.surface);
         buffers = std::make_unique<PatchBuffers>(gl, options.patch_vertices);
         detail = make_detail_texture(gl);
         foam = make_foam_texture(gl, *(options.executor ? options.executor : make_serial_executor()));
+        if (options.surface == Surface::river) {
+            const FlowMap map = winding_channel();
+            flow = make_flow_texture(gl, map);
+            flow_extent = map.extent;
+        }
         empty = VertexArray(gl);
         scene = Buffer(gl);
         gl.BindBuffer(GL_UNIFORM_BUFFER, scene.name());
@@ -74,6 +90,7 @@ struct SeaRenderer::State {
         bind(detail_unit, GL_TEXTURE_2D, detail.name());
         bind(sky_unit, GL_TEXTURE_CUBE_MAP, sky.name());
         bind(foam_unit, GL_TEXTURE_2D_ARRAY, foam.name());
+        bind(flow_unit, GL_TEXTURE_2D, flow.name());
     }
 
     void add(const PatchBuffers::Counts& counts) {
@@ -117,7 +134,8 @@ struct SeaRenderer::State {
     SeaFacts facts;
     std::unique_ptr<SeaPrograms> programs;
     std::unique_ptr<PatchBuffers> buffers;
-    Texture detail, foam, sky;
+    Texture detail, foam, sky, flow;
+    FlowExtent flow_extent;
     int sky_face_size = 0;
     SkyLight light;
     WaterOptics water = water_optics(default_jerlov_type);
@@ -128,6 +146,13 @@ struct SeaRenderer::State {
 
 SeaRenderer::SeaRenderer(const Functions& gl, const RendererOptions& options) : state_(new State(gl, options)) {}
 SeaRenderer::~SeaRenderer() = default;
+
+void SeaRenderer::set_flow(const FlowMap& map) {
+    if (const std::string reason = check(map); !reason.empty()) throw std::invalid_argument(reason);
+    const KeptState keep(state_->gl);
+    state_->flow = make_flow_texture(state_->gl, map);
+    state_->flow_extent = map.extent;
+}
 
 void SeaRenderer::set_sky(const Sky& sky) {
     State& s = *state_;
@@ -158,6 +183,7 @@ void SeaRenderer::upload(const Frame& frame) {
     state_->facts = facts_of(frame);
     state_->facts.has_displacement_mips = state_->textures.has_displacement_mips();
     state_->facts.framebuffer_is_srgb = state_->options.framebuffer_is_srgb;
+    state_->facts.surface = state_->options.surface;
     state_->facts.writes_radiance = state_->options.writes == PixelKind::radiance;
     state_->figures.upload_ms = all.milliseconds();
     state_->figures.upload_driver_ms = state_->textures.last_driver_ms();
@@ -177,6 +203,7 @@ const DrawFigures& SeaRenderer::draw(const DrawInput& input) {
     figures.triangles = 0;
     figures.draw_driver_ms = 0;
 
+    s.facts.flow = s.flow_extent;
     const SceneBlock block = scene_block_of(input, s.facts, s.water, s.light);
     gl.BindBuffer(GL_UNIFORM_BUFFER, s.scene.name());
     gl.BufferData(GL_UNIFORM_BUFFER, sizeof(block), &block, GL_STREAM_DRAW);

@@ -19,6 +19,7 @@
 #include "pelagic/gl/frame_textures.hpp"
 #include "pelagic/gl/render_target.hpp"
 #include "pelagic/gl/sky_baker.hpp"
+#include "pelagic/gl/small_water.hpp"
 #include "pelagic/gl/views.hpp"
 #include "pelagic/gl/water_optics.hpp"
 #include "pelagic/quadtree/draw_list.hpp"
@@ -31,6 +32,7 @@ struct RendererOptions {
     std::size_t tiles = 1;                 ///< of the frames, 1 to 4
     bool framebuffer_is_srgb = false;      ///< it encodes what shaders write; else they do
     PixelKind writes = PixelKind::screen;  ///< radiance: linear and not exposed, for a host that has its own camera
+    Surface surface = Surface::open;       ///< small water is drawn in place of the frames' tiles
     std::shared_ptr<Executor> executor = nullptr;  ///< bakes textures at the start; null: on this thread
     bool multiview = false;                        ///< the framebuffer holds both eyes as layers (OVR_multiview2)
 };
@@ -72,6 +74,8 @@ class SeaRenderer {
     void set_sky(const Sky& sky);
     /// What the sea is made of from now on; Jerlov's type II until then.
     void set_water(const WaterOptics& water);
+    /// How a river flows from now on; a winding channel until then. Throws std::invalid_argument for a map that is not whole.
+    void set_flow(const FlowMap& map);
     /// From here on the frame's sea is drawn, at its time; the frame's views may go stale. Throws what
     /// FrameTextures::upload() throws, and draws on what was uploaded before then.
     void upload(const Frame& frame);

@@ -78,6 +78,13 @@ TEST(RenderCommand, NamesOptionValueAndRange) {
          "pelagic: --sun is 3, needs AZIMUTH,ELEVATION in degrees, elevation in [-90, 90]\n"},
         {{"--out", "a.png", "--clouds", "2"}, "pelagic: --clouds is 2, needs a part in [0, 1]\n"},
         {{"--out", "a.png", "--frames", "0"}, "pelagic: --frames is 0, needs a whole number from 1 to 100000\n"},
+        {{"--out", "a.png", "--surface", "sea"},
+         "pelagic: --surface is sea, needs open, lake, coast, river or pond\n"},
+        {{"--out", "a.png", "--flow", "a.png"},
+         "pelagic: --flow is given, needs --surface river, the only water that flows\n"},
+        {{"--out", "a.png", "--surface", "river", "--flow", "/dev/null"},
+         "pelagic: --flow is /dev/null, needs a square PNG of 1 to 4096 pixels a side, RGB or RGBA with 8 bits a "
+         "channel\n"},
         {{}, "pelagic: --out is missing, needs a PNG file to write\n"},
     };
     for (const auto& [arguments, line] : cases) {

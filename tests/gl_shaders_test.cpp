@@ -44,7 +44,11 @@ TEST(Shaders, AreGlslInEveryVariant) {
     for (const std::size_t tiles : {1, 2, 4})
         for (const bool multiview : {false, true})
             for (const gl::ProgramFiles& files : gl::sea_program_files(multiview, tiles)) all.push_back(files);
-    ASSERT_EQ(all.size(), 25u);
+    using gl::Surface;
+    for (const Surface surface : {Surface::lake, Surface::coast, Surface::river, Surface::pond})
+        for (const bool multiview : {false, true})
+            for (const gl::ProgramFiles& files : gl::sea_program_files(multiview, 1, surface)) all.push_back(files);
+    ASSERT_EQ(all.size(), 57u);
     for (const gl::ProgramFiles& files : all)
         EXPECT_EQ(refusal_of(files), "") << files.vertex << ", " << files.fragment << "\n" << files.defines;
 }

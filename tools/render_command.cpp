@@ -49,6 +49,7 @@ class PictureMaker {
           renderer_(context_.functions(), {.patch_vertices = options.scene.quadtree.vertices,
                                            .resolution = ocean_.resolution(),
                                            .tiles = ocean_.tile_count(),
+                                           .surface = options.scene.surface,
                                            .executor = make_default_executor(options.scene.compute.threads)}),
           selection_(options.scene.quadtree) {
         const gl::Stopwatch watch;
@@ -57,6 +58,8 @@ class PictureMaker {
         renderer_.set_sky(baker.complete());
         renderer_.set_water(options.scene.water);
         sky_ms_ = watch.milliseconds();
+
+        if (options.scene.flow) renderer_.set_flow(*options.scene.flow);
 
         const gl::Viewport whole{0, 0, options.scene.width, options.scene.height};
         if (options.stereo) {

@@ -6,6 +6,7 @@
 
 #include "pelagic/sim/statistics.hpp"
 #include "pelagic/tools/errors.hpp"
+#include "pelagic/tools/flow_file.hpp"
 #include "pelagic/tools/option_text.hpp"
 
 namespace pelagic::tools {
@@ -26,6 +27,20 @@ void read_size(SceneOptions& options, const std::string& text) {
     options.height = side(x == std::string::npos ? "" : std::string_view(text).substr(x + 1));
 }
 
+void choose_surface(SceneOptions& options, const std::string& name, const std::optional<std::string>& flow_file) {
+    const std::optional<gl::Surface> surface = gl::surface_named(name);
+    if (!surface) {
+        const auto all = gl::surface_names();
+        const std::vector<std::string> names(all.begin(), all.end());
+        throw bad_value("--surface", name, list_of(names) + nearest_hint(name, names));
+    }
+    options.surface = *surface;
+    if (!flow_file) return;
+    if (options.surface != gl::Surface::river)
+        throw InputError("--flow is given, needs --surface river, the only water that flows");
+    options.flow = read_flow_map("--flow", *flow_file);
+}
+
 void choose_quality(SceneOptions& options, const std::string& name) {
     const QuadtreePreset* preset = quadtree_preset_named(name);
     if (!preset) {
@@ -35,7 +50,10 @@ void choose_quality(SceneOptions& options, const std::string& name) {
     }
     options.quality = name;
     // From high up one sees far: waves end at 5/16 of the square's side.
-    const double size_m = options.camera.position_m.y > 100 ? 8192 : 4096;
+    // Small water is looked at from near, and its waves are short: a small square has vertices for them.
+    const double size_m = options.surface != gl::Surface::open ? 512
+                          : options.camera.position_m.y > 100  ? 8192
+                                                               : 4096;
     options.quadtree = preset->options(size_m);
 }
 
@@ -80,9 +98,13 @@ void SceneFlags::add_to(CLI::App& app) {
     camera_.add_to(app);
     add("sun", "AZIMUTH,ELEVATION", "degrees, from +x towards +z and [-90, 90] above the horizon; default 80,32");
     add("clouds", "PART", "of the sky, [0, 1]; default by the wind");
-    add("water", "TYPE",
-        "of Jerlov: I, IA, IB, II, III in the ocean, 1C, 3C, 5C, 7C, 9C at coasts; default II");
+    add("water", "TYPE", "of Jerlov: I, IA, IB, II, III in the ocean, 1C, 3C, 5C, 7C, 9C at coasts; default II");
     add("chlorophyll", "MG_PER_M3", "instead of --water: what lives in the water colours it; [0.01, 30]");
+    add("surface", "NAME",
+        "what is drawn: open, or small water in its place: lake, coast, river, pond; default open");
+    add("flow", "FILE.png",
+        "velocities of a river in red (x) and green (z), 128 is none; square, 160 m wide, 255 is 1.5 m/s; "
+        "default a winding channel");
     add("quality", "NAME", "level of detail: low, medium, high or ultra; default high");
     sea_.add_to(app);
     compute_.add_to(app);
@@ -111,6 +133,7 @@ SceneOptions SceneFlags::resolve() const {
         options.sky.cloud_cover = static_cast<float>(number_in(option, text, 0, 1, "a part in [0, 1]"));
     });
     options.water = chosen_water(typed_.at("water"), typed_.at("chlorophyll"));
+    choose_surface(options, typed_.at("surface").value_or("open"), typed_.at("flow"));
     choose_quality(options, typed_.at("quality").value_or("high"));
     return options;
 }

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "pelagic/gl/sky_baker.hpp"
+#include "pelagic/gl/small_water.hpp"
 #include "pelagic/gl/views.hpp"
 #include "pelagic/gl/water_optics.hpp"
 #include "pelagic/quadtree/quadtree_options.hpp"
@@ -22,6 +23,8 @@ struct SceneOptions {
     Camera camera;
     gl::SkyOptions sky;
     gl::WaterOptics water;
+    gl::Surface surface = gl::Surface::open;
+    std::optional<gl::FlowMap> flow;
     std::string quality;
     QuadtreeOptions quadtree;
 };

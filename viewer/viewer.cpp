@@ -147,7 +147,7 @@ class Viewer {
                 choose_quality();
             }
         }
-        if (settings_.quality != quality_) choose_quality();
+        if (settings_.quality != quality_ || settings_.surface != surface_) choose_quality();
     }
 
     /// An ocean has its number of tiles for life.
@@ -163,13 +163,16 @@ class Viewer {
     /// Textures and meshes belong to the quality and to the tiles; the sky is uploaded again.
     void choose_quality() {
         quality_ = settings_.quality;
+        surface_ = settings_.surface;
         selection_.emplace(preset_named(quality_).options(settings_.size_m));
         renderer_ = std::make_unique<gl::SeaRenderer>(
             window_.functions(), gl::RendererOptions{.patch_vertices = selection_->options().vertices,
                                                      .resolution = ocean_->resolution(),
                                                      .tiles = ocean_->tile_count(),
+                                                     .surface = surface_,
                                                      .executor = make_default_executor(options_.threads)});
         renderer_->set_water(settings_.water);
+        if (settings_.flow) renderer_->set_flow(*settings_.flow);
         if (!figures_.sky_is_baking && frames_ > 0) renderer_->set_sky(baker_.complete());
     }
 
@@ -252,6 +255,7 @@ class Viewer {
     gl::SkyOptions shown_sky_;
     ViewCamera camera_;
     std::string quality_;
+    gl::Surface surface_ = gl::Surface::open;
     std::optional<Selection> selection_;
     std::unique_ptr<gl::SeaRenderer> renderer_;
     ViewFigures figures_;

@@ -44,7 +44,11 @@ vec4 structure(int layer, vec2 uv, float pixel_tiles) {
     return texel;
 }
 
-#if SHADING >= 1
+// Streaks and trails belong to the open sea.
+#define STREAKS (SHADING >= 1 && SURFACE == OPEN)
+#define THREE_SCALES (SHADING >= 2 && SURFACE == OPEN)
+
+#if STREAKS
 vec4 streaks_at(int size, vec2 at, float pixel_m) {
     vec2 wind = waves.zw;
     vec4 place = foam_streaks[size];
@@ -82,9 +86,9 @@ Foam foam_at(vec2 at, float fresh, vec3 to_eye) {
     vec2 behind = to_eye.xz / max(to_eye.y, 0.3);
     vec2 lace_uv = (at + behind * (foam_kind.z * fresh)) * noise_scale.y + foam_shift.zw;
 
-#if SHADING >= 1
+#if STREAKS
     vec4 streaks = streaks_at(0, at, pixel_m);
-#if SHADING >= 2
+#if THREE_SCALES
     // The third look-up is for what the pixel can show: bubbles near, the widest windrows far away.
     bool far = pixel_m > 0.35;
     vec4 third = far ? streaks_at(1, at, pixel_m)
@@ -94,7 +98,7 @@ Foam foam_at(vec2 at, float fresh, vec3 to_eye) {
     vec2 behind_crests = foam_behind_crests(at, streaks.y);
     float breaks = behind_crests.x, old = behind_crests.y;
     float strewn = foam_kind.x;
-#if SHADING >= 2
+#if THREE_SCALES
     strewn = mix(strewn, gathered_in_pixel(strewn, third.x, 0.4, pixel_m, 60.0), broad);
 #endif
     old = gathered_in_pixel(old, streaks.x, foam_kind.y, pixel_m, 3.0);
@@ -113,7 +117,7 @@ Foam foam_at(vec2 at, float fresh, vec3 to_eye) {
     float near = 1.0 - smoothstep(0.02, 0.25, pixel_m);
     vec2 relief = lace.yz * (0.55 * near);
     float hollow = (1.0 - lace.x) * 0.6;
-#if SHADING >= 2
+#if THREE_SCALES
     if (!far) {
         float seen = 1.0 - smoothstep(0.005, 0.06, pixel_m);
         cover = mix(cover, gathered(cover, third.x, 0.3), seen);

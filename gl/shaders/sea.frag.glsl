@@ -1,6 +1,6 @@
 // Open sea. In the order of main():
 //
-//   waves       normal and roughness of the surface in the pixel
+//   waves       normal and roughness of the surface in the pixel; of small water, if that is what is drawn
 //   mirror      the sky, mirrored by waves of which those that lean towards the eye count most; the sun's glint
 //   water       light from below: absorption and backscattering, light through crests
 //   foam        white and diffuse, over all of it
@@ -22,6 +22,10 @@ out vec4 colour;
 const float pi = 3.14159265;
 
 #include "waves.glsl"
+#if SURFACE != OPEN
+#include "small_water.glsl"
+#include "small_surface.glsl"
+#endif
 #include "mirror.glsl"
 #include "water.glsl"
 #include "foam.glsl"
