@@ -88,11 +88,11 @@ void main() {
     vec3 water_light = upwelling(normal, to_eye);
 #endif
 
-    float fresnel = mean_fresnel(clamp(dot(normal, to_eye), 0.0, 1.0), sqrt(0.5 * surface.alpha2));
+    float mirrors = mean_fresnel(clamp(dot(normal, to_eye), 0.0, 1.0), sqrt(0.5 * surface.alpha2));
     water_light += through_crests(normal, to_eye, height, surface.foam);
-    vec3 radiance = mix(water_light, mirrored_sky(normal, to_eye, surface.alpha2), fresnel) +
+    vec3 radiance = mix(water_light, mirrored_light(normal, to_eye, surface.alpha2, water_light), mirrors) +
                     sun_irradiance.rgb * glint(normal, to_eye, surface.alpha2);
-    radiance = with_foam(radiance, foam_at(resting, surface.foam, to_eye), normal, to_eye, fresnel);
+    radiance = with_foam(radiance, foam_at(resting, surface.foam, to_eye), normal, to_eye, mirrors);
 #if BELOW
     radiance = soft_shore(radiance, at, distance_m, height);
     colour = screen_colour(across_meniscus(through_haze(radiance, from_eye, distance_m), above_lens));
