@@ -71,13 +71,13 @@ void main() {
 
     float above_lens = lens_above_water(from_eye);
     if (above_lens < 0.0) {
-        vec3 below = surface_from_below(at, normal, to_eye, surface.alpha2, distance_m);
+        vec3 below = surface_from_below(at, normal, -leading_ahead(from_eye) / distance_m, surface.alpha2, distance_m);
         colour = screen_colour(across_meniscus(below, above_lens));
         return;
     }
 
     float fresnel = mean_fresnel(clamp(dot(normal, to_eye), 0.0, 1.0), sqrt(0.5 * surface.alpha2));
-    vec3 water_light = light_from_below(at, normal, to_eye, distance_m, height) + through_crests(normal, to_eye, height, surface.foam);
+    vec3 water_light = light_from_below(at, normal, to_eye, distance_m, surface.alpha2) + through_crests(normal, to_eye, height, surface.foam);
     vec3 radiance = mix(water_light, mirrored_sky(normal, to_eye, surface.alpha2), fresnel) +
                     sun_irradiance.rgb * glint(normal, to_eye, surface.alpha2);
     radiance = mix(radiance, foam_light(normal), foam_cover(resting, surface.foam, distance_m));
