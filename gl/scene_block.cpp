@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "pelagic/gl/foam_image.hpp"
 #include "pelagic/gl/sea_renderer.hpp"
 
 namespace pelagic::gl {
@@ -90,13 +91,11 @@ void place_details(SceneBlock& block, const SeaFacts& facts, glm::dvec2 viewer) 
                                                               std::cos(angle), std::sin(angle)};
     }
     block.detail_shift = {glm::vec2(shifts[0]), glm::vec2(shifts[1])};
-    // Lace is as large as the waves that make it: tiles of 5 m in a calm, of 20 m in a storm.
-    const double foam_m = 5 + 1.8 * block.waves.x;
-    const glm::dvec4 tiles(foam_m, foam_m / golden / 1.1, 460, 1510);  // gusts: metres
+    const glm::dvec4 tiles(FoamSizes::bubbles_m, FoamSizes::lace_m, 460, 1510);  // gusts: metres
     block.noise_scale = glm::vec4(1.0 / tiles);
     const glm::dvec2 turned(viewer.y, viewer.x);
     const auto placed = [](glm::dvec2 at, double tile) { return glm::vec2(place_in_square(at, 0, tile)); };
-    block.foam_shift = {placed(viewer, tiles.x), placed(turned, tiles.y)};
+    block.foam_shift = {placed(viewer, tiles.x), placed(viewer, tiles.y)};
     block.gust_shift = {placed(viewer, tiles.z), placed(turned, tiles.w)};
 }
 
@@ -108,6 +107,27 @@ void place_night(SceneBlock& block, const SkyLight& sky) {
     constexpr float civil_twilight = -0.1045f;
     const float dark = glm::smoothstep(0.f, -0.05f, sky.true_sun_direction.y - civil_twilight);
     block.stars = {dark * star_illuminance_lx / (sun_illuminance_lx * sky.unit), 0, 0, 0};
+}
+
+/// Part of the sea under thin streaks, besides whitecaps and what they leave behind. The amounts are ours, the steps are those of the
+/// Beaufort scale (WMO): foam begins to be blown in streaks at 7, has dense streaks at 9, and takes over the sea's look from 10 on.
+double streaks_cover(double wind_mps) {
+    constexpr double near_gale_mps = 13.9, hurricane_mps = 32.7;
+    const double part = std::clamp((wind_mps - near_gale_mps) / (hurricane_mps - near_gale_mps), 0., 1.);
+    return 0.35 * std::pow(part, 1.5);
+}
+
+void place_foam(SceneBlock& block, const SeaState& sea, glm::dvec2 viewer) {
+    const double c = std::cos(sea.wind_direction_rad), s = std::sin(sea.wind_direction_rad);
+    const double along = c * viewer.x + s * viewer.y, across = c * viewer.y - s * viewer.x;
+    for (std::size_t i = 0; i < 2; ++i) {
+        const double along_m = FoamSizes::streaks_along_m[i], across_m = FoamSizes::streaks_across_m[i];
+        block.foam_streaks[i] = {1 / along_m, 1 / across_m, fraction(along / along_m), fraction(across / across_m)};
+    }
+    // Windrows form above 3 m/s and are tight in a gale.
+    const double order = std::clamp((sea.wind_speed_mps - 3) / 15, 0., 1.);
+    constexpr double fresh_foam_m = 0.12;
+    block.foam_kind = {streaks_cover(sea.wind_speed_mps), 0.5 - 0.2 * order, fresh_foam_m, 0};
 }
 
 /// The last mip is one texel: the variance of all waves.
@@ -175,6 +195,8 @@ SceneBlock scene_block_of(const DrawInput& input, const SeaFacts& facts, const W
     block.output_kind = {facts.framebuffer_is_srgb ? 0 : 1, facts.writes_radiance ? 1 : 0,
                          input.weighs_samples ? exposure : 0, sky.unit * sun_illuminance_lx};
     place_night(block, sky);
+    place_foam(block, sea, viewer);
+    if (facts.surface != Surface::open) place_small_water(block, facts, viewer);
     return block;
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "pelagic/gl/exposure.hpp"
+#include "pelagic/gl/small_water.hpp"
 #include "pelagic/gl/water_optics.hpp"
 #include "pelagic/sim/frame.hpp"
 
@@ -30,6 +31,13 @@ struct SceneBlock {
     // Below the surface.
     glm::vec4 lens{}, floor_place{}, floor_size{}, floor_mesh{}, floor_look{}, floor_albedo{}, caustic_place{};
     std::array<glm::vec4, 3> caustic_row{};
+    std::array<glm::vec4, 2> foam_streaks{};
+    glm::vec4 foam_kind{};
+    std::array<glm::vec4, 8> bump_lattice{}, bump_place{};
+    std::array<glm::vec4, 2> bump_turn{};
+    glm::vec4 bump_kind{};
+    std::array<glm::vec4, 24> pond_wave{};
+    glm::vec4 flow_place{}, flow_cycle{}, flow_jump{};
     glm::vec4 output_kind{};
     glm::vec4 moon{}, stars{};
 };
@@ -53,6 +61,8 @@ struct SeaFacts {
     bool has_displacement_mips = false;
     bool framebuffer_is_srgb = false;
     bool writes_radiance = false;
+    Surface surface = Surface::open;
+    FlowExtent flow{};
 
     const TileFacts& finest_tile() const { return tiles.back(); }
     double texel_m(const TileFacts& tile) const { return tile.lattice.side_m / resolution; }

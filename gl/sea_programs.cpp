@@ -2,10 +2,11 @@
 
 namespace pelagic::gl {
 
-std::array<ProgramFiles, 5> sea_program_files(bool multiview, std::size_t tiles, Shading shading) {
-    const std::string defines = "#define TILES " + std::to_string(tiles) + "\n#define SHADING " +
-                                std::to_string(static_cast<int>(shading)) +
-                                (multiview ? "\n#define MULTIVIEW\n" : "\n");
+std::array<ProgramFiles, 5> sea_program_files(bool multiview, std::size_t tiles, Shading shading, Surface surface) {
+    std::string defines = "#define TILES " + std::to_string(tiles) + "\n#define SHADING " +
+                          std::to_string(static_cast<int>(shading)) + "\n";
+    if (multiview) defines += "#define MULTIVIEW\n";
+    if (surface != Surface::open) defines += "#define SURFACE " + std::to_string(static_cast<int>(surface)) + "\n";
     return {{{"sea.vert.glsl", "sea.frag.glsl", defines},
              {"skirt.vert.glsl", "sea.frag.glsl", defines + "#define SKIRT\n"},
              {"sky.vert.glsl", "sky.frag.glsl", defines},
@@ -24,6 +25,8 @@ SeaProgram::SeaProgram(const Functions& gl, const ProgramFiles& files)
     gl.Uniform1i(program.uniform("sky"), sky_unit);
     gl.Uniform1i(program.uniform("floor_heights"), floor_unit);
     gl.Uniform1i(program.uniform("caustics"), caustics_unit);
+    gl.Uniform1i(program.uniform("foam_structure"), foam_unit);
+    gl.Uniform1i(program.uniform("flow"), flow_unit);
     eye_index = program.uniform("eye_index");
     brightness = program.uniform("brightness");
 }
@@ -33,8 +36,8 @@ void SeaProgram::use(const Functions& gl, int eye) const {
     if (eye_index >= 0) gl.Uniform1i(eye_index, eye);
 }
 
-SeaPrograms::SeaPrograms(const Functions& gl, bool multiview, std::size_t tiles, Shading shading) {
-    const std::array<ProgramFiles, 5> files = sea_program_files(multiview, tiles, shading);
+SeaPrograms::SeaPrograms(const Functions& gl, bool multiview, std::size_t tiles, Shading shading, Surface surface) {
+    const std::array<ProgramFiles, 5> files = sea_program_files(multiview, tiles, shading, surface);
     SeaProgram* const programs[] = {&patches, &skirt, &background, &wireframe, &floor};
     for (std::size_t i = 0; i < files.size(); ++i) *programs[i] = SeaProgram(gl, files[i]);
 }

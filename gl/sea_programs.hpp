@@ -6,11 +6,22 @@
 
 #include "pelagic/gl/program.hpp"
 #include "pelagic/gl/shading.hpp"
+#include "pelagic/gl/small_water.hpp"
 
 namespace pelagic::gl {
 
 /// Texture units, as the programs read them.
-enum Unit : GLint { displacement_unit, slopes_unit, moments_unit, detail_unit, sky_unit, floor_unit, caustics_unit };
+enum Unit : GLint {
+    displacement_unit,
+    slopes_unit,
+    moments_unit,
+    detail_unit,
+    sky_unit,
+    floor_unit,
+    caustics_unit,
+    foam_unit,
+    flow_unit
+};
 
 struct ProgramFiles {
     const char* vertex;
@@ -19,7 +30,8 @@ struct ProgramFiles {
 };
 
 /// For patches, skirt, background, wireframe and floor, in this order, of a sea with so many tiles.
-std::array<ProgramFiles, 5> sea_program_files(bool multiview, std::size_t tiles, Shading shading);
+std::array<ProgramFiles, 5> sea_program_files(bool multiview, std::size_t tiles, Shading shading,
+                                              Surface surface = Surface::open);
 
 struct SeaProgram {
     SeaProgram() = default;
@@ -33,7 +45,7 @@ struct SeaProgram {
 
 struct SeaPrograms {
     /// Throws GlError if the driver refuses a shader. Leaves one of them in use.
-    SeaPrograms(const Functions& gl, bool multiview, std::size_t tiles, Shading shading);
+    SeaPrograms(const Functions& gl, bool multiview, std::size_t tiles, Shading shading, Surface surface);
 
     SeaProgram patches, skirt, background, wireframe, floor;
 };

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "pelagic/gl/detail_image.hpp"
+#include "pelagic/gl/foam_image.hpp"
 #include "pelagic/gl/kept_state.hpp"
 #include "pelagic/gl/patch_buffers.hpp"
 #include "pelagic/gl/scene_block.hpp"
@@ -27,6 +28,30 @@ Texture make_detail_texture(const Functions& gl) {
     return texture;
 }
 
+Texture make_foam_texture(const Functions& gl, Executor& executor) {
+    const FoamImage image = make_foam_image(executor);
+    Texture texture(gl);
+    gl.BindTexture(GL_TEXTURE_2D_ARRAY, texture.name());
+    gl.TexStorage3D(GL_TEXTURE_2D_ARRAY, FoamImage::levels, GL_RGBA8, FoamImage::side, FoamImage::side,
+                    FoamImage::layers);
+    for (int level = 0; level < FoamImage::levels; ++level)
+        gl.TexSubImage3D(GL_TEXTURE_2D_ARRAY, level, 0, 0, 0, FoamImage::side >> level, FoamImage::side >> level,
+                         FoamImage::layers, GL_RGBA, GL_UNSIGNED_BYTE, image.level(level));
+    gl.TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    return texture;
+}
+
+Texture make_flow_texture(const Functions& gl, const FlowMap& map) {
+    Texture texture(gl);
+    gl.BindTexture(GL_TEXTURE_2D, texture.name());
+    gl.TexStorage2D(GL_TEXTURE_2D, 1, GL_RG8, map.side, map.side);
+    gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, map.side, map.side, GL_RG, GL_UNSIGNED_BYTE, map.velocities.data());
+    gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    return texture;
+}
+
 const RendererOptions& checked(const RendererOptions& options) {
     if (options.tiles < 1 || options.tiles > most_tiles)
         throw std::invalid_argument("RendererOptions::tiles is " + std::to_string(options.tiles) + ", needs 1 to " +
@@ -40,9 +65,16 @@ struct SeaRenderer::State {
     State(const Functions& functions, const RendererOptions& wanted)
         : gl(functions), options(checked(wanted)), textures(functions, wanted.resolution, wanted.tiles) {
         const KeptState keep(gl);
-        programs = std::make_unique<SeaPrograms>(gl, options.multiview, options.tiles, options.shading);
+        programs =
+            std::make_unique<SeaPrograms>(gl, options.multiview, options.tiles, options.shading, options.surface);
         buffers = std::make_unique<PatchBuffers>(gl, options.patch_vertices);
         detail = make_detail_texture(gl);
+        foam = make_foam_texture(gl, *(options.executor ? options.executor : make_serial_executor()));
+        if (options.surface == Surface::river) {
+            const FlowMap map = winding_channel();
+            flow = make_flow_texture(gl, map);
+            flow_extent = map.extent;
+        }
         empty = VertexArray(gl);
         scene = Buffer(gl);
         gl.BindBuffer(GL_UNIFORM_BUFFER, scene.name());
@@ -61,6 +93,8 @@ struct SeaRenderer::State {
         bind(sky_unit, GL_TEXTURE_CUBE_MAP, sky.name());
         bind(floor_unit, GL_TEXTURE_2D, floor.name());
         bind(caustics_unit, GL_TEXTURE_2D, caustics.name());
+        bind(foam_unit, GL_TEXTURE_2D_ARRAY, foam.name());
+        bind(flow_unit, GL_TEXTURE_2D, flow.name());
     }
 
     void add(const PatchBuffers::Counts& counts) {
@@ -116,10 +150,11 @@ struct SeaRenderer::State {
     SeaFacts facts;
     std::unique_ptr<SeaPrograms> programs;
     std::unique_ptr<PatchBuffers> buffers;
-    Texture detail, sky, floor, caustics;
+    Texture detail, foam, sky, floor, caustics, flow;
     FloorFacts floor_facts;
     CausticFacts caustic_facts;
     bool lens_is_wet = false;
+    FlowExtent flow_extent;
     int sky_face_size = 0;
     SkyLight light;
     WaterOptics water = water_optics(default_jerlov_type);
@@ -130,6 +165,13 @@ struct SeaRenderer::State {
 
 SeaRenderer::SeaRenderer(const Functions& gl, const RendererOptions& options) : state_(new State(gl, options)) {}
 SeaRenderer::~SeaRenderer() = default;
+
+void SeaRenderer::set_flow(const FlowMap& map) {
+    if (const std::string reason = check(map); !reason.empty()) throw std::invalid_argument(reason);
+    const KeptState keep(state_->gl);
+    state_->flow = make_flow_texture(state_->gl, map);
+    state_->flow_extent = map.extent;
+}
 
 void SeaRenderer::set_sky(const Sky& sky) {
     State& s = *state_;
@@ -231,6 +273,7 @@ void SeaRenderer::upload(const Frame& frame) {
     state_->facts = facts_of(frame);
     state_->facts.has_displacement_mips = state_->textures.has_displacement_mips();
     state_->facts.framebuffer_is_srgb = state_->options.framebuffer_is_srgb;
+    state_->facts.surface = state_->options.surface;
     state_->facts.writes_radiance = state_->options.writes == PixelKind::radiance;
     state_->figures.upload_ms = all.milliseconds();
     state_->figures.upload_driver_ms = state_->textures.last_driver_ms();
@@ -250,6 +293,7 @@ const DrawFigures& SeaRenderer::draw(const DrawInput& input) {
     figures.triangles = 0;
     figures.draw_driver_ms = 0;
 
+    s.facts.flow = s.flow_extent;
     SceneBlock block = scene_block_of(input, s.facts, s.water, s.light);
     place_below(block, input, s.facts, s.floor_facts, s.caustic_facts);
     s.lens_is_wet = block.lens.w > 0;

@@ -23,6 +23,7 @@
 #include "pelagic/gl/sea_floor.hpp"
 #include "pelagic/gl/shading.hpp"
 #include "pelagic/gl/sky_baker.hpp"
+#include "pelagic/gl/small_water.hpp"
 #include "pelagic/gl/views.hpp"
 #include "pelagic/gl/water_at_lens.hpp"
 #include "pelagic/gl/water_optics.hpp"
@@ -37,7 +38,9 @@ struct RendererOptions {
     Shading shading = Shading::high;
     bool framebuffer_is_srgb = false;      ///< it encodes what shaders write; else they do
     PixelKind writes = PixelKind::screen;  ///< radiance: linear and not exposed, for a host that has its own camera
-    bool multiview = false;                ///< the framebuffer holds both eyes as layers (OVR_multiview2)
+    Surface surface = Surface::open;       ///< small water is drawn in place of the frames' tiles
+    std::shared_ptr<Executor> executor = nullptr;  ///< bakes textures at the start; null: on this thread
+    bool multiview = false;                        ///< the framebuffer holds both eyes as layers (OVR_multiview2)
 };
 
 enum class DrawMode { shaded, wireframe };
@@ -92,6 +95,8 @@ class SeaRenderer {
     void set_caustics(const Caustics& caustics);
     /// V of the draw lists from here on: another quality's meshes, without new shaders and textures.
     void set_patch_vertices(int patch_vertices);
+    /// How a river flows from now on; a winding channel until then. Throws std::invalid_argument for a map that is not whole.
+    void set_flow(const FlowMap& map);
     /// From here on the frame's sea is drawn, at its time; the frame's views may go stale. Throws what
     /// FrameTextures::upload() throws, and draws on what was uploaded before then.
     void upload(const Frame& frame);

@@ -186,6 +186,13 @@ TEST(RenderCommand, NamesOptionValueAndRange) {
         {{"--hdr", "a.exr", "--sky", "a.exr"}, "pelagic: --sky is a.exr, needs another file than --hdr\n"},
         {{"--hdr", "a.exr", "--wireframe"},
          "pelagic: --hdr is a.exr, needs a sea without --wireframe, whose colours are no radiance\n"},
+        {{"--out", "a.png", "--surface", "sea"},
+         "pelagic: --surface is sea, needs open, lake, coast, river or pond\n"},
+        {{"--out", "a.png", "--flow", "a.png"},
+         "pelagic: --flow is given, needs --surface river, the only water that flows\n"},
+        {{"--out", "a.png", "--surface", "river", "--flow", "/dev/null"},
+         "pelagic: --flow is /dev/null, needs a square PNG of 1 to 4096 pixels a side, RGB or RGBA with 8 bits a "
+         "channel\n"},
     };
     for (const auto& [arguments, line] : cases) {
         std::vector<std::string> words = {"render"};

@@ -48,9 +48,23 @@ TEST(Shaders, AreGlslInEveryVariant) {
                     all.push_back(files);
     for (const char* pass : {"bloom_down.frag.glsl", "bloom_up.frag.glsl", "display.frag.glsl", "meter.frag.glsl"})
         all.push_back({"screen.vert.glsl", pass, ""});
-    ASSERT_EQ(all.size(), 95u);
+    using gl::Surface;
+    for (const Surface surface : {Surface::lake, Surface::coast, Surface::river, Surface::pond})
+        for (const bool multiview : {false, true})
+            for (const gl::ProgramFiles& files : gl::sea_program_files(multiview, 1, gl::Shading::high, surface))
+                all.push_back(files);
+    ASSERT_EQ(all.size(), 135u);
     for (const gl::ProgramFiles& files : all)
         EXPECT_EQ(refusal_of(files), "") << files.vertex << ", " << files.fragment << "\n" << files.defines;
+}
+
+// Foam has three tiers (gl/shaders/foam.glsl); programs are made of the last one.
+TEST(Shaders, AreGlslAtEachTierOfShading) {
+    for (const std::string tier : {"0", "1"})
+        for (gl::ProgramFiles files : gl::sea_program_files(false, 3)) {
+            files.defines += "#define SHADING " + tier + "\n";
+            EXPECT_EQ(refusal_of(files), "") << files.fragment << ", tier " << tier;
+        }
 }
 
 TEST(Shaders, OfHeadsetsTakeBothEyesInOnePass) {

@@ -67,12 +67,15 @@ class PictureMaker {
                                            .resolution = ocean_.resolution(),
                                            .tiles = ocean_.tile_count(),
                                            .shading = options.scene.shading,
-                                           .writes = gl::PixelKind::radiance}),
+                                           .writes = gl::PixelKind::radiance,
+                                           .surface = options.scene.surface,
+                                           .executor = make_default_executor(options.scene.compute.threads)}),
           selection_(options.scene.quadtree),
           luminance_of_unit_(sky.luminance_of_unit()),
           caustics_(make_default_executor(options.scene.compute.threads)) {
         renderer_.set_water(options.scene.water);
         renderer_.set_floor(options.scene.floor);
+        if (options.scene.flow) renderer_.set_flow(*options.scene.flow);
         renderer_.set_sky(sky);
         eyes_ = eyes_in(options.scene.width, options.scene.height);
         for (const gl::Eye& eye : eyes_) views_.push_back(eye.clip_from_world);

@@ -7,6 +7,7 @@
 #include "pelagic/gl/light_presets.hpp"
 #include "pelagic/sim/statistics.hpp"
 #include "pelagic/tools/errors.hpp"
+#include "pelagic/tools/flow_file.hpp"
 #include "pelagic/tools/option_text.hpp"
 
 namespace pelagic::tools {
@@ -36,6 +37,20 @@ void read_direction(const std::string& option, const std::string& text, float& a
     elevation_rad = static_cast<float>(*elevation * radians_per_degree);
 }
 
+void choose_surface(SceneOptions& options, const std::string& name, const std::optional<std::string>& flow_file) {
+    const std::optional<gl::Surface> surface = gl::surface_named(name);
+    if (!surface) {
+        const auto all = gl::surface_names();
+        const std::vector<std::string> names(all.begin(), all.end());
+        throw bad_value("--surface", name, list_of(names) + nearest_hint(name, names));
+    }
+    options.surface = *surface;
+    if (!flow_file) return;
+    if (options.surface != gl::Surface::river)
+        throw InputError("--flow is given, needs --surface river, the only water that flows");
+    options.flow = read_flow_map("--flow", *flow_file);
+}
+
 void choose_quality(SceneOptions& options, const std::string& name) {
     const QuadtreePreset* preset = quadtree_preset_named(name);
     if (!preset) {
@@ -45,7 +60,10 @@ void choose_quality(SceneOptions& options, const std::string& name) {
     }
     options.quality = name;
     // From high up one sees far: waves end at 5/16 of the square's side.
-    const double size_m = options.camera.position_m.y > 100 ? 8192 : 4096;
+    // Small water is looked at from near, and its waves are short: a small square has vertices for them.
+    const double size_m = options.surface != gl::Surface::open ? 512
+                          : options.camera.position_m.y > 100  ? 8192
+                                                               : 4096;
     options.quadtree = preset->options(size_m);
 }
 
@@ -108,6 +126,11 @@ void SceneFlags::add_to(CLI::App& app) {
     add("chlorophyll", "MG_PER_M3", "instead of --water: what lives in the water colours it; [0.01, 30]");
     add("shading", "TIER", "what a pixel of water may cost: headset, medium or high; default high");
     add("visibility", "METRES", "where haze leaves 2 % of contrast, [500, 300000]; default by the wind");
+    add("surface", "NAME",
+        "what is drawn: open, or small water in its place: lake, coast, river, pond; default open");
+    add("flow", "FILE.png",
+        "velocities of a river in red (x) and green (z), 128 is none; square, 160 m wide, 255 is 1.5 m/s; "
+        "default a winding channel");
     add("quality", "NAME", "level of detail: low, medium, high or ultra; default high");
     add("exposure", "EV",
         "exposure value at ISO 100, [-10, 20]: 15 is sunlight, 12 an overcast day, -3 moonlight; default auto, "
@@ -177,6 +200,7 @@ SceneOptions SceneFlags::resolve() const {
         options.sky.visibility_m = static_cast<float>(number_in(option, text, 500, 300e3, "metres in [500, 300000]"));
     });
     read_camera_settings(options.settings);
+    choose_surface(options, typed_.at("surface").value_or("open"), typed_.at("flow"));
     choose_quality(options, typed_.at("quality").value_or("high"));
     return options;
 }

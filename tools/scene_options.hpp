@@ -9,6 +9,7 @@
 #include "pelagic/gl/exposure.hpp"
 #include "pelagic/gl/shading.hpp"
 #include "pelagic/gl/sky_baker.hpp"
+#include "pelagic/gl/small_water.hpp"
 #include "pelagic/gl/views.hpp"
 #include "pelagic/gl/water_optics.hpp"
 #include "pelagic/quadtree/quadtree_options.hpp"
@@ -29,6 +30,8 @@ struct SceneOptions {
     gl::Shading shading = gl::Shading::high;
     gl::CameraSettings settings;
     gl::SeaFloor floor;
+    gl::Surface surface = gl::Surface::open;
+    std::optional<gl::FlowMap> flow;
     std::string quality;
     QuadtreeOptions quadtree;
 };

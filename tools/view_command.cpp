@@ -72,6 +72,8 @@ std::string render_command_of(const viewer::ViewResult& result) {
             light_text(result.settings) + " --quality " + result.settings.quality + " --time " +
             number_text(std::round(result.time_s * 1000) / 1000) + " --size " + number_text(result.width) + "x" +
             number_text(result.height);
+    if (result.settings.surface != gl::Surface::open)
+        text += " --surface " + std::string(gl::surface_names()[static_cast<std::size_t>(result.settings.surface)]);
     return text;
 }
 
@@ -94,6 +96,8 @@ void ViewFlags::run() const {
                                              .water = scene.water,
                                              .shading = scene.shading,
                                              .camera = scene.settings,
+                                             .surface = scene.surface,
+                                             .flow = scene.flow,
                                              .quality = scene.quality,
                                              .size_m = scene.quadtree.size_m},
                                 .camera = scene.camera,

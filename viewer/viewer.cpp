@@ -178,7 +178,7 @@ class Viewer {
                 choose_quality();
             }
         }
-        if (settings_.quality != quality_) choose_quality();
+        if (settings_.quality != quality_ || settings_.surface != surface_) choose_quality();
     }
 
     /// An ocean has its number of tiles for life.
@@ -204,15 +204,19 @@ class Viewer {
     /// Textures and meshes belong to the quality and to the tiles; the sky is uploaded again.
     void choose_quality() {
         quality_ = settings_.quality;
+        surface_ = settings_.surface;
         choose_mesh(preset_named(quality_).vertices);
         renderer_ = std::make_unique<gl::SeaRenderer>(
             window_.functions(), gl::RendererOptions{.patch_vertices = selection_->options().vertices,
                                                      .resolution = ocean_->resolution(),
                                                      .tiles = ocean_->tile_count(),
                                                      .shading = settings_.shading,
-                                                     .writes = gl::PixelKind::radiance});
+                                                     .writes = gl::PixelKind::radiance,
+                                                     .surface = surface_,
+                                                     .executor = make_default_executor(options_.threads)});
         renderer_->set_water(settings_.water);
         renderer_->set_floor(options_.floor);
+        if (settings_.flow) renderer_->set_flow(*settings_.flow);
         if (!figures_.sky_is_baking && frames_ > 0) take_sky();
     }
 
@@ -391,6 +395,7 @@ class Viewer {
     bool caustics_are_baking_ = false;
     ViewCamera camera_;
     std::string quality_;
+    gl::Surface surface_ = gl::Surface::open;
     std::optional<Selection> selection_;
     std::unique_ptr<gl::SeaRenderer> renderer_;
     std::optional<gl::RenderTarget> wireframe_;

@@ -15,6 +15,15 @@
 #else
 #define VERTEX_TILES 0
 #endif
+// What is drawn: gl::Surface.
+#define OPEN 0
+#define LAKE 1
+#define COAST 2
+#define RIVER 3
+#define POND 4
+#ifndef SURFACE
+#define SURFACE OPEN
+#endif
 
 #ifdef MULTIVIEW
 #define EYE int(gl_ViewID_OVR)
@@ -48,7 +57,7 @@ layout(std140) uniform Scene {
     highp vec4 waves;             // x: significant height; y: alpha of the water between texels; zw: the wind's direction
     highp vec4 detail_turn[2];    // rows of a rotation over the tile's side
     highp vec4 detail_shift;      // xy of layer 0, zw of layer 1: where the viewer is in the tile
-    highp vec4 noise_scale;       // xy: of foam's two layers, zw: of the gusts' two, 1/m
+    highp vec4 noise_scale;       // xy: of foam's bubbles and lace, zw: of the gusts' two, 1/m
     highp vec4 foam_shift;        // where the viewer is in them
     highp vec4 gust_shift;
     highp vec4 foam_trail;        // x: the tile whose crests leave foam behind; y: how far the sum of
@@ -64,6 +73,18 @@ layout(std140) uniform Scene {
     highp vec4 floor_albedo;      // w: 1 if the floor may be seen from above
     highp vec4 caustic_place;     // as tile_place, of the caustics' texture; zw: 0 if there is none
     highp vec4 caustic_row[3];    // xy: radians a metre; z: phase at the viewer; w of the first: depth of the focus
+    highp vec4 foam_streaks[2];   // along and across the wind, near and far: xy 1/m, zw where the viewer is
+    highp vec4 foam_kind;         // x: part of the sea under thin streaks; y: how softly streaks gather old foam; z: height of
+                                  // fresh foam, m
+    highp vec4 bump_lattice[8];   // of small water's octaves: xy cosine and sine of the turn; z: cells a metre; w: height
+    highp vec4 bump_place[8];     // where the viewer is in it: xy in the cell, zw which cell
+    highp vec4 bump_turn[2];      // how far gradients have turned, turns
+    highp vec4 bump_kind;         // x: how much longer crests are than waves, as a factor below 1; y: coast: foam on crests, pond:
+                                  // drag of its waves over their height; zw: warp of a coast's ridges, metres a metre of height
+    highp vec4 pond_wave[24];     // xy: wave vector, rad/m; z: height; w: phase at the viewer
+    highp vec4 flow_place;        // xy: where the viewer is in the map of a river's flow, z: 1 over its side
+    highp vec4 flow_cycle;        // xy: how far the two copies of its bumps are in their cycles; z: the fastest water's way in one, m
+    highp vec4 flow_jump;         // where the copies began, m
     highp vec4 output_kind;       // x: 1 if the shader encodes sRGB, 0 if the framebuffer does; y: 1 if radiance is asked for;
                                   // z: the exposure by which samples of radiance are weighted, or 0; w: luminance of a radiance
                                   // of 1, cd/m^2

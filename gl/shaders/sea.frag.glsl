@@ -1,6 +1,6 @@
 // Open sea. In the order of main():
 //
-//   waves       normal and roughness of the surface in the pixel
+//   waves       normal and roughness of the surface in the pixel; of small water, if that is what is drawn
 //   mirror      the sky, mirrored by waves of which those that lean towards the eye count most; the sun's glint
 //   water       light from below: absorption and backscattering, light through crests
 //   foam        white and diffuse, over all of it
@@ -27,6 +27,10 @@ out vec4 colour;
 const float pi = 3.14159265;
 
 #include "waves.glsl"
+#if SURFACE != OPEN
+#include "small_water.glsl"
+#include "small_surface.glsl"
+#endif
 #include "mirror.glsl"
 #include "water_light.glsl"
 #include "water.glsl"
@@ -80,7 +84,7 @@ void main() {
     vec3 water_light = light_from_below(at, normal, to_eye, distance_m, surface.alpha2) + through_crests(normal, to_eye, height, surface.foam);
     vec3 radiance = mix(water_light, mirrored_sky(normal, to_eye, surface.alpha2), fresnel) +
                     sun_irradiance.rgb * glint(normal, to_eye, surface.alpha2);
-    radiance = mix(radiance, foam_light(normal), foam_cover(resting, surface.foam, distance_m));
+    radiance = with_foam(radiance, foam_at(resting, surface.foam, to_eye), normal, to_eye, fresnel);
     radiance = soft_shore(radiance, at, distance_m, height);
     radiance = through_haze(radiance, from_eye, distance_m);
     colour = screen_colour(across_meniscus(radiance, above_lens));

@@ -26,6 +26,10 @@ flat out int patch_level;
 
 invariant gl_Position;
 
+#if SURFACE != OPEN
+#include "small_water.glsl"
+#endif
+
 // The sum of what the tiles hold there. Mips and weights depend on the rest position alone, so that every patch that has this
 // vertex takes the same ones. A mip grows with distance as the vertices' spacing does; half a level below it, because waves
 // of a few vertices still count.
@@ -35,12 +39,16 @@ vec3 displaced(ivec2 index) {
     float left = clamp((fade.z - max(from_centre.x, from_centre.y)) * fade.w, 0.0, 1.0);
     float spacing = max(mesh.y, length(vec3(at.x, viewer.z, at.y)) * mesh.x);
     vec3 moved = vec3(0.0);
+#if SURFACE != OPEN
+    moved.y = small_height(at, spacing);
+#else
     for (int tile = 0; tile < TILES; ++tile) {
         float mip = max(log2(spacing * tile_scale[tile].x) - 0.5, 0.0);
         float weight = weight_of_tile(tile, mip);
         if (weight > 0.0)
             moved += weight * textureLod(displacement, vec3(place_in_tile(tile, at), tile), min(mip, mesh.z)).xyz;
     }
+#endif
     return moved * left;
 }
 

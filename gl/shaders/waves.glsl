@@ -248,9 +248,11 @@ void add_water_between_texels(vec2 at, Footprint pixel, inout Waves seen) {
     seen.alpha2 = clamp(seen.alpha2 + rest + gust * mean_square * (1.0 - shown), 0.0004, 1.0);
 }
 
+#if SURFACE == OPEN
 Waves waves_at(vec2 at, float distance_m) {
     Footprint pixel = footprint_of(at);
     Waves seen = resolved_waves(at, distance_m, pixel);
     add_water_between_texels(at, pixel, seen);
     return seen;
 }
+#endif
