@@ -79,11 +79,11 @@ void main() {
 #if BELOW
     float above_lens = lens_above_water(from_eye);
     if (above_lens < 0.0) {
-        vec3 below = surface_from_below(at, normal, to_eye, surface.alpha2, distance_m);
+        vec3 below = surface_from_below(at, normal, -leading_ahead(from_eye) / distance_m, surface.alpha2, distance_m);
         colour = screen_colour(across_meniscus(below, above_lens));
         return;
     }
-    vec3 water_light = light_from_below(at, normal, to_eye, distance_m, height);
+    vec3 water_light = light_from_below(at, normal, to_eye, distance_m, surface.alpha2);
 #else
     vec3 water_light = upwelling(normal, to_eye);
 #endif
