@@ -11,7 +11,7 @@ namespace {
 
 constexpr float pi = 3.14159265f;
 constexpr int elevations = 96, azimuths = 33;
-constexpr int view_samples = 40, sun_samples = 12;
+constexpr int view_samples = 40;
 
 /// Distance from a point at `height_m`, towards an angle from the zenith, to the sphere of `top_m` above the sea.
 float distance_to_height(float height_m, float cosine, float top_m) {
@@ -25,6 +25,9 @@ float height_at(float height_m, float cosine, float distance_m) {
     const double r = double{earth_radius_m} + height_m, d = distance_m;
     return static_cast<float>(std::sqrt(r * r + d * d + 2 * r * d * cosine) - earth_radius_m);
 }
+
+/// Over its most.
+float ozone_part(float height_m) { return std::max(0.f, 1 - std::abs(height_m - ozone_height_m) / ozone_reach_m); }
 
 }  // namespace
 
@@ -47,12 +50,15 @@ glm::vec3 Atmosphere::optical_depth(float height_m, float cosine) const {
     const float length = distance_to_height(height_m, cosine, atmosphere_top_m);
     glm::vec3 depth(0);
     float before = 0;
+    // A ray that passes the earth on its way to a sun that has set meets most air in its middle.
+    const int sun_samples = cosine < 0.05f ? 32 : 12;
     for (int i = 1; i <= sun_samples; ++i) {
         // Steps grow with distance: the air that counts is near.
-        const float part = static_cast<float>(i) / sun_samples;
+        const float part = static_cast<float>(i) / static_cast<float>(sun_samples);
         const float end = length * part * part;
         const float h = std::max(0.f, height_at(height_m, cosine, (before + end) / 2));
-        depth += (rayleigh_per_m * std::exp(-h / rayleigh_height_m) + haze_per_m_ * std::exp(-h / mie_height_m)) *
+        depth += (rayleigh_per_m * std::exp(-h / rayleigh_height_m) + haze_per_m_ * std::exp(-h / mie_height_m) +
+                  ozone_per_m * ozone_part(h)) *
                  (end - before);
         before = end;
     }
@@ -96,7 +102,8 @@ void Atmosphere::fill_table() {
                 before = end;
                 const float h = std::max(0.f, height_at(0, sine, at));
                 const float air = std::exp(-h / rayleigh_height_m), haze = std::exp(-h / mie_height_m);
-                const glm::vec3 taken = (rayleigh_per_m * air + haze_per_m_ * haze) * step;
+                const glm::vec3 taken =
+                    (rayleigh_per_m * air + haze_per_m_ * haze + ozone_per_m * ozone_part(h)) * step;
                 // The zenith turns by the distance over the radius: it decides where the sun sets.
                 const float turn = at * across / earth_radius_m;
                 const float sun_sine = sun_.y * std::cos(turn) + sun_across * std::cos(azimuth) * std::sin(turn);

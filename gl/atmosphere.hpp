@@ -2,7 +2,8 @@
 // of what is scattered again, without which the horizon would be brown.
 //
 // Coefficients and scale heights: Bruneton and Neyret 2008, "Precomputed Atmospheric Scattering", table 1 and section 2.1
-// (after Riley et al. 2004); no ozone. The sun's irradiance above the air is 1 in every channel: the picture's white.
+// (after Riley et al. 2004). Ozone, which makes the sky of dusk blue: Hillaire 2020, "A Scalable and Production Ready Sky and
+// Atmosphere Rendering Technique", table 1. The sun's irradiance above the air is 1 in every channel: the picture's white.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -19,6 +20,12 @@ inline constexpr float rayleigh_height_m = 8000;
 inline constexpr float mie_height_m = 1200;
 inline constexpr float mie_albedo = 0.9f;      ///< scattering over extinction
 inline constexpr float mie_asymmetry = 0.76f;  ///< g
+
+/// Absorption by ozone 25 km high; none is 15 km above or below. Red is not that of 680 nm, 0.65e-6, but the mean of what a screen's
+/// red stands for, 580 to 640 nm, where ozone absorbs most (Gorshelev et al. 2014: 1.35 times as much as at 550 nm): dusk would be
+/// purple.
+inline constexpr glm::vec3 ozone_per_m{2.5e-6f, 1.881e-6f, 0.085e-6f};
+inline constexpr float ozone_height_m = 25e3f, ozone_reach_m = 15e3f;
 
 /// Extinction by haze at sea level, 1/m, for a visibility: the distance at which contrast falls to 2 % (Koschmieder
 /// 1924), less what air itself takes at 550 nm.

@@ -78,13 +78,12 @@ float CloudShape::at(glm::vec3 point_m) const {
            glm::mix(glm::mix(column(x0, z0), column(x1, z0), u), glm::mix(column(x0, z1), column(x1, z1), u), w);
 }
 
-CloudLayer::CloudLayer(const CloudOptions& options, const Atmosphere& atmosphere, const CloudShape& shape,
-                       glm::vec3 sky_irradiance)
+CloudLayer::CloudLayer(const CloudOptions& options, const ClearSky& sky, const CloudShape& shape)
     : options_(options),
-      atmosphere_(atmosphere),
+      sky_(sky),
       shape_(shape),
-      sun_light_(atmosphere.sun_transmittance(options.base_m + options.thickness_m)),
-      sky_light_(sky_irradiance * (1 / 3.14159265f)) {}
+      key_(sky.key_light(options.base_m + options.thickness_m)),
+      sky_light_(sky.irradiance() * (1 / 3.14159265f)) {}
 
 /// How much noise a cloud needs at its base, there: low where clouds gather, kilometres wide.
 float CloudLayer::threshold(glm::vec3 at) const {
@@ -102,7 +101,7 @@ float CloudLayer::density(glm::vec3 at, float height_part, float threshold) cons
 }
 
 float CloudLayer::depth_towards_sun(glm::vec3 at, float height_part, float threshold) const {
-    const glm::vec3 sun = atmosphere_.sun();
+    const glm::vec3 sun = key_.direction;
     // Slanted light leaves the layer at its top, or far away.
     const float length = std::min((1 - height_part) * options_.thickness_m / std::max(sun.y, 0.08f), 1200.f);
     float depth = 0, before = 0;
@@ -138,7 +137,7 @@ CloudLight CloudLayer::along(glm::vec3 direction) const {
     const auto bits = [](float f) { return static_cast<std::int32_t>(f * 65536); };
     const float jitter = random_at(bits(direction.x), bits(direction.y), bits(direction.z), options_.seed);
     float gathered = threshold(direction * start);
-    const float cosine = glm::dot(direction, atmosphere_.sun());
+    const float cosine = glm::dot(direction, key_.direction);
     glm::vec3 sum(0);
     float left = 1;
     for (int i = 0; i < samples && left > 0.01f; ++i) {
@@ -161,21 +160,16 @@ CloudLight CloudLayer::along(glm::vec3 direction) const {
             reach *= 0.35f;
             roundness *= 0.5f;
         }
-        const glm::vec3 radiance = sun_light_ * sunlight + sky_light_ * (0.35f + 0.65f * h) * 0.55f;
+        const glm::vec3 radiance = key_.irradiance * sunlight + sky_light_ * (0.35f + 0.65f * h) * 0.55f;
         const float taken = 1 - std::exp(-here * extinction_per_m * step);
         sum += left * taken * radiance;
         left *= 1 - taken;
     }
     // Haze and air in front of the cloud: it takes the sky's colour with distance.
-    const glm::vec3 through = atmosphere_.transmittance(direction.y, start);
-    light.radiance = sum * through + atmosphere_.radiance(direction) * (1 - left) * (1.f - through);
+    const glm::vec3 through = sky_.transmittance(direction.y, start);
+    light.radiance = sum * through + sky_.radiance(direction) * (1 - left) * (1.f - through);
     light.transmittance = left;
     return light;
-}
-
-float CloudLayer::sun_visibility() const {
-    const glm::vec3 sun = atmosphere_.sun();
-    return sun.y > 0 ? along(sun).transmittance : 0;
 }
 
 }  // namespace pelagic::gl

@@ -5,7 +5,7 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-#include "pelagic/gl/atmosphere.hpp"
+#include "pelagic/gl/clear_sky.hpp"
 
 namespace pelagic::gl {
 
@@ -40,15 +40,14 @@ struct CloudLight {
 
 class CloudLayer {
    public:
-    /// \param sky_irradiance  of the clear sky on a level plane, for the light that clouds get from everywhere
-    CloudLayer(const CloudOptions& options, const Atmosphere& atmosphere, const CloudShape& shape,
-               glm::vec3 sky_irradiance);
+    /// In the units of `sky`.
+    CloudLayer(const CloudOptions& options, const ClearSky& sky, const CloudShape& shape);
 
     /// \param direction  unit vector
     /// \pre `shape` is filled
     CloudLight along(glm::vec3 direction) const;
-    /// Part of the sun's light that comes through to the eye at sea level.
-    float sun_visibility() const;
+    /// Part of the light from above that comes through to the eye at sea level.
+    float visibility(glm::vec3 direction) const { return direction.y > 0 ? along(direction).transmittance : 0; }
 
    private:
     float threshold(glm::vec3 at) const;
@@ -56,9 +55,10 @@ class CloudLayer {
     float depth_towards_sun(glm::vec3 at, float height_part, float threshold) const;
 
     CloudOptions options_;
-    const Atmosphere& atmosphere_;
+    const ClearSky& sky_;
     const CloudShape& shape_;
-    glm::vec3 sun_light_, sky_light_;
+    KeyLight key_;         ///< at the tops: the sun reaches them longer than the sea
+    glm::vec3 sky_light_;  ///< what they get from everywhere
 };
 
 }  // namespace pelagic::gl

@@ -85,4 +85,22 @@ KeptState::~KeptState() {
     gl_.UseProgram(static_cast<GLuint>(program_));
 }
 
+KeptTargets::KeptTargets(const Functions& gl) : gl_(gl) {
+    gl.GetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &drawn_);
+    gl.GetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &read_);
+    gl.GetIntegerv(GL_PIXEL_PACK_BUFFER_BINDING, &pack_buffer_);
+    gl.BindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+    for (std::size_t i = 0; i < packing.size(); ++i) {
+        gl.GetIntegerv(packing[i], &packing_[i]);
+        gl.PixelStorei(packing[i], packing[i] == GL_PACK_ALIGNMENT ? 4 : 0);
+    }
+}
+
+KeptTargets::~KeptTargets() {
+    for (std::size_t i = 0; i < packing.size(); ++i) gl_.PixelStorei(packing[i], packing_[i]);
+    gl_.BindBuffer(GL_PIXEL_PACK_BUFFER, static_cast<GLuint>(pack_buffer_));
+    gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(drawn_));
+    gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(read_));
+}
+
 }  // namespace pelagic::gl

@@ -9,7 +9,7 @@
 namespace pelagic::gl {
 
 /// Texture units that the sea's shaders use, from 0 on.
-inline constexpr int texture_units = 5;
+inline constexpr int texture_units = 7;
 
 class KeptState {
    public:
@@ -50,6 +50,24 @@ class KeptState {
     std::array<GLboolean, switches.size()> switched_{};
     std::array<GLint, unpacking.size()> unpacking_{};
     std::array<Unit, texture_units> units_;
+};
+
+/// The framebuffers that the display pass changes, and where pixels are read to. \pre a KeptState stands around it
+class KeptTargets {
+   public:
+    explicit KeptTargets(const Functions& gl);
+    ~KeptTargets();
+    KeptTargets(const KeptTargets&) = delete;
+    KeptTargets& operator=(const KeptTargets&) = delete;
+    /// Draws go there again, where the host's did.
+    void bind_drawn() const { gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(drawn_)); }
+
+   private:
+    static constexpr std::array<GLenum, 4> packing = {GL_PACK_ALIGNMENT, GL_PACK_ROW_LENGTH, GL_PACK_SKIP_PIXELS,
+                                                      GL_PACK_SKIP_ROWS};
+    const Functions& gl_;
+    GLint drawn_ = 0, read_ = 0, pack_buffer_ = 0;
+    std::array<GLint, packing.size()> packing_{};
 };
 
 }  // namespace pelagic::gl

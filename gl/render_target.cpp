@@ -33,7 +33,13 @@ RenderTarget::RenderTarget(const Functions& gl, int width, int height, int sampl
     samples = std::min(samples, static_cast<int>(most_samples));
     colour_ = make_renderbuffer(gl, format, width, height, samples);
     depth_ = make_renderbuffer(gl, GL_DEPTH_COMPONENT24, width, height, samples);
-    resolved_colour_ = make_renderbuffer(gl, format, width, height, 0);
+    resolved_colour_ = Texture(gl);
+    gl.BindTexture(GL_TEXTURE_2D, resolved_colour_.name());
+    gl.TexStorage2D(GL_TEXTURE_2D, 1, format, width, height);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
     framebuffer_ = Framebuffer(gl);
     gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
     gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, colour_.name());
@@ -41,7 +47,7 @@ RenderTarget::RenderTarget(const Functions& gl, int width, int height, int sampl
     const bool is_whole = gl.CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
     resolved_ = Framebuffer(gl);
     gl.BindFramebuffer(GL_FRAMEBUFFER, resolved_.name());
-    gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, resolved_colour_.name());
+    gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, resolved_colour_.name(), 0);
     if (!is_whole || gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
         throw GlError("the driver can't make a picture of " + number_text(width) + "x" + number_text(height) +
                       "; is it out of memory?");
@@ -53,10 +59,26 @@ void RenderTarget::bind() {
     gl_.Viewport(0, 0, width_, height_);
 }
 
-void RenderTarget::read_rows(GLenum type, void* pixels, std::size_t bytes_a_row) {
+TexturePart RenderTarget::resolved(int width, int height) {
     gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_.name());
     gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_.name());
-    gl_.BlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    gl_.BlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    bind();
+    return {resolved_colour_.name(), width, height, width_, height_};
+}
+
+void RenderTarget::show(int width, int height, int window_width, int window_height) {
+    resolved(width, height);
+    gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, resolved_.name());
+    gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+    const bool is_same_size = width == window_width && height == window_height;
+    gl_.BlitFramebuffer(0, 0, width, height, 0, 0, window_width, window_height, GL_COLOR_BUFFER_BIT,
+                        is_same_size ? GL_NEAREST : GL_LINEAR);
+    gl_.BindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
+void RenderTarget::read_rows(GLenum type, void* pixels, std::size_t bytes_a_row) {
+    resolved();
     gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, resolved_.name());
     gl_.PixelStorei(GL_PACK_ALIGNMENT, 4);
     gl_.ReadPixels(0, 0, width_, height_, GL_RGBA, type, pixels);

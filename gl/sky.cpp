@@ -19,16 +19,26 @@ constexpr std::array fields = {
     Field{"sun_elevation_rad", &SkyOptions::sun_elevation_rad, -half_pi, half_pi, "[-pi/2, pi/2]"},
     Field{"cloud_cover", &SkyOptions::cloud_cover, 0, 1, "[0, 1]"},
     Field{"visibility_m", &SkyOptions::visibility_m, 500, 300e3, "[500, 300e3]"},
+    Field{"moon_azimuth_rad", &SkyOptions::moon_azimuth_rad, -most, most, "a finite number"},
+    Field{"moon_elevation_rad", &SkyOptions::moon_elevation_rad, -half_pi, half_pi, "[-pi/2, pi/2]"},
 };
+
+glm::vec3 direction_at(float azimuth_rad, float elevation_rad) {
+    const float across = std::cos(elevation_rad);
+    return {across * std::cos(azimuth_rad), std::sin(elevation_rad), across * std::sin(azimuth_rad)};
+}
 
 }  // namespace
 
 std::string check(const SkyOptions& options) { return check_fields(options, fields); }
 
 glm::vec3 sun_direction(const SkyOptions& options) {
-    const float across = std::cos(options.sun_elevation_rad);
-    return {across * std::cos(options.sun_azimuth_rad), std::sin(options.sun_elevation_rad),
-            across * std::sin(options.sun_azimuth_rad)};
+    return direction_at(options.sun_azimuth_rad, options.sun_elevation_rad);
+}
+
+glm::vec3 moon_direction(const SkyOptions& options) {
+    return options.places_moon ? direction_at(options.moon_azimuth_rad, options.moon_elevation_rad)
+                               : -sun_direction(options);
 }
 
 int sky_levels(int face_size) { return std::bit_width(static_cast<unsigned>(face_size)) - 2; }

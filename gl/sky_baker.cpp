@@ -12,7 +12,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "pelagic/gl/atmosphere.hpp"
+#include "pelagic/gl/clear_sky.hpp"
 #include "pelagic/gl/clouds.hpp"
 #include "pelagic/gl/cube.hpp"
 #include "pelagic/gl/sky_mirrors.hpp"
@@ -40,6 +40,7 @@ struct SkyBaker::State {
     State(std::shared_ptr<Executor> on, int face_size) : executor(std::move(on)), size(face_size) {
         for (int side = size; side >= 4; side /= 2) averages.emplace_back(side);
         for (int side = size; side >= 4; side /= 2) mirrors.emplace_back(side);
+        clearnesses.resize(mirrors[0].texels.size());
         for (Sky& sky : skies) {
             sky.face_size = size;
             sky.levels = sky_levels(size);
@@ -77,20 +78,19 @@ struct SkyBaker::State {
 
     void prepare_light() {
         Sky& sky = target();
-        sky.sun_direction = sun_direction(sky.options);
-        atmosphere.emplace(sky.sun_direction, sky.options.visibility_m);
-        // Of the clear sky, for the clouds; that of the whole sky follows from the baked faces.
-        glm::vec3 irradiance(0);
-        constexpr std::uint32_t samples = 256;
-        for (std::uint32_t i = 0; i < samples; ++i) {
-            const glm::vec2 u = hammersley(i, samples);
-            const float across = std::sqrt(u.x), angle = 2 * pi * u.y;
-            irradiance +=
-                atmosphere->radiance({across * std::cos(angle), std::sqrt(1 - u.x), across * std::sin(angle)});
-        }
-        clouds.emplace(CloudOptions{.cover = sky.options.cloud_cover, .seed = sky.options.cloud_seed}, *atmosphere,
-                       shape, irradiance * (pi / samples));
+        clear.emplace(sky.options);
+        clouds.emplace(CloudOptions{.cover = sky.options.cloud_cover, .seed = sky.options.cloud_seed}, *clear, shape);
+        const KeyLight key = clear->key_light();
+        sky.unit = clear->unit();
+        sky.sun_direction = key.direction;
+        sky.key_is_moon = key.is_moon;
         sky.haze_per_m = rayleigh_per_m + haze_per_m(sky.options.visibility_m);
+    }
+
+    std::size_t texel_number(int face, int x, int y) const {
+        return (static_cast<std::size_t>(face) * static_cast<std::size_t>(size) + static_cast<std::size_t>(y)) *
+                   static_cast<std::size_t>(size) +
+               static_cast<std::size_t>(x);
     }
 
     void bake_row(int y) {
@@ -99,14 +99,17 @@ struct SkyBaker::State {
             for (int x = 0; x < size; ++x) {
                 const glm::vec3 d = cube.direction(face, x, y);
                 glm::vec3 radiance;
+                float& clearness = clearnesses[texel_number(face, x, y)];
                 if (d.y >= 0) {
                     const CloudLight cloud = clouds->along(d);
-                    radiance = atmosphere->radiance(d) * cloud.transmittance + cloud.radiance;
+                    radiance = clear->radiance(d) * cloud.transmittance + cloud.radiance;
+                    clearness = cloud.transmittance;
                 } else {
                     // Under the horizon mirrors see other waves: the sky's image there, weaker the steeper they look.
                     const float grazing = std::pow(1 + std::max(d.y, -1.f), 5.f);
                     const glm::vec3 up(d.x, -d.y, d.z);
-                    radiance = atmosphere->radiance(up) * glm::mix(sea_albedo, 1.f, grazing);
+                    clearness = 0;
+                    radiance = clear->radiance(up) * glm::mix(sea_albedo, 1.f, grazing);
                 }
                 cube.at(face, x, y) = glm::clamp(radiance, 0.f, half_max);
             }
@@ -143,25 +146,29 @@ struct SkyBaker::State {
                     weights += weight;
                     if (d.y > 0) irradiance += cube.at(face, x, y) * (d.y * weight);
                 }
-        sky.sun_irradiance = atmosphere->sun_transmittance() * clouds->sun_visibility();
+        const glm::vec3 key = clear->key_light().irradiance;
+        sky.sun_irradiance = key * clouds->visibility(sky.sun_direction);
         sky.sky_irradiance = irradiance * (4 * pi / weights);
         // Rec. 709's luminance of a white card in the open, tilted half way from level towards the sun: lying flat it would
         // take an evening for a night.
         const float tilted = sky.sun_direction.y > 0 ? 0.5f + 0.5f * sky.sun_direction.y : 0;
         // A cloud before the sun dims this place, not the whole view.
-        const glm::vec3 sunlight = glm::max(sky.sun_irradiance, 0.5f * atmosphere->sun_transmittance());
+        const glm::vec3 sunlight = glm::max(sky.sun_irradiance, 0.5f * key);
         const glm::vec3 card = (sky.sky_irradiance + sunlight * tilted) / pi;
         // Under an overcast the sky itself is as bright as the card, so it counts too, or it would burn out.
         const glm::vec3 scene = card + 0.6f / pi * sky.sky_irradiance;
         const float luminance = glm::dot(scene, glm::vec3(0.2126f, 0.7152f, 0.0722f));
-        sky.exposure = white_card / std::max(luminance, 1e-6f);
+        // What a meter would see of that card is middle grey.
+        const float grey = 0.18f * luminance * sky.luminance_of_unit();
+        sky.exposure = white_card / std::max(luminance, 1e-6f) * night_darkening(grey);
     }
 
     void pack() {
         std::uint16_t* to = target().texels.data();
-        for (const Cube& cube : mirrors)
-            for (const glm::vec3& texel : cube.texels) {
-                const std::uint64_t halves = glm::packHalf4x16(glm::vec4(texel, 1));
+        for (std::size_t level = 0; level < mirrors.size(); ++level)
+            for (std::size_t i = 0; i < mirrors[level].texels.size(); ++i) {
+                const float alpha = level == 0 ? clearnesses[i] : 1;
+                const std::uint64_t halves = glm::packHalf4x16(glm::vec4(mirrors[level].texels[i], alpha));
                 for (int c = 0; c < 4; ++c) *to++ = static_cast<std::uint16_t>(halves >> 16 * c);
             }
     }
@@ -170,9 +177,10 @@ struct SkyBaker::State {
     int size;
     CloudShape shape;
     std::optional<unsigned> heaps_seed;  ///< of what `shape` holds
-    std::optional<Atmosphere> atmosphere;
+    std::optional<ClearSky> clear;
     std::optional<CloudLayer> clouds;
     std::vector<Cube> averages, mirrors;
+    std::vector<float> clearnesses;  ///< of level 0's texels
     std::array<Sky, 2> skies;
     std::size_t writing = 0;
     bool in_flight = false;

@@ -81,7 +81,7 @@ struct Scattering {
 };
 
 /// Water and what lives in it. Particles: b = 0.416 C^0.766 at 550 nm (Loisel and Morel 1998), of which leads backwards 0.002 + 0.01 (0.5 -
-/// 0.25 lg C) (wavelength / 550 nm)^v, v = (lg C - 0.3) / 2, at most 0 (Morel and Maritorena 2001, equations 12 to 14).
+/// 0.25 lg C) (wavelength / 550 nm)^v, v = (lg C - 0.3) / 2, at most 0 (Morel and Maritorena 2001).
 Scattering case_1_scattering(float chlorophyll, float nm) {
     const float logarithm = std::log10(chlorophyll);
     const float slope = std::min(0.5f * (logarithm - 0.3f), 0.f);
@@ -108,7 +108,7 @@ float absorption_of(float attenuation_per_m, float backscattering_per_m) {
 
 /// Pure water's absorption, 1/m, in the three channels: Pope and Fry 1997.
 constexpr std::array pure_absorption_per_m = {0.267f, 0.0558f, 0.0101f};
-/// Of chlorophyll over that at 440 nm: Prieur and Sathyendranath 1981, table 2.
+/// Of chlorophyll over that at 440 nm: Prieur and Sathyendranath 1981.
 constexpr std::array chlorophyll_absorption = {0.257f, 0.363f, 0.894f};
 
 }  // namespace

@@ -25,7 +25,7 @@ struct WaterOptics {
 /// Of a type of water: "I", "IA", "IB", "II", "III" (the ocean, from its clearest to the most turbid) or "1C", "3C", "5C", "7C", "9C"
 /// (coasts). Their diffuse attenuation K: Jerlov 1976, "Marine Optics", table XXVII; of the ocean's, Austin and Petzold 1986, "Spectral
 /// dependence of the diffuse attenuation coefficient of light in ocean waters". Scattering in the ocean follows the chlorophyll that
-/// Morel 1988 ("Optical modeling of the upper ocean", table 3) gives for each type; at coasts, where mineral particles scatter, it is that
+/// Morel 1988 ("Optical modeling of the upper ocean") gives for each type; at coasts, where mineral particles scatter, it is that
 /// of Solonenko and Mobley 2015 ("Inherent optical properties of Jerlov water types") at 550 nm. Absorption is what then makes K, by Morel
 /// and Maritorena 2001 ("Bio-optical properties of oceanic waters"): a = K 0.9 (1 - R) / (1 + 2.25 R), R = 0.33 bb / a.
 /// Throws std::invalid_argument for another name.

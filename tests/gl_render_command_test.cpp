@@ -54,6 +54,47 @@ TEST(RenderCommand, PicturesLookLikeTheReferences) {
     }
 }
 
+// Half of the picture is land, sand in daylight; the other half is deep.
+TEST(RenderCommand, TakesAFloorFromAnImage) {
+    const TemporaryFolder folder;
+    OIIO::ImageBuf heights(OIIO::ImageSpec(4, 4, 1, OIIO::TypeDesc::UINT16));
+    for (int j = 0; j < 4; ++j)
+        for (int i = 0; i < 4; ++i) heights.setpixel(i, j, {i < 2 ? 0.f : 1.f});
+    ASSERT_TRUE(heights.write((folder / "floor.png").string())) << heights.geterror();
+    const std::filesystem::path file = folder / "sea.png";
+    // Straight down +x is at the top.
+    const Outcome run = run_pelagic({"render",
+                                     "--preset",
+                                     "calm",
+                                     "--clouds",
+                                     "0",
+                                     "--size",
+                                     "64x64",
+                                     "--quality",
+                                     "low",
+                                     "--floor",
+                                     (folder / "floor.png").string(),
+                                     "--floor-size",
+                                     "400",
+                                     "--floor-heights",
+                                     "-100,5",
+                                     "--camera",
+                                     "0,100,0",
+                                     "--target",
+                                     "0,0,0",
+                                     "--out",
+                                     file.string()});
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    const OIIO::ImageBuf picture = read_picture(file);
+    const auto brightness = [&](int y) { return picture.getchannel(32, y, 0, 1); };
+    EXPECT_GT(brightness(8), 2 * brightness(56));
+    const Outcome wrong = run_pelagic({"render", "--floor", (folder / "sea.png").string(), "--out", "a.png"},
+                                      [&] { write_file(folder / "sea.png", "no image"); });
+    EXPECT_EQ(wrong.exit_code, 2);
+    EXPECT_NE(wrong.err.find("needs a PNG or EXR image"), std::string::npos) << wrong.err;
+    EXPECT_EQ(std::count(wrong.err.begin(), wrong.err.end(), '\n'), 1) << wrong.err;
+}
+
 TEST(RenderCommand, PrintsItsFiguresAndNumbersItsPictures) {
     const TemporaryFolder folder;
     const Outcome run = run_pelagic({"render", "--resolution", "64", "--size", "64x48", "--quality", "low",
@@ -69,6 +110,45 @@ TEST(RenderCommand, PrintsItsFiguresAndNumbersItsPictures) {
     EXPECT_EQ(read_picture(folder / "sea_0001.png").spec().height, 48);
 }
 
+/// A view, and the same with more of the sky's bright and dark parts on either side.
+std::vector<OIIO::ImageBuf> narrow_and_wide(const std::filesystem::path& folder, const std::string& exposure) {
+    std::vector<OIIO::ImageBuf> pictures;
+    for (const std::string size : {"64x96", "256x96"}) {
+        const std::filesystem::path file = folder / (size + exposure + ".png");
+        const Outcome run = run_pelagic({"render", "--resolution", "32", "--quality", "low", "--size", size, "--sun",
+                                         "80,12", "--bloom", "0", "--exposure", exposure, "--out", file.string()});
+        EXPECT_EQ(run.exit_code, 0) << run.err;
+        pictures.push_back(read_picture(file));
+    }
+    // The middle of the wide one is the narrow one: its rows are as high.
+    pictures[1] = OIIO::ImageBufAlgo::cut(pictures[1], {96, 160, 0, 96});
+    return pictures;
+}
+
+TEST(RenderCommand, AFixedExposureDoesNotLookAtTheView) {
+    const TemporaryFolder folder;
+    // Fewer patches are drawn in the narrow view, from other places of the same buffers: roundings, a step at most.
+    const auto fixed = narrow_and_wide(folder.path(), "14");
+    EXPECT_LT(difference(fixed[0], fixed[1]), 0.5);
+    const auto metered = narrow_and_wide(folder.path(), "auto");
+    EXPECT_GT(difference(metered[0], metered[1]), 3);
+}
+
+// Pictures of one film are made by several runs, each from its own frame on.
+TEST(RenderCommand, APictureOfAFilmIsTheSameWhereverTheRunBegan) {
+    const TemporaryFolder folder;
+    const std::vector<std::string> scene = {"render", "--resolution", "32",    "--quality", "low",
+                                            "--size", "64x48",        "--fps", "2"};
+    const auto with = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), scene.begin(), scene.end());
+        const Outcome run = run_pelagic(more);
+        EXPECT_EQ(run.exit_code, 0) << run.err;
+    };
+    with({"--frames", "2", "--time", "3", "--out", (folder / "film.png").string()});
+    with({"--time", "3.5", "--out", (folder / "second.png").string()});
+    EXPECT_EQ(read_file(folder / "film_0001.png"), read_file(folder / "second.png"));
+}
+
 TEST(RenderCommand, NamesOptionValueAndRange) {
     const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
         {{"--out", "a.jpg"}, "pelagic: --out is a.jpg, needs a file named *.png\n"},
@@ -78,6 +158,26 @@ TEST(RenderCommand, NamesOptionValueAndRange) {
          "pelagic: --sun is 3, needs AZIMUTH,ELEVATION in degrees, elevation in [-90, 90]\n"},
         {{"--out", "a.png", "--clouds", "2"}, "pelagic: --clouds is 2, needs a part in [0, 1]\n"},
         {{"--out", "a.png", "--frames", "0"}, "pelagic: --frames is 0, needs a whole number from 1 to 100000\n"},
+        {{"--out", "a.png", "--floor", "reef.jpg"},
+         "pelagic: --floor is reef.jpg, needs a PNG or EXR image, each side from 2 to 4096 pixels\n"},
+        {{"--out", "a.png", "--floor", "no such.png"},
+         "pelagic: --floor is no such.png, which can't be read, needs a PNG or EXR image, each side from 2 to 4096 "
+         "pixels (No such file or directory)\n"},
+        {{"--out", "a.png", "--floor-size", "20"}, "pelagic: --floor-size is 20, needs --floor beside it\n"},
+        {{"--out", "a.png", "--floor", "a.exr", "--floor-heights", "0,1"},
+         "pelagic: --floor-heights is 0,1, needs a PNG: an EXR holds metres\n"},
+        {{"--out", "a.png", "--floor", "a.png", "--floor-heights", "3,-1"},
+         "pelagic: --floor-heights is 3,-1, needs LOW,HIGH in metres above rest, -11000 <= LOW < HIGH <= 9000\n"},
+        {{"--out", "a.png", "--moon", "10,91"},
+         "pelagic: --moon is 10,91, needs AZIMUTH,ELEVATION in degrees, elevation in [-90, 90]\n"},
+        {{"--out", "a.png", "--visibility", "2"}, "pelagic: --visibility is 2, needs metres in [500, 300000]\n"},
+        {{"--out", "a.png", "--light", "moonlit"},
+         "pelagic: --light is moonlit, needs noon, golden-hour, overcast, storm or moonlight (the nearest is "
+         "moonlight)\n"},
+        {{"--out", "a.png", "--exposure", "21"},
+         "pelagic: --exposure is 21, needs auto, or an exposure value in [-10, 20]\n"},
+        {{"--out", "a.png", "--exposure-bias", "6"}, "pelagic: --exposure-bias is 6, needs stops in [-5, 5]\n"},
+        {{"--out", "a.png", "--bloom", "-1"}, "pelagic: --bloom is -1, needs a part in [0, 1]\n"},
         {{}, "pelagic: --out is missing, needs a PNG file to write; or give --hdr or --sky, an EXR file\n"},
         {{"--hdr", "a.png"}, "pelagic: --hdr is a.png, needs a file named *.exr\n"},
         {{"--sky", "a%d.exr"},
@@ -86,6 +186,13 @@ TEST(RenderCommand, NamesOptionValueAndRange) {
         {{"--hdr", "a.exr", "--sky", "a.exr"}, "pelagic: --sky is a.exr, needs another file than --hdr\n"},
         {{"--hdr", "a.exr", "--wireframe"},
          "pelagic: --hdr is a.exr, needs a sea without --wireframe, whose colours are no radiance\n"},
+        {{"--out", "a.png", "--surface", "sea"},
+         "pelagic: --surface is sea, needs open, lake, coast, river or pond\n"},
+        {{"--out", "a.png", "--flow", "a.png"},
+         "pelagic: --flow is given, needs --surface river, the only water that flows\n"},
+        {{"--out", "a.png", "--surface", "river", "--flow", "/dev/null"},
+         "pelagic: --flow is /dev/null, needs a square PNG of 1 to 4096 pixels a side, RGB or RGBA with 8 bits a "
+         "channel\n"},
     };
     for (const auto& [arguments, line] : cases) {
         std::vector<std::string> words = {"render"};

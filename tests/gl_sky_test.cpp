@@ -4,9 +4,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <limits>
 #include <thread>
 
+#include "pelagic/gl/clear_sky.hpp"
+#include "pelagic/gl/light_presets.hpp"
 #include "pelagic/gl/sky_baker.hpp"
 
 namespace pelagic {
@@ -56,11 +59,86 @@ TEST_F(SkyBake, TheLowSunIsRedAndWeak) {
     const glm::vec3 low = bake(clear_sky(2)).sun_irradiance;
     EXPECT_GT(low.r / low.b, 2 * high.r / high.b);
     EXPECT_LT(low.g, 0.5f * high.g);
-    const glm::vec3 none = bake(clear_sky(-10)).sun_irradiance;
-    EXPECT_LT(std::max({none.r, none.g, none.b}), 0.01f);
+    const gl::Sky& night = bake(clear_sky(-10));
+    const glm::vec3 none = night.sun_irradiance * night.unit;
+    EXPECT_LT(std::max({none.r, none.g, none.b}), 1e-5f);
     // Nobody adds light: what comes down is less than what came to the air.
     EXPECT_LT(high.g, 1.f);
     EXPECT_GT(high.g, 0.5f);
+}
+
+float luminance(glm::vec3 colour) { return glm::dot(colour, glm::vec3(0.2126f, 0.7152f, 0.0722f)); }
+
+/// Sun or moon and sky on a level plane, clear air, lux.
+double illuminance_lx(const gl::SkyOptions& options) {
+    const gl::ClearSky sky(options);
+    const gl::KeyLight key = sky.key_light();
+    const glm::vec3 all = sky.irradiance() + key.irradiance * std::max(key.direction.y, 0.f);
+    return static_cast<double>(luminance(all) * sky.unit() * gl::sun_illuminance_lx);
+}
+
+gl::SkyOptions without_moon(float elevation_deg) {
+    gl::SkyOptions options = clear_sky(elevation_deg);
+    options.places_moon = true;
+    options.moon_elevation_rad = -1.5f;
+    return options;
+}
+
+// The model of the air, which knows nothing of lux, against Janiczek and DeYoung's table. They have haze of their own: 30 %.
+TEST(ClearSky, ByDayIsAsBrightAsPublished) {
+    for (const float elevation : {5.f, 10.f, 20.f, 40.f, 60.f})
+        EXPECT_NEAR(
+            illuminance_lx(without_moon(elevation)) / gl::published_illuminance_lx(static_cast<double>(elevation)), 1,
+            0.3)
+            << elevation;
+}
+
+// The same table at twilight, as it is printed in almanacs: 3.4 lux at the end of civil twilight, 0.008 of nautical; on top of it
+// the night sky's 0.0006.
+TEST(ClearSky, DuskFallsAsPublishedAndNeverRises) {
+    EXPECT_NEAR(illuminance_lx(without_moon(-6)), 3.4, 0.1);
+    EXPECT_NEAR(illuminance_lx(without_moon(-12)), 0.008, 0.001);
+    EXPECT_NEAR(illuminance_lx(without_moon(-40)), 2e-4 * 3.14159, 3e-5);
+    double last = 1e9;
+    for (float elevation = 12; elevation >= -24; elevation -= 1) {
+        const double now = illuminance_lx(without_moon(elevation));
+        EXPECT_LT(now, last) << elevation;
+        last = now;
+    }
+}
+
+// A full moon high up gives 0.25 lux (Janiczek and DeYoung: 0.22 to 0.27), a half one a ninth of it, and the sea's glint is the moon's.
+TEST(ClearSky, TheMoonIsTheKeyLightOfNights) {
+    const gl::SkyOptions full = clear_sky(-60);
+    EXPECT_NEAR(illuminance_lx(full), 0.24, 0.05);
+    const gl::KeyLight key = gl::ClearSky(full).key_light();
+    EXPECT_TRUE(key.is_moon);
+    EXPECT_NEAR(key.direction.y, std::sin(1.0472f), 1e-3);
+    EXPECT_FALSE(gl::ClearSky(clear_sky(20)).key_light().is_moon);
+    EXPECT_EQ(gl::moon_light(0), 1);
+    EXPECT_NEAR(gl::moon_light(1.5707963), 1 / 10.9, 0.01);  // magnitude 2.6 below full: Krisciunas and Schaefer 1991
+    EXPECT_EQ(gl::ClearSky(clear_sky(20)).unit(), 1);
+}
+
+TEST(LightPresets, AreSkiesByName) {
+    EXPECT_EQ(gl::light_presets().size(), 5u);
+    for (const gl::LightPreset& preset : gl::light_presets()) {
+        EXPECT_EQ(check(preset.sky), "") << preset.name;
+        EXPECT_EQ(gl::light_preset_named(preset.name), &preset);
+    }
+    EXPECT_EQ(gl::light_preset_named("dawn"), nullptr);
+    EXPECT_TRUE(gl::ClearSky(gl::light_preset_named("moonlight")->sky).key_light().is_moon);
+}
+
+// Half floats hold 6e-5 and more exactly: a night must not be lost in them.
+TEST_F(SkyBake, NightFitsIntoHalfFloats) {
+    for (const auto& options : {clear_sky(-30), without_moon(-30), without_moon(-9)}) {
+        const gl::Sky& sky = bake(options);
+        const glm::vec3 zenith = texel(sky, 2, side / 2, side / 2);
+        EXPECT_GT(std::min({zenith.r, zenith.g, zenith.b}), 6.1e-5f);
+        EXPECT_LT(sky.unit, 1e-3f);
+        EXPECT_GT(sky.exposure, 0.f);
+    }
 }
 
 TEST_F(SkyBake, BakesInTheBackgroundBesideTheSkyThatIsShown) {

@@ -4,10 +4,13 @@
 
 #include <array>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
+#include "pelagic/gl/display.hpp"
+#include "pelagic/gl/light_meter.hpp"
 #include "pelagic/gl/program.hpp"
 #include "pelagic/tests/gl_scene.hpp"
 
@@ -65,6 +68,11 @@ constexpr std::array integers = {GL_CURRENT_PROGRAM,
                                  GL_UNPACK_SKIP_PIXELS,
                                  GL_UNPACK_SKIP_ROWS,
                                  GL_UNPACK_SKIP_IMAGES,
+                                 GL_PIXEL_PACK_BUFFER_BINDING,
+                                 GL_PACK_ALIGNMENT,
+                                 GL_PACK_ROW_LENGTH,
+                                 GL_PACK_SKIP_PIXELS,
+                                 GL_PACK_SKIP_ROWS,
                                  GL_CULL_FACE_MODE,
                                  GL_FRONT_FACE,
                                  GL_DEPTH_FUNC,
@@ -100,7 +108,7 @@ std::map<std::string, std::vector<GLfloat>> state_of(const gl::Functions& gl) {
     state["uniform block 0"] = {GLfloat(buffer), GLfloat(start), GLfloat(size)};
     GLint unit = 0;
     gl.GetIntegerv(GL_ACTIVE_TEXTURE, &unit);
-    for (GLuint i = 0; i < 6; ++i) {
+    for (GLuint i = 0; i < 8; ++i) {
         gl.ActiveTexture(GL_TEXTURE0 + i);
         for (const GLenum name :
              {GL_TEXTURE_BINDING_2D, GL_TEXTURE_BINDING_2D_ARRAY, GL_TEXTURE_BINDING_CUBE_MAP, GL_SAMPLER_BINDING}) {
@@ -125,7 +133,7 @@ class NastyHost {
           cube_(gl),
           array_(gl),
           sampler_(gl),
-          program_(gl, "sky.vert.glsl", "sky.frag.glsl") {
+          program_(gl, "panel.vert.glsl", "panel.frag.glsl") {
         gl.BindVertexArray(array_.name());
         gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, small_.name());
         gl.BindBuffer(GL_ARRAY_BUFFER, buffer_.name());
@@ -135,7 +143,7 @@ class NastyHost {
         gl.BindBuffer(GL_PIXEL_UNPACK_BUFFER, small_.name());
         gl.BufferData(GL_PIXEL_UNPACK_BUFFER, 16, nullptr, GL_STATIC_DRAW);
         gl.UseProgram(program_.name());
-        for (GLuint unit = 0; unit < 6; ++unit) {
+        for (GLuint unit = 0; unit < 8; ++unit) {
             gl.ActiveTexture(GL_TEXTURE0 + unit);
             gl.BindTexture(GL_TEXTURE_2D, texture_.name());
             gl.BindTexture(GL_TEXTURE_2D_ARRAY, layers_.name());
@@ -149,6 +157,11 @@ class NastyHost {
         gl.PixelStorei(GL_UNPACK_SKIP_PIXELS, 3);
         gl.PixelStorei(GL_UNPACK_SKIP_ROWS, 5);
         gl.PixelStorei(GL_UNPACK_SKIP_IMAGES, 2);
+        gl.BindBuffer(GL_PIXEL_PACK_BUFFER, small_.name());
+        gl.PixelStorei(GL_PACK_ALIGNMENT, 8);
+        gl.PixelStorei(GL_PACK_ROW_LENGTH, 1'000'000);
+        gl.PixelStorei(GL_PACK_SKIP_PIXELS, 3);
+        gl.PixelStorei(GL_PACK_SKIP_ROWS, 5);
         loaded<void(GLenum)>("glCullFace")(GL_FRONT_AND_BACK);
         loaded<void(GLenum)>("glFrontFace")(GL_CW);
         loaded<void(GLenum, GLenum)>("glBlendFunc")(GL_ZERO, GL_ONE);
@@ -178,9 +191,24 @@ class NastyHost {
     gl::Program program_;
 };
 
+/// What is drawn, from 10 m above rest.
+struct Look {
+    const char* name;
+    gl::DrawMode mode;
+    std::optional<gl::WaterAtLens> water_at_lens = {};
+};
+
+/// Into the first bytes, whatever the host's packing is.
+void read_target(const gl::Functions& gl, std::vector<std::uint8_t>& pixels) {
+    gl.BindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+    for (const GLenum name : {GL_PACK_ROW_LENGTH, GL_PACK_SKIP_PIXELS, GL_PACK_SKIP_ROWS}) gl.PixelStorei(name, 0);
+    gl.ReadPixels(0, 0, side, side, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+    EXPECT_EQ(gl.GetError(), static_cast<GLenum>(GL_NO_ERROR));
+}
+
 /// A renderer's whole life in one context. \param after_each_call  named
 template <class Check>
-std::vector<std::uint8_t> picture(const gl::Functions& gl, const Frame& frame, gl::DrawMode mode,
+std::vector<std::uint8_t> picture(const gl::Functions& gl, const Frame& frame, const Look& look,
                                   Check after_each_call) {
     const QuadtreeOptions quadtree = quadtree_preset_named("low")->options(512);
     gl::SeaRenderer renderer(gl, {.patch_vertices = quadtree.vertices,
@@ -189,6 +217,12 @@ std::vector<std::uint8_t> picture(const gl::Functions& gl, const Frame& frame, g
     after_each_call("constructor");
     renderer.set_sky(test_sky());
     after_each_call("set_sky");
+    renderer.set_floor({.columns = 3, .rows = 2, .heights_m = {-4, -3, -2, -4, -2, 1}, .metres_a_texel = 20});
+    after_each_call("set_floor");
+    gl::CausticsBaker baker(make_serial_executor());
+    baker.schedule(frame, {});
+    renderer.set_caustics(baker.complete());
+    after_each_call("set_caustics");
     renderer.upload(frame);
     after_each_call("upload");
     gl.Finish();
@@ -201,15 +235,15 @@ std::vector<std::uint8_t> picture(const gl::Functions& gl, const Frame& frame, g
                    .viewer_m = camera.position_m,
                    .list = &list,
                    .lod_scale = quadtree.lod_scale,
-                   .mode = mode});
+                   .mode = look.mode,
+                   .water_at_lens = look.water_at_lens});
     after_each_call("draw");
     std::vector<std::uint8_t> pixels(std::size_t{4} * side * side);
-    gl.ReadPixels(0, 0, side, side, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
-    EXPECT_EQ(gl.GetError(), static_cast<GLenum>(GL_NO_ERROR));
+    read_target(gl, pixels);
     return pixels;
 }
 
-class GlState : public testing::TestWithParam<gl::DrawMode> {};
+class GlState : public testing::TestWithParam<Look> {};
 
 TEST_P(GlState, OfAHostIsKeptAndSpoilsNoPicture) {
     Ocean ocean({.cascades = 3, .resolution = 32, .wind_speed_mps = 9}, {.executor = make_serial_executor()});
@@ -237,10 +271,64 @@ TEST_P(GlState, OfAHostIsKeptAndSpoilsNoPicture) {
     host.set_switches(false);
 }
 
-INSTANTIATE_TEST_SUITE_P(Modes, GlState, testing::Values(gl::DrawMode::shaded, gl::DrawMode::wireframe),
-                         [](const auto& mode) {
-                             return mode.param == gl::DrawMode::shaded ? "shaded" : "wireframe";
-                         });
+TEST(GlStateOfDisplay, OfAHostIsKeptAndSpoilsNoPicture) {
+    const auto picture_of = [](const gl::Functions& gl, const gl::TexturePart& part, auto check) {
+        gl::Display display(gl);
+        check("display's constructor");
+        gl::LightMeter meter(gl);
+        check("meter's constructor");
+        std::vector<std::uint8_t> pixels(std::size_t{4} * side * side);
+        for (const gl::MeteredCell& cell : meter.measure(part))
+            pixels.push_back(static_cast<std::uint8_t>(50 + 10 * cell.mean_of_log2));
+        check("measure");
+        meter.start(part);
+        check("start");
+        gl.Finish();
+        EXPECT_TRUE(meter.finished());
+        check("finished");
+        display.show(part, {.bloom = 0.1f}, {0, 0, side, side});
+        check("show");
+        read_target(gl, pixels);
+        return pixels;
+    };
+    const auto texture_of = [](const gl::Functions& gl) {
+        gl::Texture texture(gl);
+        gl.BindTexture(GL_TEXTURE_2D, texture.name());
+        gl.TexStorage2D(GL_TEXTURE_2D, 1, GL_RGBA16F, 2, 1);
+        const float colours[] = {0.1f, 0.2f, 0.3f, 1, 3, 2, 1, 1};
+        gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 2, 1, GL_RGBA, GL_FLOAT, colours);
+        gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+        return texture;
+    };
+    gl::HeadlessContext clean_context;
+    std::vector<std::uint8_t> clean;
+    {
+        const gl::Functions& gl = clean_context.functions();
+        const gl::Texture texture = texture_of(gl);
+        const Target target(gl);
+        clean = picture_of(gl, {texture.name(), 2, 1, 2, 1}, [](const char*) {});
+    }
+    EXPECT_GT(std::set(clean.begin(), clean.end()).size(), 5u);
+
+    gl::HeadlessContext context;
+    const gl::Functions& gl = context.functions();
+    const gl::Texture texture = texture_of(gl);
+    const Target target(gl);
+    const NastyHost host(gl);
+    const auto before = state_of(gl);
+    const auto nasty = picture_of(gl, {texture.name(), 2, 1, 2, 1}, [&](const char* call) {
+        const auto after = state_of(gl);
+        for (const auto& [name, values] : before) EXPECT_EQ(after.at(name), values) << name << " after " << call;
+    });
+    EXPECT_EQ(nasty, clean);
+    host.set_switches(false);
+}
+
+INSTANTIATE_TEST_SUITE_P(Modes, GlState,
+                         testing::Values(Look{"shaded", gl::DrawMode::shaded},
+                                         Look{"wireframe", gl::DrawMode::wireframe},
+                                         Look{"lens_in_the_water", gl::DrawMode::shaded, gl::WaterAtLens{10}}),
+                         [](const auto& look) { return look.param.name; });
 
 }  // namespace
 }  // namespace pelagic

@@ -7,11 +7,14 @@
 #include <optional>
 #include <vector>
 
+#include "pelagic/gl/display.hpp"
 #include "pelagic/gl/headless_context.hpp"
+#include "pelagic/gl/light_meter.hpp"
 #include "pelagic/gl/render_target.hpp"
 #include "pelagic/gl/sea_renderer.hpp"
 #include "pelagic/gl/sky_panorama.hpp"
 #include "pelagic/gl/stopwatch.hpp"
+#include "pelagic/gl/water_at_lens.hpp"
 #include "pelagic/quadtree/selection.hpp"
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/tools/image_writer.hpp"
@@ -25,6 +28,8 @@ namespace {
 constexpr int samples_a_pixel = 4;
 /// A texel of the sky is then 0.18 degrees wide, about three pixels of the usual picture.
 constexpr int sky_face_size = 512;
+/// Where the exposure is metered: a small picture of the same view.
+constexpr int metered_width = 320;
 /// Of the sky as a picture of all directions: a texel is as wide as the cube's.
 constexpr int panorama_width = 2048, panorama_height = 1024;
 /// Between the eyes of most people (Dodgson 2004: 63 mm in the mean).
@@ -47,19 +52,6 @@ gl::Sky baked_sky(const SceneOptions& scene) {
     return baker.complete();
 }
 
-/// Where one kind of picture is drawn, and what draws it.
-struct Canvas {
-    Canvas(const gl::Functions& gl, const RenderOptions& options, const Ocean& ocean, gl::PixelKind kind)
-        : target(gl, options.scene.width, options.scene.height, samples_a_pixel, kind),
-          renderer(gl, {.patch_vertices = options.scene.quadtree.vertices,
-                        .resolution = ocean.resolution(),
-                        .tiles = ocean.tile_count(),
-                        .writes = kind}) {}
-
-    gl::RenderTarget target;
-    gl::SeaRenderer renderer;
-};
-
 /// Everything that a picture needs, built once.
 class PictureMaker {
    public:
@@ -67,25 +59,31 @@ class PictureMaker {
         : options_(options),
           ocean_(options.scene.sea.sea, {.executor = make_default_executor(options.scene.compute.threads),
                                          .isa = options.scene.compute.isa,
+                                         .queries = true,
                                          .slopes = true}),
-          selection_(options.scene.quadtree) {
-        const gl::Functions& gl = context_.functions();
-        if (!options.file.empty()) screen_.emplace(gl, options, ocean_, gl::PixelKind::screen);
-        if (!options.hdr_file.empty()) light_.emplace(gl, options, ocean_, gl::PixelKind::radiance);
-        for (std::optional<Canvas>* canvas : {&screen_, &light_})
-            if (*canvas) {
-                (*canvas)->renderer.set_sky(sky);
-                (*canvas)->renderer.set_water(options.scene.water);
-            }
-
-        const gl::Viewport whole{0, 0, options.scene.width, options.scene.height};
-        if (options.stereo) {
-            const gl::EyePair pair = gl::eyes_of(options.scene.camera, whole, eye_distance_m);
-            eyes_ = {pair.left, pair.right};
-        } else {
-            eyes_ = {gl::eye_of(options.scene.camera, whole)};
-        }
+          target_(context_.functions(), options.scene.width, options.scene.height, samples_a_pixel,
+                  options.wireframe ? gl::PixelKind::screen : gl::PixelKind::radiance),
+          renderer_(context_.functions(), {.patch_vertices = options.scene.quadtree.vertices,
+                                           .resolution = ocean_.resolution(),
+                                           .tiles = ocean_.tile_count(),
+                                           .shading = options.scene.shading,
+                                           .writes = gl::PixelKind::radiance,
+                                           .surface = options.scene.surface,
+                                           .executor = make_default_executor(options.scene.compute.threads)}),
+          selection_(options.scene.quadtree),
+          luminance_of_unit_(sky.luminance_of_unit()),
+          caustics_(make_default_executor(options.scene.compute.threads)) {
+        renderer_.set_water(options.scene.water);
+        renderer_.set_floor(options.scene.floor);
+        if (options.scene.flow) renderer_.set_flow(*options.scene.flow);
+        renderer_.set_sky(sky);
+        eyes_ = eyes_in(options.scene.width, options.scene.height);
         for (const gl::Eye& eye : eyes_) views_.push_back(eye.clip_from_world);
+        if (options.wireframe || options.file.empty()) return;
+        display_.emplace(context_.functions());
+        screen_.emplace(context_.functions(), options.scene.width, options.scene.height, 0);
+        const gl::CameraSettings& settings = options.scene.settings;
+        ev_ = settings.fixed_ev ? *settings.fixed_ev : metered_ev() - settings.bias_stops;
     }
 
     /// One frame, for pixels() and radiance().
@@ -99,10 +97,14 @@ class PictureMaker {
             {.viewer_m = options_.scene.camera.position_m, .views = views_, .bounds = frame.bounds});
         measured_.select_ms.push_back(select.milliseconds());
 
-        for (std::optional<Canvas>* canvas : {&light_, &screen_})
-            if (*canvas) draw_on(**canvas, frame, list);
-        if (screen_) pixels_ = screen_->target.read();
-        if (light_) radiance_ = light_->target.read_radiance();
+        if (!options_.hdr_file.empty()) {
+            note(draw(frame, list, eyes_, target_, false));
+            radiance_ = target_.read_radiance();
+        }
+        if (!options_.file.empty()) {
+            note(draw(frame, list, eyes_, target_, true));
+            pixels_ = options_.wireframe ? target_.read() : shown();
+        }
         measured_.picture_ms.push_back(all.milliseconds());
     }
 
@@ -136,22 +138,43 @@ class PictureMaker {
                   {"upload_in_driver", median(measured_.upload_driver_ms)},
                   {"draw", median(measured_.draw_ms)},
                   {"draw_in_driver", median(measured_.draw_driver_ms)},
-                  {"picture", median(measured_.picture_ms)}}}};
+                  {"picture", median(measured_.picture_ms)}}},
+                {"exposure_ev", ev_}};
     }
 
    private:
-    void draw_on(Canvas& canvas, const Frame& frame, const DrawList& list) {
+    std::vector<gl::Eye> eyes_in(int width, int height) const {
+        const gl::Viewport whole{0, 0, width, height};
+        if (!options_.stereo) return {gl::eye_of(options_.scene.camera, whole)};
+        const gl::EyePair pair = gl::eyes_of(options_.scene.camera, whole, eye_distance_m);
+        return {pair.left, pair.right};
+    }
+
+    /// \param weighs_samples  the mean of a pixel's samples is the screen's; else it is that of light
+    const gl::DrawFigures& draw(const Frame& frame, const DrawList& list, const std::vector<gl::Eye>& eyes,
+                                gl::RenderTarget& target, bool weighs_samples) {
         const gl::Functions& functions = context_.functions();
-        canvas.target.bind();
+        target.bind();
         functions.ClearColor(0.004f, 0.008f, 0.016f, 1);
         functions.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-        canvas.renderer.upload(frame);
-        const gl::DrawFigures& figures =
-            canvas.renderer.draw({.eyes = eyes_,
-                                  .viewer_m = options_.scene.camera.position_m,
-                                  .list = &list,
-                                  .lod_scale = options_.scene.quadtree.lod_scale,
-                                  .mode = options_.wireframe ? gl::DrawMode::wireframe : gl::DrawMode::shaded});
+        renderer_.upload(frame);
+        if (gl::shows_caustics(options_.scene.floor, frame, options_.scene.camera.position_m)) {
+            caustics_.schedule(frame, {.depth_m = gl::caustics_depth_m(options_.scene.floor, frame.sea.depth_m),
+                                       .sun = gl::sun_direction(options_.scene.sky)});
+            renderer_.set_caustics(caustics_.complete());
+        }
+        return renderer_.draw(
+            {.eyes = eyes,
+             .viewer_m = options_.scene.camera.position_m,
+             .list = &list,
+             .lod_scale = options_.scene.quadtree.lod_scale,
+             .mode = options_.wireframe ? gl::DrawMode::wireframe : gl::DrawMode::shaded,
+             .exposure = exposure(),
+             .weighs_samples = weighs_samples,
+             .water_at_lens = gl::water_at_lens(SurfaceQuery(frame), options_.scene.camera.position_m)});
+    }
+
+    void note(const gl::DrawFigures& figures) {
         measured_.upload_ms.push_back(figures.upload_ms);
         measured_.upload_driver_ms.push_back(figures.upload_driver_ms);
         measured_.draw_ms.push_back(figures.draw_ms);
@@ -159,11 +182,43 @@ class PictureMaker {
         measured_.last = figures;
     }
 
+    float exposure() const { return gl::exposure_of_ev(ev_, luminance_of_unit_); }
+
+    /// Of the view at time 0, whatever times are asked for: camera and light rest, so films don't flicker, and each of their
+    /// pictures is the same in whichever run it is made.
+    float metered_ev() {
+        const int width = std::min(options_.scene.width, metered_width);
+        const int height = std::max(1, options_.scene.height * width / options_.scene.width);
+        gl::RenderTarget small(context_.functions(), width, height, 0, gl::PixelKind::radiance);
+        const Frame& frame = ocean_.frame_at(0);
+        const DrawList& list = selection_.select(
+            {.viewer_m = options_.scene.camera.position_m, .views = views_, .bounds = frame.bounds});
+        draw(frame, list, eyes_in(width, height), small, true);
+        gl::LightMeter meter(context_.functions());
+        return gl::metered_ev(meter.measure(small.resolved()), luminance_of_unit_);
+    }
+
+    /// What was drawn, as the camera shows it.
+    std::vector<std::uint8_t> shown() {
+        const gl::TexturePart radiance = target_.resolved();
+        screen_->bind();
+        display_->show(
+            radiance,
+            {.exposure = exposure(), .luminance_of_unit = luminance_of_unit_, .bloom = options_.scene.settings.bloom},
+            {0, 0, options_.scene.width, options_.scene.height});
+        return screen_->read();
+    }
+
     const RenderOptions& options_;
     gl::HeadlessContext context_;
     Ocean ocean_;
-    std::optional<Canvas> screen_, light_;
+    gl::RenderTarget target_;
+    gl::SeaRenderer renderer_;
     Selection selection_;
+    std::optional<gl::Display> display_;  ///< none for a wireframe, or without --out
+    std::optional<gl::RenderTarget> screen_;
+    float luminance_of_unit_, ev_ = 15;
+    gl::CausticsBaker caustics_;
     std::vector<std::uint8_t> pixels_;
     std::vector<float> radiance_;
     std::vector<gl::Eye> eyes_;

@@ -6,12 +6,16 @@
 #include <optional>
 #include <string>
 
+#include "pelagic/gl/exposure.hpp"
+#include "pelagic/gl/shading.hpp"
 #include "pelagic/gl/sky_baker.hpp"
+#include "pelagic/gl/small_water.hpp"
 #include "pelagic/gl/views.hpp"
 #include "pelagic/gl/water_optics.hpp"
 #include "pelagic/quadtree/quadtree_options.hpp"
 #include "pelagic/tools/camera_options.hpp"
 #include "pelagic/tools/export_options.hpp"
+#include "pelagic/tools/floor_options.hpp"
 
 namespace pelagic::tools {
 
@@ -20,8 +24,14 @@ struct SceneOptions {
     ComputeOptions compute;
     int width = 1280, height = 720;
     Camera camera;
+    std::string light;  ///< by which the sky was chosen; empty: by the wind
     gl::SkyOptions sky;
     gl::WaterOptics water;
+    gl::Shading shading = gl::Shading::high;
+    gl::CameraSettings settings;
+    gl::SeaFloor floor;
+    gl::Surface surface = gl::Surface::open;
+    std::optional<gl::FlowMap> flow;
     std::string quality;
     QuadtreeOptions quadtree;
 };
@@ -33,9 +43,12 @@ class SceneFlags {
     SceneOptions resolve() const;
 
    private:
+    void read_camera_settings(gl::CameraSettings& settings) const;
+
     SeaOptions sea_;
     ComputeFlags compute_;
     CameraFlags camera_;
+    FloorFlags floor_;
     std::map<std::string, std::optional<std::string>> typed_;  ///< by flag name, where it was given
 };
 

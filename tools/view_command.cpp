@@ -30,6 +30,23 @@ std::string point_text(glm::dvec3 p) {
 
 std::string degrees_text(double radians) { return number_text(std::round(glm::degrees(radians) * 10) / 10); }
 
+/// Of what the sun's and the clouds' options leave open.
+std::string light_text(const viewer::ViewSettings& settings) {
+    const gl::SkyOptions& sky = settings.sky;
+    std::string text = " --visibility " + number_text(std::round(static_cast<double>(sky.visibility_m)));
+    if (sky.places_moon)
+        text += " --moon " + degrees_text(static_cast<double>(sky.moon_azimuth_rad)) + "," +
+                degrees_text(static_cast<double>(sky.moon_elevation_rad));
+    const auto hundredths = [](float value) {
+        return number_text(std::round(static_cast<double>(value) * 100) / 100);
+    };
+    const gl::CameraSettings defaults;
+    if (settings.camera.fixed_ev) text += " --exposure " + hundredths(*settings.camera.fixed_ev);
+    if (settings.camera.bias_stops != 0) text += " --exposure-bias " + hundredths(settings.camera.bias_stops);
+    if (settings.camera.bloom != defaults.bloom) text += " --bloom " + hundredths(settings.camera.bloom);
+    return text;
+}
+
 /// `pelagic render` with what the window showed when it was closed. Values that are the default's are left out.
 std::string render_command_of(const viewer::ViewResult& result) {
     const SeaState& sea = result.settings.sea;
@@ -52,9 +69,11 @@ std::string render_command_of(const viewer::ViewResult& result) {
             degrees_text(static_cast<double>(result.settings.sky.sun_azimuth_rad)) + "," +
             degrees_text(static_cast<double>(result.settings.sky.sun_elevation_rad)) + " --clouds " +
             number_text(std::round(static_cast<double>(result.settings.sky.cloud_cover) * 100) / 100) +
-            " --quality " + result.settings.quality + " --time " +
+            light_text(result.settings) + " --quality " + result.settings.quality + " --time " +
             number_text(std::round(result.time_s * 1000) / 1000) + " --size " + number_text(result.width) + "x" +
             number_text(result.height);
+    if (result.settings.surface != gl::Surface::open)
+        text += " --surface " + std::string(gl::surface_names()[static_cast<std::size_t>(result.settings.surface)]);
     return text;
 }
 
@@ -72,14 +91,20 @@ void ViewFlags::run() const {
         throw bad_value("--pictures", folder.string(), "a folder that exists");
 
     viewer::ViewOptions options{.settings = {.sea = scene.sea.sea,
+                                             .light = scene.light,
                                              .sky = scene.sky,
                                              .water = scene.water,
+                                             .shading = scene.shading,
+                                             .camera = scene.settings,
+                                             .surface = scene.surface,
+                                             .flow = scene.flow,
                                              .quality = scene.quality,
                                              .size_m = scene.quadtree.size_m},
                                 .camera = scene.camera,
                                 .width = scene.width,
                                 .height = scene.height,
                                 .threads = scene.compute.threads};
+    options.floor = scene.floor;
     options.save_picture = [&](std::span<const std::uint8_t> pixels, int width, int height) {
         const std::filesystem::path file = next_picture(folder);
         const std::vector<unsigned char> png = encode_picture({pixels.begin(), pixels.end()}, width, height);

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <numbers>
 
+#include "pelagic/gl/light_presets.hpp"
 #include "pelagic/message/number_text.hpp"
 #include "pelagic/quadtree/quadtree_options.hpp"
 
@@ -60,6 +61,49 @@ void choose_quality(std::string& quality) {
     ImGui::EndCombo();
 }
 
+/// A chosen light moves the sun and the rest at once; each can be changed afterwards.
+void choose_light(ViewSettings& settings) {
+    if (!ImGui::BeginCombo("light", settings.light.empty() ? "choose ..." : settings.light.c_str())) return;
+    for (const gl::LightPreset& preset : gl::light_presets()) {
+        const std::string name(preset.name);
+        if (!ImGui::Selectable(name.c_str(), name == settings.light)) continue;
+        settings.light = name;
+        settings.sky = preset.sky;
+        settings.camera.bias_stops = preset.bias_stops;
+    }
+    ImGui::EndCombo();
+}
+
+void choose_exposure(gl::CameraSettings& camera, float ev) {
+    bool automatic = !camera.fixed_ev;
+    if (ImGui::Checkbox("automatic exposure", &automatic))
+        camera.fixed_ev = automatic ? std::nullopt : std::optional<float>(ev);
+    if (camera.fixed_ev) {
+        ImGui::SliderFloat("EV", &*camera.fixed_ev, gl::least_ev, gl::most_ev, "%.1f");
+    } else {
+        ImGui::SameLine();
+        ImGui::Text("EV %.1f", static_cast<double>(ev));
+        ImGui::SliderFloat("brighter", &camera.bias_stops, -gl::most_bias_stops, gl::most_bias_stops, "%+.1f stops");
+    }
+    ImGui::SliderFloat("bloom", &camera.bloom, 0, 0.5f, "%.2f");
+}
+
+void choose_scale(ViewSettings& settings, const ViewFigures& figures) {
+    ImGui::Checkbox("size by frame time", &settings.scale_is_automatic);
+    ImGui::SameLine();
+    ImGui::Text("%dx%d", figures.drawn_width, figures.drawn_height);
+    if (!settings.scale_is_automatic) ImGui::SliderFloat("size", &settings.fixed_scale, 0.25f, 1, "%.2f");
+}
+
+void choose_surface(gl::Surface& surface) {
+    const auto names = gl::surface_names();
+    if (!ImGui::BeginCombo("surface", names[static_cast<std::size_t>(surface)].data())) return;
+    for (std::size_t i = 0; i < names.size(); ++i)
+        if (ImGui::Selectable(names[i].data(), i == static_cast<std::size_t>(surface)))
+            surface = static_cast<gl::Surface>(i);
+    ImGui::EndCombo();
+}
+
 void show_times(const ViewFigures& figures, const std::vector<StageTimes::Row>& rows) {
     ImGui::Text("%.1f ms a frame, %.2f million triangles", figures.frame_ms,
                 static_cast<double>(figures.triangles) / 1e6);
@@ -90,12 +134,16 @@ void show_panel(ViewSettings& settings, ViewCamera& camera, const ViewFigures& f
     choose_cascades(settings.sea, figures.tile_sides_m);
     ImGui::Text("waves of %.2f m%s", figures.significant_wave_height_m, figures.sea_is_baking ? ", changing" : "");
     ImGui::Separator();
+    choose_light(settings);
     slide_degrees("sun towards", settings.sky.sun_azimuth_rad, -180, 180);
-    slide_degrees("sun height", settings.sky.sun_elevation_rad, -5, 90);
+    slide_degrees("sun height", settings.sky.sun_elevation_rad, -40, 90);
     ImGui::SliderFloat("clouds", &settings.sky.cloud_cover, 0, 1, "%.2f");
     if (figures.sky_is_baking) ImGui::Text("baking the sky ...");
+    choose_exposure(settings.camera, figures.ev);
     ImGui::Separator();
     choose_quality(settings.quality);
+    choose_scale(settings, figures);
+    choose_surface(settings.surface);
     ImGui::Checkbox("wireframe", &settings.wireframe);
     ImGui::SameLine();
     ImGui::Checkbox("freeze", &settings.frozen);

@@ -1,10 +1,14 @@
 // The panel of the window: what can be changed while one looks, and how long it takes.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "pelagic/gl/exposure.hpp"
+#include "pelagic/gl/shading.hpp"
 #include "pelagic/gl/sky_baker.hpp"
+#include "pelagic/gl/small_water.hpp"
 #include "pelagic/gl/water_optics.hpp"
 #include "pelagic/sim/sea_state.hpp"
 #include "pelagic/viewer/stage_times.hpp"
@@ -15,11 +19,18 @@ namespace pelagic::viewer {
 /// What the user has chosen.
 struct ViewSettings {
     SeaState sea;
+    std::string light;  ///< name of the preset that the sky was chosen by, or empty
     gl::SkyOptions sky;
     gl::WaterOptics water;
+    gl::Shading shading = gl::Shading::high;
+    gl::CameraSettings camera;
+    gl::Surface surface = gl::Surface::open;
+    std::optional<gl::FlowMap> flow;  ///< of a river; none: a winding channel
     std::string quality = "high";
     double size_m = 2048;
     float more_foam = 0;  ///< added to the Jacobian at which foam begins; [-0.5, 0.5]
+    bool scale_is_automatic = true;
+    float fixed_scale = 1;  ///< of the drawn picture's width and height over the window's; [0.25, 1]
     bool wireframe = false;
     bool frozen = false;
 };
@@ -29,6 +40,8 @@ struct ViewFigures {
     double frame_ms = 0;
     double select_us = 0, upload_ms = 0, draw_ms = 0;
     int draw_calls = 0;
+    int drawn_width = 0, drawn_height = 0;  ///< pixels, before they are enlarged to the window
+    float ev = 0;                           ///< the exposure
     std::uint64_t triangles = 0;
     std::size_t patches = 0;
     double significant_wave_height_m = 0;

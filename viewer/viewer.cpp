@@ -6,16 +6,20 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <optional>
 #include <stdexcept>
+#include <string_view>
 #include <vector>
 
 #include "pelagic/gl/sea_renderer.hpp"
 #include "pelagic/gl/stopwatch.hpp"
 #include "pelagic/quadtree/selection.hpp"
 #include "pelagic/sim/ocean.hpp"
+#include "pelagic/viewer/camera_picture.hpp"
 #include "pelagic/viewer/panel_renderer.hpp"
+#include "pelagic/viewer/render_scale.hpp"
 #include "pelagic/viewer/stage_times.hpp"
 #include "pelagic/viewer/window.hpp"
 
@@ -25,6 +29,18 @@ namespace {
 constexpr int sky_face_size = 256;
 constexpr double radians_a_pixel = 0.004;
 constexpr double slowest_mps = 8;  // flying; faster with height
+/// Without a GPU one, where the picture is drawn smaller: four cost twice as much there.
+constexpr int samples_a_pixel = 4;
+/// What a frame may take before the picture is drawn smaller, milliseconds: 30 a second; on a driver without a GPU 12 a second, so
+/// that something is left to see.
+constexpr double goal_ms = 33, software_goal_ms = 80;
+/// Where a driver without a GPU begins in RenderScale::scales: a third of the window's sides.
+constexpr std::size_t software_first_scale = 6;
+/// A view that rests for so long is drawn in full size once, and stays.
+constexpr double rest_s = 0.4;
+/// A picture of fewer pixels needs fewer vertices: half as many along a patch's side at each of these scales.
+constexpr std::array halved_from = {0.72f, 0.55f, 0.36f};
+constexpr int fewest_vertices = 8;
 
 bool same_sea(const SeaState& a, const SeaState& b) {
     if (a.spectrum != b.spectrum || a.spreading != b.spreading) return false;
@@ -32,10 +48,23 @@ bool same_sea(const SeaState& a, const SeaState& b) {
                                [&](const SeaStateField& field) { return field.value_in(a) == field.value_in(b); });
 }
 
-bool same_sky(const gl::SkyOptions& a, const gl::SkyOptions& b) {
-    return a.sun_azimuth_rad == b.sun_azimuth_rad && a.sun_elevation_rad == b.sun_elevation_rad &&
-           a.cloud_cover == b.cloud_cover && a.visibility_m == b.visibility_m && a.cloud_seed == b.cloud_seed;
+bool is_software(const gl::Functions& gl) {
+    const std::string_view name = reinterpret_cast<const char*>(gl.GetString(GL_RENDERER));
+    return name.find("llvmpipe") != name.npos || name.find("softpipe") != name.npos ||
+           name.find("SwiftShader") != name.npos;
 }
+
+/// What a drawn picture depends on, in one comparable piece; `changes` counts what else can change.
+struct Drawn {
+    glm::dvec3 position_m{}, target_m{};
+    double vertical_view_rad = 0, time_s = 0;
+    int window_width = 0, window_height = 0;
+    float more_foam = 0;
+    bool wireframe = false;
+    unsigned long long changes = 0;
+
+    bool operator==(const Drawn&) const = default;
+};
 
 const QuadtreePreset& preset_named(const std::string& name) {
     const QuadtreePreset* preset = quadtree_preset_named(name);
@@ -69,14 +98,18 @@ class Viewer {
           window_(options.width, options.height, "Pelagic"),
           input_(window_.handle()),
           panel_renderer_(window_.functions(), Window::get_proc_address()),
+          picture_(window_.functions()),
+          is_software_(is_software(window_.functions())),
+          scale_by_time_(is_software_ ? RenderScale(software_goal_ms, software_first_scale) : RenderScale(goal_ms)),
           shown_sea_(settings_.sea),
           baker_(make_default_executor(options.threads), sky_face_size),
           shown_sky_(settings_.sky),
+          caustics_(make_default_executor(options.threads)),
           camera_(options.camera) {
         baker_.schedule(settings_.sky);
         fill_ocean();
         choose_quality();
-        renderer_->set_sky(baker_.complete());
+        take_sky();
     }
 
     ViewResult run() {
@@ -91,9 +124,11 @@ class Viewer {
             if (!settings_.frozen) time_s_ += passed_s;
             take_input(passed_s);
             follow_settings();
-            if (window_.width() > 0 && window_.height() > 0) draw_frame();
+            if (window_.width() > 0 && window_.height() > 0) draw_frame(passed_s);
             window_.swap();
             ++frames_;
+            if (sea_was_drawn_ && settings_.scale_is_automatic)
+                scale_by_time_.follow(since_start.milliseconds() - now_s * 1000);
         }
         return {.settings = settings_,
                 .camera = camera_.camera(),
@@ -129,10 +164,10 @@ class Viewer {
     /// Starts what the settings ask for, and takes over what is ready; nothing waits.
     void follow_settings() {
         if (figures_.sky_is_baking && baker_.is_done()) {
-            renderer_->set_sky(baker_.complete());
+            take_sky();
             figures_.sky_is_baking = false;
         }
-        if (!figures_.sky_is_baking && !same_sky(settings_.sky, shown_sky_)) {
+        if (!figures_.sky_is_baking && settings_.sky != shown_sky_) {
             shown_sky_ = settings_.sky;
             baker_.schedule(shown_sky_);
             figures_.sky_is_baking = true;
@@ -147,29 +182,61 @@ class Viewer {
                 choose_quality();
             }
         }
-        if (settings_.quality != quality_) choose_quality();
+        if (settings_.quality != quality_ || settings_.surface != surface_) choose_quality();
     }
 
     /// An ocean has its number of tiles for life.
     void fill_ocean() {
+        take_caustics();  // they read the ocean that goes
         shown_sea_ = settings_.sea;
-        ocean_.emplace(
-            shown_sea_,
-            OceanOptions{.executor = make_default_executor(options_.threads), .trace = stage_times_, .slopes = true});
+        ocean_.emplace(shown_sea_, OceanOptions{.executor = make_default_executor(options_.threads),
+                                                .trace = stage_times_,
+                                                .queries = true,
+                                                .slopes = true});
         stage_times_->follow(ocean_->graph());
         ocean_->schedule(time_s_);
+    }
+
+    void take_sky() {
+        const gl::Sky& sky = baker_.complete();
+        renderer_->set_sky(sky);
+        luminance_of_unit_ = sky.luminance_of_unit();
+        unmetered_ev_ = gl::ev_of_exposure(sky.exposure, luminance_of_unit_);
+        ++changes_;
     }
 
     /// Textures and meshes belong to the quality and to the tiles; the sky is uploaded again.
     void choose_quality() {
         quality_ = settings_.quality;
-        selection_.emplace(preset_named(quality_).options(settings_.size_m));
+        surface_ = settings_.surface;
+        choose_mesh(preset_named(quality_).vertices);
         renderer_ = std::make_unique<gl::SeaRenderer>(
             window_.functions(), gl::RendererOptions{.patch_vertices = selection_->options().vertices,
                                                      .resolution = ocean_->resolution(),
-                                                     .tiles = ocean_->tile_count()});
+                                                     .tiles = ocean_->tile_count(),
+                                                     .shading = settings_.shading,
+                                                     .writes = gl::PixelKind::radiance,
+                                                     .surface = surface_,
+                                                     .executor = make_default_executor(options_.threads)});
         renderer_->set_water(settings_.water);
-        if (!figures_.sky_is_baking && frames_ > 0) renderer_->set_sky(baker_.complete());
+        renderer_->set_floor(options_.floor);
+        if (settings_.flow) renderer_->set_flow(*settings_.flow);
+        if (!figures_.sky_is_baking && frames_ > 0) take_sky();
+    }
+
+    void choose_mesh(int vertices) {
+        QuadtreeOptions quadtree = preset_named(quality_).options(settings_.size_m);
+        quadtree.vertices = vertices;
+        selection_.emplace(quadtree);
+        if (renderer_) renderer_->set_patch_vertices(vertices);
+        ++changes_;
+    }
+
+    /// A coarser one where the picture is small.
+    void fit_mesh_to(float scale) {
+        const auto halvings = std::ranges::count_if(halved_from, [&](float from) { return scale <= from; });
+        const int vertices = std::max(preset_named(quality_).vertices >> halvings, fewest_vertices);
+        if (vertices != selection_->options().vertices) choose_mesh(vertices);
     }
 
     /// The frame that was scheduled one picture ago, then the next one: computed while this one is drawn.
@@ -179,19 +246,80 @@ class Viewer {
         if (figures_.sea_is_baking && ocean_->sea_is_ready()) {
             ocean_->complete_sea();
             figures_.sea_is_baking = false;
+            ++changes_;
         }
+        // They read the frame before this one, whose views end with the next schedule().
+        take_caustics();
         ocean_->schedule(time_s_);
         return frame;
     }
 
-    void draw_frame() {
+    void take_caustics() {
+        if (!caustics_are_baking_) return;
+        renderer_->set_caustics(caustics_.complete());
+        caustics_are_baking_ = false;
+    }
+
+    /// Every second frame: while the next two are made.
+    void start_caustics(const Frame& frame) {
+        if (frames_ % 2 == 1 || !gl::shows_caustics(options_.floor, frame, camera_.camera().position_m)) return;
+        caustics_.schedule(frame, {.depth_m = gl::caustics_depth_m(options_.floor, frame.sea.depth_m),
+                                   .sun = gl::sun_direction(shown_sky_)});
+        caustics_are_baking_ = true;
+    }
+
+    void draw_frame(double passed_s) {
         const Frame& frame = next_frame();
+        start_caustics(frame);
         shown_time_s_ = frame.time_s;
         figures_.tile_sides_m.clear();
         for (const Tile& tile : frame.tiles) figures_.tile_sides_m.push_back(tile.lattice.side_m);
         figures_.significant_wave_height_m = frame.figures.significant_wave_height_m;
+        picture_.follow(settings_.camera, unmetered_ev_, passed_s);
+        figures_.ev = picture_.ev();
+
+        // A sea that moves never rests: full size is for a frozen one before a camera that stands, and for pictures.
         const Camera camera = camera_.camera();
-        const gl::Eye eye = gl::eye_of(camera, {0, 0, window_.width(), window_.height()});
+        const Drawn now{.position_m = camera.position_m,
+                        .target_m = camera.target_m,
+                        .vertical_view_rad = camera.vertical_view_rad,
+                        .time_s = frame.time_s,
+                        .window_width = window_.width(),
+                        .window_height = window_.height(),
+                        .more_foam = settings_.more_foam,
+                        .wireframe = settings_.wireframe,
+                        .changes = changes_};
+        rests_for_s_ = now == drawn_ ? rests_for_s_ + passed_s : 0;
+        const bool rests = settings_.scale_is_automatic && rests_for_s_ >= rest_s;
+        float scale = settings_.scale_is_automatic ? scale_by_time_.scale() : settings_.fixed_scale;
+        if (rests || takes_picture_) scale = 1;
+        sea_was_drawn_ = now != drawn_ || (rests && drawn_scale_ < 1) || takes_picture_ || scale > drawn_scale_;
+        if (sea_was_drawn_) {
+            draw_sea(frame, camera, scale);
+            drawn_ = now;
+            drawn_.changes = changes_;  // a mesh may just have been chosen
+            drawn_scale_ = scale;
+            // The size that a resting view or a picture asks for says nothing of the next frame's.
+            sea_was_drawn_ = !rests && !takes_picture_;
+        }
+        show_sea();
+        if (takes_picture_) take_picture();
+
+        if (shows_panel_) show_panel(settings_, camera_, figures_, stage_times_->rows());
+        ImGui::Render();
+        panel_renderer_.draw(*ImGui::GetDrawData());
+    }
+
+    void draw_sea(const Frame& frame, const Camera& camera, float scale) {
+        fit_mesh_to(scale);
+        const int width = window_.width(), height = window_.height();
+        if (settings_.wireframe)
+            begin_wireframe(width, height);
+        else
+            picture_.begin(width, height, scale, is_software_ && scale < 1 ? 0 : samples_a_pixel);
+        figures_.drawn_width = settings_.wireframe ? width : picture_.width();
+        figures_.drawn_height = settings_.wireframe ? height : picture_.height();
+        const gl::Eye eye = gl::eye_of(camera, {0, 0, figures_.drawn_width, figures_.drawn_height});
         const gl::Stopwatch select;
         const DrawList& list = selection_->select({.viewer_m = camera.position_m,
                                                    .views = {&eye.clip_from_world, 1},
@@ -199,12 +327,6 @@ class Viewer {
                                                    .depth = ClipDepth::minus_one_to_one});
         figures_.select_us = select.milliseconds() * 1000;
         figures_.patches = list.instances.size();
-
-        const gl::Functions& functions = window_.functions();
-        functions.BindFramebuffer(GL_FRAMEBUFFER, 0);
-        functions.ClearColor(0, 0, 0, 1);
-        functions.ClearDepthf(1);
-        functions.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         renderer_->upload(frame);
         const gl::DrawFigures& drawn =
             renderer_->draw({.eyes = {&eye, 1},
@@ -212,16 +334,36 @@ class Viewer {
                              .list = &list,
                              .lod_scale = selection_->options().lod_scale,
                              .more_foam = settings_.more_foam,
-                             .mode = settings_.wireframe ? gl::DrawMode::wireframe : gl::DrawMode::shaded});
+                             .mode = settings_.wireframe ? gl::DrawMode::wireframe : gl::DrawMode::shaded,
+                             .exposure = gl::exposure_of_ev(picture_.ev(), luminance_of_unit_),
+                             .weighs_samples = true,
+                             .water_at_lens = gl::water_at_lens(SurfaceQuery(frame), camera.position_m)});
         figures_.upload_ms = drawn.upload_ms - drawn.upload_driver_ms;
         figures_.draw_ms = drawn.draw_ms - drawn.draw_driver_ms;
         figures_.draw_calls = drawn.sea_calls + drawn.sky_calls;
         figures_.triangles = drawn.triangles;
-        if (takes_picture_) take_picture();
+        if (!settings_.wireframe) picture_.end(luminance_of_unit_);
+    }
 
-        if (shows_panel_) show_panel(settings_, camera_, figures_, stage_times_->rows());
-        ImGui::Render();
-        panel_renderer_.draw(*ImGui::GetDrawData());
+    /// Lines are no light: they go to the screen as they are.
+    void begin_wireframe(int width, int height) {
+        if (!wireframe_ || wireframe_->width() != width || wireframe_->height() != height) {
+            wireframe_.reset();
+            wireframe_.emplace(window_.functions(), width, height, samples_a_pixel);
+        }
+        wireframe_->bind();
+        window_.functions().ClearColor(0, 0, 0, 1);
+        window_.functions().ClearDepthf(1);
+        window_.functions().Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    }
+
+    /// What was drawn last, into the window.
+    void show_sea() {
+        const int width = window_.width(), height = window_.height();
+        if (settings_.wireframe)
+            wireframe_->show(width, height, width, height);
+        else
+            picture_.show(settings_.camera, width, height);
     }
 
     /// Without the panel: it is drawn afterwards.
@@ -244,15 +386,28 @@ class Viewer {
     Window window_;
     PanelInput input_;
     PanelRenderer panel_renderer_;
+    CameraPicture picture_;
+    bool is_software_;
+    RenderScale scale_by_time_;
     std::shared_ptr<StageTimes> stage_times_ = std::make_shared<StageTimes>();
     std::optional<Ocean> ocean_;
     SeaState shown_sea_;
     gl::SkyBaker baker_;
     gl::SkyOptions shown_sky_;
+    gl::CausticsBaker caustics_;
+    bool caustics_are_baking_ = false;
     ViewCamera camera_;
     std::string quality_;
+    gl::Surface surface_ = gl::Surface::open;
     std::optional<Selection> selection_;
     std::unique_ptr<gl::SeaRenderer> renderer_;
+    std::optional<gl::RenderTarget> wireframe_;
+    float luminance_of_unit_ = 1, unmetered_ev_ = 15;  ///< of the shown sky
+    Drawn drawn_;
+    float drawn_scale_ = 0;
+    double rests_for_s_ = 0;
+    bool sea_was_drawn_ = false;  ///< in the size that frame times decide
+    unsigned long long changes_ = 0;
     ViewFigures figures_;
     bool shows_panel_ = true, takes_picture_ = false;
     double time_s_ = 0, shown_time_s_ = 0;

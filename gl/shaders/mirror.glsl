@@ -83,7 +83,8 @@ vec3 seen_normal(vec3 normal, vec3 facet, vec3 to_eye, float alpha2, float dista
     vec2 plane = facet.xz / facet.y;
     vec2 slopes = normal.xz / normal.y - plane;
     vec2 towards = to_eye.xz / max(length(to_eye.xz), 1e-4);
-    float mu = max(dot(facet, to_eye), 0.0);
+    float mu = dot(facet, to_eye);
+    if (mu <= 0.0) return normal;  // from below, and backs of crests
     SeenFacets seen = seen_facets(mu, s);
     float narrowed = sqrt(seen.cosine_variance) / max(s * sqrt(max(1.0 - mu * mu, 0.0)), 1e-4);
     float lean = dot(slopes, towards);

@@ -1,24 +1,16 @@
-// From radiance to the screen: the filmic curve of the Academy's reference transform, as fitted by Stephen Hill (2016,
-// in the BakingLab samples): sRGB to the working space, the curve, back to sRGB. Then the sRGB encoding, IEC 61966-2-1.
-vec3 filmic(vec3 radiance) {
-    const mat3 into = mat3(0.59719, 0.07600, 0.02840, 0.35458, 0.90834, 0.13383, 0.04823, 0.01566, 0.83777);
-    const mat3 out_of = mat3(1.60475, -0.10208, -0.00327, -0.53108, 1.10813, -0.07276, -0.07367, -0.00605, 1.07602);
-    vec3 v = into * radiance;
-    v = (v * (v + 0.0245786) - 0.000090537) / (v * (0.983729 * v + 0.4329510) + 0.238081);
-    return clamp(out_of * v, 0.0, 1.0);
-}
+// What a pixel of the sea or the sky becomes: a colour for the screen, or radiance for a display pass.
+#include "film.glsl"
 
-vec3 srgb_encoded(vec3 linear) {
-    return mix(12.92 * linear, 1.055 * pow(max(linear, 1e-6), vec3(1.0 / 2.4)) - 0.055, step(0.0031308, linear));
-}
-
-// Half a step of noise hides the steps of 8 bits in a smooth sky. Interleaved gradient noise: Jimenez 2014, "Next
-// Generation Post Processing in Call of Duty".
-float dither(vec2 pixel) { return fract(52.9829189 * fract(dot(pixel, vec2(0.06711056, 0.00583715)))) - 0.5; }
-
+// Where radiance is asked for with weights, a sample counts for less the brighter it is, or glints on edges would stay
+// jagged: samples are averaged before the tone curve (Karis 2013, "Tone Mapping"). The weight is the alpha by which the
+// display pass divides. It is no less than a half float's smallest normal numbers can hold.
 vec4 screen_colour(vec3 radiance) {
-    if (output_kind.y > 0.5) return vec4(min(radiance, vec3(6e4)), 1.0);
-    vec3 shown = filmic(radiance * sun_irradiance.w);
+    if (output_kind.y > 0.5) {
+        vec3 held = min(radiance, vec3(6e4));
+        float weight = 1.0 / (1.0 + min(output_kind.z * luminance_of(held), 1023.0));
+        return vec4(held * weight, weight);
+    }
+    vec3 shown = filmic(night_vision(radiance, output_kind.w) * sun_irradiance.w);
     if (output_kind.x > 0.5) shown = srgb_encoded(shown) + dither(gl_FragCoord.xy) / 255.0;
     return vec4(shown, 1.0);
 }

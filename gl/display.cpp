@@ -1,0 +1,116 @@
+#include "pelagic/gl/display.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include "pelagic/gl/errors.hpp"
+#include "pelagic/gl/kept_state.hpp"
+#include "pelagic/gl/picture_pass.hpp"
+
+namespace pelagic::gl {
+namespace {
+
+/// Each half as large as the one before: the coarsest spreads light over a fifth of the picture's height.
+constexpr int most_levels = 6;
+constexpr int least_side = 4;
+
+TexturePart part_of(const RadianceTexture& level, const TexturePart& picture, int halvings) {
+    const auto halved = [&](int side) { return std::max(1, (side + (1 << halvings) - 1) >> halvings); };
+    return {level.texture.name(), halved(picture.width), halved(picture.height), level.width, level.height};
+}
+
+}  // namespace
+
+struct Display::State {
+    explicit State(const Functions& functions)
+        : gl(functions),
+          down(functions, "bloom_down.frag.glsl"),
+          up(functions, "bloom_up.frag.glsl"),
+          film(functions, "display.frag.glsl"),
+          empty(functions) {}
+
+    void fit(const TexturePart& picture) {
+        if (picture.texture_width == width && picture.texture_height == height) return;
+        width = picture.texture_width;
+        height = picture.texture_height;
+        fine.clear();
+        spread.clear();
+        for (int i = 1; i <= most_levels && (std::min(width, height) >> i) >= least_side; ++i) {
+            // Rounded up: a part of the texture must find room at every level.
+            const int w = (width + (1 << i) - 1) >> i, h = (height + (1 << i) - 1) >> i;
+            fine.emplace_back(gl, w, h);
+            spread.emplace_back(gl, w, h);
+        }
+    }
+
+    void draw_into(const RadianceTexture& target, const TexturePart& part, const PicturePass& pass) {
+        gl.BindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.name());
+        gl.Viewport(0, 0, part.width, part.height);
+        pass.draw();
+    }
+
+    /// The picture's light, spread: the mean of all levels.
+    TexturePart bloom(const TexturePart& picture) {
+        std::vector<TexturePart> parts;
+        TexturePart finer = picture;
+        down.use();
+        for (std::size_t i = 0; i < fine.size(); ++i) {
+            parts.push_back(part_of(fine[i], picture, static_cast<int>(i) + 1));
+            down.read("finer", 0, finer);
+            draw_into(fine[i], parts[i], down);
+            finer = parts[i];
+        }
+        up.use();
+        TexturePart coarser = parts.back();
+        for (std::size_t i = fine.size() - 1; i-- > 0;) {
+            up.read("level", 0, parts[i]);
+            up.read("coarser", 1, coarser);
+            const auto levels_below = static_cast<float>(fine.size() - 1 - i);
+            up.set("coarser_part", levels_below / (levels_below + 1));
+            coarser = part_of(spread[i], picture, static_cast<int>(i) + 1);
+            draw_into(spread[i], coarser, up);
+        }
+        return coarser;
+    }
+
+    const Functions& gl;
+    PicturePass down, up, film;
+    VertexArray empty;
+    int width = 0, height = 0;
+    std::vector<RadianceTexture> fine, spread;
+};
+
+Display::Display(const Functions& gl) {
+    if (!gl.renders_to_half_floats)
+        throw GlError("the driver can't draw radiance: it has no EXT_color_buffer_half_float");
+    const KeptState keep(gl);
+    state_ = std::make_unique<State>(gl);
+}
+Display::~Display() = default;
+
+void Display::show(const TexturePart& radiance, const Look& look, const Viewport& to) {
+    State& s = *state_;
+    const KeptState keep(s.gl);
+    const KeptTargets targets(s.gl);
+    s.gl.BindVertexArray(s.empty.name());
+    // Without bloom the shader does not look at it.
+    TexturePart spread = radiance;
+    float bloom = 0;
+    if (look.bloom > 0) {
+        s.gl.ActiveTexture(GL_TEXTURE0);
+        s.fit(radiance);
+        if (!s.fine.empty()) {
+            spread = s.bloom(radiance);
+            bloom = look.bloom;
+        }
+    }
+    targets.bind_drawn();
+    s.gl.Viewport(to.x, to.y, to.width, to.height);
+    s.film.use();
+    s.film.read("radiance", 0, radiance);
+    s.film.read("spread", 1, spread);
+    s.film.set("look", look.exposure, look.luminance_of_unit, bloom, look.framebuffer_is_srgb ? 0.f : 1.f);
+    s.film.draw();
+}
+
+}  // namespace pelagic::gl

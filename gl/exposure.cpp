@@ -1,0 +1,91 @@
+#include "pelagic/gl/exposure.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace pelagic::gl {
+namespace {
+
+constexpr float middle_grey = 0.18f;
+constexpr float calibration = 12.5f / 100;  ///< K over ISO 100
+constexpr float bright_part = 0.02f, shown_bright = 0.9f, most_protection_stops = 1.5f;
+constexpr float shown_median = 0.065f;
+constexpr float darkest_cd_m2 = 1e-5f;
+
+// shaders/film.glsl: (v (v + a) - b) / (v (c v + d) + e).
+constexpr float a = 0.0245786f, b = 0.000090537f, c = 0.983729f, d = 0.4329510f, e = 0.238081f;
+
+float key_of(float luminance_cd_m2) { return 1.03f - 2 / (2 + std::log10(luminance_cd_m2 + 1)); }
+
+float shown_log_average(float luminance_cd_m2) {
+    constexpr float sunlit_cd_m2 = 4000, darkest_key = 0.03f;
+    const float sunlit_key = key_of(sunlit_cd_m2);
+    const float power = std::log(darkest_key / middle_grey) / std::log(darkest_key / sunlit_key);
+    return middle_grey * std::pow(std::min(1.f, key_of(luminance_cd_m2) / sunlit_key), power);
+}
+
+}  // namespace
+
+float shown_by_film(float scene) {
+    return std::clamp((scene * (scene + a) - b) / (scene * (c * scene + d) + e), 0.f, 1.f);
+}
+
+float film_input_of(float shown) {
+    const float square = 1 - c * shown, linear = a - d * shown;
+    return (-linear + std::sqrt(linear * linear + 4 * square * (b + e * shown))) / (2 * square);
+}
+
+float exposure_of_ev(float ev, float luminance_of_unit) {
+    return film_input_of(middle_grey) * luminance_of_unit / (calibration * std::exp2(ev));
+}
+
+float ev_of_exposure(float exposure, float luminance_of_unit) {
+    return std::log2(film_input_of(middle_grey) * luminance_of_unit / (calibration * exposure));
+}
+
+float night_darkening(float luminance_cd_m2) {
+    return film_input_of(shown_log_average(luminance_cd_m2)) / film_input_of(middle_grey);
+}
+
+float metered_ev(std::span<const MeteredCell> cells, float luminance_of_unit) {
+    const float least = std::log2(darkest_cd_m2 / luminance_of_unit);
+    double sum = 0;
+    std::vector<float> means, logarithms;
+    for (const MeteredCell& cell : cells) {
+        if (!std::isfinite(cell.mean_of_log2) || !std::isfinite(cell.log2_of_mean)) continue;
+        logarithms.push_back(std::max(cell.mean_of_log2, least));
+        sum += static_cast<double>(logarithms.back());
+        means.push_back(std::max(cell.log2_of_mean, least));
+    }
+    const float log_average = means.empty() ? least : static_cast<float>(sum / static_cast<double>(means.size()));
+    const float luminance = std::exp2(log_average) * luminance_of_unit;
+    const float by_average = std::log2(night_darkening(luminance)) - log_average;
+    float stops = by_average;  // of the exposure, where EV is that of a grey card of luminance 1
+    if (!means.empty()) {
+        const auto bright =
+            means.begin() + static_cast<std::ptrdiff_t>(static_cast<float>(means.size() - 1) * (1 - bright_part));
+        std::nth_element(means.begin(), bright, means.end());
+        const float by_highlights = std::log2(film_input_of(shown_bright) / film_input_of(middle_grey)) - *bright;
+        const auto median = logarithms.begin() + static_cast<std::ptrdiff_t>(logarithms.size() / 2);
+        std::nth_element(logarithms.begin(), median, logarithms.end());
+        // By day this is 0.065; the night's part of middle grey is its part here, too.
+        const float by_median =
+            std::log2(night_darkening(luminance) * film_input_of(shown_median) / film_input_of(middle_grey)) -
+            *median;
+        stops = std::max({std::min(by_average, by_highlights), by_average - most_protection_stops, by_median});
+    }
+    return std::clamp(std::log2(luminance_of_unit / calibration) - stops, least_ev, most_ev);
+}
+
+void FollowedExposure::follow(float metered, double passed_s) {
+    if (!ev_) {
+        ev_ = metered;
+        return;
+    }
+    const double time_constant_s = metered > *ev_ ? to_brighter_s : to_darker_s;
+    const auto left = static_cast<float>(std::exp(-std::max(passed_s, 0.0) / time_constant_s));
+    *ev_ = metered + (*ev_ - metered) * left;
+}
+
+}  // namespace pelagic::gl

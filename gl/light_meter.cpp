@@ -1,0 +1,97 @@
+#include "pelagic/gl/light_meter.hpp"
+
+#include "pelagic/gl/kept_state.hpp"
+#include "pelagic/gl/picture_pass.hpp"
+
+namespace pelagic::gl {
+namespace {
+
+constexpr std::size_t cells = std::size_t{LightMeter::columns} * LightMeter::rows;
+constexpr std::size_t bytes = cells * 4 * sizeof(float);
+
+std::vector<MeteredCell> cells_of(const float* rgba) {
+    std::vector<MeteredCell> all(cells);
+    for (std::size_t i = 0; i < cells; ++i) all[i] = {rgba[4 * i], rgba[4 * i + 1]};
+    return all;
+}
+
+}  // namespace
+
+struct LightMeter::State {
+    explicit State(const Functions& functions)
+        : gl(functions),
+          pass(functions, "meter.frag.glsl"),
+          empty(functions),
+          target(functions, columns, rows),
+          pixels(functions) {
+        gl.BindBuffer(GL_PIXEL_PACK_BUFFER, pixels.name());
+        gl.BufferData(GL_PIXEL_PACK_BUFFER, bytes, nullptr, GL_STREAM_READ);
+    }
+    ~State() {
+        if (fence) gl.DeleteSync(fence);
+    }
+
+    /// The cells are in the framebuffer that is bound afterwards.
+    void draw(const TexturePart& radiance) {
+        gl.BindVertexArray(empty.name());
+        gl.BindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.name());
+        gl.Viewport(0, 0, columns, rows);
+        pass.use();
+        pass.read("radiance", 0, radiance);
+        pass.set("cells", columns, rows, 1.f / columns, 1.f / rows);
+        pass.draw();
+    }
+
+    const Functions& gl;
+    PicturePass pass;
+    VertexArray empty;
+    RadianceTexture target;
+    Buffer pixels;
+    GLsync fence = nullptr;
+};
+
+LightMeter::LightMeter(const Functions& gl) {
+    const KeptState keep(gl);
+    const KeptTargets targets(gl);
+    state_ = std::make_unique<State>(gl);
+}
+LightMeter::~LightMeter() = default;
+
+std::vector<MeteredCell> LightMeter::measure(const TexturePart& radiance) {
+    const Functions& gl = state_->gl;
+    const KeptState keep(gl);
+    const KeptTargets targets(gl);
+    state_->draw(radiance);
+    std::vector<float> rgba(4 * cells);
+    gl.ReadPixels(0, 0, columns, rows, GL_RGBA, GL_FLOAT, rgba.data());
+    return cells_of(rgba.data());
+}
+
+void LightMeter::start(const TexturePart& radiance) {
+    if (state_->fence) return;
+    const Functions& gl = state_->gl;
+    const KeptState keep(gl);
+    const KeptTargets targets(gl);
+    state_->draw(radiance);
+    gl.BindBuffer(GL_PIXEL_PACK_BUFFER, state_->pixels.name());
+    gl.ReadPixels(0, 0, columns, rows, GL_RGBA, GL_FLOAT, nullptr);
+    state_->fence = gl.FenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+}
+
+std::optional<std::vector<MeteredCell>> LightMeter::finished() {
+    const Functions& gl = state_->gl;
+    if (!state_->fence) return {};
+    const GLenum met = gl.ClientWaitSync(state_->fence, GL_SYNC_FLUSH_COMMANDS_BIT, 0);
+    if (met != GL_ALREADY_SIGNALED && met != GL_CONDITION_SATISFIED) return {};
+    gl.DeleteSync(state_->fence);
+    state_->fence = nullptr;
+    const KeptTargets targets(gl);
+    gl.BindBuffer(GL_PIXEL_PACK_BUFFER, state_->pixels.name());
+    std::optional<std::vector<MeteredCell>> seen;
+    if (const void* rgba = gl.MapBufferRange(GL_PIXEL_PACK_BUFFER, 0, bytes, GL_MAP_READ_BIT))
+        seen = cells_of(static_cast<const float*>(rgba));
+    gl.UnmapBuffer(GL_PIXEL_PACK_BUFFER);
+    return seen;
+}
+
+}  // namespace pelagic::gl

@@ -1,0 +1,23 @@
+// A level of the spread light with all coarser ones: each level counts the same. Bjorge 2015, "Bandwidth-Efficient Rendering"
+// (the dual filter's way up). Weights add up to 1.
+precision highp float;
+#include "used_part.glsl"
+
+uniform highp sampler2D level;    // as large as what is drawn
+uniform highp sampler2D coarser;  // half as large, with all below it
+uniform vec4 level_used;
+uniform vec4 coarser_used;
+uniform float coarser_part;
+
+in vec2 place;
+out vec4 colour;
+
+vec3 at(vec2 texels) {
+    return texture(coarser, in_used_part(place + texels * coarser_used.zw / coarser_used.xy, coarser_used)).rgb;
+}
+
+void main() {
+    vec3 spread = (at(vec2(-1.0, 0.0)) + at(vec2(1.0, 0.0)) + at(vec2(0.0, -1.0)) + at(vec2(0.0, 1.0))) / 12.0 +
+                  (at(vec2(-0.5, -0.5)) + at(vec2(0.5, -0.5)) + at(vec2(-0.5, 0.5)) + at(vec2(0.5, 0.5))) / 6.0;
+    colour = vec4(mix(texture(level, in_used_part(place, level_used)).rgb, spread, coarser_part), 1.0);
+}

@@ -1,0 +1,31 @@
+// From exposed radiance to the screen, without what a scene knows.
+
+// The filmic curve of the Academy's reference transform, as fitted by Stephen Hill (2016, in the BakingLab samples): sRGB to the
+// working space, the curve, back to sRGB. gl/exposure.hpp has it for grey.
+vec3 filmic(vec3 exposed) {
+    const mat3 into = mat3(0.59719, 0.07600, 0.02840, 0.35458, 0.90834, 0.13383, 0.04823, 0.01566, 0.83777);
+    const mat3 out_of = mat3(1.60475, -0.10208, -0.00327, -0.53108, 1.10813, -0.07276, -0.07367, -0.00605, 1.07602);
+    vec3 v = into * exposed;
+    v = (v * (v + 0.0245786) - 0.000090537) / (v * (0.983729 * v + 0.4329510) + 0.238081);
+    return clamp(out_of * v, 0.0, 1.0);
+}
+
+// IEC 61966-2-1.
+vec3 srgb_encoded(vec3 linear) {
+    return mix(12.92 * linear, 1.055 * pow(max(linear, 1e-6), vec3(1.0 / 2.4)) - 0.055, step(0.0031308, linear));
+}
+
+// Half a step of noise hides the steps of 8 bits in a smooth sky. Interleaved gradient noise: Jimenez 2014, "Next
+// Generation Post Processing in Call of Duty".
+float dither(vec2 pixel) { return fract(52.9829189 * fract(dot(pixel, vec2(0.06711056, 0.00583715)))) - 0.5; }
+
+// Rec. 709.
+float luminance_of(vec3 colour) { return dot(colour, vec3(0.2126, 0.7152, 0.0722)); }
+
+// In the dark rods see, without colours: by cd/m^2 as in Krawczyk, Myszkowski and Seidel 2005, "Perceptual effects in real-time
+// tone mapping". What they see looks blue, as the chromaticity (0.25, 0.25): Jensen et al. 2000, "Night Rendering".
+vec3 night_vision(vec3 radiance, float luminance_of_unit) {
+    float luminance = luminance_of(radiance);
+    float rods = 0.04 / (0.04 + luminance * luminance_of_unit);
+    return mix(radiance, luminance * vec3(0.706, 0.990, 1.966), rods);
+}

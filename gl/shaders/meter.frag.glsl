@@ -1,0 +1,25 @@
+// A cell of a light meter: logarithms to the base 2 of its luminance, their mean and that of its mean. 16 taps, each of four
+// texels.
+precision highp float;
+#include "film.glsl"
+#include "used_part.glsl"
+
+uniform highp sampler2D radiance;
+uniform vec4 radiance_used;
+uniform vec4 cells;  // xy: how many; zw: 1 over that
+
+in vec2 place;
+out vec4 colour;
+
+void main() {
+    vec2 corner = floor(place * cells.xy) * cells.zw;
+    float sum = 0.0, sum_of_log2 = 0.0;
+    for (int y = 0; y < 4; ++y)
+        for (int x = 0; x < 4; ++x) {
+            vec2 at = corner + (vec2(x, y) + 0.5) * 0.25 * cells.zw;
+            float luminance = max(luminance_of(unweighted(texture(radiance, in_used_part(at, radiance_used)))), 1e-12);
+            sum += luminance;
+            sum_of_log2 += log2(luminance);
+        }
+    colour = vec4(sum_of_log2 / 16.0, log2(sum / 16.0), 0.0, 1.0);
+}

@@ -1,0 +1,51 @@
+#include "pelagic/viewer/render_scale.hpp"
+
+#include <algorithm>
+
+namespace pelagic::viewer {
+namespace {
+
+constexpr double too_long = 1.15, with_room = 0.85;
+/// A size's first frame pays for its mesh, and for shaders that a driver compiles when it first draws.
+constexpr int settling_frames = 1;
+/// Two frames of this length in a row are no hitch, and nobody wants to see more of them.
+constexpr double far_too_long = 3;
+/// How many frames count, and how many it takes to see that there is room.
+constexpr int looked_at = 4, convinced_after = 12;
+/// No single frame counts for more than this, over the mean: hitches are not slowness.
+constexpr double one_frame_says = 1.5;
+constexpr int first_closed_frames = 120, most_closed_frames = 100'000;
+
+}  // namespace
+
+void RenderScale::step_to(std::size_t rung) {
+    rung_ = rung;
+    frames_here_ = far_too_long_ = 0;
+}
+
+void RenderScale::follow(double frame_ms) {
+    ++frame_;
+    if (++frames_here_ <= settling_frames) return;
+    const int counted = frames_here_ - settling_frames;
+    const double counted_ms = counted > 1 ? std::min(frame_ms, one_frame_says * mean_ms_) : frame_ms;
+    mean_ms_ += (counted_ms - mean_ms_) / std::min(counted, looked_at);
+    far_too_long_ = frame_ms > far_too_long * goal_ms_ ? far_too_long_ + 1 : 0;
+    if (counted < looked_at && far_too_long_ < 2) return;
+    if (mean_ms_ > too_long * goal_ms_ && rung_ + 1 < scales.size()) {
+        closed_for_[rung_] = std::clamp(2 * closed_for_[rung_], first_closed_frames, most_closed_frames);
+        closed_until_[rung_] = frame_ + closed_for_[rung_];
+        // As many sizes at once as pixels alone call for.
+        std::size_t rung = rung_ + 1;
+        const auto pixels = [&](std::size_t i) {
+            const double part = static_cast<double>(scales[i]) / static_cast<double>(scales[rung_]);
+            return part * part;
+        };
+        while (rung + 1 < scales.size() && mean_ms_ * pixels(rung) > goal_ms_) ++rung;
+        step_to(rung);
+    } else if (rung_ > 0 && counted >= convinced_after && frame_ >= closed_until_[rung_ - 1]) {
+        const double more = static_cast<double>(scales[rung_ - 1]) / static_cast<double>(scales[rung_]);
+        if (mean_ms_ * more * more < with_room * goal_ms_) step_to(rung_ - 1);
+    }
+}
+
+}  // namespace pelagic::viewer
