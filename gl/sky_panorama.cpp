@@ -33,8 +33,9 @@ std::vector<float> panorama_of(const Sky& sky, int width, int height) {
         const double elevation = (0.5 - (j + 0.5) / height) * pi;
         for (int i = 0; i < width; ++i) {
             const double azimuth = ((i + 0.5) / width - 0.5) * 2 * pi;
-            const glm::vec3 radiance = cube.sample({std::cos(elevation) * std::cos(azimuth), std::sin(elevation),
-                                                    std::cos(elevation) * std::sin(azimuth)});
+            const glm::vec3 radiance =
+                sky.unit * cube.sample({std::cos(elevation) * std::cos(azimuth), std::sin(elevation),
+                                        std::cos(elevation) * std::sin(azimuth)});
             pixels.insert(pixels.end(), {radiance.x, radiance.y, radiance.z});
         }
     }

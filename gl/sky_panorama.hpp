@@ -11,7 +11,7 @@ namespace pelagic::gl {
 ///
 /// Column i looks towards the azimuth ((i + 0.5) / width - 0.5) 360 degrees, counted from +x towards +z: +x is in the middle. Row j
 /// looks towards the elevation (0.5 - (j + 0.5) / height) 180 degrees. Radiance is relative to the sun's irradiance above the
-/// air. The sun's disc is not in it: it is Sky::sun_irradiance from Sky::sun_direction. The lower half is what mirrors see there,
+/// air, also at night. The sun's disc is not in it: it is Sky::sun_irradiance from Sky::sun_direction. The lower half is what mirrors see there,
 /// the sky in other waves.
 std::vector<float> panorama_of(const Sky& sky, int width, int height);
 

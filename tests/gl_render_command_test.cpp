@@ -149,6 +149,27 @@ TEST(RenderCommand, APictureOfAFilmIsTheSameWhereverTheRunBegan) {
     EXPECT_EQ(read_file(folder / "film_0001.png"), read_file(folder / "second.png"));
 }
 
+// The sun stands over +z, a quarter of the picture of the sky right of its middle; above the sun's side of the sea all is brighter.
+TEST(RenderCommand, WritesLinearLightAndTheSkyAround) {
+    const TemporaryFolder folder;
+    const Outcome run =
+        run_pelagic({"render", "--resolution", "64", "--size", "64x48", "--quality", "low", "--clouds", "0", "--sun",
+                     "90,20", "--hdr", (folder / "sea.exr").string(), "--sky", (folder / "sky.exr").string()});
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_EQ(files_in(folder.path()).size(), 2u);
+    const OIIO::ImageBuf sea = read_picture(folder / "sea.exr"), sky = read_picture(folder / "sky.exr");
+    EXPECT_EQ(sea.roi(), OIIO::ROI(0, 64, 0, 48, 0, 1, 0, 3));
+    EXPECT_EQ(sky.roi(), OIIO::ROI(0, 2048, 0, 1024, 0, 1, 0, 3));
+    EXPECT_EQ(sea.spec().format, OIIO::TypeDesc::FLOAT);
+    // 20 degrees up are 398 rows from the top: the brightest light near the sun, where the disc would be 6e4 times as bright.
+    const float at_sun = sky.getchannel(1536, 398, 0, 1), away = sky.getchannel(512, 398, 0, 1);
+    EXPECT_GT(at_sun, 5 * away);
+    EXPECT_LT(at_sun, 10);
+    const auto mean = OIIO::ImageBufAlgo::computePixelStats(sea).avg;
+    EXPECT_GT(mean[1], 0.001f);
+    EXPECT_LT(mean[1], 0.3f);
+}
+
 TEST(RenderCommand, NamesOptionValueAndRange) {
     const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
         {{"--out", "a.jpg"}, "pelagic: --out is a.jpg, needs a file named *.png\n"},

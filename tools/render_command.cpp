@@ -72,6 +72,7 @@ class PictureMaker {
                                            .executor = make_default_executor(options.scene.compute.threads)}),
           selection_(options.scene.quadtree),
           luminance_of_unit_(sky.luminance_of_unit()),
+          unit_(sky.unit),
           caustics_(make_default_executor(options.scene.compute.threads)) {
         renderer_.set_water(options.scene.water);
         renderer_.set_floor(options.scene.floor);
@@ -114,7 +115,7 @@ class PictureMaker {
     std::vector<float> radiance() const {
         std::vector<float> rgb;
         for (std::size_t i = 0; i < radiance_.size(); i += 4)
-            rgb.insert(rgb.end(), {radiance_[i], radiance_[i + 1], radiance_[i + 2]});
+            for (std::size_t c = 0; c < 3; ++c) rgb.push_back(unit_ * radiance_[i + c]);
         return rgb;
     }
 
@@ -217,7 +218,7 @@ class PictureMaker {
     Selection selection_;
     std::optional<gl::Display> display_;  ///< none for a wireframe, or without --out
     std::optional<gl::RenderTarget> screen_;
-    float luminance_of_unit_, ev_ = 15;
+    float luminance_of_unit_, unit_, ev_ = 15;
     gl::CausticsBaker caustics_;
     std::vector<std::uint8_t> pixels_;
     std::vector<float> radiance_;
@@ -253,10 +254,10 @@ Json values(glm::vec3 v) { return Json::array({v.x, v.y, v.z}); }
 /// What lights a scene besides the sky's own picture.
 Json as_json(const gl::Sky& sky) {
     return {{"sun_direction", values(sky.sun_direction)},
-            {"sun_irradiance", values(sky.sun_irradiance)},
-            {"sky_irradiance", values(sky.sky_irradiance)},
+            {"sun_irradiance", values(sky.unit * sky.sun_irradiance)},
+            {"sky_irradiance", values(sky.unit * sky.sky_irradiance)},
             {"air_extinction_per_m", values(sky.haze_per_m)},
-            {"exposure", sky.exposure}};
+            {"exposure", sky.exposure / sky.unit}};
 }
 
 Json as_json(const gl::WaterOptics& water) {

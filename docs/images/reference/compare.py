@@ -1,8 +1,9 @@
 # The sea of `pelagic render` beside the same sea, path-traced by Cycles under the same sky: means of regions, as a table.
 #
-#   blender -b --python-exit-code 1 -P compare.py -- PELAGIC FOLDER [--samples K] [--only SCENE] [--reuse]
+#   blender -b --python-exit-code 1 -P compare.py -- PELAGIC FOLDER [--samples K] [--only SCENE] [--reuse] [--check]
 #
-# FOLDER receives pictures, `table.md` and `figures.json`. --reuse keeps references that are in FOLDER already.
+# FOLDER receives pictures, `table.md` and `figures.json`. --reuse keeps references that are in FOLDER already; they hold the sun's and
+# the sky's light of their day. --check exits with 1 if a region's luminance differs by more than `scenes.largest_difference`.
 import argparse
 import json
 import math
@@ -126,6 +127,16 @@ def table(figures):
     return "\n".join(lines) + "\n"
 
 
+def too_different(figures):
+    """A line for each region that is."""
+    for name, entry in figures.items():
+        for region, reference in entry["reference"].items():
+            ratio = regions.luminance(entry["ours"][region]) / regions.luminance(reference)
+            most = scenes.largest_difference(name, region)
+            if abs(ratio - 1) > most:
+                yield f"{name}, {region}: ours is {ratio:.2f} of the reference, may differ by {most:.2f}"
+
+
 def main():
     parser = argparse.ArgumentParser(prog="compare.py")
     parser.add_argument("pelagic")
@@ -134,6 +145,7 @@ def main():
     parser.add_argument("--threads", type=int, default=2)
     parser.add_argument("--only", choices=list(scenes.scenes), action="append")
     parser.add_argument("--reuse", action="store_true")
+    parser.add_argument("--check", action="store_true")
     asked = parser.parse_args(sys.argv[sys.argv.index("--") + 1:])
     folder = asked.folder.resolve()
     folder.mkdir(parents=True, exist_ok=True)
@@ -142,6 +154,10 @@ def main():
     (folder / "figures.json").write_text(json.dumps(figures, indent=2))
     (folder / "table.md").write_text(table(figures))
     print(table(figures))
+    differences = list(too_different(figures)) if asked.check else []
+    print("\n".join(differences))
+    if differences:
+        sys.exit(1)
 
 
 main()
