@@ -1,6 +1,6 @@
 # The six scenes of the comparison: one sea, from sunrise to noon, from 2 m to 500 m, along, against and across the sun.
 #
-# The sea is calm enough to have no foam: in a wind of 5 m/s whitecaps cover 0.1 % (Monahan and O'Muircheartaigh 1980), and the
+# The sea is calm enough to have little foam: in a wind of 5 m/s whitecaps cover 0.1 % (Monahan and O'Muircheartaigh 1980). The
 # reference has none.
 sea = ["--wind-speed", "5", "--fetch", "100e3"]
 width, height, fov_deg = 240, 135, 60
