@@ -33,7 +33,7 @@ vec3 through_haze(vec3 radiance, vec3 from_eye, float distance_m) {
     // azimuth loses its meaning, the sky there says less and less; its clouds must not show on the haze.
     float at_horizon = exp(-100.0 * ray.y * ray.y);
     vec3 horizon = textureLod(sky, vec3(ray.x, 0.01 * ray.y * ray.y, ray.z), 4.0 * (1.0 - at_horizon)).rgb;
-    // The second factor softens the last quarter of a degree, in which rows of pixels are kilometres apart.
+    // The second factor softens the last part of a degree, in which rows of pixels are kilometres apart.
     float soft = distance_m / haze.w;
     vec3 left = exp(-taken * distance_m) * exp(-soft * soft);
     return mix(mix(source, horizon, at_horizon), radiance, left);
