@@ -40,8 +40,9 @@ float sun_through(vec3 normal, vec3 to_eye, float alpha2) {
            (max(dot(normal, -to_eye), 0.05) * max(across * across, 1e-4));
 }
 
-// The surface from below: Snell's window, and beyond 48.6 degrees the water, mirrored.
-vec3 surface_from_below(vec3 at, vec3 normal, vec3 to_eye, float alpha2, float distance_m) {
+// The surface from below: Snell's window, and beyond 48.6 degrees the water, mirrored. Foam is light that comes through bubbles: dark
+// before the sky, bright before the mirror.
+vec3 surface_from_below(vec3 at, vec3 normal, vec3 to_eye, float alpha2, Foam foam, float distance_m) {
     vec3 ray = -to_eye;
     float cosine = clamp(dot(ray, normal), 0.01, 1.0);
     // Slopes within the pixel soften the window's edge.
@@ -56,5 +57,7 @@ vec3 surface_from_below(vec3 at, vec3 normal, vec3 to_eye, float alpha2, float d
     vec3 mirrored = mirrors > 0.001 ? seen_in_water(at, reflect(ray, normal), s) : vec3(0.0);
     vec3 radiance = mix(above, mirrored, mirrors) +
                     sun_irradiance.rgb * min(sun_through(normal, to_eye, alpha2), 3e3);
+    vec3 through_foam = (1.0 - foam_albedo(foam.thickness)) / pi * (sunlight_below() + skylight_below());
+    radiance = mix(radiance, through_foam, foam.cover * mix(0.5, 0.95, foam.thickness));
     return through_water(radiance, eye[EYE].xyz, ray, distance_m);
 }
