@@ -47,8 +47,9 @@ vec3 surface_from_below(vec3 at, vec3 normal, vec3 to_eye, float alpha2, Foam fo
     float cosine = clamp(dot(ray, normal), 0.01, 1.0);
     // Slopes within the pixel soften the window's edge.
     float s = sqrt(0.5 * alpha2);
-    float mirrors = 0.5 * fresnel_from_below(cosine) + 0.25 * fresnel_from_below(min(cosine + 1.4 * s, 1.0)) +
-                    0.25 * fresnel_from_below(max(cosine - 1.4 * s, 0.01));
+    float leans = 1.4 * s * sqrt(1.0 - cosine * cosine);
+    float mirrors = 0.5 * fresnel_from_below(cosine) + 0.25 * fresnel_from_below(min(cosine + leans, 1.0)) +
+                    0.25 * fresnel_from_below(max(cosine - leans, 0.01));
     float square = 1.0 - water_index * water_index * (1.0 - cosine * cosine);
     vec3 out_of = normalize(water_index * ray + (sqrt(max(square, 0.0)) - water_index * cosine) * normal);
     // Rays close up in water: radiance grows by the square of the index.
