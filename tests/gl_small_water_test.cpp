@@ -21,7 +21,7 @@ class Probe {
     Probe(gl::Surface surface, const std::string& body) : gl_(context_.functions()) {
         const std::string defines =
             "precision highp float;\nprecision highp int;\nprecision highp sampler2DArray;\n"
-            "#define TILES 1\n#define SURFACE " +
+            "#define TILES 1\n#define SHADING 2\n#define BELOW 0\n#define SURFACE " +
             std::to_string(static_cast<int>(surface)) + "\n";
         std::string fragment = gl::shader_source("scene.glsl", defines);
         for (const char* file : {"waves.glsl", "small_water.glsl", "small_surface.glsl"})
