@@ -132,7 +132,7 @@ TEST_P(SmallWater, KeepsItsMeanSquareSlopeAtAnyDistance) {
             EXPECT_LT(left, 0.001 * near);
         }
         // Warp and drag make slopes a little larger where waves gather; independent waves would have the same to 3 % here.
-        EXPECT_NEAR((shown + left) / near, 1, 0.2);
+        EXPECT_NEAR((shown + left) / near, 1, 0.1);
         if (apart_m == 50) {
             EXPECT_LT(shown, 0.001 * near);
         }
