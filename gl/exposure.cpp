@@ -10,6 +10,7 @@ namespace {
 constexpr float middle_grey = 0.18f;
 constexpr float calibration = 12.5f / 100;  ///< K over ISO 100
 constexpr float bright_part = 0.02f, shown_bright = 0.9f, most_protection_stops = 1.5f;
+constexpr float shown_median = 0.065f;
 constexpr float darkest_cd_m2 = 1e-5f;
 
 // shaders/film.glsl: (v (v + a) - b) / (v (c v + d) + e).
@@ -50,10 +51,11 @@ float night_darkening(float luminance_cd_m2) {
 float metered_ev(std::span<const MeteredCell> cells, float luminance_of_unit) {
     const float least = std::log2(darkest_cd_m2 / luminance_of_unit);
     double sum = 0;
-    std::vector<float> means;
+    std::vector<float> means, logarithms;
     for (const MeteredCell& cell : cells) {
         if (!std::isfinite(cell.mean_of_log2) || !std::isfinite(cell.log2_of_mean)) continue;
-        sum += static_cast<double>(std::max(cell.mean_of_log2, least));
+        logarithms.push_back(std::max(cell.mean_of_log2, least));
+        sum += static_cast<double>(logarithms.back());
         means.push_back(std::max(cell.log2_of_mean, least));
     }
     const float log_average = means.empty() ? least : static_cast<float>(sum / static_cast<double>(means.size()));
@@ -65,7 +67,13 @@ float metered_ev(std::span<const MeteredCell> cells, float luminance_of_unit) {
             means.begin() + static_cast<std::ptrdiff_t>(static_cast<float>(means.size() - 1) * (1 - bright_part));
         std::nth_element(means.begin(), bright, means.end());
         const float by_highlights = std::log2(film_input_of(shown_bright) / film_input_of(middle_grey)) - *bright;
-        stops = std::max(std::min(by_average, by_highlights), by_average - most_protection_stops);
+        const auto median = logarithms.begin() + static_cast<std::ptrdiff_t>(logarithms.size() / 2);
+        std::nth_element(logarithms.begin(), median, logarithms.end());
+        // By day this is 0.065; the night's part of middle grey is its part here, too.
+        const float by_median =
+            std::log2(night_darkening(luminance) * film_input_of(shown_median) / film_input_of(middle_grey)) -
+            *median;
+        stops = std::max({std::min(by_average, by_highlights), by_average - most_protection_stops, by_median});
     }
     return std::clamp(std::log2(luminance_of_unit / calibration) - stops, least_ev, most_ev);
 }

@@ -45,7 +45,9 @@ struct MeteredCell {
 ///     Myszkowski and Seidel 2005, "Perceptual effects in real-time tone mapping"; grey falls as a power of it, to their own
 ///     0.03 in the dark;
 ///   * but its brightest 2 % of cells are not shown as more than 0.9, up to 1.5 stops darker for that: where a glitter path
-///     is, or the sun, no exposure holds both.
+///     is, or the sun, no exposure holds both;
+///   * and half of the view is not shown as less than 0.065, or as the night's part of that: what a bright sky or a glitter path
+///     does to the rest has an end.
 ///
 /// Cells that are not finite don't count; a view without light counts as 1e-5 cd/m^2.
 float metered_ev(std::span<const MeteredCell> cells, float luminance_of_unit);

@@ -67,11 +67,13 @@ TexturePart RenderTarget::resolved(int width, int height) {
     return {resolved_colour_.name(), width, height, width_, height_};
 }
 
-void RenderTarget::show(int width, int height) {
+void RenderTarget::show(int width, int height, int window_width, int window_height) {
     resolved(width, height);
     gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, resolved_.name());
     gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
-    gl_.BlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    const bool is_same_size = width == window_width && height == window_height;
+    gl_.BlitFramebuffer(0, 0, width, height, 0, 0, window_width, window_height, GL_COLOR_BUFFER_BIT,
+                        is_same_size ? GL_NEAREST : GL_LINEAR);
     gl_.BindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 

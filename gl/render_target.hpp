@@ -30,8 +30,9 @@ class RenderTarget {
     /// here again afterwards.
     TexturePart resolved(int width, int height);
     TexturePart resolved() { return resolved(width_, height_); }
-    /// Copies the lower left part of a target of bytes into the window's framebuffer, to which draws go afterwards.
-    void show(int width, int height);
+    /// Copies the lower left part of a target of bytes into the window's framebuffer, enlarged smoothly to its lower left
+    /// part of that size. Draws go to the window afterwards.
+    void show(int width, int height, int window_width, int window_height);
     /// RGBA8, the upper row first. Waits for the GPU.
     std::vector<std::uint8_t> read();
     /// RGBA, linear, the upper row first, of a target that holds radiance. Waits for the GPU.

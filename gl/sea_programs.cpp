@@ -2,11 +2,12 @@
 
 namespace pelagic::gl {
 
-std::array<ProgramFiles, 5> sea_program_files(bool multiview, std::size_t tiles, Shading shading, Surface surface) {
-    std::string defines = "#define TILES " + std::to_string(tiles) + "\n#define SHADING " +
-                          std::to_string(static_cast<int>(shading)) + "\n";
-    if (multiview) defines += "#define MULTIVIEW\n";
-    if (surface != Surface::open) defines += "#define SURFACE " + std::to_string(static_cast<int>(surface)) + "\n";
+std::array<ProgramFiles, 5> sea_program_files(const SeaVariant& variant) {
+    const auto number = [](auto value) { return std::to_string(static_cast<int>(value)); };
+    std::string defines = "#define TILES " + number(variant.tiles) + "\n#define SHADING " + number(variant.shading) +
+                          "\n#define SURFACE " + number(variant.surface) + "\n#define BELOW " +
+                          number(variant.below) + "\n";
+    if (variant.multiview) defines += "#define MULTIVIEW\n";
     return {{{"sea.vert.glsl", "sea.frag.glsl", defines},
              {"skirt.vert.glsl", "sea.frag.glsl", defines + "#define SKIRT\n"},
              {"sky.vert.glsl", "sky.frag.glsl", defines},
@@ -36,10 +37,11 @@ void SeaProgram::use(const Functions& gl, int eye) const {
     if (eye_index >= 0) gl.Uniform1i(eye_index, eye);
 }
 
-SeaPrograms::SeaPrograms(const Functions& gl, bool multiview, std::size_t tiles, Shading shading, Surface surface) {
-    const std::array<ProgramFiles, 5> files = sea_program_files(multiview, tiles, shading, surface);
+SeaPrograms::SeaPrograms(const Functions& gl, const SeaVariant& variant) {
+    const std::array<ProgramFiles, 5> files = sea_program_files(variant);
     SeaProgram* const programs[] = {&patches, &skirt, &background, &wireframe, &floor};
-    for (std::size_t i = 0; i < files.size(); ++i) *programs[i] = SeaProgram(gl, files[i]);
+    for (std::size_t i = 0; i < files.size(); ++i)
+        if (programs[i] != &floor || variant.below) *programs[i] = SeaProgram(gl, files[i]);
 }
 
 }  // namespace pelagic::gl

@@ -29,9 +29,17 @@ struct ProgramFiles {
     std::string defines;  ///< lines
 };
 
-/// For patches, skirt, background, wireframe and floor, in this order, of a sea with so many tiles.
-std::array<ProgramFiles, 5> sea_program_files(bool multiview, std::size_t tiles, Shading shading,
-                                              Surface surface = Surface::open);
+/// What a set of programs is made for.
+struct SeaVariant {
+    std::size_t tiles = 1;
+    Shading shading = Shading::high;
+    Surface surface = Surface::open;
+    bool multiview = false;
+    bool below = false;  ///< the floor shows, or a lens is near the water: the others spare its cost
+};
+
+/// For patches, skirt, background, wireframe and floor, in this order.
+std::array<ProgramFiles, 5> sea_program_files(const SeaVariant& variant);
 
 struct SeaProgram {
     SeaProgram() = default;
@@ -45,9 +53,10 @@ struct SeaProgram {
 
 struct SeaPrograms {
     /// Throws GlError if the driver refuses a shader. Leaves one of them in use.
-    SeaPrograms(const Functions& gl, bool multiview, std::size_t tiles, Shading shading, Surface surface);
+    SeaPrograms(const Functions& gl, const SeaVariant& variant);
 
-    SeaProgram patches, skirt, background, wireframe, floor;
+    SeaProgram patches, skirt, background, wireframe;
+    SeaProgram floor;  ///< with SeaVariant::below
 };
 
 }  // namespace pelagic::gl

@@ -65,8 +65,7 @@ struct SeaRenderer::State {
     State(const Functions& functions, const RendererOptions& wanted)
         : gl(functions), options(checked(wanted)), textures(functions, wanted.resolution, wanted.tiles) {
         const KeptState keep(gl);
-        programs =
-            std::make_unique<SeaPrograms>(gl, options.multiview, options.tiles, options.shading, options.surface);
+        choose_programs(false);
         buffers = std::make_unique<PatchBuffers>(gl, options.patch_vertices);
         detail = make_detail_texture(gl);
         foam = make_foam_texture(gl, *(options.executor ? options.executor : make_serial_executor()));
@@ -101,6 +100,18 @@ struct SeaRenderer::State {
         figures.sea_calls += counts.calls;
         figures.triangles += counts.triangles;
         figures.draw_driver_ms += counts.driver_ms;
+    }
+
+    /// Those for a floor that shows or a lens near the water are compiled when they are first needed.
+    void choose_programs(bool below) {
+        std::unique_ptr<SeaPrograms>& chosen = below ? programs_below : programs_above;
+        if (!chosen)
+            chosen = std::make_unique<SeaPrograms>(gl, SeaVariant{.tiles = options.tiles,
+                                                                  .shading = options.shading,
+                                                                  .surface = options.surface,
+                                                                  .multiview = options.multiview,
+                                                                  .below = below});
+        programs = chosen.get();
     }
 
     /// Strips of a grid, made in the vertex shader. Seen from the air only where it may rise above the water.
@@ -148,7 +159,8 @@ struct SeaRenderer::State {
     RendererOptions options;
     FrameTextures textures;
     SeaFacts facts;
-    std::unique_ptr<SeaPrograms> programs;
+    std::unique_ptr<SeaPrograms> programs_above, programs_below;
+    SeaPrograms* programs = nullptr;  ///< of the draw() in progress
     std::unique_ptr<PatchBuffers> buffers;
     Texture detail, foam, sky, floor, caustics, flow;
     FloorFacts floor_facts;
@@ -297,6 +309,7 @@ const DrawFigures& SeaRenderer::draw(const DrawInput& input) {
     SceneBlock block = scene_block_of(input, s.facts, s.water, s.light);
     place_below(block, input, s.facts, s.floor_facts, s.caustic_facts);
     s.lens_is_wet = block.lens.w > 0;
+    s.choose_programs(s.lens_is_wet || block.floor_albedo.w > 0 || s.floor_facts.columns > 0);
     gl.BindBuffer(GL_UNIFORM_BUFFER, s.scene.name());
     gl.BufferData(GL_UNIFORM_BUFFER, sizeof(block), &block, GL_STREAM_DRAW);
     gl.BindBufferBase(GL_UNIFORM_BUFFER, 0, s.scene.name());

@@ -58,11 +58,18 @@ TEST(Metering, ProtectsHighlights) {
     // One part in a hundred may burn out: the average alone counts.
     EXPECT_NEAR(gl::metered_ev(cells({{990, 5000}, {10, 5e5}}), 1), plain + std::log2(std::pow(100, 0.01)), 2e-3);
     // Five are shown as bright, not white.
-    const double bright = 5000 * 30;
+    const double bright = 5000 * 20;
     EXPECT_NEAR(shown(bright, gl::metered_ev(cells({{95, 5000}, {5, bright}}), 1)), 0.9, 2e-3);
-    // But the rest stays in sight: 1.5 stops under its average at most.
-    const float average = plain + std::log2(std::pow(1e4f, 0.05f));
-    EXPECT_NEAR(gl::metered_ev(cells({{95, 5000}, {5, 5e7}}), 1), average + 1.5f, 2e-3);
+    // But the rest stays in sight: half of it at 0.065 or more, and all of it 1.5 stops under its average at most.
+    EXPECT_NEAR(shown(5000, gl::metered_ev(cells({{95, 5000}, {5, 5e7}}), 1)), 0.065, 1e-3);
+    const double average = 0.6 * std::log2(20'000) + 0.35 * std::log2(1000) + 0.05 * std::log2(5e7);
+    EXPECT_NEAR(gl::metered_ev(cells({{60, 20'000}, {35, 1000}, {5, 5e7}}), 1), average + 3 + 1.5, 2e-3);
+}
+
+// A third of a bright sky over dark water: the average alone would show the water as 0.02.
+TEST(Metering, KeepsHalfOfTheViewOutOfTheDark) {
+    const auto view = cells({{60, 200}, {40, 40'000}});
+    EXPECT_GE(shown(200, gl::metered_ev(view, 1)), 0.0649 * 0.9);  // it is a little dim: 1600 cd/m^2 in the mean
 }
 
 // Krawczyk et al. 2005 show the dark as 0.03; by day a camera shows grey. In between nothing goes back: a brighter view is never

@@ -83,15 +83,16 @@ TEST_F(GlMirror, InAWhiteFurnaceNoLightIsMadeAndLittleIsLost) {
             if (cosine <= 0.0) continue;
             // Slopes to directions of facets, and of those to directions of light; both sides of the plane through the eye.
             float angle = 2.0 * alpha * alpha / 144.0 * facet.y * facet.y * facet.y * 4.0 * cosine;
-            sum += angle * mirrored_part(up, eye_at, reflect(-eye_at, facet), alpha * alpha);
+            sum += angle * mirrored_part(up, eye_at, reflect(-eye_at, facet), alpha * alpha, alpha);
         }
-    float passed = 1.0 - mean_fresnel(cos(theta), alpha * sqrt(0.5));
-    result = vec4(sum + passed, sum, passed, 1.0);
+    float sky_share = mean_mirror(up, eye_at, alpha * alpha, alpha).sky_share;
+    float passed = 1.0 - mean_fresnel(cos(theta), alpha * sqrt(0.5)) * sky_share;
+    result = vec4(64.0 * (sum + passed - 1.0), sum, passed, 1.0);  // halves have steps of 1e-3 around 1
 )");
     double least = 2, most = 0, least_rough = 2;
     for (int row = 0; row < rows; ++row)
         for (int column = 0; column < columns; ++column) {
-            const double all = values[4 * static_cast<std::size_t>(row * columns + column)];
+            const double all = 1 + values[4 * static_cast<std::size_t>(row * columns + column)] / 64;
             most = std::max(most, all);
             (roughness(row) <= 0.3 ? least : least_rough) =
                 std::min(roughness(row) <= 0.3 ? least : least_rough, all);
@@ -107,8 +108,8 @@ TEST_F(GlMirror, LightTakesTheSameWayBack) {
     float along = 1.5 * fract(pixel.y * 0.618), around = 6.28 * fract(pixel.x * 0.618 + 0.3 * pixel.y);
     vec3 sun_at = vec3(sin(along) * cos(around), cos(along), sin(along) * sin(around));
     // Of a mirror that sends light to the eye at all.
-    float there = mirrored_part(up, eye_at, sun_at, 0.3) / sun_at.y;
-    float back = mirrored_part(up, sun_at, eye_at, 0.3) / eye_at.y;
+    float there = mirrored_part(up, eye_at, sun_at, 0.3, sqrt(0.3)) / sun_at.y;
+    float back = mirrored_part(up, sun_at, eye_at, 0.3, sqrt(0.3)) / eye_at.y;
     result = vec4(there / back, there, back, 1.0);
 )");
     int seen = 0;

@@ -33,18 +33,20 @@ GlScene::GlScene(const Options& options)
     : ocean(sea_of(options), {.slopes = true}),
       quadtree(quadtree_preset_named(options.quality)->options(options.size_m)),
       selection(quadtree),
-      samples_(options.samples) {
+      samples_(options.samples),
+      writes_(options.writes) {
     resize(options.width, options.height);
     renderer.emplace(gl(), gl::RendererOptions{.patch_vertices = quadtree.vertices,
                                                .resolution = ocean.resolution(),
-                                               .tiles = ocean.tile_count()});
+                                               .tiles = ocean.tile_count(),
+                                               .writes = writes_});
     renderer->set_sky(test_sky());
 }
 
 void GlScene::resize(int width, int height, PictureRows only) {
     if (only.count == 0) only = {0, height};
     target.reset();
-    target.emplace(gl(), width, only.count, samples_);
+    target.emplace(gl(), width, only.count, samples_, writes_);
     whole_ = {0, only.first + only.count - height, width, height};
 }
 

@@ -35,6 +35,7 @@ class GlScene {
         double patch_size_m = 0;  ///< of an only tile; 0: sides chosen from the sea
         int width = 320, height = 180, samples = 4;
         double size_m = 4096;
+        gl::PixelKind writes = gl::PixelKind::screen;
     };
     explicit GlScene(const Options& options);
 
@@ -65,6 +66,7 @@ class GlScene {
 
    private:
     int samples_;
+    gl::PixelKind writes_;
     gl::Viewport whole_;  ///< of the picture, in the target
 };
 

@@ -40,35 +40,30 @@ std::string refusal_of(const gl::ProgramFiles& files) {
 }
 
 TEST(Shaders, AreGlslInEveryVariant) {
-    std::vector<gl::ProgramFiles> all = {{"panel.vert.glsl", "panel.frag.glsl", ""}};
+    using gl::Shading, gl::Surface;
+    std::vector<gl::SeaVariant> variants;
     for (const std::size_t tiles : {1, 2, 4})
-        for (const bool multiview : {false, true})
-            for (const gl::Shading shading : {gl::Shading::headset, gl::Shading::medium, gl::Shading::high})
-                for (const gl::ProgramFiles& files : gl::sea_program_files(multiview, tiles, shading))
-                    all.push_back(files);
+        for (const Shading shading : {Shading::headset, Shading::medium, Shading::high})
+            for (const bool multiview : {false, true})
+                for (const bool below : {false, true})
+                    variants.push_back({.tiles = tiles, .shading = shading, .multiview = multiview, .below = below});
+    for (const Surface surface : {Surface::lake, Surface::coast, Surface::river, Surface::pond})
+        for (const Shading shading : {Shading::headset, Shading::high})
+            for (const bool below : {false, true})
+                variants.push_back({.shading = shading, .surface = surface, .multiview = below, .below = below});
+    std::vector<gl::ProgramFiles> all = {{"panel.vert.glsl", "panel.frag.glsl", ""}};
+    for (const gl::SeaVariant& variant : variants)
+        for (const gl::ProgramFiles& files : gl::sea_program_files(variant)) all.push_back(files);
     for (const char* pass : {"bloom_down.frag.glsl", "bloom_up.frag.glsl", "display.frag.glsl", "meter.frag.glsl"})
         all.push_back({"screen.vert.glsl", pass, ""});
-    using gl::Surface;
-    for (const Surface surface : {Surface::lake, Surface::coast, Surface::river, Surface::pond})
-        for (const bool multiview : {false, true})
-            for (const gl::ProgramFiles& files : gl::sea_program_files(multiview, 1, gl::Shading::high, surface))
-                all.push_back(files);
-    ASSERT_EQ(all.size(), 135u);
+    ASSERT_EQ(all.size(), 265u);
     for (const gl::ProgramFiles& files : all)
         EXPECT_EQ(refusal_of(files), "") << files.vertex << ", " << files.fragment << "\n" << files.defines;
 }
 
-// Foam has three tiers (gl/shaders/foam.glsl); programs are made of the last one.
-TEST(Shaders, AreGlslAtEachTierOfShading) {
-    for (const std::string tier : {"0", "1"})
-        for (gl::ProgramFiles files : gl::sea_program_files(false, 3)) {
-            files.defines += "#define SHADING " + tier + "\n";
-            EXPECT_EQ(refusal_of(files), "") << files.fragment << ", tier " << tier;
-        }
-}
-
 TEST(Shaders, OfHeadsetsTakeBothEyesInOnePass) {
-    for (const gl::ProgramFiles& files : gl::sea_program_files(true, 4, gl::Shading::headset)) {
+    for (const gl::ProgramFiles& files :
+         gl::sea_program_files({.tiles = 4, .shading = gl::Shading::headset, .multiview = true})) {
         EXPECT_NE(gl::shader_source(files.vertex, files.defines).find("num_views = 2"), std::string::npos);
         EXPECT_NE(gl::shader_source(files.vertex, files.defines).find("gl_ViewID_OVR"), std::string::npos);
     }

@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "pelagic/gl/clear_sky.hpp"
+#include "pelagic/gl/light_presets.hpp"
 #include "pelagic/gl/sky_baker.hpp"
 
 namespace pelagic {
@@ -117,6 +118,16 @@ TEST(ClearSky, TheMoonIsTheKeyLightOfNights) {
     EXPECT_EQ(gl::moon_light(0), 1);
     EXPECT_NEAR(gl::moon_light(1.5707963), 1 / 10.9, 0.01);  // magnitude 2.6 below full: Krisciunas and Schaefer 1991
     EXPECT_EQ(gl::ClearSky(clear_sky(20)).unit(), 1);
+}
+
+TEST(LightPresets, AreSkiesByName) {
+    EXPECT_EQ(gl::light_presets().size(), 5u);
+    for (const gl::LightPreset& preset : gl::light_presets()) {
+        EXPECT_EQ(check(preset.sky), "") << preset.name;
+        EXPECT_EQ(gl::light_preset_named(preset.name), &preset);
+    }
+    EXPECT_EQ(gl::light_preset_named("dawn"), nullptr);
+    EXPECT_TRUE(gl::ClearSky(gl::light_preset_named("moonlight")->sky).key_light().is_moon);
 }
 
 // Half floats hold 6e-5 and more exactly: a night must not be lost in them.

@@ -44,11 +44,20 @@ void CameraPicture::follow(const gl::CameraSettings& settings, float unmetered_e
 }
 
 void CameraPicture::show(const gl::CameraSettings& settings, int window_width, int window_height) {
-    display_.show(picture_,
-                  {.exposure = gl::exposure_of_ev(ev_, luminance_of_unit_),
-                   .luminance_of_unit = luminance_of_unit_,
-                   .bloom = settings.bloom},
-                  {0, 0, window_width, window_height});
+    const gl::Look look{.exposure = gl::exposure_of_ev(ev_, luminance_of_unit_),
+                        .luminance_of_unit = luminance_of_unit_,
+                        .bloom = settings.bloom};
+    const bool is_small = width_ < window_width || height_ < window_height;
+    if (is_small && (!small_ || small_->width() != width_ || small_->height() != height_)) {
+        small_.reset();
+        small_.emplace(gl_, width_, height_, 0);
+    }
+    if (is_small)
+        small_->bind();
+    else
+        gl_.BindFramebuffer(GL_FRAMEBUFFER, 0);
+    display_.show(picture_, look, {0, 0, width_, height_});
+    if (is_small) small_->show(width_, height_, window_width, window_height);
 }
 
 }  // namespace pelagic::viewer

@@ -22,7 +22,8 @@ class CameraPicture {
     /// Goes on with what the meter has seen meanwhile. \param unmetered_ev  while it has seen nothing yet
     void follow(const gl::CameraSettings& settings, float unmetered_ev, double passed_s);
     float ev() const { return ev_; }
-    /// Fills the bound framebuffer's lower left.
+    /// Into the window's framebuffer. A smaller picture is enlarged after the tone curve: pixels that eyes compare are interpolated,
+    /// not light, and the window's pixels cost no shader.
     void show(const gl::CameraSettings& settings, int window_width, int window_height);
 
     /// Of the part, in pixels.
@@ -34,6 +35,7 @@ class CameraPicture {
     gl::Display display_;
     gl::LightMeter meter_;
     std::optional<gl::RenderTarget> target_;
+    std::optional<gl::RenderTarget> small_;  ///< what is shown of a part, before it is enlarged
     int samples_ = 0, width_ = 0, height_ = 0;
     gl::TexturePart picture_;
     float luminance_of_unit_ = 1, metered_luminance_of_unit_ = 1;

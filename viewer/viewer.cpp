@@ -6,9 +6,11 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <optional>
 #include <stdexcept>
+#include <string_view>
 #include <vector>
 
 #include "pelagic/gl/sea_renderer.hpp"
@@ -27,6 +29,7 @@ namespace {
 constexpr int sky_face_size = 256;
 constexpr double radians_a_pixel = 0.004;
 constexpr double slowest_mps = 8;  // flying; faster with height
+/// Without a GPU one, where the picture is drawn smaller: four cost twice as much there.
 constexpr int samples_a_pixel = 4;
 /// What a frame may take before the picture is drawn smaller, milliseconds: 30 a second; on a driver without a GPU 12 a second, so
 /// that something is left to see.
@@ -35,8 +38,9 @@ constexpr double goal_ms = 33, software_goal_ms = 80;
 constexpr std::size_t software_first_scale = 6;
 /// A view that rests for so long is drawn in full size once, and stays.
 constexpr double rest_s = 0.4;
-/// A picture of less pixels needs less vertices: half as many along a patch from these scales down.
-constexpr float coarser_from = 0.72f, coarsest_from = 0.43f;
+/// A picture of fewer pixels needs fewer vertices: half as many along a patch's side at each of these scales.
+constexpr std::array halved_from = {0.72f, 0.55f, 0.36f};
+constexpr int fewest_vertices = 8;
 
 bool same_sea(const SeaState& a, const SeaState& b) {
     if (a.spectrum != b.spectrum || a.spreading != b.spreading) return false;
@@ -95,8 +99,8 @@ class Viewer {
           input_(window_.handle()),
           panel_renderer_(window_.functions(), Window::get_proc_address()),
           picture_(window_.functions()),
-          scale_by_time_(is_software(window_.functions()) ? RenderScale(software_goal_ms, software_first_scale)
-                                                          : RenderScale(goal_ms)),
+          is_software_(is_software(window_.functions())),
+          scale_by_time_(is_software_ ? RenderScale(software_goal_ms, software_first_scale) : RenderScale(goal_ms)),
           shown_sea_(settings_.sea),
           baker_(make_default_executor(options.threads), sky_face_size),
           shown_sky_(settings_.sky),
@@ -230,8 +234,8 @@ class Viewer {
 
     /// A coarser one where the picture is small.
     void fit_mesh_to(float scale) {
-        const int halvings = scale <= coarsest_from ? 2 : scale <= coarser_from ? 1 : 0;
-        const int vertices = std::max(preset_named(quality_).vertices >> halvings, 16);
+        const auto halvings = std::ranges::count_if(halved_from, [&](float from) { return scale <= from; });
+        const int vertices = std::max(preset_named(quality_).vertices >> halvings, fewest_vertices);
         if (vertices != selection_->options().vertices) choose_mesh(vertices);
     }
 
@@ -312,7 +316,7 @@ class Viewer {
         if (settings_.wireframe)
             begin_wireframe(width, height);
         else
-            picture_.begin(width, height, scale, samples_a_pixel);
+            picture_.begin(width, height, scale, is_software_ && scale < 1 ? 0 : samples_a_pixel);
         figures_.drawn_width = settings_.wireframe ? width : picture_.width();
         figures_.drawn_height = settings_.wireframe ? height : picture_.height();
         const gl::Eye eye = gl::eye_of(camera, {0, 0, figures_.drawn_width, figures_.drawn_height});
@@ -355,13 +359,11 @@ class Viewer {
 
     /// What was drawn last, into the window.
     void show_sea() {
-        const gl::Functions& functions = window_.functions();
-        if (settings_.wireframe) {
-            wireframe_->show(window_.width(), window_.height());
-            return;
-        }
-        functions.BindFramebuffer(GL_FRAMEBUFFER, 0);
-        picture_.show(settings_.camera, window_.width(), window_.height());
+        const int width = window_.width(), height = window_.height();
+        if (settings_.wireframe)
+            wireframe_->show(width, height, width, height);
+        else
+            picture_.show(settings_.camera, width, height);
     }
 
     /// Without the panel: it is drawn afterwards.
@@ -385,6 +387,7 @@ class Viewer {
     PanelInput input_;
     PanelRenderer panel_renderer_;
     CameraPicture picture_;
+    bool is_software_;
     RenderScale scale_by_time_;
     std::shared_ptr<StageTimes> stage_times_ = std::make_shared<StageTimes>();
     std::optional<Ocean> ocean_;

@@ -21,13 +21,10 @@ const float pi = 3.14159265;
 #include "haze.glsl"
 
 void main() {
-    // Smoothed edges ask for pixels whose middle is beside the triangle: at the far one interpolation may have gone through
-    // infinity.
-    vec3 from_eye = place.xyz - eye[EYE].xyz;
-    if (dot(from_eye, ahead_of_eye()) < 0.0) from_eye = -from_eye;
+    vec3 from_eye = leading_ahead(place.xyz - eye[EYE].xyz);
     float distance_m = length(from_eye);
     float above = lens_above_water(from_eye);
-    vec3 radiance = floor_light(place.xyz, distance_m);
+    vec3 radiance = floor_light(place.xyz, pixel_on_floor(distance_m));
     radiance = above < 0.0 ? through_water(radiance, eye[EYE].xyz, from_eye / distance_m, distance_m)
                            : through_haze(radiance, from_eye, distance_m);
     colour = screen_colour(across_meniscus(radiance, above));

@@ -1,7 +1,7 @@
 // The floor of the sea: where it lies, and its light. A plane at the sea's depth, or a field of heights.
 uniform highp sampler2D floor_heights;  // metres above rest; metres are halves, finest around the waterline
 
-#ifdef FLOOR
+#if defined(FLOOR) && SHADING != HEADSET
 uniform sampler2D detail;
 #endif
 
@@ -33,17 +33,25 @@ float way_to_floor(vec3 start, vec3 ray) {
     float high = start.y + viewer.z;
     float down = max(-ray.y, 0.02);
     float way = max(high - floor_height(start.xz, 0.0), 0.0) / down;
+#if SHADING != HEADSET
     if (has_floor_heights())
         for (int i = 0; i < 2; ++i)
             way = max(high - floor_height(start.xz + ray.xz * min(way, 1e3), 0.0), 0.0) / down;
+#endif
     return way;
 }
 
-// Light that sand gives back. Under water sun and sky are dimmed by the water above: the sun's along its own way. Ripples a
+// How wide a pixel is on the floor when it has gone so far.
+float pixel_on_floor(float distance_m) { return floor_look.z * distance_m; }
+
+// Light that sand gives back to a pixel that is so wide there. Under water sun and sky are dimmed by the water above: the sun's along its own way. Ripples a
 // quarter of a metre apart, as swell leaves them; wet sand is darker than dry (Lobell and Asner 2002: by half).
-vec3 floor_light(vec3 at, float distance_m) {
+vec3 floor_light(vec3 at, float pixel_m) {
     float depth = -(at.y + viewer.z);
-    float pixel_m = floor_look.z * distance_m;
+#if SHADING == HEADSET
+    vec3 normal = vec3(0.0, 1.0, 0.0), rippled = normal;
+    float coarse = 0.5, middle = 0.5;
+#else
     float mip = has_floor_heights() ? log2(max(pixel_m * floor_place.z * float(textureSize(floor_heights, 0).x), 1.0)) : 0.0;
     vec3 normal = floor_normal(at.xz, mip);
 
@@ -54,10 +62,12 @@ vec3 floor_light(vec3 at, float distance_m) {
     float phase = 2.0 * pi * dot(place_on_sand, across) + 9.0 * coarse + 2.5 * middle;
     float ripples = 0.32 * (1.0 - smoothstep(0.05, 0.14, pixel_m)) * smoothstep(-0.3, 0.5, depth) * floor_look.w;
     vec3 rippled = normalize(normal + vec3(across.x, 0.0, across.y) * (0.256 * ripples * cos(phase)));
+#endif
 
     const vec3 wet_sand = vec3(0.35, 0.31, 0.25);
     float wet = 1.0 - smoothstep(0.6, 1.4, -depth / floor_look.y + 0.5 * (middle - 0.5));
-    vec3 albedo = wet_sand * mix(1.65, 1.0, wet) * mix(1.0, 0.62 + 0.45 * coarse + 0.31 * middle, floor_look.w);
+    // Dry sand is blown even; under water shells and algae gather in patches.
+    vec3 albedo = wet_sand * mix(1.65, 1.0, wet) * mix(0.87 + 0.16 * coarse + 0.1 * middle, 0.62 + 0.45 * coarse + 0.31 * middle, wet);
     albedo = mix(floor_albedo.rgb, albedo, floor_look.w);
 
     if (depth <= 0.0)

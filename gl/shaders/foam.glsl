@@ -6,9 +6,7 @@
 //
 // Whitlock, Bartlett and Gurganus 1982, "Sea foam reflectance and influence on optimum wavelength for remote sensing of ocean
 // aerosols"; Koepke 1984, "Effective reflectance of oceanic whitecaps".
-#ifndef SHADING
-#define SHADING 2  // 0: lace, one look-up; 1: lace and streaks, two of the trail; 2: three scales, four of the trail
-#endif
+// A headset has one look-up: lace. MEDIUM: lace, streaks and two looks at what crests left behind; HIGH: bubbles, too, and four.
 uniform highp sampler2DArray foam_structure;  // bubbles, lace, streaks
 
 const int bubbles_layer = 0, lace_layer = 1, streaks_layer = 2;
@@ -45,8 +43,8 @@ vec4 structure(int layer, vec2 uv, float pixel_tiles) {
 }
 
 // Streaks and trails belong to the open sea.
-#define STREAKS (SHADING >= 1 && SURFACE == OPEN)
-#define THREE_SCALES (SHADING >= 2 && SURFACE == OPEN)
+#define STREAKS (SHADING >= MEDIUM && SURFACE == OPEN)
+#define THREE_SCALES (SHADING == HIGH && SURFACE == OPEN)
 
 #if STREAKS
 vec4 streaks_at(int size, vec2 at, float pixel_m) {
@@ -61,8 +59,8 @@ vec4 streaks_at(int size, vec2 at, float pixel_m) {
 // Jacobian where all waves run one way. `ragged`, within [-1, 1], moves the looks, so that tails end in shreds.
 // The first look is at the crest itself, as a whole: x of what returns. y: with what the crest has left.
 vec2 foam_behind_crests(vec2 at, float ragged) {
-    const int trail_looks = SHADING >= 2 ? 4 : 2;
-    const float each = SHADING >= 2 ? 1.0 : 1.7;
+    const int trail_looks = SHADING == HIGH ? 4 : 2;
+    const float each = SHADING == HIGH ? 1.0 : 1.7;
     int tile = int(foam_trail.x);
     vec2 uv = place_in_tile(tile, at);
     vec2 found = vec2(0.0);
@@ -73,7 +71,7 @@ vec2 foam_behind_crests(vec2 at, float ragged) {
         float folds = folding(tile_slope[tile].w, 1.0 + tile_slope[tile].x * (d.x + d.y), 1.0);
         if (i == 0) found.x = folds;
         found.y = max(found.y, weight * folds);
-        weight *= SHADING >= 2 ? 0.72 : 0.52;
+        weight *= SHADING == HIGH ? 0.72 : 0.52;
     }
     return found;
 }

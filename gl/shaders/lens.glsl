@@ -6,11 +6,15 @@ vec3 ahead_of_eye() {
     return vec3(clip_from_viewer[EYE][0][3], clip_from_viewer[EYE][1][3], clip_from_viewer[EYE][2][3]);
 }
 
+// Smoothed edges ask for pixels whose middle is beside a triangle: near the horizon interpolation has gone through infinity
+// there, and the way from the eye leads backwards.
+vec3 leading_ahead(vec3 ray) { return dot(ray, ahead_of_eye()) < 0.0 ? -ray : ray; }
+
 // How far the lens stands above the water where the ray goes through it, metres; negative within the water.
 // The ray leads away from the eye and may have any length.
 float lens_above_water(vec3 ray) {
     if (lens.w <= 0.0) return 1e3;
-    vec3 at = eye[EYE].xyz + ray * (lens.w / max(dot(ray, ahead_of_eye()), 1e-6));
+    vec3 at = eye[EYE].xyz + leading_ahead(ray) * (lens.w / max(abs(dot(ray, ahead_of_eye())), 1e-6));
     return at.y - lens.x - dot(lens.yz, at.xz);
 }
 

@@ -34,10 +34,10 @@ SeenFacets seen_facets(float mu, float s) {
 }
 
 // Fresnel's mean over the facets that are seen: that of one facet a little more grazing than the mean one, because the curve is hollow.
-// Facets of slope x stand at 1 / sqrt(1 + x^2) of the cosine. Within 3 % of the mean's integral for s up to 0.2.
+// Facets of slope x stand at 1 / sqrt(1 + x^2) of the cosine. Within 4 % of the mean's integral for s up to 0.2.
 float mean_fresnel(float cosine, float s) {
     SeenFacets seen = seen_facets(cosine, s);
-    return fresnel(clamp(seen.cosine * (1.0 - s * s) - 2.5 * seen.cosine_variance, 0.0, 1.0));
+    return fresnel(clamp(seen.cosine * (1.0 - 1.2 * s * s) - 2.5 * seen.cosine_variance, 0.0, 1.0));
 }
 
 // Smith's function for Beckmann's distribution (Walter et al. 2007, equation 15), times the cosine.
@@ -47,28 +47,51 @@ float masked_area(float cosine, float alpha) {
     return a < 1.6 ? across * (1.0 - 1.259 * a + 0.396 * a * a) / (3.535 + 2.181 * a) : 0.0;
 }
 
-// Part of light from a direction, of irradiance 1 across its rays, that one mirror of facets sends to the eye as radiance.
-float mirrored_part(vec3 normal, vec3 to_eye, vec3 to_light, float alpha2) {
-    float nl = dot(normal, to_light);
-    if (nl <= 0.0) return 0.0;
-    float nv = max(dot(normal, to_eye), 1e-3);
+// Part of the water that an eye sees that no other wave hides from a light, by their heights over the flat sea: (1 + V) / (1 + V + L),
+// V and L being Smith's functions of eye and light (Heitz 2014, equation 99). Of all waves: also those that a pixel shows hide the sun and
+// the sky from one another.
+float lit_part(float eye_cosine, float light_cosine, float alpha_of_all) {
+    float eye_height = max(eye_cosine, 1e-3), light_height = max(light_cosine, 1e-4);
+    float seen = (eye_height + masked_area(eye_height, alpha_of_all)) * light_height;
+    return seen / (seen + masked_area(light_height, alpha_of_all) * eye_height);
+}
+
+// Alpha of all waves together.
+float alpha_of_all_waves() {
+    float square = waves.y * waves.y;
+    for (int tile = 0; tile < TILES; ++tile) square += tile_slope[tile].z;
+    return sqrt(square);
+}
+
+// Part of light from a direction, of irradiance 1 across its rays, that a pixel's facets send to the eye as radiance.
+float mirrored_part(vec3 normal, vec3 to_eye, vec3 to_light, float alpha2, float alpha_of_all) {
+    if (dot(normal, to_light) <= 0.0) return 0.0;
     vec3 middle = to_light + to_eye;
     middle /= max(length(middle), 1e-4);
     float cosine2 = clamp(dot(normal, middle), 1e-3, 1.0);
     cosine2 *= cosine2;
     float distribution = exp((cosine2 - 1.0) / (cosine2 * alpha2)) / (pi * alpha2 * cosine2 * cosine2);
-    float alpha = sqrt(alpha2);
-    float seen = nv + masked_area(nv, alpha) + masked_area(nl, alpha) * nv / nl;
-    return distribution * fresnel(clamp(dot(middle, to_eye), 0.0, 1.0)) / (4.0 * seen);
+    float nv = max(dot(normal, to_eye), 1e-3);
+    return distribution * fresnel(clamp(dot(middle, to_eye), 0.0, 1.0)) *
+           lit_part(to_eye.y, to_light.y, alpha_of_all) / (4.0 * (nv + masked_area(nv, sqrt(alpha2))));
 }
 
 // The sun's disc is narrower than any water's slopes.
-float glint(vec3 normal, vec3 to_eye, float alpha2) { return mirrored_part(normal, to_eye, sun.xyz, alpha2); }
+float glint(vec3 normal, vec3 to_eye, float alpha2) {
+    return mirrored_part(normal, to_eye, sun.xyz, alpha2, alpha_of_all_waves());
+}
 
-// The sky in the mean facet, weighted by what facets mirror: Fresnel's curve falls off as exp(-6 (1 - c^2) c) around a cosine c. The
-// picture of the sky is as wide as the slopes of those facets make it, and narrower across, where grazing facets turn it little. 0.69: the
-// levels' distribution is GGX, of which as many facets lean less.
-vec3 mirrored_sky(vec3 normal, vec3 to_eye, float alpha2) {
+// The facets' picture of the sky.
+struct MeanMirror {
+    vec3 towards;     // where their mean leads, weighted by what they mirror
+    float alpha2;     // of a mirror with as wide a picture
+    float sky_share;  // of what they mirror, the rest is other waves' water
+};
+
+// Fresnel's curve falls off as exp(-6 (1 - c^2) c) around a cosine c, which weights the slopes. The picture is as wide as the slopes of
+// the facets that are seen make it, and narrower across, where grazing facets turn it little. 0.69: the sky's levels have GGX'
+// distribution, of which as many facets lean less. A ray that meets another wave is mirrored by it again, 0.3 of it, for it is low.
+MeanMirror mean_mirror(vec3 normal, vec3 to_eye, float alpha2, float alpha_of_all) {
     float mu = dot(normal, to_eye);
     vec3 along = to_eye - normal * mu;
     float t = max(length(along), 1e-4);
@@ -76,8 +99,18 @@ vec3 mirrored_sky(vec3 normal, vec3 to_eye, float alpha2) {
     SeenFacets seen = seen_facets(mu, s);
     float cosine = min(seen.cosine, 1.0);
     float slope = seen.slope - 6.0 * (1.0 - cosine * cosine) * seen.cosine_variance / t;
-    vec3 reflected = reflect(-to_eye, normalize(normal + along / t * clamp(slope, 0.0, 1.5)));
+    vec3 towards = reflect(-to_eye, normalize(normal + along / t * clamp(slope, 0.0, 1.5)));
     float in_plane = seen.cosine_variance / max(s * s * t * t, 1e-8);
-    float width2 = 0.69 * alpha2 * 0.5 * (in_plane + cosine * cosine);
-    return textureLod(sky, reflected, sqrt(sqrt(width2)) * sky_irradiance.w).rgb;
+    // Of a pixel's own waves the mean of all facets' lit parts is less than the mean facet's: fitted to its integral.
+    float x = max(mu, 0.0) / sqrt(alpha2);
+    float lit = lit_part(to_eye.y, towards.y, alpha_of_all) * (1.0 - (0.1 + 0.3 * sqrt(alpha2)) * x * exp((1.0 - x * sqrt(x)) / 1.5));
+    return MeanMirror(vec3(towards.x, max(towards.y, 0.0), towards.z), 0.69 * alpha2 * 0.5 * (in_plane + cosine * cosine),
+                      mix(0.3, 1.0, lit));
+}
+
+// `water_light`:  what other waves show where they mirror nothing
+vec3 mirrored_light(vec3 normal, vec3 to_eye, float alpha2, vec3 water_light) {
+    MeanMirror mirror = mean_mirror(normal, to_eye, alpha2, alpha_of_all_waves());
+    vec3 light = textureLod(sky, mirror.towards, sqrt(sqrt(mirror.alpha2)) * sky_irradiance.w).rgb;
+    return mix(water_light, light, mirror.sky_share);
 }

@@ -21,9 +21,6 @@
 #define COAST 2
 #define RIVER 3
 #define POND 4
-#ifndef SURFACE
-#define SURFACE OPEN
-#endif
 
 #ifdef MULTIVIEW
 #define EYE int(gl_ViewID_OVR)

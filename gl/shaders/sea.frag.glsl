@@ -6,7 +6,8 @@
 //   foam        white and diffuse, over all of it
 //   haze        towards the colour that the sky has at the horizon there
 //
-// Pixels of a lens that is under water see the surface from below instead.
+// With BELOW, where a floor or a lens is near the surface: what lies below shows through, and pixels of a lens that is under water see the
+// surface from below instead.
 #ifdef MULTIVIEW
 #extension GL_OVR_multiview2 : require
 #endif
@@ -36,12 +37,14 @@ const float pi = 3.14159265;
 #include "water.glsl"
 #include "foam.glsl"
 #include "haze.glsl"
+#if BELOW
 #include "lens.glsl"
 #include "caustics.glsl"
 #include "floor.glsl"
 #include "floor_through_water.glsl"
 #include "under_water.glsl"
 #include "surface_from_below.glsl"
+#endif
 
 #ifdef SKIRT
 // The skirt reaches to infinity, and smoothed edges ask for pixels whose middle is beside its triangles, where the
@@ -73,19 +76,27 @@ void main() {
     Waves surface = waves_at(resting, distance_m);
     vec3 normal = normalize(vec3(surface.slopes.x, 1.0, surface.slopes.y));
 
+#if BELOW
     float above_lens = lens_above_water(from_eye);
     if (above_lens < 0.0) {
-        vec3 below = surface_from_below(at, normal, to_eye, surface.alpha2, distance_m);
+        vec3 below = surface_from_below(at, normal, -leading_ahead(from_eye) / distance_m, surface.alpha2, distance_m);
         colour = screen_colour(across_meniscus(below, above_lens));
         return;
     }
+    vec3 water_light = light_from_below(at, normal, to_eye, distance_m, surface.alpha2);
+#else
+    vec3 water_light = upwelling(normal, to_eye);
+#endif
 
-    float fresnel = mean_fresnel(clamp(dot(normal, to_eye), 0.0, 1.0), sqrt(0.5 * surface.alpha2));
-    vec3 water_light = light_from_below(at, normal, to_eye, distance_m, height) + through_crests(normal, to_eye, height, surface.foam);
-    vec3 radiance = mix(water_light, mirrored_sky(normal, to_eye, surface.alpha2), fresnel) +
+    float mirrors = mean_fresnel(clamp(dot(normal, to_eye), 0.0, 1.0), sqrt(0.5 * surface.alpha2));
+    water_light += through_crests(normal, to_eye, height, surface.foam);
+    vec3 radiance = mix(water_light, mirrored_light(normal, to_eye, surface.alpha2, water_light), mirrors) +
                     sun_irradiance.rgb * glint(normal, to_eye, surface.alpha2);
-    radiance = with_foam(radiance, foam_at(resting, surface.foam, to_eye), normal, to_eye, fresnel);
+    radiance = with_foam(radiance, foam_at(resting, surface.foam, to_eye), normal, to_eye, mirrors);
+#if BELOW
     radiance = soft_shore(radiance, at, distance_m, height);
-    radiance = through_haze(radiance, from_eye, distance_m);
-    colour = screen_colour(across_meniscus(radiance, above_lens));
+    colour = screen_colour(across_meniscus(through_haze(radiance, from_eye, distance_m), above_lens));
+#else
+    colour = screen_colour(through_haze(radiance, from_eye, distance_m));
+#endif
 }

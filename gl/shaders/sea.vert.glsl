@@ -52,6 +52,7 @@ vec3 displaced(ivec2 index) {
     return moved * left;
 }
 
+#if BELOW
 // Around a lens near the water the mesh is the plane that the lens is told of, or its edge would stand beside the line in the
 // picture: between vertices a mesh is not the surface that queries know.
 vec3 as_at_lens(vec3 at) {
@@ -62,6 +63,7 @@ vec3 as_at_lens(vec3 at) {
     float weight = near * (1.0 - smoothstep(inner, 3.0 * inner, length(from_eye.xz)));
     return vec3(at.x, mix(at.y, lens.x + dot(lens.yz, at.xz), weight), at.z);
 }
+#endif
 
 void main() {
     int last = int(grid.w);
@@ -89,7 +91,11 @@ void main() {
     vec4 texel = textureLod(slopes, vec3(place_in_tile(0, rest), 0.0), mip) * (255.0 / 127.0) - 128.0 / 127.0;
     coarsest = texel * (tile_slope[0].x * weight_of_tile(0, mip));
 #endif
-    place = vec4(as_at_lens(vec3(rest.x + moved.x, moved.y - viewer.z, rest.y + moved.z)), 1.0);
+    vec3 at = vec3(rest.x + moved.x, moved.y - viewer.z, rest.y + moved.z);
+#if BELOW
+    at = as_at_lens(at);
+#endif
+    place = vec4(at, 1.0);
     patch_level = int(level.x);
     gl_Position = clip_from_viewer[EYE] * place;
 }

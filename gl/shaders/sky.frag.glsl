@@ -13,11 +13,15 @@ out vec4 colour;
 
 const float pi = 3.14159265;
 
+#if BELOW
 #include "lens.glsl"
 #include "mirror.glsl"
 #include "caustics.glsl"
 #include "water_light.glsl"
 #include "under_water.glsl"
+#else
+uniform highp samplerCube sky;
+#endif
 
 // Of the sun: darker towards the limb, 1 - 0.6 (1 - cosine), the classic fit for visible light. 0.8 is its mean over the disc.
 float sun_shading(float off_centre) {
@@ -33,6 +37,7 @@ float moon_shading(vec3 from_centre) {
 
 void main() {
     vec3 direction = normalize(ray);
+#if BELOW
     float above = lens_above_water(ray);
     if (above < 0.0) {
         // Upwards there is the surface, but for rays that just miss it.
@@ -42,6 +47,7 @@ void main() {
         return;
     }
     if (viewer.x < 0.5) discard;
+#endif
     // Under the horizon lies the sea; where a host draws none, the horizon goes on.
     vec4 baked = textureLod(sky, vec3(direction.x, max(direction.y, 0.0), direction.z), 0.0);
     vec3 radiance = baked.rgb;
@@ -55,5 +61,9 @@ void main() {
         radiance += starlight(direction) * (risen * (1.0 - disc) * baked.a * exp(-0.25 / max(direction.y, 0.03)));
     float shading = moon.w > 0.0 ? moon_shading(from_centre) : sun_shading(off_centre);
     radiance += sun_irradiance.rgb * (disc * shading / (3.14159265 * sun.w * sun.w)) * risen;
-    colour = screen_colour(across_meniscus(min(radiance, vec3(6e4)), above));
+    radiance = min(radiance, vec3(6e4));
+#if BELOW
+    radiance = across_meniscus(radiance, above);
+#endif
+    colour = screen_colour(radiance);
 }

@@ -1,13 +1,15 @@
 // The surface from within the water: Snell's window, and around it the water, mirrored.
 
-// What an eye at `start` sees in the water along a ray that goes down or level: the floor if there is one, else blue.
-vec3 seen_in_water(vec3 start, vec3 ray) {
+// What the surface mirrors along a ray that goes down or level: the floor if there is one, else blue. The longer the way, the wider the
+// floor's part that a pixel gets from slopes of that deviation.
+vec3 seen_in_water(vec3 start, vec3 ray, float slopes) {
     ray = normalize(vec3(ray.x, min(ray.y, -0.02), ray.z));
     float way = way_to_floor(start, ray);
     vec3 light = scattered_light(ray, depth_of(start), way, 1.0);
     if (way < 400.0) {
         vec3 at = start + ray * way;
-        light += floor_light(at, length(at - eye[EYE].xyz)) * exp(-attenuation_of_water() * way);
+        float pixel_m = pixel_on_floor(length(start - eye[EYE].xyz) + way) + 4.0 * slopes * way;
+        light += floor_light(at, pixel_m) * exp(-attenuation_of_water() * way);
     }
     return light;
 }
@@ -51,7 +53,7 @@ vec3 surface_from_below(vec3 at, vec3 normal, vec3 to_eye, float alpha2, float d
     // Rays close up in water: radiance grows by the square of the index.
     vec3 above = textureLod(sky, vec3(out_of.x, max(out_of.y, 0.01), out_of.z),
                             sqrt(0.5 * sqrt(alpha2)) * sky_irradiance.w).rgb * (water_index * water_index);
-    vec3 mirrored = mirrors > 0.001 ? seen_in_water(at, reflect(ray, normal)) : vec3(0.0);
+    vec3 mirrored = mirrors > 0.001 ? seen_in_water(at, reflect(ray, normal), s) : vec3(0.0);
     vec3 radiance = mix(above, mirrored, mirrors) +
                     sun_irradiance.rgb * min(sun_through(normal, to_eye, alpha2), 3e3);
     return through_water(radiance, eye[EYE].xyz, ray, distance_m);

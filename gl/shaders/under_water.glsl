@@ -4,6 +4,9 @@
 // closer together, each with the mean of what lies between it and the next; moved a little from pixel to pixel, so that no
 // steps show.
 float shafts_along(vec3 start, vec3 ray, float way) {
+#if SHADING == HEADSET
+    return 1.0;
+#else
     const int places = 10;
     vec3 to_sun = sun_in_water();
     vec2 slant = to_sun.xz / to_sun.y;
@@ -22,6 +25,7 @@ float shafts_along(vec3 start, vec3 ray, float way) {
         weights += weight;
     }
     return max(1.0 + 1.6 * sum / weights, 0.0);
+#endif
 }
 
 // What is seen through water: `radiance`, `way` metres ahead along the ray.

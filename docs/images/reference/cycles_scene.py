@@ -6,8 +6,6 @@ import math
 import bpy
 from mathutils import Matrix, Vector
 
-import facets
-
 sun_radius_rad = 0.00465
 water_index = 1.333
 
@@ -73,82 +71,165 @@ def add_sun(scene, direction, irradiance):
     scene.collection.objects.link(lamp)
 
 
-def add_fresnel_of_sun(nodes, links, geometry, sun):
-    """Of the facet that mirrors the sun to the eye; the output that holds it."""
-    half, facet = nodes.new("ShaderNodeVectorMath"), nodes.new("ShaderNodeVectorMath")
-    half.operation, facet.operation = "ADD", "NORMALIZE"
-    half.inputs[1].default_value = blender(sun)
-    links.new(geometry.outputs["Incoming"], half.inputs[0])
-    links.new(half.outputs["Vector"], facet.inputs[0])
-    fresnel = nodes.new("ShaderNodeFresnel")
-    fresnel.inputs["IOR"].default_value = water_index
-    links.new(facet.outputs["Vector"], fresnel.inputs["Normal"])
-    return fresnel.outputs["Fac"]
+class Nodes:
+    """Nodes of a material, made by what they compute; arguments are sockets or numbers."""
+
+    def __init__(self, tree):
+        self.nodes, self.links = tree.nodes, tree.links
+
+    def add(self, kind, **settings):
+        node = self.nodes.new(kind)
+        for name, value in settings.items():
+            setattr(node, name, value)
+        return node
+
+    def give(self, socket, value):
+        if isinstance(value, bpy.types.NodeSocket):
+            self.links.new(value, socket)
+        else:
+            socket.default_value = value
+
+    def math(self, operation, *values):
+        node = self.add("ShaderNodeMath", operation=operation)
+        for socket, value in zip(node.inputs, values):
+            self.give(socket, value)
+        return node.outputs["Value"]
+
+    def vector(self, operation, *values):
+        node = self.add("ShaderNodeVectorMath", operation=operation)
+        for socket, value in zip(node.inputs, values):
+            self.give(socket, value)
+        return node.outputs["Value" if operation == "DOT_PRODUCT" else "Vector"]
+
+    def fresnel(self, normal=None):
+        node = self.add("ShaderNodeFresnel")
+        node.inputs["IOR"].default_value = water_index
+        if normal:
+            self.give(node.inputs["Normal"], normal)
+        return node.outputs["Fac"]
+
+    def bsdf(self, kind, roughness, distribution, colour=(1, 1, 1, 1), normal=None):
+        node = self.add(kind, distribution=distribution)
+        self.give(node.inputs["Roughness"], roughness)
+        self.give(node.inputs["Color"], colour)
+        if normal:
+            self.give(node.inputs["Normal"], normal)
+        if "IOR" in node.inputs:
+            node.inputs["IOR"].default_value = water_index
+        return node.outputs["BSDF"]
+
+    def mixed(self, part, first, second):
+        node = self.add("ShaderNodeMixShader")
+        for socket, value in zip(node.inputs, (part, first, second)):
+            self.give(socket, value)
+        return node.outputs["Shader"]
+
+    def sum(self, first, second):
+        node = self.add("ShaderNodeAddShader")
+        for socket, value in zip(node.inputs, (first, second)):
+            self.give(socket, value)
+        return node.outputs["Shader"]
 
 
-def add_fresnel_of_sky(nodes, links, geometry, roughness, slopes):
-    """The mean of the facets that are seen, by tables for two roughnesses. \\param slopes  mean squares, of the sea's calmest ring and of all"""
-    cosine, root = nodes.new("ShaderNodeVectorMath"), nodes.new("ShaderNodeMath")
-    cosine.operation, root.operation = "DOT_PRODUCT", "SQRT"
-    links.new(geometry.outputs["Incoming"], cosine.inputs[0])
-    links.new(geometry.outputs["Normal"], cosine.inputs[1])
-    links.new(cosine.outputs["Value"], root.inputs[0])
-    between = nodes.new("ShaderNodeMapRange")
-    between.inputs["From Min"].default_value, between.inputs["From Max"].default_value = slopes
-    links.new(roughness, between.inputs["Value"])
-    mixed = nodes.new("ShaderNodeMixRGB")
-    links.new(between.outputs["Result"], mixed.inputs["Fac"])
-    for square, socket in zip(slopes, ("Color1", "Color2")):
-        table = nodes.new("ShaderNodeFloatCurve")
-        curve = table.mapping.curves[0]
-        while len(curve.points) > 2:
-            curve.points.remove(curve.points[1])
-        knots = 20
-        for k in range(knots + 1):
-            at = k / knots
-            value = facets.mean_fresnel(at * at, square)
-            point = curve.points[0] if k == 0 else curve.points[-1] if k == knots else curve.points.new(at, value)
-            point.location = at, value
-        table.mapping.update()
-        links.new(root.outputs["Value"], table.inputs["Value"])
-        links.new(table.outputs["Value"], mixed.inputs[socket])
-    return mixed.outputs["Color"]
+def rough_glass(nodes, alpha_root, part):
+    """A mirror and a lens with Beckmann's distribution, which is Gauss' of slopes. \\param part  that the mirror takes"""
+    mirror, lens = (nodes.bsdf(kind, alpha_root, "BECKMANN") for kind in ("ShaderNodeBsdfGlossy", "ShaderNodeBsdfRefraction"))
+    return nodes.mixed(part, lens, mirror)
 
 
-def add_surface(nodes, links, roughness, sun, slopes):
+def surface_in_sunlight(nodes, geometry, alpha_root, sun):
+    """Fresnel's part is that of the one facet that mirrors the sun to the eye."""
+    facet = nodes.vector("NORMALIZE", nodes.vector("ADD", geometry.outputs["Incoming"], tuple(blender(sun))))
+    return rough_glass(nodes, alpha_root, nodes.fresnel(facet))
+
+
+def area_seen(nodes, cosine, mean_square):
+    """Of facets of Gauss' slopes, over that of the plane they stand on: mu P(a) + s t p(a), a = mu / (s t), Gauss' p and P."""
+    sine = nodes.math("SQRT", nodes.math("MAXIMUM", nodes.math("SUBTRACT", 1.0, nodes.math("MULTIPLY", cosine, cosine)), 1e-8))
+    spread = nodes.math("MULTIPLY", nodes.math("SQRT", nodes.math("MULTIPLY", mean_square, 0.5)), sine)
+    a = nodes.math("MINIMUM", nodes.math("DIVIDE", cosine, spread), 8.0)
+    a2 = nodes.math("MULTIPLY", a, a)
+    density = nodes.math("MULTIPLY", nodes.math("EXPONENT", nodes.math("MULTIPLY", a2, -0.5)), 1 / math.sqrt(2 * math.pi))
+    # The distribution within 1.4e-4: Page 1977.
+    odd = nodes.math("ADD", nodes.math("MULTIPLY", a, -1.5976),
+                     nodes.math("MULTIPLY", nodes.math("MULTIPLY", a, a2), -0.070566))
+    distribution = nodes.math("DIVIDE", 1.0, nodes.math("ADD", 1.0, nodes.math("EXPONENT", odd)))
+    return nodes.math("ADD", nodes.math("MULTIPLY", cosine, distribution), nodes.math("MULTIPLY", spread, density))
+
+
+def doubled(nodes, value):
+    node = nodes.add("ShaderNodeCombineXYZ")
+    for socket in node.inputs:
+        nodes.give(socket, nodes.math("MULTIPLY", value, 2.0))
+    return node.outputs["Vector"]
+
+
+def masked_area(nodes, cosine, mean_square):
+    """Smith's function for Gauss' slopes (Walter et al. 2007, equation 15), times the cosine."""
+    sine2 = nodes.math("SUBTRACT", 1.0, nodes.math("MULTIPLY", cosine, cosine))
+    across = nodes.math("SQRT", nodes.math("MULTIPLY", mean_square, nodes.math("MAXIMUM", sine2, 1e-6)))
+    a = nodes.math("MINIMUM", nodes.math("DIVIDE", cosine, across), 1.6)  # where it is 0.1 % of the cosine
+    above = nodes.math("MULTIPLY_ADD", a, nodes.math("MULTIPLY_ADD", a, 0.396, -1.259), 1.0)
+    below = nodes.math("MULTIPLY_ADD", a, 2.181, 3.535)
+    return nodes.math("MULTIPLY", across, nodes.math("DIVIDE", above, below))
+
+
+def sky_share(nodes, eye, towards, mean_square):
+    """Of what a facet mirrors: waves that the mesh lacks hide the rest (Smith, Heitz 2014, equation 99), and mirror 0.3 of the sky in
+    turn. Cosines with the mesh's normal; nothing comes from below the mesh."""
+    eye, up = nodes.math("MAXIMUM", eye, 1e-3), nodes.math("MAXIMUM", towards, 1e-4)
+    seen = nodes.math("MULTIPLY", nodes.math("ADD", eye, masked_area(nodes, eye, mean_square)), up)
+    hidden = nodes.math("MULTIPLY", masked_area(nodes, up, mean_square), eye)
+    lit = nodes.math("DIVIDE", seen, nodes.math("ADD", seen, hidden))
+    return nodes.math("MULTIPLY", nodes.math("GREATER_THAN", towards, 0.0), nodes.math("MULTIPLY_ADD", lit, 0.7, 0.3))
+
+
+def surface_in_skylight(nodes, geometry, mean_square):
+    """Each sample meets one smooth facet, whose slopes are drawn anew from Gauss' distribution and which counts by its area as the
+    eye sees it: so Fresnel's part, and where the light comes from, are those of the same facet."""
+    dice = nodes.add("ShaderNodeTexWhiteNoise", noise_dimensions="3D")
+    nodes.give(dice.inputs["Vector"], geometry.outputs["Position"])
+    parts = nodes.add("ShaderNodeSeparateXYZ")
+    nodes.give(parts.inputs[0], dice.outputs["Color"])
+    # Box and Muller 1958; both slopes together have the variance `mean_square`.
+    far = nodes.math("SQRT", nodes.math("MULTIPLY", mean_square, nodes.math(
+        "MULTIPLY", -1.0, nodes.math("LOGARITHM", nodes.math("MAXIMUM", parts.outputs["X"], 1e-7), math.e))))
+    angle = nodes.math("MULTIPLY", parts.outputs["Y"], 2 * math.pi)
+    slopes = nodes.add("ShaderNodeCombineXYZ")
+    nodes.give(slopes.inputs["X"], nodes.math("MULTIPLY", far, nodes.math("COSINE", angle)))
+    nodes.give(slopes.inputs["Y"], nodes.math("MULTIPLY", far, nodes.math("SINE", angle)))
+    eye, normal = geometry.outputs["Incoming"], geometry.outputs["Normal"]
+    leaning = nodes.vector("ADD", normal, slopes.outputs["Vector"])
+    facet = nodes.vector("NORMALIZE", leaning)
+    weight = nodes.math("DIVIDE", nodes.math("MAXIMUM", nodes.vector("DOT_PRODUCT", eye, leaning), 0.0),
+                        area_seen(nodes, nodes.vector("DOT_PRODUCT", eye, normal), mean_square))
+    mirrored = nodes.math("MULTIPLY", weight, nodes.fresnel(facet))
+    towards = nodes.vector("SUBTRACT", nodes.vector("MULTIPLY", facet, doubled(nodes, nodes.vector("DOT_PRODUCT", eye, facet))), eye)
+    share = sky_share(nodes, nodes.vector("DOT_PRODUCT", eye, normal), nodes.vector("DOT_PRODUCT", towards, normal), mean_square)
+    through = nodes.math("SUBTRACT", weight, mirrored)
+    mirrored = nodes.math("MULTIPLY", mirrored, share)
+    mirror = nodes.bsdf("ShaderNodeBsdfGlossy", 0.0, "SHARP", mirrored, facet)
+    lens = nodes.bsdf("ShaderNodeBsdfRefraction", 0.0, "SHARP", through, facet)
+    return nodes.sum(mirror, lens)
+
+
+def add_surface(tree, sun):
     """What the surface does to light of the sun or, without `sun`, of the sky; the closure's output.
 
-    A mirror and a lens with Beckmann's distribution, which is Gauss' of slopes, as Cox and Munk measured them. Cycles 3.4 takes the
-    mean normal's Fresnel for a rough glass, three times too much at grazing angles; so the parts are mixed here. The sun and the sky
-    have pictures of their own because they need different parts.
+    Slopes have Gauss' distribution, as Cox and Munk measured them. Cycles 3.4 takes the mean normal's Fresnel for a rough glass, three
+    times too much at grazing angles; so the parts are put together here, for the sun and for the sky in a picture each.
     """
-    mirror, lens, mixed = (nodes.new(kind) for kind in
-                           ("ShaderNodeBsdfGlossy", "ShaderNodeBsdfRefraction", "ShaderNodeMixShader"))
-    root = nodes.new("ShaderNodeMath")  # alpha^2 is the mean square slope, and Blender's roughness the root of alpha
-    root.operation = "POWER"
-    root.inputs[1].default_value = 0.25
-    links.new(roughness, root.inputs[0])
-    for node in (mirror, lens):
-        node.distribution = "BECKMANN"
-        node.inputs["Color"].default_value = (1, 1, 1, 1)
-        links.new(root.outputs["Value"], node.inputs["Roughness"])
-    lens.inputs["IOR"].default_value = water_index
-    geometry = nodes.new("ShaderNodeNewGeometry")
-    above = (add_fresnel_of_sun(nodes, links, geometry, sun) if sun else
-             add_fresnel_of_sky(nodes, links, geometry, roughness, slopes))
-    below = nodes.new("ShaderNodeFresnel")  # where light leaves the water
-    below.inputs["IOR"].default_value = water_index
-    chosen = nodes.new("ShaderNodeMixRGB")
-    links.new(geometry.outputs["Backfacing"], chosen.inputs["Fac"])
-    links.new(above, chosen.inputs["Color1"])
-    links.new(below.outputs["Fac"], chosen.inputs["Color2"])
-    links.new(chosen.outputs["Color"], mixed.inputs["Fac"])
-    links.new(lens.outputs["BSDF"], mixed.inputs[1])
-    links.new(mirror.outputs["BSDF"], mixed.inputs[2])
-    return mixed.outputs["Shader"]
+    nodes = Nodes(tree)
+    mean_square = nodes.add("ShaderNodeAttribute", attribute_name="roughness").outputs["Fac"]
+    alpha_root = nodes.math("POWER", mean_square, 0.25)  # alpha^2 is the mean square slope, Blender's roughness the root of alpha
+    geometry = nodes.add("ShaderNodeNewGeometry")
+    above = (surface_in_sunlight(nodes, geometry, alpha_root, sun) if sun else
+             surface_in_skylight(nodes, geometry, mean_square))
+    below = rough_glass(nodes, alpha_root, nodes.fresnel())
+    return nodes.mixed(geometry.outputs["Backfacing"], above, below)
 
 
-def water_material(optics, sun, slopes):
+def water_material(optics, sun):
     """A rough surface over a medium. \\param optics  "water" of `pelagic render --json`
 
     Light that is scattered forwards goes on nearly as if it were not, so only what goes backwards matters, and its shape: real
@@ -160,9 +241,7 @@ def water_material(optics, sun, slopes):
     nodes, links = material.node_tree.nodes, material.node_tree.links
     nodes.clear()
     out = nodes.new("ShaderNodeOutputMaterial")
-    left = nodes.new("ShaderNodeAttribute")
-    left.attribute_name = "roughness"
-    links.new(add_surface(nodes, links, left.outputs["Fac"], sun, slopes), out.inputs["Surface"])
+    links.new(add_surface(material.node_tree, sun), out.inputs["Surface"])
 
     def medium(kind, coefficients, complement):
         node = nodes.new(kind)
@@ -198,7 +277,7 @@ def add_sea(scene, sea, optics, sun):
     mesh.attributes.new("roughness", "FLOAT", "POINT").data.foreach_set("value", sea.roughness)
     mesh.update(calc_edges=True)
     mesh.validate()
-    mesh.materials.append(water_material(optics, sun, (min(sea.roughness), max(sea.roughness) + 1e-6)))
+    mesh.materials.append(water_material(optics, sun))
     thing = bpy.data.objects.new("sea", mesh)
     thing.rotation_euler.x = math.radians(90)
     scene.collection.objects.link(thing)
