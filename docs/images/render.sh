@@ -16,6 +16,17 @@ picture close --preset rough --camera 0,3.2,0 --target 12,1.2,5 --fov 50 --time 
 picture above --preset rough --camera 0,420,0 --target 420,0,160 --fov 55 --sun 110,42
 picture levels --preset moderate --camera -60,260,-60 --target 240,0,240 --fov 60 --quality low --wireframe
 
+# Small water.
+small() {
+  local name=$1
+  shift
+  "$pelagic" render --size 480x270 --surface "$name" --out "docs/images/small_$name.png" "$@"
+}
+small lake --preset lake --camera 0,1.7,0 --target 12,0,5 --fov 45 --sun 72,30
+small coast --preset rough --camera 0,3,0 --target 20,0,10 --sun 72,30
+small river --preset calm --camera 30,14,30 --target 70,0,90 --fov 50 --sun 60,35
+small pond --preset calm --camera 0,1.1,0 --target 4,0,1.6 --fov 45 --sun 72,30
+
 # Below the surface, and where it ends.
 below() {
   local name=$1
