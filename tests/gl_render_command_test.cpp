@@ -74,8 +74,9 @@ std::vector<OIIO::ImageBuf> narrow_and_wide(const std::filesystem::path& folder,
     std::vector<OIIO::ImageBuf> pictures;
     for (const std::string size : {"64x96", "256x96"}) {
         const std::filesystem::path file = folder / (size + exposure + ".png");
-        const Outcome run = run_pelagic({"render", "--resolution", "32", "--quality", "low", "--size", size, "--sun",
-                                         "80,12", "--bloom", "0", "--exposure", exposure, "--out", file.string()});
+        const Outcome run =
+            run_pelagic({"render", "--resolution", "32", "--clouds", "0", "--quality", "low", "--size", size, "--sun",
+                         "80,12", "--bloom", "0", "--exposure", exposure, "--out", file.string()});
         EXPECT_EQ(run.exit_code, 0) << run.err;
         pictures.push_back(read_picture(file));
     }
@@ -96,8 +97,8 @@ TEST(RenderCommand, AFixedExposureDoesNotLookAtTheView) {
 // Pictures of one film are made by several runs, each from its own frame on.
 TEST(RenderCommand, APictureOfAFilmIsTheSameWhereverTheRunBegan) {
     const TemporaryFolder folder;
-    const std::vector<std::string> scene = {"render", "--resolution", "32",    "--quality", "low",
-                                            "--size", "64x48",        "--fps", "2"};
+    const std::vector<std::string> scene = {"render", "--resolution", "32", "--quality", "low", "--size",
+                                            "64x48",  "--clouds",     "0",  "--fps",     "2"};
     const auto with = [&](std::vector<std::string> more) {
         more.insert(more.begin(), scene.begin(), scene.end());
         const Outcome run = run_pelagic(more);
@@ -121,7 +122,8 @@ TEST(RenderCommand, NamesOptionValueAndRange) {
          "pelagic: --moon is 10,91, needs AZIMUTH,ELEVATION in degrees, elevation in [-90, 90]\n"},
         {{"--out", "a.png", "--visibility", "2"}, "pelagic: --visibility is 2, needs metres in [500, 300000]\n"},
         {{"--out", "a.png", "--light", "moonlit"},
-         "pelagic: --light is moonlit, needs noon, golden-hour, overcast, storm or moonlight (the nearest is moonlight)\n"},
+         "pelagic: --light is moonlit, needs noon, golden-hour, overcast, storm or moonlight (the nearest is "
+         "moonlight)\n"},
         {{"--out", "a.png", "--exposure", "21"},
          "pelagic: --exposure is 21, needs auto, or an exposure value in [-10, 20]\n"},
         {{"--out", "a.png", "--exposure-bias", "6"}, "pelagic: --exposure-bias is 6, needs stops in [-5, 5]\n"},
