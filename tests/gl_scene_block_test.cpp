@@ -52,7 +52,7 @@ TEST(SceneBlock, PlacesAViewerInEachTurnedTile) {
 
 // One pass: the sky's exposure, or the host's. Weights are for the display pass alone; stars are for the night.
 TEST(SceneBlock, TakesTheHostsExposureOrTheSkys) {
-    Ocean ocean({.cascades = 1, .resolution = 32}, {.executor = make_serial_executor()});
+    Ocean ocean({.cascades = 3, .resolution = 32}, {.executor = make_serial_executor()});
     const gl::SeaFacts facts = gl::facts_of(ocean.frame_at(0));
     DrawList list;
     gl::SkyLight sky;
