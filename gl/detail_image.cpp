@@ -9,14 +9,13 @@
 #include <glm/vec4.hpp>
 #include <random>
 
+#include "pelagic/gl/tileable_noise.hpp"
+
 namespace pelagic::gl {
 namespace {
 
 constexpr int n = DetailImage::side;
 constexpr float two_pi = 6.2831853f;
-
-/// Uniform in [0, 1) from the engine's own bits: standard distributions differ between libraries.
-float uniform(std::minstd_rand& engine) { return static_cast<float>(engine()) * 0x1p-31f; }
 
 void add_ripples(std::vector<glm::vec4>& texels, std::minstd_rand& engine) {
     std::vector<glm::vec2> slopes(texels.size(), glm::vec2(0));

@@ -1,4 +1,4 @@
-// A tile of what is smaller than the sea's texels, made once: ripples, and the structure of foam.
+// A tile of what is smaller than the sea's texels, made once: ripples, and a noise for gusts.
 #pragma once
 
 #include <cstdint>
@@ -6,7 +6,7 @@
 
 namespace pelagic::gl {
 
-/// Channels of a texel: slopes of the ripples along x and z, foam's lace, and the part of the ripples' mean square slope
+/// Channels of a texel: slopes of the ripples along x and z, a noise of ranks, and the part of the ripples' mean square slope
 /// that this mip still holds (the rest is roughness). Slopes have a deviation of 1/4 in [-1, 1] at level 0.
 struct DetailImage {
     static constexpr int side = 256;

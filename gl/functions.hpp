@@ -19,7 +19,7 @@ namespace pelagic::gl {
     X(ColorMask) X(CompileShader) X(CreateProgram) X(CreateShader) X(DeleteBuffers) X(DeleteFramebuffers)       \
     X(DeleteProgram) X(DeleteRenderbuffers) X(DeleteSamplers) X(DeleteShader) X(DeleteSync)                     \
     X(DeleteTextures) X(DeleteVertexArrays) X(DepthFunc) X(DepthMask) X(DepthRangef) X(Disable)                 \
-    X(DrawArrays) X(DrawElementsInstanced) X(Enable) X(EnableVertexAttribArray) X(FenceSync) X(Finish)          \
+    X(DrawArrays) X(DrawArraysInstanced) X(DrawElementsInstanced) X(Enable) X(EnableVertexAttribArray) X(FenceSync) X(Finish)          \
     X(FramebufferRenderbuffer) X(FramebufferTexture2D) X(GenBuffers) X(GenFramebuffers) X(GenRenderbuffers)     \
     X(GenSamplers) X(GenTextures) X(GenVertexArrays) X(GenerateMipmap) X(GetBooleanv) X(GetError)               \
     X(GetFloatv) X(GetInteger64i_v) X(GetIntegeri_v) X(GetIntegerv) X(GetProgramInfoLog) X(GetProgramiv)        \

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "pelagic/gl/foam_image.hpp"
 #include "pelagic/gl/sea_renderer.hpp"
 
 namespace pelagic::gl {
@@ -17,12 +18,6 @@ constexpr double gravity_mps2 = 9.81;
 /// The sun seen from the earth: 16 minutes of arc.
 constexpr float sun_radius_rad = 0.00465f;
 
-// Sea water for 680, 550 and 440 nm. Absorption: pure water (Pope and Fry 1997; 0.465, 0.0565, 0.0064 1/m) and what lives
-// and is dissolved in it where chlorophyll is 0.3 mg/m^3 (Bricaud et al. 1995). Scattering backwards: water's own (Morel
-// 1974: half of 0.0007, 0.0019, 0.0049 1/m) and particles' (0.006 1/m).
-constexpr glm::vec3 absorption_per_m{0.470f, 0.064f, 0.036f};
-constexpr glm::vec3 backscattering_per_m{0.0063f, 0.0070f, 0.0085f};
-
 /// Ripples stand for this part of the roughness that the sea has between its texels; the rest is too fine even for them.
 constexpr float detail_part = 0.75f;
 /// A tile of ripples in texels of the finest tile: its longest waves, a third of it, are as long as the sea's shortest.
@@ -32,8 +27,9 @@ constexpr double golden = 1.6180339887;
 constexpr double layer_turns_rad[2] = {0.21, -0.47};
 
 /// The horizon softens over this angle below it.
-constexpr double softened_horizon_rad = 0.25 * pi / 180;
-constexpr double second_turn_rad = 0.3648;  // sea.frag.glsl: the turn of the second copy of the waves
+constexpr double softened_horizon_rad = 0.15 * pi / 180;
+/// The noise that tells the copies of a tile apart repeats after so many sides, which no whole number of tiles comes near.
+constexpr double noise_sides = 12 * golden;
 
 /// Of a star of magnitude 0 (Allen 1976, "Astrophysical Quantities").
 constexpr float star_illuminance_lx = 2.54e-6f;
@@ -64,6 +60,8 @@ void place_tiles(SceneBlock& block, const SeaFacts& facts, glm::dvec2 viewer, fl
         const TileLattice::Place at = tile.lattice.in_tile(viewer.x, viewer.y);
         block.tile_place[i] = {fraction(at.along / side + half_texel), fraction(at.across / side + half_texel),
                                tile.lattice.cosine / side, tile.lattice.sine / side};
+        const double noise_m = noise_sides * side;
+        block.tile_noise[i] = {fraction(at.along / noise_m), fraction(at.across / noise_m), 1 / noise_sides, 0};
         // A texel of that mip is as long as the longest waves.
         const double last_mip = std::log2(tile.longest_wave_m / facts.texel_m(tile));
         block.tile_scale[i] = {1 / facts.texel_m(tile), last_mip, side, 0};
@@ -93,16 +91,11 @@ void place_details(SceneBlock& block, const SeaFacts& facts, glm::dvec2 viewer) 
                                                               std::cos(angle), std::sin(angle)};
     }
     block.detail_shift = {glm::vec2(shifts[0]), glm::vec2(shifts[1])};
-    // As the shader turns it: the other way than place_in_square.
-    block.second_shift = {
-        glm::vec2(place_in_square(viewer, -second_turn_rad, facts.tiles[0].lattice.side_m * golden)), 0, 0};
-    // Lace is as large as the waves that make it: tiles of 5 m in a calm, of 20 m in a storm.
-    const double foam_m = 5 + 1.8 * block.waves.x;
-    const glm::dvec4 tiles(foam_m, foam_m / golden / 1.1, 460, 1510);  // gusts: metres
+    const glm::dvec4 tiles(FoamSizes::bubbles_m, FoamSizes::lace_m, 460, 1510);  // gusts: metres
     block.noise_scale = glm::vec4(1.0 / tiles);
     const glm::dvec2 turned(viewer.y, viewer.x);
     const auto placed = [](glm::dvec2 at, double tile) { return glm::vec2(place_in_square(at, 0, tile)); };
-    block.foam_shift = {placed(viewer, tiles.x), placed(turned, tiles.y)};
+    block.foam_shift = {placed(viewer, tiles.x), placed(viewer, tiles.y)};
     block.gust_shift = {placed(viewer, tiles.z), placed(turned, tiles.w)};
 }
 
@@ -114,6 +107,27 @@ void place_night(SceneBlock& block, const SkyLight& sky) {
     constexpr float civil_twilight = -0.1045f;
     const float dark = glm::smoothstep(0.f, -0.05f, sky.true_sun_direction.y - civil_twilight);
     block.stars = {dark * star_illuminance_lx / (sun_illuminance_lx * sky.unit), 0, 0, 0};
+}
+
+/// Part of the sea under thin streaks, besides whitecaps and what they leave behind. The amounts are ours, the steps are those of the
+/// Beaufort scale (WMO): foam begins to be blown in streaks at 7, has dense streaks at 9, and takes over the sea's look from 10 on.
+double streaks_cover(double wind_mps) {
+    constexpr double near_gale_mps = 13.9, hurricane_mps = 32.7;
+    const double part = std::clamp((wind_mps - near_gale_mps) / (hurricane_mps - near_gale_mps), 0., 1.);
+    return 0.35 * std::pow(part, 1.5);
+}
+
+void place_foam(SceneBlock& block, const SeaState& sea, glm::dvec2 viewer) {
+    const double c = std::cos(sea.wind_direction_rad), s = std::sin(sea.wind_direction_rad);
+    const double along = c * viewer.x + s * viewer.y, across = c * viewer.y - s * viewer.x;
+    for (std::size_t i = 0; i < 2; ++i) {
+        const double along_m = FoamSizes::streaks_along_m[i], across_m = FoamSizes::streaks_across_m[i];
+        block.foam_streaks[i] = {1 / along_m, 1 / across_m, fraction(along / along_m), fraction(across / across_m)};
+    }
+    // Windrows form above 3 m/s and are tight in a gale.
+    const double order = std::clamp((sea.wind_speed_mps - 3) / 15, 0., 1.);
+    constexpr double fresh_foam_m = 0.12;
+    block.foam_kind = {streaks_cover(sea.wind_speed_mps), 0.5 - 0.2 * order, fresh_foam_m, 0};
 }
 
 /// The last mip is one texel: the variance of all waves.
@@ -143,7 +157,8 @@ SeaFacts facts_of(const Frame& frame) {
     return facts;
 }
 
-SceneBlock scene_block_of(const DrawInput& input, const SeaFacts& facts, const SkyLight& sky) {
+SceneBlock scene_block_of(const DrawInput& input, const SeaFacts& facts, const WaterOptics& water,
+                          const SkyLight& sky) {
     const SeaState& sea = facts.sea;
     SceneBlock block;
     const QuadtreeGrid& grid = input.list->grid;
@@ -155,7 +170,7 @@ SceneBlock scene_block_of(const DrawInput& input, const SeaFacts& facts, const S
         block.eye[i] = glm::vec4(glm::vec3(input.eyes[i].position_m - input.viewer_m), 0);
     }
     const auto to_float = [](glm::dvec2 v) { return glm::vec2(v); };
-    block.viewer = {0, 0, input.viewer_m.y, 0};
+    block.viewer = {input.draws_sky ? 1 : 0, 0, input.viewer_m.y, 0};
     block.grid = {to_float(glm::dvec2(grid.corner) * grid.step_m - viewer), grid.step_m, grid.vertices};
     block.fade = {to_float(grid.fade_centre - viewer), grid.fade_end_m, 1 / (grid.fade_end_m - grid.fade_start_m)};
     block.mesh = {1 / (input.lod_scale * grid.vertices), grid.step_m,
@@ -168,10 +183,11 @@ SceneBlock scene_block_of(const DrawInput& input, const SeaFacts& facts, const S
     block.sky_irradiance = {sky.sky_irradiance, sky.levels - 1};
     const double height = std::max(1.5, std::abs(input.viewer_m.y));
     block.haze = {sky.haze_per_m, height / std::tan(softened_horizon_rad)};
-    block.water_absorption = {absorption_per_m, sea.depth_m};
+    block.water_absorption = {water.absorption_per_m, sea.depth_m};
     const float alpha = static_cast<float>(facts.figures.roughness);
     const float detail_square = detail_part * alpha * alpha;
-    block.water_scattering = {backscattering_per_m, detail_square};
+    block.water_backscattering = {water.backscattering_per_m, detail_square};
+    block.water_scattering = {water.scattering_per_m, 0};
     const double wind = sea.wind_direction_rad;
     block.waves = {std::max(0.05, facts.figures.significant_wave_height_m), alpha, std::cos(wind), std::sin(wind)};
     place_tiles(block, facts, viewer, input.more_foam);
@@ -179,6 +195,8 @@ SceneBlock scene_block_of(const DrawInput& input, const SeaFacts& facts, const S
     block.output_kind = {facts.framebuffer_is_srgb ? 0 : 1, facts.writes_radiance ? 1 : 0,
                          input.weighs_samples ? exposure : 0, sky.unit * sun_illuminance_lx};
     place_night(block, sky);
+    place_foam(block, sea, viewer);
+    if (facts.surface != Surface::open) place_small_water(block, facts, viewer);
     return block;
 }
 

@@ -4,11 +4,14 @@
 #include <array>
 #include <cstddef>
 #include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <vector>
 
 #include "pelagic/gl/exposure.hpp"
+#include "pelagic/gl/small_water.hpp"
+#include "pelagic/gl/water_optics.hpp"
 #include "pelagic/sim/frame.hpp"
 
 namespace pelagic::gl {
@@ -19,12 +22,22 @@ inline constexpr std::size_t most_tiles = 4;
 struct SceneBlock {
     std::array<glm::mat4, 2> clip_from_viewer{}, viewer_from_clip{};
     std::array<glm::vec4, 2> eye{};
-    std::array<glm::vec4, most_tiles> tile_place{}, tile_scale{}, tile_slope{};
+    std::array<glm::vec4, most_tiles> tile_place{}, tile_scale{}, tile_slope{}, tile_noise{};
     glm::vec4 viewer{}, grid{}, fade{}, mesh{}, skirt{};
     glm::vec4 sun{}, sun_irradiance{}, sky_irradiance{}, haze{};
-    glm::vec4 water_absorption{}, water_scattering{}, waves{};
+    glm::vec4 water_absorption{}, water_backscattering{}, water_scattering{}, waves{};
     std::array<glm::vec4, 2> detail_turn{};
-    glm::vec4 detail_shift{}, second_shift{}, noise_scale{}, foam_shift{}, gust_shift{}, foam_trail{};
+    glm::vec4 detail_shift{}, noise_scale{}, foam_shift{}, gust_shift{}, foam_trail{};
+    // Below the surface.
+    glm::vec4 lens{}, floor_place{}, floor_size{}, floor_mesh{}, floor_look{}, floor_albedo{}, caustic_place{};
+    std::array<glm::vec4, 3> caustic_row{};
+    std::array<glm::vec4, 2> foam_streaks{};
+    glm::vec4 foam_kind{};
+    std::array<glm::vec4, 8> bump_lattice{}, bump_place{};
+    std::array<glm::vec4, 2> bump_turn{};
+    glm::vec4 bump_kind{};
+    std::array<glm::vec4, 24> pond_wave{};
+    glm::vec4 flow_place{}, flow_cycle{}, flow_jump{};
     glm::vec4 output_kind{};
     glm::vec4 moon{}, stars{};
 };
@@ -48,6 +61,8 @@ struct SeaFacts {
     bool has_displacement_mips = false;
     bool framebuffer_is_srgb = false;
     bool writes_radiance = false;
+    Surface surface = Surface::open;
+    FlowExtent flow{};
 
     const TileFacts& finest_tile() const { return tiles.back(); }
     double texel_m(const TileFacts& tile) const { return tile.lattice.side_m / resolution; }
@@ -66,7 +81,28 @@ struct SkyLight {
 /// Of the frame alone.
 SeaFacts facts_of(const Frame& frame);
 
+/// What stays of a floor when its heights are in a texture.
+struct FloorFacts {
+    int columns = 0, rows = 0;  ///< 0: even
+    glm::dvec2 corner_m{};
+    double metres_a_texel = 1;
+    bool is_sand = true;
+    glm::vec3 albedo{};
+};
+
+/// And of caustics.
+struct CausticFacts {
+    double side_m = 0;  ///< 0: none were handed in
+    double cosine = 1, sine = 0, depth_m = 6;
+};
+
+/// Cells of the mesh that draws a floor; the far ones around them not counted.
+glm::ivec2 floor_cells(const FloorFacts& floor);
+
 struct DrawInput;
-SceneBlock scene_block_of(const DrawInput& input, const SeaFacts& sea, const SkyLight& sky);
+SceneBlock scene_block_of(const DrawInput& input, const SeaFacts& sea, const WaterOptics& water, const SkyLight& sky);
+/// Adds what the shaders are told of what lies below the surface.
+void place_below(SceneBlock& block, const DrawInput& input, const SeaFacts& sea, const FloorFacts& floor,
+                 const CausticFacts& caustics);
 
 }  // namespace pelagic::gl

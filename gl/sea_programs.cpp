@@ -1,14 +1,22 @@
 #include "pelagic/gl/sea_programs.hpp"
 
+#include "pelagic/gl/kept_state.hpp"
+
 namespace pelagic::gl {
 
-std::array<ProgramFiles, 4> sea_program_files(bool multiview, std::size_t tiles) {
-    const std::string defines =
-        "#define TILES " + std::to_string(tiles) + (multiview ? "\n#define MULTIVIEW\n" : "\n");
+static_assert(unit_count == texture_units, "a host gets back what it had in each of them");
+
+std::array<ProgramFiles, 5> sea_program_files(const SeaVariant& variant) {
+    const auto number = [](auto value) { return std::to_string(static_cast<int>(value)); };
+    std::string defines = "#define TILES " + number(variant.tiles) + "\n#define SHADING " + number(variant.shading) +
+                          "\n#define SURFACE " + number(variant.surface) + "\n#define BELOW " +
+                          number(variant.below) + "\n";
+    if (variant.multiview) defines += "#define MULTIVIEW\n";
     return {{{"sea.vert.glsl", "sea.frag.glsl", defines},
              {"skirt.vert.glsl", "sea.frag.glsl", defines + "#define SKIRT\n"},
              {"sky.vert.glsl", "sky.frag.glsl", defines},
-             {"sea.vert.glsl", "wireframe.frag.glsl", defines}}};
+             {"sea.vert.glsl", "wireframe.frag.glsl", defines},
+             {"floor.vert.glsl", "floor.frag.glsl", defines + "#define FLOOR\n"}}};
 }
 
 SeaProgram::SeaProgram(const Functions& gl, const ProgramFiles& files)
@@ -20,6 +28,10 @@ SeaProgram::SeaProgram(const Functions& gl, const ProgramFiles& files)
     gl.Uniform1i(program.uniform("moments"), moments_unit);
     gl.Uniform1i(program.uniform("detail"), detail_unit);
     gl.Uniform1i(program.uniform("sky"), sky_unit);
+    gl.Uniform1i(program.uniform("floor_heights"), floor_unit);
+    gl.Uniform1i(program.uniform("caustics"), caustics_unit);
+    gl.Uniform1i(program.uniform("foam_structure"), foam_unit);
+    gl.Uniform1i(program.uniform("flow"), flow_unit);
     eye_index = program.uniform("eye_index");
     brightness = program.uniform("brightness");
 }
@@ -29,10 +41,11 @@ void SeaProgram::use(const Functions& gl, int eye) const {
     if (eye_index >= 0) gl.Uniform1i(eye_index, eye);
 }
 
-SeaPrograms::SeaPrograms(const Functions& gl, bool multiview, std::size_t tiles) {
-    const std::array<ProgramFiles, 4> files = sea_program_files(multiview, tiles);
-    SeaProgram* const programs[] = {&patches, &skirt, &background, &wireframe};
-    for (std::size_t i = 0; i < files.size(); ++i) *programs[i] = SeaProgram(gl, files[i]);
+SeaPrograms::SeaPrograms(const Functions& gl, const SeaVariant& variant) {
+    const std::array<ProgramFiles, 5> files = sea_program_files(variant);
+    SeaProgram* const programs[] = {&patches, &skirt, &background, &wireframe, &floor};
+    for (std::size_t i = 0; i < files.size(); ++i)
+        if (programs[i] != &floor || variant.below) *programs[i] = SeaProgram(gl, files[i]);
 }
 
 }  // namespace pelagic::gl

@@ -5,11 +5,24 @@
 #include <string>
 
 #include "pelagic/gl/program.hpp"
+#include "pelagic/gl/shading.hpp"
+#include "pelagic/gl/small_water.hpp"
 
 namespace pelagic::gl {
 
 /// Texture units, as the programs read them.
-enum Unit : GLint { displacement_unit, slopes_unit, moments_unit, detail_unit, sky_unit };
+enum Unit : GLint {
+    displacement_unit,
+    slopes_unit,
+    moments_unit,
+    detail_unit,
+    sky_unit,
+    floor_unit,
+    caustics_unit,
+    foam_unit,
+    flow_unit,
+    unit_count
+};
 
 struct ProgramFiles {
     const char* vertex;
@@ -17,8 +30,17 @@ struct ProgramFiles {
     std::string defines;  ///< lines
 };
 
-/// For patches, skirt, background and wireframe, in this order, of a sea with so many tiles.
-std::array<ProgramFiles, 4> sea_program_files(bool multiview, std::size_t tiles);
+/// What a set of programs is made for.
+struct SeaVariant {
+    std::size_t tiles = 1;
+    Shading shading = Shading::high;
+    Surface surface = Surface::open;
+    bool multiview = false;
+    bool below = false;  ///< the floor shows, or a lens is near the water: the others spare its cost
+};
+
+/// For patches, skirt, background, wireframe and floor, in this order.
+std::array<ProgramFiles, 5> sea_program_files(const SeaVariant& variant);
 
 struct SeaProgram {
     SeaProgram() = default;
@@ -32,9 +54,10 @@ struct SeaProgram {
 
 struct SeaPrograms {
     /// Throws GlError if the driver refuses a shader. Leaves one of them in use.
-    SeaPrograms(const Functions& gl, bool multiview, std::size_t tiles);
+    SeaPrograms(const Functions& gl, const SeaVariant& variant);
 
     SeaProgram patches, skirt, background, wireframe;
+    SeaProgram floor;  ///< with SeaVariant::below
 };
 
 }  // namespace pelagic::gl

@@ -1,10 +1,12 @@
 #include "pelagic/gl/sea_renderer.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <stdexcept>
 #include <string>
 
 #include "pelagic/gl/detail_image.hpp"
+#include "pelagic/gl/foam_image.hpp"
 #include "pelagic/gl/kept_state.hpp"
 #include "pelagic/gl/patch_buffers.hpp"
 #include "pelagic/gl/scene_block.hpp"
@@ -26,6 +28,30 @@ Texture make_detail_texture(const Functions& gl) {
     return texture;
 }
 
+Texture make_foam_texture(const Functions& gl, Executor& executor) {
+    const FoamImage image = make_foam_image(executor);
+    Texture texture(gl);
+    gl.BindTexture(GL_TEXTURE_2D_ARRAY, texture.name());
+    gl.TexStorage3D(GL_TEXTURE_2D_ARRAY, FoamImage::levels, GL_RGBA8, FoamImage::side, FoamImage::side,
+                    FoamImage::layers);
+    for (int level = 0; level < FoamImage::levels; ++level)
+        gl.TexSubImage3D(GL_TEXTURE_2D_ARRAY, level, 0, 0, 0, FoamImage::side >> level, FoamImage::side >> level,
+                         FoamImage::layers, GL_RGBA, GL_UNSIGNED_BYTE, image.level(level));
+    gl.TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    return texture;
+}
+
+Texture make_flow_texture(const Functions& gl, const FlowMap& map) {
+    Texture texture(gl);
+    gl.BindTexture(GL_TEXTURE_2D, texture.name());
+    gl.TexStorage2D(GL_TEXTURE_2D, 1, GL_RG8, map.side, map.side);
+    gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, map.side, map.side, GL_RG, GL_UNSIGNED_BYTE, map.velocities.data());
+    gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    return texture;
+}
+
 const RendererOptions& checked(const RendererOptions& options) {
     if (options.tiles < 1 || options.tiles > most_tiles)
         throw std::invalid_argument("RendererOptions::tiles is " + std::to_string(options.tiles) + ", needs 1 to " +
@@ -39,9 +65,15 @@ struct SeaRenderer::State {
     State(const Functions& functions, const RendererOptions& wanted)
         : gl(functions), options(checked(wanted)), textures(functions, wanted.resolution, wanted.tiles) {
         const KeptState keep(gl);
-        programs = std::make_unique<SeaPrograms>(gl, options.multiview, options.tiles);
+        choose_programs(false);
         buffers = std::make_unique<PatchBuffers>(gl, options.patch_vertices);
         detail = make_detail_texture(gl);
+        foam = make_foam_texture(gl, *(options.executor ? options.executor : make_serial_executor()));
+        if (options.surface == Surface::river) {
+            const FlowMap map = winding_channel();
+            flow = make_flow_texture(gl, map);
+            flow_extent = map.extent;
+        }
         empty = VertexArray(gl);
         scene = Buffer(gl);
         gl.BindBuffer(GL_UNIFORM_BUFFER, scene.name());
@@ -58,6 +90,10 @@ struct SeaRenderer::State {
         bind(moments_unit, GL_TEXTURE_2D_ARRAY, textures.moments());
         bind(detail_unit, GL_TEXTURE_2D, detail.name());
         bind(sky_unit, GL_TEXTURE_CUBE_MAP, sky.name());
+        bind(floor_unit, GL_TEXTURE_2D, floor.name());
+        bind(caustics_unit, GL_TEXTURE_2D, caustics.name());
+        bind(foam_unit, GL_TEXTURE_2D_ARRAY, foam.name());
+        bind(flow_unit, GL_TEXTURE_2D, flow.name());
     }
 
     void add(const PatchBuffers::Counts& counts) {
@@ -66,12 +102,36 @@ struct SeaRenderer::State {
         figures.draw_driver_ms += counts.driver_ms;
     }
 
+    /// Those for a floor that shows or a lens near the water are compiled when they are first needed.
+    void choose_programs(bool below) {
+        std::unique_ptr<SeaPrograms>& chosen = below ? programs_below : programs_above;
+        if (!chosen)
+            chosen = std::make_unique<SeaPrograms>(gl, SeaVariant{.tiles = options.tiles,
+                                                                  .shading = options.shading,
+                                                                  .surface = options.surface,
+                                                                  .multiview = options.multiview,
+                                                                  .below = below});
+        programs = chosen.get();
+    }
+
+    /// Strips of a grid, made in the vertex shader. Seen from the air only where it may rise above the water.
+    void draw_floor(int eye) {
+        const glm::ivec2 cells = floor_cells(floor_facts);
+        programs->floor.use(gl, eye);
+        gl.BindVertexArray(empty.name());
+        const Stopwatch driver;
+        gl.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 2 * (cells.x + 3), cells.y + 2);
+        figures.draw_driver_ms += driver.milliseconds();
+        ++figures.floor_calls;
+    }
+
     void draw_shaded(const DrawInput& input, int eye) {
+        if (lens_is_wet || floor_facts.columns > 0) draw_floor(eye);
         programs->patches.use(gl, eye);
         add(buffers->draw_patches(*input.list, false));
         programs->skirt.use(gl, eye);
         add(buffers->draw_skirt(*input.list));
-        if (!input.draws_sky) return;
+        if (!input.draws_sky && !lens_is_wet) return;
         // Behind the sea, where it did not draw: its triangle lies on the far plane.
         programs->background.use(gl, eye);
         gl.DepthMask(GL_FALSE);
@@ -99,11 +159,17 @@ struct SeaRenderer::State {
     RendererOptions options;
     FrameTextures textures;
     SeaFacts facts;
-    std::unique_ptr<SeaPrograms> programs;
+    std::unique_ptr<SeaPrograms> programs_above, programs_below;
+    SeaPrograms* programs = nullptr;  ///< of the draw() in progress
     std::unique_ptr<PatchBuffers> buffers;
-    Texture detail, sky;
+    Texture detail, foam, sky, floor, caustics, flow;
+    FloorFacts floor_facts;
+    CausticFacts caustic_facts;
+    bool lens_is_wet = false;
+    FlowExtent flow_extent;
     int sky_face_size = 0;
     SkyLight light;
+    WaterOptics water = water_optics(default_jerlov_type);
     VertexArray empty;
     Buffer scene;
     DrawFigures figures;
@@ -111,6 +177,13 @@ struct SeaRenderer::State {
 
 SeaRenderer::SeaRenderer(const Functions& gl, const RendererOptions& options) : state_(new State(gl, options)) {}
 SeaRenderer::~SeaRenderer() = default;
+
+void SeaRenderer::set_flow(const FlowMap& map) {
+    if (const std::string reason = check(map); !reason.empty()) throw std::invalid_argument(reason);
+    const KeptState keep(state_->gl);
+    state_->flow = make_flow_texture(state_->gl, map);
+    state_->flow_extent = map.extent;
+}
 
 void SeaRenderer::set_sky(const Sky& sky) {
     State& s = *state_;
@@ -148,12 +221,71 @@ void SeaRenderer::set_patch_vertices(int patch_vertices) {
     state_->options.patch_vertices = patch_vertices;
 }
 
+void SeaRenderer::set_water(const WaterOptics& water) { state_->water = water; }
+void SeaRenderer::set_floor(const SeaFloor& floor) {
+    if (const std::string reason = check(floor); !reason.empty()) throw std::invalid_argument(reason);
+    State& s = *state_;
+    const Functions& gl = s.gl;
+    s.floor_facts = {.columns = floor.columns,
+                     .rows = floor.rows,
+                     .corner_m = floor.corner_m,
+                     .metres_a_texel = floor.metres_a_texel,
+                     .is_sand = floor.is_sand,
+                     .albedo = floor.albedo};
+    s.floor.reset();
+    if (floor.is_even()) return;
+    const KeptState keep(gl);
+    const FloorTexels texels = texels_of(floor);
+    s.floor = Texture(gl);
+    gl.ActiveTexture(GL_TEXTURE0 + floor_unit);
+    gl.BindTexture(GL_TEXTURE_2D, s.floor.name());
+    gl.TexStorage2D(GL_TEXTURE_2D, texels.levels, GL_R16F, floor.columns, floor.rows);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    gl.PixelStorei(GL_UNPACK_ALIGNMENT, 2);
+    const std::uint16_t* level_halves = texels.halves.data();
+    for (int level = 0; level < texels.levels; ++level) {
+        const int columns = std::max(floor.columns >> level, 1), rows = std::max(floor.rows >> level, 1);
+        gl.TexSubImage2D(GL_TEXTURE_2D, level, 0, 0, columns, rows, GL_RED, GL_HALF_FLOAT, level_halves);
+        level_halves += static_cast<std::ptrdiff_t>(columns) * rows;
+    }
+}
+
+void SeaRenderer::set_caustics(const Caustics& caustics) {
+    State& s = *state_;
+    const Functions& gl = s.gl;
+    const KeptState keep(gl);
+    gl.ActiveTexture(GL_TEXTURE0 + caustics_unit);
+    const bool is_first = s.caustics.name() == 0;
+    if (is_first) s.caustics = Texture(gl);
+    gl.BindTexture(GL_TEXTURE_2D, s.caustics.name());
+    if (is_first) {
+        gl.TexStorage2D(GL_TEXTURE_2D, Caustics::levels, GL_R16F, Caustics::side, Caustics::side);
+        gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+        gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+        gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_REPEAT);
+        gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_REPEAT);
+    }
+    gl.PixelStorei(GL_UNPACK_ALIGNMENT, 2);
+    const std::uint16_t* halves = caustics.halves.data();
+    for (int level = 0; level < Caustics::levels; ++level) {
+        const int side = Caustics::side >> level;
+        gl.TexSubImage2D(GL_TEXTURE_2D, level, 0, 0, side, side, GL_RED, GL_HALF_FLOAT, halves);
+        halves += side * side;
+    }
+    s.caustic_facts = {caustics.lattice.side_m, caustics.lattice.cosine, caustics.lattice.sine,
+                       caustics.options.depth_m};
+}
+
 void SeaRenderer::upload(const Frame& frame) {
     const Stopwatch all;
     state_->textures.upload(frame);
     state_->facts = facts_of(frame);
     state_->facts.has_displacement_mips = state_->textures.has_displacement_mips();
     state_->facts.framebuffer_is_srgb = state_->options.framebuffer_is_srgb;
+    state_->facts.surface = state_->options.surface;
     state_->facts.writes_radiance = state_->options.writes == PixelKind::radiance;
     state_->figures.upload_ms = all.milliseconds();
     state_->figures.upload_driver_ms = state_->textures.last_driver_ms();
@@ -169,11 +301,15 @@ const DrawFigures& SeaRenderer::draw(const DrawInput& input) {
     assert(!s.facts.tiles.empty() && "upload() a frame first");
     const KeptState keep(gl);
     DrawFigures& figures = s.figures;
-    figures.sea_calls = figures.sky_calls = 0;
+    figures.sea_calls = figures.sky_calls = figures.floor_calls = 0;
     figures.triangles = 0;
     figures.draw_driver_ms = 0;
 
-    const SceneBlock block = scene_block_of(input, s.facts, s.light);
+    s.facts.flow = s.flow_extent;
+    SceneBlock block = scene_block_of(input, s.facts, s.water, s.light);
+    place_below(block, input, s.facts, s.floor_facts, s.caustic_facts);
+    s.lens_is_wet = block.lens.w > 0;
+    s.choose_programs(s.lens_is_wet || block.floor_albedo.w > 0 || s.floor_facts.columns > 0);
     gl.BindBuffer(GL_UNIFORM_BUFFER, s.scene.name());
     gl.BufferData(GL_UNIFORM_BUFFER, sizeof(block), &block, GL_STREAM_DRAW);
     gl.BindBufferBase(GL_UNIFORM_BUFFER, 0, s.scene.name());

@@ -17,21 +17,30 @@
 #include <optional>
 #include <span>
 
+#include "pelagic/gl/caustics.hpp"
 #include "pelagic/gl/frame_textures.hpp"
 #include "pelagic/gl/render_target.hpp"
+#include "pelagic/gl/sea_floor.hpp"
+#include "pelagic/gl/shading.hpp"
 #include "pelagic/gl/sky_baker.hpp"
+#include "pelagic/gl/small_water.hpp"
 #include "pelagic/gl/views.hpp"
+#include "pelagic/gl/water_at_lens.hpp"
+#include "pelagic/gl/water_optics.hpp"
 #include "pelagic/quadtree/draw_list.hpp"
 
 namespace pelagic::gl {
 
 struct RendererOptions {
-    int patch_vertices = 64;               ///< V of the draw lists
-    int resolution = 256;                  ///< N of the frames' tiles
-    std::size_t tiles = 1;                 ///< of the frames, 1 to 4
+    int patch_vertices = 64;  ///< V of the draw lists
+    int resolution = 256;     ///< N of the frames' tiles
+    std::size_t tiles = 1;    ///< of the frames, 1 to 4
+    Shading shading = Shading::high;
     bool framebuffer_is_srgb = false;      ///< it encodes what shaders write; else they do
     PixelKind writes = PixelKind::screen;  ///< radiance: linear and not exposed, for a host that has its own camera
-    bool multiview = false;                ///< the framebuffer holds both eyes as layers (OVR_multiview2)
+    Surface surface = Surface::open;       ///< small water is drawn in place of the frames' tiles
+    std::shared_ptr<Executor> executor = nullptr;  ///< bakes textures at the start; null: on this thread
+    bool multiview = false;                        ///< the framebuffer holds both eyes as layers (OVR_multiview2)
 };
 
 enum class DrawMode { shaded, wireframe };
@@ -49,12 +58,16 @@ struct DrawInput {
     /// Where radiance is written: each sample times a weight that is in alpha, which falls with its exposed luminance, for
     /// gl/display.hpp to divide by. Else alpha is 1, and samples average to true radiance.
     bool weighs_samples = false;
+    /// The surface at the viewer, for lenses near the water or within it, whose pixels below it show the underwater world;
+    /// none: all of them are in the air.
+    std::optional<WaterAtLens> water_at_lens = {};
 };
 
 /// What the last draw() handed to the driver.
 struct DrawFigures {
     int sea_calls = 0;  ///< of the views together: patches and skirt
     int sky_calls = 0;
+    int floor_calls = 0;
     std::uint64_t triangles = 0;
     std::size_t instance_bytes = 0;
     /// The host's time in draw() and in the last upload(), and the part of each inside calls in which the driver itself
@@ -74,8 +87,16 @@ class SeaRenderer {
     SeaRenderer& operator=(const SeaRenderer&) = delete;
 
     void set_sky(const Sky& sky);
+    /// What the sea is made of from now on; Jerlov's type II until then.
+    void set_water(const WaterOptics& water);
+    /// What lies below; at first it is even and of sand, at the sea's depth. Throws std::invalid_argument(check(floor)).
+    void set_floor(const SeaFloor& floor);
+    /// Sunlight as the waves gather it, for floors and for shafts of light; without, crests that no wave makes stand for them.
+    void set_caustics(const Caustics& caustics);
     /// V of the draw lists from here on: another quality's meshes, without new shaders and textures.
     void set_patch_vertices(int patch_vertices);
+    /// How a river flows from now on; a winding channel until then. Throws std::invalid_argument for a map that is not whole.
+    void set_flow(const FlowMap& map);
     /// From here on the frame's sea is drawn, at its time; the frame's views may go stale. Throws what
     /// FrameTextures::upload() throws, and draws on what was uploaded before then.
     void upload(const Frame& frame);

@@ -54,6 +54,47 @@ TEST(RenderCommand, PicturesLookLikeTheReferences) {
     }
 }
 
+// Half of the picture is land, sand in daylight; the other half is deep.
+TEST(RenderCommand, TakesAFloorFromAnImage) {
+    const TemporaryFolder folder;
+    OIIO::ImageBuf heights(OIIO::ImageSpec(4, 4, 1, OIIO::TypeDesc::UINT16));
+    for (int j = 0; j < 4; ++j)
+        for (int i = 0; i < 4; ++i) heights.setpixel(i, j, {i < 2 ? 0.f : 1.f});
+    ASSERT_TRUE(heights.write((folder / "floor.png").string())) << heights.geterror();
+    const std::filesystem::path file = folder / "sea.png";
+    // Straight down +x is at the top.
+    const Outcome run = run_pelagic({"render",
+                                     "--preset",
+                                     "calm",
+                                     "--clouds",
+                                     "0",
+                                     "--size",
+                                     "64x64",
+                                     "--quality",
+                                     "low",
+                                     "--floor",
+                                     (folder / "floor.png").string(),
+                                     "--floor-size",
+                                     "400",
+                                     "--floor-heights",
+                                     "-100,5",
+                                     "--camera",
+                                     "0,100,0",
+                                     "--target",
+                                     "0,0,0",
+                                     "--out",
+                                     file.string()});
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    const OIIO::ImageBuf picture = read_picture(file);
+    const auto brightness = [&](int y) { return picture.getchannel(32, y, 0, 1); };
+    EXPECT_GT(brightness(8), 2 * brightness(56));
+    const Outcome wrong = run_pelagic({"render", "--floor", (folder / "sea.png").string(), "--out", "a.png"},
+                                      [&] { write_file(folder / "sea.png", "no image"); });
+    EXPECT_EQ(wrong.exit_code, 2);
+    EXPECT_NE(wrong.err.find("needs a PNG or EXR image"), std::string::npos) << wrong.err;
+    EXPECT_EQ(std::count(wrong.err.begin(), wrong.err.end(), '\n'), 1) << wrong.err;
+}
+
 TEST(RenderCommand, PrintsItsFiguresAndNumbersItsPictures) {
     const TemporaryFolder folder;
     const Outcome run = run_pelagic({"render", "--resolution", "64", "--size", "64x48", "--quality", "low",
@@ -118,6 +159,16 @@ TEST(RenderCommand, NamesOptionValueAndRange) {
          "pelagic: --sun is 3, needs AZIMUTH,ELEVATION in degrees, elevation in [-90, 90]\n"},
         {{"--out", "a.png", "--clouds", "2"}, "pelagic: --clouds is 2, needs a part in [0, 1]\n"},
         {{"--out", "a.png", "--frames", "0"}, "pelagic: --frames is 0, needs a whole number from 1 to 100000\n"},
+        {{"--out", "a.png", "--floor", "reef.jpg"},
+         "pelagic: --floor is reef.jpg, needs a PNG or EXR image, each side from 2 to 4096 pixels\n"},
+        {{"--out", "a.png", "--floor", "no such.png"},
+         "pelagic: --floor is no such.png, which can't be read, needs a PNG or EXR image, each side from 2 to 4096 "
+         "pixels (No such file or directory)\n"},
+        {{"--out", "a.png", "--floor-size", "20"}, "pelagic: --floor-size is 20, needs --floor beside it\n"},
+        {{"--out", "a.png", "--floor", "a.exr", "--floor-heights", "0,1"},
+         "pelagic: --floor-heights is 0,1, needs a PNG: an EXR holds metres\n"},
+        {{"--out", "a.png", "--floor", "a.png", "--floor-heights", "3,-1"},
+         "pelagic: --floor-heights is 3,-1, needs LOW,HIGH in metres above rest, -11000 <= LOW < HIGH <= 9000\n"},
         {{"--out", "a.png", "--moon", "10,91"},
          "pelagic: --moon is 10,91, needs AZIMUTH,ELEVATION in degrees, elevation in [-90, 90]\n"},
         {{"--out", "a.png", "--visibility", "2"}, "pelagic: --visibility is 2, needs metres in [500, 300000]\n"},
@@ -128,7 +179,21 @@ TEST(RenderCommand, NamesOptionValueAndRange) {
          "pelagic: --exposure is 21, needs auto, or an exposure value in [-10, 20]\n"},
         {{"--out", "a.png", "--exposure-bias", "6"}, "pelagic: --exposure-bias is 6, needs stops in [-5, 5]\n"},
         {{"--out", "a.png", "--bloom", "-1"}, "pelagic: --bloom is -1, needs a part in [0, 1]\n"},
-        {{}, "pelagic: --out is missing, needs a PNG file to write\n"},
+        {{}, "pelagic: --out is missing, needs a PNG file to write; or give --hdr or --sky, an EXR file\n"},
+        {{"--hdr", "a.png"}, "pelagic: --hdr is a.png, needs a file named *.exr\n"},
+        {{"--sky", "a%d.exr"},
+         "pelagic: --sky is a%d.exr, needs a name without %: with --frames, FILE.exr becomes FILE_0000.exr and so "
+         "on\n"},
+        {{"--hdr", "a.exr", "--sky", "a.exr"}, "pelagic: --sky is a.exr, needs another file than --hdr\n"},
+        {{"--hdr", "a.exr", "--wireframe"},
+         "pelagic: --hdr is a.exr, needs a sea without --wireframe, whose colours are no radiance\n"},
+        {{"--out", "a.png", "--surface", "sea"},
+         "pelagic: --surface is sea, needs open, lake, coast, river or pond\n"},
+        {{"--out", "a.png", "--flow", "a.png"},
+         "pelagic: --flow is given, needs --surface river, the only water that flows\n"},
+        {{"--out", "a.png", "--surface", "river", "--flow", "/dev/null"},
+         "pelagic: --flow is /dev/null, needs a square PNG of 1 to 4096 pixels a side, RGB or RGBA with 8 bits a "
+         "channel\n"},
     };
     for (const auto& [arguments, line] : cases) {
         std::vector<std::string> words = {"render"};

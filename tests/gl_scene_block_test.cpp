@@ -42,7 +42,7 @@ TEST(SceneBlock, PlacesAViewerInEachTurnedTile) {
             const TileLattice::Place at =
                 lattice.in_world((tiles + 0.25) * lattice.side_m, (3 * tiles + 0.5) * lattice.side_m);
             const gl::SceneBlock block =
-                gl::scene_block_of({.eyes = {}, .viewer_m = {at.along, 5, at.across}, .list = &list}, facts, {});
+                gl::scene_block_of({.eyes = {}, .viewer_m = {at.along, 5, at.across}, .list = &list}, facts, {}, {});
             // In double a metre is known to 1e-6 there, in tiles of 3 m.
             EXPECT_NEAR(block.tile_place[i].x, 0.25 + 0.5 / 64, 1e-5) << "tile " << i;
             EXPECT_NEAR(block.tile_place[i].y, 0.5 + 0.5 / 64, 1e-5) << "tile " << i;

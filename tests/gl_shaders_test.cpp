@@ -40,19 +40,30 @@ std::string refusal_of(const gl::ProgramFiles& files) {
 }
 
 TEST(Shaders, AreGlslInEveryVariant) {
-    std::vector<gl::ProgramFiles> all = {{"panel.vert.glsl", "panel.frag.glsl", ""}};
+    using gl::Shading, gl::Surface;
+    std::vector<gl::SeaVariant> variants;
     for (const std::size_t tiles : {1, 2, 4})
-        for (const bool multiview : {false, true})
-            for (const gl::ProgramFiles& files : gl::sea_program_files(multiview, tiles)) all.push_back(files);
+        for (const Shading shading : {Shading::headset, Shading::medium, Shading::high})
+            for (const bool multiview : {false, true})
+                for (const bool below : {false, true})
+                    variants.push_back({.tiles = tiles, .shading = shading, .multiview = multiview, .below = below});
+    for (const Surface surface : {Surface::lake, Surface::coast, Surface::river, Surface::pond})
+        for (const Shading shading : {Shading::headset, Shading::high})
+            for (const bool below : {false, true})
+                variants.push_back({.shading = shading, .surface = surface, .multiview = below, .below = below});
+    std::vector<gl::ProgramFiles> all = {{"panel.vert.glsl", "panel.frag.glsl", ""}};
+    for (const gl::SeaVariant& variant : variants)
+        for (const gl::ProgramFiles& files : gl::sea_program_files(variant)) all.push_back(files);
     for (const char* pass : {"bloom_down.frag.glsl", "bloom_up.frag.glsl", "display.frag.glsl", "meter.frag.glsl"})
         all.push_back({"screen.vert.glsl", pass, ""});
-    ASSERT_EQ(all.size(), 29u);
+    ASSERT_EQ(all.size(), 265u);
     for (const gl::ProgramFiles& files : all)
         EXPECT_EQ(refusal_of(files), "") << files.vertex << ", " << files.fragment << "\n" << files.defines;
 }
 
 TEST(Shaders, OfHeadsetsTakeBothEyesInOnePass) {
-    for (const gl::ProgramFiles& files : gl::sea_program_files(true, 4)) {
+    for (const gl::ProgramFiles& files :
+         gl::sea_program_files({.tiles = 4, .shading = gl::Shading::headset, .multiview = true})) {
         EXPECT_NE(gl::shader_source(files.vertex, files.defines).find("num_views = 2"), std::string::npos);
         EXPECT_NE(gl::shader_source(files.vertex, files.defines).find("gl_ViewID_OVR"), std::string::npos);
     }
@@ -60,9 +71,10 @@ TEST(Shaders, OfHeadsetsTakeBothEyesInOnePass) {
 
 // The check itself: a compiler that takes everything would prove nothing.
 TEST(Shaders, WithAMistakeAreRefused) {
-    EXPECT_NE(refusal_of({"sea.vert.glsl", "sea.frag.glsl",
-                          "#define TILES 1\n#define MULTIVIEW\n#define gl_ViewID_OVR eye_of_nobody\n"}),
-              "");
+    EXPECT_NE(
+        refusal_of({"sea.vert.glsl", "sea.frag.glsl",
+                    "#define TILES 1\n#define SHADING 2\n#define MULTIVIEW\n#define gl_ViewID_OVR eye_of_nobody\n"}),
+        "");
 }
 
 }  // namespace

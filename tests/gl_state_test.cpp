@@ -4,11 +4,13 @@
 
 #include <array>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "pelagic/gl/display.hpp"
+#include "pelagic/gl/kept_state.hpp"
 #include "pelagic/gl/light_meter.hpp"
 #include "pelagic/gl/program.hpp"
 #include "pelagic/tests/gl_scene.hpp"
@@ -107,7 +109,7 @@ std::map<std::string, std::vector<GLfloat>> state_of(const gl::Functions& gl) {
     state["uniform block 0"] = {GLfloat(buffer), GLfloat(start), GLfloat(size)};
     GLint unit = 0;
     gl.GetIntegerv(GL_ACTIVE_TEXTURE, &unit);
-    for (GLuint i = 0; i < 6; ++i) {
+    for (GLuint i = 0; i < GLuint{gl::texture_units} + 1; ++i) {
         gl.ActiveTexture(GL_TEXTURE0 + i);
         for (const GLenum name :
              {GL_TEXTURE_BINDING_2D, GL_TEXTURE_BINDING_2D_ARRAY, GL_TEXTURE_BINDING_CUBE_MAP, GL_SAMPLER_BINDING}) {
@@ -132,7 +134,7 @@ class NastyHost {
           cube_(gl),
           array_(gl),
           sampler_(gl),
-          program_(gl, "sky.vert.glsl", "sky.frag.glsl") {
+          program_(gl, "panel.vert.glsl", "panel.frag.glsl") {
         gl.BindVertexArray(array_.name());
         gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, small_.name());
         gl.BindBuffer(GL_ARRAY_BUFFER, buffer_.name());
@@ -142,7 +144,7 @@ class NastyHost {
         gl.BindBuffer(GL_PIXEL_UNPACK_BUFFER, small_.name());
         gl.BufferData(GL_PIXEL_UNPACK_BUFFER, 16, nullptr, GL_STATIC_DRAW);
         gl.UseProgram(program_.name());
-        for (GLuint unit = 0; unit < 6; ++unit) {
+        for (GLuint unit = 0; unit < GLuint{gl::texture_units} + 1; ++unit) {
             gl.ActiveTexture(GL_TEXTURE0 + unit);
             gl.BindTexture(GL_TEXTURE_2D, texture_.name());
             gl.BindTexture(GL_TEXTURE_2D_ARRAY, layers_.name());
@@ -190,6 +192,13 @@ class NastyHost {
     gl::Program program_;
 };
 
+/// What is drawn, from 10 m above rest.
+struct Look {
+    const char* name;
+    gl::DrawMode mode;
+    std::optional<gl::WaterAtLens> water_at_lens = {};
+};
+
 /// Into the first bytes, whatever the host's packing is.
 void read_target(const gl::Functions& gl, std::vector<std::uint8_t>& pixels) {
     gl.BindBuffer(GL_PIXEL_PACK_BUFFER, 0);
@@ -200,7 +209,7 @@ void read_target(const gl::Functions& gl, std::vector<std::uint8_t>& pixels) {
 
 /// A renderer's whole life in one context. \param after_each_call  named
 template <class Check>
-std::vector<std::uint8_t> picture(const gl::Functions& gl, const Frame& frame, gl::DrawMode mode,
+std::vector<std::uint8_t> picture(const gl::Functions& gl, const Frame& frame, const Look& look,
                                   Check after_each_call) {
     const QuadtreeOptions quadtree = quadtree_preset_named("low")->options(512);
     gl::SeaRenderer renderer(gl, {.patch_vertices = quadtree.vertices,
@@ -209,6 +218,12 @@ std::vector<std::uint8_t> picture(const gl::Functions& gl, const Frame& frame, g
     after_each_call("constructor");
     renderer.set_sky(test_sky());
     after_each_call("set_sky");
+    renderer.set_floor({.columns = 3, .rows = 2, .heights_m = {-4, -3, -2, -4, -2, 1}, .metres_a_texel = 20});
+    after_each_call("set_floor");
+    gl::CausticsBaker baker(make_serial_executor());
+    baker.schedule(frame, {});
+    renderer.set_caustics(baker.complete());
+    after_each_call("set_caustics");
     renderer.upload(frame);
     after_each_call("upload");
     gl.Finish();
@@ -221,14 +236,15 @@ std::vector<std::uint8_t> picture(const gl::Functions& gl, const Frame& frame, g
                    .viewer_m = camera.position_m,
                    .list = &list,
                    .lod_scale = quadtree.lod_scale,
-                   .mode = mode});
+                   .mode = look.mode,
+                   .water_at_lens = look.water_at_lens});
     after_each_call("draw");
     std::vector<std::uint8_t> pixels(std::size_t{4} * side * side);
     read_target(gl, pixels);
     return pixels;
 }
 
-class GlState : public testing::TestWithParam<gl::DrawMode> {};
+class GlState : public testing::TestWithParam<Look> {};
 
 TEST_P(GlState, OfAHostIsKeptAndSpoilsNoPicture) {
     Ocean ocean({.cascades = 3, .resolution = 32, .wind_speed_mps = 9}, {.executor = make_serial_executor()});
@@ -309,10 +325,11 @@ TEST(GlStateOfDisplay, OfAHostIsKeptAndSpoilsNoPicture) {
     host.set_switches(false);
 }
 
-INSTANTIATE_TEST_SUITE_P(Modes, GlState, testing::Values(gl::DrawMode::shaded, gl::DrawMode::wireframe),
-                         [](const auto& mode) {
-                             return mode.param == gl::DrawMode::shaded ? "shaded" : "wireframe";
-                         });
+INSTANTIATE_TEST_SUITE_P(Modes, GlState,
+                         testing::Values(Look{"shaded", gl::DrawMode::shaded},
+                                         Look{"wireframe", gl::DrawMode::wireframe},
+                                         Look{"lens_in_the_water", gl::DrawMode::shaded, gl::WaterAtLens{10}}),
+                         [](const auto& look) { return look.param.name; });
 
 }  // namespace
 }  // namespace pelagic

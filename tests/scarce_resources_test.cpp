@@ -35,8 +35,9 @@ class ScarceResources : public testing::Test {
 
 // A job of N = 2048 takes 0.4 to 0.8 MiB.
 TEST_F(ScarceResources, ASmallStackIsEnoughForAnyFrame) {
-    for (const char* resolution : {"256", "2048"}) {
-        for (const char* threads : {"1", "2"}) {
+    for (const std::string resolution : {"256", "2048"}) {
+        for (const std::string threads : {"1", "2"}) {
+            if (resolution == "2048" && threads == "1") continue;  // a small frame tells the one thread's stack
             std::vector<std::string> hashes;
             for (const std::size_t stack : {64 * kib, 8 * mib}) {
                 const TemporaryFolder folder;
@@ -57,7 +58,7 @@ TEST_F(ScarceResources, TooLittleMemoryIsALine) {
     const TemporaryFolder folder;
     write_file(folder / "points.csv", "x,z\n1,2\n");
     std::size_t refused = 0, worked = 0;
-    for (std::size_t room = 64 * mib; room <= 1024 * mib; room += 32 * mib) {
+    for (std::size_t room = 64 * mib; room <= 1024 * mib; room += 64 * mib) {
         const Outcome outcome = run_pelagic({"query", "--patch-size", "250", "--resolution", "1024", "--threads", "8",
                                              "--points", folder / "points.csv"},
                                             with_at_most(RLIMIT_AS, room));

@@ -28,6 +28,8 @@ struct ImageCodec {
     /// The pixels of a file in memory as floats, rows from the top, channels interleaved. Throws std::runtime_error with
     /// OpenImageIO's reason, or if the image's width, height or channels are not `image`'s, before it makes room for any.
     std::vector<float> (*decode)(const ImageDescription& image, std::span<const unsigned char> file);
+    /// Sets the width, height and channels of an image whose extension is known. Throws likewise.
+    void (*measure)(ImageDescription& image, std::span<const unsigned char> file);
 };
 
 /// The library beside the tool, opened by the first call, from any thread. Throws FileError that names the file.

@@ -2,6 +2,7 @@
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
+#include <memory>
 #include <stdexcept>
 #include <string>
 
@@ -56,21 +57,36 @@ std::vector<unsigned char> encode(const ImageDescription& image, const void* pix
     return bytes;
 }
 
-std::vector<float> decode(const ImageDescription& image, std::span<const unsigned char> file) {
+void check(ImageInput& input, bool is_well) {
+    if (is_well) return;
+    const std::string reason = input.geterror();
+    throw std::runtime_error(reason.empty() ? "OpenImageIO can't decode it" : reason);
+}
+
+/// \param memory  outlives the reader
+std::unique_ptr<ImageInput> opened(const char* extension, OIIO::Filesystem::IOMemReader& memory, ImageSpec& spec) {
     set_up_open_image_io();
-    OIIO::Filesystem::IOMemReader memory(const_cast<unsigned char*>(file.data()), file.size());
     // By the format alone: by a name OpenImageIO would open a file of that name, and try other formats' readers on it.
-    const auto input = ImageInput::create(image.extension);
+    auto input = ImageInput::create(extension);
     if (!input)
-        throw std::runtime_error(std::string("OpenImageIO has no reader for ") + image.extension + ": " +
-                                 OIIO::geterror());
-    const auto check = [&](bool is_well) {
-        if (is_well) return;
-        const std::string reason = input->geterror();
-        throw std::runtime_error(reason.empty() ? "OpenImageIO can't decode it" : reason);
-    };
+        throw std::runtime_error(std::string("OpenImageIO has no reader for ") + extension + ": " + OIIO::geterror());
+    check(*input, input->set_ioproxy(&memory) && input->open(std::string("sea.") + extension, spec));
+    return input;
+}
+
+void measure(ImageDescription& image, std::span<const unsigned char> file) {
+    OIIO::Filesystem::IOMemReader memory(const_cast<unsigned char*>(file.data()), file.size());
     ImageSpec spec;
-    check(input->set_ioproxy(&memory) && input->open(std::string("sea.") + image.extension, spec));
+    opened(image.extension, memory, spec);
+    image.width = spec.width;
+    image.height = spec.height;
+    image.channels = spec.nchannels;
+}
+
+std::vector<float> decode(const ImageDescription& image, std::span<const unsigned char> file) {
+    OIIO::Filesystem::IOMemReader memory(const_cast<unsigned char*>(file.data()), file.size());
+    ImageSpec spec;
+    const std::unique_ptr<ImageInput> input = opened(image.extension, memory, spec);
     if (spec.width != image.width || spec.height != image.height || spec.depth != 1 ||
         spec.nchannels != image.channels)
         throw std::runtime_error("it has " + std::to_string(spec.width) + " x " + std::to_string(spec.height) +
@@ -78,7 +94,7 @@ std::vector<float> decode(const ImageDescription& image, std::span<const unsigne
                                  std::to_string(image.width) + " x " + std::to_string(image.height) + " of " +
                                  std::to_string(image.channels));
     std::vector<float> pixels(static_cast<std::size_t>(image.width) * image.height * image.channels);
-    check(input->read_image(0, 0, 0, -1, TypeDesc::FLOAT, pixels.data()));
+    check(*input, input->read_image(0, 0, 0, -1, TypeDesc::FLOAT, pixels.data()));
     return pixels;
 }
 
@@ -86,4 +102,4 @@ std::vector<float> decode(const ImageDescription& image, std::span<const unsigne
 }  // namespace pelagic::tools
 
 extern "C" __attribute__((visibility("default"))) const pelagic::tools::ImageCodec pelagic_image_codec = {
-    PELAGIC_VERSION, pelagic::tools::encode, pelagic::tools::decode};
+    PELAGIC_VERSION, pelagic::tools::encode, pelagic::tools::decode, pelagic::tools::measure};

@@ -75,6 +75,17 @@ std::vector<unsigned char> encode_picture(std::span<const std::uint8_t> rgba, in
     return image_codec().encode(image, rgb.data());
 }
 
+std::vector<unsigned char> encode_light(std::span<const float> rgb, int width, int height) {
+    const ImageDescription image{.extension = "exr",
+                                 .width = width,
+                                 .height = height,
+                                 .channels = 3,
+                                 .sample = Sample::float32,
+                                 .colour_space = "Linear",
+                                 .compression = "zip"};
+    return image_codec().encode(image, rgb.data());
+}
+
 const char* displacement_extension(ImageFormat format) { return format == ImageFormat::tiff ? "tif" : "exr"; }
 const char* gradient_extension(ImageFormat format) { return format == ImageFormat::tiff ? "tif" : "png"; }
 

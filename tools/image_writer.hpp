@@ -24,6 +24,9 @@ std::vector<unsigned char> encode_gradient(const Tile& tile, int level, ImageFor
 /// A picture for people: sRGB PNG from RGBA8 pixels, the upper row first; their alpha is left out.
 std::vector<unsigned char> encode_picture(std::span<const std::uint8_t> rgba, int width, int height);
 
+/// Linear light for programs: EXR, 32-bit floats. \param rgb  the upper row first
+std::vector<unsigned char> encode_light(std::span<const float> rgb, int width, int height);
+
 /// "exr", "png" or "tif".
 const char* displacement_extension(ImageFormat format);
 const char* gradient_extension(ImageFormat format);

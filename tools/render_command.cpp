@@ -12,7 +12,9 @@
 #include "pelagic/gl/light_meter.hpp"
 #include "pelagic/gl/render_target.hpp"
 #include "pelagic/gl/sea_renderer.hpp"
+#include "pelagic/gl/sky_panorama.hpp"
 #include "pelagic/gl/stopwatch.hpp"
+#include "pelagic/gl/water_at_lens.hpp"
 #include "pelagic/quadtree/selection.hpp"
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/tools/image_writer.hpp"
@@ -28,6 +30,8 @@ constexpr int samples_a_pixel = 4;
 constexpr int sky_face_size = 512;
 /// Where the exposure is metered: a small picture of the same view.
 constexpr int metered_width = 320;
+/// Of the sky as a picture of all directions: a texel is as wide as the cube's.
+constexpr int panorama_width = 2048, panorama_height = 1024;
 /// Between the eyes of most people (Dodgson 2004: 63 mm in the mean).
 constexpr double eye_distance_m = 0.063;
 
@@ -42,39 +46,48 @@ struct Measured {
     gl::DrawFigures last;
 };
 
+gl::Sky baked_sky(const SceneOptions& scene) {
+    gl::SkyBaker baker(make_default_executor(scene.compute.threads), sky_face_size);
+    baker.schedule(scene.sky);
+    return baker.complete();
+}
+
 /// Everything that a picture needs, built once.
 class PictureMaker {
    public:
-    explicit PictureMaker(const RenderOptions& options)
+    PictureMaker(const RenderOptions& options, const gl::Sky& sky)
         : options_(options),
           ocean_(options.scene.sea.sea, {.executor = make_default_executor(options.scene.compute.threads),
                                          .isa = options.scene.compute.isa,
+                                         .queries = true,
                                          .slopes = true}),
           target_(context_.functions(), options.scene.width, options.scene.height, samples_a_pixel,
                   options.wireframe ? gl::PixelKind::screen : gl::PixelKind::radiance),
           renderer_(context_.functions(), {.patch_vertices = options.scene.quadtree.vertices,
                                            .resolution = ocean_.resolution(),
                                            .tiles = ocean_.tile_count(),
-                                           .writes = gl::PixelKind::radiance}),
-          selection_(options.scene.quadtree) {
-        const gl::Stopwatch watch;
-        gl::SkyBaker baker(make_default_executor(options.scene.compute.threads), sky_face_size);
-        baker.schedule(options.scene.sky);
-        const gl::Sky& sky = baker.complete();
+                                           .shading = options.scene.shading,
+                                           .writes = gl::PixelKind::radiance,
+                                           .surface = options.scene.surface,
+                                           .executor = make_default_executor(options.scene.compute.threads)}),
+          selection_(options.scene.quadtree),
+          luminance_of_unit_(sky.luminance_of_unit()),
+          caustics_(make_default_executor(options.scene.compute.threads)) {
+        renderer_.set_water(options.scene.water);
+        renderer_.set_floor(options.scene.floor);
+        if (options.scene.flow) renderer_.set_flow(*options.scene.flow);
         renderer_.set_sky(sky);
-        luminance_of_unit_ = sky.luminance_of_unit();
-        sky_ms_ = watch.milliseconds();
-
         eyes_ = eyes_in(options.scene.width, options.scene.height);
         for (const gl::Eye& eye : eyes_) views_.push_back(eye.clip_from_world);
-        if (options.wireframe) return;
+        if (options.wireframe || options.file.empty()) return;
         display_.emplace(context_.functions());
         screen_.emplace(context_.functions(), options.scene.width, options.scene.height, 0);
         const gl::CameraSettings& settings = options.scene.settings;
         ev_ = settings.fixed_ev ? *settings.fixed_ev : metered_ev() - settings.bias_stops;
     }
 
-    std::vector<std::uint8_t> picture(double time_s) {
+    /// One frame, for pixels() and radiance().
+    void draw(double time_s) {
         const gl::Stopwatch all;
         const Frame& frame = ocean_.frame_at(time_s);
         measured_.sea_ms.push_back(all.milliseconds());
@@ -84,15 +97,25 @@ class PictureMaker {
             {.viewer_m = options_.scene.camera.position_m, .views = views_, .bounds = frame.bounds});
         measured_.select_ms.push_back(select.milliseconds());
 
-        const gl::DrawFigures& figures = draw(frame, list, eyes_, target_);
-        measured_.upload_ms.push_back(figures.upload_ms);
-        measured_.upload_driver_ms.push_back(figures.upload_driver_ms);
-        measured_.draw_ms.push_back(figures.draw_ms);
-        measured_.draw_driver_ms.push_back(figures.draw_driver_ms);
-        measured_.last = figures;
-        std::vector<std::uint8_t> pixels = options_.wireframe ? target_.read() : shown();
+        if (!options_.hdr_file.empty()) {
+            note(draw(frame, list, eyes_, target_, false));
+            radiance_ = target_.read_radiance();
+        }
+        if (!options_.file.empty()) {
+            note(draw(frame, list, eyes_, target_, true));
+            pixels_ = options_.wireframe ? target_.read() : shown();
+        }
         measured_.picture_ms.push_back(all.milliseconds());
-        return pixels;
+    }
+
+    /// RGBA8, the upper row first.
+    const std::vector<std::uint8_t>& pixels() const { return pixels_; }
+    /// RGB, the upper row first.
+    std::vector<float> radiance() const {
+        std::vector<float> rgb;
+        for (std::size_t i = 0; i < radiance_.size(); i += 4)
+            rgb.insert(rgb.end(), {radiance_[i], radiance_[i + 1], radiance_[i + 2]});
+        return rgb;
     }
 
     Json figures() const {
@@ -116,7 +139,6 @@ class PictureMaker {
                   {"draw", median(measured_.draw_ms)},
                   {"draw_in_driver", median(measured_.draw_driver_ms)},
                   {"picture", median(measured_.picture_ms)}}},
-                {"sky_ms", sky_ms_},
                 {"exposure_ev", ev_}};
     }
 
@@ -128,20 +150,39 @@ class PictureMaker {
         return {pair.left, pair.right};
     }
 
+    /// \param weighs_samples  the mean of a pixel's samples is the screen's; else it is that of light
     const gl::DrawFigures& draw(const Frame& frame, const DrawList& list, const std::vector<gl::Eye>& eyes,
-                                gl::RenderTarget& target) {
+                                gl::RenderTarget& target, bool weighs_samples) {
         const gl::Functions& functions = context_.functions();
         target.bind();
         functions.ClearColor(0.004f, 0.008f, 0.016f, 1);
         functions.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         renderer_.upload(frame);
-        return renderer_.draw({.eyes = eyes,
-                               .viewer_m = options_.scene.camera.position_m,
-                               .list = &list,
-                               .lod_scale = options_.scene.quadtree.lod_scale,
-                               .mode = options_.wireframe ? gl::DrawMode::wireframe : gl::DrawMode::shaded,
-                               .exposure = exposure(),
-                               .weighs_samples = true});
+        if (gl::shows_caustics(options_.scene.floor, frame, options_.scene.camera.position_m)) {
+            caustics_.schedule(frame, {.depth_m = gl::caustics_depth_m(options_.scene.floor, frame.sea.depth_m),
+                                       .sun = gl::sun_direction(options_.scene.sky)});
+            renderer_.set_caustics(caustics_.complete());
+        }
+        return renderer_.draw(
+            {.eyes = eyes,
+             .viewer_m = options_.scene.camera.position_m,
+             .list = &list,
+             .lod_scale = options_.scene.quadtree.lod_scale,
+             .mode = options_.wireframe ? gl::DrawMode::wireframe : gl::DrawMode::shaded,
+             .exposure = exposure(),
+             .weighs_samples = weighs_samples,
+             // Small water lies level, or nearly.
+             .water_at_lens = options_.scene.surface == gl::Surface::open
+                                  ? gl::water_at_lens(SurfaceQuery(frame), options_.scene.camera.position_m)
+                                  : gl::WaterAtLens{}});
+    }
+
+    void note(const gl::DrawFigures& figures) {
+        measured_.upload_ms.push_back(figures.upload_ms);
+        measured_.upload_driver_ms.push_back(figures.upload_driver_ms);
+        measured_.draw_ms.push_back(figures.draw_ms);
+        measured_.draw_driver_ms.push_back(figures.draw_driver_ms);
+        measured_.last = figures;
     }
 
     float exposure() const { return gl::exposure_of_ev(ev_, luminance_of_unit_); }
@@ -155,7 +196,7 @@ class PictureMaker {
         const Frame& frame = ocean_.frame_at(0);
         const DrawList& list = selection_.select(
             {.viewer_m = options_.scene.camera.position_m, .views = views_, .bounds = frame.bounds});
-        draw(frame, list, eyes_in(width, height), small);
+        draw(frame, list, eyes_in(width, height), small, true);
         gl::LightMeter meter(context_.functions());
         return gl::metered_ev(meter.measure(small.resolved()), luminance_of_unit_);
     }
@@ -177,43 +218,109 @@ class PictureMaker {
     gl::RenderTarget target_;
     gl::SeaRenderer renderer_;
     Selection selection_;
-    std::optional<gl::Display> display_;  ///< none for a wireframe
+    std::optional<gl::Display> display_;  ///< none for a wireframe, or without --out
     std::optional<gl::RenderTarget> screen_;
-    float ev_ = 15, luminance_of_unit_ = 0;
+    float luminance_of_unit_, ev_ = 15;
+    gl::CausticsBaker caustics_;
+    std::vector<std::uint8_t> pixels_;
+    std::vector<float> radiance_;
     std::vector<gl::Eye> eyes_;
     std::vector<glm::dmat4> views_;
-    double sky_ms_ = 0;
     Measured measured_;
 };
+
+/// The files of one option, --out, --hdr or --sky; none where it was not given.
+class Files {
+   public:
+    Files(const RenderOptions& options, const std::filesystem::path& named) : options_(options), named_(named) {
+        if (named.empty()) return;
+        folder_.emplace(OutputFolder::of(named));
+        folder_->check_writable(options.file_of(named, 0).filename());
+    }
+    void write(int frame, const std::vector<unsigned char>& bytes) const {
+        folder_->write(options_.file_of(named_, frame).filename(), std::as_bytes(std::span(bytes)));
+    }
+    void sync() const {
+        if (folder_) folder_->sync();
+    }
+    explicit operator bool() const { return folder_.has_value(); }
+
+   private:
+    const RenderOptions& options_;
+    std::filesystem::path named_;
+    std::optional<OutputFolder> folder_;
+};
+
+Json values(glm::vec3 v) { return Json::array({v.x, v.y, v.z}); }
+
+/// What lights a scene besides the sky's own picture.
+Json as_json(const gl::Sky& sky) {
+    return {{"sun_direction", values(sky.sun_direction)},
+            {"sun_irradiance", values(sky.sun_irradiance)},
+            {"sky_irradiance", values(sky.sky_irradiance)},
+            {"air_extinction_per_m", values(sky.haze_per_m)},
+            {"exposure", sky.exposure}};
+}
+
+Json as_json(const gl::WaterOptics& water) {
+    return {{"absorption_per_m", values(water.absorption_per_m)},
+            {"scattering_per_m", values(water.scattering_per_m)},
+            {"backscattering_per_m", values(water.backscattering_per_m)}};
+}
+
+/// Draws and writes all pictures; what they took.
+Json write_pictures(const RenderOptions& options, const gl::Sky& sky, const Files& out, const Files& hdr) {
+    const int width = options.scene.width, height = options.scene.height;
+    PictureMaker maker(options, sky);
+    Progress progress("picture", static_cast<std::size_t>(options.frames));
+    for (int frame = 0; frame < options.frames; ++frame) {
+        progress.show(static_cast<std::size_t>(frame));
+        maker.draw(options.time_s + frame / options.fps);
+        if (out) out.write(frame, encode_picture(maker.pixels(), width, height));
+        if (hdr) hdr.write(frame, encode_light(maker.radiance(), width, height));
+    }
+    return maker.figures();
+}
 
 }  // namespace
 
 void run_render(const RenderOptions& options) {
-    const OutputFolder folder = OutputFolder::of(options.file);
-    folder.check_writable(options.file_of(0).filename());
-    PictureMaker maker(options);
-    {
-        Progress progress("picture", static_cast<std::size_t>(options.frames));
-        for (int frame = 0; frame < options.frames; ++frame) {
-            progress.show(static_cast<std::size_t>(frame));
-            const std::vector<std::uint8_t> pixels = maker.picture(options.time_s + frame / options.fps);
-            const std::vector<unsigned char> png = encode_picture(pixels, options.scene.width, options.scene.height);
-            folder.write(options.file_of(frame).filename(), std::as_bytes(std::span(png)));
-        }
+    const Files out(options, options.file), hdr(options, options.hdr_file);
+    const bool draws = out || hdr;
+    std::optional<OutputFile> panorama;
+    if (!options.sky_file.empty()) panorama.emplace(options.sky_file);
+
+    const gl::Stopwatch watch;
+    const gl::Sky sky = baked_sky(options.scene);
+    const double sky_ms = watch.milliseconds();
+    if (panorama) {
+        const auto exr =
+            encode_light(gl::panorama_of(sky, panorama_width, panorama_height), panorama_width, panorama_height);
+        panorama->write(std::as_bytes(std::span(exr)));
     }
-    folder.sync();
-    Json json = {{"version", PELAGIC_VERSION},       {"file", options.file_of(0).string()},
-                 {"width", options.scene.width},     {"height", options.scene.height},
-                 {"quality", options.scene.quality}, {"sea", sea_as_json(options.scene.sea)},
-                 {"figures", maker.figures()}};
+    Json json = {{"version", PELAGIC_VERSION}, {"sky", as_json(sky)}, {"water", as_json(options.scene.water)}};
+    if (draws) {
+        const std::filesystem::path& first = out ? options.file : options.hdr_file;
+        json.update({{"file", options.file_of(first, 0).string()},
+                     {"width", options.scene.width},
+                     {"height", options.scene.height},
+                     {"quality", options.scene.quality},
+                     {"sea", sea_as_json(options.scene.sea)},
+                     {"figures", write_pictures(options, sky, out, hdr)}});
+        json["figures"]["sky_ms"] = sky_ms;
+    }
+    out.sync();
+    hdr.sync();
     if (options.json) {
         std::printf("%s\n", json.dump(2).c_str());
         return;
     }
+    if (panorama) std::printf("%s: the sky, %dx%d\n", options.sky_file.c_str(), panorama_width, panorama_height);
+    if (!draws) return;
     const Json& figures = json["figures"];
     std::printf("%s: %d picture%s of %dx%d, %d draw calls a view, %llu triangles, by %s\n",
-                options.file_of(0).c_str(), options.frames, options.frames == 1 ? "" : "s", options.scene.width,
-                options.scene.height, figures["sea_draw_calls_a_view"].get<int>(),
+                json["file"].get<std::string>().c_str(), options.frames, options.frames == 1 ? "" : "s",
+                options.scene.width, options.scene.height, figures["sea_draw_calls_a_view"].get<int>(),
                 static_cast<unsigned long long>(figures["triangles"].get<std::uint64_t>()),
                 figures["renderer"].get<std::string>().c_str());
 }

@@ -11,24 +11,29 @@ namespace {
 
 constexpr int most_frames = 100'000;
 
-std::filesystem::path checked_file(const std::optional<std::string>& text) {
-    if (!text || text->empty()) throw InputError("--out is missing, needs a PNG file to write");
+/// Empty if the option was not given. \param extension  ".png" or ".exr"
+std::filesystem::path checked_file(const std::string& option, const std::optional<std::string>& text,
+                                   const std::string& extension) {
+    if (!text) return {};
     const std::filesystem::path file = *text;
-    if (file.extension() != ".png" || file.stem().empty()) throw bad_value("--out", *text, "a file named *.png");
+    if (file.extension() != extension || file.stem().empty())
+        throw bad_value(option, *text, "a file named *" + extension);
     if (file.filename().string().find('%') != std::string::npos)
-        throw bad_value("--out", *text, "a name without %: with --frames, FILE.png becomes FILE_0000.png and so on");
+        throw bad_value(
+            option, *text,
+            "a name without %: with --frames, FILE" + extension + " becomes FILE_0000" + extension + " and so on");
     std::error_code error;
-    if (std::filesystem::is_directory(file, error)) throw bad_value("--out", *text, "a file, but that is a folder");
+    if (std::filesystem::is_directory(file, error)) throw bad_value(option, *text, "a file, but that is a folder");
     return file;
 }
 
 }  // namespace
 
-std::filesystem::path RenderOptions::file_of(int frame) const {
-    if (frames == 1) return file;
+std::filesystem::path RenderOptions::file_of(const std::filesystem::path& named, int frame) const {
+    if (frames == 1) return named;
     std::array<char, 16> number;
-    std::snprintf(number.data(), number.size(), "_%04d.png", frame);
-    return file.parent_path() / (file.stem().string() + number.data());
+    std::snprintf(number.data(), number.size(), "_%04d", frame);
+    return named.parent_path() / (named.stem().string() + number.data() + named.extension().string());
 }
 
 void RenderFlags::add_to(CLI::App& app) {
@@ -36,6 +41,9 @@ void RenderFlags::add_to(CLI::App& app) {
         app.add_option("--" + flag, typed_[flag], help)->type_name(type);
     };
     add("out", "FILE.png", "the picture; with --frames FILE_0000.png and so on");
+    add("hdr", "FILE.exr",
+        "the picture's radiance, linear, 32-bit floats; the sun above the air gives an irradiance of 1");
+    add("sky", "FILE.exr", "the sky around, 2048x1024, as an environment map without the sun's disc");
     add("time", "SECONDS", "of the first frame, in [-1e9, 1e9]; default 0");
     add("frames", "NUMBER", "how many pictures; 1 to 100000, default 1");
     add("fps", "NUMBER", "pictures a second; (0, 1000], default 24");
@@ -47,7 +55,16 @@ void RenderFlags::add_to(CLI::App& app) {
 
 RenderOptions RenderFlags::resolve() const {
     RenderOptions options;
-    options.file = checked_file(typed_.at("out"));
+    options.file = checked_file("--out", typed_.at("out"), ".png");
+    options.hdr_file = checked_file("--hdr", typed_.at("hdr"), ".exr");
+    options.sky_file = checked_file("--sky", typed_.at("sky"), ".exr");
+    if (options.file.empty() && options.hdr_file.empty() && options.sky_file.empty())
+        throw InputError("--out is missing, needs a PNG file to write; or give --hdr or --sky, an EXR file");
+    if (options.hdr_file == options.sky_file && !options.sky_file.empty())
+        throw bad_value("--sky", options.sky_file.string(), "another file than --hdr");
+    if (wireframe_ && !options.hdr_file.empty())
+        throw bad_value("--hdr", options.hdr_file.string(),
+                        "a sea without --wireframe, whose colours are no radiance");
     options.scene = scene_.resolve();
     options.wireframe = wireframe_;
     options.stereo = stereo_;

@@ -13,14 +13,15 @@ namespace pelagic::tools {
 
 struct RenderOptions {
     SceneOptions scene;
-    std::filesystem::path file;
+    /// At least one of them is not empty: the picture as PNG, its radiance as EXR, the sky as EXR.
+    std::filesystem::path file, hdr_file, sky_file;
     double time_s = 0;
     int frames = 1;
     double fps = 24;
     bool wireframe = false, stereo = false, json = false;
 
-    /// FILE.png, or FILE_0000.png and so on where there is more than one frame.
-    std::filesystem::path file_of(int frame) const;
+    /// FILE.png, or FILE_0000.png and so on where there is more than one frame. \param named  `file` or `hdr_file`
+    std::filesystem::path file_of(const std::filesystem::path& named, int frame) const;
 };
 
 class RenderFlags {

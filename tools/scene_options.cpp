@@ -7,6 +7,7 @@
 #include "pelagic/gl/light_presets.hpp"
 #include "pelagic/sim/statistics.hpp"
 #include "pelagic/tools/errors.hpp"
+#include "pelagic/tools/flow_file.hpp"
 #include "pelagic/tools/option_text.hpp"
 
 namespace pelagic::tools {
@@ -36,6 +37,20 @@ void read_direction(const std::string& option, const std::string& text, float& a
     elevation_rad = static_cast<float>(*elevation * radians_per_degree);
 }
 
+void choose_surface(SceneOptions& options, const std::string& name, const std::optional<std::string>& flow_file) {
+    const std::optional<gl::Surface> surface = gl::surface_named(name);
+    if (!surface) {
+        const auto all = gl::surface_names();
+        const std::vector<std::string> names(all.begin(), all.end());
+        throw bad_value("--surface", name, list_of(names) + nearest_hint(name, names));
+    }
+    options.surface = *surface;
+    if (!flow_file) return;
+    if (options.surface != gl::Surface::river)
+        throw InputError("--flow is given, needs --surface river, the only water that flows");
+    options.flow = read_flow_map("--flow", *flow_file);
+}
+
 void choose_quality(SceneOptions& options, const std::string& name) {
     const QuadtreePreset* preset = quadtree_preset_named(name);
     if (!preset) {
@@ -45,8 +60,25 @@ void choose_quality(SceneOptions& options, const std::string& name) {
     }
     options.quality = name;
     // From high up one sees far: waves end at 5/16 of the square's side.
-    const double size_m = options.camera.position_m.y > 100 ? 8192 : 4096;
+    // Small water is looked at from near, and its waves are short: a small square has vertices for them.
+    const double size_m = options.surface != gl::Surface::open ? 512
+                          : options.camera.position_m.y > 100  ? 8192
+                                                               : 4096;
     options.quadtree = preset->options(size_m);
+}
+
+gl::WaterOptics chosen_water(const std::optional<std::string>& type, const std::optional<std::string>& chlorophyll) {
+    if (type && chlorophyll)
+        throw InputError(
+            "--water and --chlorophyll are both given; each says what the water is made of, needs one of them");
+    if (chlorophyll)
+        return gl::water_optics_of_chlorophyll(
+            static_cast<float>(number_in("--chlorophyll", *chlorophyll, 0.01, 30, "mg/m^3 in [0.01, 30]")));
+    const std::string name = type.value_or(std::string(gl::default_jerlov_type));
+    const std::vector<std::string> names(gl::jerlov_types().begin(), gl::jerlov_types().end());
+    if (std::ranges::find(names, name) == names.end())
+        throw bad_value("--water", name, list_of(names) + nearest_hint(name, names));
+    return gl::water_optics(name);
 }
 
 const gl::LightPreset& light_named(const std::string& option, const std::string& name) {
@@ -90,7 +122,15 @@ void SceneFlags::add_to(CLI::App& app) {
     add("moon", "AZIMUTH,ELEVATION",
         "as --sun; it shines by night, its phase follows; default opposite the sun, full");
     add("clouds", "PART", "of the sky, [0, 1]; default by the wind");
+    add("water", "TYPE", "of Jerlov: I, IA, IB, II, III in the ocean, 1C, 3C, 5C, 7C, 9C at coasts; default II");
+    add("chlorophyll", "MG_PER_M3", "instead of --water: what lives in the water colours it; [0.01, 30]");
+    add("shading", "TIER", "what a pixel of water may cost: headset, medium or high; default high");
     add("visibility", "METRES", "where haze leaves 2 % of contrast, [500, 300000]; default by the wind");
+    add("surface", "NAME",
+        "what is drawn: open, or small water in its place: lake, coast, river, pond; default open");
+    add("flow", "FILE.png",
+        "velocities of a river in red (x) and green (z), 128 is none; square, 160 m wide, 255 is 1.5 m/s; "
+        "default a winding channel");
     add("quality", "NAME", "level of detail: low, medium, high or ultra; default high");
     add("exposure", "EV",
         "exposure value at ISO 100, [-10, 20]: 15 is sunlight, 12 an overcast day, -3 moonlight; default auto, "
@@ -98,6 +138,7 @@ void SceneFlags::add_to(CLI::App& app) {
         "what is in view");
     add("exposure-bias", "STOPS", "brighter than metered, [-5, 5]; default 0");
     add("bloom", "PART", "of each pixel's light that the lens spreads around it, [0, 1]; default 0.04");
+    floor_.add_to(app);
     sea_.add_to(app);
     compute_.add_to(app);
 }
@@ -126,6 +167,7 @@ SceneOptions SceneFlags::resolve() const {
     options.compute = compute_.resolve();
     options.camera = chosen_camera(camera_, options.sea.sea);
     options.sky = usual_sky(options.sea.sea);
+    options.floor = floor_.resolve();
 
     const auto given = [&](const char* flag, auto use) {
         if (const auto& text = typed_.at(flag)) use("--" + std::string(flag), *text);
@@ -147,10 +189,18 @@ SceneOptions SceneFlags::resolve() const {
     given("clouds", [&](const auto& option, const auto& text) {
         options.sky.cloud_cover = static_cast<float>(number_in(option, text, 0, 1, "a part in [0, 1]"));
     });
+    given("shading", [&](const auto& option, const auto& text) {
+        const std::optional<gl::Shading> shading = gl::shading_named(text);
+        const std::vector<std::string> names(gl::shading_names.begin(), gl::shading_names.end());
+        if (!shading) throw bad_value(option, text, list_of(names) + nearest_hint(text, names));
+        options.shading = *shading;
+    });
+    options.water = chosen_water(typed_.at("water"), typed_.at("chlorophyll"));
     given("visibility", [&](const auto& option, const auto& text) {
         options.sky.visibility_m = static_cast<float>(number_in(option, text, 500, 300e3, "metres in [500, 300000]"));
     });
     read_camera_settings(options.settings);
+    choose_surface(options, typed_.at("surface").value_or("open"), typed_.at("flow"));
     choose_quality(options, typed_.at("quality").value_or("high"));
     return options;
 }

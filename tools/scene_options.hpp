@@ -7,11 +7,15 @@
 #include <string>
 
 #include "pelagic/gl/exposure.hpp"
+#include "pelagic/gl/shading.hpp"
 #include "pelagic/gl/sky_baker.hpp"
+#include "pelagic/gl/small_water.hpp"
 #include "pelagic/gl/views.hpp"
+#include "pelagic/gl/water_optics.hpp"
 #include "pelagic/quadtree/quadtree_options.hpp"
 #include "pelagic/tools/camera_options.hpp"
 #include "pelagic/tools/export_options.hpp"
+#include "pelagic/tools/floor_options.hpp"
 
 namespace pelagic::tools {
 
@@ -22,7 +26,12 @@ struct SceneOptions {
     Camera camera;
     std::string light;  ///< by which the sky was chosen; empty: by the wind
     gl::SkyOptions sky;
+    gl::WaterOptics water;
+    gl::Shading shading = gl::Shading::high;
     gl::CameraSettings settings;
+    gl::SeaFloor floor;
+    gl::Surface surface = gl::Surface::open;
+    std::optional<gl::FlowMap> flow;
     std::string quality;
     QuadtreeOptions quadtree;
 };
@@ -32,6 +41,8 @@ class SceneFlags {
     void add_to(CLI::App& app);
     /// Throws InputError, one line that names option, value and range.
     SceneOptions resolve() const;
+    /// The floor's options as they were typed, for a command line that draws the same.
+    std::string typed_floor() const { return floor_.typed(); }
 
    private:
     void read_camera_settings(gl::CameraSettings& settings) const;
@@ -39,6 +50,7 @@ class SceneFlags {
     SeaOptions sea_;
     ComputeFlags compute_;
     CameraFlags camera_;
+    FloorFlags floor_;
     std::map<std::string, std::optional<std::string>> typed_;  ///< by flag name, where it was given
 };
 

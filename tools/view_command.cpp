@@ -72,6 +72,8 @@ std::string render_command_of(const viewer::ViewResult& result) {
             light_text(result.settings) + " --quality " + result.settings.quality + " --time " +
             number_text(std::round(result.time_s * 1000) / 1000) + " --size " + number_text(result.width) + "x" +
             number_text(result.height);
+    if (result.settings.surface != gl::Surface::open)
+        text += " --surface " + std::string(gl::surface_names()[static_cast<std::size_t>(result.settings.surface)]);
     return text;
 }
 
@@ -91,13 +93,18 @@ void ViewFlags::run() const {
     viewer::ViewOptions options{.settings = {.sea = scene.sea.sea,
                                              .light = scene.light,
                                              .sky = scene.sky,
+                                             .water = scene.water,
+                                             .shading = scene.shading,
                                              .camera = scene.settings,
+                                             .surface = scene.surface,
+                                             .flow = scene.flow,
                                              .quality = scene.quality,
                                              .size_m = scene.quadtree.size_m},
                                 .camera = scene.camera,
                                 .width = scene.width,
                                 .height = scene.height,
                                 .threads = scene.compute.threads};
+    options.floor = scene.floor;
     options.save_picture = [&](std::span<const std::uint8_t> pixels, int width, int height) {
         const std::filesystem::path file = next_picture(folder);
         const std::vector<unsigned char> png = encode_picture({pixels.begin(), pixels.end()}, width, height);
@@ -108,7 +115,7 @@ void ViewFlags::run() const {
     const viewer::ViewResult result = viewer::show_sea(options);
     std::printf("%llu frames, by %s. The same without a window:\n  %s\n",
                 static_cast<unsigned long long>(result.frames), result.renderer.c_str(),
-                render_command_of(result).c_str());
+                (render_command_of(result) + scene_.typed_floor()).c_str());
 }
 
 }  // namespace pelagic::tools

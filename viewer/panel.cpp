@@ -95,6 +95,15 @@ void choose_scale(ViewSettings& settings, const ViewFigures& figures) {
     if (!settings.scale_is_automatic) ImGui::SliderFloat("size", &settings.fixed_scale, 0.25f, 1, "%.2f");
 }
 
+void choose_surface(gl::Surface& surface) {
+    const auto names = gl::surface_names();
+    if (!ImGui::BeginCombo("surface", names[static_cast<std::size_t>(surface)].data())) return;
+    for (std::size_t i = 0; i < names.size(); ++i)
+        if (ImGui::Selectable(names[i].data(), i == static_cast<std::size_t>(surface)))
+            surface = static_cast<gl::Surface>(i);
+    ImGui::EndCombo();
+}
+
 void show_times(const ViewFigures& figures, const std::vector<StageTimes::Row>& rows) {
     ImGui::Text("%.1f ms a frame, %.2f million triangles", figures.frame_ms,
                 static_cast<double>(figures.triangles) / 1e6);
@@ -134,6 +143,7 @@ void show_panel(ViewSettings& settings, ViewCamera& camera, const ViewFigures& f
     ImGui::Separator();
     choose_quality(settings.quality);
     choose_scale(settings, figures);
+    choose_surface(settings.surface);
     ImGui::Checkbox("wireframe", &settings.wireframe);
     ImGui::SameLine();
     ImGui::Checkbox("freeze", &settings.frozen);

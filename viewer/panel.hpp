@@ -1,11 +1,15 @@
 // The panel of the window: what can be changed while one looks, and how long it takes.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "pelagic/gl/exposure.hpp"
+#include "pelagic/gl/shading.hpp"
 #include "pelagic/gl/sky_baker.hpp"
+#include "pelagic/gl/small_water.hpp"
+#include "pelagic/gl/water_optics.hpp"
 #include "pelagic/sim/sea_state.hpp"
 #include "pelagic/viewer/stage_times.hpp"
 #include "pelagic/viewer/view_camera.hpp"
@@ -17,7 +21,11 @@ struct ViewSettings {
     SeaState sea;
     std::string light;  ///< name of the preset that the sky was chosen by, or empty
     gl::SkyOptions sky;
+    gl::WaterOptics water;
+    gl::Shading shading = gl::Shading::high;
     gl::CameraSettings camera;
+    gl::Surface surface = gl::Surface::open;
+    std::optional<gl::FlowMap> flow;  ///< of a river; none: a winding channel
     std::string quality = "high";
     double size_m = 2048;
     float more_foam = 0;  ///< added to the Jacobian at which foam begins; [-0.5, 0.5]

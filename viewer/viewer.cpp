@@ -104,6 +104,7 @@ class Viewer {
           shown_sea_(settings_.sea),
           baker_(make_default_executor(options.threads), sky_face_size),
           shown_sky_(settings_.sky),
+          caustics_(make_default_executor(options.threads)),
           camera_(options.camera) {
         baker_.schedule(settings_.sky);
         fill_ocean();
@@ -181,15 +182,17 @@ class Viewer {
                 choose_quality();
             }
         }
-        if (settings_.quality != quality_) choose_quality();
+        if (settings_.quality != quality_ || settings_.surface != surface_) choose_quality();
     }
 
     /// An ocean has its number of tiles for life.
     void fill_ocean() {
+        take_caustics();  // they read the ocean that goes
         shown_sea_ = settings_.sea;
-        ocean_.emplace(
-            shown_sea_,
-            OceanOptions{.executor = make_default_executor(options_.threads), .trace = stage_times_, .slopes = true});
+        ocean_.emplace(shown_sea_, OceanOptions{.executor = make_default_executor(options_.threads),
+                                                .trace = stage_times_,
+                                                .queries = true,
+                                                .slopes = true});
         stage_times_->follow(ocean_->graph());
         ocean_->schedule(time_s_);
     }
@@ -205,12 +208,19 @@ class Viewer {
     /// Textures and meshes belong to the quality and to the tiles; the sky is uploaded again.
     void choose_quality() {
         quality_ = settings_.quality;
+        surface_ = settings_.surface;
         choose_mesh(preset_named(quality_).vertices);
         renderer_ = std::make_unique<gl::SeaRenderer>(
             window_.functions(), gl::RendererOptions{.patch_vertices = selection_->options().vertices,
                                                      .resolution = ocean_->resolution(),
                                                      .tiles = ocean_->tile_count(),
-                                                     .writes = gl::PixelKind::radiance});
+                                                     .shading = settings_.shading,
+                                                     .writes = gl::PixelKind::radiance,
+                                                     .surface = surface_,
+                                                     .executor = make_default_executor(options_.threads)});
+        renderer_->set_water(settings_.water);
+        renderer_->set_floor(options_.floor);
+        if (settings_.flow) renderer_->set_flow(*settings_.flow);
         if (!figures_.sky_is_baking && frames_ > 0) take_sky();
     }
 
@@ -238,12 +248,29 @@ class Viewer {
             figures_.sea_is_baking = false;
             ++changes_;
         }
+        // They read the frame before this one, whose views end with the next schedule().
+        take_caustics();
         ocean_->schedule(time_s_);
         return frame;
     }
 
+    void take_caustics() {
+        if (!caustics_are_baking_) return;
+        renderer_->set_caustics(caustics_.complete());
+        caustics_are_baking_ = false;
+    }
+
+    /// Every second frame: while the next two are made.
+    void start_caustics(const Frame& frame) {
+        if (frames_ % 2 == 1 || !gl::shows_caustics(options_.floor, frame, camera_.camera().position_m)) return;
+        caustics_.schedule(frame, {.depth_m = gl::caustics_depth_m(options_.floor, frame.sea.depth_m),
+                                   .sun = gl::sun_direction(shown_sky_)});
+        caustics_are_baking_ = true;
+    }
+
     void draw_frame(double passed_s) {
         const Frame& frame = next_frame();
+        start_caustics(frame);
         shown_time_s_ = frame.time_s;
         figures_.tile_sides_m.clear();
         for (const Tile& tile : frame.tiles) figures_.tile_sides_m.push_back(tile.lattice.side_m);
@@ -309,7 +336,10 @@ class Viewer {
                              .more_foam = settings_.more_foam,
                              .mode = settings_.wireframe ? gl::DrawMode::wireframe : gl::DrawMode::shaded,
                              .exposure = gl::exposure_of_ev(picture_.ev(), luminance_of_unit_),
-                             .weighs_samples = true});
+                             .weighs_samples = true,
+                             .water_at_lens = surface_ == gl::Surface::open
+                                                  ? gl::water_at_lens(SurfaceQuery(frame), camera.position_m)
+                                                  : gl::WaterAtLens{}});
         figures_.upload_ms = drawn.upload_ms - drawn.upload_driver_ms;
         figures_.draw_ms = drawn.draw_ms - drawn.draw_driver_ms;
         figures_.draw_calls = drawn.sea_calls + drawn.sky_calls;
@@ -366,8 +396,11 @@ class Viewer {
     SeaState shown_sea_;
     gl::SkyBaker baker_;
     gl::SkyOptions shown_sky_;
+    gl::CausticsBaker caustics_;
+    bool caustics_are_baking_ = false;
     ViewCamera camera_;
     std::string quality_;
+    gl::Surface surface_ = gl::Surface::open;
     std::optional<Selection> selection_;
     std::unique_ptr<gl::SeaRenderer> renderer_;
     std::optional<gl::RenderTarget> wireframe_;

@@ -6,6 +6,7 @@
 #include <functional>
 #include <span>
 
+#include "pelagic/gl/sea_floor.hpp"
 #include "pelagic/gl/views.hpp"
 #include "pelagic/viewer/panel.hpp"
 
@@ -14,6 +15,7 @@ namespace pelagic::viewer {
 struct ViewOptions {
     ViewSettings settings;
     Camera camera;
+    gl::SeaFloor floor = {};
     int width = 1280, height = 720;
     int threads = 0;  ///< as make_default_executor() takes them
 

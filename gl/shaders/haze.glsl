@@ -1,10 +1,40 @@
 // The air between the sea and the eye.
+//
+// A path adds its source function times what it takes away. That of the air over the sea is the sun's light, scattered once by air
+// and by haze, and the sky's, which comes evenly from above; it depends on the angle to the sun alone. Phase functions, albedo and
+// heights as in gl/atmosphere.hpp.
+const vec3 rayleigh_per_m = vec3(5.8e-6, 13.5e-6, 33.1e-6);
 
-// Where haze ends the view it has the sky's own colour at the horizon, so the two meet without a line. The second factor softens the
-// last quarter of a degree, in which rows of pixels are kilometres apart.
+float rayleigh_phase(float cosine) { return 3.0 / (16.0 * pi) * (1.0 + cosine * cosine); }
+
+// Cornette and Shanks 1992.
+float haze_phase(float cosine) {
+    const float g = 0.76;
+    return 3.0 / (8.0 * pi) * (1.0 - g * g) * (1.0 + cosine * cosine) /
+           ((2.0 + g * g) * pow(1.0 + g * g - 2.0 * g * cosine, 1.5));
+}
+
+// Mean density on the way down from a height, over that at the sea.
+float thinned(float height, float scale_height) {
+    float x = max(abs(height), 1.0) / scale_height;
+    return (1.0 - exp(-x)) / x;
+}
+
 vec3 through_haze(vec3 radiance, vec3 from_eye, float distance_m) {
-    vec3 horizon = textureLod(sky, normalize(vec3(from_eye.x, 0.0, from_eye.z)), 0.0).rgb;
+    vec3 ray = from_eye / distance_m;
+    float height = viewer.z + eye[EYE].y;
+    vec3 air = rayleigh_per_m * thinned(height, 8000.0);
+    vec3 taken = air + (haze.rgb - rayleigh_per_m) * thinned(height, 1200.0);
+    vec3 by_haze = 0.9 * (taken - air);
+    float to_sun = dot(ray, sun.xyz);
+    vec3 source = (sun_irradiance.rgb * (air * rayleigh_phase(to_sun) + by_haze * haze_phase(to_sun)) +
+                   sky_irradiance.rgb / (2.0 * pi) * (air + by_haze)) / taken;
+    // Where haze ends the view it has the sky's own colour at the horizon, so the two meet without a line. Further down, where the
+    // azimuth loses its meaning, the sky there says less and less; its clouds must not show on the haze.
+    float at_horizon = exp(-100.0 * ray.y * ray.y);
+    vec3 horizon = textureLod(sky, vec3(ray.x, 0.01 * ray.y * ray.y, ray.z), 4.0 * (1.0 - at_horizon)).rgb;
+    // The second factor softens the last quarter of a degree, in which rows of pixels are kilometres apart.
     float soft = distance_m / haze.w;
-    vec3 left = exp(-haze.rgb * distance_m) * exp(-soft * soft);
-    return mix(horizon, radiance, left);
+    vec3 left = exp(-taken * distance_m) * exp(-soft * soft);
+    return mix(mix(source, horizon, at_horizon), radiance, left);
 }

@@ -1,51 +1,145 @@
-// What the surface gives back of the light above it: the sky, and the sun's glint.
+// What the surface gives back of the light above it: the sky, and the sun's glint. A pixel's water is made of facets whose slopes have
+// Gauss' distribution (Cox and Munk 1954) around the mean normal, of deviation s along each axis; alpha^2 = 2 s^2.
 //
-// Schlick 1994, "An Inexpensive BRDF Model for Physically-based Rendering"; Walter et al. 2007 (GGX); Heitz 2014, "Understanding
-// the Masking-Shadowing Function"; Bruneton, Neyret and Holzschuch 2010, "Real-time Realistic Ocean Lighting using Seamless
-// Transitions from Geometry to BRDF".
+// Walter et al. 2007, "Microfacet Models for Refraction through Rough Surfaces" (Beckmann's distribution, which is Gauss' of slopes);
+// Heitz 2014, "Understanding the Masking-Shadowing Function"; Bruneton, Neyret and Holzschuch 2010, "Real-time Realistic Ocean
+// Lighting using Seamless Transitions from Geometry to BRDF".
 uniform highp samplerCube sky;  // level m: mirrored by alpha = (m / last)^2
 
-const float water_f0 = 0.02;  // ((1.333 - 1) / (1.333 + 1))^2
+// Unpolarised light from air to water, for the cosine at the facet.
+float fresnel(float cosine) {
+    const float index = 1.333;
+    float g = sqrt(index * index - 1.0 + cosine * cosine);
+    float a = (g - cosine) / (g + cosine), b = (cosine * (g + cosine) - 1.0) / (cosine * (g - cosine) + 1.0);
+    return 0.5 * a * a * (1.0 + b * b);
+}
 
-// The mean normal of the waves that an eye sees. Of slopes with deviation s around the mean, those that lean towards
-// the eye show more of themselves, in proportion to their projected area, max(mu + s_v tan, 0); the mean slope towards
-// the eye under this weight is s^2 t P(a) / (mu P(a) + s t p(a)), a = mu / (s t), with Gauss' density p and
-// distribution P. At grazing angles this is 1.25 s: the far sea mirrors the sky well above the horizon.
-vec3 visible_normal(vec3 normal, vec3 to_eye, float alpha2) {
+// The facets that an eye sees. It sees each by its projected area, max(mu + t x, 0), t being the sine of the angle between eye and
+// mean normal, mu its cosine and x the slope towards the eye.
+struct SeenFacets {
+    float slope;            // mean slope towards the eye
+    float cosine;           // mean cosine between eye and facet
+    float cosine_variance;
+};
+
+// With a = mu / (s t), Gauss' density p and distribution P, and q = P / (a P + p) the mean slope is s q, the mean cosine mu + s t q, and
+// its variance s^2 t^2 (2 - a q - q^2). At grazing angles the slope is 1.25 s: the far sea mirrors the sky well above the horizon.
+SeenFacets seen_facets(float mu, float s) {
+    float spread = max(s * sqrt(max(1.0 - mu * mu, 0.0)), 1e-4);
+    float a = clamp(mu / spread, -3.0, 1e4);
+    float density = 0.3989423 * exp(-0.5 * a * a);
+    float distribution = 1.0 / (1.0 + exp(-1.5976 * a - 0.070566 * a * a * a));  // Page 1977, within 1.4e-4
+    float q = distribution / max(a * distribution + density, 1e-4);
+    return SeenFacets(s * q, mu + spread * q, spread * spread * max(2.0 - a * q - q * q, 0.0));
+}
+
+// Fresnel's mean over the facets that are seen: that of one facet a little more grazing than the mean one, because the curve is hollow.
+// Facets of slope x stand at 1 / sqrt(1 + x^2) of the cosine. Within 4 % of the mean's integral for s up to 0.2.
+float mean_fresnel(float cosine, float s) {
+    SeenFacets seen = seen_facets(cosine, s);
+    return fresnel(clamp(seen.cosine * (1.0 - 1.2 * s * s) - 2.5 * seen.cosine_variance, 0.0, 1.0));
+}
+
+// Smith's function for Beckmann's distribution (Walter et al. 2007, equation 15), times the cosine.
+float masked_area(float cosine, float alpha) {
+    float across = alpha * sqrt(max(1.0 - cosine * cosine, 1e-6));
+    float a = cosine / across;
+    return a < 1.6 ? across * (1.0 - 1.259 * a + 0.396 * a * a) / (3.535 + 2.181 * a) : 0.0;
+}
+
+// Part of the water that an eye sees that no other wave hides from a light, by their heights over the flat sea: (1 + V) / (1 + V + L),
+// V and L being Smith's functions of eye and light (Heitz 2014, equation 99). Of all waves: also those that a pixel shows hide the sun and
+// the sky from one another.
+float lit_part(float eye_cosine, float light_cosine, float alpha_of_all) {
+    float eye_height = max(eye_cosine, 1e-3), light_height = max(light_cosine, 1e-4);
+    float seen = (eye_height + masked_area(eye_height, alpha_of_all)) * light_height;
+    return seen / (seen + masked_area(light_height, alpha_of_all) * eye_height);
+}
+
+// Alpha of all waves together.
+float alpha_of_all_waves() {
+    float square = waves.y * waves.y;
+    for (int tile = 0; tile < TILES; ++tile) square += tile_slope[tile].z;
+    return sqrt(square);
+}
+
+// Of the mean square slope of all waves what the mesh's triangles have at a distance: a tile's octaves have equal parts, and a mesh needs
+// vertices twice as dense as texels.
+float slopes_of_mesh(float distance_m) {
+    float spacing = max(mesh.y, distance_m * mesh.x), square = 0.0;
+    for (int tile = 0; tile < TILES; ++tile) {
+        float mip = max(log2(spacing * tile_scale[tile].x) - 0.5, 0.0);
+        square += tile_slope[tile].z * clamp(1.0 - (mip + 1.0) / tile_scale[tile].y, 0.0, 1.0);
+    }
+    return square;
+}
+
+// Waves that a pixel's normal has and the mesh has not are seen as if they were flat: those that lean away count as much as those
+// that lean towards the eye. The normal, whose slopes against the mesh have Gauss' distribution, is moved to where the same part
+// of the facets that an eye sees leans less.
+vec3 seen_normal(vec3 normal, vec3 facet, vec3 to_eye, float alpha2, float distance_m) {
+    float all = alpha_of_all_waves();
+    float s = sqrt(0.5 * max(all * all - alpha2 - slopes_of_mesh(distance_m), 1e-6));
+    vec2 plane = facet.xz / facet.y;
+    vec2 slopes = normal.xz / normal.y - plane;
+    vec2 towards = to_eye.xz / max(length(to_eye.xz), 1e-4);
+    float mu = dot(facet, to_eye);
+    if (mu <= 0.0) return normal;  // from below, and backs of crests
+    SeenFacets seen = seen_facets(mu, s);
+    float narrowed = sqrt(seen.cosine_variance) / max(s * sqrt(max(1.0 - mu * mu, 0.0)), 1e-4);
+    float lean = dot(slopes, towards);
+    slopes += towards * (seen.slope + lean * (min(narrowed, 1.0) - 1.0));
+    return normalize(vec3(plane.x + slopes.x, 1.0, plane.y + slopes.y));
+}
+
+// Part of light from a direction, of irradiance 1 across its rays, that a pixel's facets send to the eye as radiance.
+float mirrored_part(vec3 normal, vec3 to_eye, vec3 to_light, float alpha2, float alpha_of_all) {
+    if (dot(normal, to_light) <= 0.0) return 0.0;
+    vec3 middle = to_light + to_eye;
+    middle /= max(length(middle), 1e-4);
+    float cosine2 = clamp(dot(normal, middle), 1e-3, 1.0);
+    cosine2 *= cosine2;
+    float distribution = exp((cosine2 - 1.0) / (cosine2 * alpha2)) / (pi * alpha2 * cosine2 * cosine2);
+    float nv = max(dot(normal, to_eye), 1e-3);
+    return distribution * fresnel(clamp(dot(middle, to_eye), 0.0, 1.0)) *
+           lit_part(to_eye.y, to_light.y, alpha_of_all) / (4.0 * (nv + masked_area(nv, sqrt(alpha2))));
+}
+
+// The sun's disc is narrower than any water's slopes.
+float glint(vec3 normal, vec3 to_eye, float alpha2) {
+    return mirrored_part(normal, to_eye, sun.xyz, alpha2, alpha_of_all_waves());
+}
+
+// The facets' picture of the sky.
+struct MeanMirror {
+    vec3 towards;     // where their mean leads, weighted by what they mirror
+    float alpha2;     // of a mirror with as wide a picture
+    float sky_share;  // of what they mirror, the rest is other waves' water
+};
+
+// Fresnel's curve falls off as exp(-6 (1 - c^2) c) around a cosine c, which weights the slopes. The picture is as wide as the slopes of
+// the facets that are seen make it, and narrower across, where grazing facets turn it little. 0.69: the sky's levels have GGX'
+// distribution, of which as many facets lean less. A ray that meets another wave is mirrored by it again, 0.3 of it, for it is low.
+MeanMirror mean_mirror(vec3 normal, vec3 to_eye, float alpha2, float alpha_of_all) {
     float mu = dot(normal, to_eye);
     vec3 along = to_eye - normal * mu;
     float t = max(length(along), 1e-4);
     float s = sqrt(0.5 * alpha2);
-    float a = clamp(mu / (s * t), -3.0, 12.0);
-    float density = 0.3989423 * exp(-0.5 * a * a);
-    float distribution = 1.0 / (1.0 + exp(-1.5976 * a - 0.070566 * a * a * a));  // Page 1977, within 1.4e-4
-    float slope = s * distribution / max(a * distribution + density, 1e-4);
-    return normalize(normal + along / t * min(slope, 1.5));
+    SeenFacets seen = seen_facets(mu, s);
+    float cosine = min(seen.cosine, 1.0);
+    float slope = seen.slope - 6.0 * (1.0 - cosine * cosine) * seen.cosine_variance / t;
+    vec3 towards = reflect(-to_eye, normalize(normal + along / t * clamp(slope, 0.0, 1.5)));
+    float in_plane = seen.cosine_variance / max(s * s * t * t, 1e-8);
+    // Of a pixel's own waves the mean of all facets' lit parts is less than the mean facet's: fitted to its integral.
+    float x = max(mu, 0.0) / sqrt(alpha2);
+    float lit = lit_part(to_eye.y, towards.y, alpha_of_all) * (1.0 - (0.1 + 0.3 * sqrt(alpha2)) * x * exp((1.0 - x * sqrt(x)) / 1.5));
+    return MeanMirror(vec3(towards.x, max(towards.y, 0.0), towards.z), 0.69 * alpha2 * 0.5 * (in_plane + cosine * cosine),
+                      mix(0.3, 1.0, lit));
 }
 
-// Schlick's curve, averaged over slopes of deviation s: Bruneton et al. 2010, equation 16.
-float mean_fresnel(float cosine, float s) {
-    float grazing = pow(1.0 - cosine, 5.0 * exp(-2.69 * s)) / (1.0 + 22.7 * pow(s, 1.5));
-    return water_f0 + (1.0 - water_f0) * grazing;
-}
-
-// GGX with Smith's height-correlated masking (Heitz 2014), times the cosine of the light.
-float glint(vec3 normal, vec3 to_eye, float alpha2) {
-    float nl = dot(normal, sun.xyz);
-    if (nl <= 0.0) return 0.0;
-    float nv = max(dot(normal, to_eye), 0.01);
-    vec3 middle = normalize(sun.xyz + to_eye);
-    float nh = max(dot(normal, middle), 0.0);
-    alpha2 += 4.0 * sun.w * sun.w;  // the disc is not a point
-    float d = nh * nh * (alpha2 - 1.0) + 1.0;
-    float distribution = alpha2 / (pi * d * d);
-    float visibility =
-        0.5 / (nl * sqrt(nv * nv * (1.0 - alpha2) + alpha2) + nv * sqrt(nl * nl * (1.0 - alpha2) + alpha2));
-    float fresnel = water_f0 + (1.0 - water_f0) * pow(1.0 - max(dot(middle, to_eye), 0.0), 5.0);
-    return distribution * visibility * fresnel * nl;
-}
-
-vec3 mirrored_sky(vec3 normal, vec3 to_eye, float alpha2) {
-    vec3 reflected = reflect(-to_eye, visible_normal(normal, to_eye, alpha2));
-    return textureLod(sky, reflected, sqrt(sqrt(alpha2)) * sky_irradiance.w).rgb;
+// `water_light`:  what other waves show where they mirror nothing
+vec3 mirrored_light(vec3 normal, vec3 to_eye, float alpha2, vec3 water_light) {
+    MeanMirror mirror = mean_mirror(normal, to_eye, alpha2, alpha_of_all_waves());
+    vec3 light = textureLod(sky, mirror.towards, sqrt(sqrt(mirror.alpha2)) * sky_irradiance.w).rgb;
+    return mix(water_light, light, mirror.sky_share);
 }

@@ -5,6 +5,23 @@
 // The sea is a sum of TILES square tiles of waves, the coarsest first; each repeats, each may be turned, and each is a layer
 // of the textures.
 
+// SHADING is how much a pixel may cost: a headset draws nine million of them, 72 times a second.
+#define HEADSET 0
+#define MEDIUM 1
+#define HIGH 2
+// The coarsest of four tiles is shaded from its vertices there.
+#if SHADING == HEADSET && TILES == 4
+#define VERTEX_TILES 1
+#else
+#define VERTEX_TILES 0
+#endif
+// What is drawn: gl::Surface.
+#define OPEN 0
+#define LAKE 1
+#define COAST 2
+#define RIVER 3
+#define POND 4
+
 #ifdef MULTIVIEW
 #define EYE int(gl_ViewID_OVR)
 #else
@@ -20,7 +37,8 @@ layout(std140) uniform Scene {
     highp vec4 tile_scale[4];     // x: texels a metre; y: the mip at which nothing is left of its waves; z: side
     highp vec4 tile_slope[4];     // x: what slopes count in; y: variances; z: variance of all its waves, of both axes;
                                   // w: its Jacobian below which foam begins
-    highp vec4 viewer;            // z: height above rest
+    highp vec4 tile_noise[4];     // xy: the viewer's place in the noise that tells its copies apart; z: the tile's side over the noise's
+    highp vec4 viewer;            // x: 1 if the sky is drawn, where the lens is in the air; z: height above rest
     highp vec4 grid;              // xy: the grid's corner; z: metres a step; w: V
     highp vec4 fade;              // xy: fade centre; z: fade end; w: 1 / (fade end - fade start)
     highp vec4 mesh;              // x: spacing of vertices for each metre of distance; y: finest spacing; z: last mip
@@ -31,17 +49,39 @@ layout(std140) uniform Scene {
     highp vec4 sky_irradiance;    // on a level plane; w: last level of the sky
     highp vec4 haze;              // extinction, 1/m; w: distance at which the horizon's softening has taken 63 %
     highp vec4 water_absorption;  // 1/m; w: depth of the sea
-    highp vec4 water_scattering;  // backwards, 1/m; w: mean square slope of the detail
+    highp vec4 water_backscattering;  // 1/m; w: mean square slope of the detail
+    highp vec4 water_scattering;  // in all directions, 1/m
     highp vec4 waves;             // x: significant height; y: alpha of the water between texels; zw: the wind's direction
     highp vec4 detail_turn[2];    // rows of a rotation over the tile's side
     highp vec4 detail_shift;      // xy of layer 0, zw of layer 1: where the viewer is in the tile
-    highp vec4 second_shift;      // xy: where the viewer is in the second copy of the waves of an only tile
-    highp vec4 noise_scale;       // xy: of foam's two layers, zw: of the gusts' two, 1/m
+    highp vec4 noise_scale;       // xy: of foam's bubbles and lace, zw: of the gusts' two, 1/m
     highp vec4 foam_shift;        // where the viewer is in them
     highp vec4 gust_shift;
     highp vec4 foam_trail;        // x: the tile whose crests leave foam behind; y: how far the sum of
                                   // tiles folds where foam begins, over the root of the sum of their squares; zw: from one look down the wind to the next,
                                   // texture coordinates
+    highp vec4 lens;              // the surface around the lens, relative to the viewer: y = lens.x + dot(lens.yz, xz); w: how
+                                  // far ahead of the eye the near plane lies, 0 where all of the lens is in the air
+    highp vec4 floor_place;       // xy: texture coordinates of the viewer's place; zw: the same a metre, 0 for a plane
+    highp vec4 floor_size;        // xy: metres along x and z; zw: where its corner is, from the viewer
+    highp vec4 floor_mesh;        // xy: cells along x and z; zw: where the viewer is in a square of 64 m
+    highp vec4 floor_look;        // x: height of a plane; y: up to where sand is wet, metres above rest; z: radians a
+                                  // pixel; w: 1 for sand, 0 for an even albedo
+    highp vec4 floor_albedo;      // w: 1 if the floor may be seen from above
+    highp vec4 caustic_place;     // as tile_place, of the caustics' texture; zw: 0 if there is none
+    highp vec4 caustic_row[3];    // xy: radians a metre; z: phase at the viewer; w of the first: depth of the focus
+    highp vec4 foam_streaks[2];   // along and across the wind, near and far: xy 1/m, zw where the viewer is
+    highp vec4 foam_kind;         // x: part of the sea under thin streaks; y: how softly streaks gather old foam; z: height of
+                                  // fresh foam, m
+    highp vec4 bump_lattice[8];   // of small water's octaves: xy cosine and sine of the turn; z: cells a metre; w: height
+    highp vec4 bump_place[8];     // where the viewer is in it: xy in the cell, zw which cell
+    highp vec4 bump_turn[2];      // how far gradients have turned, turns
+    highp vec4 bump_kind;         // x: how much longer crests are than waves, as a factor below 1; y: coast: foam on crests, pond:
+                                  // drag of its waves over their height; zw: warp of a coast's ridges, metres a metre of height
+    highp vec4 pond_wave[24];     // xy: wave vector, rad/m; z: height; w: phase at the viewer
+    highp vec4 flow_place;        // xy: where the viewer is in the map of a river's flow, z: 1 over its side
+    highp vec4 flow_cycle;        // xy: how far the two copies of its bumps are in their cycles; z: the fastest water's way in one, m
+    highp vec4 flow_jump;         // where the copies began, m
     highp vec4 output_kind;       // x: 1 if the shader encodes sRGB, 0 if the framebuffer does; y: 1 if radiance is asked for;
                                   // z: the exposure by which samples of radiance are weighted, or 0; w: luminance of a radiance
                                   // of 1, cd/m^2

@@ -1,10 +1,13 @@
 // Open sea. In the order of main():
 //
-//   waves       normal and roughness of the surface in the pixel
+//   waves       normal and roughness of the surface in the pixel; of small water, if that is what is drawn
 //   mirror      the sky, mirrored by waves of which those that lean towards the eye count most; the sun's glint
 //   water       light from below: absorption and backscattering, light through crests
 //   foam        white and diffuse, over all of it
 //   haze        towards the colour that the sky has at the horizon there
+//
+// With BELOW, where a floor or a lens is near the surface: what lies below shows through, and pixels of a lens that is under water see the
+// surface from below instead.
 #ifdef MULTIVIEW
 #extension GL_OVR_multiview2 : require
 #endif
@@ -16,16 +19,32 @@ precision highp int;
 in vec4 place;
 #ifndef SKIRT
 in vec2 rest;
+#if VERTEX_TILES > 0
+in vec4 coarsest;
+#endif
 #endif
 out vec4 colour;
 
 const float pi = 3.14159265;
 
 #include "waves.glsl"
+#if SURFACE != OPEN
+#include "small_water.glsl"
+#include "small_surface.glsl"
+#endif
 #include "mirror.glsl"
+#include "water_light.glsl"
 #include "water.glsl"
 #include "foam.glsl"
 #include "haze.glsl"
+#if BELOW
+#include "lens.glsl"
+#include "caustics.glsl"
+#include "floor.glsl"
+#include "floor_through_water.glsl"
+#include "under_water.glsl"
+#include "surface_from_below.glsl"
+#endif
 
 #ifdef SKIRT
 // The skirt reaches to infinity, and smoothed edges ask for pixels whose middle is beside its triangles, where the
@@ -56,11 +75,36 @@ void main() {
 
     Waves surface = waves_at(resting, distance_m);
     vec3 normal = normalize(vec3(surface.slopes.x, 1.0, surface.slopes.y));
+#ifndef SKIRT
+    vec3 facet = normalize(cross(dFdx(at), dFdy(at)));
+    normal = seen_normal(normal, facet.y < 0.0 ? -facet : facet, to_eye, surface.alpha2, distance_m);
+#endif
 
-    float fresnel = mean_fresnel(clamp(dot(normal, to_eye), 0.0, 1.0), sqrt(0.5 * surface.alpha2));
-    vec3 water_light = upwelling(water_absorption.w + height) + through_crests(normal, to_eye, height);
-    vec3 radiance = mix(water_light, mirrored_sky(normal, to_eye, surface.alpha2), fresnel) +
+    Foam foam = foam_at(resting, surface.foam, to_eye);
+#if BELOW
+    // From below the edge of Snell's window is sharp: what normals turn from pixel to pixel counts as roughness there.
+    float turns = fwidth(dot(normal, to_eye));
+    float above_lens = lens_above_water(from_eye);
+    if (above_lens < 0.0) {
+        vec3 below = surface_from_below(at, normal, -leading_ahead(from_eye) / distance_m,
+                                        min(surface.alpha2 + turns * turns, 1.0), foam, distance_m);
+        colour = screen_colour(across_meniscus(below, above_lens));
+        return;
+    }
+    vec3 water_light = light_from_below(at, normal, to_eye, distance_m, surface.alpha2);
+#else
+    vec3 water_light = upwelling(normal, to_eye);
+#endif
+
+    float mirrors = mean_fresnel(clamp(dot(normal, to_eye), 0.0, 1.0), sqrt(0.5 * surface.alpha2));
+    water_light += through_crests(normal, to_eye, height, surface.foam);
+    vec3 radiance = mix(water_light, mirrored_light(normal, to_eye, surface.alpha2, water_light), mirrors) +
                     sun_irradiance.rgb * glint(normal, to_eye, surface.alpha2);
-    radiance = mix(radiance, foam_light(normal), foam_cover(resting, surface.foam, distance_m));
+    radiance = with_foam(radiance, foam, normal, to_eye, mirrors);
+#if BELOW
+    radiance = soft_shore(radiance, at, distance_m, height);
+    colour = screen_colour(across_meniscus(through_haze(radiance, from_eye, distance_m), above_lens));
+#else
     colour = screen_colour(through_haze(radiance, from_eye, distance_m));
+#endif
 }

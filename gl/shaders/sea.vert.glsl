@@ -15,12 +15,20 @@ layout(location = 3) in float inner_weight;
 layout(location = 4) in vec4 edge_weights;  // +x, +z, -x, -z
 
 uniform highp sampler2DArray displacement;  // Dx, height, Dz, foam; a layer a tile
+#if VERTEX_TILES > 0
+uniform highp sampler2DArray slopes;  // as waves.glsl has it
+out vec4 coarsest;                    // h_x, h_z, D_xx, D_zz of the coarsest tile
+#endif
 
 out vec4 place;  // relative to the viewer; w is 1, the skirt has 0 at the horizon
 out vec2 rest;   // where the water rests
 flat out int patch_level;
 
 invariant gl_Position;
+
+#if SURFACE != OPEN
+#include "small_water.glsl"
+#endif
 
 // The sum of what the tiles hold there. Mips and weights depend on the rest position alone, so that every patch that has this
 // vertex takes the same ones. A mip grows with distance as the vertices' spacing does; half a level below it, because waves
@@ -31,14 +39,31 @@ vec3 displaced(ivec2 index) {
     float left = clamp((fade.z - max(from_centre.x, from_centre.y)) * fade.w, 0.0, 1.0);
     float spacing = max(mesh.y, length(vec3(at.x, viewer.z, at.y)) * mesh.x);
     vec3 moved = vec3(0.0);
+#if SURFACE != OPEN
+    moved.y = small_height(at, spacing);
+#else
     for (int tile = 0; tile < TILES; ++tile) {
         float mip = max(log2(spacing * tile_scale[tile].x) - 0.5, 0.0);
         float weight = weight_of_tile(tile, mip);
         if (weight > 0.0)
             moved += weight * textureLod(displacement, vec3(place_in_tile(tile, at), tile), min(mip, mesh.z)).xyz;
     }
+#endif
     return moved * left;
 }
+
+#if BELOW
+// Around a lens near the water the mesh is the plane that the lens is told of, or its edge would stand beside the line in the
+// picture: between vertices a mesh is not the surface that queries know.
+vec3 as_at_lens(vec3 at) {
+    if (lens.w <= 0.0) return at;
+    vec3 from_eye = at - eye[EYE].xyz;
+    float near = 1.0 - smoothstep(0.4, 1.2, abs(eye[EYE].y - lens.x - dot(lens.yz, eye[EYE].xz)));
+    float inner = 0.3 + 2.0 * mesh.y;
+    float weight = near * (1.0 - smoothstep(inner, 3.0 * inner, length(from_eye.xz)));
+    return vec3(at.x, mix(at.y, lens.x + dot(lens.yz, at.xz), weight), at.z);
+}
+#endif
 
 void main() {
     int last = int(grid.w);
@@ -60,7 +85,17 @@ void main() {
         if (weight < 1.0) moved = mix(0.5 * (displaced(index - offset) + displaced(index + offset)), moved, weight);
     }
     rest = grid.xy + vec2(index) * grid.z;
-    place = vec4(rest.x + moved.x, moved.y - viewer.z, rest.y + moved.z, 1.0);
+#if VERTEX_TILES > 0
+    float spacing = max(mesh.y, length(vec3(rest.x, viewer.z, rest.y)) * mesh.x);
+    float mip = max(log2(spacing * tile_scale[0].x), 0.0);
+    vec4 texel = textureLod(slopes, vec3(place_in_tile(0, rest), 0.0), mip) * (255.0 / 127.0) - 128.0 / 127.0;
+    coarsest = texel * (tile_slope[0].x * weight_of_tile(0, mip));
+#endif
+    vec3 at = vec3(rest.x + moved.x, moved.y - viewer.z, rest.y + moved.z);
+#if BELOW
+    at = as_at_lens(at);
+#endif
+    place = vec4(at, 1.0);
     patch_level = int(level.x);
     gl_Position = clip_from_viewer[EYE] * place;
 }

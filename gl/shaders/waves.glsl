@@ -6,29 +6,32 @@ uniform highp sampler2DArray slopes;   // of a tile: h_x, h_z, D_xx, D_zz, as si
 uniform highp sampler2DArray moments;  // D_xz, variance of h_x, of h_z, covariance
 uniform sampler2D detail;              // slopes of ripples, noise for gusts and foam, how much of the slopes this mip still holds
 
-// A pixel near the horizon covers a long and thin piece of sea, which mips, being square, would blur to nothing. Taps
-// along it, each from a mip as wide as the piece is; the same on every driver, unlike their anisotropic filters.
-const int most_taps = 4;
+// The piece of sea that a pixel covers, metres at rest: near the horizon it is long and thin, which mips, being square, would blur to
+// nothing. So it is looked at in four places, the rooks of a turned square, over 1.33 of its sides, the same on every driver,
+// unlike their anisotropic filters. Each look takes a mip half as wide as the piece: the mip as wide as the piece is an average of two by two
+// texels, which folds waves of three texels back with half their height, and a glint would weave them into a cloth.
 struct Footprint {
-    vec2 along;    // from one end to the other, metres at rest
-    float long_m;  // the length of that
-    float wide_m;  // of a tap
+    vec2 dx, dy;   // along the picture's row and column
+    float wide_m;  // of a look
 };
+
+#if SHADING == HIGH
+const int looks = 4;
+const vec2 look_at[looks] = vec2[](vec2(-0.167, 0.5), vec2(0.5, 0.167), vec2(0.167, -0.5), vec2(-0.5, -0.167));
+
+#endif
 
 Footprint footprint_of(vec2 at) {
     vec2 dx = dFdx(at), dy = dFdy(at);
     float x2 = dot(dx, dx), y2 = dot(dy, dy);
-    float long_side = max(sqrt(max(x2, y2)), 1e-6);
-    return Footprint(x2 > y2 ? dx : dy, long_side, max(sqrt(min(x2, y2)), long_side / float(most_taps)));
+    float longest = max(sqrt(max(x2, y2)), 1e-6);
+#if SHADING == HIGH
+    return Footprint(dx, dy, max(0.5 * sqrt(min(x2, y2)), 0.25 * longest));
+#else
+    // One look: as wide as the piece in the mean of its sides.
+    return Footprint(dx, dy, max(sqrt(sqrt(x2 * y2)), 0.25 * longest));
+#endif
 }
-
-// As many taps as lie further apart than texels do: near the eye, where texels are larger than pixels, it is one.
-int taps_of(Footprint pixel, float texel_m) {
-    return clamp(int(ceil(pixel.long_m / max(pixel.wide_m, texel_m))), 1, most_taps);
-}
-
-// The place of a tap, in parts of the whole length from the middle.
-float tap(int i, int taps) { return (float(i) + 0.5) / float(taps) - 0.5; }
 
 // How the surface changes along the world's x and z at rest, and the mean square of the slopes that the pixel averages away.
 struct Slopes {
@@ -40,36 +43,85 @@ struct Slopes {
 // Bytes of which 128 is zero.
 const float signed_scale = 255.0 / 127.0, signed_zero = 128.0 / 127.0;
 
-// What a tile's maps say around a place in them. `along` is the pixel's length in texture coordinates, `mip` as wide as a tap.
-// Where slopes differ between taps, their variance counts as averaged away.
-Slopes look_at_tile(int tile, vec2 uv, vec2 along, float mip, int taps) {
-    vec4 sum = vec4(0.0);
-    float square = 0.0;
-    for (int i = 0; i < taps; ++i) {
-        vec4 texel = textureLod(slopes, vec3(uv + along * tap(i, taps), tile), mip) * signed_scale - signed_zero;
-        sum += texel;
-        square += dot(texel.xy, texel.xy);
-    }
-    sum /= float(taps);
-    float scatter = max(square / float(taps) - dot(sum.xy, sum.xy), 0.0);
-    vec4 moment = textureLod(moments, vec3(uv, tile), mip);
+#if SHADING == HIGH
+// The sides of a piece seen through texels of that size: at least a texel, at most a whole tile, beyond which there is nothing to tell apart.
+mat2 sides_of(Footprint pixel, float texel_m, float tile_m) {
+    vec2 lengths = vec2(max(length(pixel.dx), 1e-6), max(length(pixel.dy), 1e-6));
+    vec2 scale = clamp(lengths, texel_m, tile_m) / lengths;
+    return mat2(pixel.dx * scale.x, pixel.dy * scale.y);
+}
+
+// An only tile is seen many times over from where it looks small, and its copies would make a carpet; sums of tiles repeat nowhere that an
+// eye compares. So far from the eye each look may
+// go to another place of it: along a smooth noise places follow one another, and the two between which the noise stands are mixed. Both are
+// the same random sea, so that weights whose squares sum to one keep its statistics (Heitz and Neyret 2018, "High-Performance
+// By-Example Noise using a Histogram-Preserving Blending Operator": slopes are Gaussian as they are).
+struct Copies {
+    vec2 first, second;  // texture coordinates that are added
+    vec2 weights;
+    bool are_one;        // near the eye: the looks are all of one place
+};
+
+Copies copies_at(int tile, vec2 at, float distance_m) {
+    float part = TILES == 1 ? smoothstep(3.0, 12.0, distance_m / tile_scale[tile].z) : 0.0;
+    if (part <= 0.0) return Copies(vec2(0.0), vec2(0.0), vec2(0.5), true);
+    vec2 uv = tile_noise[tile].xy + way_in_tile(tile, at) * tile_noise[tile].z;
+    float place = part * 16.0 * (textureLod(detail, uv, 5.0).z - 0.5);
+    float first = floor(place), second = smoothstep(0.0, 1.0, place - first);
+    const vec2 to_next = vec2(0.7548777, 0.5698403);  // Roberts 2018, the sequence R2: none of its places is near another
+    return Copies(fract(first * to_next), fract((first + 1.0) * to_next), sqrt(vec2(1.0 - second, second)), false);
+}
+
+vec4 look_of(int i, int tile, vec2 uv, mat2 sides, float mip) {
+    return textureLod(slopes, vec3(uv + sides * look_at[i], tile), mip) * signed_scale - signed_zero;
+}
+
+// What a tile's maps say around a place in them; the sides of the piece are texture coordinates. Where slopes differ between looks,
+// their variance counts as averaged away.
+Slopes look_at_tile(int tile, vec2 uv, mat2 sides, float mip, Copies copies) {
+    vec4 a = look_of(0, tile, uv + copies.first, sides, mip), b = look_of(2, tile, uv + copies.first, sides, mip);
+    vec4 c = look_of(1, tile, uv + copies.second, sides, mip), d = look_of(3, tile, uv + copies.second, sides, mip);
+    vec4 first = 0.5 * (a + b), second = 0.5 * (c + d);
+    vec4 sum = copies.weights.x * first + copies.weights.y * second;
+    vec2 apart = vec2(dot(a.xy - b.xy, a.xy - b.xy), dot(c.xy - d.xy, c.xy - d.xy)) / 4.0;
+    float scatter = copies.are_one ? 0.5 * (apart.x + apart.y) + dot(first.xy - second.xy, first.xy - second.xy) / 4.0
+                                   : dot(copies.weights * copies.weights, apart);
+    vec4 moment = textureLod(moments, vec3(uv + copies.first, tile), mip);
     float range = tile_slope[tile].x;
     return Slopes(sum.xy * range, vec3(sum.zw, moment.x * signed_scale - signed_zero) * range,
                   scatter * range * range + (moment.y + moment.z) * tile_slope[tile].y);
 }
 
 // The same of a pixel. A tile of which no wave is left in the pixel is roughness, and costs nothing.
-Slopes tile_slopes(int tile, vec2 at, Footprint pixel) {
-    float side = tile_scale[tile].z;
+Slopes tile_slopes(int tile, vec2 at, float distance_m, Footprint pixel) {
     float mip = log2(pixel.wide_m * tile_scale[tile].x);
-    float weight = weight_of_tile(tile, mip);
+    float weight = weight_of_tile(tile, mip + 1.0);
     float all = tile_slope[tile].z;
     if (weight <= 0.0) return Slopes(vec2(0.0), vec3(0.0), all);
-    // Beyond a whole tile there is nothing to tell apart.
-    vec2 along = way_in_tile(tile, pixel.along) * min(1.0, side / pixel.long_m);
-    Slopes seen = look_at_tile(tile, place_in_tile(tile, at), along, mip, taps_of(pixel, 1.0 / tile_scale[tile].x));
+    mat2 sides = sides_of(pixel, 1.0 / tile_scale[tile].x, tile_scale[tile].z);
+    Slopes seen = look_at_tile(tile, place_in_tile(tile, at), mat2(way_in_tile(tile, sides[0]), way_in_tile(tile, sides[1])), mip,
+                               copies_at(tile, at, distance_m));
     return Slopes(weight * seen.h, weight * seen.d, mix(all, seen.variance, weight * weight));
 }
+#else
+// A tile's slopes from one look. What the pixel averages away is in the moments; a headset, which has no look to spare for them, takes
+// it as the part of the octaves between the texels and the tile's longest waves that the mip has lost: the slopes of wind waves are about
+// the same in each.
+Slopes tile_slopes(int tile, vec2 at, float distance_m, Footprint pixel) {
+    float mip = log2(pixel.wide_m * tile_scale[tile].x);
+    vec3 uv = vec3(place_in_tile(tile, at), tile);
+    float weight = weight_of_tile(tile, mip);
+    float all = tile_slope[tile].z, range = tile_slope[tile].x;
+    vec4 texel = (textureLod(slopes, uv, mip) * signed_scale - signed_zero) * (weight * range);
+#if SHADING == MEDIUM
+    vec4 moment = textureLod(moments, uv, mip);
+    return Slopes(texel.xy, vec3(texel.zw, (moment.x * signed_scale - signed_zero) * (weight * range)),
+                  mix(all, (moment.y + moment.z) * tile_slope[tile].y, weight * weight));
+#else
+    return Slopes(texel.xy, vec3(texel.zw, 0.0), all * clamp(mip / tile_scale[tile].y, 0.0, 1.0));
+#endif
+}
+#endif
 
 // VR Ocean, equation 48, as `y` of the normal.
 float jacobian_of(vec3 d) { return (1.0 + d.x) * (1.0 + d.y) - d.z * d.z; }
@@ -93,43 +145,40 @@ struct Waves {
     float foam;    // 0 where the water does not fold, 1 where it does further than most
 };
 
+#if VERTEX_TILES > 0
+// The coarsest tile's waves are long: a headset looks at them once a vertex.
+Slopes slopes_of_vertices() {
+#ifdef SKIRT
+    return Slopes(vec2(0.0), vec3(0.0), tile_slope[0].z);
+#else
+    return Slopes(coarsest.xy, vec3(coarsest.zw, 0.0), 0.0);
+#endif
+}
+#endif
+
 // Foam is where the sum of the tiles folds. Each tile's own Jacobian is as far below 1 where foam begins as that tile's waves
 // go in that part of the sea; independent waves go as far together as the root of the sum of the squares, each tile with the
 // part of its variance that the pixel shows (SeaFigures::whitecap_depth_of_sum). So far away, where only long waves are left, as much of the sea is white.
-Waves resolved_waves(vec2 at, Footprint pixel) {
+Waves resolved_waves(vec2 at, float distance_m, Footprint pixel) {
     Slopes sum = Slopes(vec2(0.0), vec3(0.0), 0.0);
     vec3 folds = vec3(0.0);
     float depth = 0.0, whole_depth = 1e-6;
     for (int tile = 0; tile < TILES; ++tile) {
-        Slopes seen = tile_slopes(tile, at, pixel);
+#if VERTEX_TILES > 0
+        Slopes seen = tile < VERTEX_TILES ? slopes_of_vertices() : tile_slopes(tile, at, distance_m, pixel);
+#else
+        Slopes seen = tile_slopes(tile, at, distance_m, pixel);
+#endif
         sum = Slopes(sum.h + seen.h, sum.d + seen.d, sum.variance + seen.variance);
         float begins = 1.0 - tile_slope[tile].w;
-        if (begins > 5.0) continue;  // its waves break without white water
-        folds += seen.d;
-        whole_depth += begins * begins;
-        depth += begins * begins * clamp(1.0 - seen.variance / tile_slope[tile].z, 0.0, 1.0);
+        float breaks = begins > 5.0 ? 0.0 : begins * begins;  // some waves break without white water
+        folds += breaks > 0.0 ? seen.d : vec3(0.0);
+        whole_depth += breaks;
+        depth += breaks * clamp(1.0 - seen.variance / tile_slope[tile].z, 0.0, 1.0);
     }
     float foam = folding(1.0 - foam_trail.y * sqrt(depth), jacobian_of(folds), sqrt(depth / whole_depth));
     return Waves(normal_slopes(sum), sum.variance, foam);
 }
-
-#if TILES == 1
-// From above, or far away, a sea that repeats every L shows as a carpet. The waves of a second copy, turned by 20.9
-// degrees and stretched by the golden ratio, which meet the first in no period, take over part of the slopes there.
-// Their weights are those of independent waves: the mean square slope stays what it is.
-void mix_second_copy(vec2 at, Footprint pixel, float distance_m, inout Waves mixed) {
-    float second = 0.66 * smoothstep(0.4, 4.0, distance_m / tile_scale[0].z);
-    if (second <= 0.0) return;
-    const mat2 turn = mat2(0.9342, 0.3567, -0.3567, 0.9342);
-    float scale = 0.618034 / tile_scale[0].z;
-    float texels_a_m = 0.618034 * tile_scale[0].x;
-    vec2 along = turn * pixel.along * (scale * min(1.0, 1.0 / (scale * pixel.long_m)));
-    Slopes seen = look_at_tile(0, turn * at * scale + second_shift.xy, along, log2(pixel.wide_m * texels_a_m),
-                               taps_of(pixel, 1.0 / texels_a_m));
-    mixed.slopes = sqrt(1.0 - second * second) * mixed.slopes + second * (normal_slopes(seen) * turn);
-    mixed.alpha2 = mix(mixed.alpha2, seen.variance, second * second);
-}
-#endif
 
 // A layer of ripples: slopes in xy, in w how much of their mean square the pixel does not average away.
 vec4 layer_of_ripples(int layer, vec2 uv, Footprint pixel) {
@@ -137,22 +186,25 @@ vec4 layer_of_ripples(int layer, vec2 uv, Footprint pixel) {
     float tiles_a_m = length(row);
     float mip = log2(pixel.wide_m * tiles_a_m * 256.0);
     // Their longest waves are a third of the texture: at 2 texels none is left.
-    if (mip >= 7.0) return vec4(0.0);
-    vec2 along = vec2(row.x * pixel.along.x + row.y * pixel.along.y, row.x * pixel.along.y - row.y * pixel.along.x) *
-                 min(1.0, 1.0 / (tiles_a_m * pixel.long_m));
-    int taps = taps_of(pixel, 1.0 / (256.0 * tiles_a_m));
+#if SHADING == HIGH
+    mat2 turn = mat2(row.x, -row.y, row.y, row.x);
+    mat2 sides = turn * sides_of(pixel, 1.0 / (256.0 * tiles_a_m), 1.0 / tiles_a_m);
     vec4 sum = vec4(0.0);
     float square = 0.0;
-    for (int i = 0; i < taps; ++i) {
-        vec4 texel = textureLod(detail, uv + along * tap(i, taps), mip);
+    for (int i = 0; i < looks; ++i) {
+        vec4 texel = textureLod(detail, uv + sides * look_at[i], mip);
         vec2 slope = texel.xy * 2.0 - 1.0;
         sum += vec4(slope, texel.zw);
         square += dot(slope, slope);
     }
-    sum /= float(taps);
+    sum /= float(looks);
     // Slopes are stored as a quarter of their deviations: their mean square is 1/16.
-    sum.w -= 16.0 * max(square / float(taps) - dot(sum.xy, sum.xy), 0.0);
-    return sum * min(7.0 - mip, 1.0);
+    sum.w -= 16.0 * max(square / float(looks) - dot(sum.xy, sum.xy), 0.0);
+#else
+    vec4 texel = textureLod(detail, uv, mip);
+    vec4 sum = vec4(texel.xy * 2.0 - 1.0, texel.zw);
+#endif
+    return sum * clamp(7.0 - mip, 0.0, 1.0);
 }
 
 vec2 detail_uv(int layer, vec2 at) {
@@ -169,29 +221,38 @@ vec2 turned_back(int layer, vec2 slopes) {
 
 // Gusts: patches of rougher water, hundreds of metres wide, that every sea has.
 float gust_at(vec2 at) {
+#if SHADING == HEADSET
+    return 1.0;
+#else
     float gust = texture(detail, at * noise_scale.z + gust_shift.xy).z +
                  texture(detail, at.yx * noise_scale.w + gust_shift.zw).z;
     return clamp(0.35 + 1.3 * (gust - 0.5), 0.35, 1.7);
+#endif
 }
 
 // The water that no tile holds: waves.y squared, of which ripples show their part as slopes where pixels are small enough.
 void add_water_between_texels(vec2 at, Footprint pixel, inout Waves seen) {
     float gust = gust_at(at);
     vec4 a = layer_of_ripples(0, detail_uv(0, at), pixel);
+#if SHADING == HEADSET
+    vec2 slopes = turned_back(0, a.xy) * sqrt(2.0);
+    float shown = a.w;
+#else
     vec4 b = layer_of_ripples(1, detail_uv(1, at), pixel);
-    float mean_square = water_scattering.w;
-    float amplitude = sqrt(gust * mean_square * 0.5) * 4.0;
-    seen.slopes += amplitude * (turned_back(0, a.xy) + turned_back(1, b.xy));
+    vec2 slopes = turned_back(0, a.xy) + turned_back(1, b.xy);
+    float shown = 0.5 * (a.w + b.w);
+#endif
+    float mean_square = water_backscattering.w;
+    seen.slopes += sqrt(gust * mean_square * 0.5) * 4.0 * slopes;
     float rest = max(waves.y * waves.y - mean_square, 0.0);
-    seen.alpha2 = clamp(seen.alpha2 + rest + gust * mean_square * (1.0 - 0.5 * (a.w + b.w)), 0.0004, 1.0);
+    seen.alpha2 = clamp(seen.alpha2 + rest + gust * mean_square * (1.0 - shown), 0.0004, 1.0);
 }
 
+#if SURFACE == OPEN
 Waves waves_at(vec2 at, float distance_m) {
     Footprint pixel = footprint_of(at);
-    Waves seen = resolved_waves(at, pixel);
-#if TILES == 1
-    mix_second_copy(at, pixel, distance_m, seen);
-#endif
+    Waves seen = resolved_waves(at, distance_m, pixel);
     add_water_between_texels(at, pixel, seen);
     return seen;
 }
+#endif

@@ -1,0 +1,305 @@
+# The sea, its water, the sun and a sky for Cycles, and a path-traced picture of it.
+#
+# Blender's z is up: (x, y, z) of Pelagic is (x, -z, y) there. Light keeps Pelagic's unit.
+import math
+
+import bpy
+from mathutils import Matrix, Vector
+
+sun_radius_rad = 0.00465
+water_index = 1.333
+
+
+def blender(p):
+    return Vector((p[0], -p[2], p[1]))
+
+
+def henyey_greenstein_g(backwards):
+    """The asymmetry g for which that part is scattered backwards, by bisection of the phase function's integral."""
+    low, high = 1e-6, 1 - 1e-9
+    for _ in range(60):
+        g = 0.5 * (low + high)
+        part = (1 - g) / (2 * g) * ((1 + g) / math.sqrt(1 + g * g) - 1)
+        low, high = (g, high) if part > backwards else (low, g)
+    return low
+
+
+def new_scene(samples, width, height, threads):
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    scene = bpy.context.scene
+    scene.render.engine = "CYCLES"
+    scene.render.threads_mode, scene.render.threads = "FIXED", threads
+    scene.render.resolution_x, scene.render.resolution_y = width, height
+    scene.render.image_settings.file_format = "OPEN_EXR"
+    scene.render.image_settings.color_depth = "32"
+    cycles = scene.cycles
+    cycles.samples = samples
+    cycles.use_denoising = cycles.use_adaptive_sampling = False
+    # Nothing is cut off or blurred: light through the water is what is compared.
+    cycles.sample_clamp_direct = cycles.sample_clamp_indirect = cycles.blur_glossy = cycles.light_sampling_threshold = 0
+    cycles.max_bounces = cycles.transmission_bounces = cycles.volume_bounces = 256
+    cycles.glossy_bounces = 16
+    return scene
+
+
+def add_world(scene, panorama):
+    """Without a panorama it is black."""
+    world = scene.world = bpy.data.worlds.new("sky")
+    world.use_nodes = True
+    if panorama is None:
+        world.node_tree.nodes["Background"].inputs["Strength"].default_value = 0
+        return
+    nodes, links = world.node_tree.nodes, world.node_tree.links
+    # Its middle column is +x and azimuths grow to the right, towards Pelagic's +z: Blender's own convention, so unturned.
+    picture = nodes.new("ShaderNodeTexEnvironment")
+    picture.image = bpy.data.images.load(str(panorama))
+    picture.image.colorspace_settings.name = "Non-Color"
+    links.new(picture.outputs["Color"], nodes["Background"].inputs["Color"])
+
+
+def add_sun(scene, direction, irradiance):
+    sun = bpy.data.lights.new("sun", "SUN")
+    sun.angle = 2 * sun_radius_rad
+    strength = max(irradiance)
+    sun.energy = strength
+    sun.color = [part / strength for part in irradiance]
+    # Only sampled from where light is scattered: a path that meets the disc by chance would count it twice.
+    sun.cycles.use_multiple_importance_sampling = False
+    lamp = bpy.data.objects.new("sun", sun)
+    lamp.rotation_mode = "QUATERNION"
+    lamp.rotation_quaternion = blender(direction).to_track_quat("Z", "Y")
+    scene.collection.objects.link(lamp)
+
+
+class Nodes:
+    """Nodes of a material, made by what they compute; arguments are sockets or numbers."""
+
+    def __init__(self, tree):
+        self.nodes, self.links = tree.nodes, tree.links
+
+    def add(self, kind, **settings):
+        node = self.nodes.new(kind)
+        for name, value in settings.items():
+            setattr(node, name, value)
+        return node
+
+    def give(self, socket, value):
+        if isinstance(value, bpy.types.NodeSocket):
+            self.links.new(value, socket)
+        else:
+            socket.default_value = value
+
+    def math(self, operation, *values):
+        node = self.add("ShaderNodeMath", operation=operation)
+        for socket, value in zip(node.inputs, values):
+            self.give(socket, value)
+        return node.outputs["Value"]
+
+    def vector(self, operation, *values):
+        node = self.add("ShaderNodeVectorMath", operation=operation)
+        for socket, value in zip(node.inputs, values):
+            self.give(socket, value)
+        return node.outputs["Value" if operation == "DOT_PRODUCT" else "Vector"]
+
+    def fresnel(self, normal=None):
+        node = self.add("ShaderNodeFresnel")
+        node.inputs["IOR"].default_value = water_index
+        if normal:
+            self.give(node.inputs["Normal"], normal)
+        return node.outputs["Fac"]
+
+    def bsdf(self, kind, roughness, distribution, colour=(1, 1, 1, 1), normal=None):
+        node = self.add(kind, distribution=distribution)
+        self.give(node.inputs["Roughness"], roughness)
+        self.give(node.inputs["Color"], colour)
+        if normal:
+            self.give(node.inputs["Normal"], normal)
+        if "IOR" in node.inputs:
+            node.inputs["IOR"].default_value = water_index
+        return node.outputs["BSDF"]
+
+    def mixed(self, part, first, second):
+        node = self.add("ShaderNodeMixShader")
+        for socket, value in zip(node.inputs, (part, first, second)):
+            self.give(socket, value)
+        return node.outputs["Shader"]
+
+    def sum(self, first, second):
+        node = self.add("ShaderNodeAddShader")
+        for socket, value in zip(node.inputs, (first, second)):
+            self.give(socket, value)
+        return node.outputs["Shader"]
+
+
+def rough_glass(nodes, alpha_root, part):
+    """A mirror and a lens with Beckmann's distribution, which is Gauss' of slopes. \\param part  that the mirror takes"""
+    mirror, lens = (nodes.bsdf(kind, alpha_root, "BECKMANN") for kind in ("ShaderNodeBsdfGlossy", "ShaderNodeBsdfRefraction"))
+    return nodes.mixed(part, lens, mirror)
+
+
+def surface_in_sunlight(nodes, geometry, alpha_root, sun):
+    """Fresnel's part is that of the one facet that mirrors the sun to the eye."""
+    facet = nodes.vector("NORMALIZE", nodes.vector("ADD", geometry.outputs["Incoming"], tuple(blender(sun))))
+    return rough_glass(nodes, alpha_root, nodes.fresnel(facet))
+
+
+def area_seen(nodes, cosine, mean_square):
+    """Of facets of Gauss' slopes, over that of the plane they stand on: mu P(a) + s t p(a), a = mu / (s t), Gauss' p and P."""
+    sine = nodes.math("SQRT", nodes.math("MAXIMUM", nodes.math("SUBTRACT", 1.0, nodes.math("MULTIPLY", cosine, cosine)), 1e-8))
+    spread = nodes.math("MULTIPLY", nodes.math("SQRT", nodes.math("MULTIPLY", mean_square, 0.5)), sine)
+    a = nodes.math("MINIMUM", nodes.math("DIVIDE", cosine, spread), 8.0)
+    a2 = nodes.math("MULTIPLY", a, a)
+    density = nodes.math("MULTIPLY", nodes.math("EXPONENT", nodes.math("MULTIPLY", a2, -0.5)), 1 / math.sqrt(2 * math.pi))
+    # The distribution within 1.4e-4: Page 1977.
+    odd = nodes.math("ADD", nodes.math("MULTIPLY", a, -1.5976),
+                     nodes.math("MULTIPLY", nodes.math("MULTIPLY", a, a2), -0.070566))
+    distribution = nodes.math("DIVIDE", 1.0, nodes.math("ADD", 1.0, nodes.math("EXPONENT", odd)))
+    return nodes.math("ADD", nodes.math("MULTIPLY", cosine, distribution), nodes.math("MULTIPLY", spread, density))
+
+
+def doubled(nodes, value):
+    node = nodes.add("ShaderNodeCombineXYZ")
+    for socket in node.inputs:
+        nodes.give(socket, nodes.math("MULTIPLY", value, 2.0))
+    return node.outputs["Vector"]
+
+
+def masked_area(nodes, cosine, mean_square):
+    """Smith's function for Gauss' slopes (Walter et al. 2007, equation 15), times the cosine."""
+    sine2 = nodes.math("SUBTRACT", 1.0, nodes.math("MULTIPLY", cosine, cosine))
+    across = nodes.math("SQRT", nodes.math("MULTIPLY", mean_square, nodes.math("MAXIMUM", sine2, 1e-6)))
+    a = nodes.math("MINIMUM", nodes.math("DIVIDE", cosine, across), 1.6)  # where it is 0.1 % of the cosine
+    above = nodes.math("MULTIPLY_ADD", a, nodes.math("MULTIPLY_ADD", a, 0.396, -1.259), 1.0)
+    below = nodes.math("MULTIPLY_ADD", a, 2.181, 3.535)
+    return nodes.math("MULTIPLY", across, nodes.math("DIVIDE", above, below))
+
+
+def sky_share(nodes, eye, towards, mean_square):
+    """Of what a facet mirrors: waves that the mesh lacks hide the rest (Smith, Heitz 2014, equation 99), and mirror 0.3 of the sky in
+    turn. Cosines with the mesh's normal; nothing comes from below the mesh."""
+    eye, up = nodes.math("MAXIMUM", eye, 1e-3), nodes.math("MAXIMUM", towards, 1e-4)
+    seen = nodes.math("MULTIPLY", nodes.math("ADD", eye, masked_area(nodes, eye, mean_square)), up)
+    hidden = nodes.math("MULTIPLY", masked_area(nodes, up, mean_square), eye)
+    lit = nodes.math("DIVIDE", seen, nodes.math("ADD", seen, hidden))
+    return nodes.math("MULTIPLY", nodes.math("GREATER_THAN", towards, 0.0), nodes.math("MULTIPLY_ADD", lit, 0.7, 0.3))
+
+
+def surface_in_skylight(nodes, geometry, mean_square):
+    """Each sample meets one smooth facet, whose slopes are drawn anew from Gauss' distribution and which counts by its area as the
+    eye sees it: so Fresnel's part, and where the light comes from, are those of the same facet."""
+    dice = nodes.add("ShaderNodeTexWhiteNoise", noise_dimensions="3D")
+    nodes.give(dice.inputs["Vector"], geometry.outputs["Position"])
+    parts = nodes.add("ShaderNodeSeparateXYZ")
+    nodes.give(parts.inputs[0], dice.outputs["Color"])
+    # Box and Muller 1958; both slopes together have the variance `mean_square`.
+    far = nodes.math("SQRT", nodes.math("MULTIPLY", mean_square, nodes.math(
+        "MULTIPLY", -1.0, nodes.math("LOGARITHM", nodes.math("MAXIMUM", parts.outputs["X"], 1e-7), math.e))))
+    angle = nodes.math("MULTIPLY", parts.outputs["Y"], 2 * math.pi)
+    slopes = nodes.add("ShaderNodeCombineXYZ")
+    nodes.give(slopes.inputs["X"], nodes.math("MULTIPLY", far, nodes.math("COSINE", angle)))
+    nodes.give(slopes.inputs["Y"], nodes.math("MULTIPLY", far, nodes.math("SINE", angle)))
+    eye, normal = geometry.outputs["Incoming"], geometry.outputs["Normal"]
+    leaning = nodes.vector("ADD", normal, slopes.outputs["Vector"])
+    facet = nodes.vector("NORMALIZE", leaning)
+    weight = nodes.math("DIVIDE", nodes.math("MAXIMUM", nodes.vector("DOT_PRODUCT", eye, leaning), 0.0),
+                        area_seen(nodes, nodes.vector("DOT_PRODUCT", eye, normal), mean_square))
+    mirrored = nodes.math("MULTIPLY", weight, nodes.fresnel(facet))
+    towards = nodes.vector("SUBTRACT", nodes.vector("MULTIPLY", facet, doubled(nodes, nodes.vector("DOT_PRODUCT", eye, facet))), eye)
+    share = sky_share(nodes, nodes.vector("DOT_PRODUCT", eye, normal), nodes.vector("DOT_PRODUCT", towards, normal), mean_square)
+    through = nodes.math("SUBTRACT", weight, mirrored)
+    mirrored = nodes.math("MULTIPLY", mirrored, share)
+    mirror = nodes.bsdf("ShaderNodeBsdfGlossy", 0.0, "SHARP", mirrored, facet)
+    lens = nodes.bsdf("ShaderNodeBsdfRefraction", 0.0, "SHARP", through, facet)
+    return nodes.sum(mirror, lens)
+
+
+def add_surface(tree, sun):
+    """What the surface does to light of the sun or, without `sun`, of the sky; the closure's output.
+
+    Slopes have Gauss' distribution, as Cox and Munk measured them. Cycles 3.4 takes the mean normal's Fresnel for a rough glass, three
+    times too much at grazing angles; so the parts are put together here, for the sun and for the sky in a picture each.
+    """
+    nodes = Nodes(tree)
+    mean_square = nodes.add("ShaderNodeAttribute", attribute_name="roughness").outputs["Fac"]
+    alpha_root = nodes.math("POWER", mean_square, 0.25)  # alpha^2 is the mean square slope, Blender's roughness the root of alpha
+    geometry = nodes.add("ShaderNodeNewGeometry")
+    above = (surface_in_sunlight(nodes, geometry, alpha_root, sun) if sun else
+             surface_in_skylight(nodes, geometry, mean_square))
+    below = rough_glass(nodes, alpha_root, nodes.fresnel())
+    return nodes.mixed(geometry.outputs["Backfacing"], above, below)
+
+
+def water_material(optics, sun):
+    """A rough surface over a medium. \\param optics  "water" of `pelagic render --json`
+
+    Light that is scattered forwards goes on nearly as if it were not, so only what goes backwards matters, and its shape: real
+    water's is nearly even from 120 to 180 degrees (Petzold 1972), while Henyey and Greenstein's curve with the g of real water's
+    forward peak has two thirds of its mean there. With g so that 0.4 goes backwards it is 0.9 of even.
+    """
+    material = bpy.data.materials.new("water")
+    material.use_nodes = True
+    nodes, links = material.node_tree.nodes, material.node_tree.links
+    nodes.clear()
+    out = nodes.new("ShaderNodeOutputMaterial")
+    links.new(add_surface(material.node_tree, sun), out.inputs["Surface"])
+
+    def medium(kind, coefficients, complement):
+        node = nodes.new(kind)
+        most = max(coefficients)
+        parts = [c / most for c in coefficients]
+        node.inputs["Color"].default_value = [1 - p if complement else p for p in parts] + [1]
+        node.inputs["Density"].default_value = most
+        return node
+
+    backwards = 0.4
+    absorbed = medium("ShaderNodeVolumeAbsorption", optics["absorption_per_m"], True)
+    # One kind of scattering only: two in one medium come out several times too bright in Cycles 3.4.
+    scattered = medium("ShaderNodeVolumeScatter", [bb / backwards for bb in optics["backscattering_per_m"]], False)
+    scattered.inputs["Anisotropy"].default_value = henyey_greenstein_g(backwards)
+    both = nodes.new("ShaderNodeAddShader")
+    links.new(absorbed.outputs["Volume"], both.inputs[0])
+    links.new(scattered.outputs["Volume"], both.inputs[1])
+    links.new(both.outputs["Shader"], out.inputs["Volume"])
+    material.cycles.homogeneous_volume = True
+    return material
+
+
+def add_sea(scene, sea, optics, sun):
+    vertices, quads = len(sea.places) // 3, len(sea.quads) // 4
+    mesh = bpy.data.meshes.new("sea")
+    mesh.vertices.add(vertices)
+    mesh.vertices.foreach_set("co", sea.places)
+    mesh.loops.add(4 * quads)
+    mesh.loops.foreach_set("vertex_index", sea.quads)
+    mesh.polygons.add(quads)
+    mesh.polygons.foreach_set("loop_start", range(0, 4 * quads, 4))
+    mesh.polygons.foreach_set("loop_total", [4] * quads)
+    mesh.attributes.new("roughness", "FLOAT", "POINT").data.foreach_set("value", sea.roughness)
+    mesh.update(calc_edges=True)
+    mesh.validate()
+    mesh.materials.append(water_material(optics, sun))
+    thing = bpy.data.objects.new("sea", mesh)
+    thing.rotation_euler.x = math.radians(90)
+    scene.collection.objects.link(thing)
+
+
+def add_camera(scene, place, target, fov_deg):
+    camera = bpy.data.objects.new("camera", bpy.data.cameras.new("camera"))
+    camera.data.sensor_fit = "VERTICAL"
+    camera.data.angle = math.radians(fov_deg)
+    camera.data.clip_start, camera.data.clip_end = 0.1, 1e7
+    camera.location = blender(place)
+    forward = blender(target) - blender(place)
+    # Straight down, +x is at the top of the picture (quadtree/camera.hpp).
+    up = Vector((0, 0, 1)) if forward.xy.length > 1e-6 * forward.length else Vector((1, 0, 0))
+    back = -forward.normalized()
+    right = up.cross(back).normalized()
+    camera.rotation_mode = "QUATERNION"
+    camera.rotation_quaternion = Matrix((right, back.cross(right), back)).transposed().to_quaternion()
+    scene.collection.objects.link(camera)
+    scene.camera = camera
+
+
+def render(scene, file):
+    scene.render.filepath = str(file)
+    bpy.ops.render.render(write_still=True)

@@ -1,0 +1,33 @@
+// Sunlight that the waves gather and spread: its part of the mean where it meets a plane below the water. Made of the real
+// surface (gl/caustics.hpp), or of three rows of crests where a host hands in none and on headsets. The mean is 1 either way.
+#if SHADING != HEADSET
+uniform sampler2D caustics;
+#endif
+
+// Three turned rows of crests: half-rectified cosines, their sum cubed so that lines are thin. Of cosines c with
+// independent phases the mean of (c1 + c2 + c3)^3 is 3 <c^3> + 18 <c^2><c> + 6 <c>^3 = 2.2625.
+float rows_of_crests(vec2 at) {
+    vec3 phase = vec3(dot(at, caustic_row[0].xy), dot(at, caustic_row[1].xy), dot(at, caustic_row[2].xy)) +
+                 vec3(caustic_row[0].z, caustic_row[1].z, caustic_row[2].z);
+    // Crests of one row bend by those of the next: straight ones would make a grid.
+    vec3 c = max(cos(phase + 1.1 * sin(0.37 * phase.yzx)), 0.0);
+    float sum = c.x + c.y + c.z;
+    return mix(1.0, sum * sum * sum / 2.2625, 0.6);
+}
+
+// `at` is where the ray came through the surface, relative to the viewer; `pixel_m` how wide a pixel is there.
+float caustics_at(vec2 at, float depth, float pixel_m) {
+    float focus = caustic_row[0].w;  // depth for which they were made
+    // Light that has not gone far is still even, and far below the rays of many waves mix.
+    float seen = min(depth / focus, 1.0) * exp(-max(depth / focus - 1.0, 0.0));
+    float light = mix(rows_of_crests(at), 1.0, smoothstep(0.1, 0.6, pixel_m));
+#if SHADING != HEADSET
+    if (caustic_place.z != 0.0 || caustic_place.w != 0.0) {
+        vec2 turn = caustic_place.zw;
+        vec2 uv = caustic_place.xy + vec2(turn.x * at.x + turn.y * at.y, turn.x * at.y - turn.y * at.x);
+        float texels_a_m = length(turn) * float(textureSize(caustics, 0).x);
+        light = textureLod(caustics, uv, log2(max(pixel_m * texels_a_m, 1.0))).x;
+    }
+#endif
+    return mix(1.0, light, max(seen, 0.0));
+}

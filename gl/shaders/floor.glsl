@@ -1,0 +1,81 @@
+// The floor of the sea: where it lies, and its light. A plane at the sea's depth, or a field of heights.
+uniform highp sampler2D floor_heights;  // metres above rest; metres are halves, finest around the waterline
+
+#if defined(FLOOR) && SHADING != HEADSET
+uniform sampler2D detail;
+#endif
+
+bool has_floor_heights() { return floor_place.z > 0.0; }
+
+vec2 floor_uv(vec2 at) { return floor_place.xy + at * floor_place.zw; }
+
+// Above rest.
+float floor_height(vec2 at, float mip) {
+    if (!has_floor_heights()) return floor_look.x;
+    return textureLod(floor_heights, floor_uv(at), mip).x;
+}
+
+vec3 floor_normal(vec2 at, float mip) {
+    if (!has_floor_heights()) return vec3(0.0, 1.0, 0.0);
+    vec2 texel = exp2(floor(mip + 0.5)) / vec2(textureSize(floor_heights, 0));
+    vec2 uv = floor_uv(at);
+    vec2 rise = vec2(textureLod(floor_heights, uv + vec2(texel.x, 0.0), mip).x -
+                         textureLod(floor_heights, uv - vec2(texel.x, 0.0), mip).x,
+                     textureLod(floor_heights, uv + vec2(0.0, texel.y), mip).x -
+                         textureLod(floor_heights, uv - vec2(0.0, texel.y), mip).x);
+    vec2 slope = 0.5 * rise * floor_place.zw / texel;
+    return normalize(vec3(-slope.x, 1.0, -slope.y));
+}
+
+// The way along a ray that goes down, metres: closed for a plane; on heights the place is looked up again twice, which finds
+// floors that are less steep than the ray.
+float way_to_floor(vec3 start, vec3 ray) {
+    float high = start.y + viewer.z;
+    float down = max(-ray.y, 0.02);
+    float way = max(high - floor_height(start.xz, 0.0), 0.0) / down;
+#if SHADING != HEADSET
+    if (has_floor_heights())
+        for (int i = 0; i < 2; ++i)
+            way = max(high - floor_height(start.xz + ray.xz * min(way, 1e3), 0.0), 0.0) / down;
+#endif
+    return way;
+}
+
+// How wide a pixel is on the floor when it has gone so far.
+float pixel_on_floor(float distance_m) { return floor_look.z * distance_m; }
+
+// Light that sand gives back to a pixel that is so wide there. Under water sun and sky are dimmed by the water above: the sun's along its own way. Ripples a
+// quarter of a metre apart, as swell leaves them; wet sand is darker than dry (Lobell and Asner 2002: by half).
+vec3 floor_light(vec3 at, float pixel_m) {
+    float depth = -(at.y + viewer.z);
+#if SHADING == HEADSET
+    vec3 normal = vec3(0.0, 1.0, 0.0), rippled = normal;
+    float coarse = 0.5, middle = 0.5;
+#else
+    float mip = has_floor_heights() ? log2(max(pixel_m * floor_place.z * float(textureSize(floor_heights, 0).x), 1.0)) : 0.0;
+    vec3 normal = floor_normal(at.xz, mip);
+
+    vec2 place_on_sand = at.xz + floor_mesh.zw;  // repeats after 64 m
+    float coarse = textureLod(detail, place_on_sand / 16.0, log2(max(pixel_m * 16.0, 1.0))).z;
+    float middle = textureLod(detail, place_on_sand.yx / 4.0, log2(max(pixel_m * 64.0, 1.0))).z;
+    vec2 across = vec2(230.0, 97.0) / 64.0;  // ripples a metre
+    float phase = 2.0 * pi * dot(place_on_sand, across) + 9.0 * coarse + 2.5 * middle;
+    float ripples = 0.32 * (1.0 - smoothstep(0.05, 0.14, pixel_m)) * smoothstep(-0.3, 0.5, depth) * floor_look.w;
+    vec3 rippled = normalize(normal + vec3(across.x, 0.0, across.y) * (0.256 * ripples * cos(phase)));
+#endif
+
+    const vec3 wet_sand = vec3(0.35, 0.31, 0.25);
+    float wet = 1.0 - smoothstep(0.6, 1.4, -depth / floor_look.y + 0.5 * (middle - 0.5));
+    // Dry sand is blown even; under water shells and algae gather in patches.
+    vec3 albedo = wet_sand * mix(1.65, 1.0, wet) * mix(0.87 + 0.16 * coarse + 0.1 * middle, 0.62 + 0.45 * coarse + 0.31 * middle, wet);
+    albedo = mix(floor_albedo.rgb, albedo, floor_look.w);
+
+    if (depth <= 0.0)
+        return albedo / pi * (sun_irradiance.rgb * max(dot(rippled, sun.xyz), 0.0) +
+                              sky_irradiance.rgb * (0.5 + 0.5 * normal.y));
+    vec3 k = attenuation_of_water();
+    vec3 to_sun = sun_in_water();
+    float gathered = caustics_at(at.xz + to_sun.xz / to_sun.y * depth, depth, pixel_m);
+    vec3 from_sun = sunlight_below() / to_sun.y * exp(-k * depth / to_sun.y) * max(dot(rippled, to_sun), 0.0) * gathered;
+    return albedo / pi * (from_sun + skylight_below() * exp(-k * depth) * (0.5 + 0.5 * normal.y));
+}

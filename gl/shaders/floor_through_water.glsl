@@ -1,0 +1,24 @@
+// What is seen of the floor from above the water.
+
+// Light from below the surface: that of the water down to the floor, and the floor's own, dimmed along the refracted ray. Slopes within
+// the pixel turn rays by a quarter of themselves, to both sides.
+vec3 light_from_below(vec3 at, vec3 normal, vec3 to_eye, float distance_m, float alpha2) {
+    if (floor_albedo.w < 0.5) return upwelling(normal, to_eye);
+    vec3 ray = refract(-to_eye, normal, 1.0 / water_index);
+    ray = normalize(vec3(ray.x, min(ray.y, -0.3), ray.z));
+    float way = way_to_floor(at, ray);
+    vec3 k = attenuation_of_water();
+    vec3 there_and_back = exp(-k * (way * (1.0 - ray.y)));
+    vec3 bottom = floor_light(at + ray * way, pixel_on_floor(distance_m + way) + 0.5 * sqrt(0.5 * alpha2) * way);
+    // Crossing the surface widens rays: radiance shrinks by the square of the index.
+    return upwelling(normal, to_eye) * (1.0 - there_and_back) + bottom * exp(-k * way) / (water_index * water_index);
+}
+
+// The last decimetres of water are hardly there: no hard line where the sea meets the sand.
+vec3 soft_shore(vec3 radiance, vec3 at, float distance_m, float height) {
+    if (!has_floor_heights()) return radiance;
+    float ground = floor_height(at.xz, 0.0);
+    float there = smoothstep(0.0, 0.3, height - ground);
+    if (there >= 1.0) return radiance;
+    return mix(floor_light(vec3(at.x, ground - viewer.z, at.z), pixel_on_floor(distance_m)), radiance, there);
+}

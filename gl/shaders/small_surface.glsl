@@ -1,0 +1,37 @@
+// The surface in a pixel of small water (small_water.glsl).
+uniform highp sampler2D flow;  // velocities of a river along x and z, in parts of its fastest; 128 is none
+
+#if SURFACE == RIVER
+// Bumps that flow: two copies, half a cycle apart, are carried along and begin again when they have no weight. Independent waves
+// add in squares, so the weights are divided by the root of the sum of theirs. Fast water is rough, and still water smooth.
+Bumps flowing_bumps(vec2 at, float pixel_m) {
+    vec2 velocity = (texture(flow, at * flow_place.z + flow_place.xy).xy * 255.0 - 128.0) / 127.0;
+    vec2 way = velocity * flow_cycle.z;  // in a cycle
+    float rough = mix(0.3, 1.0, min(length(velocity), 1.0));
+    Bumps first = sum_of_octaves(at - way * (flow_cycle.x - 0.5) + flow_jump.xy, pixel_m, rough);
+    Bumps second = sum_of_octaves(at - way * (flow_cycle.y - 0.5) + flow_jump.zw, pixel_m, rough);
+    float weight = 1.0 - abs(2.0 * flow_cycle.x - 1.0);
+    vec2 weights = vec2(weight, 1.0 - weight) * inversesqrt(weight * weight + (1.0 - weight) * (1.0 - weight));
+    return Bumps(0.0, weights.x * first.gradient + weights.y * second.gradient, first.left, 0.0);
+}
+#endif
+
+Bumps small_bumps(vec2 at, float pixel_m) {
+#if SURFACE == POND
+    return sum_of_pond_waves(at, pixel_m);
+#elif SURFACE == RIVER
+    return flowing_bumps(at, pixel_m);
+#elif SURFACE == LAKE
+    return sum_of_octaves(at, pixel_m, sqrt(gust_at(at)));
+#else
+    return sum_of_octaves(at, pixel_m, 1.0);
+#endif
+}
+
+Waves waves_at(vec2 at, float distance_m) {
+    // Near the horizon a pixel is long and thin. Its mean side keeps waves that lie along it; the length would flatten them.
+    Footprint pixel = footprint_of(at);
+    Bumps seen = small_bumps(at, sqrt(length(pixel.dx) * length(pixel.dy)));
+    vec2 slopes = -seen.gradient / max(1.0, length(seen.gradient) / 4.0);
+    return Waves(slopes, clamp(seen.left, 0.0004, 1.0), SURFACE == COAST ? seen.crest * bump_kind.y : 0.0);
+}

@@ -1,0 +1,64 @@
+// The surface from within the water: Snell's window, and around it the water, mirrored.
+
+// What the surface mirrors along a ray that goes down or level: the floor if there is one, else blue. The longer the way, the wider the
+// floor's part that a pixel gets from slopes of that deviation.
+vec3 seen_in_water(vec3 start, vec3 ray, float slopes) {
+    ray = normalize(vec3(ray.x, min(ray.y, -0.02), ray.z));
+    float way = way_to_floor(start, ray);
+    vec3 light = scattered_light(ray, depth_of(start), way, 1.0);
+    if (way < 400.0) {
+        vec3 at = start + ray * way;
+        float pixel_m = pixel_on_floor(length(start - eye[EYE].xyz) + way) + 4.0 * slopes * way;
+        light += floor_light(at, pixel_m) * exp(-attenuation_of_water() * way);
+    }
+    return light;
+}
+
+// Unpolarised light, from the water: 1 beyond the critical angle.
+float fresnel_from_below(float cosine) {
+    float square = 1.0 - water_index * water_index * (1.0 - cosine * cosine);
+    if (square <= 0.0) return 1.0;
+    float in_air = sqrt(square);
+    float parallel = (cosine - water_index * in_air) / (cosine + water_index * in_air);
+    float crosswise = (water_index * cosine - in_air) / (water_index * cosine + in_air);
+    return 0.5 * (parallel * parallel + crosswise * crosswise);
+}
+
+// The sun through rough water: Walter et al. 2007, equations 16 and 21, for light from air and an eye in the water.
+float sun_through(vec3 normal, vec3 to_eye, float alpha2) {
+    vec3 middle = -(sun.xyz + water_index * to_eye);
+    float turned = length(middle);
+    middle /= max(turned, 1e-4);
+    float nh = dot(normal, middle), ih = dot(sun.xyz, middle), oh = -dot(to_eye, middle);
+    if (nh <= 0.0 || ih <= 0.0 || oh <= 0.0) return 0.0;
+    // A facet turns light by a quarter of its own tilt, so the disc is as wide as facets four discs wide make it.
+    alpha2 += 16.0 * sun.w * sun.w;
+    float d = nh * nh * (alpha2 - 1.0) + 1.0;
+    float distribution = alpha2 / (pi * d * d);
+    float across = water_index * oh - ih;
+    return ih * oh * water_index * water_index * (1.0 - fresnel_from_below(oh)) * distribution /
+           (max(dot(normal, -to_eye), 0.05) * max(across * across, 1e-4));
+}
+
+// The surface from below: Snell's window, and beyond 48.6 degrees the water, mirrored. Foam is light that comes through bubbles: dark
+// before the sky, bright before the mirror.
+vec3 surface_from_below(vec3 at, vec3 normal, vec3 to_eye, float alpha2, Foam foam, float distance_m) {
+    vec3 ray = -to_eye;
+    float cosine = clamp(dot(ray, normal), 0.01, 1.0);
+    // Slopes within the pixel soften the window's edge.
+    float s = sqrt(0.5 * alpha2);
+    float leans = 1.4 * s * sqrt(1.0 - cosine * cosine);
+    float mirrors = 0.5 * fresnel_from_below(cosine) + 0.25 * fresnel_from_below(min(cosine + leans, 1.0)) +
+                    0.25 * fresnel_from_below(max(cosine - leans, 0.01));
+    float square = 1.0 - water_index * water_index * (1.0 - cosine * cosine);
+    vec3 out_of = normalize(water_index * ray + (sqrt(max(square, 0.0)) - water_index * cosine) * normal);
+    // Rays close up in water: radiance grows by the square of the index.
+    vec3 above = textureLod(sky, vec3(out_of.x, max(out_of.y, 0.01), out_of.z),
+                            sqrt(0.5 * sqrt(alpha2)) * sky_irradiance.w).rgb * (water_index * water_index);
+    vec3 mirrored = mirrors > 0.001 ? seen_in_water(at, reflect(ray, normal), s) : vec3(0.0);
+    vec3 radiance = mix(above, mirrored, mirrors) +
+                    sun_irradiance.rgb * min(sun_through(normal, to_eye, alpha2), 3e3);
+    vec3 through_foam = (1.0 - foam_albedo(foam.thickness)) / pi * (sunlight_below() + skylight_below());
+    radiance = mix(radiance, through_foam, foam.cover * mix(0.5, 0.95, foam.thickness));
+    return through_water(radiance, eye[EYE].xyz, ray, distance_m);
+}

@@ -1,0 +1,355 @@
+// Below the surface: the floor through the water, Snell's window, the waterline across the lens. Light that is black but for
+// one source tells where each part of a picture comes from.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <glm/gtc/packing.hpp>
+#include <numbers>
+#include <random>
+#include <vector>
+
+#include "pelagic/gl/headless_context.hpp"
+#include "pelagic/gl/sea_renderer.hpp"
+#include "pelagic/gl/water_optics.hpp"
+#include "pelagic/quadtree/selection.hpp"
+#include "pelagic/sim/ocean.hpp"
+
+namespace pelagic {
+namespace {
+
+constexpr double pi = std::numbers::pi, water_index = 1.333;
+
+/// A sky of one colour all around, and nothing else: what it does not reach is black.
+gl::Sky even_sky(float radiance) {
+    gl::Sky sky;
+    sky.face_size = 16;
+    sky.levels = gl::sky_levels(16);
+    for (int level = 0; level < sky.levels; ++level)
+        for (int i = 0; i < 6 * (16 >> level) * (16 >> level); ++i)
+            for (const float channel : {radiance, radiance, radiance, 1.f})
+                sky.texels.push_back(glm::packHalf1x16(channel));
+    return sky;
+}
+
+/// Sunlight straight down from a black sky.
+gl::Sky only_sun() {
+    gl::Sky sky = even_sky(0);
+    sky.sun_irradiance = glm::vec3(1);
+    return sky;
+}
+
+/// Draws radiance, one sample a pixel.
+class BelowScene {
+   public:
+    explicit BelowScene(const std::string& preset, int width = 96, int height = 64)
+        : ocean_(sea_preset_named(preset)->sea, {.queries = true, .slopes = true}),
+          quadtree_(quadtree_preset_named("low")->options(1024)),
+          selection_(quadtree_),
+          target_(context_.functions(), width, height, 1, gl::PixelKind::radiance),
+          renderer(context_.functions(), {.patch_vertices = quadtree_.vertices,
+                                          .resolution = ocean_.resolution(),
+                                          .tiles = ocean_.tile_count(),
+                                          .writes = gl::PixelKind::radiance}) {}
+
+    const Frame& frame_at(double time_s) { return ocean_.frame_at(time_s); }
+
+    /// The same sea when no wind blows: level, and smooth but for what a mirror's smallest roughness is.
+    const Frame& level_frame(double depth_m) {
+        level_ = ocean_.frame_at(0);
+        level_.sea.depth_m = depth_m;
+        level_.figures.roughness = 0.01;
+        level_.bounds = {};
+        const std::size_t n = static_cast<std::size_t>(ocean_.resolution());
+        zeros_.assign(4 * n * n, 0);
+        plane_.assign(n * n, 0);
+        slopes_.assign(mip_offset(ocean_.resolution(), mip_levels(ocean_.resolution())), 0x80808080u);
+        moments_.assign(slopes_.size(), 0x80000080u);
+        tiles_.assign(level_.tiles.begin(), level_.tiles.end());
+        for (Tile& tile : tiles_) {
+            const PlaneView plane{plane_.data(), ocean_.resolution(), ocean_.resolution(), ocean_.resolution(), 0};
+            tile.dx = tile.height = tile.dz = plane;
+            tile.displacement_rgba16f = zeros_;
+            tile.slopes_rgba8 = slopes_;
+            tile.moments_rgba8 = moments_;
+            tile.whitecap_jacobian = Tile::no_whitecaps;
+        }
+        level_.tiles = tiles_;
+        return level_;
+    }
+
+    /// \param water  none: the lens is in the air
+    std::vector<float> picture(const Camera& camera, const Frame& frame, std::optional<gl::WaterAtLens> water,
+                               bool draws_sky = true) {
+        const gl::Eye eye = gl::eye_of(camera, {0, 0, target_.width(), target_.height()});
+        const DrawList& list = selection_.select(
+            {.viewer_m = camera.position_m, .views = {&eye.clip_from_world, 1}, .bounds = frame.bounds});
+        target_.bind();
+        context_.functions().ClearColor(1000, 0, 1000, 1);  // magenta, brighter than all light
+        context_.functions().Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        renderer.upload(frame);
+        context_.functions().Finish();
+        renderer.draw({.eyes = {&eye, 1},
+                       .viewer_m = camera.position_m,
+                       .list = &list,
+                       .lod_scale = quadtree_.lod_scale,
+                       .draws_sky = draws_sky,
+                       .water_at_lens = water});
+        return target_.read_radiance();
+    }
+    double green(const std::vector<float>& pixels, int x, int y) const {
+        return static_cast<double>(pixels[4 * static_cast<std::size_t>(y * target_.width() + x) + 1]);
+    }
+    double middle(const std::vector<float>& pixels) const { return green(pixels, width() / 2, height() / 2); }
+    int width() const { return target_.width(); }
+    int height() const { return target_.height(); }
+
+    /// Of green light in the water that is drawn where none is chosen, 1/m.
+    static double attenuation() {
+        return static_cast<double>(gl::water_optics(gl::default_jerlov_type).attenuation_per_m().y);
+    }
+
+   private:
+    gl::HeadlessContext context_{{.debug = true}};
+    Ocean ocean_;
+    QuadtreeOptions quadtree_;
+    Selection selection_;
+    gl::RenderTarget target_;
+    Frame level_;
+    std::vector<Tile> tiles_;
+    std::vector<std::uint16_t> zeros_;
+    std::vector<float> plane_;
+    std::vector<std::uint32_t> slopes_, moments_;
+
+   public:
+    gl::SeaRenderer renderer;
+};
+
+// Total reflection begins at asin(1 / n) = 48.6 degrees, whatever the depth.
+TEST(UnderWater, SnellsWindowIsAsWideAsTheCriticalAngleAndNoSkyIsBesideIt) {
+    constexpr double view_rad = 2.3, inner = (48.6 - 1.5) * pi / 180, outer = (48.6 + 1.5) * pi / 180, depth_m = 5;
+    BelowScene scene("calm", 240, 240);
+    scene.renderer.set_sky(even_sky(100));
+    const Frame& frame = scene.level_frame(4000);
+    const auto pixels = scene.picture({{0, -depth_m, 0}, {0, 0, 0}, view_rad}, frame, gl::WaterAtLens{});
+    const double k = BelowScene::attenuation();
+    int within = 0, beside = 0;
+    for (int y = 0; y < scene.height(); ++y)
+        for (int x = 0; x < scene.width(); ++x) {
+            const double scale = std::tan(view_rad / 2) / (scene.height() / 2.0);
+            const double angle =
+                std::atan(std::hypot(x + 0.5 - scene.width() / 2.0, y + 0.5 - scene.height() / 2.0) * scale);
+            const double light = scene.green(pixels, x, y);
+            if (angle < inner) {
+                // What came through the surface, grown by n^2, and dimmed on the way: at least the part at 47 degrees,
+                // where 0.65 is let in.
+                EXPECT_GT(light, 0.5 * 100 * water_index * water_index * std::exp(-k * depth_m / std::cos(angle)))
+                    << x << ", " << y;
+                ++within;
+            } else if (angle > outer) {
+                EXPECT_LT(light, 0.01) << x << ", " << y;
+                ++beside;
+            }
+        }
+    EXPECT_GT(within, 500);
+    EXPECT_GT(beside, 500);
+    const double straight_up = 100 * water_index * water_index * (1 - 0.0204) * std::exp(-k * depth_m);
+    // Half floats of radiance and of the sky: 1e-3.
+    EXPECT_NEAR(scene.middle(pixels), straight_up, 0.005 * straight_up);
+}
+
+// Sunlight goes down through the water and up again: exp(-k d) each way. The difference between a white floor and a black one is
+// the floor's alone. Without waves caustics are even.
+TEST(UnderWater, AFloorIsDimmedByTheWayDownAndTheWayUp) {
+    BelowScene scene("calm", 32, 32);
+    scene.renderer.set_sky(only_sun());
+    const double k = BelowScene::attenuation();
+    gl::CausticsBaker baker(make_serial_executor());
+    std::vector<double> let_in;
+    for (const double depth_m : {2.0, 5.0, 15.0}) {
+        const Frame& frame = scene.level_frame(depth_m);
+        baker.schedule(frame, {});
+        scene.renderer.set_caustics(baker.complete());
+        const auto floor_of = [&](const Camera& camera, std::optional<gl::WaterAtLens> water) {
+            std::array<double, 2> light{};
+            for (const float albedo : {0.f, 1.f}) {
+                scene.renderer.set_floor({.is_sand = false, .albedo = glm::vec3(albedo)});
+                light[albedo > 0] = scene.middle(scene.picture(camera, frame, water));
+            }
+            return light[1] - light[0];
+        };
+        // From a metre below the surface. What the surface lets in is Fresnel's 0.98 of the sun's 1.
+        const double from_water = floor_of({{0, -1, 0}, {0, -9, 0}, 0.3}, gl::WaterAtLens{});
+        const double below = 0.98 / pi * std::exp(-k * (depth_m + depth_m - 1));
+        EXPECT_NEAR(from_water, below, 0.01 * below) << depth_m;
+        // From the air, beside the sun's mirror image, and on the slant: 40 degrees from the vertical the refracted way is 1 /
+        // cos(28.8 degrees) as long.
+        for (const double angle : {10 * pi / 180, 40 * pi / 180}) {
+            const double from_air = floor_of({{0, 5, 0}, {5 * std::tan(angle), 0, 0}, 0.3}, std::nullopt);
+            const double in_water = std::asin(std::sin(angle) / water_index);
+            const double through = std::exp(-k * depth_m * (1 + 1 / std::cos(in_water)));
+            let_in.push_back(from_air / through);
+        }
+    }
+    // What the surface lets through depends on the angle alone: 0.98 / n^2 of 0.98 / pi; the slanted ray loses 2.6 %.
+    for (std::size_t i = 0; i < let_in.size(); i += 2) {
+        EXPECT_NEAR(let_in[i], 0.98 * 0.98 / (water_index * water_index * pi), 0.01 * let_in[0]) << i;
+        EXPECT_NEAR(let_in[i + 1], let_in[i], 0.02 * let_in[0]) << i;
+    }
+}
+
+// From below the level surface mirrors at a slant, so that all light there is comes from the water and dims with depth.
+TEST(UnderWater, ItGetsDarkerWithDepthAndIsBrighterUpwards) {
+    BelowScene scene("calm", 32, 32);
+    scene.renderer.set_sky(only_sun());
+    const Frame& frame = scene.level_frame(4000);
+    const double k = BelowScene::attenuation();
+    gl::CausticsBaker baker(make_serial_executor());
+    baker.schedule(frame, {});
+    scene.renderer.set_caustics(baker.complete());
+    const auto seen = [&](double depth_m, glm::dvec3 ahead) {
+        const glm::dvec3 at(0, -depth_m, 0);
+        return scene.middle(scene.picture({at, at + ahead, 0.2}, frame, gl::WaterAtLens{}));
+    };
+    // Straight down and level everything above is the same water, thicker.
+    for (const glm::dvec3 ahead : {glm::dvec3(0, -1, 0), glm::dvec3(1, 0, 0)})
+        EXPECT_NEAR(seen(20, ahead) / seen(5, ahead), std::exp(-k * 15), 0.02 * std::exp(-k * 15));
+    EXPECT_GT(seen(20, {1, 0.5, 0}), 1.5 * seen(20, {1, 0, 0}));
+    EXPECT_GT(seen(20, {1, 0, 0}), 1.5 * seen(20, {0, -1, 0}));
+}
+
+// Under a bright sky, with no light in the water, pixels of the lens within it are black and those in the air are not: each is on
+// the side where the query's plane says. Seen level, where the surface from below mirrors.
+TEST(UnderWater, TheLensIsCutWhereTheQuerySaysAndNothingShowsThrough) {
+    BelowScene scene("calm", 120, 80);
+    scene.renderer.set_sky(even_sky(100));
+    for (int i = 0; i < 4; ++i) {
+        const Frame& frame = scene.frame_at(2.0 * i);
+        glm::dvec3 at(17.0 * i, 0, -9.0 * i);
+        const SurfaceQuery query(frame);
+        at.y = gl::water_at_lens(query, at).height_m + 0.004 * (i - 1.5);
+        const gl::WaterAtLens water = gl::water_at_lens(query, at);
+        const Camera camera{at, at + glm::dvec3(std::cos(i), 0, std::sin(i)), 1.0};
+        const auto pixels = scene.picture(camera, frame, water, i % 2 == 0);
+        const glm::dmat4 world_from_clip = glm::inverse(camera.clip_from_world(1.5));
+        int wet = 0, dry = 0, wrong = 0, holes = 0;
+        for (int y = 0; y < scene.height(); ++y)
+            for (int x = 0; x < scene.width(); ++x) {
+                const glm::dvec4 point = world_from_clip * glm::dvec4((x + 0.5) / scene.width() * 2 - 1,
+                                                                      1 - (y + 0.5) / scene.height() * 2, -1, 1);
+                const glm::dvec3 on_lens = glm::dvec3(point) / point.w;
+                const double above = on_lens.y - water.height_m - water.slope.x * (on_lens.x - at.x) -
+                                     water.slope.y * (on_lens.z - at.z);
+                const double light = scene.green(pixels, x, y);
+                const float* rgba = &pixels[4 * static_cast<std::size_t>(y * scene.width() + x)];
+                if (i % 2 == 0 || above < 0) holes += rgba[0] >= 999;
+                // The meniscus is a darker rim of 3 mm; holes where the host draws the sky are neither.
+                if (std::abs(above) < 0.003 || rgba[0] >= 999) continue;
+                (above < 0 ? wet : dry) += 1;
+                wrong += (above < 0) != (light < 0.3);
+            }
+        EXPECT_EQ(holes, 0) << i;
+        EXPECT_GT(wet, 500) << i;
+        EXPECT_GE(dry, i % 2 == 0 ? 500 : 0) << i;
+        // A wave that stands near shows its steep side to both.
+        EXPECT_LE(wrong, (wet + dry) / 50) << i << ": of " << wet << " wet and " << dry << " dry";
+    }
+}
+
+// Looking up within Snell's window the sky is everywhere: a seam between patches would be black water.
+TEST(UnderWater, TheSurfaceHasNoHolesFromBelow) {
+    BelowScene scene("moderate", 160, 120);
+    scene.renderer.set_sky(even_sky(1000));
+    for (int i = 0; i < 5; ++i) {
+        const glm::dvec3 at(130.7 * i, -2 - 20 * i, -71.3 * i);
+        const auto pixels =
+            scene.picture({at, at + glm::dvec3(0.02, 1, 0), 0.6}, scene.frame_at(i), gl::WaterAtLens{});
+        int holes = 0;
+        for (int y = 0; y < scene.height(); ++y)
+            for (int x = 0; x < scene.width(); ++x) holes += !(scene.green(pixels, x, y) > 0.02);
+        EXPECT_EQ(holes, 0) << at.y;
+    }
+}
+
+TEST(UnderWater, NoPixelIsNegativeOrNoNumber) {
+    BelowScene scene("rough", 64, 48);
+    gl::SkyBaker skies(make_default_executor(), 16);
+    gl::CausticsBaker baker(make_default_executor());
+    std::minstd_rand random(5);
+    const auto uniform = [&] { return static_cast<double>(random()) / 2147483647.0; };
+    for (int i = 0; i < 24; ++i) {
+        const gl::SkyOptions options{.sun_azimuth_rad = static_cast<float>(6 * uniform()),
+                                     .sun_elevation_rad = static_cast<float>(uniform() * 2.2 - 0.6)};
+        skies.schedule(options);
+        scene.renderer.set_sky(skies.complete());
+        Frame frame = scene.frame_at(i);
+        frame.sea.depth_m = i % 3 == 0 ? 4000 : 1 + 20 * uniform();
+        baker.schedule(frame, {.depth_m = 0.5 + 20 * uniform(), .sun = gl::sun_direction(options)});
+        if (i > 3)
+            scene.renderer.set_caustics(baker.complete());
+        else
+            baker.complete();
+        glm::dvec3 at(300 * uniform(), 0, 300 * uniform());
+        const SurfaceQuery query(frame);
+        at.y = gl::water_at_lens(query, at).height_m + (i % 2 == 0 ? 0.1 * (uniform() - 0.5) : -30 * uniform());
+        const double azimuth = 6.3 * uniform(), up = 3 * (uniform() - 0.5);
+        const glm::dvec3 ahead(std::cos(azimuth) * std::cos(up), std::sin(up), std::sin(azimuth) * std::cos(up));
+        const auto pixels =
+            scene.picture({at, at + ahead, 0.3 + 1.6 * uniform()}, frame, gl::water_at_lens(query, at));
+        int bad = 0;
+        for (const float value : pixels) bad += !(value >= 0 && value <= 65504);
+        EXPECT_EQ(bad, 0) << "camera " << i;
+    }
+}
+
+// An island away from the middle, longer one way than the other: where its heights are above rest the picture is its sand, and
+// where it is half a sample beside it is not.
+TEST(SeaFloor, LiesWhereItsHeightsSayAndNotBeside) {
+    constexpr double half_m = 60;
+    BelowScene scene("calm", 160, 160);
+    gl::Sky sky = even_sky(0);
+    sky.sky_irradiance = glm::vec3(1);
+    scene.renderer.set_sky(sky);
+    gl::SeaFloor floor{.columns = 40,
+                       .rows = 30,
+                       .corner_m = {-47, -31},
+                       .metres_a_texel = 3,
+                       .is_sand = false,
+                       .albedo = glm::vec3(1)};
+    for (int j = 0; j < floor.rows; ++j)
+        for (int i = 0; i < floor.columns; ++i) {
+            const double x = floor.corner_m.x + 3 * i, z = floor.corner_m.y + 3 * j;
+            floor.heights_m.push_back(static_cast<float>(3 - 0.25 * std::hypot(x - 10, 2 * (z + 5))));
+        }
+    scene.renderer.set_floor(floor);
+    const double height_m = 300;
+    const auto pixels = scene.picture({{0, height_m, 0}, {0, 0, 0}, 2 * std::atan(half_m / height_m)},
+                                      scene.level_frame(30), std::nullopt);
+    // Air dims and adds the same everywhere: half way between the brightest, which is land, and the darkest.
+    double most = 0, least = 1e9;
+    for (int y = 0; y < scene.height(); ++y)
+        for (int x = 0; x < scene.width(); ++x) {
+            most = std::max(most, scene.green(pixels, x, y));
+            least = std::min(least, scene.green(pixels, x, y));
+        }
+    // The highest water is 0.53 as bright as dry land; the soft shore, 0.3 m deep, is half-way there in half of that.
+    const auto wrong_pixels = [&](double shift_m) {
+        int wrong = 0;
+        for (int y = 0; y < scene.height(); ++y)
+            for (int x = 0; x < scene.width(); ++x) {
+                // Straight down the picture's top is +x.
+                const double across = ((x + 0.5) / scene.width() * 2 - 1) * half_m,
+                             up = (1 - (y + 0.5) / scene.height() * 2) * half_m;
+                const bool is_land = floor.height_at(up + shift_m, across + shift_m) > -0.15;
+                wrong += is_land != (scene.green(pixels, x, y) > least + 0.77 * (most - least));
+            }
+        return wrong;
+    };
+    std::printf("pixels on the wrong side of the shore: %d in place, %d and %d half a sample beside\n",
+                wrong_pixels(0), wrong_pixels(-1.5), wrong_pixels(1.5));
+    EXPECT_LT(2 * wrong_pixels(0), wrong_pixels(-1.5));
+    EXPECT_LT(2 * wrong_pixels(0), wrong_pixels(1.5));
+}
+
+}  // namespace
+}  // namespace pelagic

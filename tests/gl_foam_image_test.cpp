@@ -1,0 +1,137 @@
+// Foam's texture as numbers: it repeats without a seam, covers what a threshold says at every level, and has three scales.
+// Needs no GL.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <vector>
+
+#include "pelagic/gl/foam_image.hpp"
+
+namespace pelagic {
+namespace {
+
+using gl::FoamImage;
+constexpr int side = FoamImage::side;
+constexpr std::array layers = {FoamImage::bubbles, FoamImage::lace, FoamImage::streaks};
+
+const FoamImage& image() {
+    static const FoamImage made = gl::make_foam_image(*make_serial_executor());
+    return made;
+}
+
+double rank(FoamImage::Layer layer, int x, int y, int level = 0) {
+    return image().texel(level, layer, x, y)[0] / 255.0;
+}
+
+/// Mean square step from one column, or row, to the next.
+double step(FoamImage::Layer layer, int channel, int from, bool columns) {
+    double square = 0;
+    for (int i = 0; i < side; ++i) {
+        const int a = image().texel(0, layer, columns ? from : i, columns ? i : from)[channel];
+        const int b = image().texel(0, layer, columns ? from + 1 : i, columns ? i : from + 1)[channel];
+        square += (a - b) * (a - b);
+    }
+    return square / side;
+}
+
+// A seam would be a column whose step to the next is that of unrelated texels, many times the usual one.
+TEST(FoamImage, RepeatsWithoutASeam) {
+    for (const FoamImage::Layer layer : layers)
+        for (int channel = 0; channel < 4; ++channel)
+            for (const bool columns : {false, true}) {
+                double largest = 0;
+                for (int i = 0; i + 1 < side; ++i) largest = std::max(largest, step(layer, channel, i, columns));
+                EXPECT_LE(step(layer, channel, side - 1, columns), largest)
+                    << "layer " << layer << ", channel " << channel;
+            }
+}
+
+TEST(FoamImage, CoversWhatAThresholdSaysAtEachLevel) {
+    for (const FoamImage::Layer layer : layers)
+        for (int level = 0; level <= 4; ++level)
+            for (const double amount : {0.02, 0.1, 0.3, 0.5, 0.8, 0.97}) {
+                const int width = side >> level;
+                int covered = 0;
+                for (int y = 0; y < width; ++y)
+                    for (int x = 0; x < width; ++x) covered += rank(layer, x, y, level) > 1 - amount;
+                EXPECT_NEAR(static_cast<double>(covered) / (width * width), amount, 0.01)
+                    << "layer " << layer << ", level " << level;
+            }
+}
+
+/// A layer's variance by waves across the tile, kx + side ky; both from 0 to side / 2, of all four signs.
+std::vector<double> power_of(FoamImage::Layer layer) {
+    std::vector<std::complex<double>> turns, lines(side * side);
+    for (int i = 0; i < side; ++i) turns.push_back(std::polar(1.0, -2 * std::numbers::pi * i / side));
+    for (int y = 0; y < side; ++y)
+        for (int k = 0; k < side; ++k)
+            for (int x = 0; x < side; ++x)
+                lines[static_cast<std::size_t>(y * side + k)] +=
+                    turns[static_cast<std::size_t>(k * x % side)] * rank(layer, x, y);
+    std::vector<double> power(side * side);
+    for (int k = 0; k < side; ++k)
+        for (int l = 0; l <= side / 2; ++l) {
+            std::complex<double> sum = 0;
+            for (int y = 0; y < side; ++y)
+                sum += turns[static_cast<std::size_t>(l * y % side)] * lines[static_cast<std::size_t>(y * side + k)];
+            power[static_cast<std::size_t>(std::min(k, side - k) + side * l)] += std::norm(sum);
+        }
+    power[0] = 0;
+    return power;
+}
+
+/// Wavelengths, metres, above which a tenth, a half and nine tenths of the variance lie. `waves_a_m(kx, ky)` is 1 over a wavelength.
+template <class WavesPerMetre>
+std::array<double, 3> wavelengths(FoamImage::Layer layer, const char* name, const WavesPerMetre& waves_a_m) {
+    const std::vector<double> power = power_of(layer);
+    std::vector<std::pair<double, double>> sorted;
+    double all = 0;
+    for (int i = 0; i < side * side; ++i)
+        if (const double p = power[static_cast<std::size_t>(i)]; p > 0) {
+            sorted.emplace_back(waves_a_m(i % side, i / side), p);
+            all += p;
+        }
+    std::sort(sorted.begin(), sorted.end());
+    std::array<double, 3> found{};
+    double before = 0;
+    for (const auto& [waves, p] : sorted) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            const double part = std::array{0.1, 0.5, 0.9}[i] * all;
+            if (before < part && before + p >= part) found[i] = 1 / waves;
+        }
+        before += p;
+    }
+    std::printf("%s: %.3f, %.3f, %.3f m\n", name, found[0], found[1], found[2]);
+    return found;
+}
+
+// The sizes that foam_image.hpp states: a wavelength is a bubble, a hole in the lace, or the way from one streak to the next.
+TEST(FoamImage, HasThreeScales) {
+    using gl::FoamSizes;
+    const auto round = [](double tile_m) { return [=](int kx, int ky) { return std::hypot(kx, ky) / tile_m; }; };
+    const auto bubbles = wavelengths(FoamImage::bubbles, "bubbles", round(FoamSizes::bubbles_m));
+    EXPECT_LT(bubbles[0], 0.1);
+    EXPECT_LT(bubbles[1], 0.05);
+    EXPECT_GT(bubbles[2], 0.01);
+    const auto lace = wavelengths(FoamImage::lace, "lace", round(FoamSizes::lace_m));
+    EXPECT_LT(lace[1], 1);
+    EXPECT_GT(lace[2], 0.1);
+    const auto across = wavelengths(FoamImage::streaks, "streaks across",
+                                    [](int, int ky) { return (ky + 0.01) / FoamSizes::streaks_across_m[0]; });
+    const auto along = wavelengths(FoamImage::streaks, "streaks along",
+                                   [](int kx, int) { return (kx + 0.01) / FoamSizes::streaks_along_m[0]; });
+    EXPECT_LT(across[1], 20);
+    EXPECT_GT(across[2], 1);
+    EXPECT_GT(along[1], 5 * across[1]);  // many times as long as they are apart
+}
+
+TEST(FoamImage, IsTheSameForAnyNumberOfThreads) {
+    EXPECT_EQ(gl::make_foam_image(*make_thread_executor(5)).texels, image().texels);
+}
+
+}  // namespace
+}  // namespace pelagic
