@@ -59,7 +59,7 @@ TEST(SceneBlock, TakesTheHostsExposureOrTheSkys) {
     sky.exposure = 3;
     const auto block = [&](std::optional<float> exposure, bool weighs) {
         return gl::scene_block_of({.eyes = {}, .list = &list, .exposure = exposure, .weighs_samples = weighs}, facts,
-                                  sky);
+                                  {}, sky);
     };
     EXPECT_EQ(block({}, false).sun_irradiance.w, 3);
     EXPECT_EQ(block(0.5f, false).sun_irradiance.w, 0.5f);
