@@ -27,7 +27,7 @@ constexpr double golden = 1.6180339887;
 constexpr double layer_turns_rad[2] = {0.21, -0.47};
 
 /// The horizon softens over this angle below it.
-constexpr double softened_horizon_rad = 0.25 * pi / 180;
+constexpr double softened_horizon_rad = 0.15 * pi / 180;
 /// The noise that tells the copies of a tile apart repeats after so many sides, which no whole number of tiles comes near.
 constexpr double noise_sides = 12 * golden;
 

@@ -63,6 +63,35 @@ float alpha_of_all_waves() {
     return sqrt(square);
 }
 
+// Of the mean square slope of all waves what the mesh's triangles have at a distance: a tile's octaves have equal parts, and a mesh needs
+// vertices twice as dense as texels.
+float slopes_of_mesh(float distance_m) {
+    float spacing = max(mesh.y, distance_m * mesh.x), square = 0.0;
+    for (int tile = 0; tile < TILES; ++tile) {
+        float mip = max(log2(spacing * tile_scale[tile].x) - 0.5, 0.0);
+        square += tile_slope[tile].z * clamp(1.0 - (mip + 1.0) / tile_scale[tile].y, 0.0, 1.0);
+    }
+    return square;
+}
+
+// Waves that a pixel's normal has and the mesh has not are seen as if they were flat: those that lean away count as much as those
+// that lean towards the eye. The normal, whose slopes against the mesh have Gauss' distribution, is moved to where the same part
+// of the facets that an eye sees leans less.
+vec3 seen_normal(vec3 normal, vec3 facet, vec3 to_eye, float alpha2, float distance_m) {
+    float all = alpha_of_all_waves();
+    float s = sqrt(0.5 * max(all * all - alpha2 - slopes_of_mesh(distance_m), 1e-6));
+    vec2 plane = facet.xz / facet.y;
+    vec2 slopes = normal.xz / normal.y - plane;
+    vec2 towards = to_eye.xz / max(length(to_eye.xz), 1e-4);
+    float mu = dot(facet, to_eye);
+    if (mu <= 0.0) return normal;  // from below, and backs of crests
+    SeenFacets seen = seen_facets(mu, s);
+    float narrowed = sqrt(seen.cosine_variance) / max(s * sqrt(max(1.0 - mu * mu, 0.0)), 1e-4);
+    float lean = dot(slopes, towards);
+    slopes += towards * (seen.slope + lean * (min(narrowed, 1.0) - 1.0));
+    return normalize(vec3(plane.x + slopes.x, 1.0, plane.y + slopes.y));
+}
+
 // Part of light from a direction, of irradiance 1 across its rays, that a pixel's facets send to the eye as radiance.
 float mirrored_part(vec3 normal, vec3 to_eye, vec3 to_light, float alpha2, float alpha_of_all) {
     if (dot(normal, to_light) <= 0.0) return 0.0;

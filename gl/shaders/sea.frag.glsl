@@ -75,6 +75,10 @@ void main() {
 
     Waves surface = waves_at(resting, distance_m);
     vec3 normal = normalize(vec3(surface.slopes.x, 1.0, surface.slopes.y));
+#ifndef SKIRT
+    vec3 facet = normalize(cross(dFdx(at), dFdy(at)));
+    normal = seen_normal(normal, facet.y < 0.0 ? -facet : facet, to_eye, surface.alpha2, distance_m);
+#endif
 
     Foam foam = foam_at(resting, surface.foam, to_eye);
 #if BELOW

@@ -1,0 +1,9 @@
+#!/usr/bin/env bash
+# The pictures of `pelagic render` beside those of a path tracer, by docs/images/reference/compare.py. Exits 77, which ctest calls
+# skipped, where Blender is missing.
+# usage: reference_test.sh PELAGIC FOLDER    FOLDER keeps the pictures and the table
+set -euo pipefail
+reference=$(cd "$(dirname "$0")/../../docs/images/reference" && pwd)
+pelagic=$(realpath "$1")
+command -v blender >/dev/null || { echo "SKIPPED: there is no blender; ./test.sh night installs it on Debian"; exit 77; }
+blender -b --python-exit-code 1 -P "$reference/compare.py" -- "$pelagic" "$2" --samples 128 --check | grep -v '^Fra:'
