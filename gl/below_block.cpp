@@ -68,7 +68,8 @@ glm::ivec2 floor_cells(const FloorFacts& floor) {
 void place_below(SceneBlock& block, const DrawInput& input, const SeaFacts& sea, const FloorFacts& floor,
                  const CausticFacts& caustics) {
     const glm::dvec2 viewer(input.viewer_m.x, input.viewer_m.z);
-    block.lens = lens_of(input);
+    // Queries know the frame's waves, not small water: that is seen from the air only.
+    if (sea.surface == Surface::open) block.lens = lens_of(input);
     const bool is_field = floor.columns > 0;
     // Samples stand in the middles of texels.
     const glm::dvec2 size = glm::dvec2(floor.columns, floor.rows) * floor.metres_a_texel;

@@ -1,6 +1,10 @@
 #include "pelagic/gl/sea_programs.hpp"
 
+#include "pelagic/gl/kept_state.hpp"
+
 namespace pelagic::gl {
+
+static_assert(unit_count == texture_units, "a host gets back what it had in each of them");
 
 std::array<ProgramFiles, 5> sea_program_files(const SeaVariant& variant) {
     const auto number = [](auto value) { return std::to_string(static_cast<int>(value)); };

@@ -20,7 +20,8 @@ enum Unit : GLint {
     floor_unit,
     caustics_unit,
     foam_unit,
-    flow_unit
+    flow_unit,
+    unit_count
 };
 
 struct ProgramFiles {

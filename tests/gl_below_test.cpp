@@ -128,7 +128,7 @@ class BelowScene {
 // Total reflection begins at asin(1 / n) = 48.6 degrees, whatever the depth.
 TEST(UnderWater, SnellsWindowIsAsWideAsTheCriticalAngleAndNoSkyIsBesideIt) {
     constexpr double view_rad = 2.3, inner = (48.6 - 1.5) * pi / 180, outer = (48.6 + 1.5) * pi / 180, depth_m = 5;
-    BelowScene scene("calm", 120, 120);
+    BelowScene scene("calm", 240, 240);
     scene.renderer.set_sky(even_sky(100));
     const Frame& frame = scene.level_frame(4000);
     const auto pixels = scene.picture({{0, -depth_m, 0}, {0, 0, 0}, view_rad}, frame, gl::WaterAtLens{});

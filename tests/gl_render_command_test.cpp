@@ -115,8 +115,9 @@ std::vector<OIIO::ImageBuf> narrow_and_wide(const std::filesystem::path& folder,
     std::vector<OIIO::ImageBuf> pictures;
     for (const std::string size : {"64x96", "256x96"}) {
         const std::filesystem::path file = folder / (size + exposure + ".png");
-        const Outcome run = run_pelagic({"render", "--resolution", "32", "--quality", "low", "--size", size, "--sun",
-                                         "80,12", "--bloom", "0", "--exposure", exposure, "--out", file.string()});
+        const Outcome run =
+            run_pelagic({"render", "--resolution", "32", "--clouds", "0", "--quality", "low", "--size", size, "--sun",
+                         "80,12", "--bloom", "0", "--exposure", exposure, "--out", file.string()});
         EXPECT_EQ(run.exit_code, 0) << run.err;
         pictures.push_back(read_picture(file));
     }
@@ -137,8 +138,8 @@ TEST(RenderCommand, AFixedExposureDoesNotLookAtTheView) {
 // Pictures of one film are made by several runs, each from its own frame on.
 TEST(RenderCommand, APictureOfAFilmIsTheSameWhereverTheRunBegan) {
     const TemporaryFolder folder;
-    const std::vector<std::string> scene = {"render", "--resolution", "32",    "--quality", "low",
-                                            "--size", "64x48",        "--fps", "2"};
+    const std::vector<std::string> scene = {"render", "--resolution", "32", "--quality", "low", "--size",
+                                            "64x48",  "--clouds",     "0",  "--fps",     "2"};
     const auto with = [&](std::vector<std::string> more) {
         more.insert(more.begin(), scene.begin(), scene.end());
         const Outcome run = run_pelagic(more);

@@ -9,6 +9,7 @@ SeaState sea_of(const GlScene::Options& options) {
     SeaState sea = sea_named(options.preset, options.resolution);
     sea.cascades = options.cascades;
     sea.patch_size_m = options.patch_size_m;
+    if (options.depth_m > 0) sea.depth_m = options.depth_m;
     return sea;
 }
 
@@ -30,15 +31,17 @@ SeaState sea_named(std::string_view name, int resolution) {
 }
 
 GlScene::GlScene(const Options& options)
-    : ocean(sea_of(options), {.slopes = true}),
+    : ocean(sea_of(options), {.queries = options.lens_may_dip, .slopes = true}),
       quadtree(quadtree_preset_named(options.quality)->options(options.size_m)),
       selection(quadtree),
       samples_(options.samples),
-      writes_(options.writes) {
+      writes_(options.writes),
+      lens_may_dip_(options.lens_may_dip) {
     resize(options.width, options.height);
     renderer.emplace(gl(), gl::RendererOptions{.patch_vertices = quadtree.vertices,
                                                .resolution = ocean.resolution(),
                                                .tiles = ocean.tile_count(),
+                                               .shading = options.shading,
                                                .writes = writes_});
     renderer->set_sky(test_sky());
 }
@@ -68,11 +71,14 @@ const gl::DrawFigures& GlScene::draw(const Camera& camera, const Frame& frame, b
     renderer->upload(frame);
     // Mesa's software driver with threads may sample mips before they are written; pictures are to be the same each time.
     gl().Finish();
+    std::optional<gl::WaterAtLens> water;
+    if (lens_may_dip_) water = gl::water_at_lens(SurfaceQuery(frame), camera.position_m);
     return renderer->draw({.eyes = eyes,
                            .viewer_m = camera.position_m,
                            .list = &list,
                            .lod_scale = quadtree.lod_scale,
-                           .draws_sky = draws_sky});
+                           .draws_sky = draws_sky,
+                           .water_at_lens = water});
 }
 
 float linear_of(std::uint8_t srgb) {

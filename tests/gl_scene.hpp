@@ -36,6 +36,9 @@ class GlScene {
         int width = 320, height = 180, samples = 4;
         double size_m = 4096;
         gl::PixelKind writes = gl::PixelKind::screen;
+        gl::Shading shading = gl::Shading::high;
+        double depth_m = 0;         ///< 0: the preset's
+        bool lens_may_dip = false;  ///< the renderer is told of the surface at the lens
     };
     explicit GlScene(const Options& options);
 
@@ -67,6 +70,7 @@ class GlScene {
    private:
     int samples_;
     gl::PixelKind writes_;
+    bool lens_may_dip_;
     gl::Viewport whole_;  ///< of the picture, in the target
 };
 

@@ -50,5 +50,28 @@ TEST(SceneBlock, PlacesAViewerInEachTurnedTile) {
     }
 }
 
+// One pass: the sky's exposure, or the host's. Weights are for the display pass alone; stars are for the night.
+TEST(SceneBlock, TakesTheHostsExposureOrTheSkys) {
+    Ocean ocean({.cascades = 3, .resolution = 32}, {.executor = make_serial_executor()});
+    const gl::SeaFacts facts = gl::facts_of(ocean.frame_at(0));
+    DrawList list;
+    gl::SkyLight sky;
+    sky.exposure = 3;
+    const auto block = [&](std::optional<float> exposure, bool weighs) {
+        return gl::scene_block_of({.eyes = {}, .list = &list, .exposure = exposure, .weighs_samples = weighs}, facts,
+                                  {}, sky);
+    };
+    EXPECT_EQ(block({}, false).sun_irradiance.w, 3);
+    EXPECT_EQ(block(0.5f, false).sun_irradiance.w, 0.5f);
+    EXPECT_EQ(block(0.5f, false).output_kind.z, 0);
+    EXPECT_EQ(block(0.5f, true).output_kind.z, 0.5f);
+    EXPECT_EQ(block({}, false).stars.x, 0);
+    sky.true_sun_direction = {0, -1, 0};
+    sky.unit = 1e-5f;
+    EXPECT_GT(block({}, false).stars.x, 0);
+    // A sky's unit is in what eyes see by: night vision counts candelas.
+    EXPECT_FLOAT_EQ(block({}, false).output_kind.w, 1e-5f * gl::sun_illuminance_lx);
+}
+
 }  // namespace
 }  // namespace pelagic

@@ -2,10 +2,14 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <initializer_list>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "pelagic/gl/sea_programs.hpp"
@@ -42,21 +46,19 @@ std::string refusal_of(const gl::ProgramFiles& files) {
 TEST(Shaders, AreGlslInEveryVariant) {
     using gl::Shading, gl::Surface;
     std::vector<gl::SeaVariant> variants;
-    for (const std::size_t tiles : {1, 2, 4})
+    for (const std::size_t tiles : {1, 4})
         for (const Shading shading : {Shading::headset, Shading::medium, Shading::high})
-            for (const bool multiview : {false, true})
-                for (const bool below : {false, true})
-                    variants.push_back({.tiles = tiles, .shading = shading, .multiview = multiview, .below = below});
+            for (const auto& [multiview, below] : {std::pair(false, false), {false, true}, {true, true}})
+                variants.push_back({.tiles = tiles, .shading = shading, .multiview = multiview, .below = below});
     for (const Surface surface : {Surface::lake, Surface::coast, Surface::river, Surface::pond})
         for (const Shading shading : {Shading::headset, Shading::high})
-            for (const bool below : {false, true})
-                variants.push_back({.shading = shading, .surface = surface, .multiview = below, .below = below});
+            variants.push_back({.shading = shading, .surface = surface, .below = true});
     std::vector<gl::ProgramFiles> all = {{"panel.vert.glsl", "panel.frag.glsl", ""}};
     for (const gl::SeaVariant& variant : variants)
         for (const gl::ProgramFiles& files : gl::sea_program_files(variant)) all.push_back(files);
     for (const char* pass : {"bloom_down.frag.glsl", "bloom_up.frag.glsl", "display.frag.glsl", "meter.frag.glsl"})
         all.push_back({"screen.vert.glsl", pass, ""});
-    ASSERT_EQ(all.size(), 265u);
+    ASSERT_EQ(all.size(), 135u);
     for (const gl::ProgramFiles& files : all)
         EXPECT_EQ(refusal_of(files), "") << files.vertex << ", " << files.fragment << "\n" << files.defines;
 }
@@ -66,6 +68,71 @@ TEST(Shaders, OfHeadsetsTakeBothEyesInOnePass) {
          gl::sea_program_files({.tiles = 4, .shading = gl::Shading::headset, .multiview = true})) {
         EXPECT_NE(gl::shader_source(files.vertex, files.defines).find("num_views = 2"), std::string::npos);
         EXPECT_NE(gl::shader_source(files.vertex, files.defines).find("gl_ViewID_OVR"), std::string::npos);
+    }
+}
+
+/// What a pixel costs at most: all functions in main, all loops unrolled, by glslang and SPIR-V's optimiser.
+struct PixelCost {
+    int looks = 0, operations = 0, loops = 0;
+};
+
+PixelCost cost_of(const gl::ProgramFiles& files) {
+    const Folder folder;
+    std::string text = gl::shader_source(files.fragment, files.defines);
+    const std::string version = "300 es";
+    text.replace(text.find(version), version.size(), "310 es");  // the least that SPIR-V knows
+    const auto shader = folder / "shader.frag", raw = folder / "raw.spv", marked = folder / "marked.spv";
+    std::ofstream(shader) << text;
+    const std::string command =
+        "glslangValidator -G --auto-map-locations --auto-map-bindings -o " + raw.string() + " " + shader.string() +
+        " >/dev/null && spirv-dis " + raw.string() +
+        " | sed 's/\\(OpLoopMerge %[^ ]* %[^ ]*\\) None/\\1 Unroll/' | " + "spirv-as --target-env spv1.0 - -o " +
+        marked.string() +
+        " && spirv-opt --merge-return --inline-entry-points-exhaustive --eliminate-dead-functions "
+        "--eliminate-local-single-block --eliminate-local-single-store --ssa-rewrite --ccp --loop-unroll --ccp "
+        "--eliminate-dead-branches --simplify-instructions --redundancy-elimination "
+        "--eliminate-dead-code-aggressive " +
+        marked.string() + " -o - | spirv-dis -";
+    FILE* const pipe = popen(command.c_str(), "r");
+    PixelCost cost;
+    const auto has = [](const char* line, std::initializer_list<const char*> names) {
+        return std::ranges::any_of(names, [&](const char* name) { return std::strstr(line, name) != nullptr; });
+    };
+    for (char line[4096]; std::fgets(line, sizeof line, pipe);) {
+        cost.looks += has(line, {" OpImageSample"});
+        cost.loops += has(line, {"OpLoopMerge"});
+        cost.operations += has(line, {"OpFAdd", "OpFSub", "OpFMul", "OpFDiv", "OpFNegate", "OpDot", "OpVectorTimes",
+                                      "OpMatrixTimes", " OpExtInst "});
+    }
+    EXPECT_EQ(pclose(pipe), 0) << "Debian: glslang-tools, spirv-tools";
+    return cost;
+}
+
+// An open sea's pixel: the table of docs/architecture.md says the same. A headset takes one look at each of three tiles, at ripples, foam, mirrored
+// sky and haze, and has no loop left that a driver might not unroll.
+TEST(Shaders, CostAPixelWhatTheirTierMay) {
+    using gl::Shading;
+    struct Row {
+        Shading shading;
+        int looks_at_one_tile, looks_at_four;
+        int operations;  // of four tiles, about
+    };
+    for (const Row& row :
+         {Row{Shading::headset, 5, 7, 944}, Row{Shading::medium, 12, 18, 1088}, Row{Shading::high, 26, 40, 1503}}) {
+        for (const std::size_t tiles : {1, 4}) {
+            const PixelCost cost = cost_of(gl::sea_program_files({.tiles = tiles, .shading = row.shading})[0]);
+            std::printf("%s, %zu tiles: %d look-ups, %d operations\n", std::string(name_of(row.shading)).c_str(),
+                        tiles, cost.looks, cost.operations);
+            EXPECT_EQ(cost.loops, 0);
+            EXPECT_EQ(cost.looks, tiles == 1 ? row.looks_at_one_tile : row.looks_at_four) << tiles << " tiles";
+            if (row.shading == Shading::headset) {
+                EXPECT_LE(cost.looks, 8);
+            }
+            // Versions of the optimiser differ by some of them.
+            if (tiles == 4) {
+                EXPECT_NEAR(cost.operations, row.operations, 0.1 * row.operations);
+            }
+        }
     }
 }
 

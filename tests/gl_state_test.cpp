@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "pelagic/gl/display.hpp"
+#include "pelagic/gl/kept_state.hpp"
 #include "pelagic/gl/light_meter.hpp"
 #include "pelagic/gl/program.hpp"
 #include "pelagic/tests/gl_scene.hpp"
@@ -108,7 +109,7 @@ std::map<std::string, std::vector<GLfloat>> state_of(const gl::Functions& gl) {
     state["uniform block 0"] = {GLfloat(buffer), GLfloat(start), GLfloat(size)};
     GLint unit = 0;
     gl.GetIntegerv(GL_ACTIVE_TEXTURE, &unit);
-    for (GLuint i = 0; i < 8; ++i) {
+    for (GLuint i = 0; i < GLuint{gl::texture_units} + 1; ++i) {
         gl.ActiveTexture(GL_TEXTURE0 + i);
         for (const GLenum name :
              {GL_TEXTURE_BINDING_2D, GL_TEXTURE_BINDING_2D_ARRAY, GL_TEXTURE_BINDING_CUBE_MAP, GL_SAMPLER_BINDING}) {
@@ -143,7 +144,7 @@ class NastyHost {
         gl.BindBuffer(GL_PIXEL_UNPACK_BUFFER, small_.name());
         gl.BufferData(GL_PIXEL_UNPACK_BUFFER, 16, nullptr, GL_STATIC_DRAW);
         gl.UseProgram(program_.name());
-        for (GLuint unit = 0; unit < 8; ++unit) {
+        for (GLuint unit = 0; unit < GLuint{gl::texture_units} + 1; ++unit) {
             gl.ActiveTexture(GL_TEXTURE0 + unit);
             gl.BindTexture(GL_TEXTURE_2D, texture_.name());
             gl.BindTexture(GL_TEXTURE_2D_ARRAY, layers_.name());

@@ -46,8 +46,7 @@ TEST(WaterOptics, TurnFromBlueToGreenAsWaterGetsTurbid) {
             // No more than half is scattered backwards even by molecules.
             EXPECT_LE(water.backscattering_per_m[c], 0.5f * water.scattering_per_m[c]) << type;
             EXPECT_GT(water.backscattering_per_m[c], 0) << type;
-            EXPECT_LT(reflectance(type)[c], 0.1f)
-                << type;  // measured seas stay below (Morel and Prieur 1977)
+            EXPECT_LT(reflectance(type)[c], 0.1f) << type;  // measured seas stay below (Morel and Prieur 1977)
         }
     }
     // Red goes first in all water of the ocean: within metres.

@@ -74,6 +74,15 @@ void FloorFlags::add_to(CLI::App& app) {
         ->type_name("LOW,HIGH");
 }
 
+std::string FloorFlags::typed() const {
+    std::string text;
+    for (const auto& [option, value] :
+         {std::pair{" --floor ", &file_}, std::pair{" --floor-size ", &size_},
+          std::pair{" --floor-middle ", &middle_}, std::pair{" --floor-heights ", &heights_}})
+        if (*value) text += option + **value;
+    return text;
+}
+
 gl::SeaFloor FloorFlags::resolve() const {
     if (!file_) {
         for (const auto& [option, text] : {std::pair{"--floor-size", &size_}, std::pair{"--floor-middle", &middle_},

@@ -15,6 +15,8 @@ class FloorFlags {
     /// Even without --floor. Reads the image: a row is a line along x, the upper one has the least z. Throws InputError, one
     /// line that names option, value and what is accepted.
     gl::SeaFloor resolve() const;
+    /// As it was typed, " --floor FILE ..."; empty without a floor.
+    std::string typed() const;
 
    private:
     std::optional<std::string> file_, size_, middle_, heights_;

@@ -172,7 +172,10 @@ class PictureMaker {
              .mode = options_.wireframe ? gl::DrawMode::wireframe : gl::DrawMode::shaded,
              .exposure = exposure(),
              .weighs_samples = weighs_samples,
-             .water_at_lens = gl::water_at_lens(SurfaceQuery(frame), options_.scene.camera.position_m)});
+             // Small water lies level, or nearly.
+             .water_at_lens = options_.scene.surface == gl::Surface::open
+                                  ? gl::water_at_lens(SurfaceQuery(frame), options_.scene.camera.position_m)
+                                  : gl::WaterAtLens{}});
     }
 
     void note(const gl::DrawFigures& figures) {

@@ -41,6 +41,8 @@ class SceneFlags {
     void add_to(CLI::App& app);
     /// Throws InputError, one line that names option, value and range.
     SceneOptions resolve() const;
+    /// The floor's options as they were typed, for a command line that draws the same.
+    std::string typed_floor() const { return floor_.typed(); }
 
    private:
     void read_camera_settings(gl::CameraSettings& settings) const;

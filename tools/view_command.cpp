@@ -115,7 +115,7 @@ void ViewFlags::run() const {
     const viewer::ViewResult result = viewer::show_sea(options);
     std::printf("%llu frames, by %s. The same without a window:\n  %s\n",
                 static_cast<unsigned long long>(result.frames), result.renderer.c_str(),
-                render_command_of(result).c_str());
+                (render_command_of(result) + scene_.typed_floor()).c_str());
 }
 
 }  // namespace pelagic::tools

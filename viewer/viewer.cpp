@@ -337,7 +337,9 @@ class Viewer {
                              .mode = settings_.wireframe ? gl::DrawMode::wireframe : gl::DrawMode::shaded,
                              .exposure = gl::exposure_of_ev(picture_.ev(), luminance_of_unit_),
                              .weighs_samples = true,
-                             .water_at_lens = gl::water_at_lens(SurfaceQuery(frame), camera.position_m)});
+                             .water_at_lens = surface_ == gl::Surface::open
+                                                  ? gl::water_at_lens(SurfaceQuery(frame), camera.position_m)
+                                                  : gl::WaterAtLens{}});
         figures_.upload_ms = drawn.upload_ms - drawn.upload_driver_ms;
         figures_.draw_ms = drawn.draw_ms - drawn.draw_driver_ms;
         figures_.draw_calls = drawn.sea_calls + drawn.sky_calls;

@@ -32,7 +32,7 @@ float gathered(float amount, float rank, float soft) {
 // The same, seen by a pixel so long: structure that is finer than the pixel is only its mean.
 float gathered_in_pixel(float amount, float rank, float soft, float pixel_m, float scale_m) {
     float blur = pixel_m / scale_m;
-    return mix(gathered(amount, rank, min(soft + 0.5 * blur, 0.5)), amount, smoothstep(0.6, 4.0, blur));
+    return mix(gathered(amount, rank, min(soft + 0.5 * blur, 0.5)), amount, smoothstep(0.4, 2.0, blur));
 }
 
 // A layer, its signed bytes from -1 to 1. Texels as long as the pixel; half a level finer, because ranks blur when they are mixed.

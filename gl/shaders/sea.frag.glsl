@@ -80,10 +80,14 @@ void main() {
     normal = seen_normal(normal, facet.y < 0.0 ? -facet : facet, to_eye, surface.alpha2, distance_m);
 #endif
 
+    Foam foam = foam_at(resting, surface.foam, to_eye);
 #if BELOW
+    // From below the edge of Snell's window is sharp: what normals turn from pixel to pixel counts as roughness there.
+    float turns = fwidth(dot(normal, to_eye));
     float above_lens = lens_above_water(from_eye);
     if (above_lens < 0.0) {
-        vec3 below = surface_from_below(at, normal, -leading_ahead(from_eye) / distance_m, surface.alpha2, distance_m);
+        vec3 below = surface_from_below(at, normal, -leading_ahead(from_eye) / distance_m,
+                                        min(surface.alpha2 + turns * turns, 1.0), foam, distance_m);
         colour = screen_colour(across_meniscus(below, above_lens));
         return;
     }
@@ -96,7 +100,7 @@ void main() {
     water_light += through_crests(normal, to_eye, height, surface.foam);
     vec3 radiance = mix(water_light, mirrored_light(normal, to_eye, surface.alpha2, water_light), mirrors) +
                     sun_irradiance.rgb * glint(normal, to_eye, surface.alpha2);
-    radiance = with_foam(radiance, foam_at(resting, surface.foam, to_eye), normal, to_eye, mirrors);
+    radiance = with_foam(radiance, foam, normal, to_eye, mirrors);
 #if BELOW
     radiance = soft_shore(radiance, at, distance_m, height);
     colour = screen_colour(across_meniscus(through_haze(radiance, from_eye, distance_m), above_lens));

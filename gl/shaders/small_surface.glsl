@@ -29,9 +29,10 @@ Bumps small_bumps(vec2 at, float pixel_m) {
 }
 
 Waves waves_at(vec2 at, float distance_m) {
-    // Near the horizon a pixel is long and thin. Its mean side keeps waves that lie along it; the length would flatten them.
+    // Near the horizon a pixel is long and thin. Half of its length keeps waves that lie across it, and hardly any that alias.
     Footprint pixel = footprint_of(at);
-    Bumps seen = small_bumps(at, sqrt(length(pixel.dx) * length(pixel.dy)));
+    float a = length(pixel.dx), b = length(pixel.dy);
+    Bumps seen = small_bumps(at, max(min(a, b), 0.5 * max(a, b)));
     vec2 slopes = -seen.gradient / max(1.0, length(seen.gradient) / 4.0);
     return Waves(slopes, clamp(seen.left, 0.0004, 1.0), SURFACE == COAST ? seen.crest * bump_kind.y : 0.0);
 }

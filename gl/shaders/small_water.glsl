@@ -47,8 +47,10 @@ vec3 turning_noise(vec2 place, ivec2 cell, int octave, float turn) {
 }
 #if SURFACE == COAST
 const float noise_slope_square = 0.6506;  // E |grad sqrt(n^2 + 0.03^2)|^2
+const float half_wave_cells = 0.4;        // a ridge is twice as fine as the noise that it is made of
 #else
 const float noise_slope_square = 0.7796;  // E |grad n|^2
+const float half_wave_cells = 0.75;
 #endif
 
 // A sum of octaves. Those of a coast are ridges, each moved by the height of those before it: small ridges gather on large ones. `rough`
@@ -60,7 +62,7 @@ Bumps sum_of_octaves(vec2 at, float apart_m, float rough) {
         vec4 place = bump_place[i];
         float height = lattice.w * rough, squeeze = bump_kind.x;
         float steepness = height * lattice.z;
-        float shown = shown_in(1.0 / lattice.z, apart_m);
+        float shown = shown_in(half_wave_cells / lattice.z, apart_m);
         sum.left += (1.0 - shown * shown) * steepness * steepness * noise_slope_square * 0.5 * (1.0 + squeeze * squeeze);
         if (shown <= 0.0) continue;
         vec2 warp = bump_kind.zw;

@@ -40,14 +40,16 @@ float sun_through(vec3 normal, vec3 to_eye, float alpha2) {
            (max(dot(normal, -to_eye), 0.05) * max(across * across, 1e-4));
 }
 
-// The surface from below: Snell's window, and beyond 48.6 degrees the water, mirrored.
-vec3 surface_from_below(vec3 at, vec3 normal, vec3 to_eye, float alpha2, float distance_m) {
+// The surface from below: Snell's window, and beyond 48.6 degrees the water, mirrored. Foam is light that comes through bubbles: dark
+// before the sky, bright before the mirror.
+vec3 surface_from_below(vec3 at, vec3 normal, vec3 to_eye, float alpha2, Foam foam, float distance_m) {
     vec3 ray = -to_eye;
     float cosine = clamp(dot(ray, normal), 0.01, 1.0);
     // Slopes within the pixel soften the window's edge.
     float s = sqrt(0.5 * alpha2);
-    float mirrors = 0.5 * fresnel_from_below(cosine) + 0.25 * fresnel_from_below(min(cosine + 1.4 * s, 1.0)) +
-                    0.25 * fresnel_from_below(max(cosine - 1.4 * s, 0.01));
+    float leans = 1.4 * s * sqrt(1.0 - cosine * cosine);
+    float mirrors = 0.5 * fresnel_from_below(cosine) + 0.25 * fresnel_from_below(min(cosine + leans, 1.0)) +
+                    0.25 * fresnel_from_below(max(cosine - leans, 0.01));
     float square = 1.0 - water_index * water_index * (1.0 - cosine * cosine);
     vec3 out_of = normalize(water_index * ray + (sqrt(max(square, 0.0)) - water_index * cosine) * normal);
     // Rays close up in water: radiance grows by the square of the index.
@@ -56,5 +58,7 @@ vec3 surface_from_below(vec3 at, vec3 normal, vec3 to_eye, float alpha2, float d
     vec3 mirrored = mirrors > 0.001 ? seen_in_water(at, reflect(ray, normal), s) : vec3(0.0);
     vec3 radiance = mix(above, mirrored, mirrors) +
                     sun_irradiance.rgb * min(sun_through(normal, to_eye, alpha2), 3e3);
+    vec3 through_foam = (1.0 - foam_albedo(foam.thickness)) / pi * (sunlight_below() + skylight_below());
+    radiance = mix(radiance, through_foam, foam.cover * mix(0.5, 0.95, foam.thickness));
     return through_water(radiance, eye[EYE].xyz, ray, distance_m);
 }

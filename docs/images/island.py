@@ -1,0 +1,42 @@
+#!/usr/bin/env python3
+"""Writes heights of an island with a lagoon side, 16-bit grey, for the pictures of render.sh. usage: island.py FILE.png"""
+import math
+import random
+import struct
+import sys
+import zlib
+
+SIDE = 256
+random.seed(3)
+GRID = [[random.random() for _ in range(64)] for _ in range(64)]
+
+
+def noise(x, y):
+    """Value noise in [0, 1], smooth between a lattice of random values."""
+    i, j = int(x), int(y)
+    fx, fy = x - i, y - j
+    fx, fy = fx * fx * (3 - 2 * fx), fy * fy * (3 - 2 * fy)
+    at = lambda p, q: GRID[q % 64][p % 64]
+    upper = at(i, j) * (1 - fx) + at(i + 1, j) * fx
+    lower = at(i, j + 1) * (1 - fx) + at(i + 1, j + 1) * fx
+    return upper * (1 - fy) + lower * fy
+
+
+def height(column, row):
+    """0 in the deep, 1 on the highest dune; two thirds are the waterline at --floor-heights -20,10."""
+    u, v = (column + 0.5) / SIDE * 2 - 1, (row + 0.5) / SIDE * 2 - 1
+    x, y = column * 256 / SIDE, row * 256 / SIDE
+    n = noise(x / 40, y / 40) * 0.5 + noise(x / 20 + 7, y / 20) * 0.25 + noise(x / 9, y / 9 + 5) * 0.12 + noise(x / 4, y / 4) * 0.05
+    hill = max(0.0, min(1.0, (1 - math.hypot(u - 0.1, v) - (0.45 - n) * 0.9) / 0.95)) ** 0.9
+    edge = max(0.0, min(1.0, (1 - max(abs(u), abs(v))) / 0.15))
+    return hill * edge
+
+
+def chunk(kind, data):
+    return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+
+
+rows = b"".join(b"\0" + b"".join(struct.pack(">H", int(65535 * height(i, j))) for i in range(SIDE)) for j in range(SIDE))
+with open(sys.argv[1], "wb") as file:
+    file.write(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", SIDE, SIDE, 16, 0, 0, 0, 0)) +
+               chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b""))
