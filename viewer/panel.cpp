@@ -115,7 +115,7 @@ void show_times(const ViewFigures& figures, const std::vector<StageTimes::Row>& 
         char text[80];
         std::snprintf(text, sizeof text, "%s %.3f ms", row.name.c_str(), static_cast<double>(row.ms.back()));
         ImGui::PlotLines(("##" + row.name).c_str(), row.ms.data(), static_cast<int>(row.ms.size()), 0, text, 0,
-                         std::max(largest, 0.01f) * 1.2f, ImVec2(panel_width - 16, 34));
+                         std::max(largest, 0.01f) * 1.2f, ImVec2(panel_width - 16, 24));
     }
 }
 
