@@ -105,10 +105,9 @@ double focus_of(const Tile& tile) {
     return water_index / ((water_index - 1) * 1.5 * std::max(curvature, 1e-9));
 }
 
-bool shows_caustics(const SeaFloor& floor, const Frame& frame, glm::dvec3 viewer_m) {
-    constexpr double deepest_seen_m = 60;
-    const bool may_dive = viewer_m.y < static_cast<double>(frame.bounds.height_max_m) + 1;
-    return may_dive || !floor.is_even() || frame.sea.depth_m < deepest_seen_m;
+bool shows_caustics(const SeaFloor& floor, double sea_depth_m, double above_water_m) {
+    constexpr double deepest_seen_m = 60, soon_m = 2;
+    return above_water_m < soon_m || !floor.is_even() || sea_depth_m < deepest_seen_m;
 }
 
 double caustics_depth_m(const SeaFloor& floor, double sea_depth_m) {
