@@ -105,10 +105,9 @@ double focus_of(const Tile& tile) {
     return water_index / ((water_index - 1) * 1.5 * std::max(curvature, 1e-9));
 }
 
-bool shows_caustics(const SeaFloor& floor, const Frame& frame, glm::dvec3 viewer_m) {
-    constexpr double deepest_seen_m = 60;
-    const bool may_dive = viewer_m.y < static_cast<double>(frame.bounds.height_max_m) + 1;
-    return may_dive || !floor.is_even() || frame.sea.depth_m < deepest_seen_m;
+bool shows_caustics(const SeaFloor& floor, double sea_depth_m, double above_water_m) {
+    constexpr double deepest_seen_m = 60, soon_m = 2;
+    return above_water_m < soon_m || !floor.is_even() || sea_depth_m < deepest_seen_m;
 }
 
 double caustics_depth_m(const SeaFloor& floor, double sea_depth_m) {
@@ -126,11 +125,11 @@ double caustics_depth_m(const SeaFloor& floor, double sea_depth_m) {
 // The stages, in order: `caustics surface` (the tile on a grid of `side`, along its own axes), `caustics rays` (where each corner's
 // ray meets the plane), `caustics splat` (light of the cells), `caustics rows` and `caustics columns` (blur), `caustics mips`.
 struct CausticsBaker::State {
-    explicit State(const std::shared_ptr<Executor>& executor) {
-        constexpr auto cells = static_cast<std::size_t>(side) * side;
+    static constexpr std::size_t cells = std::size_t{side} * side;
+
+    explicit State(const std::shared_ptr<Executor>& executor) : counts(cells) {
         surface.resize(cells);
         target.resize(cells);
-        counts.resize(cells);
         plain.resize(cells);
         blurred.resize(cells);
         const auto each_row = [](auto body) {
@@ -167,7 +166,7 @@ struct CausticsBaker::State {
             sum += kernel[static_cast<std::size_t>(i + most_radius)] = static_cast<float>(std::exp(-0.5 * way * way));
         }
         for (float& weight : kernel) weight /= sum;
-        std::fill(counts.begin(), counts.end(), 0u);
+        for (std::atomic<std::uint32_t>& count : counts) count.store(0, std::memory_order_relaxed);
         in_flight = true;
     }
 
@@ -249,7 +248,7 @@ struct CausticsBaker::State {
         const int i = x >> 5, j = y >> 5;
         const auto right = static_cast<std::uint32_t>(x & 31), lower = static_cast<std::uint32_t>(y & 31);
         const auto add = [&](int column, int row, std::uint32_t weight) {
-            std::atomic_ref(counts[index_of(column, row)]).fetch_add(light * weight, std::memory_order_relaxed);
+            counts[index_of(column, row)].fetch_add(light * weight, std::memory_order_relaxed);
         };
         add(i, j, (32 - right) * (32 - lower));
         add(i + 1, j, right * (32 - lower));
@@ -306,7 +305,7 @@ struct CausticsBaker::State {
     std::vector<glm::vec3> surface;  ///< displacement along, up, across
     std::vector<glm::vec3>
         target;  ///< xy: texels from the corner to where its ray meets the plane; z: light of the cell
-    std::vector<std::uint32_t> counts;
+    std::vector<std::atomic<std::uint32_t>> counts;
     std::vector<float> plain, blurred;
     bool in_flight = false;
     JobGraph graph;

@@ -50,8 +50,9 @@ struct Caustics {
 /// of both curvatures.
 double focus_of(const Tile& tile);
 
-/// Whether anybody could see them: an eye that may be in the water, or a floor within sight under a sun.
-bool shows_caustics(const SeaFloor& floor, const Frame& frame, glm::dvec3 viewer_m);
+/// Whether anybody could see them: an eye in the water or soon there, or a floor within sight.
+/// \param above_water_m  the eye's height above the surface below it
+bool shows_caustics(const SeaFloor& floor, double sea_depth_m, double above_water_m);
 
 /// Where to focus them: at an even floor, or at the middle of what a field has within 12 m; deeper than that, for shafts of light,
 /// 8 m.

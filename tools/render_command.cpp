@@ -159,23 +159,24 @@ class PictureMaker {
         functions.ClearColor(0.004f, 0.008f, 0.016f, 1);
         functions.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         renderer_.upload(frame);
-        if (gl::shows_caustics(options_.scene.floor, frame, options_.scene.camera.position_m)) {
+        const glm::dvec3 viewer = options_.scene.camera.position_m;
+        // Small water lies level, or nearly.
+        const gl::WaterAtLens water = options_.scene.surface == gl::Surface::open
+                                          ? gl::water_at_lens(SurfaceQuery(frame), viewer)
+                                          : gl::WaterAtLens{};
+        if (gl::shows_caustics(options_.scene.floor, frame.sea.depth_m, viewer.y - water.height_m)) {
             caustics_.schedule(frame, {.depth_m = gl::caustics_depth_m(options_.scene.floor, frame.sea.depth_m),
                                        .sun = gl::sun_direction(options_.scene.sky)});
             renderer_.set_caustics(caustics_.complete());
         }
-        return renderer_.draw(
-            {.eyes = eyes,
-             .viewer_m = options_.scene.camera.position_m,
-             .list = &list,
-             .lod_scale = options_.scene.quadtree.lod_scale,
-             .mode = options_.wireframe ? gl::DrawMode::wireframe : gl::DrawMode::shaded,
-             .exposure = exposure(),
-             .weighs_samples = weighs_samples,
-             // Small water lies level, or nearly.
-             .water_at_lens = options_.scene.surface == gl::Surface::open
-                                  ? gl::water_at_lens(SurfaceQuery(frame), options_.scene.camera.position_m)
-                                  : gl::WaterAtLens{}});
+        return renderer_.draw({.eyes = eyes,
+                               .viewer_m = options_.scene.camera.position_m,
+                               .list = &list,
+                               .lod_scale = options_.scene.quadtree.lod_scale,
+                               .mode = options_.wireframe ? gl::DrawMode::wireframe : gl::DrawMode::shaded,
+                               .exposure = exposure(),
+                               .weighs_samples = weighs_samples,
+                               .water_at_lens = water});
     }
 
     void note(const gl::DrawFigures& figures) {

@@ -260,9 +260,16 @@ class Viewer {
         caustics_are_baking_ = false;
     }
 
+    /// Small water lies level, or nearly.
+    gl::WaterAtLens water_at_lens(const Frame& frame) const {
+        if (surface_ != gl::Surface::open) return {};
+        return gl::water_at_lens(SurfaceQuery(frame), camera_.camera().position_m);
+    }
+
     /// Every second frame: while the next two are made.
     void start_caustics(const Frame& frame) {
-        if (frames_ % 2 == 1 || !gl::shows_caustics(options_.floor, frame, camera_.camera().position_m)) return;
+        const double above_water_m = camera_.camera().position_m.y - water_at_lens(frame).height_m;
+        if (frames_ % 2 == 1 || !gl::shows_caustics(options_.floor, frame.sea.depth_m, above_water_m)) return;
         caustics_.schedule(frame, {.depth_m = gl::caustics_depth_m(options_.floor, frame.sea.depth_m),
                                    .sun = gl::sun_direction(shown_sky_)});
         caustics_are_baking_ = true;
@@ -337,9 +344,7 @@ class Viewer {
                              .mode = settings_.wireframe ? gl::DrawMode::wireframe : gl::DrawMode::shaded,
                              .exposure = gl::exposure_of_ev(picture_.ev(), luminance_of_unit_),
                              .weighs_samples = true,
-                             .water_at_lens = surface_ == gl::Surface::open
-                                                  ? gl::water_at_lens(SurfaceQuery(frame), camera.position_m)
-                                                  : gl::WaterAtLens{}});
+                             .water_at_lens = water_at_lens(frame)});
         figures_.upload_ms = drawn.upload_ms - drawn.upload_driver_ms;
         figures_.draw_ms = drawn.draw_ms - drawn.draw_driver_ms;
         figures_.draw_calls = drawn.sea_calls + drawn.sky_calls;

@@ -44,8 +44,8 @@ float way_to_floor(vec3 start, vec3 ray) {
 // How wide a pixel is on the floor when it has gone so far.
 float pixel_on_floor(float distance_m) { return floor_look.z * distance_m; }
 
-// Light that sand gives back to a pixel that is so wide there. Under water sun and sky are dimmed by the water above: the sun's along its own way. Ripples a
-// quarter of a metre apart, as swell leaves them; wet sand is darker than dry (Lobell and Asner 2002: by half).
+// Light that sand gives back to a pixel that is so wide there. Under water sun and sky are dimmed by the water above: the sun's along its
+// own way. Ripples a quarter of a metre apart, as swell leaves them; wet sand is darker than dry (Lobell and Asner 2002: by half).
 vec3 floor_light(vec3 at, float pixel_m) {
     float depth = -(at.y + viewer.z);
 #if SHADING == HEADSET
