@@ -127,7 +127,7 @@ void place_foam(SceneBlock& block, const SeaState& sea, glm::dvec2 viewer) {
     // Windrows form above 3 m/s and are tight in a gale.
     const double order = std::clamp((sea.wind_speed_mps - 3) / 15, 0., 1.);
     constexpr double fresh_foam_m = 0.12;
-    block.foam_kind = {streaks_cover(sea.wind_speed_mps), 0.5 - 0.2 * order, fresh_foam_m, 0};
+    block.foam_kind = {streaks_cover(sea.wind_speed_mps), 0.5 - 0.2 * order, fresh_foam_m, sea.choppiness};
 }
 
 /// The last mip is one texel: the variance of all waves.

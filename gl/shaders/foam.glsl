@@ -68,7 +68,7 @@ vec2 foam_behind_crests(vec2 at, float ragged) {
     for (int i = 0; i < trail_looks; ++i) {
         float way = each * (float(i) + 0.45 * ragged);
         vec2 d = textureLod(slopes, vec3(uv + foam_trail.zw * way, tile), 0.6 * float(i)).zw * signed_scale - signed_zero;
-        float folds = folding(tile_slope[tile].w, 1.0 + tile_slope[tile].x * (d.x + d.y), 1.0);
+        float folds = folding(tile_slope[tile].w, 1.0 + tile_slope[tile].x * (d.x + d.y), 0.0);
         if (i == 0) found.x = folds;
         found.y = max(found.y, weight * folds);
         weight *= SHADING == HIGH ? 0.72 : 0.52;

@@ -72,7 +72,7 @@ layout(std140) uniform Scene {
     highp vec4 caustic_row[3];    // xy: radians a metre; z: phase at the viewer; w of the first: depth of the focus
     highp vec4 foam_streaks[2];   // along and across the wind, near and far: xy 1/m, zw where the viewer is
     highp vec4 foam_kind;         // x: part of the sea under thin streaks; y: how softly streaks gather old foam; z: height of
-                                  // fresh foam, m
+                                  // fresh foam, m; w: choppiness
     highp vec4 bump_lattice[8];   // of small water's octaves: xy cosine and sine of the turn; z: cells a metre; w: height
     highp vec4 bump_place[8];     // where the viewer is in it: xy in the cell, zw which cell
     highp vec4 bump_turn[2];      // how far gradients have turned, turns

@@ -133,10 +133,12 @@ vec2 normal_slopes(Slopes sum) {
     return normal.xz / max(normal.y, 0.2 * length(normal));
 }
 
-// 0 where no foam begins, 1 where the water folds further than most. `shown` is the part of the waves' height that the pixel
-// shows: where none is left there is no foam.
-float folding(float begins, float jacobian, float shown) {
-    return smoothstep(begins + 0.08 * shown, begins - mix(0.07, 0.14, shown), jacobian);
+// 0 where no foam begins, 1 where the water folds further than most; the mean of that over Jacobians of deviation `sigma` around this one,
+// which a pixel averages away: a smoothstep between two ends is as wide as a deviation of 1 / sqrt(20) of their distance, and squares of
+// widths add. So the sea is as white from far as from near, and whitecaps that are smaller than pixels don't flicker.
+float folding(float begins, float jacobian, float sigma) {
+    float middle = begins - 0.03, half_wide = 0.5 * sqrt(0.22 * 0.22 + 20.0 * sigma * sigma);
+    return smoothstep(middle + half_wide, middle - half_wide, jacobian);
 }
 
 struct Waves {
@@ -157,12 +159,12 @@ Slopes slopes_of_vertices() {
 #endif
 
 // Foam is where the sum of the tiles folds. Each tile's own Jacobian is as far below 1 where foam begins as that tile's waves
-// go in that part of the sea; independent waves go as far together as the root of the sum of the squares, each tile with the
-// part of its variance that the pixel shows (SeaFigures::whitecap_depth_of_sum). So far away, where only long waves are left, as much of the sea is white.
+// go in that part of the sea; independent waves go as far together as the root of the sum of the squares
+// (SeaFigures::whitecap_depth_of_sum). D_xx + D_zz varies as much as slopes do, times the choppiness.
 Waves resolved_waves(vec2 at, float distance_m, Footprint pixel) {
     Slopes sum = Slopes(vec2(0.0), vec3(0.0), 0.0);
     vec3 folds = vec3(0.0);
-    float depth = 0.0, whole_depth = 1e-6;
+    float depth = 0.0, averaged = 0.0;
     for (int tile = 0; tile < TILES; ++tile) {
 #if VERTEX_TILES > 0
         Slopes seen = tile < VERTEX_TILES ? slopes_of_vertices() : tile_slopes(tile, at, distance_m, pixel);
@@ -173,10 +175,11 @@ Waves resolved_waves(vec2 at, float distance_m, Footprint pixel) {
         float begins = 1.0 - tile_slope[tile].w;
         float breaks = begins > 5.0 ? 0.0 : begins * begins;  // some waves break without white water
         folds += breaks > 0.0 ? seen.d : vec3(0.0);
-        whole_depth += breaks;
-        depth += breaks * clamp(1.0 - seen.variance / tile_slope[tile].z, 0.0, 1.0);
+        depth += breaks;
+        averaged += breaks > 0.0 ? seen.variance : 0.0;
     }
-    float foam = folding(1.0 - foam_trail.y * sqrt(depth), jacobian_of(folds), sqrt(depth / whole_depth));
+    float begins_in_sum = depth > 0.0 ? 1.0 - foam_trail.y * sqrt(depth) : -1e3;
+    float foam = folding(begins_in_sum, jacobian_of(folds), foam_kind.w * sqrt(averaged));
     return Waves(normal_slopes(sum), sum.variance, foam);
 }
 
@@ -224,9 +227,10 @@ float gust_at(vec2 at) {
 #if SHADING == HEADSET
     return 1.0;
 #else
-    float gust = texture(detail, at * noise_scale.z + gust_shift.xy).z +
-                 texture(detail, at.yx * noise_scale.w + gust_shift.zw).z;
-    return clamp(0.35 + 1.3 * (gust - 0.5), 0.35, 1.7);
+    // The finer noise repeats within sight, so the wider one bends it.
+    float wide = texture(detail, at.yx * noise_scale.w + gust_shift.zw).z;
+    float fine = texture(detail, at * noise_scale.z + gust_shift.xy + vec2(0.9, -0.7) * wide).z;
+    return clamp(0.35 + 1.3 * (fine + wide - 0.5), 0.35, 1.7);
 #endif
 }
 
