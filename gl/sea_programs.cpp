@@ -11,6 +11,7 @@ std::array<ProgramFiles, 5> sea_program_files(const SeaVariant& variant) {
     std::string defines = "#define TILES " + number(variant.tiles) + "\n#define SHADING " + number(variant.shading) +
                           "\n#define SURFACE " + number(variant.surface) + "\n#define BELOW " +
                           number(variant.below) + "\n";
+    if (variant.mirrors_scene) defines += "#define MIRRORS_SCENE\n";
     if (variant.multiview) defines += "#define MULTIVIEW\n";
     return {{{"sea.vert.glsl", "sea.frag.glsl", defines},
              {"skirt.vert.glsl", "sea.frag.glsl", defines + "#define SKIRT\n"},
@@ -32,6 +33,8 @@ SeaProgram::SeaProgram(const Functions& gl, const ProgramFiles& files)
     gl.Uniform1i(program.uniform("caustics"), caustics_unit);
     gl.Uniform1i(program.uniform("foam_structure"), foam_unit);
     gl.Uniform1i(program.uniform("flow"), flow_unit);
+    gl.Uniform1i(program.uniform("host_radiance"), host_radiance_unit);
+    gl.Uniform1i(program.uniform("host_depth"), host_depth_unit);
     eye_index = program.uniform("eye_index");
     brightness = program.uniform("brightness");
 }

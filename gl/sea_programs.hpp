@@ -21,6 +21,8 @@ enum Unit : GLint {
     caustics_unit,
     foam_unit,
     flow_unit,
+    host_radiance_unit,
+    host_depth_unit,
     unit_count
 };
 
@@ -36,7 +38,8 @@ struct SeaVariant {
     Shading shading = Shading::high;
     Surface surface = Surface::open;
     bool multiview = false;
-    bool below = false;  ///< the floor shows, or a lens is near the water: the others spare its cost
+    bool below = false;          ///< the floor shows, or a lens is near the water: the others spare its cost
+    bool mirrors_scene = false;  ///< what a host drew, too
 };
 
 /// For patches, skirt, background, wireframe and floor, in this order.

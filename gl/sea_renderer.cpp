@@ -1,6 +1,7 @@
 #include "pelagic/gl/sea_renderer.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <stdexcept>
 #include <string>
@@ -65,7 +66,7 @@ struct SeaRenderer::State {
     State(const Functions& functions, const RendererOptions& wanted)
         : gl(functions), options(checked(wanted)), textures(functions, wanted.resolution, wanted.tiles) {
         const KeptState keep(gl);
-        choose_programs(false);
+        choose_programs(false, false);
         buffers = std::make_unique<PatchBuffers>(gl, options.patch_vertices);
         detail = make_detail_texture(gl);
         foam = make_foam_texture(gl, *(options.executor ? options.executor : make_serial_executor()));
@@ -80,7 +81,7 @@ struct SeaRenderer::State {
         gl.BufferData(GL_UNIFORM_BUFFER, sizeof(SceneBlock), nullptr, GL_STREAM_DRAW);
     }
 
-    void bind_textures() {
+    void bind_textures(const HostScene& host) {
         const auto bind = [&](Unit unit, GLenum kind, GLuint name) {
             gl.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
             gl.BindTexture(kind, name);
@@ -94,6 +95,8 @@ struct SeaRenderer::State {
         bind(caustics_unit, GL_TEXTURE_2D, caustics.name());
         bind(foam_unit, GL_TEXTURE_2D_ARRAY, foam.name());
         bind(flow_unit, GL_TEXTURE_2D, flow.name());
+        bind(host_radiance_unit, GL_TEXTURE_2D, host.radiance);
+        bind(host_depth_unit, GL_TEXTURE_2D, host.depth);
     }
 
     void add(const PatchBuffers::Counts& counts) {
@@ -102,15 +105,16 @@ struct SeaRenderer::State {
         figures.draw_driver_ms += counts.driver_ms;
     }
 
-    /// Those for a floor that shows or a lens near the water are compiled when they are first needed.
-    void choose_programs(bool below) {
-        std::unique_ptr<SeaPrograms>& chosen = below ? programs_below : programs_above;
+    /// Those for a floor that shows, a lens near the water or a host's scene are compiled when they are first needed.
+    void choose_programs(bool below, bool mirrors_scene) {
+        std::unique_ptr<SeaPrograms>& chosen = all_programs[below ? 1 : 0][mirrors_scene ? 1 : 0];
         if (!chosen)
             chosen = std::make_unique<SeaPrograms>(gl, SeaVariant{.tiles = options.tiles,
                                                                   .shading = options.shading,
                                                                   .surface = options.surface,
                                                                   .multiview = options.multiview,
-                                                                  .below = below});
+                                                                  .below = below,
+                                                                  .mirrors_scene = mirrors_scene});
         programs = chosen.get();
     }
 
@@ -159,8 +163,8 @@ struct SeaRenderer::State {
     RendererOptions options;
     FrameTextures textures;
     SeaFacts facts;
-    std::unique_ptr<SeaPrograms> programs_above, programs_below;
-    SeaPrograms* programs = nullptr;  ///< of the draw() in progress
+    std::array<std::array<std::unique_ptr<SeaPrograms>, 2>, 2> all_programs;  ///< by below and mirrors_scene
+    SeaPrograms* programs = nullptr;                                          ///< of the draw() in progress
     std::unique_ptr<PatchBuffers> buffers;
     Texture detail, foam, sky, floor, caustics, flow;
     FloorFacts floor_facts;
@@ -309,12 +313,14 @@ const DrawFigures& SeaRenderer::draw(const DrawInput& input) {
     SceneBlock block = scene_block_of(input, s.facts, s.water, s.light);
     place_below(block, input, s.facts, s.floor_facts, s.caustic_facts);
     s.lens_is_wet = block.lens.w > 0;
-    s.choose_programs(s.lens_is_wet || block.floor_albedo.w > 0 || s.floor_facts.columns > 0);
+    const bool mirrors_scene =
+        input.host_scene && input.eyes.size() == 1 && !s.options.multiview && s.options.shading != Shading::headset;
+    s.choose_programs(s.lens_is_wet || block.floor_albedo.w > 0 || s.floor_facts.columns > 0, mirrors_scene);
     gl.BindBuffer(GL_UNIFORM_BUFFER, s.scene.name());
     gl.BufferData(GL_UNIFORM_BUFFER, sizeof(block), &block, GL_STREAM_DRAW);
     gl.BindBufferBase(GL_UNIFORM_BUFFER, 0, s.scene.name());
     figures.instance_bytes = s.buffers->upload(*input.list);
-    s.bind_textures();
+    s.bind_textures(mirrors_scene ? *input.host_scene : HostScene{});
     // The rest is as KeptState begins. Crests that fold show their undersides: nothing is culled.
     gl.Enable(GL_DEPTH_TEST);
     gl.DepthFunc(GL_LEQUAL);

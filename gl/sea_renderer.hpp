@@ -19,6 +19,7 @@
 
 #include "pelagic/gl/caustics.hpp"
 #include "pelagic/gl/frame_textures.hpp"
+#include "pelagic/gl/host_scene.hpp"
 #include "pelagic/gl/render_target.hpp"
 #include "pelagic/gl/sea_floor.hpp"
 #include "pelagic/gl/shading.hpp"
@@ -61,6 +62,9 @@ struct DrawInput {
     /// The surface at the viewer, for lenses near the water or within it, whose pixels below it show the underwater world;
     /// none: all of them are in the air.
     std::optional<WaterAtLens> water_at_lens = {};
+    /// What waves mirror besides the sky, where their rays meet it within the picture. Of one eye; not with two, with multiview or
+    /// with Shading::headset, which mirror the sky alone.
+    std::optional<HostScene> host_scene = {};
 };
 
 /// What the last draw() handed to the driver.

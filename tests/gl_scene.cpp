@@ -78,7 +78,8 @@ const gl::DrawFigures& GlScene::draw(const Camera& camera, const Frame& frame, b
                            .list = &list,
                            .lod_scale = quadtree.lod_scale,
                            .draws_sky = draws_sky,
-                           .water_at_lens = water});
+                           .water_at_lens = water,
+                           .host_scene = host_scene});
 }
 
 float linear_of(std::uint8_t srgb) {

@@ -53,12 +53,14 @@ TEST(Shaders, AreGlslInEveryVariant) {
     for (const Surface surface : {Surface::lake, Surface::coast, Surface::river, Surface::pond})
         for (const Shading shading : {Shading::headset, Shading::high})
             variants.push_back({.shading = shading, .surface = surface, .below = true});
-    std::vector<gl::ProgramFiles> all = {{"panel.vert.glsl", "panel.frag.glsl", ""}};
+    for (const bool below : {false, true}) variants.push_back({.tiles = 4, .below = below, .mirrors_scene = true});
+    std::vector<gl::ProgramFiles> all = {{"panel.vert.glsl", "panel.frag.glsl", ""},
+                                         {"rock.vert.glsl", "rock.frag.glsl", ""}};
     for (const gl::SeaVariant& variant : variants)
         for (const gl::ProgramFiles& files : gl::sea_program_files(variant)) all.push_back(files);
     for (const char* pass : {"bloom_down.frag.glsl", "bloom_up.frag.glsl", "display.frag.glsl", "meter.frag.glsl"})
         all.push_back({"screen.vert.glsl", pass, ""});
-    ASSERT_EQ(all.size(), 135u);
+    ASSERT_EQ(all.size(), 146u);
     for (const gl::ProgramFiles& files : all)
         EXPECT_EQ(refusal_of(files), "") << files.vertex << ", " << files.fragment << "\n" << files.defines;
 }

@@ -13,6 +13,7 @@
 #include "pelagic/gl/kept_state.hpp"
 #include "pelagic/gl/light_meter.hpp"
 #include "pelagic/gl/program.hpp"
+#include "pelagic/gl/rock.hpp"
 #include "pelagic/tests/gl_scene.hpp"
 
 namespace pelagic {
@@ -197,6 +198,7 @@ struct Look {
     const char* name;
     gl::DrawMode mode;
     std::optional<gl::WaterAtLens> water_at_lens = {};
+    bool has_rock = false;  ///< which a host draws, and hands in to be mirrored
 };
 
 /// Into the first bytes, whatever the host's packing is.
@@ -232,12 +234,24 @@ std::vector<std::uint8_t> picture(const gl::Functions& gl, const Frame& frame, c
     Selection selection(quadtree);
     const DrawList& list =
         selection.select({.viewer_m = camera.position_m, .views = {&eye.clip_from_world, 1}, .bounds = frame.bounds});
+    std::optional<gl::Rock> rock;
+    std::optional<gl::HostScene> host_scene;
+    if (look.has_rock) {
+        rock.emplace(gl, glm::dvec3(60, 0, 40));
+        after_each_call("rock's constructor");
+        rock->set_light(test_sky());
+        host_scene = rock->picture(eye);
+        after_each_call("rock's picture");
+        rock->draw(eye, 0);
+        after_each_call("rock's draw");
+    }
     renderer.draw({.eyes = {&eye, 1},
                    .viewer_m = camera.position_m,
                    .list = &list,
                    .lod_scale = quadtree.lod_scale,
                    .mode = look.mode,
-                   .water_at_lens = look.water_at_lens});
+                   .water_at_lens = look.water_at_lens,
+                   .host_scene = host_scene});
     after_each_call("draw");
     std::vector<std::uint8_t> pixels(std::size_t{4} * side * side);
     read_target(gl, pixels);
@@ -328,7 +342,8 @@ TEST(GlStateOfDisplay, OfAHostIsKeptAndSpoilsNoPicture) {
 INSTANTIATE_TEST_SUITE_P(Modes, GlState,
                          testing::Values(Look{"shaded", gl::DrawMode::shaded},
                                          Look{"wireframe", gl::DrawMode::wireframe},
-                                         Look{"lens_in_the_water", gl::DrawMode::shaded, gl::WaterAtLens{10}}),
+                                         Look{"lens_in_the_water", gl::DrawMode::shaded, gl::WaterAtLens{10}},
+                                         Look{"mirrored_rock", gl::DrawMode::shaded, {}, true}),
                          [](const auto& look) { return look.param.name; });
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "pelagic/gl/headless_context.hpp"
 #include "pelagic/gl/light_meter.hpp"
 #include "pelagic/gl/render_target.hpp"
+#include "pelagic/gl/rock.hpp"
 #include "pelagic/gl/sea_renderer.hpp"
 #include "pelagic/gl/sky_panorama.hpp"
 #include "pelagic/gl/stopwatch.hpp"
@@ -78,6 +79,10 @@ class PictureMaker {
         renderer_.set_floor(options.scene.floor);
         if (options.scene.flow) renderer_.set_flow(*options.scene.flow);
         renderer_.set_sky(sky);
+        if (options.rock_m) {
+            rock_.emplace(context_.functions(), glm::dvec3(options.rock_m->x, 0, options.rock_m->y));
+            rock_->set_light(sky);
+        }
         eyes_ = eyes_in(options.scene.width, options.scene.height);
         for (const gl::Eye& eye : eyes_) views_.push_back(eye.clip_from_world);
         if (options.wireframe || options.file.empty()) return;
@@ -169,6 +174,11 @@ class PictureMaker {
                                        .sun = gl::sun_direction(options_.scene.sky)});
             renderer_.set_caustics(caustics_.complete());
         }
+        std::optional<gl::HostScene> host_scene;
+        if (rock_) {
+            host_scene = rock_->picture(eyes[0]);
+            rock_->draw(eyes[0], weighs_samples ? exposure() : 0);
+        }
         return renderer_.draw({.eyes = eyes,
                                .viewer_m = options_.scene.camera.position_m,
                                .list = &list,
@@ -176,7 +186,8 @@ class PictureMaker {
                                .mode = options_.wireframe ? gl::DrawMode::wireframe : gl::DrawMode::shaded,
                                .exposure = exposure(),
                                .weighs_samples = weighs_samples,
-                               .water_at_lens = water});
+                               .water_at_lens = water,
+                               .host_scene = host_scene});
     }
 
     void note(const gl::DrawFigures& figures) {
@@ -219,6 +230,7 @@ class PictureMaker {
     Ocean ocean_;
     gl::RenderTarget target_;
     gl::SeaRenderer renderer_;
+    std::optional<gl::Rock> rock_;
     Selection selection_;
     std::optional<gl::Display> display_;  ///< none for a wireframe, or without --out
     std::optional<gl::RenderTarget> screen_;

@@ -1,6 +1,7 @@
 #include "pelagic/tools/render_options.hpp"
 
 #include <array>
+#include <cmath>
 #include <cstdio>
 
 #include "pelagic/tools/errors.hpp"
@@ -27,6 +28,16 @@ std::filesystem::path checked_file(const std::string& option, const std::optiona
     return file;
 }
 
+glm::dvec2 rock_place(const std::string& option, const std::string& text) {
+    constexpr double furthest_m = 1e4;
+    const auto refuse = [&] { return bad_value(option, text, "X,Z in metres, each in [-10000, 10000]"); };
+    const std::vector<std::string> parts = split_at_commas(text);
+    if (parts.size() != 2) throw refuse();
+    const auto x = parse_number(parts[0]), z = parse_number(parts[1]);
+    if (!x || !z || std::abs(*x) > furthest_m || std::abs(*z) > furthest_m) throw refuse();
+    return {*x, *z};
+}
+
 }  // namespace
 
 std::filesystem::path RenderOptions::file_of(const std::filesystem::path& named, int frame) const {
@@ -47,6 +58,9 @@ void RenderFlags::add_to(CLI::App& app) {
     add("time", "SECONDS", "of the first frame, in [-1e9, 1e9]; default 0");
     add("frames", "NUMBER", "how many pictures; 1 to 100000, default 1");
     add("fps", "NUMBER", "pictures a second; (0, 1000], default 24");
+    add("rock", "X,Z",
+        "a rock, about 12 m wide and 6 m high, stands in the sea there and is mirrored; metres, each in [-10000, "
+        "10000]");
     app.add_flag("--wireframe", wireframe_, "the mesh, a colour for each level of detail");
     app.add_flag("--stereo", stereo_, "both eyes beside one another");
     app.add_flag("--json", json_, "draw calls, triangles, bytes and times, for programs");
@@ -78,6 +92,10 @@ RenderOptions RenderFlags::resolve() const {
     });
     given("frames", [&](const auto& option, const auto& text) {
         options.frames = whole_number_in(option, text, 1, most_frames);
+    });
+    given("rock", [&](const auto& option, const auto& text) {
+        options.rock_m = rock_place(option, text);
+        if (stereo_ || wireframe_) throw bad_value(option, text, "a picture without --stereo and --wireframe");
     });
     given("fps", [&](const auto& option, const auto& text) {
         options.fps = number_in(option, text, 1e-6, 1000, "frames a second in (0, 1000]");

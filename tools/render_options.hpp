@@ -3,6 +3,7 @@
 
 #include <CLI/App.hpp>
 #include <filesystem>
+#include <glm/vec2.hpp>
 #include <map>
 #include <optional>
 #include <string>
@@ -18,6 +19,7 @@ struct RenderOptions {
     double time_s = 0;
     int frames = 1;
     double fps = 24;
+    std::optional<glm::dvec2> rock_m;  ///< x and z of a rock in the sea
     bool wireframe = false, stereo = false, json = false;
 
     /// FILE.png, or FILE_0000.png and so on where there is more than one frame. \param named  `file` or `hdr_file`

@@ -22,6 +22,15 @@ float dither(vec2 pixel) { return fract(52.9829189 * fract(dot(pixel, vec2(0.067
 // Rec. 709.
 float luminance_of(vec3 colour) { return dot(colour, vec3(0.2126, 0.7152, 0.0722)); }
 
+// A sample counts for less the brighter it is, or glints on edges would stay jagged: samples are averaged before the tone curve
+// (Karis 2013, "Tone Mapping"). The weight is the alpha by which the display pass divides. It is no less than a half float's smallest
+// normal numbers can hold. `exposure`: 0 for samples that count alike.
+vec4 weighted_sample(vec3 radiance, float exposure) {
+    vec3 held = min(radiance, vec3(6e4));
+    float weight = 1.0 / (1.0 + min(exposure * luminance_of(held), 1023.0));
+    return vec4(held * weight, weight);
+}
+
 // In the dark rods see, without colours: by cd/m^2 as in Krawczyk, Myszkowski and Seidel 2005, "Perceptual effects in real-time
 // tone mapping". What they see looks blue, as the chromaticity (0.25, 0.25): Jensen et al. 2000, "Night Rendering".
 vec3 night_vision(vec3 radiance, float luminance_of_unit) {

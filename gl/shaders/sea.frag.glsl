@@ -1,7 +1,8 @@
 // Open sea. In the order of main():
 //
 //   waves       normal and roughness of the surface in the pixel; of small water, if that is what is drawn
-//   mirror      the sky, mirrored by waves of which those that lean towards the eye count most; the sun's glint
+//   mirror      the sky, mirrored by waves of which those that lean towards the eye count most; the sun's glint; with MIRRORS_SCENE also
+//               what a host drew
 //   water       light from below: absorption and backscattering, light through crests
 //   foam        white and diffuse, over all of it
 //   haze        towards the colour that the sky has at the horizon there
@@ -33,6 +34,9 @@ const float pi = 3.14159265;
 #include "small_surface.glsl"
 #endif
 #include "mirror.glsl"
+#ifdef MIRRORS_SCENE
+#include "scene_mirror.glsl"
+#endif
 #include "water_light.glsl"
 #include "water.glsl"
 #include "foam.glsl"
@@ -98,7 +102,11 @@ void main() {
 
     float mirrors = mean_fresnel(clamp(dot(normal, to_eye), 0.0, 1.0), sqrt(0.5 * surface.alpha2));
     water_light += through_crests(normal, to_eye, height, surface.foam);
-    vec3 radiance = mix(water_light, mirrored_light(normal, to_eye, surface.alpha2, water_light), mirrors) +
+    vec3 mirrored = mirrored_light(normal, to_eye, surface.alpha2, water_light);
+#ifdef MIRRORS_SCENE
+    mirrored = with_mirrored_scene(mirrored, at, normal, to_eye, surface.alpha2, water_light);
+#endif
+    vec3 radiance = mix(water_light, mirrored, mirrors) +
                     sun_irradiance.rgb * glint(normal, to_eye, surface.alpha2);
     radiance = with_foam(radiance, foam, normal, to_eye, mirrors);
 #if BELOW
