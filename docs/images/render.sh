@@ -42,6 +42,9 @@ below split --preset moderate --water I --depth 8 --time 2 --camera 0,0.077,0 --
 below shore --preset calm --water I --floor "$heights" --floor-size 300 --camera -86,5,-18 --target -50,-2,20 --sun 150,45 --fov 60
 below island --preset calm --water I --floor "$heights" --floor-size 300 --camera -160,40,0 --target 0,0,0 --sun 200,50 --fov 50
 
+# What a host draws, mirrored.
+"$pelagic" render --size 480x270 --preset beaufort-1 --camera 0,3,0 --target 30,0.5,12 --fov 40 --sun 300,28 --rock 32,12.5 --out docs/images/mirror_rock.png
+
 # One tile of 250 m beside the default tiles, from four heights.
 pair() {
   local name=$1
