@@ -135,6 +135,27 @@ TEST(RenderCommand, AFixedExposureDoesNotLookAtTheView) {
     EXPECT_GT(difference(metered[0], metered[1]), 3);
 }
 
+// A rock of dark stone in the middle of the picture, and its image in the water before it.
+TEST(RenderCommand, ARockStandsInTheSeaAndIsMirrored) {
+    const TemporaryFolder folder;
+    const std::filesystem::path file = folder / "sea.exr";
+    const Outcome run =
+        run_pelagic({"render",    "--preset", "beaufort-0", "--resolution", "32",       "--clouds", "0",
+                     "--quality", "low",      "--size",     "48x48",        "--camera", "0,3,0",    "--target",
+                     "30,-1,0",   "--sun",    "60,30",      "--rock",       "25,0",     "--hdr",    file.string()});
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    const OIIO::ImageBuf picture = read_picture(file);
+    const auto green = [&](int x, int y) { return picture.getchannel(x, y, 0, 1); };
+    // Above its foot, which is in row 25, stands the rock; below it the water mirrors it, and the sky on both sides.
+    EXPECT_LT(green(24, 18), 0.5f * green(4, 18));
+    float before_rock = 0, beside = 0;
+    for (int x = 0; x < 4; ++x) {
+        before_rock += green(21 + 2 * x, 26);
+        beside += green(x < 2 ? 4 + x : 41 + x, 26);
+    }
+    EXPECT_LT(before_rock, 0.6f * beside);
+}
+
 // Pictures of one film are made by several runs, each from its own frame on.
 TEST(RenderCommand, APictureOfAFilmIsTheSameWhereverTheRunBegan) {
     const TemporaryFolder folder;
