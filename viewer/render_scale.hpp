@@ -28,8 +28,8 @@ struct RenderStep {
 /// Down to half the sides pixels go; then it is better to have them shaded more simply than to have fewer.
 class RenderScale {
    public:
-    /// Software drivers take so much of high shading's time for a pixel in headset, medium and high: 0.69, 1.05 and 1.62 s of two
-    /// cores for 640 x 360 (llvmpipe, a moderate sea from 7 m).
+    /// Software drivers take so much of high shading's time for a pixel in headset, medium and high: 0.69, 1.05 and 1.62 s of processor
+    /// time for 640 x 360 (llvmpipe, a moderate sea from 7 m).
     static constexpr std::array part_of_high = {0.42, 0.65, 1.0};
     static constexpr std::array by_time = {
         RenderStep{1, gl::Shading::high},        RenderStep{0.84f, gl::Shading::high},
