@@ -34,10 +34,10 @@ small() {
   shift
   "$pelagic" render --size 480x270 --surface "$name" --out "docs/images/small_$name.png" "$@"
 }
-small lake --preset lake --camera 0,1.7,0 --target 12,0,5 --fov 45 --sun 72,30
+small lake --preset lake --light golden-hour --camera 0,1.7,0 --target 12,1.2,9 --fov 45
 small coast --preset rough --camera 0,3,0 --target 20,0,10 --sun 72,30
 small river --preset calm --camera 30,14,30 --target 70,0,90 --fov 50 --sun 60,35
-small pond --preset calm --camera 0,1.1,0 --target 4,0,1.6 --fov 45 --sun 72,30
+small pond --preset calm --light noon --camera 0,1.1,0 --target 4,0.3,1.6 --fov 45
 
 # Below the surface, and where it ends.
 below() {
@@ -46,7 +46,7 @@ below() {
   "$pelagic" render --size 480x270 --out "docs/images/below_$name.png" "$@"
 }
 below up --preset calm --camera 0,-7,0 --target 4,0,4 --sun 45,50 --fov 100
-below split --preset moderate --water I --depth 8 --time 2 --camera 0,0.077,0 --target 20,0.3,20 --sun 60,45 --fov 75
+below split --preset moderate --water I --depth 5 --time 2 --camera 0,0.077,0 --target 20,0.3,20 --sun 130,45 --clouds 0.3 --exposure-bias -0.8 --fov 75
 below island --preset calm --water I --floor "$heights" --floor-size 300 --camera -160,40,0 --target 0,0,0 --sun 200,50 --fov 50
 
 # One tile of 250 m beside the default tiles, from four heights.
