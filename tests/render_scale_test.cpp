@@ -1,6 +1,7 @@
-// The viewer's render scale on machines that are models: a frame costs something, and each pixel something more. No clocks.
+// The viewer's render scale and shading on machines that are models: a frame costs something, and each pixel something more. No clocks.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <random>
 #include <vector>
 
@@ -10,6 +11,7 @@ namespace pelagic {
 namespace {
 
 using viewer::RenderScale;
+using viewer::RenderStep;
 
 constexpr double goal_ms = 33;
 
@@ -17,26 +19,29 @@ struct Machine {
     double fixed_ms, full_size_ms;  ///< of a frame; of all pixels in full size
     double fine_mesh_ms = 0;        ///< above a scale of 0.43, as the viewer's meshes are
     double noise = 0;               ///< relative, either way
+    std::array<double, 3> part_of_high = RenderScale::part_of_high;
     std::minstd_rand random{1};
 
-    double frame_ms(float scale) {
-        const double square = static_cast<double>(scale) * static_cast<double>(scale);
+    double frame_ms(RenderStep step) {
+        const float scale = step.scale;
+        const double square = static_cast<double>(scale) * static_cast<double>(scale) *
+                              part_of_high[static_cast<std::size_t>(step.shading)];
         const double uniform = 2 * static_cast<double>(random()) / 2147483647.0 - 1;
         return (fixed_ms + full_size_ms * square + (scale > 0.43f ? fine_mesh_ms : 0)) * (1 + noise * uniform);
     }
 };
 
-/// The scale of each frame.
-std::vector<float> run(RenderScale& scale, Machine& machine, int frames) {
-    std::vector<float> scales;
+/// The step of each frame.
+std::vector<RenderStep> run(RenderScale& scale, Machine& machine, int frames) {
+    std::vector<RenderStep> steps;
     for (int i = 0; i < frames; ++i) {
-        scales.push_back(scale.scale());
-        scale.follow(machine.frame_ms(scale.scale()));
+        steps.push_back(scale.step());
+        scale.follow(machine.frame_ms(scale.step()));
     }
-    return scales;
+    return steps;
 }
 
-int changes(const std::vector<float>& scales, std::size_t from) {
+int changes(const std::vector<RenderStep>& scales, std::size_t from) {
     int count = 0;
     for (std::size_t i = from + 1; i < scales.size(); ++i) count += scales[i] != scales[i - 1];
     return count;
@@ -46,26 +51,69 @@ TEST(RenderScale, StaysFullOnAMachineThatIsFastEnough) {
     Machine machine{2, 25};
     RenderScale scale(goal_ms);
     EXPECT_EQ(changes(run(scale, machine, 500), 0), 0);
-    EXPECT_EQ(scale.scale(), 1);
+    EXPECT_EQ(scale.step(), (RenderStep{1, gl::Shading::high}));
 }
 
 // Wherever it begins it ends where frames are short enough and the next size has no room, and there it stays.
 TEST(RenderScale, FindsASizeAndKeepsIt) {
     for (const double full_size_ms : {50.0, 90.0, 200.0, 420.0})
-        for (const std::size_t first : {std::size_t{0}, RenderScale::scales.size() - 1}) {
+        for (const float first : {1.f, 0.25f}) {
             Machine machine{3, full_size_ms};
-            RenderScale scale(goal_ms, first);
-            const std::vector<float> scales = run(scale, machine, 600);
+            RenderScale scale(goal_ms, gl::Shading::high, first);
+            const std::vector<RenderStep> scales = run(scale, machine, 600);
             EXPECT_EQ(changes(scales, 300), 0) << full_size_ms;
-            EXPECT_LE(machine.frame_ms(scale.scale()), 1.15 * goal_ms) << full_size_ms;
+            EXPECT_LE(machine.frame_ms(scale.step()), 1.15 * goal_ms) << full_size_ms;
             // Not needlessly small: two sizes up would be too slow.
-            EXPECT_GT(machine.frame_ms(scale.scale() * 1.42f), 0.85 * goal_ms) << full_size_ms;
+            EXPECT_GT(machine.frame_ms({scale.step().scale * 1.42f, gl::Shading::high}), 0.85 * goal_ms)
+                << full_size_ms;
         }
+}
+
+// Pixels go first, down to half the sides; slower machines get simpler pixels before fewer of them.
+TEST(RenderScale, ShadesMoreSimplyBelowHalfTheSides) {
+    for (const double full_size_ms : {60.0, 110.0, 150.0, 200.0, 330.0, 480.0, 700.0})
+        for (const float first : {1.f, 0.25f}) {
+            Machine machine{3, full_size_ms};
+            RenderScale scale(goal_ms, {}, first);
+            EXPECT_EQ(changes(run(scale, machine, 900), 450), 0) << full_size_ms;
+            const RenderStep step = scale.step();
+            EXPECT_LE(machine.frame_ms(step), 1.15 * goal_ms) << full_size_ms;
+            if (step.scale > 0.5f) {
+                EXPECT_EQ(step.shading, gl::Shading::high) << full_size_ms;
+            }
+            if (step.scale < 0.5f) {
+                EXPECT_NE(step.shading, gl::Shading::high) << full_size_ms;
+            }
+            // Not needlessly simple: high shading of half the sides would be too slow.
+            if (step.shading != gl::Shading::high) {
+                EXPECT_GT(machine.frame_ms({0.5f, gl::Shading::high}), 0.85 * goal_ms) << full_size_ms;
+            }
+        }
+}
+
+// Where simpler shading saves nothing, as where vertices or the sky are what takes so long, it is not tried to and fro.
+TEST(RenderScale, DoesNotSwingWhereShadingSavesNothing) {
+    for (const double full_size_ms : {100.0, 140.0, 200.0, 300.0}) {
+        Machine machine{3, full_size_ms, 0, 0.1, {1, 1, 1}};
+        RenderScale scale(goal_ms);
+        // A step that was found too slow is left alone for 120 frames, then 240 and so on: 7 tries in 20 000.
+        EXPECT_LE(changes(run(scale, machine, 20'000), 1000), 2 * 7) << full_size_ms;
+        EXPECT_LE(machine.frame_ms(scale.step()), 1.15 * 1.1 * goal_ms) << full_size_ms;
+    }
+}
+
+TEST(RenderScale, KeepsAShadingThatIsFixed) {
+    for (const gl::Shading shading : {gl::Shading::headset, gl::Shading::medium, gl::Shading::high}) {
+        Machine machine{3, 900};
+        RenderScale scale(goal_ms, shading);
+        for (const RenderStep& step : run(scale, machine, 300)) EXPECT_EQ(step.shading, shading);
+        EXPECT_LT(scale.step().scale, 0.5f);
+    }
 }
 
 TEST(RenderScale, DoesNotSwingOnNoise) {
     for (const unsigned seed : {1u, 2u, 3u, 4u, 5u}) {
-        Machine machine{3, 120, 0, 0.25, std::minstd_rand(seed)};
+        Machine machine{3, 120, 0, 0.25, RenderScale::part_of_high, std::minstd_rand(seed)};
         RenderScale scale(goal_ms);
         EXPECT_LE(changes(run(scale, machine, 3000), 1000), 2) << seed;
     }
@@ -74,18 +122,18 @@ TEST(RenderScale, DoesNotSwingOnNoise) {
 // At the larger size the finer mesh costs more than its pixels say: it is tried ever more rarely.
 TEST(RenderScale, LeavesASizeAloneThatCostsMoreThanItsPixels) {
     Machine machine{3, 80, 40};
-    RenderScale scale(goal_ms, RenderScale::scales.size() - 1);
-    const std::vector<float> scales = run(scale, machine, 20'000);
+    RenderScale scale(goal_ms, gl::Shading::high, 0.25f);
+    const std::vector<RenderStep> scales = run(scale, machine, 20'000);
     // 120 frames double 7.4 times in 20 000; a try is a step up and a step down.
     EXPECT_LE(changes(scales, 1000), 2 * 7);
-    EXPECT_LT(scale.scale(), 0.43f);
+    EXPECT_LT(scale.step().scale, 0.43f);
 }
 
 TEST(RenderScale, EscapesFromASlideshowInFourFrames) {
     Machine machine{100, 1900};
     RenderScale scale(goal_ms);
     run(scale, machine, 4);
-    EXPECT_LE(scale.scale(), 0.3f);
+    EXPECT_LE(scale.step().scale, 0.3f);
 }
 
 TEST(RenderScale, OneHitchIsNothing) {
@@ -94,17 +142,17 @@ TEST(RenderScale, OneHitchIsNothing) {
     run(scale, machine, 100);
     scale.follow(90);
     EXPECT_EQ(changes(run(scale, machine, 50), 0), 0);
-    EXPECT_EQ(scale.scale(), 1);
+    EXPECT_EQ(scale.step(), (RenderStep{1, gl::Shading::high}));
 }
 
 TEST(RenderScale, GrowsAgainWhenThereIsRoom) {
     Machine slow{3, 300}, fast{1, 10};
     RenderScale scale(goal_ms);
     run(scale, slow, 100);
-    EXPECT_LT(scale.scale(), 0.5f);
+    EXPECT_LT(scale.step().scale, 0.5f);
     // Sizes that were found too slow open after 120 frames.
     run(scale, fast, 400);
-    EXPECT_EQ(scale.scale(), 1);
+    EXPECT_EQ(scale.step(), (RenderStep{1, gl::Shading::high}));
 }
 
 }  // namespace

@@ -67,7 +67,7 @@ class PictureMaker {
           renderer_(context_.functions(), {.patch_vertices = options.scene.quadtree.vertices,
                                            .resolution = ocean_.resolution(),
                                            .tiles = ocean_.tile_count(),
-                                           .shading = options.scene.shading,
+                                           .shading = options.scene.shading.value_or(gl::Shading::high),
                                            .writes = gl::PixelKind::radiance,
                                            .surface = options.scene.surface,
                                            .executor = make_default_executor(options.scene.compute.threads)}),

@@ -124,7 +124,8 @@ void SceneFlags::add_to(CLI::App& app) {
     add("clouds", "PART", "of the sky, [0, 1]; default by the wind");
     add("water", "TYPE", "of Jerlov: I, IA, IB, II, III in the ocean, 1C, 3C, 5C, 7C, 9C at coasts; default II");
     add("chlorophyll", "MG_PER_M3", "instead of --water: what lives in the water colours it; [0.01, 30]");
-    add("shading", "TIER", "what a pixel of water may cost: headset, medium or high; default high");
+    add("shading", "TIER",
+        "what a pixel of water may cost: headset, medium or high; default high, in a window by the frame time");
     add("visibility", "METRES", "where haze leaves 2 % of contrast, [500, 300000]; default by the wind");
     add("surface", "NAME",
         "what is drawn: open, or small water in its place: lake, coast, river, pond; default open");

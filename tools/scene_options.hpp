@@ -27,7 +27,7 @@ struct SceneOptions {
     std::string light;  ///< by which the sky was chosen; empty: by the wind
     gl::SkyOptions sky;
     gl::WaterOptics water;
-    gl::Shading shading = gl::Shading::high;
+    std::optional<gl::Shading> shading;  ///< none: high, or as a window's frame time allows
     gl::CameraSettings settings;
     gl::SeaFloor floor;
     gl::Surface surface = gl::Surface::open;

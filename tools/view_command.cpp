@@ -41,6 +41,7 @@ std::string light_text(const viewer::ViewSettings& settings) {
         return number_text(std::round(static_cast<double>(value) * 100) / 100);
     };
     const gl::CameraSettings defaults;
+    if (settings.shading) text += " --shading " + std::string(name_of(*settings.shading));
     if (settings.camera.fixed_ev) text += " --exposure " + hundredths(*settings.camera.fixed_ev);
     if (settings.camera.bias_stops != 0) text += " --exposure-bias " + hundredths(settings.camera.bias_stops);
     if (settings.camera.bloom != defaults.bloom) text += " --bloom " + hundredths(settings.camera.bloom);

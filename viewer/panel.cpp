@@ -95,6 +95,15 @@ void choose_scale(ViewSettings& settings, const ViewFigures& figures) {
     if (!settings.scale_is_automatic) ImGui::SliderFloat("size", &settings.fixed_scale, 0.25f, 1, "%.2f");
 }
 
+void choose_shading(std::optional<gl::Shading>& shading, gl::Shading drawn) {
+    const std::string by_time = "auto: " + std::string(name_of(drawn));
+    if (!ImGui::BeginCombo("shading", shading ? name_of(*shading).data() : by_time.c_str())) return;
+    if (ImGui::Selectable("auto", !shading)) shading.reset();
+    for (const std::string_view name : gl::shading_names)
+        if (ImGui::Selectable(name.data(), shading && name == name_of(*shading))) shading = gl::shading_named(name);
+    ImGui::EndCombo();
+}
+
 void choose_surface(gl::Surface& surface) {
     const auto names = gl::surface_names();
     if (!ImGui::BeginCombo("surface", names[static_cast<std::size_t>(surface)].data())) return;
@@ -143,6 +152,7 @@ void show_panel(ViewSettings& settings, ViewCamera& camera, const ViewFigures& f
     ImGui::Separator();
     choose_quality(settings.quality);
     choose_scale(settings, figures);
+    choose_shading(settings.shading, figures.shading);
     choose_surface(settings.surface);
     ImGui::Checkbox("wireframe", &settings.wireframe);
     ImGui::SameLine();

@@ -22,7 +22,8 @@ struct ViewSettings {
     std::string light;  ///< name of the preset that the sky was chosen by, or empty
     gl::SkyOptions sky;
     gl::WaterOptics water;
-    gl::Shading shading = gl::Shading::high;
+    std::optional<gl::Shading>
+        shading;  ///< none: by the frame time, as the scale; high where that is fixed or nothing moves
     gl::CameraSettings camera;
     gl::Surface surface = gl::Surface::open;
     std::optional<gl::FlowMap> flow;  ///< of a river; none: a winding channel
@@ -41,7 +42,8 @@ struct ViewFigures {
     double select_us = 0, upload_ms = 0, draw_ms = 0;
     int draw_calls = 0;
     int drawn_width = 0, drawn_height = 0;  ///< pixels, before they are enlarged to the window
-    float ev = 0;                           ///< the exposure
+    gl::Shading shading = gl::Shading::high;
+    float ev = 0;  ///< the exposure
     std::uint64_t triangles = 0;
     std::size_t patches = 0;
     double significant_wave_height_m = 0;

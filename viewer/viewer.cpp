@@ -34,8 +34,8 @@ constexpr int samples_a_pixel = 4;
 /// What a frame may take before the picture is drawn smaller, milliseconds: 30 a second; on a driver without a GPU 12 a second, so
 /// that something is left to see.
 constexpr double goal_ms = 33, software_goal_ms = 80;
-/// Where a driver without a GPU begins in RenderScale::scales: a third of the window's sides.
-constexpr std::size_t software_first_scale = 6;
+/// Where a driver without a GPU begins.
+constexpr float software_first_scale = 0.42f;
 /// A view that rests for so long is drawn in full size once, and stays.
 constexpr double rest_s = 0.4;
 /// A picture of fewer pixels needs fewer vertices: half as many along a patch's side at each of these scales.
@@ -100,7 +100,8 @@ class Viewer {
           panel_renderer_(window_.functions(), Window::get_proc_address()),
           picture_(window_.functions()),
           is_software_(is_software(window_.functions())),
-          scale_by_time_(is_software_ ? RenderScale(software_goal_ms, software_first_scale) : RenderScale(goal_ms)),
+          scale_by_time_(scale_from(is_software_ ? software_first_scale : 1)),
+          followed_shading_(settings_.shading),
           shown_sea_(settings_.sea),
           baker_(make_default_executor(options.threads), sky_face_size),
           shown_sky_(settings_.sky),
@@ -108,6 +109,8 @@ class Viewer {
           camera_(options.camera) {
         baker_.schedule(settings_.sky);
         fill_ocean();
+        figures_.shading = settings_.scale_is_automatic ? scale_by_time_.step().shading
+                                                        : settings_.shading.value_or(gl::Shading::high);
         choose_quality();
         take_sky();
     }
@@ -140,6 +143,10 @@ class Viewer {
     }
 
    private:
+    RenderScale scale_from(float first) const {
+        return RenderScale(is_software_ ? software_goal_ms : goal_ms, settings_.shading, first);
+    }
+
     void take_input(double passed_s) {
         ImGui_ImplGlfw_NewFrame();
         ImGui::NewFrame();
@@ -183,6 +190,10 @@ class Viewer {
             }
         }
         if (settings_.quality != quality_ || settings_.surface != surface_) choose_quality();
+        if (settings_.shading != followed_shading_) {
+            followed_shading_ = settings_.shading;
+            scale_by_time_ = scale_from(scale_by_time_.step().scale);
+        }
     }
 
     /// An ocean has its number of tiles for life.
@@ -209,18 +220,35 @@ class Viewer {
     void choose_quality() {
         quality_ = settings_.quality;
         surface_ = settings_.surface;
+        renderer_ = nullptr;
+        for (auto& renderer : renderers_) renderer.reset();
         choose_mesh(preset_named(quality_).vertices);
-        renderer_ = std::make_unique<gl::SeaRenderer>(
-            window_.functions(), gl::RendererOptions{.patch_vertices = selection_->options().vertices,
-                                                     .resolution = ocean_->resolution(),
-                                                     .tiles = ocean_->tile_count(),
-                                                     .shading = settings_.shading,
-                                                     .writes = gl::PixelKind::radiance,
-                                                     .surface = surface_,
-                                                     .executor = make_default_executor(options_.threads)});
-        renderer_->set_water(settings_.water);
-        renderer_->set_floor(options_.floor);
-        if (settings_.flow) renderer_->set_flow(*settings_.flow);
+        choose_shading(figures_.shading);
+    }
+
+    /// Those that were drawn once stay: to change between them costs an upload of the sky, and no shader is compiled again.
+    void choose_shading(gl::Shading shading) {
+        figures_.shading = shading;
+        auto& renderer = renderers_[static_cast<std::size_t>(shading)];
+        if (!renderer) {
+            renderer = std::make_unique<gl::SeaRenderer>(
+                window_.functions(), gl::RendererOptions{.patch_vertices = selection_->options().vertices,
+                                                         .resolution = ocean_->resolution(),
+                                                         .tiles = ocean_->tile_count(),
+                                                         .shading = shading,
+                                                         .writes = gl::PixelKind::radiance,
+                                                         .surface = surface_,
+                                                         .executor = make_default_executor(options_.threads)});
+            renderer->set_water(settings_.water);
+            renderer->set_floor(options_.floor);
+            if (settings_.flow) renderer->set_flow(*settings_.flow);
+        }
+        renderer_ = renderer.get();
+        renderer_->set_patch_vertices(selection_->options().vertices);
+        if (has_caustics_) {
+            renderer_->set_caustics(caustics_.complete());
+            caustics_are_baking_ = false;
+        }
         if (!figures_.sky_is_baking && frames_ > 0) take_sky();
     }
 
@@ -258,6 +286,7 @@ class Viewer {
         if (!caustics_are_baking_) return;
         renderer_->set_caustics(caustics_.complete());
         caustics_are_baking_ = false;
+        has_caustics_ = true;
     }
 
     /// Small water lies level, or nearly.
@@ -298,14 +327,21 @@ class Viewer {
                         .changes = changes_};
         rests_for_s_ = now == drawn_ ? rests_for_s_ + passed_s : 0;
         const bool rests = settings_.scale_is_automatic && rests_for_s_ >= rest_s;
-        float scale = settings_.scale_is_automatic ? scale_by_time_.scale() : settings_.fixed_scale;
-        if (rests || takes_picture_) scale = 1;
-        sea_was_drawn_ = now != drawn_ || (rests && drawn_scale_ < 1) || takes_picture_ || scale > drawn_scale_;
+        const RenderStep full_size{1, settings_.shading.value_or(gl::Shading::high)};
+        RenderStep step = full_size;
+        if (!settings_.scale_is_automatic)
+            step.scale = settings_.fixed_scale;
+        else if (!rests && !takes_picture_)
+            step = scale_by_time_.step();
+        sea_was_drawn_ = now != drawn_ || (rests && drawn_step_ != step) || takes_picture_ ||
+                         step.scale > drawn_step_.scale || step.shading > drawn_step_.shading;
         if (sea_was_drawn_) {
-            draw_sea(frame, camera, scale);
+            // A renderer's first sky is one that is ready.
+            if (step.shading != figures_.shading && !figures_.sky_is_baking) choose_shading(step.shading);
+            draw_sea(frame, camera, step.scale);
             drawn_ = now;
             drawn_.changes = changes_;  // a mesh may just have been chosen
-            drawn_scale_ = scale;
+            drawn_step_ = {step.scale, figures_.shading};
             // The size that a resting view or a picture asks for says nothing of the next frame's.
             sea_was_drawn_ = !rests && !takes_picture_;
         }
@@ -396,22 +432,25 @@ class Viewer {
     CameraPicture picture_;
     bool is_software_;
     RenderScale scale_by_time_;
+    std::optional<gl::Shading> followed_shading_;  ///< of the settings, as scale_by_time_ knows it
     std::shared_ptr<StageTimes> stage_times_ = std::make_shared<StageTimes>();
     std::optional<Ocean> ocean_;
     SeaState shown_sea_;
     gl::SkyBaker baker_;
     gl::SkyOptions shown_sky_;
     gl::CausticsBaker caustics_;
-    bool caustics_are_baking_ = false;
+    bool caustics_are_baking_ = false, has_caustics_ = false;
     ViewCamera camera_;
     std::string quality_;
     gl::Surface surface_ = gl::Surface::open;
     std::optional<Selection> selection_;
-    std::unique_ptr<gl::SeaRenderer> renderer_;
+    std::array<std::unique_ptr<gl::SeaRenderer>, gl::shading_names.size()>
+        renderers_;                        ///< by shading, once it is drawn
+    gl::SeaRenderer* renderer_ = nullptr;  ///< of figures_.shading
     std::optional<gl::RenderTarget> wireframe_;
     float luminance_of_unit_ = 1, unmetered_ev_ = 15;  ///< of the shown sky
     Drawn drawn_;
-    float drawn_scale_ = 0;
+    RenderStep drawn_step_{0, gl::Shading::headset};
     double rests_for_s_ = 0;
     bool sea_was_drawn_ = false;  ///< in the size that frame times decide
     unsigned long long changes_ = 0;

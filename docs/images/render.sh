@@ -9,12 +9,24 @@ picture() {
   shift
   "$pelagic" render --size 960x540 --out "docs/images/render_$name.png" "$@"
 }
-picture calm --preset calm --camera 0,2.2,0 --target 60,-1,25 --fov 50 --sun 72,30
-picture moderate --preset moderate --camera 0,7,0 --target 100,-2,40 --fov 50 --sun 66,26
-picture storm --preset storm --camera 0,7,0 --target 60,3,12 --fov 50 --time 7 --sun 105,28
-picture close --preset rough --camera 0,3.2,0 --target 12,1.2,5 --fov 50 --time 3 --sun 75,30
-picture above --preset rough --camera 0,420,0 --target 420,0,160 --fov 55 --sun 110,42
+picture 2m --preset moderate --light noon --camera 0,2.2,0 --target 60,0.5,25 --fov 50
+picture deck --preset rough --light noon --sun 150,40 --camera 0,10,0 --target 100,3,40 --fov 42 --time 4
+picture plane --preset rough --light noon --sun 95,40 --camera 0,420,0 --target 700,150,420 --fov 50
+picture dusk --preset moderate --light golden-hour --sun 48,3 --camera 0,3,0 --target 60,1.6,55 --fov 40 --time 5
+picture storm --preset beaufort-10 --clouds 0.65 --visibility 30000 --sun 190,25 --camera 0,10,0 --target 60,6,20 --fov 40 --time 7
+picture moonlight --preset moderate --light moonlight --camera 0,5,0 --target 60,6,55 --fov 50
+picture underwater --preset calm --water I --depth 5 --camera 0,-1.5,0 --target 20,-2.6,16 --sun 30,50 --fov 75
+heights=$(mktemp --suffix=.png)
+trap 'rm -f "$heights"' EXIT
+docs/images/island.py "$heights"
+picture shore --preset calm --light noon --water I --floor "$heights" --floor-size 300 --sun 150,45 --camera -92,6,-30 --target -40,-2,22 --fov 60
 picture levels --preset moderate --camera -60,260,-60 --target 240,0,240 --fov 60 --quality low --wireframe
+
+# One view in each tier of shading.
+for tier in headset medium high; do
+  "$pelagic" render --size 480x270 --shading "$tier" --preset moderate --light noon --camera 0,4,0 --target 60,-4,25 --fov 50 --time 6 \
+    --out "docs/images/tier_$tier.png"
+done
 
 # Small water.
 small() {
@@ -22,10 +34,10 @@ small() {
   shift
   "$pelagic" render --size 480x270 --surface "$name" --out "docs/images/small_$name.png" "$@"
 }
-small lake --preset lake --camera 0,1.7,0 --target 12,0,5 --fov 45 --sun 72,30
+small lake --preset lake --light golden-hour --camera 0,1.7,0 --target 12,1.2,9 --fov 45
 small coast --preset rough --camera 0,3,0 --target 20,0,10 --sun 72,30
 small river --preset calm --camera 30,14,30 --target 70,0,90 --fov 50 --sun 60,35
-small pond --preset calm --camera 0,1.1,0 --target 4,0,1.6 --fov 45 --sun 72,30
+small pond --preset calm --light noon --camera 0,1.1,0 --target 4,0.3,1.6 --fov 45
 
 # Below the surface, and where it ends.
 below() {
@@ -33,13 +45,8 @@ below() {
   shift
   "$pelagic" render --size 480x270 --out "docs/images/below_$name.png" "$@"
 }
-heights=$(mktemp --suffix=.png)
-trap 'rm -f "$heights"' EXIT
-docs/images/island.py "$heights"
-below ahead --preset calm --water I --depth 5 --camera 0,-1.5,0 --target 20,-3,16 --sun 20,60 --fov 80
 below up --preset calm --camera 0,-7,0 --target 4,0,4 --sun 45,50 --fov 100
-below split --preset moderate --water I --depth 8 --time 2 --camera 0,0.077,0 --target 20,0.3,20 --sun 60,45 --fov 75
-below shore --preset calm --water I --floor "$heights" --floor-size 300 --camera -86,5,-18 --target -50,-2,20 --sun 150,45 --fov 60
+below split --preset moderate --water I --depth 5 --time 2 --camera 0,0.077,0 --target 20,0.3,20 --sun 130,45 --clouds 0.3 --exposure-bias -0.8 --fov 75
 below island --preset calm --water I --floor "$heights" --floor-size 300 --camera -160,40,0 --target 0,0,0 --sun 200,50 --fov 50
 
 # What a host draws, mirrored.
