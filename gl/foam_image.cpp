@@ -146,11 +146,12 @@ std::uint8_t signed_byte_of(float value) {
     return static_cast<std::uint8_t>(128 + std::lround(std::clamp(value, -1.f, 1.f) * 127));
 }
 
-/// The first byte of a layer in a level.
+/// The first byte of a layer in a level; of level `levels` and layer 0: how many there are.
 std::size_t start_of(int level, int layer) {
     std::size_t texels = 0;
     for (int m = 0; m < level; ++m) texels += std::size_t{FoamImage::layers} << 2 * (FoamImage::levels - 1 - m);
-    return 4 * (texels + (static_cast<std::size_t>(layer) << 2 * (FoamImage::levels - 1 - level)));
+    for (int l = 0; l < layer; ++l) texels += std::size_t{1} << 2 * (FoamImage::levels - 1 - level);
+    return 4 * texels;
 }
 
 /// Stages: `foam rows` (values, rows of all layers) and `foam levels` (a job is a layer: slopes, ranks, mips).
