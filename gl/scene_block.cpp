@@ -24,6 +24,8 @@ constexpr float detail_part = 0.75f;
 constexpr double detail_texels = 6;
 /// Layers have no period in common: their sizes stand in powers of the golden ratio.
 constexpr double golden = 1.6180339887;
+/// Where in the ripples each place looks follows a noise that repeats after so many tiles; scene.glsl has the same number.
+constexpr double ripple_noise_tiles = 13;
 constexpr double layer_turns_rad[2] = {0.21, -0.47};
 
 /// The horizon softens over this angle below it.
@@ -79,18 +81,20 @@ void place_details(SceneBlock& block, const SeaFacts& facts, glm::dvec2 viewer) 
     const SeaState& sea = facts.sea;
     const double texel_m = facts.texel_m(facts.finest_tile());
     const double loop = fraction(facts.time_s / sea.loop_period_s);
-    glm::dvec2 shifts[2];
+    glm::dvec2 shifts[2], noise[2];
     for (int layer = 0; layer < 2; ++layer) {
         const double tile_m = detail_texels * texel_m / (layer == 0 ? 1 : golden * golden * golden);
         const double angle = sea.wind_direction_rad + layer_turns_rad[layer];
         // Ripples travel as waves of a tenth of the tile do in deep water; the way in a loop is whole tiles.
         const double speed = std::sqrt(gravity_mps2 * tile_m / 10 / (2 * pi));
         const double tiles = std::round(speed * sea.loop_period_s / tile_m);
+        noise[layer] = place_in_square(viewer, angle, ripple_noise_tiles * tile_m);
         shifts[layer] = place_in_square(viewer, angle, tile_m) - glm::dvec2(fraction(tiles * loop), 0);
         block.detail_turn[static_cast<std::size_t>(layer)] = {std::cos(angle) / tile_m, std::sin(angle) / tile_m,
                                                               std::cos(angle), std::sin(angle)};
     }
     block.detail_shift = {glm::vec2(shifts[0]), glm::vec2(shifts[1])};
+    block.detail_noise = {glm::vec2(noise[0]), glm::vec2(noise[1])};
     const glm::dvec4 tiles(FoamSizes::bubbles_m, FoamSizes::lace_m, 460, 1510);  // gusts: metres
     block.noise_scale = glm::vec4(1.0 / tiles);
     const glm::dvec2 turned(viewer.y, viewer.x);

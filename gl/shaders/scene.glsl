@@ -54,6 +54,7 @@ layout(std140) uniform Scene {
     highp vec4 waves;             // x: significant height; y: alpha of the water between texels; zw: the wind's direction
     highp vec4 detail_turn[2];    // rows of a rotation over the tile's side
     highp vec4 detail_shift;      // xy of layer 0, zw of layer 1: where the viewer is in the tile
+    highp vec4 detail_noise;      // the same in a square of ripple_noise_tiles such tiles, which repeats
     highp vec4 noise_scale;       // xy: of foam's bubbles and lace, zw: of the gusts' two, 1/m
     highp vec4 foam_shift;        // where the viewer is in them
     highp vec4 gust_shift;
@@ -89,6 +90,8 @@ layout(std140) uniform Scene {
                                   // the light that `sun` says
     highp vec4 stars;             // x: irradiance of a star of magnitude 0; 0 by day
 };
+
+const float ripple_noise_tiles = 13.0;
 
 // The texture coordinates of a way in the world, metres, in a tile's textures.
 vec2 way_in_tile(int tile, vec2 way) {

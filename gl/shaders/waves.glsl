@@ -62,14 +62,17 @@ struct Copies {
     bool are_one;        // near the eye: the looks are all of one place
 };
 
+Copies copies_along(float noise) {
+    float first = floor(noise), second = smoothstep(0.0, 1.0, noise - first);
+    const vec2 to_next = vec2(0.7548777, 0.5698403);  // Roberts 2018, the sequence R2: none of its places is near another
+    return Copies(fract(first * to_next), fract((first + 1.0) * to_next), sqrt(vec2(1.0 - second, second)), false);
+}
+
 Copies copies_at(int tile, vec2 at, float distance_m) {
     float part = TILES == 1 ? smoothstep(3.0, 12.0, distance_m / tile_scale[tile].z) : 0.0;
     if (part <= 0.0) return Copies(vec2(0.0), vec2(0.0), vec2(0.5), true);
     vec2 uv = tile_noise[tile].xy + way_in_tile(tile, at) * tile_noise[tile].z;
-    float place = part * 16.0 * (textureLod(detail, uv, 5.0).z - 0.5);
-    float first = floor(place), second = smoothstep(0.0, 1.0, place - first);
-    const vec2 to_next = vec2(0.7548777, 0.5698403);  // Roberts 2018, the sequence R2: none of its places is near another
-    return Copies(fract(first * to_next), fract((first + 1.0) * to_next), sqrt(vec2(1.0 - second, second)), false);
+    return copies_along(part * 16.0 * (textureLod(detail, uv, 5.0).z - 0.5));
 }
 
 vec4 look_of(int i, int tile, vec2 uv, mat2 sides, float mip) {
@@ -183,37 +186,33 @@ Waves resolved_waves(vec2 at, float distance_m, Footprint pixel) {
     return Waves(normal_slopes(sum), sum.variance, foam);
 }
 
-// A layer of ripples: slopes in xy, in w how much of their mean square the pixel does not average away.
-vec4 layer_of_ripples(int layer, vec2 uv, Footprint pixel) {
+// A layer of ripples around a place: slopes in xy, in w how much of their mean square the pixel does not average away. A tile of them is
+// decimetres wide, so near the eye there are thousands: they are mixed from copies, as an only tile of waves is.
+vec4 layer_of_ripples(int layer, vec2 at, Footprint pixel) {
     vec2 row = detail_turn[layer].xy;
+    mat2 turn = mat2(row.x, -row.y, row.y, row.x);
+    vec2 uv = turn * at + (layer == 0 ? detail_shift.xy : detail_shift.zw);
     float tiles_a_m = length(row);
     float mip = log2(pixel.wide_m * tiles_a_m * 256.0);
-    // Their longest waves are a third of the texture: at 2 texels none is left.
 #if SHADING == HIGH
-    mat2 turn = mat2(row.x, -row.y, row.y, row.x);
+    vec2 noise_uv = turn * at / ripple_noise_tiles + (layer == 0 ? detail_noise.xy : detail_noise.zw);
+    Copies copies = copies_along(16.0 * (textureLod(detail, noise_uv, 5.0).z - 0.5));
     mat2 sides = turn * sides_of(pixel, 1.0 / (256.0 * tiles_a_m), 1.0 / tiles_a_m);
-    vec4 sum = vec4(0.0);
-    float square = 0.0;
-    for (int i = 0; i < looks; ++i) {
-        vec4 texel = textureLod(detail, uv + sides * look_at[i], mip);
-        vec2 slope = texel.xy * 2.0 - 1.0;
-        sum += vec4(slope, texel.zw);
-        square += dot(slope, slope);
-    }
-    sum /= float(looks);
+    vec4 a = textureLod(detail, uv + copies.first + sides * look_at[0], mip);
+    vec4 b = textureLod(detail, uv + copies.first + sides * look_at[2], mip);
+    vec4 c = textureLod(detail, uv + copies.second + sides * look_at[1], mip);
+    vec4 d = textureLod(detail, uv + copies.second + sides * look_at[3], mip);
+    vec2 first = a.xy + b.xy - 1.0, second = c.xy + d.xy - 1.0;
+    vec2 apart = vec2(dot(a.xy - b.xy, a.xy - b.xy), dot(c.xy - d.xy, c.xy - d.xy));
     // Slopes are stored as a quarter of their deviations: their mean square is 1/16.
-    sum.w -= 16.0 * max(square / float(looks) - dot(sum.xy, sum.xy), 0.0);
+    vec4 sum = vec4(copies.weights.x * first + copies.weights.y * second, 0.0,
+                    0.25 * (a.w + b.w + c.w + d.w) - 16.0 * dot(copies.weights * copies.weights, apart));
 #else
     vec4 texel = textureLod(detail, uv, mip);
     vec4 sum = vec4(texel.xy * 2.0 - 1.0, texel.zw);
 #endif
+    // Their longest waves are a third of the texture: at 2 texels none is left.
     return sum * clamp(7.0 - mip, 0.0, 1.0);
-}
-
-vec2 detail_uv(int layer, vec2 at) {
-    vec2 row = detail_turn[layer].xy;
-    vec2 shift = layer == 0 ? detail_shift.xy : detail_shift.zw;
-    return vec2(row.x * at.x + row.y * at.y, row.x * at.y - row.y * at.x) + shift;
 }
 
 // The slopes of a layer, turned back into the world.
@@ -237,12 +236,12 @@ float gust_at(vec2 at) {
 // The water that no tile holds: waves.y squared, of which ripples show their part as slopes where pixels are small enough.
 void add_water_between_texels(vec2 at, Footprint pixel, inout Waves seen) {
     float gust = gust_at(at);
-    vec4 a = layer_of_ripples(0, detail_uv(0, at), pixel);
+    vec4 a = layer_of_ripples(0, at, pixel);
 #if SHADING == HEADSET
     vec2 slopes = turned_back(0, a.xy) * sqrt(2.0);
     float shown = a.w;
 #else
-    vec4 b = layer_of_ripples(1, detail_uv(1, at), pixel);
+    vec4 b = layer_of_ripples(1, at, pixel);
     vec2 slopes = turned_back(0, a.xy) + turned_back(1, b.xy);
     float shown = 0.5 * (a.w + b.w);
 #endif
