@@ -21,6 +21,8 @@
 #define COAST 2
 #define RIVER 3
 #define POND 4
+// Vertices hand out the slopes of the mesh: those of its triangles jump, and where it folds some are slivers.
+#define MESH_SLOPES (SHADING != HEADSET && SURFACE == OPEN)
 
 #ifdef MULTIVIEW
 #define EYE int(gl_ViewID_OVR)

@@ -22,6 +22,8 @@ in vec4 place;
 in vec2 rest;
 #if VERTEX_TILES > 0
 in vec4 coarsest;
+#elif MESH_SLOPES
+in vec2 mesh_slopes;
 #endif
 #endif
 out vec4 colour;
@@ -80,8 +82,13 @@ void main() {
     Waves surface = waves_at(resting, distance_m);
     vec3 normal = normalize(vec3(surface.slopes.x, 1.0, surface.slopes.y));
 #if !defined(SKIRT) && SHADING != HEADSET
+#if MESH_SLOPES
+    vec3 facet = normalize(vec3(-mesh_slopes.x, 1.0, -mesh_slopes.y));
+#else
     vec3 facet = normalize(cross(dFdx(at), dFdy(at)));
-    normal = seen_normal(normal, facet.y < 0.0 ? -facet : facet, to_eye, surface.alpha2, distance_m);
+    if (facet.y < 0.0) facet = -facet;
+#endif
+    normal = seen_normal(normal, facet, to_eye, surface.alpha2, distance_m);
 #endif
 
     Foam foam = foam_at(resting, surface.foam, to_eye);

@@ -18,6 +18,9 @@ uniform highp sampler2DArray displacement;  // Dx, height, Dz, foam; a layer a t
 #if VERTEX_TILES > 0
 uniform highp sampler2DArray slopes;  // as waves.glsl has it
 out vec4 coarsest;                    // h_x, h_z, D_xx, D_zz of the coarsest tile
+#elif MESH_SLOPES
+uniform highp sampler2DArray slopes;
+out vec2 mesh_slopes;  // of the height, of the waves that the mesh holds
 #endif
 
 out vec4 place;  // relative to the viewer; w is 1, the skirt has 0 at the horizon
@@ -90,6 +93,15 @@ void main() {
     float mip = max(log2(spacing * tile_scale[0].x), 0.0);
     vec4 texel = textureLod(slopes, vec3(place_in_tile(0, rest), 0.0), mip) * (255.0 / 127.0) - 128.0 / 127.0;
     coarsest = texel * (tile_slope[0].x * weight_of_tile(0, mip));
+#endif
+#if MESH_SLOPES
+    float spacing = max(mesh.y, length(vec3(rest.x, viewer.z, rest.y)) * mesh.x);
+    mesh_slopes = vec2(0.0);
+    for (int tile = 0; tile < TILES; ++tile) {
+        float mip = max(log2(spacing * tile_scale[tile].x), 0.0);
+        vec2 texel = textureLod(slopes, vec3(place_in_tile(tile, rest), tile), mip).xy * (255.0 / 127.0) - 128.0 / 127.0;
+        mesh_slopes += texel * (tile_slope[tile].x * weight_of_tile(tile, mip));
+    }
 #endif
     vec3 at = vec3(rest.x + moved.x, moved.y - viewer.z, rest.y + moved.z);
 #if BELOW
