@@ -1,15 +1,15 @@
-// Light that comes out of the water. Gordon 1973, "Simple calculation of the diffuse reflectance of the ocean"; Morel and Prieur
-// 1977 (colour of sea water); Kirk 1984 (the sun's height).
+// Light that comes out of the water. Gordon 1973, "Simple calculation of the diffuse reflectance of the ocean"; Gordon et al. 1988, "A
+// semianalytic radiance model of ocean color".
 float cosine_in_water(float cosine) { return sqrt(1.0 - (1.0 - cosine * cosine) / (water_index * water_index)); }
 
 // Radiance that comes up through the surface, as it is on the eye's side of it before Fresnel takes his part. Light that goes down with
-// the cosine s in the water, of irradiance E on a level plane, and is scattered upwards once and evenly, leaves with the cosine v as E / pi 0.5 bb /
-// (a + bb) / (s + v); what is scattered more often makes 0.66 of the 0.5, and so 0.33 bb / (a + bb) of light that comes and
-// is seen straight through (Morel and Prieur 1977). Crossing the surface widens its rays, which thins radiance by the square of the index.
+// the cosine s in the water, of irradiance E on a level plane, and is scattered upwards once and evenly, leaves with the cosine v as
+// E / pi 0.5 bb / (a + bb) / (s + v). With 0.57, what is scattered more often counted, it is 0.095 bb / (a + bb) of E straight down under a
+// sun of 40 degrees, as Gordon et al. 1988 have it. Crossing the surface widens its rays, which thins radiance by the square of the index.
 vec3 upwelling(vec3 normal, vec3 to_eye) {
     float seen = max(-refract(-to_eye, normal, 1.0 / water_index).y, 0.1);
     const float sky_in_water = 0.86;  // the cosine of an even sky's light
-    return 0.66 / (pi * water_index * water_index) * water_backscattering.rgb / attenuation_of_water() *
+    return 0.57 / (pi * water_index * water_index) * water_backscattering.rgb / attenuation_of_water() *
            (sunlight_below() / (cosine_in_water(max(sun.y, 0.0)) + seen) + skylight_below() / (sky_in_water + seen));
 }
 

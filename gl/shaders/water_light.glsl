@@ -3,7 +3,7 @@
 // Attenuation is the sum of absorption and backscattering, for light that comes down and for what is seen alike, so that deep
 // water has the colour that upwelling() gives it. Scattering at small angles hardly turns light: the rest of it, by the
 // delta approximation (Joseph, Wiscombe and Weinman 1976), is a Henyey-Greenstein lobe of g' = g / (1 + g) = 0.48 for sea water's
-// g = 0.92 (Petzold 1972). Its amount is 11 times the backscattering: straight down under a high sun that is 0.33 bb / (a + bb) of
+// g = 0.92 (Petzold 1972). Its amount is 9.5 times the backscattering: straight down under a high sun that is 0.29 bb / (a + bb) of
 // the light, as upwelling() has it.
 const float water_index = 1.333;
 
@@ -29,7 +29,7 @@ float henyey_greenstein(float cosine, float g) {
 // What water scatters towards an eye `depth` below the surface, along `way` metres of a ray. Light falls off with depth and with
 // the way, so the integral of exp(-k s) exp(-k (depth - s ray.y)) is closed. `shafts` is the sun's part of its mean along the ray.
 vec3 scattered_light(vec3 ray, float depth, float way, float shafts) {
-    const float lobe = 0.48, amount = 11.0;
+    const float lobe = 0.48, amount = 9.5;
     vec3 k = attenuation_of_water();
     vec3 x = max(k * (way * (1.0 - min(ray.y, 1.0))), 1e-3);
     vec3 seen = way * (1.0 - exp(-x)) / x;
