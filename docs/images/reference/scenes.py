@@ -24,8 +24,6 @@ def largest_difference(scene, region):
         ("sunrise_2m_into_sun", "far"): 0.35,
         ("sunrise_2m_into_sun", "horizon"): 0.45,
         ("sunrise_2m_into_sun", "glitter"): 0.5,
-        ("morning_10m_across_sun", "horizon"): 0.3,
-        ("noon_60m_across_sun", "near"): 0.45,
-        ("noon_500m_down", "near"): 0.35,
+        ("morning_10m_across_sun", "horizon"): 0.25,
     }
     return left.get((scene, region), 0.2)
