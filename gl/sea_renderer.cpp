@@ -226,6 +226,7 @@ void SeaRenderer::set_patch_vertices(int patch_vertices) {
 }
 
 void SeaRenderer::set_water(const WaterOptics& water) { state_->water = water; }
+
 void SeaRenderer::set_floor(const SeaFloor& floor) {
     if (const std::string reason = check(floor); !reason.empty()) throw std::invalid_argument(reason);
     State& s = *state_;

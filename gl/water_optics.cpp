@@ -149,8 +149,4 @@ WaterOptics water_optics_of_chlorophyll(float mg_per_m3) {
     return water;
 }
 
-glm::vec3 irradiance_reflectance(const WaterOptics& water, float cosine_in_water) {
-    return (0.975f - 0.629f * cosine_in_water) * water.backscattering_per_m / water.absorption_per_m;
-}
-
 }  // namespace pelagic::gl

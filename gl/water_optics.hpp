@@ -42,9 +42,4 @@ std::span<const std::string_view> jerlov_types();
 /// Throws std::invalid_argument for a value out of range.
 WaterOptics water_optics_of_chlorophyll(float mg_per_m3);
 
-/// Irradiance that comes back up just under the surface over what goes down, for light whose rays lead down with that cosine in the
-/// water: (0.975 - 0.629 cosine) bb / a (Kirk 1984, "Dependence of relationship between inherent and apparent optical properties of water on
-/// solar altitude").
-glm::vec3 irradiance_reflectance(const WaterOptics& water, float cosine_in_water);
-
 }  // namespace pelagic::gl

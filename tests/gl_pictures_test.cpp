@@ -111,39 +111,6 @@ TEST(GlHorizon, SeaAndSkyMeetWithoutALine) {
     }
 }
 
-/// Brightness of a square of sea seen from 2 km straight above, through parallel rays, of which the sky and the sun are the same
-/// everywhere; without its mean, in rows.
-std::vector<double> picture_from_above(GlScene& scene, int pixels, double side_m) {
-    glm::dmat4 clip(0);
-    clip[0][0] = 2 / side_m;
-    clip[2][1] = -2 / side_m;
-    clip[1][2] = -1.0 / 2000;
-    clip[3] = {0, 0, 0, 1};
-    const glm::dvec3 viewer(0, 2000, 0);
-    const gl::Eye eye{.clip_from_world = clip, .position_m = viewer, .viewport = {0, 0, pixels, pixels}};
-    Frame frame = scene.ocean.frame_at(3);
-    std::vector<Tile> tiles(frame.tiles.begin(), frame.tiles.end());
-    // A few white pixels would weigh more than all waves.
-    for (Tile& tile : tiles) tile.whitecap_jacobian = Tile::no_whitecaps;
-    frame.tiles = tiles;
-    const DrawList& list =
-        scene.selection.select({.viewer_m = viewer, .views = {&eye.clip_from_world, 1}, .bounds = frame.bounds});
-    scene.resize(pixels, pixels);
-    scene.target->bind();
-    scene.gl().Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    scene.renderer->upload(frame);
-    scene.gl().Finish();
-    scene.renderer->draw({.eyes = {&eye, 1},
-                          .viewer_m = viewer,
-                          .list = &list,
-                          .lod_scale = scene.quadtree.lod_scale,
-                          .draws_sky = false});
-    const auto read = scene.target->read_radiance();
-    std::vector<double> light;
-    for (std::size_t i = 0; i < read.size(); i += 4) light.push_back(static_cast<double>(read[i + 1]));
-    return light;
-}
-
 /// The mean of a box around each pixel.
 std::vector<double> box_means(const std::vector<double>& light, int side, int half_box) {
     std::vector<double> sums(static_cast<std::size_t>(side + 1) * (side + 1)), means;
@@ -196,7 +163,9 @@ TEST(GlTiling, TheDefaultTilesRepeatNowhereWithinWhatTheEyeCompares) {
     GlScene scene({.quality = "low", .samples = 4, .writes = gl::PixelKind::radiance});
     const double coarsest_m = scene.ocean.frame_at(3).tiles[0].lattice.side_m;
     const double pixel_m = 2 * coarsest_m / pixels;
-    const std::vector<double> light = contrast_of(picture_from_above(scene, pixels, 2 * coarsest_m), pixels, 12);
+    // A few white pixels would weigh more than all waves.
+    const std::vector<float> seen = scene.light_from_above(3, pixels, 2 * coarsest_m, Tile::no_whitecaps);
+    const std::vector<double> light = contrast_of({seen.begin(), seen.end()}, pixels, 12);
     double largest = 0;
     const int most = static_cast<int>(900 / pixel_m);
     for (int dy = 0; dy <= most; ++dy)

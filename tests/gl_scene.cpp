@@ -82,6 +82,35 @@ const gl::DrawFigures& GlScene::draw(const Camera& camera, const Frame& frame, b
                            .host_scene = host_scene});
 }
 
+std::vector<float> GlScene::light_from_above(double time_s, int pixels, double side_m,
+                                             std::optional<float> whitecap_jacobian) {
+    Frame frame = ocean.frame_at(time_s);
+    std::vector<Tile> tiles(frame.tiles.begin(), frame.tiles.end());
+    if (whitecap_jacobian)
+        for (Tile& tile : tiles) tile.whitecap_jacobian = *whitecap_jacobian;
+    frame.tiles = tiles;
+    glm::dmat4 clip(0);
+    clip[0][0] = 2 / side_m;
+    clip[2][1] = -2 / side_m;
+    clip[1][2] = -1.0 / 2000;
+    clip[3] = {0, 0, 0, 1};
+    const glm::dvec3 viewer(0, 2000, 0);
+    const gl::Eye eye{.clip_from_world = clip, .position_m = viewer, .viewport = {0, 0, pixels, pixels}};
+    const DrawList& list =
+        selection.select({.viewer_m = viewer, .views = {&eye.clip_from_world, 1}, .bounds = frame.bounds});
+    resize(pixels, pixels);
+    target->bind();
+    gl().Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    renderer->upload(frame);
+    gl().Finish();
+    renderer->draw(
+        {.eyes = {&eye, 1}, .viewer_m = viewer, .list = &list, .lod_scale = quadtree.lod_scale, .draws_sky = false});
+    const std::vector<float> read = target->read_radiance();
+    std::vector<float> green;
+    for (std::size_t i = 0; i < read.size(); i += 4) green.push_back(read[i + 1]);
+    return green;
+}
+
 float linear_of(std::uint8_t srgb) {
     const float v = static_cast<float>(srgb) / 255;
     return v <= 0.04045f ? v / 12.92f : std::pow((v + 0.055f) / 1.055f, 2.4f);

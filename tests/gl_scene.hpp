@@ -56,6 +56,10 @@ class GlScene {
         draw(camera, frame);
         return target->read();
     }
+    /// Green radiance, in rows, of a square of sea seen from 2 km straight above through parallel rays, of which the sky and the sun
+    /// are the same everywhere. All tiles' whitecaps begin at `whitecap_jacobian`, if it is given. For a scene that writes radiance.
+    std::vector<float> light_from_above(double time_s, int pixels, double side_m,
+                                        std::optional<float> whitecap_jacobian = {});
     /// \param only  if it has any, the target holds these rows of the picture: the others take no time
     void resize(int width, int height, PictureRows only = {});
     const gl::Functions& gl() const { return context.functions(); }
