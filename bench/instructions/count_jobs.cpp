@@ -16,6 +16,7 @@
 #include "pelagic/bench/instructions/count_marks.hpp"
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/surface_query.hpp"
+#include "pelagic/tools/stage_work.hpp"
 
 namespace pelagic {
 namespace {
@@ -36,9 +37,6 @@ SeaState sea_of(Tiles tiles) {
     if (tiles.count == 1) return {.resolution = tiles.resolution, .patch_size_m = 250};
     return {.cascades = tiles.count, .resolution = tiles.resolution};
 }
-
-/// "evolve+rows c1" is the job evolve+rows, of the second tile.
-std::string job_of(const std::string& stage_name) { return stage_name.substr(0, stage_name.rfind(" c")); }
 
 void count_queries(const std::string& sea, const Frame& frame) {
     constexpr std::size_t points = 4096;
@@ -62,7 +60,7 @@ void count_jobs(const std::string& sea, Isa isa) {
     const double texels = static_cast<double>(tiles.count) * tiles.resolution * tiles.resolution;
     ocean.frame_at(0.5);
     std::map<std::string, std::vector<const Stage*>> jobs;
-    for (const Stage& stage : ocean.graph().stages()) jobs[job_of(stage.name)].push_back(&stage);
+    for (const Stage& stage : ocean.graph().stages()) jobs[std::string(tools::job_of(stage.name))].push_back(&stage);
     for (const auto& [job, stages] : jobs)
         bench::counted(sea + "/" + job, texels, [&stages] {
             for (const Stage* const stage : stages)
