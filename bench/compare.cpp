@@ -24,10 +24,11 @@
 #include <thread>
 #include <vector>
 
-#include "pelagic/bench/machine.hpp"
 #include "pelagic/bench/peers/fftw_frame.hpp"
 #include "pelagic/bench/peers/paper_frame.hpp"
+#include "pelagic/bench/pinned_to_one_core.hpp"
 #include "pelagic/sim/ocean.hpp"
+#include "pelagic/tools/machine.hpp"
 
 namespace pelagic {
 namespace {
@@ -191,7 +192,7 @@ Options options_from(int argc, char** argv, CLI::App& app) {
     app.parse(argc, argv);
     const bool is_whole = !options.quick && options.sizes.empty() && isa_name.empty();
     if (is_whole && options.json_file.empty())
-        options.json_file = std::string(PELAGIC_RESULTS_FOLDER) + "/" + file_name_of(bench::cpu_name()) + ".json";
+        options.json_file = std::string(PELAGIC_RESULTS_FOLDER) + "/" + file_name_of(tools::cpu_name()) + ".json";
     if (options.sizes.empty())
         options.sizes = options.quick ? std::vector{64, 128, 256} : std::vector{64, 128, 256, 512, 1024};
     if (isa_name.empty()) {
@@ -217,8 +218,8 @@ void run(const Options& options) {
     }
     nlohmann::ordered_json rows = nlohmann::ordered_json::array();
     const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-    std::printf("%s, %s. FFTW plans are PATIENT: planning takes a while.\n", bench::cpu_name().c_str(),
-                bench::compiler_name().c_str());
+    std::printf("%s, %s. FFTW plans are PATIENT: planning takes a while.\n", tools::cpu_name().c_str(),
+                tools::compiler_name().c_str());
     print_heading();
     for (const int n : options.sizes) {
         for (const Isa isa : options.isas) {
@@ -232,7 +233,7 @@ void run(const Options& options) {
     }
     if (options.json_file.empty()) return;
     const nlohmann::ordered_json all = {
-        {"cpu", bench::cpu_name()}, {"compiler", bench::compiler_name()}, {"rows", rows}};
+        {"cpu", tools::cpu_name()}, {"compiler", tools::compiler_name()}, {"rows", rows}};
     json_file << all.dump(2) << "\n";
     if (!json_file.flush()) throw std::runtime_error("can't write " + part_file);
     std::filesystem::rename(part_file, options.json_file);
