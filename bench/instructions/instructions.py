@@ -4,6 +4,7 @@
     bench/instructions/instructions.py                   a table of build/release's jobs
     bench/instructions/instructions.py --check           fails if a job takes over 2 % more than bench/budgets.json says
     bench/instructions/instructions.py --update          makes today's counts the budgets
+    bench/instructions/instructions.py --of PROGRAM ...  counts of any program with marks: a name and a figure a line
 
 x86 is counted by valgrind, which knows SSE4.2 and AVX2 but not AVX-512; NEON by a plug-in of qemu's user mode
 (--program build/arm64/bin/pelagic_count_jobs). Counts are for one texel of the sea, and for one point of queries. They
@@ -74,7 +75,7 @@ def count(command, options=()):
         printed, counts = (qemu_counts(command, folder) if is_arm(command[0]) else
                            valgrind_counts(command, folder, options))
     lines = [line.split("\t") for line in printed.splitlines() if "\t" in line]
-    compiler = next(value for name, value in lines if name == "compiler")
+    compiler = next((value for name, value in lines if name == "compiler"), None)
     named = [(name, float(items)) for name, items in lines if name != "compiler"]
     if len(named) != len(counts):
         raise SystemExit(f"{command[0]} names {len(named)} counts, of which {len(counts)} were seen")
@@ -147,7 +148,12 @@ def main():
     parser.add_argument("--seas", nargs="+", default=["1x256", "3x128"], help="tiles x resolution")
     parser.add_argument("--check", action="store_true", help="compare with bench/budgets.json")
     parser.add_argument("--update", action="store_true", help="write bench/budgets.json")
+    parser.add_argument("--of", nargs=argparse.REMAINDER, metavar="PROGRAM", help="count a program of your own")
     options = parser.parse_args()
+    if options.of:
+        for name, items, events in count(options.of)[1]:
+            print(f"{name}\t{events['Ir'] / items:.3f}")
+        return
     if not options.program.exists():
         parser.error(f"--program is {options.program}, which does not exist: build the target pelagic_count_jobs")
     isas = options.isa.split(",") if options.isa else ["neon"] if is_arm(options.program) else ["sse4.2", "avx2"]
