@@ -3,14 +3,14 @@
 //   pelagic_count_jobs ISA SEA...    a sea is TILESxN, 1x256 or 3x128
 //
 // Names are sea/job; items are texels, and points of queries.
+#include <algorithm>
 #include <cstdint>
 #include <cstdio>
 #include <exception>
-#include <map>
 #include <random>
 #include <stdexcept>
 #include <string>
-#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "pelagic/bench/instructions/count_marks.hpp"
@@ -59,8 +59,14 @@ void count_jobs(const std::string& sea, Isa isa) {
     Ocean ocean(sea_of(tiles), {.executor = make_serial_executor(), .isa = isa, .queries = true});
     const double texels = static_cast<double>(tiles.count) * tiles.resolution * tiles.resolution;
     ocean.frame_at(0.5);
-    std::map<std::string, std::vector<const Stage*>> jobs;
-    for (const Stage& stage : ocean.graph().stages()) jobs[std::string(tools::job_of(stage.name))].push_back(&stage);
+    std::vector<std::pair<std::string, std::vector<const Stage*>>> jobs;  // in the frame's order
+    for (const Stage& stage : ocean.graph().stages()) {
+        const std::string name(tools::job_of(stage.name));
+        const auto is_it = [&name](const auto& job) { return job.first == name; };
+        const auto known = std::find_if(jobs.begin(), jobs.end(), is_it);
+        (known == jobs.end() ? jobs.emplace_back(name, std::vector<const Stage*>()) : *known)
+            .second.push_back(&stage);
+    }
     for (const auto& [job, stages] : jobs)
         bench::counted(sea + "/" + job, texels, [&stages] {
             for (const Stage* const stage : stages)

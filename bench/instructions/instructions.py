@@ -4,12 +4,19 @@
     bench/instructions/instructions.py                   a table of build/release's jobs
     bench/instructions/instructions.py --check           fails if a job takes over 2 % more than bench/budgets.json says
     bench/instructions/instructions.py --update          makes today's counts the budgets
+    bench/instructions/instructions.py --bytes 1048576 --seas 1x512 1x1024
+                                                         bytes moved through the end of a second cache of that size
+    bench/instructions/instructions.py --of PROGRAM ...  counts of any program with marks: a name and a figure a line
 
 x86 is counted by valgrind, which knows SSE4.2 and AVX2 but not AVX-512; NEON by a plug-in of qemu's user mode
 (--program build/arm64/bin/pelagic_count_jobs). Counts are for one texel of the sea, and for one point of queries. They
 depend on the compiler, so budgets are for one version of it; with another --check skips (exit status 77).
+
+Bytes are those of valgrind's model of a cache: lines of 64 bytes fetched, whether for reading or because a part of them is
+written, and lines written back.
 """
 import argparse
+import itertools
 import json
 import os
 import pathlib
@@ -52,7 +59,8 @@ def valgrind_counts(command, folder, options=()):
     counts = []
     while os.path.exists(dump := f"{folder}/counts.{len(counts) + 1}"):
         lines = dict(line.split(": ", 1) for line in open(dump) if line.startswith(("events: ", "summary: ")))
-        counts.append(dict(zip(lines["events"].split(), map(int, lines["summary"].split()))))
+        events, figures = lines["events"].split(), map(int, lines["summary"].split())
+        counts.append(dict(itertools.zip_longest(events, figures, fillvalue=0)))  # zeros at the end are left out
     return run.stdout, counts
 
 
@@ -74,7 +82,7 @@ def count(command, options=()):
         printed, counts = (qemu_counts(command, folder) if is_arm(command[0]) else
                            valgrind_counts(command, folder, options))
     lines = [line.split("\t") for line in printed.splitlines() if "\t" in line]
-    compiler = next(value for name, value in lines if name == "compiler")
+    compiler = next((value for name, value in lines if name == "compiler"), None)
     named = [(name, float(items)) for name, items in lines if name != "compiler"]
     if len(named) != len(counts):
         raise SystemExit(f"{command[0]} names {len(named)} counts, of which {len(counts)} were seen")
@@ -90,6 +98,20 @@ def rows_of(program, isas, seas):
             sea, job = name.split("/", 1)
             rows.append({"sea": sea, "job": job, "isa": isa, "instructions": round(events["Ir"] / items, 3)})
     return compiler, rows
+
+
+def print_bytes(program, isa, seas, cache_bytes):
+    print(f"{isa}, beyond {cache_bytes} bytes of cache, a texel")
+    print(f"{'sea':8}{'job':24}{'read':>8}{'for writing':>12}{'written':>8}{'all':>8}  bytes")
+    # A second cache has 16 ways in most of today's processors.
+    options = ["--cache-sim=yes", "--simulate-wb=yes", f"--LL={cache_bytes},16,64"]
+    for name, texels, events in count([program, isa, *seas], options)[1]:
+        sea, job = name.split("/", 1)
+        if job.startswith("query"):
+            continue
+        moved = [64 * lines / texels
+                 for lines in (events["DLmr"], events["DLmw"], events["DLdmr"] + events["DLdmw"])]
+        print(f"{sea:8}{job:24}{moved[0]:8.1f}{moved[1]:12.1f}{moved[2]:8.1f}{sum(moved):8.1f}")
 
 
 def key(row):
@@ -147,11 +169,19 @@ def main():
     parser.add_argument("--seas", nargs="+", default=["1x256", "3x128"], help="tiles x resolution")
     parser.add_argument("--check", action="store_true", help="compare with bench/budgets.json")
     parser.add_argument("--update", action="store_true", help="write bench/budgets.json")
+    parser.add_argument("--bytes", type=int, metavar="CACHE", help="bytes moved beyond a cache of that size, instead")
+    parser.add_argument("--of", nargs=argparse.REMAINDER, metavar="PROGRAM", help="count a program of your own")
     options = parser.parse_args()
+    if options.of:
+        for name, items, events in count(options.of)[1]:
+            print(f"{name}\t{events['Ir'] / items:.3f}")
+        return
     if not options.program.exists():
         parser.error(f"--program is {options.program}, which does not exist: build the target pelagic_count_jobs")
     isas = options.isa.split(",") if options.isa else ["neon"] if is_arm(options.program) else ["sse4.2", "avx2"]
     try:
+        if options.bytes:
+            return print_bytes(options.program, isas[-1], options.seas, options.bytes)
         compiler, rows = rows_of(options.program, isas, options.seas)
         if options.update:
             update(compiler, rows)
