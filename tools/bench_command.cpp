@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 #include <cstdio>
 #include <vector>
 
@@ -111,10 +110,8 @@ void BenchFlags::run() const {
     const std::optional<OutputFile> file = prints_json ? std::nullopt : file_for("--json", json_);
     Timings timings;
     {
-        const auto total_s = static_cast<std::size_t>(std::ceil(plan.seconds));
-        Progress progress("second", total_s);
-        timings = time_frames(
-            plan, [&](double seconds) { progress.show(std::min(static_cast<std::size_t>(seconds), total_s)); });
+        Progress progress;
+        timings = time_frames(plan, [&](const std::string& sea, double part) { progress.show("sea " + sea, part); });
     }
     if (prints_json) {
         std::printf("%s\n", as_json(timings).dump(2).c_str());

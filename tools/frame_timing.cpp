@@ -101,6 +101,7 @@ class TimedSea {
         for (std::size_t i = 0; i < jobs_.size(); ++i) jobs_[i].turns_ms.push_back(clock_->ms()[i] / frames_a_turn_);
     }
 
+    std::string sea() const { return sea_name(static_cast<int>(ocean_->tile_count()), ocean_->resolution()); }
     std::size_t turns() const { return turns_ms_.size(); }
 
     /// A stage may be run again on what the last frame left: its work does not depend on the values.
@@ -210,7 +211,7 @@ std::vector<int> thread_counts(int most) {
     return counts;
 }
 
-Timings time_frames(const TimingPlan& plan, const std::function<void(double)>& progress) {
+Timings time_frames(const TimingPlan& plan, const std::function<void(const std::string&, double)>& progress) {
     const InstructionCounter counter;
     const Clock::time_point start = Clock::now();
     const auto seconds = [&] { return ms_since(start) / 1000; };
@@ -222,12 +223,11 @@ Timings time_frames(const TimingPlan& plan, const std::function<void(double)>& p
         for (const auto& [isa, threads] : rounds[i].isas_and_threads) {
             TimedSea& contestant = contestants.emplace_back(rounds[i].sea, isa, threads);
             if (threads == 1) contestant.count_instructions(counter);
-            progress(seconds());
         }
         while (contestants.back().turns() < least_turns || seconds() < until_s)
             for (TimedSea& contestant : contestants) {
                 contestant.take_turn();
-                progress(seconds());
+                progress(contestant.sea(), std::min(1.0, seconds() / plan.seconds));
             }
         for (const TimedSea& contestant : contestants) timings.frames.push_back(contestant.result());
     }

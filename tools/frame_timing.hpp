@@ -10,6 +10,11 @@
 
 namespace pelagic::tools {
 
+/// "1x256", "4x128".
+inline std::string sea_name(int tiles, int resolution) {
+    return std::to_string(tiles) + "x" + std::to_string(resolution);
+}
+
 struct TimingPlan {
     std::vector<int> sizes;   ///< N of seas of one tile
     bool default_sea = true;  ///< several tiles, chosen from the sea
@@ -40,8 +45,7 @@ struct FrameTiming {
     std::optional<double> instructions;  ///< as a job's; on one thread only
     std::vector<JobTiming> jobs;         ///< on one thread only
 
-    /// "1x256", "4x128".
-    std::string sea() const { return std::to_string(tiles) + "x" + std::to_string(resolution); }
+    std::string sea() const { return sea_name(tiles, resolution); }
 };
 
 struct Timings {
@@ -55,7 +59,7 @@ std::vector<int> thread_counts(int most);
 /// All instruction sets take turns with a sea's frame on one thread, a direct call, so that what else the machine does meets
 /// all of them alike; then all numbers of threads. A turn is some frames of each, after two of warming up. On one thread as
 /// many frames follow whose jobs are timed, a clock reading before and after each block.
-/// \param progress  told the seconds since the start after each turn
-Timings time_frames(const TimingPlan& plan, const std::function<void(double)>& progress);
+/// \param progress  told after each turn: the sea, and what is done of all, 0 to 1
+Timings time_frames(const TimingPlan& plan, const std::function<void(const std::string&, double)>& progress);
 
 }  // namespace pelagic::tools
