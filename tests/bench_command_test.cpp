@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -81,12 +80,12 @@ TEST(BenchCommand, PrintsTablesWithinAHundredColumnsAndWritesTheFile) {
 }
 
 TEST(BenchCommand, ASeaOfSeveralTilesHasEachJobOnce) {
-    std::set<double> done;
+    std::vector<double> done;
     const tools::Timings timings = tools::time_frames(
         {.sizes = {}, .default_sea = true, .isas = {isas_here().back()}, .most_threads = 1, .seconds = 0.1},
         [&](const std::string& sea, double part) {
             EXPECT_EQ(sea, "4x128");
-            done.insert(part);
+            done.push_back(part);
         });
     ASSERT_EQ(timings.frames.size(), 1u);
     const tools::FrameTiming& frame = timings.frames[0];
@@ -96,13 +95,14 @@ TEST(BenchCommand, ASeaOfSeveralTilesHasEachJobOnce) {
     for (const tools::JobTiming& job : frame.jobs) {
         jobs.push_back(job.job);
         sum_ms += job.ms.median;
-        EXPECT_EQ(job.instructions.has_value(), timings.no_counter.empty());
+        EXPECT_EQ(job.instructions.value_or(0) > 0, timings.no_counter.empty());
     }
     EXPECT_EQ(jobs, (std::vector<std::string>{"evolve+rows", "columns+finalize", "slopes+mipmaps", "slopes tail"}));
     EXPECT_GT(sum_ms, 0);
     EXPECT_GE(done.size(), 5u);  // turn by turn
-    EXPECT_GT(*done.begin(), 0);
-    EXPECT_LE(*done.rbegin(), 1);
+    EXPECT_TRUE(std::is_sorted(done.begin(), done.end()));
+    EXPECT_GT(done.front(), 0);
+    EXPECT_LE(done.back(), 1);
 }
 
 TEST(BenchCommand, AFailedWriteIsOneLineBeforeTheWorkBegins) {

@@ -231,6 +231,9 @@ Timings time_frames(const TimingPlan& plan, const std::function<void(const std::
             }
         for (const TimedSea& contestant : contestants) timings.frames.push_back(contestant.result());
     }
+    const auto is_counted = [](const FrameTiming& frame) { return frame.instructions.has_value(); };
+    if (timings.no_counter.empty() && std::none_of(timings.frames.begin(), timings.frames.end(), is_counted))
+        timings.no_counter = "the counter was lent to somebody else meanwhile";
     return timings;
 }
 
