@@ -105,7 +105,7 @@ void print_jobs(const Timings& timings) {
     print_line(heading);
     bool has_stored = false;
     for (const std::string& sea : seas) has_stored |= print_sea(on_one_thread(timings, sea));
-    print_line("sea: tiles x N; instr.: instructions a texel; GB/s: inputs and outputs, each once, over the time");
+    print_line("sea: tiles x N, several are the default sea; instr.: a texel; GB/s: inputs and outputs, each once");
     if (!timings.no_counter.empty()) print_line("Instructions are not counted here: " + timings.no_counter + ".");
     if (has_stored)
         print_line("* Counted by the project with valgrind or qemu, in a build by " + stored_instructions_compiler() +
@@ -138,18 +138,6 @@ void print_threads(const Timings& timings) {
     }
 }
 
-/// Frames of one tile on one thread, with one instruction set of one machine: milliseconds by N.
-struct MachineFrames {
-    std::string machine, isa;
-    std::map<int, double> ms = {}, fftw_ms = {};
-};
-
-MachineFrames& frames_of(std::vector<MachineFrames>& all, const std::string& machine, const std::string& isa) {
-    for (MachineFrames& frames : all)
-        if (frames.machine == machine && frames.isa == isa) return frames;
-    return all.emplace_back(MachineFrames{machine, isa});
-}
-
 void print_machine(const std::string& machine, const std::string& isa, const std::map<int, double>& ms,
                    const std::set<int>& sizes) {
     std::string line = left(machine.substr(0, 39), 40) + left(isa, 8);
@@ -159,24 +147,20 @@ void print_machine(const std::string& machine, const std::string& isa, const std
 
 void print_machines(const Timings& timings) {
     std::set<int> sizes;
-    std::vector<MachineFrames> machines;
+    std::map<Isa, MachineFrames> here;
     for (const FrameTiming& frame : timings.frames) {
         if (frame.tiles != 1 || frame.threads != 1) continue;
         sizes.insert(frame.resolution);
-        frames_of(machines, "here", std::string(name_of(frame.isa))).ms[frame.resolution] = frame.ms.median;
-    }
-    for (const StoredFrame& stored : stored_frames()) {
-        MachineFrames& frames = frames_of(machines, stored.machine, stored.isa);
-        frames.ms[stored.resolution] = stored.ms;
-        if (stored.fftw_ms) frames.fftw_ms[stored.resolution] = *stored.fftw_ms;
+        here[frame.isa].ms[frame.resolution] = frame.ms.median;
     }
     print_line("");
     std::string heading = left("Beside other machines: ms a frame, N =", 48);
     for (const int n : sizes) heading += right(number_text(n), 9);
     print_line(heading);
-    for (const MachineFrames& frames : machines) {
-        print_machine(frames.machine, frames.isa, frames.ms, sizes);
-        if (!frames.fftw_ms.empty()) print_machine("  the same frame on FFTW", "", frames.fftw_ms, sizes);
+    for (const auto& [isa, frames] : here) print_machine("here", std::string(name_of(isa)), frames.ms, sizes);
+    for (const MachineFrames& stored : stored_frames()) {
+        print_machine(stored.machine, stored.isa, stored.ms, sizes);
+        if (!stored.fftw_ms.empty()) print_machine("  the same frame on FFTW", "", stored.fftw_ms, sizes);
     }
 }
 

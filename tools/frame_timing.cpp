@@ -21,8 +21,6 @@ using Clock = std::chrono::steady_clock;
 /// Long beside the clock's own 30 nanoseconds, and short beside the milliseconds for which others get the core: on a busy
 /// machine too most turns are undisturbed.
 constexpr double turn_ms = 1;
-/// Workers that slept need several frames to be there.
-constexpr double turn_on_more_threads_ms = 4;
 constexpr std::size_t least_turns = 5;
 
 double ms_since(Clock::time_point start) {
@@ -78,24 +76,26 @@ class JobClock final : public TraceSink {
 class TimedSea {
    public:
     TimedSea(const SeaState& sea, Isa isa, int threads) : ocean_(ocean_of(sea, isa, threads)), threads_(threads) {
-        draw(*ocean_, warming_up);
+        draw(*ocean_, frames_before_a_turn_);
         const Clock::time_point start = Clock::now();
         draw(*ocean_, 1);
-        const double wanted_ms = threads == 1 ? turn_ms : turn_on_more_threads_ms;
-        frames_a_turn_ = std::max(1, static_cast<int>(wanted_ms / ms_since(start)));
-        if (threads > 1) return;
+        frames_a_turn_ = std::max(1, static_cast<int>(turn_ms / ms_since(start)));
+        if (threads > 1) {
+            frames_before_a_turn_ += frames_a_turn_;  // until workers that slept are there
+            return;
+        }
         clock_ = std::make_shared<JobClock>(jobs_of(ocean_->graph()));
         traced_ocean_ = ocean_of(sea, isa, threads, clock_);
         jobs_.resize(clock_->jobs().size());
     }
 
     void take_turn() {
-        draw(*ocean_, warming_up);
+        draw(*ocean_, frames_before_a_turn_);
         const Clock::time_point start = Clock::now();
         draw(*ocean_, frames_a_turn_);
         turns_ms_.push_back(ms_since(start) / frames_a_turn_);
         if (!traced_ocean_) return;
-        draw(*traced_ocean_, warming_up);
+        draw(*traced_ocean_, frames_before_a_turn_);
         clock_->reset();
         draw(*traced_ocean_, frames_a_turn_);
         for (std::size_t i = 0; i < jobs_.size(); ++i) jobs_[i].turns_ms.push_back(clock_->ms()[i] / frames_a_turn_);
@@ -138,9 +138,6 @@ class TimedSea {
     }
 
    private:
-    /// The turn before left the caches to somebody else, and frames alternate between two slots.
-    static constexpr int warming_up = 2;
-
     struct Job {
         std::vector<double> turns_ms;
         std::optional<double> instructions;
@@ -172,6 +169,8 @@ class TimedSea {
     std::unique_ptr<Ocean> ocean_, traced_ocean_;
     std::shared_ptr<JobClock> clock_;
     int threads_, frames_a_turn_ = 1;
+    /// The turn before left the caches to somebody else, and frames alternate between two slots.
+    int frames_before_a_turn_ = 2;
     double time_s_ = 0;
     std::vector<double> turns_ms_;
     std::optional<double> instructions_;

@@ -57,7 +57,7 @@ struct Timings {
 std::vector<int> thread_counts(int most);
 
 /// All instruction sets take turns with a sea's frame on one thread, a direct call, so that what else the machine does meets
-/// all of them alike; then all numbers of threads. A turn is some frames of each, after two of warming up. On one thread as
+/// all of them alike; then all numbers of threads. A turn is some frames of each, after two of warming up or more. On one thread as
 /// many frames follow whose jobs are timed, a clock reading before and after each block.
 /// \param progress  told after each turn: the sea, and what is done of all, 0 to 1
 Timings time_frames(const TimingPlan& plan, const std::function<void(const std::string&, double)>& progress);

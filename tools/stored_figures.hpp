@@ -1,6 +1,7 @@
 // Figures that the project keeps of other machines, and instructions that it has counted: in the program itself.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -10,15 +11,15 @@
 
 namespace pelagic::tools {
 
-/// A frame of one tile on one thread, from bench/results.
-struct StoredFrame {
+/// Frames of one tile on one thread, with one instruction set of one machine: milliseconds by N.
+struct MachineFrames {
     std::string machine, isa;
-    int resolution;
-    double ms;
-    std::optional<double> fftw_ms;  ///< the same frame on FFTW, in the same run
+    std::map<int, double> ms = {};
+    std::map<int, double> fftw_ms = {};  ///< the same frames on FFTW, in the same run, where that was run
 };
 
-std::vector<StoredFrame> stored_frames();
+/// From bench/results.
+std::vector<MachineFrames> stored_frames();
 
 /// Instructions a texel, from bench/budgets.json. None if they have not been counted.
 /// \param sea  "1x256", "3x128"
