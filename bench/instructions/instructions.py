@@ -64,10 +64,15 @@ def valgrind_counts(command, folder, options=()):
     return run.stdout, counts
 
 
+def built_plug_in(folder):
+    plug_in = f"{folder}/qemu_count.so"
+    subprocess.run([needed("cc"), "-O2", "-shared", "-fPIC", "-o", plug_in, HERE / "qemu_count.c"], check=True)
+    return plug_in
+
+
 def qemu_counts(command, folder):
     """The same of a program for 64-bit Arm; instructions only."""
-    plug_in, out = f"{folder}/qemu_count.so", f"{folder}/counts"
-    subprocess.run([needed("cc"), "-O2", "-shared", "-fPIC", "-o", plug_in, HERE / "qemu_count.c"], check=True)
+    plug_in, out = built_plug_in(folder), f"{folder}/counts"
     run = subprocess.run([needed("qemu-aarch64"), "-plugin", f"{plug_in},out={out}", *command], stdout=subprocess.PIPE,
                          stderr=subprocess.PIPE, text=True)
     if run.returncode:
