@@ -10,7 +10,7 @@ namespace pelagic {
 namespace {
 
 // Pieces of a tile that one job takes are as large whatever N is.
-constexpr std::size_t gradients_stack_bytes = 100 * 1024 + stack_margin;
+constexpr std::size_t gradients_stack_bytes = 48 * 1024 + stack_margin;
 constexpr std::size_t slopes_stack_bytes = 60 * 1024 + stack_margin;
 
 struct Pieces {
