@@ -7,6 +7,7 @@
 // the nodes above. What is split depends on the viewer alone (level_map.hpp), never on what is seen.
 #pragma once
 
+#include <array>
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -69,9 +70,15 @@ class Selection {
     const QuadtreeOptions& options() const { return options_; }
 
    private:
+    static constexpr std::size_t most_views = 32;
+
     struct Node {
         std::int32_t level, x, z;
-        std::uint32_t seeing;  ///< a bit for each view that saw its parent
+    };
+    /// Which views see a node, and which of their planes cut it.
+    struct Sight {
+        std::uint32_t views = 0;  ///< a bit for each
+        std::array<std::uint8_t, most_views> planes;
     };
     struct Found {
         PatchInstance patch;
@@ -80,16 +87,18 @@ class Selection {
 
     QuadtreeGrid grid_around(glm::dvec2 centre_m) const;
     void walk(const SurfaceBounds& bounds);
+    bool is_seen(const Node& node, const SurfaceBounds& bounds);
     void emit(const Node& node);
     void sort_into_batches();
     void walk_border();
-    std::uint32_t views_that_see(const Box& box, std::uint32_t of) const;
+    void walk_side(Side side, std::int32_t level, std::int32_t along);
 
     QuadtreeOptions options_;
     LevelMap levels_;
     DrawList list_;
     std::vector<Frustum> frusta_, next_frusta_;
     std::vector<Node> stack_;
+    std::vector<Sight> sights_;  ///< of the last node at level l - 1, the parent of those of level l that wait
     std::vector<Found> found_;
 };
 
