@@ -1,7 +1,6 @@
 #include "pelagic/quadtree/frustum.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
@@ -57,10 +56,8 @@ Frustum::Frustum(const glm::dmat4& clip_from_world, ClipDepth depth) {
     if (depth == ClipDepth::zero_to_one) planes[4] = rows[2];
 }
 
-bool Frustum::may_see(const Box& box, std::uint8_t& of) const {
-    for (std::uint8_t left = of; left != 0; left &= static_cast<std::uint8_t>(left - 1)) {
-        const auto number = static_cast<std::size_t>(std::countr_zero(left));
-        const glm::dvec4& plane = planes[number];
+bool Frustum::may_see(const Box& box) const {
+    for (const glm::dvec4& plane : planes) {
         const glm::dvec3 normal(plane);
         const glm::dvec3 size = glm::abs(normal);
         const double middle = glm::dot(normal, box.centre) + plane.w;
@@ -68,7 +65,6 @@ bool Frustum::may_see(const Box& box, std::uint8_t& of) const {
         // What rounding may have taken from the sum: a few units in the last place of its largest part.
         const double rounding = 1e-14 * (glm::dot(size, glm::abs(box.centre)) + std::abs(plane.w) + reach);
         if (middle + reach + rounding < 0) return false;
-        if (middle - reach - rounding >= 0) of &= static_cast<std::uint8_t>(~(1u << number));
     }
     return true;
 }

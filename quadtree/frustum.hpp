@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -33,15 +32,7 @@ struct Frustum {
 
     /// False only if the box is outside: its corner furthest along a plane's normal, the positive vertex, lies behind
     /// that plane (VR Ocean, equations 59 and 60).
-    bool may_see(const Box& box) const {
-        std::uint8_t of = all_planes;
-        return may_see(box, of);
-    }
-
-    /// The same for some planes only, bit i being plane i. `of` keeps those that cut the box: a box inside of this one needs
-    /// no others.
-    bool may_see(const Box& box, std::uint8_t& of) const;
-    static constexpr std::uint8_t all_planes = 0x3F;
+    bool may_see(const Box& box) const;
 };
 
 }  // namespace pelagic

@@ -35,6 +35,8 @@ void check_bounds(const SurfaceBounds& b) {
             "bounds need finite metres, height_min_m <= height_max_m and sideways distances of 0 or more");
 }
 
+constexpr std::size_t most_views = 32;
+
 /// The neighbour's place across a side.
 constexpr std::int32_t step_x[4] = {1, 0, -1, 0};
 constexpr std::int32_t step_z[4] = {0, 1, 0, -1};
@@ -49,7 +51,7 @@ Selection::Selection(const QuadtreeOptions& options) : options_(checked(options)
                                     : 0));
     list_.skirt.reserve(4 * static_cast<std::size_t>(levels_.width()));
     stack_.reserve(4 + 3 * static_cast<std::size_t>(levels_.deepest_level()));
-    sights_.resize(static_cast<std::size_t>(levels_.deepest_level()) + 2);
+    culling_.reserve(most_views);
     frusta_.reserve(most_views);
     next_frusta_.reserve(most_views);
 }
@@ -91,47 +93,47 @@ QuadtreeGrid Selection::grid_around(glm::dvec2 centre_m) const {
     return grid;
 }
 
-// A child's box lies inside its parent's, as the cull scale is 1 or more.
-bool Selection::is_seen(const Node& node, const SurfaceBounds& bounds) {
-    const Sight& above = sights_[static_cast<std::size_t>(node.level)];
-    Sight& here = sights_[static_cast<std::size_t>(node.level) + 1];
-    const QuadtreeGrid& grid = list_.grid;
-    // Rest level included: the waves fade out.
-    const double low = std::min(bounds.height_min_m, 0.0), high = std::max(bounds.height_max_m, 0.0);
-    const double half_m = grid.patch_size_m(node.level) / 2;
-    const glm::dvec2 centre =
-        glm::dvec2(grid.corner) * grid.step_m + glm::dvec2(node.x + 0.5, node.z + 0.5) * (2 * half_m);
-    const glm::dvec2 half =
-        half_m * options_.cull_scale + glm::dvec2(bounds.sideways_x_max_m, bounds.sideways_z_max_m);
-    const Box box{{centre.x, (low + high) / 2, centre.y}, {half.x, (high - low) / 2, half.y}};
-    here.views = above.views;
-    for (std::uint32_t left = above.views; left != 0; left &= left - 1) {
-        const auto view = static_cast<std::size_t>(std::countr_zero(left));
-        here.planes[view] = above.planes[view];
-        if (!frusta_[view].may_see(box, here.planes[view])) here.views &= ~(1u << view);
+/// The views that see a node, of those that see its parent. Who sees all of the parent isn't asked.
+Selection::Views Selection::views_that_see(const Node& node) const {
+    Views views = node.parent;
+    for (std::uint32_t left = node.parent.part; left != 0; left &= left - 1) {
+        const std::uint32_t view = left & (0 - left);
+        const NodeCulling& culling = culling_[static_cast<std::size_t>(std::countr_zero(left))];
+        switch (culling.sight_of(node.level, node.x, node.z)) {
+            case NodeCulling::Sight::none: views.part ^= view; break;
+            case NodeCulling::Sight::part: break;
+            case NodeCulling::Sight::whole: views.part ^= view, views.whole |= view;
+        }
     }
-    return here.views != 0;
+    return views;
 }
 
 void Selection::walk(const SurfaceBounds& bounds) {
+    // Rest level included: the waves fade out.
+    const BoxesOfNodes boxes{.low_m = std::min(bounds.height_min_m, 0.0),
+                             .high_m = std::max(bounds.height_max_m, 0.0),
+                             .sideways_m = {bounds.sideways_x_max_m, bounds.sideways_z_max_m},
+                             .cull_scale = options_.cull_scale};
+    culling_.clear();
+    for (const Frustum& frustum : frusta_) culling_.emplace_back(frustum, list_.grid, boxes);
     const bool culls = !frusta_.empty();
-    sights_[0].views = static_cast<std::uint32_t>((std::uint64_t{1} << frusta_.size()) - 1);
-    sights_[0].planes.fill(Frustum::all_planes);
+    const auto all_views = static_cast<std::uint32_t>((std::uint64_t{1} << frusta_.size()) - 1);
 
     found_.clear();
     stack_.clear();
-    stack_.push_back({0, 0, 0});
+    stack_.push_back({0, 0, 0, {.part = all_views, .whole = 0}});
     while (!stack_.empty()) {
         const Node node = stack_.back();
         stack_.pop_back();
         ++list_.figures.nodes_visited;
-        if (culls && !is_seen(node, bounds)) continue;
+        const Views views = views_that_see(node);
+        if (culls && (views.part | views.whole) == 0) continue;
         if (!levels_.splits(node.level, node.x, node.z)) {
             emit(node);
             continue;
         }
         for (const std::int32_t child : {3, 2, 1, 0})  // the lowest x and z comes off first
-            stack_.push_back({node.level + 1, 2 * node.x + child % 2, 2 * node.z + child / 2});
+            stack_.push_back({node.level + 1, 2 * node.x + child % 2, 2 * node.z + child / 2, views});
     }
 }
 
@@ -153,7 +155,7 @@ void Selection::emit(const Node& node) {
             const std::int32_t x = (node.x + step_x[side_of]) >> 1, z = (node.z + step_z[side_of]) >> 1;
             std::uint16_t& weight = found.patch.edge_weights[side_of];
             weight = inner;
-            if (x == parent_x && z == parent_z) continue;  // a sibling
+            if (x == parent_x && z == parent_z) continue;                  // a sibling
             if (x < 0 || z < 0 || x >= parents || z >= parents) continue;  // the skirt takes every vertex
             const float measure = levels_.measure(above, x, z);
             weight = std::min(inner, LevelMap::weight(measure));
@@ -198,8 +200,8 @@ void Selection::walk_side(Side side, std::int32_t level, std::int32_t along) {
         walk_side(side, level + 1, 2 * along + 1);
         return;
     }
-    list_.skirt.push_back({static_cast<std::uint16_t>(along * list_.grid.patch_side(level)),
-                           static_cast<std::uint8_t>(level), side});
+    list_.skirt.push_back(
+        {static_cast<std::uint16_t>(along * list_.grid.patch_side(level)), static_cast<std::uint8_t>(level), side});
 }
 
 }  // namespace pelagic

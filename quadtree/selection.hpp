@@ -7,7 +7,6 @@
 // the nodes above. What is split depends on the viewer alone (level_map.hpp), never on what is seen.
 #pragma once
 
-#include <array>
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -18,6 +17,7 @@
 #include "pelagic/quadtree/draw_list.hpp"
 #include "pelagic/quadtree/frustum.hpp"
 #include "pelagic/quadtree/level_map.hpp"
+#include "pelagic/quadtree/node_culling.hpp"
 #include "pelagic/quadtree/quadtree_options.hpp"
 
 namespace pelagic {
@@ -70,15 +70,13 @@ class Selection {
     const QuadtreeOptions& options() const { return options_; }
 
    private:
-    static constexpr std::size_t most_views = 32;
-
+    /// A bit for each view that sees a part of a node, and for each that sees all of it.
+    struct Views {
+        std::uint32_t part, whole;
+    };
     struct Node {
         std::int32_t level, x, z;
-    };
-    /// Which views see a node, and which of their planes cut it.
-    struct Sight {
-        std::uint32_t views = 0;  ///< a bit for each
-        std::array<std::uint8_t, most_views> planes;
+        Views parent;
     };
     struct Found {
         PatchInstance patch;
@@ -87,7 +85,7 @@ class Selection {
 
     QuadtreeGrid grid_around(glm::dvec2 centre_m) const;
     void walk(const SurfaceBounds& bounds);
-    bool is_seen(const Node& node, const SurfaceBounds& bounds);
+    Views views_that_see(const Node& node) const;
     void emit(const Node& node);
     void sort_into_batches();
     void walk_border();
@@ -98,7 +96,7 @@ class Selection {
     DrawList list_;
     std::vector<Frustum> frusta_, next_frusta_;
     std::vector<Node> stack_;
-    std::vector<Sight> sights_;  ///< of the last node at level l - 1, the parent of those of level l that wait
+    std::vector<NodeCulling> culling_;  ///< of each view
     std::vector<Found> found_;
 };
 
