@@ -39,7 +39,8 @@ class Gather {
     /// Lane l is plane[places lane l].
     PELAGIC_INLINE V from(const float* plane) const {
 #if defined(__AVX512F__)
-        if constexpr (HasLanes<Arch, 16>) return _mm512_i32gather_ps(_mm512_load_si512(places_), plane, sizeof(float));
+        if constexpr (HasLanes<Arch, 16>)
+            return _mm512_i32gather_ps(_mm512_load_si512(places_), plane, sizeof(float));
 #endif
 #if defined(__AVX2__)
         if constexpr (HasLanes<Arch, 8>)

@@ -55,7 +55,8 @@ class StackSearch {
                 cells_[t].load(tile.surface, texels, place.x, place.z);
             else
                 cells_[t].follow(tile.surface, texels, place.x, place.z);
-            const Sideways<Arch> dx(cells_[t].dx, place.u, place.v, V(1.f)), dz(cells_[t].dz, place.u, place.v, V(1.f));
+            const Sideways<Arch> dx(cells_[t].dx, place.u, place.v, V(1.f)),
+                dz(cells_[t].dz, place.u, place.v, V(1.f));
             const V along(tile.along), across(tile.across);
             off_x = off_x + dx.value;
             off_z = off_z + dz.value;
@@ -159,20 +160,21 @@ PELAGIC_INLINE void sample_stack_lanes(const SampleStackJob& job, std::size_t at
         const StackTile& tile = job.tiles[t];
         const TexelPlaces<Arch> texels(tile.surface);
         const StackPlaces<Arch> place(tile, at, offset_x, offset_z);
-        const CellReader<Arch> reader(texels, place.x, place.z);
         if (out.normal_x) {
             const V half_along(0.5f * tile.along), half_across(0.5f * tile.across);
-            CellSurroundings<Arch> around[3];
-            reader.read_surroundings({tile.surface.dx, tile.surface.height, tile.surface.dz}, around);
-            dx.add(CellSlopes<Arch>(around[0], place.u, place.v), half_along, half_across);
-            height.add(CellSlopes<Arch>(around[1], place.u, place.v), half_along, half_across);
-            dz.add(CellSlopes<Arch>(around[2], place.u, place.v), half_along, half_across);
+            const CellReader<Arch> around(texels, place.x, place.z);
+            const auto slopes_of = [&](const float* plane) {
+                return CellSlopes<Arch>(around.from(plane), place.u, place.v);
+            };
+            dx.add(slopes_of(tile.surface.dx), half_along, half_across);
+            height.add(slopes_of(tile.surface.height), half_along, half_across);
+            dz.add(slopes_of(tile.surface.dz), half_along, half_across);
         } else if (out.height) {
-            height.value =
-                height.value + bilinear<Arch>(reader.cell().corners(tile.surface.height), place.u, place.v);
+            const CellGather<Arch> cell(texels, place.x, place.z);
+            height.value = height.value + bilinear<Arch>(cell.corners(tile.surface.height), place.u, place.v);
         }
         if (out.velocity_x) {
-            const CellGather<Arch> cell = reader.cell();
+            const CellGather<Arch> cell(texels, place.x, place.z);
             const auto value_of = [&](const float* plane) {
                 return bilinear<Arch>(cell.corners(plane), place.u, place.v);
             };

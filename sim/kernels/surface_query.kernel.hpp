@@ -8,6 +8,7 @@
 #include "pelagic/simd/always_inline.hpp"
 #include "pelagic/simd/exact.kernel.hpp"
 #include "pelagic/simd/gather.kernel.hpp"
+#include "pelagic/simd/windows.kernel.hpp"
 
 namespace pelagic::kernels {
 
@@ -59,14 +60,17 @@ class CellGather {
     using I = xsimd::batch<std::int32_t, Arch>;
 
    public:
-    PELAGIC_INLINE CellGather(I column, I next_column, I row, I next_row)
-        : at00_(column + row), at10_(next_column + row), at01_(column + next_row), at11_(next_column + next_row) {}
+    PELAGIC_INLINE CellGather(const TexelPlaces<Arch>& places, I x, I z)
+        : CellGather(places.column(x), places.column(x + I(1)), places.row(z), places.row(z + I(1))) {}
 
     PELAGIC_INLINE Corners<Arch> corners(const float* plane) const {
         return {at00_.from(plane), at10_.from(plane), at01_.from(plane), at11_.from(plane)};
     }
 
    private:
+    PELAGIC_INLINE CellGather(I column, I next_column, I row, I next_row)
+        : at00_(column + row), at10_(next_column + row), at01_(column + next_row), at11_(next_column + next_row) {}
+
     Gather<Arch> at00_, at10_, at01_, at11_;
 };
 
@@ -91,7 +95,7 @@ class SidewaysCells {
 
    public:
     PELAGIC_INLINE void load(const SurfaceTexels& surface, const TexelPlaces<Arch>& places, I x, I z) {
-        const CellGather<Arch> cell(places.column(x), places.column(x + I(1)), places.row(z), places.row(z + I(1)));
+        const CellGather<Arch> cell(places, x, z);
         dx = cell.corners(surface.dx);
         dz = cell.corners(surface.dz);
         x_ = x;
@@ -199,6 +203,7 @@ void invert_surface(const InvertSurfaceJob& job) {
     constexpr std::size_t lanes = xsimd::batch<float, Arch>::size;
     const TexelPlaces<Arch> places(job.surface);
     std::size_t at = 0;
+    for (; at + 4 * lanes <= job.count; at += 4 * lanes) invert_registers<Arch, 4>(job, places, at);
     for (; at + 2 * lanes <= job.count; at += 2 * lanes) invert_registers<Arch, 2>(job, places, at);
     if (at < job.count) invert_registers<Arch, 1>(job, places, at);
 }
@@ -225,33 +230,52 @@ struct CellSlopes {
     }
 };
 
-/// Where texels of W cells and around them lie.
+/// Reads four columns around W cells. They lie in one or two groups of W columns, which are neighbours in memory however
+/// large the blocks are: four that end with the first group at most, of which `shift` are too early, and the first four
+/// of the second.
 template <class Arch>
 class CellReader {
     using V = xsimd::batch<float, Arch>;
     using I = xsimd::batch<std::int32_t, Arch>;
+    static constexpr int lanes = static_cast<int>(V::size);
 
    public:
-    PELAGIC_INLINE CellReader(const TexelPlaces<Arch>& places, I x, I z)
-        : columns_{places.column(x - I(1)), places.column(x), places.column(x + I(1)), places.column(x + I(2))},
-          rows_{places.row(z - I(1)), places.row(z), places.row(z + I(1)), places.row(z + I(2))} {}
-
-    PELAGIC_INLINE CellGather<Arch> cell() const {
-        return CellGather<Arch>(columns_[1], columns_[2], rows_[1], rows_[2]);
-    }
-    /// The same places of three planes.
-    PELAGIC_INLINE void read_surroundings(const float* const (&planes)[3], CellSurroundings<Arch> (&out)[3]) const {
+    PELAGIC_INLINE CellReader(const TexelPlaces<Arch>& places, I x, I z) {
+        const I shift = xsimd::max(((x - I(1)) & I(lanes - 1)) - I(lanes - 4), I(0));
+        const I shifts[4] = {lane_in_all<0, Arch>(shift), lane_in_all<1, Arch>(shift), lane_in_all<2, Arch>(shift),
+                             lane_in_all<3, Arch>(shift)};
+        const I order = I::load_aligned(lane_numbers);
+        for (int k = 0; k < 4; ++k) {
+            is_second_[k] = xsimd::to_float(order) < xsimd::to_float(shifts[k]);
+            lanes_[k] = order + shifts[k];
+        }
+        const I first = places.column(x - I(1)) - shift, second = places.column((x + I(2)) & I(-lanes));
         for (int row = 0; row < 4; ++row) {
-            const bool is_outer = row == 0 || row == 3;
-            for (int column = is_outer ? 1 : 0; column < (is_outer ? 3 : 4); ++column) {
-                const Gather<Arch> texels(columns_[column] + rows_[row]);
-                for (int plane = 0; plane < 3; ++plane) out[plane].at[row][column] = texels.from(planes[plane]);
-            }
+            const I at = places.row(z + I(row - 1));
+            (first + at).store_aligned(first_[row]);
+            (second + at).store_aligned(second_[row]);
         }
     }
 
+    PELAGIC_INLINE CellSurroundings<Arch> from(const float* plane) const {
+        CellSurroundings<Arch> texels;
+        for (int row = 0; row < 4; ++row) {
+            V(&fours)[4] = texels.at[row];
+            for (int k = 0; k < 4; ++k) {
+                const V first = fours_loaded<Arch>(plane, first_[row] + k);
+                const V second = fours_loaded<Arch>(plane, second_[row] + k);
+                fours[k] = lanes_turned<Arch>(xsimd::select(is_second_[k], second, first), lanes_[k]);
+            }
+            fours_turned<Arch>(fours);
+        }
+        return texels;
+    }
+
    private:
-    I columns_[4], rows_[4];
+    alignas(64) static constexpr std::int32_t lane_numbers[16] = {0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
+    xsimd::batch_bool<float, Arch> is_second_[4];
+    I lanes_[4];
+    alignas(64) std::int32_t first_[4][V::size], second_[4][V::size];
 };
 
 template <class Arch>
@@ -262,11 +286,10 @@ PELAGIC_INLINE void sample_lanes(const SampleSurfaceJob& job, const TexelPlaces<
     const V u = V::load_aligned(job.rest.u + at), v = V::load_aligned(job.rest.v + at);
     const SampleSurfaceJob::Outputs& out = job.out;
 
-    const CellReader<Arch> reader(places, x, z);
     if (out.normal_x) {
-        CellSurroundings<Arch> texels[3];
-        reader.read_surroundings({job.surface.dx, job.surface.height, job.surface.dz}, texels);
-        const CellSlopes<Arch> dx(texels[0], u, v), h(texels[1], u, v), dz(texels[2], u, v);
+        const CellReader<Arch> around(places, x, z);
+        const CellSlopes<Arch> dx(around.from(job.surface.dx), u, v), h(around.from(job.surface.height), u, v),
+            dz(around.from(job.surface.dz), u, v);
         // As normal_of() in gradients.kernel.hpp: times (2 L/N)^2, which the normal's length doesn't show.
         const V two_texels(job.two_texels_m);
         const V j_xx = two_texels + dx.x, j_zz = two_texels + dz.z;
@@ -281,10 +304,11 @@ PELAGIC_INLINE void sample_lanes(const SampleSurfaceJob& job, const TexelPlaces<
         (n_z * inverse).store_aligned(out.normal_z + at);
         (n_y * V(job.jacobian_factor)).store_aligned(out.jacobian + at);
     } else if (out.height) {
-        bilinear<Arch>(reader.cell().corners(job.surface.height), u, v).store_aligned(out.height + at);
+        bilinear<Arch>(CellGather<Arch>(places, x, z).corners(job.surface.height), u, v)
+            .store_aligned(out.height + at);
     }
     if (out.velocity_x) {
-        const CellGather<Arch> cell = reader.cell();
+        const CellGather<Arch> cell(places, x, z);
         const auto value_of = [&](const float* plane) { return bilinear<Arch>(cell.corners(plane), u, v); };
         value_of(job.surface.velocity_x).store_aligned(out.velocity_x + at);
         value_of(job.surface.velocity_y).store_aligned(out.velocity_y + at);

@@ -24,9 +24,10 @@ inline std::int64_t floor_of(double x) {
 /// because compilers do those several at a time.
 /// \pre |texels| <= most_texels_away
 inline void split_place(double texels, int resolution, std::int32_t& cell, float& within) {
-    constexpr double whole = 0x1.8p52;  // so large that a double has no fraction, and its lowest bits are a whole number
+    constexpr double whole =
+        0x1.8p52;  // so large that a double has no fraction, and its lowest bits are a whole number
     const double shifted = texels + whole;
-    const double beyond = texels - (shifted - whole) + 0.0;               // from the nearest whole number; never -0
+    const double beyond = texels - (shifted - whole) + 0.0;  // from the nearest whole number; never -0
     const std::uint64_t is_below = std::bit_cast<std::uint64_t>(beyond) >> 63;
     const double one_if_below = std::bit_cast<double>((0 - is_below) & std::bit_cast<std::uint64_t>(1.0));
     const auto last = static_cast<std::uint64_t>(resolution - 1);
