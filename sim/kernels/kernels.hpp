@@ -256,11 +256,12 @@ struct InvertStackJob {
 
     StackTile tiles[most_tiles];
     std::size_t tile_count;
-    float target;                ///< metres
-    float reach;                 ///< metres: no offset is longer than the largest displacement
-    std::size_t count;           ///< a multiple of W
-    float *offset_x, *offset_z;  ///< metres, from the given points to those that rest there; alias no input
-    float* error;                ///< remaining distance in metres
+    float target;                      ///< metres
+    float reach;                       ///< metres: no offset is longer than the largest displacement
+    std::size_t count;                 ///< a multiple of W
+    float *offset_x, *offset_z;        ///< metres, from the given points to those that rest there; alias no input
+    float* error;                      ///< remaining distance in metres
+    std::int32_t* blocks[most_tiles];  ///< of 2 x 2 cells of each tile, row by row: where that is
 };
 
 /// SampleSurfaceJob for a sum of tiles: slopes add, and normals are those of the sum.
