@@ -61,16 +61,14 @@ class BlockSurface {
     template <class Take>
     PELAGIC_INLINE void differences_of_row(std::size_t z, std::size_t first_column, std::size_t columns,
                                            Take take) const {
+        const std::size_t stride = block_stride_;  // read once, before the stores of whoever takes
         const float* row = data_ + z * row_floats;
-        const float* end = row + column_blocks() * block_stride_;
+        const float* end = row + column_blocks() * stride;
         const std::size_t above = (((z - 1) & last_) - z) * row_floats, below = (((z + 1) & last_) - z) * row_floats;
         const auto load = [](const float* texels, std::size_t component) {
             return V::load_aligned(texels + component * V::size);
         };
-        const auto next = [&](const float* texels) {
-            const float* const after = texels + block_stride_;
-            return after == end ? row : after;
-        };
+        const auto next = [=](const float* texels) { return texels + stride == end ? row : texels + stride; };
         const float* texels = block(first_column) + z * row_floats;
         const float* before = block(first_column - V::size) + z * row_floats;
         Seam<Arch> left[surface_components];
