@@ -3,3 +3,5 @@
 #pragma once
 
 #define PELAGIC_INLINE [[gnu::always_inline]] inline
+/// The same behind the parameters of a lambda.
+#define PELAGIC_INLINE_LAMBDA __attribute__((always_inline))
