@@ -257,21 +257,26 @@ class CellReader {
         }
     }
 
-    PELAGIC_INLINE CellSurroundings<Arch> from(const float* plane) const {
-        CellSurroundings<Arch> texels;
-        for (int row = 0; row < 4; ++row) {
-            V(&fours)[4] = texels.at[row];
-            for (int k = 0; k < 4; ++k) {
-                const V first = fours_loaded<Arch>(plane, first_[row] + k);
-                const V second = fours_loaded<Arch>(plane, second_[row] + k);
-                fours[k] = lanes_turned<Arch>(xsimd::select(is_second_[k], second, first), lanes_[k]);
-            }
-            fours_turned<Arch>(fours);
-        }
-        return texels;
+    PELAGIC_INLINE void read(const float* const (&planes)[3], CellSurroundings<Arch> (&texels)[3]) const {
+        read_row(0, planes, texels);
+        read_row(1, planes, texels);
+        read_row(2, planes, texels);
+        read_row(3, planes, texels);
     }
 
    private:
+    PELAGIC_INLINE void read_row(int row, const float* const (&planes)[3],
+                                 CellSurroundings<Arch> (&texels)[3]) const {
+        for (int k = 0; k < 4; ++k) {
+            for (int plane = 0; plane < 3; ++plane) {
+                const V first = fours_loaded<Arch>(planes[plane], first_[row] + k);
+                const V second = fours_loaded<Arch>(planes[plane], second_[row] + k);
+                texels[plane].at[row][k] = lanes_turned<Arch>(xsimd::select(is_second_[k], second, first), lanes_[k]);
+            }
+        }
+        for (int plane = 0; plane < 3; ++plane) fours_turned<Arch>(texels[plane].at[row]);
+    }
+
     alignas(64) static constexpr std::int32_t lane_numbers[16] = {0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
     xsimd::batch_bool<float, Arch> is_second_[4];
     I lanes_[4];
@@ -287,9 +292,9 @@ PELAGIC_INLINE void sample_lanes(const SampleSurfaceJob& job, const TexelPlaces<
     const SampleSurfaceJob::Outputs& out = job.out;
 
     if (out.normal_x) {
-        const CellReader<Arch> around(places, x, z);
-        const CellSlopes<Arch> dx(around.from(job.surface.dx), u, v), h(around.from(job.surface.height), u, v),
-            dz(around.from(job.surface.dz), u, v);
+        CellSurroundings<Arch> texels[3];
+        CellReader<Arch>(places, x, z).read({job.surface.dx, job.surface.height, job.surface.dz}, texels);
+        const CellSlopes<Arch> dx(texels[0], u, v), h(texels[1], u, v), dz(texels[2], u, v);
         // As normal_of() in gradients.kernel.hpp: times (2 L/N)^2, which the normal's length doesn't show.
         const V two_texels(job.two_texels_m);
         const V j_xx = two_texels + dx.x, j_zz = two_texels + dz.z;
