@@ -3,3 +3,7 @@
 #pragma once
 
 #define PELAGIC_INLINE [[gnu::always_inline]] inline
+
+// The same from the caller's side, for the loops around them: everything that they call becomes a part of them, xsimd's
+// own functions too, some of which are calls on NEON.
+#define PELAGIC_FLATTEN [[gnu::flatten]] inline

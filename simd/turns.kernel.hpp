@@ -8,6 +8,7 @@
 #include <xsimd/xsimd.hpp>
 
 #include "pelagic/simd/always_inline.hpp"
+#include "pelagic/simd/same_bits.kernel.hpp"
 
 namespace pelagic::kernels {
 
@@ -21,21 +22,21 @@ PELAGIC_INLINE Rotation<Arch> rotation_of_turns(xsimd::batch<std::uint32_t, Arch
     using V = xsimd::batch<float, Arch>;
     using I = xsimd::batch<std::int32_t, Arch>;
 
-    const I rounded = xsimd::bitwise_cast<I>(phase) + I(0x20000000);
-    const I quadrant = rounded >> 30;  // its two low bits; the sign comes along and is masked away below
-    const I rest = (rounded & I(0x3FFFFFFF)) - I(0x20000000);
-
-    const V r = xsimd::to_float(rest) * V(0x1p-32f);
+    // Of the phase and an eighth turn the two highest bits are the nearest quadrant. What the phase has beyond it is,
+    // as a signed number, what its lower bits are, four times as large: a shift, which xsimd 8.1 makes a call on NEON.
+    const I turns = same_bits<I>(phase), doubled = turns + turns;
+    const I quadrant = turns + I(0x20000000), odd_quadrant = quadrant + quadrant;  // in the sign
+    const V r = xsimd::to_float(doubled + doubled) * V(0x1p-34f);
     const V z = r * r;
     const V sine = r * (V(6.2831855f) + z * (V(-41.341663f) + z * (V(81.592545f) + z * V(-75.40161f))));
     const V cosine = V(1.f) + z * (V(-19.739208f) + z * (V(64.93937f) + z * (V(-85.44882f) + z * V(59.424107f))));
 
     // Quadrants 1 and 3 exchange the two; the sine is negative in 2 and 3, the cosine in 1 and 2.
-    const V odd = xsimd::bitwise_cast<V>(I(0) - (quadrant & I(1)));
-    const V sine_sign = xsimd::bitwise_cast<V>((quadrant & I(2)) << 30);
-    const V cosine_sign = xsimd::bitwise_cast<V>(((quadrant + I(1)) & I(2)) << 30);
-    const V exchange = (sine ^ cosine) & odd;
-    return {(sine ^ exchange) ^ sine_sign, (cosine ^ exchange) ^ cosine_sign};
+    const auto exchanged = xsimd::bool_cast(odd_quadrant < I(0));
+    const I sign(static_cast<std::int32_t>(0x80000000));
+    const V sine_sign = same_bits<V>(quadrant & sign);
+    const V cosine_sign = same_bits<V>((quadrant ^ odd_quadrant) & sign);
+    return {xsimd::select(exchanged, cosine, sine) ^ sine_sign, xsimd::select(exchanged, sine, cosine) ^ cosine_sign};
 }
 
 }  // namespace pelagic::kernels

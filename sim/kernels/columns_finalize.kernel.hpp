@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <type_traits>
 
 #include "pelagic/sim/kernels/fft.kernel.hpp"
 #include "pelagic/sim/kernels/kernels.hpp"
@@ -27,177 +28,171 @@ inline float most_lane(xsimd::batch<float, Arch> v) {
     return most + 0.f;
 }
 
-/// Spreads the half plane kz in [0, N/2) of W columns over the whole spectrum, through the first step: `wave(n)` and
-/// `mirror(n)` give the values at kz = n and -n; the Nyquist wave is none.
-template <class Arch, std::size_t Radix, class Wave, class Mirror>
-inline void load_columns(float* data, const FftTables& fft, Wave wave, Mirror mirror) {
-    using V = xsimd::batch<float, Arch>;
-    constexpr std::size_t element = 2 * V::size;
+/// Spreads the half plane kz in [0, N/2) of W columns over the whole spectrum, through the first step: `half` gives the
+/// values at kz = 0, n and -n; the Nyquist wave is none.
+template <class Arch, std::size_t Radix, class HalfPlane>
+PELAGIC_FLATTEN void load_columns(float* data, const FftTables& fft, HalfPlane half) {
+    using C = Complex<Arch>;
+    constexpr std::size_t element = 2 * xsimd::batch<float, Arch>::size;
     const std::size_t size = static_cast<std::size_t>(fft.size);
     const std::size_t groups = size / Radix;
-    for (std::size_t a = 0; a < groups; ++a) {
-        Complex<Arch> x[Radix];
-        for (std::size_t s = 0; s < Radix / 2; ++s) x[s] = wave(a + s * groups);
-        if (a == 0)
-            x[Radix / 2] = {V(0.f), V(0.f)};
-        else
-            x[Radix / 2] = mirror(size / 2 - a);
-        for (std::size_t s = Radix / 2 + 1; s < Radix; ++s) x[s] = mirror(size - a - s * groups);
-        butterfly<Arch>(x);
-        float* to = data + fft.positions[a] * element;
-        for (std::size_t s = 0; s < Radix; ++s) x[s].store(to + s * element);
-    }
+    const auto load_group = [=, &fft](std::size_t a, auto is_first) {
+        butterfly<Arch, Radix>(
+            [=](std::size_t s) -> C {
+                if (is_first && s == 0) return half.zero();
+                if (is_first && s == Radix / 2) return C{0.f, 0.f};
+                return s < Radix / 2 ? half.wave(a + s * groups) : half.mirror(size - a - s * groups);
+            },
+            OutputsApart<Arch>{data + fft.positions[a] * element, element});
+    };
+    load_group(0, std::true_type());
+    for (std::size_t a = 1; a < groups; ++a) load_group(a, std::false_type());
 }
 
-/// The last step; `finish(z, span, results)` takes the results of each butterfly, which stand at z, z + span, ...
+/// The last step; `finish(z, result)` takes the results.
 template <class Arch, std::size_t Radix, class Finish>
-inline void finish_columns(const float* data, const FftTables& fft, Finish finish) {
+PELAGIC_FLATTEN Finish finish_columns(const float* data, const FftTables& fft, Finish finish) {
     constexpr std::size_t element = 2 * xsimd::batch<float, Arch>::size;
     const FftStep& step = fft.last_step();
     const std::size_t span = static_cast<std::size_t>(step.span);
     const float* roots = fft.twiddles + step.first_twiddle;
-    for (std::size_t j = 0; j < span; ++j, roots += 2 * (Radix - 1)) {
-        Complex<Arch> x[Radix];
-        joined<Arch, Radix>(x, data + j * element, span, roots);
-        finish(j, span, x);
-    }
+    for (std::size_t j = 0; j < span; ++j, roots += 2 * Radix)
+        butterfly<Arch, Radix>(InputsApart<Arch>{data + j * element, span * element, roots},
+                               [&finish, j, span](std::size_t k, const Complex<Arch>& x) { finish(j + k * span, x); });
+    return finish;
 }
 
-template <class Arch, class Wave, class Mirror, class Finish>
-inline void transform_columns(const FftTables& fft, float* data, Wave wave, Mirror mirror, Finish finish) {
+template <class Arch, class HalfPlane, class Finish>
+inline Finish transform_columns(const FftTables& fft, float* data, HalfPlane half, Finish finish) {
     if (fft.first_step().radix == 8)
-        load_columns<Arch, 8>(data, fft, wave, mirror);
+        load_columns<Arch, 8>(data, fft, half);
     else
-        load_columns<Arch, 4>(data, fft, wave, mirror);
+        load_columns<Arch, 4>(data, fft, half);
 
-    const std::size_t parts = static_cast<std::size_t>(fft.last_step().radix);
-    const std::size_t part_floats =
-        static_cast<std::size_t>(fft.last_step().span) * 2 * xsimd::batch<float, Arch>::size;
-    for (std::size_t part = 0; part < parts; ++part) middle_steps<Arch>(data + part * part_floats, fft);
+    // Two steps in a row find a part of the data in the first cache; one goes through all of it at once.
+    constexpr std::size_t element = 2 * xsimd::batch<float, Arch>::size;
+    const std::size_t size = static_cast<std::size_t>(fft.size);
+    const std::size_t part = fft.step_count > 3 ? static_cast<std::size_t>(fft.last_step().span) : size;
+    for (std::size_t first = 0; first < size; first += part) middle_steps<Arch, 1>(data + first * element, part, fft);
 
-    if (fft.last_step().radix == 8)
-        finish_columns<Arch, 8>(data, fft, finish);
-    else
-        finish_columns<Arch, 4>(data, fft, finish);
+    if (fft.last_step().radix == 8) return finish_columns<Arch, 8>(data, fft, finish);
+    return finish_columns<Arch, 4>(data, fft, finish);
 }
+
+/// The sideways pair: P above, R with its parts exchanged below.
+template <class Arch>
+struct SidewaysHalfPlane {
+    using V = xsimd::batch<float, Arch>;
+    PELAGIC_INLINE Complex<Arch> zero() const { return wave(0); }
+    PELAGIC_INLINE Complex<Arch> wave(std::size_t n) const { return {line(n, p_re), line(n, p_im)}; }
+    PELAGIC_INLINE Complex<Arch> mirror(std::size_t n) const { return {line(n, r_im), line(n, r_re)}; }
+    PELAGIC_INLINE V line(std::size_t n, std::size_t component) const {
+        return V::load_aligned(block + (n * line_components + component) * V::size);
+    }
+    const float* block;
+};
 
 /// From a transformed sideways pair, which is minus the displacement along the tile's axes, to the displacement along the
 /// world's, times lambda.
 template <class Arch, bool Turned>
-struct SidewaysFactors {
+struct FinishSideways {
     using V = xsimd::batch<float, Arch>;
-    explicit SidewaysFactors(const ColumnsFinalizeJob& job)
+    FinishSideways(const ColumnsFinalizeJob& job, float* to, V x_so_far, V z_so_far)
         : straight(0.f - (Turned ? job.choppiness * job.cosine : job.choppiness)),
-          crossed(0.f - job.choppiness * job.sine) {}
-    PELAGIC_INLINE V x(const Complex<Arch>& p) const {
-        return Turned ? p.re * straight - p.im * crossed : p.re * straight;
-    }
-    PELAGIC_INLINE V z(const Complex<Arch>& p) const {
-        return Turned ? p.re * crossed + p.im * straight : p.im * straight;
+          crossed(0.f - job.choppiness * job.sine),
+          block(to),
+          most_x(x_so_far),
+          most_z(z_so_far) {}
+    PELAGIC_INLINE void operator()(std::size_t row, const Complex<Arch>& p) {
+        float* to = block + row * surface_components * V::size;
+        const V dx = Turned ? p.re * straight - p.im * crossed : p.re * straight;
+        const V dz = Turned ? p.re * crossed + p.im * straight : p.im * straight;
+        dx.store_aligned(to + surface_dx * V::size);
+        dz.store_aligned(to + surface_dz * V::size);
+        most_x = xsimd::max(most_x, xsimd::abs(dx));
+        most_z = xsimd::max(most_z, xsimd::abs(dz));
     }
     V straight, crossed;
+    float* block;
+    V most_x, most_z;
 };
 
-/// The sideways pair of one column block: P above, R with its parts exchanged below.
 template <class Arch, bool Turned>
-inline void sideways_columns(const ColumnsFinalizeJob& job, float* block, float* workspace,
-                             xsimd::batch<float, Arch> (&most)[2]) {
+inline void sideways_columns(const ColumnsFinalizeJob& job, float* workspace) {
     using V = xsimd::batch<float, Arch>;
-    const auto line = [block](std::size_t n, std::size_t component) {
-        return V::load_aligned(block + (n * line_components + component) * V::size);
-    };
-    const SidewaysFactors<Arch, Turned> factors(job);
-    V most_x = most[0], most_z = most[1];
-    transform_columns<Arch>(
-        *job.fft, workspace,
-        [line](std::size_t n) {
-            return Complex<Arch>{line(n, p_re), line(n, p_im)};
-        },
-        [line](std::size_t n) {
-            return Complex<Arch>{line(n, r_im), line(n, r_re)};
-        },
-        [&most_x, &most_z, factors, block](std::size_t row, std::size_t span, const auto& results) {
-            float* to = block + row * surface_components * V::size;
-            V here_x(0.f), here_z(0.f);
-            for (const Complex<Arch>& result : results) {
-                const V dx = factors.x(result), dz = factors.z(result);
-                dx.store_aligned(to + surface_dx * V::size);
-                dz.store_aligned(to + surface_dz * V::size);
-                here_x = xsimd::max(here_x, xsimd::abs(dx));
-                here_z = xsimd::max(here_z, xsimd::abs(dz));
-                to += span * surface_components * V::size;
-            }
-            most_x = xsimd::max(most_x, here_x);
-            most_z = xsimd::max(most_z, here_z);
-        });
-    most[0] = most_x;
-    most[1] = most_z;
+    V most_x(0.f), most_z(0.f);
+    for (float* block : job.blocks) {
+        if (!block) continue;
+        const auto finished =
+            transform_columns<Arch>(*job.fft, workspace, SidewaysHalfPlane<Arch>{block},
+                                    FinishSideways<Arch, Turned>(job, block, most_x, most_z));
+        most_x = finished.most_x;
+        most_z = finished.most_z;
+    }
+    job.bounds->sideways_x_max = most_lane<Arch>(most_x);
+    job.bounds->sideways_z_max = most_lane<Arch>(most_z);
 }
 
 /// The heights of two column blocks as a + i b. Both are real, so conj(a) + i conj(b) is the mirror; at kz = 0 their
 /// imaginary parts are rounding errors and are dropped.
 template <class Arch, bool HasSecond>
-inline void height_columns(float* first, float* second, const FftTables& fft, float* workspace, PartBounds& bounds) {
+struct HeightHalfPlane {
     using V = xsimd::batch<float, Arch>;
-    const auto a = [first](std::size_t n, std::size_t component) {
+    PELAGIC_INLINE Complex<Arch> zero() const { return {a(0, height_re), b(0, height_re)}; }
+    PELAGIC_INLINE Complex<Arch> wave(std::size_t n) const {
+        return {a(n, height_re) - b(n, height_im), a(n, height_im) + b(n, height_re)};
+    }
+    PELAGIC_INLINE Complex<Arch> mirror(std::size_t n) const {
+        return {a(n, height_re) + b(n, height_im), b(n, height_re) - a(n, height_im)};
+    }
+    PELAGIC_INLINE V a(std::size_t n, std::size_t component) const {
         return V::load_aligned(first + (n * line_components + component) * V::size);
-    };
-    const auto b = [second](std::size_t n, std::size_t component) {
+    }
+    PELAGIC_INLINE V b(std::size_t n, std::size_t component) const {
         return HasSecond ? V::load_aligned(second + (n * line_components + component) * V::size) : V(0.f);
-    };
-    V least(3.4e38f), most(-3.4e38f);
-    transform_columns<Arch>(
-        fft, workspace,
-        [a, b](std::size_t n) {
-            const V a_re = a(n, height_re), b_re = b(n, height_re);
-            if (n == 0) return Complex<Arch>{a_re, b_re};
-            return Complex<Arch>{a_re - b(n, height_im), a(n, height_im) + b_re};
-        },
-        [a, b](std::size_t n) {
-            return Complex<Arch>{a(n, height_re) + b(n, height_im), b(n, height_re) - a(n, height_im)};
-        },
-        [&](std::size_t row, std::size_t span, const auto& results) {
-            std::size_t at = (row * surface_components + surface_height) * V::size;
-            V here_least = results[0].re, here_most = results[0].re;
-            for (const Complex<Arch>& result : results) {
-                result.re.store_aligned(first + at);
-                here_least = xsimd::min(here_least, result.re);
-                here_most = xsimd::max(here_most, result.re);
-                if constexpr (HasSecond) {
-                    result.im.store_aligned(second + at);
-                    here_least = xsimd::min(here_least, result.im);
-                    here_most = xsimd::max(here_most, result.im);
-                }
-                at += span * surface_components * V::size;
-            }
-            least = xsimd::min(least, here_least);
-            most = xsimd::max(most, here_most);
-        });
-    bounds.height_min = least_lane<Arch>(least);
-    bounds.height_max = most_lane<Arch>(most);
+    }
+    const float *first, *second;
+};
+
+template <class Arch, bool HasSecond>
+struct FinishHeights {
+    using V = xsimd::batch<float, Arch>;
+    PELAGIC_INLINE void operator()(std::size_t row, const Complex<Arch>& ab) {
+        const std::size_t at = (row * surface_components + surface_height) * V::size;
+        take(ab.re, first + at);
+        if constexpr (HasSecond) take(ab.im, second + at);
+    }
+    PELAGIC_INLINE void take(V height, float* to) {
+        height.store_aligned(to);
+        least = xsimd::min(least, height);
+        most = xsimd::max(most, height);
+    }
+    float *first, *second;
+    V least = V(3.4e38f), most = V(-3.4e38f);
+};
+
+template <class Arch, bool HasSecond>
+inline void height_columns(const ColumnsFinalizeJob& job, float* workspace) {
+    float *const first = job.blocks[0], *const second = job.blocks[1];
+    const auto finished = transform_columns<Arch>(*job.fft, workspace, HeightHalfPlane<Arch, HasSecond>{first, second},
+                                                  FinishHeights<Arch, HasSecond>{first, second});
+    job.bounds->height_min = least_lane<Arch>(finished.least);
+    job.bounds->height_max = most_lane<Arch>(finished.most);
 }
 
 template <class Arch>
 void columns_finalize(const ColumnsFinalizeJob& job) {
-    using V = xsimd::batch<float, Arch>;
-    const FftTables& fft = *job.fft;
-    float* const workspace = PELAGIC_STACK_FLOATS(workspace_floats<Arch>(fft));
+    float* const workspace = PELAGIC_STACK_FLOATS(workspace_floats<Arch>(*job.fft));
     // Heights first: they land where only heights were, so the sideways fields of the lines are still whole.
     if (job.blocks[1])
-        height_columns<Arch, true>(job.blocks[0], job.blocks[1], fft, workspace, *job.bounds);
+        height_columns<Arch, true>(job, workspace);
     else
-        height_columns<Arch, false>(job.blocks[0], nullptr, fft, workspace, *job.bounds);
+        height_columns<Arch, false>(job, workspace);
 
-    V most[2] = {V(0.f), V(0.f)};
-    for (float* block : job.blocks) {
-        if (!block) continue;
-        if (job.sine == 0)
-            sideways_columns<Arch, false>(job, block, workspace, most);
-        else
-            sideways_columns<Arch, true>(job, block, workspace, most);
-    }
-    job.bounds->sideways_x_max = most_lane<Arch>(most[0]);
-    job.bounds->sideways_z_max = most_lane<Arch>(most[1]);
+    if (job.sine == 0)
+        sideways_columns<Arch, false>(job, workspace);
+    else
+        sideways_columns<Arch, true>(job, workspace);
 }
 
 }  // namespace pelagic::kernels

@@ -7,6 +7,7 @@
 #include "pelagic/sim/kernels/kernels.hpp"
 #include "pelagic/sim/kernels/wave_blocks.hpp"
 #include "pelagic/simd/always_inline.hpp"
+#include "pelagic/simd/same_bits.kernel.hpp"
 #include "pelagic/simd/transpose.kernel.hpp"
 #include "pelagic/simd/turns.kernel.hpp"
 
@@ -44,7 +45,7 @@ struct VelocityOfWaves {
         : height(job), first_frequency(job.first_frequency), minus_first_frequency(0.f - job.first_frequency) {}
     PELAGIC_INLINE Rotation<Arch> operator()(U harmonic) const {
         const Rotation<Arch> phase = height(harmonic);
-        const V periods = xsimd::to_float(xsimd::bitwise_cast<xsimd::batch<std::int32_t, Arch>>(harmonic));
+        const V periods = xsimd::to_float(same_bits<xsimd::batch<std::int32_t, Arch>>(harmonic));
         return {phase.cosine * (periods * first_frequency), phase.sine * (periods * minus_first_frequency)};
     }
     HeightOfWaves<Arch> height;
@@ -56,114 +57,108 @@ struct VelocityOfWaves {
 ///
 /// i h along x and z are (-x_im, x_re) and (-z_im, z_re); from them P = -(Dx + i Dz), R = -i (Dx - i Dz).
 template <class Arch, std::size_t Radix, class Wave>
-PELAGIC_INLINE void first_step(Complex<Arch> (&h)[Radix], Wave wave, bool mirrored, std::size_t position,
-                               float* const (&data)[fields]) {
+PELAGIC_INLINE void first_step(const Complex<Arch> (&h)[Radix], Wave wave, bool mirrored, float* to) {
     using V = xsimd::batch<float, Arch>;
-    constexpr std::size_t element = 2 * V::size;
-    Complex<Arch> p[Radix], r[Radix];
+    using C = Complex<Arch>;
+    C p[Radix], r[Radix];
     for (std::size_t s = 0; s < Radix; ++s) {
         const V along = V::load_aligned(wave(s) + direction_x * V::size);
         const V x = mirrored ? V(0.f) - along : along;
         const V z = V::load_aligned(wave(s) + direction_z * V::size);
         const V x_re = x * h[s].re, x_im = x * h[s].im;
         const V z_re = z * h[s].re, z_im = z * h[s].im;
-        p[s].re = x_im + z_re;
-        p[s].im = z_im - x_re;
-        r[s].re = x_re + z_im;
-        r[s].im = x_im - z_re;
+        p[s] = {x_im + z_re, z_im - x_re};
+        r[s] = {x_re + z_im, x_im - z_re};
     }
-    butterfly<Arch>(h);
-    for (std::size_t s = 0; s < Radix; ++s) h[s].store(data[field_h] + (position + s) * element);
-    butterfly<Arch>(p);
-    for (std::size_t s = 0; s < Radix; ++s) p[s].store(data[field_p] + (position + s) * element);
-    butterfly<Arch>(r);
-    for (std::size_t s = 0; s < Radix; ++s) r[s].store(data[field_r] + (position + s) * element);
+    constexpr std::size_t point = 2 * V::size, element = fields * point;
+    butterfly<Arch, Radix>([&](std::size_t s) { return h[s]; }, OutputsApart<Arch>{to + field_h * point, element});
+    butterfly<Arch, Radix>([&](std::size_t s) { return p[s]; }, OutputsApart<Arch>{to + field_p * point, element});
+    butterfly<Arch, Radix>([&](std::size_t s) { return r[s]; }, OutputsApart<Arch>{to + field_r * point, element});
 }
 
 /// Evolves the waves of a pair of groups and takes their fields through the first step of the transform.
-template <class Arch, std::size_t Radix, class OfWaves>
-inline void evolve_group_pair(const EvolveRowsJob& job, std::size_t number, float* const (&data)[fields]) {
+template <class Arch, std::size_t Radix, bool HasNegatives, class OfWaves>
+PELAGIC_FLATTEN void evolve_group_pair(const EvolveRowsJob& job, const OfWaves& of_waves, std::size_t number, float* data) {
     using V = xsimd::batch<float, Arch>;
     using U = xsimd::batch<std::uint32_t, Arch>;
-    constexpr std::size_t pair_floats = wave_quantities * V::size;
+    constexpr std::size_t pair_floats = wave_quantities * V::size, element = fields * 2 * V::size;
 
-    const GroupPair pair = job.fft->pairs[number];
-    const bool has_negatives = !pair.is_own_negative();
     const float* waves = job.waves + number * Radix * pair_floats;
     const std::uint32_t* harmonics = job.harmonics + number * Radix * V::size;
-    const OfWaves of_waves(job);
-    const auto rotation = [&](std::size_t s) { return of_waves(U::load_aligned(harmonics + s * V::size)); };
     const auto plus_wave = [waves](std::size_t s) { return waves + s * pair_floats; };
     const auto minus_wave = [waves](std::size_t s) { return waves + (Radix - 1 - s) * pair_floats; };
 
     Complex<Arch> plus[Radix], minus[Radix];
     for (std::size_t s = 0; s < Radix; ++s) {
-        const Rotation<Arch> turned = rotation(s);
+        const Rotation<Arch> turned = of_waves(U::load_aligned(harmonics + s * V::size));
         plus[s] = height_of_wave<Arch>(plus_wave(s) + plus_cos_re * V::size, turned);
-        if (has_negatives) minus[Radix - 1 - s] = height_of_wave<Arch>(plus_wave(s) + minus_cos_re * V::size, turned);
+        if (HasNegatives) minus[Radix - 1 - s] = height_of_wave<Arch>(plus_wave(s) + minus_cos_re * V::size, turned);
     }
-    first_step<Arch>(plus, plus_wave, false, job.fft->positions[pair.plus], data);
-    if (has_negatives) first_step<Arch>(minus, minus_wave, true, job.fft->positions[pair.minus], data);
+    const GroupPair pair = job.fft->pairs[number];
+    first_step<Arch>(plus, plus_wave, false, data + job.fft->positions[pair.plus] * element);
+    if (HasNegatives) first_step<Arch>(minus, minus_wave, true, data + job.fft->positions[pair.minus] * element);
 }
 
 /// All steps but the last. The last one joins parts by the remainder of kx; a part and its negative are evolved and
 /// transformed together, while they are in the first cache.
 template <class Arch, std::size_t FirstRadix, class OfWaves>
-inline void evolve_and_transform_parts(const EvolveRowsJob& job, float* const (&data)[fields]) {
+inline void evolve_and_transform_parts(const EvolveRowsJob& job, float* data) {
+    constexpr std::size_t element = fields * 2 * xsimd::batch<float, Arch>::size;
     const FftTables& fft = *job.fft;
     const std::size_t parts = static_cast<std::size_t>(fft.last_step().radix);
-    const std::size_t part_floats =
-        static_cast<std::size_t>(fft.last_step().span) * 2 * xsimd::batch<float, Arch>::size;
+    const std::size_t part_size = static_cast<std::size_t>(fft.last_step().span);
+    const OfWaves of_waves(job);
 
     for (std::size_t part = 0; part <= parts / 2; ++part) {
-        for (std::size_t number = fft.first_pair[part]; number < fft.first_pair[part + 1]; ++number)
-            evolve_group_pair<Arch, FirstRadix, OfWaves>(job, number, data);
-        const std::size_t negative = (parts - part) % parts;
-        for (float* field : data) {
-            middle_steps<Arch>(field + part * part_floats, fft);
-            if (negative != part) middle_steps<Arch>(field + negative * part_floats, fft);
+        for (std::size_t number = fft.first_pair[part]; number < fft.first_pair[part + 1]; ++number) {
+            if (fft.pairs[number].is_own_negative())
+                evolve_group_pair<Arch, FirstRadix, false>(job, of_waves, number, data);
+            else
+                evolve_group_pair<Arch, FirstRadix, true>(job, of_waves, number, data);
         }
+        const std::size_t negative = (parts - part) % parts;
+        middle_steps<Arch, fields>(data + part * part_size * element, part_size, fft);
+        if (negative != part) middle_steps<Arch, fields>(data + negative * part_size * element, part_size, fft);
     }
 }
 
-/// Puts W elements of W transformed lines, from x on, where the columns want them: x is the lane now.
-template <class Arch>
-inline void turn_lines(const float* data, const EvolveRowsJob& job, std::size_t x, LineComponent re,
-                       LineComponent im) {
+/// Puts W elements of the first Lines transformed lines, from `data` on, where the columns want them: x is the lane now.
+template <class Arch, std::size_t Lines>
+PELAGIC_INLINE void turn_lines(const float* data, float* lines) {
     using V = xsimd::batch<float, Arch>;
-    constexpr std::size_t element = 2 * V::size;
-    constexpr std::size_t row = line_components * V::size;
-    float* lines = job.lines + x / V::size * column_block_floats(job.fft->size, V::size) + job.first_line * row;
-    for (std::size_t part = 0; part < 2; ++part) {
+    constexpr std::size_t element = line_components * V::size;
+    const auto turn = [=](std::size_t part, LineComponent component) {
         V block[V::size];
-        load_transposed<Arch>(data + x * element + part * V::size, element, block);
-        float* to = lines + (part == 0 ? re : im) * V::size;
-        if (job.line_count == V::size) {  // nearly always, and then without a loop
-            for (std::size_t i = 0; i < V::size; ++i) block[i].store_aligned(to + i * row);
-        } else {
-            for (std::size_t i = 0; i < job.line_count; ++i) block[i].store_aligned(to + i * row);
-        }
-    }
+        load_transposed<Arch>(data + part * V::size, element, block);
+        for (std::size_t i = 0; i < Lines; ++i) block[i].store_aligned(lines + i * element + component * V::size);
+    };
+    turn(0, height_re), turn(1, height_im);
+    turn(2, p_re), turn(3, p_im);
+    turn(4, r_re), turn(5, r_im);
 }
 
 /// The last step of the three fields. As soon as W elements that are neighbours in x are done, they are turned: rows of
 /// lines are written whole, once.
-template <class Arch, std::size_t Radix>
-inline void last_step_turned(const EvolveRowsJob& job, float* const (&data)[fields]) {
+template <class Arch, std::size_t Radix, std::size_t Lines>
+PELAGIC_FLATTEN void last_step_turned(const EvolveRowsJob& job, float* data) {
     constexpr std::size_t lanes = xsimd::batch<float, Arch>::size;
-    constexpr LineComponent re[fields] = {height_re, p_re, r_re}, im[fields] = {height_im, p_im, r_im};
+    constexpr std::size_t point = 2 * lanes, element = fields * point;
     const FftTables& fft = *job.fft;
     const FftStep& step = fft.last_step();
     const std::size_t span = static_cast<std::size_t>(step.span);
     const std::size_t chunk = span < lanes ? span : lanes;
-    const auto turn = [&](std::size_t x) {
-        for (int field = 0; field < fields; ++field) turn_lines<Arch>(data[field], job, x, re[field], im[field]);
+    const std::size_t column_block = column_block_floats(fft.size, lanes);
+    float* const lines = job.lines + job.first_line * line_components * lanes;
+    const auto turn = [=](std::size_t x) {
+        turn_lines<Arch, Lines>(data + x * element, lines + x / lanes * column_block);
     };
-    for (std::size_t j = 0; j < span; j += chunk) {
-        for (float* field : data)
-            fft_group<Arch, Radix>(field, span, j, j + chunk, fft.twiddles + step.first_twiddle);
+    const float* roots = fft.twiddles + step.first_twiddle;
+    for (std::size_t first = 0; first < span; first += chunk) {
+        for (std::size_t j = first; j < first + chunk; ++j, roots += 2 * Radix)
+            for (std::size_t field = 0; field < fields; ++field)
+                join<Arch, Radix>(data + j * element + field * point, span * element, roots);
         if (chunk == lanes)
-            for (std::size_t k = 0; k < Radix; ++k) turn(k * span + j);
+            for (std::size_t k = 0; k < Radix; ++k) turn(k * span + first);
     }
     if (chunk < lanes)
         for (std::size_t x = 0; x < Radix * span; x += lanes) turn(x);
@@ -171,10 +166,9 @@ inline void last_step_turned(const EvolveRowsJob& job, float* const (&data)[fiel
 
 template <class Arch, class OfWaves>
 inline void evolve_lines(const EvolveRowsJob& job) {
+    constexpr std::size_t lanes = xsimd::batch<float, Arch>::size;
     const FftTables& fft = *job.fft;
-    const std::size_t floats = workspace_floats<Arch>(fft);
-    float* const workspace = PELAGIC_STACK_FLOATS(fields * floats);
-    float* const data[fields] = {workspace, workspace + floats, workspace + 2 * floats};
+    float* const data = PELAGIC_STACK_FLOATS(fields * workspace_floats<Arch>(fft));
 
     if (fft.first_step().radix == 8)
         evolve_and_transform_parts<Arch, 8, OfWaves>(job, data);
@@ -182,9 +176,11 @@ inline void evolve_lines(const EvolveRowsJob& job) {
         evolve_and_transform_parts<Arch, 4, OfWaves>(job, data);
 
     if (fft.last_step().radix == 8)
-        last_step_turned<Arch, 8>(job, data);
+        last_step_turned<Arch, 8, lanes>(job, data);
+    else if (job.line_count == lanes)
+        last_step_turned<Arch, 4, lanes>(job, data);
     else
-        last_step_turned<Arch, 4>(job, data);
+        last_step_turned<Arch, 4, lanes / 2>(job, data);
 }
 
 template <class Arch>

@@ -7,6 +7,7 @@
 
 #include "pelagic/sim/kernels/fft_tables.hpp"
 #include "pelagic/simd/always_inline.hpp"
+#include "pelagic/simd/times_lane.kernel.hpp"
 
 namespace pelagic::kernels {
 
@@ -15,19 +16,22 @@ struct Complex {
     using V = xsimd::batch<float, Arch>;
     V re, im;
 
-    static Complex load(const float* from) { return {V::load_aligned(from), V::load_aligned(from + V::size)}; }
-    void store(float* to) const {
+    PELAGIC_INLINE static Complex load(const float* from) { return {V::load_aligned(from), V::load_aligned(from + V::size)}; }
+    PELAGIC_INLINE void store(float* to) const {
         re.store_aligned(to);
         im.store_aligned(to + V::size);
     }
-    Complex operator+(const Complex& o) const { return {re + o.re, im + o.im}; }
-    Complex operator-(const Complex& o) const { return {re - o.re, im - o.im}; }
-    Complex plus_i_times(const Complex& o) const { return {re - o.im, im + o.re}; }
-    Complex minus_i_times(const Complex& o) const { return {re + o.im, im - o.re}; }
-    /// Times the pair (re, im) at `root`, the same for every line.
-    Complex times(const float* root) const {
-        const V c(root[0]), s(root[1]);
-        return {re * c - im * s, re * s + im * c};
+    PELAGIC_INLINE Complex operator+(const Complex& o) const { return {re + o.re, im + o.im}; }
+    PELAGIC_INLINE Complex operator-(const Complex& o) const { return {re - o.re, im - o.im}; }
+    PELAGIC_INLINE Complex plus_i_times(const Complex& o) const { return {re - o.im, im + o.re}; }
+    PELAGIC_INLINE Complex minus_i_times(const Complex& o) const { return {re + o.im, im - o.re}; }
+    /// Times the l-th of the pairs (re, im) at `roots`, the same for every line.
+    PELAGIC_INLINE Complex times(const float* roots, std::size_t l) const {
+        return l % 2 == 0 ? times_lanes<0, 1>(roots + 2 * l) : times_lanes<2, 3>(roots + 2 * (l - 1));
+    }
+    template <int c, int s>
+    PELAGIC_INLINE Complex times_lanes(const float* four) const {
+        return {times_lane<c>(re, four) - times_lane<s>(im, four), times_lane<s>(re, four) + times_lane<c>(im, four)};
     }
 };
 
@@ -43,72 +47,83 @@ PELAGIC_INLINE void butterfly_4(Complex<Arch> (&x)[4]) {
     x[3] = even_difference.minus_i_times(odd_difference);
 }
 
-// Two transforms of four, joined by the eighth roots of one: 1, r, i, i r with r = (1 + i)/sqrt(2).
-template <class Arch>
-PELAGIC_INLINE void butterfly_8(Complex<Arch> (&x)[8]) {
-    Complex<Arch> even[4] = {x[0], x[2], x[4], x[6]};
-    Complex<Arch> odd[4] = {x[1], x[3], x[5], x[7]};
-    butterfly_4<Arch>(even);
-    butterfly_4<Arch>(odd);
-    const xsimd::batch<float, Arch> root_half(0.70710678f);
-    odd[1] = {(odd[1].re - odd[1].im) * root_half, (odd[1].re + odd[1].im) * root_half};
-    odd[3] = {(odd[3].re - odd[3].im) * root_half, (odd[3].re + odd[3].im) * root_half};
-    for (int k = 0; k < 2; ++k) {
-        x[k] = even[k] + odd[k];
-        x[k + 2] = even[k + 2].plus_i_times(odd[k + 2]);
-        x[k + 4] = even[k] - odd[k];
-        x[k + 6] = even[k + 2].minus_i_times(odd[k + 2]);
+/// A transform of Radix points: `input(l)` yields the l-th, `output(k, value)` takes the k-th result. Eight points fill
+/// the registers, so each is asked for when its turn has come, and handed over as soon as it is known.
+template <class Arch, std::size_t Radix, class Input, class Output>
+PELAGIC_INLINE void butterfly(Input input, Output output) {
+    using C = Complex<Arch>;
+    if constexpr (Radix == 4) {
+        C x[4] = {input(0), input(1), input(2), input(3)};
+        butterfly_4<Arch>(x);
+        for (std::size_t k = 0; k < 4; ++k) output(k, x[k]);
+    } else {
+        // Two transforms of four, joined by the eighth roots of one: 1, r, i, i r with r = (1 + i)/sqrt(2).
+        static_assert(Radix == 8);
+        C even[4] = {input(0), input(2), input(4), input(6)};
+        butterfly_4<Arch>(even);
+        C odd[4] = {input(1), input(3), input(5), input(7)};
+        butterfly_4<Arch>(odd);
+        const xsimd::batch<float, Arch> root_half(0.70710678f);
+        odd[1] = {(odd[1].re - odd[1].im) * root_half, (odd[1].re + odd[1].im) * root_half};
+        odd[3] = {(odd[3].re - odd[3].im) * root_half, (odd[3].re + odd[3].im) * root_half};
+        for (std::size_t k = 0; k < 2; ++k) {
+            output(k, even[k] + odd[k]);
+            output(k + 4, even[k] - odd[k]);
+            output(k + 2, even[k + 2].plus_i_times(odd[k + 2]));
+            output(k + 6, even[k + 2].minus_i_times(odd[k + 2]));
+        }
     }
 }
 
-template <class Arch>
-PELAGIC_INLINE void butterfly(Complex<Arch> (&x)[4]) {
-    butterfly_4<Arch>(x);
-}
-template <class Arch>
-PELAGIC_INLINE void butterfly(Complex<Arch> (&x)[8]) {
-    butterfly_8<Arch>(x);
-}
-
-/// Elements j, j + span, ..., of one group, times their twiddle factors, through the butterfly.
-template <class Arch, std::size_t Radix>
-PELAGIC_INLINE void joined(Complex<Arch> (&x)[Radix], const float* at, std::size_t span, const float* roots) {
-    constexpr std::size_t element = 2 * xsimd::batch<float, Arch>::size;
-    x[0] = Complex<Arch>::load(at);
-    for (std::size_t l = 1; l < Radix; ++l)
-        x[l] = Complex<Arch>::load(at + l * span * element).times(roots + 2 * (l - 1));
-    butterfly<Arch>(x);
-}
-
-/// The butterflies [j_begin, j_end) of one group of Radix spans, in place.
-template <class Arch, std::size_t Radix>
-inline void fft_group(float* data, std::size_t span, std::size_t j_begin, std::size_t j_end, const float* twiddles) {
-    constexpr std::size_t element = 2 * xsimd::batch<float, Arch>::size;
-    for (std::size_t j = j_begin; j < j_end; ++j) {
-        float* at = data + j * element;
-        Complex<Arch> x[Radix];
-        joined<Arch, Radix>(x, at, span, twiddles + 2 * (Radix - 1) * j);
-        for (std::size_t k = 0; k < Radix; ++k) x[k].store(at + k * span * element);
+/// The inputs of a butterfly that stand `stride` floats apart: times their roots of one, unless all of those are 1.
+template <class Arch, bool AllOnes = false>
+struct InputsApart {
+    const float* at;
+    std::size_t stride;
+    const float* roots = nullptr;
+    PELAGIC_INLINE Complex<Arch> operator()(std::size_t l) const {
+        const Complex<Arch> x = Complex<Arch>::load(at + l * stride);
+        return l == 0 || AllOnes ? x : x.times(roots, l);
     }
+};
+
+template <class Arch>
+struct OutputsApart {
+    float* at;
+    std::size_t stride;
+    PELAGIC_INLINE void operator()(std::size_t k, const Complex<Arch>& x) const { x.store(at + k * stride); }
+};
+
+/// A butterfly in place.
+template <class Arch, std::size_t Radix, bool AllOnes = false>
+PELAGIC_INLINE void join(float* at, std::size_t stride, const float* roots) {
+    butterfly<Arch, Radix>(InputsApart<Arch, AllOnes>{at, stride, roots}, OutputsApart<Arch>{at, stride});
 }
 
-template <class Arch, std::size_t Radix>
-inline void fft_step(float* data, std::size_t size, const FftStep& step, const float* twiddles) {
-    constexpr std::size_t element = 2 * xsimd::batch<float, Arch>::size;
-    const std::size_t span = static_cast<std::size_t>(step.span);
-    for (std::size_t first = 0; first < size; first += Radix * span)
-        fft_group<Arch, Radix>(data + first * element, span, 0, span, twiddles + step.first_twiddle);
+/// One step on `size` elements. Butterflies with the same roots follow each other: those of all groups and fields.
+template <class Arch, std::size_t Radix, std::size_t Fields>
+PELAGIC_FLATTEN void fft_step(float* data, std::size_t size, const FftStep& step, const float* twiddles) {
+    constexpr std::size_t point = 2 * xsimd::batch<float, Arch>::size, element = Fields * point;
+    const std::size_t span = static_cast<std::size_t>(step.span) * element;
+    const float* const end = data + size * element;
+    const auto same_roots = [=](float* first, auto join_one) {
+        for (float* group = first; group < end; group += Radix * span)
+            for (std::size_t field = 0; field < Fields; ++field) join_one(group + field * point);
+    };
+    same_roots(data, [=](float* at) { join<Arch, Radix, true>(at, span, nullptr); });
+    const float* roots = twiddles + step.first_twiddle + 2 * Radix;
+    for (float* first = data + element; first < data + span; first += element, roots += 2 * Radix)
+        same_roots(first, [=](float* at) { join<Arch, Radix>(at, span, roots); });
 }
 
 /// The steps between the first and the last on one part of the last one's input: fft.last_step().span elements.
-template <class Arch>
-inline void middle_steps(float* data, const FftTables& fft) {
-    const std::size_t size = static_cast<std::size_t>(fft.last_step().span);
+template <class Arch, std::size_t Fields>
+inline void middle_steps(float* data, std::size_t size, const FftTables& fft) {
     for (std::size_t s = 1; s + 1 < fft.step_count; ++s) {
         if (fft.steps[s].radix == 8)
-            fft_step<Arch, 8>(data, size, fft.steps[s], fft.twiddles);
+            fft_step<Arch, 8, Fields>(data, size, fft.steps[s], fft.twiddles);
         else
-            fft_step<Arch, 4>(data, size, fft.steps[s], fft.twiddles);
+            fft_step<Arch, 4, Fields>(data, size, fft.steps[s], fft.twiddles);
     }
 }
 

@@ -10,7 +10,7 @@ namespace pelagic {
 struct FftStep {
     int radix;
     int span;
-    /// For each j in [0, span): e^{2 pi i l j / (radix span)} for l = 1, ..., radix - 1 as pairs (re, im).
+    /// For each j in [0, span): e^{2 pi i l j / (radix span)} for l = 0, ..., radix - 1 as pairs (re, im).
     std::size_t first_twiddle;
 };
 
@@ -25,7 +25,7 @@ struct FftTables {
     int size;
     const FftStep* steps;
     std::size_t step_count;
-    const float* twiddles;
+    const float* twiddles;  ///< of all steps, aligned to 64 bytes
     /// Where input i goes before the first step: the digits of i in the radices, reversed (VR Ocean, 3.6.4). The
     /// inputs of a group stand side by side.
     const std::uint16_t* positions;

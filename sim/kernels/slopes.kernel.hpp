@@ -126,7 +126,9 @@ PELAGIC_INLINE void slopes_at(const SlopesJob& job, const typename BlockSurface<
     using V = xsimd::batch<float, Arch>;
     const auto difference = [&](SurfaceComponent component) {
         const V far_weight(static_cast<float>(SlopesJob::far_weight / SlopesJob::near_weight));
-        return turn(BlockSurface<Arch>::wide_difference(component, blocks, rows, far_weight));
+        Differences<Arch> along = BlockSurface<Arch>::wide_difference(component, blocks, rows, far_weight);
+        turn(along);
+        return along;
     };
     const V factor(job.difference_factor);
     const Differences<Arch> dx = difference(surface_dx), dz = difference(surface_dz);

@@ -1,5 +1,6 @@
 #include "pelagic/sim/sources/fft_plan.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cassert>
 
@@ -32,18 +33,21 @@ FftPlan::FftPlan(int size) : size_(size) {
     const DefaultFloatEnvironment environment;
     const Radices radices = radices_of(size);
     int span = 1;
+    std::vector<float> roots;
     for (std::size_t step = 0; step < radices.count; ++step) {
         const int radix = 1 << radices.bits[step];
-        steps_[step_count_++] = {radix, span, twiddles_.size()};
+        steps_[step_count_++] = {radix, span, roots.size()};
         for (int j = 0; j < span; ++j) {
-            for (int l = 1; l < radix; ++l) {
+            for (int l = 0; l < radix; ++l) {
                 const auto root = det::sine_cosine_of_turns(static_cast<double>(l * j) / (radix * span));
-                twiddles_.push_back(static_cast<float>(root.cosine));
-                twiddles_.push_back(static_cast<float>(root.sine));
+                roots.push_back(static_cast<float>(root.cosine));
+                roots.push_back(static_cast<float>(root.sine));
             }
         }
         span *= radix;
     }
+    twiddles_ = AlignedBuffer<float>(roots.size());
+    std::copy(roots.begin(), roots.end(), twiddles_.data());
     place_inputs();
     pair_groups();
 }
@@ -84,7 +88,7 @@ FftTables FftPlan::tables() const {
 }
 
 std::size_t FftPlan::bytes() const {
-    return twiddles_.capacity() * sizeof(float) + positions_.capacity() * sizeof(std::uint16_t) +
+    return twiddles_.bytes() + positions_.capacity() * sizeof(std::uint16_t) +
            pairs_.capacity() * sizeof(GroupPair);
 }
 

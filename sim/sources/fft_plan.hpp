@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "pelagic/sim/kernels/fft_tables.hpp"
+#include "pelagic/simd/aligned_buffer.hpp"
 
 namespace pelagic {
 
@@ -31,7 +32,7 @@ class FftPlan {
     int size_;
     std::size_t step_count_ = 0;
     std::array<FftStep, 4> steps_{};
-    std::vector<float> twiddles_;
+    AlignedBuffer<float> twiddles_;
     std::vector<std::uint16_t> positions_;
     std::vector<GroupPair> pairs_;
     std::array<std::uint16_t, 6> first_pair_{};
