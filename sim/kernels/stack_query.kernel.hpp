@@ -174,12 +174,9 @@ PELAGIC_INLINE void sample_stack_lanes(const SampleStackJob& job, std::size_t at
         }
         if (out.velocity_x) {
             const CellGather<Arch> cell(texels, place.x, place.z);
-            const auto value_of = [&](const float* plane) {
-                return bilinear<Arch>(cell.corners(plane), place.u, place.v);
-            };
-            velocity_x = velocity_x + value_of(tile.surface.velocity_x);
-            velocity_y = velocity_y + value_of(tile.surface.velocity_y);
-            velocity_z = velocity_z + value_of(tile.surface.velocity_z);
+            velocity_x = velocity_x + bilinear<Arch>(cell.corners(tile.surface.velocity_x), place.u, place.v);
+            velocity_y = velocity_y + bilinear<Arch>(cell.corners(tile.surface.velocity_y), place.u, place.v);
+            velocity_z = velocity_z + bilinear<Arch>(cell.corners(tile.surface.velocity_z), place.u, place.v);
         }
     }
     if (out.height) height.value.store_aligned(out.height + at);

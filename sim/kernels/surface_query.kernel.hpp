@@ -237,6 +237,7 @@ template <class Arch>
 class CellReader {
     using V = xsimd::batch<float, Arch>;
     using I = xsimd::batch<std::int32_t, Arch>;
+    using Places = xsimd::batch<std::uint32_t, Arch>;
     static constexpr int lanes = static_cast<int>(V::size);
 
    public:
@@ -252,8 +253,8 @@ class CellReader {
         const I first = places.column(x - I(1)) - shift, second = places.column((x + I(2)) & I(-lanes));
         for (int row = 0; row < 4; ++row) {
             const I at = places.row(z + I(row - 1));
-            (first + at).store_aligned(first_[row]);
-            (second + at).store_aligned(second_[row]);
+            xsimd::bitwise_cast<Places>(first + at).store_aligned(first_[row]);
+            xsimd::bitwise_cast<Places>(second + at).store_aligned(second_[row]);
         }
     }
 
@@ -280,7 +281,7 @@ class CellReader {
     alignas(64) static constexpr std::int32_t lane_numbers[16] = {0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
     xsimd::batch_bool<float, Arch> is_second_[4];
     I lanes_[4];
-    alignas(64) std::int32_t first_[4][V::size], second_[4][V::size];
+    alignas(64) std::uint32_t first_[4][V::size], second_[4][V::size];
 };
 
 template <class Arch>
@@ -314,10 +315,9 @@ PELAGIC_INLINE void sample_lanes(const SampleSurfaceJob& job, const TexelPlaces<
     }
     if (out.velocity_x) {
         const CellGather<Arch> cell(places, x, z);
-        const auto value_of = [&](const float* plane) { return bilinear<Arch>(cell.corners(plane), u, v); };
-        value_of(job.surface.velocity_x).store_aligned(out.velocity_x + at);
-        value_of(job.surface.velocity_y).store_aligned(out.velocity_y + at);
-        value_of(job.surface.velocity_z).store_aligned(out.velocity_z + at);
+        bilinear<Arch>(cell.corners(job.surface.velocity_x), u, v).store_aligned(out.velocity_x + at);
+        bilinear<Arch>(cell.corners(job.surface.velocity_y), u, v).store_aligned(out.velocity_y + at);
+        bilinear<Arch>(cell.corners(job.surface.velocity_z), u, v).store_aligned(out.velocity_z + at);
     }
 }
 
