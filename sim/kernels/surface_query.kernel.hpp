@@ -237,7 +237,6 @@ template <class Arch>
 class CellReader {
     using V = xsimd::batch<float, Arch>;
     using I = xsimd::batch<std::int32_t, Arch>;
-    using Places = xsimd::batch<std::uint32_t, Arch>;
     static constexpr int lanes = static_cast<int>(V::size);
 
    public:
@@ -253,8 +252,8 @@ class CellReader {
         const I first = places.column(x - I(1)) - shift, second = places.column((x + I(2)) & I(-lanes));
         for (int row = 0; row < 4; ++row) {
             const I at = places.row(z + I(row - 1));
-            xsimd::bitwise_cast<Places>(first + at).store_aligned(first_[row]);
-            xsimd::bitwise_cast<Places>(second + at).store_aligned(second_[row]);
+            (first + at).store_aligned(reinterpret_cast<std::int32_t*>(first_[row]));
+            (second + at).store_aligned(reinterpret_cast<std::int32_t*>(second_[row]));
         }
     }
 
