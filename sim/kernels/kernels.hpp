@@ -170,7 +170,8 @@ struct InvertSurfaceJob {
     float* error;        ///< remaining distance in texels
 };
 
-/// The surface at rest points: everything bilinear between texels, slopes from central differences at texels.
+/// The surface at rest points: everything bilinear between texels, slopes from central differences at texels. Blocks of the
+/// surface have a multiple of W columns.
 struct SampleSurfaceJob {
     struct Outputs {
         float* height;                                     ///< metres; null if nobody wants it

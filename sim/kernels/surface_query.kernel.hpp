@@ -230,9 +230,9 @@ struct CellSlopes {
     }
 };
 
-/// Reads four columns around W cells. They lie in one or two groups of W columns, which are neighbours in memory however
-/// large the blocks are: four that end with the first group at most, of which `shift` are too early, and the first four
-/// of the second.
+/// Reads four columns around W cells. They lie in one or two groups of W columns, each side by side in memory however large
+/// the blocks are. Of the first group four are loaded that end with it at most, the first `shift` of which are too early: in
+/// their place come the first four of the second group, and all are turned. Nothing is read beyond a group.
 template <class Arch>
 class CellReader {
     using V = xsimd::batch<float, Arch>;
