@@ -16,6 +16,12 @@ struct Complex {
     using V = xsimd::batch<float, Arch>;
     V re, im;
 
+    // Part by part: g++ keeps an aggregate of two NEON registers in memory.
+    Complex() = default;
+    PELAGIC_INLINE Complex(V real, V imaginary) : re(real), im(imaginary) {}
+    PELAGIC_INLINE Complex(const Complex& o) : Complex(o.re, o.im) {}
+    Complex& operator=(const Complex& o) = default;
+
     PELAGIC_INLINE static Complex load(const float* from) {
         return {V::load_aligned(from), V::load_aligned(from + V::size)};
     }
