@@ -5,6 +5,8 @@
 //
 // Without --json, a whole run goes to bench/results/<cpu>.json; a part of one (--quick, --sizes, --isa) is only printed.
 //
+// Instructions a texel (i/t) of one frame are counted by valgrind beside it, where valgrind and Python are there.
+//
 // A turn is a few frames of each; a figure is the median over the turns, its spread the quartiles. FFTW's is the
 // better of two arrangements. Rows with more than one thread time Pelagic on its default executor against the peers on
 // one thread, and against itself called directly on one.
@@ -17,6 +19,7 @@
 #include <fstream>
 #include <functional>
 #include <iostream>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -24,10 +27,12 @@
 #include <thread>
 #include <vector>
 
-#include "pelagic/bench/machine.hpp"
+#include "pelagic/bench/counted_frames.hpp"
 #include "pelagic/bench/peers/fftw_frame.hpp"
 #include "pelagic/bench/peers/paper_frame.hpp"
+#include "pelagic/bench/pinned_to_one_core.hpp"
 #include "pelagic/sim/ocean.hpp"
+#include "pelagic/tools/machine.hpp"
 
 namespace pelagic {
 namespace {
@@ -40,6 +45,8 @@ struct Options {
     bool quick = false;
     std::string json_file;
 };
+
+constexpr const char* packed_name = "complex + real";
 
 /// One contestant: draws the frame of a time; `batch` frames make a turn.
 struct Contestant {
@@ -87,7 +94,15 @@ struct Row {
     double speedup;                ///< over ours on one thread, in the same turns
     double ratio_low, ratio_high;  ///< quartiles of ours / FFTW turn by turn
     std::string arrangement;
+    std::map<std::string, double> instructions;  ///< a texel, by contestant; empty if they can't be counted here
 };
+
+/// "ours", "packed" and so on, or nothing.
+std::optional<double> instructions_of(const Row& row, const std::string& contestant) {
+    const auto found = row.instructions.find(contestant);
+    return found == row.instructions.end() ? std::nullopt : std::optional(found->second);
+}
+std::string fftw_contestant(const Row& row) { return row.arrangement == packed_name ? "packed" : "separate"; }
 
 /// The peers of one size, and every row of it.
 class Comparison {
@@ -98,7 +113,8 @@ class Comparison {
           seconds_(options.quick ? 2 : 6),
           packed_(sea_, isa, peers::FftwArrangement::packed),
           separate_(sea_, isa, peers::FftwArrangement::separate),
-          paper_(sea_) {}
+          paper_(sea_),
+          instructions_(bench::counted_frames(n, isa)) {}
 
     Row row(int threads) {
         // One thread means a direct call, on one core.
@@ -130,7 +146,8 @@ class Comparison {
                 median(ours_alone.turns_ms) / median(ours.turns_ms),
                 quantile(ratios, 0.25),
                 quantile(ratios, 0.75),
-                packed_wins ? "complex + real" : "three real"};
+                packed_wins ? packed_name : "three real",
+                instructions_};
     }
 
    private:
@@ -139,32 +156,49 @@ class Comparison {
     double seconds_;
     peers::FftwFrame packed_, separate_;
     peers::PaperFrame paper_;
+    std::map<std::string, double> instructions_;
 };
 
 void print_heading() {
-    std::printf("%5s %-7s %7s | %9s %9s %9s | %9s  %-13s %10s %7s  %s\n", "N", "isa", "threads", "ours ms", "FFTW ms",
-                "paper ms", "ours/FFTW", "(quartiles)", "paper/ours", "speedup", "FFTW's fields");
+    std::printf("%5s %-7s %7s | %9s %9s %9s | %9s  %-13s %10s %7s | %9s %9s %9s  %s\n", "N", "isa", "threads",
+                "ours ms", "FFTW ms", "paper ms", "ours/FFTW", "(quartiles)", "paper/ours", "speedup", "ours i/t",
+                "FFTW i/t", "ours/FFTW", "FFTW's fields");
+}
+
+std::string text_of(const char* format, std::optional<double> figure) {
+    char text[32] = "-";
+    if (figure) std::snprintf(text, sizeof text, format, *figure);
+    return text;
 }
 
 void print(const Row& row) {
-    std::printf("%5d %-7s %7d | %9.4f %9.4f %9.3f | %9.3f  (%.3f-%.3f) %10.1f %7.2f  %s\n", row.n,
+    const std::optional<double> ours = instructions_of(row, "ours"),
+                                fftw = instructions_of(row, fftw_contestant(row));
+    std::printf("%5d %-7s %7d | %9.4f %9.4f %9.3f | %9.3f  (%.3f-%.3f) %10.1f %7.2f | %9s %9s %9s  %s\n", row.n,
                 std::string(name_of(row.isa)).c_str(), row.threads, row.ours_ms, row.fftw_ms, row.paper_ms,
                 row.ours_ms / row.fftw_ms, row.ratio_low, row.ratio_high, row.paper_ms / row.ours_ms, row.speedup,
+                text_of("%.1f", ours).c_str(), text_of("%.1f", fftw).c_str(),
+                text_of("%.3f", ours && fftw ? std::optional(*ours / *fftw) : std::nullopt).c_str(),
                 row.arrangement.c_str());
     std::fflush(stdout);
 }
 
 nlohmann::ordered_json json_of(const Row& row) {
-    return {{"n", row.n},
-            {"isa", name_of(row.isa)},
-            {"threads", row.threads},
-            {"ours_ms", row.ours_ms},
-            {"fftw_ms", row.fftw_ms},
-            {"paper_ms", row.paper_ms},
-            {"ours_over_fftw", row.ours_ms / row.fftw_ms},
-            {"ours_over_fftw_quartiles", {row.ratio_low, row.ratio_high}},
-            {"speedup", row.speedup},
-            {"fftw_arrangement", row.arrangement}};
+    nlohmann::ordered_json json = {{"n", row.n},
+                                   {"isa", name_of(row.isa)},
+                                   {"threads", row.threads},
+                                   {"ours_ms", row.ours_ms},
+                                   {"fftw_ms", row.fftw_ms},
+                                   {"paper_ms", row.paper_ms},
+                                   {"ours_over_fftw", row.ours_ms / row.fftw_ms},
+                                   {"ours_over_fftw_quartiles", {row.ratio_low, row.ratio_high}},
+                                   {"speedup", row.speedup},
+                                   {"fftw_arrangement", row.arrangement}};
+    if (row.instructions.empty()) return json;
+    json["ours_instructions_per_texel"] = instructions_of(row, "ours").value();
+    json["fftw_instructions_per_texel"] = instructions_of(row, fftw_contestant(row)).value();
+    json["paper_instructions_per_texel"] = instructions_of(row, "paper").value();
+    return json;
 }
 
 /// "AMD EPYC 9B14" -> "amd-epyc-9b14"
@@ -191,7 +225,7 @@ Options options_from(int argc, char** argv, CLI::App& app) {
     app.parse(argc, argv);
     const bool is_whole = !options.quick && options.sizes.empty() && isa_name.empty();
     if (is_whole && options.json_file.empty())
-        options.json_file = std::string(PELAGIC_RESULTS_FOLDER) + "/" + file_name_of(bench::cpu_name()) + ".json";
+        options.json_file = std::string(PELAGIC_RESULTS_FOLDER) + "/" + file_name_of(tools::cpu_name()) + ".json";
     if (options.sizes.empty())
         options.sizes = options.quick ? std::vector{64, 128, 256} : std::vector{64, 128, 256, 512, 1024};
     if (isa_name.empty()) {
@@ -217,8 +251,8 @@ void run(const Options& options) {
     }
     nlohmann::ordered_json rows = nlohmann::ordered_json::array();
     const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-    std::printf("%s, %s. FFTW plans are PATIENT: planning takes a while.\n", bench::cpu_name().c_str(),
-                bench::compiler_name().c_str());
+    std::printf("%s, %s. FFTW plans are PATIENT: planning takes a while.\n", tools::cpu_name().c_str(),
+                tools::compiler_name().c_str());
     print_heading();
     for (const int n : options.sizes) {
         for (const Isa isa : options.isas) {
@@ -232,7 +266,7 @@ void run(const Options& options) {
     }
     if (options.json_file.empty()) return;
     const nlohmann::ordered_json all = {
-        {"cpu", bench::cpu_name()}, {"compiler", bench::compiler_name()}, {"rows", rows}};
+        {"cpu", tools::cpu_name()}, {"compiler", tools::compiler_name()}, {"rows", rows}};
     json_file << all.dump(2) << "\n";
     if (!json_file.flush()) throw std::runtime_error("can't write " + part_file);
     std::filesystem::rename(part_file, options.json_file);

@@ -7,7 +7,6 @@
 // one core could do.
 #include <benchmark/benchmark.h>
 
-#include <bit>
 #include <map>
 #include <memory>
 #include <string>
@@ -16,32 +15,10 @@
 #include "pelagic/bench/ceilings.hpp"
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/simd/aligned_buffer.hpp"
+#include "pelagic/tools/stage_work.hpp"
 
 namespace pelagic {
 namespace {
-
-/// What a stage has to do for one texel, whoever does it: floating-point operations without conversions and packing,
-/// and bytes of its inputs and outputs, each once.
-struct Work {
-    double flops, bytes;
-};
-
-/// A complex transform of N points counts 5 N log2 N operations, as is usual; there are 1.5 N of them in each
-/// direction.
-double transform_flops(int n) { return 1.5 * 5 * (std::bit_width(static_cast<unsigned>(n)) - 1); }
-
-Work work_of(const std::string& stage, int n) {
-    // Half a wave a texel: 16 for the rotation, shared by two, 6 for the height, 8 for the sideways pair.
-    if (stage == "evolve+rows") return {0.5 * 22 + transform_flops(n), 11 + 12};
-    // Choppiness: two products.
-    if (stage == "columns+finalize") return {2 + transform_flops(n), 12 + 12};
-    // 44 for a texel (differences 6, normal 13, length 7, J and foam 3, bytes 7, averages 8), 33 for one of a mip, of
-    // which there is a third.
-    if (stage == "gradients+mipmaps") return {44 + 33 / 3.0, 12 + 8 + 16 / 3.0};
-    // 46 for a texel (differences 24, slopes 6, squares 3, J and foam 5, averages 8), 48 for one of a mip.
-    if (stage == "slopes+mipmaps") return {46 + 48 / 3.0, 12 + 8 + 2 * 16 / 3.0};
-    return {33.0 / 3 / 64, 16.0 / 3 / 64};
-}
 
 std::unique_ptr<Ocean> ocean_of(int resolution, Isa isa, std::shared_ptr<Executor> executor) {
     SeaState sea;
@@ -52,7 +29,7 @@ std::unique_ptr<Ocean> ocean_of(int resolution, Isa isa, std::shared_ptr<Executo
     return ocean;
 }
 
-void count(benchmark::State& state, int resolution, Work work) {
+void count(benchmark::State& state, int resolution, tools::StageWork work) {
     const double texels = static_cast<double>(resolution) * resolution;
     state.SetItemsProcessed(state.iterations() * resolution * resolution);
     state.counters["FLOP/s"] = benchmark::Counter(texels * work.flops, benchmark::Counter::kIsIterationInvariantRate);
@@ -65,7 +42,7 @@ void time_stage(benchmark::State& state, int resolution, Isa isa, std::size_t st
     const Stage& stage = ocean->graph().stages()[stage_number];
     for (auto _ : state)
         for (std::size_t block = 0; block < block_count(stage); ++block) run_block(stage, block);
-    count(state, resolution, work_of(stage.name, resolution));
+    count(state, resolution, tools::work_of(stage.name, resolution));
 }
 
 /// One thread is a direct call, without a job system.
@@ -74,10 +51,10 @@ void time_frame(benchmark::State& state, int resolution, Isa isa, int threads) {
         ocean_of(resolution, isa, threads == 1 ? make_serial_executor() : make_default_executor(threads));
     double time_s = 0;
     for (auto _ : state) benchmark::DoNotOptimize(ocean->frame_at(time_s += 1.0 / 72).tiles[0].height.data);
-    Work work{};
+    tools::StageWork work{};
     for (const Stage& stage : ocean->graph().stages()) {
-        work.flops += work_of(stage.name, resolution).flops;
-        work.bytes += work_of(stage.name, resolution).bytes;
+        work.flops += tools::work_of(stage.name, resolution).flops;
+        work.bytes += tools::work_of(stage.name, resolution).bytes;
     }
     count(state, resolution, work);
 }

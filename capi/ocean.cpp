@@ -155,7 +155,7 @@ void show(pelagic_ocean& ocean, const Frame& frame) {
     if (ocean.has_queries) ocean.asked.show(SurfaceQuery(frame, ocean.query_tolerance_m));
 }
 
-FrameBuffers buffers_of(const pelagic_frame_buffers& buffers) {
+FrameBuffers ours_of(const pelagic_frame_buffers& buffers) {
     const auto part = []<class T>(T* data, std::size_t count) {
         // A pointer with a count of 0 is a mistake, not a wish for nothing; one element is never right.
         return data ? std::span<T>(data, count == 0 ? 1 : count) : std::span<T>();
@@ -172,35 +172,47 @@ FrameBuffers buffers_of(const pelagic_frame_buffers& buffers) {
             .moments_rgba8 = part(buffers.moments_rgba8, buffers.slopes_count)};
 }
 
-/// Where a host wants the tiles of a frame: his structs, one after the other, each of the size that the first states.
-class HostBuffers {
+/// As ours, of a struct that read_struct() has read.
+TextureTargets ours_of(const pelagic_texture_targets& targets) {
+    return {.displacement_rgba16f = targets.displacement_rgba16f,
+            .gradient_rgba8 = std::to_array(targets.gradient_rgba8),
+            .slopes_rgba8 = std::to_array(targets.slopes_rgba8),
+            .moments_rgba8 = std::to_array(targets.moments_rgba8)};
+}
+
+/// What a host says of each tile of a frame: his structs, one after the other, each of the size that the first states.
+template <class Theirs, class Ours>
+class OfEachTile {
    public:
     /// Throws std::invalid_argument for null and a wrong struct_size.
-    HostBuffers(const pelagic_frame_buffers* first, std::size_t tile_count) : count_(tile_count) {
-        const std::size_t bytes = struct_bytes(first, "buffers");
-        if (count_ > 1 && bytes % alignof(pelagic_frame_buffers) != 0)
-            refuse(refusal("buffers.struct_size", bytes, number_text(sizeof *first) + ", the size of the struct"));
+    OfEachTile(const Theirs* first, const std::string& name, std::size_t tile_count) : count_(tile_count) {
+        const std::size_t bytes = struct_bytes(first, name.c_str());
+        if (count_ > 1 && bytes % alignof(Theirs) != 0)
+            refuse(refusal(name + ".struct_size", bytes, number_text(sizeof *first) + ", the size of the struct"));
         // Before anybody looks behind the first: a host that knows one tile has one struct.
         if (std::max(first->tile_count, 1u) != count_)
-            refuse(refusal("buffers.tile_count", first->tile_count,
+            refuse(refusal(name + ".tile_count", first->tile_count,
                            number_text(count_) + ", with as many structs one after the other"));
         for (std::size_t i = 0; i < count_; ++i) {
-            const std::string name = i == 0 ? "buffers" : "buffers[" + number_text(i) + "]";
-            const auto* const at = reinterpret_cast<const pelagic_frame_buffers*>(
-                reinterpret_cast<const unsigned char*>(first) + i * bytes);
+            const std::string of_tile = i == 0 ? name : name + "[" + number_text(i) + "]";
+            const auto* const at =
+                reinterpret_cast<const Theirs*>(reinterpret_cast<const unsigned char*>(first) + i * bytes);
             if (at->struct_size != bytes)
-                refuse(refusal(name + ".struct_size", at->struct_size, number_text(bytes) + ", as the first's"));
-            if (i > 0 && at->tile_count != 0) refuse(refusal(name + ".tile_count", at->tile_count, "0"));
-            tiles_[i] = buffers_of(read_struct(at, name.c_str()));
+                refuse(refusal(of_tile + ".struct_size", at->struct_size, number_text(bytes) + ", as the first's"));
+            if (i > 0 && at->tile_count != 0) refuse(refusal(of_tile + ".tile_count", at->tile_count, "0"));
+            tiles_[i] = ours_of(read_struct(at, of_tile.c_str()));
         }
     }
-    std::span<const FrameBuffers> all() const { return {tiles_.data(), count_}; }
+    std::span<const Ours> all() const { return {tiles_.data(), count_}; }
 
    private:
     static constexpr std::size_t most_tiles = 4;
-    std::array<FrameBuffers, most_tiles> tiles_;
+    std::array<Ours, most_tiles> tiles_;
     std::size_t count_;
 };
+
+using HostBuffers = OfEachTile<pelagic_frame_buffers, FrameBuffers>;
+using HostTargets = OfEachTile<pelagic_texture_targets, TextureTargets>;
 
 }  // namespace
 }  // namespace pelagic::capi
@@ -246,6 +258,22 @@ pelagic_status pelagic_ocean_schedule(pelagic_ocean* ocean, double time_s) {
     });
 }
 
+pelagic_status pelagic_ocean_schedule_into(pelagic_ocean* ocean, double time_s,
+                                           const pelagic_texture_targets* targets) {
+    return guarded([&] {
+        need_no_frame_in_flight(needed(ocean, "ocean"));
+        need_finite(time_s);
+        Ocean& sea = ocean->ocean;
+        const HostTargets to(targets, "targets", sea.tile_count());
+        if (const std::string reason = check(to.all(), sea.tile_count(), sea.resolution(), ocean->contents);
+            !reason.empty())
+            refuse("targets: " + reason);
+        ocean->asked.wait_for_old_readers();
+        sea.schedule(time_s, to.all());
+        ocean->frame_in_flight = true;
+    });
+}
+
 pelagic_status pelagic_ocean_poll(const pelagic_ocean* ocean, int32_t* is_ready) {
     return guarded([&] {
         const Ocean& sea = needed(ocean, "ocean").ocean;
@@ -279,7 +307,7 @@ pelagic_status pelagic_ocean_tile(const pelagic_ocean* ocean, int32_t index, pel
 pelagic_status pelagic_ocean_copy(const pelagic_ocean* ocean, const pelagic_frame_buffers* buffers) {
     return guarded([&] {
         need_frame(needed(ocean, "ocean"));
-        copy_frame(*ocean->shown, HostBuffers(buffers, ocean->shown->tiles.size()).all());
+        copy_frame(*ocean->shown, HostBuffers(buffers, "buffers", ocean->shown->tiles.size()).all());
     });
 }
 
@@ -289,7 +317,7 @@ pelagic_status pelagic_ocean_frame_at(pelagic_ocean* ocean, double time_s, const
         need_no_frame_in_flight(needed(ocean, "ocean"));
         need_finite(time_s);
         Ocean& sea = ocean->ocean;
-        const HostBuffers to(buffers, sea.tile_count());
+        const HostBuffers to(buffers, "buffers", sea.tile_count());
         if (const std::string reason = check(to.all(), sea.tile_count(), sea.resolution(), ocean->contents);
             !reason.empty())
             refuse(reason);

@@ -362,6 +362,24 @@ typedef struct pelagic_tile {
  * frame that they read. PELAGIC_WRONG_ORDER if a frame is in flight. */
 PELAGIC_API pelagic_status pelagic_ocean_schedule(pelagic_ocean* ocean, double time_s);
 
+/* Where pelagic_ocean_schedule_into writes the textures of a tile: memory of the host's own, a mapped pixel buffer for instance.
+ * Pointers may be NULL: that map is in the frame then. Each byte is written once, in rows of whole registers, and none is read,
+ * so memory may be write-combined. For a frame of several tiles there is an array of them, as of pelagic_frame_buffers. */
+typedef struct pelagic_texture_targets {
+    uint32_t struct_size;
+    uint32_t tile_count;            /* of the first struct: the frame's tiles, 0 for one; of the others 0 */
+    uint16_t* displacement_rgba16f; /* 4 N^2 in tight rows, at a multiple of 64 bytes */
+    /* Level m: (N >> m)^2 texels in tight rows. All levels of a map, or none. */
+    uint32_t* gradient_rgba8[12];
+    uint32_t *slopes_rgba8[12], *moments_rgba8[12];
+} pelagic_texture_targets;
+
+/* pelagic_ocean_schedule, with textures in memory of the host's, which must stay until complete() returns. In the frame and
+ * its tiles what is written there is NULL, and pelagic_ocean_hash tells nothing of it. PELAGIC_INVALID_ARGUMENT for parts that
+ * the ocean was made without. */
+PELAGIC_API pelagic_status pelagic_ocean_schedule_into(pelagic_ocean* ocean, double time_s,
+                                                       const pelagic_texture_targets* targets);
+
 /* *is_ready becomes 1 if complete() would not wait for other threads, else 0: also 1 if no frame is in flight. Never blocks.
  * Do not spin on it: threads that others keep busy may leave the work to complete(). */
 PELAGIC_API pelagic_status pelagic_ocean_poll(const pelagic_ocean* ocean, int32_t* is_ready);

@@ -23,8 +23,9 @@ pelagic_packages=(
 )
 
 # What only tests need: an X server with a mouse, for the window's; pkg-config, as hosts use it; the reference compiler of GLSL,
-# for shaders that no driver here compiles; strace, to see that files are synced before they count.
-pelagic_test_packages=(xvfb xdotool x11-apps netpbm pkg-config glslang-tools spirv-tools strace)
+# for shaders that no driver here compiles; strace, to see that files are synced before they count; valgrind and Python, to
+# count instructions.
+pelagic_test_packages=(xvfb xdotool x11-apps netpbm pkg-config glslang-tools spirv-tools strace valgrind python3)
 
 # What only test.sh's secondary parts need: another compiler with libFuzzer and the C++ library that headsets have, and
 # 64-bit Arm to build for and to run.

@@ -81,11 +81,11 @@ int main() {
     baker.schedule({.sun_elevation_rad = 0.5f});
     renderer.set_sky(baker.complete());
 
-    ocean.schedule(0);
+    ocean.schedule(0, renderer.map_textures());
     for (int n = 1; n <= 3; ++n) {
         const Frame& frame = ocean.complete();  // scheduled one frame ago
-        ocean.schedule(n / 72.0);               // computed by other threads while this one draws
-        renderer.upload(frame);
+        renderer.upload(frame);                 // copies nothing: its textures are in a pixel buffer already
+        ocean.schedule(n / 72.0, renderer.map_textures());  // computed by other threads while this one draws
 
         const Camera camera{.position_m = {0, 6, 0}, .target_m = {60, 0, 40}};
         const gl::Eye eye = gl::eye_of(camera, {0, 0, width, height});

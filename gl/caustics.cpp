@@ -60,19 +60,12 @@ const Tile& tile_for(const Frame& frame, double depth_m) {
     return *best;
 }
 
-/// Mean square of a tile's slopes, both axes: its last mip has averaged all of them away.
-double slope_variance(const Tile& tile) {
-    if (tile.slopes_rgba8.empty()) return 0;
-    const SurfaceSlopes all = slopes_of_texel(tile.slopes_rgba8.back(), tile.moments_rgba8.back(), tile.slope_ranges);
-    return all.var_xx + all.var_zz;
-}
-
 /// How far waves that are finer than the tile's move light on the plane, in texels: the root of the mean square along an axis. A
 /// slope turns a ray by (1 - 1/n) of itself.
 double blur_of(const Frame& frame, const Tile& tile, double depth_m) {
     double variance = frame.figures.unresolved_slopes.total();
     for (const Tile* finer = &tile + 1; finer < frame.tiles.data() + frame.tiles.size(); ++finer)
-        variance += slope_variance(*finer);
+        variance += finer->slope_variance;
     return depth_m * (1 - 1 / water_index) * std::sqrt(0.5 * variance) / (tile.lattice.side_m / side);
 }
 

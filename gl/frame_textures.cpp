@@ -25,7 +25,7 @@ Texture make_texture(const Functions& gl, GLenum format, int side, GLsizei tiles
 }
 
 /// Why the textures can't take the frame; empty if they can.
-std::string refusal_of(const Frame& frame, int resolution, std::size_t tiles) {
+std::string refusal_of(const Frame& frame, int resolution, std::size_t tiles, bool is_mapped) {
     if (frame.tiles.size() != tiles)
         return "the frame has " + std::to_string(frame.tiles.size()) + " tiles, the renderer was made for " +
                std::to_string(tiles) + " (RendererOptions::tiles)";
@@ -34,7 +34,10 @@ std::string refusal_of(const Frame& frame, int resolution, std::size_t tiles) {
             return "the frame has tiles of " + std::to_string(tile.resolution()) +
                    " texels, the renderer was made for " + std::to_string(resolution) +
                    " (RendererOptions::resolution)";
-        if (tile.slopes_rgba8.empty())
+        const bool is_elsewhere = tile.displacement_rgba16f.empty();
+        if (is_elsewhere && !is_mapped)
+            return "the frame's textures are in memory of the host's; map() gives such that upload() knows";
+        if (tile.slopes_rgba8.empty() && !is_elsewhere)
             return "the frame has no slopes; drawing needs an ocean with OceanOptions::slopes";
     }
     return {};
@@ -54,7 +57,7 @@ FrameTextures::FrameTextures(const Functions& gl, int resolution, std::size_t ti
     for (PixelBuffer& pixels : ring_) {
         pixels.buffer = Buffer(gl);
         gl.BindBuffer(GL_PIXEL_UNPACK_BUFFER, pixels.buffer.name());
-        gl.BufferData(GL_PIXEL_UNPACK_BUFFER, static_cast<GLsizeiptr>(bytes_per_frame()), nullptr, GL_STREAM_DRAW);
+        gl.BufferData(GL_PIXEL_UNPACK_BUFFER, static_cast<GLsizeiptr>(mapped_bytes()), nullptr, GL_STREAM_DRAW);
     }
 }
 
@@ -98,14 +101,8 @@ void FrameTextures::upload_chain(GLuint texture, std::size_t offset) const {
     }
 }
 
-void FrameTextures::upload(const Frame& frame) {
-    if (const std::string reason = refusal_of(frame, resolution_, tiles_); !reason.empty())
-        throw std::invalid_argument(reason);
-    const KeptState keep(gl_);
+std::byte* FrameTextures::map_next() {
     PixelBuffer& pixels = ring_[next_buffer_];
-    next_buffer_ = (next_buffer_ + 1) % ring_.size();
-    set_ = 1 - set_;
-
     if (pixels.done) {
         constexpr GLuint64 a_second_ns = 1'000'000'000;
         if (gl_.ClientWaitSync(pixels.done, GL_SYNC_FLUSH_COMMANDS_BIT, a_second_ns) == GL_WAIT_FAILED)
@@ -115,23 +112,61 @@ void FrameTextures::upload(const Frame& frame) {
     }
     gl_.BindBuffer(GL_PIXEL_UNPACK_BUFFER, pixels.buffer.name());
     // The fence has said that nobody reads it.
-    auto* to = static_cast<std::byte*>(
-        gl_.MapBufferRange(GL_PIXEL_UNPACK_BUFFER, 0, static_cast<GLsizeiptr>(bytes_per_frame()),
+    auto* const start = static_cast<std::byte*>(
+        gl_.MapBufferRange(GL_PIXEL_UNPACK_BUFFER, 0, static_cast<GLsizeiptr>(mapped_bytes()),
                            GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT | GL_MAP_UNSYNCHRONIZED_BIT));
-    if (!to) {
+    if (!start) {
         check_context(gl_);
         throw GlError("the driver maps no pixel buffer; is it out of memory?");
     }
-    fill(to, frame);
+    const std::size_t beyond = reinterpret_cast<std::uintptr_t>(start) % TextureTargets::alignment;
+    pixels.offset = beyond == 0 ? 0 : TextureTargets::alignment - beyond;
+    mapped_ = start + pixels.offset;
+    return mapped_;
+}
+
+std::span<const TextureTargets> FrameTextures::map() {
+    if (mapped_) return targets_;
+    const KeptState keep(gl_);
+    std::byte* const start = map_next();
+    targets_.assign(tiles_, {});
+    const std::size_t halves = displacement_bytes() / sizeof(std::uint16_t) / tiles_;
+    for (std::size_t tile = 0; tile < tiles_; ++tile) {
+        TextureTargets& to = targets_[tile];
+        to.displacement_rgba16f = reinterpret_cast<std::uint16_t*>(start) + tile * halves;
+        auto* texels = reinterpret_cast<std::uint32_t*>(start + displacement_bytes());
+        for (auto chain : {&TextureTargets::slopes_rgba8, &TextureTargets::moments_rgba8})
+            for (std::size_t level = 0; level < static_cast<std::size_t>(mip_levels(resolution_)); ++level) {
+                const std::size_t layer = std::size_t{1}
+                                          << 2 * (mip_levels(resolution_) - 1 - static_cast<int>(level));
+                (to.*chain)[level] = texels + tile * layer;
+                texels += tiles_ * layer;
+            }
+    }
+    return targets_;
+}
+
+void FrameTextures::upload(const Frame& frame) {
+    if (const std::string reason = refusal_of(frame, resolution_, tiles_, mapped_ != nullptr); !reason.empty())
+        throw std::invalid_argument(reason);
+    const KeptState keep(gl_);
+    const bool is_there = frame.tiles.front().displacement_rgba16f.empty();
+    PixelBuffer& pixels = ring_[next_buffer_];
+    std::byte* const start = mapped_ ? mapped_ : map_next();
+    gl_.BindBuffer(GL_PIXEL_UNPACK_BUFFER, pixels.buffer.name());
+    if (!is_there) fill(start, frame);
     gl_.UnmapBuffer(GL_PIXEL_UNPACK_BUFFER);
+    mapped_ = nullptr;
+    next_buffer_ = (next_buffer_ + 1) % ring_.size();
+    set_ = 1 - set_;
 
     const Stopwatch driver;
     gl_.BindTexture(GL_TEXTURE_2D_ARRAY, displacement());
     gl_.TexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, 0, resolution_, resolution_, layers(), GL_RGBA, GL_HALF_FLOAT,
-                      nullptr);
+                      buffer_offset(pixels.offset));
     if (has_displacement_mips()) gl_.GenerateMipmap(GL_TEXTURE_2D_ARRAY);
-    upload_chain(slopes(), displacement_bytes());
-    upload_chain(moments(), displacement_bytes() + chain_bytes());
+    upload_chain(slopes(), pixels.offset + displacement_bytes());
+    upload_chain(moments(), pixels.offset + displacement_bytes() + chain_bytes());
     pixels.done = gl_.FenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
     driver_ms_ = driver.milliseconds();
 }

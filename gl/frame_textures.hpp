@@ -4,9 +4,12 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
+#include <vector>
 
 #include "pelagic/gl/objects.hpp"
 #include "pelagic/sim/frame.hpp"
+#include "pelagic/sim/texture_targets.hpp"
 
 namespace pelagic::gl {
 
@@ -26,6 +29,10 @@ class FrameTextures {
     /// resolution or with another number of tiles.
     void upload(const Frame& frame);
 
+    /// Targets in the next pixel buffer, for Ocean::schedule(): a frame written there is copied by nobody, and upload() only
+    /// starts it on its way. They are valid, on any thread, until then. Waits as upload() does. Throws GlError.
+    std::span<const TextureTargets> map();
+
     /// GL_TEXTURE_2D_ARRAY each; layer i is tile i.
     GLuint displacement() const { return sets_[set_].displacement.name(); }
     GLuint slopes() const { return sets_[set_].slopes.name(); }
@@ -39,9 +46,12 @@ class FrameTextures {
     std::size_t bytes_per_frame() const { return displacement_bytes() + 2 * chain_bytes(); }
 
    private:
+    std::byte* map_next();  ///< the next pixel buffer, from its offset on
     GLsizei layers() const { return static_cast<GLsizei>(tiles_); }
     std::size_t displacement_bytes() const;  ///< of all tiles
     std::size_t chain_bytes() const;         ///< the same, of one map
+    /// What a pixel buffer holds, and room to align it: GL ES promises no alignment of what it maps.
+    std::size_t mapped_bytes() const { return bytes_per_frame() + TextureTargets::alignment; }
     void fill(std::byte* to, const Frame& frame) const;
     void upload_chain(GLuint texture, std::size_t offset) const;
 
@@ -53,6 +63,7 @@ class FrameTextures {
     struct PixelBuffer {
         Buffer buffer;
         GLsync done = nullptr;
+        std::size_t offset = 0;  ///< bytes before the texels, which are as aligned as targets have to be
     };
 
     const Functions& gl_;
@@ -60,6 +71,8 @@ class FrameTextures {
     std::size_t tiles_;
     std::array<Set, 2> sets_;
     std::array<PixelBuffer, 3> ring_;
+    std::vector<TextureTargets> targets_;
+    std::byte* mapped_ = nullptr;  ///< texels of the next pixel buffer, while it is mapped
     std::size_t set_ = 0, next_buffer_ = 0;
     double driver_ms_ = 0;
 };

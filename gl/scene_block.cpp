@@ -134,12 +134,6 @@ void place_foam(SceneBlock& block, const SeaState& sea, glm::dvec2 viewer) {
     block.foam_kind = {streaks_cover(sea.wind_speed_mps), 0.5 - 0.2 * order, fresh_foam_m, sea.choppiness};
 }
 
-/// The last mip is one texel: the variance of all waves.
-float whole_variance(const Tile& tile) {
-    const SurfaceSlopes all = slopes_of_texel(tile.slopes_rgba8.back(), tile.moments_rgba8.back(), tile.slope_ranges);
-    return static_cast<float>(all.var_xx + all.var_zz);
-}
-
 }  // namespace
 
 SeaFacts facts_of(const Frame& frame) {
@@ -154,7 +148,7 @@ SeaFacts facts_of(const Frame& frame) {
         facts.tiles.push_back({.lattice = tile.lattice,
                                .ranges = tile.slope_ranges,
                                .longest_wave_m = longest_wave_m,
-                               .slope_variance = whole_variance(tile),
+                               .slope_variance = static_cast<float>(tile.slope_variance),
                                .whitecap_jacobian = tile.whitecap_jacobian});
         longest_wave_m = 3 * tile.texel_m();
     }

@@ -284,6 +284,8 @@ void SeaRenderer::set_caustics(const Caustics& caustics) {
                        caustics.options.depth_m};
 }
 
+std::span<const TextureTargets> SeaRenderer::map_textures() { return state_->textures.map(); }
+
 void SeaRenderer::upload(const Frame& frame) {
     const Stopwatch all;
     state_->textures.upload(frame);

@@ -104,6 +104,9 @@ class SeaRenderer {
     /// From here on the frame's sea is drawn, at its time; the frame's views may go stale. Throws what
     /// FrameTextures::upload() throws, and draws on what was uploaded before then.
     void upload(const Frame& frame);
+    /// Where Ocean::schedule() may write the textures of the frame that is uploaded next, which spares a copy of them
+    /// (FrameTextures::map()). Call it before the frame is scheduled.
+    std::span<const TextureTargets> map_textures();
     /// \pre upload() and set_sky() have been called; all pointers are set; patches have options.patch_vertices
     const DrawFigures& draw(const DrawInput& input);
 

@@ -107,14 +107,8 @@ void LevelMap::demand_of_parents(int level) {
     }
 }
 
-float LevelMap::measure(int level, std::int32_t x, std::int32_t z) const {
-    if (level < 0 || level >= deepest_) return -1;
-    const Window& w = windows_[static_cast<std::size_t>(level)];
-    return w.holds(x, z) ? w.at(x, z) : -1;
-}
-
-std::uint16_t LevelMap::weight(int level, std::int32_t x, std::int32_t z) const {
-    const float part = std::clamp(measure(level, x, z) / zone, 0.f, 1.f);
+std::uint16_t LevelMap::weight(float measure) {
+    const float part = std::clamp(measure / zone, 0.f, 1.f);
     return static_cast<std::uint16_t>(part * 65535.f + 0.5f);
 }
 

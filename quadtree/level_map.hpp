@@ -41,11 +41,17 @@ class LevelMap {
     /// Cells of the finest level along a side.
     std::int32_t width() const { return std::int32_t{1} << deepest_; }
 
-    /// The node (x, z) of that level is drawn as its children. Any x and z: nothing is split outside of the grid.
+    /// g of the node (x, z) of that level, raised by what others demand; any level, x and z: -1 where nothing is split.
+    float measure(int level, std::int32_t x, std::int32_t z) const {
+        if (level < 0 || level >= deepest_) return -1;
+        const Window& w = windows_[static_cast<std::size_t>(level)];
+        return w.holds(x, z) ? w.at(x, z) : -1;
+    }
+    /// The node is drawn as its children.
     bool splits(int level, std::int32_t x, std::int32_t z) const { return measure(level, x, z) > 0; }
 
-    /// 0 to 65535: how far the vertices that the children add have come. 0 unless the node is split.
-    std::uint16_t weight(int level, std::int32_t x, std::int32_t z) const;
+    /// 0 to 65535, from a node's measure: how far the vertices that its children add have come. 0 unless it is split.
+    static std::uint16_t weight(float measure);
 
     /// The level drawn over a cell of the finest level; the deepest one that splits allows.
     int level_at(std::int32_t cell_x, std::int32_t cell_z) const;
@@ -64,7 +70,6 @@ class LevelMap {
         float at(std::int32_t x, std::int32_t z) const { return const_cast<Window*>(this)->at(x, z); }
     };
 
-    float measure(int level, std::int32_t x, std::int32_t z) const;
     void open_window(int level, const glm::dvec3& viewer_m);
     void demand_of_parents(int level);
 

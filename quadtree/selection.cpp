@@ -1,6 +1,7 @@
 #include "pelagic/quadtree/selection.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <stdexcept>
 
@@ -11,7 +12,6 @@ namespace pelagic {
 namespace {
 
 constexpr double furthest_m = 1e8;  // steps of the finest vertices still fit an exact double
-constexpr std::size_t most_views = 32;
 
 QuadtreeOptions checked(const QuadtreeOptions& options) {
     if (const std::string reason = check(options); !reason.empty()) throw std::invalid_argument(reason);
@@ -35,6 +35,8 @@ void check_bounds(const SurfaceBounds& b) {
             "bounds need finite metres, height_min_m <= height_max_m and sideways distances of 0 or more");
 }
 
+constexpr std::size_t most_views = 32;
+
 /// The neighbour's place across a side.
 constexpr std::int32_t step_x[4] = {1, 0, -1, 0};
 constexpr std::int32_t step_z[4] = {0, 1, 0, -1};
@@ -49,6 +51,7 @@ Selection::Selection(const QuadtreeOptions& options) : options_(checked(options)
                                     : 0));
     list_.skirt.reserve(4 * static_cast<std::size_t>(levels_.width()));
     stack_.reserve(4 + 3 * static_cast<std::size_t>(levels_.deepest_level()));
+    culling_.reserve(most_views);
     frusta_.reserve(most_views);
     next_frusta_.reserve(most_views);
 }
@@ -90,42 +93,47 @@ QuadtreeGrid Selection::grid_around(glm::dvec2 centre_m) const {
     return grid;
 }
 
-std::uint32_t Selection::views_that_see(const Box& box, std::uint32_t of) const {
-    std::uint32_t seeing = 0;
-    for (std::size_t v = 0; v < frusta_.size(); ++v)
-        if ((of >> v & 1) != 0 && frusta_[v].may_see(box)) seeing |= 1u << v;
-    return seeing;
+/// The views that see a node, of those that see its parent. Who sees all of the parent isn't asked.
+Selection::Views Selection::views_that_see(const Node& node) const {
+    Views views = node.parent;
+    for (std::uint32_t left = node.parent.part; left != 0; left &= left - 1) {
+        const std::uint32_t view = left & (0 - left);
+        const NodeCulling& culling = culling_[static_cast<std::size_t>(std::countr_zero(left))];
+        switch (culling.sight_of(node.level, node.x, node.z)) {
+            case NodeCulling::Sight::none: views.part ^= view; break;
+            case NodeCulling::Sight::part: break;
+            case NodeCulling::Sight::whole: views.part ^= view, views.whole |= view;
+        }
+    }
+    return views;
 }
 
 void Selection::walk(const SurfaceBounds& bounds) {
-    const QuadtreeGrid& grid = list_.grid;
     // Rest level included: the waves fade out.
-    const double low = std::min(bounds.height_min_m, 0.0), high = std::max(bounds.height_max_m, 0.0);
-    const glm::dvec2 corner_m = glm::dvec2(grid.corner) * grid.step_m;
-    const glm::dvec2 sideways(bounds.sideways_x_max_m, bounds.sideways_z_max_m);
+    const BoxesOfNodes boxes{.low_m = std::min(bounds.height_min_m, 0.0),
+                             .high_m = std::max(bounds.height_max_m, 0.0),
+                             .sideways_m = {bounds.sideways_x_max_m, bounds.sideways_z_max_m},
+                             .cull_scale = options_.cull_scale};
+    culling_.clear();
+    for (const Frustum& frustum : frusta_) culling_.emplace_back(frustum, list_.grid, boxes);
     const bool culls = !frusta_.empty();
+    const auto all_views = static_cast<std::uint32_t>((std::uint64_t{1} << frusta_.size()) - 1);
 
     found_.clear();
     stack_.clear();
-    stack_.push_back({0, 0, 0, static_cast<std::uint32_t>((std::uint64_t{1} << frusta_.size()) - 1)});
+    stack_.push_back({0, 0, 0, {.part = all_views, .whole = 0}});
     while (!stack_.empty()) {
-        Node node = stack_.back();
+        const Node node = stack_.back();
         stack_.pop_back();
         ++list_.figures.nodes_visited;
-        if (culls) {
-            const double half_m = grid.patch_size_m(node.level) / 2;
-            const glm::dvec2 centre = corner_m + glm::dvec2(node.x + 0.5, node.z + 0.5) * (2 * half_m);
-            const glm::dvec2 half = half_m * options_.cull_scale + sideways;
-            node.seeing = views_that_see({{centre.x, (low + high) / 2, centre.y}, {half.x, (high - low) / 2, half.y}},
-                                         node.seeing);
-            if (node.seeing == 0) continue;
-        }
+        const Views views = views_that_see(node);
+        if (culls && (views.part | views.whole) == 0) continue;
         if (!levels_.splits(node.level, node.x, node.z)) {
             emit(node);
             continue;
         }
         for (const std::int32_t child : {3, 2, 1, 0})  // the lowest x and z comes off first
-            stack_.push_back({node.level + 1, 2 * node.x + child % 2, 2 * node.z + child / 2, node.seeing});
+            stack_.push_back({node.level + 1, 2 * node.x + child % 2, 2 * node.z + child / 2, views});
     }
 }
 
@@ -139,16 +147,19 @@ void Selection::emit(const Node& node) {
     found.patch.diagonals = static_cast<std::uint8_t>((node.x + node.z) * (options_.vertices / 2) & 1);
     if (node.level > 0) {
         const int above = node.level - 1;
-        const std::int32_t cells = std::int32_t{1} << node.level;
-        const std::uint16_t inner = levels_.weight(above, node.x >> 1, node.z >> 1);
+        const std::int32_t parents = std::int32_t{1} << above;
+        const std::int32_t parent_x = node.x >> 1, parent_z = node.z >> 1;
+        const std::uint16_t inner = LevelMap::weight(levels_.measure(above, parent_x, parent_z));
         found.patch.inner_weight = inner;
         for (std::size_t side_of = 0; side_of < 4; ++side_of) {
-            const std::int32_t x = node.x + step_x[side_of], z = node.z + step_z[side_of];
+            const std::int32_t x = (node.x + step_x[side_of]) >> 1, z = (node.z + step_z[side_of]) >> 1;
             std::uint16_t& weight = found.patch.edge_weights[side_of];
             weight = inner;
-            if (x < 0 || z < 0 || x >= cells || z >= cells) continue;  // the skirt takes every vertex
-            weight = std::min(inner, levels_.weight(above, x >> 1, z >> 1));
-            if (!levels_.splits(above, x >> 1, z >> 1)) found.stitches |= static_cast<std::uint8_t>(1u << side_of);
+            if (x == parent_x && z == parent_z) continue;                  // a sibling
+            if (x < 0 || z < 0 || x >= parents || z >= parents) continue;  // the skirt takes every vertex
+            const float measure = levels_.measure(above, x, z);
+            weight = std::min(inner, LevelMap::weight(measure));
+            if (!(measure > 0)) found.stitches |= static_cast<std::uint8_t>(1u << side_of);
         }
     }
     found_.push_back(found);
@@ -176,19 +187,21 @@ void Selection::sort_into_batches() {
 }
 
 void Selection::walk_border() {
-    const QuadtreeGrid& grid = list_.grid;
-    const std::int32_t width = levels_.width();
     list_.skirt.clear();
-    for (const Side side : {east, north, west, south}) {
-        const std::int32_t across = side == east || side == north ? width - 1 : 0;
-        const bool along_z = side == east || side == west;
-        for (std::int32_t cell = 0; cell < width;) {
-            const int level = along_z ? levels_.level_at(across, cell) : levels_.level_at(cell, across);
-            list_.skirt.push_back(
-                {static_cast<std::uint16_t>(cell * grid.vertices), static_cast<std::uint8_t>(level), side});
-            cell += std::int32_t{1} << (grid.deepest_level - level);
-        }
+    for (const Side side : {east, north, west, south}) walk_side(side, 0, 0);
+}
+
+/// The nodes of a level that touch a side, from the one at `along` of its nodes down to what is drawn.
+void Selection::walk_side(Side side, std::int32_t level, std::int32_t along) {
+    const std::int32_t across = side == east || side == north ? (std::int32_t{1} << level) - 1 : 0;
+    const bool along_z = side == east || side == west;
+    if (along_z ? levels_.splits(level, across, along) : levels_.splits(level, along, across)) {
+        walk_side(side, level + 1, 2 * along);
+        walk_side(side, level + 1, 2 * along + 1);
+        return;
     }
+    list_.skirt.push_back(
+        {static_cast<std::uint16_t>(along * list_.grid.patch_side(level)), static_cast<std::uint8_t>(level), side});
 }
 
 }  // namespace pelagic

@@ -17,6 +17,7 @@
 #include "pelagic/quadtree/draw_list.hpp"
 #include "pelagic/quadtree/frustum.hpp"
 #include "pelagic/quadtree/level_map.hpp"
+#include "pelagic/quadtree/node_culling.hpp"
 #include "pelagic/quadtree/quadtree_options.hpp"
 
 namespace pelagic {
@@ -69,9 +70,13 @@ class Selection {
     const QuadtreeOptions& options() const { return options_; }
 
    private:
+    /// A bit for each view that sees a part of a node, and for each that sees all of it.
+    struct Views {
+        std::uint32_t part, whole;
+    };
     struct Node {
         std::int32_t level, x, z;
-        std::uint32_t seeing;  ///< a bit for each view that saw its parent
+        Views parent;
     };
     struct Found {
         PatchInstance patch;
@@ -80,16 +85,18 @@ class Selection {
 
     QuadtreeGrid grid_around(glm::dvec2 centre_m) const;
     void walk(const SurfaceBounds& bounds);
+    Views views_that_see(const Node& node) const;
     void emit(const Node& node);
     void sort_into_batches();
     void walk_border();
-    std::uint32_t views_that_see(const Box& box, std::uint32_t of) const;
+    void walk_side(Side side, std::int32_t level, std::int32_t along);
 
     QuadtreeOptions options_;
     LevelMap levels_;
     DrawList list_;
     std::vector<Frustum> frusta_, next_frusta_;
     std::vector<Node> stack_;
+    std::vector<NodeCulling> culling_;  ///< of each view
     std::vector<Found> found_;
 };
 

@@ -41,7 +41,8 @@ struct Frame {
 
 /// XXH3 of every output of the frame: of each tile the rows of dx, height and dz, the half floats, the gradient chain (of
 /// several tiles the two chains of slopes instead) and the bounds, in this order, little-endian. The time is not in it, nor are
-/// velocities, folds and whichever chains only OceanOptions asked for: whoever wants them has the same sea as one who doesn't. Two frames with equal hashes hold the same bits.
+/// velocities, folds and whichever chains only OceanOptions asked for: whoever wants them has the same sea as one who doesn't.
+/// Textures that were written into memory of the host's (texture_targets.hpp) are not in it either. Two frames with equal hashes hold the same bits.
 std::uint64_t hash_of(const Frame& frame);
 
 }  // namespace pelagic

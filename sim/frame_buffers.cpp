@@ -74,6 +74,9 @@ void copy_frame(const Frame& frame, std::span<const FrameBuffers> tiles) {
                                           .slopes = !first.slopes_rgba8.empty()});
         !reason.empty())
         throw std::invalid_argument(reason);
+    for (std::size_t i = 0; i < tiles.size(); ++i)
+        if (!tiles[i].displacement_rgba16f.empty() && frame.tiles[i].displacement_rgba16f.empty())
+            throw std::invalid_argument("displacement_rgba16f is wanted, but was written into the host's own memory");
     for (std::size_t i = 0; i < tiles.size(); ++i) {
         const Tile& from = frame.tiles[i];
         const FrameBuffers& to = tiles[i];

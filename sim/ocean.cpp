@@ -64,9 +64,10 @@ class Ocean::Sources {
         for (const auto& cascade : cascades_) cascade->add_spectrum_stage(graph);
     }
 
-    void begin_frame(double time_s) {
+    void begin_frame(double time_s, std::span<const TextureTargets> targets) {
         const DefaultFloatEnvironment environment;
         slots_.turn();
+        slots_.write_textures_to(targets);
         Frame& frame = slots_.frame();
         frame.time_s = time_s;
         frame.sea = sea_;
@@ -75,6 +76,7 @@ class Ocean::Sources {
         for (const auto& cascade : cascades_) cascade->begin_frame(time_s);
     }
     const Frame& end_frame() {
+        slots_.finish_textures();
         Frame& frame = slots_.frame();
         frame.bounds = {};
         for (std::size_t tile = 0; tile < cascades_.size(); ++tile) {
@@ -120,7 +122,7 @@ class Ocean::Sources {
     }
 
     const SeaState& sea() const { return sea_; }
-    const FrameExtras& extras() const { return extras_; }
+    FrameContents contents() const { return {extras_.velocities, extras_.gradients, extras_.slopes}; }
     std::size_t tile_count() const { return slots_.tile_count(); }
     int resolution() const { return slots_.resolution(); }
     std::size_t texels() const {
@@ -188,10 +190,14 @@ Ocean::Ocean(const SeaState& sea, OceanOptions options) : state_(new State(check
 
 Ocean::~Ocean() = default;
 
-void Ocean::schedule(double time_s) {
+void Ocean::schedule(double time_s, std::span<const TextureTargets> tiles) {
     assert(!state_->frame_in_flight && "complete() the frame in flight first");
     assert(std::isfinite(time_s));
-    state_->sources.begin_frame(time_s);
+    if (const std::string reason =
+            tiles.empty() ? std::string() : check(tiles, tile_count(), resolution(), state_->sources.contents());
+        !reason.empty())
+        throw std::invalid_argument(reason);
+    state_->sources.begin_frame(time_s, tiles);
     try {
         state_->frame_run->schedule();
     } catch (...) {
@@ -227,9 +233,8 @@ const Frame& Ocean::frame_at(double time_s) {
 
 FrameBounds Ocean::frame_at(double time_s, std::span<const FrameBuffers> tiles) {
     const Frame* const completed = state_->completed;
-    const FrameExtras& extras = state_->sources.extras();
-    const FrameContents contents{extras.velocities, extras.gradients, extras.slopes};
-    if (const std::string reason = check(tiles, tile_count(), resolution(), contents); !reason.empty())
+    if (const std::string reason = check(tiles, tile_count(), resolution(), state_->sources.contents());
+        !reason.empty())
         throw std::invalid_argument(reason);
     const Frame& frame = frame_at(time_s);
     copy_frame(frame, tiles);

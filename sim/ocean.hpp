@@ -19,6 +19,7 @@
 #include "pelagic/sim/frame.hpp"
 #include "pelagic/sim/frame_buffers.hpp"
 #include "pelagic/sim/sea_state.hpp"
+#include "pelagic/sim/texture_targets.hpp"
 #include "pelagic/simd/host_memory.hpp"
 #include "pelagic/simd/isa.hpp"
 
@@ -52,7 +53,12 @@ class Ocean {
     /// with it sooner than other threads would be. Any finite time, in any order: a frame is a pure function of
     /// the sea and the time, and time_s + n * loop_period_s gives the same bits.
     /// \pre no frame is in flight
-    void schedule(double time_s);
+    void schedule(double time_s) { schedule(time_s, {}); }
+
+    /// The same with textures in memory of the host's, by tile. The frame has no views of what is written there, and
+    /// hash_of() none of its bits; the memory must stay until complete() returns. Throws
+    /// std::invalid_argument(check(targets, ...)) before it computes.
+    void schedule(double time_s, std::span<const TextureTargets> tiles);
 
     /// complete() would not wait for other threads: they are done with the frame, or have no part in it (a small frame, an
     /// executor without threads), or none is in flight. Never blocks.

@@ -68,7 +68,9 @@ class SurfaceQuery {
     bool has_velocities() const { return frame_.tiles.front().velocity_y.data != nullptr; }
 
    private:
-    void hand_out(const SurfaceSamples& samples, const PointChunk& chunk) const;
+    bool has_sample(double x, double z) const;
+    void take(const SurfacePoints& points, PointChunk& chunk) const;
+    void hand_out(const SurfacePoints& points, const SurfaceSamples& samples, const PointChunk& chunk) const;
 
     const Kernels* kernels_;
     Frame frame_;

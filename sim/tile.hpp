@@ -109,6 +109,9 @@ struct Tile {
     /// what the bytes mean and how to get a normal. Empty in a frame of one tile unless OceanOptions::slopes.
     std::span<const std::uint32_t> slopes_rgba8, moments_rgba8;
     SlopeRanges slope_ranges;
+    /// Of h_x plus of h_z over the whole tile, as the chains' last level has it, also where they are in memory of the host's
+    /// (texture_targets.hpp); 0 without slopes.
+    double slope_variance = 0;
     FrameBounds bounds;  ///< exact, not estimates
     /// Below this Jacobian of the tile the sea is white: as much of it, in the mean over time, as whitecaps cover in that wind
     /// (spectrum/whitecaps.hpp), tiles together. no_whitecaps where the tile makes none.

@@ -10,6 +10,48 @@
 
 namespace pelagic::kernels {
 
+/// The words whose bytes are a, b, c and d, from the lowest up.
+/// \pre they are in [0, 255]
+#if defined(__AVX512BW__)
+template <HasLanes<16> Arch>
+PELAGIC_INLINE xsimd::batch<std::int32_t, Arch> words_of_bytes(xsimd::batch<std::int32_t, Arch> a,
+                                                               xsimd::batch<std::int32_t, Arch> b,
+                                                               xsimd::batch<std::int32_t, Arch> c,
+                                                               xsimd::batch<std::int32_t, Arch> d) {
+    const __m512i by_lane = _mm512_set4_epi32(0x0F0B0703, 0x0E0A0602, 0x0D090501, 0x0C080400);
+    return _mm512_shuffle_epi8(_mm512_packus_epi16(_mm512_packs_epi32(a, b), _mm512_packs_epi32(c, d)), by_lane);
+}
+#endif
+#if defined(__AVX2__)
+template <HasLanes<8> Arch>
+PELAGIC_INLINE xsimd::batch<std::int32_t, Arch> words_of_bytes(xsimd::batch<std::int32_t, Arch> a,
+                                                               xsimd::batch<std::int32_t, Arch> b,
+                                                               xsimd::batch<std::int32_t, Arch> c,
+                                                               xsimd::batch<std::int32_t, Arch> d) {
+    const __m256i by_lane = _mm256_set_epi32(0x0F0B0703, 0x0E0A0602, 0x0D090501, 0x0C080400, 0x0F0B0703, 0x0E0A0602,
+                                             0x0D090501, 0x0C080400);
+    return _mm256_shuffle_epi8(_mm256_packus_epi16(_mm256_packs_epi32(a, b), _mm256_packs_epi32(c, d)), by_lane);
+}
+#endif
+#if defined(__x86_64__)
+template <HasLanes<4> Arch>
+PELAGIC_INLINE xsimd::batch<std::int32_t, Arch> words_of_bytes(xsimd::batch<std::int32_t, Arch> a,
+                                                               xsimd::batch<std::int32_t, Arch> b,
+                                                               xsimd::batch<std::int32_t, Arch> c,
+                                                               xsimd::batch<std::int32_t, Arch> d) {
+    const __m128i by_lane = _mm_set_epi32(0x0F0B0703, 0x0E0A0602, 0x0D090501, 0x0C080400);
+    return _mm_shuffle_epi8(_mm_packus_epi16(_mm_packs_epi32(a, b), _mm_packs_epi32(c, d)), by_lane);
+}
+#else
+template <class Arch>
+PELAGIC_INLINE xsimd::batch<std::int32_t, Arch> words_of_bytes(xsimd::batch<std::int32_t, Arch> a,
+                                                               xsimd::batch<std::int32_t, Arch> b,
+                                                               xsimd::batch<std::int32_t, Arch> c,
+                                                               xsimd::batch<std::int32_t, Arch> d) {
+    return vsliq_n_s32(vsliq_n_s32(vsliq_n_s32(a, b, 8), c, 16), d, 24);
+}
+#endif
+
 /// The bytes of a, b, c and d, from the lowest up, each rounded, cut to [-128, 127] and moved up by 128.
 /// \pre magnitudes are below 2^31
 #if defined(__AVX512BW__)

@@ -51,33 +51,35 @@ PELAGIC_INLINE void store_halves(xsimd::batch<float, Arch> a, xsimd::batch<float
 #endif
 #if defined(__x86_64__)
 
-/// The half's 16 bits in the low half of each lane, the high half zero.
-template <class Arch>
-inline xsimd::batch<std::int32_t, Arch> half_bits(xsimd::batch<float, Arch> value) {
-    using V = xsimd::batch<float, Arch>;
-    using I = xsimd::batch<std::int32_t, Arch>;
+/// The magnitude of a float as the bits of a half, which is more than infinity's if the float is too large for one.
+///
+/// A power of two is added that is 2^13 times the float's own, or times 2^-14 for smaller ones: in the sum stand ten bits of the
+/// mantissa, rounded by the hardware, and the hidden one, below the exponent. A half's bits are the mantissa, hidden bit and all,
+/// plus 2^10 times the exponent from 2^-14 up; so the sum's low 16 bits and 2^3 times its high 16 bits only want a constant.
+template <HasLanes<4> Arch>
+PELAGIC_INLINE __m128i half_magnitude(__m128i bits) {
+    const __m128i magnitude = _mm_and_si128(bits, _mm_set1_epi32(0x7FFFFFFF));
+    const __m128i exponent =
+        _mm_max_epi32(_mm_and_si128(bits, _mm_set1_epi32(0x7F800000)), _mm_set1_epi32(113 << 23));
+    const __m128i power = _mm_add_epi32(exponent, _mm_set1_epi32(13 << 23));
+    const __m128i sum = _mm_castps_si128(_mm_add_ps(_mm_castsi128_ps(magnitude), _mm_castsi128_ps(power)));
+    return _mm_sub_epi32(_mm_madd_epi16(sum, _mm_set1_epi32((8 << 16) | 1)), _mm_set1_epi32((113 + 13) << 10));
+}
 
-    const I bits = xsimd::bitwise_cast<I>(value);
-    const I magnitude = bits & I(0x7FFFFFFF);
-    const I sign = (bits >> 16) & I(0x8000);
-
-    // Normal: move the exponent's bias from 127 to 15, add half a step less the parity of the kept mantissa, cut.
-    // Carries run into the exponent as they should; above the largest half they reach infinity's pattern or beyond.
-    const I parity = (magnitude >> 13) & I(1);
-    const I rounded = (magnitude + I(((15 - 127) << 23) + 0xFFF) + parity) >> 13;
-    const I normal = xsimd::min(rounded, I(0x7C00));
-
-    // Below 2^-14: adding 1/2 leaves the half's mantissa, rounded by the hardware, in the lowest bits of the sum.
-    const I subnormal = xsimd::bitwise_cast<I>(xsimd::bitwise_cast<V>(magnitude) + V(0.5f)) - I(0x3F000000);
-
-    return xsimd::select(magnitude < I(113 << 23), subnormal, normal) | sign;
+/// Halves of a, then of b. The packs cut what is too large, and leave a float's sign where it was.
+template <HasLanes<4> Arch>
+PELAGIC_INLINE __m128i halves_of(xsimd::batch<float, Arch> a, xsimd::batch<float, Arch> b) {
+    const __m128i a_bits = _mm_castps_si128(a), b_bits = _mm_castps_si128(b);
+    const __m128i magnitude = _mm_packs_epi32(half_magnitude<Arch>(a_bits), half_magnitude<Arch>(b_bits));
+    const __m128i sign = _mm_and_si128(_mm_packs_epi32(a_bits, b_bits), _mm_set1_epi16(-0x8000));
+    return _mm_or_si128(_mm_min_epi16(magnitude, _mm_set1_epi16(0x7C00)), sign);
 }
 
 template <HasLanes<4> Arch>
 PELAGIC_INLINE void store_halves(xsimd::batch<float, Arch> a, xsimd::batch<float, Arch> b,
                                  xsimd::batch<float, Arch> c, xsimd::batch<float, Arch> d, std::uint16_t* out) {
-    const __m128i ab = half_bits<Arch>(a) | (half_bits<Arch>(b) << 16);
-    const __m128i cd = half_bits<Arch>(c) | (half_bits<Arch>(d) << 16);
+    const __m128i ac = halves_of<Arch>(a, c), bd = halves_of<Arch>(b, d);
+    const __m128i ab = _mm_unpacklo_epi16(ac, bd), cd = _mm_unpackhi_epi16(ac, bd);
     __m128i* to = reinterpret_cast<__m128i*>(out);
     _mm_store_si128(to, _mm_unpacklo_epi32(ab, cd));
     _mm_store_si128(to + 1, _mm_unpackhi_epi32(ab, cd));

@@ -42,57 +42,71 @@ PELAGIC_INLINE xsimd::batch<float, Arch> pair_sums(xsimd::batch<float, Arch> low
 }
 #endif
 
-/// The lanes of `here` moved by `count`, 1 or 2, with what is missing from the end of `before`: lane i is lane i - count.
-/// And the other way: lane i is lane i + count of `here`, the last ones the first of `behind`.
+/// What two registers side by side share for moving lanes from one into the other. On AVX2 it takes an instruction to make, and
+/// serves the register on its left as well as the one on its right; elsewhere it is the two themselves.
+template <class Arch>
+struct Seam {
+    xsimd::batch<float, Arch> left, right;
+};
+
+/// The lanes of `here` moved by `count`, 1 or 2, with what is missing from the end of what stands left of it: lane i is
+/// lane i - count. And the other way: lane i is lane i + count of `here`, the last ones the first of what stands right of it.
 #if defined(__AVX512F__)
 template <int count, HasLanes<16> Arch>
-PELAGIC_INLINE xsimd::batch<float, Arch> lanes_before(xsimd::batch<float, Arch> before,
-                                                      xsimd::batch<float, Arch> here) {
+PELAGIC_INLINE xsimd::batch<float, Arch> lanes_before(const Seam<Arch>& seam, xsimd::batch<float, Arch> here) {
     return _mm512_castsi512_ps(
-        _mm512_alignr_epi32(_mm512_castps_si512(here), _mm512_castps_si512(before), 16 - count));
+        _mm512_alignr_epi32(_mm512_castps_si512(here), _mm512_castps_si512(seam.left), 16 - count));
 }
 template <int count, HasLanes<16> Arch>
-PELAGIC_INLINE xsimd::batch<float, Arch> lanes_behind(xsimd::batch<float, Arch> here,
-                                                      xsimd::batch<float, Arch> behind) {
-    return _mm512_castsi512_ps(_mm512_alignr_epi32(_mm512_castps_si512(behind), _mm512_castps_si512(here), count));
+PELAGIC_INLINE xsimd::batch<float, Arch> lanes_behind(xsimd::batch<float, Arch> here, const Seam<Arch>& seam) {
+    return _mm512_castsi512_ps(
+        _mm512_alignr_epi32(_mm512_castps_si512(seam.right), _mm512_castps_si512(here), count));
 }
 #endif
 #if defined(__AVX2__)
+/// The last four lanes of the left one and the first four of the right one.
+template <HasLanes<8> Arch>
+struct Seam<Arch> {
+    __m256i middle;
+
+    Seam() = default;
+    PELAGIC_INLINE Seam(xsimd::batch<float, Arch> left, xsimd::batch<float, Arch> right)
+        : middle(_mm256_castps_si256(_mm256_permute2f128_ps(left, right, 0x21))) {}
+};
 template <int count, HasLanes<8> Arch>
-PELAGIC_INLINE xsimd::batch<float, Arch> lanes_before(xsimd::batch<float, Arch> before,
-                                                      xsimd::batch<float, Arch> here) {
-    const __m256i middle = _mm256_castps_si256(_mm256_permute2f128_ps(before, here, 0x21));
-    return _mm256_castsi256_ps(_mm256_alignr_epi8(_mm256_castps_si256(here), middle, 16 - 4 * count));
+PELAGIC_INLINE xsimd::batch<float, Arch> lanes_before(const Seam<Arch>& seam, xsimd::batch<float, Arch> here) {
+    return _mm256_castsi256_ps(_mm256_alignr_epi8(_mm256_castps_si256(here), seam.middle, 16 - 4 * count));
 }
 template <int count, HasLanes<8> Arch>
-PELAGIC_INLINE xsimd::batch<float, Arch> lanes_behind(xsimd::batch<float, Arch> here,
-                                                      xsimd::batch<float, Arch> behind) {
-    const __m256i middle = _mm256_castps_si256(_mm256_permute2f128_ps(here, behind, 0x21));
-    return _mm256_castsi256_ps(_mm256_alignr_epi8(middle, _mm256_castps_si256(here), 4 * count));
+PELAGIC_INLINE xsimd::batch<float, Arch> lanes_behind(xsimd::batch<float, Arch> here, const Seam<Arch>& seam) {
+    return _mm256_castsi256_ps(_mm256_alignr_epi8(seam.middle, _mm256_castps_si256(here), 4 * count));
 }
 #endif
 #if defined(__x86_64__)
 template <int count, HasLanes<4> Arch>
-PELAGIC_INLINE xsimd::batch<float, Arch> lanes_before(xsimd::batch<float, Arch> before,
-                                                      xsimd::batch<float, Arch> here) {
-    return _mm_castsi128_ps(_mm_alignr_epi8(_mm_castps_si128(here), _mm_castps_si128(before), 16 - 4 * count));
+PELAGIC_INLINE xsimd::batch<float, Arch> lanes_before(const Seam<Arch>& seam, xsimd::batch<float, Arch> here) {
+    return _mm_castsi128_ps(_mm_alignr_epi8(_mm_castps_si128(here), _mm_castps_si128(seam.left), 16 - 4 * count));
 }
 template <int count, HasLanes<4> Arch>
-PELAGIC_INLINE xsimd::batch<float, Arch> lanes_behind(xsimd::batch<float, Arch> here,
-                                                      xsimd::batch<float, Arch> behind) {
-    return _mm_castsi128_ps(_mm_alignr_epi8(_mm_castps_si128(behind), _mm_castps_si128(here), 4 * count));
+PELAGIC_INLINE xsimd::batch<float, Arch> lanes_behind(xsimd::batch<float, Arch> here, const Seam<Arch>& seam) {
+    return _mm_castsi128_ps(_mm_alignr_epi8(_mm_castps_si128(seam.right), _mm_castps_si128(here), 4 * count));
 }
 #else
 template <int count, class Arch>
-PELAGIC_INLINE xsimd::batch<float, Arch> lanes_before(xsimd::batch<float, Arch> before,
-                                                      xsimd::batch<float, Arch> here) {
-    return vextq_f32(before, here, 4 - count);
+PELAGIC_INLINE xsimd::batch<float, Arch> lanes_before(const Seam<Arch>& seam, xsimd::batch<float, Arch> here) {
+    return vextq_f32(seam.left, here, 4 - count);
 }
+template <int count, class Arch>
+PELAGIC_INLINE xsimd::batch<float, Arch> lanes_behind(xsimd::batch<float, Arch> here, const Seam<Arch>& seam) {
+    return vextq_f32(here, seam.right, count);
+}
+#endif
+
+/// For those that look at one side only.
 template <int count, class Arch>
 PELAGIC_INLINE xsimd::batch<float, Arch> lanes_behind(xsimd::batch<float, Arch> here,
                                                       xsimd::batch<float, Arch> behind) {
-    return vextq_f32(here, behind, count);
+    return lanes_behind<count, Arch>(here, Seam<Arch>{here, behind});
 }
-#endif
 
 }  // namespace pelagic::kernels

@@ -20,7 +20,7 @@ struct BadInput {
 std::vector<BadInput> bad_inputs() {
     std::vector<BadInput> all = {
         // Commands and words.
-        {{}, {"no command", "export", "info", "quadtree"}},
+        {{}, {"no command", "bench", "export", "info", "quadtree"}},
         {{"exprot"}, {"exprot", "export"}},
         {{"--frobnicate"}, {"--frobnicate", "export"}},
         {{"export", "--out", "OUT", "stray"}, {"stray", "unexpected"}},
@@ -37,6 +37,15 @@ std::vector<BadInput> bad_inputs() {
         {{"export", "--out", "OUT/wave.%04d.exr"}, {"--out", "wave.%04d.exr", "a folder", "displacement_0000.exr"}},
         {{"export", "--out", "OUT.png"}, {"--out", "a folder", "displacement_0000.exr"}},
         // The quadtree's options.
+        {{"bench", "--sizes", "64,100"}, {"--sizes", "is 64,100", "powers of two from 16 to 2048"}},
+        {{"bench", "--sizes", "4096"}, {"--sizes", "is 4096", "powers of two from 16 to 2048"}},
+        {{"bench", "--sizes", "64,"}, {"--sizes", "is 64,", "powers of two from 16 to 2048"}},
+        {{"bench", "--sizes", "-64"}, {"--sizes", "is -64", "powers of two from 16 to 2048"}},
+        {{"bench", "--seconds", "0"}, {"--seconds", "is 0", "[0.1, 3600]"}},
+        {{"bench", "--seconds", "long"}, {"--seconds", "is long", "[0.1, 3600]"}},
+        {{"bench", "--isa", "mmx"}, {"--isa", "is mmx", "on this CPU"}},
+        {{"bench", "--threads", "-1"}, {"--threads", "is -1", "0 to 1024"}},
+        {{"bench", "--json", ""}, {"--json", "empty", "a file"}},
         {{"quadtree", "--size", "255"}, {"--size", "is 255", "[256, 8192]"}},
         {{"quadtree", "--size", "9000"}, {"--size", "is 9000", "[256, 8192]"}},
         {{"quadtree", "--size", "nan"}, {"--size", "is nan", "[256, 8192]"}},

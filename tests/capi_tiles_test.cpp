@@ -47,6 +47,56 @@ class CInterfaceTiles : public testing::Test {
     }
 };
 
+/// A frame's textures of N = 32, in memory of the host's.
+struct HostTextures {
+    static constexpr std::size_t texels = 32 * 32, chain = (4 * texels - 1) / 3;
+    alignas(64) std::uint16_t halves[4 * texels];
+    std::uint32_t slopes[chain], moments[chain];
+
+    pelagic_texture_targets targets(std::uint32_t tile_count, const std::uint32_t (&offset)[12]) {
+        auto out = sized<pelagic_texture_targets>();
+        out.tile_count = tile_count;
+        out.displacement_rgba16f = halves;
+        for (int level = 0; level < 6; ++level) {
+            out.slopes_rgba8[level] = slopes + offset[level];
+            out.moments_rgba8[level] = moments + offset[level];
+        }
+        return out;
+    }
+};
+
+TEST_F(CInterfaceTiles, TexturesGoIntoMemoryOfTheHosts) {
+    const COcean usual = ocean_of(stack_sea(3), serial.get()), elsewhere = ocean_of(stack_sea(3), serial.get());
+    const pelagic_frame frame = complete(usual.get(), 4);
+    const std::vector<pelagic_tile> expected = tiles_of(usual.get(), frame);
+    std::vector<HostTextures> memory(3);
+    std::vector<pelagic_texture_targets> targets;
+    for (std::size_t i = 0; i < 3; ++i)
+        targets.push_back(memory[i].targets(i == 0 ? 3 : 0, expected[i].level_offset));
+
+    auto shown = sized<pelagic_frame>();
+    ASSERT_EQ(pelagic_ocean_schedule_into(elsewhere.get(), 4, targets.data()), PELAGIC_OK) << pelagic_last_error();
+    EXPECT_EQ(pelagic_ocean_schedule_into(elsewhere.get(), 5, targets.data()), PELAGIC_WRONG_ORDER);
+    ASSERT_EQ(pelagic_ocean_complete(elsewhere.get(), &shown), PELAGIC_OK) << pelagic_last_error();
+    const std::vector<pelagic_tile> tiles = tiles_of(elsewhere.get(), shown);
+    EXPECT_EQ(shown.displacement_rgba16f, nullptr);
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_EQ(std::memcmp(memory[i].halves, expected[i].displacement_rgba16f, sizeof memory[i].halves), 0) << i;
+        EXPECT_EQ(std::memcmp(memory[i].slopes, expected[i].slopes_rgba8, sizeof memory[i].slopes), 0) << i;
+        EXPECT_EQ(std::memcmp(memory[i].moments, expected[i].moments_rgba8, sizeof memory[i].moments), 0) << i;
+        EXPECT_TRUE(!tiles[i].displacement_rgba16f && !tiles[i].slopes_rgba8 && !tiles[i].moments_rgba8);
+    }
+
+    targets[0].tile_count = 2;
+    expect_invalid(pelagic_ocean_schedule_into(elsewhere.get(), 5, targets.data()),
+                   "targets.tile_count is 2, needs 3, with as many structs one after the other");
+    targets[0].tile_count = 3;
+    targets[1].moments_rgba8[2] = nullptr;
+    expect_invalid(pelagic_ocean_schedule_into(elsewhere.get(), 5, targets.data()),
+                   "targets: moments_rgba8 lacks level 2, needs 6 levels");
+    expect_invalid(pelagic_ocean_schedule_into(elsewhere.get(), 5, nullptr), "targets is NULL, needs a pointer");
+}
+
 bool is_same(const pelagic_plane& a, const pelagic_plane& b) {
     return a.data == b.data && a.resolution == b.resolution && a.block_columns == b.block_columns &&
            a.row_stride == b.row_stride && a.block_stride == b.block_stride;

@@ -60,7 +60,7 @@ TEST(CommandLineEdges, AreOneLineAndExitCode2) {
 }
 
 TEST(CommandLineEdges, VersionWorksForEachCommand) {
-    for (const char* command : {"export", "info", "query"})
+    for (const char* command : {"bench", "export", "info", "query"})
         EXPECT_EQ(run_pelagic({command, "--version"}).out, run_pelagic({"--version"}).out);
 }
 

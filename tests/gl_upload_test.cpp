@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "pelagic/simd/aligned_buffer.hpp"
 #include "pelagic/tests/gl_scene.hpp"
 
 namespace pelagic {
@@ -39,9 +40,16 @@ class GlUploads : public testing::TestWithParam<int> {};
 // Seven uploads go around the ring of pixel buffers and the pair of textures more than once.
 TEST_P(GlUploads, TexturesHoldTheFramesBytesInEveryMip) {
     GlScene scene({.resolution = 64, .cascades = GetParam(), .width = 64, .height = 64});
+    Ocean mapped(scene.ocean.sea(), {.executor = make_serial_executor(), .slopes = true});
     for (int i = 0; i < 7; ++i) {
         const Frame& frame = scene.ocean.frame_at(0.37 * i);
-        scene.renderer->upload(frame);
+        if (i % 3 == 2) {  // its texels were written where the driver takes them from
+            mapped.schedule(frame.time_s, scene.renderer->map_textures());
+            scene.renderer->upload(mapped.complete());
+        } else {
+            if (i % 3 == 1) scene.renderer->map_textures();  // and nobody wrote there
+            scene.renderer->upload(frame);
+        }
         const gl::FrameTextures& textures = scene.renderer->textures();
         ASSERT_EQ(frame.tiles.size(), static_cast<std::size_t>(GetParam()));
         for (int layer = 0; layer < GetParam(); ++layer) {
@@ -94,6 +102,13 @@ TEST(GlUpload, RefusesAFrameThatTheTexturesCannotTakeAndSaysWhatIsMissing) {
     EXPECT_EQ(refused({.cascades = 3, .resolution = 32}, {.executor = serial}),
               "the frame has 3 tiles, the renderer was made for 1 (RendererOptions::tiles)");
     EXPECT_THROW(gl::SeaRenderer(context.functions(), {.tiles = 5}), std::invalid_argument);
+
+    Ocean ocean({.resolution = 32, .patch_size_m = 60}, {.executor = serial, .slopes = true});
+    AlignedBuffer<std::uint16_t> halves(4 * 32 * 32);
+    const TextureTargets elsewhere{.displacement_rgba16f = halves.data()};
+    ocean.schedule(0, {&elsewhere, 1});
+    EXPECT_EQ(refusal_of(renderer, ocean.complete()),
+              "the frame's textures are in memory of the host's; map() gives such that upload() knows");
 }
 
 TEST(GlUpload, AChangeOfSeaDrawsEachFrameAsTheSeaThatItIs) {

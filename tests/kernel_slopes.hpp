@@ -40,8 +40,8 @@ inline unfused::TileSlopes slopes_by(const Kernels& kernels, const unfused::Tile
                          .sine = planes.sine,
                          .ranges = ranges,
                          .rgba16f = halves.data(),
-                         .slopes = slopes.data(),
-                         .moments = moments.data(),
+                         .slopes = chain_in(slopes.data(), n),
+                         .moments = chain_in(moments.data(), n),
                          .averages = &averages};
     for (std::size_t job = 0; job < maps.jobs(); ++job) maps.make(kernels, job);
     maps.make_tail(kernels);

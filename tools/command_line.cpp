@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "pelagic/tools/bench_command.hpp"
 #include "pelagic/tools/errors.hpp"
 #include "pelagic/tools/export_command.hpp"
 #include "pelagic/tools/info_command.hpp"
@@ -25,7 +26,7 @@
 namespace pelagic::tools {
 namespace {
 
-constexpr const char* commands_text = "export, info, quadtree, query, render or view";
+constexpr const char* commands_text = "bench, export, info, quadtree, query, render or view";
 
 std::vector<std::string> option_names(const CLI::App& app) {
     std::vector<std::string> names;
@@ -99,6 +100,9 @@ int run(int argc, const char* const* argv) {
     app.get_formatter()->column_width(34);
 
     app.require_subcommand(0, 1);
+    CLI::App& bench_app = *app.add_subcommand("bench", "how long frames take on this machine, beside others");
+    BenchFlags bench_flags;
+    bench_flags.add_to(bench_app);
     CLI::App& export_app = *app.add_subcommand("export", "write frames of a sea as images, and sea.json");
     ExportFlags export_flags;
     export_flags.add_to(export_app);
@@ -127,7 +131,7 @@ int run(int argc, const char* const* argv) {
     view_app.allow_extras();
 #endif
 
-    for (CLI::App* command : {&export_app, &info_app, &quadtree_app, &query_app, &render_app, &view_app})
+    for (CLI::App* command : {&bench_app, &export_app, &info_app, &quadtree_app, &query_app, &render_app, &view_app})
         command->set_version_flag("--version", "pelagic " PELAGIC_VERSION);
 
     const std::vector<std::string> words = without_help_command({argv + 1, argv + argc});
@@ -143,7 +147,9 @@ int run(int argc, const char* const* argv) {
     } catch (const CLI::ParseError& error) {
         throw from_cli(error, app, words);
     }
-    if (export_app.parsed())
+    if (bench_app.parsed())
+        bench_flags.run();
+    else if (export_app.parsed())
         run_export(export_flags.resolve());
     else if (info_app.parsed())
         info_flags.run();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <stdexcept>
 #include <vector>
 
@@ -103,6 +104,11 @@ ComputeOptions ComputeFlags::resolve() const {
         throw InputError(error.what());
     }
     return options;
+}
+
+bool ComputeFlags::names_isa() const {
+    const char* const wish = std::getenv("PELAGIC_ISA");
+    return isa_ || (wish && *wish);
 }
 
 void ExportFlags::add_to(CLI::App& app) {

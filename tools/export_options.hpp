@@ -24,6 +24,7 @@ class ComputeFlags {
    public:
     void add_to(CLI::App& app);
     ComputeOptions resolve() const;  ///< throws InputError
+    bool names_isa() const;          ///< here or by PELAGIC_ISA
 
    private:
     std::optional<std::string> threads_, isa_;

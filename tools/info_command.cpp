@@ -13,6 +13,7 @@
 #include "pelagic/tools/measure_report.hpp"
 #include "pelagic/tools/output_folder.hpp"
 #include "pelagic/tools/sea_json.hpp"
+#include "pelagic/tools/stage_work.hpp"
 
 namespace pelagic::tools {
 namespace {
@@ -105,9 +106,7 @@ void print_table(const Json& json) {
     std::string stages;
     for (const Json& stage : computing.at("stages")) {
         const auto name = stage.at("name").get<std::string>();
-        const std::size_t at = name.rfind(" c");
-        const bool is_of_finer_tile = at != std::string::npos && at + 3 == name.size();  // "evolve+rows c1"
-        if (is_of_finer_tile) continue;                                                  // as those of the coarsest
+        if (job_of(name) != name) continue;  // of a finer tile, as those of the coarsest
         stages += (stages.empty() ? "" : " -> ") + name;
     }
     computing["stages"] = stages;

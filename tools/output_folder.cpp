@@ -214,4 +214,10 @@ void OutputFile::write(std::span<const std::byte> bytes) const {
 
 void OutputFile::write(std::string_view text) const { write(std::as_bytes(std::span(text))); }
 
+std::optional<OutputFile> file_for(const char* option, const std::optional<std::string>& file) {
+    if (!file) return {};
+    if (file->empty()) throw InputError(std::string(option) + " is empty, needs a file to write to");
+    return std::optional<OutputFile>(std::in_place, *file);
+}
+
 }  // namespace pelagic::tools

@@ -90,4 +90,7 @@ class OutputFile {
     std::string name_;
 };
 
+/// What an option names; none without the option. Throws InputError if it names nothing, and FileError as OutputFile does.
+std::optional<OutputFile> file_for(const char* option, const std::optional<std::string>& file);
+
 }  // namespace pelagic::tools

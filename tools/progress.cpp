@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <cmath>
 #include <cstdio>
 #include <utility>
 
@@ -15,14 +16,18 @@ Progress::~Progress() {
 }
 
 void Progress::show(std::size_t done) {
+    show(item_ + " " + std::to_string(done) + " of " + std::to_string(total_),
+         static_cast<double>(done) / static_cast<double>(total_));
+}
+
+void Progress::show(const std::string& doing, double part) {
     const auto now = Clock::now();
-    if (!on_terminal_ || (now - last_shown_ < std::chrono::milliseconds(100) && done < total_)) return;
+    if (!on_terminal_ || (now - last_shown_ < std::chrono::milliseconds(100) && part < 1)) return;
     last_shown_ = now;
-    std::fprintf(stderr, "\r\033[K%s %zu of %zu, %zu %%", item_.c_str(), done, total_, 100 * done / total_);
-    if (done > 0) {
+    std::fprintf(stderr, "\r\033[K%s, %.0f %%", doing.c_str(), std::floor(100 * part));
+    if (part > 0) {
         const double elapsed = std::chrono::duration<double>(now - start_).count();
-        std::fprintf(stderr, ", %.0f s left",
-                     elapsed * static_cast<double>(total_ - done) / static_cast<double>(done));
+        std::fprintf(stderr, ", %.0f s left", elapsed * (1 - part) / part);
     }
     std::fflush(stderr);
 }

@@ -11,11 +11,14 @@ namespace pelagic::tools {
 class Progress {
    public:
     Progress(std::string item, std::size_t total);
+    Progress() : Progress("", 1) {}  ///< for work that is no number of items
     ~Progress();
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
     void show(std::size_t done);
+    /// \param part  what is done of the whole, 0 to 1
+    void show(const std::string& doing, double part);
 
    private:
     using Clock = std::chrono::steady_clock;

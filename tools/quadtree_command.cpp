@@ -23,13 +23,6 @@ namespace {
 constexpr double aspect = 16.0 / 9;
 constexpr double latest_s = 1e9;
 
-/// Opened before the work begins; none if there is no such option.
-std::optional<OutputFile> file_for(const char* option, const std::optional<std::string>& file) {
-    if (!file) return {};
-    if (file->empty()) throw InputError(std::string(option) + " is empty, needs a file to write to");
-    return std::optional<OutputFile>(std::in_place, *file);
-}
-
 /// One view, or two eyes side by side.
 std::vector<glm::dmat4> views_of(const Camera& camera, double eyes_apart_m) {
     if (eyes_apart_m == 0) return {camera.clip_from_world(aspect)};

@@ -6,6 +6,9 @@
 #include <array>
 #include <cmath>
 #include <complex>
+#include <span>
+#include <stdexcept>
+#include <string>
 
 #include "pelagic/sim/frame.hpp"
 #include "pelagic/sim/sources/packed_spectrum.hpp"
@@ -20,12 +23,26 @@ constexpr std::size_t wave_rows = 10;
 
 fftwf_complex* numbers(float* data) { return reinterpret_cast<fftwf_complex*>(data); }
 
-fftwf_plan real_plan(std::size_t size, float* spectrum, float* plane) {
+unsigned flags_of(FftwPlanning planning) {
+    return planning == FftwPlanning::read ? FFTW_PATIENT | FFTW_WISDOM_ONLY : FFTW_PATIENT;
+}
+
+fftwf_plan real_plan(std::size_t size, float* spectrum, float* plane, FftwPlanning planning) {
     const int n = static_cast<int>(size);
-    return fftwf_plan_dft_c2r_2d(n, n, numbers(spectrum), plane, FFTW_PATIENT);
+    return fftwf_plan_dft_c2r_2d(n, n, numbers(spectrum), plane, flags_of(planning));
 }
 
 }  // namespace
+
+void write_fftw_plans(const std::string& file) {
+    if (!fftwf_export_wisdom_to_filename(file.c_str()))
+        throw std::runtime_error("can't write FFTW's plans to " + file);
+}
+
+void read_fftw_plans(const std::string& file) {
+    if (!fftwf_import_wisdom_from_filename(file.c_str()))
+        throw std::runtime_error("can't read FFTW's plans from " + file);
+}
 
 struct FftwFrame::Plans {
     std::array<fftwf_plan, 3> all{};
@@ -35,7 +52,7 @@ struct FftwFrame::Plans {
     }
 };
 
-FftwFrame::FftwFrame(const SeaState& sea, Isa isa, FftwArrangement arrangement)
+FftwFrame::FftwFrame(const SeaState& sea, Isa isa, FftwArrangement arrangement, FftwPlanning planning)
     : sea_(sea),
       arrangement_(arrangement),
       kernels_(kernels_for(isa)),
@@ -52,16 +69,18 @@ FftwFrame::FftwFrame(const SeaState& sea, Isa isa, FftwArrangement arrangement)
         sideways_spectrum_ = AlignedBuffer<float>(2 * texels_);
         sideways_ = AlignedBuffer<float>(2 * texels_);
         const int n = sea.resolution;
-        plans_->all = {real_plan(size_, height_spectrum_.data(), plane(1)),
+        plans_->all = {real_plan(size_, height_spectrum_.data(), plane(1), planning),
                        fftwf_plan_dft_2d(n, n, numbers(sideways_spectrum_.data()), numbers(sideways_.data()),
-                                         FFTW_BACKWARD, FFTW_PATIENT)};
+                                         FFTW_BACKWARD, flags_of(planning))};
     } else {
         dx_spectrum_ = AlignedBuffer<float>(height_spectrum_.size());
         dz_spectrum_ = AlignedBuffer<float>(height_spectrum_.size());
-        plans_->all = {real_plan(size_, height_spectrum_.data(), plane(1)),
-                       real_plan(size_, dx_spectrum_.data(), plane(0)),
-                       real_plan(size_, dz_spectrum_.data(), plane(2))};
+        plans_->all = {real_plan(size_, height_spectrum_.data(), plane(1), planning),
+                       real_plan(size_, dx_spectrum_.data(), plane(0), planning),
+                       real_plan(size_, dz_spectrum_.data(), plane(2), planning)};
     }
+    for (const fftwf_plan plan : std::span(plans_->all).first(arrangement == FftwArrangement::packed ? 2 : 3))
+        if (!plan) throw std::runtime_error("FFTW has no plan for N = " + std::to_string(sea.resolution));
     // Planning writes to the arrays.
     for (AlignedBuffer<float>* spectrum : {&height_spectrum_, &sideways_spectrum_, &dx_spectrum_, &dz_spectrum_})
         std::fill(spectrum->data(), spectrum->data() + spectrum->size(), 0.f);

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <string>
 
 #include "pelagic/bench/peers/fftw_kernels.hpp"
 #include "pelagic/bench/peers/peer_frame.hpp"
@@ -23,10 +24,22 @@ enum class FftwArrangement {
     separate  ///< three real transforms
 };
 
+/// Where FFTW's plans come from.
+enum class FftwPlanning {
+    measured,  ///< here and now: seconds to minutes
+    read       ///< by read_fftw_plans(), as a program must that is counted and runs fifty times slower
+};
+
+/// All plans that this process has measured, for another one. Throws std::runtime_error.
+void write_fftw_plans(const std::string& file);
+void read_fftw_plans(const std::string& file);
+
 class FftwFrame {
    public:
-    /// Plans (seconds to minutes) and bakes. \pre check(sea) is empty, runs_here(isa), N >= 2 lanes of isa
-    FftwFrame(const SeaState& sea, Isa isa, FftwArrangement arrangement);
+    /// Plans and bakes. Throws std::runtime_error if plans that were read lack this one.
+    /// \pre check(sea) is empty, runs_here(isa), N >= 2 lanes of isa
+    FftwFrame(const SeaState& sea, Isa isa, FftwArrangement arrangement,
+              FftwPlanning planning = FftwPlanning::measured);
     ~FftwFrame();
 
     /// The frame at `time_s`, finite; valid until the next call. Never allocates.

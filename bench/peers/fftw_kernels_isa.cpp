@@ -99,32 +99,55 @@ void finalize(const FftwFinalizeJob& job) {
 /// Three planes with tight rows.
 class PlaneSurface {
    public:
-    explicit PlaneSurface(const GradientsJob& job) : job_(job), last_(job.resolution - 1) {}
+    explicit PlaneSurface(const GradientsJob& job)
+        : data_(job.surface), plane_stride_(job.block_stride), resolution_(job.resolution) {}
 
-    V at(SurfaceComponent component, std::size_t x, std::size_t z) const {
-        return V::load_unaligned(job_.surface + component * job_.block_stride + z * job_.resolution + x);
+    struct RowPair {
+        const float* first;
+        std::size_t plane_stride, row_stride;
+
+        PELAGIC_INLINE V at(SurfaceComponent component, std::size_t row) const {
+            return V::load_unaligned(first + component * plane_stride + row * row_stride);
+        }
+        void next() { first += V::size; }
+    };
+    RowPair rows(std::size_t x, std::size_t z) const {
+        return {data_ + z * resolution_ + x, plane_stride_, resolution_};
     }
 
     template <class Take>
     PELAGIC_INLINE void differences_of_row(std::size_t z, std::size_t first_column, std::size_t columns,
                                            Take take) const {
-        const std::size_t above = (z - 1) & last_, below = (z + 1) & last_;
-        for (std::size_t x = first_column; x < first_column + columns; x += V::size) {
-            const auto difference = [&](SurfaceComponent component) {
-                const V here = at(component, x, z);
-                const V before = at(component, (x - V::size) & last_, z);
-                const V behind = at(component, (x + V::size) & last_, z);
-                return kernels::Differences<Arch>{
-                    kernels::lanes_behind<1, Arch>(here, behind) - kernels::lanes_before<1, Arch>(before, here),
-                    at(component, x, below) - at(component, x, above)};
-            };
-            take(difference(surface_dx), difference(surface_height), difference(surface_dz));
-        }
+        const std::size_t last = resolution_ - 1;
+        const float* row = data_ + z * resolution_;
+        const float* above = data_ + ((z - 1) & last) * resolution_;
+        const float* below = data_ + ((z + 1) & last) * resolution_;
+        kernels::Seam<Arch> left[surface_components];
+        const auto load = [&](const float* from, std::size_t component, std::size_t x) {
+            return V::load_unaligned(from + component * plane_stride_ + x);
+        };
+        const std::size_t before = (first_column - V::size) & last;
+        for (std::size_t component = 0; component < surface_components; ++component)
+            left[component] = kernels::Seam<Arch>{load(row, component, before), load(row, component, first_column)};
+        const auto step = [&](std::size_t x) {
+            const std::size_t behind = (x + V::size) & last;
+            kernels::Differences<Arch> along[surface_components];
+            for (std::size_t component = 0; component < surface_components; ++component) {
+                const V here = load(row, component, x);
+                const kernels::Seam<Arch> right{here, load(row, component, behind)};
+                along[component].x = kernels::lanes_behind<1, Arch>(here, right) -
+                                     kernels::lanes_before<1, Arch>(left[component], here);
+                along[component].z = load(below, component, x) - load(above, component, x);
+                left[component] = right;
+            }
+            take(along);
+        };
+        for (std::size_t x = first_column; x < first_column + columns; x += V::size) step(x);
     }
 
    private:
-    const GradientsJob& job_;
-    std::size_t last_;
+    const float* data_;
+    std::size_t plane_stride_, resolution_;
 };
 
 void gradients(const GradientsJob& job) { kernels::gradients_of<Arch>(job, PlaneSurface(job)); }

@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <xsimd/xsimd.hpp>
 
 #include "pelagic/sim/kernels/block_surface.kernel.hpp"
@@ -13,44 +12,30 @@
 
 namespace pelagic::kernels {
 
-/// What the tile keeps for its mipmaps: sums of row pairs of level 0, and the levels made from them. Whole registers
-/// are read and written, two at a time.
+/// Normals of any length in a row of the tile, and the factors that make them unit vectors.
+enum NormalPlane { normal_x, normal_y, normal_z, inverse_length, normal_planes };
+using NormalRow = float[normal_planes][GradientsJob::tile_columns];
+
+/// What the tile keeps for its mipmaps. Whole registers are read and written, two at a time.
 template <class Arch>
 struct MipScratch {
-    static constexpr std::size_t slack = 2 * xsimd::batch<float, Arch>::size;
-    static constexpr std::size_t columns = GradientsJob::tile_columns + slack;
-    static constexpr std::size_t level_columns = GradientsJob::tile_columns / 2 + slack;
-    static constexpr std::size_t rows = GradientsJob::tile_rows / 2;
-
-    alignas(64) float sums[rows][mip_planes][columns];
-    alignas(64) float levels[2][rows][mip_planes + 1][level_columns];
-};
-
-/// A normal of any length, and the factor that makes it a unit vector.
-template <class Arch>
-struct Normal {
-    using V = xsimd::batch<float, Arch>;
-    V x, y, z, inverse_length;
-
-    static constexpr std::size_t floats = 4 * V::size;
-    static Normal load(const float* from) {
-        return {V::load_aligned(from), V::load_aligned(from + V::size), V::load_aligned(from + 2 * V::size),
-                V::load_aligned(from + 3 * V::size)};
+    static constexpr std::size_t columns(int level) {
+        return (GradientsJob::tile_columns >> level) + 2 * xsimd::batch<float, Arch>::size;
     }
-    void store(float* to) const {
-        x.store_aligned(to);
-        y.store_aligned(to + V::size);
-        z.store_aligned(to + 2 * V::size);
-        inverse_length.store_aligned(to + 3 * V::size);
-    }
+    template <int level>
+    using Rows = GradientRows<columns(level)>;
+
+    alignas(64) float level_1[GradientsJob::tile_rows / 2 * (mip_planes + 1) * columns(1)];
+    alignas(64) float level_2[GradientsJob::tile_rows / 4 * (mip_planes + 1) * columns(2)];
 };
 
 /// Equations 45 to 48, times (2 L/N)^2: differences are not divided by the distance, because the normal's length
 /// doesn't matter, and J, which is its y, takes the square of it later.
 template <class Arch>
-PELAGIC_INLINE Normal<Arch> normal_of(const Differences<Arch>& dx, const Differences<Arch>& h,
-                                      const Differences<Arch>& dz, xsimd::batch<float, Arch> two_texels) {
+PELAGIC_INLINE void store_normal(const Differences<Arch> (&along)[surface_components],
+                                 xsimd::batch<float, Arch> two_texels, NormalRow& row, std::size_t column) {
     using V = xsimd::batch<float, Arch>;
+    const auto& [dx, h, dz] = along;
     const V j_xx = two_texels + dx.x;
     const V j_zz = two_texels + dz.z;
     const V n_x = h.z * dz.x - h.x * j_zz;
@@ -58,7 +43,27 @@ PELAGIC_INLINE Normal<Arch> normal_of(const Differences<Arch>& dx, const Differe
     const V n_z = h.x * dx.z - h.z * j_xx;
     // A surface crushed to a point has no normal; the guard keeps it finite.
     const V squared = xsimd::max(n_x * n_x + n_y * n_y + n_z * n_z, V(1e-30f));
-    return {n_x, n_y, n_z, divided<Arch>(V(1.f), square_root<Arch>(squared))};
+    n_x.store_aligned(row[normal_x] + column);
+    n_y.store_aligned(row[normal_y] + column);
+    n_z.store_aligned(row[normal_z] + column);
+    divided<Arch>(V(1.f), square_root<Arch>(squared)).store_aligned(row[inverse_length] + column);
+}
+
+/// The normals of two rows.
+template <class Arch, class Surface, class Turn>
+inline void normals_of_rows(const GradientsJob& job, const Surface& surface, const Turn& turn, std::size_t z,
+                            std::size_t columns, NormalRow (&normals)[2]) {
+    using V = xsimd::batch<float, Arch>;
+    const V two_texels(job.two_texels_m);
+    for (std::size_t i = 0; i < 2; ++i) {
+        std::size_t column = 0;
+        surface.differences_of_row(z + i, job.first_column, columns,
+                                   [&](Differences<Arch>(&along)[surface_components]) {
+                                       for (Differences<Arch>& differences : along) turn(differences);
+                                       store_normal<Arch>(along, two_texels, normals[i], column);
+                                       column += V::size;
+                                   });
+    }
 }
 
 /// 0 where the surface keeps at least half of its area, 1 where it folds, linear between.
@@ -67,103 +72,95 @@ PELAGIC_INLINE xsimd::batch<float, Arch> foam_of(xsimd::batch<float, Arch> jacob
     return clamped<Arch>(xsimd::batch<float, Arch>(1.f) - (jacobian + jacobian), 0.f, 1.f);
 }
 
-/// Writes W texels of level 0 and, if wanted, of the half floats; returns in `averages` what the mipmaps average.
-template <class Arch>
-PELAGIC_INLINE void pack_texels(const GradientsJob& job, const Normal<Arch>& normal, xsimd::batch<float, Arch> dx,
-                                xsimd::batch<float, Arch> height, xsimd::batch<float, Arch> dz, std::size_t texel,
-                                xsimd::batch<float, Arch> (&averages)[mip_planes]) {
+/// Level 0 and the half floats of two rows of the tile, and the averages of level 1. What the job says is read once, before
+/// the stores, which might change it for all that the compiler knows.
+template <class Arch, bool with_halves, class Surface>
+inline void pack_rows(const GradientsJob& job, const Surface& surface, std::size_t z, std::size_t columns,
+                      const NormalRow (&normals)[2], float* averages, std::size_t plane_stride) {
     using V = xsimd::batch<float, Arch>;
-    const V jacobian = normal.y * V(job.jacobian_factor);
-    const V clamped_jacobian = clamped<Arch>(jacobian, -1.f, 1.f);
-    const V to_byte = normal.inverse_length * V(signed_byte_factor);
-    store_texels<Arch>(
-        signed_bytes<Arch>(normal.x * to_byte, normal.z * to_byte, clamped_jacobian * V(signed_byte_factor)) |
-            xsimd::batch<std::int32_t, Arch>(job.smoothness_bits),
-        job.levels[0] + texel);
+    using I = xsimd::batch<std::int32_t, Arch>;
+    const V jacobian_factor(job.jacobian_factor), normal_length(job.normal_length), byte_factor(signed_byte_factor);
+    const I smoothness(static_cast<std::int32_t>(static_cast<std::uint32_t>(job.smoothness_bits) >> 24));
+    const std::size_t n = job.resolution;
+    std::uint32_t* texels = job.levels[0] + z * n + job.first_column;
+    std::uint16_t* halves = with_halves ? job.rgba16f + 4 * (z * n + job.first_column) : nullptr;
+    auto rows = surface.rows(job.first_column, z);
 
-    if (job.rgba16f) store_halves<Arch>(dx, height, dz, foam_of<Arch>(jacobian), job.rgba16f + 4 * texel);
-
-    const V scaled = normal.inverse_length * V(job.normal_length);
-    averages[0] = normal.x * scaled;
-    averages[1] = normal.y * scaled;
-    averages[2] = normal.z * scaled;
-    averages[3] = clamped_jacobian;
-}
-
-/// Two rows of the tile, whose axes `turn` takes to the world's. Normals first, packing afterwards: roots and divisions take long to come, and short loops let
-/// the processor begin the next ones meanwhile.
-template <class Arch, class Surface, class Turn>
-inline void gradient_rows(const GradientsJob& job, const Surface& surface, const Turn& turn, std::size_t row,
-                          std::size_t columns, MipScratch<Arch>& scratch) {
-    using V = xsimd::batch<float, Arch>;
-    constexpr std::size_t row_floats = Normal<Arch>::floats * GradientsJob::tile_columns / V::size;
-    alignas(64) float normals[2][row_floats];
-    const std::size_t z = job.first_row + row;
-    const V two_texels(job.two_texels_m);
-    for (std::size_t i = 0; i < 2; ++i) {
-        float* to = normals[i];
-        surface.differences_of_row(z + i, job.first_column, columns,
-                                   [&](const auto& dx, const auto& h, const auto& dz) {
-                                       normal_of<Arch>(turn(dx), turn(h), turn(dz), two_texels).store(to);
-                                       to += Normal<Arch>::floats;
-                                   });
+    // The sums of two rows in W columns, and those of the next W.
+    const auto pack = [&](std::size_t column, V(&sums)[mip_planes]) {
+        for (std::size_t i = 0; i < 2; ++i) {
+            const auto normal = [&](NormalPlane plane) { return V::load_aligned(normals[i][plane] + column); };
+            const V inverse = normal(inverse_length);
+            const V jacobian = normal(normal_y) * jacobian_factor;
+            const V clamped_jacobian = clamped<Arch>(jacobian, -1.f, 1.f);
+            const V to_byte = inverse * byte_factor;
+            store_texels<Arch>(gradient_texels<Arch>(normal(normal_x) * to_byte, normal(normal_z) * to_byte,
+                                                     clamped_jacobian * byte_factor, smoothness),
+                               texels + i * n + column);
+            if constexpr (with_halves)
+                store_halves<Arch>(rows.at(surface_dx, i), rows.at(surface_height, i), rows.at(surface_dz, i),
+                                   foam_of<Arch>(jacobian), halves + 4 * (i * n + column));
+            const V scaled = inverse * normal_length;
+            const V averaged[mip_planes] = {normal(normal_x) * scaled, normal(normal_y) * scaled,
+                                            normal(normal_z) * scaled, clamped_jacobian};
+            for (std::size_t plane = 0; plane < mip_planes; ++plane)
+                sums[plane] = i == 0 ? averaged[plane] : sums[plane] + averaged[plane];
+        }
+        rows.next();
+    };
+    V low[mip_planes], high[mip_planes];
+    std::size_t column = 0;
+    for (; column + 2 * V::size <= columns; column += 2 * V::size) {
+        pack(column, low);
+        pack(column + V::size, high);
+        average_texels<Arch>(low, high, averages + column / 2, plane_stride);
     }
-    for (std::size_t column = 0; column < columns; column += V::size) {
-        const std::size_t x = job.first_column + column;
-        V averages[2][mip_planes];
-        for (std::size_t i = 0; i < 2; ++i)
-            pack_texels<Arch>(job, Normal<Arch>::load(normals[i] + column / V::size * Normal<Arch>::floats),
-                              surface.at(surface_dx, x, z + i), surface.at(surface_height, x, z + i),
-                              surface.at(surface_dz, x, z + i), (z + i) * job.resolution + x, averages[i]);
-        for (std::size_t plane = 0; plane < mip_planes; ++plane)
-            (averages[0][plane] + averages[1][plane]).store_aligned(scratch.sums[row / 2][plane] + column);
+    // A row of N = 16 is one register of AVX-512.
+    if constexpr (V::size == 16) {
+        if (column == columns) return;
+        pack(column, low);
+        average_texels<Arch>(low, low, averages + column / 2, plane_stride);
     }
 }
 
-/// The stage's whole job, for any surface that has at() and differences_of_row().
+/// The stage's whole job, for any surface that has rows() and differences_of_row().
 template <class Arch, class Surface>
 inline void gradients_of(const GradientsJob& job, const Surface& surface) {
     using V = xsimd::batch<float, Arch>;
+    using Scratch = MipScratch<Arch>;
     const std::size_t n = job.resolution;
     const std::size_t rows = n < GradientsJob::tile_rows ? n : GradientsJob::tile_rows;
     const std::size_t columns = n < GradientsJob::tile_columns ? n : GradientsJob::tile_columns;
-    MipScratch<Arch> scratch;
-    const auto all_rows = [&](const auto& turn) {
-        for (std::size_t row = 0; row < rows; row += 2)
-            gradient_rows<Arch>(job, surface, turn, row, columns, scratch);
+    const bool is_turned = job.sine != 0 || job.cosine != 1;
+    const Turned<Arch> turned{V(job.cosine), V(job.sine)};
+    const auto texels = [&](int level) {
+        return job.levels[level] + (job.first_row >> level) * (n >> level) + (job.first_column >> level);
     };
-    if (job.sine != 0 || job.cosine != 1)
-        all_rows(Turned<Arch>{V(job.cosine), V(job.sine)});
-    else
-        all_rows(NotTurned{});
+    alignas(64) NormalRow normals[2];
+    Scratch scratch;
+    const typename Scratch::template Rows<1> level_1{scratch.level_1};
+    const typename Scratch::template Rows<2> level_2{scratch.level_2};
+    const GradientRows<> all_of_level_3{job.averages, job.average_stride};
+    const GradientRows<> level_3{all_of_level_3.row(job.first_row >> 3) + (job.first_column >> 3),
+                                 job.average_stride};
 
-    for (int level = 1; level <= GradientsJob::tile_levels; ++level) {
-        const std::size_t side = n >> level;
-        const std::size_t first_row = job.first_row >> level, first_column = job.first_column >> level;
-        std::uint32_t* texels = job.levels[level] + first_row * side + first_column;
-        const LevelScratch finer{scratch.levels[level % 2][0][0], MipScratch<Arch>::level_columns};
-        const LevelScratch coarser{scratch.levels[(level + 1) % 2][0][0], MipScratch<Arch>::level_columns};
-        if (level == 1)
-            make_level<Arch>(
-                rows >> level, columns >> level,
-                [&](std::size_t row, std::size_t plane, std::size_t x) {
-                    return V::load_aligned(scratch.sums[row][plane] + x);
-                },
-                coarser, texels, side);
+    // Normals first, packing afterwards: roots and divisions take long to come, and short loops let the processor begin the
+    // next ones meanwhile.
+    for (std::size_t row = 0; row < rows; row += 2) {
+        const std::size_t z = job.first_row + row;
+        if (is_turned)
+            normals_of_rows<Arch>(job, surface, turned, z, columns, normals);
         else
-            make_level<Arch>(
-                rows >> level, columns >> level,
-                [&](std::size_t row, std::size_t plane, std::size_t x) {
-                    return row_pair_sum<Arch>(finer, row, plane, x);
-                },
-                coarser, texels, side);
-        if (level < GradientsJob::tile_levels) continue;
-        const LevelScratch all{job.averages, job.average_stride};
-        for (std::size_t row = 0; row < rows >> level; ++row)
-            for (std::size_t plane = 0; plane < mip_planes; ++plane)
-                std::memcpy(all.row(first_row + row) + plane * all.plane_stride + first_column,
-                            coarser.row(row) + plane * coarser.plane_stride, (columns >> level) * sizeof(float));
+            normals_of_rows<Arch>(job, surface, NotTurned{}, z, columns, normals);
+        float* averages = level_1.row(row / 2);
+        if (job.rgba16f)
+            pack_rows<Arch, true>(job, surface, z, columns, normals, averages, level_1.plane_stride());
+        else
+            pack_rows<Arch, false>(job, surface, z, columns, normals, averages, level_1.plane_stride());
+        texels_of_row<Arch>(averages, level_1.plane_stride(), columns / 2, texels(1) + row / 2 * (n / 2));
     }
+    make_level<Arch>(rows / 4, columns / 4, level_1, level_2, texels(2), n / 4);
+    make_level<Arch>(rows / 8, columns / 8, level_2, level_3, texels(3), n / 8);
 }
 
 template <class Arch>

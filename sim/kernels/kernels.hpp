@@ -127,7 +127,7 @@ struct SlopesJob {
 /// Stage `slopes tail`, one level: averages of 2 x 2 texels, packed. Averages are rows of slope_planes planes, `stride`
 /// floats each, at least 32 and the level's side.
 struct SlopeLevelJob {
-    const float* finer;  ///< averages of the finer level
+    float* finer;  ///< averages of the finer level
     std::size_t finer_stride;
     std::size_t side;
     float* averages;  ///< of this level; aliases no input
@@ -256,11 +256,12 @@ struct InvertStackJob {
 
     StackTile tiles[most_tiles];
     std::size_t tile_count;
-    float target;                ///< metres
-    float reach;                 ///< metres: no offset is longer than the largest displacement
-    std::size_t count;           ///< a multiple of W
-    float *offset_x, *offset_z;  ///< metres, from the given points to those that rest there; alias no input
-    float* error;                ///< remaining distance in metres
+    float target;                      ///< metres
+    float reach;                       ///< metres: no offset is longer than the largest displacement
+    std::size_t count;                 ///< a multiple of W
+    float *offset_x, *offset_z;        ///< metres, from the given points to those that rest there; alias no input
+    float* error;                      ///< remaining distance in metres
+    std::int32_t* blocks[most_tiles];  ///< of 2 x 2 cells of each tile, row by row: where that is
 };
 
 /// SampleSurfaceJob for a sum of tiles: slopes add, and normals are those of the sum.

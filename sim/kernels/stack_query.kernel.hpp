@@ -51,16 +51,12 @@ class StackSearch {
             const StackTile& tile = job.tiles[t];
             const TexelPlaces<Arch> texels(tile.surface);
             const StackPlaces<Arch> place(tile, at, x_, z_);
-            const I column = texels.column(place.x), next_column = texels.column(place.x + I(1));
-            const I row = texels.row(place.z), next_row = texels.row(place.z + I(1));
-            const I at00 = column + row, at10 = next_column + row, at01 = column + next_row,
-                    at11 = next_column + next_row;
-            const auto sideways = [&](const float* plane) {
-                const Corners<Arch> corners{gathered<Arch>(plane, at00), gathered<Arch>(plane, at10),
-                                            gathered<Arch>(plane, at01), gathered<Arch>(plane, at11)};
-                return Sideways<Arch>(corners, place.u, place.v, V(1.f));
-            };
-            const Sideways<Arch> dx = sideways(tile.surface.dx), dz = sideways(tile.surface.dz);
+            if (t >= tiles_loaded_)
+                cells_[t].load(tile.surface, texels, place.x, place.z);
+            else
+                cells_[t].follow(tile.surface, texels, place.x, place.z);
+            const Sideways<Arch> dx(cells_[t].dx, place.u, place.v, V(1.f)),
+                dz(cells_[t].dz, place.u, place.v, V(1.f));
             const V along(tile.along), across(tile.across);
             off_x = off_x + dx.value;
             off_z = off_z + dz.value;
@@ -69,6 +65,7 @@ class StackSearch {
             z_x = z_x + (along * dz.along_u - across * dz.along_v);
             z_z = z_z + (across * dz.along_u + along * dz.along_v);
         }
+        tiles_loaded_ = tiles;
         squared_ = off_x * off_x + off_z * off_z;
         const V determinant = x_x * z_z - x_z * z_x;
         const auto newton = determinant > V(InvertStackJob::least_determinant);
@@ -93,6 +90,11 @@ class StackSearch {
         x_.store_aligned(job.offset_x + at);
         z_.store_aligned(job.offset_z + at);
         square_root<Arch>(squared_).store_aligned(job.error + at);
+        for (std::size_t t = 0; t < job.tile_count; ++t) {
+            const int half = job.tiles[t].surface.resolution / 2;
+            const I column = cells_[t].x() >> 1 & I(half - 1), row = cells_[t].z() >> 1 & I(half - 1);
+            (row * I(half) + column).store_aligned(job.blocks[t] + at);
+        }
     }
 
    private:
@@ -100,6 +102,8 @@ class StackSearch {
         return xsimd::min(xsimd::max(offset, V(0.f) - reach), reach);
     }
 
+    SidewaysCells<Arch> cells_[most_tiles];
+    std::size_t tiles_loaded_ = 0;
     V x_ = V(0.f), z_ = V(0.f);
     V squared_, step_x_, step_z_;
 };
@@ -148,7 +152,6 @@ struct SlopeSum {
 template <class Arch>
 PELAGIC_INLINE void sample_stack_lanes(const SampleStackJob& job, std::size_t at) {
     using V = xsimd::batch<float, Arch>;
-    using I = xsimd::batch<std::int32_t, Arch>;
     const V offset_x = V::load_aligned(job.offset_x + at), offset_z = V::load_aligned(job.offset_z + at);
     const SampleSurfaceJob::Outputs& out = job.out;
     SlopeSum<Arch> dx, height, dz;
@@ -157,34 +160,23 @@ PELAGIC_INLINE void sample_stack_lanes(const SampleStackJob& job, std::size_t at
         const StackTile& tile = job.tiles[t];
         const TexelPlaces<Arch> texels(tile.surface);
         const StackPlaces<Arch> place(tile, at, offset_x, offset_z);
-        const I columns[4] = {texels.column(place.x - I(1)), texels.column(place.x), texels.column(place.x + I(1)),
-                              texels.column(place.x + I(2))};
-        const I rows[4] = {texels.row(place.z - I(1)), texels.row(place.z), texels.row(place.z + I(1)),
-                           texels.row(place.z + I(2))};
-        const auto value_of = [&](const float* plane) {
-            return bilinear<Arch>(
-                {gathered<Arch>(plane, columns[1] + rows[1]), gathered<Arch>(plane, columns[2] + rows[1]),
-                 gathered<Arch>(plane, columns[1] + rows[2]), gathered<Arch>(plane, columns[2] + rows[2])},
-                place.u, place.v);
-        };
         if (out.normal_x) {
             const V half_along(0.5f * tile.along), half_across(0.5f * tile.across);
-            const auto add_to = [&](SlopeSum<Arch>& sum, const float* plane) {
-                sum.add(CellSlopes<Arch>(
-                            [&](int column, int row) { return gathered<Arch>(plane, columns[column] + rows[row]); },
-                            place.u, place.v),
-                        half_along, half_across);
-            };
-            add_to(dx, tile.surface.dx);
-            add_to(height, tile.surface.height);
-            add_to(dz, tile.surface.dz);
+            CellSurroundings<Arch> around[3];
+            CellReader<Arch>(texels, place.x, place.z)
+                .read({tile.surface.dx, tile.surface.height, tile.surface.dz}, around);
+            dx.add(CellSlopes<Arch>(around[0], place.u, place.v), half_along, half_across);
+            height.add(CellSlopes<Arch>(around[1], place.u, place.v), half_along, half_across);
+            dz.add(CellSlopes<Arch>(around[2], place.u, place.v), half_along, half_across);
         } else if (out.height) {
-            height.value = height.value + value_of(tile.surface.height);
+            const CellGather<Arch> cell(texels, place.x, place.z);
+            height.value = height.value + bilinear<Arch>(cell.corners(tile.surface.height), place.u, place.v);
         }
         if (out.velocity_x) {
-            velocity_x = velocity_x + value_of(tile.surface.velocity_x);
-            velocity_y = velocity_y + value_of(tile.surface.velocity_y);
-            velocity_z = velocity_z + value_of(tile.surface.velocity_z);
+            const CellGather<Arch> cell(texels, place.x, place.z);
+            velocity_x = velocity_x + bilinear<Arch>(cell.corners(tile.surface.velocity_x), place.u, place.v);
+            velocity_y = velocity_y + bilinear<Arch>(cell.corners(tile.surface.velocity_y), place.u, place.v);
+            velocity_z = velocity_z + bilinear<Arch>(cell.corners(tile.surface.velocity_z), place.u, place.v);
         }
     }
     if (out.height) height.value.store_aligned(out.height + at);

@@ -8,6 +8,7 @@
 #include "pelagic/simd/always_inline.hpp"
 #include "pelagic/simd/exact.kernel.hpp"
 #include "pelagic/simd/gather.kernel.hpp"
+#include "pelagic/simd/windows.kernel.hpp"
 
 namespace pelagic::kernels {
 
@@ -35,6 +36,12 @@ class TexelPlaces {
     int block_shift_;
 };
 
+template <class Arch>
+PELAGIC_INLINE xsimd::batch<float, Arch> between(xsimd::batch<float, Arch> a, xsimd::batch<float, Arch> b,
+                                                 xsimd::batch<float, Arch> t) {
+    return a + t * (b - a);
+}
+
 /// Values of one plane at the corners of a cell: first index along x, second along z.
 template <class Arch>
 struct Corners {
@@ -42,16 +49,30 @@ struct Corners {
 };
 
 template <class Arch>
-PELAGIC_INLINE xsimd::batch<float, Arch> between(xsimd::batch<float, Arch> a, xsimd::batch<float, Arch> b,
-                                                 xsimd::batch<float, Arch> t) {
-    return a + t * (b - a);
-}
-
-template <class Arch>
 PELAGIC_INLINE xsimd::batch<float, Arch> bilinear(const Corners<Arch>& c, xsimd::batch<float, Arch> u,
                                                   xsimd::batch<float, Arch> v) {
     return between<Arch>(between<Arch>(c.v00, c.v10, u), between<Arch>(c.v01, c.v11, u), v);
 }
+
+/// Where the corners of W cells lie.
+template <class Arch>
+class CellGather {
+    using I = xsimd::batch<std::int32_t, Arch>;
+
+   public:
+    PELAGIC_INLINE CellGather(const TexelPlaces<Arch>& places, I x, I z)
+        : CellGather(places.column(x), places.column(x + I(1)), places.row(z), places.row(z + I(1))) {}
+
+    PELAGIC_INLINE Corners<Arch> corners(const float* plane) const {
+        return {at00_.from(plane), at10_.from(plane), at01_.from(plane), at11_.from(plane)};
+    }
+
+   private:
+    PELAGIC_INLINE CellGather(I column, I next_column, I row, I next_row)
+        : at00_(column + row), at10_(next_column + row), at01_(column + next_row), at11_(next_column + next_row) {}
+
+    Gather<Arch> at00_, at10_, at01_, at11_;
+};
 
 /// One sideways component inside a cell, in texels: its value and its slopes.
 template <class Arch>
@@ -65,6 +86,32 @@ struct Sideways {
         along_u = between<Arch>(c.v10 - c.v00, c.v11 - c.v01, v) * texels_per_m;
         along_v = (high - low) * texels_per_m;
     }
+};
+
+/// The sideways displacement at the corners of W cells. A search's last steps stay inside of them, and load nothing.
+template <class Arch>
+class SidewaysCells {
+    using I = xsimd::batch<std::int32_t, Arch>;
+
+   public:
+    PELAGIC_INLINE void load(const SurfaceTexels& surface, const TexelPlaces<Arch>& places, I x, I z) {
+        const CellGather<Arch> cell(places, x, z);
+        dx = cell.corners(surface.dx);
+        dz = cell.corners(surface.dz);
+        x_ = x;
+        z_ = z;
+    }
+    PELAGIC_INLINE void follow(const SurfaceTexels& surface, const TexelPlaces<Arch>& places, I x, I z) {
+        if (!xsimd::all((x == x_) & (z == z_))) load(surface, places, x, z);
+    }
+
+    I x() const { return x_; }
+    I z() const { return z_; }
+
+    Corners<Arch> dx, dz;
+
+   private:
+    I x_, z_;
 };
 
 /// W searches for a rest point.
@@ -82,17 +129,12 @@ class Inversion {
         world_v_ = v_ = V::load_aligned(job.world.v + at);
     }
 
-    PELAGIC_INLINE void look(const InvertSurfaceJob& job, const TexelPlaces<Arch>& places) {
-        const I column = places.column(x_), next_column = places.column(x_ + I(1));
-        const I row = places.row(z_), next_row = places.row(z_ + I(1));
-        const I at00 = column + row, at10 = next_column + row, at01 = column + next_row,
-                at11 = next_column + next_row;
-        const auto sideways = [&](const float* plane) {
-            const Corners<Arch> corners{gathered<Arch>(plane, at00), gathered<Arch>(plane, at10),
-                                        gathered<Arch>(plane, at01), gathered<Arch>(plane, at11)};
-            return Sideways<Arch>(corners, u_, v_, V(job.texels_per_m));
-        };
-        const Sideways<Arch> dx = sideways(job.surface.dx), dz = sideways(job.surface.dz);
+    PELAGIC_INLINE void look(const InvertSurfaceJob& job, const TexelPlaces<Arch>& places, bool is_first) {
+        if (is_first)
+            cells_.load(job.surface, places, x_, z_);
+        else
+            cells_.follow(job.surface, places, x_, z_);
+        const Sideways<Arch> dx(cells_.dx, u_, v_, V(job.texels_per_m)), dz(cells_.dz, u_, v_, V(job.texels_per_m));
 
         // How far the displaced point is from where it should be, in texels.
         const V off_x = xsimd::to_float(x_ - world_x_) + (u_ - world_u_) + dx.value;
@@ -133,6 +175,7 @@ class Inversion {
         within = xsimd::select(open(enough), moved - whole, within);
     }
 
+    SidewaysCells<Arch> cells_;
     I world_x_, world_z_, x_, z_;
     V world_u_, world_v_, u_, v_;
     V squared_, step_x_, step_z_;
@@ -146,7 +189,7 @@ PELAGIC_INLINE void invert_registers(const InvertSurfaceJob& job, const TexelPla
     Inversion<Arch> searches[Registers];
     for (std::size_t r = 0; r < Registers; ++r) searches[r].begin(job, at + r * V::size);
     for (int step = 0;; ++step) {
-        for (Inversion<Arch>& search : searches) search.look(job, places);
+        for (Inversion<Arch>& search : searches) search.look(job, places, step == 0);
         auto open = searches[0].open(enough);
         for (std::size_t r = 1; r < Registers; ++r) open = open | searches[r].open(enough);
         if (step == InvertSurfaceJob::most_steps || !xsimd::any(open)) break;
@@ -160,28 +203,85 @@ void invert_surface(const InvertSurfaceJob& job) {
     constexpr std::size_t lanes = xsimd::batch<float, Arch>::size;
     const TexelPlaces<Arch> places(job.surface);
     std::size_t at = 0;
+    for (; at + 4 * lanes <= job.count; at += 4 * lanes) invert_registers<Arch, 4>(job, places, at);
     for (; at + 2 * lanes <= job.count; at += 2 * lanes) invert_registers<Arch, 2>(job, places, at);
     if (at < job.count) invert_registers<Arch, 1>(job, places, at);
 }
 
+/// Four columns in four rows of one plane, by row and column, without the corners of this square.
+template <class Arch>
+struct CellSurroundings {
+    xsimd::batch<float, Arch> at[4][4];
+};
+
 /// Slopes of one plane along both axes, per two texels: central differences at the corners of the cell, bilinear
-/// between them. The values are those of four columns in four rows, without the corners of this square.
+/// between them.
 template <class Arch>
 struct CellSlopes {
     using V = xsimd::batch<float, Arch>;
     V x, z;
     V value;
 
-    template <class Texel>
-    PELAGIC_INLINE CellSlopes(Texel texel, V u, V v) {
-        const V a1 = texel(1, 0), a2 = texel(2, 0);
-        const V b0 = texel(0, 1), b1 = texel(1, 1), b2 = texel(2, 1), b3 = texel(3, 1);
-        const V c0 = texel(0, 2), c1 = texel(1, 2), c2 = texel(2, 2), c3 = texel(3, 2);
-        const V d1 = texel(1, 3), d2 = texel(2, 3);
-        value = bilinear<Arch>({b1, b2, c1, c2}, u, v);
-        x = bilinear<Arch>({b2 - b0, b3 - b1, c2 - c0, c3 - c1}, u, v);
-        z = bilinear<Arch>({c1 - a1, c2 - a2, d1 - b1, d2 - b2}, u, v);
+    PELAGIC_INLINE CellSlopes(const CellSurroundings<Arch>& texels, V u, V v) {
+        const auto& [a, b, c, d] = texels.at;
+        value = bilinear<Arch>({b[1], b[2], c[1], c[2]}, u, v);
+        x = bilinear<Arch>({b[2] - b[0], b[3] - b[1], c[2] - c[0], c[3] - c[1]}, u, v);
+        z = bilinear<Arch>({c[1] - a[1], c[2] - a[2], d[1] - b[1], d[2] - b[2]}, u, v);
     }
+};
+
+/// Reads four columns around W cells. They lie in one or two groups of W columns, which are neighbours in memory however
+/// large the blocks are: four that end with the first group at most, of which `shift` are too early, and the first four
+/// of the second.
+template <class Arch>
+class CellReader {
+    using V = xsimd::batch<float, Arch>;
+    using I = xsimd::batch<std::int32_t, Arch>;
+    using Places = xsimd::batch<std::uint32_t, Arch>;
+    static constexpr int lanes = static_cast<int>(V::size);
+
+   public:
+    PELAGIC_INLINE CellReader(const TexelPlaces<Arch>& places, I x, I z) {
+        const I shift = xsimd::max(((x - I(1)) & I(lanes - 1)) - I(lanes - 4), I(0));
+        const I shifts[4] = {lane_in_all<0, Arch>(shift), lane_in_all<1, Arch>(shift), lane_in_all<2, Arch>(shift),
+                             lane_in_all<3, Arch>(shift)};
+        const I order = I::load_aligned(lane_numbers);
+        for (int k = 0; k < 4; ++k) {
+            is_second_[k] = xsimd::to_float(order) < xsimd::to_float(shifts[k]);
+            lanes_[k] = order + shifts[k];
+        }
+        const I first = places.column(x - I(1)) - shift, second = places.column((x + I(2)) & I(-lanes));
+        for (int row = 0; row < 4; ++row) {
+            const I at = places.row(z + I(row - 1));
+            xsimd::bitwise_cast<Places>(first + at).store_aligned(first_[row]);
+            xsimd::bitwise_cast<Places>(second + at).store_aligned(second_[row]);
+        }
+    }
+
+    PELAGIC_INLINE void read(const float* const (&planes)[3], CellSurroundings<Arch> (&texels)[3]) const {
+        read_row(0, planes, texels);
+        read_row(1, planes, texels);
+        read_row(2, planes, texels);
+        read_row(3, planes, texels);
+    }
+
+   private:
+    PELAGIC_INLINE void read_row(int row, const float* const (&planes)[3],
+                                 CellSurroundings<Arch> (&texels)[3]) const {
+        for (int k = 0; k < 4; ++k) {
+            for (int plane = 0; plane < 3; ++plane) {
+                const V first = fours_loaded<Arch>(planes[plane], first_[row] + k);
+                const V second = fours_loaded<Arch>(planes[plane], second_[row] + k);
+                texels[plane].at[row][k] = lanes_turned<Arch>(xsimd::select(is_second_[k], second, first), lanes_[k]);
+            }
+        }
+        for (int plane = 0; plane < 3; ++plane) fours_turned<Arch>(texels[plane].at[row]);
+    }
+
+    alignas(64) static constexpr std::int32_t lane_numbers[16] = {0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
+    xsimd::batch_bool<float, Arch> is_second_[4];
+    I lanes_[4];
+    alignas(64) std::uint32_t first_[4][V::size], second_[4][V::size];
 };
 
 template <class Arch>
@@ -192,22 +292,10 @@ PELAGIC_INLINE void sample_lanes(const SampleSurfaceJob& job, const TexelPlaces<
     const V u = V::load_aligned(job.rest.u + at), v = V::load_aligned(job.rest.v + at);
     const SampleSurfaceJob::Outputs& out = job.out;
 
-    const I columns[4] = {places.column(x - I(1)), places.column(x), places.column(x + I(1)),
-                          places.column(x + I(2))};
-    const I rows[4] = {places.row(z - I(1)), places.row(z), places.row(z + I(1)), places.row(z + I(2))};
-    const auto value_of = [&](const float* plane) {
-        return bilinear<Arch>(
-            {gathered<Arch>(plane, columns[1] + rows[1]), gathered<Arch>(plane, columns[2] + rows[1]),
-             gathered<Arch>(plane, columns[1] + rows[2]), gathered<Arch>(plane, columns[2] + rows[2])},
-            u, v);
-    };
     if (out.normal_x) {
-        const auto slopes_of = [&](const float* plane) {
-            return CellSlopes<Arch>(
-                [&](int column, int row) { return gathered<Arch>(plane, columns[column] + rows[row]); }, u, v);
-        };
-        const CellSlopes<Arch> dx = slopes_of(job.surface.dx), h = slopes_of(job.surface.height),
-                               dz = slopes_of(job.surface.dz);
+        CellSurroundings<Arch> texels[3];
+        CellReader<Arch>(places, x, z).read({job.surface.dx, job.surface.height, job.surface.dz}, texels);
+        const CellSlopes<Arch> dx(texels[0], u, v), h(texels[1], u, v), dz(texels[2], u, v);
         // As normal_of() in gradients.kernel.hpp: times (2 L/N)^2, which the normal's length doesn't show.
         const V two_texels(job.two_texels_m);
         const V j_xx = two_texels + dx.x, j_zz = two_texels + dz.z;
@@ -222,12 +310,14 @@ PELAGIC_INLINE void sample_lanes(const SampleSurfaceJob& job, const TexelPlaces<
         (n_z * inverse).store_aligned(out.normal_z + at);
         (n_y * V(job.jacobian_factor)).store_aligned(out.jacobian + at);
     } else if (out.height) {
-        value_of(job.surface.height).store_aligned(out.height + at);
+        bilinear<Arch>(CellGather<Arch>(places, x, z).corners(job.surface.height), u, v)
+            .store_aligned(out.height + at);
     }
     if (out.velocity_x) {
-        value_of(job.surface.velocity_x).store_aligned(out.velocity_x + at);
-        value_of(job.surface.velocity_y).store_aligned(out.velocity_y + at);
-        value_of(job.surface.velocity_z).store_aligned(out.velocity_z + at);
+        const CellGather<Arch> cell(places, x, z);
+        bilinear<Arch>(cell.corners(job.surface.velocity_x), u, v).store_aligned(out.velocity_x + at);
+        bilinear<Arch>(cell.corners(job.surface.velocity_y), u, v).store_aligned(out.velocity_y + at);
+        bilinear<Arch>(cell.corners(job.surface.velocity_z), u, v).store_aligned(out.velocity_z + at);
     }
 }
 

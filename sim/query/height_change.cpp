@@ -8,6 +8,9 @@ namespace {
 /// Below this, rounding of the squeezes counts.
 constexpr double least_slack = 1e-3;
 
+/// Part of a free distance that may be given away.
+constexpr double near_enough = 1.0 / 32;
+
 }  // namespace
 
 HeightChange::HeightChange(std::span<const Tile> tiles) : count_(tiles.size()) {
@@ -36,8 +39,8 @@ double HeightChange::within(double distance_m) const {
 
 double HeightChange::free_distance(double clearance_m, double ground, double rise, double most_m) const {
     if (is_free(clearance_m, ground, rise, most_m)) return most_m;
-    double free_m = 0, end_m = most_m;
-    for (int halving = 0; halving < 20 && end_m > 0; ++halving) {
+    double free_m = 0, end_m = std::max(0.0, rise * most_m > clearance_m ? clearance_m / rise : most_m);
+    for (int halving = 0; halving < 20 && end_m - free_m > near_enough * end_m; ++halving) {
         const double middle_m = (free_m + end_m) / 2;
         (is_free(clearance_m, ground, rise, middle_m) ? free_m : end_m) = middle_m;
     }

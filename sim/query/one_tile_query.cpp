@@ -64,21 +64,12 @@ OneTileQuery::OneTileQuery(const Tile& tile, const Kernels& kernels, double tole
       texel_m_(tile.texel_m()),
       target_(static_cast<float>(std::clamp(tolerance_m * query_aim / texel_m_, least_target, most_target))) {}
 
-/// Each point becomes a cell of the patch and a place in it.
-void OneTileQuery::place(const SurfacePoints& points, PointChunk& chunk) const {
-    const std::int64_t last = tile_.resolution() - 1;
+void OneTileQuery::place(PointChunk& chunk) const {
+    const int resolution = tile_.resolution();
     PointChunk::World& world = chunk.world[0];
     for (std::size_t i = 0; i < chunk.padded; ++i) {
-        double x = i < chunk.count ? points.x[chunk.first + i] / texel_m_ : 0;
-        double z = i < chunk.count ? points.z[chunk.first + i] / texel_m_ : 0;
-        chunk.is_somewhere[i] =
-            x >= -most_texels_away && x <= most_texels_away && z >= -most_texels_away && z <= most_texels_away;
-        if (!chunk.is_somewhere[i]) x = z = 0;
-        const std::int64_t cell_x = floor_of(x), cell_z = floor_of(z);
-        world.cell_x[i] = static_cast<std::int32_t>(cell_x & last);
-        world.cell_z[i] = static_cast<std::int32_t>(cell_z & last);
-        world.u[i] = static_cast<float>(x - static_cast<double>(cell_x));
-        world.v[i] = static_cast<float>(z - static_cast<double>(cell_z));
+        split_place(chunk.x[i] / texel_m_, resolution, world.cell_x[i], world.u[i]);
+        split_place(chunk.z[i] / texel_m_, resolution, world.cell_z[i], world.v[i]);
     }
 }
 
@@ -92,8 +83,12 @@ void OneTileQuery::find_rest_points(PointChunk& chunk) const {
                              .rest = chunk.rest.places(),
                              .error = chunk.error});
 
+    const std::uint8_t* folds = tile_.folds.data();
+    const int resolution = tile_.resolution();
     for (std::size_t i = 0; i < chunk.count; ++i) {
-        if (chunk.error[i] <= target_ && !may_be_folded(world.cell_x[i], world.cell_z[i])) continue;
+        const auto square = static_cast<unsigned>(world.cell_z[i] * resolution + world.cell_x[i]);
+        const bool may_be_folded = (folds[square / 8] >> square % 8 & 1) != 0;
+        if (chunk.error[i] <= target_ && !may_be_folded) continue;
         const Sheet sheet = highest_sheet(world.cell_x[i], world.u[i], world.cell_z[i], world.v[i]);
         if (!sheet.found) continue;  // the error says how good the steps' end is
         chunk.rest.cell_x[i] = sheet.cell_x;
@@ -112,11 +107,6 @@ void OneTileQuery::read(const SampleSurfaceJob::Outputs& outputs, PointChunk& ch
                              .count = chunk.padded,
                              .rest = chunk.rest.places(),
                              .out = outputs});
-}
-
-bool OneTileQuery::may_be_folded(int cell_x, int cell_z) const {
-    const auto square = static_cast<std::size_t>(cell_z * tile_.resolution() + cell_x);
-    return tile_.folds[square / 8] >> square % 8 & 1;
 }
 
 // A cell (i, j) can be drawn at the point only if it rests within the largest displacement of it.

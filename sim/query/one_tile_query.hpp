@@ -11,7 +11,7 @@ class OneTileQuery {
     OneTileQuery(const Tile& tile, const Kernels& kernels, double tolerance_m);
 
     /// Each point of a chunk becomes a cell of the patch and a place in it.
-    void place(const SurfacePoints& points, PointChunk& chunk) const;
+    void place(PointChunk& chunk) const;
     void find_rest_points(PointChunk& chunk) const;
     /// Reads the frame at the rest points.
     void read(const SampleSurfaceJob::Outputs& outputs, PointChunk& chunk) const;
@@ -19,7 +19,6 @@ class OneTileQuery {
    private:
     struct Sheet;
 
-    bool may_be_folded(int cell_x, int cell_z) const;
     Sheet highest_sheet(int cell_x, double u, int cell_z, double v) const;
 
     const Kernels& kernels_;

@@ -31,27 +31,15 @@ StackQuery::StackQuery(std::span<const Tile> tiles, const Kernels& kernels, doub
     target_m_ = std::clamp(tolerance_m * query_aim, least_target * (1 + reach_m_), most_target * finest_texel_m_);
 }
 
-void StackQuery::place(const SurfacePoints& points, PointChunk& chunk) const {
-    const double most_m = most_texels_away * finest_texel_m_;
-    double x[PointChunk::most], z[PointChunk::most];
-    for (std::size_t i = 0; i < chunk.padded; ++i) {
-        x[i] = i < chunk.count ? points.x[chunk.first + i] : 0;
-        z[i] = i < chunk.count ? points.z[chunk.first + i] : 0;
-        chunk.is_somewhere[i] = x[i] >= -most_m && x[i] <= most_m && z[i] >= -most_m && z[i] <= most_m;
-        if (!chunk.is_somewhere[i]) x[i] = z[i] = 0;
-    }
+void StackQuery::place(PointChunk& chunk) const {
     for (std::size_t t = 0; t < tiles_.size(); ++t) {
         const SearchTile& tile = search_tiles_[t];
-        const std::int64_t last = tile.texels.resolution - 1;
+        const int resolution = tile.texels.resolution;
         PointChunk::World& world = chunk.world[t];
         for (std::size_t i = 0; i < chunk.padded; ++i) {
-            const double along = tile.along * x[i] + tile.across * z[i],
-                         across = tile.along * z[i] - tile.across * x[i];
-            const std::int64_t cell_x = floor_of(along), cell_z = floor_of(across);
-            world.cell_x[i] = static_cast<std::int32_t>(cell_x & last);
-            world.cell_z[i] = static_cast<std::int32_t>(cell_z & last);
-            world.u[i] = static_cast<float>(along - static_cast<double>(cell_x));
-            world.v[i] = static_cast<float>(across - static_cast<double>(cell_z));
+            const double x = chunk.x[i], z = chunk.z[i];
+            split_place(tile.along * x + tile.across * z, resolution, world.cell_x[i], world.u[i]);
+            split_place(tile.along * z - tile.across * x, resolution, world.cell_z[i], world.v[i]);
         }
     }
 }
@@ -71,25 +59,21 @@ void StackQuery::find_rest_points(PointChunk& chunk) const {
                        .count = chunk.padded,
                        .offset_x = chunk.offset_x,
                        .offset_z = chunk.offset_z,
-                       .error = chunk.error};
-    for (std::size_t t = 0; t < tiles_.size(); ++t) job.tiles[t] = stack_tile(t, chunk);
+                       .error = chunk.error,
+                       .blocks = {}};
+    for (std::size_t t = 0; t < tiles_.size(); ++t) {
+        job.tiles[t] = stack_tile(t, chunk);
+        job.blocks[t] = chunk.blocks[t];
+    }
     kernels_.invert_stack(job);
     for (std::size_t i = 0; i < chunk.count; ++i)
         if (!(chunk.error[i] <= static_cast<float>(target_m_) && is_only_one(chunk, i))) search(chunk, i);
 }
 
 bool StackQuery::is_only_one(const PointChunk& chunk, std::size_t point) const {
-    const double x = static_cast<double>(chunk.offset_x[point]), z = static_cast<double>(chunk.offset_z[point]);
     int sum = 0;
     for (std::size_t t = 0; t < tiles_.size(); ++t) {
-        const SearchTile& tile = search_tiles_[t];
-        const PointChunk::World& world = chunk.world[t];
-        const double u = static_cast<double>(world.u[point]) + (tile.along * x + tile.across * z);
-        const double v = static_cast<double>(world.v[point]) + (tile.along * z - tile.across * x);
-        const int half = tile.texels.resolution / 2;
-        const int i = (world.cell_x[point] + static_cast<int>(floor_of(u))) >> 1 & (half - 1);
-        const int j = (world.cell_z[point] + static_cast<int>(floor_of(v))) >> 1 & (half - 1);
-        sum += tile.squeeze.around[static_cast<std::size_t>(j * half + i)];
+        sum += search_tiles_[t].squeeze.around[static_cast<std::size_t>(chunk.blocks[t][point])];
         if (sum > (t + 1 < tiles_.size() ? most_but_last : most_of_all)) return false;
     }
     return true;

@@ -14,7 +14,7 @@ class StackQuery {
    public:
     StackQuery(std::span<const Tile> tiles, const Kernels& kernels, double tolerance_m);
 
-    void place(const SurfacePoints& points, PointChunk& chunk) const;
+    void place(PointChunk& chunk) const;
     void find_rest_points(PointChunk& chunk) const;
     void read(const SampleSurfaceJob::Outputs& outputs, PointChunk& chunk) const;
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <cstring>
 #include <limits>
 #include <stdexcept>
@@ -72,10 +73,11 @@ void SurfaceQuery::sample(const SurfacePoints& points, const SurfaceSamples& sam
             chunk.first = first;
             chunk.count = std::min(PointChunk::most, count - first);
             chunk.padded = (chunk.count + kernels_->lanes - 1) / kernels_->lanes * kernels_->lanes;
-            query.place(points, chunk);
+            take(points, chunk);
+            query.place(chunk);
             query.find_rest_points(chunk);
             query.read(outputs_wanted(samples, chunk), chunk);
-            hand_out(samples, chunk);
+            hand_out(points, samples, chunk);
         }
     };
     if (frame_.tiles.size() == 1)
@@ -84,7 +86,22 @@ void SurfaceQuery::sample(const SurfacePoints& points, const SurfaceSamples& sam
         sample_with(StackQuery(frame_.tiles, *kernels_, asked_tolerance_m_));
 }
 
-void SurfaceQuery::hand_out(const SurfaceSamples& samples, const PointChunk& chunk) const {
+bool SurfaceQuery::has_sample(double x, double z) const {
+    const double most_m = most_texels_away * texel_m_;
+    return std::fabs(x) <= most_m && std::fabs(z) <= most_m;  // false for NaN
+}
+
+void SurfaceQuery::take(const SurfacePoints& points, PointChunk& chunk) const {
+    std::copy_n(points.x.begin() + static_cast<std::ptrdiff_t>(chunk.first), chunk.count, chunk.x);
+    std::copy_n(points.z.begin() + static_cast<std::ptrdiff_t>(chunk.first), chunk.count, chunk.z);
+    std::fill(chunk.x + chunk.count, chunk.x + chunk.padded, 0.0);
+    std::fill(chunk.z + chunk.count, chunk.z + chunk.padded, 0.0);
+    for (std::size_t i = 0; i < chunk.count; ++i)
+        if (!has_sample(chunk.x[i], chunk.z[i])) chunk.x[i] = chunk.z[i] = 0;
+}
+
+void SurfaceQuery::hand_out(const SurfacePoints& points, const SurfaceSamples& samples,
+                            const PointChunk& chunk) const {
     const auto copy = [&](std::span<float> to, const float* from) {
         if (!to.empty()) std::memcpy(to.data() + chunk.first, from, chunk.count * sizeof(float));
     };
@@ -98,7 +115,9 @@ void SurfaceQuery::hand_out(const SurfaceSamples& samples, const PointChunk& chu
     copy(samples.velocity_z_mps, chunk.velocity_z);
     if (samples.error_m.empty() && samples.converged.empty()) return;
     for (std::size_t i = 0; i < chunk.count; ++i) {
-        const float error_m = chunk.is_somewhere[i] ? chunk.error[i] : std::numeric_limits<float>::infinity();
+        const float error_m = has_sample(points.x[chunk.first + i], points.z[chunk.first + i])
+                                  ? chunk.error[i]
+                                  : std::numeric_limits<float>::infinity();
         if (!samples.error_m.empty()) samples.error_m[chunk.first + i] = error_m;
         if (!samples.converged.empty()) samples.converged[chunk.first + i] = error_m <= tolerance_m_;
     }

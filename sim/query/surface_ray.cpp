@@ -11,15 +11,16 @@
 namespace pelagic {
 namespace {
 
-// Places on the ray that are asked about together: the query's own pace.
-constexpr std::size_t places = 64;
+// Places on the ray that are asked about together: enough for the query's pace, and not many more than are of use.
+constexpr std::size_t near_places = 32, far_places = 16;
 
-// The same far away from the water, where not all answers may be of use.
-constexpr std::size_t far_places = 32;
+// On each side of a guess, when a crossing is searched.
+constexpr std::size_t side_places = 8;
 
 /// A stretch of the ray by distance from the origin, metres.
 struct Stretch {
     double begin, end;
+    double length() const { return end - begin; }
 };
 
 class RayWalk {
@@ -38,12 +39,13 @@ class RayWalk {
     double upwards() const { return std::fabs(direction_[1]); }
     double along_ground() const { return std::sqrt(direction_[0] * direction_[0] + direction_[2] * direction_[2]); }
 
-    /// How high the ray runs above the water at begin + i step.
-    void clearances(double begin, double step, std::size_t count, double* clearance) const {
-        double x[places], z[places];
-        float height[places];
+    /// How high the ray runs above the water at each distance.
+    template <std::size_t most>
+    void clearances(const double (&distance)[most], std::size_t count, double (&clearance)[most]) const {
+        double x[most], z[most];
+        float height[most];
         for (std::size_t i = 0; i < count; ++i) {
-            const std::array<double, 3> place = at(begin + static_cast<double>(i) * step);
+            const std::array<double, 3> place = at(distance[i]);
             x[i] = place[0];
             clearance[i] = place[1];
             z[i] = place[2];
@@ -66,24 +68,40 @@ class RayWalk {
     std::array<double, 3> origin_, direction_;
 };
 
-/// Cuts a stretch at whose ends the ray is on different sides until it is shorter than `tolerance`; each time into as
-/// many parts as go through the query at once, of which the first with different sides goes on.
-double crossing_in(const RayWalk& walk, Stretch stretch, bool below, double tolerance) {
-    double clearance[places];
-    for (;;) {
-        const double step = (stretch.end - stretch.begin) / static_cast<double>(places - 1);
-        walk.clearances(stretch.begin, step, places, clearance);
-        std::size_t i = 1;
-        while (i + 1 < places && (clearance[i] < 0) == below) ++i;
-        const double begin = stretch.begin + static_cast<double>(i - 1) * step;
-        if (step <= tolerance) {
-            // Linear inside the last part; at a wall that is anywhere in it.
-            const double change = clearance[i] - clearance[i - 1];
-            const double part = change == 0 ? 0 : -clearance[i - 1] / change;
-            return begin + std::clamp(part, 0.0, 1.0) * step;
-        }
-        stretch = {begin, begin + step};
+/// A stretch at whose ends the ray is on different sides, and how high it runs above the water there.
+struct Crossing {
+    Stretch stretch;
+    double at_begin, at_end;
+
+    /// Linear; at a wall that is anywhere in it.
+    double guess() const {
+        const double change = at_end - at_begin;
+        const double part = change == 0 ? 0 : -at_begin / change;
+        return stretch.begin + std::clamp(part, 0.0, 1.0) * stretch.length();
     }
+};
+
+/// Cuts a crossing until it is shorter than `tolerance`: into as many parts on both sides of the guess, and a short one
+/// around it, which it mostly is. Of the parts the first with different sides goes on; it is an eighth or less.
+double crossing_in(const RayWalk& walk, Crossing crossing, bool below, double tolerance) {
+    constexpr std::size_t count = 2 * side_places;
+    double distance[count], clearance[count];
+    while (crossing.stretch.length() > tolerance) {
+        const auto [begin, end] = crossing.stretch;
+        const double guess = crossing.guess(), close = 0.4 * tolerance;
+        const double before = std::max(begin, guess - close), behind = std::min(end, guess + close);
+        for (std::size_t i = 0; i < side_places; ++i) {
+            const double part = static_cast<double>(i) / static_cast<double>(side_places);
+            distance[side_places - 1 - i] = before - part * (before - begin);
+            distance[side_places + i] = behind + part * (end - behind);
+        }
+        walk.clearances(distance, count, clearance);
+        std::size_t i = 0;
+        while (i < count && (clearance[i] < 0) == below) ++i;
+        if (i > 0) crossing.stretch.begin = distance[i - 1], crossing.at_begin = clearance[i - 1];
+        if (i < count) crossing.stretch.end = distance[i], crossing.at_end = clearance[i];
+    }
+    return crossing.guess();
 }
 
 /// How many steps of a ray can't meet the water, from its clearance. Of a frame of one tile each step is looked at.
@@ -94,15 +112,21 @@ class FreeSteps {
         if (query.frame().tiles.size() > 1) change_.emplace(query.frame().tiles);
     }
 
+    /// How many are asked about before a clearance is known.
+    std::size_t first_places() const { return change_ ? 1 : near_places; }
     double from(double clearance_m, double most) const {
         if (!change_) return 0;
         return std::floor(change_->free_distance(sure(clearance_m), ground_, rise_, most * step_m_) / step_m_);
     }
-    bool are_free(double steps, double clearance_m) const {
-        return steps == 1 || change_->is_free(sure(clearance_m), ground_, rise_, steps * step_m_);
+    /// Between two places: all of them from the first, or half from either.
+    bool are_free(double steps, double first_m, double second_m) const {
+        return steps == 1 || is_free(steps, first_m) || (is_free(steps / 2, first_m) && is_free(steps / 2, second_m));
     }
 
    private:
+    bool is_free(double steps, double clearance_m) const {
+        return change_->is_free(sure(clearance_m), ground_, rise_, steps * step_m_);
+    }
     double sure(double clearance_m) const { return std::fabs(clearance_m) - unsure_m_; }
 
     double ground_, rise_, step_m_;
@@ -123,8 +147,8 @@ std::optional<SurfaceHit> first_hit(const SurfaceQuery& query, const SurfaceRay&
     const double step = length / steps;
     const double tolerance = std::max(query.tolerance_m(), 1e-9 * near.end);
 
-    const auto hit_in = [&](Stretch stretch, bool below) {
-        SurfaceHit hit{.distance_m = crossing_in(walk, stretch, below, tolerance),
+    const auto hit_in = [&](const Crossing& crossing, bool below) {
+        SurfaceHit hit{.distance_m = crossing_in(walk, crossing, below, tolerance),
                        .position_m = {},
                        .normal = {},
                        .from_below = below};
@@ -136,21 +160,23 @@ std::optional<SurfaceHit> first_hit(const SurfaceQuery& query, const SurfaceRay&
     };
 
     const FreeSteps free_steps(query, walk, step);
-    double clearance[places];
-    walk.clearances(near.begin, 0, 1, clearance);
-    const bool below = clearance[0] < 0;
-    double here = clearance[0];
-    for (double done = 0; done < steps;) {
-        // Half of what is free from here, as often as it is free from there too, and single steps near the water.
-        const double stride = std::max(1.0, std::floor(free_steps.from(here, steps - done) / 2));
-        const std::size_t together = stride > 1 ? far_places : places;
+    double distance[near_places], clearance[near_places];
+    bool below = false;
+    double here = 0;
+    for (double done = -1; done < steps;) {
+        // What is free from here, as often as that goes on, and single steps near the water.
+        const double stride = done < 0 ? 1 : std::max(1.0, free_steps.from(here, steps - done));
+        const std::size_t together = stride > 1 ? far_places : done < 0 ? free_steps.first_places() : near_places;
         const auto count =
             static_cast<std::size_t>(std::min(static_cast<double>(together), std::floor((steps - done) / stride)));
-        walk.clearances(near.begin + (done + stride) * step, stride * step, count, clearance);
+        for (std::size_t i = 0; i < count; ++i)
+            distance[i] = near.begin + (done + static_cast<double>(i + 1) * stride) * step;
+        walk.clearances(distance, count, clearance);
+        if (done < 0) below = clearance[0] < 0;
         for (std::size_t i = 0; i < count; ++i) {
-            if (!free_steps.are_free(stride, here)) break;
-            const double end = near.begin + (done + stride) * step;
-            if ((clearance[i] < 0) != below) return hit_in({end - stride * step, end}, below);
+            if (!free_steps.are_free(stride, here, clearance[i])) break;
+            if ((clearance[i] < 0) != below)
+                return hit_in({{near.begin + done * step, distance[i]}, here, clearance[i]}, below);
             here = clearance[i];
             done += stride;
         }

@@ -5,6 +5,27 @@
 namespace pelagic {
 namespace {
 
+constexpr TextureTargets::Chain TextureTargets::*chains[] = {
+    &TextureTargets::gradient_rgba8, &TextureTargets::slopes_rgba8, &TextureTargets::moments_rgba8};
+
+TextureTargets textures_in(TileBuffers& buffers, int n) {
+    const auto chain = [n](AlignedBuffer<std::uint32_t>& texels) {
+        return texels.size() > 0 ? chain_in(texels.data(), n) : TextureTargets::Chain{};
+    };
+    return {buffers.rgba16f.data(), chain(buffers.rgba8), chain(buffers.slopes), chain(buffers.moments)};
+}
+
+/// Of what stands in the buffers itself.
+void view_textures(Tile& tile, const TileBuffers& buffers, const TextureTargets& elsewhere) {
+    const auto view = []<class T>(const AlignedBuffer<T>& texels, bool is_elsewhere) {
+        return is_elsewhere ? std::span<const T>() : std::span<const T>(texels.data(), texels.size());
+    };
+    tile.displacement_rgba16f = view(buffers.rgba16f, elsewhere.displacement_rgba16f);
+    tile.gradient_rgba8 = view(buffers.rgba8, elsewhere.gradient_rgba8[0]);
+    tile.slopes_rgba8 = view(buffers.slopes, elsewhere.slopes_rgba8[0]);
+    tile.moments_rgba8 = view(buffers.moments, elsewhere.moments_rgba8[0]);
+}
+
 Tile views_of(const TileBuffers& buffers, int n, std::size_t lanes) {
     const auto view = [&](const AlignedBuffer<float>& planes, std::size_t component) {
         return PlaneView{planes.data() + component * lanes, n, static_cast<int>(lanes),
@@ -21,10 +42,7 @@ Tile views_of(const TileBuffers& buffers, int n, std::size_t lanes) {
         tile.velocity_z = view(buffers.velocity, surface_dz);
     }
     if (buffers.folds) tile.folds = buffers.folds->squares();
-    tile.displacement_rgba16f = {buffers.rgba16f.data(), buffers.rgba16f.size()};
-    tile.gradient_rgba8 = {buffers.rgba8.data(), buffers.rgba8.size()};
-    tile.slopes_rgba8 = {buffers.slopes.data(), buffers.slopes.size()};
-    tile.moments_rgba8 = {buffers.moments.data(), buffers.moments.size()};
+    view_textures(tile, buffers, {});
     return tile;
 }
 
@@ -49,10 +67,45 @@ std::size_t TileBuffers::bytes() const {
 FrameSlots::FrameSlots(std::size_t tiles, int resolution, std::size_t lanes, const FrameExtras& extras) {
     for (Slot& slot : slots_) {
         slot.buffers.reserve(tiles);  // views point into the elements
-        for (std::size_t i = 0; i < tiles; ++i)
-            slot.tiles.push_back(
-                views_of(slot.buffers.emplace_back(tiles, resolution, lanes, extras), resolution, lanes));
+        for (std::size_t i = 0; i < tiles; ++i) {
+            TileBuffers& buffers = slot.buffers.emplace_back(tiles, resolution, lanes, extras);
+            slot.tiles.push_back(views_of(buffers, resolution, lanes));
+            slot.own_textures.push_back(textures_in(buffers, resolution));
+        }
+        slot.textures = slot.own_textures;
+        slot.elsewhere.resize(tiles);
         slot.frame.tiles = slot.tiles;
+    }
+}
+
+void FrameSlots::write_textures_to(std::span<const TextureTargets> tiles) {
+    Slot& slot = slots_[back_];
+    const std::size_t last = last_level();
+    for (std::size_t i = 0; i < slot.tiles.size(); ++i) {
+        const TextureTargets& elsewhere = slot.elsewhere[i] = tiles.empty() ? TextureTargets{} : tiles[i];
+        TextureTargets& textures = slot.textures[i] = slot.own_textures[i];
+        if (elsewhere.displacement_rgba16f) textures.displacement_rgba16f = elsewhere.displacement_rgba16f;
+        for (const auto chain : chains) {
+            if (!(elsewhere.*chain)[0]) continue;
+            textures.*chain = elsewhere.*chain;
+            (textures.*chain)[last] = (slot.own_textures[i].*chain)[last];  // it is read
+        }
+        view_textures(slot.tiles[i], slot.buffers[i], elsewhere);
+    }
+}
+
+void FrameSlots::finish_textures() {
+    Slot& slot = slots_[back_];
+    const std::size_t last = last_level();
+    for (std::size_t i = 0; i < slot.tiles.size(); ++i) {
+        const TextureTargets& own = slot.own_textures[i];
+        for (const auto chain : chains)
+            if (std::uint32_t* const texel = (slot.elsewhere[i].*chain)[last]) *texel = *(own.*chain)[last];
+        if (!own.slopes_rgba8[last]) continue;
+        Tile& tile = slot.tiles[i];
+        const SurfaceSlopes all =
+            slopes_of_texel(*own.slopes_rgba8[last], *own.moments_rgba8[last], tile.slope_ranges);
+        tile.slope_variance = all.var_xx + all.var_zz;
     }
 }
 

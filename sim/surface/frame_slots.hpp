@@ -5,11 +5,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "pelagic/sim/frame.hpp"
 #include "pelagic/sim/surface/fold_map.hpp"
 #include "pelagic/sim/surface/squeeze_map.hpp"
+#include "pelagic/sim/texture_targets.hpp"
 #include "pelagic/simd/aligned_buffer.hpp"
 
 namespace pelagic {
@@ -52,20 +54,32 @@ class FrameSlots {
 
     TileBuffers& buffers(std::size_t tile) { return slots_[back_].buffers[tile]; }
     Tile& tile(std::size_t tile) { return slots_[back_].tiles[tile]; }
+    /// Where the tile's textures go: all that it has, into its buffers or into memory of the host's.
+    const TextureTargets& textures(std::size_t tile) const { return slots_[back_].textures[tile]; }
     Frame& frame() { return slots_[back_].frame; }
 
     /// Makes the other slot the back one: for the next frame, and to give up the last one, so that the one before it is not
     /// written over yet.
     void turn() { back_ = 1 - back_; }
 
+    /// What the slot's frame writes elsewhere, by tile; it has no views of that. None: everything is its own.
+    void write_textures_to(std::span<const TextureTargets> tiles);
+    /// What becomes of the textures when all stages are done.
+    void finish_textures();
+
     std::size_t bytes() const;
 
    private:
     struct Slot {
         std::vector<TileBuffers> buffers;
+        std::vector<TextureTargets> own_textures;  ///< in the buffers
+        std::vector<TextureTargets> elsewhere;     ///< what the host has asked for
+        std::vector<TextureTargets> textures;      ///< where the frame's are written
         std::vector<Tile> tiles;
         Frame frame;
     };
+    std::size_t last_level() const { return static_cast<std::size_t>(mip_levels(resolution()) - 1); }
+
     std::array<Slot, 2> slots_;
     std::size_t back_ = 0;
 };

@@ -45,9 +45,9 @@ void SlopeMaps::make(const Kernels& kernels, std::size_t job) const {
         .moments = {},
         .averages = averages->level(SlopesJob::tile_levels),
         .average_stride = averages->stride(SlopesJob::tile_levels)};
-    for (int level = 0; level <= SlopesJob::tile_levels; ++level) {
-        slopes_job.slopes[level] = slopes + mip_offset(resolution, level);
-        slopes_job.moments[level] = moments + mip_offset(resolution, level);
+    for (std::size_t level = 0; level <= SlopesJob::tile_levels; ++level) {
+        slopes_job.slopes[level] = slopes[level];
+        slopes_job.moments[level] = moments[level];
     }
     kernels.slopes(slopes_job);
 }
@@ -60,8 +60,8 @@ void SlopeMaps::make_tail(const Kernels& kernels) const {
                              .averages = averages->level(level),
                              .stride = averages->stride(level),
                              .variance_factor = variance_factor(),
-                             .slopes = slopes + mip_offset(resolution, level),
-                             .moments = moments + mip_offset(resolution, level)});
+                             .slopes = slopes[static_cast<std::size_t>(level)],
+                             .moments = moments[static_cast<std::size_t>(level)]});
 }
 
 }  // namespace pelagic

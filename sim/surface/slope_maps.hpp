@@ -7,6 +7,7 @@
 #include "pelagic/sim/kernels/kernels.hpp"
 #include "pelagic/sim/slope_sum.hpp"
 #include "pelagic/sim/surface/mipmaps.hpp"
+#include "pelagic/sim/texture_targets.hpp"
 
 namespace pelagic {
 
@@ -19,13 +20,13 @@ SlopeRanges slope_ranges(double mean_square_slope);
 struct SlopeMaps {
     const float* surface;  ///< column blocks (wave_blocks.hpp) for the kernels' lanes
     int resolution;
-    std::size_t block_stride;         ///< floats between column blocks
-    double side_m;                    ///< of the tile
-    double cosine = 1, sine = 0;      ///< how its axes are turned, GradientsJob
-    SlopeRanges ranges;               ///< positive
-    std::uint16_t* rgba16f;           ///< 4 N^2, null if nobody wants them
-    std::uint32_t *slopes, *moments;  ///< chains of mip_offset(N, mip_levels(N)) texels
-    MipAverages* averages;            ///< of slope_planes planes
+    std::size_t block_stride;     ///< floats between column blocks
+    double side_m;                ///< of the tile
+    double cosine = 1, sine = 0;  ///< how its axes are turned, GradientsJob
+    SlopeRanges ranges;           ///< positive
+    std::uint16_t* rgba16f;       ///< 4 N^2, null if nobody wants them
+    TextureTargets::Chain slopes, moments;
+    MipAverages* averages;  ///< of slope_planes planes
 
     /// Jobs of the first stage; they may run side by side.
     std::size_t jobs() const;

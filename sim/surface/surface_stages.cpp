@@ -10,7 +10,7 @@ namespace pelagic {
 namespace {
 
 // Pieces of a tile that one job takes are as large whatever N is.
-constexpr std::size_t gradients_stack_bytes = 100 * 1024 + stack_margin;
+constexpr std::size_t gradients_stack_bytes = 48 * 1024 + stack_margin;
 constexpr std::size_t slopes_stack_bytes = 60 * 1024 + stack_margin;
 
 struct Pieces {
@@ -72,8 +72,8 @@ void SurfaceStages::gradients_mipmaps(std::size_t piece) {
     const TileLattice& lattice = slots_.tile(tile_).lattice;
     const double two_texels_m = 2 * lattice.side_m / resolution_;
     const Pieces all = pieces_of(resolution_);
-    TileBuffers& buffers = slots_.buffers(tile_);
-    GradientsJob job{.surface = buffers.surface.data(),
+    const TextureTargets& textures = slots_.textures(tile_);
+    GradientsJob job{.surface = slots_.buffers(tile_).surface.data(),
                      .resolution = static_cast<std::size_t>(resolution_),
                      .first_row = piece / all.across * GradientsJob::tile_rows,
                      .first_column = piece % all.across * GradientsJob::tile_columns,
@@ -82,14 +82,14 @@ void SurfaceStages::gradients_mipmaps(std::size_t piece) {
                      .jacobian_factor = static_cast<float>(1 / (two_texels_m * two_texels_m)),
                      .normal_length = mean_normal_length(roughness),
                      .smoothness_bits = smoothness_bits(roughness),
-                     .rgba16f = slopes_make_halves() ? nullptr : buffers.rgba16f.data(),
+                     .rgba16f = slopes_make_halves() ? nullptr : textures.displacement_rgba16f,
                      .levels = {},
                      .averages = gradient_averages_->level(GradientsJob::tile_levels),
                      .average_stride = gradient_averages_->stride(GradientsJob::tile_levels),
                      .cosine = static_cast<float>(lattice.cosine),
                      .sine = static_cast<float>(lattice.sine)};
     for (int level = 0; level <= GradientsJob::tile_levels; ++level)
-        job.levels[level] = buffers.rgba8.data() + mip_offset(resolution_, level);
+        job.levels[level] = textures.gradient_rgba8[static_cast<std::size_t>(level)];
     kernels_.gradients(job);
 }
 
@@ -100,22 +100,22 @@ void SurfaceStages::mipmaps_tail() {
                             .side = static_cast<std::size_t>(resolution_) >> level,
                             .averages = gradient_averages_->level(level),
                             .stride = gradient_averages_->stride(level),
-                            .texels = slots_.buffers(tile_).rgba8.data() + mip_offset(resolution_, level)});
+                            .texels = slots_.textures(tile_).gradient_rgba8[static_cast<std::size_t>(level)]});
 }
 
 SlopeMaps SurfaceStages::slope_maps() {
-    TileBuffers& buffers = slots_.buffers(tile_);
+    const TextureTargets& textures = slots_.textures(tile_);
     const Tile& tile = slots_.tile(tile_);
-    return {.surface = buffers.surface.data(),
+    return {.surface = slots_.buffers(tile_).surface.data(),
             .resolution = resolution_,
             .block_stride = column_block_floats(resolution_, kernels_.lanes),
             .side_m = tile.lattice.side_m,
             .cosine = tile.lattice.cosine,
             .sine = tile.lattice.sine,
             .ranges = tile.slope_ranges,
-            .rgba16f = slopes_make_halves() ? buffers.rgba16f.data() : nullptr,
-            .slopes = buffers.slopes.data(),
-            .moments = buffers.moments.data(),
+            .rgba16f = slopes_make_halves() ? textures.displacement_rgba16f : nullptr,
+            .slopes = textures.slopes_rgba8,
+            .moments = textures.moments_rgba8,
             .averages = &*slope_averages_};
 }
 

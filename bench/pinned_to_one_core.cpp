@@ -1,23 +1,6 @@
-#include "pelagic/bench/machine.hpp"
-
-#include <fstream>
+#include "pelagic/bench/pinned_to_one_core.hpp"
 
 namespace pelagic::bench {
-
-std::string cpu_name() {
-    std::ifstream info("/proc/cpuinfo");
-    for (std::string line; std::getline(info, line);)
-        if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
-    return "unknown";
-}
-
-std::string compiler_name() {
-#if defined(__clang__)
-    return "clang++ " __clang_version__;
-#else
-    return "g++ " __VERSION__;
-#endif
-}
 
 PinnedToOneCore::PinnedToOneCore() {
     sched_getaffinity(0, sizeof before_, &before_);

@@ -1,0 +1,45 @@
+// Frames of Pelagic and its peers between marks, for instructions.py to count.
+//
+//   pelagic_count_frames ISA N PLANS    PLANS as write_fftw_plans() leaves them
+#include <cstdio>
+#include <exception>
+#include <stdexcept>
+#include <string>
+
+#include "pelagic/bench/instructions/count_marks.hpp"
+#include "pelagic/bench/peers/fftw_frame.hpp"
+#include "pelagic/bench/peers/paper_frame.hpp"
+#include "pelagic/sim/ocean.hpp"
+
+namespace pelagic {
+namespace {
+
+/// The second frame, when everything has been touched once.
+template <class Frames>
+void count_frame(const std::string& name, int resolution, Frames&& frames) {
+    frames.frame_at(0.5);
+    bench::counted(name, static_cast<double>(resolution) * resolution, [&] { frames.frame_at(1); });
+}
+
+void count_frames(Isa isa, int resolution, const std::string& plans) {
+    const SeaState sea{.resolution = resolution, .patch_size_m = 250, .roughness = 0.1};
+    count_frame("ours", resolution, Ocean(sea, {.executor = make_serial_executor(), .isa = isa}));
+    peers::read_fftw_plans(plans);
+    using peers::FftwArrangement, peers::FftwFrame, peers::FftwPlanning;
+    count_frame("packed", resolution, FftwFrame(sea, isa, FftwArrangement::packed, FftwPlanning::read));
+    count_frame("separate", resolution, FftwFrame(sea, isa, FftwArrangement::separate, FftwPlanning::read));
+    count_frame("paper", resolution, peers::PaperFrame(sea));
+}
+
+}  // namespace
+}  // namespace pelagic
+
+int main(int argc, char** argv) {
+    try {
+        if (argc != 4) throw std::invalid_argument("needs an instruction set, N and FFTW's plans");
+        pelagic::count_frames(pelagic::choose_isa(pelagic::isa_named(argv[1])), std::stoi(argv[2]), argv[3]);
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "pelagic_count_frames: %s\n", error.what());
+        return 2;
+    }
+}

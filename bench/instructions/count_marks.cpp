@@ -1,0 +1,18 @@
+#include "pelagic/bench/instructions/count_marks.hpp"
+
+#include <cstdio>
+
+// Not inlined, and not merged into one by a linker that folds what is equal.
+extern "C" {
+__attribute__((noinline)) void pelagic_count_begin() { __asm__ __volatile__("" : : "r"(1)); }
+__attribute__((noinline)) void pelagic_count_end() { __asm__ __volatile__("" : : "r"(2)); }
+}
+
+namespace pelagic::bench {
+
+void print_counted(const std::string& name, double items) {
+    std::printf("%s\t%.0f\n", name.c_str(), items);
+    std::fflush(stdout);
+}
+
+}  // namespace pelagic::bench

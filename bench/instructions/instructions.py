@@ -1,0 +1,204 @@
+#!/usr/bin/env python3
+"""Instructions of every job, counted: they don't depend on what else the machine does.
+
+    bench/instructions/instructions.py                   a table of build/release's jobs
+    bench/instructions/instructions.py --check           fails if a job takes over 2 % more than bench/budgets.json says
+    bench/instructions/instructions.py --update          makes today's counts the budgets
+    bench/instructions/instructions.py --bytes 1048576 --seas 1x512 1x1024
+                                                         bytes moved through the end of a second cache of that size
+    bench/instructions/instructions.py --of PROGRAM ...  counts of any program with marks: a name and a figure a line
+
+x86 is counted by valgrind, which knows SSE4.2 and AVX2 but not AVX-512; NEON by a plug-in of qemu's user mode
+(--program build/arm64/bin/pelagic_count_jobs). Counts are for one texel of the sea, and for one point of queries. They
+depend on the compiler, so budgets are for one version of it; with another --check skips (exit status 77).
+
+Bytes are those of valgrind's model of a cache: lines of 64 bytes fetched, whether for reading or because a part of them is
+written, and lines written back.
+"""
+import argparse
+import itertools
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+
+HERE = pathlib.Path(__file__).resolve().parent
+BUDGETS = HERE.parent / "budgets.json"
+MOST_MORE = 0.02
+SKIPPED = 77
+
+
+class CannotCount(Exception):
+    """The tool that counts is missing, or the budgets are for another compiler."""
+
+
+def is_arm(program):
+    """EM_AARCH64 in the header of an ELF file."""
+    with open(program, "rb") as file:
+        return file.read(20)[18:20] == b"\xb7\x00"
+
+
+def needed(tool):
+    path = shutil.which(tool)
+    if not path:
+        raise CannotCount(f"needs {tool}, which is not installed")
+    return path
+
+
+def valgrind_counts(command, folder, options=()):
+    """What `command` prints, and the events of each count as a dictionary: Ir, and with --cache-sim=yes many more."""
+    run = subprocess.run(
+        [needed("valgrind"), "--tool=callgrind", f"--callgrind-out-file={folder}/counts", "--zero-before=pelagic_count_begin",
+         "--dump-before=pelagic_count_end", *options, *command],
+        stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    if run.returncode:
+        raise SystemExit(f"{' '.join(command)} failed under valgrind:\n{run.stderr}")
+    counts = []
+    while os.path.exists(dump := f"{folder}/counts.{len(counts) + 1}"):
+        lines = dict(line.split(": ", 1) for line in open(dump) if line.startswith(("events: ", "summary: ")))
+        events, figures = lines["events"].split(), map(int, lines["summary"].split())
+        counts.append(dict(itertools.zip_longest(events, figures, fillvalue=0)))  # zeros at the end are left out
+    return run.stdout, counts
+
+
+def built_plug_in(folder):
+    plug_in = f"{folder}/qemu_count.so"
+    subprocess.run([needed("cc"), "-O2", "-shared", "-fPIC", "-o", plug_in, HERE / "qemu_count.c"], check=True)
+    return plug_in
+
+
+def qemu_counts(command, folder):
+    """The same of a program for 64-bit Arm; instructions only."""
+    plug_in, out = built_plug_in(folder), f"{folder}/counts"
+    run = subprocess.run([needed("qemu-aarch64"), "-plugin", f"{plug_in},out={out}", *command], stdout=subprocess.PIPE,
+                         stderr=subprocess.PIPE, text=True)
+    if run.returncode:
+        raise SystemExit(f"{' '.join(command)} failed under qemu:\n{run.stderr}")
+    return run.stdout, [{"Ir": int(line)} for line in open(out)]
+
+
+def count(command, options=()):
+    """Runs a program with marks. Its figures (compiler, ...) and a list of (name, items, events)."""
+    command = [str(word) for word in command]
+    with tempfile.TemporaryDirectory() as folder:
+        printed, counts = (qemu_counts(command, folder) if is_arm(command[0]) else
+                           valgrind_counts(command, folder, options))
+    lines = [line.split("\t") for line in printed.splitlines() if "\t" in line]
+    compiler = next((value for name, value in lines if name == "compiler"), None)
+    named = [(name, float(items)) for name, items in lines if name != "compiler"]
+    if len(named) != len(counts):
+        raise SystemExit(f"{command[0]} names {len(named)} counts, of which {len(counts)} were seen")
+    return compiler, [(name, items, events) for (name, items), events in zip(named, counts)]
+
+
+def rows_of(program, isas, seas):
+    """The compiler, and for each job and instruction set a row as in budgets.json."""
+    rows = []
+    for isa in isas:
+        compiler, counts = count([program, isa, *seas])
+        for name, items, events in counts:
+            sea, job = name.split("/", 1)
+            rows.append({"sea": sea, "job": job, "isa": isa, "instructions": round(events["Ir"] / items, 3)})
+    return compiler, rows
+
+
+def print_bytes(program, isa, seas, cache_bytes):
+    print(f"{isa}, beyond {cache_bytes} bytes of cache, a texel")
+    print(f"{'sea':8}{'job':24}{'read':>8}{'for writing':>12}{'written':>8}{'all':>8}  bytes")
+    # A second cache has 16 ways in most of today's processors.
+    options = ["--cache-sim=yes", "--simulate-wb=yes", f"--LL={cache_bytes},16,64"]
+    for name, texels, events in count([program, isa, *seas], options)[1]:
+        sea, job = name.split("/", 1)
+        if job.startswith("query"):
+            continue
+        moved = [64 * lines / texels
+                 for lines in (events["DLmr"], events["DLmw"], events["DLdmr"] + events["DLdmw"])]
+        print(f"{sea:8}{job:24}{moved[0]:8.1f}{moved[1]:12.1f}{moved[2]:8.1f}{sum(moved):8.1f}")
+
+
+def key(row):
+    return row["sea"], row["job"], row["isa"]
+
+
+def unit_of(row):
+    return "a point" if row["job"].startswith("query") else "a texel"
+
+
+def print_table(rows, isas):
+    print(f"{'sea':8}{'job':24}" + "".join(f"{isa:>10}" for isa in isas) + "  instructions")
+    by_key = {key(row): row for row in rows}
+    for sea, job in dict.fromkeys((row["sea"], row["job"]) for row in rows):
+        figures = [by_key[sea, job, isa] for isa in isas]
+        print(f"{sea:8}{job:24}" + "".join(f"{row['instructions']:10.2f}" for row in figures) + f"  {unit_of(figures[0])}")
+
+
+def check(compiler, rows, budgets):
+    if budgets["compiler"] != compiler:
+        raise CannotCount(f"budgets are for {budgets['compiler']}, this is {compiler}")
+    before = {key(row): row["instructions"] for row in budgets["budgets"]}
+    faults = 0
+    for row in rows:
+        name = f"{row['job']} on {row['isa']}, sea {row['sea']}"
+        if key(row) not in before:
+            print(f"{name}: has no budget; instructions.py --update gives it one")
+            faults += 1
+            continue
+        budget, now = before[key(row)], row["instructions"]
+        change = now / budget - 1
+        if change > MOST_MORE:
+            print(f"{name}: {budget:.2f} instructions {unit_of(row)} before, {now:.2f} now, {100 * change:.1f} % more")
+            faults += 1
+        elif change < -MOST_MORE:
+            print(f"{name}: {budget:.2f} before, {now:.2f} now; instructions.py --update keeps the gain")
+    print(f"{len(rows)} counts, {faults} over budget")
+    return faults == 0
+
+
+def update(compiler, rows):
+    budgets = json.loads(BUDGETS.read_text()) if BUDGETS.exists() else {"compiler": compiler, "budgets": []}
+    if budgets["compiler"] != compiler:
+        budgets = {"compiler": compiler, "budgets": []}
+    merged = {key(row): row for row in [*budgets["budgets"], *rows]}
+    text = ",\n".join("    " + json.dumps(merged[name]) for name in sorted(merged))
+    BUDGETS.write_text(f'{{\n  "compiler": {json.dumps(compiler)},\n  "budgets": [\n{text}\n  ]\n}}\n')
+    print(f"wrote {BUDGETS}")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--program", default=HERE.parents[1] / "build/release/bin/pelagic_count_jobs", type=pathlib.Path)
+    parser.add_argument("--isa", help="instruction sets, separated by commas [sse4.2,avx2, or neon]")
+    parser.add_argument("--seas", nargs="+", default=["1x256", "3x128"], help="tiles x resolution")
+    parser.add_argument("--check", action="store_true", help="compare with bench/budgets.json")
+    parser.add_argument("--update", action="store_true", help="write bench/budgets.json")
+    parser.add_argument("--bytes", type=int, metavar="CACHE", help="bytes moved beyond a cache of that size, instead")
+    parser.add_argument("--of", nargs=argparse.REMAINDER, metavar="PROGRAM", help="count a program of your own")
+    options = parser.parse_args()
+    if options.of:
+        for name, items, events in count(options.of)[1]:
+            print(f"{name}\t{events['Ir'] / items:.3f}")
+        return
+    if not options.program.exists():
+        parser.error(f"--program is {options.program}, which does not exist: build the target pelagic_count_jobs")
+    isas = options.isa.split(",") if options.isa else ["neon"] if is_arm(options.program) else ["sse4.2", "avx2"]
+    try:
+        if options.bytes:
+            return print_bytes(options.program, isas[-1], options.seas, options.bytes)
+        compiler, rows = rows_of(options.program, isas, options.seas)
+        if options.update:
+            update(compiler, rows)
+        elif options.check:
+            sys.exit(0 if check(compiler, rows, json.loads(BUDGETS.read_text())) else 1)
+        else:
+            print(f"compiled by {compiler}")
+            print_table(rows, isas)
+    except CannotCount as why:
+        print(f"not counted: {why}")
+        sys.exit(SKIPPED)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,17 @@
+# Figures that the project keeps, as text in the command, so that an installed one needs no files. They are read while the
+# build is configured, again whenever a file changes.
+#
+#   pelagic_write_stored_figures(RESULTS bench/results INSTRUCTIONS bench/budgets.json OUTPUT stored_figures.inc)
+function(pelagic_write_stored_figures)
+  cmake_parse_arguments(PARSE_ARGV 0 stored "" "RESULTS;INSTRUCTIONS;OUTPUT" "")
+  file(GLOB results CONFIGURE_DEPENDS ${stored_RESULTS}/*.json)
+  set(code "// Made by cmake/stored_figures.cmake.\nconstexpr std::string_view stored_results_json[] = {\n")
+  foreach(file IN LISTS results)
+    file(READ ${file} text)
+    string(APPEND code "R\"json(${text})json\",\n")
+  endforeach()
+  file(READ ${stored_INSTRUCTIONS} text)
+  string(APPEND code "};\nconstexpr std::string_view stored_instructions_json = R\"json(${text})json\";\n")
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${results} ${stored_INSTRUCTIONS})
+  file(CONFIGURE OUTPUT ${stored_OUTPUT} CONTENT "${code}" @ONLY)
+endfunction()

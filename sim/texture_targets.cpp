@@ -1,0 +1,61 @@
+#include "pelagic/sim/texture_targets.hpp"
+
+#include <string_view>
+
+#include "pelagic/message/number_text.hpp"
+
+namespace pelagic {
+namespace {
+
+std::string check_chain(std::string_view name, const TextureTargets::Chain& chain, int levels, bool is_there,
+                        std::string_view part) {
+    bool is_wanted = false;
+    for (const std::uint32_t* level : chain) is_wanted |= level != nullptr;
+    if (!is_wanted) return {};
+    if (!is_there) return std::string(name) + " is wanted, needs an ocean with " + std::string(part);
+    for (int level = 0; level < levels; ++level)
+        if (!chain[static_cast<std::size_t>(level)])
+            return std::string(name) + " lacks level " + number_text(level) + ", needs " + number_text(levels) +
+                   " levels";
+    return {};
+}
+
+std::string check_tile(const TextureTargets& targets, int resolution, const FrameContents& contents) {
+    if (reinterpret_cast<std::uintptr_t>(targets.displacement_rgba16f) % TextureTargets::alignment != 0)
+        return "displacement_rgba16f is at an address that is no multiple of " +
+               number_text(TextureTargets::alignment);
+    struct Chain {
+        std::string_view name;
+        const TextureTargets::Chain& levels;
+        bool is_there;
+        std::string_view part;
+    };
+    for (const Chain& chain : {Chain{"gradient_rgba8", targets.gradient_rgba8, contents.gradients, "gradients"},
+                               Chain{"slopes_rgba8", targets.slopes_rgba8, contents.slopes, "slopes"},
+                               Chain{"moments_rgba8", targets.moments_rgba8, contents.slopes, "slopes"}})
+        if (std::string reason =
+                check_chain(chain.name, chain.levels, mip_levels(resolution), chain.is_there, chain.part);
+            !reason.empty())
+            return reason;
+    return {};
+}
+
+}  // namespace
+
+TextureTargets::Chain chain_in(std::uint32_t* texels, int resolution) {
+    TextureTargets::Chain chain{};
+    for (int level = 0; level < mip_levels(resolution); ++level)
+        chain[static_cast<std::size_t>(level)] = texels + mip_offset(resolution, level);
+    return chain;
+}
+
+std::string check(std::span<const TextureTargets> tiles, std::size_t tile_count, int resolution,
+                  const FrameContents& contents) {
+    if (tiles.size() != tile_count)
+        return "there are targets of " + number_text(tiles.size()) + " tiles, needs " + number_text(tile_count);
+    for (const TextureTargets& targets : tiles)
+        if (std::string reason = check_tile(targets, resolution, contents); !reason.empty()) return reason;
+    return {};
+}
+
+}  // namespace pelagic

@@ -1,0 +1,156 @@
+// Textures in memory of the host's: the bytes that the frame would have had, and not one beside them.
+#include <algorithm>
+#include <cstring>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "pelagic/sim/ocean.hpp"
+#include "pelagic/simd/aligned_buffer.hpp"
+#include "pelagic/tests/each_isa.hpp"
+
+namespace pelagic {
+namespace {
+
+constexpr int n = 32;
+constexpr std::uint32_t guard = 0xA5C3A5C3;
+
+/// A host's memory for one map of one tile, with a guard on both sides of every piece of it.
+class Guarded {
+   public:
+    explicit Guarded(std::vector<std::size_t> words) {
+        for (const std::size_t count : words) {
+            pieces_.emplace_back(count + 2 * margin);
+            std::fill_n(pieces_.back().data(), pieces_.back().size(), guard);
+        }
+    }
+    std::uint32_t* piece(std::size_t number) { return pieces_[number].data() + margin; }
+    bool guards_hold() const {
+        return std::all_of(pieces_.begin(), pieces_.end(), [](const AlignedBuffer<std::uint32_t>& piece) {
+            const auto holds = [](std::uint32_t word) { return word == guard; };
+            return std::all_of(piece.data(), piece.data() + margin, holds) &&
+                   std::all_of(piece.data() + piece.size() - margin, piece.data() + piece.size(), holds);
+        });
+    }
+
+   private:
+    static constexpr std::size_t margin = 16;  // keeps pieces as aligned as targets have to be
+    std::vector<AlignedBuffer<std::uint32_t>> pieces_;
+};
+
+std::vector<std::size_t> texels_by_level() {
+    std::vector<std::size_t> texels;
+    for (int level = 0; level < mip_levels(n); ++level)
+        texels.push_back(static_cast<std::size_t>(n >> level) * static_cast<std::size_t>(n >> level));
+    return texels;
+}
+
+struct TileMemory {
+    Guarded halves{{2 * n * n}}, gradients{texels_by_level()}, slopes{texels_by_level()}, moments{texels_by_level()};
+
+    TextureTargets targets() {
+        const auto chain = [](Guarded& map) {
+            TextureTargets::Chain levels{};
+            for (std::size_t level = 0; level < texels_by_level().size(); ++level) levels[level] = map.piece(level);
+            return levels;
+        };
+        return {reinterpret_cast<std::uint16_t*>(halves.piece(0)), chain(gradients), chain(slopes), chain(moments)};
+    }
+    bool holds(const Tile& tile) {
+        const auto is_chain = [&](Guarded& map, std::span<const std::uint32_t> chain) {
+            for (int level = 0; level < mip_levels(n); ++level) {
+                const auto texels = tile.level_of(chain, level);
+                if (std::memcmp(map.piece(static_cast<std::size_t>(level)), texels.data(), texels.size_bytes()) != 0)
+                    return false;
+            }
+            return map.guards_hold();
+        };
+        return std::memcmp(halves.piece(0), tile.displacement_rgba16f.data(),
+                           tile.displacement_rgba16f.size_bytes()) == 0 &&
+               halves.guards_hold() && is_chain(gradients, tile.gradient_rgba8) &&
+               is_chain(slopes, tile.slopes_rgba8) && is_chain(moments, tile.moments_rgba8);
+    }
+};
+
+SeaState sea_of(int tiles) {
+    return tiles == 1 ? SeaState{.resolution = n, .patch_size_m = 130} : SeaState{.cascades = tiles, .resolution = n};
+}
+
+class TextureTargetsOnEachIsa : public OnEachIsa {
+   protected:
+    Ocean ocean_of(int tiles) const {
+        return Ocean(sea_of(tiles),
+                     {.executor = make_serial_executor(), .isa = GetParam(), .gradients = true, .slopes = true});
+    }
+};
+INSTANTIATE_TEST_SUITE_P(Isa, TextureTargetsOnEachIsa, testing::ValuesIn(isas_here()), isa_test_name);
+
+TEST_P(TextureTargetsOnEachIsa, HoldWhatTheFrameWouldHaveHeld) {
+    for (const int tiles : {1, 3}) {
+        Ocean usual = ocean_of(tiles), elsewhere = ocean_of(tiles);
+        std::vector<TileMemory> memory(static_cast<std::size_t>(tiles));
+        std::vector<TextureTargets> targets;
+        for (TileMemory& tile : memory) targets.push_back(tile.targets());
+        for (const double time_s : {0.4, 1.7, 9.2}) {
+            const Frame& expected = usual.frame_at(time_s);
+            elsewhere.schedule(time_s, targets);
+            const Frame& frame = elsewhere.complete();
+            for (std::size_t i = 0; i < memory.size(); ++i) {
+                EXPECT_TRUE(memory[i].holds(expected.tiles[i])) << tiles << " tiles, tile " << i << ", " << time_s;
+                EXPECT_TRUE(frame.tiles[i].displacement_rgba16f.empty() && frame.tiles[i].gradient_rgba8.empty() &&
+                            frame.tiles[i].slopes_rgba8.empty() && frame.tiles[i].moments_rgba8.empty());
+                EXPECT_EQ(frame.tiles[i].height.at(3, 5), expected.tiles[i].height.at(3, 5));
+            }
+        }
+        // The same slots again, without targets: everything is the frame's own as before.
+        for (const double time_s : {2.5, 3.5})
+            EXPECT_EQ(hash_of(elsewhere.frame_at(time_s)), hash_of(usual.frame_at(time_s)));
+    }
+}
+
+TEST_P(TextureTargetsOnEachIsa, WhatIsLeftOutStaysInTheFrame) {
+    Ocean usual = ocean_of(1), elsewhere = ocean_of(1);
+    TileMemory memory;
+    TextureTargets only_slopes{.slopes_rgba8 = memory.targets().slopes_rgba8};
+    const Frame& expected = usual.frame_at(1);
+    elsewhere.schedule(1, {&only_slopes, 1});
+    const Tile& tile = elsewhere.complete().tiles[0];
+    EXPECT_TRUE(tile.slopes_rgba8.empty());
+    EXPECT_TRUE(std::ranges::equal(tile.displacement_rgba16f, expected.tiles[0].displacement_rgba16f));
+    EXPECT_TRUE(std::ranges::equal(tile.gradient_rgba8, expected.tiles[0].gradient_rgba8));
+    EXPECT_TRUE(std::ranges::equal(tile.moments_rgba8, expected.tiles[0].moments_rgba8));
+}
+
+std::string refusal_of(Ocean& ocean, std::span<const TextureTargets> targets) {
+    try {
+        ocean.schedule(1, targets);
+    } catch (const std::invalid_argument& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST(TextureTargets, AreRefusedInOneLineBeforeAnythingIsComputed) {
+    Ocean ocean({.resolution = n, .patch_size_m = 130}, {.executor = make_serial_executor()});
+    const std::uint64_t before = hash_of(ocean.frame_at(5));
+    TileMemory memory;
+    const TextureTargets whole = memory.targets();
+    EXPECT_EQ(refusal_of(ocean, {&whole, 1}), "slopes_rgba8 is wanted, needs an ocean with slopes");
+    const TextureTargets two[2] = {};
+    EXPECT_EQ(refusal_of(ocean, two), "there are targets of 2 tiles, needs 1");
+    TextureTargets odd{.displacement_rgba16f = whole.displacement_rgba16f + 4};
+    EXPECT_EQ(refusal_of(ocean, {&odd, 1}), "displacement_rgba16f is at an address that is no multiple of 64");
+    TextureTargets torn{.gradient_rgba8 = whole.gradient_rgba8};
+    torn.gradient_rgba8[3] = nullptr;
+    EXPECT_EQ(refusal_of(ocean, {&torn, 1}), "gradient_rgba8 lacks level 3, needs 6 levels");
+    EXPECT_EQ(hash_of(ocean.complete()), before);
+
+    TextureTargets good{.displacement_rgba16f = whole.displacement_rgba16f};
+    EXPECT_EQ(refusal_of(ocean, {&good, 1}), "");
+    std::vector<std::uint16_t> halves(4 * n * n);
+    EXPECT_THROW(copy_frame(ocean.complete(), FrameBuffers{.displacement_rgba16f = halves}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace pelagic
