@@ -180,7 +180,7 @@ inline void evolve_lines(const EvolveRowsJob& job) {
         last_step_turned<Arch, 8, lanes>(job, data);
     else if (job.line_count == lanes)
         last_step_turned<Arch, 4, lanes>(job, data);
-    else
+    else  // 16 lanes for the 8 lines of N = 16
         last_step_turned<Arch, 4, lanes / 2>(job, data);
 }
 
