@@ -23,7 +23,7 @@ struct EvolveRowsJob {
     const std::uint32_t* harmonics;  ///< the same of its harmonics
     std::uint32_t fraction;          ///< LoopFraction::turns
     std::size_t first_line;          ///< kz of lane 0
-    std::size_t line_count;          ///< lanes that hold lines, at most W
+    std::size_t line_count;          ///< lanes that hold lines: W, or W/2 where N = 16 has no more
     const FftTables* fft;
     float* lines;  ///< all column blocks; aliases no input
     /// Only for evolve_velocity_rows, which makes the same lines of the derivative in time: the angular frequency of
