@@ -95,39 +95,35 @@ class BlockSurface {
         }
     }
 
-    /// Two rows, an even one and the next, walked along register by register: what lies between a register and the one before
-    /// is kept.
+    /// Two rows, an even one and the next, walked along register by register.
     class PairWalk {
        public:
         PELAGIC_INLINE PairWalk(const BlockSurface& surface, std::size_t first_column, std::size_t z)
             : row_(surface.data_ + z * row_floats),
               end_(row_ + surface.column_blocks() * surface.block_stride_),
+              before_(surface.block(first_column - V::size) + z * row_floats),
               here_(surface.block(first_column) + z * row_floats),
               stride_(surface.block_stride_),
               above_((((z - 2) & surface.last_) - z) * row_floats),
-              below_((((z + 2) & surface.last_) - z) * row_floats) {
-            const float* before = surface.block(first_column - V::size) + z * row_floats;
-            for (int row = 0; row < 2; ++row)
-                for (std::size_t component = 0; component < surface_components; ++component)
-                    left_[row][component] = Seam<Arch>{load(before, row, component), at(component, row)};
-        }
+              below_((((z + 2) & surface.last_) - z) * row_floats) {}
 
         PELAGIC_INLINE V at(std::size_t component, int row) const { return load(here_, row, component); }
 
-        /// The weighted Differences of the two neighbours on each side, f(1) - f(-1) + far_weight (f(2) - f(-2)). Once a
-        /// component and register.
-        PELAGIC_INLINE void wide_difference(std::size_t component, int row, V far_weight, Differences<Arch>& along) {
+        /// The weighted Differences of the two neighbours on each side, f(1) - f(-1) + far_weight (f(2) - f(-2)).
+        PELAGIC_INLINE void wide_difference(std::size_t component, int row, V far_weight,
+                                            Differences<Arch>& along) const {
             const auto column = [&](int of) { return load(here_, of, component); };
-            const Seam<Arch> left = left_[row][component];
             const V here = column(row);
-            const Seam<Arch> right{here, load(behind(), row, component)};
+            const Seam<Arch> left{load(before_, row, component), here}, right{here, load(behind(), row, component)};
             along.x = (lanes_behind<1, Arch>(here, right) - lanes_before<1, Arch>(left, here)) +
                       far_weight * (lanes_behind<2, Arch>(here, right) - lanes_before<2, Arch>(left, here));
             along.z = (column(row + 1) - column(row - 1)) + far_weight * (column(row + 2) - column(row - 2));
-            left_[row][component] = right;
         }
 
-        PELAGIC_INLINE void next() { here_ = behind(); }
+        PELAGIC_INLINE void next() {
+            before_ = here_;
+            here_ = behind();
+        }
 
        private:
         PELAGIC_INLINE const float* behind() const { return here_ + stride_ == end_ ? row_ : here_ + stride_; }
@@ -140,10 +136,9 @@ class BlockSurface {
         }
 
         const float *row_, *end_;  ///< in the first block and behind the last
-        const float* here_;
+        const float *before_, *here_;
         std::size_t stride_;
         std::size_t above_, below_;  ///< to the two rows on either side
-        Seam<Arch> left_[2][surface_components];
     };
 
    private:

@@ -103,7 +103,7 @@ inline void make_slope_level(std::size_t rows, std::size_t columns, Finer finer,
 
 /// The slopes at W texels, and their squares.
 template <class Arch, class Turn>
-PELAGIC_INLINE void slopes_at(typename BlockSurface<Arch>::PairWalk& walk, int row, const Turn& turn,
+PELAGIC_INLINE void slopes_at(const typename BlockSurface<Arch>::PairWalk& walk, int row, const Turn& turn,
                               xsimd::batch<float, Arch> factor, xsimd::batch<float, Arch> (&planes)[slope_planes]) {
     using V = xsimd::batch<float, Arch>;
     const V far_weight(static_cast<float>(SlopesJob::far_weight / SlopesJob::near_weight));

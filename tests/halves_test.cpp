@@ -1,0 +1,77 @@
+// Floats to halves against IEEE 754's rule, to nearest and ties to even: the floats that become one half lie between the middles
+// to its neighbours, so borders in double say what each float must become.
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+#include "pelagic/tests/each_isa.hpp"
+#include "pelagic/tests/sanitized.hpp"
+
+namespace pelagic {
+
+#if defined(__x86_64__)
+std::uint16_t wrong_halves_sse4_2(std::uint32_t first, std::uint32_t last, std::uint16_t expected);
+std::uint16_t wrong_halves_avx2(std::uint32_t first, std::uint32_t last, std::uint16_t expected);
+std::uint16_t wrong_halves_avx512(std::uint32_t first, std::uint32_t last, std::uint16_t expected);
+#else
+std::uint16_t wrong_halves_neon(std::uint32_t first, std::uint32_t last, std::uint16_t expected);
+#endif
+
+namespace {
+
+constexpr std::uint32_t sign_bit = 0x80000000, infinity_bits = 0x7F800000;
+constexpr int infinite_half = 0x7C00;
+
+std::uint16_t wrong_halves(Isa isa, std::uint32_t first, std::uint32_t last, std::uint16_t expected) {
+    switch (isa) {
+#if defined(__x86_64__)
+        case Isa::sse4_2: return wrong_halves_sse4_2(first, last, expected);
+        case Isa::avx2: return wrong_halves_avx2(first, last, expected);
+        case Isa::avx512: return wrong_halves_avx512(first, last, expected);
+        default: break;
+#else
+        case Isa::neon: return wrong_halves_neon(first, last, expected);
+        default: break;
+#endif
+    }
+    return 0xFFFF;
+}
+
+/// What a positive half's bits mean; infinity's are where the next power of two would be.
+double value_of(int half) {
+    const int exponent = half >> 10, mantissa = half & 0x3FF;
+    return exponent == 0 ? std::ldexp(mantissa, -24) : std::ldexp(1024 + mantissa, exponent - 25);
+}
+
+/// The bits of the first float that becomes this half. A middle goes to the even one; it has few bits, so it is a float.
+std::uint32_t first_float(int half) {
+    if (half == 0) return 0;
+    const auto middle = static_cast<float>((value_of(half - 1) + value_of(half)) / 2);
+    return std::bit_cast<std::uint32_t>(middle) + half % 2;
+}
+std::uint32_t last_float(int half) { return half == infinite_half ? infinity_bits : first_float(half + 1) - 1; }
+
+class HalvesOnEachIsa : public testing::TestWithParam<Isa> {};
+INSTANTIATE_TEST_SUITE_P(Isas, HalvesOnEachIsa, testing::ValuesIn(isas_here()), isa_test_name);
+
+// SSE4.2 has no instruction for it, so that all magnitudes are looked at: two seconds. Elsewhere those around the borders.
+TEST_P(HalvesOnEachIsa, AreTheNearest) {
+    constexpr std::uint32_t around = 64;
+    for (int half = 0; half <= infinite_half; ++half) {
+        const std::uint32_t first = first_float(half), last = last_float(half);
+        const auto negative = static_cast<std::uint16_t>(half | 0x8000);
+        if (GetParam() == Isa::sse4_2 && !is_sanitized) {
+            ASSERT_EQ(wrong_halves(GetParam(), first, last, static_cast<std::uint16_t>(half)), 0u) << half;
+        }
+        const std::uint32_t begin = std::min(last, first + around),
+                            end = std::max(first, last - std::min(last, around));
+        ASSERT_EQ(wrong_halves(GetParam(), first, begin, static_cast<std::uint16_t>(half)), 0u) << half;
+        ASSERT_EQ(wrong_halves(GetParam(), end, last, static_cast<std::uint16_t>(half)), 0u) << half;
+        ASSERT_EQ(wrong_halves(GetParam(), sign_bit | first, sign_bit | begin, negative), 0u) << half;
+        ASSERT_EQ(wrong_halves(GetParam(), sign_bit | end, sign_bit | last, negative), 0u) << half;
+    }
+}
+
+}  // namespace
+}  // namespace pelagic
