@@ -24,7 +24,7 @@ struct AnalyticSea {
     double choppiness = 1;            ///< 1: water goes round in circles, as Gerstner's; 0: a height field; [0, 1]
 };
 
-/// The largest sum of k A. Below 1 no crest folds; up to here each step of a search for a rest point takes off three fifths of its error.
+/// The largest sum of k A. No crest folds below 1; up to here each step of a search takes off three fifths of its error.
 inline constexpr double most_steepness = 0.4;
 
 /// Sum of k A over the waves.

@@ -41,7 +41,7 @@ struct AnalyticSamples {
     /// Unit normal of the displaced surface, (hz Dz,x - hx (1 + Dz,z), J, hx Dx,z - hz (1 + Dx,x)) over its length.
     std::span<float> normal_x = {}, normal_y = {}, normal_z = {};
     std::span<float> jacobian =
-        {};  ///< J = (1 + Dx,x)(1 + Dz,z) - Dx,z Dz,x: 1 at rest, small at crests, never below 0.2
+        {};  ///< J = (1 + Dx,x)(1 + Dz,z) - Dx,z Dz,x: 1 at rest, small at crests, never below 0.6
     std::span<float> velocity_x_mps = {}, velocity_y_mps = {}, velocity_z_mps = {};  ///< of the water
 };
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
+#include <utility>
 #include <xsimd/xsimd.hpp>
 
 #include "pelagic/analytic/kernels/analytic_kernels.hpp"
@@ -36,60 +36,81 @@ PELAGIC_INLINE xsimd::batch<float, Arch> shown_part(xsimd::batch<float, Arch> ha
     return V(1.f) - t * t * (V(3.f) - (t + t));
 }
 
-template <class Arch>
-PELAGIC_INLINE void exp_sine_points(const ExpSineJob& job, std::size_t at) {
+/// W points on their way through the octaves. Without `Slopes` the height alone, and no derivative is computed.
+template <class Arch, bool Slopes>
+class ExpSinePoints {
     using V = xsimd::batch<float, Arch>;
-    const PointPhases<Arch> phases(job.octaves, job.starts, job.octave_count, job.x + at, job.z + at);
-    const V footprint = job.footprint ? V::load_unaligned(job.footprint + at) : V(0.f);
-    V height(0.f), slope_x(0.f), slope_z(0.f), rise(0.f), left(0.f);
-    // Where the point has been moved to, less where it is; its derivatives along x, along z and in time.
-    V off_x(0.f), off_z(0.f), x_x(1.f), x_z(0.f), z_x(0.f), z_z(1.f), x_t(0.f), z_t(0.f);
-    for (int i = 0; i < job.octave_count; ++i) {
-        const ExpSineTerms& octave = job.octaves[i];
-        const V way_x(octave.way_x), way_z(octave.way_z), k(octave.k);
-        const V moved_turns = (way_x * off_x + way_z * off_z) * V(octave.turns_per_m);
-        const auto [s, c] = rotation_of_turns<Arch>(phases.of(i) + phase_of_turns<Arch>(moved_turns));
-        const V wave = exp_of_sine<Arch>(s);
-        const V shown = shown_part<Arch>(footprint * V(octave.half_waves_per_m));
 
-        const V amplitude = V(octave.height) * shown;
-        height = height + amplitude * (wave - V(0.465759608f));  // E exp(sin p - 1) = I0(1) / e
-        const V gain = amplitude * wave * c;
-        const V phase_x = k * (way_x * x_x + way_z * z_x), phase_z = k * (way_x * x_z + way_z * z_z);
-        const V phase_t = k * (way_x * x_t + way_z * z_t) - V(octave.frequency);
-        slope_x = slope_x + gain * phase_x;
-        slope_z = slope_z + gain * phase_z;
-        rise = rise + gain * phase_t;
+   public:
+    PELAGIC_INLINE ExpSinePoints(const ExpSineJob& job, std::size_t at)
+        : phases_(job.octaves, job.starts, job.octave_count, job.x + at, job.z + at),
+          footprint_(job.footprint ? V::load_unaligned(job.footprint + at) : V(0.f)) {}
+
+    PELAGIC_INLINE void add(const ExpSineTerms& octave, int i) {
+        const V way_x(octave.way_x), way_z(octave.way_z), k(octave.k);
+        const V moved_turns = (way_x * off_x_ + way_z * off_z_) * V(octave.turns_per_m);
+        const auto [s, c] = rotation_of_turns<Arch>(phases_.of(i) + phase_of_turns<Arch>(moved_turns));
+        const V wave = exp_of_sine<Arch>(s), shown = shown_part<Arch>(footprint_ * V(octave.half_waves_per_m));
+        const V amplitude = V(octave.height) * shown, drag = V(octave.drag) * shown * wave, by = drag * c;
+        height_ = height_ + amplitude * (wave - V(0.465759608f));  // E exp(sin p - 1) = I0(1) / e
+        off_x_ = off_x_ - way_x * by;
+        off_z_ = off_z_ - way_z * by;
+        if constexpr (!Slopes) return;
+
+        const V phase_x = k * (way_x * x_x_ + way_z * z_x_), phase_z = k * (way_x * x_z_ + way_z * z_z_);
+        const V phase_t = k * (way_x * x_t_ + way_z * z_t_) - V(octave.frequency);
+        const V gain = amplitude * wave * c, by_phase = drag * (c * c - s);
+        slope_x_ = slope_x_ + gain * phase_x;
+        slope_z_ = slope_z_ + gain * phase_z;
+        rise_ = rise_ + gain * phase_t;
+        x_x_ = x_x_ - way_x * (by_phase * phase_x);
+        x_z_ = x_z_ - way_x * (by_phase * phase_z);
+        x_t_ = x_t_ - way_x * (by_phase * phase_t);
+        z_x_ = z_x_ - way_z * (by_phase * phase_x);
+        z_z_ = z_z_ - way_z * (by_phase * phase_z);
+        z_t_ = z_t_ - way_z * (by_phase * phase_t);
         // E (exp(sin p - 1) cos p)^2 = I1(2) / (2 e^2)
         const V steepness = V(octave.height) * k;
-        left = left + (V(1.f) - shown * shown) * (steepness * steepness * V(0.107634645f));
-
-        const V drag = V(octave.drag) * shown * wave;
-        const V by = drag * c, by_phase = drag * (c * c - s);
-        off_x = off_x - way_x * by;
-        off_z = off_z - way_z * by;
-        x_x = x_x - way_x * (by_phase * phase_x);
-        x_z = x_z - way_x * (by_phase * phase_z);
-        x_t = x_t - way_x * (by_phase * phase_t);
-        z_x = z_x - way_z * (by_phase * phase_x);
-        z_z = z_z - way_z * (by_phase * phase_z);
-        z_t = z_t - way_z * (by_phase * phase_t);
+        hidden_ = hidden_ + (V(1.f) - shown * shown) * (steepness * steepness * V(0.107634645f));
     }
 
-    const ExpSineAnswers& out = job.out;
-    height.store_unaligned(out.height + at);
-    if (!out.normal_x) return;
-    const V inverse = divided<Arch>(V(1.f), square_root<Arch>(slope_x * slope_x + V(1.f) + slope_z * slope_z));
-    (-slope_x * inverse).store_unaligned(out.normal_x + at);
-    inverse.store_unaligned(out.normal_y + at);
-    (-slope_z * inverse).store_unaligned(out.normal_z + at);
-    rise.store_unaligned(out.rise + at);
-    left.store_unaligned(out.slope_variance + at);
+    PELAGIC_INLINE void store(const ExpSineAnswers& out, std::size_t at) const {
+        height_.store_unaligned(out.height + at);
+        if constexpr (!Slopes) return;
+        const V length = square_root<Arch>(slope_x_ * slope_x_ + V(1.f) + slope_z_ * slope_z_);
+        const V up = divided<Arch>(V(1.f), length), down = V(-1.f) * up;
+        (slope_x_ * down).store_unaligned(out.normal_x + at);
+        up.store_unaligned(out.normal_y + at);
+        (slope_z_ * down).store_unaligned(out.normal_z + at);
+        rise_.store_unaligned(out.rise + at);
+        hidden_.store_unaligned(out.slope_variance + at);
+    }
+
+   private:
+    PointPhases<Arch> phases_;
+    V footprint_;
+    V height_ = V(0.f), slope_x_ = V(0.f), slope_z_ = V(0.f), rise_ = V(0.f), hidden_ = V(0.f);
+    /// Where the point has been moved to, less where it is; derivatives of where it is now along x, along z and in time.
+    V off_x_ = V(0.f), off_z_ = V(0.f);
+    V x_x_ = V(1.f), x_z_ = V(0.f), z_x_ = V(0.f), z_z_ = V(1.f), x_t_ = V(0.f), z_t_ = V(0.f);
+};
+
+/// A group at once: an octave waits for those before it, and meanwhile the other registers go on.
+template <class Arch, bool Slopes, std::size_t... Registers>
+PELAGIC_FLATTEN void exp_sine_groups(const ExpSineJob& job, std::index_sequence<Registers...>) {
+    constexpr std::size_t lanes = xsimd::batch<float, Arch>::size;
+    for (std::size_t at = 0; at < job.count; at += analytic_group) {
+        ExpSinePoints<Arch, Slopes> points[] = {{job, at + Registers * lanes}...};
+        for (int i = 0; i < job.octave_count; ++i) (points[Registers].add(job.octaves[i], i), ...);
+        (points[Registers].store(job.out, at + Registers * lanes), ...);
+    }
 }
 
 template <class Arch>
-PELAGIC_FLATTEN void exp_sine(const ExpSineJob& job) {
-    for (std::size_t at = 0; at < job.count; at += xsimd::batch<float, Arch>::size) exp_sine_points<Arch>(job, at);
+void exp_sine(const ExpSineJob& job) {
+    const std::make_index_sequence<analytic_group / xsimd::batch<float, Arch>::size> registers;
+    if (job.out.normal_x) return exp_sine_groups<Arch, true>(job, registers);
+    exp_sine_groups<Arch, false>(job, registers);
 }
 
 }  // namespace pelagic::kernels
