@@ -32,7 +32,8 @@ AnalyticWater analytic_water(vec2 rest_m, float time_s) {
         vec2 turn = analytic_turn[i];      // turns at the origin, turns a second
         float phase = 6.2831853 * fract(dot(wave.xy, rest_m) * wave.z - turn.y * time_s + turn.x);
         float s = sin(phase), c = cos(phase), steepness = 6.2831853 * wave.z * wave.w;
-        moved += vec3(-analytic_choppiness * wave.w * s * wave.x, wave.w * c, -analytic_choppiness * wave.w * s * wave.y);
+        moved.xz -= analytic_choppiness * wave.w * s * wave.xy;
+        moved.y += wave.w * c;
         slope -= steepness * s * wave.xy;
         squeeze -= analytic_choppiness * steepness * c * vec3(wave.x * wave.xy, wave.y * wave.y);
     }

@@ -7,12 +7,14 @@
 
 namespace pelagic {
 
-/// Where and when a shader's zero is. Its floats tell 600 s and some hundred wavelengths well: print the text again further on.
+/// Where and when a shader's zero is. Its floats tell 600 s and some hundred wavelengths well: print the text again
+/// further on.
 struct GlslOrigin {
     double time_s = 0, x_m = 0, z_m = 0;
 };
 
-/// GLSL ES 3.00 with the waves as constants, no uniforms and no textures, for vertex and fragment shaders of `precision highp float`:
+/// GLSL ES 3.00 with the waves as constants, no uniforms and no textures, for vertex and fragment shaders of
+/// `precision highp float`:
 ///
 ///   struct AnalyticWater { vec3 displacement; vec3 normal; float jacobian; };  metres, unit
 ///   AnalyticWater analytic_water(vec2 rest_m, float time_s)                    both from `origin` on

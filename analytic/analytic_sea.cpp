@@ -35,16 +35,16 @@ void require(const AnalyticSea& sea) {
     if (const std::string reason = check(sea); !reason.empty()) throw std::invalid_argument(reason);
 }
 
-// Parts of each wave, k A, in thousandths; from the longest wave to the shortest. Calm is what a swell leaves, intense is
-// chop on a storm's waves, a little below the limit.
+// Parts of each wave, k A, in thousandths; from the longest wave to the shortest. Calm is what a swell leaves,
+// intense is chop on a storm's waves, a little below the limit.
 constexpr std::size_t preset_waves = 16;
 constexpr std::array<int, preset_waves> calm_steepness = {4, 6, 7, 7, 6, 4, 3, 2, 2, 1, 1, 1, 1, 1, 1, 1};
-constexpr std::array<int, preset_waves> moderate_steepness = {14, 19, 22, 22, 19, 15, 12, 10, 9, 8, 7, 7, 6, 6, 5, 5};
-constexpr std::array<int, preset_waves> intense_steepness = {38, 44, 44, 38, 31, 25, 21, 18,
-                                                             17, 16, 16, 16, 16, 15, 15, 15};
+constexpr std::array<int, preset_waves> moderate_steepness = {15, 20, 23, 23, 20, 16, 13, 10, 8, 7, 6, 5, 5, 4, 4, 3};
+constexpr std::array<int, preset_waves> intense_steepness = {44, 50, 48, 42, 35, 29, 24, 20,
+                                                             17, 15, 13, 12, 11, 10, 9,  8};
 
-/// Lengths fall evenly from 120 to 2 m. Directions and phases are spread by the golden ratio, as evenly as any number of waves
-/// can be; shorter waves run further from the wind, which blows along +x.
+/// Lengths fall evenly from 120 to 2 m. Directions and phases are spread by the golden ratio, as evenly as any number
+/// of waves can be; shorter waves run further from the wind, which blows along +x.
 AnalyticSea preset_sea(const std::array<int, preset_waves>& steepness) {
     const DefaultFloatEnvironment environment;
     constexpr double golden = 0.6180339887498949;
@@ -55,7 +55,7 @@ AnalyticSea preset_sea(const std::array<int, preset_waves>& steepness) {
         const double spread = 2 * (n * golden - std::floor(n * golden)) - 1, turn = n * golden * golden;
         sea.waves.push_back({.amplitude_m = steepness[i] * 1e-3 * wavelength_m / two_pi,
                              .wavelength_m = wavelength_m,
-                             .direction_rad = spread * (0.35 + 0.75 * part),
+                             .direction_rad = spread * (0.35 + part),
                              .phase_rad = two_pi * (turn - std::floor(turn))});
     }
     return sea;

@@ -41,14 +41,15 @@ GerstnerTerms terms_of(const AnalyticWave& wave, double frequency_hz, double cho
             .drift_z = rounded(moved * speed * z)};
 }
 
-// The search for q with q + D(q) = p. Let s = choppiness sum k A, at most 0.4, and M = choppiness sum k^2 A: everywhere
+// The search for q with q + D(q) = p. Let s = choppiness sum k A, at most 0.4, and M = choppiness sum k^2 A:
+// everywhere
 // |D'| <= s and |D''| <= M. A rest point that is drawn a distance r off goes on
 //
 // * by the fixed point, q - off: off' = D(q - off) - D(q), so r' <= s r;
 // * by Newton, q - (1 + D')^-1 off, a step of at most r / (1 - s): r' <= M/2 (r / (1 - s))^2 by Taylor's theorem.
 //
-// Each step takes the one that promises less, so that r' <= r min(s, c r), c = M / (2 (1 - s)^2). The search begins at p itself, at most
-// choppiness sum A off, and has ended when what is promised is within the target.
+// Each step takes the one that promises less, so that r' <= r min(s, c r), c = M / (2 (1 - s)^2). The search begins
+// at p itself, at most choppiness sum A off, and has ended when what is promised is within the target.
 struct Convergence {
     double s = 0, c = 0, first_m = 0;
 

@@ -8,10 +8,10 @@
 // and the water that rests at q is drawn at q + D, h high: with choppiness 1 each particle goes round in a circle
 // (Gerstner 1802). Slopes, Jacobian and velocity are the derivatives of these sums.
 //
-// Bits depend on the sea, the time and the point alone: not on other points, nor their order, nor the thread, nor the instruction set.
-// The same time gives the same bits however it was reached, and any finite time keeps its accuracy: the turns of a wave
-// are an exact product of two doubles (wave_phase.hpp). Heights are within 1e-6 of the sum of the amplitudes up to 1e6 of the shortest
-// wavelength from the origin.
+// Bits depend on the sea, the time and the point alone: not on other points, nor their order, nor the thread, nor the
+// instruction set. The same time gives the same bits however it was reached, and any finite time keeps its accuracy: the
+// turns of a wave are an exact product of two doubles (wave_phase.hpp). Heights of rest points are within 1e-6 of the
+// sum of the amplitudes up to 1e6 of the shortest wavelength from the origin.
 #pragma once
 
 #include <cstddef>
@@ -40,8 +40,8 @@ struct AnalyticSamples {
     std::span<float> sideways_x_m = {}, sideways_z_m = {};
     /// Unit normal of the displaced surface, (hz Dz,x - hx (1 + Dz,z), J, hx Dx,z - hz (1 + Dx,x)) over its length.
     std::span<float> normal_x = {}, normal_y = {}, normal_z = {};
-    std::span<float> jacobian =
-        {};  ///< J = (1 + Dx,x)(1 + Dz,z) - Dx,z Dz,x: 1 at rest, small at crests, never below 0.6
+    /// J = (1 + Dx,x)(1 + Dz,z) - Dx,z Dz,x: 1 at rest, less at crests, never below 0.6.
+    std::span<float> jacobian = {};
     std::span<float> velocity_x_mps = {}, velocity_y_mps = {}, velocity_z_mps = {};  ///< of the water
 };
 

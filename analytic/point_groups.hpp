@@ -30,14 +30,14 @@ struct AnswerArrays {
 
 template <std::size_t Kinds>
 struct PointGroup {
-    std::size_t first,
-        count;  ///< count is a multiple of analytic_group; past the host's points there are copies of his last
+    std::size_t first;
+    std::size_t count;  ///< a multiple of analytic_group: past the host's points there are copies of his last
     const double *x, *z;
     std::array<float*, Kinds> answers;  ///< never null
 };
 
-/// Calls sample(group) for groups of at most `most` points, and hands out what they answer. Answers that nobody wants go to an array on the
-/// stack, so that kernels needn't ask.
+/// Calls sample(group) for groups of at most `most` points, and hands out what they answer. Answers that nobody wants
+/// go to an array on the stack, so that kernels needn't ask.
 template <std::size_t Kinds, class Sample>
 void for_each_group(std::span<const double> x, std::span<const double> z, const AnswerArrays<Kinds>& arrays,
                     Sample sample) {

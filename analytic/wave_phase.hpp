@@ -7,8 +7,8 @@ namespace pelagic {
 
 inline constexpr double gravity_of_waves_mps2 = 9.80665;
 
-/// frequency_hz x time_s without its whole turns, in parts of 2^-64 of a turn: the product of the two doubles is taken exactly, as
-/// integers, so time loses no accuracy however long it runs, and -t is the same turned back.
+/// frequency_hz x time_s without its whole turns, in parts of 2^-64 of a turn: the product of the two doubles is
+/// taken exactly, as integers, so time loses no accuracy however long it runs, and -t is the same turned back.
 /// \pre both are finite
 std::uint64_t turned(double frequency_hz, double time_s);
 

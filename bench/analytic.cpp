@@ -2,8 +2,9 @@
 //
 //   taskset -c 1 build/release/bin/pelagic_analytic_bench --benchmark_repetitions=9
 //
-// Names are what/answers/instruction set/waves. `rest` asks the water that rests at the points, `world` the water that is drawn there, within 1e-4 m;
-// 16 waves are the preset analytic-moderate, or for `intense` that one. Points are random over a square kilometre.
+// Names are what/answers/instruction set/waves. `rest` asks the water that rests at the points, `world` the water
+// that is drawn there, within 1e-4 m; 16 waves are the preset analytic-moderate, or for `intense` that one. Points
+// are random over a square kilometre.
 #include <benchmark/benchmark.h>
 
 #include <memory>

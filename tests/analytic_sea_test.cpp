@@ -87,8 +87,9 @@ TEST(AnalyticMorph, HeightGoesOneWayBetweenPresets) {
     }
 }
 
-// A morph that rotated or stretched waves would slide them by whole wavelengths 50 km away. Here a step of u moves the surface by the
-// change of amplitudes alone, at most 1.5 du of it (the steepest smoothstep is), far from the origin as near it.
+// A morph that rotated or stretched waves would slide them by whole wavelengths 50 km away. Here a step of u moves
+// the surface by the change of amplitudes alone, at most 1.5 du of it (the steepest smoothstep is), far from the
+// origin as near it.
 TEST(AnalyticMorph, MovesTheSurfaceByTheChangeOfAmplitudesAloneAnywhere) {
     AnalyticSea other = named("analytic-calm");
     for (AnalyticWave& wave : other.waves) wave.direction_rad += 1.5;

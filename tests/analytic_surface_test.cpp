@@ -1,4 +1,5 @@
-// Closed-form water against the same sums in long double with libm, against Gerstner's exact wave, and against itself in any order.
+// Closed-form water against the same sums in long double with libm, against Gerstner's exact wave, and against itself
+// in any order.
 #include "pelagic/analytic/analytic_surface.hpp"
 
 #include <bit>
@@ -110,7 +111,8 @@ Answers in_world(const AnalyticSurface& water, double time_s, const Places& plac
 
 const AnalyticSea& intense() { return analytic_preset_named("analytic-intense")->sea; }
 
-/// As steep as is accepted, with a short steep wave on a high long one: Newton's method alone would go astray far from the solution.
+/// As steep as is accepted, with a short steep wave on a high long one: Newton's method alone would go astray far
+/// from the solution.
 AnalyticSea short_on_long() {
     return {.waves = {{.amplitude_m = 12, .wavelength_m = 500, .direction_rad = 0.3},
                       {.amplitude_m = 0.0124, .wavelength_m = 0.316, .direction_rad = -1, .phase_rad = 2}}};
@@ -175,13 +177,15 @@ TEST_P(AnalyticOnEachIsa, WaterOfAWorldPointIsDrawnThere) {
             const Truth t = truth(sea, 55, rest.x[i], rest.z[i]);
             ASSERT_LE(std::hypot(rest.x[i] + t.x - places.x[i], rest.z[i] + t.z - places.z[i]),
                       AnalyticSurface::tolerance_m);
-            // The search ends half of the tolerance away, on faces of slope 0.4; and floats of a sea of 12 m lose 1.2e-5.
+            // The search ends half of the tolerance away, on faces of slope 0.4; and floats of a sea of 12 m lose
+            // 1.2e-5.
             ASSERT_NEAR(said.of[height][i], rounded(t.height), 4e-5);
         }
     }
 }
 
-// r' <= r min(s, c r) from choppiness sum A: for this sea s = 0.4 and c = 6, so the fixed point goes on to 7 cm, then Newton.
+// r' <= r min(s, c r) from choppiness sum A: for this sea s = 0.4 and c = 6, so the fixed point goes on to 7 cm, then
+// Newton.
 TEST(AnalyticSearch, EndsAfterAsManyStepsAsItsProofSays) {
     EXPECT_EQ(AnalyticSurface(analytic_preset_named("analytic-calm")->sea).most_search_steps(), 3);
     EXPECT_EQ(AnalyticSurface(intense()).most_search_steps(), 6);
@@ -277,7 +281,8 @@ TEST(AnalyticPhysics, WavesRunAtTheSpeedOfDeepWater) {
     }
 }
 
-// Gerstner 1802 (Lamb 1932, article 251): x = a - A e^kb sin(k a - w t), y = b + A e^kb cos(k a - w t) solves Euler's equations.
+// Gerstner 1802 (Lamb 1932, article 251): x = a - A e^kb sin(k a - w t), y = b + A e^kb cos(k a - w t) solves Euler's
+// equations.
 class Trochoid : public testing::Test {
    protected:
     static constexpr double wavelength_m = 20, k = 2 * std::numbers::pi / wavelength_m, surface_a_m = 0.38 / k;
@@ -303,7 +308,8 @@ TEST_F(Trochoid, IsGerstnersAndItsWaterGoesRoundInCircles) {
     }
 }
 
-// Water is incompressible: d(x, y)/d(a, b) = 1 - (k A)^2 e^2kb, whatever a and t. Differences over 1 cm of floats of half a metre.
+// Water is incompressible: d(x, y)/d(a, b) = 1 - (k A)^2 e^2kb, whatever a and t. Differences over 1 cm of floats of
+// half a metre.
 TEST_F(Trochoid, HasTheSameJacobianEverywhereOnALayer) {
     const double b = 0.4, step = 0.01;
     const AnalyticSurface above = at_depth(b - step), below = at_depth(b + step);

@@ -75,7 +75,8 @@ TEST_P(ExpSineOnEachIsa, ExponentialIsWithinAFewStepsOfAFloat) {
         ASSERT_NEAR(said.of[height][i], rounded(height_of(sea, 0, places.x[i], places.z[i])), 3 * 0x1p-23);
 }
 
-// What drags the later octaves carries the roundings of the earlier ones on: up to ten times as much as an octave has by itself.
+// What drags the later octaves carries the roundings of the earlier ones on: up to ten times as much as an octave has
+// by itself.
 TEST_P(ExpSineOnEachIsa, IsTheSumOfItsOctavesWithTrueDerivatives) {
     const ExpSineSea sea;
     const ExpSineWater water(sea, GetParam());
@@ -122,8 +123,8 @@ TEST(ExpSine, StaysWithinItsBoundsAndAroundZero) {
     EXPECT_NEAR(sum / 20000, 0, 0.05 * water.sea().height_m);
 }
 
-// Without dragging, octaves add up independently, and what a footprint hides of their slopes is in the variance: in the sum nothing
-// is lost. 20000 places tell a mean square within 3 %.
+// Without dragging, octaves add up independently, and what a footprint hides of their slopes is in the variance: in
+// the sum nothing is lost. 20000 places tell a mean square within 3 %.
 TEST(ExpSine, NormalsWidenWithTheFootprintAndNoSlopeIsLost) {
     const ExpSineWater water(ExpSineSea{.drag = 0});
     const Places places(20000, 500);

@@ -1,4 +1,5 @@
-// Closed-form water as text for shaders: GLSL's reference compiler takes it, and a driver computes the same water with it.
+// Closed-form water as text for shaders: GLSL's reference compiler takes it, and a driver computes the same water
+// with it.
 #include <gtest/gtest.h>
 #include <unistd.h>
 

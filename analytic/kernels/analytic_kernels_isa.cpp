@@ -1,5 +1,5 @@
-// Compiled once for each instruction set, as sim/kernels/kernels_isa.cpp. Only kernels may be included here, because the
-// linker keeps one copy of an inline function for everyone, and it might be this one.
+// Compiled once for each instruction set, as sim/kernels/kernels_isa.cpp. Only kernels may be included here, because
+// the linker keeps one copy of an inline function for everyone, and it might be this one.
 #include "pelagic/analytic/kernels/exp_sine.kernel.hpp"
 #include "pelagic/analytic/kernels/gerstner.kernel.hpp"
 

@@ -90,7 +90,8 @@ class ExpSinePoints {
     PointPhases<Arch> phases_;
     V footprint_;
     V height_ = V(0.f), slope_x_ = V(0.f), slope_z_ = V(0.f), rise_ = V(0.f), hidden_ = V(0.f);
-    /// Where the point has been moved to, less where it is; derivatives of where it is now along x, along z and in time.
+    /// Where the point has been moved to, less where it is; derivatives of where it is now along x, along z and in
+    /// time.
     V off_x_ = V(0.f), off_z_ = V(0.f);
     V x_x_ = V(1.f), x_z_ = V(0.f), z_x_ = V(0.f), z_z_ = V(1.f), x_t_ = V(0.f), z_t_ = V(0.f);
 };

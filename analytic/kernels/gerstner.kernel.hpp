@@ -43,7 +43,8 @@ struct SidewaysSum {
     }
 };
 
-/// Looks for the rest points of W world points. A point's steps depend on itself alone: lanes that are done keep their bits.
+/// Looks for the rest points of W world points. A point's steps depend on itself alone: lanes that are done keep
+/// their bits.
 template <class Arch>
 PELAGIC_INLINE void search_rest(const GerstnerJob& job, GerstnerPoints<Arch>& at) {
     using V = xsimd::batch<float, Arch>;

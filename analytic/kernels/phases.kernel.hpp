@@ -1,7 +1,7 @@
 // Phases of waves at points in double: 2^32 is a full turn, as rotation_of_turns() takes it.
 //
-// Doubles carry a point far from the origin: 1e6 turns away a phase is still within 2^-32 of a turn. Whole turns go first;
-// what is left, added to 1.5 x 2^20, stands in the lower word of the sum, in parts of 2^-32.
+// Doubles carry a point far from the origin: 1e6 turns away a phase is still within 2^-32 of a turn. Whole turns go
+// first; what is left, added to 1.5 x 2^20, stands in the lower word of the sum, in parts of 2^-32.
 #pragma once
 
 #include <cstddef>
