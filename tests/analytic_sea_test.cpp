@@ -77,6 +77,18 @@ TEST(AnalyticMorph, BeginsAndEndsAtItsSeas) {
     }
 }
 
+// A hundredth of the way into it and before its end, a smoothstep has gone 3 u^2 - 2 u^3.
+TEST(AnalyticMorph, SetsOutAndArrivesGently) {
+    const AnalyticSea& calm = named("analytic-calm");
+    const AnalyticSea& intense = named("analytic-intense");
+    const AnalyticSea out = morphed(calm, intense, 0.01), in = morphed(calm, intense, 0.99);
+    for (std::size_t i = 0; i < 16; ++i) {
+        const double change_m = intense.waves[i].amplitude_m - calm.waves[i].amplitude_m;
+        EXPECT_NEAR(out.waves[i].amplitude_m - calm.waves[i].amplitude_m, 2.98e-4 * change_m, 1e-9 * change_m);
+        EXPECT_NEAR(intense.waves[i].amplitude_m - in.waves[i].amplitude_m, 2.98e-4 * change_m, 1e-9 * change_m);
+    }
+}
+
 TEST(AnalyticMorph, HeightGoesOneWayBetweenPresets) {
     double before = 0;
     for (int i = 0; i <= 100; ++i) {

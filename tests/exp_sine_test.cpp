@@ -154,8 +154,9 @@ TEST(ExpSine, RaysMeetTheFirstWaterInTheirWay) {
     std::mt19937 random(9);
     const auto one = [&] { return static_cast<double>(random()) * 0x1p-32; };
     for (int i = 0; i < 8; ++i) {
-        const std::array<double, 3> from{10 * one(), 0.5 + one(), 10 * one()},
-            way{one() - 0.5, -0.1 - one(), one() - 0.5};
+        const bool grazes = i % 2 == 0;
+        const std::array<double, 3> from{10 * one(), grazes ? 0.1 : 1.5, 10 * one()};
+        const std::array<double, 3> way{one() - 0.5, grazes ? -0.02 : -0.1 - one(), one() - 0.5};
         const auto hit = water.first_hit(3, from, way, 50);
         ASSERT_TRUE(hit);
         const auto [x, y, z] = hit->position_m;
