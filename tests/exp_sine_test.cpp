@@ -153,20 +153,26 @@ TEST(ExpSine, RaysMeetTheFirstWaterInTheirWay) {
     const ExpSineWater water(sea);
     std::mt19937 random(9);
     const auto one = [&] { return static_cast<double>(random()) * 0x1p-32; };
-    for (int i = 0; i < 8; ++i) {
-        const bool grazes = i % 2 == 0;
-        const std::array<double, 3> from{10 * one(), grazes ? 0.1 : 1.5, 10 * one()};
-        const std::array<double, 3> way{one() - 0.5, grazes ? -0.02 : -0.1 - one(), one() - 0.5};
+    for (int i = 0; i < 60; ++i) {
+        const bool grazes = i % 2 == 0;  // just below the highest crests: those are short
+        const std::array<double, 3> from{10 * one(), grazes ? 0.03 : 1.5, 10 * one()};
+        const std::array<double, 3> way{one() - 0.5, grazes ? -0.0005 : -0.1 - one(), one() - 0.5};
         const auto hit = water.first_hit(3, from, way, 50);
         ASSERT_TRUE(hit);
         const auto [x, y, z] = hit->position_m;
         // 1e-6 m along a ray, above water whose slope is below 1.
         EXPECT_NEAR(rounded(height_of(sea, 3, x, z)), y, 2e-6);
-        // No water before, looked at at other places.
+        // No water before it, looked at every millimetre of the last metre.
         const double length = std::hypot(way[0], way[1], way[2]);
-        for (double at = std::max(0.0, hit->distance_m - 1); at < hit->distance_m - 0.01; at += 0.004)
-            ASSERT_GT(from[1] + at * way[1] / length,
-                      rounded(height_of(sea, 3, from[0] + at * way[0] / length, from[2] + at * way[2] / length)));
+        std::vector<double> at_x, at_y, at_z;
+        for (double at = std::max(0.0, hit->distance_m - 1); at < hit->distance_m - 0.005; at += 0.001) {
+            at_x.push_back(from[0] + at * way[0] / length);
+            at_y.push_back(from[1] + at * way[1] / length);
+            at_z.push_back(from[2] + at * way[2] / length);
+        }
+        std::vector<float> heights(at_x.size());
+        water.sample(3, {at_x, at_z}, {.height_m = heights});
+        for (std::size_t place = 0; place < heights.size(); ++place) ASSERT_GT(at_y[place], heights[place]);
     }
     EXPECT_FALSE(water.first_hit(3, {0, 1, 0}, {0, 1, 0}, 50));
     EXPECT_FALSE(water.first_hit(3, {0, 1, 0}, {1, 0, 0}, 50));
