@@ -3,6 +3,8 @@
 #pragma once
 
 #define PELAGIC_INLINE [[gnu::always_inline]] inline
+/// The same behind the parameters of a lambda.
+#define PELAGIC_INLINE_LAMBDA __attribute__((always_inline))
 
 // The same from the caller's side, for the loops around them: everything that they call becomes a part of them, xsimd's
 // own functions too, some of which are calls on NEON.

@@ -12,13 +12,13 @@ namespace pelagic::kernels {
 
 /// Four floats of a plane, one after the other.
 #if defined(__x86_64__)
-PELAGIC_INLINE __m128 four_loaded(const float* plane, const std::int32_t* places) {
+PELAGIC_INLINE __m128 four_loaded(const float* plane, const std::uint32_t* places) {
     const __m128 a = _mm_insert_ps(_mm_load_ss(plane + places[0]), _mm_load_ss(plane + places[1]), 0x10);
     const __m128 b = _mm_insert_ps(_mm_load_ss(plane + places[2]), _mm_load_ss(plane + places[3]), 0x10);
     return _mm_movelh_ps(a, b);
 }
 #else
-PELAGIC_INLINE float32x4_t four_loaded(const float* plane, const std::int32_t* places) {
+PELAGIC_INLINE float32x4_t four_loaded(const float* plane, const std::uint32_t* places) {
     float32x4_t lanes = vdupq_n_f32(plane[places[0]]);
     lanes = vld1q_lane_f32(plane + places[1], lanes, 1);
     lanes = vld1q_lane_f32(plane + places[2], lanes, 2);
@@ -34,7 +34,9 @@ class Gather {
     using I = xsimd::batch<std::int32_t, Arch>;
 
    public:
-    PELAGIC_INLINE explicit Gather(I places) { places.store_aligned(places_); }
+    PELAGIC_INLINE explicit Gather(I places) {
+        xsimd::bitwise_cast<xsimd::batch<std::uint32_t, Arch>>(places).store_aligned(places_);
+    }
 
     /// Lane l is plane[places lane l].
     PELAGIC_INLINE V from(const float* plane) const {
@@ -51,7 +53,7 @@ class Gather {
     }
 
    private:
-    alignas(64) std::int32_t places_[V::size];
+    alignas(64) std::uint32_t places_[V::size];  // so that none is extended by its sign
 };
 
 }  // namespace pelagic::kernels

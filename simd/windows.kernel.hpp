@@ -18,7 +18,7 @@ namespace pelagic::kernels {
 /// fours_turned   rows of four quarters become columns
 #if defined(__AVX512F__)
 template <HasLanes<16> Arch>
-PELAGIC_INLINE xsimd::batch<float, Arch> fours_loaded(const float* plane, const std::int32_t* places) {
+PELAGIC_INLINE xsimd::batch<float, Arch> fours_loaded(const float* plane, const std::uint32_t* places) {
     __m512 fours = _mm512_castps128_ps512(_mm_loadu_ps(plane + places[0]));
     fours = _mm512_insertf32x4(fours, _mm_loadu_ps(plane + places[4]), 1);
     fours = _mm512_insertf32x4(fours, _mm_loadu_ps(plane + places[8]), 2);
@@ -45,7 +45,7 @@ PELAGIC_INLINE void fours_turned(xsimd::batch<float, Arch> (&fours)[4]) {
 #endif
 #if defined(__AVX2__)
 template <HasLanes<8> Arch>
-PELAGIC_INLINE xsimd::batch<float, Arch> fours_loaded(const float* plane, const std::int32_t* places) {
+PELAGIC_INLINE xsimd::batch<float, Arch> fours_loaded(const float* plane, const std::uint32_t* places) {
     return _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_loadu_ps(plane + places[0])),
                                 _mm_loadu_ps(plane + places[4]), 1);
 }
@@ -70,7 +70,7 @@ PELAGIC_INLINE void fours_turned(xsimd::batch<float, Arch> (&fours)[4]) {
 #endif
 #if defined(__x86_64__)
 template <HasLanes<4> Arch>
-PELAGIC_INLINE xsimd::batch<float, Arch> fours_loaded(const float* plane, const std::int32_t* places) {
+PELAGIC_INLINE xsimd::batch<float, Arch> fours_loaded(const float* plane, const std::uint32_t* places) {
     return _mm_loadu_ps(plane + places[0]);
 }
 template <int k, HasLanes<4> Arch>
@@ -94,7 +94,7 @@ PELAGIC_INLINE void fours_turned(xsimd::batch<float, Arch> (&fours)[4]) {
 }
 #else
 template <class Arch>
-PELAGIC_INLINE xsimd::batch<float, Arch> fours_loaded(const float* plane, const std::int32_t* places) {
+PELAGIC_INLINE xsimd::batch<float, Arch> fours_loaded(const float* plane, const std::uint32_t* places) {
     return vld1q_f32(plane + places[0]);
 }
 template <int k, class Arch>

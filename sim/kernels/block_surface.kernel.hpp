@@ -61,16 +61,14 @@ class BlockSurface {
     template <class Take>
     PELAGIC_INLINE void differences_of_row(std::size_t z, std::size_t first_column, std::size_t columns,
                                            Take take) const {
+        const std::size_t stride = block_stride_;  // read once, before the stores of whoever takes
         const float* row = data_ + z * row_floats;
-        const float* end = row + column_blocks() * block_stride_;
+        const float* end = row + column_blocks() * stride;
         const std::size_t above = (((z - 1) & last_) - z) * row_floats, below = (((z + 1) & last_) - z) * row_floats;
         const auto load = [](const float* texels, std::size_t component) {
             return V::load_aligned(texels + component * V::size);
         };
-        const auto next = [&](const float* texels) {
-            const float* const after = texels + block_stride_;
-            return after == end ? row : after;
-        };
+        const auto next = [=](const float* texels) { return texels + stride == end ? row : texels + stride; };
         const float* texels = block(first_column) + z * row_floats;
         const float* before = block(first_column - V::size) + z * row_floats;
         Seam<Arch> left[surface_components];
@@ -97,47 +95,60 @@ class BlockSurface {
         }
     }
 
-    /// Three blocks side by side.
-    struct Blocks {
-        const float *before, *here, *behind;
+    /// Two rows, an even one and the next, walked along register by register: what lies between a register and the one before
+    /// is kept.
+    class PairWalk {
+       public:
+        PELAGIC_INLINE PairWalk(const BlockSurface& surface, std::size_t first_column, std::size_t z)
+            : row_(surface.data_ + z * row_floats),
+              end_(row_ + surface.column_blocks() * surface.block_stride_),
+              here_(surface.block(first_column) + z * row_floats),
+              stride_(surface.block_stride_),
+              above_((((z - 2) & surface.last_) - z) * row_floats),
+              below_((((z + 2) & surface.last_) - z) * row_floats) {
+            const float* before = surface.block(first_column - V::size) + z * row_floats;
+            for (int row = 0; row < 2; ++row)
+                for (std::size_t component = 0; component < surface_components; ++component)
+                    left_[row][component] = Seam<Arch>{load(before, row, component), at(component, row)};
+        }
+
+        PELAGIC_INLINE V at(std::size_t component, int row) const { return load(here_, row, component); }
+
+        /// The weighted Differences of the two neighbours on each side, f(1) - f(-1) + far_weight (f(2) - f(-2)). Once a
+        /// component and register.
+        PELAGIC_INLINE void wide_difference(std::size_t component, int row, V far_weight, Differences<Arch>& along) {
+            const auto column = [&](int of) { return load(here_, of, component); };
+            const Seam<Arch> left = left_[row][component];
+            const V here = column(row);
+            const Seam<Arch> right{here, load(behind(), row, component)};
+            along.x = (lanes_behind<1, Arch>(here, right) - lanes_before<1, Arch>(left, here)) +
+                      far_weight * (lanes_behind<2, Arch>(here, right) - lanes_before<2, Arch>(left, here));
+            along.z = (column(row + 1) - column(row - 1)) + far_weight * (column(row + 2) - column(row - 2));
+            left_[row][component] = right;
+        }
+
+        PELAGIC_INLINE void next() { here_ = behind(); }
+
+       private:
+        PELAGIC_INLINE const float* behind() const { return here_ + stride_ == end_ ? row_ : here_ + stride_; }
+        /// Rows -2 to 3, counted from the first of the two.
+        PELAGIC_INLINE V load(const float* block, int row, std::size_t component) const {
+            const float* from = row < 0   ? block + above_ + 2 * row_floats
+                                : row < 2 ? block
+                                          : block + below_ - 2 * row_floats;
+            return V::load_aligned(from + row * static_cast<std::ptrdiff_t>(row_floats) + component * V::size);
+        }
+
+        const float *row_, *end_;  ///< in the first block and behind the last
+        const float* here_;
+        std::size_t stride_;
+        std::size_t above_, below_;  ///< to the two rows on either side
+        Seam<Arch> left_[2][surface_components];
     };
-    Blocks blocks_at(std::size_t x) const { return {block(x - V::size), block(x), block(x + V::size)}; }
-    Blocks next(const Blocks& blocks, std::size_t x) const {
-        return {blocks.here, blocks.behind, block(x + V::size)};
-    }
-
-    /// Where a row and its two neighbours on each side lie in a block.
-    struct Rows {
-        std::size_t far_above, above, here, below, far_below;
-    };
-    Rows rows_at(std::size_t z) const {
-        const auto row = [&](std::size_t of) { return (of & last_) * row_floats; };
-        return {row(z - 2), row(z - 1), row(z), row(z + 1), row(z + 2)};
-    }
-
-    PELAGIC_INLINE static V at(SurfaceComponent component, const Blocks& blocks, const Rows& rows) {
-        return load_row(blocks.here, rows.here, component);
-    }
-
-    /// The weighted Differences of the two neighbours on each side, f(1) - f(-1) + far_weight (f(2) - f(-2)), at W texels.
-    PELAGIC_INLINE static Differences<Arch> wide_difference(SurfaceComponent component, const Blocks& blocks,
-                                                            const Rows& rows, V far_weight) {
-        const auto column = [&](std::size_t row) { return load_row(blocks.here, row, component); };
-        const V here = column(rows.here);
-        const Seam<Arch> left{load_row(blocks.before, rows.here, component), here};
-        const Seam<Arch> right{here, load_row(blocks.behind, rows.here, component)};
-        return {(lanes_behind<1, Arch>(here, right) - lanes_before<1, Arch>(left, here)) +
-                    far_weight * (lanes_behind<2, Arch>(here, right) - lanes_before<2, Arch>(left, here)),
-                (column(rows.below) - column(rows.above)) +
-                    far_weight * (column(rows.far_below) - column(rows.far_above))};
-    }
 
    private:
     std::size_t column_blocks() const { return (last_ + 1) / V::size; }
     const float* block(std::size_t x) const { return data_ + (x & last_) / V::size * block_stride_; }
-    static V load_row(const float* column, std::size_t row, SurfaceComponent component) {
-        return V::load_aligned(column + row + component * V::size);
-    }
 
     const float* data_;
     std::size_t block_stride_;

@@ -57,8 +57,9 @@ PELAGIC_FLATTEN Finish finish_columns(const float* data, const FftTables& fft, F
     const std::size_t span = static_cast<std::size_t>(step.span);
     const float* roots = fft.twiddles + step.first_twiddle;
     for (std::size_t j = 0; j < span; ++j, roots += 2 * Radix)
-        butterfly<Arch, Radix>(InputsApart<Arch>{data + j * element, span * element, roots},
-                               [&finish, j, span](std::size_t k, const Complex<Arch>& x) { finish(j + k * span, x); });
+        butterfly<Arch, Radix>(
+            InputsApart<Arch>{data + j * element, span * element, roots},
+            [&finish, j, span](std::size_t k, const Complex<Arch>& x) { finish(j + k * span, x); });
     return finish;
 }
 
@@ -123,9 +124,8 @@ inline void sideways_columns(const ColumnsFinalizeJob& job, float* workspace) {
     V most_x(0.f), most_z(0.f);
     for (float* block : job.blocks) {
         if (!block) continue;
-        const auto finished =
-            transform_columns<Arch>(*job.fft, workspace, SidewaysHalfPlane<Arch>{block},
-                                    FinishSideways<Arch, Turned>(job, block, most_x, most_z));
+        const auto finished = transform_columns<Arch>(*job.fft, workspace, SidewaysHalfPlane<Arch>{block},
+                                                      FinishSideways<Arch, Turned>(job, block, most_x, most_z));
         most_x = finished.most_x;
         most_z = finished.most_z;
     }
@@ -174,8 +174,9 @@ struct FinishHeights {
 template <class Arch, bool HasSecond>
 inline void height_columns(const ColumnsFinalizeJob& job, float* workspace) {
     float *const first = job.blocks[0], *const second = job.blocks[1];
-    const auto finished = transform_columns<Arch>(*job.fft, workspace, HeightHalfPlane<Arch, HasSecond>{first, second},
-                                                  FinishHeights<Arch, HasSecond>{first, second});
+    const auto finished =
+        transform_columns<Arch>(*job.fft, workspace, HeightHalfPlane<Arch, HasSecond>{first, second},
+                                FinishHeights<Arch, HasSecond>{first, second});
     job.bounds->height_min = least_lane<Arch>(finished.least);
     job.bounds->height_max = most_lane<Arch>(finished.most);
 }

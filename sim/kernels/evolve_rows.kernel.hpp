@@ -78,7 +78,8 @@ PELAGIC_INLINE void first_step(const Complex<Arch> (&h)[Radix], Wave wave, bool 
 
 /// Evolves the waves of a pair of groups and takes their fields through the first step of the transform.
 template <class Arch, std::size_t Radix, bool HasNegatives, class OfWaves>
-PELAGIC_FLATTEN void evolve_group_pair(const EvolveRowsJob& job, const OfWaves& of_waves, std::size_t number, float* data) {
+PELAGIC_FLATTEN void evolve_group_pair(const EvolveRowsJob& job, const OfWaves& of_waves, std::size_t number,
+                                       float* data) {
     using V = xsimd::batch<float, Arch>;
     using U = xsimd::batch<std::uint32_t, Arch>;
     constexpr std::size_t pair_floats = wave_quantities * V::size, element = fields * 2 * V::size;

@@ -16,7 +16,9 @@ struct Complex {
     using V = xsimd::batch<float, Arch>;
     V re, im;
 
-    PELAGIC_INLINE static Complex load(const float* from) { return {V::load_aligned(from), V::load_aligned(from + V::size)}; }
+    PELAGIC_INLINE static Complex load(const float* from) {
+        return {V::load_aligned(from), V::load_aligned(from + V::size)};
+    }
     PELAGIC_INLINE void store(float* to) const {
         re.store_aligned(to);
         im.store_aligned(to + V::size);
@@ -35,15 +37,16 @@ struct Complex {
     }
 };
 
-template <class Arch>
-PELAGIC_INLINE void butterfly_4(Complex<Arch> (&x)[4]) {
-    const Complex<Arch> even_sum = x[0] + x[2];
-    const Complex<Arch> even_difference = x[0] - x[2];
-    const Complex<Arch> odd_sum = x[1] + x[3];
-    const Complex<Arch> odd_difference = x[1] - x[3];
+/// A transform of four points: input(first), input(first + step), ... in the order in which they are needed.
+template <class Arch, class Input>
+PELAGIC_INLINE void butterfly_4(Complex<Arch> (&x)[4], Input input, std::size_t first, std::size_t step) {
+    const Complex<Arch> a = input(first), c = input(first + 2 * step);
+    const Complex<Arch> even_difference = a - c, even_sum = a + c;
+    const Complex<Arch> b = input(first + step), d = input(first + 3 * step);
+    const Complex<Arch> odd_difference = b - d, odd_sum = b + d;
+    x[2] = even_sum - odd_sum;
     x[0] = even_sum + odd_sum;
     x[1] = even_difference.plus_i_times(odd_difference);
-    x[2] = even_sum - odd_sum;
     x[3] = even_difference.minus_i_times(odd_difference);
 }
 
@@ -53,25 +56,26 @@ template <class Arch, std::size_t Radix, class Input, class Output>
 PELAGIC_INLINE void butterfly(Input input, Output output) {
     using C = Complex<Arch>;
     if constexpr (Radix == 4) {
-        C x[4] = {input(0), input(1), input(2), input(3)};
-        butterfly_4<Arch>(x);
+        C x[4];
+        butterfly_4<Arch>(x, input, 0, 1);
         for (std::size_t k = 0; k < 4; ++k) output(k, x[k]);
     } else {
         // Two transforms of four, joined by the eighth roots of one: 1, r, i, i r with r = (1 + i)/sqrt(2).
         static_assert(Radix == 8);
-        C even[4] = {input(0), input(2), input(4), input(6)};
-        butterfly_4<Arch>(even);
-        C odd[4] = {input(1), input(3), input(5), input(7)};
-        butterfly_4<Arch>(odd);
+        C even[4], odd[4];
+        butterfly_4<Arch>(even, input, 0, 2);
+        butterfly_4<Arch>(odd, input, 1, 2);
+        output(0, even[0] + odd[0]);
+        output(4, even[0] - odd[0]);
+        output(2, even[2].plus_i_times(odd[2]));
+        output(6, even[2].minus_i_times(odd[2]));
         const xsimd::batch<float, Arch> root_half(0.70710678f);
-        odd[1] = {(odd[1].re - odd[1].im) * root_half, (odd[1].re + odd[1].im) * root_half};
-        odd[3] = {(odd[3].re - odd[3].im) * root_half, (odd[3].re + odd[3].im) * root_half};
-        for (std::size_t k = 0; k < 2; ++k) {
-            output(k, even[k] + odd[k]);
-            output(k + 4, even[k] - odd[k]);
-            output(k + 2, even[k + 2].plus_i_times(odd[k + 2]));
-            output(k + 6, even[k + 2].minus_i_times(odd[k + 2]));
-        }
+        const C odd_1{(odd[1].re - odd[1].im) * root_half, (odd[1].re + odd[1].im) * root_half};
+        output(1, even[1] + odd_1);
+        output(5, even[1] - odd_1);
+        const C odd_3{(odd[3].re - odd[3].im) * root_half, (odd[3].re + odd[3].im) * root_half};
+        output(3, even[3].plus_i_times(odd_3));
+        output(7, even[3].minus_i_times(odd_3));
     }
 }
 
@@ -108,7 +112,8 @@ PELAGIC_FLATTEN void fft_step(float* data, std::size_t size, const FftStep& step
     const float* const end = data + size * element;
     const auto same_roots = [=](float* first, auto join_one) {
         for (float* group = first; group < end; group += Radix * span)
-            for (std::size_t field = 0; field < Fields; ++field) join_one(group + field * point);
+#pragma GCC unroll 1
+            for (float* at = group; at < group + element; at += point) join_one(at);
     };
     same_roots(data, [=](float* at) { join<Arch, Radix, true>(at, span, nullptr); });
     const float* roots = twiddles + step.first_twiddle + 2 * Radix;

@@ -23,7 +23,7 @@ struct MipScratch {
         return (GradientsJob::tile_columns >> level) + 2 * xsimd::batch<float, Arch>::size;
     }
     template <int level>
-    using Rows = AverageRows<columns(level)>;
+    using Rows = GradientRows<columns(level)>;
 
     alignas(64) float level_1[GradientsJob::tile_rows / 2 * (mip_planes + 1) * columns(1)];
     alignas(64) float level_2[GradientsJob::tile_rows / 4 * (mip_planes + 1) * columns(2)];
@@ -140,8 +140,9 @@ inline void gradients_of(const GradientsJob& job, const Surface& surface) {
     Scratch scratch;
     const typename Scratch::template Rows<1> level_1{scratch.level_1};
     const typename Scratch::template Rows<2> level_2{scratch.level_2};
-    const AverageRows<> all_of_level_3{job.averages, job.average_stride};
-    const AverageRows<> level_3{all_of_level_3.row(job.first_row >> 3) + (job.first_column >> 3), job.average_stride};
+    const GradientRows<> all_of_level_3{job.averages, job.average_stride};
+    const GradientRows<> level_3{all_of_level_3.row(job.first_row >> 3) + (job.first_column >> 3),
+                                 job.average_stride};
 
     // Normals first, packing afterwards: roots and divisions take long to come, and short loops let the processor begin the
     // next ones meanwhile.

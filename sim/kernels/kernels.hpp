@@ -127,7 +127,7 @@ struct SlopesJob {
 /// Stage `slopes tail`, one level: averages of 2 x 2 texels, packed. Averages are rows of slope_planes planes, `stride`
 /// floats each, at least 32 and the level's side.
 struct SlopeLevelJob {
-    const float* finer;  ///< averages of the finer level
+    float* finer;  ///< averages of the finer level
     std::size_t finer_stride;
     std::size_t side;
     float* averages;  ///< of this level; aliases no input

@@ -37,28 +37,51 @@ PELAGIC_INLINE void store_texels(xsimd::batch<std::int32_t, Arch> texels, std::u
     texels.store_unaligned(reinterpret_cast<std::int32_t*>(out));
 }
 
-/// Rows of averages of a level, in planes, and the length of their normals behind the last plane; in whole registers.
-/// Where the stride of the planes is known, the compiler writes it into the instructions.
-template <std::size_t known_stride = 0>
+/// Rows of averages of a level, in planes; in whole registers. Where the stride of the planes is known, the compiler writes it
+/// into the instructions.
+template <std::size_t planes, std::size_t known_stride = 0>
 struct AverageRows {
     float* first;
     std::size_t stride = known_stride;
 
     std::size_t plane_stride() const { return known_stride ? known_stride : stride; }
-    float* row(std::size_t number) const { return first + number * (mip_planes + 1) * plane_stride(); }
+    float* row(std::size_t number) const { return first + number * planes * plane_stride(); }
 };
 
-/// W averages of 2 x 2 texels and the length of their normals, from the sums of two rows in 2 W columns.
+/// The sums of two rows in W columns.
+template <class Arch, std::size_t planes>
+PELAGIC_INLINE void add_rows(const float* above, const float* below, std::size_t plane_stride,
+                             xsimd::batch<float, Arch> (&sums)[planes]) {
+    using V = xsimd::batch<float, Arch>;
+    for (std::size_t plane = 0; plane < planes; ++plane)
+        sums[plane] =
+            V::load_unaligned(above + plane * plane_stride) + V::load_unaligned(below + plane * plane_stride);
+}
+
+/// W averages of 2 x 2 texels from the sums of two rows in 2 W columns.
+template <class Arch, std::size_t planes>
+PELAGIC_INLINE void average_pairs(const xsimd::batch<float, Arch> (&low)[planes],
+                                  const xsimd::batch<float, Arch> (&high)[planes],
+                                  xsimd::batch<float, Arch> (&average)[planes]) {
+    using V = xsimd::batch<float, Arch>;
+    for (std::size_t plane = 0; plane < planes; ++plane)
+        average[plane] = pair_sums<Arch>(low[plane], high[plane]) * V(0.25f);
+}
+
+/// Gradients have the length of their normals behind the planes of averages.
+template <std::size_t known_stride = 0>
+using GradientRows = AverageRows<mip_planes + 1, known_stride>;
+
+/// W averages and the length of their normals.
 template <class Arch>
 PELAGIC_INLINE void average_texels(const xsimd::batch<float, Arch> (&low)[mip_planes],
                                    const xsimd::batch<float, Arch> (&high)[mip_planes], float* averages,
                                    std::size_t plane_stride) {
     using V = xsimd::batch<float, Arch>;
     V average[mip_planes];
-    for (std::size_t plane = 0; plane < mip_planes; ++plane) {
-        average[plane] = pair_sums<Arch>(low[plane], high[plane]) * V(0.25f);
+    average_pairs<Arch>(low, high, average);
+    for (std::size_t plane = 0; plane < mip_planes; ++plane)
         average[plane].store_unaligned(averages + plane * plane_stride);
-    }
     const V squared = average[0] * average[0] + average[1] * average[1] + average[2] * average[2];
     square_root<Arch>(squared).store_unaligned(averages + mip_planes * plane_stride);
 }
@@ -104,11 +127,8 @@ inline void make_level(std::size_t rows, std::size_t columns, Finer finer, Level
         float* averages = level.row(row);
         for (std::size_t x = 0; x < columns; x += V::size) {
             V low[mip_planes], high[mip_planes];
-            for (std::size_t plane = 0; plane < mip_planes; ++plane) {
-                const std::size_t at = plane * finer.plane_stride() + 2 * x;
-                low[plane] = V::load_unaligned(above + at) + V::load_unaligned(below + at);
-                high[plane] = V::load_unaligned(above + at + V::size) + V::load_unaligned(below + at + V::size);
-            }
+            add_rows<Arch>(above + 2 * x, below + 2 * x, finer.plane_stride(), low);
+            add_rows<Arch>(above + 2 * x + V::size, below + 2 * x + V::size, finer.plane_stride(), high);
             average_texels<Arch>(low, high, averages + x, level.plane_stride());
         }
     }
@@ -118,8 +138,8 @@ inline void make_level(std::size_t rows, std::size_t columns, Finer finer, Level
 
 template <class Arch>
 void mip_level(const MipLevelJob& job) {
-    make_level<Arch>(job.side, job.side, AverageRows<>{job.finer, job.finer_stride},
-                     AverageRows<>{job.averages, job.stride}, job.texels, job.side);
+    make_level<Arch>(job.side, job.side, GradientRows<>{job.finer, job.finer_stride},
+                     GradientRows<>{job.averages, job.stride}, job.texels, job.side);
 }
 
 }  // namespace pelagic::kernels

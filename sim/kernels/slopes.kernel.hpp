@@ -71,47 +71,30 @@ PELAGIC_INLINE void store_slope_texels(const SlopeTexels<Arch>& texels, const Sl
     }
 }
 
-/// Averages of a level: rows of slope_planes planes, `stride` floats each.
-template <class Float>
-struct SlopeAverages {
-    Float* values;
-    std::size_t stride;
-
-    PELAGIC_INLINE Float* at(std::size_t row, std::size_t plane, std::size_t column) const {
-        return values + (row * slope_planes + plane) * stride + column;
-    }
-};
-
-/// W averages of 2 x 2 from sums(plane, i), the sums of two rows in the columns from i on, i being 0 or W.
-template <class Arch, class Sums>
-PELAGIC_INLINE void average_slopes(Sums sums, xsimd::batch<float, Arch> (&average)[slope_planes]) {
-    using V = xsimd::batch<float, Arch>;
-    for (std::size_t plane = 0; plane < slope_planes; ++plane)
-        average[plane] = pair_sums<Arch>(sums(plane, 0), sums(plane, V::size)) * V(0.25f);
-}
+template <std::size_t known_stride = 0>
+using SlopeAverages = AverageRows<slope_planes, known_stride>;
 
 template <class Arch>
-PELAGIC_INLINE void store_averages(const xsimd::batch<float, Arch> (&average)[slope_planes],
-                                   const SlopeAverages<float>& level, std::size_t row, std::size_t column) {
+PELAGIC_INLINE void store_averages(const xsimd::batch<float, Arch> (&average)[slope_planes], float* to,
+                                   std::size_t plane_stride) {
     for (std::size_t plane = 0; plane < slope_planes; ++plane)
-        average[plane].store_unaligned(level.at(row, plane, column));
+        average[plane].store_unaligned(to + plane * plane_stride);
 }
 
 /// A level's rows from those of the finer one.
-template <class Arch, class Float>
-inline void make_slope_level(std::size_t rows, std::size_t columns, const SlopeAverages<Float>& finer,
-                             const SlopeAverages<float>& level, float variance_factor, const SlopeRows& texels) {
+template <class Arch, class Finer, class Level>
+inline void make_slope_level(std::size_t rows, std::size_t columns, Finer finer, Level level, float variance_factor,
+                             const SlopeRows& texels) {
     using V = xsimd::batch<float, Arch>;
     for (std::size_t row = 0; row < rows; ++row) {
+        const float* above = finer.row(2 * row);
+        const float* below = finer.row(2 * row + 1);
         for (std::size_t x = 0; x < columns; x += V::size) {
-            V average[slope_planes];
-            average_slopes<Arch>(
-                [&](std::size_t plane, std::size_t i) {
-                    return V::load_unaligned(finer.at(2 * row, plane, 2 * x + i)) +
-                           V::load_unaligned(finer.at(2 * row + 1, plane, 2 * x + i));
-                },
-                average);
-            store_averages<Arch>(average, level, row, x);
+            V low[slope_planes], high[slope_planes], average[slope_planes];
+            add_rows<Arch>(above + 2 * x, below + 2 * x, finer.plane_stride(), low);
+            add_rows<Arch>(above + 2 * x + V::size, below + 2 * x + V::size, finer.plane_stride(), high);
+            average_pairs<Arch>(low, high, average);
+            store_averages<Arch>(average, level.row(row) + x, level.plane_stride());
             store_slope_texels<Arch>(texels_of_slopes<Arch>(average, variance_factor), texels.from(row, x),
                                      columns - x);
         }
@@ -120,22 +103,20 @@ inline void make_slope_level(std::size_t rows, std::size_t columns, const SlopeA
 
 /// The slopes at W texels, and their squares.
 template <class Arch, class Turn>
-PELAGIC_INLINE void slopes_at(const SlopesJob& job, const typename BlockSurface<Arch>::Blocks& blocks,
-                              const typename BlockSurface<Arch>::Rows& rows, const Turn& turn,
-                              xsimd::batch<float, Arch> (&planes)[slope_planes]) {
+PELAGIC_INLINE void slopes_at(typename BlockSurface<Arch>::PairWalk& walk, int row, const Turn& turn,
+                              xsimd::batch<float, Arch> factor, xsimd::batch<float, Arch> (&planes)[slope_planes]) {
     using V = xsimd::batch<float, Arch>;
-    const auto difference = [&](SurfaceComponent component) {
-        const V far_weight(static_cast<float>(SlopesJob::far_weight / SlopesJob::near_weight));
-        Differences<Arch> along = BlockSurface<Arch>::wide_difference(component, blocks, rows, far_weight);
-        turn(along);
-        return along;
-    };
-    const V factor(job.difference_factor);
-    const Differences<Arch> dx = difference(surface_dx), dz = difference(surface_dz);
+    const V far_weight(static_cast<float>(SlopesJob::far_weight / SlopesJob::near_weight));
+    Differences<Arch> dx, h, dz;
+    walk.wide_difference(surface_dx, row, far_weight, dx);
+    walk.wide_difference(surface_dz, row, far_weight, dz);
+    turn(dx);
+    turn(dz);
     planes[d_xx] = dx.x * factor;
     planes[d_zz] = dz.z * factor;
     planes[d_xz] = (dx.z + dz.x) * (V(0.5f) * factor);
-    const Differences<Arch> h = difference(surface_height);
+    walk.wide_difference(surface_height, row, far_weight, h);
+    turn(h);
     planes[h_x] = h.x * factor;
     planes[h_z] = h.z * factor;
     planes[h_x_h_x] = planes[h_x] * planes[h_x];
@@ -143,84 +124,102 @@ PELAGIC_INLINE void slopes_at(const SlopesJob& job, const typename BlockSurface<
     planes[h_x_h_z] = planes[h_x] * planes[h_z];
 }
 
-/// Writes W texels of level 0 and, if wanted, of the half floats.
+/// J of slopes in steps of a byte.
 template <class Arch>
-PELAGIC_INLINE void pack_slopes(const SlopesJob& job, const typename BlockSurface<Arch>::Blocks& blocks,
-                                const typename BlockSurface<Arch>::Rows& rows,
-                                const xsimd::batch<float, Arch> (&planes)[slope_planes], std::size_t texel) {
-    using V = xsimd::batch<float, Arch>;
-    using Surface = BlockSurface<Arch>;
-    store_texels<Arch>(slopes_word<Arch>(planes), job.slopes[0] + texel);
-    const V no_variance(-128.f);
-    store_texels<Arch>(four_bytes<Arch>(planes[d_xz], no_variance, no_variance, V(0.f)), job.moments[0] + texel);
-    if (!job.rgba16f) return;
-    const V one(1.f), step(job.slope_step);
-    const V twist = planes[d_xz] * step;
-    const V jacobian = (one + planes[d_xx] * step) * (one + planes[d_zz] * step) - twist * twist;
-    store_halves<Arch>(Surface::at(surface_dx, blocks, rows), Surface::at(surface_height, blocks, rows),
-                       Surface::at(surface_dz, blocks, rows), foam_of<Arch>(jacobian), job.rgba16f + 4 * texel);
+PELAGIC_INLINE xsimd::batch<float, Arch> jacobian_of(const xsimd::batch<float, Arch> (&planes)[slope_planes],
+                                                     xsimd::batch<float, Arch> step) {
+    const xsimd::batch<float, Arch> one(1.f), twist = planes[d_xz] * step;
+    return (one + planes[d_xx] * step) * (one + planes[d_zz] * step) - twist * twist;
+}
+
+/// D_xz, and no variance: the moments at W texels of level 0.
+template <class Arch>
+PELAGIC_INLINE xsimd::batch<std::int32_t, Arch> moments_at(xsimd::batch<float, Arch> d_xz) {
+    constexpr std::uint32_t zeros = 0x80000080;
+    return xsimd::nearbyint_as_int(clamped<Arch>(d_xz, -128.f, 127.f)) +
+           xsimd::batch<std::int32_t, Arch>(static_cast<std::int32_t>(zeros));
 }
 
 /// What the tile keeps of its levels. Whole registers are read and written, two at a time.
 template <class Arch>
 struct SlopeScratch {
-    static constexpr std::size_t slack = 2 * xsimd::batch<float, Arch>::size;
-    static constexpr std::size_t rows(int level) { return SlopesJob::tile_rows >> level; }
-    static constexpr std::size_t columns(int level) { return (SlopesJob::tile_columns >> level) + slack; }
-
-    alignas(64) float level_1[rows(1) * slope_planes * columns(1)];
-    alignas(64) float level_2[rows(2) * slope_planes * columns(2)];
-    alignas(64) float level_3[rows(3) * slope_planes * columns(3)];
-
-    SlopeAverages<float> level(int number) {
-        float* const all[] = {level_1, level_2, level_3};
-        return {all[number - 1], columns(number)};
+    static constexpr std::size_t columns(int level) {
+        return (SlopesJob::tile_columns >> level) + 2 * xsimd::batch<float, Arch>::size;
     }
+    template <int level>
+    using Rows = SlopeAverages<columns(level)>;
+
+    alignas(64) float level_1[SlopesJob::tile_rows / 2 * slope_planes * columns(1)];
+    alignas(64) float level_2[SlopesJob::tile_rows / 4 * slope_planes * columns(2)];
 };
 
-/// Level 0 of two rows, and level 1. Between texels a GPU shows less variance than stands at the texels, where
-/// derivatives overstate short waves: of the variance among four texels a third is in the square between them. As one
+/// Level 0 of two rows with the half floats, if wanted, and level 1. Between texels a GPU shows less variance than stands at the
+/// texels, where derivatives overstate short waves: of the variance among four texels a third is in the square between them. As one
 /// square in four lies between such four texels, the mean squares from level 1 on are those of the surface that level 0 shows.
-template <class Arch, class Turn>
-inline void slope_rows(const SlopesJob& job, const BlockSurface<Arch>& surface, const Turn& turn, std::size_t row,
-                       std::size_t columns, const SlopeAverages<float>& level, const SlopeRows& texels) {
+/// What the job says is read once, before the stores, which might change it for all that the compiler knows.
+template <class Arch, bool with_halves, class Turn>
+inline void slope_rows(const SlopesJob& job, const BlockSurface<Arch>& surface, const Turn& turn, std::size_t z,
+                       std::size_t columns, float* averages, std::size_t plane_stride, const SlopeRows& level_0,
+                       const SlopeRows& level_1) {
     using V = xsimd::batch<float, Arch>;
-    const std::size_t z = job.first_row + row;
-    const typename BlockSurface<Arch>::Rows rows[] = {surface.rows_at(z), surface.rows_at(z + 1)};
-    auto blocks = surface.blocks_at(job.first_column);
-    alignas(64) float sums[slope_planes][2 * V::size] = {};
-    for (std::size_t column = 0; column < columns; column += 2 * V::size) {
-        for (std::size_t i = 0; i < 2 * V::size && column + i < columns; i += V::size) {
-            const std::size_t x = job.first_column + column + i;
-            const std::size_t texel = z * job.resolution + x;
-            V above[slope_planes], below[slope_planes];
-            slopes_at<Arch>(job, blocks, rows[0], turn, above);
-            pack_slopes<Arch>(job, blocks, rows[0], above, texel);
-            slopes_at<Arch>(job, blocks, rows[1], turn, below);
-            pack_slopes<Arch>(job, blocks, rows[1], below, texel + job.resolution);
-            for (std::size_t plane = 0; plane < slope_planes; ++plane)
-                (above[plane] + below[plane]).store_aligned(sums[plane] + i);
-            blocks = surface.next(blocks, x + V::size);
-        }
-        V average[slope_planes];
-        average_slopes<Arch>([&](std::size_t plane, std::size_t i) { return V::load_aligned(sums[plane] + i); },
-                             average);
-        const auto shown = [&](SlopePlane square, SlopePlane a, SlopePlane b) {
-            const V product = average[a] * average[b];
-            average[square] = product + (average[square] - product) * V(1.f / 3.f);
-        };
-        shown(h_x_h_x, h_x, h_x);
-        shown(h_z_h_z, h_z, h_z);
-        shown(h_x_h_z, h_x, h_z);
-        store_averages<Arch>(average, level, row / 2, column / 2);
-        store_slope_texels<Arch>(texels_of_slopes<Arch>(average, job.variance_factor),
-                                 texels.from(row / 2, column / 2), (columns - column) / 2);
+    const V factor(job.difference_factor), step(job.slope_step);
+    const float variance_factor = job.variance_factor;
+    const std::size_t n = job.resolution;
+    const SlopeRows texels = level_0, coarser = level_1;
+    std::uint16_t* halves = with_halves ? job.rgba16f + 4 * (z * n + job.first_column) : nullptr;
+    typename BlockSurface<Arch>::PairWalk walk(surface, job.first_column, z);
+
+    const auto pack_row = [&](int row, std::size_t column, V(&planes)[slope_planes]) PELAGIC_INLINE_LAMBDA {
+        slopes_at<Arch>(walk, row, turn, factor, planes);
+        const std::size_t at = row * n + column;
+        store_texels<Arch>(slopes_word<Arch>(planes), texels.slopes + at);
+        store_texels<Arch>(moments_at<Arch>(planes[d_xz]), texels.moments + at);
+        if constexpr (with_halves)
+            store_halves<Arch>(walk.at(surface_dx, row), walk.at(surface_height, row), walk.at(surface_dz, row),
+                               foam_of<Arch>(jacobian_of<Arch>(planes, step)), halves + 4 * at);
+    };
+    // The sums of the two rows in W columns.
+    const auto pack = [&](std::size_t column, V(&sums)[slope_planes]) PELAGIC_INLINE_LAMBDA {
+        V below[slope_planes];
+        pack_row(0, column, sums);
+        pack_row(1, column, below);
+        for (std::size_t plane = 0; plane < slope_planes; ++plane) sums[plane] += below[plane];
+        walk.next();
+    };
+    const auto average = [&](std::size_t column, const V(&low)[slope_planes], const V(&high)[slope_planes])
+                             PELAGIC_INLINE_LAMBDA {
+                                 V means[slope_planes];
+                                 average_pairs<Arch>(low, high, means);
+                                 const auto shown = [&](SlopePlane square, SlopePlane a, SlopePlane b) {
+                                     const V product = means[a] * means[b];
+                                     means[square] = product + (means[square] - product) * V(1.f / 3.f);
+                                 };
+                                 shown(h_x_h_x, h_x, h_x);
+                                 shown(h_z_h_z, h_z, h_z);
+                                 shown(h_x_h_z, h_x, h_z);
+                                 store_averages<Arch>(means, averages + column / 2, plane_stride);
+                                 store_slope_texels<Arch>(texels_of_slopes<Arch>(means, variance_factor),
+                                                          coarser.from(0, column / 2), (columns - column) / 2);
+                             };
+    V low[slope_planes], high[slope_planes];
+    std::size_t column = 0;
+    for (; column + 2 * V::size <= columns; column += 2 * V::size) {
+        pack(column, low);
+        pack(column + V::size, high);
+        average(column, low, high);
+    }
+    // A row of N = 16 is one register of AVX-512.
+    if constexpr (V::size == 16) {
+        if (column == columns) return;
+        pack(column, low);
+        average(column, low, low);
     }
 }
 
 template <class Arch>
 void slopes(const SlopesJob& job) {
     using V = xsimd::batch<float, Arch>;
+    using Scratch = SlopeScratch<Arch>;
     const std::size_t n = job.resolution;
     const std::size_t rows = n < SlopesJob::tile_rows ? n : SlopesJob::tile_rows;
     const std::size_t columns = n < SlopesJob::tile_columns ? n : SlopesJob::tile_columns;
@@ -229,31 +228,37 @@ void slopes(const SlopesJob& job) {
         const SlopeRows all{job.slopes[level], job.moments[level], n >> level};
         return all.from(job.first_row >> level, job.first_column >> level);
     };
-    SlopeScratch<Arch> scratch;
-    const auto all_rows = [&](const auto& turn) {
+    Scratch scratch;
+    const typename Scratch::template Rows<1> level_1{scratch.level_1};
+    const typename Scratch::template Rows<2> level_2{scratch.level_2};
+    const SlopeAverages<> all_of_level_3{job.averages, job.average_stride};
+    const SlopeAverages<> level_3{all_of_level_3.row(job.first_row >> 3) + (job.first_column >> 3),
+                                  job.average_stride};
+
+    const auto all_rows = [&]<bool with_halves>(const auto& turn) {
         for (std::size_t row = 0; row < rows; row += 2)
-            slope_rows<Arch>(job, surface, turn, row, columns, scratch.level(1), texels(1));
+            slope_rows<Arch, with_halves>(job, surface, turn, job.first_row + row, columns, level_1.row(row / 2),
+                                          level_1.plane_stride(), texels(0).from(row, 0), texels(1).from(row / 2, 0));
+    };
+    const auto turned_rows = [&](const auto& turn) {
+        if (job.rgba16f)
+            all_rows.template operator()<true>(turn);
+        else
+            all_rows.template operator()<false>(turn);
     };
     if (job.sine != 0 || job.cosine != 1)
-        all_rows(Turned<Arch>{V(job.cosine), V(job.sine)});
+        turned_rows(Turned<Arch>{V(job.cosine), V(job.sine)});
     else
-        all_rows(NotTurned{});
+        turned_rows(NotTurned{});
 
-    for (int level = 2; level <= SlopesJob::tile_levels; ++level)
-        make_slope_level<Arch>(rows >> level, columns >> level, scratch.level(level - 1), scratch.level(level),
-                               job.variance_factor, texels(level));
-    constexpr int last = SlopesJob::tile_levels;
-    const SlopeAverages<float> from = scratch.level(last), to{job.averages, job.average_stride};
-    for (std::size_t row = 0; row < rows >> last; ++row)
-        for (std::size_t plane = 0; plane < slope_planes; ++plane)
-            std::memcpy(to.at((job.first_row >> last) + row, plane, job.first_column >> last), from.at(row, plane, 0),
-                        (columns >> last) * sizeof(float));
+    make_slope_level<Arch>(rows / 4, columns / 4, level_1, level_2, job.variance_factor, texels(2));
+    make_slope_level<Arch>(rows / 8, columns / 8, level_2, level_3, job.variance_factor, texels(3));
 }
 
 template <class Arch>
 void slope_level(const SlopeLevelJob& job) {
-    make_slope_level<Arch>(job.side, job.side, SlopeAverages<const float>{job.finer, job.finer_stride},
-                           SlopeAverages<float>{job.averages, job.stride}, job.variance_factor,
+    make_slope_level<Arch>(job.side, job.side, SlopeAverages<>{job.finer, job.finer_stride},
+                           SlopeAverages<>{job.averages, job.stride}, job.variance_factor,
                            SlopeRows{job.slopes, job.moments, job.side});
 }
 

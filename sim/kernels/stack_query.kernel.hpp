@@ -162,25 +162,21 @@ PELAGIC_INLINE void sample_stack_lanes(const SampleStackJob& job, std::size_t at
         const StackPlaces<Arch> place(tile, at, offset_x, offset_z);
         if (out.normal_x) {
             const V half_along(0.5f * tile.along), half_across(0.5f * tile.across);
-            const CellReader<Arch> around(texels, place.x, place.z);
-            const auto slopes_of = [&](const float* plane) {
-                return CellSlopes<Arch>(around.from(plane), place.u, place.v);
-            };
-            dx.add(slopes_of(tile.surface.dx), half_along, half_across);
-            height.add(slopes_of(tile.surface.height), half_along, half_across);
-            dz.add(slopes_of(tile.surface.dz), half_along, half_across);
+            CellSurroundings<Arch> around[3];
+            CellReader<Arch>(texels, place.x, place.z)
+                .read({tile.surface.dx, tile.surface.height, tile.surface.dz}, around);
+            dx.add(CellSlopes<Arch>(around[0], place.u, place.v), half_along, half_across);
+            height.add(CellSlopes<Arch>(around[1], place.u, place.v), half_along, half_across);
+            dz.add(CellSlopes<Arch>(around[2], place.u, place.v), half_along, half_across);
         } else if (out.height) {
             const CellGather<Arch> cell(texels, place.x, place.z);
             height.value = height.value + bilinear<Arch>(cell.corners(tile.surface.height), place.u, place.v);
         }
         if (out.velocity_x) {
             const CellGather<Arch> cell(texels, place.x, place.z);
-            const auto value_of = [&](const float* plane) {
-                return bilinear<Arch>(cell.corners(plane), place.u, place.v);
-            };
-            velocity_x = velocity_x + value_of(tile.surface.velocity_x);
-            velocity_y = velocity_y + value_of(tile.surface.velocity_y);
-            velocity_z = velocity_z + value_of(tile.surface.velocity_z);
+            velocity_x = velocity_x + bilinear<Arch>(cell.corners(tile.surface.velocity_x), place.u, place.v);
+            velocity_y = velocity_y + bilinear<Arch>(cell.corners(tile.surface.velocity_y), place.u, place.v);
+            velocity_z = velocity_z + bilinear<Arch>(cell.corners(tile.surface.velocity_z), place.u, place.v);
         }
     }
     if (out.height) height.value.store_aligned(out.height + at);

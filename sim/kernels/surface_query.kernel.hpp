@@ -237,6 +237,7 @@ template <class Arch>
 class CellReader {
     using V = xsimd::batch<float, Arch>;
     using I = xsimd::batch<std::int32_t, Arch>;
+    using Places = xsimd::batch<std::uint32_t, Arch>;
     static constexpr int lanes = static_cast<int>(V::size);
 
    public:
@@ -252,30 +253,35 @@ class CellReader {
         const I first = places.column(x - I(1)) - shift, second = places.column((x + I(2)) & I(-lanes));
         for (int row = 0; row < 4; ++row) {
             const I at = places.row(z + I(row - 1));
-            (first + at).store_aligned(first_[row]);
-            (second + at).store_aligned(second_[row]);
+            xsimd::bitwise_cast<Places>(first + at).store_aligned(first_[row]);
+            xsimd::bitwise_cast<Places>(second + at).store_aligned(second_[row]);
         }
     }
 
-    PELAGIC_INLINE CellSurroundings<Arch> from(const float* plane) const {
-        CellSurroundings<Arch> texels;
-        for (int row = 0; row < 4; ++row) {
-            V(&fours)[4] = texels.at[row];
-            for (int k = 0; k < 4; ++k) {
-                const V first = fours_loaded<Arch>(plane, first_[row] + k);
-                const V second = fours_loaded<Arch>(plane, second_[row] + k);
-                fours[k] = lanes_turned<Arch>(xsimd::select(is_second_[k], second, first), lanes_[k]);
-            }
-            fours_turned<Arch>(fours);
-        }
-        return texels;
+    PELAGIC_INLINE void read(const float* const (&planes)[3], CellSurroundings<Arch> (&texels)[3]) const {
+        read_row(0, planes, texels);
+        read_row(1, planes, texels);
+        read_row(2, planes, texels);
+        read_row(3, planes, texels);
     }
 
    private:
+    PELAGIC_INLINE void read_row(int row, const float* const (&planes)[3],
+                                 CellSurroundings<Arch> (&texels)[3]) const {
+        for (int k = 0; k < 4; ++k) {
+            for (int plane = 0; plane < 3; ++plane) {
+                const V first = fours_loaded<Arch>(planes[plane], first_[row] + k);
+                const V second = fours_loaded<Arch>(planes[plane], second_[row] + k);
+                texels[plane].at[row][k] = lanes_turned<Arch>(xsimd::select(is_second_[k], second, first), lanes_[k]);
+            }
+        }
+        for (int plane = 0; plane < 3; ++plane) fours_turned<Arch>(texels[plane].at[row]);
+    }
+
     alignas(64) static constexpr std::int32_t lane_numbers[16] = {0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
     xsimd::batch_bool<float, Arch> is_second_[4];
     I lanes_[4];
-    alignas(64) std::int32_t first_[4][V::size], second_[4][V::size];
+    alignas(64) std::uint32_t first_[4][V::size], second_[4][V::size];
 };
 
 template <class Arch>
@@ -287,9 +293,9 @@ PELAGIC_INLINE void sample_lanes(const SampleSurfaceJob& job, const TexelPlaces<
     const SampleSurfaceJob::Outputs& out = job.out;
 
     if (out.normal_x) {
-        const CellReader<Arch> around(places, x, z);
-        const CellSlopes<Arch> dx(around.from(job.surface.dx), u, v), h(around.from(job.surface.height), u, v),
-            dz(around.from(job.surface.dz), u, v);
+        CellSurroundings<Arch> texels[3];
+        CellReader<Arch>(places, x, z).read({job.surface.dx, job.surface.height, job.surface.dz}, texels);
+        const CellSlopes<Arch> dx(texels[0], u, v), h(texels[1], u, v), dz(texels[2], u, v);
         // As normal_of() in gradients.kernel.hpp: times (2 L/N)^2, which the normal's length doesn't show.
         const V two_texels(job.two_texels_m);
         const V j_xx = two_texels + dx.x, j_zz = two_texels + dz.z;
@@ -309,10 +315,9 @@ PELAGIC_INLINE void sample_lanes(const SampleSurfaceJob& job, const TexelPlaces<
     }
     if (out.velocity_x) {
         const CellGather<Arch> cell(places, x, z);
-        const auto value_of = [&](const float* plane) { return bilinear<Arch>(cell.corners(plane), u, v); };
-        value_of(job.surface.velocity_x).store_aligned(out.velocity_x + at);
-        value_of(job.surface.velocity_y).store_aligned(out.velocity_y + at);
-        value_of(job.surface.velocity_z).store_aligned(out.velocity_z + at);
+        bilinear<Arch>(cell.corners(job.surface.velocity_x), u, v).store_aligned(out.velocity_x + at);
+        bilinear<Arch>(cell.corners(job.surface.velocity_y), u, v).store_aligned(out.velocity_y + at);
+        bilinear<Arch>(cell.corners(job.surface.velocity_z), u, v).store_aligned(out.velocity_z + at);
     }
 }
 

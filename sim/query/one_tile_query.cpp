@@ -83,8 +83,12 @@ void OneTileQuery::find_rest_points(PointChunk& chunk) const {
                              .rest = chunk.rest.places(),
                              .error = chunk.error});
 
+    const std::uint8_t* folds = tile_.folds.data();
+    const int resolution = tile_.resolution();
     for (std::size_t i = 0; i < chunk.count; ++i) {
-        if (chunk.error[i] <= target_ && !may_be_folded(world.cell_x[i], world.cell_z[i])) continue;
+        const auto square = static_cast<unsigned>(world.cell_z[i] * resolution + world.cell_x[i]);
+        const bool may_be_folded = (folds[square / 8] >> square % 8 & 1) != 0;
+        if (chunk.error[i] <= target_ && !may_be_folded) continue;
         const Sheet sheet = highest_sheet(world.cell_x[i], world.u[i], world.cell_z[i], world.v[i]);
         if (!sheet.found) continue;  // the error says how good the steps' end is
         chunk.rest.cell_x[i] = sheet.cell_x;
@@ -103,11 +107,6 @@ void OneTileQuery::read(const SampleSurfaceJob::Outputs& outputs, PointChunk& ch
                              .count = chunk.padded,
                              .rest = chunk.rest.places(),
                              .out = outputs});
-}
-
-bool OneTileQuery::may_be_folded(int cell_x, int cell_z) const {
-    const auto square = static_cast<std::size_t>(cell_z * tile_.resolution() + cell_x);
-    return tile_.folds[square / 8] >> square % 8 & 1;
 }
 
 // A cell (i, j) can be drawn at the point only if it rests within the largest displacement of it.

@@ -19,7 +19,6 @@ class OneTileQuery {
    private:
     struct Sheet;
 
-    bool may_be_folded(int cell_x, int cell_z) const;
     Sheet highest_sheet(int cell_x, double u, int cell_z, double v) const;
 
     const Kernels& kernels_;

@@ -88,8 +88,7 @@ FftTables FftPlan::tables() const {
 }
 
 std::size_t FftPlan::bytes() const {
-    return twiddles_.bytes() + positions_.capacity() * sizeof(std::uint16_t) +
-           pairs_.capacity() * sizeof(GroupPair);
+    return twiddles_.bytes() + positions_.capacity() * sizeof(std::uint16_t) + pairs_.capacity() * sizeof(GroupPair);
 }
 
 }  // namespace pelagic
