@@ -114,7 +114,7 @@ void AnalyticSurface::sample_points(bool in_world, double time_s, const Analytic
                                   samples.jacobian,      samples.velocity_x_mps, samples.velocity_y_mps,
                                   samples.velocity_z_mps};
     const bool normals = arrays.wants_any(3, 7), velocities = arrays.wants_any(7, 10);
-    for_each_group(points.x, points.z, arrays, [&](const PointGroup<10>& group) {
+    for_each_group(points.x, points.z, arrays, kernels_->lanes, [&](const PointGroup<10>& group) {
         float* const* out = group.answers.data();
         GerstnerJob job{.waves = terms_.data(),
                         .starts = starts.data(),

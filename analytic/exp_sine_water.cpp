@@ -111,7 +111,7 @@ void ExpSineWater::sample(double time_s, const AnalyticPoints& points, const Exp
     const AnswerArrays<6> arrays{samples.height_m, samples.normal_x, samples.normal_y,
                                  samples.normal_z, samples.rise_mps, samples.slope_variance};
     const bool slopes = arrays.wants_any(1, 6);
-    for_each_group(points.x, points.z, arrays, [&](const PointGroup<6>& group) {
+    for_each_group(points.x, points.z, arrays, analytic_group, [&](const PointGroup<6>& group) {
         float* const* out = group.answers.data();
         float tail[analytic_group];
         const float* footprint = footprint_m.empty() ? nullptr : footprint_m.data() + group.first;

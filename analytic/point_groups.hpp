@@ -31,16 +31,17 @@ struct AnswerArrays {
 template <std::size_t Kinds>
 struct PointGroup {
     std::size_t first;
-    std::size_t count;  ///< a multiple of analytic_group: past the host's points there are copies of his last
+    std::size_t count;  ///< past the host's points there are copies of his last
     const double *x, *z;
     std::array<float*, Kinds> answers;  ///< never null
 };
 
 /// Calls sample(group) for groups of at most `most` points, and hands out what they answer. Answers that nobody wants
 /// go to an array on the stack, so that kernels needn't ask.
+/// \param multiple  of what the kernel takes, a part of analytic_group: a single point shall not cost sixteen
 template <std::size_t Kinds, class Sample>
 void for_each_group(std::span<const double> x, std::span<const double> z, const AnswerArrays<Kinds>& arrays,
-                    Sample sample) {
+                    std::size_t multiple, Sample sample) {
     constexpr std::size_t most = 8 * analytic_group;
     assert(x.size() == z.size());
     float room[Kinds][most];
@@ -54,7 +55,7 @@ void for_each_group(std::span<const double> x, std::span<const double> z, const 
             tail_z[i] = z[first + std::min(i, left - 1)];
         }
         PointGroup<Kinds> group{first,
-                                is_tail ? analytic_group : whole,
+                                is_tail ? (left + multiple - 1) / multiple * multiple : whole,
                                 is_tail ? tail_x : x.data() + first,
                                 is_tail ? tail_z : z.data() + first,
                                 {}};

@@ -9,7 +9,7 @@ namespace pelagic {
 
 inline constexpr int most_analytic_waves = 64;
 
-/// Points a kernel takes together: a multiple of every instruction set's lanes.
+/// Points that the octaves' kernel takes together: a multiple of every instruction set's lanes.
 inline constexpr std::size_t analytic_group = 16;
 
 /// Where a wave's phase comes from: turns = x turns_per_m_x + z turns_per_m_z + start, start changing with time.
@@ -37,7 +37,7 @@ struct WaveAnswers {
     float *velocity_x = nullptr, *velocity_y = nullptr, *velocity_z = nullptr;
 };
 
-/// `count` points, a multiple of analytic_group.
+/// `count` points, a multiple of AnalyticKernels::lanes.
 struct GerstnerJob {
     const GerstnerTerms* waves;
     const double* starts;  ///< of each wave, turns in [-1/2, 1/2]
@@ -72,6 +72,7 @@ struct ExpSineAnswers {
     float* slope_variance = nullptr;
 };
 
+/// `count` points, a multiple of analytic_group.
 struct ExpSineJob {
     const ExpSineTerms* octaves;
     const double* starts;
@@ -83,6 +84,7 @@ struct ExpSineJob {
 };
 
 struct AnalyticKernels {
+    std::size_t lanes;
     void (*gerstner_at_rest)(const GerstnerJob&);   ///< points are rest points
     void (*gerstner_in_world)(const GerstnerJob&);  ///< points are where the water is drawn
     void (*exp_sine)(const ExpSineJob&);
