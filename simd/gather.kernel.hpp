@@ -34,9 +34,7 @@ class Gather {
     using I = xsimd::batch<std::int32_t, Arch>;
 
    public:
-    PELAGIC_INLINE explicit Gather(I places) {
-        xsimd::bitwise_cast<xsimd::batch<std::uint32_t, Arch>>(places).store_aligned(places_);
-    }
+    PELAGIC_INLINE explicit Gather(I places) { places.store_aligned(reinterpret_cast<std::int32_t*>(places_)); }
 
     /// Lane l is plane[places lane l].
     PELAGIC_INLINE V from(const float* plane) const {

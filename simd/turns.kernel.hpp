@@ -22,8 +22,9 @@ PELAGIC_INLINE Rotation<Arch> rotation_of_turns(xsimd::batch<std::uint32_t, Arch
     using V = xsimd::batch<float, Arch>;
     using I = xsimd::batch<std::int32_t, Arch>;
 
-    // Of the phase and an eighth turn the two highest bits are the nearest quadrant. What the phase has beyond it is,
-    // as a signed number, what its lower bits are, four times as large: a shift, which xsimd 8.1 makes a call on NEON.
+    // The two highest bits of the phase plus an eighth turn number the nearest quadrant. What is left is the phase's
+    // lower 30 bits as a signed number: doubled twice they have lost the upper two and are four times as large. Sums,
+    // because xsimd 8.1 makes a shift a call on NEON.
     const I turns = same_bits<I>(phase), doubled = turns + turns;
     const I quadrant = turns + I(0x20000000), odd_quadrant = quadrant + quadrant;  // in the sign
     const V r = xsimd::to_float(doubled + doubled) * V(0x1p-34f);

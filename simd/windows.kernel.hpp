@@ -14,7 +14,7 @@ namespace pelagic::kernels {
 ///
 /// fours_loaded   quarter q is plane[places[4 q] ...]
 /// lane_in_all    each quarter filled with its lane k
-/// lanes_turned   lane j of a quarter is its lane (j + by) % 4
+/// lanes_turned   lane j of a quarter is its lane lanes[j] % 4
 /// fours_turned   rows of four quarters become columns
 #if defined(__AVX512F__)
 template <HasLanes<16> Arch>

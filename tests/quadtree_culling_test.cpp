@@ -226,6 +226,45 @@ TEST_F(Culling, LosesNothingOfEitherEye) {
     EXPECT_LE(kept_, 1.6 * truly_);
 }
 
+/// A node's box, as equation 61 has it.
+Box box_of(const QuadtreeGrid& grid, const BoxesOfNodes& boxes, int level, int x, int z) {
+    const double side = grid.patch_size_m(level);
+    const glm::dvec2 centre = glm::dvec2(grid.corner) * grid.step_m + side * glm::dvec2(x + 0.5, z + 0.5);
+    const glm::dvec2 half = side * boxes.cull_scale / 2 + boxes.sideways_m;
+    return {{centre.x, (boxes.low_m + boxes.high_m) / 2, centre.y},
+            {half.x, (boxes.high_m - boxes.low_m) / 2, half.y}};
+}
+
+TEST(NodeCullingTest, SeesWhatTheFrustumSeesAndAllWhereEveryCornerIsInside) {
+    Random random(5);
+    const QuadtreeGrid grid{.step_m = 4, .corner = {-300, 100}, .side = 512, .vertices = 32, .deepest_level = 4};
+    std::map<NodeCulling::Sight, int> seen;
+    for (int number = 0; number < 200; ++number) {
+        const Projection projection = random_projection(random, number);
+        const glm::dmat4 camera = random_camera(random, {random.between(-900, 900), 20, random.between(400, 2400)});
+        const Frustum view(projection.matrix * camera,
+                           projection.zero_to_one ? ClipDepth::zero_to_one : ClipDepth::minus_one_to_one);
+        const BoxesOfNodes boxes{-2, 3, {1.5, 0.5}, random.between(1, 2)};
+        const NodeCulling culling(view, grid, boxes);
+        for (int node = 0; node < 200; ++node) {
+            const int level = random.below(5), x = random.below(1 << level), z = random.below(1 << level);
+            const Box box = box_of(grid, boxes, level, x, z);
+            bool is_inside = true;
+            for (const glm::dvec4& plane : view.planes)
+                for (int corner = 0; corner < 8; ++corner) {
+                    const glm::dvec3 sign(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
+                    is_inside = is_inside && glm::dot(plane, glm::dvec4(box.centre + sign * box.half, 1)) >= 0;
+                }
+            const NodeCulling::Sight sight = culling.sight_of(level, x, z);
+            ASSERT_EQ(sight != NodeCulling::Sight::none, view.may_see(box));
+            ASSERT_EQ(sight == NodeCulling::Sight::whole, is_inside);
+            ++seen[sight];
+        }
+    }
+    for (const auto sight : {NodeCulling::Sight::none, NodeCulling::Sight::part, NodeCulling::Sight::whole})
+        EXPECT_GT(seen[sight], 1000);
+}
+
 class CullingOfSeveralTiles : public Culling {
    protected:
     CullingOfSeveralTiles() : Culling({.cascades = 4, .resolution = 32, .wind_speed_mps = 18}) {}

@@ -60,6 +60,8 @@ template <class Arch, std::size_t Radix, class Wave>
 PELAGIC_INLINE void first_step(const Complex<Arch> (&h)[Radix], Wave wave, bool mirrored, float* to) {
     using V = xsimd::batch<float, Arch>;
     using C = Complex<Arch>;
+    constexpr std::size_t point = 2 * V::size, element = fields * point;
+    butterfly<Arch, Radix>([&](std::size_t s) { return h[s]; }, OutputsApart<Arch>{to + field_h * point, element});
     C p[Radix], r[Radix];
     for (std::size_t s = 0; s < Radix; ++s) {
         const V along = V::load_aligned(wave(s) + direction_x * V::size);
@@ -70,8 +72,6 @@ PELAGIC_INLINE void first_step(const Complex<Arch> (&h)[Radix], Wave wave, bool 
         p[s] = {x_im + z_re, z_im - x_re};
         r[s] = {x_re + z_im, x_im - z_re};
     }
-    constexpr std::size_t point = 2 * V::size, element = fields * point;
-    butterfly<Arch, Radix>([&](std::size_t s) { return h[s]; }, OutputsApart<Arch>{to + field_h * point, element});
     butterfly<Arch, Radix>([&](std::size_t s) { return p[s]; }, OutputsApart<Arch>{to + field_p * point, element});
     butterfly<Arch, Radix>([&](std::size_t s) { return r[s]; }, OutputsApart<Arch>{to + field_r * point, element});
 }
@@ -180,7 +180,7 @@ inline void evolve_lines(const EvolveRowsJob& job) {
         last_step_turned<Arch, 8, lanes>(job, data);
     else if (job.line_count == lanes)
         last_step_turned<Arch, 4, lanes>(job, data);
-    else
+    else  // 16 lanes for the 8 lines of N = 16
         last_step_turned<Arch, 4, lanes / 2>(job, data);
 }
 

@@ -1,5 +1,5 @@
 // Inverse transforms of W lines at once, a line a lane, in place: element p of the data is W real parts, then W
-// imaginary ones. See fft_plan.hpp for the order of the steps.
+// imaginary ones, of each field that is transformed along. See fft_plan.hpp for the order of the steps.
 #pragma once
 
 #include <cstddef>
@@ -15,6 +15,12 @@ template <class Arch>
 struct Complex {
     using V = xsimd::batch<float, Arch>;
     V re, im;
+
+    // Part by part: g++ keeps an aggregate of two NEON registers in memory.
+    Complex() = default;
+    PELAGIC_INLINE Complex(V real, V imaginary) : re(real), im(imaginary) {}
+    PELAGIC_INLINE Complex(const Complex& o) : Complex(o.re, o.im) {}
+    Complex& operator=(const Complex& o) = default;
 
     PELAGIC_INLINE static Complex load(const float* from) {
         return {V::load_aligned(from), V::load_aligned(from + V::size)};
@@ -37,7 +43,8 @@ struct Complex {
     }
 };
 
-/// A transform of four points: input(first), input(first + step), ... in the order in which they are needed.
+/// A transform of four points: input(first), input(first + step), ... in the order in which they are needed. Differences
+/// come before sums: SSE4.2 overwrites one of its operands, which then needs one copy less.
 template <class Arch, class Input>
 PELAGIC_INLINE void butterfly_4(Complex<Arch> (&x)[4], Input input, std::size_t first, std::size_t step) {
     const Complex<Arch> a = input(first), c = input(first + 2 * step);
@@ -121,7 +128,7 @@ PELAGIC_FLATTEN void fft_step(float* data, std::size_t size, const FftStep& step
         same_roots(first, [=](float* at) { join<Arch, Radix>(at, span, roots); });
 }
 
-/// The steps between the first and the last on one part of the last one's input: fft.last_step().span elements.
+/// The steps between the first and the last on `size` elements: one part of the last one's input, or several.
 template <class Arch, std::size_t Fields>
 inline void middle_steps(float* data, std::size_t size, const FftTables& fft) {
     for (std::size_t s = 1; s + 1 < fft.step_count; ++s) {

@@ -23,7 +23,7 @@ struct EvolveRowsJob {
     const std::uint32_t* harmonics;  ///< the same of its harmonics
     std::uint32_t fraction;          ///< LoopFraction::turns
     std::size_t first_line;          ///< kz of lane 0
-    std::size_t line_count;          ///< lanes that hold lines, at most W
+    std::size_t line_count;          ///< lanes that hold lines: W, or W/2 where N = 16 has no more
     const FftTables* fft;
     float* lines;  ///< all column blocks; aliases no input
     /// Only for evolve_velocity_rows, which makes the same lines of the derivative in time: the angular frequency of
@@ -170,7 +170,8 @@ struct InvertSurfaceJob {
     float* error;        ///< remaining distance in texels
 };
 
-/// The surface at rest points: everything bilinear between texels, slopes from central differences at texels.
+/// The surface at rest points: everything bilinear between texels, slopes from central differences at texels. Blocks of the
+/// surface have a multiple of W columns.
 struct SampleSurfaceJob {
     struct Outputs {
         float* height;                                     ///< metres; null if nobody wants it

@@ -230,14 +230,13 @@ struct CellSlopes {
     }
 };
 
-/// Reads four columns around W cells. They lie in one or two groups of W columns, which are neighbours in memory however
-/// large the blocks are: four that end with the first group at most, of which `shift` are too early, and the first four
-/// of the second.
+/// Reads four columns around W cells. They lie in one or two groups of W columns, each side by side in memory however large
+/// the blocks are. Of the first group four are loaded that end with it at most, the first `shift` of which are too early: in
+/// their place come the first four of the second group, and all are turned. Nothing is read beyond a group.
 template <class Arch>
 class CellReader {
     using V = xsimd::batch<float, Arch>;
     using I = xsimd::batch<std::int32_t, Arch>;
-    using Places = xsimd::batch<std::uint32_t, Arch>;
     static constexpr int lanes = static_cast<int>(V::size);
 
    public:
@@ -253,8 +252,8 @@ class CellReader {
         const I first = places.column(x - I(1)) - shift, second = places.column((x + I(2)) & I(-lanes));
         for (int row = 0; row < 4; ++row) {
             const I at = places.row(z + I(row - 1));
-            xsimd::bitwise_cast<Places>(first + at).store_aligned(first_[row]);
-            xsimd::bitwise_cast<Places>(second + at).store_aligned(second_[row]);
+            (first + at).store_aligned(reinterpret_cast<std::int32_t*>(first_[row]));
+            (second + at).store_aligned(reinterpret_cast<std::int32_t*>(second_[row]));
         }
     }
 

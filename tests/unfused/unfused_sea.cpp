@@ -56,7 +56,7 @@ void transform(std::vector<Complex>& line, const FftTables& fft) {
                 Complex x[8];
                 for (int l = 0; l < step.radix; ++l) {
                     x[l] = data[static_cast<std::size_t>(first + j + l * step.span)];
-                    if (l == 0 || s == 0) continue;  // the first step's factors are all one
+                    if (l == 0 || (j == 0 && s + 1 < fft.step_count)) continue;  // only the last step multiplies by 1
                     const float* root = fft.twiddles + step.first_twiddle + 2 * (j * step.radix + l);
                     x[l] = {x[l].re * root[0] - x[l].im * root[1], x[l].re * root[1] + x[l].im * root[0]};
                 }
