@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "pelagic/analytic/analytic_surface.hpp"
+#include "pelagic/analytic/exp_sine_water.hpp"
 #include "pelagic/quadtree/selection.hpp"
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/surface_query_jobs.hpp"
@@ -79,6 +81,19 @@ TEST(Allocation, NeitherQueriesNorFramesThatCanBeAskedAllocate) {
         }
         EXPECT_EQ(allocations, before) << executor->name();
     }
+}
+
+TEST(Allocation, SeasInClosedFormAllocateNothingWhenAsked) {
+    const AnalyticSurface sea(analytic_preset_named("analytic-intense")->sea);
+    const ExpSineWater pond({});
+    std::vector<double> x(1003, 1.5), z(1003, -2);
+    std::vector<float> height(1003), normal(1003);
+    const long before = allocations;
+    sea.sample_rest(1, {x, z}, {.height_m = height, .normal_x = normal});
+    sea.sample(1, {x, z}, {.height_m = height, .velocity_y_mps = normal});
+    pond.sample(1, {x, z}, {.height_m = height, .normal_x = normal}, normal);
+    pond.first_hit(1, {0, 2, 0}, {1, -0.3, 0.2}, 50);
+    EXPECT_EQ(allocations, before);
 }
 
 TEST(Allocation, MemoryBytesIsWhatAnOceanHolds) {

@@ -1,0 +1,71 @@
+#include "pelagic/analytic/analytic_glsl.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "pelagic/analytic/wave_phase.hpp"
+#include "pelagic/message/number_text.hpp"
+#include "pelagic/simd/det_math.hpp"
+#include "pelagic/simd/float_environment.hpp"
+
+namespace pelagic {
+namespace {
+
+constexpr double two_pi = 6.283185307179586;
+
+/// A number that GLSL takes for a float.
+std::string literal(double value) {
+    const std::string text = number_text(static_cast<float>(value));
+    return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
+}
+
+// `fract` before the sine: GLSL says nothing of how well it takes many turns.
+constexpr const char* functions = R"(
+struct AnalyticWater { vec3 displacement; vec3 normal; float jacobian; };
+
+AnalyticWater analytic_water(vec2 rest_m, float time_s) {
+    vec3 moved = vec3(0.0);
+    vec2 slope = vec2(0.0);
+    vec3 squeeze = vec3(0.0);  // derivatives of the sideways displacement: xx, xz, zz
+    for (int i = 0; i < analytic_waves; ++i) {
+        vec4 wave = analytic_wave[i];      // way, turns a metre, amplitude
+        vec2 turn = analytic_turn[i];      // turns at the origin, turns a second
+        float phase = 6.2831853 * fract(dot(wave.xy, rest_m) * wave.z - turn.y * time_s + turn.x);
+        float s = sin(phase), c = cos(phase), steepness = 6.2831853 * wave.z * wave.w;
+        moved.xz -= analytic_choppiness * wave.w * s * wave.xy;
+        moved.y += wave.w * c;
+        slope -= steepness * s * wave.xy;
+        squeeze -= analytic_choppiness * steepness * c * vec3(wave.x * wave.xy, wave.y * wave.y);
+    }
+    float xx = 1.0 + squeeze.x, xz = squeeze.y, zz = 1.0 + squeeze.z, jacobian = xx * zz - xz * xz;
+    vec3 normal = vec3(slope.y * xz - slope.x * zz, jacobian, slope.x * xz - slope.y * xx);
+    return AnalyticWater(moved, normalize(normal), jacobian);
+}
+)";
+
+}  // namespace
+
+std::string analytic_glsl(const AnalyticSea& sea, const GlslOrigin& origin) {
+    if (const std::string reason = check(sea); !reason.empty()) throw std::invalid_argument(reason);
+    const DefaultFloatEnvironment environment;
+    const std::string count = number_text(sea.waves.size());
+    std::string waves, turns;
+    for (const AnalyticWave& wave : sea.waves) {
+        const auto [z, x] = det::sine_cosine_of_turns(wave.direction_rad / two_pi);
+        const double per_m = 1 / wave.wavelength_m;
+        const double frequency_hz = std::sqrt(gravity_of_waves_mps2 * two_pi * per_m) / two_pi;
+        const double at_origin = (x * origin.x_m + z * origin.z_m) * per_m;
+        const double start = turns_at_origin(wave.phase_rad / two_pi + (at_origin - std::floor(at_origin)),
+                                             frequency_hz, origin.time_s);
+        const char* comma = waves.empty() ? "" : ",";
+        waves += comma + ("\n    vec4(" + literal(x) + ", " + literal(z) + ", " + literal(per_m) + ", " +
+                          literal(wave.amplitude_m) + ")");
+        turns += comma + ("\n    vec2(" + literal(start) + ", " + literal(frequency_hz) + ")");
+    }
+    return "const int analytic_waves = " + count + ";\n" +
+           "const float analytic_choppiness = " + literal(sea.choppiness) + ";\n" + "const vec4 analytic_wave[" +
+           count + "] = vec4[" + count + "](" + waves + ");\n" + "const vec2 analytic_turn[" + count + "] = vec2[" +
+           count + "](" + turns + ");\n" + functions;
+}
+
+}  // namespace pelagic

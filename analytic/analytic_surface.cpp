@@ -1,0 +1,138 @@
+#include "pelagic/analytic/analytic_surface.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <stdexcept>
+
+#include "pelagic/analytic/kernels/analytic_kernels.hpp"
+#include "pelagic/analytic/point_groups.hpp"
+#include "pelagic/analytic/wave_phase.hpp"
+#include "pelagic/simd/det_math.hpp"
+#include "pelagic/simd/float_environment.hpp"
+
+namespace pelagic {
+namespace {
+
+constexpr double two_pi = 6.283185307179586;
+
+// The rest of the tolerance is for what floats lose of a displacement of 64 m, the largest.
+constexpr double search_target_m = AnalyticSurface::tolerance_m / 2;
+
+GerstnerTerms terms_of(const AnalyticWave& wave, double frequency_hz, double choppiness) {
+    const auto [z, x] = det::sine_cosine_of_turns(wave.direction_rad / two_pi);
+    const double k = two_pi / wave.wavelength_m, a = wave.amplitude_m, moved = choppiness * a;
+    const double speed = two_pi * frequency_hz;
+    const auto rounded = [](double value) { return static_cast<float>(value); };
+    return {.phase = {x / wave.wavelength_m, z / wave.wavelength_m},
+            .turns_per_m_x = rounded(x / wave.wavelength_m),
+            .turns_per_m_z = rounded(z / wave.wavelength_m),
+            .height = rounded(a),
+            .sideways_x = rounded(-moved * x),
+            .sideways_z = rounded(-moved * z),
+            .slope_x = rounded(-a * k * x),
+            .slope_z = rounded(-a * k * z),
+            .squeeze_xx = rounded(-moved * k * x * x),
+            .squeeze_xz = rounded(-moved * k * x * z),
+            .squeeze_zz = rounded(-moved * k * z * z),
+            .rise = rounded(a * speed),
+            .drift_x = rounded(moved * speed * x),
+            .drift_z = rounded(moved * speed * z)};
+}
+
+// The search for q with q + D(q) = p. Let s = choppiness sum k A, at most 0.4, and M = choppiness sum k^2 A:
+// everywhere
+// |D'| <= s and |D''| <= M. A rest point that is drawn a distance r off goes on
+//
+// * by the fixed point, q - off: off' = D(q - off) - D(q), so r' <= s r;
+// * by Newton, q - (1 + D')^-1 off, a step of at most r / (1 - s): r' <= M/2 (r / (1 - s))^2 by Taylor's theorem.
+//
+// Each step takes the one that promises less, so that r' <= r min(s, c r), c = M / (2 (1 - s)^2). The search begins
+// at p itself, at most choppiness sum A off, and has ended when what is promised is within the target.
+struct Convergence {
+    double s = 0, c = 0, first_m = 0;
+
+    explicit Convergence(const AnalyticSea& sea) {
+        double bend = 0;
+        for (const AnalyticWave& wave : sea.waves) {
+            const double k = two_pi / wave.wavelength_m, moved = sea.choppiness * wave.amplitude_m;
+            s += k * moved;
+            bend += k * k * moved;
+            first_m += moved;
+        }
+        c = bend / (2 * (1 - s) * (1 - s));
+    }
+
+    /// One more than is promised, for the roundings of floats.
+    int most_steps() const {
+        int steps = 1;
+        for (double r = first_m; r > search_target_m; r *= std::min(s, c * r)) ++steps;
+        return steps;
+    }
+};
+
+}  // namespace
+
+AnalyticSurface::AnalyticSurface(const AnalyticSea& sea, std::optional<Isa> isa) : sea_(sea) {
+    if (const std::string reason = check(sea); !reason.empty()) throw std::invalid_argument(reason);
+    const DefaultFloatEnvironment environment;
+    kernels_ = &analytic_kernels_for(choose_isa(isa));
+    for (const AnalyticWave& wave : sea.waves) {
+        const double k = two_pi / wave.wavelength_m;
+        frequencies_hz_.push_back(std::sqrt(gravity_of_waves_mps2 * k) / two_pi);
+        terms_.push_back(terms_of(wave, frequencies_hz_.back(), sea.choppiness));
+    }
+    const Convergence search(sea);
+    contraction_ = static_cast<float>(search.s);
+    curvature_ = static_cast<float>(search.c);
+    most_steps_ = search.most_steps();
+}
+
+AnalyticSurface::~AnalyticSurface() = default;
+AnalyticSurface::AnalyticSurface(AnalyticSurface&&) noexcept = default;
+AnalyticSurface& AnalyticSurface::operator=(AnalyticSurface&&) noexcept = default;
+
+void AnalyticSurface::sample_rest(double time_s, const AnalyticPoints& rest, const AnalyticSamples& samples) const {
+    sample_points(false, time_s, rest, samples);
+}
+
+void AnalyticSurface::sample(double time_s, const AnalyticPoints& world, const AnalyticSamples& samples) const {
+    sample_points(true, time_s, world, samples);
+}
+
+void AnalyticSurface::sample_points(bool in_world, double time_s, const AnalyticPoints& points,
+                                    const AnalyticSamples& samples) const {
+    assert(std::isfinite(time_s));
+    const DefaultFloatEnvironment environment;
+    std::array<double, most_analytic_waves> starts;
+    for (std::size_t i = 0; i < terms_.size(); ++i)
+        starts[i] = turns_at_origin(sea_.waves[i].phase_rad / two_pi, frequencies_hz_[i], time_s);
+
+    const AnswerArrays<10> arrays{samples.height_m,      samples.sideways_x_m,   samples.sideways_z_m,
+                                  samples.normal_x,      samples.normal_y,       samples.normal_z,
+                                  samples.jacobian,      samples.velocity_x_mps, samples.velocity_y_mps,
+                                  samples.velocity_z_mps};
+    const bool normals = arrays.wants_any(3, 7), velocities = arrays.wants_any(7, 10);
+    for_each_group(points.x, points.z, arrays, kernels_->lanes, [&](const PointGroup<10>& group) {
+        float* const* out = group.answers.data();
+        GerstnerJob job{.waves = terms_.data(),
+                        .starts = starts.data(),
+                        .wave_count = static_cast<int>(terms_.size()),
+                        .count = group.count,
+                        .x = group.x,
+                        .z = group.z,
+                        .out = {.height = out[0], .sideways_x = out[1], .sideways_z = out[2]},
+                        .contraction = contraction_,
+                        .curvature = curvature_,
+                        .target_m = static_cast<float>(search_target_m),
+                        .most_steps = most_steps_};
+        if (normals)
+            job.out.normal_x = out[3], job.out.normal_y = out[4], job.out.normal_z = out[5],
+            job.out.jacobian = out[6];
+        if (velocities) job.out.velocity_x = out[7], job.out.velocity_y = out[8], job.out.velocity_z = out[9];
+        (in_world ? kernels_->gerstner_in_world : kernels_->gerstner_at_rest)(job);
+    });
+}
+
+}  // namespace pelagic

@@ -1,0 +1,182 @@
+#include "pelagic/analytic/exp_sine_water.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <stdexcept>
+
+#include "pelagic/analytic/kernels/analytic_kernels.hpp"
+#include "pelagic/analytic/point_groups.hpp"
+#include "pelagic/analytic/wave_phase.hpp"
+#include "pelagic/message/refusal.hpp"
+#include "pelagic/simd/det_math.hpp"
+#include "pelagic/simd/float_environment.hpp"
+
+namespace pelagic {
+namespace {
+
+constexpr double two_pi = 6.283185307179586;
+constexpr double surface_tension_m3ps2 = 7.4e-5;  // of fresh water, over its density
+constexpr double golden = 0.6180339887498949;     // of a turn
+constexpr double least_exp = 0.1353352832366127;  // exp(-2)
+constexpr double mean_exp = 0.46575960759364043;  // I0(1) / e
+constexpr double shortest_wavelength_m = 1e-3;    // where water is smooth
+
+constexpr std::array fields = {
+    NumericField<ExpSineSea>{"octaves", &ExpSineSea::octaves, 1, most_analytic_waves, "1 to 64"},
+    NumericField<ExpSineSea>{"height_m", &ExpSineSea::height_m, 0, 10, "(0, 10]", Among::above_least},
+    NumericField<ExpSineSea>{"wavelength_m", &ExpSineSea::wavelength_m, 0.01, 1000, "[0.01, 1000]"},
+    NumericField<ExpSineSea>{"direction_rad", &ExpSineSea::direction_rad, -two_pi, two_pi, "[-2 pi, 2 pi]"},
+    NumericField<ExpSineSea>{"growth", &ExpSineSea::growth, 1, 4, "[1, 4]"},
+    NumericField<ExpSineSea>{"decay", &ExpSineSea::decay, 0, 1, "(0, 1]", Among::above_least},
+    NumericField<ExpSineSea>{"drag", &ExpSineSea::drag, 0, 1, "[0, 1]"},
+};
+
+double last_wavelength_m(const ExpSineSea& sea) {
+    double wavelength_m = sea.wavelength_m;
+    for (int i = 1; i < sea.octaves; ++i) wavelength_m /= sea.growth;
+    return wavelength_m;
+}
+
+/// Distances along a ray between two heights; none if it never is there.
+struct Stretch {
+    double from_m, to_m;
+};
+std::optional<Stretch> between_heights(double y, double way_y, double lowest, double highest, double reach_m) {
+    Stretch all{0, reach_m};
+    if (way_y != 0) {
+        const double a = (highest - y) / way_y, b = (lowest - y) / way_y;
+        all = {std::max(0.0, std::min(a, b)), std::min(reach_m, std::max(a, b))};
+    } else if (y < lowest || y > highest) {
+        return {};
+    }
+    if (!(all.from_m <= all.to_m)) return {};
+    return all;
+}
+
+}  // namespace
+
+std::string check(const ExpSineSea& sea) {
+    if (const std::string reason = check_fields(sea, fields); !reason.empty()) return reason;
+    if (const double last_m = last_wavelength_m(sea); last_m < shortest_wavelength_m)
+        return refusal("the last octave's wavelength_m", last_m, "0.001 at least: fewer octaves, or less growth");
+    return {};
+}
+
+ExpSineWater::ExpSineWater(const ExpSineSea& sea, std::optional<Isa> isa) : sea_(sea) {
+    if (const std::string reason = check(sea); !reason.empty()) throw std::invalid_argument(reason);
+    const DefaultFloatEnvironment environment;
+    kernels_ = &analytic_kernels_for(choose_isa(isa));
+    double sum = 0, part = 1;
+    for (int i = 0; i < sea.octaves; ++i, part *= sea.decay) sum += part;
+    double wavelength_m = sea.wavelength_m;
+    part = 1;
+    for (int i = 0; i < sea.octaves; ++i, part *= sea.decay, wavelength_m /= sea.growth) {
+        const double k = two_pi / wavelength_m;
+        const double w = std::sqrt(gravity_of_waves_mps2 * k + surface_tension_m3ps2 * k * k * k);
+        const auto [z, x] = det::sine_cosine_of_turns(sea.direction_rad / two_pi + i * golden);
+        const auto rounded = [](double value) { return static_cast<float>(value); };
+        terms_.push_back({.phase = {x / wavelength_m, z / wavelength_m},
+                          .way_x = rounded(x),
+                          .way_z = rounded(z),
+                          .turns_per_m = rounded(1 / wavelength_m),
+                          .k = rounded(k),
+                          .height = rounded(sea.height_m * part / sum),
+                          .drag = rounded(sea.drag * part * sea.wavelength_m / two_pi),
+                          .frequency = rounded(w),
+                          .half_waves_per_m = rounded(2 / wavelength_m)});
+        frequencies_hz_.push_back(w / two_pi);
+        phases_turns_.push_back(i * golden * golden);
+    }
+    shortest_m_ = last_wavelength_m(sea);
+}
+
+ExpSineWater::~ExpSineWater() = default;
+ExpSineWater::ExpSineWater(ExpSineWater&&) noexcept = default;
+ExpSineWater& ExpSineWater::operator=(ExpSineWater&&) noexcept = default;
+
+double ExpSineWater::lowest_m() const { return sea_.height_m * (least_exp - mean_exp); }
+double ExpSineWater::highest_m() const { return sea_.height_m * (1 - mean_exp); }
+
+void ExpSineWater::sample(double time_s, const AnalyticPoints& points, const ExpSineSamples& samples,
+                          std::span<const float> footprint_m) const {
+    assert(std::isfinite(time_s));
+    assert(footprint_m.empty() || footprint_m.size() == points.x.size());
+    const DefaultFloatEnvironment environment;
+    std::array<double, most_analytic_waves> starts;
+    for (std::size_t i = 0; i < terms_.size(); ++i)
+        starts[i] = turns_at_origin(phases_turns_[i], frequencies_hz_[i], time_s);
+
+    const AnswerArrays<6> arrays{samples.height_m, samples.normal_x, samples.normal_y,
+                                 samples.normal_z, samples.rise_mps, samples.slope_variance};
+    const bool slopes = arrays.wants_any(1, 6);
+    for_each_group(points.x, points.z, arrays, analytic_group, [&](const PointGroup<6>& group) {
+        float* const* out = group.answers.data();
+        float tail[analytic_group];
+        const float* footprint = footprint_m.empty() ? nullptr : footprint_m.data() + group.first;
+        if (footprint && group.first + group.count > footprint_m.size()) {
+            for (std::size_t i = 0; i < analytic_group; ++i)
+                tail[i] = footprint_m[std::min(group.first + i, footprint_m.size() - 1)];
+            footprint = tail;
+        }
+        ExpSineJob job{.octaves = terms_.data(),
+                       .starts = starts.data(),
+                       .octave_count = static_cast<int>(terms_.size()),
+                       .count = group.count,
+                       .x = group.x,
+                       .z = group.z,
+                       .footprint = footprint,
+                       .out = {.height = out[0]}};
+        if (slopes) job.out = {out[0], out[1], out[2], out[3], out[4], out[5]};
+        kernels_->exp_sine(job);
+    });
+}
+
+std::optional<ExpSineHit> ExpSineWater::first_hit(double time_s, std::array<double, 3> origin_m,
+                                                  std::array<double, 3> direction, double reach_m) const {
+    const DefaultFloatEnvironment environment;
+    const auto [dx, dy, dz] = direction;
+    const double length = std::sqrt(dx * dx + dy * dy + dz * dz);
+    assert(length > 0 && std::isfinite(length) && std::isfinite(reach_m));
+    const std::array<double, 3> way{dx / length, dy / length, dz / length};
+    const auto along = [&](double distance_m, std::size_t axis) { return origin_m[axis] + distance_m * way[axis]; };
+
+    constexpr std::size_t looks = analytic_group;
+    /// The first of `looks` places, `step_m` apart behind `from_m`, that is under water.
+    const auto first_under = [&](double from_m, double step_m) -> std::optional<std::size_t> {
+        double x[looks], z[looks];
+        float height[looks];
+        for (std::size_t i = 0; i < looks; ++i) {
+            const double distance_m = from_m + step_m * static_cast<double>(i + 1);
+            x[i] = along(distance_m, 0);
+            z[i] = along(distance_m, 2);
+        }
+        sample(time_s, {x, z}, {.height_m = height});
+        for (std::size_t i = 0; i < looks; ++i)
+            if (along(from_m + step_m * static_cast<double>(i + 1), 1) <= height[i]) return i;
+        return {};
+    };
+
+    const std::optional<Stretch> stretch = between_heights(origin_m[1], way[1], lowest_m(), highest_m(), reach_m);
+    if (!stretch) return {};
+    double from_m = stretch->from_m, step_m = shortest_m_ / 8;
+    std::optional<std::size_t> under;
+    while (!(under = first_under(from_m, step_m))) {
+        from_m += step_m * static_cast<double>(looks);
+        if (from_m >= stretch->to_m) return {};
+    }
+    // The crossing lies within one step: sixteen looks at it, and again.
+    for (const double enough_m = std::max(1e-6, 1e-12 * from_m);;) {
+        from_m += step_m * static_cast<double>(*under);
+        if (step_m <= enough_m) break;
+        step_m /= static_cast<double>(looks);
+        under = first_under(from_m, step_m);
+        if (!under) under = looks - 1;  // the step's end is under water, but for a last digit
+    }
+    const double distance_m = from_m + step_m / 2;
+    if (distance_m > stretch->to_m) return {};
+    return ExpSineHit{distance_m, {along(distance_m, 0), along(distance_m, 1), along(distance_m, 2)}};
+}
+
+}  // namespace pelagic

@@ -1,0 +1,418 @@
+// Closed-form water against the same sums in long double with libm, against Gerstner's exact wave, and against itself
+// in any order.
+#include "pelagic/analytic/analytic_surface.hpp"
+
+#include <bit>
+#include <cfenv>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "pelagic/analytic/wave_phase.hpp"
+#include "pelagic/tests/each_isa.hpp"
+
+namespace pelagic {
+namespace {
+
+using Long = long double;
+constexpr Long pi = std::numbers::pi_v<Long>;
+constexpr Long g = 9.80665L;
+
+double rounded(Long value) { return static_cast<double>(value); }
+
+struct Truth {
+    Long height = 0, x = 0, z = 0;  // displacement
+    Long slope_x = 0, slope_z = 0;  // of the height over rest points
+    Long xx = 0, xz = 0, zz = 0;    // derivatives of the displacement
+    Long velocity[3] = {};
+    Long jacobian() const { return (1 + xx) * (1 + zz) - xz * xz; }
+};
+
+/// The sea as its header has it, slow and obvious.
+Truth truth(const AnalyticSea& sea, Long time_s, Long x, Long z) {
+    Truth sum;
+    for (const AnalyticWave& wave : sea.waves) {
+        const Long k = 2 * pi / wave.wavelength_m, w = std::sqrt(g * k), a = wave.amplitude_m,
+                   moved = sea.choppiness * a;
+        const Long way_x = std::cos(Long{wave.direction_rad}), way_z = std::sin(Long{wave.direction_rad});
+        const Long phase = k * (way_x * x + way_z * z) - w * time_s + wave.phase_rad;
+        const Long s = std::sin(phase), c = std::cos(phase);
+        sum.height += a * c;
+        sum.x -= moved * way_x * s;
+        sum.z -= moved * way_z * s;
+        sum.slope_x -= a * k * way_x * s;
+        sum.slope_z -= a * k * way_z * s;
+        sum.xx -= moved * k * way_x * way_x * c;
+        sum.xz -= moved * k * way_x * way_z * c;
+        sum.zz -= moved * k * way_z * way_z * c;
+        sum.velocity[0] += moved * way_x * w * c;
+        sum.velocity[1] += a * w * s;
+        sum.velocity[2] += moved * way_z * w * c;
+    }
+    return sum;
+}
+
+struct Places {
+    std::vector<double> x, z;
+    AnalyticPoints view() const { return {x, z}; }
+};
+
+Places random_places(std::size_t count, double reach_m, unsigned seed = 1) {
+    std::mt19937 random(seed);
+    const auto one = [&] { return (static_cast<double>(random()) * 0x1p-31 - 1) * reach_m; };
+    Places places;
+    for (std::size_t i = 0; i < count; ++i) {
+        places.x.push_back(one());
+        places.z.push_back(one());
+    }
+    return places;
+}
+
+enum Kind {
+    height,
+    sideways_x,
+    sideways_z,
+    normal_x,
+    normal_y,
+    normal_z,
+    jacobian,
+    velocity_x,
+    velocity_y,
+    velocity_z,
+    kinds
+};
+
+struct Answers {
+    explicit Answers(std::size_t count) : of(kinds, std::vector<float>(count)) {}
+    AnalyticSamples view() { return {of[0], of[1], of[2], of[3], of[4], of[5], of[6], of[7], of[8], of[9]}; }
+    std::uint64_t hash() const {  // FNV-1a
+        std::uint64_t bits = 0xcbf29ce484222325;
+        for (const auto& array : of)
+            for (const float value : array) bits = (bits ^ std::bit_cast<std::uint32_t>(value)) * 0x100000001b3;
+        return bits;
+    }
+    std::vector<std::vector<float>> of;
+};
+
+Answers at_rest(const AnalyticSurface& water, double time_s, const Places& places) {
+    Answers answers(places.x.size());
+    water.sample_rest(time_s, places.view(), answers.view());
+    return answers;
+}
+
+Answers in_world(const AnalyticSurface& water, double time_s, const Places& places) {
+    Answers answers(places.x.size());
+    water.sample(time_s, places.view(), answers.view());
+    return answers;
+}
+
+const AnalyticSea& intense() { return analytic_preset_named("analytic-intense")->sea; }
+
+/// As steep as is accepted, with a short steep wave on a high long one: Newton's method alone would go astray far
+/// from the solution.
+AnalyticSea short_on_long() {
+    return {.waves = {{.amplitude_m = 12, .wavelength_m = 500, .direction_rad = 0.3},
+                      {.amplitude_m = 0.0124, .wavelength_m = 0.316, .direction_rad = -1, .phase_rad = 2}}};
+}
+
+AnalyticSea sixty_four_waves() {
+    std::mt19937 random(5);
+    const auto one = [&] { return static_cast<double>(random()) * 0x1p-32; };
+    AnalyticSea sea{.waves = {}, .choppiness = 0.9};
+    for (int i = 0; i < 64; ++i) {
+        const double part = one(), wavelength_m = 1 + 199 * part * part * part;
+        sea.waves.push_back(
+            {.006 * wavelength_m / (2 * std::numbers::pi), wavelength_m, 6 * one() - 3, 6 * one() - 3});
+    }
+    return sea;
+}
+
+class AnalyticOnEachIsa : public testing::TestWithParam<Isa> {};
+INSTANTIATE_TEST_SUITE_P(Isas, AnalyticOnEachIsa, testing::ValuesIn(isas_here()), isa_test_name);
+
+// The promise of the header. Normals and Jacobians are of slopes below 1: the same 1e-6 of the most that they can be.
+TEST_P(AnalyticOnEachIsa, IsTheSumOfItsWaves) {
+    for (const AnalyticSea& sea : {intense(), sixty_four_waves()}) {
+        const AnalyticSurface water(sea, GetParam());
+        Long amplitude = 0, speed = 0, shortest = 1e9;
+        for (const AnalyticWave& wave : sea.waves) {
+            amplitude += wave.amplitude_m;
+            speed += wave.amplitude_m * std::sqrt(g * 2 * pi / wave.wavelength_m);
+            shortest = std::min(shortest, Long{wave.wavelength_m});
+        }
+        for (const auto& [reach_m, time_s] :
+             {std::pair(100.0, 0.0), {100.0, -7654.3}, {1e6 * double(shortest), 1e6}}) {
+            const Places places = random_places(150, reach_m);
+            const Answers said = at_rest(water, time_s, places);
+            for (std::size_t i = 0; i < places.x.size(); ++i) {
+                const Truth t = truth(sea, time_s, places.x[i], places.z[i]);
+                const Long n[3] = {t.slope_z * t.xz - t.slope_x * (1 + t.zz), t.jacobian(),
+                                   t.slope_x * t.xz - t.slope_z * (1 + t.xx)};
+                const Long length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+                const Long right[kinds] = {t.height,      t.x,          t.z,           n[0] / length, n[1] / length,
+                                           n[2] / length, t.jacobian(), t.velocity[0], t.velocity[1], t.velocity[2]};
+                const Long scale[kinds] = {amplitude, amplitude, amplitude, 1, 1, 1, 1, speed, speed, speed};
+                for (int kind = 0; kind < kinds; ++kind)
+                    ASSERT_NEAR(said.of[kind][i], rounded(right[kind]), rounded(1e-6L * scale[kind]))
+                        << "kind " << kind << " at " << reach_m;
+            }
+        }
+    }
+}
+
+TEST_P(AnalyticOnEachIsa, WaterOfAWorldPointIsDrawnThere) {
+    for (const AnalyticSea& sea : {intense(), short_on_long(), sixty_four_waves()}) {
+        const AnalyticSurface water(sea, GetParam());
+        const Places places = random_places(600, 3000);
+        const Answers said = in_world(water, 55, places);
+        Places rest;
+        for (std::size_t i = 0; i < places.x.size(); ++i) {
+            rest.x.push_back(places.x[i] - double{said.of[sideways_x][i]});
+            rest.z.push_back(places.z[i] - double{said.of[sideways_z][i]});
+        }
+        for (std::size_t i = 0; i < places.x.size(); ++i) {
+            const Truth t = truth(sea, 55, rest.x[i], rest.z[i]);
+            ASSERT_LE(std::hypot(rest.x[i] + t.x - places.x[i], rest.z[i] + t.z - places.z[i]),
+                      AnalyticSurface::tolerance_m);
+            // The search ends half of the tolerance away, on faces of slope 0.4; and floats of a sea of 12 m lose
+            // 1.2e-5.
+            ASSERT_NEAR(said.of[height][i], rounded(t.height), 4e-5);
+        }
+    }
+}
+
+// r' <= r min(s, c r) from choppiness sum A: for this sea s = 0.4 and c = 6, so the fixed point goes on to 7 cm, then
+// Newton.
+TEST(AnalyticSearch, EndsAfterAsManyStepsAsItsProofSays) {
+    EXPECT_EQ(AnalyticSurface(analytic_preset_named("analytic-calm")->sea).most_search_steps(), 3);
+    EXPECT_EQ(AnalyticSurface(intense()).most_search_steps(), 6);
+    const int most = AnalyticSurface(short_on_long()).most_search_steps();
+    const int all_by_fixed_point = 1 + int(std::ceil(std::log(12.0124 / 5e-5) / std::log(1 / 0.4)));
+    EXPECT_GT(most, 6);
+    EXPECT_LE(most, all_by_fixed_point);
+}
+
+// What FNV-1a of the bits is here, it is on every instruction set, compiler and processor.
+TEST_P(AnalyticOnEachIsa, GivesTheGoldenBits) {
+    const AnalyticSurface water(sixty_four_waves(), GetParam());
+    EXPECT_EQ(at_rest(water, 1234.5, random_places(1003, 5000)).hash(), 13589754078015390544u);
+    EXPECT_EQ(in_world(water, 1234.5, random_places(1003, 5000)).hash(), 7045321192955639590u);
+}
+
+TEST_P(AnalyticOnEachIsa, APointsBitsAreItsOwn) {
+    const AnalyticSurface water(intense(), GetParam());
+    const Places places = random_places(200, 300);
+    const Answers all = in_world(water, 9, places);
+    for (const std::size_t i : {0u, 15u, 16u, 127u, 128u, 199u}) {
+        const Answers alone = in_world(water, 9, {{places.x[i]}, {places.z[i]}});
+        for (int kind = 0; kind < kinds; ++kind) EXPECT_EQ(alone.of[kind][0], all.of[kind][i]);
+        float height_alone = 0;
+        water.sample(9, {{&places.x[i], 1}, {&places.z[i], 1}}, {.height_m = {&height_alone, 1}});
+        EXPECT_EQ(height_alone, all.of[height][i]);
+    }
+}
+
+TEST_P(AnalyticOnEachIsa, HostsRoundingModeDoesNotMatter) {
+    const std::uint64_t hash = in_world(AnalyticSurface(intense(), GetParam()), 9, random_places(100, 300)).hash();
+    std::fesetround(FE_UPWARD);
+    const std::uint64_t upwards = in_world(AnalyticSurface(intense(), GetParam()), 9, random_places(100, 300)).hash();
+    std::fesetround(FE_TONEAREST);
+    EXPECT_EQ(upwards, hash);
+}
+
+TEST(AnalyticTime, ReversedAndScrubbedPlayGivesTheSameBits) {
+    const AnalyticSurface water(intense());
+    const Places places = random_places(64, 300);
+    std::vector<std::uint64_t> forwards;
+    for (int frame = 0; frame < 50; ++frame) forwards.push_back(in_world(water, frame / 72.0, places).hash());
+    for (int frame = 49; frame >= 0; --frame)
+        EXPECT_EQ(in_world(water, frame / 72.0, places).hash(), forwards[static_cast<std::size_t>(frame)]);
+    std::mt19937 random(3);
+    for (int i = 0; i < 50; ++i) {
+        const int frame = static_cast<int>(random() % 50);
+        EXPECT_EQ(in_world(AnalyticSurface(intense()), frame / 72.0, places).hash(),
+                  forwards[static_cast<std::size_t>(frame)]);
+    }
+    EXPECT_NE(forwards[0], forwards[1]);
+}
+
+// 0.1 is 3602879701896397 / 2^55: ten of them are 2 / 2^55 more than a turn.
+TEST(AnalyticTime, TurnsAreExactProducts) {
+    EXPECT_EQ(turned(0.1, 10), 1024u);
+    EXPECT_EQ(turned(0.1, -10), std::uint64_t{0} - 1024);
+    EXPECT_EQ(turned(0.25, 3), 0xC000000000000000u);
+    EXPECT_EQ(turned(0.25, 3e300), 0u);
+    EXPECT_EQ(turned(0.3, 0), 0u);
+    std::mt19937_64 random(2);
+    for (int i = 0; i < 1000; ++i) {
+        const auto one = [&] { return static_cast<double>(random()) * 0x1p-64; };
+        const double f = 8 * one(), long_s = std::floor(one() * 0x1p50), short_s = std::floor(one() * 4096);
+        // Each of the three is cut to 2^-64 of a turn.
+        EXPECT_LE(turned(f, long_s + short_s) - turned(f, long_s) - turned(f, short_s), 1u);
+    }
+    for (const double time_s : {5e-324, 1e-300, 1e18, 1.7976931348623157e308})
+        EXPECT_EQ(turned(0.123, time_s) + turned(0.123, -time_s), 0u) << time_s;
+}
+
+TEST(AnalyticTime, AnyFiniteTimeHasWater) {
+    const AnalyticSurface water(intense());
+    for (const double time_s : {-1e308, -1e20, 5e-324, 1e12, 1e308}) {
+        const Answers said = in_world(water, time_s, random_places(20, 10));
+        for (const float at : said.of[height]) EXPECT_LE(std::fabs(at), 3.f);
+    }
+}
+
+// Lamb 1932, article 229: 100 m long waves take 8.004 s, and go 12.49 m/s.
+TEST(AnalyticPhysics, WavesRunAtTheSpeedOfDeepWater) {
+    for (const auto& [wavelength_m, period_s] : {std::pair(100.0, 8.0044), {25.0, 4.0022}, {1.0, 0.80044}}) {
+        const AnalyticSea sea{.waves = {{.amplitude_m = wavelength_m / 100, .wavelength_m = wavelength_m}}};
+        const AnalyticSurface water(sea);
+        const Places places = random_places(100, wavelength_m);
+        Places ahead = places;
+        for (double& x : ahead.x) x += wavelength_m / period_s * 3;
+        const Answers before = at_rest(water, 0, places), after = at_rest(water, 3, ahead);
+        // Five digits of the period: over 3 s the crest is within 1e-5 of 3 s / period of its place.
+        for (std::size_t i = 0; i < places.x.size(); ++i)
+            EXPECT_NEAR(after.of[height][i], before.of[height][i],
+                        wavelength_m / 100 * 2 * std::numbers::pi * 3 / period_s * 2e-5);
+    }
+}
+
+// Gerstner 1802 (Lamb 1932, article 251): x = a - A e^kb sin(k a - w t), y = b + A e^kb cos(k a - w t) solves Euler's
+// equations.
+class Trochoid : public testing::Test {
+   protected:
+    static constexpr double wavelength_m = 20, k = 2 * std::numbers::pi / wavelength_m, surface_a_m = 0.38 / k;
+    /// Of particles that rest `depth_m` below the surface.
+    static AnalyticSurface at_depth(double depth_m) {
+        return AnalyticSurface(
+            {.waves = {{.amplitude_m = surface_a_m * std::exp(-k * depth_m), .wavelength_m = wavelength_m}}});
+    }
+};
+
+TEST_F(Trochoid, IsGerstnersAndItsWaterGoesRoundInCircles) {
+    const AnalyticSurface water = at_depth(0);
+    const double w = std::sqrt(9.80665 * k);
+    const Places places{{3.3}, {-8}};
+    for (int i = 0; i < 40; ++i) {
+        const double t = 0.13 * i, phase = k * 3.3 - w * t;
+        const Answers at = at_rest(water, t, places);
+        EXPECT_NEAR(at.of[sideways_x][0], -surface_a_m * std::sin(phase), 1e-6 * surface_a_m);
+        EXPECT_NEAR(at.of[height][0], surface_a_m * std::cos(phase), 1e-6 * surface_a_m);
+        EXPECT_NEAR(std::hypot(at.of[sideways_x][0], at.of[height][0]), surface_a_m, 1e-6 * surface_a_m);
+        EXPECT_NEAR(std::hypot(at.of[velocity_x][0], at.of[velocity_y][0]), surface_a_m * w, 1e-6 * surface_a_m * w);
+        EXPECT_EQ(at.of[sideways_z][0], 0);
+    }
+}
+
+// Water is incompressible: d(x, y)/d(a, b) = 1 - (k A)^2 e^2kb, whatever a and t. Differences over 1 cm of floats of
+// half a metre.
+TEST_F(Trochoid, HasTheSameJacobianEverywhereOnALayer) {
+    const double b = 0.4, step = 0.01;
+    const AnalyticSurface above = at_depth(b - step), below = at_depth(b + step);
+    const double right = 1 - 0.38 * 0.38 * std::exp(-2 * k * b);
+    for (int i = 0; i < 50; ++i) {
+        const double a = 0.77 * i, t = 0.31 * i;
+        const Answers up = at_rest(above, t, {{a - step, a, a + step}, {0, 0, 0}}),
+                      down = at_rest(below, t, {{a - step, a, a + step}, {0, 0, 0}});
+        const auto d_a = [&](Kind kind) {
+            return double(up.of[kind][2] - up.of[kind][0] + down.of[kind][2] - down.of[kind][0]) / (4 * step);
+        };
+        const auto d_b = [&](Kind kind) { return double(up.of[kind][1] - down.of[kind][1]) / (2 * step); };
+        const double found = (1 + d_a(sideways_x)) * (1 + d_b(height)) - d_b(sideways_x) * d_a(height);
+        EXPECT_NEAR(found, right, 3e-5);
+    }
+}
+
+// The pressure is the same all along the surface: acceleration and gravity together stand on it.
+TEST_F(Trochoid, SurfaceIsFree) {
+    const AnalyticSurface water = at_depth(0);
+    const double step = 1.0 / 64;
+    for (int i = 0; i < 50; ++i) {
+        const Places places{{0.9 * i}, {0}};
+        const double t = 0.17 * i;
+        const Answers before = at_rest(water, t - step, places), at = at_rest(water, t, places),
+                      after = at_rest(water, t + step, places);
+        const double a_x = (after.of[velocity_x][0] - before.of[velocity_x][0]) / (2 * step);
+        const double a_y = (after.of[velocity_y][0] - before.of[velocity_y][0]) / (2 * step);
+        // Across the normal. Central differences over 1/64 s lose (w / 64)^2 / 6 = 1.2e-4 of the acceleration, k A g.
+        EXPECT_NEAR(a_x * at.of[normal_y][0] - (a_y + 9.80665) * at.of[normal_x][0], 0, 2e-4 * 0.38 * 9.80665);
+    }
+}
+
+TEST(AnalyticDerivatives, NormalsStandOnTheDrawnSurfaceAndWaterMovesAsItIsDrawn) {
+    const AnalyticSea sea = intense();
+    const Places places = random_places(60, 500);
+    const Answers said = at_rest(AnalyticSurface(sea), 12, places);
+    const Long step = 1e-5L;
+    const auto drawn = [&](Long t, Long x, Long z) {
+        const Truth at = truth(sea, t, x, z);
+        return std::array<Long, 3>{x + at.x, at.height, z + at.z};
+    };
+    const auto slope = [&](const std::array<Long, 3>& a, const std::array<Long, 3>& b) {
+        return std::array<Long, 3>{(b[0] - a[0]) / (2 * step), (b[1] - a[1]) / (2 * step),
+                                   (b[2] - a[2]) / (2 * step)};
+    };
+    for (std::size_t i = 0; i < places.x.size(); ++i) {
+        const Long x = places.x[i], z = places.z[i];
+        const auto u = slope(drawn(12, x - step, z), drawn(12, x + step, z)),
+                   v = slope(drawn(12, x, z - step), drawn(12, x, z + step));
+        const Long n[3] = {v[1] * u[2] - v[2] * u[1], v[2] * u[0] - v[0] * u[2], v[0] * u[1] - v[1] * u[0]};
+        const Long length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+        for (int axis = 0; axis < 3; ++axis)
+            EXPECT_NEAR(said.of[normal_x + axis][i], rounded(n[axis] / length), 2e-6);
+        EXPECT_NEAR(said.of[jacobian][i], rounded(n[1]), 2e-6);
+        const auto moves = slope(drawn(12 - step, x, z), drawn(12 + step, x, z));
+        for (int axis = 0; axis < 3; ++axis) EXPECT_NEAR(said.of[velocity_x + axis][i], rounded(moves[axis]), 1e-5);
+    }
+}
+
+TEST(AnalyticSurface, RefusesASeaThatIsTooSteep) {
+    AnalyticSea sea{.waves = {{.amplitude_m = 1, .wavelength_m = 12}}};
+    try {
+        AnalyticSurface water(sea);
+        FAIL();
+    } catch (const std::invalid_argument& reason) {
+        EXPECT_STREQ(reason.what(),
+                     "steepness is 0.523599, needs at most 0.4, the sum of 2 pi amplitude_m / wavelength_m");
+    }
+    sea.waves[0].amplitude_m = 0.4 * 12 / (2 * std::numbers::pi);
+    EXPECT_NO_THROW(AnalyticSurface{sea});
+}
+
+TEST(AnalyticDeathTest, MisuseIsAsserted) {
+#if defined(NDEBUG)
+    GTEST_SKIP() << "assertions are not compiled in";
+#endif
+    testing::GTEST_FLAG(death_test_style) = "threadsafe";
+    const AnalyticSurface water(intense());
+    const Places places = random_places(3, 10);
+    std::vector<float> two(2);
+    EXPECT_DEATH(in_world(water, std::nan(""), places), "isfinite");
+    EXPECT_DEATH(in_world(water, 0, {{std::nan("")}, {0}}), "furthest_analytic_point_m");
+    EXPECT_DEATH(in_world(water, 0, {{0}, {1.1e9}}), "furthest_analytic_point_m");
+    EXPECT_DEATH(water.sample(0, places.view(), {.height_m = two}), "size\\(\\)");
+}
+
+// As docs/library.md has it.
+TEST(AnalyticExample, ABuoyOnARisingSea) {
+    std::vector<float> seen;
+    for (const double time_s : {0.0, 30.0, 60.0}) {
+        const AnalyticSea& calm = analytic_preset_named("analytic-calm")->sea;
+        const AnalyticSea& rough = analytic_preset_named("analytic-intense")->sea;
+        const AnalyticSurface water(morphed(calm, rough, time_s / 60));  // rises within a minute
+        const double x = 12, z = -3;
+        float height_m, rise_mps;
+        water.sample(time_s, {{&x, 1}, {&z, 1}}, {.height_m = {&height_m, 1}, .velocity_y_mps = {&rise_mps, 1}});
+        seen.push_back(height_m);
+        EXPECT_LE(std::fabs(rise_mps), 5);
+    }
+    EXPECT_EQ(seen.size(), 3u);
+    EXPECT_NE(seen[0], seen[2]);
+}
+
+}  // namespace
+}  // namespace pelagic
