@@ -210,6 +210,7 @@ std::string file_name_of(const std::string& cpu) {
         else if (!name.empty() && name.back() != '-')
             name += '-';
     }
+    if (name.ends_with('-')) name.pop_back();
     return name;
 }
 
