@@ -102,8 +102,8 @@ WaveMeasurement::WaveMeasurement(const HeightSeries& series)
 }
 
 void WaveMeasurement::add_frame(std::span<const float> heights_m) {
-    assert(added_ < series_.frames && heights_m.size() == squared(series_.tile.resolution));
     const auto n = static_cast<std::size_t>(series_.tile.resolution);
+    assert(added_ < series_.frames && heights_m.size() == n * n);
     double sum = 0, squares = 0;
     for (const double height : heights_m) {
         sum += height;
