@@ -41,6 +41,14 @@ def is_arm(program):
         return file.read(20)[18:20] == b"\xb7\x00"
 
 
+def isas_of(program):
+    """Those that can be counted here."""
+    if is_arm(program):
+        return ["neon"]
+    with open("/proc/cpuinfo") as info:
+        return ["sse4.2", "avx2"] if " avx2 " in info.read() else ["sse4.2"]
+
+
 def needed(tool):
     path = shutil.which(tool)
     if not path:
@@ -183,7 +191,7 @@ def main():
         return
     if not options.program.exists():
         parser.error(f"--program is {options.program}, which does not exist: build the target pelagic_count_jobs")
-    isas = options.isa.split(",") if options.isa else ["neon"] if is_arm(options.program) else ["sse4.2", "avx2"]
+    isas = options.isa.split(",") if options.isa else isas_of(options.program)
     try:
         if options.bytes:
             return print_bytes(options.program, isas[-1], options.seas, options.bytes)
