@@ -64,7 +64,7 @@ class BlockSurface {
         const std::size_t stride = block_stride_;  // read once, before the stores of whoever takes
         const float* row = data_ + z * row_floats;
         const float* end = row + column_blocks() * stride;
-        const std::size_t above = (((z - 1) & last_) - z) * row_floats, below = (((z + 1) & last_) - z) * row_floats;
+        const std::ptrdiff_t above = floats_to(z, z - 1), below = floats_to(z, z + 1);
         const auto load = [](const float* texels, std::size_t component) {
             return V::load_aligned(texels + component * V::size);
         };
@@ -104,8 +104,8 @@ class BlockSurface {
               before_(surface.block(first_column - V::size) + z * row_floats),
               here_(surface.block(first_column) + z * row_floats),
               stride_(surface.block_stride_),
-              above_((((z - 2) & surface.last_) - z) * row_floats),
-              below_((((z + 2) & surface.last_) - z) * row_floats) {}
+              above_(surface.floats_to(z, z - 2)),
+              below_(surface.floats_to(z, z + 2)) {}
 
         PELAGIC_INLINE V at(std::size_t component, int row) const { return load(here_, row, component); }
 
@@ -129,20 +129,25 @@ class BlockSurface {
         PELAGIC_INLINE const float* behind() const { return here_ + stride_ == end_ ? row_ : here_ + stride_; }
         /// Rows -2 to 3, counted from the first of the two.
         PELAGIC_INLINE V load(const float* block, int row, std::size_t component) const {
-            const float* from = row < 0   ? block + above_ + 2 * row_floats
-                                : row < 2 ? block
-                                          : block + below_ - 2 * row_floats;
-            return V::load_aligned(from + row * static_cast<std::ptrdiff_t>(row_floats) + component * V::size);
+            const std::ptrdiff_t from = row < 0 ? above_ + 2 * step : row < 2 ? 0 : below_ - 2 * step;
+            return V::load_aligned(block + from + row * step + component * V::size);
         }
+
+        static constexpr auto step = static_cast<std::ptrdiff_t>(row_floats);
 
         const float *row_, *end_;  ///< in the first block and behind the last
         const float *before_, *here_;
         std::size_t stride_;
-        std::size_t above_, below_;  ///< to the two rows on either side
+        std::ptrdiff_t above_, below_;  ///< floats to the two rows on either side
     };
 
    private:
     std::size_t column_blocks() const { return (last_ + 1) / V::size; }
+    /// Within a block, from row z to another, which wraps.
+    std::ptrdiff_t floats_to(std::size_t z, std::size_t other) const {
+        return (static_cast<std::ptrdiff_t>(other & last_) - static_cast<std::ptrdiff_t>(z)) *
+               static_cast<std::ptrdiff_t>(row_floats);
+    }
     const float* block(std::size_t x) const { return data_ + (x & last_) / V::size * block_stride_; }
 
     const float* data_;
