@@ -35,7 +35,8 @@ std::string refusal_of(const Frame& frame, int resolution, std::size_t tiles, bo
                    " texels, the renderer was made for " + std::to_string(resolution) +
                    " (RendererOptions::resolution)";
         const bool is_elsewhere = tile.displacement_rgba16f.empty();
-        if (is_elsewhere && !is_mapped)
+        const bool is_torn = is_elsewhere && !(tile.slopes_rgba8.empty() && tile.moments_rgba8.empty());
+        if (is_elsewhere && (!is_mapped || is_torn))
             return "the frame's textures are in memory of the host's; map() gives such that upload() knows";
         if (tile.slopes_rgba8.empty() && !is_elsewhere)
             return "the frame has no slopes; drawing needs an ocean with OceanOptions::slopes";

@@ -106,9 +106,12 @@ TEST(GlUpload, RefusesAFrameThatTheTexturesCannotTakeAndSaysWhatIsMissing) {
     Ocean ocean({.resolution = 32, .patch_size_m = 60}, {.executor = serial, .slopes = true});
     AlignedBuffer<std::uint16_t> halves(4 * 32 * 32);
     const TextureTargets elsewhere{.displacement_rgba16f = halves.data()};
-    ocean.schedule(0, {&elsewhere, 1});
-    EXPECT_EQ(refusal_of(renderer, ocean.complete()),
-              "the frame's textures are in memory of the host's; map() gives such that upload() knows");
+    for (const bool is_mapped : {false, true}) {
+        if (is_mapped) renderer.map_textures();  // of which the frame knows nothing
+        ocean.schedule(0, {&elsewhere, 1});
+        EXPECT_EQ(refusal_of(renderer, ocean.complete()),
+                  "the frame's textures are in memory of the host's; map() gives such that upload() knows");
+    }
 }
 
 TEST(GlUpload, AChangeOfSeaDrawsEachFrameAsTheSeaThatItIs) {
