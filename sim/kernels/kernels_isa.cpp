@@ -3,6 +3,7 @@
 //
 // PELAGIC_ISA_NAME  sse4_2, avx2, avx512 or neon
 // PELAGIC_ISA_ARCH  xsimd's name of it
+#include "pelagic/sim/kernels/blend.kernel.hpp"
 #include "pelagic/sim/kernels/columns_finalize.kernel.hpp"
 #include "pelagic/sim/kernels/evolve_rows.kernel.hpp"
 #include "pelagic/sim/kernels/folds.kernel.hpp"
@@ -22,6 +23,7 @@ extern const Kernels PELAGIC_TABLE(PELAGIC_ISA_NAME);
 
 const Kernels PELAGIC_TABLE(PELAGIC_ISA_NAME) = {
     xsimd::batch<float, xsimd::PELAGIC_ISA_ARCH>::size,
+    kernels::blend_waves<xsimd::PELAGIC_ISA_ARCH>,
     kernels::evolve_rows<xsimd::PELAGIC_ISA_ARCH>,
     kernels::evolve_velocity_rows<xsimd::PELAGIC_ISA_ARCH>,
     kernels::columns_finalize<xsimd::PELAGIC_ISA_ARCH>,

@@ -62,6 +62,10 @@ FoldMoments& FoldMoments::operator+=(const FoldMoments& other) {
     return *this;
 }
 
+FoldMoments FoldMoments::operator*(double weight) const {
+    return {uu * weight, vv * weight, ww * weight, uv * weight, uw * weight, vw * weight};
+}
+
 // J = 1 + 2u + x'Ax with x = (u, v, w), A = diag(1, -1, -1) and covariances S has the cumulants, with l = (2, 0, 0),
 //   k1 = 1 + tr AS,  k2 = l'Sl + 2 tr (AS)^2,  k3 = 6 l'SASl + 8 tr (AS)^3,  k4 = 48 l'SASASl + 48 tr (AS)^4
 // (Mathai and Provost 1992, theorem 3.2b.2).

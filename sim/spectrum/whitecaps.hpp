@@ -26,6 +26,7 @@ struct FoldMoments {
     /// it: sin(k_x d) / d for central differences over texels of side d, k_x for one that is exact.
     void add_wave(double mean_square, double wave_x, double wave_z, double difference_x, double difference_z);
     FoldMoments& operator+=(const FoldMoments& other);
+    FoldMoments operator*(double weight) const;  ///< of waves with so much of their energy
 };
 
 /// The Jacobian below which that part of the sea lies, so that the crests that fold most are white and the cover is the
