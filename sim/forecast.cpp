@@ -50,8 +50,8 @@ std::string difference(const SeaState& first, const SeaState& sea, std::size_t n
 std::string too_long(const std::string& whose, const SeaState& sea, double largest_peak_m) {
     const double peak_m = WaveReach::of(sea).peak_m;
     if (largest_peak_m == 0 || peak_m <= largest_peak_m * (1 + peak_tolerance)) return {};
-    return refusal("wavelength of the peak " + whose, peak_m,
-                   "at most largest_peak_m, for which the tiles are laid out, " + number_text(largest_peak_m));
+    return refusal("peak_wavelength_m" + whose, peak_m,
+                   "at most " + number_text(largest_peak_m) + ", the largest_peak_m that tiles are laid out for");
 }
 
 /// s of u, whose slope is 0 where it begins and where it ends.
@@ -78,9 +78,10 @@ ForecastMoment Forecast::at(double time_s) const {
     const auto number = static_cast<std::size_t>(next - changes.begin());
     if (number == 0) return {};
     const SeaChange& change = changes[number - 1];
-    const double u = (time_s - change.from_s) / change.over_s;
-    if (u >= 1) return {number, number, 0};
-    return {number - 1, number, std::min(1.0, eased(u))};
+    const double u = (time_s - change.from_s) / change.over_s, part = u < 1 ? eased(u) : 1;
+    if (part >= 1) return {number, number, 0};
+    if (part <= 0) return {number - 1, number - 1, 0};
+    return {number - 1, number, part};
 }
 
 std::string check(const Forecast& forecast) {
@@ -88,7 +89,7 @@ std::string check(const Forecast& forecast) {
     const double largest_m = forecast.largest_peak_m;
     if (!(largest_m >= 0 && largest_m <= most_peak_m))
         return refusal("largest_peak_m", largest_m, "(0, 1e5], or 0: chosen");
-    if (std::string reason = too_long("of the first sea", forecast.first, largest_m); !reason.empty()) return reason;
+    if (std::string reason = too_long(" of the first sea", forecast.first, largest_m); !reason.empty()) return reason;
     double over_s = -most_time_s;  // when the change before is over
     for (std::size_t i = 0; i < forecast.changes.size(); ++i) {
         const SeaChange& change = forecast.changes[i];
@@ -96,14 +97,15 @@ std::string check(const Forecast& forecast) {
         if (const std::string reason = check(change.sea); !reason.empty())
             return "sea of change " + number_text(number) + ": " + reason;
         if (std::string reason = difference(forecast.first, change.sea, number); !reason.empty()) return reason;
-        if (std::string reason = too_long("of change " + number_text(number), change.sea, largest_m); !reason.empty())
+        if (std::string reason = too_long(" of change " + number_text(number), change.sea, largest_m);
+            !reason.empty())
             return reason;
         if (!(change.over_s > 0 && change.over_s <= longest_change_s))
             return refusal(of_change("over_s", number), change.over_s, "(0, 1e9]");
         if (!(change.from_s >= over_s && change.from_s <= most_time_s))
-            return refusal(of_change("from_s", number), change.from_s,
-                           i == 0 ? "[-1e12, 1e12]"
-                                  : "at least " + number_text(over_s) + ", when the change before is over");
+            return refusal(
+                of_change("from_s", number), change.from_s,
+                i == 0 ? "[-1e12, 1e12]" : "at least " + number_text(over_s) + ", when the change before is over");
         over_s = change.end_s();
     }
     return {};

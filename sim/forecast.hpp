@@ -31,11 +31,7 @@ struct SeaChange {
 /// What the weather is at a moment: two seas of a forecast, and how much there is of the second.
 struct ForecastMoment {
     std::size_t before = 0, after = 0;  ///< as Forecast::sea() counts
-    double part = 0;                    ///< s, of the sea after; 0 where both are one
-
-    /// It is one sea, which the frame shows as if there were no other.
-    bool is_steady() const { return part == 0 || part == 1; }
-    std::size_t steady_sea() const { return part == 1 ? after : before; }
+    double part = 0;                    ///< s, of the sea after; below 1. 0: it is one sea, before and after
 };
 
 /// A value: a frame is a function of the forecast and the time, whatever frames there were before.

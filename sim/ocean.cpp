@@ -10,10 +10,9 @@
 
 #include "pelagic/message/refusal.hpp"
 #include "pelagic/sim/sources/cascade.hpp"
-#include "pelagic/sim/spectrum/whitecaps.hpp"
+#include "pelagic/sim/sources/weather.hpp"
 #include "pelagic/sim/surface/fold_stages.hpp"
 #include "pelagic/sim/surface/surface_stages.hpp"
-#include "pelagic/sim/tile_plan.hpp"
 #include "pelagic/simd/float_environment.hpp"
 
 namespace pelagic {
@@ -22,9 +21,10 @@ namespace {
 // A frame of 64 x 64 takes 20 microseconds; sharing it among threads takes as long again. See docs/benchmarks.md.
 constexpr std::size_t most_texels_without_jobs = 64 * 64;
 
-const SeaState& checked(const SeaState& sea) {
-    if (const std::string reason = check(sea); !reason.empty()) throw std::invalid_argument(reason);
-    return sea;
+template <class Options>
+const Options& checked(const Options& options) {
+    if (const std::string reason = check(options); !reason.empty()) throw std::invalid_argument(reason);
+    return options;
 }
 
 }  // namespace
@@ -32,8 +32,6 @@ const SeaState& checked(const SeaState& sea) {
 /// What the sources of all tiles share, and how a frame is put together from what they make.
 class Ocean::Sources {
    public:
-    Sources(const SeaState& sea, Isa isa, const FrameExtras& extras) : Sources(plan_tiles(sea), isa, extras) {}
-
     /// One tile always has gradients, several always have slopes.
     static FrameExtras completed(FrameExtras extras, std::size_t tiles) {
         extras.gradients |= tiles == 1;
@@ -41,12 +39,13 @@ class Ocean::Sources {
         return extras;
     }
 
-    Sources(const std::vector<TilePlan>& plans, Isa isa, const FrameExtras& wanted)
+    Sources(const Forecast& forecast, Isa isa, const FrameExtras& wanted)
         : isa_(isa),
-          extras_(completed(wanted, plans.size())),
-          slots_(plans.size(), plans.front().resolution, kernels_for(isa).lanes, extras_),
+          weather_(forecast),
+          extras_(completed(wanted, tiles_of(forecast.first))),
+          slots_(tiles_of(forecast.first), resolution_of(forecast.first), kernels_for(isa).lanes, extras_),
           folds_(slots_, kernels_for(isa)) {
-        for (std::size_t tile = 0; tile < plans.size(); ++tile) {
+        for (std::size_t tile = 0; tile < slots_.tile_count(); ++tile) {
             cascades_.push_back(std::make_unique<Cascade>(slots_, tile, kernels_for(isa), extras_));
             surfaces_.push_back(std::make_unique<SurfaceStages>(slots_, tile, kernels_for(isa), extras_));
         }
@@ -64,15 +63,25 @@ class Ocean::Sources {
         for (const auto& cascade : cascades_) cascade->add_spectrum_stage(graph);
     }
 
+    /// The seas that begin_frame(time_s) takes, and what of them is not at hand.
+    void need(double time_s) { weather_.need(Pass::frame, weather_.moment_at(time_s)); }
+    std::optional<std::size_t> missing(double time_s) const {
+        const SeaMoment moment = weather_.moment_at(time_s);
+        for (const std::size_t number : {moment.before, moment.after})
+            if (!weather_.has(number)) return number;
+        return {};
+    }
+
+    /// \pre nothing is missing
     void begin_frame(double time_s, std::span<const TextureTargets> targets) {
         const DefaultFloatEnvironment environment;
         slots_.turn();
         slots_.write_textures_to(targets);
         Frame& frame = slots_.frame();
-        const SeaMoment moment = moment_at(time_s);
+        const SeaMoment moment = weather_.moment_at(time_s);
         frame.time_s = time_s;
-        frame.sea = sea_;
-        frame.figures = figures_;
+        frame.sea = weather_.sea_at(moment);
+        frame.figures = weather_.figures_at(moment);
         frame.isa = isa_;
         for (std::size_t tile = 0; tile < cascades_.size(); ++tile)
             cascades_[tile]->begin(Pass::frame, moment, slots_.tile(tile));
@@ -92,38 +101,31 @@ class Ocean::Sources {
     }
     void drop_frame() { slots_.turn(); }
 
-    void begin_sea(const SeaState& sea) {
+    void begin_sea(std::size_t number) {
         const DefaultFloatEnvironment environment;
-        const std::vector<TilePlan> plans = plan_tiles(sea);
-        const auto white =
-            std::count_if(plans.begin(), plans.end(), [](const TilePlan& plan) { return plan.makes_whitecaps(); });
-        const double cover = cover_of_each(whitecap_cover(sea.wind_speed_mps), static_cast<int>(white));
-        for (std::size_t tile = 0; tile < plans.size(); ++tile)
-            cascades_[tile]->begin_spectrum(sea, plans[tile], plans[tile].makes_whitecaps() ? cover : 0);
-        baked_sea_ = sea;
-        baked_whitecap_depth_ = quantile_of_sum(whitecap_cover(sea.wind_speed_mps), static_cast<int>(white));
+        weather_.begin(number, cascades_);
     }
     void adopt_sea() {
         const DefaultFloatEnvironment environment;
-        double variance = 0;
-        SlopeMoments slopes;
-        for (const auto& cascade : cascades_) {
-            const LineFigures added = cascade->adopt_spectrum();
-            variance += added.height_variance;
-            slopes += added.slopes.in_world(cascade->lattice());
-        }
-        sea_ = baked_sea_;
-        figures_.significant_wave_height_m = 4 * std::sqrt(variance);
-        figures_.resolved_slopes = slopes.around(sea_.wind_direction_rad);
-        figures_.unresolved_slopes = unresolved_slopes(figures_.resolved_slopes, sea_.wind_speed_mps);
-        figures_.whitecap_depth_of_sum = baked_whitecap_depth_;
-        figures_.roughness = roughness_of(sea_, figures_.unresolved_slopes);
+        weather_.adopt(cascades_);
+    }
+    void begin_other_weather(const SeaState& sea) {
+        const DefaultFloatEnvironment environment;
+        weather_.begin_other(sea, cascades_);
+    }
+    void adopt_other_weather() {
+        const DefaultFloatEnvironment environment;
+        weather_.restart(cascades_);
+    }
+    void set_sea_aside() {
+        for (const auto& cascade : cascades_) cascade->set_aside();
     }
     void drop_sea() {
         for (const auto& cascade : cascades_) cascade->drop_spectrum();
     }
 
-    const SeaState& sea() const { return sea_; }
+    Weather& weather() { return weather_; }
+    const Weather& weather() const { return weather_; }
     FrameContents contents() const { return {extras_.velocities, extras_.gradients, extras_.slopes}; }
     std::size_t tile_count() const { return slots_.tile_count(); }
     int resolution() const { return slots_.resolution(); }
@@ -138,26 +140,24 @@ class Ocean::Sources {
     }
 
    private:
-    /// What the sea is at a time, of frames and of ticks.
-    SeaMoment moment_at(double time_s) const { return {.time_s = time_s}; }
+    static std::size_t tiles_of(const SeaState& sea) { return static_cast<std::size_t>(cascades_of(sea)); }
 
     Isa isa_;
+    Weather weather_;
     FrameExtras extras_;
     FrameSlots slots_;
     std::vector<std::unique_ptr<Cascade>> cascades_;
     std::vector<std::unique_ptr<SurfaceStages>> surfaces_;
     FoldStages folds_;
-    SeaState sea_, baked_sea_;
-    double baked_whitecap_depth_ = 1;
-    SeaFigures figures_;
 };
 
 // The runs are last, so that they go first and wait for what is in flight.
 struct Ocean::State {
-    State(const SeaState& sea, OceanOptions options)
+    /// \pre check(forecast) is empty
+    State(const Forecast& forecast, OceanOptions options)
         : executor(options.executor ? std::move(options.executor) : make_default_executor()),
           isa(choose_isa(options.isa)),
-          sources(checked(sea), isa,
+          sources(forecast, isa,
                   {.folds = options.queries,
                    .velocities = options.velocities,
                    .gradients = options.gradients,
@@ -177,20 +177,83 @@ struct Ocean::State {
         return trace ? prepare_traced(on, graph, trace, run_name) : on.prepare(graph);
     }
 
+    /// What the run of spectra is for.
+    enum class Bake {
+        nothing,
+        ahead,  ///< a sea of the forecast, which frames will need
+        other,  ///< another weather's, until complete_sea()
+        aside   ///< that one is done and waits, and the run is free
+    };
+
+    void bake(std::size_t number) {
+        sources.begin_sea(number);
+        try {
+            spectrum_run->schedule();
+        } catch (...) {
+            sources.drop_sea();
+            throw;
+        }
+    }
+    void complete_bake() {
+        try {
+            spectrum_run->complete();
+        } catch (...) {
+            sources.drop_sea();
+            bake_in_flight = Bake::nothing;
+            throw;
+        }
+    }
+    /// Leaves the run free for another sea.
+    void end_bake() {
+        if (bake_in_flight == Bake::ahead) {
+            complete_bake();
+            sources.adopt_sea();
+            bake_in_flight = Bake::nothing;
+        } else if (bake_in_flight == Bake::other) {
+            complete_bake();
+            sources.set_sea_aside();
+            bake_in_flight = Bake::aside;
+        }
+    }
+    /// Puts at hand what the frame takes, and begins to bake what later ones will take. A sea that is missing is baked here and
+    /// now.
+    void prepare_seas(double time_s) {
+        sources.need(time_s);
+        if (bake_in_flight == Bake::ahead && spectrum_run->is_done()) end_bake();
+        while (sources.missing(time_s)) {
+            end_bake();
+            const std::optional<std::size_t> missing = sources.missing(time_s);
+            if (!missing) break;
+            bake(*missing);
+            complete_bake();
+            sources.adopt_sea();
+        }
+        if (bake_in_flight != Bake::nothing || !executor->runs_ahead()) return;
+        if (const auto soon = sources.weather().wanted_soon(time_s)) {
+            bake(*soon);
+            bake_in_flight = Bake::ahead;
+        }
+    }
+
     std::shared_ptr<Executor> executor;
     Isa isa;
     Sources sources;
     JobGraph frame_graph, spectrum_graph;
     bool frame_runs_ahead = false;  ///< else complete() does all the work
     bool frame_in_flight = false;
-    bool sea_in_flight = false;
+    Bake bake_in_flight = Bake::nothing;
     const Frame* completed = nullptr;
     std::unique_ptr<GraphRun> frame_run, spectrum_run;
 };
 
-Ocean::Ocean(const SeaState& sea, OceanOptions options) : state_(new State(checked(sea), std::move(options))) {
-    schedule_sea(sea);
-    complete_sea();
+Ocean::Ocean(const SeaState& sea, OceanOptions options)
+    : Ocean(Forecast{.first = checked(sea)}, std::move(options)) {}
+
+Ocean::Ocean(const Forecast& forecast, OceanOptions options)
+    : state_(new State(checked(forecast), std::move(options))) {
+    state_->bake(0);
+    state_->complete_bake();
+    state_->sources.adopt_sea();
 }
 
 Ocean::~Ocean() = default;
@@ -202,8 +265,9 @@ void Ocean::schedule(double time_s, std::span<const TextureTargets> tiles) {
             tiles.empty() ? std::string() : check(tiles, tile_count(), resolution(), state_->sources.contents());
         !reason.empty())
         throw std::invalid_argument(reason);
-    state_->sources.begin_frame(time_s, tiles);
+    state_->prepare_seas(time_s);
     try {
+        state_->sources.begin_frame(time_s, tiles);
         state_->frame_run->schedule();
     } catch (...) {
         state_->sources.drop_frame();
@@ -249,42 +313,61 @@ FrameBounds Ocean::frame_at(double time_s, std::span<const FrameBuffers> tiles) 
 }
 
 void Ocean::schedule_sea(const SeaState& sea) {
-    assert(!state_->sea_in_flight && "complete_sea() first");
-    const std::vector<TilePlan> plans = plan_tiles(checked(sea));
-    if (plans.size() != tile_count())
+    using Bake = State::Bake;
+    assert((state_->bake_in_flight == Bake::nothing || state_->bake_in_flight == Bake::ahead) &&
+           "complete_sea() first");
+    checked(sea);
+    if (const auto tiles = static_cast<std::size_t>(cascades_of(sea)); tiles != tile_count())
         throw std::invalid_argument(
-            refusal("cascades", plans.size(), number_text(tile_count()) + ", as the ocean was built"));
-    if (plans.front().resolution != resolution())
+            refusal("cascades", tiles, number_text(tile_count()) + ", as the ocean was built"));
+    if (resolution_of(sea) != resolution())
         throw std::invalid_argument(
-            refusal("resolution", plans.front().resolution, number_text(resolution()) + ", as the ocean was built"));
-    state_->sources.begin_sea(sea);
+            refusal("resolution", resolution_of(sea), number_text(resolution()) + ", as the ocean was built"));
+    state_->end_bake();
+    state_->sources.begin_other_weather(sea);
     try {
         state_->spectrum_run->schedule();
     } catch (...) {
         state_->sources.drop_sea();
         throw;
     }
-    state_->sea_in_flight = true;
+    state_->bake_in_flight = Bake::other;
 }
 
-bool Ocean::sea_is_ready() const { return !state_->executor->runs_ahead() || state_->spectrum_run->is_done(); }
+bool Ocean::sea_is_ready() const {
+    return state_->bake_in_flight != State::Bake::other || !state_->executor->runs_ahead() ||
+           state_->spectrum_run->is_done();
+}
 
 void Ocean::complete_sea() {
+    using Bake = State::Bake;
     assert(!state_->frame_in_flight && "complete() the frame in flight first");
-    if (!state_->sea_in_flight) return;
-    state_->sea_in_flight = false;
-    try {
-        state_->spectrum_run->complete();
-    } catch (...) {
-        state_->sources.drop_sea();
-        throw;
-    }
-    state_->sources.adopt_sea();
+    if (state_->bake_in_flight != Bake::other && state_->bake_in_flight != Bake::aside) return;
+    if (state_->bake_in_flight == Bake::aside)
+        state_->sources.set_sea_aside();
+    else
+        state_->complete_bake();
+    state_->bake_in_flight = Bake::nothing;
+    state_->sources.adopt_other_weather();
+}
+
+void Ocean::schedule_sea(const SeaState& sea, double from_s, double over_s) {
+    assert((state_->bake_in_flight == State::Bake::nothing || state_->bake_in_flight == State::Bake::ahead) &&
+           "complete_sea() first");
+    Weather& weather = state_->sources.weather();
+    const SeaChange change{.sea = sea, .from_s = from_s, .over_s = over_s};
+    checked(weather.with(change));
+    state_->end_bake();
+    weather.add(change);
+    if (!state_->executor->runs_ahead()) return;
+    state_->bake(weather.number_of_last());
+    state_->bake_in_flight = State::Bake::ahead;
 }
 
 std::size_t Ocean::tile_count() const { return state_->sources.tile_count(); }
 int Ocean::resolution() const { return state_->sources.resolution(); }
-const SeaState& Ocean::sea() const { return state_->sources.sea(); }
+const SeaState& Ocean::sea() const { return state_->sources.weather().forecast().last(); }
+const Forecast& Ocean::forecast() const { return state_->sources.weather().forecast(); }
 Isa Ocean::isa() const { return state_->isa; }
 const Executor& Ocean::executor() const { return *state_->executor; }
 const JobGraph& Ocean::graph() const { return state_->frame_graph; }

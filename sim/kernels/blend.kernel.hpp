@@ -4,6 +4,8 @@
 
 #include "pelagic/sim/kernels/kernels.hpp"
 #include "pelagic/sim/kernels/wave_blocks.hpp"
+#include <xsimd/xsimd.hpp>
+
 #include "pelagic/simd/always_inline.hpp"
 
 namespace pelagic::kernels {

@@ -6,6 +6,7 @@
 // is in a near cache are one job. Everything between spectrum and outputs lives on the stack or in the outputs themselves.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "pelagic/sim/sea_state.hpp"
 #include "pelagic/sim/sources/fft_plan.hpp"
 #include "pelagic/sim/sources/packed_spectrum.hpp"
+#include "pelagic/sim/sources/sea_shelf.hpp"
 #include "pelagic/sim/sources/wave_source.hpp"
 #include "pelagic/sim/spectrum/amplitudes.hpp"
 #include "pelagic/sim/spectrum/dispersion.hpp"
@@ -36,20 +38,25 @@ class Cascade final : public WaveSource {
 
     /// Adds the one stage of a spectrum.
     void add_spectrum_stage(JobGraph& graph);
-    /// What the next run of the spectrum's stage bakes; adopt_spectrum() makes it that of the frames to come. A cascade has
+    /// What the next run of the spectrum's stage bakes; adopt_spectrum() makes it that of a sea of frames to come. A cascade has
     /// no waves before the first one. \pre the plan has the resolution of the slots
     /// \param whitecap_cover  part of the sea that is to be white with what the tile folds, 0 for none
     void begin_spectrum(const SeaState& sea, const TilePlan& plan, double whitecap_cover);
-    /// Says what the new waves add to the sea.
-    LineFigures adopt_spectrum();
+    /// Says what the new waves add to the sea, whose number moments name. What was in that place is gone; all seas that are kept
+    /// have the same lattice and loop. \pre place < SeaShelf::places, and no pass in flight takes what is there
+    LineFigures adopt_spectrum(std::size_t number, std::size_t place);
     const TileLattice& lattice() const { return lattice_; }  ///< of the frames to come
     void drop_spectrum() { bake_.reset(); }                  ///< keeps the waves as they are
+    /// Keeps what was baked for later, and makes room for another one; and the other way round.
+    void set_aside() { bake_.swap(aside_); }
+    void forget_seas() { seas_ = {}; }
 
    private:
-    void add_velocity_stages(JobGraph& graph);
+    void add_velocity_stages(JobGraph& graph, StageId blend_done);
     void spectrum(std::size_t line);
+    void blend(Pass pass, std::size_t line_block);
     EvolveRowsJob evolve_rows_job(Pass pass, std::size_t line_block, float* lines);
-    void columns_finalize(std::size_t number, float* surface, PartBounds& bounds);
+    void columns_finalize(Pass pass, std::size_t number, float* surface, PartBounds& bounds);
 
     FrameSlots& slots_;
     std::size_t tile_;
@@ -60,13 +67,35 @@ class Cascade final : public WaveSource {
     FftPlan plan_;
     FftTables fft_;
 
-    /// The waves of the frames to come.
-    PackedSpectrum spectrum_;
+    /// How the tile's textures are to be read.
+    struct Look {
+        WhitecapThreshold whitecaps{.jacobian = 0, .ramp = 1};
+        SlopeRanges slope_ranges;
+    };
+    Look look_of(const LineFigures& figures, double choppiness, double whitecap_cover) const;
+
+    /// The waves of a sea.
+    struct Waves {
+        std::size_t number;
+        double choppiness, whitecap_cover;
+        PackedSpectrum spectrum;
+        LineFigures figures;
+        Look look;
+    };
+    const Waves& waves_of(std::size_t number) const;
+    std::array<std::optional<Waves>, SeaShelf::places> seas_;
     TileLattice lattice_;
     double loop_period_s_ = 1;
-    float choppiness_ = 0;
-    WhitecapThreshold whitecaps_{.jacobian = 0, .ramp = 1};
-    SlopeRanges slope_ranges_;
+
+    /// What a pass evaluates.
+    struct Shown {
+        const Waves *before = nullptr, *after = nullptr;
+        float part = 0;  ///< 0: `before` alone
+        float choppiness = 0;
+        LoopFraction fraction;
+        AlignedBuffer<float> blended;  ///< as PackedSpectrum::waves, where one sea turns into another
+    };
+    OfEachPass<Shown> shown_;
 
     /// A spectrum being baked.
     struct Bake {
@@ -76,11 +105,10 @@ class Cascade final : public WaveSource {
         PackedSpectrum spectrum;
         std::vector<LineFigures> lines;
     };
-    std::optional<Bake> bake_;
+    std::optional<Bake> bake_, aside_;
 
     std::vector<PartBounds> part_bounds_;      ///< of each pair of column blocks
     std::vector<PartBounds> velocity_bounds_;  ///< the same of velocities; nobody reads them
-    OfEachPass<LoopFraction> fraction_;
 };
 
 }  // namespace pelagic

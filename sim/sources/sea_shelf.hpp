@@ -36,7 +36,9 @@ class SeaShelf {
         std::size_t best = 0;
         std::uint64_t oldest = ~std::uint64_t{0};
         for (std::size_t place = 0; place < places; ++place) {
-            const std::uint64_t used = !held_[place] ? 0 : is_needed(held_[place]->number) ? oldest : held_[place]->used;
+            const std::uint64_t used = !held_[place]                     ? 0
+                                       : is_needed(held_[place]->number) ? oldest
+                                                                         : held_[place]->used;
             if (used >= oldest) continue;
             best = place;
             oldest = used;

@@ -26,10 +26,10 @@ struct OfEachPass {
 struct SeaMoment {
     double time_s = 0;
     std::size_t before = 0, after = 0;
-    double part = 0;  ///< 0 where both are one
+    double part = 0;  ///< below 1; 0 where both are one
 
     /// One sea's own waves, as they were baked.
-    bool is_steady() const { return part == 0 || part == 1; }
+    bool is_steady() const { return part == 0; }
 };
 
 class WaveSource {

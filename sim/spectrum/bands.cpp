@@ -59,19 +59,18 @@ double end_of_slopes(const WaveSpectrum& spectrum, const SeaState& sea) {
     return last;
 }
 
-bool is_stack(const SeaState& sea) {
-    return sea.patch_size_m == 0 && sea.spectrum != SpectrumModel::phillips_paper;
-}
+bool is_stack(const SeaState& sea) { return sea.patch_size_m == 0 && sea.spectrum != SpectrumModel::phillips_paper; }
 
 WaveSpectrum spectrum_of_stack(const SeaState& sea) {
-    return {sea, {.lattice = {.side_m = papers_side_m}, .resolution = resolution_of(sea), .has_surface_tension = true}};
+    return {sea,
+            {.lattice = {.side_m = papers_side_m}, .resolution = resolution_of(sea), .has_surface_tension = true}};
 }
 
 std::vector<TilePlan> plan_stack(const SeaState& sea, const WaveReach& reach, double end_k) {
     const int count = cascades_of(sea), n = resolution_of(sea);
     const double coarsest_m =
-        std::clamp(short_number(std::clamp(peak_waves * reach.peak_m, least_side_m, most_side_m), false), least_side_m,
-                   most_side_m);
+        std::clamp(short_number(std::clamp(peak_waves * reach.peak_m, least_side_m, most_side_m), false),
+                   least_side_m, most_side_m);
 
     const double widest = n / (texels_a_wave * steps_a_band);
     double ratio = widest;

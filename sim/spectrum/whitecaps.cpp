@@ -70,7 +70,7 @@ FoldMoments& FoldMoments::operator+=(const FoldMoments& other) {
 }
 
 FoldMoments FoldMoments::operator*(double weight) const {
-    return {uu * weight, vv * weight, ww * weight, uv * weight, uw * weight, vw * weight};
+    return {uu * weight, vv * weight, ww * weight, uv * weight, uw * weight, vw * weight, uu_rate * weight};
 }
 
 // J = 1 + 2u + x'Ax with x = (u, v, w), A = diag(1, -1, -1) and covariances S has the cumulants, with l = (2, 0, 0),

@@ -1,0 +1,138 @@
+#include "pelagic/sim/sources/weather.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "pelagic/sim/spectrum/whitecaps.hpp"
+
+namespace pelagic {
+namespace {
+
+/// A sea is baked so long before frames need it: hundreds of frames, each of which leaves the threads some time.
+constexpr double bake_ahead_s = 10;
+
+/// A live ocean's: the sea that a frame in flight or a tick before it may still show.
+constexpr std::size_t remembered_changes = 2;
+
+WaveReach reach_of(const Forecast& forecast) {
+    WaveReach reach = WaveReach::of(forecast.first);
+    for (const SeaChange& change : forecast.changes) reach.extend_to(WaveReach::of(change.sea));
+    if (forecast.largest_peak_m > 0 && reach.peak_m > 0) reach.peak_m = forecast.largest_peak_m;
+    return reach;
+}
+
+int white_tiles_of(const SeaState& sea, const WaveReach& reach) {
+    const std::vector<TilePlan> plans = plan_tiles(sea, reach);
+    return static_cast<int>(
+        std::count_if(plans.begin(), plans.end(), [](const TilePlan& plan) { return plan.makes_whitecaps(); }));
+}
+
+double between(double before, double after, double part) {
+    return part == 0 ? before : (1 - part) * before + part * after;
+}
+
+}  // namespace
+
+Weather::Weather(const Forecast& forecast)
+    : forecast_(forecast), reach_(reach_of(forecast)), white_tiles_(white_tiles_of(forecast.first, reach_)) {
+    forecast_.largest_peak_m = reach_.peak_m;
+}
+
+Forecast Weather::with(const SeaChange& change, std::size_t* first_number) const {
+    Forecast longer = forecast_;
+    if (longer.changes.size() >= remembered_changes) {
+        longer.first = longer.changes.front().sea;
+        longer.changes.erase(longer.changes.begin());
+        if (first_number) ++*first_number;
+    }
+    longer.changes.push_back(change);
+    return longer;
+}
+
+SeaMoment Weather::moment_at(double time_s) const {
+    const ForecastMoment moment = forecast_.at(time_s);
+    return {.time_s = time_s,
+            .before = first_number_ + moment.before,
+            .after = first_number_ + moment.after,
+            .part = moment.part};
+}
+
+SeaState Weather::sea_at(const SeaMoment& moment) const {
+    return sea_between(sea(moment.before), sea(moment.after), moment.part);
+}
+
+SeaFigures Weather::figures_at(const SeaMoment& moment) const {
+    const Sums &before = sums_[*shelf_.find(moment.before)], &after = sums_[*shelf_.find(moment.after)];
+    const auto blend = [&](double Sums::*number) { return between(before.*number, after.*number, moment.part); };
+    SlopeMoments slopes = before.slopes;
+    if (!moment.is_steady()) {
+        slopes = before.slopes * (1 - moment.part);
+        slopes += after.slopes * moment.part;
+    }
+    const SeaState sea = sea_at(moment);
+    SeaFigures figures;
+    figures.significant_wave_height_m = 4 * std::sqrt(blend(&Sums::height_variance));
+    figures.resolved_slopes = slopes.around(sea.wind_direction_rad);
+    figures.unresolved_slopes = unresolved_slopes(figures.resolved_slopes, sea.wind_speed_mps);
+    figures.whitecap_depth_of_sum = quantile_of_sum(blend(&Sums::whitecap_cover), white_tiles_);
+    figures.roughness = blend(&Sums::roughness);
+    return figures;
+}
+
+std::optional<std::size_t> Weather::wanted_soon(double time_s) const {
+    const auto& changes = forecast_.changes;
+    for (std::size_t i = 0; i < changes.size(); ++i) {
+        if (changes[i].from_s > time_s + bake_ahead_s) break;
+        if (changes[i].end_s() < time_s - bake_ahead_s) continue;
+        for (const std::size_t number : {first_number_ + i, first_number_ + i + 1})
+            if (!has(number)) return number;
+    }
+    return {};
+}
+
+void Weather::begin(const SeaState& sea, const WaveReach& reach, Cascades cascades) {
+    const std::vector<TilePlan> plans = plan_tiles(sea, reach);
+    const double cover = cover_of_each(whitecap_cover(sea.wind_speed_mps), white_tiles_of(sea, reach));
+    for (std::size_t tile = 0; tile < plans.size(); ++tile)
+        cascades[tile]->begin_spectrum(sea, plans[tile], plans[tile].makes_whitecaps() ? cover : 0);
+}
+
+void Weather::begin(std::size_t number, Cascades cascades) {
+    begin(sea(number), reach_, cascades);
+    baked_number_ = number;
+}
+
+void Weather::adopt(Cascades cascades) {
+    const SeaState& baked = sea(baked_number_);
+    const std::size_t place = shelf_.put(baked_number_);
+    Sums& sums = sums_[place] = {};
+    for (const auto& cascade : cascades) {
+        const LineFigures added = cascade->adopt_spectrum(baked_number_, place);
+        sums.height_variance += added.height_variance;
+        sums.slopes += added.slopes.in_world(cascade->lattice());
+    }
+    sums.whitecap_cover = whitecap_cover(baked.wind_speed_mps);
+    sums.roughness =
+        roughness_of(baked, unresolved_slopes(sums.slopes.around(baked.wind_direction_rad), baked.wind_speed_mps));
+}
+
+void Weather::begin_other(const SeaState& sea, Cascades cascades) {
+    Forecast forecast{.first = sea};
+    other_.emplace(Other{forecast, WaveReach::of(sea)});
+    begin(sea, other_->reach, cascades);
+}
+
+void Weather::restart(Cascades cascades) {
+    first_number_ += forecast_.changes.size() + 1;
+    forecast_ = other_->forecast;
+    reach_ = other_->reach;
+    forecast_.largest_peak_m = reach_.peak_m;
+    white_tiles_ = white_tiles_of(forecast_.first, reach_);
+    other_.reset();
+    shelf_.clear();
+    for (const auto& cascade : cascades) cascade->forget_seas();
+    baked_number_ = first_number_;
+    adopt(cascades);
+}
+
+}  // namespace pelagic
