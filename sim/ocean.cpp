@@ -63,16 +63,7 @@ class Ocean::Sources {
         for (const auto& cascade : cascades_) cascade->add_spectrum_stage(graph);
     }
 
-    /// The seas that begin_frame(time_s) takes, and what of them is not at hand.
-    void need(double time_s) { weather_.need(Pass::frame, weather_.moment_at(time_s)); }
-    std::optional<std::size_t> missing(double time_s) const {
-        const SeaMoment moment = weather_.moment_at(time_s);
-        for (const std::size_t number : {moment.before, moment.after})
-            if (!weather_.has(number)) return number;
-        return {};
-    }
-
-    /// \pre nothing is missing
+    /// \pre the moment's seas are at hand
     void begin_frame(double time_s, std::span<const TextureTargets> targets) {
         const DefaultFloatEnvironment environment;
         slots_.turn();
@@ -215,19 +206,23 @@ struct Ocean::State {
             bake_in_flight = Bake::aside;
         }
     }
-    /// Puts at hand what the frame takes, and begins to bake what later ones will take. A sea that is missing is baked here and
-    /// now.
-    void prepare_seas(double time_s) {
-        sources.need(time_s);
+    /// Puts at hand what a pass of that moment takes: a sea that is missing is baked here and now. Before begin_frame() and before
+    /// each tick.
+    void hold_seas(Pass pass, double time_s) {
+        const SeaMoment moment = sources.weather().moment_at(time_s);
+        sources.weather().need(pass, moment);
         if (bake_in_flight == Bake::ahead && spectrum_run->is_done()) end_bake();
-        while (sources.missing(time_s)) {
+        for (const std::size_t number : {moment.before, moment.after}) {
+            if (sources.weather().has(number)) continue;
             end_bake();
-            const std::optional<std::size_t> missing = sources.missing(time_s);
-            if (!missing) break;
-            bake(*missing);
+            if (sources.weather().has(number)) continue;
+            bake(number);
             complete_bake();
             sources.adopt_sea();
         }
+    }
+    /// Begins to bake what frames around this one will take.
+    void bake_ahead(double time_s) {
         if (bake_in_flight != Bake::nothing || !executor->runs_ahead()) return;
         if (const auto soon = sources.weather().wanted_soon(time_s)) {
             bake(*soon);
@@ -265,7 +260,8 @@ void Ocean::schedule(double time_s, std::span<const TextureTargets> tiles) {
             tiles.empty() ? std::string() : check(tiles, tile_count(), resolution(), state_->sources.contents());
         !reason.empty())
         throw std::invalid_argument(reason);
-    state_->prepare_seas(time_s);
+    state_->hold_seas(Pass::frame, time_s);
+    state_->bake_ahead(time_s);
     try {
         state_->sources.begin_frame(time_s, tiles);
         state_->frame_run->schedule();
@@ -351,11 +347,10 @@ void Ocean::complete_sea() {
     state_->sources.adopt_other_weather();
 }
 
-void Ocean::schedule_sea(const SeaState& sea, double from_s, double over_s) {
+void Ocean::schedule_sea(const SeaChange& change) {
     assert((state_->bake_in_flight == State::Bake::nothing || state_->bake_in_flight == State::Bake::ahead) &&
            "complete_sea() first");
     Weather& weather = state_->sources.weather();
-    const SeaChange change{.sea = sea, .from_s = from_s, .over_s = over_s};
     checked(weather.with(change));
     state_->end_bake();
     weather.add(change);

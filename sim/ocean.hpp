@@ -96,7 +96,10 @@ class Ocean {
     /// (Forecast says what may change). The ocean remembers the last two changes, and times before them have the oldest sea that is
     /// left. Throws std::invalid_argument(check(forecast)) if the change before isn't over by `from_s`, or the sea doesn't fit.
     /// A frame may be in flight. \pre no sea is between schedule_sea(sea) and complete_sea()
-    void schedule_sea(const SeaState& sea, double from_s, double over_s);
+    void schedule_sea(const SeaChange& change);
+    void schedule_sea(const SeaState& sea, double from_s, double over_s) {
+        schedule_sea({.sea = sea, .from_s = from_s, .over_s = over_s});
+    }
 
     std::size_t tile_count() const;    ///< of every frame
     int resolution() const;            ///< texels along a side of each tile
