@@ -55,7 +55,7 @@ class Ocean::Sources {
     void add_frame_stages(JobGraph& graph) {
         std::vector<StageId> surfaces_done;
         for (std::size_t tile = 0; tile < cascades_.size(); ++tile) {
-            surfaces_done.push_back(cascades_[tile]->add_frame_stages(graph));
+            surfaces_done.push_back(cascades_[tile]->add_stages(graph, Pass::frame, {}));
             surfaces_[tile]->add_to(graph, surfaces_done.back());
         }
         if (extras_.folds) folds_.add_to(graph, surfaces_done);
@@ -69,11 +69,13 @@ class Ocean::Sources {
         slots_.turn();
         slots_.write_textures_to(targets);
         Frame& frame = slots_.frame();
+        const SeaMoment moment = moment_at(time_s);
         frame.time_s = time_s;
         frame.sea = sea_;
         frame.figures = figures_;
         frame.isa = isa_;
-        for (const auto& cascade : cascades_) cascade->begin_frame(time_s);
+        for (std::size_t tile = 0; tile < cascades_.size(); ++tile)
+            cascades_[tile]->begin(Pass::frame, moment, slots_.tile(tile));
     }
     const Frame& end_frame() {
         slots_.finish_textures();
@@ -136,6 +138,9 @@ class Ocean::Sources {
     }
 
    private:
+    /// What the sea is at a time, of frames and of ticks.
+    SeaMoment moment_at(double time_s) const { return {.time_s = time_s}; }
+
     Isa isa_;
     FrameExtras extras_;
     FrameSlots slots_;

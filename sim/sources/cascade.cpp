@@ -45,23 +45,25 @@ void Cascade::add_spectrum_stage(JobGraph& graph) {
                .stack_bytes = stack_margin});
 }
 
-StageId Cascade::add_frame_stages(JobGraph& graph) {
+StageId Cascade::add_stages(JobGraph& graph, Pass pass, const std::vector<StageId>& waits_for) {
     const std::size_t transforms = transform_stack_bytes(resolution_, kernels_.lanes);
     const auto surface = [this] { return slots_.buffers(tile_).surface.data(); };
-    const StageId lines_done = graph.add({.name = stage_name("evolve+rows", tile_),
+    const bool is_tick = pass == Pass::tick;
+    const StageId lines_done = graph.add({.name = stage_name(is_tick ? "tick evolve+rows" : "evolve+rows", tile_),
                                           .count = line_blocks(resolution_, kernels_.lanes),
-                                          .body = for_each_item([this, surface](std::size_t block) {
-                                              kernels_.evolve_rows(evolve_rows_job(block, surface()));
+                                          .waits_for = waits_for,
+                                          .body = for_each_item([this, pass, surface](std::size_t block) {
+                                              kernels_.evolve_rows(evolve_rows_job(pass, block, surface()));
                                           }),
                                           .stack_bytes = transforms});
-    const StageId surface_done = graph.add({.name = stage_name("columns+finalize", tile_),
+    const StageId surface_done = graph.add({.name = stage_name(is_tick ? "tick columns" : "columns+finalize", tile_),
                                             .count = part_bounds_.size(),
                                             .waits_for = {lines_done},
                                             .body = for_each_item([this, surface](std::size_t pair) {
                                                 columns_finalize(pair, surface(), part_bounds_[pair]);
                                             }),
                                             .stack_bytes = transforms});
-    if (has_velocities_) add_velocity_stages(graph);
+    if (has_velocities_ && !is_tick) add_velocity_stages(graph);
     return surface_done;
 }
 
@@ -69,12 +71,13 @@ StageId Cascade::add_frame_stages(JobGraph& graph) {
 void Cascade::add_velocity_stages(JobGraph& graph) {
     const std::size_t transforms = transform_stack_bytes(resolution_, kernels_.lanes);
     const auto velocity = [this] { return slots_.buffers(tile_).velocity.data(); };
-    const StageId lines_done = graph.add({.name = stage_name("velocity rows", tile_),
-                                          .count = line_blocks(resolution_, kernels_.lanes),
-                                          .body = for_each_item([this, velocity](std::size_t block) {
-                                              kernels_.evolve_velocity_rows(evolve_rows_job(block, velocity()));
-                                          }),
-                                          .stack_bytes = transforms});
+    const StageId lines_done =
+        graph.add({.name = stage_name("velocity rows", tile_),
+                   .count = line_blocks(resolution_, kernels_.lanes),
+                   .body = for_each_item([this, velocity](std::size_t block) {
+                       kernels_.evolve_velocity_rows(evolve_rows_job(Pass::frame, block, velocity()));
+                   }),
+                   .stack_bytes = transforms});
     graph.add({.name = stage_name("velocity columns", tile_),
                .count = velocity_bounds_.size(),
                .waits_for = {lines_done},
@@ -84,9 +87,8 @@ void Cascade::add_velocity_stages(JobGraph& graph) {
                .stack_bytes = transforms});
 }
 
-void Cascade::begin_frame(double time_s) {
-    fraction_ = loop_fraction(time_s, loop_period_s_);
-    Tile& tile = slots_.tile(tile_);
+void Cascade::begin(Pass pass, const SeaMoment& moment, Tile& tile) {
+    fraction_[pass] = loop_fraction(moment.time_s, loop_period_s_);
     tile.lattice = lattice_;
     tile.whitecap_jacobian = whitecaps_.jacobian;
     tile.whitecap_ramp = whitecaps_.ramp;
@@ -134,12 +136,12 @@ void Cascade::spectrum(std::size_t line) {
     bake_->lines[line] = bake_spectrum_line(bake_->sea, bake_->waves, plan_, line, bake_->spectrum);
 }
 
-EvolveRowsJob Cascade::evolve_rows_job(std::size_t line_block, float* lines) {
+EvolveRowsJob Cascade::evolve_rows_job(Pass pass, std::size_t line_block, float* lines) {
     constexpr double two_pi = 6.28318530717958647693;
     const std::size_t first_line = line_block * kernels_.lanes;
     return {.waves = spectrum_.block(line_block),
             .harmonics = spectrum_.block_harmonics(line_block),
-            .fraction = fraction_.turns,
+            .fraction = fraction_[pass].turns,
             .first_line = first_line,
             .line_count = std::min(kernels_.lanes, line_count(resolution_) - first_line),
             .fft = &fft_,
