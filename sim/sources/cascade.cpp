@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 #include <utility>
 
 #include "pelagic/sim/kernels/wave_blocks.hpp"
 #include "pelagic/sim/surface/item_stage.hpp"
 #include "pelagic/sim/surface/slope_maps.hpp"
+#include "pelagic/sim/tick_clock.hpp"
 
 namespace pelagic {
 namespace {
@@ -16,9 +16,6 @@ namespace {
 std::size_t transform_stack_bytes(int resolution, std::size_t lanes) {
     return 24 * static_cast<std::size_t>(resolution) * lanes + stack_margin;
 }
-
-/// A loop has a whole number of ticks of about a tenth of a second.
-double tick_s(double loop_period_s) { return loop_period_s / std::max(1.0, std::nearbyint(10 * loop_period_s)); }
 
 // Lines a job: a wind change should not hold up frames.
 constexpr std::size_t spectrum_batch = 2;
@@ -53,6 +50,7 @@ StageId Cascade::add_stages(JobGraph& graph, Pass pass, const std::vector<StageI
                                           .count = line_blocks(resolution_, kernels_.lanes),
                                           .waits_for = waits_for,
                                           .body = for_each_item([this, pass, surface](std::size_t block) {
+                                              if (is_idle_[pass]) return;
                                               blend(pass, block);
                                               kernels_.evolve_rows(evolve_rows_job(pass, block, surface()));
                                           }),
@@ -61,6 +59,7 @@ StageId Cascade::add_stages(JobGraph& graph, Pass pass, const std::vector<StageI
                                             .count = part_bounds_.size(),
                                             .waits_for = {lines_done},
                                             .body = for_each_item([this, pass, surface](std::size_t pair) {
+                                                if (is_idle_[pass]) return;
                                                 columns_finalize(pass, pair, surface(), part_bounds_[pair]);
                                             }),
                                             .stack_bytes = transforms});
@@ -98,7 +97,7 @@ const Cascade::Waves& Cascade::waves_of(std::size_t number) const {
 
 Cascade::Look Cascade::look_of(const LineFigures& figures, double choppiness, double whitecap_cover) const {
     return {whitecap_cover > 0
-                ? whitecap_threshold(figures.folding, choppiness, whitecap_cover, tick_s(loop_period_s_))
+                ? whitecap_threshold(figures.folding, choppiness, whitecap_cover, TickClock(loop_period_s_).tick_s())
                 : WhitecapThreshold{.jacobian = Tile::no_whitecaps, .ramp = 1},
             slope_ranges(figures.mean_square_slope)};
 }
@@ -125,6 +124,7 @@ void Cascade::begin(Pass pass, const SeaMoment& moment, Tile& tile) {
     tile.lattice = lattice_;
     tile.whitecap_jacobian = look.whitecaps.jacobian;
     tile.whitecap_ramp = look.whitecaps.ramp;
+    is_idle_[pass] = pass == Pass::tick && !tile.makes_whitecaps();
     tile.slope_ranges = look.slope_ranges;
 }
 

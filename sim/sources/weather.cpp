@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "pelagic/sim/history/foam_drift.hpp"
 #include "pelagic/sim/spectrum/whitecaps.hpp"
 
 namespace pelagic {
@@ -49,6 +51,12 @@ Forecast Weather::with(const SeaChange& change, std::size_t* first_number) const
     return longer;
 }
 
+double Weather::forgotten_until(const SeaChange& change) const {
+    std::size_t first_number = 0;
+    with(change, &first_number);
+    return first_number == 0 ? -std::numeric_limits<double>::infinity() : forecast_.changes.front().end_s();
+}
+
 SeaMoment Weather::moment_at(double time_s) const {
     const ForecastMoment moment = forecast_.at(time_s);
     return {.time_s = time_s,
@@ -72,6 +80,9 @@ SeaFigures Weather::figures_at(const SeaMoment& moment) const {
     const SeaState sea = sea_at(moment);
     SeaFigures figures;
     figures.significant_wave_height_m = 4 * std::sqrt(blend(&Sums::height_variance));
+    const WindDrift wind = wind_drift(sea);
+    figures.foam_drift_x_mps = wind.x_mps + blend(&Sums::stokes_x);
+    figures.foam_drift_z_mps = wind.z_mps + blend(&Sums::stokes_z);
     figures.resolved_slopes = slopes.around(sea.wind_direction_rad);
     figures.unresolved_slopes = unresolved_slopes(figures.resolved_slopes, sea.wind_speed_mps);
     figures.whitecap_depth_of_sum = quantile_of_sum(blend(&Sums::whitecap_cover), white_tiles_);
@@ -110,6 +121,9 @@ void Weather::adopt(Cascades cascades) {
         const LineFigures added = cascade->adopt_spectrum(baked_number_, place);
         sums.height_variance += added.height_variance;
         sums.slopes += added.slopes.in_world(cascade->lattice());
+        const TileLattice::Place stokes = cascade->lattice().in_world(added.stokes_x, added.stokes_z);
+        sums.stokes_x += stokes.along;
+        sums.stokes_z += stokes.across;
     }
     sums.whitecap_cover = whitecap_cover(baked.wind_speed_mps);
     sums.roughness =

@@ -32,10 +32,6 @@ struct FoldMoments {
     FoldMoments operator*(double weight) const;  ///< of waves with so much of their energy
 };
 
-/// The Jacobian below which that part of the sea lies, so that the crests that fold most are white and the cover is the
-/// one observed at sea, whatever the choppiness: a quantile of J by its first four cumulants (Cornish and Fisher 1938).
-float whitecap_jacobian(const FoldMoments& moments, double choppiness, double cover);
-
 /// Where water turns white: a texel of Jacobian J makes foam of clamp(1/2 + (jacobian - J) / ramp, 0, 1).
 struct WhitecapThreshold {
     float jacobian;  ///< half white there
