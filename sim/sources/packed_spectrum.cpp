@@ -82,6 +82,7 @@ LineFigures bake_spectrum_line(const SeaState& sea, const TileWaves& waves, cons
             };
             const ShownSlope shown_x = shown_slope(tile, m);
             const double fold_x = fold_derivative(shown_x, m);
+            const double drift = stokes_drift(k, waves.spectrum().water()) / k;
             const auto put_wave = [&](WaveQuantity first, const OppositeWaves& opposites, int signed_m) {
                 const PackedWave values = packed(opposites);
                 for (std::size_t i = 0; i < values.size(); ++i) wave[(first + i) * out.lanes] = values[i];
@@ -92,6 +93,9 @@ LineFigures bake_spectrum_line(const SeaState& sea, const TileWaves& waves, cons
                                          sign * fold_x, fold_z, frequency);
                 figures.slopes.add_wave(mirrors * opposites.expected_square() * shown_x.filter * shown_z.filter,
                                         sign * shown_x.derivative, shown_z.derivative);
+                const double running = mirrors * (opposites.along.variance - opposites.against.variance) * drift;
+                figures.stokes_x += running * (signed_m * spacing);
+                figures.stokes_z += running * (n * spacing);
             };
             const TileWaves::MirroredPair mirrored = waves.pair(m, n);
             put_wave(plus_cos_re, mirrored.plus, m);

@@ -20,8 +20,8 @@ double normal_quantile(double part) {
     return (2.515517 + t * (0.802853 + t * 0.010328)) / (1 + t * (1.432788 + t * (0.189269 + t * 0.001308))) - t;
 }
 
-/// Jacobians are floats near 1: where they vary less than this, little but rounding does.
-constexpr double least_deviation = 1e-5;
+/// Jacobians are floats near 1: where they vary less than this, their rounding is a step of foam's bytes.
+constexpr double least_deviation = 1e-4;
 
 /// Part of a Gaussian's ramp that is left at least, however bent the distribution of Jacobians is.
 constexpr double least_ramp = 0.125;
