@@ -3,9 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pelagic/sim/kernels/kernels.hpp"
 #include "pelagic/simd/det_math.hpp"
 
 namespace pelagic {
+
+static_assert(LastingFoam::fading_ticks == 255.0 / FoamTickJob::fade);
+
 namespace {
 
 /// Density of the standard normal distribution.
