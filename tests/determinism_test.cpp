@@ -212,6 +212,24 @@ TEST(Determinism, ASeaThatCanBeAskedIsTheSameSea) {
                 << host.name;
 }
 
+// After a jump, with a tick, and between two.
+TEST(Determinism, FoamIsTheSameOnEveryInstructionSetExecutorAndThreadCount) {
+    const SeaState sea{.cascades = 2, .resolution = 64, .wind_speed_mps = 18};
+    const auto hashes = [&](Isa isa, std::shared_ptr<Executor> executor) {
+        Ocean ocean(sea, {.executor = std::move(executor), .isa = isa, .foam = true});
+        std::vector<std::uint64_t> all;
+        for (const double time : {12.34, 12.44, 12.48}) {
+            ocean.schedule(time);
+            all.push_back(foam_hash_of(ocean.complete()));
+        }
+        return all;
+    };
+    const auto expected = hashes(isas_here().front(), make_serial_executor());
+    EXPECT_NE(expected[0], expected[1]);
+    for (const Isa isa : isas_here()) EXPECT_EQ(hashes(isa, make_thread_executor(3)), expected) << name_of(isa);
+    for (const Host& host : hosts()) EXPECT_EQ(hashes(choose_isa(), host.executor), expected) << host.name;
+}
+
 TEST(Determinism, EveryInstructionSetGivesTheSameAnswers) {
     const AskedPoints points(20000);
     for (const SeaState& sea : {folded_sea, smooth_sea, sea_of_tiles}) {
@@ -436,6 +454,14 @@ TEST(Determinism, GoldenHashesNeverChange) {
             EXPECT_EQ(golden[key], hash.str()) << "the line would be: " << key << " " << hash.str();
             ++compared;
         }
+    }
+    // Foam that lasts, of four tiles and of one.
+    for (const auto& [name, sea] : {std::pair{"foam-tiles", sea_of_tiles}, {"foam-folded", folded_sea}}) {
+        Ocean ocean(sea, {.executor = make_serial_executor(), .foam = true});
+        std::ostringstream hash;
+        hash << std::hex << foam_hash_of(ocean.frame_at(12.34));
+        EXPECT_EQ(golden[name], hash.str()) << "the line would be: " << name << " " << hash.str();
+        ++compared;
     }
     // Answers to queries, velocities included.
     const AskedPoints points(5000);

@@ -6,6 +6,7 @@
 #include "pelagic/sim/kernels/wave_blocks.hpp"
 #include "pelagic/sim/surface/item_stage.hpp"
 #include "pelagic/sim/surface/slope_maps.hpp"
+#include "pelagic/sim/tick_clock.hpp"
 
 namespace pelagic {
 namespace {
@@ -41,23 +42,27 @@ void Cascade::add_spectrum_stage(JobGraph& graph) {
                .stack_bytes = stack_margin});
 }
 
-StageId Cascade::add_frame_stages(JobGraph& graph) {
+StageId Cascade::add_stages(JobGraph& graph, Pass pass, const std::vector<StageId>& waits_for) {
     const std::size_t transforms = transform_stack_bytes(resolution_, kernels_.lanes);
     const auto surface = [this] { return slots_.buffers(tile_).surface.data(); };
-    const StageId lines_done = graph.add({.name = stage_name("evolve+rows", tile_),
+    const bool is_tick = pass == Pass::tick;
+    const StageId lines_done = graph.add({.name = stage_name(is_tick ? "tick evolve+rows" : "evolve+rows", tile_),
                                           .count = line_blocks(resolution_, kernels_.lanes),
-                                          .body = for_each_item([this, surface](std::size_t block) {
-                                              kernels_.evolve_rows(evolve_rows_job(block, surface()));
+                                          .waits_for = waits_for,
+                                          .body = for_each_item([this, pass, surface](std::size_t block) {
+                                              if (is_idle_[pass]) return;
+                                              kernels_.evolve_rows(evolve_rows_job(pass, block, surface()));
                                           }),
                                           .stack_bytes = transforms});
-    const StageId surface_done = graph.add({.name = stage_name("columns+finalize", tile_),
+    const StageId surface_done = graph.add({.name = stage_name(is_tick ? "tick columns" : "columns+finalize", tile_),
                                             .count = part_bounds_.size(),
                                             .waits_for = {lines_done},
-                                            .body = for_each_item([this, surface](std::size_t pair) {
+                                            .body = for_each_item([this, pass, surface](std::size_t pair) {
+                                                if (is_idle_[pass]) return;
                                                 columns_finalize(pair, surface(), part_bounds_[pair]);
                                             }),
                                             .stack_bytes = transforms});
-    if (has_velocities_) add_velocity_stages(graph);
+    if (has_velocities_ && !is_tick) add_velocity_stages(graph);
     return surface_done;
 }
 
@@ -65,12 +70,13 @@ StageId Cascade::add_frame_stages(JobGraph& graph) {
 void Cascade::add_velocity_stages(JobGraph& graph) {
     const std::size_t transforms = transform_stack_bytes(resolution_, kernels_.lanes);
     const auto velocity = [this] { return slots_.buffers(tile_).velocity.data(); };
-    const StageId lines_done = graph.add({.name = stage_name("velocity rows", tile_),
-                                          .count = line_blocks(resolution_, kernels_.lanes),
-                                          .body = for_each_item([this, velocity](std::size_t block) {
-                                              kernels_.evolve_velocity_rows(evolve_rows_job(block, velocity()));
-                                          }),
-                                          .stack_bytes = transforms});
+    const StageId lines_done =
+        graph.add({.name = stage_name("velocity rows", tile_),
+                   .count = line_blocks(resolution_, kernels_.lanes),
+                   .body = for_each_item([this, velocity](std::size_t block) {
+                       kernels_.evolve_velocity_rows(evolve_rows_job(Pass::frame, block, velocity()));
+                   }),
+                   .stack_bytes = transforms});
     graph.add({.name = stage_name("velocity columns", tile_),
                .count = velocity_bounds_.size(),
                .waits_for = {lines_done},
@@ -80,11 +86,12 @@ void Cascade::add_velocity_stages(JobGraph& graph) {
                .stack_bytes = transforms});
 }
 
-void Cascade::begin_frame(double time_s) {
-    fraction_ = loop_fraction(time_s, loop_period_s_);
-    Tile& tile = slots_.tile(tile_);
+void Cascade::begin(Pass pass, const SeaMoment& moment, Tile& tile) {
+    fraction_[pass] = loop_fraction(moment.time_s, loop_period_s_);
     tile.lattice = lattice_;
-    tile.whitecap_jacobian = whitecap_jacobian_;
+    tile.whitecap_jacobian = whitecaps_.jacobian;
+    tile.whitecap_ramp = whitecaps_.ramp;
+    is_idle_[pass] = pass == Pass::tick && !tile.makes_whitecaps();
     tile.slope_ranges = slope_ranges_;
 }
 
@@ -111,11 +118,13 @@ LineFigures Cascade::adopt_spectrum() {
         all.mean_square_slope += line.mean_square_slope;
         all.folding += line.folding;
         all.slopes += line.slopes;
+        all.stokes_x += line.stokes_x;
+        all.stokes_z += line.stokes_z;
     }
     const SeaState& sea = bake_->sea;
-    whitecap_jacobian_ = bake_->whitecap_cover > 0
-                             ? whitecap_jacobian(all.folding, sea.choppiness, bake_->whitecap_cover)
-                             : Tile::no_whitecaps;
+    whitecaps_ = bake_->whitecap_cover > 0 ? whitecap_threshold(all.folding, sea.choppiness, bake_->whitecap_cover,
+                                                                TickClock(sea.loop_period_s).tick_s())
+                                           : WhitecapThreshold{.jacobian = Tile::no_whitecaps, .ramp = 1};
     slope_ranges_ = slope_ranges(all.mean_square_slope);
     lattice_ = bake_->waves.tile().lattice;
     loop_period_s_ = sea.loop_period_s;
@@ -129,12 +138,12 @@ void Cascade::spectrum(std::size_t line) {
     bake_->lines[line] = bake_spectrum_line(bake_->sea, bake_->waves, plan_, line, bake_->spectrum);
 }
 
-EvolveRowsJob Cascade::evolve_rows_job(std::size_t line_block, float* lines) {
+EvolveRowsJob Cascade::evolve_rows_job(Pass pass, std::size_t line_block, float* lines) {
     constexpr double two_pi = 6.28318530717958647693;
     const std::size_t first_line = line_block * kernels_.lanes;
     return {.waves = spectrum_.block(line_block),
             .harmonics = spectrum_.block_harmonics(line_block),
-            .fraction = fraction_.turns,
+            .fraction = fraction_[pass].turns,
             .first_line = first_line,
             .line_count = std::min(kernels_.lanes, line_count(resolution_) - first_line),
             .fft = &fft_,

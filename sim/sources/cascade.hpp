@@ -28,8 +28,9 @@ class Cascade final : public WaveSource {
     Cascade(const Cascade&) = delete;  // stages point into it
     Cascade& operator=(const Cascade&) = delete;
 
-    StageId add_frame_stages(JobGraph& graph) override;
-    void begin_frame(double time_s) override;
+    /// Velocities are the frame's alone.
+    StageId add_stages(JobGraph& graph, Pass pass, const std::vector<StageId>& waits_for) override;
+    void begin(Pass pass, const SeaMoment& moment, Tile& tile) override;
     FrameBounds end_frame() override;
     std::size_t bytes() const override;
 
@@ -47,7 +48,7 @@ class Cascade final : public WaveSource {
    private:
     void add_velocity_stages(JobGraph& graph);
     void spectrum(std::size_t line);
-    EvolveRowsJob evolve_rows_job(std::size_t line_block, float* lines);
+    EvolveRowsJob evolve_rows_job(Pass pass, std::size_t line_block, float* lines);
     void columns_finalize(std::size_t number, float* surface, PartBounds& bounds);
 
     FrameSlots& slots_;
@@ -64,7 +65,7 @@ class Cascade final : public WaveSource {
     TileLattice lattice_;
     double loop_period_s_ = 1;
     float choppiness_ = 0;
-    float whitecap_jacobian_ = 0;
+    WhitecapThreshold whitecaps_{.jacobian = 0, .ramp = 1};
     SlopeRanges slope_ranges_;
 
     /// A spectrum being baked.
@@ -79,7 +80,8 @@ class Cascade final : public WaveSource {
 
     std::vector<PartBounds> part_bounds_;      ///< of each pair of column blocks
     std::vector<PartBounds> velocity_bounds_;  ///< the same of velocities; nobody reads them
-    LoopFraction fraction_;
+    OfEachPass<LoopFraction> fraction_;
+    OfEachPass<bool> is_idle_;  ///< ticks are for whitecaps alone
 };
 
 }  // namespace pelagic

@@ -52,14 +52,6 @@ LineFigures bake_spectrum_line(const SeaState& sea, const TileWaves& waves, cons
     const int radix = plan.tables().first_step().radix;
     const int n = static_cast<int>(line);
     const double spacing = tile.spacing();
-    const double texel_m = tile.lattice.side_m / resolution;
-    // What a derivative makes of a wave number: of a tile on its own central differences, which are the paper's, of one in a stack
-    // nearly the wave number itself.
-    const auto difference = [&](int of) {
-        if (tile.is_banded()) return of * spacing;
-        return det::sine_cosine_of_turns(static_cast<double>(of) / resolution).sine / texel_m;
-    };
-    const double difference_z = difference(n);
     const ShownSlope shown_z = shown_slope(tile, n);
     const double mirrors = n == 0 ? 1 : 2;  // line 0 holds its own
     LineFigures figures;
@@ -73,27 +65,32 @@ LineFigures bake_spectrum_line(const SeaState& sea, const TileWaves& waves, cons
             if (!waves.holds(m, n)) continue;  // all zeros
             const double length = std::sqrt(static_cast<double>(m) * m + static_cast<double>(n) * n);
             const double k = length * spacing;
+            const double frequency = angular_frequency(k, waves.spectrum().water());
             const auto put = [&](WaveQuantity quantity, double value) {
                 wave[quantity * out.lanes] = static_cast<float>(value);
             };
             const ShownSlope shown_x = shown_slope(tile, m);
+            const double drift = stokes_drift(k, waves.spectrum().water()) / k;
             const auto put_wave = [&](WaveQuantity first, const OppositeWaves& opposites, int signed_m) {
                 const PackedWave values = packed(opposites);
                 for (std::size_t i = 0; i < values.size(); ++i) wave[(first + i) * out.lanes] = values[i];
                 figures.height_variance += mirrors * opposites.expected_square();
                 figures.mean_square_slope += mirrors * opposites.expected_square() * k * k;
+                const double derivative_x = signed_m == m ? shown_x.derivative : -shown_x.derivative;
                 figures.folding.add_wave(mirrors * opposites.drawn_square(), signed_m * spacing, n * spacing,
-                                         difference(signed_m), difference_z);
+                                         derivative_x, shown_z.derivative, frequency);
                 figures.slopes.add_wave(mirrors * opposites.expected_square() * shown_x.filter * shown_z.filter,
-                                        signed_m == m ? shown_x.derivative : -shown_x.derivative, shown_z.derivative);
+                                        derivative_x, shown_z.derivative);
+                const double running = mirrors * (opposites.along.variance - opposites.against.variance) * drift;
+                figures.stokes_x += running * (signed_m * spacing);
+                figures.stokes_z += running * (n * spacing);
             };
             const TileWaves::MirroredPair mirrored = waves.pair(m, n);
             put_wave(plus_cos_re, mirrored.plus, m);
             if (!pair.is_own_negative()) put_wave(minus_cos_re, mirrored.minus, -m);
             put(direction_x, m / length);
             put(direction_z, n / length);
-            *harmonic =
-                loop_harmonic(angular_frequency(length * spacing, waves.spectrum().water()), sea.loop_period_s);
+            *harmonic = loop_harmonic(frequency, sea.loop_period_s);
         }
     }
     return figures;

@@ -1,23 +1,42 @@
-// What makes waves: fills the displacement of one tile of each frame.
+// What makes waves: fills the displacement of one tile, of frames and of the ticks that histories remember.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <vector>
 
 #include "pelagic/jobs/job_graph.hpp"
 #include "pelagic/sim/tile.hpp"
 
 namespace pelagic {
 
+/// What the waves are wanted for. A tick's displacement lies where the frame's will: a frame's stages come after those of its tick.
+enum class Pass { tick, frame };
+inline constexpr std::size_t passes = 2;
+
+/// One of something for each pass.
+template <class T>
+struct OfEachPass {
+    T& operator[](Pass pass) { return values[static_cast<std::size_t>(pass)]; }
+    const T& operator[](Pass pass) const { return values[static_cast<std::size_t>(pass)]; }
+    std::array<T, passes> values{};
+};
+
+/// A moment of the sea.
+struct SeaMoment {
+    double time_s = 0;
+};
+
 class WaveSource {
    public:
     virtual ~WaveSource() = default;
 
-    /// Adds the stages of a frame, which fill the buffers of the source's tile in the slot that is the back one when they run.
+    /// Adds the stages of a pass, which fill the buffers of the source's tile in the slot that is the back one when they run.
     /// Returns the one after which the displacement stands. The source outlives the graph's runs.
-    virtual StageId add_frame_stages(JobGraph& graph) = 0;
+    virtual StageId add_stages(JobGraph& graph, Pass pass, const std::vector<StageId>& waits_for) = 0;
 
-    /// What the next run of these stages makes: says what the tile is, too. \pre none is in flight
-    virtual void begin_frame(double time_s) = 0;
+    /// What the next run of the pass's stages makes. Says what the tile is, too. \pre none is in flight
+    virtual void begin(Pass pass, const SeaMoment& moment, Tile& tile) = 0;
     /// The extremes of the last run.
     virtual FrameBounds end_frame() = 0;
 
