@@ -52,7 +52,7 @@ foreach(name IN LISTS packages)
 endforeach()
 
 set(message_headers numeric_field)
-set(analytic_headers analytic_glsl analytic_sea analytic_surface exp_sine_water)
+set(analytic_headers analytic_glsl analytic_sea analytic_surface exp_sine_water plane_waves)
 set(jobs_headers chrome_trace executor job_graph trace)
 set(simd_headers host_memory isa)
 set(sim_headers frame frame_buffers ocean sea_state slope_sum slope_variance statistics surface_query
