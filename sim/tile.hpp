@@ -113,9 +113,11 @@ struct Tile {
     /// (texture_targets.hpp); 0 without slopes.
     double slope_variance = 0;
     FrameBounds bounds;  ///< exact, not estimates
-    /// Below this Jacobian of the tile the sea is white: as much of it, in the mean over time, as whitecaps cover in that wind
-    /// (spectrum/whitecaps.hpp), tiles together. no_whitecaps where the tile makes none.
+    /// Water of the Jacobian J of the tile makes foam of clamp(1/2 + (whitecap_jacobian - J) / whitecap_ramp, 0, 1): as much of it,
+    /// in the mean over time and while it lasts, as whitecaps cover in that wind (spectrum/whitecaps.hpp), tiles together.
+    /// no_whitecaps where the tile makes none.
     float whitecap_jacobian = 0;
+    float whitecap_ramp = 1;  ///< above 0
     static constexpr float no_whitecaps = -10;
 
     int resolution() const { return height.resolution; }

@@ -1,6 +1,7 @@
 #include "pelagic/sim/sources/cascade.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "pelagic/sim/kernels/wave_blocks.hpp"
@@ -14,6 +15,9 @@ namespace {
 std::size_t transform_stack_bytes(int resolution, std::size_t lanes) {
     return 24 * static_cast<std::size_t>(resolution) * lanes + stack_margin;
 }
+
+/// A loop has a whole number of ticks of about a tenth of a second.
+double tick_s(double loop_period_s) { return loop_period_s / std::max(1.0, std::nearbyint(10 * loop_period_s)); }
 
 // Lines a job: a wind change should not hold up frames.
 constexpr std::size_t spectrum_batch = 2;
@@ -86,7 +90,8 @@ void Cascade::add_velocity_stages(JobGraph& graph) {
 void Cascade::begin(Pass pass, const SeaMoment& moment, Tile& tile) {
     fraction_[pass] = loop_fraction(moment.time_s, loop_period_s_);
     tile.lattice = lattice_;
-    tile.whitecap_jacobian = whitecap_jacobian_;
+    tile.whitecap_jacobian = whitecaps_.jacobian;
+    tile.whitecap_ramp = whitecaps_.ramp;
     tile.slope_ranges = slope_ranges_;
 }
 
@@ -115,9 +120,9 @@ LineFigures Cascade::adopt_spectrum() {
         all.slopes += line.slopes;
     }
     const SeaState& sea = bake_->sea;
-    whitecap_jacobian_ = bake_->whitecap_cover > 0
-                             ? whitecap_jacobian(all.folding, sea.choppiness, bake_->whitecap_cover)
-                             : Tile::no_whitecaps;
+    whitecaps_ = bake_->whitecap_cover > 0 ? whitecap_threshold(all.folding, sea.choppiness, bake_->whitecap_cover,
+                                                                tick_s(sea.loop_period_s))
+                                           : WhitecapThreshold{.jacobian = Tile::no_whitecaps, .ramp = 1};
     slope_ranges_ = slope_ranges(all.mean_square_slope);
     lattice_ = bake_->waves.tile().lattice;
     loop_period_s_ = sea.loop_period_s;

@@ -65,7 +65,7 @@ class Cascade final : public WaveSource {
     TileLattice lattice_;
     double loop_period_s_ = 1;
     float choppiness_ = 0;
-    float whitecap_jacobian_ = 0;
+    WhitecapThreshold whitecaps_{.jacobian = 0, .ramp = 1};
     SlopeRanges slope_ranges_;
 
     /// A spectrum being baked.

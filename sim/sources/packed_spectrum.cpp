@@ -73,6 +73,7 @@ LineFigures bake_spectrum_line(const SeaState& sea, const TileWaves& waves, cons
             if (!waves.holds(m, n)) continue;  // all zeros
             const double length = std::sqrt(static_cast<double>(m) * m + static_cast<double>(n) * n);
             const double k = length * spacing;
+            const double frequency = angular_frequency(k, waves.spectrum().water());
             const auto put = [&](WaveQuantity quantity, double value) {
                 wave[quantity * out.lanes] = static_cast<float>(value);
             };
@@ -83,7 +84,7 @@ LineFigures bake_spectrum_line(const SeaState& sea, const TileWaves& waves, cons
                 figures.height_variance += mirrors * opposites.expected_square();
                 figures.mean_square_slope += mirrors * opposites.expected_square() * k * k;
                 figures.folding.add_wave(mirrors * opposites.drawn_square(), signed_m * spacing, n * spacing,
-                                         difference(signed_m), difference_z);
+                                         difference(signed_m), difference_z, frequency);
                 figures.slopes.add_wave(mirrors * opposites.expected_square() * shown_x.filter * shown_z.filter,
                                         signed_m == m ? shown_x.derivative : -shown_x.derivative, shown_z.derivative);
             };
@@ -92,8 +93,7 @@ LineFigures bake_spectrum_line(const SeaState& sea, const TileWaves& waves, cons
             if (!pair.is_own_negative()) put_wave(minus_cos_re, mirrored.minus, -m);
             put(direction_x, m / length);
             put(direction_z, n / length);
-            *harmonic =
-                loop_harmonic(angular_frequency(length * spacing, waves.spectrum().water()), sea.loop_period_s);
+            *harmonic = loop_harmonic(frequency, sea.loop_period_s);
         }
     }
     return figures;

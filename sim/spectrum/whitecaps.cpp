@@ -44,12 +44,18 @@ double quantile_of_sum(double cover, int tiles) {
     return normal_quantile(part) / normal_quantile(cover_of_each(part, tiles));
 }
 
-void FoldMoments::add_wave(double mean_square, double wave_x, double wave_z, double difference_x,
-                           double difference_z) {
+void FoldMoments::add_wave(double mean_square, double wave_x, double wave_z, double difference_x, double difference_z,
+                           double angular_frequency) {
     const double part = mean_square / (wave_x * wave_x + wave_z * wave_z);
     const double xx = wave_x * difference_x, zz = wave_z * difference_z;
     const double u = (xx + zz) / 2, v = (xx - zz) / 2, w = (wave_x * difference_z + wave_z * difference_x) / 2;
-    *this += {part * u * u, part * v * v, part * w * w, part * u * v, part * u * w, part * v * w};
+    *this += {part * u * u,
+              part * v * v,
+              part * w * w,
+              part * u * v,
+              part * u * w,
+              part * v * w,
+              part * u * u * angular_frequency * angular_frequency};
 }
 
 FoldMoments& FoldMoments::operator+=(const FoldMoments& other) {
@@ -59,6 +65,7 @@ FoldMoments& FoldMoments::operator+=(const FoldMoments& other) {
     uv += other.uv;
     uw += other.uw;
     vw += other.vw;
+    uu_rate += other.uu_rate;
     return *this;
 }
 
@@ -85,6 +92,11 @@ float whitecap_jacobian(const FoldMoments& m, double choppiness, double cover) {
     const double quantile = z + (z * z - 1) * skewness / 6 + (z * z * z - 3 * z) * excess / 24 -
                             (2 * z * z * z - 5 * z) * skewness * skewness / 36;
     return static_cast<float>(k1 + deviation * quantile);
+}
+
+WhitecapThreshold whitecap_threshold(const FoldMoments& moments, double choppiness, double cover, double tick_s) {
+    static_cast<void>(tick_s);
+    return {whitecap_jacobian(moments, choppiness, cover), 0.1f};
 }
 
 }  // namespace pelagic

@@ -21,15 +21,28 @@ double quantile_of_sum(double cover, int tiles);
 /// but for (Dx,z - Dz,x)^2 / 4, which is 0 without the differences. A sum of many waves is Gaussian.
 struct FoldMoments {
     double uu = 0, vv = 0, ww = 0, uv = 0, uw = 0, vw = 0;  ///< covariances at choppiness 1
+    double uu_rate = 0;                                     ///< mean square of du/dt, 1/s^2, at choppiness 1
 
-    /// A wave of that mean square, m^2. `wave_x` and `_z` are its wave vector, rad/m; the differences what a derivative makes of
-    /// it: sin(k_x d) / d for central differences over texels of side d, k_x for one that is exact.
-    void add_wave(double mean_square, double wave_x, double wave_z, double difference_x, double difference_z);
+    /// A wave of that mean square, m^2, that turns by `angular_frequency` radians a second. `wave_x` and `_z` are its wave vector,
+    /// rad/m; the differences what a derivative makes of it: sin(k_x d) / d for central differences over texels of side d, k_x for
+    /// one that is exact.
+    void add_wave(double mean_square, double wave_x, double wave_z, double difference_x, double difference_z,
+                  double angular_frequency);
     FoldMoments& operator+=(const FoldMoments& other);
 };
 
 /// The Jacobian below which that part of the sea lies, so that the crests that fold most are white and the cover is the
 /// one observed at sea, whatever the choppiness: a quantile of J by its first four cumulants (Cornish and Fisher 1938).
 float whitecap_jacobian(const FoldMoments& moments, double choppiness, double cover);
+
+/// Where water turns white: a texel of Jacobian J makes foam of clamp(1/2 + (jacobian - J) / ramp, 0, 1).
+struct WhitecapThreshold {
+    float jacobian;  ///< half white there
+    float ramp;      ///< above 0: from none to all white
+};
+
+/// The threshold at which foam that lasts covers that part of the sea in the mean.
+/// \param tick_s  between two moments at which foam is made, about 0.1
+WhitecapThreshold whitecap_threshold(const FoldMoments& moments, double choppiness, double cover, double tick_s);
 
 }  // namespace pelagic
