@@ -1,6 +1,5 @@
 #include "pelagic/analytic/plane_waves.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -31,10 +30,6 @@ double PlaneWave::turns_per_m() const {
 
 double deep_water_frequency_hz(double turns_per_m) {
     return std::sqrt(gravity_of_waves_mps2 * (two_pi * turns_per_m)) / two_pi;
-}
-
-double whole_periods(double frequency_hz, double loop_period_s) {
-    return std::max(1.0, std::floor(frequency_hz * loop_period_s + 0.5));
 }
 
 PlaneWaves plane_waves_of(const AnalyticSea& sea) {

@@ -32,10 +32,6 @@ double steepness_of(const PlaneWaves& sea);
 double significant_height_m(const PlaneWaves& sea);
 std::string check(const PlaneWaves& sea);
 
-/// Periods that a deep-water wave of `turns_per_m` has in a loop: the nearest whole number, at least 1, so that no wave
-/// stands frozen.
-double whole_periods(double frequency_hz, double loop_period_s);
-
 /// sqrt(g k) / 2 pi
 double deep_water_frequency_hz(double turns_per_m);
 
