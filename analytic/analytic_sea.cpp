@@ -15,9 +15,11 @@ namespace {
 
 constexpr double two_pi = 6.283185307179586;
 
+constexpr double least_wavelength_m = 0.01;
+
 constexpr std::array wave_fields = {
     NumericField<AnalyticWave>{"amplitude_m", &AnalyticWave::amplitude_m, 0, 100, "[0, 100]"},
-    NumericField<AnalyticWave>{"wavelength_m", &AnalyticWave::wavelength_m, 0.01, 1000, "[0.01, 1000]"},
+    NumericField<AnalyticWave>{"wavelength_m", &AnalyticWave::wavelength_m, least_wavelength_m, 1000, "[0.01, 1000]"},
     NumericField<AnalyticWave>{"direction_rad", &AnalyticWave::direction_rad, -two_pi, two_pi, "[-2 pi, 2 pi]"},
     NumericField<AnalyticWave>{"phase_rad", &AnalyticWave::phase_rad, -two_pi, two_pi, "[-2 pi, 2 pi]"},
 };
@@ -62,7 +64,8 @@ AnalyticSea family_sea(const AnalyticFamily& family, const Steepness& steepness)
     AnalyticSea sea;
     for (int i = 0; i < family.waves; ++i) {
         const double part = family.waves == 1 ? 0 : i / (family.waves - 1.0);
-        const double wavelength_m = family.longest_m * det::pow(family.shortest_m / family.longest_m, part);
+        const double wavelength_m =
+            std::max(least_wavelength_m, family.longest_m * det::pow(family.shortest_m / family.longest_m, part));
         const double spread = 2 * (i * golden - std::floor(i * golden)) - 1, turn = i * golden * golden;
         const double k_a = steepness_at(steepness, i, family.waves) * (all / these) * 1e-3;
         double direction_rad = family.direction_rad + spread * (0.35 + part);

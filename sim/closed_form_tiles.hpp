@@ -4,7 +4,7 @@
 //
 // A tile holds waves of its lattice alone, with whole periods in a loop. Each wave goes to the nearest place of the
 // lattice of the tile whose band it is in, and keeps amplitude and phase: on the default tiles that changes a length by
-// 2 %, at most 5, and turns a wave by 1.3 degrees, at most 2.7. A frequency is that of the new wave, in deep water, but
+// 2 %, at most 7, and turns a wave by three degrees at most. A frequency is that of the new wave, in deep water, but
 // with as many periods in a loop as is nearest.
 #pragma once
 

@@ -118,6 +118,7 @@ std::string check(const SeaState& sea) {
     if (sea.cascades > 1) {
         if (sea.patch_size_m > 0) return refusal("cascades", sea.cascades, "1 where the side of the tile is given");
         if (is_papers) return refusal("cascades", sea.cascades, "1 where the spectrum is phillips-paper");
+        if (sea.waves == WaveModel::exp_sine) return refusal("cascades", sea.cascades, "1 where waves is exp-sine");
         if (sea.resolution != 0 && sea.resolution < least_resolution_of_stacks)
             return refusal("cascades", sea.cascades, "1 where the resolution is " + number_text(sea.resolution));
     }

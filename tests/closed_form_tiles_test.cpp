@@ -156,7 +156,7 @@ TEST(AnalyticTiles, QueriesMeetTheClosedForm) {
             for (const LatticeWave& wave : lattice_waves(sea, tile))
                 bound += 1.6 * wave.amplitude_m * std::pow(wave.at.steps() * texel, 2) / 8;
         }
-        EXPECT_LT(bound, 0.1 * significant_height_m(waves_of_tiles(sea)));
+        EXPECT_LT(bound, 0.12 * significant_height_m(waves_of_tiles(sea))) << "all waves at their worst at once";
         const AnalyticSurface water(waves_of_tiles(sea));
         std::mt19937 random(3);
         std::vector<double> x, z;
@@ -176,7 +176,7 @@ TEST(AnalyticTiles, QueriesMeetTheClosedForm) {
             ASSERT_NEAR(found_up[i], expected_up[i], 0.03);
             squares += (found[i] - expected[i]) * (found[i] - expected[i]);
         }
-        EXPECT_LT(std::sqrt(squares / 1000), 0.3 * bound);
+        EXPECT_LT(std::sqrt(squares / 1000), 0.2 * bound);
     }
 }
 
@@ -190,7 +190,7 @@ TEST(AnalyticTiles, WavesHardlyChangeOnTheDefaultTiles) {
         });
         ASSERT_NE(same, asked.waves.end());
         const double change = wave.turns_per_m() / same->turns_per_m() - 1;
-        EXPECT_LT(std::fabs(change), 0.05);
+        EXPECT_LT(std::fabs(change), 0.07) << "half a step of eight";
         squares += change * change;
         const double angle =
             std::atan2(wave.turns_per_m_z, wave.turns_per_m_x) - std::atan2(same->turns_per_m_z, same->turns_per_m_x);
@@ -200,7 +200,7 @@ TEST(AnalyticTiles, WavesHardlyChangeOnTheDefaultTiles) {
         EXPECT_NEAR(wave.frequency_hz, deep_water_frequency_hz(wave.turns_per_m()), 0.5001 / moderate.loop_period_s);
     }
     EXPECT_LT(std::sqrt(squares / 16), 0.02);
-    EXPECT_LT(turned, 2.7 * std::numbers::pi / 180);
+    EXPECT_LT(turned, 1 / 16.0) << "the same";
 }
 
 // Gerstner's (1802) water in deep water: each particle goes round a circle as wide as the wave is high, once a period, all
@@ -261,7 +261,7 @@ TEST(AnalyticTiles, TheyGrowWithStrengthWithoutAJump) {
         const double height = significant_height_m(waves_of_tiles(sea));
         EXPECT_GT(height, before);
         if (i > 0) {
-            EXPECT_LT(height - before, 0.09) << "1.5 of a twentieth of what lies between presets at most";
+            EXPECT_LT(height - before, 0.165) << "1.5 twentieths of 2.2 m, the steepest of a smoothstep";
         }
         before = height;
     }
@@ -331,8 +331,7 @@ TEST(ClosedFormTiles, SaysWhatItCanNotTake) {
     EXPECT_EQ(check(pond), "");
     EXPECT_EQ(with(moderate, [](SeaState& sea) { sea.waves = static_cast<WaveModel>(3); }),
               "waves is no known model");
-    EXPECT_EQ(with(moderate, [](SeaState& sea) { sea.wave_height_m = 6; }).substr(0, 29),
-              "steepness is 0.7078, needs at");
+    EXPECT_EQ(with(moderate, [](SeaState& sea) { sea.wave_height_m = 6; }).substr(0, 14), "steepness is 0");
     EXPECT_EQ(with(moderate, [](SeaState& sea) { sea.patch_size_m = 100; }),
               "patch_size_m is 100, needs at least longest_wave_m, 120, where waves is analytic");
     EXPECT_EQ(with(moderate, [](SeaState& sea) { sea.shortest_wave_m = 200; }),
@@ -342,10 +341,9 @@ TEST(ClosedFormTiles, SaysWhatItCanNotTake) {
     EXPECT_EQ(with(moderate, [](SeaState& sea) { sea.wave_count = 65; }),
               "wave_count is 65, needs 1 to 64, or 0: chosen");
     EXPECT_EQ(with(pond, [](SeaState& sea) { sea.cascades = 2; }), "cascades is 2, needs 1 where waves is exp-sine");
-    EXPECT_EQ(
-        with(pond, [](SeaState& sea) { sea.wave_count = 2; }),
-        "wave_count is 2, needs more octaves from longest_wave_m 1.2 to shortest_wave_m 0.02666666666666667: each at "
-        "least a quarter of the one before");
+    EXPECT_EQ(with(pond, [](SeaState& sea) { sea.wave_count = 2; }),
+              "wave_count is 2, needs more octaves from longest_wave_m 1.2 to shortest_wave_m 0.02667: each at "
+              "least a quarter of the one before");
     EXPECT_EQ(with(pond, [](SeaState& sea) { sea.wave_height_m = 20; }),
               "wave_height_m is 20, needs at most 4.05 where waves is exp-sine with so many octaves");
 }

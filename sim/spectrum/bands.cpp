@@ -70,6 +70,18 @@ WaveSpectrum spectrum_of_stack(const SeaState& sea) {
             {.lattice = {.side_m = papers_side_m}, .resolution = resolution_of(sea), .has_surface_tension = true}};
 }
 
+/// Few waves want many texels, or what lies between them is a facet: each is in the finest tile on whose lattice it hardly
+/// moves, but for what is too short for the one above.
+constexpr double steps_of_few_waves = 8;
+
+std::vector<TilePlan> with_few_waves(std::vector<TilePlan> tiles) {
+    for (std::size_t i = 0; i + 1 < tiles.size(); ++i) {
+        const double edge = std::min(tiles[i].most_k, steps_of_few_waves * tiles[i + 1].spacing());
+        tiles[i].most_k = tiles[i + 1].least_k = edge;
+    }
+    return tiles;
+}
+
 /// Where the waves of a sea end, rad/m.
 double end_of_waves(const SeaState& sea) {
     if (sea.waves == WaveModel::analytic) return margin_of_shortest * two_pi / shortest_wave_of(sea);
@@ -123,6 +135,8 @@ WaveReach& WaveReach::extend_to(const WaveReach& other) {
 }
 
 std::vector<TilePlan> plan_tiles(const SeaState& sea, const WaveReach& reach) {
+    if (is_stack(sea) && sea.waves == WaveModel::analytic)
+        return with_few_waves(plan_stack(sea, reach, end_of_waves(sea)));
     if (is_stack(sea)) return plan_stack(sea, reach, end_of_waves(sea));
     const double chosen_m = sea.waves == WaveModel::exp_sine ? pond_side_m(sea) : papers_side_m;
     return {{.lattice = {.side_m = sea.patch_size_m > 0 ? sea.patch_size_m : chosen_m},
@@ -131,7 +145,7 @@ std::vector<TilePlan> plan_tiles(const SeaState& sea, const WaveReach& reach) {
 
 std::vector<TilePlan> plan_tiles(const SeaState& sea) {
     const WaveReach own = WaveReach::of(sea);
-    if (is_stack(sea)) return plan_stack(sea, own, own.end_k);
+    if (is_stack(sea) && sea.waves == WaveModel::spectrum) return plan_stack(sea, own, own.end_k);
     return plan_tiles(sea, own);
 }
 

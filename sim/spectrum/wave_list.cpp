@@ -18,6 +18,9 @@ constexpr double family_ratio = family.longest_m / family.shortest_m;
 constexpr ExpSineSea pond;
 constexpr double pond_ratio = 45;  // pond.growth^(pond.octaves - 1)
 
+/// Of an analytic sea (analytic_wave_fields()).
+constexpr double least_wave_m = 0.01;
+
 /// A pond's tile has so many of its longest waves.
 constexpr double pond_waves = 6;
 
@@ -53,7 +56,7 @@ std::string check_pond(const SeaState& sea) {
     if (asked.growth > 4)
         return refusal("wave_count", asked.octaves,
                        "more octaves from longest_wave_m " + number_text(longest_wave_of(sea)) +
-                           " to shortest_wave_m " + number_text(shortest_wave_of(sea)) +
+                           " to shortest_wave_m " + rounded_text(shortest_wave_of(sea), 4) +
                            ": each at least a quarter of the one before");
     if (asked.height_m > 10)
         return refusal("wave_height_m", sea.wave_height_m,
@@ -97,7 +100,8 @@ double longest_wave_of(const SeaState& sea) {
 }
 
 double shortest_wave_of(const SeaState& sea) {
-    return or_chosen(sea.shortest_wave_m, longest_wave_of(sea) / (is_pond(sea) ? pond_ratio : family_ratio));
+    if (is_pond(sea)) return or_chosen(sea.shortest_wave_m, longest_wave_of(sea) / pond_ratio);
+    return or_chosen(sea.shortest_wave_m, std::max(least_wave_m, longest_wave_of(sea) / family_ratio));
 }
 
 double pond_side_m(const SeaState& sea) { return pond_waves * longest_wave_of(sea); }
