@@ -13,6 +13,7 @@
 #include "pelagic/sim/history/foam_drift.hpp"
 #include "pelagic/sim/history/foam_history.hpp"
 #include "pelagic/sim/sources/cascade.hpp"
+#include "pelagic/sim/sources/pond.hpp"
 #include "pelagic/sim/sources/weather.hpp"
 #include "pelagic/sim/surface/fold_stages.hpp"
 #include "pelagic/sim/surface/surface_stages.hpp"
@@ -50,7 +51,7 @@ class Ocean::Sources {
           slots_(tiles_of(forecast.first), resolution_of(forecast.first), kernels_for(isa).lanes, extras_),
           folds_(slots_, kernels_for(isa)) {
         for (std::size_t tile = 0; tile < slots_.tile_count(); ++tile) {
-            cascades_.push_back(std::make_unique<Cascade>(slots_, tile, kernels_for(isa), extras_));
+            cascades_.push_back(source_of(forecast.first.waves, tile));
             surfaces_.push_back(std::make_unique<SurfaceStages>(slots_, tile, kernels_for(isa), extras_));
         }
         if (extras_.foam) foam_.emplace(slots_, kernels_for(isa), extras_.memory);
@@ -188,7 +189,7 @@ class Ocean::Sources {
     }
     std::size_t bytes() const {
         std::size_t bytes = slots_.bytes();
-        for (const auto& cascade : cascades_) bytes += sizeof(Cascade) + cascade->bytes();
+        for (const auto& cascade : cascades_) bytes += cascade->bytes();
         for (const auto& surface : surfaces_) bytes += sizeof(SurfaceStages) + surface->bytes();
         if (foam_) bytes += foam_->bytes();
         return bytes;
@@ -196,6 +197,10 @@ class Ocean::Sources {
 
    private:
     static std::size_t tiles_of(const SeaState& sea) { return static_cast<std::size_t>(cascades_of(sea)); }
+    std::unique_ptr<SeaSource> source_of(WaveModel waves, std::size_t tile) {
+        if (waves == WaveModel::exp_sine) return std::make_unique<Pond>(slots_, tile, isa_, extras_);
+        return std::make_unique<Cascade>(slots_, tile, kernels_for(isa_), extras_);
+    }
 
     TickClock clock() const { return TickClock(weather_.forecast().first.loop_period_s); }
     /// The waves of the loop are those of any loop, and the weather is that of the tick's own time.
@@ -230,7 +235,7 @@ class Ocean::Sources {
     Weather weather_;
     FrameExtras extras_;
     FrameSlots slots_;
-    std::vector<std::unique_ptr<Cascade>> cascades_;
+    std::vector<std::unique_ptr<SeaSource>> cascades_;
     std::vector<std::unique_ptr<SurfaceStages>> surfaces_;
     FoldStages folds_;
     std::optional<FoamHistory> foam_;
@@ -459,6 +464,9 @@ void Ocean::schedule_sea(const SeaState& sea) {
     if (resolution_of(sea) != resolution())
         throw std::invalid_argument(
             refusal("resolution", resolution_of(sea), number_text(resolution()) + ", as the ocean was built"));
+    if ((sea.waves == WaveModel::exp_sine) != (this->sea().waves == WaveModel::exp_sine))
+        throw std::invalid_argument(refusal("waves", name_of(sea.waves),
+                                            std::string(name_of(this->sea().waves)) + ", as the ocean was built"));
     state_->end_bake();
     state_->sources.begin_other_weather(sea);
     try {

@@ -203,7 +203,8 @@ void Cascade::columns_finalize(Pass pass, std::size_t number, float* surface, Pa
 }
 
 std::size_t Cascade::bytes() const {
-    std::size_t bytes = plan_.bytes() + (part_bounds_.capacity() + velocity_bounds_.capacity()) * sizeof(PartBounds);
+    std::size_t bytes = sizeof(Cascade) + plan_.bytes() +
+                        (part_bounds_.capacity() + velocity_bounds_.capacity()) * sizeof(PartBounds);
     for (const auto& waves : seas_)
         if (waves) bytes += waves->spectrum.bytes();
     for (const Pass pass : {Pass::tick, Pass::frame}) bytes += shown_[pass].blended.bytes();

@@ -29,10 +29,6 @@ int white_tiles_of(const SeaState& sea, const WaveReach& reach) {
         std::count_if(plans.begin(), plans.end(), [](const TilePlan& plan) { return plan.makes_whitecaps(); }));
 }
 
-double between(double before, double after, double part) {
-    return part == 0 ? before : (1 - part) * before + part * after;
-}
-
 }  // namespace
 
 Weather::Weather(const Forecast& forecast)
@@ -70,23 +66,33 @@ SeaState Weather::sea_at(const SeaMoment& moment) const {
 }
 
 SeaFigures Weather::figures_at(const SeaMoment& moment) const {
-    const Sums &before = sums_[*shelf_.find(moment.before)], &after = sums_[*shelf_.find(moment.after)];
-    const auto blend = [&](double Sums::*number) { return between(before.*number, after.*number, moment.part); };
-    SlopeMoments slopes = before.slopes;
-    if (!moment.is_steady()) {
-        slopes = before.slopes * (1 - moment.part);
-        slopes += after.slopes * moment.part;
-    }
-    const SeaState sea = sea_at(moment);
+    const Baked &before = baked_[*shelf_.find(moment.before)], &after = baked_[*shelf_.find(moment.after)];
+    if (moment.is_steady()) return before.figures;
+    const auto between = [&](double of_before, double of_after) {
+        return (1 - moment.part) * of_before + moment.part * of_after;
+    };
+    const auto blend = [&](double Sums::*number) { return between(before.sums.*number, after.sums.*number); };
+    Sums sums{.height_variance = blend(&Sums::height_variance),
+              .slopes = before.sums.slopes * (1 - moment.part),
+              .stokes_x = blend(&Sums::stokes_x),
+              .stokes_z = blend(&Sums::stokes_z),
+              .whitecap_cover = blend(&Sums::whitecap_cover)};
+    sums.slopes += after.sums.slopes * moment.part;
+    SeaFigures figures = figures_of(sea_at(moment), sums);
+    figures.roughness = between(before.figures.roughness, after.figures.roughness);
+    return figures;
+}
+
+SeaFigures Weather::figures_of(const SeaState& sea, const Sums& sums) const {
     SeaFigures figures;
-    figures.significant_wave_height_m = 4 * std::sqrt(blend(&Sums::height_variance));
+    figures.significant_wave_height_m = 4 * std::sqrt(sums.height_variance);
     const WindDrift wind = wind_drift(sea);
-    figures.foam_drift_x_mps = wind.x_mps + blend(&Sums::stokes_x);
-    figures.foam_drift_z_mps = wind.z_mps + blend(&Sums::stokes_z);
-    figures.resolved_slopes = slopes.around(sea.wind_direction_rad);
-    figures.unresolved_slopes = unresolved_slopes(figures.resolved_slopes, sea.wind_speed_mps);
-    figures.whitecap_depth_of_sum = quantile_of_sum(blend(&Sums::whitecap_cover), white_tiles_);
-    figures.roughness = blend(&Sums::roughness);
+    figures.foam_drift_x_mps = wind.x_mps + sums.stokes_x;
+    figures.foam_drift_z_mps = wind.z_mps + sums.stokes_z;
+    figures.resolved_slopes = sums.slopes.around(sea.wind_direction_rad);
+    figures.unresolved_slopes = slopes_left(sea, figures.resolved_slopes);
+    figures.whitecap_depth_of_sum = quantile_of_sum(sums.whitecap_cover, white_tiles_);
+    figures.roughness = roughness_of(sea, figures.unresolved_slopes);
     return figures;
 }
 
@@ -101,42 +107,41 @@ std::optional<std::size_t> Weather::wanted_soon(double time_s) const {
     return {};
 }
 
-void Weather::begin(const SeaState& sea, const WaveReach& reach, Cascades cascades) {
+void Weather::begin(const SeaState& sea, const WaveReach& reach, Sources sources) {
     const std::vector<TilePlan> plans = plan_tiles(sea, reach);
     const double cover = cover_of_each(whitecap_cover(sea.wind_speed_mps), white_tiles_of(sea, reach));
     for (std::size_t tile = 0; tile < plans.size(); ++tile)
-        cascades[tile]->begin_spectrum(sea, plans[tile], plans[tile].makes_whitecaps() ? cover : 0);
+        sources[tile]->begin_spectrum(sea, plans[tile], plans[tile].makes_whitecaps() ? cover : 0);
 }
 
-void Weather::begin(std::size_t number, Cascades cascades) {
-    begin(sea(number), reach_, cascades);
+void Weather::begin(std::size_t number, Sources sources) {
+    begin(sea(number), reach_, sources);
     baked_number_ = number;
 }
 
-void Weather::adopt(Cascades cascades) {
+void Weather::adopt(Sources sources) {
     const SeaState& baked = sea(baked_number_);
     const std::size_t place = shelf_.put(baked_number_);
-    Sums& sums = sums_[place] = {};
-    for (const auto& cascade : cascades) {
-        const LineFigures added = cascade->adopt_spectrum(baked_number_, place);
+    Sums sums;
+    for (const auto& source : sources) {
+        const LineFigures added = source->adopt_spectrum(baked_number_, place);
         sums.height_variance += added.height_variance;
-        sums.slopes += added.slopes.in_world(cascade->lattice());
-        const TileLattice::Place stokes = cascade->lattice().in_world(added.stokes_x, added.stokes_z);
+        sums.slopes += added.slopes.in_world(source->lattice());
+        const TileLattice::Place stokes = source->lattice().in_world(added.stokes_x, added.stokes_z);
         sums.stokes_x += stokes.along;
         sums.stokes_z += stokes.across;
     }
     sums.whitecap_cover = whitecap_cover(baked.wind_speed_mps);
-    sums.roughness =
-        roughness_of(baked, unresolved_slopes(sums.slopes.around(baked.wind_direction_rad), baked.wind_speed_mps));
+    baked_[place] = {sums, figures_of(baked, sums)};
 }
 
-void Weather::begin_other(const SeaState& sea, Cascades cascades) {
+void Weather::begin_other(const SeaState& sea, Sources sources) {
     Forecast forecast{.first = sea};
     other_.emplace(Other{forecast, WaveReach::of(sea)});
-    begin(sea, other_->reach, cascades);
+    begin(sea, other_->reach, sources);
 }
 
-void Weather::restart(Cascades cascades) {
+void Weather::restart(Sources sources) {
     first_number_ += forecast_.changes.size() + 1;
     forecast_ = other_->forecast;
     reach_ = other_->reach;
@@ -144,9 +149,9 @@ void Weather::restart(Cascades cascades) {
     white_tiles_ = white_tiles_of(forecast_.first, reach_);
     other_.reset();
     shelf_.clear();
-    for (const auto& cascade : cascades) cascade->forget_seas();
+    for (const auto& source : sources) source->forget_seas();
     baked_number_ = first_number_;
-    adopt(cascades);
+    adopt(sources);
 }
 
 }  // namespace pelagic

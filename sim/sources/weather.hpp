@@ -1,4 +1,4 @@
-// Which sea there is when, and whose waves are at hand: a forecast, and what its seas make of the cascades.
+// Which sea there is when, and whose waves are at hand: a forecast, and what its seas make of the sources.
 //
 // Seas are numbered for the life of an ocean, so that one that is forgotten is never taken for another.
 #pragma once
@@ -12,8 +12,8 @@
 
 #include "pelagic/sim/forecast.hpp"
 #include "pelagic/sim/frame.hpp"
-#include "pelagic/sim/sources/cascade.hpp"
 #include "pelagic/sim/sources/sea_shelf.hpp"
+#include "pelagic/sim/sources/sea_source.hpp"
 #include "pelagic/sim/spectrum/mean_square_slope.hpp"
 #include "pelagic/sim/tile_plan.hpp"
 
@@ -21,7 +21,7 @@ namespace pelagic {
 
 class Weather {
    public:
-    using Cascades = std::span<const std::unique_ptr<Cascade>>;
+    using Sources = std::span<const std::unique_ptr<SeaSource>>;
 
     /// \pre check(forecast) is empty
     explicit Weather(const Forecast& forecast);
@@ -52,13 +52,13 @@ class Weather {
     /// A sea that is not at hand, and that frames around this one will need.
     std::optional<std::size_t> wanted_soon(double time_s) const;
 
-    /// What the next run of the cascades' stages `spectrum` bakes: a sea of the forecast, which adopt() puts at hand, or
-    void begin(std::size_t number, Cascades cascades);
-    void adopt(Cascades cascades);
+    /// What the next run of the sources' stages `spectrum` bakes: a sea of the forecast, which adopt() puts at hand, or
+    void begin(std::size_t number, Sources sources);
+    void adopt(Sources sources);
     /// the only sea of another weather, which starts with restart(). Until then frames show this one, and seas of it may be baked
     /// once the other's spectrum is set aside.
-    void begin_other(const SeaState& sea, Cascades cascades);
-    void restart(Cascades cascades);
+    void begin_other(const SeaState& sea, Sources sources);
+    void restart(Sources sources);
 
    private:
     /// What all tiles of a sea add up to.
@@ -67,7 +67,10 @@ class Weather {
         SlopeMoments slopes;                ///< in the world's axes
         double stokes_x = 0, stokes_z = 0;  ///< likewise
         double whitecap_cover = 0;
-        double roughness = 0;
+    };
+    struct Baked {
+        Sums sums;
+        SeaFigures figures;  ///< of this sea alone
     };
     /// Another weather, whose sea is being baked.
     struct Other {
@@ -76,14 +79,15 @@ class Weather {
     };
 
     const SeaState& sea(std::size_t number) const { return forecast_.sea(number - first_number_); }
-    void begin(const SeaState& sea, const WaveReach& reach, Cascades cascades);
+    SeaFigures figures_of(const SeaState& sea, const Sums& sums) const;
+    void begin(const SeaState& sea, const WaveReach& reach, Sources sources);
 
     Forecast forecast_;
     WaveReach reach_;
     std::size_t first_number_ = 0;  ///< of forecast_.first
     int white_tiles_ = 0;           ///< that make whitecaps
     SeaShelf shelf_;
-    std::array<Sums, SeaShelf::places> sums_;
+    std::array<Baked, SeaShelf::places> baked_;
     std::size_t baked_number_ = 0;
     std::optional<Other> other_;
 };
