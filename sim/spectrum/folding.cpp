@@ -46,6 +46,10 @@ FoldMoments& FoldMoments::operator+=(const FoldMoments& other) {
     return *this;
 }
 
+FoldMoments FoldMoments::operator*(double weight) const {
+    return {uu * weight, vv * weight, ww * weight, uv * weight, uw * weight, vw * weight, uu_rate * weight};
+}
+
 double FoldMoments::frequency_radps() const { return std::sqrt(uu_rate / uu); }
 
 // J = 1 + 2u + x'Ax with x = (u, v, w), A = diag(1, -1, -1) and covariances S has the cumulants, with l = (2, 0, 0),

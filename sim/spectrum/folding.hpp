@@ -20,6 +20,7 @@ struct FoldMoments {
     void add_wave(double mean_square, double wave_x, double wave_z, double difference_x, double difference_z,
                   double angular_frequency);
     FoldMoments& operator+=(const FoldMoments& other);
+    FoldMoments operator*(double weight) const;  ///< of waves with so much of their energy
 
     /// How fast J changes where it is small: 2u is most of it. \pre uu is above 0
     double frequency_radps() const;
