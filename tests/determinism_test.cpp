@@ -94,6 +94,9 @@ const SeaState folded_sea{.spectrum = SpectrumModel::phillips_paper,
                           .choppiness = 1};
 const SeaState smooth_sea{.resolution = 256, .patch_size_m = 250, .choppiness = 1};
 const SeaState sea_of_tiles{.cascades = 4, .resolution = 64, .choppiness = 1};
+/// Of few waves.
+const SeaState analytic_sea_state{.waves = WaveModel::analytic, .resolution = 64, .choppiness = 1};
+const SeaState pond{.waves = WaveModel::exp_sine, .resolution = 64};
 
 std::unique_ptr<Ocean> asked_ocean(const SeaState& sea, Isa isa = choose_isa(),
                                    std::shared_ptr<Executor> executor = make_serial_executor()) {
@@ -118,6 +121,22 @@ TEST(Determinism, EveryInstructionSetExecutorAndThreadCountGivesTheSameBits) {
                 for (const Host& host : hosts())
                     EXPECT_EQ(hash_at(sea, 12.34, isa, host.executor), expected)
                         << n << " " << name_of(isa) << " " << host.name;
+        }
+    }
+}
+
+TEST(Determinism, SeasOfFewWavesHaveTheSameBitsEverywhereToo) {
+    for (const SeaState& of_few : {analytic_sea_state, pond}) {
+        for (const int n : {16, 128}) {
+            SeaState sea = of_few;
+            sea.resolution = n;
+            if (n == 16) sea.longest_wave_m = sea.shortest_wave_m = sea.patch_size_m = 8;
+            ASSERT_EQ(check(sea), "");
+            const std::uint64_t expected = hash_at(sea, 12.34, isas_here().front());
+            for (const Isa isa : isas_here())
+                for (const Host& host : hosts())
+                    EXPECT_EQ(hash_at(sea, 12.34, isa, host.executor), expected)
+                        << name_of(sea.waves) << " " << n << " " << name_of(isa) << " " << host.name;
         }
     }
 }
@@ -206,7 +225,7 @@ TEST(Determinism, OceansMayBeDestroyedInFlight) {
 }
 
 TEST(Determinism, ASeaThatCanBeAskedIsTheSameSea) {
-    for (const SeaState& sea : {folded_sea, smooth_sea, sea_of_tiles})
+    for (const SeaState& sea : {folded_sea, smooth_sea, sea_of_tiles, analytic_sea_state, pond})
         for (const Host& host : hosts())
             EXPECT_EQ(hash_of(asked_ocean(sea, choose_isa(), host.executor)->frame_at(7)), hash_at(sea, 7))
                 << host.name;
@@ -232,7 +251,7 @@ TEST(Determinism, FoamIsTheSameOnEveryInstructionSetExecutorAndThreadCount) {
 
 TEST(Determinism, EveryInstructionSetGivesTheSameAnswers) {
     const AskedPoints points(20000);
-    for (const SeaState& sea : {folded_sea, smooth_sea, sea_of_tiles}) {
+    for (const SeaState& sea : {folded_sea, smooth_sea, sea_of_tiles, analytic_sea_state, pond}) {
         const std::uint64_t expected = answers_at(sea, 3, isas_here().front(), points).hash();
         for (const Isa isa : isas_here()) EXPECT_EQ(answers_at(sea, 3, isa, points).hash(), expected) << name_of(isa);
     }
@@ -438,6 +457,8 @@ TEST(Determinism, GoldenHashesNeverChange) {
     seas["shallow-64"] = {.resolution = 64, .patch_size_m = 250, .depth_m = 8};
     seas["breaking-swell-64"] = {
         .resolution = 64, .patch_size_m = 250, .depth_m = 2, .swell_height_m = 1, .swell_direction_rad = 2};
+    seas["analytic-64"] = analytic_sea_state;
+    seas["exp-sine-64"] = pond;
     seas["small-waves-64"] = {.resolution = 64, .patch_size_m = 250, .small_waves = 0.8};
     for (const std::string name : {"calm", "moderate", "rough", "storm"})
         seas["preset-" + name] = sea_preset_named(name)->sea;
@@ -465,8 +486,11 @@ TEST(Determinism, GoldenHashesNeverChange) {
     }
     // Answers to queries, velocities included.
     const AskedPoints points(5000);
-    for (const auto& [name, sea] :
-         {std::pair{"queries-folded", folded_sea}, {"queries-smooth", smooth_sea}, {"queries-tiles", sea_of_tiles}}) {
+    for (const auto& [name, sea] : {std::pair{"queries-folded", folded_sea},
+                                    {"queries-smooth", smooth_sea},
+                                    {"queries-tiles", sea_of_tiles},
+                                    {"queries-analytic", analytic_sea_state},
+                                    {"queries-exp-sine", pond}}) {
         std::ostringstream hash;
         hash << std::hex << answers_at(sea, 12.34, choose_isa(), points).hash();
         EXPECT_EQ(golden[name], hash.str()) << "the line would be: " << name << " " << hash.str();
