@@ -16,6 +16,10 @@ struct WindDrift {
 };
 WindDrift wind_drift(const SeaState& sea);
 
+/// With Stokes' drift, before that is known: 3.3 % of the wind's speed its way. Of the presets and of the default sea in any wind it
+/// is 2.9 to 3.5 %.
+WindDrift usual_foam_drift(const SeaState& sea);
+
 /// Whole texels along a tile's axes, of any sign.
 struct DriftTexels {
     int x, z;
