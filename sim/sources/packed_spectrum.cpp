@@ -79,7 +79,7 @@ LineFigures bake_spectrum_line(const SeaState& sea, const TileWaves& waves, cons
             if (!waves.holds(m, n)) continue;  // all zeros
             const double length = std::sqrt(static_cast<double>(m) * m + static_cast<double>(n) * n);
             const double k = length * spacing;
-            const double frequency = angular_frequency(k, waves.spectrum().water());
+            const double frequency = angular_frequency(k, waves.water());
             const auto put = [&](WaveQuantity quantity, double value) {
                 wave[quantity * out.lanes] = static_cast<float>(value);
             };
