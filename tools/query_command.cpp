@@ -54,6 +54,7 @@ void QueryFlags::add_to(CLI::App& app) {
         ->type_name("FIRST:LAST:STEP");
     app.add_flag("--json", json_, "an array of objects, one a line, instead of CSV");
     sea_.add_to(app);
+    sea_.add_weather_to(app);
     compute_.add_to(app);
     app.footer(
         "Prints x,z,height,nx,ny,nz,vx,vy,vz,jacobian,error_m,converged: metres, metres a second, the normal as a\n"
@@ -81,7 +82,7 @@ void QueryFlags::run() const {
     bool has_points = reader.read_block(block, block_points);
 
     const auto executor = make_default_executor(compute.threads);
-    Ocean ocean(sea.sea, {.executor = executor, .isa = compute.isa, .queries = true, .velocities = true});
+    Ocean ocean(forecast_of(sea), {.executor = executor, .isa = compute.isa, .queries = true, .velocities = true});
     SurfaceQueryJobs jobs(executor);
     RowWriter rows(executor, json_, times_.has_value());
     Answers answers;
