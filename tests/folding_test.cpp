@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "pelagic/sim/history/foam_drift.hpp"
+#include "pelagic/sim/spectrum/wind_drift.hpp"
 #include "pelagic/sim/ocean.hpp"
 
 namespace pelagic {
