@@ -9,17 +9,6 @@
 
 namespace pelagic {
 
-/// What the wind alone does to the skin of the sea, 2 % of its speed. With Stokes' drift, 1 to 2 % of the wind in seas that it
-/// has raised, that is the 3 to 4 % which drifters and slicks show (Wu 1975).
-struct WindDrift {
-    double x_mps, z_mps;
-};
-WindDrift wind_drift(const SeaState& sea);
-
-/// With Stokes' drift, before that is known: 3.3 % of the wind's speed its way. Of the presets and of the default sea in any wind it
-/// is 2.9 to 3.5 %.
-WindDrift usual_foam_drift(const SeaState& sea);
-
 /// Whole texels along a tile's axes, of any sign.
 struct DriftTexels {
     int x, z;

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <complex>
 
-#include "pelagic/sim/history/foam_drift.hpp"
 #include "pelagic/sim/kernels/kernels.hpp"
 #include "pelagic/sim/spectrum/dispersion.hpp"
+#include "pelagic/sim/spectrum/wind_drift.hpp"
 #include "pelagic/simd/det_math.hpp"
 
 namespace pelagic {
@@ -50,6 +50,29 @@ PackedSpectrum::PackedSpectrum(const FftPlan& plan, std::size_t lane_count, cons
       pairs(plan.pairs().size() * static_cast<std::size_t>(plan.tables().first_step().radix)),
       waves(line_blocks(plan.tables().size, lanes) * pairs * wave_quantities * lanes, memory),
       harmonics(line_blocks(plan.tables().size, lanes) * pairs * lanes, memory) {}
+
+LineFigures& LineFigures::operator+=(const LineFigures& other) {
+    height_variance += other.height_variance;
+    mean_square_slope += other.mean_square_slope;
+    slopes += other.slopes;
+    folding += other.folding;
+    stokes_x += other.stokes_x;
+    stokes_z += other.stokes_z;
+    return *this;
+}
+
+LineFigures between(const LineFigures& before, const LineFigures& after, double part) {
+    if (part == 0) return before;
+    if (part == 1) return after;
+    LineFigures sum;
+    const auto add = [&](const LineFigures& of, double weight) {
+        sum += {of.height_variance * weight, of.mean_square_slope * weight, of.slopes * weight,
+                of.folding * weight,         of.stokes_x * weight,          of.stokes_z * weight};
+    };
+    add(before, 1 - part);
+    add(after, part);
+    return sum;
+}
 
 LineFigures bake_spectrum_line(const SeaState& sea, const TileWaves& waves, const FftPlan& plan, std::size_t line,
                                PackedSpectrum& out) {
