@@ -99,11 +99,11 @@ class Ocean::Sources {
         const std::vector<TilePlan> plans = plan_tiles(sea);
         const auto white =
             std::count_if(plans.begin(), plans.end(), [](const TilePlan& plan) { return plan.makes_whitecaps(); });
-        const double cover = cover_of_each(whitecap_cover(sea.wind_speed_mps), static_cast<int>(white));
+        const double cover = cover_of_each(whitecap_cover(sea), static_cast<int>(white));
         for (std::size_t tile = 0; tile < plans.size(); ++tile)
             cascades_[tile]->begin_spectrum(sea, plans[tile], plans[tile].makes_whitecaps() ? cover : 0);
         baked_sea_ = sea;
-        baked_whitecap_depth_ = quantile_of_sum(whitecap_cover(sea.wind_speed_mps), static_cast<int>(white));
+        baked_whitecap_depth_ = quantile_of_sum(whitecap_cover(sea), static_cast<int>(white));
     }
     void adopt_sea() {
         const DefaultFloatEnvironment environment;
