@@ -21,6 +21,8 @@ struct SeaFigures {
     /// What the smoothness channel says of the water between texels, 1 - sqrt(roughness): SeaState::roughness, or what the wind
     /// and the unresolved slopes make of it.
     double roughness = 0;
+    /// How fast foam drifts over the sea, m/s: with the wind and with the waves (Stokes' drift), in the world's axes.
+    double foam_drift_x_mps = 0, foam_drift_z_mps = 0;
     /// Where the sum of the tiles, not each, is to be as white as whitecaps cover: its Jacobian there is below 1 by this part of
     /// the root of the sum of the squares of how far below 1 each Tile::whitecap_jacobian is.
     double whitecap_depth_of_sum = 1;
@@ -39,10 +41,14 @@ struct Frame {
     FrameBounds bounds;
 };
 
-/// XXH3 of every output of the frame: of each tile the rows of dx, height and dz, the half floats, the gradient chain (of
+/// XXH3 of every output of the frame: of each tile the rows of dx, height and dz, the half floats but for foam, the gradient chain (of
 /// several tiles the two chains of slopes instead) and the bounds, in this order, little-endian. The time is not in it, nor are
 /// velocities, folds and whichever chains only OceanOptions asked for: whoever wants them has the same sea as one who doesn't.
 /// Textures that were written into memory of the host's (texture_targets.hpp) are not in it either. Two frames with equal hashes hold the same bits.
 std::uint64_t hash_of(const Frame& frame);
+
+/// The same of the tiles' chains of foam, which belong to the sea and the time as everything else does, and are asked for by
+/// OceanOptions::foam.
+std::uint64_t foam_hash_of(const Frame& frame);
 
 }  // namespace pelagic

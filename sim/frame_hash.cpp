@@ -1,6 +1,8 @@
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
+#include <algorithm>
+#include <array>
 #include <vector>
 
 #include "pelagic/sim/frame.hpp"
@@ -8,6 +10,30 @@
 namespace pelagic {
 
 static_assert(std::endian::native == std::endian::little, "the hash is defined over little-endian bytes");
+
+namespace {
+
+/// The half floats of the displacement, with 0 in the place of foam.
+void update_with_displacement(XXH3_state_t& state, std::span<const std::uint16_t> rgba16f) {
+    constexpr std::size_t halves_at_once = 4096;
+    std::array<std::uint16_t, halves_at_once> halves;
+    while (!rgba16f.empty()) {
+        const std::size_t count = std::min(rgba16f.size(), halves_at_once);
+        std::copy_n(rgba16f.data(), count, halves.data());
+        for (std::size_t i = 3; i < count; i += 4) halves[i] = 0;
+        XXH3_64bits_update(&state, halves.data(), count * sizeof halves[0]);
+        rgba16f = rgba16f.subspan(count);
+    }
+}
+
+}  // namespace
+
+std::uint64_t foam_hash_of(const Frame& frame) {
+    XXH3_state_t state;
+    XXH3_64bits_reset(&state);
+    for (const Tile& tile : frame.tiles) XXH3_64bits_update(&state, tile.foam_r8.data(), tile.foam_r8.size());
+    return XXH3_64bits_digest(&state);
+}
 
 std::uint64_t hash_of(const Frame& frame) {
     XXH3_state_t state;
@@ -21,7 +47,7 @@ std::uint64_t hash_of(const Frame& frame) {
                 XXH3_64bits_update(&state, row.data(), row.size() * sizeof(float));
             }
         }
-        XXH3_64bits_update(&state, tile.displacement_rgba16f.data(), tile.displacement_rgba16f.size_bytes());
+        update_with_displacement(state, tile.displacement_rgba16f);
         if (frame.tiles.size() == 1) {
             XXH3_64bits_update(&state, tile.gradient_rgba8.data(), tile.gradient_rgba8.size_bytes());
         } else {

@@ -10,9 +10,11 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "pelagic/jobs/executor.hpp"
 #include "pelagic/jobs/trace.hpp"
@@ -25,7 +27,7 @@
 
 namespace pelagic {
 
-/// How the sea is computed, and what comes with it; nothing in here changes a bit of the sea.
+/// How the sea is computed, and what comes with it; nothing in here changes a bit of the sea but `foam`, and that only foam.
 struct OceanOptions {
     std::shared_ptr<Executor> executor = {};  ///< none: oneTBB with its default number of threads
     std::optional<Isa> isa = {};              ///< none: PELAGIC_ISA, else the strongest that this CPU runs
@@ -34,7 +36,11 @@ struct OceanOptions {
     bool velocities = false;  ///< frames have velocities; 12 N^2 bytes a frame and about twice the transforms
     bool gradients = false;   ///< frames of several tiles have each tile's own normals too; those of one always do
     bool slopes = false;      ///< a frame of one tile has slopes too (slope_sum.hpp); those of several always do
-    HostMemory memory = {};   ///< none: operator new. For frames and spectra, all but some 100 KB of an ocean
+    /// Frames remember foam: what breaks lasts for 2.9 seconds, fades and drifts (history/foam_history.hpp). A frame up to a tenth of a
+    /// second after the one before costs nothing more, or one tick, less than a frame; a jump in time costs 29 of them.
+    /// 10 N^2 / 3 bytes a tile and two frames of N^2 4/3. Without it half floats hold only what breaks at that very moment.
+    bool foam = false;
+    HostMemory memory = {};  ///< none: operator new. For frames and spectra, all but some 100 KB of an ocean
 };
 
 /// Not thread-safe: one thread at a time calls its methods; the work runs on the executor.
@@ -51,7 +57,8 @@ class Ocean {
 
     /// Starts the frame at `time_s` and returns at once; a small one (N up to 64) is left to complete(), which is done
     /// with it sooner than other threads would be. Any finite time, in any order: a frame is a pure function of
-    /// the sea and the time, and time_s + n * loop_period_s gives the same bits.
+    /// the sea and the time, and time_s + n * loop_period_s gives the same bits. With OceanOptions::foam the warm-up of a jump in
+    /// time is left to complete(), too.
     /// \pre no frame is in flight
     void schedule(double time_s) { schedule(time_s, {}); }
 
@@ -90,6 +97,13 @@ class Ocean {
     std::size_t tile_count() const;  ///< of every frame
     int resolution() const;          ///< texels along a side of each tile
     const SeaState& sea() const;     ///< the sea that the next frame shows
+    /// What frames remember, for whoever wants to go on from `time_s` without a warm-up: the bytes of ticks up to the frame
+    /// completed last. Empty without OceanOptions::foam.
+    std::vector<std::uint8_t> saved_history() const;
+    /// Takes that up, in an ocean of the same sea. Throws std::invalid_argument if it is none of such an ocean.
+    /// \pre no frame is in flight
+    void restore_history(std::span<const std::uint8_t> saved);
+
     Isa isa() const;
     const Executor& executor() const;
     const JobGraph& graph() const;     ///< the stages of a frame

@@ -109,6 +109,9 @@ struct Tile {
     /// what the bytes mean and how to get a normal. Empty in a frame of one tile unless OceanOptions::slopes.
     std::span<const std::uint32_t> slopes_rgba8, moments_rgba8;
     SlopeRanges slope_ranges;
+    /// The chain of mip_levels() levels of foam, one byte a texel, 0 none to 255 covered: what breaks now and what is left of
+    /// earlier. Empty unless OceanOptions::foam. As a part of 1 it is the fourth of the half floats.
+    std::span<const std::uint8_t> foam_r8;
     /// Of h_x plus of h_z over the whole tile, as the chains' last level has it, also where they are in memory of the host's
     /// (texture_targets.hpp); 0 without slopes.
     double slope_variance = 0;
@@ -120,11 +123,14 @@ struct Tile {
     float whitecap_ramp = 1;  ///< above 0
     static constexpr float no_whitecaps = -10;
 
+    bool makes_whitecaps() const { return whitecap_jacobian != no_whitecaps; }
+
     int resolution() const { return height.resolution; }
     double texel_m() const { return lattice.side_m / resolution(); }
     std::span<const std::uint32_t> gradient_level(int level) const { return level_of(gradient_rgba8, level); }
     /// One level of any of the chains.
-    std::span<const std::uint32_t> level_of(std::span<const std::uint32_t> chain, int level) const {
+    template <class Texel>
+    std::span<const Texel> level_of(std::span<const Texel> chain, int level) const {
         const std::size_t side = static_cast<std::size_t>(resolution()) >> level;
         return chain.subspan(mip_offset(resolution(), level), side * side);
     }

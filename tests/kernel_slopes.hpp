@@ -40,6 +40,7 @@ inline unfused::TileSlopes slopes_by(const Kernels& kernels, const unfused::Tile
                          .sine = planes.sine,
                          .ranges = ranges,
                          .rgba16f = halves.data(),
+                         .foam = {.source = planes.foam},
                          .slopes = chain_in(slopes.data(), n),
                          .moments = chain_in(moments.data(), n),
                          .averages = &averages};

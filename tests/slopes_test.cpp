@@ -14,6 +14,7 @@
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/slope_sum.hpp"
 #include "pelagic/sim/spectrum/amplitudes.hpp"
+#include "pelagic/sim/surface/foam_source.hpp"
 #include "pelagic/sim/surface/surface_look.hpp"
 #include "pelagic/sim/surface/surface_stages.hpp"
 #include "pelagic/sim/tile_plan.hpp"
@@ -85,7 +86,14 @@ SurfaceSlopes exact_slopes(const WaveTile& tile, double choppiness, double x, do
 TilePlanes planes_of(const WaveTile& tile, double choppiness) {
     const double c = std::cos(tile.angle_rad), s = std::sin(tile.angle_rad);
     const double texel = tile.side_m / tile.resolution;
-    TilePlanes planes{tile.resolution, tile.side_m, static_cast<float>(c), static_cast<float>(s), {}, {}, {}};
+    TilePlanes planes{tile.resolution,
+                      tile.side_m,
+                      static_cast<float>(c),
+                      static_cast<float>(s),
+                      {},
+                      {},
+                      {},
+                      {.offset = 200, .scale = 255}};
     for (int j = 0; j < tile.resolution; ++j) {
         for (int i = 0; i < tile.resolution; ++i) {
             const double x = texel * (i * c - j * s), z = texel * (i * s + j * c);
@@ -506,6 +514,7 @@ Gradients gradients_by(const Kernels& kernels, const TilePlanes& planes, bool wi
                      .normal_length = mean_normal_length(0.1f),
                      .smoothness_bits = smoothness_bits(0.1f),
                      .rgba16f = with_halves ? halves.data() : nullptr,
+                     .foam = {.source = planes.foam},
                      .levels = {},
                      .averages = averages.level(GradientsJob::tile_levels),
                      .average_stride = averages.stride(GradientsJob::tile_levels),
@@ -542,12 +551,12 @@ TEST_P(SlopesOnEachIsa, GradientsOfATurnedTileTurnWithIt) {
         ASSERT_NEAR(byte(askew, 2), byte(straight, 2), 1) << i;
         ASSERT_NEAR(byte(askew, 3), byte(straight, 3), 1) << i;
     }
-    // J of two floats apart: what a bit of a slope of metres over texels makes, and half a step of a half.
+    // A step of a byte, where J of two floats apart falls on either side of it, and half a step of a half.
     for (std::size_t i = 3; i < straight.halves.size(); i += 4) {
         Imath::half before, after;
         before.setBits(straight.halves[i]);
         after.setBits(askew.halves[i]);
-        ASSERT_NEAR(float{after}, float{before}, 1e-3) << i;
+        ASSERT_NEAR(float{after}, float{before}, 1.0 / 255 + 1e-3) << i;
     }
 }
 
@@ -566,7 +575,8 @@ TilePlanes planes_of(const Tile& tile) {
                       static_cast<float>(tile.lattice.sine),
                       {},
                       {},
-                      {}};
+                      {},
+                      foam_source(tile)};
     for (int j = 0; j < tile.resolution(); ++j) {
         for (int i = 0; i < tile.resolution(); ++i) {
             planes.dx.push_back(tile.dx.at(i, j));
@@ -644,6 +654,8 @@ TEST(SlopesOfFrames, MakeTheHalvesAndTheHashOfSeveralTiles) {
         slots.tile(t).dz.data = slots.buffers(t).surface.data() + surface_dz * kernels.lanes;
         slots.tile(t).lattice = {waves[t].side_m, std::cos(waves[t].angle_rad), std::sin(waves[t].angle_rad)};
         slots.tile(t).slope_ranges = slope_ranges(waves[t].mean_square_slope);
+        slots.tile(t).whitecap_jacobian = 0.7f;
+        slots.tile(t).whitecap_ramp = 0.2f;
     }
     const auto executor = make_serial_executor();
     const auto run = executor->prepare(graph);
@@ -651,7 +663,9 @@ TEST(SlopesOfFrames, MakeTheHalvesAndTheHashOfSeveralTiles) {
     run->complete();
     for (std::size_t t = 0; t < 2; ++t) {
         const Tile& tile = slots.tile(t);
-        const TileSlopes expected = unfused::slopes_of(planes_of(waves[t], 0.8), tile.slope_ranges);
+        TilePlanes planes = planes_of(waves[t], 0.8);
+        planes.foam = foam_source(tile);
+        const TileSlopes expected = unfused::slopes_of(planes, tile.slope_ranges);
         expect_slopes(tile, expected);
         EXPECT_TRUE(std::ranges::equal(tile.displacement_rgba16f, expected.halves));
         EXPECT_TRUE(tile.gradient_rgba8.empty());

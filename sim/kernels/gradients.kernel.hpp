@@ -2,9 +2,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 #include <xsimd/xsimd.hpp>
 
 #include "pelagic/sim/kernels/block_surface.kernel.hpp"
+#include "pelagic/sim/kernels/foam.kernel.hpp"
 #include "pelagic/sim/kernels/kernels.hpp"
 #include "pelagic/sim/kernels/mipmaps.kernel.hpp"
 #include "pelagic/simd/exact.kernel.hpp"
@@ -66,12 +68,6 @@ inline void normals_of_rows(const GradientsJob& job, const Surface& surface, con
     }
 }
 
-/// 0 where the surface keeps at least half of its area, 1 where it folds, linear between.
-template <class Arch>
-PELAGIC_INLINE xsimd::batch<float, Arch> foam_of(xsimd::batch<float, Arch> jacobian) {
-    return clamped<Arch>(xsimd::batch<float, Arch>(1.f) - (jacobian + jacobian), 0.f, 1.f);
-}
-
 /// Level 0 and the half floats of two rows of the tile, and the averages of level 1. What the job says is read once, before
 /// the stores, which might change it for all that the compiler knows.
 template <class Arch, bool with_halves, class Surface>
@@ -84,6 +80,8 @@ inline void pack_rows(const GradientsJob& job, const Surface& surface, std::size
     const std::size_t n = job.resolution;
     std::uint32_t* texels = job.levels[0] + z * n + job.first_column;
     std::uint16_t* halves = with_halves ? job.rgba16f + 4 * (z * n + job.first_column) : nullptr;
+    using FoamRows = std::conditional_t<with_halves, ShownFoamRows<Arch, GradientsJob::tile_columns>, NoFoamRows>;
+    FoamRows foam(job.foam, z * n + job.first_column, n, columns);
     auto rows = surface.rows(job.first_column, z);
 
     // The sums of two rows in W columns, and those of the next W.
@@ -99,7 +97,7 @@ inline void pack_rows(const GradientsJob& job, const Surface& surface, std::size
                                texels + i * n + column);
             if constexpr (with_halves)
                 store_halves<Arch>(rows.at(surface_dx, i), rows.at(surface_height, i), rows.at(surface_dz, i),
-                                   foam_of<Arch>(jacobian), halves + 4 * (i * n + column));
+                                   foam.show(jacobian, i, column), halves + 4 * (i * n + column));
             const V scaled = inverse * normal_length;
             const V averaged[mip_planes] = {normal(normal_x) * scaled, normal(normal_y) * scaled,
                                             normal(normal_z) * scaled, clamped_jacobian};
@@ -117,10 +115,12 @@ inline void pack_rows(const GradientsJob& job, const Surface& surface, std::size
     }
     // A row of N = 16 is one register of AVX-512.
     if constexpr (V::size == 16) {
-        if (column == columns) return;
-        pack(column, low);
-        average_texels<Arch>(low, low, averages + column / 2, plane_stride);
+        if (column < columns) {
+            pack(column, low);
+            average_texels<Arch>(low, low, averages + column / 2, plane_stride);
+        }
     }
+    foam.write();
 }
 
 /// The stage's whole job, for any surface that has rows() and differences_of_row().

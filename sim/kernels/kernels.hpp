@@ -48,12 +48,25 @@ struct ColumnsFinalizeJob {
     PartBounds* bounds;
 };
 
+/// The foam that water makes where it breaks, in whole bytes: nearest(clamp(offset - scale J, 0, 255)).
+struct FoamSource {
+    float offset = 0, scale = 0;
+};
+
+/// What a frame shows of a tile's foam: at each texel the more of what breaks now and what is remembered, less `fade`.
+struct ShownFoam {
+    FoamSource source;
+    const std::uint8_t* remembered = nullptr;  ///< N^2 bytes of the last tick; null: nothing
+    int fade = 0;
+    std::uint8_t* bytes = nullptr;  ///< N^2; null: nobody wants them
+};
+
 /// Planes of averages that a mip level is made from: scaled normal x, y, z, and J clamped to [-1, 1].
 inline constexpr std::size_t mip_planes = 4;
 
 /// Stage `gradients` and the first levels of `mipmaps` on one tile of texels. Central differences with wrap (equations
 /// 45, 46), the full normal N = (hz Dz,x - hx (1 + Dz,z), J, hx Dx,z - hz (1 + Dx,x)) and the Jacobian J (48), packed
-/// (50, 51); the half floats with foam = saturate((1/2 - J) / (1/2)); then tile_levels levels of averages (52, 53).
+/// (50, 51); the half floats with foam as a part of 255; then tile_levels levels of averages (52, 53).
 struct GradientsJob {
     static constexpr std::size_t tile_rows = 16, tile_columns = 256;
     static constexpr int tile_levels = 3;
@@ -67,6 +80,7 @@ struct GradientsJob {
     float normal_length;                     ///< equation 49 at the sea's roughness
     std::int32_t smoothness_bits;            ///< 1 - sqrt(roughness) as the highest byte of a texel
     std::uint16_t* rgba16f;                  ///< tight rows of four halves a texel; null: nobody wants them
+    ShownFoam foam;                          ///< with the half floats
     std::uint32_t* levels[tile_levels + 1];  ///< tight rows of RGBA8, the texels of level 0 to 3
     float* averages;                         ///< of level 3, for MipLevelJob
     std::size_t average_stride;
@@ -118,6 +132,7 @@ struct SlopesJob {
     float slope_step;                         ///< slope_range / 127
     float variance_factor;                    ///< slope_step^2 / variance_range
     std::uint16_t* rgba16f;                   ///< as in GradientsJob, J from these slopes; null: nobody wants them
+    ShownFoam foam;                           ///< the same
     std::uint32_t* slopes[tile_levels + 1];   ///< tight rows, the texels of level 0 to 3
     std::uint32_t* moments[tile_levels + 1];  ///< the same
     float* averages;                          ///< of level 3, for SlopeLevelJob
@@ -134,6 +149,32 @@ struct SlopeLevelJob {
     std::size_t stride;
     float variance_factor;
     std::uint32_t *slopes, *moments;  ///< side^2 each
+};
+
+/// One tick of a tile's foam: after = max(source(J), before - fade), `before` moved by whole texels, which wrap. Derivatives are
+/// as in SlopesJob.
+struct FoamTickJob {
+    static constexpr std::size_t most_resolution = 2048;
+    static constexpr int fade = 9;
+
+    const float* surface;  ///< all column blocks
+    std::size_t resolution;
+    std::size_t block_stride;
+    float cosine, sine;       ///< as in GradientsJob
+    float difference_factor;  ///< the near weight over L / N
+    float far_over_near;      ///< 0: central differences
+    FoamSource source;
+    const std::uint8_t* before;    ///< N^2
+    std::size_t shift_x, shift_z;  ///< along the tile's axes, less than N
+    std::size_t first_row, rows;   ///< even
+    std::uint8_t* after;           ///< N^2, these rows are written; aliases no input
+};
+
+/// The mean of each 2 x 2 bytes, halves up.
+struct HalveFoamJob {
+    const std::uint8_t* from;  ///< 4 side^2
+    std::size_t side;
+    std::uint8_t* to;  ///< side^2
 };
 
 /// The surface of a frame as queries read it. Texel (i, j) of a plane is
@@ -283,6 +324,8 @@ struct Kernels {
     void (*mip_level)(const MipLevelJob&);
     void (*slopes)(const SlopesJob&);
     void (*slope_level)(const SlopeLevelJob&);
+    void (*foam_tick)(const FoamTickJob&);
+    void (*halve_foam)(const HalveFoamJob&);
     void (*find_folds)(const FindFoldsJob&);
     void (*invert_surface)(const InvertSurfaceJob&);
     void (*sample_surface)(const SampleSurfaceJob&);

@@ -5,6 +5,7 @@
 // PELAGIC_ISA_ARCH  xsimd's name of it
 #include "pelagic/sim/kernels/columns_finalize.kernel.hpp"
 #include "pelagic/sim/kernels/evolve_rows.kernel.hpp"
+#include "pelagic/sim/kernels/foam.kernel.hpp"
 #include "pelagic/sim/kernels/folds.kernel.hpp"
 #include "pelagic/sim/kernels/gradients.kernel.hpp"
 #include "pelagic/sim/kernels/mipmaps.kernel.hpp"
@@ -29,6 +30,8 @@ const Kernels PELAGIC_TABLE(PELAGIC_ISA_NAME) = {
     kernels::mip_level<xsimd::PELAGIC_ISA_ARCH>,
     kernels::slopes<xsimd::PELAGIC_ISA_ARCH>,
     kernels::slope_level<xsimd::PELAGIC_ISA_ARCH>,
+    kernels::foam_tick<xsimd::PELAGIC_ISA_ARCH>,
+    kernels::halve_foam<xsimd::PELAGIC_ISA_ARCH>,
     kernels::find_folds<xsimd::PELAGIC_ISA_ARCH>,
     kernels::invert_surface<xsimd::PELAGIC_ISA_ARCH>,
     kernels::sample_surface<xsimd::PELAGIC_ISA_ARCH>,

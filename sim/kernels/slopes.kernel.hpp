@@ -3,10 +3,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <type_traits>
 #include <xsimd/xsimd.hpp>
 
 #include "pelagic/sim/kernels/block_surface.kernel.hpp"
-#include "pelagic/sim/kernels/gradients.kernel.hpp"
+#include "pelagic/sim/kernels/foam.kernel.hpp"
 #include "pelagic/sim/kernels/kernels.hpp"
 #include "pelagic/sim/kernels/mipmaps.kernel.hpp"
 #include "pelagic/simd/bytes.kernel.hpp"
@@ -167,6 +168,8 @@ inline void slope_rows(const SlopesJob& job, const BlockSurface<Arch>& surface, 
     const std::size_t n = job.resolution;
     const SlopeRows texels = level_0, coarser = level_1;
     std::uint16_t* halves = with_halves ? job.rgba16f + 4 * (z * n + job.first_column) : nullptr;
+    using FoamRows = std::conditional_t<with_halves, ShownFoamRows<Arch, SlopesJob::tile_columns>, NoFoamRows>;
+    FoamRows foam(job.foam, z * n + job.first_column, n, columns);
     typename BlockSurface<Arch>::PairWalk walk(surface, job.first_column, z);
 
     const auto pack_row = [&](int row, std::size_t column, V(&planes)[slope_planes]) PELAGIC_INLINE_LAMBDA {
@@ -176,7 +179,8 @@ inline void slope_rows(const SlopesJob& job, const BlockSurface<Arch>& surface, 
         store_texels<Arch>(moments_at<Arch>(planes[d_xz]), texels.moments + at);
         if constexpr (with_halves)
             store_halves<Arch>(walk.at(surface_dx, row), walk.at(surface_height, row), walk.at(surface_dz, row),
-                               foam_of<Arch>(jacobian_of<Arch>(planes, step)), halves + 4 * at);
+                               foam.show(jacobian_of<Arch>(planes, step), static_cast<std::size_t>(row), column),
+                               halves + 4 * at);
     };
     // The sums of the two rows in W columns.
     const auto pack = [&](std::size_t column, V(&sums)[slope_planes]) PELAGIC_INLINE_LAMBDA {
@@ -210,10 +214,12 @@ inline void slope_rows(const SlopesJob& job, const BlockSurface<Arch>& surface, 
     }
     // A row of N = 16 is one register of AVX-512.
     if constexpr (V::size == 16) {
-        if (column == columns) return;
-        pack(column, low);
-        average(column, low, low);
+        if (column < columns) {
+            pack(column, low);
+            average(column, low, low);
+        }
     }
+    foam.write();
 }
 
 template <class Arch>

@@ -1,12 +1,12 @@
 #include "pelagic/sim/sources/cascade.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "pelagic/sim/kernels/wave_blocks.hpp"
 #include "pelagic/sim/surface/item_stage.hpp"
 #include "pelagic/sim/surface/slope_maps.hpp"
+#include "pelagic/sim/tick_clock.hpp"
 
 namespace pelagic {
 namespace {
@@ -15,9 +15,6 @@ namespace {
 std::size_t transform_stack_bytes(int resolution, std::size_t lanes) {
     return 24 * static_cast<std::size_t>(resolution) * lanes + stack_margin;
 }
-
-/// A loop has a whole number of ticks of about a tenth of a second.
-double tick_s(double loop_period_s) { return loop_period_s / std::max(1.0, std::nearbyint(10 * loop_period_s)); }
 
 // Lines a job: a wind change should not hold up frames.
 constexpr std::size_t spectrum_batch = 2;
@@ -53,13 +50,15 @@ StageId Cascade::add_stages(JobGraph& graph, Pass pass, const std::vector<StageI
                                           .count = line_blocks(resolution_, kernels_.lanes),
                                           .waits_for = waits_for,
                                           .body = for_each_item([this, pass, surface](std::size_t block) {
+                                              if (is_idle_[pass]) return;
                                               kernels_.evolve_rows(evolve_rows_job(pass, block, surface()));
                                           }),
                                           .stack_bytes = transforms});
     const StageId surface_done = graph.add({.name = stage_name(is_tick ? "tick columns" : "columns+finalize", tile_),
                                             .count = part_bounds_.size(),
                                             .waits_for = {lines_done},
-                                            .body = for_each_item([this, surface](std::size_t pair) {
+                                            .body = for_each_item([this, pass, surface](std::size_t pair) {
+                                                if (is_idle_[pass]) return;
                                                 columns_finalize(pair, surface(), part_bounds_[pair]);
                                             }),
                                             .stack_bytes = transforms});
@@ -92,6 +91,7 @@ void Cascade::begin(Pass pass, const SeaMoment& moment, Tile& tile) {
     tile.lattice = lattice_;
     tile.whitecap_jacobian = whitecaps_.jacobian;
     tile.whitecap_ramp = whitecaps_.ramp;
+    is_idle_[pass] = pass == Pass::tick && !tile.makes_whitecaps();
     tile.slope_ranges = slope_ranges_;
 }
 
@@ -118,10 +118,12 @@ LineFigures Cascade::adopt_spectrum() {
         all.mean_square_slope += line.mean_square_slope;
         all.folding += line.folding;
         all.slopes += line.slopes;
+        all.stokes_x += line.stokes_x;
+        all.stokes_z += line.stokes_z;
     }
     const SeaState& sea = bake_->sea;
     whitecaps_ = bake_->whitecap_cover > 0 ? whitecap_threshold(all.folding, sea.choppiness, bake_->whitecap_cover,
-                                                                tick_s(sea.loop_period_s))
+                                                                TickClock(sea.loop_period_s).tick_s())
                                            : WhitecapThreshold{.jacobian = Tile::no_whitecaps, .ramp = 1};
     slope_ranges_ = slope_ranges(all.mean_square_slope);
     lattice_ = bake_->waves.tile().lattice;

@@ -76,6 +76,7 @@ class Cascade final : public SeaSource {
     std::vector<PartBounds> part_bounds_;      ///< of each pair of column blocks
     std::vector<PartBounds> velocity_bounds_;  ///< the same of velocities; nobody reads them
     OfEachPass<LoopFraction> fraction_;
+    OfEachPass<bool> is_idle_;  ///< ticks are for whitecaps alone
 };
 
 }  // namespace pelagic

@@ -45,6 +45,8 @@ struct LineFigures {
     double mean_square_slope = 0;  ///< h_x^2 + h_z^2 of the waves themselves, the mean over all seeds
     SlopeMoments slopes;           ///< as the tile shows them, the mean over all seeds, along the tile's own axes
     FoldMoments folding;           ///< of the waves that this seed drew
+    double stokes_x = 0,
+           stokes_z = 0;  ///< Stokes' drift at the surface along the tile's own axes, m/s, the mean over all seeds
 };
 
 /// Fills one line, 0 <= line < line_count(). Lines are independent.

@@ -23,6 +23,12 @@ double group_velocity(double k, const Water& water) {
     return (gravity + tension) / (2 * angular_frequency(k, water));
 }
 
+// cosh 2x / sinh^2 x = 1 + 1 / tanh^2 x.
+double stokes_drift(double k, const Water& water) {
+    const double tanh_kd = det::tanh(k * water.depth_m);
+    return angular_frequency(k, water) * k * (1 + 1 / (tanh_kd * tanh_kd));
+}
+
 // With k = omega^2 / g in deep water and t = tanh(k d) the ratio is t^3 / (t + k d (1 - t^2)).
 double depth_factor(double k, double depth_m) {
     const double kd = k * depth_m;

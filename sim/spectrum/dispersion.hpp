@@ -30,6 +30,10 @@ double angular_frequency(double k, const Water& water);
 /// d omega / d k in m/s. \pre k > 0
 double group_velocity(double k, const Water& water);
 
+/// How fast waves of a mean square height of 1 m^2 carry what floats on them the way they run, m/s: omega k cosh 2kd / sinh^2 kd,
+/// 2 omega k in deep water (Stokes 1847). It grows as the mean square. \pre k > 0
+double stokes_drift(double k, const Water& water);
+
 /// Kitaigorodskii's factor phi (Kitaigorodskii et al. 1975; Bouws et al. 1985): what depth leaves of a deep sea's
 /// frequency spectrum, the ratio of k^-3 dk/domega at the depth and in deep water. Between 0 and 1, and exactly 1 where no
 /// double tells the depth from infinity, k depth over 20. Gravity alone: ripples don't feel the ground. \pre k > 0

@@ -1,9 +1,10 @@
 #include "pelagic/sim/spectrum/whitecaps.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
+#include "pelagic/sim/spectrum/lasting_foam.hpp"
+#include "pelagic/sim/tile.hpp"
 #include "pelagic/simd/det_math.hpp"
 
 namespace pelagic {
@@ -19,17 +20,11 @@ double normal_quantile(double part) {
     return (2.515517 + t * (0.802853 + t * 0.010328)) / (1 + t * (1.432788 + t * (0.189269 + t * 0.001308))) - t;
 }
 
-using Matrix = std::array<std::array<double, 3>, 3>;
+/// Jacobians are floats near 1: where they vary less than this, their rounding is a step of foam's bytes.
+constexpr double least_deviation = 1e-4;
 
-Matrix product(const Matrix& a, const Matrix& b) {
-    Matrix c{};
-    for (std::size_t i = 0; i < 3; ++i)
-        for (std::size_t j = 0; j < 3; ++j)
-            for (std::size_t k = 0; k < 3; ++k) c[i][j] += a[i][k] * b[k][j];
-    return c;
-}
-
-double trace(const Matrix& m) { return m[0][0] + m[1][1] + m[2][2]; }
+/// Part of a Gaussian's ramp that is left at least, however bent the distribution of Jacobians is.
+constexpr double least_ramp = 0.125;
 
 }  // namespace
 
@@ -48,59 +43,14 @@ double quantile_of_sum(double cover, int tiles) {
     return normal_quantile(part) / normal_quantile(cover_of_each(part, tiles));
 }
 
-void FoldMoments::add_wave(double mean_square, double wave_x, double wave_z, double difference_x, double difference_z,
-                           double angular_frequency) {
-    const double part = mean_square / (wave_x * wave_x + wave_z * wave_z);
-    const double xx = wave_x * difference_x, zz = wave_z * difference_z;
-    const double u = (xx + zz) / 2, v = (xx - zz) / 2, w = (wave_x * difference_z + wave_z * difference_x) / 2;
-    *this += {part * u * u,
-              part * v * v,
-              part * w * w,
-              part * u * v,
-              part * u * w,
-              part * v * w,
-              part * u * u * angular_frequency * angular_frequency};
-}
-
-FoldMoments& FoldMoments::operator+=(const FoldMoments& other) {
-    uu += other.uu;
-    vv += other.vv;
-    ww += other.ww;
-    uv += other.uv;
-    uw += other.uw;
-    vw += other.vw;
-    uu_rate += other.uu_rate;
-    return *this;
-}
-
-// J = 1 + 2u + x'Ax with x = (u, v, w), A = diag(1, -1, -1) and covariances S has the cumulants, with l = (2, 0, 0),
-//   k1 = 1 + tr AS,  k2 = l'Sl + 2 tr (AS)^2,  k3 = 6 l'SASl + 8 tr (AS)^3,  k4 = 48 l'SASASl + 48 tr (AS)^4
-// (Mathai and Provost 1992, theorem 3.2b.2).
-float whitecap_jacobian(const FoldMoments& m, double choppiness, double cover) {
-    const double f = choppiness * choppiness;
-    const Matrix s{{{f * m.uu, f * m.uv, f * m.uw}, {f * m.uv, f * m.vv, f * m.vw}, {f * m.uw, f * m.vw, f * m.ww}}};
-    Matrix as = s;
-    for (std::size_t row = 1; row < 3; ++row)
-        for (double& value : as[row]) value = -value;
-    const Matrix as2 = product(as, as), as3 = product(as2, as);
-    const double k1 = 1 + trace(as);
-    // The first row of A is that of the unit matrix, so l'S(AS)^n l is 4 times the first element of (AS)^(n + 1).
-    const double k2 = 4 * as[0][0] + 2 * trace(as2);
-    const double k3 = 24 * as2[0][0] + 8 * trace(as3);
-    const double k4 = 192 * as3[0][0] + 48 * trace(product(as3, as));
-    if (k2 <= 0) return static_cast<float>(k1);
-
-    const double deviation = std::sqrt(k2);
-    const double skewness = k3 / (k2 * deviation), excess = k4 / (k2 * k2);
-    const double z = normal_quantile(cover);
-    const double quantile = z + (z * z - 1) * skewness / 6 + (z * z * z - 3 * z) * excess / 24 -
-                            (2 * z * z * z - 5 * z) * skewness * skewness / 36;
-    return static_cast<float>(k1 + deviation * quantile);
-}
-
 WhitecapThreshold whitecap_threshold(const FoldMoments& moments, double choppiness, double cover, double tick_s) {
-    static_cast<void>(tick_s);
-    return {whitecap_jacobian(moments, choppiness, cover), 0.1f};
+    const FoldDistribution jacobians(moments, choppiness);
+    if (!(jacobians.deviation >= least_deviation)) return {.jacobian = Tile::no_whitecaps, .ramp = 1};
+    constexpr double ramp = LastingFoam::ramp_deviations;
+    const double level = LastingFoam(moments.frequency_radps(), tick_s).level_of(cover);
+    const double none = jacobians.below_mean(level - ramp / 2), all = jacobians.below_mean(level + ramp / 2);
+    return {.jacobian = static_cast<float>((none + all) / 2),
+            .ramp = static_cast<float>(std::max(none - all, least_ramp * ramp * jacobians.deviation))};
 }
 
 }  // namespace pelagic

@@ -42,6 +42,7 @@ Tile views_of(const TileBuffers& buffers, int n, std::size_t lanes) {
         tile.velocity_z = view(buffers.velocity, surface_dz);
     }
     if (buffers.folds) tile.folds = buffers.folds->squares();
+    tile.foam_r8 = {buffers.foam.data(), buffers.foam.size()};
     view_textures(tile, buffers, {});
     return tile;
 }
@@ -54,14 +55,15 @@ TileBuffers::TileBuffers(std::size_t tiles, int n, std::size_t lanes, const Fram
       rgba16f(4 * static_cast<std::size_t>(n) * n, extras.memory),
       rgba8(extras.gradients ? mip_offset(n, mip_levels(n)) : 0, extras.memory),
       slopes(extras.slopes ? mip_offset(n, mip_levels(n)) : 0, extras.memory),
-      moments(slopes.size(), extras.memory) {
+      moments(slopes.size(), extras.memory),
+      foam(extras.foam ? mip_offset(n, mip_levels(n)) : 0, extras.memory) {
     if (extras.folds && tiles == 1) folds.emplace(n, extras.memory);
     if (extras.folds && tiles > 1) squeeze.emplace(n, extras.memory);
 }
 
 std::size_t TileBuffers::bytes() const {
     return surface.bytes() + velocity.bytes() + rgba16f.bytes() + rgba8.bytes() + slopes.bytes() + moments.bytes() +
-           (folds ? folds->bytes() : 0) + (squeeze ? squeeze->bytes() : 0);
+           foam.bytes() + (folds ? folds->bytes() : 0) + (squeeze ? squeeze->bytes() : 0);
 }
 
 FrameSlots::FrameSlots(std::size_t tiles, int resolution, std::size_t lanes, const FrameExtras& extras) {
@@ -74,6 +76,7 @@ FrameSlots::FrameSlots(std::size_t tiles, int resolution, std::size_t lanes, con
         }
         slot.textures = slot.own_textures;
         slot.elsewhere.resize(tiles);
+        slot.remembered_foam.resize(tiles);
         slot.frame.tiles = slot.tiles;
     }
 }

@@ -22,6 +22,7 @@ struct FrameExtras {
     bool velocities = false;
     bool gradients = true;   ///< each tile's own normals
     bool slopes = false;     ///< and those that add to other tiles'
+    bool foam = false;       ///< that lasts
     HostMemory memory = {};  ///< for everything whose size grows with N^2
 };
 
@@ -39,6 +40,13 @@ struct TileBuffers {
     AlignedBuffer<std::uint16_t> rgba16f;
     AlignedBuffer<std::uint32_t> rgba8;            ///< gradients, if wanted
     AlignedBuffer<std::uint32_t> slopes, moments;  ///< if wanted
+    AlignedBuffer<std::uint8_t> foam;              ///< the chain, if wanted
+};
+
+/// The foam of a tile at the last tick, and how much of it has faded since.
+struct RememberedFoam {
+    const std::uint8_t* bytes = nullptr;  ///< N^2, null where nothing is remembered
+    int fade = 0;
 };
 
 /// Stages write to the slot that is the back one, and look for it when they run.
@@ -57,6 +65,8 @@ class FrameSlots {
     /// Where the tile's textures go: all that it has, into its buffers or into memory of the host's.
     const TextureTargets& textures(std::size_t tile) const { return slots_[back_].textures[tile]; }
     Frame& frame() { return slots_[back_].frame; }
+    /// What the tile's frame finds of foam.
+    RememberedFoam& remembered_foam(std::size_t tile) { return slots_[back_].remembered_foam[tile]; }
 
     /// Makes the other slot the back one: for the next frame, and to give up the last one, so that the one before it is not
     /// written over yet.
@@ -76,6 +86,7 @@ class FrameSlots {
         std::vector<TextureTargets> elsewhere;     ///< what the host has asked for
         std::vector<TextureTargets> textures;      ///< where the frame's are written
         std::vector<Tile> tiles;
+        std::vector<RememberedFoam> remembered_foam;
         Frame frame;
     };
     std::size_t last_level() const { return static_cast<std::size_t>(mip_levels(resolution()) - 1); }

@@ -41,6 +41,7 @@ void SlopeMaps::make(const Kernels& kernels, std::size_t job) const {
         .slope_step = slope_step(),
         .variance_factor = variance_factor(),
         .rgba16f = rgba16f,
+        .foam = foam,
         .slopes = {},
         .moments = {},
         .averages = averages->level(SlopesJob::tile_levels),

@@ -25,6 +25,7 @@ struct SlopeMaps {
     double cosine = 1, sine = 0;  ///< how its axes are turned, GradientsJob
     SlopeRanges ranges;           ///< positive
     std::uint16_t* rgba16f;       ///< 4 N^2, null if nobody wants them
+    ShownFoam foam;               ///< with them
     TextureTargets::Chain slopes, moments;
     MipAverages* averages;  ///< of slope_planes planes
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "pelagic/sim/kernels/wave_blocks.hpp"
+#include "pelagic/sim/surface/foam_source.hpp"
 #include "pelagic/sim/surface/item_stage.hpp"
 #include "pelagic/sim/surface/surface_look.hpp"
 
@@ -27,7 +28,7 @@ Pieces pieces_of(int resolution) {
 }  // namespace
 
 SurfaceStages::SurfaceStages(FrameSlots& slots, std::size_t tile, const Kernels& kernels, const FrameExtras& extras)
-    : slots_(slots), tile_(tile), kernels_(kernels), resolution_(slots.resolution()) {
+    : slots_(slots), tile_(tile), kernels_(kernels), resolution_(slots.resolution()), has_foam_(extras.foam) {
     if (extras.gradients) gradient_averages_.emplace(resolution_, extras.memory);
     if (extras.slopes) slope_averages_.emplace(resolution_, extras.memory, slope_planes);
 }
@@ -44,6 +45,7 @@ void SurfaceStages::add_gradient_stages(JobGraph& graph, StageId surface_done) {
                    .waits_for = {surface_done},
                    .body = for_each_item([this](std::size_t piece) { gradients_mipmaps(piece); }),
                    .stack_bytes = gradients_stack_bytes});
+    if (!slopes_make_halves()) add_foam_tail(graph, pieces_done);
     const auto tail = [this](std::size_t) { mipmaps_tail(); };
     graph.add({.name = stage_name("mipmaps tail", tile_),
                .count = 1,
@@ -59,12 +61,37 @@ void SurfaceStages::add_slope_stages(JobGraph& graph, StageId surface_done) {
                    .waits_for = {surface_done},
                    .body = for_each_item([this](std::size_t piece) { slope_maps().make(kernels_, piece); }),
                    .stack_bytes = slopes_stack_bytes});
+    if (slopes_make_halves()) add_foam_tail(graph, pieces_done);
     const auto tail = [this](std::size_t) { slope_maps().make_tail(kernels_); };
     graph.add({.name = stage_name("slopes tail", tile_),
                .count = 1,
                .waits_for = {pieces_done},
                .body = for_each_item(tail),
                .stack_bytes = stack_margin});
+}
+
+void SurfaceStages::add_foam_tail(JobGraph& graph, StageId foam_done) {
+    if (!has_foam_) return;
+    const auto tail = [this](std::size_t) {
+        std::uint8_t* const chain = slots_.buffers(tile_).foam.data();
+        for (int level = 1; level < mip_levels(resolution_); ++level)
+            kernels_.halve_foam({.from = chain + mip_offset(resolution_, level - 1),
+                                 .side = static_cast<std::size_t>(resolution_) >> level,
+                                 .to = chain + mip_offset(resolution_, level)});
+    };
+    graph.add({.name = stage_name("foam tail", tile_),
+               .count = 1,
+               .waits_for = {foam_done},
+               .body = for_each_item(tail),
+               .stack_bytes = stack_margin});
+}
+
+ShownFoam SurfaceStages::shown_foam() {
+    const RememberedFoam& remembered = slots_.remembered_foam(tile_);
+    return {.source = foam_source(slots_.tile(tile_)),
+            .remembered = remembered.bytes,
+            .fade = remembered.fade,
+            .bytes = slots_.buffers(tile_).foam.data()};
 }
 
 void SurfaceStages::gradients_mipmaps(std::size_t piece) {
@@ -83,6 +110,7 @@ void SurfaceStages::gradients_mipmaps(std::size_t piece) {
                      .normal_length = mean_normal_length(roughness),
                      .smoothness_bits = smoothness_bits(roughness),
                      .rgba16f = slopes_make_halves() ? nullptr : textures.displacement_rgba16f,
+                     .foam = shown_foam(),
                      .levels = {},
                      .averages = gradient_averages_->level(GradientsJob::tile_levels),
                      .average_stride = gradient_averages_->stride(GradientsJob::tile_levels),
@@ -114,6 +142,7 @@ SlopeMaps SurfaceStages::slope_maps() {
             .sine = tile.lattice.sine,
             .ranges = tile.slope_ranges,
             .rgba16f = slopes_make_halves() ? textures.displacement_rgba16f : nullptr,
+            .foam = shown_foam(),
             .slopes = textures.slopes_rgba8,
             .moments = textures.moments_rgba8,
             .averages = &*slope_averages_};

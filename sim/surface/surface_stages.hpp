@@ -31,6 +31,8 @@ class SurfaceStages {
    private:
     void add_gradient_stages(JobGraph& graph, StageId surface_done);
     void add_slope_stages(JobGraph& graph, StageId surface_done);
+    void add_foam_tail(JobGraph& graph, StageId foam_done);
+    ShownFoam shown_foam();
     void gradients_mipmaps(std::size_t piece);
     void mipmaps_tail();
     SlopeMaps slope_maps();
@@ -42,6 +44,7 @@ class SurfaceStages {
     std::size_t tile_;
     const Kernels& kernels_;
     int resolution_;
+    bool has_foam_;
     std::optional<MipAverages> gradient_averages_, slope_averages_;
 };
 

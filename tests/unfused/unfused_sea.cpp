@@ -11,6 +11,7 @@
 #include "pelagic/sim/sources/packed_spectrum.hpp"
 #include "pelagic/sim/spectrum/dispersion.hpp"
 #include "pelagic/sim/surface/surface_look.hpp"
+#include "pelagic/tests/unfused/unfused_foam.hpp"
 
 namespace pelagic::unfused {
 namespace {
@@ -107,13 +108,13 @@ UnfusedSea::UnfusedSea(const SeaState& sea)
     frame_.tiles = {&tile_, 1};
 }
 
-const Frame& UnfusedSea::frame_at(double time_s) {
+const Frame& UnfusedSea::frame_at(double time_s, const FoamSource& foam) {
     frame_.time_s = time_s;
     evolve(loop_fraction(time_s, sea_.loop_period_s).turns);
     rows();
     columns();
     finalize();
-    gradients();
+    gradients(foam);
     mipmaps();
     return frame_;
 }
@@ -215,7 +216,7 @@ void UnfusedSea::finalize() {
     tile_.bounds = bounds;
 }
 
-void UnfusedSea::gradients() {
+void UnfusedSea::gradients(const FoamSource& foam) {
     const double spacing = 2 * sea_.patch_size_m / sea_.resolution;
     const auto two_texels = static_cast<float>(spacing);
     const auto jacobian_factor = static_cast<float>(1 / (spacing * spacing));
@@ -243,8 +244,7 @@ void UnfusedSea::gradients() {
             texels_[texel] = signed_byte(n_x * to_byte) | signed_byte(n_z * to_byte) << 8 |
                              signed_byte(clamped_jacobian * 127.5f) << 16 |
                              static_cast<std::uint32_t>(smoothness_bits(roughness));
-            const float foam = clamped(1.f - (jacobian + jacobian), 0.f, 1.f);
-            const float values[] = {dx_[texel], height_[texel], dz_[texel], foam};
+            const float values[] = {dx_[texel], height_[texel], dz_[texel], foam_of(foam, jacobian)};
             for (std::size_t i = 0; i < 4; ++i) halves_[4 * texel + i] = Imath::half(values[i]).bits();
             const float scaled = inverse * mean_normal_length(roughness);
             averages_[texel] = {n_x * scaled, n_y * scaled, n_z * scaled, clamped_jacobian};

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "pelagic/sim/frame.hpp"
+#include "pelagic/sim/kernels/kernels.hpp"
 #include "pelagic/sim/sea_state.hpp"
 #include "pelagic/sim/sources/fft_plan.hpp"
 
@@ -20,8 +21,8 @@ class UnfusedSea {
     /// Bakes the spectrum. \pre check(sea) is empty
     explicit UnfusedSea(const SeaState& sea);
 
-    /// Views of it stay valid until the next call.
-    const Frame& frame_at(double time_s);
+    /// Views of it stay valid until the next call. \param foam  what breaks in that sea
+    const Frame& frame_at(double time_s, const FoamSource& foam = {});
 
    private:
     struct Wave {
@@ -43,7 +44,7 @@ class UnfusedSea {
     void rows();
     void columns();
     void finalize();
-    void gradients();
+    void gradients(const FoamSource& foam);
     void mipmaps();
 
     std::size_t at(std::size_t x, std::size_t row) const { return row * n_ + x; }

@@ -6,8 +6,9 @@
 #include <array>
 #include <cmath>
 
-#include "pelagic/sim/tile.hpp"
 #include "pelagic/sim/kernels/kernels.hpp"
+#include "pelagic/sim/tile.hpp"
+#include "pelagic/tests/unfused/unfused_foam.hpp"
 
 namespace pelagic::unfused {
 namespace {
@@ -67,8 +68,7 @@ class Tile {
     std::array<float, 4> displacement_and_foam(const Slopes& s, std::size_t texel) const {
         const float twist = s.d_xz * step_;
         const float jacobian = (1.f + s.d_xx * step_) * (1.f + s.d_zz * step_) - twist * twist;
-        const float foam = std::min(std::max(1.f - (jacobian + jacobian), 0.f), 1.f);
-        return {planes_.dx[texel], planes_.height[texel], planes_.dz[texel], foam};
+        return {planes_.dx[texel], planes_.height[texel], planes_.dz[texel], foam_of(planes_.foam, jacobian)};
     }
 
    private:

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "pelagic/sim/kernels/kernels.hpp"
 #include "pelagic/sim/slope_sum.hpp"
 
 namespace pelagic::unfused {
@@ -14,6 +15,7 @@ struct TilePlanes {
     double side_m;
     float cosine, sine;  ///< how the tile is turned
     std::vector<float> dx, height, dz;
+    FoamSource foam = {.offset = 200, .scale = 255};
 };
 
 struct TileSlopes {

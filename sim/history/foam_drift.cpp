@@ -1,0 +1,44 @@
+#include "pelagic/sim/history/foam_drift.hpp"
+
+#include <cmath>
+
+#include "pelagic/simd/det_math.hpp"
+
+namespace pelagic {
+namespace {
+
+constexpr double two_pi = 6.28318530717958647693;
+constexpr double wind_part = 0.02;
+
+/// round(n whole / ticks) - round((n - 1) whole / ticks), halves up.
+int texels_of_tick(std::int64_t n, std::int64_t whole, std::int64_t ticks) {
+    const auto rounded = [&](std::int64_t of) {
+        const std::int64_t twice = 2 * of * whole + ticks, unit = 2 * ticks;
+        return twice >= 0 ? twice / unit : -((unit - 1 - twice) / unit);
+    };
+    return static_cast<int>(rounded(n) - rounded(n - 1));
+}
+
+}  // namespace
+
+WindDrift wind_drift(const SeaState& sea) {
+    const auto [sine, cosine] = det::sine_cosine_of_turns(sea.wind_direction_rad / two_pi);
+    return {wind_part * sea.wind_speed_mps * cosine, wind_part * sea.wind_speed_mps * sine};
+}
+
+DriftTexels drift_a_loop(const SeaFigures& figures, const TileLattice& lattice, int resolution,
+                         const TickClock& clock) {
+    const TileLattice::Place drift = lattice.in_tile(figures.foam_drift_x_mps, figures.foam_drift_z_mps);
+    const double texels_a_mps = clock.ticks_a_loop() * clock.tick_s() * resolution / lattice.side_m;
+    const auto whole = [&](double mps) { return static_cast<int>(std::floor(mps * texels_a_mps + 0.5)); };
+    return {whole(drift.along), whole(drift.across)};
+}
+
+DriftTexels drift_of(const SeaFigures& figures, const TileLattice& lattice, int resolution, const TickClock& clock,
+                     std::int64_t number) {
+    const DriftTexels loop = drift_a_loop(figures, lattice, resolution, clock);
+    const int n = clock.in_loop(number), ticks = clock.ticks_a_loop();
+    return {texels_of_tick(n, loop.x, ticks), texels_of_tick(n, loop.z, ticks)};
+}
+
+}  // namespace pelagic

@@ -1,0 +1,33 @@
+// How far foam drifts: with the wind, and with the waves that carry what floats on them.
+#pragma once
+
+#include <cstdint>
+
+#include "pelagic/sim/frame.hpp"
+#include "pelagic/sim/tick_clock.hpp"
+#include "pelagic/sim/tile.hpp"
+
+namespace pelagic {
+
+/// What the wind alone does to the skin of the sea, 2 % of its speed. With Stokes' drift, 1 to 2 % of the wind in seas that it
+/// has raised, that is the 3 to 4 % which drifters and slicks show (Wu 1975).
+struct WindDrift {
+    double x_mps, z_mps;
+};
+WindDrift wind_drift(const SeaState& sea);
+
+/// Whole texels along a tile's axes, of any sign.
+struct DriftTexels {
+    int x, z;
+};
+
+/// In a whole loop: the nearest to what the drift comes to. A loop ends where it began, so foam does, too.
+DriftTexels drift_a_loop(const SeaFigures& figures, const TileLattice& lattice, int resolution,
+                         const TickClock& clock);
+
+/// From tick number - 1 to `number`: round(n r) - round((n - 1) r) with the loop's whole texels over its ticks as r, n counted
+/// within the loop. It adds up to the loop's, and knows of no tick but this.
+DriftTexels drift_of(const SeaFigures& figures, const TileLattice& lattice, int resolution, const TickClock& clock,
+                     std::int64_t number);
+
+}  // namespace pelagic

@@ -1,0 +1,104 @@
+#include "pelagic/sim/history/foam_history.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+#include "pelagic/sim/kernels/wave_blocks.hpp"
+#include "pelagic/sim/surface/foam_source.hpp"
+#include "pelagic/sim/surface/item_stage.hpp"
+
+namespace pelagic {
+namespace {
+
+constexpr std::size_t rows_a_job = 16;
+constexpr std::size_t foam_stack_bytes = 40 * 1024 + stack_margin;
+
+}  // namespace
+
+FoamHistory::FoamHistory(FrameSlots& slots, const Kernels& kernels, const HostMemory& memory)
+    : slots_(slots), kernels_(kernels) {
+    const std::size_t texels =
+        static_cast<std::size_t>(slots.resolution()) * static_cast<std::size_t>(slots.resolution());
+    for (std::size_t i = 0; i < slots.tile_count(); ++i)
+        tiles_.push_back(
+            {{}, 0, 0, {AlignedBuffer<std::uint8_t>(texels, memory), AlignedBuffer<std::uint8_t>(texels, memory)}});
+    forget();
+}
+
+std::vector<StageId> FoamHistory::add_tick_stages(JobGraph& graph, std::span<const StageId> surfaces_done) {
+    std::vector<StageId> done;
+    for (std::size_t tile = 0; tile < surfaces_done.size(); ++tile)
+        done.push_back(graph.add({.name = stage_name("tick foam", tile),
+                                  .count = static_cast<std::size_t>(slots_.resolution()) / rows_a_job,
+                                  .waits_for = {surfaces_done[tile]},
+                                  .body = for_each_item([this, tile](std::size_t job) { tick_rows(tile, job); }),
+                                  .stack_bytes = foam_stack_bytes}));
+    return done;
+}
+
+void FoamHistory::tick_rows(std::size_t tile, std::size_t job) {
+    TileMemory& memory = tiles_[tile];
+    if (!memory.at_tick.makes_whitecaps()) return;  // nothing was ever written there
+    const int n = slots_.resolution();
+    const TileLattice& lattice = memory.at_tick.lattice;
+    // The derivatives are those of the stage that makes the half floats.
+    const bool is_one = tiles_.size() == 1;
+    const double near = is_one ? 0.5 : SlopesJob::near_weight, far = is_one ? 0 : SlopesJob::far_weight;
+    kernels_.foam_tick({.surface = slots_.buffers(tile).surface.data(),
+                        .resolution = static_cast<std::size_t>(n),
+                        .block_stride = column_block_floats(n, kernels_.lanes),
+                        .cosine = static_cast<float>(lattice.cosine),
+                        .sine = static_cast<float>(lattice.sine),
+                        .difference_factor = static_cast<float>(near / (lattice.side_m / n)),
+                        .far_over_near = static_cast<float>(far / near),
+                        .source = foam_source(memory.at_tick),
+                        .before = memory.maps[1 - newest_].data(),
+                        .shift_x = memory.shift_x,
+                        .shift_z = memory.shift_z,
+                        .first_row = job * rows_a_job,
+                        .rows = rows_a_job,
+                        .after = memory.maps[newest_].data()});
+}
+
+void FoamHistory::set_drift(std::size_t tile, int texels_x, int texels_z) {
+    const int n = slots_.resolution();
+    const auto wrapped = [n](int texels) { return static_cast<std::size_t>((texels % n + n) % n); };
+    tiles_[tile].shift_x = wrapped(texels_x);
+    tiles_[tile].shift_z = wrapped(texels_z);
+}
+
+void FoamHistory::forget() {
+    for (TileMemory& tile : tiles_)
+        for (AlignedBuffer<std::uint8_t>& map : tile.maps) std::fill_n(map.data(), map.size(), std::uint8_t{0});
+}
+
+void FoamHistory::advance() { newest_ = 1 - newest_; }
+
+std::size_t FoamHistory::saved_bytes() const {
+    return tiles_.empty() ? 0 : tiles_.size() * tiles_.front().maps[0].size();
+}
+
+void FoamHistory::save(std::span<std::uint8_t> bytes) const {
+    assert(bytes.size() == saved_bytes());
+    for (const TileMemory& tile : tiles_) {
+        std::copy_n(tile.maps[newest_].data(), tile.maps[newest_].size(), bytes.data());
+        bytes = bytes.subspan(tile.maps[newest_].size());
+    }
+}
+
+void FoamHistory::restore(std::span<const std::uint8_t> bytes) {
+    assert(bytes.size() == saved_bytes());
+    for (TileMemory& tile : tiles_) {
+        AlignedBuffer<std::uint8_t>& map = tile.maps[newest_];
+        std::copy_n(bytes.data(), map.size(), map.data());
+        bytes = bytes.subspan(map.size());
+    }
+}
+
+std::size_t FoamHistory::bytes() const {
+    std::size_t bytes = 0;
+    for (const TileMemory& tile : tiles_) bytes += sizeof(TileMemory) + tile.maps[0].bytes() + tile.maps[1].bytes();
+    return bytes;
+}
+
+}  // namespace pelagic

@@ -1,0 +1,55 @@
+// Foam that lasts: what breaking water leaves behind, tile by tile.
+//
+//   foam_n = max(source(J_n), foam_(n-1) - F), in bytes, F = 9
+//
+// Texels rest, so a texel is the water that foam floats on, and orbital motion carries foam for nothing. What the wind drifts
+// is moved by whole texels at ticks. After W = ceil(255 / F) = 29 ticks a full byte has faded: the past is forgotten exactly.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "pelagic/sim/history/history.hpp"
+#include "pelagic/sim/kernels/kernels.hpp"
+#include "pelagic/sim/surface/frame_slots.hpp"
+
+namespace pelagic {
+
+class FoamHistory final : public History {
+   public:
+    FoamHistory(FrameSlots& slots, const Kernels& kernels, const HostMemory& memory);
+    FoamHistory(const FoamHistory&) = delete;  // stages point into it
+    FoamHistory& operator=(const FoamHistory&) = delete;
+
+    int warm_up_ticks() const override { return (255 + FoamTickJob::fade - 1) / FoamTickJob::fade; }
+    std::vector<StageId> add_tick_stages(JobGraph& graph, std::span<const StageId> surfaces_done) override;
+    void forget() override;
+    void advance() override;
+    std::size_t saved_bytes() const override;
+    void save(std::span<std::uint8_t> bytes) const override;
+    void restore(std::span<const std::uint8_t> bytes) override;
+    std::size_t bytes() const override;
+
+    /// The tile at the tick to come: its lattice and what is white there.
+    Tile& tile(std::size_t tile) { return tiles_[tile].at_tick; }
+    /// How far its foam drifts in that tick, along the tile's axes, in texels of any sign.
+    void set_drift(std::size_t tile, int texels_x, int texels_z);
+
+    /// N^2 bytes, as the last tick leaves them.
+    const std::uint8_t* remembered(std::size_t tile) const { return tiles_[tile].maps[newest_].data(); }
+
+   private:
+    void tick_rows(std::size_t tile, std::size_t job);
+
+    struct TileMemory {
+        Tile at_tick;
+        std::size_t shift_x = 0, shift_z = 0;
+        std::array<AlignedBuffer<std::uint8_t>, 2> maps;
+    };
+    FrameSlots& slots_;
+    const Kernels& kernels_;
+    std::vector<TileMemory> tiles_;
+    std::size_t newest_ = 0;
+};
+
+}  // namespace pelagic

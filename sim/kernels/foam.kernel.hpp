@@ -1,0 +1,156 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <xsimd/xsimd.hpp>
+
+#include "pelagic/sim/kernels/block_surface.kernel.hpp"
+#include "pelagic/sim/kernels/kernels.hpp"
+#include "pelagic/sim/kernels/mipmaps.kernel.hpp"
+
+namespace pelagic::kernels {
+
+/// FoamSource in registers: parts of a byte, not yet whole ones.
+template <class Arch>
+struct BreakingFoam {
+    using V = xsimd::batch<float, Arch>;
+    V offset, scale;
+
+    explicit BreakingFoam(const FoamSource& source) : offset(source.offset), scale(source.scale) {}
+
+    PELAGIC_INLINE V operator()(V jacobian) const { return clamped<Arch>(offset - scale * jacobian, 0.f, 255.f); }
+};
+
+/// A row of a piece of a tile: what is remembered there, and what becomes of it.
+template <class Arch, std::size_t most_columns>
+class FoamRow {
+    using V = xsimd::batch<float, Arch>;
+
+   public:
+    /// \param from  bytes of the row, null: nothing is remembered
+    PELAGIC_INLINE void remember(const std::uint8_t* from, std::size_t columns, int fade) {
+        if (!from) {
+            for (std::size_t x = 0; x < columns; ++x) remembered_[x] = 0;
+            return;
+        }
+        for (std::size_t x = 0; x < columns; ++x) {
+            const int left = from[x] - fade;
+            remembered_[x] = static_cast<float>(left > 0 ? left : 0);
+        }
+    }
+
+    /// The foam of W texels, in whole bytes: the more of what breaks there and what is remembered.
+    PELAGIC_INLINE V show(V breaking, std::size_t column) {
+        const auto bytes = xsimd::nearbyint_as_int(xsimd::max(breaking, V::load_aligned(remembered_ + column)));
+        bytes.store_aligned(shown_ + column);
+        return xsimd::to_float(bytes);
+    }
+
+    PELAGIC_INLINE void write(std::uint8_t* to, std::size_t columns) const {
+        for (std::size_t x = 0; x < columns; ++x) to[x] = static_cast<std::uint8_t>(shown_[x]);
+    }
+
+   private:
+    alignas(64) float remembered_[most_columns];
+    alignas(64) std::int32_t shown_[most_columns];
+};
+
+/// Two rows of a piece of a tile as a frame shows them.
+template <class Arch, std::size_t most_columns>
+class ShownFoamRows {
+    using V = xsimd::batch<float, Arch>;
+
+   public:
+    /// \param first  texel of the first row, `stride` before that of the second
+    PELAGIC_INLINE ShownFoamRows(const ShownFoam& foam, std::size_t first, std::size_t stride, std::size_t columns)
+        : breaking_(foam.source), bytes_(foam.bytes), first_(first), stride_(stride), columns_(columns) {
+        for (std::size_t row = 0; row < 2; ++row)
+            rows_[row].remember(foam.remembered ? foam.remembered + first + row * stride : nullptr, columns,
+                                foam.fade);
+    }
+
+    /// At W texels of that Jacobian, as a part of 1.
+    PELAGIC_INLINE V show(V jacobian, std::size_t row, std::size_t column) {
+        return rows_[row].show(breaking_(jacobian), column) * V(1.f / 255);
+    }
+
+    PELAGIC_INLINE void write() const {
+        if (!bytes_) return;
+        for (std::size_t row = 0; row < 2; ++row) rows_[row].write(bytes_ + first_ + row * stride_, columns_);
+    }
+
+   private:
+    BreakingFoam<Arch> breaking_;
+    FoamRow<Arch, most_columns> rows_[2];
+    std::uint8_t* bytes_;
+    std::size_t first_, stride_, columns_;
+};
+
+/// What takes the place of rows that nobody wants.
+struct NoFoamRows {
+    template <class... Any>
+    PELAGIC_INLINE explicit NoFoamRows(const Any&...) {}
+    PELAGIC_INLINE void write() const {}
+};
+
+/// One row of the tick before, as far as foam has drifted since.
+inline void shifted_row(const FoamTickJob& job, std::size_t z, std::uint8_t* to) {
+    const std::size_t n = job.resolution;
+    const std::uint8_t* const from = job.before + ((z + n - job.shift_z) & (n - 1)) * n;
+    for (std::size_t x = 0; x < job.shift_x; ++x) to[x] = from[n - job.shift_x + x];
+    for (std::size_t x = job.shift_x; x < n; ++x) to[x] = from[x - job.shift_x];
+}
+
+template <class Arch, class Turn>
+inline void foam_rows(const FoamTickJob& job, const Turn& turn) {
+    using V = xsimd::batch<float, Arch>;
+    const std::size_t n = job.resolution;
+    const BlockSurface<Arch> surface(job.surface, n, job.block_stride);
+    const V factor(job.difference_factor), far_weight(job.far_over_near), one(1.f);
+    const BreakingFoam<Arch> breaking(job.source);
+    std::uint8_t before[FoamTickJob::most_resolution];
+    FoamRow<Arch, FoamTickJob::most_resolution> foam[2];
+    for (std::size_t z = job.first_row; z < job.first_row + job.rows; z += 2) {
+        for (std::size_t row = 0; row < 2; ++row) {
+            shifted_row(job, z + row, before);
+            foam[row].remember(before, n, FoamTickJob::fade);
+        }
+        typename BlockSurface<Arch>::PairWalk walk(surface, 0, z);
+        for (std::size_t x = 0; x < n; x += V::size) {
+            for (int row = 0; row < 2; ++row) {
+                Differences<Arch> dx, dz;
+                walk.wide_difference(surface_dx, row, far_weight, dx);
+                walk.wide_difference(surface_dz, row, far_weight, dz);
+                turn(dx);
+                turn(dz);
+                const V jacobian = (one + dx.x * factor) * (one + dz.z * factor) - (dx.z * factor) * (dz.x * factor);
+                foam[row].show(breaking(jacobian), x);
+            }
+            walk.next();
+        }
+        for (std::size_t row = 0; row < 2; ++row) foam[row].write(job.after + (z + row) * n, n);
+    }
+}
+
+template <class Arch>
+void foam_tick(const FoamTickJob& job) {
+    using V = xsimd::batch<float, Arch>;
+    if (job.sine != 0 || job.cosine != 1)
+        foam_rows<Arch>(job, Turned<Arch>{V(job.cosine), V(job.sine)});
+    else
+        foam_rows<Arch>(job, NotTurned{});
+}
+
+/// Each byte the mean of 2 x 2.
+template <class Arch>
+void halve_foam(const HalveFoamJob& job) {
+    for (std::size_t z = 0; z < job.side; ++z) {
+        const std::uint8_t *const upper = job.from + 4 * z * job.side, *const lower = upper + 2 * job.side;
+        for (std::size_t x = 0; x < job.side; ++x) {
+            const int sum = upper[2 * x] + upper[2 * x + 1] + lower[2 * x] + lower[2 * x + 1];
+            job.to[z * job.side + x] = static_cast<std::uint8_t>((sum + 2) >> 2);
+        }
+    }
+}
+
+}  // namespace pelagic::kernels

@@ -1,0 +1,281 @@
+// Foam that lasts: against a plain replay of its rule, from any beginning, round the loop, and how fast it drifts.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "pelagic/sim/history/foam_drift.hpp"
+#include "pelagic/sim/kernels/wave_blocks.hpp"
+#include "pelagic/sim/ocean.hpp"
+#include "pelagic/sim/tick_clock.hpp"
+#include "pelagic/simd/aligned_buffer.hpp"
+#include "pelagic/tests/each_isa.hpp"
+#include "pelagic/tests/sanitized.hpp"
+
+namespace pelagic {
+namespace {
+
+OceanOptions with_foam(Isa isa = choose_isa()) {
+    return {.executor = make_serial_executor(), .isa = isa, .foam = true};
+}
+
+/// A gale on a small sea, so that much is white.
+const SeaState gale{
+    .cascades = 2, .resolution = 32, .wind_speed_mps = 20, .wind_direction_rad = 0.7, .loop_period_s = 20};
+const SeaState gale_on_one_tile{
+    .resolution = 32, .patch_size_m = 60, .wind_speed_mps = 20, .wind_direction_rad = 2.5};
+
+std::vector<int> foam_of(const Tile& tile) {
+    const auto texels = tile.level_of(tile.foam_r8, 0);
+    return {texels.begin(), texels.end()};
+}
+
+/// What the half floats hold of foam, in parts of a byte.
+std::vector<int> foam_in_halves(const Tile& tile) {
+    std::vector<int> foam;
+    for (std::size_t i = 3; i < tile.displacement_rgba16f.size(); i += 4) {
+        const std::uint16_t bits = tile.displacement_rgba16f[i];
+        const int exponent = bits >> 10, mantissa = bits & 0x3FF;
+        const double value = exponent == 0 ? mantissa * 0x1p-24 : std::ldexp(1024 + mantissa, exponent - 25);
+        foam.push_back(static_cast<int>(std::nearbyint(255 * value)));
+    }
+    return foam;
+}
+
+/// The foam of a tick by the rule itself, from frames that remember nothing.
+std::vector<std::vector<int>> replayed(const SeaState& sea, std::int64_t tick) {
+    Ocean forgetful(sea, {.executor = make_serial_executor()});
+    const TickClock clock(sea.loop_period_s);
+    std::vector<std::vector<int>> foam;
+    for (std::int64_t number = tick - 40; number <= tick; ++number) {
+        const Frame& frame = forgetful.frame_at(clock.time_in_loop_s(number));
+        foam.resize(frame.tiles.size());
+        for (std::size_t t = 0; t < foam.size(); ++t) {
+            const Tile& tile = frame.tiles[t];
+            const int n = tile.resolution();
+            const DriftTexels drift = drift_of(frame.figures, tile.lattice, n, clock, number);
+            const std::vector<int> fresh = foam_in_halves(tile), before = foam[t];
+            foam[t] = fresh;
+            if (before.empty()) continue;
+            for (int z = 0; z < n; ++z) {
+                for (int x = 0; x < n; ++x) {
+                    const int from_x = ((x - drift.x) % n + n) % n, from_z = ((z - drift.z) % n + n) % n;
+                    int& here = foam[t][static_cast<std::size_t>(z * n + x)];
+                    here = std::max(here, before[static_cast<std::size_t>(from_z * n + from_x)] - 9);
+                }
+            }
+        }
+    }
+    return foam;
+}
+
+class FoamHistoryOnEachIsa : public OnEachIsa {};
+INSTANTIATE_TEST_SUITE_P(Isas, FoamHistoryOnEachIsa, testing::ValuesIn(isas_here()), isa_test_name);
+
+TEST_P(FoamHistoryOnEachIsa, IsWhatItsRuleSays) {
+    for (const SeaState& sea : {gale, gale_on_one_tile}) {
+        const std::int64_t tick = 57;
+        Ocean ocean(sea, with_foam(GetParam()));
+        const Frame& frame = ocean.frame_at(TickClock(sea.loop_period_s).time_in_loop_s(tick));
+        const auto expected = replayed(sea, tick);
+        ASSERT_EQ(expected.size(), frame.tiles.size());
+        for (std::size_t t = 0; t < expected.size(); ++t) {
+            const std::vector<int> foam = foam_of(frame.tiles[t]);
+            EXPECT_EQ(foam, foam_in_halves(frame.tiles[t]));
+            int most = 0;
+            for (std::size_t i = 0; i < foam.size(); ++i) {
+                // A tick adds J up in another order than a frame, so where it stands between two bytes it may take the other.
+                ASSERT_NEAR(foam[i], expected[t][i], 1) << "tile " << t << ", texel " << i;
+                most = std::max(most, foam[i]);
+            }
+            EXPECT_GT(most, 127) << "nothing breaks here";
+        }
+    }
+}
+
+TEST(FoamHistory, FadesBetweenTicksAndBreaksAtAnyTime) {
+    Ocean ocean(gale, with_foam()), forgetful(gale, {.executor = make_serial_executor()});
+    const TickClock clock(gale.loop_period_s);
+    const double tick = clock.time_in_loop_s(33);
+    const std::vector<int> at_tick = foam_of(ocean.frame_at(tick).tiles[0]);
+    for (const double part : {0.1, 0.5, 0.99}) {
+        const double time = tick + part * clock.tick_s();
+        const std::vector<int> foam = foam_of(ocean.frame_at(time).tiles[0]);
+        const std::vector<int> breaking = foam_in_halves(forgetful.frame_at(time).tiles[0]);
+        const int faded = static_cast<int>(9 * part);
+        for (std::size_t i = 0; i < foam.size(); ++i) ASSERT_EQ(foam[i], std::max(at_tick[i] - faded, breaking[i]));
+    }
+}
+
+// Whoever begins anywhere, and has been anywhere before, sees the same foam.
+TEST(FoamHistory, IsTheSameFromAThousandBeginnings) {
+    const SeaState sea{.cascades = 1, .resolution = 16, .wind_speed_mps = 20, .loop_period_s = 30};
+    Ocean in_order(sea, with_foam());
+    const TickClock clock(sea.loop_period_s);
+    std::vector<std::uint64_t> expected;
+    for (int tick = 0; tick < clock.ticks_a_loop(); ++tick)
+        expected.push_back(foam_hash_of(in_order.frame_at(clock.time_in_loop_s(tick))));
+    std::mt19937 random(5);
+    Ocean ocean(sea, with_foam());
+    for (int start = 0; start < (is_sanitized ? 100 : 1000); ++start) {
+        int tick = static_cast<int>(random() % expected.size());
+        for (int step = 0; step < 3; ++step) {
+            const double loops = static_cast<int>(random() % 7) - 3;
+            const double time = clock.time_in_loop_s(tick) + loops * sea.loop_period_s;
+            ASSERT_EQ(foam_hash_of(ocean.frame_at(time)), expected[static_cast<std::size_t>(tick)]) << time;
+            tick = (tick + static_cast<int>(random() % 4)) % clock.ticks_a_loop();
+        }
+    }
+}
+
+TEST(FoamHistory, ChangesNothingButFoam) {
+    for (const SeaState& sea : {gale, gale_on_one_tile}) {
+        Ocean with(sea, with_foam()), without(sea, {.executor = make_serial_executor()});
+        for (const double time : {0.0, 0.05, 3.0, -2.0})
+            EXPECT_EQ(hash_of(with.frame_at(time)), hash_of(without.frame_at(time)));
+        EXPECT_TRUE(without.frame_at(0).tiles[0].foam_r8.empty());
+    }
+}
+
+TEST(FoamHistory, IsSavedAndRestoredInAnOceanOfTheSameSea) {
+    Ocean first(gale, with_foam()), second(gale, with_foam());
+    EXPECT_TRUE(first.saved_history().empty());
+    first.frame_at(7);
+    second.restore_history(first.saved_history());
+    EXPECT_EQ(foam_hash_of(second.frame_at(7.1)), foam_hash_of(first.frame_at(7.1)));
+    // It is what was saved that is gone on from: nothing breaks in a sea of no foam, but what is remembered stays for a while.
+    std::vector<std::uint8_t> saved = first.saved_history();
+    std::fill(saved.begin() + 8, saved.end(), std::uint8_t{255});
+    second.restore_history(saved);
+    const std::vector<int> foam = foam_of(second.frame_at(7.2).tiles[0]);
+    EXPECT_GE(*std::min_element(foam.begin(), foam.end()), 255 - 9);
+    saved.pop_back();
+    EXPECT_THROW(second.restore_history(saved), std::invalid_argument);
+}
+
+TEST(FoamHistory, LevelsAreTheMeansOfFourTexels) {
+    Ocean ocean(gale, with_foam());
+    const Tile& tile = ocean.frame_at(3).tiles[0];
+    for (int level = 1; level < mip_levels(tile.resolution()); ++level) {
+        const auto finer = tile.level_of(tile.foam_r8, level - 1), coarser = tile.level_of(tile.foam_r8, level);
+        const std::size_t side = static_cast<std::size_t>(tile.resolution()) >> level;
+        for (std::size_t i = 0; i < coarser.size(); ++i) {
+            const std::size_t from = 2 * (i / side) * 2 * side + 2 * (i % side);
+            const int sum = finer[from] + finer[from + 1] + finer[from + 2 * side] + finer[from + 2 * side + 1];
+            ASSERT_EQ(coarser[i], (sum + 2) / 4);
+        }
+    }
+}
+
+// A sea that is abruptly another one has the foam of that one, not of both.
+TEST(FoamHistory, OfAnotherSeaIsThatSeas) {
+    SeaState other = gale;
+    other.wind_speed_mps = 9;
+    Ocean ocean(gale, with_foam()), expected(other, with_foam());
+    ocean.frame_at(5);
+    ocean.schedule_sea(other);
+    ocean.complete_sea();
+    EXPECT_EQ(foam_hash_of(ocean.frame_at(5)), foam_hash_of(expected.frame_at(5)));
+}
+
+// 2 % of the wind and what Stokes' formula gives for the waves: by numbers, 2 omega k E summed over directions.
+TEST(FoamDrift, IsAsFastAsWindAndWavesOverAThousandTicks) {
+    for (const double direction : {0.0, 2.0, -1.0}) {
+        SeaState sea{.wind_speed_mps = 12, .wind_direction_rad = direction};
+        Ocean ocean(sea, {.executor = make_serial_executor()});
+        const Frame& frame = ocean.frame_at(0);
+        const TickClock clock(sea.loop_period_s);
+        const double drift_x = frame.figures.foam_drift_x_mps, drift_z = frame.figures.foam_drift_z_mps;
+        // Down the wind, 2 % of it and Stokes' drift, which is 1 to 2 % of the wind in a sea that it has raised (Kenyon 1969).
+        const double along = drift_x * std::cos(direction) + drift_z * std::sin(direction);
+        EXPECT_GT(along / sea.wind_speed_mps, 0.03);
+        EXPECT_LT(along / sea.wind_speed_mps, 0.04);
+        EXPECT_NEAR(drift_z * std::cos(direction) - drift_x * std::sin(direction), 0, 0.02 * along);
+        std::size_t fine_tiles = 0;
+        for (const Tile& tile : frame.tiles) {
+            if (tile.texel_m() > 0.25) continue;
+            ++fine_tiles;
+            double texels_x = 0, texels_z = 0;
+            for (int tick = 501; tick <= 1500; ++tick) {
+                const DriftTexels step = drift_of(frame.figures, tile.lattice, tile.resolution(), clock, tick);
+                texels_x += step.x;
+                texels_z += step.z;
+            }
+            const TileLattice::Place way =
+                tile.lattice.in_world(texels_x * tile.texel_m(), texels_z * tile.texel_m());
+            const double seconds = 1000 * clock.tick_s(), speed = std::hypot(drift_x, drift_z);
+            EXPECT_NEAR(way.along / seconds, drift_x, 0.02 * speed);
+            EXPECT_NEAR(way.across / seconds, drift_z, 0.02 * speed);
+        }
+        EXPECT_GE(fine_tiles, 2u);
+    }
+}
+
+TEST(FoamDrift, IsWholeTexelsALoop) {
+    SeaFigures figures;
+    figures.foam_drift_x_mps = 0.37;
+    figures.foam_drift_z_mps = -0.21;
+    const TileLattice lattice{.side_m = 10, .cosine = 0.6, .sine = 0.8};
+    for (const double period : {0.1, 7.3, 200.0}) {
+        const TickClock clock(period);
+        const DriftTexels loop = drift_a_loop(figures, lattice, 64, clock);
+        int x = 0, z = 0;
+        for (int tick = -5; tick < clock.ticks_a_loop() - 5; ++tick) {
+            const DriftTexels step = drift_of(figures, lattice, 64, clock, tick);
+            x += step.x;
+            z += step.z;
+        }
+        EXPECT_EQ(x, loop.x);
+        EXPECT_EQ(z, loop.z);
+    }
+}
+
+/// Still water with one texel of foam, moved by one tick.
+TEST_P(FoamHistoryOnEachIsa, ATickMovesAndFadesWhatFloats) {
+    for (const int n : {16, 64}) {
+        const std::size_t side = static_cast<std::size_t>(n), lanes = kernels().lanes;
+        const AlignedBuffer<float> still(column_blocks(n, lanes) * column_block_floats(n, lanes));
+        AlignedBuffer<std::uint8_t> before(side * side), after(side * side);
+        before[3 * side + 14] = 200;
+        before[0] = 5;
+        kernels().foam_tick({.surface = still.data(),
+                             .resolution = side,
+                             .block_stride = column_block_floats(n, lanes),
+                             .cosine = 1,
+                             .sine = 0,
+                             .difference_factor = 1,
+                             .far_over_near = 0,
+                             .source = {.offset = -10, .scale = 255},
+                             .before = before.data(),
+                             .shift_x = 5,
+                             .shift_z = side - 4,
+                             .first_row = 0,
+                             .rows = side,
+                             .after = after.data()});
+        const std::size_t to = (side - 1) * side + (14 + 5) % side;
+        for (std::size_t i = 0; i < after.size(); ++i) ASSERT_EQ(after[i], i == to ? 191 : 0) << i;
+    }
+}
+
+TEST(TickClock, HasWholeTicksInALoopAndFindsEachOfThem) {
+    for (const double period : {0.1, 0.149, 1.0, 7.3, 200.0, 86400.0}) {
+        const TickClock clock(period);
+        EXPECT_EQ(clock.ticks_a_loop(), std::max(1, static_cast<int>(std::lround(10 * period))));
+        std::mt19937 random(1);
+        for (int i = 0; i < 2000; ++i) {
+            const auto number = static_cast<std::int64_t>(random() % 4000000) - 2000000;
+            const double time = static_cast<double>(number) * period / clock.ticks_a_loop();
+            // A time that is no double of its own falls on either side of the tick: at most 2^-30 of a loop before it.
+            const TickPlace place = clock.at(time + period * 0x1p-30);
+            ASSERT_EQ(place.number, number) << period;
+            ASSERT_LE(place.part, 0x1p32 * clock.ticks_a_loop() * 0x1p-29) << period;
+            ASSERT_EQ(clock.at(clock.time_in_loop_s(number)).number, clock.in_loop(number));
+        }
+        EXPECT_EQ(clock.at(1e300).number % clock.ticks_a_loop(), clock.at(std::fmod(1e300, period)).number);
+    }
+}
+
+}  // namespace
+}  // namespace pelagic
