@@ -99,7 +99,8 @@ std::vector<BadInput> bad_inputs() {
         {{"export", "--out", "OUT", "--spectrum", ""}, {"--spectrum", "phillips-paper"}},
         {{"export", "--out", "OUT", "--preset", "strom"}, {"--preset", "is strom", "nearest is storm"}},
         {{"info", "--preset", "hurricane"},
-         {"--preset is hurricane, needs calm, lake, swell, moderate, rough, storm or beaufort-0 to beaufort-12\n"}},
+         {"--preset is hurricane, needs pond, calm, lake, analytic-calm, analytic-moderate, swell, moderate, rough, "
+          "analytic-intense, storm or beaufort-0 to beaufort-12\n"}},
         {{"info", "--preset", "beufort-12"}, {"beaufort-0 to beaufort-12 (the nearest is beaufort-12)\n"}},
         {{"info", "--spectrum", "sine"}, {"needs phillips-paper, phillips, pierson-moskowitz or jonswap\n"}},
         {{"quadtree", "--quality", "hihg"}, {"low, medium, high, ultra", "nearest is high"}},
@@ -111,7 +112,7 @@ std::vector<BadInput> bad_inputs() {
         {{"export", "--out", "OUT", "--config", "/tmp"}, {"--config", "/tmp", "folder"}},
         {{"info", "--config", "/proc/self/mem"}, {"--config", "/proc/self/mem", "can't be read"}},
         {{"export", "--out", "OUT", "--config", "CONFIG"},
-         {"CONFIG:2", "wind_sped", "needs preset, spectrum,", "nearest is wind_speed"},
+         {"CONFIG:2", "wind_sped", "needs preset, waves, spectrum,", "nearest is wind_speed"},
          "seed = 1\nwind_sped = 3\n"},
         {{"export", "--out", "OUT", "--config", "CONFIG"}, {"CONFIG:1"}, "wind_speed = = 3\n"},
         {{"export", "--out", "OUT", "--config", "CONFIG"}, {"CONFIG:2", "seed"}, "seed = 1\nseed = 2\n"},
