@@ -102,6 +102,12 @@ std::vector<BadInput> bad_inputs() {
          {"--preset is hurricane, needs pond, calm, lake, analytic-calm, analytic-moderate, swell, moderate, rough, "
           "analytic-intense, storm or beaufort-0 to beaufort-12\n"}},
         {{"info", "--preset", "beufort-12"}, {"beaufort-0 to beaufort-12 (the nearest is beaufort-12)\n"}},
+        {{"info", "--waves", "exp-sin"},
+         {"--waves is exp-sin, needs spectrum, analytic or exp-sine (the nearest is exp-sine)\n"}},
+        {{"export", "--out", "OUT", "--waves", "analytic", "--wave-height", "9"},
+         {"steepness is 1.0", "at most 0.4"}},
+        {{"export", "--out", "OUT", "--preset", "pond", "--cascades", "4"},
+         {"cascades is 4, needs 1 where waves is exp-sine\n"}},
         {{"info", "--spectrum", "sine"}, {"needs phillips-paper, phillips, pierson-moskowitz or jonswap\n"}},
         {{"quadtree", "--quality", "hihg"}, {"low, medium, high, ultra", "nearest is high"}},
         {{"help", "exprot"}, {"exprot", "export, info, quadtree"}},
