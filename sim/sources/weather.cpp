@@ -109,7 +109,7 @@ std::optional<std::size_t> Weather::wanted_soon(double time_s) const {
 
 void Weather::begin(const SeaState& sea, const WaveReach& reach, Sources sources) {
     const std::vector<TilePlan> plans = plan_tiles(sea, reach);
-    const double cover = cover_of_each(whitecap_cover(sea.wind_speed_mps), white_tiles_of(sea, reach));
+    const double cover = cover_of_each(whitecap_cover(sea), white_tiles_of(sea, reach));
     for (std::size_t tile = 0; tile < plans.size(); ++tile)
         sources[tile]->begin_spectrum(sea, plans[tile], plans[tile].makes_whitecaps() ? cover : 0);
 }
@@ -131,7 +131,7 @@ void Weather::adopt(Sources sources) {
         sums.stokes_x += stokes.along;
         sums.stokes_z += stokes.across;
     }
-    sums.whitecap_cover = whitecap_cover(baked.wind_speed_mps);
+    sums.whitecap_cover = whitecap_cover(baked);
     baked_[place] = {sums, figures_of(baked, sums)};
 }
 
