@@ -26,6 +26,9 @@ namespace {
 // A frame of 64 x 64 takes 20 microseconds; sharing it among threads takes as long again. See docs/benchmarks.md.
 constexpr std::size_t most_texels_without_jobs = 64 * 64;
 
+// More than a clock counts: 2^40 loops of less than 2^20 ticks.
+constexpr std::int64_t most_ticks = std::int64_t{1} << 60;
+
 const SeaState& checked(const SeaState& sea) {
     if (const std::string reason = check(sea); !reason.empty()) throw std::invalid_argument(reason);
     return sea;
@@ -139,7 +142,11 @@ class Ocean::Sources {
         if (saved.size() != needed)
             throw std::invalid_argument(
                 refusal("history", number_text(saved.size()) + " bytes", "none or " + number_text(needed)));
-        std::memcpy(&newest_tick_.emplace(), saved.data(), sizeof *newest_tick_);
+        std::int64_t number;
+        std::memcpy(&number, saved.data(), sizeof number);
+        if (number < -most_ticks || number > most_ticks)
+            throw std::invalid_argument(refusal("history's tick", number, "one of a clock"));
+        newest_tick_ = number;
         foam_->restore(saved.subspan(sizeof *newest_tick_));
     }
 
@@ -183,7 +190,7 @@ class Ocean::Sources {
     }
 
     const SeaState& sea() const { return sea_; }
-    FrameContents contents() const { return {extras_.velocities, extras_.gradients, extras_.slopes}; }
+    FrameContents contents() const { return {extras_.velocities, extras_.gradients, extras_.slopes, extras_.foam}; }
     std::size_t tile_count() const { return slots_.tile_count(); }
     int resolution() const { return slots_.resolution(); }
     std::size_t texels() const {
@@ -401,7 +408,10 @@ void Ocean::complete_sea() {
     state_->sources.adopt_sea();
 }
 
-std::vector<std::uint8_t> Ocean::saved_history() const { return state_->sources.saved_history(); }
+std::vector<std::uint8_t> Ocean::saved_history() const {
+    assert(!state_->frame_in_flight && "complete() the frame in flight first");
+    return state_->sources.saved_history();
+}
 
 void Ocean::restore_history(std::span<const std::uint8_t> saved) {
     assert(!state_->frame_in_flight && "complete() the frame in flight first");
