@@ -264,17 +264,19 @@ struct Ocean::State {
         const bool is_small = sources.texels() <= most_texels_without_jobs;
         const std::shared_ptr<Executor> frame_executor = is_small ? make_serial_executor() : executor;
         frame_runs_ahead = frame_executor->runs_ahead();
-        frame_run = prepare(*frame_executor, frame_graph, options.trace, "frame");
+        const auto frames = std::make_shared<std::uint64_t>();  // of both graphs that make some
+        frame_run = prepare(*frame_executor, frame_graph, options.trace, "frame", frames);
         if (options.foam) {
-            tick_run = prepare(*frame_executor, tick_graph, options.trace, "tick");
-            tick_and_frame_run = prepare(*frame_executor, tick_and_frame_graph, options.trace, "frame");
+            tick_run = prepare(*frame_executor, tick_graph, options.trace, "tick", std::make_shared<std::uint64_t>());
+            tick_and_frame_run = prepare(*frame_executor, tick_and_frame_graph, options.trace, "frame", frames);
         }
-        spectrum_run = prepare(*executor, spectrum_graph, options.trace, "sea");
+        spectrum_run = prepare(*executor, spectrum_graph, options.trace, "sea", std::make_shared<std::uint64_t>());
     }
 
     static std::unique_ptr<GraphRun> prepare(Executor& on, const JobGraph& graph,
-                                             const std::shared_ptr<TraceSink>& trace, const char* run_name) {
-        return trace ? prepare_traced(on, graph, trace, run_name) : on.prepare(graph);
+                                             const std::shared_ptr<TraceSink>& trace, const char* run_name,
+                                             const std::shared_ptr<std::uint64_t>& runs) {
+        return trace ? prepare_traced(on, graph, trace, run_name, runs) : on.prepare(graph);
     }
 
     std::shared_ptr<Executor> executor;
