@@ -110,6 +110,12 @@ enum {
 };
 
 enum {
+    PELAGIC_WAVES_SPECTRUM = 0,
+    PELAGIC_WAVES_ANALYTIC = 1,
+    PELAGIC_WAVES_EXP_SINE = 2
+};
+
+enum {
     PELAGIC_SPREADING_PAPER = 0,
     PELAGIC_SPREADING_COSINE_2S = 1,
     PELAGIC_SPREADING_HASSELMANN = 2,
@@ -144,6 +150,15 @@ typedef struct pelagic_sea {
      * it has one tile. */
     int32_t cascades;
     uint32_t reserved_1; /* 0 */
+    /* Which waves: PELAGIC_WAVES_... A pond (exp-sine) is one tile. What follows is of the others than a spectrum, which alone
+     * has spectrum, spreading, fetch_m, depth_m, small_waves, alignment, swell and seed. */
+    int32_t waves;
+    int32_t wave_count;     /* waves, or octaves of a pond; 1 to 64. 0: 16 or 24 */
+    double longest_wave_m;  /* [0.02, 1000]. 0: 120, of a pond 1.2 */
+    double shortest_wave_m; /* [0.01, 1000]. 0: a sixtieth of the longest, of a pond a 45th */
+    double wave_strength;   /* 0 calm, 1 moderate, 2 intense, morphed in between; [0, 2] */
+    double wave_height_m;   /* significant height; [0, 30]. 0: what the strength makes */
+    double wave_drag;       /* how far a pond's long waves move its short ones; [0, 1] */
 } pelagic_sea;
 
 /* Sets every field but struct_size: resolution, patch_size_m and cascades to 0, which is chosen. A host whose struct ends before

@@ -13,6 +13,7 @@
 #include "pelagic/sim/history/foam_drift.hpp"
 #include "pelagic/sim/history/foam_history.hpp"
 #include "pelagic/sim/sources/cascade.hpp"
+#include "pelagic/sim/sources/pond.hpp"
 #include "pelagic/sim/spectrum/whitecaps.hpp"
 #include "pelagic/sim/surface/fold_stages.hpp"
 #include "pelagic/sim/surface/surface_stages.hpp"
@@ -39,7 +40,8 @@ const SeaState& checked(const SeaState& sea) {
 /// What the sources of all tiles share, and how a frame is put together from what they make.
 class Ocean::Sources {
    public:
-    Sources(const SeaState& sea, Isa isa, const FrameExtras& extras) : Sources(plan_tiles(sea), isa, extras) {}
+    Sources(const SeaState& sea, Isa isa, const FrameExtras& extras)
+        : Sources(plan_tiles(sea), sea.waves, isa, extras) {}
 
     /// One tile always has gradients, several always have slopes.
     static FrameExtras completed(FrameExtras extras, std::size_t tiles) {
@@ -48,13 +50,13 @@ class Ocean::Sources {
         return extras;
     }
 
-    Sources(const std::vector<TilePlan>& plans, Isa isa, const FrameExtras& wanted)
+    Sources(const std::vector<TilePlan>& plans, WaveModel waves, Isa isa, const FrameExtras& wanted)
         : isa_(isa),
           extras_(completed(wanted, plans.size())),
           slots_(plans.size(), plans.front().resolution, kernels_for(isa).lanes, extras_),
           folds_(slots_, kernels_for(isa)) {
         for (std::size_t tile = 0; tile < plans.size(); ++tile) {
-            cascades_.push_back(std::make_unique<Cascade>(slots_, tile, kernels_for(isa), extras_));
+            cascades_.push_back(source_of(waves, tile));
             surfaces_.push_back(std::make_unique<SurfaceStages>(slots_, tile, kernels_for(isa), extras_));
         }
         if (extras_.foam) foam_.emplace(slots_, kernels_for(isa), extras_.memory);
@@ -180,7 +182,7 @@ class Ocean::Sources {
         figures_.foam_drift_x_mps = wind.x_mps + stokes_x;
         figures_.foam_drift_z_mps = wind.z_mps + stokes_z;
         figures_.resolved_slopes = slopes.around(sea_.wind_direction_rad);
-        figures_.unresolved_slopes = unresolved_slopes(figures_.resolved_slopes, sea_.wind_speed_mps);
+        figures_.unresolved_slopes = slopes_left(sea_, figures_.resolved_slopes);
         figures_.whitecap_depth_of_sum = baked_whitecap_depth_;
         figures_.roughness = roughness_of(sea_, figures_.unresolved_slopes);
         forget();
@@ -198,13 +200,18 @@ class Ocean::Sources {
     }
     std::size_t bytes() const {
         std::size_t bytes = slots_.bytes();
-        for (const auto& cascade : cascades_) bytes += sizeof(Cascade) + cascade->bytes();
+        for (const auto& cascade : cascades_) bytes += cascade->bytes();
         for (const auto& surface : surfaces_) bytes += sizeof(SurfaceStages) + surface->bytes();
         if (foam_) bytes += foam_->bytes();
         return bytes;
     }
 
    private:
+    std::unique_ptr<SeaSource> source_of(WaveModel waves, std::size_t tile) {
+        if (waves == WaveModel::exp_sine) return std::make_unique<Pond>(slots_, tile, isa_, extras_);
+        return std::make_unique<Cascade>(slots_, tile, kernels_for(isa_), extras_);
+    }
+
     /// What the sea is at a time, of frames and of ticks.
     SeaMoment moment_at(double time_s) const { return {.time_s = time_s}; }
     SeaMoment moment_at_tick(std::int64_t number) const {
@@ -231,7 +238,7 @@ class Ocean::Sources {
     Isa isa_;
     FrameExtras extras_;
     FrameSlots slots_;
-    std::vector<std::unique_ptr<Cascade>> cascades_;
+    std::vector<std::unique_ptr<SeaSource>> cascades_;
     std::vector<std::unique_ptr<SurfaceStages>> surfaces_;
     FoldStages folds_;
     std::optional<FoamHistory> foam_;
@@ -287,6 +294,7 @@ struct Ocean::State {
     bool frame_in_flight = false;
     GraphRun* run_in_flight = nullptr;  ///< none: complete() has not begun a frame that needs several ticks
     bool sea_in_flight = false;
+    bool has_sea = false;
     const Frame* completed = nullptr;
     std::unique_ptr<GraphRun> frame_run, tick_run, tick_and_frame_run, spectrum_run;
 
@@ -385,6 +393,9 @@ void Ocean::schedule_sea(const SeaState& sea) {
     if (plans.front().resolution != resolution())
         throw std::invalid_argument(
             refusal("resolution", plans.front().resolution, number_text(resolution()) + ", as the ocean was built"));
+    if ((sea.waves == WaveModel::exp_sine) != (this->sea().waves == WaveModel::exp_sine) && state_->has_sea)
+        throw std::invalid_argument(refusal("waves", name_of(sea.waves),
+                                            std::string(name_of(this->sea().waves)) + ", as the ocean was built"));
     state_->sources.begin_sea(sea);
     try {
         state_->spectrum_run->schedule();
@@ -408,6 +419,7 @@ void Ocean::complete_sea() {
         throw;
     }
     state_->sources.adopt_sea();
+    state_->has_sea = true;
 }
 
 std::vector<std::uint8_t> Ocean::saved_history() const {

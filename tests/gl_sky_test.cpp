@@ -11,6 +11,7 @@
 #include "pelagic/gl/clear_sky.hpp"
 #include "pelagic/gl/light_presets.hpp"
 #include "pelagic/gl/sky_baker.hpp"
+#include "pelagic/tests/sanitized.hpp"
 
 namespace pelagic {
 namespace {
@@ -32,7 +33,7 @@ gl::SkyOptions clear_sky(float elevation_deg) {
     return {.sun_azimuth_rad = 0, .sun_elevation_rad = elevation_deg * 0.0174533f, .cloud_cover = 0};
 }
 
-constexpr int side = 32;
+constexpr int side = is_sanitized ? 16 : 32;
 
 class SkyBake : public testing::Test {
    protected:

@@ -166,7 +166,7 @@ void Cascade::columns_finalize(std::size_t number, float* surface, PartBounds& b
 }
 
 std::size_t Cascade::bytes() const {
-    return plan_.bytes() + spectrum_.bytes() +
+    return sizeof(Cascade) + plan_.bytes() + spectrum_.bytes() +
            (part_bounds_.capacity() + velocity_bounds_.capacity()) * sizeof(PartBounds);
 }
 

@@ -14,14 +14,14 @@
 #include "pelagic/sim/sea_state.hpp"
 #include "pelagic/sim/sources/fft_plan.hpp"
 #include "pelagic/sim/sources/packed_spectrum.hpp"
-#include "pelagic/sim/sources/wave_source.hpp"
+#include "pelagic/sim/sources/sea_source.hpp"
 #include "pelagic/sim/spectrum/amplitudes.hpp"
 #include "pelagic/sim/spectrum/dispersion.hpp"
 #include "pelagic/sim/surface/frame_slots.hpp"
 
 namespace pelagic {
 
-class Cascade final : public WaveSource {
+class Cascade final : public SeaSource {
    public:
     /// \param tile  which of the slots' tiles it fills
     Cascade(FrameSlots& slots, std::size_t tile, const Kernels& kernels, const FrameExtras& extras);
@@ -34,16 +34,11 @@ class Cascade final : public WaveSource {
     FrameBounds end_frame() override;
     std::size_t bytes() const override;
 
-    /// Adds the one stage of a spectrum.
-    void add_spectrum_stage(JobGraph& graph);
-    /// What the next run of the spectrum's stage bakes; adopt_spectrum() makes it that of the frames to come. A cascade has
-    /// no waves before the first one. \pre the plan has the resolution of the slots
-    /// \param whitecap_cover  part of the sea that is to be white with what the tile folds, 0 for none
-    void begin_spectrum(const SeaState& sea, const TilePlan& plan, double whitecap_cover);
-    /// Says what the new waves add to the sea.
-    LineFigures adopt_spectrum();
-    const TileLattice& lattice() const { return lattice_; }  ///< of the frames to come
-    void drop_spectrum() { bake_.reset(); }                  ///< keeps the waves as they are
+    void add_spectrum_stage(JobGraph& graph) override;
+    void begin_spectrum(const SeaState& sea, const TilePlan& plan, double whitecap_cover) override;
+    LineFigures adopt_spectrum() override;
+    const TileLattice& lattice() const override { return lattice_; }
+    void drop_spectrum() override { bake_.reset(); }
 
    private:
     void add_velocity_stages(JobGraph& graph);

@@ -26,6 +26,10 @@ struct SlopeMoments {
 /// that both sums together are the measured one, unless the waves alone have more.
 SlopeVariance unresolved_slopes(const SlopeVariance& resolved, double wind_speed_mps);
 
+/// What a sea's tiles leave to the light: unresolved_slopes() in its wind, but of a pond what its texels hide of its own octaves,
+/// which are all that it has.
+SlopeVariance slopes_left(const SeaState& sea, const SlopeVariance& resolved);
+
 /// What the smoothness channel says: the sea's own roughness if it has one, else alpha of a GGX surface whose mean square
 /// slope, alpha^2, is what the tiles leave; at most 1.
 double roughness_of(const SeaState& sea, const SlopeVariance& unresolved);
