@@ -61,8 +61,8 @@ class Ocean {
 
     /// Starts the frame at `time_s` and returns at once; a small one (N up to 64) is left to complete(), which is done
     /// with it sooner than other threads would be. Any finite time, in any order: a frame is a pure function of
-    /// the forecast and the time, and while one sea lasts time_s + n * loop_period_s gives the same bits. With
-    /// OceanOptions::foam the warm-up of a jump in time is left to complete(), too.
+    /// the forecast and the time, and while one sea lasts time_s + n * loop_period_s gives the same bits. With OceanOptions::foam
+    /// the warm-up of a jump in time is left to complete(), too.
     /// \pre no frame is in flight
     void schedule(double time_s) { schedule(time_s, {}); }
 
