@@ -1,4 +1,4 @@
-// Whether an emulator runs the tests of another processor, a hundred times as slowly: then bits are compared, of fewer sizes
+// Whether an emulator runs the tests of another processor, ten to twenty times as slowly: then bits are compared, of fewer sizes
 // and times, and not executors and threads, which are the same code everywhere and have this machine's order of memory.
 #pragma once
 

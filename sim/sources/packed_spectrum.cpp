@@ -6,6 +6,7 @@
 
 #include "pelagic/sim/kernels/kernels.hpp"
 #include "pelagic/sim/spectrum/dispersion.hpp"
+#include "pelagic/sim/spectrum/wind_drift.hpp"
 #include "pelagic/simd/det_math.hpp"
 
 namespace pelagic {
@@ -50,6 +51,29 @@ PackedSpectrum::PackedSpectrum(const FftPlan& plan, std::size_t lane_count, cons
       waves(line_blocks(plan.tables().size, lanes) * pairs * wave_quantities * lanes, memory),
       harmonics(line_blocks(plan.tables().size, lanes) * pairs * lanes, memory) {}
 
+LineFigures& LineFigures::operator+=(const LineFigures& other) {
+    height_variance += other.height_variance;
+    mean_square_slope += other.mean_square_slope;
+    slopes += other.slopes;
+    folding += other.folding;
+    stokes_x += other.stokes_x;
+    stokes_z += other.stokes_z;
+    return *this;
+}
+
+LineFigures between(const LineFigures& before, const LineFigures& after, double part) {
+    if (part == 0) return before;
+    if (part == 1) return after;
+    LineFigures sum;
+    const auto add = [&](const LineFigures& of, double weight) {
+        sum += {of.height_variance * weight, of.mean_square_slope * weight, of.slopes * weight,
+                of.folding * weight,         of.stokes_x * weight,          of.stokes_z * weight};
+    };
+    add(before, 1 - part);
+    add(after, part);
+    return sum;
+}
+
 LineFigures bake_spectrum_line(const SeaState& sea, const TileWaves& waves, const FftPlan& plan, std::size_t line,
                                PackedSpectrum& out) {
     const TilePlan& tile = waves.tile();
@@ -64,6 +88,8 @@ LineFigures bake_spectrum_line(const SeaState& sea, const TileWaves& waves, cons
         return folds_as_shown ? shown.derivative : central_difference(tile, periods);
     };
     const double fold_z = fold_derivative(shown_z, n);
+    const WindDrift usual = usual_foam_drift(sea);
+    const TileLattice::Place foam_drift = tile.lattice.in_tile(usual.x_mps, usual.z_mps);
     const double mirrors = n == 0 ? 1 : 2;  // line 0 holds its own
     LineFigures figures;
     float* wave = out.block(line / out.lanes) + line % out.lanes;
@@ -89,8 +115,15 @@ LineFigures bake_spectrum_line(const SeaState& sea, const TileWaves& waves, cons
                 figures.height_variance += mirrors * opposites.expected_square();
                 figures.mean_square_slope += mirrors * opposites.expected_square() * k * k;
                 const double sign = signed_m == m ? 1 : -1;
-                figures.folding.add_wave(mirrors * opposites.drawn_square(), signed_m * spacing, n * spacing,
-                                         sign * fold_x, fold_z, frequency);
+                // Foam that drifts meets waves the slower, the more it runs with them.
+                const double drifted = signed_m * spacing * foam_drift.along + n * spacing * foam_drift.across;
+                const auto square_rate = [](const Wave& of, double met_frequency) {
+                    return std::norm(of.amplitude) * met_frequency * met_frequency;
+                };
+                figures.folding.add_wave(mirrors * opposites.drawn_square(),
+                                         mirrors * (square_rate(opposites.along, frequency - drifted) +
+                                                    square_rate(opposites.against, frequency + drifted)),
+                                         signed_m * spacing, n * spacing, sign * fold_x, fold_z);
                 figures.slopes.add_wave(mirrors * opposites.expected_square() * shown_x.filter * shown_z.filter,
                                         sign * shown_x.derivative, shown_z.derivative);
                 const double running = mirrors * (opposites.along.variance - opposites.against.variance) * drift;

@@ -171,7 +171,7 @@ LineFigures Pond::figures_of(const Waves& waves) {
 
 void Pond::begin_spectrum(const SeaState& sea, const TilePlan& plan, double) { bake_ = waves_of(sea, plan); }
 
-LineFigures Pond::adopt_spectrum() {
+LineFigures Pond::adopt_spectrum(std::size_t, std::size_t) {
     waves_ = *std::exchange(bake_, std::nullopt);
     return figures_of(waves_);
 }

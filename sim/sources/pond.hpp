@@ -33,9 +33,12 @@ class Pond final : public SeaSource {
 
     void add_spectrum_stage(JobGraph& graph) override;
     void begin_spectrum(const SeaState& sea, const TilePlan& plan, double whitecap_cover) override;
-    LineFigures adopt_spectrum() override;
+    /// A pond has one sea: nothing of it turns into another (Forecast).
+    LineFigures adopt_spectrum(std::size_t number, std::size_t place) override;
     const TileLattice& lattice() const override { return waves_.plan.lattice; }
     void drop_spectrum() override { bake_.reset(); }
+    void set_aside() override { bake_.swap(aside_); }
+    void forget_seas() override {}
 
    private:
     /// The octaves of a sea, as the kernel takes them with texels for metres: so a place's turns are exact, and texel N is texel 0.
@@ -61,7 +64,7 @@ class Pond final : public SeaSource {
     std::vector<double> columns_;  ///< 0, 1, ..., N - 1
 
     Waves waves_;  ///< of the frames to come
-    std::optional<Waves> bake_;
+    std::optional<Waves> bake_, aside_;
     OfEachPass<std::vector<double>> starts_;  ///< of each octave, turns in [-1/2, 1/2)
     std::vector<RowBounds> row_bounds_;
 };

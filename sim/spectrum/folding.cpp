@@ -21,9 +21,9 @@ double trace(const Matrix& m) { return m[0][0] + m[1][1] + m[2][2]; }
 
 }  // namespace
 
-void FoldMoments::add_wave(double mean_square, double wave_x, double wave_z, double difference_x, double difference_z,
-                           double angular_frequency) {
-    const double part = mean_square / (wave_x * wave_x + wave_z * wave_z);
+void FoldMoments::add_wave(double mean_square, double square_rate, double wave_x, double wave_z, double difference_x,
+                           double difference_z) {
+    const double of_square = 1 / (wave_x * wave_x + wave_z * wave_z), part = mean_square * of_square;
     const double xx = wave_x * difference_x, zz = wave_z * difference_z;
     const double u = (xx + zz) / 2, v = (xx - zz) / 2, w = (wave_x * difference_z + wave_z * difference_x) / 2;
     *this += {part * u * u,
@@ -32,7 +32,7 @@ void FoldMoments::add_wave(double mean_square, double wave_x, double wave_z, dou
               part * u * v,
               part * u * w,
               part * v * w,
-              part * u * u * angular_frequency * angular_frequency};
+              square_rate * of_square * u * u};
 }
 
 FoldMoments& FoldMoments::operator+=(const FoldMoments& other) {
@@ -44,6 +44,10 @@ FoldMoments& FoldMoments::operator+=(const FoldMoments& other) {
     vw += other.vw;
     uu_rate += other.uu_rate;
     return *this;
+}
+
+FoldMoments FoldMoments::operator*(double weight) const {
+    return {uu * weight, vv * weight, ww * weight, uv * weight, uw * weight, vw * weight, uu_rate * weight};
 }
 
 double FoldMoments::frequency_radps() const { return std::sqrt(uu_rate / uu); }

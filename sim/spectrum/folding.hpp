@@ -12,14 +12,15 @@ namespace pelagic {
 /// Sums over the waves of a sea, at choppiness 1. They are linear in the waves' energies.
 struct FoldMoments {
     double uu = 0, vv = 0, ww = 0, uv = 0, uw = 0, vw = 0;  ///< covariances
-    double uu_rate = 0;                                     ///< mean square of du/dt, 1/s^2
+    double uu_rate = 0;  ///< mean square of du/dt, 1/s^2, as what drifts over the sea meets it
 
-    /// A wave of that mean square, m^2, that turns by `angular_frequency` radians a second. `wave_x` and `_z` are its wave vector,
-    /// rad/m; the differences what the texels' derivative makes of it, 1/m: sin(k_x d) / d for central differences over texels of
-    /// side d.
-    void add_wave(double mean_square, double wave_x, double wave_z, double difference_x, double difference_z,
-                  double angular_frequency);
+    /// A wave of that mean square, m^2, whose height changes by `square_rate`, m^2/s^2, in the mean square. `wave_x` and `_z` are its
+    /// wave vector, rad/m; the differences what the texels' derivative makes of it, 1/m: sin(k_x d) / d for central differences over
+    /// texels of side d.
+    void add_wave(double mean_square, double square_rate, double wave_x, double wave_z, double difference_x,
+                  double difference_z);
     FoldMoments& operator+=(const FoldMoments& other);
+    FoldMoments operator*(double weight) const;  ///< of waves with so much of their energy
 
     /// How fast J changes where it is small: 2u is most of it. \pre uu is above 0
     double frequency_radps() const;

@@ -7,7 +7,7 @@
 //
 //   n(y) = int_0^((1 - y) F) p(b(a)) E[(dz/dt + s/F)^+] da = (P(b_y) - P(b_1)) (p(c) + c (1 - P(c))) / c,  c = s / (F w)
 //
-// times, where p and P are the normal density and what lies above, and w^2 the mean square of dz/dt. Crossings come by chance, from
+// times, where p and P are the normal density and what lies above, and w^2 the mean square of dz/dt at what floats there and drifts. Crossings come by chance, from
 // water that isn't white (Vanmarcke 1975), so the part of the sea under more foam than y, and the cover are
 //
 //   1 - (1 - P(b_1)) exp(-n(y) / (1 - P(b_1))),   and its integral over y.

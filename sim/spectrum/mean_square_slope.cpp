@@ -27,6 +27,8 @@ SlopeMoments& SlopeMoments::operator+=(const SlopeMoments& other) {
     return *this;
 }
 
+SlopeMoments SlopeMoments::operator*(double weight) const { return {xx * weight, zz * weight, xz * weight}; }
+
 SlopeMoments SlopeMoments::in_world(const TileLattice& lattice) const {
     const double c = lattice.cosine, s = lattice.sine, both = 2 * c * s * xz;
     return {c * c * xx - both + s * s * zz, s * s * xx + both + c * c * zz, c * s * (xx - zz) + (c * c - s * s) * xz};

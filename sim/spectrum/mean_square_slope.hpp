@@ -15,6 +15,7 @@ struct SlopeMoments {
     /// sin(k_x d) / d for central differences over texels of side d.
     void add_wave(double mean_square, double difference_x, double difference_z);
     SlopeMoments& operator+=(const SlopeMoments& other);
+    SlopeMoments operator*(double weight) const;  ///< of waves with so much of their energy
 
     /// Those of a tile, along its own axes, along the world's.
     SlopeMoments in_world(const TileLattice& lattice) const;
