@@ -152,7 +152,6 @@ class Ocean::Sources {
         for (std::size_t tile = 0; tile < plans.size(); ++tile)
             cascades_[tile]->begin_spectrum(sea, plans[tile], plans[tile].makes_whitecaps() ? cover : 0);
         baked_sea_ = sea;
-        baked_whitecap_depth_ = quantile_of_sum(whitecap_cover(sea.wind_speed_mps), static_cast<int>(white));
     }
     void adopt_sea() {
         const DefaultFloatEnvironment environment;
@@ -174,7 +173,6 @@ class Ocean::Sources {
         figures_.foam_drift_z_mps = wind.z_mps + stokes_z;
         figures_.resolved_slopes = slopes.around(sea_.wind_direction_rad);
         figures_.unresolved_slopes = unresolved_slopes(figures_.resolved_slopes, sea_.wind_speed_mps);
-        figures_.whitecap_depth_of_sum = baked_whitecap_depth_;
         figures_.roughness = roughness_of(sea_, figures_.unresolved_slopes);
         forget();
     }
@@ -232,7 +230,6 @@ class Ocean::Sources {
     std::optional<std::int64_t> newest_tick_;  ///< none: nothing is remembered
     int ticks_due_ = 0;
     SeaState sea_, baked_sea_;
-    double baked_whitecap_depth_ = 1;
     SeaFigures figures_;
 };
 

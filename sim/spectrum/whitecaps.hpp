@@ -9,10 +9,6 @@ double whitecap_cover(double wind_speed_mps);
 /// What each of some tiles has to cover, one independent of the other, so that a part `cover` of the sea is under any of them.
 double cover_of_each(double cover, int tiles);
 
-/// How far the quantile of `cover` is from the mean of a Gaussian, over that of cover_of_each(): 1 for one tile. A sum of as many
-/// independent tiles goes below `cover` of itself at this part of the root of the sum of the squares of theirs.
-double quantile_of_sum(double cover, int tiles);
-
 /// Sums over the waves of a sea: how much its surface folds, in the mean over time and place. With the derivatives of
 /// the sideways displacement, over texels as the tile is drawn, let
 ///
