@@ -5,13 +5,10 @@
 
 #include "pelagic/analytic/wave_phase.hpp"
 #include "pelagic/message/number_text.hpp"
-#include "pelagic/simd/det_math.hpp"
 #include "pelagic/simd/float_environment.hpp"
 
 namespace pelagic {
 namespace {
-
-constexpr double two_pi = 6.283185307179586;
 
 /// A number that GLSL takes for a float.
 std::string literal(double value) {
@@ -47,20 +44,23 @@ AnalyticWater analytic_water(vec2 rest_m, float time_s) {
 
 std::string analytic_glsl(const AnalyticSea& sea, const GlslOrigin& origin) {
     if (const std::string reason = check(sea); !reason.empty()) throw std::invalid_argument(reason);
+    return analytic_glsl(plane_waves_of(sea), origin);
+}
+
+std::string analytic_glsl(const PlaneWaves& sea, const GlslOrigin& origin) {
+    if (const std::string reason = check(sea); !reason.empty()) throw std::invalid_argument(reason);
     const DefaultFloatEnvironment environment;
     const std::string count = number_text(sea.waves.size());
     std::string waves, turns;
-    for (const AnalyticWave& wave : sea.waves) {
-        const auto [z, x] = det::sine_cosine_of_turns(wave.direction_rad / two_pi);
-        const double per_m = 1 / wave.wavelength_m;
-        const double frequency_hz = std::sqrt(gravity_of_waves_mps2 * two_pi * per_m) / two_pi;
-        const double at_origin = (x * origin.x_m + z * origin.z_m) * per_m;
-        const double start = turns_at_origin(wave.phase_rad / two_pi + (at_origin - std::floor(at_origin)),
-                                             frequency_hz, origin.time_s);
+    for (const PlaneWave& wave : sea.waves) {
+        const double per_m = wave.turns_per_m(), x = wave.turns_per_m_x / per_m, z = wave.turns_per_m_z / per_m;
+        const double at_origin = wave.turns_per_m_x * origin.x_m + wave.turns_per_m_z * origin.z_m;
+        const double start =
+            turns_at_origin(wave.phase_turns + (at_origin - std::floor(at_origin)), wave.frequency_hz, origin.time_s);
         const char* comma = waves.empty() ? "" : ",";
         waves += comma + ("\n    vec4(" + literal(x) + ", " + literal(z) + ", " + literal(per_m) + ", " +
                           literal(wave.amplitude_m) + ")");
-        turns += comma + ("\n    vec2(" + literal(start) + ", " + literal(frequency_hz) + ")");
+        turns += comma + ("\n    vec2(" + literal(start) + ", " + literal(wave.frequency_hz) + ")");
     }
     return "const int analytic_waves = " + count + ";\n" +
            "const float analytic_choppiness = " + literal(sea.choppiness) + ";\n" + "const vec4 analytic_wave[" +

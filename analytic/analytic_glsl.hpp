@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "pelagic/analytic/analytic_sea.hpp"
+#include "pelagic/analytic/plane_waves.hpp"
 
 namespace pelagic {
 
@@ -22,5 +22,6 @@ struct GlslOrigin {
 /// The same displacement and normal as AnalyticSurface::sample_rest() to 1e-3 of the sum of the amplitudes.
 /// Throws std::invalid_argument with check(sea)'s line. \pre the origin is finite
 std::string analytic_glsl(const AnalyticSea& sea, const GlslOrigin& origin = {});
+std::string analytic_glsl(const PlaneWaves& sea, const GlslOrigin& origin = {});
 
 }  // namespace pelagic

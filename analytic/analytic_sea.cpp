@@ -15,9 +15,11 @@ namespace {
 
 constexpr double two_pi = 6.283185307179586;
 
+constexpr double least_wavelength_m = 0.01;
+
 constexpr std::array wave_fields = {
     NumericField<AnalyticWave>{"amplitude_m", &AnalyticWave::amplitude_m, 0, 100, "[0, 100]"},
-    NumericField<AnalyticWave>{"wavelength_m", &AnalyticWave::wavelength_m, 0.01, 1000, "[0.01, 1000]"},
+    NumericField<AnalyticWave>{"wavelength_m", &AnalyticWave::wavelength_m, least_wavelength_m, 1000, "[0.01, 1000]"},
     NumericField<AnalyticWave>{"direction_rad", &AnalyticWave::direction_rad, -two_pi, two_pi, "[-2 pi, 2 pi]"},
     NumericField<AnalyticWave>{"phase_rad", &AnalyticWave::phase_rad, -two_pi, two_pi, "[-2 pi, 2 pi]"},
 };
@@ -38,24 +40,39 @@ void require(const AnalyticSea& sea) {
 // Parts of each wave, k A, in thousandths; from the longest wave to the shortest. Calm is what a swell leaves,
 // intense is chop on a storm's waves, a little below the limit.
 constexpr std::size_t preset_waves = 16;
-constexpr std::array<int, preset_waves> calm_steepness = {4, 6, 7, 7, 6, 4, 3, 2, 2, 1, 1, 1, 1, 1, 1, 1};
-constexpr std::array<int, preset_waves> moderate_steepness = {15, 20, 23, 23, 20, 16, 13, 10, 8, 7, 6, 5, 5, 4, 4, 3};
-constexpr std::array<int, preset_waves> intense_steepness = {44, 50, 48, 42, 35, 29, 24, 20,
-                                                             17, 15, 13, 12, 11, 10, 9,  8};
+using Steepness = std::array<int, preset_waves>;
+constexpr Steepness calm_steepness = {4, 6, 7, 7, 6, 4, 3, 2, 2, 1, 1, 1, 1, 1, 1, 1};
+constexpr Steepness moderate_steepness = {15, 20, 23, 23, 20, 16, 13, 10, 8, 7, 6, 5, 5, 4, 4, 3};
+constexpr Steepness intense_steepness = {44, 50, 48, 42, 35, 29, 24, 20, 17, 15, 13, 12, 11, 10, 9, 8};
 
-/// Lengths fall evenly from 120 to 2 m. Directions and phases are spread by the golden ratio, as evenly as any number
-/// of waves can be; shorter waves run further from the wind, which blows along +x.
-AnalyticSea preset_sea(const std::array<int, preset_waves>& steepness) {
-    const DefaultFloatEnvironment environment;
+/// Of wave i of so many: between the nearest of the sixteen, before all are scaled to the same sum.
+double steepness_at(const Steepness& steepness, int i, int waves) {
+    if (waves == 1) return steepness.front();
+    const double at = (preset_waves - 1.0) * i / (waves - 1);
+    const auto before = std::min(static_cast<std::size_t>(at), preset_waves - 2);
+    const double part = at - static_cast<double>(before);
+    return (1 - part) * steepness[before] + part * steepness[before + 1];
+}
+
+/// Lengths fall evenly. Directions and phases are spread by the golden ratio, as evenly as any number of waves can be;
+/// shorter waves run further from the wind.
+AnalyticSea family_sea(const AnalyticFamily& family, const Steepness& steepness) {
     constexpr double golden = 0.6180339887498949;
+    double all = 0, these = 0;
+    for (const int one : steepness) all += one;
+    for (int i = 0; i < family.waves; ++i) these += steepness_at(steepness, i, family.waves);
     AnalyticSea sea;
-    for (std::size_t i = 0; i < preset_waves; ++i) {
-        const double n = static_cast<double>(i), part = n / (preset_waves - 1);
-        const double wavelength_m = 120 * det::pow(2.0 / 120, part);
-        const double spread = 2 * (n * golden - std::floor(n * golden)) - 1, turn = n * golden * golden;
-        sea.waves.push_back({.amplitude_m = steepness[i] * 1e-3 * wavelength_m / two_pi,
+    for (int i = 0; i < family.waves; ++i) {
+        const double part = family.waves == 1 ? 0 : i / (family.waves - 1.0);
+        const double wavelength_m =
+            std::max(least_wavelength_m, family.longest_m * det::pow(family.shortest_m / family.longest_m, part));
+        const double spread = 2 * (i * golden - std::floor(i * golden)) - 1, turn = i * golden * golden;
+        const double k_a = steepness_at(steepness, i, family.waves) * (all / these) * 1e-3;
+        double direction_rad = family.direction_rad + spread * (0.35 + part);
+        if (std::fabs(direction_rad) > two_pi) direction_rad -= std::copysign(two_pi, direction_rad);
+        sea.waves.push_back({.amplitude_m = k_a * wavelength_m / two_pi,
                              .wavelength_m = wavelength_m,
-                             .direction_rad = spread * (0.35 + part),
+                             .direction_rad = direction_rad,
                              .phase_rad = two_pi * (turn - std::floor(turn))});
     }
     return sea;
@@ -119,11 +136,19 @@ AnalyticSea morphed(const AnalyticSea& from, const AnalyticSea& to, double u) {
     return sea;
 }
 
+AnalyticSea analytic_sea(const AnalyticFamily& family) {
+    const DefaultFloatEnvironment environment;
+    const bool is_calmer = family.strength <= 1;
+    return morphed(family_sea(family, is_calmer ? calm_steepness : moderate_steepness),
+                   family_sea(family, is_calmer ? moderate_steepness : intense_steepness),
+                   is_calmer ? family.strength : family.strength - 1);
+}
+
 std::span<const AnalyticPreset> analytic_presets() {
     static const std::array presets = {
-        AnalyticPreset{"analytic-calm", "long low waves", preset_sea(calm_steepness)},
-        AnalyticPreset{"analytic-moderate", "waves of many directions", preset_sea(moderate_steepness)},
-        AnalyticPreset{"analytic-intense", "a storm's waves under chop", preset_sea(intense_steepness)},
+        AnalyticPreset{"analytic-calm", "long low waves", analytic_sea({.strength = 0})},
+        AnalyticPreset{"analytic-moderate", "waves of many directions", analytic_sea({.strength = 1})},
+        AnalyticPreset{"analytic-intense", "a storm's waves under chop", analytic_sea({.strength = 2})},
     };
     return presets;
 }

@@ -51,6 +51,17 @@ std::string check(const AnalyticSea& sea);
 /// Throws std::invalid_argument if more than 64 waves meet, or a sea is refused by check().
 AnalyticSea morphed(const AnalyticSea& from, const AnalyticSea& to, double u);
 
+/// Seas of any number of waves in the presets' manner: lengths fall evenly from the longest to the shortest, directions lie
+/// around the wind's, further from it the shorter the wave, and the sum of k A is the presets', whatever the lengths.
+struct AnalyticFamily {
+    int waves = 16;                          ///< 1 to 64
+    double longest_m = 120, shortest_m = 2;  ///< [0.01, 1000]
+    double strength = 1;                     ///< 0 calm, 1 moderate, 2 intense, morphed in between; [0, 2]
+    double direction_rad = 0;                ///< of the wind; [-2 pi, 2 pi]
+};
+/// Throws std::invalid_argument as morphed().
+AnalyticSea analytic_sea(const AnalyticFamily& family);
+
 /// "analytic-calm", "analytic-moderate", "analytic-intense". All have the same sixteen waves from 120 to 2 m, each of
 /// them higher in the later, so that any two morph with Hs between theirs.
 struct AnalyticPreset {

@@ -5,11 +5,11 @@
 #include <cassert>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "pelagic/analytic/kernels/analytic_kernels.hpp"
 #include "pelagic/analytic/point_groups.hpp"
 #include "pelagic/analytic/wave_phase.hpp"
-#include "pelagic/simd/det_math.hpp"
 #include "pelagic/simd/float_environment.hpp"
 
 namespace pelagic {
@@ -20,14 +20,14 @@ constexpr double two_pi = 6.283185307179586;
 // The rest of the tolerance is for what floats lose of a displacement of 64 m, the largest.
 constexpr double search_target_m = AnalyticSurface::tolerance_m / 2;
 
-GerstnerTerms terms_of(const AnalyticWave& wave, double frequency_hz, double choppiness) {
-    const auto [z, x] = det::sine_cosine_of_turns(wave.direction_rad / two_pi);
-    const double k = two_pi / wave.wavelength_m, a = wave.amplitude_m, moved = choppiness * a;
-    const double speed = two_pi * frequency_hz;
+GerstnerTerms terms_of(const PlaneWave& wave, double choppiness) {
+    const double per_m = wave.turns_per_m(), x = wave.turns_per_m_x / per_m, z = wave.turns_per_m_z / per_m;
+    const double k = two_pi * per_m, a = wave.amplitude_m, moved = choppiness * a;
+    const double speed = two_pi * wave.frequency_hz;
     const auto rounded = [](double value) { return static_cast<float>(value); };
-    return {.phase = {x / wave.wavelength_m, z / wave.wavelength_m},
-            .turns_per_m_x = rounded(x / wave.wavelength_m),
-            .turns_per_m_z = rounded(z / wave.wavelength_m),
+    return {.phase = {wave.turns_per_m_x, wave.turns_per_m_z},
+            .turns_per_m_x = rounded(wave.turns_per_m_x),
+            .turns_per_m_z = rounded(wave.turns_per_m_z),
             .height = rounded(a),
             .sideways_x = rounded(-moved * x),
             .sideways_z = rounded(-moved * z),
@@ -39,6 +39,12 @@ GerstnerTerms terms_of(const AnalyticWave& wave, double frequency_hz, double cho
             .rise = rounded(a * speed),
             .drift_x = rounded(moved * speed * x),
             .drift_z = rounded(moved * speed * z)};
+}
+
+template <class Sea>
+const Sea& checked(const Sea& sea) {
+    if (const std::string reason = check(sea); !reason.empty()) throw std::invalid_argument(reason);
+    return sea;
 }
 
 // The search for q with q + D(q) = p. Let s = choppiness sum k A, at most 0.4, and M = choppiness sum k^2 A:
@@ -53,10 +59,10 @@ GerstnerTerms terms_of(const AnalyticWave& wave, double frequency_hz, double cho
 struct Convergence {
     double s = 0, c = 0, first_m = 0;
 
-    explicit Convergence(const AnalyticSea& sea) {
+    explicit Convergence(const PlaneWaves& sea) {
         double bend = 0;
-        for (const AnalyticWave& wave : sea.waves) {
-            const double k = two_pi / wave.wavelength_m, moved = sea.choppiness * wave.amplitude_m;
+        for (const PlaneWave& wave : sea.waves) {
+            const double k = two_pi * wave.turns_per_m(), moved = sea.choppiness * wave.amplitude_m;
             s += k * moved;
             bend += k * k * moved;
             first_m += moved;
@@ -74,16 +80,15 @@ struct Convergence {
 
 }  // namespace
 
-AnalyticSurface::AnalyticSurface(const AnalyticSea& sea, std::optional<Isa> isa) : sea_(sea) {
-    if (const std::string reason = check(sea); !reason.empty()) throw std::invalid_argument(reason);
+AnalyticSurface::AnalyticSurface(const AnalyticSea& sea, std::optional<Isa> isa)
+    : AnalyticSurface(plane_waves_of(checked(sea)), isa) {}
+
+AnalyticSurface::AnalyticSurface(PlaneWaves waves, std::optional<Isa> isa) : waves_(std::move(waves)) {
+    checked(waves_);
     const DefaultFloatEnvironment environment;
     kernels_ = &analytic_kernels_for(choose_isa(isa));
-    for (const AnalyticWave& wave : sea.waves) {
-        const double k = two_pi / wave.wavelength_m;
-        frequencies_hz_.push_back(std::sqrt(gravity_of_waves_mps2 * k) / two_pi);
-        terms_.push_back(terms_of(wave, frequencies_hz_.back(), sea.choppiness));
-    }
-    const Convergence search(sea);
+    for (const PlaneWave& wave : waves_.waves) terms_.push_back(terms_of(wave, waves_.choppiness));
+    const Convergence search(waves_);
     contraction_ = static_cast<float>(search.s);
     curvature_ = static_cast<float>(search.c);
     most_steps_ = search.most_steps();
@@ -107,7 +112,7 @@ void AnalyticSurface::sample_points(bool in_world, double time_s, const Analytic
     const DefaultFloatEnvironment environment;
     std::array<double, most_analytic_waves> starts;
     for (std::size_t i = 0; i < terms_.size(); ++i)
-        starts[i] = turns_at_origin(sea_.waves[i].phase_rad / two_pi, frequencies_hz_[i], time_s);
+        starts[i] = turns_at_origin(waves_.waves[i].phase_turns, waves_.waves[i].frequency_hz, time_s);
 
     const AnswerArrays<10> arrays{samples.height_m,      samples.sideways_x_m,   samples.sideways_z_m,
                                   samples.normal_x,      samples.normal_y,       samples.normal_z,

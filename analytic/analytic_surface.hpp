@@ -1,4 +1,4 @@
-// The water of an AnalyticSea at any points and times, in closed form: no frame, no grid, no state.
+// The water of an AnalyticSea, or of any PlaneWaves, at any points and times, in closed form: no frame, no grid, no state.
 //
 //   const AnalyticSurface water(analytic_preset_named("analytic-moderate")->sea);
 //   water.sample(time_s, {.x = xs, .z = zs}, {.height_m = heights});
@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "pelagic/analytic/analytic_sea.hpp"
+#include "pelagic/analytic/plane_waves.hpp"
 #include "pelagic/simd/isa.hpp"
 
 namespace pelagic {
@@ -53,6 +54,7 @@ class AnalyticSurface {
 
     /// Throws std::invalid_argument with check(sea)'s line, or for an instruction set that this CPU lacks.
     explicit AnalyticSurface(const AnalyticSea& sea, std::optional<Isa> isa = {});
+    explicit AnalyticSurface(PlaneWaves waves, std::optional<Isa> isa = {});
     ~AnalyticSurface();
     AnalyticSurface(AnalyticSurface&&) noexcept;
     AnalyticSurface& operator=(AnalyticSurface&&) noexcept;
@@ -63,7 +65,7 @@ class AnalyticSurface {
     /// The water that is drawn at the points: its rest point is the point less `sideways`.
     void sample(double time_s, const AnalyticPoints& world, const AnalyticSamples& samples) const;
 
-    const AnalyticSea& sea() const { return sea_; }
+    const PlaneWaves& waves() const { return waves_; }
     /// Steps after which a search has ended, wherever the point lies; analytic_surface.cpp says why.
     int most_search_steps() const { return most_steps_; }
 
@@ -71,10 +73,9 @@ class AnalyticSurface {
     void sample_points(bool in_world, double time_s, const AnalyticPoints& points,
                        const AnalyticSamples& samples) const;
 
-    AnalyticSea sea_;
+    PlaneWaves waves_;
     const AnalyticKernels* kernels_;
     std::vector<GerstnerTerms> terms_;
-    std::vector<double> frequencies_hz_;
     float contraction_, curvature_;
     int most_steps_;
 };

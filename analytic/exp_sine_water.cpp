@@ -5,8 +5,9 @@
 #include <cassert>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
-#include "pelagic/analytic/kernels/analytic_kernels.hpp"
+#include "pelagic/analytic/exp_sine_terms.hpp"
 #include "pelagic/analytic/point_groups.hpp"
 #include "pelagic/analytic/wave_phase.hpp"
 #include "pelagic/message/refusal.hpp"
@@ -64,40 +65,89 @@ std::string check(const ExpSineSea& sea) {
     return {};
 }
 
-ExpSineWater::ExpSineWater(const ExpSineSea& sea, std::optional<Isa> isa) : sea_(sea) {
-    if (const std::string reason = check(sea); !reason.empty()) throw std::invalid_argument(reason);
+double ExpSineOctave::turns_per_m() const {
+    return std::sqrt(turns_per_m_x * turns_per_m_x + turns_per_m_z * turns_per_m_z);
+}
+
+double ripple_frequency_hz(double turns_per_m) {
+    const double k = two_pi * turns_per_m;
+    return std::sqrt(gravity_of_waves_mps2 * k + surface_tension_m3ps2 * k * k * k) / two_pi;
+}
+
+double shown_part(double wavelength_m, double footprint_m) {
+    const double t = std::clamp((2 * footprint_m / wavelength_m - 0.4) / 0.6, 0.0, 1.0);
+    return 1 - t * t * (3 - 2 * t);
+}
+
+std::vector<ExpSineOctave> octaves_of(const ExpSineSea& sea) {
     const DefaultFloatEnvironment environment;
-    kernels_ = &analytic_kernels_for(choose_isa(isa));
     double sum = 0, part = 1;
     for (int i = 0; i < sea.octaves; ++i, part *= sea.decay) sum += part;
+    std::vector<ExpSineOctave> octaves;
     double wavelength_m = sea.wavelength_m;
     part = 1;
     for (int i = 0; i < sea.octaves; ++i, part *= sea.decay, wavelength_m /= sea.growth) {
-        const double k = two_pi / wavelength_m;
-        const double w = std::sqrt(gravity_of_waves_mps2 * k + surface_tension_m3ps2 * k * k * k);
         const auto [z, x] = det::sine_cosine_of_turns(sea.direction_rad / two_pi + i * golden);
-        const auto rounded = [](double value) { return static_cast<float>(value); };
-        terms_.push_back({.phase = {x / wavelength_m, z / wavelength_m},
-                          .way_x = rounded(x),
-                          .way_z = rounded(z),
-                          .turns_per_m = rounded(1 / wavelength_m),
-                          .k = rounded(k),
-                          .height = rounded(sea.height_m * part / sum),
-                          .drag = rounded(sea.drag * part * sea.wavelength_m / two_pi),
-                          .frequency = rounded(w),
-                          .half_waves_per_m = rounded(2 / wavelength_m)});
-        frequencies_hz_.push_back(w / two_pi);
-        phases_turns_.push_back(i * golden * golden);
+        octaves.push_back({.turns_per_m_x = x / wavelength_m,
+                           .turns_per_m_z = z / wavelength_m,
+                           .frequency_hz = ripple_frequency_hz(1 / wavelength_m),
+                           .phase_turns = i * golden * golden,
+                           .height_m = sea.height_m * part / sum,
+                           .drag_m = sea.drag * part * sea.wavelength_m / two_pi});
     }
-    shortest_m_ = last_wavelength_m(sea);
+    return octaves;
+}
+
+ExpSineTerms exp_sine_terms_of(const ExpSineOctave& octave) {
+    const double per_m = octave.turns_per_m();
+    const auto rounded = [](double value) { return static_cast<float>(value); };
+    return {.phase = {octave.turns_per_m_x, octave.turns_per_m_z},
+            .way_x = rounded(octave.turns_per_m_x / per_m),
+            .way_z = rounded(octave.turns_per_m_z / per_m),
+            .turns_per_m = rounded(per_m),
+            .k = rounded(two_pi * per_m),
+            .height = rounded(octave.height_m),
+            .drag = rounded(octave.drag_m),
+            .frequency = rounded(two_pi * octave.frequency_hz),
+            .half_waves_per_m = rounded(2 * per_m)};
+}
+
+namespace {
+
+const ExpSineSea& checked(const ExpSineSea& sea) {
+    if (const std::string reason = check(sea); !reason.empty()) throw std::invalid_argument(reason);
+    return sea;
+}
+
+}  // namespace
+
+ExpSineWater::ExpSineWater(const ExpSineSea& sea, std::optional<Isa> isa)
+    : ExpSineWater(isa, octaves_of(checked(sea))) {}
+
+ExpSineWater ExpSineWater::of(std::vector<ExpSineOctave> octaves, std::optional<Isa> isa) {
+    return {isa, std::move(octaves)};
+}
+
+ExpSineWater::ExpSineWater(std::optional<Isa> isa, std::vector<ExpSineOctave> octaves)
+    : octaves_(std::move(octaves)), height_m_(0) {
+    assert(!octaves_.empty() && octaves_.size() <= most_analytic_waves);
+    const DefaultFloatEnvironment environment;
+    kernels_ = &analytic_kernels_for(choose_isa(isa));
+    double most_turns_per_m = 0;
+    for (const ExpSineOctave& octave : octaves_) {
+        terms_.push_back(exp_sine_terms_of(octave));
+        height_m_ += octave.height_m;
+        most_turns_per_m = std::max(most_turns_per_m, octave.turns_per_m());
+    }
+    shortest_m_ = 1 / most_turns_per_m;
 }
 
 ExpSineWater::~ExpSineWater() = default;
 ExpSineWater::ExpSineWater(ExpSineWater&&) noexcept = default;
 ExpSineWater& ExpSineWater::operator=(ExpSineWater&&) noexcept = default;
 
-double ExpSineWater::lowest_m() const { return sea_.height_m * (least_exp - mean_exp); }
-double ExpSineWater::highest_m() const { return sea_.height_m * (1 - mean_exp); }
+double ExpSineWater::lowest_m() const { return height_m_ * (least_exp - mean_exp); }
+double ExpSineWater::highest_m() const { return height_m_ * (1 - mean_exp); }
 
 void ExpSineWater::sample(double time_s, const AnalyticPoints& points, const ExpSineSamples& samples,
                           std::span<const float> footprint_m) const {
@@ -106,7 +156,7 @@ void ExpSineWater::sample(double time_s, const AnalyticPoints& points, const Exp
     const DefaultFloatEnvironment environment;
     std::array<double, most_analytic_waves> starts;
     for (std::size_t i = 0; i < terms_.size(); ++i)
-        starts[i] = turns_at_origin(phases_turns_[i], frequencies_hz_[i], time_s);
+        starts[i] = turns_at_origin(octaves_[i].phase_turns, octaves_[i].frequency_hz, time_s);
 
     const AnswerArrays<6> arrays{samples.height_m, samples.normal_x, samples.normal_y,
                                  samples.normal_z, samples.rise_mps, samples.slope_variance};

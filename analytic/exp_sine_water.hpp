@@ -40,6 +40,30 @@ struct ExpSineSea {
 /// 1 mm.
 std::string check(const ExpSineSea& sea);
 
+/// One of its octaves.
+struct ExpSineOctave {
+    double turns_per_m_x, turns_per_m_z;  ///< k / 2 pi, 1/m
+    double frequency_hz;
+    double phase_turns;
+    double height_m;  ///< a
+    double drag_m;    ///< how far it moves the octaves after it
+
+    double turns_per_m() const;
+};
+
+/// The octaves in their order, the longest first. \pre check(sea) is empty
+std::vector<ExpSineOctave> octaves_of(const ExpSineSea& sea);
+
+/// Frequency of waves of gravity and surface tension, sqrt(g k + 7.4e-5 k^3) / 2 pi.
+double ripple_frequency_hz(double turns_per_m);
+
+/// How much of an octave samples so far apart can show, 1 to 0: 1 - smoothstep(0.4, 1, footprint over half a wavelength).
+double shown_part(double wavelength_m, double footprint_m);
+
+/// Means over all phases of (exp(sin p - 1) - I0(1)/e)^2, I0(2)/e^2 - (I0(1)/e)^2, and of the square of its derivative,
+/// I1(2) / (2 e^2).
+inline constexpr double exp_sine_variance = 0.09157631048788914, exp_sine_slope_variance = 0.10763464462446883;
+
 struct ExpSineSamples {
     std::span<float> height_m = {};
     std::span<float> normal_x = {}, normal_y = {}, normal_z = {};
@@ -59,6 +83,8 @@ class ExpSineWater {
    public:
     /// Throws std::invalid_argument with check(sea)'s line, or for an instruction set that this CPU lacks.
     explicit ExpSineWater(const ExpSineSea& sea, std::optional<Isa> isa = {});
+    /// Of octaves that were moved onto a lattice, for instance. \pre 1 to 64 finite ones (asserted)
+    static ExpSineWater of(std::vector<ExpSineOctave> octaves, std::optional<Isa> isa = {});
     ~ExpSineWater();
     ExpSineWater(ExpSineWater&&) noexcept;
     ExpSineWater& operator=(ExpSineWater&&) noexcept;
@@ -80,14 +106,15 @@ class ExpSineWater {
 
     double lowest_m() const;
     double highest_m() const;
-    const ExpSineSea& sea() const { return sea_; }
+    const std::vector<ExpSineOctave>& octaves() const { return octaves_; }
 
    private:
-    ExpSineSea sea_;
+    ExpSineWater(std::optional<Isa> isa, std::vector<ExpSineOctave> octaves);
+
+    std::vector<ExpSineOctave> octaves_;
     const AnalyticKernels* kernels_;
     std::vector<ExpSineTerms> terms_;
-    std::vector<double> frequencies_hz_, phases_turns_;
-    double shortest_m_;
+    double height_m_, shortest_m_;
 };
 
 }  // namespace pelagic

@@ -215,6 +215,12 @@ using HostBuffers = OfEachTile<pelagic_frame_buffers, FrameBuffers>;
 using HostTargets = OfEachTile<pelagic_texture_targets, TextureTargets>;
 
 }  // namespace
+
+pelagic_ocean* new_ocean(const Forecast& forecast, const pelagic_ocean_options* options) {
+    const pelagic_ocean_options wanted = options ? read_struct(options, "options") : pelagic_ocean_options{};
+    return new pelagic_ocean(forecast, options_of(wanted), query_tolerance_m(wanted));
+}
+
 }  // namespace pelagic::capi
 
 using namespace pelagic;
@@ -225,9 +231,9 @@ pelagic_status pelagic_ocean_create(const pelagic_sea* sea, const pelagic_ocean_
     return guarded([&] {
         pelagic_ocean*& out = needed(ocean, "ocean");
         out = nullptr;
-        const SeaState state = sea_of(sea);
-        const pelagic_ocean_options wanted = options ? read_struct(options, "options") : pelagic_ocean_options{};
-        out = new pelagic_ocean(state, options_of(wanted), query_tolerance_m(wanted));
+        const Forecast forecast{.first = sea_of(sea)};
+        if (const std::string reason = check(forecast.first); !reason.empty()) refuse(reason);
+        out = new_ocean(forecast, options);
     });
 }
 

@@ -52,8 +52,8 @@ class AskedFrames {
 }  // namespace pelagic::capi
 
 struct pelagic_ocean {
-    pelagic_ocean(const pelagic::SeaState& sea, pelagic::OceanOptions options, double tolerance_m)
-        : ocean(sea, options),
+    pelagic_ocean(const pelagic::Forecast& forecast, pelagic::OceanOptions options, double tolerance_m)
+        : ocean(forecast, options),
           has_queries(options.queries),
           contents{.velocities = options.velocities,
                    .gradients = options.gradients || ocean.tile_count() == 1,
@@ -70,3 +70,10 @@ struct pelagic_ocean {
     const pelagic::Frame* shown = nullptr;  ///< what queries, tile, copy and hash tell of
     mutable pelagic::capi::AskedFrames asked;
 };
+
+namespace pelagic::capi {
+
+/// Throws std::invalid_argument for a wrong struct_size and for what can't be.
+pelagic_ocean* new_ocean(const Forecast& forecast, const pelagic_ocean_options* options);
+
+}  // namespace pelagic::capi

@@ -42,7 +42,7 @@
  * pelagic_frame points to belongs to the ocean. Strings that are returned live as long as the library, but for the one of
  * pelagic_last_error().
  *
- * No allocation is made by schedule, poll, complete and queries after an ocean's first frame. What is as large as a frame
+ * No allocation is made by schedule, poll, complete and queries after an ocean's first frame, unless its weather changes. What is as large as a frame
  * or a spectrum comes from pelagic_ocean_options.allocate, if that is there. */
 #ifndef PELAGIC_PELAGIC_H
 #define PELAGIC_PELAGIC_H
@@ -110,6 +110,12 @@ enum {
 };
 
 enum {
+    PELAGIC_WAVES_SPECTRUM = 0,
+    PELAGIC_WAVES_ANALYTIC = 1,
+    PELAGIC_WAVES_EXP_SINE = 2
+};
+
+enum {
     PELAGIC_SPREADING_PAPER = 0,
     PELAGIC_SPREADING_COSINE_2S = 1,
     PELAGIC_SPREADING_HASSELMANN = 2,
@@ -144,6 +150,15 @@ typedef struct pelagic_sea {
      * it has one tile. */
     int32_t cascades;
     uint32_t reserved_1; /* 0 */
+    /* Which waves: PELAGIC_WAVES_... A pond (exp-sine) is one tile. What follows is of the others than a spectrum, which alone
+     * has spectrum, spreading, fetch_m, depth_m, small_waves, alignment, swell and seed. */
+    int32_t waves;
+    int32_t wave_count;     /* waves, or octaves of a pond; 1 to 64. 0: 16 or 24 */
+    double longest_wave_m;  /* [0.02, 1000]. 0: 120, of a pond 1.2 */
+    double shortest_wave_m; /* [0.01, 1000]. 0: a sixtieth of the longest, of a pond a 45th */
+    double wave_strength;   /* 0 calm, 1 moderate, 2 intense, morphed in between; [0, 2] */
+    double wave_height_m;   /* significant height; [0, 30]. 0: what the strength makes */
+    double wave_drag;       /* how far a pond's long waves move its short ones; [0, 1] */
 } pelagic_sea;
 
 /* Sets every field but struct_size: resolution, patch_size_m and cascades to 0, which is chosen. A host whose struct ends before
@@ -401,7 +416,7 @@ PELAGIC_API pelagic_status pelagic_ocean_tile(const pelagic_ocean* ocean, int32_
 typedef struct pelagic_frame_buffers {
     uint32_t struct_size;
     uint32_t tile_count; /* of the first struct: the frame's tiles, 0 for one; of the others 0 */
-    size_t plane_count; /* N^2, the length of each of these */
+    size_t plane_count;  /* N^2, the length of each of these */
     float *dx, *height, *dz;
     float *velocity_x, *velocity_y, *velocity_z;
     size_t rgba16f_count; /* 4 N^2 */
@@ -442,6 +457,40 @@ PELAGIC_API pelagic_status pelagic_ocean_poll_sea(const pelagic_ocean* ocean, in
 /* Frames scheduled from now on show it; waits for its spectrum. PELAGIC_WRONG_ORDER if none is being baked or a frame is
  * in flight. After PELAGIC_HOST_ERROR the old sea stays. */
 PELAGIC_API pelagic_status pelagic_ocean_complete_sea(pelagic_ocean* ocean);
+
+/* ---- Weather ---------------------------------------------------------------------------------------------------- */
+
+/* The sea turns into another one: each wave's energy goes over from one to the other, smoothly, and a frame stays a pure
+ * function of the weather and the time, in any order. */
+typedef struct pelagic_change {
+    uint32_t struct_size;
+    uint32_t reserved;      /* 0 */
+    const pelagic_sea* sea; /* that there is afterwards; read before the call returns */
+    double from_s;          /* when it begins, not before the one before it is over */
+    double over_s;          /* how long it takes; (0, 1e9] */
+} pelagic_change;
+
+/* Seas with times. All have the same number and kind of tiles, resolution, depth_m, loop_period_s and seed. */
+typedef struct pelagic_forecast {
+    uint32_t struct_size;
+    uint32_t change_count;
+    const pelagic_sea* first; /* before the first change */
+    const pelagic_change*
+        changes; /* change_count of them, in order, all of the first one's struct_size; NULL where there are none */
+    /* Tiles are laid out for waves with peaks up to this long, and later changes can bring no longer ones; 0: the longest peak of
+     * these seas, or (0, 1e5]. Without meaning with a patch_size_m. */
+    double largest_peak_m;
+} pelagic_forecast;
+
+/* pelagic_ocean_create() with changes to come. Later seas are baked beside frames, before frames need them; a frame waits for one
+ * that is not done, after a jump in time. */
+PELAGIC_API pelagic_status pelagic_ocean_create_forecast(const pelagic_forecast* forecast,
+                                                         const pelagic_ocean_options* options, pelagic_ocean** ocean);
+
+/* One more change, which is baked beside frames from now on; a frame may be in flight. The ocean remembers the last two:
+ * frames of times before them have the oldest sea that is left. PELAGIC_WRONG_ORDER between pelagic_ocean_schedule_sea and
+ * pelagic_ocean_complete_sea, which makes an end of all changes. */
+PELAGIC_API pelagic_status pelagic_ocean_schedule_change(pelagic_ocean* ocean, const pelagic_change* change);
 
 /* ---- Queries ---------------------------------------------------------------------------------------------------- */
 

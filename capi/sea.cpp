@@ -14,6 +14,9 @@ static_assert(PELAGIC_SPECTRUM_PHILLIPS_PAPER == static_cast<int>(SpectrumModel:
 static_assert(PELAGIC_SPECTRUM_PHILLIPS == static_cast<int>(SpectrumModel::phillips));
 static_assert(PELAGIC_SPECTRUM_PIERSON_MOSKOWITZ == static_cast<int>(SpectrumModel::pierson_moskowitz));
 static_assert(PELAGIC_SPECTRUM_JONSWAP == static_cast<int>(SpectrumModel::jonswap));
+static_assert(PELAGIC_WAVES_SPECTRUM == static_cast<int>(WaveModel::spectrum));
+static_assert(PELAGIC_WAVES_ANALYTIC == static_cast<int>(WaveModel::analytic));
+static_assert(PELAGIC_WAVES_EXP_SINE == static_cast<int>(WaveModel::exp_sine));
 static_assert(PELAGIC_SPREADING_PAPER == static_cast<int>(SpreadingModel::paper));
 static_assert(PELAGIC_SPREADING_COSINE_2S == static_cast<int>(SpreadingModel::cosine_2s));
 static_assert(PELAGIC_SPREADING_HASSELMANN == static_cast<int>(SpreadingModel::hasselmann));
@@ -43,6 +46,13 @@ pelagic_sea c_sea_of(const SeaState& from) {
     to.swell_direction_rad = from.swell_direction_rad;
     to.swell_spread_rad = from.swell_spread_rad;
     to.cascades = from.cascades;
+    to.waves = static_cast<std::int32_t>(from.waves);
+    to.wave_count = from.wave_count;
+    to.longest_wave_m = from.longest_wave_m;
+    to.shortest_wave_m = from.shortest_wave_m;
+    to.wave_strength = from.wave_strength;
+    to.wave_height_m = from.wave_height_m;
+    to.wave_drag = from.wave_drag;
     return to;
 }
 
@@ -51,7 +61,12 @@ bool knows_cascades(const pelagic_sea& sea) {
     return sea.struct_size >= offsetof(pelagic_sea, cascades) + sizeof sea.cascades;
 }
 
-/// For such a host: as it was, 256 texels on this side.
+/// A host whose struct ends before it gets no sea of other waves than a spectrum's.
+bool knows_waves(const pelagic_sea& sea) {
+    return sea.struct_size >= offsetof(pelagic_sea, wave_drag) + sizeof sea.wave_drag;
+}
+
+/// For a host that doesn't know cascades: as it was, 256 texels on this side.
 SeaState one_tile(SeaState sea, double side_m) {
     sea.resolution = 256;
     sea.patch_size_m = side_m;
@@ -72,7 +87,8 @@ std::string preset_names() {
 
 SeaState sea_of(const pelagic_sea* pointer) {
     const pelagic_sea sea = read_struct(pointer, "sea");
-    return {.spectrum = static_cast<SpectrumModel>(sea.spectrum),
+    return {.waves = static_cast<WaveModel>(sea.waves),
+            .spectrum = static_cast<SpectrumModel>(sea.spectrum),
             .spreading = static_cast<SpreadingModel>(sea.spreading),
             .cascades = knows_cascades(*pointer) ? sea.cascades : 1,
             .resolution = sea.resolution,
@@ -90,7 +106,13 @@ SeaState sea_of(const pelagic_sea* pointer) {
             .swell_direction_rad = sea.swell_direction_rad,
             .swell_spread_rad = or_default(sea.swell_spread_rad, &SeaState::swell_spread_rad),
             .loop_period_s = sea.loop_period_s,
-            .seed = sea.seed};
+            .seed = sea.seed,
+            .wave_count = sea.wave_count,
+            .longest_wave_m = sea.longest_wave_m,
+            .shortest_wave_m = sea.shortest_wave_m,
+            .wave_strength = sea.wave_strength,
+            .wave_height_m = sea.wave_height_m,
+            .wave_drag = sea.wave_drag};
 }
 
 }  // namespace pelagic::capi
@@ -113,6 +135,8 @@ pelagic_status pelagic_sea_preset(const char* name, pelagic_sea* sea) {
         const SeaPreset* const preset = sea_preset_named(wanted);
         if (!preset) refuse(refusal("preset", wanted, "one of " + preset_names()));
         const SeaState& state = preset->sea;
+        if (state.waves != WaveModel::spectrum && !knows_waves(*sea))
+            refuse(refusal("preset", wanted, "a struct pelagic_sea that has waves, as later versions do"));
         write_struct(c_sea_of(knows_cascades(*sea) ? state : one_tile(state, lone_side_m(state))), sea);
     });
 }

@@ -29,6 +29,8 @@ PELAGIC_LAST_FIELD_AT_FIRST(pelagic_frame, bounds);
 PELAGIC_LAST_FIELD_AT_FIRST(pelagic_tile, whitecap_jacobian);
 PELAGIC_LAST_FIELD_AT_FIRST(pelagic_frame_buffers, gradient_rgba8);
 PELAGIC_LAST_FIELD_AT_FIRST(pelagic_texture_targets, moments_rgba8);
+PELAGIC_LAST_FIELD_AT_FIRST(pelagic_change, over_s);
+PELAGIC_LAST_FIELD_AT_FIRST(pelagic_forecast, largest_peak_m);
 PELAGIC_LAST_FIELD_AT_FIRST(pelagic_points, z);
 PELAGIC_LAST_FIELD_AT_FIRST(pelagic_samples, converged);
 PELAGIC_LAST_FIELD_AT_FIRST(pelagic_ray, reach_m);

@@ -24,6 +24,10 @@ function(add_suite test suite timeout environment labels)
     string(APPEND command " [==[${word}]==]")
   endforeach()
   list(JOIN PROPERTIES " " properties)
+  # Where no earlier run has timed them, long ones come first: one that is left for the end keeps a core alone.
+  if("slow" IN_LIST labels)
+    string(PREPEND properties "COST 100 ")
+  endif()
   string(APPEND script "add_test([==[${test}]==]${command})\n"
     "set_tests_properties([==[${test}]==] PROPERTIES TIMEOUT ${timeout} LABELS [==[${labels}]==]"
     " ENVIRONMENT_MODIFICATION [==[${environment}]==] ${properties})\n")

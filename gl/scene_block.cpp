@@ -122,9 +122,8 @@ void place_foam(SceneBlock& block, const SeaFacts& facts, glm::dvec2 viewer) {
     const SeaState& sea = facts.sea;
     const FoamDrift drift(facts);
     const glm::dvec2 x(1, 0), z(0, 1);
-    block.foam_shift = {
-        drift.place(viewer, x, FoamSizes::bubbles_m), drift.place(viewer, z, FoamSizes::bubbles_m),
-        drift.place(viewer, x, FoamSizes::lace_m), drift.place(viewer, z, FoamSizes::lace_m)};
+    block.foam_shift = {drift.place(viewer, x, FoamSizes::bubbles_m), drift.place(viewer, z, FoamSizes::bubbles_m),
+                        drift.place(viewer, x, FoamSizes::lace_m), drift.place(viewer, z, FoamSizes::lace_m)};
     const double c = std::cos(sea.wind_direction_rad), s = std::sin(sea.wind_direction_rad);
     for (std::size_t i = 0; i < 2; ++i) {
         const double along_m = FoamSizes::streaks_along_m[i], across_m = FoamSizes::streaks_across_m[i];

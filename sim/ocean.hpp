@@ -18,6 +18,7 @@
 
 #include "pelagic/jobs/executor.hpp"
 #include "pelagic/jobs/trace.hpp"
+#include "pelagic/sim/forecast.hpp"
 #include "pelagic/sim/frame.hpp"
 #include "pelagic/sim/frame_buffers.hpp"
 #include "pelagic/sim/sea_state.hpp"
@@ -51,14 +52,17 @@ class Ocean {
     /// Bakes the spectrum. Throws std::invalid_argument(check(sea)) if an option is out of range, what
     /// choose_isa() and executors throw, and std::bad_alloc.
     explicit Ocean(const SeaState& sea, OceanOptions options = {});
+    /// The same with changes to come. The first sea is baked here, and each later one beside frames, from 10 s of the sea's time
+    /// before it is needed. A frame waits for one that is not done: after a jump, or with an executor that does not run ahead.
+    explicit Ocean(const Forecast& forecast, OceanOptions options = {});
     ~Ocean();  ///< waits for work in flight
     Ocean(const Ocean&) = delete;
     Ocean& operator=(const Ocean&) = delete;
 
     /// Starts the frame at `time_s` and returns at once; a small one (N up to 64) is left to complete(), which is done
     /// with it sooner than other threads would be. Any finite time, in any order: a frame is a pure function of
-    /// the sea and the time, and time_s + n * loop_period_s gives the same bits. With OceanOptions::foam the warm-up of a jump in
-    /// time is left to complete(), too.
+    /// the forecast and the time, and while one sea lasts time_s + n * loop_period_s gives the same bits. With
+    /// OceanOptions::foam the warm-up of a jump in time is left to complete(), too.
     /// \pre no frame is in flight
     void schedule(double time_s) { schedule(time_s, {}); }
 
@@ -92,11 +96,18 @@ class Ocean {
     bool sea_is_ready() const;  ///< complete_sea() would not wait for other threads
     /// Frames scheduled from now on show the sea given last to schedule_sea(); waits for its spectrum.
     /// \pre no frame is in flight
+    /// The changes that were to come are forgotten then.
     void complete_sea();
 
-    std::size_t tile_count() const;  ///< of every frame
-    int resolution() const;          ///< texels along a side of each tile
-    const SeaState& sea() const;     ///< the sea that the next frame shows
+    /// One more change of the forecast: the sea turns into another one, and its spectrum is baked beside frames from now on
+    /// (Forecast says what may change). The ocean remembers the last two changes, and times before them have the oldest sea that is
+    /// left. Throws std::invalid_argument(check(forecast)) if the change before isn't over by `from_s`, or the sea doesn't fit.
+    /// A frame may be in flight. \pre no sea is between schedule_sea(sea) and complete_sea()
+    void schedule_sea(const SeaChange& change);
+    void schedule_sea(const SeaState& sea, double from_s, double over_s) {
+        schedule_sea({.sea = sea, .from_s = from_s, .over_s = over_s});
+    }
+
     /// What frames remember, for whoever wants to go on from `time_s` without a warm-up: the bytes of ticks up to the frame
     /// completed last. Empty without OceanOptions::foam.
     std::vector<std::uint8_t> saved_history() const;
@@ -104,6 +115,10 @@ class Ocean {
     /// \pre no frame is in flight
     void restore_history(std::span<const std::uint8_t> saved);
 
+    std::size_t tile_count() const;    ///< of every frame
+    int resolution() const;            ///< texels along a side of each tile
+    const SeaState& sea() const;       ///< the last one of the forecast; Frame::sea is that of the frame
+    const Forecast& forecast() const;  ///< with the largest_peak_m that the tiles have
     Isa isa() const;
     const Executor& executor() const;
     const JobGraph& graph() const;     ///< the stages of a frame

@@ -3,9 +3,13 @@
 #include <array>
 
 #include "pelagic/message/refusal.hpp"
+#include "pelagic/sim/spectrum/wave_list.hpp"
 
 namespace pelagic {
 namespace {
+
+constexpr std::array all_waves = {WaveModel::spectrum, WaveModel::analytic, WaveModel::exp_sine};
+constexpr std::array<std::string_view, all_waves.size()> wave_names = {"spectrum", "analytic", "exp-sine"};
 
 constexpr std::array models = {SpectrumModel::phillips_paper, SpectrumModel::phillips,
                                SpectrumModel::pierson_moskowitz, SpectrumModel::jonswap};
@@ -42,21 +46,46 @@ constexpr std::array fields = {
     SeaStateField{"swell_spread_rad", &SeaState::swell_spread_rad, two_pi / 360, 2 * two_pi / 9, "[pi/180, 4 pi/9]"},
     SeaStateField{"loop_period_s", &SeaState::loop_period_s, 0.1, 86400, "[0.1, 86400]"},
     SeaStateField{"seed", &SeaState::seed, 0, 4294967295.0, "a whole number from 0 to 4294967295"},
+    SeaStateField{"wave_count", &SeaState::wave_count, 1, 64, "1 to 64, or 0: chosen", Among::all, 0},
+    SeaStateField{"longest_wave_m", &SeaState::longest_wave_m, 0.02, 1000, "[0.02, 1000], or 0: chosen", Among::all,
+                  0},
+    SeaStateField{"shortest_wave_m", &SeaState::shortest_wave_m, 0.01, 1000, "[0.01, 1000], or 0: chosen", Among::all,
+                  0},
+    SeaStateField{"wave_strength", &SeaState::wave_strength, 0, 2, "[0, 2]"},
+    SeaStateField{"wave_height_m", &SeaState::wave_height_m, 0, 30, "[0, 30], 0 being chosen"},
+    SeaStateField{"wave_drag", &SeaState::wave_drag, 0, 1, "[0, 1]"},
 };
 
 }  // namespace
 
+bool has_papers_spectrum(const SeaState& sea) {
+    return sea.waves == WaveModel::spectrum && sea.spectrum == SpectrumModel::phillips_paper;
+}
+
+bool is_tile_for_good(const SeaState& sea) {
+    return sea.patch_size_m > 0 || has_papers_spectrum(sea) || sea.waves == WaveModel::exp_sine;
+}
+
 int cascades_of(const SeaState& sea) {
     if (sea.cascades != 0) return sea.cascades;
-    const bool is_one = sea.patch_size_m > 0 || sea.spectrum == SpectrumModel::phillips_paper ||
-                        (sea.resolution != 0 && sea.resolution < least_resolution_of_stacks);
+    const bool is_one = is_tile_for_good(sea) || (sea.resolution != 0 && sea.resolution < least_resolution_of_stacks);
     return is_one ? 1 : default_cascades;
 }
 
 int resolution_of(const SeaState& sea) {
     if (sea.resolution != 0) return sea.resolution;
-    return sea.patch_size_m > 0 || sea.spectrum == SpectrumModel::phillips_paper ? 256 : 128;
+    return is_tile_for_good(sea) ? 256 : 128;
 }
+
+std::string_view name_of(WaveModel waves) { return wave_names[static_cast<std::size_t>(waves)]; }
+
+std::optional<WaveModel> wave_model_named(std::string_view name) {
+    for (const WaveModel waves : all_waves)
+        if (name_of(waves) == name) return waves;
+    return {};
+}
+
+std::span<const WaveModel> wave_models() { return all_waves; }
 
 std::string_view name_of(SpectrumModel model) { return model_names[static_cast<std::size_t>(model)]; }
 
@@ -81,16 +110,19 @@ std::span<const SpreadingModel> spreading_models() { return spreadings; }
 std::span<const SeaStateField> sea_state_fields() { return fields; }
 
 std::string check(const SeaState& sea) {
+    if (static_cast<std::size_t>(sea.waves) >= all_waves.size()) return "waves is no known model";
     if (static_cast<std::size_t>(sea.spectrum) >= models.size()) return "spectrum is no known model";
     if (static_cast<std::size_t>(sea.spreading) >= spreadings.size()) return "spreading is no known model";
     if (const std::string reason = check_fields(sea, fields); !reason.empty()) return reason;
-    const bool is_papers = sea.spectrum == SpectrumModel::phillips_paper;
+    const bool is_papers = has_papers_spectrum(sea);
     if (sea.cascades > 1) {
         if (sea.patch_size_m > 0) return refusal("cascades", sea.cascades, "1 where the side of the tile is given");
         if (is_papers) return refusal("cascades", sea.cascades, "1 where the spectrum is phillips-paper");
+        if (sea.waves == WaveModel::exp_sine) return refusal("cascades", sea.cascades, "1 where waves is exp-sine");
         if (sea.resolution != 0 && sea.resolution < least_resolution_of_stacks)
             return refusal("cascades", sea.cascades, "1 where the resolution is " + number_text(sea.resolution));
     }
+    if (sea.waves != WaveModel::spectrum) return check_wave_list(sea);
     if (!is_papers) return {};
     if (sea.spreading != SpreadingModel::paper)
         return refusal("spreading", name_of(sea.spreading), "paper where the spectrum is phillips-paper");

@@ -11,6 +11,15 @@
 
 namespace pelagic {
 
+/// Which waves there are: those of a wind's spectrum; up to 64 waves of an analytic sea (analytic/analytic_sea.hpp); a pond's octaves
+/// of exp(sin - 1) (analytic/exp_sine_water.hpp).
+enum class WaveModel { spectrum, analytic, exp_sine };
+
+/// "spectrum", "analytic" or "exp-sine".
+std::string_view name_of(WaveModel);
+std::optional<WaveModel> wave_model_named(std::string_view name);
+std::span<const WaveModel> wave_models();
+
 enum class SpectrumModel { phillips_paper, phillips, pierson_moskowitz, jonswap };
 
 /// "phillips-paper", "phillips", "pierson-moskowitz" or "jonswap".
@@ -31,6 +40,9 @@ inline constexpr int default_cascades = 4;
 
 /// SI units, and each name says its unit. Ranges stand in sea_state_fields() and are checked by check().
 struct SeaState {
+    /// Spectrum, spreading, fetch, depth, small_waves, alignment, swell and seed are the spectrum's; the wave_ options are the
+    /// others'. All have the wind, whose way is that of their waves, and which makes roughness and whitecaps.
+    WaveModel waves = WaveModel::spectrum;
     SpectrumModel spectrum = SpectrumModel::jonswap;
     SpreadingModel spreading = SpreadingModel::paper;  ///< phillips-paper takes no other
 
@@ -59,11 +71,22 @@ struct SeaState {
     double swell_spread_rad = 0.26179938779914943;
     double loop_period_s = 200;  ///< T, the sea repeats exactly after this time; [0.1, 86400]
     std::uint32_t seed = 1;      ///< which sea of this kind; any 32-bit number
+    int wave_count = 0;          ///< waves of an analytic sea, octaves of a pond; 1 to 64. 0: 16 or 24
+    double longest_wave_m = 0;   ///< [0.02, 1000]. 0: 120, of a pond 1.2
+    double shortest_wave_m =
+        0;                     ///< at most the longest; [0.01, 1000]. 0: a sixtieth of the longest, of a pond a 45th
+    double wave_strength = 1;  ///< of an analytic sea: 0 calm, 1 moderate, 2 intense, morphed in between; [0, 2]
+    double wave_height_m = 0;  ///< Hs; [0, 30]. 0: what the strength makes, of a pond 0.02 of its longest wave
+    double wave_drag = 0.38;   ///< how far a pond's long waves move its short ones; 0: not at all; [0, 1]
 };
 
 /// What is chosen where a sea says 0. \pre check(sea) is empty
 int cascades_of(const SeaState& sea);
 int resolution_of(const SeaState& sea);
+/// The side was given, or the waves know no other than one tile. \pre the same
+bool is_tile_for_good(const SeaState& sea);
+/// Its spectrum is phillips-paper, and is what makes its waves.
+bool has_papers_spectrum(const SeaState& sea);
 
 /// `name` is the key of files, too.
 using SeaStateField = NumericField<SeaState>;
@@ -72,7 +95,8 @@ using SeaStateField = NumericField<SeaState>;
 std::span<const SeaStateField> sea_state_fields();
 
 /// Empty if usable, else the first bad field: "wind_speed_mps is -3, needs (0, 60]". phillips-paper has no physical height
-/// to go with a swell, and knows no other spreading than its own.
+/// to go with a swell, and knows no other spreading than its own. Only a spectrum has a swell. A given side is no shorter than
+/// the longest wave of the others, and an analytic sea, as its tiles hold it, no steeper than 0.4 (most_steepness).
 std::string check(const SeaState&);
 
 /// Named seas for people who think in sea states, mildest first, and then the open sea of each force of wind, beaufort-0 to

@@ -11,6 +11,7 @@
 #include "pelagic/sim/spectrum/amplitudes.hpp"
 #include "pelagic/sim/spectrum/dispersion.hpp"
 #include "pelagic/sim/spectrum/spectral_peak.hpp"
+#include "pelagic/sim/spectrum/wave_list.hpp"
 #include "pelagic/simd/det_math.hpp"
 #include "pelagic/simd/float_environment.hpp"
 
@@ -32,6 +33,9 @@ struct Moments {
     }
 };
 
+// Bands 5 % wide from the longest wave of the lattice up to the shortest.
+constexpr double band_ratio = 1.05;
+
 /// What one pass over all tiles' lattices finds: every figure of this file comes from these.
 struct GridSums {
     double lowest_band_hz = 0;
@@ -40,10 +44,16 @@ struct GridSums {
     Moments drawn;                  ///< of this seed, as are the rest
     std::vector<double> bands;      ///< of frequency, band_ratio wide, from that of the longest wave on; m^2
     std::unordered_map<std::uint32_t, double> harmonics;  ///< periods in a loop, m^2
-};
 
-// Bands 5 % wide from the longest wave of the lattice up to the shortest.
-constexpr double band_ratio = 1.05;
+    /// The variance of a wave.
+    void add_drawn(double hertz, std::uint32_t harmonic, double variance) {
+        const double rise = det::log(hertz / lowest_band_hz) / det::log(band_ratio);
+        const auto band = static_cast<std::size_t>(std::max(0.0, rise));
+        if (band >= bands.size()) bands.resize(band + 1);
+        bands[band] += variance;
+        harmonics[harmonic] += variance;
+    }
+};
 
 enum class Draws { no, yes };
 
@@ -51,9 +61,8 @@ enum class Draws { no, yes };
 /// all seeds is summed, for half the work.
 void add_tile(const SeaState& sea, const TilePlan& tile, Draws draws, GridSums& sums) {
     const TileWaves waves(sea, tile);
-    const Water water(sea.depth_m, tile.has_surface_tension ? sea_surface_tension_m3ps2 : 0);
+    const Water& water = waves.water();
     const auto wind = det::sine_cosine_of_turns(sea.wind_direction_rad / two_pi);
-    const double log_ratio = det::log(band_ratio), lowest = sums.lowest_band_hz;
     SlopeVariance slopes;
 
     // The wave (m, n) and the one against it; what they hold of this seed.
@@ -80,18 +89,39 @@ void add_tile(const SeaState& sea, const TilePlan& tile, Draws draws, GridSums& 
             if (m > 0 && n > 0) drawn += add_pair(variances.minus, -m, n, k);
             if (!(drawn > 0)) continue;
             const double omega = angular_frequency(k, water);
-            const double rise = det::log(omega / two_pi / lowest) / log_ratio;
-            const auto band = static_cast<std::size_t>(std::max(0.0, rise));
-            if (band >= sums.bands.size()) sums.bands.resize(band + 1);
-            sums.bands[band] += drawn;
-            sums.harmonics[loop_harmonic(omega, sea.loop_period_s)] += drawn;
+            sums.add_drawn(omega / two_pi, loop_harmonic(omega, sea.loop_period_s), drawn);
         }
+    }
+    sums.tiles.push_back({tile.lattice.side_m, tile.resolution, slopes});
+}
+
+/// Adds a pond's octaves, as independent as phases of their own make them.
+void add_pond(const SeaState& sea, const TilePlan& tile, GridSums& sums) {
+    const auto wind = det::sine_cosine_of_turns(sea.wind_direction_rad / two_pi);
+    SlopeVariance slopes;
+    for (const LatticeOctave& moved : lattice_octaves(sea, tile)) {
+        const ExpSineOctave& octave = moved.octave;
+        const double x = octave.turns_per_m_x / octave.turns_per_m(), z = octave.turns_per_m_z / octave.turns_per_m();
+        const double variance = moved.height_variance();
+        if (!(variance > 0)) continue;
+        sums.expected.add(variance, 0, x, z);
+        sums.drawn.add(variance, 0, x, z);
+        sums.add_drawn(octave.frequency_hz, moved.harmonic, variance);
+        const double along = x * wind.cosine + z * wind.sine;
+        const double steep = moved.shown * moved.shown * moved.slope_variance();
+        slopes.upwind += steep * (along * along);
+        slopes.crosswind += steep * (1 - along * along);
     }
     sums.tiles.push_back({tile.lattice.side_m, tile.resolution, slopes});
 }
 
 GridSums sums_over(const SeaState& sea, std::span<const TilePlan> plan, Draws draws) {
     GridSums sums;
+    if (sea.waves == WaveModel::exp_sine) {
+        sums.lowest_band_hz = ripple_frequency_hz(1 / plan.front().lattice.side_m);
+        add_pond(sea, plan.front(), sums);
+        return sums;
+    }
     sums.lowest_band_hz = angular_frequency(plan.front().spacing(), sea.depth_m) / two_pi;
     for (const TilePlan& tile : plan) add_tile(sea, tile, draws, sums);
     return sums;
@@ -99,11 +129,46 @@ GridSums sums_over(const SeaState& sea, std::span<const TilePlan> plan, Draws dr
 
 std::string short_text(double value) { return rounded_text(value, 3); }
 
-/// What the model says, with the sums of the grid.
-ExpectedWaves expected_from(const WaveSpectrum& spectrum, const SpectralPeak& peak, const GridSums& sums) {
-    ExpectedWaves waves{4 * std::sqrt(sums.expected.variance), two_pi / peak.omega, two_pi / peak.k, {}};
-    if (spectrum.is_physical()) waves.model_significant_wave_height_m = 4 * std::sqrt(spectrum.variance());
-    return waves;
+/// What a sea asks for, whatever tiles can hold.
+struct AskedWaves {
+    SpectralPeak peak;
+    std::optional<double> significant_wave_height_m;  ///< none for phillips-paper
+    double kept_by_breaking = 1;
+    int left_out = 0;  ///< waves of a list that no tile holds
+};
+
+AskedWaves asked_of_list(const SeaState& sea) {
+    if (sea.waves == WaveModel::exp_sine) {
+        double squares = 0;
+        const std::vector<ExpSineOctave> octaves = octaves_of(exp_sine_sea_of(sea));
+        for (const ExpSineOctave& octave : octaves) squares += octave.height_m * octave.height_m;
+        const ExpSineOctave& first = octaves.front();
+        return {.peak = {two_pi * first.turns_per_m(), two_pi * first.frequency_hz},
+                .significant_wave_height_m = 4 * std::sqrt(exp_sine_variance * squares)};
+    }
+    const PlaneWaves asked = plane_waves_of(analytic_sea_of(sea));
+    const auto highest =
+        std::max_element(asked.waves.begin(), asked.waves.end(),
+                         [](const PlaneWave& a, const PlaneWave& b) { return a.amplitude_m < b.amplitude_m; });
+    return {.peak = {two_pi * highest->turns_per_m(), two_pi * highest->frequency_hz},
+            .significant_wave_height_m = significant_height_m(asked),
+            .left_out = static_cast<int>(asked.waves.size() - waves_of_tiles(sea).waves.size())};
+}
+
+AskedWaves asked_of(const SeaState& sea, std::span<const TilePlan> plan) {
+    if (sea.waves != WaveModel::spectrum) return asked_of_list(sea);
+    const WaveSpectrum spectrum(sea, plan.front());
+    AskedWaves asked{.peak = peak_of(spectrum, sea),
+                     .significant_wave_height_m = {},
+                     .kept_by_breaking = spectrum.kept_by_breaking()};
+    if (spectrum.is_physical()) asked.significant_wave_height_m = 4 * std::sqrt(spectrum.variance());
+    return asked;
+}
+
+/// What was asked for, with the sums of the grid.
+ExpectedWaves expected_from(const AskedWaves& asked, const GridSums& sums) {
+    return {4 * std::sqrt(sums.expected.variance), two_pi / asked.peak.omega, two_pi / asked.peak.k,
+            asked.significant_wave_height_m};
 }
 
 double peak_period_from(const GridSums& sums) {
@@ -155,24 +220,29 @@ WaveDirections directions_from(const Moments& moments) {
     return directions_of_moment(moments.x / moments.variance, moments.z / moments.variance);
 }
 
-std::vector<std::string> warnings_from(const SeaState& sea, std::span<const TilePlan> plan,
-                                       const WaveSpectrum& spectrum, const SpectralPeak& peak,
+std::vector<std::string> warnings_from(const SeaState& sea, std::span<const TilePlan> plan, const AskedWaves& asked,
                                        const ExpectedWaves& waves, const LoopFrequencies& found) {
+    const SpectralPeak& peak = asked.peak;
     const TilePlan &coarsest = plan.front(), &finest = plan.back();
     const double peak_wavelength_m = waves.peak_wavelength_m;
     // What a patch does to the height, over all seeds: one seed's own may as well be above the model's.
     const auto height_beside_model = [&]() -> std::string {
-        if (!waves.model_significant_wave_height_m) return {};
+        if (!waves.model_significant_wave_height_m || sea.waves != WaveModel::spectrum) return {};
         return ", over all seeds Hs " + short_text(waves.significant_wave_height_m) + " m, where this wind makes " +
                short_text(*waves.model_significant_wave_height_m) + " m";
     };
     std::vector<std::string> warnings;
-    if (const double kept = spectrum.kept_by_breaking(); kept < 1) {
+    if (const double kept = asked.kept_by_breaking; kept < 1) {
         const double height = highest_over_depth * sea.depth_m;
         warnings.push_back("in " + number_text(sea.depth_m) + " m of water waves break: of Hs " +
                            short_text(height / std::sqrt(kept)) + " m " + short_text(height) +
                            " m is left, 0.6 of the depth");
     }
+    if (asked.left_out > 0)
+        warnings.push_back(number_text(asked.left_out) +
+                           " of the sea's waves are shorter than the tiles' texels hold and left out, of Hs " +
+                           short_text(*waves.model_significant_wave_height_m) + " m " +
+                           short_text(waves.significant_wave_height_m) + " m is left: raise the resolution");
     if (coarsest.lattice.side_m < 2 * peak_wavelength_m)
         warnings.push_back("the patch of " + number_text(coarsest.lattice.side_m) +
                            " m is shorter than two peak wavelengths (" + short_text(2 * peak_wavelength_m) +
@@ -187,7 +257,8 @@ std::vector<std::string> warnings_from(const SeaState& sea, std::span<const Tile
         warnings.push_back("a loop of " + number_text(sea.loop_period_s) + " s bends the peak's period by " +
                            number_text(std::round(100 * std::fabs(peak.omega / looped - 1))) +
                            " %: waves of a loop run a whole number of periods");
-    if (found.largest_share > 0 && found.for_90_percent < fewest_loop_frequencies)
+    // Of a list's waves few frequencies are all that there are.
+    if (sea.waves == WaveModel::spectrum && found.largest_share > 0 && found.for_90_percent < fewest_loop_frequencies)
         warnings.push_back("a loop of " + number_text(sea.loop_period_s) +
                            " s is short for this sea: " + number_text(found.for_90_percent) +
                            " of its frequencies hold 90 % of the energy, so waves rise and fall in step; ten peak "
@@ -201,18 +272,17 @@ std::vector<std::string> warnings_from(const SeaState& sea, std::span<const Tile
 SeaReport report_on(const SeaState& sea) {
     const DefaultFloatEnvironment environment;
     const std::vector<TilePlan> plan = plan_tiles(sea);
-    const WaveSpectrum spectrum(sea, plan.front());
-    const SpectralPeak peak = peak_of(spectrum, sea);
+    const AskedWaves asked = asked_of(sea, plan);
     GridSums sums = sums_over(sea, plan, Draws::yes);
     SeaReport report;
-    report.expected = expected_from(spectrum, peak, sums);
+    report.expected = expected_from(asked, sums);
     report.drawn_significant_wave_height_m = 4 * std::sqrt(sums.drawn.variance);
     report.drawn_peak_period_s = peak_period_from(sums);
     report.expected_directions = directions_from(sums.expected);
     report.drawn_directions = directions_from(sums.drawn);
     report.tiles = std::move(sums.tiles);
     report.loop_frequencies = loop_frequencies_from(sums);
-    report.warnings = warnings_from(sea, plan, spectrum, peak, report.expected, report.loop_frequencies);
+    report.warnings = warnings_from(sea, plan, asked, report.expected, report.loop_frequencies);
     return report;
 }
 
@@ -222,6 +292,7 @@ WaveDirections directions_of_moment(double a, double b) {
 
 std::vector<double> model_by_frequency(const SeaState& sea, std::span<const double> frequencies_hz) {
     const DefaultFloatEnvironment environment;
+    if (sea.waves != WaveModel::spectrum) return std::vector<double>(frequencies_hz.size());
     const WaveSpectrum spectrum(sea, plan_tiles(sea).front());
     std::vector<double> densities;
     for (const double hertz : frequencies_hz) {
@@ -233,6 +304,7 @@ std::vector<double> model_by_frequency(const SeaState& sea, std::span<const doub
 
 std::vector<double> model_by_wave_number(const SeaState& sea, std::span<const double> wave_numbers) {
     const DefaultFloatEnvironment environment;
+    if (sea.waves != WaveModel::spectrum) return std::vector<double>(wave_numbers.size());
     const WaveSpectrum spectrum(sea, plan_tiles(sea).front());
     std::vector<double> densities;
     for (const double k : wave_numbers) densities.push_back(radial_energy(spectrum, sea, k));
@@ -242,8 +314,7 @@ std::vector<double> model_by_wave_number(const SeaState& sea, std::span<const do
 ExpectedWaves expected_waves(const SeaState& sea) {
     const DefaultFloatEnvironment environment;
     const std::vector<TilePlan> plan = plan_tiles(sea);
-    const WaveSpectrum spectrum(sea, plan.front());
-    return expected_from(spectrum, peak_of(spectrum, sea), sums_over(sea, plan, Draws::no));
+    return expected_from(asked_of(sea, plan), sums_over(sea, plan, Draws::no));
 }
 
 double measured_significant_wave_height_m(const Frame& frame) {

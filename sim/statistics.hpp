@@ -14,9 +14,9 @@ namespace pelagic {
 
 struct ExpectedWaves {
     double significant_wave_height_m;  ///< 4 sqrt(variance), mean over all seeds, of the waves that the grid holds
-    double peak_period_s;              ///< where the model's frequency spectrum peaks
+    double peak_period_s;              ///< where the model's frequency spectrum peaks; of few waves the highest one's
     double peak_wavelength_m;          ///< of the wave with that period in this depth
-    /// 4 sqrt(integral of the spectrum over all waves); none for phillips-paper, which has no physical scale.
+    /// 4 sqrt(integral of the spectrum over all waves), or of few waves asked for; none for phillips-paper, which has no physical scale.
     std::optional<double> model_significant_wave_height_m;
 };
 
@@ -56,7 +56,8 @@ struct WaveDirections {
 WaveDirections directions_of_moment(double a, double b);
 
 /// What a sea's options ask of its frequencies, m^2/Hz, and of its wave numbers, m^3, all directions together and whatever the
-/// tiles hold: its integral over Hz or rad/m is the variance, but for phillips-paper, which has a shape and no scale.
+/// tiles hold: its integral over Hz or rad/m is the variance, but for phillips-paper, which has a shape and no scale. 0 of seas
+/// of few waves, which are lines.
 /// \pre every frequency, in Hz, or wave number, in rad/m, is above 0
 std::vector<double> model_by_frequency(const SeaState& sea, std::span<const double> frequencies_hz);
 std::vector<double> model_by_wave_number(const SeaState& sea, std::span<const double> wave_numbers);

@@ -22,6 +22,7 @@ class TickClock {
     /// The same part for moments that a whole number of loops parts. Beyond 2^40 loops ticks count as those of the loop there.
     /// \pre time_s is finite
     TickPlace at(double time_s) const;
+    double time_s(std::int64_t number) const { return static_cast<double>(number) * loop_period_s_ / ticks_; }
     /// In the first loop, where the sea is the same.
     double time_in_loop_s(std::int64_t number) const;
     /// 0 to ticks_a_loop() - 1.

@@ -26,7 +26,21 @@ struct TilePlan {
     bool is_banded() const { return least_k > 0 || most_k < std::numeric_limits<double>::infinity(); }
 };
 
+/// From which waves to which a stack of tiles reaches. Seas that turn into one another share one.
+struct WaveReach {
+    double peak_m = 0;  ///< the longest peak's wavelength
+    double end_k = 0;   ///< rad/m: shorter waves have slopes that tiles leave to the light
+
+    /// Of one sea; zeros where its side is given, which reaches as far as it does.
+    static WaveReach of(const SeaState& sea);
+    WaveReach& extend_to(const WaveReach& other);
+};
+
 /// The tiles of a sea, the coarsest first. \pre check(sea) is empty
 std::vector<TilePlan> plan_tiles(const SeaState& sea);
+
+/// The same on tiles that reach farther: lattices and bands are those of `reach` and of whatever else the sea says about tiles,
+/// and the last band ends where this sea's own does.
+std::vector<TilePlan> plan_tiles(const SeaState& sea, const WaveReach& reach);
 
 }  // namespace pelagic

@@ -119,7 +119,7 @@ TEST(AnalyticMorph, MovesTheSurfaceByTheChangeOfAmplitudesAloneAnywhere) {
         std::vector<float> before(64), now(64);
         for (int frame = 0; frame <= 200; ++frame) {
             const AnalyticSurface water(morphed(from, to, frame / 200.0));
-            EXPECT_LE(steepness_of(water.sea()), steepness_of(to));
+            EXPECT_LE(steepness_of(water.waves()), steepness_of(to));
             water.sample_rest(1000, {x, z}, {.height_m = now});
             for (std::size_t i = 0; frame > 0 && i < 64; ++i)
                 EXPECT_LE(std::fabs(now[i] - before[i]), 1.5 / 200 * change_m + 1e-5);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "pelagic/tests/run_pelagic.hpp"
+#include "pelagic/tests/sanitized.hpp"
 
 namespace pelagic {
 namespace {
@@ -183,8 +184,11 @@ std::vector<BadInput> bad_inputs() {
                             {"--spreading", "paper, cosine-2s, hasselmann or donelan-banner", {"cosine", "1"}},
                             {"--loop-period", "[0.1, 86400]", {"0", "-200", "1e5", "nan"}},
                             {"--seed", "a whole number from 0 to 4294967295", {"-1", "4294967296", "1.5", "luck"}}})
-        for (const std::string& value : values)
+        for (const std::string& value : values) {
+            // The same lines read all flags: there each has one of its values, and each kind of value is some flag's.
+            if (is_sanitized && &value != &values[flag.size() % values.size()]) continue;
             all.push_back({{"export", "--out", "OUT", flag, value}, {flag + " is " + value + ", needs", accepted}});
+        }
     return all;
 }
 

@@ -51,6 +51,54 @@ TEST(CInterface, HasTheVersionOfTheProject) {
                      .c_str());
 }
 
+// The weather of the C++ interface, bit for bit: it is checked there.
+TEST(CInterface, WeatherMayBeGivenAtOnceOrChangeByChange) {
+    const pelagic_sea before = small_sea();
+    pelagic_sea after = before, other = before;
+    after.wind_speed_mps = 5;
+    other.seed = 99;
+    auto change = sized<pelagic_change>();
+    change.sea = &after;
+    change.from_s = 1;
+    change.over_s = 10;
+    pelagic_change changes[2] = {change, change};
+    changes[1].sea = &before;
+    changes[1].from_s = 20;
+    auto forecast = sized<pelagic_forecast>();
+    forecast.first = &before;
+    forecast.changes = changes;
+    forecast.change_count = 2;
+
+    const auto hash_at = [](pelagic_ocean* ocean, double time_s) {
+        frame_at(ocean, time_s);
+        std::uint64_t hash = 0;
+        EXPECT_EQ(pelagic_ocean_hash(ocean, &hash), PELAGIC_OK);
+        return hash;
+    };
+    pelagic_ocean* created = nullptr;
+    ASSERT_EQ(pelagic_ocean_create_forecast(&forecast, nullptr, &created), PELAGIC_OK) << pelagic_last_error();
+    const COcean at_once(created);
+    const COcean live = make_ocean();
+    for (const pelagic_change& each : changes)
+        ASSERT_EQ(pelagic_ocean_schedule_change(live.get(), &each), PELAGIC_OK) << pelagic_last_error();
+    EXPECT_EQ(hash_at(at_once.get(), 0), hash_at(make_ocean().get(), 0));
+    EXPECT_NE(hash_at(at_once.get(), 5), hash_at(make_ocean().get(), 5));
+    for (const double time_s : {5.0, 15.0, 24.0})
+        EXPECT_EQ(hash_at(at_once.get(), time_s), hash_at(live.get(), time_s));
+
+    expect_invalid(pelagic_ocean_schedule_change(live.get(), &change), "from_s of change 2 is 1, needs at least 30");
+    change.from_s = 40;
+    change.sea = &other;
+    expect_invalid(pelagic_ocean_schedule_change(live.get(), &change), "seed of change");
+    change.sea = nullptr;
+    expect_invalid(pelagic_ocean_schedule_change(live.get(), &change), "sea is NULL");
+    changes[1].struct_size = 24;
+    expect_invalid(pelagic_ocean_create_forecast(&forecast, nullptr, &created), "changes[1].struct_size");
+    EXPECT_EQ(created, nullptr);
+    ASSERT_EQ(pelagic_ocean_schedule_sea(live.get(), &after), PELAGIC_OK);
+    expect_wrong_order(pelagic_ocean_schedule_change(live.get(), &changes[0]), "a sea is being baked");
+}
+
 // A hash of tests/golden, 0 if there is none of that name.
 std::uint64_t golden_hash(const std::string& wanted) {
     std::ifstream file(PELAGIC_GOLDEN_FOLDER "/hashes.txt");

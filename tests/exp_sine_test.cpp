@@ -120,7 +120,7 @@ TEST(ExpSine, StaysWithinItsBoundsAndAroundZero) {
         sum += h;
     }
     // Dragging gathers waves on crests, so that the mean is not quite that of each octave.
-    EXPECT_NEAR(sum / 20000, 0, 0.05 * water.sea().height_m);
+    EXPECT_NEAR(sum / 20000, 0, 0.05 * ExpSineSea{}.height_m);
 }
 
 // Without dragging, octaves add up independently, and what a footprint hides of their slopes is in the variance: in

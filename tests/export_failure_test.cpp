@@ -14,6 +14,7 @@
 #include <thread>
 
 #include "pelagic/tests/run_pelagic.hpp"
+#include "pelagic/tests/sweep.hpp"
 
 namespace pelagic {
 namespace {
@@ -59,7 +60,8 @@ TEST(KilledExport, EndsWithTheSameBytesAfterResume) {
     std::mt19937 random(20);
     int killed_midway = 0;
     // On a busy machine the export may be done before this looks: then there are more attempts.
-    for (int attempt = 0; attempt < 20 || (killed_midway < 10 && attempt < 200); ++attempt) {
+    const int enough_kills = of_sweep(6, 60);
+    for (int attempt = 0; killed_midway < enough_kills && attempt < 20 * enough_kills; ++attempt) {
         const TemporaryFolder folder, logs;
         const std::size_t enough = std::uniform_int_distribution<std::size_t>(0, whole.size() * 7 / 10)(random);
         const pid_t process = start_pelagic(arguments_of(folder.path()), logs / "out", logs / "err");
@@ -75,7 +77,7 @@ TEST(KilledExport, EndsWithTheSameBytesAfterResume) {
         ASSERT_EQ(resumed.exit_code, 0) << resumed.err;
         expect_same_files(folder.path(), whole);
     }
-    EXPECT_GE(killed_midway, 10) << "that many attempts should catch it at work";
+    EXPECT_EQ(killed_midway, enough_kills) << "that many attempts should catch it at work";
     RecordProperty("killed_midway", killed_midway);
 }
 

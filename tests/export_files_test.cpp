@@ -371,13 +371,13 @@ TEST(ExportedFiles, AreTheSameForEveryThreadCountAndInstructionSet) {
     const TemporaryFolder first;
     export_to(first.path(), {"--frames", "5", "--mips"});
     const auto expected = files_in(first.path());
-    for (const std::string threads : {"1", "2", "3"}) {
-        for (const Isa isa : isas_here()) {
-            const TemporaryFolder other;
-            export_to(other.path(),
-                      {"--frames", "5", "--mips", "--threads", threads, "--isa", std::string(name_of(isa))});
-            EXPECT_EQ(files_in(other.path()), expected) << threads << " " << name_of(isa);
-        }
+    // Each number and each instruction set once; Determinism has all pairs.
+    const std::vector<Isa> isas = isas_here();
+    for (std::size_t i = 0; i < std::max<std::size_t>(3, isas.size()); ++i) {
+        const std::string threads = std::to_string(1 + i % 3), isa(name_of(isas[i % isas.size()]));
+        const TemporaryFolder other;
+        export_to(other.path(), {"--frames", "5", "--mips", "--threads", threads, "--isa", isa});
+        EXPECT_EQ(files_in(other.path()), expected) << threads << " " << isa;
     }
 }
 

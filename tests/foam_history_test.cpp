@@ -155,6 +155,56 @@ TEST(FoamHistory, IsSavedAndRestoredInAnOceanOfTheSameSea) {
     EXPECT_THROW(second.restore_history(saved), std::invalid_argument);
 }
 
+/// A sea that rises, and turns.
+Forecast rising() {
+    SeaState calm = gale, turned = gale;
+    calm.wind_speed_mps = 6;
+    turned.wind_direction_rad = -0.9;
+    return {.first = calm,
+            .changes = {{.sea = gale, .from_s = 10, .over_s = 8}, {.sea = turned, .from_s = 19, .over_s = 4}}};
+}
+
+// In a change, at its ends and between two, from any moment before, the loop's end (20 s) among them.
+TEST(FoamHistory, OfAWeatherIsTheSameInAnyOrder) {
+    Ocean in_order(rising(), with_foam());
+    const TickClock clock(gale.loop_period_s);
+    std::vector<std::uint64_t> expected;
+    for (int tick = 0; tick < 300; ++tick) expected.push_back(foam_hash_of(in_order.frame_at(clock.time_s(tick))));
+    EXPECT_NE(expected[10], expected[210]) << "a whole loop later the weather is another";
+    std::mt19937 random(6);
+    Ocean ocean(rising(), with_foam());
+    for (int start = 0; start < 60; ++start) {
+        std::size_t tick = random() % expected.size();
+        for (int step = 0; step < 3 && tick < expected.size(); ++step, tick += random() % 5)
+            ASSERT_EQ(foam_hash_of(ocean.frame_at(clock.time_s(static_cast<std::int64_t>(tick)))), expected[tick])
+                << tick;
+    }
+}
+
+// Changes that are asked for while the sea runs are a forecast's, foam too.
+TEST(FoamHistory, OfALiveChangeIsThatOfItsForecast) {
+    const Forecast forecast = rising();
+    const TickClock clock(gale.loop_period_s);
+    Ocean live(
+        Forecast{.first = forecast.first, .largest_peak_m = Ocean(forecast, with_foam()).forecast().largest_peak_m},
+        with_foam());
+    const auto same_until = [&](int from, int to, const Forecast& whole) {
+        Ocean expected(whole, with_foam());
+        for (int tick = from; tick < to; tick += 3)
+            ASSERT_EQ(foam_hash_of(live.frame_at(clock.time_s(tick))),
+                      foam_hash_of(expected.frame_at(clock.time_s(tick))))
+                << tick;
+    };
+    Forecast whole = live.forecast();
+    same_until(0, 90, whole);
+    for (const SeaChange& change : forecast.changes) {
+        // One in the future, and one that has begun already.
+        live.schedule_sea(change);
+        whole.changes.push_back(change);
+        same_until(static_cast<int>(10 * change.from_s) - 5, static_cast<int>(10 * change.end_s()) + 9, whole);
+    }
+}
+
 TEST(FoamHistory, LevelsAreTheMeansOfFourTexels) {
     Ocean ocean(gale, with_foam());
     const Tile& tile = ocean.frame_at(3).tiles[0];

@@ -14,6 +14,7 @@
 #include "pelagic/gl/water_optics.hpp"
 #include "pelagic/quadtree/selection.hpp"
 #include "pelagic/sim/ocean.hpp"
+#include "pelagic/tests/sanitized.hpp"
 
 namespace pelagic {
 namespace {
@@ -259,7 +260,7 @@ TEST(UnderWater, TheLensIsCutWhereTheQuerySaysAndNothingShowsThrough) {
 TEST(UnderWater, TheSurfaceHasNoHolesFromBelow) {
     BelowScene scene("moderate", 160, 120);
     scene.renderer.set_sky(even_sky(1000));
-    for (int i = 0; i < 5; ++i) {
+    for (int i = 0; i < (is_sanitized ? 2 : 5); ++i) {
         const glm::dvec3 at(130.7 * i, -2 - 20 * i, -71.3 * i);
         const auto pixels =
             scene.picture({at, at + glm::dvec3(0.02, 1, 0), 0.6}, scene.frame_at(i), gl::WaterAtLens{});
@@ -276,7 +277,7 @@ TEST(UnderWater, NoPixelIsNegativeOrNoNumber) {
     gl::CausticsBaker baker(make_default_executor());
     std::minstd_rand random(5);
     const auto uniform = [&] { return static_cast<double>(random()) / 2147483647.0; };
-    for (int i = 0; i < 24; ++i) {
+    for (int i = 0; i < (is_sanitized ? 8 : 24); ++i) {
         const gl::SkyOptions options{.sun_azimuth_rad = static_cast<float>(6 * uniform()),
                                      .sun_elevation_rad = static_cast<float>(uniform() * 2.2 - 0.6)};
         skies.schedule(options);

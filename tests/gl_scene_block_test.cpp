@@ -54,7 +54,7 @@ TEST(SceneBlock, PlacesAViewerInEachTurnedTile) {
 
 // Foam's structure goes where its maps do, as fast as whole squares of it in a loop allow, and is back where it was after one.
 TEST(SceneBlock, MovesTheStructureOfFoamAsFoamDrifts) {
-    Ocean ocean({.wind_speed_mps = 14, .wind_direction_rad = 0.6, .cascades = 3, .resolution = 32},
+    Ocean ocean({.cascades = 3, .resolution = 32, .wind_speed_mps = 14, .wind_direction_rad = 0.6},
                 {.executor = make_serial_executor(), .foam = true});
     DrawList list;
     const auto shift_at = [&](double time_s) {
@@ -79,7 +79,8 @@ TEST(SceneBlock, MovesTheStructureOfFoamAsFoamDrifts) {
 
 // Finer tiles than those that make whitecaps come after them, and a frame without foam has none.
 TEST(SceneBlock, CountsTheTilesThatMakeFoam) {
-    Ocean ocean({.wind_speed_mps = 14, .cascades = 4, .resolution = 64}, {.executor = make_serial_executor(), .foam = true});
+    Ocean ocean({.cascades = 4, .resolution = 128, .wind_speed_mps = 14},
+                {.executor = make_serial_executor(), .foam = true});
     DrawList list;
     const Frame& frame = ocean.frame_at(0);
     gl::SeaFacts facts = gl::facts_of(frame);
@@ -92,7 +93,8 @@ TEST(SceneBlock, CountsTheTilesThatMakeFoam) {
             const auto texels = frame.tiles[i].level_of(frame.tiles[i].foam_r8, 0);
             for (const std::uint8_t texel : texels) sum += texel;
             // Each level of bytes is rounded, by an eighth of a step in the mean.
-            EXPECT_NEAR(block.tile_slope[i].w, has_foam ? sum / (255.0 * static_cast<double>(texels.size())) : 0, 0.5 / 255)
+            EXPECT_NEAR(block.tile_slope[i].w, has_foam ? sum / (255.0 * static_cast<double>(texels.size())) : 0,
+                        0.5 / 255)
                 << i;
         }
     }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <memory>
 #include <thread>
 
 #include "pelagic/gl/clear_sky.hpp"
@@ -34,13 +35,16 @@ gl::SkyOptions clear_sky(float elevation_deg) {
 
 constexpr int side = 32;
 
+/// One baker for all, for most of the work is the clouds' noise, which it keeps.
 class SkyBake : public testing::Test {
    protected:
+    static void SetUpTestSuite() { baker_ = std::make_unique<gl::SkyBaker>(make_thread_executor(2), side); }
+    static void TearDownTestSuite() { baker_.reset(); }
     const gl::Sky& bake(const gl::SkyOptions& options) {
-        baker_.schedule(options);
-        return baker_.complete();
+        baker_->schedule(options);
+        return baker_->complete();
     }
-    gl::SkyBaker baker_{make_thread_executor(2), side};
+    static inline std::unique_ptr<gl::SkyBaker> baker_;
 };
 
 // Rayleigh scattering goes with the fourth power of frequency.
@@ -144,11 +148,11 @@ TEST_F(SkyBake, NightFitsIntoHalfFloats) {
 TEST_F(SkyBake, BakesInTheBackgroundBesideTheSkyThatIsShown) {
     const gl::Sky& shown = bake(clear_sky(40));
     const std::vector<std::uint16_t> before = shown.texels;
-    baker_.schedule(clear_sky(10));
-    for (int i = 0; i < 6000 && !baker_.is_done(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    EXPECT_TRUE(baker_.is_done());
+    baker_->schedule(clear_sky(10));
+    for (int i = 0; i < 6000 && !baker_->is_done(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    EXPECT_TRUE(baker_->is_done());
     EXPECT_EQ(shown.texels, before);  // still there to be drawn
-    EXPECT_NE(baker_.complete().texels, before);
+    EXPECT_NE(baker_->complete().texels, before);
 }
 
 TEST_F(SkyBake, IsTheSameForAnyNumberOfThreads) {
@@ -162,7 +166,7 @@ TEST_F(SkyBake, IsTheSameForAnyNumberOfThreads) {
 }
 
 TEST_F(SkyBake, RefusesWhatIsOutOfRange) {
-    EXPECT_THROW(baker_.schedule({.cloud_cover = 2}), std::invalid_argument);
+    EXPECT_THROW(baker_->schedule({.cloud_cover = 2}), std::invalid_argument);
     // In the digits of a float: as doubles they would read 1.600000023841858.
     const float infinity = std::numeric_limits<float>::infinity();
     EXPECT_EQ(check(gl::SkyOptions{.sun_azimuth_rad = infinity}), "sun_azimuth_rad is inf, needs a finite number");

@@ -10,6 +10,7 @@
 
 #include "pelagic/quadtree/patch_mesh.hpp"
 #include "pelagic/quadtree/stitching.hpp"
+#include "pelagic/tests/sanitized.hpp"
 
 namespace pelagic {
 namespace {
@@ -61,6 +62,7 @@ class EachMesh : public testing::TestWithParam<int> {
     }
 };
 std::vector<int> every_even_v() {
+    if (is_sanitized) return {2, 4, 6, 8, 10, 16, 30, 64, 128};
     std::vector<int> all;
     for (int v = 2; v <= 128; v += 2) all.push_back(v);
     return all;

@@ -11,6 +11,7 @@
 
 #include "pelagic/tests/run_pelagic.hpp"
 #include "pelagic/tests/sanitized.hpp"
+#include "pelagic/tests/sweep.hpp"
 
 namespace pelagic {
 namespace {
@@ -58,7 +59,8 @@ TEST_F(ScarceResources, TooLittleMemoryIsALine) {
     const TemporaryFolder folder;
     write_file(folder / "points.csv", "x,z\n1,2\n");
     std::size_t refused = 0, worked = 0;
-    for (std::size_t room = 64 * mib; room <= 1024 * mib; room += 64 * mib) {
+    const std::size_t step = of_sweep(192, 64) * mib;
+    for (std::size_t room = 64 * mib; room <= 1024 * mib; room += step) {
         const Outcome outcome = run_pelagic({"query", "--patch-size", "250", "--resolution", "1024", "--threads", "8",
                                              "--points", folder / "points.csv"},
                                             with_at_most(RLIMIT_AS, room));
@@ -99,7 +101,8 @@ TEST_F(ScarceResources, TooFewThreadsForTheImageLibraryIsALineAndNothingIsWritte
 // As above; between too little and enough the dependencies have several ways to crash.
 TEST_F(ScarceResources, TooLittleMemoryForTheImageLibraryIsALine) {
     std::size_t refused = 0, worked = 0;
-    for (std::size_t room = 320 * mib; room <= 1024 * mib; room += room < 512 * mib ? 16 * mib : 256 * mib) {
+    const std::size_t step = of_sweep(64, 16) * mib;
+    for (std::size_t room = 320 * mib; room <= 1024 * mib; room += room < 512 * mib ? step : 256 * mib) {
         const TemporaryFolder folder;
         const Outcome outcome =
             run_pelagic({"export", "--out", folder / "out", "--resolution", "16", "--threads", "1"},

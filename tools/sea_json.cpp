@@ -13,7 +13,7 @@ double degrees(double radians) { return radians * (180 / 3.14159265358979323846)
 
 Json sea_as_json(const ResolvedSea& resolved) {
     const SeaState& sea = resolved.sea;
-    Json json = {{"spectrum", name_of(sea.spectrum)}, {"spreading", name_of(sea.spreading)}};
+    Json json = {{"waves", name_of(sea.waves)}, {"spectrum", name_of(sea.spectrum)}, {"spreading", name_of(sea.spreading)}};
     for (const SeaStateField& field : sea_state_fields()) {
         if (const SeaAngle* angle = sea_angle(field.name))
             json[angle->in_file] = resolved.*angle->degrees;  // as it was typed

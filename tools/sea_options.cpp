@@ -46,6 +46,12 @@ constexpr std::array sea_flags = {
     SeaFlag{"swell-spread", "swell_spread_rad", "standard deviation of the swell's directions"},
     SeaFlag{"loop-period", "loop_period_s", "the sea repeats exactly after this time, in seconds"},
     SeaFlag{"seed", "seed", "which sea of this kind"},
+    SeaFlag{"wave-count", "wave_count", "waves of an analytic sea, octaves of a pond (waves analytic, exp-sine)"},
+    SeaFlag{"longest-wave", "longest_wave_m", "their longest, in metres"},
+    SeaFlag{"shortest-wave", "shortest_wave_m", "their shortest, in metres"},
+    SeaFlag{"wave-strength", "wave_strength", "of an analytic sea: 0 calm, 1 moderate, 2 intense"},
+    SeaFlag{"wave-height", "wave_height_m", "their significant height, in metres"},
+    SeaFlag{"wave-drag", "wave_drag", "how far a pond's long waves move its short ones"},
 };
 
 const SeaStateField& field_of(const SeaFlag& flag) {
@@ -85,6 +91,10 @@ std::string default_of(const SeaFlag& flag) {
     if (flag.field == "cascades") return number_text(default_cascades) + ", of one side 1";
     if (flag.field == "resolution") return "128, of one tile with --patch-size 256";
     if (flag.field == "patch_size_m") return "several tiles";
+    if (flag.field == "wave_count") return "16, of a pond 24";
+    if (flag.field == "longest_wave_m") return "120, of a pond 1.2";
+    if (flag.field == "shortest_wave_m") return "a sixtieth of the longest, of a pond a 45th";
+    if (flag.field == "wave_height_m") return "what the strength makes, of a pond 0.017 of its longest wave";
     const SeaAngle* const angle = sea_angle(flag.field);
     return number_text(angle ? ResolvedSea{}.*angle->degrees : field_of(flag).value_in({}));
 }
@@ -93,6 +103,12 @@ std::string config_key(std::string_view flag) {
     std::string key(flag);
     std::replace(key.begin(), key.end(), '-', '_');
     return key;
+}
+
+std::vector<std::string> names_of_waves() {
+    std::vector<std::string> names;
+    for (const WaveModel waves : wave_models()) names.emplace_back(name_of(waves));
+    return names;
 }
 
 std::vector<std::string> names_of_spectra() {
@@ -165,6 +181,12 @@ void apply_number(ResolvedSea& resolved, const SeaFlag& flag, const std::string&
 
 /// One option other than the preset, by its flag's name.
 void apply(ResolvedSea& resolved, std::string_view name, const std::string& text, const std::string& asked_by) {
+    if (name == "waves") {
+        const auto waves = wave_model_named(text);
+        if (!waves) refuse_name(asked_by, text, names_of_waves());
+        resolved.sea.waves = *waves;
+        return;
+    }
     if (name == "spectrum") {
         const auto model = spectrum_model_named(text);
         if (!model) refuse_name(asked_by, text, names_of_spectra());
@@ -183,7 +205,7 @@ void apply(ResolvedSea& resolved, std::string_view name, const std::string& text
 
 /// Names of the flags that a config file may hold, the preset first.
 std::vector<std::string> configurable_flags() {
-    std::vector<std::string> flags = {"preset", "spectrum", "spreading"};
+    std::vector<std::string> flags = {"preset", "waves", "spectrum", "spreading"};
     for (const SeaFlag& flag : sea_flags) flags.emplace_back(flag.flag);
     return flags;
 }
@@ -205,6 +227,10 @@ void SeaOptions::add_to(CLI::App& app) {
     add("config", "FILE",
         "a sea in a file: TOML whose keys are these flags' names with underscores, or a sea.json of export; flags "
         "win");
+    add("waves", "NAME",
+        list_of(names_of_waves()) +
+            ": a wind's, up to 64 waves that morph between a calm and a storm, or a pond's; default " +
+            std::string(name_of(SeaState{}.waves)));
     add("spectrum", "NAME", list_of(names_of_spectra()) + "; default " + std::string(name_of(SeaState{}.spectrum)));
     add("spreading", "NAME",
         "how waves spread around the wind: " + list_of(names_of_spreadings()) + "; default " +

@@ -36,7 +36,7 @@ const SeaAngle* sea_angle(std::string_view field);
 
 class SeaOptions {
    public:
-    /// Declares --preset, --config, --spectrum, --spreading and a flag for each numeric field, with units, ranges and defaults.
+    /// Declares --preset, --config, --waves, --spectrum, --spreading and a flag for each numeric field, with units, ranges and defaults.
     void add_to(CLI::App& app);
 
     /// Defaults < preset < config file < flags. Throws InputError, one line that names option, value and range.

@@ -45,8 +45,7 @@ void choose_preset(SeaState& sea) {
 /// How many tiles the sea is a sum of, unless the side of the only one was given or the model knows no other.
 void choose_cascades(SeaState& sea, const std::vector<double>& sides_m) {
     int cascades = cascades_of(sea);
-    const bool is_one_for_good = sea.patch_size_m > 0 || sea.spectrum == SpectrumModel::phillips_paper;
-    if (!is_one_for_good && ImGui::SliderInt("cascades", &cascades, 1, 4)) sea.cascades = cascades;
+    if (!is_tile_for_good(sea) && ImGui::SliderInt("cascades", &cascades, 1, 4)) sea.cascades = cascades;
     std::string sides;
     for (const double side : sides_m) sides += (sides.empty() ? "" : ", ") + number_text(side);
     ImGui::Text("tiles of %s m", sides.c_str());

@@ -43,7 +43,7 @@ constexpr std::array halved_from = {0.72f, 0.55f, 0.36f};
 constexpr int fewest_vertices = 8;
 
 bool same_sea(const SeaState& a, const SeaState& b) {
-    if (a.spectrum != b.spectrum || a.spreading != b.spreading) return false;
+    if (a.waves != b.waves || a.spectrum != b.spectrum || a.spreading != b.spreading) return false;
     return std::ranges::all_of(sea_state_fields(),
                                [&](const SeaStateField& field) { return field.value_in(a) == field.value_in(b); });
 }

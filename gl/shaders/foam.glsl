@@ -89,7 +89,7 @@ Foam foam_at(vec2 at, float distance_m, float crests, vec3 to_eye) {
     amount = mix(amount, gathered_in_pixel(amount, third.x, 0.4, pixel_m, 60.0), broad);
 #endif
 #if STREAKS
-    amount = mix(gathered_in_pixel(amount, streaks.x, foam_kind.y, pixel_m, 3.0), amount, 0.4 + 0.6 * freshness);
+    amount = mix(gathered_in_pixel(amount, streaks.x, foam_kind.y, pixel_m, 3.0), amount, mix(0.5, 1.0, freshness));
     lace_uv += 0.30 * streaks.yz;
 #endif
 

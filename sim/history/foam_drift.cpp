@@ -2,13 +2,8 @@
 
 #include <cmath>
 
-#include "pelagic/simd/det_math.hpp"
-
 namespace pelagic {
 namespace {
-
-constexpr double two_pi = 6.28318530717958647693;
-constexpr double wind_part = 0.02;
 
 /// round(n whole / ticks) - round((n - 1) whole / ticks), halves up.
 int texels_of_tick(std::int64_t n, std::int64_t whole, std::int64_t ticks) {
@@ -20,11 +15,6 @@ int texels_of_tick(std::int64_t n, std::int64_t whole, std::int64_t ticks) {
 }
 
 }  // namespace
-
-WindDrift wind_drift(const SeaState& sea) {
-    const auto [sine, cosine] = det::sine_cosine_of_turns(sea.wind_direction_rad / two_pi);
-    return {wind_part * sea.wind_speed_mps * cosine, wind_part * sea.wind_speed_mps * sine};
-}
 
 DriftTexels drift_a_loop(const SeaFigures& figures, const TileLattice& lattice, int resolution,
                          const TickClock& clock) {

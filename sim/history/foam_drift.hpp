@@ -9,13 +9,6 @@
 
 namespace pelagic {
 
-/// What the wind alone does to the skin of the sea, 2 % of its speed. With Stokes' drift, 1 to 2 % of the wind in seas that it
-/// has raised, that is the 3 to 4 % which drifters and slicks show (Wu 1975).
-struct WindDrift {
-    double x_mps, z_mps;
-};
-WindDrift wind_drift(const SeaState& sea);
-
 /// Whole texels along a tile's axes, of any sign.
 struct DriftTexels {
     int x, z;

@@ -31,6 +31,20 @@ struct EvolveRowsJob {
     float first_frequency = 0;
 };
 
+/// Beginning of stage `evolve` while one sea turns into another: one block of lines of both spectra, wave by wave. With S' =
+/// (a + c, b + d, b - d, c - a) as equation 22 packs it, each of a, b, c, d becomes
+///   sign sqrt((1 - s) before^2 + s after^2),
+/// so that energies go over and draws stay. Both have the waves of the same lattice.
+struct BlendWavesJob {
+    /// A square of the least amplitude that a sea has, 1e-20 m, leaves the range of floats. A power of two changes no bit.
+    static constexpr float scale = 0x1p32f;
+
+    const float *before, *after;  ///< the block of each PackedSpectrum::waves
+    std::size_t pairs;            ///< of waves in the block
+    float part;                   ///< s, [0, 1]
+    float* out;                   ///< as `before`; aliases no input
+};
+
 /// Extremes of a part of a frame, in metres; merged in any order they give the same bits.
 struct PartBounds {
     float height_min, height_max, sideways_x_max, sideways_z_max;
@@ -317,6 +331,7 @@ struct SampleStackJob {
 
 struct Kernels {
     std::size_t lanes;  ///< floats in a register, and lanes of a block in every buffer
+    void (*blend_waves)(const BlendWavesJob&);
     void (*evolve_rows)(const EvolveRowsJob&);
     void (*evolve_velocity_rows)(const EvolveRowsJob&);
     void (*columns_finalize)(const ColumnsFinalizeJob&);

@@ -3,6 +3,7 @@
 //
 // PELAGIC_ISA_NAME  sse4_2, avx2, avx512 or neon
 // PELAGIC_ISA_ARCH  xsimd's name of it
+#include "pelagic/sim/kernels/blend.kernel.hpp"
 #include "pelagic/sim/kernels/columns_finalize.kernel.hpp"
 #include "pelagic/sim/kernels/evolve_rows.kernel.hpp"
 #include "pelagic/sim/kernels/foam.kernel.hpp"
@@ -22,23 +23,15 @@ namespace pelagic {
 extern const Kernels PELAGIC_TABLE(PELAGIC_ISA_NAME);
 
 const Kernels PELAGIC_TABLE(PELAGIC_ISA_NAME) = {
-    xsimd::batch<float, xsimd::PELAGIC_ISA_ARCH>::size,
-    kernels::evolve_rows<xsimd::PELAGIC_ISA_ARCH>,
-    kernels::evolve_velocity_rows<xsimd::PELAGIC_ISA_ARCH>,
-    kernels::columns_finalize<xsimd::PELAGIC_ISA_ARCH>,
-    kernels::gradients<xsimd::PELAGIC_ISA_ARCH>,
-    kernels::mip_level<xsimd::PELAGIC_ISA_ARCH>,
-    kernels::slopes<xsimd::PELAGIC_ISA_ARCH>,
-    kernels::slope_level<xsimd::PELAGIC_ISA_ARCH>,
-    kernels::foam_tick<xsimd::PELAGIC_ISA_ARCH>,
-    kernels::halve_foam<xsimd::PELAGIC_ISA_ARCH>,
-    kernels::find_folds<xsimd::PELAGIC_ISA_ARCH>,
-    kernels::invert_surface<xsimd::PELAGIC_ISA_ARCH>,
-    kernels::sample_surface<xsimd::PELAGIC_ISA_ARCH>,
-    kernels::find_squeeze<xsimd::PELAGIC_ISA_ARCH>,
-    kernels::spread_squeeze<xsimd::PELAGIC_ISA_ARCH>,
-    kernels::halve_squeeze<xsimd::PELAGIC_ISA_ARCH>,
-    kernels::invert_stack<xsimd::PELAGIC_ISA_ARCH>,
+    xsimd::batch<float, xsimd::PELAGIC_ISA_ARCH>::size, kernels::blend_waves<xsimd::PELAGIC_ISA_ARCH>,
+    kernels::evolve_rows<xsimd::PELAGIC_ISA_ARCH>,      kernels::evolve_velocity_rows<xsimd::PELAGIC_ISA_ARCH>,
+    kernels::columns_finalize<xsimd::PELAGIC_ISA_ARCH>, kernels::gradients<xsimd::PELAGIC_ISA_ARCH>,
+    kernels::mip_level<xsimd::PELAGIC_ISA_ARCH>,        kernels::slopes<xsimd::PELAGIC_ISA_ARCH>,
+    kernels::slope_level<xsimd::PELAGIC_ISA_ARCH>,      kernels::foam_tick<xsimd::PELAGIC_ISA_ARCH>,
+    kernels::halve_foam<xsimd::PELAGIC_ISA_ARCH>,       kernels::find_folds<xsimd::PELAGIC_ISA_ARCH>,
+    kernels::invert_surface<xsimd::PELAGIC_ISA_ARCH>,   kernels::sample_surface<xsimd::PELAGIC_ISA_ARCH>,
+    kernels::find_squeeze<xsimd::PELAGIC_ISA_ARCH>,     kernels::spread_squeeze<xsimd::PELAGIC_ISA_ARCH>,
+    kernels::halve_squeeze<xsimd::PELAGIC_ISA_ARCH>,    kernels::invert_stack<xsimd::PELAGIC_ISA_ARCH>,
     kernels::sample_stack<xsimd::PELAGIC_ISA_ARCH>,
 };
 

@@ -1,6 +1,7 @@
 #include "pelagic/sim/sources/cascade.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 #include "pelagic/sim/kernels/wave_blocks.hpp"
@@ -30,7 +31,6 @@ Cascade::Cascade(FrameSlots& slots, std::size_t tile, const Kernels& kernels, co
       resolution_(slots.resolution()),
       plan_(resolution_),
       fft_(plan_.tables()),
-      spectrum_(plan_, kernels_.lanes, memory_),
       part_bounds_(column_block_pairs(resolution_, kernels_.lanes)),
       velocity_bounds_(has_velocities_ ? part_bounds_.size() : 0) {}
 
@@ -50,7 +50,8 @@ StageId Cascade::add_stages(JobGraph& graph, Pass pass, const std::vector<StageI
                                           .count = line_blocks(resolution_, kernels_.lanes),
                                           .waits_for = waits_for,
                                           .body = for_each_item([this, pass, surface](std::size_t block) {
-                                              if (is_idle_[pass]) return;
+                                              if (shown_[pass].is_idle) return;
+                                              blend(pass, block);
                                               kernels_.evolve_rows(evolve_rows_job(pass, block, surface()));
                                           }),
                                           .stack_bytes = transforms});
@@ -58,21 +59,22 @@ StageId Cascade::add_stages(JobGraph& graph, Pass pass, const std::vector<StageI
                                             .count = part_bounds_.size(),
                                             .waits_for = {lines_done},
                                             .body = for_each_item([this, pass, surface](std::size_t pair) {
-                                                if (is_idle_[pass]) return;
-                                                columns_finalize(pair, surface(), part_bounds_[pair]);
+                                                if (shown_[pass].is_idle) return;
+                                                columns_finalize(pass, pair, surface(), part_bounds_[pair]);
                                             }),
                                             .stack_bytes = transforms});
-    if (has_velocities_ && !is_tick) add_velocity_stages(graph);
+    if (has_velocities_ && !is_tick) add_velocity_stages(graph, lines_done);
     return surface_done;
 }
 
 // The derivative in time of a sum of waves is a sum of waves, so its lines and columns are those of the surface.
-void Cascade::add_velocity_stages(JobGraph& graph) {
+void Cascade::add_velocity_stages(JobGraph& graph, StageId blend_done) {
     const std::size_t transforms = transform_stack_bytes(resolution_, kernels_.lanes);
     const auto velocity = [this] { return slots_.buffers(tile_).velocity.data(); };
     const StageId lines_done =
         graph.add({.name = stage_name("velocity rows", tile_),
                    .count = line_blocks(resolution_, kernels_.lanes),
+                   .waits_for = {blend_done},
                    .body = for_each_item([this, velocity](std::size_t block) {
                        kernels_.evolve_velocity_rows(evolve_rows_job(Pass::frame, block, velocity()));
                    }),
@@ -81,18 +83,49 @@ void Cascade::add_velocity_stages(JobGraph& graph) {
                .count = velocity_bounds_.size(),
                .waits_for = {lines_done},
                .body = for_each_item([this, velocity](std::size_t pair) {
-                   columns_finalize(pair, velocity(), velocity_bounds_[pair]);
+                   columns_finalize(Pass::frame, pair, velocity(), velocity_bounds_[pair]);
                }),
                .stack_bytes = transforms});
 }
 
+const Cascade::Waves& Cascade::waves_of(std::size_t number) const {
+    const auto found =
+        std::find_if(seas_.begin(), seas_.end(), [&](const auto& waves) { return waves && waves->number == number; });
+    assert(found != seas_.end() && "the sea's spectrum has not been baked");
+    return **found;
+}
+
+Cascade::Look Cascade::look_of(const LineFigures& figures, double choppiness, double whitecap_cover) const {
+    return {whitecap_cover > 0
+                ? whitecap_threshold(figures.folding, choppiness, whitecap_cover, TickClock(loop_period_s_).tick_s())
+                : WhitecapThreshold{.jacobian = Tile::no_whitecaps, .ramp = 1},
+            slope_ranges(figures.mean_square_slope)};
+}
+
 void Cascade::begin(Pass pass, const SeaMoment& moment, Tile& tile) {
-    fraction_[pass] = loop_fraction(moment.time_s, loop_period_s_);
+    Shown& shown = shown_[pass];
+    const Waves &before = waves_of(moment.before), &after = waves_of(moment.after);
+    shown.before = &before;
+    shown.after = &after;
+    shown.part = static_cast<float>(moment.part);
+    shown.choppiness = static_cast<float>(before.choppiness);
+    shown.fraction = loop_fraction(moment.time_s, loop_period_s_);
+    Look look = before.look;
+    if (!moment.is_steady()) {
+        if (shown.blended.size() == 0) shown.blended = AlignedBuffer<float>(before.spectrum.waves.size(), memory_);
+        const auto between_both = [&](double of_before, double of_after) {
+            return (1 - moment.part) * of_before + moment.part * of_after;
+        };
+        const double choppiness = between_both(before.choppiness, after.choppiness);
+        shown.choppiness = static_cast<float>(choppiness);
+        look = look_of(between(before.figures, after.figures, moment.part), choppiness,
+                       between_both(before.whitecap_cover, after.whitecap_cover));
+    }
     tile.lattice = lattice_;
-    tile.whitecap_jacobian = whitecaps_.jacobian;
-    tile.whitecap_ramp = whitecaps_.ramp;
-    is_idle_[pass] = pass == Pass::tick && !tile.makes_whitecaps();
-    tile.slope_ranges = slope_ranges_;
+    tile.whitecap_jacobian = look.whitecaps.jacobian;
+    tile.whitecap_ramp = look.whitecaps.ramp;
+    tile.slope_ranges = look.slope_ranges;
+    shown.is_idle = pass == Pass::tick && !tile.makes_whitecaps();
 }
 
 FrameBounds Cascade::end_frame() {
@@ -111,25 +144,14 @@ void Cascade::begin_spectrum(const SeaState& sea, const TilePlan& plan, double w
                        std::vector<LineFigures>(line_count(resolution_))});
 }
 
-LineFigures Cascade::adopt_spectrum() {
+LineFigures Cascade::adopt_spectrum(std::size_t number, std::size_t place) {
     LineFigures all;
-    for (const LineFigures& line : bake_->lines) {
-        all.height_variance += line.height_variance;
-        all.mean_square_slope += line.mean_square_slope;
-        all.folding += line.folding;
-        all.slopes += line.slopes;
-        all.stokes_x += line.stokes_x;
-        all.stokes_z += line.stokes_z;
-    }
+    for (const LineFigures& line : bake_->lines) all += line;
     const SeaState& sea = bake_->sea;
-    whitecaps_ = bake_->whitecap_cover > 0 ? whitecap_threshold(all.folding, sea.choppiness, bake_->whitecap_cover,
-                                                                TickClock(sea.loop_period_s).tick_s())
-                                           : WhitecapThreshold{.jacobian = Tile::no_whitecaps, .ramp = 1};
-    slope_ranges_ = slope_ranges(all.mean_square_slope);
     lattice_ = bake_->waves.tile().lattice;
     loop_period_s_ = sea.loop_period_s;
-    choppiness_ = static_cast<float>(sea.choppiness);
-    spectrum_ = std::move(bake_->spectrum);
+    const Look look = look_of(all, sea.choppiness, bake_->whitecap_cover);
+    seas_[place].emplace(Waves{number, sea.choppiness, bake_->whitecap_cover, std::move(bake_->spectrum), all, look});
     bake_.reset();
     return all;
 }
@@ -138,12 +160,27 @@ void Cascade::spectrum(std::size_t line) {
     bake_->lines[line] = bake_spectrum_line(bake_->sea, bake_->waves, plan_, line, bake_->spectrum);
 }
 
+/// What evolves the block of lines next reads of it.
+void Cascade::blend(Pass pass, std::size_t line_block) {
+    Shown& shown = shown_[pass];
+    if (shown.part == 0) return;
+    const PackedSpectrum &before = shown.before->spectrum, &after = shown.after->spectrum;
+    kernels_.blend_waves({.before = before.block(line_block),
+                          .after = after.block(line_block),
+                          .pairs = before.pairs,
+                          .part = shown.part,
+                          .out = shown.blended.data() + line_block * before.block_floats()});
+}
+
 EvolveRowsJob Cascade::evolve_rows_job(Pass pass, std::size_t line_block, float* lines) {
     constexpr double two_pi = 6.28318530717958647693;
     const std::size_t first_line = line_block * kernels_.lanes;
-    return {.waves = spectrum_.block(line_block),
-            .harmonics = spectrum_.block_harmonics(line_block),
-            .fraction = fraction_[pass].turns,
+    const Shown& shown = shown_[pass];
+    const PackedSpectrum& spectrum = shown.before->spectrum;  // whose waves are those of the sea after
+    return {.waves = shown.part == 0 ? spectrum.block(line_block)
+                                     : shown.blended.data() + line_block * spectrum.block_floats(),
+            .harmonics = spectrum.block_harmonics(line_block),
+            .fraction = shown.fraction.turns,
             .first_line = first_line,
             .line_count = std::min(kernels_.lanes, line_count(resolution_) - first_line),
             .fft = &fft_,
@@ -151,10 +188,10 @@ EvolveRowsJob Cascade::evolve_rows_job(Pass pass, std::size_t line_block, float*
             .first_frequency = static_cast<float>(two_pi / loop_period_s_)};
 }
 
-void Cascade::columns_finalize(std::size_t number, float* surface, PartBounds& bounds) {
+void Cascade::columns_finalize(Pass pass, std::size_t number, float* surface, PartBounds& bounds) {
     ColumnsFinalizeJob job{.blocks = {},
                            .fft = &fft_,
-                           .choppiness = choppiness_,
+                           .choppiness = shown_[pass].choppiness,
                            .cosine = static_cast<float>(lattice_.cosine),
                            .sine = static_cast<float>(lattice_.sine),
                            .bounds = &bounds};
@@ -166,8 +203,12 @@ void Cascade::columns_finalize(std::size_t number, float* surface, PartBounds& b
 }
 
 std::size_t Cascade::bytes() const {
-    return plan_.bytes() + spectrum_.bytes() +
-           (part_bounds_.capacity() + velocity_bounds_.capacity()) * sizeof(PartBounds);
+    std::size_t bytes = sizeof(Cascade) + plan_.bytes() +
+                        (part_bounds_.capacity() + velocity_bounds_.capacity()) * sizeof(PartBounds);
+    for (const auto& waves : seas_)
+        if (waves) bytes += waves->spectrum.bytes();
+    for (const Pass pass : {Pass::tick, Pass::frame}) bytes += shown_[pass].blended.bytes();
+    return bytes;
 }
 
 }  // namespace pelagic

@@ -6,6 +6,7 @@
 // is in a near cache are one job. Everything between spectrum and outputs lives on the stack or in the outputs themselves.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -14,14 +15,15 @@
 #include "pelagic/sim/sea_state.hpp"
 #include "pelagic/sim/sources/fft_plan.hpp"
 #include "pelagic/sim/sources/packed_spectrum.hpp"
-#include "pelagic/sim/sources/wave_source.hpp"
+#include "pelagic/sim/sources/sea_shelf.hpp"
+#include "pelagic/sim/sources/sea_source.hpp"
 #include "pelagic/sim/spectrum/amplitudes.hpp"
 #include "pelagic/sim/spectrum/dispersion.hpp"
 #include "pelagic/sim/surface/frame_slots.hpp"
 
 namespace pelagic {
 
-class Cascade final : public WaveSource {
+class Cascade final : public SeaSource {
    public:
     /// \param tile  which of the slots' tiles it fills
     Cascade(FrameSlots& slots, std::size_t tile, const Kernels& kernels, const FrameExtras& extras);
@@ -34,22 +36,20 @@ class Cascade final : public WaveSource {
     FrameBounds end_frame() override;
     std::size_t bytes() const override;
 
-    /// Adds the one stage of a spectrum.
-    void add_spectrum_stage(JobGraph& graph);
-    /// What the next run of the spectrum's stage bakes; adopt_spectrum() makes it that of the frames to come. A cascade has
-    /// no waves before the first one. \pre the plan has the resolution of the slots
-    /// \param whitecap_cover  part of the sea that is to be white with what the tile folds, 0 for none
-    void begin_spectrum(const SeaState& sea, const TilePlan& plan, double whitecap_cover);
-    /// Says what the new waves add to the sea.
-    LineFigures adopt_spectrum();
-    const TileLattice& lattice() const { return lattice_; }  ///< of the frames to come
-    void drop_spectrum() { bake_.reset(); }                  ///< keeps the waves as they are
+    void add_spectrum_stage(JobGraph& graph) override;
+    void begin_spectrum(const SeaState& sea, const TilePlan& plan, double whitecap_cover) override;
+    LineFigures adopt_spectrum(std::size_t number, std::size_t place) override;
+    const TileLattice& lattice() const override { return lattice_; }
+    void drop_spectrum() override { bake_.reset(); }
+    void set_aside() override { bake_.swap(aside_); }
+    void forget_seas() override { seas_ = {}; }
 
    private:
-    void add_velocity_stages(JobGraph& graph);
+    void add_velocity_stages(JobGraph& graph, StageId blend_done);
     void spectrum(std::size_t line);
+    void blend(Pass pass, std::size_t line_block);
     EvolveRowsJob evolve_rows_job(Pass pass, std::size_t line_block, float* lines);
-    void columns_finalize(std::size_t number, float* surface, PartBounds& bounds);
+    void columns_finalize(Pass pass, std::size_t number, float* surface, PartBounds& bounds);
 
     FrameSlots& slots_;
     std::size_t tile_;
@@ -60,13 +60,36 @@ class Cascade final : public WaveSource {
     FftPlan plan_;
     FftTables fft_;
 
-    /// The waves of the frames to come.
-    PackedSpectrum spectrum_;
+    /// How the tile's textures are to be read.
+    struct Look {
+        WhitecapThreshold whitecaps{.jacobian = 0, .ramp = 1};
+        SlopeRanges slope_ranges;
+    };
+    Look look_of(const LineFigures& figures, double choppiness, double whitecap_cover) const;
+
+    /// The waves of a sea.
+    struct Waves {
+        std::size_t number;
+        double choppiness, whitecap_cover;
+        PackedSpectrum spectrum;
+        LineFigures figures;
+        Look look;
+    };
+    const Waves& waves_of(std::size_t number) const;
+    std::array<std::optional<Waves>, SeaShelf::places> seas_;
     TileLattice lattice_;
     double loop_period_s_ = 1;
-    float choppiness_ = 0;
-    WhitecapThreshold whitecaps_{.jacobian = 0, .ramp = 1};
-    SlopeRanges slope_ranges_;
+
+    /// What a pass evaluates.
+    struct Shown {
+        const Waves *before = nullptr, *after = nullptr;
+        float part = 0;        ///< 0: `before` alone
+        bool is_idle = false;  ///< ticks are for whitecaps alone
+        float choppiness = 0;
+        LoopFraction fraction;
+        AlignedBuffer<float> blended;  ///< as PackedSpectrum::waves, where one sea turns into another
+    };
+    OfEachPass<Shown> shown_;
 
     /// A spectrum being baked.
     struct Bake {
@@ -76,12 +99,10 @@ class Cascade final : public WaveSource {
         PackedSpectrum spectrum;
         std::vector<LineFigures> lines;
     };
-    std::optional<Bake> bake_;
+    std::optional<Bake> bake_, aside_;
 
     std::vector<PartBounds> part_bounds_;      ///< of each pair of column blocks
     std::vector<PartBounds> velocity_bounds_;  ///< the same of velocities; nobody reads them
-    OfEachPass<LoopFraction> fraction_;
-    OfEachPass<bool> is_idle_;  ///< ticks are for whitecaps alone
 };
 
 }  // namespace pelagic

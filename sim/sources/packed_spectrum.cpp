@@ -4,6 +4,7 @@
 #include <cmath>
 #include <complex>
 
+#include "pelagic/sim/spectrum/wind_drift.hpp"
 #include "pelagic/sim/kernels/kernels.hpp"
 #include "pelagic/sim/spectrum/dispersion.hpp"
 #include "pelagic/simd/det_math.hpp"
@@ -20,6 +21,12 @@ PackedWave packed(const OppositeWaves& waves) {
             static_cast<float>(along.imag() - against.imag()), static_cast<float>(against.real() - along.real())};
 }
 
+/// What the paper's central differences, equation 45, make of a wave number, 1/m. \param periods  in a side of the tile
+double central_difference(const TilePlan& tile, int periods) {
+    const double texel_m = tile.lattice.side_m / tile.resolution;
+    return det::sine_cosine_of_turns(static_cast<double>(periods) / tile.resolution).sine / texel_m;
+}
+
 /// What a tile's texture shows of a wave's derivative along an axis of the tile.
 struct ShownSlope {
     double derivative;  ///< 1/m, at texels
@@ -28,10 +35,9 @@ struct ShownSlope {
 
 /// \param periods  of the wave in a side of the tile
 ShownSlope shown_slope(const TilePlan& tile, int periods) {
+    if (!tile.is_banded()) return {central_difference(tile, periods), 1};  // texels count as they are
     const double texel_m = tile.lattice.side_m / tile.resolution;
     const auto [sine, cosine] = det::sine_cosine_of_turns(static_cast<double>(periods) / tile.resolution);
-    if (!tile.is_banded())
-        return {sine / texel_m, 1};  // the paper's central differences, whose texels count as they are
     // Stage `slopes`; the mean of ((1 - u) a + u b)^2 over u is (a^2 + a b + b^2)/3.
     const double near = SlopesJob::near_weight * sine, far = SlopesJob::far_weight * (2 * sine * cosine);
     return {2 * (near + far) / texel_m, (2 + cosine) / 3};
@@ -45,6 +51,29 @@ PackedSpectrum::PackedSpectrum(const FftPlan& plan, std::size_t lane_count, cons
       waves(line_blocks(plan.tables().size, lanes) * pairs * wave_quantities * lanes, memory),
       harmonics(line_blocks(plan.tables().size, lanes) * pairs * lanes, memory) {}
 
+LineFigures& LineFigures::operator+=(const LineFigures& other) {
+    height_variance += other.height_variance;
+    mean_square_slope += other.mean_square_slope;
+    slopes += other.slopes;
+    folding += other.folding;
+    stokes_x += other.stokes_x;
+    stokes_z += other.stokes_z;
+    return *this;
+}
+
+LineFigures between(const LineFigures& before, const LineFigures& after, double part) {
+    if (part == 0) return before;
+    if (part == 1) return after;
+    LineFigures sum;
+    const auto add = [&](const LineFigures& of, double weight) {
+        sum += {of.height_variance * weight, of.mean_square_slope * weight, of.slopes * weight,
+                of.folding * weight,         of.stokes_x * weight,          of.stokes_z * weight};
+    };
+    add(before, 1 - part);
+    add(after, part);
+    return sum;
+}
+
 LineFigures bake_spectrum_line(const SeaState& sea, const TileWaves& waves, const FftPlan& plan, std::size_t line,
                                PackedSpectrum& out) {
     const TilePlan& tile = waves.tile();
@@ -53,6 +82,14 @@ LineFigures bake_spectrum_line(const SeaState& sea, const TileWaves& waves, cons
     const int n = static_cast<int>(line);
     const double spacing = tile.spacing();
     const ShownSlope shown_z = shown_slope(tile, n);
+    // Of a frame of one tile stage `gradients` makes the Jacobians, banded or not.
+    const bool folds_as_shown = !tile.is_banded() || cascades_of(sea) > 1;
+    const auto fold_derivative = [&](const ShownSlope& shown, int periods) {
+        return folds_as_shown ? shown.derivative : central_difference(tile, periods);
+    };
+    const double fold_z = fold_derivative(shown_z, n);
+    const WindDrift usual = usual_foam_drift(sea);
+    const TileLattice::Place foam_drift = tile.lattice.in_tile(usual.x_mps, usual.z_mps);
     const double mirrors = n == 0 ? 1 : 2;  // line 0 holds its own
     LineFigures figures;
     float* wave = out.block(line / out.lanes) + line % out.lanes;
@@ -65,22 +102,30 @@ LineFigures bake_spectrum_line(const SeaState& sea, const TileWaves& waves, cons
             if (!waves.holds(m, n)) continue;  // all zeros
             const double length = std::sqrt(static_cast<double>(m) * m + static_cast<double>(n) * n);
             const double k = length * spacing;
-            const double frequency = angular_frequency(k, waves.spectrum().water());
+            const double frequency = angular_frequency(k, waves.water());
             const auto put = [&](WaveQuantity quantity, double value) {
                 wave[quantity * out.lanes] = static_cast<float>(value);
             };
             const ShownSlope shown_x = shown_slope(tile, m);
+            const double fold_x = fold_derivative(shown_x, m);
             const double drift = stokes_drift(k, waves.spectrum().water()) / k;
             const auto put_wave = [&](WaveQuantity first, const OppositeWaves& opposites, int signed_m) {
                 const PackedWave values = packed(opposites);
                 for (std::size_t i = 0; i < values.size(); ++i) wave[(first + i) * out.lanes] = values[i];
                 figures.height_variance += mirrors * opposites.expected_square();
                 figures.mean_square_slope += mirrors * opposites.expected_square() * k * k;
-                const double derivative_x = signed_m == m ? shown_x.derivative : -shown_x.derivative;
-                figures.folding.add_wave(mirrors * opposites.drawn_square(), signed_m * spacing, n * spacing,
-                                         derivative_x, shown_z.derivative, frequency);
+                const double sign = signed_m == m ? 1 : -1;
+                // Foam that drifts meets waves the slower, the more it runs with them.
+                const double drifted = signed_m * spacing * foam_drift.along + n * spacing * foam_drift.across;
+                const auto square_rate = [](const Wave& of, double met_frequency) {
+                    return std::norm(of.amplitude) * met_frequency * met_frequency;
+                };
+                figures.folding.add_wave(mirrors * opposites.drawn_square(),
+                                         mirrors * (square_rate(opposites.along, frequency - drifted) +
+                                                    square_rate(opposites.against, frequency + drifted)),
+                                         signed_m * spacing, n * spacing, sign * fold_x, fold_z);
                 figures.slopes.add_wave(mirrors * opposites.expected_square() * shown_x.filter * shown_z.filter,
-                                        derivative_x, shown_z.derivative);
+                                        sign * shown_x.derivative, shown_z.derivative);
                 const double running = mirrors * (opposites.along.variance - opposites.against.variance) * drift;
                 figures.stokes_x += running * (signed_m * spacing);
                 figures.stokes_z += running * (n * spacing);

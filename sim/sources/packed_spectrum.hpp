@@ -25,7 +25,8 @@ struct PackedSpectrum {
     /// \param lanes  of the instruction set that reads it, Kernels::lanes
     PackedSpectrum(const FftPlan& plan, std::size_t lanes, const HostMemory& memory = {});
 
-    float* block(std::size_t line_block) { return waves.data() + line_block * pairs * wave_quantities * lanes; }
+    std::size_t block_floats() const { return pairs * wave_quantities * lanes; }
+    float* block(std::size_t line_block) { return waves.data() + line_block * block_floats(); }
     const float* block(std::size_t line_block) const { return const_cast<PackedSpectrum*>(this)->block(line_block); }
     std::uint32_t* block_harmonics(std::size_t line_block) { return harmonics.data() + line_block * pairs * lanes; }
     const std::uint32_t* block_harmonics(std::size_t line_block) const {
@@ -47,7 +48,13 @@ struct LineFigures {
     FoldMoments folding;           ///< of the waves that this seed drew
     double stokes_x = 0,
            stokes_z = 0;  ///< Stokes' drift at the surface along the tile's own axes, m/s, the mean over all seeds
+
+    LineFigures& operator+=(const LineFigures& other);
 };
+
+/// What they are while one sea turns into another: all are sums over energies. The one or the other, bit for bit, where `part`
+/// is 0 or 1.
+LineFigures between(const LineFigures& before, const LineFigures& after, double part);
 
 /// Fills one line, 0 <= line < line_count(). Lines are independent.
 LineFigures bake_spectrum_line(const SeaState& sea, const TileWaves& waves, const FftPlan& plan, std::size_t line,

@@ -22,9 +22,14 @@ struct OfEachPass {
     std::array<T, passes> values{};
 };
 
-/// A moment of the sea.
+/// A moment of the sea: which of its ocean's seas there are, by number, and how much of the second (Forecast).
 struct SeaMoment {
     double time_s = 0;
+    std::size_t before = 0, after = 0;
+    double part = 0;  ///< below 1; 0 where both are one
+
+    /// One sea's own waves, as they were baked.
+    bool is_steady() const { return part == 0; }
 };
 
 class WaveSource {

@@ -1,5 +1,6 @@
 #include "pelagic/sim/spectrum/amplitudes.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -24,12 +25,24 @@ constexpr int points_of_cut_cell = 8;
 // The model has no energy at k = 0, and no direction.
 constexpr double least_steps = 1e-3;
 
+bool stands_before(const LatticeWave& a, const LatticeWave& b) {
+    return std::pair(a.at.n, a.at.m) < std::pair(b.at.n, b.at.m);
+}
+
 }  // namespace
 
-TileWaves::TileWaves(const SeaState& sea, const TilePlan& tile)
-    : seed_(sea.seed), tile_(tile), spectrum_(sea, tile) {}
+TileWaves::TileWaves(const SeaState& sea, const TilePlan& tile) : seed_(sea.seed), tile_(tile) {
+    if (sea.waves == WaveModel::spectrum) {
+        spectrum_.emplace(sea, tile);
+    } else {
+        list_ = lattice_waves(sea, tile);
+        std::stable_sort(list_.begin(), list_.end(), stands_before);
+    }
+}
 
 TileWaves::MirroredVariances TileWaves::variances(int m, int n) const {
+    if (!spectrum_)
+        return {{listed(m, n).variance, listed(-m, -n).variance}, {listed(-m, n).variance, listed(m, -n).variance}};
     return tile_.is_banded() ? cell_variances(m, n) : point_variances(m, n);
 }
 
@@ -38,9 +51,9 @@ TileWaves::MirroredVariances TileWaves::point_variances(double m, double n) cons
     const double spacing = tile_.spacing();
     const double along = m * spacing, across = n * spacing;
     const auto [c, s] = std::pair(tile_.lattice.cosine, tile_.lattice.sine);
-    const WaveSpectrum::Shell shell = spectrum_.shell(std::sqrt(along * along + across * across));
-    return {spectrum_.amplitude_variances(shell, c * along - s * across, s * along + c * across),
-            spectrum_.amplitude_variances(shell, -c * along - s * across, c * across - s * along)};
+    const WaveSpectrum::Shell shell = spectrum_->shell(std::sqrt(along * along + across * across));
+    return {spectrum_->amplitude_variances(shell, c * along - s * across, s * along + c * across),
+            spectrum_->amplitude_variances(shell, -c * along - s * across, c * across - s * along)};
 }
 
 /// The means over that part of the cells which is in the band, from points in rows of as many as it takes: where an end of the
@@ -72,17 +85,31 @@ TileWaves::MirroredVariances TileWaves::cell_variances(int m, int n) const {
 }
 
 TileWaves::MirroredPair TileWaves::pair(int m, int n) const {
+    if (!spectrum_) return {{listed(m, n), listed(-m, -n)}, {listed(-m, n), listed(m, -n)}};
     const auto [plus, minus] = variances(m, n);
     return {{drawn(plus.along, m, n), drawn(plus.against, -m, -n)},
             {drawn(minus.along, -m, n), drawn(minus.against, m, -n)}};
 }
 
 std::complex<double> TileWaves::amplitude(int m, int n) const {
+    if (!spectrum_) return listed(m, n).amplitude;
     return holds(m, n) ? drawn(variances(m, n).plus.along, m, n).amplitude : std::complex<double>{};
 }
 
 double TileWaves::drawn_square(double variance, int m, int n) const {
+    if (!spectrum_) return variance;
     return 0.5 * variance * gaussian_pair_square(seed_, tile_.number, m, n);
+}
+
+/// The sum of those at a place.
+Wave TileWaves::listed(int m, int n) const {
+    const LatticeWave wanted{.at = {m, n}, .amplitude_m = 0, .phase_turns = 0};
+    Wave wave;
+    for (auto at = std::lower_bound(list_.begin(), list_.end(), wanted, stands_before);
+         at != list_.end() && at->at == wanted.at; ++at)
+        wave.amplitude += at->half_amplitude();
+    wave.variance = std::norm(wave.amplitude);
+    return wave;
 }
 
 Wave TileWaves::drawn(double variance, int m, int n) const {

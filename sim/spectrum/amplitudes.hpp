@@ -1,11 +1,15 @@
-// The waves of one tile: how much each holds in the mean, and which this seed drew.
+// The waves of one tile: how much each holds in the mean, and which this seed drew. An analytic sea's stand in a list: no
+// seed draws them, so that all hold just their mean.
 #pragma once
 
 #include <complex>
 #include <cstdint>
+#include <optional>
+#include <vector>
 
 #include "pelagic/sim/sea_state.hpp"
 #include "pelagic/sim/spectrum/spectra.hpp"
+#include "pelagic/sim/spectrum/wave_list.hpp"
 #include "pelagic/sim/tile_plan.hpp"
 
 namespace pelagic {
@@ -31,7 +35,10 @@ class TileWaves {
     TileWaves(const SeaState& sea, const TilePlan& tile);
 
     const TilePlan& tile() const { return tile_; }
-    const WaveSpectrum& spectrum() const { return spectrum_; }
+    /// \pre the sea has one
+    const WaveSpectrum& spectrum() const { return *spectrum_; }
+    /// What its waves run in.
+    const Water& water() const { return spectrum_ ? spectrum_->water() : deep_water; }
 
     /// DC (VR Ocean, equation 14) and the Nyquist row and column hold no waves: the partner -k of a wave of those is itself on
     /// the grid, so it can't be told which way it runs.
@@ -63,10 +70,12 @@ class TileWaves {
     MirroredVariances point_variances(double m, double n) const;
     MirroredVariances cell_variances(int m, int n) const;
     Wave drawn(double variance, int m, int n) const;
+    Wave listed(int m, int n) const;
 
     std::uint32_t seed_;
     TilePlan tile_;
-    WaveSpectrum spectrum_;
+    std::optional<WaveSpectrum> spectrum_;  ///< none: the list has all waves
+    std::vector<LatticeWave> list_;         ///< by place
 };
 
 }  // namespace pelagic

@@ -4,6 +4,7 @@
 #include "pelagic/sim/spectrum/dispersion.hpp"
 #include "pelagic/sim/spectrum/mean_square_slope.hpp"
 #include "pelagic/sim/spectrum/spectral_peak.hpp"
+#include "pelagic/sim/spectrum/wave_list.hpp"
 #include "pelagic/sim/tile_plan.hpp"
 #include "pelagic/simd/det_math.hpp"
 
@@ -59,20 +60,44 @@ double end_of_slopes(const WaveSpectrum& spectrum, const SeaState& sea) {
     return last;
 }
 
-std::vector<TilePlan> plan_stack(const SeaState& sea) {
+bool is_stack(const SeaState& sea) { return !is_tile_for_good(sea); }
+
+/// An analytic sea's shortest wave is held though sides are rounded up, each by a tenth at most.
+constexpr double margin_of_shortest = 4.0 / 3;
+
+WaveSpectrum spectrum_of_stack(const SeaState& sea) {
+    return {sea,
+            {.lattice = {.side_m = papers_side_m}, .resolution = resolution_of(sea), .has_surface_tension = true}};
+}
+
+/// Few waves want many texels, or what lies between them is a facet: each is in the finest tile on whose lattice it hardly
+/// moves, but for what is too short for the one above.
+constexpr double steps_of_few_waves = 8;
+
+std::vector<TilePlan> with_few_waves(std::vector<TilePlan> tiles) {
+    for (std::size_t i = 0; i + 1 < tiles.size(); ++i) {
+        const double edge = std::min(tiles[i].most_k, steps_of_few_waves * tiles[i + 1].spacing());
+        tiles[i].most_k = tiles[i + 1].least_k = edge;
+    }
+    return tiles;
+}
+
+/// Where the waves of a sea end, rad/m.
+double end_of_waves(const SeaState& sea) {
+    if (sea.waves == WaveModel::analytic) return margin_of_shortest * two_pi / shortest_wave_of(sea);
+    return end_of_slopes(spectrum_of_stack(sea), sea);
+}
+
+std::vector<TilePlan> plan_stack(const SeaState& sea, const WaveReach& reach, double end_k) {
     const int count = cascades_of(sea), n = resolution_of(sea);
-    const WaveSpectrum spectrum(sea,
-                                {.lattice = {.side_m = papers_side_m}, .resolution = n, .has_surface_tension = true});
-    const double peak_wave_m = two_pi / peak_of(spectrum, sea).k;
     const double coarsest_m =
-        std::clamp(short_number(std::clamp(peak_waves * peak_wave_m, least_side_m, most_side_m), false), least_side_m,
-                   most_side_m);
-    const double end = end_of_slopes(spectrum, sea);
+        std::clamp(short_number(std::clamp(peak_waves * reach.peak_m, least_side_m, most_side_m), false),
+                   least_side_m, most_side_m);
 
     const double widest = n / (texels_a_wave * steps_a_band);
     double ratio = widest;
     if (count > 1) {
-        const double finest_m = two_pi / end * n / texels_a_wave;
+        const double finest_m = two_pi / reach.end_k * n / texels_a_wave;
         const double wanted = det::pow(std::max(1.0, coarsest_m / finest_m), 1.0 / (count - 1));
         ratio = std::clamp(wanted, least_ratio, widest);
     }
@@ -86,7 +111,7 @@ std::vector<TilePlan> plan_stack(const SeaState& sea) {
                          .resolution = n,
                          .number = number,
                          .least_k = least_k,
-                         .most_k = number + 1 == count ? std::min(most_k, end) : most_k,
+                         .most_k = number + 1 == count ? std::min(most_k, end_k) : most_k,
                          .has_surface_tension = true});
         least_k = most_k;
         side_m = short_number(side_m / ratio, true);
@@ -96,11 +121,32 @@ std::vector<TilePlan> plan_stack(const SeaState& sea) {
 
 }  // namespace
 
-std::vector<TilePlan> plan_tiles(const SeaState& sea) {
-    const bool is_papers = sea.spectrum == SpectrumModel::phillips_paper;
-    if (sea.patch_size_m == 0 && !is_papers) return plan_stack(sea);
-    return {{.lattice = {.side_m = sea.patch_size_m > 0 ? sea.patch_size_m : papers_side_m},
+WaveReach WaveReach::of(const SeaState& sea) {
+    if (!is_stack(sea)) return {};
+    if (sea.waves == WaveModel::analytic) return {longest_wave_of(sea), end_of_waves(sea)};
+    const WaveSpectrum spectrum = spectrum_of_stack(sea);
+    return {two_pi / peak_of(spectrum, sea).k, end_of_slopes(spectrum, sea)};
+}
+
+WaveReach& WaveReach::extend_to(const WaveReach& other) {
+    peak_m = std::max(peak_m, other.peak_m);
+    end_k = std::max(end_k, other.end_k);
+    return *this;
+}
+
+std::vector<TilePlan> plan_tiles(const SeaState& sea, const WaveReach& reach) {
+    if (is_stack(sea) && sea.waves == WaveModel::analytic)
+        return with_few_waves(plan_stack(sea, reach, end_of_waves(sea)));
+    if (is_stack(sea)) return plan_stack(sea, reach, end_of_waves(sea));
+    const double chosen_m = sea.waves == WaveModel::exp_sine ? pond_side_m(sea) : papers_side_m;
+    return {{.lattice = {.side_m = sea.patch_size_m > 0 ? sea.patch_size_m : chosen_m},
              .resolution = resolution_of(sea)}};
+}
+
+std::vector<TilePlan> plan_tiles(const SeaState& sea) {
+    const WaveReach own = WaveReach::of(sea);
+    if (is_stack(sea) && sea.waves == WaveModel::spectrum) return plan_stack(sea, own, own.end_k);
+    return plan_tiles(sea, own);
 }
 
 }  // namespace pelagic

@@ -18,7 +18,7 @@ inline constexpr double sea_surface_tension_m3ps2 = 0.074 / 1025;
 
 /// What waves run in; a depth alone will do.
 struct Water {
-    Water(double depth, double tension = 0) : depth_m(depth), tension_m3ps2(tension) {}
+    constexpr Water(double depth, double tension = 0) : depth_m(depth), tension_m3ps2(tension) {}
 
     double depth_m;
     double tension_m3ps2;  ///< T/rho; 0 leaves surface tension out, and every bit is as without the term

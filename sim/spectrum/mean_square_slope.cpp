@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pelagic/sim/spectrum/wave_list.hpp"
 #include "pelagic/simd/det_math.hpp"
 
 namespace pelagic {
@@ -26,6 +27,8 @@ SlopeMoments& SlopeMoments::operator+=(const SlopeMoments& other) {
     return *this;
 }
 
+SlopeMoments SlopeMoments::operator*(double weight) const { return {xx * weight, zz * weight, xz * weight}; }
+
 SlopeMoments SlopeMoments::in_world(const TileLattice& lattice) const {
     const double c = lattice.cosine, s = lattice.sine, both = 2 * c * s * xz;
     return {c * c * xx - both + s * s * zz, s * s * xx + both + c * c * zz, c * s * (xx - zz) + (c * c - s * s) * xz};
@@ -45,6 +48,11 @@ SlopeVariance unresolved_slopes(const SlopeVariance& resolved, double wind_speed
     const double crosswind = std::max(0.0, all.crosswind - resolved.crosswind);
     const double part = left / (upwind + crosswind);
     return {upwind * part, crosswind * part};
+}
+
+SlopeVariance slopes_left(const SeaState& sea, const SlopeVariance& resolved) {
+    if (sea.waves != WaveModel::exp_sine) return unresolved_slopes(resolved, sea.wind_speed_mps);
+    return hidden_slopes(sea, lattice_octaves(sea, plan_tiles(sea).front()));
 }
 
 double roughness_of(const SeaState& sea, const SlopeVariance& unresolved) {

@@ -15,6 +15,7 @@ struct SlopeMoments {
     /// sin(k_x d) / d for central differences over texels of side d.
     void add_wave(double mean_square, double difference_x, double difference_z);
     SlopeMoments& operator+=(const SlopeMoments& other);
+    SlopeMoments operator*(double weight) const;  ///< of waves with so much of their energy
 
     /// Those of a tile, along its own axes, along the world's.
     SlopeMoments in_world(const TileLattice& lattice) const;
@@ -25,6 +26,10 @@ struct SlopeMoments {
 /// What is left of measured_slopes(), never less than 0. Waves that have too much in one direction take it from the other, so
 /// that both sums together are the measured one, unless the waves alone have more.
 SlopeVariance unresolved_slopes(const SlopeVariance& resolved, double wind_speed_mps);
+
+/// What a sea's tiles leave to the light: unresolved_slopes() in its wind, but of a pond what its texels hide of its own octaves,
+/// which are all that it has.
+SlopeVariance slopes_left(const SeaState& sea, const SlopeVariance& resolved);
 
 /// What the smoothness channel says: the sea's own roughness if it has one, else alpha of a GGX surface whose mean square
 /// slope, alpha^2, is what the tiles leave; at most 1.

@@ -1,0 +1,151 @@
+#include "pelagic/sim/forecast.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+
+#include "pelagic/message/refusal.hpp"
+#include "pelagic/sim/tile_plan.hpp"
+
+namespace pelagic {
+namespace {
+
+constexpr double pi = 3.14159265358979323846, two_pi = 2 * pi;
+
+constexpr double most_time_s = 1e12;  // microseconds of it are still told apart
+constexpr double longest_change_s = 1e9;
+constexpr double most_peak_m = 1e5;
+
+/// Two peaks are one within what peak_of() finds out.
+constexpr double peak_tolerance = 1e-6;
+
+std::string of_change(std::string_view name, std::size_t number) {
+    return std::string(name) + " of change " + number_text(number);
+}
+
+/// The first thing that a forecast fixes and `sea` has otherwise.
+std::string difference(const SeaState& first, const SeaState& sea, std::size_t number) {
+    const auto refused = [&](std::string_view name, const auto& is, const std::string& needed) {
+        return refusal(of_change(name, number), is, needed + " as the first sea has it");
+    };
+    if (first.waves != sea.waves) return refused("waves", name_of(sea.waves), std::string(name_of(first.waves)));
+    // Octaves that move one another have no energies to blend.
+    if (sea.waves == WaveModel::exp_sine)
+        return refusal(of_change("waves", number), name_of(sea.waves), "spectrum or analytic: a pond does not change");
+    const auto is_papers = [](const SeaState& of) { return of.spectrum == SpectrumModel::phillips_paper; };
+    if (is_papers(first) != is_papers(sea))
+        return refused("spectrum", name_of(sea.spectrum), is_papers(first) ? "phillips-paper" : "a physical one");
+    struct Fixed {
+        std::string_view name;
+        double first, is;
+    };
+    for (const Fixed& fixed : std::array{
+             Fixed{"patch_size_m", first.patch_size_m, sea.patch_size_m},
+             Fixed{"cascades", static_cast<double>(cascades_of(first)), static_cast<double>(cascades_of(sea))},
+             Fixed{"resolution", static_cast<double>(resolution_of(first)), static_cast<double>(resolution_of(sea))},
+             Fixed{"depth_m", first.depth_m, sea.depth_m},
+             Fixed{"loop_period_s", first.loop_period_s, sea.loop_period_s},
+             Fixed{"seed", static_cast<double>(first.seed), static_cast<double>(sea.seed)}})
+        if (fixed.first != fixed.is) return refused(fixed.name, fixed.is, number_text(fixed.first));
+    return {};
+}
+
+std::string too_long(const std::string& whose, const SeaState& sea, double largest_peak_m) {
+    const double peak_m = WaveReach::of(sea).peak_m;
+    if (largest_peak_m == 0 || peak_m <= largest_peak_m * (1 + peak_tolerance)) return {};
+    return refusal("peak_wavelength_m" + whose, peak_m,
+                   "at most " + number_text(largest_peak_m) + ", the largest_peak_m that tiles are laid out for");
+}
+
+/// s of u, whose slope is 0 where it begins and where it ends.
+double eased(double u) { return u * u * (3 - 2 * u); }
+
+double between(double before, double after, double part) { return (1 - part) * before + part * after; }
+
+/// The shorter way round, in [-2 pi, 2 pi] as directions are.
+double turned(double before, double after, double part) {
+    double turn = after - before;
+    while (turn > pi) turn -= two_pi;
+    while (turn <= -pi) turn += two_pi;
+    double direction = before + part * turn;
+    if (direction > two_pi) direction -= two_pi;
+    if (direction < -two_pi) direction += two_pi;
+    return direction;
+}
+
+}  // namespace
+
+ForecastMoment Forecast::at(double time_s) const {
+    const auto next = std::upper_bound(changes.begin(), changes.end(), time_s,
+                                       [](double time, const SeaChange& change) { return time < change.from_s; });
+    const auto number = static_cast<std::size_t>(next - changes.begin());
+    if (number == 0) return {};
+    const SeaChange& change = changes[number - 1];
+    const double u = (time_s - change.from_s) / change.over_s, part = u < 1 ? eased(u) : 1;
+    if (part >= 1) return {number, number, 0};
+    if (part <= 0) return {number - 1, number - 1, 0};
+    return {number - 1, number, part};
+}
+
+std::string check(const Forecast& forecast) {
+    if (const std::string reason = check(forecast.first); !reason.empty()) return "first sea: " + reason;
+    const double largest_m = forecast.largest_peak_m;
+    if (!(largest_m >= 0 && largest_m <= most_peak_m))
+        return refusal("largest_peak_m", largest_m, "(0, 1e5], or 0: chosen");
+    if (std::string reason = too_long(" of the first sea", forecast.first, largest_m); !reason.empty()) return reason;
+    double over_s = -most_time_s;  // when the change before is over
+    for (std::size_t i = 0; i < forecast.changes.size(); ++i) {
+        const SeaChange& change = forecast.changes[i];
+        const std::size_t number = i + 1;
+        if (const std::string reason = check(change.sea); !reason.empty())
+            return "sea of change " + number_text(number) + ": " + reason;
+        if (std::string reason = difference(forecast.first, change.sea, number); !reason.empty()) return reason;
+        if (std::string reason = too_long(" of change " + number_text(number), change.sea, largest_m);
+            !reason.empty())
+            return reason;
+        if (!(change.over_s > 0 && change.over_s <= longest_change_s))
+            return refusal(of_change("over_s", number), change.over_s, "(0, 1e9]");
+        if (!(change.from_s >= over_s && change.from_s <= most_time_s))
+            return refusal(
+                of_change("from_s", number), change.from_s,
+                i == 0 ? "[-1e12, 1e12]" : "at least " + number_text(over_s) + ", when the change before is over");
+        over_s = change.end_s();
+    }
+    return {};
+}
+
+SeaState sea_between(const SeaState& before, const SeaState& after, double part) {
+    if (part == 0) return before;
+    if (part == 1) return after;
+    SeaState sea = part < 0.5 ? before : after;
+    const auto blend = [&](double SeaState::*number) { sea.*number = between(before.*number, after.*number, part); };
+    blend(&SeaState::wind_speed_mps);
+    sea.wind_direction_rad = turned(before.wind_direction_rad, after.wind_direction_rad, part);
+    blend(&SeaState::fetch_m);
+    blend(&SeaState::choppiness);
+    blend(&SeaState::small_waves);
+    blend(&SeaState::alignment);
+    if (before.roughness < 0 || after.roughness < 0)
+        sea.roughness = std::max(before.roughness, after.roughness);
+    else
+        blend(&SeaState::roughness);
+
+    if (before.swell_height_m > 0 && after.swell_height_m > 0) {
+        const auto energy = [](const SeaState& of) { return of.swell_height_m * of.swell_height_m; };
+        sea.swell_height_m = std::sqrt(between(energy(before), energy(after), part));
+        blend(&SeaState::swell_period_s);
+        sea.swell_direction_rad = turned(before.swell_direction_rad, after.swell_direction_rad, part);
+        blend(&SeaState::swell_spread_rad);
+    } else {
+        const bool comes = after.swell_height_m > 0;
+        const SeaState& swell = comes ? after : before;
+        sea.swell_height_m = swell.swell_height_m * std::sqrt(comes ? part : 1 - part);
+        sea.swell_period_s = swell.swell_period_s;
+        sea.swell_direction_rad = swell.swell_direction_rad;
+        sea.swell_spread_rad = swell.swell_spread_rad;
+    }
+    return sea;
+}
+
+}  // namespace pelagic

@@ -1,0 +1,63 @@
+// Seas with times: which sea there is when, and how one turns into the next.
+//
+//   Forecast forecast{.first = calm};
+//   forecast.changes.push_back({.sea = storm, .from_s = 60, .over_s = 20});
+//   Ocean ocean(forecast);
+//
+// Each wave of the lattice keeps its draw, and its energy goes over from one sea to the next:
+//
+//   E = (1 - s) E0 + s E1,  s = u^2 (3 - 2u),  u = (t - from) / over in [0, 1]
+//
+// An amplitude is a root of its energy. With a linear weight one that starts from nothing would start with an infinite slope.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "pelagic/sim/sea_state.hpp"
+
+namespace pelagic {
+
+/// The sea turns into another one.
+struct SeaChange {
+    SeaState sea;       ///< that there is afterwards
+    double from_s = 0;  ///< when it begins
+    double over_s = 0;  ///< how long it takes; (0, 1e9]
+
+    double end_s() const { return from_s + over_s; }
+};
+
+/// What the weather is at a moment: two seas of a forecast, and how much there is of the second.
+struct ForecastMoment {
+    std::size_t before = 0, after = 0;  ///< as Forecast::sea() counts
+    double part = 0;                    ///< s, of the sea after; below 1. 0: it is one sea, before and after
+};
+
+/// A value: a frame is a function of the forecast and the time, whatever frames there were before.
+/// The kind of tiles, their number, resolution and side, depth, loop period and seed are those of the first sea.
+struct Forecast {
+    SeaState first;
+    std::vector<SeaChange> changes = {};  ///< in order: none begins before the one before it is over
+    /// Tiles are laid out for waves with peaks up to this long; 0: the longest peak of these seas, or (0, 1e5]. A sea that is
+    /// scheduled later may have no longer one. Without meaning where the side of the tile is given.
+    double largest_peak_m = 0;
+
+    /// 0 is the first, i is that of changes[i - 1]. \pre number <= changes.size()
+    const SeaState& sea(std::size_t number) const { return number == 0 ? first : changes[number - 1].sea; }
+    const SeaState& last() const { return sea(changes.size()); }
+    /// \pre check() is empty, and the time finite
+    ForecastMoment at(double time_s) const;
+};
+
+/// Empty if usable, else the first thing that is not: "depth_m of change 1 is 20, needs 4000 as the first sea has it". What
+/// check() says of a sea begins with which one it is.
+std::string check(const Forecast& forecast);
+
+/// What a frame in between says that its sea is: numbers go over with `part`; heights of swell as their energy does; directions
+/// turn the shorter way (a half turn: the way from +x towards +z); models are those of the sea that there is more of. What only
+/// one of them has, a swell's period and direction, a roughness that is given, is that one's. The waves themselves are the blend
+/// of both seas' energies, whose figures a frame has in SeaFigures. \pre part in [0, 1]
+SeaState sea_between(const SeaState& before, const SeaState& after, double part);
+
+}  // namespace pelagic

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstddef>
+
+#include <xsimd/xsimd.hpp>
+#include "pelagic/sim/kernels/kernels.hpp"
+#include "pelagic/sim/kernels/wave_blocks.hpp"
+
+#include "pelagic/simd/always_inline.hpp"
+
+namespace pelagic::kernels {
+
+/// h0(k) = a + ib and conj(h0(-k)) = c + id of W waves, in units of half a metre times `scale`.
+template <class Arch>
+struct UnpackedWaves {
+    using V = xsimd::batch<float, Arch>;
+    V a, b, c, d;
+};
+
+template <class Arch>
+PELAGIC_INLINE UnpackedWaves<Arch> unpacked(const float* packed, const xsimd::batch<float, Arch>& scale) {
+    using V = xsimd::batch<float, Arch>;
+    const auto row = [&](std::size_t i) { return V::load_aligned(packed + i * V::size) * scale; };
+    const V s0 = row(0), s1 = row(1), s2 = row(2), s3 = row(3);
+    return {s0 - s3, s1 + s2, s0 + s3, s1 - s2};
+}
+
+/// The amplitude whose energy lies between. Both have the sign of the same draw, unless they are rounding errors.
+template <class Arch>
+PELAGIC_INLINE xsimd::batch<float, Arch> between(const xsimd::batch<float, Arch>& before,
+                                                 const xsimd::batch<float, Arch>& after,
+                                                 const xsimd::batch<float, Arch>& rest,
+                                                 const xsimd::batch<float, Arch>& part) {
+    const xsimd::batch<float, Arch> energy = rest * (before * before) + part * (after * after);
+    return xsimd::copysign(xsimd::sqrt(energy), before + after);
+}
+
+template <class Arch>
+PELAGIC_INLINE void blend_wave(const float* before, const float* after, const xsimd::batch<float, Arch>& part,
+                               float* out) {
+    using V = xsimd::batch<float, Arch>;
+    const V scale(BlendWavesJob::scale), unscale(0.5f / BlendWavesJob::scale), rest = V(1.f) - part;
+    const UnpackedWaves<Arch> from = unpacked<Arch>(before, scale), to = unpacked<Arch>(after, scale);
+    const V a = between<Arch>(from.a, to.a, rest, part), b = between<Arch>(from.b, to.b, rest, part);
+    const V c = between<Arch>(from.c, to.c, rest, part), d = between<Arch>(from.d, to.d, rest, part);
+    const auto put = [&](std::size_t i, const V& value) { (value * unscale).store_aligned(out + i * V::size); };
+    put(0, a + c);
+    put(1, b + d);
+    put(2, b - d);
+    put(3, c - a);
+}
+
+template <class Arch>
+void blend_waves(const BlendWavesJob& job) {
+    using V = xsimd::batch<float, Arch>;
+    constexpr std::size_t pair_floats = wave_quantities * V::size;
+    const V part(job.part);
+    const float* before = job.before;
+    const float* after = job.after;
+    float* out = job.out;
+    for (std::size_t i = 0; i < job.pairs; ++i, before += pair_floats, after += pair_floats, out += pair_floats) {
+        blend_wave<Arch>(before + plus_cos_re * V::size, after + plus_cos_re * V::size, part,
+                         out + plus_cos_re * V::size);
+        blend_wave<Arch>(before + minus_cos_re * V::size, after + minus_cos_re * V::size, part,
+                         out + minus_cos_re * V::size);
+        V::load_aligned(before + direction_x * V::size).store_aligned(out + direction_x * V::size);
+        V::load_aligned(before + direction_z * V::size).store_aligned(out + direction_z * V::size);
+    }
+}
+
+}  // namespace pelagic::kernels

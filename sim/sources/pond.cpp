@@ -1,0 +1,184 @@
+#include "pelagic/sim/sources/pond.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <utility>
+
+#include "pelagic/analytic/exp_sine_terms.hpp"
+#include "pelagic/analytic/wave_phase.hpp"
+#include "pelagic/sim/kernels/wave_blocks.hpp"
+#include "pelagic/sim/surface/item_stage.hpp"
+#include "pelagic/sim/surface/slope_maps.hpp"
+#include "pelagic/simd/det_math.hpp"
+
+namespace pelagic {
+namespace {
+
+/// Texels that go through the kernel at once.
+constexpr std::size_t row_part = 256;
+
+/// Rows a job: one takes as long as all of a spectrum's columns.
+constexpr std::size_t rows_a_job = 4;
+
+/// What the kernel says of a part of a row. Heights alone are half the work.
+struct RowPart {
+    alignas(64) std::array<float, row_part> height, normal_x, normal_y, normal_z, rise, slope_variance;
+
+    ExpSineAnswers answers(bool with_velocities) {
+        if (!with_velocities) return {.height = height.data()};
+        return {height.data(), normal_x.data(), normal_y.data(), normal_z.data(), rise.data(), slope_variance.data()};
+    }
+};
+
+/// Writes floats of a row, from column `first` on, into one component of a surface's blocks.
+void store_row(const float* values, std::size_t count, std::size_t first, float* component, std::size_t lanes,
+               std::size_t block_floats) {
+    for (std::size_t i = 0; i < count; i += lanes)
+        std::memcpy(component + (first + i) / lanes * block_floats, values + i, lanes * sizeof(float));
+}
+
+/// The turns of an octave at the origin: its phase less harmonic times fraction, exact.
+double start_of(const LatticeOctave& octave, LoopFraction fraction) {
+    const std::uint64_t gone = std::uint64_t{octave.harmonic * fraction.turns} << 32;
+    return static_cast<double>(static_cast<std::int64_t>(turned(1, octave.octave.phase_turns) - gone)) * 0x1p-64;
+}
+
+}  // namespace
+
+Pond::Pond(FrameSlots& slots, std::size_t tile, Isa isa, const FrameExtras& extras)
+    : slots_(slots),
+      tile_(tile),
+      lanes_(kernels_for(isa).lanes),
+      kernels_(analytic_kernels_for(isa)),
+      has_velocities_(extras.velocities),
+      resolution_(slots.resolution()),
+      row_bounds_(static_cast<std::size_t>(resolution_)) {
+    for (int i = 0; i < resolution_; ++i) columns_.push_back(i);
+    for (std::vector<double>& starts : starts_.values)
+        starts.reserve(most_analytic_waves);  // frames allocate nothing
+}
+
+StageId Pond::add_stages(JobGraph& graph, Pass pass, const std::vector<StageId>& waits_for) {
+    return graph.add({.name = stage_name(pass == Pass::tick ? "tick octaves" : "octaves", tile_),
+                      .count = static_cast<std::size_t>(resolution_),
+                      .batch = rows_a_job,
+                      .waits_for = waits_for,
+                      .body = for_each_item([this, pass](std::size_t row) { fill_row(pass, row); }),
+                      .stack_bytes = stack_margin});
+}
+
+void Pond::begin(Pass pass, const SeaMoment& moment, Tile& tile) {
+    const LoopFraction fraction = loop_fraction(moment.time_s, waves_.loop_period_s);
+    std::vector<double>& starts = starts_[pass];
+    starts.resize(waves_.octaves.size());
+    for (std::size_t i = 0; i < starts.size(); ++i) starts[i] = start_of(waves_.octaves[i], fraction);
+    tile.lattice = waves_.plan.lattice;
+    tile.whitecap_jacobian = Tile::no_whitecaps;
+    tile.whitecap_ramp = 1;
+    tile.slope_ranges = waves_.slope_ranges;
+}
+
+void Pond::fill_row(Pass pass, std::size_t row) {
+    const std::size_t block_floats = column_block_floats(resolution_, lanes_);
+    TileBuffers& buffers = slots_.buffers(tile_);
+    const auto component = [&](AlignedBuffer<float>& planes, SurfaceComponent of) {
+        return planes.data() + (row * surface_components + of) * lanes_;
+    };
+    const bool with_velocities = has_velocities_ && pass == Pass::frame;
+    const std::size_t n = static_cast<std::size_t>(resolution_), count = std::min(n, row_part);
+    std::array<double, row_part> z;
+    std::array<float, row_part> footprint;
+    z.fill(static_cast<double>(row));
+    footprint.fill(static_cast<float>(waves_.plan.lattice.side_m / resolution_));
+    static constexpr std::array<float, row_part> none{};
+    RowPart part;
+    RowBounds bounds{3.4e38f, -3.4e38f};
+    for (std::size_t first = 0; first < n; first += count) {
+        kernels_.exp_sine({.octaves = waves_.terms.data(),
+                           .starts = starts_[pass].data(),
+                           .octave_count = static_cast<int>(waves_.terms.size()),
+                           .count = count,
+                           .x = columns_.data() + first,
+                           .z = z.data(),
+                           .footprint = footprint.data(),
+                           .out = part.answers(with_velocities)});
+        const auto store = [&](const float* values, AlignedBuffer<float>& planes, SurfaceComponent of) {
+            store_row(values, count, first, component(planes, of), lanes_, block_floats);
+        };
+        store(part.height.data(), buffers.surface, surface_height);
+        store(none.data(), buffers.surface, surface_dx);
+        store(none.data(), buffers.surface, surface_dz);
+        if (with_velocities) {
+            store(part.rise.data(), buffers.velocity, surface_height);
+            store(none.data(), buffers.velocity, surface_dx);
+            store(none.data(), buffers.velocity, surface_dz);
+        }
+        for (std::size_t i = 0; i < count; ++i) {
+            bounds.least = std::min(bounds.least, part.height[i]);
+            bounds.most = std::max(bounds.most, part.height[i]);
+        }
+    }
+    row_bounds_[row] = bounds;
+}
+
+FrameBounds Pond::end_frame() {
+    RowBounds all = row_bounds_.front();
+    for (const RowBounds& row : row_bounds_) all = {std::min(all.least, row.least), std::max(all.most, row.most)};
+    return {.height_min_m = all.least + 0.f, .height_max_m = all.most + 0.f};
+}
+
+void Pond::add_spectrum_stage(JobGraph& graph) {
+    graph.add({.name = stage_name("spectrum", tile_),
+               .count = 1,
+               .body = for_each_item([](std::size_t) {}),  // begin_spectrum() is quicker than a job
+               .stack_bytes = stack_margin});
+}
+
+Pond::Waves Pond::waves_of(const SeaState& sea, const TilePlan& plan) {
+    Waves waves{.plan = plan,
+                .loop_period_s = sea.loop_period_s,
+                .octaves = lattice_octaves(sea, plan),
+                .terms = {},
+                .slope_ranges = {}};
+    std::erase_if(waves.octaves, [](const LatticeOctave& octave) { return octave.shown == 0; });
+    for (const LatticeOctave& octave : waves.octaves) {
+        ExpSineTerms terms = exp_sine_terms_of(octave.octave);
+        terms.phase = {static_cast<double>(octave.at.m) / plan.resolution,
+                       static_cast<double>(octave.at.n) / plan.resolution};
+        waves.terms.push_back(terms);
+    }
+    waves.slope_ranges = slope_ranges(figures_of(waves).mean_square_slope);
+    return waves;
+}
+
+LineFigures Pond::figures_of(const Waves& waves) {
+    const double texel_m = waves.plan.lattice.side_m / waves.plan.resolution;
+    const auto difference = [&](int periods) {  // what central differences over texels make of a wave number
+        return det::sine_cosine_of_turns(static_cast<double>(periods) / waves.plan.resolution).sine / texel_m;
+    };
+    LineFigures figures;
+    for (const LatticeOctave& octave : waves.octaves) {
+        const double shown = octave.shown * octave.shown;
+        figures.height_variance += octave.height_variance();
+        figures.mean_square_slope += shown * octave.slope_variance();
+        const double height = octave.octave.height_m;
+        figures.slopes.add_wave(exp_sine_slope_variance * (height * height) * shown, difference(octave.at.m),
+                                difference(octave.at.n));
+    }
+    return figures;
+}
+
+void Pond::begin_spectrum(const SeaState& sea, const TilePlan& plan, double) { bake_ = waves_of(sea, plan); }
+
+LineFigures Pond::adopt_spectrum(std::size_t, std::size_t) {
+    waves_ = *std::exchange(bake_, std::nullopt);
+    return figures_of(waves_);
+}
+
+std::size_t Pond::bytes() const {
+    return sizeof(Pond) + columns_.capacity() * sizeof(double) + row_bounds_.capacity() * sizeof(RowBounds) +
+           waves_.octaves.capacity() * sizeof(LatticeOctave) + waves_.terms.capacity() * sizeof(ExpSineTerms);
+}
+
+}  // namespace pelagic

@@ -1,0 +1,88 @@
+// Which sea there is when, and whose waves are at hand: a forecast, and what its seas make of the sources.
+//
+// Seas are numbered for the life of an ocean, so that one that is forgotten is never taken for another.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "pelagic/sim/forecast.hpp"
+#include "pelagic/sim/frame.hpp"
+#include "pelagic/sim/sources/sea_shelf.hpp"
+#include "pelagic/sim/sources/sea_source.hpp"
+#include "pelagic/sim/spectrum/mean_square_slope.hpp"
+#include "pelagic/sim/tile_plan.hpp"
+
+namespace pelagic {
+
+class Weather {
+   public:
+    using Sources = std::span<const std::unique_ptr<SeaSource>>;
+
+    /// \pre check(forecast) is empty
+    explicit Weather(const Forecast& forecast);
+
+    /// Says how long peaks may be, too.
+    const Forecast& forecast() const { return forecast_; }
+    std::vector<TilePlan> plans_of(const SeaState& sea) const { return plan_tiles(sea, reach_); }
+
+    /// \pre check(with(change)) is empty
+    void add(const SeaChange& change) { forecast_ = with(change, &first_number_); }
+    /// The forecast after one more change; it remembers two. `first_number` counts what it forgets.
+    Forecast with(const SeaChange& change, std::size_t* first_number = nullptr) const;
+
+    /// Before that the weather is forgotten with the next change; no time if nothing is.
+    double end_of_forgotten_by_next() const;
+
+    /// Of ticks as of frames.
+    SeaMoment moment_at(double time_s) const;
+    SeaState sea_at(const SeaMoment& moment) const;
+    /// \pre the moment's seas are at hand
+    SeaFigures figures_at(const SeaMoment& moment) const;
+
+    /// The next run of the pass takes what the moment needs.
+    void need(Pass pass, const SeaMoment& moment) { shelf_.need(pass, moment.before, moment.after); }
+    std::size_t number_of_last() const { return first_number_ + forecast_.changes.size(); }
+    bool has(std::size_t number) const { return shelf_.holds(number); }
+    /// A sea that is not at hand, and that frames around this one will need.
+    std::optional<std::size_t> wanted_soon(double time_s) const;
+
+    /// What the next run of the sources' stages `spectrum` bakes: a sea of the forecast, which adopt() puts at hand, or
+    void begin(std::size_t number, Sources sources);
+    void adopt(Sources sources);
+    /// the only sea of another weather, which starts with restart(). Until then frames show this one, and seas of it may be baked
+    /// once the other's spectrum is set aside.
+    void begin_other(const SeaState& sea, Sources sources);
+    void restart(Sources sources);
+
+   private:
+    /// What all tiles of a sea add up to.
+    struct Sums {
+        double height_variance = 0;
+        SlopeMoments slopes;  ///< in the world's axes
+        double roughness = 0;
+        double drift_x_mps = 0, drift_z_mps = 0;  ///< of foam
+    };
+    /// Another weather, whose sea is being baked.
+    struct Other {
+        Forecast forecast;
+        WaveReach reach;
+    };
+
+    const SeaState& sea(std::size_t number) const { return forecast_.sea(number - first_number_); }
+    void begin(const SeaState& sea, const WaveReach& reach, Sources sources);
+
+    Forecast forecast_;
+    WaveReach reach_;
+    std::size_t first_number_ = 0;  ///< of forecast_.first
+    SeaShelf shelf_;
+    std::array<Sums, SeaShelf::places> sums_;
+    std::size_t baked_number_ = 0;
+    std::optional<Other> other_;
+};
+
+}  // namespace pelagic

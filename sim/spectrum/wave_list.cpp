@@ -1,0 +1,219 @@
+#include "pelagic/sim/spectrum/wave_list.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "pelagic/message/refusal.hpp"
+#include "pelagic/simd/det_math.hpp"
+#include "pelagic/simd/float_environment.hpp"
+
+namespace pelagic {
+namespace {
+
+constexpr double two_pi = 6.28318530717958647693;
+
+// What a sea has that asks for nothing: the presets' waves, and the default pond's octaves.
+constexpr AnalyticFamily family;
+constexpr double family_ratio = family.longest_m / family.shortest_m;
+constexpr ExpSineSea pond;
+constexpr double pond_ratio = 45;  // pond.growth^(pond.octaves - 1)
+
+/// Of an analytic sea (analytic_wave_fields()).
+constexpr double least_wave_m = 0.01;
+
+/// A pond's tile has so many of its longest waves.
+constexpr double pond_waves = 6;
+
+double or_chosen(double value, double chosen) { return value > 0 ? value : chosen; }
+
+bool is_pond(const SeaState& sea) { return sea.waves == WaveModel::exp_sine; }
+
+int count_of(const SeaState& sea) {
+    if (sea.wave_count != 0) return sea.wave_count;
+    return is_pond(sea) ? pond.octaves : family.waves;
+}
+
+/// Turns in [-1/2, 1/2] of a direction.
+double turns_of(double rad) {
+    const double turns = rad / two_pi;
+    return turns - std::floor(turns + 0.5);
+}
+
+LatticePlace nearest_place(const TileLattice& lattice, double turns_per_m_x, double turns_per_m_z) {
+    const auto [along, across] = lattice.in_tile(turns_per_m_x, turns_per_m_z);
+    const auto nearest = [&](double turns_per_m) {
+        return static_cast<int>(std::floor(turns_per_m * lattice.side_m + 0.5));
+    };
+    return {nearest(along), nearest(across)};
+}
+
+TileLattice::Place turns_per_m_of(const TileLattice& lattice, const LatticePlace& at) {
+    return lattice.in_world(at.m / lattice.side_m, at.n / lattice.side_m);
+}
+
+std::string check_pond(const SeaState& sea) {
+    const ExpSineSea asked = exp_sine_sea_of(sea);
+    if (asked.growth > 4)
+        return refusal("wave_count", asked.octaves,
+                       "more octaves from longest_wave_m " + number_text(longest_wave_of(sea)) +
+                           " to shortest_wave_m " + rounded_text(shortest_wave_of(sea), 4) +
+                           ": each at least a quarter of the one before");
+    if (asked.height_m > 10)
+        return refusal("wave_height_m", sea.wave_height_m,
+                       "at most " + rounded_text(sea.wave_height_m * 10 / asked.height_m, 3) +
+                           " where waves is exp-sine with so many octaves");
+    return one_line(check(asked));
+}
+
+std::string check_analytic(const SeaState& sea) {
+    const PlaneWaves held = waves_of_tiles(sea);
+    if (held.waves.empty())
+        return refusal("longest_wave_m", longest_wave_of(sea), "longer waves: the tiles' texels hold none of these");
+    if (const double steepness = steepness_of(held); steepness > most_steepness)
+        return refusal(
+            "steepness", rounded_text(steepness, 4),
+            "at most " + number_text(most_steepness) +
+                ", the sum of k A of the waves on their tiles: ask for less wave_height_m or wave_strength");
+    return one_line(check(held));
+}
+
+}  // namespace
+
+double LatticePlace::steps() const { return std::sqrt(static_cast<double>(m) * m + static_cast<double>(n) * n); }
+
+std::complex<double> LatticeWave::half_amplitude() const {
+    const auto [sine, cosine] = det::sine_cosine_of_turns(phase_turns);
+    return {0.5 * amplitude_m * cosine, 0.5 * amplitude_m * sine};
+}
+
+double LatticeOctave::height_variance() const {
+    return exp_sine_variance * (octave.height_m * octave.height_m) * (shown * shown);
+}
+
+double LatticeOctave::slope_variance() const {
+    const double steepness = two_pi * octave.turns_per_m() * octave.height_m;
+    return exp_sine_slope_variance * (steepness * steepness);
+}
+
+double longest_wave_of(const SeaState& sea) {
+    return or_chosen(sea.longest_wave_m, is_pond(sea) ? pond.wavelength_m : family.longest_m);
+}
+
+double shortest_wave_of(const SeaState& sea) {
+    if (is_pond(sea)) return or_chosen(sea.shortest_wave_m, longest_wave_of(sea) / pond_ratio);
+    return or_chosen(sea.shortest_wave_m, std::max(least_wave_m, longest_wave_of(sea) / family_ratio));
+}
+
+double pond_side_m(const SeaState& sea) { return pond_waves * longest_wave_of(sea); }
+
+AnalyticSea analytic_sea_of(const SeaState& sea) {
+    const DefaultFloatEnvironment environment;
+    AnalyticSea asked = analytic_sea({.waves = count_of(sea),
+                                      .longest_m = longest_wave_of(sea),
+                                      .shortest_m = shortest_wave_of(sea),
+                                      .strength = sea.wave_strength,
+                                      .direction_rad = sea.wind_direction_rad});
+    asked.choppiness = sea.choppiness;
+    return sea.wave_height_m > 0 ? with_significant_height(std::move(asked), sea.wave_height_m) : asked;
+}
+
+std::vector<LatticeWave> lattice_waves(const SeaState& sea, const TilePlan& tile) {
+    const DefaultFloatEnvironment environment;
+    const int nyquist = tile.resolution / 2;
+    std::vector<LatticeWave> waves;
+    for (const PlaneWave& wave : plane_waves_of(analytic_sea_of(sea)).waves) {
+        const double k = two_pi * wave.turns_per_m();
+        if (k < tile.least_k || k >= tile.most_k) continue;
+        const LatticePlace at = nearest_place(tile.lattice, wave.turns_per_m_x, wave.turns_per_m_z);
+        if (std::max(std::abs(at.m), std::abs(at.n)) >= nyquist) continue;
+        waves.push_back({at, wave.amplitude_m, wave.phase_turns});
+    }
+    return waves;
+}
+
+PlaneWaves waves_of_tiles(const SeaState& sea) {
+    const DefaultFloatEnvironment environment;
+    PlaneWaves held{.waves = {}, .choppiness = sea.choppiness};
+    for (const TilePlan& tile : plan_tiles(sea)) {
+        for (const LatticeWave& wave : lattice_waves(sea, tile)) {
+            const auto [x, z] = turns_per_m_of(tile.lattice, wave.at);
+            const double omega = angular_frequency(wave.at.steps() * tile.spacing(), deep_water);
+            held.waves.push_back({.amplitude_m = wave.amplitude_m,
+                                  .turns_per_m_x = x,
+                                  .turns_per_m_z = z,
+                                  .frequency_hz = loop_harmonic(omega, sea.loop_period_s) / sea.loop_period_s,
+                                  .phase_turns = wave.phase_turns});
+        }
+    }
+    return held;
+}
+
+ExpSineSea exp_sine_sea_of(const SeaState& sea) {
+    const DefaultFloatEnvironment environment;
+    const double longest_m = longest_wave_of(sea), ratio = longest_m / shortest_wave_of(sea);
+    ExpSineSea asked{.octaves = count_of(sea),
+                     .height_m = pond.height_m / pond.wavelength_m * longest_m,
+                     .wavelength_m = longest_m,
+                     .direction_rad = two_pi * turns_of(sea.wind_direction_rad),
+                     .growth = 1,
+                     .drag = sea.wave_drag};
+    if (asked.octaves > 1) asked.growth = det::pow(ratio, 1.0 / (asked.octaves - 1));
+    if (sea.wave_height_m > 0) {
+        double squares = 0;
+        for (const ExpSineOctave& octave : octaves_of(asked)) squares += octave.height_m * octave.height_m;
+        asked.height_m *= sea.wave_height_m / (4 * std::sqrt(exp_sine_variance * squares));
+    }
+    return asked;
+}
+
+std::vector<LatticeOctave> lattice_octaves(const SeaState& sea, const TilePlan& tile) {
+    const DefaultFloatEnvironment environment;
+    const double texel_m = tile.lattice.side_m / tile.resolution;
+    std::vector<LatticeOctave> octaves;
+    for (const ExpSineOctave& asked : octaves_of(exp_sine_sea_of(sea))) {
+        const LatticePlace at = nearest_place(tile.lattice, asked.turns_per_m_x, asked.turns_per_m_z);
+        LatticeOctave moved{.at = at, .harmonic = 0, .octave = asked, .shown = 0};
+        const auto [x, z] = turns_per_m_of(tile.lattice, at);
+        moved.octave.turns_per_m_x = x;
+        moved.octave.turns_per_m_z = z;
+        const double per_m = moved.octave.turns_per_m();
+        moved.harmonic = loop_harmonic(two_pi * ripple_frequency_hz(per_m), sea.loop_period_s);
+        moved.octave.frequency_hz = moved.harmonic / sea.loop_period_s;
+        moved.shown = shown_part(1 / per_m, texel_m);
+        octaves.push_back(moved);
+    }
+    return octaves;
+}
+
+std::vector<ExpSineOctave> octaves_of_tile(const SeaState& sea) {
+    std::vector<ExpSineOctave> octaves;
+    for (const LatticeOctave& moved : lattice_octaves(sea, plan_tiles(sea).front())) octaves.push_back(moved.octave);
+    return octaves;
+}
+
+SlopeVariance hidden_slopes(const SeaState& sea, std::span<const LatticeOctave> octaves) {
+    const auto [sine, cosine] = det::sine_cosine_of_turns(sea.wind_direction_rad / two_pi);
+    SlopeVariance hidden;
+    for (const LatticeOctave& moved : octaves) {
+        const ExpSineOctave& octave = moved.octave;
+        const double part = (1 - moved.shown * moved.shown) * moved.slope_variance();
+        const double along = (octave.turns_per_m_x * cosine + octave.turns_per_m_z * sine) / octave.turns_per_m();
+        hidden.upwind += part * (along * along);
+        hidden.crosswind += part * (1 - along * along);
+    }
+    return hidden;
+}
+
+std::string check_wave_list(const SeaState& sea) {
+    const std::string waves = " where waves is " + std::string(name_of(sea.waves));
+    if (sea.swell_height_m != 0) return refusal("swell_height_m", sea.swell_height_m, "0" + waves);
+    const double longest_m = longest_wave_of(sea);
+    if (sea.shortest_wave_m > longest_m)
+        return refusal("shortest_wave_m", sea.shortest_wave_m, "at most longest_wave_m, " + number_text(longest_m));
+    if (sea.patch_size_m > 0 && sea.patch_size_m < longest_m)
+        return refusal("patch_size_m", sea.patch_size_m,
+                       "at least longest_wave_m, " + number_text(longest_m) + "," + waves);
+    return is_pond(sea) ? check_pond(sea) : check_analytic(sea);
+}
+
+}  // namespace pelagic

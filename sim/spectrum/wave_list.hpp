@@ -1,0 +1,68 @@
+// The waves of a sea that has no spectrum, but a list of them, on the lattices of its tiles.
+#pragma once
+
+#include <complex>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "pelagic/sim/closed_form_tiles.hpp"
+#include "pelagic/sim/slope_variance.hpp"
+#include "pelagic/sim/spectrum/dispersion.hpp"
+#include "pelagic/sim/tile_plan.hpp"
+
+namespace pelagic {
+
+/// Deeper than any wave feels.
+inline constexpr Water deep_water(1e7);
+
+/// The wave vector (2 pi / L)(m, n) of a tile.
+struct LatticePlace {
+    int m = 0, n = 0;
+
+    bool operator==(const LatticePlace&) const = default;
+    double steps() const;  ///< its length, in 2 pi / L
+};
+
+/// A wave of an analytic sea on a tile's lattice.
+struct LatticeWave {
+    LatticePlace at;
+    double amplitude_m, phase_turns;
+
+    /// h0: h = 2 Re h0 e^{i (k.x - w t)}
+    std::complex<double> half_amplitude() const;
+};
+
+/// The waves of one of plan_tiles(sea). Two may be at one place. \pre check(sea) is empty and sea.waves is analytic
+std::vector<LatticeWave> lattice_waves(const SeaState& sea, const TilePlan& tile);
+
+/// An octave of a pond on its tile's lattice.
+struct LatticeOctave {
+    LatticePlace at;
+    std::uint32_t harmonic;  ///< periods in a loop
+    ExpSineOctave octave;    ///< as moved there
+    double shown;            ///< what of it texels can show; the rest is hidden
+
+    /// Mean squares of what is shown of its height, m^2, and of all its slope.
+    double height_variance() const;
+    double slope_variance() const;
+};
+
+/// \pre check(sea) is empty, sea.waves is exp_sine, and `tile` is that of plan_tiles(sea)
+std::vector<LatticeOctave> lattice_octaves(const SeaState& sea, const TilePlan& tile);
+
+/// Mean square slope of what the tile's texels hide of a pond's octaves, along the wind and across it.
+SlopeVariance hidden_slopes(const SeaState& sea, std::span<const LatticeOctave> octaves);
+
+/// Longest and shortest wave that a sea asks for, m. \pre sea.waves is no spectrum
+double longest_wave_of(const SeaState& sea);
+double shortest_wave_of(const SeaState& sea);
+
+/// The side of a pond's tile where none is given, m.
+double pond_side_m(const SeaState& sea);
+
+/// Empty if such a sea is usable, its fields being in their ranges, else one line. \pre sea.waves is no spectrum
+std::string check_wave_list(const SeaState& sea);
+
+}  // namespace pelagic

@@ -1,0 +1,499 @@
+// Seas of few waves on tiles: texels against sums in long double with libm, and the closed-form evaluators against frames.
+#include "pelagic/sim/closed_form_tiles.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <random>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "pelagic/analytic/analytic_surface.hpp"
+#include "pelagic/sim/ocean.hpp"
+#include "pelagic/sim/spectrum/wave_list.hpp"
+#include "pelagic/sim/statistics.hpp"
+#include "pelagic/sim/surface_query.hpp"
+#include "pelagic/sim/tile_plan.hpp"
+
+namespace pelagic {
+namespace {
+
+using Long = long double;
+constexpr Long two_pi = 2 * std::numbers::pi_v<Long>;
+
+const SeaState moderate{.waves = WaveModel::analytic, .choppiness = 1};
+const SeaState on_one_tile{.waves = WaveModel::analytic,
+                           .resolution = 256,
+                           .patch_size_m = 300,
+                           .wind_direction_rad = 0.4,
+                           .choppiness = 0.9,
+                           .longest_wave_m = 90,
+                           .shortest_wave_m = 5};
+/// So many waves on so small a lattice that some meet.
+const SeaState crowded{.waves = WaveModel::analytic,
+                       .resolution = 64,
+                       .patch_size_m = 100,
+                       .wave_count = 64,
+                       .longest_wave_m = 90,
+                       .shortest_wave_m = 20,
+                       .wave_strength = 0};
+const SeaState pond{.waves = WaveModel::exp_sine, .resolution = 64, .wind_direction_rad = 1};
+
+OceanOptions everything() { return {.executor = make_serial_executor(), .queries = true, .velocities = true}; }
+
+double amplitudes_of(const PlaneWaves& sea) {
+    double sum = 0;
+    for (const PlaneWave& wave : sea.waves) sum += wave.amplitude_m;
+    return sum;
+}
+
+struct Oracle {
+    Long height = 0, dx = 0, dz = 0;
+};
+
+/// The waves of one tile where texel (i, j) rests, from the definition: whole wave numbers, whole periods.
+Oracle sum_of(const std::vector<LatticeWave>& waves, const SeaState& sea, const TilePlan& tile, Long time_s, int i,
+              int j) {
+    Oracle sum;
+    const Long n = tile.resolution, side = tile.lattice.side_m;
+    for (const LatticeWave& wave : waves) {
+        const Long steps = std::hypot(Long(wave.at.m), Long(wave.at.n));
+        const Long periods =
+            std::max(Long(1), std::round(std::sqrt(9.80665L * two_pi * steps / side) * sea.loop_period_s / two_pi));
+        const Long phase = two_pi * (wave.at.m * i / n + wave.at.n * j / n - periods * time_s / sea.loop_period_s +
+                                     wave.phase_turns);
+        sum.height += wave.amplitude_m * std::cos(phase);
+        const Long moved = -Long(sea.choppiness) * wave.amplitude_m * std::sin(phase) / steps;
+        const Long along = moved * wave.at.m, across = moved * wave.at.n;
+        sum.dx += tile.lattice.cosine * along - tile.lattice.sine * across;
+        sum.dz += tile.lattice.sine * along + tile.lattice.cosine * across;
+    }
+    return sum;
+}
+
+// A frame's transforms are within 3e-7 of the largest wave's sum; phases are rounded to 2^-32 of a turn, times a harmonic of
+// up to 300.
+TEST(AnalyticTiles, TexelsAreTheSumOfTheirWaves) {
+    for (const SeaState& sea : {moderate, on_one_tile, crowded}) {
+        ASSERT_EQ(check(sea), "");
+        const std::vector<TilePlan> plans = plan_tiles(sea);
+        const double bound = 1e-6 * amplitudes_of(waves_of_tiles(sea));
+        Ocean ocean(sea, everything());
+        std::size_t waves_seen = 0;
+        for (const double time_s : {0.0, 12.34, -77.7}) {
+            const Frame& frame = ocean.frame_at(time_s);
+            for (std::size_t tile = 0; tile < plans.size(); ++tile) {
+                const std::vector<LatticeWave> waves = lattice_waves(sea, plans[tile]);
+                waves_seen += waves.size();
+                for (int j = 0; j < plans[tile].resolution; j += 7) {
+                    for (int i = 0; i < plans[tile].resolution; i += 5) {
+                        const Oracle expected = sum_of(waves, sea, plans[tile], time_s, i, j);
+                        ASSERT_NEAR(frame.tiles[tile].height.at(i, j), static_cast<double>(expected.height), bound);
+                        ASSERT_NEAR(frame.tiles[tile].dx.at(i, j), static_cast<double>(expected.dx), bound);
+                        ASSERT_NEAR(frame.tiles[tile].dz.at(i, j), static_cast<double>(expected.dz), bound);
+                    }
+                }
+            }
+        }
+        EXPECT_EQ(waves_seen, 3 * waves_of_tiles(sea).waves.size());
+    }
+}
+
+TEST(AnalyticTiles, SomeWavesMeet) {
+    std::set<std::pair<int, int>> places;
+    const auto waves = lattice_waves(crowded, plan_tiles(crowded)[0]);
+    for (const LatticeWave& wave : waves) places.insert({wave.at.m, wave.at.n});
+    EXPECT_EQ(waves.size(), 64u);
+    EXPECT_LT(places.size(), 60u);
+}
+
+// 1e-5 of the amplitudes is what is promised; velocities are as much of the sum of A w.
+TEST(AnalyticTiles, TheClosedFormSaysWhatTexelsSay) {
+    for (const SeaState& sea : {on_one_tile, crowded}) {
+        const PlaneWaves waves = waves_of_tiles(sea);
+        const AnalyticSurface water(waves);
+        double rises = 0;
+        for (const PlaneWave& wave : waves.waves)
+            rises += static_cast<double>(two_pi) * wave.frequency_hz * wave.amplitude_m;
+        Ocean ocean(sea, everything());
+        for (const double time_s : {3.0, 1e5}) {
+            const Tile& tile = ocean.frame_at(time_s).tiles[0];
+            for (int j = 0; j < tile.resolution(); j += 9) {
+                std::vector<double> x, z(static_cast<std::size_t>(tile.resolution()), j * tile.texel_m());
+                for (int i = 0; i < tile.resolution(); ++i) x.push_back(i * tile.texel_m());
+                std::vector<float> said[6];
+                for (auto& each : said) each.resize(x.size());
+                water.sample_rest(time_s, {x, z},
+                                  {.height_m = said[0],
+                                   .sideways_x_m = said[1],
+                                   .sideways_z_m = said[2],
+                                   .velocity_x_mps = said[3],
+                                   .velocity_y_mps = said[4],
+                                   .velocity_z_mps = said[5]});
+                const PlaneView* planes[] = {&tile.height,     &tile.dx,         &tile.dz,
+                                             &tile.velocity_x, &tile.velocity_y, &tile.velocity_z};
+                for (int i = 0; i < tile.resolution(); ++i)
+                    for (std::size_t plane = 0; plane < 6; ++plane)
+                        ASSERT_NEAR(planes[plane]->at(i, j), said[plane][static_cast<std::size_t>(i)],
+                                    1e-5 * (plane < 3 ? amplitudes_of(waves) : rises))
+                            << plane;
+            }
+        }
+    }
+}
+
+// Between texels a frame is bilinear. A wave of k and texels of d is then off by (k d)^2 / 8 of its amplitude along each
+// axis at most, (k_x^2 + k_z^2) d^2 / 8; its displacement by as much, on slopes of 0.4.
+TEST(AnalyticTiles, QueriesMeetTheClosedForm) {
+    for (const SeaState& sea : {moderate, on_one_tile}) {
+        double bound = SurfaceQuery::default_tolerance_m;
+        for (const TilePlan& tile : plan_tiles(sea)) {
+            const double texel = static_cast<double>(two_pi) / tile.resolution;
+            for (const LatticeWave& wave : lattice_waves(sea, tile))
+                bound += 1.6 * wave.amplitude_m * std::pow(wave.at.steps() * texel, 2) / 8;
+        }
+        EXPECT_LT(bound, 0.12 * significant_height_m(waves_of_tiles(sea))) << "all waves at their worst at once";
+        const AnalyticSurface water(waves_of_tiles(sea));
+        std::mt19937 random(3);
+        std::vector<double> x, z;
+        for (int i = 0; i < 1000; ++i) {
+            x.push_back(static_cast<double>(random()) / 0x1p20 - 2000);
+            z.push_back(static_cast<double>(random()) / 0x1p20 - 2000);
+        }
+        Ocean ocean(sea, everything());
+        const SurfaceQuery query(ocean.frame_at(55.5));
+        std::vector<float> found(x.size()), expected(x.size()), found_up(x.size()), expected_up(x.size());
+        query.sample({x, z}, {.height_m = found, .normal_x = {}, .normal_y = found_up});
+        water.sample(55.5, {x, z}, {.height_m = expected, .normal_y = expected_up});
+        double squares = 0;
+        for (std::size_t i = 0; i < x.size(); ++i) {
+            ASSERT_NEAR(found[i], expected[i], bound);
+            // The normal's way from the vertical: texels smooth the shortest waves.
+            ASSERT_NEAR(found_up[i], expected_up[i], 0.03);
+            squares += (found[i] - expected[i]) * (found[i] - expected[i]);
+        }
+        EXPECT_LT(std::sqrt(squares / 1000), 0.2 * bound);
+    }
+}
+
+TEST(AnalyticTiles, WavesHardlyChangeOnTheDefaultTiles) {
+    const PlaneWaves asked = plane_waves_of(analytic_sea_of(moderate)), held = waves_of_tiles(moderate);
+    ASSERT_EQ(held.waves.size(), asked.waves.size());
+    double squares = 0, turned = 0;
+    for (const PlaneWave& wave : held.waves) {
+        const auto same = std::find_if(asked.waves.begin(), asked.waves.end(), [&](const PlaneWave& other) {
+            return other.phase_turns == wave.phase_turns && other.amplitude_m == wave.amplitude_m;
+        });
+        ASSERT_NE(same, asked.waves.end());
+        const double change = wave.turns_per_m() / same->turns_per_m() - 1;
+        EXPECT_LT(std::fabs(change), 0.07) << "half a step of eight";
+        squares += change * change;
+        const double angle =
+            std::atan2(wave.turns_per_m_z, wave.turns_per_m_x) - std::atan2(same->turns_per_m_z, same->turns_per_m_x);
+        turned = std::max(turned, std::fabs(std::remainder(angle, static_cast<double>(two_pi))));
+        const double periods = wave.frequency_hz * moderate.loop_period_s;
+        EXPECT_NEAR(periods, std::round(periods), 1e-12);
+        EXPECT_NEAR(wave.frequency_hz, deep_water_frequency_hz(wave.turns_per_m()), 0.5001 / moderate.loop_period_s);
+    }
+    EXPECT_LT(std::sqrt(squares / 16), 0.02);
+    EXPECT_LT(turned, 1 / 16.0) << "the same";
+}
+
+// Gerstner's (1802) water in deep water: each particle goes round a circle as wide as the wave is high, once a period, all
+// with the same delay along the wave; the shape travels at sqrt(g / k).
+TEST(AnalyticTiles, OneWaveIsGerstnersTrochoid) {
+    const SeaState sea{.waves = WaveModel::analytic,
+                       .resolution = 128,
+                       .patch_size_m = 200,
+                       .choppiness = 1,
+                       .loop_period_s = 600,
+                       .wave_count = 1,
+                       .longest_wave_m = 50,
+                       .wave_strength = 2};
+    const PlaneWave wave = waves_of_tiles(sea).waves.at(0);
+    const double a = wave.amplitude_m, k = static_cast<double>(two_pi) * wave.turns_per_m();
+    EXPECT_GT(k * a, 0.3);
+    const double way_x = wave.turns_per_m_x / wave.turns_per_m(), way_z = wave.turns_per_m_z / wave.turns_per_m();
+    const double speed = wave.frequency_hz / wave.turns_per_m();
+    EXPECT_NEAR(speed, std::sqrt(9.80665 / k), 0.01 * speed) << "600 s hold a hundred periods";
+    Ocean ocean(sea, everything());
+    for (const double time_s : {0.0, 2.5, 17.0}) {
+        const Tile& tile = ocean.frame_at(time_s).tiles[0];
+        for (int j = 0; j < 128; j += 5) {
+            for (int i = 0; i < 128; i += 3) {
+                const double moved = tile.dx.at(i, j) * way_x + tile.dz.at(i, j) * way_z,
+                             height = tile.height.at(i, j);
+                EXPECT_NEAR(tile.dx.at(i, j) * way_z - tile.dz.at(i, j) * way_x, 0, 1e-6 * a) << "along the wave";
+                ASSERT_NEAR(std::hypot(moved, height), a, 2e-6 * a);
+                const double delay = k * (i * tile.texel_m() * way_x + j * tile.texel_m() * way_z - speed * time_s) +
+                                     static_cast<double>(two_pi) * wave.phase_turns;
+                ASSERT_NEAR(std::remainder(std::atan2(-moved, height) - delay, static_cast<double>(two_pi)), 0, 4e-6);
+            }
+        }
+    }
+}
+
+TEST(AnalyticTiles, PresetsAreTheSeasOfTheirNames) {
+    for (const AnalyticPreset& preset : analytic_presets()) {
+        const SeaPreset* const on_tiles = sea_preset_named(preset.name);
+        ASSERT_NE(on_tiles, nullptr) << preset.name;
+        const AnalyticSea sea = analytic_sea_of(on_tiles->sea);
+        EXPECT_EQ(sea.choppiness, preset.sea.choppiness);
+        ASSERT_EQ(sea.waves.size(), preset.sea.waves.size());
+        for (std::size_t i = 0; i < sea.waves.size(); ++i) {
+            EXPECT_EQ(sea.waves[i].amplitude_m, preset.sea.waves[i].amplitude_m) << i;
+            EXPECT_EQ(sea.waves[i].wavelength_m, preset.sea.waves[i].wavelength_m) << i;
+            EXPECT_EQ(sea.waves[i].direction_rad, preset.sea.waves[i].direction_rad) << i;
+            EXPECT_EQ(sea.waves[i].phase_rad, preset.sea.waves[i].phase_rad) << i;
+        }
+    }
+}
+
+TEST(AnalyticTiles, TheyGrowWithStrengthWithoutAJump) {
+    double before = 0;
+    for (int i = 0; i <= 40; ++i) {
+        SeaState sea = moderate;
+        sea.wave_strength = i / 20.0;
+        const double height = significant_height_m(waves_of_tiles(sea));
+        EXPECT_GT(height, before);
+        if (i > 0) {
+            EXPECT_LT(height - before, 0.165) << "1.5 twentieths of 2.2 m, the steepest of a smoothstep";
+        }
+        before = height;
+    }
+}
+
+TEST(AnalyticTiles, ReportsSayTheHeightThatFramesHave) {
+    for (const SeaState& sea : {moderate, on_one_tile}) {
+        const SeaReport report = report_on(sea);
+        const double held = significant_height_m(waves_of_tiles(sea));
+        EXPECT_NEAR(report.expected.significant_wave_height_m, held, 1e-9);
+        EXPECT_NEAR(report.drawn_significant_wave_height_m, held, 1e-9) << "no seed draws them";
+        EXPECT_NEAR(*report.expected.model_significant_wave_height_m, significant_height_m(analytic_sea_of(sea)),
+                    1e-12);
+        Ocean ocean(sea, everything());
+        const Frame& frame = ocean.frame_at(9);
+        EXPECT_NEAR(frame.figures.significant_wave_height_m, held, 1e-9);
+        EXPECT_NEAR(measured_significant_wave_height_m(frame), held, 1e-5 * held)
+            << "waves of a lattice are independent";
+    }
+    SeaState other_seed = moderate;
+    other_seed.seed = 99;
+    EXPECT_EQ(hash_of(Ocean(moderate, everything()).frame_at(3)),
+              hash_of(Ocean(other_seed, everything()).frame_at(3)));
+    SeaState of_height = moderate;
+    of_height.wave_height_m = 2;
+    EXPECT_NEAR(expected_waves(of_height).significant_wave_height_m, 2, 1e-9);
+}
+
+TEST(AnalyticTiles, NeverFold) {
+    SeaState intense = moderate;
+    intense.wave_strength = 2;
+    Ocean ocean(intense, everything());
+    std::mt19937 random(8);
+    std::vector<double> x, z;
+    for (int i = 0; i < 4000; ++i) {
+        x.push_back(static_cast<double>(random()) / 0x1p20);
+        z.push_back(static_cast<double>(random()) / 0x1p20);
+    }
+    std::vector<float> jacobian(x.size());
+    std::vector<std::uint8_t> converged(x.size());
+    SurfaceQuery(ocean.frame_at(30)).sample({x, z}, {.jacobian = jacobian, .converged = converged});
+    // 1 - 0.4 of exact slopes; those of a stack overstate its shortest waves at texels, by a tenth at most.
+    EXPECT_GT(*std::min_element(jacobian.begin(), jacobian.end()), 0.55f);
+    EXPECT_EQ(std::count(converged.begin(), converged.end(), 0), 0);
+}
+
+TEST(ClosedFormTiles, AnyOrderOfTimesGivesTheSameBits) {
+    for (const SeaState& sea : {moderate, pond}) {
+        Ocean ocean(sea, everything());
+        std::map<double, std::uint64_t> forwards;
+        for (int i = 0; i < 8; ++i) forwards[i * 3.7] = hash_of(ocean.frame_at(i * 3.7));
+        for (auto at = forwards.rbegin(); at != forwards.rend(); ++at)
+            EXPECT_EQ(hash_of(ocean.frame_at(at->first)), at->second) << "backwards, " << at->first;
+        const std::uint64_t paused = hash_of(ocean.frame_at(7.4));
+        EXPECT_EQ(hash_of(ocean.frame_at(7.4)), paused);
+        EXPECT_EQ(hash_of(ocean.frame_at(0)), hash_of(ocean.frame_at(5 * sea.loop_period_s)));
+        EXPECT_NE(forwards[0], forwards[3.7]) << "the sea stands still";
+    }
+}
+
+TEST(ClosedFormTiles, SaysWhatItCanNotTake) {
+    const auto with = [](SeaState sea, auto change) {
+        change(sea);
+        return check(sea);
+    };
+    EXPECT_EQ(check(moderate), "");
+    EXPECT_EQ(check(pond), "");
+    EXPECT_EQ(with(moderate, [](SeaState& sea) { sea.waves = static_cast<WaveModel>(3); }),
+              "waves is no known model");
+    EXPECT_EQ(with(moderate, [](SeaState& sea) { sea.wave_height_m = 6; }).substr(0, 14), "steepness is 0");
+    EXPECT_EQ(with(moderate, [](SeaState& sea) { sea.patch_size_m = 100; }),
+              "patch_size_m is 100, needs at least longest_wave_m, 120, where waves is analytic");
+    EXPECT_EQ(with(moderate, [](SeaState& sea) { sea.shortest_wave_m = 200; }),
+              "shortest_wave_m is 200, needs at most longest_wave_m, 120");
+    EXPECT_EQ(with(moderate, [](SeaState& sea) { sea.swell_height_m = 1; }),
+              "swell_height_m is 1, needs 0 where waves is analytic");
+    EXPECT_EQ(with(moderate, [](SeaState& sea) { sea.wave_count = 65; }),
+              "wave_count is 65, needs 1 to 64, or 0: chosen");
+    EXPECT_EQ(with(pond, [](SeaState& sea) { sea.cascades = 2; }), "cascades is 2, needs 1 where waves is exp-sine");
+    EXPECT_EQ(with(pond, [](SeaState& sea) { sea.wave_count = 2; }),
+              "wave_count is 2, needs more octaves from longest_wave_m 1.2 to shortest_wave_m 0.02667: each at "
+              "least a quarter of the one before");
+    EXPECT_EQ(with(pond, [](SeaState& sea) { sea.wave_height_m = 20; }),
+              "wave_height_m is 20, needs at most 4.05 where waves is exp-sine with so many octaves");
+}
+
+TEST(ClosedFormTiles, ALiveOceanKeepsToItsKindOfWaves) {
+    Ocean sea({.resolution = 128}, everything());
+    sea.schedule_sea(moderate);  // a spectrum and an analytic sea are both sums of waves
+    sea.complete_sea();
+    EXPECT_EQ(hash_of(sea.frame_at(2)), hash_of(Ocean(moderate, everything()).frame_at(2)));
+    Ocean small(pond, everything());
+    SeaState other = pond;
+    other.wave_height_m = 0.04;
+    small.schedule_sea(other);
+    small.complete_sea();
+    EXPECT_EQ(hash_of(small.frame_at(2)), hash_of(Ocean(other, everything()).frame_at(2)));
+    try {
+        small.schedule_sea({.resolution = 64, .patch_size_m = 10});
+        FAIL();
+    } catch (const std::invalid_argument& refused) {
+        EXPECT_STREQ(refused.what(), "waves is spectrum, needs exp-sine, as the ocean was built");
+    }
+}
+
+/// The heights of a pond's octaves, each shown as much as texels can, by libm.
+Long pond_height(const std::vector<LatticeOctave>& octaves, const SeaState& sea, Long time_s, Long x, Long z) {
+    const Long mean = 1.26606587775200833559824462521471753760767031135496L / std::numbers::e_v<Long>;  // I0(1) / e
+    Long height = 0;
+    for (const LatticeOctave& moved : octaves) {
+        const ExpSineOctave& octave = moved.octave;
+        const Long turns = octave.turns_per_m_x * x + octave.turns_per_m_z * z -
+                           moved.harmonic * time_s / sea.loop_period_s + octave.phase_turns;
+        const Long phase = two_pi * turns, wave = std::exp(std::sin(phase) - 1);
+        const Long length = std::hypot(Long(octave.turns_per_m_x), Long(octave.turns_per_m_z));
+        height += octave.height_m * moved.shown * (wave - mean);
+        const Long drag = octave.drag_m * moved.shown * wave * std::cos(phase) / length;
+        x -= octave.turns_per_m_x * drag;
+        z -= octave.turns_per_m_z * drag;
+    }
+    return height;
+}
+
+// The kernel is within 1e-6 of the octaves' heights (exp_sine_test.cpp); `shown` is rounded to floats, and octaves are moved
+// by each other's rounding.
+TEST(PondTile, TexelsAreTheSumOfTheirOctaves) {
+    const TilePlan tile = plan_tiles(pond)[0];
+    const std::vector<LatticeOctave> octaves = lattice_octaves(pond, tile);
+    double heights = 0;
+    for (const LatticeOctave& octave : octaves) heights += octave.octave.height_m;
+    Ocean ocean(pond, everything());
+    for (const double time_s : {0.0, 12.34, 1e6}) {
+        const Tile& found = ocean.frame_at(time_s).tiles[0];
+        for (int j = 0; j < 64; j += 3)
+            for (int i = 0; i < 64; ++i) {
+                ASSERT_NEAR(
+                    found.height.at(i, j),
+                    static_cast<double>(pond_height(octaves, pond, time_s, i * found.texel_m(), j * found.texel_m())),
+                    2e-6 * heights);
+                ASSERT_EQ(found.dx.at(i, j), 0);
+                ASSERT_EQ(found.dz.at(i, j), 0);
+            }
+    }
+}
+
+TEST(PondTile, TheClosedFormSaysWhatTexelsSay) {
+    const ExpSineWater water = ExpSineWater::of(octaves_of_tile(pond));
+    Ocean ocean(pond, everything());
+    const Tile& tile = ocean.frame_at(4).tiles[0];
+    const std::vector<float> footprint(64, static_cast<float>(tile.texel_m()));
+    for (int j = 0; j < 64; j += 5) {
+        std::vector<double> x, z(64, (j - 128) * tile.texel_m());  // it repeats
+        for (int i = 0; i < 64; ++i) x.push_back((i + 64) * tile.texel_m());
+        std::vector<float> height(64), rise(64);
+        water.sample(4, {x, z}, {.height_m = height, .rise_mps = rise}, footprint);
+        for (std::size_t i = 0; i < 64; ++i) {
+            ASSERT_NEAR(tile.height.at(static_cast<int>(i), j), height[i], 1e-6 * 0.05);
+            ASSERT_NEAR(tile.velocity_y.at(static_cast<int>(i), j), rise[i], 1e-5);
+        }
+    }
+}
+
+TEST(PondTile, ReportsSayWhatFramesHave) {
+    for (const double drag : {0.0, 0.38}) {
+        SeaState sea = pond;
+        sea.resolution = 256;
+        sea.wave_drag = drag;
+        sea.wave_height_m = 0.03;
+        Ocean ocean(sea, everything());
+        double squares = 0, slopes = 0;
+        for (int frame = 0; frame < 8; ++frame) {
+            const Frame& now = ocean.frame_at(frame * 23.7);
+            squares += std::pow(measured_significant_wave_height_m(now), 2) / 8;
+            const Tile& tile = now.tiles[0];
+            EXPECT_EQ(tile.whitecap_jacobian, Tile::no_whitecaps);
+            for (std::size_t texel = 3; texel < tile.displacement_rgba16f.size(); texel += 4)
+                ASSERT_EQ(tile.displacement_rgba16f[texel], 0) << "foam";
+            for (int j = 0; j < 256; ++j)
+                for (int i = 0; i < 256; ++i) {
+                    const double x = (tile.height.at((i + 1) % 256, j) - tile.height.at((i + 255) % 256, j)) / 2,
+                                 z = (tile.height.at(i, (j + 1) % 256) - tile.height.at(i, (j + 255) % 256)) / 2;
+                    slopes += (x * x + z * z) / (tile.texel_m() * tile.texel_m()) / (8 * 65536);
+                }
+        }
+        // Octaves that don't move each other are independent, but for the few that share a place of the lattice, within what
+        // eight frames tell; dragged ones are gathered on crests.
+        const double allowed = drag == 0 ? 0.05 : 0.12;
+        const SeaReport report = report_on(sea);
+        EXPECT_NEAR(std::sqrt(squares), report.expected.significant_wave_height_m, allowed * 0.03) << drag;
+        EXPECT_NEAR(*report.expected.model_significant_wave_height_m, 0.03, 1e-12);
+        const SeaFigures& figures = ocean.frame_at(0).figures;
+        EXPECT_EQ(figures.significant_wave_height_m, report.expected.significant_wave_height_m);
+        if (drag == 0) {
+            EXPECT_NEAR(slopes, figures.resolved_slopes.total(), 0.1 * slopes)
+                << "a crest is steeper than its first harmonic";
+        }
+        EXPECT_GT(figures.unresolved_slopes.total(), 0);
+        EXPECT_NEAR(figures.roughness, std::sqrt(figures.unresolved_slopes.total()), 1e-12);
+    }
+}
+
+// Every option at the edges of its range makes frames of finite numbers, or is refused.
+TEST(ClosedFormTiles, EdgesOfRangesGiveFiniteFrames) {
+    for (const SeaState& base : {moderate, pond}) {
+        int taken = 0;
+        for (const SeaStateField& field : sea_state_fields()) {
+            if (field.name == "resolution") continue;
+            for (const double edge : {field.least, std::nextafter(field.least, field.most), field.most}) {
+                SeaState sea = base;
+                sea.resolution = 32;
+                if (field.accepts(edge)) field.set(sea, edge);
+                if (const std::string reason = check(sea); !reason.empty()) {
+                    EXPECT_NE(reason.find(" needs "), std::string::npos) << reason;
+                    continue;
+                }
+                ++taken;
+                Ocean ocean(sea, everything());
+                for (const double time_s : {0.0, 0.7 * sea.loop_period_s}) {
+                    const Frame& frame = ocean.frame_at(time_s);
+                    for (const Tile& tile : frame.tiles)
+                        for (int j = 0; j < 32; ++j)
+                            for (int i = 0; i < 32; ++i)
+                                for (const PlaneView* plane : {&tile.dx, &tile.height, &tile.dz, &tile.velocity_y})
+                                    ASSERT_TRUE(std::isfinite(plane->at(i, j))) << field.name << " " << edge;
+                    ASSERT_TRUE(frame.figures.roughness >= 0 && frame.figures.roughness <= 1) << field.name;
+                }
+                warnings_about(sea);
+            }
+        }
+        EXPECT_GT(taken, 40);
+    }
+}
+
+}  // namespace
+}  // namespace pelagic

@@ -1,0 +1,71 @@
+// How much a surface folds: which Jacobians there are, and how fast they change.
+#include "pelagic/sim/spectrum/folding.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "pelagic/sim/history/foam_drift.hpp"
+#include "pelagic/sim/ocean.hpp"
+
+namespace pelagic {
+namespace {
+
+/// Waves of a mean square slope each, around +x.
+FoldMoments spread_sea(double mean_square_slope) {
+    FoldMoments moments;
+    for (const double direction : {-1.2, -0.5, -0.1, 0.2, 0.6, 0.9}) {
+        const double x = 0.4 * std::cos(direction), z = 0.4 * std::sin(direction);
+        moments.add_wave(mean_square_slope / 0.16, 4 * mean_square_slope / 0.16, x, z, x, z);
+    }
+    return moments;
+}
+
+// As many triples of Gaussian u, v, w as those moments have; Cholesky's root of their covariances.
+TEST(FoldDistribution, HasAsManyJacobiansBelowAsAGaussianHas) {
+    for (const double choppiness : {0.5, 1.0}) {
+        const FoldMoments m = spread_sea(0.004);
+        const FoldDistribution jacobians(m, choppiness);
+        const double uu = std::sqrt(m.uu), uv = m.uv / uu, uw = m.uw / uu;
+        const double vv = std::sqrt(m.vv - uv * uv), vw = (m.vw - uv * uw) / vv;
+        const double ww = std::sqrt(m.ww - uw * uw - vw * vw);
+        std::mt19937 random(1);
+        std::normal_distribution<double> normal;
+        constexpr int triples = 400'000;
+        int below_two = 0, below_three = 0;
+        for (int i = 0; i < triples; ++i) {
+            const double a = normal(random), b = normal(random), c = normal(random);
+            const double u = 1 + choppiness * uu * a, v = choppiness * (uv * a + vv * b),
+                         w = choppiness * (uw * a + vw * b + ww * c);
+            const double jacobian = u * u - v * v - w * w;
+            below_two += jacobian < jacobians.below_mean(2);
+            below_three += jacobian < jacobians.below_mean(3);
+        }
+        // 9100 and 540 of them: so many are good to 1 and 4 %.
+        EXPECT_NEAR(below_two / (triples * 0.022750), 1, 0.04) << choppiness;
+        EXPECT_NEAR(below_three / (triples * 0.0013499), 1, 0.15) << choppiness;
+    }
+}
+
+TEST(FoldMoments, OfWavesThatTurnAtOneSpeedChangeAsFast) {
+    EXPECT_DOUBLE_EQ(spread_sea(0.004).frequency_radps(), 2);
+    EXPECT_DOUBLE_EQ((spread_sea(0.004) * 3).frequency_radps(), 2);
+    EXPECT_DOUBLE_EQ((spread_sea(0.004) * 3).uu, 3 * spread_sea(0.004).uu);
+}
+
+// Thresholds of whitecaps are found before the sum of the waves' own drift is known.
+TEST(FoamDrift, IsTheUsualOneWithinASixthInSeasThatTheWindRaised) {
+    for (const char* name : {"calm", "lake", "rough", "storm", "beaufort-1", "beaufort-12"}) {
+        const SeaState& sea = sea_preset_named(name)->sea;
+        Ocean ocean(sea, {.executor = make_serial_executor()});
+        const SeaFigures figures = ocean.frame_at(0).figures;
+        const WindDrift usual = usual_foam_drift(sea);
+        const double speed = std::hypot(usual.x_mps, usual.z_mps);
+        EXPECT_NEAR(figures.foam_drift_x_mps, usual.x_mps, speed / 6) << name;
+        EXPECT_NEAR(figures.foam_drift_z_mps, usual.z_mps, speed / 6) << name;
+    }
+}
+
+}  // namespace
+}  // namespace pelagic

@@ -1,0 +1,459 @@
+// Seas that turn into others: what a forecast says, what a blend of two spectra is, and frames as functions of forecast and time.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <numbers>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "pelagic/sim/ocean.hpp"
+#include "pelagic/sim/sources/packed_spectrum.hpp"
+#include "pelagic/sim/sources/sea_shelf.hpp"
+#include "pelagic/sim/tile_plan.hpp"
+#include "pelagic/tests/each_executor.hpp"
+#include "pelagic/tests/each_isa.hpp"
+#include "pelagic/tests/sanitized.hpp"
+
+namespace pelagic {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+
+const SeaState calm{.resolution = 64, .wind_speed_mps = 4, .fetch_m = 20e3, .choppiness = 0.6};
+const SeaState storm{
+    .resolution = 64, .wind_speed_mps = 19, .wind_direction_rad = 90 * degree, .fetch_m = 400e3, .choppiness = 1};
+
+Forecast calm_to_storm(double from_s = 10, double over_s = 20) {
+    return {.first = calm, .changes = {{.sea = storm, .from_s = from_s, .over_s = over_s}}};
+}
+
+OceanOptions serial(Isa isa = choose_isa()) { return {.executor = make_serial_executor(), .isa = isa}; }
+
+std::uint64_t hash_at(const Forecast& forecast, double time_s, OceanOptions options = serial()) {
+    Ocean ocean(forecast, std::move(options));
+    return hash_of(ocean.frame_at(time_s));
+}
+
+TEST(Forecast, SaysWhichSeasThereAreAndHowMuchOfTheSecond) {
+    Forecast forecast = calm_to_storm(10, 20);
+    forecast.changes.push_back({.sea = calm, .from_s = 30, .over_s = 4});
+    const auto expect = [&](double time_s, std::size_t before, std::size_t after, double part) {
+        const ForecastMoment moment = forecast.at(time_s);
+        EXPECT_EQ(moment.before, before) << time_s;
+        EXPECT_EQ(moment.after, after) << time_s;
+        EXPECT_DOUBLE_EQ(moment.part, part) << time_s;
+    };
+    expect(-1e6, 0, 0, 0);
+    expect(10, 0, 0, 0);
+    expect(15, 0, 1, 3 * 0.0625 - 2 * 0.015625);  // u = 1/4
+    expect(20, 0, 1, 0.5);
+    expect(30, 1, 1, 0);
+    expect(33, 1, 2, 3 * 0.5625 - 2 * 0.421875);  // u = 3/4
+    expect(34, 2, 2, 0);
+    expect(1e9, 2, 2, 0);
+}
+
+TEST(Forecast, RefusesInOneLineWhatTilesCannotShow) {
+    const auto refused = [](auto alter) {
+        Forecast forecast = calm_to_storm();
+        alter(forecast);
+        const std::string reason = check(forecast);
+        EXPECT_EQ(reason.find('\n'), std::string::npos);
+        EXPECT_THROW(Ocean(forecast, serial()), std::invalid_argument);
+        return reason;
+    };
+    EXPECT_EQ(check(calm_to_storm()), "");
+    EXPECT_EQ(refused([](Forecast& f) { f.first.wind_speed_mps = -3; }),
+              "first sea: wind_speed_mps is -3, needs (0, 60]");
+    EXPECT_EQ(refused([](Forecast& f) { f.changes[0].sea.choppiness = 2; }),
+              "sea of change 1: choppiness is 2, needs [0, 1]");
+    EXPECT_EQ(refused([](Forecast& f) { f.changes[0].sea.depth_m = 20; }),
+              "depth_m of change 1 is 20, needs 4000 as the first sea has it");
+    EXPECT_EQ(refused([](Forecast& f) { f.changes[0].sea.seed = 7; }),
+              "seed of change 1 is 7, needs 1 as the first sea has it");
+    EXPECT_EQ(refused([](Forecast& f) { f.changes[0].sea.loop_period_s = 100; }),
+              "loop_period_s of change 1 is 100, needs 200 as the first sea has it");
+    EXPECT_EQ(refused([](Forecast& f) { f.changes[0].sea.resolution = 128; }),
+              "resolution of change 1 is 128, needs 64 as the first sea has it");
+    EXPECT_EQ(refused([](Forecast& f) { f.changes[0].sea.cascades = 3; }),
+              "cascades of change 1 is 3, needs 4 as the first sea has it");
+    EXPECT_EQ(refused([](Forecast& f) { f.changes[0].sea.patch_size_m = 250; }),
+              "patch_size_m of change 1 is 250, needs 0 as the first sea has it");
+    EXPECT_EQ(refused([](Forecast& f) { f.changes[0].sea.spectrum = SpectrumModel::phillips_paper; }),
+              "spectrum of change 1 is phillips-paper, needs a physical one as the first sea has it");
+    EXPECT_EQ(refused([](Forecast& f) { f.changes[0].over_s = 0; }), "over_s of change 1 is 0, needs (0, 1e9]");
+    EXPECT_EQ(refused([](Forecast& f) { f.changes.push_back({.sea = calm, .from_s = 29, .over_s = 1}); }),
+              "from_s of change 2 is 29, needs at least 30, when the change before is over");
+    EXPECT_EQ(refused([](Forecast& f) { f.changes[0].from_s = std::nan(""); }),
+              "from_s of change 1 is nan, needs [-1e12, 1e12]");
+    EXPECT_EQ(refused([](Forecast& f) { f.largest_peak_m = 50; }).substr(0, 33),
+              "peak_wavelength_m of change 1 is ");
+}
+
+TEST(Forecast, SeaInBetweenGoesFromOneToTheOther) {
+    SeaState north = calm, west = storm;
+    north.wind_direction_rad = 350 * degree;
+    west.wind_direction_rad = -340 * degree;  // 20
+    EXPECT_NEAR(sea_between(north, west, 0.5).wind_direction_rad,
+                2 * std::numbers::pi + 5 * degree - 2 * std::numbers::pi, 1e-12)
+        << "the shorter way is 30 degrees through 0";
+    EXPECT_DOUBLE_EQ(sea_between(north, west, 0.25).wind_speed_mps, 0.75 * 4 + 0.25 * 19);
+    west.swell_height_m = 3;
+    west.swell_period_s = 15;
+    const SeaState half = sea_between(north, west, 0.25);
+    EXPECT_DOUBLE_EQ(half.swell_height_m, 1.5) << "a quarter of the energy";
+    EXPECT_EQ(half.swell_period_s, 15) << "calm has no swell";
+    for (const double part : {0.1, 0.5, 0.9}) EXPECT_EQ(check(sea_between(north, west, part)), "");
+}
+
+TEST(TilePlan, SeasThatTurnIntoOneAnotherShareLatticesAndBands) {
+    WaveReach reach = WaveReach::of(calm);
+    reach.extend_to(WaveReach::of(storm));
+    const auto of_calm = plan_tiles(calm, reach), of_storm = plan_tiles(storm, reach);
+    EXPECT_GE(of_storm.front().lattice.side_m, plan_tiles(storm).front().lattice.side_m);
+    ASSERT_EQ(of_calm.size(), of_storm.size());
+    for (std::size_t tile = 0; tile < of_calm.size(); ++tile) {
+        EXPECT_EQ(of_calm[tile].lattice.side_m, of_storm[tile].lattice.side_m);
+        EXPECT_EQ(of_calm[tile].lattice.sine, of_storm[tile].lattice.sine);
+        EXPECT_EQ(of_calm[tile].least_k, of_storm[tile].least_k);
+        if (tile + 1 < of_calm.size()) {
+            EXPECT_EQ(of_calm[tile].most_k, of_storm[tile].most_k);
+        }
+    }
+}
+
+class BlendOnEachIsa : public OnEachIsa {};
+INSTANTIATE_TEST_SUITE_P(Isas, BlendOnEachIsa, testing::ValuesIn(isas_here()), isa_test_name);
+
+/// Equation 22.
+std::array<double, 4> packed(const std::array<double, 4>& w) {
+    return {w[0] + w[2], w[1] + w[3], w[1] - w[3], w[2] - w[0]};
+}
+
+// A part of a wave is the difference of two floats of the pair, so it is right to within their steps: eight of them, with those
+// of squares, root and sum. The smallest amplitudes are those that a sea has at least, whose squares no float holds.
+TEST_P(BlendOnEachIsa, EnergyOfEachWaveGoesOver) {
+    const std::size_t lanes = kernels().lanes, pairs = 32, row = lanes, floats = pairs * wave_quantities * row;
+    AlignedBuffer<float> before(floats), after(floats), out(floats);
+    std::mt19937 random(3);
+    const auto uniform = [&](double least, double most) {
+        return least + (most - least) * static_cast<double>(random()) / 0x1p32;
+    };
+    for (const float part : {1e-6f, 0.25f, 0.5f, 0.999f}) {
+        std::vector<std::array<double, 4>> expected;
+        const auto each_wave = [&](auto use) {
+            for (std::size_t pair = 0; pair < pairs; ++pair)
+                for (const std::size_t first : {std::size_t{plus_cos_re}, std::size_t{minus_cos_re}})
+                    for (std::size_t lane = 0; lane < lanes; ++lane)
+                        use((pair * wave_quantities + first) * row + lane);
+        };
+        each_wave([&](std::size_t at) {
+            std::array<double, 4> both{}, from{}, to{};
+            const double size = std::pow(10, uniform(-20, 1)), growth = std::pow(10, uniform(-1, 1));
+            for (std::size_t i = 0; i < 4; ++i) {
+                from[i] = size * uniform(-1, 1);
+                to[i] = from[i] * growth;
+                both[i] = std::copysign(std::sqrt((1 - part) * from[i] * from[i] + part * to[i] * to[i]), from[i]);
+            }
+            const auto s0 = packed(from), s1 = packed(to);
+            for (std::size_t i = 0; i < 4; ++i) {
+                before[at + i * row] = static_cast<float>(s0[i]);
+                after[at + i * row] = static_cast<float>(s1[i]);
+            }
+            expected.push_back(packed(both));
+        });
+        for (std::size_t pair = 0; pair < pairs; ++pair)
+            for (std::size_t i = 0; i < 2 * row; ++i)
+                before[(pair * wave_quantities + direction_x) * row + i] = static_cast<float>(uniform(-1, 1));
+        kernels().blend_waves({before.data(), after.data(), pairs, part, out.data()});
+        std::size_t number = 0;
+        each_wave([&](std::size_t at) {
+            double largest = 0;
+            for (std::size_t i = 0; i < 4; ++i)
+                largest = std::max({largest, std::abs(expected[number][i]),
+                                    std::abs(static_cast<double>(before[at + i * row])),
+                                    std::abs(static_cast<double>(part * after[at + i * row]))});
+            for (std::size_t i = 0; i < 4; ++i)
+                EXPECT_NEAR(out[at + i * row], expected[number][i], largest * 0x1p-21) << "part " << part;
+            ++number;
+        });
+        for (std::size_t pair = 0; pair < pairs; ++pair)
+            for (std::size_t i = 0; i < 2 * row; ++i) {
+                const std::size_t at = (pair * wave_quantities + direction_x) * row + i;
+                EXPECT_EQ(out[at], before[at]);
+            }
+    }
+}
+
+TEST(SeaShelf, KeepsWhatPassesTakeAndGivesUpTheOldest) {
+    SeaShelf shelf;
+    for (std::size_t number = 0; number < SeaShelf::places; ++number) shelf.put(number);
+    shelf.need(Pass::tick, 0, 1);
+    shelf.need(Pass::frame, 1, 2);
+    shelf.put(7);
+    EXPECT_FALSE(shelf.holds(3)) << "nobody took it";
+    shelf.need(Pass::tick, 1, 2);
+    shelf.need(Pass::frame, 2, 7);
+    shelf.put(8);
+    EXPECT_FALSE(shelf.holds(0));
+    for (const std::size_t number : {1, 2, 7, 8}) EXPECT_TRUE(shelf.holds(number)) << number;
+}
+
+/// FNV-1a over everything that the waves of a frame displace.
+std::uint64_t displacement_hash(const Frame& frame) {
+    std::uint64_t hash = 0xcbf29ce484222325u;
+    for (const Tile& tile : frame.tiles) {
+        std::vector<float> row(static_cast<std::size_t>(tile.resolution()));
+        for (const PlaneView* plane : {&tile.dx, &tile.height, &tile.dz})
+            for (int j = 0; j < tile.resolution(); ++j) {
+                plane->copy_row(j, row.data());
+                for (const float value : row) hash = (hash ^ std::bit_cast<std::uint32_t>(value)) * 0x100000001b3u;
+            }
+    }
+    return hash;
+}
+
+// Seas that share a forecast share their tiles, so either may come first.
+TEST(Weather, IsOneSeaBeforeAndAnotherAfterwards) {
+    const Forecast there = calm_to_storm();
+    const Forecast back{.first = storm, .changes = {{.sea = calm, .from_s = 10, .over_s = 20}}};
+    const double loop_s = calm.loop_period_s;
+    EXPECT_EQ(hash_at(there, 10), hash_at(back, 10 + loop_s));
+    EXPECT_EQ(hash_at(there, 30 + loop_s), hash_at(back, 30 - loop_s));
+    EXPECT_NE(hash_at(there, 10.5), hash_at(back, 10.5 + loop_s));
+}
+
+// A calm sea by itself has other tiles than one that a storm follows, but with room for the storm's peak it is where it was.
+TEST(Weather, ASeaWithRoomForALongerPeakIsTheSameWithOrWithoutChanges) {
+    const double peak_m = WaveReach::of(storm).peak_m;
+    EXPECT_EQ(hash_at({.first = calm, .largest_peak_m = peak_m}, 3), hash_at(calm_to_storm(), 3));
+    EXPECT_NE(hash_at({.first = calm}, 3), hash_at(calm_to_storm(), 3));
+    EXPECT_EQ(hash_at({.first = storm}, 3), hash_of(Ocean(storm, serial()).frame_at(3)));
+}
+
+Forecast some_weather() {
+    Forecast forecast = calm_to_storm(10, 20);
+    SeaState swell = calm;
+    swell.swell_height_m = 2;
+    // Changes between two ticks of foam, seas for a moment, and one that comes back.
+    forecast.changes.push_back({.sea = swell, .from_s = 30.5, .over_s = 0.05});
+    forecast.changes.push_back({.sea = calm, .from_s = 30.55, .over_s = 0.05});
+    forecast.changes.push_back({.sea = storm, .from_s = 30.7, .over_s = 3});
+    forecast.changes.push_back({.sea = swell, .from_s = 60, .over_s = 12});
+    return forecast;
+}
+
+TEST(Weather, AFrameHasTheSameBitsWhateverFramesThereWereBefore) {
+    const Forecast forecast = some_weather();
+    const std::vector<double> times = {-3, 10.5, 20, 29.9, 30.52, 30.58, 30.65, 32, 50, 61, 66, 80};
+    std::vector<std::uint64_t> alone;
+    for (const double time_s : times) alone.push_back(hash_at(forecast, time_s));
+
+    Ocean ocean(forecast, {.executor = make_thread_executor(2)});
+    std::mt19937 random(11);
+    const auto expect_same = [&](std::size_t i) {
+        EXPECT_EQ(hash_of(ocean.frame_at(times[i])), alone[i]) << "at " << times[i] << " s";
+    };
+    for (std::size_t i = 0; i < times.size(); ++i) expect_same(i);
+    for (std::size_t i = times.size(); i-- > 0;) expect_same(i);
+    for (int jump = 0; jump < (is_sanitized ? 10 : 60); ++jump) expect_same(random() % times.size());
+}
+
+class WeatherOnEachExecutor : public testing::TestWithParam<ExecutorKind> {};
+INSTANTIATE_TEST_SUITE_P(Executors, WeatherOnEachExecutor, testing::ValuesIn(executor_kinds()),
+                         [](const auto& changed) { return changed.param.name; });
+
+TEST_P(WeatherOnEachExecutor, AChangeHasTheSameBits) {
+    const double time_s = 17;
+    const std::uint64_t expected = hash_at(calm_to_storm(), time_s, serial(isas_here().front()));
+    for (const Isa isa : isas_here()) {
+        Ocean ocean(calm_to_storm(), {.executor = GetParam().make(GetParam().threads), .isa = isa});
+        ocean.frame_at(9);  // the storm is baked beside this one
+        EXPECT_EQ(hash_of(ocean.frame_at(time_s)), expected) << name_of(isa);
+    }
+}
+
+// The waves of this moment on every machine. A change of it is a change of everybody's weather.
+TEST(Weather, GoldenMoment) {
+    Ocean ocean(calm_to_storm(), serial());
+    EXPECT_EQ(displacement_hash(ocean.frame_at(17)), 8406283351594296221u);
+}
+
+TEST(Weather, VelocitiesAreThoseOfTheBlend) {
+    const double step_s = 1e-3;
+    Forecast slow = calm_to_storm(-1e5, 2e5);  // whose waves hardly grow in a step
+    Ocean ocean(slow, {.executor = make_thread_executor(2), .velocities = true});
+    std::vector<double> moved;
+    const auto heights = [&](double time_s) {
+        const Tile& tile = ocean.frame_at(time_s).tiles[0];
+        std::vector<double> all;
+        for (int j = 0; j < tile.resolution(); j += 7)
+            for (int i = 0; i < tile.resolution(); i += 5) all.push_back(tile.height.at(i, j));
+        return all;
+    };
+    const std::vector<double> earlier = heights(100 - step_s), later = heights(100 + step_s);
+    const Tile& tile = ocean.frame_at(100).tiles[0];
+    std::size_t number = 0;
+    for (int j = 0; j < tile.resolution(); j += 7)
+        for (int i = 0; i < tile.resolution(); i += 5, ++number)
+            // Heights of metres have steps of 2^-22 m: 1e-4 m/s over two milliseconds.
+            EXPECT_NEAR(tile.velocity_y.at(i, j), (later[number] - earlier[number]) / (2 * step_s), 2e-3);
+}
+
+TEST(Weather, ExpectedHeightGoesFromOneSeasToTheOthers) {
+    Ocean ocean(calm_to_storm(), {.executor = make_thread_executor(2)});
+    const auto height_at = [&](double time_s) { return ocean.frame_at(time_s).figures.significant_wave_height_m; };
+    const double low = height_at(10), high = height_at(30);
+    double last = low;
+    for (double time_s = 10.5; time_s < 30; time_s += 0.5) {
+        const double now = height_at(time_s);
+        EXPECT_GT(now, last) << time_s;
+        EXPECT_LT(now, high) << time_s;
+        last = now;
+    }
+    EXPECT_NEAR(height_at(20), std::sqrt((low * low + high * high) / 2), 1e-12 * high)
+        << "half of the energy of each";
+}
+
+double mean_square_height(const Frame& frame) {
+    double sum = 0;
+    for (const Tile& tile : frame.tiles) {
+        double of_tile = 0;
+        for (int j = 0; j < tile.resolution(); ++j)
+            for (int i = 0; i < tile.resolution(); ++i) {
+                const double height = tile.height.at(i, j);
+                of_tile += height * height;
+            }
+        sum += of_tile / tile.resolution() / tile.resolution();
+    }
+    return sum;
+}
+
+// Over a loop the energy of a wave that runs both ways is that of both, so a dozen moments of one come near it, and nearer for
+// what the blend makes of the two seas at the same moments: what is left is the part of the waves that run against others.
+TEST(Weather, EnergyOfFramesIsThatOfTheBlend) {
+    const double loop_s = calm.loop_period_s, whole_s = 1e6 * loop_s;
+    Ocean ocean(calm_to_storm(0, whole_s), {.executor = make_thread_executor(2)});
+    const auto energy_around = [&](double part_of_change) {
+        double sum = 0;
+        for (int moment = 0; moment < 12; ++moment)
+            sum += mean_square_height(ocean.frame_at(part_of_change * whole_s + moment * loop_s / 12));
+        return sum / 12;
+    };
+    const double before = energy_around(-1), after = energy_around(1), storms = std::sqrt(after);
+    for (const double u : {0.25, 0.5, 0.75}) {
+        const double part = u * u * (3 - 2 * u);
+        EXPECT_NEAR(std::sqrt(energy_around(u)), std::sqrt((1 - part) * before + part * after), 0.01 * storms) << u;
+    }
+}
+
+struct Turn {
+    std::string name;
+    SeaState before, after;
+    double over_s;
+};
+
+class WeatherMoves : public testing::TestWithParam<Turn> {};
+
+Turn wind_turns_by_90_degrees(double over_s) {
+    SeaState turned = storm;
+    turned.wind_direction_rad = 180 * degree;
+    return {"WindTurns", storm, turned, over_s};
+}
+INSTANTIATE_TEST_SUITE_P(Changes, WeatherMoves,
+                         testing::Values(wind_turns_by_90_degrees(10), Turn{"CalmToStorm", calm, storm, 20},
+                                         Turn{"StormToCalm", storm, calm, 10}),
+                         [](const auto& changed) { return changed.param.name; });
+
+// Of all heights and all sideways displacements of a tile, at 72 frames a second.
+TEST_P(WeatherMoves, NoMoreFromFrameToFrameThanTheLargerSea) {
+    const Turn& turn = GetParam();
+    const double frame_s = 1.0 / 72, loop_s = calm.loop_period_s;
+    Ocean ocean({.first = turn.before, .changes = {{.sea = turn.after, .from_s = 0, .over_s = turn.over_s}}},
+                {.executor = make_thread_executor(2)});
+    const auto largest_step = [&](double time_s) {
+        std::vector<std::vector<float>> earlier;
+        double largest = 0;
+        for (const double at_s : {time_s, time_s + frame_s}) {
+            const Frame& frame = ocean.frame_at(at_s);
+            std::size_t number = 0;
+            for (const Tile& tile : frame.tiles)
+                for (const PlaneView* plane : {&tile.dx, &tile.height, &tile.dz})
+                    for (int j = 0; j < tile.resolution(); ++j, ++number) {
+                        std::vector<float> row(static_cast<std::size_t>(tile.resolution()));
+                        plane->copy_row(j, row.data());
+                        if (number < earlier.size())
+                            for (std::size_t i = 0; i < row.size(); ++i)
+                                largest = std::max<double>(largest, std::abs(row[i] - earlier[number][i]));
+                        if (at_s == time_s) earlier.push_back(row);
+                    }
+        }
+        return largest;
+    };
+    double steady = 0, changing = 0;
+    const double every_s = is_sanitized ? 4 : 0.5;
+    for (double time_s = 0; time_s < turn.over_s; time_s += every_s) {
+        changing = std::max(changing, largest_step(time_s));
+        steady = std::max({steady, largest_step(time_s - 5 * loop_s), largest_step(time_s + 5 * loop_s)});
+    }
+    RecordProperty("changing_over_steady", std::to_string(changing / steady));
+    EXPECT_LE(changing, 1.2 * steady);
+    EXPECT_GT(changing, 0.3 * steady) << "it does move";
+}
+
+TEST(Weather, ALiveOceanTakesOneChangeAfterTheOther) {
+    const double peak_m = WaveReach::of(storm).peak_m;
+    Ocean ocean({.first = calm, .largest_peak_m = peak_m}, {.executor = make_thread_executor(2)});
+    ocean.frame_at(8);
+    ocean.schedule(9);
+    ocean.schedule_sea(storm, 10, 20);  // a frame is in flight
+    ocean.complete();
+    EXPECT_EQ(hash_of(ocean.frame_at(17)), hash_at(calm_to_storm(), 17));
+    EXPECT_EQ(ocean.frame_at(17).sea.wind_speed_mps,
+              sea_between(calm, storm, ocean.forecast().at(17).part).wind_speed_mps);
+    EXPECT_EQ(ocean.sea().wind_speed_mps, storm.wind_speed_mps);
+
+    EXPECT_THROW(ocean.schedule_sea(calm, 29, 5), std::invalid_argument) << "the change before is not over";
+    ocean.schedule_sea(calm, 40, 5);
+    EXPECT_EQ(hash_of(ocean.frame_at(17)), hash_at(calm_to_storm(), 17));
+    ocean.schedule_sea(storm, 50, 5);  // the first change is forgotten
+    EXPECT_EQ(ocean.forecast().changes.size(), 2u);
+    EXPECT_EQ(ocean.frame_at(9).sea.wind_speed_mps, storm.wind_speed_mps) << "the oldest that is left";
+    EXPECT_EQ(ocean.frame_at(47).sea.wind_speed_mps, calm.wind_speed_mps);
+    EXPECT_EQ(ocean.frame_at(56).sea.wind_speed_mps, storm.wind_speed_mps);
+}
+
+TEST(Weather, ALiveOceanWithoutRoomRefusesALongerPeak) {
+    Ocean ocean(calm, serial());
+    try {
+        ocean.schedule_sea(storm, 10, 20);
+        FAIL() << "the storm's peak is longer than the tiles are laid out for";
+    } catch (const std::invalid_argument& error) {
+        EXPECT_EQ(std::string(error.what()).substr(0, 29), "peak_wavelength_m of change 1");
+    }
+    EXPECT_EQ(hash_of(ocean.frame_at(12)), hash_of(Ocean(calm, serial()).frame_at(12)));
+}
+
+TEST(Weather, AnotherSeaMayBeBakedWhileTheWeatherChanges) {
+    Ocean ocean(calm_to_storm(), {.executor = make_thread_executor(2)});
+    SeaState other = calm;
+    other.depth_m = 20;
+    other.seed = 5;
+    ocean.schedule_sea(other);
+    EXPECT_EQ(hash_of(ocean.frame_at(17)), hash_at(calm_to_storm(), 17)) << "whose storm had to be baked meanwhile";
+    EXPECT_TRUE(ocean.sea_is_ready());
+    EXPECT_EQ(hash_of(ocean.frame_at(17)), hash_at(calm_to_storm(), 17));
+    ocean.complete_sea();
+    EXPECT_EQ(hash_of(ocean.frame_at(17)), hash_of(Ocean(other, serial()).frame_at(17)));
+    EXPECT_TRUE(ocean.forecast().changes.empty());
+}
+
+}  // namespace
+}  // namespace pelagic

@@ -1,0 +1,103 @@
+// Foam that lasts covers as much of the sea as was measured.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <vector>
+
+#include "pelagic/sim/ocean.hpp"
+#include "pelagic/sim/spectrum/whitecaps.hpp"
+#include "pelagic/tests/sanitized.hpp"
+#include "pelagic/tests/sweep.hpp"
+
+namespace pelagic {
+namespace {
+
+/// Foam lasts for three; frames are between ticks, mostly.
+constexpr double seconds_between = 0.57;
+
+/// Foam of a tile at a rest point, bilinear between texels; part of the place that is covered.
+double foam_at(const Tile& tile, double rest_x_m, double rest_z_m) {
+    if (!tile.makes_whitecaps()) return 0;
+    const int n = tile.resolution();
+    const TileLattice::Place place = tile.lattice.in_tile(rest_x_m, rest_z_m);
+    const double u = place.along / tile.texel_m(), v = place.across / tile.texel_m();
+    const int i = static_cast<int>(std::floor(u)), j = static_cast<int>(std::floor(v));
+    const double s = u - i, t = v - j;
+    const auto texel = [&](int a, int b) {
+        const auto row = static_cast<std::size_t>(b & (n - 1)), column = static_cast<std::size_t>(a & (n - 1));
+        return static_cast<double>(tile.foam_r8[row * static_cast<std::size_t>(n) + column]);
+    };
+    return ((1 - t) * ((1 - s) * texel(i, j) + s * texel(i + 1, j)) +
+            t * ((1 - s) * texel(i, j + 1) + s * texel(i + 1, j + 1))) /
+           255;
+}
+
+/// The mean of the most foam of the tiles: over so many seeds, frames of each, and rest points.
+double mean_cover(SeaState sea, int seeds, int frames) {
+    // Places that fill a square evenly (Roberts 2018), other ones in each frame.
+    constexpr int places = 10'000;
+    constexpr double square_m = 20'000;
+    const auto part_of = [](double turns) { return turns - std::floor(turns); };
+    double sum = 0;
+    for (int seed = 1; seed <= seeds; ++seed) {
+        sea.seed = static_cast<std::uint32_t>(seed);
+        Ocean ocean(sea, {.executor = make_serial_executor(), .foam = true});
+        for (int number = 0; number < frames; ++number) {
+            const Frame& frame = ocean.frame_at(number * seconds_between);
+            for (int place = number * places; place < (number + 1) * places; ++place) {
+                const double x_m = square_m * part_of(place * 0.7548776662466927);
+                const double z_m = square_m * part_of(place * 0.5698402909980532);
+                double most = 0;
+                for (const Tile& tile : frame.tiles) most = std::max(most, foam_at(tile, x_m, z_m));
+                sum += most;
+            }
+        }
+    }
+    return sum / (static_cast<double>(places) * frames * seeds);
+}
+
+/// One tile of a given side where the cascades are 0.
+SeaState sea_of(int cascades, double wind_speed_mps) {
+    return {.cascades = cascades, .patch_size_m = cascades == 0 ? 250.0 : 0.0, .wind_speed_mps = wind_speed_mps};
+}
+
+double cover_over_measured_at_sea(const SeaState& sea, int seeds, int frames) {
+    return mean_cover(sea, seeds, frames) / whitecap_cover(sea.wind_speed_mps);
+}
+
+// Ten other sets of seeds give 0.93 to 1.03 at 6 m/s and 1.02 to 1.03 at 25 m/s. The bound is a fifth, less than what was measured
+// at sea scatters by.
+TEST(WhitecapCover, IsWithinAFifthOfWhatWasMeasuredAtSea) {
+    if (is_sanitized) {
+        EXPECT_NEAR(cover_over_measured_at_sea(sea_of(4, 25), 2, 10), 1, 0.2);
+        return;
+    }
+    const int more = of_sweep(1, 4);
+    for (const double wind_speed_mps : of_sweep(std::vector<double>{6, 25}, {6, 8, 10, 12, 15, 20, 25})) {
+        std::printf("%2g m/s:", wind_speed_mps);
+        for (const int cascades : of_sweep(std::vector<int>{4}, {0, 1, 2, 3, 4})) {
+            // Crests that break are rarer in light winds.
+            const int seeds = wind_speed_mps < 8 ? 12 : 4;
+            const double part = cover_over_measured_at_sea(sea_of(cascades, wind_speed_mps), more * seeds, 40);
+            std::printf(" %.2f", part);
+            EXPECT_NEAR(part, 1, 0.2) << wind_speed_mps << " m/s, cascades " << cascades;
+        }
+        std::printf("\n");
+    }
+}
+
+TEST(WhitecapCover, DependsNeitherOnChoppinessNorOnWhereTheWindBlows) {
+    if (is_sanitized) return;
+    for (const double choppiness : {0.3, 1.0}) {
+        SeaState sea = sea_of(1, 15);
+        sea.choppiness = choppiness;
+        sea.wind_direction_rad = 0.7;
+        EXPECT_NEAR(cover_over_measured_at_sea(sea, 3, 40), 1, 0.2) << choppiness;
+    }
+}
+
+}  // namespace
+}  // namespace pelagic
