@@ -34,10 +34,8 @@ FoamOfTiles foam_of_maps(vec2 at, vec2 ragged, float distance_m, Footprint pixel
 #else
     FoamOfTiles all = FoamOfTiles(0.0, 0.0);
 #endif
-    float longest = max(length(pixel.dx), length(pixel.dy));
-    float wide_m = max(sqrt(length(pixel.dx) * length(pixel.dy)), 0.25 * longest);
     for (int tile = FOAM_OF_VERTICES; tile < TILES; ++tile) {
-        float texels_a_m = tile_scale[tile].x, mip = log2(max(wide_m * texels_a_m, 1e-3));
+        float texels_a_m = tile_scale[tile].x, mip = log2(max(pixel.wide_m * texels_a_m, 1e-3));
         float part = tile_slope[tile].w, weight = float(tile) < foam_kind.x ? weight_of_tile(tile, mip) : 0.0;
         if (weight > 0.0) part = mix(part, foam_of_tile(tile, at + ragged / texels_a_m, distance_m, mip), weight);
         all = with_tile(all, part, mip);
