@@ -29,13 +29,12 @@ std::string difference(const SeaState& first, const SeaState& sea, std::size_t n
     const auto refused = [&](std::string_view name, const auto& is, const std::string& needed) {
         return refusal(of_change(name, number), is, needed + " as the first sea has it");
     };
+    if (first.waves == WaveModel::exp_sine)
+        return refusal("waves of the first sea", name_of(first.waves), "spectrum or analytic where the sea changes");
     if (first.waves != sea.waves) return refused("waves", name_of(sea.waves), std::string(name_of(first.waves)));
-    // Octaves that move one another have no energies to blend.
-    if (sea.waves == WaveModel::exp_sine)
-        return refusal(of_change("waves", number), name_of(sea.waves), "spectrum or analytic: a pond does not change");
-    const auto is_papers = [](const SeaState& of) { return of.spectrum == SpectrumModel::phillips_paper; };
-    if (is_papers(first) != is_papers(sea))
-        return refused("spectrum", name_of(sea.spectrum), is_papers(first) ? "phillips-paper" : "a physical one");
+    if (has_papers_spectrum(first) != has_papers_spectrum(sea))
+        return refused("spectrum", name_of(sea.spectrum),
+                       has_papers_spectrum(first) ? "phillips-paper" : "a physical one");
     struct Fixed {
         std::string_view name;
         double first, is;
@@ -61,7 +60,9 @@ std::string too_long(const std::string& whose, const SeaState& sea, double large
 /// s of u, whose slope is 0 where it begins and where it ends.
 double eased(double u) { return u * u * (3 - 2 * u); }
 
-double between(double before, double after, double part) { return (1 - part) * before + part * after; }
+double between(double before, double after, double part) {
+    return before == after ? before : (1 - part) * before + part * after;
+}
 
 /// The shorter way round, in [-2 pi, 2 pi] as directions are.
 double turned(double before, double after, double part) {
@@ -119,24 +120,16 @@ SeaState sea_between(const SeaState& before, const SeaState& after, double part)
     if (part == 0) return before;
     if (part == 1) return after;
     SeaState sea = part < 0.5 ? before : after;
-    const auto blend = [&](double SeaState::*number) { sea.*number = between(before.*number, after.*number, part); };
-    blend(&SeaState::wind_speed_mps);
+    for (const SeaStateField& field : sea_state_fields())
+        if (const auto* number = std::get_if<double SeaState::*>(&field.member))
+            sea.** number = between(before.**number, after.**number, part);
     sea.wind_direction_rad = turned(before.wind_direction_rad, after.wind_direction_rad, part);
-    blend(&SeaState::fetch_m);
-    blend(&SeaState::choppiness);
-    blend(&SeaState::small_waves);
-    blend(&SeaState::alignment);
-    if (before.roughness < 0 || after.roughness < 0)
-        sea.roughness = std::max(before.roughness, after.roughness);
-    else
-        blend(&SeaState::roughness);
+    if (before.roughness < 0 || after.roughness < 0) sea.roughness = std::max(before.roughness, after.roughness);
 
     if (before.swell_height_m > 0 && after.swell_height_m > 0) {
         const auto energy = [](const SeaState& of) { return of.swell_height_m * of.swell_height_m; };
         sea.swell_height_m = std::sqrt(between(energy(before), energy(after), part));
-        blend(&SeaState::swell_period_s);
         sea.swell_direction_rad = turned(before.swell_direction_rad, after.swell_direction_rad, part);
-        blend(&SeaState::swell_spread_rad);
     } else {
         const bool comes = after.swell_height_m > 0;
         const SeaState& swell = comes ? after : before;

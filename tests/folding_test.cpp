@@ -6,8 +6,8 @@
 #include <cmath>
 #include <random>
 
-#include "pelagic/sim/history/foam_drift.hpp"
 #include "pelagic/sim/ocean.hpp"
+#include "pelagic/sim/spectrum/wind_drift.hpp"
 
 namespace pelagic {
 namespace {

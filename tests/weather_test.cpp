@@ -93,8 +93,7 @@ TEST(Forecast, RefusesInOneLineWhatTilesCannotShow) {
               "from_s of change 2 is 29, needs at least 30, when the change before is over");
     EXPECT_EQ(refused([](Forecast& f) { f.changes[0].from_s = std::nan(""); }),
               "from_s of change 1 is nan, needs [-1e12, 1e12]");
-    EXPECT_EQ(refused([](Forecast& f) { f.largest_peak_m = 50; }).substr(0, 33),
-              "peak_wavelength_m of change 1 is ");
+    EXPECT_EQ(refused([](Forecast& f) { f.largest_peak_m = 50; }).substr(0, 33), "peak_wavelength_m of change 1 is ");
 }
 
 TEST(Forecast, SeaInBetweenGoesFromOneToTheOther) {
@@ -250,20 +249,48 @@ Forecast some_weather() {
     return forecast;
 }
 
+struct Bits {
+    std::uint64_t frame, foam;
+    bool operator==(const Bits&) const = default;
+};
+Bits bits_of(const Frame& frame) { return {hash_of(frame), foam_hash_of(frame)}; }
+
+// Foam remembers 2.9 s of weather, in which there are five seas.
 TEST(Weather, AFrameHasTheSameBitsWhateverFramesThereWereBefore) {
     const Forecast forecast = some_weather();
-    const std::vector<double> times = {-3, 10.5, 20, 29.9, 30.52, 30.58, 30.65, 32, 50, 61, 66, 80};
-    std::vector<std::uint64_t> alone;
-    for (const double time_s : times) alone.push_back(hash_at(forecast, time_s));
-
-    Ocean ocean(forecast, {.executor = make_thread_executor(2)});
+    const std::vector<double> times = {-3, 10.5, 20, 29.9, 30.52, 30.58, 30.65, 32, 50, 61, 61.05, 66, 80};
+    std::vector<Bits> alone;
+    for (const double time_s : times) {
+        Ocean ocean(forecast, {.executor = make_serial_executor(), .foam = true});
+        alone.push_back(bits_of(ocean.frame_at(time_s)));
+    }
+    Ocean ocean(forecast, {.executor = make_thread_executor(2), .foam = true});
     std::mt19937 random(11);
     const auto expect_same = [&](std::size_t i) {
-        EXPECT_EQ(hash_of(ocean.frame_at(times[i])), alone[i]) << "at " << times[i] << " s";
+        EXPECT_EQ(bits_of(ocean.frame_at(times[i])), alone[i]) << "at " << times[i] << " s";
     };
     for (std::size_t i = 0; i < times.size(); ++i) expect_same(i);
     for (std::size_t i = times.size(); i-- > 0;) expect_same(i);
-    for (int jump = 0; jump < (is_sanitized ? 10 : 60); ++jump) expect_same(random() % times.size());
+    for (int jump = 0; jump < (is_sanitized ? 5 : 40); ++jump) expect_same(random() % times.size());
+}
+
+// Foam that was remembered of the weather before a change is still right, unless the change lies in the past.
+TEST(Weather, FoamKnowsOfChangesThatComeLive) {
+    const double peak_m = WaveReach::of(storm).peak_m;
+    Ocean live({.first = calm, .largest_peak_m = peak_m}, {.executor = make_serial_executor(), .foam = true});
+    for (const double over_s : {0.5, 0.4}) {
+        const double from_s = live.forecast().changes.empty() ? 1 : 2;
+        live.frame_at(2.9);
+        live.schedule_sea(over_s == 0.5 ? storm : calm, from_s, over_s);
+        const Forecast now = live.forecast();
+        for (const double time_s : {3.0, 3.3}) {
+            Ocean fresh(now, {.executor = make_serial_executor(), .foam = true});
+            EXPECT_EQ(bits_of(live.frame_at(time_s)), bits_of(fresh.frame_at(time_s))) << from_s << " " << time_s;
+        }
+    }
+    live.schedule_sea(storm, 3.5, 1);  // the first change is forgotten, whose foam is not over
+    Ocean fresh(live.forecast(), {.executor = make_serial_executor(), .foam = true});
+    EXPECT_EQ(bits_of(live.frame_at(3.4)), bits_of(fresh.frame_at(3.4)));
 }
 
 class WeatherOnEachExecutor : public testing::TestWithParam<ExecutorKind> {};

@@ -32,6 +32,7 @@ class FrameCopy {
         std::vector<float> planes;
         std::vector<std::uint16_t> halves;
         std::vector<std::uint32_t> bytes;
+        std::vector<std::uint8_t> foam;
     };
 
     /// Of what the tile's views show, which show the copies from now on.
@@ -50,6 +51,8 @@ class FrameCopy {
         copies.bytes.assign(tile.gradient_rgba8.begin(), tile.gradient_rgba8.end());
         tile.displacement_rgba16f = copies.halves;
         tile.gradient_rgba8 = copies.bytes;
+        copies.foam.assign(tile.foam_r8.begin(), tile.foam_r8.end());
+        tile.foam_r8 = copies.foam;
         return copies;
     }
 
@@ -78,6 +81,8 @@ class FrameFiles {
         if (options_.displacement) write_image(displacement_name(options_, number, number_), displacement(tile));
         for (int level = 0; level < gradient_levels(options_); ++level)
             write_image(gradient_name(options_, number, number_, level), gradient(tile, level));
+        for (int level = 0; level < foam_levels(options_); ++level)
+            write_image(foam_name(options_, number, number_, level), foam(tile, level));
     }
 
     std::vector<unsigned char> displacement(const Tile& tile) const {
@@ -88,6 +93,11 @@ class FrameFiles {
     std::vector<unsigned char> gradient(const Tile& tile, int level) const {
         const TraceScope scope(trace_, "encode gradient", file_category, {{{"level", static_cast<double>(level)}}});
         return encode_gradient(tile, level, options_.format);
+    }
+
+    std::vector<unsigned char> foam(const Tile& tile, int level) const {
+        const TraceScope scope(trace_, "encode foam", file_category, {{{"level", static_cast<double>(level)}}});
+        return encode_foam(tile, level, options_.format);
     }
 
     void write_image(const std::string& name, const std::vector<unsigned char>& image) {
@@ -112,6 +122,7 @@ FrameRecord write_frame(const ExportOptions& options, const OutputFolder& folder
     return {.frame = number,
             .time_s = frame.time_s,
             .hash = hex_text(hash_of(frame)),
+            .foam_hash = options.foam ? hex_text(foam_hash_of(frame)) : "",
             .significant_wave_height_m = measured_significant_wave_height_m(frame),
             .height_min_m = frame.bounds.height_min_m,
             .height_max_m = frame.bounds.height_max_m,

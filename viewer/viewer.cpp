@@ -179,7 +179,9 @@ class Viewer {
             figures_.sky_is_baking = true;
         }
         if (!figures_.sea_is_baking && !same_sea(settings_.sea, shown_sea_)) {
-            if (cascades_of(settings_.sea) == static_cast<int>(ocean_->tile_count())) {
+            if (!check(settings_.sea).empty()) {
+                settings_.sea = shown_sea_;  // a slider went where this sea can't
+            } else if (ocean_takes(settings_.sea)) {
                 shown_sea_ = settings_.sea;
                 ocean_->schedule_sea(shown_sea_);
                 figures_.sea_is_baking = true;
@@ -195,7 +197,13 @@ class Viewer {
         }
     }
 
-    /// An ocean has its number of tiles for life.
+    /// An ocean has its tiles, and what fills them, for life.
+    bool ocean_takes(const SeaState& sea) const {
+        return cascades_of(sea) == static_cast<int>(ocean_->tile_count()) &&
+               resolution_of(sea) == ocean_->resolution() &&
+               (sea.waves == WaveModel::exp_sine) == (ocean_->sea().waves == WaveModel::exp_sine);
+    }
+
     void fill_ocean() {
         take_caustics();  // they read the ocean that goes
         shown_sea_ = settings_.sea;

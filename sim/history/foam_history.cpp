@@ -21,7 +21,11 @@ FoamHistory::FoamHistory(FrameSlots& slots, const Kernels& kernels, const HostMe
         static_cast<std::size_t>(slots.resolution()) * static_cast<std::size_t>(slots.resolution());
     for (std::size_t i = 0; i < slots.tile_count(); ++i)
         tiles_.push_back(
-            {{}, 0, 0, {AlignedBuffer<std::uint8_t>(texels, memory), AlignedBuffer<std::uint8_t>(texels, memory)}});
+            {{},
+             0,
+             0,
+             0,
+             {AlignedBuffer<std::uint8_t>(texels, memory), AlignedBuffer<std::uint8_t>(texels, memory)}});
     forget();
 }
 
@@ -38,7 +42,7 @@ std::vector<StageId> FoamHistory::add_tick_stages(JobGraph& graph, std::span<con
 
 void FoamHistory::tick_rows(std::size_t tile, std::size_t job) {
     TileMemory& memory = tiles_[tile];
-    if (!memory.at_tick.makes_whitecaps()) return;  // nothing was ever written there
+    if (memory.ticks_to_fade == 0) return;  // both maps are empty
     const int n = slots_.resolution();
     const TileLattice& lattice = memory.at_tick.lattice;
     // The derivatives are those of the stage that makes the half floats.
@@ -65,11 +69,15 @@ void FoamHistory::set_drift(std::size_t tile, int texels_x, int texels_z) {
     const auto wrapped = [n](int texels) { return static_cast<std::size_t>((texels % n + n) % n); };
     tiles_[tile].shift_x = wrapped(texels_x);
     tiles_[tile].shift_z = wrapped(texels_z);
+    int& left = tiles_[tile].ticks_to_fade;
+    left = tiles_[tile].at_tick.makes_whitecaps() ? ticks_to_empty() : std::max(0, left - 1);
 }
 
 void FoamHistory::forget() {
-    for (TileMemory& tile : tiles_)
+    for (TileMemory& tile : tiles_) {
         for (AlignedBuffer<std::uint8_t>& map : tile.maps) std::fill_n(map.data(), map.size(), std::uint8_t{0});
+        tile.ticks_to_fade = 0;
+    }
 }
 
 void FoamHistory::advance() { newest_ = 1 - newest_; }
@@ -91,6 +99,7 @@ void FoamHistory::restore(std::span<const std::uint8_t> bytes) {
     for (TileMemory& tile : tiles_) {
         AlignedBuffer<std::uint8_t>& map = tile.maps[newest_];
         std::copy_n(bytes.data(), map.size(), map.data());
+        tile.ticks_to_fade = ticks_to_empty();
         bytes = bytes.subspan(map.size());
     }
 }

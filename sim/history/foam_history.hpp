@@ -21,7 +21,9 @@ class FoamHistory final : public History {
     FoamHistory(const FoamHistory&) = delete;  // stages point into it
     FoamHistory& operator=(const FoamHistory&) = delete;
 
-    int warm_up_ticks() const override { return (255 + FoamTickJob::fade - 1) / FoamTickJob::fade; }
+    static constexpr int remembered_ticks = (255 + FoamTickJob::fade - 1) / FoamTickJob::fade;
+
+    int warm_up_ticks() const override { return remembered_ticks; }
     std::vector<StageId> add_tick_stages(JobGraph& graph, std::span<const StageId> surfaces_done) override;
     void forget() override;
     void advance() override;
@@ -32,18 +34,20 @@ class FoamHistory final : public History {
 
     /// The tile at the tick to come: its lattice and what is white there.
     Tile& tile(std::size_t tile) { return tiles_[tile].at_tick; }
-    /// How far its foam drifts in that tick, along the tile's axes, in texels of any sign.
+    /// How far its foam drifts in that tick, along the tile's axes, in texels of any sign. \pre tile() says what is white
     void set_drift(std::size_t tile, int texels_x, int texels_z);
 
     /// N^2 bytes, as the last tick leaves them.
     const std::uint8_t* remembered(std::size_t tile) const { return tiles_[tile].maps[newest_].data(); }
 
    private:
+    int ticks_to_empty() const { return warm_up_ticks() + 1; }
     void tick_rows(std::size_t tile, std::size_t job);
 
     struct TileMemory {
         Tile at_tick;
         std::size_t shift_x = 0, shift_z = 0;
+        int ticks_to_fade = 0;  ///< until both maps are empty, if no more water breaks: weather may turn calm
         std::array<AlignedBuffer<std::uint8_t>, 2> maps;
     };
     FrameSlots& slots_;

@@ -25,14 +25,17 @@ PELAGIC_INLINE UnpackedWaves<Arch> unpacked(const float* packed, const xsimd::ba
     return {s0 - s3, s1 + s2, s0 + s3, s1 - s2};
 }
 
-/// The amplitude whose energy lies between. Both have the sign of the same draw, unless they are rounding errors.
+/// The amplitude whose energy lies between. Of the same draw both have the same sign; where they don't, waves of a list or
+/// rounding errors, the amplitude goes through 0.
 template <class Arch>
 PELAGIC_INLINE xsimd::batch<float, Arch> between(const xsimd::batch<float, Arch>& before,
                                                  const xsimd::batch<float, Arch>& after,
                                                  const xsimd::batch<float, Arch>& rest,
                                                  const xsimd::batch<float, Arch>& part) {
-    const xsimd::batch<float, Arch> energy = rest * (before * before) + part * (after * after);
-    return xsimd::copysign(xsimd::sqrt(energy), before + after);
+    using V = xsimd::batch<float, Arch>;
+    const V energy = rest * (before * before) + part * (after * after);
+    const V through_zero = rest * before + part * after;
+    return xsimd::select(before * after < V(0.f), through_zero, xsimd::copysign(xsimd::sqrt(energy), before + after));
 }
 
 template <class Arch>

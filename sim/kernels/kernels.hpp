@@ -34,7 +34,8 @@ struct EvolveRowsJob {
 /// Beginning of stage `evolve` while one sea turns into another: one block of lines of both spectra, wave by wave. With S' =
 /// (a + c, b + d, b - d, c - a) as equation 22 packs it, each of a, b, c, d becomes
 ///   sign sqrt((1 - s) before^2 + s after^2),
-/// so that energies go over and draws stay. Both have the waves of the same lattice.
+/// so that energies go over and draws stay; where the signs differ, as of waves that no draw is behind, (1 - s) before + s after.
+/// Both have the waves of the same lattice.
 struct BlendWavesJob {
     /// A square of the least amplitude that a sea has, 1e-20 m, leaves the range of floats. A power of two changes no bit.
     static constexpr float scale = 0x1p32f;

@@ -31,7 +31,10 @@ class SeaShelf {
             if (const auto place = find(number)) held_[*place]->used = now_;
     }
 
-    /// A place for a sea that the shelf doesn't hold. What was there is given up.
+    /// Whatever was taken is done.
+    void need_nothing() { needed_ = nothing; }
+
+    /// A place for a sea that the shelf doesn't hold. What was there is given up. \pre passes need less than all places
     std::size_t put(std::size_t number) {
         std::size_t best = 0;
         std::uint64_t oldest = ~std::uint64_t{0};
@@ -63,7 +66,8 @@ class SeaShelf {
 
     std::array<std::optional<Held>, places> held_;
     static constexpr std::size_t none = ~std::size_t{0};
-    OfEachPass<std::array<std::size_t, 2>> needed_{{{{none, none}, {none, none}}}};
+    static constexpr OfEachPass<std::array<std::size_t, 2>> nothing{{{{none, none}, {none, none}}}};
+    OfEachPass<std::array<std::size_t, 2>> needed_ = nothing;
     std::uint64_t now_ = 0;
 };
 

@@ -1,4 +1,4 @@
-// A source whose waves are those of a sea, baked beside the frames that show another one.
+// A source whose waves are those of seas, each baked beside the frames that show others.
 #pragma once
 
 #include "pelagic/sim/sea_state.hpp"

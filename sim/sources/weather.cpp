@@ -29,10 +29,6 @@ int white_tiles_of(const SeaState& sea, const WaveReach& reach) {
         std::count_if(plans.begin(), plans.end(), [](const TilePlan& plan) { return plan.makes_whitecaps(); }));
 }
 
-double between(double before, double after, double part) {
-    return part == 0 ? before : (1 - part) * before + part * after;
-}
-
 }  // namespace
 
 Weather::Weather(const Forecast& forecast) : forecast_(forecast), reach_(reach_of(forecast)) {
@@ -50,9 +46,10 @@ Forecast Weather::with(const SeaChange& change, std::size_t* first_number) const
     return longer;
 }
 
-double Weather::end_of_forgotten_by_next() const {
-    constexpr double never = -std::numeric_limits<double>::infinity();
-    return forecast_.changes.size() < remembered_changes ? never : forecast_.changes.front().end_s();
+double Weather::forgotten_until(const SeaChange& change) const {
+    std::size_t first_number = 0;
+    with(change, &first_number);
+    return first_number == 0 ? -std::numeric_limits<double>::infinity() : forecast_.changes.front().end_s();
 }
 
 SeaMoment Weather::moment_at(double time_s) const {
@@ -68,21 +65,31 @@ SeaState Weather::sea_at(const SeaMoment& moment) const {
 }
 
 SeaFigures Weather::figures_at(const SeaMoment& moment) const {
-    const Sums &before = sums_[*shelf_.find(moment.before)], &after = sums_[*shelf_.find(moment.after)];
-    const auto blend = [&](double Sums::*number) { return between(before.*number, after.*number, moment.part); };
-    SlopeMoments slopes = before.slopes;
-    if (!moment.is_steady()) {
-        slopes = before.slopes * (1 - moment.part);
-        slopes += after.slopes * moment.part;
-    }
-    const SeaState sea = sea_at(moment);
+    const Baked &before = baked_[*shelf_.find(moment.before)], &after = baked_[*shelf_.find(moment.after)];
+    if (moment.is_steady()) return before.figures;
+    const auto between = [&](double of_before, double of_after) {
+        return (1 - moment.part) * of_before + moment.part * of_after;
+    };
+    const auto blend = [&](double Sums::*number) { return between(before.sums.*number, after.sums.*number); };
+    Sums sums{.height_variance = blend(&Sums::height_variance),
+              .slopes = before.sums.slopes * (1 - moment.part),
+              .stokes_x = blend(&Sums::stokes_x),
+              .stokes_z = blend(&Sums::stokes_z)};
+    sums.slopes += after.sums.slopes * moment.part;
+    SeaFigures figures = figures_of(sea_at(moment), sums);
+    figures.roughness = between(before.figures.roughness, after.figures.roughness);
+    return figures;
+}
+
+SeaFigures Weather::figures_of(const SeaState& sea, const Sums& sums) {
     SeaFigures figures;
-    figures.significant_wave_height_m = 4 * std::sqrt(blend(&Sums::height_variance));
-    figures.resolved_slopes = slopes.around(sea.wind_direction_rad);
+    figures.significant_wave_height_m = 4 * std::sqrt(sums.height_variance);
+    const WindDrift wind = wind_drift(sea);
+    figures.foam_drift_x_mps = wind.x_mps + sums.stokes_x;
+    figures.foam_drift_z_mps = wind.z_mps + sums.stokes_z;
+    figures.resolved_slopes = sums.slopes.around(sea.wind_direction_rad);
     figures.unresolved_slopes = slopes_left(sea, figures.resolved_slopes);
-    figures.roughness = blend(&Sums::roughness);
-    figures.foam_drift_x_mps = blend(&Sums::drift_x_mps);
-    figures.foam_drift_z_mps = blend(&Sums::drift_z_mps);
+    figures.roughness = roughness_of(sea, figures.unresolved_slopes);
     return figures;
 }
 
@@ -99,7 +106,7 @@ std::optional<std::size_t> Weather::wanted_soon(double time_s) const {
 
 void Weather::begin(const SeaState& sea, const WaveReach& reach, Sources sources) {
     const std::vector<TilePlan> plans = plan_tiles(sea, reach);
-    const double cover = cover_of_each(whitecap_cover(sea.wind_speed_mps), white_tiles_of(sea, reach));
+    const double cover = cover_of_each(whitecap_cover(sea), white_tiles_of(sea, reach));
     for (std::size_t tile = 0; tile < plans.size(); ++tile)
         sources[tile]->begin_spectrum(sea, plans[tile], plans[tile].makes_whitecaps() ? cover : 0);
 }
@@ -112,19 +119,16 @@ void Weather::begin(std::size_t number, Sources sources) {
 void Weather::adopt(Sources sources) {
     const SeaState& baked = sea(baked_number_);
     const std::size_t place = shelf_.put(baked_number_);
-    Sums& sums = sums_[place] = {};
+    Sums sums;
     for (const auto& source : sources) {
         const LineFigures added = source->adopt_spectrum(baked_number_, place);
         sums.height_variance += added.height_variance;
         sums.slopes += added.slopes.in_world(source->lattice());
         const TileLattice::Place stokes = source->lattice().in_world(added.stokes_x, added.stokes_z);
-        sums.drift_x_mps += stokes.along;
-        sums.drift_z_mps += stokes.across;
+        sums.stokes_x += stokes.along;
+        sums.stokes_z += stokes.across;
     }
-    const WindDrift wind = wind_drift(baked);
-    sums.drift_x_mps += wind.x_mps;
-    sums.drift_z_mps += wind.z_mps;
-    sums.roughness = roughness_of(baked, slopes_left(baked, sums.slopes.around(baked.wind_direction_rad)));
+    baked_[place] = {sums, figures_of(baked, sums)};
 }
 
 void Weather::begin_other(const SeaState& sea, Sources sources) {

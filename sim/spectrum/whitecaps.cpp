@@ -25,6 +25,10 @@ double whitecap_cover(double wind_speed_mps) {
     return std::min(0.4, 3.84e-6 * det::pow(std::max(wind_speed_mps, least_wind_mps), 3.41));
 }
 
+double whitecap_cover(const SeaState& sea) {
+    return sea.waves == WaveModel::spectrum ? whitecap_cover(sea.wind_speed_mps) : 0;
+}
+
 double cover_of_each(double cover, int tiles) { return tiles == 1 ? cover : 1 - det::pow(1 - cover, 1.0 / tiles); }
 
 WhitecapThreshold whitecap_threshold(const FoldMoments& moments, double choppiness, double cover, double tick_s) {
