@@ -26,6 +26,9 @@ namespace {
 // A frame of 64 x 64 takes 20 microseconds; sharing it among threads takes as long again. See docs/benchmarks.md.
 constexpr std::size_t most_texels_without_jobs = 64 * 64;
 
+// More than a clock counts: 2^40 loops of less than 2^20 ticks.
+constexpr std::int64_t most_ticks = std::int64_t{1} << 60;
+
 template <class Options>
 const Options& checked(const Options& options) {
     if (const std::string reason = check(options); !reason.empty()) throw std::invalid_argument(reason);
@@ -113,6 +116,7 @@ class Ocean::Sources {
         if (ticks_due_ == 0) show_foam();
     }
     const Frame& end_frame() {
+        if (std::exchange(ticks_mix_weathers_, false)) forget();
         slots_.finish_textures();
         Frame& frame = slots_.frame();
         frame.bounds = {};
@@ -130,6 +134,7 @@ class Ocean::Sources {
     void forget() { newest_tick_.reset(); }
     /// What the next change, or the one that is forgotten for it, says of the past may be another past than the foam's.
     void keep_foam_of(const SeaChange& next) {
+        ticks_mix_weathers_ = ticks_due_ > 0;  // of a frame in flight
         if (!newest_tick_) return;
         const double oldest_s = clock().time_s(*newest_tick_ - foam_->warm_up_ticks());
         if (clock().time_s(*newest_tick_) > next.from_s || oldest_s < weather_.end_of_forgotten_by_next()) forget();
@@ -148,7 +153,11 @@ class Ocean::Sources {
         if (saved.size() != needed)
             throw std::invalid_argument(
                 refusal("history", number_text(saved.size()) + " bytes", "none or " + number_text(needed)));
-        std::memcpy(&newest_tick_.emplace(), saved.data(), sizeof *newest_tick_);
+        std::int64_t number;
+        std::memcpy(&number, saved.data(), sizeof number);
+        if (number < -most_ticks || number > most_ticks)
+            throw std::invalid_argument(refusal("history's tick", number, "one of a clock"));
+        newest_tick_ = number;
         foam_->restore(saved.subspan(sizeof *newest_tick_));
     }
 
@@ -178,7 +187,7 @@ class Ocean::Sources {
 
     Weather& weather() { return weather_; }
     const Weather& weather() const { return weather_; }
-    FrameContents contents() const { return {extras_.velocities, extras_.gradients, extras_.slopes}; }
+    FrameContents contents() const { return {extras_.velocities, extras_.gradients, extras_.slopes, extras_.foam}; }
     std::size_t tile_count() const { return slots_.tile_count(); }
     int resolution() const { return slots_.resolution(); }
     std::size_t texels() const {
@@ -240,6 +249,7 @@ class Ocean::Sources {
     TickPlace frame_tick_;                     ///< of the frame begun last
     std::optional<std::int64_t> newest_tick_;  ///< none: nothing is remembered
     int ticks_due_ = 0;
+    bool ticks_mix_weathers_ = false;
 };
 
 // The runs are last, so that they go first and wait for what is in flight.
@@ -264,17 +274,19 @@ struct Ocean::State {
         const bool is_small = sources.texels() <= most_texels_without_jobs;
         const std::shared_ptr<Executor> frame_executor = is_small ? make_serial_executor() : executor;
         frame_runs_ahead = frame_executor->runs_ahead();
-        frame_run = prepare(*frame_executor, frame_graph, options.trace, "frame");
+        const auto frames = std::make_shared<std::uint64_t>();  // of both graphs that make some
+        frame_run = prepare(*frame_executor, frame_graph, options.trace, "frame", frames);
         if (options.foam) {
-            tick_run = prepare(*frame_executor, tick_graph, options.trace, "tick");
-            tick_and_frame_run = prepare(*frame_executor, tick_and_frame_graph, options.trace, "frame");
+            tick_run = prepare(*frame_executor, tick_graph, options.trace, "tick", std::make_shared<std::uint64_t>());
+            tick_and_frame_run = prepare(*frame_executor, tick_and_frame_graph, options.trace, "frame", frames);
         }
-        spectrum_run = prepare(*executor, spectrum_graph, options.trace, "sea");
+        spectrum_run = prepare(*executor, spectrum_graph, options.trace, "sea", std::make_shared<std::uint64_t>());
     }
 
     static std::unique_ptr<GraphRun> prepare(Executor& on, const JobGraph& graph,
-                                             const std::shared_ptr<TraceSink>& trace, const char* run_name) {
-        return trace ? prepare_traced(on, graph, trace, run_name) : on.prepare(graph);
+                                             const std::shared_ptr<TraceSink>& trace, const char* run_name,
+                                             const std::shared_ptr<std::uint64_t>& runs) {
+        return trace ? prepare_traced(on, graph, trace, run_name, runs) : on.prepare(graph);
     }
 
     /// What the run of spectra is for.
@@ -507,7 +519,10 @@ void Ocean::schedule_sea(const SeaChange& change) {
     state_->bake_in_flight = State::Bake::ahead;
 }
 
-std::vector<std::uint8_t> Ocean::saved_history() const { return state_->sources.saved_history(); }
+std::vector<std::uint8_t> Ocean::saved_history() const {
+    assert(!state_->frame_in_flight && "complete() the frame in flight first");
+    return state_->sources.saved_history();
+}
 
 void Ocean::restore_history(std::span<const std::uint8_t> saved) {
     assert(!state_->frame_in_flight && "complete() the frame in flight first");

@@ -109,7 +109,7 @@ class Ocean {
     }
 
     /// What frames remember, for whoever wants to go on from `time_s` without a warm-up: the bytes of ticks up to the frame
-    /// completed last. Empty without OceanOptions::foam.
+    /// completed last. Empty without OceanOptions::foam. \pre no frame is in flight
     std::vector<std::uint8_t> saved_history() const;
     /// Takes that up, in an ocean of the same sea. Throws std::invalid_argument if it is none of such an ocean.
     /// \pre no frame is in flight

@@ -41,7 +41,7 @@ inline constexpr int default_cascades = 4;
 /// SI units, and each name says its unit. Ranges stand in sea_state_fields() and are checked by check().
 struct SeaState {
     /// Spectrum, spreading, fetch, depth, small_waves, alignment, swell and seed are the spectrum's; the wave_ options are the
-    /// others'. All have the wind, whose way is that of their waves, and which makes roughness and whitecaps.
+    /// others'. All have the wind, whose way is that of their waves. Whitecaps are the spectrum's alone.
     WaveModel waves = WaveModel::spectrum;
     SpectrumModel spectrum = SpectrumModel::jonswap;
     SpreadingModel spreading = SpreadingModel::paper;  ///< phillips-paper takes no other

@@ -128,7 +128,8 @@ TEST(CInterface, PresetsAreSeas) {
     auto sea = sized<pelagic_sea>();
     expect_invalid(
         pelagic_sea_preset("choppy", &sea),
-        "preset is choppy, needs one of calm, lake, swell, moderate, rough, storm, beaufort-0 to beaufort-12");
+        "preset is choppy, needs one of pond, calm, lake, analytic-calm, analytic-moderate, swell, moderate, rough, "
+        "analytic-intense, storm, beaufort-0 to beaufort-12");
     expect_invalid(pelagic_sea_preset(std::string(5000, 'x').c_str(), &sea), "preset is xxx");
 }
 

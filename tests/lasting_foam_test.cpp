@@ -9,6 +9,8 @@
 #include <random>
 #include <vector>
 
+#include "pelagic/tests/sanitized.hpp"
+
 namespace pelagic {
 namespace {
 
@@ -50,6 +52,7 @@ class RandomWaves {
 TEST(LastingFoam, CoversWhatTheFormulaSays) {
     for (const double frequency_radps : {0.7, 2.0, 7.0}) {
         for (const double level : {1.5, 2.5}) {
+            if (is_sanitized && (frequency_radps != 2 || level != 1.5)) continue;
             double measured = 0, expected = 0;
             const int seas = 150, ticks = 2000;
             for (unsigned sea = 0; sea < seas; ++sea) {

@@ -33,13 +33,21 @@ void choose_preset(SeaState& sea) {
     if (!ImGui::BeginCombo("sea state", "choose ...")) return;
     for (const SeaPreset& preset : sea_presets()) {
         if (!ImGui::Selectable(std::string(preset.name).c_str())) continue;
-        const SeaState before = sea;  // the textures stay
+        const SeaState before = sea;
         sea = preset.sea;
-        sea.resolution = before.resolution;
+        if ((before.waves == WaveModel::exp_sine) != (sea.waves == WaveModel::exp_sine)) continue;
+        sea.resolution = before.resolution;  // the textures stay
         sea.cascades = before.cascades;
         sea.patch_size_m = before.patch_size_m;
+        if (!check(sea).empty()) sea = preset.sea;
     }
     ImGui::EndCombo();
+}
+
+/// What the wind does not say of the waves.
+void choose_waves(SeaState& sea) {
+    if (sea.waves == WaveModel::analytic) slide("strength", sea.wave_strength, 0, 2, "%.2f");
+    if (sea.waves == WaveModel::exp_sine) slide("drag", sea.wave_drag, 0, 1, "%.2f");
 }
 
 /// How many tiles the sea is a sum of, unless the side of the only one was given or the model knows no other.
@@ -137,8 +145,8 @@ void show_panel(ViewSettings& settings, ViewCamera& camera, const ViewFigures& f
     slide("wind", settings.sea.wind_speed_mps, 1, 30, "%.1f m/s");
     slide_degrees("wind towards", settings.sea.wind_direction_rad, -180, 180);
     slide("choppiness", settings.sea.choppiness, 0, 1, "%.2f");
+    choose_waves(settings.sea);
     choose_preset(settings.sea);
-    ImGui::SliderFloat("foam", &settings.more_foam, -0.5f, 0.5f, "%+.2f");
     choose_cascades(settings.sea, figures.tile_sides_m);
     ImGui::Text("waves of %.2f m%s", figures.significant_wave_height_m, figures.sea_is_baking ? ", changing" : "");
     ImGui::Separator();

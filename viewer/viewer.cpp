@@ -59,7 +59,6 @@ struct Drawn {
     glm::dvec3 position_m{}, target_m{};
     double vertical_view_rad = 0, time_s = 0;
     int window_width = 0, window_height = 0;
-    float more_foam = 0;
     bool wireframe = false;
     unsigned long long changes = 0;
 
@@ -180,7 +179,9 @@ class Viewer {
             figures_.sky_is_baking = true;
         }
         if (!figures_.sea_is_baking && !same_sea(settings_.sea, shown_sea_)) {
-            if (cascades_of(settings_.sea) == static_cast<int>(ocean_->tile_count())) {
+            if (!check(settings_.sea).empty()) {
+                settings_.sea = shown_sea_;  // a slider went where this sea can't
+            } else if (ocean_takes(settings_.sea)) {
                 shown_sea_ = settings_.sea;
                 ocean_->schedule_sea(shown_sea_);
                 figures_.sea_is_baking = true;
@@ -196,14 +197,21 @@ class Viewer {
         }
     }
 
-    /// An ocean has its number of tiles for life.
+    /// An ocean has its tiles, and what fills them, for life.
+    bool ocean_takes(const SeaState& sea) const {
+        return cascades_of(sea) == static_cast<int>(ocean_->tile_count()) &&
+               resolution_of(sea) == ocean_->resolution() &&
+               (sea.waves == WaveModel::exp_sine) == (ocean_->sea().waves == WaveModel::exp_sine);
+    }
+
     void fill_ocean() {
         take_caustics();  // they read the ocean that goes
         shown_sea_ = settings_.sea;
         ocean_.emplace(shown_sea_, OceanOptions{.executor = make_default_executor(options_.threads),
                                                 .trace = stage_times_,
                                                 .queries = true,
-                                                .slopes = true});
+                                                .slopes = true,
+                                                .foam = true});
         stage_times_->follow(ocean_->graph());
         ocean_->schedule(time_s_);
     }
@@ -322,7 +330,6 @@ class Viewer {
                         .time_s = frame.time_s,
                         .window_width = window_.width(),
                         .window_height = window_.height(),
-                        .more_foam = settings_.more_foam,
                         .wireframe = settings_.wireframe,
                         .changes = changes_};
         rests_for_s_ = now == drawn_ ? rests_for_s_ + passed_s : 0;
@@ -376,7 +383,6 @@ class Viewer {
                              .viewer_m = camera.position_m,
                              .list = &list,
                              .lod_scale = selection_->options().lod_scale,
-                             .more_foam = settings_.more_foam,
                              .mode = settings_.wireframe ? gl::DrawMode::wireframe : gl::DrawMode::shaded,
                              .exposure = gl::exposure_of_ev(picture_.ev(), luminance_of_unit_),
                              .weighs_samples = true,

@@ -39,6 +39,15 @@ small coast --preset rough --camera 0,3,0 --target 20,0,10 --sun 72,30
 small river --preset calm --camera 30,14,30 --target 70,0,90 --fov 50 --sun 60,35
 small pond --preset calm --light noon --camera 0,1.1,0 --target 4,0.3,1.6 --fov 45
 
+# Of few waves.
+few() {
+  local name=$1
+  shift
+  "$pelagic" render --size 480x270 --out "docs/images/waves_$name.png" "$@"
+}
+few analytic --preset analytic-intense --light golden-hour --sun 20,12 --camera 0,12,0 --target 80,0,30 --fov 35 --time 16
+few pond --preset pond --light noon --camera 0,1.1,0 --target 4,-0.4,1.6 --fov 45 --time 5
+
 # Below the surface, and where it ends.
 below() {
   local name=$1

@@ -24,8 +24,7 @@ int white_tiles_of(const SeaState& sea, const WaveReach& reach) {
 
 }  // namespace
 
-Weather::Weather(const Forecast& forecast)
-    : forecast_(forecast), reach_(reach_of(forecast)), white_tiles_(white_tiles_of(forecast.first, reach_)) {
+Weather::Weather(const Forecast& forecast) : forecast_(forecast), reach_(reach_of(forecast)) {
     forecast_.largest_peak_m = reach_.peak_m;
 }
 
@@ -65,7 +64,6 @@ SeaFigures Weather::figures_at(const SeaMoment& moment) const {
     };
     Sums sums{.height_variance = blend(&Sums::height_variance),
               .slopes = before.sums.slopes * (1 - moment.part),
-              .whitecap_cover = blend(&Sums::whitecap_cover),
               .drift_x_mps = blend(&Sums::drift_x_mps),
               .drift_z_mps = blend(&Sums::drift_z_mps)};
     sums.slopes += after.sums.slopes * moment.part;
@@ -74,12 +72,11 @@ SeaFigures Weather::figures_at(const SeaMoment& moment) const {
     return figures;
 }
 
-SeaFigures Weather::figures_of(const SeaState& sea, const Sums& sums) const {
+SeaFigures Weather::figures_of(const SeaState& sea, const Sums& sums) {
     SeaFigures figures;
     figures.significant_wave_height_m = 4 * std::sqrt(sums.height_variance);
     figures.resolved_slopes = sums.slopes.around(sea.wind_direction_rad);
     figures.unresolved_slopes = slopes_left(sea, figures.resolved_slopes);
-    figures.whitecap_depth_of_sum = quantile_of_sum(sums.whitecap_cover, white_tiles_);
     figures.roughness = roughness_of(sea, figures.unresolved_slopes);
     figures.foam_drift_x_mps = sums.drift_x_mps;
     figures.foam_drift_z_mps = sums.drift_z_mps;
@@ -99,7 +96,7 @@ std::optional<std::size_t> Weather::wanted_soon(double time_s) const {
 
 void Weather::begin(const SeaState& sea, const WaveReach& reach, Sources sources) {
     const std::vector<TilePlan> plans = plan_tiles(sea, reach);
-    const double cover = cover_of_each(whitecap_cover(sea.wind_speed_mps), white_tiles_of(sea, reach));
+    const double cover = cover_of_each(whitecap_cover(sea), white_tiles_of(sea, reach));
     for (std::size_t tile = 0; tile < plans.size(); ++tile)
         sources[tile]->begin_spectrum(sea, plans[tile], plans[tile].makes_whitecaps() ? cover : 0);
 }
@@ -124,7 +121,6 @@ void Weather::adopt(Sources sources) {
     const WindDrift wind = wind_drift(baked);
     sums.drift_x_mps += wind.x_mps;
     sums.drift_z_mps += wind.z_mps;
-    sums.whitecap_cover = whitecap_cover(baked.wind_speed_mps);
     baked_[place] = {sums, figures_of(baked, sums)};
 }
 
@@ -139,7 +135,6 @@ void Weather::restart(Sources sources) {
     forecast_ = other_->forecast;
     reach_ = other_->reach;
     forecast_.largest_peak_m = reach_.peak_m;
-    white_tiles_ = white_tiles_of(forecast_.first, reach_);
     other_.reset();
     shelf_.clear();
     for (const auto& source : sources) source->forget_seas();

@@ -65,7 +65,6 @@ class Weather {
     struct Sums {
         double height_variance = 0;
         SlopeMoments slopes;  ///< in the world's axes
-        double whitecap_cover = 0;
         double drift_x_mps = 0, drift_z_mps = 0;  ///< of foam
     };
     struct Baked {
@@ -79,13 +78,12 @@ class Weather {
     };
 
     const SeaState& sea(std::size_t number) const { return forecast_.sea(number - first_number_); }
-    SeaFigures figures_of(const SeaState& sea, const Sums& sums) const;
+    static SeaFigures figures_of(const SeaState& sea, const Sums& sums);
     void begin(const SeaState& sea, const WaveReach& reach, Sources sources);
 
     Forecast forecast_;
     WaveReach reach_;
     std::size_t first_number_ = 0;  ///< of forecast_.first
-    int white_tiles_ = 0;           ///< that make whitecaps
     SeaShelf shelf_;
     std::array<Baked, SeaShelf::places> baked_;
     std::size_t baked_number_ = 0;

@@ -1,19 +1,19 @@
 // How much of the sea is white: the wind says how much, the Jacobian says where.
 #pragma once
 
+#include "pelagic/sim/sea_state.hpp"
 #include "pelagic/sim/spectrum/folding.hpp"
 
 namespace pelagic {
 
 /// Part of a sea that whitecaps cover: 3.84e-6 U10^3.41 (Monahan and O'Muircheartaigh 1980), at most 0.4.
 double whitecap_cover(double wind_speed_mps);
+/// In a sea's wind, of its waves: none of few waves, which are no steeper than 0.4 and below where waves break (0.44, Stokes 1880), or
+/// a pond's.
+double whitecap_cover(const SeaState& sea);
 
 /// What each of some tiles has to cover, one independent of the other, so that a part `cover` of the sea is under any of them.
 double cover_of_each(double cover, int tiles);
-
-/// How far the quantile of `cover` is from the mean of a Gaussian, over that of cover_of_each(): 1 for one tile. A sum of as many
-/// independent tiles goes below `cover` of itself at this part of the root of the sum of the squares of theirs.
-double quantile_of_sum(double cover, int tiles);
 
 /// Where water turns white: a texel of Jacobian J makes foam of clamp(1/2 + (jacobian - J) / ramp, 0, 1).
 struct WhitecapThreshold {

@@ -14,8 +14,8 @@ struct WindDrift {
 /// wind in seas that it has raised, that is the 3 to 4 % which drifters and slicks show (Wu 1975).
 WindDrift wind_drift(const SeaState& sea);
 
-/// With Stokes' drift, before that is known: 3.3 % of the wind's speed its way. Of the presets and of the default sea in any wind it
-/// is 2.9 to 3.5 %.
+/// With Stokes' drift, before that is known: 3.3 % of the wind's speed its way. Of the presets, and of the default sea in winds of 6 to
+/// 25 m/s, it is 2.8 to 3.5 %.
 WindDrift usual_foam_drift(const SeaState& sea);
 
 }  // namespace pelagic
