@@ -13,7 +13,7 @@ namespace pelagic {
 namespace {
 
 void time_frame(benchmark::State& state, const char* preset, bool stereo, bool mapped) {
-    GlScene scene({.preset = preset, .resolution = 256, .width = 96, .height = 64, .samples = 1});
+    GlScene scene({.preset = preset, .resolution = 256, .width = 96, .height = 64, .samples = 1, .foam = true});
     double own_ms = 0;
     int frame = 0;
     for (auto _ : state) {

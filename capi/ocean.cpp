@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include "pelagic/capi/executor.hpp"
 #include "pelagic/capi/sea.hpp"
@@ -54,7 +55,8 @@ OceanOptions options_of(const pelagic_ocean_options& options) {
     OceanOptions result{.queries = options.queries != 0,
                         .velocities = options.velocities != 0,
                         .gradients = options.gradients != 0,
-                        .slopes = options.slopes != 0};
+                        .slopes = options.slopes != 0,
+                        .foam = options.foam != 0};
     if (options.executor) result.executor = options.executor->executor;
     if (options.isa) {
         result.isa = isa_named(options.isa);
@@ -129,6 +131,8 @@ pelagic_frame c_frame_of(const Frame& frame) {
     out.bounds = bounds_of(frame.bounds);
     out.tile_count = static_cast<std::int32_t>(frame.tiles.size());
     out.roughness = static_cast<float>(frame.figures.roughness);
+    out.foam_drift_x_mps = frame.figures.foam_drift_x_mps;
+    out.foam_drift_z_mps = frame.figures.foam_drift_z_mps;
     return out;
 }
 
@@ -146,6 +150,8 @@ pelagic_tile c_tile_of(const Tile& tile) {
     write_offsets(tile.resolution(), out.level_offset);
     out.bounds = bounds_of(tile.bounds);
     out.whitecap_jacobian = tile.whitecap_jacobian;
+    out.foam_r8 = tile.foam_r8.data();
+    out.whitecap_ramp = tile.whitecap_ramp;
     return out;
 }
 
@@ -169,7 +175,8 @@ FrameBuffers ours_of(const pelagic_frame_buffers& buffers) {
             .displacement_rgba16f = part(buffers.displacement_rgba16f, buffers.rgba16f_count),
             .gradient_rgba8 = part(buffers.gradient_rgba8, buffers.rgba8_count),
             .slopes_rgba8 = part(buffers.slopes_rgba8, buffers.slopes_count),
-            .moments_rgba8 = part(buffers.moments_rgba8, buffers.slopes_count)};
+            .moments_rgba8 = part(buffers.moments_rgba8, buffers.slopes_count),
+            .foam_r8 = part(buffers.foam_r8, buffers.foam_count)};
 }
 
 /// As ours, of a struct that read_struct() has read.
@@ -345,6 +352,33 @@ pelagic_status pelagic_ocean_hash(const pelagic_ocean* ocean, uint64_t* hash) {
     return guarded([&] {
         need_frame(needed(ocean, "ocean"));
         needed(hash, "hash") = hash_of(*ocean->shown);
+    });
+}
+
+pelagic_status pelagic_ocean_foam_hash(const pelagic_ocean* ocean, uint64_t* hash) {
+    return guarded([&] {
+        need_frame(needed(ocean, "ocean"));
+        if (!ocean->contents.foam) refuse("the ocean remembers no foam, needs pelagic_ocean_options.foam");
+        needed(hash, "hash") = foam_hash_of(*ocean->shown);
+    });
+}
+
+pelagic_status pelagic_ocean_save_history(const pelagic_ocean* ocean, uint8_t* bytes, size_t room, size_t* count) {
+    return guarded([&] {
+        need_no_frame_in_flight(needed(ocean, "ocean"));
+        std::size_t& there = needed(count, "count");
+        const std::vector<std::uint8_t> saved = ocean->ocean.saved_history();
+        if (bytes && room < saved.size()) refuse(refusal("room", room, number_text(saved.size()) + " or more"));
+        if (bytes) std::copy(saved.begin(), saved.end(), bytes);
+        there = saved.size();
+    });
+}
+
+pelagic_status pelagic_ocean_restore_history(pelagic_ocean* ocean, const uint8_t* bytes, size_t count) {
+    return guarded([&] {
+        need_no_frame_in_flight(needed(ocean, "ocean"));
+        if (count > 0) needed(bytes, "bytes");
+        ocean->ocean.restore_history({bytes, count});
     });
 }
 

@@ -57,7 +57,8 @@ struct pelagic_ocean {
           has_queries(options.queries),
           contents{.velocities = options.velocities,
                    .gradients = options.gradients || ocean.tile_count() == 1,
-                   .slopes = options.slopes || ocean.tile_count() > 1},
+                   .slopes = options.slopes || ocean.tile_count() > 1,
+                   .foam = options.foam},
           query_tolerance_m(tolerance_m) {}
 
     pelagic::Ocean ocean;

@@ -244,6 +244,11 @@ typedef struct pelagic_ocean_options {
     /* Newer still. */
     int32_t slopes;    /* not 0: a frame of one tile has slopes and moments too; those of several always do */
     int32_t gradients; /* not 0: tiles of several have a gradient chain of their own too; those of one always do */
+    /* Newer still. Not 0: frames remember foam. What breaks lasts for 2.9 seconds, fades and drifts. A frame up to a tenth of a
+     * second after the one before costs nothing more, or one tick, less than a frame; a jump in time costs 29 of them. 6 N^2 bytes
+     * a tile. With 0 the half floats hold only what breaks at that very moment. */
+    int32_t foam;
+    uint32_t reserved_1; /* 0 */
 } pelagic_ocean_options;
 
 typedef struct pelagic_ocean pelagic_ocean;
@@ -318,6 +323,8 @@ typedef struct pelagic_frame {
     /* GGX's alpha of the water between texels, in [0, 1]: its square is the mean square of the slopes that no tile holds.
      * Smoothness is 1 - sqrt(roughness). */
     float roughness;
+    /* Newer still. How fast foam drifts over the sea, in the world's axes: with the wind and with the waves. */
+    double foam_drift_x_mps, foam_drift_z_mps;
 } pelagic_frame;
 
 /* One square of waves, which repeats over the whole sea along its own two axes. The tiles of a frame add: the water that rests
@@ -363,12 +370,18 @@ typedef struct pelagic_tile {
     /* NULL in a frame of one tile, unless pelagic_ocean_options.slopes. */
     const uint32_t *slopes_rgba8, *moments_rgba8;
     float slope_range, variance_range;
-    int32_t levels;            /* of each of the three chains, if it is there */
+    int32_t levels;            /* of each of the chains, if it is there */
     uint32_t level_offset[12]; /* level m of any of them begins so many texels in */
     pelagic_bounds bounds;
-    /* Below this Jacobian of the tile alone the sea is white: as much of it, in the mean over time, as whitecaps cover in that
-     * wind. -10 where the tile makes none. */
+    /* Water of the Jacobian J of the tile alone makes foam of 1/2 + (whitecap_jacobian - J) / whitecap_ramp, within 0 and 1: as much
+     * of it, in the mean over time and while it lasts, as whitecaps cover in that wind, tiles together. -10 where the tile makes
+     * none. */
     float whitecap_jacobian;
+    /* Newer than the fields above. A fourth chain of `levels` levels, a byte a texel, 0 none to 255 covered: GL_R8,
+     * VK_FORMAT_R8_UNORM. As a part of 1 it is the fourth of the half floats. NULL without pelagic_ocean_options.foam. */
+    const uint8_t* foam_r8;
+    float whitecap_ramp; /* above 0 */
+    uint32_t reserved_1;
 } pelagic_tile;
 
 /* Starts the frame at time_s and returns at once. Any finite time, in any order: a frame is a pure function of the sea and
@@ -426,6 +439,8 @@ typedef struct pelagic_frame_buffers {
     /* Newer than the fields above. */
     size_t slopes_count; /* as rgba8_count, the length of each of these */
     uint32_t *slopes_rgba8, *moments_rgba8;
+    size_t foam_count; /* as rgba8_count */
+    uint8_t* foam_r8;
 } pelagic_frame_buffers;
 
 /* Copies the frame completed last: planes in tight rows, whatever blocks they are computed in, and all levels. Also while the
@@ -443,6 +458,21 @@ PELAGIC_API pelagic_status pelagic_ocean_frame_at(pelagic_ocean* ocean, double t
 /* The 64-bit hash of all outputs of the frame completed last: two machines that agree on it have the same sea.
  * PELAGIC_WRONG_ORDER before the first frame. */
 PELAGIC_API pelagic_status pelagic_ocean_hash(const pelagic_ocean* ocean, uint64_t* hash);
+
+/* The same of the foam of its tiles, which pelagic_ocean_hash leaves out. PELAGIC_INVALID_ARGUMENT without
+ * pelagic_ocean_options.foam. */
+PELAGIC_API pelagic_status pelagic_ocean_foam_hash(const pelagic_ocean* ocean, uint64_t* hash);
+
+/* What frames remember, for a host that wants to go on from there without the warm-up of a jump in time: writes it to `bytes`,
+ * which has room for `room` of them, and how many there are to *count. With `bytes` NULL only the count: N^2 a tile and some, or
+ * 0 before the first frame and without pelagic_ocean_options.foam. PELAGIC_INVALID_ARGUMENT if there is less room;
+ * PELAGIC_WRONG_ORDER if a frame is in flight. */
+PELAGIC_API pelagic_status pelagic_ocean_save_history(const pelagic_ocean* ocean, uint8_t* bytes, size_t room,
+                                                      size_t* count);
+
+/* Takes that up, in an ocean of the same sea, on any machine of the same byte order; none of them forgets. Frames are what they
+ * would be without. PELAGIC_INVALID_ARGUMENT if such an ocean can't have saved it; PELAGIC_WRONG_ORDER if a frame is in flight. */
+PELAGIC_API pelagic_status pelagic_ocean_restore_history(pelagic_ocean* ocean, const uint8_t* bytes, size_t count);
 
 /* ---- Another sea ------------------------------------------------------------------------------------------------ */
 
@@ -513,12 +543,14 @@ typedef struct pelagic_samples {
     float *velocity_x_mps, *velocity_y_mps, *velocity_z_mps; /* of the water there; with the velocities option */
     float* error_m;                                          /* how far sideways of the point the sample is drawn */
     uint8_t* converged;                                      /* 1 if that is within the tolerance */
+    /* Newer than the fields above. How much of the water is white, 0 to 1; with the foam option. */
+    float* foam;
 } pelagic_samples;
 
 /* Asks the frame completed last; of sheets over one another the highest counts. Any thread, any number
  * at once; allocates nothing, never waits. The bits depend on the frame, the point and the tolerance alone.
- * PELAGIC_INVALID_ARGUMENT if the ocean has no queries, or no velocities and one is wanted; PELAGIC_WRONG_ORDER before the
- * first frame. */
+ * PELAGIC_INVALID_ARGUMENT if the ocean has no queries, or no velocities or foam and they are wanted; PELAGIC_WRONG_ORDER before
+ * the first frame. */
 PELAGIC_API pelagic_status pelagic_ocean_query(const pelagic_ocean* ocean, const pelagic_points* points,
                                                const pelagic_samples* samples);
 

@@ -35,7 +35,8 @@ SurfaceSamples samples_of(const pelagic_samples& samples, std::size_t count) {
             .velocity_y_mps = part(samples.velocity_y_mps),
             .velocity_z_mps = part(samples.velocity_z_mps),
             .error_m = part(samples.error_m),
-            .converged = part(samples.converged)};
+            .converged = part(samples.converged),
+            .foam = part(samples.foam)};
 }
 
 void need_within(const char* name, double value, double least, double most, const char* accepted) {

@@ -72,7 +72,7 @@ int main() {
     using namespace pelagic;
     const gl::Functions functions =
         gl::load_functions([](const char* name) { return reinterpret_cast<void*>(eglGetProcAddress(name)); });
-    Ocean ocean({.wind_speed_mps = 9});
+    Ocean ocean({.wind_speed_mps = 9}, {.foam = true});
     Selection selection(quadtree_preset_named("medium")->options(2048));
     gl::SeaRenderer renderer(functions, {.patch_vertices = selection.options().vertices,
                                          .resolution = ocean.resolution(),

@@ -1,5 +1,6 @@
 #include "pelagic/gl/frame_textures.hpp"
 
+#include <algorithm>
 #include <cstring>
 #include <stdexcept>
 #include <string>
@@ -22,6 +23,10 @@ Texture make_texture(const Functions& gl, GLenum format, int side, GLsizei tiles
     gl.TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     gl.TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, levels > 1 ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR);
     return texture;
+}
+
+bool shows_foam(const Frame& frame) {
+    return std::ranges::none_of(frame.tiles, [](const Tile& tile) { return tile.foam_r8.empty(); });
 }
 
 /// Why the textures can't take the frame; empty if they can.
@@ -54,6 +59,7 @@ FrameTextures::FrameTextures(const Functions& gl, int resolution, std::size_t ti
         set.displacement = make_texture(gl, GL_RGBA16F, resolution, layers(), has_displacement_mips() ? levels : 1);
         set.slopes = make_texture(gl, GL_RGBA8, resolution, layers(), levels);
         set.moments = make_texture(gl, GL_RGBA8, resolution, layers(), levels);
+        set.foam = make_texture(gl, GL_R8, resolution, layers(), levels);
     }
     for (PixelBuffer& pixels : ring_) {
         pixels.buffer = Buffer(gl);
@@ -73,32 +79,34 @@ std::size_t FrameTextures::chain_bytes() const {
     return sizeof(std::uint32_t) * mip_offset(resolution_, mip_levels(resolution_)) * tiles_;
 }
 
-/// All tiles' displacement, then their slopes, then their moments: level by level, so that one call takes a level of all.
-void FrameTextures::fill(std::byte* to, const Frame& frame) const {
-    const auto add = [&](const void* from, std::size_t bytes) {
-        std::memcpy(to, from, bytes);
-        to += bytes;
-    };
-    const auto add_chains = [&](std::span<const std::uint32_t> Tile::*map) {
-        for (int level = 0; level < mip_levels(resolution_); ++level)
-            for (const Tile& tile : frame.tiles) {
-                const std::size_t texels = std::size_t{1} << 2 * (mip_levels(resolution_) - 1 - level);
-                add((tile.*map).data() + mip_offset(resolution_, level), texels * sizeof(std::uint32_t));
-            }
-    };
-    for (const Tile& tile : frame.tiles)
-        add(tile.displacement_rgba16f.data(), tile.displacement_rgba16f.size() * sizeof(std::uint16_t));
-    add_chains(&Tile::slopes_rgba8);
-    add_chains(&Tile::moments_rgba8);
+/// Level by level, so that one call takes a level of all tiles.
+template <class Texel>
+void FrameTextures::fill_chains(std::byte* to, const Frame& frame, std::span<const Texel> Tile::*map) const {
+    for (int level = 0; level < mip_levels(resolution_); ++level)
+        for (const Tile& tile : frame.tiles) {
+            const std::span<const Texel> texels = tile.level_of(tile.*map, level);
+            std::memcpy(to, texels.data(), texels.size_bytes());
+            to += texels.size_bytes();
+        }
 }
 
-void FrameTextures::upload_chain(GLuint texture, std::size_t offset) const {
+/// All tiles' displacement, then their slopes, then their moments.
+void FrameTextures::fill(std::byte* to, const Frame& frame) const {
+    fill_chains(to + displacement_bytes(), frame, &Tile::slopes_rgba8);
+    fill_chains(to + displacement_bytes() + chain_bytes(), frame, &Tile::moments_rgba8);
+    for (const Tile& tile : frame.tiles) {
+        std::memcpy(to, tile.displacement_rgba16f.data(), tile.displacement_rgba16f.size_bytes());
+        to += tile.displacement_rgba16f.size_bytes();
+    }
+}
+
+void FrameTextures::upload_chain(GLuint texture, GLenum format, std::size_t texel_bytes, std::size_t offset) const {
     gl_.BindTexture(GL_TEXTURE_2D_ARRAY, texture);
     for (int level = 0; level < mip_levels(resolution_); ++level) {
         const int side = resolution_ >> level;
-        gl_.TexSubImage3D(GL_TEXTURE_2D_ARRAY, level, 0, 0, 0, side, side, layers(), GL_RGBA, GL_UNSIGNED_BYTE,
+        gl_.TexSubImage3D(GL_TEXTURE_2D_ARRAY, level, 0, 0, 0, side, side, layers(), format, GL_UNSIGNED_BYTE,
                           buffer_offset(offset));
-        offset += sizeof(std::uint32_t) * static_cast<std::size_t>(side) * static_cast<std::size_t>(side) * tiles_;
+        offset += texel_bytes * static_cast<std::size_t>(side) * static_cast<std::size_t>(side) * tiles_;
     }
 }
 
@@ -156,6 +164,8 @@ void FrameTextures::upload(const Frame& frame) {
     std::byte* const start = mapped_ ? mapped_ : map_next();
     gl_.BindBuffer(GL_PIXEL_UNPACK_BUFFER, pixels.buffer.name());
     if (!is_there) fill(start, frame);
+    has_foam_ = shows_foam(frame);
+    if (has_foam_) fill_chains(start + foam_offset(), frame, &Tile::foam_r8);
     gl_.UnmapBuffer(GL_PIXEL_UNPACK_BUFFER);
     mapped_ = nullptr;
     next_buffer_ = (next_buffer_ + 1) % ring_.size();
@@ -166,8 +176,13 @@ void FrameTextures::upload(const Frame& frame) {
     gl_.TexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, 0, resolution_, resolution_, layers(), GL_RGBA, GL_HALF_FLOAT,
                       buffer_offset(pixels.offset));
     if (has_displacement_mips()) gl_.GenerateMipmap(GL_TEXTURE_2D_ARRAY);
-    upload_chain(slopes(), pixels.offset + displacement_bytes());
-    upload_chain(moments(), pixels.offset + displacement_bytes() + chain_bytes());
+    upload_chain(slopes(), GL_RGBA, sizeof(std::uint32_t), pixels.offset + displacement_bytes());
+    upload_chain(moments(), GL_RGBA, sizeof(std::uint32_t), pixels.offset + displacement_bytes() + chain_bytes());
+    if (has_foam_) {
+        gl_.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+        upload_chain(foam(), GL_RED, 1, pixels.offset + foam_offset());
+        gl_.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    }
     pixels.done = gl_.FenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
     driver_ms_ = driver.milliseconds();
 }

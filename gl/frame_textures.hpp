@@ -1,5 +1,5 @@
-// A frame of sea as textures: arrays with a layer for each tile, displacement as RGBA16F and the two maps of slopes as RGBA8
-// with our own mips, through a ring of pixel buffers, so that neither the host nor the GPU waits for the other.
+// A frame of sea as textures: arrays with a layer for each tile, displacement as RGBA16F, the two maps of slopes as RGBA8 and
+// foam as R8 with our own mips, through a ring of pixel buffers, so that neither the host nor the GPU waits for the other.
 #pragma once
 
 #include <array>
@@ -24,41 +24,48 @@ class FrameTextures {
     /// Copies the frame into the next pixel buffer and starts its way into the next set of textures; the frame's
     /// views may go stale afterwards. Call it at the start of a host's frame, with the frame that complete() gave.
     /// Waits only if the GPU is three frames behind. GL state ends as it was.
-    /// Mips of the displacement are the driver's (box filter), those of the slopes are the frame's.
+    /// Mips of the displacement are the driver's (box filter), those of the slopes and of foam are the frame's.
     /// Throws std::invalid_argument, before it touches anything, for a frame without slopes, of another
     /// resolution or with another number of tiles.
     void upload(const Frame& frame);
 
     /// Targets in the next pixel buffer, for Ocean::schedule(): a frame written there is copied by nobody, and upload() only
-    /// starts it on its way. They are valid, on any thread, until then. Waits as upload() does. Throws GlError.
+    /// starts it on its way. They are valid, on any thread, until then. Waits as upload() does. Throws GlError. Foam has no
+    /// targets: upload() copies it from the frame.
     std::span<const TextureTargets> map();
 
     /// GL_TEXTURE_2D_ARRAY each; layer i is tile i.
     GLuint displacement() const { return sets_[set_].displacement.name(); }
     GLuint slopes() const { return sets_[set_].slopes.name(); }
     GLuint moments() const { return sets_[set_].moments.name(); }
+    GLuint foam() const { return sets_[set_].foam.name(); }
+    bool has_foam() const { return has_foam_; }  ///< the last frame had some; else foam() holds nothing
     int resolution() const { return resolution_; }
     std::size_t tiles() const { return tiles_; }
     /// The driver made the displacement's mips, and vertices may take them.
     bool has_displacement_mips() const { return gl_.renders_to_half_floats; }
     double last_driver_ms() const { return driver_ms_; }  ///< of the last upload(): the calls that move texels
-    /// tiles (8 N^2 + 2 * 4 (4 N^2 - 1) / 3): 306 KB for a tile of N = 128.
-    std::size_t bytes_per_frame() const { return displacement_bytes() + 2 * chain_bytes(); }
+    /// Of the last upload(): tiles (8 N^2 + 2 * 4 (4 N^2 - 1) / 3), and (4 N^2 - 1) / 3 for foam: 328 KB for a tile of N = 128.
+    std::size_t uploaded_bytes() const { return foam_offset() + (has_foam_ ? foam_bytes() : 0); }
 
    private:
     std::byte* map_next();  ///< the next pixel buffer, from its offset on
     GLsizei layers() const { return static_cast<GLsizei>(tiles_); }
     std::size_t displacement_bytes() const;  ///< of all tiles
-    std::size_t chain_bytes() const;         ///< the same, of one map
+    std::size_t chain_bytes() const;         ///< the same, of one map of words
+    std::size_t foam_bytes() const { return chain_bytes() / sizeof(std::uint32_t); }
+    std::size_t foam_offset() const { return displacement_bytes() + 2 * chain_bytes(); }
     /// What a pixel buffer holds, and room to align it: GL ES promises no alignment of what it maps.
-    std::size_t mapped_bytes() const { return bytes_per_frame() + TextureTargets::alignment; }
+    std::size_t mapped_bytes() const { return foam_offset() + foam_bytes() + TextureTargets::alignment; }
     void fill(std::byte* to, const Frame& frame) const;
-    void upload_chain(GLuint texture, std::size_t offset) const;
+    template <class Texel>
+    void fill_chains(std::byte* to, const Frame& frame, std::span<const Texel> Tile::*map) const;
+    void upload_chain(GLuint texture, GLenum format, std::size_t texel_bytes, std::size_t offset) const;
 
     // Textures are written while the other set may still be drawn from, and a pixel buffer is read by the GPU some
     // time later; three of them cover a GPU two frames behind.
     struct Set {
-        Texture displacement, slopes, moments;
+        Texture displacement, slopes, moments, foam;
     };
     struct PixelBuffer {
         Buffer buffer;
@@ -74,6 +81,7 @@ class FrameTextures {
     std::vector<TextureTargets> targets_;
     std::byte* mapped_ = nullptr;  ///< texels of the next pixel buffer, while it is mapped
     std::size_t set_ = 0, next_buffer_ = 0;
+    bool has_foam_ = false;  ///< of the last upload()
     double driver_ms_ = 0;
 };
 

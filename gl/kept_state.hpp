@@ -9,7 +9,7 @@
 namespace pelagic::gl {
 
 /// Texture units that the sea's shaders use, from 0 on.
-inline constexpr int texture_units = 11;
+inline constexpr int texture_units = 12;
 
 class KeptState {
    public:

@@ -6,6 +6,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
+#include <numeric>
 
 #include "pelagic/gl/foam_image.hpp"
 #include "pelagic/gl/sea_renderer.hpp"
@@ -45,16 +46,7 @@ glm::dvec2 place_in_square(glm::dvec2 at, double angle, double tile_m) {
     return {fraction((c * at.x + s * at.y) / tile_m), fraction((c * at.y - s * at.x) / tile_m)};
 }
 
-/// Foam is left behind by waves that break: of the tile that has texels of a third of their height or more, and no finer ones.
-std::size_t tile_of_breakers(const SeaFacts& facts) {
-    std::size_t tile = 0;
-    while (tile + 1 < facts.tiles.size() && facts.tiles[tile + 1].whitecap_jacobian != Tile::no_whitecaps &&
-           facts.texel_m(facts.tiles[tile + 1]) > facts.figures.significant_wave_height_m / 3)
-        ++tile;
-    return tile;
-}
-
-void place_tiles(SceneBlock& block, const SeaFacts& facts, glm::dvec2 viewer, float more_foam) {
+void place_tiles(SceneBlock& block, const SeaFacts& facts, glm::dvec2 viewer) {
     // Texel (i, j) stands at i L/N, j L/N; a texture's texel has its middle half a texel further.
     const double half_texel = 0.5 / facts.resolution;
     for (std::size_t i = 0; i < facts.tiles.size(); ++i) {
@@ -69,13 +61,8 @@ void place_tiles(SceneBlock& block, const SeaFacts& facts, glm::dvec2 viewer, fl
         const double last_mip = std::log2(tile.longest_wave_m / facts.texel_m(tile));
         block.tile_scale[i] = {1 / facts.texel_m(tile), last_mip, side, 0};
         block.tile_slope[i] = {tile.ranges.slope, tile.ranges.variance, tile.slope_variance,
-                               tile.whitecap_jacobian + more_foam};
+                               facts.has_foam ? tile.foam_cover : 0};
     }
-    const std::size_t breakers = tile_of_breakers(facts);
-    const glm::vec4& place = block.tile_place[breakers];
-    const glm::vec2 way = 0.9f * block.waves.x * glm::vec2(block.waves.z, block.waves.w);
-    block.foam_trail = {breakers, facts.figures.whitecap_depth_of_sum, place.z * way.x + place.w * way.y,
-                        place.z * way.y - place.w * way.x};
 }
 
 void place_details(SceneBlock& block, const SeaFacts& facts, glm::dvec2 viewer) {
@@ -100,7 +87,6 @@ void place_details(SceneBlock& block, const SeaFacts& facts, glm::dvec2 viewer) 
     block.noise_scale = glm::vec4(1.0 / tiles);
     const glm::dvec2 turned(viewer.y, viewer.x);
     const auto placed = [](glm::dvec2 at, double tile) { return glm::vec2(place_in_square(at, 0, tile)); };
-    block.foam_shift = {placed(viewer, tiles.x), placed(viewer, tiles.y)};
     block.gust_shift = {placed(viewer, tiles.z), placed(turned, tiles.w)};
 }
 
@@ -114,25 +100,53 @@ void place_night(SceneBlock& block, const SkyLight& sky) {
     block.stars = {dark * star_illuminance_lx / (sun_illuminance_lx * sky.unit), 0, 0, 0};
 }
 
-/// Part of the sea under thin streaks, besides whitecaps and what they leave behind. The amounts are ours, the steps are those of the
-/// Beaufort scale (WMO): foam begins to be blown in streaks at 7, has dense streaks at 9, and takes over the sea's look from 10 on.
-double streaks_cover(double wind_mps) {
-    constexpr double near_gale_mps = 13.9, hurricane_mps = 32.7;
-    const double part = std::clamp((wind_mps - near_gale_mps) / (hurricane_mps - near_gale_mps), 0., 1.);
-    return 0.35 * std::pow(part, 1.5);
-}
+/// Foam's structure drifts as foam does, along two directions of the world. In a loop that is whole tiles of the structure.
+class FoamDrift {
+   public:
+    explicit FoamDrift(const SeaFacts& facts)
+        : metres_a_loop_(glm::dvec2(facts.figures.foam_drift_x_mps, facts.figures.foam_drift_z_mps) *
+                         facts.sea.loop_period_s),
+          loop_(fraction(facts.time_s / facts.sea.loop_period_s)) {}
 
-void place_foam(SceneBlock& block, const SeaState& sea, glm::dvec2 viewer) {
+    /// Where the viewer is in a structure that repeats after so many metres along a direction, [0, 1).
+    float place(glm::dvec2 viewer, glm::dvec2 direction, double tile_m) const {
+        const double tiles = std::round(glm::dot(metres_a_loop_, direction) / tile_m);
+        return static_cast<float>(fraction(glm::dot(viewer, direction) / tile_m - tiles * loop_));
+    }
+
+   private:
+    glm::dvec2 metres_a_loop_;
+    double loop_;
+};
+
+void place_foam(SceneBlock& block, const SeaFacts& facts, glm::dvec2 viewer) {
+    const SeaState& sea = facts.sea;
+    const FoamDrift drift(facts);
+    const glm::dvec2 x(1, 0), z(0, 1);
+    block.foam_shift = {drift.place(viewer, x, FoamSizes::bubbles_m), drift.place(viewer, z, FoamSizes::bubbles_m),
+                        drift.place(viewer, x, FoamSizes::lace_m), drift.place(viewer, z, FoamSizes::lace_m)};
     const double c = std::cos(sea.wind_direction_rad), s = std::sin(sea.wind_direction_rad);
-    const double along = c * viewer.x + s * viewer.y, across = c * viewer.y - s * viewer.x;
     for (std::size_t i = 0; i < 2; ++i) {
         const double along_m = FoamSizes::streaks_along_m[i], across_m = FoamSizes::streaks_across_m[i];
-        block.foam_streaks[i] = {1 / along_m, 1 / across_m, fraction(along / along_m), fraction(across / across_m)};
+        block.foam_streaks[i] = {1 / along_m, 1 / across_m, drift.place(viewer, {c, s}, along_m),
+                                 drift.place(viewer, {-s, c}, across_m)};
     }
+    std::size_t tiles = 0;
+    for (std::size_t i = 0; i < facts.tiles.size(); ++i)
+        if (facts.has_foam && facts.tiles[i].makes_foam) tiles = i + 1;
     // Windrows form above 3 m/s and are tight in a gale.
     const double order = std::clamp((sea.wind_speed_mps - 3) / 15, 0., 1.);
     constexpr double fresh_foam_m = 0.12;
-    block.foam_kind = {streaks_cover(sea.wind_speed_mps), 0.5 - 0.2 * order, fresh_foam_m, sea.choppiness};
+    block.foam_kind = {tiles, 0.5 - 0.2 * order, fresh_foam_m, order};
+}
+
+/// Mean of a tile's foam, from a level whose texels are many enough to tell a thousandth.
+float cover_of(const Tile& tile) {
+    if (tile.foam_r8.empty()) return 0;
+    const std::span<const std::uint8_t> bytes =
+        tile.level_of(tile.foam_r8, std::max(mip_levels(tile.resolution()) - 5, 0));
+    return static_cast<float>(std::accumulate(bytes.begin(), bytes.end(), 0)) /
+           (255 * static_cast<float>(bytes.size()));
 }
 
 }  // namespace
@@ -153,7 +167,8 @@ SeaFacts facts_of(const Frame& frame) {
                                .ranges = tile.slope_ranges,
                                .longest_wave_m = longest_wave_m,
                                .slope_variance = static_cast<float>(tile.slope_variance),
-                               .whitecap_jacobian = tile.whitecap_jacobian});
+                               .foam_cover = cover_of(tile),
+                               .makes_foam = tile.makes_whitecaps()});
         longest_wave_m = 3 * tile.texel_m();
     }
     return facts;
@@ -192,12 +207,12 @@ SceneBlock scene_block_of(const DrawInput& input, const SeaFacts& facts, const W
     block.water_scattering = {water.scattering_per_m, 0};
     const double wind = sea.wind_direction_rad;
     block.waves = {std::max(0.05, facts.figures.significant_wave_height_m), alpha, std::cos(wind), std::sin(wind)};
-    place_tiles(block, facts, viewer, input.more_foam);
+    place_tiles(block, facts, viewer);
     place_details(block, facts, viewer);
     block.output_kind = {facts.framebuffer_is_srgb ? 0 : 1, facts.writes_radiance ? 1 : 0,
                          input.weighs_samples ? exposure : 0, sky.unit * sun_illuminance_lx};
     place_night(block, sky);
-    place_foam(block, sea, viewer);
+    place_foam(block, facts, viewer);
     if (facts.surface != Surface::open) place_small_water(block, facts, viewer);
     return block;
 }

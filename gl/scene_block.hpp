@@ -27,7 +27,7 @@ struct SceneBlock {
     glm::vec4 sun{}, sun_irradiance{}, sky_irradiance{}, haze{};
     glm::vec4 water_absorption{}, water_backscattering{}, water_scattering{}, waves{};
     std::array<glm::vec4, 2> detail_turn{};
-    glm::vec4 detail_shift{}, detail_noise{}, noise_scale{}, foam_shift{}, gust_shift{}, foam_trail{};
+    glm::vec4 detail_shift{}, detail_noise{}, noise_scale{}, foam_shift{}, gust_shift{};
     // Below the surface.
     glm::vec4 lens{}, floor_place{}, floor_size{}, floor_mesh{}, floor_look{}, floor_albedo{}, caustic_place{};
     std::array<glm::vec4, 3> caustic_row{};
@@ -48,7 +48,8 @@ struct TileFacts {
     SlopeRanges ranges;
     double longest_wave_m = 0;
     float slope_variance = 0;  ///< of all its waves, both axes: what its last mip has averaged away
-    float whitecap_jacobian = 0;
+    float foam_cover = 0;      ///< mean part of the sea under its foam, 0 where the frame has none
+    bool makes_foam = false;
 };
 
 /// What the uploaded frame says of itself, and how its textures and the framebuffer are made.
@@ -59,6 +60,7 @@ struct SeaFacts {
     std::vector<TileFacts> tiles;
     double time_s = 0;
     bool has_displacement_mips = false;
+    bool has_foam = false;
     bool framebuffer_is_srgb = false;
     bool writes_radiance = false;
     Surface surface = Surface::open;

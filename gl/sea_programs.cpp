@@ -32,6 +32,7 @@ SeaProgram::SeaProgram(const Functions& gl, const ProgramFiles& files)
     gl.Uniform1i(program.uniform("floor_heights"), floor_unit);
     gl.Uniform1i(program.uniform("caustics"), caustics_unit);
     gl.Uniform1i(program.uniform("foam_structure"), foam_unit);
+    gl.Uniform1i(program.uniform("foam_maps"), foam_maps_unit);
     gl.Uniform1i(program.uniform("flow"), flow_unit);
     gl.Uniform1i(program.uniform("host_radiance"), host_radiance_unit);
     gl.Uniform1i(program.uniform("host_depth"), host_depth_unit);

@@ -20,6 +20,7 @@ enum Unit : GLint {
     floor_unit,
     caustics_unit,
     foam_unit,
+    foam_maps_unit,
     flow_unit,
     host_radiance_unit,
     host_depth_unit,

@@ -94,6 +94,7 @@ struct SeaRenderer::State {
         bind(floor_unit, GL_TEXTURE_2D, floor.name());
         bind(caustics_unit, GL_TEXTURE_2D, caustics.name());
         bind(foam_unit, GL_TEXTURE_2D_ARRAY, foam.name());
+        bind(foam_maps_unit, GL_TEXTURE_2D_ARRAY, textures.foam());
         bind(flow_unit, GL_TEXTURE_2D, flow.name());
         bind(host_radiance_unit, GL_TEXTURE_2D, host.radiance);
         bind(host_depth_unit, GL_TEXTURE_2D, host.depth);
@@ -291,12 +292,13 @@ void SeaRenderer::upload(const Frame& frame) {
     state_->textures.upload(frame);
     state_->facts = facts_of(frame);
     state_->facts.has_displacement_mips = state_->textures.has_displacement_mips();
+    state_->facts.has_foam = state_->textures.has_foam();
     state_->facts.framebuffer_is_srgb = state_->options.framebuffer_is_srgb;
     state_->facts.surface = state_->options.surface;
     state_->facts.writes_radiance = state_->options.writes == PixelKind::radiance;
     state_->figures.upload_ms = all.milliseconds();
     state_->figures.upload_driver_ms = state_->textures.last_driver_ms();
-    state_->figures.upload_bytes = state_->textures.bytes_per_frame();
+    state_->figures.upload_bytes = state_->textures.uploaded_bytes();
 }
 
 const DrawFigures& SeaRenderer::draw(const DrawInput& input) {

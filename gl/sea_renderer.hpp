@@ -1,10 +1,13 @@
 // Draws the sea: uploads a frame, then draws the quadtree's patches, the skirt and the sky for one eye or two.
 //
 //   SeaRenderer renderer(gl, {.patch_vertices = selection.options().vertices, .resolution = ocean.resolution(),
-//                             .tiles = ocean.tile_count()});  // built with OceanOptions::slopes
+//                             .tiles = ocean.tile_count()});  // built with OceanOptions::slopes and ::foam
 //   renderer.set_sky(baker.complete());
 //   each frame:  renderer.upload(ocean.complete());
 //                renderer.draw({.eyes = eyes, .viewer_m = head, .list = &selection.select(...)});
+//
+// Foam is that of the frame's tiles (Tile::foam_r8): it stays where water broke, fades and drifts. Frames of an ocean without
+// OceanOptions::foam show none.
 //
 // It needs an OpenGL ES 3.0 context, current whenever it is built, called or destroyed; any context does, the host's too.
 // No compute shaders, nothing is read back. draw() needs a bound framebuffer with depth, which the host has cleared
@@ -51,7 +54,6 @@ struct DrawInput {
     glm::dvec3 viewer_m{};      ///< what positions are relative to: the selection's viewer
     const DrawList* list = nullptr;
     double lod_scale = 2.2;  ///< tau of the selection, by which the displacement's mip follows the mesh
-    float more_foam = 0;     ///< added to the tiles' Jacobians below which the sea is white
     DrawMode mode = DrawMode::shaded;
     bool draws_sky = true;
     std::optional<float> exposure =

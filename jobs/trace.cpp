@@ -8,8 +8,9 @@ namespace {
 
 class TracedRun final : public GraphRun {
    public:
-    TracedRun(Executor& executor, const JobGraph& graph, std::shared_ptr<TraceSink> sink, const char* run_name)
-        : sink_(std::move(sink)), run_name_(run_name) {
+    TracedRun(Executor& executor, const JobGraph& graph, std::shared_ptr<TraceSink> sink, const char* run_name,
+              std::shared_ptr<std::uint64_t> runs)
+        : sink_(std::move(sink)), run_name_(run_name), runs_(std::move(runs)) {
         for (const Stage& stage : graph.stages())
             timed_graph_.add(
                 {.name = stage.name,
@@ -56,14 +57,14 @@ class TracedRun final : public GraphRun {
         sink_->in_flight({run_name_, "flight", {run_number()}, start_, TraceClock::now()});
         scheduled_ = false;
         // Only now, when no job reads it.
-        ++run_;
+        ++*runs_;
     }
 
-    TraceArg run_number() const { return {run_name_, static_cast<double>(run_)}; }
+    TraceArg run_number() const { return {run_name_, static_cast<double>(*runs_)}; }
 
     std::shared_ptr<TraceSink> sink_;
     const char* run_name_;
-    std::uint64_t run_ = 0;
+    std::shared_ptr<std::uint64_t> runs_;
     bool scheduled_ = false;
     TraceClock::time_point start_;
     JobGraph timed_graph_;
@@ -73,8 +74,8 @@ class TracedRun final : public GraphRun {
 }  // namespace
 
 std::unique_ptr<GraphRun> prepare_traced(Executor& executor, const JobGraph& graph, std::shared_ptr<TraceSink> sink,
-                                         const char* run_name) {
-    return std::make_unique<TracedRun>(executor, graph, std::move(sink), run_name);
+                                         const char* run_name, std::shared_ptr<std::uint64_t> runs) {
+    return std::make_unique<TracedRun>(executor, graph, std::move(sink), run_name, std::move(runs));
 }
 
 }  // namespace pelagic

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <chrono>
+#include <cstdint>
 #include <memory>
 #include <string_view>
 
@@ -65,7 +66,9 @@ class TraceScope {
 /// "flight"). Works with any executor: it gets the same stages, edges and blocks, with bodies that tell the time.
 /// \param run_name  a literal: what one run of this graph makes, for instance "frame"; names the span in flight and
 ///                  the argument that counts the runs from 0
+/// \param runs      how many there were: given to several graphs, one of which runs at a time, it counts those of all
 std::unique_ptr<GraphRun> prepare_traced(Executor& executor, const JobGraph& graph, std::shared_ptr<TraceSink> sink,
-                                         const char* run_name);
+                                         const char* run_name,
+                                         std::shared_ptr<std::uint64_t> runs = std::make_shared<std::uint64_t>());
 
 }  // namespace pelagic

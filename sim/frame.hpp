@@ -23,9 +23,6 @@ struct SeaFigures {
     double roughness = 0;
     /// How fast foam drifts over the sea, m/s: with the wind and with the waves (Stokes' drift), in the world's axes.
     double foam_drift_x_mps = 0, foam_drift_z_mps = 0;
-    /// Where the sum of the tiles, not each, is to be as white as whitecaps cover: its Jacobian there is below 1 by this part of
-    /// the root of the sum of the squares of how far below 1 each Tile::whitecap_jacobian is.
-    double whitecap_depth_of_sum = 1;
 };
 
 /// One frame, which says what it is: whoever draws it or asks it needs nothing else about the sea.

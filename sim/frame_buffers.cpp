@@ -34,6 +34,7 @@ std::string check_tile(const FrameBuffers& buffers, int resolution, const FrameC
         {"gradient_rgba8", buffers.gradient_rgba8.size(), chain, contents.gradients, "gradients"},
         {"slopes_rgba8", buffers.slopes_rgba8.size(), chain, contents.slopes, "slopes"},
         {"moments_rgba8", buffers.moments_rgba8.size(), chain, contents.slopes, "slopes"},
+        {"foam_r8", buffers.foam_r8.size(), chain, contents.foam, "foam"},
     };
     for (const Field& field : fields) {
         if (field.size == 0) continue;
@@ -71,7 +72,8 @@ void copy_frame(const Frame& frame, std::span<const FrameBuffers> tiles) {
     if (const std::string reason = check(tiles, frame.tiles.size(), first.resolution(),
                                          {.velocities = first.velocity_x.data != nullptr,
                                           .gradients = !first.gradient_rgba8.empty(),
-                                          .slopes = !first.slopes_rgba8.empty()});
+                                          .slopes = !first.slopes_rgba8.empty(),
+                                          .foam = !first.foam_r8.empty()});
         !reason.empty())
         throw std::invalid_argument(reason);
     for (std::size_t i = 0; i < tiles.size(); ++i)
@@ -90,6 +92,7 @@ void copy_frame(const Frame& frame, std::span<const FrameBuffers> tiles) {
         copy_all(from.gradient_rgba8, to.gradient_rgba8);
         copy_all(from.slopes_rgba8, to.slopes_rgba8);
         copy_all(from.moments_rgba8, to.moments_rgba8);
+        copy_all(from.foam_r8, to.foam_r8);
     }
 }
 

@@ -18,11 +18,12 @@ struct FrameBuffers {
     std::span<std::uint16_t> displacement_rgba16f = {};                  ///< 4 N^2
     std::span<std::uint32_t> gradient_rgba8 = {};                        ///< mip_offset(N, mip_levels(N))
     std::span<std::uint32_t> slopes_rgba8 = {}, moments_rgba8 = {};      ///< the same
+    std::span<std::uint8_t> foam_r8 = {};                                ///< the same, a byte a texel
 };
 
 /// Which parts frames have that not every frame has.
 struct FrameContents {
-    bool velocities = false, gradients = true, slopes = false;
+    bool velocities = false, gradients = true, slopes = false, foam = false;
 };
 
 /// Empty if frames of so many tiles of this resolution can be written there, else what is bad first: "height has 100 elements,

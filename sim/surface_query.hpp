@@ -44,6 +44,8 @@ struct SurfaceSamples {
     /// How far sideways from the given point the sampled one is drawn.
     std::span<float> error_m = {};
     std::span<std::uint8_t> converged = {};  ///< 1 if the error is within the tolerance
+    /// How much of the water there is white, 0 to 1: the largest of the tiles' foam at the rest point, bilinear between texels.
+    std::span<float> foam = {};
 };
 
 /// A view of a frame, cheap to make and to copy; valid as long as the frame's own views, so while the next frame is
@@ -58,7 +60,7 @@ class SurfaceQuery {
     explicit SurfaceQuery(const Frame& frame, double tolerance_m = default_tolerance_m);
 
     /// Throws std::invalid_argument, before it writes, if a velocity is wanted of a frame made without
-    /// OceanOptions::velocities. \pre spans are as long as the points or empty (asserted)
+    /// OceanOptions::velocities, or foam of one without OceanOptions::foam. \pre spans are as long as the points or empty (asserted)
     void sample(const SurfacePoints& points, const SurfaceSamples& samples) const;
 
     const Frame& frame() const { return frame_; }
@@ -66,6 +68,9 @@ class SurfaceQuery {
     double texel_m() const { return texel_m_; }  ///< of the finest tile
     double tolerance_m() const { return tolerance_m_; }
     bool has_velocities() const { return frame_.tiles.front().velocity_y.data != nullptr; }
+    bool has_foam() const { return !frame_.tiles.front().foam_r8.empty(); }
+    /// Throws as sample() does.
+    void check(const SurfaceSamples& wanted) const;
 
    private:
     bool has_sample(double x, double z) const;

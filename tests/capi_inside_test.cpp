@@ -42,7 +42,7 @@ TEST(CInterfaceInside, TilesAreThoseOfTheCppInterface) {
         pelagic_ocean_options options{};
         options.struct_size = sizeof options;
         options.executor = executor;
-        options.velocities = options.gradients = options.slopes = has_all;
+        options.velocities = options.gradients = options.slopes = options.foam = has_all;
         pelagic_ocean* made = nullptr;
         ASSERT_EQ(pelagic_ocean_create(&sea, &options, &made), PELAGIC_OK) << pelagic_last_error();
         pelagic_frame c_frame{};
@@ -50,15 +50,23 @@ TEST(CInterfaceInside, TilesAreThoseOfTheCppInterface) {
         ASSERT_EQ(pelagic_ocean_schedule(made, 7), PELAGIC_OK);
         ASSERT_EQ(pelagic_ocean_complete(made, &c_frame), PELAGIC_OK);
 
-        Ocean ocean(
-            {.cascades = 4, .resolution = 32},
-            {.executor = make_serial_executor(), .velocities = has_all, .gradients = has_all, .slopes = has_all});
+        Ocean ocean({.cascades = 4, .resolution = 32}, {.executor = make_serial_executor(),
+                                                        .velocities = has_all,
+                                                        .gradients = has_all,
+                                                        .slopes = has_all,
+                                                        .foam = has_all});
         const Frame& frame = ocean.frame_at(7);
         std::uint64_t hash = 0;
         ASSERT_EQ(pelagic_ocean_hash(made, &hash), PELAGIC_OK);
         EXPECT_EQ(hash, hash_of(frame));
         ASSERT_EQ(c_frame.tile_count, 4);
         EXPECT_EQ(c_frame.roughness, static_cast<float>(frame.figures.roughness));
+        EXPECT_EQ(c_frame.foam_drift_x_mps, frame.figures.foam_drift_x_mps);
+        EXPECT_EQ(c_frame.foam_drift_z_mps, frame.figures.foam_drift_z_mps);
+        ASSERT_EQ(pelagic_ocean_foam_hash(made, &hash), has_all ? PELAGIC_OK : PELAGIC_INVALID_ARGUMENT);
+        if (has_all) {
+            EXPECT_EQ(hash, foam_hash_of(frame));
+        }
         for (std::size_t t = 0; t < 4; ++t) {
             pelagic_tile c{};
             c.struct_size = sizeof c;
@@ -70,6 +78,7 @@ TEST(CInterfaceInside, TilesAreThoseOfTheCppInterface) {
             EXPECT_EQ(c.slope_range, tile.slope_ranges.slope);
             EXPECT_EQ(c.variance_range, tile.slope_ranges.variance);
             EXPECT_EQ(c.whitecap_jacobian, tile.whitecap_jacobian);
+            EXPECT_EQ(c.whitecap_ramp, tile.whitecap_ramp);
             expect_same(c.dx, tile.dx);
             expect_same(c.height, tile.height);
             expect_same(c.dz, tile.dz);
@@ -80,6 +89,7 @@ TEST(CInterfaceInside, TilesAreThoseOfTheCppInterface) {
             expect_same(c.gradient_rgba8, tile.gradient_rgba8);
             expect_same(c.slopes_rgba8, tile.slopes_rgba8);
             expect_same(c.moments_rgba8, tile.moments_rgba8);
+            expect_same(c.foam_r8, tile.foam_r8);
         }
         pelagic_ocean_destroy(made);
     }

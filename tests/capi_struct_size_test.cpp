@@ -215,11 +215,14 @@ TEST(StructSizesOfSeas, NewFieldsLieBehindThePaddingOfTheFirstVersion) {
         (end + alignof(pelagic_frame) - 1) / alignof(pelagic_frame) * alignof(pelagic_frame);
     EXPECT_GE(offsetof(pelagic_frame, tile_count), padded);
     EXPECT_EQ(offsetof(pelagic_sea, wave_drag) + sizeof(double), sizeof(pelagic_sea));
-    EXPECT_EQ(offsetof(pelagic_ocean_options, gradients) + 4, sizeof(pelagic_ocean_options));
+    EXPECT_EQ(offsetof(pelagic_ocean_options, reserved_1) + 4, sizeof(pelagic_ocean_options));
     EXPECT_EQ(offsetof(pelagic_ocean_info, reserved_1) + 4, sizeof(pelagic_ocean_info));
-    EXPECT_EQ(offsetof(pelagic_frame, roughness) + 4, sizeof(pelagic_frame));
-    EXPECT_EQ(offsetof(pelagic_tile, whitecap_jacobian) + 4, sizeof(pelagic_tile));
-    EXPECT_EQ(offsetof(pelagic_frame_buffers, moments_rgba8) + sizeof(void*), sizeof(pelagic_frame_buffers));
+    EXPECT_EQ(offsetof(pelagic_frame, foam_drift_x_mps), offsetof(pelagic_frame, roughness) + 4);
+    EXPECT_EQ(offsetof(pelagic_frame, foam_drift_z_mps) + 8, sizeof(pelagic_frame));
+    EXPECT_EQ(offsetof(pelagic_tile, foam_r8), offsetof(pelagic_tile, whitecap_jacobian) + 4);
+    EXPECT_EQ(offsetof(pelagic_tile, reserved_1) + 4, sizeof(pelagic_tile));
+    EXPECT_EQ(offsetof(pelagic_frame_buffers, foam_r8) + sizeof(void*), sizeof(pelagic_frame_buffers));
+    EXPECT_EQ(offsetof(pelagic_samples, foam), offsetof(pelagic_samples, converged) + sizeof(void*));
 }
 
 }  // namespace

@@ -86,6 +86,30 @@ TEST(ExportTrace, HoldsEveryJobOfEveryFrameAndEveryFile) {
     }
 }
 
+// Frames of foam that lasts come with a tick or without, and the first has 28 more before it. All of them are counted as frames.
+TEST(ExportTrace, NumbersFramesOfFoamAndNamesTicks) {
+    const TemporaryFolder folder;
+    const Outcome outcome = run_pelagic(arguments_of(
+        folder / "sea", {"--maps", "foam", "--frames", "6", "--trace", (folder / "trace.json").string()}));
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    std::map<std::string, std::set<int>> flights;
+    std::map<std::string, std::set<int>> frames_of_job;
+    std::map<std::string, int> files;
+    for (const json& event : checked_events(folder / "trace.json")) {
+        const std::string name = event["name"];
+        if (event["ph"] == "b") flights[name].insert(event["args"].at(name).get<int>());
+        if (event["ph"] == "X" && event["cat"] == "job" && event["args"].contains("frame"))
+            frames_of_job[name].insert(event["args"]["frame"].get<int>());
+        if (event["ph"] == "X" && event["cat"] == "file") ++files[name];
+    }
+    EXPECT_EQ(flights["frame"], (std::set<int>{0, 1, 2, 3, 4, 5}));
+    EXPECT_EQ(flights["tick"].size(), 28u);
+    EXPECT_EQ(frames_of_job["evolve+rows"], flights["frame"]);
+    // At 24 frames a second ticks 1 and 2 come before frames 3 and 5.
+    EXPECT_EQ(frames_of_job["tick foam"], (std::set<int>{0, 3, 5}));
+    EXPECT_EQ(files["encode foam"], 6 * mip_levels(32));
+}
+
 TEST(ExportTrace, ChangesNoFileAndIsAllThatIsAdded) {
     const TemporaryFolder plain, traced;
     ASSERT_EQ(run_pelagic(arguments_of(plain.path(), {"--frames", "2"})).exit_code, 0);

@@ -151,6 +151,9 @@ TEST(FoamHistory, IsSavedAndRestoredInAnOceanOfTheSameSea) {
     second.restore_history(saved);
     const std::vector<int> foam = foam_of(second.frame_at(7.2).tiles[0]);
     EXPECT_GE(*std::min_element(foam.begin(), foam.end()), 255 - 9);
+    std::vector<std::uint8_t> of_no_clock = saved;
+    std::fill_n(of_no_clock.begin(), 8, std::uint8_t{0x7F});
+    EXPECT_THROW(second.restore_history(of_no_clock), std::invalid_argument);
     saved.pop_back();
     EXPECT_THROW(second.restore_history(saved), std::invalid_argument);
 }

@@ -73,7 +73,6 @@ class BelowScene {
             tile.displacement_rgba16f = zeros_;
             tile.slopes_rgba8 = slopes_;
             tile.moments_rgba8 = moments_;
-            tile.whitecap_jacobian = Tile::no_whitecaps;
         }
         level_.tiles = tiles_;
         return level_;

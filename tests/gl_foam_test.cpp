@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/packing.hpp>
+#include <optional>
 
 #include "pelagic/tests/gl_scene.hpp"
 
@@ -23,7 +24,7 @@ gl::Sky white_sky() {
     return sky;
 }
 
-/// A square of sea under the white sky.
+/// A square of sea under the white sky, and its foam as the maps have it.
 class FoamScene : public GlScene {
    public:
     explicit FoamScene(std::string_view preset)
@@ -32,10 +33,60 @@ class FoamScene : public GlScene {
                    .width = 16,
                    .height = 16,
                    .samples = 1,
-                   .writes = gl::PixelKind::radiance}) {
+                   .writes = gl::PixelKind::radiance,
+                   .foam = true}) {
         renderer->set_sky(white_sky());
     }
+
+    const Frame& frame() { return ocean.frame_at(3); }
+
+    /// The same with this byte in every texel of all maps; none: with no maps.
+    Frame frame_with(std::optional<std::uint8_t> foam) {
+        Frame changed = frame();
+        tiles_.assign(changed.tiles.begin(), changed.tiles.end());
+        if (foam) bytes_.assign(tiles_[0].foam_r8.size(), *foam);
+        for (Tile& tile : tiles_)
+            tile.foam_r8 = foam ? std::span<const std::uint8_t>(bytes_) : std::span<const std::uint8_t>{};
+        changed.tiles = tiles_;
+        return changed;
+    }
+
+   private:
+    std::vector<Tile> tiles_;
+    std::vector<std::uint8_t> bytes_;
 };
+
+/// One tile's foam at a rest point, bilinear, a part of 1.
+double foam_at(const Tile& tile, double x_m, double z_m) {
+    const int n = tile.resolution();
+    const TileLattice::Place at = tile.lattice.in_tile(x_m, z_m);
+    const double u = at.along / tile.texel_m(), v = at.across / tile.texel_m();
+    const double i = std::floor(u), j = std::floor(v);
+    const auto texel = [&](double column, double row) {
+        const auto wrapped = [&](double index) {
+            return static_cast<std::size_t>(static_cast<long>(index) & (n - 1));
+        };
+        return static_cast<double>(tile.foam_r8[wrapped(row) * static_cast<std::size_t>(n) + wrapped(column)]);
+    };
+    const double upper = std::lerp(texel(i, j), texel(i + 1, j), u - i);
+    const double lower = std::lerp(texel(i, j + 1), texel(i + 1, j + 1), u - i);
+    return std::lerp(upper, lower, v - j) / 255;
+}
+
+/// Mean of the largest of the tiles' foam over a square of rest points around the origin.
+double cover_by_maps(const Frame& frame, double side_m) {
+    constexpr int points = 700;
+    double sum = 0;
+    for (int row = 0; row < points; ++row)
+        for (int column = 0; column < points; ++column) {
+            double largest = 0;
+            for (const Tile& tile : frame.tiles)
+                largest = std::max(largest, foam_at(tile, ((column + 0.5) / points - 0.5) * side_m,
+                                                    ((row + 0.5) / points - 0.5) * side_m));
+            sum += largest;
+        }
+    return sum / (points * points);
+}
 
 double mean(const std::vector<float>& light) {
     double sum = 0;
@@ -54,36 +105,61 @@ float brighter_than(std::vector<float> light, double part) {
 TEST(GlFoam, IsAsBrightAsFoamUnderAWhiteSky) {
     constexpr int pixels = 256;
     FoamScene rough("rough");
-    const float nearly_all = 0.95f;  // of the crests, so that there are wide fields of fresh foam
-    const std::vector<float> thick = rough.light_from_above(3, pixels, 60, nearly_all);
-    std::printf("thick foam: %.3f, the brightest pixel %.3f\n", brighter_than(thick, 0.05), brighter_than(thick, 0));
-    EXPECT_GT(brighter_than(thick, 0.05), 0.5);
+    const std::vector<float> thick = rough.light_from_above(rough.frame_with(255), pixels, 60);
+    std::printf("thick foam: %.3f, the brightest pixel %.3f\n", brighter_than(thick, 0.5), brighter_than(thick, 0));
+    EXPECT_GT(brighter_than(thick, 0.5), 0.5);
     EXPECT_LE(brighter_than(thick, 0), 0.72);
 
-    FoamScene hurricane("beaufort-12");
-    const float none = Tile::no_whitecaps;  // thin streaks are left
-    const std::vector<float> thin = hurricane.light_from_above(3, pixels, 60, none);
+    // A quarter of each place, left of what broke 2.1 s ago.
+    const std::vector<float> thin = rough.light_from_above(rough.frame_with(64), pixels, 60);
     std::printf("thin foam: %.3f, water %.3f\n", brighter_than(thin, 0.05), brighter_than(thin, 0.95));
     EXPECT_GT(brighter_than(thin, 0.05), 0.2);
     EXPECT_LT(brighter_than(thin, 0.05), 0.5);
     EXPECT_LT(brighter_than(thin, 0.95), 0.15);
 }
 
-// Each scale of foam hands its amount on unchanged, and far away only the amount is left.
+TEST(GlFoam, IsNotThereWithoutMapsOfIt) {
+    FoamScene rough("rough");
+    EXPECT_EQ(rough.light_from_above(rough.frame_with({}), 64, 100),
+              rough.light_from_above(rough.frame_with(0), 64, 100));
+}
+
+// Where maps cover a part of a place, foam's structure covers that part of it: pixels of a decimetre, as bright as half of foam or more.
+TEST(GlFoam, CoversThePartThatTheMapsSay) {
+    constexpr int pixels = 512;
+    FoamScene rough("rough");
+    for (const std::uint8_t byte : {77, 128, 179}) {
+        const std::vector<float> none = rough.light_from_above(rough.frame_with({}), pixels, 50);
+        const std::vector<float> some = rough.light_from_above(rough.frame_with(byte), pixels, 50);
+        const float foam = brighter_than(some, 0.05);
+        int covered = 0;
+        for (std::size_t i = 0; i < some.size(); ++i) covered += some[i] > 0.5f * (foam + none[i]);
+        const double cover = static_cast<double>(covered) / static_cast<double>(some.size());
+        std::printf("maps of %.2f: %.3f of the pixels are covered\n", byte / 255.0, cover);
+        EXPECT_NEAR(cover, byte / 255.0, 0.05);
+    }
+}
+
+// What whitecaps add to the sea's light, for each part of it that the maps' largest covers: far away, where a pixel holds many of them
+// and the tiles' means are put together, as much as near, where each is seen.
 TEST(GlFoam, IsAsMuchFromNearAndFar) {
     for (const char* preset : {"rough", "storm"}) {
         FoamScene scene(preset);
-        const float none = Tile::no_whitecaps;
-        const auto foam = [&](int pixels, double side_m) {
-            return mean(scene.light_from_above(3, pixels, side_m)) -
-                   mean(scene.light_from_above(3, pixels, side_m, none));
+        const auto light_of_cover = [&](int pixels, double side_m) {
+            const double all = mean(scene.light_from_above(scene.frame(), pixels, side_m));
+            const double water = mean(scene.light_from_above(scene.frame_with({}), pixels, side_m));
+            const double cover = cover_by_maps(scene.frame(), side_m);
+            std::printf("%s, %g m: foam covers %.4f and adds %.4f to the mean radiance\n", preset, side_m, cover,
+                        all - water);
+            EXPECT_GT(cover, 0.005);
+            return (all - water) / cover;
         };
-        const double near = foam(1024, 500), far = foam(256, 2000);
-        std::printf("%s: foam adds %.4f to the mean radiance in pixels of half a metre, %.4f in pixels of 8 m\n",
-                    preset, near, far);
-        EXPECT_GT(near, 0.001);
-        // Measured 0.63 and 1.10; before each scale kept the mean, 0.53 and 0.52. The near square holds some dozens of breakers.
-        EXPECT_NEAR(far / near, 1, 0.42) << preset;
+        const double near = light_of_cover(768, 250), middle = light_of_cover(512, 1000),
+                     far = light_of_cover(128, 2000);
+        std::printf("  for each part: %.3f in pixels of 0.3 m, %.3f of 2 m, %.3f of 16 m\n", near, middle, far);
+        // Measured 1.19, 1.23 and 1.02, 0.99. Where crests that are white draw the water together, near foam is narrower than at rest.
+        EXPECT_NEAR(middle / near, 1, 0.3) << preset;
+        EXPECT_NEAR(far / near, 1, 0.3) << preset;
     }
 }
 

@@ -89,11 +89,8 @@ TEST(GlHorizon, SeaAndSkyMeetWithoutALine) {
         constexpr PictureRows rows{height / 2 - 5, 17};
         scene.resize(width, height, rows);
         for (const double above_m : {3.0, 30.0, 300.0}) {
-            Frame frame = scene.ocean.frame_at(0);
-            // Whitecaps are lines of their own: a fifth of a storm is white.
-            std::vector<Tile> tiles(frame.tiles.begin(), frame.tiles.end());
-            for (Tile& tile : tiles) tile.whitecap_jacobian = Tile::no_whitecaps;
-            frame.tiles = tiles;
+            // Without foam, whose whitecaps are lines of their own: a fifth of a storm is white.
+            const Frame& frame = scene.ocean.frame_at(0);
             const double at_m = frame.bounds.height_max_m + above_m;
             const auto pixels = scene.picture({.position_m = {0, at_m, 0}, .target_m = {100, at_m, 0}}, frame);
             double largest = 0;
@@ -163,8 +160,8 @@ TEST(GlTiling, TheDefaultTilesRepeatNowhereWithinWhatTheEyeCompares) {
     GlScene scene({.quality = "low", .samples = 4, .writes = gl::PixelKind::radiance});
     const double coarsest_m = scene.ocean.frame_at(3).tiles[0].lattice.side_m;
     const double pixel_m = 2 * coarsest_m / pixels;
-    // A few white pixels would weigh more than all waves.
-    const std::vector<float> seen = scene.light_from_above(3, pixels, 2 * coarsest_m, Tile::no_whitecaps);
+    // Without foam: a few white pixels would weigh more than all waves.
+    const std::vector<float> seen = scene.light_from_above(scene.ocean.frame_at(3), pixels, 2 * coarsest_m);
     const std::vector<double> light = contrast_of({seen.begin(), seen.end()}, pixels, 12);
     double largest = 0;
     const int most = static_cast<int>(900 / pixel_m);
@@ -186,12 +183,8 @@ TEST(GlTiling, TheDefaultTilesRepeatNowhereWithinWhatTheEyeCompares) {
 TEST(GlNadir, HazeHasNoAzimuthStraightDown) {
     constexpr int side = 96, sectors = 8;
     GlScene scene({.preset = "moderate", .quality = "low", .width = side, .height = side});
-    Frame frame = scene.ocean.frame_at(0);
-    std::vector<Tile> tiles(frame.tiles.begin(), frame.tiles.end());
-    for (Tile& tile : tiles) tile.whitecap_jacobian = Tile::no_whitecaps;
-    frame.tiles = tiles;
     const auto pixels =
-        scene.picture({.position_m = {0, 2000, 0}, .target_m = {0, 0, 0}, .vertical_view_rad = 0.8}, frame);
+        scene.picture({.position_m = {0, 2000, 0}, .target_m = {0, 0, 0}, .vertical_view_rad = 0.8}, 0);
     std::vector<double> sums(sectors), counts(sectors);
     for (int y = 0; y < side; ++y)
         for (int x = 0; x < side; ++x) {
@@ -235,7 +228,7 @@ struct Sparkle {
 Sparkle sparkle_towards(glm::dvec3 target_m) {
     constexpr int width = 80, height = 180, finer = 4, frames = 16;
     const Camera camera{.position_m = {0, 12, 0}, .target_m = target_m};
-    GlScene scene({.preset = "moderate", .width = width, .height = height});
+    GlScene scene({.preset = "moderate", .width = width, .height = height, .foam = true});
     scene.resize(width, height, far_rows(height));
     std::vector<std::vector<float>> plain, reference;
     for (int i = 0; i < frames; ++i) plain.push_back(light_of(scene.picture(camera, i / 30.0), width, 1));
@@ -272,8 +265,9 @@ TEST(GlSparkle, FarWaterIsAsCalmAsASupersampledPicture) {
     const Sparkle far = sparkle_towards({-70, 12, 100});
     std::printf("far water: error %.4f of a mean of %.3f, deviation in time %.2f of the reference's\n", far.error,
                 far.mean, far.deviation_ratio);
-    // Of a mean that is a twentieth of the glints': measured 0.135.
-    EXPECT_LE(far.error, 0.15 * far.mean);
+    // Of a mean that is a twentieth of the glints': measured 0.164, 0.126 where the sea has no foam. A pixel takes foam's mean over a
+    // square, a quarter as wide as the pixel's piece of sea is long.
+    EXPECT_LE(far.error, 0.18 * far.mean);
     EXPECT_LE(far.deviation_ratio, 1.1);
 }
 

@@ -31,7 +31,7 @@ SeaState sea_named(std::string_view name, int resolution) {
 }
 
 GlScene::GlScene(const Options& options)
-    : ocean(sea_of(options), {.queries = options.lens_may_dip, .slopes = true}),
+    : ocean(sea_of(options), {.queries = options.lens_may_dip, .slopes = true, .foam = options.foam}),
       quadtree(quadtree_preset_named(options.quality)->options(options.size_m)),
       selection(quadtree),
       samples_(options.samples),
@@ -82,13 +82,7 @@ const gl::DrawFigures& GlScene::draw(const Camera& camera, const Frame& frame, b
                            .host_scene = host_scene});
 }
 
-std::vector<float> GlScene::light_from_above(double time_s, int pixels, double side_m,
-                                             std::optional<float> whitecap_jacobian) {
-    Frame frame = ocean.frame_at(time_s);
-    std::vector<Tile> tiles(frame.tiles.begin(), frame.tiles.end());
-    if (whitecap_jacobian)
-        for (Tile& tile : tiles) tile.whitecap_jacobian = *whitecap_jacobian;
-    frame.tiles = tiles;
+std::vector<float> GlScene::light_from_above(const Frame& frame, int pixels, double side_m) {
     glm::dmat4 clip(0);
     clip[0][0] = 2 / side_m;
     clip[2][1] = -2 / side_m;

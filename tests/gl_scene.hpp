@@ -38,6 +38,7 @@ class GlScene {
         gl::PixelKind writes = gl::PixelKind::screen;
         gl::Shading shading = gl::Shading::high;
         double depth_m = 0;         ///< 0: the preset's
+        bool foam = false;          ///< the sea remembers foam, and pictures show it
         bool lens_may_dip = false;  ///< the renderer is told of the surface at the lens
     };
     explicit GlScene(const Options& options);
@@ -57,9 +58,8 @@ class GlScene {
         return target->read();
     }
     /// Green radiance, in rows, of a square of sea seen from 2 km straight above through parallel rays, of which the sky and the sun
-    /// are the same everywhere. All tiles' whitecaps begin at `whitecap_jacobian`, if it is given. For a scene that writes radiance.
-    std::vector<float> light_from_above(double time_s, int pixels, double side_m,
-                                        std::optional<float> whitecap_jacobian = {});
+    /// are the same everywhere. For a scene that writes radiance.
+    std::vector<float> light_from_above(const Frame& frame, int pixels, double side_m);
     /// \param only  if it has any, the target holds these rows of the picture: the others take no time
     void resize(int width, int height, PictureRows only = {});
     const gl::Functions& gl() const { return context.functions(); }

@@ -1,8 +1,10 @@
 // What the shaders are told of a frame's tiles. Needs no driver.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
 
+#include "pelagic/gl/foam_image.hpp"
 #include "pelagic/gl/scene_block.hpp"
 #include "pelagic/gl/sea_renderer.hpp"
 #include "pelagic/sim/ocean.hpp"
@@ -46,6 +48,54 @@ TEST(SceneBlock, PlacesAViewerInEachTurnedTile) {
             // In double a metre is known to 1e-6 there, in tiles of 3 m.
             EXPECT_NEAR(block.tile_place[i].x, 0.25 + 0.5 / 64, 1e-5) << "tile " << i;
             EXPECT_NEAR(block.tile_place[i].y, 0.5 + 0.5 / 64, 1e-5) << "tile " << i;
+        }
+    }
+}
+
+// Foam's structure goes where its maps do, as fast as whole squares of it in a loop allow, and is back where it was after one.
+TEST(SceneBlock, MovesTheStructureOfFoamAsFoamDrifts) {
+    Ocean ocean({.cascades = 3, .resolution = 32, .wind_speed_mps = 14, .wind_direction_rad = 0.6},
+                {.executor = make_serial_executor(), .foam = true});
+    DrawList list;
+    const auto shift_at = [&](double time_s) {
+        gl::SeaFacts facts = gl::facts_of(ocean.frame_at(time_s));
+        facts.has_foam = true;
+        return gl::scene_block_of({.eyes = {}, .list = &list}, facts, {}, {}).foam_shift;
+    };
+    const SeaFigures figures = ocean.frame_at(0).figures;
+    const double loop_s = ocean.sea().loop_period_s;
+    const glm::vec4 first = shift_at(0), then = shift_at(1), after_a_loop = shift_at(loop_s);
+    const double sides_m[] = {gl::FoamSizes::bubbles_m, gl::FoamSizes::bubbles_m, gl::FoamSizes::lace_m,
+                              gl::FoamSizes::lace_m};
+    for (int i = 0; i < 4; ++i) {
+        const double drift_mps = i % 2 == 0 ? figures.foam_drift_x_mps : figures.foam_drift_z_mps;
+        const double turned = static_cast<double>(first[i]) - static_cast<double>(then[i]);
+        const double moved_m = (turned - std::round(turned)) * sides_m[i];
+        EXPECT_GT(drift_mps, 0.1);
+        EXPECT_NEAR(moved_m, drift_mps, 0.5 * sides_m[i] / loop_s + 1e-5) << i;
+        EXPECT_EQ(first[i], after_a_loop[i]) << i;
+    }
+}
+
+// Finer tiles than those that make whitecaps come after them, and a frame without foam has none.
+TEST(SceneBlock, CountsTheTilesThatMakeFoam) {
+    Ocean ocean({.cascades = 4, .resolution = 128, .wind_speed_mps = 14},
+                {.executor = make_serial_executor(), .foam = true});
+    DrawList list;
+    const Frame& frame = ocean.frame_at(0);
+    gl::SeaFacts facts = gl::facts_of(frame);
+    for (const bool has_foam : {true, false}) {
+        facts.has_foam = has_foam;
+        const gl::SceneBlock block = gl::scene_block_of({.eyes = {}, .list = &list}, facts, {}, {});
+        EXPECT_EQ(block.foam_kind.x, has_foam ? 3 : 0);
+        for (std::size_t i = 0; i < frame.tiles.size(); ++i) {
+            double sum = 0;
+            const auto texels = frame.tiles[i].level_of(frame.tiles[i].foam_r8, 0);
+            for (const std::uint8_t texel : texels) sum += texel;
+            // Each level of bytes is rounded, by an eighth of a step in the mean.
+            EXPECT_NEAR(block.tile_slope[i].w, has_foam ? sum / (255.0 * static_cast<double>(texels.size())) : 0,
+                        0.5 / 255)
+                << i;
         }
     }
 }

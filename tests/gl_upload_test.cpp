@@ -39,8 +39,8 @@ class GlUploads : public testing::TestWithParam<int> {};
 
 // Seven uploads go around the ring of pixel buffers and the pair of textures more than once.
 TEST_P(GlUploads, TexturesHoldTheFramesBytesInEveryMip) {
-    GlScene scene({.resolution = 64, .cascades = GetParam(), .width = 64, .height = 64});
-    Ocean mapped(scene.ocean.sea(), {.executor = make_serial_executor(), .slopes = true});
+    GlScene scene({.resolution = 64, .cascades = GetParam(), .width = 64, .height = 64, .foam = true});
+    Ocean mapped(scene.ocean.sea(), {.executor = make_serial_executor(), .slopes = true, .foam = true});
     for (int i = 0; i < 7; ++i) {
         const Frame& frame = scene.ocean.frame_at(0.37 * i);
         if (i % 3 == 2) {  // its texels were written where the driver takes them from
@@ -52,6 +52,7 @@ TEST_P(GlUploads, TexturesHoldTheFramesBytesInEveryMip) {
         }
         const gl::FrameTextures& textures = scene.renderer->textures();
         ASSERT_EQ(frame.tiles.size(), static_cast<std::size_t>(GetParam()));
+        ASSERT_TRUE(textures.has_foam());
         for (int layer = 0; layer < GetParam(); ++layer) {
             const Tile& tile = frame.tiles[static_cast<std::size_t>(layer)];
             const auto is_in = [&](GLuint texture, std::span<const std::uint32_t> chain, int level) {
@@ -59,11 +60,20 @@ TEST_P(GlUploads, TexturesHoldTheFramesBytesInEveryMip) {
                     read_level<std::uint8_t>(scene.gl(), texture, layer, level, 64 >> level, GL_UNSIGNED_BYTE);
                 return 0 == std::memcmp(bytes.data(), tile.level_of(chain, level).data(), bytes.size());
             };
+            const auto is_foam = [&](int level) {
+                const auto read = read_level<std::uint8_t>(scene.gl(), textures.foam(), layer, level, 64 >> level,
+                                                           GL_UNSIGNED_BYTE);
+                const auto wanted = tile.level_of(tile.foam_r8, level);
+                for (std::size_t i = 0; i < wanted.size(); ++i)
+                    if (read[4 * i] != wanted[i]) return false;
+                return true;
+            };
             for (int level = 0; level < mip_levels(64); ++level) {
                 ASSERT_TRUE(is_in(textures.slopes(), tile.slopes_rgba8, level))
                     << "frame " << i << ", tile " << layer << ", level " << level;
                 ASSERT_TRUE(is_in(textures.moments(), tile.moments_rgba8, level))
                     << "frame " << i << ", tile " << layer << ", level " << level;
+                ASSERT_TRUE(is_foam(level)) << "frame " << i << ", tile " << layer << ", level " << level;
             }
             // Every half is a float too, so the way through floats loses nothing.
             const auto floats = read_level<float>(scene.gl(), textures.displacement(), layer, 0, 64, GL_FLOAT);

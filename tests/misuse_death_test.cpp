@@ -36,6 +36,11 @@ TEST_F(MisuseDeathTest, AFrameIsScheduledForNoTime) {
     EXPECT_DEATH(ocean_.schedule(-std::numeric_limits<double>::infinity()), "isfinite\\(time_s\\)");
 }
 
+TEST_F(MisuseDeathTest, HistoryIsSavedOrRestoredWhileAFrameIsInFlight) {
+    EXPECT_DEATH((ocean_.schedule(0), ocean_.saved_history()), "complete\\(\\) the frame in flight first");
+    EXPECT_DEATH((ocean_.schedule(0), ocean_.restore_history({})), "complete\\(\\) the frame in flight first");
+}
+
 TEST_F(MisuseDeathTest, AFrameIsCompletedBeforeTheFirst) {
     EXPECT_DEATH(ocean_.complete(), "schedule\\(\\) a frame first");
 }

@@ -63,13 +63,5 @@ TEST(FrameFigures, AreThoseOfTheSeaOnEveryInstructionSetAndAfterEveryChange) {
     }
 }
 
-// From tables of the normal distribution: 0.19 lies 0.8779 deviations below the mean, 0.0678 = 1 - 0.81^(1/3) lies 1.4925.
-TEST(Whitecaps, OfASumLieNearerToTheMeanThanThoseOfItsTiles) {
-    EXPECT_DOUBLE_EQ(quantile_of_sum(0.19, 1), 1);
-    EXPECT_NEAR(quantile_of_sum(0.19, 3), 0.8779 / 1.4925, 1e-3);
-    EXPECT_GT(quantile_of_sum(1e-5, 3), quantile_of_sum(0.19, 3));
-    EXPECT_LT(quantile_of_sum(0, 3), 1);
-}
-
 }  // namespace
 }  // namespace pelagic

@@ -38,7 +38,8 @@ void make_frames(const ExportOptions& options, const OutputFolder& folder, Expor
     Ocean ocean(options.sea.sea, {.executor = make_default_executor(options.compute.threads),
                                   .isa = options.compute.isa,
                                   .trace = trace,
-                                  .gradients = options.gradient});
+                                  .gradients = options.gradient,
+                                  .foam = options.foam});
     Progress progress("frame", missing.size());
     FrameWriter writer(options, folder, journal, records, trace.get());
     ocean.schedule(options.time_of(missing.front()));

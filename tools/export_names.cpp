@@ -17,6 +17,10 @@ std::string image_name(const char* map, int tile, int frame, int level, const ch
     return name + "." + extension;
 }
 
+int levels_of_a_chain(const ExportOptions& options) {
+    return options.mips ? mip_levels(resolution_of(options.sea.sea)) : 1;
+}
+
 }  // namespace
 
 std::string displacement_name(const ExportOptions& options, int tile, int frame) {
@@ -27,10 +31,12 @@ std::string gradient_name(const ExportOptions& options, int tile, int frame, int
     return image_name("gradient", tile, frame, level, gradient_extension(options.format));
 }
 
-int gradient_levels(const ExportOptions& options) {
-    if (!options.gradient) return 0;
-    return options.mips ? mip_levels(resolution_of(options.sea.sea)) : 1;
+std::string foam_name(const ExportOptions& options, int tile, int frame, int level) {
+    return image_name("foam", tile, frame, level, gradient_extension(options.format));
 }
+
+int gradient_levels(const ExportOptions& options) { return options.gradient ? levels_of_a_chain(options) : 0; }
+int foam_levels(const ExportOptions& options) { return options.foam ? levels_of_a_chain(options) : 0; }
 
 std::vector<std::string> image_names(const ExportOptions& options, int frame) {
     std::vector<std::string> names;
@@ -38,6 +44,8 @@ std::vector<std::string> image_names(const ExportOptions& options, int frame) {
         if (options.displacement) names.push_back(displacement_name(options, tile, frame));
         for (int level = 0; level < gradient_levels(options); ++level)
             names.push_back(gradient_name(options, tile, frame, level));
+        for (int level = 0; level < foam_levels(options); ++level)
+            names.push_back(foam_name(options, tile, frame, level));
     }
     return names;
 }
@@ -47,7 +55,7 @@ bool is_image_name(std::string_view name) {
     constexpr std::size_t longest = 40;  // std::regex takes stack by the length of the text
     static const std::regex pattern(
         "displacement_(c[1-3]_)?([0-9]{4}|[1-9][0-9]{4,5})\\.(exr|tif)|"
-        "gradient_(c[1-3]_)?([0-9]{4}|[1-9][0-9]{4,5})(_mip([1-9]|1[01]))?\\.(png|tif)");
+        "(gradient|foam)_(c[1-3]_)?([0-9]{4}|[1-9][0-9]{4,5})(_mip([1-9]|1[01]))?\\.(png|tif)");
     return name.size() <= longest && std::regex_match(name.begin(), name.end(), pattern);
 }
 

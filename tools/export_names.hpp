@@ -17,14 +17,17 @@ inline constexpr const char* lock_name = ".sea.lock";
 std::string displacement_name(const ExportOptions& options, int tile, int frame);
 /// "gradient_0007.png", or "gradient_c1_0007_mip2.png" for level 2 of tile 1.
 std::string gradient_name(const ExportOptions& options, int tile, int frame, int level);
+/// "foam_0007.png", likewise.
+std::string foam_name(const ExportOptions& options, int tile, int frame, int level);
 
-/// How many levels of the gradient each tile of a frame has files of.
+/// How many levels of the gradient, and of foam, each tile of a frame has files of.
 int gradient_levels(const ExportOptions& options);
+int foam_levels(const ExportOptions& options);
 
 /// Every image of a frame, in the order in which records list them.
 std::vector<std::string> image_names(const ExportOptions& options, int frame);
 
-/// True for what displacement_name() and gradient_name() can give, with any options.
+/// True for what the functions above can give, with any options.
 bool is_image_name(std::string_view name);
 
 /// True for names that an export gives to files of its own: images, records, the lock, and their parts.

@@ -27,12 +27,14 @@ std::vector<std::string> names_of_isas_here() {
 }
 
 void choose_maps(ExportOptions& options, const std::string& text) {
-    options.displacement = options.gradient = false;
+    const std::map<std::string, bool*> all = {
+        {"displacement", &options.displacement}, {"gradient", &options.gradient}, {"foam", &options.foam}};
+    for (const auto& [name, chosen] : all) *chosen = false;
     for (const std::string& map : split_at_commas(text)) {
-        bool& chosen = map == "gradient" ? options.gradient : options.displacement;
-        if ((map != "displacement" && map != "gradient") || chosen)
-            throw bad_value("--maps", text, "displacement, gradient or displacement,gradient");
-        chosen = true;
+        const auto found = all.find(map);
+        if (found == all.end() || *found->second)
+            throw bad_value("--maps", text, "displacement, gradient, foam or some of them with commas, each once");
+        *found->second = true;
     }
 }
 
@@ -120,9 +122,12 @@ void ExportFlags::add_to(CLI::App& app) {
     add("frames", "NUMBER", "how many frames; 1 to 1000000, default 1");
     add("fps", "NUMBER", "frames a second; (0, 1000], default 24");
     add("loop-frames", "NUMBER", "that many frames over exactly one loop period, instead of --frames and --fps");
-    add("maps", "NAMES", "displacement, gradient or both with a comma; default both");
-    add("format", "NAME", "exr (displacement as EXR, gradient as PNG) or tif (both as TIFF); default exr");
-    app.add_flag("--mips", mips_, "every level of the gradient, down to one texel");
+    add("maps", "NAMES",
+        "displacement, gradient, foam, or some of them with commas; default displacement,gradient. Foam lasts: it "
+        "costs a "
+        "tick, less than a frame, for each tenth of a second between frames, 29 at most");
+    add("format", "NAME", "exr (displacement as EXR, the others as PNG) or tif (all as TIFF); default exr");
+    app.add_flag("--mips", mips_, "every level of gradient and foam, down to one texel");
     app.add_flag("--half", half_, "displacement as 16-bit instead of 32-bit floats");
     app.add_flag("--resume", resume_, "keep the frames of an interrupted export that are whole, make the rest");
     app.add_flag("--no-sync", no_sync_,

@@ -39,6 +39,7 @@ struct ExportOptions {
     std::optional<double> fps;  ///< none: the frames are one loop
     bool displacement = true;
     bool gradient = true;
+    bool foam = false;
     bool mips = false;
     bool half = false;
     ImageFormat format = ImageFormat::exr_and_png;

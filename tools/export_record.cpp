@@ -43,13 +43,14 @@ std::optional<FrameRecord> accepted(const ReadJson& entry, const ExportOptions& 
     FrameRecord record{.frame = number.get<int>(),
                        .time_s = options.time_of(number.get<int>()),
                        .hash = text_of(value_of(entry, "hash")),
+                       .foam_hash = options.foam ? text_of(value_of(entry, "foam_hash")) : "",
                        .significant_wave_height_m = number_of(value_of(entry, "significant_wave_height_m")),
                        .height_min_m = number_of(value_of(entry, "height_min_m")),
                        .height_max_m = number_of(value_of(entry, "height_max_m")),
                        .files = {}};
     const ReadJson& files = value_of(entry, "files");
     const std::vector<std::string> names = image_names(options, record.frame);
-    if (files.size() != names.size()) return {};
+    if (files.size() != names.size() || options.foam == record.foam_hash.empty()) return {};
     for (std::size_t i = 0; i < names.size(); ++i)
         record.files.push_back({names[i], files.is_array() ? text_of(value_of(files[i], "xxh3")) : ""});
     // Time and names are ours by now: an entry with others is not equal. Nor is one whose digest does not fit the rest.

@@ -1,6 +1,7 @@
 #include "pelagic/tools/frame_writer.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <system_error>
@@ -16,22 +17,25 @@
 namespace pelagic::tools {
 namespace {
 
-/// A frame's outputs copied, so that its images can be encoded while the ocean goes on.
+/// What a frame's files need of it, copied, so that its images can be encoded while the ocean goes on.
 class FrameCopy {
    public:
-    explicit FrameCopy(const Frame& frame) : frame_(frame), tiles_(frame.tiles.begin(), frame.tiles.end()) {
+    explicit FrameCopy(const Frame& frame)
+        : frame_(frame), tiles_(frame.tiles.begin(), frame.tiles.end()), hash_(hash_of(frame)) {
         for (Tile& tile : tiles_) copies_.push_back(copied(tile));
         frame_.tiles = tiles_;
     }
     FrameCopy(const FrameCopy&) = delete;
 
     const Frame& frame() const { return frame_; }
+    std::uint64_t hash() const { return hash_; }  ///< of the whole frame
 
    private:
     struct Copies {
         std::vector<float> planes;
         std::vector<std::uint16_t> halves;
-        std::vector<std::uint32_t> bytes;
+        std::vector<std::uint32_t> gradient;
+        std::vector<std::uint8_t> foam;
     };
 
     /// Of what the tile's views show, which show the copies from now on.
@@ -47,15 +51,19 @@ class FrameCopy {
             to += texels;
         }
         copies.halves.assign(tile.displacement_rgba16f.begin(), tile.displacement_rgba16f.end());
-        copies.bytes.assign(tile.gradient_rgba8.begin(), tile.gradient_rgba8.end());
+        copies.gradient.assign(tile.gradient_rgba8.begin(), tile.gradient_rgba8.end());
+        copies.foam.assign(tile.foam_r8.begin(), tile.foam_r8.end());
         tile.displacement_rgba16f = copies.halves;
-        tile.gradient_rgba8 = copies.bytes;
+        tile.gradient_rgba8 = copies.gradient;
+        tile.slopes_rgba8 = tile.moments_rgba8 = {};  // no file of them
+        tile.foam_r8 = copies.foam;
         return copies;
     }
 
     Frame frame_;
     std::vector<Tile> tiles_;
     std::vector<Copies> copies_;
+    std::uint64_t hash_;
 };
 
 constexpr const char* file_category = "file";
@@ -78,6 +86,8 @@ class FrameFiles {
         if (options_.displacement) write_image(displacement_name(options_, number, number_), displacement(tile));
         for (int level = 0; level < gradient_levels(options_); ++level)
             write_image(gradient_name(options_, number, number_, level), gradient(tile, level));
+        for (int level = 0; level < foam_levels(options_); ++level)
+            write_image(foam_name(options_, number, number_, level), foam(tile, level));
     }
 
     std::vector<unsigned char> displacement(const Tile& tile) const {
@@ -88,6 +98,11 @@ class FrameFiles {
     std::vector<unsigned char> gradient(const Tile& tile, int level) const {
         const TraceScope scope(trace_, "encode gradient", file_category, {{{"level", static_cast<double>(level)}}});
         return encode_gradient(tile, level, options_.format);
+    }
+
+    std::vector<unsigned char> foam(const Tile& tile, int level) const {
+        const TraceScope scope(trace_, "encode foam", file_category, {{{"level", static_cast<double>(level)}}});
+        return encode_foam(tile, level, options_.format);
     }
 
     void write_image(const std::string& name, const std::vector<unsigned char>& image) {
@@ -105,13 +120,15 @@ class FrameFiles {
     std::vector<FileRecord> files_;
 };
 
-FrameRecord write_frame(const ExportOptions& options, const OutputFolder& folder, int number, const Frame& frame,
+FrameRecord write_frame(const ExportOptions& options, const OutputFolder& folder, int number, const FrameCopy& copy,
                         TraceSink* trace) {
+    const Frame& frame = copy.frame();
     const TraceScope scope(trace, "files", file_category,
                            {{{"frame", static_cast<double>(number)}, {"time_s", frame.time_s}}});
     return {.frame = number,
             .time_s = frame.time_s,
-            .hash = hex_text(hash_of(frame)),
+            .hash = hex_text(copy.hash()),
+            .foam_hash = options.foam ? hex_text(foam_hash_of(frame)) : "",
             .significant_wave_height_m = measured_significant_wave_height_m(frame),
             .height_min_m = frame.bounds.height_min_m,
             .height_max_m = frame.bounds.height_max_m,
@@ -140,7 +157,7 @@ FrameWriter::FrameWriter(const ExportOptions& options, const OutputFolder& folde
 void FrameWriter::write(int number, const Frame& frame) {
     while (in_flight_.size() >= most_) take_oldest();
     in_flight_.push_back(start([this, number, copy = std::make_shared<const FrameCopy>(frame)] {
-        return write_frame(options_, folder_, number, copy->frame(), trace_);
+        return write_frame(options_, folder_, number, *copy, trace_);
     }));
 }
 

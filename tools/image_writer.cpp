@@ -29,6 +29,21 @@ std::vector<std::uint16_t> three_halves(const Tile& tile) {
     return pixels;
 }
 
+/// Of one channel, stored as it is.
+ImageDescription bytes_of_level(const Tile& tile, int level, ImageFormat format) {
+    const int side = tile.resolution() >> level;
+    const bool is_tiff = format == ImageFormat::tiff;
+    // zlib's default for PNG, 6, takes four times as long for files 6 % smaller (512 x 512, jonswap).
+    return {.extension = gradient_extension(format),
+            .width = side,
+            .height = side,
+            .channels = 1,
+            .sample = Sample::uint8,
+            .colour_space = "Raw",
+            .compression = is_tiff ? "zip" : nullptr,
+            .png_level = is_tiff ? 0 : 2};
+}
+
 }  // namespace
 
 std::vector<unsigned char> encode_displacement(const Tile& tile, ImageFormat format, bool half) {
@@ -45,20 +60,15 @@ std::vector<unsigned char> encode_displacement(const Tile& tile, ImageFormat for
 }
 
 std::vector<unsigned char> encode_gradient(const Tile& tile, int level, ImageFormat format) {
-    const int side = tile.resolution() >> level;
-    const bool is_tiff = format == ImageFormat::tiff;
-    // zlib's default for PNG, 6, takes four times as long for files 6 % smaller (512 x 512, jonswap).
-    const ImageDescription image{.extension = gradient_extension(format),
-                                 .width = side,
-                                 .height = side,
-                                 .channels = 4,
-                                 .sample = Sample::uint8,
-                                 .colour_space = "Raw",
-                                 .compression = is_tiff ? "zip" : nullptr,
-                                 .png_level = is_tiff ? 0 : 2,
-                                 .has_unassociated_alpha = true};
+    ImageDescription image = bytes_of_level(tile, level, format);
+    image.channels = 4;
+    image.has_unassociated_alpha = true;
     // A texel's lowest byte is its red one, in memory the first.
     return image_codec().encode(image, tile.gradient_level(level).data());
+}
+
+std::vector<unsigned char> encode_foam(const Tile& tile, int level, ImageFormat format) {
+    return image_codec().encode(bytes_of_level(tile, level, format), tile.level_of(tile.foam_r8, level).data());
 }
 
 std::vector<unsigned char> encode_picture(std::span<const std::uint8_t> rgba, int width, int height) {

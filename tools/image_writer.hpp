@@ -21,6 +21,9 @@ std::vector<unsigned char> encode_displacement(const Tile& tile, ImageFormat for
 /// it is marked as unassociated, or OpenImageIO would divide the normals by it.
 std::vector<unsigned char> encode_gradient(const Tile& tile, int level, ImageFormat format);
 
+/// One level of the chain of foam as 8-bit grey, PNG or TIFF, byte for byte.
+std::vector<unsigned char> encode_foam(const Tile& tile, int level, ImageFormat format);
+
 /// A picture for people: sRGB PNG from RGBA8 pixels, the upper row first; their alpha is left out.
 std::vector<unsigned char> encode_picture(std::span<const std::uint8_t> rgba, int width, int height);
 

@@ -43,6 +43,7 @@ Json info_json(const ResolvedSea& resolved, const ComputeOptions& compute) {
     if (!resolved.preset.empty()) json["preset"] = resolved.preset;
     const SeaReport report = begun.get();
     json["waves"] = waves_as_json(resolved.sea, report, measured_significant_wave_height_m(frame));
+    json["foam"] = foam_as_json(frame);
     json["first_frame"] = {{"hash", hex_text(hash_of(frame))},
                            {"height_min_m", frame.bounds.height_min_m},
                            {"height_max_m", frame.bounds.height_max_m},
@@ -97,10 +98,27 @@ Json waves_for_people(const Json& waves) {
     return rows;
 }
 
+/// A row for each tile's drift.
+Json foam_for_people(Json foam) {
+    const Json tiles = foam.at("tiles");
+    foam.erase("tiles");
+    for (const Json& tile : tiles) {
+        const std::string row = "drift of " + rounded_text(tile.at("side_m").get<double>(), 4) + " m";
+        if (tile.at("makes_whitecaps").get<bool>())
+            foam[row] = {{"columns_a_loop", tile.at("columns_a_loop")},
+                         {"rows_a_loop", tile.at("rows_a_loop")},
+                         {"drift_mps", tile.at("drift_mps")}};
+        else
+            foam[row] = "makes no whitecaps";
+    }
+    return foam;
+}
+
 void print_table(const Json& json) {
     const std::string preset = json.value("preset", "");
     print_section(("Sea" + (preset.empty() ? "" : ", preset " + preset)).c_str(), json.at("sea"), 6);
     print_section("Waves", waves_for_people(json.at("waves")));
+    print_section("Foam that lasts", foam_for_people(json.at("foam")));
     print_section("Frame at 0 s", json.at("first_frame"));
     Json computing = json.at("computing");
     std::string stages;

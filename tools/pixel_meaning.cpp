@@ -35,6 +35,8 @@ constexpr std::array gradient_channels = {
     Channel{"A", "smoothness", "1", 1, 0, {0, 1}},
 };
 
+constexpr std::array foam_channels = {Channel{"Y", "foam", "1", 1, 0, {0, 1}}};
+
 template <std::size_t Count>
 Json list_of(const std::array<Channel, Count>& channels) {
     Json list = Json::array();
@@ -76,6 +78,7 @@ Json channels_as_json(const ExportOptions& options) {
     Json maps = Json::object();
     if (options.displacement) maps["displacement"] = list_of(displacement_channels);
     if (options.gradient) maps["gradient"] = list_of(gradient_channels);
+    if (options.foam) maps["foam"] = list_of(foam_channels);
     return maps;
 }
 
@@ -104,6 +107,9 @@ std::string pixel_meaning() {
            "                was clamped to [-1, 1], each within 1/255; smoothness = A, no opacity. The normal's y "
            "is\n"
            "                sqrt(1 - x^2 - z^2), below 0 where J is: there the surface is turned over\n"
+           "  foam          one channel: 0 none, 1 covered with foam, what breaks now and what is left of 2.9 "
+           "seconds "
+           "before\n"
            "  place         N texels a side, L metres: column i, row j rests at x = i L/N, z = j L/N and is drawn "
            "at\n"
            "                (x + Dx, height, z + Dz). Row 0 is the upper edge of the image and z = 0. The rest place "
@@ -120,7 +126,9 @@ std::string pixel_meaning() {
            "Displacements "
            "add;\n"
            "                normals don't, so take them from the sum, or add the slopes -x/y and -z/y for a "
-           "start\n"
+           "start.\n"
+           "                Foam at a place is the largest of the tiles'; a tile whose waves make none has black "
+           "images\n"
            "  axes          right-handed: +x east, +y up, +z south, so north is -z\n"
            "  colour        none: load as linear, non-colour data, without sRGB, premultiplied alpha or compression";
 }

@@ -53,11 +53,15 @@ void QueryFlags::add_to(CLI::App& app) {
            "a series instead: every point at FIRST, then at FIRST + STEP and so on, the time in a first column")
         ->type_name("FIRST:LAST:STEP");
     app.add_flag("--json", json_, "an array of objects, one a line, instead of CSV");
+    app.add_flag("--foam", foam_,
+                 "a column foam too: how much of the water is white, 0 to 1, with what is left of 2.9 seconds "
+                 "before; a jump in time costs 29 ticks, each less than a frame");
     sea_.add_to(app);
     compute_.add_to(app);
     app.footer(
         "Prints x,z,height,nx,ny,nz,vx,vy,vz,jacobian,error_m,converged: metres, metres a second, the normal as a\n"
-        "unit vector, how far the sampled point is from the one asked for, and whether that is within a millimetre.\n"
+        "unit vector, how far the sampled point is from the one asked for, and whether that is within a millimetre;\n"
+        "with --foam a column foam before the last one.\n"
         "Columns of the file stand before the answers, as they are. A file may have any length, in blocks of 32768\n"
         "points: a bad line ends the work when its block is reached, and --times goes block by block.");
 }
@@ -81,17 +85,18 @@ void QueryFlags::run() const {
     bool has_points = reader.read_block(block, block_points);
 
     const auto executor = make_default_executor(compute.threads);
-    Ocean ocean(sea.sea, {.executor = executor, .isa = compute.isa, .queries = true, .velocities = true});
+    Ocean ocean(sea.sea,
+                {.executor = executor, .isa = compute.isa, .queries = true, .velocities = true, .foam = foam_});
     SurfaceQueryJobs jobs(executor);
-    RowWriter rows(executor, json_, times_.has_value());
-    Answers answers;
+    Answers answers(foam_);
+    RowWriter rows(executor, answers, json_, times_.has_value());
     const Frame* frame = nullptr;
     for (rows.begin(reader); has_points; has_points = reader.read_block(block, block_points)) {
         answers.resize(block.size());
         for (const double time_s : times_s) {
             if (!frame || times_s.size() > 1) frame = &ocean.frame_at(time_s);
             jobs.sample(SurfaceQuery(*frame), {block.x, block.z}, answers.samples());
-            rows.write(block, answers, time_s);
+            rows.write(block, time_s);
         }
     }
     rows.end();

@@ -1,4 +1,4 @@
-// `pelagic query`: how high the water is at given points, which way it faces and how it moves.
+// `pelagic query`: how high the water is at given points, which way it faces, how it moves and how white it is.
 #pragma once
 
 #include <CLI/App.hpp>
@@ -23,7 +23,7 @@ class QueryFlags {
     SeaOptions sea_;
     ComputeFlags compute_;
     std::optional<std::string> points_, time_, times_;
-    bool json_ = false;
+    bool json_ = false, foam_ = false;
 };
 
 }  // namespace pelagic::tools

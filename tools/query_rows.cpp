@@ -18,7 +18,7 @@ constexpr std::size_t pieces = 32;
 
 /// Room for the longest row beside the file's own columns, so that a job allocates nothing: a job must not throw. A number
 /// takes 25 characters at most, its JSON key 12.
-constexpr std::size_t most_answer_length = (Answers::values + 4) * (25 + 12);
+constexpr std::size_t most_answer_length = (Answers::most_values + 4) * (25 + 12);
 /// JSON writes a control character as \u001f.
 constexpr std::size_t most_escaped_length = 6;
 
@@ -67,12 +67,12 @@ void append_json_number(std::string& out, auto value) {
 }  // namespace
 
 void Answers::resize(std::size_t points) {
-    for (std::vector<float>& column : values_) column.resize(points);
+    for (std::size_t column = 0; column < values_there_; ++column) values_[column].resize(points);
     converged_.resize(points);
 }
 
 SurfaceSamples Answers::samples() {
-    auto& [height, nx, ny, nz, vx, vy, vz, jacobian, error_m] = values_;
+    auto& [height, nx, ny, nz, vx, vy, vz, jacobian, error_m, foam] = values_;
     return {.height_m = height,
             .normal_x = nx,
             .normal_y = ny,
@@ -82,11 +82,12 @@ SurfaceSamples Answers::samples() {
             .velocity_y_mps = vy,
             .velocity_z_mps = vz,
             .error_m = error_m,
-            .converged = converged_};
+            .converged = converged_,
+            .foam = foam};
 }
 
-RowWriter::RowWriter(std::shared_ptr<Executor> executor, bool as_json, bool has_times)
-    : as_json_(as_json), has_times_(has_times), pieces_(pieces), executor_(std::move(executor)) {
+RowWriter::RowWriter(std::shared_ptr<Executor> executor, const Answers& answers, bool as_json, bool has_times)
+    : answers_(answers), as_json_(as_json), has_times_(has_times), pieces_(pieces), executor_(std::move(executor)) {
     graph_.add({.name = "rows", .count = pieces, .body = [this](std::size_t begin, std::size_t end) {
                     for (std::size_t piece = begin; piece < end; ++piece) fill_piece(piece);
                 }});
@@ -95,7 +96,7 @@ RowWriter::RowWriter(std::shared_ptr<Executor> executor, bool as_json, bool has_
 
 void RowWriter::begin(const PointReader& reader) {
     reader_ = &reader;
-    std::set<std::string> taken(Answers::names.begin(), Answers::names.end());
+    std::set<std::string> taken(answers_.names().begin(), answers_.names().end());
     taken.insert("converged");
     if (has_times_) taken.insert("time");
     std::string header = has_times_ ? "time," : "";
@@ -108,7 +109,7 @@ void RowWriter::begin(const PointReader& reader) {
         header += column + ",";
         append_json_cell(json_keys_.emplace_back(), column);
     }
-    for (const char* name : Answers::names) header.append(name).append(",");
+    for (const char* name : answers_.names()) header.append(name).append(",");
     put(as_json_ ? "[" : header + "converged\n");
 }
 
@@ -118,11 +119,11 @@ void RowWriter::append_csv(std::string& text, std::size_t point) const {
         text += ',';
     }
     text += block_->row(point);
-    for (std::size_t column = 0; column < Answers::values; ++column) {
+    for (std::size_t column = 0; column < answers_.names().size(); ++column) {
         text += ',';
-        append_number(text, answers_->value(column, point));
+        append_number(text, answers_.value(column, point));
     }
-    text += answers_->converged(point) ? ",1\n" : ",0\n";
+    text += answers_.converged(point) ? ",1\n" : ",0\n";
 }
 
 void RowWriter::append_json(std::string& text, std::size_t point, std::vector<std::string_view>& cells) const {
@@ -143,12 +144,12 @@ void RowWriter::append_json(std::string& text, std::size_t point, std::vector<st
             append_json_cell(text, cells[column]);
         text += ',';
     }
-    for (std::size_t column = 0; column < Answers::values; ++column) {
-        text.append("\"").append(Answers::names[column]).append("\":");
-        append_json_number(text, answers_->value(column, point));
+    for (std::size_t column = 0; column < answers_.names().size(); ++column) {
+        text.append("\"").append(answers_.names()[column]).append("\":");
+        append_json_number(text, answers_.value(column, point));
         text += ',';
     }
-    text += answers_->converged(point) ? "\"converged\":true}" : "\"converged\":false}";
+    text += answers_.converged(point) ? "\"converged\":true}" : "\"converged\":false}";
 }
 
 void RowWriter::fill_piece(std::size_t piece) {
@@ -158,9 +159,8 @@ void RowWriter::fill_piece(std::size_t piece) {
         as_json_ ? append_json(out.text, point, out.cells) : append_csv(out.text, point);
 }
 
-void RowWriter::write(const PointBlock& block, const Answers& answers, double time_s) {
+void RowWriter::write(const PointBlock& block, double time_s) {
     block_ = &block;
-    answers_ = &answers;
     time_s_ = time_s;
     std::size_t key_length = 0;
     for (const std::string& key : json_keys_) key_length += key.size() + 2;

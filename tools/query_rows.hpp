@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -16,10 +17,12 @@ namespace pelagic::tools {
 /// Answers for a block of points.
 class Answers {
    public:
-    static constexpr std::size_t values = 9;
+    static constexpr std::size_t most_values = 10;
+
+    explicit Answers(bool has_foam) : values_there_(has_foam ? most_values : most_values - 1) {}
+
     /// Of the values, in the order of the columns; `converged` follows.
-    static constexpr std::array<const char*, values> names = {"height", "nx", "ny",       "nz",     "vx",
-                                                              "vy",     "vz", "jacobian", "error_m"};
+    std::span<const char* const> names() const { return std::span(all_names).first(values_there_); }
 
     void resize(std::size_t points);
     SurfaceSamples samples();
@@ -27,21 +30,26 @@ class Answers {
     bool converged(std::size_t point) const { return converged_[point] != 0; }
 
    private:
-    std::array<std::vector<float>, values> values_;
+    static constexpr std::array<const char*, most_values> all_names = {"height", "nx", "ny",       "nz",      "vx",
+                                                                       "vy",     "vz", "jacobian", "error_m", "foam"};
+
+    std::size_t values_there_;
+    std::array<std::vector<float>, most_values> values_;
     std::vector<std::uint8_t> converged_;
 };
 
 /// Turns blocks into text, in pieces side by side, and writes them to standard output in order.
 class RowWriter {
    public:
+    /// \param answers    to the block that is written, whenever one is; outlives the writer
     /// \param has_times  rows begin with the moment
-    RowWriter(std::shared_ptr<Executor> executor, bool as_json, bool has_times);
+    RowWriter(std::shared_ptr<Executor> executor, const Answers& answers, bool as_json, bool has_times);
 
     /// The header or the opening bracket. Throws InputError if a column of the file has the name of an answer's, or, for
     /// JSON, of another one.
     void begin(const PointReader& reader);
     /// Throws FileError if standard output takes no more.
-    void write(const PointBlock& block, const Answers& answers, double time_s);
+    void write(const PointBlock& block, double time_s);
     void end();
 
    private:
@@ -54,11 +62,11 @@ class RowWriter {
         std::vector<std::string_view> cells;
     };
 
+    const Answers& answers_;
     bool as_json_, has_times_;
     const PointReader* reader_ = nullptr;
     std::vector<std::string> json_keys_;  ///< of the file's columns
     const PointBlock* block_ = nullptr;
-    const Answers* answers_ = nullptr;
     double time_s_ = 0;
     bool has_rows_ = false;
     std::vector<Piece> pieces_;

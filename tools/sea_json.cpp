@@ -1,5 +1,7 @@
 #include "pelagic/tools/sea_json.hpp"
 
+#include "pelagic/sim/foam_report.hpp"
+#include "pelagic/sim/ocean.hpp"
 #include "pelagic/tools/digest.hpp"
 #include "pelagic/tools/pixel_meaning.hpp"
 #include "pelagic/tools/sea_scales.hpp"
@@ -27,6 +29,7 @@ Json options_as_json(const ExportOptions& options) {
     Json maps = Json::array();
     if (options.displacement) maps.push_back("displacement");
     if (options.gradient) maps.push_back("gradient");
+    if (options.foam) maps.push_back("foam");
     Json how = {{"start_s", options.start_s}, {"frames", options.frames}};
     if (options.fps)
         how["fps"] = *options.fps;
@@ -42,13 +45,12 @@ Json options_as_json(const ExportOptions& options) {
 Json frame_as_json(const FrameRecord& record) {
     Json files = Json::array();
     for (const FileRecord& file : record.files) files.push_back({{"name", file.name}, {"xxh3", file.xxh3}});
-    Json json = {{"frame", record.frame},
-                 {"time_s", record.time_s},
-                 {"hash", record.hash},
-                 {"significant_wave_height_m", record.significant_wave_height_m},
-                 {"height_min_m", record.height_min_m},
-                 {"height_max_m", record.height_max_m},
-                 {"files", files}};
+    Json json = {{"frame", record.frame}, {"time_s", record.time_s}, {"hash", record.hash}};
+    if (!record.foam_hash.empty()) json["foam_hash"] = record.foam_hash;
+    json["significant_wave_height_m"] = record.significant_wave_height_m;
+    json["height_min_m"] = record.height_min_m;
+    json["height_max_m"] = record.height_max_m;
+    json["files"] = files;
     json["record_xxh3"] = digest_of(json.dump());
     return json;
 }
@@ -90,6 +92,26 @@ Json waves_as_json(const SeaState& sea, const SeaReport& report, double measured
               {"largest_share", report.loop_frequencies.largest_share}}}};
 }
 
+Json foam_as_json(const Frame& frame) {
+    const FoamReport report = report_on_foam(frame);
+    Json tiles = Json::array();
+    for (std::size_t i = 0; i < report.tiles.size(); ++i) {
+        const TileFoam& tile = report.tiles[i];
+        tiles.push_back({{"side_m", frame.tiles[i].lattice.side_m},
+                         {"makes_whitecaps", tile.makes_whitecaps},
+                         {"columns_a_loop", tile.columns_a_loop},
+                         {"rows_a_loop", tile.rows_a_loop},
+                         {"drift_mps", tile.drift_mps}});
+    }
+    return {{"whitecap_cover", report.whitecap_cover},
+            {"tick_s", report.tick_s},
+            {"ticks_a_loop", report.ticks_a_loop},
+            {"warm_up_ticks", report.warm_up_ticks},
+            {"drift_mps", report.drift_mps},
+            {"drift_direction_deg", degrees(report.drift_direction_rad)},
+            {"tiles", tiles}};
+}
+
 Json sea_json(const ExportOptions& options, const std::vector<FrameRecord>& frames) {
     double height_sum = 0;
     Json list = Json::array();
@@ -102,6 +124,11 @@ Json sea_json(const ExportOptions& options, const std::vector<FrameRecord>& fram
     json["layout"] = layout_as_json(options.sea.sea);
     const SeaReport report = report_on(options.sea.sea);
     json["waves"] = waves_as_json(options.sea.sea, report, height_sum / static_cast<double>(frames.size()));
+    if (options.foam) {
+        Ocean ocean(options.sea.sea,
+                    {.executor = make_default_executor(options.compute.threads), .isa = options.compute.isa});
+        json["foam"] = foam_as_json(ocean.frame_at(0));
+    }
     json["warnings"] = report.warnings;
     json["frames"] = list;
     return json;

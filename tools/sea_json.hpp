@@ -22,7 +22,8 @@ struct FileRecord {
 struct FrameRecord {
     int frame = 0;
     double time_s = 0;
-    std::string hash;  ///< hash_of() as 16 hexadecimal digits
+    std::string hash;       ///< hash_of() as 16 hexadecimal digits
+    std::string foam_hash;  ///< foam_hash_of() likewise; empty without maps of foam
     double significant_wave_height_m = 0;
     double height_min_m = 0, height_max_m = 0;
     std::vector<FileRecord> files;
@@ -39,6 +40,9 @@ Json frame_as_json(const FrameRecord& record);
 
 /// Heights, periods, directions, slopes, expected by the model and measured: {"significant_wave_height_m", ...}.
 Json waves_as_json(const SeaState& sea, const SeaReport& report, double measured_significant_wave_height_m);
+
+/// When foam is remembered, how it drifts, how much of it there is: {"whitecap_cover", "tick_s", ...}.
+Json foam_as_json(const Frame& frame);
 
 /// The whole file.
 Json sea_json(const ExportOptions& options, const std::vector<FrameRecord>& frames);

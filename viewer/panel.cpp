@@ -147,7 +147,6 @@ void show_panel(ViewSettings& settings, ViewCamera& camera, const ViewFigures& f
     slide("choppiness", settings.sea.choppiness, 0, 1, "%.2f");
     choose_waves(settings.sea);
     choose_preset(settings.sea);
-    ImGui::SliderFloat("foam", &settings.more_foam, -0.5f, 0.5f, "%+.2f");
     choose_cascades(settings.sea, figures.tile_sides_m);
     ImGui::Text("waves of %.2f m%s", figures.significant_wave_height_m, figures.sea_is_baking ? ", changing" : "");
     ImGui::Separator();

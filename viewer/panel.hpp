@@ -29,7 +29,6 @@ struct ViewSettings {
     std::optional<gl::FlowMap> flow;  ///< of a river; none: a winding channel
     std::string quality = "high";
     double size_m = 2048;
-    float more_foam = 0;  ///< added to the Jacobian at which foam begins; [-0.5, 0.5]
     bool scale_is_automatic = true;
     float fixed_scale = 1;  ///< of the drawn picture's width and height over the window's; [0.25, 1]
     bool wireframe = false;

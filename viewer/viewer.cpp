@@ -59,7 +59,6 @@ struct Drawn {
     glm::dvec3 position_m{}, target_m{};
     double vertical_view_rad = 0, time_s = 0;
     int window_width = 0, window_height = 0;
-    float more_foam = 0;
     bool wireframe = false;
     unsigned long long changes = 0;
 
@@ -211,7 +210,8 @@ class Viewer {
         ocean_.emplace(shown_sea_, OceanOptions{.executor = make_default_executor(options_.threads),
                                                 .trace = stage_times_,
                                                 .queries = true,
-                                                .slopes = true});
+                                                .slopes = true,
+                                                .foam = true});
         stage_times_->follow(ocean_->graph());
         ocean_->schedule(time_s_);
     }
@@ -330,7 +330,6 @@ class Viewer {
                         .time_s = frame.time_s,
                         .window_width = window_.width(),
                         .window_height = window_.height(),
-                        .more_foam = settings_.more_foam,
                         .wireframe = settings_.wireframe,
                         .changes = changes_};
         rests_for_s_ = now == drawn_ ? rests_for_s_ + passed_s : 0;
@@ -384,7 +383,6 @@ class Viewer {
                              .viewer_m = camera.position_m,
                              .list = &list,
                              .lod_scale = selection_->options().lod_scale,
-                             .more_foam = settings_.more_foam,
                              .mode = settings_.wireframe ? gl::DrawMode::wireframe : gl::DrawMode::shaded,
                              .exposure = gl::exposure_of_ev(picture_.ev(), luminance_of_unit_),
                              .weighs_samples = true,

@@ -1,12 +1,12 @@
 // Foam: how much of a pixel lies under it, how thick it is there, and its light.
 //
-// The waves say how much foam there is (waves.glsl: where they fold), a texture says where it lies at three scales
-// (gl/foam_image.hpp). Each scale hands its amount on to the next finer one and changes nothing of its mean, so the sea is as white
-// as its folds are, from near and far.
+// The tiles' maps say how much foam there is (foam_maps.glsl), a texture says where it lies at three scales (gl/foam_image.hpp).
+// Each scale hands its amount on to the next finer one and changes nothing of its mean, so the sea is as white as its maps are, from near
+// and far. A value of a map is an age, too: 1 breaks now, 0.5 did so 1.4 s ago, and opens into threads.
 //
 // Whitlock, Bartlett and Gurganus 1982, "Sea foam reflectance and influence on optimum wavelength for remote sensing of ocean
 // aerosols"; Koepke 1984, "Effective reflectance of oceanic whitecaps".
-// A headset has one look-up: lace. MEDIUM: lace, streaks and two looks at what crests left behind; HIGH: bubbles, too, and four.
+// A headset has one look-up: lace. MEDIUM: lace and streaks; HIGH: bubbles, too.
 uniform highp sampler2DArray foam_structure;  // bubbles, lace, streaks
 
 const int bubbles_layer = 0, lace_layer = 1, streaks_layer = 2;
@@ -14,6 +14,7 @@ const float foam_texels = 256.0;  // a side
 
 struct Foam {
     float cover;      // part of the pixel
+    float fresh;      // part of it that breaks now
     float thickness;  // 0: a film of old bubbles, 1: fresh and opaque
     float plume;      // bubbles below the surface, 0 to 1
     vec2 slopes;      // of its relief
@@ -42,7 +43,7 @@ vec4 structure(int layer, vec2 uv, float pixel_tiles) {
     return texel;
 }
 
-// Streaks and trails belong to the open sea.
+// Streaks belong to the open sea.
 #define STREAKS (SHADING >= MEDIUM && SURFACE == OPEN)
 #define THREE_SCALES (SHADING == HIGH && SURFACE == OPEN)
 
@@ -54,64 +55,47 @@ vec4 streaks_at(int size, vec2 at, float pixel_m) {
     return structure(streaks_layer, uv, pixel_m * place.y);
 }
 
-// Foam stays where the water folded while the crest moves on, so older foam is what the crest has left behind it: the
-// Jacobian further down the wind, thinner the older, of the one tile whose waves are those that break. 1 + D_xx + D_zz is the
-// Jacobian where all waves run one way. `ragged`, within [-1, 1], moves the looks, so that tails end in shreds.
-// The first look is at the crest itself, as a whole: x of what returns. y: with what the crest has left.
-vec2 foam_behind_crests(vec2 at, float ragged) {
-    const int trail_looks = SHADING == HIGH ? 4 : 2;
-    const float each = SHADING == HIGH ? 1.0 : 1.7;
-    int tile = int(foam_trail.x);
-    vec2 uv = place_in_tile(tile, at);
-    vec2 found = vec2(0.0);
-    float weight = 0.7;
-    for (int i = 0; i < trail_looks; ++i) {
-        float way = each * (float(i) + 0.45 * ragged);
-        vec2 d = textureLod(slopes, vec3(uv + foam_trail.zw * way, tile), 0.6 * float(i)).zw * signed_scale - signed_zero;
-        float folds = folding(tile_slope[tile].w, 1.0 + tile_slope[tile].x * (d.x + d.y), 0.0);
-        if (i == 0) found.x = folds;
-        found.y = max(found.y, weight * folds);
-        weight *= SHADING == HIGH ? 0.72 : 0.52;
-    }
-    return found;
-}
 #endif
 
-Foam foam_at(vec2 at, float fresh, vec3 to_eye) {
+// How much of the foam at a place is fresh. Of ages that are as many of each, so is a half.
+float part_that_breaks(float part, float mean) { return mix(smoothstep(0.4, 1.0, part), 0.5, mean); }
+
+// `crests`: part that breaks, of small water.
+Foam foam_at(vec2 at, float distance_m, float crests, vec3 to_eye) {
     Footprint pixel = footprint_of(at);
     float pixel_m = max(length(pixel.dx), length(pixel.dy));
+    vec2 ragged = vec2(0.0);
+#if STREAKS
+    vec4 streaks = streaks_at(0, at, pixel_m);
+    ragged = 0.5 * streaks.yz;
+#endif
+#if SURFACE == OPEN
+    FoamOfTiles there = foam_of_maps(at, ragged, distance_m, pixel);
+    float amount = there.part, freshness = part_that_breaks(there.part, there.mean);
+#else
+    float amount = crests, freshness = 1.0;
+#endif
+    float fresh = amount * freshness, plume = amount;
     // Where the eye is high above it, a thick crest of foam hides what lies behind it: what is seen lies nearer.
     vec2 behind = to_eye.xz / max(to_eye.y, 0.3);
     vec2 lace_uv = (at + behind * (foam_kind.z * fresh)) * noise_scale.y + foam_shift.zw;
 
-#if STREAKS
-    vec4 streaks = streaks_at(0, at, pixel_m);
 #if THREE_SCALES
     // The third look-up is for what the pixel can show: bubbles near, the widest windrows far away.
     bool far = pixel_m > 0.35;
     vec4 third = far ? streaks_at(1, at, pixel_m)
                      : structure(bubbles_layer, at * noise_scale.x + foam_shift.xy, pixel_m * noise_scale.x);
-    float broad = smoothstep(0.35, 1.5, pixel_m);
+    float broad = smoothstep(0.35, 1.5, pixel_m) * foam_kind.w * (1.0 - freshness);
+    amount = mix(amount, gathered_in_pixel(amount, third.x, 0.4, pixel_m, 60.0), broad);
 #endif
-    vec2 behind_crests = foam_behind_crests(at, streaks.y);
-    float breaks = behind_crests.x, old = behind_crests.y;
-    float strewn = foam_kind.x;
-#if THREE_SCALES
-    strewn = mix(strewn, gathered_in_pixel(strewn, third.x, 0.4, pixel_m, 60.0), broad);
-#endif
-    old = gathered_in_pixel(old, streaks.x, foam_kind.y, pixel_m, 3.0);
-    strewn = gathered_in_pixel(strewn, streaks.x, 0.3, pixel_m, 3.0);
+#if STREAKS
+    amount = mix(gathered_in_pixel(amount, streaks.x, foam_kind.y, pixel_m, 3.0), amount, mix(0.5, 1.0, freshness));
     lace_uv += 0.30 * streaks.yz;
-#else
-    float old = 0.0, strewn = 0.0, breaks = 1.0;
 #endif
-    old = 1.0 - (1.0 - old) * (1.0 - strewn);
-    float amount = max(fresh, old);
-    float freshness = fresh / max(amount, 1e-3);
 
     vec4 lace = structure(lace_layer, lace_uv, pixel_m * noise_scale.y);
-    float cover = gathered_in_pixel(amount, lace.x, mix(0.10, 0.35, freshness), pixel_m, 0.5);
-    float thickness = freshness * mix(0.7, 1.0, breaks) * (0.55 + 0.45 * lace.x) + (1.0 - freshness) * (0.05 + 0.35 * lace.x * amount);
+    float cover = gathered_in_pixel(amount, lace.x, mix(0.25, 0.35, freshness), pixel_m, 0.5);
+    float thickness = freshness * (0.55 + 0.45 * lace.x) + (1.0 - freshness) * (0.05 + 0.35 * lace.x * amount);
     float near = 1.0 - smoothstep(0.02, 0.25, pixel_m);
     vec2 relief = lace.yz * (0.55 * near);
     float hollow = (1.0 - lace.x) * 0.6;
@@ -124,7 +108,7 @@ Foam foam_at(vec2 at, float fresh, vec3 to_eye) {
         thickness *= 1.0 - 0.25 * seen * (1.0 - third.w);
     }
 #endif
-    return Foam(cover, thickness, smoothstep(0.0, 0.7, max(fresh, 0.8 * old)), relief, hollow);
+    return Foam(cover, fresh, thickness, plume, relief, hollow);
 }
 
 // From a film through which the water shows to thick foam: 0.2 to 0.7 in the visible (Whitlock et al. 1982; Koepke 1984).

@@ -21,6 +21,14 @@
 #define COAST 2
 #define RIVER 3
 #define POND 4
+// So many of the coarsest tiles bring their foam with the mesh's vertices; pixels look it up of the others.
+#if SURFACE != OPEN || SHADING == HIGH
+#define FOAM_OF_VERTICES 0
+#elif SHADING == MEDIUM
+#define FOAM_OF_VERTICES (TILES / 2)
+#else
+#define FOAM_OF_VERTICES TILES
+#endif
 // Vertices hand out the slopes of the mesh: those of its triangles jump, and where it folds some are slivers.
 #define MESH_SLOPES (SHADING != HEADSET && SURFACE == OPEN)
 
@@ -38,7 +46,7 @@ layout(std140) uniform Scene {
     highp vec4 tile_place[4];     // xy: texture coordinates of the viewer's place; zw: cosine and sine of its turn over its side
     highp vec4 tile_scale[4];     // x: texels a metre; y: the mip at which nothing is left of its waves; z: side
     highp vec4 tile_slope[4];     // x: what slopes count in; y: variances; z: variance of all its waves, of both axes;
-                                  // w: its Jacobian below which foam begins
+                                  // w: mean part of the sea under its foam
     highp vec4 tile_noise[4];     // xy: the viewer's place in the noise that tells its copies apart; z: the tile's side over the noise's
     highp vec4 viewer;            // x: 1 if the sky is drawn, where the lens is in the air; z: height above rest
     highp vec4 grid;              // xy: the grid's corner; z: metres a step; w: V
@@ -58,11 +66,8 @@ layout(std140) uniform Scene {
     highp vec4 detail_shift;      // xy of layer 0, zw of layer 1: where the viewer is in the tile
     highp vec4 detail_noise;      // the same in a square of ripple_noise_tiles such tiles, which repeats
     highp vec4 noise_scale;       // xy: of foam's bubbles and lace, zw: of the gusts' two, 1/m
-    highp vec4 foam_shift;        // where the viewer is in them
+    highp vec4 foam_shift;        // where the viewer is in foam's, which drift
     highp vec4 gust_shift;
-    highp vec4 foam_trail;        // x: the tile whose crests leave foam behind; y: how far the sum of
-                                  // tiles folds where foam begins, over the root of the sum of their squares; zw: from one look down the wind to the next,
-                                  // texture coordinates
     highp vec4 lens;              // the surface around the lens, relative to the viewer: y = lens.x + dot(lens.yz, xz); w: how
                                   // far ahead of the eye the near plane lies, 0 where all of the lens is in the air
     highp vec4 floor_place;       // xy: texture coordinates of the viewer's place; zw: the same a metre, 0 for a plane
@@ -73,9 +78,9 @@ layout(std140) uniform Scene {
     highp vec4 floor_albedo;      // w: 1 if the floor may be seen from above
     highp vec4 caustic_place;     // as tile_place, of the caustics' texture; zw: 0 if there is none
     highp vec4 caustic_row[3];    // xy: radians a metre; z: phase at the viewer; w of the first: depth of the focus
-    highp vec4 foam_streaks[2];   // along and across the wind, near and far: xy 1/m, zw where the viewer is
-    highp vec4 foam_kind;         // x: part of the sea under thin streaks; y: how softly streaks gather old foam; z: height of
-                                  // fresh foam, m; w: choppiness
+    highp vec4 foam_streaks[2];   // along and across the wind, near and far: xy 1/m, zw where the viewer is; they drift
+    highp vec4 foam_kind;         // x: so many tiles, the coarsest, make foam; y: how softly streaks gather old foam; z: height of
+                                  // fresh foam, m; w: how much of it far windrows gather
     highp vec4 bump_lattice[8];   // of small water's octaves: xy cosine and sine of the turn; z: cells a metre; w: height
     highp vec4 bump_place[8];     // where the viewer is in it: xy in the cell, zw which cell
     highp vec4 bump_turn[2];      // how far gradients have turned, turns

@@ -4,7 +4,7 @@
 //   mirror      the sky, mirrored by waves of which those that lean towards the eye count most; the sun's glint; with MIRRORS_SCENE also
 //               what a host drew
 //   water       light from below: absorption and backscattering, light through crests
-//   foam        white and diffuse, over all of it
+//   foam        white and diffuse, over all of it: how much the tiles' maps say, where in the pixel its texture does
 //   haze        towards the colour that the sky has at the horizon there
 //
 // With BELOW, where a floor or a lens is near the surface: what lies below shows through, and pixels of a lens that is under water see the
@@ -25,6 +25,9 @@ in vec4 coarsest;
 #elif MESH_SLOPES
 in vec2 mesh_slopes;
 #endif
+#if FOAM_OF_VERTICES > 0
+in vec2 foam_of_vertices;
+#endif
 #endif
 out vec4 colour;
 
@@ -41,6 +44,10 @@ const float pi = 3.14159265;
 #endif
 #include "water_light.glsl"
 #include "water.glsl"
+#if SURFACE == OPEN
+#include "foam_of_tiles.glsl"
+#include "foam_maps.glsl"
+#endif
 #include "foam.glsl"
 #include "haze.glsl"
 #if BELOW
@@ -91,7 +98,7 @@ void main() {
     normal = seen_normal(normal, facet, to_eye, surface.alpha2, distance_m);
 #endif
 
-    Foam foam = foam_at(resting, surface.foam, to_eye);
+    Foam foam = foam_at(resting, distance_m, surface.crests, to_eye);
 #if BELOW
     // From below the edge of Snell's window is sharp: what normals turn from pixel to pixel counts as roughness there.
     float turns = fwidth(dot(normal, to_eye));
@@ -108,7 +115,7 @@ void main() {
 #endif
 
     float mirrors = mean_fresnel(clamp(dot(normal, to_eye), 0.0, 1.0), sqrt(0.5 * surface.alpha2));
-    water_light += through_crests(normal, to_eye, height, surface.foam);
+    water_light += through_crests(normal, to_eye, height, foam.fresh);
     vec3 mirrored = mirrored_light(normal, to_eye, surface.alpha2, water_light);
 #ifdef MIRRORS_SCENE
     mirrored = with_mirrored_scene(mirrored, at, normal, to_eye, surface.alpha2, water_light);

@@ -23,6 +23,11 @@ uniform highp sampler2DArray slopes;
 out vec2 mesh_slopes;  // of the height, of the waves that the mesh holds
 #endif
 
+#if FOAM_OF_VERTICES > 0
+#include "foam_of_tiles.glsl"
+out vec2 foam_of_vertices;  // of FoamOfTiles: part, mean
+#endif
+
 out vec4 place;  // relative to the viewer; w is 1, the skirt has 0 at the horizon
 out vec2 rest;   // where the water rests
 flat out int patch_level;
@@ -33,27 +38,43 @@ invariant gl_Position;
 #include "small_water.glsl"
 #endif
 
+// Of a vertex: how far, and what foam floats there.
+struct Moved {
+    vec3 way;
+    vec2 foam;
+};
+
 // The sum of what the tiles hold there. Mips and weights depend on the rest position alone, so that every patch that has this
 // vertex takes the same ones. A mip grows with distance as the vertices' spacing does; half a level below it, because waves
 // of a few vertices still count.
-vec3 displaced(ivec2 index) {
+Moved displaced(ivec2 index) {
     vec2 at = grid.xy + vec2(index) * grid.z;
     vec2 from_centre = abs(at - fade.xy);
     float left = clamp((fade.z - max(from_centre.x, from_centre.y)) * fade.w, 0.0, 1.0);
     float spacing = max(mesh.y, length(vec3(at.x, viewer.z, at.y)) * mesh.x);
     vec3 moved = vec3(0.0);
+    vec2 foam = vec2(0.0);
 #if SURFACE != OPEN
     moved.y = small_height(at, spacing);
 #else
     for (int tile = 0; tile < TILES; ++tile) {
         float mip = max(log2(spacing * tile_scale[tile].x) - 0.5, 0.0);
         float weight = weight_of_tile(tile, mip);
-        if (weight > 0.0)
-            moved += weight * textureLod(displacement, vec3(place_in_tile(tile, at), tile), min(mip, mesh.z)).xyz;
+        vec4 texel = vec4(0.0);
+        if (weight > 0.0) texel = textureLod(displacement, vec3(place_in_tile(tile, at), tile), min(mip, mesh.z));
+        moved += weight * texel.xyz;
+#if FOAM_OF_VERTICES > 0
+        if (tile < FOAM_OF_VERTICES && float(tile) < foam_kind.x) {
+            FoamOfTiles all = with_tile(FoamOfTiles(foam.x, foam.y), mix(tile_slope[tile].w, texel.w, weight * left), mip);
+            foam = vec2(all.part, all.mean);
+        }
+#endif
     }
 #endif
-    return moved * left;
+    return Moved(moved * left, foam);
 }
+
+Moved mixed(Moved a, Moved b, float part) { return Moved(mix(a.way, b.way, part), mix(a.foam, b.foam, part)); }
 
 #if BELOW
 // Around a lens near the water the mesh is the plane that the lens is told of, or its edge would stand beside the line in the
@@ -73,7 +94,7 @@ void main() {
     ivec2 ij = ivec2(vertex);
     int stride = 1 << (int(skirt.w) - int(level.x));
     ivec2 index = ivec2(corner) + ij * stride;
-    vec3 moved = displaced(index);
+    Moved moved = displaced(index);
 
     ivec2 odd = ij & 1;
     if (odd != ivec2(0)) {
@@ -85,7 +106,7 @@ void main() {
         ivec2 offset = odd;
         if (odd == ivec2(1) && ((ij.x / 2 + ij.y / 2 + int(level.y)) & 1) != 0) offset.y = -1;
         offset *= stride;
-        if (weight < 1.0) moved = mix(0.5 * (displaced(index - offset) + displaced(index + offset)), moved, weight);
+        if (weight < 1.0) moved = mixed(mixed(displaced(index - offset), displaced(index + offset), 0.5), moved, weight);
     }
     rest = grid.xy + vec2(index) * grid.z;
 #if VERTEX_TILES > 0
@@ -103,7 +124,10 @@ void main() {
         mesh_slopes += texel * (tile_slope[tile].x * weight_of_tile(tile, mip));
     }
 #endif
-    vec3 at = vec3(rest.x + moved.x, moved.y - viewer.z, rest.y + moved.z);
+#if FOAM_OF_VERTICES > 0
+    foam_of_vertices = moved.foam;
+#endif
+    vec3 at = vec3(rest.x + moved.way.x, moved.way.y - viewer.z, rest.y + moved.way.z);
 #if BELOW
     at = as_at_lens(at);
 #endif

@@ -1,5 +1,4 @@
-// The surface in a pixel: normal and roughness from the mips of the tiles' slopes, ripples that no texel holds, and where the
-// water folds.
+// The surface in a pixel: normal and roughness from the mips of the tiles' slopes, and ripples that no texel holds.
 //
 // VR Ocean, equations 47 and 48 (the normal); Olano and Baker 2010, "LEAN Mapping".
 uniform highp sampler2DArray slopes;   // of a tile: h_x, h_z, D_xx, D_zz, as sim/slope_sum.hpp says
@@ -136,18 +135,10 @@ vec2 normal_slopes(Slopes sum) {
     return normal.xz / max(normal.y, 0.2 * length(normal));
 }
 
-// 0 where no foam begins, 1 where the water folds further than most; the mean of that over Jacobians of deviation `sigma` around this one,
-// which a pixel averages away: a smoothstep between two ends is as wide as a deviation of 1 / sqrt(20) of their distance, and squares of
-// widths add. So the sea is as white from far as from near, and whitecaps that are smaller than pixels don't flicker.
-float folding(float begins, float jacobian, float sigma) {
-    float middle = begins - 0.03, half_wide = 0.5 * sqrt(0.22 * 0.22 + 20.0 * sigma * sigma);
-    return smoothstep(middle + half_wide, middle - half_wide, jacobian);
-}
-
 struct Waves {
     vec2 slopes;   // with the sign of the normal
     float alpha2;  // GGX roughness squared: slopes below the size of a pixel, mean square
-    float foam;    // 0 where the water does not fold, 1 where it does further than most
+    float crests;  // part of a small water's pixel that breaks; open seas have maps of it (foam_maps.glsl)
 };
 
 #if VERTEX_TILES > 0
@@ -161,13 +152,8 @@ Slopes slopes_of_vertices() {
 }
 #endif
 
-// Foam is where the sum of the tiles folds. Each tile's own Jacobian is as far below 1 where foam begins as that tile's waves
-// go in that part of the sea; independent waves go as far together as the root of the sum of the squares
-// (SeaFigures::whitecap_depth_of_sum). D_xx + D_zz varies as much as slopes do, times the choppiness.
 Waves resolved_waves(vec2 at, float distance_m, Footprint pixel) {
     Slopes sum = Slopes(vec2(0.0), vec3(0.0), 0.0);
-    vec3 folds = vec3(0.0);
-    float depth = 0.0, averaged = 0.0;
     for (int tile = 0; tile < TILES; ++tile) {
 #if VERTEX_TILES > 0
         Slopes seen = tile < VERTEX_TILES ? slopes_of_vertices() : tile_slopes(tile, at, distance_m, pixel);
@@ -175,15 +161,8 @@ Waves resolved_waves(vec2 at, float distance_m, Footprint pixel) {
         Slopes seen = tile_slopes(tile, at, distance_m, pixel);
 #endif
         sum = Slopes(sum.h + seen.h, sum.d + seen.d, sum.variance + seen.variance);
-        float begins = 1.0 - tile_slope[tile].w;
-        float breaks = begins > 5.0 ? 0.0 : begins * begins;  // some waves break without white water
-        folds += breaks > 0.0 ? seen.d : vec3(0.0);
-        depth += breaks;
-        averaged += breaks > 0.0 ? seen.variance : 0.0;
     }
-    float begins_in_sum = depth > 0.0 ? 1.0 - foam_trail.y * sqrt(depth) : -1e3;
-    float foam = folding(begins_in_sum, jacobian_of(folds), foam_kind.w * sqrt(averaged));
-    return Waves(normal_slopes(sum), sum.variance, foam);
+    return Waves(normal_slopes(sum), sum.variance, 0.0);
 }
 
 // A layer of ripples around a place: slopes in xy, in w how much of their mean square the pixel does not average away. A tile of them is

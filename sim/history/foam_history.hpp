@@ -21,7 +21,9 @@ class FoamHistory final : public History {
     FoamHistory(const FoamHistory&) = delete;  // stages point into it
     FoamHistory& operator=(const FoamHistory&) = delete;
 
-    int warm_up_ticks() const override { return (255 + FoamTickJob::fade - 1) / FoamTickJob::fade; }
+    static constexpr int remembered_ticks = (255 + FoamTickJob::fade - 1) / FoamTickJob::fade;
+
+    int warm_up_ticks() const override { return remembered_ticks; }
     std::vector<StageId> add_tick_stages(JobGraph& graph, std::span<const StageId> surfaces_done) override;
     void forget() override;
     void advance() override;

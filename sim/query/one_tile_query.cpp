@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pelagic/sim/query/foam_at.hpp"
 #include "pelagic/sim/surface/fold_map.hpp"
 #include "pelagic/sim/surface/surface_texels.hpp"
 
@@ -107,6 +108,13 @@ void OneTileQuery::read(const SampleSurfaceJob::Outputs& outputs, PointChunk& ch
                              .count = chunk.padded,
                              .rest = chunk.rest.places(),
                              .out = outputs});
+}
+
+void OneTileQuery::read_foam(const PointChunk& chunk, std::span<float> foam) const {
+    const PointChunk::World& rest = chunk.rest;
+    for (std::size_t i = 0; i < foam.size(); ++i)
+        foam[i] = static_cast<float>(foam_at(tile_, rest.cell_x[i], rest.cell_z[i], static_cast<double>(rest.u[i]),
+                                             static_cast<double>(rest.v[i])));
 }
 
 // A cell (i, j) can be drawn at the point only if it rests within the largest displacement of it.

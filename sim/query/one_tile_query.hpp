@@ -15,6 +15,8 @@ class OneTileQuery {
     void find_rest_points(PointChunk& chunk) const;
     /// Reads the frame at the rest points.
     void read(const SampleSurfaceJob::Outputs& outputs, PointChunk& chunk) const;
+    /// \param foam  of the chunk's points \pre the tile has foam
+    void read_foam(const PointChunk& chunk, std::span<float> foam) const;
 
    private:
     struct Sheet;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pelagic/sim/query/foam_at.hpp"
 #include "pelagic/sim/surface/squeeze_map.hpp"
 
 namespace pelagic {
@@ -106,6 +107,24 @@ void StackQuery::read(const SampleSurfaceJob::Outputs& outputs, PointChunk& chun
                        .out = outputs};
     for (std::size_t t = 0; t < tiles_.size(); ++t) job.tiles[t] = stack_tile(t, chunk);
     kernels_.sample_stack(job);
+}
+
+void StackQuery::read_foam(const PointChunk& chunk, std::span<float> foam) const {
+    std::fill(foam.begin(), foam.end(), 0.f);
+    for (std::size_t t = 0; t < tiles_.size(); ++t) {
+        if (!tiles_[t].makes_whitecaps()) continue;
+        const SearchTile& tile = search_tiles_[t];
+        const PointChunk::World& world = chunk.world[t];
+        for (std::size_t i = 0; i < foam.size(); ++i) {
+            const auto x = static_cast<double>(chunk.offset_x[i]), z = static_cast<double>(chunk.offset_z[i]);
+            const double u = static_cast<double>(world.u[i]) + (tile.along * x + tile.across * z);
+            const double v = static_cast<double>(world.v[i]) + (tile.along * z - tile.across * x);
+            const std::int64_t column = floor_of(u), row = floor_of(v);
+            const double here = foam_at(tiles_[t], world.cell_x[i] + column, world.cell_z[i] + row,
+                                        u - static_cast<double>(column), v - static_cast<double>(row));
+            foam[i] = std::max(foam[i], static_cast<float>(here));
+        }
+    }
 }
 
 }  // namespace pelagic

@@ -17,6 +17,7 @@ class StackQuery {
     void place(PointChunk& chunk) const;
     void find_rest_points(PointChunk& chunk) const;
     void read(const SampleSurfaceJob::Outputs& outputs, PointChunk& chunk) const;
+    void read_foam(const PointChunk& chunk, std::span<float> foam) const;
 
    private:
     bool is_only_one(const PointChunk& chunk, std::size_t point) const;

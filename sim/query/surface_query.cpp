@@ -16,12 +16,14 @@
 namespace pelagic {
 namespace {
 
+bool wants_velocity(const SurfaceSamples& samples) {
+    return !samples.velocity_x_mps.empty() || !samples.velocity_y_mps.empty() || !samples.velocity_z_mps.empty();
+}
+
 /// No more than is wanted.
 SampleSurfaceJob::Outputs outputs_wanted(const SurfaceSamples& samples, PointChunk& chunk) {
     const bool wants_normal = !samples.normal_x.empty() || !samples.normal_y.empty() || !samples.normal_z.empty() ||
                               !samples.jacobian.empty();
-    const bool wants_velocity =
-        !samples.velocity_x_mps.empty() || !samples.velocity_y_mps.empty() || !samples.velocity_z_mps.empty();
     SampleSurfaceJob::Outputs out = {};
     if (wants_normal || !samples.height_m.empty()) out.height = chunk.height;
     if (wants_normal) {
@@ -30,7 +32,7 @@ SampleSurfaceJob::Outputs outputs_wanted(const SurfaceSamples& samples, PointChu
         out.normal_z = chunk.normal_z;
         out.jacobian = chunk.jacobian;
     }
-    if (wants_velocity) {
+    if (wants_velocity(samples)) {
         out.velocity_x = chunk.velocity_x;
         out.velocity_y = chunk.velocity_y;
         out.velocity_z = chunk.velocity_z;
@@ -54,17 +56,21 @@ SurfaceQuery::SurfaceQuery(const Frame& frame, double tolerance_m)
             throw std::invalid_argument("the frame can't be queried, needs an ocean with OceanOptions::queries");
 }
 
+void SurfaceQuery::check(const SurfaceSamples& wanted) const {
+    if (wants_velocity(wanted) && !has_velocities())
+        throw std::invalid_argument("the frame has no velocities, needs an ocean with OceanOptions::velocities");
+    if (!wanted.foam.empty() && !has_foam())
+        throw std::invalid_argument("the frame has no foam, needs an ocean with OceanOptions::foam");
+}
+
 void SurfaceQuery::sample(const SurfacePoints& points, const SurfaceSamples& samples) const {
     const std::size_t count = points.x.size();
     [[maybe_unused]] const auto fits = [count](const auto& span) { return span.empty() || span.size() == count; };
     assert(points.z.size() == count && fits(samples.height_m) && fits(samples.normal_x) && fits(samples.normal_y) &&
            fits(samples.normal_z) && fits(samples.jacobian) && fits(samples.velocity_x_mps) &&
            fits(samples.velocity_y_mps) && fits(samples.velocity_z_mps) && fits(samples.error_m) &&
-           fits(samples.converged));
-    const bool wants_velocity =
-        !samples.velocity_x_mps.empty() || !samples.velocity_y_mps.empty() || !samples.velocity_z_mps.empty();
-    if (wants_velocity && !has_velocities())
-        throw std::invalid_argument("the frame has no velocities, needs an ocean with OceanOptions::velocities");
+           fits(samples.converged) && fits(samples.foam));
+    check(samples);
 
     const DefaultFloatEnvironment environment;
     PointChunk chunk;
@@ -77,6 +83,7 @@ void SurfaceQuery::sample(const SurfacePoints& points, const SurfaceSamples& sam
             query.place(chunk);
             query.find_rest_points(chunk);
             query.read(outputs_wanted(samples, chunk), chunk);
+            if (!samples.foam.empty()) query.read_foam(chunk, samples.foam.subspan(first, chunk.count));
             hand_out(points, samples, chunk);
         }
     };

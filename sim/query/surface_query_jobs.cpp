@@ -31,7 +31,8 @@ struct SurfaceQueryJobs::State {
                        .velocity_y_mps = part(samples.velocity_y_mps, begin, count),
                        .velocity_z_mps = part(samples.velocity_z_mps, begin, count),
                        .error_m = part(samples.error_m, begin, count),
-                       .converged = part(samples.converged, begin, count)});
+                       .converged = part(samples.converged, begin, count),
+                       .foam = part(samples.foam, begin, count)});
     }
 
     const SurfaceQuery* query = nullptr;
@@ -56,10 +57,8 @@ SurfaceQueryJobs::~SurfaceQueryJobs() = default;
 
 void SurfaceQueryJobs::sample(const SurfaceQuery& query, const SurfacePoints& points, const SurfaceSamples& samples) {
     const std::size_t count = points.x.size();
-    const bool wants_missing_velocity =
-        !query.has_velocities() &&
-        !(samples.velocity_x_mps.empty() && samples.velocity_y_mps.empty() && samples.velocity_z_mps.empty());
-    if (count <= least_points_a_job || wants_missing_velocity) return query.sample(points, samples);
+    if (count <= least_points_a_job) return query.sample(points, samples);
+    query.check(samples);
     state_->query = &query;
     state_->points = points;
     state_->samples = samples;

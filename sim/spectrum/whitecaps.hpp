@@ -15,10 +15,6 @@ double whitecap_cover(const SeaState& sea);
 /// What each of some tiles has to cover, one independent of the other, so that a part `cover` of the sea is under any of them.
 double cover_of_each(double cover, int tiles);
 
-/// How far the quantile of `cover` is from the mean of a Gaussian, over that of cover_of_each(): 1 for one tile. A sum of as many
-/// independent tiles goes below `cover` of itself at this part of the root of the sum of the squares of theirs.
-double quantile_of_sum(double cover, int tiles);
-
 /// Where water turns white: a texel of Jacobian J makes foam of clamp(1/2 + (jacobian - J) / ramp, 0, 1).
 struct WhitecapThreshold {
     float jacobian;  ///< Tile::no_whitecaps where nothing folds

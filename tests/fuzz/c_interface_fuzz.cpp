@@ -129,6 +129,7 @@ pelagic_ocean* any_ocean(Bytes& bytes) {
     options.velocities = parts % 2;
     options.slopes = parts / 2 % 2;
     options.gradients = parts / 4 % 2;
+    options.foam = parts / 8 % 2;
     options.query_tolerance_m = bytes.take<std::uint8_t>() == 255 ? bytes.number() : 0;
     const char* const isas[] = {nullptr, nullptr, nullptr, "sse4.2", "avx2", "", "neon"};
     options.isa = isas[bytes.take<std::uint8_t>() % std::size(isas)];
@@ -143,7 +144,7 @@ pelagic_ocean* any_ocean(Bytes& bytes) {
 void any_query(Bytes& bytes, const pelagic_ocean* ocean) {
     constexpr std::size_t most = 40;
     double x[most], z[most];
-    float out[9][most];
+    float out[10][most];
     std::uint8_t converged[most];
     auto points = sized<pelagic_points>(bytes);
     const auto count = bytes.take<std::uint8_t>();
@@ -152,11 +153,13 @@ void any_query(Bytes& bytes, const pelagic_ocean* ocean) {
     points.x = count == 254 ? nullptr : x;
     points.z = z;
     auto samples = sized<pelagic_samples>(bytes);
-    float** const wanted[9] = {&samples.height_m,       &samples.normal_x,       &samples.normal_y,
-                               &samples.normal_z,       &samples.jacobian,       &samples.velocity_x_mps,
-                               &samples.velocity_y_mps, &samples.velocity_z_mps, &samples.error_m};
+    float** const wanted[10] = {&samples.height_m,       &samples.normal_x,
+                                &samples.normal_y,       &samples.normal_z,
+                                &samples.jacobian,       &samples.velocity_x_mps,
+                                &samples.velocity_y_mps, &samples.velocity_z_mps,
+                                &samples.error_m,        &samples.foam};
     const auto which = bytes.take<std::uint16_t>();
-    for (int i = 0; i < 9; ++i)
+    for (int i = 0; i < 10; ++i)
         if (which >> i & 1) *wanted[i] = out[i];
     samples.converged = converged;
     must_be_a_status(pelagic_ocean_query(ocean, &points, &samples));
@@ -174,6 +177,7 @@ void any_ray(Bytes& bytes, const pelagic_ocean* ocean) {
 void any_frame_at(Bytes& bytes, pelagic_ocean* ocean) {
     static std::vector<float> plane(64 * 64);
     static std::vector<std::uint32_t> chain(64 * 64 * 2);
+    static std::vector<std::uint8_t> foam(64 * 64 * 2);
     // As many structs as an ocean has tiles, of the size that the first states: more memory than that may take.
     alignas(pelagic_frame_buffers) static std::array<std::byte, 4 * 4096> tiles;
     tiles = {};
@@ -194,6 +198,8 @@ void any_frame_at(Bytes& bytes, pelagic_ocean* ocean) {
         if (parts / 4 % 4 == 1) buffers.slopes_rgba8 = chain.data();
         if (parts / 4 % 4 == 2) buffers.moments_rgba8 = chain.data();
         if (parts / 4 % 4 == 3) buffers.gradient_rgba8 = chain.data();
+        buffers.foam_count = buffers.rgba8_count;
+        if (parts / 16 % 4 == 1) buffers.foam_r8 = foam.data();
         const std::size_t place = tile * (first.struct_size <= 4096 ? first.struct_size : 0);
         if (place + sizeof buffers <= tiles.size()) std::memcpy(tiles.data() + place, &buffers, sizeof buffers);
     }
@@ -214,7 +220,19 @@ void any_tile(Bytes& bytes, const pelagic_ocean* ocean) {
     std::uint64_t sum = tile.displacement_rgba16f[4 * n * n - 1];
     for (const std::uint32_t* chain : {tile.gradient_rgba8, tile.slopes_rgba8, tile.moments_rgba8})
         if (chain) sum += chain[last];
+    if (tile.foam_r8) sum += tile.foam_r8[last];
     if (sum >> 62 != 0) std::abort();  // it never is; so the reads are not left out
+}
+
+/// Saved, and restored with a byte that somebody has changed, in its head or in the foam. Takes none of the input, so that a
+/// corpus keeps its layout.
+void any_history(pelagic_ocean* ocean, std::uint64_t hash) {
+    std::size_t count = 0;
+    must_be_a_status(pelagic_ocean_save_history(ocean, nullptr, 0, &count));
+    std::vector<std::uint8_t> saved(count);
+    must_be_a_status(pelagic_ocean_save_history(ocean, saved.data(), saved.size(), &count));
+    if (count > 0) saved[hash % 64 < 16 ? hash % 8 : hash % count] ^= 0xFF;
+    must_be_a_status(pelagic_ocean_restore_history(ocean, saved.data(), saved.size()));
 }
 
 void any_call(Bytes& bytes, pelagic_ocean*& ocean) {
@@ -225,7 +243,11 @@ void any_call(Bytes& bytes, pelagic_ocean*& ocean) {
         case 0: must_be_a_status(pelagic_ocean_schedule(ocean, bytes.number())); break;
         case 1: must_be_a_status(pelagic_ocean_complete(ocean, &frame)); break;
         case 2: must_be_a_status(pelagic_ocean_poll(ocean, &is_ready)); break;
-        case 3: must_be_a_status(pelagic_ocean_hash(ocean, &hash)); break;
+        case 3:
+            must_be_a_status(pelagic_ocean_hash(ocean, &hash));
+            must_be_a_status(pelagic_ocean_foam_hash(ocean, &hash));
+            any_history(ocean, hash);
+            break;
         case 4: {
             const pelagic_sea sea = any_sea(bytes);
             must_be_a_status(pelagic_ocean_schedule_sea(ocean, &sea));

@@ -1,0 +1,44 @@
+// How much of a place is under foam: what the tiles' maps say, and nothing else. Texels rest, so foam stays on its water.
+uniform mediump sampler2DArray foam_maps;  // a part of 1, a layer a tile
+
+#if FOAM_OF_VERTICES > 0
+// That of the coarsest tiles, which is wider than the mesh is fine.
+FoamOfTiles foam_by_vertices() {
+#ifdef SKIRT
+    FoamOfTiles all = FoamOfTiles(0.0, 1.0);
+    for (int tile = 0; tile < FOAM_OF_VERTICES; ++tile) all = with_tile(all, tile_slope[tile].w, 4.0);
+    return all;
+#else
+    return FoamOfTiles(foam_of_vertices.x, foam_of_vertices.y);
+#endif
+}
+#endif
+
+// One tile's, of a piece so wide around a place.
+float foam_of_tile(int tile, vec2 at, float distance_m, float mip) {
+    vec2 uv = place_in_tile(tile, at);
+#if SHADING == HIGH && TILES == 1
+    // As its waves: mixed by weights that add to one, so that the mean stays.
+    Copies copies = copies_at(tile, at, distance_m);
+    if (!copies.are_one)
+        return dot(copies.weights * copies.weights, vec2(textureLod(foam_maps, vec3(uv + copies.first, tile), mip).x,
+                                                         textureLod(foam_maps, vec3(uv + copies.second, tile), mip).x));
+#endif
+    return textureLod(foam_maps, vec3(uv, tile), mip).x;
+}
+
+// `ragged`, within [-1, 1], bends the edges of texels. Tiles of which no wave is left in the pixel have their mean.
+FoamOfTiles foam_of_maps(vec2 at, vec2 ragged, float distance_m, Footprint pixel) {
+#if FOAM_OF_VERTICES > 0
+    FoamOfTiles all = foam_by_vertices();
+#else
+    FoamOfTiles all = FoamOfTiles(0.0, 0.0);
+#endif
+    for (int tile = FOAM_OF_VERTICES; tile < TILES; ++tile) {
+        float texels_a_m = tile_scale[tile].x, mip = log2(max(pixel.wide_m * texels_a_m, 1e-3));
+        float part = tile_slope[tile].w, weight = float(tile) < foam_kind.x ? weight_of_tile(tile, mip) : 0.0;
+        if (weight > 0.0) part = mix(part, foam_of_tile(tile, at + ragged / texels_a_m, distance_m, mip), weight);
+        all = with_tile(all, part, mip);
+    }
+    return all;
+}

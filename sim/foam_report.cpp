@@ -1,0 +1,37 @@
+#include "pelagic/sim/foam_report.hpp"
+
+#include <cmath>
+
+#include "pelagic/sim/history/foam_drift.hpp"
+#include "pelagic/sim/history/foam_history.hpp"
+#include "pelagic/sim/spectrum/whitecaps.hpp"
+#include "pelagic/sim/tick_clock.hpp"
+
+namespace pelagic {
+namespace {
+
+double length(double x, double z) { return std::sqrt(x * x + z * z); }
+
+}  // namespace
+
+FoamReport report_on_foam(const Frame& frame) {
+    const TickClock clock(frame.sea.loop_period_s);
+    const SeaFigures& figures = frame.figures;
+    FoamReport report{.tick_s = clock.tick_s(),
+                      .ticks_a_loop = clock.ticks_a_loop(),
+                      .warm_up_ticks = FoamHistory::remembered_ticks,
+                      .drift_mps = length(figures.foam_drift_x_mps, figures.foam_drift_z_mps),
+                      .drift_direction_rad = std::atan2(figures.foam_drift_z_mps, figures.foam_drift_x_mps),
+                      .whitecap_cover = whitecap_cover(frame.sea.wind_speed_mps),
+                      .tiles = {}};
+    for (const Tile& tile : frame.tiles) {
+        const DriftTexels loop = drift_a_loop(figures, tile.lattice, tile.resolution(), clock);
+        report.tiles.push_back({.makes_whitecaps = tile.makes_whitecaps(),
+                                .columns_a_loop = loop.x,
+                                .rows_a_loop = loop.z,
+                                .drift_mps = length(loop.x, loop.z) * tile.texel_m() / frame.sea.loop_period_s});
+    }
+    return report;
+}
+
+}  // namespace pelagic

@@ -1,0 +1,145 @@
+// Foam through the C interface: who asks for none has none, and what frames remember can be saved and taken up.
+#include <algorithm>
+#include <string>
+
+#include "pelagic/tests/capi_sea.hpp"
+
+namespace pelagic {
+namespace {
+
+void expect_refused(pelagic_status status, pelagic_status expected, const std::string& line) {
+    EXPECT_EQ(status, expected);
+    EXPECT_EQ(pelagic_last_error(), line);
+}
+
+class CInterfaceFoam : public testing::Test {
+   protected:
+    COceanExecutor serial = executor_of(PELAGIC_EXECUTOR_SERIAL);
+
+    COcean gale(bool has_foam, double wind_speed_mps = 20) const {
+        pelagic_sea sea = stack_sea(2);
+        sea.wind_speed_mps = wind_speed_mps;
+        auto options = sized<pelagic_ocean_options>();
+        options.executor = serial.get();
+        options.queries = 1;
+        options.foam = has_foam;
+        return ocean_of(sea, options);
+    }
+    static pelagic_frame complete(const COcean& ocean, double time_s) {
+        auto frame = sized<pelagic_frame>();
+        EXPECT_EQ(pelagic_ocean_schedule(ocean.get(), time_s), PELAGIC_OK) << pelagic_last_error();
+        EXPECT_EQ(pelagic_ocean_complete(ocean.get(), &frame), PELAGIC_OK) << pelagic_last_error();
+        return frame;
+    }
+    static std::uint64_t foam_hash(const COcean& ocean) {
+        std::uint64_t hash = 0;
+        EXPECT_EQ(pelagic_ocean_foam_hash(ocean.get(), &hash), PELAGIC_OK) << pelagic_last_error();
+        return hash;
+    }
+    static std::vector<std::uint8_t> saved(const COcean& ocean) {
+        std::size_t count = 0;
+        EXPECT_EQ(pelagic_ocean_save_history(ocean.get(), nullptr, 0, &count), PELAGIC_OK) << pelagic_last_error();
+        std::vector<std::uint8_t> bytes(count);
+        EXPECT_EQ(pelagic_ocean_save_history(ocean.get(), bytes.data(), bytes.size(), &count), PELAGIC_OK);
+        EXPECT_EQ(count, bytes.size());
+        return bytes;
+    }
+};
+
+TEST_F(CInterfaceFoam, IsInTilesCopiesAndQueries) {
+    const COcean ocean = gale(true);
+    const pelagic_frame frame = complete(ocean, 4);
+    // Along +x, as the wind: 2 % of it, and Stokes' drift of those waves that two tiles of 32 texels hold.
+    EXPECT_GT(frame.foam_drift_x_mps, 0.02 * 20);
+    EXPECT_LT(frame.foam_drift_x_mps, 0.04 * 20);
+    EXPECT_NEAR(frame.foam_drift_z_mps, 0, 0.02);
+    const std::size_t chain = (4 * 32 * 32 - 1) / 3;
+    std::vector<std::vector<std::uint8_t>> copies(2, std::vector<std::uint8_t>(chain));
+    std::vector<pelagic_frame_buffers> buffers(2, sized<pelagic_frame_buffers>());
+    buffers[0].tile_count = 2;
+    for (std::size_t i = 0; i < 2; ++i) buffers[i].foam_count = chain, buffers[i].foam_r8 = copies[i].data();
+    ASSERT_EQ(pelagic_ocean_copy(ocean.get(), buffers.data()), PELAGIC_OK) << pelagic_last_error();
+    int most = 0;
+    for (std::int32_t i = 0; i < 2; ++i) {
+        auto tile = sized<pelagic_tile>();
+        ASSERT_EQ(pelagic_ocean_tile(ocean.get(), i, &tile), PELAGIC_OK);
+        EXPECT_EQ(std::vector<std::uint8_t>(tile.foam_r8, tile.foam_r8 + chain), copies[static_cast<std::size_t>(i)]);
+        EXPECT_GT(tile.whitecap_ramp, 0);
+        for (std::size_t texel = 0; texel < 32 * 32; ++texel) most = std::max<int>(most, tile.foam_r8[texel]);
+    }
+    EXPECT_GT(most, 127) << "nothing breaks here";
+
+    std::vector<double> x(500), z(500, 3);
+    for (std::size_t i = 0; i < x.size(); ++i) x[i] = 17.7 * static_cast<double>(i);
+    std::vector<float> foam(500, -1);
+    auto points = sized<pelagic_points>();
+    points.count = x.size(), points.x = x.data(), points.z = z.data();
+    auto samples = sized<pelagic_samples>();
+    samples.foam = foam.data();
+    ASSERT_EQ(pelagic_ocean_query(ocean.get(), &points, &samples), PELAGIC_OK) << pelagic_last_error();
+    EXPECT_GE(*std::min_element(foam.begin(), foam.end()), 0);
+    EXPECT_GT(*std::max_element(foam.begin(), foam.end()), 0.2f);
+
+    const COcean forgetful = gale(false);
+    complete(forgetful, 4);
+    auto tile = sized<pelagic_tile>();
+    ASSERT_EQ(pelagic_ocean_tile(forgetful.get(), 0, &tile), PELAGIC_OK);
+    EXPECT_EQ(tile.foam_r8, nullptr);
+    expect_refused(pelagic_ocean_query(forgetful.get(), &points, &samples), PELAGIC_INVALID_ARGUMENT,
+                   "the frame has no foam, needs an ocean with OceanOptions::foam");
+    expect_refused(pelagic_ocean_copy(forgetful.get(), buffers.data()), PELAGIC_INVALID_ARGUMENT,
+                   "foam_r8 is wanted, needs an ocean with foam");
+    std::uint64_t hash = 7;
+    expect_refused(pelagic_ocean_foam_hash(forgetful.get(), &hash), PELAGIC_INVALID_ARGUMENT,
+                   "the ocean remembers no foam, needs pelagic_ocean_options.foam");
+    EXPECT_EQ(hash, 7u);
+    EXPECT_TRUE(saved(forgetful).empty());
+}
+
+TEST_F(CInterfaceFoam, IsSavedAndTakenUp) {
+    const COcean first = gale(true), second = gale(true);
+    EXPECT_TRUE(saved(first).empty()) << "before the first frame";
+    complete(first, 7);
+    std::vector<std::uint8_t> history = saved(first);
+    ASSERT_EQ(pelagic_ocean_restore_history(second.get(), history.data(), history.size()), PELAGIC_OK);
+    complete(first, 7.3);
+    complete(second, 7.3);
+    EXPECT_EQ(foam_hash(first), foam_hash(second));
+
+    // What is restored is what is gone on from: there is more foam than the sea makes.
+    std::fill(history.begin() + 8, history.end(), std::uint8_t{255});
+    ASSERT_EQ(pelagic_ocean_restore_history(second.get(), history.data(), history.size()), PELAGIC_OK);
+    complete(second, 7.3);
+    EXPECT_NE(foam_hash(first), foam_hash(second));
+    ASSERT_EQ(pelagic_ocean_restore_history(second.get(), nullptr, 0), PELAGIC_OK) << "forgets";
+    complete(second, 7.3);
+    EXPECT_EQ(foam_hash(first), foam_hash(second));
+}
+
+TEST_F(CInterfaceFoam, HistoryThatIsNoneIsRefused) {
+    const COcean ocean = gale(true);
+    complete(ocean, 1);
+    std::vector<std::uint8_t> history = saved(ocean);
+    EXPECT_EQ(history.size(), 2 * 32 * 32 + 8u);
+    std::size_t count = 77;
+    expect_refused(pelagic_ocean_save_history(ocean.get(), history.data(), 100, &count), PELAGIC_INVALID_ARGUMENT,
+                   "room is 100, needs 2056 or more");
+    EXPECT_EQ(count, 77u);
+    expect_refused(pelagic_ocean_save_history(ocean.get(), nullptr, 0, nullptr), PELAGIC_INVALID_ARGUMENT,
+                   "count is NULL, needs a pointer");
+    expect_refused(pelagic_ocean_restore_history(ocean.get(), nullptr, 9), PELAGIC_INVALID_ARGUMENT,
+                   "bytes is NULL, needs a pointer");
+    expect_refused(pelagic_ocean_restore_history(ocean.get(), history.data(), 2055), PELAGIC_INVALID_ARGUMENT,
+                   "history is 2055 bytes, needs none or 2056");
+    std::fill_n(history.begin(), 8, std::uint8_t{0x7F});
+    EXPECT_EQ(pelagic_ocean_restore_history(ocean.get(), history.data(), history.size()), PELAGIC_INVALID_ARGUMENT);
+
+    ASSERT_EQ(pelagic_ocean_schedule(ocean.get(), 2), PELAGIC_OK);
+    expect_refused(pelagic_ocean_save_history(ocean.get(), nullptr, 0, &count), PELAGIC_WRONG_ORDER,
+                   "a frame is in flight, needs pelagic_ocean_complete first");
+    expect_refused(pelagic_ocean_restore_history(ocean.get(), nullptr, 0), PELAGIC_WRONG_ORDER,
+                   "a frame is in flight, needs pelagic_ocean_complete first");
+}
+
+}  // namespace
+}  // namespace pelagic

@@ -1,0 +1,240 @@
+// Foam that lasts on the command line: maps on disk, as libpng and OpenImageIO read them, columns of a query, what info says.
+#include <OpenImageIO/imageio.h>
+#include <gtest/gtest.h>
+#include <png.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "pelagic/sim/foam_report.hpp"
+#include "pelagic/sim/ocean.hpp"
+#include "pelagic/sim/surface_query.hpp"
+#include "pelagic/tests/run_pelagic.hpp"
+
+namespace pelagic {
+namespace {
+
+using nlohmann::json;
+using Arguments = std::vector<std::string>;
+
+// A gale on a pond, so that much is white; the last two of four tiles have waves of less than a metre, which break without white
+// water.
+const SeaState gale{.cascades = 4, .resolution = 32, .wind_speed_mps = 20, .fetch_m = 100, .loop_period_s = 8};
+const Arguments gale_flags = {"--cascades", "4",   "--resolution",  "32", "--wind-speed", "20",
+                              "--fetch",    "100", "--loop-period", "8"};
+
+Outcome run(Arguments arguments, const Arguments& more = {}) {
+    arguments.insert(arguments.end(), gale_flags.begin(), gale_flags.end());
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    Outcome outcome = run_pelagic(arguments);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return outcome;
+}
+
+void export_to(const std::filesystem::path& folder, const Arguments& more) {
+    run({"export", "--no-sync", "--out", folder.string()}, more);
+}
+
+class Library {
+   public:
+    const Frame& frame_at(double time_s) { return ocean_.frame_at(time_s); }
+
+   private:
+    Ocean ocean_{gale, {.executor = make_serial_executor(), .queries = true, .foam = true}};
+};
+
+/// Grey bytes by libpng's own simplified reader, without any conversion.
+std::vector<std::uint8_t> read_grey_png(const std::filesystem::path& file, unsigned side) {
+    png_image image{};
+    image.version = PNG_IMAGE_VERSION;
+    EXPECT_TRUE(png_image_begin_read_from_file(&image, file.c_str())) << file;
+    EXPECT_EQ(image.width, side);
+    EXPECT_EQ(image.height, side);
+    EXPECT_EQ(image.format & (PNG_FORMAT_FLAG_ALPHA | PNG_FORMAT_FLAG_COLOR | PNG_FORMAT_FLAG_LINEAR),
+              PNG_FORMAT_GRAY);
+    image.format = PNG_FORMAT_GRAY;
+    std::vector<std::uint8_t> bytes(PNG_IMAGE_SIZE(image));
+    EXPECT_TRUE(png_image_finish_read(&image, nullptr, bytes.data(), 0, nullptr));
+    return bytes;
+}
+
+std::vector<std::uint8_t> foam_of(const Tile& tile, int level) {
+    const auto texels = tile.level_of(tile.foam_r8, level);
+    return {texels.begin(), texels.end()};
+}
+
+std::string mark_of(std::size_t tile) { return tile == 0 ? "" : "c" + std::to_string(tile) + "_"; }
+
+TEST(ExportedFoam, PngHoldsEveryByteOfEveryLevelOfEveryTile) {
+    const TemporaryFolder folder;
+    export_to(folder.path(), {"--start", "3.03", "--maps", "foam", "--mips"});
+    Library library;
+    const Frame& frame = library.frame_at(3.03);
+    const json record = json::parse(read_file(folder / "sea.json"));
+    std::size_t white_tiles = 0;
+    for (std::size_t tile = 0; tile < 4; ++tile) {
+        for (int level = 0; level < 6; ++level) {
+            const std::string file =
+                "foam_" + mark_of(tile) + "0000" + (level == 0 ? "" : "_mip" + std::to_string(level)) + ".png";
+            EXPECT_EQ(read_grey_png(folder / file, 32u >> level), foam_of(frame.tiles[tile], level)) << file;
+            EXPECT_EQ(record["frames"][0]["files"][6 * tile + static_cast<std::size_t>(level)]["name"], file);
+        }
+        const auto foam = foam_of(frame.tiles[tile], 0);
+        const bool is_white = *std::max_element(foam.begin(), foam.end()) > 127;
+        EXPECT_EQ(record["foam"]["tiles"][tile]["makes_whitecaps"], is_white) << tile;
+        white_tiles += is_white;
+    }
+    EXPECT_EQ(white_tiles, 2u);
+    EXPECT_EQ(files_in(folder.path()).size(), 4u * 6 + 2) << "sea.json, its lock, and no other map";
+    EXPECT_EQ(std::stoull(record["frames"][0]["foam_hash"].get<std::string>(), nullptr, 16), foam_hash_of(frame));
+    EXPECT_EQ(std::stoull(record["frames"][0]["hash"].get<std::string>(), nullptr, 16), hash_of(frame));
+}
+
+// Who asks for no foam gets the files that he always got.
+TEST(ExportedFoam, IsInNoExportThatDidNotAskForIt) {
+    const TemporaryFolder folder;
+    export_to(folder / "with", {"--maps", "foam,gradient,displacement"});
+    export_to(folder / "without", {});
+    const auto with = files_in(folder / "with"), without = files_in(folder / "without");
+    for (const auto& [name, bytes] : without)
+        if (name != "sea.json") {
+            EXPECT_EQ(with.at(name), bytes) << name;
+        }
+    EXPECT_EQ(with.size(), without.size() + 4);
+    const json record = json::parse(without.at("sea.json"));
+    EXPECT_FALSE(record.contains("foam") || record["frames"][0].contains("foam_hash") ||
+                 record["channels"].contains("foam"));
+}
+
+TEST(ExportedFoam, TiffHoldsTheSame) {
+    const TemporaryFolder folder;
+    export_to(folder.path(), {"--start", "2", "--maps", "foam", "--format", "tif"});
+    Library library;
+    const auto input = OIIO::ImageInput::open((folder / "foam_c1_0000.tif").string());
+    ASSERT_TRUE(input);
+    ASSERT_EQ(input->spec().nchannels, 1);
+    EXPECT_EQ(input->spec().format, OIIO::TypeDesc::UINT8);
+    std::vector<std::uint8_t> bytes(32 * 32);
+    ASSERT_TRUE(input->read_image(0, 0, 0, -1, OIIO::TypeDesc::UINT8, bytes.data()));
+    EXPECT_EQ(bytes, foam_of(library.frame_at(2).tiles[1], 0));
+}
+
+// Farms cut a film into shards, and exports are interrupted: what foam remembers is found again.
+TEST(ExportedFoam, IsTheSameInOneRunInShardsAndResumed) {
+    const TemporaryFolder folder;
+    const Arguments film = {"--maps", "foam", "--fps", "12.5", "--frames", "8"};
+    export_to(folder / "film", film);
+    const auto whole = files_in(folder / "film");
+
+    export_to(folder / "shard",
+              {"--maps", "foam", "--fps", "12.5", "--frames", "3", "--start", "0.4", "--threads", "1"});
+    for (const int frame : {0, 1, 2})
+        for (const std::size_t tile : {0, 1, 2, 3}) {
+            const std::string name = "foam_" + mark_of(tile) + "000";
+            EXPECT_EQ(read_file(folder / "shard" / (name + std::to_string(frame) + ".png")),
+                      whole.at(name + std::to_string(frame + 5) + ".png"));
+        }
+
+    for (const char* lost : {"foam_c1_0002.png", "foam_0003.png", "foam_c2_0006.png"})
+        std::filesystem::remove(folder / "film" / lost);
+    Arguments resumed = film;
+    resumed.push_back("--resume");
+    export_to(folder / "film", resumed);
+    EXPECT_TRUE(files_in(folder / "film") == whole);
+
+    // A loop goes on where it began.
+    export_to(folder / "later", {"--maps", "foam", "--fps", "12.5", "--frames", "8", "--start", "16"});
+    EXPECT_EQ(read_file(folder / "later" / "foam_0000.png"), whole.at("foam_0000.png"));
+}
+
+// An entry that says nothing of foam is none of this export's.
+TEST(ExportedFoam, ResumeMakesAFrameAgainThatAnExportWithoutFoamRecorded) {
+    const TemporaryFolder folder;
+    export_to(folder.path(), {"--maps", "foam"});
+    const auto whole = files_in(folder.path());
+    const Outcome other =
+        run_pelagic({"export", "--out", folder.path().string(), "--maps", "gradient", "--resume", "--cascades", "4",
+                     "--resolution", "32", "--wind-speed", "20", "--loop-period", "8"});
+    EXPECT_EQ(other.exit_code, 2);
+    EXPECT_NE(other.err.find("whose export had other options"), std::string::npos) << other.err;
+    json record = json::parse(read_file(folder / "sea.json"));
+    record["frames"][0].erase("foam_hash");
+    write_file(folder / "sea.json", record.dump());
+    export_to(folder.path(), {"--maps", "foam", "--resume"});
+    EXPECT_TRUE(files_in(folder.path()) == whole);
+}
+
+TEST(ExportedFoam, SeaJsonAndInfoSayHowItIsRememberedAndDrifts) {
+    const TemporaryFolder folder;
+    export_to(folder.path(), {"--maps", "foam"});
+    const json said = json::parse(read_file(folder / "sea.json"))["foam"];
+    EXPECT_EQ(said, json::parse(run({"info", "--json"}).out)["foam"]);
+
+    Library library;
+    const Frame& frame = library.frame_at(0);
+    EXPECT_EQ(said["tick_s"], 0.1);
+    EXPECT_EQ(said["ticks_a_loop"], 80);
+    EXPECT_EQ(said["warm_up_ticks"], 29);
+    EXPECT_NEAR(said["whitecap_cover"].get<double>(), 3.84e-6 * std::pow(20, 3.41), 1e-9);
+    const double x = frame.figures.foam_drift_x_mps, z = frame.figures.foam_drift_z_mps;
+    EXPECT_NEAR(said["drift_mps"].get<double>(), std::hypot(x, z), 1e-12);
+    EXPECT_NEAR(said["drift_direction_deg"].get<double>(), std::atan2(z, x) * 180 / 3.14159265358979323846, 1e-9);
+    for (std::size_t i = 0; i < 4; ++i) {
+        const Tile& tile = frame.tiles[i];
+        const TileLattice::Place a_loop = tile.lattice.in_tile(8 * x, 8 * z);
+        const json& of_tile = said["tiles"][i];
+        const double columns = of_tile["columns_a_loop"], rows = of_tile["rows_a_loop"];
+        EXPECT_NEAR(columns, a_loop.along / tile.texel_m(), 0.5001);
+        EXPECT_NEAR(rows, a_loop.across / tile.texel_m(), 0.5001);
+        EXPECT_NEAR(of_tile["drift_mps"].get<double>(), std::hypot(columns, rows) * tile.texel_m() / 8, 1e-12);
+        EXPECT_EQ(of_tile["side_m"], tile.lattice.side_m);
+    }
+
+    const std::string table = run({"info"}).out;
+    for (const char* part : {"Foam that lasts", "whitecap_cover", "warm_up_ticks               29", "drift_mps",
+                             "makes no whitecaps", "columns_a_loop"})
+        EXPECT_NE(table.find(part), std::string::npos) << table << "lacks " << part;
+}
+
+TEST(QueriedFoam, IsAColumnOfItsOwnForWhoAsks) {
+    const TemporaryFolder folder;
+    std::string text = "x,z\n";
+    std::vector<double> x, z;
+    for (int i = 0; i < 60; ++i) {
+        x.push_back(31.25 * i), z.push_back(700 - 17.5 * i);
+        text += std::to_string(x.back()) + "," + std::to_string(z.back()) + "\n";
+    }
+    write_file(folder / "points.csv", text);
+    const Arguments asked = {"query", "--points", (folder / "points.csv").string(), "--time", "5.5"};
+    const Outcome with = run(asked, {"--foam"}), without = run(asked), as_json = run(asked, {"--foam", "--json"});
+    Library library;
+    std::vector<float> foam(x.size());
+    SurfaceQuery(library.frame_at(5.5)).sample({x, z}, {.foam = foam});
+    EXPECT_GT(*std::max_element(foam.begin(), foam.end()), 0.2f);
+
+    std::istringstream lines(with.out), others(without.out);
+    std::string line, other;
+    std::getline(lines, line), std::getline(others, other);
+    EXPECT_EQ(line, "x,z,height,nx,ny,nz,vx,vy,vz,jacobian,error_m,foam,converged");
+    const json objects = json::parse(as_json.out);
+    for (std::size_t i = 0; i < foam.size(); ++i) {
+        std::getline(lines, line), std::getline(others, other);
+        const std::size_t last = line.rfind(','), before = line.rfind(',', last - 1);
+        EXPECT_EQ(std::stof(line.substr(before + 1, last - before - 1)), foam[i]);
+        EXPECT_EQ(line.substr(0, before) + line.substr(last), other);
+        EXPECT_EQ(objects[i]["foam"].get<float>(), foam[i]);
+    }
+    const Outcome own_column = [&] {
+        write_file(folder / "own.csv", "x,z,foam\n1,2,3\n");
+        return run_pelagic({"query", "--foam", "--points", (folder / "own.csv").string()});
+    }();
+    EXPECT_EQ(own_column.exit_code, 2);
+    EXPECT_NE(own_column.err.find("the points' column foam has the name"), std::string::npos) << own_column.err;
+}
+
+}  // namespace
+}  // namespace pelagic

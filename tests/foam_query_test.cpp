@@ -1,0 +1,143 @@
+// Foam at any point, and copied: against an oracle that knows bytes and rest points, in double.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "pelagic/sim/ocean.hpp"
+#include "pelagic/sim/surface_query_jobs.hpp"
+#include "pelagic/tests/each_isa.hpp"
+#include "pelagic/tests/oracle/stack_oracle.hpp"
+#include "pelagic/tests/sanitized.hpp"
+
+namespace pelagic {
+namespace {
+
+// A gale and a storm, so that much is white. Finer tiles are turned against the world.
+const SeaState gale{.cascades = 4, .resolution = 32, .wind_speed_mps = 20, .wind_direction_rad = 0.7};
+const SeaState storm_on_one_tile{
+    .resolution = 64, .patch_size_m = 120, .wind_speed_mps = 25, .wind_direction_rad = 2.5};
+
+OceanOptions asked_for_foam(Isa isa = choose_isa()) {
+    return {.executor = make_serial_executor(), .isa = isa, .queries = true, .foam = true};
+}
+
+struct Points {
+    std::vector<double> x, z;
+};
+
+Points random_points(std::size_t count) {
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> anywhere(-5000, 5000);
+    Points points;
+    for (std::size_t i = 0; i < count; ++i) {
+        points.x.push_back(anywhere(random));
+        points.z.push_back(anywhere(random));
+    }
+    return points;
+}
+
+/// As Tile and TileLattice say: the largest of what the tiles hold around the rest point.
+double foam_by_texels(const Frame& frame, double rest_x_m, double rest_z_m) {
+    double largest = 0;
+    for (const Tile& tile : frame.tiles) {
+        const int n = tile.resolution();
+        const TileLattice::Place place = tile.lattice.in_tile(rest_x_m, rest_z_m);
+        const double u = place.along / tile.texel_m(), v = place.across / tile.texel_m();
+        double foam = 0;
+        for (const int right : {0, 1}) {
+            for (const int below : {0, 1}) {
+                const double column = std::floor(u) + right, row = std::floor(v) + below;
+                const double weight = (1 - std::fabs(u - column)) * (1 - std::fabs(v - row));
+                const auto wrapped = [n](double of) { return static_cast<std::size_t>(of - std::floor(of / n) * n); };
+                const std::size_t texel = wrapped(row) * static_cast<std::size_t>(n) + wrapped(column);
+                foam += weight * tile.level_of(tile.foam_r8, 0)[texel] / 255;
+            }
+        }
+        largest = std::max(largest, foam);
+    }
+    return largest;
+}
+
+TEST(FoamQuery, IsTheLargestOfTheTilesAtTheRestPoint) {
+    for (const SeaState& sea : {gale, storm_on_one_tile}) {
+        Ocean ocean(sea, asked_for_foam());
+        const Frame& frame = ocean.frame_at(11.03);
+        const oracle::Stack stack(frame);
+        const Points points = random_points(is_sanitized ? 50 : 2000);
+        std::vector<float> foam(points.x.size()), jacobian(points.x.size());
+        SurfaceQuery(frame).sample({points.x, points.z}, {.jacobian = jacobian, .foam = foam});
+        int asked = 0, white = 0;
+        double largest_error = 0;
+        for (std::size_t i = 0; i < foam.size(); ++i) {
+            const auto sheets = stack.sheets_at(points.x[i], points.z[i]);
+            // Near a fold's edge the rest point moves much faster than what is drawn.
+            if (sheets.size() != 1 || jacobian[i] < 0.2f) continue;
+            ++asked;
+            const double expected = foam_by_texels(frame, sheets[0].x_m, sheets[0].z_m);
+            white += expected > 0.1;
+            largest_error = std::max(largest_error, std::fabs(static_cast<double>(foam[i]) - expected));
+        }
+        // The search stops a 64th of a millimetre away, or five times that at rest, and foam changes by 1 over a texel at most, along
+        // each axis.
+        EXPECT_LT(largest_error, 2 * 5 * 1.6e-5 / frame.tiles.back().texel_m());
+        EXPECT_GT(asked, static_cast<int>(foam.size()) * 8 / 10);
+        EXPECT_GT(white, asked / 50);
+    }
+}
+
+TEST(FoamQuery, HasTheSameBitsOnAnyInstructionSetAndInAnyBatch) {
+    const Points points = random_points(1500);
+    const auto executor = make_thread_executor(3);
+    for (const SeaState& sea : {gale, storm_on_one_tile}) {
+        std::vector<float> expected;
+        for (const Isa isa : isas_here()) {
+            Ocean ocean(sea, asked_for_foam(isa));
+            const SurfaceQuery query(ocean.frame_at(3.21));
+            std::vector<float> together(points.x.size()), apart(together), on_jobs(together);
+            query.sample({points.x, points.z}, {.foam = together});
+            for (std::size_t i = 0; i < together.size(); ++i)
+                query.sample({{&points.x[i], 1}, {&points.z[i], 1}}, {.foam = {&apart[i], 1}});
+            SurfaceQueryJobs(executor).sample(query, {points.x, points.z}, {.foam = on_jobs});
+            EXPECT_EQ(together, apart);
+            EXPECT_EQ(together, on_jobs);
+            if (expected.empty()) expected = together;
+            EXPECT_EQ(together, expected) << name_of(isa);
+            EXPECT_LE(*std::max_element(together.begin(), together.end()), 1.f);
+        }
+    }
+}
+
+TEST(FoamQuery, IsRefusedOfAFrameThatRemembersNone) {
+    Ocean ocean(gale, {.executor = make_serial_executor(), .queries = true});
+    const SurfaceQuery query(ocean.frame_at(0));
+    const std::vector<double> places(2000);
+    std::vector<float> height(places.size(), -1), foam(places.size());
+    const SurfacePoints points{places, places};
+    const SurfaceSamples wanted{.height_m = height, .foam = foam};
+    EXPECT_THROW(query.sample(points, wanted), std::invalid_argument);
+    EXPECT_THROW(SurfaceQueryJobs(make_serial_executor()).sample(query, points, wanted), std::invalid_argument);
+    EXPECT_EQ(height[0], -1) << "it wrote before it looked";
+}
+
+TEST(FoamInBuffers, IsTheChainOfEachTile) {
+    Ocean ocean(gale, asked_for_foam());
+    const std::size_t chain = mip_offset(32, mip_levels(32));
+    std::vector<std::vector<std::uint8_t>> bytes(4, std::vector<std::uint8_t>(chain, 77));
+    std::vector<FrameBuffers> buffers;
+    for (auto& of_tile : bytes) buffers.push_back({.foam_r8 = of_tile});
+    ocean.frame_at(5, buffers);
+    const Frame& frame = ocean.frame_at(5);
+    for (std::size_t i = 0; i < bytes.size(); ++i)
+        EXPECT_TRUE(std::equal(bytes[i].begin(), bytes[i].end(), frame.tiles[i].foam_r8.begin(),
+                               frame.tiles[i].foam_r8.end()));
+
+    EXPECT_EQ(check(buffers, 4, 32, {}), "foam_r8 is wanted, needs an ocean with foam");
+    buffers[2].foam_r8 = buffers[2].foam_r8.first(1024);
+    EXPECT_EQ(check(buffers, 4, 32, {.foam = true}), "foam_r8 has 1024 elements, needs 1365");
+}
+
+}  // namespace
+}  // namespace pelagic
