@@ -29,9 +29,11 @@ std::string difference(const SeaState& first, const SeaState& sea, std::size_t n
     const auto refused = [&](std::string_view name, const auto& is, const std::string& needed) {
         return refusal(of_change(name, number), is, needed + " as the first sea has it");
     };
-    if (first.waves == WaveModel::exp_sine)
-        return refusal("waves of the first sea", name_of(first.waves), "spectrum or analytic where the sea changes");
     if (first.waves != sea.waves) return refused("waves", name_of(sea.waves), std::string(name_of(first.waves)));
+    // Octaves that move one another have no energies to blend.
+    if (sea.waves == WaveModel::exp_sine)
+        return refusal(of_change("waves", number), name_of(sea.waves),
+                       "spectrum or analytic: a pond does not change");
     if (has_papers_spectrum(first) != has_papers_spectrum(sea))
         return refused("spectrum", name_of(sea.spectrum),
                        has_papers_spectrum(first) ? "phillips-paper" : "a physical one");
@@ -122,7 +124,8 @@ SeaState sea_between(const SeaState& before, const SeaState& after, double part)
     SeaState sea = part < 0.5 ? before : after;
     for (const SeaStateField& field : sea_state_fields())
         if (const auto* number = std::get_if<double SeaState::*>(&field.member))
-            sea.** number = between(before.**number, after.**number, part);
+            if (before.**number != field.also && after.**number != field.also)  // such as 0, for chosen
+                sea.** number = between(before.**number, after.**number, part);
     sea.wind_direction_rad = turned(before.wind_direction_rad, after.wind_direction_rad, part);
     if (before.roughness < 0 || after.roughness < 0) sea.roughness = std::max(before.roughness, after.roughness);
 

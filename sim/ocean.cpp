@@ -54,7 +54,7 @@ class Ocean::Sources {
           slots_(tiles_of(forecast.first), resolution_of(forecast.first), kernels_for(isa).lanes, extras_),
           folds_(slots_, kernels_for(isa)) {
         for (std::size_t tile = 0; tile < slots_.tile_count(); ++tile) {
-            cascades_.push_back(source_of(forecast.first.waves, tile));
+            sources_.push_back(source_of(forecast.first.waves, tile));
             surfaces_.push_back(std::make_unique<SurfaceStages>(slots_, tile, kernels_for(isa), extras_));
         }
         if (extras_.foam) foam_.emplace(slots_, kernels_for(isa), extras_.memory);
@@ -63,21 +63,21 @@ class Ocean::Sources {
     /// \param after  those of its tick, by tile, or none
     void add_frame_stages(JobGraph& graph, std::span<const StageId> after = {}) {
         std::vector<StageId> surfaces_done;
-        for (std::size_t tile = 0; tile < cascades_.size(); ++tile) {
+        for (std::size_t tile = 0; tile < sources_.size(); ++tile) {
             std::vector<StageId> waits_for;
             if (!after.empty()) waits_for = {after[tile]};
-            surfaces_done.push_back(cascades_[tile]->add_stages(graph, Pass::frame, waits_for));
+            surfaces_done.push_back(sources_[tile]->add_stages(graph, Pass::frame, waits_for));
             surfaces_[tile]->add_to(graph, surfaces_done.back());
         }
         if (extras_.folds) folds_.add_to(graph, surfaces_done);
     }
     std::vector<StageId> add_tick_stages(JobGraph& graph) {
         std::vector<StageId> surfaces_done;
-        for (const auto& cascade : cascades_) surfaces_done.push_back(cascade->add_stages(graph, Pass::tick, {}));
+        for (const auto& source : sources_) surfaces_done.push_back(source->add_stages(graph, Pass::tick, {}));
         return foam_->add_tick_stages(graph, surfaces_done);
     }
     void add_spectrum_stages(JobGraph& graph) {
-        for (const auto& cascade : cascades_) cascade->add_spectrum_stage(graph);
+        for (const auto& source : sources_) source->add_spectrum_stage(graph);
     }
 
     /// \pre the moment's seas are at hand
@@ -91,24 +91,24 @@ class Ocean::Sources {
         frame.sea = weather_.sea_at(moment);
         frame.figures = weather_.figures_at(moment);
         frame.isa = isa_;
-        for (std::size_t tile = 0; tile < cascades_.size(); ++tile)
-            cascades_[tile]->begin(Pass::frame, moment, slots_.tile(tile));
+        for (std::size_t tile = 0; tile < sources_.size(); ++tile)
+            sources_[tile]->begin(Pass::frame, moment, slots_.tile(tile));
         if (foam_) plan_ticks(time_s);
     }
     /// How many ticks are still to be remembered before the frame is computed.
     int ticks_due() const { return ticks_due_; }
-    /// When the first of these is. \pre ticks are due
-    SeaMoment next_tick() const { return moment_at_tick(frame_tick_.number - ticks_due_ + 1); }
-    /// The next run of the tick's stages is that one. \pre its seas are at hand
+    /// When the first of them is.
+    double next_tick_s() const { return clock().time_s(frame_tick_.number - ticks_due_ + 1); }
+    /// The next run of the tick's stages is that one. \pre its moment's seas are at hand
     void begin_tick() {
         const DefaultFloatEnvironment environment;
-        const SeaMoment moment = next_tick();
         const std::int64_t number = frame_tick_.number - --ticks_due_;
+        const SeaMoment moment = moment_at_tick(number);
         const SeaFigures figures = weather_.figures_at(moment);
         foam_->advance();
-        for (std::size_t tile = 0; tile < cascades_.size(); ++tile) {
+        for (std::size_t tile = 0; tile < sources_.size(); ++tile) {
             Tile& at_tick = foam_->tile(tile);
-            cascades_[tile]->begin(Pass::tick, moment, at_tick);
+            sources_[tile]->begin(Pass::tick, moment, at_tick);
             const DriftTexels drift = drift_of(figures, at_tick.lattice, resolution(), clock(), number);
             foam_->set_drift(tile, drift.x, drift.z);
         }
@@ -116,11 +116,12 @@ class Ocean::Sources {
         if (ticks_due_ == 0) show_foam();
     }
     const Frame& end_frame() {
+        if (std::exchange(ticks_mix_weathers_, false)) forget();
         slots_.finish_textures();
         Frame& frame = slots_.frame();
         frame.bounds = {};
-        for (std::size_t tile = 0; tile < cascades_.size(); ++tile) {
-            const FrameBounds bounds = slots_.tile(tile).bounds = cascades_[tile]->end_frame();
+        for (std::size_t tile = 0; tile < sources_.size(); ++tile) {
+            const FrameBounds bounds = slots_.tile(tile).bounds = sources_[tile]->end_frame();
             frame.bounds.height_min_m += bounds.height_min_m;
             frame.bounds.height_max_m += bounds.height_max_m;
             frame.bounds.sideways_x_max_m += bounds.sideways_x_max_m;
@@ -131,6 +132,13 @@ class Ocean::Sources {
     void drop_frame() { slots_.turn(); }
     /// Whatever was being remembered may be half of it.
     void forget() { newest_tick_.reset(); }
+    /// What the next change, or the one that is forgotten for it, says of the past may be another past than the foam's.
+    void keep_foam_of(const SeaChange& next) {
+        ticks_mix_weathers_ = ticks_due_ > 0;  // of a frame in flight
+        if (!newest_tick_) return;
+        const double oldest_s = clock().time_s(*newest_tick_ - foam_->warm_up_ticks());
+        if (clock().time_s(*newest_tick_) > next.from_s || oldest_s < weather_.end_of_forgotten_by_next()) forget();
+    }
 
     std::vector<std::uint8_t> saved_history() const {
         if (!foam_ || !newest_tick_) return {};
@@ -155,35 +163,26 @@ class Ocean::Sources {
 
     void begin_sea(std::size_t number) {
         const DefaultFloatEnvironment environment;
-        weather_.begin(number, cascades_);
+        weather_.begin(number, sources_);
     }
     void adopt_sea() {
         const DefaultFloatEnvironment environment;
-        weather_.adopt(cascades_);
+        weather_.adopt(sources_);
     }
     void begin_other_weather(const SeaState& sea) {
         const DefaultFloatEnvironment environment;
-        weather_.begin_other(sea, cascades_);
+        weather_.begin_other(sea, sources_);
     }
     void adopt_other_weather() {
         const DefaultFloatEnvironment environment;
-        weather_.restart(cascades_);
+        weather_.restart(sources_);
         forget();
     }
-    /// What is remembered of ticks stays, if no tick of it is of a time that has other weather now.
-    void add_change(const SeaChange& change) {
-        if (newest_tick_) {
-            const double newest_s = clock().time_s(*newest_tick_);
-            const double oldest_s = clock().time_s(*newest_tick_ - foam_->warm_up_ticks());
-            if (newest_s >= change.from_s || oldest_s <= weather_.forgotten_until(change)) forget();
-        }
-        weather_.add(change);
-    }
     void set_sea_aside() {
-        for (const auto& cascade : cascades_) cascade->set_aside();
+        for (const auto& source : sources_) source->set_aside();
     }
     void drop_sea() {
-        for (const auto& cascade : cascades_) cascade->drop_spectrum();
+        for (const auto& source : sources_) source->drop_spectrum();
     }
 
     Weather& weather() { return weather_; }
@@ -196,21 +195,22 @@ class Ocean::Sources {
     }
     std::size_t bytes() const {
         std::size_t bytes = slots_.bytes();
-        for (const auto& cascade : cascades_) bytes += cascade->bytes();
+        for (const auto& source : sources_) bytes += source->bytes();
         for (const auto& surface : surfaces_) bytes += sizeof(SurfaceStages) + surface->bytes();
         if (foam_) bytes += foam_->bytes();
         return bytes;
     }
 
    private:
-    static std::size_t tiles_of(const SeaState& sea) { return static_cast<std::size_t>(cascades_of(sea)); }
     std::unique_ptr<SeaSource> source_of(WaveModel waves, std::size_t tile) {
         if (waves == WaveModel::exp_sine) return std::make_unique<Pond>(slots_, tile, isa_, extras_);
         return std::make_unique<Cascade>(slots_, tile, kernels_for(isa_), extras_);
     }
+    static std::size_t tiles_of(const SeaState& sea) { return static_cast<std::size_t>(cascades_of(sea)); }
 
     TickClock clock() const { return TickClock(weather_.forecast().first.loop_period_s); }
-    /// The waves of the loop are those of any loop, and the weather is that of the tick's own time.
+
+    /// The waves are those of the first loop, which are the same; the weather is that of the tick's own time.
     SeaMoment moment_at_tick(std::int64_t number) const {
         SeaMoment moment = weather_.moment_at(clock().time_s(number));
         moment.time_s = clock().time_in_loop_s(number);
@@ -221,15 +221,15 @@ class Ocean::Sources {
     /// every loop.
     void plan_ticks(double time_s) {
         frame_tick_ = clock().at(time_s);
-        const int all = foam_->warm_up_ticks();
-        ticks_due_ = newest_tick_ ? ticks_since(*newest_tick_, all) : all;
+        const std::int64_t all = foam_->warm_up_ticks();
+        std::int64_t ahead = all;
+        if (newest_tick_) {
+            ahead = frame_tick_.number - *newest_tick_;
+            if (weather_.forecast().changes.empty()) ahead = clock().in_loop(ahead);
+        }
+        ticks_due_ = static_cast<int>(ahead < 0 ? all : std::min(ahead, all));
         if (ticks_due_ == all) foam_->forget();
         if (ticks_due_ == 0) show_foam();
-    }
-    int ticks_since(std::int64_t remembered, int most) const {
-        const std::int64_t ticks = frame_tick_.number - remembered;
-        if (weather_.forecast().changes.empty()) return std::min(clock().in_loop(ticks), most);
-        return ticks >= 0 && ticks < most ? static_cast<int>(ticks) : most;
     }
     /// The frame finds what is remembered now.
     void show_foam() {
@@ -242,13 +242,14 @@ class Ocean::Sources {
     Weather weather_;
     FrameExtras extras_;
     FrameSlots slots_;
-    std::vector<std::unique_ptr<SeaSource>> cascades_;
+    std::vector<std::unique_ptr<SeaSource>> sources_;
     std::vector<std::unique_ptr<SurfaceStages>> surfaces_;
     FoldStages folds_;
     std::optional<FoamHistory> foam_;
     TickPlace frame_tick_;                     ///< of the frame begun last
     std::optional<std::int64_t> newest_tick_;  ///< none: nothing is remembered
     int ticks_due_ = 0;
+    bool ticks_mix_weathers_ = false;
 };
 
 // The runs are last, so that they go first and wait for what is in flight.
@@ -328,7 +329,8 @@ struct Ocean::State {
     }
     /// Puts at hand what a pass of that moment takes: a sea that is missing is baked here and now. Before begin_frame() and before
     /// each tick.
-    void hold_seas(Pass pass, const SeaMoment& moment) {
+    void hold_seas(Pass pass, double time_s) {
+        const SeaMoment moment = sources.weather().moment_at(time_s);
         sources.weather().need(pass, moment);
         for (const std::size_t number : {moment.before, moment.after}) {
             if (sources.weather().has(number)) continue;
@@ -359,13 +361,13 @@ struct Ocean::State {
     JobGraph frame_graph, tick_graph, tick_and_frame_graph, spectrum_graph;
     bool frame_runs_ahead = false;  ///< else complete() does all the work
     bool frame_in_flight = false;
-    Bake bake_in_flight = Bake::nothing;
     GraphRun* run_in_flight = nullptr;  ///< none: complete() has not begun a frame that needs several ticks
+    Bake bake_in_flight = Bake::nothing;
     const Frame* completed = nullptr;
     std::unique_ptr<GraphRun> frame_run, tick_run, tick_and_frame_run, spectrum_run;
 
     void begin_tick() {
-        hold_seas(Pass::tick, sources.next_tick());
+        hold_seas(Pass::tick, sources.next_tick_s());
         sources.begin_tick();
     }
     /// Begins the run that makes the frame, with its last tick if it needs one.
@@ -412,7 +414,7 @@ void Ocean::schedule(double time_s, std::span<const TextureTargets> tiles) {
         !reason.empty())
         throw std::invalid_argument(reason);
     state_->adopt_ahead();
-    state_->hold_seas(Pass::frame, state_->sources.weather().moment_at(time_s));
+    state_->hold_seas(Pass::frame, time_s);
     state_->bake_ahead(time_s);
     state_->run_in_flight = nullptr;
     try {
@@ -510,7 +512,8 @@ void Ocean::schedule_sea(const SeaChange& change) {
     Weather& weather = state_->sources.weather();
     checked(weather.with(change));
     state_->end_bake();
-    state_->sources.add_change(change);
+    state_->sources.keep_foam_of(change);
+    weather.add(change);
     if (!state_->executor->runs_ahead()) return;
     state_->bake(weather.number_of_last());
     state_->bake_in_flight = State::Bake::ahead;

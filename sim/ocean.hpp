@@ -61,8 +61,8 @@ class Ocean {
 
     /// Starts the frame at `time_s` and returns at once; a small one (N up to 64) is left to complete(), which is done
     /// with it sooner than other threads would be. Any finite time, in any order: a frame is a pure function of
-    /// the forecast and the time, and while one sea lasts time_s + n * loop_period_s gives the same bits. With OceanOptions::foam
-    /// the warm-up of a jump in time is left to complete(), too.
+    /// the forecast and the time, and while one sea lasts time_s + n * loop_period_s gives the same bits. With
+    /// OceanOptions::foam the warm-up of a jump in time is left to complete(), too.
     /// \pre no frame is in flight
     void schedule(double time_s) { schedule(time_s, {}); }
 
@@ -109,8 +109,7 @@ class Ocean {
     }
 
     /// What frames remember, for whoever wants to go on from `time_s` without a warm-up: the bytes of ticks up to the frame
-    /// completed last. Empty without OceanOptions::foam.
-    /// \pre no frame is in flight
+    /// completed last. Empty without OceanOptions::foam. \pre no frame is in flight
     std::vector<std::uint8_t> saved_history() const;
     /// Takes that up, in an ocean of the same sea. Throws std::invalid_argument if it is none of such an ocean.
     /// \pre no frame is in flight

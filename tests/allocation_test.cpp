@@ -60,10 +60,12 @@ TEST(Allocation, NeitherQueriesNorFramesThatCanBeAskedAllocate) {
                           .wind_speed_mps = 20,
                           .choppiness = 1};
     const SeaState steep_tiles{.cascades = 4, .resolution = 64, .wind_speed_mps = 50, .choppiness = 1};
+    const SeaState pond{.waves = WaveModel::exp_sine, .resolution = 128};
     for (const auto& [executor, sea] : {std::pair{make_serial_executor(), folded},
                                         {make_thread_executor(3), folded},
                                         {make_serial_executor(), steep_tiles},
-                                        {make_thread_executor(3), steep_tiles}}) {
+                                         {make_thread_executor(3), steep_tiles},
+                                         {make_thread_executor(3), pond}}) {
         Ocean ocean(sea, {.executor = executor, .queries = true, .velocities = true, .slopes = true, .foam = true});
         SurfaceQueryJobs jobs(executor);
         std::vector<double> x(3000), z(3000);

@@ -32,7 +32,7 @@ TEST(CommandLineEdges, AreOneLineAndExitCode2) {
         {{"info"}, ":2: sea is a table", "seed = 1\n[sea]\nwind_speed = 9\n"},
         {{"info"}, ": malformed table, needs lines such as", "[ *\n"},  // a fuzzer's find: toml++ asserts
         {{"info"}, "unknown key a\\nb", "\"a\\nb\" = 1\n"},
-        {{"info"}, "preset is a\\x00b, needs calm", "preset = \"a\\u0000b\"\n"},
+        {{"info"}, "preset is a\\x00b, needs pond", "preset = \"a\\u0000b\"\n"},
         {{"info", "--wind-speed",
           "\xc2\x9b"
           "2J"},

@@ -21,9 +21,11 @@ namespace {
 using nlohmann::json;
 using Arguments = std::vector<std::string>;
 
-// A gale, so that much is white; the last of four tiles has waves of less than a metre, which break without white water.
-const SeaState gale{.cascades = 4, .resolution = 32, .wind_speed_mps = 20, .loop_period_s = 8};
-const Arguments gale_flags = {"--cascades", "4", "--resolution", "32", "--wind-speed", "20", "--loop-period", "8"};
+// A gale on a pond, so that much is white; the last two of four tiles have waves of less than a metre, which break without white
+// water.
+const SeaState gale{.cascades = 4, .resolution = 32, .wind_speed_mps = 20, .fetch_m = 100, .loop_period_s = 8};
+const Arguments gale_flags = {"--cascades", "4",   "--resolution",  "32", "--wind-speed", "20",
+                              "--fetch",    "100", "--loop-period", "8"};
 
 Outcome run(Arguments arguments, const Arguments& more = {}) {
     arguments.insert(arguments.end(), gale_flags.begin(), gale_flags.end());
@@ -86,7 +88,7 @@ TEST(ExportedFoam, PngHoldsEveryByteOfEveryLevelOfEveryTile) {
         EXPECT_EQ(record["foam"]["tiles"][tile]["makes_whitecaps"], is_white) << tile;
         white_tiles += is_white;
     }
-    EXPECT_EQ(white_tiles, 3u);
+    EXPECT_EQ(white_tiles, 2u);
     EXPECT_EQ(files_in(folder.path()).size(), 4u * 6 + 2) << "sea.json, its lock, and no other map";
     EXPECT_EQ(std::stoull(record["frames"][0]["foam_hash"].get<std::string>(), nullptr, 16), foam_hash_of(frame));
     EXPECT_EQ(std::stoull(record["frames"][0]["hash"].get<std::string>(), nullptr, 16), hash_of(frame));
@@ -142,7 +144,7 @@ TEST(ExportedFoam, IsTheSameInOneRunInShardsAndResumed) {
     Arguments resumed = film;
     resumed.push_back("--resume");
     export_to(folder / "film", resumed);
-    EXPECT_EQ(files_in(folder / "film"), whole);
+    EXPECT_TRUE(files_in(folder / "film") == whole);
 
     // A loop goes on where it began.
     export_to(folder / "later", {"--maps", "foam", "--fps", "12.5", "--frames", "8", "--start", "16"});
@@ -163,7 +165,7 @@ TEST(ExportedFoam, ResumeMakesAFrameAgainThatAnExportWithoutFoamRecorded) {
     record["frames"][0].erase("foam_hash");
     write_file(folder / "sea.json", record.dump());
     export_to(folder.path(), {"--maps", "foam", "--resume"});
-    EXPECT_EQ(files_in(folder.path()), whole);
+    EXPECT_TRUE(files_in(folder.path()) == whole);
 }
 
 TEST(ExportedFoam, SeaJsonAndInfoSayHowItIsRememberedAndDrifts) {

@@ -12,12 +12,13 @@
 namespace pelagic {
 namespace {
 
-/// Waves of a mean square slope each, around +x.
+/// Many waves in six directions around +x, a mean square slope of each.
 FoldMoments spread_sea(double mean_square_slope) {
     FoldMoments moments;
     for (const double direction : {-1.2, -0.5, -0.1, 0.2, 0.6, 0.9}) {
         const double x = 0.4 * std::cos(direction), z = 0.4 * std::sin(direction);
-        moments.add_wave(mean_square_slope / 0.16, 4 * mean_square_slope / 0.16, x, z, x, z);
+        for (int wave = 0; wave < 100; ++wave)
+            moments.add_wave(mean_square_slope / 16, 4 * mean_square_slope / 16, x, z, x, z);
     }
     return moments;
 }
@@ -48,9 +49,29 @@ TEST(FoldDistribution, HasAsManyJacobiansBelowAsAGaussianHas) {
     }
 }
 
+// Cosines one way add up to J = 1 + 2u, and eight of them are no Gaussian.
+TEST(FoldDistribution, OfFewWavesReachesLessFar) {
+    constexpr int waves = 8, draws = 200'000;
+    constexpr double amplitude = 0.02, wave_number = 1;
+    FoldMoments m;
+    for (int wave = 0; wave < waves; ++wave) m.add_wave(amplitude * amplitude / 2, 1, wave_number, 0, wave_number, 0);
+    const FoldDistribution jacobians(m, 1);
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> phase(0, 6.283185307179586);
+    int below_two = 0, below_three = 0;
+    for (int i = 0; i < draws; ++i) {
+        double jacobian = 1;
+        for (int wave = 0; wave < waves; ++wave) jacobian += amplitude * std::cos(phase(random));
+        below_two += jacobian < jacobians.below_mean(2);
+        below_three += jacobian < jacobians.below_mean(3);
+    }
+    EXPECT_NEAR(below_two / (draws * 0.022750), 1, 0.05);
+    EXPECT_NEAR(below_three / (draws * 0.0013499), 1, 0.25);
+}
+
 TEST(FoldMoments, OfWavesThatTurnAtOneSpeedChangeAsFast) {
-    EXPECT_DOUBLE_EQ(spread_sea(0.004).frequency_radps(), 2);
-    EXPECT_DOUBLE_EQ((spread_sea(0.004) * 3).frequency_radps(), 2);
+    EXPECT_NEAR(spread_sea(0.004).frequency_radps(), 2, 1e-12);
+    EXPECT_NEAR((spread_sea(0.004) * 3).frequency_radps(), 2, 1e-12);
     EXPECT_DOUBLE_EQ((spread_sea(0.004) * 3).uu, 3 * spread_sea(0.004).uu);
 }
 

@@ -13,6 +13,7 @@
 
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/tests/run_pelagic.hpp"
+#include "pelagic/tools/digest.hpp"
 #include "pelagic/tools/image_codec.hpp"
 
 namespace pelagic {
@@ -110,6 +111,31 @@ TEST(FrameWriter, WritesEveryFrameWithoutAThreadOfItsOwn) {
     const NoThreads none;
     ASSERT_THROW(std::thread([] {}).join(), std::system_error);
     EXPECT_EQ(frames_at_once(std::size_t{1} << 40), 1u);
+}
+
+// Nothing is read of a frame that the ocean has overwritten: without threads its files are made when somebody waits for them.
+TEST(FrameWriter, RecordsFramesAsTheyWereHandedOver) {
+    image_codec();  // its libraries start threads
+    const NoThreads none;
+    const TemporaryFolder path;
+    ExportOptions options;
+    options.sea.sea = {.cascades = 2, .resolution = 32, .wind_speed_mps = 20};
+    options.compute.threads = 8;
+    options.folder = path.path();
+    options.foam = true;
+    const OutputFolder folder(options.folder, Sync::no);
+    ExportJournal journal(options, folder);
+    journal.begin();
+    std::map<int, FrameRecord> records;
+    Ocean ocean(options.sea.sea, {.executor = make_serial_executor(), .gradients = true, .foam = true});
+    FrameWriter writer(options, folder, journal, records, nullptr);
+    const Frame& frame = ocean.frame_at(0);
+    const std::string hash = hex_text(hash_of(frame)), foam_hash = hex_text(foam_hash_of(frame));
+    writer.write(0, frame);
+    for (const double later : {50.0, 60.0}) ocean.frame_at(later);
+    writer.finish();
+    EXPECT_EQ(records.at(0).hash, hash);
+    EXPECT_EQ(records.at(0).foam_hash, foam_hash);
 }
 
 // README and help promise 2 GiB: eight frames of N = 2048.

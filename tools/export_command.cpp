@@ -67,7 +67,9 @@ void print_summary(const ExportOptions& options, const std::vector<FrameRecord>&
     for (const FrameRecord& frame : frames) height += frame.significant_wave_height_m;
     std::printf("%s: %zu frame%s", options.folder.c_str(), frames.size(), frames.size() == 1 ? "" : "s");
     if (options.resume) std::printf(" (%zu of them kept)", kept);
-    std::printf(", %s sea, Hs %.2f m, peak period %.1f s\n", std::string(name_of(options.sea.sea.spectrum)).c_str(),
+    const SeaState& sea = options.sea.sea;
+    const std::string_view waves = sea.waves == WaveModel::spectrum ? name_of(sea.spectrum) : name_of(sea.waves);
+    std::printf(", %s sea, Hs %.2f m, peak period %.1f s\n", std::string(waves).c_str(),
                 height / static_cast<double>(frames.size()), expected_waves(options.sea.sea).peak_period_s);
     for (const std::string& warning : warnings_about(options.sea.sea)) std::printf("note: %s\n", warning.c_str());
 }

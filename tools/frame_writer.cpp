@@ -1,6 +1,7 @@
 #include "pelagic/tools/frame_writer.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <system_error>
@@ -16,22 +17,24 @@
 namespace pelagic::tools {
 namespace {
 
-/// A frame's outputs copied, so that its images can be encoded while the ocean goes on.
+/// What a frame's files need of it, copied, so that its images can be encoded while the ocean goes on.
 class FrameCopy {
    public:
-    explicit FrameCopy(const Frame& frame) : frame_(frame), tiles_(frame.tiles.begin(), frame.tiles.end()) {
+    explicit FrameCopy(const Frame& frame)
+        : frame_(frame), tiles_(frame.tiles.begin(), frame.tiles.end()), hash_(hash_of(frame)) {
         for (Tile& tile : tiles_) copies_.push_back(copied(tile));
         frame_.tiles = tiles_;
     }
     FrameCopy(const FrameCopy&) = delete;
 
     const Frame& frame() const { return frame_; }
+    std::uint64_t hash() const { return hash_; }  ///< of the whole frame
 
    private:
     struct Copies {
         std::vector<float> planes;
         std::vector<std::uint16_t> halves;
-        std::vector<std::uint32_t> bytes;
+        std::vector<std::uint32_t> gradient;
         std::vector<std::uint8_t> foam;
     };
 
@@ -48,10 +51,11 @@ class FrameCopy {
             to += texels;
         }
         copies.halves.assign(tile.displacement_rgba16f.begin(), tile.displacement_rgba16f.end());
-        copies.bytes.assign(tile.gradient_rgba8.begin(), tile.gradient_rgba8.end());
-        tile.displacement_rgba16f = copies.halves;
-        tile.gradient_rgba8 = copies.bytes;
+        copies.gradient.assign(tile.gradient_rgba8.begin(), tile.gradient_rgba8.end());
         copies.foam.assign(tile.foam_r8.begin(), tile.foam_r8.end());
+        tile.displacement_rgba16f = copies.halves;
+        tile.gradient_rgba8 = copies.gradient;
+        tile.slopes_rgba8 = tile.moments_rgba8 = {};  // no file of them
         tile.foam_r8 = copies.foam;
         return copies;
     }
@@ -59,6 +63,7 @@ class FrameCopy {
     Frame frame_;
     std::vector<Tile> tiles_;
     std::vector<Copies> copies_;
+    std::uint64_t hash_;
 };
 
 constexpr const char* file_category = "file";
@@ -115,13 +120,14 @@ class FrameFiles {
     std::vector<FileRecord> files_;
 };
 
-FrameRecord write_frame(const ExportOptions& options, const OutputFolder& folder, int number, const Frame& frame,
+FrameRecord write_frame(const ExportOptions& options, const OutputFolder& folder, int number, const FrameCopy& copy,
                         TraceSink* trace) {
+    const Frame& frame = copy.frame();
     const TraceScope scope(trace, "files", file_category,
                            {{{"frame", static_cast<double>(number)}, {"time_s", frame.time_s}}});
     return {.frame = number,
             .time_s = frame.time_s,
-            .hash = hex_text(hash_of(frame)),
+            .hash = hex_text(copy.hash()),
             .foam_hash = options.foam ? hex_text(foam_hash_of(frame)) : "",
             .significant_wave_height_m = measured_significant_wave_height_m(frame),
             .height_min_m = frame.bounds.height_min_m,
@@ -151,7 +157,7 @@ FrameWriter::FrameWriter(const ExportOptions& options, const OutputFolder& folde
 void FrameWriter::write(int number, const Frame& frame) {
     while (in_flight_.size() >= most_) take_oldest();
     in_flight_.push_back(start([this, number, copy = std::make_shared<const FrameCopy>(frame)] {
-        return write_frame(options_, folder_, number, copy->frame(), trace_);
+        return write_frame(options_, folder_, number, *copy, trace_);
     }));
 }
 

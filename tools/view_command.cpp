@@ -53,6 +53,7 @@ std::string render_command_of(const viewer::ViewResult& result) {
     const SeaState& sea = result.settings.sea;
     const SeaState defaults;
     std::string text = "pelagic render --out sea.png --spectrum " + std::string(name_of(sea.spectrum));
+    if (sea.waves != defaults.waves) text += " --waves " + std::string(name_of(sea.waves));
     for (const SeaStateField& field : sea_state_fields()) {
         // "wind_speed_mps" is --wind-speed: the flag has no unit.
         const double value = field.value_in(sea);

@@ -50,7 +50,7 @@ StageId Cascade::add_stages(JobGraph& graph, Pass pass, const std::vector<StageI
                                           .count = line_blocks(resolution_, kernels_.lanes),
                                           .waits_for = waits_for,
                                           .body = for_each_item([this, pass, surface](std::size_t block) {
-                                              if (is_idle_[pass]) return;
+                                              if (shown_[pass].is_idle) return;
                                               blend(pass, block);
                                               kernels_.evolve_rows(evolve_rows_job(pass, block, surface()));
                                           }),
@@ -59,7 +59,7 @@ StageId Cascade::add_stages(JobGraph& graph, Pass pass, const std::vector<StageI
                                             .count = part_bounds_.size(),
                                             .waits_for = {lines_done},
                                             .body = for_each_item([this, pass, surface](std::size_t pair) {
-                                                if (is_idle_[pass]) return;
+                                                if (shown_[pass].is_idle) return;
                                                 columns_finalize(pass, pair, surface(), part_bounds_[pair]);
                                             }),
                                             .stack_bytes = transforms});
@@ -124,8 +124,8 @@ void Cascade::begin(Pass pass, const SeaMoment& moment, Tile& tile) {
     tile.lattice = lattice_;
     tile.whitecap_jacobian = look.whitecaps.jacobian;
     tile.whitecap_ramp = look.whitecaps.ramp;
-    is_idle_[pass] = pass == Pass::tick && !tile.makes_whitecaps();
     tile.slope_ranges = look.slope_ranges;
+    shown.is_idle = pass == Pass::tick && !tile.makes_whitecaps();
 }
 
 FrameBounds Cascade::end_frame() {

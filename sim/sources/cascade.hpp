@@ -83,7 +83,8 @@ class Cascade final : public SeaSource {
     /// What a pass evaluates.
     struct Shown {
         const Waves *before = nullptr, *after = nullptr;
-        float part = 0;  ///< 0: `before` alone
+        float part = 0;        ///< 0: `before` alone
+        bool is_idle = false;  ///< ticks are for whitecaps alone
         float choppiness = 0;
         LoopFraction fraction;
         AlignedBuffer<float> blended;  ///< as PackedSpectrum::waves, where one sea turns into another
@@ -102,7 +103,6 @@ class Cascade final : public SeaSource {
 
     std::vector<PartBounds> part_bounds_;      ///< of each pair of column blocks
     std::vector<PartBounds> velocity_bounds_;  ///< the same of velocities; nobody reads them
-    OfEachPass<bool> is_idle_;                 ///< ticks are for whitecaps alone
 };
 
 }  // namespace pelagic

@@ -33,7 +33,7 @@ class Pond final : public SeaSource {
 
     void add_spectrum_stage(JobGraph& graph) override;
     void begin_spectrum(const SeaState& sea, const TilePlan& plan, double whitecap_cover) override;
-    /// A pond has one sea: nothing of it turns into another (Forecast).
+    /// It has one sea at a time: Forecast lets none of its kind turn into another.
     LineFigures adopt_spectrum(std::size_t number, std::size_t place) override;
     const TileLattice& lattice() const override { return waves_.plan.lattice; }
     void drop_spectrum() override { bake_.reset(); }

@@ -46,10 +46,9 @@ Forecast Weather::with(const SeaChange& change, std::size_t* first_number) const
     return longer;
 }
 
-double Weather::forgotten_until(const SeaChange& change) const {
-    std::size_t first_number = 0;
-    with(change, &first_number);
-    return first_number == 0 ? -std::numeric_limits<double>::infinity() : forecast_.changes.front().end_s();
+double Weather::end_of_forgotten_by_next() const {
+    constexpr double never = -std::numeric_limits<double>::infinity();
+    return forecast_.changes.size() < remembered_changes ? never : forecast_.changes.front().end_s();
 }
 
 SeaMoment Weather::moment_at(double time_s) const {
@@ -67,29 +66,27 @@ SeaState Weather::sea_at(const SeaMoment& moment) const {
 SeaFigures Weather::figures_at(const SeaMoment& moment) const {
     const Baked &before = baked_[*shelf_.find(moment.before)], &after = baked_[*shelf_.find(moment.after)];
     if (moment.is_steady()) return before.figures;
-    const auto between = [&](double of_before, double of_after) {
-        return (1 - moment.part) * of_before + moment.part * of_after;
+    const auto blend = [&](double Sums::*number) {
+        return (1 - moment.part) * (before.sums.*number) + moment.part * (after.sums.*number);
     };
-    const auto blend = [&](double Sums::*number) { return between(before.sums.*number, after.sums.*number); };
     Sums sums{.height_variance = blend(&Sums::height_variance),
               .slopes = before.sums.slopes * (1 - moment.part),
-              .stokes_x = blend(&Sums::stokes_x),
-              .stokes_z = blend(&Sums::stokes_z)};
+              .drift_x_mps = blend(&Sums::drift_x_mps),
+              .drift_z_mps = blend(&Sums::drift_z_mps)};
     sums.slopes += after.sums.slopes * moment.part;
     SeaFigures figures = figures_of(sea_at(moment), sums);
-    figures.roughness = between(before.figures.roughness, after.figures.roughness);
+    figures.roughness = (1 - moment.part) * before.figures.roughness + moment.part * after.figures.roughness;
     return figures;
 }
 
 SeaFigures Weather::figures_of(const SeaState& sea, const Sums& sums) {
     SeaFigures figures;
     figures.significant_wave_height_m = 4 * std::sqrt(sums.height_variance);
-    const WindDrift wind = wind_drift(sea);
-    figures.foam_drift_x_mps = wind.x_mps + sums.stokes_x;
-    figures.foam_drift_z_mps = wind.z_mps + sums.stokes_z;
     figures.resolved_slopes = sums.slopes.around(sea.wind_direction_rad);
     figures.unresolved_slopes = slopes_left(sea, figures.resolved_slopes);
     figures.roughness = roughness_of(sea, figures.unresolved_slopes);
+    figures.foam_drift_x_mps = sums.drift_x_mps;
+    figures.foam_drift_z_mps = sums.drift_z_mps;
     return figures;
 }
 
@@ -125,9 +122,12 @@ void Weather::adopt(Sources sources) {
         sums.height_variance += added.height_variance;
         sums.slopes += added.slopes.in_world(source->lattice());
         const TileLattice::Place stokes = source->lattice().in_world(added.stokes_x, added.stokes_z);
-        sums.stokes_x += stokes.along;
-        sums.stokes_z += stokes.across;
+        sums.drift_x_mps += stokes.along;
+        sums.drift_z_mps += stokes.across;
     }
+    const WindDrift wind = wind_drift(baked);
+    sums.drift_x_mps += wind.x_mps;
+    sums.drift_z_mps += wind.z_mps;
     baked_[place] = {sums, figures_of(baked, sums)};
 }
 

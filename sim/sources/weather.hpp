@@ -35,8 +35,8 @@ class Weather {
     /// The forecast after one more change; it remembers two. `first_number` counts what it forgets.
     Forecast with(const SeaChange& change, std::size_t* first_number = nullptr) const;
 
-    /// Until when the weather may be another one after add(change), because a change is forgotten.
-    double forgotten_until(const SeaChange& change) const;
+    /// Before that the weather is forgotten with the next change; no time if nothing is.
+    double end_of_forgotten_by_next() const;
 
     /// Of ticks as of frames.
     SeaMoment moment_at(double time_s) const;
@@ -46,8 +46,8 @@ class Weather {
 
     /// The next run of the pass takes what the moment needs.
     void need(Pass pass, const SeaMoment& moment) { shelf_.need(pass, moment.before, moment.after); }
-    std::size_t number_of_last() const { return first_number_ + forecast_.changes.size(); }
     void need_nothing() { shelf_.need_nothing(); }
+    std::size_t number_of_last() const { return first_number_ + forecast_.changes.size(); }
     bool has(std::size_t number) const { return shelf_.holds(number); }
     /// A sea that is not at hand, and that frames around this one will need.
     std::optional<std::size_t> wanted_soon(double time_s) const;
@@ -64,8 +64,8 @@ class Weather {
     /// What all tiles of a sea add up to.
     struct Sums {
         double height_variance = 0;
-        SlopeMoments slopes;                ///< in the world's axes
-        double stokes_x = 0, stokes_z = 0;  ///< likewise
+        SlopeMoments slopes;  ///< in the world's axes
+        double drift_x_mps = 0, drift_z_mps = 0;  ///< of foam
     };
     struct Baked {
         Sums sums;

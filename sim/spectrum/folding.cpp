@@ -26,13 +26,15 @@ void FoldMoments::add_wave(double mean_square, double square_rate, double wave_x
     const double of_square = 1 / (wave_x * wave_x + wave_z * wave_z), part = mean_square * of_square;
     const double xx = wave_x * difference_x, zz = wave_z * difference_z;
     const double u = (xx + zz) / 2, v = (xx - zz) / 2, w = (wave_x * difference_z + wave_z * difference_x) / 2;
-    *this += {part * u * u,
+    const double uu_of_wave = part * u * u;
+    *this += {uu_of_wave,
               part * v * v,
               part * w * w,
               part * u * v,
               part * u * w,
               part * v * w,
-              square_rate * of_square * u * u};
+              square_rate * of_square * u * u,
+              uu_of_wave * uu_of_wave};
 }
 
 FoldMoments& FoldMoments::operator+=(const FoldMoments& other) {
@@ -43,18 +45,20 @@ FoldMoments& FoldMoments::operator+=(const FoldMoments& other) {
     uw += other.uw;
     vw += other.vw;
     uu_rate += other.uu_rate;
+    uu_uu += other.uu_uu;
     return *this;
 }
 
 FoldMoments FoldMoments::operator*(double weight) const {
-    return {uu * weight, vv * weight, ww * weight, uv * weight, uw * weight, vw * weight, uu_rate * weight};
+    return {uu * weight, vv * weight, ww * weight,      uv * weight,
+            uw * weight, vw * weight, uu_rate * weight, uu_uu * weight * weight};
 }
 
 double FoldMoments::frequency_radps() const { return std::sqrt(uu_rate / uu); }
 
 // J = 1 + 2u + x'Ax with x = (u, v, w), A = diag(1, -1, -1) and covariances S has the cumulants, with l = (2, 0, 0),
 //   k1 = 1 + tr AS,  k2 = l'Sl + 2 tr (AS)^2,  k3 = 6 l'SASl + 8 tr (AS)^3,  k4 = 48 l'SASASl + 48 tr (AS)^4
-// (Mathai and Provost 1992, theorem 3.2b.2).
+// (Mathai and Provost 1992, theorem 3.2b.2). A wave of variance s has the fourth cumulant -3/2 s^2, so 2u has -24 sum s^2 beyond that.
 FoldDistribution::FoldDistribution(const FoldMoments& m, double choppiness) {
     const double f = choppiness * choppiness;
     const Matrix s{{{f * m.uu, f * m.uv, f * m.uw}, {f * m.uv, f * m.vv, f * m.vw}, {f * m.uw, f * m.vw, f * m.ww}}};
@@ -68,11 +72,12 @@ FoldDistribution::FoldDistribution(const FoldMoments& m, double choppiness) {
     deviation = std::sqrt(k2);
     if (k2 == 0) return;
     skewness = (24 * as2[0][0] + 8 * trace(as3)) / (k2 * deviation);
-    excess = (192 * as3[0][0] + 48 * trace(product(as3, as))) / (k2 * k2);
+    excess = (192 * as3[0][0] + 48 * trace(product(as3, as)) - 24 * f * f * m.uu_uu) / (k2 * k2);
 }
 
 double FoldDistribution::below_mean(double deviations) const {
-    const double z = -deviations;
+    // With an excess below 0 the series turns back where its slope 1 + (z^2 - 1) excess / 8 is 0: few waves reach no further.
+    const double z = -(excess < 0 ? std::min(deviations, std::sqrt(1 - 8 / excess)) : deviations);
     return mean + deviation * (z + (z * z - 1) * skewness / 6 + (z * z * z - 3 * z) * excess / 24 -
                                (2 * z * z * z - 5 * z) * skewness * skewness / 36);
 }

@@ -9,10 +9,11 @@
 
 namespace pelagic {
 
-/// Sums over the waves of a sea, at choppiness 1. They are linear in the waves' energies.
+/// Sums over the waves of a sea, at choppiness 1. All but the last are linear in the waves' energies.
 struct FoldMoments {
     double uu = 0, vv = 0, ww = 0, uv = 0, uw = 0, vw = 0;  ///< covariances
     double uu_rate = 0;  ///< mean square of du/dt, 1/s^2, as what drifts over the sea meets it
+    double uu_uu = 0;    ///< sum of the squares of what each wave adds to uu: a sum of few waves is no Gaussian
 
     /// A wave of that mean square, m^2, whose height changes by `square_rate`, m^2/s^2, in the mean square. `wave_x` and `_z` are its
     /// wave vector, rad/m; the differences what the texels' derivative makes of it, 1/m: sin(k_x d) / d for central differences over
