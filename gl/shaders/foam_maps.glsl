@@ -9,7 +9,9 @@ FoamOfTiles foam_by_vertices() {
     for (int tile = 0; tile < FOAM_OF_VERTICES; ++tile) all = with_tile(all, tile_slope[tile].w, 4.0);
     return all;
 #else
-    return FoamOfTiles(foam_of_vertices.x, foam_of_vertices.y);
+    // Smoothed edges ask for pixels whose middle is beside its triangles.
+    vec2 foam = clamp(foam_of_vertices, 0.0, 1.0);
+    return FoamOfTiles(foam.x, foam.y);
 #endif
 }
 #endif
