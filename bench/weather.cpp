@@ -2,7 +2,7 @@
 //
 //   build/release/bin/pelagic_weather_bench [ROUNDS [THREADS]]
 //
-// 72 frames a second, as a headset wants them, with nothing to do in between: 5 s of a steady storm, then 5 s in which a fresh
+// 72 frames a second, as a headset wants them, with nothing to do in between: 8 s of a steady storm, then 8 s in which a fresh
 // ocean turns from calm to storm within 4 s, whose spectrum is baked beside its first frames; and so on by turns, because what
 // else runs on the machine comes and goes. A frame's time is from schedule() to the end of complete().
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double frame_s = 1.0 / 72, change_from_s = 0.5, change_over_s = 4, round_s = 5;
+constexpr double frame_s = 1.0 / 72, change_from_s = 3, change_over_s = 4, round_s = 8;
 
 void time_round(const Forecast& forecast, int threads, std::vector<double>& into) {
     Ocean ocean(forecast, {.executor = make_default_executor(threads)});

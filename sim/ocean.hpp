@@ -53,7 +53,7 @@ class Ocean {
     /// choose_isa() and executors throw, and std::bad_alloc.
     explicit Ocean(const SeaState& sea, OceanOptions options = {});
     /// The same with changes to come. The first sea is baked here, and each later one beside frames, from 10 s of the sea's time
-    /// before it is needed. A frame waits for one that is not done: after a jump, or with an executor that does not run ahead.
+    /// before it is needed. A frame waits for one that is not done, as after a jump.
     explicit Ocean(const Forecast& forecast, OceanOptions options = {});
     ~Ocean();  ///< waits for work in flight
     Ocean(const Ocean&) = delete;

@@ -365,11 +365,4 @@ ResolvedSea SeaOptions::resolve_with(const std::vector<ConfigEntry>& config) con
     return resolved;
 }
 
-Forecast forecast_of(const ResolvedSea& sea) {
-    Forecast forecast{.first = sea.sea};
-    for (const ResolvedChange& change : sea.changes)
-        forecast.changes.push_back({.sea = change.sea.sea, .from_s = change.from_s, .over_s = change.over_s});
-    return forecast;
-}
-
 }  // namespace pelagic::tools

@@ -33,7 +33,12 @@ struct ResolvedChange {
     double from_s = 0, over_s = 0;
 };
 
-Forecast forecast_of(const ResolvedSea& sea);
+inline Forecast forecast_of(const ResolvedSea& sea) {
+    Forecast forecast{.first = sea.sea};
+    for (const ResolvedChange& change : sea.changes)
+        forecast.changes.push_back({.sea = change.sea.sea, .from_s = change.from_s, .over_s = change.over_s});
+    return forecast;
+}
 
 /// An option that is radians in a SeaState, and degrees on the command line and in files.
 struct SeaAngle {

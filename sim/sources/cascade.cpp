@@ -140,7 +140,12 @@ FrameBounds Cascade::end_frame() {
 }
 
 void Cascade::begin_spectrum(const SeaState& sea, const TilePlan& plan, double whitecap_cover) {
-    bake_.emplace(Bake{sea, whitecap_cover, TileWaves(sea, plan), PackedSpectrum(plan_, kernels_.lanes, memory_),
+    bake_.emplace(Bake{sea,
+                       whitecap_cover,
+                       plan,
+                       std::make_unique<std::once_flag>(),
+                       {},
+                       PackedSpectrum(plan_, kernels_.lanes, memory_),
                        std::vector<LineFigures>(line_count(resolution_))});
 }
 
@@ -148,7 +153,7 @@ LineFigures Cascade::adopt_spectrum(std::size_t number, std::size_t place) {
     LineFigures all;
     for (const LineFigures& line : bake_->lines) all += line;
     const SeaState& sea = bake_->sea;
-    lattice_ = bake_->waves.tile().lattice;
+    lattice_ = bake_->plan.lattice;
     loop_period_s_ = sea.loop_period_s;
     const Look look = look_of(all, sea.choppiness, bake_->whitecap_cover);
     seas_[place].emplace(Waves{number, sea.choppiness, bake_->whitecap_cover, std::move(bake_->spectrum), all, look});
@@ -157,7 +162,8 @@ LineFigures Cascade::adopt_spectrum(std::size_t number, std::size_t place) {
 }
 
 void Cascade::spectrum(std::size_t line) {
-    bake_->lines[line] = bake_spectrum_line(bake_->sea, bake_->waves, plan_, line, bake_->spectrum);
+    std::call_once(*bake_->has_begun, [this] { bake_->waves.emplace(bake_->sea, bake_->plan); });
+    bake_->lines[line] = bake_spectrum_line(bake_->sea, *bake_->waves, plan_, line, bake_->spectrum);
 }
 
 /// What evolves the block of lines next reads of it.

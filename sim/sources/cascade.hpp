@@ -8,6 +8,8 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <vector>
 
@@ -95,7 +97,10 @@ class Cascade final : public SeaSource {
     struct Bake {
         SeaState sea;
         double whitecap_cover;
-        TileWaves waves;
+        TilePlan plan;
+        std::unique_ptr<std::once_flag> has_begun;
+        std::optional<TileWaves>
+            waves;  ///< by the first line that is baked: they take longer than a frame has time for
         PackedSpectrum spectrum;
         std::vector<LineFigures> lines;
     };

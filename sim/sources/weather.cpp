@@ -16,8 +16,7 @@ constexpr double bake_ahead_s = 10;
 /// A live ocean's: the sea that a frame in flight or a tick before it may still show.
 constexpr std::size_t remembered_changes = 2;
 
-int white_tiles_of(const SeaState& sea, const WaveReach& reach) {
-    const std::vector<TilePlan> plans = plan_tiles(sea, reach);
+int white_tiles_of(const std::vector<TilePlan>& plans) {
     return static_cast<int>(
         std::count_if(plans.begin(), plans.end(), [](const TilePlan& plan) { return plan.makes_whitecaps(); }));
 }
@@ -26,6 +25,15 @@ int white_tiles_of(const SeaState& sea, const WaveReach& reach) {
 
 Weather::Weather(const Forecast& forecast) : forecast_(forecast), reach_(reach_of(forecast)) {
     forecast_.largest_peak_m = reach_.peak_m;
+    for (std::size_t index = 0; index <= forecast.changes.size(); ++index)
+        plans_.push_back(plan_tiles(forecast.sea(index), reach_));
+}
+
+void Weather::add(const SeaChange& change) {
+    const std::size_t before = first_number_;
+    forecast_ = with(change, &first_number_);
+    plans_.erase(plans_.begin(), plans_.begin() + static_cast<std::ptrdiff_t>(first_number_ - before));
+    plans_.push_back(plan_tiles(change.sea, reach_));
 }
 
 Forecast Weather::with(const SeaChange& change, std::size_t* first_number) const {
@@ -94,15 +102,14 @@ std::optional<std::size_t> Weather::wanted_soon(double time_s) const {
     return {};
 }
 
-void Weather::begin(const SeaState& sea, const WaveReach& reach, Sources sources) {
-    const std::vector<TilePlan> plans = plan_tiles(sea, reach);
-    const double cover = cover_of_each(whitecap_cover(sea), white_tiles_of(sea, reach));
+void Weather::begin(const SeaState& sea, const std::vector<TilePlan>& plans, Sources sources) {
+    const double cover = cover_of_each(whitecap_cover(sea), white_tiles_of(plans));
     for (std::size_t tile = 0; tile < plans.size(); ++tile)
         sources[tile]->begin_spectrum(sea, plans[tile], plans[tile].makes_whitecaps() ? cover : 0);
 }
 
 void Weather::begin(std::size_t number, Sources sources) {
-    begin(sea(number), reach_, sources);
+    begin(sea(number), plans_[number - first_number_], sources);
     baked_number_ = number;
 }
 
@@ -126,14 +133,15 @@ void Weather::adopt(Sources sources) {
 
 void Weather::begin_other(const SeaState& sea, Sources sources) {
     Forecast forecast{.first = sea};
-    other_.emplace(Other{forecast, WaveReach::of(sea)});
-    begin(sea, other_->reach, sources);
+    other_.emplace(Other{forecast, WaveReach::of(sea), plan_tiles(sea)});
+    begin(sea, other_->plans, sources);
 }
 
 void Weather::restart(Sources sources) {
     first_number_ += forecast_.changes.size() + 1;
     forecast_ = other_->forecast;
     reach_ = other_->reach;
+    plans_ = {other_->plans};
     forecast_.largest_peak_m = reach_.peak_m;
     other_.reset();
     shelf_.clear();

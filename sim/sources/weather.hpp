@@ -28,10 +28,9 @@ class Weather {
 
     /// Says how long peaks may be, too.
     const Forecast& forecast() const { return forecast_; }
-    std::vector<TilePlan> plans_of(const SeaState& sea) const { return plan_tiles(sea, reach_); }
 
     /// \pre check(with(change)) is empty
-    void add(const SeaChange& change) { forecast_ = with(change, &first_number_); }
+    void add(const SeaChange& change);
     /// The forecast after one more change; it remembers two. `first_number` counts what it forgets.
     Forecast with(const SeaChange& change, std::size_t* first_number = nullptr) const;
 
@@ -64,7 +63,7 @@ class Weather {
     /// What all tiles of a sea add up to.
     struct Sums {
         double height_variance = 0;
-        SlopeMoments slopes;  ///< in the world's axes
+        SlopeMoments slopes;                      ///< in the world's axes
         double drift_x_mps = 0, drift_z_mps = 0;  ///< of foam
     };
     struct Baked {
@@ -75,14 +74,17 @@ class Weather {
     struct Other {
         Forecast forecast;
         WaveReach reach;
+        std::vector<TilePlan> plans;
     };
 
     const SeaState& sea(std::size_t number) const { return forecast_.sea(number - first_number_); }
     static SeaFigures figures_of(const SeaState& sea, const Sums& sums);
-    void begin(const SeaState& sea, const WaveReach& reach, Sources sources);
+    void begin(const SeaState& sea, const std::vector<TilePlan>& plans, Sources sources);
 
     Forecast forecast_;
     WaveReach reach_;
+    std::vector<std::vector<TilePlan>>
+        plans_;                     ///< of each sea: to find one out takes longer than a frame has time for
     std::size_t first_number_ = 0;  ///< of forecast_.first
     SeaShelf shelf_;
     std::array<Baked, SeaShelf::places> baked_;
