@@ -37,7 +37,8 @@ FoamOfTiles foam_of_maps(vec2 at, vec2 ragged, float distance_m, Footprint pixel
     FoamOfTiles all = no_foam;
 #endif
     for (int tile = FOAM_OF_VERTICES; tile < TILES; ++tile) {
-        float texels_a_m = tile_scale[tile].x, mip = log2(max(pixel.wide_m * texels_a_m, 1e-3));
+        // Lace is the shape of what is smaller than half a metre.
+        float texels_a_m = tile_scale[tile].x, mip = log2(max(max(pixel.wide_m, 0.5) * texels_a_m, 1e-3));
         float part = tile_slope[tile].w, weight = float(tile) < foam_kind.x ? weight_of_tile(tile, mip) : 0.0;
         if (weight > 0.0) part = mix(part, foam_of_tile(tile, at + ragged / texels_a_m, distance_m, mip), weight);
         all = with_tile(all, tile, part, mip);
