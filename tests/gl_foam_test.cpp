@@ -40,20 +40,22 @@ class FoamScene : public GlScene {
 
     const Frame& frame() { return ocean.frame_at(3); }
 
-    /// The same with this byte in every texel of all maps; none: with no maps.
+    /// The same with this byte in every texel of the coarsest tile's map and none in the others'; without a byte, with no maps.
     Frame frame_with(std::optional<std::uint8_t> foam) {
         Frame changed = frame();
         tiles_.assign(changed.tiles.begin(), changed.tiles.end());
-        if (foam) bytes_.assign(tiles_[0].foam_r8.size(), *foam);
-        for (Tile& tile : tiles_)
-            tile.foam_r8 = foam ? std::span<const std::uint8_t>(bytes_) : std::span<const std::uint8_t>{};
+        none_.assign(tiles_[0].foam_r8.size(), 0);
+        bytes_.assign(tiles_[0].foam_r8.size(), foam.value_or(0));
+        for (Tile& tile : tiles_) tile.foam_r8 = {};
+        if (foam)
+            for (Tile& tile : tiles_) tile.foam_r8 = &tile == tiles_.data() ? bytes_ : none_;
         changed.tiles = tiles_;
         return changed;
     }
 
    private:
     std::vector<Tile> tiles_;
-    std::vector<std::uint8_t> bytes_;
+    std::vector<std::uint8_t> bytes_, none_;
 };
 
 /// One tile's foam at a rest point, bilinear, a part of 1.
