@@ -157,7 +157,7 @@ typedef struct pelagic_sea {
     double longest_wave_m;  /* [0.02, 1000]. 0: 120, of a pond 1.2 */
     double shortest_wave_m; /* [0.01, 1000]. 0: a sixtieth of the longest, of a pond a 45th */
     double wave_strength;   /* 0 calm, 1 moderate, 2 intense, morphed in between; [0, 2] */
-    double wave_height_m;   /* significant height; [0, 30]. 0: what the strength makes */
+    double wave_height_m;   /* significant height; (0, 30]. 0: what the strength makes */
     double wave_drag;       /* how far a pond's long waves move its short ones; [0, 1] */
 } pelagic_sea;
 

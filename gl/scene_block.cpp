@@ -10,6 +10,7 @@
 
 #include "pelagic/gl/foam_image.hpp"
 #include "pelagic/gl/sea_renderer.hpp"
+#include "pelagic/sim/tile_plan.hpp"
 
 namespace pelagic::gl {
 namespace {
@@ -156,9 +157,12 @@ SeaFacts facts_of(const Frame& frame) {
                    .resolution = frame.tiles[0].resolution(),
                    .tiles = {},
                    .time_s = frame.time_s};
-    // A finer tile's waves are those that have less than three texels of the coarser one (sim/spectrum/bands.cpp).
+    // A finer tile's waves are those that have less than three texels of the coarser one (sim/spectrum/bands.cpp), or so few of which
+    // there are that it takes more of them (sim/tile_plan.hpp).
     double longest_wave_m = frame.tiles[0].lattice.side_m;
     for (const Tile& tile : frame.tiles) {
+        if (frame.sea.waves == WaveModel::analytic && !facts.tiles.empty())
+            longest_wave_m = std::max(longest_wave_m, tile.lattice.side_m / steps_of_few_waves);
         facts.tiles.push_back({.lattice = tile.lattice,
                                .ranges = tile.slope_ranges,
                                .longest_wave_m = longest_wave_m,

@@ -22,7 +22,7 @@ FoamReport report_on_foam(const Frame& frame) {
                       .warm_up_ticks = FoamHistory::remembered_ticks,
                       .drift_mps = length(figures.foam_drift_x_mps, figures.foam_drift_z_mps),
                       .drift_direction_rad = std::atan2(figures.foam_drift_z_mps, figures.foam_drift_x_mps),
-                      .whitecap_cover = whitecap_cover(frame.sea.wind_speed_mps),
+                      .whitecap_cover = whitecap_cover(frame.sea),
                       .tiles = {}};
     for (const Tile& tile : frame.tiles) {
         const DriftTexels loop = drift_a_loop(figures, tile.lattice, tile.resolution(), clock);

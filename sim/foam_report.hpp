@@ -21,7 +21,7 @@ struct FoamReport {
     int warm_up_ticks;  ///< what a jump in time costs; after so many all foam has faded
     /// How fast it drifts but for whole texels, and where to, from +x towards +z.
     double drift_mps, drift_direction_rad;
-    double whitecap_cover;  ///< part of the sea that the wind makes white (Monahan and O'Muircheartaigh 1980)
+    double whitecap_cover;  ///< part of the sea that is to be white, by the wind (Monahan and O'Muircheartaigh 1980)
     std::vector<TileFoam> tiles;
 };
 

@@ -6,7 +6,6 @@
 #include <string_view>
 
 #include "pelagic/message/refusal.hpp"
-#include "pelagic/sim/tile_plan.hpp"
 
 namespace pelagic {
 namespace {
@@ -117,6 +116,15 @@ std::string check(const Forecast& forecast) {
     }
     return {};
 }
+
+WaveReach reach_of(const Forecast& forecast) {
+    WaveReach reach = WaveReach::of(forecast.first);
+    for (const SeaChange& change : forecast.changes) reach.extend_to(WaveReach::of(change.sea));
+    if (forecast.largest_peak_m > 0 && reach.peak_m > 0) reach.peak_m = forecast.largest_peak_m;
+    return reach;
+}
+
+std::vector<TilePlan> plan_tiles(const Forecast& forecast) { return plan_tiles(forecast.first, reach_of(forecast)); }
 
 SeaState sea_between(const SeaState& before, const SeaState& after, double part) {
     if (part == 0) return before;

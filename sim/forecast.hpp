@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "pelagic/sim/sea_state.hpp"
+#include "pelagic/sim/tile_plan.hpp"
 
 namespace pelagic {
 
@@ -53,6 +54,11 @@ struct Forecast {
 /// Empty if usable, else the first thing that is not: "depth_m of change 1 is 20, needs 4000 as the first sea has it". What
 /// check() says of a sea begins with which one it is.
 std::string check(const Forecast& forecast);
+
+/// How far the tiles that all of its seas share reach, and those tiles, with the bands that the first has in them.
+/// \pre check(forecast) is empty
+WaveReach reach_of(const Forecast& forecast);
+std::vector<TilePlan> plan_tiles(const Forecast& forecast);
 
 /// What a frame in between says that its sea is: numbers go over with `part`; heights of swell as their energy does; directions
 /// turn the shorter way (a half turn: the way from +x towards +z); models are those of the sea that there is more of. What only

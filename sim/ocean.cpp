@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -308,12 +309,38 @@ struct Ocean::State {
     }
     void complete_bake() {
         try {
-            spectrum_run->complete();
+            if (bake_in_flight == Bake::ahead && !executor->runs_ahead())
+                bake_blocks(std::numeric_limits<std::size_t>::max());
+            else
+                spectrum_run->complete();
         } catch (...) {
             sources.drop_sea();
             bake_in_flight = Bake::nothing;
             throw;
         }
+    }
+    /// Without other threads a frame bakes as much as it is not late for: one block, of two lines of a tile.
+    void bake_blocks(std::size_t most) {
+        for (; most > 0 && baking_stage < spectrum_graph.stages().size(); --most) {
+            const Stage& stage = spectrum_graph.stages()[baking_stage];
+            run_block(stage, baking_block);
+            if (++baking_block < block_count(stage)) continue;
+            baking_block = 0;
+            ++baking_stage;
+        }
+    }
+    bool is_baked_ahead() const {
+        if (bake_in_flight != Bake::ahead) return false;
+        return executor->runs_ahead() ? spectrum_run->is_done() : baking_stage == spectrum_graph.stages().size();
+    }
+    void begin_ahead(std::size_t number) {
+        if (executor->runs_ahead()) {
+            bake(number);
+        } else {
+            sources.begin_sea(number);
+            baking_stage = baking_block = 0;
+        }
+        bake_in_flight = Bake::ahead;
     }
     /// Leaves the run free for another sea.
     void end_bake() {
@@ -344,15 +371,13 @@ struct Ocean::State {
     /// Takes what was baked ahead, if it is done. \pre no frame is in flight
     void adopt_ahead() {
         sources.weather().need_nothing();
-        if (bake_in_flight == Bake::ahead && spectrum_run->is_done()) end_bake();
+        if (is_baked_ahead()) end_bake();
     }
     /// Begins to bake what frames around this one will take.
     void bake_ahead(double time_s) {
-        if (bake_in_flight != Bake::nothing || !executor->runs_ahead()) return;
-        if (const auto soon = sources.weather().wanted_soon(time_s)) {
-            bake(*soon);
-            bake_in_flight = Bake::ahead;
-        }
+        if (bake_in_flight == Bake::nothing)
+            if (const auto soon = sources.weather().wanted_soon(time_s)) begin_ahead(*soon);
+        if (bake_in_flight == Bake::ahead && !executor->runs_ahead()) bake_blocks(1);
     }
 
     std::shared_ptr<Executor> executor;
@@ -363,6 +388,7 @@ struct Ocean::State {
     bool frame_in_flight = false;
     GraphRun* run_in_flight = nullptr;  ///< none: complete() has not begun a frame that needs several ticks
     Bake bake_in_flight = Bake::nothing;
+    std::size_t baking_stage = 0, baking_block = 0;  ///< next of what bake_blocks() does
     const Frame* completed = nullptr;
     std::unique_ptr<GraphRun> frame_run, tick_run, tick_and_frame_run, spectrum_run;
 
@@ -514,9 +540,7 @@ void Ocean::schedule_sea(const SeaChange& change) {
     state_->end_bake();
     state_->sources.keep_foam_of(change);
     weather.add(change);
-    if (!state_->executor->runs_ahead()) return;
-    state_->bake(weather.number_of_last());
-    state_->bake_in_flight = State::Bake::ahead;
+    state_->begin_ahead(weather.number_of_last());
 }
 
 std::vector<std::uint8_t> Ocean::saved_history() const {

@@ -76,7 +76,7 @@ struct SeaState {
     double shortest_wave_m =
         0;                     ///< at most the longest; [0.01, 1000]. 0: a sixtieth of the longest, of a pond a 45th
     double wave_strength = 1;  ///< of an analytic sea: 0 calm, 1 moderate, 2 intense, morphed in between; [0, 2]
-    double wave_height_m = 0;  ///< Hs; [0, 30]. 0: what the strength makes, of a pond 0.02 of its longest wave
+    double wave_height_m = 0;  ///< Hs; (0, 30]. 0: what the strength makes, of a pond 0.017 of its longest wave
     double wave_drag = 0.38;   ///< how far a pond's long waves move its short ones; 0: not at all; [0, 1]
 };
 

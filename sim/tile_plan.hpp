@@ -9,6 +9,10 @@
 
 namespace pelagic {
 
+/// Few waves want many texels, or what lies between them is a facet: each wave of an analytic sea is in the finest tile of a stack
+/// that has so many steps of its lattice between it and k = 0, unless it has less than three texels of the one above.
+inline constexpr double steps_of_few_waves = 8;
+
 /// One tile. Its wave vectors are (2 pi / side)(m, n) along the tile's own axes, m and n from -N/2 to N/2 - 1.
 struct TilePlan {
     TileLattice lattice;

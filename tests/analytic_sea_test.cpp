@@ -36,6 +36,43 @@ TEST(AnalyticSea, NamesTheFirstBadNumber) {
     EXPECT_EQ(check(sea), "choppiness is nan, needs [0, 1]");
 }
 
+TEST(PlaneWaves, NamesTheFirstBadNumber) {
+    const auto with = [](auto change) {
+        PlaneWaves sea = plane_waves_of(named("analytic-calm"));
+        change(sea);
+        return check(sea);
+    };
+    EXPECT_EQ(with([](PlaneWaves&) {}), "");
+    EXPECT_EQ(with([](PlaneWaves& sea) { sea.waves.clear(); }), "waves is 0, needs 1 to 64 of them");
+    EXPECT_EQ(with([](PlaneWaves& sea) { sea.choppiness = 2; }), "choppiness is 2, needs [0, 1]");
+    EXPECT_EQ(with([](PlaneWaves& sea) { sea.waves[3].amplitude_m = -1; }),
+              "waves[3].amplitude_m is -1, needs [0, 100]");
+    EXPECT_EQ(with([](PlaneWaves& sea) { sea.waves[1].turns_per_m_x = sea.waves[1].turns_per_m_z = 0; }),
+              "waves[1].turns_per_m is 0, needs [0.0001, 200]");
+    EXPECT_EQ(with([](PlaneWaves& sea) {
+                  for (PlaneWave& wave : sea.waves) wave.amplitude_m *= 10;
+              }),
+              "steepness is 0.48, needs at most 0.4, the sum of 2 pi amplitude_m turns_per_m");
+    EXPECT_THROW(AnalyticSurface{PlaneWaves{}}, std::invalid_argument);
+}
+
+TEST(AnalyticFamily, AnyNumberOfWavesIsAsSteepAsThePresets) {
+    for (const double strength : {0.0, 1.0, 2.0, 1.5}) {
+        const double steepness = steepness_of(analytic_sea({.strength = strength}));
+        for (const int waves : {1, 2, 15, 64}) {
+            const AnalyticSea sea = analytic_sea(
+                {.waves = waves, .longest_m = 40, .shortest_m = 3, .strength = strength, .direction_rad = 6});
+            EXPECT_EQ(check(sea), "");
+            ASSERT_EQ(sea.waves.size(), static_cast<std::size_t>(waves));
+            EXPECT_EQ(sea.waves.front().wavelength_m, 40);
+            if (waves > 1) {
+                EXPECT_NEAR(sea.waves.back().wavelength_m, 3, 1e-12);
+            }
+            EXPECT_NEAR(steepness_of(sea), steepness, 1e-12) << waves;
+        }
+    }
+}
+
 TEST(AnalyticSea, IsNormalisedToASignificantHeight) {
     const AnalyticSea sea = with_significant_height(named("analytic-moderate"), 1.25);
     EXPECT_NEAR(significant_height_m(sea), 1.25, 1e-12);

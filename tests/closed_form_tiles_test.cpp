@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "pelagic/analytic/analytic_surface.hpp"
+#include "pelagic/sim/forecast.hpp"
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/spectrum/wave_list.hpp"
 #include "pelagic/sim/statistics.hpp"
@@ -288,6 +289,42 @@ TEST(AnalyticTiles, ReportsSayTheHeightThatFramesHave) {
     SeaState of_height = moderate;
     of_height.wave_height_m = 2;
     EXPECT_NEAR(expected_waves(of_height).significant_wave_height_m, 2, 1e-9);
+}
+
+// Weather blends the energy of each wave: A = sqrt((1 - s) A0^2 + s A1^2), s = u^2 (3 - 2u), with length, way and phase as they are.
+TEST(AnalyticTiles, WeatherTurnsOneIntoAnotherWaveByWave) {
+    SeaState before = on_one_tile, after = on_one_tile;
+    before.wave_strength = 0.3;
+    after.wave_strength = 1.4;
+    PlaneWaves waves = waves_of_tiles(before);
+    const PlaneWaves last = waves_of_tiles(after);
+    const double u = 0.25, s = u * u * (3 - 2 * u);
+    std::set<std::pair<int, int>> lines;
+    for (std::size_t i = 0; i < waves.waves.size(); ++i) {
+        const LatticePlace at = lattice_waves(before, plan_tiles(before)[0])[i].at;
+        lines.insert({at.n < 0 ? -at.m : at.m, std::abs(at.n)});
+        const double a = waves.waves[i].amplitude_m, b = last.waves[i].amplitude_m;
+        waves.waves[i].amplitude_m = std::sqrt((1 - s) * a * a + s * b * b);
+    }
+    ASSERT_EQ(lines.size(), waves.waves.size()) << "waves that meet blend together";
+    Ocean ocean(Forecast{.first = before, .changes = {{.sea = after, .from_s = 10, .over_s = 40}}}, everything());
+    const Frame& frame = ocean.frame_at(20);
+    EXPECT_NEAR(frame.figures.significant_wave_height_m, significant_height_m(waves), 1e-6);
+    const Tile& tile = frame.tiles[0];
+    const AnalyticSurface water(waves);
+    std::vector<double> x, z;
+    for (int i = 0; i < 256; ++i) {
+        x.push_back(i * tile.texel_m());
+        z.push_back((i * 37 % 256) * tile.texel_m());
+    }
+    std::vector<float> height(x.size()), sideways(x.size());
+    water.sample_rest(20, {x, z}, {.height_m = height, .sideways_x_m = sideways});
+    for (int i = 0; i < 256; ++i) {
+        ASSERT_NEAR(tile.height.at(i, i * 37 % 256), height[static_cast<std::size_t>(i)],
+                    1e-5 * amplitudes_of(waves));
+        ASSERT_NEAR(tile.dx.at(i, i * 37 % 256), sideways[static_cast<std::size_t>(i)], 1e-5 * amplitudes_of(waves));
+    }
+    EXPECT_EQ(hash_of(ocean.frame_at(60)), hash_of(Ocean(after, everything()).frame_at(60)));
 }
 
 TEST(AnalyticTiles, NeverFold) {

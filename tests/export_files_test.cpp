@@ -248,8 +248,8 @@ TEST(ExportedFiles, SeaJsonSaysWhatIsThere) {
     EXPECT_EQ(sea["sea"]["resolution"], 32);
     EXPECT_EQ(sea["sea"]["wind_direction_deg"], 30);
     EXPECT_EQ(sea["sea"]["spectrum"], "jonswap");
-    EXPECT_EQ(sea["sea"].size(), sea_state_fields().size() + 2)
-        << "every option of a sea, its spectrum and spreading";
+    EXPECT_EQ(sea["sea"].size(), sea_state_fields().size() + 3)
+        << "every option of a sea, its waves, spectrum and spreading";
 
     SeaState same = small_sea;
     same.loop_period_s = 8;

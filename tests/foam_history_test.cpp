@@ -6,6 +6,7 @@
 #include <random>
 #include <vector>
 
+#include "pelagic/sim/foam_report.hpp"
 #include "pelagic/sim/history/foam_drift.hpp"
 #include "pelagic/sim/kernels/wave_blocks.hpp"
 #include "pelagic/sim/ocean.hpp"
@@ -263,6 +264,20 @@ TEST(FoamDrift, IsAsFastAsWindAndWavesOverAThousandTicks) {
             EXPECT_NEAR(way.across / seconds, drift_z, 0.02 * speed);
         }
         EXPECT_GE(fine_tiles, 2u);
+    }
+}
+
+// Seas of any waves: of a wind, in closed form, ponds.
+TEST(FoamDrift, IsReportedOfEveryPreset) {
+    for (const SeaPreset& preset : sea_presets()) {
+        Ocean ocean(preset.sea, {.executor = make_serial_executor()});
+        const Frame& frame = ocean.frame_at(0);
+        const FoamReport report = report_on_foam(frame);
+        EXPECT_GE(report.drift_mps, 0.01 * preset.sea.wind_speed_mps) << preset.name;
+        EXPECT_LE(report.drift_mps, 0.5 + 0.05 * preset.sea.wind_speed_mps) << preset.name;
+        bool is_white = false;
+        for (const TileFoam& tile : report.tiles) is_white |= tile.makes_whitecaps;
+        EXPECT_EQ(report.whitecap_cover > 0, is_white) << preset.name;
     }
 }
 

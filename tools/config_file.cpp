@@ -35,19 +35,19 @@ std::string value_text(const toml::node& node, const std::string& place, std::st
     throw InputError(place + ": " + std::string(key) + " is of type " + type.str() + ", needs a number or a text");
 }
 
-}  // namespace
-
-std::vector<ConfigEntry> parse_config(std::string_view text, const std::filesystem::path& file,
-                                      std::span<const std::string> known) {
-    toml::table table;
+toml::table parsed(std::string_view text, const std::filesystem::path& file) {
     try {
-        table = toml::parse(text);
+        return toml::parse(text);
     } catch (const toml::parse_error& error) {
         throw InputError(place_of(file, error.source()) + ": " + std::string(error.description()) +
                          ", needs lines such as wind_speed = 9.0");
     } catch (const NotToml&) {
         throw InputError(file.string() + ": malformed table, needs lines such as wind_speed = 9.0");
     }
+}
+
+std::vector<ConfigEntry> entries_of(const toml::table& table, const std::filesystem::path& file,
+                                    std::span<const std::string> known) {
     std::vector<ConfigEntry> entries;
     for (const auto& [name, node] : table) {
         const std::string key(name.str());
@@ -62,11 +62,46 @@ std::vector<ConfigEntry> parse_config(std::string_view text, const std::filesyst
     return entries;
 }
 
+bool is_json(std::string_view text) {
+    const std::size_t first = text.find_first_not_of(" \t\r\n");
+    return first != std::string_view::npos && text[first] == '{';
+}
+
+}  // namespace
+
+std::vector<std::string> change_keys() { return {"from", "over"}; }
+
+std::vector<ConfigEntry> parse_config(std::string_view text, const std::filesystem::path& file,
+                                      std::span<const std::string> known) {
+    return entries_of(parsed(text, file), file, known);
+}
+
+WeatherConfig parse_weather(std::string_view text, const std::filesystem::path& file,
+                            std::span<const std::string> known) {
+    constexpr std::string_view change_key = "change";
+    toml::table table = parsed(text, file);
+    WeatherConfig weather;
+    if (const toml::node* changes = table.get(change_key)) {
+        if (!changes->is_array_of_tables())
+            throw InputError(place_of(file, changes->source()) + ": change is no table, needs lines [[change]]");
+        std::vector<std::string> keys = change_keys();
+        keys.insert(keys.end(), known.begin(), known.end());
+        for (const toml::node& change : *changes->as_array())
+            weather.changes.push_back({place_of(file, change.source()), entries_of(*change.as_table(), file, keys)});
+        table.erase(change_key);
+    }
+    weather.first = entries_of(table, file, known);
+    return weather;
+}
+
+WeatherConfig read_weather(const std::filesystem::path& file, std::span<const std::string> known) {
+    const std::string text = InputFile("--weather", file, "a TOML file or a sea.json").read_all(most_config_bytes);
+    return is_json(text) ? parse_weather_record(text, file, known) : parse_weather(text, file, known);
+}
+
 std::vector<ConfigEntry> read_config(const std::filesystem::path& file, std::span<const std::string> known) {
     const std::string text = InputFile("--config", file, "a TOML file or a sea.json").read_all(most_config_bytes);
-    const std::size_t first = text.find_first_not_of(" \t\r\n");
-    const bool is_json = first != std::string::npos && text[first] == '{';
-    return is_json ? parse_sea_record(text, file, known) : parse_config(text, file, known);
+    return is_json(text) ? parse_sea_record(text, file, known) : parse_config(text, file, known);
 }
 
 }  // namespace pelagic::tools

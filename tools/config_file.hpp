@@ -29,6 +29,29 @@ std::vector<ConfigEntry> parse_config(std::string_view text, const std::filesyst
 std::vector<ConfigEntry> parse_sea_record(std::string_view text, const std::filesystem::path& file,
                                           std::span<const std::string> known);
 
+/// A sea, and what it turns into one after the other: tables [[change]] of a TOML file, each with the keys `from` and `over`, in
+/// seconds, and those of what it changes.
+struct WeatherConfig {
+    struct Change {
+        std::string place;  ///< "weather.toml:3"
+        std::vector<ConfigEntry> entries;
+    };
+    std::vector<ConfigEntry> first;
+    std::vector<Change> changes;
+};
+
+/// The two keys of a change beside those of a sea.
+std::vector<std::string> change_keys();
+
+/// Throws InputError as parse_config() does. \param known  keys of a sea
+WeatherConfig parse_weather(std::string_view text, const std::filesystem::path& file,
+                            std::span<const std::string> known);
+/// The same of the sea.json of an export with weather.
+WeatherConfig parse_weather_record(std::string_view text, const std::filesystem::path& file,
+                                   std::span<const std::string> known);
+/// One of the two of a file, as read_config().
+WeatherConfig read_weather(const std::filesystem::path& file, std::span<const std::string> known);
+
 inline constexpr std::size_t most_config_bytes = std::size_t{64} << 20;
 
 /// One of the two of a file: a text that begins with { is no TOML. Throws InputError if it can't be read or is larger than

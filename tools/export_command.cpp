@@ -35,11 +35,11 @@ void make_frames(const ExportOptions& options, const OutputFolder& folder, Expor
         if (!records.contains(frame)) missing.push_back(frame);
     if (missing.empty()) return;
 
-    Ocean ocean(options.sea.sea, {.executor = make_default_executor(options.compute.threads),
-                                  .isa = options.compute.isa,
-                                  .trace = trace,
-                                  .gradients = options.gradient,
-                                  .foam = options.foam});
+    Ocean ocean(forecast_of(options.sea), {.executor = make_default_executor(options.compute.threads),
+                                           .isa = options.compute.isa,
+                                           .trace = trace,
+                                           .gradients = options.gradient,
+                                           .foam = options.foam});
     Progress progress("frame", missing.size());
     FrameWriter writer(options, folder, journal, records, trace.get());
     ocean.schedule(options.time_of(missing.front()));

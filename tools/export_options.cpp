@@ -136,6 +136,7 @@ void ExportFlags::add_to(CLI::App& app) {
                  "for file systems without locks; see to it that no other export uses the folder");
     add("trace", "FILE", "Chrome trace of stages and workers, opens in ui.perfetto.dev; where the time goes");
     sea_.add_to(app);
+    sea_.add_weather_to(app);
     compute_.add_to(app);
     app.footer(pixel_meaning());
 }
@@ -158,6 +159,9 @@ ExportOptions ExportFlags::resolve() const {
         if (loop_frames && typed_.at(other))
             throw InputError("--loop-frames is " + *loop_frames + " and --" + other + " is " + *typed_.at(other) +
                              ", needs one of the two: a loop's frames follow from its period");
+    if (loop_frames && !options.sea.changes.empty())
+        throw InputError("--loop-frames is " + *loop_frames +
+                         ", needs --frames and --fps with --weather: it is no loop");
     if (loop_frames) {
         options.frames = whole_number_in("--loop-frames", *loop_frames, 1, most_frames);
     } else {

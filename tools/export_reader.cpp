@@ -90,7 +90,7 @@ ExportReader::ExportReader(std::string option, const std::filesystem::path& fold
         throw InputError(place.string() + " has more than " + number_text(most_record_bytes >> 20) + " MiB");
     const Json record = parsed(*text, place.string());
     sea_ = SeaOptions::of_record(*text, place);
-    tiles_ = plan_tiles(sea_.sea);
+    tiles_ = plan_tiles(forecast_of(sea_));
 
     const Json& frames = value_of(record, "frames");
     if (!frames.is_array() || frames.empty())

@@ -105,6 +105,7 @@ EarlierExport parse_sea_json(std::string_view text, const ExportOptions& options
         if (value_of(json, key).is_null()) throw DamagedRecord();
         earlier.options[key] = value_of(json, key);
     }
+    if (const ReadJson& weather = value_of(json, "weather"); !weather.is_null()) earlier.options["weather"] = weather;
     if (!frames.is_array()) throw DamagedRecord();
     for (const ReadJson& frame : frames) take_frame(frame, options, earlier);
     return earlier;

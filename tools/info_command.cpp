@@ -30,7 +30,7 @@ std::future<SeaReport> begin_report(const SeaState& sea, const ComputeOptions& c
 
 Json info_json(const ResolvedSea& resolved, const ComputeOptions& compute) {
     std::future<SeaReport> begun = begin_report(resolved.sea, compute);
-    Ocean ocean(resolved.sea, {.executor = make_default_executor(compute.threads), .isa = compute.isa});
+    Ocean ocean(forecast_of(resolved), {.executor = make_default_executor(compute.threads), .isa = compute.isa});
     const Frame& frame = ocean.frame_at(0);
 
     Json stages = Json::array();
@@ -41,6 +41,7 @@ Json info_json(const ResolvedSea& resolved, const ComputeOptions& compute) {
 
     Json json = {{"version", PELAGIC_VERSION}, {"sea", sea_as_json(resolved)}};
     if (!resolved.preset.empty()) json["preset"] = resolved.preset;
+    if (!resolved.changes.empty()) json["weather"] = weather_as_json(resolved);
     const SeaReport report = begun.get();
     json["waves"] = waves_as_json(resolved.sea, report, measured_significant_wave_height_m(frame));
     json["foam"] = foam_as_json(frame);
@@ -144,6 +145,7 @@ void InfoFlags::add_to(CLI::App& app) {
     app.add_option("--svg", svg_, "with --measure: draws both spectra, those found and those asked for")
         ->type_name("FILE");
     sea_.add_to(app);
+    sea_.add_weather_to(app);
     compute_.add_to(app);
 }
 

@@ -82,8 +82,8 @@ Json channels_as_json(const ExportOptions& options) {
     return maps;
 }
 
-Json layout_as_json(const SeaState& sea) {
-    const std::vector<TilePlan> plans = plan_tiles(sea);
+Json layout_as_json(const Forecast& forecast) {
+    const std::vector<TilePlan> plans = plan_tiles(forecast);
     const double n = plans.front().resolution, side_m = plans.front().lattice.side_m, texel_m = side_m / n;
     Json tiles = Json::array();
     for (const TilePlan& plan : plans) tiles.push_back(tile_as_json(plan));

@@ -14,7 +14,7 @@ nlohmann::ordered_json channels_as_json(const ExportOptions& options);
 
 /// Where a texel rests and is sampled: {"axes", "x_m_of_column", "z_m_of_row", "u_of_column", ...}, each as a scale and an
 /// offset of its number from 0.
-nlohmann::ordered_json layout_as_json(const SeaState& sea);
+nlohmann::ordered_json layout_as_json(const Forecast& forecast);
 
 /// The same in words, a few lines.
 std::string pixel_meaning();

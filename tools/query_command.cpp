@@ -57,6 +57,7 @@ void QueryFlags::add_to(CLI::App& app) {
                  "a column foam too: how much of the water is white, 0 to 1, with what is left of 2.9 seconds "
                  "before; a jump in time costs 29 ticks, each less than a frame");
     sea_.add_to(app);
+    sea_.add_weather_to(app);
     compute_.add_to(app);
     app.footer(
         "Prints x,z,height,nx,ny,nz,vx,vy,vz,jacobian,error_m,converged: metres, metres a second, the normal as a\n"
@@ -85,7 +86,7 @@ void QueryFlags::run() const {
     bool has_points = reader.read_block(block, block_points);
 
     const auto executor = make_default_executor(compute.threads);
-    Ocean ocean(sea.sea,
+    Ocean ocean(forecast_of(sea),
                 {.executor = executor, .isa = compute.isa, .queries = true, .velocities = true, .foam = foam_});
     SurfaceQueryJobs jobs(executor);
     Answers answers(foam_);

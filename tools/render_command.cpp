@@ -58,11 +58,11 @@ class PictureMaker {
    public:
     PictureMaker(const RenderOptions& options, const gl::Sky& sky)
         : options_(options),
-          ocean_(options.scene.sea.sea, {.executor = make_default_executor(options.scene.compute.threads),
-                                         .isa = options.scene.compute.isa,
-                                         .queries = true,
-                                         .slopes = true,
-                                         .foam = true}),
+          ocean_(forecast_of(options.scene.sea), {.executor = make_default_executor(options.scene.compute.threads),
+                                                  .isa = options.scene.compute.isa,
+                                                  .queries = true,
+                                                  .slopes = true,
+                                                  .foam = true}),
           target_(context_.functions(), options.scene.width, options.scene.height, samples_a_pixel,
                   options.wireframe ? gl::PixelKind::screen : gl::PixelKind::radiance),
           renderer_(context_.functions(), {.patch_vertices = options.scene.quadtree.vertices,
@@ -321,6 +321,7 @@ void run_render(const RenderOptions& options) {
                      {"height", options.scene.height},
                      {"quality", options.scene.quality},
                      {"sea", sea_as_json(options.scene.sea)},
+                     {"weather", weather_as_json(options.scene.sea)},
                      {"figures", write_pictures(options, sky, out, hdr)}});
         json["figures"]["sky_ms"] = sky_ms;
     }

@@ -141,6 +141,7 @@ void SceneFlags::add_to(CLI::App& app) {
     add("bloom", "PART", "of each pixel's light that the lens spreads around it, [0, 1]; default 0.04");
     floor_.add_to(app);
     sea_.add_to(app);
+    sea_.add_weather_to(app);
     compute_.add_to(app);
 }
 

@@ -15,7 +15,8 @@ double degrees(double radians) { return radians * (180 / 3.14159265358979323846)
 
 Json sea_as_json(const ResolvedSea& resolved) {
     const SeaState& sea = resolved.sea;
-    Json json = {{"waves", name_of(sea.waves)}, {"spectrum", name_of(sea.spectrum)}, {"spreading", name_of(sea.spreading)}};
+    Json json = {
+        {"waves", name_of(sea.waves)}, {"spectrum", name_of(sea.spectrum)}, {"spreading", name_of(sea.spreading)}};
     for (const SeaStateField& field : sea_state_fields()) {
         if (const SeaAngle* angle = sea_angle(field.name))
             json[angle->in_file] = resolved.*angle->degrees;  // as it was typed
@@ -23,6 +24,13 @@ Json sea_as_json(const ResolvedSea& resolved) {
             std::visit([&](auto member) { json[field.name] = sea.*member; }, field.member);
     }
     return json;
+}
+
+Json weather_as_json(const ResolvedSea& sea) {
+    Json changes = Json::array();
+    for (const ResolvedChange& change : sea.changes)
+        changes.push_back({{"from_s", change.from_s}, {"over_s", change.over_s}, {"sea", sea_as_json(change.sea)}});
+    return changes;
 }
 
 Json options_as_json(const ExportOptions& options) {
@@ -39,7 +47,10 @@ Json options_as_json(const ExportOptions& options) {
     how["mips"] = options.mips;
     how["half"] = options.half;
     how["format"] = options.format == ImageFormat::tiff ? "tif" : "exr";
-    return {{"version", PELAGIC_VERSION}, {"sea", sea_as_json(options.sea)}, {"export", how}};
+    Json json = {{"version", PELAGIC_VERSION}, {"sea", sea_as_json(options.sea)}};
+    if (!options.sea.changes.empty()) json["weather"] = weather_as_json(options.sea);
+    json["export"] = how;
+    return json;
 }
 
 Json frame_as_json(const FrameRecord& record) {
@@ -121,7 +132,7 @@ Json sea_json(const ExportOptions& options, const std::vector<FrameRecord>& fram
     }
     Json json = options_as_json(options);
     json["channels"] = channels_as_json(options);
-    json["layout"] = layout_as_json(options.sea.sea);
+    json["layout"] = layout_as_json(forecast_of(options.sea));
     const SeaReport report = report_on(options.sea.sea);
     json["waves"] = waves_as_json(options.sea.sea, report, height_sum / static_cast<double>(frames.size()));
     if (options.foam) {

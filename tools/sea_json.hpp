@@ -32,7 +32,10 @@ struct FrameRecord {
 /// Every option of a sea, resolved; keys as in a config file, with units.
 Json sea_as_json(const ResolvedSea& sea);
 
-/// Every option that decides what is in the files: {"version", "sea", "export"}.
+/// What it turns into: [{"from_s", "over_s", "sea"}], empty without weather.
+Json weather_as_json(const ResolvedSea& sea);
+
+/// Every option that decides what is in the files: {"version", "sea", "weather" if there is any, "export"}.
 Json options_as_json(const ExportOptions& options);
 
 /// The record, and an XXH3 of it by which an edited one is known.

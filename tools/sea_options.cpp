@@ -216,6 +216,43 @@ std::vector<std::string> config_keys() {
     return keys;
 }
 
+/// All keys but the preset, in the order of flags.
+void apply_config(ResolvedSea& resolved, const std::vector<ConfigEntry>& config) {
+    for (const std::string& flag : configurable_flags())
+        for (const ConfigEntry& entry : config) {
+            if (flag == "preset" || entry.key != config_key(flag)) continue;
+            const std::string place = entry.place + ": " + entry.key;
+            for (const SeaFlag& number : sea_flags)
+                if (number.flag == flag && entry.quoted && (parse_number(entry.value) || !takes_words(number)))
+                    throw bad_value(place, '"' + entry.value + '"',
+                                    "a number without quotes: " + accepted_by(number));
+            apply(resolved, flag, entry.value, place);
+        }
+}
+
+/// What is chosen is written down, so that a file says it to whoever chooses otherwise.
+void write_down_choices(SeaState& sea) {
+    const int cascades = cascades_of(sea), resolution = resolution_of(sea);
+    sea.cascades = cascades;
+    sea.resolution = resolution;
+}
+
+/// What a forecast fixes and a preset does not say is as the first sea has it.
+void keep_tiles(SeaState& sea, const SeaState& first) {
+    const SeaState unsaid;
+    const auto keep = [&](auto member) {
+        if (sea.*member == unsaid.*member) sea.*member = first.*member;
+    };
+    keep(&SeaState::cascades);
+    keep(&SeaState::resolution);
+    keep(&SeaState::patch_size_m);
+    keep(&SeaState::depth_m);
+    keep(&SeaState::loop_period_s);
+    keep(&SeaState::seed);
+}
+
+constexpr double most_time_s = 1e9;
+
 }  // namespace
 
 void SeaOptions::add_to(CLI::App& app) {
@@ -244,13 +281,66 @@ bool SeaOptions::is_given() const {
     return std::any_of(typed_.begin(), typed_.end(), [](const auto& flag) { return flag.second.has_value(); });
 }
 
+void SeaOptions::add_weather_to(CLI::App& app) {
+    app.add_option("--weather", typed_["weather"],
+                   "a sea that turns into others: TOML as --config, with a table [[change]] for each, its keys from "
+                   "and over in seconds and what it changes, such as preset; or a sea.json of an export with weather")
+        ->type_name("FILE")
+        ->group("Sea");
+}
+
 ResolvedSea SeaOptions::resolve() const {
-    const auto file = typed("config");
-    return resolve_with(file ? read_config(*file, config_keys()) : std::vector<ConfigEntry>());
+    const auto file = typed("config"), weather_file = typed("weather");
+    if (!weather_file) return resolve_with(file ? read_config(*file, config_keys()) : std::vector<ConfigEntry>());
+    if (file)
+        throw InputError("--config is " + *file + " and --weather is " + *weather_file +
+                         ", needs one of the two: the first sea stands in both");
+    const WeatherConfig weather = read_weather(*weather_file, config_keys());
+    ResolvedSea sea = resolve_with(weather.first);
+    add_changes(sea, weather, *weather_file);
+    return sea;
 }
 
 ResolvedSea SeaOptions::of_record(std::string_view text, const std::filesystem::path& file) {
-    return SeaOptions().resolve_with(parse_sea_record(text, file, config_keys()));
+    const WeatherConfig weather = parse_weather_record(text, file, config_keys());
+    ResolvedSea sea = SeaOptions().resolve_with(weather.first);
+    add_changes(sea, weather, file);
+    return sea;
+}
+
+/// A change goes on from the sea before it, or from a preset, on the tiles of the first.
+void SeaOptions::add_changes(ResolvedSea& first, const WeatherConfig& weather, const std::filesystem::path& file) {
+    for (const WeatherConfig::Change& config : weather.changes) {
+        ResolvedChange change{.sea = first.changes.empty() ? first : first.changes.back().sea};
+        change.sea.changes.clear();
+        change.sea.preset.clear();
+        std::optional<double> from_s, over_s;
+        std::vector<ConfigEntry> of_sea;
+        for (const ConfigEntry& entry : config.entries) {
+            const std::string asked_by = entry.place + ": " + entry.key;
+            if (entry.key == "from")
+                from_s = number_in(asked_by, entry.value, -most_time_s, most_time_s, "seconds in [-1e9, 1e9]");
+            else if (entry.key == "over")
+                over_s = number_in(asked_by, entry.value, 0, most_time_s, "seconds in (0, 1e9]");
+            else if (entry.key == "preset") {
+                apply_preset(change.sea, entry.value, asked_by);
+                keep_tiles(change.sea.sea, first.sea);
+            } else {
+                of_sea.push_back(entry);
+            }
+        }
+        if (!from_s) throw InputError(config.place + ": from is missing, needs when the change begins, in seconds");
+        if (!over_s)
+            throw InputError(config.place + ": over is missing, needs how long the change takes, in seconds");
+        change.from_s = *from_s;
+        change.over_s = *over_s;
+        apply_config(change.sea, of_sea);
+        write_down_choices(change.sea.sea);
+        first.changes.push_back(std::move(change));
+    }
+    if (first.changes.empty()) return;
+    if (const std::string reason = check(forecast_of(first)); !reason.empty())
+        throw InputError(file.string() + ": " + reason);
 }
 
 std::optional<std::string> SeaOptions::typed(const std::string& flag) const {
@@ -259,36 +349,27 @@ std::optional<std::string> SeaOptions::typed(const std::string& flag) const {
 }
 
 ResolvedSea SeaOptions::resolve_with(const std::vector<ConfigEntry>& config) const {
-    const std::vector<std::string> flags = configurable_flags();
     ResolvedSea resolved;
-    const auto from_config = [&](const std::string& flag, auto use) {
-        for (const ConfigEntry& entry : config) {
-            if (entry.key != config_key(flag)) continue;
-            const std::string place = entry.place + ": " + entry.key;
-            for (const SeaFlag& number : sea_flags)
-                if (number.flag == flag && entry.quoted && (parse_number(entry.value) || !takes_words(number)))
-                    throw bad_value(place, '"' + entry.value + '"',
-                                    "a number without quotes: " + accepted_by(number));
-            use(entry.value, place);
-        }
-    };
-    if (const auto preset = typed("preset"))
+    if (const auto preset = typed("preset")) {
         apply_preset(resolved, *preset, "--preset");
-    else
-        from_config("preset", [&](const auto& value, const auto& place) { apply_preset(resolved, value, place); });
-
-    for (const std::string& flag : flags) {
-        if (flag == "preset") continue;
-        from_config(flag, [&](const auto& value, const auto& place) { apply(resolved, flag, value, place); });
-        if (const auto value = typed(flag)) apply(resolved, flag, *value, "--" + flag);
+    } else {
+        for (const ConfigEntry& entry : config)
+            if (entry.key == "preset") apply_preset(resolved, entry.value, entry.place + ": preset");
     }
+    apply_config(resolved, config);
+    for (const std::string& flag : configurable_flags())
+        if (const auto value = typed(flag); value && flag != "preset") apply(resolved, flag, *value, "--" + flag);
     // Each option has been looked at alone.
     if (const std::string reason = check(resolved.sea); !reason.empty()) throw InputError(reason);
-    // What is chosen is written down, so that a file says it to whoever chooses otherwise.
-    const int cascades = cascades_of(resolved.sea), resolution = resolution_of(resolved.sea);
-    resolved.sea.cascades = cascades;
-    resolved.sea.resolution = resolution;
+    write_down_choices(resolved.sea);
     return resolved;
+}
+
+Forecast forecast_of(const ResolvedSea& sea) {
+    Forecast forecast{.first = sea.sea};
+    for (const ResolvedChange& change : sea.changes)
+        forecast.changes.push_back({.sea = change.sea.sea, .from_s = change.from_s, .over_s = change.over_s});
+    return forecast;
 }
 
 }  // namespace pelagic::tools

@@ -148,7 +148,9 @@ void show_panel(ViewSettings& settings, ViewCamera& camera, const ViewFigures& f
     choose_waves(settings.sea);
     choose_preset(settings.sea);
     choose_cascades(settings.sea, figures.tile_sides_m);
-    ImGui::Text("waves of %.2f m%s", figures.significant_wave_height_m, figures.sea_is_baking ? ", changing" : "");
+    slide("changes take", settings.change_over_s, 0, 60, "%.0f s");
+    ImGui::Text("waves of %.2f m%s", figures.significant_wave_height_m,
+                figures.sea_is_baking || figures.sea_is_changing ? ", changing" : "");
     ImGui::Separator();
     choose_light(settings);
     slide_degrees("sun towards", settings.sky.sun_azimuth_rad, -180, 180);

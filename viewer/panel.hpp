@@ -19,7 +19,8 @@ namespace pelagic::viewer {
 /// What the user has chosen.
 struct ViewSettings {
     SeaState sea;
-    std::string light;  ///< name of the preset that the sky was chosen by, or empty
+    double change_over_s = 4;  ///< how long the sea takes to turn into what is chosen; 0: at once
+    std::string light;         ///< name of the preset that the sky was chosen by, or empty
     gl::SkyOptions sky;
     gl::WaterOptics water;
     std::optional<gl::Shading>
@@ -47,7 +48,7 @@ struct ViewFigures {
     std::size_t patches = 0;
     double significant_wave_height_m = 0;
     std::vector<double> tile_sides_m;
-    bool sea_is_baking = false, sky_is_baking = false;
+    bool sea_is_baking = false, sea_is_changing = false, sky_is_baking = false;
 };
 
 /// Draws the widgets of one Dear ImGui frame and lets them change the settings and the camera's mode.

@@ -42,6 +42,10 @@ constexpr double rest_s = 0.4;
 constexpr std::array halved_from = {0.72f, 0.55f, 0.36f};
 constexpr int fewest_vertices = 8;
 
+/// A spectrum is baked in less, beside frames.
+constexpr double baking_s = 0.1;
+constexpr double least_change_s = 0.1;
+
 bool same_sea(const SeaState& a, const SeaState& b) {
     if (a.waves != b.waves || a.spectrum != b.spectrum || a.spreading != b.spreading) return false;
     return std::ranges::all_of(sea_state_fields(),
@@ -107,7 +111,7 @@ class Viewer {
           caustics_(make_default_executor(options.threads)),
           camera_(options.camera) {
         baker_.schedule(settings_.sky);
-        fill_ocean();
+        fill_ocean(options_.changes);
         figures_.shading = settings_.scale_is_automatic ? scale_by_time_.step().shading
                                                         : settings_.shading.value_or(gl::Shading::high);
         choose_quality();
@@ -181,6 +185,10 @@ class Viewer {
         if (!figures_.sea_is_baking && !same_sea(settings_.sea, shown_sea_)) {
             if (!check(settings_.sea).empty()) {
                 settings_.sea = shown_sea_;  // a slider went where this sea can't
+            } else if (is_about_to_settle()) {
+                // The next change begins where this one ends.
+            } else if (turns_slowly()) {
+                shown_sea_ = settings_.sea;
             } else if (ocean_takes(settings_.sea)) {
                 shown_sea_ = settings_.sea;
                 ocean_->schedule_sea(shown_sea_);
@@ -197,6 +205,24 @@ class Viewer {
         }
     }
 
+    /// In the middle of a change that was asked for here.
+    bool is_about_to_settle() const {
+        const std::vector<SeaChange>& changes = ocean_->forecast().changes;
+        const double left_s = changes.empty() ? 0 : changes.back().end_s() - time_s_;
+        return !settings_.frozen && left_s > 0 && left_s <= settings_.change_over_s + baking_s;
+    }
+
+    /// The sea turns into the one that is chosen, if that fits the tiles.
+    bool turns_slowly() {
+        if (settings_.frozen || settings_.change_over_s < least_change_s) return false;
+        try {
+            ocean_->schedule_sea(settings_.sea, time_s_ + baking_s, settings_.change_over_s);
+        } catch (const std::invalid_argument&) {  // longer waves, another kind of tiles, or weather to come
+            return false;
+        }
+        return true;
+    }
+
     /// An ocean has its tiles, and what fills them, for life.
     bool ocean_takes(const SeaState& sea) const {
         return cascades_of(sea) == static_cast<int>(ocean_->tile_count()) &&
@@ -204,14 +230,15 @@ class Viewer {
                (sea.waves == WaveModel::exp_sine) == (ocean_->sea().waves == WaveModel::exp_sine);
     }
 
-    void fill_ocean() {
+    void fill_ocean(const std::vector<SeaChange>& changes = {}) {
         take_caustics();  // they read the ocean that goes
         shown_sea_ = settings_.sea;
-        ocean_.emplace(shown_sea_, OceanOptions{.executor = make_default_executor(options_.threads),
-                                                .trace = stage_times_,
-                                                .queries = true,
-                                                .slopes = true,
-                                                .foam = true});
+        ocean_.emplace(Forecast{.first = shown_sea_, .changes = changes},
+                       OceanOptions{.executor = make_default_executor(options_.threads),
+                                    .trace = stage_times_,
+                                    .queries = true,
+                                    .slopes = true,
+                                    .foam = true});
         stage_times_->follow(ocean_->graph());
         ocean_->schedule(time_s_);
     }
@@ -284,6 +311,7 @@ class Viewer {
             figures_.sea_is_baking = false;
             ++changes_;
         }
+        figures_.sea_is_changing = ocean_->forecast().at(time_s_).part > 0;
         // They read the frame before this one, whose views end with the next schedule().
         take_caustics();
         ocean_->schedule(time_s_);

@@ -5,9 +5,11 @@
 #include <filesystem>
 #include <functional>
 #include <span>
+#include <vector>
 
 #include "pelagic/gl/sea_floor.hpp"
 #include "pelagic/gl/views.hpp"
+#include "pelagic/sim/forecast.hpp"
 #include "pelagic/viewer/panel.hpp"
 
 namespace pelagic::viewer {
@@ -16,6 +18,7 @@ struct ViewOptions {
     ViewSettings settings;
     Camera camera;
     gl::SeaFloor floor = {};
+    std::vector<SeaChange> changes = {};  ///< of the settings' sea, until the user changes it
     int width = 1280, height = 720;
     int threads = 0;  ///< as make_default_executor() takes them
 

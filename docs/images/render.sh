@@ -39,6 +39,11 @@ small coast --preset rough --camera 0,3,0 --target 20,0,10 --sun 72,30
 small river --preset calm --camera 30,14,30 --target 70,0,90 --fov 50 --sun 60,35
 small pond --preset calm --light noon --camera 0,1.1,0 --target 4,0.3,1.6 --fov 45
 
+# A sea that turns into another.
+for time in 10 17 22 31; do
+  "$pelagic" render --weather docs/images/weather.toml --time "$time" --size 560x315 --camera 0,6,0 --out "docs/images/weather_$time.png"
+done
+
 # Of few waves.
 few() {
   local name=$1

@@ -108,7 +108,7 @@ LineFigures bake_spectrum_line(const SeaState& sea, const TileWaves& waves, cons
             };
             const ShownSlope shown_x = shown_slope(tile, m);
             const double fold_x = fold_derivative(shown_x, m);
-            const double drift = stokes_drift(k, waves.spectrum().water()) / k;
+            const double drift = stokes_drift(k, waves.water()) / k;
             const auto put_wave = [&](WaveQuantity first, const OppositeWaves& opposites, int signed_m) {
                 const PackedWave values = packed(opposites);
                 for (std::size_t i = 0; i < values.size(); ++i) wave[(first + i) * out.lanes] = values[i];

@@ -16,13 +16,6 @@ constexpr double bake_ahead_s = 10;
 /// A live ocean's: the sea that a frame in flight or a tick before it may still show.
 constexpr std::size_t remembered_changes = 2;
 
-WaveReach reach_of(const Forecast& forecast) {
-    WaveReach reach = WaveReach::of(forecast.first);
-    for (const SeaChange& change : forecast.changes) reach.extend_to(WaveReach::of(change.sea));
-    if (forecast.largest_peak_m > 0 && reach.peak_m > 0) reach.peak_m = forecast.largest_peak_m;
-    return reach;
-}
-
 int white_tiles_of(const SeaState& sea, const WaveReach& reach) {
     const std::vector<TilePlan> plans = plan_tiles(sea, reach);
     return static_cast<int>(

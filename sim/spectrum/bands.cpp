@@ -70,10 +70,6 @@ WaveSpectrum spectrum_of_stack(const SeaState& sea) {
             {.lattice = {.side_m = papers_side_m}, .resolution = resolution_of(sea), .has_surface_tension = true}};
 }
 
-/// Few waves want many texels, or what lies between them is a facet: each is in the finest tile on whose lattice it hardly
-/// moves, but for what is too short for the one above.
-constexpr double steps_of_few_waves = 8;
-
 std::vector<TilePlan> with_few_waves(std::vector<TilePlan> tiles) {
     for (std::size_t i = 0; i + 1 < tiles.size(); ++i) {
         const double edge = std::min(tiles[i].most_k, steps_of_few_waves * tiles[i + 1].spacing());

@@ -8,7 +8,7 @@ namespace pelagic {
 
 /// Part of a sea that whitecaps cover: 3.84e-6 U10^3.41 (Monahan and O'Muircheartaigh 1980), at most 0.4.
 double whitecap_cover(double wind_speed_mps);
-/// In a sea's wind, of its waves: none of few waves, which are no steeper than 0.4 and below where waves break (0.44, Stokes 1880), or
+/// In a sea's wind, of its waves: none of few waves, which are no steeper than 0.4 and below where waves break (k A = 0.443, Michell 1893), or
 /// a pond's.
 double whitecap_cover(const SeaState& sea);
 

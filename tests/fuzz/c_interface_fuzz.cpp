@@ -92,6 +92,14 @@ pelagic_sea any_sea(Bytes& bytes) {
         sea.patch_size_m = 0;
         if (sea.resolution == 16) sea.resolution = 32;
     }
+    // Seas of few waves from some seeds, so that others read what they did.
+    if (const std::uint32_t kind = sea.seed / 256 % 16; kind >= 12) {
+        sea.waves = static_cast<std::int32_t>(kind % 4);
+        sea.wave_count = bytes.take<std::uint8_t>() % 70;
+        double* const wave_fields[] = {&sea.longest_wave_m, &sea.shortest_wave_m, &sea.wave_strength,
+                                       &sea.wave_height_m, &sea.wave_drag};
+        *wave_fields[bytes.take<std::uint8_t>() % std::size(wave_fields)] = bytes.number();
+    }
     must_be_a_status(pelagic_sea_check(&sea));
     return sea;
 }

@@ -1,0 +1,76 @@
+// --weather: a file of seas and times, what is refused of it, and the record of an export that gives it back.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "pelagic/sim/ocean.hpp"
+#include "pelagic/tests/run_pelagic.hpp"
+
+namespace pelagic {
+namespace {
+
+const std::string calm_to_storm =
+    "preset = \"calm\"\nresolution = 32\nseed = 3\n[[change]]\nfrom = 1\nover = 4\npreset = \"storm\"\n"
+    "[[change]]\nfrom = 5\nover = 2\nwind_direction = 90\n";
+
+class WeatherCommand : public testing::Test {
+   protected:
+    nlohmann::json exported(const std::string& weather, const std::string& name, std::vector<std::string> more = {}) {
+        std::vector<std::string> arguments = {"export",    "--out",  (folder_ / name).string(),
+                                              "--frames",  "3",      "--fps",
+                                              "0.5",       "--maps", "displacement",
+                                              "--weather", weather};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const Outcome outcome = run_pelagic(arguments);
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        return nlohmann::json::parse(read_file(folder_ / name / "sea.json"));
+    }
+    std::string file(const std::string& text) {
+        write_file(folder_ / "weather.toml", text);
+        return (folder_ / "weather.toml").string();
+    }
+    std::string refusal_of(const std::string& text, std::vector<std::string> more = {}) {
+        std::vector<std::string> arguments = {"info", "--weather", file(text)};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const Outcome outcome = run_pelagic(arguments);
+        EXPECT_NE(outcome.exit_code, 0);
+        return outcome.err;
+    }
+    TemporaryFolder folder_;
+};
+
+TEST_F(WeatherCommand, ExportHasTheFramesOfTheForecastAndItsRecordGivesItBack) {
+    const nlohmann::json record = exported(file(calm_to_storm), "first");
+    SeaState calm = sea_preset_named("calm")->sea, storm = sea_preset_named("storm")->sea;
+    calm.resolution = storm.resolution = 32;
+    calm.seed = storm.seed = 3;
+    SeaState turned = storm;
+    turned.wind_direction_rad = 90 * (3.14159265358979323846 / 180);
+    Ocean ocean({.first = calm,
+                 .changes = {{.sea = storm, .from_s = 1, .over_s = 4}, {.sea = turned, .from_s = 5, .over_s = 2}}});
+    for (const nlohmann::json& frame : record.at("frames")) {
+        char text[17];
+        std::snprintf(text, sizeof text, "%016llx",
+                      static_cast<unsigned long long>(hash_of(ocean.frame_at(frame.at("time_s")))));
+        EXPECT_EQ(frame.at("hash"), text) << frame.at("time_s");
+    }
+    EXPECT_EQ(exported((folder_ / "first" / "sea.json").string(), "second"), record);
+    EXPECT_EQ(exported(file(calm_to_storm), "first", {"--resume"}), record);
+}
+
+TEST_F(WeatherCommand, RefusalsAreOneLineThatNamesThePlace) {
+    EXPECT_NE(refusal_of("[[change]]\nfrom = 1\n").find("weather.toml:1: over is missing"), std::string::npos);
+    EXPECT_NE(refusal_of("[[change]]\nover = 1\n").find("from is missing"), std::string::npos);
+    EXPECT_NE(refusal_of("[[change]]\nfrom = 1\nover = 1\nwind_sped = 3\n").find("unknown key wind_sped"),
+              std::string::npos);
+    EXPECT_NE(refusal_of("[[change]]\nfrom = 1\nover = 1\ndepth = 3\n").find("depth_m of change 1 is 3, needs 4000"),
+              std::string::npos);
+    EXPECT_NE(refusal_of("change = 3\n").find("needs lines [[change]]"), std::string::npos);
+    EXPECT_NE(refusal_of(calm_to_storm, {"--config", file(calm_to_storm)}).find("needs one of the two"),
+              std::string::npos);
+}
+
+}  // namespace
+}  // namespace pelagic
