@@ -130,7 +130,7 @@ TEST(GlFoam, IsNotThereWithoutMapsOfIt) {
 TEST(GlFoam, CoversThePartThatTheMapsSay) {
     constexpr int pixels = 512;
     FoamScene rough("rough");
-    for (const std::uint8_t byte : {77, 128, 179}) {
+    for (const std::uint8_t byte : {std::uint8_t{77}, std::uint8_t{128}, std::uint8_t{179}}) {
         const std::vector<float> none = rough.light_from_above(rough.frame_with({}), pixels, 50);
         const std::vector<float> some = rough.light_from_above(rough.frame_with(byte), pixels, 50);
         const float foam = brighter_than(some, 0.05);
