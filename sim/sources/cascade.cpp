@@ -235,7 +235,7 @@ std::size_t Cascade::bytes() const {
     std::size_t bytes = sizeof(Cascade) + plan_.bytes() +
                         (part_bounds_.capacity() + velocity_bounds_.capacity()) * sizeof(PartBounds);
     for (const auto& waves : seas_)
-        if (waves) bytes += waves->spectrum.bytes();
+        if (waves) bytes += waves->spectrum.bytes() + waves->by_band.bytes();
     for (const Pass pass : {Pass::tick, Pass::frame}) bytes += shown_[pass].blended.bytes();
     return bytes;
 }

@@ -67,6 +67,8 @@ class FiguresByBand {
         return band < first() || band >= end() ? LineFigures() : figures_[band - first_];
     }
 
+    std::size_t bytes() const { return figures_.capacity() * sizeof(LineFigures); }
+
    private:
     std::size_t first_ = 0;
     std::vector<LineFigures> figures_;

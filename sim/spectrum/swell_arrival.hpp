@@ -18,9 +18,9 @@ constexpr double eased_part(double since_s, double over_s) {
 /// A swell that was raised at one moment, `distance_m` away. The clock starts with the longest waves that count.
 class SwellArrival {
    public:
-    /// In periods of the swell's peak: longer waves come with the longest, which hold 1e-6 of its energy.
+    /// In periods of the swell's peak: longer waves, 1e-5 of its energy, come with these.
     static constexpr double longest_period = 1.5;
-    /// Shorter ones come with the shortest, so that there is an end.
+    /// Shorter ones, another 1e-5, come with these, so that there is an end.
     static constexpr double shortest_period = 1.0 / 3;
 
     /// \pre check(sea) is empty, and the sea has a swell
