@@ -283,10 +283,11 @@ bool SeaOptions::is_given() const {
 }
 
 void SeaOptions::add_weather_to(CLI::App& app) {
-    app.add_option("--weather", typed_["weather"],
-                   "a sea that turns into others: TOML as --config, with a table [[change]] for each, its keys from "
-                   "and over in seconds, swell_from in metres where a swell comes from afar, and what it changes, such "
-                   "as preset; or a sea.json of an export with weather")
+    app.add_option(
+           "--weather", typed_["weather"],
+           "a sea that turns into others: TOML as --config, with a table [[change]] for each, its keys from "
+           "and over in seconds, swell_from in metres where a swell comes from afar, and what it changes, such "
+           "as preset; or a sea.json of an export with weather")
         ->type_name("FILE")
         ->group("Sea");
 }
