@@ -498,6 +498,9 @@ typedef struct pelagic_change {
     const pelagic_sea* sea; /* that there is afterwards; read before the call returns */
     double from_s;          /* when it begins, not before the one before it is over */
     double over_s;          /* how long it takes; (0, 1e9] */
+    /* Its swell comes from so far away, [1e3, 2e7], long waves first by their group velocities, each within over_s of its own; 0:
+     * all waves change together. */
+    double swell_from_m;
 } pelagic_change;
 
 /* Seas with times. All have the same number and kind of tiles, resolution, depth_m, loop_period_s and seed. */

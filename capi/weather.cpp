@@ -14,7 +14,10 @@ namespace {
 /// Throws std::invalid_argument for null and a wrong struct_size. Values are for check().
 SeaChange change_of(const pelagic_change* pointer, const char* name) {
     const pelagic_change change = read_struct(pointer, name);
-    return {.sea = sea_of(change.sea), .from_s = change.from_s, .over_s = change.over_s};
+    return {.sea = sea_of(change.sea),
+            .from_s = change.from_s,
+            .over_s = change.over_s,
+            .swell_from_m = change.swell_from_m};
 }
 
 Forecast forecast_of(const pelagic_forecast* pointer) {

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "pelagic/message/refusal.hpp"
+#include "pelagic/sim/spectrum/swell_arrival.hpp"
 
 namespace pelagic {
 namespace {
@@ -14,6 +15,7 @@ constexpr double pi = 3.14159265358979323846, two_pi = 2 * pi;
 
 constexpr double most_time_s = 1e12;  // microseconds of it are still told apart
 constexpr double longest_change_s = 1e9;
+constexpr double least_swell_from_m = 1e3, most_swell_from_m = 2e7;  // half of the way round the earth
 constexpr double most_peak_m = 1e5;
 
 /// Two peaks are one within what peak_of() finds out.
@@ -58,9 +60,6 @@ std::string too_long(const std::string& whose, const SeaState& sea, double large
                    "at most " + number_text(largest_peak_m) + ", the largest_peak_m that tiles are laid out for");
 }
 
-/// s of u, whose slope is 0 where it begins and where it ends.
-double eased(double u) { return u * u * (3 - 2 * u); }
-
 double between(double before, double after, double part) {
     return before == after ? before : (1 - part) * before + part * after;
 }
@@ -78,13 +77,25 @@ double turned(double before, double after, double part) {
 
 }  // namespace
 
+double SeaChange::end_s() const {
+    const double over = from_s + over_s;
+    return swell_from_m > 0 ? over + SwellArrival(sea, swell_from_m).span_s() : over;
+}
+
 ForecastMoment Forecast::at(double time_s) const {
     const auto next = std::upper_bound(changes.begin(), changes.end(), time_s,
                                        [](double time, const SeaChange& change) { return time < change.from_s; });
     const auto number = static_cast<std::size_t>(next - changes.begin());
     if (number == 0) return {};
     const SeaChange& change = changes[number - 1];
-    const double u = (time_s - change.from_s) / change.over_s, part = u < 1 ? eased(u) : 1;
+    const double since_s = time_s - change.from_s;
+    if (change.swell_from_m > 0) {
+        if (since_s <= 0) return {number - 1, number - 1, 0};
+        if (time_s >= change.end_s()) return {number, number, 0};
+        const SwellArrival swell(change.sea, change.swell_from_m);
+        return {number - 1, number, eased_part(since_s - swell.delay_of_peak_s(), change.over_s)};
+    }
+    const double part = eased_part(since_s, change.over_s);
     if (part >= 1) return {number, number, 0};
     if (part <= 0) return {number - 1, number - 1, 0};
     return {number - 1, number, part};
@@ -108,6 +119,11 @@ std::string check(const Forecast& forecast) {
             return reason;
         if (!(change.over_s > 0 && change.over_s <= longest_change_s))
             return refusal(of_change("over_s", number), change.over_s, "(0, 1e9]");
+        if (const double afar = change.swell_from_m;
+            afar != 0 && !(afar >= least_swell_from_m && afar <= most_swell_from_m))
+            return refusal(of_change("swell_from_m", number), afar, "[1e3, 2e7], or 0: all waves change together");
+        if (change.swell_from_m > 0 && change.sea.swell_height_m == 0)
+            return refusal(of_change("swell_from_m", number), change.swell_from_m, "0 where the sea has no swell");
         if (!(change.from_s >= over_s && change.from_s <= most_time_s))
             return refusal(
                 of_change("from_s", number), change.from_s,

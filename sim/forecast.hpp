@@ -25,14 +25,24 @@ struct SeaChange {
     SeaState sea;       ///< that there is afterwards
     double from_s = 0;  ///< when it begins
     double over_s = 0;  ///< how long it takes; (0, 1e9]
+    /// The waves of its swell were raised so far away, all at one moment: 0, all waves change together, or [1e3, 2e7]. Long ones
+    /// come first, each within over_s of its own, by their group velocities d omega / d k:
+    ///
+    ///   begin(omega) = from_s + swell_from_m (1 / cg(omega) - 1 / cg(omega of 1.5 swell periods))
+    ///
+    /// Waves longer than 1.5 periods of the swell's peak come with those, shorter than a third with those. Waves of one of the
+    /// loop's frequencies come together, from its 32nd harmonic on sixteen bands an octave. The sea has a swell.
+    double swell_from_m = 0;
 
-    double end_s() const { return from_s + over_s; }
+    /// When the last waves have come.
+    double end_s() const;
 };
 
 /// What the weather is at a moment: two seas of a forecast, and how much there is of the second.
 struct ForecastMoment {
     std::size_t before = 0, after = 0;  ///< as Forecast::sea() counts
-    double part = 0;                    ///< s, of the sea after; below 1. 0: it is one sea, before and after
+    /// s, of the sea after; 0 where it is one sea, before and after. Of a swell from afar that of the waves at its peak, 0 to 1.
+    double part = 0;
 };
 
 /// A value: a frame is a function of the forecast and the time, whatever frames there were before.

@@ -87,6 +87,10 @@ TEST(CInterface, WeatherMayBeGivenAtOnceOrChangeByChange) {
         EXPECT_EQ(hash_at(at_once.get(), time_s), hash_at(live.get(), time_s));
 
     expect_invalid(pelagic_ocean_schedule_change(live.get(), &change), "from_s of change 2 is 1, needs at least 30");
+    change.swell_from_m = 1;
+    expect_invalid(pelagic_ocean_schedule_change(live.get(), &change),
+                   "swell_from_m of change 2 is 1, needs [1e3, 2e7]");
+    change.swell_from_m = 0;
     change.from_s = 40;
     change.sea = &other;
     expect_invalid(pelagic_ocean_schedule_change(live.get(), &change), "seed of change");

@@ -60,12 +60,28 @@ TEST_F(WeatherCommand, ExportHasTheFramesOfTheForecastAndItsRecordGivesItBack) {
     EXPECT_EQ(exported(file(calm_to_storm), "first", {"--resume"}), record);
 }
 
+TEST_F(WeatherCommand, SwellMayComeFromAfar) {
+    const std::string text =
+        "preset = \"calm\"\nresolution = 32\n[[change]]\nfrom = -100\nover = 20\nswell_height = 2\n";
+    const nlohmann::json record = exported(file(text + "swell_from = 1000\n"), "afar");
+    EXPECT_EQ(record.at("weather").at(0).at("swell_from_m"), 1000);
+    EXPECT_EQ(exported((folder_ / "afar" / "sea.json").string(), "again"), record);
+    const nlohmann::json near = exported(file(text), "near");
+    EXPECT_FALSE(near.at("weather").at(0).contains("swell_from_m"));
+    EXPECT_NE(near.at("frames"), record.at("frames"));
+}
+
 TEST_F(WeatherCommand, RefusalsAreOneLineThatNamesThePlace) {
     EXPECT_NE(refusal_of("[[change]]\nfrom = 1\n").find("weather.toml:1: over is missing"), std::string::npos);
     EXPECT_NE(refusal_of("[[change]]\nover = 1\n").find("from is missing"), std::string::npos);
     EXPECT_NE(refusal_of("[[change]]\nfrom = 1\nover = 1\nwind_sped = 3\n").find("unknown key wind_sped"),
               std::string::npos);
     EXPECT_NE(refusal_of("[[change]]\nfrom = 1\nover = 1\ndepth = 3\n").find("depth_m of change 1 is 3, needs 4000"),
+              std::string::npos);
+    EXPECT_NE(refusal_of("[[change]]\nfrom = 1\nover = 1\nswell_from = 5e6\nswell_height = 0\n")
+                  .find("swell_from_m of change 1 is 5000000, needs 0 where the sea has no swell"),
+              std::string::npos);
+    EXPECT_NE(refusal_of("[[change]]\nfrom = 1\nover = 1\nswell_from = far\n").find("swell_from is "),
               std::string::npos);
     EXPECT_NE(refusal_of("change = 3\n").find("needs lines [[change]]"), std::string::npos);
     EXPECT_NE(refusal_of(calm_to_storm, {"--config", file(calm_to_storm)}).find("needs one of the two"),

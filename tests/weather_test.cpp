@@ -385,6 +385,7 @@ struct Turn {
     std::string name;
     SeaState before, after;
     double over_s;
+    double swell_from_m = 0;
 };
 
 class WeatherMoves : public testing::TestWithParam<Turn> {};
@@ -394,17 +395,23 @@ Turn wind_turns_by_90_degrees(double over_s) {
     turned.wind_direction_rad = 180 * degree;
     return {"WindTurns", storm, turned, over_s};
 }
+/// Over 6 minutes.
+Turn swell_comes_from_afar() {
+    SeaState swell = calm;
+    swell.swell_height_m = 4;
+    return {"SwellFromAfar", calm, swell, 20, 1300};
+}
 INSTANTIATE_TEST_SUITE_P(Changes, WeatherMoves,
                          testing::Values(wind_turns_by_90_degrees(10), Turn{"CalmToStorm", calm, storm, 20},
-                                         Turn{"StormToCalm", storm, calm, 10}),
+                                         Turn{"StormToCalm", storm, calm, 10}, swell_comes_from_afar()),
                          [](const auto& changed) { return changed.param.name; });
 
 // Of all heights and all sideways displacements of a tile, at 72 frames a second.
 TEST_P(WeatherMoves, NoMoreFromFrameToFrameThanTheLargerSea) {
     const Turn& turn = GetParam();
     const double frame_s = 1.0 / 72, loop_s = calm.loop_period_s;
-    Ocean ocean({.first = turn.before, .changes = {{.sea = turn.after, .from_s = 0, .over_s = turn.over_s}}},
-                {.executor = make_thread_executor(2)});
+    const SeaChange change{.sea = turn.after, .from_s = 0, .over_s = turn.over_s, .swell_from_m = turn.swell_from_m};
+    Ocean ocean({.first = turn.before, .changes = {change}}, {.executor = make_thread_executor(2)});
     const auto largest_step = [&](double time_s) {
         std::vector<std::vector<float>> earlier;
         double largest = 0;
@@ -425,8 +432,8 @@ TEST_P(WeatherMoves, NoMoreFromFrameToFrameThanTheLargerSea) {
         return largest;
     };
     double steady = 0, changing = 0;
-    const double every_s = is_sanitized ? 4 : 0.5;
-    for (double time_s = 0; time_s < turn.over_s; time_s += every_s) {
+    const double every_s = (is_sanitized ? 4 : 0.5) * change.end_s() / turn.over_s;
+    for (double time_s = 0; time_s < change.end_s(); time_s += every_s) {
         changing = std::max(changing, largest_step(time_s));
         steady = std::max({steady, largest_step(time_s - 5 * loop_s), largest_step(time_s + 5 * loop_s)});
     }

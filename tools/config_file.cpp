@@ -69,7 +69,7 @@ bool is_json(std::string_view text) {
 
 }  // namespace
 
-std::vector<std::string> change_keys() { return {"from", "over"}; }
+std::vector<std::string> change_keys() { return {"from", "over", "swell_from"}; }
 
 std::vector<ConfigEntry> parse_config(std::string_view text, const std::filesystem::path& file,
                                       std::span<const std::string> known) {

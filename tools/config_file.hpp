@@ -30,7 +30,7 @@ std::vector<ConfigEntry> parse_sea_record(std::string_view text, const std::file
                                           std::span<const std::string> known);
 
 /// A sea, and what it turns into one after the other: tables [[change]] of a TOML file, each with the keys `from` and `over`, in
-/// seconds, and those of what it changes.
+/// seconds, `swell_from` in metres where it has one, and those of what it changes.
 struct WeatherConfig {
     struct Change {
         std::string place;  ///< "weather.toml:3"
@@ -40,7 +40,7 @@ struct WeatherConfig {
     std::vector<Change> changes;
 };
 
-/// The two keys of a change beside those of a sea.
+/// The keys of a change beside those of a sea.
 std::vector<std::string> change_keys();
 
 /// Throws InputError as parse_config() does. \param known  keys of a sea

@@ -28,8 +28,12 @@ Json sea_as_json(const ResolvedSea& resolved) {
 
 Json weather_as_json(const ResolvedSea& sea) {
     Json changes = Json::array();
-    for (const ResolvedChange& change : sea.changes)
-        changes.push_back({{"from_s", change.from_s}, {"over_s", change.over_s}, {"sea", sea_as_json(change.sea)}});
+    for (const ResolvedChange& change : sea.changes) {
+        Json json = {{"from_s", change.from_s}, {"over_s", change.over_s}};
+        if (change.swell_from_m > 0) json["swell_from_m"] = change.swell_from_m;
+        json["sea"] = sea_as_json(change.sea);
+        changes.push_back(std::move(json));
+    }
     return changes;
 }
 

@@ -252,6 +252,7 @@ void keep_tiles(SeaState& sea, const SeaState& first) {
 }
 
 constexpr double most_time_s = 1e9;
+constexpr double most_swell_from_m = 2e7;
 
 }  // namespace
 
@@ -282,9 +283,11 @@ bool SeaOptions::is_given() const {
 }
 
 void SeaOptions::add_weather_to(CLI::App& app) {
-    app.add_option("--weather", typed_["weather"],
-                   "a sea that turns into others: TOML as --config, with a table [[change]] for each, its keys from "
-                   "and over in seconds and what it changes, such as preset; or a sea.json of an export with weather")
+    app.add_option(
+           "--weather", typed_["weather"],
+           "a sea that turns into others: TOML as --config, with a table [[change]] for each, its keys from "
+           "and over in seconds, swell_from in metres where a swell comes from afar, and what it changes, such "
+           "as preset; or a sea.json of an export with weather")
         ->type_name("FILE")
         ->group("Sea");
 }
@@ -322,6 +325,9 @@ void SeaOptions::add_changes(ResolvedSea& first, const WeatherConfig& weather, c
                 from_s = number_in(asked_by, entry.value, -most_time_s, most_time_s, "seconds in [-1e9, 1e9]");
             else if (entry.key == "over")
                 over_s = number_in(asked_by, entry.value, 0, most_time_s, "seconds in (0, 1e9]");
+            else if (entry.key == "swell_from")
+                change.swell_from_m =
+                    number_in(asked_by, entry.value, 0, most_swell_from_m, "metres in [1e3, 2e7], or 0");
             else if (entry.key == "preset") {
                 apply_preset(change.sea, entry.value, asked_by);
                 keep_tiles(change.sea.sea, first.sea);

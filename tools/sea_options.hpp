@@ -30,13 +30,16 @@ struct ResolvedSea {
 /// What it turns into, from when, and how long that takes.
 struct ResolvedChange {
     ResolvedSea sea;
-    double from_s = 0, over_s = 0;
+    double from_s = 0, over_s = 0, swell_from_m = 0;
 };
 
 inline Forecast forecast_of(const ResolvedSea& sea) {
     Forecast forecast{.first = sea.sea};
     for (const ResolvedChange& change : sea.changes)
-        forecast.changes.push_back({.sea = change.sea.sea, .from_s = change.from_s, .over_s = change.over_s});
+        forecast.changes.push_back({.sea = change.sea.sea,
+                                    .from_s = change.from_s,
+                                    .over_s = change.over_s,
+                                    .swell_from_m = change.swell_from_m});
     return forecast;
 }
 

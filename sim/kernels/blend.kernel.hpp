@@ -1,12 +1,15 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 #include <xsimd/xsimd.hpp>
 #include "pelagic/sim/kernels/kernels.hpp"
 #include "pelagic/sim/kernels/wave_blocks.hpp"
 
 #include "pelagic/simd/always_inline.hpp"
+#include "pelagic/simd/gather.kernel.hpp"
+#include "pelagic/simd/same_bits.kernel.hpp"
 
 namespace pelagic::kernels {
 
@@ -53,15 +56,16 @@ PELAGIC_INLINE void blend_wave(const float* before, const float* after, const xs
     put(3, c - a);
 }
 
-template <class Arch>
-void blend_waves(const BlendWavesJob& job) {
+/// One block of both. \param part_of  s of the waves of a pair, by its number in the block
+template <class Arch, class Job, class PartOf>
+PELAGIC_INLINE void blend_block(const Job& job, PartOf part_of) {
     using V = xsimd::batch<float, Arch>;
     constexpr std::size_t pair_floats = wave_quantities * V::size;
-    const V part(job.part);
     const float* before = job.before;
     const float* after = job.after;
     float* out = job.out;
     for (std::size_t i = 0; i < job.pairs; ++i, before += pair_floats, after += pair_floats, out += pair_floats) {
+        const V part = part_of(i);
         blend_wave<Arch>(before + plus_cos_re * V::size, after + plus_cos_re * V::size, part,
                          out + plus_cos_re * V::size);
         blend_wave<Arch>(before + minus_cos_re * V::size, after + minus_cos_re * V::size, part,
@@ -69,6 +73,26 @@ void blend_waves(const BlendWavesJob& job) {
         V::load_aligned(before + direction_x * V::size).store_aligned(out + direction_x * V::size);
         V::load_aligned(before + direction_z * V::size).store_aligned(out + direction_z * V::size);
     }
+}
+
+template <class Arch>
+void blend_waves(const BlendWavesJob& job) {
+    using V = xsimd::batch<float, Arch>;
+    const V part(job.part);
+    blend_block<Arch>(job, [&](std::size_t) { return part; });
+}
+
+template <class Arch>
+void blend_arriving_waves(const BlendArrivingWavesJob& job) {
+    using V = xsimd::batch<float, Arch>;
+    using I = xsimd::batch<std::int32_t, Arch>;
+    using U = xsimd::batch<std::uint32_t, Arch>;
+    const I first(BlendArrivingWavesJob::first_band), none(0), last(job.last_band);
+    blend_block<Arch>(job, [&](std::size_t pair) {
+        const V harmonic = xsimd::to_float(same_bits<I>(U::load_aligned(job.harmonics + pair * V::size)));
+        const I band = (same_bits<I>(harmonic) >> BlendArrivingWavesJob::band_shift) - first;
+        return Gather<Arch>(xsimd::min(xsimd::max(band, none), last)).from(job.parts);  // no wave, harmonic 0: any
+    });
 }
 
 }  // namespace pelagic::kernels

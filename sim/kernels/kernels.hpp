@@ -46,6 +46,20 @@ struct BlendWavesJob {
     float* out;                   ///< as `before`; aliases no input
 };
 
+/// The same while a swell from afar comes: each wave has the s of its band of frequency (sim/spectrum/harmonic_bands.hpp).
+struct BlendArrivingWavesJob {
+    /// Of a harmonic as a float, exponent and four binary digits are its band.
+    static constexpr int band_shift = 19;
+    static constexpr int first_band = 127 << 4;  ///< of harmonic 1
+
+    const float *before, *after;
+    const std::uint32_t* harmonics;  ///< the block of PackedSpectrum::harmonics
+    std::size_t pairs;
+    const float* parts;      ///< s of each band, [0, 1]
+    std::int32_t last_band;  ///< of those; later ones have its s
+    float* out;              ///< as `before`; aliases no input
+};
+
 /// Extremes of a part of a frame, in metres; merged in any order they give the same bits.
 struct PartBounds {
     float height_min, height_max, sideways_x_max, sideways_z_max;
@@ -333,6 +347,7 @@ struct SampleStackJob {
 struct Kernels {
     std::size_t lanes;  ///< floats in a register, and lanes of a block in every buffer
     void (*blend_waves)(const BlendWavesJob&);
+    void (*blend_arriving_waves)(const BlendArrivingWavesJob&);
     void (*evolve_rows)(const EvolveRowsJob&);
     void (*evolve_velocity_rows)(const EvolveRowsJob&);
     void (*columns_finalize)(const ColumnsFinalizeJob&);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "pelagic/sim/kernels/wave_blocks.hpp"
+#include "pelagic/sim/sources/arrival.hpp"
 #include "pelagic/sim/surface/item_stage.hpp"
 #include "pelagic/sim/surface/slope_maps.hpp"
 #include "pelagic/sim/tick_clock.hpp"
@@ -110,6 +111,7 @@ void Cascade::begin(Pass pass, const SeaMoment& moment, Tile& tile) {
     shown.part = static_cast<float>(moment.part);
     shown.choppiness = static_cast<float>(before.choppiness);
     shown.fraction = loop_fraction(moment.time_s, loop_period_s_);
+    shown.parts.clear();
     Look look = before.look;
     if (!moment.is_steady()) {
         if (shown.blended.size() == 0) shown.blended = AlignedBuffer<float>(before.spectrum.waves.size(), memory_);
@@ -118,9 +120,15 @@ void Cascade::begin(Pass pass, const SeaMoment& moment, Tile& tile) {
         };
         const double choppiness = between_both(before.choppiness, after.choppiness);
         shown.choppiness = static_cast<float>(choppiness);
-        look = look_of(between(before.figures, after.figures, moment.part), choppiness,
-                       between_both(before.whitecap_cover, after.whitecap_cover));
+        LineFigures figures = between(before.figures, after.figures, moment.part);
+        if (moment.arrival) {
+            for (std::size_t band = 0; band < moment.arrival->bands(); ++band)
+                shown.parts.push_back(static_cast<float>(moment.arrival->part(band, moment.since_s)));
+            figures = between(before.by_band, after.by_band, *moment.arrival, moment.since_s);
+        }
+        look = look_of(figures, choppiness, between_both(before.whitecap_cover, after.whitecap_cover));
     }
+    shown.is_blend = shown.part != 0 || !shown.parts.empty();
     tile.lattice = lattice_;
     tile.whitecap_jacobian = look.whitecaps.jacobian;
     tile.whitecap_ramp = look.whitecaps.ramp;
@@ -146,36 +154,51 @@ void Cascade::begin_spectrum(const SeaState& sea, const TilePlan& plan, double w
                        std::make_unique<std::once_flag>(),
                        {},
                        PackedSpectrum(plan_, kernels_.lanes, memory_),
-                       std::vector<LineFigures>(line_count(resolution_))});
+                       std::vector<LineFigures>(line_count(resolution_)),
+                       std::vector<FiguresByBand>(line_count(resolution_))});
 }
 
 LineFigures Cascade::adopt_spectrum(std::size_t number, std::size_t place) {
     LineFigures all;
     for (const LineFigures& line : bake_->lines) all += line;
+    FiguresByBand by_band;
+    for (const FiguresByBand& line : bake_->lines_by_band) by_band += line;
     const SeaState& sea = bake_->sea;
     lattice_ = bake_->plan.lattice;
     loop_period_s_ = sea.loop_period_s;
     const Look look = look_of(all, sea.choppiness, bake_->whitecap_cover);
-    seas_[place].emplace(Waves{number, sea.choppiness, bake_->whitecap_cover, std::move(bake_->spectrum), all, look});
+    seas_[place].emplace(Waves{number, sea.choppiness, bake_->whitecap_cover, std::move(bake_->spectrum), all,
+                               std::move(by_band), look});
     bake_.reset();
     return all;
 }
 
 void Cascade::spectrum(std::size_t line) {
     std::call_once(*bake_->has_begun, [this] { bake_->waves.emplace(bake_->sea, bake_->plan); });
-    bake_->lines[line] = bake_spectrum_line(bake_->sea, *bake_->waves, plan_, line, bake_->spectrum);
+    bake_->lines[line] =
+        bake_spectrum_line(bake_->sea, *bake_->waves, plan_, line, bake_->spectrum, &bake_->lines_by_band[line]);
 }
 
 /// What evolves the block of lines next reads of it.
 void Cascade::blend(Pass pass, std::size_t line_block) {
     Shown& shown = shown_[pass];
-    if (shown.part == 0) return;
+    if (!shown.is_blend) return;
     const PackedSpectrum &before = shown.before->spectrum, &after = shown.after->spectrum;
-    kernels_.blend_waves({.before = before.block(line_block),
-                          .after = after.block(line_block),
-                          .pairs = before.pairs,
-                          .part = shown.part,
-                          .out = shown.blended.data() + line_block * before.block_floats()});
+    float* const out = shown.blended.data() + line_block * before.block_floats();
+    if (shown.parts.empty())
+        kernels_.blend_waves({.before = before.block(line_block),
+                              .after = after.block(line_block),
+                              .pairs = before.pairs,
+                              .part = shown.part,
+                              .out = out});
+    else
+        kernels_.blend_arriving_waves({.before = before.block(line_block),
+                                       .after = after.block(line_block),
+                                       .harmonics = before.block_harmonics(line_block),
+                                       .pairs = before.pairs,
+                                       .parts = shown.parts.data(),
+                                       .last_band = static_cast<std::int32_t>(shown.parts.size()) - 1,
+                                       .out = out});
 }
 
 EvolveRowsJob Cascade::evolve_rows_job(Pass pass, std::size_t line_block, float* lines) {
@@ -183,7 +206,7 @@ EvolveRowsJob Cascade::evolve_rows_job(Pass pass, std::size_t line_block, float*
     const std::size_t first_line = line_block * kernels_.lanes;
     const Shown& shown = shown_[pass];
     const PackedSpectrum& spectrum = shown.before->spectrum;  // whose waves are those of the sea after
-    return {.waves = shown.part == 0 ? spectrum.block(line_block)
+    return {.waves = !shown.is_blend ? spectrum.block(line_block)
                                      : shown.blended.data() + line_block * spectrum.block_floats(),
             .harmonics = spectrum.block_harmonics(line_block),
             .fraction = shown.fraction.turns,
@@ -212,7 +235,7 @@ std::size_t Cascade::bytes() const {
     std::size_t bytes = sizeof(Cascade) + plan_.bytes() +
                         (part_bounds_.capacity() + velocity_bounds_.capacity()) * sizeof(PartBounds);
     for (const auto& waves : seas_)
-        if (waves) bytes += waves->spectrum.bytes();
+        if (waves) bytes += waves->spectrum.bytes() + waves->by_band.bytes();
     for (const Pass pass : {Pass::tick, Pass::frame}) bytes += shown_[pass].blended.bytes();
     return bytes;
 }

@@ -41,6 +41,7 @@ class Cascade final : public SeaSource {
     void add_spectrum_stage(JobGraph& graph) override;
     void begin_spectrum(const SeaState& sea, const TilePlan& plan, double whitecap_cover) override;
     LineFigures adopt_spectrum(std::size_t number, std::size_t place) override;
+    const FiguresByBand* figures_by_band(std::size_t place) const override { return &seas_[place]->by_band; }
     const TileLattice& lattice() const override { return lattice_; }
     void drop_spectrum() override { bake_.reset(); }
     void set_aside() override { bake_.swap(aside_); }
@@ -75,6 +76,7 @@ class Cascade final : public SeaSource {
         double choppiness, whitecap_cover;
         PackedSpectrum spectrum;
         LineFigures figures;
+        FiguresByBand by_band;
         Look look;
     };
     const Waves& waves_of(std::size_t number) const;
@@ -85,8 +87,10 @@ class Cascade final : public SeaSource {
     /// What a pass evaluates.
     struct Shown {
         const Waves *before = nullptr, *after = nullptr;
-        float part = 0;        ///< 0: `before` alone
-        bool is_idle = false;  ///< ticks are for whitecaps alone
+        bool is_blend = false;     ///< else `before` alone
+        float part = 0;            ///< of all waves, or
+        std::vector<float> parts;  ///< of each band while a swell from afar comes; else empty
+        bool is_idle = false;      ///< ticks are for whitecaps alone
         float choppiness = 0;
         LoopFraction fraction;
         AlignedBuffer<float> blended;  ///< as PackedSpectrum::waves, where one sea turns into another
@@ -103,6 +107,7 @@ class Cascade final : public SeaSource {
             waves;  ///< by the first line that is baked: they take longer than a frame has time for
         PackedSpectrum spectrum;
         std::vector<LineFigures> lines;
+        std::vector<FiguresByBand> lines_by_band;
     };
     std::optional<Bake> bake_, aside_;
 

@@ -6,6 +6,7 @@
 
 #include "pelagic/sim/kernels/kernels.hpp"
 #include "pelagic/sim/spectrum/dispersion.hpp"
+#include "pelagic/sim/spectrum/harmonic_bands.hpp"
 #include "pelagic/sim/spectrum/wind_drift.hpp"
 #include "pelagic/simd/det_math.hpp"
 
@@ -61,6 +62,21 @@ LineFigures& LineFigures::operator+=(const LineFigures& other) {
     return *this;
 }
 
+LineFigures& FiguresByBand::operator[](std::size_t band) {
+    if (figures_.empty()) first_ = band;
+    if (band < first_) {
+        figures_.insert(figures_.begin(), first_ - band, LineFigures());
+        first_ = band;
+    }
+    if (band >= end()) figures_.resize(band - first_ + 1);
+    return figures_[band - first_];
+}
+
+FiguresByBand& FiguresByBand::operator+=(const FiguresByBand& other) {
+    for (std::size_t band = other.first(); band < other.end(); ++band) (*this)[band] += other.at(band);
+    return *this;
+}
+
 LineFigures between(const LineFigures& before, const LineFigures& after, double part) {
     if (part == 0) return before;
     if (part == 1) return after;
@@ -75,7 +91,7 @@ LineFigures between(const LineFigures& before, const LineFigures& after, double 
 }
 
 LineFigures bake_spectrum_line(const SeaState& sea, const TileWaves& waves, const FftPlan& plan, std::size_t line,
-                               PackedSpectrum& out) {
+                               PackedSpectrum& out, FiguresByBand* by_band) {
     const TilePlan& tile = waves.tile();
     const int resolution = tile.resolution;
     const int radix = plan.tables().first_step().radix;
@@ -91,7 +107,7 @@ LineFigures bake_spectrum_line(const SeaState& sea, const TileWaves& waves, cons
     const WindDrift usual = usual_foam_drift(sea);
     const TileLattice::Place foam_drift = tile.lattice.in_tile(usual.x_mps, usual.z_mps);
     const double mirrors = n == 0 ? 1 : 2;  // line 0 holds its own
-    LineFigures figures;
+    LineFigures all;
     float* wave = out.block(line / out.lanes) + line % out.lanes;
     std::uint32_t* harmonic = out.block_harmonics(line / out.lanes) + line % out.lanes;
 
@@ -103,6 +119,7 @@ LineFigures bake_spectrum_line(const SeaState& sea, const TileWaves& waves, cons
             const double length = std::sqrt(static_cast<double>(m) * m + static_cast<double>(n) * n);
             const double k = length * spacing;
             const double frequency = angular_frequency(k, waves.water());
+            const std::uint32_t periods = loop_harmonic(frequency, sea.loop_period_s);
             const auto put = [&](WaveQuantity quantity, double value) {
                 wave[quantity * out.lanes] = static_cast<float>(value);
             };
@@ -112,8 +129,9 @@ LineFigures bake_spectrum_line(const SeaState& sea, const TileWaves& waves, cons
             const auto put_wave = [&](WaveQuantity first, const OppositeWaves& opposites, int signed_m) {
                 const PackedWave values = packed(opposites);
                 for (std::size_t i = 0; i < values.size(); ++i) wave[(first + i) * out.lanes] = values[i];
-                figures.height_variance += mirrors * opposites.expected_square();
-                figures.mean_square_slope += mirrors * opposites.expected_square() * k * k;
+                LineFigures figures;
+                figures.height_variance = mirrors * opposites.expected_square();
+                figures.mean_square_slope = mirrors * opposites.expected_square() * k * k;
                 const double sign = signed_m == m ? 1 : -1;
                 // Foam that drifts meets waves the slower, the more it runs with them.
                 const double drifted = signed_m * spacing * foam_drift.along + n * spacing * foam_drift.across;
@@ -127,18 +145,20 @@ LineFigures bake_spectrum_line(const SeaState& sea, const TileWaves& waves, cons
                 figures.slopes.add_wave(mirrors * opposites.expected_square() * shown_x.filter * shown_z.filter,
                                         sign * shown_x.derivative, shown_z.derivative);
                 const double running = mirrors * (opposites.along.variance - opposites.against.variance) * drift;
-                figures.stokes_x += running * (signed_m * spacing);
-                figures.stokes_z += running * (n * spacing);
+                figures.stokes_x = running * (signed_m * spacing);
+                figures.stokes_z = running * (n * spacing);
+                all += figures;
+                if (by_band && opposites.expected_square() > 0) (*by_band)[harmonic_band(periods)] += figures;
             };
             const TileWaves::MirroredPair mirrored = waves.pair(m, n);
             put_wave(plus_cos_re, mirrored.plus, m);
             if (!pair.is_own_negative()) put_wave(minus_cos_re, mirrored.minus, -m);
             put(direction_x, m / length);
             put(direction_z, n / length);
-            *harmonic = loop_harmonic(frequency, sea.loop_period_s);
+            *harmonic = periods;
         }
     }
-    return figures;
+    return all;
 }
 
 }  // namespace pelagic

@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "pelagic/sim/kernels/wave_blocks.hpp"
 #include "pelagic/sim/sea_state.hpp"
@@ -52,12 +53,33 @@ struct LineFigures {
     LineFigures& operator+=(const LineFigures& other);
 };
 
+/// The same by bands of frequency (harmonic_band()).
+class FiguresByBand {
+   public:
+    /// Room for a band is made.
+    LineFigures& operator[](std::size_t band);
+    FiguresByBand& operator+=(const FiguresByBand& other);
+
+    std::size_t first() const { return first_; }
+    std::size_t end() const { return first_ + figures_.size(); }
+    /// None where there is nothing.
+    LineFigures at(std::size_t band) const {
+        return band < first() || band >= end() ? LineFigures() : figures_[band - first_];
+    }
+
+    std::size_t bytes() const { return figures_.capacity() * sizeof(LineFigures); }
+
+   private:
+    std::size_t first_ = 0;
+    std::vector<LineFigures> figures_;
+};
+
 /// What they are while one sea turns into another: all are sums over energies. The one or the other, bit for bit, where `part`
 /// is 0 or 1.
 LineFigures between(const LineFigures& before, const LineFigures& after, double part);
 
-/// Fills one line, 0 <= line < line_count(). Lines are independent.
+/// Fills one line, 0 <= line < line_count(). Lines are independent. \param by_band  gets the same figures, if there is one
 LineFigures bake_spectrum_line(const SeaState& sea, const TileWaves& waves, const FftPlan& plan, std::size_t line,
-                               PackedSpectrum& out);
+                               PackedSpectrum& out, FiguresByBand* by_band = nullptr);
 
 }  // namespace pelagic

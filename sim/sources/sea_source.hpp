@@ -19,6 +19,8 @@ class SeaSource : public WaveSource {
     /// Says what the new waves add to the sea, whose number moments name. What was in that place is gone; all seas that are kept
     /// have the same lattice and loop. \pre place < SeaShelf::places, and no pass in flight takes what is there
     virtual LineFigures adopt_spectrum(std::size_t number, std::size_t place) = 0;
+    /// The same by bands of frequency; null where no sea turns into another. \pre the place holds a sea
+    virtual const FiguresByBand* figures_by_band(std::size_t) const { return nullptr; }
     virtual const TileLattice& lattice() const = 0;  ///< of the frames to come
     virtual void drop_spectrum() = 0;                ///< keeps the waves as they are
     /// Keeps what was baked for later, and makes room for another one; and the other way round.

@@ -22,14 +22,19 @@ struct OfEachPass {
     std::array<T, passes> values{};
 };
 
+class Arrival;
+
 /// A moment of the sea: which of its ocean's seas there are, by number, and how much of the second (Forecast).
 struct SeaMoment {
     double time_s = 0;
     std::size_t before = 0, after = 0;
     double part = 0;  ///< below 1; 0 where both are one
+    /// None: all waves have that part. Else each band has its own, and `part` is that of the waves at the swell's peak.
+    const Arrival* arrival = nullptr;
+    double since_s = 0;  ///< the change began
 
     /// One sea's own waves, as they were baked.
-    bool is_steady() const { return part == 0; }
+    bool is_steady() const { return before == after; }
 };
 
 class WaveSource {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "pelagic/sim/spectrum/whitecaps.hpp"
 #include "pelagic/sim/spectrum/wind_drift.hpp"
@@ -27,6 +28,13 @@ Weather::Weather(const Forecast& forecast) : forecast_(forecast), reach_(reach_o
     forecast_.largest_peak_m = reach_.peak_m;
     for (std::size_t index = 0; index <= forecast.changes.size(); ++index)
         plans_.push_back(plan_tiles(forecast.sea(index), reach_));
+    find_arrivals();
+}
+
+void Weather::find_arrivals() {
+    arrivals_.clear();
+    for (const SeaChange& change : forecast_.changes)
+        arrivals_.push_back(change.swell_from_m > 0 ? std::optional<Arrival>(change) : std::nullopt);
 }
 
 void Weather::add(const SeaChange& change) {
@@ -34,6 +42,7 @@ void Weather::add(const SeaChange& change) {
     forecast_ = with(change, &first_number_);
     plans_.erase(plans_.begin(), plans_.begin() + static_cast<std::ptrdiff_t>(first_number_ - before));
     plans_.push_back(plan_tiles(change.sea, reach_));
+    find_arrivals();
 }
 
 Forecast Weather::with(const SeaChange& change, std::size_t* first_number) const {
@@ -54,10 +63,14 @@ double Weather::end_of_forgotten_by_next() const {
 
 SeaMoment Weather::moment_at(double time_s) const {
     const ForecastMoment moment = forecast_.at(time_s);
-    return {.time_s = time_s,
-            .before = first_number_ + moment.before,
-            .after = first_number_ + moment.after,
-            .part = moment.part};
+    SeaMoment now{.time_s = time_s,
+                  .before = first_number_ + moment.before,
+                  .after = first_number_ + moment.after,
+                  .part = moment.part};
+    if (now.is_steady()) return now;
+    if (const std::optional<Arrival>& arrival = arrivals_[moment.before]) now.arrival = &*arrival;
+    now.since_s = time_s - forecast_.changes[moment.before].from_s;
+    return now;
 }
 
 SeaState Weather::sea_at(const SeaMoment& moment) const {
@@ -67,17 +80,44 @@ SeaState Weather::sea_at(const SeaMoment& moment) const {
 SeaFigures Weather::figures_at(const SeaMoment& moment) const {
     const Baked &before = baked_[*shelf_.find(moment.before)], &after = baked_[*shelf_.find(moment.after)];
     if (moment.is_steady()) return before.figures;
-    const auto blend = [&](double Sums::*number) {
-        return (1 - moment.part) * (before.sums.*number) + moment.part * (after.sums.*number);
-    };
-    Sums sums{.height_variance = blend(&Sums::height_variance),
-              .slopes = before.sums.slopes * (1 - moment.part),
-              .drift_x_mps = blend(&Sums::drift_x_mps),
-              .drift_z_mps = blend(&Sums::drift_z_mps)};
-    sums.slopes += after.sums.slopes * moment.part;
+    const Sums sums =
+        moment.arrival ? arriving(before, after, moment) : Sums::between(before.sums, after.sums, moment.part);
     SeaFigures figures = figures_of(sea_at(moment), sums);
     figures.roughness = (1 - moment.part) * before.figures.roughness + moment.part * after.figures.roughness;
     return figures;
+}
+
+Weather::Sums& Weather::Sums::operator+=(const Sums& other) {
+    height_variance += other.height_variance;
+    slopes += other.slopes;
+    drift_x_mps += other.drift_x_mps;
+    drift_z_mps += other.drift_z_mps;
+    return *this;
+}
+
+Weather::Sums Weather::Sums::between(const Sums& before, const Sums& after, double part) {
+    const auto blend = [&](double Sums::*number) { return (1 - part) * (before.*number) + part * (after.*number); };
+    Sums sums{.height_variance = blend(&Sums::height_variance),
+              .slopes = before.slopes * (1 - part),
+              .drift_x_mps = blend(&Sums::drift_x_mps),
+              .drift_z_mps = blend(&Sums::drift_z_mps)};
+    sums.slopes += after.slopes * part;
+    return sums;
+}
+
+Weather::Sums Weather::Sums::of(const LineFigures& figures, const TileLattice& lattice) {
+    const TileLattice::Place stokes = lattice.in_world(figures.stokes_x, figures.stokes_z);
+    return {figures.height_variance, figures.slopes.in_world(lattice), stokes.along, stokes.across};
+}
+
+/// Each band's waves by their own part; the wind has that of the swell's peak, as in sea_at().
+Weather::Sums Weather::arriving(const Baked& before, const Baked& after, const SeaMoment& moment) {
+    Sums sums = Sums::between(before.wind, after.wind, moment.part);
+    for (std::size_t band = 0; band < std::max(before.by_band.size(), after.by_band.size()); ++band) {
+        const auto of = [&](const Baked& sea) { return band < sea.by_band.size() ? sea.by_band[band] : Sums(); };
+        sums += Sums::between(of(before), of(after), moment.arrival->part(band, moment.since_s));
+    }
+    return sums;
 }
 
 SeaFigures Weather::figures_of(const SeaState& sea, const Sums& sums) {
@@ -117,18 +157,21 @@ void Weather::adopt(Sources sources) {
     const SeaState& baked = sea(baked_number_);
     const std::size_t place = shelf_.put(baked_number_);
     Sums sums;
+    std::vector<Sums> by_band;
     for (const auto& source : sources) {
         const LineFigures added = source->adopt_spectrum(baked_number_, place);
-        sums.height_variance += added.height_variance;
-        sums.slopes += added.slopes.in_world(source->lattice());
-        const TileLattice::Place stokes = source->lattice().in_world(added.stokes_x, added.stokes_z);
-        sums.drift_x_mps += stokes.along;
-        sums.drift_z_mps += stokes.across;
+        sums += Sums::of(added, source->lattice());
+        const FiguresByBand* const bands = source->figures_by_band(place);
+        if (!bands) continue;
+        by_band.resize(std::max(by_band.size(), bands->end()));
+        for (std::size_t band = bands->first(); band < bands->end(); ++band)
+            by_band[band] += Sums::of(bands->at(band), source->lattice());
     }
     const WindDrift wind = wind_drift(baked);
     sums.drift_x_mps += wind.x_mps;
     sums.drift_z_mps += wind.z_mps;
-    baked_[place] = {sums, figures_of(baked, sums)};
+    const Sums by_wind{0, {}, wind.x_mps, wind.z_mps};
+    baked_[place] = {sums, by_wind, std::move(by_band), figures_of(baked, sums)};
 }
 
 void Weather::begin_other(const SeaState& sea, Sources sources) {
@@ -142,6 +185,7 @@ void Weather::restart(Sources sources) {
     forecast_ = other_->forecast;
     reach_ = other_->reach;
     plans_ = {other_->plans};
+    find_arrivals();
     forecast_.largest_peak_m = reach_.peak_m;
     other_.reset();
     shelf_.clear();

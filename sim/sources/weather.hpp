@@ -12,6 +12,7 @@
 
 #include "pelagic/sim/forecast.hpp"
 #include "pelagic/sim/frame.hpp"
+#include "pelagic/sim/sources/arrival.hpp"
 #include "pelagic/sim/sources/sea_shelf.hpp"
 #include "pelagic/sim/sources/sea_source.hpp"
 #include "pelagic/sim/spectrum/mean_square_slope.hpp"
@@ -65,10 +66,17 @@ class Weather {
         double height_variance = 0;
         SlopeMoments slopes;                      ///< in the world's axes
         double drift_x_mps = 0, drift_z_mps = 0;  ///< of foam
+
+        Sums& operator+=(const Sums& other);
+        static Sums between(const Sums& before, const Sums& after, double part);
+        /// The drift is Stokes'.
+        static Sums of(const LineFigures& figures, const TileLattice& lattice);
     };
     struct Baked {
         Sums sums;
-        SeaFigures figures;  ///< of this sea alone
+        Sums wind;                  ///< what the wind adds to them
+        std::vector<Sums> by_band;  ///< what waves add to them, by bands of frequency
+        SeaFigures figures;         ///< of this sea alone
     };
     /// Another weather, whose sea is being baked.
     struct Other {
@@ -78,14 +86,18 @@ class Weather {
     };
 
     const SeaState& sea(std::size_t number) const { return forecast_.sea(number - first_number_); }
+    /// Of the forecast's changes.
+    void find_arrivals();
+    static Sums arriving(const Baked& before, const Baked& after, const SeaMoment& moment);
     static SeaFigures figures_of(const SeaState& sea, const Sums& sums);
     void begin(const SeaState& sea, const std::vector<TilePlan>& plans, Sources sources);
 
     Forecast forecast_;
     WaveReach reach_;
     std::vector<std::vector<TilePlan>>
-        plans_;                     ///< of each sea: to find one out takes longer than a frame has time for
-    std::size_t first_number_ = 0;  ///< of forecast_.first
+        plans_;  ///< of each sea: to find one out takes longer than a frame has time for
+    std::vector<std::optional<Arrival>> arrivals_;  ///< of each change; none: all of its waves come together
+    std::size_t first_number_ = 0;                  ///< of forecast_.first
     SeaShelf shelf_;
     std::array<Baked, SeaShelf::places> baked_;
     std::size_t baked_number_ = 0;
