@@ -50,7 +50,7 @@ few() {
   shift
   "$pelagic" render --size 480x270 --out "docs/images/waves_$name.png" "$@"
 }
-few analytic --preset analytic-intense --light golden-hour --sun 20,12 --camera 0,12,0 --target 80,0,30 --fov 35 --time 16
+few analytic --preset analytic-intense --sun 110,34 --camera 0,10,0 --target 80,2,30 --fov 40 --time 16
 few pond --preset pond --light noon --camera 0,1.1,0 --target 4,-0.4,1.6 --fov 45 --time 5
 
 # Below the surface, and where it ends.
