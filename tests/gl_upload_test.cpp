@@ -64,8 +64,8 @@ TEST_P(GlUploads, TexturesHoldTheFramesBytesInEveryMip) {
                 const auto read = read_level<std::uint8_t>(scene.gl(), textures.foam(), layer, level, 64 >> level,
                                                            GL_UNSIGNED_BYTE);
                 const auto wanted = tile.level_of(tile.foam_r8, level);
-                for (std::size_t i = 0; i < wanted.size(); ++i)
-                    if (read[4 * i] != wanted[i]) return false;
+                for (std::size_t texel = 0; texel < wanted.size(); ++texel)
+                    if (read[4 * texel] != wanted[texel]) return false;
                 return true;
             };
             for (int level = 0; level < mip_levels(64); ++level) {

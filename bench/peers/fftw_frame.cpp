@@ -165,7 +165,7 @@ void FftwFrame::gradients() {
                      .normal_length = mean_normal_length(roughness),
                      .smoothness_bits = smoothness_bits(roughness),
                      .rgba16f = halves_.data(),
-                     .foam = {},
+                     .foam = {.source = foam_},
                      .levels = {},
                      .averages = mip_averages_.level(GradientsJob::tile_levels),
                      .average_stride = mip_averages_.stride(GradientsJob::tile_levels)};

@@ -11,6 +11,7 @@
 
 #include "pelagic/bench/peers/fftw_kernels.hpp"
 #include "pelagic/bench/peers/peer_frame.hpp"
+#include "pelagic/sim/kernels/kernels.hpp"
 #include "pelagic/sim/sea_state.hpp"
 #include "pelagic/sim/surface/mipmaps.hpp"
 #include "pelagic/simd/aligned_buffer.hpp"
@@ -45,6 +46,9 @@ class FftwFrame {
     /// The frame at `time_s`, finite; valid until the next call. Never allocates.
     const PeerFrame& frame_at(double time_s);
 
+    /// What breaks is white.
+    void set_foam(const FoamSource& source) { foam_ = source; }
+
    private:
     struct Plans;
 
@@ -54,6 +58,7 @@ class FftwFrame {
     float* plane(std::size_t component) { return planes_.data() + component * texels_; }
 
     SeaState sea_;
+    FoamSource foam_{.offset = 255, .scale = 510};
     FftwArrangement arrangement_;
     const Kernels& kernels_;
     const FftwKernels& own_kernels_;

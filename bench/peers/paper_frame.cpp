@@ -300,7 +300,7 @@ void PaperFrame::gradient(std::uint32_t index) {
     const float clamped_jacobian = std::clamp(jacobian, -1.f, 1.f);
     outputs_.rgba8[index] = packed(n_x, n_z, clamped_jacobian, smoothness_);
     outputs_.rgba16f[4 * static_cast<std::size_t>(index) + 3] =
-        half_of(std::clamp((0.5f - jacobian) / 0.5f, 0.f, 1.f));
+        half_of(std::nearbyint(std::clamp(foam_.offset - foam_.scale * jacobian, 0.f, 255.f)) / 255.f);
     chain_[index] = {n_x * normal_length_, n_y * normal_length_, n_z * normal_length_, clamped_jacobian};
 }
 

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "pelagic/bench/peers/peer_frame.hpp"
+#include "pelagic/sim/kernels/kernels.hpp"
 #include "pelagic/sim/sea_state.hpp"
 
 namespace pelagic::peers {
@@ -62,6 +63,9 @@ class PaperFrame {
     /// The frame at `time_s`, finite; valid until the next call. Never allocates.
     const PeerFrame& frame_at(double time_s);
 
+    /// What breaks is white; before that half of the area is lost, as the paper has it.
+    void set_foam(const FoamSource& source) { foam_ = source; }
+
    private:
     void bake_spectrum();
     void evolve(std::uint32_t index);
@@ -72,6 +76,7 @@ class PaperFrame {
     void halve(int level, std::uint32_t index);
 
     SeaState sea_;
+    FoamSource foam_{.offset = 255, .scale = 510};
     std::uint32_t resolution_;
     int log_resolution_;
     float choppiness_;

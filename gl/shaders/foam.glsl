@@ -71,9 +71,9 @@ Foam foam_at(vec2 at, float distance_m, float crests, vec3 to_eye) {
 #endif
 #if SURFACE == OPEN
     FoamOfTiles there = foam_of_maps(at, ragged, distance_m, pixel);
-    float amount = there.part, freshness = part_that_breaks(there.part, there.mean);
+    float amount = there.part, freshness = part_that_breaks(there.part, there.mean), thickest = there.thick;
 #else
-    float amount = crests, freshness = 1.0;
+    float amount = crests, freshness = 1.0, thickest = 1.0;
 #endif
     float fresh = amount * freshness, plume = amount;
     // Where the eye is high above it, a thick crest of foam hides what lies behind it: what is seen lies nearer.
@@ -95,7 +95,7 @@ Foam foam_at(vec2 at, float distance_m, float crests, vec3 to_eye) {
 
     vec4 lace = structure(lace_layer, lace_uv, pixel_m * noise_scale.y);
     float cover = gathered_in_pixel(amount, lace.x, mix(0.25, 0.35, freshness), pixel_m, 0.5);
-    float thickness = freshness * (0.55 + 0.45 * lace.x) + (1.0 - freshness) * (0.05 + 0.35 * lace.x * amount);
+    float thickness = thickest * (freshness * (0.55 + 0.45 * lace.x) + (1.0 - freshness) * (0.05 + 0.35 * lace.x * amount));
     float near = 1.0 - smoothstep(0.02, 0.25, pixel_m);
     vec2 relief = lace.yz * (0.55 * near);
     float hollow = (1.0 - lace.x) * 0.6;

@@ -5,13 +5,13 @@ uniform mediump sampler2DArray foam_maps;  // a part of 1, a layer a tile
 // That of the coarsest tiles, which is wider than the mesh is fine.
 FoamOfTiles foam_by_vertices() {
 #ifdef SKIRT
-    FoamOfTiles all = FoamOfTiles(0.0, 1.0);
-    for (int tile = 0; tile < FOAM_OF_VERTICES; ++tile) all = with_tile(all, tile_slope[tile].w, 4.0);
+    FoamOfTiles all = no_foam;
+    for (int tile = 0; tile < FOAM_OF_VERTICES; ++tile) all = with_tile(all, tile, tile_slope[tile].w, 4.0);
     return all;
 #else
     // Smoothed edges ask for pixels whose middle is beside its triangles.
-    vec2 foam = clamp(foam_of_vertices, 0.0, 1.0);
-    return FoamOfTiles(foam.x, foam.y);
+    vec3 foam = clamp(foam_of_vertices, 0.0, 1.0);
+    return FoamOfTiles(foam.x, foam.y, foam.z);
 #endif
 }
 #endif
@@ -34,13 +34,14 @@ FoamOfTiles foam_of_maps(vec2 at, vec2 ragged, float distance_m, Footprint pixel
 #if FOAM_OF_VERTICES > 0
     FoamOfTiles all = foam_by_vertices();
 #else
-    FoamOfTiles all = FoamOfTiles(0.0, 0.0);
+    FoamOfTiles all = no_foam;
 #endif
     for (int tile = FOAM_OF_VERTICES; tile < TILES; ++tile) {
-        float texels_a_m = tile_scale[tile].x, mip = log2(max(pixel.wide_m * texels_a_m, 1e-3));
+        // Lace is the shape of what is smaller than half a metre.
+        float texels_a_m = tile_scale[tile].x, mip = log2(max(max(pixel.wide_m, 0.5) * texels_a_m, 1e-3));
         float part = tile_slope[tile].w, weight = float(tile) < foam_kind.x ? weight_of_tile(tile, mip) : 0.0;
         if (weight > 0.0) part = mix(part, foam_of_tile(tile, at + ragged / texels_a_m, distance_m, mip), weight);
-        all = with_tile(all, part, mip);
+        all = with_tile(all, tile, part, mip);
     }
     return all;
 }

@@ -1,14 +1,18 @@
 // Foam at a place is the largest of the tiles' there (Tile::foam_r8). Of means over many whitecaps that would be too little: tiles know
 // nothing of one another, so where one has foam on the part a of a place and one on b, 1 - (1 - a)(1 - b) is under foam.
 struct FoamOfTiles {
-    float part;  // of the place
-    float mean;  // 0: what lies at one place; 1: a mean over whitecaps of any age, and over the water between them
+    float part;   // of the place
+    float mean;   // 0: what lies at one place; 1: a mean over whitecaps of any age, and over the water between them
+    float thick;  // that which breaks: 1 of waves that plunge, less of small ones, which only spill
 };
 
+const FoamOfTiles no_foam = FoamOfTiles(0.0, 0.0, 1.0);
+
 // A whitecap is some texels wide: the fourth mip has hardly any of them left.
-FoamOfTiles with_tile(FoamOfTiles all, float part, float mip) {
+FoamOfTiles with_tile(FoamOfTiles all, int tile, float part, float mip) {
     float mean = smoothstep(1.0, 4.0, mip);
-    float both = all.part * part;
-    return FoamOfTiles(mix(max(all.part, part), all.part + part - both, mean),
-                       (all.part * all.mean + part * mean) / max(all.part + part, 1e-4));
+    float both = all.part * part, sum = max(all.part + part, 1e-4);
+    float thick = clamp(0.5 / tile_scale[tile].x, 0.3, 1.0);  // texels of 2 m belong to waves of 6 m and more
+    return FoamOfTiles(mix(max(all.part, part), all.part + part - both, mean), (all.part * all.mean + part * mean) / sum,
+                       mix(all.thick, thick, mix(smoothstep(0.5, 0.9, part / sum), part / sum, mean)));
 }

@@ -26,7 +26,7 @@ in vec4 coarsest;
 in vec2 mesh_slopes;
 #endif
 #if FOAM_OF_VERTICES > 0
-in vec2 foam_of_vertices;
+in vec3 foam_of_vertices;
 #endif
 #endif
 out vec4 colour;

@@ -25,7 +25,7 @@ out vec2 mesh_slopes;  // of the height, of the waves that the mesh holds
 
 #if FOAM_OF_VERTICES > 0
 #include "foam_of_tiles.glsl"
-out vec2 foam_of_vertices;  // of FoamOfTiles: part, mean
+out vec3 foam_of_vertices;  // FoamOfTiles: part, mean, thick
 #endif
 
 out vec4 place;  // relative to the viewer; w is 1, the skirt has 0 at the horizon
@@ -41,7 +41,7 @@ invariant gl_Position;
 // Of a vertex: how far, and what foam floats there.
 struct Moved {
     vec3 way;
-    vec2 foam;
+    vec3 foam;
 };
 
 // The sum of what the tiles hold there. Mips and weights depend on the rest position alone, so that every patch that has this
@@ -53,7 +53,7 @@ Moved displaced(ivec2 index) {
     float left = clamp((fade.z - max(from_centre.x, from_centre.y)) * fade.w, 0.0, 1.0);
     float spacing = max(mesh.y, length(vec3(at.x, viewer.z, at.y)) * mesh.x);
     vec3 moved = vec3(0.0);
-    vec2 foam = vec2(0.0);
+    vec3 foam = vec3(0.0, 0.0, 1.0);
 #if SURFACE != OPEN
     moved.y = small_height(at, spacing);
 #else
@@ -65,8 +65,9 @@ Moved displaced(ivec2 index) {
         moved += weight * texel.xyz;
 #if FOAM_OF_VERTICES > 0
         if (tile < FOAM_OF_VERTICES && float(tile) < foam_kind.x) {
-            FoamOfTiles all = with_tile(FoamOfTiles(foam.x, foam.y), mix(tile_slope[tile].w, texel.w, weight * left), mip);
-            foam = vec2(all.part, all.mean);
+            FoamOfTiles all = with_tile(FoamOfTiles(foam.x, foam.y, foam.z), tile,
+                                        mix(tile_slope[tile].w, texel.w, weight * left), mip);
+            foam = vec3(all.part, all.mean, all.thick);
         }
 #endif
     }

@@ -2,12 +2,12 @@
 
 #include <cstddef>
 #include <cstdint>
-
 #include <xsimd/xsimd.hpp>
+
 #include "pelagic/sim/kernels/kernels.hpp"
 #include "pelagic/sim/kernels/wave_blocks.hpp"
-
 #include "pelagic/simd/always_inline.hpp"
+#include "pelagic/simd/exact.kernel.hpp"
 #include "pelagic/simd/gather.kernel.hpp"
 #include "pelagic/simd/same_bits.kernel.hpp"
 
@@ -38,7 +38,8 @@ PELAGIC_INLINE xsimd::batch<float, Arch> between(const xsimd::batch<float, Arch>
     using V = xsimd::batch<float, Arch>;
     const V energy = rest * (before * before) + part * (after * after);
     const V through_zero = rest * before + part * after;
-    return xsimd::select(before * after < V(0.f), through_zero, xsimd::copysign(xsimd::sqrt(energy), before + after));
+    return xsimd::select(before * after < V(0.f), through_zero,
+                         xsimd::copysign(square_root<Arch>(energy), before + after));
 }
 
 template <class Arch>

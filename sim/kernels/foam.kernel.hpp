@@ -27,12 +27,8 @@ class FoamRow {
     using V = xsimd::batch<float, Arch>;
 
    public:
-    /// \param from  bytes of the row, null: nothing is remembered
+    /// \param from  bytes of the row
     PELAGIC_INLINE void remember(const std::uint8_t* from, std::size_t columns, int fade) {
-        if (!from) {
-            for (std::size_t x = 0; x < columns; ++x) remembered_[x] = 0;
-            return;
-        }
         for (std::size_t x = 0; x < columns; ++x) {
             const int left = from[x] - fade;
             remembered_[x] = static_cast<float>(left > 0 ? left : 0);
@@ -65,8 +61,7 @@ class ShownFoamRows {
     PELAGIC_INLINE ShownFoamRows(const ShownFoam& foam, std::size_t first, std::size_t stride, std::size_t columns)
         : breaking_(foam.source), bytes_(foam.bytes), first_(first), stride_(stride), columns_(columns) {
         for (std::size_t row = 0; row < 2; ++row)
-            rows_[row].remember(foam.remembered ? foam.remembered + first + row * stride : nullptr, columns,
-                                foam.fade);
+            rows_[row].remember(foam.remembered + first + row * stride, columns, foam.fade);
     }
 
     /// At W texels of that Jacobian, as a part of 1.
@@ -75,7 +70,6 @@ class ShownFoamRows {
     }
 
     PELAGIC_INLINE void write() const {
-        if (!bytes_) return;
         for (std::size_t row = 0; row < 2; ++row) rows_[row].write(bytes_ + first_ + row * stride_, columns_);
     }
 
@@ -84,6 +78,22 @@ class ShownFoamRows {
     FoamRow<Arch, most_columns> rows_[2];
     std::uint8_t* bytes_;
     std::size_t first_, stride_, columns_;
+};
+
+/// The same where nothing is remembered, and nobody wants bytes.
+template <class Arch>
+class FreshFoam {
+    using V = xsimd::batch<float, Arch>;
+
+   public:
+    PELAGIC_INLINE FreshFoam(const ShownFoam& foam, std::size_t, std::size_t, std::size_t) : breaking_(foam.source) {}
+    PELAGIC_INLINE V show(V jacobian, std::size_t, std::size_t) const {
+        return xsimd::nearbyint(breaking_(jacobian)) * V(1.f / 255);
+    }
+    PELAGIC_INLINE void write() const {}
+
+   private:
+    BreakingFoam<Arch> breaking_;
 };
 
 /// What takes the place of rows that nobody wants.

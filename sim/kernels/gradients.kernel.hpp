@@ -70,7 +70,8 @@ inline void normals_of_rows(const GradientsJob& job, const Surface& surface, con
 
 /// Level 0 and the half floats of two rows of the tile, and the averages of level 1. What the job says is read once, before
 /// the stores, which might change it for all that the compiler knows.
-template <class Arch, bool with_halves, class Surface>
+/// \tparam FoamRows  NoFoamRows: no half floats
+template <class Arch, class FoamRows, class Surface>
 inline void pack_rows(const GradientsJob& job, const Surface& surface, std::size_t z, std::size_t columns,
                       const NormalRow (&normals)[2], float* averages, std::size_t plane_stride) {
     using V = xsimd::batch<float, Arch>;
@@ -79,8 +80,8 @@ inline void pack_rows(const GradientsJob& job, const Surface& surface, std::size
     const I smoothness(static_cast<std::int32_t>(static_cast<std::uint32_t>(job.smoothness_bits) >> 24));
     const std::size_t n = job.resolution;
     std::uint32_t* texels = job.levels[0] + z * n + job.first_column;
+    constexpr bool with_halves = !std::is_same_v<FoamRows, NoFoamRows>;
     std::uint16_t* halves = with_halves ? job.rgba16f + 4 * (z * n + job.first_column) : nullptr;
-    using FoamRows = std::conditional_t<with_halves, ShownFoamRows<Arch, GradientsJob::tile_columns>, NoFoamRows>;
     FoamRows foam(job.foam, z * n + job.first_column, n, columns);
     auto rows = surface.rows(job.first_column, z);
 
@@ -153,10 +154,15 @@ inline void gradients_of(const GradientsJob& job, const Surface& surface) {
         else
             normals_of_rows<Arch>(job, surface, NotTurned{}, z, columns, normals);
         float* averages = level_1.row(row / 2);
-        if (job.rgba16f)
-            pack_rows<Arch, true>(job, surface, z, columns, normals, averages, level_1.plane_stride());
+        const auto pack = [&]<class FoamRows>() {
+            pack_rows<Arch, FoamRows>(job, surface, z, columns, normals, averages, level_1.plane_stride());
+        };
+        if (!job.rgba16f)
+            pack.template operator()<NoFoamRows>();
+        else if (!job.foam.remembered)
+            pack.template operator()<FreshFoam<Arch>>();
         else
-            pack_rows<Arch, false>(job, surface, z, columns, normals, averages, level_1.plane_stride());
+            pack.template operator()<ShownFoamRows<Arch, GradientsJob::tile_columns>>();
         texels_of_row<Arch>(averages, level_1.plane_stride(), columns / 2, texels(1) + row / 2 * (n / 2));
     }
     make_level<Arch>(rows / 4, columns / 4, level_1, level_2, texels(2), n / 4);

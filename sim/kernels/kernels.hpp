@@ -85,9 +85,9 @@ struct FoamSource {
 /// What a frame shows of a tile's foam: at each texel the more of what breaks now and what is remembered, less `fade`.
 struct ShownFoam {
     FoamSource source;
-    const std::uint8_t* remembered = nullptr;  ///< N^2 bytes of the last tick; null: nothing
+    const std::uint8_t* remembered = nullptr;  ///< N^2 bytes of the last tick; null: nothing, and nobody wants bytes
     int fade = 0;
-    std::uint8_t* bytes = nullptr;  ///< N^2; null: nobody wants them
+    std::uint8_t* bytes = nullptr;  ///< N^2
 };
 
 /// Planes of averages that a mip level is made from: scaled normal x, y, z, and J clamped to [-1, 1].

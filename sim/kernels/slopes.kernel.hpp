@@ -158,7 +158,8 @@ struct SlopeScratch {
 /// texels, where derivatives overstate short waves: of the variance among four texels a third is in the square between them. As one
 /// square in four lies between such four texels, the mean squares from level 1 on are those of the surface that level 0 shows.
 /// What the job says is read once, before the stores, which might change it for all that the compiler knows.
-template <class Arch, bool with_halves, class Turn>
+/// \tparam FoamRows  NoFoamRows: no half floats
+template <class Arch, class FoamRows, class Turn>
 inline void slope_rows(const SlopesJob& job, const BlockSurface<Arch>& surface, const Turn& turn, std::size_t z,
                        std::size_t columns, float* averages, std::size_t plane_stride, const SlopeRows& level_0,
                        const SlopeRows& level_1) {
@@ -167,8 +168,8 @@ inline void slope_rows(const SlopesJob& job, const BlockSurface<Arch>& surface, 
     const float variance_factor = job.variance_factor;
     const std::size_t n = job.resolution;
     const SlopeRows texels = level_0, coarser = level_1;
+    constexpr bool with_halves = !std::is_same_v<FoamRows, NoFoamRows>;
     std::uint16_t* halves = with_halves ? job.rgba16f + 4 * (z * n + job.first_column) : nullptr;
-    using FoamRows = std::conditional_t<with_halves, ShownFoamRows<Arch, SlopesJob::tile_columns>, NoFoamRows>;
     FoamRows foam(job.foam, z * n + job.first_column, n, columns);
     typename BlockSurface<Arch>::PairWalk walk(surface, job.first_column, z);
 
@@ -241,16 +242,18 @@ void slopes(const SlopesJob& job) {
     const SlopeAverages<> level_3{all_of_level_3.row(job.first_row >> 3) + (job.first_column >> 3),
                                   job.average_stride};
 
-    const auto all_rows = [&]<bool with_halves>(const auto& turn) {
+    const auto all_rows = [&]<class FoamRows>(const auto& turn) {
         for (std::size_t row = 0; row < rows; row += 2)
-            slope_rows<Arch, with_halves>(job, surface, turn, job.first_row + row, columns, level_1.row(row / 2),
-                                          level_1.plane_stride(), texels(0).from(row, 0), texels(1).from(row / 2, 0));
+            slope_rows<Arch, FoamRows>(job, surface, turn, job.first_row + row, columns, level_1.row(row / 2),
+                                       level_1.plane_stride(), texels(0).from(row, 0), texels(1).from(row / 2, 0));
     };
     const auto turned_rows = [&](const auto& turn) {
-        if (job.rgba16f)
-            all_rows.template operator()<true>(turn);
+        if (!job.rgba16f)
+            all_rows.template operator()<NoFoamRows>(turn);
+        else if (!job.foam.remembered)
+            all_rows.template operator()<FreshFoam<Arch>>(turn);
         else
-            all_rows.template operator()<false>(turn);
+            all_rows.template operator()<ShownFoamRows<Arch, SlopesJob::tile_columns>>(turn);
     };
     if (job.sine != 0 || job.cosine != 1)
         turned_rows(Turned<Arch>{V(job.cosine), V(job.sine)});
