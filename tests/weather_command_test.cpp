@@ -81,8 +81,9 @@ TEST_F(WeatherCommand, RefusalsAreOneLineThatNamesThePlace) {
     EXPECT_NE(refusal_of("[[change]]\nfrom = 1\nover = 1\nswell_from = 5e6\nswell_height = 0\n")
                   .find("swell_from_m of change 1 is 5000000, needs 0 where the sea has no swell"),
               std::string::npos);
-    EXPECT_NE(refusal_of("[[change]]\nfrom = 1\nover = 1\nswell_from = far\n").find("swell_from is "),
-              std::string::npos);
+    EXPECT_NE(
+        refusal_of("[[change]]\nfrom = 1\nover = 1\nswell_from = 3e7\n").find("swell_from is 30000000, needs metres"),
+        std::string::npos);
     EXPECT_NE(refusal_of("change = 3\n").find("needs lines [[change]]"), std::string::npos);
     EXPECT_NE(refusal_of(calm_to_storm, {"--config", file(calm_to_storm)}).find("needs one of the two"),
               std::string::npos);
