@@ -165,6 +165,8 @@ class PictureMaker {
         functions.ClearColor(0.004f, 0.008f, 0.016f, 1);
         functions.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         renderer_.upload(frame);
+        // A driver in software moves vertices at once, by mips of the displacement that its other threads still make.
+        functions.Finish();
         const glm::dvec3 viewer = options_.scene.camera.position_m;
         // Small water lies level, or nearly.
         const gl::WaterAtLens water = options_.scene.surface == gl::Surface::open
