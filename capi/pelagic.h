@@ -244,9 +244,9 @@ typedef struct pelagic_ocean_options {
     /* Newer still. */
     int32_t slopes;    /* not 0: a frame of one tile has slopes and moments too; those of several always do */
     int32_t gradients; /* not 0: tiles of several have a gradient chain of their own too; those of one always do */
-    /* Newer still. Not 0: frames remember foam. What breaks lasts for 2.9 seconds, fades and drifts. A frame up to a tenth of a
-     * second after the one before costs nothing more, or one tick, less than a frame; a jump in time costs 29 of them. 6 N^2 bytes
-     * a tile. With 0 the half floats hold only what breaks at that very moment. */
+    /* Newer still. Not 0: frames remember foam. What breaks lasts for 2.9 seconds, fades and drifts. A frame then takes a tenth to a
+     * fifth longer, one of a tick, ten times a second, another half or more, and a jump in time, which computes 29 ticks, as long as
+     * ten to twenty frames. 5 N^2 bytes a tile. With 0 the half floats hold only what breaks at that very moment. */
     int32_t foam;
     uint32_t reserved_1; /* 0 */
 } pelagic_ocean_options;

@@ -37,9 +37,9 @@ struct OceanOptions {
     bool velocities = false;  ///< frames have velocities; 12 N^2 bytes a frame and about twice the transforms
     bool gradients = false;   ///< frames of several tiles have each tile's own normals too; those of one always do
     bool slopes = false;      ///< a frame of one tile has slopes too (slope_sum.hpp); those of several always do
-    /// Frames remember foam: what breaks lasts for 2.9 seconds, fades and drifts (history/foam_history.hpp). A frame up to a tenth of a
-    /// second after the one before costs nothing more, or one tick, less than a frame; a jump in time costs 29 of them.
-    /// 10 N^2 / 3 bytes a tile and two frames of N^2 4/3. Without it half floats hold only what breaks at that very moment.
+    /// Frames remember foam: what breaks lasts for 2.9 seconds, fades and drifts (history/foam_history.hpp). A frame then takes a
+    /// tenth to a fifth longer, one of a tick, ten times a second, another half or more, and a jump in time, which computes 29
+    /// ticks, as long as ten to twenty frames; 5 N^2 bytes a tile. Without it half floats hold only what breaks at that very moment.
     bool foam = false;
     HostMemory memory = {};  ///< none: operator new. For frames and spectra, all but some 100 KB of an ocean
 };

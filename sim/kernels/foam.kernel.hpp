@@ -88,7 +88,9 @@ class FreshFoam {
    public:
     PELAGIC_INLINE FreshFoam(const ShownFoam& foam, std::size_t, std::size_t, std::size_t) : breaking_(foam.source) {}
     PELAGIC_INLINE V show(V jacobian, std::size_t, std::size_t) const {
-        return xsimd::nearbyint(breaking_(jacobian)) * V(1.f / 255);
+        // A float of 2^23 or more is whole: the sum is rounded to nearest even, and less than a byte's place is lost.
+        const V whole(0x1p23f);
+        return ((breaking_(jacobian) + whole) - whole) * V(1.f / 255);
     }
     PELAGIC_INLINE void write() const {}
 
