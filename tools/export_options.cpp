@@ -159,6 +159,7 @@ FrameTimes ExportFlags::times(const ResolvedSea& sea) const {
         times.start_s = number_in("--start", *start, -latest_start_s, latest_start_s, "seconds in [-1e9, 1e9]");
     if (const auto& number = typed("start-number"))
         times.start_number = whole_number_in("--start-number", *number, 0, FrameTimes::largest_number);
+    times.ranges = {{times.start_number, times.start_number}};
     const auto& loop_frames = typed("loop-frames");
     const auto& frames = typed("frames");
     for (const std::string other : {"frames", "fps"})
