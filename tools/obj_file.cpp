@@ -26,7 +26,7 @@ void append_line(std::string& text, const char* format, Values... values) {
 }  // namespace
 
 std::string mesh_as_obj(const Mesh& mesh, ObjDigits digits) {
-    std::string text = "# Pelagic: a sea, metres, y up, faces counter-clockwise from above\n";
+    std::string text = "# Pelagic: a sea, metres, y up, faces counter-clockwise from above\ns 1\n";
     for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
         text += 'v';
         append_position(text, mesh.positions[v], digits);
