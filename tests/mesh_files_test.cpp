@@ -41,6 +41,7 @@ void expect_the_sea(const Frame& frame, const Mesh& mesh) {
     water.sample({x, z}, {.height_m = height, .normal_x = nx, .normal_y = ny, .normal_z = nz, .foam = foam});
     ASSERT_EQ(mesh.normals.size(), count);
     ASSERT_EQ(mesh.foam.size(), count);
+    EXPECT_GT(*std::max_element(foam.begin(), foam.end()), 0) << "tells nothing about foam";
     for (std::size_t v = 0; v < count; ++v) {
         // Queries look for a place to a 64th of the tolerance, and slopes are below 1.
         EXPECT_NEAR(mesh.positions[v].y, static_cast<double>(height[v]), 1e-5);
@@ -63,20 +64,18 @@ TEST(SeaMesh, ATilesOwnLatticeIsTheSea) {
 TEST(SeaMesh, AFineSquareOfAStackIsTheSea) {
     Ocean ocean = ocean_of({.cascades = 2, .resolution = 32, .wind_speed_mps = 8, .choppiness = 0.5});
     const Frame& frame = ocean.frame_at(3);
-    const SeaPatch patch{8 * frame.tiles[1].texel_m(), 8};
-    ASSERT_EQ(tiles_for(frame, patch).size(), 2u);
-    expect_the_sea(frame, mesh_of(frame, patch));
+    expect_the_sea(frame, mesh_of(frame, {8 * frame.tiles[1].texel_m(), 8, 2}));
 }
 
 TEST(SeaMesh, WavesThatStepsCantShowAreLeftOut) {
-    Ocean ocean = ocean_of({.cascades = 3, .resolution = 32});
-    const Frame& frame = ocean.frame_at(0);
+    const std::vector<TilePlan> plans = plan_tiles({.cascades = 3, .resolution = 32});
     for (std::size_t tile = 1; tile < 3; ++tile) {
-        const double longest_step_m = 1.5 * frame.tiles[tile].texel_m();  // of two for a wave of three texels
-        EXPECT_EQ(tiles_for(frame, {longest_step_m * 0.999 * 16, 16}).size(), tile + 1);
-        EXPECT_EQ(tiles_for(frame, {longest_step_m * 1.001 * 16, 16}).size(), tile);
+        const double longest_step_m =
+            1.5 * plans[tile].lattice.side_m / 32;  // two of them for a wave of three texels
+        EXPECT_EQ(tiles_shown_by(longest_step_m * 0.999, plans), tile + 1);
+        EXPECT_EQ(tiles_shown_by(longest_step_m * 1.001, plans), tile);
     }
-    EXPECT_EQ(tiles_for(frame, {1e6, 1}).size(), 1u);
+    EXPECT_EQ(tiles_shown_by(1e6, plans), 1u);
 }
 
 TEST(SeaMesh, OneTileMeetsItself) {
@@ -134,6 +133,8 @@ TEST(MeshFiles, ObjIsText) {
     EXPECT_NE(mesh_as_obj(third, ObjDigits::all).find("\nv 0 0.3333333333333333 -0.5\n"), std::string::npos);
 }
 
+std::string text_of(const Bytes& bytes) { return {bytes.begin(), bytes.end()}; }
+
 template <class Number>
 Number number_at(const std::string& bytes, std::size_t at) {
     Number number;
@@ -142,7 +143,7 @@ Number number_at(const std::string& bytes, std::size_t at) {
 }
 
 TEST(MeshFiles, PlyIsBinaryBehindItsHeader) {
-    const std::string file = mesh_as_ply(small_mesh(true));
+    const std::string file = text_of(mesh_as_ply(small_mesh(true)));
     const std::string header =
         "ply\nformat binary_little_endian 1.0\n"
         "comment Pelagic: a sea, metres, y up, faces counter-clockwise from above\nelement vertex 4\n"
@@ -160,24 +161,26 @@ TEST(MeshFiles, PlyIsBinaryBehindItsHeader) {
     EXPECT_EQ(file.substr(second + 36, 3), "\x40\x40\x40");  // a quarter of 255, rounded
     EXPECT_EQ(file[header.size() + 4 * vertex], 4);
     EXPECT_EQ(number_at<std::uint32_t>(file, file.size() - 12), 2u);
-    EXPECT_EQ(mesh_as_ply(small_mesh(false)).find("foam"), std::string::npos);
+    EXPECT_EQ(text_of(mesh_as_ply(small_mesh(false))).find("foam"), std::string::npos);
 }
 
 TEST(MeshFiles, MddIsBigEndian) {
     Mesh mesh = small_mesh(false);
     mesh.positions.resize(1);
     mesh.positions[0] = {1, -2, 0.5};
-    std::string file = mdd_header(std::vector<float>{0, 0.25f}, 1);
+    Bytes file;
+    append_mdd_header(file, std::vector<float>{0, 0.25f}, 1);
     append_mdd_frame(file, mesh);
     using namespace std::string_literals;
-    EXPECT_EQ(file,
+    EXPECT_EQ(text_of(file),
               "\0\0\0\x02\0\0\0\x01\0\0\0\0\x3e\x80\0\0"s
               "\x3f\x80\0\0\xc0\0\0\0\x3f\0\0\0"s);
 }
 
 /// A glTF file taken apart.
 struct Glb {
-    explicit Glb(const std::string& file) {
+    explicit Glb(const Bytes& bytes) {
+        const std::string file = text_of(bytes);
         EXPECT_EQ(file.substr(0, 4), "glTF");
         EXPECT_EQ(number_at<std::uint32_t>(file, 4), 2u);
         EXPECT_EQ(number_at<std::uint32_t>(file, 8), file.size());
@@ -225,9 +228,8 @@ TEST(MeshFiles, AnAnimatedGlbShowsEachFrameAtItsTimeAndCloses) {
         meshes.push_back(mesh_of(ocean.frame_at(static_cast<double>(k) / fps), {100, 32}));
     GlbFile file(meshes[0]);
     for (std::size_t k = 1; k < frames; ++k) file.add(meshes[k]);
-    const std::string bytes = file.finish(fps, true);
-    const Glb glb(bytes);
-    EXPECT_EQ(glb.buffer.size(), GlbFile::bytes_of(meshes[0], frames));
+    const Glb glb(file.finish(fps, true));
+    EXPECT_EQ(glb.buffer.size(), GlbFile::buffer_bytes(33 * 33, 2 * 32 * 32, frames));
 
     const json& animation = glb.description["animations"][0];
     EXPECT_EQ(animation["channels"][0]["target"]["path"], "weights");

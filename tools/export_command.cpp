@@ -36,7 +36,7 @@ OceanOptions ocean_options(const ExportOptions& options, const std::shared_ptr<C
             .isa = options.compute.isa,
             .trace = trace,
             .gradients = options.maps.has(MapKind::gradient),
-            .foam = options.maps.has(MapKind::foam)};
+            .foam = options.has_foam()};
 }
 
 /// Computes frames in order, the next one while the last is looked at. False if a signal stopped it.

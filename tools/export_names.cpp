@@ -37,17 +37,24 @@ class NameReader {
 
 constexpr std::size_t frame_digits = 4;
 
+/// "_0007"
+std::string number_in_name(int frame) {
+    std::array<char, 16> number;
+    std::snprintf(number.data(), number.size(), "_%0*d", static_cast<int>(frame_digits), frame);
+    return number.data();
+}
+
 }  // namespace
 
 std::string image_name(const MapOptions& options, MapKind map, int tile, int frame, int level) {
-    std::array<char, 16> number;
-    std::snprintf(number.data(), number.size(), "%0*d", static_cast<int>(frame_digits), frame);
     std::string name(name_of(map));
     if (tile > 0) name += "_c" + std::to_string(tile);
-    name.append("_").append(number.data());
+    name += number_in_name(frame);
     if (level > 0) name += "_mip" + std::to_string(level);
     return name + "." + extension_of(map, options);
 }
+
+std::string mesh_name(int frame, const char* extension) { return "mesh" + number_in_name(frame) + "." + extension; }
 
 const char* extension_of(MapKind map, const MapOptions& options) {
     if (options.format == ImageFormat::tiff) return "tif";
@@ -66,11 +73,19 @@ bool is_image_name(std::string_view name) {
     return (reader.take(".tif") || reader.take(has_chain(*map) ? ".png" : ".exr")) && reader.is_at_end();
 }
 
+bool is_mesh_name(std::string_view name) {
+    if (name == mesh_animation_name || name == point_cache_name) return true;
+    NameReader reader(name);
+    return reader.take("mesh_") && reader.take_number(frame_digits, 0, FrameTimes::largest_number) &&
+           (reader.take(".obj") || reader.take(".ply") || reader.take(".glb")) && reader.is_at_end();
+}
+
 bool is_export_name(std::string_view name) {
     constexpr std::string_view end = ".part";
     if (name.starts_with('.') && name.ends_with(end) && name.size() > end.size())
         name = name.substr(1, name.size() - 1 - end.size());
-    return name == sea_json_name || name == journal_name || name == lock_name || is_image_name(name);
+    return name == sea_json_name || name == journal_name || name == lock_name || is_image_name(name) ||
+           is_mesh_name(name);
 }
 
 }  // namespace pelagic::tools

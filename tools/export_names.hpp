@@ -15,13 +15,23 @@ inline constexpr const char* lock_name = ".sea.lock";
 /// "displacement_0007.exr" of the coarsest tile, 0; "gradient_c1_0007_mip2.png" for level 2 of the next one.
 std::string image_name(const MapOptions& options, MapKind map, int tile, int frame, int level);
 
+/// "mesh_0007.obj".
+std::string mesh_name(int frame, const char* extension);
+
+/// Of all frames together: morph targets as glTF, and a point cache.
+inline constexpr const char* mesh_animation_name = "mesh.glb";
+inline constexpr const char* point_cache_name = "mesh.mdd";
+
 /// "exr", "png" or "tif": by the type of the map's values.
 const char* extension_of(MapKind map, const MapOptions& options);
 
 /// True for what image_name() can give, with any options.
 bool is_image_name(std::string_view name);
 
-/// True for names that an export gives to files of its own: images, records, the lock, and their parts.
+/// True for what mesh_name() can give, and for the two of all frames.
+bool is_mesh_name(std::string_view name);
+
+/// True for names that an export gives to files of its own: images, meshes, records, the lock, and their parts.
 bool is_export_name(std::string_view name);
 
 }  // namespace pelagic::tools

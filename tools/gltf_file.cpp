@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cassert>
 #include <cstdint>
+#include <string>
+#include <string_view>
 #include <type_traits>
-
-#include "pelagic/tools/byte_order.hpp"
+#include <vector>
 
 namespace pelagic::tools {
 namespace {
@@ -46,10 +47,11 @@ Json water(bool has_foam) {
             {"doubleSided", true}};
 }
 
-void append_chunk(std::string& file, const char* type, const std::string& bytes) {
+template <class Content>
+void append_chunk(Bytes& file, std::string_view type, const Content& bytes) {
     append_little_endian(file, static_cast<std::uint32_t>(bytes.size()));
-    file.append(type, 4);
-    file += bytes;
+    file.insert(file.end(), type.begin(), type.end());
+    file.insert(file.end(), bytes.begin(), bytes.end());
 }
 
 }  // namespace
@@ -84,7 +86,7 @@ void GlbFile::add(const Mesh& mesh) {
     targets_.push_back(target);
 }
 
-std::string GlbFile::finish(double fps, bool closes) {
+Bytes GlbFile::finish(double fps, bool closes) {
     const std::size_t indices = add_triangles();
     Json primitive = {{"attributes", attributes_}, {"indices", indices}, {"material", 0}};
     Json mesh = {{"name", "sea"}};
@@ -107,13 +109,12 @@ std::string GlbFile::finish(double fps, bool closes) {
     std::string text = json.dump();
     text.resize((text.size() + 3) / 4 * 4, ' ');
     const std::size_t size = 12 + 8 + text.size() + 8 + buffer_.size();
-    std::string file;
+    Bytes file = {'g', 'l', 'T', 'F'};
     file.reserve(size);
-    file += "glTF";
     append_little_endian(file, std::uint32_t{2});  // the version
     append_little_endian(file, static_cast<std::uint32_t>(size));
     append_chunk(file, "JSON", text);
-    append_chunk(file, "BIN\0", buffer_);
+    append_chunk(file, std::string_view("BIN\0", 4), buffer_);
     return file;
 }
 
@@ -179,12 +180,10 @@ std::size_t GlbFile::add_triangles() {
     return add_accessor(begin, (buffer_.size() - begin) / 4, "SCALAR", an_unsigned_int);
 }
 
-std::size_t GlbFile::bytes_of(const Mesh& mesh, std::size_t frames) {
-    const std::size_t foam = mesh.foam.empty() ? 0 : 1;
-    const std::size_t of_first =
-        mesh.positions.size() * (12 + 12 + 8 + foam * 8) + mesh.face_count() * (mesh.corners - 2) * 12;
-    const std::size_t of_target = mesh.positions.size() * (12 + 12 + foam * 4);
-    return of_first + (frames - 1) * of_target + (frames + 1) * frames * 4;
+std::size_t GlbFile::buffer_bytes(std::size_t vertices, std::size_t triangles, std::size_t frames) {
+    const std::size_t first = vertices * (12 + 12 + 8 + 4 + 4), target = vertices * (12 + 12 + 4);
+    const std::size_t keys = frames + 1;
+    return first + triangles * 12 + (frames - 1) * target + keys * 4 + keys * (frames - 1) * 4;
 }
 
 }  // namespace pelagic::tools

@@ -6,9 +6,8 @@
 
 #include <nlohmann/json.hpp>
 #include <span>
-#include <string>
-#include <vector>
 
+#include "pelagic/tools/byte_order.hpp"
 #include "pelagic/tools/mesh.hpp"
 
 namespace pelagic::tools {
@@ -28,10 +27,10 @@ class GlbFile {
 
     /// The file, without an animation if it has one frame.
     /// \param closes  whether the first frame follows after the last one
-    std::string finish(double fps, bool closes);
+    Bytes finish(double fps, bool closes);
 
-    /// How large so many frames of such a mesh are, but for some kilobytes of JSON.
-    static std::size_t bytes_of(const Mesh& mesh, std::size_t frames);
+    /// How large a buffer so many frames with foam take. The JSON before it takes some kilobytes.
+    static std::size_t buffer_bytes(std::size_t vertices, std::size_t triangles, std::size_t frames);
 
    private:
     enum class Bounds { none, least_and_most };
@@ -45,7 +44,7 @@ class GlbFile {
     nlohmann::ordered_json animation(double fps, bool closes);
 
     Mesh first_;
-    std::string buffer_;
+    Bytes buffer_;
     nlohmann::ordered_json accessors_, views_, attributes_, targets_ = nlohmann::ordered_json::array();
 };
 

@@ -2,19 +2,15 @@
 
 #include <cstdint>
 
-#include "pelagic/tools/byte_order.hpp"
-
 namespace pelagic::tools {
 
-std::string mdd_header(std::span<const float> times_s, std::size_t points) {
-    std::string bytes;
+void append_mdd_header(Bytes& bytes, std::span<const float> times_s, std::size_t points) {
     append_big_endian(bytes, static_cast<std::int32_t>(times_s.size()));
     append_big_endian(bytes, static_cast<std::int32_t>(points));
     for (const float time_s : times_s) append_big_endian(bytes, time_s);
-    return bytes;
 }
 
-void append_mdd_frame(std::string& bytes, const Mesh& mesh) {
+void append_mdd_frame(Bytes& bytes, const Mesh& mesh) {
     for (const glm::vec3 position : mesh.positions)
         for (const float metres : {position.x, position.y, position.z}) append_big_endian(bytes, metres);
 }

@@ -4,16 +4,19 @@
 #pragma once
 
 #include <span>
-#include <string>
 
+#include "pelagic/tools/byte_order.hpp"
 #include "pelagic/tools/mesh.hpp"
 
 namespace pelagic::tools {
 
 /// What stands before the first frame.
-std::string mdd_header(std::span<const float> times_s, std::size_t points);
+void append_mdd_header(Bytes& bytes, std::span<const float> times_s, std::size_t points);
 
 /// The next frame.
-void append_mdd_frame(std::string& bytes, const Mesh& mesh);
+void append_mdd_frame(Bytes& bytes, const Mesh& mesh);
+
+/// Of the whole file.
+constexpr std::size_t mdd_bytes(std::size_t points, std::size_t frames) { return 8 + frames * (4 + points * 12); }
 
 }  // namespace pelagic::tools

@@ -1,6 +1,6 @@
 #include "pelagic/tools/ply_file.hpp"
 
-#include "pelagic/tools/byte_order.hpp"
+#include <string>
 
 namespace pelagic::tools {
 namespace {
@@ -22,8 +22,9 @@ std::string header_of(const Mesh& mesh) {
 
 }  // namespace
 
-std::string mesh_as_ply(const Mesh& mesh) {
-    std::string bytes = header_of(mesh);
+Bytes mesh_as_ply(const Mesh& mesh) {
+    const std::string header = header_of(mesh);
+    Bytes bytes(header.begin(), header.end());
     for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
         const glm::vec3 p(mesh.positions[v]), n = mesh.normals[v];
         const glm::vec2 uv = mesh.texture_coordinates[v];

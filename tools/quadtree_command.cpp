@@ -26,6 +26,8 @@ namespace {
 constexpr double aspect = 16.0 / 9;
 constexpr double latest_s = 1e9;
 
+std::span<const std::byte> as_bytes(const Bytes& bytes) { return std::as_bytes(std::span(bytes)); }
+
 /// One view, or two eyes side by side.
 std::vector<glm::dmat4> views_of(const Camera& camera, double eyes_apart_m) {
     if (eyes_apart_m == 0) return {camera.clip_from_world(aspect)};
@@ -144,8 +146,8 @@ void QuadtreeCommandFlags::run() const {
     if (obj || ply || gltf) {
         const Mesh mesh = mesh_of(list, frame);
         if (obj) obj->write(mesh_as_obj(mesh, ObjDigits::all));
-        if (ply) ply->write(mesh_as_ply(mesh));
-        if (gltf) gltf->write(GlbFile(mesh).finish(1, false));
+        if (ply) ply->write(as_bytes(mesh_as_ply(mesh)));
+        if (gltf) gltf->write(as_bytes(GlbFile(mesh).finish(1, false)));
     }
     if (json) json->write(figures.dump(2) + "\n");
     if (svg) {

@@ -20,11 +20,13 @@ double foam_of(const Frame& frame, glm::dvec2 rest) {
     return most;
 }
 
-std::span<const Tile> tiles_for(const Frame& frame, const SeaPatch& patch) {
-    constexpr double texels_a_wave = 3;  // tile_plan: of the shortest ones
+std::size_t tiles_shown_by(double step_m, std::span<const TilePlan> plans) {
+    const auto is_shown = [&](const TilePlan& plan) {
+        return 3 * plan.lattice.side_m / plan.resolution >= 2 * step_m;
+    };
     std::size_t count = 1;
-    while (count < frame.tiles.size() && texels_a_wave * frame.tiles[count].texel_m() >= 2 * patch.step_m()) ++count;
-    return frame.tiles.first(count);
+    while (count < plans.size() && is_shown(plans[count])) ++count;
+    return count;
 }
 
 glm::vec2 texture_coordinates_of(const Tile& coarsest, glm::dvec2 rest) {
@@ -35,16 +37,21 @@ glm::vec2 texture_coordinates_of(const Tile& coarsest, glm::dvec2 rest) {
 
 Mesh mesh_of(const Frame& frame, const SeaPatch& patch) {
     Frame shown = frame;
-    shown.tiles = tiles_for(frame, patch);
+    shown.tiles = frame.tiles.first(patch.tiles);
     const auto drawn = [&](glm::dvec2 rest) {
         const Displacement d = displacement_of(shown, rest.x, rest.y);
         return glm::dvec3(rest.x + d.dx, d.height, rest.y + d.dz);
     };
-    const double reach_m = std::max(patch.step_m(), shown.tiles.back().texel_m());
+    const double reach_m = std::max(patch.side_m / patch.steps, shown.tiles.back().texel_m());
     const bool has_foam = !frame.tiles.front().foam_r8.empty();
 
+    const auto row = static_cast<std::uint32_t>(patch.steps) + 1;
     Mesh mesh;
     mesh.corners = 4;
+    mesh.positions.reserve(std::size_t{row} * row);
+    mesh.normals.reserve(std::size_t{row} * row);
+    mesh.texture_coordinates.reserve(std::size_t{row} * row);
+    mesh.faces.reserve(std::size_t{row - 1} * (row - 1) * mesh.corners);
     for (int j = 0; j <= patch.steps; ++j) {
         for (int i = 0; i <= patch.steps; ++i) {
             const glm::dvec2 rest(i * patch.side_m / patch.steps, j * patch.side_m / patch.steps);
@@ -54,7 +61,6 @@ Mesh mesh_of(const Frame& frame, const SeaPatch& patch) {
             if (has_foam) mesh.foam.push_back(static_cast<float>(foam_of(frame, rest)));
         }
     }
-    const auto row = static_cast<std::uint32_t>(patch.steps) + 1;
     for (std::uint32_t j = 0; j + 1 < row; ++j)
         for (std::uint32_t i = 0; i + 1 < row; ++i)
             for (const std::uint32_t corner :

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "pelagic/sim/frame.hpp"
+#include "pelagic/sim/tile_plan.hpp"
 #include "pelagic/tools/mesh.hpp"
 
 namespace pelagic::tools {
@@ -13,16 +14,15 @@ namespace pelagic::tools {
 struct SeaPatch {
     double side_m = 0;
     int steps = 0;  ///< a side, so that (steps + 1)^2 points rest on it; the last row and column lie on its far edges
-
-    double step_m() const { return side_m / steps; }
+    std::size_t tiles = 1;  ///< that move it, from the coarsest on
 };
 
-/// The tiles whose waves a mesh with such steps can show: the coarsest, and those whose shortest waves, three texels, have two steps
-/// or more. The waves of others would not be seen as waves but as noise.
-std::span<const Tile> tiles_for(const Frame& frame, const SeaPatch& patch);
+/// How many tiles have waves that a mesh with such steps can show: the coarsest, and those whose shortest waves, three texels, have
+/// two steps or more. The waves of others would not be seen as waves but as noise.
+std::size_t tiles_shown_by(double step_m, std::span<const TilePlan> plans);
 
-/// Vertex i + j (steps + 1) rests at i steps along x and j along z, and is drawn where tiles_for() move it, bilinear between their
-/// texels. Normals are those of that surface; foam, if the frame has any, is that of all tiles. Faces are squares.
+/// Vertex i + j (steps + 1) rests at i steps along x and j along z, and is drawn where the patch's tiles move it, bilinear between
+/// their texels. Normals are those of that surface; foam, if the frame has any, is that of all tiles. Faces are squares.
 Mesh mesh_of(const Frame& frame, const SeaPatch& patch);
 
 /// Texture coordinates as Mesh has them of what rests there.
