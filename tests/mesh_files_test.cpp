@@ -62,9 +62,9 @@ TEST(SeaMesh, ATilesOwnLatticeIsTheSea) {
 }
 
 TEST(SeaMesh, AFineSquareOfAStackIsTheSea) {
-    Ocean ocean = ocean_of({.cascades = 2, .resolution = 32, .wind_speed_mps = 8, .choppiness = 0.5});
+    Ocean ocean = ocean_of({.cascades = 2, .resolution = 32, .wind_speed_mps = 14, .choppiness = 0.5});
     const Frame& frame = ocean.frame_at(3);
-    expect_the_sea(frame, mesh_of(frame, {8 * frame.tiles[1].texel_m(), 8, 2}));
+    expect_the_sea(frame, mesh_of(frame, {32 * frame.tiles[1].texel_m(), 32, 2}));
 }
 
 TEST(SeaMesh, WavesThatStepsCantShowAreLeftOut) {
