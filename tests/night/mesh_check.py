@@ -89,3 +89,24 @@ for frame in range(frames + 1):  # the last one is the first
     at = frame * loop_s / frames * scene.render.fps
     scene.frame_set(int(at), subframe=at - int(at))
     compare(pelagic, folder, frame % frames, places_of(mesh))
+
+# A picture for whoever wants to look: the last file with its own material, foam by colour, under a sky.
+scene.frame_set(0)
+world = scene.world = bpy.data.worlds.new("sky")
+world.use_nodes = True
+sky = world.node_tree.nodes.new("ShaderNodeTexSky")
+sky.sun_elevation, sky.sun_rotation, sky.sun_intensity = math.radians(28), math.radians(75), 0.2
+world.node_tree.links.new(sky.outputs["Color"], world.node_tree.nodes["Background"].inputs["Color"])
+world.node_tree.nodes["Background"].inputs["Strength"].default_value = 0.12
+side = record["export"]["mesh"]["side_m"]
+camera = bpy.data.objects.new("camera", bpy.data.cameras.new("camera"))
+camera.location = (0.05 * side, -0.95 * side, 0.08 * side)
+camera.rotation_euler = (math.radians(78), 0, math.radians(-45))
+scene.collection.objects.link(camera)
+scene.camera = camera
+scene.render.engine = "CYCLES"
+scene.cycles.samples = 32
+scene.cycles.use_denoising = False  # Debian's Blender is built without a denoiser
+scene.render.resolution_x, scene.render.resolution_y = 640, 360
+scene.render.filepath = str(Path(picture).resolve())
+bpy.ops.render.render(write_still=True)
