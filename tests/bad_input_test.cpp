@@ -37,6 +37,17 @@ std::vector<BadInput> bad_inputs() {
         {{"export", "--out", "CONFIG/below"}, {"--out", "CONFIG", "is a file"}},
         {{"export", "--out", "OUT/wave.%04d.exr"}, {"--out", "wave.%04d.exr", "a folder", "displacement_0000.exr"}},
         {{"export", "--out", "OUT.png"}, {"--out", "a folder", "displacement_0000.exr"}},
+        // What files.
+        {{"export", "--out", "OUT", "--compression", "lzw"},
+         {"--compression", "is lzw", "zip, zips, piz, dwaa or none"}},
+        {{"export", "--out", "OUT", "--format", "tif", "--compression", "piz"},
+         {"--compression", "is piz", "zip, lzw or none"}},
+        {{"export", "--out", "OUT", "--maps", "foam", "--compression", "piz"},
+         {"--compression", "is piz", "EXR", "PNG"}},
+        {{"export", "--out", "OUT", "--maps", "foam", "--tiled"}, {"--tiled", "EXR"}},
+        {{"export", "--out", "OUT", "--pack", "bits"}, {"--pack", "is bits", "files, layers or parts"}},
+        {{"export", "--out", "OUT", "--pack", "parts", "--mips"}, {"--pack", "is parts", "--tiled"}},
+        {{"export", "--out", "OUT", "--pack", "layers", "--format", "tif"}, {"--pack", "is layers", "--format exr"}},
         // The quadtree's options.
         {{"bench", "--sizes", "64,100"}, {"--sizes", "is 64,100", "powers of two from 16 to 2048"}},
         {{"bench", "--sizes", "4096"}, {"--sizes", "is 4096", "powers of two from 16 to 2048"}},

@@ -139,14 +139,19 @@ TEST(FrameWriter, RecordsFramesAsTheyWereHandedOver) {
     EXPECT_EQ(records.at(0).foam_hash, foam_hash);
 }
 
-// README and help promise 2 GiB: eight frames of N = 2048.
-TEST(FrameWriter, TakesTwoGibibytesAtMost) {
+// 512 MiB: two frames of N = 2048, and no copies of a larger one, but files of it.
+TEST(FrameWriter, TakesHalfAGibibyteAtMost) {
     ExportOptions options;
     options.sea.sea = {.resolution = 2048, .patch_size_m = 250};
     options.compute.threads = 1024;
-    EXPECT_EQ(frames_in_flight(options, most_bytes_in_flight), 8u);
+    EXPECT_EQ(plan_writing(options, most_bytes_in_flight), (WritingPlan{.frames = 2, .files_a_frame = 1}));
+    options.sea.sea = {.cascades = 4, .resolution = 2048};
+    EXPECT_EQ(plan_writing(options, most_bytes_in_flight), (WritingPlan{.frames = 1, .files_a_frame = 4}));
     options.compute.threads = 3;
-    EXPECT_EQ(frames_in_flight(options, most_bytes_in_flight), 3u);
+    EXPECT_EQ(plan_writing(options, most_bytes_in_flight), (WritingPlan{.frames = 1, .files_a_frame = 3}));
+    options.sea.sea.resolution = 512;
+    options.compute.threads = 16;
+    EXPECT_EQ(plan_writing(options, most_bytes_in_flight), (WritingPlan{.frames = 8, .files_a_frame = 2}));
 }
 
 }  // namespace

@@ -36,27 +36,37 @@ class NameReader {
 };
 
 constexpr std::size_t frame_digits = 4;
+constexpr const char* packed_start = "sea_";
+
+std::string number_of(int frame) {
+    std::array<char, 16> number;
+    std::snprintf(number.data(), number.size(), "%0*d", static_cast<int>(frame_digits), frame);
+    return number.data();
+}
 
 }  // namespace
 
 std::string image_name(const MapOptions& options, MapKind map, int tile, int frame, int level) {
-    std::array<char, 16> number;
-    std::snprintf(number.data(), number.size(), "%0*d", static_cast<int>(frame_digits), frame);
     std::string name(name_of(map));
     if (tile > 0) name += "_c" + std::to_string(tile);
-    name.append("_").append(number.data());
+    name.append("_").append(number_of(frame));
     if (level > 0) name += "_mip" + std::to_string(level);
     return name + "." + extension_of(map, options);
 }
 
+std::string packed_name(int frame) { return packed_start + number_of(frame) + ".exr"; }
+
 const char* extension_of(MapKind map, const MapOptions& options) {
-    if (options.format == ImageFormat::tiff) return "tif";
-    return options.sample_of(map) == Sample::uint8 ? "png" : "exr";
+    if (options.is_exr(map)) return "exr";
+    return options.format == ImageFormat::tiff ? "tif" : "png";
 }
 
 bool is_image_name(std::string_view name) {
     constexpr int most_tiles = 4, most_level = mip_levels(2048) - 1;
     NameReader reader(name);
+    if (reader.take(packed_start))
+        return reader.take_number(frame_digits, 0, FrameTimes::largest_number) && reader.take(".exr") &&
+               reader.is_at_end();
     const auto* map = std::find_if(all_maps.begin(), all_maps.end(),
                                    [&](MapKind one) { return reader.take(std::string(name_of(one)) + "_"); });
     if (map == all_maps.end()) return false;

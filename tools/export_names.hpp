@@ -15,10 +15,13 @@ inline constexpr const char* lock_name = ".sea.lock";
 /// "displacement_0007.exr" of the coarsest tile, 0; "gradient_c1_0007_mip2.png" for level 2 of the next one.
 std::string image_name(const MapOptions& options, MapKind map, int tile, int frame, int level);
 
+/// "sea_0007.exr": all maps of a frame.
+std::string packed_name(int frame);
+
 /// "exr", "png" or "tif": by the type of the map's values.
 const char* extension_of(MapKind map, const MapOptions& options);
 
-/// True for what image_name() can give, with any options.
+/// True for what image_name() and packed_name() can give, with any options.
 bool is_image_name(std::string_view name);
 
 /// True for names that an export gives to files of its own: images, records, the lock, and their parts.

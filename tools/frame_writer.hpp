@@ -13,16 +13,29 @@
 
 namespace pelagic::tools {
 
-/// Most memory for frames that are being written, as long as one of them fits.
-inline constexpr std::size_t most_bytes_in_flight = std::size_t{2} << 30;
+/// Most memory for frames that are being written, beside the ocean, as long as one file at a time fits.
+inline constexpr std::size_t most_bytes_in_flight = std::size_t{512} << 20;
 
-/// A frame in flight is copied, interleaved, encoded and compressed: about so many bytes a texel, measured.
+/// A copied frame, with one file of each of its tiles interleaved, encoded and compressed: at most so many bytes a texel, measured.
 inline constexpr std::size_t bytes_per_texel_in_flight = 64;
 
-/// How many frames are written at once: one a thread, no more than fit, and at least one.
-std::size_t frames_in_flight(const ExportOptions& options, std::size_t most_bytes);
+/// Such a file alone: at most so many bytes a texel, measured.
+inline constexpr std::size_t bytes_per_texel_of_a_file = 32;
 
-/// Encodes and writes frames on a few threads and journals them in order, frames_in_flight() at once.
+/// What is written at once.
+struct WritingPlan {
+    /// One: written straight from the ocean's own memory, while it computes the next frame. More: copies.
+    std::size_t frames = 1;
+    std::size_t files_a_frame = 1;
+
+    bool operator==(const WritingPlan&) const = default;
+};
+
+/// As much as there are threads, but no more than fits into the memory; at least one file. Two frames that don't fit aren't
+/// copied.
+WritingPlan plan_writing(const ExportOptions& options, std::size_t most_bytes);
+
+/// Encodes and writes frames on a few threads and journals them in order, as many at once as plan_writing() says.
 class FrameWriter {
    public:
     /// All of it outlives the writer.
@@ -31,7 +44,8 @@ class FrameWriter {
     FrameWriter(const ExportOptions& options, const OutputFolder& folder, ExportJournal& journal,
                 std::map<int, FrameRecord>& records, TraceSink* trace, std::size_t most_bytes = most_bytes_in_flight);
 
-    /// Copies the frame; waits for an earlier one if too many are in flight. Throws FileError if that one failed.
+    /// Copies the frame, and waits for an earlier one if too many are in flight; or writes it, where no copies fit. Throws FileError
+    /// if that failed.
     void write(int number, const Frame& frame);
 
     /// Returns when all are done and journaled. Throws FileError likewise.
@@ -41,6 +55,7 @@ class FrameWriter {
     /// On a thread of its own; where there is to be none or the system refuses one, when it is waited for.
     std::future<FrameRecord> start(const std::function<FrameRecord()>& work);
     void take_oldest();
+    void add(FrameRecord record);
     FrameRecord wait_for(std::future<FrameRecord>& files);
 
     const ExportOptions& options_;
@@ -48,7 +63,7 @@ class FrameWriter {
     ExportJournal& journal_;
     std::map<int, FrameRecord>& records_;
     TraceSink* trace_;
-    std::size_t most_;
+    WritingPlan plan_;
     std::deque<std::future<FrameRecord>> in_flight_;
 };
 

@@ -57,6 +57,9 @@ Json options_as_json(const ExportOptions& options) {
     how["mips"] = options.maps.mips;
     how["half"] = options.maps.half;
     how["format"] = options.maps.format == ImageFormat::tiff ? "tif" : "exr";
+    how["compression"] = name_of(options.maps.compression);
+    how["pack"] = name_of(options.maps.pack);
+    how["tiled"] = options.maps.tiled;
     Json json = {{"version", PELAGIC_VERSION}, {"sea", sea_as_json(options.sea)}};
     if (!options.sea.changes.empty()) json["weather"] = weather_as_json(options.sea);
     json["export"] = how;
