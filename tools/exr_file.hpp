@@ -25,7 +25,7 @@ struct ExrLayer {
 using ExrAttribute = std::pair<std::string, std::variant<std::string, int, double>>;
 
 struct ExrPart {
-    std::string name;  ///< none in a file of one part
+    std::string name;  ///< may be none in a file of one part
     int side = 0;
     int levels = 1;
     std::vector<ExrLayer> layers;

@@ -131,15 +131,16 @@ ExrPart empty_part(const ImagePart& of, const Frame& frame, int number, const Fr
 
 ExrFile exr_file(const ImageFile& file, const Frame& frame, int number, const ExportOptions& options) {
     ExrFile exr{.parts = {}, .is_tiled = options.maps.tiled, .compression = options.maps.compression};
-    const bool has_layers = options.maps.pack == Pack::layers;
+    // Parts too have the layer in their channels' names: OpenEXR wants no reader to guess it from the part's.
+    const bool is_packed = options.maps.pack != Pack::files, has_layers = options.maps.pack == Pack::layers;
     for (const ImagePart& of : file.parts) {
         const Tile& tile = frame.tiles[static_cast<std::size_t>(of.tile)];
         if (exr.parts.empty() || !has_layers) {
             exr.parts.push_back(empty_part(of, frame, number, options.times));
-            if (file.parts.size() > 1 && !has_layers) exr.parts.back().name = name_of(of);
+            if (is_packed && !has_layers) exr.parts.back().name = name_of(of);
         }
         ExrPart& part = exr.parts.back();
-        part.layers.push_back(layer_of(of, tile, options.maps, has_layers ? name_of(of) + "." : ""));
+        part.layers.push_back(layer_of(of, tile, options.maps, is_packed ? name_of(of) + "." : ""));
         add_map(part.attributes, of, tile, has_layers ? name_of(of) + ":" : "");
     }
     return exr;

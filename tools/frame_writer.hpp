@@ -1,6 +1,7 @@
 // Frames as files, several at once, in bounded memory.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <deque>
 #include <functional>
@@ -13,8 +14,15 @@
 
 namespace pelagic::tools {
 
-/// Most memory for frames that are being written, beside the ocean, as long as one file at a time fits.
-inline constexpr std::size_t most_bytes_in_flight = std::size_t{512} << 20;
+/// What an export may take with its ocean and with what it writes, so that it stays under 2 GB with its libraries; where the ocean
+/// leaves less than the second, that is for writing nonetheless.
+inline constexpr std::size_t most_bytes_of_export = std::size_t{1792} << 20;
+inline constexpr std::size_t least_bytes_for_writing = std::size_t{256} << 20;
+
+/// How much of it is left for frames that are being written.
+constexpr std::size_t bytes_for_writing(std::size_t ocean_bytes) {
+    return std::max(least_bytes_for_writing, most_bytes_of_export - std::min(most_bytes_of_export, ocean_bytes));
+}
 
 /// A copied frame, with one file of each of its tiles interleaved, encoded and compressed: at most so many bytes a texel, measured.
 inline constexpr std::size_t bytes_per_texel_in_flight = 64;
@@ -39,10 +47,11 @@ WritingPlan plan_writing(const ExportOptions& options, std::size_t most_bytes);
 class FrameWriter {
    public:
     /// All of it outlives the writer.
-    /// \param records  gets the frames that are done
-    /// \param trace    may be none
+    /// \param records     gets the frames that are done
+    /// \param trace       may be none
+    /// \param most_bytes  as bytes_for_writing() says
     FrameWriter(const ExportOptions& options, const OutputFolder& folder, ExportJournal& journal,
-                std::map<int, FrameRecord>& records, TraceSink* trace, std::size_t most_bytes = most_bytes_in_flight);
+                std::map<int, FrameRecord>& records, TraceSink* trace, std::size_t most_bytes);
 
     /// Copies the frame, and waits for an earlier one if too many are in flight; or writes it, where no copies fit. Throws FileError
     /// if that failed.
