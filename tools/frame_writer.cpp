@@ -15,17 +15,18 @@
 #include "pelagic/sim/statistics.hpp"
 #include "pelagic/tools/digest.hpp"
 #include "pelagic/tools/image_files.hpp"
+#include "pelagic/tools/mesh_files.hpp"
 
 namespace pelagic::tools {
 namespace {
 
-/// The views of a tile that the images show.
+/// The views of a tile that the files show.
 struct NeededViews {
-    explicit NeededViews(const MapOptions& options)
-        : halves(options.has(MapKind::displacement) && options.half),
-          planes(options.has(MapKind::displacement) && !options.half),
-          gradient(options.has(MapKind::gradient)),
-          foam(options.has(MapKind::foam)) {}
+    explicit NeededViews(const ExportOptions& options)
+        : halves(options.maps.has(MapKind::displacement) && options.maps.half),
+          planes((options.maps.has(MapKind::displacement) && !options.maps.half) || options.meshes.any()),
+          gradient(options.maps.has(MapKind::gradient)),
+          foam(options.has_foam()) {}
 
     bool halves, planes, gradient, foam;
 };
@@ -109,7 +110,15 @@ FrameRecord figures_of(int number, const Frame& frame, bool has_foam) {
             .files = {}};
 }
 
-/// Encodes and writes a file.
+FileRecord write_file(const OutputFolder& folder, const std::string& name, std::span<const unsigned char> content,
+                      TraceSink* trace) {
+    const TraceScope writing(trace, "write", file_category, {{{"bytes", static_cast<double>(content.size())}}});
+    const std::string_view bytes(reinterpret_cast<const char*>(content.data()), content.size());
+    folder.write(name, bytes);
+    return {name, digest_of(bytes)};
+}
+
+/// Encodes and writes an image.
 FileRecord write_image(const ImageFile& file, const ExportOptions& options, const OutputFolder& folder, int number,
                        const Frame& frame, TraceSink* trace) {
     const std::vector<unsigned char> image = [&] {
@@ -118,17 +127,12 @@ FileRecord write_image(const ImageFile& file, const ExportOptions& options, cons
                                   {{{"level", static_cast<double>(part.first_level)}}});
         return encode_image_file(file, frame, number, options);
     }();
-    const TraceScope writing(trace, "write", file_category, {{{"bytes", static_cast<double>(image.size())}}});
-    const std::string_view bytes(reinterpret_cast<const char*>(image.data()), image.size());
-    folder.write(file.name, bytes);
-    return {file.name, digest_of(bytes)};
+    return write_file(folder, file.name, image, trace);
 }
 
 /// The images of a frame, several at once. After a failure no further ones are begun.
 std::vector<FileRecord> write_images(const ExportOptions& options, const OutputFolder& folder, int number,
                                      const Frame& frame, std::size_t at_once, TraceSink* trace) {
-    const TraceScope scope(trace, "files", file_category,
-                           {{{"frame", static_cast<double>(number)}, {"time_s", frame.time_s}}});
     const std::vector<ImageFile> files = image_files(options, number);
     std::vector<FileRecord> records(files.size());
     std::atomic<std::size_t> next = 0;
@@ -150,6 +154,25 @@ std::vector<FileRecord> write_images(const ExportOptions& options, const OutputF
     }
     write_some();
     for (std::future<void>& other : others) other.get();
+    return records;
+}
+
+/// The images and meshes of a frame.
+std::vector<FileRecord> write_files(const ExportOptions& options, const OutputFolder& folder, int number,
+                                    const Frame& frame, std::size_t images_at_once, TraceSink* trace) {
+    const TraceScope scope(trace, "files", file_category,
+                           {{{"frame", static_cast<double>(number)}, {"time_s", frame.time_s}}});
+    std::vector<FileRecord> records = write_images(options, folder, number, frame, images_at_once, trace);
+    const std::vector<MeshFile> meshes = mesh_files(options.meshes, number);
+    if (meshes.empty()) return records;
+    const Mesh mesh = mesh_of(frame, options.meshes.patch);
+    for (const MeshFile& file : meshes) {
+        const auto content = [&] {
+            const TraceScope encoding(trace, "encode mesh", file_category);
+            return encode_mesh_file(file.format, mesh);
+        }();
+        records.push_back(write_file(folder, file.name, content, trace));
+    }
     return records;
 }
 
@@ -176,15 +199,15 @@ FrameWriter::FrameWriter(const ExportOptions& options, const OutputFolder& folde
       plan_(plan_writing(options, most_bytes)) {}
 
 void FrameWriter::write(int number, const Frame& frame) {
-    FrameRecord record = figures_of(number, frame, options_.maps.has(MapKind::foam));
+    FrameRecord record = figures_of(number, frame, options_.has_foam());
     if (plan_.frames == 1) {
-        record.files = write_images(options_, folder_, number, frame, plan_.files_a_frame, trace_);
+        record.files = write_files(options_, folder_, number, frame, plan_.files_a_frame, trace_);
         return add(std::move(record));
     }
     while (in_flight_.size() >= plan_.frames) take_oldest();
-    const auto copy = std::make_shared<const FrameCopy>(frame, NeededViews(options_.maps));
+    const auto copy = std::make_shared<const FrameCopy>(frame, NeededViews(options_));
     in_flight_.push_back(start([this, copy, record = std::move(record)]() mutable {
-        record.files = write_images(options_, folder_, record.frame, copy->frame(), plan_.files_a_frame, trace_);
+        record.files = write_files(options_, folder_, record.frame, copy->frame(), plan_.files_a_frame, trace_);
         return std::move(record);
     }));
 }

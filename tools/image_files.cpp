@@ -14,15 +14,6 @@ int levels_of(const ExportOptions& options, MapKind map) {
     return has_levels_within || has_chain(map) ? mip_levels(resolution_of(options.sea.sea)) : 1;
 }
 
-/// A map of a tile, as one file with its levels or as a file for each.
-void add_files(std::vector<ImageFile>& files, const ExportOptions& options, MapKind map, int tile, int frame) {
-    const int levels = levels_of(options, map);
-    const int levels_a_file = options.maps.tiled && options.maps.is_exr(map) ? levels : 1;
-    for (int level = 0; level < levels; level += levels_a_file)
-        files.push_back({.name = image_name(options.maps, map, tile, frame, level),
-                         .parts = {{.map = map, .tile = tile, .first_level = level, .levels = levels_a_file}}});
-}
-
 ImageDescription description_of(const ImagePart& part, const MapImage& image, const MapOptions& options) {
     const bool is_png = extension_of(part.map, options) == std::string_view("png");
     return {.extension = extension_of(part.map, options),
@@ -41,13 +32,22 @@ ImageDescription description_of(const ImagePart& part, const MapImage& image, co
 }  // namespace
 
 std::vector<ImageFile> image_files(const ExportOptions& options, int frame) {
-    std::vector<ImageFile> files;
+    std::vector<ImagePart> parts;
     for (int tile = 0; tile < cascades_of(options.sea.sea); ++tile)
-        for (const MapKind map : options.maps.maps) add_files(files, options, map, tile, frame);
-    if (options.maps.pack == Pack::files) return files;
-    ImageFile all{.name = packed_name(frame), .parts = {}};
-    for (const ImageFile& file : files) all.parts.insert(all.parts.end(), file.parts.begin(), file.parts.end());
-    return {all};
+        for (const MapKind map : options.maps.maps) {
+            const int levels = levels_of(options, map);
+            const int levels_a_part = options.maps.tiled && options.maps.is_exr(map) ? levels : 1;
+            for (int level = 0; level < levels; level += levels_a_part)
+                parts.push_back({.map = map, .tile = tile, .first_level = level, .levels = levels_a_part});
+        }
+    if (options.maps.pack != Pack::files && !parts.empty())
+        return {{.name = packed_name(options.maps, frame), .parts = parts}};
+    std::vector<ImageFile> files;
+    for (const ImagePart& part : parts) {
+        const ImageMark mark{.map = part.map, .tile = part.tile, .level = part.first_level};
+        files.push_back({.name = image_name(options.maps, mark, frame, parts.size() == 1), .parts = {part}});
+    }
+    return files;
 }
 
 std::vector<unsigned char> encode_image_file(const ImageFile& file, const Frame& frame, int number,

@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "pelagic/tools/image_compression.hpp"
 #include "pelagic/tools/map_image.hpp"
 #include "pelagic/tools/map_kind.hpp"
+#include "pelagic/tools/name_pattern.hpp"
 
 namespace pelagic::tools {
 
@@ -42,7 +44,8 @@ struct MapOptions {
     ImageFormat format = ImageFormat::exr_and_png;
     Compression compression = Compression::zip;  ///< of EXR and TIFF
     Pack pack = Pack::files;
-    bool tiled = false;  ///< EXR in tiles, with the levels within
+    bool tiled = false;                ///< EXR in tiles, with the levels within
+    std::optional<NamePattern> names;  ///< none: "displacement_0007.exr"
 
     bool has(MapKind map) const { return std::find(maps.begin(), maps.end(), map) != maps.end(); }
     /// The map is stored as EXR.
