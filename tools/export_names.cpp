@@ -37,7 +37,34 @@ class NameReader {
 
 constexpr std::size_t frame_digits = 4;
 
+/// How a record, a journal and a lock are named, around what shard it is of.
+struct NameAroundShard {
+    std::string_view before, after;
+
+    std::string of(const std::optional<Shard>& shard) const {
+        return std::string(before).append(shard ? "." + name_of(*shard) : "").append(after);
+    }
+    std::optional<Shard> shard_in(std::string_view name) const {
+        if (!name.starts_with(before) || !name.ends_with(after) || name.size() < before.size() + after.size() + 1)
+            return {};
+        name = name.substr(before.size(), name.size() - before.size() - after.size());
+        return name.starts_with('.') ? shard_named(name.substr(1)) : std::nullopt;
+    }
+};
+
+constexpr NameAroundShard records{"sea", ".json"}, journals{".pelagic-export", ".jsonl"}, locks{".sea", ".lock"};
+
 }  // namespace
+
+std::string record_name(const std::optional<Shard>& shard) { return records.of(shard); }
+std::string journal_name(const std::optional<Shard>& shard) { return journals.of(shard); }
+std::string lock_name_of(const Shard& shard) { return locks.of(shard); }
+
+std::optional<Shard> shard_of_record(std::string_view name) { return records.shard_in(name); }
+
+bool is_of_shard(std::string_view name) {
+    return records.shard_in(name) || journals.shard_in(name) || locks.shard_in(name);
+}
 
 std::string image_name(const MapOptions& options, MapKind map, int tile, int frame, int level) {
     std::array<char, 16> number;
@@ -67,10 +94,14 @@ bool is_image_name(std::string_view name) {
 }
 
 bool is_export_name(std::string_view name) {
+    return is_export_part(name) || name == record_name({}) || name == journal_name({}) || name == lock_name ||
+           is_of_shard(name) || is_image_name(name);
+}
+
+bool is_export_part(std::string_view name) {
     constexpr std::string_view end = ".part";
-    if (name.starts_with('.') && name.ends_with(end) && name.size() > end.size())
-        name = name.substr(1, name.size() - 1 - end.size());
-    return name == sea_json_name || name == journal_name || name == lock_name || is_image_name(name);
+    return name.starts_with('.') && name.ends_with(end) && name.size() > end.size() &&
+           is_export_name(name.substr(1, name.size() - 1 - end.size()));
 }
 
 }  // namespace pelagic::tools
