@@ -51,7 +51,7 @@ std::string image_name(const MapOptions& options, MapKind map, int tile, int fra
 
 const char* extension_of(MapKind map, const MapOptions& options) {
     if (options.format == ImageFormat::tiff) return "tif";
-    return options.sample_of(map) == Sample::uint8 ? "png" : "exr";
+    return is_floating(options.sample_of(map)) ? "exr" : "png";
 }
 
 bool is_image_name(std::string_view name) {
@@ -63,7 +63,9 @@ bool is_image_name(std::string_view name) {
     if (reader.take("c") && !(reader.take_number(1, 1, most_tiles - 1) && reader.take("_"))) return false;
     if (!reader.take_number(frame_digits, 0, FrameTimes::largest_number)) return false;
     if (has_chain(*map) && reader.take("_mip") && !reader.take_number(1, 1, most_level)) return false;
-    return (reader.take(".tif") || reader.take(has_chain(*map) ? ".png" : ".exr")) && reader.is_at_end();
+    const bool is_whole = *map == MapKind::gradient || has_bit_depth(*map), is_floating = *map != MapKind::gradient;
+    return (reader.take(".tif") || (is_whole && reader.take(".png")) || (is_floating && reader.take(".exr"))) &&
+           reader.is_at_end();
 }
 
 bool is_export_name(std::string_view name) {

@@ -117,12 +117,17 @@ void ExportFlags::add_to(CLI::App& app) {
     add("fps", "NUMBER", "frames a second; (0, 1000], default 24");
     add("loop-frames", "NUMBER", "that many frames over exactly one loop period, instead of --frames and --fps");
     add("maps", "NAMES",
-        "displacement, gradient, foam, or some of them with commas; default displacement,gradient. Foam lasts: it "
-        "costs a "
-        "tick, less than a frame, for each tenth of a second between frames, 29 at most");
-    add("format", "NAME", "exr (displacement as EXR, the others as PNG) or tif (all as TIFF); default exr");
-    app.add_flag("--mips", mips_, "every level of gradient and foam, down to one texel");
-    app.add_flag("--half", half_, "displacement as 16-bit instead of 32-bit floats");
+        names_of_maps() +
+            ", or some of them with commas; default displacement,gradient. Foam lasts: it costs a tick, less "
+            "than a frame, for each tenth of a second between frames, 29 at most");
+    add("bit-depth", "BITS", "of normal and foam: 8, 16 or float; default 8");
+    add("normal-y", "WAY", "where normal's green grows to in the image: up (OpenGL) or down (DirectX); default up");
+    add("axes", "NAME", "y-up (x east, z south) or z-up (x east, y north), of all vectors; default y-up");
+    add("unit", "NAME", "m or cm, of displacement, and of velocity a second; default m");
+    add("rows", "EDGE", "at which edge of the images the row of z = 0 is: top or bottom; default top");
+    add("format", "NAME", "exr (floats as EXR, the others as PNG) or tif (all as TIFF); default exr");
+    app.add_flag("--mips", mips_, "every level, down to one texel, of all maps but displacement and velocity");
+    app.add_flag("--half", half_, "16-bit instead of 32-bit floats");
     app.add_flag("--resume", resume_, "keep the frames of an interrupted export that are whole, make the rest");
     app.add_flag("--no-sync", no_sync_,
                  "don't wait for the disk: faster, but a power cut may cost frames that are done");
@@ -187,6 +192,19 @@ MapOptions ExportFlags::maps() const {
     options.mips = mips_;
     options.half = half_;
     if (const auto& maps = typed("maps")) options.maps = maps_in(*maps);
+    const auto set = [&](const std::string& flag, auto& option, const auto& names) {
+        if (const auto& text = typed(flag)) option = one_of(names, "--" + flag, *text);
+    };
+    set("bit-depth", options.bit_depth, bit_depth_names);
+    set("normal-y", options.normal_y, normal_y_names);
+    set("axes", options.up_axis, up_axis_names);
+    set("unit", options.unit, length_unit_names);
+    set("rows", options.rows, first_row_names);
+    if (options.bit_depth != BitDepth::bits_8 && !options.has(MapKind::normal) && !options.has(MapKind::foam))
+        throw bad_value("--bit-depth", *typed("bit-depth"),
+                        "normal or foam among --maps: the others have types of their own");
+    if (options.normal_y != NormalY::up && !options.has(MapKind::normal))
+        throw bad_value("--normal-y", *typed("normal-y"), "normal among --maps");
     if (const auto& format = typed("format")) {
         if (*format != "exr" && *format != "tif") throw bad_value("--format", *format, "exr or tif");
         if (*format == "tif") options.format = ImageFormat::tiff;

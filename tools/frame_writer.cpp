@@ -21,12 +21,13 @@ namespace {
 /// The views of a tile that the images show.
 struct NeededViews {
     explicit NeededViews(const MapOptions& options)
-        : halves(options.has(MapKind::displacement) && options.half),
-          planes(options.has(MapKind::displacement) && !options.half),
+        : planes(options.has(MapKind::displacement) || options.has(MapKind::normal) ||
+                 options.has(MapKind::jacobian) || options.has(MapKind::slope)),
+          velocities(options.has(MapKind::velocity)),
           gradient(options.has(MapKind::gradient)),
           foam(options.has(MapKind::foam)) {}
 
-    bool halves, planes, gradient, foam;
+    bool planes, velocities, gradient, foam;
 };
 
 /// What a frame's files need of it, copied, so that its images can be encoded while the ocean goes on.
@@ -44,8 +45,7 @@ class FrameCopy {
 
    private:
     struct Copies {
-        std::vector<float> planes;
-        std::vector<std::uint16_t> halves;
+        std::vector<float> planes, velocities;
         std::vector<std::uint32_t> gradient;
         std::vector<std::uint8_t> foam;
     };
@@ -53,9 +53,10 @@ class FrameCopy {
     static Copies copied(Tile& tile, const NeededViews& needed) {
         Copies copies;
         if (needed.planes) copy_planes(copies.planes, {&tile.dx, &tile.height, &tile.dz});
-        copy_if(needed.halves, copies.halves, tile.displacement_rgba16f);
+        if (needed.velocities) copy_planes(copies.velocities, {&tile.velocity_x, &tile.velocity_y, &tile.velocity_z});
         copy_if(needed.gradient, copies.gradient, tile.gradient_rgba8);
         copy_if(needed.foam, copies.foam, tile.foam_r8);
+        tile.displacement_rgba16f = {};
         tile.slopes_rgba8 = tile.moments_rgba8 = {};
         return copies;
     }
@@ -91,7 +92,11 @@ std::string_view trace_name(MapKind map) {
     switch (map) {
         case MapKind::displacement: return "encode displacement";
         case MapKind::gradient: return "encode gradient";
+        case MapKind::normal: return "encode normal";
         case MapKind::foam: return "encode foam";
+        case MapKind::velocity: return "encode velocity";
+        case MapKind::jacobian: return "encode jacobian";
+        case MapKind::slope: return "encode slope";
     }
     return "";
 }

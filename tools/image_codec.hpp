@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "pelagic/tools/map_image.hpp"
+#include "pelagic/tools/sample.hpp"
 
 namespace pelagic::tools {
 

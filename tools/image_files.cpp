@@ -2,6 +2,7 @@
 
 #include "pelagic/tools/export_names.hpp"
 #include "pelagic/tools/image_codec.hpp"
+#include "pelagic/tools/map_image.hpp"
 
 namespace pelagic::tools {
 namespace {
@@ -19,7 +20,7 @@ ImageDescription description_of(const ImagePart& part, const MapImage& image, co
             .height = image.side,
             .channels = image.channels,
             .sample = image.sample,
-            .colour_space = image.sample == Sample::uint8 ? "Raw" : "Linear",
+            .colour_space = is_floating(image.sample) ? "Linear" : "Raw",
             .compression = is_png ? nullptr : "zip",
             // zlib's default for PNG, 6, takes four times as long for files 6 % smaller (512 x 512, jonswap).
             .png_level = is_png ? 2 : 0,
@@ -42,7 +43,7 @@ std::vector<ImageFile> image_files(const ExportOptions& options, int frame) {
 std::vector<unsigned char> encode_image_file(const ImageFile& file, const Frame& frame, const MapOptions& options) {
     const ImagePart& part = file.parts.front();
     const Tile& tile = frame.tiles[static_cast<std::size_t>(part.tile)];
-    const MapImage image = map_image(tile, part.map, part.first_level, options.sample_of(part.map));
+    const MapImage image = map_image(tile, part.map, part.first_level, options);
     return image_codec().encode(description_of(part, image, options), image.pixels.data());
 }
 

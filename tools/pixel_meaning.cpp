@@ -14,92 +14,136 @@ using Json = nlohmann::ordered_json;
 
 constexpr double two_pi = 6.28318530717958647693;
 
+/// What a pixel's number c becomes: scale c + offset.
+struct Line {
+    double scale = 1, offset = 0;
+};
+
 struct Channel {
-    std::string_view channel, name, unit;
-    double scale, offset;
-    std::array<double, 2> range;  ///< of values, {0, 0} where there is no limit
+    std::string_view name, unit;
+    Line line;
+    std::array<double, 2> range = {};  ///< of values, {0, 0} where there is no limit
 };
 
-constexpr std::array displacement_channels = {
-    Channel{"R", "Dx", "m", 1, 0, {}},
-    Channel{"G", "height", "m", 1, 0, {}},
-    Channel{"B", "Dz", "m", 1, 0, {}},
-};
+/// Equations 50 and 51 with rounding: a byte b stands for (b - 128) / 127.5 up to (b - 127) / 127.5, and 2 b / 255 - 1 is
+/// the middle of that.
+constexpr Line from_minus_one = {2, -1};
+constexpr std::array<double, 2> both_signs = {-1, 1}, one_sign = {0, 1};
 
-// Equations 50 and 51 with rounding: a byte b stands for (b - 128) / 127.5 up to (b - 127) / 127.5, and 2 b / 255 - 1 is
-// the middle of that.
-constexpr std::array gradient_channels = {
-    Channel{"R", "normal_x", "1", 2, -1, {-1, 1}},
-    Channel{"G", "normal_z", "1", 2, -1, {-1, 1}},
-    Channel{"B", "jacobian", "1", 2, -1, {-1, 1}},
-    Channel{"A", "smoothness", "1", 1, 0, {0, 1}},
-};
+std::vector<Channel> channels_of(MapKind map, const MapOptions& options) {
+    const bool is_z_up = options.up_axis == UpAxis::z;
+    const Line of_normals = is_floating(options.sample_of(map)) ? Line{} : from_minus_one;
+    const Line in_metres{.scale = 1 / static_cast<double>(units_per_metre(options.unit))};
+    switch (map) {
+        case MapKind::displacement:
+            if (is_z_up) return {{"Dx", "m", in_metres}, {"Dy", "m", in_metres}, {"height", "m", in_metres}};
+            return {{"Dx", "m", in_metres}, {"height", "m", in_metres}, {"Dz", "m", in_metres}};
+        case MapKind::velocity:
+            return {
+                {"velocity_x", "m/s", in_metres}, {"velocity_y", "m/s", in_metres}, {"velocity_z", "m/s", in_metres}};
+        case MapKind::gradient:
+            return {{"normal_x", "1", from_minus_one, both_signs},
+                    {is_z_up ? "normal_y" : "normal_z", "1", from_minus_one, both_signs},
+                    {"jacobian", "1", from_minus_one, both_signs},
+                    {"smoothness", "1", {}, one_sign}};
+        case MapKind::normal:
+            return {{"normal_right", "1", of_normals, both_signs},
+                    {options.normal_y == NormalY::up ? "normal_image_up" : "normal_image_down", "1", of_normals,
+                     both_signs},
+                    {"normal_out", "1", of_normals, one_sign}};
+        case MapKind::jacobian: return {{"jacobian", "1", {}}};
+        case MapKind::slope: return {{"dh_dx", "1", {}}, {is_z_up ? "dh_dy" : "dh_dz", "1", {}}};
+        case MapKind::foam: return {{"foam", "1", {}, one_sign}};
+    }
+    return {};
+}
 
-constexpr std::array foam_channels = {Channel{"Y", "foam", "1", 1, 0, {0, 1}}};
+std::string_view type_name(Sample sample) {
+    switch (sample) {
+        case Sample::uint8: return "uint8";
+        case Sample::uint16: return "uint16";
+        case Sample::half: return "half";
+        case Sample::float32: return "float";
+    }
+    return "";
+}
 
-template <std::size_t Count>
-Json list_of(const std::array<Channel, Count>& channels) {
+Json list_of(const std::vector<Channel>& channels, Sample sample) {
+    const std::string_view letters = channels.size() == 1 ? "Y" : "RGBA";
     Json list = Json::array();
-    for (const Channel& channel : channels) {
-        Json entry = {{"channel", channel.channel},
-                      {"name", channel.name},
-                      {"unit", channel.unit},
-                      {"scale", channel.scale},
-                      {"offset", channel.offset}};
+    for (std::size_t i = 0; i < channels.size(); ++i) {
+        const Channel& channel = channels[i];
+        Json entry = {
+            {"channel", letters.substr(i, 1)}, {"name", channel.name},        {"unit", channel.unit},
+            {"type", type_name(sample)},       {"scale", channel.line.scale}, {"offset", channel.line.offset}};
         if (channel.range[0] < channel.range[1]) entry["range"] = channel.range;
         list.push_back(entry);
     }
     return list;
 }
 
-Json channels_of_map(MapKind map) {
-    switch (map) {
-        case MapKind::displacement: return list_of(displacement_channels);
-        case MapKind::gradient: return list_of(gradient_channels);
-        case MapKind::foam: return list_of(foam_channels);
-    }
-    return {};
-}
+Json as_json(const Line& line) { return {{"scale", line.scale}, {"offset", line.offset}}; }
 
-Json line(double scale, double offset) { return {{"scale", scale}, {"offset", offset}}; }
+/// What an image's row adds to a texel's place, from what a row of the tile adds.
+struct RowPlaces {
+    double a_row, offset;
 
-/// Where the texels of a tile rest: x and z are sums of what a column and a row give.
-Json tile_as_json(const TilePlan& tile) {
+    RowPlaces(double a_row_of_the_tile, int resolution, FirstRow first)
+        : a_row(first == FirstRow::top ? a_row_of_the_tile : -a_row_of_the_tile),
+          offset(first == FirstRow::top ? 0 : a_row_of_the_tile * (resolution - 1)) {}
+};
+
+/// The horizontal axis beside x, and its direction along Pelagic's z.
+const char* other_axis(UpAxis up) { return up == UpAxis::z ? "y" : "z"; }
+double sign_of_z(UpAxis up) { return up == UpAxis::z ? -1 : 1; }
+
+/// Where the texels of a tile rest: x and the other axis are sums of what a column and a row give.
+Json tile_as_json(const TilePlan& tile, const MapOptions& options) {
     const TileLattice& lattice = tile.lattice;
-    const double texel_m = lattice.side_m / tile.resolution;
-    const auto place = [](double column_m, double row_m) -> Json {
-        return {{"column", column_m}, {"row", row_m}, {"offset", 0.0}};
+    const double texel_m = lattice.side_m / tile.resolution, sign = sign_of_z(options.up_axis);
+    const auto place = [&](double column_m, double row_m) -> Json {
+        const RowPlaces rows(row_m, tile.resolution, options.rows);
+        return {{"column", column_m + 0.0}, {"row", rows.a_row + 0.0}, {"offset", rows.offset + 0.0}};  // not -0
     };
+    const std::string other = other_axis(options.up_axis);
     Json json = {{"in_file_names", tile.number == 0 ? "" : "c" + std::to_string(tile.number)},
                  {"side_m", lattice.side_m},
                  {"resolution", tile.resolution},
-                 {"turn", {{"cosine", lattice.cosine}, {"sine", lattice.sine}}},
+                 {"turn", {{"cosine", lattice.cosine}, {"sine", sign * lattice.sine + 0.0}}},
                  {"x_m", place(lattice.cosine * texel_m, -lattice.sine * texel_m)},
-                 {"z_m", place(lattice.sine * texel_m, lattice.cosine * texel_m)}};
+                 {other + "_m", place(sign * lattice.sine * texel_m, sign * lattice.cosine * texel_m)}};
     if (tile.least_k > 0) json["longest_wave_m"] = two_pi / tile.least_k;
     if (tile.is_banded()) json["shortest_wave_m"] = two_pi / tile.most_k;
     return json;
+}
+
+Json axes_as_json(UpAxis up) {
+    if (up == UpAxis::z) return {{"east", "+x"}, {"north", "+y"}, {"up", "+z"}};
+    return {{"east", "+x"}, {"up", "+y"}, {"south", "+z"}};
 }
 
 }  // namespace
 
 Json channels_as_json(const MapOptions& options) {
     Json maps = Json::object();
-    for (const MapKind map : options.maps) maps[std::string(name_of(map))] = channels_of_map(map);
+    for (const MapKind map : options.maps)
+        maps[std::string(name_of(map))] = list_of(channels_of(map, options), options.sample_of(map));
     return maps;
 }
 
-Json layout_as_json(const Forecast& forecast) {
+Json layout_as_json(const Forecast& forecast, const MapOptions& options) {
     const std::vector<TilePlan> plans = plan_tiles(forecast);
-    const double n = plans.front().resolution, side_m = plans.front().lattice.side_m, texel_m = side_m / n;
+    const TilePlan& first = plans.front();
+    const double n = first.resolution, side_m = first.lattice.side_m, texel_m = side_m / n;
+    const RowPlaces rows(sign_of_z(options.up_axis) * texel_m, first.resolution, options.rows);
     Json tiles = Json::array();
-    for (const TilePlan& plan : plans) tiles.push_back(tile_as_json(plan));
-    return {{"axes", {{"east", "+x"}, {"up", "+y"}, {"south", "+z"}}},
+    for (const TilePlan& plan : plans) tiles.push_back(tile_as_json(plan, options));
+    return {{"axes", axes_as_json(options.up_axis)},
             {"row_0", "upper edge of the image"},
-            {"x_m_of_column", line(texel_m, 0)},
-            {"z_m_of_row", line(texel_m, 0)},
-            {"u_of_column", line(1 / n, 0.5 / n)},
-            {"v_down_of_row", line(1 / n, 0.5 / n)},
+            {"x_m_of_column", as_json({texel_m, 0})},
+            {std::string(other_axis(options.up_axis)) + "_m_of_row", as_json({rows.a_row, rows.offset})},
+            {"u_of_column", as_json({1 / n, 0.5 / n})},
+            {"v_down_of_row", as_json({1 / n, 0.5 / n})},
             {"repeats_after_m", side_m},
             {"tiles", tiles},
             {"colour", false},

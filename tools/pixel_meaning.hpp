@@ -9,13 +9,13 @@
 
 namespace pelagic::tools {
 
-/// For each map that is written its channels in order: {"channel", "name", "unit", "scale", "offset", "range"}. A value
-/// is scale * c + offset, where c is the pixel, of a byte its part of 255. Bytes are made by equations 50 and 51.
+/// For each map that is written its channels in order: {"channel", "name", "unit", "type", "scale", "offset", "range"}. A
+/// value in its unit is scale * c + offset, where c is the pixel, of a byte its part of 255, of 16 bits their part of 65535.
 nlohmann::ordered_json channels_as_json(const MapOptions& options);
 
-/// Where a texel rests and is sampled: {"axes", "x_m_of_column", "z_m_of_row", "u_of_column", ...}, each as a scale and an
+/// Where a texel rests and is sampled: {"axes", "x_m_of_column", "z_m_of_row" (with z up "y_m_of_row"), "u_of_column", ...}, each as a scale and an
 /// offset of its number from 0.
-nlohmann::ordered_json layout_as_json(const Forecast& forecast);
+nlohmann::ordered_json layout_as_json(const Forecast& forecast, const MapOptions& options);
 
 /// The same in words, a few lines.
 std::string pixel_meaning();

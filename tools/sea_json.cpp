@@ -56,6 +56,11 @@ Json options_as_json(const ExportOptions& options) {
     how["maps"] = maps;
     how["mips"] = options.maps.mips;
     how["half"] = options.maps.half;
+    how["bit_depth"] = name_in(bit_depth_names, options.maps.bit_depth);
+    how["normal_y"] = name_in(normal_y_names, options.maps.normal_y);
+    how["axes"] = name_in(up_axis_names, options.maps.up_axis);
+    how["unit"] = name_in(length_unit_names, options.maps.unit);
+    how["rows"] = name_in(first_row_names, options.maps.rows);
     how["format"] = options.maps.format == ImageFormat::tiff ? "tif" : "exr";
     Json json = {{"version", PELAGIC_VERSION}, {"sea", sea_as_json(options.sea)}};
     if (!options.sea.changes.empty()) json["weather"] = weather_as_json(options.sea);
@@ -141,7 +146,7 @@ Json sea_json(const ExportOptions& options, const std::vector<FrameRecord>& fram
     }
     Json json = options_as_json(options);
     json["channels"] = channels_as_json(options.maps);
-    json["layout"] = layout_as_json(forecast_of(options.sea));
+    json["layout"] = layout_as_json(forecast_of(options.sea), options.maps);
     const SeaReport report = report_on(options.sea.sea);
     json["waves"] = waves_as_json(options.sea.sea, report, height_sum / static_cast<double>(frames.size()));
     if (options.maps.has(MapKind::foam)) {
