@@ -16,8 +16,9 @@ namespace pelagic::tools {
 /// Most memory for frames that are being written, as long as one of them fits.
 inline constexpr std::size_t most_bytes_in_flight = std::size_t{2} << 30;
 
-/// A frame in flight is copied, interleaved, encoded and compressed: about so many bytes a texel, measured.
-inline constexpr std::size_t bytes_per_texel_in_flight = 64;
+/// A frame in flight is copied, interleaved, encoded and compressed: about so many bytes a texel, measured, and more for the copies
+/// of velocities.
+inline constexpr std::size_t bytes_per_texel_in_flight = 64, bytes_per_texel_of_velocities = 12;
 
 /// How many frames are written at once: one a thread, no more than fit, and at least one.
 std::size_t frames_in_flight(const ExportOptions& options, std::size_t most_bytes);

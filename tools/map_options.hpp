@@ -2,10 +2,12 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 #include "pelagic/tools/axes.hpp"
 #include "pelagic/tools/map_kind.hpp"
+#include "pelagic/tools/name_pattern.hpp"
 #include "pelagic/tools/named_values.hpp"
 #include "pelagic/tools/sample.hpp"
 
@@ -43,6 +45,7 @@ struct MapOptions {
     LengthUnit unit = LengthUnit::metre;  ///< of displacement, and of velocity a second
     FirstRow rows = FirstRow::top;
     ImageFormat format = ImageFormat::exr_and_png;
+    std::optional<NamePattern> names;  ///< none: "displacement_0007.exr"
 
     bool has(MapKind map) const { return std::find(maps.begin(), maps.end(), map) != maps.end(); }
     /// In what type the map's values are stored.

@@ -151,37 +151,29 @@ Json layout_as_json(const Forecast& forecast, const MapOptions& options) {
 }
 
 std::string pixel_meaning() {
-    return "What a pixel means (sea.json has it as numbers):\n"
-           "  displacement  R, G, B = Dx, height, Dz in metres, as they are\n"
-           "  gradient      a byte's part of 255 is c: normal x = 2R - 1, normal z = 2G - 1, Jacobian J = 2B - 1, "
-           "which\n"
-           "                was clamped to [-1, 1], each within 1/255; smoothness = A, no opacity. The normal's y "
-           "is\n"
-           "                sqrt(1 - x^2 - z^2), below 0 where J is: there the surface is turned over\n"
-           "  foam          one channel: 0 none, 1 covered with foam, what breaks now and what is left of 2.9 "
-           "seconds "
-           "before\n"
-           "  place         N texels a side, L metres: column i, row j rests at x = i L/N, z = j L/N and is drawn "
-           "at\n"
-           "                (x + Dx, height, z + Dz). Row 0 is the upper edge of the image and z = 0. The rest place "
-           "is\n"
-           "                the texel's corner, its number stands at the centre: u = (i + 0.5)/N, v = (j + 0.5)/N "
-           "from\n"
-           "                the upper edge. The tile repeats after L, so column N is column 0 again\n"
-           "  several tiles what they hold adds up. Files of the coarsest have no mark, those of the next c1, c2, "
-           "c3. Their "
-           "sides\n"
-           "                differ, and their columns and rows are turned in the world, about x = z = 0: sea.json "
-           "says how\n"
-           "                (layout, tiles). Dx, Dz and normals are along the world's axes in all of them. "
-           "Displacements "
-           "add;\n"
-           "                normals don't, so take them from the sum, or add the slopes -x/y and -z/y for a "
-           "start.\n"
-           "                Foam at a place is the largest of the tiles'; a tile whose waves make none has black "
-           "images\n"
-           "  axes          right-handed: +x east, +y up, +z south, so north is -z\n"
-           "  colour        none: load as linear, non-colour data, without sRGB, premultiplied alpha or compression";
+    return R"(What a pixel means (sea.json has it as numbers, for whatever options):
+  displacement  R, G, B = Dx, height, Dz in metres, as they are; with --axes z-up Dx, Dy, height
+  gradient      a byte's part of 255 is c: normal x = 2R - 1, normal z = 2G - 1 (z-up: y), Jacobian J = 2B - 1, which
+                was clamped to [-1, 1], each within 1/255; smoothness = A, no opacity. The normal's y is
+                sqrt(1 - x^2 - z^2), below 0 where J is: there the surface is turned over
+  normal        an ordinary normal map, of the tile's own axes: right, up the image (--normal-y down: down it) and out
+                of the water are 2R - 1, 2G - 1, 2B - 1; floats are the values themselves. Unit vectors at every level;
+                where the surface is turned over they lie flat, B = 0 out of the water
+  foam          one channel: 0 none, 1 covered with foam, what breaks now and what is left of 2.9 seconds before
+  velocity      of the point that is drawn, along x, y, z, metres a second; for motion blur
+  jacobian      one channel: J, not clamped; below 1 pressed together, below 0 turned over
+  slope         R, G = dh/dx, dh/dz (z-up: dh/dy) of the heights over the rest places
+  place         N texels a side, L metres: column i, row j rests at x = i L/N, z = j L/N and is drawn at
+                (x + Dx, height, z + Dz). Row 0 is the upper edge of the image and z = 0 (--rows bottom: the last row is
+                z = 0). The rest place is the texel's corner, its number stands at the centre: u = (i + 0.5)/N,
+                v = (j + 0.5)/N from the upper edge. The tile repeats after L, so column N is column 0 again
+  several tiles what they hold adds up. Files of the coarsest have no mark, those of the next c1, c2, c3. Their sides
+                differ, and their columns and rows are turned in the world, about x = z = 0: sea.json says how
+                (layout, tiles). All but normal is along the world's axes in all of them. Displacements, velocities and
+                slopes add; normals and Jacobians don't, so take them from the sum, or add slopes for a start.
+                Foam at a place is the largest of the tiles'; a tile whose waves make none has black images
+  axes          right-handed: +x east, +y up, +z south, so north is -z; z-up: +x east, +y north, +z up
+  colour        none: load as linear, non-colour data, without sRGB, premultiplied alpha or compression)";
 }
 
 }  // namespace pelagic::tools
