@@ -68,14 +68,18 @@ std::string_view type_name(Sample sample) {
     return "";
 }
 
-Json list_of(const std::vector<Channel>& channels, Sample sample) {
-    const std::string_view letters = channels.size() == 1 ? "Y" : "RGBA";
+/// As files have it: EXR has no bytes, and halves instead.
+Sample stored_sample(MapKind map, const MapOptions& options) {
+    const Sample sample = options.sample_of(map);
+    return options.is_exr(map) && !is_floating(sample) ? Sample::half : sample;
+}
+
+Json list_of(MapKind map, const MapOptions& options) {
     Json list = Json::array();
-    for (std::size_t i = 0; i < channels.size(); ++i) {
-        const Channel& channel = channels[i];
-        Json entry = {
-            {"channel", letters.substr(i, 1)}, {"name", channel.name},        {"unit", channel.unit},
-            {"type", type_name(sample)},       {"scale", channel.line.scale}, {"offset", channel.line.offset}};
+    for (const ChannelMeaning& channel : channel_meanings(map, options)) {
+        Json entry = {{"channel", channel.channel}, {"name", channel.name},
+                      {"unit", channel.unit},       {"type", type_name(stored_sample(map, options))},
+                      {"scale", channel.scale},     {"offset", channel.offset}};
         if (channel.range[0] < channel.range[1]) entry["range"] = channel.range;
         list.push_back(entry);
     }
@@ -124,10 +128,21 @@ Json axes_as_json(UpAxis up) {
 
 }  // namespace
 
+std::vector<ChannelMeaning> channel_meanings(MapKind map, const MapOptions& options) {
+    const std::vector<Channel> channels = channels_of(map, options);
+    constexpr std::string_view of_one = "Y", of_several = "RGBA";
+    std::vector<ChannelMeaning> meanings;
+    for (std::size_t i = 0; i < channels.size(); ++i) {
+        const auto& [name, unit, line, range] = channels[i];
+        meanings.push_back(
+            {channels.size() == 1 ? of_one : of_several.substr(i, 1), name, unit, line.scale, line.offset, range});
+    }
+    return meanings;
+}
+
 Json channels_as_json(const MapOptions& options) {
     Json maps = Json::object();
-    for (const MapKind map : options.maps)
-        maps[std::string(name_of(map))] = list_of(channels_of(map, options), options.sample_of(map));
+    for (const MapKind map : options.maps) maps[std::string(name_of(map))] = list_of(map, options);
     return maps;
 }
 

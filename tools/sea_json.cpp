@@ -71,6 +71,9 @@ Json options_as_json(const ExportOptions& options) {
     how["unit"] = name_in(length_unit_names, options.maps.unit);
     how["rows"] = name_in(first_row_names, options.maps.rows);
     how["format"] = options.maps.format == ImageFormat::tiff ? "tif" : "exr";
+    how["compression"] = name_of(options.maps.compression);
+    how["pack"] = name_of(options.maps.pack);
+    how["tiled"] = options.maps.tiled;
     if (options.maps.names) how["names"] = options.maps.names->text();
     if (options.meshes.any()) how["mesh"] = mesh_as_json(options.meshes);
     Json json = {{"version", PELAGIC_VERSION}, {"sea", sea_as_json(options.sea)}};
