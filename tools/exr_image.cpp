@@ -77,7 +77,7 @@ void add_map(std::vector<ExrAttribute>& attributes, const ImagePart& part, const
     add("tile", part.tile);
     add("side_m", tile.lattice.side_m);
     add("turn_cosine", tile.lattice.cosine);
-    add("turn_sine", options.up_axis == UpAxis::z ? -tile.lattice.sine : tile.lattice.sine);
+    add("turn_sine", options.up_axis == UpAxis::z ? 0 - tile.lattice.sine : tile.lattice.sine);
 }
 
 ExrPart empty_part(const ImagePart& of, const Frame& frame, int number, const FrameTimes& times,
