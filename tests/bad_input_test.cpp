@@ -104,7 +104,8 @@ std::vector<BadInput> bad_inputs() {
         {{"export", "--out", "OUT", "--maps", ""}, {"--maps", "displacement", "gradient"}},
         {{"export", "--out", "OUT", "--maps", "gradient,gradient"}, {"--maps", "gradient,gradient"}},
         {{"export", "--out", "OUT", "--maps", "foam,foam"},
-         {"--maps is foam,foam, needs displacement, gradient, foam or some of them with commas, each once"}},
+         {"--maps is foam,foam, needs displacement, gradient, normal, foam, velocity, jacobian, slope or some of "
+          "them with commas, each once"}},
         {{"export", "--out", "OUT", "--format", "bmp"}, {"--format", "is bmp", "exr or tif"}},
         {{"export", "--out", "OUT", "--threads", "-1"}, {"--threads", "is -1", "0 to 1024"}},
         {{"export", "--out", "OUT", "--threads", "2000"}, {"--threads", "is 2000", "0 to 1024"}},

@@ -102,6 +102,7 @@ OceanOptions ocean_options(const ExportOptions& options, const std::shared_ptr<C
     return {.executor = make_default_executor(options.compute.threads),
             .isa = options.compute.isa,
             .trace = trace,
+            .velocities = options.maps.has(MapKind::velocity),
             .gradients = options.maps.has(MapKind::gradient),
             .foam = options.has_foam()};
 }

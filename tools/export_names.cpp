@@ -16,7 +16,8 @@ constexpr std::size_t frame_digits = 4;
 constexpr int most_tiles = 4, most_level = mip_levels(2048) - 1;
 
 bool is_extension(std::string_view text, MapKind map) {
-    return text == "tif" || text == (has_chain(map) ? "png" : "exr");
+    const bool has_floats = map != MapKind::gradient, has_parts = !has_floats || has_bit_depth(map);
+    return text == "tif" || (has_floats && text == "exr") || (has_parts && text == "png");
 }
 
 /// Takes a name to pieces from the front.

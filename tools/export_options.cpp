@@ -58,6 +58,8 @@ void check_exr(const MapOptions& options, const std::optional<std::string>& comp
         std::any_of(options.maps.begin(), options.maps.end(), [&](MapKind map) { return options.is_exr(map); });
     if (options.pack != Pack::files && options.format == ImageFormat::tiff)
         throw bad_value("--pack", name_of(options.pack), "--format exr: a TIFF file has one map");
+    if (options.pack != Pack::files && options.bit_depth == BitDepth::bits_16)
+        throw bad_value("--bit-depth", "16", "8 or float with --pack: EXR has no 16-bit whole numbers");
     if (options.tiled && !has_exr) throw InputError("--tiled needs a map in an EXR file, and none is");
     if (compression && !has_exr && options.format == ImageFormat::exr_and_png)
         throw bad_value("--compression", *compression, "a map in an EXR file, and none is: PNG has its own");
@@ -161,11 +163,15 @@ void ExportFlags::add_to(CLI::App& app) {
     add("fps", "NUMBER", "frames a second; (0, 1000], default 24");
     add("loop-frames", "NUMBER", "that many frames over exactly one loop period, instead of --frames and --fps");
     add("maps", "NAMES",
-        "displacement, gradient, foam, or some of them with commas, or none; default displacement,gradient. Foam "
-        "lasts: it "
-        "costs a "
-        "tick, less than a frame, for each tenth of a second between frames, 29 at most");
-    add("format", "NAME", "exr (displacement as EXR, the others as PNG) or tif (all as TIFF); default exr");
+        names_of_maps() +
+            ", or some of them with commas, or none; default displacement,gradient. Foam lasts: it costs a tick, "
+            "less than a frame, for each tenth of a second between frames, 29 at most");
+    add("bit-depth", "BITS", "of normal and foam: 8, 16 or float; default 8");
+    add("normal-y", "WAY", "where normal's green grows to in the image: up (OpenGL) or down (DirectX); default up");
+    add("axes", "NAME", "y-up (x east, z south) or z-up (x east, y north), of what maps hold; default y-up");
+    add("unit", "NAME", "m or cm, of displacement, and of velocity a second; default m");
+    add("rows", "EDGE", "at which edge of the images the row of z = 0 is: top or bottom; default top");
+    add("format", "NAME", "exr (floats as EXR, the others as PNG) or tif (all as TIFF); default exr");
     add("compression", "NAME",
         "of EXR: zip, zips, piz, dwaa or none; of TIFF: zip, lzw or none; default zip. All but dwaa keep every bit; "
         "dwaa is for looking at: it makes halves of floats and is off by a hundredth of the largest waves and more");
@@ -177,8 +183,8 @@ void ExportFlags::add_to(CLI::App& app) {
         "--tiled", tiled_,
         "EXR files in tiles of 64 x 64 pixels, for renderers; with --mips all levels are in the same file, of "
         "displacement too");
-    app.add_flag("--mips", mips_, "every level of gradient and foam, down to one texel");
-    app.add_flag("--half", half_, "displacement as 16-bit instead of 32-bit floats");
+    app.add_flag("--mips", mips_, "every level, down to one texel, of all maps but displacement and velocity");
+    app.add_flag("--half", half_, "16-bit instead of 32-bit floats");
     add("shard", "I/N",
         "the frames of one of N equal parts, 1/N to N/N, as several machines make an export in one folder; N up to "
         "1000000. pelagic merge joins the parts");
@@ -249,6 +255,19 @@ MapOptions ExportFlags::maps(const std::optional<NamePattern>& names) const {
     options.mips = mips_;
     options.half = half_;
     if (const auto& maps = typed("maps")) options.maps = maps_in(*maps);
+    const auto set = [&](const std::string& flag, auto& option, const auto& words) {
+        if (const auto& text = typed(flag)) option = one_of(words, "--" + flag, *text);
+    };
+    set("bit-depth", options.bit_depth, bit_depth_names);
+    set("normal-y", options.normal_y, normal_y_names);
+    set("axes", options.up_axis, up_axis_names);
+    set("unit", options.unit, length_unit_names);
+    set("rows", options.rows, first_row_names);
+    if (options.bit_depth != BitDepth::bits_8 && !options.has(MapKind::normal) && !options.has(MapKind::foam))
+        throw bad_value("--bit-depth", *typed("bit-depth"),
+                        "normal or foam among --maps: the others have types of their own");
+    if (options.normal_y != NormalY::up && !options.has(MapKind::normal))
+        throw bad_value("--normal-y", *typed("normal-y"), "normal among --maps");
     const auto& typed_format = typed("format");
     if (typed_format && *typed_format != "exr" && *typed_format != "tif")
         throw bad_value("--format", *typed_format, "exr or tif");

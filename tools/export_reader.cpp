@@ -66,6 +66,32 @@ std::vector<std::string> heights_names(const Json& frame, const MapOptions& opti
     return names;
 }
 
+/// From what the record says of pixels. Exports without displacement say nothing, and are refused elsewhere.
+StoredHeights stored_heights(const Json& record, const std::filesystem::path& place) {
+    StoredHeights stored;
+    const auto refuse = [&](const std::string& what) { return InputError(place.string() + ": " + what); };
+    if (const Json& rows = value_of(value_of(record, "export"), "rows"); !rows.is_null()) {
+        if (rows != "top" && rows != "bottom") throw refuse("export's rows are neither top nor bottom");
+        stored.rows_turned_over = rows == "bottom";
+    }
+    const Json& channels = value_of(value_of(record, "channels"), "displacement");
+    if (channels.is_null()) return stored;
+    for (const Json& channel : channels) {
+        if (value_of(channel, "name") != "height") continue;
+        const Json &letter = value_of(channel, "channel"), &scale = value_of(channel, "scale");
+        const std::size_t number =
+            letter.is_string() ? std::string("RGB").find(letter.get<std::string>()) : std::string::npos;
+        // Metres and centimetres.
+        if (number > 2 || letter.get<std::string>().size() != 1 || !scale.is_number() ||
+            !(scale == 1 || scale == 0.01) || value_of(channel, "offset") != 0)
+            throw refuse("the channel of heights is none that pelagic export writes");
+        stored.channel = number;
+        stored.metres = scale.get<float>();
+        return stored;
+    }
+    throw refuse("displacement has no channel of heights");
+}
+
 /// What decides the names of images. Those of a record with others are not found.
 MapOptions names_in(const Json& record) {
     MapOptions options;
@@ -100,6 +126,7 @@ ExportReader::ExportReader(std::string option, const std::filesystem::path& fold
     const Json record = parsed(*text, place.string());
     sea_ = SeaOptions::of_record(*text, place);
     tiles_ = plan_tiles(forecast_of(sea_));
+    stored_ = stored_heights(record, place);
 
     const Json& pack = value_of(value_of(record, "export"), "pack");
     if (pack.is_string() && pack != name_of(Pack::files))
@@ -155,7 +182,12 @@ std::vector<float> ExportReader::heights(std::size_t frame, std::size_t tile) co
     try {
         const auto* bytes = reinterpret_cast<const unsigned char*>(file->data());
         const std::vector<float> pixels = image_codec().decode(image, {bytes, file->size()});
-        for (std::size_t texel = 0; texel < texels; ++texel) heights[texel] = pixels[3 * texel + 1];
+        const auto side = static_cast<std::size_t>(resolution);
+        for (std::size_t j = 0; j < side; ++j) {
+            const std::size_t row = stored_.rows_turned_over ? side - 1 - j : j;
+            for (std::size_t i = 0; i < side; ++i)
+                heights[j * side + i] = stored_.metres * pixels[3 * (row * side + i) + stored_.channel];
+        }
     } catch (const FileError&) {
         throw;  // the library itself is missing
     } catch (const std::runtime_error& error) {

@@ -14,6 +14,12 @@ namespace pelagic::tools {
 
 /// The folder of an export that is there. Throws InputError, one line that names the option.
 OutputFolder open_export(const std::string& option, const std::filesystem::path& folder, Sync sync);
+/// How the displacement images keep heights.
+struct StoredHeights {
+    std::size_t channel = 1;        ///< of three
+    float metres = 1;               ///< that a pixel's 1 stands for
+    bool rows_turned_over = false;  ///< the image's last row is the tile's first
+};
 
 /// Throws InputError where the folder holds no export that can be measured, and FileError where a file can't be read: one line
 /// that names the folder or the file, and the reason.
@@ -40,6 +46,7 @@ class ExportReader {
     OutputFolder folder_;
     ResolvedSea sea_;
     std::vector<TilePlan> tiles_;
+    StoredHeights stored_;
     std::vector<std::vector<std::string>> names_;  ///< [frame][tile]
     std::size_t frames_there_ = 0;
     double step_s_ = 0;

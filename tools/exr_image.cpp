@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <span>
 
 #include "pelagic/message/number_text.hpp"
 #include "pelagic/tools/half_float.hpp"
@@ -37,40 +38,6 @@ MapImage without_bytes(MapImage image) {
     return image;
 }
 
-/// Averages of 2 x 2 pixels of floats.
-MapImage halved(const MapImage& image) {
-    const auto side = static_cast<std::size_t>(image.side), channels = static_cast<std::size_t>(image.channels);
-    std::vector<float> fine(image.pixels.size() / sizeof(float)), coarse;
-    std::memcpy(fine.data(), image.pixels.data(), image.pixels.size());
-    coarse.reserve(fine.size() / 4);
-    for (std::size_t j = 0; j < side; j += 2)
-        for (std::size_t i = 0; i < side * channels; i += 2 * channels)
-            for (const float* at = &fine[j * side * channels + i]; at != &fine[j * side * channels + i] + channels;
-                 ++at)
-                coarse.push_back(0.25f *
-                                 ((at[0] + at[channels]) + (at[side * channels] + at[(side + 1) * channels])));
-    return {.side = image.side / 2,
-            .channels = image.channels,
-            .sample = Sample::float32,
-            .pixels = bytes_of_values(coarse)};
-}
-
-MapImage level_of(const Tile& tile, MapKind map, int level, Sample sample) {
-    if (level == 0 || has_chain(map)) return map_image(tile, map, level, sample);
-    MapImage image = map_image(tile, map, 0, Sample::float32);
-    for (int above = 0; above < level; ++above) image = halved(image);
-    if (sample != Sample::half) return image;
-    std::vector<std::uint16_t> halves;
-    for (std::size_t i = 0; i < image.pixels.size(); i += sizeof(float)) {
-        float value;
-        std::memcpy(&value, &image.pixels[i], sizeof value);
-        halves.push_back(half_of(value));
-    }
-    image.sample = Sample::half;
-    image.pixels = bytes_of_values(halves);
-    return image;
-}
-
 /// "Dx = R m; height = G m; Dz = B m", or "normal_x = 2 R - 1; ...".
 std::string text_of(std::span<const ChannelMeaning> channels) {
     std::string text;
@@ -92,28 +59,29 @@ std::string name_of(const ImagePart& part) {
 
 ExrLayer layer_of(const ImagePart& part, const Tile& tile, const MapOptions& options, const std::string& before) {
     const Sample sample = options.sample_of(part.map);
-    ExrLayer layer{.channels = {}, .sample = exr_sample(sample), .image_of = [&tile, part, sample](int level) {
-                       return without_bytes(level_of(tile, part.map, part.first_level + level, sample));
+    ExrLayer layer{.channels = {}, .sample = exr_sample(sample), .image_of = [&tile, &options, part](int level) {
+                       return without_bytes(map_image(tile, part.map, part.first_level + level, options));
                    }};
-    for (const ChannelMeaning& channel : channel_meanings(part.map))
+    for (const ChannelMeaning& channel : channel_meanings(part.map, options))
         layer.channels.push_back(before + std::string(channel.channel));
     return layer;
 }
 
 void add_map(std::vector<ExrAttribute>& attributes, const ImagePart& part, const Tile& tile,
-             const std::string& layer) {
+             const MapOptions& options, const std::string& layer) {
     const auto add = [&](const char* name, auto value) {
         attributes.emplace_back("pelagic:" + layer + name, std::move(value));
     };
     add("map", std::string(name_of(part.map)));
-    add("channels", text_of(channel_meanings(part.map)));
+    add("channels", text_of(channel_meanings(part.map, options)));
     add("tile", part.tile);
     add("side_m", tile.lattice.side_m);
     add("turn_cosine", tile.lattice.cosine);
-    add("turn_sine", tile.lattice.sine);
+    add("turn_sine", options.up_axis == UpAxis::z ? 0 - tile.lattice.sine : tile.lattice.sine);
 }
 
-ExrPart empty_part(const ImagePart& of, const Frame& frame, int number, const FrameTimes& times) {
+ExrPart empty_part(const ImagePart& of, const Frame& frame, int number, const FrameTimes& times,
+                   const MapOptions& maps) {
     return {.name = "",
             .side = frame.tiles[static_cast<std::size_t>(of.tile)].resolution() >> of.first_level,
             .levels = of.levels,
@@ -122,8 +90,11 @@ ExrPart empty_part(const ImagePart& of, const Frame& frame, int number, const Fr
                            {"pelagic:frame", number},
                            {"pelagic:time_s", frame.time_s},
                            {"pelagic:loop_period_s", times.loop_period_s},
-                           {"pelagic:axes", "+x east, +y up, +z south"},
-                           {"pelagic:rows", "row 0 is the upper edge, z = 0 of the tile"}},
+                           {"pelagic:axes",
+                            maps.up_axis == UpAxis::z ? "+x east, +y north, +z up" : "+x east, +y up, +z south"},
+                           {"pelagic:rows", maps.rows == FirstRow::bottom
+                                                ? "the last row is z = 0 of the tile"
+                                                : "row 0 is the upper edge, z = 0 of the tile"}},
             .frames_per_second = times.fps ? *times.fps : static_cast<double>(times.count()) / times.loop_period_s};
 }
 
@@ -136,12 +107,12 @@ ExrFile exr_file(const ImageFile& file, const Frame& frame, int number, const Ex
     for (const ImagePart& of : file.parts) {
         const Tile& tile = frame.tiles[static_cast<std::size_t>(of.tile)];
         if (exr.parts.empty() || !has_layers) {
-            exr.parts.push_back(empty_part(of, frame, number, options.times));
+            exr.parts.push_back(empty_part(of, frame, number, options.times, options.maps));
             if (is_packed && !has_layers) exr.parts.back().name = name_of(of);
         }
         ExrPart& part = exr.parts.back();
         part.layers.push_back(layer_of(of, tile, options.maps, is_packed ? name_of(of) + "." : ""));
-        add_map(part.attributes, of, tile, has_layers ? name_of(of) + ":" : "");
+        add_map(part.attributes, of, tile, options.maps, has_layers ? name_of(of) + ":" : "");
     }
     return exr;
 }

@@ -23,12 +23,13 @@ namespace {
 /// The views of a tile that the files show.
 struct NeededViews {
     explicit NeededViews(const ExportOptions& options)
-        : halves(options.maps.has(MapKind::displacement) && options.maps.half),
-          planes((options.maps.has(MapKind::displacement) && !options.maps.half) || options.meshes.any()),
+        : planes(options.maps.has(MapKind::displacement) || options.maps.has(MapKind::normal) ||
+                 options.maps.has(MapKind::jacobian) || options.maps.has(MapKind::slope) || options.meshes.any()),
+          velocities(options.maps.has(MapKind::velocity)),
           gradient(options.maps.has(MapKind::gradient)),
           foam(options.has_foam()) {}
 
-    bool halves, planes, gradient, foam;
+    bool planes, velocities, gradient, foam;
 };
 
 /// What a frame's files need of it, copied, so that its images can be encoded while the ocean goes on.
@@ -46,8 +47,7 @@ class FrameCopy {
 
    private:
     struct Copies {
-        std::vector<float> planes;
-        std::vector<std::uint16_t> halves;
+        std::vector<float> planes, velocities;
         std::vector<std::uint32_t> gradient;
         std::vector<std::uint8_t> foam;
     };
@@ -55,9 +55,10 @@ class FrameCopy {
     static Copies copied(Tile& tile, const NeededViews& needed) {
         Copies copies;
         if (needed.planes) copy_planes(copies.planes, {&tile.dx, &tile.height, &tile.dz});
-        copy_if(needed.halves, copies.halves, tile.displacement_rgba16f);
+        if (needed.velocities) copy_planes(copies.velocities, {&tile.velocity_x, &tile.velocity_y, &tile.velocity_z});
         copy_if(needed.gradient, copies.gradient, tile.gradient_rgba8);
         copy_if(needed.foam, copies.foam, tile.foam_r8);
+        tile.displacement_rgba16f = {};
         tile.slopes_rgba8 = tile.moments_rgba8 = {};
         return copies;
     }
@@ -93,7 +94,11 @@ std::string_view trace_name(MapKind map) {
     switch (map) {
         case MapKind::displacement: return "encode displacement";
         case MapKind::gradient: return "encode gradient";
+        case MapKind::normal: return "encode normal";
         case MapKind::foam: return "encode foam";
+        case MapKind::velocity: return "encode velocity";
+        case MapKind::jacobian: return "encode jacobian";
+        case MapKind::slope: return "encode slope";
     }
     return "";
 }
@@ -182,7 +187,9 @@ WritingPlan plan_writing(const ExportOptions& options, std::size_t most_bytes) {
                                                              : static_cast<std::size_t>(options.compute.threads);
     const auto side = static_cast<std::size_t>(resolution_of(options.sea.sea));
     const auto tiles = static_cast<std::size_t>(cascades_of(options.sea.sea));
-    const std::size_t frames = std::min(threads, most_bytes / (side * side * tiles * bytes_per_texel_in_flight));
+    const std::size_t bytes_per_texel =
+        bytes_per_texel_in_flight + (options.maps.has(MapKind::velocity) ? bytes_per_texel_of_velocities : 0);
+    const std::size_t frames = std::min(threads, most_bytes / (side * side * tiles * bytes_per_texel));
     if (frames >= 2) return {frames, std::min((threads + frames - 1) / frames, tiles)};
     const std::size_t files = most_bytes / (side * side * bytes_per_texel_of_a_file);
     return {1, std::clamp<std::size_t>(files, 1, threads)};

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "pelagic/tools/exr_file.hpp"
-#include "pelagic/tools/map_image.hpp"
+#include "pelagic/tools/sample.hpp"
 
 namespace pelagic::tools {
 

@@ -27,6 +27,7 @@ void set_up_open_image_io() {
 TypeDesc type_of(Sample sample) {
     switch (sample) {
         case Sample::uint8: return TypeDesc::UINT8;
+        case Sample::uint16: return TypeDesc::UINT16;
         case Sample::half: return TypeDesc::HALF;
         case Sample::float32: return TypeDesc::FLOAT;
     }

@@ -3,6 +3,7 @@
 #include "pelagic/tools/export_names.hpp"
 #include "pelagic/tools/exr_image.hpp"
 #include "pelagic/tools/image_codec.hpp"
+#include "pelagic/tools/map_image.hpp"
 
 namespace pelagic::tools {
 namespace {
@@ -21,7 +22,7 @@ ImageDescription description_of(const ImagePart& part, const MapImage& image, co
             .height = image.side,
             .channels = image.channels,
             .sample = image.sample,
-            .colour_space = image.sample == Sample::uint8 ? "Raw" : "Linear",
+            .colour_space = is_floating(image.sample) ? "Linear" : "Raw",
             .compression = is_png ? nullptr : name_of(options.compression),
             // zlib's default for PNG, 6, takes four times as long for files 6 % smaller (512 x 512, jonswap).
             .png_level = is_png ? 2 : 0,
@@ -55,7 +56,7 @@ std::vector<unsigned char> encode_image_file(const ImageFile& file, const Frame&
     const ImagePart& part = file.parts.front();
     if (options.maps.is_exr(part.map)) return image_codec().encode_exr(exr_file(file, frame, number, options));
     const Tile& tile = frame.tiles[static_cast<std::size_t>(part.tile)];
-    const MapImage image = map_image(tile, part.map, part.first_level, options.maps.sample_of(part.map));
+    const MapImage image = map_image(tile, part.map, part.first_level, options.maps);
     return image_codec().encode(description_of(part, image, options.maps), image.pixels.data());
 }
 

@@ -1,38 +1,28 @@
-// The pixels of one map of one tile, for any container: interleaved, rows from the top. Image row j is texel row j (z), column i
-// is x.
+// The pixels of one map of one tile, for any container: interleaved, rows from the top.
 #pragma once
 
 #include <cstddef>
 #include <vector>
 
 #include "pelagic/sim/tile.hpp"
-#include "pelagic/tools/map_kind.hpp"
+#include "pelagic/tools/map_options.hpp"
 
 namespace pelagic::tools {
-
-enum class Sample { uint8, half, float32 };
-
-constexpr std::size_t bytes_of(Sample sample) {
-    switch (sample) {
-        case Sample::uint8: return 1;
-        case Sample::half: return 2;
-        case Sample::float32: return 4;
-    }
-    return 0;
-}
 
 struct MapImage {
     int side = 0;
     int channels = 0;
     Sample sample = Sample::float32;
-    std::vector<std::byte> pixels;  ///< side^2 channels values, no gaps
+    std::vector<std::byte> pixels;  ///< side^2 channels values, no gaps, in this machine's byte order
 };
 
-/// How many values a texel of the map has.
-int channels_of(MapKind map);
+/// One level of a map: pixels as channels_as_json() says, in rows as layout_as_json() says (pixel_meaning.hpp). Levels of any map
+/// are means of 2 x 2 texels; normals are unit vectors at every level, which is what shaders expect.
+/// \pre the tile has the map's views (asserted)
+MapImage map_image(const Tile& tile, MapKind map, int level, const MapOptions& options);
 
-/// One level of a map, as the tile has it.
-/// \pre the tile has the map's views, and displacement has level 0 alone (asserted)
-MapImage map_image(const Tile& tile, MapKind map, int level, Sample sample);
+/// So many levels of a map, the largest first; cheaper than one after the other.
+std::vector<MapImage> map_levels(const Tile& tile, MapKind map, int first_level, int levels,
+                                 const MapOptions& options);
 
 }  // namespace pelagic::tools

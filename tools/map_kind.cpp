@@ -8,7 +8,11 @@ std::string_view name_of(MapKind map) {
     switch (map) {
         case MapKind::displacement: return "displacement";
         case MapKind::gradient: return "gradient";
+        case MapKind::normal: return "normal";
         case MapKind::foam: return "foam";
+        case MapKind::velocity: return "velocity";
+        case MapKind::jacobian: return "jacobian";
+        case MapKind::slope: return "slope";
     }
     return "";
 }

@@ -6,18 +6,36 @@
 #include <optional>
 #include <vector>
 
+#include "pelagic/tools/axes.hpp"
 #include "pelagic/tools/image_compression.hpp"
-#include "pelagic/tools/map_image.hpp"
 #include "pelagic/tools/map_kind.hpp"
 #include "pelagic/tools/name_pattern.hpp"
+#include "pelagic/tools/named_values.hpp"
+#include "pelagic/tools/sample.hpp"
 
 namespace pelagic::tools {
 
 /// What files an image becomes.
 enum class ImageFormat {
-    exr_and_png,  ///< floats as EXR, bytes as PNG
+    exr_and_png,  ///< floats as EXR, bytes and words as PNG
     tiff,
 };
+
+/// How finely normal and foam are stored.
+enum class BitDepth { bits_8, bits_16, floats };
+inline constexpr NamedValues<BitDepth, 3> bit_depth_names = {
+    {{BitDepth::bits_8, "8"}, {BitDepth::bits_16, "16"}, {BitDepth::floats, "float"}}};
+
+/// Where a normal map's green grows to in the image.
+enum class NormalY {
+    up,    ///< OpenGL's way
+    down,  ///< DirectX's
+};
+inline constexpr NamedValues<NormalY, 2> normal_y_names = {{{NormalY::up, "up"}, {NormalY::down, "down"}}};
+
+/// At which edge of the image the tile's row 0 is, the one of z = 0.
+enum class FirstRow { top, bottom };
+inline constexpr NamedValues<FirstRow, 2> first_row_names = {{{FirstRow::top, "top"}, {FirstRow::bottom, "bottom"}}};
 
 /// What is in one file.
 enum class Pack {
@@ -40,7 +58,12 @@ constexpr const char* name_of(Pack pack) {
 struct MapOptions {
     std::vector<MapKind> maps = {MapKind::displacement, MapKind::gradient};  ///< each once, in the order of all_maps
     bool mips = false;
-    bool half = false;  ///< floats as 16 bits
+    bool half = false;                      ///< floats as 16 bits
+    BitDepth bit_depth = BitDepth::bits_8;  ///< of normal and foam
+    NormalY normal_y = NormalY::up;
+    UpAxis up_axis = UpAxis::y;
+    LengthUnit unit = LengthUnit::metre;  ///< of displacement, and of velocity a second
+    FirstRow rows = FirstRow::top;
     ImageFormat format = ImageFormat::exr_and_png;
     Compression compression = Compression::zip;  ///< of EXR and TIFF
     Pack pack = Pack::files;
@@ -50,11 +73,12 @@ struct MapOptions {
     bool has(MapKind map) const { return std::find(maps.begin(), maps.end(), map) != maps.end(); }
     /// The map is stored as EXR.
     bool is_exr(MapKind map) const {
-        return pack != Pack::files || (format == ImageFormat::exr_and_png && sample_of(map) != Sample::uint8);
+        return pack != Pack::files || (format == ImageFormat::exr_and_png && is_floating(sample_of(map)));
     }
     /// In what type the map's values are stored.
     Sample sample_of(MapKind map) const {
-        if (map != MapKind::displacement) return Sample::uint8;
+        if (map == MapKind::gradient || (has_bit_depth(map) && bit_depth == BitDepth::bits_8)) return Sample::uint8;
+        if (has_bit_depth(map) && bit_depth == BitDepth::bits_16) return Sample::uint16;
         return half ? Sample::half : Sample::float32;
     }
 };

@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "pelagic/message/number_text.hpp"
+#include "pelagic/tools/errors.hpp"
+#include "pelagic/tools/named_values.hpp"
 
 namespace pelagic::tools {
 
@@ -27,6 +29,15 @@ int whole_number_in(const std::string& option, const std::string& text, int leas
 
 /// "a, b or c".
 std::string list_of(std::span<const std::string> names);
+
+/// The value of that name; else throws InputError: "OPTION is TEXT, needs a, b or c".
+template <class Value, std::size_t count>
+Value one_of(const NamedValues<Value, count>& names, const std::string& option, const std::string& text) {
+    if (const auto value = value_in(names, text)) return *value;
+    std::vector<std::string> accepted;
+    for (const auto& entry : names) accepted.emplace_back(entry.second);
+    throw bad_value(option, text, list_of(accepted));
+}
 
 /// The name that `name` is most likely a slip for: at most half of its letters differ, and no more than 3. None if no name
 /// is so near.

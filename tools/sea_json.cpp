@@ -65,6 +65,11 @@ Json options_as_json(const ExportOptions& options) {
     how["maps"] = maps;
     how["mips"] = options.maps.mips;
     how["half"] = options.maps.half;
+    how["bit_depth"] = name_in(bit_depth_names, options.maps.bit_depth);
+    how["normal_y"] = name_in(normal_y_names, options.maps.normal_y);
+    how["axes"] = name_in(up_axis_names, options.maps.up_axis);
+    how["unit"] = name_in(length_unit_names, options.maps.unit);
+    how["rows"] = name_in(first_row_names, options.maps.rows);
     how["format"] = options.maps.format == ImageFormat::tiff ? "tif" : "exr";
     how["compression"] = name_of(options.maps.compression);
     how["pack"] = name_of(options.maps.pack);
@@ -149,7 +154,7 @@ Json sea_json_head(const ExportOptions& options, double mean_significant_wave_he
                    const std::vector<FileRecord>& sequence_files) {
     Json json = options_as_json(options);
     json["channels"] = channels_as_json(options.maps);
-    json["layout"] = layout_as_json(forecast_of(options.sea));
+    json["layout"] = layout_as_json(forecast_of(options.sea), options.maps);
     const SeaReport report = report_on(options.sea.sea);
     json["waves"] = waves_as_json(options.sea.sea, report, mean_significant_wave_height_m);
     if (options.has_foam()) {

@@ -1,0 +1,397 @@
+// What an export's maps hold: every pixel of every map decoded by sea.json alone and compared with the frame in double.
+#include <gtest/gtest.h>
+#include <half.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "pelagic/sim/ocean.hpp"
+#include "pelagic/tests/read_image.hpp"
+#include "pelagic/tests/run_pelagic.hpp"
+#include "pelagic/tools/half_float.hpp"
+#include "pelagic/tools/map_image.hpp"
+
+namespace pelagic {
+namespace {
+
+using nlohmann::json;
+using Arguments = std::vector<std::string>;
+
+// A gale on a pond. The second tile is turned.
+const SeaState gale{.cascades = 2, .resolution = 32, .wind_speed_mps = 20, .fetch_m = 400, .loop_period_s = 8};
+const Arguments gale_flags = {"--cascades", "2",   "--resolution",  "32", "--wind-speed", "20",
+                              "--fetch",    "400", "--loop-period", "8"};
+
+Outcome run(Arguments arguments, const Arguments& more = {}) {
+    arguments.insert(arguments.end(), gale_flags.begin(), gale_flags.end());
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run_pelagic(arguments);
+}
+
+struct Vector {
+    double x = 0, y = 0, z = 0;
+};
+
+/// What the sea does at a texel, in Pelagic's axes, in double.
+struct Truth {
+    Vector displacement, velocity, normal;  ///< the normal is a unit vector
+    double jacobian = 0, h_x = 0, h_z = 0, foam = 0;
+};
+
+Truth truth_at(const Tile& tile, int i, int j) {
+    const int n = tile.resolution();
+    const TileLattice& lattice = tile.lattice;
+    const auto slopes = [&](const PlaneView& plane) {
+        const auto at = [&](int a, int b) { return static_cast<double>(plane.at((a + n) % n, (b + n) % n)); };
+        const double along = (at(i + 1, j) - at(i - 1, j)) / (2 * tile.texel_m());
+        const double across = (at(i, j + 1) - at(i, j - 1)) / (2 * tile.texel_m());
+        return lattice.in_world(along, across);  // of x and z
+    };
+    const TileLattice::Place dx = slopes(tile.dx), h = slopes(tile.height), dz = slopes(tile.dz);
+    const Vector along_x{1 + dx.along, h.along, dz.along}, along_z{dx.across, h.across, 1 + dz.across};
+    const Vector normal{along_z.y * along_x.z - along_z.z * along_x.y, along_z.z * along_x.x - along_z.x * along_x.z,
+                        along_z.x * along_x.y - along_z.y * along_x.x};
+    const double length = std::hypot(normal.x, normal.y, normal.z);
+    const auto at = [&](const PlaneView& plane) { return static_cast<double>(plane.at(i, j)); };
+    return {.displacement = {at(tile.dx), at(tile.height), at(tile.dz)},
+            .velocity = {at(tile.velocity_x), at(tile.velocity_y), at(tile.velocity_z)},
+            .normal = {normal.x / length, normal.y / length, normal.z / length},
+            .jacobian = normal.y,
+            .h_x = h.along,
+            .h_z = h.across,
+            .foam = tile.foam_r8[static_cast<std::size_t>(j * n + i)] / 255.0};
+}
+
+/// Where texels rest, from the layout alone, in Pelagic's x and z.
+class Places {
+   public:
+    explicit Places(const json& tile) : x_(tile.at("x_m")), is_z_up_(tile.contains("y_m")) {
+        other_ = tile.at(is_z_up_ ? "y_m" : "z_m");
+    }
+    Vector at(int column, int row) const {
+        const double other = on(other_, column, row);
+        return {on(x_, column, row), 0, is_z_up_ ? -other : other};
+    }
+    /// Unit vectors towards the image's right and lower edges.
+    Vector to_the_right() const { return step(1, 0); }
+    Vector down() const { return step(0, 1); }
+
+   private:
+    static double on(const json& line, int column, int row) {
+        return line.at("column").get<double>() * column + line.at("row").get<double>() * row +
+               line.at("offset").get<double>();
+    }
+    Vector step(int columns, int rows) const {
+        const Vector from = at(0, 0), to = at(columns, rows);
+        const double length = std::hypot(to.x - from.x, to.z - from.z);
+        return {(to.x - from.x) / length, 0, (to.z - from.z) / length};
+    }
+
+    json x_, other_;
+    bool is_z_up_;
+};
+
+/// The value of that name at a texel; a normal map's are of the tile's own axes.
+double value_named(const std::string& name, const Truth& truth, const Places& places, bool is_z_up) {
+    const auto& [x, y, z] = truth.velocity;
+    const auto along = [&](const Vector& axis) { return truth.normal.x * axis.x + truth.normal.z * axis.z; };
+    const std::map<std::string, double> values = {{"Dx", truth.displacement.x},
+                                                  {"Dy", -truth.displacement.z},
+                                                  {"Dz", truth.displacement.z},
+                                                  {"height", truth.displacement.y},
+                                                  {"velocity_x", x},
+                                                  {"velocity_y", is_z_up ? -z : y},
+                                                  {"velocity_z", is_z_up ? y : z},
+                                                  {"normal_x", truth.normal.x},
+                                                  {"normal_y", -truth.normal.z},
+                                                  {"normal_z", truth.normal.z},
+                                                  {"jacobian", truth.jacobian},
+                                                  {"normal_right", along(places.to_the_right())},
+                                                  {"normal_image_up", -along(places.down())},
+                                                  {"normal_image_down", along(places.down())},
+                                                  {"normal_out", truth.normal.y},
+                                                  {"dh_dx", truth.h_x},
+                                                  {"dh_dy", -truth.h_z},
+                                                  {"dh_dz", truth.h_z},
+                                                  {"foam", truth.foam}};
+    return values.at(name);
+}
+
+/// How far from the truth a pixel of that type may be. Floats come from differences of floats: a few parts in 2^24 of metres over
+/// texels of decimetres. A half has eleven bits.
+double bound(const std::string& type, double scale, double value) {
+    const double of_floats = 4e-6 * (1 + std::fabs(value));
+    if (type == "uint8") return scale / 2 / 255 + of_floats;
+    if (type == "uint16") return scale / 2 / 65535 + of_floats;
+    return type == "half" ? of_floats + std::fabs(value) / 2048 + 6e-8 : of_floats;
+}
+
+struct Asked {
+    const char* name;
+    Arguments flags;
+};
+
+class ExportedMaps : public testing::TestWithParam<Asked> {
+   protected:
+    void SetUp() override {
+        Arguments flags = GetParam().flags;
+        flags.insert(flags.end(), {"--no-sync", "--mips", "--start", "1.5", "--maps",
+                                   "displacement,gradient,normal,foam,velocity,jacobian,slope"});
+        const Outcome outcome = run({"export", "--out", folder_.path().string()}, flags);
+        ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+        record_ = json::parse(read_file(folder_ / "sea.json"));
+    }
+
+    std::string mark_of(const json& tile) const {
+        const std::string mark = tile.at("in_file_names");
+        return mark.empty() ? "" : mark + "_";
+    }
+    /// The one file of a map whose name starts so, whatever its extension.
+    ReadImage image(const std::string& start) const {
+        for (const json& file : record_["frames"][0]["files"])
+            if (file["name"].get<std::string>().starts_with(start + "."))
+                return read_image(folder_ / file["name"].get<std::string>());
+        ADD_FAILURE() << "no " << start;
+        return {};
+    }
+
+    TemporaryFolder folder_;
+    json record_;
+    Ocean ocean_{gale, {.executor = make_serial_executor(), .velocities = true, .gradients = true, .foam = true}};
+};
+
+TEST_P(ExportedMaps, DecodedBySeaJsonAreTheFrame) {
+    const Frame& frame = ocean_.frame_at(1.5);
+    const bool is_z_up = record_["layout"]["axes"]["up"] == "+z";
+    for (std::size_t t = 0; t < frame.tiles.size(); ++t) {
+        const Tile& tile = frame.tiles[t];
+        const json& layout = record_["layout"]["tiles"][t];
+        const Places places(layout);
+        ASSERT_EQ(layout["resolution"], tile.resolution());
+        for (const auto& [map, channels] : record_["channels"].items()) {
+            const ReadImage pixels = image(map + "_" + mark_of(layout) + "0000");
+            ASSERT_EQ(pixels.channels, static_cast<int>(channels.size())) << map;
+            ASSERT_EQ(pixels.width, tile.resolution());
+            for (int row = 0; row < pixels.height; ++row)
+                for (int column = 0; column < pixels.width; ++column) {
+                    const Vector rest = places.at(column, row);
+                    const TileLattice::Place place = tile.lattice.in_tile(rest.x, rest.z);
+                    const double i = place.along / tile.texel_m(), j = place.across / tile.texel_m();
+                    ASSERT_NEAR(i, column, 1e-6);
+                    ASSERT_NEAR(j, std::round(j), 1e-6);
+                    const Truth truth = truth_at(tile, column, static_cast<int>(std::round(j)));
+                    for (int c = 0; c < pixels.channels; ++c) {
+                        const json& channel = channels[static_cast<std::size_t>(c)];
+                        const std::string name = channel["name"];
+                        if (name == "smoothness") continue;  // the same for all texels of level 0
+                        EXPECT_EQ(channel["type"], pixels.type) << map;
+                        const double scale = channel["scale"];
+                        const double read = scale * pixels.at(column, row, c) + channel["offset"].get<double>();
+                        double expected = value_named(name, truth, places, is_z_up);
+                        if (channel.contains("range"))
+                            expected = std::clamp<double>(expected, channel["range"][0], channel["range"][1]);
+                        ASSERT_NEAR(read, expected, bound(pixels.type, scale, expected))
+                            << map << "." << name << " of tile " << t << " at " << column << ", " << row;
+                    }
+                }
+        }
+    }
+}
+
+/// A texel of a level: the mean of the blocks of level 0 that it covers, of floats, of which level 0 is the truth.
+std::vector<double> mean_of_block(const ReadImage& finest, int column, int row, int level) {
+    std::vector<double> mean(static_cast<std::size_t>(finest.channels));
+    const int side = 1 << level;
+    for (int j = 0; j < side; ++j)
+        for (int i = 0; i < side; ++i)
+            for (int c = 0; c < finest.channels; ++c)
+                mean[static_cast<std::size_t>(c)] += finest.at(side * column + i, side * row + j, c) / (side * side);
+    return mean;
+}
+
+using LevelsOfExportedMaps = ExportedMaps;
+
+TEST_P(LevelsOfExportedMaps, AreMeansAndNormalsStayUnitVectors) {
+    for (const char* map : {"normal", "foam", "jacobian", "slope"}) {
+        const json& channels = record_["channels"][map];
+        const double scale = channels[0]["scale"], offset = channels[0]["offset"];
+        const ReadImage finest = image(std::string(map) + "_c1_0000");
+        for (int level = 1; level <= 5; ++level) {
+            const ReadImage pixels = image(std::string(map) + "_c1_0000_mip" + std::to_string(level));
+            ASSERT_EQ(pixels.width, 32 >> level);
+            for (int row = 0; row < pixels.height; ++row)
+                for (int column = 0; column < pixels.width; ++column) {
+                    std::vector<double> expected = mean_of_block(finest, column, row, level);
+                    for (double& value : expected) value = scale * value + offset;
+                    double length = 1;
+                    if (std::string(map) == "normal") length = std::hypot(expected[0], expected[1], expected[2]);
+                    for (int c = 0; c < pixels.channels; ++c) {
+                        const double read = scale * pixels.at(column, row, c) + offset;
+                        const double value = expected[static_cast<std::size_t>(c)] / length;
+                        // Level 0 was rounded too, and a short mean made long again makes that worse. Tiles round foam of each
+                        // level from that of the finer one.
+                        const double steps = std::string(map) == "foam" ? 1 + level : 2 / length + 1;
+                        EXPECT_NEAR(read, value, steps * bound(pixels.type, scale, value)) << map << " " << level;
+                    }
+                }
+        }
+    }
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "velocity_0000_mip1.exr"));
+}
+
+INSTANTIATE_TEST_SUITE_P(Asked, LevelsOfExportedMaps,
+                         testing::Values(Asked{"Bytes", {}},
+                                         Asked{"Halves", {"--half", "--bit-depth", "float", "--rows", "bottom"}}),
+                         [](const auto& asked) { return asked.param.name; });
+INSTANTIATE_TEST_SUITE_P(
+    Asked, ExportedMaps,
+    testing::Values(Asked{"AsTheyAre", {}},
+                    Asked{"ForDirectXIn16Bits", {"--bit-depth", "16", "--normal-y", "down", "--rows", "bottom"}},
+                    Asked{"ZUpInCentimetresAsTiff",
+                          {"--format", "tif", "--bit-depth", "16", "--axes", "z-up", "--unit", "cm", "--rows",
+                           "bottom"}},
+                    Asked{"ZUpInHalves", {"--half", "--bit-depth", "float", "--axes", "z-up", "--normal-y", "down"}},
+                    Asked{"FloatsInCentimetres", {"--bit-depth", "float", "--unit", "cm", "--rows", "bottom"}}),
+    [](const auto& asked) { return asked.param.name; });
+
+// Imath is a reader that nobody here wrote.
+TEST(HalfOf, IsImathsForEveryHalfAndAroundEveryMiddle) {
+    for (std::uint32_t bits = 0; bits < 0x7C00; ++bits) {
+        const auto value = [](std::uint32_t of) {
+            Imath::half half;
+            half.setBits(static_cast<std::uint16_t>(of));
+            return of == 0x7C00 ? 65536.f : static_cast<float>(half);
+        };
+        const float here = value(bits), next = value(bits + 1), middle = here + (next - here) / 2;
+        for (const float x : {here, middle, std::nextafter(middle, 0.f), std::nextafter(middle, 1e9f)}) {
+            ASSERT_EQ(tools::half_of(x), Imath::half(x).bits()) << x;
+            ASSERT_EQ(tools::half_of(-x), Imath::half(-x).bits()) << -x;
+        }
+    }
+    EXPECT_EQ(tools::half_of(1e30f), 0x7C00);
+    EXPECT_EQ(tools::half_of(-1e-30f), 0x8000);
+}
+
+/// A tile of still water, or of something else.
+struct Planes {
+    std::vector<float> dx = std::vector<float>(16 * 16), height = dx, dz = dx;
+
+    Tile tile() const {
+        const auto view = [](const std::vector<float>& plane) { return PlaneView{plane.data(), 16, 16, 16, 0}; };
+        Tile tile;
+        tile.lattice.side_m = 32;
+        tile.dx = view(dx), tile.height = view(height), tile.dz = view(dz);
+        return tile;
+    }
+};
+
+std::vector<std::uint8_t> normal_bytes(const Planes& planes, int level) {
+    const tools::MapImage image = tools::map_image(planes.tile(), tools::MapKind::normal, level, {});
+    std::vector<std::uint8_t> bytes;
+    for (const std::byte byte : image.pixels) bytes.push_back(std::to_integer<std::uint8_t>(byte));
+    return bytes;
+}
+
+TEST(NormalMap, OfStillWaterIsTheUsualBlue) {
+    for (const int level : {0, 2, 4}) {
+        const std::vector<std::uint8_t> bytes = normal_bytes({}, level);
+        ASSERT_EQ(bytes.size(), 3u * (16 >> level) * (16 >> level));
+        for (std::size_t i = 0; i < bytes.size(); ++i) EXPECT_EQ(bytes[i], i % 3 == 2 ? 255 : 128);
+    }
+}
+
+// Water pulled together to one point has no normal.
+TEST(NormalMap, OfWaterCrushedToAPointIsFlat) {
+    Planes planes;
+    for (std::size_t j = 0; j < 16; ++j)
+        for (std::size_t i = 0; i < 16; ++i) {
+            planes.dx[16 * j + i] = -2.f * static_cast<float>(i);
+            planes.dz[16 * j + i] = -2.f * static_cast<float>(j);
+        }
+    const std::vector<std::uint8_t> bytes = normal_bytes(planes, 0);
+    for (std::size_t c = 0; c < 3; ++c) EXPECT_EQ(bytes[3 * (16 * 8 + 8) + c], c == 2 ? 255 : 128);
+}
+
+// A crest whose sides have changed places: there normals can't point up, and lie flat, away from the slope.
+TEST(NormalMap, OfWaterTurnedOverLiesFlat) {
+    Planes planes;
+    const auto wave = [](std::size_t i) { return 2 * 3.14159265f * static_cast<float>(i) / 16; };
+    for (std::size_t texel = 0; texel < 16 * 16; ++texel) {
+        planes.height[texel] = 2 * std::cos(wave(texel % 16));
+        planes.dx[texel] = -8 * std::sin(wave(texel % 16));  // J = 1 - 1.53 cos
+    }
+    const std::vector<std::uint8_t> bytes = normal_bytes(planes, 0);
+    for (const std::size_t i : {1, 2, 14, 15}) {
+        EXPECT_EQ(bytes[3 * i], i < 8 ? 255 : 0) << i;
+        EXPECT_EQ(bytes[3 * i + 1], 128);
+        EXPECT_EQ(bytes[3 * i + 2], 128);
+    }
+    for (const std::size_t i : {5, 8, 11}) EXPECT_GT(bytes[3 * i + 2], 200) << i;
+}
+
+// Waves are the same in any export, and found the same.
+TEST(ExportedMapsMeasured, AreTheSameWavesInAnyAxesUnitAndRows) {
+    const TemporaryFolder folder;
+    const auto measured = [&](const std::string& name, const Arguments& flags) {
+        Arguments all = {"--maps", "displacement", "--no-sync", "--frames", "16", "--fps", "8"};
+        all.insert(all.end(), flags.begin(), flags.end());
+        EXPECT_EQ(run({"export", "--out", (folder / name).string()}, all).exit_code, 0);
+        const Outcome outcome = run_pelagic({"info", "--json", "--measure", (folder / name).string()});
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        return json::parse(outcome.out)["waves"];
+    };
+    const json usual = measured("usual", {});
+    const json other = measured("other", {"--axes", "z-up", "--unit", "cm", "--rows", "bottom"});
+    for (const char* figure : {"significant_wave_height_m", "mean_direction_deg", "peak_wavelength_m"}) {
+        ASSERT_TRUE(usual[figure]["found"].is_number()) << figure;
+        EXPECT_NEAR(usual[figure]["found"].get<double>(), other[figure]["found"].get<double>(), 1e-4) << figure;
+    }
+
+    json record = json::parse(read_file(folder / "other" / "sea.json"));
+    const auto refusal = [&](const json& edited) {
+        write_file(folder / "other" / "sea.json", edited.dump());
+        const Outcome outcome = run_pelagic({"info", "--measure", (folder / "other").string()});
+        EXPECT_EQ(outcome.exit_code, 2);
+        EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+        return outcome.err;
+    };
+    json edited = record;
+    edited["export"]["rows"] = "left";
+    EXPECT_NE(refusal(edited).find("rows are neither top nor bottom"), std::string::npos);
+    edited = record;
+    edited["channels"]["displacement"][2]["channel"] = "Q";
+    EXPECT_NE(refusal(edited).find("the channel of heights is none"), std::string::npos);
+    edited = record;
+    edited["channels"]["displacement"] = {1, "two", nullptr};
+    EXPECT_NE(refusal(edited).find("has no channel of heights"), std::string::npos);
+}
+
+TEST(ExportedMapsRefused, EachInOneLineThatSaysWhatIsAccepted) {
+    const TemporaryFolder folder;
+    const std::vector<std::pair<Arguments, std::string>> asked = {
+        {{"--maps", "normal,speed"},
+         "needs displacement, gradient, normal, foam, velocity, jacobian, slope or some of them"},
+        {{"--bit-depth", "12"}, "--bit-depth is 12, needs 8, 16 or float"},
+        {{"--bit-depth", "16"}, "--bit-depth is 16, needs normal or foam among --maps"},
+        {{"--normal-y", "left", "--maps", "normal"}, "--normal-y is left, needs up or down"},
+        {{"--normal-y", "down"}, "--normal-y is down, needs normal among --maps"},
+        {{"--axes", "x-up"}, "--axes is x-up, needs y-up or z-up"},
+        {{"--unit", "ft"}, "--unit is ft, needs m or cm"},
+        {{"--rows", "left"}, "--rows is left, needs top or bottom"},
+        {{"--maps", "slope", "--format", "png"}, "--format is png, needs exr or tif"}};
+    for (const auto& [flags, words] : asked) {
+        const Outcome outcome = run({"export", "--out", (folder / "out").string()}, flags);
+        EXPECT_EQ(outcome.exit_code, 2);
+        EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+        EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
+    }
+    EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+}
+
+}  // namespace
+}  // namespace pelagic
