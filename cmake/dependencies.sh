@@ -18,7 +18,8 @@ pelagic_packages=(
   nlohmann-json3-dev       # sea.json
   libgtest-dev             # GoogleTest
   libbenchmark-dev         # Google Benchmark
-  libopenexr-dev libpng-dev  # tests read the files back with other readers than the one that wrote them
+  libopenexr-dev           # OpenEXR: EXR files
+  libpng-dev               # tests read PNG files back with another reader than the one that wrote them
   libfftw3-dev             # FFTW: what Pelagic is measured against
 )
 

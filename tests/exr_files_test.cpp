@@ -269,6 +269,18 @@ TEST(ExrFiles, DwaaIsOffByLittle) {
     EXPECT_LT(most, 0.05f * largest);
 }
 
+// Their records give the options back, and frames made again have the same bytes.
+TEST(ExrFiles, ExportsAreVerified) {
+    const std::vector<std::vector<std::string>> exports = {
+        {"--pack", "parts", "--tiled", "--mips", "--compression", "none"}, {"--maps", "foam"}};
+    for (const std::vector<std::string>& flags : exports) {
+        const TemporaryFolder folder;
+        export_to(folder.path(), flags);
+        const Outcome outcome = run_pelagic({"verify", folder.path().string()});
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+    }
+}
+
 TEST(ExrFiles, TiffFilesAreCompressedAsAsked) {
     for (const std::string compression : {"zip", "lzw", "none"}) {
         const TemporaryFolder folder;

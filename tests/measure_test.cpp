@@ -311,6 +311,7 @@ TEST(Measure, HostileFoldersAreOneLine) {
                    "can't write");
     expect_refused({"info", "--svg", "x.svg"}, 2, "needs --measure DIR");
 
+    with_record([](json& record) { record["export"]["pack"] = "parts"; }, "needs an export with --pack files");
     with_record([](json& record) { record.erase("frames"); }, "has no frames");
     with_record([](json& record) { record["frames"] = json::array(); }, "has no frames");
     with_record([](json& record) { record["frames"][1] = 7; }, "frame 1 has no time_s");

@@ -53,7 +53,7 @@ auto named(const std::string& option, const std::string& text, const All& all) {
 }
 
 /// Throws InputError if the options for EXR files meet none, or ask for what EXR doesn't have.
-void check_exr(const MapOptions& options, const std::optional<std::string>& compression) {
+void check_exr(const MapOptions& options) {
     const bool has_exr =
         std::any_of(options.maps.begin(), options.maps.end(), [&](MapKind map) { return options.is_exr(map); });
     if (options.pack != Pack::files && options.format == ImageFormat::tiff)
@@ -61,8 +61,9 @@ void check_exr(const MapOptions& options, const std::optional<std::string>& comp
     if (options.pack != Pack::files && options.bit_depth == BitDepth::bits_16)
         throw bad_value("--bit-depth", "16", "8 or float with --pack: EXR has no 16-bit whole numbers");
     if (options.tiled && !has_exr) throw InputError("--tiled needs a map in an EXR file, and none is");
-    if (compression && !has_exr && options.format == ImageFormat::exr_and_png)
-        throw bad_value("--compression", *compression, "a map in an EXR file, and none is: PNG has its own");
+    if (options.compression != MapOptions().compression && !has_exr && options.format == ImageFormat::exr_and_png)
+        throw bad_value("--compression", name_of(options.compression),
+                        "a map in an EXR file, and none is: PNG has its own");
     if (options.pack != Pack::files && options.mips && !options.tiled)
         throw bad_value("--pack", name_of(options.pack),
                         "--tiled with --mips: levels within an EXR file are in tiles");
@@ -280,12 +281,11 @@ MapOptions ExportFlags::maps(const std::optional<NamePattern>& names) const {
     if (format == "tif") options.format = ImageFormat::tiff;
     options.tiled = tiled_;
     if (const auto& pack = typed("pack")) options.pack = named("--pack", *pack, all_packs);
-    const auto& compression = typed("compression");
-    if (compression)
+    if (const auto& compression = typed("compression"))
         options.compression = options.format == ImageFormat::tiff
                                   ? named("--compression", *compression, tiff_compressions)
                                   : named("--compression", *compression, exr_compressions);
-    check_exr(options, compression);
+    check_exr(options);
     return options;
 }
 
