@@ -1,0 +1,53 @@
+# Sourced by the tests of docs/users/farm.md: runs the page's lines in a folder of their own, for a small shot.
+#
+#   open_page PELAGIC   goes to a new folder, removed at the end, in which `pelagic` and contrib/ are as the page has them
+#   run_page HEADING    the lines of that section, in this shell, so that the page's variables stay
+#   same_as_one_run     every file of the export in waves/ has the bytes of the one in one/, and beside them there are only the
+#                       shards' records and hidden files
+#
+# With SLOW_DISK set, each fsync of an export takes 40 ms, so that a shard has a middle in which it can be interrupted.
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+page=$root/docs/users/farm.md
+# 48 frames of 64 texels in 8 shards.
+small='s/\b1440\b/48/; s/\b1024\b/64/; s/\b40\b/8/g'
+
+fail() { echo "FAILED: $*"; exit 1; }
+
+open_page() {
+  pelagic=$(realpath "$1")
+  work=$(mktemp -d)
+  trap close_page EXIT
+  cd "$work"
+  ln -s "$root/contrib" .
+  mkdir bin
+  cat >bin/pelagic <<EOF
+#!/bin/sh
+[ -n "\${SLOW_DISK:-}" ] && [ "\$1" = export ] || exec '$pelagic' "\$@"
+exec strace -D -f -qq -o /dev/null -e trace=fsync,fdatasync -e inject=fsync,fdatasync:delay_exit=40000 '$pelagic' "\$@"
+EOF
+  chmod +x bin/pelagic
+  PATH=$work/bin:$PATH
+  sed -n '/^```toml$/,/^```$/{/^```/!p}' "$page" | sed "$small" >shot.toml
+  [ -s shot.toml ] || fail "the page has no shot.toml"
+  run_page 'The shot'
+}
+
+close_page() {
+  local status=$?
+  [ "$status" -eq 0 ] || find "$work" -name '*.log' -exec tail -n 20 {} +
+  rm -rf "$work"
+  exit "$status"
+}
+
+run_page() {
+  local lines
+  lines=$(sed -n "/^## $1\$/,/^## /s/^    //p" "$page" | sed "$small")
+  [ -n "$lines" ] || fail "the page has no lines under $1"
+  echo "== $1" >&2
+  eval "$lines"
+}
+
+same_as_one_run() {
+  diff -r -x '.*' -x 'sea.*-of-*.json' one waves || fail 'the shards and one run differ'
+  [ "$(ls one | wc -l)" -gt 48 ] || fail 'one/ holds no export'
+}
