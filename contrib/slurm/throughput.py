@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 """Frames a second of each shard and of each node, from Slurm's completion records.
 
-    throughput.py FOLDER JOB... < COMPLETIONS
+    throughput.py FOLDER SHARDS JOB... < COMPLETIONS
 
-FOLDER   where the shards' records are, sea.I-of-N.json
+FOLDER   of the export, merged or not
+SHARDS   how many there are
 JOB      the numbers that sbatch printed for the array, and for the parts of it that were submitted again
 COMPLETIONS  the file of the plug-in jobcomp/filetxt (JobCompLoc), or what this prints where slurmdbd keeps the accounts:
              sacct --duplicates --parsable2 --jobs=JOB,... --format=JobID,State,NodeList,Start,End
@@ -53,13 +54,15 @@ def runs_of(lines, jobs):
     return sorted(runs.values(), key=lambda run: (run.shard, run.start))
 
 
-def frames_of_shards(folder):
-    frames = {}
-    for record in pathlib.Path(folder).glob("sea.*-of-*.json"):
-        shard = re.fullmatch(r"sea\.(\d+)-of-\d+\.json", record.name)
-        if shard:
-            frames[int(shard[1])] = len(json.loads(record.read_text())["frames"])
-    return frames
+def frames_of_shards(folder, shards):
+    """How many frames each shard has made: of a merged export those of its part, else those of its record."""
+    frames_in = lambda record: len(json.loads(record.read_text())["frames"])
+    merged = folder / "sea.json"
+    if merged.exists():
+        frames = frames_in(merged)
+        return {shard: shard * frames // shards - (shard - 1) * frames // shards for shard in range(1, shards + 1)}
+    records = {shard: folder / f"sea.{shard}-of-{shards}.json" for shard in range(1, shards + 1)}
+    return {shard: frames_in(record) for shard, record in records.items() if record.exists()}
 
 
 def seconds_of(run):
@@ -81,11 +84,12 @@ def rate(frames, seconds):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("folder")
+    parser.add_argument("folder", type=pathlib.Path)
+    parser.add_argument("shards", type=int)
     parser.add_argument("job", nargs="+")
     arguments = parser.parse_args()
     runs = runs_of(sys.stdin, arguments.job)
-    frames = frames_of_shards(arguments.folder)
+    frames = frames_of_shards(arguments.folder, arguments.shards)
     if not runs:
         sys.exit(f"no run of an array {' or '.join(arguments.job)} among the completion records")
 

@@ -58,6 +58,14 @@ if pelagic merge waves >missing 2>&1; then fail 'a merge without shard 5'; fi
 cat missing
 grep -q -- '--shard 5/8' missing || fail 'the line that would make shard 5 is not told'
 [ ! -e waves/sea.json ] || fail 'there is a sea.json of a part of the frames'
+(
+  mkdir here
+  cp -r waves here
+  cd here
+  set +o pipefail
+  run_page 'What is missing'
+  same_as_one_run
+)
 
 run_page 'One shard again'
 wait_for 120 no_job_is_left
@@ -66,7 +74,7 @@ run_page 'Merge and verify'
 same_as_one_run
 
 run_page 'Frames a second' | tee figures
-grep -q '^48 frames in ' figures || fail 'some frames are not accounted for'
+grep -q '^96 frames in ' figures || fail 'some frames are not accounted for'
 for state in NODE_FAIL REQUEUED CANCELLED COMPLETED; do grep -q " $state" figures || fail "no run ended as $state"; done
 
 echo '== The same of what sacct prints'
@@ -74,5 +82,5 @@ echo '== The same of what sacct prints'
   echo 'JobID|State|NodeList|Start|End'
   sed -nE 's/^.* JobState=(\S+) .* StartTime=(\S+) EndTime=(\S+) NodeList=(\S+) .* ArrayJobId=(\S+) ArrayTaskId=(\S+) .*$/\5_\6|\1|\4|\2|\3/p' \
     cluster/completions | sed 's/PENDING/REQUEUED/'
-} | contrib/slurm/throughput.py waves "$array" "$again" | diff figures - || fail 'other figures of the same runs'
+} | contrib/slurm/throughput.py waves 8 "$array" "$again" | diff figures - || fail 'other figures of the same runs'
 stop_cluster
