@@ -26,19 +26,6 @@ constexpr int deepest_level = 8;  ///< ours have five
 /// Higher than any wave: what is beyond is no height in metres.
 constexpr float highest_m = 1e4f;
 
-constexpr const char* an_export = "a folder that pelagic export has written";
-
-OutputFolder opened(const std::string& option, const std::filesystem::path& folder) {
-    std::error_code error;
-    if (folder.empty()) throw InputError(option + " is empty, needs " + an_export);
-    if (!std::filesystem::is_directory(folder, error))
-        throw bad_value(option, folder.string(),
-                        std::string(an_export) + (error ? " (" + error.message() + ")" : ""));
-    if (::access(folder.c_str(), R_OK | X_OK) != 0)
-        throw bad_value(option, folder.string(), std::string(an_export) + " (" + std::strerror(errno) + ")");
-    return OutputFolder(folder, Sync::no);
-}
-
 Json parsed(const std::string& text, const std::string& place) {
     bool is_deep = false;
     const auto check_depth = [&](int depth, Json::parse_event_t, Json&) {
@@ -81,10 +68,22 @@ std::vector<std::string> heights_names(const Json& frame, std::size_t most_tiles
 
 }  // namespace
 
+OutputFolder open_export(const std::string& option, const std::filesystem::path& folder, Sync sync) {
+    constexpr const char* an_export = "a folder that pelagic export has written";
+    std::error_code error;
+    if (folder.empty()) throw InputError(option + " is empty, needs " + an_export);
+    if (!std::filesystem::is_directory(folder, error))
+        throw bad_value(option, folder.string(),
+                        std::string(an_export) + (error ? " (" + error.message() + ")" : ""));
+    if (::access(folder.c_str(), R_OK | X_OK) != 0)
+        throw bad_value(option, folder.string(), std::string(an_export) + " (" + std::strerror(errno) + ")");
+    return OutputFolder(folder, sync);
+}
+
 ExportReader::ExportReader(std::string option, const std::filesystem::path& folder)
-    : option_(std::move(option)), folder_(opened(option_, folder)) {
-    const std::filesystem::path place = folder / sea_json_name;
-    const std::optional<std::string> text = folder_.read_text(sea_json_name, most_record_bytes);
+    : option_(std::move(option)), folder_(open_export(option_, folder, Sync::no)) {
+    const std::filesystem::path place = folder / record_name({});
+    const std::optional<std::string> text = folder_.read_text(record_name({}), most_record_bytes);
     if (!text) throw InputError(place.string() + " is missing, needs a finished export");
     if (text->size() > most_record_bytes)
         throw InputError(place.string() + " has more than " + number_text(most_record_bytes >> 20) + " MiB");
@@ -135,7 +134,7 @@ std::vector<float> ExportReader::heights(std::size_t frame, std::size_t tile) co
                                  .width = resolution,
                                  .height = resolution,
                                  .channels = 3,
-                                 .sample = ImageDescription::Sample::float32,
+                                 .sample = Sample::float32,
                                  .colour_space = "Linear",
                                  .compression = nullptr};
     std::vector<float> heights(texels);

@@ -1,0 +1,121 @@
+#include "pelagic/tools/export_from_record.hpp"
+
+#include <algorithm>
+
+#include "pelagic/tools/errors.hpp"
+
+namespace pelagic::tools {
+namespace {
+
+/// "start_s" as "--start".
+std::string flag_of(std::string key) {
+    if (key.ends_with("_s")) key.resize(key.size() - 2);
+    std::replace(key.begin(), key.end(), '_', '-');
+    return "--" + key;
+}
+
+/// As it would be typed, lists with commas.
+std::string typed(const Json& value) {
+    if (value.is_string()) return value.get<std::string>();
+    if (!value.is_array() || value.empty() || value.front().is_array()) return value.dump();
+    std::string list;
+    for (const Json& item : value) list.append(list.empty() ? "" : ",").append(typed(item));
+    return list;
+}
+
+/// A list of one frame could be taken for a number of frames.
+std::string as_list(const std::string& numbers) {
+    return numbers.find_first_of("-,") == std::string::npos ? numbers + "-" + numbers : numbers;
+}
+
+/// Of the object "export" in a record, which may hold anything.
+std::vector<std::string> words_in(const Json& how) {
+    std::vector<std::string> words;
+    if (!how.is_object()) throw DamagedRecord();
+    const bool is_loop = how.contains("loop"), is_list = how.contains("frame_numbers");
+    for (const auto& [key, value] : how.items()) {
+        // Three keys, of which the options are one.
+        if (key == "loop" || (key == "frames" && is_list)) continue;
+        if (key == "frame_numbers") {
+            words.insert(words.end(), {"--frames", as_list(typed(value))});
+        } else if (key == "frames" && is_loop) {
+            words.insert(words.end(), {"--loop-frames", typed(value)});
+        } else if (value.is_boolean()) {
+            if (value.get<bool>()) words.push_back(flag_of(key));
+        } else {
+            words.insert(words.end(), {flag_of(key), typed(value)});
+        }
+    }
+    return words;
+}
+
+/// Safe in any shell of POSIX.
+std::string quoted(const std::string& word) {
+    const bool is_plain = !word.empty() && word.find_first_not_of(
+                                               "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                                               "0123456789-_./,=:+@%") == std::string::npos;
+    if (is_plain) return word;
+    std::string text = "'";
+    for (const char letter : word) letter == '\'' ? text += "'\\''" : text += letter;
+    return text + "'";
+}
+
+/// A path that can't be taken for an option.
+std::string path_word(const std::filesystem::path& path) {
+    return path.string().starts_with('-') ? "./" + path.string() : path.string();
+}
+
+void require_this_version(const ReadJson& options, const std::filesystem::path& file) {
+    const ReadJson& version = options["version"];
+    if (!version.is_string()) throw DamagedRecord();
+    if (version == PELAGIC_VERSION) return;
+    throw InputError(file.string() + " was written by pelagic " + version.get<std::string>().substr(0, 20) +
+                     ", needs one that this pelagic, " PELAGIC_VERSION ", has written");
+}
+
+}  // namespace
+
+ExportOptions options_of_record(const ReadJson& head, const std::filesystem::path& file) {
+    const ReadJson recorded = options_in(head);
+    require_this_version(recorded, file);
+
+    CLI::App app;
+    ExportFlags flags;
+    flags.add_to(app);
+    std::vector<std::string> words = words_in(Json(recorded["export"]));
+    words.insert(words.end(), {"--out", path_word(file.parent_path().empty() ? "." : file.parent_path())});
+    ExportOptions options;
+    try {
+        app.parse(std::vector<std::string>(words.rbegin(), words.rend()));  // CLI11 takes the last word first
+        options = flags.resolve_with(SeaOptions::of_record(recorded.dump(), file));
+    } catch (const CLI::Error& error) {
+        throw InputError(file.string() + ": export: " + error.what());
+    } catch (const InputError& error) {
+        const std::string what = error.what();
+        throw what.starts_with(file.string()) ? error : InputError(file.string() + ": export: " + what);
+    }
+    if (const Json now = options_as_json(options); recorded != ReadJson(now))
+        throw InputError(file.string() +
+                         ": its options are not those of an export: " + first_difference(recorded, now).is_not());
+    return options;
+}
+
+std::vector<std::string> words_of(const ExportOptions& options) {
+    return words_in(options_as_json(options)["export"]);
+}
+
+std::string command_line_of(const ExportOptions& options, const std::filesystem::path& record) {
+    std::vector<std::string> words = {
+        "pelagic",         "export", options.sea.changes.empty() ? "--config" : "--weather",
+        path_word(record), "--out",  path_word(options.folder)};
+    for (std::string& word : words_of(options)) words.push_back(std::move(word));
+    if (options.shard) words.insert(words.end(), {"--shard", text_of(*options.shard)});
+    words.push_back("--resume");
+    if (!options.sync) words.push_back("--no-sync");
+    if (!options.lock) words.push_back("--no-lock");
+    std::string line;
+    for (const std::string& word : words) line.append(line.empty() ? "" : " ").append(quoted(word));
+    return line;
+}
+
+}  // namespace pelagic::tools
