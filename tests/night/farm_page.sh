@@ -2,6 +2,8 @@
 #
 #   open_page PELAGIC   goes to a new folder, removed at the end, in which `pelagic` and contrib/ are as the page has them
 #   run_page HEADING    the lines of that section, in this shell, so that the page's variables stay
+#   is_in_the_middle SHARD   true if its journal in waves/ has some frames
+#   wait_for SECONDS COMMAND...   until it is true
 #   same_as_one_run     the merged export in waves/ has the files of the one in one/, with their bytes, and no others
 #
 # With SLOW_DISK set, each fsync of an export takes 60 ms, so that a shard has a middle in which it can be interrupted.
@@ -44,6 +46,17 @@ run_page() {
   [ -n "$lines" ] || fail "the page has no lines under $1"
   echo "== $1" >&2
   eval "$lines"
+}
+
+is_in_the_middle() { [ "$(cat "waves/.pelagic-export.$1-of-8.jsonl" 2>/dev/null | wc -l)" -ge 3 ]; }
+
+wait_for() {
+  local end=$((SECONDS + $1))
+  shift
+  until "$@"; do
+    [ "$SECONDS" -lt "$end" ] || { echo "FAILED: waited in vain for: $*" >&2; return 1; }
+    sleep 0.1
+  done
 }
 
 same_as_one_run() {

@@ -1,5 +1,7 @@
 # Sourced: a Slurm cluster of two nodes on this machine, for whoever calls it, without munge and without root.
 #
+# Needs wait_for of farm_page.sh.
+#
 #   start_cluster FOLDER   slurmctld and the nodes n1 and n2, of eight processors each by their word; state, spools and logs in FOLDER
 #   stop_cluster           after the last job
 #   cut_off NODE           Slurm loses the node: its daemons are killed, its jobs' processes go on
@@ -63,16 +65,6 @@ EOF
 
 nodes_are_idle() { [ "$(sinfo --noheader --Node --format=%T 2>/dev/null | sort | uniq -c | xargs)" = '2 idle' ]; }
 no_job_is_left() { [ -z "$(squeue --noheader)" ]; }
-
-# usage: wait_for SECONDS COMMAND...
-wait_for() {
-  local end=$((SECONDS + $1))
-  shift
-  until "$@"; do
-    [ "$SECONDS" -lt "$end" ] || { echo "FAILED: waited in vain for: $*" >&2; return 1; }
-    sleep 0.1
-  done
-}
 
 stop_cluster() {
   wait_for 60 no_job_is_left  # a step that is ending would make slurmd hang

@@ -24,11 +24,10 @@ export SLOW_DISK=1
 
 log_of() { echo "pelagic-${array}_$1.log"; }
 log_says() { grep -q "$2" "$(log_of "$1")" 2>/dev/null; }
-frames_are_done() { [ "$(cat "waves/.pelagic-export.$1-of-8.jsonl" 2>/dev/null | wc -l)" -ge 3 ]; }
 shards_on() { squeue --noheader --nodelist="$1" --states=RUNNING --format=%K; }
 
 run_page Slurm
-for shard in 1 2 3 4; do wait_for 60 frames_are_done "$shard"; done
+for shard in 1 2 3 4; do wait_for 60 is_in_the_middle "$shard"; done
 read -r lost locked < <(shards_on n1 | xargs)
 read -r requeued late < <(shards_on n2 | xargs)
 
@@ -41,7 +40,7 @@ lock_holder=$!
 echo "== $requeued is requeued, the time of $late is up, 5 is cancelled"
 scontrol requeue "${array}_$requeued"
 scancel --signal=USR1 --batch "${array}_$late" &  # it asks again while the task is being requeued
-wait_for 60 frames_are_done 5
+wait_for 60 is_in_the_middle 5
 scancel "${array}_5"
 
 wait_for 120 log_says "$locked" 'trying again'
