@@ -6,7 +6,8 @@
 #   wait_for SECONDS COMMAND...   until it is true
 #   same_as_one_run     the merged export in waves/ has the files of the one in one/, with their bytes, and no others
 #
-# With SLOW_DISK set, each fsync of an export takes 60 ms, so that a shard has a middle in which it can be interrupted.
+# The first export of each of the shards in SLOW_SHARDS has a disk on which every fsync takes a quarter of a second, and so half a
+# minute for its 12 frames, so that there is time to interrupt it in its middle.
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 page=$root/docs/users/farm.md
 # 96 frames of 64 texels in 8 shards.
@@ -23,8 +24,13 @@ open_page() {
   mkdir bin
   cat >bin/pelagic <<EOF
 #!/bin/sh
-[ -n "\${SLOW_DISK:-}" ] && [ "\$1" = export ] || exec '$pelagic' "\$@"
-exec strace -D -f -qq -o /dev/null -e trace=fsync,fdatasync -e inject=fsync,fdatasync:delay_exit=60000 '$pelagic' "\$@"
+for shard in \${SLOW_SHARDS:-}; do
+  case "\$* " in "export "*" --shard \$shard/8 "*)
+    mkdir "$work/slow.\$shard" 2>/dev/null &&
+      exec strace -D -f -qq -o /dev/null -e trace=fsync,fdatasync -e inject=fsync,fdatasync:delay_exit=250000 '$pelagic' "\$@" ;;
+  esac
+done
+exec '$pelagic' "\$@"
 EOF
   chmod +x bin/pelagic
   PATH=$work/bin:$PATH

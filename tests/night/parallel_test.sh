@@ -4,7 +4,7 @@
 set -euo pipefail
 . "$(dirname "$0")/farm_page.sh"
 open_page "$1"
-export SLOW_DISK=1
+export SLOW_SHARDS=2
 kill_one() {
   wait_for 60 is_in_the_middle 2
   pkill -KILL --full "^$pelagic export .*--shard 2/8"

@@ -20,7 +20,7 @@ fi
 open_page "$2"
 run_page 'How many shards'
 start_cluster "$work/cluster"
-export SLOW_DISK=1
+export SLOW_SHARDS='1 2 3 4 5'
 
 log_of() { echo "pelagic-${array}_$1.log"; }
 log_says() { grep -q "$2" "$(log_of "$1")" 2>/dev/null; }
