@@ -28,14 +28,22 @@ std::string as_list(const std::string& numbers) {
     return numbers.find_first_of("-,") == std::string::npos ? numbers + "-" + numbers : numbers;
 }
 
+/// A path that can't be taken for an option.
+std::string path_word(const std::filesystem::path& path) {
+    if (path.empty()) return ".";
+    return path.string().starts_with('-') ? "./" + path.string() : path.string();
+}
+
 /// Of the object "export" in a record, which may hold anything.
-std::vector<std::string> words_in(const Json& how) {
-    std::vector<std::string> words;
+std::vector<std::string> words_in(const Json& how, const std::filesystem::path& folder) {
     if (!how.is_object()) throw DamagedRecord();
     const bool is_loop = how.contains("loop"), is_list = how.contains("frame_numbers");
+    std::filesystem::path out = folder;
+    if (how.contains("names")) out /= std::filesystem::path(typed(how["names"])).filename();
+    std::vector<std::string> words = {"--out", path_word(out)};
     for (const auto& [key, value] : how.items()) {
-        // Three keys, of which the options are one.
-        if (key == "loop" || (key == "frames" && is_list)) continue;
+        // Some keys are one option together with another one.
+        if (key == "loop" || key == "names" || (key == "frames" && is_list)) continue;
         if (key == "frame_numbers") {
             words.insert(words.end(), {"--frames", as_list(typed(value))});
         } else if (key == "frames" && is_loop) {
@@ -60,11 +68,6 @@ std::string quoted(const std::string& word) {
     return text + "'";
 }
 
-/// A path that can't be taken for an option.
-std::string path_word(const std::filesystem::path& path) {
-    return path.string().starts_with('-') ? "./" + path.string() : path.string();
-}
-
 void require_this_version(const ReadJson& options, const std::filesystem::path& file) {
     const ReadJson& version = options["version"];
     if (!version.is_string()) throw DamagedRecord();
@@ -82,8 +85,7 @@ ExportOptions options_of_record(const ReadJson& head, const std::filesystem::pat
     CLI::App app;
     ExportFlags flags;
     flags.add_to(app);
-    std::vector<std::string> words = words_in(Json(recorded["export"]));
-    words.insert(words.end(), {"--out", path_word(file.parent_path().empty() ? "." : file.parent_path())});
+    const std::vector<std::string> words = words_in(Json(recorded["export"]), file.parent_path());
     ExportOptions options;
     try {
         app.parse(std::vector<std::string>(words.rbegin(), words.rend()));  // CLI11 takes the last word first
@@ -101,16 +103,15 @@ ExportOptions options_of_record(const ReadJson& head, const std::filesystem::pat
 }
 
 std::vector<std::string> words_of(const ExportOptions& options) {
-    return words_in(options_as_json(options)["export"]);
+    return words_in(options_as_json(options)["export"], options.folder);
 }
 
 std::string command_line_of(const ExportOptions& options, const std::filesystem::path& record) {
-    std::vector<std::string> words = {
-        "pelagic",         "export", options.sea.changes.empty() ? "--config" : "--weather",
-        path_word(record), "--out",  path_word(options.folder)};
+    std::vector<std::string> words = {"pelagic", "export"};
+    words.insert(words.end(), {options.sea.changes.empty() ? "--config" : "--weather", path_word(record)});
     for (std::string& word : words_of(options)) words.push_back(std::move(word));
     if (options.shard) words.insert(words.end(), {"--shard", text_of(*options.shard)});
-    words.push_back("--resume");
+    if (options.resume) words.push_back("--resume");
     if (!options.sync) words.push_back("--no-sync");
     if (!options.lock) words.push_back("--no-lock");
     std::string line;

@@ -19,10 +19,10 @@ namespace pelagic::tools {
 /// of its range; and DamagedRecord where it has no options at all.
 ExportOptions options_of_record(const ReadJson& head, const std::filesystem::path& file);
 
-/// The words behind `pelagic export` that decide what is in the files, without the sea: "--frames", "20", "--mips", ...
+/// The words behind `pelagic export` that decide what is in the files, without the sea: "--out", "waves", "--mips", ...
 std::vector<std::string> words_of(const ExportOptions& options);
 
-/// A line for a shell that makes the export, or the shard, and keeps what is whole.
+/// A line for a shell that makes the export or the shard, with --resume if the options say so.
 /// \param record  that the sea is taken from
 std::string command_line_of(const ExportOptions& options, const std::filesystem::path& record);
 

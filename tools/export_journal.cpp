@@ -6,8 +6,8 @@
 
 #include "pelagic/tools/digest.hpp"
 #include "pelagic/tools/errors.hpp"
-#include "pelagic/tools/export_names.hpp"
 #include "pelagic/tools/record_file.hpp"
+#include "pelagic/tools/record_names.hpp"
 
 namespace pelagic::tools {
 namespace {

@@ -6,37 +6,27 @@
 #include <string_view>
 
 #include "pelagic/tools/map_options.hpp"
-#include "pelagic/tools/shard.hpp"
 
 namespace pelagic::tools {
 
-inline constexpr const char* lock_name = ".sea.lock";
+/// What an image shows, as names have it.
+struct ImageMark {
+    MapKind map;
+    int tile = 0;  ///< 0 is the coarsest
+    int level = 0;
+};
 
-/// "sea.json", or of a shard "sea.3-of-8.json".
-std::string record_name(const std::optional<Shard>& shard);
-/// ".pelagic-export.jsonl", or of a shard ".pelagic-export.3-of-8.jsonl".
-std::string journal_name(const std::optional<Shard>& shard);
-/// ".sea.3-of-8.lock".
-std::string lock_name_of(const Shard& shard);
-
-/// The shard whose record has the name; none for other names.
-std::optional<Shard> shard_of_record(std::string_view name);
-/// True for the record, journal and lock of a shard.
-bool is_of_shard(std::string_view name);
-
-/// "displacement_0007.exr" of the coarsest tile, 0; "gradient_c1_0007_mip2.png" for level 2 of the next one.
-std::string image_name(const MapOptions& options, MapKind map, int tile, int frame, int level);
+/// "displacement_0007.exr" of the coarsest tile; "gradient_c1_0007_mip2.png" for level 2 of the next one. By a pattern:
+/// "wave.gradient_c1_mip2.0007.png". \param is_alone  the frame has no other image, which a pattern needs no mark for then
+std::string image_name(const MapOptions& options, const ImageMark& mark, int frame, bool is_alone);
 
 /// "exr", "png" or "tif": by the type of the map's values.
 const char* extension_of(MapKind map, const MapOptions& options);
 
-/// True for what image_name() can give, with any options.
-bool is_image_name(std::string_view name);
+/// True for what image_name() can give, without a pattern or with this one, and with any other options.
+bool is_image_name(std::string_view name, const std::optional<NamePattern>& pattern);
 
 /// True for names that an export gives to files of its own: images, records, journals, locks, and their parts.
-bool is_export_name(std::string_view name);
-
-/// True for the part of such a file, which a killed export has left.
-bool is_export_part(std::string_view name);
+bool is_export_name(std::string_view name, const std::optional<NamePattern>& pattern);
 
 }  // namespace pelagic::tools

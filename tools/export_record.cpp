@@ -74,14 +74,15 @@ ReadJson options_in(const ReadJson& head) {
 
 namespace {
 
-void take_name(const ReadJson& name, std::vector<std::string>& names) {
-    if (std::string text = text_of(name); is_image_name(text)) names.push_back(std::move(text));
+void take_name(const ReadJson& name, const ExportOptions& options, EarlierExport& earlier) {
+    if (std::string text = text_of(name); is_image_name(text, options.maps.names))
+        earlier.images.push_back(std::move(text));
 }
 
 void take_frame(const ReadJson& entry, const ExportOptions& options, EarlierExport& earlier) {
     const ReadJson& files = value_of(entry, "files");
     if (files.is_array())
-        for (const ReadJson& file : files) take_name(value_of(file, "name"), earlier.images);
+        for (const ReadJson& file : files) take_name(value_of(file, "name"), options, earlier);
     if (auto record = accepted_frame(entry, options))
         earlier.frames.insert_or_assign(record->frame, std::move(*record));
 }
@@ -105,7 +106,7 @@ EarlierExport parse_journal(std::string_view text, const ExportOptions& options)
     EarlierExport earlier{value_of(header, "options"), {}, {}};
     const ReadJson& replaced = value_of(header, "replaced_files");
     if (!earlier.options.is_object() || !replaced.is_array()) throw DamagedRecord();
-    for (const ReadJson& name : replaced) take_name(name, earlier.images);
+    for (const ReadJson& name : replaced) take_name(name, options, earlier);
     while (!text.empty()) try {
             take_frame(parsed(next_line(text)), options, earlier);
         } catch (const DamagedRecord&) {

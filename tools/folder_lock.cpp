@@ -6,7 +6,7 @@
 #include <cstring>
 
 #include "pelagic/tools/errors.hpp"
-#include "pelagic/tools/export_names.hpp"
+#include "pelagic/tools/record_names.hpp"
 
 namespace pelagic::tools {
 namespace {

@@ -17,6 +17,7 @@
 #include "pelagic/tools/folder_lock.hpp"
 #include "pelagic/tools/frames_of_record.hpp"
 #include "pelagic/tools/progress.hpp"
+#include "pelagic/tools/record_names.hpp"
 
 namespace pelagic::tools {
 namespace {
@@ -26,7 +27,7 @@ constexpr std::size_t most_lines = Findings::most_kept;
 /// What is in the folder, but for images.
 struct FolderNames {
     std::map<int, std::set<int>> shards;  ///< that have a record: their index, by how many the export has
-    std::vector<std::string> leftovers;   ///< that nobody needs when the export is whole
+    std::vector<std::string> leftovers;   ///< that nobody needs when the export is whole, if they are an export's
     bool has_sea_json = false;
 };
 
@@ -34,7 +35,8 @@ FolderNames names_in(const OutputFolder& folder) {
     FolderNames names;
     folder.for_each_name([&](const std::string& name) {
         if (const auto shard = shard_of_record(name)) names.shards[shard->count].insert(shard->index);
-        if (is_of_shard(name) || is_export_part(name) || name == journal_name({})) names.leftovers.push_back(name);
+        const bool is_part = name.starts_with('.') && name.ends_with(".part");
+        if (is_of_shard(name) || is_part || name == journal_name({})) names.leftovers.push_back(name);
         names.has_sea_json = names.has_sea_json || name == record_name({});
     });
     return names;
@@ -56,7 +58,8 @@ class Merge {
         if (!wrong_.empty()) refuse();
         if (!is_finished_) write(height_sum_m);
         folder_.sync();
-        for (const std::string& name : names_.leftovers) folder_.remove(name);
+        for (const std::string& name : names_.leftovers)
+            if (is_export_name(name, options_.maps.names)) folder_.remove(name);
         folder_.sync();
         print_summary(options_, {.frames = options_.times.count(), .height_sum_m = height_sum_m});
     }

@@ -57,6 +57,7 @@ Json options_as_json(const ExportOptions& options) {
     how["mips"] = options.maps.mips;
     how["half"] = options.maps.half;
     how["format"] = options.maps.format == ImageFormat::tiff ? "tif" : "exr";
+    if (options.maps.names) how["names"] = options.maps.names->text();
     Json json = {{"version", PELAGIC_VERSION}, {"sea", sea_as_json(options.sea)}};
     if (!options.sea.changes.empty()) json["weather"] = weather_as_json(options.sea);
     json["export"] = how;
