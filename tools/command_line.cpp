@@ -23,11 +23,12 @@
 #include "pelagic/tools/view_command.hpp"
 #endif
 #include "pelagic/tools/stop_signal.hpp"
+#include "pelagic/tools/verify_command.hpp"
 
 namespace pelagic::tools {
 namespace {
 
-constexpr const char* commands_text = "bench, export, info, merge, quadtree, query, render or view";
+constexpr const char* commands_text = "bench, export, info, merge, quadtree, query, render, verify or view";
 
 std::vector<std::string> option_names(const CLI::App& app) {
     std::vector<std::string> names;
@@ -119,6 +120,10 @@ int run(int argc, const char* const* argv) {
     CLI::App& query_app = *app.add_subcommand("query", "say how high the water is at given points, and how it moves");
     QueryFlags query_flags;
     query_flags.add_to(query_app);
+    CLI::App& verify_app =
+        *app.add_subcommand("verify", "check every file of an export, and compute some frames again");
+    VerifyFlags verify_flags;
+    verify_flags.add_to(verify_app);
 
 #if defined(PELAGIC_HAS_GL)
     CLI::App& render_app = *app.add_subcommand("render", "draw pictures of a sea, without a window");
@@ -135,7 +140,8 @@ int run(int argc, const char* const* argv) {
     view_app.allow_extras();
 #endif
 
-    for (CLI::App* command : {&bench_app, &export_app, &info_app, &merge_app, &quadtree_app, &query_app, &render_app, &view_app})
+    for (CLI::App* command : {&bench_app, &export_app, &info_app, &merge_app, &quadtree_app, &query_app, &render_app,
+                              &verify_app, &view_app})
         command->set_version_flag("--version", "pelagic " PELAGIC_VERSION);
 
     const std::vector<std::string> words = without_help_command({argv + 1, argv + argc});
@@ -163,6 +169,8 @@ int run(int argc, const char* const* argv) {
         quadtree_flags.run();
     else if (query_app.parsed())
         query_flags.run();
+    else if (verify_app.parsed())
+        verify_flags.run();
 #if defined(PELAGIC_HAS_GL)
     else if (render_app.parsed())
         run_render(render_flags.resolve());

@@ -32,14 +32,6 @@ void make_folder(const std::filesystem::path& folder) {
     if (error) throw FileError("can't write " + folder.string() + ": " + error.message());
 }
 
-OceanOptions ocean_options(const ExportOptions& options, const std::shared_ptr<ChromeTrace>& trace) {
-    return {.executor = make_default_executor(options.compute.threads),
-            .isa = options.compute.isa,
-            .trace = trace,
-            .gradients = options.maps.has(MapKind::gradient),
-            .foam = options.maps.has(MapKind::foam)};
-}
-
 /// Computes frames in order, the next one while the last is looked at. False if a signal stopped it.
 bool for_each_frame(const ExportOptions& options, Ocean& ocean, std::span<const int> numbers,
                     const std::function<void(int, const Frame&)>& take) {
@@ -105,6 +97,14 @@ void write_trace(const OutputFile& file, const ChromeTrace& trace) {
 }
 
 }  // namespace
+
+OceanOptions ocean_options(const ExportOptions& options, const std::shared_ptr<ChromeTrace>& trace) {
+    return {.executor = make_default_executor(options.compute.threads),
+            .isa = options.compute.isa,
+            .trace = trace,
+            .gradients = options.maps.has(MapKind::gradient),
+            .foam = options.has_foam()};
+}
 
 void run_export(const ExportOptions& options) {
     catch_stop_signals();

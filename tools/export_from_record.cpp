@@ -1,15 +1,28 @@
 #include "pelagic/tools/export_from_record.hpp"
 
 #include <algorithm>
+#include <array>
+#include <string_view>
+#include <utility>
 
 #include "pelagic/tools/errors.hpp"
 
 namespace pelagic::tools {
 namespace {
 
+/// Keys that are named otherwise than their options.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 2> other_flags = {
+    {{"mesh_formats", "--mesh"}, {"mesh_side_m", "--mesh-size"}}};
+
+/// Keys that follow from others.
+constexpr std::array<std::string_view, 1> no_flags = {"mesh_tiles"};
+
 /// "start_s" as "--start".
 std::string flag_of(std::string key) {
-    if (key.ends_with("_s")) key.resize(key.size() - 2);
+    for (const auto& [other_key, flag] : other_flags)
+        if (key == other_key) return std::string(flag);
+    for (const std::string_view unit : {"_s", "_m"})
+        if (key.ends_with(unit)) key.resize(key.size() - unit.size());
     std::replace(key.begin(), key.end(), '_', '-');
     return "--" + key;
 }
@@ -17,10 +30,11 @@ std::string flag_of(std::string key) {
 /// As it would be typed, lists with commas.
 std::string typed(const Json& value) {
     if (value.is_string()) return value.get<std::string>();
-    if (!value.is_array() || value.empty() || value.front().is_array()) return value.dump();
+    if (!value.is_array()) return value.dump();
     std::string list;
-    for (const Json& item : value) list.append(list.empty() ? "" : ",").append(typed(item));
-    return list;
+    for (const Json& item : value)
+        list.append(list.empty() ? "" : ",").append(item.is_string() ? item.get<std::string>() : item.dump());
+    return list.empty() ? "none" : list;
 }
 
 /// A list of one frame could be taken for a number of frames.
@@ -34,25 +48,34 @@ std::string path_word(const std::filesystem::path& path) {
     return path.string().starts_with('-') ? "./" + path.string() : path.string();
 }
 
-/// Of the object "export" in a record, which may hold anything.
+/// The words for a key of the object "export" in a record, which may hold anything. Not for those that words_in() knows.
+void add_words(std::vector<std::string>& words, const std::string& key, const Json& value) {
+    if (std::find(no_flags.begin(), no_flags.end(), key) != no_flags.end()) return;
+    if (value.is_object()) {
+        for (const auto& [inner, inner_value] : value.items()) {
+            if (inner_value.is_object()) throw DamagedRecord();
+            add_words(words, key + "_" + inner, inner_value);
+        }
+    } else if (!value.is_boolean()) {
+        words.insert(words.end(), {flag_of(key), typed(value)});
+    } else if (value.get<bool>()) {
+        words.push_back(flag_of(key));
+    }
+}
+
+/// The words for all of them. Which frames there are and what they are called are options that take more than one key.
 std::vector<std::string> words_in(const Json& how, const std::filesystem::path& folder) {
     if (!how.is_object()) throw DamagedRecord();
-    const bool is_loop = how.contains("loop"), is_list = how.contains("frame_numbers");
     std::filesystem::path out = folder;
     if (how.contains("names")) out /= std::filesystem::path(typed(how["names"])).filename();
     std::vector<std::string> words = {"--out", path_word(out)};
+    const bool is_list = how.contains("frame_numbers"), is_loop = how.contains("loop");
     for (const auto& [key, value] : how.items()) {
-        // Some keys are one option together with another one.
-        if (key == "loop" || key == "names" || (key == "frames" && is_list)) continue;
-        if (key == "frame_numbers") {
+        if (key == "names" || key == "loop" || (key == "frames" && is_list)) continue;
+        if (key == "frame_numbers")
             words.insert(words.end(), {"--frames", as_list(typed(value))});
-        } else if (key == "frames" && is_loop) {
-            words.insert(words.end(), {"--loop-frames", typed(value)});
-        } else if (value.is_boolean()) {
-            if (value.get<bool>()) words.push_back(flag_of(key));
-        } else {
-            words.insert(words.end(), {flag_of(key), typed(value)});
-        }
+        else
+            add_words(words, key == "frames" && is_loop ? "loop_frames" : key, value);
     }
     return words;
 }

@@ -6,6 +6,7 @@
 
 #include "pelagic/tools/digest.hpp"
 #include "pelagic/tools/errors.hpp"
+#include "pelagic/tools/export_names.hpp"
 #include "pelagic/tools/record_file.hpp"
 #include "pelagic/tools/record_names.hpp"
 
@@ -25,9 +26,9 @@ ExportJournal::ExportJournal(const ExportOptions& options, const OutputFolder& f
       folder_(folder),
       record_name_(record_name(options.shard)),
       journal_name_(journal_name(options.shard)) {
-    read_earlier();
-    if (options.shard) join_others();
     const std::vector<int> here = options.frames_here();
+    read_earlier();
+    if (options.shard) join_others(here);
     std::erase_if(done_, [&](const auto& entry) {
         return !std::binary_search(here.begin(), here.end(), entry.first) || !is_whole(entry.second);
     });
@@ -67,7 +68,7 @@ void ExportJournal::read_earlier() {
 }
 
 // What is no shard's is sea.json and the journal of a run that was to make all frames.
-void ExportJournal::join_others() {
+void ExportJournal::join_others(const std::vector<int>& here) {
     const Json now = options_as_json(options_);
     const ReadJson wanted = now;
     const auto require_same = [&](const ReadJson& options) {
@@ -76,18 +77,22 @@ void ExportJournal::join_others() {
                             "a folder for this export alone: the one in " + folder_.path().string() +
                                 " has other options: " + first_difference(options, now).is_not());
     };
-    const auto take = [&](FrameRecord&& frame) { done_.emplace(frame.frame, std::move(frame)); };
+    const auto take = [&](FrameRecord&& frame) {
+        if (std::binary_search(here.begin(), here.end(), frame.frame)) done_.emplace(frame.frame, std::move(frame));
+    };
     try {
         read_record(folder_, record_name({}),
                     {.head =
                          [&](const ReadJson& head) {
                              require_same(options_in(head));
-                             return options_.resume;
+                             return options_.resume && !here.empty();
                          },
                      .frame =
                          [&](const ReadJson& entry) {
-                             if (auto frame = accepted_frame(entry, options_)) take(std::move(*frame));
-                             return true;
+                             auto frame = accepted_frame(entry, options_);
+                             const bool goes_on = !frame || frame->frame < here.back();
+                             if (frame) take(std::move(*frame));
+                             return goes_on;
                          }});
         const std::size_t most = most_record_bytes(options_);
         const auto journal = folder_.read_text(journal_name({}), most);
@@ -124,8 +129,9 @@ void ExportJournal::begin() {
     folder_.write(journal_name_, lines);
     folder_.sync();
     journal_ = folder_.open_for_lines(journal_name_);
-    // A shard's record stays until it is replaced: `pelagic merge` has told somebody to take the options from it.
-    if (!options_.shard) folder_.remove(record_name_);
+    // What is resumed ends with the record that it began with, and a line of `pelagic merge` or `pelagic verify` takes the
+    // options from it; so does a shard.
+    if (!options_.shard && !options_.resume) folder_.remove(record_name_);
     folder_.sync();
 }
 
@@ -146,17 +152,22 @@ void ExportJournal::end(const std::vector<FrameRecord>& frames, const std::vecto
     });
     folder_.sync();
 
-    std::set<std::string> made;
-    for (const FrameRecord& frame : frames)
-        for (const FileRecord& file : frame.files) made.insert(file.name);
-    for (const FileRecord& file : sequence_files) made.insert(file.name);
-    for (const std::string& name : earlier_images_) {
-        folder_.remove(part_name(name));
-        if (!made.contains(name)) folder_.remove(name);
-    }
-    for (const std::string& name : made) folder_.remove(part_name(name));
+    // Other shards have parts and files of their own; `pelagic merge` removes what is left of them.
+    if (!options_.shard) remove_what_is_left(frames, sequence_files);
     folder_.remove(journal_name_);
     folder_.sync();
+}
+
+void ExportJournal::remove_what_is_left(const std::vector<FrameRecord>& frames,
+                                        const std::vector<FileRecord>& sequence_files) {
+    std::set<std::string> left(earlier_images_.begin(), earlier_images_.end());
+    for (const FrameRecord& frame : frames)
+        for (const FileRecord& file : frame.files) left.erase(file.name);
+    for (const FileRecord& file : sequence_files) left.erase(file.name);
+    folder_.for_each_name([&](const std::string& name) {
+        if (is_export_part(name, options_.maps.names) || is_of_shard(name)) left.insert(name);
+    });
+    for (const std::string& name : left) folder_.remove(name);
 }
 
 }  // namespace pelagic::tools

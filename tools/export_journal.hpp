@@ -30,7 +30,8 @@ class ExportJournal {
     /// Frames that are whole already; empty without --resume.
     const std::map<int, FrameRecord>& done() const { return done_; }
 
-    /// Starts the new export: from here on sea.json no longer claims the folder, unless a shard is made. Throws FileError.
+    /// Starts the new export: from here on sea.json no longer claims the folder, unless a shard is
+    /// made or an export is resumed. Throws FileError.
     void begin();
     /// The frame's files are done. Throws FileError.
     void add(const FrameRecord& record);
@@ -41,7 +42,9 @@ class ExportJournal {
    private:
     void read_earlier();
     std::optional<EarlierExport> read_record_or_journal() const;
-    void join_others();
+    void join_others(const std::vector<int>& here);
+    /// Files of an earlier export, parts, and what shards have said of themselves: they are older than this export.
+    void remove_what_is_left(const std::vector<FrameRecord>& frames, const std::vector<FileRecord>& sequence_files);
     Json head(const std::vector<FrameRecord>& frames, const std::vector<FileRecord>& sequence_files) const;
     bool is_whole(const FrameRecord& record) const;
 

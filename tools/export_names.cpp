@@ -52,6 +52,13 @@ class NameReader {
     std::string_view rest_;
 };
 
+/// "_0007"
+std::string number_in_name(int frame) {
+    std::array<char, 16> number;
+    std::snprintf(number.data(), number.size(), "_%0*d", static_cast<int>(frame_digits), frame);
+    return number.data();
+}
+
 }  // namespace
 
 std::string image_name(const MapOptions& options, const ImageMark& mark, int frame, bool is_alone) {
@@ -60,10 +67,10 @@ std::string image_name(const MapOptions& options, const ImageMark& mark, int fra
     const std::string map(name_of(mark.map));
     const char* extension = extension_of(mark.map, options);
     if (options.names) return options.names->name(is_alone ? "" : map + tile + level, frame, extension);
-    std::array<char, 16> number;
-    std::snprintf(number.data(), number.size(), "_%0*d", static_cast<int>(frame_digits), frame);
-    return map + tile + number.data() + level + "." + extension;
+    return map + tile + number_in_name(frame) + level + "." + extension;
 }
+
+std::string mesh_name(int frame, const char* extension) { return "mesh" + number_in_name(frame) + "." + extension; }
 
 const char* extension_of(MapKind map, const MapOptions& options) {
     if (options.format == ImageFormat::tiff) return "tif";
@@ -86,11 +93,22 @@ bool is_image_name(std::string_view name, const std::optional<NamePattern>& patt
     return marked && mark.take_level(*marked) && mark.rest().empty() && is_extension(parts->extension, *marked);
 }
 
+bool is_mesh_name(std::string_view name) {
+    if (name == mesh_animation_name || name == point_cache_name) return true;
+    NameReader reader(name);
+    return reader.take("mesh_") && reader.take_number(frame_digits, 0, FrameTimes::largest_number) &&
+           (reader.rest() == ".obj" || reader.rest() == ".ply" || reader.rest() == ".glb");
+}
+
 bool is_export_name(std::string_view name, const std::optional<NamePattern>& pattern) {
+    return is_record_name(name) || is_image_name(name, pattern) || is_mesh_name(name) ||
+           is_export_part(name, pattern);
+}
+
+bool is_export_part(std::string_view name, const std::optional<NamePattern>& pattern) {
     constexpr std::string_view end = ".part";
-    if (name.starts_with('.') && name.ends_with(end) && name.size() > end.size())
-        name = name.substr(1, name.size() - 1 - end.size());
-    return is_record_name(name) || is_image_name(name, pattern);
+    return name.starts_with('.') && name.ends_with(end) && name.size() > end.size() &&
+           is_export_name(name.substr(1, name.size() - 1 - end.size()), pattern);
 }
 
 }  // namespace pelagic::tools

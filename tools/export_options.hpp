@@ -11,6 +11,7 @@
 #include "pelagic/tools/compute_options.hpp"
 #include "pelagic/tools/frame_times.hpp"
 #include "pelagic/tools/map_options.hpp"
+#include "pelagic/tools/mesh_options.hpp"
 #include "pelagic/tools/sea_options.hpp"
 #include "pelagic/tools/shard.hpp"
 
@@ -22,11 +23,14 @@ struct ExportOptions {
     std::filesystem::path folder;
     FrameTimes times;  ///< of the whole export
     MapOptions maps;
+    MeshOptions meshes;
     std::optional<Shard> shard;  ///< none: all frames are made here
     bool resume = false;
     bool sync = true;  ///< a frame counts as done once the disk has it
     bool lock = true;  ///< the folder is locked, so that no other export works in it
     std::optional<std::filesystem::path> trace;
+
+    bool has_foam() const { return maps.has(MapKind::foam) || meshes.any(); }
 
     /// The numbers of the frames that are made here.
     std::vector<int> frames_here() const {
@@ -52,6 +56,7 @@ class ExportFlags {
     const std::optional<std::string>& typed(const std::string& flag) const { return typed_.at(flag); }
 
     SeaOptions sea_;
+    MeshFlags meshes_;
     ComputeFlags compute_;
     std::map<std::string, std::optional<std::string>> typed_;  ///< by flag name, where it was given
     bool mips_ = false, half_ = false, resume_ = false, no_sync_ = false, no_lock_ = false;

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <string>
 
+#include "pelagic/message/number_text.hpp"
 #include "pelagic/sim/statistics.hpp"
 
 namespace pelagic::tools {
@@ -19,6 +20,12 @@ void print_summary(const ExportOptions& options, const ExportSummary& summary) {
     std::printf("peak period %.1f s\n", expected_waves(sea).peak_period_s);
     if (options.shard) return;  // pelagic merge says the rest once
     for (const std::string& warning : warnings_about(sea)) std::printf("note: %s\n", warning.c_str());
+    if (const SeaPatch& patch = options.meshes.patch;
+        options.meshes.any() && patch.tiles < static_cast<std::size_t>(cascades_of(sea)))
+        std::printf(
+            "note: the mesh's steps of %s m show the waves of the coarsest %zu of %d tiles; a smaller --mesh-size or "
+            "more --mesh-steps show shorter waves\n",
+            rounded_text(patch.side_m / patch.steps, 3).c_str(), patch.tiles, cascades_of(sea));
 }
 
 }  // namespace pelagic::tools

@@ -22,6 +22,9 @@ inline constexpr std::size_t bytes_per_texel_in_flight = 64;
 /// How many frames are written at once: one a thread, no more than fit, and at least one.
 std::size_t frames_in_flight(const ExportOptions& options, std::size_t most_bytes);
 
+/// All of a frame's record but the files, of a frame as the ocean hands it out.
+FrameRecord figures_of(int number, const Frame& frame, bool has_foam);
+
 /// Encodes and writes frames on a few threads and journals them in order, frames_in_flight() at once.
 class FrameWriter {
    public:

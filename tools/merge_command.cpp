@@ -197,6 +197,7 @@ class Merge {
             if (lines++ == most_lines) break;
             ExportOptions again = options_;
             again.shard = shard_of(wrong);
+            again.resume = true;
             std::printf("%s\n", command_line_of(again, record).c_str());
         }
         if (is_finished_)

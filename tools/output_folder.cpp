@@ -66,7 +66,7 @@ class PartFile {
    public:
     PartFile(const Descriptor& folder, std::string name) : folder_(folder), name_(std::move(name)) {}
     ~PartFile() {
-        if (has_its_name()) ::unlinkat(folder_.get(), name_.c_str(), 0);
+        if (!is_renamed_ && has_its_name()) ::unlinkat(folder_.get(), name_.c_str(), 0);
     }
     PartFile(const PartFile&) = delete;
     PartFile& operator=(const PartFile&) = delete;
@@ -74,10 +74,12 @@ class PartFile {
     const Descriptor& file() const { return file_; }
 
     /// 0 or an errno, as below. What a killed run left is removed unread: it may be a second name of somebody's file.
-    int create() {
+    /// \param check  looks at what has the name, if anything, and throws if it may not be removed
+    int create(const std::function<void()>& check) {
+        if (const int reason = create_new(); reason != EEXIST) return reason;
+        check();
         ::unlinkat(folder_.get(), name_.c_str(), 0);
-        file_ = Descriptor(::openat(folder_.get(), name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | careful, 0666));
-        return file_.is_open() && ::fstat(file_.get(), &created_) == 0 ? 0 : errno;
+        return create_new();
     }
     /// 0 or an errno that only shows when a file is closed, as that of a full disk over NFS may. It stays open, since the
     /// number of a closed file may be given to the next one.
@@ -88,10 +90,15 @@ class PartFile {
     /// EBUSY if another process has begun to write a file of that name meanwhile.
     int rename_to(const std::string& name) {
         if (!has_its_name()) return EBUSY;
-        return ::renameat(folder_.get(), name_.c_str(), folder_.get(), name.c_str()) == 0 ? 0 : errno;
+        is_renamed_ = ::renameat(folder_.get(), name_.c_str(), folder_.get(), name.c_str()) == 0;
+        return is_renamed_ ? 0 : errno;
     }
 
    private:
+    int create_new() {
+        file_ = Descriptor(::openat(folder_.get(), name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | careful, 0666));
+        return file_.is_open() && ::fstat(file_.get(), &created_) == 0 ? 0 : errno;
+    }
     bool has_its_name() const {
         struct stat status {};
         return created_.st_ino != 0 && ::fstatat(folder_.get(), name_.c_str(), &status, AT_SYMLINK_NOFOLLOW) == 0 &&
@@ -102,6 +109,7 @@ class PartFile {
     std::string name_;
     Descriptor file_;
     struct stat created_ {};
+    bool is_renamed_ = false;
 };
 
 }  // namespace
@@ -144,9 +152,8 @@ void OutputFolder::write(const std::string& name, std::string_view text) const {
 }
 
 void OutputFolder::write(const std::string& name, const std::function<void(const Take&)>& make) const {
-    has_regular_file(part_name(name), can_not_write);
     PartFile part(folder_, part_name(name));
-    int reason = part.create();
+    int reason = part.create([&] { has_regular_file(part_name(name), can_not_write); });
     const auto take = [&](std::string_view piece) {
         if (reason == 0) reason = write_all(part.file(), piece);
         if (reason != 0) throw file_error(can_not_write, path_ / name, reason);
@@ -161,8 +168,8 @@ void OutputFolder::write(const std::string& name, const std::function<void(const
 
 void OutputFolder::check_writable(const std::string& name) const {
     has_regular_file(name, can_not_write);
-    has_regular_file(part_name(name), can_not_write);
-    if (const int reason = PartFile(folder_, part_name(name)).create(); reason != 0)
+    const auto check_part = [&] { has_regular_file(part_name(name), can_not_write); };
+    if (const int reason = PartFile(folder_, part_name(name)).create(check_part); reason != 0)
         throw file_error(can_not_write, path_ / name, reason);
 }
 

@@ -17,6 +17,15 @@ Json files_as_json(const std::vector<FileRecord>& files) {
     return list;
 }
 
+Json mesh_as_json(const MeshOptions& options) {
+    Json formats = Json::array();
+    for (const MeshFormat format : options.formats) formats.push_back(name_of(format));
+    return {{"formats", formats},
+            {"side_m", options.patch.side_m},
+            {"steps", options.patch.steps},
+            {"tiles", options.patch.tiles}};
+}
+
 }  // namespace
 
 Json sea_as_json(const ResolvedSea& resolved) {
@@ -58,6 +67,7 @@ Json options_as_json(const ExportOptions& options) {
     how["half"] = options.maps.half;
     how["format"] = options.maps.format == ImageFormat::tiff ? "tif" : "exr";
     if (options.maps.names) how["names"] = options.maps.names->text();
+    if (options.meshes.any()) how["mesh"] = mesh_as_json(options.meshes);
     Json json = {{"version", PELAGIC_VERSION}, {"sea", sea_as_json(options.sea)}};
     if (!options.sea.changes.empty()) json["weather"] = weather_as_json(options.sea);
     json["export"] = how;
@@ -139,7 +149,7 @@ Json sea_json_head(const ExportOptions& options, double mean_significant_wave_he
     json["layout"] = layout_as_json(forecast_of(options.sea));
     const SeaReport report = report_on(options.sea.sea);
     json["waves"] = waves_as_json(options.sea.sea, report, mean_significant_wave_height_m);
-    if (options.maps.has(MapKind::foam)) {
+    if (options.has_foam()) {
         Ocean ocean(options.sea.sea,
                     {.executor = make_default_executor(options.compute.threads), .isa = options.compute.isa});
         json["foam"] = foam_as_json(ocean.frame_at(0));

@@ -6,8 +6,9 @@
 #   wait_for SECONDS COMMAND...   until it is true
 #   same_as_one_run     the merged export in waves/ has the files of the one in one/, with their bytes, and no others
 #
-# The first export of each of the shards in SLOW_SHARDS has a disk on which every fsync takes a quarter of a second, and so half a
-# minute for its 12 frames, so that there is time to interrupt it in its middle.
+# The first export of each of the shards in SLOW_SHARDS has a disk on which every fdatasync takes a quarter of a second, and so half a
+# minute for its 12 frames: there is time to interrupt it in its middle. (strace can delay calls too, but loses threads that are
+# sent a signal meanwhile.)
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 page=$root/docs/users/farm.md
 # 96 frames of 64 texels in 8 shards.
@@ -26,13 +27,13 @@ open_page() {
 #!/bin/sh
 for shard in \${SLOW_SHARDS:-}; do
   case "\$* " in "export "*" --shard \$shard/8 "*)
-    mkdir "$work/slow.\$shard" 2>/dev/null &&
-      exec strace -D -f -qq -o /dev/null -e trace=fsync,fdatasync -e inject=fsync,fdatasync:delay_exit=250000 '$pelagic' "\$@" ;;
+    ! mkdir "$work/slow.\$shard" 2>/dev/null || export LD_PRELOAD="$work/slow_disk.so" ;;
   esac
 done
 exec '$pelagic' "\$@"
 EOF
   chmod +x bin/pelagic
+  g++ -shared -fPIC -o slow_disk.so "$root/tests/night/slow_disk.cpp"
   PATH=$work/bin:$PATH
   sed -n '/^```toml$/,/^```$/{/^```/!p}' "$page" | sed "$small" >shot.toml
   [ -s shot.toml ] || fail "the page has no shot.toml"
