@@ -124,7 +124,7 @@ std::vector<BadInput> bad_inputs() {
          {"cascades is 4, needs 1 where waves is exp-sine\n"}},
         {{"info", "--spectrum", "sine"}, {"needs phillips-paper, phillips, pierson-moskowitz or jonswap\n"}},
         {{"quadtree", "--quality", "hihg"}, {"low, medium, high, ultra", "nearest is high"}},
-        {{"help", "exprot"}, {"exprot", "export, info, quadtree"}},
+        {{"help", "exprot"}, {"exprot", "export, info, merge, quadtree"}},
         {{"info", "--frobnicate"}, {"unknown option --frobnicate; pelagic info --help lists all"}},
         // Config files.
         {{"export", "--out", "OUT", "--config", "/nowhere/sea.toml"},
