@@ -34,9 +34,11 @@ pelagic_gate_packages=(clang libclang-rt-14-dev libc++-14-dev)
 [ "$(uname -m)" = aarch64 ] ||
   pelagic_gate_packages+=(g++-aarch64-linux-gnu qemu-user libtbb-dev:arm64 libgtest-dev:arm64 libimath-dev:arm64)
 
-# What only the night's tests need: programs that show an export by the recipes of docs/users/exporter.md. three.js comes by
-# npm, of which Debian's package is large and Node's own does as well.
+# What only the night's tests need: programs that show an export by the recipes of docs/users/exporter.md, and what makes one on a
+# farm by docs/users/farm.md. three.js and the types of Kubernetes come by npm, of which Debian's package is large and Node's
+# own does as well.
 pelagic_night_packages=(blender godot3 chromium xauth)
+pelagic_night_packages+=(slurm-wlm parallel python3-yaml procps)
 command -v npm >/dev/null || pelagic_night_packages+=(npm)
 
 # usage: pelagic_install_dependencies [PACKAGE...]   more packages than pelagic_packages

@@ -39,7 +39,7 @@ TEST(CommandLineEdges, AreOneLineAndExitCode2) {
          "--wind-speed is \\xc2\\x9b2J, needs (0, 60]"},
         {{"info", "--wind-speed", std::string(5000, '9')}, "needs (0, 60]"},
         {{"info", "--config", "/" + std::string(5000, 'x')}, "needs a TOML file"},
-        {{std::string(5000, 'x')}, "query, render or view"},
+        {{std::string(5000, 'x')}, "query, render, verify or view"},
     };
     for (const Edge& edge : edges) {
         const TemporaryFolder folder;

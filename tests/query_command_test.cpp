@@ -245,8 +245,9 @@ TEST(QueryCommand, NamesTheOptionThatIsMissingOrWrong) {
              {{"query", "--points", points, "--time", "2e9"}, "--time is 2e9, needs seconds in [-1e9, 1e9]"},
              {{"query", "--points", points, "--choppiness", "2"}, "--choppiness is 2, needs [0, 1]"},
              {{"query", "--points", points, "--tmie", "2"}, "unknown option --tmie, the nearest known one is --time"},
-             {{"ask"}, "unknown command ask, needs bench, export, info, quadtree, query, render or view"},
-             {{}, "no command, needs bench, export, info, quadtree, query, render or view"}}) {
+             {{"ask"},
+              "unknown command ask, needs bench, export, info, merge, quadtree, query, render, verify or view"},
+             {{}, "no command, needs bench, export, info, merge, quadtree, query, render, verify or view"}}) {
         const Outcome outcome = run_pelagic(arguments);
         EXPECT_EQ(outcome.exit_code, 2) << says;
         EXPECT_EQ(outcome.out, "") << says;

@@ -63,19 +63,23 @@ void add_words(std::vector<std::string>& words, const std::string& key, const Js
     }
 }
 
-/// The words for all of them. Which frames there are and what they are called are options that take more than one key.
+/// The words for all of them but those that have their default, for which there may be nothing to be said, as of the compression
+/// where no file has one. Which frames there are and what they are called are options that take more than one key.
 std::vector<std::string> words_in(const Json& how, const std::filesystem::path& folder) {
     if (!how.is_object()) throw DamagedRecord();
     std::filesystem::path out = folder;
     if (how.contains("names")) out /= std::filesystem::path(typed(how["names"])).filename();
     std::vector<std::string> words = {"--out", path_word(out)};
     const bool is_list = how.contains("frame_numbers"), is_loop = how.contains("loop");
+    const Json usual = options_as_json({})["export"];
     for (const auto& [key, value] : how.items()) {
         if (key == "names" || key == "loop" || (key == "frames" && is_list)) continue;
         if (key == "frame_numbers")
             words.insert(words.end(), {"--frames", as_list(typed(value))});
-        else
-            add_words(words, key == "frames" && is_loop ? "loop_frames" : key, value);
+        else if (key == "frames")
+            words.insert(words.end(), {is_loop ? "--loop-frames" : "--frames", typed(value)});
+        else if (!usual.contains(key) || usual[key] != value)
+            add_words(words, key, value);
     }
     return words;
 }

@@ -131,7 +131,8 @@ void ExportJournal::begin() {
     journal_ = folder_.open_for_lines(journal_name_);
     // What is resumed ends with the record that it began with, and a line of `pelagic merge` or `pelagic verify` takes the
     // options from it; so does a shard.
-    if (!options_.shard && !options_.resume) folder_.remove(record_name_);
+    if (options_.shard || options_.resume) return;
+    folder_.remove(record_name_);
     folder_.sync();
 }
 
