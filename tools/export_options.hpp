@@ -39,7 +39,7 @@ class ExportFlags {
 
    private:
     FrameTimes times(const ResolvedSea& sea) const;
-    MapOptions maps() const;
+    MapOptions maps(const std::optional<NamePattern>& names) const;
     /// As it was typed; none if it wasn't.
     const std::optional<std::string>& typed(const std::string& flag) const { return typed_.at(flag); }
 

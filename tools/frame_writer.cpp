@@ -129,7 +129,7 @@ std::vector<FileRecord> write_files(const ExportOptions& options, const OutputFo
             return encode_image_file(file, frame, options.maps);
         }());
     }
-    const std::vector<MeshFile> meshes = mesh_files(options.meshes, number);
+    const std::vector<MeshFile> meshes = mesh_files(options, number);
     if (meshes.empty()) return records;
     const Mesh mesh = mesh_of(frame, options.meshes.patch);
     for (const MeshFile& file : meshes) {

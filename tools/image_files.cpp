@@ -30,12 +30,14 @@ ImageDescription description_of(const ImagePart& part, const MapImage& image, co
 }  // namespace
 
 std::vector<ImageFile> image_files(const ExportOptions& options, int frame) {
-    std::vector<ImageFile> files;
+    std::vector<ImageMark> marks;
     for (int tile = 0; tile < cascades_of(options.sea.sea); ++tile)
         for (const MapKind map : options.maps.maps)
-            for (int level = 0; level < levels_of(options, map); ++level)
-                files.push_back({.name = image_name(options.maps, map, tile, frame, level),
-                                 .parts = {{.map = map, .tile = tile, .first_level = level, .levels = 1}}});
+            for (int level = 0; level < levels_of(options, map); ++level) marks.push_back({map, tile, level});
+    std::vector<ImageFile> files;
+    for (const ImageMark& mark : marks)
+        files.push_back({.name = image_name(options.maps, mark, frame, marks.size() == 1),
+                         .parts = {{.map = mark.map, .tile = mark.tile, .first_level = mark.level, .levels = 1}}});
     return files;
 }
 

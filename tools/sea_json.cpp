@@ -66,6 +66,7 @@ Json options_as_json(const ExportOptions& options) {
     how["mips"] = options.maps.mips;
     how["half"] = options.maps.half;
     how["format"] = options.maps.format == ImageFormat::tiff ? "tif" : "exr";
+    if (options.maps.names) how["names"] = options.maps.names->text();
     if (options.meshes.any()) how["mesh"] = mesh_as_json(options.meshes);
     Json json = {{"version", PELAGIC_VERSION}, {"sea", sea_as_json(options.sea)}};
     if (!options.sea.changes.empty()) json["weather"] = weather_as_json(options.sea);
