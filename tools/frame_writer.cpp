@@ -148,7 +148,9 @@ std::size_t frames_in_flight(const ExportOptions& options, std::size_t most_byte
                                                              : static_cast<std::size_t>(options.compute.threads);
     const auto side = static_cast<std::size_t>(resolution_of(options.sea.sea));
     const std::size_t texels = side * side * static_cast<std::size_t>(cascades_of(options.sea.sea));
-    return std::min(threads, std::max<std::size_t>(1, most_bytes / (texels * bytes_per_texel_in_flight)));
+    const std::size_t row = options.meshes.any() ? static_cast<std::size_t>(options.meshes.patch.steps) + 1 : 0;
+    const std::size_t bytes = texels * bytes_per_texel_in_flight + row * row * bytes_per_vertex_in_flight;
+    return std::min(threads, std::max<std::size_t>(1, most_bytes / bytes));
 }
 
 FrameWriter::FrameWriter(const ExportOptions& options, const OutputFolder& folder, ExportJournal& journal,

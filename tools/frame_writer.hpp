@@ -19,6 +19,9 @@ inline constexpr std::size_t most_bytes_in_flight = std::size_t{2} << 30;
 /// A frame in flight is copied, interleaved, encoded and compressed: about so many bytes a texel, measured.
 inline constexpr std::size_t bytes_per_texel_in_flight = 64;
 
+/// And a vertex of meshes, as OBJ, which is the largest, measured likewise.
+inline constexpr std::size_t bytes_per_vertex_in_flight = 450;
+
 /// How many frames are written at once: one a thread, no more than fit, and at least one.
 std::size_t frames_in_flight(const ExportOptions& options, std::size_t most_bytes);
 

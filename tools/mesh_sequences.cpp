@@ -19,7 +19,7 @@ class GlbOutput : public SequenceOutput {
         if (file_)
             file_->add(mesh);
         else
-            file_.emplace(mesh);
+            file_.emplace(mesh, options_.times.count());
     }
     std::vector<File> finish() override {
         const FrameTimes& times = options_.times;
