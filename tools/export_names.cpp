@@ -52,6 +52,7 @@ class NameReader {
 };
 
 constexpr const char* mesh_mark = "mesh";
+constexpr const char* packed_start = "sea";
 
 /// "_0007"
 std::string number_in_name(int frame) {
@@ -76,13 +77,20 @@ std::string mesh_name(const std::optional<NamePattern>& pattern, int frame, cons
     return mesh_mark + number_in_name(frame) + "." + extension;
 }
 
+std::string packed_name(const MapOptions& options, int frame) {
+    return options.names ? options.names->name("", frame, "exr") : packed_start + number_in_name(frame) + ".exr";
+}
+
 const char* extension_of(MapKind map, const MapOptions& options) {
-    if (options.format == ImageFormat::tiff) return "tif";
-    return options.sample_of(map) == Sample::uint8 ? "png" : "exr";
+    if (options.is_exr(map)) return "exr";
+    return options.format == ImageFormat::tiff ? "tif" : "png";
 }
 
 bool is_image_name(std::string_view name, const std::optional<NamePattern>& pattern) {
     NameReader reader(name);
+    if (reader.take(packed_start))
+        return reader.take("_") && reader.take_number(frame_digits, 0, FrameTimes::largest_number) &&
+               reader.rest() == ".exr";
     const auto map = reader.take_map_and_tile();
     if (map && reader.take("_") && reader.take_number(frame_digits, 0, FrameTimes::largest_number) &&
         reader.take_level(*map) && reader.take(".") && is_extension(reader.rest(), *map))

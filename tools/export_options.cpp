@@ -41,6 +41,30 @@ std::vector<MapKind> maps_in(const std::string& text) {
     return maps;
 }
 
+/// The one of `all` that has the name. Throws InputError.
+template <class All>
+auto named(const std::string& option, const std::string& text, const All& all) {
+    std::vector<std::string> names;
+    for (const auto one : all) names.emplace_back(name_of(one));
+    const auto found = std::find(names.begin(), names.end(), text);
+    if (found == names.end()) throw bad_value(option, text, list_of(names));
+    return all[static_cast<std::size_t>(found - names.begin())];
+}
+
+/// Throws InputError if the options for EXR files meet none, or ask for what EXR doesn't have.
+void check_exr(const MapOptions& options, const std::optional<std::string>& compression) {
+    const bool has_exr =
+        std::any_of(options.maps.begin(), options.maps.end(), [&](MapKind map) { return options.is_exr(map); });
+    if (options.pack != Pack::files && options.format == ImageFormat::tiff)
+        throw bad_value("--pack", name_of(options.pack), "--format exr: a TIFF file has one map");
+    if (options.tiled && !has_exr) throw InputError("--tiled needs a map in an EXR file, and none is");
+    if (compression && !has_exr && options.format == ImageFormat::exr_and_png)
+        throw bad_value("--compression", *compression, "a map in an EXR file, and none is: PNG has its own");
+    if (options.pack != Pack::files && options.mips && !options.tiled)
+        throw bad_value("--pack", name_of(options.pack),
+                        "--tiled with --mips: levels within an EXR file are in tiles");
+}
+
 /// `count` frames from a number on.
 std::vector<FrameRange> one_run(int first, int count, const std::string& option, const std::string& text) {
     if (count - 1 > FrameTimes::largest_number - first)
@@ -141,6 +165,17 @@ void ExportFlags::add_to(CLI::App& app) {
         "costs a "
         "tick, less than a frame, for each tenth of a second between frames, 29 at most");
     add("format", "NAME", "exr (displacement as EXR, the others as PNG) or tif (all as TIFF); default exr");
+    add("compression", "NAME",
+        "of EXR: zip, zips, piz, dwaa or none; of TIFF: zip, lzw or none; default zip. All but dwaa keep every bit; "
+        "dwaa is for looking at: it makes halves of floats and is off by a hundredth of the largest waves and more");
+    add("pack", "NAME",
+        "what is in a file: files (one map of one tile each), layers or parts (one EXR file a frame, sea_0000.exr, "
+        "with "
+        "layers in one image or with parts, called displacement, displacement_c1, ...); default files");
+    app.add_flag(
+        "--tiled", tiled_,
+        "EXR files in tiles of 64 x 64 pixels, for renderers; with --mips all levels are in the same file, of "
+        "displacement too");
     app.add_flag("--mips", mips_, "every level of gradient and foam, down to one texel");
     app.add_flag("--half", half_, "displacement as 16-bit instead of 32-bit floats");
     app.add_flag("--resume", resume_, "keep the frames of an interrupted export that are whole, make the rest");
@@ -220,6 +255,14 @@ MapOptions ExportFlags::maps(const std::optional<NamePattern>& names) const {
                          ", needs the same format");
     const std::string format = names ? names->extension() : typed_format.value_or("exr");
     if (format == "tif") options.format = ImageFormat::tiff;
+    options.tiled = tiled_;
+    if (const auto& pack = typed("pack")) options.pack = named("--pack", *pack, all_packs);
+    const auto& compression = typed("compression");
+    if (compression)
+        options.compression = options.format == ImageFormat::tiff
+                                  ? named("--compression", *compression, tiff_compressions)
+                                  : named("--compression", *compression, exr_compressions);
+    check_exr(options, compression);
     return options;
 }
 

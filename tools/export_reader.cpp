@@ -101,6 +101,9 @@ ExportReader::ExportReader(std::string option, const std::filesystem::path& fold
     sea_ = SeaOptions::of_record(*text, place);
     tiles_ = plan_tiles(forecast_of(sea_));
 
+    const Json& pack = value_of(value_of(record, "export"), "pack");
+    if (pack.is_string() && pack != name_of(Pack::files))
+        throw InputError(place.string() + ": all maps of a frame are in one file, needs an export with --pack files");
     const Json& frames = value_of(record, "frames");
     if (!frames.is_array() || frames.empty())
         throw InputError(place.string() + " has no frames, needs a finished export");

@@ -25,7 +25,9 @@ struct ImageFile {
 /// All of a frame, in the order in which records list them.
 std::vector<ImageFile> image_files(const ExportOptions& options, int frame);
 
-/// Throws std::runtime_error with OpenImageIO's reason, and FileError if the library that writes images is not there.
-std::vector<unsigned char> encode_image_file(const ImageFile& file, const Frame& frame, const MapOptions& options);
+/// Throws std::runtime_error with OpenImageIO's or OpenEXR's reason, and FileError if the library that writes images is not
+/// there. \param number  of the frame
+std::vector<unsigned char> encode_image_file(const ImageFile& file, const Frame& frame, int number,
+                                             const ExportOptions& options);
 
 }  // namespace pelagic::tools

@@ -56,15 +56,6 @@ std::vector<std::byte> pixels_of(const Tile& tile, MapKind map, int level, Sampl
 
 }  // namespace
 
-std::size_t bytes_of(Sample sample) {
-    switch (sample) {
-        case Sample::uint8: return 1;
-        case Sample::half: return 2;
-        case Sample::float32: return 4;
-    }
-    return 0;
-}
-
 int channels_of(MapKind map) {
     switch (map) {
         case MapKind::displacement: return 3;

@@ -12,7 +12,14 @@ namespace pelagic::tools {
 
 enum class Sample { uint8, half, float32 };
 
-std::size_t bytes_of(Sample sample);
+constexpr std::size_t bytes_of(Sample sample) {
+    switch (sample) {
+        case Sample::uint8: return 1;
+        case Sample::half: return 2;
+        case Sample::float32: return 4;
+    }
+    return 0;
+}
 
 struct MapImage {
     int side = 0;

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <vector>
 
+#include "pelagic/tools/image_compression.hpp"
 #include "pelagic/tools/map_image.hpp"
 #include "pelagic/tools/map_kind.hpp"
 #include "pelagic/tools/name_pattern.hpp"
@@ -17,14 +19,39 @@ enum class ImageFormat {
     tiff,
 };
 
+/// What is in one file.
+enum class Pack {
+    files,   ///< a map of a tile
+    layers,  ///< all of a frame, as layers of one EXR image
+    parts,   ///< all of a frame, as parts of one EXR file
+};
+inline constexpr std::array all_packs = {Pack::files, Pack::layers, Pack::parts};
+
+/// As --pack and records have it.
+constexpr const char* name_of(Pack pack) {
+    switch (pack) {
+        case Pack::files: return "files";
+        case Pack::layers: return "layers";
+        case Pack::parts: return "parts";
+    }
+    return "";
+}
+
 struct MapOptions {
     std::vector<MapKind> maps = {MapKind::displacement, MapKind::gradient};  ///< each once, in the order of all_maps
     bool mips = false;
     bool half = false;  ///< floats as 16 bits
     ImageFormat format = ImageFormat::exr_and_png;
+    Compression compression = Compression::zip;  ///< of EXR and TIFF
+    Pack pack = Pack::files;
+    bool tiled = false;                ///< EXR in tiles, with the levels within
     std::optional<NamePattern> names;  ///< none: "displacement_0007.exr"
 
     bool has(MapKind map) const { return std::find(maps.begin(), maps.end(), map) != maps.end(); }
+    /// The map is stored as EXR.
+    bool is_exr(MapKind map) const {
+        return pack != Pack::files || (format == ImageFormat::exr_and_png && sample_of(map) != Sample::uint8);
+    }
     /// In what type the map's values are stored.
     Sample sample_of(MapKind map) const {
         if (map != MapKind::displacement) return Sample::uint8;
