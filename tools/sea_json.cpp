@@ -145,19 +145,13 @@ Json foam_as_json(const Frame& frame) {
             {"tiles", tiles}};
 }
 
-Json sea_json(const ExportOptions& options, const std::vector<FrameRecord>& frames,
-              const std::vector<FileRecord>& sequence_files) {
-    double height_sum = 0;
-    Json list = Json::array();
-    for (const FrameRecord& frame : frames) {
-        height_sum += frame.significant_wave_height_m;
-        list.push_back(frame_as_json(frame));
-    }
+Json sea_json_head(const ExportOptions& options, double mean_significant_wave_height_m,
+                   const std::vector<FileRecord>& sequence_files) {
     Json json = options_as_json(options);
     json["channels"] = channels_as_json(options.maps);
     json["layout"] = layout_as_json(forecast_of(options.sea));
     const SeaReport report = report_on(options.sea.sea);
-    json["waves"] = waves_as_json(options.sea.sea, report, height_sum / static_cast<double>(frames.size()));
+    json["waves"] = waves_as_json(options.sea.sea, report, mean_significant_wave_height_m);
     if (options.has_foam()) {
         Ocean ocean(options.sea.sea,
                     {.executor = make_default_executor(options.compute.threads), .isa = options.compute.isa});
@@ -165,7 +159,12 @@ Json sea_json(const ExportOptions& options, const std::vector<FrameRecord>& fram
     }
     json["warnings"] = report.warnings;
     if (!sequence_files.empty()) json["sequence_files"] = files_as_json(sequence_files);
-    json["frames"] = list;
+    return json;
+}
+
+Json shard_head(const ExportOptions& options) {
+    Json json = options_as_json(options);
+    json["shard"] = {{"index", options.shard->index}, {"count", options.shard->count}};
     return json;
 }
 
