@@ -78,6 +78,22 @@ TEST(ExportMesh, ALaterExportWithoutThemRemovesMeshes) {
     EXPECT_EQ(names, (std::vector<std::string>{".sea.lock", "foam_0000.png", "mesh.obj", "sea.json"}));
 }
 
+TEST(ExportMesh, NamesFollowAPattern) {
+    const TemporaryFolder folder;
+    const std::string pattern = (folder / "wave.####.exr").string();
+    const auto exported = [&](const std::vector<std::string>& more) {
+        return run_pelagic(
+            with({"export", "--no-sync", "--resolution", "16", "--patch-size", "50", "--out", pattern}, more));
+    };
+    ASSERT_EQ(exported({"--start-number", "7", "--maps", "displacement", "--mesh", "obj,mdd"}).exit_code, 0);
+    std::vector<std::string> names;
+    for (const auto& [name, bytes] : files_in(folder.path())) names.push_back(name);
+    EXPECT_EQ(names,
+              (std::vector<std::string>{".sea.lock", "mesh.mdd", "sea.json", "wave.0007.exr", "wave.mesh.0007.obj"}));
+    ASSERT_EQ(exported({"--maps", "displacement"}).exit_code, 0);
+    EXPECT_EQ(files_in(folder.path()).size(), 3u) << "meshes of the earlier export are still there";
+}
+
 TEST(ExportMesh, WavesThatStepsCantShowAreSaid) {
     const TemporaryFolder folder;
     const std::vector<std::string> stack = {
@@ -102,7 +118,7 @@ TEST(ExportMesh, WhatCantBeDoneIsOneLineAndNoFile) {
         {{"--maps", "none"}, "--maps is none, needs --mesh with it, or some maps"},
         {{"--mesh", "gltf-animation", "--frames", "257"}, "of 257 frames needs at most 256"},
         {{"--mesh", "gltf-animation", "--frames", "1-3,5"}, "of frames 1-3,5 needs frames without a gap"},
-        {{"--mesh", "gltf-animation", "--frames", "100", "--mesh-steps", "2048"}, "needs at most 1024 MiB"},
+        {{"--mesh", "gltf-animation", "--frames", "100", "--mesh-steps", "2048"}, "needs at most 512 MiB"},
         {{"--mesh", "mdd", "--frames", "100000", "--mesh-steps", "100"}, "needs at most 1024 MiB"},
     };
     for (const auto& [options, says] : cases) {

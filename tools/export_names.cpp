@@ -53,6 +53,7 @@ class NameReader {
     std::string_view rest_;
 };
 
+constexpr const char* mesh_mark = "mesh";
 constexpr const char* packed_start = "sea";
 
 /// "_0007"
@@ -73,11 +74,14 @@ std::string image_name(const MapOptions& options, const ImageMark& mark, int fra
     return map + tile + number_in_name(frame) + level + "." + extension;
 }
 
+std::string mesh_name(const std::optional<NamePattern>& pattern, int frame, const char* extension) {
+    if (pattern) return pattern->name(mesh_mark, frame, extension);
+    return mesh_mark + number_in_name(frame) + "." + extension;
+}
+
 std::string packed_name(const MapOptions& options, int frame) {
     return options.names ? options.names->name("", frame, "exr") : packed_start + number_in_name(frame) + ".exr";
 }
-
-std::string mesh_name(int frame, const char* extension) { return "mesh" + number_in_name(frame) + "." + extension; }
 
 const char* extension_of(MapKind map, const MapOptions& options) {
     if (options.is_exr(map)) return "exr";
@@ -103,15 +107,21 @@ bool is_image_name(std::string_view name, const std::optional<NamePattern>& patt
     return marked && mark.take_level(*marked) && mark.rest().empty() && is_extension(parts->extension, *marked);
 }
 
-bool is_mesh_name(std::string_view name) {
+bool is_mesh_name(std::string_view name, const std::optional<NamePattern>& pattern) {
     if (name == mesh_animation_name || name == point_cache_name) return true;
+    const auto is_extension_of_meshes = [](std::string_view text) {
+        return text == "obj" || text == "ply" || text == "glb";
+    };
     NameReader reader(name);
-    return reader.take("mesh_") && reader.take_number(frame_digits, 0, FrameTimes::largest_number) &&
-           (reader.rest() == ".obj" || reader.rest() == ".ply" || reader.rest() == ".glb");
+    if (reader.take("mesh_") && reader.take_number(frame_digits, 0, FrameTimes::largest_number) && reader.take(".") &&
+        is_extension_of_meshes(reader.rest()))
+        return true;
+    const auto parts = pattern ? pattern->parts_of(name) : std::nullopt;
+    return parts && parts->mark == mesh_mark && is_extension_of_meshes(parts->extension);
 }
 
 bool is_export_name(std::string_view name, const std::optional<NamePattern>& pattern) {
-    return is_record_name(name) || is_image_name(name, pattern) || is_mesh_name(name) ||
+    return is_record_name(name) || is_image_name(name, pattern) || is_mesh_name(name, pattern) ||
            is_export_part(name, pattern);
 }
 

@@ -20,8 +20,8 @@ struct ImageMark {
 /// "wave.gradient_c1_mip2.0007.png". \param is_alone  the frame has no other image, which a pattern needs no mark for then
 std::string image_name(const MapOptions& options, const ImageMark& mark, int frame, bool is_alone);
 
-/// "mesh_0007.obj".
-std::string mesh_name(int frame, const char* extension);
+/// "mesh_0007.obj", by a pattern "wave.mesh.0007.obj".
+std::string mesh_name(const std::optional<NamePattern>& pattern, int frame, const char* extension);
 
 /// Of all frames together: morph targets as glTF, and a point cache.
 inline constexpr const char* mesh_animation_name = "mesh.glb";
@@ -36,8 +36,8 @@ const char* extension_of(MapKind map, const MapOptions& options);
 /// True for what image_name() and packed_name() can give, without a pattern or with this one, and with any other options.
 bool is_image_name(std::string_view name, const std::optional<NamePattern>& pattern);
 
-/// True for what mesh_name() can give, and for the two of all frames.
-bool is_mesh_name(std::string_view name);
+/// True for what mesh_name() can give, likewise, and for the two of all frames.
+bool is_mesh_name(std::string_view name, const std::optional<NamePattern>& pattern);
 
 /// True for names that an export gives to files of its own: images, meshes, records, journals, locks, and their parts.
 bool is_export_name(std::string_view name, const std::optional<NamePattern>& pattern);

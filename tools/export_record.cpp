@@ -41,7 +41,7 @@ double number_of(const ReadJson& json) { return json.is_number() ? json.get<doub
 std::vector<std::string> file_names(const ExportOptions& options, int frame) {
     std::vector<std::string> names;
     for (const ImageFile& file : image_files(options, frame)) names.push_back(file.name);
-    for (const MeshFile& file : mesh_files(options.meshes, frame)) names.push_back(file.name);
+    for (const MeshFile& file : mesh_files(options, frame)) names.push_back(file.name);
     return names;
 }
 
@@ -84,7 +84,8 @@ ReadJson options_in(const ReadJson& head) {
 namespace {
 
 void take_name(const ReadJson& name, const ExportOptions& options, EarlierExport& earlier) {
-    if (std::string text = text_of(name); is_image_name(text, options.maps.names) || is_mesh_name(text))
+    if (std::string text = text_of(name);
+        is_image_name(text, options.maps.names) || is_mesh_name(text, options.maps.names))
         earlier.images.push_back(std::move(text));
 }
 

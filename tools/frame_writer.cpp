@@ -156,7 +156,7 @@ std::vector<FileRecord> write_files(const ExportOptions& options, const OutputFo
     const TraceScope scope(trace, "files", file_category,
                            {{{"frame", static_cast<double>(number)}, {"time_s", frame.time_s}}});
     std::vector<FileRecord> records = write_images(options, folder, number, frame, images_at_once, trace);
-    const std::vector<MeshFile> meshes = mesh_files(options.meshes, number);
+    const std::vector<MeshFile> meshes = mesh_files(options, number);
     if (meshes.empty()) return records;
     const Mesh mesh = mesh_of(frame, options.meshes.patch);
     for (const MeshFile& file : meshes) {
@@ -189,7 +189,9 @@ WritingPlan plan_writing(const ExportOptions& options, std::size_t most_bytes) {
     const auto tiles = static_cast<std::size_t>(cascades_of(options.sea.sea));
     const std::size_t bytes_per_texel =
         bytes_per_texel_in_flight + (options.maps.has(MapKind::velocity) ? bytes_per_texel_of_velocities : 0);
-    const std::size_t frames = std::min(threads, most_bytes / (side * side * tiles * bytes_per_texel));
+    const std::size_t row = options.meshes.any() ? static_cast<std::size_t>(options.meshes.patch.steps) + 1 : 0;
+    const std::size_t bytes = side * side * tiles * bytes_per_texel + row * row * bytes_per_vertex_in_flight;
+    const std::size_t frames = std::min(threads, most_bytes / bytes);
     if (frames >= 2) return {frames, std::min((threads + frames - 1) / frames, tiles)};
     const std::size_t files = most_bytes / (side * side * bytes_per_texel_of_a_file);
     return {1, std::clamp<std::size_t>(files, 1, threads)};

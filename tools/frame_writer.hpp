@@ -31,6 +31,9 @@ inline constexpr std::size_t bytes_per_texel_in_flight = 64, bytes_per_texel_of_
 /// Such a file alone: at most so many bytes a texel, measured.
 inline constexpr std::size_t bytes_per_texel_of_a_file = 32;
 
+/// And a vertex of meshes, as OBJ, which is the largest, measured likewise.
+inline constexpr std::size_t bytes_per_vertex_in_flight = 450;
+
 /// What is written at once.
 struct WritingPlan {
     /// One: written straight from the ocean's own memory, while it computes the next frame. More: copies.

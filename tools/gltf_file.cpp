@@ -56,7 +56,8 @@ void append_chunk(Bytes& file, std::string_view type, const Content& bytes) {
 
 }  // namespace
 
-GlbFile::GlbFile(const Mesh& first) : first_(first) {
+GlbFile::GlbFile(const Mesh& first, std::size_t frames) : first_(first) {
+    buffer_.reserve(buffer_bytes(first.positions.size(), first.face_count() * (first.corners - 2), frames));
     std::vector<float> positions, normals, texture_coordinates;
     for (const glm::vec3 position : first.positions) append(positions, position);
     for (const glm::vec3& normal : first.normals) append(normals, normal);

@@ -20,7 +20,8 @@ class GlbFile {
     /// WebGL 2 has 256 layers of a texture for certain, and three.js keeps a target in each.
     static constexpr std::size_t most_frames = 256;
 
-    explicit GlbFile(const Mesh& first);
+    /// \param frames  how many there will be, for memory
+    explicit GlbFile(const Mesh& first, std::size_t frames = 1);
 
     /// The next frame, a vertex for each of the first's and foam where that has it (asserted).
     void add(const Mesh& mesh);

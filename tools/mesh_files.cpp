@@ -7,11 +7,11 @@
 
 namespace pelagic::tools {
 
-std::vector<MeshFile> mesh_files(const MeshOptions& options, int frame) {
+std::vector<MeshFile> mesh_files(const ExportOptions& options, int frame) {
     std::vector<MeshFile> files;
     for (const auto& [format, extension] :
          {std::pair(MeshFormat::obj, "obj"), {MeshFormat::ply, "ply"}, {MeshFormat::gltf, "glb"}})
-        if (options.has(format)) files.push_back({mesh_name(frame, extension), format});
+        if (options.meshes.has(format)) files.push_back({mesh_name(options.maps.names, frame, extension), format});
     return files;
 }
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "pelagic/tools/byte_order.hpp"
-#include "pelagic/tools/mesh_options.hpp"
+#include "pelagic/tools/export_options.hpp"
 
 namespace pelagic::tools {
 
@@ -15,7 +15,7 @@ struct MeshFile {
 };
 
 /// All of a frame, in the order in which records list them, behind its images.
-std::vector<MeshFile> mesh_files(const MeshOptions& options, int frame);
+std::vector<MeshFile> mesh_files(const ExportOptions& options, int frame);
 
 Bytes encode_mesh_file(MeshFormat format, const Mesh& mesh);
 

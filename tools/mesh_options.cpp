@@ -20,8 +20,8 @@ constexpr std::array<std::pair<MeshFormat, const char*>, 5> all_formats = {
      {MeshFormat::gltf_animation, "gltf-animation"},
      {MeshFormat::mdd, "mdd"}}};
 
-/// Of one file for all frames, which is made in memory.
-constexpr std::size_t most_bytes = std::size_t{1} << 30;
+/// Of one file for all frames, which is made in memory, glTF there twice.
+constexpr std::size_t most_animation_bytes = std::size_t{512} << 20, most_point_cache_bytes = std::size_t{1} << 30;
 
 std::vector<MeshFormat> formats_in(const std::string& text) {
     std::vector<MeshFormat> formats;
@@ -37,7 +37,7 @@ std::vector<MeshFormat> formats_in(const std::string& text) {
     return formats;
 }
 
-void check_size(const char* format, std::size_t bytes, std::size_t frames) {
+void check_size(const char* format, std::size_t bytes, std::size_t most_bytes, std::size_t frames) {
     if (bytes > most_bytes)
         throw InputError("--mesh " + std::string(format) + " of " + number_text(frames) + " frames has " +
                          number_text(bytes >> 20) + " MiB, needs at most " + number_text(most_bytes >> 20) +
@@ -54,9 +54,10 @@ void check_sequences(const MeshOptions& options, const FrameTimes& times) {
         if (times.ranges.size() > 1)
             throw InputError("--mesh gltf-animation of frames " + text_of(times.ranges) +
                              " needs frames without a gap");
-        check_size("gltf-animation", GlbFile::buffer_bytes(vertices, 2 * steps * steps, frames), frames);
+        check_size("gltf-animation", GlbFile::buffer_bytes(vertices, 2 * steps * steps, frames), most_animation_bytes,
+                   frames);
     }
-    if (options.has(MeshFormat::mdd)) check_size("mdd", mdd_bytes(vertices, frames), frames);
+    if (options.has(MeshFormat::mdd)) check_size("mdd", mdd_bytes(vertices, frames), most_point_cache_bytes, frames);
 }
 
 }  // namespace

@@ -19,12 +19,15 @@ class GlbOutput : public SequenceOutput {
         if (file_)
             file_->add(mesh);
         else
-            file_.emplace(mesh);
+            file_.emplace(mesh, options_.times.count());
     }
     std::vector<File> finish() override {
         const FrameTimes& times = options_.times;
         const double fps = times.fps.value_or(static_cast<double>(times.count()) / times.loop_period_s);
-        return {{mesh_animation_name, file_->finish(fps, !times.fps)}};
+        std::vector<File> files;  // an initializer list would copy it
+        files.push_back({mesh_animation_name, file_->finish(fps, !times.fps)});
+        file_.reset();
+        return files;
     }
 
    private:
@@ -47,7 +50,11 @@ class MddOutput : public SequenceOutput {
     void add(std::size_t, const Frame& frame) override {
         append_mdd_frame(bytes_, mesh_of(frame, options_.meshes.patch));
     }
-    std::vector<File> finish() override { return {{point_cache_name, std::move(bytes_)}}; }
+    std::vector<File> finish() override {
+        std::vector<File> files;
+        files.push_back({point_cache_name, std::move(bytes_)});
+        return files;
+    }
 
    private:
     const ExportOptions& options_;

@@ -1,6 +1,7 @@
 #include "pelagic/tools/obj_file.hpp"
 
-#include <cstdio>
+#include <charconv>
+#include <initializer_list>
 
 #include "pelagic/message/number_text.hpp"
 
@@ -17,10 +18,14 @@ void append_position(std::string& text, const glm::dvec3& position, ObjDigits di
     }
 }
 
-template <class... Values>
-void append_line(std::string& text, const char* format, Values... values) {
-    char line[200];
-    text.append(line, static_cast<std::size_t>(std::snprintf(line, sizeof line, format, values...)));
+/// Each behind a space, with so many decimals.
+void append_rounded(std::string& text, int decimals, std::initializer_list<float> numbers) {
+    char digits[64];
+    for (const float number : numbers) {
+        const auto end =
+            std::to_chars(digits, digits + sizeof digits, number, std::chars_format::fixed, decimals).ptr;
+        text.append(" ").append(digits, static_cast<std::size_t>(end - digits));
+    }
 }
 
 }  // namespace
@@ -30,19 +35,18 @@ std::string mesh_as_obj(const Mesh& mesh, ObjDigits digits) {
     for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
         text += 'v';
         append_position(text, mesh.positions[v], digits);
-        if (!mesh.foam.empty()) {
-            const auto foam = static_cast<double>(mesh.foam[v]);
-            append_line(text, " %.4f %.4f %.4f", foam, foam, foam);
-        }
-        const glm::dvec2 uv(mesh.texture_coordinates[v]);
-        const glm::dvec3 n(mesh.normals[v]);
-        append_line(text, "\nvt %.6f %.6f\nvn %.4f %.4f %.4f\n", uv.x, uv.y, n.x, n.y, n.z);
+        if (!mesh.foam.empty()) append_rounded(text, 4, {mesh.foam[v], mesh.foam[v], mesh.foam[v]});
+        text += "\nvt";
+        append_rounded(text, 6, {mesh.texture_coordinates[v].x, mesh.texture_coordinates[v].y});
+        text += "\nvn";
+        append_rounded(text, 4, {mesh.normals[v].x, mesh.normals[v].y, mesh.normals[v].z});
+        text += '\n';
     }
     for (std::size_t at = 0; at < mesh.faces.size(); at += mesh.corners) {
         text += 'f';
         for (std::size_t corner = at; corner < at + mesh.corners; ++corner) {
-            const std::uint32_t number = mesh.faces[corner] + 1;
-            append_line(text, " %u/%u/%u", number, number, number);
+            const std::string number = number_text(mesh.faces[corner] + 1);
+            text.append(" ").append(number).append("/").append(number).append("/").append(number);
         }
         text += '\n';
     }
