@@ -16,6 +16,7 @@ pelagic_packages=(
   libcli11-dev             # CLI11: the command line
   libtomlplusplus-dev      # toml++: --config
   nlohmann-json3-dev       # sea.json
+  libzstd-dev              # Zstandard: KTX2
   libgtest-dev             # GoogleTest
   libbenchmark-dev         # Google Benchmark
   libopenexr-dev libpng-dev  # tests read the files back with other readers than the one that wrote them
