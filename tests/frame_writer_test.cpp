@@ -78,9 +78,9 @@ std::size_t frames_at_once(std::size_t most_bytes) {
     options.sea.sea = {.resolution = 64, .patch_size_m = 250};
     options.compute.threads = 8;
     options.folder = path.path();
-    options.frames = 24;
-    options.fps = 24;
-    options.mips = true;
+    options.times.ranges = {{0, 23}};
+    options.times.fps = 24;
+    options.maps.mips = true;
     options.sync = false;
     const OutputFolder folder(options.folder, Sync::no);
     ExportJournal journal(options, folder);
@@ -89,7 +89,7 @@ std::size_t frames_at_once(std::size_t most_bytes) {
     FramesAtOnce seen;
     Ocean ocean(options.sea.sea, {.executor = make_serial_executor()});
     FrameWriter writer(options, folder, journal, records, &seen, most_bytes);
-    for (int frame = 0; frame < options.frames; ++frame) writer.write(frame, ocean.frame_at(options.time_of(frame)));
+    for (int frame = 0; frame < 24; ++frame) writer.write(frame, ocean.frame_at(options.times.time_of(frame)));
     writer.finish();
     EXPECT_EQ(seen.frames(), 24u);
     EXPECT_EQ(records.size(), 24u);
@@ -122,7 +122,8 @@ TEST(FrameWriter, RecordsFramesAsTheyWereHandedOver) {
     options.sea.sea = {.cascades = 2, .resolution = 32, .wind_speed_mps = 20};
     options.compute.threads = 8;
     options.folder = path.path();
-    options.foam = true;
+    options.maps.maps.push_back(MapKind::foam);
+    options.times.fps = 24;
     const OutputFolder folder(options.folder, Sync::no);
     ExportJournal journal(options, folder);
     journal.begin();

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "pelagic/tools/export_options.hpp"
+#include "pelagic/tools/compute_options.hpp"
 #include "pelagic/tools/frame_timing.hpp"
 
 namespace pelagic::tools {

@@ -74,13 +74,14 @@ void ExportJournal::add(const FrameRecord& record) {
     folder_.append_line(journal_name, journal_, frame_as_json(record).dump());
 }
 
-void ExportJournal::end(const std::vector<FrameRecord>& frames) {
-    folder_.write(sea_json_name, sea_json(options_, frames).dump(2) + "\n");
+void ExportJournal::end(const std::vector<FrameRecord>& frames, const std::vector<FileRecord>& sequence_files) {
+    folder_.write(sea_json_name, sea_json(options_, frames, sequence_files).dump(2) + "\n");
     folder_.sync();
 
     std::set<std::string> made;
     for (const FrameRecord& frame : frames)
         for (const FileRecord& file : frame.files) made.insert(file.name);
+    for (const FileRecord& file : sequence_files) made.insert(file.name);
     for (const std::string& name : earlier_images_) {
         folder_.remove(part_name(name));
         if (!made.contains(name)) folder_.remove(name);

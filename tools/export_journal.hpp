@@ -31,8 +31,8 @@ class ExportJournal {
     /// The frame's files are done. Throws FileError.
     void add(const FrameRecord& record);
     /// Writes sea.json, then removes the journal, files of an earlier export that this one did not make again, and
-    /// parts that a killed one left behind.
-    void end(const std::vector<FrameRecord>& frames);
+    /// parts that a killed one left behind. \param sequence_files  made of all frames together
+    void end(const std::vector<FrameRecord>& frames, const std::vector<FileRecord>& sequence_files);
 
    private:
     void read_earlier();

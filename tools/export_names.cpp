@@ -1,62 +1,69 @@
 #include "pelagic/tools/export_names.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
-#include <regex>
+
+#include "pelagic/sim/sea_state.hpp"
+#include "pelagic/sim/tile.hpp"
+#include "pelagic/tools/frame_times.hpp"
 
 namespace pelagic::tools {
 namespace {
 
-std::string image_name(const char* map, int tile, int frame, int level, const char* extension) {
-    std::array<char, 16> number;
-    std::snprintf(number.data(), number.size(), "%04d", frame);
-    std::string name = map;
-    if (tile > 0) name += "_c" + std::to_string(tile);
-    name.append("_").append(number.data());
-    if (level > 0) name += "_mip" + std::to_string(level);
-    return name + "." + extension;
-}
+/// Takes a name to pieces from the front.
+class NameReader {
+   public:
+    explicit NameReader(std::string_view name) : rest_(name) {}
 
-int levels_of_a_chain(const ExportOptions& options) {
-    return options.mips ? mip_levels(resolution_of(options.sea.sea)) : 1;
-}
+    bool take(std::string_view text) {
+        if (!rest_.starts_with(text)) return false;
+        rest_.remove_prefix(text.size());
+        return true;
+    }
+    /// A number from `least` to `most` in at least `digits` digits, with leading zeros up to there and no further.
+    bool take_number(std::size_t digits, int least, int most) {
+        const std::size_t end = std::min(rest_.find_first_not_of("0123456789"), rest_.size());
+        if (end < digits || end > 9 || (end > digits && rest_[0] == '0')) return false;
+        const int number = std::stoi(std::string(rest_.substr(0, end)));
+        rest_.remove_prefix(end);
+        return least <= number && number <= most;
+    }
+    bool is_at_end() const { return rest_.empty(); }
+
+   private:
+    std::string_view rest_;
+};
+
+constexpr std::size_t frame_digits = 4;
 
 }  // namespace
 
-std::string displacement_name(const ExportOptions& options, int tile, int frame) {
-    return image_name("displacement", tile, frame, 0, displacement_extension(options.format));
+std::string image_name(const MapOptions& options, MapKind map, int tile, int frame, int level) {
+    std::array<char, 16> number;
+    std::snprintf(number.data(), number.size(), "%0*d", static_cast<int>(frame_digits), frame);
+    std::string name(name_of(map));
+    if (tile > 0) name += "_c" + std::to_string(tile);
+    name.append("_").append(number.data());
+    if (level > 0) name += "_mip" + std::to_string(level);
+    return name + "." + extension_of(map, options);
 }
 
-std::string gradient_name(const ExportOptions& options, int tile, int frame, int level) {
-    return image_name("gradient", tile, frame, level, gradient_extension(options.format));
+const char* extension_of(MapKind map, const MapOptions& options) {
+    if (options.format == ImageFormat::tiff) return "tif";
+    return options.sample_of(map) == Sample::uint8 ? "png" : "exr";
 }
 
-std::string foam_name(const ExportOptions& options, int tile, int frame, int level) {
-    return image_name("foam", tile, frame, level, gradient_extension(options.format));
-}
-
-int gradient_levels(const ExportOptions& options) { return options.gradient ? levels_of_a_chain(options) : 0; }
-int foam_levels(const ExportOptions& options) { return options.foam ? levels_of_a_chain(options) : 0; }
-
-std::vector<std::string> image_names(const ExportOptions& options, int frame) {
-    std::vector<std::string> names;
-    for (int tile = 0; tile < cascades_of(options.sea.sea); ++tile) {
-        if (options.displacement) names.push_back(displacement_name(options, tile, frame));
-        for (int level = 0; level < gradient_levels(options); ++level)
-            names.push_back(gradient_name(options, tile, frame, level));
-        for (int level = 0; level < foam_levels(options); ++level)
-            names.push_back(foam_name(options, tile, frame, level));
-    }
-    return names;
-}
-
-// Tiles to 3, frames to 999999 in four digits or more, and the levels of N = 2048.
 bool is_image_name(std::string_view name) {
-    constexpr std::size_t longest = 40;  // std::regex takes stack by the length of the text
-    static const std::regex pattern(
-        "displacement_(c[1-3]_)?([0-9]{4}|[1-9][0-9]{4,5})\\.(exr|tif)|"
-        "(gradient|foam)_(c[1-3]_)?([0-9]{4}|[1-9][0-9]{4,5})(_mip([1-9]|1[01]))?\\.(png|tif)");
-    return name.size() <= longest && std::regex_match(name.begin(), name.end(), pattern);
+    constexpr int most_tiles = 4, most_level = mip_levels(2048) - 1;
+    NameReader reader(name);
+    const auto* map = std::find_if(all_maps.begin(), all_maps.end(),
+                                   [&](MapKind one) { return reader.take(std::string(name_of(one)) + "_"); });
+    if (map == all_maps.end()) return false;
+    if (reader.take("c") && !(reader.take_number(1, 1, most_tiles - 1) && reader.take("_"))) return false;
+    if (!reader.take_number(frame_digits, 0, FrameTimes::largest_number)) return false;
+    if (has_chain(*map) && reader.take("_mip") && !reader.take_number(1, 1, most_level)) return false;
+    return (reader.take(".tif") || reader.take(has_chain(*map) ? ".png" : ".exr")) && reader.is_at_end();
 }
 
 bool is_export_name(std::string_view name) {

@@ -2,8 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
-#include <stdexcept>
+#include <cmath>
 #include <vector>
 
 #include "pelagic/tools/errors.hpp"
@@ -19,23 +18,25 @@ constexpr int most_frames = 1'000'000;
 constexpr double latest_start_s = 1e9;
 constexpr double most_fps = 1000;
 constexpr double default_fps = 24;
+constexpr const char* one_loop = "loop";
 
-std::vector<std::string> names_of_isas_here() {
-    std::vector<std::string> names;
-    for (const Isa isa : isas_here()) names.emplace_back(name_of(isa));
+/// "displacement, gradient, foam".
+std::string names_of_maps() {
+    std::string names;
+    for (const MapKind map : all_maps) names.append(names.empty() ? "" : ", ").append(name_of(map));
     return names;
 }
 
-void choose_maps(ExportOptions& options, const std::string& text) {
-    const std::map<std::string, bool*> all = {
-        {"displacement", &options.displacement}, {"gradient", &options.gradient}, {"foam", &options.foam}};
-    for (const auto& [name, chosen] : all) *chosen = false;
-    for (const std::string& map : split_at_commas(text)) {
-        const auto found = all.find(map);
-        if (found == all.end() || *found->second)
-            throw bad_value("--maps", text, "displacement, gradient, foam or some of them with commas, each once");
-        *found->second = true;
+std::vector<MapKind> maps_in(const std::string& text) {
+    std::vector<MapKind> maps;
+    for (const std::string& name : split_at_commas(text)) {
+        const auto map = map_named(name);
+        if (!map || std::find(maps.begin(), maps.end(), *map) != maps.end())
+            throw bad_value("--maps", text, names_of_maps() + " or some of them with commas, each once");
+        maps.push_back(*map);
     }
+    std::sort(maps.begin(), maps.end());
+    return maps;
 }
 
 /// "wave.%04d.exr" or "wave.png": what other programs take, and what nobody would call a folder.
@@ -44,6 +45,27 @@ bool is_picture_name(const std::filesystem::path& path) {
     constexpr std::array pictures = {".exr", ".png", ".tif", ".tiff", ".jpg", ".jpeg"};
     return path.filename().string().find('%') != std::string::npos ||
            std::find(pictures.begin(), pictures.end(), extension) != pictures.end();
+}
+
+/// `count` frames from a number on.
+std::vector<FrameRange> one_run(int first, int count, const std::string& option, const std::string& text) {
+    if (count - 1 > FrameTimes::largest_number - first)
+        throw bad_value(option, text,
+                        "at most " + number_text(FrameTimes::largest_number - first + 1) +
+                            " frames from --start-number " + number_text(first) + " on");
+    return {{first, first + count - 1}};
+}
+
+/// Throws InputError unless they are a whole number.
+int frames_of_a_loop(double loop_period_s, double fps) {
+    const double frames = loop_period_s * fps, whole = std::round(frames);
+    // A product of two rounded numbers is off by far less.
+    if (std::fabs(frames - whole) > 1e-9 * frames || whole < 1 || whole > most_frames)
+        throw InputError("--frames is loop, needs a loop of whole frames, 1 to 1000000: --loop-period " +
+                         number_text(loop_period_s) + " at --fps " + number_text(fps) + " has " +
+                         number_text(frames) + "; --loop-period " + number_text(std::max(whole, 1.0) / fps) +
+                         " would do");
+    return static_cast<int>(whole);
 }
 
 // A folder may be missing; what is there must be one.
@@ -82,44 +104,16 @@ std::filesystem::path checked_trace(const std::string& text, const std::filesyst
 
 }  // namespace
 
-void ComputeFlags::add_to(CLI::App& app) {
-    app.add_option("--threads", threads_, "most threads to use; 0 to 1024, default 0: all cores")
-        ->type_name("NUMBER")
-        ->group("Computing (the same bits whatever you choose)");
-    const std::vector<std::string> isas = names_of_isas_here();
-    app.add_option("--isa", isa_, "instruction set: " + list_of(isas) + " here; default the strongest")
-        ->type_name("NAME")
-        ->group("Computing (the same bits whatever you choose)");
-}
-
-ComputeOptions ComputeFlags::resolve() const {
-    ComputeOptions options;
-    if (threads_) options.threads = whole_number_in("--threads", *threads_, 0, 1024);
-    if (isa_) {
-        options.isa = isa_named(*isa_);
-        const std::vector<std::string> here = names_of_isas_here();
-        if (!options.isa || !runs_here(*options.isa)) throw bad_value("--isa", *isa_, list_of(here) + " on this CPU");
-    }
-    try {
-        options.isa = choose_isa(options.isa);
-    } catch (const std::invalid_argument& error) {
-        throw InputError(error.what());
-    }
-    return options;
-}
-
-bool ComputeFlags::names_isa() const {
-    const char* const wish = std::getenv("PELAGIC_ISA");
-    return isa_ || (wish && *wish);
-}
-
 void ExportFlags::add_to(CLI::App& app) {
     const auto add = [&](const std::string& flag, const std::string& type, const std::string& help) {
         app.add_option("--" + flag, typed_[flag], help)->type_name(type);
     };
     add("out", "DIR", "folder for the files; made if missing, an earlier export in it is replaced");
     add("start", "SECONDS", "time of the first frame; default 0");
-    add("frames", "NUMBER", "how many frames; 1 to 1000000, default 1");
+    add("frames", "NUMBERS",
+        "how many frames; 1 to 1000000, default 1. Or the numbers of frames, as 10-20,40 or 7-7, of which the first "
+        "stands for --start-number; or loop: as many as one loop period has at --fps");
+    add("start-number", "NUMBER", "number of the frame at --start; 0 to 999999, default 0");
     add("fps", "NUMBER", "frames a second; (0, 1000], default 24");
     add("loop-frames", "NUMBER", "that many frames over exactly one loop period, instead of --frames and --fps");
     add("maps", "NAMES",
@@ -141,45 +135,76 @@ void ExportFlags::add_to(CLI::App& app) {
     app.footer(pixel_meaning());
 }
 
-ExportOptions ExportFlags::resolve() const {
-    ExportOptions options;
-    options.folder = checked_folder(typed_.at("out"));
-    options.sea = sea_.resolve();
-    options.compute = compute_.resolve();
+FrameTimes ExportFlags::times(const ResolvedSea& sea) const {
+    FrameTimes times;
+    times.loop_period_s = sea.sea.loop_period_s;
+    if (const auto& start = typed("start"))
+        times.start_s = number_in("--start", *start, -latest_start_s, latest_start_s, "seconds in [-1e9, 1e9]");
+    if (const auto& number = typed("start-number"))
+        times.start_number = whole_number_in("--start-number", *number, 0, FrameTimes::largest_number);
+    const auto& loop_frames = typed("loop-frames");
+    const auto& frames = typed("frames");
+    for (const std::string other : {"frames", "fps"})
+        if (loop_frames && typed(other))
+            throw InputError("--loop-frames is " + *loop_frames + " and --" + other + " is " + *typed(other) +
+                             ", needs one of the two: a loop's frames follow from its period");
+    const bool is_loop = loop_frames || frames == one_loop;
+    if (is_loop && !sea.changes.empty())
+        throw InputError((loop_frames ? "--loop-frames is " + *loop_frames : "--frames is loop") +
+                         ", needs a number of --frames with --weather: it is no loop");
+    if (loop_frames) {
+        times.ranges = one_run(times.start_number, whole_number_in("--loop-frames", *loop_frames, 1, most_frames),
+                               "--loop-frames", *loop_frames);
+        return times;
+    }
+    times.fps = default_fps;
+    if (const auto& fps = typed("fps")) {
+        times.fps = parse_number(*fps);
+        if (!times.fps || *times.fps <= 0 || *times.fps > most_fps) throw bad_value("--fps", *fps, "(0, 1000]");
+    }
+    if (frames == one_loop) {
+        times.ranges =
+            one_run(times.start_number, frames_of_a_loop(times.loop_period_s, *times.fps), "--frames", *frames);
+        times.fps.reset();
+    } else if (frames && frames->find_first_of("-,", 1) != std::string::npos) {
+        const auto ranges = parse_frame_ranges(*frames);
+        if (!ranges)
+            throw bad_value("--frames", *frames,
+                            "a number of frames, or rising numbers from 0 to 999999 as 10-20,40");
+        if (ranges->front().first < times.start_number)
+            throw bad_value("--frames", *frames,
+                            "numbers from --start-number, " + number_text(times.start_number) + ", on");
+        times.ranges = *ranges;
+    } else if (frames) {
+        times.ranges =
+            one_run(times.start_number, whole_number_in("--frames", *frames, 1, most_frames), "--frames", *frames);
+    }
+    return times;
+}
+
+MapOptions ExportFlags::maps() const {
+    MapOptions options;
     options.mips = mips_;
     options.half = half_;
-    options.resume = resume_;
-    options.sync = !no_sync_;
-    options.lock = !no_lock_;
-
-    if (const auto& start = typed_.at("start"))
-        options.start_s = number_in("--start", *start, -latest_start_s, latest_start_s, "seconds in [-1e9, 1e9]");
-    const auto& loop_frames = typed_.at("loop-frames");
-    for (const std::string other : {"frames", "fps"})
-        if (loop_frames && typed_.at(other))
-            throw InputError("--loop-frames is " + *loop_frames + " and --" + other + " is " + *typed_.at(other) +
-                             ", needs one of the two: a loop's frames follow from its period");
-    if (loop_frames && !options.sea.changes.empty())
-        throw InputError("--loop-frames is " + *loop_frames +
-                         ", needs --frames and --fps with --weather: it is no loop");
-    if (loop_frames) {
-        options.frames = whole_number_in("--loop-frames", *loop_frames, 1, most_frames);
-    } else {
-        options.fps = default_fps;
-        if (const auto& frames = typed_.at("frames"))
-            options.frames = whole_number_in("--frames", *frames, 1, most_frames);
-        if (const auto& fps = typed_.at("fps")) {
-            options.fps = parse_number(*fps);
-            if (!options.fps || *options.fps <= 0 || *options.fps > most_fps)
-                throw bad_value("--fps", *fps, "(0, 1000]");
-        }
-    }
-    if (const auto& maps = typed_.at("maps")) choose_maps(options, *maps);
-    if (const auto& format = typed_.at("format")) {
+    if (const auto& maps = typed("maps")) options.maps = maps_in(*maps);
+    if (const auto& format = typed("format")) {
         if (*format != "exr" && *format != "tif") throw bad_value("--format", *format, "exr or tif");
         if (*format == "tif") options.format = ImageFormat::tiff;
     }
-    if (const auto& trace = typed_.at("trace")) options.trace = checked_trace(*trace, options.folder);
+    return options;
+}
+
+ExportOptions ExportFlags::resolve() const {
+    ExportOptions options;
+    options.folder = checked_folder(typed("out"));
+    options.sea = sea_.resolve();
+    options.compute = compute_.resolve();
+    options.times = times(options.sea);
+    options.maps = maps();
+    options.resume = resume_;
+    options.sync = !no_sync_;
+    options.lock = !no_lock_;
+    if (const auto& trace = typed("trace")) options.trace = checked_trace(*trace, options.folder);
     image_codec();  // before anything is written: without its library nothing will be
     return options;
 }

@@ -135,7 +135,7 @@ std::vector<float> ExportReader::heights(std::size_t frame, std::size_t tile) co
                                  .width = resolution,
                                  .height = resolution,
                                  .channels = 3,
-                                 .sample = ImageDescription::Sample::float32,
+                                 .sample = Sample::float32,
                                  .colour_space = "Linear",
                                  .compression = nullptr};
     std::vector<float> heights(texels);

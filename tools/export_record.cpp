@@ -5,6 +5,7 @@
 
 #include "pelagic/tools/digest.hpp"
 #include "pelagic/tools/export_names.hpp"
+#include "pelagic/tools/image_files.hpp"
 
 namespace pelagic::tools {
 namespace {
@@ -38,21 +39,23 @@ double number_of(const ReadJson& json) { return json.is_number() ? json.get<doub
 /// The frame that an entry is about, if it says exactly what this export would say.
 std::optional<FrameRecord> accepted(const ReadJson& entry, const ExportOptions& options) {
     const ReadJson& number = value_of(entry, "frame");
-    if (!number.is_number_unsigned() || number.get<std::uint64_t>() >= static_cast<std::uint64_t>(options.frames))
+    if (!number.is_number_unsigned() || number.get<std::uint64_t>() > FrameTimes::largest_number ||
+        !options.times.contains(number.get<int>()))
         return {};
+    const bool has_foam = options.maps.has(MapKind::foam);
     FrameRecord record{.frame = number.get<int>(),
-                       .time_s = options.time_of(number.get<int>()),
+                       .time_s = options.times.time_of(number.get<int>()),
                        .hash = text_of(value_of(entry, "hash")),
-                       .foam_hash = options.foam ? text_of(value_of(entry, "foam_hash")) : "",
+                       .foam_hash = has_foam ? text_of(value_of(entry, "foam_hash")) : "",
                        .significant_wave_height_m = number_of(value_of(entry, "significant_wave_height_m")),
                        .height_min_m = number_of(value_of(entry, "height_min_m")),
                        .height_max_m = number_of(value_of(entry, "height_max_m")),
                        .files = {}};
     const ReadJson& files = value_of(entry, "files");
-    const std::vector<std::string> names = image_names(options, record.frame);
-    if (files.size() != names.size() || options.foam == record.foam_hash.empty()) return {};
-    for (std::size_t i = 0; i < names.size(); ++i)
-        record.files.push_back({names[i], files.is_array() ? text_of(value_of(files[i], "xxh3")) : ""});
+    const std::vector<ImageFile> images = image_files(options, record.frame);
+    if (files.size() != images.size() || has_foam == record.foam_hash.empty()) return {};
+    for (std::size_t i = 0; i < images.size(); ++i)
+        record.files.push_back({images[i].name, files.is_array() ? text_of(value_of(files[i], "xxh3")) : ""});
     // Time and names are ours by now: an entry with others is not equal. Nor is one whose digest does not fit the rest.
     if (entry != ReadJson(frame_as_json(record))) return {};
     return record;
@@ -114,8 +117,8 @@ EarlierExport parse_sea_json(std::string_view text, const ExportOptions& options
 std::size_t most_record_bytes(const ExportOptions& options) {
     constexpr std::size_t usual = std::size_t{64} << 20;
     constexpr std::size_t bytes_a_frame = 1000, bytes_a_file = 200;  // twice what sea.json takes
-    const std::size_t files = image_names(options, 0).size();
-    return std::max(usual, static_cast<std::size_t>(options.frames) * (bytes_a_frame + files * bytes_a_file));
+    const std::size_t files = image_files(options, 0).size();
+    return std::max(usual, options.times.count() * (bytes_a_frame + files * bytes_a_file));
 }
 
 std::string first_difference(const ReadJson& earlier, const Json& now) {

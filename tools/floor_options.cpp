@@ -38,7 +38,7 @@ gl::SeaFloor read_heights(const std::string& file, const std::string& extension)
                                .width = 0,
                                .height = 0,
                                .channels = 0,
-                               .sample = ImageDescription::Sample::float32,
+                               .sample = Sample::float32,
                                .colour_space = nullptr,
                                .compression = nullptr};
         image_codec().measure(image, data);

@@ -33,7 +33,7 @@ gl::FlowMap read_flow_map(const std::string& option, const std::string& file) {
                                  .width = width,
                                  .height = height,
                                  .channels = channels,
-                                 .sample = ImageDescription::Sample::uint8,
+                                 .sample = Sample::uint8,
                                  .colour_space = "",
                                  .compression = "",
                                  .has_unassociated_alpha = true};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <initializer_list>
 #include <memory>
 #include <span>
 #include <system_error>
@@ -12,23 +13,34 @@
 #include "pelagic/sim/frame_buffers.hpp"
 #include "pelagic/sim/statistics.hpp"
 #include "pelagic/tools/digest.hpp"
-#include "pelagic/tools/export_names.hpp"
+#include "pelagic/tools/image_files.hpp"
 
 namespace pelagic::tools {
 namespace {
 
+/// The views of a tile that the images show.
+struct NeededViews {
+    explicit NeededViews(const MapOptions& options)
+        : halves(options.has(MapKind::displacement) && options.half),
+          planes(options.has(MapKind::displacement) && !options.half),
+          gradient(options.has(MapKind::gradient)),
+          foam(options.has(MapKind::foam)) {}
+
+    bool halves, planes, gradient, foam;
+};
+
 /// What a frame's files need of it, copied, so that its images can be encoded while the ocean goes on.
 class FrameCopy {
    public:
-    explicit FrameCopy(const Frame& frame)
-        : frame_(frame), tiles_(frame.tiles.begin(), frame.tiles.end()), hash_(hash_of(frame)) {
-        for (Tile& tile : tiles_) copies_.push_back(copied(tile));
+    FrameCopy(const Frame& frame, const NeededViews& needed)
+        : frame_(frame), tiles_(frame.tiles.begin(), frame.tiles.end()) {
+        for (Tile& tile : tiles_) copies_.push_back(copied(tile, needed));
         frame_.tiles = tiles_;
     }
     FrameCopy(const FrameCopy&) = delete;
 
+    /// With no views but the needed ones.
     const Frame& frame() const { return frame_; }
-    std::uint64_t hash() const { return hash_; }  ///< of the whole frame
 
    private:
     struct Copies {
@@ -38,101 +50,83 @@ class FrameCopy {
         std::vector<std::uint8_t> foam;
     };
 
-    /// Of what the tile's views show, which show the copies from now on.
-    static Copies copied(Tile& tile) {
+    static Copies copied(Tile& tile, const NeededViews& needed) {
         Copies copies;
-        const int side = tile.resolution();
+        if (needed.planes) copy_planes(copies.planes, {&tile.dx, &tile.height, &tile.dz});
+        copy_if(needed.halves, copies.halves, tile.displacement_rgba16f);
+        copy_if(needed.gradient, copies.gradient, tile.gradient_rgba8);
+        copy_if(needed.foam, copies.foam, tile.foam_r8);
+        tile.slopes_rgba8 = tile.moments_rgba8 = {};
+        return copies;
+    }
+
+    /// One behind the other, without gaps; the views show the copies from now on.
+    static void copy_planes(std::vector<float>& copies, std::initializer_list<PlaneView*> planes) {
+        const int side = (*planes.begin())->resolution;
         const std::size_t texels = static_cast<std::size_t>(side) * static_cast<std::size_t>(side);
-        copies.planes.resize(3 * texels);
-        float* to = copies.planes.data();
-        for (PlaneView* plane : {&tile.dx, &tile.height, &tile.dz}) {
+        copies.resize(planes.size() * texels);
+        float* to = copies.data();
+        for (PlaneView* plane : planes) {
             copy_plane(*plane, {to, texels});
             *plane = {to, side, side, side, 0};
             to += texels;
         }
-        copies.halves.assign(tile.displacement_rgba16f.begin(), tile.displacement_rgba16f.end());
-        copies.gradient.assign(tile.gradient_rgba8.begin(), tile.gradient_rgba8.end());
-        copies.foam.assign(tile.foam_r8.begin(), tile.foam_r8.end());
-        tile.displacement_rgba16f = copies.halves;
-        tile.gradient_rgba8 = copies.gradient;
-        tile.slopes_rgba8 = tile.moments_rgba8 = {};  // no file of them
-        tile.foam_r8 = copies.foam;
-        return copies;
+    }
+
+    template <class Texel>
+    static void copy_if(bool is_needed, std::vector<Texel>& copies, std::span<const Texel>& view) {
+        if (is_needed) copies.assign(view.begin(), view.end());
+        view = copies;
     }
 
     Frame frame_;
     std::vector<Tile> tiles_;
     std::vector<Copies> copies_;
-    std::uint64_t hash_;
 };
 
 constexpr const char* file_category = "file";
 
-/// The images of one frame, one after the other.
-class FrameFiles {
-   public:
-    FrameFiles(const ExportOptions& options, const OutputFolder& folder, int number, const Frame& frame,
-               TraceSink* trace)
-        : options_(options), folder_(folder), number_(number), frame_(frame), trace_(trace) {}
-
-    std::vector<FileRecord> write() {
-        int number = 0;
-        for (const Tile& tile : frame_.tiles) write_tile(number++, tile);
-        return std::move(files_);
+/// What a trace calls the work on a map.
+std::string_view trace_name(MapKind map) {
+    switch (map) {
+        case MapKind::displacement: return "encode displacement";
+        case MapKind::gradient: return "encode gradient";
+        case MapKind::foam: return "encode foam";
     }
+    return "";
+}
 
-   private:
-    void write_tile(int number, const Tile& tile) {
-        if (options_.displacement) write_image(displacement_name(options_, number, number_), displacement(tile));
-        for (int level = 0; level < gradient_levels(options_); ++level)
-            write_image(gradient_name(options_, number, number_, level), gradient(tile, level));
-        for (int level = 0; level < foam_levels(options_); ++level)
-            write_image(foam_name(options_, number, number_, level), foam(tile, level));
-    }
-
-    std::vector<unsigned char> displacement(const Tile& tile) const {
-        const TraceScope scope(trace_, "encode displacement", file_category);
-        return encode_displacement(tile, options_.format, options_.half);
-    }
-
-    std::vector<unsigned char> gradient(const Tile& tile, int level) const {
-        const TraceScope scope(trace_, "encode gradient", file_category, {{{"level", static_cast<double>(level)}}});
-        return encode_gradient(tile, level, options_.format);
-    }
-
-    std::vector<unsigned char> foam(const Tile& tile, int level) const {
-        const TraceScope scope(trace_, "encode foam", file_category, {{{"level", static_cast<double>(level)}}});
-        return encode_foam(tile, level, options_.format);
-    }
-
-    void write_image(const std::string& name, const std::vector<unsigned char>& image) {
-        const TraceScope scope(trace_, "write", file_category, {{{"bytes", static_cast<double>(image.size())}}});
-        const std::string_view bytes(reinterpret_cast<const char*>(image.data()), image.size());
-        folder_.write(name, bytes);
-        files_.push_back({name, digest_of(bytes)});
-    }
-
-    const ExportOptions& options_;
-    const OutputFolder& folder_;
-    int number_;
-    const Frame& frame_;
-    TraceSink* trace_;
-    std::vector<FileRecord> files_;
-};
-
-FrameRecord write_frame(const ExportOptions& options, const OutputFolder& folder, int number, const FrameCopy& copy,
-                        TraceSink* trace) {
-    const Frame& frame = copy.frame();
-    const TraceScope scope(trace, "files", file_category,
-                           {{{"frame", static_cast<double>(number)}, {"time_s", frame.time_s}}});
+/// All but the files, of a frame as the ocean hands it out.
+FrameRecord figures_of(int number, const Frame& frame, bool has_foam) {
     return {.frame = number,
             .time_s = frame.time_s,
-            .hash = hex_text(copy.hash()),
-            .foam_hash = options.foam ? hex_text(foam_hash_of(frame)) : "",
+            .hash = hex_text(hash_of(frame)),
+            .foam_hash = has_foam ? hex_text(foam_hash_of(frame)) : "",
             .significant_wave_height_m = measured_significant_wave_height_m(frame),
             .height_min_m = frame.bounds.height_min_m,
             .height_max_m = frame.bounds.height_max_m,
-            .files = FrameFiles(options, folder, number, frame, trace).write()};
+            .files = {}};
+}
+
+/// The images of a frame, one after the other.
+std::vector<FileRecord> write_images(const ExportOptions& options, const OutputFolder& folder, int number,
+                                     const Frame& frame, TraceSink* trace) {
+    const TraceScope scope(trace, "files", file_category,
+                           {{{"frame", static_cast<double>(number)}, {"time_s", frame.time_s}}});
+    std::vector<FileRecord> records;
+    for (const ImageFile& file : image_files(options, number)) {
+        const std::vector<unsigned char> image = [&] {
+            const ImagePart& part = file.parts.front();
+            const TraceScope encoding(trace, trace_name(part.map), file_category,
+                                      {{{"level", static_cast<double>(part.first_level)}}});
+            return encode_image_file(file, frame, options.maps);
+        }();
+        const TraceScope writing(trace, "write", file_category, {{{"bytes", static_cast<double>(image.size())}}});
+        const std::string_view bytes(reinterpret_cast<const char*>(image.data()), image.size());
+        folder.write(file.name, bytes);
+        records.push_back({file.name, digest_of(bytes)});
+    }
+    return records;
 }
 
 }  // namespace
@@ -156,9 +150,12 @@ FrameWriter::FrameWriter(const ExportOptions& options, const OutputFolder& folde
 
 void FrameWriter::write(int number, const Frame& frame) {
     while (in_flight_.size() >= most_) take_oldest();
-    in_flight_.push_back(start([this, number, copy = std::make_shared<const FrameCopy>(frame)] {
-        return write_frame(options_, folder_, number, *copy, trace_);
-    }));
+    const auto copy = std::make_shared<const FrameCopy>(frame, NeededViews(options_.maps));
+    in_flight_.push_back(
+        start([this, copy, record = figures_of(number, frame, options_.maps.has(MapKind::foam))]() mutable {
+            record.files = write_images(options_, folder_, record.frame, copy->frame(), trace_);
+            return std::move(record);
+        }));
 }
 
 std::future<FrameRecord> FrameWriter::start(const std::function<FrameRecord()>& work) {

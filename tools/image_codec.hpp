@@ -5,12 +5,12 @@
 #include <span>
 #include <vector>
 
+#include "pelagic/tools/map_image.hpp"
+
 namespace pelagic::tools {
 
 /// Pixels in memory: rows from the top, channels interleaved, no gaps.
 struct ImageDescription {
-    enum class Sample { uint8, half, float32 };
-
     const char* extension;  ///< names the format: "exr", "png" or "tif"
     int width, height, channels;
     Sample sample;

@@ -23,11 +23,11 @@ void set_up_open_image_io() {
     if (!done) throw std::runtime_error("OpenImageIO knows neither exr_threads nor tiff:half");
 }
 
-TypeDesc type_of(ImageDescription::Sample sample) {
+TypeDesc type_of(Sample sample) {
     switch (sample) {
-        case ImageDescription::Sample::uint8: return TypeDesc::UINT8;
-        case ImageDescription::Sample::half: return TypeDesc::HALF;
-        case ImageDescription::Sample::float32: return TypeDesc::FLOAT;
+        case Sample::uint8: return TypeDesc::UINT8;
+        case Sample::half: return TypeDesc::HALF;
+        case Sample::float32: return TypeDesc::FLOAT;
     }
     return TypeDesc::UNKNOWN;
 }

@@ -5,7 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "pelagic/tools/export_options.hpp"
+#include "pelagic/tools/compute_options.hpp"
+#include "pelagic/tools/sea_options.hpp"
 
 namespace pelagic::tools {
 

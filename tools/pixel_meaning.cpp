@@ -52,6 +52,15 @@ Json list_of(const std::array<Channel, Count>& channels) {
     return list;
 }
 
+Json channels_of_map(MapKind map) {
+    switch (map) {
+        case MapKind::displacement: return list_of(displacement_channels);
+        case MapKind::gradient: return list_of(gradient_channels);
+        case MapKind::foam: return list_of(foam_channels);
+    }
+    return {};
+}
+
 Json line(double scale, double offset) { return {{"scale", scale}, {"offset", offset}}; }
 
 /// Where the texels of a tile rest: x and z are sums of what a column and a row give.
@@ -74,11 +83,9 @@ Json tile_as_json(const TilePlan& tile) {
 
 }  // namespace
 
-Json channels_as_json(const ExportOptions& options) {
+Json channels_as_json(const MapOptions& options) {
     Json maps = Json::object();
-    if (options.displacement) maps["displacement"] = list_of(displacement_channels);
-    if (options.gradient) maps["gradient"] = list_of(gradient_channels);
-    if (options.foam) maps["foam"] = list_of(foam_channels);
+    for (const MapKind map : options.maps) maps[std::string(name_of(map))] = channels_of_map(map);
     return maps;
 }
 

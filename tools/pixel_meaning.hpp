@@ -4,13 +4,14 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "pelagic/tools/export_options.hpp"
+#include "pelagic/sim/forecast.hpp"
+#include "pelagic/tools/map_options.hpp"
 
 namespace pelagic::tools {
 
 /// For each map that is written its channels in order: {"channel", "name", "unit", "scale", "offset", "range"}. A value
 /// is scale * c + offset, where c is the pixel, of a byte its part of 255. Bytes are made by equations 50 and 51.
-nlohmann::ordered_json channels_as_json(const ExportOptions& options);
+nlohmann::ordered_json channels_as_json(const MapOptions& options);
 
 /// Where a texel rests and is sampled: {"axes", "x_m_of_column", "z_m_of_row", "u_of_column", ...}, each as a scale and an
 /// offset of its number from 0.

@@ -7,7 +7,8 @@
 
 #include "pelagic/quadtree/quadtree_options.hpp"
 #include "pelagic/tools/camera_options.hpp"
-#include "pelagic/tools/export_options.hpp"
+#include "pelagic/tools/compute_options.hpp"
+#include "pelagic/tools/sea_options.hpp"
 
 namespace pelagic::tools {
 

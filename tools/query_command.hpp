@@ -6,7 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "pelagic/tools/export_options.hpp"
+#include "pelagic/tools/compute_options.hpp"
+#include "pelagic/tools/sea_options.hpp"
 
 namespace pelagic::tools {
 

@@ -18,8 +18,8 @@
 #include "pelagic/gl/water_at_lens.hpp"
 #include "pelagic/quadtree/selection.hpp"
 #include "pelagic/sim/ocean.hpp"
-#include "pelagic/tools/image_writer.hpp"
 #include "pelagic/tools/output_folder.hpp"
+#include "pelagic/tools/picture_file.hpp"
 #include "pelagic/tools/progress.hpp"
 #include "pelagic/tools/sea_json.hpp"
 

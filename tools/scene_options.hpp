@@ -14,8 +14,9 @@
 #include "pelagic/gl/water_optics.hpp"
 #include "pelagic/quadtree/quadtree_options.hpp"
 #include "pelagic/tools/camera_options.hpp"
-#include "pelagic/tools/export_options.hpp"
+#include "pelagic/tools/compute_options.hpp"
 #include "pelagic/tools/floor_options.hpp"
+#include "pelagic/tools/sea_options.hpp"
 
 namespace pelagic::tools {
 

@@ -11,6 +11,12 @@ namespace {
 
 double degrees(double radians) { return radians * (180 / 3.14159265358979323846); }
 
+Json files_as_json(const std::vector<FileRecord>& files) {
+    Json list = Json::array();
+    for (const FileRecord& file : files) list.push_back({{"name", file.name}, {"xxh3", file.xxh3}});
+    return list;
+}
+
 }  // namespace
 
 Json sea_as_json(const ResolvedSea& resolved) {
@@ -38,19 +44,19 @@ Json weather_as_json(const ResolvedSea& sea) {
 }
 
 Json options_as_json(const ExportOptions& options) {
-    Json maps = Json::array();
-    if (options.displacement) maps.push_back("displacement");
-    if (options.gradient) maps.push_back("gradient");
-    if (options.foam) maps.push_back("foam");
-    Json how = {{"start_s", options.start_s}, {"frames", options.frames}};
-    if (options.fps)
-        how["fps"] = *options.fps;
+    const FrameTimes& times = options.times;
+    Json how = {{"start_s", times.start_s}, {"start_number", times.start_number}, {"frames", times.count()}};
+    if (!times.is_one_run()) how["frame_numbers"] = text_of(times.ranges);
+    if (times.fps)
+        how["fps"] = *times.fps;
     else
         how["loop"] = true;
+    Json maps = Json::array();
+    for (const MapKind map : options.maps.maps) maps.push_back(name_of(map));
     how["maps"] = maps;
-    how["mips"] = options.mips;
-    how["half"] = options.half;
-    how["format"] = options.format == ImageFormat::tiff ? "tif" : "exr";
+    how["mips"] = options.maps.mips;
+    how["half"] = options.maps.half;
+    how["format"] = options.maps.format == ImageFormat::tiff ? "tif" : "exr";
     Json json = {{"version", PELAGIC_VERSION}, {"sea", sea_as_json(options.sea)}};
     if (!options.sea.changes.empty()) json["weather"] = weather_as_json(options.sea);
     json["export"] = how;
@@ -58,14 +64,12 @@ Json options_as_json(const ExportOptions& options) {
 }
 
 Json frame_as_json(const FrameRecord& record) {
-    Json files = Json::array();
-    for (const FileRecord& file : record.files) files.push_back({{"name", file.name}, {"xxh3", file.xxh3}});
     Json json = {{"frame", record.frame}, {"time_s", record.time_s}, {"hash", record.hash}};
     if (!record.foam_hash.empty()) json["foam_hash"] = record.foam_hash;
     json["significant_wave_height_m"] = record.significant_wave_height_m;
     json["height_min_m"] = record.height_min_m;
     json["height_max_m"] = record.height_max_m;
-    json["files"] = files;
+    json["files"] = files_as_json(record.files);
     json["record_xxh3"] = digest_of(json.dump());
     return json;
 }
@@ -127,7 +131,8 @@ Json foam_as_json(const Frame& frame) {
             {"tiles", tiles}};
 }
 
-Json sea_json(const ExportOptions& options, const std::vector<FrameRecord>& frames) {
+Json sea_json(const ExportOptions& options, const std::vector<FrameRecord>& frames,
+              const std::vector<FileRecord>& sequence_files) {
     double height_sum = 0;
     Json list = Json::array();
     for (const FrameRecord& frame : frames) {
@@ -135,16 +140,17 @@ Json sea_json(const ExportOptions& options, const std::vector<FrameRecord>& fram
         list.push_back(frame_as_json(frame));
     }
     Json json = options_as_json(options);
-    json["channels"] = channels_as_json(options);
+    json["channels"] = channels_as_json(options.maps);
     json["layout"] = layout_as_json(forecast_of(options.sea));
     const SeaReport report = report_on(options.sea.sea);
     json["waves"] = waves_as_json(options.sea.sea, report, height_sum / static_cast<double>(frames.size()));
-    if (options.foam) {
+    if (options.maps.has(MapKind::foam)) {
         Ocean ocean(options.sea.sea,
                     {.executor = make_default_executor(options.compute.threads), .isa = options.compute.isa});
         json["foam"] = foam_as_json(ocean.frame_at(0));
     }
     json["warnings"] = report.warnings;
+    if (!sequence_files.empty()) json["sequence_files"] = files_as_json(sequence_files);
     json["frames"] = list;
     return json;
 }

@@ -47,7 +47,8 @@ Json waves_as_json(const SeaState& sea, const SeaReport& report, double measured
 /// When foam is remembered, how it drifts, how much of it there is: {"whitecap_cover", "tick_s", ...}.
 Json foam_as_json(const Frame& frame);
 
-/// The whole file.
-Json sea_json(const ExportOptions& options, const std::vector<FrameRecord>& frames);
+/// The whole file. \param sequence_files  made of all frames together
+Json sea_json(const ExportOptions& options, const std::vector<FrameRecord>& frames,
+              const std::vector<FileRecord>& sequence_files);
 
 }  // namespace pelagic::tools

@@ -6,9 +6,9 @@
 #include <glm/trigonometric.hpp>
 
 #include "pelagic/tools/errors.hpp"
-#include "pelagic/tools/image_writer.hpp"
 #include "pelagic/tools/option_text.hpp"
 #include "pelagic/tools/output_folder.hpp"
+#include "pelagic/tools/picture_file.hpp"
 #include "pelagic/viewer/viewer.hpp"
 
 namespace pelagic::tools {

@@ -7,6 +7,7 @@
 
 #include "pelagic/tools/export_names.hpp"
 #include "pelagic/tools/export_record.hpp"
+#include "pelagic/tools/image_files.hpp"
 
 namespace pelagic {
 
@@ -14,8 +15,8 @@ namespace pelagic {
 inline tools::ExportOptions small_export() {
     tools::ExportOptions options;
     options.sea.sea = {.resolution = 16, .patch_size_m = 250};
-    options.frames = 2;
-    options.fps = 24;
+    options.times.ranges = {{0, 1}};
+    options.times.fps = 24;
     return options;
 }
 
@@ -29,11 +30,11 @@ void read_back(Parse parse, std::string_view text) {
     try {
         const tools::EarlierExport earlier = parse(text, options);
         for (const auto& [number, record] : earlier.frames) {
-            must_hold(number >= 0 && number < options.frames && record.frame == number);
-            must_hold(record.time_s == options.time_of(number));
-            const std::vector<std::string> names = tools::image_names(options, number);
-            must_hold(record.files.size() == names.size());
-            for (std::size_t i = 0; i < names.size(); ++i) must_hold(record.files[i].name == names[i]);
+            must_hold(options.times.contains(number) && record.frame == number);
+            must_hold(record.time_s == options.times.time_of(number));
+            const std::vector<tools::ImageFile> images = tools::image_files(options, number);
+            must_hold(record.files.size() == images.size());
+            for (std::size_t i = 0; i < images.size(); ++i) must_hold(record.files[i].name == images[i].name);
         }
         // Plain names in the export's folder, none of them hidden.
         for (const std::string& name : earlier.images)

@@ -1,0 +1,31 @@
+// The pixels of one map of one tile, for any container: interleaved, rows from the top. Image row j is texel row j (z), column i
+// is x.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "pelagic/sim/tile.hpp"
+#include "pelagic/tools/map_kind.hpp"
+
+namespace pelagic::tools {
+
+enum class Sample { uint8, half, float32 };
+
+std::size_t bytes_of(Sample sample);
+
+struct MapImage {
+    int side = 0;
+    int channels = 0;
+    Sample sample = Sample::float32;
+    std::vector<std::byte> pixels;  ///< side^2 channels values, no gaps
+};
+
+/// How many values a texel of the map has.
+int channels_of(MapKind map);
+
+/// One level of a map, as the tile has it.
+/// \pre the tile has the map's views, and displacement has level 0 alone (asserted)
+MapImage map_image(const Tile& tile, MapKind map, int level, Sample sample);
+
+}  // namespace pelagic::tools
