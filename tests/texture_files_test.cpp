@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "pelagic/tools/byte_order.hpp"
 #include "pelagic/tools/dds_file.hpp"
 #include "pelagic/tools/errors.hpp"
 #include "pelagic/tools/ktx2_file.hpp"
@@ -13,8 +14,6 @@
 
 namespace pelagic::tools {
 namespace {
-
-using Bytes = std::vector<unsigned char>;
 
 std::uint64_t number_at(const Bytes& file, std::size_t offset, std::size_t bytes) {
     EXPECT_LE(offset + bytes, file.size());
@@ -33,7 +32,7 @@ std::vector<std::uint32_t> words_at(const Bytes& file, std::size_t offset, std::
 /// A texture with `count` levels, in which no two bytes near each other are equal.
 class Pixels {
    public:
-    Pixels(int width, int height, int channels, TexelSample sample, int count) {
+    Pixels(int width, int height, int channels, Sample sample, int count) {
         texture_ = {.width = width, .height = height, .channels = channels, .sample = sample, .levels = {}};
         for (int level = 0; level < count; ++level) {
             Bytes bytes(bytes_of_level(texture_, level));
@@ -52,7 +51,7 @@ class Pixels {
 
 // KTX File Format Specification 2.0, "File Structure"; numbers of formats from the Vulkan specification.
 TEST(Ktx2File, HeaderIsThatOfTheSpecification) {
-    const Pixels pixels(8, 4, 4, TexelSample::half, 4);
+    const Pixels pixels(8, 4, 4, Sample::half, 4);
     const Bytes file = ktx2_file(pixels.texture(), Supercompression::none);
     const std::array<unsigned char, 12> identifier = {0xAB, 0x4B, 0x54, 0x58, 0x20, 0x32,
                                                       0x30, 0xBB, 0x0D, 0x0A, 0x1A, 0x0A};
@@ -72,7 +71,7 @@ TEST(Ktx2File, HeaderIsThatOfTheSpecification) {
 // Khronos Data Format Specification 1.4, "Four co-sited 8-bit sRGB channels", but linear, with straight alpha and primaries of no
 // colour, so alpha needs no mark that it alone is linear.
 TEST(Ktx2File, DescribesBytesAsTheSpecificationsExample) {
-    const Bytes file = ktx2_file(Pixels(1, 1, 4, TexelSample::unorm8, 1).texture(), Supercompression::none);
+    const Bytes file = ktx2_file(Pixels(1, 1, 4, Sample::uint8, 1).texture(), Supercompression::none);
     EXPECT_EQ(words_at(file, 80 + 24, 23), (std::vector<std::uint32_t>{92,
                                                                        0,
                                                                        88 << 16 | 2,
@@ -100,7 +99,7 @@ TEST(Ktx2File, DescribesBytesAsTheSpecificationsExample) {
 
 // The same, "16-bit floating-point": signed and float are bits 30 and 31, limits are -1 and 1 as 32-bit floats.
 TEST(Ktx2File, DescribesHalvesAsSignedFloats) {
-    const Bytes file = ktx2_file(Pixels(1, 1, 1, TexelSample::half, 1).texture(), Supercompression::none);
+    const Bytes file = ktx2_file(Pixels(1, 1, 1, Sample::half, 1).texture(), Supercompression::none);
     EXPECT_EQ(words_at(file, 80 + 24, 11),
               (std::vector<std::uint32_t>{44, 0, 40 << 16 | 2, 0x00'01'00'01, 0, 2, 0,  //
                                           0xC0'0F'0000, 0, 0xBF800000, 0x3F800000}));
@@ -109,11 +108,10 @@ TEST(Ktx2File, DescribesHalvesAsSignedFloats) {
 // "Level Index", "mipPadding": the largest level is first in the index and last in the file, each aligned to whole texels and words.
 TEST(Ktx2File, LevelsLieAlignedWithTheSmallestFirst) {
     for (const int channels : {1, 2, 4}) {
-        for (const TexelSample sample :
-             {TexelSample::unorm8, TexelSample::unorm16, TexelSample::half, TexelSample::float32}) {
+        for (const Sample sample : {Sample::uint8, Sample::uint16, Sample::half, Sample::float32}) {
             const Pixels pixels(5, 3, channels, sample, 3);
             const Bytes file = ktx2_file(pixels.texture(), Supercompression::none);
-            const std::size_t texel = static_cast<std::size_t>(channels * size_of(sample));
+            const std::size_t texel = static_cast<std::size_t>(channels) * bytes_of(sample);
             std::size_t end = number_at(file, 56, 4) + number_at(file, 60, 4);  // of keys and values
             for (std::size_t level = 3; level-- > 0;) {
                 const std::size_t entry = 80 + 24 * level;
@@ -136,7 +134,7 @@ TEST(Ktx2File, LevelsLieAlignedWithTheSmallestFirst) {
 
 // Scheme 2; each level is a Zstandard frame (RFC 8878: magic 0xFD2FB528), without padding.
 TEST(Ktx2File, ZstandardFramesFollowEachOther) {
-    const Pixels pixels(64, 64, 1, TexelSample::unorm8, 7);
+    const Pixels pixels(64, 64, 1, Sample::uint8, 7);
     if (!has_zstd()) {
         EXPECT_THROW(ktx2_file(pixels.texture(), Supercompression::zstd), FileError);
         return;
@@ -157,7 +155,7 @@ TEST(Ktx2File, ZstandardFramesFollowEachOther) {
 
 // Microsoft, "Programming Guide for DDS": DDS_HEADER, DDS_PIXELFORMAT, DDS_HEADER_DXT10, and the numbers of DXGI_FORMAT.
 TEST(DdsFile, HeaderIsThatOfTheGuide) {
-    const Pixels pixels(8, 4, 4, TexelSample::half, 4);
+    const Pixels pixels(8, 4, 4, Sample::half, 4);
     const Bytes file = dds_file(pixels.texture());
     EXPECT_EQ(std::string(file.begin(), file.begin() + 4), "DDS ");
     constexpr std::uint32_t required = 0x1 | 0x2 | 0x4 | 0x1000, pitch = 0x8, mipmap_count = 0x20000;
@@ -177,18 +175,18 @@ TEST(DdsFile, HeaderIsThatOfTheGuide) {
 }
 
 TEST(DdsFile, WithoutMoreLevelsItSaysNothingOfThem) {
-    const Bytes file = dds_file(Pixels(8, 4, 1, TexelSample::unorm8, 1).texture());
+    const Bytes file = dds_file(Pixels(8, 4, 1, Sample::uint8, 1).texture());
     EXPECT_EQ(number_at(file, 8, 4) & 0x20000, 0u);
     EXPECT_EQ(number_at(file, 108, 4), 0x1000u);
     EXPECT_EQ(number_at(file, 128, 4), 61u);  // DXGI_FORMAT_R8_UNORM
 }
 
 TEST(Texture, NamesWhatIsWrong) {
-    Texture texture = Pixels(4, 4, 4, TexelSample::unorm8, 3).texture();
+    Texture texture = Pixels(4, 4, 4, Sample::uint8, 3).texture();
     EXPECT_EQ(check(texture), "");
     texture.channels = 3;
     EXPECT_EQ(check(texture), "channels are 3, needs 1, 2 or 4");
-    texture = Pixels(4, 4, 4, TexelSample::unorm8, 3).texture();
+    texture = Pixels(4, 4, 4, Sample::uint8, 3).texture();
     texture.levels[1] = texture.levels[0];
     EXPECT_EQ(check(texture), "the bytes of level 1 are 64, needs 16");
     texture.levels.clear();

@@ -2,8 +2,9 @@
 
 #include <array>
 #include <cassert>
+#include <initializer_list>
 
-#include "pelagic/tools/little_endian.hpp"
+#include "pelagic/tools/byte_order.hpp"
 
 namespace pelagic::tools {
 namespace {
@@ -29,42 +30,36 @@ std::uint32_t dxgi_format(const Texture& texture) {
     return formats[static_cast<std::size_t>(texture.sample)][static_cast<std::size_t>(texture.channels) / 2];
 }
 
-void add_zeros(LittleEndianBytes& file, int words) {
-    for (int word = 0; word < words; ++word) file.add_u32(0);
+void append_words(Bytes& bytes, std::initializer_list<std::size_t> words) {
+    for (const std::size_t word : words) append_little_endian(bytes, static_cast<std::uint32_t>(word));
 }
+
+void append_zeros(Bytes& bytes, std::size_t words) { bytes.resize(bytes.size() + 4 * words); }
 
 }  // namespace
 
-std::vector<unsigned char> dds_file(const Texture& texture) {
+Bytes dds_file(const Texture& texture) {
     assert(check(texture).empty());
     const bool has_levels = texture.levels.size() > 1;
-    LittleEndianBytes file;
-    file.add(magic);
+    const auto width = static_cast<std::size_t>(texture.width), height = static_cast<std::size_t>(texture.height);
+    Bytes file(magic.begin(), magic.end());
     // DDS_HEADER, 124 bytes
-    file.add_u32(124);
-    file.add_u32(has_caps | has_height | has_width | has_pitch | has_pixel_format |
-                 (has_levels ? has_level_count : 0));
-    file.add_u32(static_cast<std::uint32_t>(texture.height));
-    file.add_u32(static_cast<std::uint32_t>(texture.width));
-    file.add_u32(static_cast<std::uint32_t>(texture.width * texture.channels * size_of(texture.sample)));
-    file.add_u32(0);  // no depth
-    file.add_u32(static_cast<std::uint32_t>(texture.levels.size()));
-    add_zeros(file, 11);
+    append_words(file, {124, has_caps | has_height | has_width | has_pitch | has_pixel_format |
+                                 (has_levels ? has_level_count : 0)});
+    append_words(file, {height, width, width * bytes_of_texel(texture), 0, texture.levels.size()});
+    append_zeros(file, 11);
     // DDS_PIXELFORMAT, 32 bytes: see the next header
-    file.add_u32(32);
-    file.add_u32(has_four_letters);
-    file.add(dx10);
-    add_zeros(file, 5);
-    file.add_u32(is_texture | (has_levels ? is_complex | is_mipmapped : 0));
-    add_zeros(file, 4);
-    // DDS_HEADER_DXT10
-    file.add_u32(dxgi_format(texture));
-    file.add_u32(two_dimensions);
-    file.add_u32(0);  // no cube
-    file.add_u32(1);  // no array
-    file.add_u32(texture.channels == 4 ? alpha_is_custom : alpha_is_absent);
-    for (const std::span<const unsigned char> level : texture.levels) file.add(level);
-    return file.take();
+    append_words(file, {32, has_four_letters});
+    file.insert(file.end(), dx10.begin(), dx10.end());
+    append_zeros(file, 5);
+    append_words(file, {is_texture | (has_levels ? is_complex | is_mipmapped : 0)});
+    append_zeros(file, 4);
+    // DDS_HEADER_DXT10: no cube, an array of one
+    append_words(file, {dxgi_format(texture), two_dimensions, 0, 1});
+    append_words(file, {texture.channels == 4 ? alpha_is_custom : alpha_is_absent});
+    for (const std::span<const unsigned char> level : texture.levels)
+        file.insert(file.end(), level.begin(), level.end());
+    return file;
 }
 
 }  // namespace pelagic::tools

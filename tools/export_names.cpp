@@ -51,6 +51,8 @@ std::string image_name(const MapOptions& options, MapKind map, int tile, int fra
 
 const char* extension_of(MapKind map, const MapOptions& options) {
     if (options.format == ImageFormat::tiff) return "tif";
+    if (options.format == ImageFormat::ktx2) return "ktx2";
+    if (options.format == ImageFormat::dds) return "dds";
     return options.sample_of(map) == Sample::uint8 ? "png" : "exr";
 }
 
@@ -62,6 +64,7 @@ bool is_image_name(std::string_view name) {
     if (map == all_maps.end()) return false;
     if (reader.take("c") && !(reader.take_number(1, 1, most_tiles - 1) && reader.take("_"))) return false;
     if (!reader.take_number(frame_digits, 0, FrameTimes::largest_number)) return false;
+    if (reader.take(".ktx2") || reader.take(".dds")) return reader.is_at_end();
     if (has_chain(*map) && reader.take("_mip") && !reader.take_number(1, 1, most_level)) return false;
     return (reader.take(".tif") || reader.take(has_chain(*map) ? ".png" : ".exr")) && reader.is_at_end();
 }

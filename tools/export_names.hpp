@@ -15,7 +15,7 @@ inline constexpr const char* lock_name = ".sea.lock";
 /// "displacement_0007.exr" of the coarsest tile, 0; "gradient_c1_0007_mip2.png" for level 2 of the next one.
 std::string image_name(const MapOptions& options, MapKind map, int tile, int frame, int level);
 
-/// "exr", "png" or "tif": by the type of the map's values.
+/// "exr" or "png" by the type of the map's values, or the format's own.
 const char* extension_of(MapKind map, const MapOptions& options);
 
 /// True for what image_name() can give, with any options.

@@ -10,6 +10,7 @@
 #include "pelagic/tools/image_codec.hpp"
 #include "pelagic/tools/option_text.hpp"
 #include "pelagic/tools/pixel_meaning.hpp"
+#include "pelagic/tools/zstd.hpp"
 
 namespace pelagic::tools {
 namespace {
@@ -120,8 +121,12 @@ void ExportFlags::add_to(CLI::App& app) {
         "displacement, gradient, foam, or some of them with commas; default displacement,gradient. Foam lasts: it "
         "costs a "
         "tick, less than a frame, for each tenth of a second between frames, 29 at most");
-    add("format", "NAME", "exr (displacement as EXR, the others as PNG) or tif (all as TIFF); default exr");
-    app.add_flag("--mips", mips_, "every level of gradient and foam, down to one texel");
+    add("format", "NAME",
+        "exr (displacement as EXR, the others as PNG), tif (all as TIFF), or textures for engines: ktx2 (16-bit "
+        "floats and bytes) or dds; default exr");
+    add("compression", "NAME", "zstd or none: of the levels in a KTX2; default none");
+    app.add_flag("--mips", mips_,
+                 "every level of gradient and foam, down to one texel; of all maps in ktx2 and dds, in their files");
     app.add_flag("--half", half_, "displacement as 16-bit instead of 32-bit floats");
     app.add_flag("--resume", resume_, "keep the frames of an interrupted export that are whole, make the rest");
     app.add_flag("--no-sync", no_sync_,
@@ -188,8 +193,17 @@ MapOptions ExportFlags::maps() const {
     options.half = half_;
     if (const auto& maps = typed("maps")) options.maps = maps_in(*maps);
     if (const auto& format = typed("format")) {
-        if (*format != "exr" && *format != "tif") throw bad_value("--format", *format, "exr or tif");
-        if (*format == "tif") options.format = ImageFormat::tiff;
+        const auto found = std::find_if(all_formats.begin(), all_formats.end(),
+                                        [&](ImageFormat one) { return *format == name_of(one); });
+        if (found == all_formats.end()) throw bad_value("--format", *format, "exr, tif, ktx2 or dds");
+        options.format = *found;
+    }
+    if (const auto& compression = typed("compression")) {
+        if (options.format != ImageFormat::ktx2 || (*compression != "zstd" && *compression != "none"))
+            throw bad_value("--compression", *compression, "zstd or none, with --format ktx2");
+        options.zstd = *compression == "zstd";
+        if (options.zstd && !has_zstd())
+            throw bad_value("--compression", *compression, "a pelagic that was built with libzstd");
     }
     return options;
 }

@@ -21,8 +21,8 @@ namespace {
 /// The views of a tile that the images show.
 struct NeededViews {
     explicit NeededViews(const MapOptions& options)
-        : halves(options.has(MapKind::displacement) && options.half),
-          planes(options.has(MapKind::displacement) && !options.half),
+        : halves(options.has(MapKind::displacement) && options.sample_of(MapKind::displacement) == Sample::half),
+          planes(options.has(MapKind::displacement) && (!halves || (is_texture(options.format) && options.mips))),
           gradient(options.has(MapKind::gradient)),
           foam(options.has(MapKind::foam)) {}
 

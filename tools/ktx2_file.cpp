@@ -2,10 +2,11 @@
 
 #include <array>
 #include <cassert>
+#include <initializer_list>
 #include <numeric>
 #include <string_view>
 
-#include "pelagic/tools/little_endian.hpp"
+#include "pelagic/tools/byte_order.hpp"
 #include "pelagic/tools/zstd.hpp"
 
 namespace pelagic::tools {
@@ -33,60 +34,64 @@ struct SampleRange {
     std::uint32_t lower, upper;
 };
 
-SampleRange range_of(TexelSample sample) {
+SampleRange range_of(Sample sample) {
     switch (sample) {
-        case TexelSample::unorm8: return {0, 0xFF};
-        case TexelSample::unorm16: return {0, 0xFFFF};
-        case TexelSample::half:
-        case TexelSample::float32: return {0xBF800000, 0x3F800000};  // -1 and 1 as binary32, for halves too
+        case Sample::uint8: return {0, 0xFF};
+        case Sample::uint16: return {0, 0xFFFF};
+        case Sample::half:
+        case Sample::float32: return {0xBF800000, 0x3F800000};  // -1 and 1 as binary32, for halves too
     }
     return {};
 }
 
-/// The texel's layout in words of its own (Khronos Data Format 1.4, basic descriptor block).
-std::vector<unsigned char> data_format_descriptor(const Texture& texture) {
-    constexpr std::uint32_t version = 2, model_rgbsda = 1, transfer_linear = 1;
-    constexpr std::uint32_t qualifier_signed = 0x40, qualifier_float = 0x80;
-    const auto channels = static_cast<std::uint32_t>(texture.channels);
-    const auto sample_bytes = static_cast<std::uint32_t>(size_of(texture.sample));
-    const std::uint32_t block_bytes = 24 + 16 * channels;
-    const bool is_float = texture.sample == TexelSample::half || texture.sample == TexelSample::float32;
-    const SampleRange range = range_of(texture.sample);
-
-    LittleEndianBytes words;
-    words.add_u32(4 + block_bytes);
-    words.add_u32(0);  // Khronos' own basic descriptor
-    words.add_u32(version | block_bytes << 16);
-    words.add_u32(model_rgbsda | transfer_linear << 16);
-    words.add_u32(0);  // blocks of one texel
-    words.add_u32(channels * sample_bytes);
-    words.add_u32(0);
-    for (std::uint32_t channel = 0; channel < channels; ++channel) {
-        constexpr std::uint32_t alpha = 15;
-        const std::uint32_t type =
-            (channel == 3 ? alpha : channel) | (is_float ? qualifier_signed | qualifier_float : 0);
-        const std::uint32_t bits = 8 * sample_bytes;
-        words.add_u32(channel * bits | (bits - 1) << 16 | type << 24);
-        words.add_u32(0);  // at the texel's own place
-        words.add_u32(range.lower);
-        words.add_u32(range.upper);
-    }
-    return words.take();
+void append_words(Bytes& bytes, std::initializer_list<std::size_t> words) {
+    for (const std::size_t word : words) append_little_endian(bytes, static_cast<std::uint32_t>(word));
 }
 
-void add_pair(LittleEndianBytes& pairs, std::string_view key, std::string_view value) {
-    pairs.add_u32(static_cast<std::uint32_t>(key.size() + value.size() + 2));
-    pairs.add_text(key);
-    pairs.add_text(value);
-    pairs.pad_to(4);
+void append_long_words(Bytes& bytes, std::initializer_list<std::size_t> words) {
+    for (const std::size_t word : words) append_little_endian(bytes, static_cast<std::uint64_t>(word));
+}
+
+/// The texel's layout in words of its own (Khronos Data Format 1.4, basic descriptor block).
+Bytes data_format_descriptor(const Texture& texture) {
+    constexpr std::size_t version = 2, model_rgbsda = 1, transfer_linear = 1;
+    constexpr std::size_t qualifiers_of_floats = 0xC0;  // signed, float
+    constexpr std::size_t alpha = 15;
+    const auto channels = static_cast<std::size_t>(texture.channels);
+    const std::size_t block_bytes = 24 + 16 * channels, bits = 8 * bytes_of(texture.sample);
+    const SampleRange range = range_of(texture.sample);
+
+    Bytes bytes;
+    append_words(bytes, {4 + block_bytes});
+    append_words(bytes, {0, version | block_bytes << 16});  // Khronos' own basic descriptor
+    append_words(bytes, {model_rgbsda | transfer_linear << 16});
+    append_words(bytes, {0, bytes_of_texel(texture), 0});  // blocks of one texel, of one plane
+    for (std::size_t channel = 0; channel < channels; ++channel) {
+        const std::size_t type =
+            (channel == 3 ? alpha : channel) | (is_floating(texture.sample) ? qualifiers_of_floats : 0);
+        append_words(bytes, {channel * bits | (bits - 1) << 16 | type << 24});
+        append_words(bytes, {0, range.lower, range.upper});  // at the texel's own place
+    }
+    return bytes;
+}
+
+std::size_t padded(std::size_t size, std::size_t alignment) { return (size + alignment - 1) / alignment * alignment; }
+
+void append_pair(Bytes& pairs, std::string_view key, std::string_view value) {
+    append_words(pairs, {key.size() + value.size() + 2});
+    for (const std::string_view text : {key, value}) {
+        pairs.insert(pairs.end(), text.begin(), text.end());
+        pairs.push_back(0);
+    }
+    pairs.resize(padded(pairs.size(), 4));
 }
 
 /// In the order of their keys, as the format wants them.
-std::vector<unsigned char> key_value_data() {
-    LittleEndianBytes pairs;
-    add_pair(pairs, "KTXorientation", "rd");
-    add_pair(pairs, "KTXwriter", "pelagic " PELAGIC_VERSION);
-    return pairs.take();
+Bytes key_value_data() {
+    Bytes pairs;
+    append_pair(pairs, "KTXorientation", "rd");
+    append_pair(pairs, "KTXwriter", "pelagic " PELAGIC_VERSION);
+    return pairs;
 }
 
 struct StoredLevel {
@@ -96,57 +101,44 @@ struct StoredLevel {
 
 }  // namespace
 
-std::vector<unsigned char> ktx2_file(const Texture& texture, Supercompression supercompression) {
+Bytes ktx2_file(const Texture& texture, Supercompression supercompression) {
     assert(check(texture).empty());
-    std::vector<std::vector<unsigned char>> frames;
+    const bool is_compressed = supercompression == Supercompression::zstd;
+    std::vector<Bytes> frames;
     std::vector<StoredLevel> levels;
     for (const std::span<const unsigned char> level : texture.levels) {
-        if (supercompression == Supercompression::zstd) frames.push_back(zstd_frame(level));
-        levels.push_back({supercompression == Supercompression::zstd ? frames.back() : level});
+        if (is_compressed) frames.push_back(zstd_frame(level));
+        levels.push_back({is_compressed ? frames.back() : level});
     }
 
-    const std::vector<unsigned char> descriptor = data_format_descriptor(texture), pairs = key_value_data();
+    const Bytes descriptor = data_format_descriptor(texture), pairs = key_value_data();
     const std::size_t descriptor_offset = header_bytes + level_index_entry_bytes * levels.size();
     const std::size_t pairs_offset = descriptor_offset + descriptor.size();
     // Levels as they are can be handed to a graphics interface where they lie, so they are aligned to texels and words.
-    const auto texel_bytes = static_cast<std::size_t>(texture.channels * size_of(texture.sample));
-    const std::size_t alignment =
-        supercompression == Supercompression::none ? std::lcm(texel_bytes, std::size_t{4}) : 1;
+    const std::size_t alignment = is_compressed ? 1 : std::lcm(bytes_of_texel(texture), std::size_t{4});
     std::size_t end = pairs_offset + pairs.size();
     for (auto level = levels.rbegin(); level != levels.rend(); ++level) {
-        level->offset = (end + alignment - 1) / alignment * alignment;
+        level->offset = padded(end, alignment);
         end = level->offset + level->bytes.size();
     }
 
-    LittleEndianBytes file;
-    file.add(identifier);
-    file.add_u32(vulkan_format(texture));
-    file.add_u32(static_cast<std::uint32_t>(size_of(texture.sample)));
-    file.add_u32(static_cast<std::uint32_t>(texture.width));
-    file.add_u32(static_cast<std::uint32_t>(texture.height));
-    file.add_u32(0);  // no depth: two dimensions
-    file.add_u32(0);  // no array
-    file.add_u32(1);  // no cube
-    file.add_u32(static_cast<std::uint32_t>(levels.size()));
-    file.add_u32(supercompression == Supercompression::zstd ? 2 : 0);
-    file.add_u32(static_cast<std::uint32_t>(descriptor_offset));
-    file.add_u32(static_cast<std::uint32_t>(descriptor.size()));
-    file.add_u32(static_cast<std::uint32_t>(pairs_offset));
-    file.add_u32(static_cast<std::uint32_t>(pairs.size()));
-    file.add_u64(0);  // no data that all levels share
-    file.add_u64(0);
-    for (std::size_t level = 0; level < levels.size(); ++level) {
-        file.add_u64(levels[level].offset);
-        file.add_u64(levels[level].bytes.size());
-        file.add_u64(texture.levels[level].size());
-    }
-    file.add(descriptor);
-    file.add(pairs);
+    Bytes file(identifier.begin(), identifier.end());
+    append_words(file, {vulkan_format(texture), bytes_of(texture.sample)});
+    append_words(file, {static_cast<std::size_t>(texture.width), static_cast<std::size_t>(texture.height)});
+    append_words(file, {0, 0, 1, levels.size()});  // no depth, no array, no cube
+    append_words(file, {is_compressed ? std::size_t{2} : 0});
+    append_words(file, {descriptor_offset, descriptor.size(), pairs_offset, pairs.size()});
+    append_long_words(file, {0, 0});  // nothing that all levels share
+    for (std::size_t level = 0; level < levels.size(); ++level)
+        append_long_words(file, {levels[level].offset, levels[level].bytes.size(), texture.levels[level].size()});
+    file.insert(file.end(), descriptor.begin(), descriptor.end());
+    file.insert(file.end(), pairs.begin(), pairs.end());
+    file.reserve(end);
     for (auto level = levels.rbegin(); level != levels.rend(); ++level) {
-        file.pad_to(alignment);
-        file.add(level->bytes);
+        file.resize(level->offset);
+        file.insert(file.end(), level->bytes.begin(), level->bytes.end());
     }
-    return file.take();
+    return file;
 }
 
 }  // namespace pelagic::tools

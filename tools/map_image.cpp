@@ -4,6 +4,8 @@
 #include <cstring>
 #include <span>
 
+#include "pelagic/tools/half_float.hpp"
+
 namespace pelagic::tools {
 namespace {
 
@@ -54,16 +56,42 @@ std::vector<std::byte> pixels_of(const Tile& tile, MapKind map, int level, Sampl
     return {};
 }
 
-}  // namespace
-
-std::size_t bytes_of(Sample sample) {
-    switch (sample) {
-        case Sample::uint8: return 1;
-        case Sample::half: return 2;
-        case Sample::float32: return 4;
-    }
-    return 0;
+/// The means of 2 x 2 texels of floats.
+MapImage halved(const MapImage& finer) {
+    MapImage coarser{finer.side / 2, finer.channels, Sample::float32, {}};
+    const auto side = static_cast<std::size_t>(coarser.side), channels = static_cast<std::size_t>(finer.channels);
+    coarser.pixels.resize(side * side * channels * sizeof(float));
+    const auto value = [&](std::size_t column, std::size_t row, std::size_t channel) {
+        float number = 0;
+        std::memcpy(&number, &finer.pixels[((row * 2 * side + column) * channels + channel) * sizeof(float)],
+                    sizeof(float));
+        return number;
+    };
+    std::byte* to = coarser.pixels.data();
+    for (std::size_t j = 0; j < 2 * side; j += 2)
+        for (std::size_t i = 0; i < 2 * side; i += 2)
+            for (std::size_t channel = 0; channel < channels; ++channel, to += sizeof(float)) {
+                const float upper = value(i, j, channel) + value(i + 1, j, channel);
+                const float lower = value(i, j + 1, channel) + value(i + 1, j + 1, channel);
+                const float mean = 0.25f * (upper + lower);
+                std::memcpy(to, &mean, sizeof(float));
+            }
+    return coarser;
 }
+
+MapImage as_halves(const MapImage& floats) {
+    MapImage halves{floats.side, floats.channels, Sample::half, {}};
+    halves.pixels.resize(floats.pixels.size() / 2);
+    for (std::size_t i = 0; i < halves.pixels.size() / 2; ++i) {
+        float value = 0;
+        std::memcpy(&value, &floats.pixels[4 * i], sizeof(float));
+        const std::uint16_t half = half_of(value);
+        std::memcpy(&halves.pixels[2 * i], &half, sizeof(half));
+    }
+    return halves;
+}
+
+}  // namespace
 
 int channels_of(MapKind map) {
     switch (map) {
@@ -79,6 +107,20 @@ MapImage map_image(const Tile& tile, MapKind map, int level, Sample sample) {
             .channels = channels_of(map),
             .sample = sample,
             .pixels = pixels_of(tile, map, level, sample)};
+}
+
+std::vector<MapImage> map_levels(const Tile& tile, MapKind map, int levels, Sample sample) {
+    std::vector<MapImage> images;
+    if (has_chain(map) || levels == 1) {
+        for (int level = 0; level < levels; ++level) images.push_back(map_image(tile, map, level, sample));
+        return images;
+    }
+    MapImage floats = map_image(tile, map, 0, Sample::float32);
+    for (int level = 0; level < levels; ++level) {
+        if (level > 0) floats = halved(floats);
+        images.push_back(sample == Sample::half ? as_halves(floats) : floats);
+    }
+    return images;
 }
 
 }  // namespace pelagic::tools

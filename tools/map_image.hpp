@@ -7,12 +7,9 @@
 
 #include "pelagic/sim/tile.hpp"
 #include "pelagic/tools/map_kind.hpp"
+#include "pelagic/tools/sample.hpp"
 
 namespace pelagic::tools {
-
-enum class Sample { uint8, half, float32 };
-
-std::size_t bytes_of(Sample sample);
 
 struct MapImage {
     int side = 0;
@@ -27,5 +24,8 @@ int channels_of(MapKind map);
 /// One level of a map, as the tile has it.
 /// \pre the tile has the map's views, and displacement has level 0 alone (asserted)
 MapImage map_image(const Tile& tile, MapKind map, int level, Sample sample);
+
+/// So many levels of a map, the largest first; of displacement, whose tile has no chain, the means of 2 x 2 texels.
+std::vector<MapImage> map_levels(const Tile& tile, MapKind map, int levels, Sample sample);
 
 }  // namespace pelagic::tools

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 #include "pelagic/tools/map_image.hpp"
@@ -13,19 +14,39 @@ namespace pelagic::tools {
 enum class ImageFormat {
     exr_and_png,  ///< floats as EXR, bytes as PNG
     tiff,
+    ktx2,  ///< a map's levels in one file; floats are halves
+    dds,   ///< likewise, for Direct3D
 };
+
+inline constexpr std::array all_formats = {ImageFormat::exr_and_png, ImageFormat::tiff, ImageFormat::ktx2,
+                                           ImageFormat::dds};
+
+/// As --format and records have it.
+constexpr const char* name_of(ImageFormat format) {
+    switch (format) {
+        case ImageFormat::exr_and_png: return "exr";
+        case ImageFormat::tiff: return "tif";
+        case ImageFormat::ktx2: return "ktx2";
+        case ImageFormat::dds: return "dds";
+    }
+    return "";
+}
+
+/// Its files are what graphics interfaces sample, with all levels inside.
+constexpr bool is_texture(ImageFormat format) { return format == ImageFormat::ktx2 || format == ImageFormat::dds; }
 
 struct MapOptions {
     std::vector<MapKind> maps = {MapKind::displacement, MapKind::gradient};  ///< each once, in the order of all_maps
     bool mips = false;
     bool half = false;  ///< floats as 16 bits
     ImageFormat format = ImageFormat::exr_and_png;
+    bool zstd = false;  ///< levels of KTX2 are compressed by Zstandard
 
     bool has(MapKind map) const { return std::find(maps.begin(), maps.end(), map) != maps.end(); }
     /// In what type the map's values are stored.
     Sample sample_of(MapKind map) const {
         if (map != MapKind::displacement) return Sample::uint8;
-        return half ? Sample::half : Sample::float32;
+        return half || format == ImageFormat::ktx2 ? Sample::half : Sample::float32;
     }
 };
 

@@ -56,7 +56,8 @@ Json options_as_json(const ExportOptions& options) {
     how["maps"] = maps;
     how["mips"] = options.maps.mips;
     how["half"] = options.maps.half;
-    how["format"] = options.maps.format == ImageFormat::tiff ? "tif" : "exr";
+    how["format"] = name_of(options.maps.format);
+    if (options.maps.zstd) how["compression"] = "zstd";
     Json json = {{"version", PELAGIC_VERSION}, {"sea", sea_as_json(options.sea)}};
     if (!options.sea.changes.empty()) json["weather"] = weather_as_json(options.sea);
     json["export"] = how;

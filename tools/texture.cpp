@@ -5,22 +5,14 @@
 
 namespace pelagic::tools {
 
-static_assert(std::endian::native == std::endian::little, "numbers are handed on as they lie in memory");
-
-int size_of(TexelSample sample) {
-    switch (sample) {
-        case TexelSample::unorm8: return 1;
-        case TexelSample::unorm16:
-        case TexelSample::half: return 2;
-        case TexelSample::float32: return 4;
-    }
-    return 0;
+std::size_t bytes_of_texel(const Texture& texture) {
+    return static_cast<std::size_t>(texture.channels) * bytes_of(texture.sample);
 }
 
 std::size_t bytes_of_level(const Texture& texture, int level) {
     const auto width = static_cast<std::size_t>(std::max(1, texture.width >> level));
     const auto height = static_cast<std::size_t>(std::max(1, texture.height >> level));
-    return width * height * static_cast<std::size_t>(texture.channels * size_of(texture.sample));
+    return width * height * bytes_of_texel(texture);
 }
 
 std::string check(const Texture& texture) {

@@ -1,32 +1,26 @@
 // A texture as graphics interfaces take it: pixels of one format and their levels, whatever container holds them.
 #pragma once
 
-#include <cstdint>
+#include <cstddef>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "pelagic/tools/sample.hpp"
+
 namespace pelagic::tools {
-
-/// What one channel of a texel is.
-enum class TexelSample {
-    unorm8,   ///< a byte b, read as b / 255
-    unorm16,  ///< a 16-bit word w, read as w / 65535
-    half,     ///< IEEE 754 binary16
-    float32,  ///< IEEE 754 binary32
-};
-
-/// Bytes of one channel.
-int size_of(TexelSample sample);
 
 struct Texture {
     int width, height;
     int channels;  ///< 1, 2 or 4: graphics interfaces need not read textures of three
-    TexelSample sample;
+    Sample sample;
     /// Rows from the top, channels interleaved, no gaps, numbers with the lowest byte first. Level p is width >> p wide and
     /// height >> p high, at least 1, and starts with the largest.
     std::vector<std::span<const unsigned char>> levels;
 };
+
+/// Of all channels.
+std::size_t bytes_of_texel(const Texture& texture);
 
 /// Bytes that level p has.
 std::size_t bytes_of_level(const Texture& texture, int level);
