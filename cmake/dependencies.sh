@@ -35,8 +35,8 @@ pelagic_gate_packages=(clang libclang-rt-14-dev libc++-14-dev)
   pelagic_gate_packages+=(g++-aarch64-linux-gnu qemu-user libtbb-dev:arm64 libgtest-dev:arm64 libimath-dev:arm64)
 
 # What only the night's tests need: programs that show an export by the recipes of docs/users/exporter.md. three.js comes by
-# npm, of which Debian's package is large and Node's own does as well.
-pelagic_night_packages=(blender godot3 chromium xauth)
+# npm, of which Debian's package is large and Node's own does as well. Textures and films are read by NVIDIA's tools and ffmpeg.
+pelagic_night_packages=(blender godot3 chromium xauth libnvtt-bin ffmpeg python3-pil)
 command -v npm >/dev/null || pelagic_night_packages+=(npm)
 
 # usage: pelagic_install_dependencies [PACKAGE...]   more packages than pelagic_packages

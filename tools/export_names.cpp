@@ -11,6 +11,13 @@
 namespace pelagic::tools {
 namespace {
 
+constexpr std::size_t frame_digits = 4;
+constexpr int most_tiles = 4, most_level = mip_levels(2048) - 1;
+
+bool is_extension(std::string_view text, MapKind map) {
+    return text == "tif" || text == "ktx2" || text == "dds" || text == (has_chain(map) ? "png" : "exr");
+}
+
 /// Takes a name to pieces from the front.
 class NameReader {
    public:
@@ -29,24 +36,34 @@ class NameReader {
         rest_.remove_prefix(end);
         return least <= number && number <= most;
     }
-    bool is_at_end() const { return rest_.empty(); }
+    /// "displacement_c1": a map and, of finer tiles, which one.
+    std::optional<MapKind> take_map_and_tile() {
+        const auto* map =
+            std::find_if(all_maps.begin(), all_maps.end(), [&](MapKind one) { return take(name_of(one)); });
+        if (map == all_maps.end() || (take("_c") && !take_number(1, 1, most_tiles - 1))) return {};
+        return *map;
+    }
+    /// "_mip2", if the map has levels, or nothing.
+    bool take_level(MapKind map) { return !has_chain(map) || !take("_mip") || take_number(1, 1, most_level); }
+    std::string_view rest() const { return rest_; }
 
    private:
     std::string_view rest_;
 };
 
-constexpr std::size_t frame_digits = 4;
+constexpr const char* flipbook_mark = "flipbook_";
 
 }  // namespace
 
-std::string image_name(const MapOptions& options, MapKind map, int tile, int frame, int level) {
+std::string image_name(const MapOptions& options, const ImageMark& mark, int frame, bool is_alone) {
+    const std::string tile = mark.tile > 0 ? "_c" + std::to_string(mark.tile) : "";
+    const std::string level = mark.level > 0 ? "_mip" + std::to_string(mark.level) : "";
+    const std::string map(name_of(mark.map));
+    const char* extension = extension_of(mark.map, options);
+    if (options.names) return options.names->name(is_alone ? "" : map + tile + level, frame, extension);
     std::array<char, 16> number;
-    std::snprintf(number.data(), number.size(), "%0*d", static_cast<int>(frame_digits), frame);
-    std::string name(name_of(map));
-    if (tile > 0) name += "_c" + std::to_string(tile);
-    name.append("_").append(number.data());
-    if (level > 0) name += "_mip" + std::to_string(level);
-    return name + "." + extension_of(map, options);
+    std::snprintf(number.data(), number.size(), "_%0*d", static_cast<int>(frame_digits), frame);
+    return map + tile + number.data() + level + "." + extension;
 }
 
 const char* extension_of(MapKind map, const MapOptions& options) {
@@ -56,24 +73,41 @@ const char* extension_of(MapKind map, const MapOptions& options) {
     return options.sample_of(map) == Sample::uint8 ? "png" : "exr";
 }
 
-bool is_image_name(std::string_view name) {
-    constexpr int most_tiles = 4, most_level = mip_levels(2048) - 1;
+bool is_image_name(std::string_view name, const std::optional<NamePattern>& pattern) {
     NameReader reader(name);
-    const auto* map = std::find_if(all_maps.begin(), all_maps.end(),
-                                   [&](MapKind one) { return reader.take(std::string(name_of(one)) + "_"); });
-    if (map == all_maps.end()) return false;
-    if (reader.take("c") && !(reader.take_number(1, 1, most_tiles - 1) && reader.take("_"))) return false;
-    if (!reader.take_number(frame_digits, 0, FrameTimes::largest_number)) return false;
-    if (reader.take(".ktx2") || reader.take(".dds")) return reader.is_at_end();
-    if (has_chain(*map) && reader.take("_mip") && !reader.take_number(1, 1, most_level)) return false;
-    return (reader.take(".tif") || reader.take(has_chain(*map) ? ".png" : ".exr")) && reader.is_at_end();
+    const auto map = reader.take_map_and_tile();
+    if (map && reader.take("_") && reader.take_number(frame_digits, 0, FrameTimes::largest_number) &&
+        reader.take_level(*map) && reader.take(".") && is_extension(reader.rest(), *map))
+        return true;
+    const auto parts = pattern ? pattern->parts_of(name) : std::nullopt;
+    if (!parts) return false;
+    if (parts->mark.empty())
+        return std::any_of(all_maps.begin(), all_maps.end(),
+                           [&](MapKind one) { return is_extension(parts->extension, one); });
+    NameReader mark(parts->mark);
+    const auto marked = mark.take_map_and_tile();
+    return marked && mark.take_level(*marked) && mark.rest().empty() && is_extension(parts->extension, *marked);
 }
 
-bool is_export_name(std::string_view name) {
+std::string flipbook_name(const MapOptions& options, MapKind map, int tile) {
+    const std::string mark = tile > 0 ? "_c" + std::to_string(tile) : "";
+    return std::string(flipbook_mark).append(name_of(map)) + mark + "." + extension_of(map, options);
+}
+
+bool is_flipbook_name(std::string_view name) {
+    if (name == flipbook_json_name) return true;
+    NameReader reader(name);
+    if (!reader.take(flipbook_mark)) return false;
+    const auto map = reader.take_map_and_tile();
+    return map && reader.take(".") && is_extension(reader.rest(), *map);
+}
+
+bool is_export_name(std::string_view name, const std::optional<NamePattern>& pattern) {
     constexpr std::string_view end = ".part";
     if (name.starts_with('.') && name.ends_with(end) && name.size() > end.size())
         name = name.substr(1, name.size() - 1 - end.size());
-    return name == sea_json_name || name == journal_name || name == lock_name || is_image_name(name);
+    return name == sea_json_name || name == journal_name || name == lock_name || is_image_name(name, pattern) ||
+           is_flipbook_name(name);
 }
 
 }  // namespace pelagic::tools

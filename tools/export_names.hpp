@@ -1,6 +1,7 @@
 // The names of an export's files, and no others: what a record names is believed only if it is one of these.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -12,16 +13,31 @@ inline constexpr const char* sea_json_name = "sea.json";
 inline constexpr const char* journal_name = ".pelagic-export.jsonl";
 inline constexpr const char* lock_name = ".sea.lock";
 
-/// "displacement_0007.exr" of the coarsest tile, 0; "gradient_c1_0007_mip2.png" for level 2 of the next one.
-std::string image_name(const MapOptions& options, MapKind map, int tile, int frame, int level);
+/// What an image shows, as names have it.
+struct ImageMark {
+    MapKind map;
+    int tile = 0;  ///< 0 is the coarsest
+    int level = 0;
+};
+
+/// "displacement_0007.exr" of the coarsest tile; "gradient_c1_0007_mip2.png" for level 2 of the next one. By a pattern:
+/// "wave.gradient_c1_mip2.0007.png". \param is_alone  the frame has no other image, which a pattern needs no mark for then
+std::string image_name(const MapOptions& options, const ImageMark& mark, int frame, bool is_alone);
 
 /// "exr" or "png" by the type of the map's values, or the format's own.
 const char* extension_of(MapKind map, const MapOptions& options);
 
-/// True for what image_name() can give, with any options.
-bool is_image_name(std::string_view name);
+/// True for what image_name() can give, without a pattern or with this one, and with any other options.
+bool is_image_name(std::string_view name, const std::optional<NamePattern>& pattern);
 
-/// True for names that an export gives to files of its own: images, records, the lock, and their parts.
-bool is_export_name(std::string_view name);
+/// Of all frames: "flipbook_foam.png" of the coarsest tile, "flipbook_foam_c1.png" of the next one.
+std::string flipbook_name(const MapOptions& options, MapKind map, int tile);
+inline constexpr const char* flipbook_json_name = "flipbook.json";
+
+/// True for what flipbook_name() can give, with any options, and for the JSON.
+bool is_flipbook_name(std::string_view name);
+
+/// True for names that an export gives to files of its own: images, flipbooks, records, the lock, and their parts.
+bool is_export_name(std::string_view name, const std::optional<NamePattern>& pattern);
 
 }  // namespace pelagic::tools

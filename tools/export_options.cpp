@@ -7,6 +7,7 @@
 
 #include "pelagic/tools/errors.hpp"
 #include "pelagic/tools/export_names.hpp"
+#include "pelagic/tools/flipbook.hpp"
 #include "pelagic/tools/image_codec.hpp"
 #include "pelagic/tools/option_text.hpp"
 #include "pelagic/tools/pixel_meaning.hpp"
@@ -40,14 +41,6 @@ std::vector<MapKind> maps_in(const std::string& text) {
     return maps;
 }
 
-/// "wave.%04d.exr" or "wave.png": what other programs take, and what nobody would call a folder.
-bool is_picture_name(const std::filesystem::path& path) {
-    const std::string extension = path.extension().string();
-    constexpr std::array pictures = {".exr", ".png", ".tif", ".tiff", ".jpg", ".jpeg"};
-    return path.filename().string().find('%') != std::string::npos ||
-           std::find(pictures.begin(), pictures.end(), extension) != pictures.end();
-}
-
 /// `count` frames from a number on.
 std::vector<FrameRange> one_run(int first, int count, const std::string& option, const std::string& text) {
     if (count - 1 > FrameTimes::largest_number - first)
@@ -69,24 +62,54 @@ int frames_of_a_loop(double loop_period_s, double fps) {
     return static_cast<int>(whole);
 }
 
+/// "wave.png": what nobody would call a folder.
+bool is_picture_name(const std::filesystem::path& path) {
+    const std::string extension = path.extension().string();
+    constexpr std::array pictures = {".exr", ".png", ".tif", ".tiff", ".jpg", ".jpeg", ".ktx2", ".dds"};
+    return std::find(pictures.begin(), pictures.end(), extension) != pictures.end();
+}
+
+struct OutputPlace {
+    std::filesystem::path folder;
+    std::optional<NamePattern> names;
+};
+
+/// "8x4".
+FlipbookGrid grid_in(const std::string& text) {
+    const std::size_t cross = text.find('x');
+    const auto columns = parse_integer(text.substr(0, cross));
+    const auto rows = cross == std::string::npos ? std::nullopt : parse_integer(text.substr(cross + 1));
+    if (!columns || !rows || std::min(*columns, *rows) < 1 || std::max(*columns, *rows) > largest_flipbook_side)
+        throw bad_value("--flipbook", text, "columns and rows from 1 to 16384, as 8x4");
+    return {static_cast<int>(*columns), static_cast<int>(*rows)};
+}
+
 // A folder may be missing; what is there must be one.
-std::filesystem::path checked_folder(const std::optional<std::string>& text) {
+OutputPlace checked_place(const std::optional<std::string>& text) {
     if (!text || text->empty()) throw InputError("--out is missing, needs a folder to write to");
+    constexpr const char* accepted = "a folder, or a name for a sequence such as wave.####.exr or wave.%04d.tif";
     std::error_code error;
-    std::filesystem::path path = *text;
-    if (!std::filesystem::is_directory(path, error) && is_picture_name(path))
-        throw bad_value("--out", *text, "a folder: the files in it are named displacement_0000.exr and so on");
-    for (std::filesystem::path up = path; !up.empty(); up = up.parent_path()) {
+    OutputPlace place{*text, {}};
+    if (const std::filesystem::path path = *text; !std::filesystem::is_directory(path, error)) {
+        if (NamePattern::is_meant(path.filename().string())) {
+            place.names = NamePattern::parse(path.filename().string());
+            if (!place.names) throw bad_value("--out", *text, accepted);
+            place.folder = path.has_parent_path() ? path.parent_path() : ".";
+        } else if (is_picture_name(path)) {
+            throw bad_value("--out", *text, accepted);
+        }
+    }
+    for (std::filesystem::path up = place.folder; !up.empty(); up = up.parent_path()) {
         const auto status = std::filesystem::status(up, error);
         if (std::filesystem::exists(status) && !std::filesystem::is_directory(status))
             throw bad_value("--out", *text, "a folder, but " + up.string() + " is a file");
         if (!up.has_relative_path()) break;
     }
-    return path;
+    return place;
 }
 
 // The finished trace is renamed to its name, so it would take the place of a device, or of a file of the export.
-std::filesystem::path checked_trace(const std::string& text, const std::filesystem::path& folder) {
+std::filesystem::path checked_trace(const std::string& text, const ExportOptions& options) {
     if (text.empty()) throw InputError("--trace is empty, needs a file to write to");
     const std::filesystem::path path = text;
     std::error_code error;
@@ -98,7 +121,8 @@ std::filesystem::path checked_trace(const std::string& text, const std::filesyst
     const auto place_of = [&](const std::filesystem::path& file) {
         return std::filesystem::weakly_canonical(std::filesystem::absolute(file), error);
     };
-    if (is_export_name(path.filename().string()) && place_of(path) == place_of(folder / path.filename()))
+    if (is_export_name(path.filename().string(), options.maps.names) &&
+        place_of(path) == place_of(options.folder / path.filename()))
         throw bad_value("--trace", text, "another name, since the export uses that one itself");
     return path;
 }
@@ -109,11 +133,15 @@ void ExportFlags::add_to(CLI::App& app) {
     const auto add = [&](const std::string& flag, const std::string& type, const std::string& help) {
         app.add_option("--" + flag, typed_[flag], help)->type_name(type);
     };
-    add("out", "DIR", "folder for the files; made if missing, an earlier export in it is replaced");
+    add("out", "DIR",
+        "folder for the files; made if missing, an earlier export in it is replaced. Or a folder and a name for the "
+        "sequence: DIR/wave.####.exr, DIR/wave.%04d.tif; where a frame has several images, their maps and tiles "
+        "stand "
+        "before the number: wave.foam_c1.0007.png");
     add("start", "SECONDS", "time of the first frame; default 0");
     add("frames", "NUMBERS",
-        "how many frames; 1 to 1000000, default 1. Or the numbers of frames, as 10-20,40 or 7-7, of which the first "
-        "stands for --start-number; or loop: as many as one loop period has at --fps");
+        "how many frames; 1 to 1000000, default 1. Or their numbers, as 10-20,40 or 7-7, where --start-number is "
+        "the one at --start; or loop: as many as one loop period has at --fps");
     add("start-number", "NUMBER", "number of the frame at --start; 0 to 999999, default 0");
     add("fps", "NUMBER", "frames a second; (0, 1000], default 24");
     add("loop-frames", "NUMBER", "that many frames over exactly one loop period, instead of --frames and --fps");
@@ -128,6 +156,12 @@ void ExportFlags::add_to(CLI::App& app) {
     app.add_flag("--mips", mips_,
                  "every level of gradient and foam, down to one texel; of all maps in ktx2 and dds, in their files");
     app.add_flag("--half", half_, "displacement as 16-bit instead of 32-bit floats");
+    add("flipbook", "COLUMNSxROWS",
+        "all frames side by side too: flipbook_MAP, one image a map and tile, and flipbook.json, which says how");
+    app.add_flag(
+        "--preview", preview_,
+        "no frames: only preview.png, the maps and the sea in a picture, preview.mp4 if ffmpeg is there, and "
+        "how many files and bytes the export will have");
     app.add_flag("--resume", resume_, "keep the frames of an interrupted export that are whole, make the rest");
     app.add_flag("--no-sync", no_sync_,
                  "don't wait for the disk: faster, but a power cut may cost frames that are done");
@@ -147,6 +181,7 @@ FrameTimes ExportFlags::times(const ResolvedSea& sea) const {
         times.start_s = number_in("--start", *start, -latest_start_s, latest_start_s, "seconds in [-1e9, 1e9]");
     if (const auto& number = typed("start-number"))
         times.start_number = whole_number_in("--start-number", *number, 0, FrameTimes::largest_number);
+    times.ranges = {{times.start_number, times.start_number}};
     const auto& loop_frames = typed("loop-frames");
     const auto& frames = typed("frames");
     for (const std::string other : {"frames", "fps"})
@@ -187,17 +222,25 @@ FrameTimes ExportFlags::times(const ResolvedSea& sea) const {
     return times;
 }
 
-MapOptions ExportFlags::maps() const {
+MapOptions ExportFlags::maps(const std::optional<NamePattern>& names) const {
     MapOptions options;
+    options.names = names;
     options.mips = mips_;
     options.half = half_;
     if (const auto& maps = typed("maps")) options.maps = maps_in(*maps);
-    if (const auto& format = typed("format")) {
-        const auto found = std::find_if(all_formats.begin(), all_formats.end(),
-                                        [&](ImageFormat one) { return *format == name_of(one); });
-        if (found == all_formats.end()) throw bad_value("--format", *format, "exr, tif, ktx2 or dds");
-        options.format = *found;
-    }
+    const auto format_named = [](const std::string& name) {
+        return std::find_if(all_formats.begin(), all_formats.end(),
+                            [&](ImageFormat one) { return name == name_of(one); });
+    };
+    const auto& typed_format = typed("format");
+    if (typed_format && format_named(*typed_format) == all_formats.end())
+        throw bad_value("--format", *typed_format, "exr, tif, ktx2 or dds");
+    if (names && format_named(names->extension()) == all_formats.end())
+        throw bad_value("--out", *typed("out"), "a name that ends with .exr, .tif, .ktx2 or .dds");
+    if (names && typed_format && *typed_format != names->extension())
+        throw InputError("--format is " + *typed_format + " and --out is " + *typed("out") +
+                         ", needs the same format");
+    if (names || typed_format) options.format = *format_named(names ? names->extension() : *typed_format);
     if (const auto& compression = typed("compression")) {
         if (options.format != ImageFormat::ktx2 || (*compression != "zstd" && *compression != "none"))
             throw bad_value("--compression", *compression, "zstd or none, with --format ktx2");
@@ -210,15 +253,24 @@ MapOptions ExportFlags::maps() const {
 
 ExportOptions ExportFlags::resolve() const {
     ExportOptions options;
-    options.folder = checked_folder(typed("out"));
+    const OutputPlace place = checked_place(typed("out"));
+    options.folder = place.folder;
     options.sea = sea_.resolve();
     options.compute = compute_.resolve();
     options.times = times(options.sea);
-    options.maps = maps();
+    options.maps = maps(place.names);
+    if (const auto& grid = typed("flipbook")) {
+        options.flipbook = grid_in(*grid);
+        check_flipbook(options, *grid);
+    }
+    options.preview = preview_;
+    if (preview_ && resume_) throw InputError("--preview is given with --resume, needs an export without");
+    if (preview_ && typed("trace"))
+        throw InputError("--preview is given with --trace " + *typed("trace") + ", needs an export without");
     options.resume = resume_;
     options.sync = !no_sync_;
     options.lock = !no_lock_;
-    if (const auto& trace = typed("trace")) options.trace = checked_trace(*trace, options.folder);
+    if (const auto& trace = typed("trace")) options.trace = checked_trace(*trace, options);
     image_codec();  // before anything is written: without its library nothing will be
     return options;
 }

@@ -14,12 +14,19 @@
 
 namespace pelagic::tools {
 
+/// Frames side by side in one image, from the upper left one on, row by row.
+struct FlipbookGrid {
+    int columns, rows;
+};
+
 struct ExportOptions {
     ResolvedSea sea;
     ComputeOptions compute;
     std::filesystem::path folder;
     FrameTimes times;
     MapOptions maps;
+    std::optional<FlipbookGrid> flipbook;
+    bool preview = false;  ///< no frames, but what shows what they will be
     bool resume = false;
     bool sync = true;  ///< a frame counts as done once the disk has it
     bool lock = true;  ///< the folder is locked, so that no other export works in it
@@ -35,14 +42,14 @@ class ExportFlags {
 
    private:
     FrameTimes times(const ResolvedSea& sea) const;
-    MapOptions maps() const;
+    MapOptions maps(const std::optional<NamePattern>& names) const;
     /// As it was typed; none if it wasn't.
     const std::optional<std::string>& typed(const std::string& flag) const { return typed_.at(flag); }
 
     SeaOptions sea_;
     ComputeFlags compute_;
     std::map<std::string, std::optional<std::string>> typed_;  ///< by flag name, where it was given
-    bool mips_ = false, half_ = false, resume_ = false, no_sync_ = false, no_lock_ = false;
+    bool mips_ = false, half_ = false, resume_ = false, no_sync_ = false, no_lock_ = false, preview_ = false;
 };
 
 }  // namespace pelagic::tools

@@ -12,6 +12,7 @@
 #include "pelagic/message/number_text.hpp"
 #include "pelagic/tools/errors.hpp"
 #include "pelagic/tools/export_names.hpp"
+#include "pelagic/tools/frame_times.hpp"
 #include "pelagic/tools/image_codec.hpp"
 
 namespace pelagic::tools {
@@ -59,24 +60,32 @@ const Json& value_of(const Json& json, const char* key) {
     return found == json.end() ? none : *found;
 }
 
-/// The images of the frame's heights, of the coarsest tile and of as many finer ones as it lists: "displacement_0000.exr",
-/// "displacement_c1_0000.exr", ...
-std::vector<std::string> heights_names(const Json& frame, std::size_t most_tiles) {
+/// The images of the frame's heights, of the coarsest tile and of as many finer ones as it lists, as the export names them.
+std::vector<std::string> heights_names(const Json& frame, const MapOptions& options, std::size_t most_tiles) {
+    const Json &files = value_of(frame, "files"), &number = value_of(frame, "frame");
+    if (!files.is_array() || !number.is_number_unsigned() || number > FrameTimes::largest_number) return {};
+    const auto is_listed = [&](const std::string& name) {
+        return std::any_of(files.begin(), files.end(),
+                           [&](const Json& file) { return value_of(file, "name") == name; });
+    };
     std::vector<std::string> names;
-    const Json& files = value_of(frame, "files");
-    if (!files.is_array()) return {};
-    while (names.size() < most_tiles) {
-        const std::string prefix = "displacement_" + (names.empty() ? "" : "c" + number_text(names.size()) + "_");
-        const auto found = std::find_if(files.begin(), files.end(), [&](const Json& file) {
-            const Json& name = value_of(file, "name");
-            if (!name.is_string()) return false;
-            const auto& text = name.get_ref<const std::string&>();
-            return is_image_name(text) && text.starts_with(prefix) && text[prefix.size()] != 'c';
-        });
-        if (found == files.end()) break;
-        names.push_back(value_of(*found, "name").get<std::string>());
+    for (std::size_t tile = 0; tile < most_tiles; ++tile) {
+        const ImageMark mark{MapKind::displacement, static_cast<int>(tile)};
+        const std::string name = image_name(options, mark, number.get<int>(), files.size() == 1);
+        if (!is_listed(name)) break;
+        names.push_back(name);
     }
     return names;
+}
+
+/// What decides the names of images. Those of a record with others are not found.
+MapOptions names_in(const Json& record) {
+    MapOptions options;
+    const Json& how = value_of(record, "export");
+    if (value_of(how, "format") == "tif") options.format = ImageFormat::tiff;
+    if (const Json& names = value_of(how, "names"); names.is_string())
+        options.names = NamePattern::parse(names.get<std::string>());
+    return options;
 }
 
 }  // namespace
@@ -97,6 +106,7 @@ ExportReader::ExportReader(std::string option, const std::filesystem::path& fold
         throw InputError(place.string() + " has no frames, needs a finished export");
     frames_there_ = frames.size();
     std::vector<double> times_s;
+    const MapOptions maps = names_in(record);
     for (const Json& frame : frames) {
         if (names_.size() == most_frames) break;
         const std::string where = place.string() + ": frame " + number_text(names_.size());
@@ -104,8 +114,12 @@ ExportReader::ExportReader(std::string option, const std::filesystem::path& fold
         if (!time.is_number() || !std::isfinite(time.get<double>()))
             throw InputError(where + " has no time_s, needs a number");
         times_s.push_back(time.get<double>());
-        names_.push_back(heights_names(frame, tiles_.size()));
+        names_.push_back(heights_names(frame, maps, tiles_.size()));
         if (names_.size() == 1) tiles_.resize(std::min(tiles_.size(), names_[0].size()));
+        for (const std::string& name : names_.back())
+            if (name.ends_with(".ktx2") || name.ends_with(".dds"))
+                throw InputError(where + " has its heights in " + name +
+                                 ", needs an export with --format exr or tif");
         if (names_.back().empty() || names_.back().size() < tiles_.size())
             throw InputError(where + " names no displacement image, needs an export with --maps displacement");
     }

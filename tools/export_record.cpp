@@ -61,14 +61,15 @@ std::optional<FrameRecord> accepted(const ReadJson& entry, const ExportOptions& 
     return record;
 }
 
-void take_name(const ReadJson& name, std::vector<std::string>& names) {
-    if (std::string text = text_of(name); is_image_name(text)) names.push_back(std::move(text));
+void take_name(const ReadJson& name, const ExportOptions& options, EarlierExport& earlier) {
+    if (std::string text = text_of(name); is_image_name(text, options.maps.names) || is_flipbook_name(text))
+        earlier.images.push_back(std::move(text));
 }
 
 void take_frame(const ReadJson& entry, const ExportOptions& options, EarlierExport& earlier) {
     const ReadJson& files = value_of(entry, "files");
     if (files.is_array())
-        for (const ReadJson& file : files) take_name(value_of(file, "name"), earlier.images);
+        for (const ReadJson& file : files) take_name(value_of(file, "name"), options, earlier);
     if (auto record = accepted(entry, options)) earlier.frames.insert_or_assign(record->frame, std::move(*record));
 }
 
@@ -91,7 +92,7 @@ EarlierExport parse_journal(std::string_view text, const ExportOptions& options)
     EarlierExport earlier{value_of(header, "options"), {}, {}};
     const ReadJson& replaced = value_of(header, "replaced_files");
     if (!earlier.options.is_object() || !replaced.is_array()) throw DamagedRecord();
-    for (const ReadJson& name : replaced) take_name(name, earlier.images);
+    for (const ReadJson& name : replaced) take_name(name, options, earlier);
     while (!text.empty()) try {
             take_frame(parsed(next_line(text)), options, earlier);
         } catch (const DamagedRecord&) {
@@ -111,6 +112,8 @@ EarlierExport parse_sea_json(std::string_view text, const ExportOptions& options
     if (const ReadJson& weather = value_of(json, "weather"); !weather.is_null()) earlier.options["weather"] = weather;
     if (!frames.is_array()) throw DamagedRecord();
     for (const ReadJson& frame : frames) take_frame(frame, options, earlier);
+    if (const ReadJson& files = value_of(json, "sequence_files"); files.is_array())
+        for (const ReadJson& file : files) take_name(value_of(file, "name"), options, earlier);
     return earlier;
 }
 

@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "pelagic/tools/map_image.hpp"
 #include "pelagic/tools/map_kind.hpp"
+#include "pelagic/tools/name_pattern.hpp"
 
 namespace pelagic::tools {
 
@@ -40,7 +42,8 @@ struct MapOptions {
     bool mips = false;
     bool half = false;  ///< floats as 16 bits
     ImageFormat format = ImageFormat::exr_and_png;
-    bool zstd = false;  ///< levels of KTX2 are compressed by Zstandard
+    bool zstd = false;                 ///< levels of KTX2 are compressed by Zstandard
+    std::optional<NamePattern> names;  ///< none: "displacement_0007.exr"
 
     bool has(MapKind map) const { return std::find(maps.begin(), maps.end(), map) != maps.end(); }
     /// In what type the map's values are stored.

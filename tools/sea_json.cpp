@@ -57,7 +57,10 @@ Json options_as_json(const ExportOptions& options) {
     how["mips"] = options.maps.mips;
     how["half"] = options.maps.half;
     how["format"] = name_of(options.maps.format);
+    if (options.flipbook)
+        how["flipbook"] = {{"columns", options.flipbook->columns}, {"rows", options.flipbook->rows}};
     if (options.maps.zstd) how["compression"] = "zstd";
+    if (options.maps.names) how["names"] = options.maps.names->text();
     Json json = {{"version", PELAGIC_VERSION}, {"sea", sea_as_json(options.sea)}};
     if (!options.sea.changes.empty()) json["weather"] = weather_as_json(options.sea);
     json["export"] = how;

@@ -11,7 +11,7 @@ namespace {
 
 // A clear afternoon, by eye. Upwelling light is that of the open ocean, blue-green where crests let the sun through.
 constexpr glm::vec3 horizon(0.62f, 0.74f, 0.86f), zenith(0.10f, 0.24f, 0.55f), around_sun(0.50f, 0.42f, 0.30f);
-constexpr glm::vec3 sun(9.f, 8.2f, 7.f), deep_water(0.006f, 0.038f, 0.060f), lit_crest(0.010f, 0.120f, 0.115f);
+constexpr glm::vec3 sun(2.6f, 2.35f, 2.0f), deep_water(0.006f, 0.038f, 0.060f), lit_crest(0.010f, 0.120f, 0.115f);
 constexpr float foam_albedo = 0.75f;
 /// Of water at normal incidence, ((1.34 - 1) / (1.34 + 1))^2.
 constexpr float normal_reflectance = 0.021f;
@@ -70,7 +70,7 @@ glm::vec3 water_light(const LitWater& water, const glm::vec3& to_sun) {
     const glm::vec3 bare =
         glm::mix(upwelling, reflected, reflectance) + sun * sun_glint(water, to_sun, to_eye_cosine);
     const float to_sun_cosine = std::max(glm::dot(water.normal, to_sun), 0.f);
-    const glm::vec3 white = foam_albedo * (0.09f * to_sun_cosine * sun + 0.45f * (horizon + zenith));
+    const glm::vec3 white = foam_albedo * (0.3f * to_sun_cosine * sun + 0.45f * (horizon + zenith));
     const glm::vec3 seen = glm::mix(bare, white, glm::clamp(water.foam, 0.f, 1.f));
     return glm::mix(horizon, seen, 1 / (1 + square(water.distance)));
 }

@@ -1,7 +1,13 @@
 #include "pelagic/tools/sequence_output.hpp"
 
+#include "pelagic/tools/flipbook.hpp"
+
 namespace pelagic::tools {
 
-std::vector<std::unique_ptr<SequenceOutput>> sequence_outputs(const ExportOptions&) { return {}; }
+std::vector<std::unique_ptr<SequenceOutput>> sequence_outputs(const ExportOptions& options) {
+    std::vector<std::unique_ptr<SequenceOutput>> outputs;
+    if (options.flipbook) outputs.push_back(flipbook(options));
+    return outputs;
+}
 
 }  // namespace pelagic::tools
