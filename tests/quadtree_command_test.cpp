@@ -139,6 +139,24 @@ TEST(QuadtreeCommand, VerticesHaveTextureCoordinatesAndNormals) {
     EXPECT_GT(in_place, 1000);
 }
 
+// tests/mesh_files_test.cpp looks into the files.
+TEST(QuadtreeCommand, TheSameMeshIsPlyAndGltf) {
+    TemporaryFolder folder;
+    const Outcome run = run_pelagic({"quadtree", "--size", "1000", "--quality", "low", "--resolution", "32", "--foam",
+                                     "--obj", (folder / "q.obj").string(), "--ply", (folder / "q.ply").string(),
+                                     "--gltf", (folder / "q.glb").string()});
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    const Obj obj = read_obj(read_file(folder / "q.obj"));
+    const std::string ply = read_file(folder / "q.ply"), glb = read_file(folder / "q.glb");
+    EXPECT_NE(ply.find("element vertex " + std::to_string(obj.vertices.size()) + "\n"), std::string::npos);
+    EXPECT_NE(ply.find("element face " + std::to_string(obj.faces.size()) + "\n"), std::string::npos);
+    EXPECT_NE(ply.find("property float foam\n"), std::string::npos);
+    const auto json = nlohmann::json::parse(glb.substr(20, glb.find("BIN") - 24));
+    EXPECT_EQ(json.at("accessors").at(0).at("count"), obj.vertices.size());
+    EXPECT_EQ(json["accessors"][json["meshes"][0]["primitives"][0]["indices"].get<std::size_t>()]["count"],
+              3 * obj.faces.size());
+}
+
 TEST(QuadtreeCommand, FiguresAgreeWithEachOther) {
     TemporaryFolder folder;
     const std::string json_file = (folder / "q.json").string();

@@ -37,7 +37,7 @@ OceanOptions ocean_options(const ExportOptions& options, const std::shared_ptr<C
             .isa = options.compute.isa,
             .trace = trace,
             .gradients = options.maps.has(MapKind::gradient),
-            .foam = options.maps.has(MapKind::foam)};
+            .foam = options.has_foam()};
 }
 
 /// Computes frames in order, the next one while the last is looked at. False if a signal stopped it.
@@ -116,6 +116,12 @@ void print_summary(const ExportOptions& options, const std::vector<FrameRecord>&
     std::printf(", %s sea, Hs %.2f m, peak period %.1f s\n", std::string(waves).c_str(),
                 height / static_cast<double>(frames.size()), expected_waves(options.sea.sea).peak_period_s);
     for (const std::string& warning : warnings_about(options.sea.sea)) std::printf("note: %s\n", warning.c_str());
+    if (const SeaPatch& patch = options.meshes.patch;
+        options.meshes.any() && patch.tiles < static_cast<std::size_t>(cascades_of(sea)))
+        std::printf(
+            "note: the mesh's steps of %s m show the waves of the coarsest %zu of %d tiles; a smaller --mesh-size or "
+            "more --mesh-steps show shorter waves\n",
+            rounded_text(patch.side_m / patch.steps, 3).c_str(), patch.tiles, cascades_of(sea));
 }
 
 }  // namespace

@@ -52,6 +52,12 @@ class NameReader {
 };
 
 constexpr const char* flipbook_mark = "flipbook_";
+/// "_0007"
+std::string number_in_name(int frame) {
+    std::array<char, 16> number;
+    std::snprintf(number.data(), number.size(), "_%0*d", static_cast<int>(frame_digits), frame);
+    return number.data();
+}
 
 }  // namespace
 
@@ -61,10 +67,10 @@ std::string image_name(const MapOptions& options, const ImageMark& mark, int fra
     const std::string map(name_of(mark.map));
     const char* extension = extension_of(mark.map, options);
     if (options.names) return options.names->name(is_alone ? "" : map + tile + level, frame, extension);
-    std::array<char, 16> number;
-    std::snprintf(number.data(), number.size(), "_%0*d", static_cast<int>(frame_digits), frame);
-    return map + tile + number.data() + level + "." + extension;
+    return map + tile + number_in_name(frame) + level + "." + extension;
 }
+
+std::string mesh_name(int frame, const char* extension) { return "mesh" + number_in_name(frame) + "." + extension; }
 
 const char* extension_of(MapKind map, const MapOptions& options) {
     if (options.format == ImageFormat::tiff) return "tif";
@@ -102,12 +108,19 @@ bool is_flipbook_name(std::string_view name) {
     return map && reader.take(".") && is_extension(reader.rest(), *map);
 }
 
+bool is_mesh_name(std::string_view name) {
+    if (name == mesh_animation_name || name == point_cache_name) return true;
+    NameReader reader(name);
+    return reader.take("mesh_") && reader.take_number(frame_digits, 0, FrameTimes::largest_number) &&
+           (reader.rest() == ".obj" || reader.rest() == ".ply" || reader.rest() == ".glb");
+}
+
 bool is_export_name(std::string_view name, const std::optional<NamePattern>& pattern) {
     constexpr std::string_view end = ".part";
     if (name.starts_with('.') && name.ends_with(end) && name.size() > end.size())
         name = name.substr(1, name.size() - 1 - end.size());
     return name == sea_json_name || name == journal_name || name == lock_name || is_image_name(name, pattern) ||
-           is_flipbook_name(name);
+           is_mesh_name(name) || is_flipbook_name(name);
 }
 
 }  // namespace pelagic::tools

@@ -24,6 +24,13 @@ struct ImageMark {
 /// "wave.gradient_c1_mip2.0007.png". \param is_alone  the frame has no other image, which a pattern needs no mark for then
 std::string image_name(const MapOptions& options, const ImageMark& mark, int frame, bool is_alone);
 
+/// "mesh_0007.obj".
+std::string mesh_name(int frame, const char* extension);
+
+/// Of all frames together: morph targets as glTF, and a point cache.
+inline constexpr const char* mesh_animation_name = "mesh.glb";
+inline constexpr const char* point_cache_name = "mesh.mdd";
+
 /// "exr" or "png" by the type of the map's values, or the format's own.
 const char* extension_of(MapKind map, const MapOptions& options);
 
@@ -37,7 +44,10 @@ inline constexpr const char* flipbook_json_name = "flipbook.json";
 /// True for what flipbook_name() can give, with any options, and for the JSON.
 bool is_flipbook_name(std::string_view name);
 
-/// True for names that an export gives to files of its own: images, flipbooks, records, the lock, and their parts.
+/// True for what mesh_name() can give, and for the two of all frames.
+bool is_mesh_name(std::string_view name);
+
+/// True for names that an export gives to files of its own: images, meshes, flipbooks, records, the lock, and their parts.
 bool is_export_name(std::string_view name, const std::optional<NamePattern>& pattern);
 
 }  // namespace pelagic::tools

@@ -21,6 +21,7 @@ constexpr double latest_start_s = 1e9;
 constexpr double most_fps = 1000;
 constexpr double default_fps = 24;
 constexpr const char* one_loop = "loop";
+constexpr const char* no_maps = "none";
 
 /// "displacement, gradient, foam".
 std::string names_of_maps() {
@@ -31,10 +32,11 @@ std::string names_of_maps() {
 
 std::vector<MapKind> maps_in(const std::string& text) {
     std::vector<MapKind> maps;
+    if (text == no_maps) return maps;
     for (const std::string& name : split_at_commas(text)) {
         const auto map = map_named(name);
         if (!map || std::find(maps.begin(), maps.end(), *map) != maps.end())
-            throw bad_value("--maps", text, names_of_maps() + " or some of them with commas, each once");
+            throw bad_value("--maps", text, names_of_maps() + " or some of them with commas, each once, or none");
         maps.push_back(*map);
     }
     std::sort(maps.begin(), maps.end());
@@ -146,7 +148,8 @@ void ExportFlags::add_to(CLI::App& app) {
     add("fps", "NUMBER", "frames a second; (0, 1000], default 24");
     add("loop-frames", "NUMBER", "that many frames over exactly one loop period, instead of --frames and --fps");
     add("maps", "NAMES",
-        "displacement, gradient, foam, or some of them with commas; default displacement,gradient. Foam lasts: it "
+        "displacement, gradient, foam, or some of them with commas, or none; default displacement,gradient. Foam "
+        "lasts: it "
         "costs a "
         "tick, less than a frame, for each tenth of a second between frames, 29 at most");
     add("format", "NAME",
@@ -168,6 +171,7 @@ void ExportFlags::add_to(CLI::App& app) {
     app.add_flag("--no-lock", no_lock_,
                  "for file systems without locks; see to it that no other export uses the folder");
     add("trace", "FILE", "Chrome trace of stages and workers, opens in ui.perfetto.dev; where the time goes");
+    meshes_.add_to(app);
     sea_.add_to(app);
     sea_.add_weather_to(app);
     compute_.add_to(app);
@@ -259,6 +263,9 @@ ExportOptions ExportFlags::resolve() const {
     options.compute = compute_.resolve();
     options.times = times(options.sea);
     options.maps = maps(place.names);
+    options.meshes = meshes_.resolve(options.sea, options.times);
+    if (options.maps.maps.empty() && !options.meshes.any())
+        throw bad_value("--maps", no_maps, "--mesh with it, or some maps");
     if (const auto& grid = typed("flipbook")) {
         options.flipbook = grid_in(*grid);
         check_flipbook(options, *grid);
@@ -271,7 +278,7 @@ ExportOptions ExportFlags::resolve() const {
     options.sync = !no_sync_;
     options.lock = !no_lock_;
     if (const auto& trace = typed("trace")) options.trace = checked_trace(*trace, options);
-    image_codec();  // before anything is written: without its library nothing will be
+    if (!options.maps.maps.empty()) image_codec();  // before anything is written: without its library nothing will be
     return options;
 }
 

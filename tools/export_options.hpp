@@ -10,6 +10,7 @@
 #include "pelagic/tools/compute_options.hpp"
 #include "pelagic/tools/frame_times.hpp"
 #include "pelagic/tools/map_options.hpp"
+#include "pelagic/tools/mesh_options.hpp"
 #include "pelagic/tools/sea_options.hpp"
 
 namespace pelagic::tools {
@@ -25,12 +26,15 @@ struct ExportOptions {
     std::filesystem::path folder;
     FrameTimes times;
     MapOptions maps;
+    MeshOptions meshes;
     std::optional<FlipbookGrid> flipbook;
     bool preview = false;  ///< no frames, but what shows what they will be
     bool resume = false;
     bool sync = true;  ///< a frame counts as done once the disk has it
     bool lock = true;  ///< the folder is locked, so that no other export works in it
     std::optional<std::filesystem::path> trace;
+
+    bool has_foam() const { return maps.has(MapKind::foam) || meshes.any(); }
 };
 
 class ExportFlags {
@@ -47,6 +51,7 @@ class ExportFlags {
     const std::optional<std::string>& typed(const std::string& flag) const { return typed_.at(flag); }
 
     SeaOptions sea_;
+    MeshFlags meshes_;
     ComputeFlags compute_;
     std::map<std::string, std::optional<std::string>> typed_;  ///< by flag name, where it was given
     bool mips_ = false, half_ = false, resume_ = false, no_sync_ = false, no_lock_ = false, preview_ = false;

@@ -9,9 +9,10 @@
 #include "pelagic/message/number_text.hpp"
 #include "pelagic/sim/statistics.hpp"
 #include "pelagic/tools/film.hpp"
-#include "pelagic/tools/flipbook.hpp"
 #include "pelagic/tools/image_files.hpp"
 #include "pelagic/tools/map_picture.hpp"
+#include "pelagic/tools/mesh_files.hpp"
+#include "pelagic/tools/mesh_sequences.hpp"
 #include "pelagic/tools/picture.hpp"
 #include "pelagic/tools/picture_file.hpp"
 #include "pelagic/tools/progress.hpp"
@@ -50,16 +51,28 @@ struct Expected {
 /// By one frame of it.
 Expected expected_of(const ExportOptions& options, const Frame& frame) {
     Expected expected;
-    const std::vector<ImageFile> files = image_files(options, options.times.number(0));
-    for (const ImageFile& file : files)
-        expected.bytes_a_frame += static_cast<double>(encode_image_file(file, frame, options.maps).size());
-    const auto frames = static_cast<double>(options.times.count());
-    expected.files = files.size() * options.times.count() + 1;
-    expected.bytes = expected.bytes_a_frame * frames;
+    const int number = options.times.number(0);
+    const std::vector<ImageFile> images = image_files(options, number);
+    for (const ImageFile& image : images)
+        expected.bytes_a_frame += static_cast<double>(encode_image_file(image, frame, options.maps).size());
+    const double image_bytes = expected.bytes_a_frame;
+    const std::vector<MeshFile> meshes = mesh_files(options.meshes, number);
+    for (const MeshFile& mesh : meshes)
+        expected.bytes_a_frame +=
+            static_cast<double>(encode_mesh_file(mesh.format, mesh_of(frame, options.meshes.patch)).size());
+    expected.files = (images.size() + meshes.size()) * options.times.count() + 1;
     if (options.flipbook) {
         expected.files += options.maps.maps.size() * frame.tiles.size() + 1;
-        expected.bytes *= 2;
+        expected.bytes_a_frame += image_bytes;
     }
+    for (const auto& sequence : mesh_sequences(options)) {
+        sequence->add(0, frame);
+        for (const SequenceOutput::File& file : sequence->finish()) {
+            expected.bytes_a_frame += static_cast<double>(file.bytes.size());
+            ++expected.files;
+        }
+    }
+    expected.bytes = expected.bytes_a_frame * static_cast<double>(options.times.count());
     return expected;
 }
 
@@ -93,23 +106,29 @@ struct Cell {
     std::vector<std::string> texts;
 };
 
+Cell cell_of(const ImageFile& file, const ImagePart& part, const Frame& frame, const MapOptions& options) {
+    const Tile& tile = frame.tiles[static_cast<std::size_t>(part.tile)];
+    const MapImage map = map_image(tile, part.map, 0, options.sample_of(part.map));
+    MapPicture shown = picture_of(map, cell);
+    const std::string side = number_text(map.side), channels = map.channels == 1 ? " channel of " : " channels of ";
+    Cell result{std::move(shown.picture),
+                {file.name, rounded_text(tile.lattice.side_m, 3) + " m, " + side + " x " + side,
+                 number_text(map.channels) + channels + sample_text(map.sample)}};
+    if (is_floating(map.sample))
+        result.texts.push_back(rounded_text(static_cast<double>(shown.least), 3) + " to " +
+                               rounded_text(static_cast<double>(shown.most), 3));
+    return result;
+}
+
+/// Map by map, each of the coarsest tile first.
 std::vector<Cell> cells_of(const ExportOptions& options, const Frame& frame) {
+    const std::vector<ImageFile> files = image_files(options, options.times.number(0));
     std::vector<Cell> cells;
-    for (const ImageFile& file : image_files(options, options.times.number(0)))
-        for (const ImagePart& part : file.parts) {
-            if (part.first_level > 0) continue;
-            const Tile& tile = frame.tiles[static_cast<std::size_t>(part.tile)];
-            const MapImage map = map_image(tile, part.map, 0, options.maps.sample_of(part.map));
-            MapPicture shown = picture_of(map, cell);
-            const std::string side = number_text(map.side);
-            cells.push_back({std::move(shown.picture),
-                             {file.name, rounded_text(tile.lattice.side_m, 3) + " m, " + side + " x " + side,
-                              number_text(map.channels) + (map.channels == 1 ? " channel" : " channels") + " of " +
-                                  sample_text(map.sample),
-                              is_floating(map.sample) ? rounded_text(static_cast<double>(shown.least), 3) + " to " +
-                                                            rounded_text(static_cast<double>(shown.most), 3)
-                                                      : ""}});
-        }
+    for (const MapKind map : options.maps.maps)
+        for (const ImageFile& file : files)
+            for (const ImagePart& part : file.parts)
+                if (part.map == map && part.first_level == 0)
+                    cells.push_back(cell_of(file, part, frame, options.maps));
     return cells;
 }
 
@@ -132,7 +151,8 @@ Picture sheet_of(const std::vector<std::string>& titles, const Picture& still, c
         sheet.paste(left, top, cells[i].picture);
         int text_top = top + cell + line / 2;
         for (const std::string& text : cells[i].texts) {
-            sheet.write(left, text_top, text, text_top == top + cell + line / 2 ? ink : pale_ink, small_text);
+            const bool is_name = &text == &cells[i].texts.front();
+            sheet.write(left, text_top, text, is_name ? ink : pale_ink, small_text);
             text_top += line;
         }
     }

@@ -6,6 +6,7 @@
 #include "pelagic/tools/digest.hpp"
 #include "pelagic/tools/export_names.hpp"
 #include "pelagic/tools/image_files.hpp"
+#include "pelagic/tools/mesh_files.hpp"
 
 namespace pelagic::tools {
 namespace {
@@ -36,13 +37,21 @@ const ReadJson& value_of(const ReadJson& json, const std::string& key) {
 std::string text_of(const ReadJson& json) { return json.is_string() ? json.get<std::string>() : std::string(); }
 double number_of(const ReadJson& json) { return json.is_number() ? json.get<double>() : 0; }
 
+/// Of a frame, in the order in which records list them.
+std::vector<std::string> file_names(const ExportOptions& options, int frame) {
+    std::vector<std::string> names;
+    for (const ImageFile& file : image_files(options, frame)) names.push_back(file.name);
+    for (const MeshFile& file : mesh_files(options.meshes, frame)) names.push_back(file.name);
+    return names;
+}
+
 /// The frame that an entry is about, if it says exactly what this export would say.
 std::optional<FrameRecord> accepted(const ReadJson& entry, const ExportOptions& options) {
     const ReadJson& number = value_of(entry, "frame");
     if (!number.is_number_unsigned() || number.get<std::uint64_t>() > FrameTimes::largest_number ||
         !options.times.contains(number.get<int>()))
         return {};
-    const bool has_foam = options.maps.has(MapKind::foam);
+    const bool has_foam = options.has_foam();
     FrameRecord record{.frame = number.get<int>(),
                        .time_s = options.times.time_of(number.get<int>()),
                        .hash = text_of(value_of(entry, "hash")),
@@ -52,17 +61,18 @@ std::optional<FrameRecord> accepted(const ReadJson& entry, const ExportOptions& 
                        .height_max_m = number_of(value_of(entry, "height_max_m")),
                        .files = {}};
     const ReadJson& files = value_of(entry, "files");
-    const std::vector<ImageFile> images = image_files(options, record.frame);
-    if (files.size() != images.size() || has_foam == record.foam_hash.empty()) return {};
-    for (std::size_t i = 0; i < images.size(); ++i)
-        record.files.push_back({images[i].name, files.is_array() ? text_of(value_of(files[i], "xxh3")) : ""});
+    const std::vector<std::string> names = file_names(options, record.frame);
+    if (files.size() != names.size() || has_foam == record.foam_hash.empty()) return {};
+    for (std::size_t i = 0; i < names.size(); ++i)
+        record.files.push_back({names[i], files.is_array() ? text_of(value_of(files[i], "xxh3")) : ""});
     // Time and names are ours by now: an entry with others is not equal. Nor is one whose digest does not fit the rest.
     if (entry != ReadJson(frame_as_json(record))) return {};
     return record;
 }
 
 void take_name(const ReadJson& name, const ExportOptions& options, EarlierExport& earlier) {
-    if (std::string text = text_of(name); is_image_name(text, options.maps.names) || is_flipbook_name(text))
+    if (std::string text = text_of(name);
+        is_image_name(text, options.maps.names) || is_mesh_name(text) || is_flipbook_name(text))
         earlier.images.push_back(std::move(text));
 }
 
@@ -120,7 +130,7 @@ EarlierExport parse_sea_json(std::string_view text, const ExportOptions& options
 std::size_t most_record_bytes(const ExportOptions& options) {
     constexpr std::size_t usual = std::size_t{64} << 20;
     constexpr std::size_t bytes_a_frame = 1000, bytes_a_file = 200;  // twice what sea.json takes
-    const std::size_t files = image_files(options, 0).size();
+    const std::size_t files = file_names(options, 0).size();
     return std::max(usual, options.times.count() * (bytes_a_frame + files * bytes_a_file));
 }
 

@@ -100,6 +100,7 @@ class Flipbook : public SequenceOutput {
 }  // namespace
 
 void check_flipbook(const ExportOptions& options, const std::string& typed) {
+    if (options.maps.maps.empty()) throw bad_value("--flipbook", typed, "some --maps");
     const FlipbookGrid& grid = *options.flipbook;
     const auto cells = static_cast<std::size_t>(grid.columns) * static_cast<std::size_t>(grid.rows);
     if (cells < options.times.count())

@@ -14,17 +14,21 @@
 #include "pelagic/sim/statistics.hpp"
 #include "pelagic/tools/digest.hpp"
 #include "pelagic/tools/image_files.hpp"
+#include "pelagic/tools/mesh_files.hpp"
 
 namespace pelagic::tools {
 namespace {
 
-/// The views of a tile that the images show.
+/// The views of a tile that the files show.
 struct NeededViews {
-    explicit NeededViews(const MapOptions& options)
-        : halves(options.has(MapKind::displacement) && options.sample_of(MapKind::displacement) == Sample::half),
-          planes(options.has(MapKind::displacement) && (!halves || (is_texture(options.format) && options.mips))),
-          gradient(options.has(MapKind::gradient)),
-          foam(options.has(MapKind::foam)) {}
+    explicit NeededViews(const ExportOptions& options)
+        : halves(options.maps.has(MapKind::displacement) &&
+                 options.maps.sample_of(MapKind::displacement) == Sample::half),
+          planes((options.maps.has(MapKind::displacement) &&
+                  (!halves || (is_texture(options.maps.format) && options.maps.mips))) ||
+                 options.meshes.any()),
+          gradient(options.maps.has(MapKind::gradient)),
+          foam(options.has_foam()) {}
 
     bool halves, planes, gradient, foam;
 };
@@ -108,23 +112,34 @@ FrameRecord figures_of(int number, const Frame& frame, bool has_foam) {
             .files = {}};
 }
 
-/// The images of a frame, one after the other.
-std::vector<FileRecord> write_images(const ExportOptions& options, const OutputFolder& folder, int number,
-                                     const Frame& frame, TraceSink* trace) {
+/// The images and meshes of a frame, one after the other.
+std::vector<FileRecord> write_files(const ExportOptions& options, const OutputFolder& folder, int number,
+                                    const Frame& frame, TraceSink* trace) {
     const TraceScope scope(trace, "files", file_category,
                            {{{"frame", static_cast<double>(number)}, {"time_s", frame.time_s}}});
     std::vector<FileRecord> records;
+    const auto write = [&](const std::string& name, std::span<const unsigned char> content) {
+        const TraceScope writing(trace, "write", file_category, {{{"bytes", static_cast<double>(content.size())}}});
+        const std::string_view bytes(reinterpret_cast<const char*>(content.data()), content.size());
+        folder.write(name, bytes);
+        records.push_back({name, digest_of(bytes)});
+    };
     for (const ImageFile& file : image_files(options, number)) {
-        const std::vector<unsigned char> image = [&] {
+        write(file.name, [&] {
             const ImagePart& part = file.parts.front();
             const TraceScope encoding(trace, trace_name(part.map), file_category,
                                       {{{"level", static_cast<double>(part.first_level)}}});
             return encode_image_file(file, frame, options.maps);
-        }();
-        const TraceScope writing(trace, "write", file_category, {{{"bytes", static_cast<double>(image.size())}}});
-        const std::string_view bytes(reinterpret_cast<const char*>(image.data()), image.size());
-        folder.write(file.name, bytes);
-        records.push_back({file.name, digest_of(bytes)});
+        }());
+    }
+    const std::vector<MeshFile> meshes = mesh_files(options.meshes, number);
+    if (meshes.empty()) return records;
+    const Mesh mesh = mesh_of(frame, options.meshes.patch);
+    for (const MeshFile& file : meshes) {
+        write(file.name, [&] {
+            const TraceScope encoding(trace, "encode mesh", file_category);
+            return encode_mesh_file(file.format, mesh);
+        }());
     }
     return records;
 }
@@ -150,12 +165,11 @@ FrameWriter::FrameWriter(const ExportOptions& options, const OutputFolder& folde
 
 void FrameWriter::write(int number, const Frame& frame) {
     while (in_flight_.size() >= most_) take_oldest();
-    const auto copy = std::make_shared<const FrameCopy>(frame, NeededViews(options_.maps));
-    in_flight_.push_back(
-        start([this, copy, record = figures_of(number, frame, options_.maps.has(MapKind::foam))]() mutable {
-            record.files = write_images(options_, folder_, record.frame, copy->frame(), trace_);
-            return std::move(record);
-        }));
+    const auto copy = std::make_shared<const FrameCopy>(frame, NeededViews(options_));
+    in_flight_.push_back(start([this, copy, record = figures_of(number, frame, options_.has_foam())]() mutable {
+        record.files = write_files(options_, folder_, record.frame, copy->frame(), trace_);
+        return std::move(record);
+    }));
 }
 
 std::future<FrameRecord> FrameWriter::start(const std::function<FrameRecord()>& work) {

@@ -12,8 +12,11 @@
 #include "pelagic/quadtree/selection.hpp"
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/tools/errors.hpp"
+#include "pelagic/tools/gltf_file.hpp"
+#include "pelagic/tools/obj_file.hpp"
 #include "pelagic/tools/option_text.hpp"
 #include "pelagic/tools/output_folder.hpp"
+#include "pelagic/tools/ply_file.hpp"
 #include "pelagic/tools/quadtree_files.hpp"
 #include "pelagic/tools/sea_json.hpp"
 
@@ -22,6 +25,8 @@ namespace {
 
 constexpr double aspect = 16.0 / 9;
 constexpr double latest_s = 1e9;
+
+std::span<const std::byte> as_bytes(const Bytes& bytes) { return std::as_bytes(std::span(bytes)); }
 
 /// One view, or two eyes side by side.
 std::vector<glm::dmat4> views_of(const Camera& camera, double eyes_apart_m) {
@@ -107,6 +112,9 @@ void QuadtreeCommandFlags::add_to(CLI::App& app) {
     app.add_option("--obj", obj_,
                    "write the displaced mesh, with texture coordinates for an export's maps and normals")
         ->type_name("FILE");
+    app.add_option("--ply", ply_, "the same as PLY, binary")->type_name("FILE");
+    app.add_option("--gltf", gltf_, "the same as binary glTF, FILE.glb")->type_name("FILE");
+    app.add_flag("--foam", foam_, "the mesh's vertices have foam too, as colour");
     app.add_option("--json", json_, "write the figures")->type_name("FILE");
     app.add_option("--svg", svg_, "write the plan, coloured by level")->type_name("FILE");
     sea_.add_to(app);
@@ -121,10 +129,11 @@ void QuadtreeCommandFlags::run() const {
     const double time_s = time_ ? number_in("--time", *time_, -latest_s, latest_s, "[-1e9, 1e9]") : 0;
     const ResolvedSea sea = sea_.resolve();
     const ComputeOptions compute = compute_.resolve();
-    const std::optional<OutputFile> obj = file_for("--obj", obj_), json = file_for("--json", json_),
+    const std::optional<OutputFile> obj = file_for("--obj", obj_), ply = file_for("--ply", ply_),
+                                    gltf = file_for("--gltf", gltf_), json = file_for("--json", json_),
                                     svg = file_for("--svg", svg_);
 
-    Ocean ocean(sea.sea, {.executor = make_default_executor(compute.threads), .isa = compute.isa});
+    Ocean ocean(sea.sea, {.executor = make_default_executor(compute.threads), .isa = compute.isa, .foam = foam_});
     const Frame& frame = ocean.frame_at(time_s);
     const std::vector<glm::dmat4> views = all_ ? std::vector<glm::dmat4>() : views_of(camera, apart_m);
     const SelectionInput input{
@@ -134,7 +143,12 @@ void QuadtreeCommandFlags::run() const {
     const DrawList& list = selection.list();
 
     const Json figures = figures_json(list, options, views.size(), microseconds);
-    if (obj) obj->write(mesh_as_obj(list, frame));
+    if (obj || ply || gltf) {
+        const Mesh mesh = mesh_of(list, frame);
+        if (obj) obj->write(mesh_as_obj(mesh, ObjDigits::all));
+        if (ply) ply->write(as_bytes(mesh_as_ply(mesh)));
+        if (gltf) gltf->write(as_bytes(GlbFile(mesh).finish(1, false)));
+    }
     if (json) json->write(figures.dump(2) + "\n");
     if (svg) {
         Selection everything(options);

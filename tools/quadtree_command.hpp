@@ -27,7 +27,7 @@ class QuadtreeFlags {
 class QuadtreeCommandFlags {
    public:
     void add_to(CLI::App& app);
-    /// Prints the figures and writes what --obj, --json and --svg name. Throws InputError and FileError.
+    /// Prints the figures and writes the files that options name. Throws InputError and FileError.
     void run() const;
 
    private:
@@ -35,8 +35,8 @@ class QuadtreeCommandFlags {
     ComputeFlags compute_;
     CameraFlags camera_;
     QuadtreeFlags quadtree_;
-    std::optional<std::string> time_, stereo_, obj_, json_, svg_;
-    bool all_ = false;
+    std::optional<std::string> time_, stereo_, obj_, ply_, gltf_, json_, svg_;
+    bool all_ = false, foam_ = false;
 };
 
 }  // namespace pelagic::tools

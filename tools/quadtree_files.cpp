@@ -4,7 +4,6 @@
 #include <array>
 #include <cstdint>
 #include <cstdio>
-#include <glm/geometric.hpp>
 #include <set>
 #include <tuple>
 #include <vector>
@@ -13,6 +12,7 @@
 #include "pelagic/quadtree/patch_vertex.hpp"
 #include "pelagic/sim/surface/tile_sum.hpp"
 #include "pelagic/tools/option_text.hpp"
+#include "pelagic/tools/sea_mesh.hpp"
 
 namespace pelagic::tools {
 namespace {
@@ -50,62 +50,43 @@ std::vector<glm::dvec2> footprint(const Frustum& view, glm::dvec2 low, glm::dvec
     return polygon;
 }
 
-/// The normal where the sea rests at `rest`, from the differences of its neighbours a texel away on both sides, as
-/// equations 45 to 47 take them; faded as the vertices are. The same for every patch that has the vertex.
-template <class Displacement>
-glm::dvec3 normal_at(const QuadtreeGrid& grid, glm::dvec2 rest, double texel_m, const Displacement& displacement) {
-    const auto drawn = [&](glm::dvec2 away) {
-        const glm::dvec2 place = rest + away;
-        const double fade = border_fade(grid, place);
-        const glm::dvec3 moved = fade > 0 ? displacement(place) * fade : glm::dvec3(0);
-        return glm::dvec3(away.x, 0, away.y) + moved;
-    };
-    const glm::dvec3 along_x = drawn({texel_m, 0}) - drawn({-texel_m, 0});
-    const glm::dvec3 along_z = drawn({0, texel_m}) - drawn({0, -texel_m});
-    const glm::dvec3 up = glm::cross(along_z, along_x);
-    const double length = glm::length(up);
-    return length > 0 ? up / length : glm::dvec3(0, 1, 0);  // crushed to a point it has none
-}
-
 }  // namespace
 
-std::string mesh_as_obj(const DrawList& list, const Frame& frame) {
+Mesh mesh_of(const DrawList& list, const Frame& frame) {
     const QuadtreeGrid& grid = list.grid;
-    const PatchMesh mesh(grid.vertices);
+    const PatchMesh patch_mesh(grid.vertices);
     const auto displacement = [&](glm::dvec2 rest) {
         const Displacement d = displacement_of(frame, rest.x, rest.y);
         return glm::dvec3(d.dx, d.height, d.dz);
     };
-    const double length_m = frame.tiles[0].lattice.side_m, texel_m = frame.tiles[0].texel_m();
-    std::string vertices, faces;
-    std::uint32_t written = 0;
-    std::vector<std::uint32_t> number_of(mesh.positions.size());
+    const auto drawn = [&](glm::dvec2 rest) {  // but for the morph: the same for every patch that has the vertex
+        const double fade = border_fade(grid, rest);
+        return glm::dvec3(rest.x, 0, rest.y) + (fade > 0 ? displacement(rest) * fade : glm::dvec3(0));
+    };
+    const bool has_foam = !frame.tiles.front().foam_r8.empty();
+    Mesh mesh;
+    std::vector<std::uint32_t> number_of(patch_mesh.positions.size());
     for (const DrawBatch& batch : list.batches) {
-        const PatchMesh::Range range = mesh.ranges[batch.stitches];
-        const auto first = mesh.indices.begin() + range.first;
-        std::vector<bool> is_used(mesh.positions.size(), false);  // a stitched side leaves some out
+        const PatchMesh::Range range = patch_mesh.ranges[batch.stitches];
+        const auto first = patch_mesh.indices.begin() + range.first;
+        std::vector<bool> is_used(patch_mesh.positions.size(), false);  // a stitched side leaves some out
         std::for_each(first, first + range.count, [&](std::uint16_t index) { is_used[index] = true; });
         for (std::uint32_t i = batch.first; i < batch.first + batch.count; ++i) {
             const PatchInstance& patch = list.instances[i];
-            for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+            for (std::size_t v = 0; v < patch_mesh.positions.size(); ++v) {
                 if (!is_used[v]) continue;
-                number_of[v] = ++written;
-                const PatchMesh::Vertex at = mesh.positions[v];
-                const glm::dvec3 p = patch_vertex(grid, patch, at.i, at.j, displacement);
+                number_of[v] = static_cast<std::uint32_t>(mesh.positions.size());
+                const PatchMesh::Vertex at = patch_mesh.positions[v];
                 const glm::dvec2 rest = rest_position(grid, patch, at.i, at.j);
-                const glm::dvec3 n = normal_at(grid, rest, texel_m, displacement);
-                vertices += "v " + number_text(p.x) + ' ' + number_text(p.y) + ' ' + number_text(p.z) + '\n';
-                vertices += line("vt %.6f %.6f\nvn %.4f %.4f %.4f\n", (rest.x + texel_m / 2) / length_m,
-                                 1 - (rest.y + texel_m / 2) / length_m, n.x, n.y, n.z);
+                mesh.positions.push_back(patch_vertex(grid, patch, at.i, at.j, displacement));
+                mesh.normals.emplace_back(normal_at(rest, frame.tiles[0].texel_m(), drawn));
+                mesh.texture_coordinates.push_back(texture_coordinates_of(frame.tiles[0], rest));
+                if (has_foam) mesh.foam.push_back(static_cast<float>(foam_of(frame, rest) * border_fade(grid, rest)));
             }
-            for (auto index = first; index != first + range.count; index += 3) {
-                const std::uint32_t a = number_of[index[0]], b = number_of[index[1]], c = number_of[index[2]];
-                faces += line("f %u/%u/%u %u/%u/%u %u/%u/%u\n", a, a, a, b, b, b, c, c, c);
-            }
+            for (auto index = first; index != first + range.count; ++index) mesh.faces.push_back(number_of[*index]);
         }
     }
-    return "# Pelagic: a sea's level-of-detail mesh, metres, y up, faces counter-clockwise from above\n" + vertices +
-           faces;
+    return mesh;
 }
 
 std::string plan_as_svg(const DrawList& drawn, const DrawList& all, std::span<const Frustum> views,

@@ -1,4 +1,4 @@
-// What `pelagic quadtree` writes: the mesh as Wavefront OBJ, the plan as SVG.
+// What `pelagic quadtree` writes: the mesh, the plan as SVG.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -7,13 +7,13 @@
 
 #include "pelagic/quadtree/selection.hpp"
 #include "pelagic/sim/frame.hpp"
+#include "pelagic/tools/mesh.hpp"
 
 namespace pelagic::tools {
 
-/// The displaced and morphed patches, each with vertices of its own, every digit of them: what is a crack on the GPU is
-/// one here. Metres, y up. Texture coordinates take an export's maps of the same sea, u = x/L + 0.5/N and
-/// v = 1 - z/L - 0.5/N at the rest place; normals are those of the sea there, whatever the patch's level.
-std::string mesh_as_obj(const DrawList& list, const Frame& frame);
+/// The displaced and morphed patches, each with vertices of its own: what is a crack on the GPU is one here. Normals are those of
+/// the sea at the rest place, whatever the patch's level; displacement, normals and foam fade out towards the border.
+Mesh mesh_of(const DrawList& list, const Frame& frame);
 
 /// The grid from above, x to the right and z down: patches coloured by level, drawn ones full and culled ones pale;
 /// what each view sees of the rest level; the viewer.

@@ -17,6 +17,15 @@ Json files_as_json(const std::vector<FileRecord>& files) {
     return list;
 }
 
+Json mesh_as_json(const MeshOptions& options) {
+    Json formats = Json::array();
+    for (const MeshFormat format : options.formats) formats.push_back(name_of(format));
+    return {{"formats", formats},
+            {"side_m", options.patch.side_m},
+            {"steps", options.patch.steps},
+            {"tiles", options.patch.tiles}};
+}
+
 }  // namespace
 
 Json sea_as_json(const ResolvedSea& resolved) {
@@ -61,6 +70,7 @@ Json options_as_json(const ExportOptions& options) {
         how["flipbook"] = {{"columns", options.flipbook->columns}, {"rows", options.flipbook->rows}};
     if (options.maps.zstd) how["compression"] = "zstd";
     if (options.maps.names) how["names"] = options.maps.names->text();
+    if (options.meshes.any()) how["mesh"] = mesh_as_json(options.meshes);
     Json json = {{"version", PELAGIC_VERSION}, {"sea", sea_as_json(options.sea)}};
     if (!options.sea.changes.empty()) json["weather"] = weather_as_json(options.sea);
     json["export"] = how;
@@ -148,7 +158,7 @@ Json sea_json(const ExportOptions& options, const std::vector<FrameRecord>& fram
     json["layout"] = layout_as_json(forecast_of(options.sea));
     const SeaReport report = report_on(options.sea.sea);
     json["waves"] = waves_as_json(options.sea.sea, report, height_sum / static_cast<double>(frames.size()));
-    if (options.maps.has(MapKind::foam)) {
+    if (options.has_foam()) {
         Ocean ocean(options.sea.sea,
                     {.executor = make_default_executor(options.compute.threads), .isa = options.compute.isa});
         json["foam"] = foam_as_json(ocean.frame_at(0));

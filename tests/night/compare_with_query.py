@@ -12,18 +12,24 @@ def float_step(value):
     return 2.0 ** (math.frexp(value)[1] - 24)
 
 
-def compare(pelagic, folder, frame_number, places, bits=24):
-    """places: (x, y, z) in Pelagic's axes, whole patches of an export in folder, drawn from floats of so many bits."""
+def ask(pelagic, folder, frame_number, places, *options):
+    """What `pelagic query` says of the sea in a frame of an export, a dictionary for each of the places (x, y, z), y unused."""
     sea_json = Path(folder) / "sea.json"
-    record = json.loads(sea_json.read_text())
-    frame = record["frames"][frame_number]
+    frame = json.loads(sea_json.read_text())["frames"][frame_number]
     with tempfile.NamedTemporaryFile("w", suffix=".csv") as points:
         points.writelines(f"{x!r},{z!r}\n" for x, _, z in places)
         points.flush()
         answer = subprocess.run([pelagic, "query", "--config", str(sea_json), "--time", repr(frame["time_s"]),
-                                 "--points", points.name], check=True, capture_output=True, text=True).stdout
-    heights = [float(row["height"]) for row in csv.DictReader(answer.splitlines())]
-    assert len(heights) == len(places)
+                                 "--points", points.name, *options], check=True, capture_output=True, text=True).stdout
+    rows = [{name: float(value) for name, value in row.items()} for row in csv.DictReader(answer.splitlines())]
+    assert len(rows) == len(places)
+    return rows
+
+
+def compare(pelagic, folder, frame_number, places, bits=24):
+    """places: (x, y, z) in Pelagic's axes, whole patches of an export in folder, drawn from floats of so many bits."""
+    frame = json.loads((Path(folder) / "sea.json").read_text())["frames"][frame_number]
+    heights = [row["height"] for row in ask(pelagic, folder, frame_number, places)]
     worst = max(abs(y - height) for (_, y, _), height in zip(places, heights))
     # Queries are within 8 micrometres of an oracle. A place is a 32-bit float: half a step at the far end sideways, which
     # is as much in height on a slope of 1, and half a step more for a program that turns the mesh.

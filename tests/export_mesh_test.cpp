@@ -1,0 +1,118 @@
+// `pelagic export --mesh`: which files there are, when they are refused, and that nobody but the options decides their bytes.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "pelagic/tests/run_pelagic.hpp"
+
+namespace pelagic {
+namespace {
+
+Outcome export_to(const TemporaryFolder& folder, const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = {
+        "export",        "--out", folder.path().string(), "--resolution", "32", "--patch-size", "100", "--no-sync",
+        "--loop-period", "20"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run_pelagic(arguments);
+}
+
+const std::vector<std::string> all_meshes = {"--maps", "none",   "--loop-frames",
+                                             "3",      "--mesh", "obj,ply,gltf,gltf-animation,mdd"};
+
+std::vector<std::string> with(std::vector<std::string> options, const std::vector<std::string>& more) {
+    options.insert(options.end(), more.begin(), more.end());
+    return options;
+}
+
+TEST(ExportMesh, EachFormatHasItsFilesAndARecord) {
+    const TemporaryFolder folder;
+    const Outcome outcome = export_to(folder, all_meshes);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    std::vector<std::string> names;
+    for (const auto& [name, bytes] : files_in(folder.path())) names.push_back(name);
+    EXPECT_EQ(names, (std::vector<std::string>{".sea.lock", "mesh.glb", "mesh.mdd", "mesh_0000.glb", "mesh_0000.obj",
+                                               "mesh_0000.ply", "mesh_0001.glb", "mesh_0001.obj", "mesh_0001.ply",
+                                               "mesh_0002.glb", "mesh_0002.obj", "mesh_0002.ply", "sea.json"}));
+    const auto record = nlohmann::json::parse(read_file(folder / "sea.json"));
+    EXPECT_EQ(record["export"]["mesh"]["side_m"], 100);
+    EXPECT_EQ(record["export"]["mesh"]["steps"], 32);
+    EXPECT_EQ(record["frames"][1]["files"].size(), 3u);
+    EXPECT_EQ(record["frames"][1]["files"][0]["name"], "mesh_0001.obj");
+    EXPECT_EQ(record["sequence_files"].size(), 2u);
+}
+
+TEST(ExportMesh, ThreadsAndMapsDontChangeABit) {
+    const TemporaryFolder one, other;
+    ASSERT_EQ(export_to(one, with(all_meshes, {"--threads", "1"})).exit_code, 0);
+    std::vector<std::string> with_maps = with(all_meshes, {"--threads", "3"});
+    with_maps[1] = "displacement";
+    ASSERT_EQ(export_to(other, with_maps).exit_code, 0);
+    const auto others = files_in(other.path());
+    for (const auto& [name, bytes] : files_in(one.path()))
+        EXPECT_TRUE(name == "sea.json" || others.at(name) == bytes) << name;
+}
+
+TEST(ExportMesh, ResumeMakesADamagedMeshAgain) {
+    const TemporaryFolder folder;
+    ASSERT_EQ(export_to(folder, all_meshes).exit_code, 0);
+    const auto whole = files_in(folder.path());
+    write_file(folder / "mesh_0001.ply", "ply");
+    write_file(folder / "mesh.mdd", "");
+    const Outcome outcome = export_to(folder, with(all_meshes, {"--resume"}));
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("3 frames (2 of them kept)"), std::string::npos) << outcome.out;
+    EXPECT_TRUE(files_in(folder.path()) == whole);
+}
+
+TEST(ExportMesh, ALaterExportWithoutThemRemovesMeshes) {
+    const TemporaryFolder folder;
+    ASSERT_EQ(export_to(folder, all_meshes).exit_code, 0);
+    write_file(folder / "mesh.obj", "somebody's own");
+    ASSERT_EQ(export_to(folder, {"--maps", "foam"}).exit_code, 0);
+    std::vector<std::string> names;
+    for (const auto& [name, bytes] : files_in(folder.path())) names.push_back(name);
+    EXPECT_EQ(names, (std::vector<std::string>{".sea.lock", "foam_0000.png", "mesh.obj", "sea.json"}));
+}
+
+TEST(ExportMesh, WavesThatStepsCantShowAreSaid) {
+    const TemporaryFolder folder;
+    const std::vector<std::string> stack = {
+        "export", "--out", folder.path().string(), "--resolution", "32", "--maps", "none", "--mesh", "obj"};
+    const Outcome coarse = run_pelagic(with(stack, {"--mesh-steps", "8"}));
+    EXPECT_NE(coarse.out.find("show the waves of the coarsest 1 of 4 tiles"), std::string::npos) << coarse.out;
+    const Outcome fine = run_pelagic(with(stack, {"--mesh-steps", "8", "--mesh-size", "0.5"}));
+    EXPECT_EQ(fine.exit_code, 0) << fine.err;
+    EXPECT_EQ(fine.out.find("show the waves"), std::string::npos) << fine.out;
+}
+
+TEST(ExportMesh, WhatCantBeDoneIsOneLineAndNoFile) {
+    const TemporaryFolder folder;
+    const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
+        {{"--mesh", "fbx"}, "--mesh is fbx, needs obj, ply, gltf, gltf-animation, mdd or some of them with commas"},
+        {{"--mesh", "obj,obj"}, "--mesh is obj,obj, needs"},
+        {{"--mesh", ""}, "--mesh is , needs obj"},
+        {{"--mesh-size", "5"}, "--mesh-size is 5, needs --mesh with it"},
+        {{"--mesh-steps", "5"}, "--mesh-steps is 5, needs --mesh with it"},
+        {{"--mesh", "obj", "--mesh-size", "0"}, "--mesh-size is 0, needs metres in [0.001, 1e6]"},
+        {{"--mesh", "obj", "--mesh-steps", "2049"}, "--mesh-steps is 2049, needs a whole number from 1 to 2048"},
+        {{"--maps", "none"}, "--maps is none, needs --mesh with it, or some maps"},
+        {{"--mesh", "gltf-animation", "--frames", "257"}, "of 257 frames needs at most 256"},
+        {{"--mesh", "gltf-animation", "--frames", "1-3,5"}, "of frames 1-3,5 needs frames without a gap"},
+        {{"--mesh", "gltf-animation", "--frames", "100", "--mesh-steps", "2048"}, "needs at most 1024 MiB"},
+        {{"--mesh", "mdd", "--frames", "100000", "--mesh-steps", "100"}, "needs at most 1024 MiB"},
+    };
+    for (const auto& [options, says] : cases) {
+        const Outcome outcome = export_to(folder, options);
+        EXPECT_EQ(outcome.exit_code, 2) << says;
+        EXPECT_NE(outcome.err.find(says), std::string::npos) << outcome.err;
+        EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    }
+    EXPECT_TRUE(files_in(folder.path()).empty());
+}
+
+}  // namespace
+}  // namespace pelagic
