@@ -111,7 +111,7 @@ ShadedSea::State::State(const SeaState& sea, int picture_width, int picture_heig
     const det::SineCosine down = det::sine_cosine_of_turns(down_turns),
                           half_view = det::sine_cosine_of_turns(vertical_view_turns / 2);
     const auto cosine = static_cast<float>(down.cosine), sine = static_cast<float>(down.sine);
-    view.eye = {0, 0.2f * wavelength_m + 1.2f * wave_height_m, 0};
+    view.eye = {0, 0.1f * wavelength_m + 1.1f * wave_height_m, 0};
     view.forward = {cosine * ahead.x, -sine, cosine * ahead.z};
     view.right = {-ahead.z, 0, ahead.x};
     view.up = glm::cross(view.right, view.forward);

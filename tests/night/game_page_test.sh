@@ -13,6 +13,7 @@ mkdir -p "$2"
 cd "$2"
 rm -rf sea sea_dds book
 cp "$here"/../../docs/users/recipes/game/sample.mjs "$here"/ktx2_check.mjs .
+echo {} >package.json  # npm installs here, whatever the folders above have
 PATH=$(dirname "$pelagic"):$PATH
 
 # Indented lines that begin with a program, as a reader types them.
