@@ -49,6 +49,17 @@ std::vector<BadInput> bad_inputs() {
         {{"export", "--out", "OUT", "--frames", "loop", "--loop-period", "1.01"},
          {"--frames", "loop", "24.24", "--loop-period 1 "}},
         {{"export", "--out", "OUT", "--start-number", "-1"}, {"--start-number", "-1", "0 to 999999"}},
+        // What files.
+        {{"export", "--out", "OUT", "--compression", "lzw"},
+         {"--compression", "is lzw", "zip, zips, piz, dwaa or none"}},
+        {{"export", "--out", "OUT", "--format", "tif", "--compression", "piz"},
+         {"--compression", "is piz", "zip, lzw or none"}},
+        {{"export", "--out", "OUT", "--maps", "foam", "--compression", "piz"},
+         {"--compression", "is piz", "EXR", "PNG"}},
+        {{"export", "--out", "OUT", "--maps", "foam", "--tiled"}, {"--tiled", "EXR"}},
+        {{"export", "--out", "OUT", "--pack", "bits"}, {"--pack", "is bits", "files, layers or parts"}},
+        {{"export", "--out", "OUT", "--pack", "parts", "--mips"}, {"--pack", "is parts", "--tiled"}},
+        {{"export", "--out", "OUT", "--pack", "layers", "--format", "tif"}, {"--pack", "is layers", "--format exr"}},
         // The quadtree's options.
         {{"bench", "--sizes", "64,100"}, {"--sizes", "is 64,100", "powers of two from 16 to 2048"}},
         {{"bench", "--sizes", "4096"}, {"--sizes", "is 4096", "powers of two from 16 to 2048"}},

@@ -61,10 +61,10 @@ TEST(FrameNumbers, SayWhenAFrameIsWhateverElseIsMade) {
         arguments.insert(arguments.end(), more.begin(), more.end());
         const Outcome outcome = run_pelagic(arguments);
         EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-        std::map<int, std::string> hashes;
+        std::map<int, std::string> found;
         const auto sea = nlohmann::json::parse(files_in(folder / name).at("sea.json"));
-        for (const auto& frame : sea["frames"]) hashes[frame["frame"]] = frame["hash"];
-        return hashes;
+        for (const auto& frame : sea["frames"]) found[frame["frame"]] = frame["hash"];
+        return found;
     };
     const auto all = hashes("all", {"--fps", "8", "--frames", "6"});
     ASSERT_EQ(all.size(), 6u);

@@ -129,7 +129,7 @@ TEST(FrameWriter, RecordsFramesAsTheyWereHandedOver) {
     journal.begin();
     std::map<int, FrameRecord> records;
     Ocean ocean(options.sea.sea, {.executor = make_serial_executor(), .gradients = true, .foam = true});
-    FrameWriter writer(options, folder, journal, records, nullptr);
+    FrameWriter writer(options, folder, journal, records, nullptr, std::size_t{1} << 40);
     const Frame& frame = ocean.frame_at(0);
     const std::string hash = hex_text(hash_of(frame)), foam_hash = hex_text(foam_hash_of(frame));
     writer.write(0, frame);
@@ -139,14 +139,22 @@ TEST(FrameWriter, RecordsFramesAsTheyWereHandedOver) {
     EXPECT_EQ(records.at(0).foam_hash, foam_hash);
 }
 
-// README and help promise 2 GiB: eight frames of N = 2048.
-TEST(FrameWriter, TakesTwoGibibytesAtMost) {
+// Of a large sea nothing is copied, and two files of N = 2048 are written at once, on however many threads: docs/users/exporter.md
+// promises 2 GB for four such tiles. Smaller ones are copied, as many as there are threads.
+TEST(FrameWriter, SharesOutWhatTheOceanLeaves) {
+    constexpr std::size_t mib = std::size_t{1} << 20;
     ExportOptions options;
-    options.sea.sea = {.resolution = 2048, .patch_size_m = 250};
+    options.sea.sea = {.cascades = 4, .resolution = 2048};
     options.compute.threads = 1024;
-    EXPECT_EQ(frames_in_flight(options, most_bytes_in_flight), 8u);
-    options.compute.threads = 3;
-    EXPECT_EQ(frames_in_flight(options, most_bytes_in_flight), 3u);
+    EXPECT_EQ(bytes_for_writing(1500 * mib), 292 * mib);
+    EXPECT_EQ(bytes_for_writing(5000 * mib), 256 * mib);
+    EXPECT_EQ(plan_writing(options, 292 * mib), (WritingPlan{.frames = 1, .files_a_frame = 2}));
+    options.compute.threads = 1;
+    EXPECT_EQ(plan_writing(options, 292 * mib), (WritingPlan{.frames = 1, .files_a_frame = 1}));
+    options.sea.sea.resolution = 512;
+    options.compute.threads = 16;
+    EXPECT_EQ(plan_writing(options, 1600 * mib), (WritingPlan{.frames = 16, .files_a_frame = 1}));
+    EXPECT_EQ(plan_writing(options, 512 * mib), (WritingPlan{.frames = 8, .files_a_frame = 2}));
 }
 
 }  // namespace

@@ -69,7 +69,7 @@ void make_frames(const ExportOptions& options, const OutputFolder& folder, Expor
     if (missing.empty()) return;
 
     Ocean ocean(forecast_of(options.sea), ocean_options(options, trace));
-    FrameWriter writer(options, folder, journal, records, trace.get());
+    FrameWriter writer(options, folder, journal, records, trace.get(), bytes_for_writing(ocean.memory_bytes()));
     const bool all_made =
         for_each_frame(options, ocean, missing, [&](int number, const Frame& frame) { writer.write(number, frame); });
     writer.finish();

@@ -52,6 +52,8 @@ class NameReader {
 };
 
 constexpr const char* flipbook_mark = "flipbook_";
+constexpr const char* packed_start = "sea";
+
 /// "_0007"
 std::string number_in_name(int frame) {
     std::array<char, 16> number;
@@ -70,17 +72,22 @@ std::string image_name(const MapOptions& options, const ImageMark& mark, int fra
     return map + tile + number_in_name(frame) + level + "." + extension;
 }
 
+std::string packed_name(const MapOptions& options, int frame) {
+    return options.names ? options.names->name("", frame, "exr") : packed_start + number_in_name(frame) + ".exr";
+}
+
 std::string mesh_name(int frame, const char* extension) { return "mesh" + number_in_name(frame) + "." + extension; }
 
 const char* extension_of(MapKind map, const MapOptions& options) {
-    if (options.format == ImageFormat::tiff) return "tif";
-    if (options.format == ImageFormat::ktx2) return "ktx2";
-    if (options.format == ImageFormat::dds) return "dds";
-    return options.sample_of(map) == Sample::uint8 ? "png" : "exr";
+    if (options.is_exr(map)) return "exr";
+    return options.format == ImageFormat::exr_and_png ? "png" : name_of(options.format);
 }
 
 bool is_image_name(std::string_view name, const std::optional<NamePattern>& pattern) {
     NameReader reader(name);
+    if (reader.take(packed_start))
+        return reader.take("_") && reader.take_number(frame_digits, 0, FrameTimes::largest_number) &&
+               reader.rest() == ".exr";
     const auto map = reader.take_map_and_tile();
     if (map && reader.take("_") && reader.take_number(frame_digits, 0, FrameTimes::largest_number) &&
         reader.take_level(*map) && reader.take(".") && is_extension(reader.rest(), *map))

@@ -31,10 +31,13 @@ std::string mesh_name(int frame, const char* extension);
 inline constexpr const char* mesh_animation_name = "mesh.glb";
 inline constexpr const char* point_cache_name = "mesh.mdd";
 
+/// "sea_0007.exr", or by the pattern "wave.0007.exr": all maps of a frame.
+std::string packed_name(const MapOptions& options, int frame);
+
 /// "exr" or "png" by the type of the map's values, or the format's own.
 const char* extension_of(MapKind map, const MapOptions& options);
 
-/// True for what image_name() can give, without a pattern or with this one, and with any other options.
+/// True for what image_name() and packed_name() can give, without a pattern or with this one, and with any other options.
 bool is_image_name(std::string_view name, const std::optional<NamePattern>& pattern);
 
 /// Of all frames: "flipbook_foam.png" of the coarsest tile, "flipbook_foam_c1.png" of the next one.

@@ -43,6 +43,45 @@ std::vector<MapKind> maps_in(const std::string& text) {
     return maps;
 }
 
+/// The one of `all` that has the name. Throws InputError.
+template <class All>
+auto named(const std::string& option, const std::string& text, const All& all) {
+    std::vector<std::string> names;
+    for (const auto one : all) names.emplace_back(name_of(one));
+    const auto found = std::find(names.begin(), names.end(), text);
+    if (found == names.end()) throw bad_value(option, text, list_of(names));
+    return all[static_cast<std::size_t>(found - names.begin())];
+}
+
+/// Throws InputError.
+Compression compression_in(ImageFormat format, const std::string& text) {
+    const std::string option = "--compression";
+    switch (format) {
+        case ImageFormat::exr_and_png: return named(option, text, exr_compressions);
+        case ImageFormat::tiff: return named(option, text, tiff_compressions);
+        case ImageFormat::dds: return named(option, text, dds_compressions);
+        case ImageFormat::ktx2: break;
+    }
+    const Compression compression = named(option, text, ktx2_compressions);
+    if (compression == Compression::zstd && !has_zstd())
+        throw bad_value(option, text, "a pelagic that was built with libzstd");
+    return compression;
+}
+
+/// Throws InputError if the options for EXR files meet none, or ask for what EXR doesn't have.
+void check_exr(const MapOptions& options, const std::optional<std::string>& compression) {
+    const bool has_exr =
+        std::any_of(options.maps.begin(), options.maps.end(), [&](MapKind map) { return options.is_exr(map); });
+    if (options.pack != Pack::files && options.format != ImageFormat::exr_and_png)
+        throw bad_value("--pack", name_of(options.pack), "--format exr: other files have one map");
+    if (options.tiled && !has_exr) throw InputError("--tiled needs a map in an EXR file, and none is");
+    if (compression && !has_exr && options.format == ImageFormat::exr_and_png)
+        throw bad_value("--compression", *compression, "a map in an EXR file, and none is: PNG has its own");
+    if (options.pack != Pack::files && options.mips && !options.tiled)
+        throw bad_value("--pack", name_of(options.pack),
+                        "--tiled with --mips: levels within an EXR file are in tiles");
+}
+
 /// `count` frames from a number on.
 std::vector<FrameRange> one_run(int first, int count, const std::string& option, const std::string& text) {
     if (count - 1 > FrameTimes::largest_number - first)
@@ -155,7 +194,19 @@ void ExportFlags::add_to(CLI::App& app) {
     add("format", "NAME",
         "exr (displacement as EXR, the others as PNG), tif (all as TIFF), or textures for engines: ktx2 (16-bit "
         "floats and bytes) or dds; default exr");
-    add("compression", "NAME", "zstd or none: of the levels in a KTX2; default none");
+    add("compression", "NAME",
+        "of EXR: zip, zips, piz, dwaa or none; of TIFF: zip, lzw or none; default zip. Of KTX2: zstd or none, "
+        "default "
+        "none. All but dwaa keep every bit; "
+        "dwaa is for looking at: it makes halves of floats and is off by a hundredth of the largest waves and more");
+    add("pack", "NAME",
+        "what is in a file: files (one map of one tile each), layers or parts (one EXR file a frame, sea_0000.exr, "
+        "with "
+        "layers in one image or with parts, called displacement, displacement_c1, ...); default files");
+    app.add_flag(
+        "--tiled", tiled_,
+        "EXR files in tiles of 64 x 64 pixels, for renderers; with --mips all levels are in the same file, of "
+        "displacement too");
     app.add_flag("--mips", mips_,
                  "every level of gradient and foam, down to one texel; of all maps in ktx2 and dds, in their files");
     app.add_flag("--half", half_, "displacement as 16-bit instead of 32-bit floats");
@@ -245,13 +296,12 @@ MapOptions ExportFlags::maps(const std::optional<NamePattern>& names) const {
         throw InputError("--format is " + *typed_format + " and --out is " + *typed("out") +
                          ", needs the same format");
     if (names || typed_format) options.format = *format_named(names ? names->extension() : *typed_format);
-    if (const auto& compression = typed("compression")) {
-        if (options.format != ImageFormat::ktx2 || (*compression != "zstd" && *compression != "none"))
-            throw bad_value("--compression", *compression, "zstd or none, with --format ktx2");
-        options.zstd = *compression == "zstd";
-        if (options.zstd && !has_zstd())
-            throw bad_value("--compression", *compression, "a pelagic that was built with libzstd");
-    }
+    options.tiled = tiled_;
+    if (const auto& pack = typed("pack")) options.pack = named("--pack", *pack, all_packs);
+    const auto& compression = typed("compression");
+    if (is_texture(options.format)) options.compression = Compression::none;
+    if (compression) options.compression = compression_in(options.format, *compression);
+    check_exr(options, compression);
     return options;
 }
 

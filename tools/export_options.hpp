@@ -54,7 +54,8 @@ class ExportFlags {
     MeshFlags meshes_;
     ComputeFlags compute_;
     std::map<std::string, std::optional<std::string>> typed_;  ///< by flag name, where it was given
-    bool mips_ = false, half_ = false, resume_ = false, no_sync_ = false, no_lock_ = false, preview_ = false;
+    bool mips_ = false, half_ = false, tiled_ = false, preview_ = false, resume_ = false, no_sync_ = false,
+         no_lock_ = false;
 };
 
 }  // namespace pelagic::tools

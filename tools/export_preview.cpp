@@ -54,7 +54,7 @@ Expected expected_of(const ExportOptions& options, const Frame& frame) {
     const int number = options.times.number(0);
     const std::vector<ImageFile> images = image_files(options, number);
     for (const ImageFile& image : images)
-        expected.bytes_a_frame += static_cast<double>(encode_image_file(image, frame, options.maps).size());
+        expected.bytes_a_frame += static_cast<double>(encode_image_file(image, frame, number, options).size());
     const double image_bytes = expected.bytes_a_frame;
     const std::vector<MeshFile> meshes = mesh_files(options.meshes, number);
     for (const MeshFile& mesh : meshes)

@@ -101,6 +101,13 @@ ExportReader::ExportReader(std::string option, const std::filesystem::path& fold
     sea_ = SeaOptions::of_record(*text, place);
     tiles_ = plan_tiles(forecast_of(sea_));
 
+    const Json& pack = value_of(value_of(record, "export"), "pack");
+    if (pack.is_string() && pack != name_of(Pack::files))
+        throw InputError(place.string() + ": all maps of a frame are in one file, needs an export with --pack files");
+    for (const ImageFormat format : {ImageFormat::ktx2, ImageFormat::dds})
+        if (value_of(value_of(record, "export"), "format") == name_of(format))
+            throw InputError(place.string() + ": the maps are " + name_of(format) +
+                             " textures, needs an export with --format exr or tif");
     const Json& frames = value_of(record, "frames");
     if (!frames.is_array() || frames.empty())
         throw InputError(place.string() + " has no frames, needs a finished export");
@@ -116,10 +123,6 @@ ExportReader::ExportReader(std::string option, const std::filesystem::path& fold
         times_s.push_back(time.get<double>());
         names_.push_back(heights_names(frame, maps, tiles_.size()));
         if (names_.size() == 1) tiles_.resize(std::min(tiles_.size(), names_[0].size()));
-        for (const std::string& name : names_.back())
-            if (name.ends_with(".ktx2") || name.ends_with(".dds"))
-                throw InputError(where + " has its heights in " + name +
-                                 ", needs an export with --format exr or tif");
         if (names_.back().empty() || names_.back().size() < tiles_.size())
             throw InputError(where + " names no displacement image, needs an export with --maps displacement");
     }

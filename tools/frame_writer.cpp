@@ -1,6 +1,7 @@
 #include "pelagic/tools/frame_writer.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cstdint>
 #include <initializer_list>
 #include <memory>
@@ -24,9 +25,7 @@ struct NeededViews {
     explicit NeededViews(const ExportOptions& options)
         : halves(options.maps.has(MapKind::displacement) &&
                  options.maps.sample_of(MapKind::displacement) == Sample::half),
-          planes((options.maps.has(MapKind::displacement) &&
-                  (!halves || (is_texture(options.maps.format) && options.maps.mips))) ||
-                 options.meshes.any()),
+          planes((options.maps.has(MapKind::displacement) && (!halves || options.maps.mips)) || options.meshes.any()),
           gradient(options.maps.has(MapKind::gradient)),
           foam(options.has_foam()) {}
 
@@ -112,46 +111,83 @@ FrameRecord figures_of(int number, const Frame& frame, bool has_foam) {
             .files = {}};
 }
 
-/// The images and meshes of a frame, one after the other.
+FileRecord write_file(const OutputFolder& folder, const std::string& name, std::span<const unsigned char> content,
+                      TraceSink* trace) {
+    const TraceScope writing(trace, "write", file_category, {{{"bytes", static_cast<double>(content.size())}}});
+    const std::string_view bytes(reinterpret_cast<const char*>(content.data()), content.size());
+    folder.write(name, bytes);
+    return {name, digest_of(bytes)};
+}
+
+/// Encodes and writes an image.
+FileRecord write_image(const ImageFile& file, const ExportOptions& options, const OutputFolder& folder, int number,
+                       const Frame& frame, TraceSink* trace) {
+    const std::vector<unsigned char> image = [&] {
+        const ImagePart& part = file.parts.front();
+        const TraceScope encoding(trace, file.parts.size() > 1 ? "encode sea" : trace_name(part.map), file_category,
+                                  {{{"level", static_cast<double>(part.first_level)}}});
+        return encode_image_file(file, frame, number, options);
+    }();
+    return write_file(folder, file.name, image, trace);
+}
+
+/// The images of a frame, several at once. After a failure no further ones are begun.
+std::vector<FileRecord> write_images(const ExportOptions& options, const OutputFolder& folder, int number,
+                                     const Frame& frame, std::size_t at_once, TraceSink* trace) {
+    const std::vector<ImageFile> files = image_files(options, number);
+    std::vector<FileRecord> records(files.size());
+    std::atomic<std::size_t> next = 0;
+    const auto write_some = [&] {
+        try {
+            for (std::size_t i = next++; i < files.size(); i = next++)
+                records[i] = write_image(files[i], options, folder, number, frame, trace);
+        } catch (...) {
+            next = files.size();
+            throw;
+        }
+    };
+    std::vector<std::future<void>> others;
+    try {
+        while (others.size() + 1 < std::min(at_once, files.size()))
+            others.push_back(std::async(std::launch::async, write_some));
+    } catch (const std::system_error&) {
+        // The system has no more threads to give.
+    }
+    write_some();
+    for (std::future<void>& other : others) other.get();
+    return records;
+}
+
+/// The images and meshes of a frame.
 std::vector<FileRecord> write_files(const ExportOptions& options, const OutputFolder& folder, int number,
-                                    const Frame& frame, TraceSink* trace) {
+                                    const Frame& frame, std::size_t images_at_once, TraceSink* trace) {
     const TraceScope scope(trace, "files", file_category,
                            {{{"frame", static_cast<double>(number)}, {"time_s", frame.time_s}}});
-    std::vector<FileRecord> records;
-    const auto write = [&](const std::string& name, std::span<const unsigned char> content) {
-        const TraceScope writing(trace, "write", file_category, {{{"bytes", static_cast<double>(content.size())}}});
-        const std::string_view bytes(reinterpret_cast<const char*>(content.data()), content.size());
-        folder.write(name, bytes);
-        records.push_back({name, digest_of(bytes)});
-    };
-    for (const ImageFile& file : image_files(options, number)) {
-        write(file.name, [&] {
-            const ImagePart& part = file.parts.front();
-            const TraceScope encoding(trace, trace_name(part.map), file_category,
-                                      {{{"level", static_cast<double>(part.first_level)}}});
-            return encode_image_file(file, frame, options.maps);
-        }());
-    }
+    std::vector<FileRecord> records = write_images(options, folder, number, frame, images_at_once, trace);
     const std::vector<MeshFile> meshes = mesh_files(options.meshes, number);
     if (meshes.empty()) return records;
     const Mesh mesh = mesh_of(frame, options.meshes.patch);
     for (const MeshFile& file : meshes) {
-        write(file.name, [&] {
+        const auto content = [&] {
             const TraceScope encoding(trace, "encode mesh", file_category);
             return encode_mesh_file(file.format, mesh);
-        }());
+        }();
+        records.push_back(write_file(folder, file.name, content, trace));
     }
     return records;
 }
 
 }  // namespace
 
-std::size_t frames_in_flight(const ExportOptions& options, std::size_t most_bytes) {
+WritingPlan plan_writing(const ExportOptions& options, std::size_t most_bytes) {
     const std::size_t threads = options.compute.threads == 0 ? std::max(1u, std::thread::hardware_concurrency())
                                                              : static_cast<std::size_t>(options.compute.threads);
     const auto side = static_cast<std::size_t>(resolution_of(options.sea.sea));
-    const std::size_t texels = side * side * static_cast<std::size_t>(cascades_of(options.sea.sea));
-    return std::min(threads, std::max<std::size_t>(1, most_bytes / (texels * bytes_per_texel_in_flight)));
+    const auto tiles = static_cast<std::size_t>(cascades_of(options.sea.sea));
+    const std::size_t frames = std::min(threads, most_bytes / (side * side * tiles * bytes_per_texel_in_flight));
+    if (frames >= 2) return {frames, std::min((threads + frames - 1) / frames, tiles)};
+    const std::size_t files = most_bytes / (side * side * bytes_per_texel_of_a_file);
+    return {1, std::clamp<std::size_t>(files, 1, threads)};
 }
 
 FrameWriter::FrameWriter(const ExportOptions& options, const OutputFolder& folder, ExportJournal& journal,
@@ -161,20 +197,25 @@ FrameWriter::FrameWriter(const ExportOptions& options, const OutputFolder& folde
       journal_(journal),
       records_(records),
       trace_(trace),
-      most_(frames_in_flight(options, most_bytes)) {}
+      plan_(plan_writing(options, most_bytes)) {}
 
 void FrameWriter::write(int number, const Frame& frame) {
-    while (in_flight_.size() >= most_) take_oldest();
+    FrameRecord record = figures_of(number, frame, options_.has_foam());
+    if (plan_.frames == 1) {
+        record.files = write_files(options_, folder_, number, frame, plan_.files_a_frame, trace_);
+        return add(std::move(record));
+    }
+    while (in_flight_.size() >= plan_.frames) take_oldest();
     const auto copy = std::make_shared<const FrameCopy>(frame, NeededViews(options_));
-    in_flight_.push_back(start([this, copy, record = figures_of(number, frame, options_.has_foam())]() mutable {
-        record.files = write_files(options_, folder_, record.frame, copy->frame(), trace_);
+    in_flight_.push_back(start([this, copy, record = std::move(record)]() mutable {
+        record.files = write_files(options_, folder_, record.frame, copy->frame(), plan_.files_a_frame, trace_);
         return std::move(record);
     }));
 }
 
 std::future<FrameRecord> FrameWriter::start(const std::function<FrameRecord()>& work) {
     try {
-        if (most_ > 1) return std::async(std::launch::async, work);
+        return std::async(std::launch::async, work);
     } catch (const std::system_error&) {
         // The system has no thread to give.
     }
@@ -188,7 +229,10 @@ void FrameWriter::finish() {
 void FrameWriter::take_oldest() {
     std::future<FrameRecord> oldest = std::move(in_flight_.front());
     in_flight_.pop_front();
-    FrameRecord record = wait_for(oldest);
+    add(wait_for(oldest));
+}
+
+void FrameWriter::add(FrameRecord record) {
     journal_.add(record);
     const int number = record.frame;
     records_.emplace(number, std::move(record));

@@ -10,7 +10,8 @@ namespace pelagic::tools {
 constexpr std::uint16_t half_of(float value) {
     const auto bits = std::bit_cast<std::uint32_t>(value);
     const std::uint32_t sign = bits >> 16 & 0x8000, magnitude = bits & 0x7FFFFFFF;
-    constexpr std::uint32_t infinity = 0x7C00, first_infinite = 0x477FF000, first_normal = 0x38800000;  // 65520, 2^-14
+    constexpr std::uint32_t infinity = 0x7C00, first_infinite = 0x477FF000,
+                            first_normal = 0x38800000;  // 65520, 2^-14
     if (magnitude >= first_infinite) return static_cast<std::uint16_t>(sign | infinity);
     // Below the least normal half, halves are multiples of 2^-24. The float whose last place that is, 1/2, rounds for us.
     if (magnitude < first_normal)

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "pelagic/tools/exr_file.hpp"
 #include "pelagic/tools/map_image.hpp"
 
 namespace pelagic::tools {
@@ -25,6 +26,8 @@ struct ImageCodec {
     const char* version;  ///< of Pelagic: the library and the tool are built together
     /// The image's file in memory. Throws std::runtime_error with OpenImageIO's reason.
     std::vector<unsigned char> (*encode)(const ImageDescription& image, const void* pixels);
+    /// An EXR file in memory, on the calling thread. Throws std::runtime_error with OpenEXR's reason.
+    std::vector<unsigned char> (*encode_exr)(const ExrFile& file);
     /// The pixels of a file in memory as floats, rows from the top, channels interleaved. Throws std::runtime_error with
     /// OpenImageIO's reason, or if the image's width, height or channels are not `image`'s, before it makes room for any.
     std::vector<float> (*decode)(const ImageDescription& image, std::span<const unsigned char> file);

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "pelagic/tools/exr_file_openexr.hpp"
 #include "pelagic/tools/image_codec.hpp"
 
 namespace pelagic::tools {
@@ -26,6 +27,7 @@ void set_up_open_image_io() {
 TypeDesc type_of(Sample sample) {
     switch (sample) {
         case Sample::uint8: return TypeDesc::UINT8;
+        case Sample::uint16: return TypeDesc::UINT16;
         case Sample::half: return TypeDesc::HALF;
         case Sample::float32: return TypeDesc::FLOAT;
     }
@@ -102,4 +104,5 @@ std::vector<float> decode(const ImageDescription& image, std::span<const unsigne
 }  // namespace pelagic::tools
 
 extern "C" __attribute__((visibility("default"))) const pelagic::tools::ImageCodec pelagic_image_codec = {
-    PELAGIC_VERSION, pelagic::tools::encode, pelagic::tools::decode, pelagic::tools::measure};
+    PELAGIC_VERSION, pelagic::tools::encode, pelagic::tools::encode_exr, pelagic::tools::decode,
+    pelagic::tools::measure};

@@ -26,11 +26,13 @@ struct ImageFile {
 /// All of a frame, in the order in which records list them.
 std::vector<ImageFile> image_files(const ExportOptions& options, int frame);
 
+/// Throws std::runtime_error with OpenImageIO's or OpenEXR's reason, and FileError if the library that writes images is not
+/// there. \param number  of the frame
+std::vector<unsigned char> encode_image_file(const ImageFile& file, const Frame& frame, int number,
+                                             const ExportOptions& options);
+
 /// Pixels of a map as a file of the options' format. Formats without levels take the first. Throws likewise.
 std::vector<unsigned char> encode_pixels(MapKind map, const std::vector<TextureImage>& levels,
                                          const MapOptions& options);
-
-/// Throws std::runtime_error with OpenImageIO's reason, and FileError if the library that writes images is not there.
-std::vector<unsigned char> encode_image_file(const ImageFile& file, const Frame& frame, const MapOptions& options);
 
 }  // namespace pelagic::tools

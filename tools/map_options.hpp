@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "pelagic/tools/image_compression.hpp"
 #include "pelagic/tools/map_image.hpp"
 #include "pelagic/tools/map_kind.hpp"
 #include "pelagic/tools/name_pattern.hpp"
@@ -34,6 +35,24 @@ constexpr const char* name_of(ImageFormat format) {
     return "";
 }
 
+/// What is in one file.
+enum class Pack {
+    files,   ///< a map of a tile
+    layers,  ///< all of a frame, as layers of one EXR image
+    parts,   ///< all of a frame, as parts of one EXR file
+};
+inline constexpr std::array all_packs = {Pack::files, Pack::layers, Pack::parts};
+
+/// As --pack and records have it.
+constexpr const char* name_of(Pack pack) {
+    switch (pack) {
+        case Pack::files: return "files";
+        case Pack::layers: return "layers";
+        case Pack::parts: return "parts";
+    }
+    return "";
+}
+
 /// Its files are what graphics interfaces sample, with all levels inside.
 constexpr bool is_texture(ImageFormat format) { return format == ImageFormat::ktx2 || format == ImageFormat::dds; }
 
@@ -42,10 +61,16 @@ struct MapOptions {
     bool mips = false;
     bool half = false;  ///< floats as 16 bits
     ImageFormat format = ImageFormat::exr_and_png;
-    bool zstd = false;                 ///< levels of KTX2 are compressed by Zstandard
+    Compression compression = Compression::zip;  ///< of EXR, TIFF and KTX2
+    Pack pack = Pack::files;
+    bool tiled = false;                ///< EXR in tiles, with the levels within
     std::optional<NamePattern> names;  ///< none: "displacement_0007.exr"
 
     bool has(MapKind map) const { return std::find(maps.begin(), maps.end(), map) != maps.end(); }
+    /// The map is stored as EXR.
+    bool is_exr(MapKind map) const {
+        return pack != Pack::files || (format == ImageFormat::exr_and_png && sample_of(map) != Sample::uint8);
+    }
     /// In what type the map's values are stored.
     Sample sample_of(MapKind map) const {
         if (map != MapKind::displacement) return Sample::uint8;

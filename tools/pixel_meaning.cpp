@@ -1,6 +1,5 @@
 #include "pelagic/tools/pixel_meaning.hpp"
 
-#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,33 +13,26 @@ using Json = nlohmann::ordered_json;
 
 constexpr double two_pi = 6.28318530717958647693;
 
-struct Channel {
-    std::string_view channel, name, unit;
-    double scale, offset;
-    std::array<double, 2> range;  ///< of values, {0, 0} where there is no limit
-};
-
 constexpr std::array displacement_channels = {
-    Channel{"R", "Dx", "m", 1, 0, {}},
-    Channel{"G", "height", "m", 1, 0, {}},
-    Channel{"B", "Dz", "m", 1, 0, {}},
+    ChannelMeaning{"R", "Dx", "m", 1, 0, {}},
+    ChannelMeaning{"G", "height", "m", 1, 0, {}},
+    ChannelMeaning{"B", "Dz", "m", 1, 0, {}},
 };
 
 // Equations 50 and 51 with rounding: a byte b stands for (b - 128) / 127.5 up to (b - 127) / 127.5, and 2 b / 255 - 1 is
 // the middle of that.
 constexpr std::array gradient_channels = {
-    Channel{"R", "normal_x", "1", 2, -1, {-1, 1}},
-    Channel{"G", "normal_z", "1", 2, -1, {-1, 1}},
-    Channel{"B", "jacobian", "1", 2, -1, {-1, 1}},
-    Channel{"A", "smoothness", "1", 1, 0, {0, 1}},
+    ChannelMeaning{"R", "normal_x", "1", 2, -1, {-1, 1}},
+    ChannelMeaning{"G", "normal_z", "1", 2, -1, {-1, 1}},
+    ChannelMeaning{"B", "jacobian", "1", 2, -1, {-1, 1}},
+    ChannelMeaning{"A", "smoothness", "1", 1, 0, {0, 1}},
 };
 
-constexpr std::array foam_channels = {Channel{"Y", "foam", "1", 1, 0, {0, 1}}};
+constexpr std::array foam_channels = {ChannelMeaning{"Y", "foam", "1", 1, 0, {0, 1}}};
 
-template <std::size_t Count>
-Json list_of(const std::array<Channel, Count>& channels) {
+Json list_of(std::span<const ChannelMeaning> channels) {
     Json list = Json::array();
-    for (const Channel& channel : channels) {
+    for (const ChannelMeaning& channel : channels) {
         Json entry = {{"channel", channel.channel},
                       {"name", channel.name},
                       {"unit", channel.unit},
@@ -50,15 +42,6 @@ Json list_of(const std::array<Channel, Count>& channels) {
         list.push_back(entry);
     }
     return list;
-}
-
-Json channels_of_map(MapKind map) {
-    switch (map) {
-        case MapKind::displacement: return list_of(displacement_channels);
-        case MapKind::gradient: return list_of(gradient_channels);
-        case MapKind::foam: return list_of(foam_channels);
-    }
-    return {};
 }
 
 Json line(double scale, double offset) { return {{"scale", scale}, {"offset", offset}}; }
@@ -83,9 +66,18 @@ Json tile_as_json(const TilePlan& tile) {
 
 }  // namespace
 
+std::span<const ChannelMeaning> channel_meanings(MapKind map) {
+    switch (map) {
+        case MapKind::displacement: return displacement_channels;
+        case MapKind::gradient: return gradient_channels;
+        case MapKind::foam: return foam_channels;
+    }
+    return {};
+}
+
 Json channels_as_json(const MapOptions& options) {
     Json maps = Json::object();
-    for (const MapKind map : options.maps) maps[std::string(name_of(map))] = channels_of_map(map);
+    for (const MapKind map : options.maps) maps[std::string(name_of(map))] = list_of(channel_meanings(map));
     return maps;
 }
 

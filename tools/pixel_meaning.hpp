@@ -1,16 +1,29 @@
 // What the pixels of an export mean, once: sea.json says it to programs, `pelagic export --help` to people.
 #pragma once
 
+#include <array>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <string>
+#include <string_view>
 
 #include "pelagic/sim/forecast.hpp"
 #include "pelagic/tools/map_options.hpp"
 
 namespace pelagic::tools {
 
-/// For each map that is written its channels in order: {"channel", "name", "unit", "scale", "offset", "range"}. A value
-/// is scale * c + offset, where c is the pixel, of a byte its part of 255. Bytes are made by equations 50 and 51.
+/// What a channel of a map holds: value = scale c + offset, where c is the pixel, of a byte its part of 255.
+struct ChannelMeaning {
+    std::string_view channel, name, unit;
+    double scale, offset;
+    std::array<double, 2> range;  ///< of values, {0, 0} where there is no limit
+};
+
+/// In the order of the pixels' values.
+std::span<const ChannelMeaning> channel_meanings(MapKind map);
+
+/// For each map that is written its channels in order: {"channel", "name", "unit", "scale", "offset", "range"}. Bytes
+/// are made by equations 50 and 51.
 nlohmann::ordered_json channels_as_json(const MapOptions& options);
 
 /// Where a texel rests and is sampled: {"axes", "x_m_of_column", "z_m_of_row", "u_of_column", ...}, each as a scale and an

@@ -66,9 +66,11 @@ Json options_as_json(const ExportOptions& options) {
     how["mips"] = options.maps.mips;
     how["half"] = options.maps.half;
     how["format"] = name_of(options.maps.format);
+    how["compression"] = name_of(options.maps.compression);
+    how["pack"] = name_of(options.maps.pack);
+    how["tiled"] = options.maps.tiled;
     if (options.flipbook)
         how["flipbook"] = {{"columns", options.flipbook->columns}, {"rows", options.flipbook->rows}};
-    if (options.maps.zstd) how["compression"] = "zstd";
     if (options.maps.names) how["names"] = options.maps.names->text();
     if (options.meshes.any()) how["mesh"] = mesh_as_json(options.meshes);
     Json json = {{"version", PELAGIC_VERSION}, {"sea", sea_as_json(options.sea)}};

@@ -47,7 +47,7 @@ std::vector<unsigned char> encode_texture(const std::vector<TextureImage>& level
         texture.levels.emplace_back(reinterpret_cast<const unsigned char*>(pixels.data()), pixels.size());
     }
     if (options.format == ImageFormat::dds) return dds_file(texture);
-    return ktx2_file(texture, options.zstd ? Supercompression::zstd : Supercompression::none);
+    return ktx2_file(texture, options.compression == Compression::zstd ? Supercompression::zstd : Supercompression::none);
 }
 
 }  // namespace pelagic::tools

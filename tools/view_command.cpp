@@ -61,7 +61,7 @@ std::string render_command_of(const viewer::ViewResult& result) {
         const bool is_angle = field.name.ends_with("_rad");
         std::string flag(field.name);
         for (const char* unit : {"_mps", "_rad", "_m", "_s"})
-            if (flag.ends_with(unit)) flag.resize(flag.size() - std::string_view(unit).size());
+            if (flag.ends_with(unit)) flag.erase(flag.size() - std::string_view(unit).size());
         for (char& c : flag)
             if (c == '_') c = '-';
         text += " --" + flag + " " + (is_angle ? degrees_text(value) : number_text(value));

@@ -1,0 +1,289 @@
+// Parts, layers, tiles, levels and attributes of EXR files, read back by OpenEXR's readers.
+#include <ImfChannelList.h>
+#include <ImfDoubleAttribute.h>
+#include <ImfFrameBuffer.h>
+#include <ImfInputPart.h>
+#include <ImfIntAttribute.h>
+#include <ImfMultiPartInputFile.h>
+#include <ImfPartType.h>
+#include <ImfStandardAttributes.h>
+#include <ImfStringAttribute.h>
+#include <ImfTiledInputPart.h>
+#include <OpenImageIO/imageio.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "pelagic/sim/ocean.hpp"
+#include "pelagic/tests/run_pelagic.hpp"
+
+namespace pelagic {
+namespace {
+
+constexpr int side = 128;
+constexpr SeaState sea{.cascades = 2, .resolution = side, .wind_speed_mps = 20};
+const std::vector<std::string> maps = {"displacement", "gradient", "foam"};
+
+/// Frame 3 of three at 12 frames a second, of both tiles.
+void export_to(const std::filesystem::path& folder, const std::vector<std::string>& flags) {
+    std::vector<std::string> arguments = {
+        "export", "--out",    folder.string(), "--cascades",   "2", "--resolution", "128", "--fps",
+        "12",     "--frames", "3-3",           "--wind-speed", "20"};
+    arguments.insert(arguments.end(), flags.begin(), flags.end());
+    if (std::find(flags.begin(), flags.end(), "--maps") == flags.end())
+        arguments.insert(arguments.end(), {"--maps", "displacement,gradient,foam"});
+    const Outcome outcome = run_pelagic(arguments);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+}
+
+constexpr double time_s = 0.25;
+
+/// The values of that frame by the library: tile, map, channel.
+class ExpectedFrame {
+   public:
+    ExpectedFrame()
+        : ocean_(sea, {.executor = make_serial_executor(), .gradients = true, .foam = true}),
+          frame_(ocean_.frame_at(time_s)) {}
+
+    float at(std::size_t tile, const std::string& map, char channel, int i, int j) const {
+        const Tile& of = frame_.tiles[tile];
+        const auto texel = static_cast<std::size_t>(j * side + i);
+        if (map == "displacement") return (channel == 'R' ? of.dx : channel == 'G' ? of.height : of.dz).at(i, j);
+        if (map == "foam") return of.foam_r8[texel];
+        const int shift = channel == 'R' ? 0 : channel == 'G' ? 8 : channel == 'B' ? 16 : 24;
+        return static_cast<float>(of.gradient_rgba8[texel] >> shift & 0xFF);
+    }
+    const Tile& tile(std::size_t number) const { return frame_.tiles[number]; }
+
+   private:
+    Ocean ocean_;
+    const Frame& frame_;
+};
+
+const ExpectedFrame& expected() {
+    static const ExpectedFrame frame;
+    return frame;
+}
+
+std::string channels_of(const std::string& map) {
+    return map == "displacement" ? "RGB" : map == "gradient" ? "RGBA" : "Y";
+}
+
+/// A channel of a level of a part as floats, whatever its type.
+template <class Part>
+std::vector<float> read_channel(Part& part, const std::string& channel, int level = 0) {
+    const int width = side >> level;
+    std::vector<float> pixels(static_cast<std::size_t>(width) * width);
+    Imf::FrameBuffer buffer;
+    buffer.insert(channel, Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(pixels.data()), sizeof(float),
+                                      sizeof(float) * static_cast<std::size_t>(width)));
+    part.setFrameBuffer(buffer);
+    if constexpr (std::is_same_v<Part, Imf::TiledInputPart>)
+        part.readTiles(0, part.numXTiles(level) - 1, 0, part.numYTiles(level) - 1, level);
+    else
+        part.readPixels(0, width - 1);
+    return pixels;
+}
+
+/// Floats are the frame's own bits; bytes are their part of 255, as near as a half has it.
+void expect_map(const std::vector<float>& pixels, std::size_t tile, const std::string& map, char channel) {
+    for (int j = 0; j < side; ++j)
+        for (int i = 0; i < side; ++i) {
+            const float value = pixels[static_cast<std::size_t>(j * side + i)];
+            const float is = map == "displacement" ? value : std::round(255 * value);
+            ASSERT_EQ(is, expected().at(tile, map, channel, i, j)) << map << tile << channel << i << "," << j;
+        }
+}
+
+std::string mark_of(std::size_t tile) { return tile > 0 ? "_c" + std::to_string(tile) : ""; }
+
+TEST(ExrFiles, PartsHoldEveryMapOfEveryTile) {
+    const TemporaryFolder folder;
+    export_to(folder.path(), {"--pack", "parts"});
+    Imf::MultiPartInputFile file((folder / "sea_0003.exr").c_str());
+    ASSERT_EQ(file.parts(), 6);
+    int number = 0;
+    for (std::size_t tile = 0; tile < 2; ++tile)
+        for (const std::string& map : maps) {
+            Imf::InputPart part(file, number++);
+            EXPECT_EQ(part.header().name(), map + mark_of(tile));
+            EXPECT_EQ(part.header().type(), Imf::SCANLINEIMAGE);
+            for (const char channel : channels_of(map))
+                expect_map(read_channel(part, map + mark_of(tile) + "." + channel), tile, map, channel);
+        }
+}
+
+TEST(ExrFiles, LayersHoldEveryMapOfEveryTile) {
+    const TemporaryFolder folder;
+    export_to(folder.path(), {"--pack", "layers"});
+    Imf::MultiPartInputFile file((folder / "sea_0003.exr").c_str());
+    ASSERT_EQ(file.parts(), 1);
+    Imf::InputPart part(file, 0);
+    std::set<std::string> layers;
+    part.header().channels().layers(layers);
+    EXPECT_EQ(layers, (std::set<std::string>{"displacement", "displacement_c1", "foam", "foam_c1", "gradient",
+                                             "gradient_c1"}));
+    for (std::size_t tile = 0; tile < 2; ++tile)
+        for (const std::string& map : maps)
+            for (const char channel : channels_of(map))
+                expect_map(read_channel(part, map + mark_of(tile) + "." + channel), tile, map, channel);
+}
+
+/// The mean of the texels that a pixel of a level stands for.
+double mean_displacement(std::size_t tile, char channel, int level, int i, int j) {
+    double sum = 0;
+    const int texels = 1 << level;
+    for (int row = j * texels; row < (j + 1) * texels; ++row)
+        for (int column = i * texels; column < (i + 1) * texels; ++column)
+            sum += static_cast<double>(expected().at(tile, "displacement", channel, column, row));
+    return sum / (texels * texels);
+}
+
+TEST(ExrFiles, TiledFilesHoldAllLevels) {
+    const TemporaryFolder folder;
+    export_to(folder.path(), {"--tiled", "--mips"});
+    for (std::size_t tile = 0; tile < 2; ++tile) {
+        Imf::MultiPartInputFile file((folder / ("displacement" + mark_of(tile) + "_0003.exr")).c_str());
+        Imf::TiledInputPart part(file, 0);
+        EXPECT_EQ(part.tileXSize(), 64u);
+        EXPECT_EQ(part.tileYSize(), 64u);
+        EXPECT_EQ(part.levelMode(), Imf::MIPMAP_LEVELS);
+        EXPECT_EQ(part.levelRoundingMode(), Imf::ROUND_DOWN);
+        ASSERT_EQ(part.numLevels(), 8);
+        for (const char channel : channels_of("displacement")) {
+            expect_map(read_channel(part, {channel}), tile, "displacement", channel);
+            for (int level = 1; level < part.numLevels(); ++level) {
+                const std::vector<float> pixels = read_channel(part, {channel}, level);
+                const int width = side >> level;
+                // Of values up to 20 m each level rounds three sums and is off by 3 x 2^-24 of them at most.
+                for (int j = 0; j < width; ++j)
+                    for (int i = 0; i < width; ++i)
+                        ASSERT_NEAR(pixels[static_cast<std::size_t>(j * width + i)],
+                                    mean_displacement(tile, channel, level, i, j), level * 3 * 20 * 0x1p-24);
+            }
+        }
+    }
+    // PNG knows no levels.
+    EXPECT_TRUE(std::filesystem::exists(folder / "gradient_0003_mip7.png"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "displacement_0003_mip1.exr"));
+}
+
+TEST(ExrFiles, TiledPartsHoldTheFramesOwnLevels) {
+    const TemporaryFolder folder;
+    export_to(folder.path(), {"--pack", "parts", "--tiled", "--mips"});
+    Imf::MultiPartInputFile file((folder / "sea_0003.exr").c_str());
+    ASSERT_EQ(file.parts(), 6);
+    Imf::TiledInputPart part(file, 4);
+    ASSERT_EQ(part.header().name(), "gradient_c1");
+    for (int level = 0; level < 8; ++level) {
+        const std::vector<float> red = read_channel(part, "gradient_c1.R", level);
+        const auto texels = expected().tile(1).gradient_level(level);
+        for (std::size_t texel = 0; texel < texels.size(); ++texel)
+            ASSERT_EQ(std::lround(255 * red[texel]), texels[texel] & 0xFF) << level;
+    }
+}
+
+template <class Value>
+Value attribute(const Imf::Header& header, const std::string& name) {
+    const auto* found = header.findTypedAttribute<Imf::TypedAttribute<Value>>(name);
+    EXPECT_TRUE(found) << name;
+    return found ? found->value() : Value{};
+}
+
+TEST(ExrFiles, SayWhatTheyAre) {
+    const TemporaryFolder folder;
+    export_to(folder.path(), {"--pack", "parts", "--compression", "piz"});
+    const auto record = nlohmann::json::parse(read_file(folder / "sea.json"));
+    Imf::MultiPartInputFile file((folder / "sea_0003.exr").c_str());
+    for (int number : {0, 4}) {
+        const Imf::Header& header = file.header(number);
+        const nlohmann::json& tile = record.at("layout").at("tiles").at(number / 3);
+        const Imath::Box2i whole({0, 0}, {side - 1, side - 1});
+        EXPECT_EQ(header.dataWindow(), whole);
+        EXPECT_EQ(header.displayWindow(), whole);
+        EXPECT_EQ(header.compression(), Imf::PIZ_COMPRESSION);
+        EXPECT_EQ(Imf::wrapmodes(header), "periodic,periodic");
+        EXPECT_EQ(Imf::framesPerSecond(header), Imf::Rational(12, 1));
+        EXPECT_EQ(attribute<int>(header, "pelagic:frame"), 3);
+        EXPECT_EQ(attribute<int>(header, "pelagic:tile"), number / 3);
+        EXPECT_EQ(attribute<double>(header, "pelagic:time_s"), time_s);
+        EXPECT_EQ(attribute<double>(header, "pelagic:side_m"), tile.at("side_m"));
+        EXPECT_EQ(attribute<double>(header, "pelagic:turn_cosine"), tile.at("turn").at("cosine"));
+        EXPECT_EQ(attribute<double>(header, "pelagic:turn_sine"), tile.at("turn").at("sine"));
+        EXPECT_EQ(attribute<std::string>(header, "pelagic:axes"), "+x east, +y up, +z south");
+        for (const char* none : {"capDate", "owner", "worldToCamera", "worldToNDC", "Software"})
+            EXPECT_EQ(header.find(none), header.end()) << none;
+    }
+    EXPECT_EQ(attribute<std::string>(file.header(0), "pelagic:channels"), "Dx = R m; height = G m; Dz = B m");
+    EXPECT_EQ(attribute<std::string>(file.header(4), "pelagic:channels"),
+              "normal_x = 2 R - 1; normal_z = 2 G - 1; jacobian = 2 B - 1; smoothness = A");
+    EXPECT_EQ(attribute<std::string>(file.header(4), "pelagic:map"), "gradient");
+}
+
+TEST(ExrFiles, LayersSayWhatTheyAreByName) {
+    const TemporaryFolder folder;
+    export_to(folder.path(), {"--pack", "layers"});
+    Imf::MultiPartInputFile file((folder / "sea_0003.exr").c_str());
+    EXPECT_EQ(attribute<std::string>(file.header(0), "pelagic:foam_c1:channels"), "foam = Y");
+    EXPECT_EQ(attribute<double>(file.header(0), "pelagic:foam_c1:side_m"), expected().tile(1).lattice.side_m);
+    EXPECT_EQ(attribute<int>(file.header(0), "pelagic:frame"), 3);
+}
+
+TEST(ExrFiles, CompressionsWithoutLossKeepEveryBit) {
+    const std::pair<const char*, Imf::Compression> compressions[] = {{"none", Imf::NO_COMPRESSION},
+                                                                     {"zip", Imf::ZIP_COMPRESSION},
+                                                                     {"zips", Imf::ZIPS_COMPRESSION},
+                                                                     {"piz", Imf::PIZ_COMPRESSION}};
+    for (const auto& [name, compression] : compressions) {
+        const TemporaryFolder folder;
+        export_to(folder.path(), {"--maps", "displacement", "--compression", name});
+        Imf::MultiPartInputFile file((folder / "displacement_c1_0003.exr").c_str());
+        EXPECT_EQ(file.header(0).compression(), compression);
+        Imf::InputPart part(file, 0);
+        for (const char channel : channels_of("displacement"))
+            expect_map(read_channel(part, {channel}), 1, "displacement", channel);
+    }
+}
+
+// What the help and the page say of it: 1 % of the largest wave.
+TEST(ExrFiles, DwaaIsOffByLittle) {
+    const TemporaryFolder folder;
+    export_to(folder.path(), {"--maps", "displacement", "--compression", "dwaa"});
+    Imf::MultiPartInputFile file((folder / "displacement_0003.exr").c_str());
+    Imf::InputPart part(file, 0);
+    const std::vector<float> heights = read_channel(part, "G");
+    float most = 0, largest = 0;
+    for (int j = 0; j < side; ++j)
+        for (int i = 0; i < side; ++i) {
+            const float height = expected().at(0, "displacement", 'G', i, j);
+            most = std::max(most, std::abs(heights[static_cast<std::size_t>(j * side + i)] - height));
+            largest = std::max(largest, std::abs(height));
+        }
+    EXPECT_GT(most, 0) << "it keeps every bit";
+    EXPECT_LT(most, 0.05f * largest);
+}
+
+TEST(ExrFiles, TiffFilesAreCompressedAsAsked) {
+    for (const std::string compression : {"zip", "lzw", "none"}) {
+        const TemporaryFolder folder;
+        export_to(folder.path(), {"--maps", "displacement", "--format", "tif", "--compression", compression});
+        const auto input = OIIO::ImageInput::open((folder / "displacement_0003.tif").string());
+        ASSERT_TRUE(input);
+        EXPECT_EQ(input->spec().get_string_attribute("compression"), compression);
+        std::vector<float> pixels(side * side * 3);
+        ASSERT_TRUE(input->read_image(0, 0, 0, -1, OIIO::TypeDesc::FLOAT, pixels.data()));
+        for (int j = 0; j < side; ++j)
+            for (int i = 0; i < side; ++i)
+                ASSERT_EQ(pixels[static_cast<std::size_t>(3 * (j * side + i) + 1)],
+                          expected().at(0, "displacement", 'G', i, j));
+    }
+}
+
+}  // namespace
+}  // namespace pelagic
