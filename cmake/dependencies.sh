@@ -11,7 +11,7 @@ pelagic_packages=(
   libglm-dev               # GLM: cameras, in the quadtree
   libegl-dev libgles-dev   # headers of EGL and OpenGL ES
   libegl1 libgles2 libgl1-mesa-dri  # and a driver that draws without a GPU: pelagic render
-  libglfw3-dev libimgui-dev libstb-dev  # GLFW and Dear ImGui: pelagic view
+  libglfw3-dev libimgui-dev libstb-dev  # GLFW and Dear ImGui: pelagic view; stb: letters of a preview
   libopenimageio-dev       # OpenImageIO: EXR, PNG, TIFF
   libcli11-dev             # CLI11: the command line
   libtomlplusplus-dev      # toml++: --config
