@@ -14,6 +14,7 @@
 #include "pelagic/tools/errors.hpp"
 #include "pelagic/tools/export_command.hpp"
 #include "pelagic/tools/info_command.hpp"
+#include "pelagic/tools/merge_command.hpp"
 #include "pelagic/tools/option_text.hpp"
 #include "pelagic/tools/quadtree_command.hpp"
 #include "pelagic/tools/query_command.hpp"
@@ -22,11 +23,12 @@
 #include "pelagic/tools/view_command.hpp"
 #endif
 #include "pelagic/tools/stop_signal.hpp"
+#include "pelagic/tools/verify_command.hpp"
 
 namespace pelagic::tools {
 namespace {
 
-constexpr const char* commands_text = "bench, export, info, quadtree, query, render or view";
+constexpr const char* commands_text = "bench, export, info, merge, quadtree, query, render, verify or view";
 
 std::vector<std::string> option_names(const CLI::App& app) {
     std::vector<std::string> names;
@@ -109,12 +111,19 @@ int run(int argc, const char* const* argv) {
     CLI::App& info_app = *app.add_subcommand("info", "say what a sea is, before anything is written");
     InfoFlags info_flags;
     info_flags.add_to(info_app);
+    CLI::App& merge_app = *app.add_subcommand("merge", "join the shards of an export, and check every file");
+    MergeFlags merge_flags;
+    merge_flags.add_to(merge_app);
     CLI::App& quadtree_app = *app.add_subcommand("quadtree", "which patches a view draws: figures, mesh, plan");
     QuadtreeCommandFlags quadtree_flags;
     quadtree_flags.add_to(quadtree_app);
     CLI::App& query_app = *app.add_subcommand("query", "say how high the water is at given points, and how it moves");
     QueryFlags query_flags;
     query_flags.add_to(query_app);
+    CLI::App& verify_app =
+        *app.add_subcommand("verify", "check every file of an export, and compute some frames again");
+    VerifyFlags verify_flags;
+    verify_flags.add_to(verify_app);
 
 #if defined(PELAGIC_HAS_GL)
     CLI::App& render_app = *app.add_subcommand("render", "draw pictures of a sea, without a window");
@@ -131,7 +140,8 @@ int run(int argc, const char* const* argv) {
     view_app.allow_extras();
 #endif
 
-    for (CLI::App* command : {&bench_app, &export_app, &info_app, &quadtree_app, &query_app, &render_app, &view_app})
+    for (CLI::App* command : {&bench_app, &export_app, &info_app, &merge_app, &quadtree_app, &query_app, &render_app,
+                              &verify_app, &view_app})
         command->set_version_flag("--version", "pelagic " PELAGIC_VERSION);
 
     const std::vector<std::string> words = without_help_command({argv + 1, argv + argc});
@@ -153,10 +163,14 @@ int run(int argc, const char* const* argv) {
         run_export(export_flags.resolve());
     else if (info_app.parsed())
         info_flags.run();
+    else if (merge_app.parsed())
+        merge_flags.run();
     else if (quadtree_app.parsed())
         quadtree_flags.run();
     else if (query_app.parsed())
         query_flags.run();
+    else if (verify_app.parsed())
+        verify_flags.run();
 #if defined(PELAGIC_HAS_GL)
     else if (render_app.parsed())
         run_render(render_flags.resolve());

@@ -22,6 +22,8 @@ class Descriptor {
 
     bool is_open() const { return descriptor_ >= 0; }
     int get() const { return descriptor_; }
+    /// Somebody else closes it.
+    int release() { return std::exchange(descriptor_, -1); }
 
    private:
     int descriptor_ = -1;

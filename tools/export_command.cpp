@@ -16,6 +16,7 @@
 #include "pelagic/tools/errors.hpp"
 #include "pelagic/tools/export_journal.hpp"
 #include "pelagic/tools/export_preview.hpp"
+#include "pelagic/tools/export_summary.hpp"
 #include "pelagic/tools/folder_lock.hpp"
 #include "pelagic/tools/frame_writer.hpp"
 #include "pelagic/tools/output_folder.hpp"
@@ -30,14 +31,6 @@ void make_folder(const std::filesystem::path& folder) {
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     if (error) throw FileError("can't write " + folder.string() + ": " + error.message());
-}
-
-OceanOptions ocean_options(const ExportOptions& options, const std::shared_ptr<ChromeTrace>& trace) {
-    return {.executor = make_default_executor(options.compute.threads),
-            .isa = options.compute.isa,
-            .trace = trace,
-            .gradients = options.maps.has(MapKind::gradient),
-            .foam = options.has_foam()};
 }
 
 /// Computes frames in order, the next one while the last is looked at. False if a signal stopped it.
@@ -57,15 +50,14 @@ bool for_each_frame(const ExportOptions& options, Ocean& ocean, std::span<const 
 }
 
 Stopped stopped(const ExportOptions& options, std::size_t done) {
-    return {stop_signal(), static_cast<int>(done), static_cast<int>(options.times.count())};
+    return {stop_signal(), static_cast<int>(done), static_cast<int>(options.frames_here().size())};
 }
 
 /// Computes and writes the frames that `records` lacks.
 void make_frames(const ExportOptions& options, const OutputFolder& folder, ExportJournal& journal,
                  std::map<int, FrameRecord>& records, const std::shared_ptr<ChromeTrace>& trace) {
-    std::vector<int> missing;
-    for (std::size_t i = 0; i < options.times.count(); ++i)
-        if (const int number = options.times.number(i); !records.contains(number)) missing.push_back(number);
+    std::vector<int> missing = options.frames_here();
+    std::erase_if(missing, [&](int number) { return records.contains(number); });
     if (missing.empty()) return;
 
     Ocean ocean(forecast_of(options.sea), ocean_options(options, trace));
@@ -81,8 +73,7 @@ std::vector<FileRecord> make_sequences(const ExportOptions& options, const Outpu
                                        const std::shared_ptr<ChromeTrace>& trace) {
     const std::vector<std::unique_ptr<SequenceOutput>> outputs = sequence_outputs(options);
     if (outputs.empty()) return {};
-    std::vector<int> numbers;
-    for (std::size_t i = 0; i < options.times.count(); ++i) numbers.push_back(options.times.number(i));
+    const std::vector<int> numbers = options.frames_here();
     Ocean ocean(forecast_of(options.sea), ocean_options(options, trace));
     std::size_t index = 0;
     const bool all_seen = for_each_frame(options, ocean, numbers, [&](int, const Frame& frame) {
@@ -106,32 +97,22 @@ void write_trace(const OutputFile& file, const ChromeTrace& trace) {
     file.write(json.view());
 }
 
-void print_summary(const ExportOptions& options, const std::vector<FrameRecord>& frames, std::size_t kept) {
-    double height = 0;
-    for (const FrameRecord& frame : frames) height += frame.significant_wave_height_m;
-    std::printf("%s: %zu frame%s", options.folder.c_str(), frames.size(), frames.size() == 1 ? "" : "s");
-    if (options.resume) std::printf(" (%zu of them kept)", kept);
-    const SeaState& sea = options.sea.sea;
-    const std::string_view waves = sea.waves == WaveModel::spectrum ? name_of(sea.spectrum) : name_of(sea.waves);
-    std::printf(", %s sea, Hs %.2f m, peak period %.1f s\n", std::string(waves).c_str(),
-                height / static_cast<double>(frames.size()), expected_waves(options.sea.sea).peak_period_s);
-    for (const std::string& warning : warnings_about(options.sea.sea)) std::printf("note: %s\n", warning.c_str());
-    if (const SeaPatch& patch = options.meshes.patch;
-        options.meshes.any() && patch.tiles < static_cast<std::size_t>(cascades_of(sea)))
-        std::printf(
-            "note: the mesh's steps of %s m show the waves of the coarsest %zu of %d tiles; a smaller --mesh-size or "
-            "more --mesh-steps show shorter waves\n",
-            rounded_text(patch.side_m / patch.steps, 3).c_str(), patch.tiles, cascades_of(sea));
-}
-
 }  // namespace
+
+OceanOptions ocean_options(const ExportOptions& options, const std::shared_ptr<ChromeTrace>& trace) {
+    return {.executor = make_default_executor(options.compute.threads),
+            .isa = options.compute.isa,
+            .trace = trace,
+            .gradients = options.maps.has(MapKind::gradient),
+            .foam = options.has_foam()};
+}
 
 void run_export(const ExportOptions& options) {
     catch_stop_signals();
     make_folder(options.folder);
     const OutputFolder folder(options.folder, options.sync ? Sync::yes : Sync::no);
     std::optional<FolderLock> lock;
-    if (options.lock) lock.emplace(folder);
+    if (options.lock) lock.emplace(folder, "--out", options.shard);
     if (options.preview) return preview_export(options, ocean_options(options, nullptr), folder);
     ExportJournal journal(options, folder);
     std::optional<OutputFile> trace_file;
@@ -150,10 +131,14 @@ void run_export(const ExportOptions& options) {
     }
 
     std::vector<FrameRecord> frames;
-    for (auto& [number, record] : records) frames.push_back(std::move(record));
+    double height_sum_m = 0;
+    for (auto& [number, record] : records) {
+        height_sum_m += record.significant_wave_height_m;
+        frames.push_back(std::move(record));
+    }
     journal.end(frames, sequence_files);
     if (trace) write_trace(*trace_file, *trace);
-    print_summary(options, frames, kept);
+    print_summary(options, {.frames = frames.size(), .kept = kept, .height_sum_m = height_sum_m});
     if (trace && trace->left_out() > 0)
         std::printf("note: %s holds the first %zu spans, %zu later ones are left out\n", options.trace->c_str(),
                     ChromeTrace::default_most_spans, trace->left_out());

@@ -7,6 +7,7 @@
 #include "pelagic/sim/sea_state.hpp"
 #include "pelagic/sim/tile.hpp"
 #include "pelagic/tools/frame_times.hpp"
+#include "pelagic/tools/record_names.hpp"
 
 namespace pelagic::tools {
 namespace {
@@ -123,11 +124,14 @@ bool is_mesh_name(std::string_view name) {
 }
 
 bool is_export_name(std::string_view name, const std::optional<NamePattern>& pattern) {
+    return is_record_name(name) || is_image_name(name, pattern) || is_mesh_name(name) || is_flipbook_name(name) ||
+           is_export_part(name, pattern);
+}
+
+bool is_export_part(std::string_view name, const std::optional<NamePattern>& pattern) {
     constexpr std::string_view end = ".part";
-    if (name.starts_with('.') && name.ends_with(end) && name.size() > end.size())
-        name = name.substr(1, name.size() - 1 - end.size());
-    return name == sea_json_name || name == journal_name || name == lock_name || is_image_name(name, pattern) ||
-           is_mesh_name(name) || is_flipbook_name(name);
+    return name.starts_with('.') && name.ends_with(end) && name.size() > end.size() &&
+           is_export_name(name.substr(1, name.size() - 1 - end.size()), pattern);
 }
 
 }  // namespace pelagic::tools

@@ -9,10 +9,6 @@
 
 namespace pelagic::tools {
 
-inline constexpr const char* sea_json_name = "sea.json";
-inline constexpr const char* journal_name = ".pelagic-export.jsonl";
-inline constexpr const char* lock_name = ".sea.lock";
-
 /// What an image shows, as names have it.
 struct ImageMark {
     MapKind map;
@@ -50,7 +46,10 @@ bool is_flipbook_name(std::string_view name);
 /// True for what mesh_name() can give, and for the two of all frames.
 bool is_mesh_name(std::string_view name);
 
-/// True for names that an export gives to files of its own: images, meshes, flipbooks, records, the lock, and their parts.
+/// True for names that an export gives to files of its own: images, meshes, flipbooks, records, journals, locks, and their parts.
 bool is_export_name(std::string_view name, const std::optional<NamePattern>& pattern);
+
+/// True for the part of such a file, which a killed export has left.
+bool is_export_part(std::string_view name, const std::optional<NamePattern>& pattern);
 
 }  // namespace pelagic::tools

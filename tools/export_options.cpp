@@ -11,6 +11,7 @@
 #include "pelagic/tools/image_codec.hpp"
 #include "pelagic/tools/option_text.hpp"
 #include "pelagic/tools/pixel_meaning.hpp"
+#include "pelagic/tools/sequence_output.hpp"
 #include "pelagic/tools/zstd.hpp"
 
 namespace pelagic::tools {
@@ -216,6 +217,9 @@ void ExportFlags::add_to(CLI::App& app) {
         "--preview", preview_,
         "no frames: only preview.png, the maps and the sea in a picture, preview.mp4 if ffmpeg is there, and "
         "how many files and bytes the export will have");
+    add("shard", "I/N",
+        "the frames of one of N equal parts, 1/N to N/N, as several machines make an export in one folder; N up to "
+        "1000000. pelagic merge joins the parts");
     app.add_flag("--resume", resume_, "keep the frames of an interrupted export that are whole, make the rest");
     app.add_flag("--no-sync", no_sync_,
                  "don't wait for the disk: faster, but a power cut may cost frames that are done");
@@ -306,10 +310,17 @@ MapOptions ExportFlags::maps(const std::optional<NamePattern>& names) const {
 }
 
 ExportOptions ExportFlags::resolve() const {
+    checked_place(typed("out"));  // what is wrong with it is said before what is wrong with the sea
+    ExportOptions options = resolve_with(sea_.resolve());
+    if (!options.maps.maps.empty()) image_codec();  // before anything is written: without its library nothing will be
+    return options;
+}
+
+ExportOptions ExportFlags::resolve_with(const ResolvedSea& sea) const {
     ExportOptions options;
     const OutputPlace place = checked_place(typed("out"));
     options.folder = place.folder;
-    options.sea = sea_.resolve();
+    options.sea = sea;
     options.compute = compute_.resolve();
     options.times = times(options.sea);
     options.maps = maps(place.names);
@@ -328,7 +339,13 @@ ExportOptions ExportFlags::resolve() const {
     options.sync = !no_sync_;
     options.lock = !no_lock_;
     if (const auto& trace = typed("trace")) options.trace = checked_trace(*trace, options);
-    if (!options.maps.maps.empty()) image_codec();  // before anything is written: without its library nothing will be
+    if (const auto& shard = typed("shard")) {
+        options.shard = parse_shard(*shard);
+        if (!options.shard) throw bad_value("--shard", *shard, "I/N with N from 1 to 1000000 and I from 1 to N");
+        if (!sequence_outputs(options).empty())
+            throw bad_value("--shard", *shard,
+                            "an export of images only: what is made of all frames together is no shard's");
+    }
     return options;
 }
 

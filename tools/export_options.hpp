@@ -6,12 +6,14 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "pelagic/tools/compute_options.hpp"
 #include "pelagic/tools/frame_times.hpp"
 #include "pelagic/tools/map_options.hpp"
 #include "pelagic/tools/mesh_options.hpp"
 #include "pelagic/tools/sea_options.hpp"
+#include "pelagic/tools/shard.hpp"
 
 namespace pelagic::tools {
 
@@ -24,9 +26,10 @@ struct ExportOptions {
     ResolvedSea sea;
     ComputeOptions compute;
     std::filesystem::path folder;
-    FrameTimes times;
+    FrameTimes times;  ///< of the whole export
     MapOptions maps;
     MeshOptions meshes;
+    std::optional<Shard> shard;  ///< none: all frames are made here
     std::optional<FlipbookGrid> flipbook;
     bool preview = false;  ///< no frames, but what shows what they will be
     bool resume = false;
@@ -35,6 +38,12 @@ struct ExportOptions {
     std::optional<std::filesystem::path> trace;
 
     bool has_foam() const { return maps.has(MapKind::foam) || meshes.any(); }
+
+    /// The numbers of the frames that are made here.
+    std::vector<int> frames_here() const {
+        return shard ? times.numbers(shard->begin(times.count()), shard->end(times.count()))
+                     : times.numbers(0, times.count());
+    }
 };
 
 class ExportFlags {
@@ -43,6 +52,9 @@ class ExportFlags {
     /// Throws InputError, one line that names option, value and range, and FileError without the library that writes images;
     /// writes nothing.
     ExportOptions resolve() const;
+
+    /// The same of a sea that did not come from these flags; does without the library.
+    ExportOptions resolve_with(const ResolvedSea& sea) const;
 
    private:
     FrameTimes times(const ResolvedSea& sea) const;

@@ -14,6 +14,7 @@
 #include "pelagic/tools/export_names.hpp"
 #include "pelagic/tools/frame_times.hpp"
 #include "pelagic/tools/image_codec.hpp"
+#include "pelagic/tools/record_names.hpp"
 
 namespace pelagic::tools {
 namespace {
@@ -26,19 +27,6 @@ constexpr int deepest_level = 8;  ///< ours have five
 
 /// Higher than any wave: what is beyond is no height in metres.
 constexpr float highest_m = 1e4f;
-
-constexpr const char* an_export = "a folder that pelagic export has written";
-
-OutputFolder opened(const std::string& option, const std::filesystem::path& folder) {
-    std::error_code error;
-    if (folder.empty()) throw InputError(option + " is empty, needs " + an_export);
-    if (!std::filesystem::is_directory(folder, error))
-        throw bad_value(option, folder.string(),
-                        std::string(an_export) + (error ? " (" + error.message() + ")" : ""));
-    if (::access(folder.c_str(), R_OK | X_OK) != 0)
-        throw bad_value(option, folder.string(), std::string(an_export) + " (" + std::strerror(errno) + ")");
-    return OutputFolder(folder, Sync::no);
-}
 
 Json parsed(const std::string& text, const std::string& place) {
     bool is_deep = false;
@@ -90,10 +78,22 @@ MapOptions names_in(const Json& record) {
 
 }  // namespace
 
+OutputFolder open_export(const std::string& option, const std::filesystem::path& folder, Sync sync) {
+    constexpr const char* an_export = "a folder that pelagic export has written";
+    std::error_code error;
+    if (folder.empty()) throw InputError(option + " is empty, needs " + an_export);
+    if (!std::filesystem::is_directory(folder, error))
+        throw bad_value(option, folder.string(),
+                        std::string(an_export) + (error ? " (" + error.message() + ")" : ""));
+    if (::access(folder.c_str(), R_OK | X_OK) != 0)
+        throw bad_value(option, folder.string(), std::string(an_export) + " (" + std::strerror(errno) + ")");
+    return OutputFolder(folder, sync);
+}
+
 ExportReader::ExportReader(std::string option, const std::filesystem::path& folder)
-    : option_(std::move(option)), folder_(opened(option_, folder)) {
-    const std::filesystem::path place = folder / sea_json_name;
-    const std::optional<std::string> text = folder_.read_text(sea_json_name, most_record_bytes);
+    : option_(std::move(option)), folder_(open_export(option_, folder, Sync::no)) {
+    const std::filesystem::path place = folder / record_name({});
+    const std::optional<std::string> text = folder_.read_text(record_name({}), most_record_bytes);
     if (!text) throw InputError(place.string() + " is missing, needs a finished export");
     if (text->size() > most_record_bytes)
         throw InputError(place.string() + " has more than " + number_text(most_record_bytes >> 20) + " MiB");

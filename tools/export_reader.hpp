@@ -12,6 +12,9 @@
 
 namespace pelagic::tools {
 
+/// The folder of an export that is there. Throws InputError, one line that names the option.
+OutputFolder open_export(const std::string& option, const std::filesystem::path& folder, Sync sync);
+
 /// Throws InputError where the folder holds no export that can be measured, and FileError where a file can't be read: one line
 /// that names the folder or the file, and the reason.
 class ExportReader {

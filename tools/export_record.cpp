@@ -45,8 +45,9 @@ std::vector<std::string> file_names(const ExportOptions& options, int frame) {
     return names;
 }
 
-/// The frame that an entry is about, if it says exactly what this export would say.
-std::optional<FrameRecord> accepted(const ReadJson& entry, const ExportOptions& options) {
+}  // namespace
+
+std::optional<FrameRecord> accepted_frame(const ReadJson& entry, const ExportOptions& options) {
     const ReadJson& number = value_of(entry, "frame");
     if (!number.is_number_unsigned() || number.get<std::uint64_t>() > FrameTimes::largest_number ||
         !options.times.contains(number.get<int>()))
@@ -70,6 +71,18 @@ std::optional<FrameRecord> accepted(const ReadJson& entry, const ExportOptions& 
     return record;
 }
 
+ReadJson options_in(const ReadJson& head) {
+    ReadJson options = ReadJson::object();
+    for (const char* key : {"version", "sea", "export"}) {
+        if (value_of(head, key).is_null()) throw DamagedRecord();
+        options[key] = value_of(head, key);
+    }
+    if (const ReadJson& weather = value_of(head, "weather"); !weather.is_null()) options["weather"] = weather;
+    return options;
+}
+
+namespace {
+
 void take_name(const ReadJson& name, const ExportOptions& options, EarlierExport& earlier) {
     if (std::string text = text_of(name);
         is_image_name(text, options.maps.names) || is_mesh_name(text) || is_flipbook_name(text))
@@ -80,7 +93,8 @@ void take_frame(const ReadJson& entry, const ExportOptions& options, EarlierExpo
     const ReadJson& files = value_of(entry, "files");
     if (files.is_array())
         for (const ReadJson& file : files) take_name(value_of(file, "name"), options, earlier);
-    if (auto record = accepted(entry, options)) earlier.frames.insert_or_assign(record->frame, std::move(*record));
+    if (auto record = accepted_frame(entry, options))
+        earlier.frames.insert_or_assign(record->frame, std::move(*record));
 }
 
 std::string_view next_line(std::string_view& text) {
@@ -114,12 +128,7 @@ EarlierExport parse_journal(std::string_view text, const ExportOptions& options)
 EarlierExport parse_sea_json(std::string_view text, const ExportOptions& options) {
     const ReadJson json = parsed(text);
     const ReadJson& frames = value_of(json, "frames");
-    EarlierExport earlier{ReadJson::object(), {}, {}};
-    for (const char* key : {"version", "sea", "export"}) {
-        if (value_of(json, key).is_null()) throw DamagedRecord();
-        earlier.options[key] = value_of(json, key);
-    }
-    if (const ReadJson& weather = value_of(json, "weather"); !weather.is_null()) earlier.options["weather"] = weather;
+    EarlierExport earlier{options_in(json), {}, {}};
     if (!frames.is_array()) throw DamagedRecord();
     for (const ReadJson& frame : frames) take_frame(frame, options, earlier);
     if (const ReadJson& files = value_of(json, "sequence_files"); files.is_array())
@@ -134,7 +143,7 @@ std::size_t most_record_bytes(const ExportOptions& options) {
     return std::max(usual, options.times.count() * (bytes_a_frame + files * bytes_a_file));
 }
 
-std::string first_difference(const ReadJson& earlier, const Json& now) {
+OptionDifference first_difference(const ReadJson& earlier, const Json& now) {
     const Json ordered = now.flatten();  // the order in which options are written
     const ReadJson was = earlier.flatten(), is = ReadJson(ordered);
     std::vector<std::string> keys;
@@ -145,8 +154,8 @@ std::string first_difference(const ReadJson& earlier, const Json& now) {
     };
     for (const std::string& key : keys)
         if (const ReadJson& before = value_of(was, key), &after = value_of(is, key); before != after)
-            return clipped(key.substr(key.rfind('/') + 1)) + " was " + text(before) + " and is " + text(after);
-    return "others than are known here";
+            return {clipped(key.substr(key.rfind('/') + 1)), text(before), text(after)};
+    return {"something", "other", "as here"};
 }
 
 }  // namespace pelagic::tools

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -35,10 +36,24 @@ struct EarlierExport {
 EarlierExport parse_journal(std::string_view text, const ExportOptions& options);
 EarlierExport parse_sea_json(std::string_view text, const ExportOptions& options);
 
+/// The options in the head of a record, as options_as_json() writes them. Throws DamagedRecord if it has none.
+ReadJson options_in(const ReadJson& head);
+
+/// The frame that an entry is about, if it says exactly what this export would say.
+std::optional<FrameRecord> accepted_frame(const ReadJson& entry, const ExportOptions& options);
+
 /// Larger ones are not read: more than this export or any other of usual size would write.
 std::size_t most_record_bytes(const ExportOptions& options);
 
-/// "wind_speed_mps was 9 and is 12", for the first value that differs.
-std::string first_difference(const ReadJson& earlier, const Json& now);
+/// An option as a person reads it.
+struct OptionDifference {
+    std::string key, before, after;
+
+    std::string was_and_is() const { return key + " was " + before + " and is " + after; }
+    std::string is_not() const { return key + " is " + before + ", not " + after; }
+};
+
+/// The first value that differs, in the order of `now`.
+OptionDifference first_difference(const ReadJson& earlier, const Json& now);
 
 }  // namespace pelagic::tools

@@ -29,9 +29,22 @@ int FrameTimes::number(std::size_t index) const {
     return ranges.back().last;
 }
 
+std::vector<int> FrameTimes::numbers(std::size_t begin, std::size_t end) const {
+    std::vector<int> numbers;
+    std::size_t place = 0;
+    for (const FrameRange& range : ranges) {
+        const std::size_t behind = place + range.count();
+        for (std::size_t i = std::max(begin, place); i < std::min(end, behind); ++i)
+            numbers.push_back(range.first + static_cast<int>(i - place));
+        place = behind;
+    }
+    return numbers;
+}
+
 bool FrameTimes::contains(int number) const {
-    return std::any_of(ranges.begin(), ranges.end(),
-                       [&](const FrameRange& range) { return range.first <= number && number <= range.last; });
+    const auto range =
+        std::partition_point(ranges.begin(), ranges.end(), [&](const FrameRange& one) { return one.last < number; });
+    return range != ranges.end() && range->first <= number;
 }
 
 std::string text_of(const std::vector<FrameRange>& ranges) {

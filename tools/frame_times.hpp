@@ -28,6 +28,8 @@ struct FrameTimes {
     std::size_t count() const;
     /// Of the frame at a place in the export. \pre index < count()
     int number(std::size_t index) const;
+    /// Those from place `begin` on, before place `end`. \pre begin <= end <= count()
+    std::vector<int> numbers(std::size_t begin, std::size_t end) const;
     bool contains(int number) const;
     double time_of(int number) const {
         const int frame = number - start_number;

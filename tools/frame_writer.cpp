@@ -99,18 +99,6 @@ std::string_view trace_name(MapKind map) {
     return "";
 }
 
-/// All but the files, of a frame as the ocean hands it out.
-FrameRecord figures_of(int number, const Frame& frame, bool has_foam) {
-    return {.frame = number,
-            .time_s = frame.time_s,
-            .hash = hex_text(hash_of(frame)),
-            .foam_hash = has_foam ? hex_text(foam_hash_of(frame)) : "",
-            .significant_wave_height_m = measured_significant_wave_height_m(frame),
-            .height_min_m = frame.bounds.height_min_m,
-            .height_max_m = frame.bounds.height_max_m,
-            .files = {}};
-}
-
 FileRecord write_file(const OutputFolder& folder, const std::string& name, std::span<const unsigned char> content,
                       TraceSink* trace) {
     const TraceScope writing(trace, "write", file_category, {{{"bytes", static_cast<double>(content.size())}}});
@@ -178,6 +166,17 @@ std::vector<FileRecord> write_files(const ExportOptions& options, const OutputFo
 }
 
 }  // namespace
+
+FrameRecord figures_of(int number, const Frame& frame, bool has_foam) {
+    return {.frame = number,
+            .time_s = frame.time_s,
+            .hash = hex_text(hash_of(frame)),
+            .foam_hash = has_foam ? hex_text(foam_hash_of(frame)) : "",
+            .significant_wave_height_m = measured_significant_wave_height_m(frame),
+            .height_min_m = frame.bounds.height_min_m,
+            .height_max_m = frame.bounds.height_max_m,
+            .files = {}};
+}
 
 WritingPlan plan_writing(const ExportOptions& options, std::size_t most_bytes) {
     const std::size_t threads = options.compute.threads == 0 ? std::max(1u, std::thread::hardware_concurrency())

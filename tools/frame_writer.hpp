@@ -43,6 +43,9 @@ struct WritingPlan {
 /// copied.
 WritingPlan plan_writing(const ExportOptions& options, std::size_t most_bytes);
 
+/// All of a frame's record but the files, of a frame as the ocean hands it out.
+FrameRecord figures_of(int number, const Frame& frame, bool has_foam);
+
 /// Encodes and writes frames on a few threads and journals them in order, as many at once as plan_writing() says.
 class FrameWriter {
    public:

@@ -1,5 +1,6 @@
 #include "pelagic/tools/output_folder.hpp"
 
+#include <dirent.h>
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -9,6 +10,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <memory>
 
 #include "pelagic/tools/errors.hpp"
 
@@ -48,12 +50,23 @@ void require_regular(const Descriptor& file, const char* doing, const std::files
     if (!S_ISREG(status.st_mode)) throw not_regular(doing, path, status.st_mode);
 }
 
+/// 0 or an errno.
+int write_all(const Descriptor& file, std::string_view bytes) {
+    while (!bytes.empty()) {
+        const ssize_t written = ::write(file.get(), bytes.data(), bytes.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written < 0) return errno;
+        bytes.remove_prefix(static_cast<std::size_t>(written));
+    }
+    return 0;
+}
+
 /// A file under a name of its own for as long as it is written; gone at the end of the scope unless it was renamed.
 class PartFile {
    public:
     PartFile(const Descriptor& folder, std::string name) : folder_(folder), name_(std::move(name)) {}
     ~PartFile() {
-        if (has_its_name()) ::unlinkat(folder_.get(), name_.c_str(), 0);
+        if (!is_renamed_ && has_its_name()) ::unlinkat(folder_.get(), name_.c_str(), 0);
     }
     PartFile(const PartFile&) = delete;
     PartFile& operator=(const PartFile&) = delete;
@@ -61,10 +74,12 @@ class PartFile {
     const Descriptor& file() const { return file_; }
 
     /// 0 or an errno, as below. What a killed run left is removed unread: it may be a second name of somebody's file.
-    int create() {
+    /// \param check  looks at what has the name, if anything, and throws if it may not be removed
+    int create(const std::function<void()>& check) {
+        if (const int reason = create_new(); reason != EEXIST) return reason;
+        check();
         ::unlinkat(folder_.get(), name_.c_str(), 0);
-        file_ = Descriptor(::openat(folder_.get(), name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | careful, 0666));
-        return file_.is_open() && ::fstat(file_.get(), &created_) == 0 ? 0 : errno;
+        return create_new();
     }
     /// 0 or an errno that only shows when a file is closed, as that of a full disk over NFS may. It stays open, since the
     /// number of a closed file may be given to the next one.
@@ -75,10 +90,15 @@ class PartFile {
     /// EBUSY if another process has begun to write a file of that name meanwhile.
     int rename_to(const std::string& name) {
         if (!has_its_name()) return EBUSY;
-        return ::renameat(folder_.get(), name_.c_str(), folder_.get(), name.c_str()) == 0 ? 0 : errno;
+        is_renamed_ = ::renameat(folder_.get(), name_.c_str(), folder_.get(), name.c_str()) == 0;
+        return is_renamed_ ? 0 : errno;
     }
 
    private:
+    int create_new() {
+        file_ = Descriptor(::openat(folder_.get(), name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | careful, 0666));
+        return file_.is_open() && ::fstat(file_.get(), &created_) == 0 ? 0 : errno;
+    }
     bool has_its_name() const {
         struct stat status {};
         return created_.st_ino != 0 && ::fstatat(folder_.get(), name_.c_str(), &status, AT_SYMLINK_NOFOLLOW) == 0 &&
@@ -89,6 +109,7 @@ class PartFile {
     std::string name_;
     Descriptor file_;
     struct stat created_ {};
+    bool is_renamed_ = false;
 };
 
 }  // namespace
@@ -113,14 +134,13 @@ bool OutputFolder::has_regular_file(const std::string& name, const char* doing) 
     return true;
 }
 
-int OutputFolder::write_and_sync(const Descriptor& file, std::string_view bytes) const {
-    while (!bytes.empty()) {
-        const ssize_t written = ::write(file.get(), bytes.data(), bytes.size());
-        if (written < 0 && errno == EINTR) continue;
-        if (written < 0) return errno;
-        bytes.remove_prefix(static_cast<std::size_t>(written));
-    }
+int OutputFolder::sync_file(const Descriptor& file) const {
     return sync_ == Sync::no || ::fdatasync(file.get()) == 0 ? 0 : errno;
+}
+
+int OutputFolder::write_and_sync(const Descriptor& file, std::string_view bytes) const {
+    const int reason = write_all(file, bytes);
+    return reason != 0 ? reason : sync_file(file);
 }
 
 void OutputFolder::write(const std::string& name, std::span<const std::byte> bytes) const {
@@ -128,10 +148,18 @@ void OutputFolder::write(const std::string& name, std::span<const std::byte> byt
 }
 
 void OutputFolder::write(const std::string& name, std::string_view text) const {
-    has_regular_file(part_name(name), can_not_write);
+    write(name, [&](const Take& take) { take(text); });
+}
+
+void OutputFolder::write(const std::string& name, const std::function<void(const Take&)>& make) const {
     PartFile part(folder_, part_name(name));
-    int reason = part.create();
-    if (reason == 0) reason = write_and_sync(part.file(), text);
+    int reason = part.create([&] { has_regular_file(part_name(name), can_not_write); });
+    const auto take = [&](std::string_view piece) {
+        if (reason == 0) reason = write_all(part.file(), piece);
+        if (reason != 0) throw file_error(can_not_write, path_ / name, reason);
+    };
+    if (reason == 0) make(take);
+    if (reason == 0) reason = sync_file(part.file());
     if (reason == 0) reason = part.flush();
     if (reason == 0) has_regular_file(name, can_not_write);
     if (reason == 0) reason = part.rename_to(name);
@@ -140,8 +168,8 @@ void OutputFolder::write(const std::string& name, std::string_view text) const {
 
 void OutputFolder::check_writable(const std::string& name) const {
     has_regular_file(name, can_not_write);
-    has_regular_file(part_name(name), can_not_write);
-    if (const int reason = PartFile(folder_, part_name(name)).create(); reason != 0)
+    const auto check_part = [&] { has_regular_file(part_name(name), can_not_write); };
+    if (const int reason = PartFile(folder_, part_name(name)).create(check_part); reason != 0)
         throw file_error(can_not_write, path_ / name, reason);
 }
 
@@ -162,17 +190,29 @@ void OutputFolder::append_line(const std::string& name, const Descriptor& file, 
     if (reason != 0) throw file_error(can_not_write, path_ / name, reason);
 }
 
-bool OutputFolder::read(const std::string& name, const std::function<bool(std::string_view)>& take) const {
-    if (!has_regular_file(name, can_not_read)) return false;
-    const Descriptor file(::openat(folder_.get(), name.c_str(), O_RDONLY | careful));
+Descriptor OutputFolder::open_for_reading(const std::string& name) const {
+    if (!has_regular_file(name, can_not_read)) return {};
+    Descriptor file(::openat(folder_.get(), name.c_str(), O_RDONLY | careful));
     if (!file.is_open()) throw file_error(can_not_read, path_ / name, errno);
     require_regular(file, can_not_read, path_ / name);
+    return file;
+}
+
+std::size_t OutputFolder::read_some(const std::string& name, const Descriptor& file, std::span<char> bytes) const {
+    for (;;) {
+        const ssize_t got = ::read(file.get(), bytes.data(), bytes.size());
+        if (got >= 0) return static_cast<std::size_t>(got);
+        if (errno != EINTR) throw file_error(can_not_read, path_ / name, errno);
+    }
+}
+
+bool OutputFolder::read(const std::string& name, const std::function<bool(std::string_view)>& take) const {
+    const Descriptor file = open_for_reading(name);
+    if (!file.is_open()) return false;
     std::string piece(std::size_t{1} << 18, '\0');
     for (;;) {
-        const ssize_t got = ::read(file.get(), piece.data(), piece.size());
-        if (got < 0 && errno == EINTR) continue;
-        if (got < 0) throw file_error(can_not_read, path_ / name, errno);
-        if (got == 0 || !take(std::string_view(piece).substr(0, static_cast<std::size_t>(got)))) return true;
+        const std::size_t got = read_some(name, file, piece);
+        if (got == 0 || !take(std::string_view(piece).substr(0, got))) return true;
     }
 }
 
@@ -183,6 +223,21 @@ std::optional<std::string> OutputFolder::read_text(const std::string& name, std:
         return text.size() <= most;
     });
     return is_there ? std::optional(std::move(text)) : std::nullopt;
+}
+
+void OutputFolder::for_each_name(const std::function<void(const std::string&)>& take) const {
+    Descriptor again(::openat(folder_.get(), ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    const auto close = [](DIR* folder) { ::closedir(folder); };
+    const std::unique_ptr<DIR, decltype(close)> folder(again.is_open() ? ::fdopendir(again.get()) : nullptr, close);
+    if (!folder) throw file_error(can_not_read, path_, errno);
+    again.release();  // closedir() closes it
+    for (;;) {
+        errno = 0;
+        const dirent* const entry = ::readdir(folder.get());
+        if (!entry && errno != 0) throw file_error(can_not_read, path_, errno);
+        if (!entry) return;
+        take(entry->d_name);
+    }
 }
 
 void OutputFolder::remove(const std::string& name) const {

@@ -41,6 +41,10 @@ class OutputFolder {
     void write(const std::string& name, std::span<const std::byte> bytes) const;
     void write(const std::string& name, std::string_view text) const;
 
+    using Take = std::function<void(std::string_view)>;
+    /// The same of a file that comes piece by piece: `make` is given what takes the pieces.
+    void write(const std::string& name, const std::function<void(const Take&)>& make) const;
+
     /// Throws what write() would for want of a permission or because of what has the name, without touching the file: for
     /// what is only written after long work.
     void check_writable(const std::string& name) const;
@@ -56,8 +60,15 @@ class OutputFolder {
     /// Hands over the file's bytes piece by piece until `take` says no; false if nothing has the name. Throws FileError,
     /// "can't read FILE: reason". Never waits for a writer, as opening a FIFO would.
     bool read(const std::string& name, const std::function<bool(std::string_view)>& take) const;
+    /// The same by pieces that the caller asks for; a descriptor that is not open if nothing has the name.
+    Descriptor open_for_reading(const std::string& name) const;
+    /// Bytes read, 0 only at the end.
+    std::size_t read_some(const std::string& name, const Descriptor& file, std::span<char> bytes) const;
     /// The whole file, or its first `most` + 1 bytes if it has more than `most`.
     std::optional<std::string> read_text(const std::string& name, std::size_t most) const;
+
+    /// Hands over the name of all that is in the folder, in no order. Throws FileError.
+    void for_each_name(const std::function<void(const std::string&)>& take) const;
 
     /// Removes a regular file; does nothing if the name is that of something else or of nothing.
     void remove(const std::string& name) const;
@@ -71,6 +82,7 @@ class OutputFolder {
 
     bool has_regular_file(const std::string& name, const char* doing) const;
     int write_and_sync(const Descriptor& file, std::string_view bytes) const;
+    int sync_file(const Descriptor& file) const;
 
     std::filesystem::path path_;
     Sync sync_;

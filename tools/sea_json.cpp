@@ -1,5 +1,6 @@
 #include "pelagic/tools/sea_json.hpp"
 
+#include "pelagic/message/number_text.hpp"
 #include "pelagic/sim/foam_report.hpp"
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/tools/digest.hpp"
@@ -70,7 +71,7 @@ Json options_as_json(const ExportOptions& options) {
     how["pack"] = name_of(options.maps.pack);
     how["tiled"] = options.maps.tiled;
     if (options.flipbook)
-        how["flipbook"] = {{"columns", options.flipbook->columns}, {"rows", options.flipbook->rows}};
+        how["flipbook"] = number_text(options.flipbook->columns) + "x" + number_text(options.flipbook->rows);
     if (options.maps.names) how["names"] = options.maps.names->text();
     if (options.meshes.any()) how["mesh"] = mesh_as_json(options.meshes);
     Json json = {{"version", PELAGIC_VERSION}, {"sea", sea_as_json(options.sea)}};
@@ -147,19 +148,13 @@ Json foam_as_json(const Frame& frame) {
             {"tiles", tiles}};
 }
 
-Json sea_json(const ExportOptions& options, const std::vector<FrameRecord>& frames,
-              const std::vector<FileRecord>& sequence_files) {
-    double height_sum = 0;
-    Json list = Json::array();
-    for (const FrameRecord& frame : frames) {
-        height_sum += frame.significant_wave_height_m;
-        list.push_back(frame_as_json(frame));
-    }
+Json sea_json_head(const ExportOptions& options, double mean_significant_wave_height_m,
+                   const std::vector<FileRecord>& sequence_files) {
     Json json = options_as_json(options);
     json["channels"] = channels_as_json(options.maps);
     json["layout"] = layout_as_json(forecast_of(options.sea));
     const SeaReport report = report_on(options.sea.sea);
-    json["waves"] = waves_as_json(options.sea.sea, report, height_sum / static_cast<double>(frames.size()));
+    json["waves"] = waves_as_json(options.sea.sea, report, mean_significant_wave_height_m);
     if (options.has_foam()) {
         Ocean ocean(options.sea.sea,
                     {.executor = make_default_executor(options.compute.threads), .isa = options.compute.isa});
@@ -167,7 +162,12 @@ Json sea_json(const ExportOptions& options, const std::vector<FrameRecord>& fram
     }
     json["warnings"] = report.warnings;
     if (!sequence_files.empty()) json["sequence_files"] = files_as_json(sequence_files);
-    json["frames"] = list;
+    return json;
+}
+
+Json shard_head(const ExportOptions& options) {
+    Json json = options_as_json(options);
+    json["shard"] = {{"index", options.shard->index}, {"count", options.shard->count}};
     return json;
 }
 

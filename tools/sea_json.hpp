@@ -47,8 +47,11 @@ Json waves_as_json(const SeaState& sea, const SeaReport& report, double measured
 /// When foam is remembered, how it drifts, how much of it there is: {"whitecap_cover", "tick_s", ...}.
 Json foam_as_json(const Frame& frame);
 
-/// The whole file. \param sequence_files  made of all frames together
-Json sea_json(const ExportOptions& options, const std::vector<FrameRecord>& frames,
-              const std::vector<FileRecord>& sequence_files);
+/// All of the file but its frames. \param sequence_files  made of all frames together
+Json sea_json_head(const ExportOptions& options, double mean_significant_wave_height_m,
+                   const std::vector<FileRecord>& sequence_files);
+
+/// The same of a shard's record: its options, and {"shard": {"index", "count"}}. What follows from the options is not in it.
+Json shard_head(const ExportOptions& options);
 
 }  // namespace pelagic::tools

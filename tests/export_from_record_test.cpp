@@ -1,0 +1,204 @@
+// From options to a record, and back by its values and by a command line: nothing of an export is lost on the way.
+#include "pelagic/tools/export_from_record.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "pelagic/tests/run_pelagic.hpp"
+#include "pelagic/tools/errors.hpp"
+#include "pelagic/tools/record_file.hpp"
+
+namespace pelagic::tools {
+namespace {
+
+using Words = std::vector<std::string>;
+
+// How an export is made, and not what is in its files.
+const std::set<std::string> how = {"out",     "help", "version", "resume", "no-sync", "no-lock",
+                                   "threads", "isa",  "trace",   "shard",  "config",  "weather"};
+
+// For each option that decides about the files, words that name it and another value than its default.
+const std::map<std::string, Words> tries = {
+    {"start", {"--start", "-3.25"}},
+    {"frames", {"--frames", "10-20,40", "--start-number", "4"}},
+    {"start-number", {"--start-number", "7", "--frames", "3"}},
+    {"fps", {"--fps", "29.97"}},
+    {"loop-frames", {"--loop-frames", "48", "--start-number", "5"}},
+    {"maps", {"--maps", "gradient,foam"}},
+    {"format", {"--format", "tif"}},
+    {"mips", {"--mips"}},
+    {"half", {"--half"}},
+    {"mesh", {"--maps", "none", "--mesh", "obj,gltf"}},
+    {"mesh-size", {"--mesh", "ply", "--mesh-size", "12.5"}},
+    {"mesh-steps", {"--mesh", "ply", "--mesh-steps", "8"}},
+    {"preset", {"--preset", "storm"}},
+    {"waves", {"--waves", "analytic"}},
+    {"spectrum", {"--spectrum", "pierson-moskowitz"}},
+    {"spreading", {"--spreading", "hasselmann"}},
+    {"cascades", {"--cascades", "3"}},
+    {"resolution", {"--resolution", "64"}},
+    {"patch-size", {"--patch-size", "300"}},
+    {"wind-speed", {"--wind-speed", "20kn"}},
+    {"wind-direction", {"--wind-direction", "from-NW"}},
+    {"fetch", {"--fetch", "5e4"}},
+    {"depth", {"--depth", "40"}},
+    {"choppiness", {"--choppiness", "0.7"}},
+    {"roughness", {"--roughness", "0.25"}},
+    {"small-waves", {"--small-waves", "0.5"}},
+    {"alignment", {"--alignment", "0.25"}},
+    {"swell-height", {"--swell-height", "1.5"}},
+    {"swell-period", {"--swell-height", "1", "--swell-period", "13"}},
+    {"swell-direction", {"--swell-height", "1", "--swell-direction", "77"}},
+    {"swell-spread", {"--swell-height", "1", "--swell-spread", "9"}},
+    {"loop-period", {"--loop-period", "123"}},
+    {"seed", {"--seed", "99"}},
+    {"wave-count", {"--waves", "analytic", "--wave-count", "9"}},
+    {"longest-wave", {"--waves", "analytic", "--longest-wave", "80"}},
+    {"shortest-wave", {"--waves", "analytic", "--shortest-wave", "3"}},
+    {"wave-strength", {"--waves", "analytic", "--wave-strength", "0.5"}},
+    {"wave-height", {"--waves", "analytic", "--wave-height", "2"}},
+    {"wave-drag", {"--waves", "exp-sine", "--wave-drag", "0.2"}},
+};
+
+ExportOptions options_of(Words words) {
+    CLI::App app;
+    ExportFlags flags;
+    flags.add_to(app);
+    app.parse(Words(words.rbegin(), words.rend()));
+    return flags.resolve();
+}
+
+/// The words of a line without quotes.
+Words split(const std::string& line) {
+    std::istringstream stream(line);
+    Words words;
+    for (std::string word; stream >> word;) words.push_back(word);
+    return words;
+}
+
+void expect_there_and_back(Words words) {
+    const TemporaryFolder folder;
+    words.insert(words.end(), {"--out", folder.path().string()});
+    const ExportOptions options = options_of(words);
+    const Json json = options_as_json(options);
+    EXPECT_EQ(options_as_json(options_of_record(ReadJson(json), folder / "sea.json")), json);
+
+    write_record(OutputFolder(folder.path(), Sync::no), "sea.json", json, [](const auto&) {});
+    Words line = split(command_line_of(options, folder / "sea.json"));
+    ASSERT_EQ(line.at(1), "export");
+    line.erase(line.begin(), line.begin() + 2);
+    const ExportOptions again = options_of(line);
+    EXPECT_EQ(options_as_json(again), json) << command_line_of(options, folder / "sea.json");
+    EXPECT_EQ(again.folder, options.folder);
+}
+
+TEST(ExportFromRecord, KeepsEachOptionOfExport) {
+    const TemporaryFolder folder;
+    const Json usual = options_as_json(options_of({"--out", folder.path().string()}));
+    CLI::App app;
+    ExportFlags flags;
+    flags.add_to(app);
+    for (const CLI::Option* option : app.get_options()) {
+        const std::string name = option->get_lnames().at(0);
+        SCOPED_TRACE("--" + name);
+        if (how.contains(name)) continue;
+        if (!tries.contains(name)) {
+            ADD_FAILURE() << "is it in options_as_json() and in export_from_record.cpp? Then give this test a value";
+            continue;
+        }
+        Words words = tries.at(name);
+        words.insert(words.end(), {"--out", folder.path().string()});
+        EXPECT_NE(options_as_json(options_of(words)), usual) << "the record does not hold it";
+        expect_there_and_back(tries.at(name));
+    }
+}
+
+TEST(ExportFromRecord, KeepsWhatTakesTwoOptions) {
+    expect_there_and_back({"--frames", "7-7"});
+    expect_there_and_back({"--frames", "loop", "--loop-period", "20", "--fps", "24"});
+    expect_there_and_back({"--start", "1e9", "--frames", "2"});
+}
+
+TEST(ExportFromRecord, KeepsNamesAndWeather) {
+    const TemporaryFolder folder;
+    const ExportOptions named = options_of({"--out", (folder / "wave.####.tif").string()});
+    const Json json = options_as_json(named);
+    EXPECT_EQ(options_as_json(options_of_record(ReadJson(json), folder / "sea.json")), json);
+    EXPECT_NE(command_line_of(named, folder / "sea.json").find("--out '" + (folder / "wave.####.tif").string() + "'"),
+              std::string::npos);
+
+    write_file(folder / "weather.toml",
+               "wind_speed = 9\nresolution = 32\n[[change]]\nfrom = 2\nover = 3\nwind_speed = 12\n[[change]]\nfrom = "
+               "9\nover = 1\nswell_height = 1\n"
+               "swell_from = 4e4\n");
+    expect_there_and_back({"--weather", (folder / "weather.toml").string(), "--frames", "20"});
+}
+
+TEST(ExportFromRecord, RefusesWhatNoExportHasWritten) {
+    const TemporaryFolder folder;
+    const Json usual = options_as_json(options_of({"--out", folder.path().string()}));
+    const auto refusal = [&](const std::string& pointer, const ReadJson& value) -> std::string {
+        ReadJson edited = usual;
+        edited[ReadJson::json_pointer(pointer)] = value;
+        try {
+            options_of_record(edited, folder / "sea.json");
+        } catch (const InputError& error) {
+            return error.what();
+        } catch (const DamagedRecord&) {
+            return "damaged";
+        }
+        return "accepted";
+    };
+    const auto expect_says = [&](const std::string& line, const std::string& says) {
+        EXPECT_NE(line.find(says), std::string::npos) << line;
+    };
+    expect_says(refusal("/version", "99.0"), "was written by pelagic 99.0, needs");
+    expect_says(refusal("/export/maps", "whales"), "--maps is whales");
+    expect_says(refusal("/export/frames", -1), "--frames is -1");
+    expect_says(refusal("/export/help", true), "sea.json: ");
+    expect_says(refusal("/export/trace", "/tmp/somewhere"), "trace is \"/tmp/somewhere\", not not set");
+    expect_says(refusal("/export/out", "elsewhere"), "sea.json: ");
+    expect_says(refusal("/export/names", "../../../etc/wave.####.exr"), "sea.json: ");
+    expect_says(refusal("/sea/wind_speed_mps", 1e6), "wind_speed");
+    EXPECT_EQ(refusal("/export", 3), "damaged");
+    EXPECT_EQ(refusal("/export/mips", ReadJson{{"a", {{"b", 1}}}}), "damaged");
+}
+
+// What is written piece by piece is what the library writes of the whole.
+TEST(RecordFile, IsWrittenAsTheWholeWouldBe) {
+    const TemporaryFolder folder;
+    const OutputFolder place(folder.path(), Sync::no);
+    const Json head = {{"version", "1"}, {"sea", {{"a", 1.5}, {"b", Json::array()}}}};
+    for (const int count : {0, 1, 3}) {
+        Json whole = head;
+        whole["frames"] = Json::array();
+        std::vector<FrameRecord> frames;
+        for (int i = 0; i < count; ++i) {
+            frames.push_back(
+                {.frame = i, .time_s = i / 24., .hash = "h", .foam_hash = "", .files = {{"a", "b"}, {"c", "d"}}});
+            whole["frames"].push_back(frame_as_json(frames.back()));
+        }
+        write_record(place, "record", head, [&](const auto& take) {
+            for (const FrameRecord& frame : frames) take(frame);
+        });
+        EXPECT_EQ(read_file(folder / "record"), whole.dump(2) + "\n");
+        Json read = head;
+        read["frames"] = Json::array();
+        EXPECT_TRUE(read_record(place, "record",
+                                {.head = [&](const ReadJson& json) { return json == ReadJson(head); },
+                                 .frame =
+                                     [&](const ReadJson& entry) {
+                                         read["frames"].push_back(Json(entry));
+                                         return true;
+                                     }}));
+        EXPECT_EQ(ReadJson(read), ReadJson(whole));
+    }
+}
+
+}  // namespace
+}  // namespace pelagic::tools

@@ -1,0 +1,401 @@
+// An export in shards: whatever the partition, the order and the accidents, the bytes are those of one run.
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <random>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "pelagic/tests/run_pelagic.hpp"
+#include "pelagic/tests/sweep.hpp"
+#include "pelagic/tools/descriptor.hpp"
+#include "pelagic/tools/digest.hpp"
+#include "pelagic/tools/export_options.hpp"
+#include "pelagic/tools/record_file.hpp"
+#include "pelagic/tools/record_names.hpp"
+
+namespace pelagic {
+namespace {
+
+using Arguments = std::vector<std::string>;
+using Files = std::map<std::string, std::string>;
+using json = nlohmann::ordered_json;
+
+// Foam, which is warmed up before a shard's first frame, of a gale on a pond, so that much is white; frames with a gap.
+const Arguments sea = {"--cascades",     "2",
+                       "--resolution",   "32",
+                       "--wind-speed",   "20",
+                       "--fetch",        "100",
+                       "--maps",         "displacement,foam",
+                       "--fps",          "12",
+                       "--start-number", "2",
+                       "--frames",       "2-8,20-23",
+                       "--no-sync"};
+constexpr int frames = 11;
+
+Arguments export_to(const std::filesystem::path& folder, const Arguments& more = {}) {
+    Arguments all = {"export", "--out", folder.string()};
+    all.insert(all.end(), sea.begin(), sea.end());
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+}
+
+Arguments shard_to(const std::filesystem::path& folder, int index, int count, const Arguments& more = {}) {
+    Arguments all = export_to(folder, {"--shard", std::to_string(index) + "/" + std::to_string(count)});
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+}
+
+void expect_done(const Outcome& outcome) { EXPECT_EQ(outcome.exit_code, 0) << outcome.err; }
+
+void make_shards(const std::filesystem::path& folder, int count) {
+    for (int index = 1; index <= count; ++index) expect_done(run_pelagic(shard_to(folder, index, count)));
+}
+
+Outcome merge(const std::filesystem::path& folder) { return run_pelagic({"merge", folder.string()}); }
+
+const Files& one_run() {
+    static const Files files = [] {
+        const TemporaryFolder folder;
+        expect_done(run_pelagic(export_to(folder.path())));
+        return files_in(folder.path());
+    }();
+    return files;
+}
+
+/// Names that only one of the two has, or that have other bytes; empty if they are equal.
+std::string differences(const Files& left, const Files& right) {
+    std::string names;
+    for (const auto& [name, bytes] : left)
+        if (!right.contains(name) || right.at(name) != bytes) names += " " + name;
+    for (const auto& [name, bytes] : right)
+        if (!left.contains(name)) names += " " + name;
+    return names;
+}
+
+void expect_says(const Outcome& outcome, int exit_code, const std::string& says) {
+    EXPECT_EQ(outcome.exit_code, exit_code) << outcome.err;
+    EXPECT_NE(outcome.err.find(says), std::string::npos) << outcome.err << "lacks " << says;
+}
+
+/// A shard whose process is killed after a random time, again and again, until it gets through.
+void make_with_kills(const std::filesystem::path& folder, int index, int count, int kills, std::mt19937& random) {
+    const TemporaryFolder logs;
+    for (int i = 0; i < kills; ++i) {
+        const pid_t process = start_pelagic(shard_to(folder, index, count, {"--resume"}), logs / "out", logs / "err");
+        std::this_thread::sleep_for(std::chrono::milliseconds(random() % 80));
+        ::kill(process, SIGKILL);
+        wait_for(process);
+    }
+    expect_done(run_pelagic(shard_to(folder, index, count, {"--resume"})));
+}
+
+TEST(ShardPartitions, KilledInAnyOrderAndTwoAtOnceAreOneRun) {
+    for (unsigned seed = 0; seed < of_sweep(3u, 20u); ++seed) {
+        std::mt19937 random(seed);
+        const int count = 1 + static_cast<int>(random() % (frames + 4));
+        SCOPED_TRACE("seed " + std::to_string(seed) + ", " + std::to_string(count) + " shards");
+        std::vector<int> order(static_cast<std::size_t>(count));
+        for (int i = 0; i < count; ++i) order[static_cast<std::size_t>(i)] = i + 1;
+        std::shuffle(order.begin(), order.end(), random);
+        const TemporaryFolder folder;
+        const std::size_t half = order.size() / 2;
+        const auto make = [&](std::size_t begin, std::size_t end, std::mt19937::result_type own_seed) {
+            std::mt19937 own(own_seed);
+            for (std::size_t i = begin; i < end; ++i)
+                make_with_kills(folder.path(), order[i], count, own() % 4 == 0 ? 2 : 0, own);
+        };
+        std::thread other(make, 0, half, random());
+        make(half, order.size(), random());
+        other.join();
+        expect_done(merge(folder.path()));
+        EXPECT_EQ(differences(files_in(folder.path()), one_run()), "");
+    }
+}
+
+TEST(ShardedExport, SharesFramesOutEvenlyAndInRuns) {
+    for (const auto& [total, count] : {std::pair(11, 3), {2, 5}, {1'000'000, 7}, {999'999, 1'000'000}}) {
+        std::size_t next = 0, least = SIZE_MAX, most = 0;
+        for (int index = 1; index <= count; ++index) {
+            const tools::Shard shard{index, count};
+            const auto n = static_cast<std::size_t>(total);
+            ASSERT_EQ(shard.begin(n), next);
+            next = shard.end(n);
+            least = std::min(least, next - shard.begin(n));
+            most = std::max(most, next - shard.begin(n));
+        }
+        EXPECT_EQ(next, static_cast<std::size_t>(total));
+        EXPECT_LE(most - least, 1u);
+    }
+}
+
+TEST(ShardedExport, RefusesWhatIsNoShard) {
+    const TemporaryFolder folder;
+    for (const std::string wrong : {"0/2", "3/2", "1/0", "2", "1/1000001", "a/b", "1/2/3", "-1/2", ""})
+        expect_says(run_pelagic(export_to(folder.path(), {"--shard", wrong})), 2, "--shard is " + wrong);
+    EXPECT_TRUE(files_in(folder.path()).empty());
+    EXPECT_FALSE(tools::shard_of_record("sea.01-of-2.json"));
+    EXPECT_FALSE(tools::shard_of_record("sea.json"));
+    EXPECT_EQ(tools::shard_of_record("sea.2-of-10.json"), (tools::Shard{2, 10}));
+}
+
+TEST(ShardedExport, RefusesWhatIsMadeOfAllFrames) {
+    const TemporaryFolder folder;
+    expect_says(run_pelagic(shard_to(folder.path(), 1, 2, {"--mesh", "mdd"})), 2, "--shard is 1/2, needs an export");
+}
+
+TEST(ShardedExport, JoinsAFinishedExportOnlyIfItIsTheSame) {
+    const TemporaryFolder folder;
+    expect_done(run_pelagic(export_to(folder.path())));
+    expect_says(run_pelagic(shard_to(folder.path(), 1, 3, {"--depth", "7"})), 2, "depth_m is 4000.0, not 7.0");
+    EXPECT_TRUE(std::filesystem::remove(folder / ".sea.1-of-3.lock")) << "all that it left";
+    EXPECT_EQ(differences(files_in(folder.path()), one_run()), "");
+    const Outcome kept = run_pelagic(shard_to(folder.path(), 2, 3, {"--resume"}));
+    EXPECT_NE(kept.out.find("4 frames (4 of them kept)"), std::string::npos) << kept.out << kept.err;
+    expect_done(merge(folder.path()));  // one record of three, but all is there
+    EXPECT_EQ(differences(files_in(folder.path()), one_run()), "");
+}
+
+TEST(ShardedExport, IsNotMadeTwiceAtOnceNorBesideOthers) {
+    const TemporaryFolder folder;
+    make_shards(folder.path(), 2);
+    const Files before = files_in(folder.path());
+    const auto hold = [&](const std::string& name, int how) {
+        tools::Descriptor file(::open((folder / name).c_str(), O_RDWR));
+        EXPECT_EQ(::flock(file.get(), how), 0);
+        return file;
+    };
+    {
+        const tools::Descriptor at_work = hold(".sea.2-of-2.lock", LOCK_EX), in_folder = hold(".sea.lock", LOCK_SH);
+        expect_says(run_pelagic(shard_to(folder.path(), 2, 2)), 2, "where nobody makes shard 2/2");
+        expect_says(run_pelagic(export_to(folder.path())), 2, "another export is at work there");
+        expect_says(merge(folder.path()), 2, "another export is at work there");
+        expect_done(run_pelagic(shard_to(folder.path(), 1, 2, {"--resume"})));
+    }
+    {
+        const tools::Descriptor in_folder = hold(".sea.lock", LOCK_EX);
+        expect_says(run_pelagic(shard_to(folder.path(), 2, 2)), 2, "another export is at work there");
+    }
+    EXPECT_EQ(differences(files_in(folder.path()), before), "");
+}
+
+TEST(MergedShards, AreMadeAgainByTheLinesThatMergePrints) {
+    const TemporaryFolder parent;
+    const auto folder = parent / "it's a $sea; \"really\"";
+    make_shards(folder, 4);
+    std::filesystem::remove(folder / "sea.1-of-4.json");
+    std::filesystem::remove(folder / "foam_0004.png");
+    write_file(folder / "displacement_c1_0023.exr", "torn");
+    const Files before = files_in(folder);
+    const Outcome refused = merge(folder);
+    expect_says(refused, 1, "sea.1-of-4.json is missing");
+    expect_says(refused, 1, "foam_0004.png is missing");
+    expect_says(refused, 1, "displacement_c1_0023.exr has other bytes than were written");
+    expect_says(refused, 1, "3 of 4 shards have to be made again, 1-2,4");
+    EXPECT_EQ(differences(files_in(folder), before), "");
+    EXPECT_EQ(std::count(refused.out.begin(), refused.out.end(), '\n'), 3);
+    write_file(parent / "lines", refused.out);
+    const std::string binary = std::filesystem::path(PELAGIC_BINARY).parent_path().string();
+    ASSERT_EQ(std::system(
+                  ("PATH='" + binary + "':\"$PATH\" sh -e '" + (parent / "lines").string() + "' >/dev/null").c_str()),
+              0);
+    expect_done(merge(folder));
+    EXPECT_EQ(differences(files_in(folder), one_run()), "");
+    const Outcome again = merge(folder);
+    EXPECT_NE(again.out.find("nothing to merge"), std::string::npos) << again.out;
+    EXPECT_EQ(differences(files_in(folder), one_run()), "");
+}
+
+TEST(MergedShards, ThatNobodyMadeAreRefused) {
+    const TemporaryFolder folder;
+    expect_says(merge(folder.path()), 2, "none is there");
+    expect_says(merge(folder / "nowhere"), 2, "No such file");
+    write_file(folder / "sea.1-of-1.json", "{ torn");
+    expect_says(merge(folder.path()), 1, "nothing says what the export was");
+}
+
+/// One record of two is edited, and merge says so and touches nothing.
+struct Edit {
+    std::string name, says;
+    int exit_code;
+    std::function<void(const std::filesystem::path& folder)> make;
+};
+
+void edit(const std::filesystem::path& file, const std::function<void(json&)>& change) {
+    json record = json::parse(read_file(file));
+    change(record);
+    write_file(file, record.dump(2) + "\n");
+}
+
+class EditedShard : public testing::TestWithParam<Edit> {};
+
+TEST_P(EditedShard, IsNamedInALine) {
+    static const Files shards = [] {
+        const TemporaryFolder folder;
+        make_shards(folder.path(), 2);
+        return files_in(folder.path());
+    }();
+    const TemporaryFolder folder;
+    for (const auto& [name, bytes] : shards) write_file(folder / name, bytes);
+    GetParam().make(folder.path());
+    const auto names = [&] {
+        std::vector<std::string> all;
+        for (const auto& entry : std::filesystem::directory_iterator(folder.path())) all.push_back(entry.path());
+        std::sort(all.begin(), all.end());
+        return all;
+    };
+    const auto before = names();
+    expect_says(run_pelagic({"merge", folder.path().string()}, [] { ::alarm(60); }), GetParam().exit_code,
+                GetParam().says);
+    EXPECT_EQ(names(), before);
+}
+
+std::filesystem::path second(const std::filesystem::path& folder) { return folder / "sea.2-of-2.json"; }
+
+INSTANTIATE_TEST_SUITE_P(
+    Records, EditedShard,
+    testing::Values(
+        Edit{"Empty", "sea.2-of-2.json is damaged", 1, [](const auto& folder) { write_file(second(folder), ""); }},
+        Edit{"Torn", "sea.2-of-2.json is damaged", 1,
+             [](const auto& folder) {
+                 const std::string text = read_file(second(folder));
+                 write_file(second(folder), text.substr(0, text.size() - 100));
+             }},
+        Edit{"NoRecord", "sea.2-of-2.json is damaged", 1,
+             [](const auto& folder) { write_file(second(folder), "[1, 2]"); }},
+        Edit{"TooDeep", "sea.2-of-2.json is damaged", 1,
+             [](const auto& folder) { write_file(second(folder), std::string(100'000, '[')); }},
+        Edit{"KeysBehindFrames", "sea.2-of-2.json is damaged", 1,
+             [](const auto& folder) { edit(second(folder), [](json& record) { record["more"] = 1; }); }},
+        Edit{"Short", "sea.2-of-2.json ends before frame 23, of 6 frames", 1,
+             [](const auto& folder) { edit(second(folder), [](json& record) { record["frames"].erase(5); }); }},
+        Edit{"Overlapping", "sea.2-of-2.json does not say of frame 7 what an export writes", 1,
+             [](const auto& folder) {
+                 const json first = json::parse(read_file(folder / "sea.1-of-2.json"));
+                 edit(second(folder),
+                      [&](json& record) { record["frames"].insert(record["frames"].begin(), first["frames"][4]); });
+             }},
+        Edit{"FrameTwice", "sea.2-of-2.json has more than its 6 frames", 1,
+             [](const auto& folder) {
+                 edit(second(folder), [](json& record) { record["frames"].push_back(record["frames"][5]); });
+             }},
+        Edit{"EditedFrame", "sea.2-of-2.json does not say of frame 8", 1,
+             [](const auto& folder) {
+                 edit(second(folder), [](json& record) { record["frames"][1]["height_max_m"] = 3; });
+             }},
+        Edit{"OtherSea", "sea.2-of-2.json is of another export than sea.1-of-2.json: wind_speed_mps is 9.0, not 20.0",
+             2,
+             [](const auto& folder) {
+                 edit(second(folder), [](json& record) { record["sea"]["wind_speed_mps"] = 9.; });
+             }},
+        Edit{"OtherMaps", "mips is true, not false", 2,
+             [](const auto& folder) { edit(second(folder), [](json& record) { record["export"]["mips"] = true; }); }},
+        Edit{"Newer", "sea.2-of-2.json was written by pelagic 99.0.0", 2,
+             [](const auto& folder) { edit(second(folder), [](json& record) { record["version"] = "99.0.0"; }); }},
+        Edit{"AnOptionOfAnotherVersion", "sea.2-of-2.json: export:", 2,
+             [](const auto& folder) { edit(second(folder), [](json& record) { record["export"]["whales"] = 3; }); }},
+        Edit{"OtherShard", "sea.2-of-2.json is of another shard than its name says", 2,
+             [](const auto& folder) { edit(second(folder), [](json& record) { record["shard"]["index"] = 1; }); }},
+        Edit{"OtherNumberOfShards", "there are sea.1-of-2.json and sea.3-of-4.json", 2,
+             [](const auto& folder) { std::filesystem::copy_file(second(folder), folder / "sea.3-of-4.json"); }},
+        Edit{"OtherExport", "sea.json is of another export than sea.1-of-2.json: depth_m is 7", 2,
+             [](const auto& folder) {
+                 std::filesystem::copy_file(second(folder), folder / "sea.json");
+                 edit(folder / "sea.json", [](json& record) { record["sea"]["depth_m"] = 7.; });
+             }},
+        Edit{"Link", "sea.2-of-2.json: it is a symbolic link", 1,
+             [](const auto& folder) {
+                 std::filesystem::rename(second(folder), folder / "mine");
+                 std::filesystem::create_symlink("mine", second(folder));
+             }},
+        Edit{"Fifo", "sea.2-of-2.json: it is a FIFO", 1,
+             [](const auto& folder) {
+                 std::filesystem::remove(second(folder));
+                 ASSERT_EQ(::mkfifo(second(folder).c_str(), 0666), 0);
+             }}),
+    [](const auto& of) { return of.param.name; });
+
+TEST(VerifiedExport, IsWholeOrNamed) {
+    const TemporaryFolder folder;
+    for (const auto& [name, bytes] : one_run()) write_file(folder / name, bytes);
+    const Arguments verify = {"verify", folder.path().string(), "--sample", "all"};
+    const Outcome whole = run_pelagic(verify);
+    expect_done(whole);
+    EXPECT_NE(whole.out.find("11 frames as they were written, 11 of them computed once more"), std::string::npos)
+        << whole.out;
+
+    write_file(folder / "foam_0007.png", "torn");
+    const Outcome torn = run_pelagic(verify);
+    expect_says(torn, 1, "foam_0007.png has other bytes than were written");
+    EXPECT_TRUE(torn.out.ends_with(" --resume\n")) << torn.out;
+    write_file(folder / "foam_0007.png", one_run().at("foam_0007.png"));
+
+    edit(folder / "sea.json", [](json& record) { record["waves"]["steepness"] = 1; });
+    expect_says(run_pelagic(verify), 1, "sea.json is edited: steepness is 1, not 0.");
+
+    // As another processor or compiler might have computed it: the entry is in itself sound.
+    write_file(folder / "sea.json", one_run().at("sea.json"));
+    edit(folder / "sea.json", [](json& record) {
+        json& frame = record["frames"][3];
+        frame["hash"] = "0123456789abcdef";
+        frame.erase("record_xxh3");
+        frame["record_xxh3"] = tools::digest_of(frame.dump());
+    });
+    const Outcome other = run_pelagic(verify);
+    expect_says(other, 1, "frame 5 is computed otherwise here: hash is \"0123456789abcdef\", not");
+    EXPECT_EQ(other.out.find("--resume"), std::string::npos) << "which would keep that frame";
+    expect_done(run_pelagic({"verify", folder.path().string(), "--sample", "0"}));
+}
+
+TEST(VerifiedExport, NeedsOne) {
+    const TemporaryFolder folder;
+    expect_says(run_pelagic({"verify", folder.path().string()}), 2, "sea.json is missing, needs a finished export");
+    expect_done(run_pelagic(shard_to(folder.path(), 1, 2)));
+    expect_says(run_pelagic({"verify", folder.path().string()}), 2, "pelagic merge makes one of the shards");
+    expect_says(run_pelagic({"verify", folder.path().string(), "--sample", "some"}), 2, "--sample is some");
+}
+
+tools::ExportOptions options_of(const Arguments& words) {
+    CLI::App app;
+    tools::ExportFlags flags;
+    flags.add_to(app);
+    app.parse(Arguments(words.rbegin(), words.rend()));
+    return flags.resolve();
+}
+
+// Four frames, and so many shards that nearly all have none: what a merge of many costs beside its frames.
+TEST(ManyShards, AreMerged) {
+    const TemporaryFolder folder;
+    const int count = of_sweep(500, 10'000);
+    const Arguments few = {"--out", folder.path().string(), "--resolution", "16", "--wind-speed", "9", "--frames",
+                           "4"};
+    tools::ExportOptions options = options_of(few);
+    const tools::OutputFolder place(folder.path(), tools::Sync::no);
+    std::vector<int> with_frames;
+    for (int index = 1; index <= count; ++index) {
+        options.shard = tools::Shard{index, count};
+        if (options.frames_here().empty())
+            tools::write_record(place, tools::record_name(options.shard), tools::shard_head(options),
+                                [](const auto&) {});
+        else
+            with_frames.push_back(index);
+    }
+    ASSERT_EQ(with_frames.size(), 4u);
+    for (const int index : with_frames) {
+        Arguments shard = {"export", "--shard", std::to_string(index) + "/" + std::to_string(count)};
+        shard.insert(shard.end(), few.begin(), few.end());
+        expect_done(run_pelagic(shard));
+    }
+    expect_done(merge(folder.path()));
+    EXPECT_EQ(files_in(folder.path()).size(), 4u * 2 + 2) << "images, sea.json and the lock";
+}
+
+}  // namespace
+}  // namespace pelagic
