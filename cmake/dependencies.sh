@@ -11,11 +11,12 @@ pelagic_packages=(
   libglm-dev               # GLM: cameras, in the quadtree
   libegl-dev libgles-dev   # headers of EGL and OpenGL ES
   libegl1 libgles2 libgl1-mesa-dri  # and a driver that draws without a GPU: pelagic render
-  libglfw3-dev libimgui-dev libstb-dev  # GLFW and Dear ImGui: pelagic view
+  libglfw3-dev libimgui-dev libstb-dev  # GLFW and Dear ImGui: pelagic view; stb: letters of a preview
   libopenimageio-dev       # OpenImageIO: EXR, PNG, TIFF
   libcli11-dev             # CLI11: the command line
   libtomlplusplus-dev      # toml++: --config
   nlohmann-json3-dev       # sea.json
+  libzstd-dev              # Zstandard: KTX2
   libgtest-dev             # GoogleTest
   libbenchmark-dev         # Google Benchmark
   libopenexr-dev           # OpenEXR: EXR files
@@ -35,10 +36,11 @@ pelagic_gate_packages=(clang libclang-rt-14-dev libc++-14-dev)
   pelagic_gate_packages+=(g++-aarch64-linux-gnu qemu-user libtbb-dev:arm64 libgtest-dev:arm64 libimath-dev:arm64)
 
 # What only the night's tests need: programs that show an export by the recipes of docs/users/exporter.md, and what makes one on a
-# farm by docs/users/farm.md. three.js and the types of Kubernetes come by npm, of which Debian's package is large and Node's
+# farm by docs/users/farm.md. Textures and films are read by NVIDIA's tools and ffmpeg. three.js and the types of Kubernetes come by npm, of which Debian's package is large and Node's
 # own does as well.
 pelagic_night_packages=(blender godot3 chromium xauth)
 pelagic_night_packages+=(slurm-wlm parallel python3-yaml procps)
+pelagic_night_packages+=(libnvtt-bin ffmpeg python3-pil)
 command -v npm >/dev/null || pelagic_night_packages+=(npm)
 
 # usage: pelagic_install_dependencies [PACKAGE...]   more packages than pelagic_packages

@@ -15,6 +15,7 @@
 #include "pelagic/tools/digest.hpp"
 #include "pelagic/tools/errors.hpp"
 #include "pelagic/tools/export_journal.hpp"
+#include "pelagic/tools/export_preview.hpp"
 #include "pelagic/tools/export_summary.hpp"
 #include "pelagic/tools/folder_lock.hpp"
 #include "pelagic/tools/frame_writer.hpp"
@@ -113,6 +114,7 @@ void run_export(const ExportOptions& options) {
     const OutputFolder folder(options.folder, options.sync ? Sync::yes : Sync::no);
     std::optional<FolderLock> lock;
     if (options.lock) lock.emplace(folder, "--out", options.shard);
+    if (options.preview) return preview_export(options, ocean_options(options, nullptr), folder);
     ExportJournal journal(options, folder);
     std::optional<OutputFile> trace_file;
     if (options.trace) trace_file.emplace(*options.trace);

@@ -16,8 +16,9 @@ constexpr std::size_t frame_digits = 4;
 constexpr int most_tiles = 4, most_level = mip_levels(2048) - 1;
 
 bool is_extension(std::string_view text, MapKind map) {
+    if (text == "tif" || text == "ktx2" || text == "dds") return true;
     const bool has_floats = map != MapKind::gradient, has_parts = !has_floats || has_bit_depth(map);
-    return text == "tif" || (has_floats && text == "exr") || (has_parts && text == "png");
+    return (has_floats && text == "exr") || (has_parts && text == "png");
 }
 
 /// Takes a name to pieces from the front.
@@ -54,6 +55,7 @@ class NameReader {
 };
 
 constexpr const char* mesh_mark = "mesh";
+constexpr const char* flipbook_mark = "flipbook_";
 constexpr const char* packed_start = "sea";
 
 /// "_0007"
@@ -85,7 +87,7 @@ std::string packed_name(const MapOptions& options, int frame) {
 
 const char* extension_of(MapKind map, const MapOptions& options) {
     if (options.is_exr(map)) return "exr";
-    return options.format == ImageFormat::tiff ? "tif" : "png";
+    return options.format == ImageFormat::exr_and_png ? "png" : name_of(options.format);
 }
 
 bool is_image_name(std::string_view name, const std::optional<NamePattern>& pattern) {
@@ -107,6 +109,19 @@ bool is_image_name(std::string_view name, const std::optional<NamePattern>& patt
     return marked && mark.take_level(*marked) && mark.rest().empty() && is_extension(parts->extension, *marked);
 }
 
+std::string flipbook_name(const MapOptions& options, MapKind map, int tile) {
+    const std::string mark = tile > 0 ? "_c" + std::to_string(tile) : "";
+    return std::string(flipbook_mark).append(name_of(map)) + mark + "." + extension_of(map, options);
+}
+
+bool is_flipbook_name(std::string_view name) {
+    if (name == flipbook_json_name) return true;
+    NameReader reader(name);
+    if (!reader.take(flipbook_mark)) return false;
+    const auto map = reader.take_map_and_tile();
+    return map && reader.take(".") && is_extension(reader.rest(), *map);
+}
+
 bool is_mesh_name(std::string_view name, const std::optional<NamePattern>& pattern) {
     if (name == mesh_animation_name || name == point_cache_name) return true;
     const auto is_extension_of_meshes = [](std::string_view text) {
@@ -122,7 +137,7 @@ bool is_mesh_name(std::string_view name, const std::optional<NamePattern>& patte
 
 bool is_export_name(std::string_view name, const std::optional<NamePattern>& pattern) {
     return is_record_name(name) || is_image_name(name, pattern) || is_mesh_name(name, pattern) ||
-           is_export_part(name, pattern);
+           is_flipbook_name(name) || is_export_part(name, pattern);
 }
 
 bool is_export_part(std::string_view name, const std::optional<NamePattern>& pattern) {

@@ -30,16 +30,23 @@ inline constexpr const char* point_cache_name = "mesh.mdd";
 /// "sea_0007.exr", or by the pattern "wave.0007.exr": all maps of a frame.
 std::string packed_name(const MapOptions& options, int frame);
 
-/// "exr", "png" or "tif": by the type of the map's values.
+/// "exr" or "png" by the type of the map's values, or the format's own.
 const char* extension_of(MapKind map, const MapOptions& options);
 
 /// True for what image_name() and packed_name() can give, without a pattern or with this one, and with any other options.
 bool is_image_name(std::string_view name, const std::optional<NamePattern>& pattern);
 
+/// Of all frames: "flipbook_foam.png" of the coarsest tile, "flipbook_foam_c1.png" of the next one.
+std::string flipbook_name(const MapOptions& options, MapKind map, int tile);
+inline constexpr const char* flipbook_json_name = "flipbook.json";
+
+/// True for what flipbook_name() can give, with any options, and for the JSON.
+bool is_flipbook_name(std::string_view name);
+
 /// True for what mesh_name() can give, likewise, and for the two of all frames.
 bool is_mesh_name(std::string_view name, const std::optional<NamePattern>& pattern);
 
-/// True for names that an export gives to files of its own: images, meshes, records, journals, locks, and their parts.
+/// True for names that an export gives to files of its own: images, meshes, flipbooks, records, journals, locks, and their parts.
 bool is_export_name(std::string_view name, const std::optional<NamePattern>& pattern);
 
 /// True for the part of such a file, which a killed export has left.

@@ -7,10 +7,12 @@
 
 #include "pelagic/tools/errors.hpp"
 #include "pelagic/tools/export_names.hpp"
+#include "pelagic/tools/flipbook.hpp"
 #include "pelagic/tools/image_codec.hpp"
 #include "pelagic/tools/option_text.hpp"
 #include "pelagic/tools/pixel_meaning.hpp"
 #include "pelagic/tools/sequence_output.hpp"
+#include "pelagic/tools/zstd.hpp"
 
 namespace pelagic::tools {
 namespace {
@@ -52,12 +54,27 @@ auto named(const std::string& option, const std::string& text, const All& all) {
     return all[static_cast<std::size_t>(found - names.begin())];
 }
 
+/// Throws InputError.
+Compression compression_in(ImageFormat format, const std::string& text) {
+    const std::string option = "--compression";
+    switch (format) {
+        case ImageFormat::exr_and_png: return named(option, text, exr_compressions);
+        case ImageFormat::tiff: return named(option, text, tiff_compressions);
+        case ImageFormat::dds: return named(option, text, dds_compressions);
+        case ImageFormat::ktx2: break;
+    }
+    const Compression compression = named(option, text, ktx2_compressions);
+    if (compression == Compression::zstd && !has_zstd())
+        throw bad_value(option, text, "a pelagic that was built with libzstd");
+    return compression;
+}
+
 /// Throws InputError if the options for EXR files meet none, or ask for what EXR doesn't have.
 void check_exr(const MapOptions& options) {
     const bool has_exr =
         std::any_of(options.maps.begin(), options.maps.end(), [&](MapKind map) { return options.is_exr(map); });
-    if (options.pack != Pack::files && options.format == ImageFormat::tiff)
-        throw bad_value("--pack", name_of(options.pack), "--format exr: a TIFF file has one map");
+    if (options.pack != Pack::files && options.format != ImageFormat::exr_and_png)
+        throw bad_value("--pack", name_of(options.pack), "--format exr: other files have one map");
     if (options.pack != Pack::files && options.bit_depth == BitDepth::bits_16)
         throw bad_value("--bit-depth", "16", "8 or float with --pack: EXR has no 16-bit whole numbers");
     if (options.tiled && !has_exr) throw InputError("--tiled needs a map in an EXR file, and none is");
@@ -93,7 +110,7 @@ int frames_of_a_loop(double loop_period_s, double fps) {
 /// "wave.png": what nobody would call a folder.
 bool is_picture_name(const std::filesystem::path& path) {
     const std::string extension = path.extension().string();
-    constexpr std::array pictures = {".exr", ".png", ".tif", ".tiff", ".jpg", ".jpeg"};
+    constexpr std::array pictures = {".exr", ".png", ".tif", ".tiff", ".jpg", ".jpeg", ".ktx2", ".dds"};
     return std::find(pictures.begin(), pictures.end(), extension) != pictures.end();
 }
 
@@ -101,6 +118,16 @@ struct OutputPlace {
     std::filesystem::path folder;
     std::optional<NamePattern> names;
 };
+
+/// "8x4".
+FlipbookGrid grid_in(const std::string& text) {
+    const std::size_t cross = text.find('x');
+    const auto columns = parse_integer(text.substr(0, cross));
+    const auto rows = cross == std::string::npos ? std::nullopt : parse_integer(text.substr(cross + 1));
+    if (!columns || !rows || std::min(*columns, *rows) < 1 || std::max(*columns, *rows) > largest_flipbook_side)
+        throw bad_value("--flipbook", text, "columns and rows from 1 to 16384, as 8x4");
+    return {static_cast<int>(*columns), static_cast<int>(*rows)};
+}
 
 // A folder may be missing; what is there must be one.
 OutputPlace checked_place(const std::optional<std::string>& text) {
@@ -172,9 +199,13 @@ void ExportFlags::add_to(CLI::App& app) {
     add("axes", "NAME", "y-up (x east, z south) or z-up (x east, y north), of what maps hold; default y-up");
     add("unit", "NAME", "m or cm, of displacement, and of velocity a second; default m");
     add("rows", "EDGE", "at which edge of the images the row of z = 0 is: top or bottom; default top");
-    add("format", "NAME", "exr (floats as EXR, the others as PNG) or tif (all as TIFF); default exr");
+    add("format", "NAME",
+        "exr (floats as EXR, the others as PNG), tif (all as TIFF), or textures for engines: ktx2 (16-bit "
+        "floats and bytes) or dds; default exr");
     add("compression", "NAME",
-        "of EXR: zip, zips, piz, dwaa or none; of TIFF: zip, lzw or none; default zip. All but dwaa keep every bit; "
+        "of EXR: zip, zips, piz, dwaa or none; of TIFF: zip, lzw or none; default zip. Of KTX2: zstd or none, "
+        "default "
+        "none. All but dwaa keep every bit; "
         "dwaa is for looking at: it makes halves of floats and is off by a hundredth of the largest waves and more");
     add("pack", "NAME",
         "what is in a file: files (one map of one tile each), layers or parts (one EXR file a frame, sea_0000.exr, "
@@ -184,8 +215,17 @@ void ExportFlags::add_to(CLI::App& app) {
         "--tiled", tiled_,
         "EXR files in tiles of 64 x 64 pixels, for renderers; with --mips all levels are in the same file, of "
         "displacement too");
-    app.add_flag("--mips", mips_, "every level, down to one texel, of all maps but displacement and velocity");
+    app.add_flag(
+        "--mips", mips_,
+        "every level, down to one texel, of all maps but displacement and velocity; in ktx2 and dds of all, in "
+        "their files");
     app.add_flag("--half", half_, "16-bit instead of 32-bit floats");
+    add("flipbook", "COLUMNSxROWS",
+        "all frames side by side too: flipbook_MAP, one image a map and tile, and flipbook.json, which says how");
+    app.add_flag(
+        "--preview", preview_,
+        "no frames: only preview.png, the maps and the sea in a picture, preview.mp4 if ffmpeg is there, and "
+        "how many files and bytes the export will have");
     add("shard", "I/N",
         "the frames of one of N equal parts, 1/N to N/N, as several machines make an export in one folder; N up to "
         "1000000. pelagic merge joins the parts");
@@ -269,22 +309,24 @@ MapOptions ExportFlags::maps(const std::optional<NamePattern>& names) const {
                         "normal or foam among --maps: the others have types of their own");
     if (options.normal_y != NormalY::up && !options.has(MapKind::normal))
         throw bad_value("--normal-y", *typed("normal-y"), "normal among --maps");
+    const auto format_named = [](const std::string& name) {
+        return std::find_if(all_formats.begin(), all_formats.end(),
+                            [&](ImageFormat one) { return name == name_of(one); });
+    };
     const auto& typed_format = typed("format");
-    if (typed_format && *typed_format != "exr" && *typed_format != "tif")
-        throw bad_value("--format", *typed_format, "exr or tif");
-    if (names && names->extension() != "exr" && names->extension() != "tif")
-        throw bad_value("--out", *typed("out"), "a name that ends with .exr or .tif");
+    if (typed_format && format_named(*typed_format) == all_formats.end())
+        throw bad_value("--format", *typed_format, "exr, tif, ktx2 or dds");
+    if (names && format_named(names->extension()) == all_formats.end())
+        throw bad_value("--out", *typed("out"), "a name that ends with .exr, .tif, .ktx2 or .dds");
     if (names && typed_format && *typed_format != names->extension())
         throw InputError("--format is " + *typed_format + " and --out is " + *typed("out") +
                          ", needs the same format");
-    const std::string format = names ? names->extension() : typed_format.value_or("exr");
-    if (format == "tif") options.format = ImageFormat::tiff;
+    if (names || typed_format) options.format = *format_named(names ? names->extension() : *typed_format);
     options.tiled = tiled_;
     if (const auto& pack = typed("pack")) options.pack = named("--pack", *pack, all_packs);
-    if (const auto& compression = typed("compression"))
-        options.compression = options.format == ImageFormat::tiff
-                                  ? named("--compression", *compression, tiff_compressions)
-                                  : named("--compression", *compression, exr_compressions);
+    const auto& compression = typed("compression");
+    if (is_texture(options.format)) options.compression = Compression::none;
+    if (compression) options.compression = compression_in(options.format, *compression);
     check_exr(options);
     return options;
 }
@@ -307,6 +349,14 @@ ExportOptions ExportFlags::resolve_with(const ResolvedSea& sea) const {
     options.meshes = meshes_.resolve(options.sea, options.times);
     if (options.maps.maps.empty() && !options.meshes.any())
         throw bad_value("--maps", no_maps, "--mesh with it, or some maps");
+    if (const auto& grid = typed("flipbook")) {
+        options.flipbook = grid_in(*grid);
+        check_flipbook(options, *grid);
+    }
+    options.preview = preview_;
+    if (preview_ && resume_) throw InputError("--preview is given with --resume, needs an export without");
+    if (preview_ && typed("trace"))
+        throw InputError("--preview is given with --trace " + *typed("trace") + ", needs an export without");
     options.resume = resume_;
     options.sync = !no_sync_;
     options.lock = !no_lock_;

@@ -17,6 +17,11 @@
 
 namespace pelagic::tools {
 
+/// Frames side by side in one image, from the upper left one on, row by row.
+struct FlipbookGrid {
+    int columns, rows;
+};
+
 struct ExportOptions {
     ResolvedSea sea;
     ComputeOptions compute;
@@ -25,6 +30,8 @@ struct ExportOptions {
     MapOptions maps;
     MeshOptions meshes;
     std::optional<Shard> shard;  ///< none: all frames are made here
+    std::optional<FlipbookGrid> flipbook;
+    bool preview = false;  ///< no frames, but what shows what they will be
     bool resume = false;
     bool sync = true;  ///< a frame counts as done once the disk has it
     bool lock = true;  ///< the folder is locked, so that no other export works in it
@@ -59,7 +66,8 @@ class ExportFlags {
     MeshFlags meshes_;
     ComputeFlags compute_;
     std::map<std::string, std::optional<std::string>> typed_;  ///< by flag name, where it was given
-    bool mips_ = false, half_ = false, tiled_ = false, resume_ = false, no_sync_ = false, no_lock_ = false;
+    bool mips_ = false, half_ = false, tiled_ = false, preview_ = false, resume_ = false, no_sync_ = false,
+         no_lock_ = false;
 };
 
 }  // namespace pelagic::tools

@@ -131,6 +131,10 @@ ExportReader::ExportReader(std::string option, const std::filesystem::path& fold
     const Json& pack = value_of(value_of(record, "export"), "pack");
     if (pack.is_string() && pack != name_of(Pack::files))
         throw InputError(place.string() + ": all maps of a frame are in one file, needs an export with --pack files");
+    for (const ImageFormat format : {ImageFormat::ktx2, ImageFormat::dds})
+        if (value_of(value_of(record, "export"), "format") == name_of(format))
+            throw InputError(place.string() + ": the maps are " + name_of(format) +
+                             " textures, needs an export with --format exr or tif");
     const Json& frames = value_of(record, "frames");
     if (!frames.is_array() || frames.empty())
         throw InputError(place.string() + " has no frames, needs a finished export");

@@ -85,7 +85,7 @@ namespace {
 
 void take_name(const ReadJson& name, const ExportOptions& options, EarlierExport& earlier) {
     if (std::string text = text_of(name);
-        is_image_name(text, options.maps.names) || is_mesh_name(text, options.maps.names))
+        is_image_name(text, options.maps.names) || is_mesh_name(text, options.maps.names) || is_flipbook_name(text))
         earlier.images.push_back(std::move(text));
 }
 

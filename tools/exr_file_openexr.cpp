@@ -58,7 +58,8 @@ Imf::Compression compression_of(Compression compression) {
         case Compression::piz: return Imf::PIZ_COMPRESSION;
         case Compression::dwaa: return Imf::DWAA_COMPRESSION;
         case Compression::none: return Imf::NO_COMPRESSION;
-        case Compression::lzw: break;
+        case Compression::lzw:
+        case Compression::zstd: break;
     }
     throw std::invalid_argument("EXR has no such compression");
 }

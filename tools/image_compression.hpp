@@ -1,4 +1,4 @@
-// How the pixels in an EXR or TIFF file are packed.
+// How the pixels in an EXR, TIFF or KTX2 file are packed.
 #pragma once
 
 #include <array>
@@ -11,12 +11,15 @@ enum class Compression {
     piz,   ///< wavelets, EXR alone
     dwaa,  ///< cosines, EXR alone; the only one that changes values
     lzw,   ///< TIFF alone
+    zstd,  ///< KTX2 alone
     none,
 };
 
 inline constexpr std::array exr_compressions = {Compression::zip, Compression::zips, Compression::piz,
                                                 Compression::dwaa, Compression::none};
 inline constexpr std::array tiff_compressions = {Compression::zip, Compression::lzw, Compression::none};
+inline constexpr std::array ktx2_compressions = {Compression::zstd, Compression::none};
+inline constexpr std::array dds_compressions = {Compression::none};
 
 /// As --compression, records and OpenImageIO have it.
 constexpr const char* name_of(Compression compression) {
@@ -26,6 +29,7 @@ constexpr const char* name_of(Compression compression) {
         case Compression::piz: return "piz";
         case Compression::dwaa: return "dwaa";
         case Compression::lzw: return "lzw";
+        case Compression::zstd: return "zstd";
         case Compression::none: return "none";
     }
     return "";

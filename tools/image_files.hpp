@@ -6,6 +6,7 @@
 
 #include "pelagic/sim/frame.hpp"
 #include "pelagic/tools/export_options.hpp"
+#include "pelagic/tools/texture_image.hpp"
 
 namespace pelagic::tools {
 
@@ -29,5 +30,9 @@ std::vector<ImageFile> image_files(const ExportOptions& options, int frame);
 /// there. \param number  of the frame
 std::vector<unsigned char> encode_image_file(const ImageFile& file, const Frame& frame, int number,
                                              const ExportOptions& options);
+
+/// Pixels of a map as a file of the options' format. Formats without levels take the first. Throws likewise.
+std::vector<unsigned char> encode_pixels(MapKind map, const std::vector<TextureImage>& levels,
+                                         const MapOptions& options);
 
 }  // namespace pelagic::tools

@@ -19,7 +19,23 @@ namespace pelagic::tools {
 enum class ImageFormat {
     exr_and_png,  ///< floats as EXR, bytes and words as PNG
     tiff,
+    ktx2,  ///< a map's levels in one file; floats are halves
+    dds,   ///< likewise, for Direct3D
 };
+
+inline constexpr std::array all_formats = {ImageFormat::exr_and_png, ImageFormat::tiff, ImageFormat::ktx2,
+                                           ImageFormat::dds};
+
+/// As --format and records have it.
+constexpr const char* name_of(ImageFormat format) {
+    switch (format) {
+        case ImageFormat::exr_and_png: return "exr";
+        case ImageFormat::tiff: return "tif";
+        case ImageFormat::ktx2: return "ktx2";
+        case ImageFormat::dds: return "dds";
+    }
+    return "";
+}
 
 /// How finely normal and foam are stored.
 enum class BitDepth { bits_8, bits_16, floats };
@@ -55,6 +71,9 @@ constexpr const char* name_of(Pack pack) {
     return "";
 }
 
+/// Its files are what graphics interfaces sample, with all levels inside.
+constexpr bool is_texture(ImageFormat format) { return format == ImageFormat::ktx2 || format == ImageFormat::dds; }
+
 struct MapOptions {
     std::vector<MapKind> maps = {MapKind::displacement, MapKind::gradient};  ///< each once, in the order of all_maps
     bool mips = false;
@@ -65,7 +84,7 @@ struct MapOptions {
     LengthUnit unit = LengthUnit::metre;  ///< of displacement, and of velocity a second
     FirstRow rows = FirstRow::top;
     ImageFormat format = ImageFormat::exr_and_png;
-    Compression compression = Compression::zip;  ///< of EXR and TIFF
+    Compression compression = Compression::zip;  ///< of EXR, TIFF and KTX2
     Pack pack = Pack::files;
     bool tiled = false;                ///< EXR in tiles, with the levels within
     std::optional<NamePattern> names;  ///< none: "displacement_0007.exr"
@@ -79,7 +98,7 @@ struct MapOptions {
     Sample sample_of(MapKind map) const {
         if (map == MapKind::gradient || (has_bit_depth(map) && bit_depth == BitDepth::bits_8)) return Sample::uint8;
         if (has_bit_depth(map) && bit_depth == BitDepth::bits_16) return Sample::uint16;
-        return half ? Sample::half : Sample::float32;
+        return half || format == ImageFormat::ktx2 ? Sample::half : Sample::float32;
     }
 };
 

@@ -1,5 +1,6 @@
 #include "pelagic/tools/sea_json.hpp"
 
+#include "pelagic/message/number_text.hpp"
 #include "pelagic/sim/foam_report.hpp"
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/tools/digest.hpp"
@@ -70,10 +71,12 @@ Json options_as_json(const ExportOptions& options) {
     how["axes"] = name_in(up_axis_names, options.maps.up_axis);
     how["unit"] = name_in(length_unit_names, options.maps.unit);
     how["rows"] = name_in(first_row_names, options.maps.rows);
-    how["format"] = options.maps.format == ImageFormat::tiff ? "tif" : "exr";
+    how["format"] = name_of(options.maps.format);
     how["compression"] = name_of(options.maps.compression);
     how["pack"] = name_of(options.maps.pack);
     how["tiled"] = options.maps.tiled;
+    if (options.flipbook)
+        how["flipbook"] = number_text(options.flipbook->columns) + "x" + number_text(options.flipbook->rows);
     if (options.maps.names) how["names"] = options.maps.names->text();
     if (options.meshes.any()) how["mesh"] = mesh_as_json(options.meshes);
     Json json = {{"version", PELAGIC_VERSION}, {"sea", sea_as_json(options.sea)}};

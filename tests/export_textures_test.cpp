@@ -1,0 +1,326 @@
+// export --format ktx2 and dds, --flipbook and --preview: bytes on disk against the tiles of the library and against libpng.
+#include <gtest/gtest.h>
+#include <png.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <cstring>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "pelagic/sim/ocean.hpp"
+#include "pelagic/tests/run_pelagic.hpp"
+#include "pelagic/tools/half_float.hpp"
+#include "pelagic/tools/shaded_sea.hpp"
+#include "pelagic/tools/zstd.hpp"
+
+namespace pelagic {
+namespace {
+
+using nlohmann::json;
+using Arguments = std::vector<std::string>;
+using Texels = std::vector<unsigned char>;
+
+// A gale on a pond, so that there is foam.
+const SeaState gale{.cascades = 2, .resolution = 32, .wind_speed_mps = 20, .fetch_m = 100, .loop_period_s = 8};
+
+Outcome export_to(const std::filesystem::path& folder, const Arguments& more,
+                  const std::function<void()>& in_child = {}) {
+    Arguments arguments = {
+        "export",       "--no-sync", "--out",   folder.string(), "--cascades",    "2", "--resolution", "32",
+        "--wind-speed", "20",        "--fetch", "100",           "--loop-period", "8"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run_pelagic(arguments, in_child);
+}
+
+void expect_export(const std::filesystem::path& folder, const Arguments& more) {
+    const Outcome outcome = export_to(folder, more);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+}
+
+std::uint64_t number_at(const std::string& file, std::size_t offset, std::size_t bytes) {
+    std::uint64_t number = 0;
+    for (std::size_t i = bytes; i-- > 0;) number = number << 8 | static_cast<unsigned char>(file.at(offset + i));
+    return number;
+}
+
+/// Of a KTX2 without supercompression, the largest first: at bytes 40 and 80 of the file, as the specification has it.
+std::vector<Texels> ktx2_levels(const std::string& file) {
+    std::vector<Texels> levels;
+    for (std::size_t level = 0; level < number_at(file, 40, 4); ++level) {
+        const std::size_t offset = number_at(file, 80 + 24 * level, 8), size = number_at(file, 88 + 24 * level, 8);
+        EXPECT_LE(offset + size, file.size());
+        const std::string texels = file.substr(offset, size);
+        levels.emplace_back(texels.begin(), texels.end());
+    }
+    return levels;
+}
+
+template <class Value>
+Texels as_bytes(std::span<const Value> values) {
+    Texels bytes(values.size_bytes());
+    std::memcpy(bytes.data(), values.data(), bytes.size());
+    return bytes;
+}
+
+std::string name_of(const std::string& map, std::size_t tile, const std::string& rest) {
+    return map + (tile == 0 ? "" : "_c" + std::to_string(tile)) + rest;
+}
+
+class ExportedTextures : public testing::Test {
+   protected:
+    ExportedTextures() : ocean_(gale, {.executor = make_serial_executor(), .gradients = true, .foam = true}) {}
+
+    TemporaryFolder folder_;
+    Ocean ocean_;
+};
+
+TEST_F(ExportedTextures, HoldEveryLevelOfEveryMapOfEveryTile) {
+    expect_export(folder_.path(),
+                  {"--start", "3.03", "--maps", "displacement,gradient,foam", "--mips", "--format", "ktx2"});
+    const Frame& frame = ocean_.frame_at(3.03);
+    for (std::size_t number = 0; number < 2; ++number) {
+        const Tile& tile = frame.tiles[number];
+        const auto gradient = ktx2_levels(read_file(folder_ / name_of("gradient", number, "_0000.ktx2")));
+        const auto foam = ktx2_levels(read_file(folder_ / name_of("foam", number, "_0000.ktx2")));
+        ASSERT_EQ(gradient.size(), 6u);
+        ASSERT_EQ(foam.size(), 6u);
+        for (int level = 0; level < 6; ++level) {
+            EXPECT_EQ(gradient[static_cast<std::size_t>(level)], as_bytes(tile.gradient_level(level)));
+            EXPECT_EQ(foam[static_cast<std::size_t>(level)], as_bytes(tile.level_of(tile.foam_r8, level)));
+        }
+    }
+}
+
+// Level 0 is the tile's own halves with a 1 for foam, the others are means, here in double of all texels at once.
+TEST_F(ExportedTextures, DisplacementHasMeansOfItsTexels) {
+    expect_export(folder_.path(), {"--start", "3.03", "--maps", "displacement", "--mips", "--format", "ktx2"});
+    const Tile& tile = ocean_.frame_at(3.03).tiles[0];
+    const auto levels = ktx2_levels(read_file(folder_ / "displacement_0000.ktx2"));
+    ASSERT_EQ(levels.size(), 6u);
+    std::vector<std::uint16_t> halves(tile.displacement_rgba16f.begin(), tile.displacement_rgba16f.end());
+    for (std::size_t alpha = 3; alpha < halves.size(); alpha += 4) halves[alpha] = 0x3C00;
+    EXPECT_EQ(levels[0], as_bytes(std::span<const std::uint16_t>(halves)));
+    for (int level = 1; level < 6; ++level) {
+        const int side = 32 >> level, block = 1 << level;
+        for (int j = 0; j < side; ++j)
+            for (int i = 0; i < side; ++i) {
+                double mean = 0;
+                for (int y = 0; y < block; ++y)
+                    for (int x = 0; x < block; ++x)
+                        mean += static_cast<double>(tile.height.at(i * block + x, j * block + y)) / (block * block);
+                std::uint16_t half = 0;
+                std::memcpy(&half,
+                            &levels[static_cast<std::size_t>(level)][8 * static_cast<std::size_t>(j * side + i) + 2],
+                            2);
+                // Floats along the way may turn a tie: at most one half beside the nearest, and no mean here is near 0.
+                EXPECT_NEAR(half, tools::half_of(static_cast<float>(mean)), 1) << level << ' ' << i << ' ' << j;
+            }
+    }
+}
+
+// The same levels in either container: a DDS has them one behind the other after 148 bytes.
+TEST_F(ExportedTextures, DdsHoldsWhatKtx2Holds) {
+    const Arguments what = {"--maps", "displacement,foam", "--mips", "--half", "--format"};
+    for (const std::string format : {"ktx2", "dds"}) {
+        Arguments arguments = what;
+        arguments.push_back(format);
+        expect_export(folder_ / format, arguments);
+    }
+    for (const std::string map : {"displacement", "displacement_c1", "foam"}) {
+        std::string levels;
+        for (const Texels& level : ktx2_levels(read_file(folder_ / "ktx2" / (map + "_0000.ktx2"))))
+            levels.append(level.begin(), level.end());
+        EXPECT_EQ(read_file(folder_ / "dds" / (map + "_0000.dds")).substr(148), levels) << map;
+    }
+}
+
+TEST_F(ExportedTextures, DdsHasFloatsWithoutHalf) {
+    expect_export(folder_.path(), {"--maps", "displacement", "--format", "dds"});
+    const std::string file = read_file(folder_ / "displacement_0000.dds");
+    EXPECT_EQ(number_at(file, 128, 4), 2u);  // DXGI_FORMAT_R32G32B32A32_FLOAT
+    const Tile& tile = ocean_.frame_at(0).tiles[0];
+    std::array<float, 4> texel{};
+    std::memcpy(texel.data(), &file[148 + 16 * (5 * 32 + 7)], 16);
+    EXPECT_EQ(texel, (std::array{tile.dx.at(7, 5), tile.height.at(7, 5), tile.dz.at(7, 5), 1.f}));
+}
+
+TEST_F(ExportedTextures, ResumeWithTheSameBytes) {
+    const Arguments what = {"--maps", "displacement,gradient", "--mips", "--format", "ktx2", "--frames", "3"};
+    expect_export(folder_.path(), what);
+    const auto before = files_in(folder_.path());
+    std::filesystem::remove(folder_ / "gradient_c1_0001.ktx2");
+    Arguments again = what;
+    again.push_back("--resume");
+    expect_export(folder_.path(), again);
+    EXPECT_EQ(files_in(folder_.path()), before);
+}
+
+TEST_F(ExportedTextures, AreRefusedInOneLine) {
+    const std::vector<std::pair<Arguments, std::string>> wrong = {
+        {{"--format", "ktx"}, "--format is ktx, needs exr, tif, ktx2 or dds"},
+        {{"--compression", "zstd"}, "--compression is zstd, needs zip, zips, piz, dwaa or none"},
+        {{"--format", "ktx2", "--compression", "gzip"}, "--compression is gzip, needs zstd or none"},
+        {{"--flipbook", "8"}, "--flipbook is 8, needs columns and rows from 1 to 16384, as 8x4"},
+        {{"--flipbook", "0x4"}, "--flipbook is 0x4, needs columns and rows"},
+        {{"--flipbook", "2x2", "--frames", "5"}, "--flipbook is 2x2, needs room for 5 frames"},
+        {{"--flipbook", "513x1"}, "--flipbook is 513x1, needs at most 512 frames of 32 texels along a side"},
+        {{"--preview", "--resume"}, "--preview is given with --resume, needs an export without"},
+    };
+    for (const auto& [arguments, line] : wrong) {
+        const Outcome outcome = export_to(folder_ / "none", arguments);
+        EXPECT_EQ(outcome.exit_code, 2) << line;
+        EXPECT_EQ(outcome.err.find("pelagic: " + line), 0u) << outcome.err;
+        EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    }
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "none"));
+    if (tools::has_zstd()) return;
+    const Outcome outcome = export_to(folder_ / "none", {"--format", "ktx2", "--compression", "zstd"});
+    EXPECT_EQ(outcome.err, "pelagic: --compression is zstd, needs a pelagic that was built with libzstd\n");
+}
+
+TEST_F(ExportedTextures, MeasureSaysThatItReadsNone) {
+    expect_export(folder_.path(), {"--format", "ktx2", "--frames", "2"});
+    const Outcome outcome = run_pelagic({"info", "--measure", folder_.path().string()});
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_NE(outcome.err.find(": the maps are ktx2 textures, needs an export with --format exr or tif"),
+              std::string::npos)
+        << outcome.err;
+}
+
+/// By libpng's own simplified reader. \param format  of libpng, that of the file
+Texels read_png(const std::filesystem::path& file, png_uint_32 format, unsigned width, unsigned height) {
+    png_image image{};
+    image.version = PNG_IMAGE_VERSION;
+    EXPECT_TRUE(png_image_begin_read_from_file(&image, file.c_str())) << file << image.message;
+    EXPECT_EQ(image.width, width);
+    EXPECT_EQ(image.height, height);
+    image.format = format;
+    Texels pixels(PNG_IMAGE_SIZE(image));
+    EXPECT_TRUE(png_image_finish_read(&image, nullptr, pixels.data(), 0, nullptr));
+    return pixels;
+}
+
+TEST_F(ExportedTextures, FlipbookShowsEachFrameInItsCell) {
+    expect_export(folder_.path(), {"--maps", "foam", "--loop-frames", "5", "--flipbook", "3x2"});
+    for (const std::string tile : {"", "_c1"}) {
+        const Texels atlas = read_png(folder_ / ("flipbook_foam" + tile + ".png"), PNG_FORMAT_GRAY, 96, 64);
+        for (std::size_t frame = 0; frame < 6; ++frame) {
+            const Texels single = frame == 5
+                                      ? Texels(32 * 32)  // no frame: black
+                                      : read_png(folder_ / ("foam" + tile + "_000" + std::to_string(frame) + ".png"),
+                                                 PNG_FORMAT_GRAY, 32, 32);
+            for (std::size_t j = 0; j < 32; ++j)
+                EXPECT_TRUE(std::equal(&single[32 * j], &single[32 * j] + 32,
+                                       &atlas[96 * (frame / 3 * 32 + j) + frame % 3 * 32]))
+                    << "frame " << frame << ", row " << j;
+        }
+    }
+    const json book = json::parse(read_file(folder_ / "flipbook.json"));
+    EXPECT_EQ(book["columns"], 3);
+    EXPECT_EQ(book["rows"], 2);
+    EXPECT_EQ(book["frames"], 5);
+    EXPECT_EQ(book["fps"], 5. / 8);
+    EXPECT_EQ(book["loop"], true);
+    EXPECT_EQ(book["side"], 32);
+    EXPECT_EQ(book["files"][1]["name"], "flipbook_foam_c1.png");
+
+    // A later export without one leaves none behind.
+    expect_export(folder_.path(), {"--maps", "foam"});
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "flipbook.json"));
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "flipbook_foam_c1.png"));
+}
+
+// Each level of the atlas has the frames' own levels, so that no frame shines into its neighbour.
+TEST_F(ExportedTextures, FlipbookHasTheFramesLevels) {
+    expect_export(folder_.path(),
+                  {"--maps", "gradient", "--frames", "2", "--flipbook", "2x1", "--mips", "--format", "ktx2"});
+    const auto atlas = ktx2_levels(read_file(folder_ / "flipbook_gradient.ktx2"));
+    const auto second = ktx2_levels(read_file(folder_ / "gradient_0001.ktx2"));
+    ASSERT_EQ(atlas.size(), second.size());
+    for (std::size_t level = 0; level < atlas.size(); ++level) {
+        const std::size_t row = 4 * (32u >> level);
+        for (std::size_t j = 0; j < 32u >> level; ++j)
+            EXPECT_TRUE(
+                std::equal(&second[level][row * j], &second[level][row * j] + row, &atlas[level][row * (2 * j + 1)]));
+    }
+}
+
+TEST_F(ExportedTextures, PreviewSaysWhatTheExportWillBeAndWritesNoneOfIt) {
+    const Arguments what = {"--maps", "displacement,foam", "--frames", "2"};
+    Arguments preview = what;
+    preview.push_back("--preview");
+    const Outcome outcome = export_to(folder_ / "preview", preview, [] { ::setenv("PATH", "/nowhere", 1); });
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    std::vector<std::string> names;
+    for (const auto& [name, bytes] : files_in(folder_ / "preview")) names.push_back(name);
+    EXPECT_EQ(names, (std::vector<std::string>{".sea.lock", "preview.png", "preview_loop.png"}));
+    EXPECT_NE(outcome.out.find("no film: ffmpeg is not in PATH"), std::string::npos) << outcome.out;
+    // Two frames of 640 x 360 side by side.
+    const Texels strip = read_png(folder_ / "preview" / "preview_loop.png", PNG_FORMAT_RGB, 1280, 360);
+    EXPECT_GT(std::set<unsigned char>(strip.begin(), strip.end()).size(), 50u) << "it shows hardly anything";
+
+    expect_export(folder_ / "export", what);
+    const auto made = files_in(folder_ / "export");
+    const std::size_t without_lock = made.size() - 1;
+    double bytes = 0;
+    for (const auto& [name, text] : made)
+        if (name != "sea.json") bytes += static_cast<double>(text.size());
+    EXPECT_NE(outcome.out.find("will have " + std::to_string(without_lock) + " files, about "), std::string::npos)
+        << outcome.out;
+    const double said = std::stod(outcome.out.substr(outcome.out.find("about ") + 6));  // kB
+    EXPECT_NEAR(said, bytes / 1000, 0.05 * said) << outcome.out;  // frames differ by how well they are compressed
+}
+
+TEST_F(ExportedTextures, PreviewSaysWhyThereIsNoFilm) {
+    write_file(folder_ / "ffmpeg", "#!/bin/sh\necho no such encoder >&2\nexit 1\n");
+    std::filesystem::permissions(folder_ / "ffmpeg", std::filesystem::perms::owner_all);
+    const std::string path = folder_.path().string() + ":/usr/bin:/bin";
+    const Outcome outcome =
+        export_to(folder_ / "preview", {"--maps", "foam", "--preview"}, [&] { ::setenv("PATH", path.c_str(), 1); });
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("no film: ffmpeg failed: no such encoder"), std::string::npos) << outcome.out;
+}
+
+TEST(ShadedSea, HasTheSameBitsForEveryInstructionSetAndThreadCount) {
+    std::vector<std::uint8_t> first;
+    for (const Isa isa : isas_here())
+        for (const int threads : {1, 3}) {
+            const auto executor = make_thread_executor(threads);
+            Ocean ocean(gale, {.executor = executor, .isa = isa, .foam = true});
+            tools::ShadedSea shaded(gale, 64, 36, executor);
+            const std::vector<std::uint8_t>& pixels = shaded.draw(ocean.frame_at(2));
+            if (first.empty()) first = pixels;
+            EXPECT_EQ(pixels, first) << pelagic::name_of(isa) << ", " << threads << " threads";
+        }
+}
+
+// 12 degrees down, 40 from the upper edge to the lower: the horizon is 12 % below the upper edge of a picture.
+TEST(ShadedSea, WaterFillsThePictureBelowTheHorizon) {
+    const auto executor = make_serial_executor();
+    const SeaState storm{.cascades = 2, .resolution = 64, .wind_speed_mps = 25, .fetch_m = 200e3};
+    Ocean ocean(storm, {.executor = executor, .foam = true});
+    constexpr int width = 160, height = 90;
+    tools::ShadedSea shaded(storm, width, height, executor);
+    const std::vector<std::uint8_t> pixels = shaded.draw(ocean.frame_at(1));
+    const std::vector<std::uint8_t> later = shaded.draw(ocean.frame_at(2));
+    const auto moved = [&](int row) {
+        int count = 0;
+        for (int i = row * width; i < (row + 1) * width; ++i)
+            count +=
+                !std::equal(&pixels[4 * static_cast<std::size_t>(i)], &pixels[4 * static_cast<std::size_t>(i) + 3],
+                            &later[4 * static_cast<std::size_t>(i)]);
+        return count;
+    };
+    // The sky stands still, and a second later hardly a pixel of water has the colour that it had.
+    for (int row = 0; row < 8; ++row) EXPECT_EQ(moved(row), 0) << row;
+    for (int row = 40; row < height; ++row) EXPECT_GT(moved(row), width * 9 / 10) << row;
+}
+
+}  // namespace
+}  // namespace pelagic
