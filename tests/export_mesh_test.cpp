@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -78,6 +79,29 @@ TEST(ExportMesh, ALaterExportWithoutThemRemovesMeshes) {
     EXPECT_EQ(names, (std::vector<std::string>{".sea.lock", "foam_0000.png", "mesh.obj", "sea.json"}));
 }
 
+/// Of the last vertex of an OBJ: place, texture coordinates, normal.
+std::vector<double> last_vertex(const std::string& obj) {
+    std::istringstream lines(obj.substr(obj.rfind("\nv ") + 1));
+    std::vector<double> numbers;
+    for (std::string word; lines >> word && word != "f";)
+        if (word[0] != 'v') numbers.push_back(std::stod(word));
+    return numbers;
+}
+
+TEST(ExportMesh, AxesUnitAndRowsAreThoseOfTheMaps) {
+    const TemporaryFolder usual, other;
+    const std::vector<std::string> one = {"--maps", "none", "--mesh", "obj"};
+    ASSERT_EQ(export_to(usual, one).exit_code, 0);
+    ASSERT_EQ(export_to(other, with(one, {"--axes", "z-up", "--unit", "cm", "--rows", "bottom"})).exit_code, 0);
+    const std::vector<double> a = last_vertex(read_file(usual / "mesh_0000.obj")),
+                              b = last_vertex(read_file(other / "mesh_0000.obj"));
+    ASSERT_EQ(a.size(), 11u);  // x y z, three of foam, u v, the normal
+    ASSERT_EQ(b.size(), 11u);
+    const std::vector<double> wanted = {100 * a[0], -100 * a[2], 100 * a[1], a[3],   a[4], a[5],
+                                        a[6],       1 - a[7],    a[8],       -a[10], a[9]};
+    for (std::size_t n = 0; n < wanted.size(); ++n) EXPECT_NEAR(b[n], wanted[n], 1e-3) << n;  // a step of 10000 cm
+}
+
 TEST(ExportMesh, NamesFollowAPattern) {
     const TemporaryFolder folder;
     const std::string pattern = (folder / "wave.####.exr").string();
@@ -115,6 +139,8 @@ TEST(ExportMesh, WhatCantBeDoneIsOneLineAndNoFile) {
         {{"--mesh-steps", "5"}, "--mesh-steps is 5, needs --mesh with it"},
         {{"--mesh", "obj", "--mesh-size", "0"}, "--mesh-size is 0, needs metres in [0.001, 1e6]"},
         {{"--mesh", "obj", "--mesh-steps", "2049"}, "--mesh-steps is 2049, needs a whole number from 1 to 2048"},
+        {{"--mesh", "gltf", "--axes", "z-up"}, "--axes is z-up, needs y-up with --mesh gltf"},
+        {{"--mesh", "gltf-animation", "--unit", "cm"}, "--unit is cm, needs m with --mesh gltf"},
         {{"--maps", "none"}, "--maps is none, needs --mesh with it, or some maps"},
         {{"--mesh", "gltf-animation", "--frames", "257"}, "of 257 frames needs at most 256"},
         {{"--mesh", "gltf-animation", "--frames", "1-3,5"}, "of frames 1-3,5 needs frames without a gap"},

@@ -119,7 +119,7 @@ Mesh small_mesh(bool has_foam) {
 
 TEST(MeshFiles, ObjIsText) {
     EXPECT_EQ(mesh_as_obj(small_mesh(false), ObjDigits::of_floats),
-              "# Pelagic: a sea, metres, y up, faces counter-clockwise from above\ns 1\n"
+              "# Pelagic: a sea, faces counter-clockwise from above\ns 1\n"
               "v 0 0.1 -0.5\nvt 0.125000 0.875000\nvn 0.0000 1.0000 0.0000\n"
               "v 1 0 0\nvt 1.125000 0.875000\nvn 0.6000 0.8000 0.0000\n"
               "v 0 2 1\nvt 0.125000 -0.125000\nvn 0.0000 1.0000 0.0000\n"
@@ -146,7 +146,7 @@ TEST(MeshFiles, PlyIsBinaryBehindItsHeader) {
     const std::string file = text_of(mesh_as_ply(small_mesh(true)));
     const std::string header =
         "ply\nformat binary_little_endian 1.0\n"
-        "comment Pelagic: a sea, metres, y up, faces counter-clockwise from above\nelement vertex 4\n"
+        "comment Pelagic: a sea, faces counter-clockwise from above\nelement vertex 4\n"
         "property float x\nproperty float y\nproperty float z\nproperty float nx\nproperty float ny\nproperty float "
         "nz\n"
         "property float s\nproperty float t\nproperty float foam\n"

@@ -196,8 +196,9 @@ void ExportFlags::add_to(CLI::App& app) {
             "less than a frame, for each tenth of a second between frames, 29 at most");
     add("bit-depth", "BITS", "of normal and foam: 8, 16 or float; default 8");
     add("normal-y", "WAY", "where normal's green grows to in the image: up (OpenGL) or down (DirectX); default up");
-    add("axes", "NAME", "y-up (x east, z south) or z-up (x east, y north), of what maps hold; default y-up");
-    add("unit", "NAME", "m or cm, of displacement, and of velocity a second; default m");
+    add("axes", "NAME",
+        "y-up (x east, z south) or z-up (x east, y north), of what maps and meshes hold; default y-up");
+    add("unit", "NAME", "m or cm, of displacement and meshes, and of velocity a second; default m");
     add("rows", "EDGE", "at which edge of the images the row of z = 0 is: top or bottom; default top");
     add("format", "NAME",
         "exr (floats as EXR, the others as PNG), tif (all as TIFF), or textures for engines: ktx2 (16-bit "
@@ -347,6 +348,11 @@ ExportOptions ExportFlags::resolve_with(const ResolvedSea& sea) const {
     options.times = times(options.sea);
     options.maps = maps(place.names);
     options.meshes = meshes_.resolve(options.sea, options.times);
+    const bool is_gltf = options.meshes.has(MeshFormat::gltf) || options.meshes.has(MeshFormat::gltf_animation);
+    if (is_gltf && options.maps.up_axis != UpAxis::y)
+        throw bad_value("--axes", *typed("axes"), "y-up with --mesh gltf, whose specification says so");
+    if (is_gltf && options.maps.unit != LengthUnit::metre)
+        throw bad_value("--unit", *typed("unit"), "m with --mesh gltf, whose specification says so");
     if (options.maps.maps.empty() && !options.meshes.any())
         throw bad_value("--maps", no_maps, "--mesh with it, or some maps");
     if (const auto& grid = typed("flipbook")) {

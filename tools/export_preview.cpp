@@ -59,7 +59,7 @@ Expected expected_of(const ExportOptions& options, const Frame& frame) {
     const std::vector<MeshFile> meshes = mesh_files(options, number);
     for (const MeshFile& mesh : meshes)
         expected.bytes_a_frame +=
-            static_cast<double>(encode_mesh_file(mesh.format, mesh_of(frame, options.meshes.patch)).size());
+            static_cast<double>(encode_mesh_file(mesh.format, exported_mesh(frame, options)).size());
     expected.files = (images.size() + meshes.size()) * options.times.count() + 1;
     if (options.flipbook) {
         expected.files += options.maps.maps.size() * frame.tiles.size() + 1;

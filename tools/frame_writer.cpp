@@ -158,7 +158,7 @@ std::vector<FileRecord> write_files(const ExportOptions& options, const OutputFo
     std::vector<FileRecord> records = write_images(options, folder, number, frame, images_at_once, trace);
     const std::vector<MeshFile> meshes = mesh_files(options, number);
     if (meshes.empty()) return records;
-    const Mesh mesh = mesh_of(frame, options.meshes.patch);
+    const Mesh mesh = exported_mesh(frame, options);
     for (const MeshFile& file : meshes) {
         const auto content = [&] {
             const TraceScope encoding(trace, "encode mesh", file_category);

@@ -1,11 +1,22 @@
 #include "pelagic/tools/mesh_files.hpp"
 
+#include "pelagic/tools/axes.hpp"
 #include "pelagic/tools/export_names.hpp"
 #include "pelagic/tools/gltf_file.hpp"
 #include "pelagic/tools/obj_file.hpp"
 #include "pelagic/tools/ply_file.hpp"
 
 namespace pelagic::tools {
+
+Mesh exported_mesh(const Frame& frame, const ExportOptions& options) {
+    Mesh mesh = mesh_of(frame, options.meshes.patch);
+    const auto scale = static_cast<double>(units_per_metre(options.maps.unit));
+    for (glm::dvec3& position : mesh.positions) position = in_axes(position, options.maps.up_axis) * scale;
+    for (glm::vec3& normal : mesh.normals) normal = in_axes(normal, options.maps.up_axis);
+    if (options.maps.rows == FirstRow::bottom)
+        for (glm::vec2& uv : mesh.texture_coordinates) uv.y = 1 - uv.y;
+    return mesh;
+}
 
 std::vector<MeshFile> mesh_files(const ExportOptions& options, int frame) {
     std::vector<MeshFile> files;

@@ -14,6 +14,9 @@ struct MeshFile {
     MeshFormat format;
 };
 
+/// The frame's square of sea in the axes and the unit that were asked for, with texture coordinates for images of these rows.
+Mesh exported_mesh(const Frame& frame, const ExportOptions& options);
+
 /// All of a frame, in the order in which records list them, behind its images.
 std::vector<MeshFile> mesh_files(const ExportOptions& options, int frame);
 

@@ -6,6 +6,7 @@
 #include "pelagic/tools/export_names.hpp"
 #include "pelagic/tools/gltf_file.hpp"
 #include "pelagic/tools/mdd_file.hpp"
+#include "pelagic/tools/mesh_files.hpp"
 
 namespace pelagic::tools {
 namespace {
@@ -15,7 +16,7 @@ class GlbOutput : public SequenceOutput {
     explicit GlbOutput(const ExportOptions& options) : options_(options) {}
 
     void add(std::size_t, const Frame& frame) override {
-        const Mesh mesh = mesh_of(frame, options_.meshes.patch);
+        const Mesh mesh = exported_mesh(frame, options_);
         if (file_)
             file_->add(mesh);
         else
@@ -47,9 +48,7 @@ class MddOutput : public SequenceOutput {
         append_mdd_header(bytes_, times_s, row * row);
     }
 
-    void add(std::size_t, const Frame& frame) override {
-        append_mdd_frame(bytes_, mesh_of(frame, options_.meshes.patch));
-    }
+    void add(std::size_t, const Frame& frame) override { append_mdd_frame(bytes_, exported_mesh(frame, options_)); }
     std::vector<File> finish() override {
         std::vector<File> files;
         files.push_back({point_cache_name, std::move(bytes_)});

@@ -31,7 +31,7 @@ void append_rounded(std::string& text, int decimals, std::initializer_list<float
 }  // namespace
 
 std::string mesh_as_obj(const Mesh& mesh, ObjDigits digits) {
-    std::string text = "# Pelagic: a sea, metres, y up, faces counter-clockwise from above\ns 1\n";
+    std::string text = "# Pelagic: a sea, faces counter-clockwise from above\ns 1\n";
     for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
         text += 'v';
         append_position(text, mesh.positions[v], digits);

@@ -9,7 +9,7 @@ std::string header_of(const Mesh& mesh) {
     std::string header =
         "ply\n"
         "format binary_little_endian 1.0\n"
-        "comment Pelagic: a sea, metres, y up, faces counter-clockwise from above\n"
+        "comment Pelagic: a sea, faces counter-clockwise from above\n"
         "element vertex " +
         std::to_string(mesh.positions.size()) + "\n";
     for (const char* name : {"x", "y", "z", "nx", "ny", "nz", "s", "t"})
