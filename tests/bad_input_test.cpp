@@ -37,7 +37,7 @@ std::vector<BadInput> bad_inputs() {
         {{"export", "--out", "CONFIG/below"}, {"--out", "CONFIG", "is a file"}},
         {{"export", "--out", "OUT/wave.%04x.exr"}, {"--out", "wave.%04x.exr", "a folder", "wave.####.exr"}},
         {{"export", "--out", "OUT/##.wave.##.exr"}, {"--out", "##.wave.##.exr", "a folder", "wave.####.exr"}},
-        {{"export", "--out", "OUT/wave.####.jpg"}, {"--out", "wave.####.jpg", ".exr or .tif"}},
+        {{"export", "--out", "OUT/wave.####.jpg"}, {"--out", "wave.####.jpg", ".exr, .tif, .ktx2 or .dds"}},
         {{"export", "--out", "OUT/wave.####.exr", "--format", "tif"},
          {"--format", "wave.####.exr", "the same format"}},
         {{"export", "--out", "OUT.png"}, {"--out", "a folder", "wave.####.exr"}},
@@ -106,7 +106,7 @@ std::vector<BadInput> bad_inputs() {
         {{"export", "--out", "OUT", "--maps", "foam,foam"},
          {"--maps is foam,foam, needs displacement, gradient, normal, foam, velocity, jacobian, slope or some of "
           "them with commas, each once"}},
-        {{"export", "--out", "OUT", "--format", "bmp"}, {"--format", "is bmp", "exr or tif"}},
+        {{"export", "--out", "OUT", "--format", "bmp"}, {"--format", "is bmp", "exr, tif, ktx2 or dds"}},
         {{"export", "--out", "OUT", "--threads", "-1"}, {"--threads", "is -1", "0 to 1024"}},
         {{"export", "--out", "OUT", "--threads", "2000"}, {"--threads", "is 2000", "0 to 1024"}},
         {{"export", "--out", "OUT", "--threads", "two"}, {"--threads", "is two", "0 to 1024"}},

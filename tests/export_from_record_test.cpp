@@ -19,7 +19,7 @@ namespace {
 using Words = std::vector<std::string>;
 
 // How an export is made, and not what is in its files.
-const std::set<std::string> how = {"out",     "help", "version", "resume", "no-sync", "no-lock",
+const std::set<std::string> how = {"out",     "help", "version", "resume", "no-sync", "no-lock", "preview",
                                    "threads", "isa",  "trace",   "shard",  "config",  "weather"};
 
 // For each option that decides about the files, words that name it and another value than its default.
@@ -41,6 +41,7 @@ const std::map<std::string, Words> tries = {
     {"tiled", {"--tiled"}},
     {"mips", {"--mips"}},
     {"half", {"--half"}},
+    {"flipbook", {"--flipbook", "2x1", "--frames", "2"}},
     {"mesh", {"--maps", "none", "--mesh", "obj,gltf"}},
     {"mesh-size", {"--mesh", "ply", "--mesh-size", "12.5"}},
     {"mesh-steps", {"--mesh", "ply", "--mesh-steps", "8"}},

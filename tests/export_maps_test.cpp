@@ -383,7 +383,7 @@ TEST(ExportedMapsRefused, EachInOneLineThatSaysWhatIsAccepted) {
         {{"--axes", "x-up"}, "--axes is x-up, needs y-up or z-up"},
         {{"--unit", "ft"}, "--unit is ft, needs m or cm"},
         {{"--rows", "left"}, "--rows is left, needs top or bottom"},
-        {{"--maps", "slope", "--format", "png"}, "--format is png, needs exr or tif"}};
+        {{"--maps", "slope", "--format", "png"}, "--format is png, needs exr, tif, ktx2 or dds"}};
     for (const auto& [flags, words] : asked) {
         const Outcome outcome = run({"export", "--out", (folder / "out").string()}, flags);
         EXPECT_EQ(outcome.exit_code, 2);

@@ -81,13 +81,13 @@ Imf::Header header_of(const ExrPart& part, const ExrFile& file) {
         for (const std::string& channel : layer.channels)
             header.channels().insert(channel, Imf::Channel(type_of(layer.sample)));
     if (part.frames_per_second > 0) Imf::addFramesPerSecond(header, Imf::guessExactFps(part.frames_per_second));
-    for (const auto& [name, value] : part.attributes)
+    for (const ExrAttribute& attribute : part.attributes)
         std::visit(
             [&](const auto& known) {
                 using Value = std::remove_cvref_t<decltype(known)>;
-                header.insert(name, Imf::TypedAttribute<Value>(known));
+                header.insert(attribute.first, Imf::TypedAttribute<Value>(known));
             },
-            value);
+            attribute.second);
     return header;
 }
 

@@ -67,9 +67,9 @@ void count_jobs(const std::string& sea, Isa isa) {
         (known == jobs.end() ? jobs.emplace_back(name, std::vector<const Stage*>()) : *known)
             .second.push_back(&stage);
     }
-    for (const auto& [job, stages] : jobs)
-        bench::counted(sea + "/" + job, texels, [&stages] {
-            for (const Stage* const stage : stages)
+    for (const auto& job : jobs)
+        bench::counted(sea + "/" + job.first, texels, [&job] {
+            for (const Stage* const stage : job.second)
                 for (std::size_t block = 0; block < block_count(*stage); ++block) run_block(*stage, block);
         });
     count_queries(sea, ocean.frame_at(1));
