@@ -38,9 +38,10 @@ void read_back(Parse parse, std::string_view text) {
         }
         // Plain names in the export's folder, none of them hidden.
         for (const std::string& name : earlier.images)
-            must_hold((tools::map_named(name.substr(0, name.find('_'))) || name.starts_with("sea_")) &&
+            must_hold((tools::map_named(name.substr(0, name.find('_'))) || name.starts_with("sea_") ||
+                       name.starts_with("mesh") || name.starts_with("flipbook")) &&
                       name.find('/') == name.npos && name.find('\0') == name.npos && name.size() < 40);
-        must_hold(tools::first_difference(earlier.options, tools::options_as_json(options)).size() < 250);
+        must_hold(tools::first_difference(earlier.options, tools::options_as_json(options)).was_and_is().size() < 250);
     } catch (const tools::DamagedRecord&) {
     }
 }
