@@ -29,15 +29,15 @@ pelagic_packages=(
 # count instructions.
 pelagic_test_packages=(xvfb xdotool x11-apps netpbm pkg-config glslang-tools spirv-tools strace valgrind python3)
 
-# What only test.sh's secondary parts need: another compiler with libFuzzer and the C++ library that headsets have, and
-# 64-bit Arm to build for and to run.
+# What only test.sh's secondary parts need: another compiler, whose sanitizers and libFuzzer they use, the C++ library that
+# headsets have, and 64-bit Arm to build for and to run.
 pelagic_gate_packages=(clang libclang-rt-14-dev libc++-14-dev)
 [ "$(uname -m)" = aarch64 ] ||
   pelagic_gate_packages+=(g++-aarch64-linux-gnu qemu-user libtbb-dev:arm64 libgtest-dev:arm64 libimath-dev:arm64)
 
-# What only the night's tests need: programs that show an export by the recipes of docs/users/exporter.md, and what makes one on a
-# farm by docs/users/farm.md. Textures and films are read by NVIDIA's tools and ffmpeg. three.js and the types of Kubernetes come by npm, of which Debian's package is large and Node's
-# own does as well.
+# What only the night's tests need: programs that show an export by the recipes of docs/users/exporter.md, what makes one on a
+# farm by docs/users/farm.md, and what reads textures and films by docs/users/game.md. three.js and the types of Kubernetes come
+# by npm, of which Debian's package is large and Node's own does as well.
 pelagic_night_packages=(blender godot3 chromium xauth)
 pelagic_night_packages+=(slurm-wlm parallel python3-yaml procps)
 pelagic_night_packages+=(libnvtt-bin ffmpeg python3-pil)

@@ -43,7 +43,7 @@ function(pelagic_kernel_objects target isa source)
                                            ${PELAGIC_ISA_FLAGS_${isa}})
   target_include_directories(${target} SYSTEM PRIVATE ${PELAGIC_XSIMD_INCLUDE_DIR})
   # g++ marks the scope of each vector that a function returns: ten times the code, for values that nobody points to. clang sees
-  # that and leaves them out, so `fuzz` does look for what is used after its scope, in kernels too.
+  # that and leaves them out, so `asan` and `fuzz` do look for what is used after its scope, in kernels too.
   if(PELAGIC_SANITIZE MATCHES "address" AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     target_compile_options(${target} PRIVATE -fno-sanitize-address-use-after-scope)
   endif()

@@ -16,6 +16,7 @@
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/tests/run_pelagic.hpp"
 #include "pelagic/tests/sanitized.hpp"
+#include "pelagic/tools/film.hpp"
 #include "pelagic/tools/half_float.hpp"
 #include "pelagic/tools/shaded_sea.hpp"
 #include "pelagic/tools/zstd.hpp"
@@ -279,7 +280,8 @@ TEST_F(ExportedTextures, PreviewSaysWhatTheExportWillBeAndWritesNoneOfIt) {
 }
 
 TEST_F(ExportedTextures, PreviewSaysWhyThereIsNoFilm) {
-    if (is_sanitized) GTEST_SKIP() << "the test above walks the same code, ten times as slowly as elsewhere";
+    if (is_sanitized)
+        GTEST_SKIP() << "half a minute of pixels; the test above draws them, the one below starts the program";
     write_file(folder_ / "ffmpeg", "#!/bin/sh\necho no such encoder >&2\nexit 1\n");
     std::filesystem::permissions(folder_ / "ffmpeg", std::filesystem::perms::owner_all);
     const std::string path = folder_.path().string() + ":/usr/bin:/bin";
@@ -287,6 +289,20 @@ TEST_F(ExportedTextures, PreviewSaysWhyThereIsNoFilm) {
         export_to(folder_ / "preview", {"--maps", "foam", "--preview"}, [&] { ::setenv("PATH", path.c_str(), 1); });
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_NE(outcome.out.find("no film: ffmpeg failed: no such encoder"), std::string::npos) << outcome.out;
+}
+
+TEST(Film, HandsOnWhyTheProgramFailed) {
+    const TemporaryFolder folder;
+    write_file(folder / "ffmpeg", "#!/bin/sh\necho no such encoder >&2\nexit 1\n");
+    std::filesystem::permissions(folder / "ffmpeg", std::filesystem::perms::owner_all);
+    const std::string path = std::getenv("PATH");
+    ::setenv("PATH", (folder.path().string() + ":" + path).c_str(), 1);
+    tools::Film film(2, 2, 24);
+    film.add(std::vector<std::uint8_t>(2 * 2 * 4));
+    const tools::Film::Encoded encoded = film.encode();
+    ::setenv("PATH", path.c_str(), 1);
+    EXPECT_TRUE(encoded.mp4.empty());
+    EXPECT_EQ(encoded.reason, "ffmpeg failed: no such encoder");
 }
 
 TEST(ShadedSea, HasTheSameBitsForEveryInstructionSetAndThreadCount) {

@@ -46,9 +46,10 @@ void expect_the_sea(const Frame& frame, const Mesh& mesh) {
         // Queries look for a place to a 64th of the tolerance, and slopes are below 1.
         EXPECT_NEAR(mesh.positions[v].y, static_cast<double>(height[v]), 1e-5);
         EXPECT_NEAR(static_cast<double>(mesh.foam[v]), static_cast<double>(foam[v]), 1e-3);
-        // Both take differences over two texels of the finest tile; a query of a stack takes those of the others over two of theirs.
+        // Both take differences over two texels of the finest tile, and cosines near 1 are floats: steps of 0.02 degrees. A query of a
+        // stack takes the other tiles' over two texels of theirs, which smooths them: measured 1.3 degrees at most.
         const float cosine = glm::dot(mesh.normals[v], glm::vec3(nx[v], ny[v], nz[v]));
-        EXPECT_GT(cosine, std::cos((frame.tiles.size() == 1 ? 0.05f : 3.f) * std::numbers::pi_v<float> / 180));
+        EXPECT_GT(cosine, std::cos((frame.tiles.size() == 1 ? 0.05f : 2.f) * std::numbers::pi_v<float> / 180));
     }
 }
 

@@ -372,7 +372,7 @@ ExportOptions ExportFlags::resolve_with(const ResolvedSea& sea) const {
         if (!options.shard) throw bad_value("--shard", *shard, "I/N with N from 1 to 1000000 and I from 1 to N");
         if (!sequence_outputs(options).empty())
             throw bad_value("--shard", *shard,
-                            "an export of images only: what is made of all frames together is no shard's");
+                            "files of single frames only: what is made of all frames together is no shard's");
     }
     return options;
 }

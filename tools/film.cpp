@@ -130,8 +130,10 @@ Film::Encoded Film::encode() const {
     if (failure > 0) return {{}, std::string("can't run ffmpeg: ") + std::strerror(failure)};
     Encoded encoded{content_of(film), ""};
     if (failure == 0 && !encoded.mp4.empty()) return encoded;
-    const std::vector<unsigned char> words = content_of(said);
-    return {{}, "ffmpeg failed: " + one_line(std::string(words.begin(), words.end()))};
+    const std::vector<unsigned char> content = content_of(said);
+    std::string words(content.begin(), content.end());
+    words.resize(words.find_last_not_of(" \n") + 1);
+    return {{}, "ffmpeg failed: " + one_line(words)};
 }
 
 }  // namespace pelagic::tools
