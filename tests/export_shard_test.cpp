@@ -148,7 +148,8 @@ TEST(ShardedExport, RefusesWhatIsNoShard) {
 
 TEST(ShardedExport, RefusesWhatIsMadeOfAllFrames) {
     const TemporaryFolder folder;
-    expect_says(run_pelagic(shard_to(folder.path(), 1, 2, {"--mesh", "mdd"})), 2, "--shard is 1/2, needs an export");
+    expect_says(run_pelagic(shard_to(folder.path(), 1, 2, {"--mesh", "mdd"})), 2,
+                "--shard is 1/2, needs files of single frames only");
 }
 
 TEST(ShardedExport, JoinsAFinishedExportOnlyIfItIsTheSame) {
