@@ -1,11 +1,11 @@
-# clang++ with libc++ for 64-bit Arm Linux: what the Android NDK compiles with, but for its C library. unpack_arm64_libcxx.sh puts
-# libc++ into the folder; programs find it there, and tests run under qemu's user mode.
-set(PELAGIC_ARM64_LIBCXX_FOLDER ${CMAKE_CURRENT_LIST_DIR}/../build/arm64-libcxx-packages CACHE PATH "Where libc++ for 64-bit Arm was unpacked")
+# clang++ with libc++ for 64-bit Arm Linux: what the Android NDK compiles with, but for its C library. Tests run under qemu's user
+# mode. Debian's libc++ for Arm can't be installed beside that of this machine, so it is unpacked into a folder, once.
+set(PELAGIC_ARM64_LIBCXX_FOLDER ${CMAKE_CURRENT_LIST_DIR}/../build/arm64-libcxx-packages CACHE PATH "libc++ for 64-bit Arm")
 list(APPEND CMAKE_TRY_COMPILE_PLATFORM_VARIABLES PELAGIC_ARM64_LIBCXX_FOLDER)
-set(libcxx ${PELAGIC_ARM64_LIBCXX_FOLDER}/usr/lib/llvm-14)
-if(NOT EXISTS ${libcxx})
-  message(FATAL_ERROR "libc++ for 64-bit Arm is missing: run cmake/unpack_arm64_libcxx.sh ${PELAGIC_ARM64_LIBCXX_FOLDER}")
+if(NOT EXISTS ${PELAGIC_ARM64_LIBCXX_FOLDER})
+  execute_process(COMMAND ${CMAKE_CURRENT_LIST_DIR}/unpack_arm64_libcxx.sh ${PELAGIC_ARM64_LIBCXX_FOLDER} COMMAND_ERROR_IS_FATAL ANY)
 endif()
+set(libcxx ${PELAGIC_ARM64_LIBCXX_FOLDER}/usr/lib/llvm-14)
 set(CMAKE_SYSTEM_NAME Linux)
 set(CMAKE_SYSTEM_PROCESSOR aarch64)
 set(CMAKE_C_COMPILER clang)
@@ -18,3 +18,5 @@ foreach(kind EXE SHARED MODULE)
   set(CMAKE_${kind}_LINKER_FLAGS_INIT "-stdlib=libc++ -L${libcxx}/lib -Wl,-rpath,${libcxx}/lib")
 endforeach()
 set(CMAKE_CROSSCOMPILING_EMULATOR qemu-aarch64)
+# Debian's GoogleTest is compiled with another C++ library.
+set(PELAGIC_GTEST_SOURCE /usr/src/googletest)

@@ -1,12 +1,10 @@
 #!/usr/bin/env bash
-# Unpacks Debian's libc++ for 64-bit Arm into FOLDER, for arm64-libcxx.cmake: its packages can't be installed beside those for
-# this machine. Does nothing if it is there. The arm64 packages of dependencies.sh come first, with which apt learns of that
-# architecture.
+# Unpacks Debian's libc++ for 64-bit Arm into FOLDER, which is not there yet, for arm64-libcxx.cmake. The packages for Arm of
+# dependencies.sh come first: with them apt learns of that architecture.
 #
 # usage: unpack_arm64_libcxx.sh FOLDER
 set -euo pipefail
 folder=$1
-[ ! -e "$folder" ] || exit 0
 mkdir -p "$(dirname "$folder")"
 work=$(mktemp -d "$folder.XXXXXX")
 trap 'rm -rf "$work"' EXIT
