@@ -32,12 +32,14 @@ foreach(language C CXX)
 endforeach()
 include(/usr/share/emscripten/cmake/Modules/Platform/Emscripten.cmake)
 
-# Exceptions cost nothing until one is thrown; every browser has had them since 2022.
-# A warning that it has no floating-point exceptions to trap, in each file, is not news.
-set(pelagic_wasm_flags "-fwasm-exceptions -Wno-unsupported-floating-point-opt")
+# WebAssembly's own exceptions cost nothing until one is thrown; every browser has had them since 2022. This emscripten's library for
+# threads catches none of them by its type, so there they are JavaScript's. Kernels throw nothing.
+set(pelagic_wasm_flags -fwasm-exceptions)
 if(PELAGIC_WASM_THREADS)
-  string(APPEND pelagic_wasm_flags " -pthread")
+  set(pelagic_wasm_flags "-fexceptions -pthread")
 endif()
+# That WebAssembly has no floating-point exceptions to trap is not news in each file.
+string(APPEND pelagic_wasm_flags " -Wno-unsupported-floating-point-opt")
 set(CMAKE_C_FLAGS_INIT "${pelagic_wasm_flags}")
 set(CMAKE_CXX_FLAGS_INIT "${pelagic_wasm_flags} -DIMATH_HALF_NO_LOOKUP_TABLE -include ${CMAKE_CURRENT_LIST_DIR}/wasm_missing_std.hpp")
 # For programs of tests: they see this machine's files, take what memory they need and end when main() does.
