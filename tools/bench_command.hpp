@@ -20,6 +20,7 @@ class BenchFlags {
     TimingPlan resolve() const;
 
     std::optional<std::string> sizes_, seconds_, json_;
+    bool headset_ = false;
     ComputeFlags compute_;
 };
 

@@ -72,6 +72,14 @@ class JobClock final : public TraceSink {
     std::vector<double> ms_;
 };
 
+std::size_t texture_bytes(const Frame& frame) {
+    std::size_t bytes = 0;
+    for (const Tile& tile : frame.tiles)
+        bytes += tile.displacement_rgba16f.size_bytes() + tile.gradient_rgba8.size_bytes() +
+                 tile.slopes_rgba8.size_bytes() + tile.moments_rgba8.size_bytes() + tile.foam_r8.size_bytes();
+    return bytes;
+}
+
 /// A sea that is drawn again and again; on one thread beside a second one, whose jobs are timed, because that costs a little.
 class TimedSea {
    public:
@@ -123,7 +131,9 @@ class TimedSea {
                           .ms = quartiles_of(turns_ms_),
                           .gb_per_s = 0,
                           .instructions = instructions_,
-                          .jobs = {}};
+                          .jobs = {},
+                          .memory_bytes = ocean_->memory_bytes(),
+                          .upload_bytes = texture_bytes(ocean_->complete())};
         const auto gb_per_s = [&](double bytes_a_texel, double ms) { return bytes_a_texel * texels() / (ms * 1e6); };
         double frame_bytes = 0;
         for (const std::string& job : jobs_of(ocean_->graph())) frame_bytes += work_of(job, frame.resolution).bytes;
@@ -186,16 +196,13 @@ struct Round {
 /// Frames on one thread are a round of their own: a pool's workers look for work for a while after each frame, and disturb
 /// who comes next.
 std::vector<Round> rounds_of(const TimingPlan& plan) {
-    std::vector<SeaState> seas;
-    if (plan.default_sea) seas.emplace_back();
-    for (const int n : plan.sizes) seas.push_back({.resolution = n, .patch_size_m = 250});
     std::vector<Round> rounds;
-    for (const SeaState& sea : seas) {
+    for (const SeaState& sea : plan.seas) {
         Round& one_thread = rounds.emplace_back(Round{sea, {}});
         for (const Isa isa : plan.isas) one_thread.isas_and_threads.emplace_back(isa, 1);
-        if (plan.most_threads == 1) continue;
+        if (plan.threads.back() == 1) continue;
         Round& more_threads = rounds.emplace_back(Round{sea, {}});
-        for (const int threads : thread_counts(plan.most_threads))
+        for (const int threads : plan.threads)
             if (threads > 1) more_threads.isas_and_threads.emplace_back(plan.isas.back(), threads);
     }
     return rounds;

@@ -1,11 +1,13 @@
 // Times frames and their jobs on this machine: what `pelagic bench` measures.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "pelagic/sim/sea_state.hpp"
 #include "pelagic/simd/isa.hpp"
 
 namespace pelagic::tools {
@@ -16,11 +18,10 @@ inline std::string sea_name(int tiles, int resolution) {
 }
 
 struct TimingPlan {
-    std::vector<int> sizes;   ///< N of seas of one tile
-    bool default_sea = true;  ///< several tiles, chosen from the sea
-    std::vector<Isa> isas;    ///< weakest first; the last one is also timed on more threads than one
-    int most_threads = 1;
-    double seconds = 30;  ///< for all; more on a machine that is too slow for a few turns of each
+    std::vector<SeaState> seas;
+    std::vector<Isa> isas;           ///< weakest first; the last one is also timed on more threads than one
+    std::vector<int> threads = {1};  ///< 1, and then others
+    double seconds = 30;             ///< for all; more on a machine that is too slow for a few turns of each
 };
 
 /// Milliseconds: median and quartiles over the turns.
@@ -44,6 +45,8 @@ struct FrameTiming {
     double gb_per_s;
     std::optional<double> instructions;  ///< as a job's; on one thread only
     std::vector<JobTiming> jobs;         ///< on one thread only
+    std::size_t memory_bytes;            ///< that the ocean holds: two frames and the spectrum
+    std::size_t upload_bytes;            ///< of a frame's textures, all levels
 
     std::string sea() const { return sea_name(tiles, resolution); }
 };
