@@ -9,9 +9,9 @@
 
 #include "pelagic/simd/isa.hpp"
 #include "pelagic/tests/run_pelagic.hpp"
-#include "pelagic/tools/frame_timing.hpp"
-#include "pelagic/tools/stage_work.hpp"
-#include "pelagic/tools/stored_figures.hpp"
+#include "pelagic/tools/benchmark/frame_timing.hpp"
+#include "pelagic/tools/benchmark/stage_work.hpp"
+#include "pelagic/tools/benchmark/stored_figures.hpp"
 
 namespace pelagic {
 namespace {

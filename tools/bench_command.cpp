@@ -7,15 +7,15 @@
 #include <vector>
 
 #include "pelagic/jobs/executor.hpp"
-#include "pelagic/tools/bench_table.hpp"
-#include "pelagic/tools/errors.hpp"
-#include "pelagic/tools/headset_table.hpp"
-#include "pelagic/tools/machine.hpp"
-#include "pelagic/tools/option_text.hpp"
-#include "pelagic/tools/output_folder.hpp"
-#include "pelagic/tools/progress.hpp"
-#include "pelagic/tools/sea_json.hpp"
-#include "pelagic/tools/stored_figures.hpp"
+#include "pelagic/tools/benchmark/bench_table.hpp"
+#include "pelagic/tools/benchmark/headset_table.hpp"
+#include "pelagic/tools/benchmark/machine.hpp"
+#include "pelagic/tools/benchmark/stored_figures.hpp"
+#include "pelagic/tools/export/sea_json.hpp"
+#include "pelagic/tools/files/output_folder.hpp"
+#include "pelagic/tools/text/errors.hpp"
+#include "pelagic/tools/text/option_text.hpp"
+#include "pelagic/tools/text/progress.hpp"
 
 namespace pelagic::tools {
 namespace {

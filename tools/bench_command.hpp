@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "pelagic/tools/compute_options.hpp"
-#include "pelagic/tools/frame_timing.hpp"
+#include "pelagic/tools/benchmark/frame_timing.hpp"
+#include "pelagic/tools/options/compute_options.hpp"
 
 namespace pelagic::tools {
 

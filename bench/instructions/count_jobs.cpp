@@ -16,7 +16,7 @@
 #include "pelagic/bench/instructions/count_marks.hpp"
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/surface_query.hpp"
-#include "pelagic/tools/stage_work.hpp"
+#include "pelagic/tools/benchmark/stage_work.hpp"
 
 namespace pelagic {
 namespace {
