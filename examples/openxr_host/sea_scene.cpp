@@ -53,7 +53,7 @@ SeaScene::SeaScene(const SeaState& sea, const QuadtreePreset& quality, const gl:
                      .framebuffer_is_srgb = true,
                      .multiview = multiview}) {
     gl::SkyBaker baker(make_default_executor(), sky_face_size);
-    baker.schedule({.sun_azimuth_rad = 0.2f, .sun_elevation_rad = 0.5f});
+    baker.schedule({.sun_azimuth_rad = -0.6f, .sun_elevation_rad = 0.8f});
     renderer_.set_sky(baker.complete());
 }
 
