@@ -3,6 +3,7 @@
 #
 #   ./test.sh quick     as released, without soak, sweeps and slow pictures: two minutes after the build
 #   ./test.sh           all that guards a landing
+#   ./test.sh hosts     what needs large packages of other hosts: browsers, their compilers
 #   ./test.sh night     what takes hours: a long soak, full sweeps, ten minutes of each fuzzer
 #   ./test.sh PART...   some parts, for instance asan; CMakePresets.json lists them ("workflowPresets"), each with its tier
 #
@@ -13,9 +14,10 @@ cd "$(dirname "$0")" || exit 1
 . cmake/dependencies.sh
 
 tier=gate
-case "${1:-}" in quick | night) tier=$1 && shift ;; esac
+case "${1:-}" in quick | hosts | night) tier=$1 && shift ;; esac
 packages=("${pelagic_test_packages[@]}")
 [ "$tier" = quick ] || packages+=("${pelagic_gate_packages[@]}")
+[ "$tier" != hosts ] || packages+=("${pelagic_hosts_packages[@]}")
 [ "$tier" != night ] || packages+=("${pelagic_night_packages[@]}")
 pelagic_install_dependencies "${packages[@]}" || exit 1
 

@@ -35,6 +35,11 @@ pelagic_gate_packages=(clang libclang-rt-14-dev libc++-14-dev)
 [ "$(uname -m)" = aarch64 ] ||
   pelagic_gate_packages+=(g++-aarch64-linux-gnu qemu-user libtbb-dev:arm64 libgtest-dev:arm64 libimath-dev:arm64)
 
+# What only the tests inside other hosts need: a compiler to WebAssembly and node, which runs what it makes, and a browser.
+pelagic_hosts_packages=(emscripten chromium)
+command -v node >/dev/null || pelagic_hosts_packages+=(nodejs)
+command -v npm >/dev/null || pelagic_hosts_packages+=(npm)
+
 # What only the night's tests need: programs that show an export by the recipes of docs/users/exporter.md, what makes one on a
 # farm by docs/users/farm.md, and what reads textures and films by docs/users/game.md. three.js and the types of Kubernetes come
 # by npm, of which Debian's package is large and Node's own does as well.

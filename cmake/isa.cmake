@@ -7,21 +7,26 @@
 # xsimd selects its code by these flags: avx512 means F, CD, DQ and BW, which every AVX-512 server and desktop
 # core has. FMA is left out on purpose: products and sums round apart on every instruction set, so that SSE4.2,
 # which has no fused form, yields the same bits.
-if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$")
+if(EMSCRIPTEN)  # which says that its processor is x86
+  set(PELAGIC_ISAS wasm128)
+elseif(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$")
   set(PELAGIC_ISAS sse4_2 avx2 avx512)
 elseif(CMAKE_SYSTEM_PROCESSOR MATCHES "^(aarch64|arm64)$")
   set(PELAGIC_ISAS neon)
 else()
-  message(FATAL_ERROR "Pelagic has kernels for x86-64 and 64-bit Arm, not for ${CMAKE_SYSTEM_PROCESSOR}")
+  message(FATAL_ERROR "Pelagic has kernels for x86-64, 64-bit Arm and WebAssembly, not for ${CMAKE_SYSTEM_PROCESSOR}")
 endif()
 set(PELAGIC_ISA_FLAGS_sse4_2 -msse4.2)
 set(PELAGIC_ISA_FLAGS_avx2 -mavx2 -mf16c)
 set(PELAGIC_ISA_FLAGS_avx512 -mavx512f -mavx512cd -mavx512dq -mavx512bw)
 set(PELAGIC_ISA_FLAGS_neon)
+# xsimd 8.1 knows no WebAssembly, but emscripten has most of SSE4.2 as 128-bit instructions; what it has lane by lane is replaced.
+set(PELAGIC_ISA_FLAGS_wasm128 -msimd128 -msse4.2 -include ${PROJECT_SOURCE_DIR}/simd/wasm128_intrinsics.kernel.hpp)
 set(PELAGIC_XSIMD_ARCH_sse4_2 sse4_2)
 set(PELAGIC_XSIMD_ARCH_avx2 avx2)
 set(PELAGIC_XSIMD_ARCH_avx512 avx512bw)
 set(PELAGIC_XSIMD_ARCH_neon neon64)
+set(PELAGIC_XSIMD_ARCH_wasm128 sse4_2)
 
 # Instrumented for a sanitizer, -O3 compiles for minutes and finds nothing more.
 set(kernel_optimisation -O3)

@@ -33,7 +33,7 @@ PELAGIC_INLINE xsimd::batch<std::int32_t, Arch> words_of_bytes(xsimd::batch<std:
     return _mm256_shuffle_epi8(_mm256_packus_epi16(_mm256_packs_epi32(a, b), _mm256_packs_epi32(c, d)), by_lane);
 }
 #endif
-#if defined(__x86_64__)
+#if defined(__SSE4_2__)
 template <HasLanes<4> Arch>
 PELAGIC_INLINE xsimd::batch<std::int32_t, Arch> words_of_bytes(xsimd::batch<std::int32_t, Arch> a,
                                                                xsimd::batch<std::int32_t, Arch> b,
@@ -78,7 +78,7 @@ PELAGIC_INLINE xsimd::batch<std::int32_t, Arch> four_bytes(xsimd::batch<float, A
                             _mm256_set1_epi32(static_cast<int>(0x80808080)));
 }
 #endif
-#if defined(__x86_64__)
+#if defined(__SSE4_2__)
 template <HasLanes<4> Arch>
 PELAGIC_INLINE xsimd::batch<std::int32_t, Arch> four_bytes(xsimd::batch<float, Arch> a, xsimd::batch<float, Arch> b,
                                                            xsimd::batch<float, Arch> c, xsimd::batch<float, Arch> d) {

@@ -41,6 +41,11 @@ class DefaultFloatEnvironment {
         return word;
     }
     static void write(Word word) { __asm__ __volatile__("msr fpcr, %0" : : "r"(word)); }
+#elif defined(__wasm__)
+    using Word = std::uint32_t;
+    static constexpr Word standard = 0;  // WebAssembly has no other
+    static Word read() { return standard; }
+    static void write(Word) {}
 #endif
     Word found_;
 };

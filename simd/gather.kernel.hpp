@@ -11,7 +11,7 @@
 namespace pelagic::kernels {
 
 /// Four floats of a plane, one after the other.
-#if defined(__x86_64__)
+#if defined(__SSE4_2__)
 PELAGIC_INLINE __m128 four_loaded(const float* plane, const std::uint32_t* places) {
     const __m128 a = _mm_insert_ps(_mm_load_ss(plane + places[0]), _mm_load_ss(plane + places[1]), 0x10);
     const __m128 b = _mm_insert_ps(_mm_load_ss(plane + places[2]), _mm_load_ss(plane + places[3]), 0x10);

@@ -1,5 +1,5 @@
 // Float to IEEE 754 half, round to nearest even: the hardware's conversion (F16C, AVX-512, NEON), which gives the same
-// bits everywhere, and integer operations for SSE4.2, which has none. Magnitudes above 65504 plus half a step become
+// bits everywhere, and integer operations for SSE4.2 and WebAssembly, which have none. Magnitudes above 65504 plus half a step become
 // infinity. NaN does not occur in a sea.
 #pragma once
 
@@ -49,7 +49,7 @@ PELAGIC_INLINE void store_halves(xsimd::batch<float, Arch> a, xsimd::batch<float
 }
 
 #endif
-#if defined(__x86_64__)
+#if defined(__SSE4_2__)
 
 /// The magnitude of a float as the bits of a half, which is more than infinity's if the float is too large for one.
 ///

@@ -15,8 +15,8 @@ namespace pelagic {
 namespace {
 
 constexpr std::array isa_names = {std::string_view("sse4.2"), std::string_view("avx2"), std::string_view("avx512"),
-                                  std::string_view("neon")};
-constexpr std::array all_isas = {Isa::sse4_2, Isa::avx2, Isa::avx512, Isa::neon};
+                                  std::string_view("neon"), std::string_view("wasm128")};
+constexpr std::array all_isas = {Isa::sse4_2, Isa::avx2, Isa::avx512, Isa::neon, Isa::wasm128};
 
 std::string names_here() {
     std::string names;
@@ -55,9 +55,12 @@ bool runs_here(Isa isa) {
         case Isa::avx512:
             return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512cd") &&
                    __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw");
-        case Isa::neon: return false;
+        case Isa::neon:
+        case Isa::wasm128: return false;
     }
     return false;
+#elif defined(__wasm__)
+    return isa == Isa::wasm128;  // a browser without it would not have compiled this module
 #else
     return isa == Isa::neon;  // part of every 64-bit Arm
 #endif

@@ -7,9 +7,9 @@
 
 namespace pelagic {
 
-enum class Isa { sse4_2, avx2, avx512, neon };
+enum class Isa { sse4_2, avx2, avx512, neon, wasm128 };
 
-/// "sse4.2", "avx2", "avx512" or "neon", as the command line spells it.
+/// "sse4.2", "avx2", "avx512", "neon" or "wasm128", as the command line spells it.
 std::string_view name_of(Isa);
 std::optional<Isa> isa_named(std::string_view name);
 

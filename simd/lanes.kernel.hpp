@@ -9,7 +9,7 @@
 
 namespace pelagic::kernels {
 
-/// A register of Arch holds `count` floats: 4 for SSE4.2 and NEON, 8 for AVX2, 16 for AVX-512.
+/// A register of Arch holds `count` floats: 4 for SSE4.2, NEON and WebAssembly, 8 for AVX2, 16 for AVX-512.
 template <class Arch, std::size_t count>
 concept HasLanes = xsimd::batch<float, Arch>::size == count;
 

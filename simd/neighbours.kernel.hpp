@@ -28,7 +28,7 @@ PELAGIC_INLINE xsimd::batch<float, Arch> pair_sums(xsimd::batch<float, Arch> low
     return _mm256_castpd_ps(_mm256_permute4x64_pd(sums, _MM_SHUFFLE(3, 1, 2, 0)));
 }
 #endif
-#if defined(__x86_64__)
+#if defined(__SSE4_2__)
 template <HasLanes<4> Arch>
 PELAGIC_INLINE xsimd::batch<float, Arch> pair_sums(xsimd::batch<float, Arch> low, xsimd::batch<float, Arch> high) {
     return _mm_add_ps(_mm_shuffle_ps(low, high, _MM_SHUFFLE(2, 0, 2, 0)),
@@ -82,7 +82,7 @@ PELAGIC_INLINE xsimd::batch<float, Arch> lanes_behind(xsimd::batch<float, Arch> 
     return _mm256_castsi256_ps(_mm256_alignr_epi8(seam.middle, _mm256_castps_si256(here), 4 * count));
 }
 #endif
-#if defined(__x86_64__)
+#if defined(__SSE4_2__)
 template <int count, HasLanes<4> Arch>
 PELAGIC_INLINE xsimd::batch<float, Arch> lanes_before(const Seam<Arch>& seam, xsimd::batch<float, Arch> here) {
     return _mm_castsi128_ps(_mm_alignr_epi8(_mm_castps_si128(here), _mm_castps_si128(seam.left), 16 - 4 * count));

@@ -11,7 +11,7 @@ namespace pelagic::kernels {
 /// columns[c] lane r becomes from[r * stride + c]. Rows are aligned to a register. Four lanes: SSE and NEON.
 template <class Arch>
 PELAGIC_INLINE void load_transposed(const float* from, std::size_t stride, xsimd::batch<float, Arch> (&columns)[4]) {
-#if defined(__x86_64__)
+#if defined(__SSE4_2__)
     __m128 a = _mm_load_ps(from), b = _mm_load_ps(from + stride);
     __m128 c = _mm_load_ps(from + 2 * stride), d = _mm_load_ps(from + 3 * stride);
     _MM_TRANSPOSE4_PS(a, b, c, d);

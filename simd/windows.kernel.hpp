@@ -68,7 +68,7 @@ PELAGIC_INLINE void fours_turned(xsimd::batch<float, Arch> (&fours)[4]) {
     fours[3] = _mm256_shuffle_ps(ab_high, cd_high, _MM_SHUFFLE(3, 2, 3, 2));
 }
 #endif
-#if defined(__x86_64__)
+#if defined(__SSE4_2__)
 template <HasLanes<4> Arch>
 PELAGIC_INLINE xsimd::batch<float, Arch> fours_loaded(const float* plane, const std::uint32_t* places) {
     return _mm_loadu_ps(plane + places[0]);

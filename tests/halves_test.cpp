@@ -14,6 +14,8 @@ namespace pelagic {
 std::uint16_t wrong_halves_sse4_2(std::uint32_t first, std::uint32_t last, std::uint16_t expected);
 std::uint16_t wrong_halves_avx2(std::uint32_t first, std::uint32_t last, std::uint16_t expected);
 std::uint16_t wrong_halves_avx512(std::uint32_t first, std::uint32_t last, std::uint16_t expected);
+#elif defined(__wasm__)
+std::uint16_t wrong_halves_wasm128(std::uint32_t first, std::uint32_t last, std::uint16_t expected);
 #else
 std::uint16_t wrong_halves_neon(std::uint32_t first, std::uint32_t last, std::uint16_t expected);
 #endif
@@ -29,6 +31,9 @@ std::uint16_t wrong_halves(Isa isa, std::uint32_t first, std::uint32_t last, std
         case Isa::sse4_2: return wrong_halves_sse4_2(first, last, expected);
         case Isa::avx2: return wrong_halves_avx2(first, last, expected);
         case Isa::avx512: return wrong_halves_avx512(first, last, expected);
+        default: break;
+#elif defined(__wasm__)
+        case Isa::wasm128: return wrong_halves_wasm128(first, last, expected);
         default: break;
 #else
         case Isa::neon: return wrong_halves_neon(first, last, expected);

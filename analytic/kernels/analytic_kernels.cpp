@@ -7,6 +7,8 @@ namespace pelagic {
 
 #if defined(__x86_64__)
 extern const AnalyticKernels analytic_kernels_sse4_2, analytic_kernels_avx2, analytic_kernels_avx512;
+#elif defined(__wasm__)
+extern const AnalyticKernels analytic_kernels_wasm128;
 #else
 extern const AnalyticKernels analytic_kernels_neon;
 #endif
@@ -18,6 +20,9 @@ const AnalyticKernels& analytic_kernels_for(Isa isa) {
         case Isa::sse4_2: return analytic_kernels_sse4_2;
         case Isa::avx2: return analytic_kernels_avx2;
         case Isa::avx512: return analytic_kernels_avx512;
+        default: break;
+#elif defined(__wasm__)
+        case Isa::wasm128: return analytic_kernels_wasm128;
         default: break;
 #else
         case Isa::neon: return analytic_kernels_neon;

@@ -33,7 +33,7 @@ PELAGIC_INLINE xsimd::batch<std::uint32_t, Arch> lower_words(xsimd::batch<double
     return _mm256_permute4x64_epi64(_mm256_castps_si256(halves), _MM_SHUFFLE(3, 1, 2, 0));
 }
 #endif
-#if defined(__x86_64__)
+#if defined(__SSE4_2__)
 template <HasLanes<4> Arch>
 PELAGIC_INLINE xsimd::batch<std::uint32_t, Arch> lower_words(xsimd::batch<double, Arch> a,
                                                              xsimd::batch<double, Arch> b) {
