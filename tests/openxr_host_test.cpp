@@ -269,6 +269,16 @@ TEST_F(OpenXrPictures, AreTheSeaThroughTheEyesProjections) {
     }
 }
 
+TEST_F(OpenXrPictures, AreTheSameInOnePassForBothEyes) {
+    // With the driver's calls made twice each (multiview_stand_in.cpp), where the program believes in OVR_multiview2.
+    const HostRun one_pass({"--quality", "low", "--frames", "2"}, {{"PELAGIC_STAND_IN_EYE", std::to_string(side)},
+                                                                   {"PELAGIC_STAND_IN_EVENTS", "1:hide 90:show"},
+                                                                   {"LD_PRELOAD", PELAGIC_MULTIVIEW_STAND_IN}});
+    EXPECT_EQ(one_pass.outcome.out, "2 frames shown, 900 x 900 an eye, both in one pass\n") << one_pass.outcome.err;
+    for (const char* name : {"left.ppm", "right.ppm"})
+        EXPECT_TRUE(shown(name).rgb == read_ppm(one_pass.folder / name).rgb) << name;
+}
+
 /// Green, of which there is most.
 double green(const Picture& picture, int column, int row) {
     return picture.rgb[3 * static_cast<std::size_t>(row * picture.width + column) + 1];
