@@ -347,6 +347,14 @@ TEST(OpenXrSession, RestsWhileTheHeadsetIsOffAndEndsWithIt) {
     EXPECT_EQ(run.layers(), (std::vector<int>{0, 1, 1, 1, 0, 0, 1, 1, 0, 1, 1, 1}));
 }
 
+TEST(OpenXrSession, ShowsNothingWhileTheHeadIsNowhere) {
+    const HostRun run({"--quality", "low", "--frames", "3"},
+                      {{"PELAGIC_STAND_IN_EVENTS", "2:blind 4:see"}, {"PELAGIC_STAND_IN_EYE", "32"}});
+    EXPECT_EQ(run.outcome.exit_code, 0) << run.outcome.err;
+    EXPECT_EQ(run.record["refusals"], Json::array());
+    EXPECT_EQ(run.layers(), (std::vector<int>{0, 1, 0, 0, 1, 1}));
+}
+
 TEST(OpenXrSession, EndsWhenTheHeadsetIsLost) {
     for (const char* event : {"3:lose", "3:lose-instance"}) {
         const HostRun run({"--quality", "low"}, {{"PELAGIC_STAND_IN_EVENTS", event}, {"PELAGIC_STAND_IN_EYE", "32"}});

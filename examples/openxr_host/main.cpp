@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <exception>
 #include <memory>
+#include <optional>
 
 #include "egl_context.hpp"
 #include "eye_images.hpp"
@@ -50,6 +51,11 @@ struct EyesLayer {
     EyesLayer& operator=(const EyesLayer&) = delete;
 };
 
+/// When that sea is, and its bits: the same on every machine.
+void write_hash(std::FILE& file, const pelagic::Frame& frame) {
+    std::fprintf(&file, "%.9f %016" PRIx64 "\n", frame.time_s, pelagic::hash_of(frame));
+}
+
 void save_pictures(const EyeImages& images, const std::filesystem::path& folder) {
     write_picture(folder / "left.ppm", images.read(0), images.width(), images.height());
     write_picture(folder / "right.ppm", images.read(1), images.width(), images.height());
@@ -57,10 +63,10 @@ void save_pictures(const EyeImages& images, const std::filesystem::path& folder)
 
 void run(const Options& options) {
     const File hashes = open_for_hashes(options.hashes);
-    Headset headset;
-    const EglContext context;
+    const EglContext context;  // outlives the session, which borrows it
     const pelagic::gl::Functions gl = pelagic::gl::load_functions(
         [](const char* name) { return reinterpret_cast<void*>(eglGetProcAddress(name)); });
+    Headset headset;
     SeaScene scene(options.sea, options.quality, gl, EyeImages::has_multiview(gl));
     headset.start(context.binding());
     EyeImages images(headset, gl);
@@ -70,26 +76,29 @@ void run(const Options& options) {
     while (headset.is_wanted()) {
         if (!headset.handle_events()) continue;
 
-        // The runtime holds this thread back, and says when the coming frame will be seen. That moment's sea is computed
-        // from here on by other threads, while this one begins the frame, asks where the eyes are, waits for a picture to
-        // draw into, and whatever else a game does. Unseen frames have no sea.
+        // The runtime holds this thread back, and says when the coming frame will be seen. That moment's sea is computed from
+        // here on by other threads, while this one begins the frame, asks where the eyes are, waits for a picture to draw
+        // into, and does whatever else a game does. Frames that are not seen have no sea.
         const XrFrameState moment = headset.wait_frame();
         if (start == 0) start = moment.predictedDisplayTime;
         const double sea_time_s = static_cast<double>(moment.predictedDisplayTime - start) * 1e-9;
         if (moment.shouldRender) scene.schedule(sea_time_s, hashes != nullptr);
 
         headset.begin_frame();
-        const auto eyes = headset.locate_eyes(moment.predictedDisplayTime);
-        if (!moment.shouldRender || !eyes) {
+        std::optional<std::array<XrView, 2>> eyes;
+        if (moment.shouldRender) {
+            eyes = headset.locate_eyes(moment.predictedDisplayTime);
+            if (eyes) images.acquire();
+            scene.complete();  // the sea is needed now
+        }
+        if (!eyes) {
             headset.end_frame(moment.predictedDisplayTime, nullptr);
             continue;
         }
-        images.acquire();
-        const pelagic::Frame& frame = scene.complete();  // the sea is needed now
         scene.draw(*eyes, images);
         ++shown;
-        if (hashes) std::fprintf(hashes.get(), "%.9f %016" PRIx64 "\n", frame.time_s, pelagic::hash_of(frame));
         const bool is_last = shown == options.frames;
+        if (hashes) write_hash(*hashes, scene.frame());
         if (is_last && !options.pictures.empty()) save_pictures(images, options.pictures);
         images.release();
         const EyesLayer layer(headset.space(), *eyes, images);

@@ -64,10 +64,9 @@ void SeaScene::schedule(double time_s, bool hashed) {
         ocean_.schedule(time_s, renderer_.map_textures());  // straight into a buffer of the driver's
 }
 
-const Frame& SeaScene::complete() {
+void SeaScene::complete() {
     frame_ = &ocean_.complete();
     renderer_.upload(*frame_);
-    return *frame_;
 }
 
 void SeaScene::draw(const std::array<XrView, 2>& views, const EyeImages& images) {

@@ -20,8 +20,10 @@ class SeaScene {
 
     /// Starts the sea of that time on other threads. \param hashed  the frame keeps all that pelagic::hash_of() takes
     void schedule(double time_s, bool hashed);
-    /// Waits for it, hands it to the GPU and says what it is.
-    const pelagic::Frame& complete();
+    /// Waits for it and hands it to the GPU. What is scheduled has to be completed.
+    void complete();
+    /// The frame completed last.
+    const pelagic::Frame& frame() const { return *frame_; }
     /// Draws it for both eyes into `images`: one selection, then a pass, or two.
     void draw(const std::array<XrView, 2>& eyes, const EyeImages& images);
 

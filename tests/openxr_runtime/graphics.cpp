@@ -45,8 +45,10 @@ bool Graphics::take(const XrGraphicsBindingEGLMNDX& binding) {
 #define PELAGIC_STAND_IN_FIND(name) has_all = has_all && find("gl" #name, name);
     PELAGIC_STAND_IN_GL(PELAGIC_STAND_IN_FIND)
 #undef PELAGIC_STAND_IN_FIND
-    return has_all && BorrowedContext(*this).is_current();
+    return has_all && is_there();
 }
+
+bool Graphics::is_there() const { return BorrowedContext(*this).is_current(); }
 
 std::vector<GLuint> Graphics::make_textures(int count, GLenum format, int width, int height, int layers) const {
     const BorrowedContext borrowed(*this);

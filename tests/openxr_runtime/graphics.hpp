@@ -18,6 +18,8 @@ class Graphics {
     /// False if the binding is not usable: no function that loads others, no context that can be made current.
     bool take(const XrGraphicsBindingEGLMNDX& binding);
 
+    /// The application's context can still be made current.
+    bool is_there() const;
     /// Textures of a swapchain, arrays where there is more than one layer.
     std::vector<GLuint> make_textures(int count, GLenum format, int width, int height, int layers) const;
     void delete_textures(const std::vector<GLuint>& textures) const;

@@ -78,6 +78,7 @@ struct Session {
     bool ends_for_good = false;  ///< after STOPPING comes EXITING; else READY once more
     std::uint32_t frames_waited = 0, frames_begun = 0, frames_ended = 0;
     bool is_in_frame = false;
+    bool knows_head = true;
     std::vector<std::unique_ptr<Space>> spaces;
     std::vector<std::unique_ptr<Swapchain>> swapchains;
 };

@@ -40,6 +40,10 @@ void happen(Session& session, const std::string& event) {
         enter(session, XR_SESSION_STATE_SYNCHRONIZED);
     } else if (event == "show") {
         enter(session, XR_SESSION_STATE_VISIBLE);
+    } else if (event == "blind") {  // covered: where the head is, nobody knows
+        session.knows_head = false;
+    } else if (event == "see") {
+        session.knows_head = true;
     } else if (event == "stop") {  // taken off: the session goes on later
         stop(session, false);
     } else if (event == "exit") {  // closed by its user
@@ -122,6 +126,8 @@ XrResult DestroySession(XrSession handle) {
     const std::lock_guard lock(mutex());
     Session* session = find(handle);
     if (!session) return refuse("xrDestroySession", XR_ERROR_HANDLE_INVALID);
+    // Not a code of this call's: an application that destroyed its context before is wrong without being told so.
+    if (!session->graphics.is_there()) refuse("xrDestroySession", XR_ERROR_GRAPHICS_DEVICE_INVALID);
     for (const auto& swapchain : session->swapchains) session->graphics.delete_textures(swapchain->textures);
     std::erase_if(the_instance()->events, [](const XrEventDataBuffer& event) {
         return event.type == XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED;

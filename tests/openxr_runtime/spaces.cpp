@@ -56,6 +56,7 @@ XrResult LocateViews(XrSession session, const XrViewLocateInfo* info, XrViewStat
     constexpr const char* call = "xrLocateViews";
     const std::lock_guard lock(mutex());
     if (!find(session)) return refuse(call, XR_ERROR_HANDLE_INVALID);
+    const bool knows_head = find(session)->knows_head;
     if (!is(info, XR_TYPE_VIEW_LOCATE_INFO) || !is(state, XR_TYPE_VIEW_STATE))
         return refuse(call, XR_ERROR_VALIDATION_FAILURE);
     if (info->viewConfigurationType != XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO)
@@ -72,8 +73,12 @@ XrResult LocateViews(XrSession session, const XrViewLocateInfo* info, XrViewStat
         located[eye] = {XR_TYPE_VIEW, nullptr, xr_pose_of(space_in_local.inverse() * head * of_head.pose),
                         of_head.fov};
     }
-    state->viewStateFlags = XR_VIEW_STATE_ORIENTATION_VALID_BIT | XR_VIEW_STATE_POSITION_VALID_BIT |
-                            XR_VIEW_STATE_ORIENTATION_TRACKED_BIT | XR_VIEW_STATE_POSITION_TRACKED_BIT;
+    if (!knows_head)
+        for (XrView& view : located) view.pose = {};
+    state->viewStateFlags = !knows_head
+                                ? 0
+                                : XR_VIEW_STATE_ORIENTATION_VALID_BIT | XR_VIEW_STATE_POSITION_VALID_BIT |
+                                      XR_VIEW_STATE_ORIENTATION_TRACKED_BIT | XR_VIEW_STATE_POSITION_TRACKED_BIT;
     return hand_out<XrView>(call, located, capacity, count, to);
 }
 
