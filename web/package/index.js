@@ -7,7 +7,7 @@ export { Ocean, Frame, Tile, Plane, levelCount, levelOffset } from './ocean.js';
 /** Bakes a sea; index.d.ts has the options. Rejects with an Error of one line that names the option, the value and what is accepted. */
 export async function createOcean(options = {}) {
   assertOptions(options);
-  const threads = threadsFor(options.threads);
+  const threads = await threadsFor(options.threads);
   const instance = await makeInstance(threads);
   try {
     return new Ocean(instance, valueOf(instance.module.createOcean({ ...options, threads })));

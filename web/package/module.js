@@ -24,8 +24,12 @@ export function assertOptions(options) {
   throw new Error(`options is ${what}, needs an object such as {windSpeedMps: 9}`);
 }
 
+async function coresHere() {
+  return isNode ? (await nodeHost()).cores() : navigator.hardwareConcurrency;
+}
+
 /** How many threads an ocean has here: as many as wanted, or one a core, or one where there is no shared memory or nobody may wait for others. */
-export function threadsFor(wanted) {
+export async function threadsFor(wanted) {
   if (wanted !== undefined && !(Number.isInteger(wanted) && wanted >= 1 && wanted <= mostThreads))
     throw new Error(`threads is ${typeof wanted === 'string' ? `"${wanted}"` : String(wanted)}, needs a whole number from 1 to ${mostThreads}`);
   const isShared = typeof SharedArrayBuffer !== 'undefined' && (isNode || globalThis.crossOriginIsolated === true);
@@ -35,7 +39,7 @@ export function threadsFor(wanted) {
     throw new Error(`threads is ${wanted}, needs 1 where a page is not isolated: its server sends neither or one of the headers COOP and COEP`);
   if (wanted !== undefined) return wanted;
   if (isPageThread || !isShared) return 1;
-  return Math.max(1, Math.min(globalThis.navigator?.hardwareConcurrency ?? mostThreadsUnasked, mostThreadsUnasked));
+  return Math.min(await coresHere(), mostThreadsUnasked);
 }
 
 const compiled = new Map();
@@ -69,12 +73,13 @@ export async function makeInstance(threads) {
     compiledOnce(hasThreads ? new URL('./wasm/ocean-threads.wasm', import.meta.url) : new URL('./wasm/ocean.wasm', import.meta.url)),
     hasThreads ? import('./wasm/ocean-threads.js') : import('./wasm/ocean.js'),
   ]);
+  const cores = await coresHere();
   const module = await new Promise((resolve, reject) => {
     const instantiateWasm = (imports, receive) => {
       WebAssembly.instantiate(wasm, imports).then((instance) => receive(instance, wasm), reject);
       return {};
     };
-    const make = () => glue.default({ poolThreads: threads - 1, instantiateWasm }).then(resolve, reject);
+    const make = () => glue.default({ poolThreads: threads - 1, cores, instantiateWasm }).then(resolve, reject);
     if (hasThreads && isNode) nodeHost().then(({ withWebWorkers }) => withWebWorkers(make)).catch(reject);
     else make();
   });

@@ -1,8 +1,10 @@
 // What node has otherwise than a page: files, and workers.
 import { readFile } from 'node:fs/promises';
+import * as os from 'node:os';
 import { Worker } from 'node:worker_threads';
 
 export const readBytes = (url) => readFile(url);
+export const cores = () => os.availableParallelism?.() ?? os.cpus().length;
 
 /** A worker thread as a page's worker: onmessage and onerror on this side, self.onmessage and postMessage() on the other. */
 export class WebWorker {
