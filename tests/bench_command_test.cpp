@@ -130,7 +130,7 @@ json memory_by_info(const json& row) {
     const bool is_one_tile = row.at("tiles") == 1;
     ask.push_back(is_one_tile ? "--patch-size" : "--cascades");
     ask.push_back(is_one_tile ? "250" : row.at("tiles").dump());
-    return json::parse(run_pelagic(ask).out).at("memory_bytes");
+    return json::parse(run_pelagic(ask).out).at("computing").at("memory_bytes");
 }
 
 TEST(HeadsetBench, HasEachSeaOnOneTwoAndThreeThreadsWithItsMemoryAndTextures) {
