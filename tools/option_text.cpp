@@ -1,9 +1,7 @@
 #include "pelagic/tools/option_text.hpp"
 
-#include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <numeric>
 
 #include "pelagic/tools/errors.hpp"
 
@@ -17,22 +15,6 @@ std::optional<Number> parse_whole(std::string_view text) {
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc() || end != text.data() + text.size()) return {};
     return value;
-}
-
-// Levenshtein's distance, one row of the table at a time.
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-    std::vector<std::size_t> row(b.size() + 1);
-    std::iota(row.begin(), row.end(), std::size_t{0});
-    for (std::size_t i = 1; i <= a.size(); ++i) {
-        std::size_t diagonal = row[0];
-        row[0] = i;
-        for (std::size_t j = 1; j <= b.size(); ++j) {
-            const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-            diagonal = row[j];
-            row[j] = std::min({row[j] + 1, row[j - 1] + 1, replaced});
-        }
-    }
-    return row.back();
 }
 
 }  // namespace
@@ -56,30 +38,6 @@ int whole_number_in(const std::string& option, const std::string& text, int leas
     if (!value || *value < least || *value > most)
         throw bad_value(option, text, "a whole number from " + number_text(least) + " to " + number_text(most));
     return static_cast<int>(*value);
-}
-
-std::string list_of(std::span<const std::string> names) {
-    std::string list;
-    for (std::size_t i = 0; i < names.size(); ++i)
-        list += (i == 0 ? "" : i + 1 < names.size() ? ", " : " or ") + names[i];
-    return list;
-}
-
-std::optional<std::string> near_name(std::string_view name, std::span<const std::string> names) {
-    std::optional<std::string> nearest;
-    std::size_t least = std::min<std::size_t>(3, name.size() / 2) + 1;
-    for (const std::string& known : names) {
-        const std::size_t distance = edit_distance(name, known);
-        if (distance >= least) continue;
-        least = distance;
-        nearest = known;
-    }
-    return nearest;
-}
-
-std::string nearest_hint(std::string_view name, std::span<const std::string> names) {
-    const auto nearest = near_name(name, names);
-    return nearest ? " (the nearest is " + *nearest + ")" : "";
 }
 
 std::vector<std::string> split_at_commas(std::string_view text) {

@@ -1,13 +1,13 @@
-// Option values as people type them: strict numbers, and the nearest name to a misspelt one.
+// Option values as people type them: strict numbers, one of some words.
 #pragma once
 
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "pelagic/message/near_names.hpp"
 #include "pelagic/message/number_text.hpp"
 #include "pelagic/tools/errors.hpp"
 #include "pelagic/tools/named_values.hpp"
@@ -27,9 +27,6 @@ double number_in(const std::string& option, const std::string& text, double leas
 /// The same of whole numbers: "OPTION is TEXT, needs a whole number from LEAST to MOST".
 int whole_number_in(const std::string& option, const std::string& text, int least, int most);
 
-/// "a, b or c".
-std::string list_of(std::span<const std::string> names);
-
 /// The value of that name; else throws InputError: "OPTION is TEXT, needs a, b or c".
 template <class Value, std::size_t count>
 Value one_of(const NamedValues<Value, count>& names, const std::string& option, const std::string& text) {
@@ -38,13 +35,6 @@ Value one_of(const NamedValues<Value, count>& names, const std::string& option, 
     for (const auto& entry : names) accepted.emplace_back(entry.second);
     throw bad_value(option, text, list_of(accepted));
 }
-
-/// The name that `name` is most likely a slip for: at most half of its letters differ, and no more than 3. None if no name
-/// is so near.
-std::optional<std::string> near_name(std::string_view name, std::span<const std::string> names);
-
-/// " (the nearest is storm)", or nothing.
-std::string nearest_hint(std::string_view name, std::span<const std::string> names);
 
 /// "a,b" as {"a", "b"}; empty parts stay.
 std::vector<std::string> split_at_commas(std::string_view text);
