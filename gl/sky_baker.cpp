@@ -56,7 +56,7 @@ struct SkyBaker::State {
         const StageId light = graph.add({"sky light", 1, 1, {air}, [this](auto, auto) { prepare_light(); }});
         const StageId heaps =
             graph.add({"sky heaps", CloudShape::side, 4, {}, [this](std::size_t begin, std::size_t end) {
-                           if (heaps_seed == target().options.cloud_seed) return;
+                           if (has_heaps() || target().options.cloud_cover <= 0) return;
                            for (std::size_t row = begin; row < end; ++row)
                                shape.fill_row(static_cast<int>(row), target().options.cloud_seed);
                        }});
@@ -77,12 +77,13 @@ struct SkyBaker::State {
                        }});
         graph.add({"sky packing", 1, 1, {mirror}, [this](auto, auto) {
                        pack();
-                       heaps_seed = target().options.cloud_seed;
+                       if (target().options.cloud_cover > 0) heaps_seed = target().options.cloud_seed;
                    }});
         run = executor->prepare(graph);
     }
 
     Sky& target() { return skies[writing]; }
+    bool has_heaps() { return heaps_seed == target().options.cloud_seed; }
 
     void prepare_light() {
         Sky& sky = target();
