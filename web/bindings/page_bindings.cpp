@@ -7,6 +7,8 @@
 #include <emscripten/bind.h>
 #include <emscripten/val.h>
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 
@@ -65,7 +67,7 @@ val light_preset_table() {
     for (const gl::LightPreset& preset : gl::light_presets()) {
         val row = val::object();
         row.set("name", std::string(preset.name));
-        row.set("summary", std::string(preset.summary));
+        row.set("summary", std::string(preset.meaning));
         row.set("light", light_object(preset.sky, preset.bias_stops));
         table.call<void>("push", row);
     }
@@ -129,9 +131,8 @@ val check_light(val options) {
                     name, value, [](double s) { return std::abs(s) <= double{gl::most_bias_stops}; }, "[-5, 5]");
             } else {
                 const auto fields = gl::sky_fields();
-                const auto field = std::find_if(fields.begin(), fields.end(), [&](const SkyField& one) {
-                    return camel_case(one.name) == name;
-                });
+                const auto field = std::find_if(fields.begin(), fields.end(),
+                                                [&](const SkyField& one) { return camel_case(one.name) == name; });
                 if (field == fields.end()) throw std::invalid_argument(one_line("there is no option " + name));
                 const double number = number_of(name, value, is_finite, field->accepted);
                 if (!field->accepts(number)) throw std::invalid_argument(refusal(name, number, field->accepted));

@@ -105,7 +105,7 @@ class Page {
   makeView() {
     const {quality, shading} = this.settings;
     this.view = new this.module.SeaView({...groupOf(this.settings, this.tables, 'sea'), quality, shading});
-    this.gl = this.view.context;
+    this.gl = canvas.getContext('webgl2');  // the view's own
     this.boat ??= new Boat(this.gl);
     this.view.setLight(groupOf(this.settings, this.tables, 'light'));
     this.shownTimeS = undefined;
