@@ -3,7 +3,7 @@
 # it; pelagic.h, which C hosts include as <pelagic/pelagic.h>, stands beside them.
 set(PELAGIC_INCLUDE_ROOT ${PROJECT_BINARY_DIR}/include)
 file(MAKE_DIRECTORY ${PELAGIC_INCLUDE_ROOT}/pelagic)
-foreach(folder message simd analytic jobs sim quadtree capi gl viewer tools bench tests examples)
+foreach(folder message simd analytic jobs sim quadtree capi gl viewer tools web bench tests examples)
   file(CREATE_LINK ${PROJECT_SOURCE_DIR}/${folder} ${PELAGIC_INCLUDE_ROOT}/pelagic/${folder} SYMBOLIC)
 endforeach()
 file(CREATE_LINK ${PROJECT_SOURCE_DIR}/capi/pelagic.h ${PELAGIC_INCLUDE_ROOT}/pelagic/pelagic.h SYMBOLIC)
@@ -15,9 +15,11 @@ function(pelagic_target target)
                     -fno-finite-math-only -fsigned-zeros)
   target_compile_features(${target} PUBLIC cxx_std_20)
   # Objects are compiled once, for the static library and for the shared one, which shows nothing but the C interface.
-  # WebAssembly has no shared one.
-  set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE $<NOT:$<BOOL:${EMSCRIPTEN}>>
+  set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON
                         CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+  if(EMSCRIPTEN)  # has no shared one
+    set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE OFF)
+  endif()
   target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${PELAGIC_INCLUDE_ROOT}> $<INSTALL_INTERFACE:include>)
   # A compiler that fuses a*b + c where the instruction set allows it rounds once instead of twice, so each
   # instruction set would yield a sea of its own. Off everywhere: the bits are part of the interface.
@@ -26,6 +28,10 @@ function(pelagic_target target)
   # g++ 12 sees overlapping copies in every `"text" + std::string` (GCC bug 105651).
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
     target_compile_options(${target} PRIVATE -Wno-restrict)
+  endif()
+  # clang 14 says for each file on 64-bit Arm that it can't keep track of floating-point exceptions there; nobody asks for them.
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+    target_compile_options(${target} PRIVATE -Wno-unsupported-floating-point-opt)
   endif()
   # At the end of a link -ffast-math adds a start-up file that sets flush-to-zero for the whole process.
   target_link_options(${target} PRIVATE -fno-fast-math)

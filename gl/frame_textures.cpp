@@ -26,7 +26,8 @@ Texture make_texture(const Functions& gl, GLenum format, int side, GLsizei tiles
 }
 
 bool shows_foam(const Frame& frame) {
-    return std::ranges::none_of(frame.tiles, [](const Tile& tile) { return tile.foam_r8.empty(); });
+    const auto has_no_foam = [](const Tile& tile) { return tile.foam_r8.empty(); };
+    return std::none_of(frame.tiles.begin(), frame.tiles.end(), has_no_foam);
 }
 
 /// Why the textures can't take the frame; empty if they can.

@@ -362,6 +362,7 @@ TEST(Determinism, TheHostsFloatingPointEnvironmentDoesNotReachTheSea) {
     const std::uint64_t expected = hash_at(sea, 5);
     const AskedPoints points(2000);
     const std::uint64_t expected_answers = answers_at(folded_sea, 5, choose_isa(), points).hash();
+#if !defined(__wasm__)  // which has one way to round
     for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
         std::fesetround(mode);
         const std::uint64_t hash = hash_at(sea, 5);
@@ -371,6 +372,7 @@ TEST(Determinism, TheHostsFloatingPointEnvironmentDoesNotReachTheSea) {
         EXPECT_EQ(hash, expected);
         EXPECT_EQ(answered, expected_answers);
     }
+#endif
 #if defined(__x86_64__)
     const unsigned found = _mm_getcsr();
     _mm_setcsr(found | 0x8040);  // flush to zero, denormals are zero
