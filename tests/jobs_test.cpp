@@ -198,13 +198,12 @@ TEST_P(EachExecutor, TwoGraphsMayBeInFlightAtOnce) {
     for (int round = 1; round <= 200; ++round) {
         run_a->schedule();
         run_b->schedule();
-        {
-            // From two threads at once, and one after the other.
-            const std::jthread elsewhere([&] {
-                if (round % 2 == 0) run_a->complete();
-            });
-            run_b->complete();
-        }
+        // From two threads at once, and one after the other.
+        std::thread elsewhere([&] {
+            if (round % 2 == 0) run_a->complete();
+        });
+        run_b->complete();
+        elsewhere.join();
         run_a->complete();
         ASSERT_EQ(first, 100 * round);
         ASSERT_EQ(second, 100 * round);

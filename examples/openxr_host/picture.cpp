@@ -1,0 +1,27 @@
+#include "picture.hpp"
+
+#include <fstream>
+#include <stdexcept>
+#include <string>
+
+namespace openxr_host {
+
+void write_picture(const std::filesystem::path& file, std::span<const std::uint8_t> rgba, int width, int height) {
+    std::string ppm = "P6\n" + std::to_string(width) + ' ' + std::to_string(height) + "\n255\n";
+    for (int row = height; row-- > 0;)
+        for (int column = 0; column < width; ++column)
+            for (int channel = 0; channel < 3; ++channel)
+                ppm += static_cast<char>(
+                    rgba[4 * static_cast<std::size_t>(row * width + column) + static_cast<std::size_t>(channel)]);
+    const std::filesystem::path part = file.string() + ".part";
+    std::ofstream to(part, std::ios::binary);
+    to << ppm;
+    to.close();
+    std::error_code error;
+    if (to) std::filesystem::rename(part, file, error);
+    if (to && !error) return;
+    std::filesystem::remove(part, error);
+    throw std::runtime_error(file.string() + " can't be written");
+}
+
+}  // namespace openxr_host
