@@ -249,6 +249,8 @@ TEST_F(OpenXrPictures, AreThoseThatTheHostSaved) {
     EXPECT_EQ(files_in(saved_->path()).size(), 2u);
 }
 
+TEST_F(OpenXrPictures, AreHandedOverWithoutAWrongCall) { EXPECT_EQ(run_->record["refusals"], Json::array()); }
+
 TEST_F(OpenXrPictures, AreShownFromWhereTheEyesWillBe) {
     for (const Json& recorded : run_->record["eyes"]) {
         for (const auto& [name, value] : recorded["pose"].items())
@@ -274,6 +276,7 @@ TEST_F(OpenXrPictures, AreTheSameInOnePassForBothEyes) {
     const HostRun one_pass({"--quality", "low", "--frames", "2"}, {{"PELAGIC_STAND_IN_EYE", std::to_string(side)},
                                                                    {"PELAGIC_STAND_IN_EVENTS", "1:hide 90:show"},
                                                                    {"LD_PRELOAD", PELAGIC_MULTIVIEW_STAND_IN}});
+    EXPECT_EQ(one_pass.record["refusals"], Json::array());
     EXPECT_EQ(one_pass.outcome.out, "2 frames shown, 900 x 900 an eye, both in one pass\n") << one_pass.outcome.err;
     for (const char* name : {"left.ppm", "right.ppm"})
         EXPECT_TRUE(shown(name).rgb == read_ppm(one_pass.folder / name).rgb) << name;
