@@ -1,4 +1,3 @@
-#include <cmath>
 #include <limits>
 
 #include "pelagic/capi/ocean.hpp"
@@ -39,22 +38,12 @@ SurfaceSamples samples_of(const pelagic_samples& samples, std::size_t count) {
             .foam = part(samples.foam)};
 }
 
-void need_within(const char* name, double value, double least, double most, const char* accepted) {
-    if (!(value >= least && value <= most)) refuse(refusal(name, value, accepted));
-}
-
-// Limits of what first_hit() may be asked, which also bound the time that it takes.
-SurfaceRay ray_of(const pelagic_ray& ray, double coarsest_texel_m) {
-    constexpr double far_m = 1e9, most_texels = 1e6;
-    for (const double along : ray.origin_m) need_within("ray.origin_m", along, -far_m, far_m, "[-1e9, 1e9]");
-    const double* const d = ray.direction;
-    const double length = std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
-    need_within("ray.direction's length", length, 1e-100, 1e100, "[1e-100, 1e100]");
-    need_within("ray.reach_m", ray.reach_m, 0, most_texels * coarsest_texel_m,
-                "0 to a million texels of the coarsest tile");
-    return {.origin_m = {ray.origin_m[0], ray.origin_m[1], ray.origin_m[2]},
-            .direction = {d[0], d[1], d[2]},
-            .reach_m = ray.reach_m};
+SurfaceRay ray_of(const pelagic_ray& ray, const Frame& frame) {
+    const SurfaceRay asked{.origin_m = {ray.origin_m[0], ray.origin_m[1], ray.origin_m[2]},
+                           .direction = {ray.direction[0], ray.direction[1], ray.direction[2]},
+                           .reach_m = ray.reach_m};
+    if (const std::string reason = check(asked, frame); !reason.empty()) refuse("ray." + reason);
+    return asked;
 }
 
 pelagic_hit c_hit_of(const SurfaceHit& found) {
@@ -89,7 +78,7 @@ pelagic_status pelagic_ocean_first_hit(const pelagic_ocean* ocean, const pelagic
     return guarded([&] {
         const AskedFrames::Reader reader(needed(ocean, "ocean").asked);
         const SurfaceQuery& query = needed_query(*ocean, reader);
-        const SurfaceRay asked = ray_of(read_struct(ray, "ray"), query.frame().tiles.front().texel_m());
+        const SurfaceRay asked = ray_of(read_struct(ray, "ray"), query.frame());
         struct_bytes(hit, "hit");
         const std::optional<SurfaceHit> found = first_hit(query, asked);
         write_struct(found ? c_hit_of(*found) : pelagic_hit{}, hit);

@@ -3,7 +3,7 @@
 # it; pelagic.h, which C hosts include as <pelagic/pelagic.h>, stands beside them.
 set(PELAGIC_INCLUDE_ROOT ${PROJECT_BINARY_DIR}/include)
 file(MAKE_DIRECTORY ${PELAGIC_INCLUDE_ROOT}/pelagic)
-foreach(folder message simd analytic jobs sim quadtree capi gl viewer tools bench tests examples)
+foreach(folder message simd analytic jobs sim quadtree capi gl viewer tools web bench tests examples)
   file(CREATE_LINK ${PROJECT_SOURCE_DIR}/${folder} ${PELAGIC_INCLUDE_ROOT}/pelagic/${folder} SYMBOLIC)
 endforeach()
 file(CREATE_LINK ${PROJECT_SOURCE_DIR}/capi/pelagic.h ${PELAGIC_INCLUDE_ROOT}/pelagic/pelagic.h SYMBOLIC)
@@ -28,6 +28,10 @@ function(pelagic_target target)
   # g++ 12 sees overlapping copies in every `"text" + std::string` (GCC bug 105651).
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
     target_compile_options(${target} PRIVATE -Wno-restrict)
+  endif()
+  # clang 14 says for each file on 64-bit Arm that it can't keep track of floating-point exceptions there; nobody asks for them.
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+    target_compile_options(${target} PRIVATE -Wno-unsupported-floating-point-opt)
   endif()
   # At the end of a link -ffast-math adds a start-up file that sets flush-to-zero for the whole process.
   target_link_options(${target} PRIVATE -fno-fast-math)

@@ -1,7 +1,9 @@
 # Cross-compiles to WebAssembly with Debian's emscripten 3.1.6; programs run in node, with the build machine's files.
 #
 # -DPELAGIC_WASM_THREADS=ON   threads on shared memory, which a page has if it is isolated
+# -DPELAGIC_WEB=ON            no programs, but the modules of web/
 option(PELAGIC_WASM_THREADS "WebAssembly with threads" OFF)
+option(PELAGIC_WEB "Build the modules for pages (needs emscripten)" OFF)
 list(APPEND CMAKE_TRY_COMPILE_PLATFORM_VARIABLES PELAGIC_WASM_THREADS)
 
 # Emscripten's own headers must come first, and /usr/include anywhere hides its C library. So those that Pelagic and its tests
@@ -38,13 +40,13 @@ set(pelagic_wasm_flags -fwasm-exceptions)
 if(PELAGIC_WASM_THREADS)
   set(pelagic_wasm_flags "-fexceptions -pthread")
 endif()
-# That WebAssembly has no floating-point exceptions to trap is not news in each file.
-string(APPEND pelagic_wasm_flags " -Wno-unsupported-floating-point-opt")
 set(CMAKE_C_FLAGS_INIT "${pelagic_wasm_flags}")
 set(CMAKE_CXX_FLAGS_INIT "${pelagic_wasm_flags} -DIMATH_HALF_NO_LOOKUP_TABLE -include ${CMAKE_CURRENT_LIST_DIR}/wasm_missing_std.hpp")
 # For programs of tests: they see this machine's files, take what memory they need and end when main() does.
-set(CMAKE_EXE_LINKER_FLAGS_INIT "-sNODERAWFS=1 -sALLOW_MEMORY_GROWTH=1 -sMAXIMUM_MEMORY=4GB -sEXIT_RUNTIME=1")
-if(PELAGIC_WASM_THREADS)
-  string(APPEND CMAKE_EXE_LINKER_FLAGS_INIT " -sPTHREAD_POOL_SIZE=9 -sPROXY_TO_PTHREAD=1")
+if(NOT PELAGIC_WEB)
+  set(CMAKE_EXE_LINKER_FLAGS_INIT "-sNODERAWFS=1 -sALLOW_MEMORY_GROWTH=1 -sMAXIMUM_MEMORY=4GB -sEXIT_RUNTIME=1")
+  if(PELAGIC_WASM_THREADS)
+    string(APPEND CMAKE_EXE_LINKER_FLAGS_INIT " -sPTHREAD_POOL_SIZE=9 -sPROXY_TO_PTHREAD=1")
+  endif()
 endif()
 set(CMAKE_CROSSCOMPILING_EMULATOR ${CMAKE_CURRENT_LIST_DIR}/run_wasm.sh)

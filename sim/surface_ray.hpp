@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <string>
 
 #include "pelagic/sim/surface_query.hpp"
 
@@ -20,6 +21,10 @@ struct SurfaceHit {
     std::array<float, 3> normal;  ///< of the surface there, as SurfaceQuery gives it, whichever side is hit
     bool from_below;              ///< the ray comes out of the water
 };
+
+/// Empty if a host may ask that, which bounds the time that it takes, too; else what is bad first: "reach_m is nan, needs 0 to a million
+/// texels of the coarsest tile". Coordinates are within 1e9, the direction's length within [1e-100, 1e100].
+std::string check(const SurfaceRay& ray, const Frame& frame);
 
 /// The first place where the ray passes through the surface, from above or from below; none within its reach.
 ///

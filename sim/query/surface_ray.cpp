@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "pelagic/message/refusal.hpp"
 #include "pelagic/sim/query/height_change.hpp"
 #include "pelagic/simd/float_environment.hpp"
 
@@ -135,6 +136,19 @@ class FreeSteps {
 };
 
 }  // namespace
+
+std::string check(const SurfaceRay& ray, const Frame& frame) {
+    constexpr double far_m = 1e9, most_texels = 1e6;
+    const auto is_within = [](double value, double least, double most) { return value >= least && value <= most; };
+    for (const double along : ray.origin_m)
+        if (!is_within(along, -far_m, far_m)) return refusal("origin_m", along, "[-1e9, 1e9]");
+    const auto& d = ray.direction;
+    const double length = std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+    if (!is_within(length, 1e-100, 1e100)) return refusal("direction's length", length, "[1e-100, 1e100]");
+    if (!is_within(ray.reach_m, 0, most_texels * frame.tiles.front().texel_m()))
+        return refusal("reach_m", ray.reach_m, "0 to a million texels of the coarsest tile");
+    return {};
+}
 
 std::optional<SurfaceHit> first_hit(const SurfaceQuery& query, const SurfaceRay& ray) {
     const DefaultFloatEnvironment environment;

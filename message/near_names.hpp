@@ -1,0 +1,59 @@
+// Names that somebody may have meant: what is said of one that there isn't.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace pelagic {
+
+/// "a, b or c".
+inline std::string list_of(std::span<const std::string> names) {
+    std::string list;
+    for (std::size_t i = 0; i < names.size(); ++i)
+        list += (i == 0 ? "" : i + 1 < names.size() ? ", " : " or ") + names[i];
+    return list;
+}
+
+/// Levenshtein's distance, one row of the table at a time.
+inline std::size_t edit_distance(std::string_view a, std::string_view b) {
+    std::vector<std::size_t> row(b.size() + 1);
+    std::iota(row.begin(), row.end(), std::size_t{0});
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        std::size_t diagonal = row[0];
+        row[0] = i;
+        for (std::size_t j = 1; j <= b.size(); ++j) {
+            const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+            diagonal = row[j];
+            row[j] = std::min({row[j] + 1, row[j - 1] + 1, replaced});
+        }
+    }
+    return row.back();
+}
+
+/// The name that `name` is most likely a slip for: at most half of its letters differ, and no more than 3. None if no name
+/// is so near.
+inline std::optional<std::string> near_name(std::string_view name, std::span<const std::string> names) {
+    std::optional<std::string> nearest;
+    std::size_t least = std::min<std::size_t>(3, name.size() / 2) + 1;
+    for (const std::string& known : names) {
+        const std::size_t distance = edit_distance(name, known);
+        if (distance >= least) continue;
+        least = distance;
+        nearest = known;
+    }
+    return nearest;
+}
+
+/// " (the nearest is storm)", or nothing.
+inline std::string nearest_hint(std::string_view name, std::span<const std::string> names) {
+    const auto nearest = near_name(name, names);
+    return nearest ? " (the nearest is " + *nearest + ")" : "";
+}
+
+}  // namespace pelagic

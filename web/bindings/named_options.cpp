@@ -1,0 +1,224 @@
+#include "pelagic/web/bindings/named_options.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+#include <variant>
+#include <vector>
+
+#include "pelagic/message/near_names.hpp"
+#include "pelagic/message/refusal.hpp"
+
+namespace pelagic::web {
+namespace {
+
+using emscripten::val;
+
+bool is_of_type(const val& value, std::string_view type) { return value.typeOf().as<std::string>() == type; }
+
+template <class Model>
+std::vector<std::string> names_of(std::span<const Model> models) {
+    std::vector<std::string> names;
+    for (const Model model : models) names.emplace_back(name_of(model));
+    return names;
+}
+
+/// An option that is one of a few words.
+struct WordOption {
+    std::string name;
+    std::vector<std::string> words;
+    void (*set)(SeaState&, std::string_view word);  ///< \pre one of the words
+    std::string_view (*word_in)(const SeaState&);
+};
+
+const std::vector<WordOption>& word_options() {
+    static const std::vector<WordOption> all = {
+        {"waves", names_of(wave_models()),
+         [](SeaState& sea, std::string_view word) { sea.waves = *wave_model_named(word); },
+         [](const SeaState& sea) { return name_of(sea.waves); }},
+        {"spectrum", names_of(spectrum_models()),
+         [](SeaState& sea, std::string_view word) { sea.spectrum = *spectrum_model_named(word); },
+         [](const SeaState& sea) { return name_of(sea.spectrum); }},
+        {"spreading", names_of(spreading_models()),
+         [](SeaState& sea, std::string_view word) { sea.spreading = *spreading_model_named(word); },
+         [](const SeaState& sea) { return name_of(sea.spreading); }}};
+    return all;
+}
+
+std::vector<std::string> preset_names() {
+    std::vector<std::string> names;
+    for (const SeaPreset& preset : sea_presets()) names.emplace_back(preset.name);
+    return names;
+}
+
+[[noreturn]] void refuse(std::string_view name, const val& value, std::string_view accepted) {
+    throw std::invalid_argument(refusal(name, text_of(value), accepted));
+}
+
+void set_number(SeaState& sea, const SeaStateField& field, const val& value) {
+    const std::string name = camel_case(field.name);
+    if (!is_of_type(value, "number")) refuse(name, value, "a number: " + std::string(field.accepted));
+    const double number = value.as<double>();
+    const bool is_whole = !std::holds_alternative<double SeaState::*>(field.member);
+    if (!field.accepts(number) || (is_whole && std::trunc(number) != number)) refuse(name, value, field.accepted);
+    field.set(sea, number);
+}
+
+/// What belongs to the tiles is as `before` has it, where a preset leaves it open.
+SeaState keep_tiles(SeaState preset, const SeaState& before) {
+    const SeaState unsaid;
+    const auto keep = [&](auto member) {
+        if (preset.*member == unsaid.*member) preset.*member = before.*member;
+    };
+    keep(&SeaState::cascades);
+    keep(&SeaState::resolution);
+    keep(&SeaState::patch_size_m);
+    keep(&SeaState::depth_m);
+    keep(&SeaState::loop_period_s);
+    keep(&SeaState::seed);
+    return preset;
+}
+
+/// True if there is such an option of the sea.
+bool set_option(SeaState& sea, const std::string& name, const val& value) {
+    for (const WordOption& option : word_options())
+        if (option.name == name) {
+            option.set(sea, word_of(name, value, option.words));
+            return true;
+        }
+    for (const SeaStateField& field : sea_state_fields())
+        if (camel_case(field.name) == name) {
+            set_number(sea, field, value);
+            return true;
+        }
+    return false;
+}
+
+[[noreturn]] void refuse_name(const std::string& name, std::span<const std::string_view> others) {
+    std::vector<std::string> known(others.begin(), others.end());
+    known.emplace_back("preset");
+    for (const WordOption& option : word_options()) known.push_back(option.name);
+    for (const SeaStateField& field : sea_state_fields()) known.push_back(camel_case(field.name));
+    // "windspeed" and "wind" are wind speed without its unit.
+    const auto is_begun = [&](const std::string& option) {
+        return option.size() >= name.size() &&
+               std::equal(name.begin(), name.end(), option.begin(), [](char a, char b) {
+                   return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
+               });
+    };
+    const auto begun = std::find_if(known.begin(), known.end(), is_begun);
+    const auto near = begun != known.end() && name.size() > 3 ? *begun : near_name(name, known);
+    throw std::invalid_argument(
+        one_line("there is no option " + name + ", needs " + (near ? *near : "one of " + list_of(known))));
+}
+
+val array_of(const std::vector<std::string>& words) {
+    val array = val::array();
+    for (const std::string& word : words) array.call<void>("push", word);
+    return array;
+}
+
+}  // namespace
+
+std::string camel_case(std::string_view text) {
+    std::string camel;
+    const auto is_letter = [](char c) { return c >= 'a' && c <= 'z'; };
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const bool is_joint = text[i] == '_' && i > 0 && i + 1 < text.size() && is_letter(text[i + 1]);
+        camel += is_joint ? static_cast<char>(text[++i] - 'a' + 'A') : text[i];
+    }
+    return camel;
+}
+
+std::string text_of(const val& value) {
+    if (is_of_type(value, "string")) return '"' + value.as<std::string>() + '"';
+    if (value.isArray()) return "an array";
+    if (!value.isNull() && is_of_type(value, "object")) return "an object";
+    return val::global("String")(value).as<std::string>();
+}
+
+bool flag_of(const std::string& name, const val& value) {
+    if (!value.isTrue() && !value.isFalse()) refuse(name, value, "true or false");
+    return value.isTrue();
+}
+
+std::string word_of(std::string_view name, const val& value, const std::vector<std::string>& words) {
+    if (!is_of_type(value, "string")) refuse(name, value, list_of(words));
+    const auto word = value.as<std::string>();
+    if (std::find(words.begin(), words.end(), word) == words.end())
+        throw std::invalid_argument(refusal(name, text_of(value), list_of(words) + nearest_hint(word, words)));
+    return word;
+}
+
+double number_of(std::string_view name, const val& value, bool (*accepts)(double), std::string_view accepted) {
+    if (!is_of_type(value, "number") || !accepts(value.as<double>())) refuse(name, value, accepted);
+    return value.as<double>();
+}
+
+SeaState sea_with(const SeaState& sea, const val& options, std::span<const std::string_view> others) {
+    if (options.isUndefined()) return sea;
+    if (options.isNull() || options.isArray() || !is_of_type(options, "object"))
+        refuse("options", options, "an object such as {windSpeedMps: 9}");
+
+    SeaState changed = sea;
+    if (const val preset = options["preset"]; !preset.isUndefined())
+        changed = keep_tiles(sea_preset_named(word_of("preset", preset, preset_names()))->sea, sea);
+    const val names = val::global("Object").call<val>("keys", options);
+    for (int i = 0, count = names["length"].as<int>(); i < count; ++i) {
+        const auto name = names[i].as<std::string>();
+        const val value = options[name];
+        if (value.isUndefined() || name == "preset" || std::find(others.begin(), others.end(), name) != others.end())
+            continue;
+        if (!set_option(changed, name, value)) refuse_name(name, others);
+    }
+    // Each has been looked at alone.
+    if (const std::string reason = check(changed); !reason.empty()) throw std::invalid_argument(camel_case(reason));
+    return changed;
+}
+
+val options_of(const SeaState& sea) {
+    val options = val::object();
+    for (const WordOption& option : word_options()) options.set(option.name, std::string(option.word_in(sea)));
+    for (const SeaStateField& field : sea_state_fields()) options.set(camel_case(field.name), field.value_in(sea));
+    return options;
+}
+
+val sea_option_table() {
+    val table = val::array();
+    const val defaults = options_of({});
+    for (const WordOption& option : word_options()) {
+        val row = val::object();
+        row.set("name", option.name);
+        row.set("default", defaults[option.name]);
+        row.set("accepted", list_of(option.words));
+        row.set("words", array_of(option.words));
+        table.call<void>("push", row);
+    }
+    for (const SeaStateField& field : sea_state_fields()) {
+        val row = val::object();
+        const std::string name = camel_case(field.name);
+        row.set("name", name);
+        row.set("default", defaults[name]);
+        row.set("accepted", std::string(field.accepted));
+        row.set("least", field.least);
+        row.set("most", field.most);
+        table.call<void>("push", row);
+    }
+    return table;
+}
+
+val preset_table() {
+    val table = val::array();
+    for (const SeaPreset& preset : sea_presets()) {
+        val row = val::object();
+        row.set("name", std::string(preset.name));
+        row.set("summary", std::string(preset.summary));
+        row.set("sea", options_of(preset.sea));
+        table.call<void>("push", row);
+    }
+    return table;
+}
+
+}  // namespace pelagic::web

@@ -1,0 +1,96 @@
+// Instances of the WebAssembly modules. Each ocean has one of its own, so that all its memory goes when it does; what is compiled is kept.
+
+export const isNode = typeof process === 'object' && typeof process?.versions?.node === 'string';
+const isPageThread = !isNode && typeof document !== 'undefined';
+
+const mostThreads = 64;
+// More than that gains little at the resolutions that a page draws, and each thread is a worker of its own.
+const mostThreadsUnasked = 8;
+
+/** What only node has, in a file that no browser asks for, and no bundler looks into. */
+function nodeHost() {
+  const file = './node_host.js';
+  return import(/* webpackIgnore: true */ /* @vite-ignore */ file);
+}
+
+/** A worker as pages have it, in node, too. */
+export async function workerClass() {
+  return isNode ? (await nodeHost()).WebWorker : Worker;
+}
+
+export function assertOptions(options) {
+  if (options !== null && typeof options === 'object' && !Array.isArray(options)) return;
+  const what = Array.isArray(options) ? 'an array' : String(options);
+  throw new Error(`options is ${what}, needs an object such as {windSpeedMps: 9}`);
+}
+
+async function coresHere() {
+  return isNode ? (await nodeHost()).cores() : navigator.hardwareConcurrency;
+}
+
+/** How many threads an ocean has here: as many as wanted, or one a core, or one where there is no shared memory or nobody may wait for others. */
+export async function threadsFor(wanted) {
+  if (wanted !== undefined && !(Number.isInteger(wanted) && wanted >= 1 && wanted <= mostThreads))
+    throw new Error(`threads is ${typeof wanted === 'string' ? `"${wanted}"` : String(wanted)}, needs a whole number from 1 to ${mostThreads}`);
+  const isShared = typeof SharedArrayBuffer !== 'undefined' && (isNode || globalThis.crossOriginIsolated === true);
+  if (wanted > 1 && isPageThread)
+    throw new Error(`threads is ${wanted}, needs 1 on a page's own thread, which must not wait for others: pelagic/worker has threads`);
+  if (wanted > 1 && !isShared)
+    throw new Error(`threads is ${wanted}, needs 1 where a page is not isolated: its server sends neither or one of the headers COOP and COEP`);
+  if (wanted !== undefined) return wanted;
+  if (isPageThread || !isShared) return 1;
+  return Math.min(await coresHere(), mostThreadsUnasked);
+}
+
+const compiled = new Map();
+
+async function compile(url) {
+  if (isNode) return WebAssembly.compile(await (await nodeHost()).readBytes(url));
+  const response = await fetch(url);
+  if (!response.ok) throw new Error(`${url} is not there: the server says ${response.status}`);
+  // compileStreaming() takes no other type, and not every server knows this one.
+  if (response.headers.get('Content-Type') === 'application/wasm') return WebAssembly.compileStreaming(response);
+  return WebAssembly.compile(await response.arrayBuffer());
+}
+
+/** The compiled module at `url`; a failure is not kept, so that the next call tries again. */
+function compiledOnce(url) {
+  if (!compiled.has(url.href)) {
+    const promise = compile(url);
+    promise.catch(() => compiled.delete(url.href));
+    compiled.set(url.href, promise);
+  }
+  return compiled.get(url.href);
+}
+
+/**
+ * An instance with its own memory and, where threads are more than one, its own workers.
+ * @returns {Promise<{module: object, isShared: boolean, end: () => void}>}
+ */
+export async function makeInstance(threads) {
+  const hasThreads = threads > 1;
+  const [wasm, glue] = await Promise.all([
+    compiledOnce(hasThreads ? new URL('./wasm/ocean-threads.wasm', import.meta.url) : new URL('./wasm/ocean.wasm', import.meta.url)),
+    hasThreads ? import('./wasm/ocean-threads.js') : import('./wasm/ocean.js'),
+  ]);
+  const cores = await coresHere();
+  const module = await new Promise((resolve, reject) => {
+    const instantiateWasm = (imports, receive) => {
+      WebAssembly.instantiate(wasm, imports).then((instance) => receive(instance, wasm), reject);
+      return {};
+    };
+    const make = () => glue.default({ poolThreads: threads - 1, cores, instantiateWasm }).then(resolve, reject);
+    if (hasThreads && isNode) nodeHost().then(({ withWebWorkers }) => withWebWorkers(make)).catch(reject);
+    else make();
+  });
+  const workers = () => (hasThreads ? [...module.PThread.unusedWorkers, ...module.PThread.runningWorkers] : []);
+  // A thread that waits for work keeps no program of node from its end.
+  for (const worker of workers()) worker.unref?.();
+  return { module, isShared: hasThreads, end: () => workers().forEach((worker) => worker.terminate()) };
+}
+
+/** What a binding answered, or its refusal as an Error. */
+export function valueOf(answer) {
+  if (answer.error !== undefined) throw new Error(answer.error);
+  return answer.value;
+}
