@@ -412,9 +412,10 @@ TEST(OpenXrErrors, NameAWrongOption) {
               "openxr_host: --resolution is 100, needs a power of two from 16 to 2048, or 0: chosen\n");
     EXPECT_EQ(said({"--pictures", folder / "none"}),
               "openxr_host: --pictures is " + (folder / "none").string() + ", needs a folder that is there\n");
-    EXPECT_EQ(
-        said({"--hashes", folder / "none/seas.txt"}),
-        "openxr_host: --hashes is " + (folder / "none/seas.txt").string() + ", needs a file that can be written\n");
+    EXPECT_EQ(said({"--hashes", folder / "none/seas.txt"}),
+              "openxr_host: --hashes is " + (folder / "none/seas.txt").string() +
+                  ", needs the name of a file in a folder that is there\n");
+    EXPECT_EQ(said({"--eyes\n", "3"}).substr(0, 38), "openxr_host: --eyes? is no option; nee");
     EXPECT_TRUE(files_in(folder.path()).empty());
 }
 
