@@ -65,10 +65,10 @@ EyeImages::EyeImages(const Headset& headset, const pelagic::gl::Functions& gl)
             };
             attach(GL_COLOR_ATTACHMENT0, images_[image]);
             attach(GL_DEPTH_ATTACHMENT, depth_);
+            if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+                throw std::runtime_error("the driver can't draw into the headset's pictures");
         }
     }
-    if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-        throw std::runtime_error("the driver can't draw into the headset's pictures");
 }
 
 EyeImages::~EyeImages() {
