@@ -9,15 +9,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <string>
 
 #include "pelagic/gl/light_presets.hpp"
 #include "pelagic/gl/shading.hpp"
 #include "pelagic/gl/sky.hpp"
-#include "pelagic/message/refusal.hpp"
+#include "pelagic/message/number_text.hpp"
 #include "pelagic/quadtree/quadtree_options.hpp"
 #include "pelagic/viewer/sliders.hpp"
+#include "pelagic/web/bindings/light_options.hpp"
 #include "pelagic/web/bindings/named_options.hpp"
 
 namespace pelagic::web {
@@ -114,32 +114,10 @@ val check_sea(val options) {
     return answer_of([&] { return options_of(sea_with({}, options)); });
 }
 
-bool is_finite(double number) { return std::isfinite(number); }
-
 val check_light(val options) {
     return answer_of([&] {
-        gl::SkyOptions sky;
-        double stops = 0;
-        const val names = val::global("Object").call<val>("keys", options);
-        for (int i = 0, count = names["length"].as<int>(); i < count; ++i) {
-            const auto name = names[i].as<std::string>();
-            const val value = options[name];
-            if (name == "placesMoon") {
-                sky.places_moon = flag_of(name, value);
-            } else if (name == "stops") {
-                stops = number_of(
-                    name, value, [](double s) { return std::abs(s) <= double{gl::most_bias_stops}; }, "[-5, 5]");
-            } else {
-                const auto fields = gl::sky_fields();
-                const auto field = std::find_if(fields.begin(), fields.end(),
-                                                [&](const SkyField& one) { return camel_case(one.name) == name; });
-                if (field == fields.end()) throw std::invalid_argument(one_line("there is no option " + name));
-                const double number = number_of(name, value, is_finite, field->accepted);
-                if (!field->accepts(number)) throw std::invalid_argument(refusal(name, number, field->accepted));
-                field->set(sky, number);
-            }
-        }
-        return light_object(sky, static_cast<float>(stops));
+        const Light light = light_with(options);
+        return light_object(light.sky, light.stops);
     });
 }
 

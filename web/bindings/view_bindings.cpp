@@ -5,7 +5,7 @@
 //   view.setLight({preset: 'noon'});
 //   each frame:
 //     view.simulate(seconds);
-//     view.draw({width, height, eyes: [{viewport: [0, 0, width, height], view, projection}]});
+//     view.draw({eyes: [{viewport: [0, 0, width, height], view, projection}]});
 //   between frames, until it says true:
 //     view.continueBaking(10);
 //
@@ -21,7 +21,7 @@
 //   hash()                  of that frame: 16 hexadecimal digits, the same as everywhere else
 //   simulateMs(), drawMs()  of the last call, milliseconds of script; a GPU's own are not in them
 //   seaInfo()               {significantHeightM, tiles, resolution, memoryBytes, triangles}
-//   draw(request)           {framebuffer, width, height, eyes, origin, exposure}: clears the framebuffer and draws into it. `framebuffer`
+//   draw(request)           {framebuffer, eyes, origin, exposure}: clears the framebuffer and draws into it. `framebuffer`
 //                           is a WebGLFramebuffer of the page's own script or of an XRWebGLLayer; null or undefined is the canvas.
 //                           One or two eyes; `view` and `projection` are column-major as WebXR and OpenGL have them, of any far plane:
 //                           the sea's is infinite. `origin` [x, y, z]: where the views' own origin stands above the sea, metres
@@ -152,7 +152,7 @@ class CanvasContext {
             throw gl::GlError(
                 "there is no canvas to draw into: createPelagicView({canvas}) takes an element or a selector");
         if (context_ == 0) throw gl::GlError("the browser gives the canvas no WebGL 2");
-        emscripten_webgl_make_context_current(context_);
+        make_current();
         functions_ = gl::load_functions([](const char* name) { return emscripten_webgl_get_proc_address(name); });
     }
     void make_current() const {
@@ -174,7 +174,6 @@ class BoundView {
     explicit BoundView(const val& options) {
         const SeaState sea = sea_with({}, options, view_names);
         view_.emplace(context_.functions(), sea, view_options_of(options));
-        view_->set_light({}, 0);
     }
 
     void set_sea(const val& options) {
@@ -193,6 +192,7 @@ class BoundView {
     }
     bool has_sky() { return view_->has_sky(); }
     void simulate(double time_s) {
+        if (!std::isfinite(time_s)) throw std::invalid_argument(refusal("timeS", time_s, "a finite number"));
         context_.make_current();
         view_->simulate(time_s);
         is_simulated_ = true;
