@@ -58,7 +58,7 @@ set(simd_headers host_memory isa)
 set(sim_headers closed_form_tiles foam_report forecast frame frame_buffers ocean sea_state slope_sum slope_variance statistics surface_query
                 surface_query_jobs surface_ray texture_targets tick_clock tile tile_plan)
 set(quadtree_headers camera draw_list frustum level_map node_culling patch_mesh patch_vertex quadtree_options selection skirt stitching)
-set(gl_headers caustics display errors exposure frame_textures functions headless_context host_scene light_meter light_presets objects render_target sea_floor
+set(gl_headers caustics display errors exposure frame_textures functions headless_context host_scene light_meter light_presets objects pixel_ring render_target sea_floor
                sea_renderer shading sky sky_baker small_water views water_at_lens water_optics)
 set(folders message analytic jobs simd sim)
 if(PELAGIC_QUADTREE)

@@ -44,8 +44,8 @@ struct EyesLayer {
 
 /// Values of options may have line ends, and drivers' messages do.
 std::string one_line(std::string text) {
-    std::ranges::replace_if(
-        text, [](unsigned char c) { return c < ' '; }, '?');
+    std::replace_if(
+        text.begin(), text.end(), [](unsigned char c) { return c < ' '; }, '?');
     return text;
 }
 
