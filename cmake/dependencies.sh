@@ -37,6 +37,10 @@ pelagic_gate_packages=(clang libclang-rt-14-dev libc++-14-dev)
 [ "$(uname -m)" = aarch64 ] ||
   pelagic_gate_packages+=(g++-aarch64-linux-gnu qemu-user libtbb-dev:arm64 libgtest-dev:arm64 libimath-dev:arm64)
 
+# What a page is built and served with: a compiler to WebAssembly, and node.
+pelagic_web_packages=(emscripten)
+command -v node >/dev/null || pelagic_web_packages+=(nodejs)
+
 # What only the tests inside other hosts need: a compiler to WebAssembly and node, which runs what it makes, and a browser.
 pelagic_hosts_packages=(emscripten chromium)
 command -v node >/dev/null || pelagic_hosts_packages+=(nodejs)

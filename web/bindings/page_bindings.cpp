@@ -7,15 +7,17 @@
 #include <emscripten/bind.h>
 #include <emscripten/val.h>
 
-#include <stdexcept>
+#include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "pelagic/gl/light_presets.hpp"
 #include "pelagic/gl/shading.hpp"
 #include "pelagic/gl/sky.hpp"
-#include "pelagic/message/refusal.hpp"
+#include "pelagic/message/number_text.hpp"
 #include "pelagic/quadtree/quadtree_options.hpp"
 #include "pelagic/viewer/sliders.hpp"
+#include "pelagic/web/bindings/light_options.hpp"
 #include "pelagic/web/bindings/named_options.hpp"
 
 namespace pelagic::web {
@@ -65,7 +67,7 @@ val light_preset_table() {
     for (const gl::LightPreset& preset : gl::light_presets()) {
         val row = val::object();
         row.set("name", std::string(preset.name));
-        row.set("summary", std::string(preset.summary));
+        row.set("summary", std::string(preset.meaning));
         row.set("light", light_object(preset.sky, preset.bias_stops));
         table.call<void>("push", row);
     }
@@ -112,33 +114,10 @@ val check_sea(val options) {
     return answer_of([&] { return options_of(sea_with({}, options)); });
 }
 
-bool is_finite(double number) { return std::isfinite(number); }
-
 val check_light(val options) {
     return answer_of([&] {
-        gl::SkyOptions sky;
-        double stops = 0;
-        const val names = val::global("Object").call<val>("keys", options);
-        for (int i = 0, count = names["length"].as<int>(); i < count; ++i) {
-            const auto name = names[i].as<std::string>();
-            const val value = options[name];
-            if (name == "placesMoon") {
-                sky.places_moon = flag_of(name, value);
-            } else if (name == "stops") {
-                stops = number_of(
-                    name, value, [](double s) { return std::abs(s) <= double{gl::most_bias_stops}; }, "[-5, 5]");
-            } else {
-                const auto fields = gl::sky_fields();
-                const auto field = std::find_if(fields.begin(), fields.end(), [&](const SkyField& one) {
-                    return camel_case(one.name) == name;
-                });
-                if (field == fields.end()) throw std::invalid_argument(one_line("there is no option " + name));
-                const double number = number_of(name, value, is_finite, field->accepted);
-                if (!field->accepts(number)) throw std::invalid_argument(refusal(name, number, field->accepted));
-                field->set(sky, number);
-            }
-        }
-        return light_object(sky, static_cast<float>(stops));
+        const Light light = light_with(options);
+        return light_object(light.sky, light.stops);
     });
 }
 

@@ -119,6 +119,7 @@ ShownLight SeaView::light() const {
 
 const Frame& SeaView::simulate(double time_s) {
     State& s = *state_;
+    if (!s.sky) set_light({}, 0);
     const gl::Stopwatch watch;
     s.frame = &s.ocean->frame_at(time_s);
     s.simulate_ms = watch.milliseconds();

@@ -40,6 +40,7 @@ class SeaView {
     /// The next frame is one of that sea. Throws std::invalid_argument, and keeps the sea that it has.
     void set_sea(const SeaState& sea);
     /// Begins to bake a sky, which is drawn when it is done; the last call counts. Throws std::invalid_argument.
+    /// Until the first one is done a plain sky is drawn, without clouds, of the first call's light; without a call, of the default one.
     /// \param stops  brighter than the sky's own exposure
     void set_light(const gl::SkyOptions& sky, float stops);
     /// Bakes on for about that long; true if nothing is left to bake.

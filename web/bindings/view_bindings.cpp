@@ -174,7 +174,6 @@ class BoundView {
     explicit BoundView(const val& options) {
         const SeaState sea = sea_with({}, options, view_names);
         view_.emplace(context_.functions(), sea, view_options_of(options));
-        view_->set_light({}, 0);
     }
 
     void set_sea(const val& options) {

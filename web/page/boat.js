@@ -41,13 +41,13 @@ export function poseOn(heights) {
 const normalised = v => v.map(part => part / Math.hypot(...v));
 const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 
-/** World from boat, column-major. */
-function placed({height, slopeX, slopeZ}) {
+/** From the boat to axes of the world whose origin is there, column-major. */
+function placed({height, slopeX, slopeZ}, origin) {
   const [cosine, sine] = [Math.cos(place.heading), Math.sin(place.heading)];
   const forward = normalised([cosine, slopeX, sine]);
   const up = normalised(cross([-sine, slopeZ, cosine], forward));
   const starboard = cross(forward, up);
-  return [...forward, 0, ...up, 0, ...starboard, 0, place.x, height, place.z, 1];
+  return [...forward, 0, ...up, 0, ...starboard, 0, place.x - origin[0], height - origin[1], place.z - origin[2], 1];
 }
 
 // ---- Its mesh: positions, normals, colours -------------------------------------------------------------------------------------
@@ -233,14 +233,15 @@ export class Boat {
    * Into the framebuffer that the sea was drawn into, whose depth says what water hides of it.
    * @param eye    {viewport, view, projection} as SeaView.draw() takes it
    * @param light  of SeaView.lightInfo()
+   * @param origin where the eye's own origin stands in the world
    */
-  draw(eye, light) {
+  draw(eye, light, origin) {
     const {gl, program} = this;
     const uniform = name => gl.getUniformLocation(program, name);
     gl.useProgram(program);
     gl.viewport(...eye.viewport);
     gl.uniformMatrix4fv(uniform('clip_from_world'), false, new Float32Array(multiplied(eye.projection, eye.view)));
-    gl.uniformMatrix4fv(uniform('world_from_boat'), false, new Float32Array(placed(this.pose)));
+    gl.uniformMatrix4fv(uniform('world_from_boat'), false, new Float32Array(placed(this.pose, origin)));
     gl.uniform3fv(uniform('sun'), light.direction);
     gl.uniform3fv(uniform('sun_irradiance'), light.sunIrradiance);
     gl.uniform3fv(uniform('sky_irradiance'), light.skyIrradiance);

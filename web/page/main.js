@@ -15,6 +15,8 @@ import {offerVr} from './vr_button.js';
 const sliceMs = 12;
 /** The hash of a sea that moves is shown twice a second; it costs a few milliseconds. */
 const hashEveryMs = 500;
+/** While the sky is baked, a frame comes no later than this after the one before. */
+const longestRestMs = 1000;
 
 const byId = id => document.getElementById(id);
 const canvas = byId('sea');
@@ -38,8 +40,8 @@ class Page {
     this.panel.show(this.settings);
     this.connectButtons();
     addEventListener('hashchange', () => this.openLink());
-    offerVr(byId('enter-vr'), this);
-    requestAnimationFrame(now => this.frame(now));
+    offerVr(byId('enter-vr'), () => this.vrOptions(), isInVr => this.restForVr(isInVr), showProblem);
+    this.requestFrame();
   }
 
   // ---- Settings ---------------------------------------------------------------------------------------------------------------
@@ -83,6 +85,7 @@ class Page {
       this.seaChanged ||= differs('sea');
       this.lightChanged ||= differs('light');
     }
+    this.isStale = true;
     this.panel.show(settings);
     byId('pause').setAttribute('aria-pressed', settings.paused);
   }
@@ -124,21 +127,39 @@ class Page {
     this.seaChanged = this.lightChanged = false;
   }
 
-  /** A slice now and then until the sky is done, between frames. */
+  /**
+   * Slices of the sky until it is done. Frames have half of the time: where one takes long, as on a driver without a GPU, the next waits for
+   * as many slices.
+   */
   bake() {
     if (this.isBaking) return;
     this.isBaking = true;
     const slice = () => {
-      // The first picture goes first.
-      if (this.timings.firstFrameMs === undefined) return setTimeout(slice, 5);
       const began = performance.now();
+      this.timings.firstSliceMs ??= began;
       const isDone = this.view.continueBaking(sliceMs);
-      this.timings.slices.push(performance.now() - began);
-      if (!isDone) return setTimeout(slice, 0);
-      this.isBaking = false;
-      this.timings.skyMs ??= performance.now();
+      const ended = performance.now();
+      this.timings.slices.push(ended - began);
+      this.isBaking = !isDone;
+      if (isDone) {
+        this.timings.skyMs ??= ended;
+        this.isStale = true;
+        this.requestFrame();
+      } else {
+        if (ended - this.frameEndedAt >= Math.min(this.frameMs, longestRestMs)) this.requestFrame();
+        setTimeout(slice, 0);
+      }
     };
-    setTimeout(slice, 0);
+    this.startSlices = () => {
+      this.startSlices = undefined;
+      setTimeout(slice, 0);
+    };
+  }
+
+  requestFrame() {
+    if (this.isFrameRequested) return;
+    this.isFrameRequested = true;
+    requestAnimationFrame(now => this.frame(now));
   }
 
   /** As large as the window, or a part of it where frames take long. */
@@ -150,19 +171,34 @@ class Page {
   }
 
   frame(now) {
-    requestAnimationFrame(later => this.frame(later));
-    const passed = Math.min((now - (this.lastNow ?? now)) / 1000, 0.25);  // no leaps after a pause
-    this.frameMs = now - (this.lastNow ?? now);
-    this.lastNow = now;
+    this.isFrameRequested = false;
     if (this.isInVr) return;
-    if (!this.isBaking) this.scale.follow(this.frameMs);
+    const passed = Math.min((now - (this.lastNow ?? now)) / 1000, 0.25);  // no leaps after a pause
+    const sinceLast = now - (this.lastNow ?? now);
+    this.lastNow = now;
+    if (!this.isBaking && !this.isResting) this.scale.follow(sinceLast);
     this.advance(passed);
     this.camera.fly(this.keys, passed);
     this.fit();
     const {width, height} = canvas;
-    this.draw(null, width, height, [{viewport: [0, 0, width, height], ...this.camera.matrices(width / height)}]);
-    this.timings.firstFrameMs ??= performance.now();
-    this.showFigures(now);
+    const eye = {viewport: [0, 0, width, height], ...this.camera.matrices(width / height)};
+    // A sea that is paused before a camera that stands is on the screen already.
+    const seen = [this.shownTimeS, width, height, ...eye.view].join();
+    this.isResting = seen === this.seen && !this.isStale;
+    if (!this.isResting) this.draw(null, width, height, [eye]);
+    this.seen = seen;
+    this.isStale = false;
+    this.showFigures(now, sinceLast);
+    // The next task begins when the driver has taken this frame's calls.
+    setTimeout(() => this.endFrame(now), 0);
+  }
+
+  endFrame(began) {
+    this.frameEndedAt = performance.now();
+    this.frameMs = this.frameEndedAt - began;
+    this.timings.firstFrameMs ??= this.frameEndedAt;
+    this.startSlices?.();
+    if (!this.isBaking) this.requestFrame();
   }
 
   /** The sea of the settings, that many seconds later. */
@@ -177,21 +213,44 @@ class Page {
 
   draw(framebuffer, width, height, eyes) {
     this.view.draw({framebuffer, width, height, eyes});
+    this.drawBoat(framebuffer, eyes, [0, 0, 0]);
+  }
+
+  /** \param origin  where the eyes' own origin stands */
+  drawBoat(framebuffer, eyes, origin) {
     if (!this.settings.boat) return;
     this.boat.float(this.view);
     const light = this.view.lightInfo();
     this.gl.bindFramebuffer(this.gl.FRAMEBUFFER, framebuffer);
-    for (const eye of eyes) this.boat.draw(eye, light);
+    for (const eye of eyes) this.boat.draw(eye, light, origin);
   }
 
-  showFigures(now) {
+  /** The room's floor stands where the camera is, three metres above rest or as high as the camera. */
+  vrOptions() {
+    const [x, y, z] = this.camera.eye;
+    return {
+      view: this.view,
+      timeS: this.settings.timeS,
+      origin: [x, Math.max(y - 1.6, 1), z],
+      drawMore: (framebuffer, eyes, origin) => this.drawBoat(framebuffer, eyes, origin),
+    };
+  }
+
+  restForVr(isInVr) {
+    this.isInVr = isInVr;
+    this.shownTimeS = undefined;
+    this.isStale = true;
+    if (!isInVr) this.requestFrame();
+  }
+
+  showFigures(now, sinceLast) {
     byId('time').textContent = this.shownTimeS.toFixed(this.settings.paused ? 3 : 1);
     if (this.hash === undefined && (this.settings.paused || !(now - this.hashedAt < hashEveryMs))) {
       this.hash = this.view.hash();
       this.hashedAt = now;
       byId('hash').value = this.hash;
     }
-    byId('frame-time').textContent = `sea ${this.view.simulateMs().toFixed(1)} ms, frame ${this.frameMs.toFixed(0)} ms, ${canvas.width} x ${canvas.height}`;
+    byId('frame-time').textContent = `sea ${this.view.simulateMs().toFixed(1)} ms, frame ${sinceLast.toFixed(0)} ms, ${canvas.width} x ${canvas.height}`;
     const sky = this.view.hasSky() ? '' : 'baking the sky ...';
     if (byId('sky-state').textContent !== sky) byId('sky-state').textContent = sky;
   }
