@@ -40,10 +40,11 @@ test("the package's README says what its lines print", () => {
 
 test("TypeScript takes the README's lines and the types' every file, strictly, and refuses what is not an option", () => {
   const { text } = blocksOf('web/package/README.md').find(({ language }) => language === 'ts');
-  const strict = ['--strict', '--noEmit', '--module', 'nodenext', '--target', 'es2022', '--lib', 'es2022,dom', '--types', ''];
+  const compilerOptions = { strict: true, noEmit: true, module: 'nodenext', target: 'es2022', lib: ['es2022', 'dom'], types: [] };
+  writeFileSync(join(project, 'tsconfig.json'), JSON.stringify({ compilerOptions, files: ['typed.mts'] }));
   const tsc = (lines) => {
     writeFileSync(join(project, 'typed.mts'), lines);
-    return run('node', [join(modules, 'typescript', 'bin', 'tsc'), ...strict, 'typed.mts'], { cwd: project });
+    return run('node', [join(modules, 'typescript', 'bin', 'tsc'), '-p', '.'], { cwd: project });
   };
   tsc(text);
   tsc(`import { createOcean, type RemoteFrame } from 'pelagic/worker';
