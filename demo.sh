@@ -1,18 +1,56 @@
 #!/usr/bin/env bash
-# From a fresh Debian 12 to a looping sea on disk: installs what is missing, builds, exports into out/.
+# From a fresh Debian 12 to a sea; installs what is missing, then builds:
+#
+#   ./demo.sh                              a looping sea on disk, in out/
+#   ./demo.sh web [PORT] [--build-only]    the sea in a page, served on localhost until Ctrl-C
 set -euo pipefail
 cd "$(dirname "$0")"
 . cmake/dependencies.sh
+
+# Runs a function whose output is for nobody unless it fails.
+quietly() {
+  local log
+  log=$(mktemp)
+  trap 'rm -f "$log"' RETURN
+  if ! "$@" >"$log" 2>&1; then
+    cat "$log"
+    echo "The build failed."
+    exit 1
+  fi
+}
+
+serve_page() {
+  local port=0 serves=1 word
+  for word in "$@"; do
+    case "$word" in
+      --build-only) serves= ;;
+      *[!0-9]* | '') echo "demo.sh web: what is $word? A port or --build-only is accepted" && exit 2 ;;
+      *) port=$word ;;
+    esac
+  done
+  pelagic_install_dependencies "${pelagic_web_packages[@]}"
+  echo "Building the page (some minutes the first time) ..."
+  build() { cmake --preset web && cmake --build --preset web -j "$(nproc)" --target pelagic_page; }
+  quietly build
+  [ -n "$serves" ] || return 0
+  echo "The sea is at this address until Ctrl-C:"
+  exec node web/page/serve.mjs build/web/page "$port"
+}
+
+if [ "${1:-}" = web ]; then
+  shift
+  serve_page "$@"
+  exit
+fi
+[ $# -eq 0 ] || { echo "demo.sh: what is $1? Nothing, or web, is accepted" && exit 2; }
 pelagic_install_dependencies
 
 echo "Building (a minute or two the first time) ..."
-log=$(mktemp)
-trap 'rm -f "$log"' EXIT
-if ! { cmake --preset release -DPELAGIC_TESTS=OFF -DPELAGIC_BENCH=OFF -DPELAGIC_EXAMPLES=OFF && cmake --build --preset release -j "$(nproc)" --target pelagic; } >"$log" 2>&1; then
-  cat "$log"
-  echo "The build failed."
-  exit 1
-fi
+build() {
+  cmake --preset release -DPELAGIC_TESTS=OFF -DPELAGIC_BENCH=OFF -DPELAGIC_EXAMPLES=OFF &&
+    cmake --build --preset release -j "$(nproc)" --target pelagic
+}
+quietly build
 
 # 60 seconds are nine periods of the highest waves, so the loop looks like a sea and not like a machine. The shortest wave of
 # this coarse grid takes 1.6 seconds, so 4 frames a second are enough where the player blends between them.

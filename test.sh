@@ -25,7 +25,7 @@ parts=("$@")
 if [ ${#parts[@]} -eq 0 ]; then
   mapfile -t parts < <(cmake --workflow --list-presets | sed -n "s/^ *\"\(.*\)\" *- $tier: .*/\1/p")
 fi
-[ "$(uname -m)" != aarch64 ] || parts=("${parts[@]/arm64/}")  # there, release is that already
+[ "$(uname -m)" != aarch64 ] || parts=("${parts[@]/#arm64*/}")  # there, release is that already, but for libc++
 
 jobs=$(nproc)
 export CMAKE_BUILD_PARALLEL_LEVEL=$jobs CTEST_PARALLEL_LEVEL=$jobs

@@ -32,7 +32,7 @@
 #include "pelagic/bench/peers/paper_frame.hpp"
 #include "pelagic/bench/pinned_to_one_core.hpp"
 #include "pelagic/sim/ocean.hpp"
-#include "pelagic/tools/machine.hpp"
+#include "pelagic/tools/benchmark/machine.hpp"
 
 namespace pelagic {
 namespace {

@@ -15,7 +15,7 @@
 #include "pelagic/bench/ceilings.hpp"
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/simd/aligned_buffer.hpp"
-#include "pelagic/tools/stage_work.hpp"
+#include "pelagic/tools/benchmark/stage_work.hpp"
 
 namespace pelagic {
 namespace {

@@ -12,6 +12,7 @@ pelagic_packages=(
   libegl-dev libgles-dev   # headers of EGL and OpenGL ES
   libegl1 libgles2 libgl1-mesa-dri  # and a driver that draws without a GPU: pelagic render
   libglfw3-dev libimgui-dev libstb-dev  # GLFW and Dear ImGui: pelagic view; stb: letters of a preview
+  libopenxr-dev            # OpenXR: examples/openxr_host
   libopenimageio-dev       # OpenImageIO: EXR, PNG, TIFF
   libcli11-dev             # CLI11: the command line
   libtomlplusplus-dev      # toml++: --config
@@ -26,14 +27,19 @@ pelagic_packages=(
 
 # What only tests need: an X server with a mouse, for the window's; pkg-config, as hosts use it; the reference compiler of GLSL,
 # for shaders that no driver here compiles; strace, to see that files are synced before they count; valgrind and Python, to
-# count instructions.
-pelagic_test_packages=(xvfb xdotool x11-apps netpbm pkg-config glslang-tools spirv-tools strace valgrind python3)
+# count instructions; a validation layer for OpenXR.
+pelagic_test_packages=(xvfb xdotool x11-apps netpbm pkg-config glslang-tools spirv-tools strace valgrind python3
+                       openxr-layer-corevalidation)
 
 # What only test.sh's secondary parts need: another compiler, whose sanitizers and libFuzzer they use, the C++ library that
 # headsets have, and 64-bit Arm to build for and to run.
 pelagic_gate_packages=(clang libclang-rt-14-dev libc++-14-dev)
 [ "$(uname -m)" = aarch64 ] ||
   pelagic_gate_packages+=(g++-aarch64-linux-gnu qemu-user libtbb-dev:arm64 libgtest-dev:arm64 libimath-dev:arm64)
+
+# What a page is built and served with: a compiler to WebAssembly, and node.
+pelagic_web_packages=(emscripten)
+command -v node >/dev/null || pelagic_web_packages+=(nodejs)
 
 # What only the tests inside other hosts need: a compiler to WebAssembly and node, which runs what it makes, and a browser.
 pelagic_hosts_packages=(emscripten chromium)

@@ -53,7 +53,7 @@ endforeach()
 
 set(message_headers numeric_field)
 set(analytic_headers analytic_glsl analytic_sea analytic_surface exp_sine_water plane_waves)
-set(jobs_headers chrome_trace executor job_graph trace)
+set(jobs_headers chrome_trace executor job_graph sliced_executor trace)
 set(simd_headers host_memory isa)
 set(sim_headers closed_form_tiles foam_report forecast frame frame_buffers ocean sea_state slope_sum slope_variance statistics surface_query
                 surface_query_jobs surface_ray texture_targets tick_clock tile tile_plan)

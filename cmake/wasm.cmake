@@ -40,8 +40,6 @@ set(pelagic_wasm_flags -fwasm-exceptions)
 if(PELAGIC_WASM_THREADS)
   set(pelagic_wasm_flags "-fexceptions -pthread")
 endif()
-# That WebAssembly has no floating-point exceptions to trap is not news in each file.
-string(APPEND pelagic_wasm_flags " -Wno-unsupported-floating-point-opt")
 set(CMAKE_C_FLAGS_INIT "${pelagic_wasm_flags}")
 set(CMAKE_CXX_FLAGS_INIT "${pelagic_wasm_flags} -DIMATH_HALF_NO_LOOKUP_TABLE -include ${CMAKE_CURRENT_LIST_DIR}/wasm_missing_std.hpp")
 # For programs of tests: they see this machine's files, take what memory they need and end when main() does.

@@ -6,12 +6,9 @@
 #include <version>
 
 #if _LIBCPP_VERSION < 14000
-#include <algorithm>
 #include <charconv>
 #include <cstdio>
 #include <cstdlib>
-#include <functional>
-#include <iterator>
 #include <type_traits>
 
 namespace std {
@@ -50,29 +47,6 @@ requires(is_floating_point_v<Number>) to_chars_result
     return to_chars(first, last, value, format, decimals > 0 ? decimals : 0);
 }
 
-namespace ranges {
-
-template <class Range, class Value, class Projection = identity>
-auto find(Range&& range, const Value& value, Projection projection = {}) {
-    return find_if(begin(range), end(range), [&](const auto& item) { return invoke(projection, item) == value; });
-}
-
-template <class Range, class Value>
-auto count(Range&& range, const Value& value) {
-    return std::count(begin(range), end(range), value);
-}
-
-template <class Left, class Right>
-bool equal(Left&& left, Right&& right) {
-    return std::equal(begin(left), end(left), begin(right), end(right));
-}
-
-template <class Range, class Predicate>
-bool none_of(Range&& range, Predicate predicate) {
-    return std::none_of(begin(range), end(range), predicate);
-}
-
-}  // namespace ranges
 }  // namespace std
 #endif
 #endif

@@ -10,7 +10,7 @@ namespace pelagic::gl {
 namespace {
 
 constexpr float pi = 3.14159265f;
-constexpr int elevations = 96, azimuths = 33;
+constexpr int elevations = Atmosphere::lines, azimuths = 33;
 constexpr int view_samples = 40;
 
 /// Distance from a point at `height_m`, towards an angle from the zenith, to the sphere of `top_m` above the sea.
@@ -41,10 +41,13 @@ float mie_phase(float cosine, float g) {
 
 float rayleigh_phase(float cosine) { return 3 / (16 * pi) * (1 + cosine * cosine); }
 
-Atmosphere::Atmosphere(glm::vec3 sun, float visibility_m) : sun_(sun), haze_per_m_(haze_per_m(visibility_m)) {
-    fill_table();
-    add_further_orders();
+Atmosphere::Atmosphere(glm::vec3 sun, float visibility_m) : Atmosphere(sun, visibility_m, FillLater{}) {
+    for (int line = 0; line < lines; ++line) fill_line(line);
+    finish();
 }
+
+Atmosphere::Atmosphere(glm::vec3 sun, float visibility_m, FillLater)
+    : sun_(sun), haze_per_m_(haze_per_m(visibility_m)), table_(elevations * azimuths) {}
 
 glm::vec3 Atmosphere::optical_depth(float height_m, float cosine) const {
     const float length = distance_to_height(height_m, cosine, atmosphere_top_m);
@@ -84,50 +87,46 @@ glm::vec3 Atmosphere::transmittance(float sine_of_elevation, float distance_m) c
     return glm::exp(-depth * (distance_m / samples));
 }
 
-void Atmosphere::fill_table() {
-    table_.resize(elevations * azimuths);
+void Atmosphere::fill_line(int line) {
     const float sun_across = std::sqrt(std::max(0.f, 1 - sun_.y * sun_.y));
-    for (int e = 0; e < elevations; ++e) {
-        const float root = static_cast<float>(e) / (elevations - 1);
-        const float sine = root * root, across = std::sqrt(1 - sine * sine);
-        for (int a = 0; a < azimuths; ++a) {
-            const float azimuth = pi * static_cast<float>(a) / (azimuths - 1);
-            const float length = distance_to_height(0, sine, atmosphere_top_m);
-            Scattered sum;
-            glm::vec3 depth(0);
-            float before = 0;
-            for (int i = 1; i <= view_samples; ++i) {
-                const float part = static_cast<float>(i) / view_samples;
-                const float end = length * part * part, at = (before + end) / 2, step = end - before;
-                before = end;
-                const float h = std::max(0.f, height_at(0, sine, at));
-                const float air = std::exp(-h / rayleigh_height_m), haze = std::exp(-h / mie_height_m);
-                const glm::vec3 taken =
-                    (rayleigh_per_m * air + haze_per_m_ * haze + ozone_per_m * ozone_part(h)) * step;
-                // The zenith turns by the distance over the radius: it decides where the sun sets.
-                const float turn = at * across / earth_radius_m;
-                const float sun_sine = sun_.y * std::cos(turn) + sun_across * std::cos(azimuth) * std::sin(turn);
-                const float r = earth_radius_m;
-                const float horizon = -std::sqrt(std::max(0.f, 1 - (r / (r + h)) * (r / (r + h))));
-                const float lit = glm::clamp((sun_sine - horizon) / 0.0094f + 0.5f, 0.f, 1.f);
-                if (lit > 0) {
-                    const glm::vec3 light = lit * glm::exp(-(depth + 0.5f * taken + optical_depth(h, sun_sine)));
-                    sum.rayleigh += light * rayleigh_per_m * (air * step);
-                    sum.mie += light * (haze_per_m_ * mie_albedo * haze * step);
-                }
-                const glm::vec3 scattering = rayleigh_per_m * air + haze_per_m_ * mie_albedo * haze;
-                sum.again += glm::exp(-(depth + 0.5f * taken)) * scattering * (step / (4 * pi));
-                depth += taken;
+    const float root = static_cast<float>(line) / (elevations - 1);
+    const float sine = root * root, across = std::sqrt(1 - sine * sine);
+    for (int a = 0; a < azimuths; ++a) {
+        const float azimuth = pi * static_cast<float>(a) / (azimuths - 1);
+        const float length = distance_to_height(0, sine, atmosphere_top_m);
+        Scattered sum;
+        glm::vec3 depth(0);
+        float before = 0;
+        for (int i = 1; i <= view_samples; ++i) {
+            const float part = static_cast<float>(i) / view_samples;
+            const float end = length * part * part, at = (before + end) / 2, step = end - before;
+            before = end;
+            const float h = std::max(0.f, height_at(0, sine, at));
+            const float air = std::exp(-h / rayleigh_height_m), haze = std::exp(-h / mie_height_m);
+            const glm::vec3 taken = (rayleigh_per_m * air + haze_per_m_ * haze + ozone_per_m * ozone_part(h)) * step;
+            // The zenith turns by the distance over the radius: it decides where the sun sets.
+            const float turn = at * across / earth_radius_m;
+            const float sun_sine = sun_.y * std::cos(turn) + sun_across * std::cos(azimuth) * std::sin(turn);
+            const float r = earth_radius_m;
+            const float horizon = -std::sqrt(std::max(0.f, 1 - (r / (r + h)) * (r / (r + h))));
+            const float lit = glm::clamp((sun_sine - horizon) / 0.0094f + 0.5f, 0.f, 1.f);
+            if (lit > 0) {
+                const glm::vec3 light = lit * glm::exp(-(depth + 0.5f * taken + optical_depth(h, sun_sine)));
+                sum.rayleigh += light * rayleigh_per_m * (air * step);
+                sum.mie += light * (haze_per_m_ * mie_albedo * haze * step);
             }
-            table_[static_cast<std::size_t>(e * azimuths + a)] = sum;
+            const glm::vec3 scattering = rayleigh_per_m * air + haze_per_m_ * mie_albedo * haze;
+            sum.again += glm::exp(-(depth + 0.5f * taken)) * scattering * (step / (4 * pi));
+            depth += taken;
         }
+        table_[static_cast<std::size_t>(line * azimuths + a)] = sum;
     }
 }
 
 // `again` holds how bright the sky would be if light of 1 came to every point from all around, in sum. What comes is the
 // light of the order before, taken as the same in all heights and directions; orders so shrink by a constant factor, and
 // their sum is a geometric series (the idea of Hillaire 2020, "A Scalable and Production Ready Sky", with one point).
-void Atmosphere::add_further_orders() {
+void Atmosphere::finish() {
     glm::vec3 first(0), second(0);
     float weights = 0;
     for (int e = 0; e < elevations; ++e)

@@ -38,8 +38,15 @@ float rayleigh_phase(float cosine);
 /// The sky for one sun. Directions are unit vectors, +y up; radiance is relative to the sun's irradiance.
 class Atmosphere {
    public:
+    static constexpr int lines = 96;  ///< of its table, one an elevation
+
     /// \param sun  towards the sun; it may stand below the horizon
     Atmosphere(glm::vec3 sun, float visibility_m);
+    struct FillLater {};
+    /// Its table is to be filled by fill_line(), whose lines are independent, and then finish(), before anything is asked.
+    Atmosphere(glm::vec3 sun, float visibility_m, FillLater);
+    void fill_line(int line);
+    void finish();
 
     /// Radiance of the clear sky; below the horizon that of the horizon.
     glm::vec3 radiance(glm::vec3 direction) const;
@@ -51,8 +58,6 @@ class Atmosphere {
 
    private:
     glm::vec3 optical_depth(float height_m, float cosine) const;
-    void fill_table();
-    void add_further_orders();
 
     // Light scattered by air and by haze apart, without the phase functions, which would need a finer table.
     struct Scattered {

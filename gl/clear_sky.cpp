@@ -64,23 +64,41 @@ double moon_light(double phase_angle_rad) {
     return std::pow(10, -0.4 * (0.026 * degrees + 4e-9 * std::pow(degrees, 4)));
 }
 
-ClearSky::ClearSky(const SkyOptions& options)
-    : sun_air_(direction_at(options.sun_azimuth_rad, std::max(options.sun_elevation_rad, lowest_modelled_rad)),
-               options.visibility_m) {
+ClearSky::ClearSky(const SkyOptions& options) : ClearSky(options, Atmosphere::FillLater{}) {
+    for (int line = 0; line < lines; ++line) fill_line(line);
+    finish();
+}
+
+ClearSky::ClearSky(const SkyOptions& options, Atmosphere::FillLater later)
+    : sun_elevation_rad_(options.sun_elevation_rad),
+      sun_air_(direction_at(options.sun_azimuth_rad, std::max(options.sun_elevation_rad, lowest_modelled_rad)),
+               options.visibility_m, later),
+      sun_is_up_(options.sun_elevation_rad > lowest_modelled_rad) {
     const glm::vec3 sun = sun_direction(options), moon = moon_direction(options);
-    sun_is_up_ = options.sun_elevation_rad > lowest_modelled_rad;
-    const float elevation_deg = glm::degrees(options.sun_elevation_rad);
+    // A moon in daylight adds nothing that one sees.
+    if (moon.y <= 0 || sun.y >= 0) return;
+    moon_air_.emplace(moon, options.visibility_m, later);
+    const float phase_angle = std::acos(std::clamp(-glm::dot(sun, moon), -1.f, 1.f));
+    moon_irradiance_ = glm::vec3(full_moon * static_cast<float>(moon_light(double{phase_angle})));
+}
+
+void ClearSky::fill_line(int line) {
+    if (line < Atmosphere::lines)
+        sun_air_.fill_line(line);
+    else if (moon_air_)
+        moon_air_->fill_line(line - Atmosphere::lines);
+}
+
+void ClearSky::finish() {
+    sun_air_.finish();
+    if (moon_air_) moon_air_->finish();
+    const float elevation_deg = glm::degrees(sun_elevation_rad_);
     const glm::vec3 sky_light = irradiance_of([&](glm::vec3 d) { return sun_air_.radiance(d); });
-    const glm::vec3 all_light = sky_light + sun_air_.sun_transmittance() * std::max(sun.y, 0.f);
+    const glm::vec3 all_light =
+        sky_light + sun_air_.sun_transmittance() * std::max(std::sin(sun_elevation_rad_), 0.f);
     const float published = static_cast<float>(published_illuminance_lx(double{elevation_deg})) / sun_illuminance_lx;
     const float weight = 1 - glm::smoothstep(published_alone_deg, model_alone_deg, elevation_deg);
     twilight_scale_ = std::pow(published / std::max(luminance(all_light), 1e-12f), weight);
-    // A moon in daylight adds nothing that one sees.
-    if (moon.y > 0 && sun.y < 0) {
-        moon_air_.emplace(moon, options.visibility_m);
-        const float phase_angle = std::acos(std::clamp(-glm::dot(sun, moon), -1.f, 1.f));
-        moon_irradiance_ = glm::vec3(full_moon * static_cast<float>(moon_light(double{phase_angle})));
-    }
     irradiance_ = irradiance_of([&](glm::vec3 d) { return radiance(d); });
     const float light = luminance(irradiance_ + key_light().irradiance);
     if (light < least_light) unit_ = std::exp2(std::floor(std::log2(light / least_light)));

@@ -35,6 +35,12 @@ double moon_light(double phase_angle_rad);
 class ClearSky {
    public:
     explicit ClearSky(const SkyOptions& options);
+    /// Lines of the tables of air under the sun and under the moon; without a moon the second half is none.
+    static constexpr int lines = 2 * Atmosphere::lines;
+    /// As Atmosphere's.
+    ClearSky(const SkyOptions& options, Atmosphere::FillLater);
+    void fill_line(int line);
+    void finish();
 
     /// What a radiance or irradiance of 1 in the answers below stands for, where the sun's irradiance above the air is 1: 1 by
     /// day, a power of two by night, so that half floats hold its light.
@@ -50,11 +56,12 @@ class ClearSky {
     }
 
    private:
+    float sun_elevation_rad_;
     Atmosphere sun_air_;  ///< with the sun no lower than where the model still knows colours
     std::optional<Atmosphere> moon_air_;
     glm::vec3 moon_irradiance_{0};  ///< above the air
     float twilight_scale_ = 1, unit_ = 1;
-    bool sun_is_up_ = true;
+    bool sun_is_up_;
     glm::vec3 irradiance_{0};
 };
 

@@ -12,7 +12,7 @@
 namespace pelagic::gl {
 namespace {
 
-const void* buffer_offset(std::size_t bytes) { return reinterpret_cast<const void*>(bytes); }
+const void* texels_at(std::uintptr_t address) { return reinterpret_cast<const void*>(address); }
 
 Texture make_texture(const Functions& gl, GLenum format, int side, GLsizei tiles, int levels) {
     Texture texture(gl);
@@ -26,7 +26,8 @@ Texture make_texture(const Functions& gl, GLenum format, int side, GLsizei tiles
 }
 
 bool shows_foam(const Frame& frame) {
-    return std::ranges::none_of(frame.tiles, [](const Tile& tile) { return tile.foam_r8.empty(); });
+    const auto has_no_foam = [](const Tile& tile) { return tile.foam_r8.empty(); };
+    return std::none_of(frame.tiles.begin(), frame.tiles.end(), has_no_foam);
 }
 
 /// Why the textures can't take the frame; empty if they can.
@@ -52,7 +53,7 @@ std::string refusal_of(const Frame& frame, int resolution, std::size_t tiles, bo
 }  // namespace
 
 FrameTextures::FrameTextures(const Functions& gl, int resolution, std::size_t tiles)
-    : gl_(gl), resolution_(resolution), tiles_(tiles) {
+    : gl_(gl), resolution_(resolution), tiles_(tiles), pixels_(gl, foam_offset() + foam_bytes()) {
     const KeptState keep(gl);
     const int levels = mip_levels(resolution);
     for (Set& set : sets_) {
@@ -61,16 +62,6 @@ FrameTextures::FrameTextures(const Functions& gl, int resolution, std::size_t ti
         set.moments = make_texture(gl, GL_RGBA8, resolution, layers(), levels);
         set.foam = make_texture(gl, GL_R8, resolution, layers(), levels);
     }
-    for (PixelBuffer& pixels : ring_) {
-        pixels.buffer = Buffer(gl);
-        gl.BindBuffer(GL_PIXEL_UNPACK_BUFFER, pixels.buffer.name());
-        gl.BufferData(GL_PIXEL_UNPACK_BUFFER, static_cast<GLsizeiptr>(mapped_bytes()), nullptr, GL_STREAM_DRAW);
-    }
-}
-
-FrameTextures::~FrameTextures() {
-    for (PixelBuffer& pixels : ring_)
-        if (pixels.done) gl_.DeleteSync(pixels.done);
 }
 
 std::size_t FrameTextures::displacement_bytes() const { return std::size_t{8} * resolution_ * resolution_ * tiles_; }
@@ -100,44 +91,21 @@ void FrameTextures::fill(std::byte* to, const Frame& frame) const {
     }
 }
 
-void FrameTextures::upload_chain(GLuint texture, GLenum format, std::size_t texel_bytes, std::size_t offset) const {
+void FrameTextures::upload_chain(GLuint texture, GLenum format, std::size_t texel_bytes,
+                                 std::uintptr_t address) const {
     gl_.BindTexture(GL_TEXTURE_2D_ARRAY, texture);
     for (int level = 0; level < mip_levels(resolution_); ++level) {
         const int side = resolution_ >> level;
         gl_.TexSubImage3D(GL_TEXTURE_2D_ARRAY, level, 0, 0, 0, side, side, layers(), format, GL_UNSIGNED_BYTE,
-                          buffer_offset(offset));
-        offset += texel_bytes * static_cast<std::size_t>(side) * static_cast<std::size_t>(side) * tiles_;
+                          texels_at(address));
+        address += texel_bytes * static_cast<std::size_t>(side) * static_cast<std::size_t>(side) * tiles_;
     }
-}
-
-std::byte* FrameTextures::map_next() {
-    PixelBuffer& pixels = ring_[next_buffer_];
-    if (pixels.done) {
-        constexpr GLuint64 a_second_ns = 1'000'000'000;
-        if (gl_.ClientWaitSync(pixels.done, GL_SYNC_FLUSH_COMMANDS_BIT, a_second_ns) == GL_WAIT_FAILED)
-            check_context(gl_);
-        gl_.DeleteSync(pixels.done);
-        pixels.done = nullptr;
-    }
-    gl_.BindBuffer(GL_PIXEL_UNPACK_BUFFER, pixels.buffer.name());
-    // The fence has said that nobody reads it.
-    auto* const start = static_cast<std::byte*>(
-        gl_.MapBufferRange(GL_PIXEL_UNPACK_BUFFER, 0, static_cast<GLsizeiptr>(mapped_bytes()),
-                           GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT | GL_MAP_UNSYNCHRONIZED_BIT));
-    if (!start) {
-        check_context(gl_);
-        throw GlError("the driver maps no pixel buffer; is it out of memory?");
-    }
-    const std::size_t beyond = reinterpret_cast<std::uintptr_t>(start) % TextureTargets::alignment;
-    pixels.offset = beyond == 0 ? 0 : TextureTargets::alignment - beyond;
-    mapped_ = start + pixels.offset;
-    return mapped_;
 }
 
 std::span<const TextureTargets> FrameTextures::map() {
-    if (mapped_) return targets_;
+    if (pixels_.is_mapped()) return targets_;
     const KeptState keep(gl_);
-    std::byte* const start = map_next();
+    std::byte* const start = pixels_.map();
     targets_.assign(tiles_, {});
     const std::size_t halves = displacement_bytes() / sizeof(std::uint16_t) / tiles_;
     for (std::size_t tile = 0; tile < tiles_; ++tile) {
@@ -156,34 +124,30 @@ std::span<const TextureTargets> FrameTextures::map() {
 }
 
 void FrameTextures::upload(const Frame& frame) {
-    if (const std::string reason = refusal_of(frame, resolution_, tiles_, mapped_ != nullptr); !reason.empty())
+    if (const std::string reason = refusal_of(frame, resolution_, tiles_, pixels_.is_mapped()); !reason.empty())
         throw std::invalid_argument(reason);
     const KeptState keep(gl_);
     const bool is_there = frame.tiles.front().displacement_rgba16f.empty();
-    PixelBuffer& pixels = ring_[next_buffer_];
-    std::byte* const start = mapped_ ? mapped_ : map_next();
-    gl_.BindBuffer(GL_PIXEL_UNPACK_BUFFER, pixels.buffer.name());
+    std::byte* const start = pixels_.map();
     if (!is_there) fill(start, frame);
     has_foam_ = shows_foam(frame);
     if (has_foam_) fill_chains(start + foam_offset(), frame, &Tile::foam_r8);
-    gl_.UnmapBuffer(GL_PIXEL_UNPACK_BUFFER);
-    mapped_ = nullptr;
-    next_buffer_ = (next_buffer_ + 1) % ring_.size();
+    const std::uintptr_t texels = pixels_.hand_over();
     set_ = 1 - set_;
 
     const Stopwatch driver;
     gl_.BindTexture(GL_TEXTURE_2D_ARRAY, displacement());
     gl_.TexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, 0, resolution_, resolution_, layers(), GL_RGBA, GL_HALF_FLOAT,
-                      buffer_offset(pixels.offset));
+                      texels_at(texels));
     if (has_displacement_mips()) gl_.GenerateMipmap(GL_TEXTURE_2D_ARRAY);
-    upload_chain(slopes(), GL_RGBA, sizeof(std::uint32_t), pixels.offset + displacement_bytes());
-    upload_chain(moments(), GL_RGBA, sizeof(std::uint32_t), pixels.offset + displacement_bytes() + chain_bytes());
+    upload_chain(slopes(), GL_RGBA, sizeof(std::uint32_t), texels + displacement_bytes());
+    upload_chain(moments(), GL_RGBA, sizeof(std::uint32_t), texels + displacement_bytes() + chain_bytes());
     if (has_foam_) {
         gl_.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-        upload_chain(foam(), GL_RED, 1, pixels.offset + foam_offset());
+        upload_chain(foam(), GL_RED, 1, texels + foam_offset());
         gl_.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
     }
-    pixels.done = gl_.FenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+    pixels_.release();
     driver_ms_ = driver.milliseconds();
 }
 

@@ -1,5 +1,5 @@
 // A frame of sea as textures: arrays with a layer for each tile, displacement as RGBA16F, the two maps of slopes as RGBA8 and
-// foam as R8 with our own mips, through a ring of pixel buffers, so that neither the host nor the GPU waits for the other.
+// foam as R8 with our own mips, through a ring of pixel buffers (pixel_ring.hpp).
 #pragma once
 
 #include <array>
@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "pelagic/gl/objects.hpp"
+#include "pelagic/gl/pixel_ring.hpp"
 #include "pelagic/sim/frame.hpp"
 #include "pelagic/sim/texture_targets.hpp"
 
@@ -17,7 +18,6 @@ class FrameTextures {
    public:
     /// Immutable storage for frames of so many tiles of resolution^2 texels.
     FrameTextures(const Functions& gl, int resolution, std::size_t tiles);
-    ~FrameTextures();
     FrameTextures(const FrameTextures&) = delete;
     FrameTextures& operator=(const FrameTextures&) = delete;
 
@@ -49,38 +49,28 @@ class FrameTextures {
     std::size_t uploaded_bytes() const { return foam_offset() + (has_foam_ ? foam_bytes() : 0); }
 
    private:
-    std::byte* map_next();  ///< the next pixel buffer, from its offset on
     GLsizei layers() const { return static_cast<GLsizei>(tiles_); }
     std::size_t displacement_bytes() const;  ///< of all tiles
     std::size_t chain_bytes() const;         ///< the same, of one map of words
     std::size_t foam_bytes() const { return chain_bytes() / sizeof(std::uint32_t); }
     std::size_t foam_offset() const { return displacement_bytes() + 2 * chain_bytes(); }
-    /// What a pixel buffer holds, and room to align it: GL ES promises no alignment of what it maps.
-    std::size_t mapped_bytes() const { return foam_offset() + foam_bytes() + TextureTargets::alignment; }
     void fill(std::byte* to, const Frame& frame) const;
     template <class Texel>
     void fill_chains(std::byte* to, const Frame& frame, std::span<const Texel> Tile::*map) const;
-    void upload_chain(GLuint texture, GLenum format, std::size_t texel_bytes, std::size_t offset) const;
+    void upload_chain(GLuint texture, GLenum format, std::size_t texel_bytes, std::uintptr_t address) const;
 
-    // Textures are written while the other set may still be drawn from, and a pixel buffer is read by the GPU some
-    // time later; three of them cover a GPU two frames behind.
+    // Textures are written while the other set may still be drawn from.
     struct Set {
         Texture displacement, slopes, moments, foam;
-    };
-    struct PixelBuffer {
-        Buffer buffer;
-        GLsync done = nullptr;
-        std::size_t offset = 0;  ///< bytes before the texels, which are as aligned as targets have to be
     };
 
     const Functions& gl_;
     int resolution_;
     std::size_t tiles_;
     std::array<Set, 2> sets_;
-    std::array<PixelBuffer, 3> ring_;
+    PixelRing pixels_;  ///< displacement, slopes, moments and foam of the next frame, each of all tiles
     std::vector<TextureTargets> targets_;
-    std::byte* mapped_ = nullptr;  ///< texels of the next pixel buffer, while it is mapped
-    std::size_t set_ = 0, next_buffer_ = 0;
+    std::size_t set_ = 0;
     bool has_foam_ = false;  ///< of the last upload()
     double driver_ms_ = 0;
 };

@@ -24,10 +24,10 @@ namespace pelagic::gl {
     X(GenSamplers) X(GenTextures) X(GenVertexArrays) X(GenerateMipmap) X(GetBooleanv) X(GetError)               \
     X(GetFloatv) X(GetInteger64i_v) X(GetIntegeri_v) X(GetIntegerv) X(GetProgramInfoLog) X(GetProgramiv)        \
     X(GetShaderInfoLog) X(GetShaderiv) X(GetString) X(GetStringi) X(GetUniformBlockIndex)                       \
-    X(GetUniformLocation) X(IsEnabled) X(LinkProgram) X(MapBufferRange) X(PixelStorei) X(PolygonOffset)         \
+    X(GetUniformLocation) X(IsEnabled) X(LinkProgram) X(PixelStorei) X(PolygonOffset)         \
     X(ReadPixels) X(RenderbufferStorageMultisample) X(Scissor) X(ShaderSource) X(TexParameteri)                 \
     X(TexStorage2D) X(TexStorage3D) X(TexSubImage2D) X(TexSubImage3D) X(Uniform1f) X(Uniform1i) X(Uniform4f)    \
-    X(UniformBlockBinding) X(UnmapBuffer) X(UseProgram) X(VertexAttribDivisor) X(VertexAttribIPointer)          \
+    X(UniformBlockBinding) X(UseProgram) X(VertexAttribDivisor) X(VertexAttribIPointer)          \
     X(VertexAttribPointer) X(Viewport)
 // clang-format on
 
@@ -39,12 +39,19 @@ struct Functions {
     PELAGIC_GL_FUNCTIONS(PELAGIC_GL_POINTER)
 #undef PELAGIC_GL_POINTER
 
+    // Null in WebGL.
+    decltype(&glMapBufferRange) MapBufferRange = nullptr;
+    decltype(&glUnmapBuffer) UnmapBuffer = nullptr;
+
     // Extensions, null where the driver has none.
     PFNGLDEBUGMESSAGECALLBACKKHRPROC DebugMessageCallbackKHR = nullptr;
     PFNGLGETGRAPHICSRESETSTATUSEXTPROC GetGraphicsResetStatus = nullptr;
     PFNGLFRAMEBUFFERTEXTUREMULTIVIEWOVRPROC FramebufferTextureMultiviewOVR = nullptr;
 
     bool renders_to_half_floats = false;  ///< so that it can build the displacement's mips
+    /// Buffers can be mapped, and fences waited for. In WebGL neither can be: it orders what passes through buffers by itself.
+    bool maps_buffers = true;
+    bool can_disable_primitive_restart = true;  ///< not in WebGL, where the largest index always restarts
 };
 
 /// Loads the table for the context that is current on this thread. Throws GlError if it is older than ES 3.0.

@@ -21,7 +21,7 @@ KeptState::KeptState(const Functions& gl) : gl_(gl) {
     gl.DepthRangef(0, 1);
     gl.DepthMask(GL_TRUE);
     gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    for (std::size_t i = 0; i < switches.size(); ++i) {
+    for (std::size_t i = 0; i < switches_there_are().size(); ++i) {
         switched_[i] = gl.IsEnabled(switches[i]);
         gl.Disable(switches[i]);
     }
@@ -59,7 +59,7 @@ KeptState::~KeptState() {
     for (std::size_t i = 0; i < unpacking.size(); ++i) gl_.PixelStorei(unpacking[i], unpacking_[i]);
     gl_.BindBuffer(GL_PIXEL_UNPACK_BUFFER, static_cast<GLuint>(unpack_buffer_));
 
-    for (std::size_t i = 0; i < switches.size(); ++i) {
+    for (std::size_t i = 0; i < switches_there_are().size(); ++i) {
         if (switched_[i])
             gl_.Enable(switches[i]);
         else

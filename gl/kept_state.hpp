@@ -1,8 +1,10 @@
 // All GL state that the front end changes, or that a host may have left in its way. A scope begins with OpenGL's own
-// defaults and ends with what the host had. This is the only place that knows either.
+// defaults and ends with what the host had. This is the only place that knows either. In WebGL "what the host had" is nothing
+// where a page's own script bound an object, which has no name here.
 #pragma once
 
 #include <array>
+#include <span>
 
 #include "pelagic/gl/functions.hpp"
 
@@ -19,7 +21,7 @@ class KeptState {
     KeptState& operator=(const KeptState&) = delete;
 
    private:
-    /// Off at the start of a scope.
+    /// Off at the start of a scope, where there is such a switch: the last one only Functions::can_disable_primitive_restart.
     static constexpr std::array<GLenum, 10> switches = {GL_DEPTH_TEST,
                                                         GL_CULL_FACE,
                                                         GL_BLEND,
@@ -34,6 +36,10 @@ class KeptState {
     static constexpr std::array<GLenum, 6> unpacking = {GL_UNPACK_ALIGNMENT,    GL_UNPACK_ROW_LENGTH,
                                                         GL_UNPACK_IMAGE_HEIGHT, GL_UNPACK_SKIP_PIXELS,
                                                         GL_UNPACK_SKIP_ROWS,    GL_UNPACK_SKIP_IMAGES};
+    std::span<const GLenum> switches_there_are() const {
+        return {switches.data(), switches.size() - (gl_.can_disable_primitive_restart ? 0 : 1)};
+    }
+
     struct Unit {
         GLint flat = 0, array = 0, cube = 0, sampler = 0;
     };

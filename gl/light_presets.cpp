@@ -46,7 +46,8 @@ constexpr std::array presets = {
 std::span<const LightPreset> light_presets() { return presets; }
 
 const LightPreset* light_preset_named(std::string_view name) {
-    const auto found = std::ranges::find(presets, name, &LightPreset::name);
+    const auto is_it = [name](const LightPreset& preset) { return preset.name == name; };
+    const auto found = std::find_if(presets.begin(), presets.end(), is_it);
     return found == presets.end() ? nullptr : &*found;
 }
 

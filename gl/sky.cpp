@@ -19,6 +19,7 @@ constexpr std::array fields = {
     Field{"sun_elevation_rad", &SkyOptions::sun_elevation_rad, -half_pi, half_pi, "[-pi/2, pi/2]"},
     Field{"cloud_cover", &SkyOptions::cloud_cover, 0, 1, "[0, 1]"},
     Field{"visibility_m", &SkyOptions::visibility_m, 500, 300e3, "[500, 300e3]"},
+    Field{"cloud_seed", &SkyOptions::cloud_seed, 0, 4294967295.0, "a whole number from 0 to 4294967295"},
     Field{"moon_azimuth_rad", &SkyOptions::moon_azimuth_rad, -most, most, "a finite number"},
     Field{"moon_elevation_rad", &SkyOptions::moon_elevation_rad, -half_pi, half_pi, "[-pi/2, pi/2]"},
 };
@@ -29,6 +30,8 @@ glm::vec3 direction_at(float azimuth_rad, float elevation_rad) {
 }
 
 }  // namespace
+
+std::span<const NumericField<SkyOptions>> sky_fields() { return fields; }
 
 std::string check(const SkyOptions& options) { return check_fields(options, fields); }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "pelagic/gl/exposure.hpp"
+#include "pelagic/message/numeric_field.hpp"
 
 namespace pelagic::gl {
 
@@ -23,6 +24,9 @@ struct SkyOptions {
 
     bool operator==(const SkyOptions&) const = default;
 };
+
+/// The numeric options with ranges, in the order of the struct.
+std::span<const NumericField<SkyOptions>> sky_fields();
 
 /// Empty if usable, else the first bad field: "cloud_cover is 2, needs [0, 1]".
 std::string check(const SkyOptions& options);

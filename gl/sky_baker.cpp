@@ -34,8 +34,9 @@ float texel_weight(float s, float t) { return std::pow(1 + s * s + t * t, -1.5f)
 
 }  // namespace
 
-// The stages, in order: `sky light` (tables) and `sky heaps` (the clouds' noise, once a seed), `sky faces` (level 0, a job is a row of all six), `sky
-// averages` (box mips, which the mirrors sample), `sky mirrors` (GGX levels), `sky packing`.
+// The stages, in order: `sky air` (lines of its tables), `sky light` (their sum) and `sky heaps` (the clouds' noise, once a seed), `sky faces` (level
+// 0, rows of each face), `sky averages` (box mips, which the mirrors sample), `sky mirrors` (GGX levels), `sky packing`. No job takes longer than a
+// frame of a page, some 10 ms, so that a host with one thread can bake between frames (sliced_executor.hpp).
 struct SkyBaker::State {
     State(std::shared_ptr<Executor> on, int face_size) : executor(std::move(on)), size(face_size) {
         for (int side = size; side >= 4; side /= 2) averages.emplace_back(side);
@@ -48,18 +49,25 @@ struct SkyBaker::State {
             for (const Cube& cube : mirrors) texels += cube.texels.size();
             sky.texels.resize(4 * texels);
         }
-        const StageId light = graph.add({"sky light", 1, 1, {}, [this](auto, auto) { prepare_light(); }});
-        const auto rows = static_cast<std::size_t>(size);
+        const StageId air = graph.add({"sky air", ClearSky::lines, 4, {}, [this](std::size_t begin, std::size_t end) {
+                                           for (std::size_t line = begin; line < end; ++line)
+                                               clear->fill_line(static_cast<int>(line));
+                                       }});
+        const StageId light = graph.add({"sky light", 1, 1, {air}, [this](auto, auto) { prepare_light(); }});
         const StageId heaps =
-            graph.add({"sky heaps", CloudShape::side, 8, {}, [this](std::size_t begin, std::size_t end) {
-                           if (heaps_seed == target().options.cloud_seed) return;
+            graph.add({"sky heaps", CloudShape::side, 4, {}, [this](std::size_t begin, std::size_t end) {
+                           if (has_heaps() || target().options.cloud_cover <= 0) return;
                            for (std::size_t row = begin; row < end; ++row)
                                shape.fill_row(static_cast<int>(row), target().options.cloud_seed);
                        }});
-        const StageId faces =
-            graph.add({"sky faces", rows, 2, {light, heaps}, [this](std::size_t begin, std::size_t end) {
-                           for (std::size_t row = begin; row < end; ++row) bake_row(static_cast<int>(row));
-                       }});
+        const StageId faces = graph.add({"sky faces",
+                                         6 * static_cast<std::size_t>(size),
+                                         4,
+                                         {light, heaps},
+                                         [this](std::size_t begin, std::size_t end) {
+                                             for (std::size_t row = begin; row < end; ++row)
+                                                 bake_row(static_cast<int>(row) / size, static_cast<int>(row) % size);
+                                         }});
         const StageId box = graph.add({"sky averages", 1, 1, {faces}, [this](auto, auto) { average(); }});
         std::size_t mirror_rows = 0;
         for (std::size_t level = 1; level < mirrors.size(); ++level) mirror_rows += 6 * mirrors[level].side;
@@ -69,16 +77,17 @@ struct SkyBaker::State {
                        }});
         graph.add({"sky packing", 1, 1, {mirror}, [this](auto, auto) {
                        pack();
-                       heaps_seed = target().options.cloud_seed;
+                       if (target().options.cloud_cover > 0) heaps_seed = target().options.cloud_seed;
                    }});
         run = executor->prepare(graph);
     }
 
     Sky& target() { return skies[writing]; }
+    bool has_heaps() { return heaps_seed == target().options.cloud_seed; }
 
     void prepare_light() {
         Sky& sky = target();
-        clear.emplace(sky.options);
+        clear->finish();
         clouds.emplace(CloudOptions{.cover = sky.options.cloud_cover, .seed = sky.options.cloud_seed}, *clear, shape);
         const KeyLight key = clear->key_light();
         sky.unit = clear->unit();
@@ -93,26 +102,24 @@ struct SkyBaker::State {
                static_cast<std::size_t>(x);
     }
 
-    void bake_row(int y) {
+    void bake_row(int face, int y) {
         Cube& cube = mirrors[0];
-        for (int face = 0; face < 6; ++face) {
-            for (int x = 0; x < size; ++x) {
-                const glm::vec3 d = cube.direction(face, x, y);
-                glm::vec3 radiance;
-                float& clearness = clearnesses[texel_number(face, x, y)];
-                if (d.y >= 0) {
-                    const CloudLight cloud = clouds->along(d);
-                    radiance = clear->radiance(d) * cloud.transmittance + cloud.radiance;
-                    clearness = cloud.transmittance;
-                } else {
-                    // Under the horizon mirrors see other waves: the sky's image there, weaker the steeper they look.
-                    const float grazing = std::pow(1 + std::max(d.y, -1.f), 5.f);
-                    const glm::vec3 up(d.x, -d.y, d.z);
-                    clearness = 0;
-                    radiance = clear->radiance(up) * glm::mix(sea_albedo, 1.f, grazing);
-                }
-                cube.at(face, x, y) = glm::clamp(radiance, 0.f, half_max);
+        for (int x = 0; x < size; ++x) {
+            const glm::vec3 d = cube.direction(face, x, y);
+            glm::vec3 radiance;
+            float& clearness = clearnesses[texel_number(face, x, y)];
+            if (d.y >= 0) {
+                const CloudLight cloud = clouds->along(d);
+                radiance = clear->radiance(d) * cloud.transmittance + cloud.radiance;
+                clearness = cloud.transmittance;
+            } else {
+                // Under the horizon mirrors see other waves: the sky's image there, weaker the steeper they look.
+                const float grazing = std::pow(1 + std::max(d.y, -1.f), 5.f);
+                const glm::vec3 up(d.x, -d.y, d.z);
+                clearness = 0;
+                radiance = clear->radiance(up) * glm::mix(sea_albedo, 1.f, grazing);
             }
+            cube.at(face, x, y) = glm::clamp(radiance, 0.f, half_max);
         }
     }
 
@@ -200,6 +207,7 @@ void SkyBaker::schedule(const SkyOptions& options) {
     if (const std::string reason = check(options); !reason.empty()) throw std::invalid_argument(reason);
     state_->writing = 1 - state_->writing;
     state_->target().options = options;
+    state_->clear.emplace(options, Atmosphere::FillLater{});
     state_->in_flight = true;
     state_->run->schedule();
 }

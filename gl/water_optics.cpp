@@ -116,7 +116,8 @@ constexpr std::array chlorophyll_absorption = {0.257f, 0.363f, 0.894f};
 std::span<const std::string_view> jerlov_types() { return names; }
 
 WaterOptics water_optics(std::string_view jerlov_type) {
-    const auto type = std::ranges::find(types, jerlov_type, &JerlovType::name);
+    const auto is_it = [jerlov_type](const JerlovType& type) { return type.name == jerlov_type; };
+    const auto type = std::find_if(types.begin(), types.end(), is_it);
     if (type == types.end())
         throw std::invalid_argument("no water is of the type " + std::string(jerlov_type) +
                                     ", needs one of I, IA, IB, II, III, 1C, " + "3C, 5C, 7C, 9C");

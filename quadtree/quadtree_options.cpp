@@ -38,7 +38,8 @@ int deepest_level(double size_m) {
 std::span<const QuadtreePreset> quadtree_presets() { return presets; }
 
 const QuadtreePreset* quadtree_preset_named(std::string_view name) {
-    const auto* preset = std::ranges::find(presets, name, &QuadtreePreset::name);
+    const auto is_it = [name](const QuadtreePreset& preset) { return preset.name == name; };
+    const auto* preset = std::find_if(std::begin(presets), std::end(presets), is_it);
     return preset == std::end(presets) ? nullptr : preset;
 }
 

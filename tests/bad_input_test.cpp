@@ -65,6 +65,7 @@ std::vector<BadInput> bad_inputs() {
         {{"bench", "--sizes", "4096"}, {"--sizes", "is 4096", "powers of two from 16 to 2048"}},
         {{"bench", "--sizes", "64,"}, {"--sizes", "is 64,", "powers of two from 16 to 2048"}},
         {{"bench", "--sizes", "-64"}, {"--sizes", "is -64", "powers of two from 16 to 2048"}},
+        {{"bench", "--headset", "--sizes", "64"}, {"--sizes", "--headset", "leave out"}},
         {{"bench", "--seconds", "0"}, {"--seconds", "is 0", "[0.1, 3600]"}},
         {{"bench", "--seconds", "long"}, {"--seconds", "is long", "[0.1, 3600]"}},
         {{"bench", "--isa", "mmx"}, {"--isa", "is mmx", "on this CPU"}},

@@ -9,9 +9,9 @@
 
 #include "pelagic/simd/isa.hpp"
 #include "pelagic/tests/run_pelagic.hpp"
-#include "pelagic/tools/frame_timing.hpp"
-#include "pelagic/tools/stage_work.hpp"
-#include "pelagic/tools/stored_figures.hpp"
+#include "pelagic/tools/benchmark/frame_timing.hpp"
+#include "pelagic/tools/benchmark/stage_work.hpp"
+#include "pelagic/tools/benchmark/stored_figures.hpp"
 
 namespace pelagic {
 namespace {
@@ -24,6 +24,15 @@ const std::vector<std::string> jobs_of_one_tile = {"evolve+rows", "columns+final
 Outcome bench(std::vector<std::string> more) {
     more.insert(more.begin(), {"bench", "--seconds", "0.2"});
     return run_pelagic(more);
+}
+
+std::vector<std::string> split_at(const std::string& text, const std::string& separator) {
+    std::vector<std::string> parts;
+    for (std::size_t from = 0, at = 0; at != std::string::npos; from = at + separator.size()) {
+        at = text.find(separator, from);
+        parts.push_back(text.substr(from, at - from));
+    }
+    return parts;
 }
 
 void expect_in_order(const json& quartiles, const json& median) {
@@ -81,12 +90,12 @@ TEST(BenchCommand, PrintsTablesWithinAHundredColumnsAndWritesTheFile) {
 
 TEST(BenchCommand, ASeaOfSeveralTilesHasEachJobOnce) {
     std::vector<double> done;
-    const tools::Timings timings = tools::time_frames(
-        {.sizes = {}, .default_sea = true, .isas = {isas_here().back()}, .most_threads = 1, .seconds = 0.1},
-        [&](const std::string& sea, double part) {
-            EXPECT_EQ(sea, "4x128");
-            done.push_back(part);
-        });
+    const tools::Timings timings =
+        tools::time_frames({.seas = {{}}, .isas = {isas_here().back()}, .threads = {1}, .seconds = 0.1},
+                           [&](const std::string& sea, double part) {
+                               EXPECT_EQ(sea, "4x128");
+                               done.push_back(part);
+                           });
     ASSERT_EQ(timings.frames.size(), 1u);
     const tools::FrameTiming& frame = timings.frames[0];
     EXPECT_EQ(frame.sea(), "4x128");
@@ -104,6 +113,80 @@ TEST(BenchCommand, ASeaOfSeveralTilesHasEachJobOnce) {
     EXPECT_TRUE(std::is_sorted(done.begin(), done.end()));
     EXPECT_GT(done.front(), 0);
     EXPECT_LE(done.back(), 1);
+}
+
+// On the instruction set that every x86 has, whose registers are as wide as a headset's, so that memory is the same.
+json headset_rows() {
+    const std::string isa(name_of(isas_here().front()));
+    const Outcome run = bench({"--headset", "--threads", "3", "--isa", isa, "--json", "-"});
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    return json::parse(run.out).at("rows");
+}
+
+std::string sea_of(const json& row) { return row.at("tiles").dump() + "x" + row.at("n").dump(); }
+
+json memory_by_info(const json& row) {
+    std::vector<std::string> ask = {"info", "--json", "--isa", row.at("isa"), "--resolution", row.at("n").dump()};
+    const bool is_one_tile = row.at("tiles") == 1;
+    ask.push_back(is_one_tile ? "--patch-size" : "--cascades");
+    ask.push_back(is_one_tile ? "250" : row.at("tiles").dump());
+    return json::parse(run_pelagic(ask).out).at("computing").at("memory_bytes");
+}
+
+TEST(HeadsetBench, HasEachSeaOnOneTwoAndThreeThreadsWithItsMemoryAndTextures) {
+    std::vector<std::string> rows, wanted;
+    for (const json& row : headset_rows()) {
+        rows.push_back(sea_of(row) + " " + row.at("threads").dump());
+        expect_in_order(row.at("ours_ms_quartiles"), row.at("ours_ms"));
+        if (row.at("threads") == 1) {
+            EXPECT_EQ(row.at("memory_bytes"), memory_by_info(row)) << rows.back();
+        }
+        // Half floats; a chain of words of a tile alone, two chains of several.
+        const std::size_t tiles = row.at("tiles"), n = row.at("n"), chains = tiles == 1 ? 1 : 2;
+        EXPECT_EQ(row.at("upload_bytes"), tiles * (8 * n * n + chains * 4 * (4 * n * n - 1) / 3)) << rows.back();
+    }
+    for (const char* sea : {"1x128", "1x256", "3x64", "3x128", "4x128"})
+        for (const char* threads : {" 1", " 2", " 3"}) wanted.push_back(sea + std::string(threads));
+    EXPECT_EQ(rows, wanted);
+}
+
+TEST(HeadsetBench, PrintsThoseRowsWithinAHundredColumns) {
+    const Outcome run = bench({"--headset", "--threads", "2"});
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    std::istringstream lines(run.out);
+    std::string line;
+    std::getline(lines, line);  // the processor's name may be any
+    std::vector<std::string> rows;
+    while (std::getline(lines, line)) {
+        EXPECT_LE(line.size(), 100u) << line;
+        std::istringstream words(line);
+        std::string sea, threads;
+        if (words >> sea >> threads && sea.find('x') == 1) rows.push_back(sea + " " + threads);
+    }
+    EXPECT_EQ(rows, (std::vector<std::string>{"1x128 1", "1x128 2", "1x256 1", "1x256 2", "3x64 1", "3x64 2",
+                                              "3x128 1", "3x128 2", "4x128 1", "4x128 2"}));
+}
+
+std::string megabytes(const json& bytes, const char* format) {
+    char text[40];
+    std::snprintf(text, sizeof text, format, bytes.get<double>() / 1e6);
+    return text;
+}
+
+// Its milliseconds are a model's (bench/instructions/headset_model.py), the rest is this program's.
+TEST(HeadsetPage, HasTheRowsOfTheCommand) {
+    std::vector<std::string> rows, wanted;
+    std::istringstream page(read_file(PELAGIC_HEADSET_PAGE));
+    for (std::string line; std::getline(page, line);) {
+        const std::vector<std::string> cells = split_at(line, " | ");
+        if (cells.size() == 7 && cells[0].find('x') == 3)
+            rows.push_back(cells[0].substr(2) + " " + cells[1] + " " + cells[5] + " " + cells[6]);
+    }
+    for (const json& row : headset_rows())
+        wanted.push_back(sea_of(row) + " " + row.at("threads").dump() + " " +
+                         megabytes(row.at("memory_bytes"), "%.1f") + " " +
+                         megabytes(row.at("upload_bytes"), "%.2f |"));
+    EXPECT_EQ(rows, wanted);
 }
 
 TEST(BenchCommand, AFailedWriteIsOneLineBeforeTheWorkBegins) {

@@ -1,6 +1,7 @@
 // Frames of several tiles through the C interface: which tile is where, what its texels mean, what is written into a host's
 // memory. The truth is the surface that the planes themselves describe: their Fourier series, by a slow sum in double.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <cstring>

@@ -13,8 +13,8 @@
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/tests/read_image.hpp"
 #include "pelagic/tests/run_pelagic.hpp"
-#include "pelagic/tools/half_float.hpp"
-#include "pelagic/tools/map_image.hpp"
+#include "pelagic/tools/files/half_float.hpp"
+#include "pelagic/tools/maps/map_image.hpp"
 
 namespace pelagic {
 namespace {

@@ -8,9 +8,9 @@
 #include <nlohmann/json.hpp>
 
 #include "pelagic/tests/run_pelagic.hpp"
-#include "pelagic/tools/export_names.hpp"
-#include "pelagic/tools/frame_times.hpp"
-#include "pelagic/tools/name_pattern.hpp"
+#include "pelagic/tools/export/export_names.hpp"
+#include "pelagic/tools/export/frame_times.hpp"
+#include "pelagic/tools/maps/name_pattern.hpp"
 
 namespace pelagic {
 namespace {

@@ -15,11 +15,11 @@
 
 #include "pelagic/tests/run_pelagic.hpp"
 #include "pelagic/tests/sweep.hpp"
-#include "pelagic/tools/descriptor.hpp"
-#include "pelagic/tools/digest.hpp"
-#include "pelagic/tools/export_options.hpp"
-#include "pelagic/tools/record_file.hpp"
-#include "pelagic/tools/record_names.hpp"
+#include "pelagic/tools/export/export_options.hpp"
+#include "pelagic/tools/export/record_file.hpp"
+#include "pelagic/tools/export/record_names.hpp"
+#include "pelagic/tools/files/descriptor.hpp"
+#include "pelagic/tools/files/digest.hpp"
 
 namespace pelagic {
 namespace {

@@ -16,10 +16,10 @@
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/tests/run_pelagic.hpp"
 #include "pelagic/tests/sanitized.hpp"
-#include "pelagic/tools/film.hpp"
-#include "pelagic/tools/half_float.hpp"
-#include "pelagic/tools/shaded_sea.hpp"
-#include "pelagic/tools/zstd.hpp"
+#include "pelagic/tools/files/half_float.hpp"
+#include "pelagic/tools/files/zstd.hpp"
+#include "pelagic/tools/pictures/film.hpp"
+#include "pelagic/tools/pictures/shaded_sea.hpp"
 
 namespace pelagic {
 namespace {

@@ -39,7 +39,7 @@ class GlDaylight : public testing::Test {
         for (std::size_t i = 0; i < rgba.size(); i += 4)
             luminances.push_back(0.2126f * linear_of(rgba[i]) + 0.7152f * linear_of(rgba[i + 1]) +
                                  0.0722f * linear_of(rgba[i + 2]));
-        std::ranges::sort(luminances);
+        std::sort(luminances.begin(), luminances.end());
         return luminances;
     }
 

@@ -98,7 +98,8 @@ PixelCost cost_of(const gl::ProgramFiles& files) {
     FILE* const pipe = popen(command.c_str(), "r");
     PixelCost cost;
     const auto has = [](const char* line, std::initializer_list<const char*> names) {
-        return std::ranges::any_of(names, [&](const char* name) { return std::strstr(line, name) != nullptr; });
+        return std::any_of(names.begin(), names.end(),
+                           [&](const char* name) { return std::strstr(line, name) != nullptr; });
     };
     for (char line[4096]; std::fgets(line, sizeof line, pipe);) {
         cost.looks += has(line, {" OpImageSample"});

@@ -12,6 +12,7 @@
 #include "pelagic/gl/clear_sky.hpp"
 #include "pelagic/gl/light_presets.hpp"
 #include "pelagic/gl/sky_baker.hpp"
+#include "pelagic/jobs/sliced_executor.hpp"
 
 namespace pelagic {
 namespace {
@@ -162,6 +163,24 @@ TEST_F(SkyBake, IsTheSameForAnyNumberOfThreads) {
         gl::SkyBaker other(executor, side);
         other.schedule(options);
         EXPECT_EQ(other.complete().texels, expected);
+    }
+}
+
+// By night, too, when a second table of air is filled, by the moon's light.
+TEST_F(SkyBake, IsTheSameInSlicesOfOneJob) {
+    const auto executor = make_sliced_executor();
+    gl::SkyBaker other(executor, side);
+    for (const float elevation_deg : {30.f, -15.f}) {
+        const gl::SkyOptions options = clear_sky(elevation_deg);
+        const gl::Sky expected = bake(options);
+        other.schedule(options);
+        int slices = 1;
+        while (!executor->advance({})) ++slices;
+        EXPECT_TRUE(other.is_done());
+        EXPECT_GT(slices, 100);  // of a bake that takes a page a second or two
+        const gl::Sky& sky = other.complete();
+        EXPECT_EQ(sky.texels, expected.texels);
+        EXPECT_EQ(sky.exposure, expected.exposure);
     }
 }
 

@@ -19,7 +19,7 @@ TEST_P(CompiledIsa, RunsHere) {
     const std::vector<Isa> here = isas_here();
     if (!runs_here(GetParam()))
         GTEST_SKIP() << "this machine has no " << name_of(GetParam()) << ": its kernels were compiled, never run";
-    EXPECT_EQ(std::ranges::count(here, GetParam()), 1);
+    EXPECT_EQ(std::count(here.begin(), here.end(), GetParam()), 1);
     EXPECT_EQ(choose_isa(GetParam()), GetParam());
 }
 

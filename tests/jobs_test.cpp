@@ -198,13 +198,12 @@ TEST_P(EachExecutor, TwoGraphsMayBeInFlightAtOnce) {
     for (int round = 1; round <= 200; ++round) {
         run_a->schedule();
         run_b->schedule();
-        {
-            // From two threads at once, and one after the other.
-            const std::jthread elsewhere([&] {
-                if (round % 2 == 0) run_a->complete();
-            });
-            run_b->complete();
-        }
+        // From two threads at once, and one after the other.
+        std::thread elsewhere([&] {
+            if (round % 2 == 0) run_a->complete();
+        });
+        run_b->complete();
+        elsewhere.join();
         run_a->complete();
         ASSERT_EQ(first, 100 * round);
         ASSERT_EQ(second, 100 * round);
@@ -509,6 +508,74 @@ TEST(HostExecutor, WorkIsDoneUnasked) {
     run->schedule();
     EXPECT_TRUE(wait_until([&] { return run->is_done(); }));
     EXPECT_EQ(done, 5);
+}
+
+TEST(SlicedExecutor, ASliceWithoutABudgetIsOneJobInTheOrderOfScheduling) {
+    const auto executor = make_sliced_executor();
+    std::string done;
+    const auto graph_of = [&](char name) {
+        JobGraph graph;
+        graph.add({.name = "none", .count = 0, .body = [](std::size_t, std::size_t) { FAIL(); }});
+        graph.add({.name = "two", .count = 3, .batch = 2, .body = [&done, name](std::size_t begin, std::size_t) {
+                       done += name;
+                       done += std::to_string(begin);
+                   }});
+        return graph;
+    };
+    const JobGraph a = graph_of('a'), b = graph_of('b');
+    const auto run_a = executor->prepare(a), run_b = executor->prepare(b);
+    EXPECT_TRUE(executor->advance({}));
+    run_b->schedule();
+    run_a->schedule();
+    EXPECT_FALSE(executor->advance({}));
+    EXPECT_EQ(done, "b0");
+    EXPECT_FALSE(run_b->is_done());
+    EXPECT_FALSE(executor->advance({}));
+    EXPECT_TRUE(run_b->is_done());
+    EXPECT_FALSE(executor->advance({}));
+    EXPECT_TRUE(executor->advance({}));
+    EXPECT_TRUE(run_a->is_done());
+    EXPECT_EQ(done, "b0b2a0a2");
+}
+
+TEST(SlicedExecutor, ALargeBudgetDoesItAll) {
+    const auto executor = make_sliced_executor();
+    int done = 0;
+    JobGraph graph;
+    graph.add({.name = "many", .count = 1000, .body = [&](std::size_t, std::size_t) { ++done; }});
+    const auto run = executor->prepare(graph);
+    run->schedule();
+    EXPECT_TRUE(executor->advance(patience));
+    EXPECT_EQ(done, 1000);
+}
+
+TEST(SlicedExecutor, CompletingDoesWhatSlicesHaveLeft) {
+    const auto executor = make_sliced_executor();
+    std::vector<std::size_t> done;
+    JobGraph graph;
+    graph.add({.name = "some", .count = 5, .body = [&](std::size_t i, std::size_t) { done.push_back(i); }});
+    auto run = executor->prepare(graph);
+    run->schedule();
+    executor->advance({});
+    run->complete();
+    EXPECT_EQ(done, (std::vector<std::size_t>{0, 1, 2, 3, 4}));
+    run->schedule();
+    executor->advance({});
+    run.reset();  // waits for what is in flight, too, and leaves nothing to advance
+    EXPECT_EQ(done.size(), 10u);
+    EXPECT_TRUE(executor->advance({}));
+}
+
+TEST(SlicedExecutor, WhatAJobThrowsDoesNotEndASlice) {
+    const auto executor = make_sliced_executor();
+    JobGraph graph;
+    graph.add({.name = "throws", .count = 3, .body = [](std::size_t begin, std::size_t) {
+                   if (begin == 1) throw std::runtime_error("one");
+               }});
+    const auto run = executor->prepare(graph);
+    run->schedule();
+    EXPECT_TRUE(executor->advance(patience));
+    EXPECT_THROW(run->complete(), std::runtime_error);
 }
 
 TEST(ExecutorOptions, DefaultIsOneTbbWhereItIsBuilt) {

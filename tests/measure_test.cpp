@@ -16,8 +16,8 @@
 
 #include "pelagic/sim/statistics.hpp"
 #include "pelagic/tests/run_pelagic.hpp"
-#include "pelagic/tools/fourier.hpp"
-#include "pelagic/tools/wave_measurement.hpp"
+#include "pelagic/tools/measure/fourier.hpp"
+#include "pelagic/tools/measure/wave_measurement.hpp"
 
 namespace pelagic {
 namespace {

@@ -13,11 +13,11 @@
 
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/surface_query.hpp"
-#include "pelagic/tools/gltf_file.hpp"
-#include "pelagic/tools/mdd_file.hpp"
-#include "pelagic/tools/obj_file.hpp"
-#include "pelagic/tools/ply_file.hpp"
-#include "pelagic/tools/sea_mesh.hpp"
+#include "pelagic/tools/meshes/gltf_file.hpp"
+#include "pelagic/tools/meshes/mdd_file.hpp"
+#include "pelagic/tools/meshes/obj_file.hpp"
+#include "pelagic/tools/meshes/ply_file.hpp"
+#include "pelagic/tools/meshes/sea_mesh.hpp"
 
 namespace pelagic::tools {
 namespace {

@@ -136,7 +136,8 @@ TEST(Selection, TheLevelMapHoldsWhatIsDrawnAndWhatWouldBe) {
                         ASSERT_EQ(selection.level_map().level_at(x, z), patch.level);
                     }
             }
-            ASSERT_TRUE(std::ranges::all_of(covered, [](int n) { return n == 1; })) << describe(options, input);
+            ASSERT_TRUE(std::all_of(covered.begin(), covered.end(), [](int n) { return n == 1; }))
+                << describe(options, input);
 
             const glm::dmat4 nothing_seen(glm::dvec4(1, 0, 0, 0), glm::dvec4(0, 1, 0, 0), glm::dvec4(0, 0, 1, 0),
                                           glm::dvec4(0, -1e9, 0, 1));
@@ -261,7 +262,7 @@ TEST(Selection, AllViewsShareOneListThatHoldsWhatAnySees) {
     const QuadtreeOptions options = quadtree_preset_named("low")->options(2048);
     Selection one(options), other(options), both(options);
     const auto contains = [](const DrawList& list, const PatchInstance& patch) {
-        return std::ranges::find(list.instances, patch) != list.instances.end();
+        return std::find(list.instances.begin(), list.instances.end(), patch) != list.instances.end();
     };
     for (int i = 0; i < 200; ++i) {
         const std::array<glm::dmat4, 2> views = {towards(random.between(0, 6.28)), towards(random.between(0, 6.28))};

@@ -1,8 +1,8 @@
 // Forces of wind and sea states, by the borders that are published.
 #include <gtest/gtest.h>
 
-#include "pelagic/tools/sea_scales.hpp"
-#include "pelagic/tools/wind_text.hpp"
+#include "pelagic/tools/options/sea_scales.hpp"
+#include "pelagic/tools/text/wind_text.hpp"
 
 namespace pelagic::tools {
 namespace {

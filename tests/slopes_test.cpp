@@ -565,7 +565,8 @@ TEST_P(SlopesOnEachIsa, GradientsWithoutHalvesAreTheSame) {
     const TilePlanes planes = planes_of(random_tile(64, 20, 0, 3, 0.03, random), 0.8);
     const Gradients with = gradients_by(kernels(), planes, true), without = gradients_by(kernels(), planes, false);
     EXPECT_EQ(with.texels, without.texels);
-    EXPECT_EQ(std::ranges::count(without.halves, 0), static_cast<std::ptrdiff_t>(without.halves.size()));
+    EXPECT_EQ(std::count(without.halves.begin(), without.halves.end(), 0),
+              static_cast<std::ptrdiff_t>(without.halves.size()));
 }
 
 TilePlanes planes_of(const Tile& tile) {
@@ -588,8 +589,10 @@ TilePlanes planes_of(const Tile& tile) {
 }
 
 void expect_slopes(const Tile& tile, const TileSlopes& expected) {
-    EXPECT_TRUE(std::ranges::equal(tile.slopes_rgba8, expected.slopes));
-    EXPECT_TRUE(std::ranges::equal(tile.moments_rgba8, expected.moments));
+    EXPECT_TRUE(std::equal(tile.slopes_rgba8.begin(), tile.slopes_rgba8.end(), expected.slopes.begin(),
+                           expected.slopes.end()));
+    EXPECT_TRUE(std::equal(tile.moments_rgba8.begin(), tile.moments_rgba8.end(), expected.moments.begin(),
+                           expected.moments.end()));
 }
 
 TEST(SlopesOfFrames, AreThereForOneTileIfAskedAndChangeNoHash) {
@@ -623,8 +626,8 @@ TEST(SlopesOfFrames, AreThereForOneTileIfAskedAndChangeNoHash) {
     std::vector<std::uint32_t> slopes(tile.slopes_rgba8.size()), moments(slopes.size());
     FrameBuffers buffers{.slopes_rgba8 = slopes, .moments_rgba8 = moments};
     asked.frame_at(3, buffers);
-    EXPECT_TRUE(std::ranges::equal(slopes, tile.slopes_rgba8));
-    EXPECT_TRUE(std::ranges::equal(moments, tile.moments_rgba8));
+    EXPECT_TRUE(std::equal(slopes.begin(), slopes.end(), tile.slopes_rgba8.begin(), tile.slopes_rgba8.end()));
+    EXPECT_TRUE(std::equal(moments.begin(), moments.end(), tile.moments_rgba8.begin(), tile.moments_rgba8.end()));
     try {
         plain.frame_at(3, buffers);
         FAIL() << "no exception";
@@ -667,7 +670,8 @@ TEST(SlopesOfFrames, MakeTheHalvesAndTheHashOfSeveralTiles) {
         planes.foam = foam_source(tile);
         const TileSlopes expected = unfused::slopes_of(planes, tile.slope_ranges);
         expect_slopes(tile, expected);
-        EXPECT_TRUE(std::ranges::equal(tile.displacement_rgba16f, expected.halves));
+        EXPECT_TRUE(std::equal(tile.displacement_rgba16f.begin(), tile.displacement_rgba16f.end(),
+                               expected.halves.begin(), expected.halves.end()));
         EXPECT_TRUE(tile.gradient_rgba8.empty());
     }
     const std::uint64_t hash = hash_of(slots.frame());

@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "pelagic/tools/byte_order.hpp"
-#include "pelagic/tools/dds_file.hpp"
-#include "pelagic/tools/errors.hpp"
-#include "pelagic/tools/ktx2_file.hpp"
-#include "pelagic/tools/zstd.hpp"
+#include "pelagic/tools/files/byte_order.hpp"
+#include "pelagic/tools/files/zstd.hpp"
+#include "pelagic/tools/images/dds_file.hpp"
+#include "pelagic/tools/images/ktx2_file.hpp"
+#include "pelagic/tools/text/errors.hpp"
 
 namespace pelagic::tools {
 namespace {

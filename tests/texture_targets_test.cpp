@@ -117,9 +117,13 @@ TEST_P(TextureTargetsOnEachIsa, WhatIsLeftOutStaysInTheFrame) {
     elsewhere.schedule(1, {&only_slopes, 1});
     const Tile& tile = elsewhere.complete().tiles[0];
     EXPECT_TRUE(tile.slopes_rgba8.empty());
-    EXPECT_TRUE(std::ranges::equal(tile.displacement_rgba16f, expected.tiles[0].displacement_rgba16f));
-    EXPECT_TRUE(std::ranges::equal(tile.gradient_rgba8, expected.tiles[0].gradient_rgba8));
-    EXPECT_TRUE(std::ranges::equal(tile.moments_rgba8, expected.tiles[0].moments_rgba8));
+    EXPECT_TRUE(std::equal(tile.displacement_rgba16f.begin(), tile.displacement_rgba16f.end(),
+                           expected.tiles[0].displacement_rgba16f.begin(),
+                           expected.tiles[0].displacement_rgba16f.end()));
+    EXPECT_TRUE(std::equal(tile.gradient_rgba8.begin(), tile.gradient_rgba8.end(),
+                           expected.tiles[0].gradient_rgba8.begin(), expected.tiles[0].gradient_rgba8.end()));
+    EXPECT_TRUE(std::equal(tile.moments_rgba8.begin(), tile.moments_rgba8.end(),
+                           expected.tiles[0].moments_rgba8.begin(), expected.tiles[0].moments_rgba8.end()));
 }
 
 std::string refusal_of(Ocean& ocean, std::span<const TextureTargets> targets) {

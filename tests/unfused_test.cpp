@@ -19,7 +19,8 @@ void expect_same_bits(SeaState sea, double time_s, Isa isa, const char* what) {
     const Frame& fused = ocean.frame_at(time_s);
     const Frame& apart = stages.frame_at(time_s, foam_source(fused.tiles[0]));
     EXPECT_EQ(hash_of(fused), hash_of(apart)) << what << ", N = " << sea.resolution;
-    EXPECT_TRUE(std::ranges::equal(fused.tiles[0].displacement_rgba16f, apart.tiles[0].displacement_rgba16f))
+    EXPECT_TRUE(std::equal(fused.tiles[0].displacement_rgba16f.begin(), fused.tiles[0].displacement_rgba16f.end(),
+                           apart.tiles[0].displacement_rgba16f.begin(), apart.tiles[0].displacement_rgba16f.end()))
         << what << ", foam, N = " << sea.resolution;
     // Where they differ, for whoever has to find out why.
     for (int j = 0; j < sea.resolution; ++j) {

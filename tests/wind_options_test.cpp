@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "pelagic/tests/run_pelagic.hpp"
-#include "pelagic/tools/wind_text.hpp"
+#include "pelagic/tools/text/wind_text.hpp"
 
 namespace pelagic {
 namespace {

@@ -3,17 +3,19 @@
 #include <algorithm>
 #include <bit>
 #include <cstdio>
+#include <numeric>
 #include <vector>
 
 #include "pelagic/jobs/executor.hpp"
-#include "pelagic/tools/bench_table.hpp"
-#include "pelagic/tools/errors.hpp"
-#include "pelagic/tools/machine.hpp"
-#include "pelagic/tools/option_text.hpp"
-#include "pelagic/tools/output_folder.hpp"
-#include "pelagic/tools/progress.hpp"
-#include "pelagic/tools/sea_json.hpp"
-#include "pelagic/tools/stored_figures.hpp"
+#include "pelagic/tools/benchmark/bench_table.hpp"
+#include "pelagic/tools/benchmark/headset_table.hpp"
+#include "pelagic/tools/benchmark/machine.hpp"
+#include "pelagic/tools/benchmark/stored_figures.hpp"
+#include "pelagic/tools/export/sea_json.hpp"
+#include "pelagic/tools/files/output_folder.hpp"
+#include "pelagic/tools/text/errors.hpp"
+#include "pelagic/tools/text/option_text.hpp"
+#include "pelagic/tools/text/progress.hpp"
 
 namespace pelagic::tools {
 namespace {
@@ -50,7 +52,9 @@ Json as_json(const FrameTiming& frame, const FrameTiming& on_one_thread) {
                  {"ours_ms", frame.ms.median},
                  {"ours_ms_quartiles", {frame.ms.low, frame.ms.high}},
                  {"speedup", on_one_thread.ms.median / frame.ms.median},
-                 {"gb_per_s", frame.gb_per_s}};
+                 {"gb_per_s", frame.gb_per_s},
+                 {"memory_bytes", frame.memory_bytes},
+                 {"upload_bytes", frame.upload_bytes}};
     if (frame.threads > 1) return json;
     add_instructions(json, frame, "frame", frame.instructions);
     json["jobs"] = Json::array();
@@ -86,21 +90,30 @@ void BenchFlags::add_to(CLI::App& app) {
         ->type_name("N,N");
     app.add_option("--seconds", seconds_, std::string("about how long to measure; ") + seconds_range + ", default 30")
         ->type_name("SECONDS");
+    app.add_flag("--headset", headset_,
+                 "seas for a headset on 1, 2 and 3 threads, beside its frame times; without --sizes");
     app.add_option("--json", json_, "writes the figures; - prints them instead of tables")->type_name("FILE");
     compute_.add_to(app);
 }
 
 TimingPlan BenchFlags::resolve() const {
     const ComputeOptions compute = compute_.resolve();
+    const int most_threads = make_default_executor(compute.threads)->thread_limit();
     TimingPlan plan;
-    plan.sizes = {64, 128, 256, 512, 1024};
-    if (sizes_) {
-        plan.sizes = sizes_from(*sizes_);
-        plan.default_sea = false;
-    }
     if (seconds_) plan.seconds = number_in("--seconds", *seconds_, 0.1, 3600, seconds_range);
     plan.isas = compute_.names_isa() ? std::vector{*compute.isa} : isas_here();
-    plan.most_threads = make_default_executor(compute.threads)->thread_limit();
+    if (headset_) {
+        if (sizes_) throw InputError("--sizes is given, but --headset has seas of its own: leave out one of them");
+        plan.seas = headset_seas();
+        plan.isas = {plan.isas.back()};
+        plan.threads.resize(static_cast<std::size_t>(std::min(most_threads, most_headset_threads)));
+        std::iota(plan.threads.begin(), plan.threads.end(), 1);
+        return plan;
+    }
+    if (!sizes_) plan.seas.emplace_back();
+    for (const int n : sizes_ ? sizes_from(*sizes_) : std::vector{64, 128, 256, 512, 1024})
+        plan.seas.push_back({.resolution = n, .patch_size_m = 250});
+    plan.threads = thread_counts(most_threads);
     return plan;
 }
 
@@ -118,7 +131,7 @@ void BenchFlags::run() const {
         return;
     }
     if (file) file->write(as_json(timings).dump(2) + "\n");
-    print_timings(timings);
+    headset_ ? print_headset_timings(timings) : print_timings(timings);
 }
 
 }  // namespace pelagic::tools

@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "pelagic/tools/compute_options.hpp"
-#include "pelagic/tools/frame_timing.hpp"
+#include "pelagic/tools/benchmark/frame_timing.hpp"
+#include "pelagic/tools/options/compute_options.hpp"
 
 namespace pelagic::tools {
 
@@ -20,6 +20,7 @@ class BenchFlags {
     TimingPlan resolve() const;
 
     std::optional<std::string> sizes_, seconds_, json_;
+    bool headset_ = false;
     ComputeFlags compute_;
 };
 

@@ -11,18 +11,18 @@
 #include <vector>
 
 #include "pelagic/tools/bench_command.hpp"
-#include "pelagic/tools/errors.hpp"
 #include "pelagic/tools/export_command.hpp"
 #include "pelagic/tools/info_command.hpp"
 #include "pelagic/tools/merge_command.hpp"
-#include "pelagic/tools/option_text.hpp"
 #include "pelagic/tools/quadtree_command.hpp"
 #include "pelagic/tools/query_command.hpp"
+#include "pelagic/tools/text/errors.hpp"
+#include "pelagic/tools/text/option_text.hpp"
 #if defined(PELAGIC_HAS_GL)
 #include "pelagic/tools/render_command.hpp"
 #include "pelagic/tools/view_command.hpp"
 #endif
-#include "pelagic/tools/stop_signal.hpp"
+#include "pelagic/tools/text/stop_signal.hpp"
 #include "pelagic/tools/verify_command.hpp"
 
 namespace pelagic::tools {

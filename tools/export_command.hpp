@@ -5,7 +5,7 @@
 
 #include "pelagic/jobs/chrome_trace.hpp"
 #include "pelagic/sim/ocean.hpp"
-#include "pelagic/tools/export_options.hpp"
+#include "pelagic/tools/export/export_options.hpp"
 
 namespace pelagic::tools {
 

@@ -8,12 +8,12 @@
 #include "pelagic/message/number_text.hpp"
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/statistics.hpp"
-#include "pelagic/tools/digest.hpp"
-#include "pelagic/tools/errors.hpp"
-#include "pelagic/tools/measure_report.hpp"
-#include "pelagic/tools/output_folder.hpp"
-#include "pelagic/tools/sea_json.hpp"
-#include "pelagic/tools/stage_work.hpp"
+#include "pelagic/tools/benchmark/stage_work.hpp"
+#include "pelagic/tools/export/sea_json.hpp"
+#include "pelagic/tools/files/digest.hpp"
+#include "pelagic/tools/files/output_folder.hpp"
+#include "pelagic/tools/measure/measure_report.hpp"
+#include "pelagic/tools/text/errors.hpp"
 
 namespace pelagic::tools {
 namespace {

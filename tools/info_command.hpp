@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "pelagic/tools/compute_options.hpp"
-#include "pelagic/tools/sea_options.hpp"
+#include "pelagic/tools/options/compute_options.hpp"
+#include "pelagic/tools/options/sea_options.hpp"
 
 namespace pelagic::tools {
 

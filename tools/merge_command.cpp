@@ -8,16 +8,16 @@
 #include <utility>
 #include <vector>
 
-#include "pelagic/tools/errors.hpp"
-#include "pelagic/tools/export_from_record.hpp"
-#include "pelagic/tools/export_names.hpp"
-#include "pelagic/tools/export_reader.hpp"
-#include "pelagic/tools/export_summary.hpp"
-#include "pelagic/tools/file_check.hpp"
-#include "pelagic/tools/folder_lock.hpp"
-#include "pelagic/tools/frames_of_record.hpp"
-#include "pelagic/tools/progress.hpp"
-#include "pelagic/tools/record_names.hpp"
+#include "pelagic/tools/export/export_from_record.hpp"
+#include "pelagic/tools/export/export_names.hpp"
+#include "pelagic/tools/export/export_summary.hpp"
+#include "pelagic/tools/export/file_check.hpp"
+#include "pelagic/tools/export/folder_lock.hpp"
+#include "pelagic/tools/export/frames_of_record.hpp"
+#include "pelagic/tools/export/record_names.hpp"
+#include "pelagic/tools/measure/export_reader.hpp"
+#include "pelagic/tools/text/errors.hpp"
+#include "pelagic/tools/text/progress.hpp"
 
 namespace pelagic::tools {
 namespace {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "pelagic/tools/compute_options.hpp"
+#include "pelagic/tools/options/compute_options.hpp"
 
 namespace pelagic::tools {
 

@@ -11,14 +11,14 @@
 
 #include "pelagic/quadtree/selection.hpp"
 #include "pelagic/sim/ocean.hpp"
-#include "pelagic/tools/errors.hpp"
-#include "pelagic/tools/gltf_file.hpp"
-#include "pelagic/tools/obj_file.hpp"
-#include "pelagic/tools/option_text.hpp"
-#include "pelagic/tools/output_folder.hpp"
-#include "pelagic/tools/ply_file.hpp"
-#include "pelagic/tools/quadtree_files.hpp"
-#include "pelagic/tools/sea_json.hpp"
+#include "pelagic/tools/export/sea_json.hpp"
+#include "pelagic/tools/files/output_folder.hpp"
+#include "pelagic/tools/meshes/gltf_file.hpp"
+#include "pelagic/tools/meshes/obj_file.hpp"
+#include "pelagic/tools/meshes/ply_file.hpp"
+#include "pelagic/tools/meshes/quadtree_files.hpp"
+#include "pelagic/tools/text/errors.hpp"
+#include "pelagic/tools/text/option_text.hpp"
 
 namespace pelagic::tools {
 namespace {

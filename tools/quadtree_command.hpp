@@ -6,9 +6,9 @@
 #include <string>
 
 #include "pelagic/quadtree/quadtree_options.hpp"
-#include "pelagic/tools/camera_options.hpp"
-#include "pelagic/tools/compute_options.hpp"
-#include "pelagic/tools/sea_options.hpp"
+#include "pelagic/tools/options/camera_options.hpp"
+#include "pelagic/tools/options/compute_options.hpp"
+#include "pelagic/tools/options/sea_options.hpp"
 
 namespace pelagic::tools {
 

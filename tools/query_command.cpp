@@ -5,11 +5,11 @@
 
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/surface_query_jobs.hpp"
-#include "pelagic/tools/errors.hpp"
-#include "pelagic/tools/input_file.hpp"
-#include "pelagic/tools/option_text.hpp"
-#include "pelagic/tools/points_file.hpp"
-#include "pelagic/tools/query_rows.hpp"
+#include "pelagic/tools/files/input_file.hpp"
+#include "pelagic/tools/query/points_file.hpp"
+#include "pelagic/tools/query/query_rows.hpp"
+#include "pelagic/tools/text/errors.hpp"
+#include "pelagic/tools/text/option_text.hpp"
 
 namespace pelagic::tools {
 namespace {

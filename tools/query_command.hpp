@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "pelagic/tools/compute_options.hpp"
-#include "pelagic/tools/sea_options.hpp"
+#include "pelagic/tools/options/compute_options.hpp"
+#include "pelagic/tools/options/sea_options.hpp"
 
 namespace pelagic::tools {
 

@@ -18,10 +18,10 @@
 #include "pelagic/gl/water_at_lens.hpp"
 #include "pelagic/quadtree/selection.hpp"
 #include "pelagic/sim/ocean.hpp"
-#include "pelagic/tools/output_folder.hpp"
-#include "pelagic/tools/picture_file.hpp"
-#include "pelagic/tools/progress.hpp"
-#include "pelagic/tools/sea_json.hpp"
+#include "pelagic/tools/export/sea_json.hpp"
+#include "pelagic/tools/files/output_folder.hpp"
+#include "pelagic/tools/pictures/picture_file.hpp"
+#include "pelagic/tools/text/progress.hpp"
 
 namespace pelagic::tools {
 namespace {

@@ -1,7 +1,7 @@
 // `pelagic render`: pictures of a sea, without a window.
 #pragma once
 
-#include "pelagic/tools/render_options.hpp"
+#include "pelagic/tools/options/render_options.hpp"
 
 namespace pelagic::tools {
 

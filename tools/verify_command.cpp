@@ -10,16 +10,16 @@
 #include <vector>
 
 #include "pelagic/sim/ocean.hpp"
-#include "pelagic/tools/errors.hpp"
+#include "pelagic/tools/export/export_from_record.hpp"
+#include "pelagic/tools/export/file_check.hpp"
+#include "pelagic/tools/export/frame_writer.hpp"
+#include "pelagic/tools/export/frames_of_record.hpp"
+#include "pelagic/tools/export/record_names.hpp"
 #include "pelagic/tools/export_command.hpp"
-#include "pelagic/tools/export_from_record.hpp"
-#include "pelagic/tools/export_reader.hpp"
-#include "pelagic/tools/file_check.hpp"
-#include "pelagic/tools/frame_writer.hpp"
-#include "pelagic/tools/frames_of_record.hpp"
-#include "pelagic/tools/option_text.hpp"
-#include "pelagic/tools/progress.hpp"
-#include "pelagic/tools/record_names.hpp"
+#include "pelagic/tools/measure/export_reader.hpp"
+#include "pelagic/tools/text/errors.hpp"
+#include "pelagic/tools/text/option_text.hpp"
+#include "pelagic/tools/text/progress.hpp"
 
 namespace pelagic::tools {
 namespace {

@@ -5,10 +5,10 @@
 #include <filesystem>
 #include <glm/trigonometric.hpp>
 
-#include "pelagic/tools/errors.hpp"
-#include "pelagic/tools/option_text.hpp"
-#include "pelagic/tools/output_folder.hpp"
-#include "pelagic/tools/picture_file.hpp"
+#include "pelagic/tools/files/output_folder.hpp"
+#include "pelagic/tools/pictures/picture_file.hpp"
+#include "pelagic/tools/text/errors.hpp"
+#include "pelagic/tools/text/option_text.hpp"
 #include "pelagic/viewer/viewer.hpp"
 
 namespace pelagic::tools {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "pelagic/tools/scene_options.hpp"
+#include "pelagic/tools/options/scene_options.hpp"
 
 namespace pelagic::tools {
 

@@ -9,6 +9,7 @@
 #include "pelagic/gl/light_presets.hpp"
 #include "pelagic/message/number_text.hpp"
 #include "pelagic/quadtree/quadtree_options.hpp"
+#include "pelagic/viewer/sliders.hpp"
 
 namespace pelagic::viewer {
 namespace {
@@ -16,15 +17,20 @@ namespace {
 constexpr float panel_width = 360;
 constexpr float to_deg = 180 / std::numbers::pi_v<float>;
 
-/// A slider of a double.
-bool slide(const char* label, double& value, double least, double most, const char* format) {
-    return ImGui::SliderScalar(label, ImGuiDataType_Double, &value, &least, &most, format);
+bool slide(const Slider& slider, double& value) {
+    return ImGui::SliderScalar(slider.label, ImGuiDataType_Double, &value, &slider.least, &slider.most,
+                               slider.format);
 }
 
-/// A slider in degrees of radians.
-bool slide_degrees(const char* label, auto& radians, float least, float most) {
+bool slide(const Slider& slider, float& value) {
+    return ImGui::SliderFloat(slider.label, &value, static_cast<float>(slider.least), static_cast<float>(slider.most),
+                              slider.format);
+}
+
+/// In degrees.
+bool slide_angle(const Slider& slider, auto& radians) {
     float degrees = static_cast<float>(radians) * to_deg;
-    if (!ImGui::SliderFloat(label, &degrees, least, most, "%.0f deg")) return false;
+    if (!slide(slider, degrees)) return false;
     radians = static_cast<std::remove_reference_t<decltype(radians)>>(degrees / to_deg);
     return true;
 }
@@ -46,14 +52,17 @@ void choose_preset(SeaState& sea) {
 
 /// What the wind does not say of the waves.
 void choose_waves(SeaState& sea) {
-    if (sea.waves == WaveModel::analytic) slide("strength", sea.wave_strength, 0, 2, "%.2f");
-    if (sea.waves == WaveModel::exp_sine) slide("drag", sea.wave_drag, 0, 1, "%.2f");
+    if (sea.waves == WaveModel::analytic) slide(sliders::strength, sea.wave_strength);
+    if (sea.waves == WaveModel::exp_sine) slide(sliders::drag, sea.wave_drag);
 }
 
 /// How many tiles the sea is a sum of, unless the side of the only one was given or the model knows no other.
 void choose_cascades(SeaState& sea, const std::vector<double>& sides_m) {
     int cascades = cascades_of(sea);
-    if (!is_tile_for_good(sea) && ImGui::SliderInt("cascades", &cascades, 1, 4)) sea.cascades = cascades;
+    if (!is_tile_for_good(sea) &&
+        ImGui::SliderInt(sliders::cascades.label, &cascades, static_cast<int>(sliders::cascades.least),
+                         static_cast<int>(sliders::cascades.most)))
+        sea.cascades = cascades;
     std::string sides;
     for (const double side : sides_m) sides += (sides.empty() ? "" : ", ") + number_text(side);
     ImGui::Text("tiles of %s m", sides.c_str());
@@ -90,7 +99,7 @@ void choose_exposure(gl::CameraSettings& camera, float ev) {
     } else {
         ImGui::SameLine();
         ImGui::Text("EV %.1f", static_cast<double>(ev));
-        ImGui::SliderFloat("brighter", &camera.bias_stops, -gl::most_bias_stops, gl::most_bias_stops, "%+.1f stops");
+        slide(sliders::brighter, camera.bias_stops);
     }
     ImGui::SliderFloat("bloom", &camera.bloom, 0, 0.5f, "%.2f");
 }
@@ -142,20 +151,20 @@ void show_panel(ViewSettings& settings, ViewCamera& camera, const ViewFigures& f
     ImGui::SetNextWindowPos(ImVec2(10, 10), ImGuiCond_FirstUseEver);
     ImGui::SetNextWindowSize(ImVec2(panel_width, 0), ImGuiCond_Always);
     ImGui::Begin("Pelagic");
-    slide("wind", settings.sea.wind_speed_mps, 1, 30, "%.1f m/s");
-    slide_degrees("wind towards", settings.sea.wind_direction_rad, -180, 180);
-    slide("choppiness", settings.sea.choppiness, 0, 1, "%.2f");
+    slide(sliders::wind, settings.sea.wind_speed_mps);
+    slide_angle(sliders::wind_direction, settings.sea.wind_direction_rad);
+    slide(sliders::choppiness, settings.sea.choppiness);
     choose_waves(settings.sea);
     choose_preset(settings.sea);
     choose_cascades(settings.sea, figures.tile_sides_m);
-    slide("changes take", settings.change_over_s, 0, 60, "%.0f s");
+    slide({"changes take", "", 0, 60, "%.0f s"}, settings.change_over_s);
     ImGui::Text("waves of %.2f m%s", figures.significant_wave_height_m,
                 figures.sea_is_baking || figures.sea_is_changing ? ", changing" : "");
     ImGui::Separator();
     choose_light(settings);
-    slide_degrees("sun towards", settings.sky.sun_azimuth_rad, -180, 180);
-    slide_degrees("sun height", settings.sky.sun_elevation_rad, -40, 90);
-    ImGui::SliderFloat("clouds", &settings.sky.cloud_cover, 0, 1, "%.2f");
+    slide_angle(sliders::sun_direction, settings.sky.sun_azimuth_rad);
+    slide_angle(sliders::sun_height, settings.sky.sun_elevation_rad);
+    slide(sliders::clouds, settings.sky.cloud_cover);
     if (figures.sky_is_baking) ImGui::Text("baking the sky ...");
     choose_exposure(settings.camera, figures.ev);
     ImGui::Separator();

@@ -2,7 +2,7 @@
 //
 //   pelagic_count_jobs ISA SEA...    a sea is TILESxN, 1x256 or 3x128
 //
-// Names are sea/job; items are texels, and points of queries.
+// Names are sea/job; items are texels, and points of queries; blocks are those of all tiles.
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
@@ -16,7 +16,7 @@
 #include "pelagic/bench/instructions/count_marks.hpp"
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/surface_query.hpp"
-#include "pelagic/tools/stage_work.hpp"
+#include "pelagic/tools/benchmark/stage_work.hpp"
 
 namespace pelagic {
 namespace {
@@ -67,11 +67,15 @@ void count_jobs(const std::string& sea, Isa isa) {
         (known == jobs.end() ? jobs.emplace_back(name, std::vector<const Stage*>()) : *known)
             .second.push_back(&stage);
     }
-    for (const auto& job : jobs)
-        bench::counted(sea + "/" + job.first, texels, [&job] {
+    for (const auto& job : jobs) {
+        std::size_t blocks = 0;
+        for (const Stage* const stage : job.second) blocks += block_count(*stage);
+        const auto run_all = [&job] {
             for (const Stage* const stage : job.second)
                 for (std::size_t block = 0; block < block_count(*stage); ++block) run_block(*stage, block);
-        });
+        };
+        bench::counted(sea + "/" + job.first, texels, run_all, blocks);
+    }
     count_queries(sea, ocean.frame_at(1));
     Ocean plain(sea_of(tiles), {.executor = make_serial_executor(), .isa = isa});
     plain.frame_at(0.5);

@@ -10,8 +10,8 @@ __attribute__((noinline)) void pelagic_count_end() { __asm__ __volatile__("" : :
 
 namespace pelagic::bench {
 
-void print_counted(const std::string& name, double items) {
-    std::printf("%s\t%.0f\n", name.c_str(), items);
+void print_counted(const std::string& name, double items, std::size_t blocks) {
+    std::printf("%s\t%.0f\t%zu\n", name.c_str(), items, blocks);
     std::fflush(stdout);
 }
 

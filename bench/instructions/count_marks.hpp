@@ -2,6 +2,7 @@
 // valgrind by --zero-before and --dump-before, the plug-in of qemu by the symbol. See instructions.py.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <utility>
 
@@ -12,15 +13,16 @@ void pelagic_count_end();
 
 namespace pelagic::bench {
 
-/// Runs `work` between the marks and prints, on one line, of what and for how many items the next count is.
-void print_counted(const std::string& name, double items);
+/// Prints, on one line, of what the last count was, for how many items, and in how many blocks, which may run side by side.
+void print_counted(const std::string& name, double items, std::size_t blocks);
 
+/// Runs `work` between the marks.
 template <class Work>
-void counted(const std::string& name, double items, Work&& work) {
+void counted(const std::string& name, double items, Work&& work, std::size_t blocks = 1) {
     pelagic_count_begin();
     std::forward<Work>(work)();
     pelagic_count_end();
-    print_counted(name, items);
+    print_counted(name, items, blocks);
 }
 
 }  // namespace pelagic::bench

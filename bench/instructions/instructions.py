@@ -95,8 +95,8 @@ def count(command, options=()):
         printed, counts = (qemu_counts(command, folder) if is_arm(command[0]) else
                            valgrind_counts(command, folder, options))
     lines = [line.split("\t") for line in printed.splitlines() if "\t" in line]
-    compiler = next((value for name, value in lines if name == "compiler"), None)
-    named = [(name, float(items)) for name, items in lines if name != "compiler"]
+    compiler = next((line[1] for line in lines if line[0] == "compiler"), None)
+    named = [(line[0], float(line[1])) for line in lines if line[0] != "compiler"]
     if len(named) != len(counts):
         raise SystemExit(f"{command[0]} names {len(named)} counts, of which {len(counts)} were seen")
     return compiler, [(name, items, events) for (name, items), events in zip(named, counts)]

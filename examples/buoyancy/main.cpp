@@ -1,14 +1,13 @@
 // Three boats in a storm: while they float on one frame, the next one is computed.
 //
 //   buoyancy [FOLDER [SECONDS]]     writes FOLDER/trace.csv and FOLDER/trace.svg
-#include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 #include <system_error>
 #include <vector>
 
@@ -47,11 +46,10 @@ std::string parse(int argc, char** argv, Options& options) {
     if (argc > 1) options.folder = argv[1];
     if (options.folder.empty()) return "FOLDER is empty, needs the name of a folder";
     if (argc > 2) {
-        const std::string_view text = argv[2];
-        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), options.seconds);
-        if (error != std::errc{} || end != text.data() + text.size() ||
-            !(options.seconds >= 1 && options.seconds <= 3600))
-            return "SECONDS is " + std::string(text) + ", needs a number from 1 to 3600";
+        char* end = nullptr;
+        options.seconds = std::strtod(argv[2], &end);
+        if (end == argv[2] || *end != 0 || !(options.seconds >= 1 && options.seconds <= 3600))
+            return "SECONDS is " + std::string(argv[2]) + ", needs a number from 1 to 3600";
     }
     return {};
 }

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "pelagic/tools/config_file.hpp"
-#include "pelagic/tools/errors.hpp"
+#include "pelagic/tools/options/config_file.hpp"
+#include "pelagic/tools/text/errors.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     static const std::vector<std::string> known = {"preset", "spectrum", "wind_speed", "seed", "loop_period"};

@@ -5,9 +5,9 @@
 #include <string>
 #include <string_view>
 
-#include "pelagic/tools/export_names.hpp"
-#include "pelagic/tools/export_record.hpp"
-#include "pelagic/tools/image_files.hpp"
+#include "pelagic/tools/export/export_names.hpp"
+#include "pelagic/tools/export/export_record.hpp"
+#include "pelagic/tools/export/image_files.hpp"
 
 namespace pelagic {
 
@@ -41,7 +41,8 @@ void read_back(Parse parse, std::string_view text) {
             must_hold((tools::map_named(name.substr(0, name.find('_'))) || name.starts_with("sea_") ||
                        name.starts_with("mesh") || name.starts_with("flipbook")) &&
                       name.find('/') == name.npos && name.find('\0') == name.npos && name.size() < 40);
-        must_hold(tools::first_difference(earlier.options, tools::options_as_json(options)).was_and_is().size() < 250);
+        must_hold(tools::first_difference(earlier.options, tools::options_as_json(options)).was_and_is().size() <
+                  250);
     } catch (const tools::DamagedRecord&) {
     }
 }

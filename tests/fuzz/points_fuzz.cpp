@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "pelagic/tools/errors.hpp"
-#include "pelagic/tools/points_file.hpp"
+#include "pelagic/tools/query/points_file.hpp"
+#include "pelagic/tools/text/errors.hpp"
 
 namespace {
 

@@ -57,14 +57,6 @@ std::vector<std::string> preset_names() {
     throw std::invalid_argument(refusal(name, text_of(value), accepted));
 }
 
-std::string word_of(std::string_view name, const val& value, const std::vector<std::string>& words) {
-    if (!is_of_type(value, "string")) refuse(name, value, list_of(words));
-    const auto word = value.as<std::string>();
-    if (std::find(words.begin(), words.end(), word) == words.end())
-        throw std::invalid_argument(refusal(name, text_of(value), list_of(words) + nearest_hint(word, words)));
-    return word;
-}
-
 void set_number(SeaState& sea, const SeaStateField& field, const val& value) {
     const std::string name = camel_case(field.name);
     if (!is_of_type(value, "number")) refuse(name, value, "a number: " + std::string(field.accepted));
@@ -112,7 +104,8 @@ bool set_option(SeaState& sea, const std::string& name, const val& value) {
     // "windspeed", "wind_speed" and "wind" are wind speed without its unit.
     const std::string slip = camel_case(name);
     const auto is_begun = [&](const std::string& option) {
-        return option.size() >= slip.size() && std::equal(slip.begin(), slip.end(), option.begin(), [](char a, char b) {
+        return option.size() >= slip.size() &&
+               std::equal(slip.begin(), slip.end(), option.begin(), [](char a, char b) {
                    return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
                });
     };
@@ -150,6 +143,14 @@ std::string text_of(const val& value) {
 bool flag_of(const std::string& name, const val& value) {
     if (!value.isTrue() && !value.isFalse()) refuse(name, value, "true or false");
     return value.isTrue();
+}
+
+std::string word_of(std::string_view name, const val& value, const std::vector<std::string>& words) {
+    if (!is_of_type(value, "string")) refuse(name, value, list_of(words));
+    const auto word = value.as<std::string>();
+    if (std::find(words.begin(), words.end(), word) == words.end())
+        throw std::invalid_argument(refusal(name, text_of(value), list_of(words) + nearest_hint(word, words)));
+    return word;
 }
 
 double number_of(std::string_view name, const val& value, bool (*accepts)(double), std::string_view accepted) {

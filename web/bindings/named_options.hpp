@@ -9,6 +9,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "pelagic/sim/sea_state.hpp"
 
@@ -24,7 +25,11 @@ std::string text_of(const emscripten::val& value);
 bool flag_of(const std::string& name, const emscripten::val& value);
 
 /// A number of which `accepts` says yes; else std::invalid_argument: "timeS is NaN, needs a finite number".
-double number_of(std::string_view name, const emscripten::val& value, bool (*accepts)(double), std::string_view accepted);
+double number_of(std::string_view name, const emscripten::val& value, bool (*accepts)(double),
+                 std::string_view accepted);
+
+/// One of those words; else std::invalid_argument, with the nearest one.
+std::string word_of(std::string_view name, const emscripten::val& value, const std::vector<std::string>& words);
 
 /// What the object says about the sea, on top of `sea`: `preset` first, whatever the order, then the others. Of a preset, what belongs
 /// to the tiles stays as `sea` has it, where the preset leaves it to the library.

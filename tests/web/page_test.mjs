@@ -1,0 +1,369 @@
+// The page as a visitor has it, in headless Chromium, which draws in software: so its window is small. What it shows is compared with the
+// native program. usage: node page_test.mjs PAGE_FOLDER PELAGIC, in a folder that page_test.sh has filled
+import assert from 'node:assert/strict';
+import {execFileSync, spawn, spawnSync} from 'node:child_process';
+import {mkdtempSync, readFileSync, rmSync, symlinkSync, writeFileSync} from 'node:fs';
+import {request} from 'node:http';
+import {createRequire} from 'node:module';
+import {tmpdir} from 'node:os';
+import {dirname, join} from 'node:path';
+import {after, before, test} from 'node:test';
+import {fileURLToPath, pathToFileURL} from 'node:url';
+
+const [pageFolder, pelagic] = process.argv.slice(2);
+const serve = join(dirname(fileURLToPath(import.meta.url)), '../../web/page/serve.mjs');
+const require = createRequire(join(process.cwd(), 'package.json'));
+const {default: puppeteer} = await import(pathToFileURL(require.resolve('puppeteer-core')));
+
+let server, address, browser, page, scratch;
+const problems = [];
+/** What a page of a test takes: the cheapest picture, standing still. */
+const cheap = 'quality=low&shading=headset&paused=true';
+
+before(async () => {
+  server = spawn(process.execPath, [serve, pageFolder], {stdio: ['ignore', 'pipe', 'inherit']});
+  address = await new Promise(resolve => server.stdout.once('data', line => resolve(String(line).trim())));
+  scratch = mkdtempSync(join(tmpdir(), 'page_test_'));
+  browser = await puppeteer.launch({
+    executablePath: process.env.PELAGIC_CHROMIUM ?? '/usr/bin/chromium', headless: true, userDataDir: join(scratch, 'profile'), protocolTimeout: 300000,
+    defaultViewport: {width: 320, height: 180},
+    args: ['--no-sandbox', '--disable-dev-shm-usage', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'],
+  });
+  page = await browser.newPage();
+  page.on('console', message => { if (['error', 'warn'].includes(message.type())) problems.push(message.text()); });
+  page.on('pageerror', error => problems.push(error.message));
+  await page.goto(`${address}#timeS=12.5&${cheap}`);
+  await page.waitForFunction(() => globalThis.pelagicPage?.timings.firstFrameMs, {timeout: 300000});
+});
+after(async () => {
+  await browser?.close();
+  server?.kill();
+  rmSync(scratch, {recursive: true, force: true});
+});
+
+/** The hash that is on the screen once the sea of the settings is drawn. */
+async function shownHash() {
+  await page.waitForFunction(() => {
+    const {seaChanged, hash, shownTimeS, settings} = globalThis.pelagicPage;
+    return !seaChanged && hash && shownTimeS === settings.timeS && document.getElementById('hash').value === hash;
+  }, {timeout: 120000});
+  return page.$eval('#hash', output => output.value);
+}
+
+async function openLink(text) {
+  await page.evaluate(link => { location.hash = link; }, text);
+  await page.waitForFunction(link => location.hash.slice(1) === link, {}, text);
+  await page.evaluate(() => new Promise(resolve => setTimeout(resolve, 0)));  // its event has been heard
+}
+
+/** Of a frame by the native program. */
+function nativeHash(timeS, ...flags) {
+  const out = join(scratch, `native_${Math.random()}`);
+  execFileSync(pelagic, ['export', '--out', out, '--start', String(timeS), '--maps', 'displacement', ...flags]);
+  return JSON.parse(readFileSync(join(out, 'sea.json'))).frames[0].hash;
+}
+
+const problemLine = () => page.$eval('#problem', line => (line.hidden ? '' : line.textContent));
+
+// ---- Serving -------------------------------------------------------------------------------------------------------------------
+
+test('the server gives types and isolates the page, and nothing from outside its folder', async () => {
+  const asked = async path => {
+    const answer = await fetch(address + path);
+    await answer.arrayBuffer();
+    return answer;
+  };
+  for (const [path, type] of [['', 'text/html'], ['main.js', 'text/javascript'], ['style.css', 'text/css'], ['pelagic_view.wasm', 'application/wasm']]) {
+    const answer = await asked(path);
+    assert.equal(answer.status, 200, path);
+    assert.equal(answer.headers.get('content-type').split(';')[0], type);
+    assert.equal(answer.headers.get('cross-origin-opener-policy'), 'same-origin');
+    assert.equal(answer.headers.get('cross-origin-embedder-policy'), 'require-corp');
+  }
+  assert.equal((await asked('nothing.js')).status, 404);
+  assert.equal((await fetch(address, {method: 'POST'})).status, 405);
+  assert.equal((await fetch(`${address}main.js`, {method: 'HEAD'})).status, 200);
+  // fetch() would tidy such paths up.
+  for (const path of ['/../page_bindings.cpp', '/..%2f..%2f..%2fetc%2fpasswd', '/%2e%2e/%2e%2e/etc/passwd', '/%'])
+    assert.equal(await new Promise((resolve, reject) => request(address, {path}, answer => resolve(answer.statusCode)).on('error', reject).end()), 404, path);
+});
+
+test('the server follows no link out of its folder, and says in a line what it was not told', async () => {
+  const folder = join(scratch, 'served');
+  execFileSync('mkdir', [folder]);
+  writeFileSync(join(folder, 'index.html'), 'here');
+  writeFileSync(join(scratch, 'secret.txt'), 'secret');
+  symlinkSync(join(scratch, 'secret.txt'), join(folder, 'link.txt'));
+  const other = spawn(process.execPath, [serve, folder], {stdio: ['ignore', 'pipe', 'inherit']});
+  const at = await new Promise(resolve => other.stdout.once('data', line => resolve(String(line).trim())));
+  assert.equal(await (await fetch(at)).text(), 'here');
+  assert.equal((await fetch(`${at}link.txt`)).status, 404);
+  const refused = (...words) => spawnSync(process.execPath, [serve, ...words]).stderr.toString();
+  assert.equal(refused(), 'serve: which folder? serve.mjs FOLDER [PORT]\n');
+  assert.equal(refused('/none'), 'serve: there is no folder /none\n');
+  assert.equal(refused(folder, '70000'), 'serve: PORT is 70000, needs 0 to 65535\n');
+  assert.equal(refused(folder, new URL(at).port), `serve: port ${new URL(at).port} is taken: give another one\n`);
+  other.kill('SIGINT');
+  assert.equal(await new Promise(resolve => other.once('exit', resolve)), 0);
+});
+
+// ---- Opening -------------------------------------------------------------------------------------------------------------------
+
+test('the first picture is drawn before the first slice of the sky, which takes several', async () => {
+  await page.waitForFunction(() => globalThis.pelagicPage.timings.skyMs, {timeout: 300000});
+  const timings = await page.evaluate(() => globalThis.pelagicPage.timings);
+  assert.ok(timings.firstSliceMs >= timings.firstFrameMs);
+  assert.ok(timings.slices.length > 10, `${timings.slices.length} slices`);
+  assert.ok(await page.evaluate(() => globalThis.pelagicPage.view.hasSky()));
+  console.log(`first picture after ${timings.firstFrameMs.toFixed(0)} ms, sky after ${timings.skyMs.toFixed(0)} ms, ` +
+              `${timings.slices.length} slices, the longest ${Math.max(...timings.slices).toFixed(1)} ms`);
+});
+
+test('it shows a sea and no problem, and every control has a name', async () => {
+  const picture = await page.evaluate(() => {
+    const {gl, view} = globalThis.pelagicPage;
+    globalThis.pelagicPage.isStale = true;
+    return new Promise(resolve => {
+      const look = () => {
+        if (globalThis.pelagicPage.isStale) return setTimeout(look, 5);
+        resolve({error: view.glError(), width: gl.drawingBufferWidth, height: gl.drawingBufferHeight});
+      };
+      look();
+    });
+  });
+  assert.deepEqual(picture, {error: 0, width: 320, height: 180});
+  const screen = Buffer.from(await page.screenshot({encoding: 'binary'}));
+  assert.ok(screen.length > 10000, 'a picture without detail packs into less');
+  assert.equal(await problemLine(), '');
+  const nameless = await page.evaluate(() => [...document.querySelectorAll('input, select, button')]
+    .filter(control => !(control.labels?.[0]?.textContent || control.textContent.trim())).map(control => control.outerHTML));
+  assert.deepEqual(nameless, []);
+  const ids = await page.evaluate(() => [...document.querySelectorAll('[id]')].map(one => one.id));
+  assert.equal(new Set(ids).size, ids.length);
+  assert.ok(await page.evaluate(() => document.getElementById('enter-vr').hidden), 'no headset here');
+});
+
+// ---- The sea -------------------------------------------------------------------------------------------------------------------
+
+test('the hash of a paused moment is that of the native program', async () => {
+  assert.equal(await shownHash(), nativeHash(12.5));
+});
+
+test('sliders and presets change the sea into the native program\'s', async () => {
+  await page.evaluate(() => {
+    const select = document.getElementById('option-sea-state');
+    select.value = 'storm';
+    select.dispatchEvent(new Event('change'));
+  });
+  assert.equal(await shownHash(), nativeHash(12.5, '--preset', 'storm'));
+  await page.evaluate(() => {
+    for (const [name, value] of [['wind', '14.5'], ['wind-towards', '30'], ['choppiness', '0.65']]) {
+      const slider = document.getElementById(`option-${name}`);
+      slider.value = value;
+      slider.dispatchEvent(new Event('input'));
+    }
+  });
+  assert.equal(await page.$eval('#option-wind + output', output => output.value), '14.5 m/s');
+  assert.equal(await shownHash(), nativeHash(12.5, '--preset', 'storm', '--wind-speed', '14.5', '--wind-direction', '30', '--choppiness', '0.65'));
+});
+
+test('a link opens the native program\'s sea', async () => {
+  await openLink(`sea=swell&swellDirectionRad=120deg&seed=77&cascades=3&spreading=cosine-2s&timeS=-3.25&${cheap}`);
+  assert.equal(await shownHash(), nativeHash(-3.25, '--preset', 'swell', '--swell-direction', '120', '--seed', '77', '--cascades', '3', '--spreading', 'cosine-2s'));
+});
+
+test('what does not fit is said in a line, and the sea stays', async () => {
+  const before = await shownHash();
+  await page.evaluate(() => {
+    const input = document.getElementById('option-fetch-m');
+    input.value = '-5';
+    input.dispatchEvent(new Event('change'));
+  });
+  assert.equal(await problemLine(), 'fetchM is -5, needs (0, 2e6]');
+  assert.equal(await shownHash(), before);
+});
+
+test('time runs unless it is paused, and a resting sea is not drawn again', async () => {
+  const time = () => page.evaluate(() => globalThis.pelagicPage.settings.timeS);
+  await page.click('#pause');
+  const from = await time();
+  await page.waitForFunction(start => globalThis.pelagicPage.settings.timeS > start, {timeout: 120000}, from);
+  await page.click('#pause');
+  await shownHash();
+  const at = await time();
+  await page.waitForFunction(() => globalThis.pelagicPage.isResting, {timeout: 120000});
+  assert.equal(await time(), at);
+});
+
+// ---- Links ---------------------------------------------------------------------------------------------------------------------
+
+test('a link holds every option to the bit', async () => {
+  const failures = await page.evaluate(async () => {
+    const {module, tables} = globalThis.pelagicPage;
+    const {allOptions, check, defaultSettings} = await import('./options.js');
+    const {readLink, writeLink} = await import('./share_link.js');
+    const failures = [];
+    let seed = 1;
+    const random = () => (seed = Math.imul(seed, 1664525) + 1013904223 >>> 0) / 2 ** 32;
+    const comesBack = (settings, what) => {
+      const link = writeLink(settings, tables);
+      if (!/^[\w=&.+~-]*$/.test(link)) failures.push(`${what}: ${link}`);
+      const read = readLink(`#${link}`, module, tables);
+      for (const name of Object.keys(settings))
+        if (!Object.is(read[name], settings[name])) failures.push(`${what}: ${name} is ${settings[name]}, comes back as ${read[name]}`);
+    };
+    const values = option => {
+      if (option.words) return option.words;
+      if (typeof option.default === 'boolean') return [true, false];
+      const within = Array.from({length: 20}, () => option.least + random() * (option.most - option.least));
+      return [option.least, option.most, 0, -0, 1, 2, 16, 64, 0.1 + 0.2, 30 * Math.PI / 180, ...within, ...within.map(Math.round)];
+    };
+    const options = allOptions(tables);
+    if (new Set(options.map(option => option.name)).size !== options.length) failures.push('two options have one name');
+    for (const option of options) {
+      let held = 0;
+      for (const value of values(option)) {
+        const settings = {...defaultSettings(tables), [option.name]: value};
+        if (check(settings, module, tables)) continue;
+        comesBack(settings, option.name);
+        if (value !== option.default) ++held;
+      }
+      if (!held) failures.push(`${option.name}: no value but the default was tried`);
+    }
+    for (const preset of tables.seaPresets)
+      for (const light of tables.lightPresets) comesBack({...defaultSettings(tables), ...preset.sea, ...light.light}, `${preset.name}, ${light.name}`);
+    if (writeLink(defaultSettings(tables), tables) !== '') failures.push('the defaults take a link');
+    return failures;
+  });
+  assert.deepEqual(failures, []);
+});
+
+test('the button makes a link that opens what is seen', async () => {
+  await openLink(`sea=rough&light=storm&${cheap}`);
+  const before = await shownHash();
+  await page.mouse.move(160, 90);
+  await page.mouse.down();
+  await page.mouse.move(200, 80);
+  await page.mouse.up();
+  await page.click('#share');
+  await page.waitForFunction(() => location.hash.startsWith('#sum='));
+  const shown = await page.evaluate(() => ({link: location.hash, settings: globalThis.pelagicPage.currentSettings()}));
+  assert.ok(shown.link.length < 200, `${shown.link.length} characters`);
+  assert.match(shown.link, /cameraHeadingRad=/);
+  await openLink('');
+  assert.notEqual(await page.evaluate(() => globalThis.pelagicPage.settings.windSpeedMps), shown.settings.windSpeedMps);
+  await openLink(shown.link.slice(1));
+  assert.equal(await shownHash(), before);
+  assert.deepEqual(await page.evaluate(() => globalThis.pelagicPage.currentSettings()), shown.settings);
+});
+
+test('a damaged link is told in one line, and the default sea stands in', async () => {
+  await openLink(`sea=storm&${cheap}`);
+  const link = await page.evaluate(() => new URL(globalThis.pelagicPage.link()).hash.slice(1));
+  assert.match(link, /^sum=/);
+  const read = texts => page.evaluate(async all => {
+    const {module, tables} = globalThis.pelagicPage;
+    const {readLink} = await import('./share_link.js');
+    return all.map(text => { try { readLink(text, module, tables); return ''; } catch (error) { return error.message; } });
+  }, texts);
+  // Cut off anywhere within or behind the sum, or with one letter changed.
+  const lines = await read([...Array(link.length - 5).keys()].map(count => link.slice(0, count + 5)));
+  assert.ok(lines.every(line => line), `a piece of ${link} is taken for a link`);
+  const changed = await read([...Array(link.length - 9).keys()].map(at => `${link.slice(0, at + 9)}%${link.slice(at + 10)}`));
+  assert.ok(changed.every(line => line));
+  const told = {
+    'windSpeedMps=99': 'windSpeedMps is 99, needs (0, 60]',
+    'windSpeedMps=': 'windSpeedMps is empty, needs a number: (0, 60]',
+    'windSpeedMps=1e': 'windSpeedMps is 1e, needs a number: (0, 60]',
+    'wind=9': 'the page has no option wind',
+    'seed=1&seed=2': 'seed stands twice in the link',
+    'seed=1.5': 'seed is 1.5, needs a whole number from 0 to 4294967295',
+    'paused=yes': 'paused is yes, needs true or false',
+    'scale=0.1': 'scale is 0.1, needs [0.25, 1], or 0: by the frame time',
+    'cloudCover=2': 'cloudCover is 2, needs [0, 1]',
+    'light=dawn': 'light is dawn, needs one of noon, golden-hour, overcast, storm, moonlight',
+    '%0A%E0%A4%A=1': 'the page has no option %0A%E0%A4%A',
+  };
+  assert.deepEqual(await read(Object.keys(told)), Object.values(told));
+  const [unknownSea, manyTiles] = await read(['sea=gale', 'sea=pond&cascades=3']);
+  assert.match(unknownSea, /^sea is gale, needs one of pond, calm, .*beaufort-12$/);
+  assert.match(manyTiles, /^cascades is 3, needs 1 where waves is exp-sine$/);
+  await openLink('windSpeedMps=99');
+  assert.equal(await problemLine(), 'This link is damaged: windSpeedMps is 99, needs (0, 60]. Here is the default sea.');
+  assert.equal(await page.evaluate(() => globalThis.pelagicPage.settings.windSpeedMps), 12);
+  await openLink(cheap);
+  assert.equal(await problemLine(), '');
+});
+
+// ---- The boat ------------------------------------------------------------------------------------------------------------------
+
+test('the boat lies on the native program\'s water', async () => {
+  await openLink(`sea=rough&timeS=40&${cheap}`);
+  await shownHash();
+  const {pose, xz} = await page.evaluate(async () => {
+    const {places} = await import('./boat.js');
+    const {boat, view} = globalThis.pelagicPage;
+    boat.float(view);
+    return {pose: boat.pose, xz: [...places()]};
+  });
+  const points = join(scratch, 'points.csv');
+  writeFileSync(points, Array.from({length: xz.length / 2}, (_, i) => `${xz[2 * i]},${xz[2 * i + 1]}`).join('\n'));
+  const rows = JSON.parse(execFileSync(pelagic, ['query', '--preset', 'rough', '--time', '40', '--points', points, '--json']).toString());
+  const heights = rows.map(row => row.height_m);
+  assert.equal(heights.length, 15);
+  const mean = heights.reduce((sum, height) => sum + height, 0) / heights.length;
+  // Two searches of the surface, each within a millimetre sideways.
+  assert.ok(Math.abs(pose.height - mean) < 2e-3, `${pose.height} against ${mean}`);
+  assert.ok(Math.abs(mean) > 0.01, 'flat water would say nothing');
+  // Its keel's line goes through the water at bow and stern as well as a plane can.
+  const atBow = heights.slice(12).reduce((sum, height) => sum + height / 3, 0), atStern = heights.slice(0, 3).reduce((sum, height) => sum + height / 3, 0);
+  const steep = (atBow - atStern) / (0.8 * 7.2);
+  assert.ok(Math.abs(pose.slopeX - steep) < 0.5 * Math.abs(steep) + 0.03, `${pose.slopeX} against ${steep}`);
+});
+
+test('the boat\'s mesh is whole: unit normals, no stray corner', async () => {
+  const {length, beam, boatMesh} = await import(pathToFileURL(join(pageFolder, 'boat.js')));
+  const mesh = boatMesh();
+  assert.equal(mesh.length % 27, 0);
+  for (let i = 0; i < mesh.length; i += 9) {
+    const [x, y, z, ...normal] = mesh.slice(i, i + 6);
+    assert.ok(Math.abs(x) < 0.6 * length && y > -0.6 && y < 4 && Math.abs(z) < 0.52 * beam, `corner ${x}, ${y}, ${z}`);
+    assert.ok(Math.abs(Math.hypot(...normal) - 1) < 1e-3, `normal ${normal}`);
+    assert.ok(mesh.slice(i + 6, i + 9).every(part => part > 0 && part < 1));
+  }
+});
+
+// ---- The window ----------------------------------------------------------------------------------------------------------------
+
+test('the picture follows the window, and a phone begins with the sea alone', async () => {
+  const phone = {width: 180, height: 320};
+  await page.setViewport(phone);
+  await page.waitForFunction(() => globalThis.pelagicPage.gl.drawingBufferHeight === 320, {timeout: 120000});
+  assert.equal(await page.evaluate(() => globalThis.pelagicPage.view.glError()), 0);
+  await page.keyboard.press('KeyH');
+  assert.ok(await page.$eval('#panel', panel => panel.hidden) === (await page.$eval('#toggle-panel', button => button.getAttribute('aria-expanded')) === 'false'));
+  const other = await browser.newPage();
+  await other.setViewport(phone);
+  await other.goto(`${address}#${cheap}`);
+  await other.waitForFunction(() => globalThis.pelagicPage?.timings.firstFrameMs, {timeout: 300000});
+  assert.ok(await other.$eval('#panel', panel => panel.hidden));
+  await other.close();
+});
+
+test('keys and wheel move the camera as the window\'s do', async () => {
+  const eye = () => page.evaluate(() => globalThis.pelagicPage.currentSettings());
+  const before = await eye();
+  await page.mouse.move(90, 160);
+  await page.mouse.wheel({deltaY: -300});
+  await page.waitForFunction(distance => globalThis.pelagicPage.camera.distance < distance, {timeout: 60000}, before.cameraDistanceM);
+  await page.keyboard.down('KeyR');
+  await page.waitForFunction(height => globalThis.pelagicPage.camera.eye[1] > height + 0.01, {timeout: 120000}, (await eye()).cameraYM);
+  await page.keyboard.up('KeyR');
+  await page.evaluate(() => globalThis.pelagicPage.change({cameraFlies: true}));
+  const flying = await eye();
+  await page.mouse.wheel({deltaY: -100});
+  await page.waitForFunction(x => Math.abs(globalThis.pelagicPage.camera.eye[0] - x) > 0.5, {timeout: 60000}, flying.cameraXM);
+  assert.equal((await eye()).cameraHeadingRad, flying.cameraHeadingRad);
+});
+
+test('nothing went wrong meanwhile', () => assert.deepEqual(problems, []));

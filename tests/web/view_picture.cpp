@@ -1,0 +1,90 @@
+// The picture that a page's SeaView should show, drawn by EGL: `view_picture SCENE.json PICTURE` writes RGBA, the upper row first, and
+// prints the frame's hash and the heights at the scene's points. The scene is view_test.mjs's: a sea by its preset, a camera by where it looks, one eye or two.
+#include <cinttypes>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "pelagic/gl/headless_context.hpp"
+#include "pelagic/gl/light_presets.hpp"
+#include "pelagic/gl/sea_renderer.hpp"
+#include "pelagic/quadtree/selection.hpp"
+#include "pelagic/sim/ocean.hpp"
+#include "pelagic/sim/surface_query.hpp"
+
+using namespace pelagic;
+
+namespace {
+
+glm::dvec3 vector_in(const nlohmann::json& numbers) { return {numbers[0], numbers[1], numbers[2]}; }
+
+void draw(const nlohmann::json& scene, const char* picture) {
+    const int width = scene["width"], height = scene["height"];
+    const std::string sea_name = scene["preset"], light_name = scene["light"], quality = scene["quality"];
+    SeaState sea = sea_preset_named(sea_name)->sea;
+    sea.resolution = scene["resolution"];
+    Ocean ocean(sea, {.queries = true, .slopes = true, .foam = true});
+    const Frame& frame = ocean.frame_at(scene["timeS"]);
+    std::printf("%016" PRIx64 "\n", hash_of(frame));
+    for (const nlohmann::json& point : scene["points"]) {
+        const double x = point[0], z = point[1];
+        float height = 0;
+        SurfaceQuery(frame).sample({{&x, 1}, {&z, 1}}, {.height_m = {&height, 1}});
+        std::printf("%.9g\n", static_cast<double>(height));
+    }
+
+    const gl::HeadlessContext context;
+    const gl::Functions& gl = context.functions();
+    gl::RenderTarget target(gl, width, height, 4);
+    Selection selection(quadtree_preset_named(quality)->options(4096));
+    gl::SeaRenderer renderer(gl, {.patch_vertices = selection.options().vertices,
+                                  .resolution = ocean.resolution(),
+                                  .tiles = ocean.tile_count(),
+                                  .shading = gl::Shading::medium});
+    const gl::LightPreset& light = *gl::light_preset_named(light_name);
+    gl::SkyBaker baker(make_default_executor(), scene["skyFaceSize"]);
+    baker.schedule(light.sky);
+    const gl::Sky& sky = baker.complete();
+    renderer.set_sky(sky);
+    renderer.upload(frame);
+    gl.Finish();  // Mesa's software driver with threads may sample mips before they are written
+
+    const nlohmann::json& from = scene["camera"];
+    const Camera camera{.position_m = vector_in(from["position"]),
+                        .target_m = vector_in(from["target"]),
+                        .vertical_view_rad = from["verticalViewRad"]};
+    std::vector<gl::Eye> eyes = {gl::eye_of(camera, {0, 0, width, height})};
+    if (const double apart_m = scene["eyesApartM"]; apart_m > 0) {
+        const gl::EyePair pair = gl::eyes_of(camera, {0, 0, width, height}, apart_m);
+        eyes = {pair.left, pair.right};
+    }
+    std::vector<glm::dmat4> views;
+    for (const gl::Eye& eye : eyes) views.push_back(eye.clip_from_world);
+    const DrawList& list = selection.select({.viewer_m = camera.position_m, .views = views, .bounds = frame.bounds});
+    target.bind();
+    gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    renderer.draw({.eyes = eyes,
+                   .viewer_m = camera.position_m,
+                   .list = &list,
+                   .lod_scale = selection.options().lod_scale,
+                   .exposure = sky.exposure * std::exp2(light.bias_stops)});
+    const std::vector<std::uint8_t> pixels = target.read();
+    std::ofstream(picture, std::ios::binary)
+        .write(reinterpret_cast<const char*>(pixels.data()), static_cast<std::streamsize>(pixels.size()));
+}
+
+}  // namespace
+
+int main(int count, char** arguments) try {
+    if (count != 3) {
+        std::fputs("usage: view_picture SCENE.json PICTURE\n", stderr);
+        return 1;
+    }
+    std::ifstream file(arguments[1]);
+    draw(nlohmann::json::parse(file), arguments[2]);
+} catch (const std::exception& error) {
+    std::fprintf(stderr, "view_picture: %s\n", error.what());
+    return 1;
+}

@@ -1,0 +1,17 @@
+#!/usr/bin/env bash
+# The page's view in headless Chromium against native pictures. Exits 77, which ctest calls skipped, where a program is missing.
+# usage: view_test.sh MODULE_FOLDER VIEW_PICTURE FOLDER    MODULE_FOLDER has pelagic_view.js; FOLDER keeps pictures, and npm's packages between runs
+set -euo pipefail
+here=$(cd "$(dirname "$0")" && pwd)
+for program in chromium node npm; do
+  command -v "$program" >/dev/null || { echo "SKIPPED: there is no $program; ./test.sh hosts installs it on Debian"; exit 77; }
+done
+[ -f "$1/pelagic_view.wasm" ] || { echo "SKIPPED: there is no $1/pelagic_view.wasm; ./test.sh web builds it"; exit 77; }
+mkdir -p "$3/page"
+cd "$3"
+cp "$1"/pelagic_view.* "$here"/../../web/page/*.js page/
+cp "$here"/view_page.* "$here"/documented.html "$here"/package.json .
+# The page's own lines under that heading.
+sed -n "/^## In a headset's browser/,/^## /{/^\`\`\`js/,/^\`\`\`$/{/^\`\`\`/!p}}" "$here/../../docs/users/web.md" >page/documented.js
+[ -d node_modules/iwer ] || npm install --no-audit --no-fund --no-save >npm.log 2>&1 || { cat npm.log; exit 1; }
+exec node "$here/view_test.mjs" "$2" "$here/../../web/page/serve.mjs"

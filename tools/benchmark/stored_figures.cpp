@@ -1,0 +1,46 @@
+#include "pelagic/tools/benchmark/stored_figures.hpp"
+
+#include <nlohmann/json.hpp>
+#include <utility>
+
+namespace pelagic::tools {
+namespace {
+
+#include "pelagic/generated/stored_figures.inc"
+
+const nlohmann::json& instructions() {
+    static const nlohmann::json json = nlohmann::json::parse(stored_instructions_json);
+    return json;
+}
+
+}  // namespace
+
+std::vector<MachineFrames> stored_frames() {
+    std::vector<MachineFrames> all;
+    for (const std::string_view text : stored_results_json) {
+        const auto json = nlohmann::json::parse(text);
+        const std::string machine = json.at("cpu").get<std::string>() + ", " + json.at("compiler").get<std::string>();
+        std::map<std::string, MachineFrames> by_isa;
+        for (const auto& row : json.at("rows")) {
+            if (row.at("threads") != 1 || row.value("tiles", 1) != 1) continue;
+            const auto isa = row.at("isa").get<std::string>();
+            MachineFrames& frames = by_isa.try_emplace(isa, MachineFrames{machine, isa}).first->second;
+            const int resolution = row.at("n").get<int>();
+            frames.ms[resolution] = row.at("ours_ms").get<double>();
+            if (row.contains("fftw_ms")) frames.fftw_ms[resolution] = row.at("fftw_ms").get<double>();
+        }
+        for (auto& [isa, frames] : by_isa) all.push_back(std::move(frames));
+    }
+    return all;
+}
+
+std::optional<double> stored_instructions(std::string_view sea, std::string_view job, Isa isa) {
+    for (const auto& row : instructions().at("budgets"))
+        if (row.at("sea") == sea && row.at("job") == job && row.at("isa") == name_of(isa))
+            return row.at("instructions").get<double>();
+    return {};
+}
+
+std::string stored_instructions_compiler() { return instructions().at("compiler").get<std::string>(); }
+
+}  // namespace pelagic::tools

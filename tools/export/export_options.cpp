@@ -1,0 +1,380 @@
+#include "pelagic/tools/export/export_options.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "pelagic/tools/export/export_names.hpp"
+#include "pelagic/tools/export/flipbook.hpp"
+#include "pelagic/tools/export/sequence_output.hpp"
+#include "pelagic/tools/files/zstd.hpp"
+#include "pelagic/tools/images/image_codec.hpp"
+#include "pelagic/tools/maps/pixel_meaning.hpp"
+#include "pelagic/tools/text/errors.hpp"
+#include "pelagic/tools/text/option_text.hpp"
+
+namespace pelagic::tools {
+namespace {
+
+constexpr int most_frames = 1'000'000;
+constexpr double latest_start_s = 1e9;
+constexpr double most_fps = 1000;
+constexpr double default_fps = 24;
+constexpr const char* one_loop = "loop";
+constexpr const char* no_maps = "none";
+
+/// "displacement, gradient, foam".
+std::string names_of_maps() {
+    std::string names;
+    for (const MapKind map : all_maps) names.append(names.empty() ? "" : ", ").append(name_of(map));
+    return names;
+}
+
+std::vector<MapKind> maps_in(const std::string& text) {
+    std::vector<MapKind> maps;
+    if (text == no_maps) return maps;
+    for (const std::string& name : split_at_commas(text)) {
+        const auto map = map_named(name);
+        if (!map || std::find(maps.begin(), maps.end(), *map) != maps.end())
+            throw bad_value("--maps", text, names_of_maps() + " or some of them with commas, each once, or none");
+        maps.push_back(*map);
+    }
+    std::sort(maps.begin(), maps.end());
+    return maps;
+}
+
+/// The one of `all` that has the name. Throws InputError.
+template <class All>
+auto named(const std::string& option, const std::string& text, const All& all) {
+    std::vector<std::string> names;
+    for (const auto one : all) names.emplace_back(name_of(one));
+    const auto found = std::find(names.begin(), names.end(), text);
+    if (found == names.end()) throw bad_value(option, text, list_of(names));
+    return all[static_cast<std::size_t>(found - names.begin())];
+}
+
+/// Throws InputError.
+Compression compression_in(ImageFormat format, const std::string& text) {
+    const std::string option = "--compression";
+    switch (format) {
+        case ImageFormat::exr_and_png: return named(option, text, exr_compressions);
+        case ImageFormat::tiff: return named(option, text, tiff_compressions);
+        case ImageFormat::dds: return named(option, text, dds_compressions);
+        case ImageFormat::ktx2: break;
+    }
+    const Compression compression = named(option, text, ktx2_compressions);
+    if (compression == Compression::zstd && !has_zstd())
+        throw bad_value(option, text, "a pelagic that was built with libzstd");
+    return compression;
+}
+
+/// Throws InputError if the options for EXR files meet none, or ask for what EXR doesn't have.
+void check_exr(const MapOptions& options) {
+    const bool has_exr =
+        std::any_of(options.maps.begin(), options.maps.end(), [&](MapKind map) { return options.is_exr(map); });
+    if (options.pack != Pack::files && options.format != ImageFormat::exr_and_png)
+        throw bad_value("--pack", name_of(options.pack), "--format exr: other files have one map");
+    if (options.pack != Pack::files && options.bit_depth == BitDepth::bits_16)
+        throw bad_value("--bit-depth", "16", "8 or float with --pack: EXR has no 16-bit whole numbers");
+    if (options.tiled && !has_exr) throw InputError("--tiled needs a map in an EXR file, and none is");
+    if (options.compression != MapOptions().compression && !has_exr && options.format == ImageFormat::exr_and_png)
+        throw bad_value("--compression", name_of(options.compression),
+                        "a map in an EXR file, and none is: PNG has its own");
+    if (options.pack != Pack::files && options.mips && !options.tiled)
+        throw bad_value("--pack", name_of(options.pack),
+                        "--tiled with --mips: levels within an EXR file are in tiles");
+}
+
+/// `count` frames from a number on.
+std::vector<FrameRange> one_run(int first, int count, const std::string& option, const std::string& text) {
+    if (count - 1 > FrameTimes::largest_number - first)
+        throw bad_value(option, text,
+                        "at most " + number_text(FrameTimes::largest_number - first + 1) +
+                            " frames from --start-number " + number_text(first) + " on");
+    return {{first, first + count - 1}};
+}
+
+/// Throws InputError unless they are a whole number.
+int frames_of_a_loop(double loop_period_s, double fps) {
+    const double frames = loop_period_s * fps, whole = std::round(frames);
+    // A product of two rounded numbers is off by far less.
+    if (std::fabs(frames - whole) > 1e-9 * frames || whole < 1 || whole > most_frames)
+        throw InputError("--frames is loop, needs a loop of whole frames, 1 to 1000000: --loop-period " +
+                         number_text(loop_period_s) + " at --fps " + number_text(fps) + " has " +
+                         number_text(frames) + "; --loop-period " + number_text(std::max(whole, 1.0) / fps) +
+                         " would do");
+    return static_cast<int>(whole);
+}
+
+/// "wave.png": what nobody would call a folder.
+bool is_picture_name(const std::filesystem::path& path) {
+    const std::string extension = path.extension().string();
+    constexpr std::array pictures = {".exr", ".png", ".tif", ".tiff", ".jpg", ".jpeg", ".ktx2", ".dds"};
+    return std::find(pictures.begin(), pictures.end(), extension) != pictures.end();
+}
+
+struct OutputPlace {
+    std::filesystem::path folder;
+    std::optional<NamePattern> names;
+};
+
+/// "8x4".
+FlipbookGrid grid_in(const std::string& text) {
+    const std::size_t cross = text.find('x');
+    const auto columns = parse_integer(text.substr(0, cross));
+    const auto rows = cross == std::string::npos ? std::nullopt : parse_integer(text.substr(cross + 1));
+    if (!columns || !rows || std::min(*columns, *rows) < 1 || std::max(*columns, *rows) > largest_flipbook_side)
+        throw bad_value("--flipbook", text, "columns and rows from 1 to 16384, as 8x4");
+    return {static_cast<int>(*columns), static_cast<int>(*rows)};
+}
+
+// A folder may be missing; what is there must be one.
+OutputPlace checked_place(const std::optional<std::string>& text) {
+    if (!text || text->empty()) throw InputError("--out is missing, needs a folder to write to");
+    constexpr const char* accepted = "a folder, or a name for a sequence such as wave.####.exr or wave.%04d.tif";
+    std::error_code error;
+    OutputPlace place{*text, {}};
+    if (const std::filesystem::path path = *text; !std::filesystem::is_directory(path, error)) {
+        if (NamePattern::is_meant(path.filename().string())) {
+            place.names = NamePattern::parse(path.filename().string());
+            if (!place.names) throw bad_value("--out", *text, accepted);
+            place.folder = path.has_parent_path() ? path.parent_path() : ".";
+        } else if (is_picture_name(path)) {
+            throw bad_value("--out", *text, accepted);
+        }
+    }
+    for (std::filesystem::path up = place.folder; !up.empty(); up = up.parent_path()) {
+        const auto status = std::filesystem::status(up, error);
+        if (std::filesystem::exists(status) && !std::filesystem::is_directory(status))
+            throw bad_value("--out", *text, "a folder, but " + up.string() + " is a file");
+        if (!up.has_relative_path()) break;
+    }
+    return place;
+}
+
+// The finished trace is renamed to its name, so it would take the place of a device, or of a file of the export.
+std::filesystem::path checked_trace(const std::string& text, const ExportOptions& options) {
+    if (text.empty()) throw InputError("--trace is empty, needs a file to write to");
+    const std::filesystem::path path = text;
+    std::error_code error;
+    const auto status = std::filesystem::status(path, error);
+    if (std::filesystem::is_directory(status) || path.filename().empty())
+        throw bad_value("--trace", text, "a file, but that is a folder");
+    if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+        throw bad_value("--trace", text, "a file, but that is a device or the like");
+    const auto place_of = [&](const std::filesystem::path& file) {
+        return std::filesystem::weakly_canonical(std::filesystem::absolute(file), error);
+    };
+    if (is_export_name(path.filename().string(), options.maps.names) &&
+        place_of(path) == place_of(options.folder / path.filename()))
+        throw bad_value("--trace", text, "another name, since the export uses that one itself");
+    return path;
+}
+
+}  // namespace
+
+void ExportFlags::add_to(CLI::App& app) {
+    const auto add = [&](const std::string& flag, const std::string& type, const std::string& help) {
+        app.add_option("--" + flag, typed_[flag], help)->type_name(type);
+    };
+    add("out", "DIR",
+        "folder for the files; made if missing, an earlier export in it is replaced. Or a folder and a name for the "
+        "sequence: DIR/wave.####.exr, DIR/wave.%04d.tif; where a frame has several images, their maps and tiles "
+        "stand "
+        "before the number: wave.foam_c1.0007.png");
+    add("start", "SECONDS", "time of the first frame; default 0");
+    add("frames", "NUMBERS",
+        "how many frames; 1 to 1000000, default 1. Or their numbers, as 10-20,40 or 7-7, where --start-number is "
+        "the one at --start; or loop: as many as one loop period has at --fps");
+    add("start-number", "NUMBER", "number of the frame at --start; 0 to 999999, default 0");
+    add("fps", "NUMBER", "frames a second; (0, 1000], default 24");
+    add("loop-frames", "NUMBER", "that many frames over exactly one loop period, instead of --frames and --fps");
+    add("maps", "NAMES",
+        names_of_maps() +
+            ", or some of them with commas, or none; default displacement,gradient. Foam lasts: it costs a tick, "
+            "less than a frame, for each tenth of a second between frames, 29 at most");
+    add("bit-depth", "BITS", "of normal and foam: 8, 16 or float; default 8");
+    add("normal-y", "WAY", "where normal's green grows to in the image: up (OpenGL) or down (DirectX); default up");
+    add("axes", "NAME",
+        "y-up (x east, z south) or z-up (x east, y north), of what maps and meshes hold; default y-up");
+    add("unit", "NAME", "m or cm, of displacement and meshes, and of velocity a second; default m");
+    add("rows", "EDGE", "at which edge of the images the row of z = 0 is: top or bottom; default top");
+    add("format", "NAME",
+        "exr (floats as EXR, the others as PNG), tif (all as TIFF), or textures for engines: ktx2 (16-bit "
+        "floats and bytes) or dds; default exr");
+    add("compression", "NAME",
+        "of EXR: zip, zips, piz, dwaa or none; of TIFF: zip, lzw or none; default zip. Of KTX2: zstd or none, "
+        "default "
+        "none. All but dwaa keep every bit; "
+        "dwaa is for looking at: it makes halves of floats and is off by a hundredth of the largest waves and more");
+    add("pack", "NAME",
+        "what is in a file: files (one map of one tile each), layers or parts (one EXR file a frame, sea_0000.exr, "
+        "with "
+        "layers in one image or with parts, called displacement, displacement_c1, ...); default files");
+    app.add_flag(
+        "--tiled", tiled_,
+        "EXR files in tiles of 64 x 64 pixels, for renderers; with --mips all levels are in the same file, of "
+        "displacement too");
+    app.add_flag(
+        "--mips", mips_,
+        "every level, down to one texel, of all maps but displacement and velocity; in ktx2 and dds of all, in "
+        "their files");
+    app.add_flag("--half", half_, "16-bit instead of 32-bit floats");
+    add("flipbook", "COLUMNSxROWS",
+        "all frames side by side too: flipbook_MAP, one image a map and tile, and flipbook.json, which says how");
+    app.add_flag(
+        "--preview", preview_,
+        "no frames: only preview.png, the maps and the sea in a picture, preview.mp4 if ffmpeg is there, and "
+        "how many files and bytes the export will have");
+    add("shard", "I/N",
+        "the frames of one of N equal parts, 1/N to N/N, as several machines make an export in one folder; N up to "
+        "1000000. pelagic merge joins the parts");
+    app.add_flag("--resume", resume_, "keep the frames of an interrupted export that are whole, make the rest");
+    app.add_flag("--no-sync", no_sync_,
+                 "don't wait for the disk: faster, but a power cut may cost frames that are done");
+    app.add_flag("--no-lock", no_lock_,
+                 "for file systems without locks; see to it that no other export uses the folder");
+    add("trace", "FILE", "Chrome trace of stages and workers, opens in ui.perfetto.dev; where the time goes");
+    meshes_.add_to(app);
+    sea_.add_to(app);
+    sea_.add_weather_to(app);
+    compute_.add_to(app);
+    app.footer(pixel_meaning());
+}
+
+FrameTimes ExportFlags::times(const ResolvedSea& sea) const {
+    FrameTimes times;
+    times.loop_period_s = sea.sea.loop_period_s;
+    if (const auto& start = typed("start"))
+        times.start_s = number_in("--start", *start, -latest_start_s, latest_start_s, "seconds in [-1e9, 1e9]");
+    if (const auto& number = typed("start-number"))
+        times.start_number = whole_number_in("--start-number", *number, 0, FrameTimes::largest_number);
+    times.ranges = {{times.start_number, times.start_number}};
+    const auto& loop_frames = typed("loop-frames");
+    const auto& frames = typed("frames");
+    for (const std::string other : {"frames", "fps"})
+        if (loop_frames && typed(other))
+            throw InputError("--loop-frames is " + *loop_frames + " and --" + other + " is " + *typed(other) +
+                             ", needs one of the two: a loop's frames follow from its period");
+    const bool is_loop = loop_frames || frames == one_loop;
+    if (is_loop && !sea.changes.empty())
+        throw InputError((loop_frames ? "--loop-frames is " + *loop_frames : "--frames is loop") +
+                         ", needs a number of --frames with --weather: it is no loop");
+    if (loop_frames) {
+        times.ranges = one_run(times.start_number, whole_number_in("--loop-frames", *loop_frames, 1, most_frames),
+                               "--loop-frames", *loop_frames);
+        return times;
+    }
+    times.fps = default_fps;
+    if (const auto& fps = typed("fps")) {
+        times.fps = parse_number(*fps);
+        if (!times.fps || *times.fps <= 0 || *times.fps > most_fps) throw bad_value("--fps", *fps, "(0, 1000]");
+    }
+    if (frames == one_loop) {
+        times.ranges =
+            one_run(times.start_number, frames_of_a_loop(times.loop_period_s, *times.fps), "--frames", *frames);
+        times.fps.reset();
+    } else if (frames && frames->find_first_of("-,", 1) != std::string::npos) {
+        const auto ranges = parse_frame_ranges(*frames);
+        if (!ranges)
+            throw bad_value("--frames", *frames,
+                            "a number of frames, or rising numbers from 0 to 999999 as 10-20,40");
+        if (ranges->front().first < times.start_number)
+            throw bad_value("--frames", *frames,
+                            "numbers from --start-number, " + number_text(times.start_number) + ", on");
+        times.ranges = *ranges;
+    } else if (frames) {
+        times.ranges =
+            one_run(times.start_number, whole_number_in("--frames", *frames, 1, most_frames), "--frames", *frames);
+    }
+    return times;
+}
+
+MapOptions ExportFlags::maps(const std::optional<NamePattern>& names) const {
+    MapOptions options;
+    options.names = names;
+    options.mips = mips_;
+    options.half = half_;
+    if (const auto& maps = typed("maps")) options.maps = maps_in(*maps);
+    const auto set = [&](const std::string& flag, auto& option, const auto& words) {
+        if (const auto& text = typed(flag)) option = one_of(words, "--" + flag, *text);
+    };
+    set("bit-depth", options.bit_depth, bit_depth_names);
+    set("normal-y", options.normal_y, normal_y_names);
+    set("axes", options.up_axis, up_axis_names);
+    set("unit", options.unit, length_unit_names);
+    set("rows", options.rows, first_row_names);
+    if (options.bit_depth != BitDepth::bits_8 && !options.has(MapKind::normal) && !options.has(MapKind::foam))
+        throw bad_value("--bit-depth", *typed("bit-depth"),
+                        "normal or foam among --maps: the others have types of their own");
+    if (options.normal_y != NormalY::up && !options.has(MapKind::normal))
+        throw bad_value("--normal-y", *typed("normal-y"), "normal among --maps");
+    const auto format_named = [](const std::string& name) {
+        return std::find_if(all_formats.begin(), all_formats.end(),
+                            [&](ImageFormat one) { return name == name_of(one); });
+    };
+    const auto& typed_format = typed("format");
+    if (typed_format && format_named(*typed_format) == all_formats.end())
+        throw bad_value("--format", *typed_format, "exr, tif, ktx2 or dds");
+    if (names && format_named(names->extension()) == all_formats.end())
+        throw bad_value("--out", *typed("out"), "a name that ends with .exr, .tif, .ktx2 or .dds");
+    if (names && typed_format && *typed_format != names->extension())
+        throw InputError("--format is " + *typed_format + " and --out is " + *typed("out") +
+                         ", needs the same format");
+    if (names || typed_format) options.format = *format_named(names ? names->extension() : *typed_format);
+    options.tiled = tiled_;
+    if (const auto& pack = typed("pack")) options.pack = named("--pack", *pack, all_packs);
+    const auto& compression = typed("compression");
+    if (is_texture(options.format)) options.compression = Compression::none;
+    if (compression) options.compression = compression_in(options.format, *compression);
+    check_exr(options);
+    return options;
+}
+
+ExportOptions ExportFlags::resolve() const {
+    checked_place(typed("out"));  // what is wrong with it is said before what is wrong with the sea
+    ExportOptions options = resolve_with(sea_.resolve());
+    if (!options.maps.maps.empty()) image_codec();  // before anything is written: without its library nothing will be
+    return options;
+}
+
+ExportOptions ExportFlags::resolve_with(const ResolvedSea& sea) const {
+    ExportOptions options;
+    const OutputPlace place = checked_place(typed("out"));
+    options.folder = place.folder;
+    options.sea = sea;
+    options.compute = compute_.resolve();
+    options.times = times(options.sea);
+    options.maps = maps(place.names);
+    options.meshes = meshes_.resolve(options.sea, options.times);
+    const bool is_gltf = options.meshes.has(MeshFormat::gltf) || options.meshes.has(MeshFormat::gltf_animation);
+    if (is_gltf && options.maps.up_axis != UpAxis::y)
+        throw bad_value("--axes", *typed("axes"), "y-up with --mesh gltf, whose specification says so");
+    if (is_gltf && options.maps.unit != LengthUnit::metre)
+        throw bad_value("--unit", *typed("unit"), "m with --mesh gltf, whose specification says so");
+    if (options.maps.maps.empty() && !options.meshes.any())
+        throw bad_value("--maps", no_maps, "--mesh with it, or some maps");
+    if (const auto& grid = typed("flipbook")) {
+        options.flipbook = grid_in(*grid);
+        check_flipbook(options, *grid);
+    }
+    options.preview = preview_;
+    if (preview_ && resume_) throw InputError("--preview is given with --resume, needs an export without");
+    if (preview_ && typed("trace"))
+        throw InputError("--preview is given with --trace " + *typed("trace") + ", needs an export without");
+    options.resume = resume_;
+    options.sync = !no_sync_;
+    options.lock = !no_lock_;
+    if (const auto& trace = typed("trace")) options.trace = checked_trace(*trace, options);
+    if (const auto& shard = typed("shard")) {
+        options.shard = parse_shard(*shard);
+        if (!options.shard) throw bad_value("--shard", *shard, "I/N with N from 1 to 1000000 and I from 1 to N");
+        if (!sequence_outputs(options).empty())
+            throw bad_value("--shard", *shard,
+                            "files of single frames only: what is made of all frames together is no shard's");
+    }
+    return options;
+}
+
+}  // namespace pelagic::tools

@@ -1,0 +1,251 @@
+#include "pelagic/tools/export/export_preview.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "pelagic/message/number_text.hpp"
+#include "pelagic/sim/statistics.hpp"
+#include "pelagic/tools/export/image_files.hpp"
+#include "pelagic/tools/export/mesh_files.hpp"
+#include "pelagic/tools/export/mesh_sequences.hpp"
+#include "pelagic/tools/pictures/film.hpp"
+#include "pelagic/tools/pictures/map_picture.hpp"
+#include "pelagic/tools/pictures/picture.hpp"
+#include "pelagic/tools/pictures/picture_file.hpp"
+#include "pelagic/tools/pictures/shaded_sea.hpp"
+#include "pelagic/tools/text/progress.hpp"
+#include "pelagic/tools/text/stop_signal.hpp"
+
+namespace pelagic::tools {
+namespace {
+
+// Of the film: long enough to see how the sea moves, and some ten seconds to make on two cores.
+constexpr std::size_t most_film_frames = 96;
+constexpr int film_width = 640, film_height = 360;
+/// Of the strip, in two columns.
+constexpr std::size_t strip_frames = 8, strip_columns = 2;
+
+// Of the sheet, pixels.
+constexpr int cells_a_row = 4, cell = 444, margin = 24, line = 28;
+constexpr int sheet_width = cells_a_row * (cell + margin) + margin, still_height = 660;
+constexpr int small_text = 2, large_text = 4;
+constexpr Colour paper = {24, 28, 32}, ink = {232, 236, 240}, pale_ink = {150, 160, 170};
+
+/// "8.61 MB".
+std::string bytes_text(double bytes) {
+    const std::vector<std::string> units = {"bytes", "kB", "MB", "GB", "TB"};
+    std::size_t unit = 0;
+    for (; bytes >= 1000 && unit + 1 < units.size(); ++unit) bytes /= 1000;
+    return rounded_text(bytes, 3) + " " + units[unit];
+}
+
+/// How much the export will be.
+struct Expected {
+    std::size_t files = 0;  ///< with sea.json
+    double bytes = 0, bytes_a_frame = 0;
+};
+
+/// By one frame of it.
+Expected expected_of(const ExportOptions& options, const Frame& frame) {
+    Expected expected;
+    const int number = options.times.number(0);
+    const std::vector<ImageFile> images = image_files(options, number);
+    for (const ImageFile& image : images)
+        expected.bytes_a_frame += static_cast<double>(encode_image_file(image, frame, number, options).size());
+    const double image_bytes = expected.bytes_a_frame;
+    const std::vector<MeshFile> meshes = mesh_files(options, number);
+    for (const MeshFile& mesh : meshes)
+        expected.bytes_a_frame +=
+            static_cast<double>(encode_mesh_file(mesh.format, exported_mesh(frame, options)).size());
+    expected.files = (images.size() + meshes.size()) * options.times.count() + 1;
+    if (options.flipbook) {
+        expected.files += options.maps.maps.size() * frame.tiles.size() + 1;
+        expected.bytes_a_frame += image_bytes;
+    }
+    for (const auto& sequence : mesh_sequences(options)) {
+        sequence->add(0, frame);
+        for (const SequenceOutput::File& file : sequence->finish()) {
+            expected.bytes_a_frame += static_cast<double>(file.bytes.size());
+            ++expected.files;
+        }
+    }
+    expected.bytes = expected.bytes_a_frame * static_cast<double>(options.times.count());
+    return expected;
+}
+
+std::string sample_text(Sample sample) {
+    switch (sample) {
+        case Sample::uint8: return "8 bits";
+        case Sample::uint16: return "16 bits";
+        case Sample::half: return "16-bit floats";
+        case Sample::float32: return "32-bit floats";
+    }
+    return "";
+}
+
+std::string times_text(const FrameTimes& times) {
+    const std::size_t count = times.count();
+    std::string text = number_text(count) + (count == 1 ? " frame at " : " frames from ") +
+                       rounded_text(times.time_of(times.number(0)), 4) + " s";
+    if (count > 1) text += " to " + rounded_text(times.time_of(times.number(count - 1)), 4) + " s";
+    if (!times.fps) text += ", a loop of " + rounded_text(times.loop_period_s, 4) + " s";
+    return text;
+}
+
+std::string expected_text(const Expected& expected) {
+    return number_text(expected.files) + " files, about " + bytes_text(expected.bytes) + ": " +
+           bytes_text(expected.bytes_a_frame) + " a frame";
+}
+
+/// A map of a tile with what it is called below it.
+struct Cell {
+    Picture picture;
+    std::vector<std::string> texts;
+};
+
+Cell cell_of(const ImageFile& file, const ImagePart& part, const Frame& frame, const MapOptions& options) {
+    const Tile& tile = frame.tiles[static_cast<std::size_t>(part.tile)];
+    const MapImage map = map_image(tile, part.map, 0, options);
+    MapPicture shown = picture_of(map, cell);
+    const std::string side = number_text(map.side), channels = map.channels == 1 ? " channel of " : " channels of ";
+    Cell result{std::move(shown.picture),
+                {file.name, rounded_text(tile.lattice.side_m, 3) + " m, " + side + " x " + side,
+                 number_text(map.channels) + channels + sample_text(map.sample)}};
+    if (is_floating(map.sample))
+        result.texts.push_back(rounded_text(static_cast<double>(shown.least), 3) + " to " +
+                               rounded_text(static_cast<double>(shown.most), 3));
+    return result;
+}
+
+/// Map by map, each of the coarsest tile first.
+std::vector<Cell> cells_of(const ExportOptions& options, const Frame& frame) {
+    const std::vector<ImageFile> files = image_files(options, options.times.number(0));
+    std::vector<Cell> cells;
+    for (const MapKind map : options.maps.maps)
+        for (const ImageFile& file : files)
+            for (const ImagePart& part : file.parts)
+                if (part.map == map && part.first_level == 0)
+                    cells.push_back(cell_of(file, part, frame, options.maps));
+    return cells;
+}
+
+Picture sheet_of(const std::vector<std::string>& titles, const Picture& still, const std::vector<Cell>& cells) {
+    constexpr int texts_height = 4 * line + margin;
+    const int head = margin + 2 * line + static_cast<int>(titles.size() - 1) * line;
+    const int rows = (static_cast<int>(cells.size()) + cells_a_row - 1) / cells_a_row;
+    Picture sheet(sheet_width, head + still.height() + margin + rows * (cell + texts_height), paper);
+    int y = margin;
+    for (const std::string& title : titles) {
+        const bool is_first = &title == &titles.front();
+        sheet.write(margin, y, title, is_first ? ink : pale_ink, is_first ? large_text : small_text);
+        y += is_first ? 2 * line : line;
+    }
+    sheet.paste(margin, head, still);
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        const int row = static_cast<int>(i) / cells_a_row, column = static_cast<int>(i) % cells_a_row;
+        const int left = margin + column * (cell + margin);
+        const int top = head + still.height() + margin + row * (cell + texts_height);
+        sheet.paste(left, top, cells[i].picture);
+        int text_top = top + cell + line / 2;
+        for (const std::string& text : cells[i].texts) {
+            const bool is_name = &text == &cells[i].texts.front();
+            sheet.write(left, text_top, text, is_name ? ink : pale_ink, small_text);
+            text_top += line;
+        }
+    }
+    return sheet;
+}
+
+Picture picture_of(const ShadedSea& shaded, const std::vector<std::uint8_t>& rgba) {
+    return {shaded.width(), shaded.height(), rgba};
+}
+
+Picture strip_of(const std::vector<Picture>& pictures) {
+    const auto rows = static_cast<int>((pictures.size() + strip_columns - 1) / strip_columns);
+    const auto columns = static_cast<int>(std::min(strip_columns, pictures.size()));
+    Picture strip(columns * film_width, rows * film_height, paper);
+    for (std::size_t i = 0; i < pictures.size(); ++i)
+        strip.paste(static_cast<int>(i % strip_columns) * film_width,
+                    static_cast<int>(i / strip_columns) * film_height, pictures[i]);
+    return strip;
+}
+
+void write_bytes(const OutputFolder& folder, const char* name, const std::vector<unsigned char>& bytes) {
+    folder.write(name, std::as_bytes(std::span(bytes)));
+}
+
+void write_picture(const OutputFolder& folder, const char* name, const Picture& picture) {
+    write_bytes(folder, name, encode_picture(picture.pixels(), picture.width(), picture.height()));
+}
+
+/// Makes the film of the export's first frames, or shows some of them in a strip.
+class FilmMaker {
+   public:
+    FilmMaker(const ExportOptions& options, Ocean& ocean, const std::shared_ptr<Executor>& executor)
+        : times_(options.times),
+          ocean_(ocean),
+          shaded_(options.sea.sea, film_width, film_height, executor),
+          frames_(std::min(times_.count(), most_film_frames)) {}
+
+    /// The line that says what was made.
+    std::string write_to(const OutputFolder& folder) {
+        const bool has_ffmpeg = can_make_films();
+        const double fps = times_.fps.value_or(static_cast<double>(times_.count()) / times_.loop_period_s);
+        Film film(film_width, film_height, fps);
+        std::vector<Picture> strip;
+        Progress progress("frame of the film", frames_);
+        const std::size_t step = std::max<std::size_t>(1, frames_ / strip_frames);
+        for (std::size_t i = 0; i < frames_; ++i) {
+            const bool is_in_strip = i % step == 0 && strip.size() < strip_frames;
+            if (!has_ffmpeg && !is_in_strip) continue;
+            if (stop_signal() != 0) throw Stopped{stop_signal(), static_cast<int>(i), static_cast<int>(frames_)};
+            progress.show(i);
+            const std::vector<std::uint8_t>& pixels = shaded_.draw(ocean_.frame_at(times_.time_of(times_.number(i))));
+            if (is_in_strip) strip.push_back(picture_of(shaded_, pixels));
+            if (has_ffmpeg) film.add(pixels);
+        }
+        const std::string what = number_text(frames_) + " of " + number_text(times_.count()) + " frames";
+        const Film::Encoded encoded = has_ffmpeg ? film.encode() : Film::Encoded{{}, "ffmpeg is not in PATH"};
+        if (!encoded.mp4.empty()) {
+            write_bytes(folder, preview_film_name, encoded.mp4);
+            folder.remove(preview_strip_name);
+            return (folder.path() / preview_film_name).string() + ": " + what + ", " + rounded_text(fps, 4) +
+                   " a second";
+        }
+        write_picture(folder, preview_strip_name, strip_of(strip));
+        folder.remove(preview_film_name);
+        return (folder.path() / preview_strip_name).string() + ": " + number_text(strip.size()) + " of the first " +
+               what + ", and no film: " + encoded.reason;
+    }
+
+   private:
+    const FrameTimes& times_;
+    Ocean& ocean_;
+    ShadedSea shaded_;
+    std::size_t frames_;
+};
+
+}  // namespace
+
+void preview_export(const ExportOptions& options, OceanOptions how, const OutputFolder& folder) {
+    how.slopes = how.foam = true;  // for the picture of the sea
+    Ocean ocean(forecast_of(options.sea), how);
+    const Frame& frame = ocean.frame_at(options.times.time_of(options.times.number(0)));
+    const Expected expected = expected_of(options, frame);
+    const std::string sea = "Hs " + rounded_text(measured_significant_wave_height_m(frame), 3) + " m, peak period " +
+                            rounded_text(expected_waves(options.sea.sea).peak_period_s, 2) + " s";
+    ShadedSea still(options.sea.sea, sheet_width - 2 * margin, still_height, how.executor);
+    const Picture picture = picture_of(still, still.draw(frame));
+    write_picture(
+        folder, preview_sheet_name,
+        sheet_of({sea, times_text(options.times), expected_text(expected)}, picture, cells_of(options, frame)));
+    const std::string film = FilmMaker(options, ocean, how.executor).write_to(folder);
+    std::printf("%s: the maps of the first frame, %s\n%s\nThe export will have %s. Nothing of it was written.\n",
+                (folder.path() / preview_sheet_name).c_str(), sea.c_str(), film.c_str(),
+                expected_text(expected).c_str());
+}
+
+}  // namespace pelagic::tools

@@ -1,0 +1,120 @@
+#include "pelagic/tools/export/exr_image.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <span>
+
+#include "pelagic/message/number_text.hpp"
+#include "pelagic/tools/files/half_float.hpp"
+#include "pelagic/tools/maps/pixel_meaning.hpp"
+
+namespace pelagic::tools {
+namespace {
+
+/// What each byte stands for, as a half: b = round(255 c).
+constexpr std::array<std::uint16_t, 256> parts_of_255 = [] {
+    std::array<std::uint16_t, 256> halves{};
+    for (std::size_t byte = 0; byte < halves.size(); ++byte) halves[byte] = half_of(static_cast<float>(byte) / 255.f);
+    return halves;
+}();
+
+Sample exr_sample(Sample sample) { return sample == Sample::uint8 ? Sample::half : sample; }
+
+template <class Value>
+std::vector<std::byte> bytes_of_values(const std::vector<Value>& values) {
+    std::vector<std::byte> bytes(values.size() * sizeof(Value));
+    std::memcpy(bytes.data(), values.data(), bytes.size());
+    return bytes;
+}
+
+MapImage without_bytes(MapImage image) {
+    if (image.sample != Sample::uint8) return image;
+    std::vector<std::uint16_t> halves;
+    halves.reserve(image.pixels.size());
+    for (const std::byte byte : image.pixels) halves.push_back(parts_of_255[std::to_integer<std::size_t>(byte)]);
+    image.sample = Sample::half;
+    image.pixels = bytes_of_values(halves);
+    return image;
+}
+
+/// "Dx = R m; height = G m; Dz = B m", or "normal_x = 2 R - 1; ...".
+std::string text_of(std::span<const ChannelMeaning> channels) {
+    std::string text;
+    for (const ChannelMeaning& channel : channels) {
+        if (!text.empty()) text += "; ";
+        text.append(channel.name).append(" = ");
+        if (channel.scale != 1) text += number_text(channel.scale) + " ";
+        text += channel.channel;
+        if (channel.offset != 0) text += (channel.offset < 0 ? " - " : " + ") + number_text(std::abs(channel.offset));
+        if (channel.unit != "1") text.append(" ").append(channel.unit);
+    }
+    return text;
+}
+
+/// "displacement", "displacement_c1": as parts and layers are called.
+std::string name_of(const ImagePart& part) {
+    return std::string(name_of(part.map)) + (part.tile > 0 ? "_c" + number_text(part.tile) : "");
+}
+
+ExrLayer layer_of(const ImagePart& part, const Tile& tile, const MapOptions& options, const std::string& before) {
+    const Sample sample = options.sample_of(part.map);
+    ExrLayer layer{.channels = {}, .sample = exr_sample(sample), .image_of = [&tile, &options, part](int level) {
+                       return without_bytes(map_image(tile, part.map, part.first_level + level, options));
+                   }};
+    for (const ChannelMeaning& channel : channel_meanings(part.map, options))
+        layer.channels.push_back(before + std::string(channel.channel));
+    return layer;
+}
+
+void add_map(std::vector<ExrAttribute>& attributes, const ImagePart& part, const Tile& tile,
+             const MapOptions& options, const std::string& layer) {
+    const auto add = [&](const char* name, auto value) {
+        attributes.emplace_back("pelagic:" + layer + name, std::move(value));
+    };
+    add("map", std::string(name_of(part.map)));
+    add("channels", text_of(channel_meanings(part.map, options)));
+    add("tile", part.tile);
+    add("side_m", tile.lattice.side_m);
+    add("turn_cosine", tile.lattice.cosine);
+    add("turn_sine", options.up_axis == UpAxis::z ? 0 - tile.lattice.sine : tile.lattice.sine);
+}
+
+ExrPart empty_part(const ImagePart& of, const Frame& frame, int number, const FrameTimes& times,
+                   const MapOptions& maps) {
+    return {.name = "",
+            .side = frame.tiles[static_cast<std::size_t>(of.tile)].resolution() >> of.first_level,
+            .levels = of.levels,
+            .layers = {},
+            .attributes = {{"wrapmodes", "periodic,periodic"},
+                           {"pelagic:frame", number},
+                           {"pelagic:time_s", frame.time_s},
+                           {"pelagic:loop_period_s", times.loop_period_s},
+                           {"pelagic:axes",
+                            maps.up_axis == UpAxis::z ? "+x east, +y north, +z up" : "+x east, +y up, +z south"},
+                           {"pelagic:rows", maps.rows == FirstRow::bottom
+                                                ? "the last row is z = 0 of the tile"
+                                                : "row 0 is the upper edge, z = 0 of the tile"}},
+            .frames_per_second = times.fps ? *times.fps : static_cast<double>(times.count()) / times.loop_period_s};
+}
+
+}  // namespace
+
+ExrFile exr_file(const ImageFile& file, const Frame& frame, int number, const ExportOptions& options) {
+    ExrFile exr{.parts = {}, .is_tiled = options.maps.tiled, .compression = options.maps.compression};
+    // Parts too have the layer in their channels' names: OpenEXR wants no reader to guess it from the part's.
+    const bool is_packed = options.maps.pack != Pack::files, has_layers = options.maps.pack == Pack::layers;
+    for (const ImagePart& of : file.parts) {
+        const Tile& tile = frame.tiles[static_cast<std::size_t>(of.tile)];
+        if (exr.parts.empty() || !has_layers) {
+            exr.parts.push_back(empty_part(of, frame, number, options.times, options.maps));
+            if (is_packed && !has_layers) exr.parts.back().name = name_of(of);
+        }
+        ExrPart& part = exr.parts.back();
+        part.layers.push_back(layer_of(of, tile, options.maps, is_packed ? name_of(of) + "." : ""));
+        add_map(part.attributes, of, tile, options.maps, has_layers ? name_of(of) + ":" : "");
+    }
+    return exr;
+}
+
+}  // namespace pelagic::tools

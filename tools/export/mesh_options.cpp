@@ -1,0 +1,101 @@
+#include "pelagic/tools/export/mesh_options.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "pelagic/sim/forecast.hpp"
+#include "pelagic/tools/meshes/gltf_file.hpp"
+#include "pelagic/tools/meshes/mdd_file.hpp"
+#include "pelagic/tools/text/errors.hpp"
+#include "pelagic/tools/text/option_text.hpp"
+
+namespace pelagic::tools {
+namespace {
+
+constexpr std::array<std::pair<MeshFormat, const char*>, 5> all_formats = {
+    {{MeshFormat::obj, "obj"},
+     {MeshFormat::ply, "ply"},
+     {MeshFormat::gltf, "gltf"},
+     {MeshFormat::gltf_animation, "gltf-animation"},
+     {MeshFormat::mdd, "mdd"}}};
+
+/// Of one file for all frames, which is made in memory, glTF there twice.
+constexpr std::size_t most_animation_bytes = std::size_t{512} << 20, most_point_cache_bytes = std::size_t{1} << 30;
+
+std::vector<MeshFormat> formats_in(const std::string& text) {
+    std::vector<MeshFormat> formats;
+    for (const std::string& part : split_at_commas(text)) {
+        const auto known = std::find_if(all_formats.begin(), all_formats.end(),
+                                        [&](const auto& format) { return format.second == part; });
+        if (known == all_formats.end() || std::find(formats.begin(), formats.end(), known->first) != formats.end())
+            throw bad_value("--mesh", text,
+                            "obj, ply, gltf, gltf-animation, mdd or some of them with commas, each once");
+        formats.push_back(known->first);
+    }
+    std::sort(formats.begin(), formats.end());
+    return formats;
+}
+
+void check_size(const char* format, std::size_t bytes, std::size_t most_bytes, std::size_t frames) {
+    if (bytes > most_bytes)
+        throw InputError("--mesh " + std::string(format) + " of " + number_text(frames) + " frames has " +
+                         number_text(bytes >> 20) + " MiB, needs at most " + number_text(most_bytes >> 20) +
+                         " MiB: fewer frames or --mesh-steps");
+}
+
+void check_sequences(const MeshOptions& options, const FrameTimes& times) {
+    const auto steps = static_cast<std::size_t>(options.patch.steps), vertices = (steps + 1) * (steps + 1);
+    const std::size_t frames = times.count();
+    if (options.has(MeshFormat::gltf_animation)) {
+        if (frames > GlbFile::most_frames)
+            throw InputError("--mesh gltf-animation of " + number_text(frames) + " frames needs at most " +
+                             number_text(GlbFile::most_frames) + ": each is a morph target");
+        if (times.ranges.size() > 1)
+            throw InputError("--mesh gltf-animation of frames " + text_of(times.ranges) +
+                             " needs frames without a gap");
+        check_size("gltf-animation", GlbFile::buffer_bytes(vertices, 2 * steps * steps, frames), most_animation_bytes,
+                   frames);
+    }
+    if (options.has(MeshFormat::mdd)) check_size("mdd", mdd_bytes(vertices, frames), most_point_cache_bytes, frames);
+}
+
+}  // namespace
+
+std::string_view name_of(MeshFormat format) { return all_formats[static_cast<std::size_t>(format)].second; }
+
+bool MeshOptions::has(MeshFormat format) const {
+    return std::find(formats.begin(), formats.end(), format) != formats.end();
+}
+
+void MeshFlags::add_to(CLI::App& app) {
+    app.add_option(
+           "--mesh", formats_,
+           "a square of the sea as meshes with texture coordinates, normals and foam, next to the maps: obj, ply or "
+           "gltf (binary), one file a frame; gltf-animation (morph targets) or mdd (a point cache for the obj), one "
+           "file for all frames; or some of them with commas")
+        ->type_name("NAMES");
+    app.add_option("--mesh-size", size_, "side of that square, metres, [0.001, 1e6]; default the coarsest tile's")
+        ->type_name("M");
+    app.add_option("--mesh-steps", steps_, "squares along its side; 1 to 2048, default --resolution")
+        ->type_name("NUMBER");
+}
+
+MeshOptions MeshFlags::resolve(const ResolvedSea& sea, const FrameTimes& times) const {
+    if (!formats_) {
+        for (const auto& [option, text] : {std::pair("--mesh-size", &size_), {"--mesh-steps", &steps_}})
+            if (*text) throw InputError(std::string(option) + " is " + **text + ", needs --mesh with it");
+        return {};
+    }
+    const std::vector<TilePlan> plans = plan_tiles(forecast_of(sea));
+    MeshOptions options{.formats = formats_in(*formats_), .patch = {}};
+    SeaPatch& patch = options.patch;
+    patch.side_m =
+        size_ ? number_in("--mesh-size", *size_, 0.001, 1e6, "metres in [0.001, 1e6]") : plans.front().lattice.side_m;
+    patch.steps = steps_ ? whole_number_in("--mesh-steps", *steps_, 1, 2048) : plans.front().resolution;
+    patch.tiles = tiles_shown_by(patch.side_m / patch.steps, plans);
+    check_sequences(options, times);
+    return options;
+}
+
+}  // namespace pelagic::tools

@@ -1,0 +1,28 @@
+// sea.json and the records of shards as files that may be larger than memory: written and read frame by frame.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "pelagic/tools/export/export_record.hpp"
+#include "pelagic/tools/files/output_folder.hpp"
+
+namespace pelagic::tools {
+
+/// Writes `head` with a list of "frames" as its last key. Throws FileError.
+/// \param make_frames  is given what takes a frame, and calls it for each
+void write_record(const OutputFolder& folder, const std::string& name, const Json& head,
+                  const std::function<void(const std::function<void(const FrameRecord&)>&)>& make_frames);
+
+/// What takes a record that is read; each may answer false: no more.
+struct RecordTaker {
+    /// All keys before "frames", which comes last.
+    std::function<bool(const ReadJson& head)> head;
+    /// What is in the list, one after the other, whatever it is.
+    std::function<bool(const ReadJson& entry)> frame;
+};
+
+/// False if nothing has the name. Throws DamagedRecord, also for one that holds much else than frames, and FileError.
+bool read_record(const OutputFolder& folder, const std::string& name, const RecordTaker& take);
+
+}  // namespace pelagic::tools

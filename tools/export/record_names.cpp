@@ -1,0 +1,39 @@
+#include "pelagic/tools/export/record_names.hpp"
+
+namespace pelagic::tools {
+namespace {
+
+/// A name with or without a shard in its middle.
+struct NameAroundShard {
+    std::string_view before, after;
+
+    std::string of(const std::optional<Shard>& shard) const {
+        return std::string(before).append(shard ? "." + name_of(*shard) : "").append(after);
+    }
+    std::optional<Shard> shard_in(std::string_view name) const {
+        if (!name.starts_with(before) || !name.ends_with(after) || name.size() <= before.size() + after.size())
+            return {};
+        name = name.substr(before.size(), name.size() - before.size() - after.size());
+        return name.starts_with('.') ? shard_named(name.substr(1)) : std::nullopt;
+    }
+};
+
+constexpr NameAroundShard records{"sea", ".json"}, journals{".pelagic-export", ".jsonl"}, locks{".sea", ".lock"};
+
+}  // namespace
+
+std::string record_name(const std::optional<Shard>& shard) { return records.of(shard); }
+std::string journal_name(const std::optional<Shard>& shard) { return journals.of(shard); }
+std::string lock_name_of(const Shard& shard) { return locks.of(shard); }
+
+std::optional<Shard> shard_of_record(std::string_view name) { return records.shard_in(name); }
+
+bool is_of_shard(std::string_view name) {
+    return records.shard_in(name) || journals.shard_in(name) || locks.shard_in(name);
+}
+
+bool is_record_name(std::string_view name) {
+    return name == record_name({}) || name == journal_name({}) || name == lock_name || is_of_shard(name);
+}
+
+}  // namespace pelagic::tools

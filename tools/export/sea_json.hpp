@@ -1,0 +1,57 @@
+// sea.json: what an export holds and how it was made. The same on every machine: no times, paths or thread counts.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "pelagic/sim/statistics.hpp"
+#include "pelagic/tools/export/export_options.hpp"
+
+namespace pelagic::tools {
+
+using Json = nlohmann::ordered_json;
+
+/// A file of a frame and the XXH3 of its bytes, by which --resume knows that it is whole.
+struct FileRecord {
+    std::string name;
+    std::string xxh3;
+};
+
+/// What sea.json and the journal say of one frame.
+struct FrameRecord {
+    int frame = 0;
+    double time_s = 0;
+    std::string hash;       ///< hash_of() as 16 hexadecimal digits
+    std::string foam_hash;  ///< foam_hash_of() likewise; empty without maps of foam
+    double significant_wave_height_m = 0;
+    double height_min_m = 0, height_max_m = 0;
+    std::vector<FileRecord> files;
+};
+
+/// Every option of a sea, resolved; keys as in a config file, with units.
+Json sea_as_json(const ResolvedSea& sea);
+
+/// What it turns into: [{"from_s", "over_s", "sea"}], empty without weather.
+Json weather_as_json(const ResolvedSea& sea);
+
+/// Every option that decides what is in the files: {"version", "sea", "weather" if there is any, "export"}.
+Json options_as_json(const ExportOptions& options);
+
+/// The record, and an XXH3 of it by which an edited one is known.
+Json frame_as_json(const FrameRecord& record);
+
+/// Heights, periods, directions, slopes, expected by the model and measured: {"significant_wave_height_m", ...}.
+Json waves_as_json(const SeaState& sea, const SeaReport& report, double measured_significant_wave_height_m);
+
+/// When foam is remembered, how it drifts, how much of it there is: {"whitecap_cover", "tick_s", ...}.
+Json foam_as_json(const Frame& frame);
+
+/// All of the file but its frames. \param sequence_files  made of all frames together
+Json sea_json_head(const ExportOptions& options, double mean_significant_wave_height_m,
+                   const std::vector<FileRecord>& sequence_files);
+
+/// The same of a shard's record: its options, and {"shard": {"index", "count"}}. What follows from the options is not in it.
+Json shard_head(const ExportOptions& options);
+
+}  // namespace pelagic::tools

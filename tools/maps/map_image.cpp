@@ -1,0 +1,102 @@
+#include "pelagic/tools/maps/map_image.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <span>
+
+#include "pelagic/tools/files/half_float.hpp"
+#include "pelagic/tools/maps/map_values.hpp"
+
+namespace pelagic::tools {
+namespace {
+
+using Pixels = std::vector<std::byte>;
+
+template <class Value>
+Pixels pixels_of(std::span<const Value> values) {
+    const auto bytes = std::as_bytes(values);
+    return {bytes.begin(), bytes.end()};
+}
+
+template <class Stored, class Convert>
+Pixels converted(const std::vector<float>& values, Convert convert) {
+    Pixels pixels(values.size() * sizeof(Stored));
+    std::byte* to = pixels.data();
+    for (const float value : values) {
+        const Stored stored = convert(value);
+        std::memcpy(to, &stored, sizeof(Stored));
+        to += sizeof(Stored);
+    }
+    return pixels;
+}
+
+/// The nearest of `most` parts of 1; of two equally near ones the larger, so that a flat normal map is 128, 128, 255.
+template <class Stored>
+Pixels in_parts(const std::vector<float>& values, float most, bool from_minus_one) {
+    return converted<Stored>(values, [=](float value) {
+        const float part = from_minus_one ? 0.5f * value + 0.5f : value;
+        return static_cast<Stored>(part * most + 0.5f);
+    });
+}
+
+Pixels stored(const MapValues& of, MapKind map, Sample sample) {
+    switch (sample) {
+        case Sample::uint8: return in_parts<std::uint8_t>(of.values, 255, map == MapKind::normal);
+        case Sample::uint16: return in_parts<std::uint16_t>(of.values, 65535, map == MapKind::normal);
+        case Sample::half: return converted<std::uint16_t>(of.values, half_of);
+        case Sample::float32: return pixels_of(std::span<const float>(of.values));
+    }
+    return {};
+}
+
+/// The normal's z, green, is that along the other horizontal axis, which points the other way: 255 - b stands for the exact
+/// opposite of what b stands for.
+void turn_green(Pixels& gradient) {
+    for (std::size_t green = 1; green < gradient.size(); green += 4) gradient[green] = ~gradient[green];
+}
+
+/// A level of which the tile has the bytes.
+Pixels own_bytes(const Tile& tile, MapKind map, int level, const MapOptions& options) {
+    if (map == MapKind::foam) return pixels_of(tile.level_of(tile.foam_r8, level));
+    Pixels pixels =
+        pixels_of(tile.gradient_level(level));  // a texel's lowest byte is its red one, in memory the first
+    if (options.up_axis == UpAxis::z) turn_green(pixels);
+    return pixels;
+}
+
+void turn_rows_over(MapImage& image) {
+    const auto side = static_cast<std::ptrdiff_t>(image.side);
+    const auto row = static_cast<std::ptrdiff_t>(image.pixels.size()) / side;
+    for (std::ptrdiff_t above = 0, below = side - 1; above < below; ++above, --below)
+        std::swap_ranges(image.pixels.begin() + above * row, image.pixels.begin() + (above + 1) * row,
+                         image.pixels.begin() + below * row);
+}
+
+}  // namespace
+
+MapImage map_image(const Tile& tile, MapKind map, int level, const MapOptions& options) {
+    return map_levels(tile, map, level, 1, options).front();
+}
+
+std::vector<MapImage> map_levels(const Tile& tile, MapKind map, int first_level, int levels,
+                                 const MapOptions& options) {
+    const Sample sample = options.sample_of(map);
+    const bool has_bytes = sample == Sample::uint8 && map != MapKind::normal;
+    MapValues values = has_bytes ? MapValues{} : map_values(tile, map, options);
+    std::vector<MapImage> images;
+    for (int level = 0; level < first_level + levels; ++level) {
+        if (level > 0 && !has_bytes) values = halved(values);
+        if (level < first_level) continue;
+        MapImage image{tile.resolution() >> level, channels_of(map), sample, {}};
+        if (has_bytes)
+            image.pixels = own_bytes(tile, map, level, options);
+        else
+            image.pixels = stored(map == MapKind::normal && level > 0 ? normalised(values) : values, map, sample);
+        if (options.rows == FirstRow::bottom) turn_rows_over(image);
+        images.push_back(std::move(image));
+    }
+    return images;
+}
+
+}  // namespace pelagic::tools

@@ -1,0 +1,28 @@
+// The pixels of one map of one tile, for any container: interleaved, rows from the top.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "pelagic/sim/tile.hpp"
+#include "pelagic/tools/maps/map_options.hpp"
+
+namespace pelagic::tools {
+
+struct MapImage {
+    int side = 0;
+    int channels = 0;
+    Sample sample = Sample::float32;
+    std::vector<std::byte> pixels;  ///< side^2 channels values, no gaps, in this machine's byte order
+};
+
+/// One level of a map: pixels as channels_as_json() says, in rows as layout_as_json() says (pixel_meaning.hpp). Levels of any map
+/// are means of 2 x 2 texels; normals are unit vectors at every level, which is what shaders expect.
+/// \pre the tile has the map's views (asserted)
+MapImage map_image(const Tile& tile, MapKind map, int level, const MapOptions& options);
+
+/// So many levels of a map, the largest first; cheaper than one after the other.
+std::vector<MapImage> map_levels(const Tile& tile, MapKind map, int first_level, int levels,
+                                 const MapOptions& options);
+
+}  // namespace pelagic::tools

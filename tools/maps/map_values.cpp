@@ -1,0 +1,131 @@
+#include "pelagic/tools/maps/map_values.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+
+#include "pelagic/simd/strict_floats.hpp"
+#include "pelagic/tools/maps/tile_differences.hpp"
+
+namespace pelagic::tools {
+namespace {
+
+using Vector = std::array<float, 3>;
+
+/// Along the tile's columns, its rows, and up. Less than the least normal of waves that anybody can see counts as none.
+Vector unit_vector(const Vector& of) {
+    const float squared = of[0] * of[0] + of[1] * of[1] + of[2] * of[2];
+    if (!(squared > 1e-30f)) return {0, 0, 1};
+    const float length = std::sqrt(squared);
+    return {of[0] / length, of[1] / length, of[2] / length};
+}
+
+/// Three planes that are a vector along the world's axes.
+std::vector<float> vectors(const std::array<PlaneView, 3>& planes, const MapOptions& options) {
+    assert(planes[0].data);
+    const auto side = static_cast<std::size_t>(planes[0].resolution);
+    const float factor = units_per_metre(options.unit);
+    std::array<std::vector<float>, 3> row = {std::vector<float>(side), std::vector<float>(side),
+                                             std::vector<float>(side)};
+    std::vector<float> values;
+    values.reserve(3 * side * side);
+    for (int j = 0; j < planes[0].resolution; ++j) {
+        for (std::size_t c = 0; c < 3; ++c) planes[c].copy_row(j, row[c].data());
+        for (std::size_t i = 0; i < side; ++i)
+            for (const float component : in_axes(Vector{row[0][i], row[1][i], row[2][i]}, options.up_axis))
+                values.push_back(component * factor);
+    }
+    return values;
+}
+
+float two_texels_m(const Tile& tile) { return static_cast<float>(2 * tile.texel_m()); }
+
+/// Unit vectors along the columns, up or down the image, and up out of the water. Where the surface is turned over they lie flat:
+/// a normal map can't point down.
+std::vector<float> normals(const Tile& tile, const MapOptions& options) {
+    const auto cosine = static_cast<float>(tile.lattice.cosine), sine = static_cast<float>(tile.lattice.sine);
+    const bool rows_go_up = options.rows == FirstRow::bottom, green_grows_up = options.normal_y == NormalY::up;
+    const float green = rows_go_up == green_grows_up ? 1.f : -1.f;
+    std::vector<float> values;
+    for_each_difference(tile, [&, across_texels_m = two_texels_m(tile)](const TexelDifferences& differences) {
+        const WorldVector normal = differences.normal(across_texels_m);
+        const float along = cosine * normal.x + sine * normal.z, across = cosine * normal.z - sine * normal.x;
+        const float up = normal.y > 0 ? normal.y : 0.f;
+        for (const float component : unit_vector({along, green * across, up})) values.push_back(component);
+    });
+    return values;
+}
+
+std::vector<float> jacobians(const Tile& tile) {
+    const double two_texels = 2 * tile.texel_m();
+    const auto factor = static_cast<float>(1 / (two_texels * two_texels));
+    std::vector<float> values;
+    for_each_difference(tile, [&, across_texels_m = two_texels_m(tile)](const TexelDifferences& differences) {
+        values.push_back(differences.normal(across_texels_m).y * factor);
+    });
+    return values;
+}
+
+/// Of the heights over the rest places: these add to other tiles'.
+std::vector<float> slopes(const Tile& tile, UpAxis up_axis) {
+    const auto per_metre = static_cast<float>(1 / (2 * tile.texel_m()));
+    const float z_sign = up_axis == UpAxis::z ? -1.f : 1.f;
+    std::vector<float> values;
+    for_each_difference(tile, [&](const TexelDifferences& differences) {
+        values.push_back(differences.height.x * per_metre);
+        values.push_back(differences.height.z * (z_sign * per_metre));
+    });
+    return values;
+}
+
+std::vector<float> foam(const Tile& tile) {
+    assert(!tile.foam_r8.empty());
+    std::vector<float> values;
+    for (const std::uint8_t byte : tile.level_of(tile.foam_r8, 0)) values.push_back(static_cast<float>(byte) / 255);
+    return values;
+}
+
+std::vector<float> values_of(const Tile& tile, MapKind map, const MapOptions& options) {
+    switch (map) {
+        case MapKind::displacement: return vectors({tile.dx, tile.height, tile.dz}, options);
+        case MapKind::velocity: return vectors({tile.velocity_x, tile.velocity_y, tile.velocity_z}, options);
+        case MapKind::normal: return normals(tile, options);
+        case MapKind::jacobian: return jacobians(tile);
+        case MapKind::slope: return slopes(tile, options.up_axis);
+        case MapKind::foam: return foam(tile);
+        case MapKind::gradient: break;
+    }
+    assert(false && "gradients are bytes already");
+    return {};
+}
+
+}  // namespace
+
+MapValues map_values(const Tile& tile, MapKind map, const MapOptions& options) {
+    return {.side = tile.resolution(), .channels = channels_of(map), .values = values_of(tile, map, options)};
+}
+
+MapValues halved(const MapValues& finer) {
+    const auto side = static_cast<std::size_t>(finer.side / 2), channels = static_cast<std::size_t>(finer.channels);
+    MapValues level{.side = finer.side / 2, .channels = finer.channels, .values = {}};
+    level.values.reserve(side * side * channels);
+    for (std::size_t row = 0; row < side; ++row) {
+        const float* above = finer.values.data() + 4 * row * side * channels;
+        const float* below = above + 2 * side * channels;
+        for (std::size_t column = 0; column < side; ++column, above += 2 * channels, below += 2 * channels)
+            for (std::size_t c = 0; c < channels; ++c)
+                level.values.push_back(0.25f * ((above[c] + above[c + channels]) + (below[c] + below[c + channels])));
+    }
+    return level;
+}
+
+MapValues normalised(MapValues normals) {
+    for (std::size_t i = 0; i < normals.values.size(); i += 3) {
+        const Vector unit = unit_vector({normals.values[i], normals.values[i + 1], normals.values[i + 2]});
+        std::copy(unit.begin(), unit.end(), normals.values.begin() + static_cast<std::ptrdiff_t>(i));
+    }
+    return normals;
+}
+
+}  // namespace pelagic::tools

@@ -1,0 +1,194 @@
+#include "pelagic/tools/maps/pixel_meaning.hpp"
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "pelagic/sim/tile_plan.hpp"
+
+namespace pelagic::tools {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double two_pi = 6.28318530717958647693;
+
+/// What a pixel's number c becomes: scale c + offset.
+struct Line {
+    double scale = 1, offset = 0;
+};
+
+struct Channel {
+    std::string_view name, unit;
+    Line line;
+    std::array<double, 2> range = {};  ///< of values, {0, 0} where there is no limit
+};
+
+/// Equations 50 and 51 with rounding: a byte b stands for (b - 128) / 127.5 up to (b - 127) / 127.5, and 2 b / 255 - 1 is
+/// the middle of that.
+constexpr Line from_minus_one = {2, -1};
+constexpr std::array<double, 2> both_signs = {-1, 1}, one_sign = {0, 1};
+
+std::vector<Channel> channels_of(MapKind map, const MapOptions& options) {
+    const bool is_z_up = options.up_axis == UpAxis::z;
+    const Line of_normals = is_floating(options.sample_of(map)) ? Line{} : from_minus_one;
+    const Line in_metres{.scale = 1 / static_cast<double>(units_per_metre(options.unit))};
+    switch (map) {
+        case MapKind::displacement:
+            if (is_z_up) return {{"Dx", "m", in_metres}, {"Dy", "m", in_metres}, {"height", "m", in_metres}};
+            return {{"Dx", "m", in_metres}, {"height", "m", in_metres}, {"Dz", "m", in_metres}};
+        case MapKind::velocity:
+            return {
+                {"velocity_x", "m/s", in_metres}, {"velocity_y", "m/s", in_metres}, {"velocity_z", "m/s", in_metres}};
+        case MapKind::gradient:
+            return {{"normal_x", "1", from_minus_one, both_signs},
+                    {is_z_up ? "normal_y" : "normal_z", "1", from_minus_one, both_signs},
+                    {"jacobian", "1", from_minus_one, both_signs},
+                    {"smoothness", "1", {}, one_sign}};
+        case MapKind::normal:
+            return {{"normal_right", "1", of_normals, both_signs},
+                    {options.normal_y == NormalY::up ? "normal_image_up" : "normal_image_down", "1", of_normals,
+                     both_signs},
+                    {"normal_out", "1", of_normals, one_sign}};
+        case MapKind::jacobian: return {{"jacobian", "1", {}}};
+        case MapKind::slope: return {{"dh_dx", "1", {}}, {is_z_up ? "dh_dy" : "dh_dz", "1", {}}};
+        case MapKind::foam: return {{"foam", "1", {}, one_sign}};
+    }
+    return {};
+}
+
+std::string_view type_name(Sample sample) {
+    switch (sample) {
+        case Sample::uint8: return "uint8";
+        case Sample::uint16: return "uint16";
+        case Sample::half: return "half";
+        case Sample::float32: return "float";
+    }
+    return "";
+}
+
+/// As files have it: EXR has no bytes, and halves instead.
+Sample stored_sample(MapKind map, const MapOptions& options) {
+    const Sample sample = options.sample_of(map);
+    return options.is_exr(map) && !is_floating(sample) ? Sample::half : sample;
+}
+
+Json list_of(MapKind map, const MapOptions& options) {
+    Json list = Json::array();
+    for (const ChannelMeaning& channel : channel_meanings(map, options)) {
+        Json entry = {{"channel", channel.channel}, {"name", channel.name},
+                      {"unit", channel.unit},       {"type", type_name(stored_sample(map, options))},
+                      {"scale", channel.scale},     {"offset", channel.offset}};
+        if (channel.range[0] < channel.range[1]) entry["range"] = channel.range;
+        list.push_back(entry);
+    }
+    return list;
+}
+
+Json as_json(const Line& line) { return {{"scale", line.scale}, {"offset", line.offset}}; }
+
+/// What an image's row adds to a texel's place, from what a row of the tile adds.
+struct RowPlaces {
+    double a_row, offset;
+
+    RowPlaces(double a_row_of_the_tile, int resolution, FirstRow first)
+        : a_row(first == FirstRow::top ? a_row_of_the_tile : -a_row_of_the_tile),
+          offset(first == FirstRow::top ? 0 : a_row_of_the_tile * (resolution - 1)) {}
+};
+
+/// The horizontal axis beside x, and its direction along Pelagic's z.
+const char* other_axis(UpAxis up) { return up == UpAxis::z ? "y" : "z"; }
+double sign_of_z(UpAxis up) { return up == UpAxis::z ? -1 : 1; }
+
+/// Where the texels of a tile rest: x and the other axis are sums of what a column and a row give.
+Json tile_as_json(const TilePlan& tile, const MapOptions& options) {
+    const TileLattice& lattice = tile.lattice;
+    const double texel_m = lattice.side_m / tile.resolution, sign = sign_of_z(options.up_axis);
+    const auto place = [&](double column_m, double row_m) -> Json {
+        const RowPlaces rows(row_m, tile.resolution, options.rows);
+        return {{"column", column_m + 0.0}, {"row", rows.a_row + 0.0}, {"offset", rows.offset + 0.0}};  // not -0
+    };
+    const std::string other = other_axis(options.up_axis);
+    Json json = {{"in_file_names", tile.number == 0 ? "" : "c" + std::to_string(tile.number)},
+                 {"side_m", lattice.side_m},
+                 {"resolution", tile.resolution},
+                 {"turn", {{"cosine", lattice.cosine}, {"sine", sign * lattice.sine + 0.0}}},
+                 {"x_m", place(lattice.cosine * texel_m, -lattice.sine * texel_m)},
+                 {other + "_m", place(sign * lattice.sine * texel_m, sign * lattice.cosine * texel_m)}};
+    if (tile.least_k > 0) json["longest_wave_m"] = two_pi / tile.least_k;
+    if (tile.is_banded()) json["shortest_wave_m"] = two_pi / tile.most_k;
+    return json;
+}
+
+Json axes_as_json(UpAxis up) {
+    if (up == UpAxis::z) return {{"east", "+x"}, {"north", "+y"}, {"up", "+z"}};
+    return {{"east", "+x"}, {"up", "+y"}, {"south", "+z"}};
+}
+
+}  // namespace
+
+std::vector<ChannelMeaning> channel_meanings(MapKind map, const MapOptions& options) {
+    const std::vector<Channel> channels = channels_of(map, options);
+    constexpr std::string_view of_one = "Y", of_several = "RGBA";
+    std::vector<ChannelMeaning> meanings;
+    for (std::size_t i = 0; i < channels.size(); ++i) {
+        const auto& [name, unit, line, range] = channels[i];
+        meanings.push_back(
+            {channels.size() == 1 ? of_one : of_several.substr(i, 1), name, unit, line.scale, line.offset, range});
+    }
+    return meanings;
+}
+
+Json channels_as_json(const MapOptions& options) {
+    Json maps = Json::object();
+    for (const MapKind map : options.maps) maps[std::string(name_of(map))] = list_of(map, options);
+    return maps;
+}
+
+Json layout_as_json(const Forecast& forecast, const MapOptions& options) {
+    const std::vector<TilePlan> plans = plan_tiles(forecast);
+    const TilePlan& first = plans.front();
+    const double n = first.resolution, side_m = first.lattice.side_m, texel_m = side_m / n;
+    const RowPlaces rows(sign_of_z(options.up_axis) * texel_m, first.resolution, options.rows);
+    Json tiles = Json::array();
+    for (const TilePlan& plan : plans) tiles.push_back(tile_as_json(plan, options));
+    return {{"axes", axes_as_json(options.up_axis)},
+            {"row_0", "upper edge of the image"},
+            {"x_m_of_column", as_json({texel_m, 0})},
+            {std::string(other_axis(options.up_axis)) + "_m_of_row", as_json({rows.a_row, rows.offset})},
+            {"u_of_column", as_json({1 / n, 0.5 / n})},
+            {"v_down_of_row", as_json({1 / n, 0.5 / n})},
+            {"repeats_after_m", side_m},
+            {"tiles", tiles},
+            {"colour", false},
+            {"alpha_is_opacity", false}};
+}
+
+std::string pixel_meaning() {
+    return R"(What a pixel means (sea.json has it as numbers, for whatever options):
+  displacement  R, G, B = Dx, height, Dz in metres, as they are; with --axes z-up Dx, Dy, height
+  gradient      a byte's part of 255 is c: normal x = 2R - 1, normal z = 2G - 1 (z-up: y), Jacobian J = 2B - 1, which
+                was clamped to [-1, 1], each within 1/255; smoothness = A, no opacity. The normal's y is
+                sqrt(1 - x^2 - z^2), below 0 where J is: there the surface is turned over
+  normal        an ordinary normal map, of the tile's own axes: right, up the image (--normal-y down: down it) and out
+                of the water are 2R - 1, 2G - 1, 2B - 1; floats are the values themselves. Unit vectors at every level;
+                where the surface is turned over they lie flat, B = 0 out of the water
+  foam          one channel: 0 none, 1 covered with foam, what breaks now and what is left of 2.9 seconds before
+  velocity      of the point that is drawn, along x, y, z, metres a second; for motion blur
+  jacobian      one channel: J, not clamped; below 1 pressed together, below 0 turned over
+  slope         R, G = dh/dx, dh/dz (z-up: dh/dy) of the heights over the rest places
+  place         N texels a side, L metres: column i, row j rests at x = i L/N, z = j L/N and is drawn at
+                (x + Dx, height, z + Dz). Row 0 is the upper edge of the image and z = 0 (--rows bottom: the last row is
+                z = 0). The rest place is the texel's corner, its number stands at the centre: u = (i + 0.5)/N,
+                v = (j + 0.5)/N from the upper edge. The tile repeats after L, so column N is column 0 again
+  several tiles what they hold adds up. Files of the coarsest have no mark, those of the next c1, c2, c3. Their sides
+                differ, and their columns and rows are turned in the world, about x = z = 0: sea.json says how
+                (layout, tiles). All but normal is along the world's axes in all of them. Displacements, velocities and
+                slopes add; normals and Jacobians don't, so take them from the sum, or add slopes for a start.
+                Foam at a place is the largest of the tiles'; a tile whose waves make none has black images
+  axes          right-handed: +x east, +y up, +z south, so north is -z; z-up: +x east, +y north, +z up
+  colour        none: load as linear, non-colour data, without sRGB, premultiplied alpha or compression)";
+}
+
+}  // namespace pelagic::tools

@@ -1,0 +1,207 @@
+#include "pelagic/tools/measure/export_reader.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <nlohmann/json.hpp>
+#include <system_error>
+
+#include "pelagic/message/number_text.hpp"
+#include "pelagic/tools/export/export_names.hpp"
+#include "pelagic/tools/export/frame_times.hpp"
+#include "pelagic/tools/export/record_names.hpp"
+#include "pelagic/tools/images/image_codec.hpp"
+#include "pelagic/tools/text/errors.hpp"
+
+namespace pelagic::tools {
+namespace {
+
+using Json = nlohmann::json;
+
+/// That of 100,000 frames and more.
+constexpr std::size_t most_record_bytes = std::size_t{256} << 20;
+constexpr int deepest_level = 8;  ///< ours have five
+
+/// Higher than any wave: what is beyond is no height in metres.
+constexpr float highest_m = 1e4f;
+
+Json parsed(const std::string& text, const std::string& place) {
+    bool is_deep = false;
+    const auto check_depth = [&](int depth, Json::parse_event_t, Json&) {
+        is_deep = is_deep || depth > deepest_level;
+        return !is_deep;
+    };
+    const Json json = Json::parse(text, check_depth, false);
+    if (json.is_discarded() || is_deep || !json.is_object())
+        throw InputError(place + ": malformed JSON, needs a sea.json of pelagic export");
+    return json;
+}
+
+/// The value of a key of an object; null if there is none.
+const Json& value_of(const Json& json, const char* key) {
+    static const Json none;
+    if (!json.is_object()) return none;
+    const auto found = json.find(key);
+    return found == json.end() ? none : *found;
+}
+
+/// The images of the frame's heights, of the coarsest tile and of as many finer ones as it lists, as the export names them.
+std::vector<std::string> heights_names(const Json& frame, const MapOptions& options, std::size_t most_tiles) {
+    const Json &files = value_of(frame, "files"), &number = value_of(frame, "frame");
+    if (!files.is_array() || !number.is_number_unsigned() || number > FrameTimes::largest_number) return {};
+    const auto is_listed = [&](const std::string& name) {
+        return std::any_of(files.begin(), files.end(),
+                           [&](const Json& file) { return value_of(file, "name") == name; });
+    };
+    std::vector<std::string> names;
+    for (std::size_t tile = 0; tile < most_tiles; ++tile) {
+        const ImageMark mark{MapKind::displacement, static_cast<int>(tile)};
+        const std::string name = image_name(options, mark, number.get<int>(), files.size() == 1);
+        if (!is_listed(name)) break;
+        names.push_back(name);
+    }
+    return names;
+}
+
+/// From what the record says of pixels. Exports without displacement say nothing, and are refused elsewhere.
+StoredHeights stored_heights(const Json& record, const std::filesystem::path& place) {
+    StoredHeights stored;
+    const auto refuse = [&](const std::string& what) { return InputError(place.string() + ": " + what); };
+    if (const Json& rows = value_of(value_of(record, "export"), "rows"); !rows.is_null()) {
+        if (rows != "top" && rows != "bottom") throw refuse("export's rows are neither top nor bottom");
+        stored.rows_turned_over = rows == "bottom";
+    }
+    const Json& channels = value_of(value_of(record, "channels"), "displacement");
+    if (channels.is_null()) return stored;
+    for (const Json& channel : channels) {
+        if (value_of(channel, "name") != "height") continue;
+        const Json &letter = value_of(channel, "channel"), &scale = value_of(channel, "scale");
+        const std::size_t number =
+            letter.is_string() ? std::string("RGB").find(letter.get<std::string>()) : std::string::npos;
+        // Metres and centimetres.
+        if (number > 2 || letter.get<std::string>().size() != 1 || !scale.is_number() ||
+            !(scale == 1 || scale == 0.01) || value_of(channel, "offset") != 0)
+            throw refuse("the channel of heights is none that pelagic export writes");
+        stored.channel = number;
+        stored.metres = scale.get<float>();
+        return stored;
+    }
+    throw refuse("displacement has no channel of heights");
+}
+
+/// What decides the names of images. Those of a record with others are not found.
+MapOptions names_in(const Json& record) {
+    MapOptions options;
+    const Json& how = value_of(record, "export");
+    if (value_of(how, "format") == "tif") options.format = ImageFormat::tiff;
+    if (const Json& names = value_of(how, "names"); names.is_string())
+        options.names = NamePattern::parse(names.get<std::string>());
+    return options;
+}
+
+}  // namespace
+
+OutputFolder open_export(const std::string& option, const std::filesystem::path& folder, Sync sync) {
+    constexpr const char* an_export = "a folder that pelagic export has written";
+    std::error_code error;
+    if (folder.empty()) throw InputError(option + " is empty, needs " + an_export);
+    if (!std::filesystem::is_directory(folder, error))
+        throw bad_value(option, folder.string(),
+                        std::string(an_export) + (error ? " (" + error.message() + ")" : ""));
+    if (::access(folder.c_str(), R_OK | X_OK) != 0)
+        throw bad_value(option, folder.string(), std::string(an_export) + " (" + std::strerror(errno) + ")");
+    return OutputFolder(folder, sync);
+}
+
+ExportReader::ExportReader(std::string option, const std::filesystem::path& folder)
+    : option_(std::move(option)), folder_(open_export(option_, folder, Sync::no)) {
+    const std::filesystem::path place = folder / record_name({});
+    const std::optional<std::string> text = folder_.read_text(record_name({}), most_record_bytes);
+    if (!text) throw InputError(place.string() + " is missing, needs a finished export");
+    if (text->size() > most_record_bytes)
+        throw InputError(place.string() + " has more than " + number_text(most_record_bytes >> 20) + " MiB");
+    const Json record = parsed(*text, place.string());
+    sea_ = SeaOptions::of_record(*text, place);
+    tiles_ = plan_tiles(forecast_of(sea_));
+    stored_ = stored_heights(record, place);
+
+    const Json& pack = value_of(value_of(record, "export"), "pack");
+    if (pack.is_string() && pack != name_of(Pack::files))
+        throw InputError(place.string() + ": all maps of a frame are in one file, needs an export with --pack files");
+    for (const ImageFormat format : {ImageFormat::ktx2, ImageFormat::dds})
+        if (value_of(value_of(record, "export"), "format") == name_of(format))
+            throw InputError(place.string() + ": the maps are " + name_of(format) +
+                             " textures, needs an export with --format exr or tif");
+    const Json& frames = value_of(record, "frames");
+    if (!frames.is_array() || frames.empty())
+        throw InputError(place.string() + " has no frames, needs a finished export");
+    frames_there_ = frames.size();
+    std::vector<double> times_s;
+    const MapOptions maps = names_in(record);
+    for (const Json& frame : frames) {
+        if (names_.size() == most_frames) break;
+        const std::string where = place.string() + ": frame " + number_text(names_.size());
+        const Json& time = value_of(frame, "time_s");
+        if (!time.is_number() || !std::isfinite(time.get<double>()))
+            throw InputError(where + " has no time_s, needs a number");
+        times_s.push_back(time.get<double>());
+        names_.push_back(heights_names(frame, maps, tiles_.size()));
+        if (names_.size() == 1) tiles_.resize(std::min(tiles_.size(), names_[0].size()));
+        if (names_.back().empty() || names_.back().size() < tiles_.size())
+            throw InputError(where + " names no displacement image, needs an export with --maps displacement");
+    }
+    if (times_s.size() < 2) return;
+    step_s_ = (times_s.back() - times_s.front()) / static_cast<double>(times_s.size() - 1);
+    for (std::size_t i = 0; i < times_s.size(); ++i) {
+        const double off = std::fabs(times_s[i] - times_s.front() - static_cast<double>(i) * step_s_);
+        if (!(step_s_ > 0) || off > 1e-3 * step_s_)
+            throw InputError(place.string() +
+                             ": frames are not equally far apart in time, needs them one after the other");
+    }
+}
+
+std::vector<float> ExportReader::heights(std::size_t frame, std::size_t tile) const {
+    const std::string& name = names_[frame][tile];
+    const int resolution = tiles_[tile].resolution;
+    const std::filesystem::path place = folder_.path() / name;
+    const std::size_t texels = static_cast<std::size_t>(resolution) * resolution;
+    const std::size_t most_bytes =
+        2 * texels * 3 * sizeof(float) + (std::size_t{1} << 20);  // nothing grows so by compression
+    const std::optional<std::string> file = folder_.read_text(name, most_bytes);
+    if (!file) throw FileError("can't read " + place.string() + ": " + std::strerror(ENOENT));
+    if (file->size() > most_bytes)
+        throw FileError("can't read " + place.string() + ": it is larger than " + number_text(resolution) + " x " +
+                        number_text(resolution) + " pixels can be");
+    const ImageDescription image{.extension = name.ends_with(".tif") ? "tif" : "exr",
+                                 .width = resolution,
+                                 .height = resolution,
+                                 .channels = 3,
+                                 .sample = Sample::float32,
+                                 .colour_space = "Linear",
+                                 .compression = nullptr};
+    std::vector<float> heights(texels);
+    try {
+        const auto* bytes = reinterpret_cast<const unsigned char*>(file->data());
+        const std::vector<float> pixels = image_codec().decode(image, {bytes, file->size()});
+        const auto side = static_cast<std::size_t>(resolution);
+        for (std::size_t j = 0; j < side; ++j) {
+            const std::size_t row = stored_.rows_turned_over ? side - 1 - j : j;
+            for (std::size_t i = 0; i < side; ++i)
+                heights[j * side + i] = stored_.metres * pixels[3 * (row * side + i) + stored_.channel];
+        }
+    } catch (const FileError&) {
+        throw;  // the library itself is missing
+    } catch (const std::runtime_error& error) {
+        throw FileError("can't read " + place.string() + ": " + error.what());
+    }
+    for (const float height : heights)
+        if (!(std::fabs(height) <= highest_m))
+            throw FileError("can't read " + place.string() + ": it holds " + number_text(height) +
+                            ", which is no height in metres");
+    return heights;
+}
+
+}  // namespace pelagic::tools

@@ -1,0 +1,145 @@
+#include "pelagic/tools/measure/measure_report.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <vector>
+
+#include "pelagic/message/number_text.hpp"
+#include "pelagic/sim/tile_plan.hpp"
+#include "pelagic/tools/measure/export_reader.hpp"
+#include "pelagic/tools/measure/spectrum_plot.hpp"
+#include "pelagic/tools/measure/wave_measurement.hpp"
+#include "pelagic/tools/text/progress.hpp"
+
+namespace pelagic::tools {
+namespace {
+
+double degrees(double radians) { return radians * (180 / 3.14159265358979323846); }
+
+/// A spectrum found, with the model's at the same places.
+Json spectrum_json(const std::vector<SpectrumPoint>& found, const char* at, const char* unit, auto model) {
+    std::vector<double> places;
+    for (const SpectrumPoint& point : found) places.push_back(point.at);
+    const std::vector<double> asked_for = model(places);
+    Json list = Json::array();
+    for (std::size_t i = 0; i < found.size(); ++i)
+        list.push_back({{at, found[i].at},
+                        {std::string("found_") + unit, found[i].density},
+                        {std::string("expected_") + unit, asked_for[i]}});
+    return list;
+}
+
+template <class Value>
+Json or_null(const std::optional<Value>& value) {
+    return value ? Json(*value) : Json();
+}
+
+/// The export's own figures beside those of its options; drawn is null where only frames say what the seed drew.
+Json figures_json(const MeasuredWaves& found, const SeaReport& report) {
+    const auto three = [](Json measured, Json drawn, Json expected) -> Json {
+        return {{"found", measured}, {"drawn", drawn}, {"expected", expected}};
+    };
+    const auto direction = [](double WaveDirections::*angle, const WaveDirections& of) { return degrees(of.*angle); };
+    const auto directions = [&](double WaveDirections::*angle) {
+        return three(found.directions ? Json(direction(angle, *found.directions)) : Json(),
+                     direction(angle, report.drawn_directions), direction(angle, report.expected_directions));
+    };
+    return {
+        {"significant_wave_height_m", three(found.significant_wave_height_m, report.drawn_significant_wave_height_m,
+                                            report.expected.significant_wave_height_m)},
+        {"peak_period_s",
+         three(or_null(found.peak_period_s), report.drawn_peak_period_s, report.expected.peak_period_s)},
+        {"peak_wavelength_m", three(or_null(found.peak_wavelength_m), Json(), report.expected.peak_wavelength_m)},
+        {"mean_direction_deg", directions(&WaveDirections::mean_rad)},
+        {"directional_spread_deg", directions(&WaveDirections::spread_rad)}};
+}
+
+std::vector<PlottedPoint> points_of(const Json& spectrum, const char* at, const std::string& unit) {
+    std::vector<PlottedPoint> points;
+    for (const Json& point : spectrum)
+        points.push_back({point.at(at), point.at("found_" + unit), point.at("expected_" + unit)});
+    return points;
+}
+
+}  // namespace
+
+Json measure_export(const std::filesystem::path& folder) {
+    const ExportReader reader("--measure", folder);
+    const SeaState& sea = reader.sea().sea;
+    const SeaReport report = report_on(sea);
+    const double whole_s = reader.step_s() * static_cast<double>(reader.frames_there());
+    const bool is_one_loop = reader.frames() == reader.frames_there() && reader.frames() > 1 &&
+                             std::fabs(whole_s / sea.loop_period_s - 1) < 1e-6;
+    std::vector<WaveMeasurement> tiles;
+    for (const TilePlan& tile : reader.tiles())
+        tiles.emplace_back(HeightSeries{.tile = tile,
+                                        .depth_m = sea.depth_m,
+                                        .loop_period_s = sea.loop_period_s,
+                                        .likely_peak_period_s = report.expected.peak_period_s,
+                                        .frames = reader.frames(),
+                                        .step_s = reader.step_s(),
+                                        .is_one_loop = is_one_loop});
+    {
+        Progress progress("frame", reader.frames());
+        for (std::size_t frame = 0; frame < reader.frames(); ++frame) {
+            progress.show(frame);
+            for (std::size_t tile = 0; tile < tiles.size(); ++tile)
+                tiles[tile].add_frame(reader.heights(frame, tile));
+        }
+    }
+    const MeasuredWaves found = measured_waves(tiles);
+    Json json = {{"version", PELAGIC_VERSION}, {"sea", sea_as_json(reader.sea())}};
+    json["frames"] = {{"read", reader.frames()},
+                      {"there", reader.frames_there()},
+                      {"apart_s", reader.step_s()},
+                      {"one_loop", is_one_loop}};
+    json["tiles"] = Json::array();
+    for (const TilePlan& tile : reader.tiles())
+        json["tiles"].push_back({{"side_m", tile.lattice.side_m}, {"resolution", tile.resolution}});
+    json["tiles_there"] = plan_tiles(sea).size();
+    json["method"] = {{"by_frequency", found.frequency_method}};
+    json["waves"] = figures_json(found, report);
+    json["by_frequency"] = spectrum_json(found.by_frequency, "frequency_hz", "m2_per_hz",
+                                         [&](const auto& at) { return model_by_frequency(sea, at); });
+    json["by_wave_number"] = spectrum_json(found.by_wave_number, "wave_number_rad_per_m", "m3",
+                                           [&](const auto& at) { return model_by_wave_number(sea, at); });
+    return json;
+}
+
+std::string measurement_as_svg(const Json& measured) {
+    std::vector<SpectrumPanel> panels;
+    if (const Json& spectrum = measured.at("by_frequency"); !spectrum.empty())
+        panels.push_back({"Spectrum by frequency", "Hz", "m²/Hz", points_of(spectrum, "frequency_hz", "m2_per_hz")});
+    panels.push_back({"Spectrum by wave number", "rad/m", "m³",
+                      points_of(measured.at("by_wave_number"), "wave_number_rad_per_m", "m3")});
+    return spectra_as_svg(panels);
+}
+
+void print_measurement(const Json& measured) {
+    const Json& frames = measured.at("frames");
+    const auto number = [](const Json& value) {
+        return value.is_null() ? std::string("-") : rounded_text(value.get<double>(), 4);
+    };
+    std::printf("%s frame%s", number(frames.at("read")).c_str(), frames.at("read") == 1 ? "" : "s");
+    if (frames.at("read") > 1)
+        std::printf(", %s s apart%s", number(frames.at("apart_s")).c_str(),
+                    frames.at("one_loop").get<bool>() ? ", one loop" : "");
+    for (const Json& tile : measured.at("tiles"))
+        std::printf(", %s x %s texels on %s m", number(tile.at("resolution")).c_str(),
+                    number(tile.at("resolution")).c_str(), number(tile.at("side_m")).c_str());
+    std::printf("\n%-30s%-14s%-14s%s\n", "Waves", "found", "drawn", "expected");
+    for (const auto& [name, value] : measured.at("waves").items())
+        std::printf("  %-28s%-14s%-14s%s\n", name.c_str(), number(value.at("found")).c_str(),
+                    number(value.at("drawn")).c_str(), number(value.at("expected")).c_str());
+    std::printf("  %-28s%s\n", "spectrum by frequency",
+                measured.at("method").at("by_frequency").get<std::string>().c_str());
+    if (measured.at("tiles").size() < measured.at("tiles_there"))
+        std::printf(
+            "note: the export has images of %zu of the sea's %s tiles: the waves of the others are not in it\n",
+            measured.at("tiles").size(), number(measured.at("tiles_there")).c_str());
+    if (frames.at("read") != frames.at("there"))
+        std::printf("note: the export has %s frames, of which the first %s were read\n",
+                    number(frames.at("there")).c_str(), number(frames.at("read")).c_str());
+}
+
+}  // namespace pelagic::tools

@@ -1,0 +1,72 @@
+#include "pelagic/tools/meshes/sea_mesh.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "pelagic/sim/query/foam_at.hpp"
+#include "pelagic/sim/surface/tile_sum.hpp"
+
+namespace pelagic::tools {
+
+double foam_of(const Frame& frame, glm::dvec2 rest) {
+    double most = 0;
+    for (const Tile& tile : frame.tiles) {
+        const TileLattice::Place place = tile.lattice.in_tile(rest.x, rest.y);
+        const double x = place.along / tile.texel_m(), z = place.across / tile.texel_m();
+        const double column = std::floor(x), row = std::floor(z);
+        most = std::max(most, foam_at(tile, static_cast<std::int64_t>(column), static_cast<std::int64_t>(row),
+                                      x - column, z - row));
+    }
+    return most;
+}
+
+std::size_t tiles_shown_by(double step_m, std::span<const TilePlan> plans) {
+    const auto is_shown = [&](const TilePlan& plan) {
+        return 3 * plan.lattice.side_m / plan.resolution >= 2 * step_m;
+    };
+    std::size_t count = 1;
+    while (count < plans.size() && is_shown(plans[count])) ++count;
+    return count;
+}
+
+glm::vec2 texture_coordinates_of(const Tile& coarsest, glm::dvec2 rest) {
+    const TileLattice::Place place = coarsest.lattice.in_tile(rest.x, rest.y);
+    const double side_m = coarsest.lattice.side_m, half_m = coarsest.texel_m() / 2;  // a texel lies in its middle
+    return glm::dvec2((place.along + half_m) / side_m, 1 - (place.across + half_m) / side_m);
+}
+
+Mesh mesh_of(const Frame& frame, const SeaPatch& patch) {
+    Frame shown = frame;
+    shown.tiles = frame.tiles.first(patch.tiles);
+    const auto drawn = [&](glm::dvec2 rest) {
+        const Displacement d = displacement_of(shown, rest.x, rest.y);
+        return glm::dvec3(rest.x + d.dx, d.height, rest.y + d.dz);
+    };
+    const double reach_m = std::max(patch.side_m / patch.steps, shown.tiles.back().texel_m());
+    const bool has_foam = !frame.tiles.front().foam_r8.empty();
+
+    const auto row = static_cast<std::uint32_t>(patch.steps) + 1;
+    Mesh mesh;
+    mesh.corners = 4;
+    mesh.positions.reserve(std::size_t{row} * row);
+    mesh.normals.reserve(std::size_t{row} * row);
+    mesh.texture_coordinates.reserve(std::size_t{row} * row);
+    mesh.faces.reserve(std::size_t{row - 1} * (row - 1) * mesh.corners);
+    for (int j = 0; j <= patch.steps; ++j) {
+        for (int i = 0; i <= patch.steps; ++i) {
+            const glm::dvec2 rest(i * patch.side_m / patch.steps, j * patch.side_m / patch.steps);
+            mesh.positions.push_back(drawn(rest));
+            mesh.normals.emplace_back(normal_at(rest, reach_m, drawn));
+            mesh.texture_coordinates.push_back(texture_coordinates_of(frame.tiles.front(), rest));
+            if (has_foam) mesh.foam.push_back(static_cast<float>(foam_of(frame, rest)));
+        }
+    }
+    for (std::uint32_t j = 0; j + 1 < row; ++j)
+        for (std::uint32_t i = 0; i + 1 < row; ++i)
+            for (const std::uint32_t corner :
+                 {j * row + i, (j + 1) * row + i, (j + 1) * row + i + 1, j * row + i + 1})
+                mesh.faces.push_back(corner);
+    return mesh;
+}
+
+}  // namespace pelagic::tools

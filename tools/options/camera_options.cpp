@@ -1,0 +1,57 @@
+#include "pelagic/tools/options/camera_options.hpp"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "pelagic/tools/text/errors.hpp"
+#include "pelagic/tools/text/option_text.hpp"
+
+namespace pelagic::tools {
+namespace {
+
+constexpr double furthest_m = 1e7;
+constexpr glm::dvec3 usual_position_m{0, 8, 0}, usual_target_m{60, 0, 60};
+constexpr double usual_fov_deg = 60;
+
+glm::dvec3 point(const std::string& option, const std::string& text) {
+    const auto refuse = [&] { return bad_value(option, text, "X,Y,Z in metres, each in [-1e7, 1e7]"); };
+    const std::vector<std::string> parts = split_at_commas(text);
+    if (parts.size() != 3) throw refuse();
+    glm::dvec3 all;
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto number = parse_number(parts[static_cast<std::size_t>(axis)]);
+        if (!number || std::abs(*number) > furthest_m) throw refuse();
+        all[axis] = *number;
+    }
+    return all;
+}
+
+}  // namespace
+
+void CameraFlags::add_to(CLI::App& app) {
+    const auto text = [](glm::dvec3 p) { return number_text(p.x) + "," + number_text(p.y) + "," + number_text(p.z); };
+    app.add_option("--camera", camera_,
+                   "where it is seen from, X,Y,Z in metres, y up [" + text(usual_position_m) + "]")
+        ->type_name("X,Y,Z");
+    app.add_option("--target", target_, "what is looked at, X,Y,Z in metres [" + text(usual_target_m) + "]")
+        ->type_name("X,Y,Z");
+    app.add_option("--fov", fov_, "vertical field of view, degrees, [1, 160] [" + number_text(usual_fov_deg) + "]")
+        ->type_name("DEG");
+}
+
+Camera CameraFlags::resolve() const {
+    Camera camera{usual_position_m, usual_target_m, glm::radians(usual_fov_deg)};
+    if (camera_) camera.position_m = point("--camera", *camera_);
+    if (target_)
+        camera.target_m = point("--target", *target_);
+    else if (camera_)
+        camera.target_m =
+            camera.position_m + glm::dvec3(60, -8, 60);  // ahead and a little down, wherever the camera is
+    if (glm::length(camera.target_m - camera.position_m) < 1e-6)
+        throw bad_value("--target", target_.value_or("the default"), "another place than --camera");
+    if (fov_) camera.vertical_view_rad = glm::radians(number_in("--fov", *fov_, 1, 160, "[1, 160]"));
+    return camera;
+}
+
+}  // namespace pelagic::tools

@@ -1,0 +1,107 @@
+#include "pelagic/tools/options/config_file.hpp"
+
+#include <algorithm>
+#include <sstream>
+
+// toml++ 3.3 takes for granted that a table's header goes on with a key, and "[ *" does not: it asserts, and where
+// assertions are off clang compiles the impossible. Such a text is malformed like any other.
+namespace pelagic::tools {
+struct NotToml {};
+constexpr void take_for_granted(bool is_so) {
+    if (!is_so) throw NotToml();
+}
+}  // namespace pelagic::tools
+#undef NDEBUG
+#define TOML_ASSERT(expr) ::pelagic::tools::take_for_granted(static_cast<bool>(expr))
+#include <toml++/toml.h>
+
+#include "pelagic/tools/files/input_file.hpp"
+#include "pelagic/tools/text/errors.hpp"
+#include "pelagic/tools/text/option_text.hpp"
+
+namespace pelagic::tools {
+namespace {
+
+std::string place_of(const std::filesystem::path& file, const toml::source_region& source) {
+    return file.string() + ":" + number_text(source.begin.line);
+}
+
+std::string value_text(const toml::node& node, const std::string& place, std::string_view key) {
+    if (const auto* text = node.as_string()) return text->get();
+    if (const auto* whole = node.as_integer()) return number_text(whole->get());
+    if (const auto* number = node.as_floating_point()) return number_text(number->get());
+    std::ostringstream type;
+    type << node.type();
+    throw InputError(place + ": " + std::string(key) + " is of type " + type.str() + ", needs a number or a text");
+}
+
+toml::table parsed(std::string_view text, const std::filesystem::path& file) {
+    try {
+        return toml::parse(text);
+    } catch (const toml::parse_error& error) {
+        throw InputError(place_of(file, error.source()) + ": " + std::string(error.description()) +
+                         ", needs lines such as wind_speed = 9.0");
+    } catch (const NotToml&) {
+        throw InputError(file.string() + ": malformed table, needs lines such as wind_speed = 9.0");
+    }
+}
+
+std::vector<ConfigEntry> entries_of(const toml::table& table, const std::filesystem::path& file,
+                                    std::span<const std::string> known) {
+    std::vector<ConfigEntry> entries;
+    for (const auto& [name, node] : table) {
+        const std::string key(name.str());
+        const std::string place = place_of(file, node.source());
+        if (node.is_table())
+            throw InputError(place + ": " + key +
+                             " is a table, needs known keys at the top level, such as wind_speed = 9.0");
+        if (std::find(known.begin(), known.end(), key) == known.end())
+            throw InputError(place + ": unknown key " + key + ", needs " + list_of(known) + nearest_hint(key, known));
+        entries.push_back({key, value_text(node, place, key), place, node.is_string()});
+    }
+    return entries;
+}
+
+bool is_json(std::string_view text) {
+    const std::size_t first = text.find_first_not_of(" \t\r\n");
+    return first != std::string_view::npos && text[first] == '{';
+}
+
+}  // namespace
+
+std::vector<std::string> change_keys() { return {"from", "over", "swell_from"}; }
+
+std::vector<ConfigEntry> parse_config(std::string_view text, const std::filesystem::path& file,
+                                      std::span<const std::string> known) {
+    return entries_of(parsed(text, file), file, known);
+}
+
+WeatherConfig parse_weather(std::string_view text, const std::filesystem::path& file,
+                            std::span<const std::string> known) {
+    constexpr std::string_view change_key = "change";
+    toml::table table = parsed(text, file);
+    WeatherConfig weather;
+    if (const toml::node* changes = table.get(change_key)) {
+        if (!changes->is_array_of_tables())
+            throw InputError(place_of(file, changes->source()) + ": change is no table, needs lines [[change]]");
+        std::vector<std::string> keys = change_keys();
+        keys.insert(keys.end(), known.begin(), known.end());
+        for (const toml::node& change : *changes->as_array())
+            weather.changes.push_back({place_of(file, change.source()), entries_of(*change.as_table(), file, keys)});
+        table.erase(change_key);
+    }
+    weather.first = entries_of(table, file, known);
+    return weather;
+}
+
+WeatherConfig read_weather(const std::filesystem::path& file, std::span<const std::string> known) {
+    const std::string text = InputFile("--weather", file, "a TOML file or a sea.json").read_all(most_config_bytes);
+    return is_json(text) ? parse_weather_record(text, file, known) : parse_weather(text, file, known);
+}
+
+std::vector<ConfigEntry> read_config(const std::filesystem::path& file, std::span<const std::string> known) {
+    const std::string text = InputFile("--config", file, "a TOML file or a sea.json").read_all(most_config_bytes);
+    return is_json(text) ? parse_sea_record(text, file, known) : parse_config(text, file, known);
+}
+
+}  // namespace pelagic::tools

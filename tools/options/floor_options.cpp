@@ -1,0 +1,116 @@
+#include "pelagic/tools/options/floor_options.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "pelagic/tools/files/input_file.hpp"
+#include "pelagic/tools/images/image_codec.hpp"
+#include "pelagic/tools/text/errors.hpp"
+#include "pelagic/tools/text/option_text.hpp"
+
+namespace pelagic::tools {
+namespace {
+
+constexpr const char* an_image = "a PNG or EXR image, each side from 2 to 4096 pixels";
+constexpr std::size_t most_bytes = std::size_t{256} << 20;
+constexpr double usual_size_m = 1000, usual_low_m = -20, usual_high_m = 10;
+
+std::pair<double, double> two_numbers(const char* option, const std::string& text, double most,
+                                      const char* accepted) {
+    const std::vector<std::string> parts = split_at_commas(text);
+    const auto first = parse_number(parts[0]), second = parse_number(parts.size() == 2 ? parts[1] : "");
+    if (!first || !second || std::abs(*first) > most || std::abs(*second) > most)
+        throw bad_value(option, text, accepted);
+    return {*first, *second};
+}
+
+/// The first channel: of a PNG from 0 for black to 1 for white, of an EXR what it holds.
+gl::SeaFloor read_heights(const std::string& file, const std::string& extension) {
+    const std::string bytes = InputFile("--floor", file, an_image).read_all(most_bytes);
+    const std::span<const unsigned char> data(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());
+    gl::SeaFloor floor;
+    try {
+        ImageDescription image{.extension = extension.c_str(),
+                               .width = 0,
+                               .height = 0,
+                               .channels = 0,
+                               .sample = Sample::float32,
+                               .colour_space = nullptr,
+                               .compression = nullptr};
+        image_codec().measure(image, data);
+        constexpr int most = gl::SeaFloor::most_samples_a_side;
+        if (image.width < 2 || image.width > most || image.height < 2 || image.height > most)
+            throw std::runtime_error("it has " + number_text(image.width) + " x " + number_text(image.height) +
+                                     " pixels");
+        const std::vector<float> pixels = image_codec().decode(image, data);
+        floor.columns = image.width;
+        floor.rows = image.height;
+        for (std::size_t i = 0; i < pixels.size(); i += static_cast<std::size_t>(image.channels))
+            floor.heights_m.push_back(pixels[i]);
+    } catch (const FileError&) {
+        throw;
+    } catch (const std::runtime_error& error) {
+        throw bad_value("--floor", file, std::string(an_image) + " (" + error.what() + ")");
+    }
+    return floor;
+}
+
+}  // namespace
+
+void FloorFlags::add_to(CLI::App& app) {
+    app.add_option(
+           "--floor", file_,
+           "heights of the sea's floor, an image: of a PNG the grey from --floor-heights' low (black) to high "
+           "(white), of an EXR metres above rest; default even, at --depth")
+        ->type_name("FILE.png|exr");
+    app.add_option("--floor-size", size_, "how wide the image is in the world, metres, [1, 1e6] [1000]")
+        ->type_name("M");
+    app.add_option("--floor-middle", middle_, "where its middle is, X,Z in metres [0,0]")->type_name("X,Z");
+    app.add_option("--floor-heights", heights_, "of black and white, metres above rest [-20,10]")
+        ->type_name("LOW,HIGH");
+}
+
+std::string FloorFlags::typed() const {
+    std::string text;
+    for (const auto& [option, value] :
+         {std::pair{" --floor ", &file_}, std::pair{" --floor-size ", &size_},
+          std::pair{" --floor-middle ", &middle_}, std::pair{" --floor-heights ", &heights_}})
+        if (*value) text += option + **value;
+    return text;
+}
+
+gl::SeaFloor FloorFlags::resolve() const {
+    if (!file_) {
+        for (const auto& [option, text] : {std::pair{"--floor-size", &size_}, std::pair{"--floor-middle", &middle_},
+                                           std::pair{"--floor-heights", &heights_}})
+            if (*text) throw bad_value(option, **text, "--floor beside it");
+        return {};
+    }
+    std::string extension = std::filesystem::path(*file_).extension().string();
+    if (!extension.empty()) extension.erase(0, 1);
+    std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
+    if (extension != "png" && extension != "exr") throw bad_value("--floor", *file_, an_image);
+    const double size_m = size_ ? number_in("--floor-size", *size_, 1, 1e6, "metres in [1, 1e6]") : usual_size_m;
+    const auto [x, z] = middle_ ? two_numbers("--floor-middle", *middle_, 1e7, "X,Z in metres, each in [-1e7, 1e7]")
+                                : std::pair{0.0, 0.0};
+    const char* const two_heights = "LOW,HIGH in metres above rest, -11000 <= LOW < HIGH <= 9000";
+    if (heights_ && extension == "exr") throw bad_value("--floor-heights", *heights_, "a PNG: an EXR holds metres");
+    const auto [low, high] = heights_ ? two_numbers("--floor-heights", *heights_, 11000, two_heights)
+                                      : std::pair{usual_low_m, usual_high_m};
+    if (!(low < high) || high > 9000) throw bad_value("--floor-heights", *heights_, two_heights);
+
+    gl::SeaFloor floor = read_heights(*file_, extension);
+    floor.metres_a_texel = size_m / floor.columns;
+    floor.corner_m = glm::dvec2(x, z) - 0.5 * floor.metres_a_texel * glm::dvec2(floor.columns - 1, floor.rows - 1);
+    if (extension == "png")
+        for (float& height : floor.heights_m) height = static_cast<float>(low + height * (high - low));
+    if (const std::string reason = check(floor); !reason.empty())
+        throw bad_value("--floor", *file_, "heights in metres (" + reason + ")");
+    return floor;
+}
+
+}  // namespace pelagic::tools

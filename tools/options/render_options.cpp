@@ -1,0 +1,106 @@
+#include "pelagic/tools/options/render_options.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "pelagic/tools/text/errors.hpp"
+#include "pelagic/tools/text/option_text.hpp"
+
+namespace pelagic::tools {
+namespace {
+
+constexpr int most_frames = 100'000;
+
+/// Empty if the option was not given. \param extension  ".png" or ".exr"
+std::filesystem::path checked_file(const std::string& option, const std::optional<std::string>& text,
+                                   const std::string& extension) {
+    if (!text) return {};
+    const std::filesystem::path file = *text;
+    if (file.extension() != extension || file.stem().empty())
+        throw bad_value(option, *text, "a file named *" + extension);
+    if (file.filename().string().find('%') != std::string::npos)
+        throw bad_value(
+            option, *text,
+            "a name without %: with --frames, FILE" + extension + " becomes FILE_0000" + extension + " and so on");
+    std::error_code error;
+    if (std::filesystem::is_directory(file, error)) throw bad_value(option, *text, "a file, but that is a folder");
+    return file;
+}
+
+glm::dvec2 rock_place(const std::string& option, const std::string& text) {
+    constexpr double furthest_m = 1e4;
+    const auto refuse = [&] { return bad_value(option, text, "X,Z in metres, each in [-10000, 10000]"); };
+    const std::vector<std::string> parts = split_at_commas(text);
+    if (parts.size() != 2) throw refuse();
+    const auto x = parse_number(parts[0]), z = parse_number(parts[1]);
+    if (!x || !z || std::abs(*x) > furthest_m || std::abs(*z) > furthest_m) throw refuse();
+    return {*x, *z};
+}
+
+}  // namespace
+
+std::filesystem::path RenderOptions::file_of(const std::filesystem::path& named, int frame) const {
+    if (frames == 1) return named;
+    std::array<char, 16> number;
+    std::snprintf(number.data(), number.size(), "_%04d", frame);
+    return named.parent_path() / (named.stem().string() + number.data() + named.extension().string());
+}
+
+void RenderFlags::add_to(CLI::App& app) {
+    const auto add = [&](const std::string& flag, const std::string& type, const std::string& help) {
+        app.add_option("--" + flag, typed_[flag], help)->type_name(type);
+    };
+    add("out", "FILE.png", "the picture; with --frames FILE_0000.png and so on");
+    add("hdr", "FILE.exr",
+        "the picture's radiance, linear, 32-bit floats; the sun above the air gives an irradiance of 1");
+    add("sky", "FILE.exr", "the sky around, 2048x1024, as an environment map without the sun's disc");
+    add("time", "SECONDS", "of the first frame, in [-1e9, 1e9]; default 0");
+    add("frames", "NUMBER", "how many pictures; 1 to 100000, default 1");
+    add("fps", "NUMBER", "pictures a second; (0, 1000], default 24");
+    add("rock", "X,Z",
+        "a rock, about 12 m wide and 6 m high, stands in the sea there and is mirrored; metres, each in [-10000, "
+        "10000]");
+    app.add_flag("--wireframe", wireframe_, "the mesh, a colour for each level of detail");
+    app.add_flag("--stereo", stereo_, "both eyes beside one another");
+    app.add_flag("--json", json_, "draw calls, triangles, bytes and times, for programs");
+    scene_.add_to(app);
+}
+
+RenderOptions RenderFlags::resolve() const {
+    RenderOptions options;
+    options.file = checked_file("--out", typed_.at("out"), ".png");
+    options.hdr_file = checked_file("--hdr", typed_.at("hdr"), ".exr");
+    options.sky_file = checked_file("--sky", typed_.at("sky"), ".exr");
+    if (options.file.empty() && options.hdr_file.empty() && options.sky_file.empty())
+        throw InputError("--out is missing, needs a PNG file to write; or give --hdr or --sky, an EXR file");
+    if (options.hdr_file == options.sky_file && !options.sky_file.empty())
+        throw bad_value("--sky", options.sky_file.string(), "another file than --hdr");
+    if (wireframe_ && !options.hdr_file.empty())
+        throw bad_value("--hdr", options.hdr_file.string(),
+                        "a sea without --wireframe, whose colours are no radiance");
+    options.scene = scene_.resolve();
+    options.wireframe = wireframe_;
+    options.stereo = stereo_;
+    options.json = json_;
+
+    const auto given = [&](const char* flag, auto use) {
+        if (const auto& text = typed_.at(flag)) use("--" + std::string(flag), *text);
+    };
+    given("time", [&](const auto& option, const auto& text) {
+        options.time_s = number_in(option, text, -1e9, 1e9, "seconds in [-1e9, 1e9]");
+    });
+    given("frames", [&](const auto& option, const auto& text) {
+        options.frames = whole_number_in(option, text, 1, most_frames);
+    });
+    given("rock", [&](const auto& option, const auto& text) {
+        options.rock_m = rock_place(option, text);
+        if (stereo_ || wireframe_) throw bad_value(option, text, "a picture without --stereo and --wireframe");
+    });
+    given("fps", [&](const auto& option, const auto& text) {
+        options.fps = number_in(option, text, 1e-6, 1000, "frames a second in (0, 1000]");
+    });
+    return options;
+}
+
+}  // namespace pelagic::tools

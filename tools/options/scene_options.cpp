@@ -1,0 +1,210 @@
+#include "pelagic/tools/options/scene_options.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "pelagic/gl/light_presets.hpp"
+#include "pelagic/sim/statistics.hpp"
+#include "pelagic/tools/images/flow_file.hpp"
+#include "pelagic/tools/text/errors.hpp"
+#include "pelagic/tools/text/option_text.hpp"
+
+namespace pelagic::tools {
+namespace {
+
+constexpr double radians_per_degree = 3.14159265358979323846 / 180;
+constexpr int most_pixels_a_side = 8192;
+
+void read_size(SceneOptions& options, const std::string& text) {
+    const std::size_t x = text.find('x');
+    const auto side = [&](std::string_view digits) {
+        const std::int64_t pixels = parse_integer(digits).value_or(0);
+        if (pixels < 16 || pixels > most_pixels_a_side)
+            throw bad_value("--size", text, "WIDTHxHEIGHT, each from 16 to " + number_text(most_pixels_a_side));
+        return static_cast<int>(pixels);
+    };
+    options.width = side(std::string_view(text).substr(0, x));
+    options.height = side(x == std::string::npos ? "" : std::string_view(text).substr(x + 1));
+}
+
+void read_direction(const std::string& option, const std::string& text, float& azimuth_rad, float& elevation_rad) {
+    const std::vector<std::string> parts = split_at_commas(text);
+    const auto azimuth = parse_number(parts[0]), elevation = parse_number(parts.size() == 2 ? parts[1] : "");
+    if (!azimuth || !elevation || std::abs(*azimuth) > 3600 || std::abs(*elevation) > 90)
+        throw bad_value(option, text, "AZIMUTH,ELEVATION in degrees, elevation in [-90, 90]");
+    azimuth_rad = static_cast<float>(*azimuth * radians_per_degree);
+    elevation_rad = static_cast<float>(*elevation * radians_per_degree);
+}
+
+void choose_surface(SceneOptions& options, const std::string& name, const std::optional<std::string>& flow_file) {
+    const std::optional<gl::Surface> surface = gl::surface_named(name);
+    if (!surface) {
+        const auto all = gl::surface_names();
+        const std::vector<std::string> names(all.begin(), all.end());
+        throw bad_value("--surface", name, list_of(names) + nearest_hint(name, names));
+    }
+    options.surface = *surface;
+    if (!flow_file) return;
+    if (options.surface != gl::Surface::river)
+        throw InputError("--flow is given, needs --surface river, the only water that flows");
+    options.flow = read_flow_map("--flow", *flow_file);
+}
+
+void choose_quality(SceneOptions& options, const std::string& name) {
+    const QuadtreePreset* preset = quadtree_preset_named(name);
+    if (!preset) {
+        std::vector<std::string> names;
+        for (const QuadtreePreset& each : quadtree_presets()) names.emplace_back(each.name);
+        throw bad_value("--quality", name, list_of(names) + nearest_hint(name, names));
+    }
+    options.quality = name;
+    // From high up one sees far: waves end at 5/16 of the square's side.
+    // Small water is looked at from near, and its waves are short: a small square has vertices for them.
+    const double size_m = options.surface != gl::Surface::open ? 512
+                          : options.camera.position_m.y > 100  ? 8192
+                                                               : 4096;
+    options.quadtree = preset->options(size_m);
+}
+
+gl::WaterOptics chosen_water(const std::optional<std::string>& type, const std::optional<std::string>& chlorophyll) {
+    if (type && chlorophyll)
+        throw InputError(
+            "--water and --chlorophyll are both given; each says what the water is made of, needs one of them");
+    if (chlorophyll)
+        return gl::water_optics_of_chlorophyll(
+            static_cast<float>(number_in("--chlorophyll", *chlorophyll, 0.01, 30, "mg/m^3 in [0.01, 30]")));
+    const std::string name = type.value_or(std::string(gl::default_jerlov_type));
+    const std::vector<std::string> names(gl::jerlov_types().begin(), gl::jerlov_types().end());
+    if (std::ranges::find(names, name) == names.end())
+        throw bad_value("--water", name, list_of(names) + nearest_hint(name, names));
+    return gl::water_optics(name);
+}
+
+const gl::LightPreset& light_named(const std::string& option, const std::string& name) {
+    if (const gl::LightPreset* light = gl::light_preset_named(name)) return *light;
+    std::vector<std::string> names;
+    for (const gl::LightPreset& each : gl::light_presets()) names.emplace_back(each.name);
+    throw bad_value(option, name, list_of(names) + nearest_hint(name, names));
+}
+
+/// As typed; without a place, above the highest crests.
+Camera chosen_camera(const CameraFlags& flags, const SeaState& sea) {
+    Camera camera = flags.resolve();
+    if (!flags.has_place())
+        camera.position_m.y = std::max(camera.position_m.y, 2 + 1.2 * expected_waves(sea).significant_wave_height_m);
+    return camera;
+}
+
+/// The stronger the wind, the more clouds and spray: a fair day at 3 m/s, a ragged sky in a gale.
+gl::SkyOptions usual_sky(const SeaState& sea) {
+    const double wind = sea.wind_speed_mps;
+    return {.sun_azimuth_rad = static_cast<float>(80 * radians_per_degree),
+            .sun_elevation_rad = static_cast<float>(32 * radians_per_degree),
+            .cloud_cover = static_cast<float>(std::clamp(0.22 + 0.022 * wind, 0.2, 0.75)),
+            .visibility_m = static_cast<float>(std::clamp(60e3 - 2e3 * wind, 12e3, 60e3))};
+}
+
+}  // namespace
+
+void SceneFlags::add_to(CLI::App& app) {
+    const auto add = [&](const std::string& flag, const std::string& type, const std::string& help) {
+        app.add_option("--" + flag, typed_[flag], help)->type_name(type);
+    };
+    add("size", "WxH", "pixels, each side from 16 to 8192; default 1280x720");
+    camera_.add_to(app);
+    std::string lights = "sky and exposure by name; --sun, --moon, --clouds, --visibility and --exposure-bias win:";
+    for (const gl::LightPreset& light : gl::light_presets())
+        lights += (&light == &gl::light_presets().front() ? " " : "; ") + std::string(light.name) + " (" +
+                  std::string(light.meaning) + ")";
+    add("light", "NAME", lights);
+    add("sun", "AZIMUTH,ELEVATION", "degrees, from +x towards +z and [-90, 90] above the horizon; default 80,32");
+    add("moon", "AZIMUTH,ELEVATION",
+        "as --sun; it shines by night, its phase follows; default opposite the sun, full");
+    add("clouds", "PART", "of the sky, [0, 1]; default by the wind");
+    add("water", "TYPE", "of Jerlov: I, IA, IB, II, III in the ocean, 1C, 3C, 5C, 7C, 9C at coasts; default II");
+    add("chlorophyll", "MG_PER_M3", "instead of --water: what lives in the water colours it; [0.01, 30]");
+    add("shading", "TIER",
+        "what a pixel of water may cost: headset, medium or high; default high, in a window by the frame time");
+    add("visibility", "METRES", "where haze leaves 2 % of contrast, [500, 300000]; default by the wind");
+    add("surface", "NAME",
+        "what is drawn: open, or small water in its place: lake, coast, river, pond; default open");
+    add("flow", "FILE.png",
+        "velocities of a river in red (x) and green (z), 128 is none; square, 160 m wide, 255 is 1.5 m/s; "
+        "default a winding channel");
+    add("quality", "NAME", "level of detail: low, medium, high or ultra; default high");
+    add("exposure", "EV",
+        "exposure value at ISO 100, [-10, 20]: 15 is sunlight, 12 an overcast day, -3 moonlight; default auto, "
+        "metered on "
+        "what is in view");
+    add("exposure-bias", "STOPS", "brighter than metered, [-5, 5]; default 0");
+    add("bloom", "PART", "of each pixel's light that the lens spreads around it, [0, 1]; default 0.04");
+    floor_.add_to(app);
+    sea_.add_to(app);
+    sea_.add_weather_to(app);
+    compute_.add_to(app);
+}
+
+void SceneFlags::read_camera_settings(gl::CameraSettings& settings) const {
+    const auto given = [&](const char* flag, auto use) {
+        if (const auto& text = typed_.at(flag)) use("--" + std::string(flag), *text);
+    };
+    given("exposure", [&](const auto& option, const auto& text) {
+        if (text == "auto") return;
+        settings.fixed_ev = static_cast<float>(number_in(option, text, double{gl::least_ev}, double{gl::most_ev},
+                                                         "auto, or an exposure value in [-10, 20]"));
+    });
+    given("exposure-bias", [&](const auto& option, const auto& text) {
+        const auto most = double{gl::most_bias_stops};
+        settings.bias_stops = static_cast<float>(number_in(option, text, -most, most, "stops in [-5, 5]"));
+    });
+    given("bloom", [&](const auto& option, const auto& text) {
+        settings.bloom = static_cast<float>(number_in(option, text, 0, 1, "a part in [0, 1]"));
+    });
+}
+
+SceneOptions SceneFlags::resolve() const {
+    SceneOptions options;
+    options.sea = sea_.resolve();
+    options.compute = compute_.resolve();
+    options.camera = chosen_camera(camera_, options.sea.sea);
+    options.sky = usual_sky(options.sea.sea);
+    options.floor = floor_.resolve();
+
+    const auto given = [&](const char* flag, auto use) {
+        if (const auto& text = typed_.at(flag)) use("--" + std::string(flag), *text);
+    };
+    given("size", [&](const auto&, const auto& text) { read_size(options, text); });
+    given("light", [&](const auto& option, const auto& text) {
+        const gl::LightPreset& light = light_named(option, text);
+        options.light = light.name;
+        options.sky = light.sky;
+        options.settings.bias_stops = light.bias_stops;
+    });
+    given("sun", [&](const auto& option, const auto& text) {
+        read_direction(option, text, options.sky.sun_azimuth_rad, options.sky.sun_elevation_rad);
+    });
+    given("moon", [&](const auto& option, const auto& text) {
+        read_direction(option, text, options.sky.moon_azimuth_rad, options.sky.moon_elevation_rad);
+        options.sky.places_moon = true;
+    });
+    given("clouds", [&](const auto& option, const auto& text) {
+        options.sky.cloud_cover = static_cast<float>(number_in(option, text, 0, 1, "a part in [0, 1]"));
+    });
+    given("shading", [&](const auto& option, const auto& text) {
+        const std::optional<gl::Shading> shading = gl::shading_named(text);
+        const std::vector<std::string> names(gl::shading_names.begin(), gl::shading_names.end());
+        if (!shading) throw bad_value(option, text, list_of(names) + nearest_hint(text, names));
+        options.shading = *shading;
+    });
+    options.water = chosen_water(typed_.at("water"), typed_.at("chlorophyll"));
+    given("visibility", [&](const auto& option, const auto& text) {
+        options.sky.visibility_m = static_cast<float>(number_in(option, text, 500, 300e3, "metres in [500, 300000]"));
+    });
+    read_camera_settings(options.settings);
+    choose_surface(options, typed_.at("surface").value_or("open"), typed_.at("flow"));
+    choose_quality(options, typed_.at("quality").value_or("high"));
+    return options;
+}
+
+}  // namespace pelagic::tools

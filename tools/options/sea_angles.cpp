@@ -1,0 +1,28 @@
+// The options of a sea that are angles, apart from the command line: whoever reads or writes files needs them too.
+#include <algorithm>
+#include <array>
+
+#include "pelagic/tools/options/sea_options.hpp"
+
+namespace pelagic::tools {
+namespace {
+
+constexpr std::array angles = {
+    SeaAngle{"wind_direction_rad", "wind_direction_deg", &SeaState::wind_direction_rad,
+             &ResolvedSea::wind_direction_deg},
+    SeaAngle{"swell_direction_rad", "swell_direction_deg", &SeaState::swell_direction_rad,
+             &ResolvedSea::swell_direction_deg},
+    SeaAngle{"swell_spread_rad", "swell_spread_deg", &SeaState::swell_spread_rad, &ResolvedSea::swell_spread_deg},
+};
+
+}  // namespace
+
+std::span<const SeaAngle> sea_angles() { return angles; }
+
+const SeaAngle* sea_angle(std::string_view field) {
+    const auto found =
+        std::find_if(angles.begin(), angles.end(), [&](const auto& angle) { return angle.field == field; });
+    return found == angles.end() ? nullptr : found;
+}
+
+}  // namespace pelagic::tools

@@ -1,0 +1,374 @@
+#include "pelagic/tools/options/sea_options.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "pelagic/tools/options/config_file.hpp"
+#include "pelagic/tools/text/errors.hpp"
+#include "pelagic/tools/text/option_text.hpp"
+#include "pelagic/tools/text/wind_text.hpp"
+
+namespace pelagic::tools {
+namespace {
+
+constexpr double radians_per_degree = 3.14159265358979323846 / 180;
+
+/// A numeric flag and the field of SeaState behind it.
+struct SeaFlag {
+    std::string_view flag;
+    std::string_view field;
+    std::string_view help;
+};
+
+constexpr std::array sea_flags = {
+    SeaFlag{"cascades", "cascades", "tiles, each with a band of the waves, their sides chosen from the sea"},
+    SeaFlag{"resolution", "resolution", "texels along a side of a tile"},
+    SeaFlag{"patch-size", "patch_size_m", "one tile, of this side in metres, after which the sea repeats"},
+    SeaFlag{"wind-speed", "wind_speed_mps", "mean wind 10 m above the sea"},
+    SeaFlag{"wind-direction", "wind_direction_rad",
+            "where the wind blows towards, from +x (east) towards +z (south; north is -z)"},
+    SeaFlag{"fetch", "fetch_m", "how far the wind has blown over water, in metres (jonswap)"},
+    SeaFlag{"depth", "depth_m", "water depth in metres; waves over 0.6 of it break"},
+    SeaFlag{"choppiness", "choppiness", "sideways motion that sharpens crests"},
+    SeaFlag{"roughness", "roughness",
+            "of the water between texels; wind: what the waves of the grid lack of a sea's slopes"},
+    SeaFlag{"small-waves", "small_waves",
+            "damping of small waves: 1 removes those shorter than a quarter of the peak's"},
+    SeaFlag{"alignment", "alignment",
+            "of the waves with the wind (spreading paper): with 0 a third of the energy runs against it, with 1 a "
+            "hundredth"},
+    SeaFlag{"swell-height", "swell_height_m", "significant height of waves from elsewhere, in metres; 0: none"},
+    SeaFlag{"swell-period", "swell_period_s", "peak period of the swell, in seconds"},
+    SeaFlag{"swell-direction", "swell_direction_rad", "where the swell runs towards, as --wind-direction"},
+    SeaFlag{"swell-spread", "swell_spread_rad", "standard deviation of the swell's directions"},
+    SeaFlag{"loop-period", "loop_period_s", "the sea repeats exactly after this time, in seconds"},
+    SeaFlag{"seed", "seed", "which sea of this kind"},
+    SeaFlag{"wave-count", "wave_count", "waves of an analytic sea, octaves of a pond (waves analytic, exp-sine)"},
+    SeaFlag{"longest-wave", "longest_wave_m", "their longest, in metres"},
+    SeaFlag{"shortest-wave", "shortest_wave_m", "their shortest, in metres"},
+    SeaFlag{"wave-strength", "wave_strength", "of an analytic sea: 0 calm, 1 moderate, 2 intense"},
+    SeaFlag{"wave-height", "wave_height_m", "their significant height, in metres"},
+    SeaFlag{"wave-drag", "wave_drag", "how far a pond's long waves move its short ones"},
+};
+
+const SeaStateField& field_of(const SeaFlag& flag) {
+    const auto fields = sea_state_fields();
+    return *std::find_if(fields.begin(), fields.end(), [&](const auto& field) { return field.name == flag.field; });
+}
+
+bool is_angle(const SeaFlag& flag) { return sea_angle(flag.field) != nullptr; }
+bool is_roughness(const SeaFlag& flag) { return flag.field == "roughness"; }
+bool is_direction(const SeaFlag& flag) { return flag.field.ends_with("_direction_rad"); }
+bool is_speed(const SeaFlag& flag) { return flag.field == "wind_speed_mps"; }
+
+std::string accepted_by(const SeaFlag& flag) {
+    if (is_direction(flag)) return "degrees in [-360, 360], or one of 16 points such as from-NW or to-SE";
+    if (is_angle(flag)) return "degrees in [1, 80]";
+    if (is_roughness(flag)) return "[0, 1] or wind";
+    const std::string accepted(field_of(flag).accepted);
+    return is_speed(flag) ? accepted + " " + speed_units : accepted;
+}
+
+/// A text in a config file, "20kn" or "from-NW", may stand for a number.
+bool takes_words(const SeaFlag& flag) { return is_direction(flag) || is_speed(flag) || is_roughness(flag); }
+
+/// In the flag's unit, which for an angle is degrees.
+std::optional<double> parse_value(const SeaFlag& flag, const std::string& text) {
+    if (is_speed(flag)) return parse_speed_mps(text);
+    if (is_roughness(flag) && text == "wind") return -1;
+    if (is_direction(flag))
+        if (const auto degrees = parse_compass_deg(text)) return degrees;
+    const bool is_whole = !std::holds_alternative<double SeaState::*>(field_of(flag).member);
+    if (is_whole && !parse_integer(text)) return {};
+    return parse_number(text);
+}
+
+std::string default_of(const SeaFlag& flag) {
+    if (is_roughness(flag)) return "wind";
+    if (flag.field == "cascades") return number_text(default_cascades) + ", of one side 1";
+    if (flag.field == "resolution") return "128, of one tile with --patch-size 256";
+    if (flag.field == "patch_size_m") return "several tiles";
+    if (flag.field == "wave_count") return "16, of a pond 24";
+    if (flag.field == "longest_wave_m") return "120, of a pond 1.2";
+    if (flag.field == "shortest_wave_m") return "a sixtieth of the longest, of a pond a 45th";
+    if (flag.field == "wave_height_m") return "what the strength makes, of a pond 0.017 of its longest wave";
+    const SeaAngle* const angle = sea_angle(flag.field);
+    return number_text(angle ? ResolvedSea{}.*angle->degrees : field_of(flag).value_in({}));
+}
+
+std::string config_key(std::string_view flag) {
+    std::string key(flag);
+    std::replace(key.begin(), key.end(), '-', '_');
+    return key;
+}
+
+std::vector<std::string> names_of_waves() {
+    std::vector<std::string> names;
+    for (const WaveModel waves : wave_models()) names.emplace_back(name_of(waves));
+    return names;
+}
+
+std::vector<std::string> names_of_spectra() {
+    std::vector<std::string> names;
+    for (const SpectrumModel model : spectrum_models()) names.emplace_back(name_of(model));
+    return names;
+}
+
+std::vector<std::string> names_of_spreadings() {
+    std::vector<std::string> names;
+    for (const SpreadingModel model : spreading_models()) names.emplace_back(name_of(model));
+    return names;
+}
+
+bool is_force(const SeaPreset& preset) { return preset.name.starts_with("beaufort-"); }
+
+/// A line for each preset but those of Beaufort's forces, which share one: thirteen of them would bury the others.
+std::string help_of_presets() {
+    std::string help = "a sea by name:";
+    for (const SeaPreset& preset : sea_presets())
+        if (!is_force(preset)) help.append("\n").append(preset.name).append(": ").append(preset.summary);
+    return help + "\nbeaufort-0 to beaufort-12: the open sea of that force of wind, Hs 0 to 14 m";
+}
+
+[[noreturn]] void refuse_name(const std::string& asked_by, const std::string& value,
+                              const std::vector<std::string>& names) {
+    throw bad_value(asked_by, value, list_of(names) + nearest_hint(value, names));
+}
+
+/// As they would be typed, if those are the same radians: 30, not 29.999999999999996.
+double degrees_of(double radians) {
+    const double degrees = radians / radians_per_degree, typed = std::round(1e6 * degrees) / 1e6;
+    return typed * radians_per_degree == radians ? typed : degrees;
+}
+
+void apply_preset(ResolvedSea& resolved, const std::string& name, const std::string& asked_by) {
+    if (const SeaPreset* preset = sea_preset_named(name)) {
+        resolved = {};
+        for (const SeaAngle& angle :
+             sea_angles())  // a degree that a preset leaves as it is by default keeps its digits
+            if (preset->sea.*angle.radians != resolved.sea.*angle.radians)
+                resolved.*angle.degrees = degrees_of(preset->sea.*angle.radians);
+        resolved.sea = preset->sea;
+        resolved.preset = name;
+        return;
+    }
+    std::vector<std::string> all, few;
+    for (const SeaPreset& preset : sea_presets()) {
+        all.emplace_back(preset.name);
+        if (!is_force(preset)) few.push_back(all.back());
+    }
+    few.push_back("beaufort-0 to beaufort-12");
+    throw bad_value(asked_by, name, list_of(few) + nearest_hint(name, all));
+}
+
+void apply_number(ResolvedSea& resolved, const SeaFlag& flag, const std::string& text, const std::string& asked_by) {
+    const SeaStateField& field = field_of(flag);
+    const std::optional<double> number = parse_value(flag, text);
+    if (is_direction(flag) && is_compass_point(text))
+        throw bad_value(
+            asked_by, text,
+            "from-" + text + " or to-" + text + ": winds are named for where they come from, seas by where they go");
+    const SeaAngle* const angle = sea_angle(flag.field);
+    const double value = number ? (angle ? *number * radians_per_degree : *number) : 0;
+    if (!number || !field.accepts(value)) throw bad_value(asked_by, text, accepted_by(flag));
+
+    field.set(resolved.sea, value);
+    if (angle) resolved.*angle->degrees = *number;
+}
+
+/// One option other than the preset, by its flag's name.
+void apply(ResolvedSea& resolved, std::string_view name, const std::string& text, const std::string& asked_by) {
+    if (name == "waves") {
+        const auto waves = wave_model_named(text);
+        if (!waves) refuse_name(asked_by, text, names_of_waves());
+        resolved.sea.waves = *waves;
+        return;
+    }
+    if (name == "spectrum") {
+        const auto model = spectrum_model_named(text);
+        if (!model) refuse_name(asked_by, text, names_of_spectra());
+        resolved.sea.spectrum = *model;
+        return;
+    }
+    if (name == "spreading") {
+        const auto model = spreading_model_named(text);
+        if (!model) refuse_name(asked_by, text, names_of_spreadings());
+        resolved.sea.spreading = *model;
+        return;
+    }
+    for (const SeaFlag& flag : sea_flags)
+        if (flag.flag == name) apply_number(resolved, flag, text, asked_by);
+}
+
+/// Names of the flags that a config file may hold, the preset first.
+std::vector<std::string> configurable_flags() {
+    std::vector<std::string> flags = {"preset", "waves", "spectrum", "spreading"};
+    for (const SeaFlag& flag : sea_flags) flags.emplace_back(flag.flag);
+    return flags;
+}
+
+std::vector<std::string> config_keys() {
+    std::vector<std::string> keys;
+    for (const std::string& flag : configurable_flags()) keys.push_back(config_key(flag));
+    return keys;
+}
+
+/// All keys but the preset, in the order of flags.
+void apply_config(ResolvedSea& resolved, const std::vector<ConfigEntry>& config) {
+    for (const std::string& flag : configurable_flags())
+        for (const ConfigEntry& entry : config) {
+            if (flag == "preset" || entry.key != config_key(flag)) continue;
+            const std::string place = entry.place + ": " + entry.key;
+            for (const SeaFlag& number : sea_flags)
+                if (number.flag == flag && entry.quoted && (parse_number(entry.value) || !takes_words(number)))
+                    throw bad_value(place, '"' + entry.value + '"',
+                                    "a number without quotes: " + accepted_by(number));
+            apply(resolved, flag, entry.value, place);
+        }
+}
+
+/// What is chosen is written down, so that a file says it to whoever chooses otherwise.
+void write_down_choices(SeaState& sea) {
+    const int cascades = cascades_of(sea), resolution = resolution_of(sea);
+    sea.cascades = cascades;
+    sea.resolution = resolution;
+}
+
+/// What a forecast fixes and a preset does not say is as the first sea has it.
+void keep_tiles(SeaState& sea, const SeaState& first) {
+    const SeaState unsaid;
+    const auto keep = [&](auto member) {
+        if (sea.*member == unsaid.*member) sea.*member = first.*member;
+    };
+    keep(&SeaState::cascades);
+    keep(&SeaState::resolution);
+    keep(&SeaState::patch_size_m);
+    keep(&SeaState::depth_m);
+    keep(&SeaState::loop_period_s);
+    keep(&SeaState::seed);
+}
+
+constexpr double most_time_s = 1e9;
+constexpr double most_swell_from_m = 2e7;
+
+}  // namespace
+
+void SeaOptions::add_to(CLI::App& app) {
+    const auto add = [&](std::string_view flag, const std::string& type, const std::string& help) {
+        const std::string name(flag);
+        app.add_option("--" + name, typed_[name], help)->type_name(type)->group("Sea");
+    };
+    add("preset", "NAME", help_of_presets());
+    add("config", "FILE",
+        "a sea in a file: TOML whose keys are these flags' names with underscores, or a sea.json of export; flags "
+        "win");
+    add("waves", "NAME",
+        list_of(names_of_waves()) +
+            ": a wind's, up to 64 waves that morph between a calm and a storm, or a pond's; default " +
+            std::string(name_of(SeaState{}.waves)));
+    add("spectrum", "NAME", list_of(names_of_spectra()) + "; default " + std::string(name_of(SeaState{}.spectrum)));
+    add("spreading", "NAME",
+        "how waves spread around the wind: " + list_of(names_of_spreadings()) + "; default " +
+            std::string(name_of(SeaState{}.spreading)));
+    for (const SeaFlag& flag : sea_flags)
+        add(flag.flag, is_direction(flag) || is_speed(flag) ? "WIND" : "NUMBER",
+            std::string(flag.help) + "; " + accepted_by(flag) + ", default " + default_of(flag));
+}
+
+bool SeaOptions::is_given() const {
+    return std::any_of(typed_.begin(), typed_.end(), [](const auto& flag) { return flag.second.has_value(); });
+}
+
+void SeaOptions::add_weather_to(CLI::App& app) {
+    app.add_option(
+           "--weather", typed_["weather"],
+           "a sea that turns into others: TOML as --config, with a table [[change]] for each, its keys from "
+           "and over in seconds, swell_from in metres where a swell comes from afar, and what it changes, such "
+           "as preset; or a sea.json of an export with weather")
+        ->type_name("FILE")
+        ->group("Sea");
+}
+
+ResolvedSea SeaOptions::resolve() const {
+    const auto file = typed("config"), weather_file = typed("weather");
+    if (!weather_file) return resolve_with(file ? read_config(*file, config_keys()) : std::vector<ConfigEntry>());
+    if (file)
+        throw InputError("--config is " + *file + " and --weather is " + *weather_file +
+                         ", needs one of the two: the first sea stands in both");
+    const WeatherConfig weather = read_weather(*weather_file, config_keys());
+    ResolvedSea sea = resolve_with(weather.first);
+    add_changes(sea, weather, *weather_file);
+    return sea;
+}
+
+ResolvedSea SeaOptions::of_record(std::string_view text, const std::filesystem::path& file) {
+    const WeatherConfig weather = parse_weather_record(text, file, config_keys());
+    ResolvedSea sea = SeaOptions().resolve_with(weather.first);
+    add_changes(sea, weather, file);
+    return sea;
+}
+
+/// A change goes on from the sea before it, or from a preset, on the tiles of the first.
+void SeaOptions::add_changes(ResolvedSea& first, const WeatherConfig& weather, const std::filesystem::path& file) {
+    for (const WeatherConfig::Change& config : weather.changes) {
+        ResolvedChange change{.sea = first.changes.empty() ? first : first.changes.back().sea};
+        change.sea.changes.clear();
+        change.sea.preset.clear();
+        std::optional<double> from_s, over_s;
+        std::vector<ConfigEntry> of_sea;
+        for (const ConfigEntry& entry : config.entries) {
+            const std::string asked_by = entry.place + ": " + entry.key;
+            if (entry.key == "from")
+                from_s = number_in(asked_by, entry.value, -most_time_s, most_time_s, "seconds in [-1e9, 1e9]");
+            else if (entry.key == "over")
+                over_s = number_in(asked_by, entry.value, 0, most_time_s, "seconds in (0, 1e9]");
+            else if (entry.key == "swell_from")
+                change.swell_from_m =
+                    number_in(asked_by, entry.value, 0, most_swell_from_m, "metres in [1e3, 2e7], or 0");
+            else if (entry.key == "preset") {
+                apply_preset(change.sea, entry.value, asked_by);
+                keep_tiles(change.sea.sea, first.sea);
+            } else {
+                of_sea.push_back(entry);
+            }
+        }
+        if (!from_s) throw InputError(config.place + ": from is missing, needs when the change begins, in seconds");
+        if (!over_s)
+            throw InputError(config.place + ": over is missing, needs how long the change takes, in seconds");
+        change.from_s = *from_s;
+        change.over_s = *over_s;
+        apply_config(change.sea, of_sea);
+        write_down_choices(change.sea.sea);
+        first.changes.push_back(std::move(change));
+    }
+    if (first.changes.empty()) return;
+    if (const std::string reason = check(forecast_of(first)); !reason.empty())
+        throw InputError(file.string() + ": " + reason);
+}
+
+std::optional<std::string> SeaOptions::typed(const std::string& flag) const {
+    const auto found = typed_.find(flag);
+    return found == typed_.end() ? std::nullopt : found->second;
+}
+
+ResolvedSea SeaOptions::resolve_with(const std::vector<ConfigEntry>& config) const {
+    ResolvedSea resolved;
+    if (const auto preset = typed("preset")) {
+        apply_preset(resolved, *preset, "--preset");
+    } else {
+        for (const ConfigEntry& entry : config)
+            if (entry.key == "preset") apply_preset(resolved, entry.value, entry.place + ": preset");
+    }
+    apply_config(resolved, config);
+    for (const std::string& flag : configurable_flags())
+        if (const auto value = typed(flag); value && flag != "preset") apply(resolved, flag, *value, "--" + flag);
+    // Each option has been looked at alone.
+    if (const std::string reason = check(resolved.sea); !reason.empty()) throw InputError(reason);
+    write_down_choices(resolved.sea);
+    return resolved;
+}
+
+}  // namespace pelagic::tools

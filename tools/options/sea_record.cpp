@@ -1,0 +1,82 @@
+// A sea.json read back as a config file, see config_file.hpp.
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "pelagic/tools/options/config_file.hpp"
+#include "pelagic/tools/text/errors.hpp"
+#include "pelagic/tools/text/option_text.hpp"
+
+namespace pelagic::tools {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string key_without_unit(std::string key) {
+    for (const std::string_view unit : {"_mps", "_deg", "_m", "_s"})
+        if (key.ends_with(unit)) return key.substr(0, key.size() - unit.size());
+    return key;
+}
+
+Json parse(std::string_view text, const std::filesystem::path& file) {
+    try {
+        return Json::parse(text);
+    } catch (const Json::parse_error& error) {
+        const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
+        throw InputError(file.string() + ":" + number_text(1 + std::count(text.begin(), end, '\n')) +
+                         ": malformed JSON, needs a sea.json of pelagic export");
+    } catch (const Json::exception&) {  // such as a number beyond every double
+        throw InputError(file.string() + ": malformed JSON, needs a sea.json of pelagic export");
+    }
+}
+
+std::vector<ConfigEntry> entries_of(const Json& sea, const std::string& place, std::span<const std::string> known) {
+    std::vector<ConfigEntry> entries;
+    for (const auto& [name, value] : sea.items()) {
+        const std::string key = key_without_unit(name);
+        if (std::find(known.begin(), known.end(), key) == known.end())
+            throw InputError(place + ": unknown key " + name + ", needs " + list_of(known) +
+                             nearest_hint(key, known));
+        if (!value.is_number() && !value.is_string())
+            throw InputError(place + ": " + name + " is of type " + value.type_name() + ", needs a number or a text");
+        entries.push_back(
+            {key, value.is_string() ? value.get<std::string>() : value.dump(), place, value.is_string()});
+    }
+    return entries;
+}
+
+std::vector<ConfigEntry> sea_of(const Json& record, const std::filesystem::path& file,
+                                std::span<const std::string> known) {
+    const auto sea = record.find("sea");
+    if (sea == record.end() || !sea->is_object())
+        throw InputError(file.string() + " holds no sea, needs a sea.json of pelagic export");
+    return entries_of(*sea, file.string() + ": sea", known);
+}
+
+}  // namespace
+
+std::vector<ConfigEntry> parse_sea_record(std::string_view text, const std::filesystem::path& file,
+                                          std::span<const std::string> known) {
+    return sea_of(parse(text, file), file, known);
+}
+
+WeatherConfig parse_weather_record(std::string_view text, const std::filesystem::path& file,
+                                   std::span<const std::string> known) {
+    const Json record = parse(text, file);
+    WeatherConfig weather{sea_of(record, file, known), {}};
+    const auto changes = record.find("weather");
+    if (changes == record.end()) return weather;
+    const std::string place = file.string() + ": weather";
+    if (!changes->is_array()) throw InputError(place + " is no list, needs a sea.json of pelagic export");
+    for (const Json& change : *changes) {
+        if (!change.is_object() || !change.contains("sea") || !change["sea"].is_object())
+            throw InputError(place + " has a change without a sea, needs a sea.json of pelagic export");
+        Json times = change;
+        times.erase("sea");
+        weather.changes.push_back({place, entries_of(times, place, change_keys())});
+        for (ConfigEntry& entry : entries_of(change["sea"], place, known))
+            weather.changes.back().entries.push_back(std::move(entry));
+    }
+    return weather;
+}
+
+}  // namespace pelagic::tools

@@ -1,0 +1,81 @@
+#include "pelagic/tools/pictures/map_picture.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <cstring>
+
+namespace pelagic::tools {
+namespace {
+
+template <class Stored>
+Stored stored_at(const MapImage& map, std::size_t index) {
+    Stored stored;
+    std::memcpy(&stored, &map.pixels[index * sizeof(Stored)], sizeof(Stored));
+    return stored;
+}
+
+/// Exact, of finite halves: their exponents count from 2^-15, those of floats from 2^-127.
+float float_of_half(std::uint16_t half) {
+    const auto magnitude = static_cast<std::uint32_t>(half & 0x7FFF) << 13;
+    const float value = std::bit_cast<float>(magnitude) * 0x1p112f;
+    return half & 0x8000 ? -value : value;
+}
+
+float value_at(const MapImage& map, std::size_t index) {
+    switch (map.sample) {
+        case Sample::uint8: return static_cast<float>(stored_at<std::uint8_t>(map, index)) / 255;
+        case Sample::uint16: return static_cast<float>(stored_at<std::uint16_t>(map, index)) / 65535;
+        case Sample::half: return float_of_half(stored_at<std::uint16_t>(map, index));
+        case Sample::float32: return stored_at<float>(map, index);
+    }
+    return 0;
+}
+
+/// Texels that a pixel of the picture shows, at least one.
+struct Span {
+    std::size_t begin, end;
+};
+Span texels_of(int pixel, int pixels, int texels) {
+    const auto begin =
+        static_cast<std::size_t>(pixel) * static_cast<std::size_t>(texels) / static_cast<std::size_t>(pixels);
+    const auto end =
+        static_cast<std::size_t>(pixel + 1) * static_cast<std::size_t>(texels) / static_cast<std::size_t>(pixels);
+    return {begin, std::max(end, begin + 1)};
+}
+
+}  // namespace
+
+MapPicture picture_of(const MapImage& map, int side) {
+    const auto n = static_cast<std::size_t>(map.side), channels = static_cast<std::size_t>(map.channels);
+    MapPicture result{Picture(side, side, Colour{0, 0, 0}), value_at(map, 0), value_at(map, 0)};
+    for (std::size_t i = 1; i < n * n * channels; ++i) {
+        const float value = value_at(map, i);
+        result.least = std::min(result.least, value);
+        result.most = std::max(result.most, value);
+    }
+    const bool is_signed = is_floating(map.sample) && result.least < 0;
+    const float range = is_floating(map.sample) ? std::max({-result.least, result.most, 1e-30f}) : 1.f;
+    const auto shade = [&](float value) {
+        const float part = is_signed ? 0.5f + 0.5f * value / range : value / range;
+        return static_cast<std::uint8_t>(std::clamp(255 * part + 0.5f, 0.f, 255.f));
+    };
+    for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x) {
+            const Span rows = texels_of(y, side, map.side), columns = texels_of(x, side, map.side);
+            std::array<float, 3> sum{};
+            for (std::size_t row = rows.begin; row < rows.end; ++row)
+                for (std::size_t column = columns.begin; column < columns.end; ++column)
+                    for (std::size_t channel = 0; channel < std::min<std::size_t>(channels, 3); ++channel)
+                        sum[channel] += value_at(map, (row * n + column) * channels + channel);
+            const auto count = static_cast<float>((rows.end - rows.begin) * (columns.end - columns.begin));
+            Colour colour;
+            for (std::size_t channel = 0; channel < 3; ++channel)
+                colour[channel] = shade(sum[channels == 1 ? 0 : channel] / count);
+            if (channels == 2) colour[2] = shade(0);
+            result.picture.fill(x, y, 1, 1, colour);
+        }
+    return result;
+}
+
+}  // namespace pelagic::tools

@@ -1,0 +1,104 @@
+#include "pelagic/tools/pictures/tile_levels.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+
+namespace pelagic::tools {
+namespace {
+
+using Level = std::vector<glm::vec4>;
+
+/// log2 with straight lines between whole numbers, which is all that it takes to blend two levels; 0 below 1.
+float level_of(float texels) {
+    const auto bits = std::bit_cast<std::uint32_t>(std::max(texels, 1.f));
+    const int exponent = static_cast<int>(bits >> 23) - 127;
+    const auto mantissa = std::bit_cast<float>((bits & 0x7FFFFF) | 0x3F800000);
+    return static_cast<float>(exponent) + mantissa - 1;
+}
+
+Level level_0(const Tile& tile) {
+    const auto n = static_cast<std::size_t>(tile.resolution());
+    Level texels(n * n);
+    std::vector<float> dx(n), height(n), dz(n);
+    for (std::size_t j = 0; j < n; ++j) {
+        tile.dx.copy_row(static_cast<int>(j), dx.data());
+        tile.height.copy_row(static_cast<int>(j), height.data());
+        tile.dz.copy_row(static_cast<int>(j), dz.data());
+        for (std::size_t i = 0; i < n; ++i)
+            texels[j * n + i] = {dx[i], height[i], dz[i], static_cast<float>(tile.foam_r8[j * n + i]) / 255};
+    }
+    return texels;
+}
+
+/// Means of 2 x 2. \param side  of the result
+Level reduced(const Level& fine, std::size_t side) {
+    Level coarse(side * side);
+    for (std::size_t j = 0; j < side; ++j)
+        for (std::size_t i = 0; i < side; ++i) {
+            const glm::vec4* const upper = &fine[4 * j * side + 2 * i];
+            const glm::vec4* const lower = upper + 2 * side;
+            coarse[j * side + i] = 0.25f * ((upper[0] + upper[1]) + (lower[0] + lower[1]));
+        }
+    return coarse;
+}
+
+void add(SurfaceSlopes& sum, const SurfaceSlopes& slopes, double part) {
+    sum.h_x += part * slopes.h_x;
+    sum.h_z += part * slopes.h_z;
+    sum.d_xx += part * slopes.d_xx;
+    sum.d_zz += part * slopes.d_zz;
+    sum.d_xz += part * slopes.d_xz;
+    sum.var_xx += part * slopes.var_xx;
+    sum.var_zz += part * slopes.var_zz;
+}
+
+}  // namespace
+
+void TileLevels::take(const Tile& tile) {
+    tile_ = tile;
+    levels_ = {level_0(tile)};
+    for (int level = 1; level < mip_levels(tile.resolution()); ++level)
+        levels_.push_back(reduced(levels_.back(), static_cast<std::size_t>(tile.resolution() >> level)));
+}
+
+TileSample TileLevels::at(double x_m, double z_m, float footprint_m) const {
+    const TileLattice::Place place = tile_.lattice.in_tile(x_m, z_m);
+    const double u = place.along / tile_.lattice.side_m, v = place.across / tile_.lattice.side_m;
+    const auto part_u = static_cast<float>(u - std::floor(u)), part_v = static_cast<float>(v - std::floor(v));
+    const float level =
+        std::min(level_of(footprint_m / static_cast<float>(tile_.texel_m())), static_cast<float>(levels_.size() - 1));
+    const int finer = static_cast<int>(level);
+    const float coarser_part = level - static_cast<float>(finer);
+    TileSample sample;
+    add_level(sample, part_u, part_v, finer, 1 - coarser_part);
+    if (coarser_part > 0) add_level(sample, part_u, part_v, finer + 1, coarser_part);
+    return sample;
+}
+
+// Texels rest at whole numbers of level 0, and in the middle of their four in each next one.
+void TileLevels::add_level(TileSample& sum, float u, float v, int level, float weight) const {
+    const int side = tile_.resolution() >> level;
+    const float first = 0.5f - 0.5f / static_cast<float>(1 << level);
+    const float x = u * static_cast<float>(side) - first, y = v * static_cast<float>(side) - first;
+    const int column = static_cast<int>(std::floor(x)), row = static_cast<int>(std::floor(y));
+    const float right = x - static_cast<float>(column), lower = y - static_cast<float>(row);
+    const Level& texels = levels_[static_cast<std::size_t>(level)];
+    const auto slopes = tile_.level_of(tile_.slopes_rgba8, level),
+               moments = tile_.level_of(tile_.moments_rgba8, level);
+    glm::vec4 mean(0);
+    for (const int j : {0, 1})
+        for (const int i : {0, 1}) {
+            const float part = weight * (i ? right : 1 - right) * (j ? lower : 1 - lower);
+            const int wrapped = ((row + j) & (side - 1)) * side + ((column + i) & (side - 1));
+            const auto texel = static_cast<std::size_t>(wrapped);
+            mean += part * texels[texel];
+            add(sum.slopes, slopes_of_texel(slopes[texel], moments[texel], tile_.slope_ranges),
+                static_cast<double>(part));
+        }
+    sum.displacement += glm::vec3(mean);
+    sum.foam += mean.w;
+}
+
+}  // namespace pelagic::tools

@@ -1,0 +1,187 @@
+#include "pelagic/tools/query/query_rows.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <iterator>
+#include <set>
+
+#include "pelagic/message/utf8.hpp"
+#include "pelagic/tools/text/errors.hpp"
+
+namespace pelagic::tools {
+namespace {
+
+constexpr std::size_t pieces = 32;
+
+/// Room for the longest row beside the file's own columns, so that a job allocates nothing: a job must not throw. A number
+/// takes 25 characters at most, its JSON key 12.
+constexpr std::size_t most_answer_length = (Answers::most_values + 4) * (25 + 12);
+/// JSON writes a control character as \u001f.
+constexpr std::size_t most_escaped_length = 6;
+
+void put(std::string_view text) {
+    if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size()) return;
+    throw FileError(std::string("can't write standard output: ") + std::strerror(errno));
+}
+
+void append_json_escaped(std::string& out, std::string_view text) {
+    constexpr std::string_view digits = "0123456789abcdef";
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t bytes = utf8_character_bytes(text, at);
+        const auto code = static_cast<unsigned char>(text[at]);
+        if (bytes == 0)
+            out += "\xEF\xBF\xBD";  // U+FFFD stands for what is no letter
+        else if (code < 0x20)
+            out.append("\\u00").append({digits[code >> 4], digits[code & 15]});
+        else if (code == '"' || code == '\\')
+            out.append({'\\', text[at]});
+        else
+            out += text.substr(at, bytes);
+        at += std::max<std::size_t>(1, bytes);
+    }
+}
+
+/// What a cell says, as a JSON text: in a quoted one, two quotes stand for one.
+void append_json_cell(std::string& out, std::string_view cell) {
+    const bool is_quoted = cell.size() >= 2 && cell.front() == '"' && cell.back() == '"';
+    if (is_quoted) cell = cell.substr(1, cell.size() - 2);
+    out += '"';
+    for (std::size_t pair; is_quoted && (pair = cell.find("\"\"")) != std::string_view::npos;
+         cell.remove_prefix(pair + 2))
+        append_json_escaped(out, cell.substr(0, pair + 1));
+    append_json_escaped(out, cell);
+    out += '"';
+}
+
+/// JSON has no infinity: how far off a point is that has no place.
+void append_json_number(std::string& out, auto value) {
+    if (std::isfinite(value))
+        append_number(out, value);
+    else
+        out += "null";
+}
+
+}  // namespace
+
+void Answers::resize(std::size_t points) {
+    for (std::size_t column = 0; column < values_there_; ++column) values_[column].resize(points);
+    converged_.resize(points);
+}
+
+SurfaceSamples Answers::samples() {
+    auto& [height, nx, ny, nz, vx, vy, vz, jacobian, error_m, foam] = values_;
+    return {.height_m = height,
+            .normal_x = nx,
+            .normal_y = ny,
+            .normal_z = nz,
+            .jacobian = jacobian,
+            .velocity_x_mps = vx,
+            .velocity_y_mps = vy,
+            .velocity_z_mps = vz,
+            .error_m = error_m,
+            .converged = converged_,
+            .foam = foam};
+}
+
+RowWriter::RowWriter(std::shared_ptr<Executor> executor, const Answers& answers, bool as_json, bool has_times)
+    : answers_(answers), as_json_(as_json), has_times_(has_times), pieces_(pieces), executor_(std::move(executor)) {
+    graph_.add({.name = "rows", .count = pieces, .body = [this](std::size_t begin, std::size_t end) {
+                    for (std::size_t piece = begin; piece < end; ++piece) fill_piece(piece);
+                }});
+    run_ = executor_->prepare(graph_);
+}
+
+void RowWriter::begin(const PointReader& reader) {
+    reader_ = &reader;
+    std::set<std::string> taken(answers_.names().begin(), answers_.names().end());
+    taken.insert("converged");
+    if (has_times_) taken.insert("time");
+    std::string header = has_times_ ? "time," : "";
+    json_keys_.clear();
+    for (const std::string& column : reader.columns()) {
+        const std::string name = cell_value(column);
+        if (!taken.insert(name).second)
+            throw InputError("the points' column " + name +
+                             " has the name of another one or of an answer, needs its own");
+        header += column + ",";
+        append_json_cell(json_keys_.emplace_back(), column);
+    }
+    for (const char* name : answers_.names()) header.append(name).append(",");
+    put(as_json_ ? "[" : header + "converged\n");
+}
+
+void RowWriter::append_csv(std::string& text, std::size_t point) const {
+    if (has_times_) {
+        append_number(text, time_s_);
+        text += ',';
+    }
+    text += block_->row(point);
+    for (std::size_t column = 0; column < answers_.names().size(); ++column) {
+        text += ',';
+        append_number(text, answers_.value(column, point));
+    }
+    text += answers_.converged(point) ? ",1\n" : ",0\n";
+}
+
+void RowWriter::append_json(std::string& text, std::size_t point, std::vector<std::string_view>& cells) const {
+    text += point == 0 && !has_rows_ ? "\n{" : ",\n{";
+    if (has_times_) {
+        text += "\"time\":";
+        append_number(text, time_s_);
+        text += ',';
+    }
+    split_cells(block_->row(point), cells);
+    for (std::size_t column = 0; column < cells.size(); ++column) {
+        text.append(json_keys_[column]).append(":");
+        if (reader_->is_x(column))
+            append_number(text, block_->x[point]);
+        else if (reader_->is_z(column))
+            append_number(text, block_->z[point]);
+        else
+            append_json_cell(text, cells[column]);
+        text += ',';
+    }
+    for (std::size_t column = 0; column < answers_.names().size(); ++column) {
+        text.append("\"").append(answers_.names()[column]).append("\":");
+        append_json_number(text, answers_.value(column, point));
+        text += ',';
+    }
+    text += answers_.converged(point) ? "\"converged\":true}" : "\"converged\":false}";
+}
+
+void RowWriter::fill_piece(std::size_t piece) {
+    Piece& out = pieces_[piece];
+    const std::size_t begin = block_->size() * piece / pieces, end = block_->size() * (piece + 1) / pieces;
+    for (std::size_t point = begin; point < end; ++point)
+        as_json_ ? append_json(out.text, point, out.cells) : append_csv(out.text, point);
+}
+
+void RowWriter::write(const PointBlock& block, double time_s) {
+    block_ = &block;
+    time_s_ = time_s;
+    std::size_t key_length = 0;
+    for (const std::string& key : json_keys_) key_length += key.size() + 2;
+    for (std::size_t piece = 0; piece < pieces; ++piece) {
+        const std::size_t begin = block.size() * piece / pieces, end = block.size() * (piece + 1) / pieces;
+        const std::size_t own =
+            end == begin ? 0 : block.row_ends[end - 1] - (begin == 0 ? 0 : block.row_ends[begin - 1]);
+        pieces_[piece].text.clear();
+        pieces_[piece].text.reserve((end - begin) *
+                                        (most_answer_length + (as_json_ ? key_length + 4 * json_keys_.size() : 0)) +
+                                    own * (as_json_ ? most_escaped_length : 1));
+        pieces_[piece].cells.reserve(json_keys_.size());
+    }
+    run_->schedule();
+    run_->complete();
+    for (const Piece& piece : pieces_) put(piece.text);
+    has_rows_ = has_rows_ || block.size() > 0;
+}
+
+void RowWriter::end() {
+    if (as_json_) put("\n]\n");
+}
+
+}  // namespace pelagic::tools

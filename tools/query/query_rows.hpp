@@ -1,0 +1,78 @@
+// What `pelagic query` prints: a row for each point, as CSV or as JSON.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "pelagic/jobs/executor.hpp"
+#include "pelagic/sim/surface_query.hpp"
+#include "pelagic/tools/query/points_file.hpp"
+
+namespace pelagic::tools {
+
+/// Answers for a block of points.
+class Answers {
+   public:
+    static constexpr std::size_t most_values = 10;
+
+    explicit Answers(bool has_foam) : values_there_(has_foam ? most_values : most_values - 1) {}
+
+    /// Of the values, in the order of the columns; `converged` follows.
+    std::span<const char* const> names() const { return std::span(all_names).first(values_there_); }
+
+    void resize(std::size_t points);
+    SurfaceSamples samples();
+    float value(std::size_t column, std::size_t point) const { return values_[column][point]; }
+    bool converged(std::size_t point) const { return converged_[point] != 0; }
+
+   private:
+    static constexpr std::array<const char*, most_values> all_names = {"height", "nx", "ny",       "nz",      "vx",
+                                                                       "vy",     "vz", "jacobian", "error_m", "foam"};
+
+    std::size_t values_there_;
+    std::array<std::vector<float>, most_values> values_;
+    std::vector<std::uint8_t> converged_;
+};
+
+/// Turns blocks into text, in pieces side by side, and writes them to standard output in order.
+class RowWriter {
+   public:
+    /// \param answers    to the block that is written, whenever one is; outlives the writer
+    /// \param has_times  rows begin with the moment
+    RowWriter(std::shared_ptr<Executor> executor, const Answers& answers, bool as_json, bool has_times);
+
+    /// The header or the opening bracket. Throws InputError if a column of the file has the name of an answer's, or, for
+    /// JSON, of another one.
+    void begin(const PointReader& reader);
+    /// Throws FileError if standard output takes no more.
+    void write(const PointBlock& block, double time_s);
+    void end();
+
+   private:
+    void fill_piece(std::size_t piece);
+    void append_csv(std::string& text, std::size_t point) const;
+    void append_json(std::string& text, std::size_t point, std::vector<std::string_view>& cells) const;
+
+    struct Piece {
+        std::string text;
+        std::vector<std::string_view> cells;
+    };
+
+    const Answers& answers_;
+    bool as_json_, has_times_;
+    const PointReader* reader_ = nullptr;
+    std::vector<std::string> json_keys_;  ///< of the file's columns
+    const PointBlock* block_ = nullptr;
+    double time_s_ = 0;
+    bool has_rows_ = false;
+    std::vector<Piece> pieces_;
+    JobGraph graph_;
+    std::shared_ptr<Executor> executor_;
+    std::unique_ptr<GraphRun> run_;
+};
+
+}  // namespace pelagic::tools

@@ -1,0 +1,54 @@
+#include "pelagic/tools/text/option_text.hpp"
+
+#include <charconv>
+#include <cmath>
+
+#include "pelagic/tools/text/errors.hpp"
+
+namespace pelagic::tools {
+namespace {
+
+template <class Number>
+std::optional<Number> parse_whole(std::string_view text) {
+    if (text.starts_with('+')) text.remove_prefix(1);
+    Number value{};
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size()) return {};
+    return value;
+}
+
+}  // namespace
+
+std::optional<double> parse_number(std::string_view text) {
+    const auto value = parse_whole<double>(text);
+    return value && std::isfinite(*value) ? value : std::nullopt;
+}
+
+std::optional<std::int64_t> parse_integer(std::string_view text) { return parse_whole<std::int64_t>(text); }
+
+double number_in(const std::string& option, const std::string& text, double least, double most,
+                 const std::string& accepted) {
+    const auto value = parse_number(text);
+    if (!value || *value < least || *value > most) throw bad_value(option, text, accepted);
+    return *value;
+}
+
+int whole_number_in(const std::string& option, const std::string& text, int least, int most) {
+    const auto value = parse_integer(text);
+    if (!value || *value < least || *value > most)
+        throw bad_value(option, text, "a whole number from " + number_text(least) + " to " + number_text(most));
+    return static_cast<int>(*value);
+}
+
+std::vector<std::string> split_at_commas(std::string_view text) {
+    std::vector<std::string> parts(1);
+    for (const char c : text) {
+        if (c == ',')
+            parts.emplace_back();
+        else
+            parts.back() += c;
+    }
+    return parts;
+}
+
+}  // namespace pelagic::tools

@@ -1,0 +1,35 @@
+#include "pelagic/tools/text/progress.hpp"
+
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+namespace pelagic::tools {
+
+Progress::Progress(std::string item, std::size_t total)
+    : item_(std::move(item)), total_(total), on_terminal_(::isatty(STDERR_FILENO) == 1) {}
+
+Progress::~Progress() {
+    if (on_terminal_) std::fputs("\r\033[K", stderr);
+}
+
+void Progress::show(std::size_t done) {
+    show(item_ + " " + std::to_string(done) + " of " + std::to_string(total_),
+         static_cast<double>(done) / static_cast<double>(total_));
+}
+
+void Progress::show(const std::string& doing, double part) {
+    const auto now = Clock::now();
+    if (!on_terminal_ || (now - last_shown_ < std::chrono::milliseconds(100) && part < 1)) return;
+    last_shown_ = now;
+    std::fprintf(stderr, "\r\033[K%s, %.0f %%", doing.c_str(), std::floor(100 * part));
+    if (part > 0) {
+        const double elapsed = std::chrono::duration<double>(now - start_).count();
+        std::fprintf(stderr, ", %.0f s left", elapsed * (1 - part) / part);
+    }
+    std::fflush(stderr);
+}
+
+}  // namespace pelagic::tools

@@ -1,0 +1,257 @@
+// A small wooden boat that lies on the sea: it asks the frame how high the water is at fifteen places of its hull, and takes the plane through
+// them as its own. A boat much smaller than the waves heels with their slope (W. Froude, "On the rolling of ships", 1861), and the places of
+// a hull's length and beam are why it does not follow the ripples. Where it lies depends on the frame alone, so a link shows it as it was.
+//
+// Its own axes: x forward, y up from the waterline, z to starboard; metres.
+
+export const length = 7.2, beam = 2.5;
+/** Where it rides at anchor, and how it heads. */
+export const place = {x: 0, z: 0, heading: 0.25};
+
+const keelM = -0.55, rows = 5, columns = 3;
+
+/** World x, z of the places that it asks for, as SeaView.heights() takes them. */
+export function places() {
+  const xz = new Float64Array(2 * rows * columns);
+  const [cosine, sine] = [Math.cos(place.heading), Math.sin(place.heading)];
+  for (let i = 0, at = 0; i < rows; ++i)
+    for (let j = 0; j < columns; ++j) {
+      const x = (i / (rows - 1) - 0.5) * 0.8 * length, z = (j / (columns - 1) - 0.5) * 0.8 * beam;
+      xz[at++] = place.x + x * cosine - z * sine;
+      xz[at++] = place.z + x * sine + z * cosine;
+    }
+  return xz;
+}
+
+/** The plane nearest to the heights at places(), by least squares: its height in the middle and its slopes along the boat's x and z. */
+export function poseOn(heights) {
+  let height = 0, alongX = 0, alongZ = 0, squaresX = 0, squaresZ = 0;
+  for (let i = 0, at = 0; i < rows; ++i)
+    for (let j = 0; j < columns; ++j, ++at) {
+      const x = (i / (rows - 1) - 0.5) * 0.8 * length, z = (j / (columns - 1) - 0.5) * 0.8 * beam;
+      height += heights[at] / (rows * columns);
+      alongX += x * heights[at];
+      alongZ += z * heights[at];
+      squaresX += x * x;
+      squaresZ += z * z;
+    }
+  return {height, slopeX: alongX / squaresX, slopeZ: alongZ / squaresZ};
+}
+
+const normalised = v => v.map(part => part / Math.hypot(...v));
+const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+
+/** From the boat to axes of the world whose origin is there, column-major. */
+function placed({height, slopeX, slopeZ}, origin) {
+  const [cosine, sine] = [Math.cos(place.heading), Math.sin(place.heading)];
+  const forward = normalised([cosine, slopeX, sine]);
+  const up = normalised(cross([-sine, slopeZ, cosine], forward));
+  const starboard = cross(forward, up);
+  return [...forward, 0, ...up, 0, ...starboard, 0, place.x - origin[0], height - origin[1], place.z - origin[2], 1];
+}
+
+// ---- Its mesh: positions, normals, colours -------------------------------------------------------------------------------------
+
+/** Half the beam, keel and sheer along the hull; s runs from the transom, 0, to the stem, 1. */
+function section(s) {
+  const fullness = (1 - Math.max(0, (s - 0.3) / 0.7) ** 2.4) * (0.84 + 0.16 * Math.min(1, s / 0.3));
+  return {
+    half: beam / 2 * Math.max(fullness, 0.012),
+    keel: keelM + 0.9 * Math.max(0, (s - 0.7) / 0.3) ** 2.5,
+    sheer: 0.62 + 0.16 * (1 - s) ** 2 + 0.62 * s ** 2.6,
+  };
+}
+
+/** Of the hull: v runs from one gunwale, -1, under the keel to the other, 1. */
+function hullPoint(s, v) {
+  const {half, keel, sheer} = section(s);
+  const t = Math.abs(v);
+  const rake = 0.5 * s ** 8 * t;  // the stem leans forward
+  return [(s - 0.5) * length + rake, keel + (sheer - keel) * t ** 1.7, Math.sign(v) * half * Math.sin(t * Math.PI / 2) ** 0.75];
+}
+
+function deckPoint(s, v) {
+  const {half, sheer} = section(s);
+  return [(s - 0.5) * length + 0.4 * s ** 8, sheer - 0.13 + 0.05 * (1 - v * v), v * half * 0.96];
+}
+
+const paint = {antifouling: [0.19, 0.025, 0.02], white: [0.72, 0.71, 0.67], strake: [0.02, 0.09, 0.16], deck: [0.33, 0.20, 0.10],
+               glass: [0.02, 0.035, 0.045], roof: [0.46, 0.10, 0.03], wood: [0.24, 0.13, 0.06]};
+
+class Mesh {
+  values = [];
+
+  triangle(points, normals, colour) {
+    points.forEach((point, i) => this.values.push(...point, ...normals[i], ...colour));
+  }
+
+  quad(a, b, c, d, colour, normals) {
+    const flat = normalised(cross(b.map((x, i) => x - a[i]), d.map((x, i) => x - a[i])));
+    const n = normals ?? [flat, flat, flat, flat];
+    this.triangle([a, b, c], [n[0], n[1], n[2]], colour);
+    this.triangle([a, c, d], [n[0], n[2], n[3]], colour);
+  }
+
+  /** A smooth sheet; `side` turns its normals. */
+  sheet(at, us, vs, side, colourAt) {
+    const normal = (u, v) => {
+      const e = 1e-3;
+      const [a, b, c, d] = [at(u + e, v), at(u - e, v), at(u, v + e), at(u, v - e)];
+      return normalised(cross(a.map((x, i) => x - b[i]), c.map((x, i) => x - d[i])).map(x => x * side));
+    };
+    for (let i = 0; i + 1 < us.length; ++i)
+      for (let j = 0; j + 1 < vs.length; ++j) {
+        const corners = [[us[i], vs[j]], [us[i + 1], vs[j]], [us[i + 1], vs[j + 1]], [us[i], vs[j + 1]]];
+        const points = corners.map(corner => at(...corner));
+        this.quad(...points, colourAt(points.reduce((sum, point) => sum + point[1] / 4, 0), (vs[j] + vs[j + 1]) / 2),
+                  corners.map(corner => normal(...corner)));
+      }
+  }
+
+  /** Upright walls between x0 and x1 and as far as z to both sides, leaning in by `lean` at the top, and a lid. */
+  box(x0, x1, z, y0, y1, lean, colour, lid = colour) {
+    this.prism(x0, x1, -z, z, y0, y1, lean, colour, lid);
+  }
+
+  post(x, z, half, y0, y1, colour) {
+    this.prism(x - half, x + half, z - half, z + half, y0, y1, 0, colour, colour);
+  }
+
+  prism(x0, x1, z0, z1, y0, y1, lean, colour, lid) {
+    const low = [[x0, y0, z0], [x1, y0, z0], [x1, y0, z1], [x0, y0, z1]];
+    const high = [[x0 + lean, y1, z0 + lean], [x1 - lean, y1, z0 + lean], [x1 - lean, y1, z1 - lean], [x0 + lean, y1, z1 - lean]];
+    for (let i = 0; i < 4; ++i) {
+      const k = (i + 1) % 4;
+      this.quad(low[k], low[i], high[i], high[k], colour);
+    }
+    this.quad(high[3], high[2], high[1], high[0], lid);
+  }
+}
+
+const steps = (from, to, count) => Array.from({length: count + 1}, (_, i) => from + (to - from) * i / count);
+
+export function boatMesh() {
+  const mesh = new Mesh();
+  const stations = steps(0.001, 0.999, 40);
+  const strakes = [...steps(0.02, 0.55, 8), 0.6, 0.65, 0.7, 0.75, 0.8, 0.85, 0.88, 0.925, 0.965, 1];
+  const hullColour = (y, v) => (Math.abs(v) > 0.925 ? paint.wood : Math.abs(v) > 0.85 ? paint.strake : y < 0.07 ? paint.antifouling : paint.white);
+  mesh.sheet(hullPoint, stations, strakes, 1, hullColour);
+  mesh.sheet(hullPoint, stations, strakes.map(v => -v), 1, hullColour);
+  mesh.sheet(deckPoint, stations, steps(-1, 1, 6), -1, () => paint.deck);
+  for (const [a, b] of [...strakes.keys()].slice(1).map(i => [strakes[i - 1], strakes[i]]))  // the transom
+    mesh.quad(hullPoint(0, -a), hullPoint(0, a), hullPoint(0, b), hullPoint(0, -b), hullColour(hullPoint(0, a)[1], (a + b) / 2));
+  mesh.box(-1.7, 0.35, 0.78, 0.55, 1.35, 0.03, paint.white);
+  mesh.box(-1.67, 0.32, 0.75, 1.35, 1.85, 0.07, paint.glass);
+  for (const x of [-1.62, -0.68, 0.27])  // posts between the windows
+    for (const z of [-0.7, 0.7]) mesh.post(x, z, 0.05, 1.3, 1.87, paint.white);
+  mesh.box(-1.8, 0.45, 0.86, 1.85, 1.95, 0.05, paint.roof);
+  mesh.post(-0.95, 0, 0.045, 1.95, 3.4, paint.wood);
+  mesh.box(1.3, 2.0, 0.42, 0.6, 0.86, 0.05, paint.white, paint.deck);
+  return new Float32Array(mesh.values);
+}
+
+// ---- Drawing it ----------------------------------------------------------------------------------------------------------------
+
+const vertexShader = `#version 300 es
+uniform mat4 clip_from_world, world_from_boat;
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 outwards;
+layout(location = 2) in vec3 paint;
+out vec3 normal, albedo;
+out float above_water;
+void main() {
+    normal = mat3(world_from_boat) * outwards;
+    albedo = paint;
+    above_water = position.y;
+    gl_Position = clip_from_world * world_from_boat * vec4(position, 1.0);
+}`;
+
+// Dull paint in the light of sun and sky, wet at the waterline; the curve is that of gl/shaders/film.glsl, or the boat would not be in the
+// picture's light.
+const fragmentShader = `#version 300 es
+precision highp float;
+uniform vec3 sun, sun_irradiance, sky_irradiance;
+uniform float exposure;
+in vec3 normal, albedo;
+in float above_water;
+out vec4 colour;
+vec3 filmic(vec3 exposed) {
+    const mat3 into = mat3(0.59719, 0.07600, 0.02840, 0.35458, 0.90834, 0.13383, 0.04823, 0.01566, 0.83777);
+    const mat3 out_of = mat3(1.60475, -0.10208, -0.00327, -0.53108, 1.10813, -0.07276, -0.07367, -0.00605, 1.07602);
+    vec3 v = into * exposed;
+    v = (v * (v + 0.0245786) - 0.000090537) / (v * (0.983729 * v + 0.4329510) + 0.238081);
+    return clamp(out_of * v, 0.0, 1.0);
+}
+void main() {
+    vec3 n = normalize(normal);
+    vec3 wet = albedo * mix(0.45, 1.0, smoothstep(0.05, 0.3, above_water));
+    // What does not see the sky sees the sea, which sends about 6 % of it back.
+    vec3 irradiance = sun_irradiance * max(dot(n, sun), 0.0) + sky_irradiance * mix(0.06, 1.0, 0.5 + 0.5 * n.y);
+    vec3 shown = filmic(wet / 3.14159265 * irradiance * exposure);
+    colour = vec4(mix(12.92 * shown, 1.055 * pow(max(shown, 1e-6), vec3(1.0 / 2.4)) - 0.055, step(0.0031308, shown)), 1.0);
+}`;
+
+function multiplied(a, b) {
+  const product = new Float64Array(16);
+  for (let column = 0; column < 4; ++column)
+    for (let row = 0; row < 4; ++row)
+      for (let k = 0; k < 4; ++k) product[4 * column + row] += a[4 * k + row] * b[4 * column + k];
+  return product;
+}
+
+export class Boat {
+  constructor(gl) {
+    this.gl = gl;
+    this.program = gl.createProgram();
+    for (const [kind, source] of [[gl.VERTEX_SHADER, vertexShader], [gl.FRAGMENT_SHADER, fragmentShader]]) {
+      const shader = gl.createShader(kind);
+      gl.shaderSource(shader, source);
+      gl.compileShader(shader);
+      gl.attachShader(this.program, shader);
+    }
+    gl.linkProgram(this.program);
+    const mesh = boatMesh();
+    this.count = mesh.length / 9;
+    this.array = gl.createVertexArray();
+    gl.bindVertexArray(this.array);
+    gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
+    gl.bufferData(gl.ARRAY_BUFFER, mesh, gl.STATIC_DRAW);
+    for (let i = 0; i < 3; ++i) {
+      gl.enableVertexAttribArray(i);
+      gl.vertexAttribPointer(i, 3, gl.FLOAT, false, 36, 12 * i);
+    }
+    gl.bindVertexArray(null);
+    gl.bindBuffer(gl.ARRAY_BUFFER, null);
+  }
+
+  /** Takes its place on the view's last frame. */
+  float(view) {
+    this.pose = poseOn(view.heights(places()).heights);
+  }
+
+  /**
+   * Into the framebuffer that the sea was drawn into, whose depth says what water hides of it.
+   * @param eye    {viewport, view, projection} as SeaView.draw() takes it
+   * @param light  of SeaView.lightInfo()
+   * @param origin where the eye's own origin stands in the world
+   */
+  draw(eye, light, origin) {
+    const {gl, program} = this;
+    const uniform = name => gl.getUniformLocation(program, name);
+    gl.useProgram(program);
+    gl.viewport(...eye.viewport);
+    gl.uniformMatrix4fv(uniform('clip_from_world'), false, new Float32Array(multiplied(eye.projection, eye.view)));
+    gl.uniformMatrix4fv(uniform('world_from_boat'), false, new Float32Array(placed(this.pose, origin)));
+    gl.uniform3fv(uniform('sun'), light.direction);
+    gl.uniform3fv(uniform('sun_irradiance'), light.sunIrradiance);
+    gl.uniform3fv(uniform('sky_irradiance'), light.skyIrradiance);
+    gl.uniform1f(uniform('exposure'), light.exposure);
+    gl.enable(gl.DEPTH_TEST);
+    gl.depthMask(true);
+    gl.bindVertexArray(this.array);
+    gl.drawArrays(gl.TRIANGLES, 0, this.count);
+    gl.bindVertexArray(null);
+    gl.useProgram(null);
+    gl.disable(gl.DEPTH_TEST);
+  }
+}

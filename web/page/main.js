@@ -1,0 +1,297 @@
+// The page: a sea in a canvas, its panel, and a link that holds every option.
+//
+// Each frame: settings to the view, simulate, draw, the boat. The sky is baked between frames, a slice at a time; until the first one is done
+// the view draws a plain sky. `window.pelagicPage` is for whoever asks from outside: tests and the console.
+import createPelagicView from './pelagic_view.js';
+import {Boat} from './boat.js';
+import {Camera, followInput} from './camera.js';
+import {allOptions, check, defaultSettings, groupOf} from './options.js';
+import {Panel} from './panel.js';
+import {FrameScale} from './frame_scale.js';
+import {readLink, writeLink} from './share_link.js';
+import {offerVr} from './vr_button.js';
+
+/** Milliseconds of script in a slice of the sky, beside a frame's own. */
+const sliceMs = 12;
+/** The hash of a sea that moves is shown twice a second; it costs a few milliseconds. */
+const hashEveryMs = 500;
+/** While the sky is baked, a frame comes no later than this after the one before. */
+const longestRestMs = 1000;
+
+const byId = id => document.getElementById(id);
+const canvas = byId('sea');
+
+function showProblem(line) {
+  byId('problem').textContent = line;
+  byId('problem').hidden = !line;
+}
+
+class Page {
+  constructor(module) {
+    this.module = module;
+    this.tables = module.pageTables();
+    this.timings = {slices: []};
+    this.settings = this.settingsOfLink();
+    this.camera = new Camera(this.settings);
+    this.keys = followInput(canvas, this.camera);
+    this.scale = new FrameScale();
+    this.makeView();
+    this.panel = new Panel(byId('panel'), this.tables, changes => this.change(changes));
+    this.panel.show(this.settings);
+    this.connectButtons();
+    addEventListener('hashchange', () => this.openLink());
+    offerVr(byId('enter-vr'), () => this.vrOptions(), isInVr => this.restForVr(isInVr), showProblem);
+    this.requestFrame();
+  }
+
+  // ---- Settings ---------------------------------------------------------------------------------------------------------------
+
+  settingsOfLink() {
+    try {
+      const settings = readLink(location.hash, this.module, this.tables);
+      showProblem('');
+      return settings;
+    } catch (error) {
+      showProblem(`This link is damaged: ${error.message}. Here is the default sea.`);
+      return defaultSettings(this.tables);
+    }
+  }
+
+  openLink() {
+    const settings = this.settingsOfLink();
+    this.camera.take(settings);
+    this.take(settings);
+  }
+
+  /** What the user chose; what does not fit is said, and nothing changes. */
+  change(changes) {
+    const settings = {...this.currentSettings(), ...changes};
+    const reason = check(settings, this.module, this.tables);
+    showProblem(reason);
+    if (reason) return this.panel.show(this.settings);
+    if ('cameraFlies' in changes) this.camera.flies = changes.cameraFlies;
+    this.take(settings);
+  }
+
+  /** \pre they are checked */
+  take(settings) {
+    const before = this.settings;
+    this.settings = settings;
+    const differs = group => allOptions(this.tables).some(option => option.group === group && before[option.name] !== settings[option.name]);
+    if (before.quality !== settings.quality || before.shading !== settings.shading) {
+      this.view.delete();
+      this.makeView();
+    } else {
+      this.seaChanged ||= differs('sea');
+      this.lightChanged ||= differs('light');
+    }
+    this.isStale = true;
+    this.panel.show(settings);
+    byId('pause').setAttribute('aria-pressed', settings.paused);
+  }
+
+  currentSettings() {
+    return {...this.settings, ...this.camera.settings()};
+  }
+
+  /** The address of what is seen now. */
+  link() {
+    const settings = this.currentSettings();
+    settings.timeS = Number(settings.timeS.toFixed(3));
+    this.settings.timeS = settings.timeS;  // the link shows the moment that is on the screen
+    const text = writeLink(settings, this.tables);
+    return `${location.origin}${location.pathname}${text && '#'}${text}`;
+  }
+
+  // ---- View -------------------------------------------------------------------------------------------------------------------
+
+  makeView() {
+    const {quality, shading} = this.settings;
+    this.view = new this.module.SeaView({...groupOf(this.settings, this.tables, 'sea'), quality, shading});
+    this.gl = this.view.context;
+    this.boat ??= new Boat(this.gl);
+    this.view.setLight(groupOf(this.settings, this.tables, 'light'));
+    this.shownTimeS = undefined;
+    this.bake();
+  }
+
+  followSettings() {
+    if (this.seaChanged) {
+      this.view.setSea(groupOf(this.settings, this.tables, 'sea'));
+      this.shownTimeS = undefined;
+    }
+    if (this.lightChanged) {
+      this.view.setLight(groupOf(this.settings, this.tables, 'light'));
+      this.bake();
+    }
+    this.seaChanged = this.lightChanged = false;
+  }
+
+  /**
+   * Slices of the sky until it is done. Frames have half of the time: where one takes long, as on a driver without a GPU, the next waits for
+   * as many slices.
+   */
+  bake() {
+    if (this.isBaking) return;
+    this.isBaking = true;
+    const slice = () => {
+      const began = performance.now();
+      this.timings.firstSliceMs ??= began;
+      const isDone = this.view.continueBaking(sliceMs);
+      const ended = performance.now();
+      this.timings.slices.push(ended - began);
+      this.isBaking = !isDone;
+      if (isDone) {
+        this.timings.skyMs ??= ended;
+        this.isStale = true;
+        this.requestFrame();
+      } else {
+        if (ended - this.frameEndedAt >= Math.min(this.frameMs, longestRestMs)) this.requestFrame();
+        setTimeout(slice, 0);
+      }
+    };
+    this.startSlices = () => {
+      this.startSlices = undefined;
+      setTimeout(slice, 0);
+    };
+  }
+
+  requestFrame() {
+    if (this.isFrameRequested) return;
+    this.isFrameRequested = true;
+    requestAnimationFrame(now => this.frame(now));
+  }
+
+  /** As large as the window, or a part of it where frames take long. */
+  fit() {
+    const scale = (this.settings.scale || this.scale.value) * devicePixelRatio;
+    const width = Math.max(1, Math.round(canvas.clientWidth * scale)), height = Math.max(1, Math.round(canvas.clientHeight * scale));
+    if (canvas.width !== width) canvas.width = width;
+    if (canvas.height !== height) canvas.height = height;
+  }
+
+  frame(now) {
+    this.isFrameRequested = false;
+    if (this.isInVr) return;
+    const passed = Math.min((now - (this.lastNow ?? now)) / 1000, 0.25);  // no leaps after a pause
+    const sinceLast = now - (this.lastNow ?? now);
+    this.lastNow = now;
+    if (!this.isBaking && !this.isResting) this.scale.follow(sinceLast);
+    this.advance(passed);
+    this.camera.fly(this.keys, passed);
+    this.fit();
+    const {width, height} = canvas;
+    const eye = {viewport: [0, 0, width, height], ...this.camera.matrices(width / height)};
+    // A sea that is paused before a camera that stands is on the screen already.
+    const seen = [this.shownTimeS, width, height, ...eye.view].join();
+    this.isResting = seen === this.seen && !this.isStale;
+    if (!this.isResting) this.draw(null, width, height, [eye]);
+    this.seen = seen;
+    this.isStale = false;
+    this.showFigures(now, sinceLast);
+    // The next task begins when the driver has taken this frame's calls.
+    setTimeout(() => this.endFrame(now), 0);
+  }
+
+  endFrame(began) {
+    this.frameEndedAt = performance.now();
+    this.frameMs = this.frameEndedAt - began;
+    this.timings.firstFrameMs ??= this.frameEndedAt;
+    this.startSlices?.();
+    if (!this.isBaking) this.requestFrame();
+  }
+
+  /** The sea of the settings, that many seconds later. */
+  advance(passed) {
+    this.followSettings();
+    if (!this.settings.paused) this.settings.timeS += passed;
+    if (this.shownTimeS === this.settings.timeS) return;
+    this.shownTimeS = this.settings.timeS;
+    this.hash = undefined;
+    this.view.simulate(this.shownTimeS);
+  }
+
+  draw(framebuffer, width, height, eyes) {
+    this.view.draw({framebuffer, width, height, eyes});
+    this.drawBoat(framebuffer, eyes, [0, 0, 0]);
+  }
+
+  /** \param origin  where the eyes' own origin stands */
+  drawBoat(framebuffer, eyes, origin) {
+    if (!this.settings.boat) return;
+    this.boat.float(this.view);
+    const light = this.view.lightInfo();
+    this.gl.bindFramebuffer(this.gl.FRAMEBUFFER, framebuffer);
+    for (const eye of eyes) this.boat.draw(eye, light, origin);
+  }
+
+  /** The room's floor stands where the camera is, three metres above rest or as high as the camera. */
+  vrOptions() {
+    const [x, y, z] = this.camera.eye;
+    return {
+      view: this.view,
+      timeS: this.settings.timeS,
+      origin: [x, Math.max(y - 1.6, 1), z],
+      drawMore: (framebuffer, eyes, origin) => this.drawBoat(framebuffer, eyes, origin),
+    };
+  }
+
+  restForVr(isInVr) {
+    this.isInVr = isInVr;
+    this.shownTimeS = undefined;
+    this.isStale = true;
+    if (!isInVr) this.requestFrame();
+  }
+
+  showFigures(now, sinceLast) {
+    byId('time').textContent = this.shownTimeS.toFixed(this.settings.paused ? 3 : 1);
+    if (this.hash === undefined && (this.settings.paused || !(now - this.hashedAt < hashEveryMs))) {
+      this.hash = this.view.hash();
+      this.hashedAt = now;
+      byId('hash').value = this.hash;
+    }
+    byId('frame-time').textContent = `sea ${this.view.simulateMs().toFixed(1)} ms, frame ${sinceLast.toFixed(0)} ms, ${canvas.width} x ${canvas.height}`;
+    const sky = this.view.hasSky() ? '' : 'baking the sky ...';
+    if (byId('sky-state').textContent !== sky) byId('sky-state').textContent = sky;
+  }
+
+  // ---- Buttons and keys -------------------------------------------------------------------------------------------------------
+
+  connectButtons() {
+    const togglePanel = () => {
+      const isShown = byId('panel').hidden;
+      byId('panel').hidden = !isShown;
+      byId('toggle-panel').setAttribute('aria-expanded', isShown);
+    };
+    if (innerWidth <= 640) togglePanel();
+    const pause = () => this.change({paused: !this.settings.paused, timeS: this.settings.timeS});
+    const toggleFullScreen = () => (document.fullscreenElement ? document.exitFullscreen() : document.documentElement.requestFullscreen());
+    byId('toggle-panel').addEventListener('click', togglePanel);
+    byId('pause').addEventListener('click', pause);
+    byId('share').addEventListener('click', () => this.share());
+    byId('full-screen').hidden = !document.fullscreenEnabled;
+    byId('full-screen').addEventListener('click', toggleFullScreen);
+    const actions = {KeyH: togglePanel, Space: pause, KeyG: toggleFullScreen};
+    addEventListener('keydown', event => {
+      if (event.repeat || event.ctrlKey || event.metaKey || event.altKey || event.target.matches('input, select, button, summary')) return;
+      actions[event.code]?.();
+      if (event.code === 'Space') event.preventDefault();
+    });
+  }
+
+  /** Into the address bar, and to the clipboard where the browser lets us. */
+  async share() {
+    const link = this.link();
+    history.replaceState(null, '', link);
+    const button = byId('share');
+    button.textContent = await navigator.clipboard?.writeText(link).then(() => 'Link copied', () => undefined) ?? 'Link is in the address bar';
+    setTimeout(() => { button.textContent = 'Share link'; }, 2000);
+  }
+}
+
+try {
+  window.pelagicPage = new Page(await createPelagicView({canvas}));
+} catch (error) {
+  showProblem(`The sea can't be drawn here: ${error.message ?? error}`);
+  throw error;
+}

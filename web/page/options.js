@@ -1,0 +1,69 @@
+// Every option of the page in one table, and settings: an object with a value for each of them.
+//
+// An option is {name, group, default, accepted} and, if it is a number, {least, most}, if a word, {words}. Groups are the sea and the light,
+// whose tables and checks are the library's own, and the view, which the page adds.
+
+/** What the page adds to the library's options: camera, picture, clock. */
+function viewOptions(tables) {
+  const number = (name, value, least, most, accepted = `[${least}, ${most}]`) =>
+    ({name, group: 'view', default: value, least, most, accepted});
+  const word = (name, value, words) => ({name, group: 'view', default: value, words, accepted: `one of ${words.join(', ')}`});
+  const flag = (name, value) => ({name, group: 'view', default: value, accepted: 'true or false'});
+  return [
+    number('cameraXM', -16.5, -1e7, 1e7),
+    number('cameraYM', 4.2, -50, 5000),
+    number('cameraZM', -13.5, -1e7, 1e7),
+    number('cameraHeadingRad', 0.82, -1e3, 1e3),
+    number('cameraPitchRad', -0.1, -1.5, 1.5),
+    number('cameraDistanceM', 22, 1, 3000),
+    number('cameraFovRad', 0.9, 0.05, 2.8),
+    flag('cameraFlies', false),
+    word('quality', 'high', tables.qualities),
+    word('shading', 'medium', tables.shadings),
+    {...number('scale', 0, 0.25, 1, '[0.25, 1], or 0: by the frame time'), also: 0},
+    flag('boat', true),
+    flag('paused', false),
+    number('timeS', 0, -1e9, 1e9),
+  ];
+}
+
+/** All options, in the order of the panel and of links. */
+export function allOptions(tables) {
+  return [
+    ...tables.seaOptions.map(option => ({...option, group: 'sea'})),
+    ...tables.lightOptions.map(option => ({...option, group: 'light'})),
+    ...viewOptions(tables),
+  ];
+}
+
+const pageLight = 'noon';
+
+/** The sea and the light that the page opens with. */
+export function defaultSettings(tables) {
+  const settings = {};
+  for (const option of allOptions(tables)) settings[option.name] = option.default;
+  return {...settings, ...tables.lightPresets.find(preset => preset.name === pageLight).light};
+}
+
+/** The options of one group. */
+export function groupOf(settings, tables, group) {
+  const names = allOptions(tables).filter(option => option.group === group).map(option => option.name);
+  return Object.fromEntries(names.map(name => [name, settings[name]]));
+}
+
+function checkView(option, value) {
+  const isFit = option.words ? option.words.includes(value)
+    : typeof option.default === 'boolean' ? typeof value === 'boolean'
+    : Number.isFinite(value) && ((value >= option.least && value <= option.most) || value === option.also);
+  return isFit ? '' : `${option.name} is ${value}, needs ${option.accepted}`;
+}
+
+/** Empty if the settings are usable, else one line that names the option, its value and what is accepted. */
+export function check(settings, module, tables) {
+  const sea = module.checkSea(groupOf(settings, tables, 'sea'));
+  if (sea.error) return sea.error;
+  const light = module.checkLight(groupOf(settings, tables, 'light'));
+  if (light.error) return light.error;
+  const views = allOptions(tables).filter(option => option.group === 'view');
+  return views.map(option => checkView(option, settings[option.name])).find(reason => reason) ?? '';
+}

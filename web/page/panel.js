@@ -1,0 +1,124 @@
+// The panel: the sliders of the window's, from the library's own table, and every other option of the sea and the light below them.
+import {allOptions} from './options.js';
+
+const degrees = 180 / Math.PI;
+
+function element(kind, properties = {}, ...children) {
+  const made = Object.assign(document.createElement(kind), properties);
+  made.append(...children);
+  return made;
+}
+
+/** "fetchM" as "fetch, m". */
+function labelOf(name) {
+  const units = {Mps: 'm/s', Rad: 'deg', M: 'm', S: 's'};
+  const unit = Object.keys(units).find(one => name.endsWith(one) && name.length > one.length);
+  const bare = unit ? name.slice(0, -unit.length) : name;
+  const words = bare.replace(/[A-Z]/g, letter => ` ${letter.toLowerCase()}`);
+  return unit ? `${words}, ${units[unit]}` : words;
+}
+
+/** "%+.1f stops" as a function of numbers to text. */
+function formatOf(text) {
+  const [, plus, digits, unit] = text.match(/%(\+?)\.(\d)f ?(.*)/);
+  return value => `${plus && value > 0 ? '+' : ''}${value.toFixed(digits)} ${unit.replace('deg', '°')}`.replace(' °', '°').trim();
+}
+
+export class Panel {
+  /**
+   * @param form    is filled
+   * @param change  called with an object of what the user chose: options by name
+   */
+  constructor(form, tables, change) {
+    this.tables = tables;
+    this.change = change;
+    this.followers = [];  // functions of the settings, that show them
+    this.options = new Map(allOptions(tables).map(option => [option.name, option]));
+    const slid = [...tables.seaSliders, ...tables.lightSliders].map(slider => slider.option);
+    const others = group => allOptions(tables).filter(option => option.group === group && !slid.includes(option.name));
+    form.append(
+      this.group('Sea', true,
+        this.presetRow('sea state', tables.seaPresets, 'sea', ['cascades', 'resolution', 'patchSizeM']),
+        ...tables.seaSliders.map(slider => this.sliderRow(slider)),
+        this.group('More of the sea', false, ...others('sea').map(option => this.optionRow(option)))),
+      this.group('Light', true,
+        this.presetRow('light', tables.lightPresets, 'light', []),
+        ...tables.lightSliders.map(slider => this.sliderRow(slider)),
+        this.group('More of the light', false, ...others('light').map(option => this.optionRow(option)))),
+      this.group('Picture', innerWidth > 640,
+        ...['quality', 'shading', 'scale', 'boat', 'cameraFlies'].map(name => this.optionRow(this.options.get(name)))),
+      element('p', {className: 'hint', textContent: 'Camera: drag, wheel or pinch, arrows, W A S D R F. H hides this, space pauses.'}));
+    form.addEventListener('submit', event => event.preventDefault());
+  }
+
+  /** Shows these settings. */
+  show(settings) {
+    for (const follow of this.followers) follow(settings);
+  }
+
+  group(title, isOpen, ...rows) {
+    return element('details', {open: isOpen}, element('summary', {textContent: title}), ...rows);
+  }
+
+  row(kind, label, input, ...more) {
+    input.id = `option-${label.replace(/\W+/g, '-')}`;
+    return element('div', {className: `row ${kind}`}, element('label', {htmlFor: input.id, textContent: label}), input, ...more);
+  }
+
+  /** A chosen preset sets every option of its group but the kept ones, which say how the sea is computed. */
+  presetRow(label, presets, group, kept) {
+    const select = element('select', {}, element('option', {value: '', textContent: 'own'}),
+      ...presets.map(preset => element('option', {value: preset.name, textContent: preset.name, title: preset.summary})));
+    const asPreset = preset => Object.fromEntries(Object.entries(preset[group]).filter(([name]) => !kept.includes(name)));
+    select.addEventListener('change', () => {
+      const preset = presets.find(one => one.name === select.value);
+      if (preset) this.change(group === 'sea' && preset.sea.waves === 'exp-sine' ? preset.sea : asPreset(preset));
+    });
+    this.followers.push(settings => {
+      const is = preset => Object.entries(asPreset(preset)).every(([name, value]) => settings[name] === value);
+      select.value = presets.find(is)?.name ?? '';
+    });
+    return this.row('wide', label, select);
+  }
+
+  sliderRow({label, option, least, most, format}) {
+    const scale = option.endsWith('Rad') ? degrees : 1;
+    const text = formatOf(format);
+    const step = 10 ** -Number(format.match(/\.(\d)f/)[1]);
+    const input = element('input', {type: 'range', min: least, max: most, step});
+    const output = element('output');
+    input.addEventListener('input', () => this.change({[option]: Number(input.value) / scale}));
+    const row = this.row('', label, input, output);
+    output.htmlFor = input.id;
+    this.followers.push(settings => {
+      // Chosen tiles are four, the waves' own sliders are for those waves.
+      const value = option === 'cascades' && settings.cascades === 0 ? 4 : settings[option];
+      input.value = value * scale;
+      output.value = text(value * scale);
+      row.hidden = (option === 'waveStrength' && settings.waves !== 'analytic') || (option === 'waveDrag' && settings.waves !== 'exp-sine') ||
+        (option === 'cascades' && settings.waves === 'exp-sine');
+    });
+    return row;
+  }
+
+  optionRow(option) {
+    const label = labelOf(option.name);
+    if (option.words) {
+      const select = element('select', {}, ...option.words.map(word => element('option', {value: word, textContent: word})));
+      select.addEventListener('change', () => this.change({[option.name]: select.value}));
+      this.followers.push(settings => { select.value = settings[option.name]; });
+      return this.row('wide', label, select);
+    }
+    if (typeof option.default === 'boolean') {
+      const box = element('input', {type: 'checkbox'});
+      box.addEventListener('change', () => this.change({[option.name]: box.checked}));
+      this.followers.push(settings => { box.checked = settings[option.name]; });
+      return this.row('wide', label.replace('camera flies', 'fly'), box);
+    }
+    const scale = option.name.endsWith('Rad') ? degrees : 1;
+    const input = element('input', {type: 'number', step: 'any', title: `needs ${option.accepted}`});
+    input.addEventListener('change', () => this.change({[option.name]: Number(input.value) / scale}));
+    this.followers.push(settings => { if (document.activeElement !== input) input.value = Number((settings[option.name] * scale).toPrecision(7)); });
+    return this.row('number', label, input);
+  }
+}
