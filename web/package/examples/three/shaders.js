@@ -5,8 +5,8 @@ const skyColour = `
   // Deep blue above, bright at the horizon, warm around the sun.
   vec3 skyAt(vec3 direction) {
     float height = max(direction.y, 0.0), towards = max(dot(direction, sun), 0.0);
-    vec3 colour = mix(vec3(0.62, 0.74, 0.85), vec3(0.09, 0.24, 0.55), pow(height, 0.45));
-    colour += vec3(1.0, 0.62, 0.32) * (0.45 * pow(towards, 8.0) + 0.5 * pow(towards, 60.0)) * (1.0 - 0.6 * height);
+    vec3 colour = mix(vec3(0.44, 0.58, 0.74), vec3(0.05, 0.15, 0.42), pow(height, 0.45));
+    colour += vec3(1.0, 0.62, 0.32) * (0.35 * pow(towards, 8.0) + 0.5 * pow(towards, 60.0)) * (1.0 - 0.6 * height);
     return colour;
   }`;
 
@@ -109,7 +109,7 @@ const fragmentShader = (count) => `
     float spread = max(variance, 1e-3);
     float glitter = exp(-dot(local.xz, local.xz) / spread) / (3.14159 * spread * pow(max(half_.y, 0.1), 4.0));
     float mirror = 0.02 + 0.98 * pow(1.0 - max(dot(half_, toEye), 0.0), 5.0);
-    vec3 colour = mix(body, light, fresnel) + vec3(9.0, 7.0, 4.6) * mirror * glitter / (4.0 * max(facing, 0.1));
+    vec3 colour = mix(body, light, fresnel) + vec3(4.2, 3.3, 2.2) * mirror * glitter / (4.0 * max(facing, 0.1));
 
     float cover = max(foam, white) * smoothstep(3000.0, 200.0, distance);
     colour = mix(colour, vec3(0.75, 0.78, 0.8) * (0.5 + 0.5 * max(dot(normal, sun), 0.0)), 0.85 * cover);
