@@ -156,7 +156,11 @@ Waves resolved_waves(vec2 at, float distance_m, Footprint pixel) {
     Slopes sum = Slopes(vec2(0.0), vec3(0.0), 0.0);
     for (int tile = 0; tile < TILES; ++tile) {
 #if VERTEX_TILES > 0
-        Slopes seen = tile < VERTEX_TILES ? slopes_of_vertices() : tile_slopes(tile, at, distance_m, pixel);
+        Slopes seen;  // WebGL chooses between no structs
+        if (tile < VERTEX_TILES)
+            seen = slopes_of_vertices();
+        else
+            seen = tile_slopes(tile, at, distance_m, pixel);
 #else
         Slopes seen = tile_slopes(tile, at, distance_m, pixel);
 #endif
