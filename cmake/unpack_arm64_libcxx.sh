@@ -10,7 +10,8 @@ work=$(mktemp -d "$folder.XXXXXX")
 trap 'rm -rf "$work"' EXIT
 
 packages=(libc++-14-dev libc++1-14 libc++abi-14-dev libc++abi1-14 libunwind-14-dev libunwind-14)
-(cd "$work" && apt-get download -qq -o APT::Sandbox::User=root "${packages[@]/%/:arm64}")
+(cd "$work" && apt-get download -qq -o APT::Sandbox::User=root "${packages[@]/%/:arm64}") ||
+  { echo "can't fetch ${packages[*]} for arm64: run apt-get update, after dpkg --add-architecture arm64"; exit 1; }
 mkdir "$work/root"
 for package in "$work"/*.deb; do dpkg -x "$package" "$work/root"; done
 chmod 755 "$work/root"

@@ -125,7 +125,6 @@ class Ocean {
     std::size_t memory_bytes() const;  ///< everything that the ocean allocated, two frames and the spectrum included
 
    private:
-    class Sources;
     struct State;
     std::unique_ptr<State> state_;
 };

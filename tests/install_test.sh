@@ -91,6 +91,15 @@ END
     "$cmake" --build "$work/gl_build" >>"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
   (cd "$work" && gl_build/gl_host)
   [ "$(head -c 14 "$work/sea.ppm" | tr '\n' ' ')" = "P6 960 540 255" ]
+
+  # And that of headsets, which says so in one line where there is none.
+  if [ -e /usr/include/openxr/openxr.h ]; then
+    "$cmake" -S "$work/examples/openxr_host" -B "$work/openxr_build" -DCMAKE_PREFIX_PATH="$work/prefix" \
+      -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER="$cxx" >"$work/log" 2>&1 &&
+      "$cmake" --build "$work/openxr_build" >>"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
+    XR_RUNTIME_JSON=/nowhere.json XR_LOADER_DEBUG=none "$work/openxr_build/openxr_host" 2>"$work/said" && exit 1
+    grep -q '^openxr_host: xrCreateInstance: XR_ERROR_RUNTIME_UNAVAILABLE' "$work/said"
+  fi
 fi
 
 PKG_CONFIG_PATH=$(dirname "$(find "$work/prefix" -name pelagic_c.pc)")

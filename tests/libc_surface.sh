@@ -25,6 +25,9 @@ for library in "$@"; do
   cat "$work/used" >>"$work/all"
 done
 # What nobody uses any more would stand for a promise that nobody tests.
-LC_ALL=C comm -23 <(grep -v '^#' "$list" | awk 'NF { print $1 }' | LC_ALL=C sort) <(LC_ALL=C sort -u "$work/all") | sed 's/$/ is in the list and used by nobody/' >"$work/unused"
-cat "$work/unused"
-[ -z "${bad:-}" ] && [ ! -s "$work/unused" ]
+awk '
+  FILENAME == ARGV[1] { used[$1]; next }
+  /^#/ || !NF || $1 in used { next }
+  { print $1 " is in the list and used by nobody"; bad = 1 }
+  END { exit bad }' "$work/all" "$list" || bad=1
+[ -z "${bad:-}" ]

@@ -244,10 +244,12 @@ class OpenXrPictures : public testing::Test {
 };
 
 TEST_F(OpenXrPictures, AreThoseThatTheHostSaved) {
-    EXPECT_EQ(read_file(*saved_ / "left.ppm"), read_file(run_->folder / "left.ppm"));
-    EXPECT_EQ(read_file(*saved_ / "right.ppm"), read_file(run_->folder / "right.ppm"));
+    for (const char* name : {"left.ppm", "right.ppm"})
+        EXPECT_TRUE(read_file(*saved_ / name) == read_file(run_->folder / name)) << name;
     EXPECT_EQ(files_in(saved_->path()).size(), 2u);
 }
+
+TEST_F(OpenXrPictures, AreHandedOverWithoutAWrongCall) { EXPECT_EQ(run_->record["refusals"], Json::array()); }
 
 TEST_F(OpenXrPictures, AreShownFromWhereTheEyesWillBe) {
     for (const Json& recorded : run_->record["eyes"]) {
@@ -274,6 +276,7 @@ TEST_F(OpenXrPictures, AreTheSameInOnePassForBothEyes) {
     const HostRun one_pass({"--quality", "low", "--frames", "2"}, {{"PELAGIC_STAND_IN_EYE", std::to_string(side)},
                                                                    {"PELAGIC_STAND_IN_EVENTS", "1:hide 90:show"},
                                                                    {"LD_PRELOAD", PELAGIC_MULTIVIEW_STAND_IN}});
+    EXPECT_EQ(one_pass.record["refusals"], Json::array());
     EXPECT_EQ(one_pass.outcome.out, "2 frames shown, 900 x 900 an eye, both in one pass\n") << one_pass.outcome.err;
     for (const char* name : {"left.ppm", "right.ppm"})
         EXPECT_TRUE(shown(name).rgb == read_ppm(one_pass.folder / name).rgb) << name;
@@ -409,9 +412,10 @@ TEST(OpenXrErrors, NameAWrongOption) {
               "openxr_host: --resolution is 100, needs a power of two from 16 to 2048, or 0: chosen\n");
     EXPECT_EQ(said({"--pictures", folder / "none"}),
               "openxr_host: --pictures is " + (folder / "none").string() + ", needs a folder that is there\n");
-    EXPECT_EQ(
-        said({"--hashes", folder / "none/seas.txt"}),
-        "openxr_host: --hashes is " + (folder / "none/seas.txt").string() + ", needs a file that can be written\n");
+    EXPECT_EQ(said({"--hashes", folder / "none/seas.txt"}),
+              "openxr_host: --hashes is " + (folder / "none/seas.txt").string() +
+                  ", needs the name of a file in a folder that is there\n");
+    EXPECT_EQ(said({"--eyes\n", "3"}).substr(0, 38), "openxr_host: --eyes? is no option; nee");
     EXPECT_TRUE(files_in(folder.path()).empty());
 }
 

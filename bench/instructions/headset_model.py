@@ -23,10 +23,10 @@ import instructions
 CORES = {"neoverse-v2": "X3-like", "neoverse-n2": "A715-like"}
 CLOCKS_GHZ = (2.0, 2.8)
 ITERATIONS = 100
-# The table's ranges: from the model at the higher clock to it at the lower one, longer by a guess of what it leaves out, and on
-# more threads by what two threads lost on a measured machine, the most of docs/benchmarks.md's: 1.42 times as fast as one, not 2.
+# The table's ranges: from the model at the higher clock to it at the lower one, longer by a guess of what it leaves out; the speed-up of
+# more threads is then 0.7 of the ideal one, which is the least that docs/benchmarks.md has of two threads: 1.42 at N = 128.
 LEFT_OUT = 1.5
-GAIN_KEPT = 0.7
+SPEED_UP_KEPT = 0.7
 
 
 def blocks_of(program, sea):
@@ -107,7 +107,7 @@ def print_table(options):
         cycles = [cycles_of({block for _, _, blocks in jobs.values() for block in blocks}, core) for core in CORES]
         for row in rows:
             threads = row["threads"]
-            kept = 1 if threads == 1 else GAIN_KEPT
+            kept = 1 if threads == 1 else SPEED_UP_KEPT
             ranges = [(threads_ms(jobs, of_core, threads, CLOCKS_GHZ[1]),
                        threads_ms(jobs, of_core, threads, CLOCKS_GHZ[0]) * LEFT_OUT / kept) for of_core in cycles]
             cells = [f"{low:.2f} to {high:.2f}" for low, high in ranges]

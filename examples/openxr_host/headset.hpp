@@ -12,9 +12,7 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <optional>
-#include <vector>
 
 #include "egl_context.hpp"
 

@@ -3,11 +3,13 @@
 //   openxr_host [--preset NAME] [--resolution N] [--quality NAME] [--frames N] [--pictures FOLDER] [--hashes FILE]
 //
 // This file has the frame loop; each of the others is one thing that an engine may have already. docs/users/openxr.md.
+#include <algorithm>
+#include <array>
 #include <cinttypes>
 #include <cstdio>
 #include <exception>
-#include <memory>
 #include <optional>
+#include <string>
 
 #include "egl_context.hpp"
 #include "eye_images.hpp"
@@ -15,22 +17,11 @@
 #include "options.hpp"
 #include "picture.hpp"
 #include "sea_scene.hpp"
+#include "whole_file.hpp"
 
 namespace {
 
 using namespace openxr_host;
-
-struct CloseFile {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-};
-using File = std::unique_ptr<std::FILE, CloseFile>;
-
-File open_for_hashes(const std::filesystem::path& name) {
-    if (name.empty()) return nullptr;
-    File file(std::fopen(name.c_str(), "w"));
-    if (!file) throw std::invalid_argument("--hashes is " + name.string() + ", needs a file that can be written");
-    return file;
-}
 
 /// Both eyes as one layer for the compositor, which shows each from where it was drawn.
 struct EyesLayer {
@@ -51,9 +42,18 @@ struct EyesLayer {
     EyesLayer& operator=(const EyesLayer&) = delete;
 };
 
+/// Values of options may have line ends, and drivers' messages do.
+std::string one_line(std::string text) {
+    std::ranges::replace_if(
+        text, [](unsigned char c) { return c < ' '; }, '?');
+    return text;
+}
+
 /// When that sea is, and its bits: the same on every machine.
-void write_hash(std::FILE& file, const pelagic::Frame& frame) {
-    std::fprintf(&file, "%.9f %016" PRIx64 "\n", frame.time_s, pelagic::hash_of(frame));
+std::string hash_line(const pelagic::Frame& frame) {
+    std::array<char, 64> line;
+    std::snprintf(line.data(), line.size(), "%.9f %016" PRIx64 "\n", frame.time_s, pelagic::hash_of(frame));
+    return line.data();
 }
 
 void save_pictures(const EyeImages& images, const std::filesystem::path& folder) {
@@ -62,7 +62,7 @@ void save_pictures(const EyeImages& images, const std::filesystem::path& folder)
 }
 
 void run(const Options& options) {
-    const File hashes = open_for_hashes(options.hashes);
+    const bool is_hashed = !options.hashes.empty();
     const EglContext context;  // outlives the session, which borrows it
     const pelagic::gl::Functions gl = pelagic::gl::load_functions(
         [](const char* name) { return reinterpret_cast<void*>(eglGetProcAddress(name)); });
@@ -73,6 +73,7 @@ void run(const Options& options) {
 
     XrTime start = 0;
     int shown = 0;
+    std::string hashes;
     while (headset.is_wanted()) {
         if (!headset.handle_events()) continue;
 
@@ -82,7 +83,7 @@ void run(const Options& options) {
         const XrFrameState moment = headset.wait_frame();
         if (start == 0) start = moment.predictedDisplayTime;
         const double sea_time_s = static_cast<double>(moment.predictedDisplayTime - start) * 1e-9;
-        if (moment.shouldRender) scene.schedule(sea_time_s, hashes != nullptr);
+        if (moment.shouldRender) scene.schedule(sea_time_s, is_hashed);
 
         headset.begin_frame();
         std::optional<std::array<XrView, 2>> eyes;
@@ -98,20 +99,26 @@ void run(const Options& options) {
         scene.draw(*eyes, images);
         ++shown;
         const bool is_last = shown == options.frames;
-        if (hashes) write_hash(*hashes, scene.frame());
+        if (is_hashed) hashes += hash_line(scene.frame());
         if (is_last && !options.pictures.empty()) save_pictures(images, options.pictures);
         images.release();
         const EyesLayer layer(headset.space(), *eyes, images);
         headset.end_frame(moment.predictedDisplayTime, &layer.layer);
         if (is_last) headset.request_exit();
     }
+    if (is_hashed) write_whole_file(options.hashes, hashes);
     std::printf("%d frames shown, %d x %d an eye, %s\n", shown, images.width(), images.height(),
                 images.is_multiview() ? "both in one pass" : "a pass for each");
 }
 
 }  // namespace
 
-int main(int count, char** arguments) try { run(options_of(count, arguments)); } catch (const std::exception& error) {
-    std::fprintf(stderr, "openxr_host: %s\n", error.what());
-    return 1;
+int main(int count, char** arguments) {
+    try {
+        run(options_of(count, arguments));
+        return 0;
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "openxr_host: %s\n", one_line(error.what()).c_str());
+        return 1;
+    }
 }

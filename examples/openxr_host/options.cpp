@@ -38,6 +38,15 @@ std::filesystem::path folder(std::string_view option, std::string_view name) {
     return name;
 }
 
+std::filesystem::path file(std::string_view option, std::string_view name) {
+    const std::filesystem::path file = name;
+    const bool has_folder = !file.has_parent_path() || std::filesystem::is_directory(file.parent_path());
+    if (!file.has_filename() || !has_folder || std::filesystem::is_directory(file))
+        throw std::invalid_argument(std::string(option) + " is " + std::string(name) +
+                                    ", needs the name of a file in a folder that is there");
+    return file;
+}
+
 }  // namespace
 
 Options options_of(int count, char** arguments) {
@@ -59,7 +68,7 @@ Options options_of(int count, char** arguments) {
         else if (option == "--pictures")
             options.pictures = folder(option, value);
         else if (option == "--hashes")
-            options.hashes = value;
+            options.hashes = file(option, value);
         else
             throw std::invalid_argument(std::string(option) + " is no option; " + usage);
     }

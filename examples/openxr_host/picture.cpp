@@ -1,8 +1,8 @@
 #include "picture.hpp"
 
-#include <fstream>
-#include <stdexcept>
 #include <string>
+
+#include "whole_file.hpp"
 
 namespace openxr_host {
 
@@ -13,15 +13,7 @@ void write_picture(const std::filesystem::path& file, std::span<const std::uint8
             for (int channel = 0; channel < 3; ++channel)
                 ppm += static_cast<char>(
                     rgba[4 * static_cast<std::size_t>(row * width + column) + static_cast<std::size_t>(channel)]);
-    const std::filesystem::path part = file.string() + ".part";
-    std::ofstream to(part, std::ios::binary);
-    to << ppm;
-    to.close();
-    std::error_code error;
-    if (to) std::filesystem::rename(part, file, error);
-    if (to && !error) return;
-    std::filesystem::remove(part, error);
-    throw std::runtime_error(file.string() + " can't be written");
+    write_whole_file(file, ppm);
 }
 
 }  // namespace openxr_host

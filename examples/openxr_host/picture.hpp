@@ -7,7 +7,7 @@
 
 namespace openxr_host {
 
-/// As PPM, in one step: a file of that name is whole. \param rgba  the lower row first. Throws std::runtime_error.
+/// As PPM. \param rgba  the lower row first. Throws std::runtime_error.
 void write_picture(const std::filesystem::path& file, std::span<const std::uint8_t> rgba, int width, int height);
 
 }  // namespace openxr_host

@@ -130,6 +130,8 @@ XrResult EndFrame(XrSession handle, const XrFrameEndInfo* info) {
         record_layer(*session,
                      *reinterpret_cast<const XrCompositionLayerProjection*>(info->layers[info->layerCount - 1]),
                      swapchains, info->displayTime);
+    if (const GLenum error = session->graphics.error(); error != GL_NO_ERROR)
+        the_instance()->record.refusals.push_back("OpenGL ES: " + std::to_string(error));
     Record::Frame& frame = the_instance()->record.frames[session->frames_begun - 1];
     frame.display_time_ns = info->displayTime;
     frame.layers = info->layerCount;

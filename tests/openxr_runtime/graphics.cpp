@@ -73,6 +73,11 @@ void Graphics::delete_textures(const std::vector<GLuint>& textures) const {
     DeleteTextures(static_cast<GLsizei>(textures.size()), textures.data());
 }
 
+GLenum Graphics::error() const {
+    const BorrowedContext borrowed(*this);
+    return GetError();
+}
+
 std::vector<std::uint8_t> Graphics::read(GLuint texture, bool is_array, int layer, const XrRect2Di& part) const {
     const BorrowedContext borrowed(*this);
     GLint bound = 0, buffer = 0, alignment = 0;

@@ -23,6 +23,8 @@ class Graphics {
     /// Textures of a swapchain, arrays where there is more than one layer.
     std::vector<GLuint> make_textures(int count, GLenum format, int width, int height, int layers) const;
     void delete_textures(const std::vector<GLuint>& textures) const;
+    /// What the application did wrong since the last call, or GL_NO_ERROR.
+    GLenum error() const;
     /// RGB of a layer's part, the upper row first.
     std::vector<std::uint8_t> read(GLuint texture, bool is_array, int layer, const XrRect2Di& part) const;
 
@@ -30,7 +32,7 @@ class Graphics {
     // clang-format off
 #define PELAGIC_STAND_IN_GL(X)                                                                                           \
     X(BindBuffer) X(BindFramebuffer) X(BindTexture) X(DeleteFramebuffers) X(DeleteTextures) X(FramebufferTexture2D)      \
-    X(FramebufferTextureLayer) X(GenFramebuffers) X(GenTextures) X(GetIntegerv) X(PixelStorei) X(ReadPixels)             \
+    X(FramebufferTextureLayer) X(GenFramebuffers) X(GenTextures) X(GetError) X(GetIntegerv) X(PixelStorei) X(ReadPixels)             \
     X(TexStorage2D) X(TexStorage3D)
     // clang-format on
 #define PELAGIC_STAND_IN_POINTER(name) decltype(&gl##name) name = nullptr;

@@ -25,7 +25,7 @@ struct Record {
         std::vector<std::uint8_t> rgb;  ///< as it was handed over, the upper row first
     };
     std::vector<std::string> states;    ///< of the session, in order
-    std::vector<std::string> refusals;  ///< "xrBeginFrame: -37"
+    std::vector<std::string> refusals;  ///< "xrBeginFrame: -37", or a GL error by the end of a frame
     std::vector<Frame> frames;
     XrTime last_display_time_ns = 0;
     std::array<Eye, 2> eyes;

@@ -101,15 +101,16 @@ bool set_option(SeaState& sea, const std::string& name, const val& value) {
     known.emplace_back("preset");
     for (const WordOption& option : word_options()) known.push_back(option.name);
     for (const SeaStateField& field : sea_state_fields()) known.push_back(camel_case(field.name));
-    // "windspeed" and "wind" are wind speed without its unit.
+    // "windspeed", "wind_speed" and "wind" are wind speed without its unit.
+    const std::string slip = camel_case(name);
     const auto is_begun = [&](const std::string& option) {
-        return option.size() >= name.size() &&
-               std::equal(name.begin(), name.end(), option.begin(), [](char a, char b) {
+        return option.size() >= slip.size() &&
+               std::equal(slip.begin(), slip.end(), option.begin(), [](char a, char b) {
                    return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
                });
     };
     const auto begun = std::find_if(known.begin(), known.end(), is_begun);
-    const auto near = begun != known.end() && name.size() > 3 ? *begun : near_name(name, known);
+    const auto near = begun != known.end() && slip.size() > 3 ? *begun : near_name(slip, known);
     throw std::invalid_argument(
         one_line("there is no option " + name + ", needs " + (near ? *near : "one of " + list_of(known))));
 }

@@ -233,6 +233,8 @@ export class Ocean {
   get memoryBytes() { return this.#open().memoryBytes(); }
 
   dispose() {
+    // First its threads come to their ends, where they wait for nothing; then their workers may be ended.
+    this.#native?.delete();
     this.#native = null;
     this.#newest = null;
     this.#instance?.end();

@@ -14,6 +14,7 @@ class Line {
     worker.unref?.();
     worker.onmessage = ({ data: { id, value, error } }) => {
       const call = this.#take(id);
+      if (!call) return;  // closed meanwhile
       if (error !== undefined) call.reject(new Error(error));
       else call.resolve(value);
     };

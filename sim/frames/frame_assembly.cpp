@@ -1,0 +1,219 @@
+#include "pelagic/sim/frames/frame_assembly.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <stdexcept>
+#include <utility>
+
+#include "pelagic/message/refusal.hpp"
+#include "pelagic/sim/history/foam_drift.hpp"
+#include "pelagic/sim/sources/cascade.hpp"
+#include "pelagic/sim/sources/pond.hpp"
+#include "pelagic/simd/float_environment.hpp"
+
+namespace pelagic {
+namespace {
+
+// More than a clock counts: 2^40 loops of less than 2^20 ticks.
+constexpr std::int64_t most_ticks = std::int64_t{1} << 60;
+
+std::size_t tiles_of(const SeaState& sea) { return static_cast<std::size_t>(cascades_of(sea)); }
+
+/// One tile always has gradients, several always have slopes.
+FrameExtras completed(FrameExtras extras, std::size_t tiles) {
+    extras.gradients |= tiles == 1;
+    extras.slopes |= tiles > 1;
+    return extras;
+}
+
+}  // namespace
+
+FrameAssembly::FrameAssembly(const Forecast& forecast, Isa isa, const FrameExtras& wanted)
+    : isa_(isa),
+      weather_(forecast),
+      extras_(completed(wanted, tiles_of(forecast.first))),
+      slots_(tiles_of(forecast.first), resolution_of(forecast.first), kernels_for(isa).lanes, extras_),
+      folds_(slots_, kernels_for(isa)) {
+    for (std::size_t tile = 0; tile < slots_.tile_count(); ++tile) {
+        sources_.push_back(source_of(forecast.first.waves, tile));
+        surfaces_.push_back(std::make_unique<SurfaceStages>(slots_, tile, kernels_for(isa), extras_));
+    }
+    if (extras_.foam) foam_.emplace(slots_, kernels_for(isa), extras_.memory);
+}
+
+void FrameAssembly::add_frame_stages(JobGraph& graph, std::span<const StageId> after) {
+    std::vector<StageId> surfaces_done;
+    for (std::size_t tile = 0; tile < sources_.size(); ++tile) {
+        std::vector<StageId> waits_for;
+        if (!after.empty()) waits_for = {after[tile]};
+        surfaces_done.push_back(sources_[tile]->add_stages(graph, Pass::frame, waits_for));
+        surfaces_[tile]->add_to(graph, surfaces_done.back());
+    }
+    if (extras_.folds) folds_.add_to(graph, surfaces_done);
+}
+
+std::vector<StageId> FrameAssembly::add_tick_stages(JobGraph& graph) {
+    std::vector<StageId> surfaces_done;
+    for (const auto& source : sources_) surfaces_done.push_back(source->add_stages(graph, Pass::tick, {}));
+    return foam_->add_tick_stages(graph, surfaces_done);
+}
+
+void FrameAssembly::add_spectrum_stages(JobGraph& graph) {
+    for (const auto& source : sources_) source->add_spectrum_stage(graph);
+}
+
+void FrameAssembly::begin_frame(double time_s, std::span<const TextureTargets> targets) {
+    const DefaultFloatEnvironment environment;
+    slots_.turn();
+    slots_.write_textures_to(targets);
+    Frame& frame = slots_.frame();
+    const SeaMoment moment = weather_.moment_at(time_s);
+    frame.time_s = time_s;
+    frame.sea = weather_.sea_at(moment);
+    frame.figures = weather_.figures_at(moment);
+    frame.isa = isa_;
+    for (std::size_t tile = 0; tile < sources_.size(); ++tile)
+        sources_[tile]->begin(Pass::frame, moment, slots_.tile(tile));
+    if (foam_) plan_ticks(time_s);
+}
+
+double FrameAssembly::next_tick_s() const { return clock().time_s(frame_tick_.number - ticks_due_ + 1); }
+
+void FrameAssembly::begin_tick() {
+    const DefaultFloatEnvironment environment;
+    const std::int64_t number = frame_tick_.number - --ticks_due_;
+    const SeaMoment moment = moment_at_tick(number);
+    const SeaFigures figures = weather_.figures_at(moment);
+    foam_->advance();
+    for (std::size_t tile = 0; tile < sources_.size(); ++tile) {
+        Tile& at_tick = foam_->tile(tile);
+        sources_[tile]->begin(Pass::tick, moment, at_tick);
+        const DriftTexels drift = drift_of(figures, at_tick.lattice, resolution(), clock(), number);
+        foam_->set_drift(tile, drift.x, drift.z);
+    }
+    newest_tick_ = number;
+    if (ticks_due_ == 0) show_foam();
+}
+
+const Frame& FrameAssembly::end_frame() {
+    if (std::exchange(ticks_mix_weathers_, false)) forget();
+    slots_.finish_textures();
+    Frame& frame = slots_.frame();
+    frame.bounds = {};
+    for (std::size_t tile = 0; tile < sources_.size(); ++tile) {
+        const FrameBounds bounds = slots_.tile(tile).bounds = sources_[tile]->end_frame();
+        frame.bounds.height_min_m += bounds.height_min_m;
+        frame.bounds.height_max_m += bounds.height_max_m;
+        frame.bounds.sideways_x_max_m += bounds.sideways_x_max_m;
+        frame.bounds.sideways_z_max_m += bounds.sideways_z_max_m;
+    }
+    return frame;
+}
+
+void FrameAssembly::keep_foam_of(const SeaChange& next) {
+    ticks_mix_weathers_ = ticks_due_ > 0;  // of a frame in flight
+    if (!newest_tick_) return;
+    const double oldest_s = clock().time_s(*newest_tick_ - foam_->warm_up_ticks());
+    if (clock().time_s(*newest_tick_) > next.from_s || oldest_s < weather_.end_of_forgotten_by_next()) forget();
+}
+
+std::vector<std::uint8_t> FrameAssembly::saved_history() const {
+    if (!foam_ || !newest_tick_) return {};
+    std::vector<std::uint8_t> saved(sizeof *newest_tick_ + foam_->saved_bytes());
+    std::memcpy(saved.data(), &*newest_tick_, sizeof *newest_tick_);
+    foam_->save(std::span(saved).subspan(sizeof *newest_tick_));
+    return saved;
+}
+
+void FrameAssembly::restore_history(std::span<const std::uint8_t> saved) {
+    if (saved.empty()) return forget();
+    const std::size_t needed = foam_ ? sizeof *newest_tick_ + foam_->saved_bytes() : 0;
+    if (saved.size() != needed)
+        throw std::invalid_argument(
+            refusal("history", number_text(saved.size()) + " bytes", "none or " + number_text(needed)));
+    std::int64_t number;
+    std::memcpy(&number, saved.data(), sizeof number);
+    if (number < -most_ticks || number > most_ticks)
+        throw std::invalid_argument(refusal("history's tick", number, "one of a clock"));
+    newest_tick_ = number;
+    foam_->restore(saved.subspan(sizeof *newest_tick_));
+}
+
+void FrameAssembly::begin_sea(std::size_t number) {
+    const DefaultFloatEnvironment environment;
+    weather_.begin(number, sources_);
+}
+
+void FrameAssembly::adopt_sea() {
+    const DefaultFloatEnvironment environment;
+    weather_.adopt(sources_);
+}
+
+void FrameAssembly::begin_other_weather(const SeaState& sea) {
+    const DefaultFloatEnvironment environment;
+    weather_.begin_other(sea, sources_);
+}
+
+void FrameAssembly::adopt_other_weather() {
+    const DefaultFloatEnvironment environment;
+    weather_.restart(sources_);
+    forget();
+}
+
+void FrameAssembly::set_sea_aside() {
+    for (const auto& source : sources_) source->set_aside();
+}
+
+void FrameAssembly::drop_sea() {
+    for (const auto& source : sources_) source->drop_spectrum();
+}
+
+std::size_t FrameAssembly::texels() const {
+    return tile_count() * static_cast<std::size_t>(resolution()) * static_cast<std::size_t>(resolution());
+}
+
+std::size_t FrameAssembly::bytes() const {
+    std::size_t bytes = slots_.bytes();
+    for (const auto& source : sources_) bytes += source->bytes();
+    for (const auto& surface : surfaces_) bytes += sizeof(SurfaceStages) + surface->bytes();
+    if (foam_) bytes += foam_->bytes();
+    return bytes;
+}
+
+std::unique_ptr<SeaSource> FrameAssembly::source_of(WaveModel waves, std::size_t tile) {
+    if (waves == WaveModel::exp_sine) return std::make_unique<Pond>(slots_, tile, isa_, extras_);
+    return std::make_unique<Cascade>(slots_, tile, kernels_for(isa_), extras_);
+}
+
+TickClock FrameAssembly::clock() const { return TickClock(weather_.forecast().first.loop_period_s); }
+
+/// The waves are those of the first loop, which are the same; the weather is that of the tick's own time.
+SeaMoment FrameAssembly::moment_at_tick(std::int64_t number) const {
+    SeaMoment moment = weather_.moment_at(clock().time_s(number));
+    moment.time_s = clock().time_in_loop_s(number);
+    return moment;
+}
+
+/// Which ticks the frame of a time needs beyond those that are remembered. A sea that does not change has the same foam in
+/// every loop.
+void FrameAssembly::plan_ticks(double time_s) {
+    frame_tick_ = clock().at(time_s);
+    const std::int64_t all = foam_->warm_up_ticks();
+    std::int64_t ahead = all;
+    if (newest_tick_) {
+        ahead = frame_tick_.number - *newest_tick_;
+        if (weather_.forecast().changes.empty()) ahead = clock().in_loop(ahead);
+    }
+    ticks_due_ = static_cast<int>(ahead < 0 ? all : std::min(ahead, all));
+    if (ticks_due_ == all) foam_->forget();
+    if (ticks_due_ == 0) show_foam();
+}
+
+/// The frame finds what is remembered now.
+void FrameAssembly::show_foam() {
+    const int fade = static_cast<int>(std::uint64_t{FoamTickJob::fade} * frame_tick_.part >> 32);
+    for (std::size_t tile = 0; tile < slots_.tile_count(); ++tile)
+        slots_.remembered_foam(tile) = {foam_->remembered(tile), fade};
+}
+
+}  // namespace pelagic

@@ -1,0 +1,89 @@
+// How a frame is put together: what the sources of all tiles share, the surfaces that follow from what they make, what is
+// remembered between frames, and the slots that all of it goes into. When that happens, and on which executor, is the ocean's.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "pelagic/jobs/job_graph.hpp"
+#include "pelagic/sim/forecast.hpp"
+#include "pelagic/sim/frame.hpp"
+#include "pelagic/sim/history/foam_history.hpp"
+#include "pelagic/sim/sources/wave_source.hpp"
+#include "pelagic/sim/sources/weather.hpp"
+#include "pelagic/sim/surface/fold_stages.hpp"
+#include "pelagic/sim/surface/frame_slots.hpp"
+#include "pelagic/sim/surface/surface_stages.hpp"
+#include "pelagic/sim/texture_targets.hpp"
+#include "pelagic/sim/tick_clock.hpp"
+
+namespace pelagic {
+
+class FrameAssembly {
+   public:
+    /// \pre check(forecast) is empty
+    FrameAssembly(const Forecast& forecast, Isa isa, const FrameExtras& wanted);
+
+    /// \param after  those of its tick, by tile, or none
+    void add_frame_stages(JobGraph& graph, std::span<const StageId> after = {});
+    std::vector<StageId> add_tick_stages(JobGraph& graph);
+    void add_spectrum_stages(JobGraph& graph);
+
+    /// \pre the moment's seas are at hand
+    void begin_frame(double time_s, std::span<const TextureTargets> targets);
+    /// How many ticks are still to be remembered before the frame is computed.
+    int ticks_due() const { return ticks_due_; }
+    /// When the first of them is.
+    double next_tick_s() const;
+    /// The next run of the tick's stages is that one. \pre its moment's seas are at hand
+    void begin_tick();
+    const Frame& end_frame();
+    void drop_frame() { slots_.turn(); }
+
+    /// Whatever was being remembered may be half of it.
+    void forget() { newest_tick_.reset(); }
+    /// What the next change, or the one that is forgotten for it, says of the past may be another past than the foam's.
+    void keep_foam_of(const SeaChange& next);
+    std::vector<std::uint8_t> saved_history() const;
+    void restore_history(std::span<const std::uint8_t> saved);
+
+    void begin_sea(std::size_t number);
+    void adopt_sea();
+    void begin_other_weather(const SeaState& sea);
+    void adopt_other_weather();
+    void set_sea_aside();
+    void drop_sea();
+
+    Weather& weather() { return weather_; }
+    const Weather& weather() const { return weather_; }
+    FrameContents contents() const { return {extras_.velocities, extras_.gradients, extras_.slopes, extras_.foam}; }
+    std::size_t tile_count() const { return slots_.tile_count(); }
+    int resolution() const { return slots_.resolution(); }
+    std::size_t texels() const;
+    std::size_t bytes() const;  ///< without the object itself
+
+   private:
+    std::unique_ptr<SeaSource> source_of(WaveModel waves, std::size_t tile);
+    TickClock clock() const;
+    SeaMoment moment_at_tick(std::int64_t number) const;
+    void plan_ticks(double time_s);
+    void show_foam();
+
+    Isa isa_;
+    Weather weather_;
+    FrameExtras extras_;
+    FrameSlots slots_;
+    std::vector<std::unique_ptr<SeaSource>> sources_;
+    std::vector<std::unique_ptr<SurfaceStages>> surfaces_;
+    FoldStages folds_;
+    std::optional<FoamHistory> foam_;
+    TickPlace frame_tick_;                     ///< of the frame begun last
+    std::optional<std::int64_t> newest_tick_;  ///< none: nothing is remembered
+    int ticks_due_ = 0;
+    bool ticks_mix_weathers_ = false;
+};
+
+}  // namespace pelagic

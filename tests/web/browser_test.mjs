@@ -1,0 +1,150 @@
+// The npm package in headless Chromium: usage: node browser_test.mjs PACKAGE MODULES GOLDEN SCREENSHOT
+// MODULES is a folder node_modules with puppeteer-core and three.
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { readFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { dirname, join } from 'node:path';
+import { after, before, test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+import { differences, goldenNames } from './golden_seas.js';
+import { serve } from './server.js';
+
+const [folder, modules, goldenFile, screenshot] = process.argv.slice(2);
+const puppeteer = createRequire(join(modules, 'from_here.js'))('puppeteer-core');
+const golden = readFileSync(goldenFile, 'utf8');
+const folders = { '/node_modules/pelagic/': folder, '/node_modules/': modules, '/tests/': dirname(fileURLToPath(import.meta.url)) };
+
+let browser, plain, isolated;
+before(async () => {
+  [plain, isolated] = await Promise.all([serve(folders, { isIsolated: false }), serve(folders, { isIsolated: true })]);
+  browser = await puppeteer.launch({
+    executablePath: execFileSync('sh', ['-c', 'command -v chromium']).toString().trim(),
+    args: ['--no-sandbox', '--disable-dev-shm-usage', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'],
+    protocolTimeout: 300000,
+  });
+});
+after(async () => {
+  await browser?.close();
+  plain?.close();
+  isolated?.close();
+});
+
+/** A page of the server, and what it said in its console that is worse than a note. */
+async function open(server, path = '/') {
+  const page = await browser.newPage();
+  const complaints = [];
+  page.on('console', (message) => {
+    if (['error', 'warn', 'warning'].includes(message.type())) complaints.push(message.text());
+  });
+  page.on('pageerror', (error) => complaints.push(String(error)));
+  await page.goto(server.origin + path);
+  return { page, complaints };
+}
+
+for (const [where, module, threads, expected] of [['on the page', 'index.js', undefined, 1], ['in a worker', 'worker.js', 1, 1],
+                                                  ['in a worker', 'worker.js', 3, 3]])
+  test(`golden hashes ${where} with ${threads ?? 'chosen'} threads`, async () => {
+    const { page, complaints } = await open(threads > 1 ? isolated : plain);
+    const [lines, count] = await page.evaluate(async (module, threads) => {
+      const { createOcean } = await import(`/node_modules/pelagic/${module}`);
+      const { goldenLines } = await import('/tests/golden_seas.js');
+      const ocean = await createOcean({ threads });
+      return [await goldenLines(createOcean, { threads }), ocean.threads];
+    }, module, threads);
+    assert.equal(count, expected);
+    assert.equal(lines.length, goldenNames.length);
+    assert.deepEqual(differences(lines, golden), []);
+    assert.deepEqual(complaints, []);
+    await page.close();
+  });
+
+test('threads are refused where a page has none to give', async () => {
+  const refusal = (module) => import(`/node_modules/pelagic/${module}`).then(({ createOcean }) => createOcean({ threads: 2 }))
+    .then(() => 'none', (error) => `${error instanceof Error} ${error.message}`);
+  for (const [server, module, expected] of [[isolated, 'index.js', /^true threads is 2, needs 1 on a page's own thread/],
+                                            [plain, 'worker.js', /^true threads is 2, needs 1 where a page is not isolated/],
+                                            [isolated, 'worker.js', /^none$/]]) {
+    const { page } = await open(server);
+    assert.match(await page.evaluate(refusal, module), expected);
+    await page.close();
+  }
+});
+
+test('a module that is not there is an error, not silence', async () => {
+  const { page } = await open(plain);
+  await page.setRequestInterception(true);
+  page.on('request', (request) => (request.url().endsWith('.wasm') ? request.respond({ status: 404 }) : request.continue()));
+  const message = await page.evaluate(() => import('/node_modules/pelagic/index.js').then(({ createOcean }) => createOcean())
+    .then(() => 'none', (error) => error.message));
+  assert.match(message, /ocean\.wasm is not there: the server says 404/);
+  await page.close();
+});
+
+// Nothing is drawn, so that only the sea's own memory counts.
+test('ten thousand frames take no more memory than a hundred', async () => {
+  const { page } = await open(plain);
+  const [before, later] = await page.evaluate(async () => {
+    const { createOcean } = await import('/node_modules/pelagic/index.js');
+    globalThis.ocean = await createOcean({ resolution: 32, patchSizeM: 250, queries: true });
+    globalThis.run = (frames) => {
+      for (let i = 0; i < frames; ++i) ocean.frameAt(i / 60).query([0, 0, 1, 1]);
+      return [ocean.memoryBytes, ocean.frameAt(0).tiles[0].displacement.buffer.byteLength];
+    };
+    return [run(100)];
+  }).then(async ([first]) => {
+    const heap = async () => {
+      const client = await page.createCDPSession();
+      await client.send('HeapProfiler.collectGarbage');
+      return (await client.send('Runtime.getHeapUsage')).usedSize;
+    };
+    const begin = await heap();
+    const last = await page.evaluate(() => run(10000));
+    return [[...first, begin], [...last, await heap()]];
+  });
+  assert.deepEqual(later.slice(0, 2), before.slice(0, 2));
+  assert.ok(later[2] - before[2] < 1e6, `${later[2] - before[2]} bytes more`);  // of a number a frame it would be 80 KB, of a view a megabyte
+  await page.close();
+});
+
+test('the three.js example draws a sea with a horizon', async () => {
+  const { page, complaints } = await open(isolated);
+  await page.setViewport({ width: 320, height: 180 });
+  // An error of GL is nobody's but whoever asks for it.
+  await page.evaluateOnNewDocument(() => {
+    const getContext = HTMLCanvasElement.prototype.getContext;
+    HTMLCanvasElement.prototype.getContext = function (type, options) {
+      const context = getContext.call(this, type, { ...options, preserveDrawingBuffer: true });
+      globalThis.gl = context;
+      return context;
+    };
+  });
+  await page.goto(`${isolated.origin}/node_modules/pelagic/examples/three/index.html`);
+  await page.waitForFunction(() => document.title.includes('threads'), { timeout: 60000 });
+  await page.evaluate(() => new Promise((resolve) => {
+    let frames = 0;
+    const next = () => (++frames < 5 ? requestAnimationFrame(next) : resolve());
+    next();
+  }));
+  const rows = await page.evaluate(() => {
+    const { drawingBufferWidth: width, drawingBufferHeight: height } = gl;
+    const pixels = new Uint8Array(4 * width * height);
+    gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+    globalThis.glError = gl.getError();
+    // Of each row, from the top: mean luminance and its standard deviation.
+    return Array.from({ length: height }, (_, row) => {
+      const start = 4 * width * (height - 1 - row);
+      const values = Array.from({ length: width }, (_, i) => (pixels[start + 4 * i] + pixels[start + 4 * i + 1] + pixels[start + 4 * i + 2]) / 3);
+      const mean = values.reduce((sum, value) => sum + value) / width;
+      return { mean, deviation: Math.sqrt(values.reduce((sum, value) => sum + (value - mean) ** 2, 0) / width) };
+    });
+  });
+  await page.screenshot({ path: screenshot });
+  assert.equal(await page.evaluate(() => glError), 0);
+  assert.deepEqual(complaints, []);
+  const share = (from, to) => rows.slice(Math.floor(from * rows.length), Math.floor(to * rows.length));
+  const mean = (some, what) => some.reduce((sum, row) => sum + row[what], 0) / some.length;
+  assert.ok(mean(share(0, 0.25), 'mean') > mean(share(0.6, 1), 'mean') + 20, 'the sky is brighter than the water');
+  assert.ok(mean(share(0.6, 1), 'deviation') > 5, 'the water is not flat');
+  await page.close();
+});

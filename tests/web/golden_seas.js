@@ -1,0 +1,38 @@
+// The seas of tests/golden/hashes.txt in JavaScript's spelling, for node and for pages. Queries' hashes are of GoogleTest's own points;
+// package_test.mjs asks the native command instead.
+
+const oneTile = { resolution: 64, patchSizeM: 250 };
+const seas = { default: {} };
+for (const spectrum of ['phillips-paper', 'phillips', 'pierson-moskowitz', 'jonswap']) seas[`${spectrum}-64`] = { ...oneTile, spectrum };
+for (const spreading of ['cosine-2s', 'hasselmann', 'donelan-banner']) seas[`spreading-${spreading}-64`] = { ...oneTile, spreading };
+seas['shallow-64'] = { ...oneTile, depthM: 8 };
+seas['breaking-swell-64'] = { ...oneTile, depthM: 2, swellHeightM: 1, swellDirectionRad: 2 };
+seas['analytic-64'] = { waves: 'analytic', resolution: 64, choppiness: 1 };
+seas['exp-sine-64'] = { waves: 'exp-sine', resolution: 64 };
+seas['small-waves-64'] = { ...oneTile, smallWaves: 0.8 };
+for (const preset of ['calm', 'moderate', 'rough', 'storm']) seas[`preset-${preset}`] = { preset };
+
+export const goldenNames = [...Object.keys(seas).flatMap((name) => [`${name}@0`, `${name}@12.34`]), 'foam-tiles'];
+
+/** Names with hashes, of oceans by createOcean() of index.js or worker.js, as "name hash" lines. */
+export async function goldenLines(createOcean, options) {
+  const lines = [];
+  for (const [name, sea] of Object.entries(seas)) {
+    const ocean = await createOcean({ ...sea, ...options });
+    for (const time of [0, 12.34]) lines.push(`${name}@${time} ${await (await ocean.frameAt(time)).hash()}`);
+    ocean.dispose();
+  }
+  const foamy = await createOcean({ cascades: 4, resolution: 64, choppiness: 1, foam: true, ...options });
+  lines.push(`foam-tiles ${await (await foamy.frameAt(12.34)).foamHash()}`);
+  foamy.dispose();
+  return lines;
+}
+
+/** Lines that differ from those of the file, whose hashes may lack zeros in front. */
+export function differences(lines, goldenText) {
+  const golden = new Map(goldenText.trim().split('\n').map((line) => line.split(' ')));
+  return lines.filter((line) => {
+    const [name, hash] = line.split(' ');
+    return golden.get(name)?.padStart(16, '0') !== hash;
+  });
+}

@@ -1,0 +1,293 @@
+// The npm package in node: usage: node package_test.mjs PACKAGE PELAGIC GOLDEN
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import { pathToFileURL } from 'node:url';
+import { differences, goldenLines, goldenNames } from './golden_seas.js';
+
+const [folder, pelagic, goldenFile] = process.argv.slice(2);
+const { createOcean, presets, seaOptions, levelCount, levelOffset } = await import(pathToFileURL(join(folder, 'index.js')));
+const remote = await import(pathToFileURL(join(folder, 'worker.js')));
+const golden = readFileSync(goldenFile, 'utf8');
+const small = { resolution: 64, patchSizeM: 250, threads: 1 };
+
+for (const [where, create, threads] of [['here', createOcean, 1], ['here', createOcean, 3], ['in a worker', remote.createOcean, 1],
+                                        ['in a worker', remote.createOcean, 2]])
+  test(`golden hashes ${where}, threads: ${threads}`, async () => {
+    const lines = await goldenLines(create, { threads });
+    assert.equal(lines.length, goldenNames.length);
+    assert.deepEqual(differences(lines, golden), []);
+  });
+
+test('every golden frame is compared', () => {
+  const known = golden.trim().split('\n').map((line) => line.split(' ')[0]);
+  assert.deepEqual(known.filter((name) => !goldenNames.includes(name)),
+                   ['foam-folded', 'queries-analytic', 'queries-exp-sine', 'queries-folded', 'queries-smooth', 'queries-tiles']);
+});
+
+// Halves are rounded from the planes, which an own reader of halves sees.
+function valueOfHalf(half) {
+  const exponent = (half >> 10) & 31, fraction = half & 1023, sign = half >> 15 ? -1 : 1;
+  return sign * (exponent === 0 ? fraction * 2 ** -24 : (1 + fraction / 1024) * 2 ** (exponent - 15));
+}
+
+test('maps and planes show the same waves, where d.ts says', async () => {
+  const ocean = await createOcean({ ...small, queries: true, velocities: true, slopes: true, foam: true });
+  const frame = ocean.frameAt(3);
+  const [tile] = frame.tiles;
+  const texels = 64 * 64;
+  assert.equal(tile.displacement.length, 4 * texels);
+  const rows = tile.height.toRows(), dx = tile.dx.toRows(), dz = tile.dz.toRows();
+  for (const [i, j] of [[0, 0], [5, 0], [0, 5], [63, 63], [17, 40]]) {
+    assert.equal(rows[64 * j + i], tile.height.at(i, j));
+    const texel = 4 * (64 * j + i);
+    for (const [channel, plane] of [[0, dx], [1, rows], [2, dz]]) {
+      const exact = plane[64 * j + i];
+      // A half has eleven bits.
+      assert.ok(Math.abs(valueOfHalf(tile.displacement[texel + channel]) - exact) <= Math.max(Math.abs(exact) * 2 ** -11, 2 ** -25));
+    }
+    const [x, z] = [i * tile.texelM + dx[64 * j + i], j * tile.texelM + dz[64 * j + i]];
+    assert.ok(Math.abs(frame.query([x, z]).heightM[0] - rows[64 * j + i]) < 2e-3);  // its tolerance is a millimetre, on slopes below 1
+  }
+  assert.equal(Math.max(...rows), tile.bounds.heightMaxM);
+  assert.equal(Math.min(...rows), tile.bounds.heightMinM);
+  assert.equal(levelCount(64), 7);
+  const chain = 4 * levelOffset(64, levelCount(64));
+  for (const name of ['gradients', 'slopes', 'moments']) assert.equal(tile[name].length, chain, name);
+  assert.equal(tile.foam.length, chain / 4);
+  assert.ok(tile.velocityY.toRows().some((speed) => speed !== 0));
+  ocean.dispose();
+});
+
+test('views are of one memory, copies stay', async () => {
+  const ocean = await createOcean({ ...small, threads: 2 });
+  const first = ocean.frameAt(1);
+  const { displacement } = first.tiles[0];
+  assert.equal(displacement.buffer, first.tiles[0].height.data.buffer);
+  assert.ok(displacement.buffer instanceof SharedArrayBuffer);
+  const copy = displacement.slice(), hash = first.hash();
+  ocean.frameAt(2);
+  assert.deepEqual(first.tiles[0].displacement, copy);  // while the next one is computed, and until the one after
+  assert.equal(first.hash(), hash);
+  ocean.schedule(3);
+  assert.equal(first.isValid, false);
+  assert.throws(() => first.tiles, /the frame is over/);
+  assert.throws(() => first.hash(), /the frame is over/);
+  ocean.complete();
+  assert.notDeepEqual(displacement, copy);
+  ocean.dispose();
+});
+
+test('views that a growing memory takes away are made anew', async () => {
+  const ocean = await createOcean({ ...small, queries: true });
+  const frame = ocean.frameAt(1);
+  const kept = frame.tiles[0].displacement, copy = kept.slice(), hash = frame.hash();
+  ocean.query(new Float64Array(2e6));  // a million answers need more than there was
+  assert.equal(kept.length, 0, 'the memory has not grown: this test tests nothing');
+  assert.deepEqual(frame.tiles[0].displacement, copy);
+  assert.equal(frame.hash(), hash);
+  ocean.dispose();
+});
+
+test("answers have the native command's bits", async () => {
+  const points = Array.from({ length: 2000 }, (_, i) => [(i * 37.77) % 900 - 450, (i * 12.345) % 700 - 350]);
+  points.push([1e7 + 0.5, -3e6]);
+  const csv = execFileSync(pelagic, ['query', '--points', '-', '--time', '12.34', '--foam', '--resolution', '64'],
+                           { input: points.map(([x, z]) => `${x},${z}\n`).join('') }).toString();
+  const [header, ...lines] = csv.trim().split('\n');
+  const column = Object.fromEntries(header.split(',').map((name, i) => [name, i]));
+  const native = lines.map((line) => line.split(',').map((text) => Math.fround(Number(text))));
+  const options = { resolution: 64, queries: true, velocities: true, foam: true };
+  for (const [create, threads] of [[createOcean, 1], [createOcean, 2], [remote.createOcean, 2]]) {
+    const ocean = await create({ ...options, threads });
+    const frame = await ocean.frameAt(12.34);
+    for (const given of [points, points.flat(), Float64Array.from(points.flat()), points.map(([x, z]) => ({ x, z }))]) {
+      const answers = await frame.query(given);
+      native.forEach((row, i) => {
+        const here = [answers.heightM[i], ...answers.normal.slice(3 * i, 3 * i + 3), ...answers.velocityMps.slice(3 * i, 3 * i + 3),
+                      answers.jacobian[i], answers.errorM[i], answers.foam[i], answers.converged[i]];
+        const there = ['height', 'nx', 'ny', 'nz', 'vx', 'vy', 'vz', 'jacobian', 'error_m', 'foam', 'converged'].map((name) => row[column[name]]);
+        assert.deepEqual(here, there, `point ${i}`);
+      });
+    }
+    ocean.dispose();
+  }
+});
+
+test('a ray comes down on the water that a query finds there', async () => {
+  for (const create of [createOcean, remote.createOcean]) {
+    const ocean = await create({ ...small, queries: true });
+    const frame = await ocean.frameAt(3);
+    const hit = await frame.firstHit({ originM: [10, 30, -5], direction: [1, -2, 0.5], reachM: 200 });
+    const [x, y, z] = hit.positionM;
+    assert.ok(Math.abs((await frame.query([x, z])).heightM[0] - y) < 2e-3);
+    assert.equal(hit.fromBelow, false);
+    assert.equal(await frame.firstHit({ originM: [0, 30, 0], direction: [0, 1, 0], reachM: 100 }), null);
+    ocean.dispose();
+  }
+});
+
+test('what is wrong is refused by one line that says what would do', async () => {
+  const cases = [
+    [{ windSpeedMps: -3 }, 'windSpeedMps is -3, needs (0, 60]'],
+    [{ windSpeedMps: NaN }, 'windSpeedMps is NaN, needs (0, 60]'],
+    [{ windSpeedMps: Infinity }, 'windSpeedMps is Infinity, needs (0, 60]'],
+    [{ windSpeedMps: '9' }, 'windSpeedMps is "9", needs a number: (0, 60]'],
+    [{ windSpeedMps: null }, 'windSpeedMps is null, needs a number: (0, 60]'],
+    [{ windSpeedMps: [9] }, 'windSpeedMps is an array, needs a number: (0, 60]'],
+    [{ resolution: 100 }, 'resolution is 100, needs a power of two from 16 to 2048, or 0: chosen'],
+    [{ cascades: 2.5 }, 'cascades is 2.5, needs 1, 2, 3 or 4, or 0: chosen'],
+    [{ cascades: 3, patchSizeM: 100 }, 'cascades is 3, needs 1 where the side of the tile is given'],
+    [{ spectrum: 'phillips-paper', swellHeightM: 1 }, 'swellHeightM is 1, needs 0 where the spectrum is phillips-paper'],
+    [{ wind_speed_mps: 9 }, 'there is no option wind_speed_mps, needs windSpeedMps'],
+    [{ windspeed: 9 }, 'there is no option windspeed, needs windSpeedMps'],
+    [{ waves: 'exp_sine' }, 'waves is "exp_sine", needs spectrum, analytic or exp-sine (the nearest is exp-sine)'],
+    [{ queries: 1 }, 'queries is 1, needs true or false'],
+    [{ threads: 0 }, 'threads is 0, needs a whole number from 1 to 64'],
+    [{ threads: '2' }, 'threads is "2", needs a whole number from 1 to 64'],
+    [null, 'options is null, needs an object such as {windSpeedMps: 9}'],
+    [[], 'options is an array, needs an object such as {windSpeedMps: 9}'],
+  ];
+  for (const create of [createOcean, remote.createOcean])
+    for (const [options, message] of cases) await assert.rejects(create(options), { name: 'Error', message });
+  await assert.rejects(createOcean({ preset: 'ruogh' }), /^Error: preset is "ruogh", needs pond, calm.*the nearest is rough/);
+  await assert.rejects(remote.createOcean({ maps: ['depth'] }), /maps has depth, needs only displacement/);
+
+  const ocean = await createOcean(small);
+  for (const [call, message] of [
+    [() => ocean.complete(), 'no frame is scheduled, needs schedule() first'],
+    [() => ocean.query([0, 0]), 'there is no frame yet, needs complete() first'],
+    [() => ocean.schedule(NaN), 'timeS is NaN, needs a finite number'],
+    [() => ocean.schedule('1'), 'timeS is "1", needs a finite number'],
+    [() => ocean.schedule(), 'timeS is undefined, needs a finite number'],
+    [() => { ocean.schedule(1); ocean.schedule(2); }, 'a frame is scheduled already, needs complete() first'],
+    [() => ocean.changeSea({ windSpeedMps: 5 }), 'a frame is scheduled, needs complete() first'],
+    [() => ocean.complete().query([1]), 'points has 1 numbers, needs pairs of numbers: [x, z, x, z, ...], [[x, z], ...] or [{x, z}, ...], metres'],
+    [() => ocean.changeSea({ resolution: 32 }), /resolution/],
+    [() => ocean.completeSea(), 'no sea is scheduled, needs scheduleSea() first'],
+    [() => ocean.turnInto({ windSpeedMps: 5 }, { fromS: 1, overS: 0 }), 'overS is 0, needs seconds in (0, 1e9]'],
+  ])
+    assert.throws(call, typeof message === 'string' ? { name: 'Error', message } : message);
+  assert.throws(() => ocean.query([0, 0]), /queries/);
+  ocean.dispose();
+  assert.throws(() => ocean.frameAt(1), { name: 'Error', message: 'the ocean is disposed' });
+
+  const askable = await createOcean({ ...small, queries: true });
+  askable.frameAt(0);
+  for (const [ray, pattern] of [[undefined, /^Error: originM is undefined, needs three numbers/], [{ originM: [0, 1, 0], direction: [0, 0, 0], reachM: 1 }, /direction's length is 0/],
+                                [{ originM: [0, 1, 0], direction: [0, -1, 0], reachM: -1 }, /reachM is -1, needs 0 to a million/]])
+    assert.throws(() => askable.firstHit(ray), pattern);
+  assert.throws(() => askable.query([0, 0], { toleranceM: 0 }), /toleranceM is 0, needs metres above 0/);
+  askable.dispose();
+});
+
+test('after a refusal all goes on', async () => {
+  const ocean = await createOcean(small);
+  const expected = ocean.frameAt(5).hash();
+  assert.throws(() => ocean.schedule(NaN));
+  assert.throws(() => ocean.changeSea({ windSpeedMps: 99 }));
+  assert.equal(ocean.frameAt(5).hash(), expected);
+  ocean.dispose();
+});
+
+test('a sea may change, at once or with time', async () => {
+  const rough = { ...small, windSpeedMps: 17, seed: 3 };
+  const ocean = await createOcean(small), other = await createOcean(rough);
+  ocean.scheduleSea({ windSpeedMps: 17, seed: 3 });
+  const before = ocean.frameAt(2).hash();
+  ocean.completeSea();
+  assert.equal(ocean.sea.windSpeedMps, 17);
+  assert.equal(ocean.sea.resolution, 64);
+  const after = other.frameAt(2).hash();
+  assert.notEqual(before, after);
+  assert.equal(ocean.frameAt(2).hash(), after);
+  ocean.turnInto({ windSpeedMps: 5 }, { fromS: 10, overS: 5 });
+  assert.equal(ocean.frameAt(9).hash(), other.frameAt(9).hash());
+  assert.equal(ocean.frameAt(20).sea.windSpeedMps, 5);
+  assert.notEqual(ocean.frameAt(20).hash(), other.frameAt(20).hash());
+
+  const there = await remote.createOcean(small);
+  await there.changeSea({ windSpeedMps: 17, seed: 3 });
+  assert.equal(await (await there.frameAt(2)).hash(), after);
+  for (const one of [ocean, other, there]) one.dispose();
+});
+
+test("a worker's frames are its memory where that is shared, else copies", async () => {
+  const local = await createOcean({ ...small, slopes: true });
+  for (const threads of [1, 2]) {
+    const ocean = await remote.createOcean({ ...small, threads, slopes: true, maps: ['displacement', 'slopes', 'height'] });
+    assert.equal(ocean.isShared, threads > 1);
+    ocean.schedule(4);
+    const [tile] = (await ocean.complete()).tiles;
+    assert.equal(tile.displacement.buffer instanceof SharedArrayBuffer, threads > 1);
+    const here = local.frameAt(4).tiles[0];
+    assert.deepEqual(Array.from(tile.displacement), Array.from(here.displacement));
+    assert.deepEqual(Array.from(tile.slopes), Array.from(here.slopes));
+    assert.deepEqual(Array.from(tile.height.toRows()), Array.from(here.height.toRows()));
+    assert.equal(tile.moments, null);
+    const pending = ocean.frameAt(1);
+    ocean.dispose();
+    await assert.rejects(pending, /disposed/);
+    await assert.rejects(ocean.frameAt(1), /disposed/);
+  }
+  local.dispose();
+});
+
+test('types name the options as the library has them, with default and range', async () => {
+  const types = readFileSync(join(folder, 'index.d.ts'), 'utf8');
+  const options = types.slice(types.indexOf('interface SeaOptions'), types.indexOf('interface OceanOptions'));
+  const table = await seaOptions();
+  const typed = [...options.matchAll(/\/\*\* (.*) \*\/\n  (\w+)\?: (.*);/g)].map(([, doc, name, type]) => ({ doc, name, type }));
+  assert.deepEqual(typed.map(({ name }) => name), ['preset', ...table.map(({ name }) => name)]);
+  for (const { name, default: value, accepted, words } of table) {
+    const { doc, type } = typed.find((one) => one.name === name);
+    assert.ok(doc.includes(`Default ${typeof value === 'string' ? `"${value}"` : value}`), `${name}: ${doc}`);
+    if (words) assert.equal(type, words.map((word) => `'${word}'`).join(' | '));
+    else assert.ok(doc.includes(`: ${accepted}.`), `${name}: ${doc} lacks ${accepted}`);
+  }
+  for (const { name, sea } of await presets()) {
+    const ocean = await createOcean({ preset: name, threads: 1 });
+    assert.deepEqual(ocean.sea, sea);
+  }
+});
+
+// All memory of an ocean is there after its first frames: what a page takes is the module's memory and what garbage there is.
+test('ten thousand frames take no more memory than a hundred', async () => {
+  const ocean = await createOcean({ ...small, resolution: 32, queries: true });
+  const points = new Float64Array(64);
+  const run = (frames) => {
+    for (let i = 0; i < frames; ++i) {
+      const frame = ocean.frameAt(i / 60);
+      frame.query(points);
+      assert.ok(frame.tiles[0].displacement.length);
+    }
+  };
+  run(100);
+  const bytes = ocean.frameAt(0).tiles[0].displacement.buffer.byteLength, held = ocean.memoryBytes;
+  globalThis.gc();
+  const heap = process.memoryUsage().heapUsed;
+  run(10000);
+  globalThis.gc();
+  assert.equal(ocean.frameAt(0).tiles[0].displacement.buffer.byteLength, bytes);
+  assert.equal(ocean.memoryBytes, held);
+  // A leak of one number a frame would be 80 KB, of a view a megabyte; compiled code comes and goes.
+  assert.ok(process.memoryUsage().heapUsed - heap < 1e6, `${process.memoryUsage().heapUsed - heap} bytes more`);
+  ocean.dispose();
+});
+
+test('oceans that come and go leave nothing', async () => {
+  const live = [];
+  for (let i = 0; i < 30; ++i) {
+    const ocean = await createOcean({ ...small, threads: 1 + i % 2 });
+    live.push(new WeakRef(ocean.frameAt(i).tiles[0].displacement.buffer));
+    ocean.dispose();
+  }
+  for (let i = 0; i < 20; ++i) {
+    await new Promise((resolve) => setTimeout(resolve, 20));
+    globalThis.gc();
+  }
+  const left = live.filter((buffer) => buffer.deref()).length;
+  assert.ok(left <= 3, `${left} of 30 memories are still there`);  // the last may be in registers
+});
