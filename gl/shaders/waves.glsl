@@ -156,7 +156,7 @@ Waves resolved_waves(vec2 at, float distance_m, Footprint pixel) {
     Slopes sum = Slopes(vec2(0.0), vec3(0.0), 0.0);
     for (int tile = 0; tile < TILES; ++tile) {
 #if VERTEX_TILES > 0
-        Slopes seen;  // WebGL chooses between no structs
+        Slopes seen;  // WebGL chooses no structures by ?:
         if (tile < VERTEX_TILES)
             seen = slopes_of_vertices();
         else

@@ -22,7 +22,8 @@ glm::dvec3 vector_in(const nlohmann::json& numbers) { return {numbers[0], number
 
 void draw(const nlohmann::json& scene, const char* picture) {
     const int width = scene["width"], height = scene["height"];
-    const std::string sea_name = scene["preset"], light_name = scene["light"], quality = scene["quality"];
+    const std::string sea_name = scene["preset"], light_name = scene["light"], quality = scene["quality"],
+                      shading = scene["shading"];
     SeaState sea = sea_preset_named(sea_name)->sea;
     sea.resolution = scene["resolution"];
     Ocean ocean(sea, {.queries = true, .slopes = true, .foam = true});
@@ -42,7 +43,7 @@ void draw(const nlohmann::json& scene, const char* picture) {
     gl::SeaRenderer renderer(gl, {.patch_vertices = selection.options().vertices,
                                   .resolution = ocean.resolution(),
                                   .tiles = ocean.tile_count(),
-                                  .shading = gl::Shading::medium});
+                                  .shading = *gl::shading_named(shading)});
     const gl::LightPreset& light = *gl::light_preset_named(light_name);
     gl::SkyBaker baker(make_default_executor(), scene["skyFaceSize"]);
     baker.schedule(light.sky);

@@ -14,10 +14,12 @@ const require = createRequire(join(process.cwd(), 'package.json'));
 const {default: puppeteer} = await import(pathToFileURL(require.resolve('puppeteer-core')));
 
 const scene = {
-  preset: 'moderate', resolution: 64, timeS: 12.5, light: 'noon', skyFaceSize: 64, quality: 'medium', width: 320, height: 180, eyesApartM: 0,
+  preset: 'moderate', resolution: 64, timeS: 12.5, light: 'noon', skyFaceSize: 64, quality: 'medium', shading: 'medium', width: 320, height: 180, eyesApartM: 0,
   camera: {position: [3, 5, -2], target: [60, 1, 35], verticalViewRad: 0.8}, points: [[0, 0], [3.5, -7.25], [1234.5, 99]],
 };
-const viewOptions = ({preset, resolution, skyFaceSize, quality}) => ({preset, resolution, skyFaceSize, quality});
+/** For many frames: a software driver takes seconds for what a GPU does in a millisecond. */
+const quickScene = {...scene, quality: 'low', shading: 'headset'};
+const viewOptions = ({preset, resolution, skyFaceSize, quality, shading}) => ({preset, resolution, skyFaceSize, quality, shading});
 
 /** What EGL draws of it: {pixels, hash, heights}. */
 function nativePicture(name, wanted) {
@@ -56,7 +58,7 @@ before(async () => {
   profile = mkdtempSync(join(tmpdir(), 'view_test_'));
   browser = await puppeteer.launch({
     executablePath: process.env.PELAGIC_CHROMIUM ?? '/usr/bin/chromium', headless: true, userDataDir: profile, protocolTimeout: 300000,
-    defaultViewport: {width: 400, height: 200},
+    defaultViewport: {width: 240, height: 120},
     args: ['--no-sandbox', '--disable-dev-shm-usage', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'],
   });
   console.log(await browser.version());
@@ -94,28 +96,30 @@ test('the first picture has a plain sky, and the baked one is what EGL draws; ha
     const baked = picture();
     const hash = view.hash(), heights = [...view.heights(new Float64Array(scene.points.flat())).heights];
 
-    // A framebuffer of the page's own script, with as many samples as the canvas has.
+    // Framebuffers of the page's own script: one with as many samples as the canvas has, and one that takes their means.
     const gl = view.context;
-    const framebuffer = gl.createFramebuffer(), colour = gl.createRenderbuffer(), depth = gl.createRenderbuffer();
-    const samples = gl.getParameter(gl.SAMPLES);
-    gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
-    for (const [buffer, format, attachment] of [[colour, gl.RGBA8, gl.COLOR_ATTACHMENT0], [depth, gl.DEPTH_COMPONENT24, gl.DEPTH_ATTACHMENT]]) {
-      gl.bindRenderbuffer(gl.RENDERBUFFER, buffer);
-      gl.renderbufferStorageMultisample(gl.RENDERBUFFER, samples, format, width, height);
-      gl.framebufferRenderbuffer(gl.FRAMEBUFFER, attachment, gl.RENDERBUFFER, buffer);
-    }
+    const framebufferOf = samples => {
+      const framebuffer = gl.createFramebuffer();
+      gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
+      for (const [format, attachment] of [[gl.RGBA8, gl.COLOR_ATTACHMENT0], [gl.DEPTH_COMPONENT24, gl.DEPTH_ATTACHMENT]]) {
+        gl.bindRenderbuffer(gl.RENDERBUFFER, gl.createRenderbuffer());
+        gl.renderbufferStorageMultisample(gl.RENDERBUFFER, samples, format, width, height);
+        gl.framebufferRenderbuffer(gl.FRAMEBUFFER, attachment, gl.RENDERBUFFER, gl.getParameter(gl.RENDERBUFFER_BINDING));
+      }
+      return framebuffer;
+    };
+    const framebuffer = framebufferOf(gl.getParameter(gl.SAMPLES)), means = framebufferOf(0);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    gl.clear(gl.COLOR_BUFFER_BIT);
     view.draw({framebuffer, width, height, eyes});
     gl.bindFramebuffer(gl.READ_FRAMEBUFFER, framebuffer);
-    gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, null);
-    gl.clearColor(1, 0, 0, 1);
-    gl.clear(gl.COLOR_BUFFER_BIT);
+    gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, means);
     gl.blitFramebuffer(0, 0, width, height, 0, 0, width, height, gl.COLOR_BUFFER_BIT, gl.NEAREST);
-    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, means);
     const own = pixels(gl, width, height);
-    for (const object of [colour, depth]) gl.deleteRenderbuffer(object);
-    gl.deleteFramebuffer(framebuffer);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
     return {first, baked, own, slices, hash, heights, hasSky: view.hasSky(), error: view.glError(), simulateMs: view.simulateMs(), drawMs: view.drawMs(),
-            moduleMs: tested.moduleMs, samples};
+            moduleMs: tested.moduleMs};
   }, scene, viewOptions(scene));
   console.log(`module ${drawn.moduleMs.toFixed(0)} ms, sky in ${drawn.slices} slices, simulate ${drawn.simulateMs.toFixed(2)} ms, draw ${drawn.drawMs.toFixed(2)} ms of script`);
   assert.equal(drawn.hash, native.hash);
@@ -135,8 +139,13 @@ test('the first picture has a plain sky, and the baked one is what EGL draws; ha
 });
 
 test('200 frames of 160 x 90 with resizes leave no GL error', {timeout: 150000}, async () => {
-  const {errors, simulateMs, drawMs, triangles} = await page.evaluate(camera => {
-    const {view, eyeOf, resize} = tested;
+  const {errors, simulateMs, drawMs, triangles} = await page.evaluate((camera, options) => {
+    const {module, eyeOf, resize} = tested;
+    tested.view.delete();
+    const view = tested.view = new module.SeaView(options);
+    view.setLight({preset: 'noon'});
+    while (!view.continueBaking(50));
+    const pixel = new Uint8Array(4);
     const errors = [];
     let simulateMs = 0, drawMs = 0;
     for (let i = 0; i < 200; ++i) {
@@ -144,13 +153,14 @@ test('200 frames of 160 x 90 with resizes leave no GL error', {timeout: 150000},
       resize(width, height);
       view.simulate(0.05 * i);
       view.draw({width, height, eyes: [eyeOf(camera, [0, 0, width, height])]});
+      view.context.readPixels(0, 0, 1, 1, view.context.RGBA, view.context.UNSIGNED_BYTE, pixel);  // waits until it is drawn
       simulateMs += view.simulateMs();
       drawMs += view.drawMs();
       const error = view.glError();
       if (error !== 0) errors.push([i, error]);
     }
     return {errors, simulateMs, drawMs, triangles: view.seaInfo().triangles};
-  }, scene.camera);
+  }, scene.camera, viewOptions(quickScene));
   console.log(`script a frame: simulate ${(simulateMs / 200).toFixed(2)} ms, draw ${(drawMs / 200).toFixed(2)} ms, ${triangles} triangles`);
   assert.deepEqual(errors, []);
   assert.ok(triangles > 1000);
@@ -189,12 +199,12 @@ test('a headset has two eyes, a head that moves, and an end', {timeout: 150000},
   });
   // Looking along -z from the head's place in the room, which stands in the sea at `origin`.
   const seenFrom = async (name, [x, y, z], [tx, ty, tz]) => {
-    await page.waitForFunction(x => Math.abs(tested.seen?.pose - x) < 1e-6, {timeout: 60000}, x);
+    await page.waitForFunction(x => Math.abs(tested.seen?.pose - x) < 1e-6, {timeout: 90000, polling: 200}, x);
     const seen = await page.evaluate('tested.seen');
     const {width, height} = seen;
     assert.deepEqual(seen.viewports, [[0, 0, width / 2, height], [width / 2, 0, width / 2, height]]);
     const position = [x + 5, y + 1, z + 7];
-    const native = nativePicture(name, {...scene, timeS: seen.timeS, width, height, eyesApartM: 0.2,
+    const native = nativePicture(name, {...quickScene, timeS: seen.timeS, width, height, eyesApartM: 0.2,
       camera: {position, target: [position[0] + tx, position[1] + ty, position[2] + tz], verticalViewRad: 1.2}});
     const picture = saved(name, seen.pixels);
     assertAlike(`${name}, ${width} x ${height}`, picture, native.pixels, 40);
@@ -203,11 +213,11 @@ test('a headset has two eyes, a head that moves, and an end', {timeout: 150000},
   const first = await seenFrom('stereo', [0.3, 1.7, -0.2], [0, 0, -1]);
   // The right eye sees the water before it further to the left, and the horizon where the left eye does.
   const rows = (from, to) => Array.from({length: to - from}, (_, i) => from + i);
-  const near = disparity(first.picture, first.width, rows(first.height - 24, first.height));
-  const far = disparity(first.picture, first.width, rows(10, first.height / 2 - 4));
+  const near = disparity(first.picture, first.width, rows(first.height - 16, first.height));
+  const far = disparity(first.picture, first.width, rows(6, first.height / 2 - 4));
   console.log(`disparity ${near} pixels near, ${far} far`);
   // 0.2 m apart, 2.7 m above the sea, 30 degrees down: 0.2 / 5 of the focal length, which is the half height / tan(0.6).
-  assert.ok(near >= 3 && near <= 10, `near water is ${near} pixels further to the left`);
+  assert.ok(near >= 2 && near <= 6, `near water is ${near} pixels further to the left`);
   assert.equal(far, 0);
 
   await page.evaluate(() => {
@@ -253,11 +263,11 @@ test('what is wrong is refused by one line, and the sea stays', async () => {
     'Error: windSpeedMps is -3, needs (0, 60]',
     refusals.lines[1],
     'Error: cloudCover is 3, needs [0, 1]',
-    'Error: preset is "dusk", needs one of noon, golden-hour, overcast, storm, moonlight',
-    'Error: shading is "best", needs one of headset, medium, high',
+    'Error: preset is "dusk", needs noon, golden-hour, overcast, storm or moonlight',
+    'Error: shading is "best", needs headset, medium or high',
     'Error: eyes is 0, needs one or two',
     "Error: an eye's view needs 16 numbers",
-    'Error: timeS is NaN, needs a finite number',
+    'Error: timeS is nan, needs a finite number',
   ]);
   assert.match(refusals.lines[1], /^Error: there is no option windSpeed, needs windSpeedMps/);
   assert.equal(refusals.same, true);

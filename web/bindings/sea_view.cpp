@@ -67,6 +67,7 @@ struct SeaView::State {
     gl::SkyBaker plain, baker;
     std::unique_ptr<gl::SeaRenderer> renderer;
     const gl::Sky* sky = nullptr;  ///< that the renderer shows
+    bool has_baked = false;  ///< no plain sky any more
     bool is_baking = false;
     std::optional<gl::SkyOptions> next_light;  ///< set while another one is being baked
     float stops = 0;
@@ -84,7 +85,7 @@ void SeaView::set_light(const gl::SkyOptions& sky, float stops) {
     State& s = *state_;
     if (const std::string reason = check(sky); !reason.empty()) throw std::invalid_argument(reason);
     s.stops = stops;
-    if (!s.sky) {
+    if (!s.has_baked) {
         gl::SkyOptions clear = sky;
         clear.cloud_cover = 0;
         s.plain.schedule(clear);
@@ -104,6 +105,7 @@ bool SeaView::continue_baking(double budget_ms) {
     const std::chrono::duration<double, std::milli> budget(budget_ms);
     if (!s.slices->advance(std::chrono::duration_cast<std::chrono::nanoseconds>(budget))) return false;
     s.show(s.baker.complete());
+    s.has_baked = true;
     s.is_baking = false;
     return !s.next_light;
 }

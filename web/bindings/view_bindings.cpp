@@ -19,7 +19,7 @@
 //   hasSky()                the sky of the last setLight() is the one that is drawn
 //   simulate(timeS)         computes the frame of that time and uploads it
 //   hash()                  of that frame: 16 hexadecimal digits, the same as everywhere else
-//   simulateMs(), drawMs()  of the last call, milliseconds of script; a GPU's own are not in them
+//   simulateMs(), drawMs()  milliseconds of script in the last calls, without the upload; a GPU's own are not in them
 //   seaInfo()               {significantHeightM, tiles, resolution, memoryBytes, triangles}
 //   draw(request)           {framebuffer, eyes, origin, exposure}: clears the framebuffer and draws into it. `framebuffer`
 //                           is a WebGLFramebuffer of the page's own script or of an XRWebGLLayer; null or undefined is the canvas.

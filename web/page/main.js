@@ -15,8 +15,11 @@ import {offerVr} from './vr_button.js';
 const sliceMs = 12;
 /** The hash of a sea that moves is shown twice a second; it costs a few milliseconds. */
 const hashEveryMs = 500;
-/** The window's light meter exposes a view of the sea so much brighter than a white card's picture, which is the sky's own exposure. */
-const meteredStops = 1.6;
+/**
+ * The page has no light meter. That of `pelagic render` exposes the first view brighter than the sky's own exposure, a white card's: by 1.7 stops at
+ * noon, 1.6 overcast, 1.3 in a storm, 1.4 by moonlight, 0.4 in the golden hour.
+ */
+const meteredStops = 1.3;
 /** After so many frames a picture that rests is drawn in full size. */
 const framesToRest = 12;
 /** While the sky is baked, a frame comes no later than this after the one before. */
