@@ -18,7 +18,7 @@ const {default: puppeteer} = await import(pathToFileURL(require.resolve('puppete
 let server, address, browser, page, scratch;
 const problems = [];
 /** What a page of a test takes: the cheapest picture, standing still. */
-const cheap = 'quality=low&shading=headset&paused=true';
+const cheap = 'quality=low&shading=headset&scale=1&paused=true';
 
 before(async () => {
   server = spawn(process.execPath, [serve, pageFolder], {stdio: ['ignore', 'pipe', 'inherit']});
@@ -33,7 +33,8 @@ before(async () => {
   page.on('console', message => { if (['error', 'warn'].includes(message.type())) problems.push(message.text()); });
   page.on('pageerror', error => problems.push(error.message));
   await page.goto(`${address}#timeS=12.5&${cheap}`);
-  await page.waitForFunction(() => globalThis.pelagicPage?.timings.firstFrameMs, {timeout: 300000});
+  await page.waitForFunction(() => globalThis.pelagicPage?.timings.firstFrameMs || !document.getElementById('problem').hidden, {timeout: 300000});
+  assert.equal(await problemLine(), '');
 });
 after(async () => {
   await browser?.close();
@@ -63,6 +64,11 @@ function nativeHash(timeS, ...flags) {
   return JSON.parse(readFileSync(join(out, 'sea.json'))).frames[0].hash;
 }
 
+/** Where nothing lies over the canvas. */
+const placeOnSea = () => page.evaluate(() => {
+  for (let y = innerHeight / 2; y > 0; --y)
+    if (document.elementFromPoint(innerWidth / 2, y)?.id === 'sea') return {x: innerWidth / 2, y};
+});
 const problemLine = () => page.$eval('#problem', line => (line.hidden ? '' : line.textContent));
 
 // ---- Serving -------------------------------------------------------------------------------------------------------------------
@@ -115,8 +121,10 @@ test('the first picture is drawn before the first slice of the sky, which takes 
   assert.ok(timings.firstSliceMs >= timings.firstFrameMs);
   assert.ok(timings.slices.length > 10, `${timings.slices.length} slices`);
   assert.ok(await page.evaluate(() => globalThis.pelagicPage.view.hasSky()));
+  // The last one hands the sky to GL, which is no script.
+  const upload = timings.slices.pop();
   console.log(`first picture after ${timings.firstFrameMs.toFixed(0)} ms, sky after ${timings.skyMs.toFixed(0)} ms, ` +
-              `${timings.slices.length} slices, the longest ${Math.max(...timings.slices).toFixed(1)} ms`);
+              `${timings.slices.length} slices, the longest ${Math.max(...timings.slices).toFixed(1)} ms, ${upload.toFixed(1)} ms with the upload`);
 });
 
 test('it shows a sea and no problem, and every control has a name', async () => {
@@ -191,7 +199,7 @@ test('time runs unless it is paused, and a resting sea is not drawn again', asyn
   await page.click('#pause');
   await shownHash();
   const at = await time();
-  await page.waitForFunction(() => globalThis.pelagicPage.isResting, {timeout: 120000});
+  await page.waitForFunction(() => globalThis.pelagicPage.restingFrames > 2, {timeout: 120000});
   assert.equal(await time(), at);
 });
 
@@ -239,16 +247,17 @@ test('a link holds every option to the bit', async () => {
 });
 
 test('the button makes a link that opens what is seen', async () => {
-  await openLink(`sea=rough&light=storm&${cheap}`);
+  await openLink(`sea=storm&light=storm&${cheap}`);
   const before = await shownHash();
-  await page.mouse.move(160, 90);
+  const {x, y} = await placeOnSea();
+  await page.mouse.move(x, y);
   await page.mouse.down();
-  await page.mouse.move(200, 80);
+  await page.mouse.move(x + 40, y - 10);
   await page.mouse.up();
   await page.click('#share');
   await page.waitForFunction(() => location.hash.startsWith('#sum='));
   const shown = await page.evaluate(() => ({link: location.hash, settings: globalThis.pelagicPage.currentSettings()}));
-  assert.ok(shown.link.length < 200, `${shown.link.length} characters`);
+  assert.ok(shown.link.length < 220, `${shown.link.length} characters`);
   assert.match(shown.link, /cameraHeadingRad=/);
   await openLink('');
   assert.notEqual(await page.evaluate(() => globalThis.pelagicPage.settings.windSpeedMps), shown.settings.windSpeedMps);
@@ -309,7 +318,7 @@ test('the boat lies on the native program\'s water', async () => {
   const points = join(scratch, 'points.csv');
   writeFileSync(points, Array.from({length: xz.length / 2}, (_, i) => `${xz[2 * i]},${xz[2 * i + 1]}`).join('\n'));
   const rows = JSON.parse(execFileSync(pelagic, ['query', '--preset', 'rough', '--time', '40', '--points', points, '--json']).toString());
-  const heights = rows.map(row => row.height_m);
+  const heights = rows.map(row => row.height);
   assert.equal(heights.length, 15);
   const mean = heights.reduce((sum, height) => sum + height, 0) / heights.length;
   // Two searches of the surface, each within a millimetre sideways.
@@ -353,7 +362,8 @@ test('the picture follows the window, and a phone begins with the sea alone', as
 test('keys and wheel move the camera as the window\'s do', async () => {
   const eye = () => page.evaluate(() => globalThis.pelagicPage.currentSettings());
   const before = await eye();
-  await page.mouse.move(90, 160);
+  const {x, y} = await placeOnSea();
+  await page.mouse.move(x, y);
   await page.mouse.wheel({deltaY: -300});
   await page.waitForFunction(distance => globalThis.pelagicPage.camera.distance < distance, {timeout: 60000}, before.cameraDistanceM);
   await page.keyboard.down('KeyR');

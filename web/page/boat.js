@@ -6,7 +6,7 @@
 
 export const length = 7.2, beam = 2.5;
 /** Where it rides at anchor, and how it heads. */
-export const place = {x: 0, z: 0, heading: 0.25};
+export const place = {x: 0, z: 0, heading: 2.3};
 
 const keelM = -0.55, rows = 5, columns = 3;
 

@@ -15,6 +15,13 @@ import {offerVr} from './vr_button.js';
 const sliceMs = 12;
 /** The hash of a sea that moves is shown twice a second; it costs a few milliseconds. */
 const hashEveryMs = 500;
+/**
+ * The page has no light meter. That of `pelagic render` exposes the first view brighter than the sky's own exposure, a white card's: by 1.7 stops at
+ * noon, 1.6 overcast, 1.3 in a storm, 1.4 by moonlight, 0.4 in the golden hour.
+ */
+const meteredStops = 1.3;
+/** After so many frames a picture that rests is drawn in full size. */
+const framesToRest = 12;
 /** While the sky is baked, a frame comes no later than this after the one before. */
 const longestRestMs = 1000;
 
@@ -110,9 +117,15 @@ class Page {
     this.view = new this.module.SeaView({...groupOf(this.settings, this.tables, 'sea'), quality, shading});
     this.gl = this.view.context;
     this.boat ??= new Boat(this.gl);
-    this.view.setLight(groupOf(this.settings, this.tables, 'light'));
+    this.view.setLight(this.metered());
     this.shownTimeS = undefined;
     this.bake();
+  }
+
+  /** The light of the settings, as bright as the window shows it. */
+  metered() {
+    const light = groupOf(this.settings, this.tables, 'light');
+    return {...light, stops: Math.min(light.stops + meteredStops, 5)};
   }
 
   followSettings() {
@@ -121,7 +134,7 @@ class Page {
       this.shownTimeS = undefined;
     }
     if (this.lightChanged) {
-      this.view.setLight(groupOf(this.settings, this.tables, 'light'));
+      this.view.setLight(this.metered());
       this.bake();
     }
     this.seaChanged = this.lightChanged = false;
@@ -164,7 +177,8 @@ class Page {
 
   /** As large as the window, or a part of it where frames take long. */
   fit() {
-    const scale = (this.settings.scale || this.scale.value) * devicePixelRatio;
+    const ofFrameTime = this.restingFrames >= framesToRest ? 1 : this.scale.value;
+    const scale = (this.settings.scale || ofFrameTime) * devicePixelRatio;
     const width = Math.max(1, Math.round(canvas.clientWidth * scale)), height = Math.max(1, Math.round(canvas.clientHeight * scale));
     if (canvas.width !== width) canvas.width = width;
     if (canvas.height !== height) canvas.height = height;
@@ -176,17 +190,19 @@ class Page {
     const passed = Math.min((now - (this.lastNow ?? now)) / 1000, 0.25);  // no leaps after a pause
     const sinceLast = now - (this.lastNow ?? now);
     this.lastNow = now;
-    if (!this.isBaking && !this.isResting) this.scale.follow(sinceLast);
+    if (!this.isBaking && !this.restingFrames) this.scale.follow(sinceLast);
     this.advance(passed);
     this.camera.fly(this.keys, passed);
     this.fit();
     const {width, height} = canvas;
     const eye = {viewport: [0, 0, width, height], ...this.camera.matrices(width / height)};
     // A sea that is paused before a camera that stands is on the screen already.
-    const seen = [this.shownTimeS, width, height, ...eye.view].join();
-    this.isResting = seen === this.seen && !this.isStale;
-    if (!this.isResting) this.draw(null, width, height, [eye]);
+    const seen = [this.shownTimeS, canvas.clientWidth, canvas.clientHeight, ...eye.view].join();
+    const rests = seen === this.seen && !this.isStale;
+    this.restingFrames = rests ? this.restingFrames + 1 : 0;
+    if (!rests || this.drawnWidth !== width) this.draw(null, width, height, [eye]);
     this.seen = seen;
+    this.drawnWidth = width;
     this.isStale = false;
     this.showFigures(now, sinceLast);
     // The next task begins when the driver has taken this frame's calls.

@@ -10,12 +10,12 @@ function viewOptions(tables) {
   const word = (name, value, words) => ({name, group: 'view', default: value, words, accepted: `one of ${words.join(', ')}`});
   const flag = (name, value) => ({name, group: 'view', default: value, accepted: 'true or false'});
   return [
-    number('cameraXM', -16.5, -1e7, 1e7),
-    number('cameraYM', 4.2, -50, 5000),
-    number('cameraZM', -13.5, -1e7, 1e7),
-    number('cameraHeadingRad', 0.82, -1e3, 1e3),
-    number('cameraPitchRad', -0.1, -1.5, 1.5),
-    number('cameraDistanceM', 22, 1, 3000),
+    number('cameraXM', -17.4, -1e7, 1e7),
+    number('cameraYM', 3.6, -50, 5000),
+    number('cameraZM', 4.5, -1e7, 1e7),
+    number('cameraHeadingRad', -0.18, -1e3, 1e3),
+    number('cameraPitchRad', -0.09, -1.5, 1.5),
+    number('cameraDistanceM', 18, 1, 3000),
     number('cameraFovRad', 0.9, 0.05, 2.8),
     flag('cameraFlies', false),
     word('quality', 'high', tables.qualities),
