@@ -67,7 +67,7 @@ struct SeaView::State {
     gl::SkyBaker plain, baker;
     std::unique_ptr<gl::SeaRenderer> renderer;
     const gl::Sky* sky = nullptr;  ///< that the renderer shows
-    bool has_baked = false;  ///< no plain sky any more
+    bool has_baked = false;        ///< no plain sky any more
     bool is_baking = false;
     std::optional<gl::SkyOptions> next_light;  ///< set while another one is being baked
     float stops = 0;
