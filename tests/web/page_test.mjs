@@ -11,7 +11,8 @@ import {after, before, test} from 'node:test';
 import {fileURLToPath, pathToFileURL} from 'node:url';
 
 const [pageFolder, pelagic] = process.argv.slice(2);
-const serve = join(dirname(fileURLToPath(import.meta.url)), '../../web/page/serve.mjs');
+const root = join(dirname(fileURLToPath(import.meta.url)), '../..');
+const serve = join(root, 'web/page/serve.mjs');
 const require = createRequire(join(process.cwd(), 'package.json'));
 const {default: puppeteer} = await import(pathToFileURL(require.resolve('puppeteer-core')));
 
@@ -302,6 +303,31 @@ test('a damaged link is told in one line, and the default sea stands in', async 
   assert.equal(await page.evaluate(() => globalThis.pelagicPage.settings.windSpeedMps), 12);
   await openLink(cheap);
   assert.equal(await problemLine(), '');
+});
+
+test('the lines of the page for users do what they say', async () => {
+  const text = readFileSync(join(root, 'docs/users/web.md'), 'utf8');
+  const [, link] = text.match(/^ {4}http:.*#(sum=\S+)$/m);
+  const [, flags] = text.match(/^ {4}pelagic export (.*) --start 12.5 --out out$/m);
+  await openLink(link);
+  assert.equal(await problemLine(), '');
+  assert.equal(await shownHash(), nativeHash(12.5, ...flags.split(' ')));
+  assert.equal(await page.evaluate(() => new URL(globalThis.pelagicPage.link()).hash.slice(1)), link);
+  await openLink(cheap);
+
+  const demo = words => spawn(join(root, 'demo.sh'), ['web', ...words], {stdio: ['ignore', 'pipe', 'inherit'], env: {...process.env, PELAGIC_SKIP_SETUP: '1'}});
+  const lines = child => new Promise(resolve => {
+    let said = '';
+    child.stdout.on('data', data => { if (/^http:/m.test(said += data)) resolve(said); });
+    child.on('exit', () => resolve(said));
+  });
+  const served = demo(['0']);
+  const [at] = (await lines(served)).match(/^http:\S+$/m);
+  assert.match(await (await fetch(at)).text(), /<title>Pelagic<\/title>/);
+  served.kill('SIGINT');
+  assert.equal(await new Promise(resolve => served.once('exit', resolve)), 0);
+  assert.equal(await lines(demo(['--build-only'])), 'Building the page (some minutes the first time) ...\n');
+  assert.equal(await lines(demo(['fast'])), 'demo.sh web: what is fast? A port or --build-only is accepted\n');
 });
 
 // ---- The boat ------------------------------------------------------------------------------------------------------------------
