@@ -52,7 +52,8 @@ struct Ocean::State {
         frame_run = prepare(*frame_executor, frame_graph, options.trace, "frame", frame_numbers);
         if (options.foam) {
             tick_run = prepare(*frame_executor, tick_graph, options.trace, "tick", std::make_shared<std::uint64_t>());
-            tick_and_frame_run = prepare(*frame_executor, tick_and_frame_graph, options.trace, "frame", frame_numbers);
+            tick_and_frame_run =
+                prepare(*frame_executor, tick_and_frame_graph, options.trace, "frame", frame_numbers);
         }
         spectrum_run = prepare(*executor, spectrum_graph, options.trace, "sea", std::make_shared<std::uint64_t>());
     }

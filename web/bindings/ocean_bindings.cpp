@@ -59,8 +59,8 @@ val bytes_of(std::span<const std::uint32_t> words) {
 val plane_of(const PlaneView& plane) {
     if (!plane.data) return val::null();
     const std::ptrdiff_t last = plane.resolution - 1;
-    const std::ptrdiff_t floats = last / plane.block_columns * plane.block_stride + last * plane.row_stride +
-                                  last % plane.block_columns + 1;
+    const std::ptrdiff_t floats =
+        last / plane.block_columns * plane.block_stride + last * plane.row_stride + last % plane.block_columns + 1;
     val whole = val::object();
     whole.set("data", val(typed_memory_view(static_cast<std::size_t>(floats), plane.data)));
     whole.set("resolution", plane.resolution);
@@ -125,8 +125,8 @@ std::string hash_text(std::uint64_t hash) {
 class Answers {
    public:
     void resize(std::size_t points) {
-        for (std::vector<float>* numbers :
-             {&height_, &normal_x_, &normal_y_, &normal_z_, &jacobian_, &error_, &velocity_x_, &velocity_y_, &velocity_z_, &foam_})
+        for (std::vector<float>* numbers : {&height_, &normal_x_, &normal_y_, &normal_z_, &jacobian_, &error_,
+                                            &velocity_x_, &velocity_y_, &velocity_z_, &foam_})
             numbers->resize(points);
         converged_.resize(points);
     }
@@ -163,7 +163,9 @@ class Answers {
     }
 
    private:
-    static val view(const std::vector<float>& numbers) { return val(typed_memory_view(numbers.size(), numbers.data())); }
+    static val view(const std::vector<float>& numbers) {
+        return val(typed_memory_view(numbers.size(), numbers.data()));
+    }
 
     /// Three numbers a point, as pages have vectors.
     static const std::vector<float>& together(std::vector<float>& vectors, const std::vector<float>& x,
@@ -177,7 +179,8 @@ class Answers {
         return vectors;
     }
 
-    std::vector<float> height_, normal_x_, normal_y_, normal_z_, jacobian_, error_, velocity_x_, velocity_y_, velocity_z_, foam_;
+    std::vector<float> height_, normal_x_, normal_y_, normal_z_, jacobian_, error_, velocity_x_, velocity_y_,
+        velocity_z_, foam_;
     std::vector<float> normals_, velocities_;
     std::vector<std::uint8_t> converged_;
 };
@@ -186,15 +189,18 @@ std::array<double, 3> vector_of(const std::string& name, const val& value) {
     std::array<double, 3> vector{};
     constexpr const char* accepted = "three numbers, [x, y, z]";
     const val length = value.isUndefined() || value.isNull() ? val::undefined() : value["length"];
-    if (!length.isNumber() || length.as<double>() != 3) throw std::invalid_argument(refusal(name, text_of(value), accepted));
+    if (!length.isNumber() || length.as<double>() != 3)
+        throw std::invalid_argument(refusal(name, text_of(value), accepted));
     for (int i = 0; i < 3; ++i)
-        vector[static_cast<std::size_t>(i)] = number_of(name + "[" + number_text(i) + "]", value[i], is_finite, "a finite number");
+        vector[static_cast<std::size_t>(i)] =
+            number_of(name + "[" + number_text(i) + "]", value[i], is_finite, "a finite number");
     return vector;
 }
 
 class OceanOfPage {
    public:
-    explicit OceanOfPage(const val& options) : OceanOfPage(sea_with({}, options, ocean_option_names), ocean_options(options)) {}
+    explicit OceanOfPage(const val& options)
+        : OceanOfPage(sea_with({}, options, ocean_option_names), ocean_options(options)) {}
 
     val schedule(const val& time_s) {
         return answer_of([&] {
@@ -254,10 +260,11 @@ class OceanOfPage {
     /// \param tolerance_m  a number, or undefined
     val query(int slot, const val& points, const val& tolerance_m) {
         return answer_of([&] {
-            const double tolerance =
-                tolerance_m.isUndefined()
-                    ? SurfaceQuery::default_tolerance_m
-                    : number_of("toleranceM", tolerance_m, [](double m) { return std::isfinite(m) && m > 0; }, "metres above 0");
+            const double tolerance = tolerance_m.isUndefined()
+                                         ? SurfaceQuery::default_tolerance_m
+                                         : number_of(
+                                               "toleranceM", tolerance_m,
+                                               [](double m) { return std::isfinite(m) && m > 0; }, "metres above 0");
             const SurfaceQuery query(frames_[slot], tolerance);
             const auto pairs = emscripten::convertJSArrayToNumberVector<double>(points);
             const std::size_t count = pairs.size() / 2;
@@ -315,8 +322,8 @@ class OceanOfPage {
     val turn_into(const val& options, const val& when) {
         return answer_of([&] {
             const double from_s = number_of("fromS", when["fromS"], is_finite, "seconds");
-            const double over_s =
-                number_of("overS", when["overS"], [](double s) { return s > 0 && s <= 1e9; }, "seconds in (0, 1e9]");
+            const double over_s = number_of(
+                "overS", when["overS"], [](double s) { return s > 0 && s <= 1e9; }, "seconds in (0, 1e9]");
             ocean_.schedule_sea(sea_with(ocean_.sea(), options), from_s, over_s);
             return val::undefined();
         });
