@@ -194,7 +194,10 @@ test('what does not fit is said in a line, and the sea stays', async () => {
 
 test('time runs unless it is paused, and a resting sea is not drawn again', async () => {
   const time = () => page.evaluate(() => globalThis.pelagicPage.settings.timeS);
+  const isPressed = () => page.$eval('#pause', button => button.getAttribute('aria-pressed'));
+  assert.equal(await isPressed(), 'true');
   await page.click('#pause');
+  assert.equal(await isPressed(), 'false');
   const from = await time();
   await page.waitForFunction(start => globalThis.pelagicPage.settings.timeS > start, {timeout: 120000}, from);
   await page.click('#pause');

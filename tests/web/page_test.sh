@@ -7,8 +7,9 @@ for program in chromium node npm; do
   command -v "$program" >/dev/null || { echo "SKIPPED: there is no $program; ./test.sh hosts installs it on Debian"; exit 77; }
 done
 [ -f "$1/main.js" ] || { echo "SKIPPED: there is no $1/main.js; ./test.sh web builds it"; exit 77; }
+page=$(realpath "$1") pelagic=$(realpath "$2")
 mkdir -p "$3"
 cd "$3"
 cp "$here/package.json" .
 [ -d node_modules/puppeteer-core ] || npm install --no-audit --no-fund --no-save >npm.log 2>&1 || { cat npm.log; exit 1; }
-exec node "$here/page_test.mjs" "$1" "$2"
+exec node "$here/page_test.mjs" "$page" "$pelagic"

@@ -44,8 +44,8 @@ class Page {
     this.scale = new FrameScale();
     this.makeView();
     this.panel = new Panel(byId('panel'), this.tables, changes => this.change(changes));
-    this.panel.show(this.settings);
     this.connectButtons();
+    this.show();
     addEventListener('hashchange', () => this.openLink());
     offerVr(byId('enter-vr'), () => this.vrOptions(), isInVr => this.restForVr(isInVr), showProblem);
     this.requestFrame();
@@ -93,8 +93,12 @@ class Page {
       this.lightChanged ||= differs('light');
     }
     this.isStale = true;
-    this.panel.show(settings);
-    byId('pause').setAttribute('aria-pressed', settings.paused);
+    this.show();
+  }
+
+  show() {
+    this.panel.show(this.settings);
+    byId('pause').setAttribute('aria-pressed', this.settings.paused);
   }
 
   currentSettings() {

@@ -1,6 +1,6 @@
 // Settings as the part of an address behind its #, and back to the bit:
 //
-//   #sum=k3x9&sea=storm&light=noon&windDirectionRad=30deg&timeS=12.5&paused=true
+//   #sum=xr8l&sea=storm&light=golden-hour&windDirectionRad=30deg&paused=true&timeS=12.5
 //
 // Only what differs from a preset of sea and light is in it, and from the page's defaults. A number is written in the fewest digits that read
 // back as the same double, an angle in degrees where that is shorter. `sum` tells a link that lost a piece on its way from a whole one;
