@@ -371,6 +371,42 @@ test('the boat\'s mesh is whole: unit normals, no stray corner', async () => {
   }
 });
 
+// ---- The headset ---------------------------------------------------------------------------------------------------------------
+
+test('the button leads into a headset, for whose two eyes is drawn, and back to the page', async () => {
+  const visitor = await browser.newPage();
+  visitor.on('pageerror', error => problems.push(error.message));
+  // Chromium has navigator.xr without a headset; iwer puts a Quest 3 in its place, before the page looks.
+  await visitor.evaluateOnNewDocument(`${readFileSync(require.resolve('iwer/build/iwer.min.js'))}
+    globalThis.headset = new IWER.XRDevice(IWER.metaQuest3, {stereoEnabled: true});
+    headset.installRuntime({forceInstall: true});`);
+  await visitor.goto(`${address}#timeS=12.5&${cheap.replace('&paused=true', '')}`);
+  await visitor.waitForFunction(() => globalThis.pelagicPage?.timings.firstFrameMs, {timeout: 300000});
+  await visitor.waitForSelector('#enter-vr:not([hidden])');
+  await visitor.evaluate(() => {
+    const {view} = pelagicPage, {draw} = view;
+    globalThis.drawn = [];
+    view.draw = request => {
+      draw.call(view, request);
+      drawn.push({eyes: request.eyes.length, isCanvas: !request.framebuffer, viewports: request.eyes.map(eye => eye.viewport[0])});
+    };
+  });
+  await visitor.click('#enter-vr');
+  const seen = await visitor.waitForFunction(() => {
+    const inHeadset = drawn.filter(frame => frame.eyes === 2);
+    return inHeadset.length >= 3 && inHeadset;
+  }, {timeout: 120000});
+  for (const {viewports} of await seen.jsonValue()) assert.ok(viewports[1] > viewports[0], 'the right eye is on the right');
+  assert.equal(await visitor.evaluate(() => pelagicPage.view.glError()), 0);
+  await visitor.evaluate(async () => {
+    await headset.activeSession.end();
+    drawn.length = 0;
+  });
+  await visitor.waitForFunction(() => drawn.some(frame => frame.eyes === 1), {timeout: 120000});
+  assert.equal(await visitor.$eval('#problem', line => line.textContent), '');
+  await visitor.close();
+});
+
 // ---- The window ----------------------------------------------------------------------------------------------------------------
 
 test('the picture follows the window, and a phone begins with the sea alone', async () => {
