@@ -1,7 +1,7 @@
 // Compiled once for each instruction set, always optimised: cmake/isa.cmake says how. Only kernels may be included
 // here, because the linker keeps one copy of an inline function for everyone, and it might be this one.
 //
-// PELAGIC_ISA_NAME  sse4_2, avx2, avx512 or neon
+// PELAGIC_ISA_NAME  sse4_2, avx2, avx512, neon or wasm128
 // PELAGIC_ISA_ARCH  xsimd's name of it
 #include "pelagic/sim/kernels/blend.kernel.hpp"
 #include "pelagic/sim/kernels/columns_finalize.kernel.hpp"

@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# The page in headless Chromium, served as ./demo.sh web serves it. Exits 77, which ctest calls skipped, where a program is missing.
+# The page in headless Chromium, served as ./demo.sh web serves it.
 # usage: page_test.sh PAGE_FOLDER PELAGIC FOLDER    FOLDER keeps npm's packages between runs
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 for program in chromium node npm; do
-  command -v "$program" >/dev/null || { echo "SKIPPED: there is no $program; ./test.sh hosts installs it on Debian"; exit 77; }
+  command -v "$program" >/dev/null || { echo "there is no $program; ./test.sh hosts installs it on Debian"; exit 1; }
 done
-[ -f "$1/main.js" ] || { echo "SKIPPED: there is no $1/main.js; ./test.sh web builds it"; exit 77; }
+[ -f "$1/main.js" ] || { echo "there is no $1/main.js; ./test.sh web builds it"; exit 1; }
 page=$(realpath "$1") pelagic=$(realpath "$2")
 mkdir -p "$3"
 cd "$3"

@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# The page's view in headless Chromium against native pictures. Exits 77, which ctest calls skipped, where a program is missing.
+# The page's view in headless Chromium against native pictures.
 # usage: view_test.sh MODULE_FOLDER VIEW_PICTURE FOLDER    MODULE_FOLDER has pelagic_view.js; FOLDER keeps pictures, and npm's packages between runs
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 for program in chromium node npm; do
-  command -v "$program" >/dev/null || { echo "SKIPPED: there is no $program; ./test.sh hosts installs it on Debian"; exit 77; }
+  command -v "$program" >/dev/null || { echo "there is no $program; ./test.sh hosts installs it on Debian"; exit 1; }
 done
-[ -f "$1/pelagic_view.wasm" ] || { echo "SKIPPED: there is no $1/pelagic_view.wasm; ./test.sh web builds it"; exit 77; }
+[ -f "$1/pelagic_view.wasm" ] || { echo "there is no $1/pelagic_view.wasm; ./test.sh web builds it"; exit 1; }
 mkdir -p "$3/page"
 cd "$3"
 cp "$1"/pelagic_view.* "$here"/../../web/page/*.js page/
