@@ -8,6 +8,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "pelagic/sim/kernels/local_jobs.hpp"
+
 namespace pelagic {
 
 enum class Isa;
@@ -365,6 +367,12 @@ struct Kernels {
     void (*halve_squeeze)(const HalveSqueezeJob&);
     void (*invert_stack)(const InvertStackJob&);
     void (*sample_stack)(const SampleStackJob&);
+    void (*local_columns)(const LocalColumnsJob&);
+    void (*local_lines)(const LocalLinesJob&);
+    void (*local_columns_back)(const LocalColumnsJob&);  ///< the third part: into h and w
+    void (*damp_rows)(const DampJob&);
+    void (*verlet_rows)(const VerletRowsJob&);
+    void (*local_foam)(const LocalFoamJob&);
 };
 
 /// \pre runs_here(isa)

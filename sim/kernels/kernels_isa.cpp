@@ -9,6 +9,7 @@
 #include "pelagic/sim/kernels/foam.kernel.hpp"
 #include "pelagic/sim/kernels/folds.kernel.hpp"
 #include "pelagic/sim/kernels/gradients.kernel.hpp"
+#include "pelagic/sim/kernels/local_step.kernel.hpp"
 #include "pelagic/sim/kernels/mipmaps.kernel.hpp"
 #include "pelagic/sim/kernels/slopes.kernel.hpp"
 #include "pelagic/sim/kernels/squeeze.kernel.hpp"
@@ -43,6 +44,12 @@ const Kernels PELAGIC_TABLE(PELAGIC_ISA_NAME) = {
     kernels::halve_squeeze<xsimd::PELAGIC_ISA_ARCH>,
     kernels::invert_stack<xsimd::PELAGIC_ISA_ARCH>,
     kernels::sample_stack<xsimd::PELAGIC_ISA_ARCH>,
+    kernels::local_columns<xsimd::PELAGIC_ISA_ARCH>,
+    kernels::local_lines<xsimd::PELAGIC_ISA_ARCH>,
+    kernels::local_columns_back<xsimd::PELAGIC_ISA_ARCH>,
+    kernels::damp_rows<xsimd::PELAGIC_ISA_ARCH>,
+    kernels::verlet_rows<xsimd::PELAGIC_ISA_ARCH>,
+    kernels::local_foam<xsimd::PELAGIC_ISA_ARCH>,
 };
 
 }  // namespace pelagic

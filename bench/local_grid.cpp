@@ -1,0 +1,138 @@
+// What a tick of water that answers costs, on one thread: the spectral step beside a frame of one tile of as many texels, Verlet's
+// beside a loop without lanes and beside a copy of what it reads and writes. And windows with many boats on several threads.
+//
+//   taskset -c 1 build/release/bin/pelagic_local_bench [instruction set]
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "pelagic/sim/ocean.hpp"
+#include "pelagic/sim/sources/local_grid.hpp"
+
+namespace pelagic {
+namespace {
+
+constexpr int rounds = 400;
+
+template <class Work>
+double seconds_of(Work work) {
+    const auto begin = std::chrono::steady_clock::now();
+    work();
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+double median_us(std::vector<double>& seconds) {
+    std::nth_element(seconds.begin(), seconds.begin() + static_cast<std::ptrdiff_t>(seconds.size() / 2),
+                     seconds.end());
+    return 1e6 * seconds[seconds.size() / 2];
+}
+
+struct Window {
+    Window(const LocalGridOptions& options, Isa isa, Executor& executor) : grid(options, isa) {
+        grid.add_tick_stages(graph);
+        run = executor.prepare(graph);
+    }
+    void begin() {
+        grid.begin_tick();
+        run->schedule();
+    }
+    void end() {
+        run->complete();
+        grid.end_tick();
+    }
+    LocalGrid grid;
+    JobGraph graph;
+    std::unique_ptr<GraphRun> run;
+};
+
+/// Verlet's step as one writes it down, and as the compiler leaves it without lanes.
+__attribute__((optimize("no-tree-vectorize"))) void scalar_verlet(const float* now, float* before, std::size_t n,
+                                                                  float coupling, float left) {
+    const std::size_t stride = local_row_stride(n);
+    for (std::size_t z = 0; z < n; ++z) {
+        const float *row = now + z * stride, *above = now + (z + n - 1) % n * stride,
+                    *below = now + (z + 1) % n * stride;
+        float* const to = before + z * stride;
+        for (std::size_t x = 0; x < n; ++x)
+            to[x] =
+                ((2 - 4 * coupling) * row[x] + coupling * (row[x - 1] + row[x + 1] + (above[x] + below[x])) - to[x]) *
+                left;
+    }
+}
+
+void measure_steps(std::size_t n, Isa isa) {
+    const auto executor = make_serial_executor();
+    const double side_m = 0.25 * static_cast<double>(n);
+    const int resolution = static_cast<int>(n);
+    Window spectral({.resolution = resolution, .side_m = side_m, .border_m = side_m / 5}, isa, *executor);
+    Window verlet({.step = LocalStep::verlet, .resolution = resolution, .side_m = side_m, .border_m = side_m / 5},
+                  isa, *executor);
+    Ocean ocean({.resolution = resolution, .patch_size_m = side_m}, {.executor = executor, .isa = isa});
+    const Kernels& kernels = kernels_for(isa);
+    AlignedBuffer<float> now(local_plane_floats(n)), before(local_plane_floats(n));
+    for (std::size_t i = 0; i < now.size(); ++i) now[i] = before[i] = std::sin(0.01f * static_cast<float>(i));
+    const auto first = [](AlignedBuffer<float>& plane) { return plane.data() + local_margin; };
+
+    std::vector<double> of_frame, of_spectral, of_verlet, of_step, of_scalar, of_copy;
+    for (int round = 0; round < rounds; ++round) {
+        spectral.grid.disturb({.mode = Disturbance::Mode::pull, .radius_m = 2, .height_m = 0.3});
+        verlet.grid.disturb({.mode = Disturbance::Mode::pull, .radius_m = 2, .height_m = 0.3});
+        of_frame.push_back(seconds_of([&] { ocean.frame_at(round / 72.0); }));
+        of_spectral.push_back(seconds_of([&] { spectral.begin(), spectral.end(); }));
+        of_verlet.push_back(seconds_of([&] { verlet.begin(), verlet.end(); }));
+        of_step.push_back(seconds_of([&] {
+            kernels.verlet_rows({first(now), first(before), n, 0, n, 0.1f, 0.9999f});
+        }));
+        of_scalar.push_back(seconds_of([&] { scalar_verlet(first(now), first(before), n, 0.1f, 0.9999f); }));
+        // As many bytes: two planes are read and one written.
+        of_copy.push_back(1.5 * seconds_of([&] { std::memcpy(before.data(), now.data(), now.bytes()); }));
+    }
+    const double frame = median_us(of_frame), tick = median_us(of_spectral), step = median_us(of_step);
+    std::printf("%5zu %-7s %9.1f %9.1f (%.2f) %9.1f %9.1f %9.1f (%.1f) %9.1f (%.2f)\n", n,
+                std::string(name_of(isa)).c_str(), frame, tick, tick / frame, median_us(of_verlet), step,
+                median_us(of_scalar), median_us(of_scalar) / step, median_us(of_copy), step / median_us(of_copy));
+}
+
+/// Four shared windows with 250 boats each, 12 places where a boat asks for the height of the window's water.
+void measure_server(Isa isa, int threads) {
+    const auto executor = threads == 1 ? make_serial_executor() : make_thread_executor(threads);
+    std::vector<std::unique_ptr<Window>> windows;
+    for (int i = 0; i < 4; ++i) windows.push_back(std::make_unique<Window>(LocalGridOptions{}, isa, *executor));
+    std::vector<double> ticks;
+    for (int tick = 0; tick < rounds / 2; ++tick) {
+        ticks.push_back(seconds_of([&] {
+            for (auto& window : windows) {
+                for (int boat = 0; boat < 250; ++boat)
+                    window->grid.disturb({.shape = Disturbance::Shape::hull,
+                                          .x_m = 25 * std::sin(0.37 * boat + 0.01 * tick),
+                                          .z_m = 25 * std::cos(0.73 * boat),
+                                          .radius_m = 0.8,
+                                          .length_m = 2,
+                                          .heading_rad = 0.01 * boat,
+                                          .height_m = -0.3});
+                window->begin();
+            }
+            for (auto& window : windows) window->end();
+        }));
+    }
+    std::printf("four windows of 256 with 250 hulls each, %d thread%s: %.2f ms a tick\n", threads,
+                threads == 1 ? "" : "s", median_us(ticks) / 1000);
+}
+
+}  // namespace
+}  // namespace pelagic
+
+int main(int argc, char** argv) {
+    const auto wanted = argc > 1 ? pelagic::isa_named(argv[1]) : std::nullopt;
+    const pelagic::Isa isa = pelagic::choose_isa(wanted);
+    std::printf("microseconds, medians; in brackets the part of what stands before, for the copy of the step\n");
+    std::printf(
+        "    N isa         frame    spectral tick    Verlet tick    its step   without lanes      bytes copied\n");
+    for (const std::size_t n : {64, 128, 256, 512}) pelagic::measure_steps(n, isa);
+    for (const int threads : {1, 2}) pelagic::measure_server(isa, threads);
+}

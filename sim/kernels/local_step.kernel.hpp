@@ -1,0 +1,185 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <xsimd/xsimd.hpp>
+
+#include "pelagic/sim/kernels/fft.kernel.hpp"
+#include "pelagic/sim/kernels/local_jobs.hpp"
+#include "pelagic/simd/always_inline.hpp"
+#include "pelagic/simd/transpose.kernel.hpp"
+
+namespace pelagic::kernels {
+
+/// A transform of N elements, `input(i)` being the i-th, into `data`, in order.
+template <class Arch, std::size_t FirstRadix, class Input>
+inline void transform_from(Input input, const FftTables& fft, float* data) {
+    constexpr std::size_t element = 2 * xsimd::batch<float, Arch>::size;
+    const std::size_t size = static_cast<std::size_t>(fft.size), groups = size / FirstRadix;
+    for (std::size_t first = 0; first < groups; ++first)
+        butterfly<Arch, FirstRadix>([&](std::size_t l) { return input(first + l * groups); },
+                                    OutputsApart<Arch>{data + fft.positions[first] * element, element});
+    middle_steps<Arch, 1>(data, size, fft);
+    if (fft.last_step().radix == 8)
+        fft_step<Arch, 8, 1>(data, size, fft.last_step(), fft.twiddles);
+    else
+        fft_step<Arch, 4, 1>(data, size, fft.last_step(), fft.twiddles);
+}
+
+template <class Arch, class Input>
+inline void transform_from(Input input, const FftTables& fft, float* data) {
+    if (fft.first_step().radix == 8)
+        transform_from<Arch, 8>(input, fft, data);
+    else
+        transform_from<Arch, 4>(input, fft, data);
+}
+
+/// LocalBorder in registers, of W columns.
+template <class Arch>
+struct BorderColumns {
+    using V = xsimd::batch<float, Arch>;
+    V left_x;
+    const float* left_z;
+
+    PELAGIC_INLINE BorderColumns(const LocalBorder& border, std::size_t first_column)
+        : left_x(V::load_aligned(border.left_x + first_column)), left_z(border.left_z) {}
+
+    PELAGIC_INLINE V operator()(V value, std::size_t z) const {
+        const V left = value * (left_x * V(left_z[z]));
+        return xsimd::select(xsimd::abs(left) < V(LocalBorder::smallest), V(0.f), left);
+    }
+};
+
+template <class Arch>
+void damp_rows(const DampJob& job) {
+    using V = xsimd::batch<float, Arch>;
+    for (std::size_t z = job.first_row; z < job.first_row + job.rows; ++z) {
+        const std::size_t row = z * local_row_stride(job.resolution);
+        for (std::size_t x = 0; x < job.resolution; x += V::size) {
+            const BorderColumns<Arch> border(job.border, x);
+            for (float* const plane : job.planes)
+                border(V::load_aligned(plane + row + x), z).store_aligned(plane + row + x);
+        }
+    }
+}
+
+template <class Arch>
+void local_columns(const LocalColumnsJob& job) {
+    using V = xsimd::batch<float, Arch>;
+    constexpr std::size_t lanes = V::size, element = 2 * lanes;
+    const std::size_t size = static_cast<std::size_t>(job.fft->size), stride = local_row_stride(size);
+    float* const data = PELAGIC_STACK_FLOATS(workspace_floats<Arch>(*job.fft));
+    const float* const h = job.h + job.first_column;
+    const float* const w = job.w + job.first_column;
+    const BorderColumns<Arch> border(job.border, job.first_column);
+    // Exchanged on the way in: forward.
+    transform_from<Arch>(
+        [=](std::size_t z) {
+            return Complex<Arch>{border(V::load_aligned(w + z * stride), z),
+                                 border(V::load_aligned(h + z * stride), z)};
+        },
+        *job.fft, data);
+    for (std::size_t line = 0; line < size; line += lanes) {
+        float* const to = job.lines + line / lanes * job.block_stride + job.first_column * element;
+        for (std::size_t part = 0; part < 2; ++part) {
+            V turned[lanes];
+            load_transposed<Arch>(data + line * element + part * lanes, element, turned);
+            for (std::size_t x = 0; x < lanes; ++x) turned[x].store_aligned(to + x * element + part * lanes);
+        }
+    }
+}
+
+template <class Arch>
+void local_lines(const LocalLinesJob& job) {
+    using V = xsimd::batch<float, Arch>;
+    using C = Complex<Arch>;
+    constexpr std::size_t element = 2 * V::size;
+    const std::size_t size = static_cast<std::size_t>(job.fft->size);
+    float* const waves = PELAGIC_STACK_FLOATS(2 * workspace_floats<Arch>(*job.fft));
+    transform_from<Arch>([&](std::size_t x) { return C::load(job.lines + x * element); }, *job.fft, waves);
+    // e^(-i omega t) of the number is e^(i omega t) of the exchanged one, which is exchanged back for the other direction.
+    const auto moved_on = [&](std::size_t kx) -> C {
+        const C wave = C::load(waves + kx * element);
+        const C phase = C::load(job.phases + (kx <= size / 2 ? kx : size - kx) * element);
+        return {wave.re * phase.im + wave.im * phase.re, wave.re * phase.re - wave.im * phase.im};
+    };
+    float* const moved = waves + size * element;
+    transform_from<Arch>(moved_on, *job.fft, moved);
+    for (std::size_t x = 0; x < size; ++x) C::load(moved + x * element).store(job.lines + x * element);
+}
+
+template <class Arch>
+void local_columns_back(const LocalColumnsJob& job) {
+    using V = xsimd::batch<float, Arch>;
+    constexpr std::size_t lanes = V::size, element = 2 * lanes;
+    const FftTables& fft = *job.fft;
+    const std::size_t size = static_cast<std::size_t>(fft.size), stride = local_row_stride(size);
+    float* const data = PELAGIC_STACK_FLOATS(2 * workspace_floats<Arch>(fft));
+    float* const columns = data + size * element;
+    for (std::size_t line = 0; line < size; line += lanes) {
+        const float* const from = job.lines + line / lanes * job.block_stride + job.first_column * element;
+        for (std::size_t part = 0; part < 2; ++part) {
+            V turned[lanes];
+            load_transposed<Arch>(from + part * lanes, element, turned);
+            for (std::size_t k = 0; k < lanes; ++k)
+                turned[k].store_aligned(columns + (line + k) * element + part * lanes);
+        }
+    }
+    transform_from<Arch>([=](std::size_t kz) { return Complex<Arch>::load(columns + kz * element); }, fft, data);
+    float* const h = job.h + job.first_column;
+    float* const w = job.w + job.first_column;
+    for (std::size_t z = 0; z < size; ++z) {
+        const Complex<Arch> texel = Complex<Arch>::load(data + z * element);
+        texel.re.store_aligned(h + z * stride);
+        texel.im.store_aligned(w + z * stride);
+    }
+}
+
+template <class Arch>
+void verlet_rows(const VerletRowsJob& job) {
+    using V = xsimd::batch<float, Arch>;
+    const std::size_t n = job.resolution, stride = local_row_stride(n);
+    const V coupling(job.coupling), own(2.f - 4.f * job.coupling), left(job.left);
+    for (std::size_t z = job.first_row; z < job.first_row + job.rows; ++z) {
+        const float* const row = job.now + z * stride;
+        const float* const above = job.now + (z + n - 1) % n * stride;
+        const float* const below = job.now + (z + 1) % n * stride;
+        float* const to = job.before + z * stride;
+        for (std::size_t x = 0; x < n; x += V::size) {
+            const V sides = V::load_unaligned(row + x - 1) + V::load_unaligned(row + x + 1);
+            const V ends = V::load_aligned(above + x) + V::load_aligned(below + x);
+            const V neighbours = sides + ends;
+            const V after = (own * V::load_aligned(row + x) + coupling * neighbours) - V::load_aligned(to + x);
+            (after * left).store_aligned(to + x);
+        }
+    }
+}
+
+template <class Arch>
+void local_foam(const LocalFoamJob& job) {
+    using V = xsimd::batch<float, Arch>;
+    const V threshold(job.threshold), scale(job.scale), none(0.f), most(255.f);
+    alignas(64) std::int32_t fresh[LocalFoamJob::most_resolution];
+    for (std::size_t z = job.first_row; z < job.first_row + job.rows; ++z) {
+        const float* const row = job.heights + z * local_row_stride(job.resolution);
+        V highest(row[0]);
+        for (std::size_t x = 0; x < job.resolution; x += V::size)
+            highest = xsimd::max(highest, V::load_aligned(row + x));
+        if (!job.has_foam[z] && !xsimd::any(highest > threshold)) continue;
+
+        for (std::size_t x = 0; x < job.resolution; x += V::size) {
+            const V above = (V::load_aligned(row + x) - threshold) * scale;
+            xsimd::to_int(xsimd::min(xsimd::max(above, none), most)).store_aligned(fresh + x);
+        }
+        std::uint8_t* const foam = job.foam + z * job.resolution;
+        std::uint8_t all = 0;
+        for (std::size_t x = 0; x < job.resolution; ++x) {
+            const int left = foam[x] - job.fade, more = fresh[x] > left ? fresh[x] : left;
+            foam[x] = static_cast<std::uint8_t>(more);
+            all = static_cast<std::uint8_t>(all | foam[x]);
+        }
+        job.has_foam[z] = all;
+    }
+}
+
+}  // namespace pelagic::kernels

@@ -1,0 +1,37 @@
+// What moves the water from outside: oars, hulls, drops.
+#pragma once
+
+#include <string>
+
+namespace pelagic {
+
+/// One push at the water during one tick. A source that lasts, as a hull does, pushes at every tick.
+struct Disturbance {
+    enum class Shape {
+        gauss,  ///< height_m exp(-(r / radius_m)^2), cut off at 3 radii
+        hull,  ///< height_m sqrt(1 - (along / length_m)^2 - (across / radius_m)^2) within that ellipse, below 0 where it floats
+    };
+    enum class Mode {
+        /// Presses on the water, or lifts it, by the weight of the shape's own water: at rest the surface becomes the shape and stays
+        /// so, and a moving one leaves the waves of a moving pressure (Havelock 1908). Adds no water.
+        press,
+        /// The water goes towards the shape, by 1 - e^(-rate tick) of what is left, times the shape over its height: the bulge is
+        /// bounded, and water comes and goes with it.
+        pull,
+        add,  ///< the shape is added at once: a drop, a stone
+    };
+
+    Shape shape = Shape::gauss;
+    Mode mode = Mode::press;
+    double x_m = 0, z_m = 0;  ///< in the world; [-1e8, 1e8]
+    double radius_m = 1;      ///< of a hull half its beam; (0, 1000]
+    double length_m = 1;      ///< of a hull half its length; (0, 1000]
+    double heading_rad = 0;   ///< of a hull's length, from +x towards +z; [-2 pi, 2 pi]
+    double height_m = 0;      ///< [-100, 100]
+    double rate_per_s = 10;   ///< of a pull; (0, 1000]
+};
+
+/// Empty, or what is wrong: "radius_m is 0, needs (0, 1000]".
+std::string check(const Disturbance& disturbance);
+
+}  // namespace pelagic

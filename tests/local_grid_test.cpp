@@ -1,0 +1,305 @@
+// Water that answers, as bits: the same on every instruction set and executor, through windows that move, saved and restored.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "pelagic/tests/each_executor.hpp"
+#include "pelagic/tests/each_isa.hpp"
+#include "pelagic/tests/emulated.hpp"
+#include "pelagic/tests/local_pool.hpp"
+#include "pelagic/tests/sanitized.hpp"
+
+namespace pelagic {
+namespace {
+
+LocalGridOptions small(LocalStep step) {
+    return {.step = step, .resolution = 64, .side_m = 32, .border_m = 6, .foam_height_m = 0.05};
+}
+
+/// What happens at tick n of a log: somebody who is followed, a hull beside him, rain.
+void happen(LocalGrid& grid, int tick) {
+    const double t = tick * grid.tick_s(), x = 3 * t, z = 5 * std::sin(0.7 * t);
+    grid.follow(x, z);
+    grid.disturb({.shape = Disturbance::Shape::hull,
+                  .x_m = x,
+                  .z_m = z,
+                  .radius_m = 0.9,
+                  .length_m = 2.4,
+                  .heading_rad = 0.3 * std::sin(t),
+                  .height_m = -0.4});
+    grid.disturb({.mode = Disturbance::Mode::pull, .x_m = x - 4, .z_m = z + 3, .radius_m = 0.8, .height_m = 0.2});
+    if (tick % 7 == 0)
+        grid.disturb({.mode = Disturbance::Mode::add,
+                      .x_m = x + 9 * std::sin(1.1 * tick),
+                      .z_m = z + 9 * std::cos(2.3 * tick),
+                      .radius_m = 1.1,
+                      .height_m = 0.3});
+}
+
+std::uint64_t replayed(const LocalGridOptions& options, Isa isa, std::shared_ptr<Executor> executor, int ticks = 90) {
+    LocalPool pool(options, isa, std::move(executor));
+    for (int i = 0; i < ticks; ++i) {
+        happen(pool.grid, i);
+        pool.tick();
+    }
+    return pool.grid.hash();
+}
+
+TEST(LocalReplay, HasTheSameBitsEverywhere) {
+    for (const LocalStep step : {LocalStep::spectral, LocalStep::verlet}) {
+        for (const int resolution : {64, 128}) {
+            LocalGridOptions options = small(step);
+            options.resolution = resolution;
+            options.side_m = 0.5 * resolution;
+            const std::uint64_t expected = replayed(options, isas_here().front(), make_serial_executor());
+            for (const Isa isa : isas_here())
+                EXPECT_EQ(replayed(options, isa, make_serial_executor()), expected) << name_of(isa);
+            if (resolution > 64 && is_emulated) continue;
+            for (const ExecutorKind& kind : executor_kinds())
+                EXPECT_EQ(replayed(options, choose_isa(), kind.make(kind.threads)), expected) << kind.name;
+        }
+    }
+}
+
+TEST(LocalWindowMoves, AndKeepsEveryTexelThatItStillCovers) {
+    for (const LocalStep step : {LocalStep::spectral, LocalStep::verlet}) {
+        LocalPool pool(small(step));
+        LocalGrid& grid = pool.grid;
+        for (int i = 0; i < 40; ++i) {
+            happen(grid, i);
+            pool.tick();
+        }
+        std::mt19937 random(5);
+        for (int move = 0; move < 60; ++move) {
+            struct Texel {
+                float height, companion;
+                std::uint8_t foam;
+                bool operator==(const Texel&) const = default;
+            };
+            const auto read = [&](std::int64_t x, std::int64_t z) {
+                return Texel{grid.height_m(x, z), grid.companion_m(x, z), grid.foam(x, z)};
+            };
+            const std::int64_t x0 = grid.first_x(), z0 = grid.first_z(), n = grid.options().resolution;
+            std::vector<Texel> before;
+            for (std::int64_t z = z0; z < z0 + n; ++z)
+                for (std::int64_t x = x0; x < x0 + n; ++x) before.push_back(read(x, z));
+            // Texels, not metres: the last moves leave nothing behind.
+            std::uniform_int_distribution<int> step_of(move < 50 ? -9 : -80, move < 50 ? 9 : 80);
+            const double texel = grid.texel_m(), half = static_cast<double>(n / 2);
+            grid.follow((static_cast<double>(x0) + half + step_of(random) + 0.4) * texel,
+                        (static_cast<double>(z0) + half + step_of(random) - 0.4) * texel);
+            for (std::int64_t z = grid.first_z(); z < grid.first_z() + n; ++z)
+                for (std::int64_t x = grid.first_x(); x < grid.first_x() + n; ++x) {
+                    const bool was_there = x >= x0 && x < x0 + n && z >= z0 && z < z0 + n;
+                    const Texel expected =
+                        was_there ? before[static_cast<std::size_t>((z - z0) * n + x - x0)] : Texel{};
+                    ASSERT_TRUE(read(x, z) == expected) << x << ", " << z << " after move " << move;
+                }
+            happen(grid, 40 + move);
+            pool.tick();
+        }
+    }
+}
+
+TEST(LocalWindowMoves, LeavesVerletsBitsAsALargerWindowHasThem) {
+    LocalGridOptions narrow = small(LocalStep::verlet), wide = narrow;
+    narrow.border_m = wide.border_m = 4;
+    wide.resolution = 256;
+    wide.side_m = 128;
+    LocalPool a(narrow), b(wide);
+    const int ticks = 20;
+    for (int i = 0; i < ticks; ++i) {
+        for (LocalPool* pool : {&a, &b}) {
+            pool->grid.disturb({.x_m = 1, .z_m = -2, .radius_m = 0.7, .height_m = 0.4});
+            pool->tick();
+        }
+    }
+    // A tick carries what the border does by one texel, and there are 8 of it.
+    double largest = 0;
+    for (std::int64_t z = -32 + 8 + ticks; z < 32 - 8 - ticks; ++z)
+        for (std::int64_t x = -32 + 8 + ticks; x < 32 - 8 - ticks; ++x) {
+            ASSERT_EQ(a.grid.height_m(x, z), b.grid.height_m(x, z)) << x << ", " << z;
+            largest = std::max(largest, std::fabs(static_cast<double>(a.grid.height_m(x, z))));
+        }
+    EXPECT_GT(largest, 0.05);
+}
+
+// A wave number of a window isn't one of another, so bits differ; the water doesn't.
+TEST(LocalWindowMoves, LeavesWakesAsALargerWindowHasThem) {
+    LocalGridOptions narrow = {.step = LocalStep::spectral, .resolution = 128, .side_m = 64}, wide = narrow;
+    wide.resolution = 512;
+    wide.side_m = 256;
+    LocalPool a(narrow), b(wide);
+    for (int i = 0; i < 300; ++i) {
+        const double x = -10 + 4.0 * i / 60;
+        for (LocalPool* pool : {&a, &b}) {
+            if (pool == &a) pool->grid.follow(x, 0);
+            pool->grid.disturb(
+                {.shape = Disturbance::Shape::hull, .x_m = x, .radius_m = 0.8, .length_m = 2, .height_m = -0.4});
+            pool->tick();
+        }
+    }
+    // 16 texels within the border of 24.
+    const std::int64_t inset = 24 + 16, n = narrow.resolution;
+    double off = 0, all = 0;
+    for (std::int64_t z = a.grid.first_z() + inset; z < a.grid.first_z() + n - inset; ++z)
+        for (std::int64_t x = a.grid.first_x() + inset; x < a.grid.first_x() + n - inset; ++x) {
+            const double here = a.grid.height_m(x, z), there = b.grid.height_m(x, z);
+            off += (here - there) * (here - there);
+            all += there * there;
+        }
+    RecordProperty("rms_off", std::to_string(std::sqrt(off / all)));
+    EXPECT_LT(std::sqrt(off / all), 0.01);
+}
+
+TEST(LocalSaved, IsAsIfOneHadNeverLeft) {
+    for (const LocalStep step : {LocalStep::spectral, LocalStep::verlet}) {
+        LocalPool stays(small(step)), goes(small(step)), late(small(step));
+        const auto go_on = [](LocalPool& pool, int from, int to) {
+            for (int i = from; i < to; ++i) {
+                happen(pool.grid, i);
+                pool.tick();
+            }
+        };
+        go_on(stays, 0, 80);
+        go_on(goes, 0, 37);
+        const std::vector<std::uint8_t> saved = goes.grid.saved();
+        go_on(goes, 37, 60);  // a prediction that turns out wrong
+        goes.grid.restore(saved);
+        late.grid.restore(saved);
+        go_on(goes, 37, 80);
+        go_on(late, 37, 80);
+        EXPECT_EQ(goes.grid.hash(), stays.grid.hash());
+        EXPECT_EQ(late.grid.hash(), stays.grid.hash());
+        EXPECT_EQ(goes.grid.ticks(), 80);
+    }
+}
+
+TEST(LocalSaved, OfSomethingElseIsRefusedAndSpoilsNothing) {
+    LocalPool pool(small(LocalStep::spectral));
+    for (int i = 0; i < 5; ++i) {
+        happen(pool.grid, i);
+        pool.tick();
+    }
+    const std::uint64_t before = pool.grid.hash();
+    const std::vector<std::uint8_t> saved = pool.grid.saved();
+    const auto refuses = [&](std::vector<std::uint8_t> bytes, const std::string& reason) {
+        try {
+            pool.grid.restore(bytes);
+            ADD_FAILURE() << "took " << reason;
+        } catch (const std::invalid_argument& error) {
+            EXPECT_NE(std::string(error.what()).find(reason), std::string::npos) << error.what();
+        }
+        EXPECT_EQ(pool.grid.hash(), before);
+    };
+    std::vector<std::uint8_t> shorter = saved;
+    shorter.pop_back();
+    refuses(shorter, "bytes");
+    const auto with = [&](std::size_t at, auto value) {
+        std::vector<std::uint8_t> bytes = saved;
+        std::memcpy(bytes.data() + at, &value, sizeof value);
+        return bytes;
+    };
+    refuses(with(0, std::numeric_limits<std::int64_t>::max()), "first texel");
+    refuses(with(16, std::int64_t{-1}), "ticks");
+    refuses(with(24, std::numeric_limits<float>::quiet_NaN()), "texel of the window is nan");
+}
+
+TEST(LocalGridRefuses, WhatItCantTake) {
+    const auto reason = [](auto change) {
+        LocalGridOptions options;
+        change(options);
+        return check(options);
+    };
+    EXPECT_EQ(check(LocalGridOptions{}), "");
+    EXPECT_EQ(reason([](auto& o) { o.resolution = 100; }), "resolution is 100, needs 64, 128, 256, 512 or 1024");
+    EXPECT_EQ(reason([](auto& o) { o.border_m = 17; }), "border_m is 17, needs at most a quarter of side_m, 16");
+    EXPECT_EQ(reason([](auto& o) { o.side_m = std::numeric_limits<double>::quiet_NaN(); }),
+              "side_m is nan, needs [1, 10000]");
+    // c = (9.5 / (60 x 0.25))^2 = 0.401
+    EXPECT_EQ(reason([](auto& o) { o.step = LocalStep::verlet, o.wave_speed_mps = 9.5; }),
+              "wave_speed_mps is 9.5, needs c = (wave_speed_mps / (ticks_per_s texel))^2 to be 0.4 at most, which is "
+              "0.401");
+    EXPECT_EQ(reason([](auto& o) { o.step = LocalStep::verlet, o.wave_speed_mps = 9.48; }), "");
+    EXPECT_EQ(reason([](auto& o) { o.wave_speed_mps = 9.5; }), "") << "only Verlet's waves have that speed";
+    LocalGridOptions wrong;
+    wrong.ticks_per_s = 1;
+    EXPECT_THROW(LocalGrid(wrong, choose_isa()), std::invalid_argument);
+}
+
+TEST(LocalGridRefuses, NumbersThatAreNoneAndHugeOnes) {
+    LocalPool pool(small(LocalStep::spectral));
+    happen(pool.grid, 0);
+    pool.tick();
+    const std::uint64_t before = pool.grid.hash();
+    const double nan = std::numeric_limits<double>::quiet_NaN(), huge = 1e300;
+    for (const double bad : {nan, huge, -std::numeric_limits<double>::infinity()}) {
+        EXPECT_THROW(pool.grid.follow(bad, 0), std::invalid_argument);
+        EXPECT_THROW(pool.grid.follow(0, bad), std::invalid_argument);
+        for (double Disturbance::*member :
+             {&Disturbance::x_m, &Disturbance::z_m, &Disturbance::radius_m, &Disturbance::length_m,
+              &Disturbance::heading_rad, &Disturbance::height_m, &Disturbance::rate_per_s}) {
+            Disturbance disturbance{.height_m = 1};
+            disturbance.*member = bad;
+            EXPECT_THROW(pool.grid.disturb(disturbance), std::invalid_argument);
+        }
+    }
+    EXPECT_EQ(pool.grid.hash(), before);
+    for (std::size_t i = 0; i < LocalGrid::most_disturbances; ++i) pool.grid.disturb({.height_m = 0.1});
+    EXPECT_THROW(pool.grid.disturb({.height_m = 0.1}), std::invalid_argument);
+    pool.tick();
+    pool.grid.disturb({.height_m = 0.1});
+    // The farthest places that are taken: texels there are a texel apart, as everywhere.
+    pool.grid.follow(1e8, -1e8);
+    pool.grid.disturb({.mode = Disturbance::Mode::add, .x_m = 1e8, .z_m = -1e8, .height_m = 0.5});
+    pool.tick();
+    EXPECT_GT(sum_over(pool.grid, [&](auto x, auto z) { return std::fabs(pool.grid.height_m(x, z)); }), 1);
+}
+
+TEST(LocalGridLasts, WithoutDriftOrNumbersThatAreSlow) {
+    for (const LocalStep step : {LocalStep::spectral, LocalStep::verlet}) {
+        LocalGridOptions options = small(step);
+        options.side_m = 16;
+        options.border_m = 4;
+        LocalPool pool(options);
+        for (int i = 0; i < 20; ++i) {
+            pool.grid.disturb({.mode = Disturbance::Mode::pull, .radius_m = 1, .height_m = 0.5});
+            pool.tick();
+        }
+        const auto largest = [&] {
+            double all = 0;
+            sum_over(pool.grid, [&](auto x, auto z) {
+                for (const float value : {pool.grid.height_m(x, z), pool.grid.companion_m(x, z)}) {
+                    EXPECT_NE(std::fpclassify(value), FP_SUBNORMAL);
+                    all = std::max(all, std::fabs(static_cast<double>(value)));
+                }
+                return 0;
+            });
+            return all;
+        };
+        const double before = largest();
+        const int ticks = is_sanitized || is_emulated ? 300 : 20000;
+        pool.tick(ticks);
+        EXPECT_LT(largest(), before * std::exp(-options.decay_per_s * ticks * pool.grid.tick_s()));
+    }
+}
+
+TEST(LocalFoam, ComesWhereWaterStandsHighAndFadesAsTheSeas) {
+    LocalGridOptions options = small(LocalStep::spectral);
+    options.foam_height_m = 0.2;
+    LocalPool pool(options);
+    pool.grid.disturb({.mode = Disturbance::Mode::add, .radius_m = 3, .height_m = 0.6});
+    pool.tick();
+    EXPECT_EQ(pool.grid.foam(0, 0), 255);  // over twice the threshold
+    EXPECT_EQ(pool.grid.foam(15, 0), 0);
+    // 90 bytes a second: empty 2.9 seconds after the water has sunk for good.
+    pool.tick(4 * 60);
+    EXPECT_EQ(pool.grid.foam(0, 0), 0);
+}
+
+}  // namespace
+}  // namespace pelagic

@@ -1,0 +1,375 @@
+// Water that answers, as physics: dispersion, energy, borders, wakes, against closed forms and a slow oracle in double.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <vector>
+
+#include "pelagic/sim/spectrum/dispersion.hpp"
+#include "pelagic/tests/each_isa.hpp"
+#include "pelagic/tests/local_pool.hpp"
+#include "pelagic/tests/sanitized.hpp"
+
+namespace pelagic {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// No border, nothing that fades: what is left is the step.
+LocalGridOptions bare(LocalStep step, int resolution = 64, double side_m = 32) {
+    return {.step = step,
+            .resolution = resolution,
+            .side_m = side_m,
+            .ticks_per_s = 30,
+            .border_m = 0,
+            .viscosity_m2ps = 0,
+            .wave_speed_mps = 6,
+            .decay_per_s = 0};
+}
+
+/// h and w of a wave that runs, (kx, kz) in whole waves a window.
+struct RunningWave {
+    double kx, kz, omega, texel_m, amplitude = 0.1;
+    double phase(std::int64_t x, std::int64_t z, double time_s) const {
+        return (kx * static_cast<double>(x) + kz * static_cast<double>(z)) * texel_m - omega * time_s;
+    }
+    double height(std::int64_t x, std::int64_t z, double time_s) const {
+        return amplitude * std::cos(phase(x, z, time_s));
+    }
+    /// That of dh/dt over omega.
+    double companion(std::int64_t x, std::int64_t z, double time_s) const {
+        return amplitude * std::sin(phase(x, z, time_s));
+    }
+};
+
+TEST(LocalWaves, RunAsDeepAndShallowWaterHasIt) {
+    for (const double depth : {1e4, 2.0, 0.3}) {
+        for (const auto& [i, j] : {std::pair{1, 0}, {3, 5}, {-7, 2}, {0, 13}}) {
+            LocalGridOptions options = bare(LocalStep::spectral);
+            options.depth_m = depth;
+            LocalPool pool(options);
+            const double step = 2 * pi / options.side_m, k = step * std::hypot(i, j);
+            const double omega = std::sqrt((9.80665 * k + 0.074 / 1025 * k * k * k) * std::tanh(k * depth));
+            const RunningWave wave{step * i, step * j, omega, pool.grid.texel_m()};
+            fill(
+                pool.grid, [&](auto x, auto z) { return wave.height(x, z, 0); },
+                [&](auto x, auto z) { return wave.companion(x, z, 0); });
+            pool.tick(100);
+            double worst = 0;
+            sum_over(pool.grid, [&](auto x, auto z) {
+                return worst = std::max(worst, std::fabs(pool.grid.height_m(x, z) - wave.height(x, z, 100.0 / 30)));
+            });
+            // Cosine and sine of a tick's phase are floats, 6e-8 off at most, each way the same a hundred times; and the transforms.
+            EXPECT_LT(worst, 2e-5 * wave.amplitude) << i << ", " << j << " at " << depth << " m";
+        }
+    }
+}
+
+// sin^2(omega dt / 2) = c (sin^2(kx dx / 2) + sin^2(kz dx / 2)), the step's own dispersion; to lowest order omega = speed k.
+TEST(LocalWaves, OfVerletRunAsItsDiscreteEquation) {
+    const LocalGridOptions options = bare(LocalStep::verlet);
+    for (const auto& [i, j] : {std::pair{1, 0}, {3, 5}, {-7, 2}, {0, 13}}) {
+        LocalPool pool(options);
+        const double step = 2 * pi / options.side_m, texel = pool.grid.texel_m(), tick = pool.grid.tick_s();
+        const double courant = options.wave_speed_mps * tick / texel;
+        const double omega =
+            2 / tick *
+            std::asin(courant * std::hypot(std::sin(step * i * texel / 2), std::sin(step * j * texel / 2)));
+        if (std::abs(i) + std::abs(j) == 1) {
+            EXPECT_NEAR(omega / (options.wave_speed_mps * step), 1, 1e-2);
+        }
+        const RunningWave wave{step * i, step * j, omega, texel};
+        fill(
+            pool.grid, [&](auto x, auto z) { return wave.height(x, z, 0); },
+            [&](auto x, auto z) { return wave.height(x, z, -tick); });
+        pool.tick(100);
+        double worst = 0;
+        sum_over(pool.grid, [&](auto x, auto z) {
+            return worst = std::max(worst, std::fabs(pool.grid.height_m(x, z) - wave.height(x, z, 100 * tick)));
+        });
+        // Rounding of (2 h - h_before) adds up as the square of the ticks over the phase a tick, at least 0.04: 1e4 / 2 x 6e-8.
+        EXPECT_LT(worst, 3e-4 * wave.amplitude) << i << ", " << j;
+    }
+}
+
+/// One step of the definition: z_k exp(-i omega dt - (2 nu k^2 + decay) dt), by sums in double.
+std::vector<std::complex<double>> stepped(const std::vector<std::complex<double>>& z, const LocalGridOptions& o) {
+    const int n = o.resolution;
+    const auto size = static_cast<std::size_t>(n);
+    std::vector<std::complex<double>> roots(size);
+    for (std::size_t i = 0; i < size; ++i) roots[i] = std::polar(1.0, 2 * pi * static_cast<double>(i) / n);
+    const auto along = [&](const std::vector<std::complex<double>>& in, bool forward, bool rows) {
+        std::vector<std::complex<double>> out(in.size());
+        for (std::size_t line = 0; line < size; ++line)
+            for (std::size_t k = 0; k < size; ++k) {
+                std::complex<double> sum = 0;
+                for (std::size_t i = 0; i < size; ++i) {
+                    const auto root = roots[k * i % size];
+                    sum += in[rows ? line * size + i : i * size + line] * (forward ? std::conj(root) : root);
+                }
+                out[rows ? line * size + k : k * size + line] = sum;
+            }
+        return out;
+    };
+    auto waves = along(along(z, true, true), true, false);
+    for (int row = 0; row < n; ++row)
+        for (int column = 0; column < n; ++column) {
+            const double step = 2 * pi / o.side_m;
+            const double k = step * std::hypot(std::min(row, n - row), std::min(column, n - column));
+            const double omega = std::sqrt((9.80665 * k + 0.074 / 1025 * k * k * k) * std::tanh(k * o.depth_m));
+            const double dt = 1.0 / o.ticks_per_s;
+            waves[static_cast<std::size_t>(row * n + column)] *=
+                std::polar(std::exp(-(2 * o.viscosity_m2ps * k * k + o.decay_per_s) * dt) / (n * n), -omega * dt);
+        }
+    return along(along(waves, false, true), false, false);
+}
+
+TEST(LocalWaves, StepAsAnOracleInDouble) {
+    LocalGridOptions options = bare(LocalStep::spectral);
+    options.viscosity_m2ps = 0.01;
+    options.decay_per_s = 0.5;
+    options.depth_m = 3;
+    LocalPool pool(options);
+    pool.grid.disturb({.mode = Disturbance::Mode::add, .x_m = 1.3, .z_m = -2, .radius_m = 1.5, .height_m = 0.7});
+    pool.tick(3);
+    const std::size_t n = 64;
+    std::vector<std::complex<double>> z(n * n);
+    const auto place = [&](std::int64_t x, std::int64_t row) {
+        return static_cast<std::size_t>(row & 63) * n + static_cast<std::size_t>(x & 63);
+    };
+    double largest = 0;
+    sum_over(pool.grid, [&](auto x, auto row) {
+        z[place(x, row)] = {pool.grid.height_m(x, row), pool.grid.companion_m(x, row)};
+        return largest = std::max(largest, std::abs(z[place(x, row)]));
+    });
+    const auto after = stepped(z, options);
+    pool.tick();
+    double worst = 0;
+    sum_over(pool.grid, [&](auto x, auto row) {
+        const std::complex<double> texel(pool.grid.height_m(x, row), pool.grid.companion_m(x, row));
+        return worst = std::max(worst, std::abs(texel - after[place(x, row)]));
+    });
+    // Two transforms of float there and back; a frame's own are promised within 2e-6 of the largest.
+    EXPECT_LT(worst, 2e-6 * largest);
+}
+
+double spectral_energy(const LocalGrid& grid) {
+    return sum_over(grid, [&](auto x, auto z) {
+        return std::norm(std::complex<double>(grid.height_m(x, z), grid.companion_m(x, z)));
+    });
+}
+
+/// What Verlet's step keeps where nothing fades: |(h - h_before) / dt|^2 + speed^2 grad h . grad h_before.
+double verlet_energy(const LocalGrid& grid) {
+    const double over_tick = 1 / grid.tick_s(), over_texel = grid.options().wave_speed_mps / grid.texel_m();
+    return sum_over(grid, [&](auto x, auto z) {
+        const double moved = (static_cast<double>(grid.height_m(x, z)) - grid.companion_m(x, z)) * over_tick;
+        const auto slopes = [&](auto nx, auto nz) {
+            return (static_cast<double>(grid.height_m(nx, nz)) - grid.height_m(x, z)) *
+                   (static_cast<double>(grid.companion_m(nx, nz)) - grid.companion_m(x, z)) * over_texel * over_texel;
+        };
+        return moved * moved + slopes(x + 1, z) + slopes(x, z + 1);
+    });
+}
+
+/// Pushed at in many places for half a second.
+void stir(LocalPool& pool) {
+    for (int i = 0; i < 30; ++i) {
+        pool.grid.disturb({.x_m = 5.0 * std::cos(i), .z_m = 6.0 * std::sin(2 * i), .radius_m = 0.8, .height_m = 1});
+        pool.tick();
+    }
+}
+
+TEST(LocalWaves, NeverGrowWithoutASource) {
+    // Rounding may add 1e-7 of the energy a tick.
+    LocalGridOptions options = {.resolution = 64, .side_m = 32, .border_m = 4, .viscosity_m2ps = 0, .decay_per_s = 1e-4};
+    LocalPool pool(options);
+    stir(pool);
+    double before = spectral_energy(pool.grid);
+    ASSERT_GT(before, 0.1);
+    for (int i = 0; i < 400; ++i) {
+        pool.tick();
+        const double after = spectral_energy(pool.grid);
+        ASSERT_LE(after, before) << "tick " << i;
+        before = after;
+    }
+}
+
+// Its decay takes of the newer height alone, and a border of both, so energy goes to and fro between its two sums, within a wave's
+// period: the most of a second counts.
+TEST(LocalWaves, OfVerletNeverGrowWithoutASource) {
+    for (const double border_m : {0.0, 4.0}) {
+        LocalPool pool({.step = LocalStep::verlet, .resolution = 64, .side_m = 32, .border_m = border_m});
+        stir(pool);
+        double before = verlet_energy(pool.grid);
+        ASSERT_GT(before, 0.1);
+        for (int second = 0; second < 10; ++second) {
+            double most = 0;
+            for (int i = 0; i < 60; ++i) {
+                pool.tick();
+                most = std::max(most, verlet_energy(pool.grid));
+            }
+            if (second > 0) {
+                ASSERT_LE(most, before) << "second " << second << " with a border of " << border_m;
+            }
+            before = most;
+        }
+    }
+}
+
+/// How much of a packet's energy is still there when all of it should have left through the border.
+double energy_that_stays(LocalStep step, double wave_m, double degrees) {
+    LocalGridOptions options = {.step = step, .resolution = 256, .side_m = 64, .ticks_per_s = 30};
+    options.viscosity_m2ps = 0;
+    options.decay_per_s = 0;
+    LocalPool pool(options);
+    const double k = 2 * pi / wave_m, angle = degrees * pi / 180, texel = pool.grid.texel_m();
+    const double speed = step == LocalStep::verlet ? options.wave_speed_mps : std::sqrt(9.80665 / k) / 2;
+    const double omega = step == LocalStep::verlet ? speed * k : std::sqrt(9.80665 * k);
+    const double width = 6;  // of the packet, metres: well within the 40 that waves run freely
+    const RunningWave wave{k * std::cos(angle), k * std::sin(angle), omega, texel};
+    const auto envelope = [&](double x, double z) { return std::exp(-(x * x + z * z) / (width * width)); };
+    fill(
+        pool.grid,
+        [&](auto x, auto z) { return wave.height(x, z, 0) * envelope(double(x) * texel, double(z) * texel); },
+        [&](auto x, auto z) {
+            if (step == LocalStep::spectral)
+                return wave.companion(x, z, 0) * envelope(double(x) * texel, double(z) * texel);
+            const double back = speed * pool.grid.tick_s();
+            return wave.height(x, z, -pool.grid.tick_s()) *
+                   envelope(double(x) * texel + back * std::cos(angle), double(z) * texel + back * std::sin(angle));
+        });
+    const auto energy = [&] {
+        return step == LocalStep::spectral ? spectral_energy(pool.grid) : verlet_energy(pool.grid);
+    };
+    const double before = energy();
+    // From the middle to the edge and back to the free water, along the longer of both axes.
+    const double path = (32 + 32 - 12) / std::cos(angle > pi / 4 ? pi / 2 - angle : angle);
+    pool.tick(static_cast<int>(path / speed / pool.grid.tick_s()));
+    return energy() / before;
+}
+
+TEST(LocalBorder, SendsLessThanAHundredthBack) {
+    for (const LocalStep step : {LocalStep::spectral, LocalStep::verlet})
+        for (const double wave_m : {12.0, 6.0, 3.0})
+            for (const double degrees : {0.0, 20.0, 45.0})
+                EXPECT_LT(energy_that_stays(step, wave_m, degrees), 0.01)
+                    << wave_m << " m at " << degrees << (step == LocalStep::verlet ? " degrees, Verlet" : " degrees");
+}
+
+double highest_in(const LocalGrid& grid) {
+    double highest = 0;
+    sum_over(grid, [&](auto x, auto z) {
+        return highest = std::max(highest, std::fabs(static_cast<double>(grid.height_m(x, z))));
+    });
+    return highest;
+}
+
+// The water takes the shape and stays in it: h = shape solves the equation of pressed water, and waves of the beginning leave.
+TEST(LocalSources, ThatPressAtRestBecomeTheSurface) {
+    for (const LocalStep step : {LocalStep::spectral, LocalStep::verlet}) {
+        LocalPool pool({.step = step, .resolution = 64, .side_m = 32, .border_m = 8});
+        const Disturbance press{.radius_m = 2, .height_m = -0.5};
+        for (int i = 0; i < 3000; ++i) {
+            pool.grid.disturb(press);
+            pool.tick();
+        }
+        double worst = 0;
+        sum_over(pool.grid, [&](auto x, auto z) {
+            const double away = std::hypot(double(x), double(z)) * pool.grid.texel_m() / press.radius_m;
+            const double shape = away < 3 ? press.height_m * std::exp(-away * away) : 0;
+            return worst = std::max(worst, std::fabs(pool.grid.height_m(x, z) - shape));
+        });
+        EXPECT_LT(worst, 0.02 * 0.5) << (step == LocalStep::verlet ? "Verlet" : "spectral");
+    }
+}
+
+TEST(LocalSources, ThatPullAtRestMakeABoundedBulge) {
+    for (const LocalStep step : {LocalStep::spectral, LocalStep::verlet}) {
+        LocalPool pool({.step = step, .resolution = 64, .side_m = 32, .border_m = 4});
+        double highest = 0;
+        for (int i = 0; i < 2000; ++i) {
+            pool.grid.disturb({.mode = Disturbance::Mode::pull, .radius_m = 2, .height_m = 0.5});
+            pool.tick();
+            highest = std::max(highest, highest_in(pool.grid));
+        }
+        // Water that rises towards a place may pass it, as a spring's end does, by no more than it came from below.
+        EXPECT_LE(highest, 2 * 0.5);
+        EXPECT_GT(highest, 0.1);
+    }
+}
+
+/// How far inside of a wake's edge its waves are highest, at `behind` metres. Near the edge phase is cubic across the wake, so
+/// that heights are Airy's function, whose first maximum is at -1.01879: with k = g / v^2, the edge's waves at tan = 1/sqrt 2 and
+/// the phase k (x + y tan) / cos (Kelvin 1887; Ursell 1960), its third derivative there is 2 k x / sqrt 3, and that of its slope
+/// in y is k sqrt(8/3).
+double crest_inside_of_edge(double behind, double k) {
+    return 1.01879 * std::cbrt(k * behind / std::sqrt(3.0)) / (k * std::sqrt(8.0 / 3));
+}
+
+/// Least squares of y = slope x + offset.
+double fitted_slope(const std::vector<double>& x, const std::vector<double>& y) {
+    double sx = 0, sy = 0, sxx = 0, sxy = 0;
+    const double n = static_cast<double>(x.size());
+    for (std::size_t i = 0; i < x.size(); ++i) sx += x[i], sy += y[i], sxx += x[i] * x[i], sxy += x[i] * y[i];
+    return (n * sxy - sx * sy) / (n * sxx - sx * sx);
+}
+
+// A boat of 10 m at 5 m/s, whom the window follows; over six of its waves.
+TEST(LocalWake, HasKelvinsAngleAndLength) {
+    LocalPool pool({.resolution = 512, .side_m = 256, .ticks_per_s = 20, .border_m = 24}, choose_isa(),
+                   make_thread_executor(2));
+    const LocalGrid& grid = pool.grid;
+    const double speed = 5, k = 9.80665 / (speed * speed), length = 2 * pi / k;
+    double boat = 0;
+    for (int i = 0; i < 55 * 20; ++i) {
+        boat = speed * i * grid.tick_s();
+        pool.grid.follow(boat, 0);
+        // Put into the water within three seconds.
+        pool.grid.disturb({.shape = Disturbance::Shape::hull,
+                           .x_m = boat,
+                           .radius_m = 1.5,
+                           .length_m = 5,
+                           .height_m = -0.6 * std::min(1.0, i / 60.0)});
+        pool.tick();
+    }
+    const auto height = [&](double behind, double aside) {
+        return static_cast<double>(
+            grid.height_m(std::llround((boat - behind) / grid.texel_m()), std::llround(aside / grid.texel_m())));
+    };
+    // In the middle, where the waves run as the boat does: from one rise through zero to the last.
+    std::vector<double> rises;
+    for (double at = 2 * length; at < 6 * length; at += grid.texel_m()) {
+        const double here = height(at, 0), next = height(at + grid.texel_m(), 0);
+        if (here < 0 && next >= 0) rises.push_back(at + grid.texel_m() * here / (here - next));
+    }
+    ASSERT_GE(rises.size(), 4U);
+    EXPECT_NEAR((rises.back() - rises.front()) / static_cast<double>(rises.size() - 1), length, 0.05 * length);
+
+    for (const double side : {-1.0, 1.0}) {
+        std::vector<double> places, edges;
+        for (double behind = 1.5 * length; behind <= 6 * length; behind += length / 4) {
+            // Where the heights of a wave's length are largest: smoothed over five texels, outside of what runs along the middle.
+            double largest = 0, edge = 0;
+            for (double aside = 0.2 * behind; aside < 0.6 * behind; aside += grid.texel_m()) {
+                double sum = 0;
+                for (int across = -2; across <= 2; ++across)
+                    for (double along = -length / 2; along < length / 2; along += grid.texel_m()) {
+                        const double h = height(behind + along, side * (aside + across * grid.texel_m()));
+                        sum += h * h;
+                    }
+                if (sum <= largest) continue;
+                largest = sum;
+                edge = aside;
+            }
+            places.push_back(behind);
+            edges.push_back(edge + crest_inside_of_edge(behind, k));
+        }
+        // 19.47 degrees: asin(1/3).
+        EXPECT_NEAR(std::atan(fitted_slope(places, edges)) * 180 / pi, std::asin(1.0 / 3) * 180 / pi, 1);
+    }
+}
+
+}  // namespace
+}  // namespace pelagic
