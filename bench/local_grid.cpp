@@ -33,7 +33,7 @@ double median_us(std::vector<double>& seconds) {
 }
 
 struct Window {
-    Window(const LocalGridOptions& options, Isa isa, Executor& executor) : grid(options, isa) {
+    Window(const LocalWaterOptions& options, Isa isa, Executor& executor) : grid(options, isa) {
         grid.add_tick_stages(graph);
         run = executor.prepare(graph);
     }
@@ -102,7 +102,7 @@ void measure_steps(std::size_t n, Isa isa) {
 void measure_server(Isa isa, int threads) {
     const auto executor = threads == 1 ? make_serial_executor() : make_thread_executor(threads);
     std::vector<std::unique_ptr<Window>> windows;
-    for (int i = 0; i < 4; ++i) windows.push_back(std::make_unique<Window>(LocalGridOptions{}, isa, *executor));
+    for (int i = 0; i < 4; ++i) windows.push_back(std::make_unique<Window>(LocalWaterOptions{}, isa, *executor));
     std::vector<double> ticks;
     for (int tick = 0; tick < rounds / 2; ++tick) {
         ticks.push_back(seconds_of([&] {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <span>
 
+#include "pelagic/sim/local_surface.hpp"
 #include "pelagic/sim/sea_state.hpp"
 #include "pelagic/sim/slope_variance.hpp"
 #include "pelagic/sim/tile.hpp"
@@ -36,6 +37,8 @@ struct Frame {
     std::span<const Tile> tiles;  ///< at least one; the coarsest first
     /// Sums of the tiles' bounds: exact for one tile, upper bounds for several, whose extremes need not meet.
     FrameBounds bounds;
+    /// What adds to the tiles where hosts move the water, with OceanOptions::local; within the bounds, too.
+    LocalSurface local;
 };
 
 /// XXH3 of every output of the frame: of each tile the rows of dx, height and dz, the half floats but for foam, the gradient chain (of

@@ -11,6 +11,7 @@
 
 #include "pelagic/message/refusal.hpp"
 #include "pelagic/sim/frames/frame_assembly.hpp"
+#include "pelagic/sim/frames/local_frames.hpp"
 
 namespace pelagic {
 namespace {
@@ -56,6 +57,11 @@ struct Ocean::State {
                 prepare(*frame_executor, tick_and_frame_graph, options.trace, "frame", frame_numbers);
         }
         spectrum_run = prepare(*executor, spectrum_graph, options.trace, "sea", std::make_shared<std::uint64_t>());
+        if (options.local)
+            local = std::make_unique<LocalFrames>(
+                checked(*options.local), isa, options.memory, [&](const JobGraph& graph) {
+                    return prepare(*executor, graph, options.trace, "local", std::make_shared<std::uint64_t>());
+                });
     }
 
     static std::unique_ptr<GraphRun> prepare(Executor& on, const JobGraph& graph,
@@ -165,6 +171,13 @@ struct Ocean::State {
     std::size_t baking_stage = 0, baking_block = 0;  ///< next of what bake_blocks() does
     const Frame* completed = nullptr;
     std::unique_ptr<GraphRun> frame_run, tick_run, tick_and_frame_run, spectrum_run;
+    std::unique_ptr<LocalFrames> local;  ///< if the ocean has water that answers
+
+    LocalFrames& local_water() {
+        if (!local)
+            throw std::invalid_argument("the ocean has no water that answers, needs one with OceanOptions::local");
+        return *local;
+    }
 
     void begin_tick() {
         hold_seas(Pass::tick, frames.next_tick_s());
@@ -189,6 +202,7 @@ struct Ocean::State {
         run_in_flight->complete();
     }
     void drop_frame() {
+        if (local) local->drop_frame();
         frames.drop_frame();
         frames.forget();
     }
@@ -218,6 +232,7 @@ void Ocean::schedule(double time_s, std::span<const TextureTargets> tiles) {
     state_->bake_ahead(time_s);
     state_->run_in_flight = nullptr;
     try {
+        if (state_->local) state_->local->begin_frame(time_s);
         state_->frames.begin_frame(time_s, tiles);
         if (state_->frames.ticks_due() <= 1) state_->begin_run();
     } catch (...) {
@@ -228,8 +243,8 @@ void Ocean::schedule(double time_s, std::span<const TextureTargets> tiles) {
 }
 
 bool Ocean::is_ready() const {
-    return !state_->frame_in_flight || !state_->frame_runs_ahead || !state_->run_in_flight ||
-           state_->run_in_flight->is_done();
+    if (!state_->frame_in_flight || !state_->frame_runs_ahead || !state_->run_in_flight) return true;
+    return state_->run_in_flight->is_done() && (!state_->local || state_->local->is_done());
 }
 
 const Frame& Ocean::complete() {
@@ -238,6 +253,10 @@ const Frame& Ocean::complete() {
         state_->frame_in_flight = false;
         try {
             state_->complete_run();
+            if (state_->local) {
+                state_->local->complete();
+                state_->frames.show(state_->local->surface());
+            }
         } catch (...) {
             state_->drop_frame();
             throw;
@@ -261,6 +280,7 @@ FrameBounds Ocean::frame_at(double time_s, std::span<const FrameBuffers> tiles) 
     copy_frame(frame, tiles);
     state_->completed = completed;
     state_->frames.drop_frame();
+    if (state_->local) state_->local->drop_frame();
     return frame.bounds;
 }
 
@@ -327,6 +347,24 @@ void Ocean::restore_history(std::span<const std::uint8_t> saved) {
     state_->frames.restore_history(saved);
 }
 
+void Ocean::disturb(const Disturbance& disturbance) { state_->local_water().disturb(disturbance); }
+std::uint32_t Ocean::add_source(const Disturbance& source) { return state_->local_water().add_source(source); }
+void Ocean::set_source(std::uint32_t number, const Disturbance& source) {
+    state_->local_water().set_source(number, source);
+}
+void Ocean::remove_source(std::uint32_t number) { state_->local_water().remove_source(number); }
+void Ocean::follow(double x_m, double z_m) { state_->local_water().follow(x_m, z_m); }
+
+std::vector<std::uint8_t> Ocean::saved_water() const {
+    assert(!state_->frame_in_flight && "complete() the frame in flight first");
+    return state_->local_water().saved();
+}
+
+void Ocean::restore_water(std::span<const std::uint8_t> saved) {
+    assert(!state_->frame_in_flight && "complete() the frame in flight first");
+    state_->local_water().restore(saved);
+}
+
 std::size_t Ocean::tile_count() const { return state_->frames.tile_count(); }
 int Ocean::resolution() const { return state_->frames.resolution(); }
 const SeaState& Ocean::sea() const { return state_->frames.weather().forecast().last(); }
@@ -334,6 +372,8 @@ const Forecast& Ocean::forecast() const { return state_->frames.weather().foreca
 Isa Ocean::isa() const { return state_->isa; }
 const Executor& Ocean::executor() const { return *state_->executor; }
 const JobGraph& Ocean::graph() const { return state_->frame_graph; }
-std::size_t Ocean::memory_bytes() const { return sizeof(State) + state_->frames.bytes(); }
+std::size_t Ocean::memory_bytes() const {
+    return sizeof(State) + state_->frames.bytes() + (state_->local ? state_->local->bytes() : 0);
+}
 
 }  // namespace pelagic

@@ -18,9 +18,11 @@
 
 #include "pelagic/jobs/executor.hpp"
 #include "pelagic/jobs/trace.hpp"
+#include "pelagic/sim/disturbance.hpp"
 #include "pelagic/sim/forecast.hpp"
 #include "pelagic/sim/frame.hpp"
 #include "pelagic/sim/frame_buffers.hpp"
+#include "pelagic/sim/local_water.hpp"
 #include "pelagic/sim/sea_state.hpp"
 #include "pelagic/sim/texture_targets.hpp"
 #include "pelagic/simd/host_memory.hpp"
@@ -28,7 +30,8 @@
 
 namespace pelagic {
 
-/// How the sea is computed, and what comes with it; nothing in here changes a bit of the sea but `foam`, and that only foam.
+/// How the sea is computed, and what comes with it; nothing in here changes a bit of the tiles but `foam`, and that
+/// only foam.
 struct OceanOptions {
     std::shared_ptr<Executor> executor = {};  ///< none: oneTBB with its default number of threads
     std::optional<Isa> isa = {};              ///< none: PELAGIC_ISA, else the strongest that this CPU runs
@@ -41,6 +44,10 @@ struct OceanOptions {
     /// tenth to a fifth longer, one of a tick, ten times a second, another half or more, and a jump in time, which computes 29
     /// ticks, as long as ten to twenty frames; 5 N^2 bytes a tile. Without it half floats hold only what breaks at that very moment.
     bool foam = false;
+    /// Water that answers beside the waves of the wind (local_water.hpp): frames have a window of it, Frame::local, and queries tell the
+    /// sum. With 256 texels a tick takes about three quarters of a frame of one tile of 256, at 60 ticks a second; 22 N^2 bytes for
+    /// frames and 25 N^2 for ticks.
+    std::optional<LocalWaterOptions> local = {};
     HostMemory memory = {};  ///< none: operator new. For frames and spectra, all but some 100 KB of an ocean
 };
 
@@ -114,6 +121,29 @@ class Ocean {
     /// Takes that up, in an ocean of the same sea. Throws std::invalid_argument if it is none of such an ocean.
     /// \pre no frame is in flight
     void restore_history(std::span<const std::uint8_t> saved);
+
+    // ---- Water that answers: only with OceanOptions::local, else std::invalid_argument, and so of values out of range.
+    //
+    // What is said counts from the next schedule() on, in its order, whether or not a frame is in flight. Each tick is made of the ticks
+    // before and what was said before it, so frames of the same times with the same words between them have the same bits, on every
+    // machine. A frame shows the water between the last tick and the one before: a tick late. A time before the last frame's leaves
+    // the water as it is, and a jump ahead moves it by half a second at most.
+
+    /// Pushes at the water in the next tick. At most 4096 times a tick.
+    void disturb(const Disturbance& disturbance);
+    /// Pushes at every tick, moving as it says. At most 4096 of them; later ones push after earlier ones. Returns its number.
+    std::uint32_t add_source(const Disturbance& source);
+    /// From the next tick on. A number that there is not is added.
+    void set_source(std::uint32_t number, const Disturbance& source);
+    void remove_source(std::uint32_t number);
+    /// The window's middle is there as near as whole texels allow. Texels that stay in it keep their bits, and others are flat.
+    void follow(double x_m, double z_m);
+    /// All that frames to come depend on, but for what was said since the last schedule(): for a host that goes back to a moment, or
+    /// begins in one. \pre no frame is in flight
+    std::vector<std::uint8_t> saved_water() const;
+    /// Takes that up, in an ocean with the same options, on any machine of the same byte order: as if one had never left. What was said
+    /// since is forgotten. Throws std::invalid_argument, changing nothing, if no such ocean can have saved it. \pre no frame is in flight
+    void restore_water(std::span<const std::uint8_t> saved);
 
     std::size_t tile_count() const;    ///< of every frame
     int resolution() const;            ///< texels along a side of each tile

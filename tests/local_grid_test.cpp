@@ -16,7 +16,7 @@
 namespace pelagic {
 namespace {
 
-LocalGridOptions small(LocalStep step) {
+LocalWaterOptions small(LocalStep step) {
     return {.step = step, .resolution = 64, .side_m = 32, .border_m = 6, .foam_height_m = 0.05};
 }
 
@@ -40,7 +40,8 @@ void happen(LocalGrid& grid, int tick) {
                       .height_m = 0.3});
 }
 
-std::uint64_t replayed(const LocalGridOptions& options, Isa isa, std::shared_ptr<Executor> executor, int ticks = 90) {
+std::uint64_t replayed(const LocalWaterOptions& options, Isa isa, std::shared_ptr<Executor> executor,
+                       int ticks = 90) {
     LocalPool pool(options, isa, std::move(executor));
     for (int i = 0; i < ticks; ++i) {
         happen(pool.grid, i);
@@ -52,7 +53,7 @@ std::uint64_t replayed(const LocalGridOptions& options, Isa isa, std::shared_ptr
 TEST(LocalReplay, HasTheSameBitsEverywhere) {
     for (const LocalStep step : {LocalStep::spectral, LocalStep::verlet}) {
         for (const int resolution : {64, 128}) {
-            LocalGridOptions options = small(step);
+            LocalWaterOptions options = small(step);
             options.resolution = resolution;
             options.side_m = 0.5 * resolution;
             const std::uint64_t expected = replayed(options, isas_here().front(), make_serial_executor());
@@ -106,7 +107,7 @@ TEST(LocalWindowMoves, AndKeepsEveryTexelThatItStillCovers) {
 }
 
 TEST(LocalWindowMoves, LeavesVerletsBitsAsALargerWindowHasThem) {
-    LocalGridOptions narrow = small(LocalStep::verlet), wide = narrow;
+    LocalWaterOptions narrow = small(LocalStep::verlet), wide = narrow;
     narrow.border_m = wide.border_m = 4;
     wide.resolution = 256;
     wide.side_m = 128;
@@ -130,7 +131,7 @@ TEST(LocalWindowMoves, LeavesVerletsBitsAsALargerWindowHasThem) {
 
 // A wave number of a window isn't one of another, so bits differ; the water doesn't.
 TEST(LocalWindowMoves, LeavesWakesAsALargerWindowHasThem) {
-    LocalGridOptions narrow = {.step = LocalStep::spectral, .resolution = 128, .side_m = 64}, wide = narrow;
+    LocalWaterOptions narrow = {.step = LocalStep::spectral, .resolution = 128, .side_m = 64}, wide = narrow;
     wide.resolution = 512;
     wide.side_m = 256;
     LocalPool a(narrow), b(wide);
@@ -206,16 +207,17 @@ TEST(LocalSaved, OfSomethingElseIsRefusedAndSpoilsNothing) {
     };
     refuses(with(0, std::numeric_limits<std::int64_t>::max()), "first texel");
     refuses(with(16, std::int64_t{-1}), "ticks");
-    refuses(with(24, std::numeric_limits<float>::quiet_NaN()), "texel of the window is nan");
+    refuses(with(40, std::numeric_limits<float>::quiet_NaN()), "texel of the water is nan");
+    refuses(with(saved.size() / 2, 1e30f), "texel of the water is 1e+30, needs [-1e6, 1e6]");
 }
 
 TEST(LocalGridRefuses, WhatItCantTake) {
     const auto reason = [](auto change) {
-        LocalGridOptions options;
+        LocalWaterOptions options;
         change(options);
         return check(options);
     };
-    EXPECT_EQ(check(LocalGridOptions{}), "");
+    EXPECT_EQ(check(LocalWaterOptions{}), "");
     EXPECT_EQ(reason([](auto& o) { o.resolution = 100; }), "resolution is 100, needs 64, 128, 256, 512 or 1024");
     EXPECT_EQ(reason([](auto& o) { o.border_m = 17; }), "border_m is 17, needs at most a quarter of side_m, 16");
     EXPECT_EQ(reason([](auto& o) { o.side_m = std::numeric_limits<double>::quiet_NaN(); }),
@@ -226,7 +228,7 @@ TEST(LocalGridRefuses, WhatItCantTake) {
               "0.401");
     EXPECT_EQ(reason([](auto& o) { o.step = LocalStep::verlet, o.wave_speed_mps = 9.48; }), "");
     EXPECT_EQ(reason([](auto& o) { o.wave_speed_mps = 9.5; }), "") << "only Verlet's waves have that speed";
-    LocalGridOptions wrong;
+    LocalWaterOptions wrong;
     wrong.ticks_per_s = 1;
     EXPECT_THROW(LocalGrid(wrong, choose_isa()), std::invalid_argument);
 }
@@ -262,7 +264,7 @@ TEST(LocalGridRefuses, NumbersThatAreNoneAndHugeOnes) {
 
 TEST(LocalGridLasts, WithoutDriftOrNumbersThatAreSlow) {
     for (const LocalStep step : {LocalStep::spectral, LocalStep::verlet}) {
-        LocalGridOptions options = small(step);
+        LocalWaterOptions options = small(step);
         options.side_m = 16;
         options.border_m = 4;
         LocalPool pool(options);
@@ -289,7 +291,7 @@ TEST(LocalGridLasts, WithoutDriftOrNumbersThatAreSlow) {
 }
 
 TEST(LocalFoam, ComesWhereWaterStandsHighAndFadesAsTheSeas) {
-    LocalGridOptions options = small(LocalStep::spectral);
+    LocalWaterOptions options = small(LocalStep::spectral);
     options.foam_height_m = 0.2;
     LocalPool pool(options);
     pool.grid.disturb({.mode = Disturbance::Mode::add, .radius_m = 3, .height_m = 0.6});

@@ -17,7 +17,7 @@ namespace {
 constexpr double pi = std::numbers::pi;
 
 /// No border, nothing that fades: what is left is the step.
-LocalGridOptions bare(LocalStep step, int resolution = 64, double side_m = 32) {
+LocalWaterOptions bare(LocalStep step, int resolution = 64, double side_m = 32) {
     return {.step = step,
             .resolution = resolution,
             .side_m = side_m,
@@ -46,7 +46,7 @@ struct RunningWave {
 TEST(LocalWaves, RunAsDeepAndShallowWaterHasIt) {
     for (const double depth : {1e4, 2.0, 0.3}) {
         for (const auto& [i, j] : {std::pair{1, 0}, {3, 5}, {-7, 2}, {0, 13}}) {
-            LocalGridOptions options = bare(LocalStep::spectral);
+            LocalWaterOptions options = bare(LocalStep::spectral);
             options.depth_m = depth;
             LocalPool pool(options);
             const double step = 2 * pi / options.side_m, k = step * std::hypot(i, j);
@@ -68,7 +68,7 @@ TEST(LocalWaves, RunAsDeepAndShallowWaterHasIt) {
 
 // sin^2(omega dt / 2) = c (sin^2(kx dx / 2) + sin^2(kz dx / 2)), the step's own dispersion; to lowest order omega = speed k.
 TEST(LocalWaves, OfVerletRunAsItsDiscreteEquation) {
-    const LocalGridOptions options = bare(LocalStep::verlet);
+    const LocalWaterOptions options = bare(LocalStep::verlet);
     for (const auto& [i, j] : {std::pair{1, 0}, {3, 5}, {-7, 2}, {0, 13}}) {
         LocalPool pool(options);
         const double step = 2 * pi / options.side_m, texel = pool.grid.texel_m(), tick = pool.grid.tick_s();
@@ -94,7 +94,7 @@ TEST(LocalWaves, OfVerletRunAsItsDiscreteEquation) {
 }
 
 /// One step of the definition: z_k exp(-i omega dt - (2 nu k^2 + decay) dt), by sums in double.
-std::vector<std::complex<double>> stepped(const std::vector<std::complex<double>>& z, const LocalGridOptions& o) {
+std::vector<std::complex<double>> stepped(const std::vector<std::complex<double>>& z, const LocalWaterOptions& o) {
     const int n = o.resolution;
     const auto size = static_cast<std::size_t>(n);
     std::vector<std::complex<double>> roots(size);
@@ -126,7 +126,7 @@ std::vector<std::complex<double>> stepped(const std::vector<std::complex<double>
 }
 
 TEST(LocalWaves, StepAsAnOracleInDouble) {
-    LocalGridOptions options = bare(LocalStep::spectral);
+    LocalWaterOptions options = bare(LocalStep::spectral);
     options.viscosity_m2ps = 0.01;
     options.decay_per_s = 0.5;
     options.depth_m = 3;
@@ -183,7 +183,8 @@ void stir(LocalPool& pool) {
 
 TEST(LocalWaves, NeverGrowWithoutASource) {
     // Rounding may add 1e-7 of the energy a tick.
-    LocalGridOptions options = {.resolution = 64, .side_m = 32, .border_m = 4, .viscosity_m2ps = 0, .decay_per_s = 1e-4};
+    LocalWaterOptions options = {
+        .resolution = 64, .side_m = 32, .border_m = 4, .viscosity_m2ps = 0, .decay_per_s = 1e-4};
     LocalPool pool(options);
     stir(pool);
     double before = spectral_energy(pool.grid);
@@ -220,7 +221,7 @@ TEST(LocalWaves, OfVerletNeverGrowWithoutASource) {
 
 /// How much of a packet's energy is still there when all of it should have left through the border.
 double energy_that_stays(LocalStep step, double wave_m, double degrees) {
-    LocalGridOptions options = {.step = step, .resolution = 256, .side_m = 64, .ticks_per_s = 30};
+    LocalWaterOptions options = {.step = step, .resolution = 256, .side_m = 64, .ticks_per_s = 30};
     options.viscosity_m2ps = 0;
     options.decay_per_s = 0;
     LocalPool pool(options);

@@ -373,6 +373,7 @@ struct Kernels {
     void (*damp_rows)(const DampJob&);
     void (*verlet_rows)(const VerletRowsJob&);
     void (*local_foam)(const LocalFoamJob&);
+    void (*local_show)(const LocalShowJob&);
 };
 
 /// \pre runs_here(isa)

@@ -50,6 +50,7 @@ const Kernels PELAGIC_TABLE(PELAGIC_ISA_NAME) = {
     kernels::damp_rows<xsimd::PELAGIC_ISA_ARCH>,
     kernels::verlet_rows<xsimd::PELAGIC_ISA_ARCH>,
     kernels::local_foam<xsimd::PELAGIC_ISA_ARCH>,
+    kernels::local_show<xsimd::PELAGIC_ISA_ARCH>,
 };
 
 }  // namespace pelagic

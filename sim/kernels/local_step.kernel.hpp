@@ -182,4 +182,35 @@ void local_foam(const LocalFoamJob& job) {
     }
 }
 
+template <class Arch>
+void local_show(const LocalShowJob& job) {
+    using V = xsimd::batch<float, Arch>;
+    const std::size_t n = job.resolution;
+    const V part(job.part), ticks_per_s(job.ticks_per_s);
+    for (std::size_t z = job.first_row; z < job.first_row + job.rows; ++z) {
+        const float* const before = job.before + z * local_row_stride(n);
+        const float* const now = job.now + z * local_row_stride(n);
+        const V shown_z(job.shown_z[z]);
+        V low(0.f), high(0.f);
+        for (std::size_t x = 0; x < n; x += V::size) {
+            const V from = V::load_aligned(before + x), way = V::load_aligned(now + x) - from;
+            const V shown = V::load_aligned(job.shown_x + x) * shown_z;
+            const V height = (from + part * way) * shown;
+            height.store_aligned(job.height + z * n + x);
+            ((way * ticks_per_s) * shown).store_aligned(job.rise + z * n + x);
+            low = xsimd::min(low, height);
+            high = xsimd::max(high, height);
+        }
+        alignas(64) float lows[V::size], highs[V::size];
+        low.store_aligned(lows);
+        high.store_aligned(highs);
+        for (std::size_t lane = 1; lane < V::size; ++lane) {
+            if (lows[lane] < lows[0]) lows[0] = lows[lane];
+            if (highs[lane] > highs[0]) highs[0] = highs[lane];
+        }
+        job.lowest[z] = lows[0];
+        job.highest[z] = highs[0];
+    }
+}
+
 }  // namespace pelagic::kernels

@@ -21,8 +21,9 @@ namespace pelagic {
 
 class HeightChange {
    public:
-    /// \param tiles  of a frame of several, made with OceanOptions::queries
-    explicit HeightChange(std::span<const Tile> tiles);
+    /// \param tiles          of a frame of several, made with OceanOptions::queries
+    /// \param local_range_m  what adds to them wherever water is drawn has that from its lowest to its highest
+    HeightChange(std::span<const Tile> tiles, double local_range_m);
 
     /// Metres, at most, between places so far apart.
     double within(double distance_m) const;
@@ -43,6 +44,7 @@ class HeightChange {
     };
     std::array<Part, most_tiles + 1> parts_;  ///< the last one after all tiles
     std::size_t count_;
+    double local_range_m_;
 };
 
 }  // namespace pelagic

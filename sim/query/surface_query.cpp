@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "pelagic/sim/kernels/kernels.hpp"
+#include "pelagic/sim/local_water.hpp"
 #include "pelagic/sim/query/one_tile_query.hpp"
 #include "pelagic/sim/query/stack_query.hpp"
 #include "pelagic/simd/float_environment.hpp"
@@ -20,13 +21,16 @@ bool wants_velocity(const SurfaceSamples& samples) {
     return !samples.velocity_x_mps.empty() || !samples.velocity_y_mps.empty() || !samples.velocity_z_mps.empty();
 }
 
+bool wants_normal(const SurfaceSamples& samples) {
+    return !samples.normal_x.empty() || !samples.normal_y.empty() || !samples.normal_z.empty();
+}
+
 /// No more than is wanted.
 SampleSurfaceJob::Outputs outputs_wanted(const SurfaceSamples& samples, PointChunk& chunk) {
-    const bool wants_normal = !samples.normal_x.empty() || !samples.normal_y.empty() || !samples.normal_z.empty() ||
-                              !samples.jacobian.empty();
+    const bool wants_slopes = wants_normal(samples) || !samples.jacobian.empty();
     SampleSurfaceJob::Outputs out = {};
-    if (wants_normal || !samples.height_m.empty()) out.height = chunk.height;
-    if (wants_normal) {
+    if (wants_slopes || !samples.height_m.empty()) out.height = chunk.height;
+    if (wants_slopes) {
         out.normal_x = chunk.normal_x;
         out.normal_y = chunk.normal_y;
         out.normal_z = chunk.normal_z;
@@ -83,8 +87,15 @@ void SurfaceQuery::sample(const SurfacePoints& points, const SurfaceSamples& sam
             query.place(chunk);
             query.find_rest_points(chunk);
             query.read(outputs_wanted(samples, chunk), chunk);
-            if (!samples.foam.empty()) query.read_foam(chunk, samples.foam.subspan(first, chunk.count));
+            if (!samples.foam.empty()) {
+                const std::span<float> foam = samples.foam.subspan(first, chunk.count);
+                if (tiles_have_foam())
+                    query.read_foam(chunk, foam);
+                else
+                    std::fill(foam.begin(), foam.end(), 0.f);
+            }
             hand_out(points, samples, chunk);
+            if (frame_.local) add_local(samples, chunk);
         }
     };
     if (frame_.tiles.size() == 1)
@@ -105,6 +116,30 @@ void SurfaceQuery::take(const SurfacePoints& points, PointChunk& chunk) const {
     std::fill(chunk.z + chunk.count, chunk.z + chunk.padded, 0.0);
     for (std::size_t i = 0; i < chunk.count; ++i)
         if (!has_sample(chunk.x[i], chunk.z[i])) chunk.x[i] = chunk.z[i] = 0;
+}
+
+// The window's height adds where the water is drawn: with the tiles' normal n and its slopes s the sum's is along
+// (n_x - n_y s_x, n_y, n_z - n_y s_z).
+void SurfaceQuery::add_local(const SurfaceSamples& samples, const PointChunk& chunk) const {
+    const auto add = [](std::span<float> to, std::size_t i, double more) {
+        if (!to.empty()) to[i] = static_cast<float>(static_cast<double>(to[i]) + more);
+    };
+    for (std::size_t i = 0; i < chunk.count; ++i) {
+        const std::size_t at = chunk.first + i;
+        const LocalSample local = pelagic::sample(frame_.local, chunk.x[i], chunk.z[i]);
+        add(samples.height_m, at, local.height_m);
+        add(samples.velocity_y_mps, at, local.rise_mps);
+        if (!samples.foam.empty()) samples.foam[at] = std::max(samples.foam[at], static_cast<float>(local.foam));
+        if (!wants_normal(samples) || (local.slope_x == 0 && local.slope_z == 0)) continue;
+        const double y = static_cast<double>(chunk.normal_y[i]);
+        const double x = static_cast<double>(chunk.normal_x[i]) - y * local.slope_x;
+        const double z = static_cast<double>(chunk.normal_z[i]) - y * local.slope_z;
+        const double length = std::sqrt(x * x + y * y + z * z);
+        if (!(length > 0)) continue;
+        if (!samples.normal_x.empty()) samples.normal_x[at] = static_cast<float>(x / length);
+        if (!samples.normal_y.empty()) samples.normal_y[at] = static_cast<float>(y / length);
+        if (!samples.normal_z.empty()) samples.normal_z[at] = static_cast<float>(z / length);
+    }
 }
 
 void SurfaceQuery::hand_out(const SurfacePoints& points, const SurfaceSamples& samples,

@@ -110,7 +110,9 @@ class FreeSteps {
    public:
     FreeSteps(const SurfaceQuery& query, const RayWalk& walk, double step_m)
         : ground_(walk.along_ground()), rise_(walk.upwards()), step_m_(step_m), unsure_m_(2 * query.tolerance_m()) {
-        if (query.frame().tiles.size() > 1) change_.emplace(query.frame().tiles);
+        const LocalSurface& local = query.frame().local;
+        if (query.frame().tiles.size() > 1)
+            change_.emplace(query.frame().tiles, static_cast<double>(local.height_max_m - local.height_min_m));
     }
 
     /// How many are asked about before a clearance is known.

@@ -5,8 +5,10 @@
 #include <cassert>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <stdexcept>
 #include <tuple>
+#include <utility>
 
 #define XXH_INLINE_ALL
 #include <xxhash.h>
@@ -22,36 +24,16 @@ namespace {
 
 constexpr double two_pi = 6.283185307179586;
 constexpr double farthest_m = 1e8;
-constexpr std::size_t rows_a_job = 16;
+constexpr std::int64_t most_ticks = std::int64_t{1} << 50;
 /// Blocks of lines don't start a power of two apart.
 constexpr std::size_t block_margin = 112;
 /// Foam fades as fast as the sea's own: 9 bytes in a tenth of a second.
 constexpr std::int64_t foam_fade_per_s = 90;
 constexpr double gauss_reach = 3;  ///< in radii
 
-constexpr std::array fields = {
-    NumericField<LocalGridOptions>{"resolution", &LocalGridOptions::resolution, 64, 1024, "64, 128, 256, 512 or 1024",
-                                   Among::powers_of_two},
-    NumericField<LocalGridOptions>{"side_m", &LocalGridOptions::side_m, 1, 10000, "[1, 10000]"},
-    NumericField<LocalGridOptions>{"ticks_per_s", &LocalGridOptions::ticks_per_s, 10, 240, "[10, 240]"},
-    NumericField<LocalGridOptions>{"border_m", &LocalGridOptions::border_m, 0, 2500, "[0, side_m / 4]"},
-    NumericField<LocalGridOptions>{"depth_m", &LocalGridOptions::depth_m, 0.01, 11000, "[0.01, 11000]"},
-    NumericField<LocalGridOptions>{"viscosity_m2ps", &LocalGridOptions::viscosity_m2ps, 0, 1, "[0, 1]"},
-    NumericField<LocalGridOptions>{"wave_speed_mps", &LocalGridOptions::wave_speed_mps, 0, 1000, "(0, 1000]",
-                                   Among::above_least},
-    NumericField<LocalGridOptions>{"decay_per_s", &LocalGridOptions::decay_per_s, 0, 10, "[0, 10]"},
-    NumericField<LocalGridOptions>{"foam_height_m", &LocalGridOptions::foam_height_m, 0, 100, "(0, 100]",
-                                   Among::above_least},
-};
-
-/// Metres that Verlet's waves run in a tick, in texels.
-double courant_number(const LocalGridOptions& options) {
-    return options.wave_speed_mps / (options.side_m / options.resolution) / options.ticks_per_s;
-}
-
 /// The border takes e^-8 of amplitudes on the way through it and its neighbour across the torus, of waves as long as it is wide; of
 /// shorter and slower ones more. It rises as the square of the way in, gently enough to send hardly anything back.
-double damping_at_edge(const LocalGridOptions& options) {
+double damping_at_edge(const LocalWaterOptions& options) {
     const double speed = options.step == LocalStep::verlet
                              ? options.wave_speed_mps
                              : group_velocity(two_pi / options.border_m, options.depth_m);
@@ -68,34 +50,35 @@ std::pair<std::int64_t, std::int64_t> reached(double middle_m, double reach_m, c
 }
 
 struct SavedHeader {
-    std::int64_t first_x, first_z, ticks;
+    std::int64_t first_x, first_z, ticks, next_source, sources;
+};
+
+/// A source as it is saved: numbers without gaps between them.
+struct SavedSource {
+    std::int64_t number, since, shape, mode;
+    double x, z, radius, length, heading, height, rate, velocity_x, velocity_z;
 };
 
 }  // namespace
 
-std::string check(const LocalGridOptions& options) {
-    if (std::string reason = check_fields(options, fields); !reason.empty()) return reason;
-    if (options.border_m > options.side_m / 4)
-        return refusal("border_m", options.border_m,
-                       "at most a quarter of side_m, " + number_text(options.side_m / 4));
-    const double courant = courant_number(options);
-    if (options.step == LocalStep::verlet && courant * courant > LocalGrid::most_coupling)
-        return refusal("wave_speed_mps", options.wave_speed_mps,
-                       "c = (wave_speed_mps / (ticks_per_s texel))^2 to be " + number_text(LocalGrid::most_coupling) +
-                           " at most, which is " + rounded_text(courant * courant, 3));
-    return {};
+double LocalGrid::courant_number(const LocalWaterOptions& options) {
+    return options.wave_speed_mps / (options.side_m / options.resolution) / options.ticks_per_s;
 }
 
-LocalGrid::LocalGrid(const LocalGridOptions& options, Isa isa, const HostMemory& memory)
+LocalGrid::LocalGrid(const LocalWaterOptions& options, Isa isa, const HostMemory& memory)
     : options_(options),
       kernels_(kernels_for(isa)),
       window_(options.resolution, options.side_m / options.resolution) {
     if (const std::string reason = check(options); !reason.empty()) throw std::invalid_argument(reason);
     const DefaultFloatEnvironment environment;
     for (auto& plane : planes_) plane = AlignedBuffer<float>(local_plane_floats(n()), memory);
+    tick_before_ = AlignedBuffer<float>(local_plane_floats(n()), memory);
     foam_ = AlignedBuffer<std::uint8_t>(n() * n(), memory);
     has_foam_.resize(n());
-    for (auto& left : left_) left = AlignedBuffer<float>(n(), memory);
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        left_[axis] = AlignedBuffer<float>(n(), memory);
+        shown_[axis] = AlignedBuffer<float>(n(), memory);
+    }
     if (options.step == LocalStep::spectral) {
         plan_.emplace_back(options.resolution);
         lines_ = AlignedBuffer<float>(n() / kernels_.lanes * block_stride(), memory);
@@ -135,19 +118,24 @@ void LocalGrid::bake_phases() {
 }
 
 void LocalGrid::lay_border() {
-    const double edge = options_.border_m > 0 ? damping_at_edge(options_) : 0;
+    const bool has_border = options_.border_m > 0;
+    const double edge = has_border ? damping_at_edge(options_) : 0;
     for (std::size_t axis = 0; axis < 2; ++axis) {
         for (std::size_t i = 0; i < n(); ++i) {
-            const double from_edge = (static_cast<double>(std::min(i, n() - 1 - i)) + 0.5) * texel_m();
+            const double texels_in = static_cast<double>(std::min(i, n() - 1 - i));
+            const double from_edge = (texels_in + 0.5) * texel_m();
             const double within = from_edge < options_.border_m ? 1 - from_edge / options_.border_m : 0;
-            const double left = within > 0 ? det::exp(-edge * within * within * tick_s()) : 1;
-            left_[axis][window_.in_torus(first_[axis] + static_cast<std::int64_t>(i))] = static_cast<float>(left);
+            const std::size_t at = window_.in_torus(first_[axis] + static_cast<std::int64_t>(i));
+            left_[axis][at] = static_cast<float>(within > 0 ? det::exp(-edge * within * within * tick_s()) : 1);
+            // The two outermost texels are flat, so that slopes are, too, where the window ends.
+            const double shown = (texels_in - 1) * texel_m() / (0.5 * options_.border_m);
+            shown_[axis][at] = static_cast<float>(has_border ? std::clamp(shown, 0.0, 1.0) : 1);
         }
     }
 }
 
 StageId LocalGrid::add_tick_stages(JobGraph& graph, const std::vector<StageId>& waits_for) {
-    const std::size_t row_jobs = n() / rows_a_job;
+    const std::size_t row_jobs = n() / rows_an_item;
     const StageId prepared = graph.add({.name = "local splashes",
                                         .count = row_jobs,
                                         .waits_for = waits_for,
@@ -162,15 +150,15 @@ StageId LocalGrid::add_tick_stages(JobGraph& graph, const std::vector<StageId>& 
 
 StageId LocalGrid::add_verlet_stage(JobGraph& graph, StageId prepared) {
     return graph.add({.name = "local verlet",
-                      .count = n() / rows_a_job,
+                      .count = n() / rows_an_item,
                       .waits_for = {prepared},
                       .body = for_each_item([this](std::size_t job) {
                           const double courant = courant_number(options_);
                           kernels_.verlet_rows({.now = first_texel(height_),
                                                 .before = first_texel(1 - height_),
                                                 .resolution = n(),
-                                                .first_row = job * rows_a_job,
-                                                .rows = rows_a_job,
+                                                .first_row = job * rows_an_item,
+                                                .rows = rows_an_item,
                                                 .coupling = static_cast<float>(courant * courant),
                                                 .left = static_cast<float>(1 - options_.decay_per_s * tick_s())});
                       })});
@@ -216,12 +204,14 @@ StageId LocalGrid::add_spectral_stages(JobGraph& graph, StageId prepared) {
 void LocalGrid::flatten_row(std::int64_t z) {
     for (std::size_t plane = 0; plane < 2; ++plane)
         std::fill_n(first_texel(plane) + window_.in_torus(z) * local_row_stride(n()), n(), 0.f);
+    std::fill_n(tick_before_.data() + local_margin + window_.in_torus(z) * local_row_stride(n()), n(), 0.f);
     std::fill_n(foam_.data() + window_.in_torus(z) * n(), n(), std::uint8_t{0});
 }
 
 void LocalGrid::flatten_column(std::int64_t x) {
     for (std::size_t z = 0; z < n(); ++z) {
-        for (auto& plane : planes_) plane[local_margin + z * local_row_stride(n()) + window_.in_torus(x)] = 0;
+        const std::size_t at = local_margin + z * local_row_stride(n()) + window_.in_torus(x);
+        planes_[0][at] = planes_[1][at] = tick_before_[at] = 0;
         foam_[z * n() + window_.in_torus(x)] = 0;
     }
 }
@@ -284,13 +274,40 @@ void LocalGrid::disturb(const Disturbance& disturbance) {
     waiting_.push_back(disturbance);
 }
 
+void LocalGrid::set_source(std::uint32_t number, const Disturbance& source) {
+    if (const std::string reason = check(source); !reason.empty()) throw std::invalid_argument(reason);
+    const auto at = std::lower_bound(sources_.begin(), sources_.end(), number,
+                                     [](const Source& known, std::uint32_t wanted) { return known.number < wanted; });
+    if (at != sources_.end() && at->number == number) {
+        *at = {number, source, ticks_};
+        return;
+    }
+    if (sources_.size() == most_disturbances)
+        throw std::invalid_argument(
+            refusal("the number of sources", most_disturbances + 1, "at most " + number_text(most_disturbances)));
+    sources_.insert(at, {number, source, ticks_});
+}
+
+void LocalGrid::remove_source(std::uint32_t number) {
+    std::erase_if(sources_, [number](const Source& source) { return source.number == number; });
+}
+
 void LocalGrid::begin_tick() {
     const DefaultFloatEnvironment environment;
-    for (const Disturbance& disturbance : waiting_) {
-        const Splash splash = splash_of(disturbance);
-        if (splash.first_x < splash.end_x && splash.first_z < splash.end_z) splashes_.push_back(splash);
+    for (const Source& source : sources_) {
+        Disturbance moved = source.disturbance;
+        const double since_s = static_cast<double>(ticks_ - source.since) * tick_s();
+        moved.x_m += since_s * moved.velocity_x_mps;
+        moved.z_m += since_s * moved.velocity_z_mps;
+        if (check(moved).empty()) add_splash(moved);  // else it has left the world
     }
+    for (const Disturbance& disturbance : waiting_) add_splash(disturbance);
     waiting_.clear();
+}
+
+void LocalGrid::add_splash(const Disturbance& disturbance) {
+    const Splash splash = splash_of(disturbance);
+    if (splash.first_x < splash.end_x && splash.first_z < splash.end_z) splashes_.push_back(splash);
 }
 
 void LocalGrid::end_tick() {
@@ -301,13 +318,15 @@ void LocalGrid::end_tick() {
 }
 
 void LocalGrid::prepare_rows(std::size_t job) {
-    const std::size_t first = job * rows_a_job;
+    const std::size_t first = job * rows_an_item, floats = rows_an_item * local_row_stride(n());
+    std::copy_n(first_texel(height_) + first * local_row_stride(n()), floats,
+                tick_before_.data() + local_margin + first * local_row_stride(n()));
     const bool is_verlet = options_.step == LocalStep::verlet;
     if (is_verlet)
         kernels_.damp_rows({.planes = {first_texel(0), first_texel(1)},
                             .resolution = n(),
                             .first_row = first,
-                            .rows = rows_a_job,
+                            .rows = rows_an_item,
                             .border = border()});
     for (const Splash& splash : splashes_) splash_rows(splash, first);
     if (is_verlet) repeat_ends(height_, first);
@@ -320,7 +339,7 @@ void LocalGrid::for_texels(const Splash& splash, std::size_t first_row, AtTexel 
     const float height = static_cast<float>(of.height_m);
     for (std::int64_t z = splash.first_z; z < splash.end_z; ++z) {
         const std::size_t row = window_.in_torus(z);
-        if (row < first_row || row >= first_row + rows_a_job) continue;
+        if (row < first_row || row >= first_row + rows_an_item) continue;
         const std::size_t begin = row * local_row_stride(n());
         if (of.shape == Disturbance::Shape::gauss) {
             const float* const along_x = profiles_.data() + splash.profile;
@@ -371,12 +390,12 @@ void LocalGrid::finish_rows(std::size_t job) {
     float* const other = options_.step == LocalStep::verlet ? first_texel(1 - stepped_plane()) : nullptr;
     for (const Splash& splash : splashes_) {
         if (splash.of.mode != Disturbance::Mode::press) continue;
-        for_texels(splash, job * rows_a_job, [=](std::size_t texel, float shape, float) {
+        for_texels(splash, job * rows_an_item, [=](std::size_t texel, float shape, float) {
             h[texel] += shape;
             if (other) other[texel] += shape;
         });
     }
-    foam_rows(job * rows_a_job);
+    foam_rows(job * rows_an_item);
 }
 
 void LocalGrid::foam_rows(std::size_t first_row) {
@@ -386,7 +405,7 @@ void LocalGrid::foam_rows(std::size_t first_row) {
         {.heights = first_texel(stepped_plane()),
          .resolution = n(),
          .first_row = first_row,
-         .rows = rows_a_job,
+         .rows = rows_an_item,
          .threshold = threshold,
          .scale = 255 / threshold,
          .fade = static_cast<int>((ticks_ + 1) * foam_fade_per_s / rate - ticks_ * foam_fade_per_s / rate),
@@ -395,49 +414,132 @@ void LocalGrid::foam_rows(std::size_t first_row) {
 }
 
 void LocalGrid::repeat_ends(std::size_t plane, std::size_t first_row) {
-    for (std::size_t z = first_row; z < first_row + rows_a_job; ++z) {
+    for (std::size_t z = first_row; z < first_row + rows_an_item; ++z) {
         float* const row = first_texel(plane) + z * local_row_stride(n());
         row[-1] = row[n() - 1];
         row[n()] = row[0];
     }
 }
 
+void LocalGrid::show(float part, std::size_t item, const Shown& to) const {
+    const std::size_t first = item * rows_an_item;
+    kernels_.local_show({.before = tick_before_.data() + local_margin,
+                         .now = first_texel(height_),
+                         .resolution = n(),
+                         .first_row = first,
+                         .rows = rows_an_item,
+                         .part = part,
+                         .ticks_per_s = static_cast<float>(options_.ticks_per_s),
+                         .shown_x = shown_[0].data(),
+                         .shown_z = shown_[1].data(),
+                         .height = to.height_m,
+                         .rise = to.rise_mps,
+                         .lowest = to.lowest_m,
+                         .highest = to.highest_m});
+    std::copy_n(foam_.data() + first * n(), rows_an_item * n(), to.foam + first * n());
+}
+
 std::vector<std::uint8_t> LocalGrid::saved() const {
-    const SavedHeader header = {first_[0], first_[1], ticks_};
+    const SavedHeader header = {first_[0], first_[1], ticks_, next_source_,
+                                static_cast<std::int64_t>(sources_.size())};
     const std::size_t row_bytes = n() * sizeof(float);
-    std::vector<std::uint8_t> bytes(sizeof header + 2 * n() * row_bytes + foam_.size());
+    std::vector<std::uint8_t> bytes(sizeof header + 3 * n() * row_bytes + foam_.size() +
+                                    sources_.size() * sizeof(SavedSource));
     std::uint8_t* to = bytes.data();
-    std::memcpy(to, &header, sizeof header);
-    to += sizeof header;
-    for (const std::size_t plane : {height_, 1 - height_})
-        for (std::size_t z = 0; z < n(); ++z, to += row_bytes)
-            std::memcpy(to, planes_[plane].data() + local_margin + z * local_row_stride(n()), row_bytes);
-    std::memcpy(to, foam_.data(), foam_.size());
+    const auto put = [&to](const void* from, std::size_t count) {
+        std::memcpy(to, from, count);
+        to += count;
+    };
+    put(&header, sizeof header);
+    for (const AlignedBuffer<float>* plane : {&planes_[height_], &planes_[1 - height_], &tick_before_})
+        for (std::size_t z = 0; z < n(); ++z)
+            put(plane->data() + local_margin + z * local_row_stride(n()), row_bytes);
+    put(foam_.data(), foam_.size());
+    for (const Source& source : sources_) {
+        const Disturbance& of = source.disturbance;
+        const SavedSource saved = {source.number,
+                                   source.since,
+                                   static_cast<std::int64_t>(of.shape),
+                                   static_cast<std::int64_t>(of.mode),
+                                   of.x_m,
+                                   of.z_m,
+                                   of.radius_m,
+                                   of.length_m,
+                                   of.heading_rad,
+                                   of.height_m,
+                                   of.rate_per_s,
+                                   of.velocity_x_mps,
+                                   of.velocity_z_mps};
+        put(&saved, sizeof saved);
+    }
     return bytes;
 }
 
+std::vector<LocalGrid::Source> LocalGrid::restored_sources(const std::uint8_t* from, std::size_t count,
+                                                           std::int64_t next_source, std::int64_t ticks) {
+    std::vector<Source> sources;
+    for (std::size_t i = 0; i < count; ++i, from += sizeof(SavedSource)) {
+        SavedSource saved;
+        std::memcpy(&saved, from, sizeof saved);
+        const std::int64_t least = sources.empty() ? 1 : std::int64_t{sources.back().number} + 1;
+        if (saved.number < least || saved.number >= next_source)
+            throw std::invalid_argument(refusal("a saved source's number", saved.number, "more than the one before"));
+        if (saved.since < 0 || saved.since > ticks)
+            throw std::invalid_argument(refusal("a saved source's tick", saved.since, "one of the water's"));
+        if (saved.shape < 0 || saved.shape > static_cast<std::int64_t>(Disturbance::Shape::hull))
+            throw std::invalid_argument(refusal("a saved source's shape", saved.shape, "0 or 1"));
+        if (saved.mode < 0 || saved.mode > static_cast<std::int64_t>(Disturbance::Mode::add))
+            throw std::invalid_argument(refusal("a saved source's mode", saved.mode, "0, 1 or 2"));
+        const Disturbance source = {.shape = static_cast<Disturbance::Shape>(saved.shape),
+                                    .mode = static_cast<Disturbance::Mode>(saved.mode),
+                                    .x_m = saved.x,
+                                    .z_m = saved.z,
+                                    .radius_m = saved.radius,
+                                    .length_m = saved.length,
+                                    .heading_rad = saved.heading,
+                                    .height_m = saved.height,
+                                    .rate_per_s = saved.rate,
+                                    .velocity_x_mps = saved.velocity_x,
+                                    .velocity_z_mps = saved.velocity_z};
+        if (const std::string reason = check(source); !reason.empty()) throw std::invalid_argument(reason);
+        sources.push_back({static_cast<std::uint32_t>(saved.number), source, saved.since});
+    }
+    return sources;
+}
+
 void LocalGrid::restore(std::span<const std::uint8_t> saved) {
-    SavedHeader header;
-    const std::size_t row_bytes = n() * sizeof(float), needed = sizeof header + 2 * n() * row_bytes + foam_.size();
-    if (saved.size() != needed)
-        throw std::invalid_argument(refusal("the window", number_text(saved.size()) + " bytes", number_text(needed)));
-    std::memcpy(&header, saved.data(), sizeof header);
+    SavedHeader header{};
+    const std::size_t row_bytes = n() * sizeof(float), texel_bytes = 3 * n() * row_bytes + foam_.size();
+    if (saved.size() >= sizeof header) std::memcpy(&header, saved.data(), sizeof header);
+    const bool can_be = header.sources >= 0 && header.sources <= static_cast<std::int64_t>(most_disturbances);
+    const std::size_t sources = can_be ? static_cast<std::size_t>(header.sources) : 0;
+    if (!can_be || saved.size() != sizeof header + texel_bytes + sources * sizeof(SavedSource))
+        throw std::invalid_argument(refusal("the saved water", number_text(saved.size()) + " bytes",
+                                            number_text(sizeof header + texel_bytes) + " and those of its sources"));
     const double most_texels = farthest_m / texel_m() + options_.resolution;
     for (const std::int64_t first : {header.first_x, header.first_z})
         if (!(std::fabs(static_cast<double>(first)) <= most_texels))
-            throw std::invalid_argument(refusal("the window's first texel", first, "one within [-1e8, 1e8] m"));
-    if (header.ticks < 0) throw std::invalid_argument(refusal("the window's ticks", header.ticks, "0 or more"));
+            throw std::invalid_argument(refusal("the saved water's first texel", first, "one within [-1e8, 1e8] m"));
+    if (header.ticks < 0 || header.ticks > most_ticks)
+        throw std::invalid_argument(refusal("the saved water's ticks", header.ticks, "[0, 2^50]"));
+    if (header.next_source < 1 || header.next_source > std::numeric_limits<std::uint32_t>::max())
+        throw std::invalid_argument(refusal("the saved water's next source", header.next_source, "[1, 2^32)"));
     const std::uint8_t* from = saved.data() + sizeof header;
-    for (std::size_t i = 0; i < 2 * n() * n(); ++i) {
+    for (std::size_t i = 0; i < 3 * n() * n(); ++i) {
         float texel;
         std::memcpy(&texel, from + i * sizeof texel, sizeof texel);
-        if (!std::isfinite(texel)) throw std::invalid_argument(refusal("a texel of the window", texel, "a number"));
+        if (!(std::fabs(texel) <= 1e6f))  // of what is no number, too
+            throw std::invalid_argument(refusal("a saved texel of the water", texel, "[-1e6, 1e6]"));
     }
+    std::vector<Source> lasting = restored_sources(from + texel_bytes, sources, header.next_source, header.ticks);
+
     first_ = {header.first_x, header.first_z};
     ticks_ = header.ticks;
-    for (const std::size_t plane : {height_, 1 - height_})
+    next_source_ = static_cast<std::uint32_t>(header.next_source);
+    sources_ = std::move(lasting);
+    for (AlignedBuffer<float>* plane : {&planes_[height_], &planes_[1 - height_], &tick_before_})
         for (std::size_t z = 0; z < n(); ++z, from += row_bytes)
-            std::memcpy(first_texel(plane) + z * local_row_stride(n()), from, row_bytes);
+            std::memcpy(plane->data() + local_margin + z * local_row_stride(n()), from, row_bytes);
     std::memcpy(foam_.data(), from, foam_.size());
     std::fill(has_foam_.begin(), has_foam_.end(), std::uint8_t{1});  // or so: the next tick looks
     waiting_.clear();
@@ -450,11 +552,12 @@ std::uint64_t LocalGrid::hash() const {
 }
 
 std::size_t LocalGrid::bytes() const {
-    std::size_t bytes = foam_.bytes() + has_foam_.capacity() + phases_.bytes() + lines_.bytes() +
+    std::size_t bytes = foam_.bytes() + tick_before_.bytes() + sources_.capacity() * sizeof(Source) +
+                        has_foam_.capacity() + phases_.bytes() + lines_.bytes() +
                         profiles_.capacity() * sizeof(float) + waiting_.capacity() * sizeof(Disturbance) +
                         splashes_.capacity() * sizeof(Splash);
     for (const auto& plane : planes_) bytes += plane.bytes();
-    for (const auto& left : left_) bytes += left.bytes();
+    for (std::size_t axis = 0; axis < 2; ++axis) bytes += left_[axis].bytes() + shown_[axis].bytes();
     for (const FftPlan& plan : plan_) bytes += plan.bytes();
     return bytes;
 }

@@ -1,10 +1,9 @@
-// Water that answers: waves that hosts make, on a window of the sea that follows somebody. Fixed ticks, whatever the frames do.
+// Water that answers (local_water.hpp), tick by tick.
 //
 // spectral (the default)   z = h + i w, where the wave number k of w is that of dh/dt over omega(k). Each wave goes on by
 //                          z_k(t + dt) = z_k(t) exp(-i omega(k) dt - (2 nu k^2 + decay) dt),
 //                          omega^2 = (g k + (T/rho) k^3) tanh(k depth): exact dispersion, at any length of a tick
-// verlet                   h' = (2 h - h_before + c lap h) (1 - decay dt), half of which amplitudes lose; c = (speed dt / dx)^2 <= 0.4: one speed for all waves, for
-//                          ponds and rings
+// verlet                   h' = (2 h - h_before + c lap h) (1 - decay dt), of which amplitudes lose half, c = (speed dt / dx)^2
 //
 // In either case the window is a torus whose border takes waves away before they come round, and texels that enter it are flat.
 #pragma once
@@ -13,12 +12,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "pelagic/jobs/job_graph.hpp"
+#include "pelagic/sim/disturbance.hpp"
 #include "pelagic/sim/kernels/kernels.hpp"
-#include "pelagic/sim/sources/disturbance.hpp"
+#include "pelagic/sim/local_water.hpp"
 #include "pelagic/sim/sources/fft_plan.hpp"
 #include "pelagic/sim/sources/local_window.hpp"
 #include "pelagic/simd/aligned_buffer.hpp"
@@ -26,33 +25,17 @@
 
 namespace pelagic {
 
-enum class LocalStep { spectral, verlet };
-
-struct LocalGridOptions {
-    LocalStep step = LocalStep::spectral;
-    int resolution = 256;          ///< N, texels along a side; 64, 128, 256, 512 or 1024
-    double side_m = 64;            ///< [1, 10000]
-    int ticks_per_s = 60;          ///< [10, 240]
-    double border_m = 12;          ///< of each side, where waves end; 0: none, waves come round. [0, side_m / 4]
-    double depth_m = 1e4;          ///< spectral; [0.01, 11000]
-    double viscosity_m2ps = 2e-3;  ///< spectral: nu, of eddies rather than molecules; [0, 1]
-    double wave_speed_mps = 3;     ///< Verlet; (0, 1000], and c <= 0.4
-    double decay_per_s = 0.01;     ///< of amplitudes; [0, 10]
-    double foam_height_m = 0.2;    ///< water that stands higher turns white, entirely so at twice that; (0, 100]
-};
-
-/// Empty, or what is wrong: "resolution is 100, needs 64, 128, 256, 512 or 1024".
-std::string check(const LocalGridOptions& options);
-
 class LocalGrid {
    public:
     /// c of Verlet's step, at most: the bound of its stability in two dimensions is 0.5.
     static constexpr double most_coupling = 0.4;
-    /// Disturbances of one tick.
+    /// Sources that last, and disturbances of one tick.
     static constexpr std::size_t most_disturbances = 4096;
+    /// Texels that Verlet's waves run in a tick.
+    static double courant_number(const LocalWaterOptions& options);
 
     /// Throws std::invalid_argument(check(options)), std::bad_alloc. \pre runs_here(isa)
-    LocalGrid(const LocalGridOptions& options, Isa isa, const HostMemory& memory = {});
+    LocalGrid(const LocalWaterOptions& options, Isa isa, const HostMemory& memory = {});
     LocalGrid(const LocalGrid&) = delete;  // stages point into it
     LocalGrid& operator=(const LocalGrid&) = delete;
 
@@ -67,17 +50,25 @@ class LocalGrid {
     /// std::invalid_argument(check(disturbance)), or if there are most_disturbances already. \pre no tick is in flight
     void disturb(const Disturbance& disturbance);
 
+    /// One that pushes at every tick from the next one on, until it is set anew or removed. Numbers are used once; sources push in
+    /// their order. Throws as disturb(). \pre no tick is in flight
+    std::uint32_t new_source_number() { return next_source_++; }
+    void set_source(std::uint32_t number, const Disturbance& source);
+    void remove_source(std::uint32_t number);
+    /// How many there are.
+    std::size_t sources() const { return sources_.size(); }
+    std::size_t disturbances() const { return waiting_.size(); }  ///< of the tick to come
+
     /// Before and after each run of the tick's stages.
     void begin_tick();
     void end_tick();
 
-    const LocalGridOptions& options() const { return options_; }
+    const LocalWaterOptions& options() const { return options_; }
     double texel_m() const { return window_.texel_m(); }
     double tick_s() const { return 1.0 / options_.ticks_per_s; }
     std::int64_t ticks() const { return ticks_; }  ///< that are over
-    std::int64_t first_x() const {
-        return first_[0];
-    }  ///< the lowest texel of the window; texel i stands at i texel_m
+    /// The lowest texel of the window; texel i stands at i texel_m.
+    std::int64_t first_x() const { return first_[0]; }
     std::int64_t first_z() const { return first_[1]; }
     /// At a texel of the window.
     float height_m(std::int64_t x, std::int64_t z) const { return planes_[height_][texel(x, z)]; }
@@ -85,9 +76,19 @@ class LocalGrid {
     /// Spectral: w. Verlet: the height of the tick before.
     float companion_m(std::int64_t x, std::int64_t z) const { return planes_[1 - height_][texel(x, z)]; }
 
+    /// Puts together what a frame shows of the rows of an item, `part` of the way from the tick before to the last one: rows of N floats
+    /// and bytes, and the extremes of each row's heights. Items may run side by side. \pre no tick is in flight
+    static constexpr std::size_t rows_an_item = 16;
+    struct Shown {
+        float *height_m, *rise_mps;
+        std::uint8_t* foam;
+        float *lowest_m, *highest_m;
+    };
+    void show(float part, std::size_t item, const Shown& to) const;
+
     /// Two windows that agree on it go on alike: a hash of all that is saved.
     std::uint64_t hash() const;
-    /// All that ticks to come depend on; 9 N^2 bytes and some. \pre no tick is in flight
+    /// All that ticks and frames to come depend on; 13 N^2 bytes and some. \pre no tick is in flight
     std::vector<std::uint8_t> saved() const;
     /// Takes that up, in a grid of the same options, on any machine of the same byte order. Throws std::invalid_argument if such a
     /// grid can't have saved it; nothing has changed then. \pre no tick is in flight
@@ -106,6 +107,12 @@ class LocalGrid {
         double cosine, sine;  ///< of a hull's heading
     };
 
+    struct Source {
+        std::uint32_t number;
+        Disturbance disturbance;
+        std::int64_t since;  ///< ticks that were over when it was set
+    };
+
     std::size_t texel(std::int64_t x, std::int64_t z) const {
         return local_margin + window_.in_torus(z) * local_row_stride(n()) + window_.in_torus(x);
     }
@@ -117,6 +124,7 @@ class LocalGrid {
     /// Which plane holds h once the step is done: Verlet's goes where the height of the tick before was.
     std::size_t stepped_plane() const { return options_.step == LocalStep::verlet ? 1 - height_ : height_; }
     float* first_texel(std::size_t plane) { return planes_[plane].data() + local_margin; }
+    const float* first_texel(std::size_t plane) const { return planes_[plane].data() + local_margin; }
 
     StageId add_spectral_stages(JobGraph& graph, StageId prepared);
     StageId add_verlet_stage(JobGraph& graph, StageId prepared);
@@ -125,6 +133,9 @@ class LocalGrid {
     void lay_border();
     void flatten_column(std::int64_t x);
     void flatten_row(std::int64_t z);
+    static std::vector<Source> restored_sources(const std::uint8_t* from, std::size_t count, std::int64_t next_source,
+                                                std::int64_t ticks);
+    void add_splash(const Disturbance& disturbance);
     Splash splash_of(const Disturbance& disturbance);
     void prepare_rows(std::size_t job);
     template <class AtTexel>
@@ -134,18 +145,22 @@ class LocalGrid {
     void foam_rows(std::size_t first_row);
     void repeat_ends(std::size_t plane, std::size_t first_row);
 
-    LocalGridOptions options_;
+    LocalWaterOptions options_;
     const Kernels& kernels_;
     LocalWindow window_;
     std::array<std::int64_t, 2> first_{};
     std::int64_t ticks_ = 0;
+    std::uint32_t next_source_ = 1;
     std::size_t height_ = 0;  ///< which plane holds h
     std::array<AlignedBuffer<float>, 2> planes_;
+    AlignedBuffer<float> tick_before_;  ///< h of the tick before, which frames show the way from
     AlignedBuffer<std::uint8_t> foam_;
-    std::vector<std::uint8_t> has_foam_;        ///< by row; 0: none
-    std::array<AlignedBuffer<float>, 2> left_;  ///< the same where the torus has it
-    std::vector<Disturbance> waiting_;          ///< for the tick to come
-    std::vector<Splash> splashes_;              ///< of the tick in flight
+    std::vector<std::uint8_t> has_foam_;         ///< by row; 0: none
+    std::array<AlignedBuffer<float>, 2> left_;   ///< of each column and row of the torus by a tick
+    std::array<AlignedBuffer<float>, 2> shown_;  ///< and by what a frame shows: 0 at the edges
+    std::vector<Source> sources_;                ///< by number
+    std::vector<Disturbance> waiting_;           ///< for the tick to come
+    std::vector<Splash> splashes_;               ///< of the tick in flight
     std::vector<float> profiles_;
 
     // Of the spectral step alone.

@@ -5,7 +5,7 @@
 
 namespace pelagic {
 
-/// One push at the water during one tick. A source that lasts, as a hull does, pushes at every tick.
+/// A push at the water: once, or as a source that lasts until it is taken away.
 struct Disturbance {
     enum class Shape {
         gauss,  ///< height_m exp(-(r / radius_m)^2), cut off at 3 radii
@@ -23,12 +23,14 @@ struct Disturbance {
 
     Shape shape = Shape::gauss;
     Mode mode = Mode::press;
-    double x_m = 0, z_m = 0;  ///< in the world; [-1e8, 1e8]
+    double x_m = 0, z_m = 0;  ///< in the world, when it is given; [-1e8, 1e8]
     double radius_m = 1;      ///< of a hull half its beam; (0, 1000]
     double length_m = 1;      ///< of a hull half its length; (0, 1000]
     double heading_rad = 0;   ///< of a hull's length, from +x towards +z; [-2 pi, 2 pi]
     double height_m = 0;      ///< [-100, 100]
     double rate_per_s = 10;   ///< of a pull; (0, 1000]
+    /// How a source that lasts moves from one tick to the next, until it is given anew; [-1000, 1000]
+    double velocity_x_mps = 0, velocity_z_mps = 0;
 };
 
 /// Empty, or what is wrong: "radius_m is 0, needs (0, 1000]".

@@ -1,0 +1,217 @@
+#include "pelagic/sim/frames/local_frames.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstring>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "pelagic/message/refusal.hpp"
+#include "pelagic/sim/surface/item_stage.hpp"
+#include "pelagic/simd/float_environment.hpp"
+
+namespace pelagic {
+namespace {
+
+/// Of a tick: a time that is meant to be a tick's own may be rounded down.
+constexpr double clock_slack = 0x1p-16;
+/// Beyond this, doubles don't tell ticks apart.
+constexpr double farthest_tick = 0x1p50;
+
+struct SavedClock {
+    std::int64_t has_clock, last_tick;
+};
+
+void check_place(double x_m, double z_m) {
+    for (const double at : {x_m, z_m})
+        if (!(at >= -1e8 && at <= 1e8))
+            throw std::invalid_argument(refusal("the place to follow", at, "[-1e8, 1e8]"));
+}
+
+}  // namespace
+
+LocalFrames::LocalFrames(const LocalWaterOptions& options, Isa isa, const HostMemory& memory, const Prepare& prepare)
+    : grid_(options, isa, memory) {
+    const auto n = static_cast<std::size_t>(options.resolution);
+    for (Slot& slot : slots_) {
+        slot.height = AlignedBuffer<float>(n * n, memory);
+        slot.rise = AlignedBuffer<float>(n * n, memory);
+        slot.foam = AlignedBuffer<std::uint8_t>(n * n, memory);
+        slot.lowest.resize(n);
+        slot.highest.resize(n);
+    }
+    said_.reserve(LocalGrid::most_disturbances);
+    const auto add_show_stage = [&](JobGraph& graph, std::vector<StageId> waits_for) {
+        graph.add({.name = "local show",
+                   .count = n / LocalGrid::rows_an_item,
+                   .waits_for = std::move(waits_for),
+                   .body = for_each_item([this](std::size_t item) { show_rows(item); })});
+    };
+    grid_.add_tick_stages(tick_graph_);
+    add_show_stage(show_graph_, {});
+    add_show_stage(tick_and_show_graph_, {grid_.add_tick_stages(tick_and_show_graph_)});
+    tick_run_ = prepare(tick_graph_);
+    show_run_ = prepare(show_graph_);
+    tick_and_show_run_ = prepare(tick_and_show_graph_);
+}
+
+void LocalFrames::say(const Said& said) { said_.push_back(said); }
+
+void LocalFrames::disturb(const Disturbance& disturbance) {
+    if (const std::string reason = check(disturbance); !reason.empty()) throw std::invalid_argument(reason);
+    if (grid_.disturbances() + new_disturbances_ == LocalGrid::most_disturbances)
+        throw std::invalid_argument(refusal("the number of disturbances of a frame", LocalGrid::most_disturbances + 1,
+                                            "at most " + number_text(LocalGrid::most_disturbances)));
+    ++new_disturbances_;
+    say({Said::What::disturb, 0, disturbance});
+}
+
+std::uint32_t LocalFrames::add_source(const Disturbance& source) {
+    if (const std::string reason = check(source); !reason.empty()) throw std::invalid_argument(reason);
+    if (grid_.sources() + new_sources_ == LocalGrid::most_disturbances)
+        throw std::invalid_argument(refusal("the number of sources", LocalGrid::most_disturbances + 1,
+                                            "at most " + number_text(LocalGrid::most_disturbances)));
+    ++new_sources_;
+    const std::uint32_t number = grid_.new_source_number();
+    say({Said::What::set, number, source});
+    return number;
+}
+
+void LocalFrames::set_source(std::uint32_t number, const Disturbance& source) {
+    if (const std::string reason = check(source); !reason.empty()) throw std::invalid_argument(reason);
+    say({Said::What::set, number, source});
+}
+
+void LocalFrames::remove_source(std::uint32_t number) { say({Said::What::remove, number}); }
+
+void LocalFrames::follow(double x_m, double z_m) {
+    check_place(x_m, z_m);
+    say({Said::What::follow, 0, {.x_m = x_m, .z_m = z_m}});
+}
+
+void LocalFrames::take_what_was_said() {
+    for (const Said& said : said_) {
+        switch (said.what) {
+            case Said::What::disturb: grid_.disturb(said.disturbance); break;
+            case Said::What::set: grid_.set_source(said.number, said.disturbance); break;
+            case Said::What::remove: grid_.remove_source(said.number); break;
+            case Said::What::follow: grid_.follow(said.disturbance.x_m, said.disturbance.z_m); break;
+        }
+    }
+    said_.clear();
+    new_sources_ = new_disturbances_ = 0;
+}
+
+void LocalFrames::begin_frame(double time_s) {
+    assert(!frame_in_flight_);
+    const DefaultFloatEnvironment environment;
+    take_what_was_said();
+    const double rate = grid_.options().ticks_per_s;
+    const double place = std::clamp(time_s * rate + clock_slack, -farthest_tick, farthest_tick);
+    const double tick = std::floor(place);
+    const auto number = static_cast<std::int64_t>(tick);
+    const auto most = static_cast<std::int64_t>(most_seconds_a_frame * rate);
+    ticks_due_ = has_clock_ ? std::clamp(number - last_tick_, std::int64_t{0}, most) : 0;
+    last_tick_ = number;
+    has_clock_ = true;
+    part_ = static_cast<float>(std::min(place - tick, 1.0));
+    back_ = 1 - back_;
+    frame_in_flight_ = true;
+    run_in_flight_ = nullptr;
+    if (ticks_due_ == 0) begin_run(*show_run_);
+    if (ticks_due_ == 1) begin_run(*tick_and_show_run_);
+}
+
+void LocalFrames::complete() {
+    if (!frame_in_flight_) return;
+    frame_in_flight_ = false;
+    while (ticks_due_ > 1) {
+        --ticks_due_;
+        begin_run(*tick_run_);
+        complete_run();
+    }
+    if (!run_in_flight_) begin_run(ticks_due_ == 1 ? *tick_and_show_run_ : *show_run_);
+    complete_run();
+}
+
+void LocalFrames::begin_run(GraphRun& run) {
+    if (&run != show_run_.get()) grid_.begin_tick();
+    run_in_flight_ = &run;
+    run.schedule();
+}
+
+void LocalFrames::complete_run() {
+    GraphRun& run = *std::exchange(run_in_flight_, nullptr);
+    // A run that fails has done what it could, and the next tick follows on it.
+    struct EndOfTick {
+        LocalGrid* grid;
+        ~EndOfTick() {
+            if (grid) grid->end_tick();
+        }
+    } const end{&run == show_run_.get() ? nullptr : &grid_};
+    run.complete();
+}
+
+bool LocalFrames::is_done() const { return !frame_in_flight_ || !run_in_flight_ || run_in_flight_->is_done(); }
+
+void LocalFrames::show_rows(std::size_t item) {
+    Slot& slot = slots_[back_];
+    grid_.show(part_, item,
+               {slot.height.data(), slot.rise.data(), slot.foam.data(), slot.lowest.data(), slot.highest.data()});
+}
+
+LocalSurface LocalFrames::surface() const {
+    const Slot& slot = slots_[back_];
+    return {.resolution = grid_.options().resolution,
+            .texel_m = grid_.texel_m(),
+            .first_x = grid_.first_x(),
+            .first_z = grid_.first_z(),
+            .height_m = {slot.height.data(), slot.height.size()},
+            .rise_mps = {slot.rise.data(), slot.rise.size()},
+            .foam = {slot.foam.data(), slot.foam.size()},
+            .height_min_m = *std::min_element(slot.lowest.begin(), slot.lowest.end()),
+            .height_max_m = *std::max_element(slot.highest.begin(), slot.highest.end())};
+}
+
+void LocalFrames::drop_frame() {
+    try {
+        complete();
+    } catch (...) {  // it is lost already
+    }
+    back_ = 1 - back_;
+}
+
+std::vector<std::uint8_t> LocalFrames::saved() const {
+    const SavedClock clock = {has_clock_, last_tick_};
+    std::vector<std::uint8_t> bytes(sizeof clock);
+    std::memcpy(bytes.data(), &clock, sizeof clock);
+    const std::vector<std::uint8_t> water = grid_.saved();
+    bytes.insert(bytes.end(), water.begin(), water.end());
+    return bytes;
+}
+
+void LocalFrames::restore(std::span<const std::uint8_t> saved) {
+    SavedClock clock{};
+    if (saved.size() < sizeof clock)
+        throw std::invalid_argument(refusal("the saved water", number_text(saved.size()) + " bytes", "more"));
+    std::memcpy(&clock, saved.data(), sizeof clock);
+    if (std::fabs(static_cast<double>(clock.last_tick)) > farthest_tick)
+        throw std::invalid_argument(refusal("the saved water's clock", clock.last_tick, "a tick within 2^50"));
+    grid_.restore(saved.subspan(sizeof clock));
+    has_clock_ = clock.has_clock != 0;
+    last_tick_ = clock.last_tick;
+    said_.clear();
+    new_sources_ = new_disturbances_ = 0;
+}
+
+std::size_t LocalFrames::bytes() const {
+    std::size_t bytes = sizeof(LocalFrames) + grid_.bytes() + said_.capacity() * sizeof(Said);
+    for (const Slot& slot : slots_)
+        bytes += slot.height.bytes() + slot.rise.bytes() + slot.foam.bytes() +
+                 (slot.lowest.capacity() + slot.highest.capacity()) * sizeof(float);
+    return bytes;
+}
+
+}  // namespace pelagic

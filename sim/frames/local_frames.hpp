@@ -1,0 +1,88 @@
+// Water that answers beside the frames of an ocean: which ticks a frame needs, the runs that make them, and two slots for what frames
+// show of it.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "pelagic/jobs/executor.hpp"
+#include "pelagic/jobs/job_graph.hpp"
+#include "pelagic/sim/local_surface.hpp"
+#include "pelagic/sim/sources/local_grid.hpp"
+#include "pelagic/simd/host_memory.hpp"
+
+namespace pelagic {
+
+class LocalFrames {
+   public:
+    using Prepare = std::function<std::unique_ptr<GraphRun>(const JobGraph&)>;
+
+    /// A jump in time is no more ticks than that many seconds have.
+    static constexpr double most_seconds_a_frame = 0.5;
+
+    LocalFrames(const LocalWaterOptions& options, Isa isa, const HostMemory& memory, const Prepare& prepare);
+    LocalFrames(const LocalFrames&) = delete;  // stages point into it
+    LocalFrames& operator=(const LocalFrames&) = delete;
+
+    // What hosts say counts from the next begin_frame() on, in their order.
+    void disturb(const Disturbance& disturbance);
+    std::uint32_t add_source(const Disturbance& source);
+    void set_source(std::uint32_t number, const Disturbance& source);
+    void remove_source(std::uint32_t number);
+    void follow(double x_m, double z_m);
+
+    /// Begins the frame of `time_s`: its ticks, of which all but one are left to complete(), and what it shows. The first frame, and one
+    /// of a time before the last one's, has no ticks.
+    void begin_frame(double time_s);
+    void complete();
+    bool is_done() const;
+    /// Of the frame completed last. Valid until the second begin_frame() from now.
+    LocalSurface surface() const;
+    /// Gives up what begin_frame() began, so that the frame before stays; its ticks are not undone.
+    void drop_frame();
+
+    std::vector<std::uint8_t> saved() const;
+    void restore(std::span<const std::uint8_t> saved);
+    std::size_t bytes() const;
+
+   private:
+    struct Slot {
+        AlignedBuffer<float> height, rise;
+        AlignedBuffer<std::uint8_t> foam;
+        std::int64_t first_x = 0, first_z = 0;
+        std::vector<float> lowest, highest;
+    };
+    void begin_run(GraphRun& run);
+    void complete_run();
+    void take_what_was_said();
+    void show_rows(std::size_t item);
+
+    LocalGrid grid_;
+    /// What a host said since the last begin_frame().
+    struct Said {
+        enum class What { disturb, set, remove, follow } what;
+        std::uint32_t number = 0;
+        Disturbance disturbance = {};  ///< of a follow, its place
+    };
+    void say(const Said& said);
+
+    std::vector<Said> said_;
+    std::size_t new_sources_ = 0, new_disturbances_ = 0;  ///< among them
+    std::array<Slot, 2> slots_;
+    std::size_t back_ = 0;
+    bool has_clock_ = false;
+    std::int64_t last_tick_ = 0;  ///< by the frames' time
+    std::int64_t ticks_due_ = 0;
+    float part_ = 0;
+    bool frame_in_flight_ = false;
+    JobGraph tick_graph_, show_graph_, tick_and_show_graph_;
+    GraphRun* run_in_flight_ = nullptr;
+    std::unique_ptr<GraphRun> tick_run_, show_run_, tick_and_show_run_;
+};
+
+}  // namespace pelagic

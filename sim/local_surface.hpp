@@ -1,0 +1,24 @@
+// What a frame shows of water that answers (local_water.hpp).
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+namespace pelagic {
+
+/// A window of the sea whose height adds to that of the tiles, where water is drawn: at x = rest x + Dx, z alike. Texel (i, j) of the
+/// world's lattice stands at x = i texel_m, z = j texel_m and is kept in column i mod N of row j mod N; the window has first_x <= i <
+/// first_x + N. Waves fade towards its edges, where they are 0.
+struct LocalSurface {
+    int resolution = 0;  ///< N, a power of two; 0: the ocean has no such water
+    double texel_m = 0;
+    std::int64_t first_x = 0, first_z = 0;
+    std::span<const float> height_m;     ///< N^2
+    std::span<const float> rise_mps;     ///< the same: how fast it rises
+    std::span<const std::uint8_t> foam;  ///< the same
+    float height_min_m = 0, height_max_m = 0;
+
+    explicit operator bool() const { return resolution > 0; }
+};
+
+}  // namespace pelagic

@@ -1,0 +1,256 @@
+// Water that answers, in an ocean: beside the tiles, in queries and rays, tick by tick whatever the frames do.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "pelagic/sim/ocean.hpp"
+#include "pelagic/sim/surface_query.hpp"
+#include "pelagic/sim/surface_ray.hpp"
+#include "pelagic/tests/each_executor.hpp"
+#include "pelagic/tests/each_isa.hpp"
+#include "pelagic/tests/emulated.hpp"
+
+namespace pelagic {
+namespace {
+
+const LocalWaterOptions small{.resolution = 64, .side_m = 32, .border_m = 6, .foam_height_m = 0.1};
+const SeaState breeze{.cascades = 2, .resolution = 32, .wind_speed_mps = 6, .loop_period_s = 20};
+
+OceanOptions answering(Isa isa = choose_isa(), std::shared_ptr<Executor> executor = make_serial_executor()) {
+    return {.executor = std::move(executor), .isa = isa, .queries = true, .velocities = true, .local = small};
+}
+
+const Disturbance boat{
+    .shape = Disturbance::Shape::hull, .radius_m = 0.9, .length_m = 2.4, .height_m = -0.4, .velocity_x_mps = 2};
+
+/// A boat, whom the window follows, and drops; a frame of 72 a second after another. Returns the last one.
+const Frame& happen(Ocean& ocean, int from, int to) {
+    const Frame* last = nullptr;
+    for (int frame = from; frame < to; ++frame) {
+        const double t = frame / 72.0;
+        if (frame == 0) ocean.add_source(boat);
+        ocean.follow(2 * t, 0);
+        if (frame % 11 == 3)
+            ocean.disturb(
+                {.mode = Disturbance::Mode::add, .x_m = 2 * t + 4, .z_m = -3, .radius_m = 0.8, .height_m = 0.5});
+        last = &ocean.frame_at(t);
+    }
+    return *last;
+}
+
+TEST(LocalWater, LeavesTheTilesAsTheyAre) {
+    Ocean with(breeze, answering()), without(breeze, {.executor = make_serial_executor()});
+    happen(with, 0, 90);
+    const Frame& frame = with.frame_at(2.5);
+    EXPECT_EQ(hash_of(frame), hash_of(without.frame_at(2.5)));
+    EXPECT_NE(local_hash_of(frame), 0U);
+    EXPECT_EQ(local_hash_of(without.frame_at(2.5)), 0U);
+}
+
+TEST(LocalWater, HasTheSameBitsEverywhere) {
+    Ocean first(breeze, answering(isas_here().front()));
+    const std::uint64_t expected = local_hash_of(happen(first, 0, 120));
+    for (const Isa isa : isas_here()) {
+        Ocean ocean(breeze, answering(isa));
+        EXPECT_EQ(local_hash_of(happen(ocean, 0, 120)), expected) << name_of(isa);
+    }
+    if (is_emulated) return;
+    for (const ExecutorKind& kind : executor_kinds()) {
+        Ocean ocean(breeze, answering(choose_isa(), kind.make(kind.threads)));
+        EXPECT_EQ(local_hash_of(happen(ocean, 0, 120)), expected) << kind.name;
+    }
+}
+
+// Ticks are the water's own: what lasts from the beginning is the same at the same time, however many frames there were.
+TEST(LocalWater, IsMadeTickByTickWhateverTheFramesAre) {
+    const auto after_two_seconds = [](int frames_a_second) {
+        Ocean ocean(breeze, answering());
+        ocean.add_source(boat);
+        for (int frame = 0; frame <= 2 * frames_a_second; ++frame)
+            ocean.frame_at(frame / static_cast<double>(frames_a_second));
+        return local_hash_of(ocean.frame_at(2.0));
+    };
+    const std::uint64_t expected = after_two_seconds(60);
+    for (const int frames_a_second : {7, 24, 30, 72, 90, 144})
+        EXPECT_EQ(after_two_seconds(frames_a_second), expected);
+}
+
+TEST(LocalWater, GoesNowhereInTimesThatAreOverAndHalfASecondInAJump) {
+    Ocean ocean(breeze, answering());
+    happen(ocean, 0, 72);
+    const std::uint64_t there = local_hash_of(ocean.frame_at(1.0));
+    ocean.frame_at(0.3);
+    EXPECT_EQ(local_hash_of(ocean.frame_at(0.3)), there);
+    Ocean jumps(breeze, answering()), walks(breeze, answering());
+    for (Ocean* each : {&jumps, &walks}) {
+        each->frame_at(0);
+        each->disturb({.mode = Disturbance::Mode::add, .height_m = 0.5});
+    }
+    jumps.frame_at(1e6);
+    for (int tick = 1; tick <= 30; ++tick) walks.frame_at(tick / 60.0);
+    EXPECT_EQ(local_hash_of(jumps.frame_at(1e6)), local_hash_of(walks.frame_at(0.5)));
+}
+
+TEST(LocalWater, AddsToWhatQueriesTell) {
+    for (const SeaState& sea : {breeze, SeaState{.resolution = 32, .patch_size_m = 60, .wind_speed_mps = 6}}) {
+        Ocean with(sea, answering()), without(sea, answering());
+        const Frame& moved = happen(with, 0, 100);
+        const Frame& still = without.frame_at(moved.time_s);
+        std::mt19937 random(3);
+        std::uniform_real_distribution<double> place(-20, 20);
+        std::vector<double> x(2000), z(2000);
+        for (std::size_t i = 0; i < x.size(); ++i) x[i] = 2.7 + place(random), z[i] = place(random);
+        const std::size_t n = x.size();
+        std::vector<float> a(n), b(n), rise_a(n), rise_b(n), nx(n), ny(n), nz(n), mx(n), my(n), mz(n), foam(n);
+        SurfaceQuery(moved).sample(
+            {x, z},
+            {.height_m = a, .normal_x = nx, .normal_y = ny, .normal_z = nz, .velocity_y_mps = rise_a, .foam = foam});
+        SurfaceQuery(still).sample(
+            {x, z}, {.height_m = b, .normal_x = mx, .normal_y = my, .normal_z = mz, .velocity_y_mps = rise_b});
+        double largest = 0;
+        for (std::size_t i = 0; i < n; ++i) {
+            const LocalSample local = sample(moved.local, x[i], z[i]);
+            largest = std::max(largest, std::fabs(local.height_m));
+            EXPECT_NEAR(a[i] - b[i], local.height_m, 1e-6);
+            EXPECT_NEAR(rise_a[i] - rise_b[i], local.rise_mps, 1e-6);
+            EXPECT_EQ(foam[i], static_cast<float>(local.foam));
+            // Slopes add, whatever the tiles' are.
+            EXPECT_NEAR(-nx[i] / ny[i], -mx[i] / my[i] + local.slope_x, 1e-5);
+            EXPECT_NEAR(-nz[i] / ny[i], -mz[i] / my[i] + local.slope_z, 1e-5);
+            EXPECT_NEAR(std::hypot(nx[i], ny[i], nz[i]), 1, 1e-6);
+        }
+        EXPECT_GT(largest, 0.1);
+    }
+}
+
+// Against the surface's own differences: slopes at texels are those over two texels.
+TEST(LocalWater, SlopesAsItsHeightsDo) {
+    Ocean ocean(breeze, answering());
+    const LocalSurface& water = happen(ocean, 0, 100).local;
+    for (std::int64_t z = water.first_z + 2; z < water.first_z + 60; z += 3)
+        for (std::int64_t x = water.first_x + 2; x < water.first_x + 60; x += 3) {
+            const double step = water.texel_m, at_x = static_cast<double>(x) * step,
+                         at_z = static_cast<double>(z) * step;
+            const auto height = [&](double dx, double dz) { return sample(water, at_x + dx, at_z + dz).height_m; };
+            EXPECT_NEAR(sample(water, at_x, at_z).slope_x, (height(step, 0) - height(-step, 0)) / (2 * step), 1e-6);
+            EXPECT_NEAR(sample(water, at_x, at_z).slope_z, (height(0, step) - height(0, -step)) / (2 * step), 1e-6);
+        }
+    EXPECT_EQ(sample(water, std::numeric_limits<double>::quiet_NaN(), 0).height_m, 0);
+    EXPECT_EQ(sample(water, 1e300, 0).height_m, 0);
+    EXPECT_EQ(sample(water, static_cast<double>(water.first_x - 1) * water.texel_m, 0).height_m, 0);
+}
+
+TEST(LocalWater, StopsRays) {
+    Ocean ocean(breeze, answering());
+    ocean.add_source({.radius_m = 2, .height_m = 3});  // a bulge, higher than all waves
+    const Frame* frame = nullptr;
+    for (int tick = 0; tick < 240; ++tick) frame = &ocean.frame_at(tick / 60.0);
+    const SurfaceQuery query(*frame);
+    float height = 0;
+    const double zero = 0;
+    query.sample({{&zero, 1}, {&zero, 1}}, {.height_m = {&height, 1}});
+    ASSERT_GT(height, 2);
+    EXPECT_GE(frame->bounds.height_max_m, height);
+    const auto down = first_hit(query, {.origin_m = {0, 50, 0}, .direction = {0, -1, 0}, .reach_m = 100});
+    ASSERT_TRUE(down);
+    EXPECT_NEAR(down->distance_m, 50 - static_cast<double>(height), 2e-3);
+    // Over the sea's waves, into the bulge's side.
+    const auto along = first_hit(query, {.origin_m = {-40, 1.8, 0}, .direction = {1, 0, 0}, .reach_m = 80});
+    ASSERT_TRUE(along);
+    EXPECT_GT(along->position_m[0], -3);
+    EXPECT_LT(along->position_m[0], 0);
+}
+
+TEST(LocalWater, RestoredIsAsIfOneHadNeverLeft) {
+    Ocean stays(breeze, answering()), goes(breeze, answering()), late(breeze, answering());
+    const std::uint64_t expected = local_hash_of(happen(stays, 0, 150));
+    happen(goes, 0, 70);
+    const std::vector<std::uint8_t> saved = goes.saved_water();
+    happen(goes, 70, 110);
+    goes.disturb({.height_m = 1});  // never happened
+    goes.restore_water(saved);
+    EXPECT_EQ(local_hash_of(happen(goes, 70, 150)), expected);
+    late.restore_water(saved);
+    EXPECT_EQ(local_hash_of(happen(late, 70, 150)), expected);
+    EXPECT_GT(late.add_source(boat), 1U) << "the boat's number is taken";
+}
+
+TEST(LocalWater, TakesOnlyWhatCanBeSaved) {
+    Ocean ocean(breeze, answering());
+    happen(ocean, 0, 20);
+    const std::vector<std::uint8_t> saved = ocean.saved_water();
+    std::mt19937 random(9);
+    for (int i = 0; i < 300; ++i) {
+        std::vector<std::uint8_t> bytes = saved;
+        // Headers in front, sources behind: eight bytes of one of them turned into anything.
+        const std::size_t front = 56,
+                          at = i % 2 == 0 ? 8 * (random() % (front / 8)) : bytes.size() - 8 * (1 + random() % 13);
+        const std::uint64_t word = i % 3 == 0 ? ~std::uint64_t{0} : (std::uint64_t{random()} << 32 | random());
+        std::memcpy(bytes.data() + at, &word, sizeof word);
+        try {
+            ocean.restore_water(bytes);
+        } catch (const std::invalid_argument&) {
+        }
+        ocean.frame_at(0.3 + i / 60.0);  // whatever was taken can be gone on with
+    }
+    EXPECT_THROW(ocean.restore_water({}), std::invalid_argument);
+    EXPECT_THROW(ocean.restore_water(std::span(saved).first(saved.size() - 1)), std::invalid_argument);
+}
+
+TEST(LocalWater, SourcesMoveStopAndGo) {
+    Ocean ocean(breeze, answering());
+    const std::uint32_t source = ocean.add_source({.radius_m = 1.5, .height_m = 0.5, .velocity_x_mps = 1});
+    const auto highest_at = [&](double x, const Frame& frame) {
+        return sample(frame.local, x, 0).height_m > 0.8 * 0.5;
+    };
+    int frame = 0;
+    const auto run_to = [&](int ticks) -> const Frame& {
+        for (; frame < ticks; ++frame) ocean.frame_at(frame / 60.0);
+        return ocean.frame_at(frame / 60.0);
+    };
+    const Frame& moved = run_to(240);  // four seconds: four metres
+    EXPECT_TRUE(highest_at(3.9, moved));
+    EXPECT_FALSE(highest_at(0, moved));
+    ocean.set_source(source, {.x_m = -5, .radius_m = 1.5, .height_m = 0.5});
+    EXPECT_TRUE(highest_at(-5, run_to(600)));
+    ocean.remove_source(source);
+    EXPECT_LT(run_to(1500).local.height_max_m, 0.02f);
+}
+
+TEST(LocalWater, RefusesWhatItCantTake) {
+    Ocean plain(breeze, {.executor = make_serial_executor()});
+    EXPECT_THROW(plain.disturb({}), std::invalid_argument);
+    EXPECT_THROW(plain.follow(0, 0), std::invalid_argument);
+    EXPECT_THROW(plain.saved_water(), std::invalid_argument);
+    OceanOptions wrong = answering();
+    wrong.local->resolution = 65;
+    try {
+        const Ocean ocean(breeze, wrong);
+        ADD_FAILURE();
+    } catch (const std::invalid_argument& error) {
+        EXPECT_STREQ(error.what(), "resolution is 65, needs 64, 128, 256, 512 or 1024");
+    }
+    Ocean ocean(breeze, answering());
+    happen(ocean, 0, 20);
+    const std::uint64_t before = local_hash_of(ocean.frame_at(0.3));
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    for (const double bad : {nan, 1e300}) {
+        EXPECT_THROW(ocean.disturb({.x_m = bad}), std::invalid_argument);
+        EXPECT_THROW(ocean.add_source({.height_m = bad}), std::invalid_argument);
+        EXPECT_THROW(ocean.set_source(1, {.radius_m = bad}), std::invalid_argument);
+        EXPECT_THROW(ocean.follow(bad, 0), std::invalid_argument);
+    }
+    EXPECT_EQ(local_hash_of(ocean.frame_at(0.3)), before);
+    for (std::size_t i = 0; i < 4096; ++i) ocean.disturb({.height_m = 0.01});
+    EXPECT_THROW(ocean.disturb({.height_m = 0.01}), std::invalid_argument);
+    ocean.frame_at(0.31);  // may have no tick: they wait for the next one
+    EXPECT_NO_THROW(ocean.frame_at(0.5));
+}
+
+}  // namespace
+}  // namespace pelagic
