@@ -39,6 +39,21 @@ void AskedFrames::wait_for_old_readers() {
     for (int now = readers; now != 0; now = readers) readers.wait(now);
 }
 
+void need_no_frame_in_flight(const pelagic_ocean& ocean) {
+    if (ocean.frame_in_flight) throw WrongOrder("a frame is in flight, needs pelagic_ocean_complete first");
+}
+
+void need_frame(const pelagic_ocean& ocean) {
+    if (!ocean.shown) throw WrongOrder("there is no frame yet, needs pelagic_ocean_complete first");
+}
+
+void write_saved(const std::vector<std::uint8_t>& saved, std::uint8_t* bytes, std::size_t room, std::size_t* count) {
+    std::size_t& there = needed(count, "count");
+    if (bytes && room < saved.size()) refuse(refusal("room", room, number_text(saved.size()) + " or more"));
+    if (bytes) std::copy(saved.begin(), saved.end(), bytes);
+    there = saved.size();
+}
+
 namespace {
 
 constexpr double least_tolerance_m = 1e-6, most_tolerance_m = 1000;
@@ -63,20 +78,13 @@ OceanOptions options_of(const pelagic_ocean_options& options) {
         if (!result.isa) refuse(refusal("isa", options.isa, "sse4.2, avx2, avx512 or neon"));
     }
     if (!options.allocate != !options.release) refuse("allocate or release is NULL, needs both or neither");
+    if (options.local) result.local = local_options_of(options.local);
     result.memory = {options.memory_user, options.allocate, options.release};
     return result;
 }
 
 void need_finite(double time_s) {
     if (!std::isfinite(time_s)) refuse(refusal("time_s", time_s, "a finite number"));
-}
-
-void need_no_frame_in_flight(const pelagic_ocean& ocean) {
-    if (ocean.frame_in_flight) throw WrongOrder("a frame is in flight, needs pelagic_ocean_complete first");
-}
-
-void need_frame(const pelagic_ocean& ocean) {
-    if (!ocean.shown) throw WrongOrder("there is no frame yet, needs pelagic_ocean_complete first");
 }
 
 void need_frame_in_flight(const pelagic_ocean& ocean) {
@@ -366,11 +374,7 @@ pelagic_status pelagic_ocean_foam_hash(const pelagic_ocean* ocean, uint64_t* has
 pelagic_status pelagic_ocean_save_history(const pelagic_ocean* ocean, uint8_t* bytes, size_t room, size_t* count) {
     return guarded([&] {
         need_no_frame_in_flight(needed(ocean, "ocean"));
-        std::size_t& there = needed(count, "count");
-        const std::vector<std::uint8_t> saved = ocean->ocean.saved_history();
-        if (bytes && room < saved.size()) refuse(refusal("room", room, number_text(saved.size()) + " or more"));
-        if (bytes) std::copy(saved.begin(), saved.end(), bytes);
-        there = saved.size();
+        write_saved(ocean->ocean.saved_history(), bytes, room, count);
     });
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <atomic>
 #include <optional>
+#include <vector>
 
 #include "pelagic/pelagic.h"
 #include "pelagic/sim/ocean.hpp"
@@ -73,6 +74,15 @@ struct pelagic_ocean {
 };
 
 namespace pelagic::capi {
+
+/// The host's options of water that answers. Throws std::invalid_argument for null, a wrong struct_size and what can't be.
+LocalWaterOptions local_options_of(const pelagic_local_options* options);
+
+/// What a call that needs them throws.
+void need_no_frame_in_flight(const pelagic_ocean& ocean);
+void need_frame(const pelagic_ocean& ocean);
+/// What the save functions share: writes to `bytes`, unless they are null, and how many there are to *count.
+void write_saved(const std::vector<std::uint8_t>& saved, std::uint8_t* bytes, std::size_t room, std::size_t* count);
 
 /// Throws std::invalid_argument for a wrong struct_size and for what can't be.
 pelagic_ocean* new_ocean(const Forecast& forecast, const pelagic_ocean_options* options);

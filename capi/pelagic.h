@@ -249,6 +249,8 @@ typedef struct pelagic_ocean_options {
      * ten to twenty frames. 5 N^2 bytes a tile. With 0 the half floats hold only what breaks at that very moment. */
     int32_t foam;
     uint32_t reserved_1; /* 0 */
+    /* Newer still. Water that answers beside the waves of the wind, see below; NULL: none. Read before the call returns. */
+    const struct pelagic_local_options* local;
 } pelagic_ocean_options;
 
 typedef struct pelagic_ocean pelagic_ocean;
@@ -524,6 +526,104 @@ PELAGIC_API pelagic_status pelagic_ocean_create_forecast(const pelagic_forecast*
  * frames of times before them have the oldest sea that is left. PELAGIC_WRONG_ORDER between pelagic_ocean_schedule_sea and
  * pelagic_ocean_complete_sea, which makes an end of all changes. */
 PELAGIC_API pelagic_status pelagic_ocean_schedule_change(pelagic_ocean* ocean, const pelagic_change* change);
+
+/* ---- Water that answers ----------------------------------------------------------------------------------------- */
+
+enum {
+    PELAGIC_LOCAL_SPECTRAL = 0, /* each wave goes on by its own phase: wakes as deep or shallow water has them */
+    PELAGIC_LOCAL_VERLET = 1    /* one speed for all waves, for ponds and rings; (speed / (ticks_per_s texel))^2 <= 0.4 */
+};
+
+/* A window of the sea in which the host makes waves; queries and bounds have them, and pelagic_ocean_local shows them. It moves
+ * in ticks of its own, whatever the frames are: the same words between frames of the same times give the same bits on every
+ * machine. */
+typedef struct pelagic_local_options {
+    uint32_t struct_size;
+    int32_t step;        /* PELAGIC_LOCAL_... */
+    int32_t resolution;  /* N, texels along a side; 64, 128, 256, 512 or 1024 */
+    int32_t ticks_per_s; /* [10, 240] */
+    double side_m;         /* [1, 10000] */
+    double border_m;       /* of each side, where waves end; 0: none, waves come round; at most a quarter of the side */
+    double depth_m;        /* spectral; [0.01, 11000] */
+    double viscosity_m2ps; /* spectral: of eddies; amplitudes of the wave number k lose 2 k^2 of it a second; [0, 1] */
+    double wave_speed_mps; /* Verlet; (0, 1000] */
+    double decay_per_s;    /* of amplitudes; [0, 10] */
+    double foam_height_m;  /* water that stands higher turns white; (0, 100] */
+} pelagic_local_options;
+
+/* Sets every field but struct_size: spectral, 256 texels on 64 m, 60 ticks a second. */
+PELAGIC_API pelagic_status pelagic_local_defaults(pelagic_local_options* options);
+
+enum {
+    PELAGIC_SHAPE_GAUSS = 0, /* height_m exp(-(r / radius_m)^2) */
+    PELAGIC_SHAPE_HULL = 1   /* height_m sqrt(1 - (along / length_m)^2 - (across / radius_m)^2), below 0 where it floats */
+};
+
+enum {
+    PELAGIC_DISTURB_PRESS = 0, /* by the weight of the shape's own water: at rest the surface becomes the shape */
+    PELAGIC_DISTURB_PULL = 1,  /* towards the shape, at a rate: a bounded bulge */
+    PELAGIC_DISTURB_ADD = 2    /* the shape is added at once: a drop, a stone */
+};
+
+/* A push at the water: once, or as a source that lasts. */
+typedef struct pelagic_disturbance {
+    uint32_t struct_size;
+    int32_t shape;     /* PELAGIC_SHAPE_... */
+    int32_t mode;      /* PELAGIC_DISTURB_... */
+    uint32_t reserved; /* 0 */
+    double x_m, z_m;     /* in the world; [-1e8, 1e8] */
+    double radius_m;     /* of a hull half its beam; (0, 1000] */
+    double length_m;     /* of a hull half its length; (0, 1000] */
+    double heading_rad;  /* of a hull's length, from +x towards +z; [-2 pi, 2 pi] */
+    double height_m;     /* [-100, 100] */
+    double rate_per_s;   /* of a pull; (0, 1000] */
+    double velocity_x_mps, velocity_z_mps; /* how a source moves until it is set anew; [-1000, 1000] */
+} pelagic_disturbance;
+
+/* Sets every field but struct_size: a press of 0 m at the origin, radius and length 1 m, rate 10. */
+PELAGIC_API pelagic_status pelagic_disturbance_defaults(pelagic_disturbance* disturbance);
+
+/* Pushes in the next tick; at most 4096 times a tick. What this and the four functions below say counts from the next schedule
+ * on, in its order, whether or not a frame is in flight. PELAGIC_INVALID_ARGUMENT without pelagic_ocean_options.local. */
+PELAGIC_API pelagic_status pelagic_ocean_disturb(pelagic_ocean* ocean, const pelagic_disturbance* disturbance);
+
+/* Pushes at every tick, moving as it says, until it is removed; at most 4096 of them. Its number is used once. */
+PELAGIC_API pelagic_status pelagic_ocean_add_source(pelagic_ocean* ocean, const pelagic_disturbance* source,
+                                                    uint32_t* number);
+PELAGIC_API pelagic_status pelagic_ocean_set_source(pelagic_ocean* ocean, uint32_t number,
+                                                    const pelagic_disturbance* source);
+PELAGIC_API pelagic_status pelagic_ocean_remove_source(pelagic_ocean* ocean, uint32_t number);
+
+/* The window's middle is there, as near as whole texels allow: [-1e8, 1e8]. Texels that enter it are flat. */
+PELAGIC_API pelagic_status pelagic_ocean_follow(pelagic_ocean* ocean, double x_m, double z_m);
+
+/* What adds to the tiles where water is drawn, at x = rest x + Dx, z alike. Texel (i, j) of the world's lattice stands at
+ * x = i texel_m, z = j texel_m, in column i mod N of row j mod N; the window has first_x <= i < first_x + N. */
+typedef struct pelagic_local_surface {
+    uint32_t struct_size;
+    int32_t resolution; /* N, a power of two */
+    int64_t first_x, first_z;
+    double texel_m;
+    const float* height_m; /* N^2, 0 at the window's edges */
+    const float* rise_mps; /* N^2: how fast it rises */
+    const uint8_t* foam;   /* N^2 */
+    float height_min_m, height_max_m;
+} pelagic_local_surface;
+
+/* Of the frame completed last; what it points to is valid as long as that frame is. PELAGIC_WRONG_ORDER before the first frame. */
+PELAGIC_API pelagic_status pelagic_ocean_local(const pelagic_ocean* ocean, pelagic_local_surface* surface);
+
+/* The 64-bit hash of all that pelagic_ocean_local tells of the frame completed last, which pelagic_ocean_hash leaves out. */
+PELAGIC_API pelagic_status pelagic_ocean_local_hash(const pelagic_ocean* ocean, uint64_t* hash);
+
+/* All that the water of frames to come depends on, sources included, but for what was said since the last schedule; as
+ * pelagic_ocean_save_history. For a host that goes back to a moment: 13 N^2 bytes and some. */
+PELAGIC_API pelagic_status pelagic_ocean_save_water(const pelagic_ocean* ocean, uint8_t* bytes, size_t room, size_t* count);
+
+/* Takes that up, in an ocean with the same options on any machine of the same byte order, as if one had never left. What was said
+ * since the last schedule is forgotten. PELAGIC_INVALID_ARGUMENT if such an ocean can't have saved it; PELAGIC_WRONG_ORDER if a
+ * frame is in flight. */
+PELAGIC_API pelagic_status pelagic_ocean_restore_water(pelagic_ocean* ocean, const uint8_t* bytes, size_t count);
 
 /* ---- Queries ---------------------------------------------------------------------------------------------------- */
 

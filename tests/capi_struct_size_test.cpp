@@ -106,6 +106,25 @@ TEST_F(StructSizes, WhatIsReadMayBeOlderOrNewer) {
     expect_read_in_every_size(samples, &pelagic_samples::converged, [&](pelagic_samples* wanted) {
         return pelagic_ocean_query(ocean.get(), &points, wanted);
     });
+    auto local = sized<pelagic_local_options>();
+    ASSERT_EQ(pelagic_local_defaults(&local), PELAGIC_OK);
+    expect_read_in_every_size(local, &pelagic_local_options::foam_height_m, [](pelagic_local_options* wanted) {
+        const pelagic_sea sea = small_sea();
+        auto options = sized<pelagic_ocean_options>();
+        options.local = wanted;
+        pelagic_ocean* made = nullptr;
+        const pelagic_status status = pelagic_ocean_create(&sea, &options, &made);
+        pelagic_ocean_destroy(made);
+        return status;
+    });
+    auto answering = sized<pelagic_ocean_options>();
+    answering.local = &local;
+    const COcean water = ocean_of(small_sea(), answering);
+    auto disturbance = sized<pelagic_disturbance>();
+    ASSERT_EQ(pelagic_disturbance_defaults(&disturbance), PELAGIC_OK);
+    expect_read_in_every_size(disturbance, &pelagic_disturbance::velocity_z_mps, [&](pelagic_disturbance* push) {
+        return pelagic_ocean_disturb(water.get(), push);
+    });
     auto ray = sized<pelagic_ray>();
     ray.direction[1] = -1;
     expect_read_in_every_size(ray, &pelagic_ray::reach_m, [&](pelagic_ray* asked) {
@@ -156,6 +175,19 @@ TEST_F(StructSizes, WhatIsWrittenMayBeOlderOrNewer) {
         const pelagic_status status = pelagic_ocean_complete(serial.get(), frame);
         if (status != PELAGIC_OK) pelagic_ocean_complete(serial.get(), &other);
         return status;
+    });
+    expect_written_in_every_size(&pelagic_local_options::foam_height_m, pelagic_local_defaults);
+    expect_written_in_every_size(&pelagic_disturbance::velocity_z_mps, pelagic_disturbance_defaults);
+    auto local = sized<pelagic_local_options>();
+    ASSERT_EQ(pelagic_local_defaults(&local), PELAGIC_OK);
+    auto options = sized<pelagic_ocean_options>();
+    options.local = &local;
+    const COcean water = ocean_of(small_sea(), options);
+    auto first = sized<pelagic_frame>();
+    ASSERT_EQ(pelagic_ocean_schedule(water.get(), 1), PELAGIC_OK);
+    ASSERT_EQ(pelagic_ocean_complete(water.get(), &first), PELAGIC_OK);
+    expect_written_in_every_size(&pelagic_local_surface::height_max_m, [&](pelagic_local_surface* surface) {
+        return pelagic_ocean_local(water.get(), surface);
     });
     complete_one();
     expect_written_in_every_size(&pelagic_tile::whitecap_jacobian,
@@ -215,7 +247,8 @@ TEST(StructSizesOfSeas, NewFieldsLieBehindThePaddingOfTheFirstVersion) {
         (end + alignof(pelagic_frame) - 1) / alignof(pelagic_frame) * alignof(pelagic_frame);
     EXPECT_GE(offsetof(pelagic_frame, tile_count), padded);
     EXPECT_EQ(offsetof(pelagic_sea, wave_drag) + sizeof(double), sizeof(pelagic_sea));
-    EXPECT_EQ(offsetof(pelagic_ocean_options, reserved_1) + 4, sizeof(pelagic_ocean_options));
+    EXPECT_EQ(offsetof(pelagic_ocean_options, reserved_1) + 4, offsetof(pelagic_ocean_options, local));
+    EXPECT_EQ(offsetof(pelagic_ocean_options, local) + sizeof(void*), sizeof(pelagic_ocean_options));
     EXPECT_EQ(offsetof(pelagic_ocean_info, reserved_1) + 4, sizeof(pelagic_ocean_info));
     EXPECT_EQ(offsetof(pelagic_frame, foam_drift_x_mps), offsetof(pelagic_frame, roughness) + 4);
     EXPECT_EQ(offsetof(pelagic_frame, foam_drift_z_mps) + 8, sizeof(pelagic_frame));

@@ -23,7 +23,7 @@ class HeightChange {
    public:
     /// \param tiles          of a frame of several, made with OceanOptions::queries
     /// \param local_range_m  what adds to them wherever water is drawn has that from its lowest to its highest
-    HeightChange(std::span<const Tile> tiles, double local_range_m);
+    explicit HeightChange(std::span<const Tile> tiles, double local_range_m = 0);
 
     /// Metres, at most, between places so far apart.
     double within(double distance_m) const;

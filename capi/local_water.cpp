@@ -1,0 +1,164 @@
+// Water that answers as C spells it.
+#include "pelagic/sim/local_water.hpp"
+
+#include "pelagic/capi/ocean.hpp"
+#include "pelagic/capi/sized_struct.hpp"
+#include "pelagic/capi/status.hpp"
+#include "pelagic/message/refusal.hpp"
+#include "pelagic/sim/disturbance.hpp"
+
+namespace pelagic::capi {
+namespace {
+
+static_assert(PELAGIC_LOCAL_VERLET == static_cast<int>(LocalStep::verlet));
+static_assert(PELAGIC_SHAPE_HULL == static_cast<int>(Disturbance::Shape::hull));
+static_assert(PELAGIC_DISTURB_PULL == static_cast<int>(Disturbance::Mode::pull) &&
+              PELAGIC_DISTURB_ADD == static_cast<int>(Disturbance::Mode::add));
+
+/// Throws std::invalid_argument for null, a wrong struct_size and constants that there aren't. Values are for check().
+Disturbance disturbance_of(const pelagic_disturbance* pointer, const char* name) {
+    const pelagic_disturbance from = read_struct(pointer, name);
+    if (from.shape < 0 || from.shape > PELAGIC_SHAPE_HULL)
+        refuse(refusal("shape", from.shape, "one of PELAGIC_SHAPE_..."));
+    if (from.mode < 0 || from.mode > PELAGIC_DISTURB_ADD)
+        refuse(refusal("mode", from.mode, "one of PELAGIC_DISTURB_..."));
+    return {.shape = static_cast<Disturbance::Shape>(from.shape),
+            .mode = static_cast<Disturbance::Mode>(from.mode),
+            .x_m = from.x_m,
+            .z_m = from.z_m,
+            .radius_m = from.radius_m,
+            .length_m = from.length_m,
+            .heading_rad = from.heading_rad,
+            .height_m = from.height_m,
+            .rate_per_s = from.rate_per_s,
+            .velocity_x_mps = from.velocity_x_mps,
+            .velocity_z_mps = from.velocity_z_mps};
+}
+
+const LocalSurface& shown_local(const pelagic_ocean& ocean) {
+    need_frame(ocean);
+    if (!ocean.shown->local) refuse("the ocean has no water that answers, needs pelagic_ocean_options.local");
+    return ocean.shown->local;
+}
+
+}  // namespace
+
+LocalWaterOptions local_options_of(const pelagic_local_options* options) {
+    const pelagic_local_options from = read_struct(options, "local");
+    if (from.step < 0 || from.step > PELAGIC_LOCAL_VERLET)
+        refuse(refusal("local.step", from.step, "PELAGIC_LOCAL_SPECTRAL or PELAGIC_LOCAL_VERLET"));
+    const LocalWaterOptions ours{.step = static_cast<LocalStep>(from.step),
+                                 .resolution = from.resolution,
+                                 .side_m = from.side_m,
+                                 .ticks_per_s = from.ticks_per_s,
+                                 .border_m = from.border_m,
+                                 .depth_m = from.depth_m,
+                                 .viscosity_m2ps = from.viscosity_m2ps,
+                                 .wave_speed_mps = from.wave_speed_mps,
+                                 .decay_per_s = from.decay_per_s,
+                                 .foam_height_m = from.foam_height_m};
+    if (const std::string reason = check(ours); !reason.empty()) refuse("local." + reason);
+    return ours;
+}
+
+}  // namespace pelagic::capi
+
+using namespace pelagic;
+using namespace pelagic::capi;
+
+pelagic_status pelagic_local_defaults(pelagic_local_options* options) {
+    return guarded([&] {
+        struct_bytes(options, "options");
+        const LocalWaterOptions ours;
+        pelagic_local_options out{};
+        out.step = static_cast<std::int32_t>(ours.step);
+        out.resolution = ours.resolution;
+        out.ticks_per_s = ours.ticks_per_s;
+        out.side_m = ours.side_m;
+        out.border_m = ours.border_m;
+        out.depth_m = ours.depth_m;
+        out.viscosity_m2ps = ours.viscosity_m2ps;
+        out.wave_speed_mps = ours.wave_speed_mps;
+        out.decay_per_s = ours.decay_per_s;
+        out.foam_height_m = ours.foam_height_m;
+        write_struct(out, options);
+    });
+}
+
+pelagic_status pelagic_disturbance_defaults(pelagic_disturbance* disturbance) {
+    return guarded([&] {
+        struct_bytes(disturbance, "disturbance");
+        const Disturbance ours;
+        pelagic_disturbance out{};
+        out.shape = static_cast<std::int32_t>(ours.shape);
+        out.mode = static_cast<std::int32_t>(ours.mode);
+        out.radius_m = ours.radius_m;
+        out.length_m = ours.length_m;
+        out.rate_per_s = ours.rate_per_s;
+        write_struct(out, disturbance);
+    });
+}
+
+pelagic_status pelagic_ocean_disturb(pelagic_ocean* ocean, const pelagic_disturbance* disturbance) {
+    return guarded([&] { needed(ocean, "ocean").ocean.disturb(disturbance_of(disturbance, "disturbance")); });
+}
+
+pelagic_status pelagic_ocean_add_source(pelagic_ocean* ocean, const pelagic_disturbance* source, uint32_t* number) {
+    return guarded([&] {
+        Ocean& sea = needed(ocean, "ocean").ocean;
+        std::uint32_t& out = needed(number, "number");
+        out = sea.add_source(disturbance_of(source, "source"));
+    });
+}
+
+pelagic_status pelagic_ocean_set_source(pelagic_ocean* ocean, uint32_t number, const pelagic_disturbance* source) {
+    return guarded([&] { needed(ocean, "ocean").ocean.set_source(number, disturbance_of(source, "source")); });
+}
+
+pelagic_status pelagic_ocean_remove_source(pelagic_ocean* ocean, uint32_t number) {
+    return guarded([&] { needed(ocean, "ocean").ocean.remove_source(number); });
+}
+
+pelagic_status pelagic_ocean_follow(pelagic_ocean* ocean, double x_m, double z_m) {
+    return guarded([&] { needed(ocean, "ocean").ocean.follow(x_m, z_m); });
+}
+
+pelagic_status pelagic_ocean_local(const pelagic_ocean* ocean, pelagic_local_surface* surface) {
+    return guarded([&] {
+        const LocalSurface& local = shown_local(needed(ocean, "ocean"));
+        struct_bytes(surface, "surface");
+        pelagic_local_surface out{};
+        out.resolution = local.resolution;
+        out.first_x = local.first_x;
+        out.first_z = local.first_z;
+        out.texel_m = local.texel_m;
+        out.height_m = local.height_m.data();
+        out.rise_mps = local.rise_mps.data();
+        out.foam = local.foam.data();
+        out.height_min_m = local.height_min_m;
+        out.height_max_m = local.height_max_m;
+        write_struct(out, surface);
+    });
+}
+
+pelagic_status pelagic_ocean_local_hash(const pelagic_ocean* ocean, uint64_t* hash) {
+    return guarded([&] {
+        shown_local(needed(ocean, "ocean"));
+        needed(hash, "hash") = local_hash_of(*ocean->shown);
+    });
+}
+
+pelagic_status pelagic_ocean_save_water(const pelagic_ocean* ocean, uint8_t* bytes, size_t room, size_t* count) {
+    return guarded([&] {
+        need_no_frame_in_flight(needed(ocean, "ocean"));
+        write_saved(ocean->ocean.saved_water(), bytes, room, count);
+    });
+}
+
+pelagic_status pelagic_ocean_restore_water(pelagic_ocean* ocean, const uint8_t* bytes, size_t count) {
+    return guarded([&] {
+        need_no_frame_in_flight(needed(ocean, "ocean"));
+        if (count > 0) needed(bytes, "bytes");
+        ocean->ocean.restore_water({bytes, count});
+    });
+}

@@ -1,0 +1,181 @@
+// Water that answers through the C interface: the same as in C++, bit for bit.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "pelagic/tests/capi_sea.hpp"
+
+namespace pelagic {
+namespace {
+
+class CInterfaceLocal : public testing::Test {
+   protected:
+    COceanExecutor serial = executor_of(PELAGIC_EXECUTOR_SERIAL);
+
+    COcean answering(bool has_local = true) const {
+        auto local = sized<pelagic_local_options>();
+        EXPECT_EQ(pelagic_local_defaults(&local), PELAGIC_OK);
+        local.resolution = 64;
+        local.side_m = 32;
+        local.border_m = 6;
+        auto options = sized<pelagic_ocean_options>();
+        options.executor = serial.get();
+        options.queries = 1;
+        options.local = has_local ? &local : nullptr;
+        return ocean_of(small_sea(), options);
+    }
+    static pelagic_disturbance drop(double height_m = 0.5) {
+        auto drop = sized<pelagic_disturbance>();
+        EXPECT_EQ(pelagic_disturbance_defaults(&drop), PELAGIC_OK);
+        drop.mode = PELAGIC_DISTURB_ADD;
+        drop.height_m = height_m;
+        return drop;
+    }
+    static pelagic_disturbance boat() {
+        pelagic_disturbance boat = drop(-0.3);
+        boat.mode = PELAGIC_DISTURB_PRESS;
+        boat.shape = PELAGIC_SHAPE_HULL;
+        boat.length_m = 2;
+        boat.velocity_x_mps = 1.5;
+        return boat;
+    }
+    static void complete(const COcean& ocean, double time_s) {
+        auto frame = sized<pelagic_frame>();
+        ASSERT_EQ(pelagic_ocean_schedule(ocean.get(), time_s), PELAGIC_OK) << pelagic_last_error();
+        ASSERT_EQ(pelagic_ocean_complete(ocean.get(), &frame), PELAGIC_OK) << pelagic_last_error();
+    }
+    static void run(const COcean& ocean, int from, int to) {
+        for (int frame = from; frame < to; ++frame) {
+            if (frame % 9 == 4) {
+                const pelagic_disturbance each = drop();
+                ASSERT_EQ(pelagic_ocean_disturb(ocean.get(), &each), PELAGIC_OK);
+            }
+            ASSERT_EQ(pelagic_ocean_follow(ocean.get(), 0.02 * frame, 0), PELAGIC_OK);
+            complete(ocean, frame / 60.0);
+        }
+    }
+    static std::uint64_t local_hash(const COcean& ocean) {
+        std::uint64_t hash = 0;
+        EXPECT_EQ(pelagic_ocean_local_hash(ocean.get(), &hash), PELAGIC_OK) << pelagic_last_error();
+        return hash;
+    }
+    static float height(const COcean& ocean, double x, double z) {
+        float height = 0;
+        auto points = sized<pelagic_points>();
+        points.count = 1, points.x = &x, points.z = &z;
+        auto samples = sized<pelagic_samples>();
+        samples.height_m = &height;
+        EXPECT_EQ(pelagic_ocean_query(ocean.get(), &points, &samples), PELAGIC_OK) << pelagic_last_error();
+        return height;
+    }
+};
+
+void expect_refused(pelagic_status status, pelagic_status expected, const std::string& line) {
+    EXPECT_EQ(status, expected);
+    EXPECT_EQ(pelagic_last_error(), line);
+}
+
+TEST_F(CInterfaceLocal, IsInSurfacesAndQueries) {
+    const COcean with = answering(), without = answering(false);
+    std::uint32_t number = 0;
+    const pelagic_disturbance source = boat();
+    ASSERT_EQ(pelagic_ocean_add_source(with.get(), &source, &number), PELAGIC_OK);
+    EXPECT_EQ(number, 1U);
+    run(with, 0, 60);
+    complete(without, 59 / 60.0);
+    auto surface = sized<pelagic_local_surface>();
+    ASSERT_EQ(pelagic_ocean_local(with.get(), &surface), PELAGIC_OK) << pelagic_last_error();
+    ASSERT_EQ(surface.resolution, 64);
+    EXPECT_EQ(surface.texel_m, 0.5);
+    // At texels, what queries tell is the tiles' height and the window's.
+    double largest = 0;
+    for (std::int64_t z = surface.first_z + 4; z < surface.first_z + 60; z += 5)
+        for (std::int64_t x = surface.first_x + 4; x < surface.first_x + 60; x += 5) {
+            const float local = surface.height_m[(z & 63) * 64 + (x & 63)];
+            const double at_x = static_cast<double>(x) * 0.5, at_z = static_cast<double>(z) * 0.5;
+            EXPECT_NEAR(height(with, at_x, at_z) - height(without, at_x, at_z), local, 1e-6);
+            largest = std::max(largest, std::fabs(static_cast<double>(local)));
+        }
+    EXPECT_GT(largest, 0.05);
+    EXPECT_LE(largest, std::max(-surface.height_min_m, surface.height_max_m));
+    std::uint64_t a = 0, b = 1;
+    ASSERT_EQ(pelagic_ocean_hash(with.get(), &a), PELAGIC_OK);
+    ASSERT_EQ(pelagic_ocean_hash(without.get(), &b), PELAGIC_OK);
+    EXPECT_EQ(a, b);
+}
+
+TEST_F(CInterfaceLocal, GoesBackToASavedMoment) {
+    const COcean stays = answering(), goes = answering();
+    for (const COcean* ocean : {&stays, &goes}) {
+        std::uint32_t number = 0;
+        const pelagic_disturbance source = boat();
+        ASSERT_EQ(pelagic_ocean_add_source(ocean->get(), &source, &number), PELAGIC_OK);
+        run(*ocean, 0, 30);
+    }
+    std::size_t count = 0;
+    ASSERT_EQ(pelagic_ocean_save_water(goes.get(), nullptr, 0, &count), PELAGIC_OK);
+    std::vector<std::uint8_t> saved(count);
+    expect_refused(pelagic_ocean_save_water(goes.get(), saved.data(), count - 1, &count), PELAGIC_INVALID_ARGUMENT,
+                   "room is " + std::to_string(count - 1) + ", needs " + std::to_string(count) + " or more");
+    ASSERT_EQ(pelagic_ocean_save_water(goes.get(), saved.data(), saved.size(), &count), PELAGIC_OK);
+    const pelagic_disturbance stone = drop(3);
+    ASSERT_EQ(pelagic_ocean_disturb(goes.get(), &stone), PELAGIC_OK);
+    run(goes, 30, 50);
+    ASSERT_EQ(pelagic_ocean_remove_source(goes.get(), 1), PELAGIC_OK);
+    ASSERT_EQ(pelagic_ocean_restore_water(goes.get(), saved.data(), saved.size()), PELAGIC_OK)
+        << pelagic_last_error();
+    run(goes, 30, 80);
+    run(stays, 30, 80);
+    EXPECT_EQ(local_hash(goes), local_hash(stays));
+    EXPECT_EQ(pelagic_ocean_restore_water(goes.get(), saved.data(), saved.size() - 1), PELAGIC_INVALID_ARGUMENT);
+    ASSERT_EQ(pelagic_ocean_schedule(goes.get(), 2), PELAGIC_OK);
+    EXPECT_EQ(pelagic_ocean_save_water(goes.get(), saved.data(), saved.size(), &count), PELAGIC_WRONG_ORDER);
+    EXPECT_EQ(pelagic_ocean_restore_water(goes.get(), saved.data(), saved.size()), PELAGIC_WRONG_ORDER);
+}
+
+TEST_F(CInterfaceLocal, RefusesWhatItCantTake) {
+    const COcean without = answering(false), with = answering();
+    auto surface = sized<pelagic_local_surface>();
+    EXPECT_EQ(pelagic_ocean_local(with.get(), &surface), PELAGIC_WRONG_ORDER);
+    complete(without, 0);
+    complete(with, 0);
+    std::uint64_t hash = 0;
+    expect_refused(pelagic_ocean_local_hash(without.get(), &hash), PELAGIC_INVALID_ARGUMENT,
+                   "the ocean has no water that answers, needs pelagic_ocean_options.local");
+    EXPECT_EQ(pelagic_ocean_local(without.get(), &surface), PELAGIC_INVALID_ARGUMENT);
+    EXPECT_EQ(pelagic_ocean_follow(without.get(), 0, 0), PELAGIC_INVALID_ARGUMENT);
+    pelagic_disturbance wrong = drop();
+    EXPECT_EQ(pelagic_ocean_disturb(without.get(), &wrong), PELAGIC_INVALID_ARGUMENT);
+    wrong.radius_m = 0;
+    expect_refused(pelagic_ocean_disturb(with.get(), &wrong), PELAGIC_INVALID_ARGUMENT,
+                   "radius_m is 0, needs (0, 1000]");
+    wrong = drop();
+    wrong.mode = 3;
+    expect_refused(pelagic_ocean_disturb(with.get(), &wrong), PELAGIC_INVALID_ARGUMENT,
+                   "mode is 3, needs one of PELAGIC_DISTURB_...");
+    wrong = drop();
+    wrong.shape = -1;
+    EXPECT_EQ(pelagic_ocean_set_source(with.get(), 1, &wrong), PELAGIC_INVALID_ARGUMENT);
+    EXPECT_EQ(pelagic_ocean_disturb(with.get(), nullptr), PELAGIC_INVALID_ARGUMENT);
+    EXPECT_EQ(pelagic_ocean_add_source(with.get(), &wrong, nullptr), PELAGIC_INVALID_ARGUMENT);
+    EXPECT_EQ(pelagic_ocean_follow(with.get(), std::numeric_limits<double>::quiet_NaN(), 0),
+              PELAGIC_INVALID_ARGUMENT);
+
+    auto local = sized<pelagic_local_options>();
+    ASSERT_EQ(pelagic_local_defaults(&local), PELAGIC_OK);
+    local.border_m = 20;
+    auto options = sized<pelagic_ocean_options>();
+    options.local = &local;
+    const pelagic_sea sea = small_sea();
+    pelagic_ocean* ocean = nullptr;
+    expect_refused(pelagic_ocean_create(&sea, &options, &ocean), PELAGIC_INVALID_ARGUMENT,
+                   "local.border_m is 20, needs at most a quarter of side_m, 16");
+    local.border_m = 0;
+    local.step = 2;
+    EXPECT_EQ(pelagic_ocean_create(&sea, &options, &ocean), PELAGIC_INVALID_ARGUMENT);
+}
+
+}  // namespace
+}  // namespace pelagic
