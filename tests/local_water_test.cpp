@@ -13,7 +13,6 @@
 #include "pelagic/sim/surface_ray.hpp"
 #include "pelagic/tests/each_executor.hpp"
 #include "pelagic/tests/each_isa.hpp"
-#include "pelagic/tests/emulated.hpp"
 
 namespace pelagic {
 namespace {
@@ -59,7 +58,7 @@ TEST(LocalWater, HasTheSameBitsEverywhere) {
         Ocean ocean(breeze, answering(isa));
         EXPECT_EQ(local_hash_of(happen(ocean, 0, 120)), expected) << name_of(isa);
     }
-    if (is_emulated) return;
+
     for (const ExecutorKind& kind : executor_kinds()) {
         Ocean ocean(breeze, answering(choose_isa(), kind.make(kind.threads)));
         EXPECT_EQ(local_hash_of(happen(ocean, 0, 120)), expected) << kind.name;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <string>
 #include <vector>
 
 #include "pelagic/sim/spectrum/dispersion.hpp"
@@ -299,6 +300,34 @@ TEST(LocalSources, ThatPullAtRestMakeABoundedBulge) {
         EXPECT_LE(highest, 2 * 0.5);
         EXPECT_GT(highest, 0.1);
     }
+}
+
+// A wave number of a window isn't one of another, so bits differ; the water doesn't.
+TEST(LocalWake, IsInASmallWindowAsInALargerOne) {
+    LocalWaterOptions narrow = {.step = LocalStep::spectral, .resolution = 128, .side_m = 64}, wide = narrow;
+    wide.resolution = 512;
+    wide.side_m = 256;
+    LocalPool a(narrow), b(wide);
+    for (int i = 0; i < 300; ++i) {
+        const double x = -10 + 4.0 * i / 60;
+        for (LocalPool* pool : {&a, &b}) {
+            if (pool == &a) pool->grid.follow(x, 0);
+            pool->grid.disturb(
+                {.shape = Disturbance::Shape::hull, .x_m = x, .radius_m = 0.8, .length_m = 2, .height_m = -0.4});
+            pool->tick();
+        }
+    }
+    // 16 texels within the border of 24.
+    const std::int64_t inset = 24 + 16, n = narrow.resolution;
+    double off = 0, all = 0;
+    for (std::int64_t z = a.grid.first_z() + inset; z < a.grid.first_z() + n - inset; ++z)
+        for (std::int64_t x = a.grid.first_x() + inset; x < a.grid.first_x() + n - inset; ++x) {
+            const double here = a.grid.height_m(x, z), there = b.grid.height_m(x, z);
+            off += (here - there) * (here - there);
+            all += there * there;
+        }
+    RecordProperty("rms_off", std::to_string(std::sqrt(off / all)));
+    EXPECT_LT(std::sqrt(off / all), 0.01);
 }
 
 /// How far inside of a wake's edge its waves are highest, at `behind` metres. Near the edge phase is cubic across the wake, so
