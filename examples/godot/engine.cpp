@@ -1,0 +1,52 @@
+#include "pelagic/examples/godot/engine.hpp"
+
+namespace pelagic::godot {
+namespace {
+
+const CoreApi* the_core_api = nullptr;
+
+}  // namespace
+
+void set_core_api(const CoreApi* api) { the_core_api = api; }
+const CoreApi& core_table() { return *the_core_api; }
+
+std::string Text::utf8() const {
+    CharString bytes = call(core::string_utf8, &string_);
+    std::string text = call(core::char_string_get_data, &bytes);
+    call(core::char_string_destroy, &bytes);
+    return text;
+}
+
+String Text::copied_out() const {
+    const std::string text = utf8();
+    return call(core::string_chars_to_utf8_with_len, text.data(), static_cast<int>(text.size()));
+}
+
+MethodBind* Method::bind() const {
+    if (!bind_) bind_ = call(core::method_bind_get_method, class_, name_);
+    return bind_;
+}
+
+void Method::with_values(Object* object, std::span<const Variant* const> arguments) const {
+    CallError error;
+    Variant result = call(core::method_bind_call, bind(), object, const_cast<const Variant**>(arguments.data()),
+                          static_cast<int>(arguments.size()), &error);
+    call(core::variant_destroy, &result);
+}
+
+Held Held::made(const char* class_name) {
+    static const Method init_ref("Reference", "init_ref");
+    Object* object = call(core::get_class_constructor, class_name)();
+    init_ref.on<bool>(object);
+    return Held(object);
+}
+
+void Held::let_go() {
+    static const Method unreference("Reference", "unreference");
+    if (object_ && unreference.on<bool>(object_)) call(core::object_destroy, object_);
+    object_ = nullptr;
+}
+
+void print_line(std::string_view line) { call(core::print, &Text(line).string()); }
+
+}  // namespace pelagic::godot

@@ -1,0 +1,227 @@
+// The engine's values and methods, as C++ likes them: owned, typed, looked up once.
+#pragma once
+
+#include <cstddef>
+#include <cstring>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+
+#include "pelagic/examples/godot/gdnative.hpp"
+
+namespace pelagic::godot {
+
+/// Of the process; set before anything else is used.
+void set_core_api(const CoreApi* api);
+const CoreApi& core_table();
+
+template <class Result, class... Arguments>
+Result call(CoreFunction<Result(Arguments...)> function, std::type_identity_t<Arguments>... arguments) {
+    return reinterpret_cast<Result (*)(Arguments...)>(core_table().functions[function.number])(arguments...);
+}
+
+/// A String.
+class Text {
+   public:
+    explicit Text(std::string_view utf8)
+        : string_(call(core::string_chars_to_utf8_with_len, utf8.data(), static_cast<int>(utf8.size()))) {}
+    explicit Text(const Variant& of) : string_(call(core::variant_as_string, &of)) {}
+    ~Text() { call(core::string_destroy, &string_); }
+    Text(const Text&) = delete;
+    Text& operator=(const Text&) = delete;
+
+    std::string utf8() const;
+    const String& string() const { return string_; }
+    String copied_out() const;  ///< for the engine to keep
+
+   private:
+    alignas(8) String string_;
+};
+
+/// A Variant.
+class Value {
+   public:
+    Value() { call(core::variant_new_nil, &variant_); }
+    explicit Value(bool it) { call(core::variant_new_bool, &variant_, it); }
+    explicit Value(std::int64_t it) { call(core::variant_new_int, &variant_, it); }
+    explicit Value(double it) { call(core::variant_new_real, &variant_, it); }
+    explicit Value(const Vector3& it) { call(core::variant_new_vector3, &variant_, &it); }
+    explicit Value(const Vector4& it) { call(core::variant_new_quat, &variant_, &it); }
+    explicit Value(const Rid& it) { call(core::variant_new_rid, &variant_, &it); }
+    explicit Value(const Dictionary& it) { call(core::variant_new_dictionary, &variant_, &it); }
+    explicit Value(const Text& it) { call(core::variant_new_string, &variant_, &it.string()); }
+    explicit Value(std::string_view it) : Value(Text(it)) {}
+    explicit Value(const char* it) : Value(std::string_view(it)) {}
+    explicit Value(const Variant& it) { call(core::variant_new_copy, &variant_, &it); }
+    Value(const Value& it) : Value(it.variant_) {}
+    Value& operator=(const Value&) = delete;
+    ~Value() { call(core::variant_destroy, &variant_); }
+
+    const Variant& variant() const { return variant_; }
+    /// For the engine to keep.
+    Variant handed_over() const {
+        Variant copy;
+        call(core::variant_new_copy, &copy, &variant_);
+        return copy;
+    }
+
+   protected:
+    alignas(8) Variant variant_;
+};
+
+/// A Dictionary that is filled and handed over.
+class Table {
+   public:
+    Table() { call(core::dictionary_new, &dictionary_); }
+    ~Table() { call(core::dictionary_destroy, &dictionary_); }
+    Table(const Table&) = delete;
+    Table& operator=(const Table&) = delete;
+
+    void set(std::string_view key, const Value& value) {
+        call(core::dictionary_set, &dictionary_, &Value(key).variant(), &value.variant());
+    }
+    const Dictionary& dictionary() const { return dictionary_; }
+
+   private:
+    alignas(8) Dictionary dictionary_;
+};
+
+/// The functions of the kinds of pool arrays.
+template <class Element>
+struct PoolFunctions;
+template <>
+struct PoolFunctions<std::uint8_t> {
+    static constexpr auto create = core::pool_byte_array_new, destroy = core::pool_byte_array_destroy;
+    static constexpr auto resize = core::pool_byte_array_resize;
+    static constexpr auto write = core::pool_byte_array_write;
+    static constexpr auto elements = core::pool_byte_array_write_access_ptr;
+    static constexpr auto end_write = core::pool_byte_array_write_access_destroy;
+};
+template <>
+struct PoolFunctions<int> {
+    static constexpr auto create = core::pool_int_array_new, destroy = core::pool_int_array_destroy;
+    static constexpr auto resize = core::pool_int_array_resize;
+    static constexpr auto write = core::pool_int_array_write;
+    static constexpr auto elements = core::pool_int_array_write_access_ptr;
+    static constexpr auto end_write = core::pool_int_array_write_access_destroy;
+    static constexpr auto to_variant = core::variant_new_pool_int_array;
+};
+template <>
+struct PoolFunctions<float> {
+    static constexpr auto create = core::pool_real_array_new, destroy = core::pool_real_array_destroy;
+    static constexpr auto resize = core::pool_real_array_resize;
+    static constexpr auto write = core::pool_real_array_write;
+    static constexpr auto elements = core::pool_real_array_write_access_ptr;
+    static constexpr auto end_write = core::pool_real_array_write_access_destroy;
+    static constexpr auto to_variant = core::variant_new_pool_real_array;
+};
+template <>
+struct PoolFunctions<Vector3> {
+    static constexpr auto create = core::pool_vector3_array_new, destroy = core::pool_vector3_array_destroy;
+    static constexpr auto resize = core::pool_vector3_array_resize;
+    static constexpr auto write = core::pool_vector3_array_write;
+    static constexpr auto elements = core::pool_vector3_array_write_access_ptr;
+    static constexpr auto end_write = core::pool_vector3_array_write_access_destroy;
+    static constexpr auto to_variant = core::variant_new_pool_vector3_array;
+};
+
+/// A PoolByteArray, PoolIntArray, PoolRealArray or PoolVector3Array of given elements.
+template <class Element>
+class Pool {
+    using Functions = PoolFunctions<Element>;
+
+   public:
+    explicit Pool(std::size_t count) : count_(count) {
+        call(Functions::create, &array_);
+        call(Functions::resize, &array_, static_cast<int>(count));
+    }
+    explicit Pool(std::span<const Element> elements) : Pool(elements.size()) {
+        fill([&](std::span<Element> room) {
+            if (!room.empty()) std::memcpy(room.data(), elements.data(), elements.size_bytes());
+        });
+    }
+    ~Pool() { call(Functions::destroy, &array_); }
+    Pool(const Pool&) = delete;
+    Pool& operator=(const Pool&) = delete;
+
+    template <class Fill>
+    void fill(const Fill& fill_room) {
+        Access* access = call(Functions::write, &array_);
+        fill_room(std::span(static_cast<Element*>(call(Functions::elements, access)), count_));
+        call(Functions::end_write, access);
+    }
+    const PoolArray& array() const { return array_; }
+    Value value() const {
+        Variant variant;
+        call(Functions::to_variant, &variant, &array_);
+        Value copy(variant);
+        call(core::variant_destroy, &variant);
+        return copy;
+    }
+
+   private:
+    alignas(8) PoolArray array_;
+    std::size_t count_;
+};
+
+/// A method of one of the engine's classes. Arguments and result are as its description says, with int as std::int64_t, float as double
+/// and objects as Object*. A result that is a reference belongs to the caller: Held.
+class Method {
+   public:
+    Method(const char* of_class, const char* name) : class_(of_class), name_(name) {}
+
+    template <class Result = void, class... Arguments>
+    Result on(Object* object, const Arguments&... arguments) const {
+        const void* pointers[sizeof...(arguments) + 1] = {pointer_to(arguments)...};
+        if constexpr (std::is_void_v<Result>) {
+            call(core::method_bind_ptrcall, bind(), object, pointers, nullptr);
+        } else {
+            // The engine writes a bool as a byte and nothing shorter than it says.
+            alignas(8) unsigned char room[sizeof(Result) < 8 ? 8 : sizeof(Result)] = {};
+            call(core::method_bind_ptrcall, bind(), object, pointers, static_cast<void*>(room));
+            Result result;
+            std::memcpy(&result, room, sizeof result);
+            return result;
+        }
+    }
+    /// With any number of arguments, as scripts call it.
+    void with_values(Object* object, std::span<const Variant* const> arguments) const;
+
+   private:
+    template <class Argument>
+    static const void* pointer_to(const Argument& argument) {
+        static_assert(!std::is_same_v<Argument, int> && !std::is_same_v<Argument, float>);
+        return &argument;
+    }
+    static const void* pointer_to(Object* const& object) { return object; }
+    MethodBind* bind() const;
+
+    const char *class_, *name_;
+    mutable MethodBind* bind_ = nullptr;
+};
+
+/// A Reference: an object that lives as long as somebody holds it.
+class Held {
+   public:
+    Held() = default;
+    /// \param object  counted for us already, as a method returns it
+    explicit Held(Object* object) : object_(object) {}
+    static Held made(const char* class_name);
+    ~Held() { let_go(); }
+    Held(Held&& other) noexcept : object_(other.object_) { other.object_ = nullptr; }
+    Held& operator=(Held&& other) noexcept {
+        std::swap(object_, other.object_);
+        return *this;
+    }
+    Object* object() const { return object_; }
+
+   private:
+    void let_go();
+    Object* object_ = nullptr;
+};
+
+/// A line in the engine's output.
+void print_line(std::string_view line);
+
+}  // namespace pelagic::godot

@@ -1,0 +1,193 @@
+#include "pelagic/examples/godot/ocean_node.hpp"
+
+#include <array>
+#include <cmath>
+#include <exception>
+
+#include "pelagic/message/refusal.hpp"
+#include "pelagic/quadtree/quadtree_options.hpp"
+#include "pelagic/sim/surface_ray.hpp"
+
+namespace pelagic::godot {
+namespace {
+
+// Behind the scripts of a scene, which move cameras.
+constexpr std::int64_t after_scripts = 1000;
+
+}  // namespace
+
+void OceanNode::enter_tree() {
+    static const Method set_process_priority("Node", "set_process_priority");
+    set_process_priority.on(self_, after_scripts);
+}
+
+void OceanNode::exit_tree() { drawing_.reset(); }
+
+void OceanNode::refuse(std::string_view line) const {
+    static const Method emit_signal("Object", "emit_signal");
+    print_line("PelagicOcean: " + std::string(line));
+    const Value name("refused"), text(line);
+    emit_signal.with_values(self_, std::array{&name.variant(), &text.variant()});
+}
+
+void OceanNode::change(const std::function<void(OceanSettings&)>& change) {
+    change(settings_);
+    is_stale_ = true;
+}
+
+void OceanNode::set_time(double time_s) {
+    if (!(std::abs(time_s) <= 1e9)) return refuse(refusal("time_s", time_s, "[-1e9, 1e9]"));
+    time_s_ = time_s;
+    is_awaited_ = true;
+    if (ocean_ && !is_stale_) start(time_s);
+}
+
+void OceanNode::set_material(const Variant& material) {
+    material_ = std::make_unique<Value>(material);
+    drawing_.reset();
+}
+
+bool OceanNode::make_ocean() {
+    is_stale_ = false;
+    const SeaState sea = sea_of(settings_);
+    if (const std::string reason = check(sea); !reason.empty()) {
+        refuse(reason);  // fields that don't go together; the sea there is stays
+        return ocean_ != nullptr;
+    }
+    drawing_.reset();
+    frame_.reset();
+    in_flight_.reset();
+    is_awaited_ = true;
+    ocean_.reset();
+    ocean_ = std::make_unique<Ocean>(sea, OceanOptions{.executor = make_thread_executor(settings_.threads),
+                                                       .queries = true,
+                                                       .velocities = settings_.velocities,
+                                                       .slopes = true,
+                                                       .foam = settings_.foam});
+    return true;
+}
+
+void OceanNode::start(double time_s) {
+    if (in_flight_ == time_s) return;
+    if (in_flight_) ocean_->complete();
+    ocean_->schedule(time_s);
+    in_flight_ = time_s;
+}
+
+const Frame* OceanNode::frame() {
+    if (is_stale_ && !make_ocean()) return nullptr;
+    if (!ocean_) return nullptr;
+    if (is_awaited_) {
+        start(time_s_);
+        in_flight_.reset();
+        frame_ = ocean_->complete();
+        is_awaited_ = false;
+    }
+    return &*frame_;
+}
+
+void OceanNode::process(double seconds) {
+    if (is_playing_ && !is_awaited_) {
+        time_s_ = in_flight_.value_or(time_s_ + seconds);
+        is_awaited_ = true;
+    }
+    const Frame* shown = frame();
+    if (!shown) return;
+    draw(*shown);
+    if (is_playing_) start(time_s_ + seconds);
+}
+
+void OceanNode::draw(const Frame& frame) {
+    static const Method get_rid("Resource", "get_rid");
+    Object* material = call(core::variant_as_object, &material_->variant());
+    if (!material) return;
+    if (!drawing_) {
+        const QuadtreePreset* preset = quadtree_preset_named(settings_.quality);
+        drawing_ = std::make_unique<SeaDrawing>(self_, get_rid.on<Rid>(material), preset->options(settings_.size_m),
+                                                frame);
+    }
+    drawing_->draw(frame);
+}
+
+std::optional<std::uint64_t> OceanNode::hash() {
+    const Frame* asked = frame();
+    if (!asked) return {};
+    return hash_of(*asked);
+}
+
+std::optional<double> OceanNode::significant_wave_height_m() {
+    const Frame* asked = frame();
+    if (!asked) return {};
+    return asked->figures.significant_wave_height_m;
+}
+
+std::optional<float> OceanNode::height_at(const Vector3& place) {
+    const Frame* asked = frame();
+    if (!asked) return {};
+    const double x = place.x, z = place.z;
+    float height = 0;
+    SurfaceQuery(*asked).sample({{&x, 1}, {&z, 1}}, {.height_m = {&height, 1}});
+    return height;
+}
+
+std::unique_ptr<Table> OceanNode::query(std::span<const Vector3> places) {
+    const Frame* asked = frame();
+    if (!asked) return {};
+    const std::size_t count = places.size();
+    x_.resize(count);
+    z_.resize(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        x_[i] = places[i].x;
+        z_[i] = places[i].z;
+    }
+    Pool<float> heights(count);
+    std::vector<float> n[3], v[3];
+    for (auto& component : n) component.resize(count);
+    for (auto& component : v) component.resize(settings_.velocities ? count : 0);
+    heights.fill([&](std::span<float> room) {
+        SurfaceQuery(*asked).sample({x_, z_}, {.height_m = room,
+                                               .normal_x = n[0],
+                                               .normal_y = n[1],
+                                               .normal_z = n[2],
+                                               .velocity_x_mps = v[0],
+                                               .velocity_y_mps = v[1],
+                                               .velocity_z_mps = v[2]});
+    });
+    const auto vectors = [&](const std::vector<float>(&of)[3]) {
+        Pool<Vector3> pool(count);
+        pool.fill([&](std::span<Vector3> room) {
+            for (std::size_t i = 0; i < count; ++i) room[i] = {of[0][i], of[1][i], of[2][i]};
+        });
+        return pool.value();
+    };
+    auto answers = std::make_unique<Table>();
+    answers->set("height", heights.value());
+    answers->set("normal", vectors(n));
+    if (settings_.velocities) answers->set("velocity", vectors(v));
+    return answers;
+}
+
+std::unique_ptr<Table> OceanNode::first_hit(const Vector3& origin, const Vector3& direction, double reach_m) {
+    const Frame* asked = frame();
+    if (!asked) return {};
+    const SurfaceRay ray{
+        {origin.x, origin.y, origin.z}, {direction.x, direction.y, direction.z}, reach_m};
+    auto answers = std::make_unique<Table>();
+    if (const std::string reason = check(ray, *asked); !reason.empty()) {
+        refuse(reason);
+        return {};
+    }
+    const auto hit = pelagic::first_hit(SurfaceQuery(*asked), ray);
+    answers->set("hit", Value(hit.has_value()));
+    if (!hit) return answers;
+    const auto vector = [](const auto& of) {
+        return Value(Vector3{static_cast<float>(of[0]), static_cast<float>(of[1]), static_cast<float>(of[2])});
+    };
+    answers->set("distance", Value(hit->distance_m));
+    answers->set("position", vector(hit->position_m));
+    answers->set("normal", vector(hit->normal));
+    answers->set("from_below", Value(hit->from_below));
+    return answers;
+}
+
+}  // namespace pelagic::godot

@@ -1,0 +1,132 @@
+#include "pelagic/examples/godot/properties.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "pelagic/message/refusal.hpp"
+
+namespace pelagic::godot {
+namespace {
+
+double number(const Variant& value) { return call(core::variant_as_real, &value); }
+
+/// A number of the settings that takes what `accepts` says.
+Property number_property(std::string name, VariantType type, std::string range, PropertyHint hint,
+                         std::function<double(const OceanSettings&)> get, std::function<void(OceanSettings&, double)> set,
+                         std::function<bool(double)> accepts, std::string accepted) {
+    const auto value_of = [type, get](const OceanNode& node) {
+        const double value = get(node.settings());
+        return type == type_int ? Value(static_cast<std::int64_t>(value)) : Value(value);
+    };
+    const auto take = [=](OceanNode& node, const Variant& variant) {
+        const double value = number(variant);
+        if (!accepts(value)) return node.refuse(refusal(name, value, accepted));
+        if (value != get(node.settings())) node.change([&](OceanSettings& settings) { set(settings, value); });
+    };
+    return {name, type, hint, std::move(range), value_of, take, accepted};
+}
+
+/// A field of the sea, with the range that the sea's own table has.
+Property sea_property(std::string_view name, std::string range, PropertyHint hint = hint_range) {
+    const auto fields = sea_state_fields();
+    const auto field = std::find_if(fields.begin(), fields.end(), [&](const auto& each) { return each.name == name; });
+    const bool is_whole = !std::holds_alternative<double SeaState::*>(field->member);
+    return number_property(
+        std::string(name), is_whole ? type_int : type_real, std::move(range), hint,
+        [field](const OceanSettings& settings) { return field->value_in(settings.sea); },
+        [field](OceanSettings& settings, double value) { field->set(settings.sea, value); },
+        [field, is_whole](double value) { return field->accepts(value) && (!is_whole || value == std::floor(value)); },
+        std::string(field->accepted));
+}
+
+Property ranged(std::string name, VariantType type, double least, double most, std::string range, std::string accepted,
+                std::function<double(const OceanSettings&)> get, std::function<void(OceanSettings&, double)> set) {
+    return number_property(
+        std::move(name), type, std::move(range), hint_range, std::move(get), std::move(set),
+        [=](double value) {
+            return value >= least && value <= most && (type != type_int || value == std::floor(value));
+        },
+        std::move(accepted));
+}
+
+Property flag(std::string name, bool OceanSettings::*member) {
+    return {name, type_bool, hint_none, "", [member](const OceanNode& node) { return Value(node.settings().*member); },
+            [member](OceanNode& node, const Variant& value) {
+                const bool wanted = call(core::variant_as_bool, &value);
+                node.change([&](OceanSettings& settings) { settings.*member = wanted; });
+            },
+            "true or false"};
+}
+
+/// One of some names.
+Property choice(std::string name, std::string names, std::string OceanSettings::*member,
+                std::function<bool(std::string_view)> is_one) {
+    return {name, type_string, hint_enum, names,
+            [member](const OceanNode& node) { return Value(std::string_view(node.settings().*member)); },
+            [=](OceanNode& node, const Variant& value) {
+                const std::string wanted = Text(value).utf8();
+                if (!is_one(wanted)) return node.refuse(refusal(name, wanted, "one of " + names));
+                node.change([&](OceanSettings& settings) { settings.*member = wanted; });
+            },
+            "one of " + names};
+}
+
+std::string preset_names() {
+    std::string names(no_preset);
+    for (const SeaPreset& preset : sea_presets()) names.append(",").append(preset.name);
+    return names;
+}
+
+std::vector<Property> table() {
+    const auto direction = [](std::string name, double OceanSettings::*member) {
+        return ranged(
+            std::move(name), type_real, -360, 360, "-360,360,1", "[-360, 360]",
+            [member](const OceanSettings& settings) { return settings.*member; },
+            [member](OceanSettings& settings, double value) { settings.*member = value; });
+    };
+    return {
+        choice("preset", preset_names(), &OceanSettings::preset,
+               [](std::string_view name) { return name == no_preset || sea_preset_named(name); }),
+        sea_property("wind_speed_mps", "0.1,60,0.1"),
+        direction("wind_direction_deg", &OceanSettings::wind_direction_deg),
+        sea_property("fetch_m", "1000,2000000,1000", hint_exp_range),
+        sea_property("depth_m", "0.1,11000,0.1", hint_exp_range),
+        sea_property("choppiness", "0,1,0.01"),
+        sea_property("swell_height_m", "0,30,0.1"),
+        sea_property("swell_period_s", "1,40,0.1"),
+        direction("swell_direction_deg", &OceanSettings::swell_direction_deg),
+        sea_property("seed", "0,4294967295,1"),
+        sea_property("loop_period_s", "0.1,86400,0.1", hint_exp_range),
+        sea_property("cascades", "0,4,1"),
+        sea_property("resolution", "0,2048,1"),
+        sea_property("patch_size_m", "0,1000000,1"),
+        flag("foam", &OceanSettings::foam),
+        flag("velocities", &OceanSettings::velocities),
+        ranged(
+            "threads", type_int, 0, 1024, "0,1024,1", "a whole number from 0 to 1024",
+            [](const OceanSettings& settings) { return static_cast<double>(settings.threads); },
+            [](OceanSettings& settings, double value) { settings.threads = static_cast<int>(value); }),
+        choice("quality", "low,medium,high,ultra", &OceanSettings::quality, is_quality),
+        ranged(
+            "size_m", type_real, 256, 8192, "256,8192,256", "[256, 8192]",
+            [](const OceanSettings& settings) { return settings.size_m; },
+            [](OceanSettings& settings, double value) { settings.size_m = value; }),
+        {"time_s", type_real, hint_none, "", [](const OceanNode& node) { return Value(node.time_s()); },
+         [](OceanNode& node, const Variant& value) { node.set_time(number(value)); }, "[-1e9, 1e9]"},
+        {"playing", type_bool, hint_none, "", [](const OceanNode& node) { return Value(node.is_playing()); },
+         [](OceanNode& node, const Variant& value) { node.set_playing(call(core::variant_as_bool, &value)); },
+         "true or false"},
+        {"material", type_object, hint_resource_type, "ShaderMaterial",
+         [](const OceanNode& node) { return node.material(); },
+         [](OceanNode& node, const Variant& value) { node.set_material(value); }, "a ShaderMaterial"},
+    };
+}
+
+}  // namespace
+
+const std::vector<Property>& properties() {
+    static const std::vector<Property> all = table();
+    return all;
+}
+
+}  // namespace pelagic::godot
