@@ -14,6 +14,13 @@ namespace {
 // Behind the scripts of a scene, which move cameras.
 constexpr std::int64_t after_scripts = 1000;
 
+/// The engine without a window has nothing to draw with, and says so for each texture.
+bool is_server() {
+    // The class behind the name OS is called otherwise.
+    static const bool is = Method("_OS", "has_feature").on<bool>(call(core::global_get_singleton, "OS"), Text("Server").string());
+    return is;
+}
+
 }  // namespace
 
 void OceanNode::enter_tree() {
@@ -100,7 +107,7 @@ void OceanNode::process(double seconds) {
 void OceanNode::draw(const Frame& frame) {
     static const Method get_rid("Resource", "get_rid");
     Object* material = call(core::variant_as_object, &material_->variant());
-    if (!material) return;
+    if (!material || is_server()) return;
     if (!drawing_) {
         const QuadtreePreset* preset = quadtree_preset_named(settings_.quality);
         drawing_ = std::make_unique<SeaDrawing>(self_, get_rid.on<Rid>(material), preset->options(settings_.size_m),

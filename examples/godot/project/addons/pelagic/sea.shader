@@ -61,8 +61,8 @@ vec3 displaced(vec2 index, sampler2DArray maps) {
 	vec3 moved = vec3(0.0);
 	for (int tile = 0; tile < tiles; tile++) {
 		float mip = max(log2(step_m * scale_of_tile(tile).x) - 0.5, 0.0);
-		vec2 uv = place_in_tile(place_of_tile(tile), at);
-		moved += weight_of_mip(mip) * textureLod(maps, vec3(uv, float(tile)), min(mip, spacing.z)).xyz;
+		float weight = weight_of_mip(mip);
+		if (weight > 0.0) moved += weight * textureLod(maps, vec3(place_in_tile(place_of_tile(tile), at), float(tile)), mip).xyz;
 	}
 	return moved * left;
 }
@@ -118,8 +118,13 @@ void fragment() {
 	vec3 d = vec3(0.0); // D_xx, D_zz, D_xz
 	float variance = 0.0;
 	float foam = 0.0;
+	float narrow_m = sqrt(min(dot(dFdx(rest), dFdx(rest)), dot(dFdy(rest), dFdy(rest)))); // of the pixel's piece of sea
 	for (int tile = 0; tile < tiles; tile++) {
 		vec4 scale = scale_of_tile(tile);
+		if (weight_of_mip(log2(max(narrow_m * scale.x, 1.0))) <= 0.0) {
+			variance += scale.w; // all of its waves are smaller than the pixel
+			continue;
+		}
 		vec3 uv = vec3(place_in_tile(place_of_tile(tile), rest), float(tile));
 		vec4 slope = (texture(slopes, uv) * (255.0 / 127.0) - 128.0 / 127.0) * scale.y;
 		vec4 moment = texture(moments, uv);

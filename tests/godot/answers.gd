@@ -1,0 +1,77 @@
+# What the node answers without a window, as lines that answers_test.py compares with the command line.
+extends SceneTree
+
+var refusals = []
+
+func refused(why):
+	refusals.append(why)
+
+func say(words):
+	print("SAYS ", words)
+
+func _init():
+	var ocean = load("res://addons/pelagic/ocean.gdns").new()
+	root.add_child(ocean)
+	ocean.playing = false
+	ocean.connect("refused", self, "refused")
+	var seas = JSON.parse(OS.get_environment("SEAS")).result
+	var defaults = {}
+	for property in seas["properties"]:
+		defaults[property] = ocean.get(property)
+		say("default %s %s" % [property, ocean.get(property)])
+	for sea in seas["seas"]:
+		for property in defaults:
+			ocean.set(property, defaults[property])
+		for property in sea["values"]:
+			ocean.set(property, sea["values"][property])
+		for time in [0.0, 12.34]:
+			ocean.time_s = time
+			say("hash %s@%s %s" % [sea["name"], time, ocean.hash()])
+	for property in defaults:
+		ocean.set(property, defaults[property])
+
+	# Points as floats, answers as the bytes of floats.
+	ocean.wind_direction_deg = 30
+	ocean.velocities = true
+	ocean.time_s = 12.34
+	var file = File.new()
+	file.open(OS.get_environment("POINTS"), File.READ)
+	var bytes = file.get_buffer(file.get_len())
+	file.seek(0)
+	var places = PoolVector3Array()
+	while file.get_position() < bytes.size():
+		var x = file.get_float()
+		places.append(Vector3(x, 77, file.get_float()))
+	file.close()
+	var water = ocean.query(places)
+	file.open(OS.get_environment("ANSWERS"), File.WRITE)
+	for i in range(places.size()):
+		file.store_float(water["height"][i])
+		for of in ["normal", "velocity"]:
+			file.store_float(water[of][i].x)
+			file.store_float(water[of][i].y)
+			file.store_float(water[of][i].z)
+		file.store_float(ocean.height_at(places[i]))
+	file.close()
+
+	# A ray meets the water where the water is.
+	var hit = ocean.first_hit(Vector3(3, 12, -7), Vector3(1, -0.4, 0.3), 500)
+	say("hit %s %.9f %.9f" % [hit["hit"], hit["position"].y, ocean.height_at(hit["position"])])
+	say("miss %s" % ocean.first_hit(Vector3(3, 12, -7), Vector3(0, 1, 0), 500)["hit"])
+
+	# What can't be taken is refused in one line, and the sea stays.
+	var before = ocean.hash()
+	for wrong in seas["refused"]:
+		refusals = []
+		ocean.set(wrong[0], wrong[1])
+		say("refused %s" % JSON.print(refusals))
+	for wrong in [[ocean.first_hit(Vector3(), Vector3(), 10)], [ocean.query(3)], [ocean.height_at("here")]]:
+		say("nothing %s" % str(wrong[0] == null))
+	say("stays %s" % str(ocean.hash() == before))
+	refusals = []
+	ocean.patch_size_m = 250
+	ocean.cascades = 4
+	say("together %s %s" % [str(ocean.hash() == before), JSON.print(refusals)])
+	ocean.free()
+	say("end")
+	quit()

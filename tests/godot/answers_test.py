@@ -1,0 +1,102 @@
+# The node PelagicOcean in Godot without a window: hashes, answers and refusals beside the command line's and the golden hashes, and a
+# thousand frames.
+# usage: answers_test.py PROJECT PELAGIC GOLDEN_HASHES
+import csv
+import json
+import os
+import random
+import struct
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+from engine import run_headless, single
+
+project, pelagic, golden_file = sys.argv[1:]
+here = Path(__file__).parent
+golden = dict(line.split() for line in Path(golden_file).read_text().splitlines())
+
+seas = [{"name": "default", "values": {}}]
+seas += [{"name": "preset-" + name, "values": {"preset": name}} for name in ("calm", "moderate", "rough", "storm")]
+seas += [{"name": "jonswap-64", "values": {"resolution": 64, "patch_size_m": 250}},
+         {"name": "shallow-64", "values": {"resolution": 64, "patch_size_m": 250, "depth_m": 8}}]
+refused = [
+    ("wind_speed_mps", -3, "wind_speed_mps is -3, needs (0, 60]"),
+    ("wind_speed_mps", "calm", "wind_speed_mps is calm, needs (0, 60]"),
+    ("wind_direction_deg", 361, "wind_direction_deg is 361, needs [-360, 360]"),
+    ("depth_m", 0, "depth_m is 0, needs [0.01, 11000]"),
+    ("choppiness", 2, "choppiness is 2, needs [0, 1]"),
+    ("seed", 1.5, "seed is 1.5, needs a whole number from 0 to 4294967295"),
+    ("resolution", 100, "resolution is 100, needs a power of two from 16 to 2048, or 0: chosen"),
+    ("loop_period_s", 0, "loop_period_s is 0, needs [0.1, 86400]"),
+    ("threads", -1, "threads is -1, needs a whole number from 0 to 1024"),
+    ("time_s", 1e12, "time_s is 1000000000000, needs [-1e9, 1e9]"),
+    ("size_m", 10, "size_m is 10, needs [256, 8192]"),
+    ("quality", "best", "quality is best, needs one of low,medium,high,ultra"),
+    ("preset", "gale", None),
+]
+properties = ["preset", "wind_speed_mps", "wind_direction_deg", "fetch_m", "depth_m", "choppiness", "swell_height_m",
+              "swell_period_s", "swell_direction_deg", "seed", "loop_period_s", "cascades", "resolution",
+              "patch_size_m", "velocities"]
+
+with tempfile.TemporaryDirectory() as work:
+    generator = random.Random(18)
+    points = [(generator.uniform(-3000, 3000), generator.uniform(-3000, 3000)) for _ in range(2000)]
+    points = [struct.unpack("<ff", struct.pack("<ff", *point)) for point in points]
+    Path(work, "points").write_bytes(b"".join(struct.pack("<ff", *point) for point in points))
+    says = run_headless(project, here / "answers.gd", work, {
+        "SEAS": json.dumps({"seas": seas, "properties": properties, "refused": [wrong[:2] for wrong in refused]}),
+        "POINTS": str(Path(work, "points")), "ANSWERS": str(Path(work, "answers"))})
+
+    hashes = dict(words.split() for words in says["hash"])
+    for sea in seas:
+        for time, said in (("0", "0"), ("12.34", "12.34")):
+            name = sea["name"]
+            assert hashes[f"{name}@{said}"] == golden[f"{name}@{time}"].zfill(16), (name, time, hashes)
+    assert len(hashes) == 2 * len(seas)
+
+    # The command line's answers about the same points, to the bit.
+    text = "x,z\n" + "".join(f"{x!r},{z!r}\n" for x, z in points)
+    asked = subprocess.run([pelagic, "query", "--points", "-", "--wind-direction", "30", "--time", "12.34"], input=text,
+                           capture_output=True, text=True, check=True).stdout
+    rows = list(csv.DictReader(asked.splitlines()))
+    answers = Path(work, "answers").read_bytes()
+    assert len(rows) == len(points) and len(answers) == 32 * len(points), (len(rows), len(answers))
+    columns = ("height", "nx", "ny", "nz", "vx", "vy", "vz", "height")
+    for i, row in enumerate(rows):
+        expected = struct.pack("<8f", *(float(row[column]) for column in columns))
+        assert answers[32 * i:32 * (i + 1)] == expected, (points[i], row)
+
+    hit, drawn_m, water_m = single(says, "hit").split()
+    # The engine's place is a float, of which half a unit in the last place is 2e-6 m at 30 m, on a slope below 1; the hit is within a
+    # millimetre of the water.
+    assert hit == "True" and abs(float(drawn_m) - float(water_m)) < 1.1e-3, says["hit"]
+    assert single(says, "miss") == "False"
+
+    assert len(says["refused"]) == len(refused)
+    for (name, value, line), said in zip(refused, says["refused"]):
+        [only] = json.loads(said)
+        assert "\n" not in only and only.startswith(f"{name} is "), only
+        assert line is None or only == line, (only, line)
+        assert "PelagicOcean: " + only in says["lines"], only
+    assert says["nothing"] == ["True"] * 3
+    assert single(says, "stays") == "True"
+    same, why = single(says, "together").split(" ", 1)
+    assert same == "True" and json.loads(why)[-1] == "cascades is 4, needs 1 where the side of the tile is given", why
+
+    frames = run_headless(project, here / "frames.gd", work, {"FIXED_FPS": "60"})
+    assert "refused" not in frames
+    kib = []
+    for words in frames["frame"]:
+        number, time_s, x, z, height_m, resident = words.split()
+        kib.append(int(resident))
+        asked = subprocess.run([pelagic, "query", "--points", "-", "--time", time_s, "--wind-speed", "10", "--wind-direction",
+                                "30"], input=f"{x},{z}\n", capture_output=True, text=True, check=True).stdout
+        # The times differ by 1e-9 s, in which no water moves a micrometre.
+        assert abs(float(asked.splitlines()[1].split(",")[2]) - float(height_m)) < 1e-6, (words, asked)
+    assert len(kib) == 3
+    assert len(set(words.split()[1] for words in frames["frame"])) == 3
+    # A frame's textures are 1.2 MB: one in twenty that stayed would be 24 MB in 400 frames.
+    assert kib[2] - kib[1] < 8 * 1024, kib
+print(f"{len(hashes)} hashes, {len(points)} points and {len(refused)} refusals agree; {kib} KiB in frames 200, 600, 1000")

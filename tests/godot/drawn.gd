@@ -1,0 +1,90 @@
+# The sea through the engine's camera, each pixel with its distance instead of a colour, as half floats that drawn_test.py compares with
+# the command line; without and with a wall in it. The vertex shader is the node's own.
+extends SceneTree
+
+const CODED = """
+void fragment() {
+	float distance_m = length(place);
+	ALBEDO = vec3(floor(distance_m), fract(distance_m), 1.0);
+}
+"""
+const WALL = """
+shader_type spatial;
+render_mode unshaded, cull_disabled;
+void fragment() { ALBEDO = vec3(0.0, 0.0, 2.0); }
+"""
+var cases = JSON.parse(OS.get_environment("CASES")).result
+var view
+var camera
+var ocean
+var wall
+var number = -1
+var frame = 0
+
+func shader_material(code):
+	var material = ShaderMaterial.new()
+	material.shader = Shader.new()
+	material.shader.code = code
+	return material
+
+func _init():
+	view = Viewport.new()
+	view.size = Vector2(cases["width"], cases["height"])
+	view.own_world = true
+	view.hdr = true
+	view.keep_3d_linear = true
+	view.render_target_v_flip = true
+	view.render_target_update_mode = Viewport.UPDATE_ALWAYS
+	root.add_child(view)
+	camera = Camera.new()
+	camera.near = 0.2
+	camera.far = 30000
+	camera.fov = cases["fov"]
+	view.add_child(camera)
+	wall = MeshInstance.new()
+	wall.mesh = QuadMesh.new()
+	wall.mesh.size = Vector2(40, 4)
+	wall.material_override = shader_material(WALL)
+	view.add_child(wall)
+
+func refused(why):
+	print("SAYS refused ", why)
+
+func next_case():
+	number += 1
+	frame = 0
+	if ocean:
+		ocean.free()
+	if number == cases["cases"].size():
+		quit()
+		return
+	var case = cases["cases"][number]
+	var from = case["from"]
+	var to = case["to"]
+	camera.look_at_from_position(Vector3(from[0], from[1], from[2]), Vector3(to[0], to[1], to[2]), Vector3.UP)
+	wall.visible = case.has("wall")
+	if wall.visible:
+		wall.translation = Vector3(case["wall"][0], case["wall"][1], case["wall"][2])
+	ocean = load("res://addons/pelagic/ocean.gdns").new()
+	ocean.connect("refused", self, "refused")
+	ocean.playing = false
+	ocean.foam = false
+	for property in case["values"]:
+		ocean.set(property, case["values"][property])
+	var code = load("res://addons/pelagic/sea.shader").code
+	code = code.substr(0, code.find("void fragment()")).replace("skip_vertex_transform", "skip_vertex_transform, unshaded")
+	ocean.material = shader_material(code + CODED)
+	view.add_child(ocean)
+
+func _idle(_seconds):
+	if number < 0 or frame == 2:
+		if number >= 0:
+			var image = view.get_texture().get_data()
+			assert(image.get_format() == Image.FORMAT_RGBAH)
+			var file = File.new()
+			file.open("%s/%d.rgbah" % [OS.get_environment("PICTURES"), number], File.WRITE)
+			file.store_buffer(image.get_data())
+			file.close()
+			print("SAYS case %d %s" % [number, camera.global_transform.basis.z])
+		next_case()
+	frame += 1
