@@ -41,8 +41,10 @@ pelagic_gate_packages=(clang libclang-rt-14-dev libc++-14-dev)
 pelagic_web_packages=(emscripten)
 command -v node >/dev/null || pelagic_web_packages+=(nodejs)
 
-# What only the tests inside other hosts need: a compiler to WebAssembly and node, which runs what it makes, and a browser.
+# What only the tests inside other hosts need: a compiler to WebAssembly and node, which runs what it makes, and a browser; an engine, with
+# a window (for xvfb-run, which wants xauth) and without.
 pelagic_hosts_packages=(emscripten chromium)
+pelagic_hosts_packages+=(godot3 godot3-server xauth)
 command -v node >/dev/null || pelagic_hosts_packages+=(nodejs)
 command -v npm >/dev/null || pelagic_hosts_packages+=(npm)
 

@@ -15,7 +15,7 @@ namespace {
 
 // Constants of VisualServer, Image and Camera.
 constexpr std::int64_t triangles = 4, transform_3d = 1, color_float = 2, custom_float = 2, shadows_off = 0;
-constexpr std::int64_t texture_2d_array = 3, mipmaps = 1, repeat = 2, filter = 4, anisotropic = 8;
+constexpr std::int64_t texture_2d_array = 3, mipmaps = 1, repeat = 2, filter = 4;
 constexpr std::int64_t format_rgba8 = 5, format_rgbah = 15;
 constexpr std::int64_t perspective = 0, orthogonal = 1, keep_width = 0;
 
@@ -79,11 +79,13 @@ View view_of(Object* camera, Object* viewport) {
     return view;
 }
 
-Rid texture_array(Object* server, const Frame& frame, std::int64_t format, std::int64_t flags) {
+/// A layer a tile. Not anisotropic: what a square of texels averages away is roughness (sim/slope_sum.hpp), and a driver without a
+/// GPU would take fifty times as long.
+Rid texture_array(Object* server, const Frame& frame, std::int64_t format) {
     const Rid texture = texture_create.on<Rid>(server);
     const std::int64_t side = frame.tiles[0].resolution();
     texture_allocate.on(server, texture, side, side, static_cast<std::int64_t>(frame.tiles.size()), format,
-                        texture_2d_array, flags);
+                        texture_2d_array, mipmaps | repeat | filter);
     return texture;
 }
 
@@ -119,9 +121,9 @@ SeaDrawing::SeaDrawing(Object* node, Rid material, const QuadtreeOptions& option
         for (const float outer : {0.f, 1.f}) border.push_back({static_cast<float>(t), 1 + outer, 0});
     skirt_ = batch_of(border, SkirtMesh(options.vertices).indices);
 
-    displacement_ = texture_array(server_, frame, format_rgbah, mipmaps | repeat | filter);
-    slopes_ = texture_array(server_, frame, format_rgba8, mipmaps | repeat | filter | anisotropic);
-    moments_ = texture_array(server_, frame, format_rgba8, mipmaps | repeat | filter | anisotropic);
+    displacement_ = texture_array(server_, frame, format_rgbah);
+    slopes_ = texture_array(server_, frame, format_rgba8);
+    moments_ = texture_array(server_, frame, format_rgba8);
     set("displacement", Value(displacement_));
     set("slopes", Value(slopes_));
     set("moments", Value(moments_));

@@ -5,13 +5,13 @@ extends SceneTree
 const CODED = """
 void fragment() {
 	float distance_m = length(place);
-	ALBEDO = vec3(floor(distance_m), fract(distance_m), 1.0);
+	ALBEDO = vec3(floor(distance_m), fract(distance_m), 4.0);
 }
 """
 const WALL = """
 shader_type spatial;
 render_mode unshaded, cull_disabled;
-void fragment() { ALBEDO = vec3(0.0, 0.0, 2.0); }
+void fragment() { ALBEDO = vec3(0.0, 0.0, 8.0); }
 """
 var cases = JSON.parse(OS.get_environment("CASES")).result
 var view

@@ -1,0 +1,23 @@
+# Saves what the demo shows after ten seconds as picture.png beside the project.
+extends SceneTree
+
+const SECONDS = 10.0
+var demo
+var frames = 0
+
+func _init():
+	demo = load("res://demo.tscn").instance()
+	root.add_child(demo)
+	demo.get_node("ocean").playing = false
+	demo.get_node("ocean").time_s = SECONDS
+	demo.get_node("camera").turn_s = INF
+
+func _idle(_seconds):
+	frames += 1
+	if frames < 4:
+		return
+	var picture = root.get_texture().get_data()
+	picture.flip_y()
+	picture.convert(Image.FORMAT_RGB8)
+	picture.save_png("res://picture.png")
+	quit()
