@@ -1,5 +1,5 @@
-# The node PelagicOcean in Godot without a window: hashes, answers and refusals beside the command line's and the golden hashes, and a
-# thousand frames.
+# The node PelagicOcean in Godot: hashes, answers and refusals beside the command line's and the golden hashes, and a
+# thousand frames, with a window too.
 # usage: answers_test.py PROJECT PELAGIC GOLDEN_HASHES
 import csv
 import json
@@ -11,7 +11,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-from engine import run_headless, single
+from engine import run_drawing, run_headless, single
 
 project, pelagic, golden_file = sys.argv[1:]
 here = Path(__file__).parent
@@ -85,18 +85,20 @@ with tempfile.TemporaryDirectory() as work:
     same, why = single(says, "together").split(" ", 1)
     assert same == "True" and json.loads(why)[-1] == "cascades is 4, needs 1 where the side of the tile is given", why
 
-    frames = run_headless(project, here / "frames.gd", work, {"FIXED_FPS": "60"})
-    assert "refused" not in frames
-    kib = []
-    for words in frames["frame"]:
-        number, time_s, x, z, height_m, resident = words.split()
-        kib.append(int(resident))
-        asked = subprocess.run([pelagic, "query", "--points", "-", "--time", time_s, "--wind-speed", "10", "--wind-direction",
-                                "30"], input=f"{x},{z}\n", capture_output=True, text=True, check=True).stdout
-        # The times differ by 1e-9 s, in which no water moves a micrometre.
-        assert abs(float(asked.splitlines()[1].split(",")[2]) - float(height_m)) < 1e-6, (words, asked)
-    assert len(kib) == 3
-    assert len(set(words.split()[1] for words in frames["frame"])) == 3
-    # A frame's textures are 1.2 MB: one in twenty that stayed would be 24 MB in 400 frames.
-    assert kib[2] - kib[1] < 8 * 1024, kib
-print(f"{len(hashes)} hashes, {len(points)} points and {len(refused)} refusals agree; {kib} KiB in frames 200, 600, 1000")
+    for runs in (run_headless, run_drawing):
+        frames = runs(project, here / "frames.gd", work, {}, fps=60)
+        assert "refused" not in frames
+        kib = []
+        for words in frames["frame"]:
+            number, time_s, x, z, height_m, resident = words.split()
+            kib.append(int(resident))
+            asked = subprocess.run([pelagic, "query", "--points", "-", "--time", time_s, "--wind-speed", "10",
+                                    "--wind-direction", "30"], input=f"{x},{z}\n", capture_output=True, text=True, check=True).stdout
+            # The times differ by 1e-9 s, in which no water moves a micrometre.
+            assert abs(float(asked.splitlines()[1].split(",")[2]) - float(height_m)) < 1e-6, (words, asked)
+        assert len(kib) == 3
+        assert len(set(words.split()[1] for words in frames["frame"])) == 3
+        # A frame's textures are 1.2 MB: one in fifty that stayed would be 9.6 MB in 400 frames.
+        assert kib[2] - kib[1] < 8 * 1024, kib
+        print(f"{kib} KiB in frames 200, 600 and 1000")
+print(f"{len(hashes)} hashes, {len(points)} points and {len(refused)} refusals agree")
