@@ -36,6 +36,19 @@ func _idle(_seconds):
 		quit()
 """
 
+DESCRIBED = """
+extends SceneTree
+func _init():
+	var ocean = load("res://addons/pelagic/ocean.gdns").new()
+	for property in ocean.get_script().get_script_property_list():
+		print("SAYS property %s %d %s" % [property["name"], property["hint"], property["hint_string"]])
+	for method in ocean.get_script().get_script_method_list():
+		print("SAYS method ", method["name"])
+	ocean.free()
+	quit()
+"""
+hint_none, hint_range, hint_exp_range, hint_enum, hint_resource_type = 0, 1, 2, 3, 17
+
 
 def difference(first, second):
     """Of two pictures of one size: the mean of all bytes' differences."""
@@ -81,4 +94,14 @@ with tempfile.TemporaryDirectory() as work:
     Path("buoy_test.gd").write_text(BUOY)
     buoy = run_headless("my_game", Path(work, "buoy_test.gd"), work, {})
     assert buoy["buoy"] == ["True"], buoy["lines"]
+    # The page's tables have the node's properties and methods, all of them, and the editor has a range or choices for each number and name.
+    Path("described.gd").write_text(DESCRIBED)
+    node = run_headless("my_game", Path(work, "described.gd"), work, {})
+    first_cells = [line.split("|")[1] for line in page.splitlines() if line.startswith("| `")]
+    written = [name for cell in first_cells for name in re.findall(r"`(\w+)[`(]", cell)]
+    hints = {words.split()[0]: words.split()[1:] for words in node["property"]}
+    methods = [name for name in node["method"] if not name.startswith("_")]
+    assert sorted(written) == sorted([*hints, *methods]), (written, hints, methods)
+    without = [name for name, hint in hints.items() if int(hint[0]) not in (hint_range, hint_exp_range, hint_enum, hint_resource_type)]
+    assert without == ["foam", "velocities", "time_s", "playing"], without
 print(f"the picture is {apart:.2f} off")
