@@ -30,8 +30,16 @@ func _init():
 	for property in defaults:
 		ocean.set(property, defaults[property])
 
-	# Points as floats, answers as the bytes of floats.
 	ocean.wind_direction_deg = 30
+	ocean.time_s = 0
+	for property in ocean.get_script().get_script_property_list():
+		if property["name"] == "preset":
+			for name in property["hint_string"].split(","):
+				ocean.preset = name
+				say("preset %s %s" % [name, ocean.hash()])
+	ocean.preset = "custom"
+
+	# Points as floats, answers as the bytes of floats.
 	ocean.velocities = true
 	ocean.time_s = 12.34
 	var file = File.new()

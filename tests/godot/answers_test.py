@@ -56,6 +56,14 @@ with tempfile.TemporaryDirectory() as work:
             assert hashes[f"{name}@{said}"] == golden[f"{name}@{time}"].zfill(16), (name, time, hashes)
     assert len(hashes) == 2 * len(seas)
 
+    # Seas by name, with the wind of the node.
+    presets = dict(words.split() for words in says["preset"])
+    assert len(presets) > 20 and "custom" in presets, presets
+    for name, hash_there in presets.items():
+        named = [] if name == "custom" else ["--preset", name]
+        info = subprocess.run([pelagic, "info", "--json", "--wind-direction", "30", *named], capture_output=True, text=True, check=True)
+        assert json.loads(info.stdout)["first_frame"]["hash"] == hash_there, name
+
     # The command line's answers about the same points, to the bit.
     text = "x,z\n" + "".join(f"{x!r},{z!r}\n" for x, z in points)
     asked = subprocess.run([pelagic, "query", "--points", "-", "--wind-direction", "30", "--time", "12.34"], input=text,
@@ -101,4 +109,4 @@ with tempfile.TemporaryDirectory() as work:
         # A frame's textures are 1.2 MB: one in fifty that stayed would be 9.6 MB in 400 frames.
         assert kib[2] - kib[1] < 8 * 1024, kib
         print(f"{kib} KiB in frames 200, 600 and 1000")
-print(f"{len(hashes)} hashes, {len(points)} points and {len(refused)} refusals agree")
+print(f"{len(hashes) + len(presets)} hashes, {len(points)} points and {len(refused)} refusals agree")
