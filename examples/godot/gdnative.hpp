@@ -85,7 +85,7 @@ struct ApiTable {
     ApiVersion version;
     const ApiTable* next;
 };
-inline constexpr unsigned core_api = 0, nativescript_api = 1;
+inline constexpr unsigned nativescript_api = 1;
 inline constexpr int core_functions = 744;
 struct CoreApi {
     ApiTable table;
@@ -102,16 +102,17 @@ struct CoreFunction {
 
 namespace core {
 
-inline constexpr CoreFunction<void(PoolArray*)> pool_byte_array_new{155}, pool_int_array_new{171}, pool_real_array_new{187},
-    pool_vector3_array_new{235};
+inline constexpr CoreFunction<void(PoolArray*)> pool_byte_array_new{155}, pool_int_array_new{171},
+    pool_real_array_new{187}, pool_vector3_array_new{235};
 inline constexpr CoreFunction<void(PoolArray*, int)> pool_byte_array_resize{164}, pool_int_array_resize{180},
     pool_real_array_resize{196}, pool_vector3_array_resize{244};
 inline constexpr CoreFunction<Access*(PoolArray*)> pool_byte_array_write{166}, pool_int_array_write{182},
     pool_real_array_write{198}, pool_vector3_array_write{246};
 inline constexpr CoreFunction<void(PoolArray*)> pool_byte_array_destroy{170}, pool_int_array_destroy{186},
     pool_real_array_destroy{202}, pool_vector3_array_destroy{250};
-inline constexpr CoreFunction<void*(const Access*)> pool_byte_array_write_access_ptr{296}, pool_int_array_write_access_ptr{300},
-    pool_real_array_write_access_ptr{304}, pool_vector3_array_write_access_ptr{316};
+inline constexpr CoreFunction<void*(const Access*)> pool_byte_array_write_access_ptr{296},
+    pool_int_array_write_access_ptr{300}, pool_real_array_write_access_ptr{304},
+    pool_vector3_array_write_access_ptr{316};
 inline constexpr CoreFunction<void(Access*)> pool_byte_array_write_access_destroy{298},
     pool_int_array_write_access_destroy{302}, pool_real_array_write_access_destroy{306},
     pool_vector3_array_write_access_destroy{318};
@@ -136,10 +137,9 @@ inline constexpr CoreFunction<void(Variant*, const Vector3*)> variant_new_vector
 inline constexpr CoreFunction<void(Variant*, const Vector4*)> variant_new_quat{520};
 inline constexpr CoreFunction<void(Variant*, const Rid*)> variant_new_rid{526};
 inline constexpr CoreFunction<void(Variant*, const Dictionary*)> variant_new_dictionary{528};
-inline constexpr CoreFunction<void(Variant*, const PoolArray*)> variant_new_pool_int_array{531}, variant_new_pool_real_array{532},
-    variant_new_pool_vector3_array{535};
+inline constexpr CoreFunction<void(Variant*, const PoolArray*)> variant_new_pool_int_array{531},
+    variant_new_pool_real_array{532}, variant_new_pool_vector3_array{535};
 inline constexpr CoreFunction<bool(const Variant*)> variant_as_bool{537};
-inline constexpr CoreFunction<std::int64_t(const Variant*)> variant_as_int{539};
 inline constexpr CoreFunction<double(const Variant*)> variant_as_real{540};
 inline constexpr CoreFunction<String(const Variant*)> variant_as_string{541};
 inline constexpr CoreFunction<Vector3Bytes(const Variant*)> variant_as_vector3{544};
@@ -227,7 +227,8 @@ struct NativeScriptApi {
     void (*register_class)(void* library, const char* name, const char* base, CreateFunction, DestroyFunction);
     void (*register_tool_class)(void* library, const char* name, const char* base, CreateFunction, DestroyFunction);
     void (*register_method)(void* library, const char* type, const char* name, MethodAttributes, MethodFunction);
-    void (*register_property)(void* library, const char* type, const char* name, PropertyAttributes*, SetFunction, GetFunction);
+    void (*register_property)(void* library, const char* type, const char* name, PropertyAttributes*, SetFunction,
+                              GetFunction);
     void (*register_signal)(void* library, const char* type, const Signal*);
     void* (*get_userdata)(Object* instance);
 };

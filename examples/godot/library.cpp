@@ -79,11 +79,15 @@ Value query(OceanNode& node, const Variant& places) {
 const ScriptMethod script_methods[] = {
     {"_enter_tree", {}, "()", [](OceanNode& node, std::span<Variant* const>) { return node.enter_tree(), Value(); }},
     {"_exit_tree", {}, "()", [](OceanNode& node, std::span<Variant* const>) { return node.exit_tree(), Value(); }},
-    {"_process", {type_real}, "(delta)",
+    {"_process",
+     {type_real},
+     "(delta)",
      [](OceanNode& node, std::span<Variant* const> arguments) {
          return node.process(call(core::variant_as_real, arguments[0])), Value();
      }},
-    {"hash", {}, "()",
+    {"hash",
+     {},
+     "()",
      [](OceanNode& node, std::span<Variant* const>) {
          const auto hash = node.hash();
          if (!hash) return Value();
@@ -91,19 +95,27 @@ const ScriptMethod script_methods[] = {
          std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(*hash));
          return Value(text);
      }},
-    {"significant_wave_height", {}, "()",
+    {"significant_wave_height",
+     {},
+     "()",
      [](OceanNode& node, std::span<Variant* const>) {
          const auto height_m = node.significant_wave_height_m();
          return height_m ? Value(*height_m) : Value();
      }},
-    {"height_at", {type_vector3}, "(place)",
+    {"height_at",
+     {type_vector3},
+     "(place)",
      [](OceanNode& node, std::span<Variant* const> arguments) {
          const auto height_m = node.height_at(vector_of(*arguments[0]));
          return height_m ? Value(static_cast<double>(*height_m)) : Value();
      }},
-    {"query", {type_pool_vector3_array}, "(places)",
+    {"query",
+     {type_pool_vector3_array},
+     "(places)",
      [](OceanNode& node, std::span<Variant* const> arguments) { return query(node, *arguments[0]); }},
-    {"first_hit", {type_vector3, type_vector3, type_real}, "(origin, direction, reach_m)",
+    {"first_hit",
+     {type_vector3, type_vector3, type_real},
+     "(origin, direction, reach_m)",
      [](OceanNode& node, std::span<Variant* const> arguments) {
          return value_of(node.first_hit(vector_of(*arguments[0]), vector_of(*arguments[1]),
                                         call(core::variant_as_real, arguments[2])));
@@ -125,7 +137,8 @@ Variant call_method(Object*, void* data, void* instance, int count, Variant** ar
     const std::span<Variant* const> all(arguments, static_cast<std::size_t>(count));
     std::optional<Variant> answer;
     guarded(node, [&] {
-        if (!are_right(method, all)) return node.refuse(std::string(method.name) + " is called as " + method.name + method.usage);
+        if (!are_right(method, all))
+            return node.refuse(std::string(method.name) + " is called as " + method.name + method.usage);
         answer = method.call(node, all).handed_over();
     });
     return answer ? *answer : Value().handed_over();
@@ -158,6 +171,8 @@ void register_signals(void* library) {
 
 PELAGIC_GODOT_EXPORT void godot_gdnative_init(pelagic::godot::InitOptions* options) {
     using namespace pelagic::godot;
+    const ApiVersion have = options->api->table.version;
+    if (have.major != 1) return options->report_version_mismatch(options->library, "Core", {1, 0}, have);
     set_core_api(options->api);
     for (unsigned i = 0; i < options->api->extension_count; ++i)
         if (options->api->extensions[i]->type == nativescript_api)
@@ -168,9 +183,11 @@ PELAGIC_GODOT_EXPORT void godot_gdnative_terminate(void*) {}
 
 PELAGIC_GODOT_EXPORT void godot_nativescript_init(void* library) {
     using namespace pelagic::godot;
+    if (!nativescript) return;  // godot_gdnative_init() has said why
     const auto create = [](Object* self, void*) -> void* { return new OceanNode(self); };
     const auto destroy = [](Object*, void*, void* instance) { delete static_cast<OceanNode*>(instance); };
-    nativescript->register_class(library, class_name, "Spatial", {create, nullptr, nullptr}, {destroy, nullptr, nullptr});
+    nativescript->register_class(library, class_name, "Spatial", {create, nullptr, nullptr},
+                                 {destroy, nullptr, nullptr});
     for (const ScriptMethod& method : script_methods)
         nativescript->register_method(library, class_name, method.name, {0},
                                       {call_method, const_cast<ScriptMethod*>(&method), nullptr});

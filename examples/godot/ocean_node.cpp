@@ -17,7 +17,8 @@ constexpr std::int64_t after_scripts = 1000;
 /// The engine without a window has nothing to draw with, and says so for each texture.
 bool is_server() {
     // The class behind the name OS is called otherwise.
-    static const bool is = Method("_OS", "has_feature").on<bool>(call(core::global_get_singleton, "OS"), Text("Server").string());
+    static const bool is =
+        Method("_OS", "has_feature").on<bool>(call(core::global_get_singleton, "OS"), Text("Server").string());
     return is;
 }
 
@@ -110,8 +111,8 @@ void OceanNode::draw(const Frame& frame) {
     if (!material || is_server()) return;
     if (!drawing_) {
         const QuadtreePreset* preset = quadtree_preset_named(settings_.quality);
-        drawing_ = std::make_unique<SeaDrawing>(self_, get_rid.on<Rid>(material), preset->options(settings_.size_m),
-                                                frame);
+        drawing_ =
+            std::make_unique<SeaDrawing>(self_, get_rid.on<Rid>(material), preset->options(settings_.size_m), frame);
     }
     drawing_->draw(frame);
 }
@@ -177,8 +178,7 @@ std::unique_ptr<Table> OceanNode::query(std::span<const Vector3> places) {
 std::unique_ptr<Table> OceanNode::first_hit(const Vector3& origin, const Vector3& direction, double reach_m) {
     const Frame* asked = frame();
     if (!asked) return {};
-    const SurfaceRay ray{
-        {origin.x, origin.y, origin.z}, {direction.x, direction.y, direction.z}, reach_m};
+    const SurfaceRay ray{{origin.x, origin.y, origin.z}, {direction.x, direction.y, direction.z}, reach_m};
     auto answers = std::make_unique<Table>();
     if (const std::string reason = check(ray, *asked); !reason.empty()) {
         refuse(reason);

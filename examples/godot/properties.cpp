@@ -12,8 +12,9 @@ double number(const Variant& value) { return call(core::variant_as_real, &value)
 
 /// A number of the settings that takes what `accepts` says.
 Property number_property(std::string name, VariantType type, std::string range, PropertyHint hint,
-                         std::function<double(const OceanSettings&)> get, std::function<void(OceanSettings&, double)> set,
-                         std::function<bool(double)> accepts, std::string accepted) {
+                         std::function<double(const OceanSettings&)> get,
+                         std::function<void(OceanSettings&, double)> set, std::function<bool(double)> accepts,
+                         std::string accepted) {
     const auto value_of = [type, get](const OceanNode& node) {
         const double value = get(node.settings());
         return type == type_int ? Value(static_cast<std::int64_t>(value)) : Value(value);
@@ -29,18 +30,22 @@ Property number_property(std::string name, VariantType type, std::string range, 
 /// A field of the sea, with the range that the sea's own table has.
 Property sea_property(std::string_view name, std::string range, PropertyHint hint = hint_range) {
     const auto fields = sea_state_fields();
-    const auto field = std::find_if(fields.begin(), fields.end(), [&](const auto& each) { return each.name == name; });
+    const auto field =
+        std::find_if(fields.begin(), fields.end(), [&](const auto& each) { return each.name == name; });
     const bool is_whole = !std::holds_alternative<double SeaState::*>(field->member);
     return number_property(
         std::string(name), is_whole ? type_int : type_real, std::move(range), hint,
         [field](const OceanSettings& settings) { return field->value_in(settings.sea); },
         [field](OceanSettings& settings, double value) { field->set(settings.sea, value); },
-        [field, is_whole](double value) { return field->accepts(value) && (!is_whole || value == std::floor(value)); },
+        [field, is_whole](double value) {
+            return field->accepts(value) && (!is_whole || value == std::floor(value));
+        },
         std::string(field->accepted));
 }
 
-Property ranged(std::string name, VariantType type, double least, double most, std::string range, std::string accepted,
-                std::function<double(const OceanSettings&)> get, std::function<void(OceanSettings&, double)> set) {
+Property ranged(std::string name, VariantType type, double least, double most, std::string range,
+                std::string accepted, std::function<double(const OceanSettings&)> get,
+                std::function<void(OceanSettings&, double)> set) {
     return number_property(
         std::move(name), type, std::move(range), hint_range, std::move(get), std::move(set),
         [=](double value) {
@@ -50,7 +55,11 @@ Property ranged(std::string name, VariantType type, double least, double most, s
 }
 
 Property flag(std::string name, bool OceanSettings::*member) {
-    return {name, type_bool, hint_none, "", [member](const OceanNode& node) { return Value(node.settings().*member); },
+    return {name,
+            type_bool,
+            hint_none,
+            "",
+            [member](const OceanNode& node) { return Value(node.settings().*member); },
             [member](OceanNode& node, const Variant& value) {
                 const bool wanted = call(core::variant_as_bool, &value);
                 node.change([&](OceanSettings& settings) { settings.*member = wanted; });
@@ -61,7 +70,10 @@ Property flag(std::string name, bool OceanSettings::*member) {
 /// One of some names.
 Property choice(std::string name, std::string names, std::string OceanSettings::*member,
                 std::function<bool(std::string_view)> is_one) {
-    return {name, type_string, hint_enum, names,
+    return {name,
+            type_string,
+            hint_enum,
+            names,
             [member](const OceanNode& node) { return Value(std::string_view(node.settings().*member)); },
             [=](OceanNode& node, const Variant& value) {
                 const std::string wanted = Text(value).utf8();

@@ -191,8 +191,8 @@ void SeaDrawing::show(Batch& batch, bool is_visible) {
     if (count == 0) return;
     if (count > batch.room) {
         batch.room = std::max<std::size_t>(2 * count, 8);
-        multimesh_allocate.on(server_, batch.multimesh, static_cast<std::int64_t>(batch.room), transform_3d, color_float,
-                              custom_float);
+        multimesh_allocate.on(server_, batch.multimesh, static_cast<std::int64_t>(batch.room), transform_3d,
+                              color_float, custom_float);
     }
     batch.floats.resize(batch.room * floats_an_instance);  // the engine takes all or none
     const Pool<float> floats(batch.floats);
@@ -243,8 +243,8 @@ void SeaDrawing::set_uniforms(const Frame& frame, const QuadtreeGrid& grid, glm:
         set(("tile_place_" + number).c_str(),
             Value(floats(fraction(at.along / side + 0.5 / resolution), fraction(at.across / side + 0.5 / resolution),
                          tile.lattice.cosine / side, tile.lattice.sine / side)));
-        set(("tile_scale_" + number).c_str(),
-            Value(floats(1 / tile.texel_m(), tile.slope_ranges.slope, tile.slope_ranges.variance, tile.slope_variance)));
+        set(("tile_scale_" + number).c_str(), Value(floats(1 / tile.texel_m(), tile.slope_ranges.slope,
+                                                           tile.slope_ranges.variance, tile.slope_variance)));
     }
 }
 
@@ -269,8 +269,7 @@ void SeaDrawing::draw(const Frame& frame) {
                           weight(patch.edge_weights[west]), weight(patch.edge_weights[south])});
         }
     skirt_.floats.clear();
-    for (const SkirtInstance& piece : list.skirt)
-        add_instance(skirt_, piece.start, piece.level, piece.side, {}, {});
+    for (const SkirtInstance& piece : list.skirt) add_instance(skirt_, piece.start, piece.level, piece.side, {}, {});
     const bool is_visible = is_visible_in_tree.on<bool>(node_);
     for (Batch& batch : patches_) show(batch, is_visible);
     show(skirt_, is_visible);

@@ -33,7 +33,8 @@ class SeaDrawing {
     };
 
     Batch batch_of(std::span<const Vector3> vertices, std::span<const std::uint16_t> indices);
-    void add_instance(Batch& batch, float x, float y, float z, std::array<float, 4> colour, std::array<float, 4> custom);
+    void add_instance(Batch& batch, float x, float y, float z, std::array<float, 4> colour,
+                      std::array<float, 4> custom);
     void show(Batch& batch, bool is_visible);
     void upload(const Frame& frame);
     void set(const char* parameter, const Value& value);

@@ -96,8 +96,8 @@ for number, (case, picture) in enumerate(zip(cases, pictures)):
     else:
         # A mesh of 2 m lacks waves below some 6 m, a fifteenth of this sea's height.
         assert rms < 0.1 * deviation and max(near) < deviation, (rms, deviation, max(near))
-    print(f"case {number}: {len(seen)} pixels of water {deviation:.3f} m rms: {rms:.4f} m off rms, 99.9 % within {part([e for e, _ in errors], 0.999):.4f} m; "
-          f"nearer than 100 m {len(near)}: at most {max(near):.4f} m, half within {part(near, 0.5):.4f} m")
+    print(f"case {number}: {len(seen)} pixels of water, {deviation:.3f} m rms, are {rms:.4f} m off rms; {len(near)} nearer than 100 m "
+          f"at most {max(near):.4f} m, half of them within {part(near, 0.5):.4f} m")
 
 # The wall stands across the view, 40 m by 4 m, half of it below the water.
 case, alone, walled = cases[2], pictures[0], pictures[2]
