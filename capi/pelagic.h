@@ -42,7 +42,8 @@
  * pelagic_frame points to belongs to the ocean. Strings that are returned live as long as the library, but for the one of
  * pelagic_last_error().
  *
- * No allocation is made by schedule, poll, complete and queries after an ocean's first frame, unless its weather changes. What is as large as a frame
+ * No allocation is made by schedule, poll, complete and queries after an ocean's first frame, unless its weather changes or more
+ * is said of water that answers than ever before. What is as large as a frame
  * or a spectrum comes from pelagic_ocean_options.allocate, if that is there. */
 #ifndef PELAGIC_PELAGIC_H
 #define PELAGIC_PELAGIC_H

@@ -58,10 +58,11 @@ struct Ocean::State {
         }
         spectrum_run = prepare(*executor, spectrum_graph, options.trace, "sea", std::make_shared<std::uint64_t>());
         if (options.local)
-            local = std::make_unique<LocalFrames>(
-                checked(*options.local), isa, options.memory, [&](const JobGraph& graph) {
-                    return prepare(*executor, graph, options.trace, "local", std::make_shared<std::uint64_t>());
-                });
+            local =
+                std::make_unique<LocalFrames>(checked(*options.local), isa, options.memory,
+                                              [&, runs = std::make_shared<std::uint64_t>()](const JobGraph& graph) {
+                                                  return prepare(*executor, graph, options.trace, "local", runs);
+                                              });
     }
 
     static std::unique_ptr<GraphRun> prepare(Executor& on, const JobGraph& graph,
@@ -243,8 +244,9 @@ void Ocean::schedule(double time_s, std::span<const TextureTargets> tiles) {
 }
 
 bool Ocean::is_ready() const {
-    if (!state_->frame_in_flight || !state_->frame_runs_ahead || !state_->run_in_flight) return true;
-    return state_->run_in_flight->is_done() && (!state_->local || state_->local->is_done());
+    if (!state_->frame_in_flight) return true;
+    if (state_->local && state_->executor->runs_ahead() && !state_->local->is_done()) return false;
+    return !state_->frame_runs_ahead || !state_->run_in_flight || state_->run_in_flight->is_done();
 }
 
 const Frame& Ocean::complete() {

@@ -45,7 +45,7 @@ struct OceanOptions {
     /// ticks, as long as ten to twenty frames; 5 N^2 bytes a tile. Without it half floats hold only what breaks at that very moment.
     bool foam = false;
     /// Water that answers beside the waves of the wind (local_water.hpp): frames have a window of it, Frame::local, and queries tell the
-    /// sum. With 256 texels a tick takes about three quarters of a frame of one tile of 256, at 60 ticks a second; 22 N^2 bytes for
+    /// sum. With 256 texels a tick takes about three quarters of a frame of one tile of 256, at 60 ticks a second; 18 N^2 bytes for
     /// frames and 25 N^2 for ticks.
     std::optional<LocalWaterOptions> local = {};
     HostMemory memory = {};  ///< none: operator new. For frames and spectra, all but some 100 KB of an ocean

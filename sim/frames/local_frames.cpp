@@ -42,7 +42,6 @@ LocalFrames::LocalFrames(const LocalWaterOptions& options, Isa isa, const HostMe
         slot.lowest.resize(n);
         slot.highest.resize(n);
     }
-    said_.reserve(LocalGrid::most_disturbances);
     const auto add_show_stage = [&](JobGraph& graph, std::vector<StageId> waits_for) {
         graph.add({.name = "local show",
                    .count = n / LocalGrid::rows_an_item,

@@ -87,8 +87,6 @@ LocalGrid::LocalGrid(const LocalWaterOptions& options, Isa isa, const HostMemory
     }
     first_ = {window_.first_around(0), window_.first_around(0)};
     lay_border();
-    waiting_.reserve(most_disturbances);
-    splashes_.reserve(most_disturbances);
 }
 
 std::size_t LocalGrid::block_stride() const { return 2 * kernels_.lanes * n() + block_margin; }
