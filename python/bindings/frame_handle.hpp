@@ -1,0 +1,37 @@
+// A frame as Python holds it, and a tile of one.
+#pragma once
+
+#include <pybind11/numpy.h>
+
+#include <cstdint>
+#include <memory>
+
+#include "pelagic/python/bindings/shared_ocean.hpp"
+
+namespace pelagic::python {
+
+struct FrameHandle {
+    std::shared_ptr<SharedOcean> ocean;
+    std::uint64_t number;
+    Frame frame;  ///< its spans and their tiles belong to the ocean: only with a Reader or a View
+
+    std::unique_ptr<SharedOcean::Reader> read() const {
+        return std::make_unique<SharedOcean::Reader>(ocean, number);
+    }
+};
+
+struct TileHandle {
+    std::shared_ptr<FrameHandle> of;
+    std::size_t index;
+
+    /// \pre a Reader or a View lives
+    const Tile& tile() const { return of->frame.tiles[index]; }
+};
+
+/// The classes Frame, Tile and Bounds; query, rays and displaced are added by add_questions().
+void add_frame_classes(pybind11::module_& module);
+
+using FrameClass = pybind11::class_<FrameHandle, std::shared_ptr<FrameHandle>>;
+void add_questions(FrameClass& frame);
+
+}  // namespace pelagic::python

@@ -1,0 +1,117 @@
+// The module pelagic._pelagic: the C++ interface for Python. What its names mean stands in pelagic/_pelagic.pyi and pelagic/__init__.py.
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <string>
+
+#include "pelagic/message/refusal.hpp"
+#include "pelagic/python/bindings/frame_handle.hpp"
+#include "pelagic/python/bindings/sea_fields.hpp"
+
+namespace py = pybind11;
+
+namespace pelagic::python {
+namespace {
+
+using FramePointer = std::shared_ptr<FrameHandle>;
+using OceanPointer = std::shared_ptr<SharedOcean>;
+
+FramePointer python_frame_of(const OceanPointer& ocean, NumberedFrame made) {
+    return std::make_shared<FrameHandle>(FrameHandle{ocean, made.number, made.frame});
+}
+
+OceanPointer make_ocean(py::handle sea, bool queries, bool velocities, bool foam, bool gradients, bool slopes, int threads,
+                        const std::optional<std::string>& isa) {
+    const SeaState state = sea_state_of(sea);
+    OceanOptions options{.queries = queries, .velocities = velocities, .gradients = gradients, .slopes = slopes, .foam = foam};
+    if (isa) {
+        options.isa = isa_named(*isa);
+        if (!options.isa) throw std::invalid_argument(refusal("isa", *isa, "sse4.2, avx2, avx512 or neon"));
+    }
+    const py::gil_scoped_release others_run;
+    options.executor = make_default_executor(threads);
+    return std::make_shared<SharedOcean>(state, options);
+}
+
+/// Calls the ocean's method while other threads run.
+template <class Result, class... Arguments>
+auto freely(Result (SharedOcean::*method)(Arguments...)) {
+    return [method](SharedOcean& ocean, Arguments... arguments) {
+        const py::gil_scoped_release others_run;
+        return (ocean.*method)(arguments...);
+    };
+}
+
+template <class... Arguments>
+auto freely_made(NumberedFrame (SharedOcean::*method)(Arguments...)) {
+    return [method](const OceanPointer& ocean, Arguments... arguments) {
+        const py::gil_scoped_release others_run;
+        return python_frame_of(ocean, (*ocean.*method)(arguments...));
+    };
+}
+
+template <class Value>
+auto fact(Value (*get)(const SharedOcean::Facts&)) {
+    return [get](SharedOcean& ocean) {
+        const auto facts = [&] {
+            const py::gil_scoped_release others_run;
+            return ocean.facts();
+        }();
+        return get(facts);
+    };
+}
+
+void add_ocean_class(py::module_& module) {
+    py::class_<SharedOcean, OceanPointer>(module, "Ocean")
+        .def(py::init(&make_ocean), py::arg("sea"), py::arg("queries") = true, py::arg("velocities") = false,
+             py::arg("foam") = false, py::arg("gradients") = false, py::arg("slopes") = false, py::arg("threads") = 0,
+             py::arg("isa") = py::none())
+        .def("__enter__",
+             [](const OceanPointer& ocean) {
+                 if (ocean->is_closed()) throw std::invalid_argument("the ocean is closed, needs one that is open");
+                 return ocean;
+             })
+        .def("__exit__", [](SharedOcean& ocean, const py::args&) { freely(&SharedOcean::close)(ocean); })
+        .def("close", freely(&SharedOcean::close))
+        .def_property_readonly("is_closed", &SharedOcean::is_closed)
+        .def("schedule", freely(&SharedOcean::schedule), py::arg("time_s"))
+        .def("is_ready", freely(&SharedOcean::is_ready))
+        .def("complete", freely_made(&SharedOcean::complete))
+        .def("frame_at", freely_made(&SharedOcean::frame_at), py::arg("time_s"))
+        .def("schedule_sea",
+             [](SharedOcean& ocean, py::handle sea, double from_s, double over_s, double swell_from_m) {
+                 freely(&SharedOcean::schedule_sea)(
+                     ocean, {.sea = sea_state_of(sea), .from_s = from_s, .over_s = over_s, .swell_from_m = swell_from_m});
+             },
+             py::arg("sea"), py::arg("from_s"), py::arg("over_s"), py::arg("swell_from_m") = 0.0)
+        .def_property_readonly("sea", fact(+[](const SharedOcean::Facts& of) { return python_sea_of(of.sea); }))
+        .def_property_readonly("resolution", fact(+[](const SharedOcean::Facts& of) { return of.resolution; }))
+        .def_property_readonly("tile_count", fact(+[](const SharedOcean::Facts& of) { return of.tile_count; }))
+        .def_property_readonly("threads", fact(+[](const SharedOcean::Facts& of) { return of.threads; }))
+        .def_property_readonly("memory_bytes", fact(+[](const SharedOcean::Facts& of) { return of.memory_bytes; }))
+        .def_property_readonly("isa", fact(+[](const SharedOcean::Facts& of) { return std::string(name_of(of.isa)); }));
+}
+
+}  // namespace
+}  // namespace pelagic::python
+
+PYBIND11_MODULE(_pelagic, module) {
+    using namespace pelagic::python;
+    module.attr("version") = PELAGIC_VERSION;
+    py::register_exception<StaleFrame>(module, "StaleFrame", PyExc_RuntimeError);
+    py::register_exception_translator([](std::exception_ptr thrown) {
+        try {
+            std::rethrow_exception(thrown);
+        } catch (const MemoryInUse& in_use) {
+            PyErr_SetString(PyExc_BufferError, in_use.what());
+        }
+    });
+    module.def("isas_here", [] {
+        std::vector<std::string> names;
+        for (const pelagic::Isa isa : pelagic::isas_here()) names.emplace_back(name_of(isa));
+        return names;
+    });
+    add_sea_functions(module);
+    add_frame_classes(module);
+    add_ocean_class(module);
+}

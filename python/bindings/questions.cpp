@@ -1,0 +1,249 @@
+// What a frame is asked about points and rays. Points have shape (..., 2), answers (...) or (..., 3).
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "pelagic/message/near_names.hpp"
+#include "pelagic/message/refusal.hpp"
+#include "pelagic/python/bindings/frame_handle.hpp"
+#include "pelagic/sim/surface/tile_sum.hpp"
+#include "pelagic/sim/surface_ray.hpp"
+
+namespace py = pybind11;
+
+namespace pelagic::python {
+namespace {
+
+using Shape = std::vector<py::ssize_t>;
+using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+Shape shape_of(const py::array& array) { return {array.shape(), array.shape() + array.ndim()}; }
+
+Shape with(Shape shape, py::ssize_t last) {
+    shape.push_back(last);
+    return shape;
+}
+
+std::string text_of(const Shape& shape) {
+    std::string text = "(";
+    for (std::size_t i = 0; i < shape.size(); ++i) text += (i == 0 ? "" : ", ") + number_text(shape[i]);
+    return text + (shape.size() == 1 ? ",)" : ")");
+}
+
+Doubles doubles_of(py::handle given, const char* name) {
+    Doubles array = Doubles::ensure(given);
+    if (array) return array;
+    PyErr_Clear();
+    throw std::invalid_argument(std::string(name) + " can't be made an array of numbers");
+}
+
+/// The same, each element so many numbers.
+Doubles rows_of(py::handle given, const char* name, py::ssize_t numbers, const char* meaning) {
+    Doubles array = doubles_of(given, name);
+    if (array.ndim() == 0 || array.shape(array.ndim() - 1) != numbers)
+        throw std::invalid_argument(refusal(std::string(name) + ".shape", text_of(shape_of(array)),
+                                            "(..., " + number_text(numbers) + "): " + meaning));
+    return array;
+}
+
+/// Arrays of one shape, by NumPy's rules.
+std::vector<Doubles> broadcast(const std::vector<Doubles>& arrays) {
+    const py::list same = py::module_::import("numpy").attr("broadcast_arrays")(*py::tuple(py::cast(arrays)));
+    std::vector<Doubles> out;
+    for (const py::handle array : same) out.push_back(Doubles::ensure(array));
+    return out;
+}
+
+/// Where to ask, x and z apart.
+struct Places {
+    Shape shape;  ///< of what has a number a point
+    std::vector<double> x, z;
+
+    explicit Places(const Doubles& points) : shape(shape_of(points)) {
+        shape.pop_back();
+        const auto count = static_cast<std::size_t>(points.size()) / 2;
+        x.resize(count);
+        z.resize(count);
+        const double* from = points.data();
+        for (std::size_t i = 0; i < count; ++i, from += 2) {
+            x[i] = from[0];
+            z[i] = from[1];
+        }
+    }
+    Places(const Doubles& xs, const Doubles& zs)
+        : shape(shape_of(xs)), x(xs.data(), xs.data() + xs.size()), z(zs.data(), zs.data() + zs.size()) {}
+};
+
+Places places_of(py::handle points_or_x, py::handle z) {
+    if (z.is_none()) return Places(rows_of(points_or_x, "points", 2, "x and z of each point"));
+    const auto both = broadcast({doubles_of(points_or_x, "x"), doubles_of(z, "z")});
+    return {both[0], both[1]};
+}
+
+/// Three separate rows of numbers as an array of vectors.
+struct Vectors {
+    std::vector<float> x, y, z;
+
+    explicit Vectors(std::size_t count) : x(count), y(count), z(count) {}
+    void write(float* out) const {
+        for (std::size_t i = 0; i < x.size(); ++i) {
+            *out++ = x[i];
+            *out++ = y[i];
+            *out++ = z[i];
+        }
+    }
+};
+
+constexpr double least_tolerance_m = 1e-6, most_tolerance_m = 1000;  // as the C interface has it
+
+/// Which answers are wanted.
+class Fields {
+   public:
+    explicit Fields(py::handle asked) : all_(asked.is_none()) {
+        if (all_) return;
+        if (py::isinstance<py::str>(asked) || !py::isinstance<py::iterable>(asked))
+            throw py::type_error(refusal("fields", std::string(py::repr(asked)), "a list of names"));
+        for (const py::handle name : asked) {
+            const std::string text = py::str(name);
+            if (std::find(known_.begin(), known_.end(), text) == known_.end())
+                throw std::invalid_argument(refusal("fields", text, list_of(known_)));
+            wanted_.insert(text);
+        }
+    }
+    bool has(const char* name, bool by_default = true) const { return all_ ? by_default : wanted_.contains(name); }
+
+   private:
+    const std::vector<std::string> known_ = {"height", "normal", "jacobian", "velocity", "foam", "converged", "error"};
+    bool all_;
+    std::set<std::string> wanted_;
+};
+
+py::dict query(const FrameHandle& handle, py::handle points, py::handle z, py::handle asked, double tolerance_m) {
+    const auto reader = handle.read();
+    if (!(tolerance_m >= least_tolerance_m && tolerance_m <= most_tolerance_m))
+        throw std::invalid_argument(refusal("tolerance_m", tolerance_m, "[1e-6, 1000]"));
+    const SurfaceQuery surface(handle.frame, tolerance_m);
+    const Places places = places_of(points, z);
+
+    const Fields fields(asked);
+
+    const std::size_t count = places.x.size();
+    py::dict answers;
+    SurfaceSamples samples;
+    const auto add = [&]<class Number>(const char* name, std::span<Number>& span) {
+        if (!fields.has(name)) return;
+        py::array_t<Number> array(places.shape);
+        span = {array.mutable_data(), count};
+        answers[name] = std::move(array);
+    };
+    std::vector<std::pair<Vectors, float*>> vectors;
+    vectors.reserve(2);
+    const auto add_vectors = [&](const char* name, std::span<float>& x, std::span<float>& y, std::span<float>& across) {
+        py::array_t<float> array(with(places.shape, 3));
+        Vectors& parts = vectors.emplace_back(Vectors(count), array.mutable_data()).first;
+        x = parts.x;
+        y = parts.y;
+        across = parts.z;
+        answers[name] = std::move(array);
+    };
+    add("height", samples.height_m);
+    if (fields.has("normal")) add_vectors("normal", samples.normal_x, samples.normal_y, samples.normal_z);
+    add("jacobian", samples.jacobian);
+    if (fields.has("velocity", surface.has_velocities()))
+        add_vectors("velocity", samples.velocity_x_mps, samples.velocity_y_mps, samples.velocity_z_mps);
+    if (fields.has("foam", surface.has_foam())) add("foam", samples.foam);
+    if (fields.has("converged")) {
+        py::array_t<bool> array(places.shape);
+        samples.converged = {reinterpret_cast<std::uint8_t*>(array.mutable_data()), count};
+        answers["converged"] = std::move(array);
+    }
+    add("error", samples.error_m);
+    surface.check(samples);  // before other threads run
+    {
+        const py::gil_scoped_release others_run;
+        handle.ocean->sample(surface, {places.x, places.z}, samples);
+        for (const auto& [parts, out] : vectors) parts.write(out);
+    }
+    return answers;
+}
+
+py::dict rays(const FrameHandle& handle, py::handle origins, py::handle directions, py::handle reach, double tolerance_m) {
+    const auto reader = handle.read();
+    if (!(tolerance_m >= least_tolerance_m && tolerance_m <= most_tolerance_m))
+        throw std::invalid_argument(refusal("tolerance_m", tolerance_m, "[1e-6, 1000]"));
+    const SurfaceQuery surface(handle.frame, tolerance_m);
+    const py::object extended = doubles_of(reach, "reach").attr("__getitem__")(
+        py::make_tuple(py::ellipsis(), py::none()));  // a reach for each of x, y and z
+    const auto same = broadcast({rows_of(origins, "origins", 3, "x, y and z of each ray"),
+                                 rows_of(directions, "directions", 3, "x, y and z of each ray"),
+                                 doubles_of(extended, "reach")});
+    Shape shape = shape_of(same[0]);
+    shape.pop_back();
+    const auto count = static_cast<std::size_t>(same[0].size()) / 3;
+    const double *origin = same[0].data(), *direction = same[1].data(), *reaches = same[2].data();
+
+    py::array_t<bool> hit(shape), from_below(shape);
+    py::array_t<double> distance(shape), position(with(shape, 3));
+    py::array_t<float> normal(with(shape, 3));
+    bool *const hits = hit.mutable_data(), *const belows = from_below.mutable_data();
+    double *const distances = distance.mutable_data(), *const positions = position.mutable_data();
+    float* const normals = normal.mutable_data();
+    {
+        const py::gil_scoped_release others_run;
+        for (std::size_t i = 0; i < count; ++i) {
+            const double *o = origin + 3 * i, *d = direction + 3 * i;
+            const SurfaceRay ray{{o[0], o[1], o[2]}, {d[0], d[1], d[2]}, reaches[3 * i]};
+            if (const std::string reason = check(ray, handle.frame); !reason.empty())
+                throw std::invalid_argument("ray " + number_text(i) + ": " + reason);
+            const std::optional<SurfaceHit> found = first_hit(surface, ray);
+            hits[i] = found.has_value();
+            belows[i] = found && found->from_below;
+            distances[i] = found ? found->distance_m : std::numeric_limits<double>::infinity();
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                positions[3 * i + axis] = found ? found->position_m[axis] : std::numeric_limits<double>::quiet_NaN();
+                normals[3 * i + axis] = found ? found->normal[axis] : std::numeric_limits<float>::quiet_NaN();
+            }
+        }
+    }
+    py::dict answers;
+    answers["hit"] = hit;
+    answers["distance"] = distance;
+    answers["position"] = position;
+    answers["normal"] = normal;
+    answers["from_below"] = from_below;
+    return answers;
+}
+
+py::array_t<float> displaced(const FrameHandle& handle, py::handle points, py::handle z) {
+    const auto reader = handle.read();
+    const Places places = places_of(points, z);
+    py::array_t<float> array(with(places.shape, 3));
+    float* out = array.mutable_data();
+    const py::gil_scoped_release others_run;
+    for (std::size_t i = 0; i < places.x.size(); ++i) {
+        const Displacement d = displacement_of(handle.frame, places.x[i], places.z[i]);
+        *out++ = static_cast<float>(places.x[i] + d.dx);
+        *out++ = static_cast<float>(d.height);
+        *out++ = static_cast<float>(places.z[i] + d.dz);
+    }
+    return array;
+}
+
+}  // namespace
+
+void add_questions(FrameClass& frame) {
+    frame
+        .def("query", &query, py::arg("points"), py::arg("z") = py::none(), py::kw_only(), py::arg("fields") = py::none(),
+             py::arg("tolerance_m") = SurfaceQuery::default_tolerance_m)
+        .def("rays", &rays, py::arg("origins"), py::arg("directions"), py::arg("reach"), py::kw_only(),
+             py::arg("tolerance_m") = SurfaceQuery::default_tolerance_m)
+        .def("displaced", &displaced, py::arg("points"), py::arg("z") = py::none());
+}
+
+}  // namespace pelagic::python

@@ -1,0 +1,145 @@
+#include "pelagic/python/bindings/sea_fields.hpp"
+
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+
+#include <string>
+#include <vector>
+
+#include "pelagic/message/near_names.hpp"
+#include "pelagic/message/refusal.hpp"
+#include "pelagic/sim/statistics.hpp"
+
+namespace py = pybind11;
+
+namespace pelagic::python {
+namespace {
+
+template <class Names>
+std::vector<std::string> names_of(const Names& all) {
+    std::vector<std::string> names;
+    for (const auto one : all) names.emplace_back(name_of(one));
+    return names;
+}
+
+/// The option that a name stands for.
+template <class Value, class Named, class All>
+Value named_in(py::handle sea, const char* field, Named named, const All& all) {
+    const py::object value = sea.attr(field);
+    if (!py::isinstance<py::str>(value))
+        throw py::type_error(refusal(field, std::string(py::repr(value)), "a name: " + list_of(names_of(all))));
+    const auto name = value.cast<std::string>();
+    if (const std::optional<Value> found = named(name)) return *found;
+    const std::vector<std::string> names = names_of(all);
+    throw std::invalid_argument(refusal(field, name, list_of(names)) + nearest_hint(name, names));
+}
+
+double number_in(py::handle sea, const SeaStateField& field) {
+    const std::string name(field.name);
+    const py::object value = sea.attr(name.c_str());
+    const bool is_whole = !std::holds_alternative<double SeaState::*>(field.member) &&
+                          !std::holds_alternative<float SeaState::*>(field.member);
+    // Whatever Python itself takes for a number, NumPy's too; a bool is one only to Python.
+    PyObject* const converted = py::isinstance<py::bool_>(value) ? nullptr
+                                : is_whole                        ? PyNumber_Index(value.ptr())
+                                : py::isinstance<py::str>(value)  ? nullptr
+                                                                  : PyNumber_Float(value.ptr());
+    if (!converted) {
+        PyErr_Clear();
+        throw py::type_error(
+            refusal(name, std::string(py::repr(value)), is_whole ? "a whole number" : "a number"));
+    }
+    const double number = PyFloat_AsDouble(py::reinterpret_steal<py::object>(converted).ptr());
+    if (PyErr_Occurred()) {  // a whole number beyond all doubles
+        PyErr_Clear();
+        throw std::invalid_argument(refusal(name, std::string(py::str(value)), field.accepted));
+    }
+    if (!field.accepts(number)) throw std::invalid_argument(refusal(name, number, field.accepted));
+    return number;
+}
+
+void check_sea(py::handle sea) {
+    if (const std::string reason = check(sea_state_of(sea)); !reason.empty()) throw std::invalid_argument(reason);
+}
+
+SeaState checked_sea(py::handle sea) {
+    check_sea(sea);
+    return sea_state_of(sea);
+}
+
+/// name, default and range of each number, as the table has them.
+py::list sea_fields() {
+    py::list fields;
+    for (const SeaStateField& field : sea_state_fields())
+        fields.append(py::make_tuple(field.name, field.value_in(SeaState{}), field.accepted));
+    return fields;
+}
+
+py::list preset_list() {
+    py::list presets;
+    for (const SeaPreset& preset : sea_presets())
+        presets.append(py::make_tuple(preset.name, preset.summary, python_sea_of(preset.sea)));
+    return presets;
+}
+
+py::dict report(py::handle sea) {
+    const SeaReport found = report_on(checked_sea(sea));
+    py::dict out;
+    out["significant_wave_height_m"] = found.expected.significant_wave_height_m;
+    out["model_significant_wave_height_m"] = found.expected.model_significant_wave_height_m;
+    out["peak_period_s"] = found.expected.peak_period_s;
+    out["peak_wavelength_m"] = found.expected.peak_wavelength_m;
+    out["drawn_significant_wave_height_m"] = found.drawn_significant_wave_height_m;
+    out["drawn_peak_period_s"] = found.drawn_peak_period_s;
+    out["warnings"] = found.warnings;
+    return out;
+}
+
+using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+py::array_t<double> densities(py::handle sea, const Doubles& at, const char* name,
+                              std::vector<double> (*model)(const SeaState&, std::span<const double>)) {
+    const std::span<const double> places(at.data(), static_cast<std::size_t>(at.size()));
+    for (const double place : places)
+        if (!(place > 0 && place < 1e9)) throw std::invalid_argument(refusal(name, place, "(0, 1e9)"));
+    const std::vector<double> found = model(checked_sea(sea), places);
+    return py::array_t<double>(std::vector<py::ssize_t>(at.shape(), at.shape() + at.ndim()), found.data());
+}
+
+}  // namespace
+
+SeaState sea_state_of(py::handle sea) {
+    SeaState state;
+    state.waves = named_in<WaveModel>(sea, "waves", wave_model_named, wave_models());
+    state.spectrum = named_in<SpectrumModel>(sea, "spectrum", spectrum_model_named, spectrum_models());
+    state.spreading = named_in<SpreadingModel>(sea, "spreading", spreading_model_named, spreading_models());
+    for (const SeaStateField& field : sea_state_fields()) field.set(state, number_in(sea, field));
+    return state;
+}
+
+py::object python_sea_of(const SeaState& sea) {
+    py::dict fields;
+    fields["waves"] = name_of(sea.waves);
+    fields["spectrum"] = name_of(sea.spectrum);
+    fields["spreading"] = name_of(sea.spreading);
+    for (const SeaStateField& field : sea_state_fields())
+        std::visit([&](auto member) { fields[py::str(std::string(field.name))] = sea.*member; }, field.member);
+    return py::module_::import("pelagic._sea").attr("Sea")(**fields);
+}
+
+void add_sea_functions(py::module_& module) {
+    module.def("check_sea", &check_sea, py::arg("sea"));
+    module.def("sea_fields", &sea_fields);
+    module.def("preset_list", &preset_list);
+    module.def("report", &report, py::arg("sea"));
+    module.def(
+        "model_by_frequency",
+        [](py::handle sea, const Doubles& at) { return densities(sea, at, "frequencies_hz", &model_by_frequency); },
+        py::arg("sea"), py::arg("frequencies_hz"));
+    module.def(
+        "model_by_wave_number",
+        [](py::handle sea, const Doubles& at) { return densities(sea, at, "wave_numbers", &model_by_wave_number); },
+        py::arg("sea"), py::arg("wave_numbers"));
+}
+
+}  // namespace pelagic::python

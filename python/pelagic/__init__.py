@@ -1,0 +1,36 @@
+"""An open sea on CPU jobs and SIMD, the same bits everywhere.
+
+    import pelagic
+
+    with pelagic.Ocean(pelagic.preset("rough")) as ocean:
+        frame = ocean.frame_at(12.5)
+        answers = frame.query([[3.0, 4.0], [100.0, -20.0]])
+        print(answers["height"], hex(frame.hash))
+
+Conventions: SI units, named in each field; right-handed, +y up, rest level y = 0; angles in radians; time in seconds.
+"""
+
+from types import MappingProxyType
+from typing import Mapping
+
+from ._pelagic import Bounds, Frame, Ocean, StaleFrame, Tile, isas_here, preset_list, version as __version__
+from ._sea import Report, Sea
+
+__all__ = [
+    "Bounds", "Frame", "Ocean", "Report", "Sea", "StaleFrame", "Tile",
+    "isas_here", "preset", "preset_summaries", "presets",
+]
+
+#: Named seas, mildest first, and then the open sea of each force of wind, "beaufort-0" to "beaufort-12".
+presets: Mapping[str, Sea] = MappingProxyType({name: sea for name, _, sea in preset_list()})
+
+#: A line about each of them.
+preset_summaries: Mapping[str, str] = MappingProxyType({name: summary for name, summary, _ in preset_list()})
+
+
+def preset(name: str) -> Sea:
+    """The sea of that name, which is one of `presets`."""
+    try:
+        return presets[name]
+    except KeyError:
+        raise ValueError(f"preset is {name}, needs {', '.join(list(presets)[:-1])} or {list(presets)[-1]}") from None

@@ -1,0 +1,226 @@
+"""What the module of C++ has. Arrays are NumPy's; points are (..., 2), x and z in metres, and may also be given as x and z apart."""
+
+from types import TracebackType
+from typing import Any, Dict, Iterable, List, Literal, Optional, Tuple, Type, TypedDict
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ._sea import Sea
+
+version: str
+
+Field = Literal["height", "normal", "jacobian", "velocity", "foam", "converged", "error"]
+
+class StaleFrame(RuntimeError):
+    """The frame's memory holds a later one."""
+
+class Answers(TypedDict, total=False):
+    """What a query tells of each point."""
+
+    height: NDArray[np.float32]  #: metres
+    normal: NDArray[np.float32]  #: (..., 3), of length 1
+    jacobian: NDArray[np.float32]  #: 1 at rest, small at sharp crests, negative where the sheet is turned over
+    velocity: NDArray[np.float32]  #: (..., 3), m/s, of the water that is there; with Ocean(velocities=True)
+    foam: NDArray[np.float32]  #: 0 to 1; with Ocean(foam=True)
+    converged: NDArray[np.bool_]  #: the error is within the tolerance
+    error: NDArray[np.float32]  #: how far sideways from the point the sampled one is, metres
+
+class Hits(TypedDict):
+    """Where each ray meets the water first."""
+
+    hit: NDArray[np.bool_]
+    distance: NDArray[np.float64]  #: inf without a hit
+    position: NDArray[np.float64]  #: (..., 3), nan without a hit
+    normal: NDArray[np.float32]  #: (..., 3), of the surface, whichever side is hit
+    from_below: NDArray[np.bool_]
+
+class Bounds:
+    """Extremes of displacements, metres."""
+
+    @property
+    def height_min_m(self) -> float: ...
+    @property
+    def height_max_m(self) -> float: ...
+    @property
+    def sideways_x_max_m(self) -> float: ...
+    @property
+    def sideways_z_max_m(self) -> float: ...
+
+class Tile:
+    """One square of waves of a frame, which repeats over the whole sea; displacements of a frame's tiles add.
+
+    Element [j, i] rests at x = (c i - s j) L/N, z = (s i + c j) L/N, c and s being `turn`, L `patch_size_m` and N `resolution`. What
+    is called a view is read-only memory of the ocean's; the others are copies, yours to write.
+    """
+
+    @property
+    def displacement(self) -> NDArray[np.float16]:
+        """(N, N, 4), a view: Dx, height, Dz in metres, and foam from 0 to 1."""
+    @property
+    def height(self) -> NDArray[np.float32]:
+        """(N, N), a copy, metres."""
+    @property
+    def dx(self) -> NDArray[np.float32]:
+        """(N, N), a copy: how far sideways the point is drawn from where it rests, metres."""
+    @property
+    def dz(self) -> NDArray[np.float32]: ...
+    @property
+    def velocity_x(self) -> NDArray[np.float32]:
+        """(N, N), a copy: the derivative of dx in time, m/s. With Ocean(velocities=True)."""
+    @property
+    def velocity_y(self) -> NDArray[np.float32]: ...
+    @property
+    def velocity_z(self) -> NDArray[np.float32]: ...
+    @property
+    def gradient(self) -> NDArray[np.uint8]:
+        """(N, N, 4), a view: normal x, normal z, Jacobian, smoothness, of the tile alone. Of a frame of one tile, or with
+        Ocean(gradients=True)."""
+    def gradient_level(self, level: int) -> NDArray[np.uint8]:
+        """The same of a mip level, 0 to levels - 1."""
+    @property
+    def slopes(self) -> NDArray[np.uint8]:
+        """(N, N, 4), a view: slopes that add to other tiles'. Of a frame of several tiles, or with Ocean(slopes=True)."""
+    def slopes_level(self, level: int) -> NDArray[np.uint8]: ...
+    @property
+    def moments(self) -> NDArray[np.uint8]:
+        """(N, N, 4), a view: how much slopes vary within a texel. As slopes."""
+    def moments_level(self, level: int) -> NDArray[np.uint8]: ...
+    @property
+    def foam(self) -> NDArray[np.uint8]:
+        """(N, N), a view: 0 none to 255 covered. With Ocean(foam=True)."""
+    def foam_level(self, level: int) -> NDArray[np.uint8]: ...
+    @property
+    def resolution(self) -> int: ...
+    @property
+    def levels(self) -> int:
+        """Mip levels of gradient, slopes, moments and foam."""
+    @property
+    def patch_size_m(self) -> float: ...
+    @property
+    def turn(self) -> Tuple[float, float]:
+        """Cosine and sine of the turn of its axes against the world's, from +x towards +z."""
+    @property
+    def slope_range(self) -> float: ...
+    @property
+    def variance_range(self) -> float: ...
+    @property
+    def bounds(self) -> Bounds: ...
+
+class Frame:
+    """The sea at a moment. It lasts until the second schedule() or frame_at() after its own, and then raises StaleFrame; time_s,
+    sea, bounds and significant_wave_height_m stay. Any number of threads may ask it at once.
+    """
+
+    @property
+    def displacement(self) -> NDArray[np.float16]:
+        """(N, N, 4), a view, of the first tile, the one with the longest waves."""
+    @property
+    def height(self) -> NDArray[np.float32]:
+        """(N, N), a copy, of the first tile: of a frame of several the others' heights are not in it, query() has them all."""
+    @property
+    def tiles(self) -> List[Tile]:
+        """The coarsest first."""
+    @property
+    def time_s(self) -> float: ...
+    @property
+    def bounds(self) -> Bounds:
+        """Of one tile exact, of several upper bounds."""
+    @property
+    def sea(self) -> Sea: ...
+    @property
+    def significant_wave_height_m(self) -> float:
+        """Of the waves that the tiles hold, the mean over all seeds."""
+    @property
+    def is_alive(self) -> bool:
+        """It would not raise StaleFrame, nor is its ocean closed."""
+    @property
+    def hash(self) -> int:
+        """XXH3 of all of its bits, which the command line prints in hexadecimal digits."""
+    @property
+    def foam_hash(self) -> int:
+        """The same of foam. With Ocean(foam=True)."""
+    def measured_significant_wave_height_m(self) -> float:
+        """4 times the standard deviation of the frame's heights."""
+    def query(
+        self, points: ArrayLike, z: Optional[ArrayLike] = None, *, fields: Optional[Iterable[Field]] = None, tolerance_m: float = 0.001
+    ) -> Answers:
+        """What the water is like at points of the world: query(points) or query(x, z).
+
+        The surface is what is drawn: at crests water stands where it was moved to. `fields` names what is wanted, by default all
+        that the ocean was made with. The bits depend on the frame, the point and the tolerance alone.
+        """
+    def rays(self, origins: ArrayLike, directions: ArrayLike, reach: ArrayLike, *, tolerance_m: float = 0.001) -> Hits:
+        """Where rays meet the water. Origins and directions are (..., 3), reach is in metres, a number or one a ray."""
+    def displaced(self, points: ArrayLike, z: Optional[ArrayLike] = None) -> NDArray[np.float32]:
+        """(..., 3): where water that rests at the points is drawn, for meshes."""
+
+class Ocean:
+    """A sea that computes frames. Use it in a `with` statement, or close() it.
+
+    It has the memory of two frames. While an array views a frame, the second schedule() or frame_at() after that frame's raises
+    BufferError instead of writing over it. Close gives the memory back, or the last view after that.
+    """
+
+    def __init__(
+        self,
+        sea: Sea,
+        queries: bool = True,
+        velocities: bool = False,
+        foam: bool = False,
+        gradients: bool = False,
+        slopes: bool = False,
+        threads: int = 0,
+        isa: Optional[str] = None,
+    ) -> None:
+        """
+        queries     frames can be asked by query() and rays()
+        velocities  frames have velocities; about twice the work
+        foam        frames remember foam, which lasts for 2.9 seconds
+        gradients   tiles of several have normals of their own; one tile always has
+        slopes      a frame of one tile has slopes; those of several always have
+        threads     at work on a frame, the calling one included; 0: one per core
+        isa         "sse4.2", "avx2", "avx512" or "neon"; None: PELAGIC_ISA, else the strongest. All have the same bits
+        """
+    def __enter__(self) -> Ocean: ...
+    def __exit__(
+        self, kind: Optional[Type[BaseException]], error: Optional[BaseException], trace: Optional[TracebackType]
+    ) -> None: ...
+    def close(self) -> None: ...
+    @property
+    def is_closed(self) -> bool: ...
+    def schedule(self, time_s: float) -> None:
+        """Starts the frame of that time and returns at once."""
+    def is_ready(self) -> bool:
+        """complete() would not wait for other threads."""
+    def complete(self) -> Frame:
+        """Waits for the scheduled frame, helping."""
+    def frame_at(self, time_s: float) -> Frame:
+        """schedule() and complete() in one."""
+    def schedule_sea(self, sea: Sea, from_s: float, over_s: float, swell_from_m: float = 0.0) -> None:
+        """The sea turns into another one, from a time on and over so many seconds; the same tiles, depth, loop and seed. If its swell
+        was raised so many metres away, long waves come first."""
+    @property
+    def sea(self) -> Sea:
+        """That there will be after the last change."""
+    @property
+    def resolution(self) -> int: ...
+    @property
+    def tile_count(self) -> int: ...
+    @property
+    def threads(self) -> int: ...
+    @property
+    def memory_bytes(self) -> int:
+        """All that it allocated."""
+    @property
+    def isa(self) -> str: ...
+
+def isas_here() -> List[str]:
+    """The instruction sets that this processor runs, weakest first."""
+
+def check_sea(sea: Sea) -> None: ...
+def sea_fields() -> List[Tuple[str, float, str]]: ...
+def preset_list() -> List[Tuple[str, str, Sea]]: ...
+def report(sea: Sea) -> Dict[str, Any]: ...
+def model_by_frequency(sea: Sea, frequencies_hz: ArrayLike) -> NDArray[np.float64]: ...
+def model_by_wave_number(sea: Sea, wave_numbers: ArrayLike) -> NDArray[np.float64]: ...
