@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "pelagic/message/refusal.hpp"
+#include "pelagic/python/bindings/docs.hpp"
 #include "pelagic/python/bindings/frame_handle.hpp"
 #include "pelagic/python/bindings/sea_fields.hpp"
 #include "pelagic/sim/frame_buffers.hpp"
@@ -13,6 +14,12 @@
 namespace py = pybind11;
 
 namespace pelagic::python {
+
+void need_foam(const Frame& frame) {
+    if (frame.tiles.front().foam_r8.empty())
+        throw std::invalid_argument("the frame has no foam, needs an ocean with foam=True");
+}
+
 namespace {
 
 using Shape = std::vector<py::ssize_t>;
@@ -83,8 +90,7 @@ auto on_frame(Result (*of)(const Frame&)) {
 
 std::uint64_t checked_foam_hash(const FrameHandle& handle) {
     const auto reader = handle.read();
-    if (handle.frame.tiles.front().foam_r8.empty())
-        throw std::invalid_argument("the frame has no foam, needs an ocean with foam=True");
+    need_foam(handle.frame);
     const py::gil_scoped_release others_run;
     return foam_hash_of(handle.frame);
 }
@@ -111,62 +117,80 @@ auto plane_getter(PlaneView Tile::*plane, const char* option) {
 }
 
 template <class Texel>
-void add_chain(py::class_<TileHandle>& tile, const char* name, std::span<const Texel> Tile::*chain, const char* option) {
-    tile.def_property_readonly(name,
-                               [=](const TileHandle& handle) { return level_of(handle, chain, 0, option); });
-    tile.def((std::string(name) + "_level").c_str(),
-             [=](const TileHandle& handle, int level) { return level_of(handle, chain, level, option); },
-             py::arg("level"));
+void add_chain(py::class_<TileHandle>& tile, const std::string& name, std::span<const Texel> Tile::*chain, const char* option) {
+    const std::string of_level = name + "_level";
+    tile.def_property_readonly(
+        name.c_str(), [=](const TileHandle& handle) { return level_of(handle, chain, 0, option); },
+        doc_of(("Tile." + name).c_str()));
+    tile.def(
+        of_level.c_str(), [=](const TileHandle& handle, int level) { return level_of(handle, chain, level, option); },
+        py::arg("level"), doc_of(("Tile." + of_level).c_str()));
+}
+
+/// The property `name` of a class, with its docstring.
+template <class Class, class Getter>
+void add(Class& to, const std::string& name, Getter getter) {
+    const std::string class_name = py::str(to.attr("__name__"));
+    to.def_property_readonly(name.c_str(), getter, doc_of((class_name + "." + name).c_str()));
+}
+
+void add_bounds(py::module_& module) {
+    py::class_<FrameBounds> bounds(module, "Bounds", doc_of("Bounds"));
+    add(bounds, "height_min_m", [](const FrameBounds& of) { return of.height_min_m; });
+    add(bounds, "height_max_m", [](const FrameBounds& of) { return of.height_max_m; });
+    add(bounds, "sideways_x_max_m", [](const FrameBounds& of) { return of.sideways_x_max_m; });
+    add(bounds, "sideways_z_max_m", [](const FrameBounds& of) { return of.sideways_z_max_m; });
+    bounds.def("__repr__", &text_of);
+}
+
+void add_tile(py::module_& module) {
+    py::class_<TileHandle> tile(module, "Tile", doc_of("Tile"));
+    add(tile, "displacement", &halves_of);
+    add(tile, "height", plane_getter(&Tile::height, ""));
+    add(tile, "dx", plane_getter(&Tile::dx, ""));
+    add(tile, "dz", plane_getter(&Tile::dz, ""));
+    add(tile, "velocity_x", plane_getter(&Tile::velocity_x, "velocities=True"));
+    add(tile, "velocity_y", plane_getter(&Tile::velocity_y, "velocities=True"));
+    add(tile, "velocity_z", plane_getter(&Tile::velocity_z, "velocities=True"));
+    add_chain(tile, "gradient", &Tile::gradient_rgba8, "gradients=True");
+    add_chain(tile, "slopes", &Tile::slopes_rgba8, "slopes=True");
+    add_chain(tile, "moments", &Tile::moments_rgba8, "slopes=True");
+    add_chain(tile, "foam", &Tile::foam_r8, "foam=True");
+    add(tile, "resolution", of_tile(+[](const Tile& of) { return of.resolution(); }));
+    add(tile, "levels", of_tile(+[](const Tile& of) { return mip_levels(of.resolution()); }));
+    add(tile, "patch_size_m", of_tile(+[](const Tile& of) { return of.lattice.side_m; }));
+    add(tile, "turn", of_tile(+[](const Tile& of) { return std::pair(of.lattice.cosine, of.lattice.sine); }));
+    add(tile, "slope_range", of_tile(+[](const Tile& of) { return of.slope_ranges.slope; }));
+    add(tile, "variance_range", of_tile(+[](const Tile& of) { return of.slope_ranges.variance; }));
+    add(tile, "bounds", of_tile(+[](const Tile& of) { return of.bounds; }));
+}
+
+using FramePointer = std::shared_ptr<FrameHandle>;
+
+void add_frame(py::module_& module) {
+    FrameClass frame(module, "Frame", doc_of("Frame"));
+    add(frame, "displacement", [](const FramePointer& of) { return halves_of(first_tile(of)); });
+    add(frame, "height", [](const FramePointer& of) { return plane_of(first_tile(of), &Tile::height, ""); });
+    add(frame, "tiles", &tiles_of);
+    add(frame, "time_s", [](const FrameHandle& of) { return of.frame.time_s; });
+    add(frame, "bounds", [](const FrameHandle& of) { return of.frame.bounds; });
+    add(frame, "sea", [](const FrameHandle& of) { return python_sea_of(of.frame.sea); });
+    add(frame, "significant_wave_height_m",
+        [](const FrameHandle& of) { return of.frame.figures.significant_wave_height_m; });
+    add(frame, "is_alive", [](const FrameHandle& of) { return of.ocean->is_alive(of.number); });
+    add(frame, "hash", on_frame(&hash_of));
+    add(frame, "foam_hash", &checked_foam_hash);
+    frame.def("measured_significant_wave_height_m", on_frame(&measured_significant_wave_height_m),
+              doc_of("Frame.measured_significant_wave_height_m"));
+    add_questions(frame);
 }
 
 }  // namespace
 
 void add_frame_classes(py::module_& module) {
-    py::class_<FrameBounds>(module, "Bounds")
-        .def_readonly("height_min_m", &FrameBounds::height_min_m)
-        .def_readonly("height_max_m", &FrameBounds::height_max_m)
-        .def_readonly("sideways_x_max_m", &FrameBounds::sideways_x_max_m)
-        .def_readonly("sideways_z_max_m", &FrameBounds::sideways_z_max_m)
-        .def("__repr__", &text_of);
-
-    py::class_<TileHandle> tile(module, "Tile");
-    tile.def_property_readonly("displacement", &halves_of)
-        .def_property_readonly("height", plane_getter(&Tile::height, ""))
-        .def_property_readonly("dx", plane_getter(&Tile::dx, ""))
-        .def_property_readonly("dz", plane_getter(&Tile::dz, ""))
-        .def_property_readonly("velocity_x", plane_getter(&Tile::velocity_x, "velocities=True"))
-        .def_property_readonly("velocity_y", plane_getter(&Tile::velocity_y, "velocities=True"))
-        .def_property_readonly("velocity_z", plane_getter(&Tile::velocity_z, "velocities=True"))
-        .def_property_readonly("resolution", of_tile(+[](const Tile& of) { return of.resolution(); }))
-        .def_property_readonly("levels", of_tile(+[](const Tile& of) { return mip_levels(of.resolution()); }))
-        .def_property_readonly("patch_size_m", of_tile(+[](const Tile& of) { return of.lattice.side_m; }))
-        .def_property_readonly("turn", of_tile(+[](const Tile& of) {
-                                   return std::pair(of.lattice.cosine, of.lattice.sine);
-                               }))
-        .def_property_readonly("slope_range", of_tile(+[](const Tile& of) { return of.slope_ranges.slope; }))
-        .def_property_readonly("variance_range", of_tile(+[](const Tile& of) { return of.slope_ranges.variance; }))
-        .def_property_readonly("bounds", of_tile(+[](const Tile& of) { return of.bounds; }));
-    add_chain(tile, "gradient", &Tile::gradient_rgba8, "gradients=True");
-    add_chain(tile, "slopes", &Tile::slopes_rgba8, "slopes=True");
-    add_chain(tile, "moments", &Tile::moments_rgba8, "slopes=True");
-    add_chain(tile, "foam", &Tile::foam_r8, "foam=True");
-
-    FrameClass frame(module, "Frame");
-    frame.def_property_readonly("displacement", [](const std::shared_ptr<FrameHandle>& of) { return halves_of(first_tile(of)); })
-        .def_property_readonly("height", [](const std::shared_ptr<FrameHandle>& of) {
-            return plane_of(first_tile(of), &Tile::height, "");
-        })
-        .def_property_readonly("tiles", &tiles_of)
-        .def_property_readonly("time_s", [](const FrameHandle& of) { return of.frame.time_s; })
-        .def_property_readonly("bounds", [](const FrameHandle& of) { return of.frame.bounds; })
-        .def_property_readonly("sea", [](const FrameHandle& of) { return python_sea_of(of.frame.sea); })
-        .def_property_readonly("significant_wave_height_m",
-                               [](const FrameHandle& of) { return of.frame.figures.significant_wave_height_m; })
-        .def_property_readonly("is_alive", [](const FrameHandle& of) { return of.ocean->is_alive(of.number); })
-        .def_property_readonly("hash", on_frame(&hash_of))
-        .def_property_readonly("foam_hash", &checked_foam_hash)
-        .def("measured_significant_wave_height_m", on_frame(&measured_significant_wave_height_m));
-    add_questions(frame);
+    add_bounds(module);
+    add_tile(module);
+    add_frame(module);
 }
 
 }  // namespace pelagic::python

@@ -28,7 +28,10 @@ struct TileHandle {
     const Tile& tile() const { return of->frame.tiles[index]; }
 };
 
-/// The classes Frame, Tile and Bounds; query, rays and displaced are added by add_questions().
+/// Throws std::invalid_argument if the frame has no foam.
+void need_foam(const Frame& frame);
+
+/// The classes Frame, Tile and Bounds; what a frame is asked is added by add_questions().
 void add_frame_classes(pybind11::module_& module);
 
 using FrameClass = pybind11::class_<FrameHandle, std::shared_ptr<FrameHandle>>;

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "pelagic/message/refusal.hpp"
+#include "pelagic/python/bindings/docs.hpp"
 #include "pelagic/python/bindings/frame_handle.hpp"
 #include "pelagic/python/bindings/sea_fields.hpp"
 
@@ -31,6 +32,12 @@ OceanPointer make_ocean(py::handle sea, bool queries, bool velocities, bool foam
     const py::gil_scoped_release others_run;
     options.executor = make_default_executor(threads);
     return std::make_shared<SharedOcean>(state, options);
+}
+
+std::vector<std::string> names_of_isas() {
+    std::vector<std::string> names;
+    for (const Isa isa : isas_here()) names.emplace_back(name_of(isa));
+    return names;
 }
 
 /// Calls the ocean's method while other threads run.
@@ -61,35 +68,42 @@ auto fact(Value (*get)(const SharedOcean::Facts&)) {
     };
 }
 
+OceanPointer entered(const OceanPointer& ocean) {
+    ocean->need_open();
+    return ocean;
+}
+
+void schedule_sea(SharedOcean& ocean, py::handle sea, double from_s, double over_s, double swell_from_m) {
+    const SeaChange change{.sea = sea_state_of(sea), .from_s = from_s, .over_s = over_s, .swell_from_m = swell_from_m};
+    const py::gil_scoped_release others_run;
+    ocean.schedule_sea(change);
+}
+
 void add_ocean_class(py::module_& module) {
-    py::class_<SharedOcean, OceanPointer>(module, "Ocean")
-        .def(py::init(&make_ocean), py::arg("sea"), py::arg("queries") = true, py::arg("velocities") = false,
-             py::arg("foam") = false, py::arg("gradients") = false, py::arg("slopes") = false, py::arg("threads") = 0,
-             py::arg("isa") = py::none())
-        .def("__enter__",
-             [](const OceanPointer& ocean) {
-                 if (ocean->is_closed()) throw std::invalid_argument("the ocean is closed, needs one that is open");
-                 return ocean;
-             })
-        .def("__exit__", [](SharedOcean& ocean, const py::args&) { freely(&SharedOcean::close)(ocean); })
-        .def("close", freely(&SharedOcean::close))
-        .def_property_readonly("is_closed", &SharedOcean::is_closed)
-        .def("schedule", freely(&SharedOcean::schedule), py::arg("time_s"))
-        .def("is_ready", freely(&SharedOcean::is_ready))
-        .def("complete", freely_made(&SharedOcean::complete))
-        .def("frame_at", freely_made(&SharedOcean::frame_at), py::arg("time_s"))
-        .def("schedule_sea",
-             [](SharedOcean& ocean, py::handle sea, double from_s, double over_s, double swell_from_m) {
-                 freely(&SharedOcean::schedule_sea)(
-                     ocean, {.sea = sea_state_of(sea), .from_s = from_s, .over_s = over_s, .swell_from_m = swell_from_m});
-             },
-             py::arg("sea"), py::arg("from_s"), py::arg("over_s"), py::arg("swell_from_m") = 0.0)
-        .def_property_readonly("sea", fact(+[](const SharedOcean::Facts& of) { return python_sea_of(of.sea); }))
-        .def_property_readonly("resolution", fact(+[](const SharedOcean::Facts& of) { return of.resolution; }))
-        .def_property_readonly("tile_count", fact(+[](const SharedOcean::Facts& of) { return of.tile_count; }))
-        .def_property_readonly("threads", fact(+[](const SharedOcean::Facts& of) { return of.threads; }))
-        .def_property_readonly("memory_bytes", fact(+[](const SharedOcean::Facts& of) { return of.memory_bytes; }))
-        .def_property_readonly("isa", fact(+[](const SharedOcean::Facts& of) { return std::string(name_of(of.isa)); }));
+    using Facts = SharedOcean::Facts;
+    const auto facts_and_docs = [](auto& ocean, const char* name, auto get) {
+        ocean.def_property_readonly(name, fact(get), doc_of((std::string("Ocean.") + name).c_str()));
+    };
+    py::class_<SharedOcean, OceanPointer> ocean(module, "Ocean", doc_of("Ocean"));
+    ocean.def(py::init(&make_ocean), py::arg("sea"), py::arg("queries") = true, py::arg("velocities") = false,
+              py::arg("foam") = false, py::arg("gradients") = false, py::arg("slopes") = false, py::arg("threads") = 0,
+              py::arg("isa") = py::none(), doc_of("Ocean.__init__"));
+    ocean.def("__enter__", &entered);
+    ocean.def("__exit__", [](SharedOcean& of, const py::args&) { freely(&SharedOcean::close)(of); });
+    ocean.def("close", freely(&SharedOcean::close), doc_of("Ocean.close"));
+    ocean.def_property_readonly("is_closed", &SharedOcean::is_closed, doc_of("Ocean.is_closed"));
+    ocean.def("schedule", freely(&SharedOcean::schedule), py::arg("time_s"), doc_of("Ocean.schedule"));
+    ocean.def("is_ready", freely(&SharedOcean::is_ready), doc_of("Ocean.is_ready"));
+    ocean.def("complete", freely_made(&SharedOcean::complete), doc_of("Ocean.complete"));
+    ocean.def("frame_at", freely_made(&SharedOcean::frame_at), py::arg("time_s"), doc_of("Ocean.frame_at"));
+    ocean.def("schedule_sea", &schedule_sea, py::arg("sea"), py::arg("from_s"), py::arg("over_s"),
+              py::arg("swell_from_m") = 0.0, doc_of("Ocean.schedule_sea"));
+    facts_and_docs(ocean, "sea", +[](const Facts& of) { return python_sea_of(of.sea); });
+    facts_and_docs(ocean, "resolution", +[](const Facts& of) { return of.resolution; });
+    facts_and_docs(ocean, "tile_count", +[](const Facts& of) { return of.tile_count; });
+    facts_and_docs(ocean, "threads", +[](const Facts& of) { return of.threads; });
+    facts_and_docs(ocean, "memory_bytes", +[](const Facts& of) { return of.memory_bytes; });
+    facts_and_docs(ocean, "isa", +[](const Facts& of) { return std::string(name_of(of.isa)); });
 }
 
 }  // namespace
@@ -106,11 +120,7 @@ PYBIND11_MODULE(_pelagic, module) {
             PyErr_SetString(PyExc_BufferError, in_use.what());
         }
     });
-    module.def("isas_here", [] {
-        std::vector<std::string> names;
-        for (const pelagic::Isa isa : pelagic::isas_here()) names.emplace_back(name_of(isa));
-        return names;
-    });
+    module.def("isas_here", &names_of_isas, doc_of("isas_here"));
     add_sea_functions(module);
     add_frame_classes(module);
     add_ocean_class(module);

@@ -3,6 +3,7 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <set>
@@ -11,7 +12,9 @@
 
 #include "pelagic/message/near_names.hpp"
 #include "pelagic/message/refusal.hpp"
+#include "pelagic/python/bindings/docs.hpp"
 #include "pelagic/python/bindings/frame_handle.hpp"
+#include "pelagic/sim/query/foam_at.hpp"
 #include "pelagic/sim/surface/tile_sum.hpp"
 #include "pelagic/sim/surface_ray.hpp"
 
@@ -220,9 +223,20 @@ py::dict rays(const FrameHandle& handle, py::handle origins, py::handle directio
     return answers;
 }
 
+/// Where water rests that is to be looked at there, without a search.
+Places rest_places_of(py::handle points, py::handle z) {
+    constexpr double most_m = 1e9;  // as for rays
+    Places places = places_of(points, z);
+    for (std::size_t i = 0; i < places.x.size(); ++i)
+        for (const double at : {places.x[i], places.z[i]})
+            if (!(std::fabs(at) <= most_m))
+                throw std::invalid_argument("point " + number_text(i) + ": " + refusal("a coordinate", at, "[-1e9, 1e9]"));
+    return places;
+}
+
 py::array_t<float> displaced(const FrameHandle& handle, py::handle points, py::handle z) {
     const auto reader = handle.read();
-    const Places places = places_of(points, z);
+    const Places places = rest_places_of(points, z);
     py::array_t<float> array(with(places.shape, 3));
     float* out = array.mutable_data();
     const py::gil_scoped_release others_run;
@@ -235,15 +249,40 @@ py::array_t<float> displaced(const FrameHandle& handle, py::handle points, py::h
     return array;
 }
 
+/// Foam of the water that rests at (x, z): the largest of the tiles', as a query has it.
+float resting_foam(const Frame& frame, double x_m, double z_m) {
+    double most = 0;
+    for (const Tile& tile : frame.tiles) {
+        const TileLattice::Place place = tile.lattice.in_tile(x_m, z_m);
+        const double x = place.along / tile.texel_m(), z = place.across / tile.texel_m();
+        const double column = std::floor(x), row = std::floor(z);
+        most = std::max(most, foam_at(tile, static_cast<std::int64_t>(column), static_cast<std::int64_t>(row), x - column,
+                                      z - row));
+    }
+    return static_cast<float>(most);
+}
+
+py::array_t<float> displaced_foam(const FrameHandle& handle, py::handle points, py::handle z) {
+    const auto reader = handle.read();
+    need_foam(handle.frame);
+    const Places places = rest_places_of(points, z);
+    py::array_t<float> array(places.shape);
+    float* const out = array.mutable_data();
+    const py::gil_scoped_release others_run;
+    for (std::size_t i = 0; i < places.x.size(); ++i) out[i] = resting_foam(handle.frame, places.x[i], places.z[i]);
+    return array;
+}
+
 }  // namespace
 
 void add_questions(FrameClass& frame) {
-    frame
-        .def("query", &query, py::arg("points"), py::arg("z") = py::none(), py::kw_only(), py::arg("fields") = py::none(),
-             py::arg("tolerance_m") = SurfaceQuery::default_tolerance_m)
-        .def("rays", &rays, py::arg("origins"), py::arg("directions"), py::arg("reach"), py::kw_only(),
-             py::arg("tolerance_m") = SurfaceQuery::default_tolerance_m)
-        .def("displaced", &displaced, py::arg("points"), py::arg("z") = py::none());
+    frame.def("query", &query, py::arg("points"), py::arg("z") = py::none(), py::kw_only(), py::arg("fields") = py::none(),
+              py::arg("tolerance_m") = SurfaceQuery::default_tolerance_m, doc_of("Frame.query"));
+    frame.def("rays", &rays, py::arg("origins"), py::arg("directions"), py::arg("reach"), py::kw_only(),
+              py::arg("tolerance_m") = SurfaceQuery::default_tolerance_m, doc_of("Frame.rays"));
+    frame.def("displaced", &displaced, py::arg("points"), py::arg("z") = py::none(), doc_of("Frame.displaced"));
+    frame.def("displaced_foam", &displaced_foam, py::arg("points"), py::arg("z") = py::none(),
+              doc_of("Frame.displaced_foam"));
 }
 
 }  // namespace pelagic::python

@@ -7,8 +7,6 @@
 namespace pelagic::python {
 namespace {
 
-constexpr const char* closed = "the ocean is closed, needs one that is open";
-
 void need_finite(double time_s) {
     if (!std::isfinite(time_s)) throw std::invalid_argument(refusal("time_s", time_s, "a finite number"));
 }
@@ -18,15 +16,19 @@ void need_finite(double time_s) {
 SharedOcean::SharedOcean(const SeaState& sea, const OceanOptions& options)
     : executor_(options.executor), ocean_(std::make_unique<Ocean>(sea, options)) {}
 
+void SharedOcean::need_open_now() const {
+    if (is_closed_) throw std::invalid_argument("the ocean is closed, needs one that is open");
+}
+
 Ocean& SharedOcean::opened() const {
-    if (is_closed_) throw std::invalid_argument(closed);
+    need_open_now();
     return *ocean_;
 }
 
 void SharedOcean::begin(double time_s) {
     {
         std::unique_lock lock(state_);
-        opened();
+        need_open_now();
         if (in_flight_) throw WrongOrder("a frame is in flight, needs complete() first");
         need_finite(time_s);
         const std::uint64_t next = scheduled_ + 1;
@@ -50,7 +52,7 @@ void SharedOcean::begin(double time_s) {
 NumberedFrame SharedOcean::end() {
     {
         const std::lock_guard lock(state_);
-        opened();
+        need_open_now();
         if (!in_flight_) throw WrongOrder("no frame is in flight, needs schedule() first");
         in_flight_ = false;  // whatever comes
     }
@@ -107,13 +109,18 @@ bool SharedOcean::is_closed() {
     return is_closed_;
 }
 
+void SharedOcean::need_open() {
+    const std::lock_guard lock(state_);
+    need_open_now();
+}
+
 bool SharedOcean::is_alive(std::uint64_t number) {
     const std::lock_guard lock(state_);
     return !is_closed_ && scheduled_ < number + 2;
 }
 
 void SharedOcean::need_alive(std::uint64_t number) const {
-    if (is_closed_) throw std::invalid_argument(closed);
+    need_open_now();
     if (scheduled_ >= number + 2)
         throw StaleFrame(
             "the frame's memory holds a later one: a frame lasts until the second schedule() or frame_at() after its own");

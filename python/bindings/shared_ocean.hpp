@@ -55,6 +55,7 @@ class SharedOcean {
     /// Waits for readers, and gives the memory back; what is on view goes when its last view does.
     void close();
     bool is_closed();
+    void need_open();
 
     struct Facts {
         SeaState sea;
@@ -101,6 +102,7 @@ class SharedOcean {
     };
 
     Use& use_of(std::uint64_t number) { return uses_[number % uses_.size()]; }
+    void need_open_now() const;
     Ocean& opened() const;
     void need_alive(std::uint64_t number) const;
     void begin(double time_s);

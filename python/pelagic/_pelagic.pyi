@@ -39,13 +39,17 @@ class Bounds:
     """Extremes of displacements, metres."""
 
     @property
-    def height_min_m(self) -> float: ...
+    def height_min_m(self) -> float:
+        """The lowest trough."""
     @property
-    def height_max_m(self) -> float: ...
+    def height_max_m(self) -> float:
+        """The highest crest."""
     @property
-    def sideways_x_max_m(self) -> float: ...
+    def sideways_x_max_m(self) -> float:
+        """The largest |Dx|."""
     @property
-    def sideways_z_max_m(self) -> float: ...
+    def sideways_z_max_m(self) -> float:
+        """The largest |Dz|."""
 
 class Tile:
     """One square of waves of a frame, which repeats over the whole sea; displacements of a frame's tiles add.
@@ -64,14 +68,17 @@ class Tile:
     def dx(self) -> NDArray[np.float32]:
         """(N, N), a copy: how far sideways the point is drawn from where it rests, metres."""
     @property
-    def dz(self) -> NDArray[np.float32]: ...
+    def dz(self) -> NDArray[np.float32]:
+        """As dx, along z."""
     @property
     def velocity_x(self) -> NDArray[np.float32]:
         """(N, N), a copy: the derivative of dx in time, m/s. With Ocean(velocities=True)."""
     @property
-    def velocity_y(self) -> NDArray[np.float32]: ...
+    def velocity_y(self) -> NDArray[np.float32]:
+        """As velocity_x, of the height."""
     @property
-    def velocity_z(self) -> NDArray[np.float32]: ...
+    def velocity_z(self) -> NDArray[np.float32]:
+        """As velocity_x, of dz."""
     @property
     def gradient(self) -> NDArray[np.uint8]:
         """(N, N, 4), a view: normal x, normal z, Jacobian, smoothness, of the tile alone. Of a frame of one tile, or with
@@ -80,32 +87,42 @@ class Tile:
         """The same of a mip level, 0 to levels - 1."""
     @property
     def slopes(self) -> NDArray[np.uint8]:
-        """(N, N, 4), a view: slopes that add to other tiles'. Of a frame of several tiles, or with Ocean(slopes=True)."""
-    def slopes_level(self, level: int) -> NDArray[np.uint8]: ...
+        """(N, N, 4), a view: h_x, h_z, D_xx, D_zz, each (byte - 128)/127 of slope_range, which add to other tiles'. Of a frame of
+        several tiles, or with Ocean(slopes=True)."""
+    def slopes_level(self, level: int) -> NDArray[np.uint8]:
+        """The same of a mip level, 0 to levels - 1."""
     @property
     def moments(self) -> NDArray[np.uint8]:
-        """(N, N, 4), a view: how much slopes vary within a texel. As slopes."""
-    def moments_level(self, level: int) -> NDArray[np.uint8]: ...
+        """(N, N, 4), a view: D_xz as in slopes, then the variances of h_x and h_z within a texel, byte/255 of variance_range, and
+        their covariance, (byte - 128)/127 of it. Where there are slopes."""
+    def moments_level(self, level: int) -> NDArray[np.uint8]:
+        """The same of a mip level, 0 to levels - 1."""
     @property
     def foam(self) -> NDArray[np.uint8]:
         """(N, N), a view: 0 none to 255 covered. With Ocean(foam=True)."""
-    def foam_level(self, level: int) -> NDArray[np.uint8]: ...
+    def foam_level(self, level: int) -> NDArray[np.uint8]:
+        """The same of a mip level, 0 to levels - 1."""
     @property
-    def resolution(self) -> int: ...
+    def resolution(self) -> int:
+        """N, texels along a side."""
     @property
     def levels(self) -> int:
         """Mip levels of gradient, slopes, moments and foam."""
     @property
-    def patch_size_m(self) -> float: ...
+    def patch_size_m(self) -> float:
+        """L, after which the tile repeats along its axes."""
     @property
     def turn(self) -> Tuple[float, float]:
         """Cosine and sine of the turn of its axes against the world's, from +x towards +z."""
     @property
-    def slope_range(self) -> float: ...
+    def slope_range(self) -> float:
+        """What the bytes of slopes count in."""
     @property
-    def variance_range(self) -> float: ...
+    def variance_range(self) -> float:
+        """What the variances in moments count in."""
     @property
-    def bounds(self) -> Bounds: ...
+    def bounds(self) -> Bounds:
+        """Exact."""
 
 class Frame:
     """The sea at a moment. It lasts until the second schedule() or frame_at() after its own, and then raises StaleFrame; time_s,
@@ -122,12 +139,14 @@ class Frame:
     def tiles(self) -> List[Tile]:
         """The coarsest first."""
     @property
-    def time_s(self) -> float: ...
+    def time_s(self) -> float:
+        """As it was asked for."""
     @property
     def bounds(self) -> Bounds:
         """Of one tile exact, of several upper bounds."""
     @property
-    def sea(self) -> Sea: ...
+    def sea(self) -> Sea:
+        """That there is at that time."""
     @property
     def significant_wave_height_m(self) -> float:
         """Of the waves that the tiles hold, the mean over all seeds."""
@@ -154,6 +173,8 @@ class Frame:
         """Where rays meet the water. Origins and directions are (..., 3), reach is in metres, a number or one a ray."""
     def displaced(self, points: ArrayLike, z: Optional[ArrayLike] = None) -> NDArray[np.float32]:
         """(..., 3): where water that rests at the points is drawn, for meshes."""
+    def displaced_foam(self, points: ArrayLike, z: Optional[ArrayLike] = None) -> NDArray[np.float32]:
+        """(...): how much foam that water has, 0 to 1. With Ocean(foam=True)."""
 
 class Ocean:
     """A sea that computes frames. Use it in a `with` statement, or close() it.
@@ -186,9 +207,11 @@ class Ocean:
     def __exit__(
         self, kind: Optional[Type[BaseException]], error: Optional[BaseException], trace: Optional[TracebackType]
     ) -> None: ...
-    def close(self) -> None: ...
+    def close(self) -> None:
+        """Waits for whoever reads frames, and gives the memory back. Frames of it raise ValueError from then on; arrays stay."""
     @property
-    def is_closed(self) -> bool: ...
+    def is_closed(self) -> bool:
+        """After close(), or the end of a with statement."""
     def schedule(self, time_s: float) -> None:
         """Starts the frame of that time and returns at once."""
     def is_ready(self) -> bool:
@@ -204,16 +227,20 @@ class Ocean:
     def sea(self) -> Sea:
         """That there will be after the last change."""
     @property
-    def resolution(self) -> int: ...
+    def resolution(self) -> int:
+        """Texels along a side of each tile."""
     @property
-    def tile_count(self) -> int: ...
+    def tile_count(self) -> int:
+        """Of every frame."""
     @property
-    def threads(self) -> int: ...
+    def threads(self) -> int:
+        """Most that work on a frame, the calling one included."""
     @property
     def memory_bytes(self) -> int:
         """All that it allocated."""
     @property
-    def isa(self) -> str: ...
+    def isa(self) -> str:
+        """The instruction set that computes it."""
 
 def isas_here() -> List[str]:
     """The instruction sets that this processor runs, weakest first."""

@@ -1,0 +1,106 @@
+"""Makes a wheel of what the CMake target pelagic_python builds. PEP 517, with nothing but Python's own library and CMake.
+
+CMAKE_ARGS holds more options for CMake, such as -DPELAGIC_TBB=OFF. The build stays in build/wheel-..., for the next one.
+"""
+
+import base64
+import hashlib
+import io
+import os
+import re
+import shlex
+import subprocess
+import sys
+import sysconfig
+import tarfile
+import zipfile
+from pathlib import Path
+
+SOURCE = Path(__file__).resolve().parents[2]
+OFF = ["TOOLS", "TESTS", "BENCH", "GL", "EXAMPLES", "INSTALL", "QUADTREE"]
+
+
+def field_of_project(name):
+    """A text of pyproject.toml's table [project]; Python reads TOML itself only from 3.11 on."""
+    table = (SOURCE / "pyproject.toml").read_text("utf-8").split("[project]")[1]
+    return re.search(rf'^{name} = "(.*)"$', table, re.MULTILINE).group(1)
+
+
+def dependencies_of_project():
+    table = (SOURCE / "pyproject.toml").read_text("utf-8").split("[project]")[1]
+    return re.findall(r'"(.*?)"', re.search(r"^dependencies = \[(.*)\]$", table, re.MULTILINE).group(1))
+
+
+NAME, VERSION = field_of_project("name"), field_of_project("version")
+INFO = f"{NAME}-{VERSION}.dist-info"
+
+
+def python_tag():
+    return f"cp{sys.version_info.major}{sys.version_info.minor}"
+
+
+def tag():
+    platform = re.sub(r"[-.]", "_", sysconfig.get_platform())
+    return f"{python_tag()}-{python_tag()}-{platform}"
+
+
+def metadata():
+    lines = [
+        "Metadata-Version: 2.1",
+        f"Name: {NAME}",
+        f"Version: {VERSION}",
+        f"Summary: {field_of_project('description')}",
+        f"Requires-Python: {field_of_project('requires-python')}",
+        *(f"Requires-Dist: {needed}" for needed in dependencies_of_project()),
+        "Description-Content-Type: text/markdown",
+        "",
+        (SOURCE / field_of_project("readme")).read_text("utf-8"),
+    ]
+    return "\n".join(lines)
+
+
+def run(*command):
+    print(shlex.join(map(str, command)), flush=True)
+    if subprocess.run(list(map(str, command))).returncode != 0:
+        raise SystemExit(f"{command[0]} failed; what building Pelagic needs stands in docs/users/python.md")
+
+
+def built_package():
+    build = SOURCE / "build" / f"wheel-{tag()}"
+    run("cmake", "-S", SOURCE, "-B", build, "-DPELAGIC_PYTHON=ON", f"-DPython_EXECUTABLE={sys.executable}",
+        *(f"-DPELAGIC_{part}=OFF" for part in OFF), *shlex.split(os.environ.get("CMAKE_ARGS", "")))
+    run("cmake", "--build", build, "--target", "pelagic_python", "--parallel", os.environ.get("CMAKE_BUILD_PARALLEL_LEVEL", os.cpu_count()))
+    return build / "python" / "pelagic"
+
+
+def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
+    files = {f"pelagic/{file.name}": file.read_bytes() for file in sorted(built_package().iterdir()) if file.is_file()}
+    for name in ("LICENSE", "NOTICE"):
+        files[f"{INFO}/{name}"] = (SOURCE / name).read_bytes()
+    files[f"{INFO}/METADATA"] = metadata().encode()
+    files[f"{INFO}/WHEEL"] = f"Wheel-Version: 1.0\nGenerator: pelagic\nRoot-Is-Purelib: false\nTag: {tag()}\n".encode()
+    record = []
+    for name, content in files.items():
+        digest = base64.urlsafe_b64encode(hashlib.sha256(content).digest()).rstrip(b"=").decode()
+        record.append(f"{name},sha256={digest},{len(content)}\n")
+    files[f"{INFO}/RECORD"] = "".join([*record, f"{INFO}/RECORD,,\n"]).encode()
+
+    wheel = f"{NAME}-{VERSION}-{tag()}.whl"
+    with zipfile.ZipFile(Path(wheel_directory) / wheel, "w", zipfile.ZIP_DEFLATED) as archive:
+        for name, content in files.items():
+            archive.writestr(zipfile.ZipInfo(name, (1980, 1, 1, 0, 0, 0)), content, zipfile.ZIP_DEFLATED)
+    return wheel
+
+
+def build_sdist(sdist_directory, config_settings=None):
+    """All that is in the folder but what was built."""
+    folder = f"{NAME}-{VERSION}"
+    with tarfile.open(Path(sdist_directory) / f"{folder}.tar.gz", "w:gz", format=tarfile.PAX_FORMAT) as archive:
+        for path in sorted(SOURCE.iterdir()):
+            if path.name not in (".git", "build", "out"):
+                archive.add(path, f"{folder}/{path.name}", filter=lambda entry: None if "__pycache__" in entry.name else entry)
+        info = tarfile.TarInfo(f"{folder}/PKG-INFO")
+        content = metadata().encode()
+        info.size = len(content)
+        archive.addfile(info, io.BytesIO(content))
+    return f"{folder}.tar.gz"
