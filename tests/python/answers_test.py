@@ -1,0 +1,123 @@
+"""What a frame tells, against what can be worked out without it."""
+
+import numpy as np
+import pelagic
+import pytest
+
+
+def at_points(array, tile, x, z):
+    """Bilinear and periodic on a tile's own lattice, in double."""
+    cosine, sine = tile.turn
+    step = tile.patch_size_m / tile.resolution
+    u, v = (cosine * x + sine * z) / step, (cosine * z - sine * x) / step
+    i, j = np.floor(u).astype(int), np.floor(v).astype(int)
+    u, v = u - i, v - j
+    n = tile.resolution
+    a = array.astype(np.float64)
+    upper = a[j % n, i % n] * (1 - u) + a[j % n, (i + 1) % n] * u
+    lower = a[(j + 1) % n, i % n] * (1 - u) + a[(j + 1) % n, (i + 1) % n] * u
+    return upper * (1 - v) + lower * v
+
+
+@pytest.fixture
+def places():
+    return np.random.default_rng(3).uniform(-900, 900, (40, 50, 2))
+
+
+def test_displaced_is_the_sum_of_tiles(places):
+    with pelagic.Ocean(pelagic.preset("rough"), foam=True) as ocean:
+        frame = ocean.frame_at(3)
+        x, z = places[..., 0], places[..., 1]
+        moved = sum(np.stack([at_points(plane, tile, x, z) for plane in (tile.dx, tile.height, tile.dz)], -1) for tile in frame.tiles)
+        moved += np.stack([x, np.zeros_like(x), z], -1)
+        shown = frame.displaced(places)
+        assert shown.dtype == np.float32 and shown.shape == (40, 50, 3)
+        np.testing.assert_allclose(shown, moved, rtol=0, atol=5e-5)  # half of a float's last digit at 900 m is 3e-5
+        np.testing.assert_array_equal(frame.displaced(x, z), shown)
+
+        foam = np.max([at_points(tile.foam, tile, x, z) for tile in frame.tiles], axis=0) / 255
+        assert foam.max() > 0.2
+        np.testing.assert_allclose(frame.displaced_foam(places), foam, rtol=0, atol=1e-6)
+
+
+def test_a_query_finds_the_water_that_is_drawn_there(places):
+    with pelagic.Ocean(pelagic.preset("moderate"), velocities=True) as ocean:
+        frame = ocean.frame_at(3)
+        drawn = frame.displaced(places)
+        answers = frame.query(drawn[..., 0], drawn[..., 2])
+        assert {name: (array.dtype.str, array.shape) for name, array in answers.items()} == {
+            "height": ("<f4", (40, 50)), "normal": ("<f4", (40, 50, 3)), "jacobian": ("<f4", (40, 50)), "velocity": ("<f4", (40, 50, 3)),
+            "converged": ("|b1", (40, 50)), "error": ("<f4", (40, 50))}
+        assert answers["converged"].all()
+        np.testing.assert_allclose(answers["height"], drawn[..., 1], rtol=0, atol=1e-3)
+        np.testing.assert_allclose(np.linalg.norm(answers["normal"], axis=-1), 1, rtol=0, atol=1e-6)
+        some = frame.query(drawn[..., 0], drawn[..., 2], fields=["height", "velocity"])
+        assert sorted(some) == ["height", "velocity"]
+        np.testing.assert_array_equal(some["velocity"], answers["velocity"])
+        # A number for z goes with all x, as in NumPy.
+        np.testing.assert_array_equal(frame.query([1.0, 2.0], 5.0)["height"], frame.query([[1.0, 5.0], [2.0, 5.0]])["height"])
+        assert frame.query(1.0, 5.0)["height"].shape == ()
+        assert frame.query(np.empty((0, 2)))["normal"].shape == (0, 3)
+
+
+def test_velocities_are_the_displacements_derivative():
+    with pelagic.Ocean(pelagic.preset("moderate"), velocities=True) as ocean:
+        step_s = 0.01
+        before, after = (ocean.frame_at(5 + sign * step_s).tiles[0].height.astype(float) for sign in (-1, 1))
+        speed = ocean.frame_at(5).tiles[0].velocity_y
+        assert np.abs(speed).max() > 0.5
+        np.testing.assert_allclose((after - before) / (2 * step_s), speed, rtol=0, atol=2e-3)
+
+
+def test_rays_end_on_the_water():
+    random = np.random.default_rng(5)
+    with pelagic.Ocean(pelagic.preset("rough")) as ocean:
+        frame = ocean.frame_at(3)
+        origins = random.uniform([-200, 8, -200], [200, 30, 200], (60, 3))
+        directions = random.uniform([-1, -1, -1], [1, -0.2, 1], (60, 3))
+        hits = frame.rays(origins, directions, 500)
+        assert hits["hit"].all() and not hits["from_below"].any()
+        np.testing.assert_allclose(origins + directions / np.linalg.norm(directions, axis=1)[:, None] * hits["distance"][:, None],
+                                   hits["position"], rtol=0, atol=1e-6)
+        water = frame.query(hits["position"][:, 0], hits["position"][:, 2])
+        np.testing.assert_allclose(water["height"], hits["position"][:, 1], rtol=0, atol=5e-3)  # a millimetre along the ray
+        np.testing.assert_allclose(water["normal"], hits["normal"], rtol=0, atol=0.05)
+
+        up = frame.rays([0, -20, 0], [[0, 1, 0], [0, -1, 0]], [100, 50])
+        np.testing.assert_array_equal(up["hit"], [True, False])
+        np.testing.assert_array_equal(up["from_below"], [True, False])
+        assert up["position"][0][1] == pytest.approx(float(frame.query(0, 0)["height"]), abs=2e-3)
+        assert up["distance"][1] == np.inf and np.isnan(up["position"][1]).all() and np.isnan(up["normal"][1]).all()
+
+
+def test_chains_halve_from_level_to_level(small):
+    with pelagic.Ocean(small, slopes=True, foam=True) as ocean:
+        tile = ocean.frame_at(3).tiles[0]
+        assert tile.levels == 7
+        for level in range(tile.levels):
+            side = 64 >> level
+            for chain in (tile.gradient_level, tile.slopes_level, tile.moments_level):
+                assert chain(level).shape == (side, side, 4)
+            assert tile.foam_level(level).shape == (side, side)
+        for name in ("gradient", "slopes", "moments", "foam"):
+            np.testing.assert_array_equal(getattr(tile, name), getattr(tile, f"{name}_level")(0))
+        # Slopes are the heights' five-point differences of docs/equations.md.
+        h_x = (tile.slopes[..., 0].astype(float) - 128) / 127 * tile.slope_range
+        far = -0.2194
+        near = 0.5 - 2 * far
+        heights = tile.height.astype(float)
+        slopes = sum(weight * (np.roll(heights, -step, axis=1) - np.roll(heights, step, axis=1)) for step, weight in ((1, near), (2, far)))
+        np.testing.assert_allclose(h_x, slopes / (250 / 64), rtol=0, atol=0.6 * tile.slope_range / 127)
+        # Foam of the halves is that of the bytes.
+        np.testing.assert_allclose(tile.displacement[..., 3].astype(float), tile.foam / 255, rtol=0, atol=1e-3)
+
+
+def test_measured_waves_are_as_high_as_the_sea_says():
+    with pelagic.Ocean(pelagic.preset("rough")) as ocean:
+        frame = ocean.frame_at(3)
+        waves = ocean.sea.report()
+        assert frame.significant_wave_height_m == pytest.approx(waves.significant_wave_height_m, rel=1e-9)
+        assert frame.measured_significant_wave_height_m() == pytest.approx(waves.drawn_significant_wave_height_m, rel=0.1)
+        # The tiles' heights are independent, so their variances add.
+        assert frame.measured_significant_wave_height_m() == pytest.approx(
+            4 * np.sqrt(sum(np.var(tile.height.astype(float)) for tile in frame.tiles)), rel=1e-6)

@@ -1,0 +1,135 @@
+"""The package has the bits that the command line has, and those that are kept for every host."""
+
+import json
+
+import numpy as np
+import pelagic
+import pytest
+from conftest import GOLDEN, golden_seas, run_pelagic
+
+TIMES = {"0": 0.0, "12.34": 12.34}
+
+
+@pytest.mark.parametrize("options", [{}, {"threads": 1}, {"threads": 3}, {"velocities": True, "foam": True, "gradients": True, "slopes": True},
+                                     {"queries": False}, *({"isa": isa} for isa in pelagic.isas_here())], ids=str)
+def test_frames_have_the_golden_hashes(options):
+    seen = {}
+    for name, sea in golden_seas().items():
+        with pelagic.Ocean(sea, **options) as ocean:
+            for text, time_s in TIMES.items():
+                seen[f"{name}@{text}"] = ocean.frame_at(time_s).hash
+    assert seen == {name: int(GOLDEN[name], 16) for name in seen}
+    # All that there are, but for those of other questions than frames.
+    assert {name for name in GOLDEN if name not in seen} == {
+        "foam-folded", "foam-tiles", "queries-analytic", "queries-exp-sine", "queries-folded", "queries-smooth", "queries-tiles"}
+
+
+def test_foam_has_the_golden_hash():
+    with pelagic.Ocean(pelagic.Sea(cascades=4, resolution=64, choppiness=1), foam=True) as ocean:
+        assert ocean.frame_at(12.34).foam_hash == int(GOLDEN["foam-tiles"], 16)
+
+
+@pytest.mark.parametrize("name", ["lake", "storm", "analytic-moderate", "pond", "beaufort-7"])
+def test_presets_are_the_commands(name):
+    said = json.loads(run_pelagic("info", "--json", "--preset", name))
+    with pelagic.Ocean(pelagic.preset(name)) as ocean:
+        frame = ocean.frame_at(0)
+        assert f"{frame.hash:016x}" == said["first_frame"]["hash"]
+        assert np.float32(frame.bounds.height_max_m) == np.float32(said["first_frame"]["height_max_m"])
+    report = pelagic.preset(name).report()
+    assert report.significant_wave_height_m == pytest.approx(said["waves"]["significant_wave_height_m"]["expected"], rel=1e-12)
+
+
+def points():
+    random = np.random.default_rng(7)
+    near = random.uniform(-400, 400, (1500, 2))
+    far = random.uniform(-1e7, 1e7, (500, 2))
+    return np.concatenate([near, far, [[0, 0], [1e7 + 0.5, -3e6]]])
+
+
+SEAS = {
+    "four tiles": ({}, []),
+    "rough": (None, ["--preset", "rough"]),
+    "steep": ({"spectrum": "phillips-paper", "resolution": 64, "patch_size_m": 250, "choppiness": 1, "wind_speed_mps": 20},
+               ["--spectrum", "phillips-paper", "--resolution", "64", "--patch-size", "250", "--choppiness", "1", "--wind-speed", "20"]),
+}
+
+
+def csv_columns(text):
+    header, *rows = text.strip().split("\n")
+    values = np.array([row.split(",") for row in rows])
+    return {name: values[:, i] for i, name in enumerate(header.split(","))}
+
+
+def assert_same_answers(answers, told):
+    """Every digit that the command prints reads back as the float that it had."""
+    def column(name):
+        return told[name].astype(np.float32)
+
+    for name, theirs in (("height", "height"), ("jacobian", "jacobian"), ("error", "error_m"), ("foam", "foam")):
+        np.testing.assert_array_equal(answers[name].view(np.uint32), column(theirs).view(np.uint32), name)
+    for name, letter in (("normal", "n"), ("velocity", "v")):
+        for axis, xyz in enumerate("xyz"):
+            # contiguous, for its bits
+            np.testing.assert_array_equal(np.ascontiguousarray(answers[name][:, axis]).view(np.uint32), column(letter + xyz).view(np.uint32), name)
+    np.testing.assert_array_equal(answers["converged"], told["converged"] == "1")
+
+
+@pytest.mark.parametrize("sea", SEAS)
+def test_queries_have_the_commands_bits(sea):
+    options, flags = SEAS[sea]
+    where = points()
+    told = csv_columns(run_pelagic("query", "--points", "-", "--time", "12.34", "--foam", *flags,
+                                   given="".join(f"{x!r},{z!r}\n" for x, z in where.tolist())))
+    wanted = pelagic.preset("rough") if options is None else pelagic.Sea(**options)
+    with pelagic.Ocean(wanted, velocities=True, foam=True) as ocean:
+        frame = ocean.frame_at(12.34)
+        for answers in (frame.query(where), frame.query(where.tolist()), frame.query(where[:, 0], where[:, 1]),
+                        frame.query(np.asfortranarray(where))):
+            assert len(answers["height"]) == len(where) > 1000
+            assert_same_answers(answers, told)
+        for i in (0, 1700, len(where) - 1):  # alone as well
+            assert frame.query(where[i])["height"] == answers["height"][i]
+    if sea == "steep":
+        assert answers["jacobian"].min() < 0.3  # crests are sharp there
+
+
+def read_exr(path, resolution, number):
+    """Displacements of an uncompressed EXR file: after the header come the lines, each y, bytes, and blue, green and red."""
+    line = np.dtype([("y", "<i4"), ("bytes", "<i4"), ("bgr", np.dtype(number), (3, resolution))])
+    lines = np.frombuffer(path.read_bytes()[-resolution * line.itemsize:], line)
+    np.testing.assert_array_equal(lines["y"], np.arange(resolution))
+    return lines["bgr"].transpose(0, 2, 1)[:, :, ::-1]
+
+
+@pytest.mark.parametrize("flags, number", [(["--half"], "<f2"), ([], "<f4")], ids=["halves", "floats"])
+def test_arrays_have_the_bits_of_exported_images(tmp_path, flags, number):
+    run_pelagic("export", "--out", tmp_path, "--preset", "rough", "--start", "12.34", "--maps", "displacement", "--compression", "none", *flags)
+    hash_ = json.loads((tmp_path / "sea.json").read_text())["frames"][0]["hash"]
+    with pelagic.Ocean(pelagic.preset("rough")) as ocean:
+        frame = ocean.frame_at(12.34)
+        assert f"{frame.hash:016x}" == hash_
+        assert len(frame.tiles) == 4
+        for i, tile in enumerate(frame.tiles):
+            exported = read_exr(tmp_path / f"displacement{f'_c{i}' if i else ''}_0000.exr", tile.resolution, number)
+            shown = tile.displacement[:, :, :3] if number == "<f2" else np.stack([tile.dx, tile.height, tile.dz], axis=-1)
+            np.testing.assert_array_equal(shown, exported)
+        np.testing.assert_array_equal(frame.displacement, frame.tiles[0].displacement)
+        np.testing.assert_array_equal(frame.height, frame.tiles[0].height)
+
+
+def test_seas_change_as_the_commands_do(tmp_path):
+    weather = tmp_path / "weather.toml"
+    weather.write_text('preset = "calm"\n\n[[change]]\nfrom = 10\nover = 20\npreset = "storm"\n')
+    where = points()[:200]
+    given = "".join(f"{x!r},{z!r}\n" for x, z in where.tolist())
+    # A forecast lays its tiles out for the longest waves to come, so one that is known beforehand is another sea than a surprise:
+    # the storm comes first here, then the calm, and both have tiles for the storm.
+    weather.write_text('preset = "storm"\n\n[[change]]\nfrom = 10\nover = 20\npreset = "calm"\n')
+    with pelagic.Ocean(pelagic.preset("storm"), velocities=True, foam=True) as ocean:
+        ocean.schedule_sea(pelagic.preset("calm"), from_s=10, over_s=20)
+        for time_s in (5, 17.5, 40):
+            told = csv_columns(run_pelagic("query", "--points", "-", "--time", time_s, "--foam", "--weather", weather, given=given))
+            assert_same_answers(ocean.frame_at(time_s).query(where), told)
+        assert ocean.sea == pelagic.preset("calm")
+        assert ocean.frame_at(5).sea == pelagic.preset("storm")

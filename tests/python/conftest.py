@@ -1,0 +1,41 @@
+"""What the tests of the package for Python share: the native command, and the seas of the golden hashes."""
+
+import os
+import subprocess
+from pathlib import Path
+
+import pelagic
+import pytest
+
+SOURCE = Path(__file__).resolve().parents[2]
+GOLDEN = dict(line.split() for line in (SOURCE / "tests/golden/hashes.txt").read_text().splitlines())
+
+
+def run_pelagic(*arguments, given=None):
+    """What the command prints; its path comes from whoever runs the tests."""
+    done = subprocess.run([os.environ["PELAGIC"], *map(str, arguments)], input=given, capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    return done.stdout
+
+
+def golden_seas():
+    one_tile = {"resolution": 64, "patch_size_m": 250}
+    seas = {"default": pelagic.Sea()}
+    for spectrum in ("phillips-paper", "phillips", "pierson-moskowitz", "jonswap"):
+        seas[f"{spectrum}-64"] = pelagic.Sea(**one_tile, spectrum=spectrum)
+    for spreading in ("cosine-2s", "hasselmann", "donelan-banner"):
+        seas[f"spreading-{spreading}-64"] = pelagic.Sea(**one_tile, spreading=spreading)
+    seas["shallow-64"] = pelagic.Sea(**one_tile, depth_m=8)
+    seas["breaking-swell-64"] = pelagic.Sea(**one_tile, depth_m=2, swell_height_m=1, swell_direction_rad=2)
+    seas["analytic-64"] = pelagic.Sea(waves="analytic", resolution=64, choppiness=1)
+    seas["exp-sine-64"] = pelagic.Sea(waves="exp-sine", resolution=64)
+    seas["small-waves-64"] = pelagic.Sea(**one_tile, small_waves=0.8)
+    for name in ("calm", "moderate", "rough", "storm"):
+        seas[f"preset-{name}"] = pelagic.preset(name)
+    return seas
+
+
+@pytest.fixture
+def small():
+    """A sea of one tile whose frames take no time."""
+    return pelagic.Sea(resolution=64, patch_size_m=250)

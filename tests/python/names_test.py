@@ -1,0 +1,156 @@
+"""Names, defaults, docstrings and messages, against the library's own table and the stub."""
+
+import ast
+import dataclasses
+import inspect
+import re
+from pathlib import Path
+
+import numpy as np
+import pelagic
+import pytest
+from pelagic import _pelagic
+
+PACKAGE = Path(pelagic.__file__).parent
+
+
+def docstrings_of_fields(cls):
+    body = ast.parse(inspect.getsource(cls)).body[0].body
+    return {field.target.id: text.value.value for field, text in zip(body, body[1:])
+            if isinstance(field, ast.AnnAssign) and isinstance(text, ast.Expr)}
+
+
+def test_a_sea_has_the_fields_and_defaults_of_the_library():
+    here = {field.name: field.default for field in dataclasses.fields(pelagic.Sea)}
+    assert {name: here.pop(name) for name in ("waves", "spectrum", "spreading")} == {
+        "waves": "spectrum", "spectrum": "jonswap", "spreading": "paper"}
+    assert here == {name: default for name, default, _ in _pelagic.sea_fields()}
+
+
+def test_each_field_says_what_it_accepts():
+    docs = docstrings_of_fields(pelagic.Sea)
+    assert set(docs) == {field.name for field in dataclasses.fields(pelagic.Sea)}
+    ranges = {name: re.search(r"[\[(]-?[\d.].*?[\])]", accepted) for name, _, accepted in _pelagic.sea_fields()}
+    said_otherwise = {"swell_spread_rad", "wave_height_m"}
+    for name, found in ranges.items():
+        if found and name not in said_otherwise:
+            assert found.group() in docs[name], name
+
+
+def test_presets_are_seas_with_a_line_about_each():
+    assert list(pelagic.presets)[:3] == ["pond", "calm", "lake"] and len(pelagic.presets) == 23
+    assert list(pelagic.preset_summaries) == list(pelagic.presets)
+    assert all(pelagic.preset_summaries.values())
+    assert pelagic.preset("rough") is pelagic.presets["rough"]
+    with pytest.raises(TypeError):
+        pelagic.presets["rough"] = pelagic.Sea()
+    with pytest.raises(dataclasses.FrozenInstanceError):
+        pelagic.preset("rough").seed = 2
+    assert dataclasses.replace(pelagic.preset("rough"), seed=2) != pelagic.preset("rough")
+
+
+def members(cls):
+    return {part.name for part in cls.body if isinstance(part, ast.FunctionDef)}
+
+
+def test_the_stub_has_what_the_module_has():
+    stub = ast.parse((PACKAGE / "_pelagic.pyi").read_text())
+    only_types = {"Answers", "Hits"}
+    named = {part.name for part in stub.body if isinstance(part, (ast.ClassDef, ast.FunctionDef))} - only_types | {"version"}
+    assert named == {name for name in dir(_pelagic) if not name.startswith("__")}
+    for part in stub.body:
+        if isinstance(part, ast.ClassDef) and part.name in ("Bounds", "Tile", "Frame", "Ocean"):
+            there = {name for name, value in vars(getattr(_pelagic, part.name)).items() if not name.startswith("_")}
+            assert there == {name for name in members(part) if not name.startswith("_")}, part.name
+
+
+def test_help_says_something_about_everything():
+    for cls in (pelagic.Bounds, pelagic.Tile, pelagic.Frame, pelagic.Ocean):
+        assert cls.__doc__
+        for name, value in vars(cls).items():
+            if not name.startswith("_"):
+                # After the line that pybind11 writes of a method's arguments.
+                assert re.sub(r"^\w+\(self: .*\n", "", value.__doc__).strip(), name
+
+
+def test_the_package_is_typed_and_has_the_projects_version():
+    project = (Path(__file__).resolve().parents[2] / "CMakeLists.txt").read_text()
+    assert pelagic.__version__ == re.search(r"project\(pelagic VERSION (\S+)", project).group(1)
+    pyproject = (Path(__file__).resolve().parents[2] / "pyproject.toml").read_text()
+    assert f'version = "{pelagic.__version__}"' in pyproject
+    assert (PACKAGE / "py.typed").exists()
+
+
+@pytest.mark.parametrize("bad, kind, line", [
+    ({"wind_speed_mps": -3}, ValueError, "wind_speed_mps is -3, needs (0, 60]"),
+    ({"wind_speed_mps": float("nan")}, ValueError, "wind_speed_mps is nan, needs (0, 60]"),
+    ({"wind_speed_mps": float("inf")}, ValueError, "wind_speed_mps is inf, needs (0, 60]"),
+    ({"wind_speed_mps": "9"}, TypeError, "wind_speed_mps is '9', needs a number"),
+    ({"wind_speed_mps": None}, TypeError, "wind_speed_mps is None, needs a number"),
+    ({"wind_speed_mps": True}, TypeError, "wind_speed_mps is True, needs a number"),
+    ({"resolution": 100}, ValueError, "resolution is 100, needs a power of two from 16 to 2048, or 0: chosen"),
+    ({"resolution": 64.5}, TypeError, "resolution is 64.5, needs a whole number"),
+    ({"resolution": 64.0}, TypeError, "resolution is 64.0, needs a whole number"),
+    ({"seed": -1}, ValueError, "seed is -1, needs a whole number from 0 to 4294967295"),
+    ({"seed": 2**32}, ValueError, "seed is 4294967296, needs a whole number from 0 to 4294967295"),
+    ({"seed": 10**400}, ValueError, "seed is 1000"),
+    ({"spectrum": "jonswop"}, ValueError, "spectrum is jonswop, needs phillips-paper, phillips, pierson-moskowitz or jonswap (the nearest is jonswap)"),
+    ({"spectrum": 3}, TypeError, "spectrum is 3, needs a name: phillips-paper, phillips, pierson-moskowitz or jonswap"),
+    ({"waves": "exp_sine"}, ValueError, "waves is exp_sine, needs spectrum, analytic or exp-sine (the nearest is exp-sine)"),
+    ({"spreading": "\n\x1b[31m"}, ValueError, r"spreading is \n\x1b[31m, needs paper, cosine-2s, hasselmann or donelan-banner"),
+    ({"cascades": 3, "patch_size_m": 100}, ValueError, "cascades is 3, needs 1 where the side of the tile is given"),
+], ids=str)
+def test_a_bad_sea_gets_one_line(bad, kind, line):
+    with pytest.raises(kind) as refused:
+        pelagic.Sea(**bad)
+    said = str(refused.value)
+    assert said.startswith(line) and "\n" not in said and len(said) < 300
+
+
+def test_numbers_of_numpy_are_numbers():
+    sea = pelagic.Sea(wind_speed_mps=np.float32(9.5), resolution=np.int64(64), seed=np.uint32(4294967295), patch_size_m=250)
+    with pelagic.Ocean(sea) as ocean, pelagic.Ocean(pelagic.Sea(wind_speed_mps=9.5, resolution=64, seed=4294967295, patch_size_m=250.0)) as same:
+        assert ocean.frame_at(1).hash == same.frame_at(1).hash
+
+
+def test_bad_questions_get_one_line(small):
+    with pytest.raises(ValueError, match=r"^preset is strom, needs pond, .* or beaufort-12$"):
+        pelagic.preset("strom")
+    with pytest.raises(ValueError, match=r"^threads is 2000, needs "):
+        pelagic.Ocean(small, threads=2000)
+    with pytest.raises(ValueError, match=r"^isa is avx9, needs sse4.2, avx2, avx512 or neon$"):
+        pelagic.Ocean(small, isa="avx9")
+    with pelagic.Ocean(small, queries=False) as ocean, pytest.raises(ValueError, match="queries"):
+        ocean.frame_at(0).query([[0, 0]])
+    cases = {
+        "points.shape is (2, 3), needs (..., 2): x and z of each point": lambda frame: frame.query([[0, 0, 0], [1, 1, 1]]),
+        "points.shape is (), needs (..., 2): x and z of each point": lambda frame: frame.query(3.0),
+        "points can't be made an array of numbers": lambda frame: frame.query([["a", "b"]]),
+        "z can't be made an array of numbers": lambda frame: frame.query([1.0], "south"),
+        "fields is depth, needs height, normal, jacobian, velocity, foam, converged or error": lambda frame: frame.query([[0, 0]], fields=["depth"]),
+        "tolerance_m is 0, needs [1e-6, 1000]": lambda frame: frame.query([[0, 0]], tolerance_m=0),
+        "ray 1: reach_m is nan, needs ": lambda frame: frame.rays([0, 9, 0], [0, -1, 0], [1.0, np.nan]),
+        "ray 0: ": lambda frame: frame.rays([0, 9, 0], [0, 0, 0], 1.0),
+        "directions.shape is (2,), needs (..., 3): x, y and z of each ray": lambda frame: frame.rays([0, 9, 0], [0, 0], 1.0),
+        "point 1: a coordinate is nan, needs [-1e9, 1e9]": lambda frame: frame.displaced([[0, 0], [np.nan, 0]]),
+        "the frame has no foam, needs an ocean with foam=True": lambda frame: frame.foam_hash,
+        "level is 7, needs 0 to 6": lambda frame: frame.tiles[0].gradient_level(7),
+        "the frame has none of that, needs an ocean with velocities=True": lambda frame: frame.tiles[0].velocity_y,
+        "the frame has none of that, needs an ocean with slopes=True": lambda frame: frame.tiles[0].slopes,
+    }
+    with pelagic.Ocean(small) as ocean:
+        frame = ocean.frame_at(0)
+        for line, ask in cases.items():
+            with pytest.raises(ValueError) as refused:
+                ask(frame)
+            assert str(refused.value).startswith(line) and "\n" not in str(refused.value)
+        for name in ("velocity", "foam"):
+            with pytest.raises(ValueError, match=name.rstrip("y")):
+                frame.query([[0, 0]], fields=[name])
+        with pytest.raises(TypeError, match=r"^fields is 'height', needs a list of names$"):
+            frame.query([[0, 0]], fields="height")
+        with pytest.raises(ValueError, match="time_s is nan, needs a finite number"):
+            ocean.frame_at(float("nan"))
+        with pytest.raises(ValueError, match="over_s"):
+            ocean.schedule_sea(small, 10, 0)
+        assert ocean.frame_at(1).hash  # none of that did any harm
