@@ -1,6 +1,6 @@
 """Makes a wheel of what the CMake target pelagic_python builds. PEP 517, with nothing but Python's own library and CMake.
 
-CMAKE_ARGS holds more options for CMake, such as -DPELAGIC_TBB=OFF. The build stays in build/wheel-..., for the next one.
+CMAKE_ARGS holds more options for CMake, such as -DPELAGIC_TBB=OFF. The build stays in build/python, for the next one.
 """
 
 import base64
@@ -17,7 +17,6 @@ import zipfile
 from pathlib import Path
 
 SOURCE = Path(__file__).resolve().parents[2]
-OFF = ["TOOLS", "TESTS", "BENCH", "GL", "EXAMPLES", "INSTALL", "QUADTREE"]
 
 
 def field_of_project(name):
@@ -65,16 +64,21 @@ def run(*command):
         raise SystemExit(f"{command[0]} failed; what building Pelagic needs stands in docs/users/python.md")
 
 
-def built_package():
-    build = SOURCE / "build" / f"wheel-{tag()}"
-    run("cmake", "-S", SOURCE, "-B", build, "-DPELAGIC_PYTHON=ON", f"-DPython_EXECUTABLE={sys.executable}",
-        *(f"-DPELAGIC_{part}=OFF" for part in OFF), *shlex.split(os.environ.get("CMAKE_ARGS", "")))
-    run("cmake", "--build", build, "--target", "pelagic_python", "--parallel", os.environ.get("CMAKE_BUILD_PARALLEL_LEVEL", os.cpu_count()))
-    return build / "python" / "pelagic"
+def built_files():
+    """Of the package, by name. The folder is the preset's, which may have modules for other Pythons too."""
+    build = SOURCE / "build" / "python"
+    # Not the one of a virtual environment, which may be gone when that folder is built next.
+    run("cmake", "--preset", "python", "-S", SOURCE, "-B", build, f"-DPython_EXECUTABLE={Path(sys.executable).resolve()}",
+        *shlex.split(os.environ.get("CMAKE_ARGS", "")))
+    run("cmake", "--build", build, "--target", "pelagic_python",
+        "--parallel", os.environ.get("CMAKE_BUILD_PARALLEL_LEVEL", os.cpu_count()))
+    module = "_pelagic" + sysconfig.get_config_var("EXT_SUFFIX")
+    return {file.name: file.read_bytes() for file in sorted((build / "python" / "pelagic").iterdir())
+            if file.name == module or file.suffix in (".py", ".pyi", ".typed")}
 
 
 def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
-    files = {f"pelagic/{file.name}": file.read_bytes() for file in sorted(built_package().iterdir()) if file.is_file()}
+    files = {f"pelagic/{name}": content for name, content in built_files().items()}
     for name in ("LICENSE", "NOTICE"):
         files[f"{INFO}/{name}"] = (SOURCE / name).read_bytes()
     files[f"{INFO}/METADATA"] = metadata().encode()

@@ -1,0 +1,48 @@
+"""Every line of docs/users/python.md: its lines for a shell make the package, its Python prints what the page says.
+
+usage: page_test.py SOURCE_FOLDER
+"""
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+source = Path(sys.argv[1])
+# Debian's python3, for which Debian's packages are, before any other.
+environment = {**os.environ, "PATH": "/usr/bin:" + os.environ["PATH"], "PIP_NO_INDEX": "1", "PYTHONDONTWRITEBYTECODE": "1"}
+blocks = re.findall(r"^```(\w+)\n(.*?)^```$", (source / "docs/users/python.md").read_text(), re.MULTILINE | re.DOTALL)
+assert {"bash": 3, "python": 6, "text": 5} == {kind: sum(language == kind for language, _ in blocks) for kind in ("bash", "python", "text")}
+
+
+def run(*command, **options):
+    done = subprocess.run(command, cwd=source, env=environment, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, **options)
+    if done.returncode != 0:
+        sys.exit(f"{done.stdout}\nfailed: {' '.join(command)}")
+    return done.stdout
+
+
+shutil.rmtree(source / "build/python-venv", ignore_errors=True)
+
+# One program, as a reader types one block after the other; what each prints ends with a mark.
+mark = "-- the next block --"
+program = ""
+expected = []
+for (language, text), (following, printed) in zip(blocks, [*blocks[1:], ("", "")]):
+    if language == "python":
+        program += f"{text}\nprint({mark!r})\n"
+        expected.append(printed if following == "text" else "")
+    elif language == "bash" and program == "":
+        print(run("bash", "-e", "-c", text).strip().splitlines()[-1])
+
+seen = [part.removeprefix("\n") for part in run("build/python-venv/bin/python", "-c", program).split(mark)][:-1]
+for number, (there, here) in enumerate(zip(expected, seen)):
+    if there != here:
+        print(f"block {number} prints\n{here}instead of\n{there}")
+if len(seen) != len(expected) or seen != expected:
+    sys.exit("the page says otherwise")
+
+assert blocks[-1][0] == "bash"
+run("bash", "-e", "-c", blocks[-1][1])

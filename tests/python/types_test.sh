@@ -1,0 +1,36 @@
+#!/usr/bin/env bash
+# mypy takes the example strictly, knows what arrays hold, and refuses what is wrong.
+#
+# usage: types_test.sh SOURCE_FOLDER PYTHON
+set -euo pipefail
+source=$1 python=$2
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work"
+check() { mypy --strict --python-executable "$python" --cache-dir "$work/cache" "$@"; }
+
+check "$source/python/examples/measured_spectrum.py"
+
+cat >right.py <<'END'
+import numpy as np
+from numpy.typing import NDArray
+import pelagic
+
+def heights(sea: pelagic.Sea) -> NDArray[np.float32]:
+    with pelagic.Ocean(sea, threads=1, isa="sse4.2") as ocean:
+        frame: pelagic.Frame = ocean.frame_at(1)
+        halves: NDArray[np.float16] = frame.tiles[0].displacement
+        hit: NDArray[np.bool_] = frame.rays([0, 9, 0], [0, -1, 0], 20)["hit"]
+        print(halves.shape, hit.any(), frame.hash + 1)
+        return frame.query([[0, 0]], fields=["height"])["height"]
+END
+check right.py
+
+lines=('pelagic.Sea(wind_speed=9)' 'pelagic.Sea(wind_speed_mps="9")' 'pelagic.preset("rough").seed = 2' 'pelagic.Ocean(pelagic.Sea(), query=True)'
+       'pelagic.Ocean(pelagic.Sea()).frame_at("now")' 'pelagic.Ocean(pelagic.Sea()).frame_at(0).query([[0, 0]], fields=["depth"])'
+       'pelagic.Ocean(pelagic.Sea()).frame_at(0).query([[0, 0]])["depth"]')
+for line in "${lines[@]}"; do
+  printf 'import pelagic\n%s\n' "$line" >wrong.py
+  if check wrong.py >said; then echo "$line is taken" && exit 1; fi
+  grep -q '^wrong.py:2: error' said || { cat said && exit 1; }
+done
