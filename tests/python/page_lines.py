@@ -1,6 +1,6 @@
 """Every line of docs/users/python.md: its lines for a shell make the package, its Python prints what the page says.
 
-usage: page_test.py SOURCE_FOLDER
+usage: page_lines.py SOURCE_FOLDER
 """
 
 import os
