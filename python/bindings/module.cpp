@@ -22,8 +22,9 @@ FramePointer python_frame_of(const OceanPointer& ocean, NumberedFrame made) {
 }
 
 OceanPointer make_ocean(py::handle sea, bool queries, bool velocities, bool foam, bool gradients, bool slopes, int threads,
-                        const std::optional<std::string>& isa) {
-    const SeaState state = sea_state_of(sea);
+                        const std::optional<std::string>& isa, double largest_peak_m) {
+    const Forecast forecast{.first = sea_state_of(sea), .largest_peak_m = largest_peak_m};
+    if (const std::string reason = check(forecast.first); !reason.empty()) throw std::invalid_argument(reason);
     OceanOptions options{.queries = queries, .velocities = velocities, .gradients = gradients, .slopes = slopes, .foam = foam};
     if (isa) {
         options.isa = isa_named(*isa);
@@ -31,7 +32,7 @@ OceanPointer make_ocean(py::handle sea, bool queries, bool velocities, bool foam
     }
     const py::gil_scoped_release others_run;
     options.executor = make_default_executor(threads);
-    return std::make_shared<SharedOcean>(state, options);
+    return std::make_shared<SharedOcean>(forecast, options);
 }
 
 std::vector<std::string> names_of_isas() {
@@ -87,7 +88,7 @@ void add_ocean_class(py::module_& module) {
     py::class_<SharedOcean, OceanPointer> ocean(module, "Ocean", doc_of("Ocean"));
     ocean.def(py::init(&make_ocean), py::arg("sea"), py::arg("queries") = true, py::arg("velocities") = false,
               py::arg("foam") = false, py::arg("gradients") = false, py::arg("slopes") = false, py::arg("threads") = 0,
-              py::arg("isa") = py::none(), doc_of("Ocean.__init__"));
+              py::arg("isa") = py::none(), py::arg("largest_peak_m") = 0.0, doc_of("Ocean.__init__"));
     ocean.def("__enter__", &entered);
     ocean.def("__exit__", [](SharedOcean& of, const py::args&) { freely(&SharedOcean::close)(of); });
     ocean.def("close", freely(&SharedOcean::close), doc_of("Ocean.close"));

@@ -109,6 +109,8 @@ py::array_t<double> densities(py::handle sea, const Doubles& at, const char* nam
 }  // namespace
 
 SeaState sea_state_of(py::handle sea) {
+    if (!py::hasattr(sea, "wind_speed_mps"))
+        throw py::type_error(refusal("sea", std::string(py::repr(sea)), "a pelagic.Sea, such as pelagic.preset(\"rough\")"));
     SeaState state;
     state.waves = named_in<WaveModel>(sea, "waves", wave_model_named, wave_models());
     state.spectrum = named_in<SpectrumModel>(sea, "spectrum", spectrum_model_named, spectrum_models());
@@ -124,7 +126,7 @@ py::object python_sea_of(const SeaState& sea) {
     fields["spreading"] = name_of(sea.spreading);
     for (const SeaStateField& field : sea_state_fields())
         std::visit([&](auto member) { fields[py::str(std::string(field.name))] = sea.*member; }, field.member);
-    return py::module_::import("pelagic._sea").attr("Sea")(**fields);
+    return py::module_::import("pelagic._sea").attr("Sea").attr("_of_library")(fields);
 }
 
 void add_sea_functions(py::module_& module) {

@@ -13,8 +13,8 @@ void need_finite(double time_s) {
 
 }  // namespace
 
-SharedOcean::SharedOcean(const SeaState& sea, const OceanOptions& options)
-    : executor_(options.executor), ocean_(std::make_unique<Ocean>(sea, options)) {}
+SharedOcean::SharedOcean(const Forecast& forecast, const OceanOptions& options)
+    : executor_(options.executor), ocean_(std::make_unique<Ocean>(forecast, options)) {}
 
 void SharedOcean::need_open_now() const {
     if (is_closed_) throw std::invalid_argument("the ocean is closed, needs one that is open");

@@ -44,7 +44,7 @@ struct NumberedFrame {
 /// throw std::invalid_argument.
 class SharedOcean {
    public:
-    SharedOcean(const SeaState& sea, const OceanOptions& options);
+    SharedOcean(const Forecast& forecast, const OceanOptions& options);
 
     void schedule(double time_s);
     bool is_ready();

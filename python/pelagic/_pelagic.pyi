@@ -193,6 +193,7 @@ class Ocean:
         slopes: bool = False,
         threads: int = 0,
         isa: Optional[str] = None,
+        largest_peak_m: float = 0.0,
     ) -> None:
         """
         queries     frames can be asked by query() and rays()
@@ -202,6 +203,8 @@ class Ocean:
         slopes      a frame of one tile has slopes; those of several always have
         threads     at work on a frame, the calling one included; 0: one per core
         isa         "sse4.2", "avx2", "avx512" or "neon"; None: PELAGIC_ISA, else the strongest. All have the same bits
+        largest_peak_m  tiles are laid out for waves with peaks up to this long, which a sea to come may have: its
+                    report().peak_wavelength_m. 0: the first sea's
         """
     def __enter__(self) -> Ocean: ...
     def __exit__(

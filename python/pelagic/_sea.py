@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, List, Optional
+from typing import TYPE_CHECKING, Any, Dict, List, Optional
 
 from . import _pelagic
 
@@ -96,6 +96,13 @@ class Sea:
 
     def __post_init__(self) -> None:
         _pelagic.check_sea(self)
+
+    @classmethod
+    def _of_library(cls, fields: Dict[str, Any]) -> Sea:
+        """What the library says that a sea is. While one turns into another, they may differ in what doesn't go together."""
+        sea = object.__new__(cls)
+        sea.__dict__.update(fields)
+        return sea
 
     def report(self) -> Report:
         """How high and long its waves are; takes as long as an ocean of it does to begin."""

@@ -121,3 +121,15 @@ def test_measured_waves_are_as_high_as_the_sea_says():
         # The tiles' heights are independent, so their variances add.
         assert frame.measured_significant_wave_height_m() == pytest.approx(
             4 * np.sqrt(sum(np.var(tile.height.astype(float)) for tile in frame.tiles)), rel=1e-6)
+
+
+def test_a_frame_between_two_seas_tells_of_both():
+    first = pelagic.Sea(wind_speed_mps=10, roughness=0.2)
+    then = pelagic.Sea(spectrum="phillips", spreading="hasselmann", swell_height_m=2, wind_speed_mps=8)
+    with pelagic.Ocean(first, largest_peak_m=then.report().peak_wavelength_m) as ocean:
+        ocean.schedule_sea(then, from_s=10, over_s=10)
+        between = ocean.frame_at(14).sea
+        assert 8 < between.wind_speed_mps < 10 and 0 < between.swell_height_m < 2
+        assert between.spectrum == "jonswap" and ocean.frame_at(30).sea == then
+    with pelagic.Ocean(first) as ocean, pytest.raises(ValueError, match=r"^peak_wavelength_m of change 1 is .* largest_peak_m"):
+        ocean.schedule_sea(then, from_s=10, over_s=10)

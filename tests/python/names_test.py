@@ -116,6 +116,8 @@ def test_numbers_of_numpy_are_numbers():
 def test_bad_questions_get_one_line(small):
     with pytest.raises(ValueError, match=r"^preset is strom, needs pond, .* or beaufort-12$"):
         pelagic.preset("strom")
+    with pytest.raises(TypeError, match=r'^sea is \'rough\', needs a pelagic.Sea, such as pelagic.preset\("rough"\)$'):
+        pelagic.Ocean("rough")
     with pytest.raises(ValueError, match=r"^threads is 2000, needs "):
         pelagic.Ocean(small, threads=2000)
     with pytest.raises(ValueError, match=r"^isa is avx9, needs sse4.2, avx2, avx512 or neon$"):
