@@ -156,3 +156,11 @@ def test_bad_questions_get_one_line(small):
         with pytest.raises(ValueError, match="over_s"):
             ocean.schedule_sea(small, 10, 0)
         assert ocean.frame_at(1).hash  # none of that did any harm
+
+
+def test_an_ocean_says_what_it_was_made_of():
+    for isa in pelagic.isas_here():
+        with pelagic.Ocean(pelagic.Sea(cascades=3, resolution=32), threads=3, isa=isa) as ocean:
+            assert (ocean.threads, ocean.isa, ocean.resolution, ocean.tile_count) == (3, isa, 32, 3)
+            assert len(ocean.frame_at(0).tiles) == 3 and ocean.memory_bytes > 3 * 32 * 32 * 8
+            assert ocean.sea == pelagic.Sea(cascades=3, resolution=32)

@@ -36,12 +36,12 @@ def calls():
         return ocean.complete
 
     points = np.random.default_rng(1).uniform(-1000, 1000, (20000, 2))
-    rays = np.random.default_rng(1).uniform([-50, 9, -50], [50, 20, 50], (500, 3))
+    rays = np.random.default_rng(1).uniform([-50, 9, -50], [50, 20, 50], (100, 3))
     return {
         "frame_at": lambda ocean: lambda: ocean.frame_at(1),
         "complete": scheduled,
         "query": lambda ocean: lambda frame=ocean.frame_at(1): frame.query(points),
-        "rays": lambda ocean: lambda frame=ocean.frame_at(1): frame.rays(rays, [1, -0.2, 0.3], 300),
+        "rays": lambda ocean: lambda frame=ocean.frame_at(1): frame.rays(rays, [1, -0.01, 0.3], 3000),
         "displaced": lambda ocean: lambda frame=ocean.frame_at(1): frame.displaced(points),
         "hash": lambda ocean: lambda frame=ocean.frame_at(1): frame.hash,
         "Ocean": lambda ocean: lambda: pelagic.Ocean(pelagic.Sea(resolution=256)),
@@ -55,7 +55,7 @@ def test_another_thread_runs_meanwhile(counter, name):
             call = calls()[name](ocean)
             before = counter[0]
             call()
-            if counter[0] > before:
+            if counter[0] > before + 10:  # not only while NumPy copies something, and lets go for that
                 return
         pytest.fail(f"{name} keeps all other threads of Python from running")
 
