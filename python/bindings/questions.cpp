@@ -55,13 +55,29 @@ Doubles rows_of(py::handle given, const char* name, py::ssize_t numbers, const c
     return array;
 }
 
-/// Arrays of one shape, by NumPy's rules.
-std::vector<Doubles> broadcast(const std::vector<Doubles>& arrays) {
-    const py::list same = py::module_::import("numpy").attr("broadcast_arrays")(*py::tuple(py::cast(arrays)));
-    std::vector<Doubles> out;
-    for (const py::handle array : same) out.push_back(Doubles::ensure(array));
-    return out;
+/// Appends what an array has from an axis on, in order, whatever its strides.
+void append_elements(const py::array& array, py::ssize_t axis, const char* at, std::vector<double>& out) {
+    if (axis == array.ndim()) return out.push_back(*reinterpret_cast<const double*>(at));
+    for (py::ssize_t i = 0; i < array.shape(axis); ++i)
+        append_elements(array, axis + 1, at + i * array.strides(axis), out);
 }
+
+/// Arrays brought to one shape by NumPy's rules.
+struct SameShape {
+    Shape shape;
+    std::vector<std::vector<double>> elements;  ///< of each array, in order
+
+    explicit SameShape(const std::vector<Doubles>& arrays) {
+        const py::list same = py::module_::import("numpy").attr("broadcast_arrays")(*py::tuple(py::cast(arrays)));
+        for (const py::handle one : same) {
+            const auto array = py::reinterpret_borrow<py::array>(one);
+            shape = shape_of(array);
+            std::vector<double>& all = elements.emplace_back();
+            all.reserve(static_cast<std::size_t>(array.size()));
+            append_elements(array, 0, static_cast<const char*>(array.data()), all);
+        }
+    }
+};
 
 /// Where to ask, x and z apart.
 struct Places {
@@ -79,14 +95,13 @@ struct Places {
             z[i] = from[1];
         }
     }
-    Places(const Doubles& xs, const Doubles& zs)
-        : shape(shape_of(xs)), x(xs.data(), xs.data() + xs.size()), z(zs.data(), zs.data() + zs.size()) {}
+    explicit Places(SameShape both)
+        : shape(std::move(both.shape)), x(std::move(both.elements[0])), z(std::move(both.elements[1])) {}
 };
 
 Places places_of(py::handle points_or_x, py::handle z) {
     if (z.is_none()) return Places(rows_of(points_or_x, "points", 2, "x and z of each point"));
-    const auto both = broadcast({doubles_of(points_or_x, "x"), doubles_of(z, "z")});
-    return {both[0], both[1]};
+    return Places(SameShape({doubles_of(points_or_x, "x"), doubles_of(z, "z")}));
 }
 
 /// Three separate rows of numbers as an array of vectors.
@@ -183,13 +198,12 @@ py::dict rays(const FrameHandle& handle, py::handle origins, py::handle directio
     const SurfaceQuery surface(handle.frame, tolerance_m);
     const py::object extended = doubles_of(reach, "reach").attr("__getitem__")(
         py::make_tuple(py::ellipsis(), py::none()));  // a reach for each of x, y and z
-    const auto same = broadcast({rows_of(origins, "origins", 3, "x, y and z of each ray"),
-                                 rows_of(directions, "directions", 3, "x, y and z of each ray"),
-                                 doubles_of(extended, "reach")});
-    Shape shape = shape_of(same[0]);
+    const SameShape same({rows_of(origins, "origins", 3, "x, y and z of each ray"),
+                          rows_of(directions, "directions", 3, "x, y and z of each ray"), doubles_of(extended, "reach")});
+    Shape shape = same.shape;
     shape.pop_back();
-    const auto count = static_cast<std::size_t>(same[0].size()) / 3;
-    const double *origin = same[0].data(), *direction = same[1].data(), *reaches = same[2].data();
+    const std::size_t count = same.elements[0].size() / 3;
+    const double *origin = same.elements[0].data(), *direction = same.elements[1].data(), *reaches = same.elements[2].data();
 
     py::array_t<bool> hit(shape), from_below(shape);
     py::array_t<double> distance(shape), position(with(shape, 3));
