@@ -9,6 +9,7 @@
 #include "pelagic/capi/sea.hpp"
 #include "pelagic/capi/sized_struct.hpp"
 #include "pelagic/capi/status.hpp"
+#include "pelagic/jobs/platform.hpp"
 #include "pelagic/message/number_text.hpp"
 #include "pelagic/message/refusal.hpp"
 
@@ -25,7 +26,7 @@ AskedFrames::Reader::Reader(AskedFrames& frames) {
 }
 
 void AskedFrames::Reader::leave() {
-    if (slot_ && --slot_->readers == 0) slot_->readers.notify_all();
+    if (slot_ && --slot_->readers == 0) wake_all(slot_->readers);
 }
 
 void AskedFrames::show(const SurfaceQuery& query) {
@@ -35,8 +36,8 @@ void AskedFrames::show(const SurfaceQuery& query) {
 }
 
 void AskedFrames::wait_for_old_readers() {
-    std::atomic<int>& readers = slots_[1 - newest_].readers;
-    for (int now = readers; now != 0; now = readers) readers.wait(now);
+    const std::atomic<std::uint32_t>& readers = slots_[1 - newest_].readers;
+    for (std::uint32_t now = readers; now != 0; now = readers) wait_while(readers, now);
 }
 
 void need_no_frame_in_flight(const pelagic_ocean& ocean) {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <atomic>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -19,7 +20,7 @@ namespace pelagic::capi {
 class AskedFrames {
     struct Slot {
         std::optional<SurfaceQuery> query;
-        std::atomic<int> readers = 0;
+        std::atomic<std::uint32_t> readers = 0;
     };
 
    public:

@@ -203,7 +203,7 @@ typedef struct pelagic_executor_options {
      * threads with a mask, one per core of the mask; for a host, 1). [0, 1024] */
     int32_t threads;
     uint32_t reserved; /* 0 */
-    /* PELAGIC_EXECUTOR_THREADS on Linux and Android: bit i allows CPU i to the pool's threads; 0 allows all. */
+    /* PELAGIC_EXECUTOR_THREADS on Linux, Android and Windows: bit i allows CPU i to the pool's threads; 0 allows all. */
     uint64_t cpu_mask;
     pelagic_parallel_for parallel_for; /* PELAGIC_EXECUTOR_HOST: must be there */
     pelagic_submit submit;             /* optional: without it complete() begins the work */

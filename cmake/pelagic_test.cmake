@@ -14,7 +14,9 @@
 set(PELAGIC_TEST_TIMEOUT_S 600)
 set(PELAGIC_NIGHT_TIMEOUT_S 7200)
 set(PELAGIC_TEST_MEMORY_MIB 4096)
-find_program(PELAGIC_PRLIMIT prlimit REQUIRED)
+if(CMAKE_HOST_SYSTEM_NAME STREQUAL Linux)
+  find_program(PELAGIC_PRLIMIT prlimit REQUIRED)
+endif()
 
 # What goes before a command, and into its environment, so that it gets no more than `mib`.
 function(pelagic_memory_limit mib launcher environment)
@@ -22,8 +24,8 @@ function(pelagic_memory_limit mib launcher environment)
   set(${environment} PARENT_SCOPE)
   if(PELAGIC_SANITIZE MATCHES thread)
     set(${launcher} ${PROJECT_SOURCE_DIR}/tests/limit_resident.sh ${mib} PARENT_SCOPE)
-  elseif(EMSCRIPTEN)
-    return()  # node reserves more addresses than it uses, and a module's own memory ends at 4 GiB
+  elseif(EMSCRIPTEN OR NOT PELAGIC_PRLIMIT)
+    return()  # node reserves more addresses than it uses, and a module's own memory ends at 4 GiB; other systems have no such limit
   elseif(PELAGIC_SANITIZE)
     set(${environment} ASAN_OPTIONS=path_list_append:hard_rss_limit_mb=${mib} PARENT_SCOPE)
   else()

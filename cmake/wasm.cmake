@@ -6,27 +6,7 @@ option(PELAGIC_WASM_THREADS "WebAssembly with threads" OFF)
 option(PELAGIC_WEB "Build the modules for pages (needs emscripten)" OFF)
 list(APPEND CMAKE_TRY_COMPILE_PLATFORM_VARIABLES PELAGIC_WASM_THREADS)
 
-# Emscripten's own headers must come first, and /usr/include anywhere hides its C library. So those that Pelagic and its tests
-# need of this machine are linked into a folder of the build's.
-set(pelagic_wasm_deps ${CMAKE_BINARY_DIR}/wasm-deps)
-file(MAKE_DIRECTORY ${pelagic_wasm_deps})
-foreach(header xsimd glm xxhash.h Imath)
-  if(NOT EXISTS ${pelagic_wasm_deps}/${header})
-    file(CREATE_LINK /usr/include/${header} ${pelagic_wasm_deps}/${header} SYMBOLIC)
-  endif()
-endforeach()
-file(CONFIGURE OUTPUT ${pelagic_wasm_deps}/glmConfig.cmake CONTENT [[
-if(NOT TARGET glm::glm)
-  add_library(glm::glm INTERFACE IMPORTED)
-  target_include_directories(glm::glm SYSTEM INTERFACE ${CMAKE_CURRENT_LIST_DIR})
-endif()
-]] @ONLY)
-set(glm_DIR ${pelagic_wasm_deps})
-set(PELAGIC_XSIMD_INCLUDE_DIR ${pelagic_wasm_deps})
-set(PELAGIC_XXHASH_INCLUDE_DIR ${pelagic_wasm_deps})
-set(PELAGIC_IMATH_INCLUDE_DIR ${pelagic_wasm_deps}/Imath)
-set(PELAGIC_IMATH_LIBRARY m)  # none: without its table of halves Imath is headers alone
-set(PELAGIC_GTEST_SOURCE /usr/src/googletest)
+include(${CMAKE_CURRENT_LIST_DIR}/linked_headers.cmake)
 
 # The linker finds its node modules where Debian has them, whichever node it runs.
 foreach(language C CXX)
@@ -41,7 +21,7 @@ if(PELAGIC_WASM_THREADS)
   set(pelagic_wasm_flags "-fexceptions -pthread")
 endif()
 set(CMAKE_C_FLAGS_INIT "${pelagic_wasm_flags}")
-set(CMAKE_CXX_FLAGS_INIT "${pelagic_wasm_flags} -DIMATH_HALF_NO_LOOKUP_TABLE -include ${CMAKE_CURRENT_LIST_DIR}/wasm_missing_std.hpp")
+set(CMAKE_CXX_FLAGS_INIT "${pelagic_wasm_flags} ${pelagic_linked_headers_flags} -include ${CMAKE_CURRENT_LIST_DIR}/wasm_missing_std.hpp")
 # For programs of tests: they see this machine's files, take what memory they need and end when main() does.
 if(NOT PELAGIC_WEB)
   set(CMAKE_EXE_LINKER_FLAGS_INIT "-sNODERAWFS=1 -sALLOW_MEMORY_GROWTH=1 -sMAXIMUM_MEMORY=4GB -sEXIT_RUNTIME=1")

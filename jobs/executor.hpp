@@ -61,7 +61,7 @@ std::shared_ptr<Executor> make_thread_executor(int threads = 0);
 /// The same on chosen cores: bit i of `cpu_mask` allows CPU i, and 0 means all. On a processor with large and small cores a
 /// job on a small one ends last and holds up the frame, and the host may want the largest for itself. The mask is for
 /// the pool's threads; the completing one is the host's and stays where it is. With 0 threads there are as many as cores
-/// in the mask. Linux and Android only; elsewhere, and where the mask names no CPU that the process may use,
+/// in the mask. Linux, Android and Windows only; elsewhere, and where the mask names no CPU that the process may use,
 /// std::invalid_argument.
 std::shared_ptr<Executor> make_thread_executor_on(std::uint64_t cpu_mask, int threads = 0);
 

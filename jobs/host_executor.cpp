@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "pelagic/jobs/executor.hpp"
+#include "pelagic/jobs/platform.hpp"
 #include "pelagic/jobs/run_failure.hpp"
 #include "pelagic/message/refusal.hpp"
 
@@ -29,7 +30,7 @@ class HostLoop {
    public:
     /// Closed: until open() every block counts as taken.
     HostLoop(const Stage& stage, RunFailure& failure)
-        : stage_(stage), failure_(failure), taken_(block_count(stage)), done_(taken_.size()) {
+        : stage_(stage), failure_(failure), taken_(block_count(stage)), done_(static_cast<std::uint32_t>(taken_.size())) {
         for (std::atomic<bool>& taken : taken_) taken = true;
     }
 
@@ -44,7 +45,7 @@ class HostLoop {
     bool close() {
         const bool host_did_all = done_ == blocks();
         for (std::size_t block = 0; block < blocks(); ++block) do_once(block);
-        for (std::size_t now = done_; now != blocks(); now = done_) done_.wait(now);
+        for (std::uint32_t now = done_; now != blocks(); now = done_) wait_while(done_, now);
         return host_did_all;
     }
 
@@ -59,13 +60,13 @@ class HostLoop {
         } catch (...) {
             failure_.keep_current();
         }
-        if (++done_ == blocks()) done_.notify_all();
+        if (++done_ == blocks()) wake_all(done_);
     }
 
     const Stage& stage_;
     RunFailure& failure_;
     std::vector<std::atomic<bool>> taken_;
-    std::atomic<std::size_t> done_;
+    std::atomic<std::uint32_t> done_;
 };
 
 /// What a run and its tasks share: it lives until the last of them is gone.
@@ -78,7 +79,7 @@ class HostWork {
 
     /// \param number  what run_task() knows it by
     void schedule(std::uintptr_t number) {
-        state_ = State::waiting;
+        state_ = waiting;
         if (!jobs_.submit) return;
         // Kept until complete(): the task may have been taken in spite of the exception.
         call("submit", [&] { jobs_.submit(jobs_.user, &run_task, reinterpret_cast<void*>(number)); });
@@ -86,23 +87,23 @@ class HostWork {
 
     void finish() {
         begin_if_waiting();
-        // No mutex: notify_all() is the last that a worker does with the state, and it holds on to this object.
-        for (State now = state_; now != State::done; now = state_) state_.wait(now);
+        // No mutex: wake_all() is the last that a worker does with the state, and it holds on to this object.
+        for (std::uint32_t now = state_; now != done; now = state_) wait_while(state_, now);
     }
 
     void rethrow_failure() { failure_.rethrow(); }
-    bool is_done() const { return state_ == State::done; }
+    bool is_done() const { return state_ == done; }
 
     void begin_if_waiting() {
-        State expected = State::waiting;
-        if (!state_.compare_exchange_strong(expected, State::running)) return;
+        std::uint32_t expected = waiting;
+        if (!state_.compare_exchange_strong(expected, running)) return;
         for (const auto& loop : loops_) run(*loop);
-        state_ = State::done;
-        state_.notify_all();
+        state_ = done;
+        wake_all(state_);
     }
 
    private:
-    enum class State { waiting, running, done };
+    enum State : std::uint32_t { waiting, running, done };
 
     static void run_task(void* number);
 
@@ -130,7 +131,7 @@ class HostWork {
     RunFailure failure_;
     /// One a stage, in order; they refer to the graph, and only who began a run touches them, for which the run waits.
     std::vector<std::unique_ptr<HostLoop>> loops_;
-    std::atomic<State> state_ = State::done;
+    std::atomic<std::uint32_t> state_ = done;
 };
 
 /// The runs that there are, by a number that no other ever has.

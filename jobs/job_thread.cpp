@@ -1,18 +1,19 @@
 #include "pelagic/jobs/job_thread.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cassert>
-#include <latch>
+#include <cstdint>
 #include <string>
 #include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
 
+#include "pelagic/jobs/platform.hpp"
 #include "pelagic/message/number_text.hpp"
 
 #if __has_include(<pthread.h>)
-#include <limits.h>
 #include <pthread.h>
 #define PELAGIC_HAS_PTHREADS
 #endif
@@ -27,8 +28,7 @@ struct JobThread::Handle {
         pthread_attr_t attributes;
         int error = pthread_attr_init(&attributes);
         if (error == 0) {
-            error = pthread_attr_setstacksize(&attributes,
-                                              std::max(stack_bytes, static_cast<std::size_t>(PTHREAD_STACK_MIN)));
+            error = pthread_attr_setstacksize(&attributes, std::max(stack_bytes, least_stack_bytes()));
             if (error == 0) error = pthread_create(&thread, &attributes, &run, this);
             pthread_attr_destroy(&attributes);
         }
@@ -66,17 +66,18 @@ void JobThread::join() {
 }
 
 void need_threads(int count, std::size_t stack_bytes) {
-    std::latch all_asked(1);
+    std::atomic<std::uint32_t> all_asked = 0;
     std::vector<JobThread> threads;
     threads.reserve(static_cast<std::size_t>(std::max(count - 1, 0)));
     std::error_code refusal;
     try {
-        for (int i = 1; i < count; ++i) threads.emplace_back([&] { all_asked.wait(); }, stack_bytes);
+        for (int i = 1; i < count; ++i) threads.emplace_back([&] { wait_while(all_asked, 0); }, stack_bytes);
     } catch (const std::system_error& error) {
         refusal = error.code();
     }
     const std::size_t given = threads.size() + 1;
-    all_asked.count_down();
+    all_asked = 1;
+    wake_all(all_asked);
     for (JobThread& thread : threads) thread.join();
     if (refusal)
         throw std::system_error(

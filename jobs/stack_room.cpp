@@ -6,39 +6,11 @@
 #include <system_error>
 
 #include "pelagic/jobs/job_thread.hpp"
+#include "pelagic/jobs/platform.hpp"
 #include "pelagic/message/number_text.hpp"
-
-#if __has_include(<pthread.h>)
-#include <pthread.h>
-#endif
 
 namespace pelagic {
 namespace {
-
-/// [begin, end); empty where the system doesn't say.
-struct Stack {
-    std::uintptr_t begin = 0, end = 0;
-};
-
-Stack stack_of_this_thread() {
-#if defined(__linux__)
-    pthread_attr_t attributes;
-    if (pthread_getattr_np(pthread_self(), &attributes) != 0) return {};
-    void* begin = nullptr;
-    std::size_t bytes = 0, guard = 0;
-    const bool is_known = pthread_attr_getstack(&attributes, &begin, &bytes) == 0;
-    pthread_attr_getguardsize(&attributes, &guard);
-    pthread_attr_destroy(&attributes);
-    // Older C libraries count the guard page among the stack.
-    const auto first = reinterpret_cast<std::uintptr_t>(begin);
-    return is_known && guard < bytes ? Stack{first + guard, first + bytes} : Stack{};
-#elif defined(__APPLE__)
-    const auto end = reinterpret_cast<std::uintptr_t>(pthread_get_stackaddr_np(pthread_self()));
-    return {end - pthread_get_stacksize_np(pthread_self()), end};
-#else
-    return {};
-#endif
-}
 
 // The C library keeps a thread's own variables at the end of its stack; ThreadSanitizer alone has 768 KiB of them.
 constexpr std::size_t thread_local_bytes = std::size_t{1} << 20;

@@ -13,13 +13,14 @@
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/surface_query_jobs.hpp"
 #include "pelagic/sim/surface_ray.hpp"
+#include "pelagic/tests/platform/platform.hpp"
 
 namespace {
 std::atomic<long> allocations = 0;
 
 void* counted(std::size_t size, std::size_t alignment) {
     ++allocations;
-    void* memory = std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
+    void* memory = pelagic::allocate_aligned(size, alignment);
     if (!memory) throw std::bad_alloc();
     return memory;
 }
@@ -29,10 +30,10 @@ void* operator new(std::size_t size) { return counted(size, alignof(std::max_ali
 void* operator new(std::size_t size, std::align_val_t alignment) {
     return counted(size, static_cast<std::size_t>(alignment));
 }
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+void operator delete(void* memory) noexcept { pelagic::free_aligned(memory); }
+void operator delete(void* memory, std::size_t) noexcept { pelagic::free_aligned(memory); }
+void operator delete(void* memory, std::align_val_t) noexcept { pelagic::free_aligned(memory); }
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { pelagic::free_aligned(memory); }
 
 namespace pelagic {
 namespace {

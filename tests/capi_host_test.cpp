@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "pelagic/tests/capi_sea.hpp"
+#include "pelagic/tests/platform/platform.hpp"
 
 namespace pelagic {
 namespace {
@@ -26,15 +27,14 @@ struct HostHeap {
         if (bytes == 0 || heap->held + bytes > heap->most) return nullptr;
         heap->held += bytes;
         heap->largest_alignment = std::max(heap->largest_alignment, alignment);
-        auto* const memory =
-            static_cast<char*>(std::aligned_alloc(alignment, (bytes + 2 * alignment - 1) / alignment * alignment));
+        auto* const memory = static_cast<char*>(allocate_aligned(bytes + alignment, alignment));
         std::memset(memory, 0xAB, bytes);  // memory comes as it is
         return memory + heap->shift;
     }
     static void release(void* user, void* memory, std::size_t bytes, std::size_t) {
         auto* const heap = static_cast<HostHeap*>(user);
         heap->held -= bytes;
-        std::free(static_cast<char*>(memory) - heap->shift);
+        free_aligned(static_cast<char*>(memory) - heap->shift);
     }
     static void* allocate_by_throwing(void*, std::size_t, std::size_t) { throw std::runtime_error("no heap"); }
 };

@@ -1,12 +1,11 @@
 // Many oceans, many times, many threads.
-#include <malloc.h>
-
 #include <algorithm>
 #include <atomic>
 #include <random>
 #include <thread>
 
 #include "pelagic/tests/capi_sea.hpp"
+#include "pelagic/tests/platform/platform.hpp"
 #include "pelagic/tests/sanitized.hpp"
 
 namespace pelagic {
@@ -59,9 +58,9 @@ TEST(CInterfaceLoad, TenThousandOceansLeaveNothingBehind) {
         for (int i = 0; i < count / 100; ++i) executor_of(PELAGIC_EXECUTOR_THREADS, 3);
     };
     make_some(500);
-    const std::size_t before = mallinfo2().uordblks;
+    const std::size_t before = bytes_handed_out();
     make_some(is_sanitized ? 1000 : 10000);
-    const std::size_t after = mallinfo2().uordblks;
+    const std::size_t after = bytes_handed_out();
     // glibc counts the blocks that a thread keeps for itself as handed out. This is less than a byte an ocean.
     EXPECT_LE(after, before + 8192);
 }

@@ -1,13 +1,9 @@
 // Executors: each block once, stages in their order, threads within the limit, nothing lost.
 #include <gtest/gtest.h>
 
-#if defined(__linux__)
-#include <sched.h>
-#endif
-#include <sys/resource.h>
-
 #include <algorithm>
 #include <atomic>
+#include <bit>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -23,8 +19,10 @@
 
 #include "pelagic/jobs/executor.hpp"
 #include "pelagic/jobs/job_thread.hpp"
+#include "pelagic/jobs/platform.hpp"
 #include "pelagic/tests/each_executor.hpp"
 #include "pelagic/tests/host_jobs.hpp"
+#include "pelagic/tests/platform/platform.hpp"
 #include "pelagic/tests/sanitized.hpp"
 
 namespace pelagic {
@@ -240,7 +238,7 @@ INSTANTIATE_TEST_SUITE_P(Kinds, ParallelExecutor, testing::ValuesIn(kinds_with_a
 TEST_P(ParallelExecutor, SchedulingDoesNotBlock) {
     std::latch scheduled(1);
     JobGraph graph;
-    graph.add({.name = "blocked", .count = 1, .body = [&](std::size_t, std::size_t) { scheduled.wait(); }});
+    graph.add({.name = "blocked", .count = 1, .body = [&](std::size_t, std::size_t) { wait_until([&] { return scheduled.try_wait(); }); }});
     const auto run = executor_->prepare(graph);
     run->schedule();
     EXPECT_FALSE(run->is_done());
@@ -376,12 +374,10 @@ TEST_P(EachExecutor, WhatABodyThrowsComesOutOfCompleteWhenAllIsOver) {
 // Address space for a few stacks, as a limit of processes would be: a sanitizer's own needs are larger.
 TEST(ExecutorDeathTest, ThreadsThatTheSystemRefusesAreALineAndNoEnd) {
     if (is_sanitized) GTEST_SKIP() << "it maps terabytes";
+    if (!has_address_space_limits()) GTEST_SKIP() << "no limits of address space on this system";
     testing::GTEST_FLAG(death_test_style) = "threadsafe";
     const auto ask = [](std::shared_ptr<Executor> (*make)(int)) {
-        rlimit room{};
-        getrlimit(RLIMIT_AS, &room);
-        room.rlim_cur = std::size_t{700} << 20;
-        setrlimit(RLIMIT_AS, &room);
+        limit_address_space(std::size_t{700} << 20);
         try {
             make(1000);
         } catch (const std::system_error& error) {
@@ -439,36 +435,29 @@ TEST(ExecutorOptions, ZeroThreadsMeansOnePerCore) {
 }
 
 TEST(ExecutorOptions, AMaskOfCoresNamesSomeThatThereAre) {
-#if defined(__linux__)
+    if (!threads_have_cpu_masks()) GTEST_SKIP() << "no masks on this system";
     EXPECT_EQ(make_thread_executor_on(~std::uint64_t{0}, 3)->thread_limit(), 3);
     EXPECT_GE(make_thread_executor_on(~std::uint64_t{0})->thread_limit(), 1);
     if (std::thread::hardware_concurrency() < 64) {
         EXPECT_EQ(reason_of([] { make_thread_executor_on(std::uint64_t{1} << 63); }),
                   "cpu_mask is 0x8000000000000000, needs a CPU that this process may use");
     }
-#endif
 }
 
-#if defined(__linux__)
 TEST(ThreadExecutor, ItsThreadsStayOnTheMasksCores) {
-    cpu_set_t here;
-    CPU_ZERO(&here);
-    ASSERT_EQ(sched_getaffinity(0, sizeof here, &here), 0);
-    int last = -1;
-    for (int cpu = 0; cpu < 64; ++cpu)
-        if (CPU_ISSET(cpu, &here)) last = cpu;
+    if (!threads_have_cpu_masks()) GTEST_SKIP() << "no masks on this system";
+    const int last = 63 - std::countl_zero(cpus_of_this_process());
     if (last < 0) GTEST_SKIP() << "no CPU below 64 may be used";
     const std::thread::id completing = std::this_thread::get_id();
     std::atomic<int> elsewhere = 0;
     JobGraph graph;
     graph.add({.name = "look", .count = 64, .body = [&](std::size_t, std::size_t) {
                    std::this_thread::sleep_for(std::chrono::microseconds(100));
-                   if (std::this_thread::get_id() != completing && sched_getcpu() != last) ++elsewhere;
+                   if (std::this_thread::get_id() != completing && cpu_of_this_thread() != last) ++elsewhere;
                }});
     run_once(*make_thread_executor_on(std::uint64_t{1} << last, 3)->prepare(graph));
     EXPECT_EQ(elsewhere, 0);
 }
-#endif
 
 TEST(ExecutorOptions, HostsJobsAreChecked) {
     EXPECT_EQ(reason_of([] { make_host_executor({}); }), "parallel_for is null, needs the host's function");

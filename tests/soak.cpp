@@ -2,7 +2,6 @@
 // threads and without. Every frame is compared with a plain replay of its own, and memory must not grow.
 //
 // usage: pelagic_soak [FRAMES]    exit code 1 and a line at the first wrong bit
-#include <malloc.h>
 #include <pelagic/pelagic.h>
 
 #include <array>
@@ -13,6 +12,8 @@
 #include <cstring>
 #include <random>
 #include <vector>
+
+#include "pelagic/tests/platform/platform.hpp"
 
 namespace {
 
@@ -268,7 +269,7 @@ int main(int argc, char** argv) {
         Replay small_replay(16), large_replay(128);
         for (unsigned life = 0; life < lives; ++life) {
             live(frames / lives, life, executors, small_replay, large_replay, done, on_threads);
-            bytes_late = mallinfo2().uordblks;
+            bytes_late = pelagic::bytes_handed_out();
             if (life == 0) bytes_early = bytes_late;
         }
     }

@@ -1,0 +1,28 @@
+# Header-only packages of the build machine for a compiler of another system, whose own headers must come first: /usr/include
+# anywhere on its path hides them. So each header or folder is linked into a folder of the build's. For toolchain files.
+set(pelagic_linked_headers ${CMAKE_BINARY_DIR}/linked-headers)
+file(MAKE_DIRECTORY ${pelagic_linked_headers})
+foreach(header xsimd glm xxhash.h Imath CLI nlohmann stb toml++)
+  if(EXISTS /usr/include/${header} AND NOT EXISTS ${pelagic_linked_headers}/${header})
+    file(CREATE_LINK /usr/include/${header} ${pelagic_linked_headers}/${header} SYMBOLIC)
+  endif()
+endforeach()
+foreach(package_and_target glm|glm::glm CLI11|CLI11::CLI11 nlohmann_json|nlohmann_json::nlohmann_json)
+  string(REPLACE "|" ";" package_and_target ${package_and_target})
+  list(GET package_and_target 0 package)
+  list(GET package_and_target 1 target)
+  file(CONFIGURE OUTPUT ${pelagic_linked_headers}/${package}Config.cmake CONTENT [[
+if(NOT TARGET @target@)
+  add_library(@target@ INTERFACE IMPORTED)
+  target_include_directories(@target@ SYSTEM INTERFACE ${CMAKE_CURRENT_LIST_DIR})
+endif()
+]] @ONLY)
+  set(${package}_DIR ${pelagic_linked_headers})
+endforeach()
+foreach(package XSIMD XXHASH STB TOMLPLUSPLUS)
+  set(PELAGIC_${package}_INCLUDE_DIR ${pelagic_linked_headers})
+endforeach()
+set(PELAGIC_IMATH_INCLUDE_DIR ${pelagic_linked_headers}/Imath)
+set(PELAGIC_IMATH_LIBRARY m)  # none: without its table of halves Imath is headers alone
+set(pelagic_linked_headers_flags -DIMATH_HALF_NO_LOOKUP_TABLE)
+set(PELAGIC_GTEST_SOURCE /usr/src/googletest)

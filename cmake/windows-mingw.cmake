@@ -1,0 +1,19 @@
+# Cross-compiles for 64-bit Windows with Debian's mingw-w64; tests run under wine, whose prefix stands in the build folder. On
+# Windows itself, as in MSYS2, it leaves compiler and packages to that.
+if(CMAKE_HOST_WIN32)
+  return()
+endif()
+set(CMAKE_SYSTEM_NAME Windows)
+set(CMAKE_SYSTEM_PROCESSOR x86_64)
+set(CMAKE_C_COMPILER x86_64-w64-mingw32-gcc-posix)  # the one with threads of C++
+set(CMAKE_CXX_COMPILER x86_64-w64-mingw32-g++-posix)
+set(CMAKE_RC_COMPILER x86_64-w64-mingw32-windres)
+list(APPEND CMAKE_FIND_ROOT_PATH /usr/x86_64-w64-mingw32)
+set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)
+foreach(kind LIBRARY INCLUDE PACKAGE)
+  set(CMAKE_FIND_ROOT_PATH_MODE_${kind} ONLY)
+endforeach()
+include(${CMAKE_CURRENT_LIST_DIR}/linked_headers.cmake)
+set(CMAKE_C_FLAGS_INIT "${pelagic_linked_headers_flags}")
+set(CMAKE_CXX_FLAGS_INIT "${pelagic_linked_headers_flags}")
+set(CMAKE_CROSSCOMPILING_EMULATOR ${CMAKE_CURRENT_LIST_DIR}/run_wine.sh;${CMAKE_BINARY_DIR}/wine-prefix)

@@ -1,0 +1,51 @@
+// Linux and Android. sched_setaffinity with thread 0, the calling one, works on both; Android's C library has no
+// pthread_setaffinity_np before API level 36.
+#include <limits.h>
+#include <pthread.h>
+#include <sched.h>
+
+#include <cstddef>
+
+#include "pelagic/jobs/platform.hpp"
+
+namespace pelagic {
+
+Stack stack_of_this_thread() {
+    pthread_attr_t attributes;
+    if (pthread_getattr_np(pthread_self(), &attributes) != 0) return {};
+    void* begin = nullptr;
+    std::size_t bytes = 0, guard = 0;
+    const bool is_known = pthread_attr_getstack(&attributes, &begin, &bytes) == 0;
+    pthread_attr_getguardsize(&attributes, &guard);
+    pthread_attr_destroy(&attributes);
+    // Older C libraries count the guard page among the stack.
+    const auto first = reinterpret_cast<std::uintptr_t>(begin);
+    return is_known && guard < bytes ? Stack{first + guard, first + bytes} : Stack{};
+}
+
+std::size_t least_stack_bytes() { return static_cast<std::size_t>(PTHREAD_STACK_MIN); }
+
+bool has_cpu_masks() { return true; }
+
+std::uint64_t cpus_of_this_process() {
+    cpu_set_t here;
+    CPU_ZERO(&here);
+    if (sched_getaffinity(0, sizeof here, &here) != 0) return ~std::uint64_t{0};  // more CPUs than cpu_set_t has
+    std::uint64_t mask = 0;
+    for (int cpu = 0; cpu < 64; ++cpu)
+        if (CPU_ISSET(cpu, &here)) mask |= std::uint64_t{1} << cpu;
+    return mask;
+}
+
+void keep_this_thread_on_cpus(std::uint64_t mask) {
+    cpu_set_t cpus;
+    CPU_ZERO(&cpus);
+    for (int cpu = 0; cpu < 64; ++cpu)
+        if (mask >> cpu & 1) CPU_SET(cpu, &cpus);
+    sched_setaffinity(0, sizeof cpus, &cpus);
+}
+
+void wait_while(const std::atomic<std::uint32_t>& word, std::uint32_t value) { word.wait(value); }
+void wake_all(std::atomic<std::uint32_t>& word) { word.notify_all(); }
+
+}  // namespace pelagic

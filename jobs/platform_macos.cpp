@@ -1,0 +1,23 @@
+// macOS, which has no masks of CPUs.
+#include <limits.h>
+#include <pthread.h>
+
+#include "pelagic/jobs/platform.hpp"
+
+namespace pelagic {
+
+Stack stack_of_this_thread() {
+    const auto end = reinterpret_cast<std::uintptr_t>(pthread_get_stackaddr_np(pthread_self()));
+    return {end - pthread_get_stacksize_np(pthread_self()), end};
+}
+
+std::size_t least_stack_bytes() { return PTHREAD_STACK_MIN; }
+
+bool has_cpu_masks() { return false; }
+std::uint64_t cpus_of_this_process() { return ~std::uint64_t{0}; }
+void keep_this_thread_on_cpus(std::uint64_t) {}
+
+void wait_while(const std::atomic<std::uint32_t>& word, std::uint32_t value) { word.wait(value); }
+void wake_all(std::atomic<std::uint32_t>& word) { word.notify_all(); }
+
+}  // namespace pelagic

@@ -1,0 +1,17 @@
+// Systems that are not asked: WebAssembly, and those that nobody has tried.
+#include "pelagic/jobs/platform.hpp"
+
+namespace pelagic {
+
+Stack stack_of_this_thread() { return {}; }
+
+std::size_t least_stack_bytes() { return 16 << 10; }
+
+bool has_cpu_masks() { return false; }
+std::uint64_t cpus_of_this_process() { return ~std::uint64_t{0}; }
+void keep_this_thread_on_cpus(std::uint64_t) {}
+
+void wait_while(const std::atomic<std::uint32_t>& word, std::uint32_t value) { word.wait(value); }
+void wake_all(std::atomic<std::uint32_t>& word) { word.notify_all(); }
+
+}  // namespace pelagic

@@ -1,0 +1,36 @@
+#!/usr/bin/env bash
+# Installs into an empty prefix, then builds examples/c_host and cpp_host in a place that sees nothing else, with CMake and by hand,
+# and runs them beside pelagic.dll: both print the same frames.
+#
+# usage: install_test.sh BUILD_FOLDER EXAMPLES_FOLDER CMAKE C_COMPILER CXX_COMPILER TOOLCHAIN [EMULATOR...]
+set -euo pipefail
+build=$1 examples=$2 cmake=$3 cc=$4 cxx=$5 toolchain=$6
+run=("${@:7}")
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+export DESTDIR=  # the caller's would move the prefix
+
+"$cmake" --install "$build" --prefix "$work/first" >/dev/null
+mv "$work/first" "$work/prefix"  # package files must not remember where they were put
+[ "$(cd "$work/prefix" && ls bin/*.dll lib/*.a | tr '\n' ' ')" = "bin/pelagic.dll lib/libpelagic.a lib/libpelagic_c.dll.a lib/libpelagic_quadtree.a " ] ||
+  { ls "$work/prefix/bin" "$work/prefix/lib"; exit 1; }
+
+export PATH="$work/prefix/bin:$PATH"  # where Windows looks for DLLs; wine is told in its own words
+WINEPATH=$(sed 's|/|\\|g; s|^|Z:|' <<<"$work/prefix/bin")
+export WINEPATH
+cp -r "$examples/c_host" "$examples/cpp_host" "$work"
+for host in c_host cpp_host; do
+  "$cmake" -S "$work/$host" -B "$work/$host/build" -Dpelagic_DIR="$work/prefix/lib/cmake/pelagic" -DCMAKE_BUILD_TYPE=Release \
+    -DCMAKE_EXE_LINKER_FLAGS=-static     -DCMAKE_TOOLCHAIN_FILE="$toolchain" >"$work/log" 2>&1 &&
+    "$cmake" --build "$work/$host/build" >>"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
+  "${run[@]}" "$work/$host/build/$host.exe" >"$work/$host.txt"
+done
+diff "$work/cpp_host.txt" "$work/c_host.txt"
+[ "$(wc -l <"$work/c_host.txt")" -eq 5 ]
+
+# By hand; the static library brings the compiler's with it.
+include=-I$work/prefix/include libraries=-L$work/prefix/lib
+"$cc" -std=c99 -Wall -Wextra -pedantic -Werror "$work/c_host/main.c" -o "$work/c.exe" "$include" "$libraries" -lpelagic_c
+"${run[@]}" "$work/c.exe" | diff - "$work/c_host.txt"
+"$cxx" -std=c++20 -DPELAGIC_STATIC "$work/cpp_host/main.cpp" -o "$work/cpp.exe" "$include" "$libraries" -lpelagic -static
+env -u WINEPATH "${run[@]}" "$work/cpp.exe" | diff - "$work/c_host.txt"
