@@ -81,5 +81,7 @@ install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/NOTICE DESTINA
 
 if(PELAGIC_TOOLS)
   install(TARGETS pelagic)
-  install(TARGETS pelagic_images LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/pelagic)
+  if(PELAGIC_IMAGES)
+    install(TARGETS pelagic_images LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/pelagic)
+  endif()
 endif()

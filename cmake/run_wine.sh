@@ -4,7 +4,8 @@
 #
 # usage: run_wine.sh PREFIX PROGRAM.exe [ARGUMENT...]
 set -euo pipefail
-export WINEPREFIX=$1 WINEDEBUG=-all
+WINEPREFIX=$(realpath -m "$1")
+export WINEPREFIX WINEDEBUG=-all
 export WINEDLLOVERRIDES='mscoree=;mshtml=;winemenubuilder.exe='  # nothing that would ask for a download or a desktop
 shift
 wine=/usr/lib/wine/wine64  # where Debian has it, without its wrappers

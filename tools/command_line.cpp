@@ -11,9 +11,7 @@
 #include <vector>
 
 #include "pelagic/tools/bench_command.hpp"
-#include "pelagic/tools/export_command.hpp"
 #include "pelagic/tools/info_command.hpp"
-#include "pelagic/tools/merge_command.hpp"
 #include "pelagic/tools/quadtree_command.hpp"
 #include "pelagic/tools/query_command.hpp"
 #include "pelagic/tools/text/errors.hpp"
@@ -22,8 +20,12 @@
 #include "pelagic/tools/render_command.hpp"
 #include "pelagic/tools/view_command.hpp"
 #endif
-#include "pelagic/tools/text/stop_signal.hpp"
+#if defined(PELAGIC_HAS_IMAGES)
+#include "pelagic/tools/export_command.hpp"
+#include "pelagic/tools/merge_command.hpp"
 #include "pelagic/tools/verify_command.hpp"
+#endif
+#include "pelagic/tools/text/stop_signal.hpp"
 
 namespace pelagic::tools {
 namespace {
@@ -81,6 +83,21 @@ InputError from_cli(const CLI::ParseError& error, const CLI::App& app, const std
     return InputError(line);
 }
 
+/// A command that this build lacks for want of an option of CMake's: it takes all words, and says so when it runs.
+struct AbsentCommand {
+    CLI::App& app;
+    std::string option;
+
+    AbsentCommand(CLI::App& parent, const std::string& name, std::string needed)
+        : app(*parent.add_subcommand(name, "not in this build, which was configured with " + needed + "=OFF")),
+          option(std::move(needed)) {
+        app.allow_extras();
+    }
+    void run() const {
+        throw InputError(app.get_name() + " is not in this build, needs one configured with -D" + option + "=ON");
+    }
+};
+
 /// Output that a full disk swallowed is a failure, not a success without words.
 void check_standard_output() {
     if (std::cout.flush() && std::fflush(stdout) == 0 && !std::ferror(stdout)) return;
@@ -105,25 +122,40 @@ int run(int argc, const char* const* argv) {
     CLI::App& bench_app = *app.add_subcommand("bench", "how long frames take on this machine, beside others");
     BenchFlags bench_flags;
     bench_flags.add_to(bench_app);
+#if defined(PELAGIC_HAS_IMAGES)
     CLI::App& export_app = *app.add_subcommand("export", "write frames of a sea as images, and sea.json");
     ExportFlags export_flags;
     export_flags.add_to(export_app);
+#else
+    const AbsentCommand no_export(app, "export", "PELAGIC_IMAGES");
+    CLI::App& export_app = no_export.app;
+#endif
     CLI::App& info_app = *app.add_subcommand("info", "say what a sea is, before anything is written");
     InfoFlags info_flags;
     info_flags.add_to(info_app);
+#if defined(PELAGIC_HAS_IMAGES)
     CLI::App& merge_app = *app.add_subcommand("merge", "join the shards of an export, and check every file");
     MergeFlags merge_flags;
     merge_flags.add_to(merge_app);
+#else
+    const AbsentCommand no_merge(app, "merge", "PELAGIC_IMAGES");
+    CLI::App& merge_app = no_merge.app;
+#endif
     CLI::App& quadtree_app = *app.add_subcommand("quadtree", "which patches a view draws: figures, mesh, plan");
     QuadtreeCommandFlags quadtree_flags;
     quadtree_flags.add_to(quadtree_app);
     CLI::App& query_app = *app.add_subcommand("query", "say how high the water is at given points, and how it moves");
     QueryFlags query_flags;
     query_flags.add_to(query_app);
+#if defined(PELAGIC_HAS_IMAGES)
     CLI::App& verify_app =
         *app.add_subcommand("verify", "check every file of an export, and compute some frames again");
     VerifyFlags verify_flags;
     verify_flags.add_to(verify_app);
+#else
+    const AbsentCommand no_verify(app, "verify", "PELAGIC_IMAGES");
+    CLI::App& verify_app = no_verify.app;
+#endif
 
 #if defined(PELAGIC_HAS_GL)
     CLI::App& render_app = *app.add_subcommand("render", "draw pictures of a sea, without a window");
@@ -133,11 +165,8 @@ int run(int argc, const char* const* argv) {
     ViewFlags view_flags;
     view_flags.add_to(view_app);
 #else
-    CLI::App& render_app =
-        *app.add_subcommand("render", "not in this build, which was configured with PELAGIC_GL=OFF");
-    render_app.allow_extras();
-    CLI::App& view_app = *app.add_subcommand("view", "not in this build, which was configured with PELAGIC_GL=OFF");
-    view_app.allow_extras();
+    const AbsentCommand no_render(app, "render", "PELAGIC_GL"), no_view(app, "view", "PELAGIC_GL");
+    CLI::App &render_app = no_render.app, &view_app = no_view.app;
 #endif
 
     for (CLI::App* command : {&bench_app, &export_app, &info_app, &merge_app, &quadtree_app, &query_app, &render_app,
@@ -159,27 +188,37 @@ int run(int argc, const char* const* argv) {
     }
     if (bench_app.parsed())
         bench_flags.run();
-    else if (export_app.parsed())
-        run_export(export_flags.resolve());
     else if (info_app.parsed())
         info_flags.run();
-    else if (merge_app.parsed())
-        merge_flags.run();
     else if (quadtree_app.parsed())
         quadtree_flags.run();
     else if (query_app.parsed())
         query_flags.run();
+#if defined(PELAGIC_HAS_IMAGES)
+    else if (export_app.parsed())
+        run_export(export_flags.resolve());
+    else if (merge_app.parsed())
+        merge_flags.run();
     else if (verify_app.parsed())
         verify_flags.run();
+#else
+    else if (export_app.parsed())
+        no_export.run();
+    else if (merge_app.parsed())
+        no_merge.run();
+    else if (verify_app.parsed())
+        no_verify.run();
+#endif
 #if defined(PELAGIC_HAS_GL)
     else if (render_app.parsed())
         run_render(render_flags.resolve());
     else if (view_app.parsed())
         view_flags.run();
 #else
-    else if (render_app.parsed() || view_app.parsed())
-        throw InputError(app.get_subcommands().front()->get_name() +
-                         " is not in this build, needs one configured with -DPELAGIC_GL=ON");
+    else if (render_app.parsed())
+        no_render.run();
+    else if (view_app.parsed())
+        no_view.run();
 #endif
     else
         throw InputError(std::string("no command, needs ") + commands_text + "; pelagic --help says more");

@@ -12,8 +12,10 @@
 #include "pelagic/tools/export/sea_json.hpp"
 #include "pelagic/tools/files/digest.hpp"
 #include "pelagic/tools/files/output_folder.hpp"
-#include "pelagic/tools/measure/measure_report.hpp"
 #include "pelagic/tools/text/errors.hpp"
+#if defined(PELAGIC_HAS_IMAGES)
+#include "pelagic/tools/measure/measure_report.hpp"
+#endif
 
 namespace pelagic::tools {
 namespace {
@@ -165,12 +167,16 @@ void InfoFlags::measure() const {
     if (svg_ && svg_->empty()) throw InputError("--svg is empty, needs a file to write to");
     std::optional<OutputFile> svg;
     if (svg_) svg.emplace(*svg_);  // before the work begins
+#if defined(PELAGIC_HAS_IMAGES)
     const Json json = measure_export(*measure_);
     if (svg) svg->write(measurement_as_svg(json));
     if (json_)
         std::printf("%s\n", json.dump(2).c_str());
     else
         print_measurement(json);
+#else
+    throw InputError("--measure is not in this build, needs one configured with -DPELAGIC_IMAGES=ON");
+#endif
 }
 
 }  // namespace pelagic::tools

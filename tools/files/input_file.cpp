@@ -1,12 +1,12 @@
 #include "pelagic/tools/files/input_file.hpp"
 
-#include <fcntl.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
 #include <utility>
 
+#include "pelagic/tools/files/open_file.hpp"
 #include "pelagic/tools/text/errors.hpp"
 
 namespace pelagic::tools {
@@ -19,7 +19,7 @@ InputFile::InputFile(std::string option, const std::filesystem::path& file, std:
         is_ours_ = false;
         return;
     }
-    descriptor_ = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
+    descriptor_ = open_to_read(file).release();
     if (descriptor_ < 0) refuse(", which can't be read", errno);
 }
 
@@ -34,7 +34,7 @@ void InputFile::refuse(const std::string& what, int reason) const {
 
 std::size_t InputFile::read(std::span<char> bytes) {
     for (;;) {
-        const ssize_t got = ::read(descriptor_, bytes.data(), bytes.size());
+        const std::ptrdiff_t got = read_some(descriptor_, bytes);
         if (got >= 0) return static_cast<std::size_t>(got);
         if (errno != EINTR) refuse(", which can't be read", errno);
     }

@@ -1,0 +1,40 @@
+#!/usr/bin/env bash
+# `pelagic query` prints the rows that tests/golden/query holds, byte for byte, on every instruction set of this processor, and
+# `pelagic info` the golden hash: on every system. The rows are those of Linux.
+#
+# usage: golden_rows_test.sh GOLDEN_FOLDER WORK_FOLDER PELAGIC...    the command may begin with an emulator
+#        golden_rows_test.sh --write GOLDEN_FOLDER PELAGIC...        makes the rows anew, after a change of everybody's sea
+set -euo pipefail
+seas=(
+  "default.csv  --wind-speed 9 --time 12.5"
+  "storm.csv    --preset storm --foam --time 33.3"
+  "pond.csv     --preset pond --time 3"
+  "analytic.csv --preset analytic-intense --time 3.25"
+)
+
+if [ "$1" = --write ]; then
+  for sea in "${seas[@]}"; do
+    read -ra words <<<"$sea"
+    "${@:3}" query --points "$2/query/points.csv" "${words[@]:1}" >"$2/query/${words[0]}"
+  done
+  exit
+fi
+golden=$1 work=$2 pelagic=("${@:3}")
+mkdir -p "$work"
+
+info=$("${pelagic[@]}" info --json | tr -d '\r\n "')
+read -ra isas <<<"$(sed -E 's/.*isas_here:\[([^]]*)\].*/\1/; s/,/ /g' <<<"$info")"
+[ ${#isas[@]} -gt 0 ]
+for isa in "${isas[@]}"; do
+  for sea in "${seas[@]}"; do
+    read -ra words <<<"$sea"
+    "${pelagic[@]}" query --isa "$isa" --points "$golden/query/points.csv" "${words[@]:1}" >"$work/rows.csv"
+    cmp "$golden/query/${words[0]}" "$work/rows.csv" || { echo "$isa: $sea"; diff "$golden/query/${words[0]}" "$work/rows.csv"; exit 1; }
+  done
+  expected=$(sed -n 's/^default@0 //p' "$golden/hashes.txt")
+  said=$("${pelagic[@]}" info --isa "$isa" --json)
+  grep -qF "\"hash\": \"$expected\"" <<<"$said" || { echo "$isa: info has not the hash $expected"; exit 1; }
+done
+# By standard input too, which is bytes as they are.
+"${pelagic[@]}" query --wind-speed 9 --time 12.5 --points - <"$golden/query/points.csv" | cmp "$golden/query/default.csv" -
+echo "the golden rows on ${isas[*]}"

@@ -1,0 +1,37 @@
+#!/usr/bin/env bash
+# pelagic.exe where its users stumble: files are written whole and leave no part behind, and what can't be done is a line.
+#
+# usage: command_test.sh WORK_FOLDER PELAGIC...    the command may begin with an emulator
+set -euo pipefail
+work=$1 pelagic=("${@:2}")
+rm -rf "$work"
+mkdir -p "$work/folder"
+cd "$work"
+
+"${pelagic[@]}" quadtree --camera 10,6,20 --target 100,2,60 --svg plan.svg --obj sea.obj >figures
+"${pelagic[@]}" quadtree --camera 10,6,20 --target 100,2,60 --svg plan.svg >figures  # over the first
+[ "$(head -c 4 plan.svg)" = "<svg" ]
+[ "$(grep -c '^v ' sea.obj)" -gt 1000 ]
+[ "$(find . -name '*.part' | wc -l)" -eq 0 ]
+! grep -q $'\r' plan.svg sea.obj figures || { echo "a line ends as on Windows"; exit 1; }
+"${pelagic[@]}" bench --seconds 0.1 --json bench.json >figures
+grep -q '"cpu": "[^"]' bench.json
+
+refused() {  # usage: refused EXIT_CODE LINE ARGUMENT...
+  local code=0
+  "${pelagic[@]}" "${@:3}" >said 2>&1 || code=$?
+  [ "$(tr -d '\r' <said)" = "pelagic: $2" ] && [ "$code" -eq "$1" ] || { echo "$code, not $1: ${*:3}"; cat said; exit 1; }
+}
+for command in export merge verify; do
+  refused 2 "$command is not in this build, needs one configured with -DPELAGIC_IMAGES=ON" $command --out x
+done
+for command in render view; do
+  refused 2 "$command is not in this build, needs one configured with -DPELAGIC_GL=ON" $command
+done
+refused 2 "--measure is not in this build, needs one configured with -DPELAGIC_IMAGES=ON" info --measure folder
+refused 2 "--points is folder, a folder, needs a CSV file of lines x,z (Is a directory)" query --points folder
+refused 2 "--points is none.csv, which can't be read, needs a CSV file of lines x,z (No such file or directory)" query --points none.csv
+refused 1 "can't write folder: it is a folder, needs a regular file or a free name" quadtree --svg folder
+refused 1 "can't write nowhere/plan.svg: No such file or directory" quadtree --svg nowhere/plan.svg
+refused 1 "can't write plan.svg/plan.svg: Not a directory" quadtree --svg plan.svg/plan.svg
+refused 2 "--wind-speed is -3, needs (0, 60] m/s, or with a unit such as 20kn, 40km/h, 25mph, bft6" info --wind-speed -3

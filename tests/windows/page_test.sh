@@ -1,0 +1,35 @@
+#!/usr/bin/env bash
+# Every command line of docs/users/windows.md, in a folder that has the build and the sources where the page has them; the hosts
+# print the lines that the page shows.
+#
+# usage: page_test.sh SOURCE_FOLDER BUILD_FOLDER
+set -euo pipefail
+source=$1 build=$2
+page=$source/docs/users/windows.md
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+mkdir "$work/build"
+ln -s "$build" "$work/build/windows"
+ln -s "$source/cmake" "$source/examples" "$work"
+printf 'x,z\n0,0\n12.5,-3\n' >"$work/buoys.csv"
+cd "$work"
+export DESTDIR=
+
+sed -n 's/^    //p' "$page" >lines
+[ "$(wc -l <lines)" -eq 9 ] || { echo "the page has other lines than this test knows"; exit 1; }
+sed -n '/^```text$/,/^```$/{/^```/!p}' "$page" >shown
+[ "$(wc -l <shown)" -eq 5 ]
+while read -r line; do
+  # The preset would configure this very build anew while it is tested; that it is there is enough here.
+  [ "$line" != "cmake --preset windows && cmake --build --preset windows" ] || line="cmake --list-presets=configure -S $source"
+  echo "$line"
+  bash -e -c "$line" >out </dev/null || { cat out; exit 1; }
+  case $line in
+    cmake*--list*) grep -q '"windows"' out ;;
+    *c_host.exe | *run_wine.sh*cpp_host.exe) tr -d '\r' <out | diff shown - ;;
+    *pelagic.exe\ query*) [ "$(wc -l <out)" -eq 3 ] && [ -z "$(tr -dc '\r' <out)" ] || { cat out; exit 1; } ;;
+  esac
+done <lines
+[ -e c_host_build/c_host.exe ]
+cp pelagic-windows/bin/pelagic.dll c_host_build
+cmake/run_wine.sh build/windows/wine-prefix c_host_build/c_host.exe | tr -d '\r' | diff shown -

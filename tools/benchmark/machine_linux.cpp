@@ -1,0 +1,37 @@
+// Linux, which says it in files.
+#include "pelagic/tools/benchmark/machine.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <fstream>
+#include <string_view>
+
+namespace pelagic::tools {
+
+namespace {
+
+/// The first line of /proc/cpuinfo that says so; empty if none does.
+std::string cpu_info(std::string_view field) {
+    std::ifstream info("/proc/cpuinfo");
+    for (std::string line; std::getline(info, line);)
+        if (const auto colon = line.find(':');
+            colon != std::string::npos &&
+            std::string_view(line).substr(0, line.find_last_not_of(" \t", colon - 1) + 1) == field)
+            return line.substr(std::min(colon + 2, line.size()));
+    return {};
+}
+
+}  // namespace
+
+std::string cpu_name() {
+    if (const std::string name = cpu_info("model name"); !name.empty()) {
+        // Some virtual machines call all processors of a maker alike, "AMD EPYC".
+        if (std::any_of(name.begin(), name.end(), [](unsigned char c) { return std::isdigit(c) != 0; })) return name;
+        return name + " (family " + cpu_info("cpu family") + ", model " + cpu_info("model") + ")";
+    }
+    std::string board;
+    std::getline(std::ifstream("/sys/firmware/devicetree/base/model"), board, '\0');
+    return board.empty() ? "unknown" : board;
+}
+
+}  // namespace pelagic::tools

@@ -1,0 +1,27 @@
+// Windows, where the processor itself is asked.
+#include <cpuid.h>
+
+#include <array>
+#include <cstring>
+
+#include "pelagic/tools/benchmark/machine.hpp"
+
+namespace pelagic::tools {
+
+std::string cpu_name() {
+    // 48 characters in the registers of three leaves, with blanks around in some processors.
+    constexpr unsigned first_leaf = 0x80000002, last_leaf = 0x80000004;
+    std::string name;
+    for (unsigned leaf = first_leaf; leaf <= last_leaf; ++leaf) {
+        std::array<unsigned, 4> registers{};
+        if (__get_cpuid(leaf, &registers[0], &registers[1], &registers[2], &registers[3]) == 0) return "unknown";
+        char letters[sizeof registers];
+        std::memcpy(letters, registers.data(), sizeof letters);
+        name.append(letters, sizeof letters);
+    }
+    name.resize(std::strlen(name.c_str()));
+    const std::size_t begin = name.find_first_not_of(' '), end = name.find_last_not_of(' ');
+    return begin == std::string::npos ? "unknown" : name.substr(begin, end - begin + 1);
+}
+
+}  // namespace pelagic::tools

@@ -1,0 +1,205 @@
+// Windows: a folder that is held open, so that nobody can rename or remove it, and paths of names in it.
+#include <fcntl.h>
+#include <io.h>
+#include <sys/stat.h>
+#include <windows.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cerrno>
+#include <cstring>
+#include <system_error>
+
+#include "pelagic/tools/files/output_folder.hpp"
+#include "pelagic/tools/text/errors.hpp"
+
+namespace pelagic::tools {
+namespace {
+
+constexpr const char* can_not_write = "can't write ";
+constexpr const char* can_not_read = "can't read ";
+
+FileError file_error(const char* doing, const std::filesystem::path& file, const std::string& reason) {
+    return FileError(doing + file.string() + ": " + reason);
+}
+
+FileError file_error(const char* doing, const std::filesystem::path& file, int reason) {
+    return file_error(doing, file, std::strerror(reason));
+}
+
+const char* type_text(std::filesystem::file_type type) {
+    if (type == std::filesystem::file_type::symlink) return "a symbolic link";
+    if (type == std::filesystem::file_type::directory) return "a folder";
+    return "a device";
+}
+
+/// 0 or an errno.
+int write_all(const Descriptor& file, std::string_view bytes) {
+    constexpr std::size_t most_at_once = std::size_t{1} << 30;
+    while (!bytes.empty()) {
+        const int written =
+            ::_write(file.get(), bytes.data(), static_cast<unsigned>(std::min(bytes.size(), most_at_once)));
+        if (written < 0) return errno;
+        bytes.remove_prefix(static_cast<std::size_t>(written));
+    }
+    return 0;
+}
+
+Descriptor opened(const std::filesystem::path& file, int how) {
+    return Descriptor(::_wopen(file.c_str(), how | _O_BINARY | _O_NOINHERIT, _S_IREAD | _S_IWRITE));
+}
+
+/// A file under a name of its own for as long as it is written; gone at the end of the scope unless it was renamed. Its name
+/// can't be given to another while it is open.
+class PartFile {
+   public:
+    explicit PartFile(std::filesystem::path path) : path_(std::move(path)) {}
+    ~PartFile() {
+        if (!is_ours_) return;
+        file_ = {};
+        ::_wunlink(path_.c_str());
+    }
+    PartFile(const PartFile&) = delete;
+    PartFile& operator=(const PartFile&) = delete;
+
+    const Descriptor& file() const { return file_; }
+
+    /// 0 or an errno. What a killed run left is removed unread.
+    /// \param check  looks at what has the name, if anything, and throws if it may not be removed
+    int create(const std::function<void()>& check) {
+        if (const int reason = create_new(); reason != EEXIST) return reason;
+        check();
+        ::_wunlink(path_.c_str());
+        return create_new();
+    }
+    /// Closes it first: an open file keeps its name.
+    int rename_to(const std::filesystem::path& path) {
+        if (::_close(file_.release()) != 0) return errno;
+        std::error_code reason;
+        std::filesystem::rename(path_, path, reason);
+        is_ours_ = static_cast<bool>(reason);
+        return reason.value();
+    }
+
+   private:
+    int create_new() {
+        file_ = opened(path_, _O_WRONLY | _O_CREAT | _O_EXCL);
+        is_ours_ = file_.is_open();
+        return is_ours_ ? 0 : errno;
+    }
+
+    std::filesystem::path path_;
+    Descriptor file_;
+    bool is_ours_ = false;
+};
+
+}  // namespace
+
+OutputFolder::OutputFolder(std::filesystem::path path, Sync sync, const std::filesystem::path& wanted)
+    : path_(std::move(path)), sync_(sync) {
+    const std::filesystem::path folder = path_.empty() ? "." : path_;
+    std::error_code reason;
+    if (!std::filesystem::is_directory(folder, reason))
+        throw file_error(can_not_write, wanted, std::filesystem::exists(folder, reason) ? ENOTDIR : ENOENT);
+    // Others may read and write in it; nobody may remove it.
+    const HANDLE held = ::CreateFileW(folder.c_str(), FILE_LIST_DIRECTORY, FILE_SHARE_READ | FILE_SHARE_WRITE, nullptr,
+                                      OPEN_EXISTING, FILE_FLAG_BACKUP_SEMANTICS, nullptr);
+    if (held == INVALID_HANDLE_VALUE) throw file_error(can_not_write, wanted, EACCES);
+    folder_ = Descriptor(::_open_osfhandle(reinterpret_cast<std::intptr_t>(held), _O_RDONLY));
+    if (!folder_.is_open()) {
+        ::CloseHandle(held);
+        throw file_error(can_not_write, wanted, EMFILE);
+    }
+}
+
+bool OutputFolder::has_regular_file(const std::string& name, const char* doing) const {
+    assert(name.find('/') == std::string::npos);
+    std::error_code reason;
+    const std::filesystem::file_type type = std::filesystem::symlink_status(path_ / name, reason).type();
+    if (type == std::filesystem::file_type::not_found) return false;
+    if (type == std::filesystem::file_type::none) throw file_error(doing, path_ / name, reason.message());
+    if (type != std::filesystem::file_type::regular)
+        throw file_error(doing, path_ / name,
+                         std::string("it is ") + type_text(type) + ", needs a regular file or a free name");
+    return true;
+}
+
+int OutputFolder::sync_file(const Descriptor& file) const {
+    return sync_ == Sync::no || ::_commit(file.get()) == 0 ? 0 : errno;
+}
+
+int OutputFolder::write_and_sync(const Descriptor& file, std::string_view bytes) const {
+    const int reason = write_all(file, bytes);
+    return reason != 0 ? reason : sync_file(file);
+}
+
+void OutputFolder::write(const std::string& name, const std::function<void(const Take&)>& make) const {
+    PartFile part(path_ / part_name(name));
+    int reason = part.create([&] { has_regular_file(part_name(name), can_not_write); });
+    const auto take = [&](std::string_view piece) {
+        if (reason == 0) reason = write_all(part.file(), piece);
+        if (reason != 0) throw file_error(can_not_write, path_ / name, reason);
+    };
+    if (reason == 0) make(take);
+    if (reason == 0) reason = sync_file(part.file());
+    if (reason == 0) has_regular_file(name, can_not_write);
+    if (reason == 0) reason = part.rename_to(path_ / name);
+    if (reason != 0) throw file_error(can_not_write, path_ / name, reason);
+}
+
+void OutputFolder::check_writable(const std::string& name) const {
+    has_regular_file(name, can_not_write);
+    const auto check_part = [&] { has_regular_file(part_name(name), can_not_write); };
+    if (const int reason = PartFile(path_ / part_name(name)).create(check_part); reason != 0)
+        throw file_error(can_not_write, path_ / name, reason);
+}
+
+void OutputFolder::sync() const {}  // NTFS keeps a journal of names
+
+Descriptor OutputFolder::open_for_lines(const std::string& name) const {
+    has_regular_file(name, can_not_write);
+    Descriptor file = opened(path_ / name, _O_WRONLY | _O_APPEND);
+    if (!file.is_open()) throw file_error(can_not_write, path_ / name, errno);
+    return file;
+}
+
+void OutputFolder::append_line(const std::string& name, const Descriptor& file, std::string_view line) const {
+    const int reason = write_and_sync(file, std::string(line) + "\n");
+    if (reason != 0) throw file_error(can_not_write, path_ / name, reason);
+}
+
+Descriptor OutputFolder::open_for_reading(const std::string& name) const {
+    if (!has_regular_file(name, can_not_read)) return {};
+    Descriptor file = opened(path_ / name, _O_RDONLY);
+    if (!file.is_open()) throw file_error(can_not_read, path_ / name, errno);
+    return file;
+}
+
+std::size_t OutputFolder::read_some(const std::string& name, const Descriptor& file, std::span<char> bytes) const {
+    const int got = ::_read(file.get(), bytes.data(), static_cast<unsigned>(bytes.size()));
+    if (got < 0) throw file_error(can_not_read, path_ / name, errno);
+    return static_cast<std::size_t>(got);
+}
+
+void OutputFolder::for_each_name(const std::function<void(const std::string&)>& take) const {
+    std::error_code reason;
+    for (std::filesystem::directory_iterator entry(path_.empty() ? "." : path_, reason), end; !reason && entry != end;
+         entry.increment(reason))
+        take(entry->path().filename().string());
+    if (reason) throw file_error(can_not_read, path_, reason.message());
+}
+
+void OutputFolder::remove(const std::string& name) const {
+    std::error_code reason;
+    if (std::filesystem::symlink_status(path_ / name, reason).type() == std::filesystem::file_type::regular)
+        ::_wunlink((path_ / name).c_str());
+}
+
+Descriptor OutputFolder::open_for_lock(const std::string& name) const {
+    has_regular_file(name, can_not_write);
+    Descriptor file = opened(path_ / name, _O_RDWR | _O_CREAT);
+    if (!file.is_open()) throw file_error(can_not_write, path_ / name, errno);
+    return file;
+}
+
+}  // namespace pelagic::tools
