@@ -42,7 +42,7 @@ count_processor_seconds() {
 
 # Why GoogleTest's cases were skipped, instruction sets that this machine lacks above all, in logs newer than FILE.
 skipped_since() {
-  find build -maxdepth 4 -name LastTest.log -newer "$1" -exec awk '/: Skipped$/ { getline; print }' {} +
+  find build -maxdepth 4 -name LastTest.log -newer "$1" -exec awk '/: Skipped\r?$/ { getline; sub(/\r$/, ""); print }' {} +
 }
 
 table=() failed_parts=() skipped=() passed=0 failed=0
