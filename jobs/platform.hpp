@@ -30,7 +30,7 @@ std::uint64_t cpus_of_this_process();
 void keep_this_thread_on_cpus(std::uint64_t mask);
 
 /// What std::atomic's wait() and notify_all() promise: returns once the word is found to be another, and whoever changes it wakes
-/// those that wait for that. g++'s own wait(), up to 15 at least, looks before it takes its lock where it knows no futex, as on
+/// those that wait for that. The wait() of g++ 12's library looks before it takes its lock where it knows no futex, as on
 /// Windows, and so misses a change that comes between.
 void wait_while(const std::atomic<std::uint32_t>& word, std::uint32_t value);
 void wake_all(std::atomic<std::uint32_t>& word);
