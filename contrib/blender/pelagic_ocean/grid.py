@@ -1,0 +1,79 @@
+"""The mesh of a sea: a square of faces around the object's origin, and the points of Pelagic's world that rest at its vertices.
+
+Pelagic's y is up, x east, z south; Blender's z is up. (x, y, z) there is (x, -z, y) here, a turn about x, so nothing is mirrored."""
+import numpy
+
+
+def rest_points(size, resolution, place):
+    """x and z in Pelagic's axes, in double: vertex i + j (resolution + 1) lies i faces along +X and j along +Y."""
+    steps = (numpy.arange(resolution + 1) / resolution - 0.5) * size
+    points = numpy.empty(((resolution + 1) ** 2, 2))
+    points[:, 0] = numpy.tile(steps + place[0], resolution + 1)
+    points[:, 1] = -numpy.repeat(steps + place[1], resolution + 1)
+    return points
+
+
+def rest_vertices(size, resolution):
+    """Where they lie in Blender while the sea is flat, in double: near the origin, whatever their place in the sea."""
+    return from_pelagic_points(rest_points(size, resolution, (0, 0)))
+
+
+def from_pelagic_points(points):
+    flat = numpy.zeros((len(points), 3))
+    flat[:, 0] = points[:, 0]
+    flat[:, 1] = -points[:, 1]
+    return flat
+
+
+def from_pelagic(vectors):
+    """Vectors of Pelagic's axes in Blender's."""
+    turned = numpy.empty_like(vectors)
+    turned[:, 0] = vectors[:, 0]
+    turned[:, 1] = -vectors[:, 2]
+    turned[:, 2] = vectors[:, 1]
+    return turned
+
+
+def fill(mesh, resolution, vertices):
+    """Makes the mesh such a square anew; its materials stay."""
+    side = resolution + 1
+    first = (numpy.arange(resolution)[None, :] + numpy.arange(resolution)[:, None] * side).ravel()
+    corners = numpy.stack([first, first + 1, first + side + 1, first + side], axis=1).astype(numpy.int32)
+    mesh.clear_geometry()
+    mesh.vertices.add(side * side)
+    mesh.vertices.foreach_set("co", vertices.ravel())
+    mesh.loops.add(corners.size)
+    mesh.loops.foreach_set("vertex_index", corners.ravel())
+    mesh.polygons.add(len(corners))
+    mesh.polygons.foreach_set("loop_start", numpy.arange(0, corners.size, 4, dtype=numpy.int32))
+    mesh.polygons.foreach_set("loop_total", numpy.full(len(corners), 4, numpy.int32))
+    mesh.polygons.foreach_set("use_smooth", numpy.ones(len(corners), bool))
+    mesh.update(calc_edges=True)
+    # Vertices lie on the centres of a picture's pixels, so a picture with as many pixels as there are vertices fits.
+    uv = mesh.uv_layers.new(name="UVMap")
+    places = numpy.stack([corners % side, corners // side], axis=2)
+    uv.data.foreach_set("uv", ((places + 0.5) / side).astype(numpy.float32).ravel())
+
+
+def has_resolution(mesh, resolution):
+    return len(mesh.vertices) == (resolution + 1) ** 2 and len(mesh.polygons) == resolution ** 2
+
+
+def write(mesh, vertices, foam, velocity):
+    """Moves the vertices, and sets or removes the attributes of points `foam` and `velocity`."""
+    mesh.vertices.foreach_set("co", vertices.ravel())
+    set_attribute(mesh, "foam", "FLOAT", "value", foam)
+    set_attribute(mesh, "velocity", "FLOAT_VECTOR", "vector", velocity)
+    mesh.update()
+
+
+def set_attribute(mesh, name, kind, field, values):
+    attribute = mesh.attributes.get(name)
+    if attribute and (values is None or attribute.domain != "POINT" or attribute.data_type != kind):
+        mesh.attributes.remove(attribute)
+        attribute = None
+    if values is None:
+        return
+    if not attribute:
+        attribute = mesh.attributes.new(name, kind, "POINT")
+    attribute.data.foreach_set(field, values.ravel())

@@ -1,0 +1,169 @@
+"""Add Ocean, presets, bakes."""
+import bpy
+from bpy.props import StringProperty
+
+from . import bake, library, material, sea_object
+
+
+class PELAGIC_OT_add_ocean(bpy.types.Operator):
+    """Add a sea that follows the timeline"""
+    bl_idname = "pelagic.add_ocean"
+    bl_label = "Ocean (Pelagic)"
+    bl_options = {"REGISTER", "UNDO"}
+
+    preset: StringProperty(name="Preset", default="moderate")
+
+    @classmethod
+    def poll(cls, context):
+        return context.mode == "OBJECT" and not library.problem
+
+    def execute(self, context):
+        if self.preset not in library.pelagic.presets:
+            self.report({"ERROR"}, f"Preset is {self.preset}, needs one of {', '.join(library.pelagic.presets)}")
+            return {"CANCELLED"}
+        mesh = bpy.data.meshes.new("Ocean")
+        mesh.materials.append(material.water())
+        ocean = bpy.data.objects.new("Ocean", mesh)
+        ocean.location = context.scene.cursor.location
+        context.collection.objects.link(ocean)
+        with sea_object.quiet():
+            take_preset(ocean.pelagic, self.preset)
+            ocean.pelagic.bake_start, ocean.pelagic.bake_end = context.scene.frame_start, context.scene.frame_end
+            ocean.pelagic.is_ocean = True
+        sea_object.update(ocean, context.scene, ocean.pelagic)
+        if ocean.pelagic.error:
+            self.report({"ERROR"}, ocean.pelagic.error)
+        for selected in context.selected_objects:
+            selected.select_set(False)
+        ocean.select_set(True)
+        context.view_layer.objects.active = ocean
+        return {"FINISHED"}
+
+
+class OnOcean:
+    bl_options = {"REGISTER", "UNDO"}
+
+    @classmethod
+    def poll(cls, context):
+        return context.object is not None and context.object.pelagic.is_ocean
+
+
+class PELAGIC_OT_preset(OnOcean, bpy.types.Operator):
+    """Take all options of a sea by its name; size, time, foam and seed of the object stay"""
+    bl_idname = "pelagic.preset"
+    bl_label = "Preset"
+
+    preset: StringProperty(name="Preset")
+
+    def execute(self, context):
+        if self.preset not in library.pelagic.presets:
+            self.report({"ERROR"}, f"Preset is {self.preset}, needs one of {', '.join(library.pelagic.presets)}")
+            return {"CANCELLED"}
+        settings = context.object.pelagic
+        with sea_object.quiet():
+            take_preset(settings, self.preset)
+        settings.preset = self.preset  # told now, once
+        return {"FINISHED"}
+
+
+def take_preset(settings, name):
+    sea = library.pelagic.preset(name)
+    settings.preset = name
+    settings.wind_speed = sea.wind_speed_mps
+    settings.wind_direction = sea.wind_direction_rad
+    settings.choppiness = sea.choppiness
+    settings.loop_period = sea.loop_period_s
+    settings.fetch = sea.fetch_m
+    settings.depth = sea.depth_m
+    settings.spectrum = sea.spectrum
+    settings.spreading = sea.spreading
+    settings.alignment = sea.alignment
+    settings.small_waves = sea.small_waves
+    settings.swell_height = sea.swell_height_m
+    settings.swell_period = sea.swell_period_s
+    settings.swell_direction = sea.swell_direction_rad
+    settings.swell_spread = sea.swell_spread_rad
+    settings.wave_strength = sea.wave_strength
+    settings.wave_height = sea.wave_height_m
+    settings.tiles = sea.cascades
+    settings.tile_resolution = str(sea.resolution)
+    settings.tile_side = sea.patch_size_m
+
+
+class PELAGIC_OT_bake(OnOcean, bpy.types.Operator):
+    """Write the frames to disk, then play them from there. Escape stops; the next bake goes on where this one stopped"""
+    bl_idname = "pelagic.bake"
+    bl_label = "Bake"
+    bl_options = {"REGISTER"}
+
+    def execute(self, context):
+        try:
+            for _ in bake.run(context.object, context.scene):
+                pass
+        except bake.BakeError as error:
+            self.report({"ERROR"}, str(error))
+            return {"CANCELLED"}
+        self.report({"INFO"}, f"Baked to {bake.folder_of(context.object)}")
+        return {"FINISHED"}
+
+    # In the window a frame at a time, so that it goes on drawing.
+    def invoke(self, context, event):
+        self.work = bake.run(context.object, context.scene)
+        self.timer = context.window_manager.event_timer_add(0.001, window=context.window)
+        context.window_manager.progress_begin(0, 1)
+        context.window_manager.modal_handler_add(self)
+        return {"RUNNING_MODAL"}
+
+    def modal(self, context, event):
+        if event.type == "ESC":
+            self.work.close()
+            self.report({"INFO"}, "Stopped; Bake goes on from here")
+            return self.leave(context, {"CANCELLED"})
+        if event.type != "TIMER":
+            return {"PASS_THROUGH"}
+        try:
+            done, frames = next(self.work)
+        except StopIteration:
+            return self.leave(context, {"FINISHED"})
+        except bake.BakeError as error:
+            self.report({"ERROR"}, str(error))
+            return self.leave(context, {"CANCELLED"})
+        context.window_manager.progress_update(done / frames)
+        context.workspace.status_text_set(f"Pelagic bakes: {done} of {frames} frames, Escape stops")
+        return {"RUNNING_MODAL"}
+
+    def leave(self, context, result):
+        context.workspace.status_text_set(None)
+        context.window_manager.progress_end()
+        context.window_manager.event_timer_remove(self.timer)
+        return result
+
+
+class PELAGIC_OT_go_live(OnOcean, bpy.types.Operator):
+    """Let the sea move the mesh again; the files of the bake stay"""
+    bl_idname = "pelagic.go_live"
+    bl_label = "Back to Live"
+
+    def execute(self, context):
+        bake.go_live(context.object)
+        sea_object.update(context.object, context.scene, context.object.pelagic)
+        return {"FINISHED"}
+
+
+def add_menu(menu, context):
+    menu.layout.operator(PELAGIC_OT_add_ocean.bl_idname, icon="MOD_OCEAN")
+
+
+classes = (PELAGIC_OT_add_ocean, PELAGIC_OT_preset, PELAGIC_OT_bake, PELAGIC_OT_go_live)
+
+
+def register():
+    for each in classes:
+        bpy.utils.register_class(each)
+    bpy.types.VIEW3D_MT_mesh_add.append(add_menu)
+
+
+def unregister():
+    bpy.types.VIEW3D_MT_mesh_add.remove(add_menu)
+    for each in reversed(classes):
+        bpy.utils.unregister_class(each)

@@ -1,0 +1,141 @@
+"""The sidebar's panel."""
+import bpy
+
+from . import library, sea_object
+
+
+class Section:
+    bl_space_type = "VIEW_3D"
+    bl_region_type = "UI"
+    bl_category = "Pelagic"
+
+    def prepare(self):
+        self.layout.use_property_split = True
+        self.layout.use_property_decorate = True
+        return self.layout
+
+
+class OfOcean(Section):
+    bl_parent_id = "PELAGIC_PT_ocean"
+
+    @classmethod
+    def poll(cls, context):
+        return is_ocean(context.object)
+
+
+def is_ocean(object):
+    return object is not None and object.pelagic.is_ocean and not library.problem
+
+
+class PELAGIC_MT_presets(bpy.types.Menu):
+    bl_label = "Presets"
+
+    def draw(self, context):
+        for name in library.pelagic.presets:
+            self.layout.operator("pelagic.preset", text=title(name)).preset = name
+
+
+class PELAGIC_PT_ocean(Section, bpy.types.Panel):
+    bl_label = "Ocean"
+
+    def draw(self, context):
+        layout = self.layout
+        if library.problem:
+            layout.label(text=library.problem, icon="ERROR")
+            return
+        layout.operator("pelagic.add_ocean", text="Add Ocean", icon="MOD_OCEAN")
+        if not is_ocean(context.object):
+            return
+        settings = context.object.pelagic
+        layout.menu("PELAGIC_MT_presets", text=title(settings.preset))
+        if settings.error:
+            layout.label(text=settings.error, icon="ERROR")
+
+
+class PELAGIC_PT_waves(OfOcean, bpy.types.Panel):
+    bl_label = "Waves"
+
+    def draw(self, context):
+        layout, settings = self.prepare(), context.object.pelagic
+        layout.prop(settings, "wind_speed")
+        layout.prop(settings, "wind_direction")
+        spectrum = sea_object.has_spectrum(library.pelagic.preset(settings.preset))
+        for name in ("fetch", "depth") if spectrum else ("wave_strength", "wave_height"):
+            layout.prop(settings, name)
+        layout.prop(settings, "choppiness")
+        layout.prop(settings, "loop_period")
+        if spectrum:
+            layout.prop(settings, "seed")
+
+
+class PELAGIC_PT_swell(OfOcean, bpy.types.Panel):
+    bl_label = "Swell"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    @classmethod
+    def poll(cls, context):
+        return is_ocean(context.object) and sea_object.has_spectrum(library.pelagic.preset(context.object.pelagic.preset))
+
+    def draw(self, context):
+        for name in ("swell_height", "swell_period", "swell_direction", "swell_spread"):
+            self.prepare().prop(context.object.pelagic, name)
+
+
+class PELAGIC_PT_spectrum(OfOcean, bpy.types.Panel):
+    bl_label = "Spectrum and Tiles"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    def draw(self, context):
+        settings = context.object.pelagic
+        if sea_object.has_spectrum(library.pelagic.preset(settings.preset)):
+            for name in ("spectrum", "spreading", "alignment", "small_waves"):
+                self.prepare().prop(settings, name)
+        for name in ("tiles", "tile_resolution", "tile_side"):
+            self.prepare().prop(settings, name)
+
+
+class PELAGIC_PT_mesh(OfOcean, bpy.types.Panel):
+    bl_label = "Mesh"
+
+    def draw(self, context):
+        for name in ("size", "resolution", "place", "foam", "velocity"):
+            self.prepare().prop(context.object.pelagic, name)
+
+
+class PELAGIC_PT_time(OfOcean, bpy.types.Panel):
+    bl_label = "Time"
+
+    def draw(self, context):
+        for name in ("time_offset", "speed", "first_frame"):
+            self.prepare().prop(context.object.pelagic, name)
+
+
+class PELAGIC_PT_bake(OfOcean, bpy.types.Panel):
+    bl_label = "Bake"
+
+    def draw(self, context):
+        layout, settings = self.prepare(), context.object.pelagic
+        for name in ("bake_folder", "bake_start", "bake_end"):
+            layout.prop(settings, name)
+        layout.operator("pelagic.bake")
+        if settings.is_baked:
+            layout.label(text="Plays the bake", icon="FILE_CACHE")
+            layout.operator("pelagic.go_live")
+
+
+def title(preset):
+    return preset.replace("-", " ").title()
+
+
+classes = (PELAGIC_MT_presets, PELAGIC_PT_ocean, PELAGIC_PT_waves, PELAGIC_PT_swell, PELAGIC_PT_spectrum, PELAGIC_PT_mesh,
+           PELAGIC_PT_time, PELAGIC_PT_bake)
+
+
+def register():
+    for each in classes:
+        bpy.utils.register_class(each)
+
+
+def unregister():
+    for each in reversed(classes):
+        bpy.utils.unregister_class(each)

@@ -1,0 +1,134 @@
+"""What an ocean object remembers, saved with the .blend. Lengths, angles and speeds have Blender's units."""
+import math
+
+import bpy
+from bpy.props import (BoolProperty, EnumProperty, FloatProperty, FloatVectorProperty, IntProperty, PointerProperty,
+                       StringProperty)
+
+from . import timeline
+
+# Ranges are the library's (sim/sea_state.hpp), which checks them again.
+full_turn = 2 * math.pi
+
+
+def changed(settings, context):
+    timeline.settings_changed(settings.id_data)
+
+
+class PelagicOcean(bpy.types.PropertyGroup):
+    is_ocean: BoolProperty(options={"HIDDEN"})
+    error: StringProperty(options={"HIDDEN", "SKIP_SAVE"})
+    preset: StringProperty(
+        name="Preset", default="moderate", options={"HIDDEN"}, update=changed,
+        description="The sea that was chosen last; what it says beyond the options below holds too")
+
+    wind_speed: FloatProperty(
+        name="Wind", default=12, min=0.1, max=60, unit="VELOCITY", update=changed,
+        description="Mean wind 10 m above the sea")
+    wind_direction: FloatProperty(
+        name="Blows Towards", min=-full_turn, max=full_turn, subtype="ANGLE", update=changed,
+        description="Where the wind blows towards, from +X clockwise seen from above: 90 degrees is -Y")
+    fetch: FloatProperty(
+        name="Fetch", default=100e3, min=1, max=2e6, subtype="DISTANCE", update=changed,
+        description="How far the wind has blown over water; more makes longer and higher waves")
+    depth: FloatProperty(
+        name="Depth", default=4000, min=0.01, max=11000, subtype="DISTANCE", update=changed,
+        description="Of the water: waves that feel the ground are slower and lower")
+    choppiness: FloatProperty(
+        name="Choppiness", default=0.8, min=0, max=1, subtype="FACTOR", update=changed,
+        description="How far water moves towards crests: 0 gives round waves, 1 sharp ones")
+    spectrum: EnumProperty(
+        name="Spectrum", default="jonswap", update=changed, items=(
+            ("phillips-paper", "Phillips, of the Paper", "As VR Ocean scales it; one tile, no swell", 0),
+            ("phillips", "Phillips", "Phillips's, in metres", 1),
+            ("pierson-moskowitz", "Pierson-Moskowitz", "A sea that has grown as far as it can; no fetch", 2),
+            ("jonswap", "JONSWAP", "A sea that grows with the fetch", 3)))
+    spreading: EnumProperty(
+        name="Spreading", default="paper", update=changed, items=(
+            ("paper", "Paper", "By alignment", 0),
+            ("cosine-2s", "Cosine-2s", "As measured, Longuet-Higgins", 1),
+            ("hasselmann", "Hasselmann", "As measured, Hasselmann 1980", 2),
+            ("donelan-banner", "Donelan-Banner", "As measured, Donelan 1985 and Banner 1990", 3)))
+    alignment: FloatProperty(
+        name="Alignment", default=0.5, min=0, max=1, subtype="FACTOR", update=changed,
+        description="Of the spreading Paper: with 0 a third of the energy runs against the wind, with 1 a hundredth")
+    small_waves: FloatProperty(
+        name="Calm Small Waves", min=0, max=1, subtype="FACTOR", update=changed,
+        description="0 keeps small waves, 1 removes those below a quarter of the peak's")
+    wave_strength: FloatProperty(
+        name="Strength", default=1, min=0, max=2, update=changed,
+        description="Of an analytic sea: 0 calm, 1 moderate, 2 intense")
+    wave_height: FloatProperty(
+        name="Wave Height", min=0, max=30, subtype="DISTANCE", update=changed,
+        description="Significant height of an analytic sea or a pond; 0: what its other options make")
+    seed: IntProperty(name="Seed", default=1, min=0, update=changed, description="Which sea of this kind")
+    loop_period: FloatProperty(
+        name="Loop", default=200, min=0.1, max=86400, unit="TIME_ABSOLUTE", update=changed,
+        description="The sea repeats exactly after so many seconds")
+
+    swell_height: FloatProperty(
+        name="Height", min=0, max=30, subtype="DISTANCE", update=changed,
+        description="Significant height of waves from elsewhere; 0: none")
+    swell_period: FloatProperty(
+        name="Period", default=12, min=1, max=40, unit="TIME_ABSOLUTE", update=changed,
+        description="Seconds at which the swell's spectrum peaks")
+    swell_direction: FloatProperty(
+        name="Runs Towards", min=-full_turn, max=full_turn, subtype="ANGLE", update=changed,
+        description="Where the swell runs towards, from +X clockwise seen from above")
+    swell_spread: FloatProperty(
+        name="Spread", default=math.radians(15), min=math.radians(1), max=math.radians(80), subtype="ANGLE",
+        update=changed, description="Standard deviation of the swell's directions")
+
+    tiles: IntProperty(
+        name="Tiles", default=0, min=0, max=4, update=changed,
+        description="How many squares of waves make the sea, from long waves to short ones; 0: four, or one of a given side")
+    tile_resolution: EnumProperty(
+        name="Texels", default="0", update=changed,
+        description="Along a side of each tile; more hold shorter waves",
+        items=[("0", "Chosen", "128, or 256 where the side is given", 0)] +
+              [(str(2 ** k), str(2 ** k), "", 2 ** k) for k in range(4, 12)])
+    tile_side: FloatProperty(
+        name="Tile Side", min=0, max=1e6, subtype="DISTANCE", update=changed,
+        description="Of the one tile, after which the sea repeats; 0: chosen from the sea")
+
+    size: FloatProperty(
+        name="Size", default=100, min=0.01, max=1e5, soft_max=2000, subtype="DISTANCE", update=changed,
+        description="Side of the mesh at rest")
+    resolution: IntProperty(
+        name="Resolution", default=256, min=1, max=4096, soft_max=1024, update=changed,
+        description="Faces along a side of the mesh")
+    place: FloatVectorProperty(
+        name="Place", size=2, subtype="XYZ_LENGTH", update=changed,
+        description="Which part of the sea the object's origin shows. Vertices stay near the origin; move the object by as "
+                    "much and neighbours fit")
+
+    time_offset: FloatProperty(
+        name="Time Offset", unit="TIME_ABSOLUTE", min=-1e6, max=1e6, update=changed,
+        description="The sea's time at the first frame, seconds")
+    speed: FloatProperty(name="Speed", default=1, min=-100, max=100, update=changed,
+                         description="Seconds of the sea in a second of film")
+    first_frame: IntProperty(name="First Frame", default=1, update=changed,
+                             description="The frame that shows the time offset")
+
+    foam: BoolProperty(
+        name="Foam", default=True, update=changed,
+        description='What breaks lasts for 2.9 seconds, fades and drifts: the attribute "foam" of points, 0 to 1')
+    velocity: BoolProperty(
+        name="Velocity", default=False, update=changed,
+        description='How fast points move, metres a second: the attribute "velocity", of which Cycles makes motion blur')
+
+    is_baked: BoolProperty(options={"HIDDEN"})
+    bake_folder: StringProperty(name="Folder", subtype="DIR_PATH", default="//pelagic_bake/",
+                                description="Where bakes go, a folder an object within")
+    bake_start: IntProperty(name="Start", default=1, description="First frame that is baked")
+    bake_end: IntProperty(name="End", default=250, description="Last frame that is baked")
+
+
+def register():
+    bpy.utils.register_class(PelagicOcean)
+    bpy.types.Object.pelagic = PointerProperty(type=PelagicOcean, name="Pelagic")
+
+
+def unregister():
+    del bpy.types.Object.pelagic
+    bpy.utils.unregister_class(PelagicOcean)

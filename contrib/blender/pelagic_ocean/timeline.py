@@ -1,0 +1,54 @@
+"""Keeps meshes at the timeline's moment: after a frame changed, in renders too, after settings changed, after undo and loading."""
+import bpy
+from bpy.app.handlers import persistent
+
+from . import sea_object
+
+
+def follow(scene, depsgraph=None):
+    used = set()
+    for object in scene.objects:
+        if sea_object.is_live(object):
+            # Of a render the keyed options stand in its own copy alone.
+            keyed = object.evaluated_get(depsgraph).pelagic if depsgraph else object.pelagic
+            used.add(sea_object.update(object, scene, keyed))
+    sea_object.keep(used)
+
+
+def settings_changed(object):
+    if sea_object.is_quiet or not sea_object.is_live(object):
+        return
+    if object.data.users - object.data.use_fake_user > 1:
+        object.data = object.data.copy()  # a linked duplicate that becomes another sea
+    scene = next((each for each in (bpy.context.scene, *bpy.data.scenes) if each and object.name in each.objects), None)
+    if scene:
+        sea_object.update(object, scene, object.pelagic)
+        sea_object.keep(sea_object.keys_in(scene))
+
+
+@persistent
+def frame_changed(scene, depsgraph=None):
+    follow(scene, depsgraph)
+
+
+@persistent
+def file_or_step_changed(*_):
+    for scene in bpy.data.scenes:
+        follow(scene)
+
+
+handlers = ((bpy.app.handlers.frame_change_post, frame_changed),
+            (bpy.app.handlers.load_post, file_or_step_changed),
+            (bpy.app.handlers.undo_post, file_or_step_changed),
+            (bpy.app.handlers.redo_post, file_or_step_changed))
+
+
+def register():
+    for called, handler in handlers:
+        called.append(handler)
+
+
+def unregister():
+    for called, handler in handlers:
+        called.remove(handler)
+    sea_object.forget_all()
