@@ -36,5 +36,6 @@ void add_frame_classes(pybind11::module_& module);
 
 using FrameClass = pybind11::class_<FrameHandle, std::shared_ptr<FrameHandle>>;
 void add_questions(FrameClass& frame);
+void add_resting_points(FrameClass& frame);  ///< at_rest
 
 }  // namespace pelagic::python

@@ -1,13 +1,17 @@
-"""The Python package `pelagic`, which the zip carries beside these files: as a part of this package, so that no path of Blender's
-changes and another add-on may carry another one."""
+"""The Python package `pelagic`, which the zip carries in python/."""
+import os
 import platform
 import sys
 
 problem = ""  # one line, for the panel, where the package can't be loaded
 pelagic = None
 
+folder = os.path.join(os.path.dirname(os.path.abspath(__file__)), "python")
+sys.path.insert(0, folder)
 try:
-    from . import pelagic
+    import pelagic
 except ImportError as error:
     problem = (f"The add-on's library does not load in Python {sys.version_info.major}.{sys.version_info.minor} on "
-               f"{platform.system()} {platform.machine()}: {error}. Install the zip made for them")
+               f"{platform.system()} {platform.machine()} ({error}): install the zip made for these")
+finally:
+    sys.path.remove(folder)

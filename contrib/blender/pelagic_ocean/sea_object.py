@@ -84,6 +84,14 @@ def sea_of(settings):
     return dataclasses.replace(sea, **changes)
 
 
+def record_of(settings):
+    """The sea as sea.json has it, for `pelagic query --config` and the like: angles in degrees."""
+    record = dataclasses.asdict(sea_of(settings))
+    for name in [name for name in record if name.endswith("_rad")]:
+        record[name[:-len("rad")] + "deg"] = round(math.degrees(record.pop(name)), 4) + 0.0
+    return record
+
+
 def has_spectrum(sea):
     return sea.waves == "spectrum"
 
@@ -96,7 +104,7 @@ def key_of(settings):
 def ocean_of(settings):
     key = key_of(settings)
     if key not in oceans:
-        oceans[key] = library.pelagic.Ocean(key.sea, foam=key.foam, velocities=key.velocity)
+        oceans[key] = library.pelagic.Ocean(key.sea, queries=False, foam=key.foam, velocities=key.velocity)
     return oceans[key]
 
 
