@@ -67,8 +67,10 @@ def run(object, scene):
         os.makedirs(folder, exist_ok=True)
         if not is_whole(folder, baked):
             yield from write_frames(settings, folder, baked)
-    except (OSError, ValueError, MemoryError) as error:
-        raise BakeError(f"{folder}: {error}") from error
+    except OSError as error:
+        raise BakeError(f"{error.filename or folder}: {error.strerror}") from error
+    except (ValueError, MemoryError, RuntimeError) as error:
+        raise BakeError(sea_object.line_of(error)) from error
     play(object, folder, baked)
 
 
@@ -142,7 +144,7 @@ def play(object, folder, baked):
     settings, frames = object.pelagic, baked["frames"]
     settings.is_baked = True
     if not grid.has_resolution(object.data, settings.resolution):
-        grid.fill(object.data, settings.resolution, sea_object.square_of(settings)[1].astype(numpy.float32))
+        grid.fill(object.data, settings.resolution, sea_object.rest_of(settings)[1].astype(numpy.float32))
     remove_modifier(object)
     cache = object.modifiers.new(modifier_name, "MESH_CACHE")
     cache.cache_format = "PC2"

@@ -15,14 +15,8 @@ def rest_points(size, resolution, place):
 
 def rest_vertices(size, resolution):
     """Where they lie in Blender while the sea is flat, in double: near the origin, whatever their place in the sea."""
-    return from_pelagic_points(rest_points(size, resolution, (0, 0)))
-
-
-def from_pelagic_points(points):
-    flat = numpy.zeros((len(points), 3))
-    flat[:, 0] = points[:, 0]
-    flat[:, 1] = -points[:, 1]
-    return flat
+    points = rest_points(size, resolution, (0, 0))
+    return numpy.column_stack([points[:, 0], -points[:, 1], numpy.zeros(len(points))])
 
 
 def from_pelagic(vectors):

@@ -123,8 +123,13 @@ def time_offset_in(settings, frame):
 
 
 def square_of(settings):
-    place = tuple(typed(part) for part in settings.place)
-    square = (typed(settings.size), settings.resolution, place)
+    """Side and faces a side of the mesh, and which place of the sea its middle shows."""
+    return typed(settings.size), settings.resolution, tuple(typed(part) for part in settings.place)
+
+
+def rest_of(settings):
+    """Points in Pelagic's axes, and vertices in Blender's, that rest in its square."""
+    square = square_of(settings)
     if square not in rests:
         if len(rests) >= 8:
             rests.pop(next(iter(rests)))
@@ -136,7 +141,7 @@ def moved(settings, time_s):
     """The sea's points at a time. Raises ValueError with one line for options that make no sea."""
     if library.problem:
         raise ValueError(library.problem)
-    points, rest = square_of(settings)
+    points, rest = rest_of(settings)
     frame = ocean_of(settings).frame_at(time_s)
     water = frame.at_rest(points)
     vertices = (rest + grid.from_pelagic(water["displacement"])).astype(numpy.float32)
@@ -152,13 +157,17 @@ def update(object, scene, settings):
     try:
         now = moved(settings, sea_time(settings, scene))
     except (ValueError, MemoryError, RuntimeError) as error:
-        note_error(object, str(error).splitlines()[0] if str(error) else "There is not enough memory")
+        note_error(object, line_of(error))
         return None
     note_error(object, "")
     if not grid.has_resolution(object.data, settings.resolution):
         grid.fill(object.data, settings.resolution, now.vertices)
     grid.write(object.data, now.vertices, now.foam, now.velocity)
     return key_of(settings)
+
+
+def line_of(error):
+    return str(error).splitlines()[0] if str(error) else "There is not enough memory"
 
 
 def note_error(object, line):
