@@ -1,0 +1,156 @@
+"""What an artist does: undo, several oceans, duplicates, options that make no sea, presets, units, taking the add-on off again.
+
+usage: blender -b -P artist_test.py -- PELAGIC FOLDER"""
+import sys
+from pathlib import Path
+
+import addon_utils
+import bpy
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+from beside_query import compare, vertices_of
+
+from pelagic_ocean import library, sea_object, timeline
+
+pelagic, folder = sys.argv[sys.argv.index("--") + 1:]
+bpy.ops.wm.read_homefile(use_empty=True)
+scene = bpy.context.scene
+
+
+def bits(name):
+    return vertices_of(bpy.data.objects[name]).tobytes()
+
+
+# Several oceans in a scene, each its own; a moved object takes its sea along; a seam between neighbours closes.
+bpy.ops.pelagic.add_ocean(preset="moderate")
+bpy.context.object.pelagic.resolution = 32
+bpy.ops.pelagic.add_ocean(preset="storm")
+bpy.context.object.pelagic.resolution = 32
+bpy.ops.pelagic.add_ocean(preset="moderate")
+east = bpy.context.object
+east.pelagic.resolution, east.pelagic.place, east.location = 32, (100, 0), (100, 0, 0)
+scene.frame_set(30)
+assert len({bits(name) for name in ("Ocean", "Ocean.001", "Ocean.002")}) == 3
+left, right = vertices_of(bpy.data.objects["Ocean"]).reshape(33, 33, 3)[:, -1], vertices_of(east).reshape(33, 33, 3)[:, 0]
+assert abs(left - right - (100, 0, 0)).max() < 1e-5, "neighbours don't fit"
+normals = [polygon.normal.z for polygon in bpy.data.objects["Ocean"].data.polygons]
+assert min(normals) > 0.3, "faces look down"
+assert bpy.data.objects["Ocean"].data.materials[0] == east.data.materials[0]
+
+# Undo and redo: what they bring back is the sea of the settings that they bring back.
+first = bpy.data.objects["Ocean"]
+bpy.context.view_layer.objects.active = first
+bpy.ops.ed.undo_push(message="before")
+before = bits("Ocean")
+first.pelagic.wind_speed = 15
+bpy.ops.ed.undo_push(message="wind")
+after = bits("Ocean")
+assert after != before
+bpy.ops.ed.undo()
+assert bpy.data.objects["Ocean"].pelagic.wind_speed == 8 and bits("Ocean") == before
+bpy.ops.ed.redo()
+assert bpy.data.objects["Ocean"].pelagic.wind_speed == 15 and bits("Ocean") == after
+bpy.ops.ed.undo()
+bpy.context.view_layer.objects.active = bpy.data.objects["Ocean"]
+bpy.ops.pelagic.preset("EXEC_DEFAULT", True, preset="rough")
+assert bits("Ocean") != before and bpy.data.objects["Ocean"].pelagic.preset == "rough"
+bpy.ops.ed.undo()
+assert bpy.data.objects["Ocean"].pelagic.preset == "moderate" and bits("Ocean") == before, "a preset is not undone"
+compare(pelagic, ["--preset", "moderate"], 29 / 24, bpy.data.objects["Ocean"])
+
+scene = bpy.context.scene  # undo made others of all
+
+# Every preset makes a sea, with each of its options as the command line has them.
+first = bpy.data.objects["Ocean"]
+first.pelagic.foam = False
+for name in library.pelagic.presets:
+    first.pelagic.size = 3 if name == "pond" else 100
+    assert bpy.ops.pelagic.preset(preset=name) == {"FINISHED"} and not first.pelagic.error, first.pelagic.error
+    assert sea_object.sea_of(first.pelagic) == library.pelagic.preset(name), name
+bpy.ops.pelagic.preset(preset="moderate")
+first.pelagic.size = 100
+
+# Options that make no sea: one line on the panel, and the mesh stays as it was, on other frames too.
+scene.frame_set(40)
+kept = bits("Ocean")
+first.pelagic.tile_side = 250
+first.pelagic.tiles = 3
+assert first.pelagic.error == "cascades is 3, needs 1 where the side of the tile is given", first.pelagic.error
+one_tile = bits("Ocean")
+scene.frame_set(41)
+assert bits("Ocean") == one_tile != kept, "the mesh of a sea that can't be is not the last one"
+first.pelagic.tiles = 0
+assert first.pelagic.error == ""
+compare(pelagic, ["--preset", "moderate", "--patch-size", "250"], 40 / 24, first)
+first.pelagic.tile_side = 0
+for operator in (bpy.ops.pelagic.add_ocean, bpy.ops.pelagic.preset):
+    try:
+        operator(preset="strom")
+        assert False, "took a preset that is none"
+    except RuntimeError as error:
+        assert "Preset is strom, needs one of" in str(error) and len(str(error).strip().splitlines()) == 1, error
+
+# Duplicates: one with a mesh of its own, and one that shares it until it becomes another sea.
+for linked in (False, True):
+    for each in bpy.context.selected_objects:
+        each.select_set(False)
+    first.select_set(True)
+    bpy.context.view_layer.objects.active = first
+    bpy.ops.object.duplicate(linked=linked)
+    twin = bpy.context.object
+    assert bits(twin.name) == bits("Ocean")
+    twin.pelagic.seed = 5
+    assert bits(twin.name) != bits("Ocean") and twin.data != first.data
+    bpy.data.objects.remove(twin)
+
+# Keys: the handler sees what the frame has.
+first.pelagic.wind_speed = 5
+first.pelagic.keyframe_insert("wind_speed", frame=1)
+first.pelagic.wind_speed = 10
+first.pelagic.keyframe_insert("wind_speed", frame=41)
+for curve in first.animation_data.action.fcurves:
+    for key in curve.keyframe_points:
+        key.interpolation = "LINEAR"
+scene.frame_set(41)
+compare(pelagic, ["--preset", "moderate", "--wind-speed", "10"], 40 / 24, first)
+scene.frame_set(21)
+compare(pelagic, ["--preset", "moderate", "--wind-speed", "7.5"], 20 / 24, first)
+assert len(sea_object.oceans) <= 4, "oceans of wind speeds gone by pile up"
+first.animation_data_clear()
+
+# In edit mode the mesh is its editor's.
+bpy.context.view_layer.objects.active = first
+bpy.ops.object.mode_set(mode="EDIT")
+scene.frame_set(50)
+bpy.ops.object.mode_set(mode="OBJECT")
+scene.frame_set(51)
+compare(pelagic, ["--preset", "moderate", "--wind-speed", repr(first.pelagic.wind_speed)], 50 / 24, first)
+
+# Off and on again, in any order: nothing of it is left behind, and the settings stay in the file.
+menu = bpy.types.VIEW3D_MT_mesh_add
+
+
+def left_behind():
+    return ([each for called, handler in timeline.handlers for each in called if each == handler],
+            [name for name in dir(bpy.types) if "PELAGIC" in name or name == "PelagicOcean"], hasattr(bpy.types.Object, "pelagic"),
+            [draw for draw in menu._dyn_ui_initialize() if "pelagic" in draw.__module__],
+            [name for name in dir(bpy.ops) if name == "pelagic" and dir(bpy.ops.pelagic)],
+            [path for path in sys.path if "pelagic_ocean" in path], dict(sea_object.oceans))
+
+
+wind = first.pelagic.wind_speed
+for _ in range(3):
+    there = left_behind()
+    assert len(there[0]) == 4 and there[2] and len(there[3]) == 1 and not there[5], there
+    addon_utils.disable("pelagic_ocean")
+    assert left_behind() == ([], [], False, [], [], [], {}), left_behind()
+    kept = bits("Ocean")
+    scene.frame_set(scene.frame_current + 1)
+    assert bits("Ocean") == kept, "somebody still moves the mesh"
+    addon_utils.enable("pelagic_ocean")
+    from pelagic_ocean import sea_object, timeline
+first = bpy.data.objects["Ocean"]
+assert first.pelagic.is_ocean and first.pelagic.wind_speed == wind
+scene.frame_set(70)
+compare(pelagic, ["--preset", "moderate", "--wind-speed", repr(round(wind, 5))], 69 / 24, first)
+print("artist_test passed")
