@@ -8,11 +8,10 @@ import bpy
 
 bpy.ops.wm.read_homefile(use_empty=True)
 scene = bpy.context.scene
-bpy.ops.pelagic.add_ocean(preset="rough")
+bpy.ops.pelagic.add_ocean(preset="storm")
 sea = bpy.context.object.pelagic
 sea.wind_direction = math.radians(60)
-sea.choppiness = 1
-sea.size, sea.resolution = 240, 1000
+sea.size, sea.resolution = 400, 1400
 scene.frame_set(120)
 
 world = scene.world = bpy.data.worlds.new("sky")
@@ -20,16 +19,16 @@ world.use_nodes = True
 sky = world.node_tree.nodes.new("ShaderNodeTexSky")
 sky.sun_elevation, sky.sun_rotation, sky.sun_intensity = math.radians(24), math.radians(-62), 0.25
 world.node_tree.links.new(sky.outputs["Color"], world.node_tree.nodes["Background"].inputs["Color"])
-world.node_tree.nodes["Background"].inputs["Strength"].default_value = 0.11
+world.node_tree.nodes["Background"].inputs["Strength"].default_value = 0.14
 
 camera = bpy.data.objects.new("camera", bpy.data.cameras.new("camera"))
-camera.location = (0, -118, 7.5)
+camera.location = (0, -196, 10)
 camera.rotation_euler = (math.radians(84), 0, 0)
 camera.data.lens = 32
 scene.collection.objects.link(camera)
 scene.camera = camera
 scene.render.engine = "CYCLES"
-scene.cycles.samples = 96
+scene.cycles.samples = 128
 scene.cycles.use_denoising = False  # Debian's Blender is built without a denoiser
 scene.render.resolution_x, scene.render.resolution_y = 960, 420
 scene.render.image_settings.file_format = "JPEG"

@@ -89,7 +89,7 @@ compare(pelagic, ["--preset", "moderate"], 7.7 + 0.5, slow)
 # The frame's own hash, as the command line has it: no bit of a typed option is lost.
 for name in ("moderate", "typed", "one tile"):
     ocean, sea, _ = oceans[name]
-    ours = sea_object.moved(ocean.pelagic, 12.25).frame_hash
+    ours = f"{sea_object.moved(ocean.pelagic, 12.25).frame.hash:016x}"
     assert ours == hash_of(pelagic, sea, 12.25), f"{name}: another hash than the command line's"
 
 # Two loads of the .blend in processes of their own: the same bits as here.

@@ -102,8 +102,8 @@ def write_frames(settings, folder, baked):
                 if settings.foam:
                     write_whole(os.path.join(folder, picture_name(frame["frame"])), foam_picture(moved.foam, settings.resolution))
                 writer.add(moved.vertices)
-                print(moved.frame_hash, file=journal, flush=True)
-                hashes.append(moved.frame_hash)
+                hashes.append(f"{moved.frame.hash:016x}")
+                print(hashes[-1], file=journal, flush=True)
                 yield len(hashes), len(frames)
         writer.finish()
     finally:
@@ -144,7 +144,7 @@ def play(object, folder, baked):
     settings, frames = object.pelagic, baked["frames"]
     settings.is_baked = True
     if not grid.has_resolution(object.data, settings.resolution):
-        grid.fill(object.data, settings.resolution, sea_object.rest_of(settings)[1].astype(numpy.float32))
+        grid.fill(object.data, settings.resolution, sea_object.rest_of(settings).vertices.astype(numpy.float32))
     remove_modifier(object)
     cache = object.modifiers.new(modifier_name, "MESH_CACHE")
     cache.cache_format = "PC2"
@@ -154,6 +154,7 @@ def play(object, folder, baked):
     while object.modifiers[0] != cache:  # before those that the artist put there
         with bpy.context.temp_override(object=object):
             bpy.ops.object.modifier_move_up(modifier=modifier_name)
+    grid.set_attribute(object.data, "rest_position", "FLOAT_VECTOR", "vector", sea_object.rest_of(settings).position)
     # The mesh itself stands still from now on, and an attribute of one moment would stay.
     grid.set_attribute(object.data, "foam", "FLOAT", "value", None)
     grid.set_attribute(object.data, "velocity", "FLOAT_VECTOR", "vector", None)

@@ -13,9 +13,9 @@ def rest_points(size, resolution, place):
     return points
 
 
-def rest_vertices(size, resolution):
-    """Where they lie in Blender while the sea is flat, in double: near the origin, whatever their place in the sea."""
-    points = rest_points(size, resolution, (0, 0))
+def rest_vertices(size, resolution, place):
+    """Where they lie in Blender while the sea is flat, in double."""
+    points = rest_points(size, resolution, place)
     return numpy.column_stack([points[:, 0], -points[:, 1], numpy.zeros(len(points))])
 
 
@@ -53,9 +53,10 @@ def has_resolution(mesh, resolution):
     return len(mesh.vertices) == (resolution + 1) ** 2 and len(mesh.polygons) == resolution ** 2
 
 
-def write(mesh, vertices, foam, velocity):
-    """Moves the vertices, and sets or removes the attributes of points `foam` and `velocity`."""
+def write(mesh, rest, vertices, foam, velocity):
+    """Moves the vertices, and sets the attributes of points: `rest_position`, and `foam` and `velocity` or removes them."""
     mesh.vertices.foreach_set("co", vertices.ravel())
+    set_attribute(mesh, "rest_position", "FLOAT_VECTOR", "vector", rest)
     set_attribute(mesh, "foam", "FLOAT", "value", foam)
     set_attribute(mesh, "velocity", "FLOAT_VECTOR", "vector", velocity)
     mesh.update()

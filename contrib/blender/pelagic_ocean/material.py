@@ -27,17 +27,36 @@ def make(name):
     # Deep water sends back little light, and that is blue-green; its index of refraction is 1.333.
     sea = add("ShaderNodeBsdfPrincipled", 0, 300, Base_Color=(0.003, 0.022, 0.04, 1), Roughness=0.08, IOR=1.333,
               Specular=0.25)
-    foam = add("ShaderNodeBsdfDiffuse", 0, -300, Color=(0.8, 0.83, 0.85, 1))
-    amount = add("ShaderNodeAttribute", -500, 0)
+    foam = add("ShaderNodeBsdfDiffuse", 0, -300, Color=(0.85, 0.88, 0.9, 1))
+    amount = add("ShaderNodeAttribute", -900, 0)
     amount.name = amount.label = "Foam"
     amount.attribute_name = "foam"
+    cover = lace(add, links, amount.outputs["Fac"])
     mix = add("ShaderNodeMixShader", 300, 0)
-    links.new(amount.outputs["Fac"], mix.inputs["Fac"])
+    links.new(cover, mix.inputs["Fac"])
     links.new(sea.outputs[0], mix.inputs[1])
     links.new(foam.outputs[0], mix.inputs[2])
     out = add("ShaderNodeOutputMaterial", 500, 0)
     links.new(mix.outputs[0], out.inputs["Surface"])
     return material
+
+
+def lace(add, links, amount):
+    """Foam has holes that are finer than a mesh. They rest with the water: noise over "rest_position", metres."""
+    rest = add("ShaderNodeAttribute", -1100, -300)
+    rest.attribute_name = "rest_position"
+    noise = add("ShaderNodeTexNoise", -900, -300, Scale=1.7, Detail=9.0, Roughness=0.68)
+    links.new(rest.outputs["Vector"], noise.inputs["Vector"])
+    holes = add("ShaderNodeMapRange", -700, -300, From_Min=0.4, From_Max=0.62, To_Min=0.25, To_Max=1.5)
+    links.new(noise.outputs["Fac"], holes.inputs["Value"])
+    product = add("ShaderNodeMath", -500, -200)
+    product.operation = "MULTIPLY"
+    links.new(amount, product.inputs[0])
+    links.new(holes.outputs["Result"], product.inputs[1])
+    cover = add("ShaderNodeMapRange", -300, -200, From_Min=0.12, From_Max=0.75)
+    cover.interpolation_type = "SMOOTHSTEP"
+    links.new(product.outputs[0], cover.inputs["Value"])
+    return cover.outputs["Result"]
 
 
 def baked_water(name, first_picture, first_frame, frames):
@@ -51,7 +70,7 @@ def baked_water(name, first_picture, first_frame, frames):
     nodes, links = material.node_tree.nodes, material.node_tree.links
     picture = nodes.new("ShaderNodeTexImage")
     picture.name = picture.label = "Baked Foam"
-    picture.location = -500, -300
+    picture.location = -900, 0
     picture.image = bpy.data.images.load(first_picture)
     picture.image.source = "SEQUENCE" if frames > 1 else "FILE"
     picture.image.colorspace_settings.name = "Non-Color"

@@ -29,7 +29,7 @@ class Moved(typing.NamedTuple):
     vertices: numpy.ndarray
     foam: typing.Optional[numpy.ndarray]
     velocity: typing.Optional[numpy.ndarray]
-    frame_hash: str
+    frame: typing.Any  # of the library, as long as the ocean makes no later ones
 
 
 is_quiet = False
@@ -127,13 +127,21 @@ def square_of(settings):
     return typed(settings.size), settings.resolution, tuple(typed(part) for part in settings.place)
 
 
+class Rest(typing.NamedTuple):
+    """Where the vertices of a square rest, a row each."""
+    points: numpy.ndarray    # x and z of Pelagic's world, in double
+    vertices: numpy.ndarray  # in Blender, in double: around the origin, whatever the place in the sea
+    position: numpy.ndarray  # the same in the sea: the attribute rest_position, float32
+
+
 def rest_of(settings):
-    """Points in Pelagic's axes, and vertices in Blender's, that rest in its square."""
     square = square_of(settings)
     if square not in rests:
         if len(rests) >= 8:
             rests.pop(next(iter(rests)))
-        rests[square] = grid.rest_points(*square), grid.rest_vertices(*square[:2])
+        size, resolution, _ = square
+        rests[square] = Rest(grid.rest_points(*square), grid.rest_vertices(size, resolution, (0, 0)),
+                             grid.rest_vertices(*square).astype(numpy.float32))
     return rests[square]
 
 
@@ -141,12 +149,12 @@ def moved(settings, time_s):
     """The sea's points at a time. Raises ValueError with one line for options that make no sea."""
     if library.problem:
         raise ValueError(library.problem)
-    points, rest = rest_of(settings)
+    rest = rest_of(settings)
     frame = ocean_of(settings).frame_at(time_s)
-    water = frame.at_rest(points)
-    vertices = (rest + grid.from_pelagic(water["displacement"])).astype(numpy.float32)
+    water = frame.at_rest(rest.points)
+    vertices = (rest.vertices + grid.from_pelagic(water["displacement"])).astype(numpy.float32)
     velocity = grid.from_pelagic(water["velocity"]) * numpy.float32(settings.speed) if settings.velocity else None
-    return Moved(vertices, water["foam"] if settings.foam else None, velocity, f"{frame.hash:016x}")
+    return Moved(vertices, water["foam"] if settings.foam else None, velocity, frame)
 
 
 def update(object, scene, settings):
@@ -162,7 +170,7 @@ def update(object, scene, settings):
     note_error(object, "")
     if not grid.has_resolution(object.data, settings.resolution):
         grid.fill(object.data, settings.resolution, now.vertices)
-    grid.write(object.data, now.vertices, now.foam, now.velocity)
+    grid.write(object.data, rest_of(settings).position, now.vertices, now.foam, now.velocity)
     return key_of(settings)
 
 
