@@ -1,0 +1,89 @@
+"""A render of frames, `blender -b -a`, draws each frame's sea; with velocities Cycles blurs what moves.
+
+usage: blender -b -P render_test.py -- PELAGIC FOLDER"""
+import subprocess
+import sys
+from pathlib import Path
+
+import bpy
+import numpy
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+from beside_query import ask
+
+pelagic, folder = sys.argv[sys.argv.index("--") + 1:]
+side, size, frames = 64, 80, (5, 6, 7)
+bpy.ops.wm.read_homefile(use_empty=True)
+scene = bpy.context.scene
+bpy.ops.pelagic.add_ocean(preset="rough")
+ocean = bpy.context.object
+ocean.pelagic.size, ocean.pelagic.resolution, ocean.pelagic.speed = size + 20, 250, 10
+assert not ocean.pelagic.velocity
+
+# From above, each pixel glows with the height of the water in red and its foam in green.
+tree = ocean.data.materials[0].node_tree
+tree.nodes.clear()
+place, parts = tree.nodes.new("ShaderNodeNewGeometry"), tree.nodes.new("ShaderNodeSeparateXYZ")
+foam, both = tree.nodes.new("ShaderNodeAttribute"), tree.nodes.new("ShaderNodeCombineXYZ")
+foam.attribute_name = "foam"
+raised = tree.nodes.new("ShaderNodeMath")  # light is never negative
+raised.inputs[1].default_value = 100
+glow, out = tree.nodes.new("ShaderNodeEmission"), tree.nodes.new("ShaderNodeOutputMaterial")
+for a, b in ((place.outputs["Position"], parts.inputs[0]), (parts.outputs["Z"], raised.inputs[0]), (raised.outputs[0], both.inputs["X"]),
+             (foam.outputs["Fac"], both.inputs["Y"]), (both.outputs[0], glow.inputs["Color"]), (glow.outputs[0], out.inputs["Surface"])):
+    tree.links.new(a, b)
+camera = bpy.data.objects.new("camera", bpy.data.cameras.new("camera"))
+camera.data.type, camera.data.ortho_scale, camera.location = "ORTHO", size, (0, 0, 50)
+scene.collection.objects.link(camera)
+scene.camera = camera
+scene.render.engine, scene.cycles.samples, scene.cycles.use_denoising = "CYCLES", 32, False
+scene.cycles.pixel_filter_type = "BOX"
+scene.render.filter_size = 0.01
+scene.view_settings.view_transform = "Raw"
+scene.render.resolution_x = scene.render.resolution_y = side
+scene.render.image_settings.file_format, scene.render.image_settings.color_depth = "OPEN_EXR", "32"
+
+
+def render(name):
+    """Saved, and drawn by a process of its own, as on a farm. Of each frame rows from the upper edge, of height, foam and blue."""
+    blend = str(Path(folder) / f"{name}.blend")
+    scene.frame_set(1)
+    bpy.ops.wm.save_as_mainfile(filepath=blend)
+    subprocess.run([bpy.app.binary_path, "-b", blend, "--python-exit-code", "1", "-o", str(Path(folder) / f"{name}_####"), "-s", str(frames[0]),
+                    "-e", str(frames[-1]), "-a"], check=True, capture_output=True)
+    pictures = []
+    for frame in frames:
+        image = bpy.data.images.load(str(Path(folder) / f"{name}_{frame:04d}.exr"), check_existing=False)
+        pixels = numpy.empty(side * side * 4, numpy.float32)
+        image.pixels.foreach_get(pixels)
+        pictures.append(pixels.reshape(side, side, 4)[::-1, :, :3])
+    return numpy.array(pictures)
+
+
+drawn = render("waves")
+centres = ((numpy.arange(side) + 0.5) / side - 0.5) * size
+points = numpy.stack(numpy.meshgrid(centres, centres), axis=2).reshape(-1, 2)  # the upper edge is +Y, Pelagic's -z
+told = [ask(pelagic, ["--preset", "rough"], (frame - 1) * 10 / 24, points, "--foam") for frame in frames]
+for picture, frame in zip(drawn, frames):
+    off = [numpy.abs(picture[:, :, 0].ravel() - 100 - each["height"]).mean() for each in told]
+    foam_off = [numpy.abs(picture[:, :, 1].ravel() - each["foam"]).mean() for each in told]
+    print(f"frame {frame}: height off by", numpy.round(off, 4), "foam by", numpy.round(foam_off, 4))
+    assert numpy.argmin(off) == numpy.argmin(foam_off) == frame - frames[0]
+    # Faces of 0.4 m round waves and foam off.
+    assert min(off) < 0.03 and min(foam_off) < 0.015 and min(off) < 0.2 * sorted(off)[1] and min(foam_off) < 0.5 * sorted(foam_off)[1]
+
+# Motion blur: without velocities the picture stays; with them it is smeared along the water's way.
+scene.render.use_motion_blur, scene.render.motion_blur_shutter = True, 1
+still = render("still")
+ocean.pelagic.velocity = True
+blurred = render("blurred")
+assert numpy.abs(still - drawn).max() < 0.2, "without velocities nothing should be smeared"
+# Over the shutter's frame the height of a pixel bends by what `query` tells of the times in it: as much, not half or twice as much (which
+# would be a fourth or four times).
+shutter = [(frames[0] - 1 + part) * 10 / 24 for part in (numpy.arange(12) + 0.5) / 12 - 0.5]
+bent = numpy.mean([ask(pelagic, ["--preset", "rough"], time_s, points)["height"] for time_s in shutter], axis=0) - told[0]["height"]
+smeared = (blurred - drawn)[0, :, :, 0].ravel()
+share = (smeared * bent).sum() / (bent * bent).sum()
+print(f"smeared by {numpy.abs(smeared).mean():.4f} m, {share:.2f} of the water's own way")
+assert numpy.abs(smeared).mean() > 0.002 and 0.6 < share < 1.6
+print("render_test passed")
