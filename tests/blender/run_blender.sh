@@ -1,15 +1,14 @@
 #!/usr/bin/env bash
-# Runs a test in Blender, with the add-on installed from its zip as an artist installs it, in a home of its own.
+# Runs a test in Blender, with the add-on installed from its zip as the page says, in a home and a folder of its own.
 #
-# usage: run_blender.sh ZIP TEST.py [ARGUMENT...]
+# usage: run_blender.sh SOURCE_FOLDER TEST.py PELAGIC    the zip is the newest of SOURCE_FOLDER/build/python
 set -euo pipefail
-here=$(cd "$(dirname "$0")" && pwd)
-zip=$(realpath "$1")
+source=$1 here=$1/tests/blender
 command -v blender >/dev/null || { echo "there is no blender; ./test.sh hosts installs it on Debian"; exit 1; }
-BLENDER_USER_RESOURCES=$(mktemp -d)
-export BLENDER_USER_RESOURCES
-trap 'rm -rf "$BLENDER_USER_RESOURCES"' EXIT
-blender -b --factory-startup --python-exit-code 1 -P "$here/install_addon.py" -- "$zip" >"$BLENDER_USER_RESOURCES/log" ||
-  { cat "$BLENDER_USER_RESOURCES/log"; exit 1; }
-# Not exec: the trap has to run.
-blender -b --python-exit-code 1 -P "$here/$2" -- "${@:3}"
+zip=$(ls -t "$source"/build/python/pelagic_blender-*.zip | head -n 1)
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+export BLENDER_USER_RESOURCES=$folder/home
+mkdir "$folder/home" "$folder/files"
+blender -b --factory-startup --python-exit-code 1 -P "$source/contrib/blender/install.py" -- "$zip" >"$folder/log" || { cat "$folder/log"; exit 1; }
+blender -b --python-exit-code 1 -P "$here/$2" -- "$3" "$folder/files"

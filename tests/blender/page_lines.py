@@ -1,0 +1,48 @@
+"""Every line of docs/users/blender.md: its lines for a shell in the clone, its Python in one Blender, which prints what the page says.
+
+usage: page_lines.py SOURCE_FOLDER"""
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+source = Path(sys.argv[1])
+blocks = re.findall(r"^```(\w+)\n(.*?)^```$", (source / "docs/users/blender.md").read_text(), re.MULTILINE | re.DOTALL)
+assert [kind for kind, _ in blocks] == "bash python text bash python bash bash".split(), "the page has other lines than this test knows"
+home = tempfile.TemporaryDirectory()
+environment = {**os.environ, "PATH": "/usr/bin:" + os.environ["PATH"], "BLENDER_USER_RESOURCES": home.name}
+(source / "out").mkdir(exist_ok=True)
+shutil.rmtree(source / "out/pelagic_bake", ignore_errors=True)
+for old in (source / "out").glob("drawn_*"):
+    old.unlink()
+for old in (source / "build/python").glob("pelagic_blender-*.zip"):
+    old.unlink()
+
+
+def run(*command):
+    done = subprocess.run(command, cwd=source, env=environment, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    if done.returncode != 0:
+        sys.exit(f"{done.stdout}\nfailed: {' '.join(command)}")
+    return done.stdout
+
+
+shell = [text for kind, text in blocks if kind == "bash"]
+python = "\n".join(text for kind, text in blocks if kind == "python")
+(expected,) = [text for kind, text in blocks if kind == "text"]
+
+run("bash", "-e", "-c", shell[0])
+(zip,) = (source / "build/python").glob("pelagic_blender-*.zip")
+printed = run("blender", "-b", "--python-exit-code", "1", "--python-expr", python)
+assert expected.strip() in printed.splitlines(), f"the page says {expected}, Blender says {printed}"
+assert (source / "out/pelagic_bake/Ocean/foam_0010.png").exists()
+
+# The first of these lines renders, the second asks, the third times, here for fewer frames: figures are no test's.
+run("bash", "-e", "-c", shell[1])
+assert (source / "out/drawn_0003.png").exists()
+told = run("bash", "-e", "-c", shell[2])
+assert told.splitlines()[0].startswith("x,z,height") and told.splitlines()[1].startswith("12,-7,"), told
+assert " ratio" in run("bash", "-e", "-c", shell[3].rstrip() + " -- --frames 4")
+print("the page's lines do what it says")
