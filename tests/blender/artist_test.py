@@ -60,6 +60,15 @@ compare(pelagic, ["--preset", "moderate"], 29 / 24, bpy.data.objects["Ocean"])
 
 scene = bpy.context.scene  # undo made others of all
 
+# Scenes that take turns, as in the sequencer, keep their oceans.
+other = bpy.data.scenes.new("other")
+made = dict(sea_object.oceans)
+assert len(made) == 3
+other.frame_set(3)
+scene.frame_set(30)
+assert sea_object.oceans == made, "oceans are made anew"
+bpy.data.scenes.remove(other)
+
 # Every preset makes a sea, with each of its options as the command line has them.
 first = bpy.data.objects["Ocean"]
 first.pelagic.foam = False

@@ -21,6 +21,7 @@ class OceanKey(typing.NamedTuple):
 
 
 oceans = {}
+kept = {}  # by scenes' names, the keys of oceans that they use
 rests = {}  # the last few squares of rest points
 
 
@@ -198,12 +199,17 @@ def keys_in(scene):
     return keys
 
 
-def keep(keys):
-    """Forgets all other oceans."""
-    for key in [key for key in oceans if key not in keys]:
+def keep(scene, keys):
+    """Of the scene's oceans only these, and those of other scenes, which may take turns with it."""
+    kept[scene.name] = keys
+    for name in [name for name in kept if name not in bpy.data.scenes]:
+        del kept[name]
+    used = set().union(*kept.values())
+    for key in [key for key in oceans if key not in used]:
         del oceans[key]
 
 
 def forget_all():
     oceans.clear()
+    kept.clear()
     rests.clear()

@@ -12,7 +12,7 @@ def follow(scene, depsgraph=None):
             # Of a render the keyed options stand in its own copy alone.
             keyed = object.evaluated_get(depsgraph).pelagic if depsgraph else object.pelagic
             used.add(sea_object.update(object, scene, keyed))
-    sea_object.keep(used)
+    sea_object.keep(scene, used)
 
 
 def settings_changed(object):
@@ -23,7 +23,7 @@ def settings_changed(object):
     scene = next((each for each in (bpy.context.scene, *bpy.data.scenes) if each and object.name in each.objects), None)
     if scene:
         sea_object.update(object, scene, object.pelagic)
-        sea_object.keep(sea_object.keys_in(scene))
+        sea_object.keep(scene, sea_object.keys_in(scene))
 
 
 @persistent
