@@ -49,6 +49,11 @@ pelagic_hosts_packages+=(godot3 godot3-server xauth)
 pelagic_hosts_packages+=(pybind11-dev python3-dev python3-venv python3-numpy python3-matplotlib python3-pytest mypy)
 pelagic_hosts_packages+=(g++-mingw-w64-x86-64-posix wine64)
 pelagic_hosts_packages+=(blender)  # with the libraries it takes 330 MB on disk
+# matplotlib, which its example does, pytest and mypy; Blender.
+pelagic_hosts_packages=(emscripten chromium)
+pelagic_hosts_packages+=(godot3 godot3-server xauth)
+pelagic_hosts_packages+=(pybind11-dev python3-dev python3-venv python3-numpy python3-matplotlib python3-pytest mypy)
+pelagic_hosts_packages+=(blender)
 command -v node >/dev/null || pelagic_hosts_packages+=(nodejs)
 command -v npm >/dev/null || pelagic_hosts_packages+=(npm)
 

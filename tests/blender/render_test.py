@@ -72,6 +72,18 @@ for picture, frame in zip(drawn, frames):
     # Faces of 0.4 m round waves and foam off.
     assert min(off) < 0.03 and min(foam_off) < 0.015 and min(off) < 0.2 * sorted(off)[1] and min(foam_off) < 0.5 * sorted(foam_off)[1]
 
+# Keys of options, which a render evaluates in a copy of its own.
+ocean.pelagic.keyframe_insert("time_offset", frame=frames[0])
+ocean.pelagic.time_offset = 3
+ocean.pelagic.keyframe_insert("time_offset", frame=frames[-1])
+for curve in ocean.animation_data.action.fcurves:
+    for key in curve.keyframe_points:
+        key.interpolation = "LINEAR"
+keyed = ask(pelagic, ["--preset", "rough"], 1.5 + (frames[1] - 1) * 10 / 24, points)
+assert numpy.abs(render("keyed")[1, :, :, 0].ravel() - 100 - keyed["height"]).mean() < 0.03, "the key is not seen"
+ocean.animation_data_clear()
+ocean.pelagic.time_offset = 0
+
 # Motion blur: without velocities the picture stays; with them it is smeared along the water's way.
 scene.render.use_motion_blur, scene.render.motion_blur_shutter = True, 1
 still = render("still")
