@@ -1,6 +1,9 @@
 """What an artist does: undo, several oceans, duplicates, options that make no sea, presets, units, taking the add-on off again.
 
 usage: blender -b -P artist_test.py -- PELAGIC FOLDER"""
+import os
+import shutil
+import subprocess
 import sys
 from pathlib import Path
 
@@ -162,4 +165,19 @@ first = bpy.data.objects["Ocean"]
 assert first.pelagic.is_ocean and first.pelagic.wind_speed == wind
 scene.frame_set(70)
 compare(pelagic, ["--preset", "moderate", "--wind-speed", repr(round(wind, 5))], 69 / 24, first)
+# A zip made for another Python: Blender starts all the same, and the panel has one line that says why there is no ocean.
+home = Path(folder) / "another home"
+shutil.copytree(os.environ["BLENDER_USER_RESOURCES"], home)
+(module,) = home.glob("scripts/addons/pelagic_ocean/python/pelagic/_pelagic.*.so")
+module.rename(module.with_name("_pelagic.cpython-27-x86_64-linux-gnu.so"))
+check = """
+import bpy
+from pelagic_ocean import library
+assert library.problem.startswith("The add-on's library does not load in Python 3") and "\\n" not in library.problem, library.problem
+assert not bpy.ops.pelagic.add_ocean.poll()
+print("said why")
+"""
+answer = subprocess.run([bpy.app.binary_path, "-b", "--python-exit-code", "1", "--python-expr", check], capture_output=True, text=True,
+                        env=dict(os.environ, BLENDER_USER_RESOURCES=str(home)))
+assert answer.returncode == 0 and "said why" in answer.stdout and "Traceback" not in answer.stdout + answer.stderr, answer.stdout + answer.stderr
 print("artist_test passed")
