@@ -43,17 +43,12 @@ command -v node >/dev/null || pelagic_web_packages+=(nodejs)
 
 # What only the tests inside other hosts need: a compiler to WebAssembly and node, which runs what it makes, and a browser; an engine, with
 # a window (for xvfb-run, which wants xauth) and without; pybind11 and Python's headers to build its package, NumPy, which it needs,
-# matplotlib, which its example does, pytest and mypy; a compiler to Windows, and wine.
-pelagic_hosts_packages=(emscripten chromium)
-pelagic_hosts_packages+=(godot3 godot3-server xauth)
-pelagic_hosts_packages+=(pybind11-dev python3-dev python3-venv python3-numpy python3-matplotlib python3-pytest mypy)
-pelagic_hosts_packages+=(g++-mingw-w64-x86-64-posix wine64)
-pelagic_hosts_packages+=(blender)  # with the libraries it takes 330 MB on disk
-# matplotlib, which its example does, pytest and mypy; Blender.
+# matplotlib, which its example does, pytest and mypy; Blender; a compiler to Windows, and wine.
 pelagic_hosts_packages=(emscripten chromium)
 pelagic_hosts_packages+=(godot3 godot3-server xauth)
 pelagic_hosts_packages+=(pybind11-dev python3-dev python3-venv python3-numpy python3-matplotlib python3-pytest mypy)
 pelagic_hosts_packages+=(blender)
+pelagic_hosts_packages+=(g++-mingw-w64-x86-64-posix wine64)
 command -v node >/dev/null || pelagic_hosts_packages+=(nodejs)
 command -v npm >/dev/null || pelagic_hosts_packages+=(npm)
 
