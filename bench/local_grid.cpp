@@ -13,6 +13,7 @@
 
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/sources/local_grid.hpp"
+#include "pelagic/sim/surface_query_jobs.hpp"
 
 namespace pelagic {
 namespace {
@@ -124,6 +125,32 @@ void measure_server(Isa isa, int threads) {
                 threads == 1 ? "" : "s", median_us(ticks) / 1000);
 }
 
+/// A server's tick of the default sea: its frame, then heights, normals and velocities at 12 points of each of 1,000 boats.
+void measure_queries(Isa isa, int threads) {
+    const auto executor = threads == 1 ? make_serial_executor() : make_thread_executor(threads);
+    Ocean ocean(SeaState{}, {.executor = executor, .isa = isa, .queries = true, .velocities = true});
+    SurfaceQueryJobs jobs(executor);
+    constexpr std::size_t count = 12 * 1000;
+    std::vector<double> x(count), z(count), ticks;
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto boat = static_cast<double>(i / 12), point = static_cast<double>(i % 12);
+        x[i] = 400 * std::sin(0.37 * boat) + point, z[i] = 400 * std::cos(0.73 * boat) + 0.5 * point;
+    }
+    std::vector<float> height(count), normal_x(count), normal_y(count), normal_z(count), rise(count);
+    for (int tick = 0; tick < rounds / 2; ++tick)
+        ticks.push_back(seconds_of([&] {
+            const SurfaceQuery query(ocean.frame_at(tick / 30.0));
+            jobs.sample(query, {x, z},
+                        {.height_m = height,
+                         .normal_x = normal_x,
+                         .normal_y = normal_y,
+                         .normal_z = normal_z,
+                         .velocity_y_mps = rise});
+        }));
+    std::printf("a frame of the default sea and 12 points of each of 1,000 boats, %d thread%s: %.2f ms\n", threads,
+                threads == 1 ? "" : "s", median_us(ticks) / 1000);
+}
+
 }  // namespace
 }  // namespace pelagic
 
@@ -134,5 +161,8 @@ int main(int argc, char** argv) {
     std::printf(
         "    N isa         frame    spectral tick    Verlet tick    its step   without lanes      bytes copied\n");
     for (const std::size_t n : {64, 128, 256, 512}) pelagic::measure_steps(n, isa);
-    for (const int threads : {1, 2}) pelagic::measure_server(isa, threads);
+    for (const int threads : {1, 2}) {
+        pelagic::measure_queries(isa, threads);
+        pelagic::measure_server(isa, threads);
+    }
 }

@@ -79,6 +79,26 @@ TEST(LocalWater, IsMadeTickByTickWhateverTheFramesAre) {
         EXPECT_EQ(after_two_seconds(frames_a_second), expected);
 }
 
+// A frame between two ticks shows the way between what the two before it left, as straight as it is long.
+TEST(LocalWater, IsShownBetweenTicks) {
+    Ocean ocean(breeze, answering());
+    ocean.add_source(boat);
+    for (int tick = 0; tick <= 60; ++tick) ocean.frame_at(tick / 60.0);
+    const auto heights_at = [&](double tick) {
+        const LocalSurface& water = ocean.frame_at(tick / 60).local;
+        return std::vector<float>(water.height_m.begin(), water.height_m.end());
+    };
+    const std::vector<float> begin = heights_at(60), quarter = heights_at(60.25), half = heights_at(60.5),
+                             end = heights_at(61);
+    double way = 0;
+    for (std::size_t i = 0; i < begin.size(); ++i) {
+        way = std::max(way, std::fabs(static_cast<double>(end[i]) - begin[i]));
+        EXPECT_NEAR(quarter[i], begin[i] + 0.25 * (end[i] - begin[i]), 1e-5);
+        EXPECT_NEAR(half[i], begin[i] + 0.5 * (end[i] - begin[i]), 1e-5);
+    }
+    EXPECT_GT(way, 1e-3);
+}
+
 TEST(LocalWater, GoesNowhereInTimesThatAreOverAndHalfASecondInAJump) {
     Ocean ocean(breeze, answering());
     happen(ocean, 0, 72);
@@ -217,8 +237,11 @@ TEST(LocalWater, SourcesMoveStopAndGo) {
     EXPECT_FALSE(highest_at(0, moved));
     ocean.set_source(source, {.x_m = -5, .radius_m = 1.5, .height_m = 0.5});
     EXPECT_TRUE(highest_at(-5, run_to(600)));
+    // Set anew it moves from where it is set, not from when it was first there.
+    ocean.set_source(source, {.x_m = -5, .radius_m = 1.5, .height_m = 0.5, .velocity_x_mps = 1});
+    EXPECT_TRUE(highest_at(-3.1, run_to(720)));
     ocean.remove_source(source);
-    EXPECT_LT(run_to(1500).local.height_max_m, 0.02f);
+    EXPECT_LT(run_to(1600).local.height_max_m, 0.02f);
 }
 
 TEST(LocalWater, RefusesWhatItCantTake) {
