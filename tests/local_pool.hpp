@@ -46,7 +46,7 @@ void fill(LocalGrid& grid, Height height, Companion companion) {
     const std::size_t n = static_cast<std::size_t>(grid.options().resolution);
     const auto at = [&](std::size_t plane, std::int64_t x, std::int64_t z) {
         const auto wrapped = [n](std::int64_t i) { return static_cast<std::size_t>(i) & (n - 1); };
-        return state.data() + 5 * sizeof(std::int64_t) + ((plane * n + wrapped(z)) * n + wrapped(x)) * sizeof(float);
+        return state.data() + 3 * sizeof(std::int64_t) + ((plane * n + wrapped(z)) * n + wrapped(x)) * sizeof(float);
     };
     for (std::int64_t z = grid.first_z(); z < grid.first_z() + grid.options().resolution; ++z)
         for (std::int64_t x = grid.first_x(); x < grid.first_x() + grid.options().resolution; ++x) {

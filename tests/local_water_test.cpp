@@ -207,7 +207,7 @@ TEST(LocalWater, TakesOnlyWhatCanBeSaved) {
     for (int i = 0; i < 300; ++i) {
         std::vector<std::uint8_t> bytes = saved;
         // Headers in front, sources behind: eight bytes of one of them turned into anything.
-        const std::size_t front = 56,
+        const std::size_t front = 40,
                           at = i % 2 == 0 ? 8 * (random() % (front / 8)) : bytes.size() - 8 * (1 + random() % 13);
         const std::uint64_t word = i % 3 == 0 ? ~std::uint64_t{0} : (std::uint64_t{random()} << 32 | random());
         std::memcpy(bytes.data() + at, &word, sizeof word);

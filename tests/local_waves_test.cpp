@@ -132,7 +132,8 @@ TEST(LocalWaves, StepAsAnOracleInDouble) {
     options.decay_per_s = 0.5;
     options.depth_m = 3;
     LocalPool pool(options);
-    pool.grid.disturb({.mode = Disturbance::Mode::add, .x_m = 1.3, .z_m = -2, .radius_m = 1.5, .height_m = 0.7});
+    pool.grid.sources().disturb(
+        {.mode = Disturbance::Mode::add, .x_m = 1.3, .z_m = -2, .radius_m = 1.5, .height_m = 0.7});
     pool.tick(3);
     const std::size_t n = 64;
     std::vector<std::complex<double>> z(n * n);
@@ -177,7 +178,8 @@ double verlet_energy(const LocalGrid& grid) {
 /// Pushed at in many places for half a second.
 void stir(LocalPool& pool) {
     for (int i = 0; i < 30; ++i) {
-        pool.grid.disturb({.x_m = 5.0 * std::cos(i), .z_m = 6.0 * std::sin(2 * i), .radius_m = 0.8, .height_m = 1});
+        pool.grid.sources().disturb(
+            {.x_m = 5.0 * std::cos(i), .z_m = 6.0 * std::sin(2 * i), .radius_m = 0.8, .height_m = 1});
         pool.tick();
     }
 }
@@ -274,7 +276,7 @@ TEST(LocalSources, ThatPressAtRestBecomeTheSurface) {
         LocalPool pool({.step = step, .resolution = 64, .side_m = 32, .border_m = 8});
         const Disturbance press{.radius_m = 2, .height_m = -0.5};
         for (int i = 0; i < 3000; ++i) {
-            pool.grid.disturb(press);
+            pool.grid.sources().disturb(press);
             pool.tick();
         }
         double worst = 0;
@@ -292,7 +294,7 @@ TEST(LocalSources, ThatPullAtRestMakeABoundedBulge) {
         LocalPool pool({.step = step, .resolution = 64, .side_m = 32, .border_m = 4});
         double highest = 0;
         for (int i = 0; i < 2000; ++i) {
-            pool.grid.disturb({.mode = Disturbance::Mode::pull, .radius_m = 2, .height_m = 0.5});
+            pool.grid.sources().disturb({.mode = Disturbance::Mode::pull, .radius_m = 2, .height_m = 0.5});
             pool.tick();
             highest = std::max(highest, highest_in(pool.grid));
         }
@@ -312,7 +314,7 @@ TEST(LocalWake, IsInASmallWindowAsInALargerOne) {
         const double x = -10 + 4.0 * i / 60;
         for (LocalPool* pool : {&a, &b}) {
             if (pool == &a) pool->grid.follow(x, 0);
-            pool->grid.disturb(
+            pool->grid.sources().disturb(
                 {.shape = Disturbance::Shape::hull, .x_m = x, .radius_m = 0.8, .length_m = 2, .height_m = -0.4});
             pool->tick();
         }
@@ -357,11 +359,11 @@ TEST(LocalWake, HasKelvinsAngleAndLength) {
         boat = speed * i * grid.tick_s();
         pool.grid.follow(boat, 0);
         // Put into the water within three seconds.
-        pool.grid.disturb({.shape = Disturbance::Shape::hull,
-                           .x_m = boat,
-                           .radius_m = 1.5,
-                           .length_m = 5,
-                           .height_m = -0.6 * std::min(1.0, i / 60.0)});
+        pool.grid.sources().disturb({.shape = Disturbance::Shape::hull,
+                                     .x_m = boat,
+                                     .radius_m = 1.5,
+                                     .length_m = 5,
+                                     .height_m = -0.6 * std::min(1.0, i / 60.0)});
         pool.tick();
     }
     const auto height = [&](double behind, double aside) {

@@ -60,20 +60,20 @@ void LocalFrames::say(const Said& said) { said_.push_back(said); }
 
 void LocalFrames::disturb(const Disturbance& disturbance) {
     if (const std::string reason = check(disturbance); !reason.empty()) throw std::invalid_argument(reason);
-    if (grid_.disturbances() + new_disturbances_ == LocalGrid::most_disturbances)
-        throw std::invalid_argument(refusal("the number of disturbances of a frame", LocalGrid::most_disturbances + 1,
-                                            "at most " + number_text(LocalGrid::most_disturbances)));
+    if (grid_.sources().waiting() + new_disturbances_ == LocalSources::most)
+        throw std::invalid_argument(refusal("the number of disturbances of a frame", LocalSources::most + 1,
+                                            "at most " + number_text(LocalSources::most)));
     ++new_disturbances_;
     say({Said::What::disturb, 0, disturbance});
 }
 
 std::uint32_t LocalFrames::add_source(const Disturbance& source) {
     if (const std::string reason = check(source); !reason.empty()) throw std::invalid_argument(reason);
-    if (grid_.sources() + new_sources_ == LocalGrid::most_disturbances)
-        throw std::invalid_argument(refusal("the number of sources", LocalGrid::most_disturbances + 1,
-                                            "at most " + number_text(LocalGrid::most_disturbances)));
+    if (grid_.sources().lasting() + new_sources_ == LocalSources::most)
+        throw std::invalid_argument(
+            refusal("the number of sources", LocalSources::most + 1, "at most " + number_text(LocalSources::most)));
     ++new_sources_;
-    const std::uint32_t number = grid_.new_source_number();
+    const std::uint32_t number = grid_.sources().new_number();
     say({Said::What::set, number, source});
     return number;
 }
@@ -93,9 +93,9 @@ void LocalFrames::follow(double x_m, double z_m) {
 void LocalFrames::take_what_was_said() {
     for (const Said& said : said_) {
         switch (said.what) {
-            case Said::What::disturb: grid_.disturb(said.disturbance); break;
+            case Said::What::disturb: grid_.sources().disturb(said.disturbance); break;
             case Said::What::set: grid_.set_source(said.number, said.disturbance); break;
-            case Said::What::remove: grid_.remove_source(said.number); break;
+            case Said::What::remove: grid_.sources().remove(said.number); break;
             case Said::What::follow: grid_.follow(said.disturbance.x_m, said.disturbance.z_m); break;
         }
     }

@@ -2,6 +2,7 @@
 // i mod N of a torus, so a window that moves keeps what it still covers where it is.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -12,20 +13,27 @@ class LocalWindow {
    public:
     LocalWindow(int resolution, double texel_m) : resolution_(resolution), texel_m_(texel_m) {}
 
-    /// The window's lowest texel along an axis if its middle is as near to `middle_m` as whole texels allow.
-    std::int64_t first_around(double middle_m) const {
-        return static_cast<std::int64_t>(std::floor(middle_m / texel_m_ + 0.5)) - resolution_ / 2;
+    /// The lowest texels along x and z of a window whose middle is as near to the place as whole texels allow.
+    std::array<std::int64_t, 2> first_around(double x_m, double z_m) const {
+        const auto first = [this](double middle_m) {
+            return static_cast<std::int64_t>(std::floor(middle_m / texel_m_ + 0.5)) - resolution_ / 2;
+        };
+        return {first(x_m), first(z_m)};
     }
+    void move_to(const std::array<std::int64_t, 2>& first) { first_ = first; }
+
     std::size_t in_torus(std::int64_t texel) const {
         return static_cast<std::size_t>(texel & (static_cast<std::int64_t>(resolution_) - 1));
     }
 
     int resolution() const { return resolution_; }
     double texel_m() const { return texel_m_; }
+    const std::array<std::int64_t, 2>& first() const { return first_; }
 
    private:
     int resolution_;  ///< a power of two
     double texel_m_;
+    std::array<std::int64_t, 2> first_{};
 };
 
 }  // namespace pelagic

@@ -1,0 +1,79 @@
+// What pushes at a window of water: sources that last, what is said once, and the texels that both reach in a tick.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "pelagic/sim/disturbance.hpp"
+#include "pelagic/sim/sources/local_window.hpp"
+
+namespace pelagic {
+
+/// Texels (0, 0) of the planes of a window that a tick moves, in rows as local_jobs.hpp has them.
+struct LocalHeights {
+    float* now;
+    float* before;  ///< Verlet's other height; null where there is none
+};
+
+class LocalSources {
+   public:
+    /// Sources that last, and disturbances of one tick.
+    static constexpr std::size_t most = 4096;
+
+    /// For the tick to come. Throws std::invalid_argument(check(disturbance)), or if there are too many.
+    void disturb(const Disturbance& disturbance);
+    std::uint32_t new_number() { return next_number_++; }
+    /// \param ticks  that are over: the source moves from where it is from then on
+    void set(std::uint32_t number, const Disturbance& source, std::int64_t ticks);
+    void remove(std::uint32_t number);
+    std::size_t lasting() const { return lasting_.size(); }
+    std::size_t waiting() const { return waiting_.size(); }
+    void forget_waiting() { waiting_.clear(); }
+
+    /// Finds what the tick after `ticks` of them reaches in the window. Sources push in the order of their numbers, then
+    /// disturbances in theirs.
+    void begin_tick(const LocalWindow& window, std::int64_t ticks, double tick_s);
+    /// Before the step, in rows of the torus: presses take the shape away, which lift_rows() puts back after it.
+    void push_rows(const LocalWindow& window, std::size_t first_row, std::size_t rows, LocalHeights heights) const;
+    void lift_rows(const LocalWindow& window, std::size_t first_row, std::size_t rows, LocalHeights heights) const;
+    void end_tick();
+
+    /// What lasts, as bytes; what waits is not in it.
+    std::size_t saved_bytes() const;
+    void save(std::span<std::uint8_t> bytes) const;
+    /// Throws std::invalid_argument if no water of so many ticks can have saved them.
+    static LocalSources restored(std::span<const std::uint8_t> bytes, std::int64_t ticks);
+    std::size_t bytes() const;
+
+   private:
+    struct Lasting {
+        std::uint32_t number;
+        Disturbance disturbance;
+        std::int64_t since;  ///< ticks that were over when it was set
+    };
+    /// A push as the rows of a tick need it.
+    struct Splash {
+        Disturbance of;
+        float part;                   ///< of the way that a pull goes in one tick
+        std::int64_t first_x, end_x;  ///< texels that it reaches, within the window
+        std::int64_t first_z, end_z;
+        std::size_t profile;  ///< of a gauss: its values along x, then along z
+        double cosine, sine;  ///< of a hull's heading
+    };
+
+    void add_splash(const Disturbance& of, const LocalWindow& window, double tick_s);
+    void add_profile(const Splash& splash, const LocalWindow& window);
+    template <class AtTexel>
+    void for_texels(const Splash& splash, const LocalWindow& window, std::size_t first_row, std::size_t rows,
+                    AtTexel at_texel) const;
+
+    std::uint32_t next_number_ = 1;
+    std::vector<Lasting> lasting_;      ///< by number
+    std::vector<Disturbance> waiting_;  ///< for the tick to come
+    std::vector<Splash> splashes_;      ///< of the tick in flight
+    std::vector<float> profiles_;
+};
+
+}  // namespace pelagic
