@@ -1,8 +1,11 @@
 #include "pelagic/sim/disturbance.hpp"
 
 #include <array>
+#include <cmath>
 
 #include "pelagic/message/refusal.hpp"
+#include "pelagic/simd/det_math.hpp"
+#include "pelagic/simd/float_environment.hpp"
 
 namespace pelagic {
 namespace {
@@ -22,6 +25,20 @@ constexpr std::array fields = {
 };
 
 }  // namespace
+
+double shape_at(const Disturbance& of, double x_m, double z_m) {
+    const DefaultFloatEnvironment environment;
+    const double x = x_m - of.x_m, z = z_m - of.z_m;
+    if (of.shape == Disturbance::Shape::gauss) {
+        const double squared = (x * x + z * z) / (of.radius_m * of.radius_m);
+        return of.height_m * det::exp(-squared);
+    }
+    const auto heading = det::sine_cosine_of_turns(of.heading_rad / two_pi);
+    const double along = (x * heading.cosine + z * heading.sine) / of.length_m;
+    const double across = (z * heading.cosine - x * heading.sine) / of.radius_m;
+    const double inside = 1 - along * along - across * across;
+    return inside > 0 ? of.height_m * std::sqrt(inside) : 0;
+}
 
 std::string check(const Disturbance& disturbance) { return check_fields(disturbance, fields); }
 

@@ -33,6 +33,9 @@ struct Disturbance {
     double velocity_x_mps = 0, velocity_z_mps = 0;
 };
 
+/// The shape itself, metres above rest at a place of the world: what a press that rests makes of still water.
+double shape_at(const Disturbance& disturbance, double x_m, double z_m);
+
 /// Empty, or what is wrong: "radius_m is 0, needs (0, 1000]".
 std::string check(const Disturbance& disturbance);
 

@@ -1,11 +1,13 @@
 #include "pelagic/examples/buoyancy/floating_box.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
 #include <stdexcept>
 
+#include "pelagic/examples/buoyancy/box_wake.hpp"
 #include "pelagic/message/refusal.hpp"
 
 namespace pelagic::buoyancy {
@@ -142,6 +144,12 @@ void FloatingBox::move(const HullWater& hull, std::size_t first, double step_s) 
 }
 
 void step(std::span<FloatingBox> boxes, const SurfaceQuery& water, double step_s, HullWater& hull) {
+    step(boxes, water, step_s, hull, {});
+}
+
+void step(std::span<FloatingBox> boxes, const SurfaceQuery& water, double step_s, HullWater& hull,
+          std::span<const BoxWake> wakes) {
+    assert(wakes.empty() || wakes.size() == boxes.size());
     hull.x.clear();
     hull.z.clear();
     for (FloatingBox& box : boxes) {
@@ -155,9 +163,11 @@ void step(std::span<FloatingBox> boxes, const SurfaceQuery& water, double step_s
                                               .velocity_y_mps = hull.velocity_y_mps,
                                               .velocity_z_mps = hull.velocity_z_mps});
     std::size_t first = 0;
-    for (FloatingBox& box : boxes) {
-        box.move(hull, first, step_s);
-        first += box.column_count();
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        const std::size_t columns = boxes[i].column_count();
+        if (!wakes.empty()) wakes[i].leave_out(hull, first, columns, step_s);
+        boxes[i].move(hull, first, step_s);
+        first += columns;
     }
 }
 

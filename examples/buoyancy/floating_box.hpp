@@ -69,6 +69,8 @@ struct HullWater {
     std::vector<float> height_m, velocity_x_mps, velocity_y_mps, velocity_z_mps;
 };
 
+class BoxWake;
+
 class FloatingBox {
    public:
     /// Columns across each axis: the moment of the waterplane is 1/24^2 and 1/12^2 too small.
@@ -88,7 +90,7 @@ class FloatingBox {
     double heave_frequency_radps() const;  ///< of free heave in still water, undamped: sqrt(rho g L B / (m + A))
 
    private:
-    friend void step(std::span<FloatingBox>, const SurfaceQuery&, double, HullWater&);
+    friend void step(std::span<FloatingBox>, const SurfaceQuery&, double, HullWater&, std::span<const BoxWake>);
 
     void cut_columns();
     std::size_t column_count() const { return across_a_ * across_b_; }
@@ -113,5 +115,9 @@ class FloatingBox {
 /// Moves all boxes on by one step of semi-implicit Euler: one batch of queries, then each box by itself. A 30th
 /// of the heave's period is a step that is short enough. \pre frames with velocities, of seas `step_s` apart
 void step(std::span<FloatingBox> boxes, const SurfaceQuery& water, double step_s, HullWater& hull);
+
+/// The same in water that answers, of ticks as long as steps. \param wakes  of the boxes, in their order
+void step(std::span<FloatingBox> boxes, const SurfaceQuery& water, double step_s, HullWater& hull,
+          std::span<const BoxWake> wakes);
 
 }  // namespace pelagic::buoyancy

@@ -1,0 +1,56 @@
+#include "pelagic/examples/buoyancy/box_wake.hpp"
+
+#include <cmath>
+#include <glm/gtc/quaternion.hpp>
+#include <numbers>
+
+#include "pelagic/simd/det_math.hpp"
+
+namespace pelagic::buoyancy {
+
+double heading_rad(const BoxState& state) {
+    const glm::dvec3 forward = state.orientation * glm::dvec3(1, 0, 0);
+    const double length = std::sqrt(forward.x * forward.x + forward.z * forward.z);
+    if (!(length > 0)) return 0;  // it stands on end
+    const double x = forward.x / length, z = forward.z / length;
+    // Within an eighth of a turn at first; then the sine of what is missing, whose error is the third power of the one before.
+    double turns = std::fabs(x) >= std::fabs(z) ? (x > 0 ? 0 : 0.5) : (z > 0 ? 0.25 : -0.25);
+    for (int step = 0; step < 5; ++step) {
+        const auto found = det::sine_cosine_of_turns(turns);
+        turns += (z * found.cosine - x * found.sine) / (2 * std::numbers::pi);
+    }
+    if (turns > 0.5) turns -= 1;
+    return 2 * std::numbers::pi * turns;
+}
+
+Disturbance press_of(const FloatingBox& box) {
+    const BoxOptions& of = box.options();
+    const double area = std::numbers::pi / 4 * of.length_m * of.beam_m;
+    return {.shape = Disturbance::Shape::hull,
+            .x_m = box.state().position_m.x,
+            .z_m = box.state().position_m.z,
+            .radius_m = of.beam_m / 2,
+            .length_m = of.length_m / 2,
+            .heading_rad = heading_rad(box.state()),
+            .height_m = -of.mass_kg / water_density_kgpm3 / (2.0 / 3 * area)};
+}
+
+BoxWake::BoxWake(Ocean& ocean, const FloatingBox& box) : source_(ocean.add_source(press_of(box))) {
+    presses_.fill(press_of(box));
+}
+
+void BoxWake::press(Ocean& ocean, const FloatingBox& box) {
+    presses_ = {press_of(box), presses_[0], presses_[1]};
+    ocean.set_source(source_, presses_[0]);
+}
+
+void BoxWake::leave_out(HullWater& hull, std::size_t first, std::size_t columns, double tick_s) const {
+    for (std::size_t column = first; column < first + columns; ++column) {
+        const double before = shape_at(presses_[2], hull.x[column], hull.z[column]);
+        const double after = shape_at(presses_[1], hull.x[column], hull.z[column]);
+        hull.height_m[column] = static_cast<float>(hull.height_m[column] - before);
+        hull.velocity_y_mps[column] = static_cast<float>(hull.velocity_y_mps[column] - (after - before) / tick_s);
+    }
+}
+
+}  // namespace pelagic::buoyancy

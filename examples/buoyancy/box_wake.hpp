@@ -1,0 +1,43 @@
+// A box's part in water that answers: it presses as much as it weighs, and feels the wakes of all others, and what its own sends
+// back, but not the hollow that it lies in, whose pressure is already its buoyancy.
+//
+//   const Frame& frame = ocean.complete();
+//   for (...) wakes[i].press(ocean, boxes[i]);
+//   ocean.schedule(next_s);                            // a tick of the water later
+//   step(boxes, SurfaceQuery(frame), step_s, hull, wakes);
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "pelagic/examples/buoyancy/floating_box.hpp"
+#include "pelagic/sim/disturbance.hpp"
+#include "pelagic/sim/ocean.hpp"
+
+namespace pelagic::buoyancy {
+
+/// From +x towards +z, of the box's length; [-pi, pi]. Only + - * / and our own sine: the same bits everywhere.
+double heading_rad(const BoxState& state);
+
+/// An ellipsoid's lower half as long and broad as the box, of as much water as the box displaces at rest.
+Disturbance press_of(const FloatingBox& box);
+
+class BoxWake {
+   public:
+    /// A source of the ocean from its next frame on, which has water that answers (OceanOptions::local).
+    BoxWake(Ocean& ocean, const FloatingBox& box);
+
+    /// The box lies here now. Between complete() and schedule(), whose frames are a tick of the water apart.
+    void press(Ocean& ocean, const FloatingBox& box);
+
+    /// Takes the box's own hollow out of what its columns found in the frame completed last.
+    void leave_out(HullWater& hull, std::size_t first, std::size_t columns, double tick_s) const;
+
+   private:
+    std::uint32_t source_;
+    /// As they were said: for the frame to come, for that completed last, which shows the tick before it, and for that one.
+    std::array<Disturbance, 3> presses_;
+};
+
+}  // namespace pelagic::buoyancy

@@ -1,0 +1,113 @@
+// Boxes that leave wakes and feel those of others.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "pelagic/examples/buoyancy/box_wake.hpp"
+#include "pelagic/sim/ocean.hpp"
+#include "pelagic/tests/sanitized.hpp"
+
+namespace pelagic::buoyancy {
+namespace {
+
+constexpr double step_s = 1.0 / 60;
+constexpr double degree = std::numbers::pi / 180;
+
+/// Ripples of a millimetre, so that what moves is what the boxes do.
+const SeaState still{.resolution = 16, .patch_size_m = 100, .wind_speed_mps = 0.05};
+
+const BoxOptions launch{.length_m = 6, .height_m = 1.5, .beam_m = 2.5, .mass_kg = 6000, .centre_of_mass_m = -0.2};
+
+glm::dquat heading(double angle_rad) {
+    return glm::dquat(std::cos(angle_rad / 2), 0, -std::sin(angle_rad / 2), 0);  // +x towards +z is about -y
+}
+
+/// Boxes in a window of 64 m; `each_step` steers them.
+template <class EachStep>
+void sail(std::vector<FloatingBox>& boxes, double seconds, EachStep each_step) {
+    Ocean ocean(still, {.executor = make_serial_executor(),
+                        .queries = true,
+                        .velocities = true,
+                        .local = LocalWaterOptions{.resolution = 128, .side_m = 64, .border_m = 12}});
+    std::vector<BoxWake> wakes;
+    for (const FloatingBox& box : boxes) wakes.emplace_back(ocean, box);
+    HullWater hull;
+    ocean.schedule(0);
+    for (int i = 1; i <= seconds / step_s; ++i) {
+        const Frame& frame = ocean.complete();
+        for (std::size_t box = 0; box < boxes.size(); ++box) wakes[box].press(ocean, boxes[box]);
+        ocean.schedule(i * step_s);
+        step(boxes, SurfaceQuery(frame), step_s, hull, wakes);
+        each_step(i * step_s);
+    }
+    ocean.complete();
+}
+
+TEST(Wake, KnowsWhereABoxHeads) {
+    FloatingBox box(launch);
+    for (int angle = -179; angle <= 180; ++angle) {
+        box.state().orientation = heading(angle * degree);
+        EXPECT_NEAR(heading_rad(box.state()), angle * degree, 1e-12) << angle;
+    }
+}
+
+TEST(Wake, ThePressIsTheWaterThatTheBoxDisplaces) {
+    const Disturbance press = press_of(FloatingBox(launch));
+    double volume = 0;
+    const double step = 0.01;
+    for (double x = -3.5; x < 3.5; x += step)
+        for (double z = -1.5; z < 1.5; z += step) volume -= shape_at(press, x, z) * step * step;
+    EXPECT_NEAR(volume * water_density_kgpm3, launch.mass_kg, 1e-3 * launch.mass_kg);
+}
+
+// Its own hollow holds it up and does nothing else, once the waves of its being put into the water have gone.
+TEST(Wake, ABoxAtRestStaysWhereItFloats) {
+    std::vector<FloatingBox> boxes = {FloatingBox(launch)};
+    double highest = 0;
+    sail(boxes, 25, [&](double time_s) {
+        if (time_s > 20) highest = std::max(highest, std::fabs(boxes[0].heave_m()));
+    });
+    // Texels of half a metre, bilinear, are not quite the ellipsoid's half, which is 0.75 m deep.
+    RecordProperty("highest_m", std::to_string(highest));
+    EXPECT_LT(highest, 0.03);
+    EXPECT_NEAR(boxes[0].displaced_kg() / launch.mass_kg, 1, 0.01);
+}
+
+// A launch goes by at 4 m/s, 7 m from another: that one heaves when the wake comes.
+TEST(Wake, ABoxThatGoesByRocksAnother) {
+    const auto heave_of_the_other = [](bool goes_by) {
+        std::vector<FloatingBox> boxes = {FloatingBox(launch)};
+        if (goes_by) boxes.emplace_back(launch);
+        if (goes_by) boxes[1].state().position_m = {-16, boxes[1].rest_height_m(), 7};
+        std::vector<double> heave;
+        sail(boxes, 14, [&](double time_s) {
+            heave.push_back(boxes[0].heave_m());
+            if (!goes_by) return;
+            // Towed: along +x, after five seconds in which both have come to rest.
+            boxes[1].state().velocity_mps.x = time_s < 5 ? 0 : 4;
+            boxes[1].state().velocity_mps.z = 0;
+            boxes[1].state().orientation = heading(0);
+            boxes[1].state().spin_radps = {};
+        });
+        return heave;
+    };
+    const std::vector<double> with = heave_of_the_other(true), without = heave_of_the_other(false);
+    double before = 0, after = 0;
+    for (std::size_t i = 0; i < with.size(); ++i) {
+        const double time_s = static_cast<double>(i) * step_s, moved = std::fabs(with[i] - without[i]);
+        // 19.47 degrees aside of a boat that is 7 m away: 20 m behind it, 8 seconds after it set out from 16 m before.
+        if (time_s > 4 && time_s < 6) before = std::max(before, moved);
+        if (time_s > 9) after = std::max(after, moved);
+    }
+    RecordProperty("before_m", std::to_string(before));
+    RecordProperty("after_m", std::to_string(after));
+    EXPECT_GT(after, 0.05);
+    EXPECT_LT(before, after / 3);
+}
+
+}  // namespace
+}  // namespace pelagic::buoyancy
