@@ -224,9 +224,11 @@ void LocalGrid::end_tick() {
 }
 
 void LocalGrid::prepare_rows(std::size_t job) {
-    const std::size_t first = job * rows_an_item, floats = rows_an_item * local_row_stride(n());
-    std::copy_n(first_texel(height_) + first * local_row_stride(n()), floats,
-                tick_before_.data() + local_margin + first * local_row_stride(n()));
+    const std::size_t first = job * rows_an_item;
+    // Rows alone: their margins are the neighbouring jobs' as well.
+    for (std::size_t z = first; z < first + rows_an_item; ++z)
+        std::copy_n(first_texel(height_) + z * local_row_stride(n()), n(),
+                    tick_before_.data() + local_margin + z * local_row_stride(n()));
     const bool is_verlet = options_.step == LocalStep::verlet;
     if (is_verlet)
         kernels_.damp_rows({.planes = {first_texel(0), first_texel(1)},
