@@ -588,7 +588,8 @@ PELAGIC_API pelagic_status pelagic_disturbance_defaults(pelagic_disturbance* dis
  * on, in its order, whether or not a frame is in flight. PELAGIC_INVALID_ARGUMENT without pelagic_ocean_options.local. */
 PELAGIC_API pelagic_status pelagic_ocean_disturb(pelagic_ocean* ocean, const pelagic_disturbance* disturbance);
 
-/* Pushes at every tick, moving as it says, until it is removed; at most 4096 of them. Its number is used once. */
+/* Pushes at every tick, moving as it says, until it is removed; at most 4096 of them. Its number is used once; setting or removing
+ * one that there is not, or no more, does nothing. */
 PELAGIC_API pelagic_status pelagic_ocean_add_source(pelagic_ocean* ocean, const pelagic_disturbance* source,
                                                     uint32_t* number);
 PELAGIC_API pelagic_status pelagic_ocean_set_source(pelagic_ocean* ocean, uint32_t number,

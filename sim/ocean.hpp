@@ -133,7 +133,7 @@ class Ocean {
     void disturb(const Disturbance& disturbance);
     /// Pushes at every tick, moving as it says. At most 4096 of them; later ones push after earlier ones. Returns its number.
     std::uint32_t add_source(const Disturbance& source);
-    /// From the next tick on. A number that there is not is added.
+    /// From the next tick on, and from where it says. A number that there is not, or no more, does nothing.
     void set_source(std::uint32_t number, const Disturbance& source);
     void remove_source(std::uint32_t number);
     /// The window's middle is there as near as whole texels allow. Texels that stay in it keep their bits, and others are flat.

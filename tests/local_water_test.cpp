@@ -242,6 +242,10 @@ TEST(LocalWater, SourcesMoveStopAndGo) {
     EXPECT_TRUE(highest_at(-3.1, run_to(720)));
     ocean.remove_source(source);
     EXPECT_LT(run_to(1600).local.height_max_m, 0.02f);
+    // What is said of it afterwards, or of one that never was, is of nobody.
+    ocean.set_source(source, {.radius_m = 1.5, .height_m = 0.5});
+    ocean.set_source(77, {.radius_m = 1.5, .height_m = 0.5});
+    EXPECT_LT(run_to(1800).local.height_max_m, 0.02f);
 }
 
 TEST(LocalWater, RefusesWhatItCantTake) {
@@ -271,6 +275,7 @@ TEST(LocalWater, RefusesWhatItCantTake) {
     for (std::size_t i = 0; i < 4096; ++i) ocean.disturb({.height_m = 0.01});
     EXPECT_THROW(ocean.disturb({.height_m = 0.01}), std::invalid_argument);
     ocean.frame_at(0.31);  // may have no tick: they wait for the next one
+    for (std::uint32_t number = 1000; number < 10000; ++number) ocean.set_source(number, {.height_m = 0.01});
     EXPECT_NO_THROW(ocean.frame_at(0.5));
 }
 

@@ -74,7 +74,7 @@ std::uint32_t LocalFrames::add_source(const Disturbance& source) {
             refusal("the number of sources", LocalSources::most + 1, "at most " + number_text(LocalSources::most)));
     ++new_sources_;
     const std::uint32_t number = grid_.sources().new_number();
-    say({Said::What::set, number, source});
+    say({Said::What::add, number, source});
     return number;
 }
 
@@ -94,7 +94,10 @@ void LocalFrames::take_what_was_said() {
     for (const Said& said : said_) {
         switch (said.what) {
             case Said::What::disturb: grid_.sources().disturb(said.disturbance); break;
-            case Said::What::set: grid_.set_source(said.number, said.disturbance); break;
+            case Said::What::add: grid_.set_source(said.number, said.disturbance); break;
+            case Said::What::set:
+                if (grid_.sources().has(said.number)) grid_.set_source(said.number, said.disturbance);
+                break;
             case Said::What::remove: grid_.sources().remove(said.number); break;
             case Said::What::follow: grid_.follow(said.disturbance.x_m, said.disturbance.z_m); break;
         }
@@ -106,6 +109,7 @@ void LocalFrames::take_what_was_said() {
 void LocalFrames::begin_frame(double time_s) {
     assert(!frame_in_flight_);
     const DefaultFloatEnvironment environment;
+    back_ = 1 - back_;  // first: whatever fails from here on, drop_frame() turns it back
     take_what_was_said();
     const double rate = grid_.options().ticks_per_s;
     const double place = std::clamp(time_s * rate + clock_slack, -farthest_tick, farthest_tick);
@@ -116,7 +120,6 @@ void LocalFrames::begin_frame(double time_s) {
     last_tick_ = number;
     has_clock_ = true;
     part_ = static_cast<float>(std::min(place - tick, 1.0));
-    back_ = 1 - back_;
     frame_in_flight_ = true;
     run_in_flight_ = nullptr;
     if (ticks_due_ == 0) begin_run(*show_run_);

@@ -65,7 +65,7 @@ class LocalFrames {
     LocalGrid grid_;
     /// What a host said since the last begin_frame().
     struct Said {
-        enum class What { disturb, set, remove, follow } what;
+        enum class What { disturb, add, set, remove, follow } what;
         std::uint32_t number = 0;
         Disturbance disturbance = {};  ///< of a follow, its place
     };

@@ -87,6 +87,12 @@ void LocalSources::remove(std::uint32_t number) {
     std::erase_if(lasting_, [number](const Lasting& source) { return source.number == number; });
 }
 
+bool LocalSources::has(std::uint32_t number) const {
+    return std::binary_search(lasting_.begin(), lasting_.end(),
+                              Lasting{.number = number, .disturbance = {}, .since = 0},
+                              [](const Lasting& a, const Lasting& b) { return a.number < b.number; });
+}
+
 void LocalSources::begin_tick(const LocalWindow& window, std::int64_t ticks, double tick_s) {
     for (const Lasting& source : lasting_) {
         Disturbance moved = source.disturbance;

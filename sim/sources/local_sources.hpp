@@ -28,6 +28,7 @@ class LocalSources {
     /// \param ticks  that are over: the source moves from where it is from then on
     void set(std::uint32_t number, const Disturbance& source, std::int64_t ticks);
     void remove(std::uint32_t number);
+    bool has(std::uint32_t number) const;
     std::size_t lasting() const { return lasting_.size(); }
     std::size_t waiting() const { return waiting_.size(); }
     void forget_waiting() { waiting_.clear(); }
