@@ -6,6 +6,7 @@
 
 #include "pelagic/sim/local_surface.hpp"
 #include "pelagic/sim/sea_state.hpp"
+#include "pelagic/sim/shore_surface.hpp"
 #include "pelagic/sim/slope_variance.hpp"
 #include "pelagic/sim/tile.hpp"
 #include "pelagic/simd/isa.hpp"
@@ -39,6 +40,8 @@ struct Frame {
     FrameBounds bounds;
     /// What adds to the tiles where hosts move the water, with OceanOptions::local; within the bounds, too.
     LocalSurface local;
+    /// Where the sea has a floor that waves feel, with OceanOptions::shore; within the bounds, too.
+    ShoreSurface shore;
 };
 
 /// XXH3 of every output of the frame: of each tile the rows of dx, height and dz, the half floats but for foam, the gradient chain (of

@@ -1,0 +1,43 @@
+// A shore: a floor of the sea that waves feel, which may rise above the water as a beach or an island.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "pelagic/sim/frame.hpp"
+
+namespace pelagic {
+
+struct ShoreOptions {
+    static constexpr int most_samples_a_side = 4096;
+
+    /// Heights of the floor above rest, metres, [-11000, 9000]; sample (i, j) is heights_m[j * columns + i] and stands at
+    /// x = corner_x_m + i metres_a_sample, z alike. Columns and rows are 2 to 4096. The field is the shore's rectangle; beyond it the sea is open.
+    int columns = 0, rows = 0;
+    std::vector<float> heights_m = {};
+    double corner_x_m = 0, corner_z_m = 0;  ///< [-1e8, 1e8]
+    double metres_a_sample = 1;             ///< (0, 10000]
+
+    int resolution = 256;  ///< texels along the longer side of what frames show; 64 to 1024
+    /// Along the field's edges, where the tiles give way to waves that feel the floor; 0: an eighth of its shorter side. [0, half of it]
+    double fade_m = 0;
+    /// Waves reach so high on dry sand at most, where those that break would end at the waterline; [0, 10]
+    double swash_m = 0.25;
+};
+
+/// Empty, or what is wrong: "columns is 1, needs 2 to 4096".
+std::string check(const ShoreOptions& options);
+
+/// A shore at a place.
+struct ShoreSample {
+    double depth_m = 0;  ///< of still water; below 0 on land
+    double height_m = 0, slope_x = 0, slope_z = 0, rise_mps = 0, reach_m = 0;
+    double foam = 0;                  ///< 0 to 1
+    double parts[4] = {1, 1, 1, 1};   ///< of the tiles
+};
+
+/// Of the view that a frame has: bilinear between texels, slopes by central differences at texels. Open sea of no depth outside, and where
+/// x or z is no number.
+ShoreSample sample(const ShoreSurface& shore, double x_m, double z_m);
+
+}  // namespace pelagic

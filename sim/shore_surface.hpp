@@ -1,0 +1,29 @@
+// What a frame shows of a shore (shore.hpp).
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+namespace pelagic {
+
+/// A rectangle of the sea with a floor under it, where tiles are held back and waves that feel the floor add to them. Texel (i, j)
+/// stands at x = x_m + i texel_m, z = z_m + j texel_m, in element j * columns + i; between texels all is bilinear. At a place of the
+/// world where water is drawn, tile t counts with its part there, and the shore's height adds to that. Beyond the rectangle all parts are
+/// 1 and the height is 0, as they are on its edges.
+struct ShoreSurface {
+    int columns = 0, rows = 0;  ///< 0: the ocean has no shore
+    double texel_m = 0;
+    double x_m = 0, z_m = 0;
+    std::span<const float> depth_m;              ///< of still water; below 0 on land
+    std::span<const std::uint32_t> parts_rgba8;  ///< of tile t in byte t from the lowest up, 255 for 1
+    std::span<const float> height_m;
+    std::span<const float> rise_mps;  ///< how fast it rises
+    /// How high the waves that are passing reach, at least height_m: the envelope of their crests. Sand below it is wet.
+    std::span<const float> reach_m;
+    std::span<const std::uint8_t> foam;  ///< of waves that break
+    float height_min_m = 0, height_max_m = 0;
+
+    explicit operator bool() const { return columns > 0; }
+};
+
+}  // namespace pelagic
