@@ -12,6 +12,7 @@
 #include "pelagic/message/refusal.hpp"
 #include "pelagic/sim/frames/frame_assembly.hpp"
 #include "pelagic/sim/frames/local_frames.hpp"
+#include "pelagic/sim/sources/shore_source.hpp"
 
 namespace pelagic {
 namespace {
@@ -44,6 +45,12 @@ struct Ocean::State {
         if (options.foam) {
             frames.add_tick_stages(tick_graph);
             frames.add_frame_stages(tick_and_frame_graph, frames.add_tick_stages(tick_and_frame_graph));
+        }
+        if (options.shore) {
+            shore = std::make_unique<ShoreSource>(*options.shore, forecast.first, plan_tiles(forecast),
+                                                  kernels_for(isa), options.memory);
+            shore->add_frame_stage(frame_graph);
+            if (options.foam) shore->add_frame_stage(tick_and_frame_graph);
         }
         frames.add_spectrum_stages(spectrum_graph);
         const bool is_small = frames.texels() <= most_texels_without_jobs;
@@ -164,6 +171,7 @@ struct Ocean::State {
     std::shared_ptr<Executor> executor;
     Isa isa;
     FrameAssembly frames;
+    std::unique_ptr<ShoreSource> shore;  ///< if the ocean has one
     JobGraph frame_graph, tick_graph, tick_and_frame_graph, spectrum_graph;
     bool frame_runs_ahead = false;  ///< else complete() does all the work
     bool frame_in_flight = false;
@@ -173,6 +181,19 @@ struct Ocean::State {
     const Frame* completed = nullptr;
     std::unique_ptr<GraphRun> frame_run, tick_run, tick_and_frame_run, spectrum_run;
     std::unique_ptr<LocalFrames> local;  ///< if the ocean has water that answers
+
+    /// \pre the ocean has one
+    void bake_shore() {
+        JobGraph graph;
+        shore->add_bake_stages(graph);
+        const std::unique_ptr<GraphRun> run = executor->prepare(graph);
+        run->schedule();
+        run->complete();
+        shore->end_bake();
+    }
+    void refuse_other_sea() const {
+        if (shore) throw std::invalid_argument("the sea can't change, needs an ocean without a shore");
+    }
 
     LocalFrames& local_water() {
         if (!local)
@@ -204,6 +225,7 @@ struct Ocean::State {
     }
     void drop_frame() {
         if (local) local->drop_frame();
+        if (shore) shore->drop_frame();
         frames.drop_frame();
         frames.forget();
     }
@@ -212,11 +234,20 @@ struct Ocean::State {
 Ocean::Ocean(const SeaState& sea, OceanOptions options)
     : Ocean(Forecast{.first = checked(sea)}, std::move(options)) {}
 
-Ocean::Ocean(const Forecast& forecast, OceanOptions options)
-    : state_(new State(checked(forecast), std::move(options))) {
+Ocean::Ocean(const Forecast& forecast, OceanOptions options) {
+    checked(forecast);
+    if (options.shore) {
+        if (const std::string reason = check(*options.shore, forecast.first); !reason.empty())
+            throw std::invalid_argument(reason);
+        if (!forecast.changes.empty())
+            throw std::invalid_argument(
+                refusal("changes' number", forecast.changes.size(), "0 where there is a shore"));
+    }
+    state_.reset(new State(forecast, std::move(options)));
     state_->bake(0);
     state_->complete_bake();
     state_->frames.adopt_sea();
+    if (state_->shore) state_->bake_shore();
 }
 
 Ocean::~Ocean() = default;
@@ -234,6 +265,7 @@ void Ocean::schedule(double time_s, std::span<const TextureTargets> tiles) {
     state_->run_in_flight = nullptr;
     try {
         if (state_->local) state_->local->begin_frame(time_s);
+        if (state_->shore) state_->shore->begin_frame(time_s);
         state_->frames.begin_frame(time_s, tiles);
         if (state_->frames.ticks_due() <= 1) state_->begin_run();
     } catch (...) {
@@ -255,6 +287,7 @@ const Frame& Ocean::complete() {
         state_->frame_in_flight = false;
         try {
             state_->complete_run();
+            if (state_->shore) state_->frames.show(state_->shore->end_frame());
             if (state_->local) {
                 state_->local->complete();
                 state_->frames.show(state_->local->surface());
@@ -283,6 +316,7 @@ FrameBounds Ocean::frame_at(double time_s, std::span<const FrameBuffers> tiles) 
     state_->completed = completed;
     state_->frames.drop_frame();
     if (state_->local) state_->local->drop_frame();
+    if (state_->shore) state_->shore->drop_frame();
     return frame.bounds;
 }
 
@@ -290,6 +324,7 @@ void Ocean::schedule_sea(const SeaState& sea) {
     using Bake = State::Bake;
     assert((state_->bake_in_flight == Bake::nothing || state_->bake_in_flight == Bake::ahead) &&
            "complete_sea() first");
+    state_->refuse_other_sea();
     checked(sea);
     if (const auto tiles = static_cast<std::size_t>(cascades_of(sea)); tiles != tile_count())
         throw std::invalid_argument(
@@ -331,6 +366,7 @@ void Ocean::complete_sea() {
 void Ocean::schedule_sea(const SeaChange& change) {
     assert((state_->bake_in_flight == State::Bake::nothing || state_->bake_in_flight == State::Bake::ahead) &&
            "complete_sea() first");
+    state_->refuse_other_sea();
     Weather& weather = state_->frames.weather();
     checked(weather.with(change));
     state_->end_bake();
@@ -375,7 +411,8 @@ Isa Ocean::isa() const { return state_->isa; }
 const Executor& Ocean::executor() const { return *state_->executor; }
 const JobGraph& Ocean::graph() const { return state_->frame_graph; }
 std::size_t Ocean::memory_bytes() const {
-    return sizeof(State) + state_->frames.bytes() + (state_->local ? state_->local->bytes() : 0);
+    return sizeof(State) + state_->frames.bytes() + (state_->local ? state_->local->bytes() : 0) +
+           (state_->shore ? state_->shore->bytes() : 0);
 }
 
 }  // namespace pelagic

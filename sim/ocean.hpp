@@ -24,6 +24,7 @@
 #include "pelagic/sim/frame_buffers.hpp"
 #include "pelagic/sim/local_water.hpp"
 #include "pelagic/sim/sea_state.hpp"
+#include "pelagic/sim/shore.hpp"
 #include "pelagic/sim/texture_targets.hpp"
 #include "pelagic/simd/host_memory.hpp"
 #include "pelagic/simd/isa.hpp"
@@ -48,6 +49,9 @@ struct OceanOptions {
     /// sum. With 256 texels a tick takes about three quarters of a frame of one tile of 256, at 60 ticks a second; 18 N^2 bytes for
     /// frames and 25 N^2 for ticks.
     std::optional<LocalWaterOptions> local = {};
+    /// A floor that waves feel (shore.hpp): frames say what it makes of the sea, Frame::shore, and queries tell that. Of a sea of several
+    /// tiles that never changes. Baking it takes a second or so of one core; 290 bytes for each of the shore's texels.
+    std::optional<ShoreOptions> shore = {};
     HostMemory memory = {};  ///< none: operator new. For frames and spectra, all but some 100 KB of an ocean
 };
 

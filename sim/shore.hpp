@@ -1,6 +1,7 @@
 // A shore: a floor of the sea that waves feel, which may rise above the water as a beach or an island.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -18,7 +19,7 @@ struct ShoreOptions {
     double corner_x_m = 0, corner_z_m = 0;  ///< [-1e8, 1e8]
     double metres_a_sample = 1;             ///< (0, 10000]
 
-    int resolution = 256;  ///< texels along the longer side of what frames show; 64 to 1024
+    int resolution = 256;  ///< texels along the longer side of what frames show; 64, 128, 256, 512 or 1024
     /// Along the field's edges, where the tiles give way to waves that feel the floor; 0: an eighth of its shorter side. [0, half of it]
     double fade_m = 0;
     /// Waves reach so high on dry sand at most, where those that break would end at the waterline; [0, 10]
@@ -27,17 +28,23 @@ struct ShoreOptions {
 
 /// Empty, or what is wrong: "columns is 1, needs 2 to 4096".
 std::string check(const ShoreOptions& options);
+/// The same, and whether the sea can have one: of several tiles, and waves of a physical height: "cascades is 1, needs 2 to 4 ...".
+/// \pre check(sea) is empty
+std::string check(const ShoreOptions& options, const SeaState& sea);
 
 /// A shore at a place.
 struct ShoreSample {
     double depth_m = 0;  ///< of still water; below 0 on land
     double height_m = 0, slope_x = 0, slope_z = 0, rise_mps = 0, reach_m = 0;
-    double foam = 0;                  ///< 0 to 1
-    double parts[4] = {1, 1, 1, 1};   ///< of the tiles
+    double foam = 0;                 ///< 0 to 1
+    double parts[4] = {1, 1, 1, 1};  ///< of the tiles
 };
 
 /// Of the view that a frame has: bilinear between texels, slopes by central differences at texels. Open sea of no depth outside, and where
 /// x or z is no number.
 ShoreSample sample(const ShoreSurface& shore, double x_m, double z_m);
+
+/// XXH3 of all that a frame shows of the shore, little-endian; 0 of a frame without one. hash_of() has none of it.
+std::uint64_t shore_hash_of(const Frame& frame);
 
 }  // namespace pelagic

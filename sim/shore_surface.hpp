@@ -22,6 +22,7 @@ struct ShoreSurface {
     std::span<const float> reach_m;
     std::span<const std::uint8_t> foam;  ///< of waves that break
     float height_min_m = 0, height_max_m = 0;
+    float parts_change_per_m = 0;  ///< no part differs by more between places a metre apart
 
     explicit operator bool() const { return columns > 0; }
 };

@@ -8,7 +8,8 @@
 // q + D(q), D being the sum of the tiles' displacements. A query looks for the rest point that is drawn at the given (x, z) and reads the frame there. Where sheets
 // lie over one another (breaking crests at high choppiness) the highest one counts.
 //
-// Water that answers (local_water.hpp) adds its height, its slopes and how it rises at the given place.
+// Water that answers (local_water.hpp) adds its height, its slopes and how it rises at the given place, and so does a shore (shore.hpp).
+// There each tile counts with its part at the given place: q + sum of part D(q) = p.
 //
 // The bits depend on the frame, the point and the tolerance alone: not on other points of the batch, nor their order,
 // nor the thread, nor the instruction set.
@@ -62,7 +63,7 @@ class SurfaceQuery {
     explicit SurfaceQuery(const Frame& frame, double tolerance_m = default_tolerance_m);
 
     /// Throws std::invalid_argument, before it writes, if a velocity is wanted of a frame made without
-    /// OceanOptions::velocities, or foam of one without OceanOptions::foam and local. \pre spans are as long as the points or empty (asserted)
+    /// OceanOptions::velocities, or foam of one without OceanOptions::foam, local and shore. \pre spans are as long as the points or empty (asserted)
     void sample(const SurfacePoints& points, const SurfaceSamples& samples) const;
 
     const Frame& frame() const { return frame_; }
@@ -70,7 +71,7 @@ class SurfaceQuery {
     double texel_m() const { return texel_m_; }  ///< of the finest tile
     double tolerance_m() const { return tolerance_m_; }
     bool has_velocities() const { return frame_.tiles.front().velocity_y.data != nullptr; }
-    bool has_foam() const { return tiles_have_foam() || frame_.local; }
+    bool has_foam() const { return tiles_have_foam() || frame_.local || frame_.shore; }
     /// Throws as sample() does.
     void check(const SurfaceSamples& wanted) const;
 
@@ -79,7 +80,7 @@ class SurfaceQuery {
     bool has_sample(double x, double z) const;
     void take(const SurfacePoints& points, PointChunk& chunk) const;
     void hand_out(const SurfacePoints& points, const SurfaceSamples& samples, const PointChunk& chunk) const;
-    void add_local(const SurfaceSamples& samples, const PointChunk& chunk) const;
+    void add_water_of_place(const SurfaceSamples& samples, const PointChunk& chunk) const;
 
     const Kernels* kernels_;
     Frame frame_;

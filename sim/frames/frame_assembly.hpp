@@ -42,6 +42,7 @@ class FrameAssembly {
     void begin_tick();
     /// What the frame shows of water that answers; before end_frame().
     void show(const LocalSurface& local) { slots_.frame().local = local; }
+    void show(const ShoreSurface& shore) { slots_.frame().shore = shore; }
     const Frame& end_frame();
     void drop_frame() { slots_.turn(); }
 

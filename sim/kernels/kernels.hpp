@@ -9,6 +9,7 @@
 #include <cstdint>
 
 #include "pelagic/sim/kernels/local_jobs.hpp"
+#include "pelagic/sim/kernels/shore_jobs.hpp"
 
 namespace pelagic {
 
@@ -315,8 +316,9 @@ inline constexpr std::size_t most_tiles = 4;
 /// One tile of a stack as queries read it. A point that is drawn d metres from where it rests rests at world - d.
 struct StackTile {
     SurfaceTexels surface;
-    float along, across;  ///< the lattice's cosine and sine, times N / L
-    CellPlaces world;     ///< of each point, along the tile's own axes
+    float along, across;          ///< the lattice's cosine and sine, times N / L
+    CellPlaces world;             ///< of each point, along the tile's own axes
+    const float* part = nullptr;  ///< of the tile's displacement that counts at each point; null: all of it
 };
 
 /// InvertSurfaceJob for a sum of tiles: the offset o with o + sum of D(p + o) = 0. The first step knows the coarsest tiles only:
@@ -374,6 +376,7 @@ struct Kernels {
     void (*verlet_rows)(const VerletRowsJob&);
     void (*local_foam)(const LocalFoamJob&);
     void (*local_show)(const LocalShowJob&);
+    void (*shore_rows)(const ShoreRowsJob&);
 };
 
 /// \pre runs_here(isa)

@@ -11,6 +11,7 @@
 #include "pelagic/sim/kernels/gradients.kernel.hpp"
 #include "pelagic/sim/kernels/local_step.kernel.hpp"
 #include "pelagic/sim/kernels/mipmaps.kernel.hpp"
+#include "pelagic/sim/kernels/shore.kernel.hpp"
 #include "pelagic/sim/kernels/slopes.kernel.hpp"
 #include "pelagic/sim/kernels/squeeze.kernel.hpp"
 #include "pelagic/sim/kernels/stack_query.kernel.hpp"
@@ -51,6 +52,7 @@ const Kernels PELAGIC_TABLE(PELAGIC_ISA_NAME) = {
     kernels::verlet_rows<xsimd::PELAGIC_ISA_ARCH>,
     kernels::local_foam<xsimd::PELAGIC_ISA_ARCH>,
     kernels::local_show<xsimd::PELAGIC_ISA_ARCH>,
+    kernels::shore_rows<xsimd::PELAGIC_ISA_ARCH>,
 };
 
 }  // namespace pelagic

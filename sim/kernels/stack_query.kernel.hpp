@@ -57,9 +57,17 @@ class StackSearch {
                 cells_[t].follow(tile.surface, texels, place.x, place.z);
             const Sideways<Arch> dx(cells_[t].dx, place.u, place.v, V(1.f)),
                 dz(cells_[t].dz, place.u, place.v, V(1.f));
-            const V along(tile.along), across(tile.across);
-            off_x = off_x + dx.value;
-            off_z = off_z + dz.value;
+            V along(tile.along), across(tile.across);
+            if (tile.part) {
+                const V part = V::load_aligned(tile.part + at);
+                along = along * part;
+                across = across * part;
+                off_x = off_x + part * dx.value;
+                off_z = off_z + part * dz.value;
+            } else {
+                off_x = off_x + dx.value;
+                off_z = off_z + dz.value;
+            }
             x_x = x_x + (along * dx.along_u - across * dx.along_v);
             x_z = x_z + (across * dx.along_u + along * dx.along_v);
             z_x = z_x + (along * dz.along_u - across * dz.along_v);
@@ -142,8 +150,8 @@ struct SlopeSum {
     using V = xsimd::batch<float, Arch>;
     V value = V(0.f), x = V(0.f), z = V(0.f);
 
-    PELAGIC_INLINE void add(const CellSlopes<Arch>& tile, V half_along, V half_across) {
-        value = value + tile.value;
+    PELAGIC_INLINE void add(const CellSlopes<Arch>& tile, V part, V half_along, V half_across) {
+        value = value + part * tile.value;
         x = x + (half_along * tile.x - half_across * tile.z);
         z = z + (half_across * tile.x + half_along * tile.z);
     }
@@ -160,23 +168,24 @@ PELAGIC_INLINE void sample_stack_lanes(const SampleStackJob& job, std::size_t at
         const StackTile& tile = job.tiles[t];
         const TexelPlaces<Arch> texels(tile.surface);
         const StackPlaces<Arch> place(tile, at, offset_x, offset_z);
+        const V part = tile.part ? V::load_aligned(tile.part + at) : V(1.f);
         if (out.normal_x) {
-            const V half_along(0.5f * tile.along), half_across(0.5f * tile.across);
+            const V half_along = part * V(0.5f * tile.along), half_across = part * V(0.5f * tile.across);
             CellSurroundings<Arch> around[3];
             CellReader<Arch>(texels, place.x, place.z)
                 .read({tile.surface.dx, tile.surface.height, tile.surface.dz}, around);
-            dx.add(CellSlopes<Arch>(around[0], place.u, place.v), half_along, half_across);
-            height.add(CellSlopes<Arch>(around[1], place.u, place.v), half_along, half_across);
-            dz.add(CellSlopes<Arch>(around[2], place.u, place.v), half_along, half_across);
+            dx.add(CellSlopes<Arch>(around[0], place.u, place.v), part, half_along, half_across);
+            height.add(CellSlopes<Arch>(around[1], place.u, place.v), part, half_along, half_across);
+            dz.add(CellSlopes<Arch>(around[2], place.u, place.v), part, half_along, half_across);
         } else if (out.height) {
             const CellGather<Arch> cell(texels, place.x, place.z);
-            height.value = height.value + bilinear<Arch>(cell.corners(tile.surface.height), place.u, place.v);
+            height.value = height.value + part * bilinear<Arch>(cell.corners(tile.surface.height), place.u, place.v);
         }
         if (out.velocity_x) {
             const CellGather<Arch> cell(texels, place.x, place.z);
-            velocity_x = velocity_x + bilinear<Arch>(cell.corners(tile.surface.velocity_x), place.u, place.v);
-            velocity_y = velocity_y + bilinear<Arch>(cell.corners(tile.surface.velocity_y), place.u, place.v);
-            velocity_z = velocity_z + bilinear<Arch>(cell.corners(tile.surface.velocity_z), place.u, place.v);
+            velocity_x = velocity_x + part * bilinear<Arch>(cell.corners(tile.surface.velocity_x), place.u, place.v);
+            velocity_y = velocity_y + part * bilinear<Arch>(cell.corners(tile.surface.velocity_y), place.u, place.v);
+            velocity_z = velocity_z + part * bilinear<Arch>(cell.corners(tile.surface.velocity_z), place.u, place.v);
         }
     }
     if (out.height) height.value.store_aligned(out.height + at);

@@ -13,7 +13,7 @@ constexpr double near_enough = 1.0 / 32;
 
 }  // namespace
 
-HeightChange::HeightChange(std::span<const Tile> tiles, double local_range_m)
+HeightChange::HeightChange(std::span<const Tile> tiles, double local_range_m, double parts_change_per_m)
     : count_(tiles.size()), local_range_m_(local_range_m) {
     double slack = 1, further_m = 0;
     for (const Tile& tile : tiles) further_m += 2 * static_cast<double>(tile.squeeze.largest_m);
@@ -23,6 +23,8 @@ HeightChange::HeightChange(std::span<const Tile> tiles, double local_range_m)
                      .range_m = static_cast<double>(tile.bounds.height_max_m - tile.bounds.height_min_m),
                      .slack = slack,
                      .further_m = further_m};
+        stretch_ += parts_change_per_m * static_cast<double>(tile.squeeze.largest_m);
+        range_per_m_ += parts_change_per_m * parts_[i].range_m;
         slack -= tile.squeeze.most();
         further_m = std::max(0.0, further_m - 2 * static_cast<double>(tile.squeeze.largest_m));
     }
@@ -30,10 +32,11 @@ HeightChange::HeightChange(std::span<const Tile> tiles, double local_range_m)
 }
 
 double HeightChange::within(double distance_m) const {
-    double at_rest_m = distance_m + parts_[0].further_m;
+    const double way_m = stretch_ * distance_m;
+    double at_rest_m = way_m + parts_[0].further_m;
     for (std::size_t i = 1; i <= count_ && parts_[i].slack >= least_slack; ++i)
-        at_rest_m = std::min(at_rest_m, (distance_m + parts_[i].further_m) / parts_[i].slack);
-    double change_m = local_range_m_;
+        at_rest_m = std::min(at_rest_m, (way_m + parts_[i].further_m) / parts_[i].slack);
+    double change_m = local_range_m_ + range_per_m_ * distance_m;
     for (std::size_t i = 0; i < count_; ++i) change_m += std::min(parts_[i].steepness * at_rest_m, parts_[i].range_m);
     return change_m;
 }

@@ -8,6 +8,9 @@
 //
 // and no tile's height changes by more than g_i |q' - q|, nor by more than from its lowest to its highest. Folds are no exception:
 // it holds for every sheet.
+//
+// At a shore tiles count with parts a_i <= 1 of places, which change by c a metre at most: d (1 + c (e_0 + e_1 + ...)) takes d's place
+// then, and each height changes by another c d of its range.
 #pragma once
 
 #include <array>
@@ -23,7 +26,8 @@ class HeightChange {
    public:
     /// \param tiles          of a frame of several, made with OceanOptions::queries
     /// \param local_range_m  what adds to them wherever water is drawn has that from its lowest to its highest
-    explicit HeightChange(std::span<const Tile> tiles, double local_range_m = 0);
+    /// \param parts_change_per_m  c
+    explicit HeightChange(std::span<const Tile> tiles, double local_range_m = 0, double parts_change_per_m = 0);
 
     /// Metres, at most, between places so far apart.
     double within(double distance_m) const;
@@ -45,6 +49,8 @@ class HeightChange {
     std::array<Part, most_tiles + 1> parts_;  ///< the last one after all tiles
     std::size_t count_;
     double local_range_m_;
+    double stretch_ = 1;      ///< of ways, by what the parts change
+    double range_per_m_ = 0;  ///< of heights, by the same
 };
 
 }  // namespace pelagic

@@ -56,6 +56,7 @@ struct PointChunk {
     alignas(64) Floats error;               ///< metres, when all is done
     alignas(64) Floats height, normal_x, normal_y, normal_z, jacobian, velocity_x, velocity_y, velocity_z;
     alignas(64) double x[most], z[most];  ///< world, metres; 0 if a place has no sample
+    alignas(64) Floats part[most_tiles];  ///< of each tile at a shore
 
     std::size_t first = 0, count = 0;  ///< of the batch
     std::size_t padded = 0;            ///< count, up to whole registers

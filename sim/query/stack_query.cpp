@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "pelagic/sim/query/foam_at.hpp"
+#include "pelagic/sim/shore.hpp"
 #include "pelagic/sim/surface/squeeze_map.hpp"
 
 namespace pelagic {
@@ -23,16 +24,21 @@ static_assert(most_of_all < 255, "the largest byte must fail");
 
 }  // namespace
 
-StackQuery::StackQuery(std::span<const Tile> tiles, const Kernels& kernels, double tolerance_m)
-    : kernels_(kernels), tiles_(tiles), finest_texel_m_(tiles.back().texel_m()) {
-    for (std::size_t t = 0; t < tiles.size(); ++t) {
-        search_tiles_[t] = SearchTile(tiles[t]);
-        reach_m_ += static_cast<double>(tiles[t].squeeze.largest_m);
+StackQuery::StackQuery(const Frame& frame, const Kernels& kernels, double tolerance_m)
+    : kernels_(kernels), tiles_(frame.tiles), shore_(frame.shore), finest_texel_m_(tiles_.back().texel_m()) {
+    for (std::size_t t = 0; t < tiles_.size(); ++t) {
+        search_tiles_[t] = SearchTile(tiles_[t]);
+        reach_m_ += static_cast<double>(tiles_[t].squeeze.largest_m);
     }
     target_m_ = std::clamp(tolerance_m * query_aim, least_target * (1 + reach_m_), most_target * finest_texel_m_);
 }
 
 void StackQuery::place(PointChunk& chunk) const {
+    if (shore_)
+        for (std::size_t i = 0; i < chunk.padded; ++i) {
+            const ShoreSample here = sample(shore_, chunk.x[i], chunk.z[i]);
+            for (std::size_t t = 0; t < tiles_.size(); ++t) chunk.part[t][i] = static_cast<float>(here.parts[t]);
+        }
     for (std::size_t t = 0; t < tiles_.size(); ++t) {
         const SearchTile& tile = search_tiles_[t];
         const int resolution = tile.texels.resolution;
@@ -49,7 +55,8 @@ StackTile StackQuery::stack_tile(std::size_t tile, PointChunk& chunk) const {
     return {.surface = search_tiles_[tile].texels,
             .along = static_cast<float>(search_tiles_[tile].along),
             .across = static_cast<float>(search_tiles_[tile].across),
-            .world = chunk.world[tile].places()};
+            .world = chunk.world[tile].places(),
+            .part = shore_ ? chunk.part[tile] : nullptr};
 }
 
 void StackQuery::find_rest_points(PointChunk& chunk) const {
@@ -87,6 +94,7 @@ void StackQuery::search(PointChunk& chunk, std::size_t point) const {
         where.cell_z[t] = chunk.world[t].cell_z[point];
         where.u[t] = static_cast<double>(chunk.world[t].u[point]);
         where.v[t] = static_cast<double>(chunk.world[t].v[point]);
+        if (shore_) where.part[t] = static_cast<double>(chunk.part[t][point]);
     }
     const Offset stepped{static_cast<double>(chunk.offset_x[point]), static_cast<double>(chunk.offset_z[point])};
     const bool has_arrived = chunk.error[point] <= static_cast<float>(target_m_);
@@ -122,7 +130,8 @@ void StackQuery::read_foam(const PointChunk& chunk, std::span<float> foam) const
             const std::int64_t column = floor_of(u), row = floor_of(v);
             const double here = foam_at(tiles_[t], world.cell_x[i] + column, world.cell_z[i] + row,
                                         u - static_cast<double>(column), v - static_cast<double>(row));
-            foam[i] = std::max(foam[i], static_cast<float>(here));
+            const float counts = shore_ ? chunk.part[t][i] : 1;
+            foam[i] = std::max(foam[i], counts * static_cast<float>(here));
         }
     }
 }

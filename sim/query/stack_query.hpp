@@ -12,7 +12,7 @@ namespace pelagic {
 
 class StackQuery {
    public:
-    StackQuery(std::span<const Tile> tiles, const Kernels& kernels, double tolerance_m);
+    StackQuery(const Frame& frame, const Kernels& kernels, double tolerance_m);
 
     void place(PointChunk& chunk) const;
     void find_rest_points(PointChunk& chunk) const;
@@ -26,6 +26,7 @@ class StackQuery {
 
     const Kernels& kernels_;
     std::span<const Tile> tiles_;
+    const ShoreSurface& shore_;
     std::array<SearchTile, most_tiles> search_tiles_;
     double finest_texel_m_;
     double reach_m_ = 0;  ///< no rest point is farther away from what is drawn there

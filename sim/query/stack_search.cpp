@@ -120,13 +120,14 @@ StackSearch::Drawn StackSearch::drawn_at(const StackPoint& point, Offset offset)
         const CellPlace place = place_in(tile, point, t, offset);
         const Cell cell(tile.texels, place);
         const Bilinear dx(tile.texels.dx, cell, place.u, place.v), dz(tile.texels.dz, cell, place.u, place.v);
-        drawn.x += dx.value;
-        drawn.z += dz.value;
-        drawn.x_x += tile.along * dx.along_u - tile.across * dx.along_v;
-        drawn.x_z += tile.across * dx.along_u + tile.along * dx.along_v;
-        drawn.z_x += tile.along * dz.along_u - tile.across * dz.along_v;
-        drawn.z_z += tile.across * dz.along_u + tile.along * dz.along_v;
-        drawn.displacement[t] = length_of(dx.value, dz.value);
+        const double part = point.part[t];
+        drawn.x += part * dx.value;
+        drawn.z += part * dz.value;
+        drawn.x_x += part * (tile.along * dx.along_u - tile.across * dx.along_v);
+        drawn.x_z += part * (tile.across * dx.along_u + tile.along * dx.along_v);
+        drawn.z_x += part * (tile.along * dz.along_u - tile.across * dz.along_v);
+        drawn.z_z += part * (tile.across * dz.along_u + tile.along * dz.along_v);
+        drawn.displacement[t] = part * length_of(dx.value, dz.value);
     }
     return drawn;
 }
@@ -135,7 +136,8 @@ double StackSearch::height_at(const StackPoint& point, Offset offset) const {
     double height = 0;
     for (std::size_t t = 0; t < tiles_.size(); ++t) {
         const CellPlace place = place_in(tiles_[t], point, t, offset);
-        height += Bilinear(tiles_[t].texels.height, Cell(tiles_[t].texels, place), place.u, place.v).value;
+        height +=
+            point.part[t] * Bilinear(tiles_[t].texels.height, Cell(tiles_[t].texels, place), place.u, place.v).value;
     }
     return height;
 }

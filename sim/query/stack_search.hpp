@@ -31,6 +31,8 @@ struct SearchTile {
 struct StackPoint {
     std::array<std::int32_t, most_tiles> cell_x, cell_z;
     std::array<double, most_tiles> u, v;
+    /// Of each tile's displacement that counts there, 0 to 1: what is proven of whole tiles holds of less.
+    std::array<double, most_tiles> part = {1, 1, 1, 1};
 };
 
 /// From a point of the world to what rests where it is drawn, metres.

@@ -12,6 +12,7 @@
 #include "pelagic/sim/local_water.hpp"
 #include "pelagic/sim/query/one_tile_query.hpp"
 #include "pelagic/sim/query/stack_query.hpp"
+#include "pelagic/sim/shore.hpp"
 #include "pelagic/simd/float_environment.hpp"
 
 namespace pelagic {
@@ -95,13 +96,13 @@ void SurfaceQuery::sample(const SurfacePoints& points, const SurfaceSamples& sam
                     std::fill(foam.begin(), foam.end(), 0.f);
             }
             hand_out(points, samples, chunk);
-            if (frame_.local) add_local(samples, chunk);
+            if (frame_.local || frame_.shore) add_water_of_place(samples, chunk);
         }
     };
     if (frame_.tiles.size() == 1)
         sample_with(OneTileQuery(frame_.tiles.front(), *kernels_, asked_tolerance_m_));
     else
-        sample_with(StackQuery(frame_.tiles, *kernels_, asked_tolerance_m_));
+        sample_with(StackQuery(frame_, *kernels_, asked_tolerance_m_));
 }
 
 bool SurfaceQuery::has_sample(double x, double z) const {
@@ -118,15 +119,23 @@ void SurfaceQuery::take(const SurfacePoints& points, PointChunk& chunk) const {
         if (!has_sample(chunk.x[i], chunk.z[i])) chunk.x[i] = chunk.z[i] = 0;
 }
 
-// The window's height adds where the water is drawn: with the tiles' normal n and its slopes s the sum's is along
+// What a window and a shore have adds where the water is drawn: with the tiles' normal n and their slopes s the sum's is along
 // (n_x - n_y s_x, n_y, n_z - n_y s_z).
-void SurfaceQuery::add_local(const SurfaceSamples& samples, const PointChunk& chunk) const {
+void SurfaceQuery::add_water_of_place(const SurfaceSamples& samples, const PointChunk& chunk) const {
     const auto add = [](std::span<float> to, std::size_t i, double more) {
         if (!to.empty()) to[i] = static_cast<float>(static_cast<double>(to[i]) + more);
     };
     for (std::size_t i = 0; i < chunk.count; ++i) {
         const std::size_t at = chunk.first + i;
-        const LocalSample local = pelagic::sample(frame_.local, chunk.x[i], chunk.z[i]);
+        LocalSample local = pelagic::sample(frame_.local, chunk.x[i], chunk.z[i]);
+        if (frame_.shore) {
+            const ShoreSample shore = pelagic::sample(frame_.shore, chunk.x[i], chunk.z[i]);
+            local.height_m += shore.height_m;
+            local.slope_x += shore.slope_x;
+            local.slope_z += shore.slope_z;
+            local.rise_mps += shore.rise_mps;
+            local.foam = std::max(local.foam, shore.foam);
+        }
         add(samples.height_m, at, local.height_m);
         add(samples.velocity_y_mps, at, local.rise_mps);
         if (!samples.foam.empty()) samples.foam[at] = std::max(samples.foam[at], static_cast<float>(local.foam));

@@ -111,8 +111,12 @@ class FreeSteps {
     FreeSteps(const SurfaceQuery& query, const RayWalk& walk, double step_m)
         : ground_(walk.along_ground()), rise_(walk.upwards()), step_m_(step_m), unsure_m_(2 * query.tolerance_m()) {
         const LocalSurface& local = query.frame().local;
+        const ShoreSurface& shore = query.frame().shore;
         if (query.frame().tiles.size() > 1)
-            change_.emplace(query.frame().tiles, static_cast<double>(local.height_max_m - local.height_min_m));
+            change_.emplace(query.frame().tiles,
+                            static_cast<double>(local.height_max_m - local.height_min_m) +
+                                static_cast<double>(shore.height_max_m - shore.height_min_m),
+                            static_cast<double>(shore.parts_change_per_m));
     }
 
     /// How many are asked about before a clearance is known.

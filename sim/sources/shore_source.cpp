@@ -1,0 +1,308 @@
+#include "pelagic/sim/sources/shore_source.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "pelagic/sim/spectrum/dispersion.hpp"
+#include "pelagic/sim/surface/item_stage.hpp"
+#include "pelagic/simd/det_math.hpp"
+#include "pelagic/simd/float_environment.hpp"
+
+namespace pelagic {
+namespace {
+
+constexpr double two_pi = 6.28318530717958647693;
+
+constexpr std::size_t group_texels = ShoreRowsJob::group_texels;
+constexpr std::size_t groups_an_item = 64;
+
+// Ways along which the shelter of shorter waves is found: those of as many long waves.
+constexpr std::size_t most_ways = 8;
+
+// Depths for which a table says what they leave of a tile, by the square root of the depth.
+constexpr int depths = 256;
+
+// So far from water there is some over the sand, and less with each texel.
+constexpr int swash_texels = 8;
+
+// What is lower than this of a wave is nothing, so that no sum has numbers that processors are slow with.
+constexpr double least_amplitude_m = 1e-9;
+
+constexpr double least_envelope_m = 1e-6;
+
+/// Second-order crests over first-order ones are no higher, or troughs would have humps.
+constexpr double most_sharp = 0.25;
+
+double eased(double part) {
+    const double u = std::clamp(part, 0.0, 1.0);
+    return u * u * (3 - 2 * u);
+}
+
+/// What comes over sand from water: phase and height of the nearest texels with waves, later and lower texel by texel.
+void run_up(const SeaBed& bed, std::vector<double>& phase, std::vector<double>& height, double k) {
+    std::vector<double> phase_after = phase, height_after = height;
+    for (int texel_away = 1; texel_away <= swash_texels; ++texel_away) {
+        for (int j = 0; j < bed.rows; ++j)
+            for (int i = 0; i < bed.columns; ++i) {
+                const std::size_t here = bed.at(i, j);
+                if (phase[here] < Refraction::nowhere || bed.is_water(here)) continue;
+                double nearest = 0 - Refraction::nowhere, highest = 0;
+                const auto look_at = [&](bool is_there, std::size_t texel) {
+                    if (!is_there || !(phase[texel] < Refraction::nowhere)) return;
+                    nearest = std::max(nearest, phase[texel]);
+                    highest = std::max(highest, height[texel]);
+                };
+                look_at(i > 0, here - 1);
+                look_at(i + 1 < bed.columns, here + 1);
+                look_at(j > 0, here - static_cast<std::size_t>(bed.columns));
+                look_at(j + 1 < bed.rows, here + static_cast<std::size_t>(bed.columns));
+                if (!(highest > 0)) continue;
+                phase_after[here] = nearest + k * bed.texel_m;
+                height_after[here] = highest * (1 - 1.0 / (swash_texels + 2 - texel_away));
+            }
+        phase = phase_after;
+        height = height_after;
+    }
+}
+
+}  // namespace
+
+ShoreSource::ShoreSource(const ShoreOptions& options, const SeaState& sea, const std::vector<TilePlan>& plans,
+                         const Kernels& kernels, const HostMemory& memory)
+    : bed_(options),
+      sea_(sea),
+      fade_m_(options.fade_m > 0 ? options.fade_m : 0.125 * std::min(bed_.columns, bed_.rows) * bed_.texel_m),
+      swash_m_(std::max(options.swash_m, least_envelope_m)),
+      kernels_(kernels),
+      waves_(shore_waves(sea, plans.front())),
+      amplitudes_(bed_.texels() * 2 * waves_.size(), memory),
+      has_waves_(bed_.texels() / group_texels),
+      highest_envelope_(bed_.texels(), memory),
+      sharpness_(bed_.texels(), memory),
+      depth_(bed_.texels(), memory),
+      parts_(bed_.texels(), memory),
+      bake_(std::make_unique<Bake>()),
+      moments_(waves_.size()) {
+    for (std::size_t texel = 0; texel < bed_.texels(); ++texel)
+        depth_.data()[texel] = static_cast<float>(bed_.depth_m[texel]);
+    std::fill_n(highest_envelope_.data(), bed_.texels(), static_cast<float>(swash_m_));
+
+    const std::size_t ways = std::min(most_ways, waves_.size());
+    for (std::size_t way = 0; way < ways; ++way)
+        bake_->ways.push_back(waves_[(2 * way + 1) * waves_.size() / (2 * ways)]);
+    bake_->shelters.resize(ways);
+    bake_->deepest_m = std::max(1.0, *std::max_element(bed_.depth_m.begin(), bed_.depth_m.end()));
+    for (std::size_t tile = 1; tile < plans.size(); ++tile) {
+        const DepthPart part(sea, plans[tile]);
+        std::vector<double>& table = bake_->depth_parts.emplace_back();
+        for (int i = 0; i <= depths; ++i) {
+            const double root = static_cast<double>(i) / depths;
+            table.push_back(part.at(bake_->deepest_m * root * root));
+        }
+    }
+    const std::size_t items = (has_waves_.size() + groups_an_item - 1) / groups_an_item;
+    for (Slot& slot : slots_) {
+        slot.height = AlignedBuffer<float>(bed_.texels(), memory);
+        slot.rise = AlignedBuffer<float>(bed_.texels(), memory);
+        slot.reach = AlignedBuffer<float>(bed_.texels(), memory);
+        slot.foam = AlignedBuffer<std::uint8_t>(bed_.texels(), memory);
+        slot.lowest.resize(items);
+        slot.highest.resize(items);
+    }
+}
+
+double ShoreSource::inside(std::size_t texel) const {
+    const auto columns = static_cast<std::size_t>(bed_.columns);
+    const int i = static_cast<int>(texel % columns), j = static_cast<int>(texel / columns);
+    const int to_edge = std::min(std::min(i, bed_.columns - 1 - i), std::min(j, bed_.rows - 1 - j));
+    return eased(to_edge * bed_.texel_m / fade_m_);
+}
+
+void ShoreSource::add_bake_stages(JobGraph& graph) {
+    const std::size_t waves = waves_.size();
+    const StageId waves_done = graph.add({.name = "shore refraction",
+                                          .count = waves + bake_->ways.size(),
+                                          .body = for_each_item([this, waves](std::size_t item) {
+                                              item < waves ? bake_wave(item) : bake_shelter(item - waves);
+                                          }),
+                                          .stack_bytes = stack_margin});
+    graph.add({.name = "shore parts",
+               .count = static_cast<std::size_t>(bed_.rows),
+               .batch = 16,
+               .waits_for = {waves_done},
+               .body = for_each_item([this](std::size_t row) { bake_parts(row); }),
+               .stack_bytes = stack_margin});
+}
+
+void ShoreSource::bake_wave(std::size_t number) {
+    const ShoreWave& wave = waves_[number];
+    const Refraction way(
+        bed_, {.omega = wave.omega, .along_x = wave.along_x, .along_z = wave.along_z, .depth_m = sea_.depth_m});
+    if (number == waves_.size() / 2) bake_limits(way, wave.omega);
+    std::vector<double> phase = way.phase(), height = way.height();
+    const double k =
+        std::min(wave_number(wave.omega, SeaBed::least_depth_m), two_pi / (Refraction::least_texels * bed_.texel_m));
+    run_up(bed_, phase, height, k);
+    for (std::size_t texel = 0; texel < bed_.texels(); ++texel) {
+        // Where tiles give way, energies add up to one.
+        const double fade = det::sine_cosine_of_turns(0.25 * inside(texel)).sine;
+        const double amplitude_m = wave.amplitude_m * height[texel] * fade;
+        if (!(amplitude_m > least_amplitude_m)) continue;
+        const auto [sine, cosine] =
+            det::sine_cosine_of_turns((phase[texel] + way.corner_phase()) / two_pi + wave.phase_turns);
+        float* const at = amplitudes_.data() + (texel / group_texels * waves_.size() + number) * 2 * group_texels +
+                          texel % group_texels;
+        at[0] = static_cast<float>(amplitude_m * cosine);
+        at[group_texels] = static_cast<float>(amplitude_m * sine);
+    }
+}
+
+/// How high waves stand: those that broke on a bar don't rise again behind it, so the least of 0.78 d / 2 over Ks along the way counts.
+void ShoreSource::bake_limits(const Refraction& wave, double omega) {
+    double open_m = 0;
+    for (const ShoreWave& each : waves_) open_m += each.amplitude_m;
+    std::vector<double> most(bed_.texels(), Refraction::nowhere);
+    for (const std::uint32_t texel : wave.order()) {
+        const double depth_m = bed_.depth_m[texel];
+        most[texel] = 0.5 * breaking_height_over_depth * depth_m / wave.shoaling(texel);
+        if (wave.comes_in_at(texel)) continue;
+        const Refraction::Upstream from = wave.upstream(texel);
+        if (from.share_x + from.share_z > 0)
+            most[texel] = std::min(most[texel], (from.share_x > 0 ? from.share_x * most[from.x] : 0) +
+                                                    (from.share_z > 0 ? from.share_z * most[from.z] : 0));
+    }
+    for (std::size_t texel = 0; texel < bed_.texels(); ++texel) {
+        if (!bed_.is_water(texel)) continue;
+        const double depth_m = bed_.depth_m[texel], shoaling = wave.shoaling(texel);
+        const double stands_m =
+            most[texel] < Refraction::nowhere ? most[texel] * shoaling : 0.5 * breaking_height_over_depth * depth_m;
+        highest_envelope_.data()[texel] = static_cast<float>(std::max(stands_m, swash_m_));
+        // Stokes 1847, to the second order: crests rise by k a^2 (3 - t^2) / (4 t^3), t = tanh k d.
+        const double k = wave_number(omega, depth_m), t = det::tanh(k * depth_m);
+        const double sharp = sea_.choppiness * k * (3 - t * t) / (4 * t * t * t);
+        sharpness_.data()[texel] = static_cast<float>(
+            std::min(sharp, most_sharp / std::min(std::max(stands_m, swash_m_), open_m * shoaling)));
+    }
+}
+
+void ShoreSource::bake_shelter(std::size_t number) {
+    const ShoreWave& way = bake_->ways[number];
+    const Refraction straight = Refraction::straight(bed_, way.along_x, way.along_z);
+    std::vector<float>& energy = bake_->shelters[number];
+    energy.resize(bed_.texels());
+    for (std::size_t texel = 0; texel < bed_.texels(); ++texel)
+        energy[texel] = static_cast<float>(straight.height()[texel] * straight.height()[texel]);
+}
+
+void ShoreSource::bake_parts(std::size_t row) {
+    double all = 0;
+    for (const ShoreWave& way : bake_->ways) all += way.variance();
+    for (int i = 0; i < bed_.columns; ++i) {
+        const std::size_t texel = bed_.at(i, static_cast<int>(row));
+        const double shore = inside(texel), depth_m = std::max(bed_.depth_m[texel], 0.0);
+        double comes = 0;
+        for (std::size_t way = 0; way < bake_->ways.size(); ++way)
+            comes += bake_->ways[way].variance() * static_cast<double>(bake_->shelters[way][texel]);
+        const double sheltered = all > 0 ? std::min(1.0, std::sqrt(comes / all)) : 1;
+        const double coarsest = det::sine_cosine_of_turns(0.25 * shore).cosine;
+        std::uint32_t parts = static_cast<std::uint32_t>(255 * coarsest + 0.5);
+        const double place = depths * std::sqrt(depth_m / bake_->deepest_m);
+        const auto cell = static_cast<std::size_t>(std::min(place, depths - 1.0));
+        for (std::size_t tile = 0; tile < bake_->depth_parts.size(); ++tile) {
+            const std::vector<double>& table = bake_->depth_parts[tile];
+            const double stands = table[cell] + (place - static_cast<double>(cell)) * (table[cell + 1] - table[cell]);
+            const double part = 1 - shore * (1 - sheltered * stands);
+            parts |= static_cast<std::uint32_t>(255 * part + 0.5) << 8 * (tile + 1);
+        }
+        parts_.data()[texel] = parts;
+    }
+}
+
+void ShoreSource::end_bake() {
+    bake_.reset();
+    for (std::size_t group = 0; group < has_waves_.size(); ++group) {
+        const float* const first = amplitudes_.data() + group * waves_.size() * 2 * group_texels;
+        has_waves_[group] = std::any_of(first, first + waves_.size() * 2 * group_texels,
+                                        [](float amplitude) { return amplitude != 0; });
+    }
+    int most = 0;
+    const auto compare = [&](std::size_t a, std::size_t b) {
+        for (int byte = 0; byte < 32; byte += 8)
+            most = std::max(most, std::abs(static_cast<int>(parts_.data()[a] >> byte & 255) -
+                                           static_cast<int>(parts_.data()[b] >> byte & 255)));
+    };
+    for (int j = 0; j < bed_.rows; ++j)
+        for (int i = 0; i < bed_.columns; ++i) {
+            if (i + 1 < bed_.columns) compare(bed_.at(i, j), bed_.at(i + 1, j));
+            if (j + 1 < bed_.rows) compare(bed_.at(i, j), bed_.at(i, j + 1));
+        }
+    parts_change_per_m_ = static_cast<float>(std::sqrt(2.0) * most / 255 / bed_.texel_m);
+}
+
+void ShoreSource::add_frame_stage(JobGraph& graph) {
+    graph.add({.name = "shore",
+               .count = slots_[0].lowest.size(),
+               .body = for_each_item([this](std::size_t item) { rows(item); }),
+               .stack_bytes = stack_margin});
+}
+
+void ShoreSource::begin_frame(double time_s) {
+    back_ = 1 - back_;
+    const LoopFraction fraction = loop_fraction(time_s, sea_.loop_period_s);
+    for (std::size_t wave = 0; wave < waves_.size(); ++wave) {
+        const std::uint32_t turns = waves_[wave].harmonic * fraction.turns;
+        const auto [sine, cosine] = det::sine_cosine_of_turns(turns * 0x1p-32);
+        moments_[wave] = {static_cast<float>(cosine), static_cast<float>(sine),
+                          static_cast<float>(waves_[wave].omega)};
+    }
+}
+
+void ShoreSource::rows(std::size_t item) {
+    Slot& slot = slots_[back_];
+    const std::size_t first = item * groups_an_item;
+    kernels_.shore_rows({.waves = amplitudes_.data(),
+                         .moments = moments_.data(),
+                         .wave_count = waves_.size(),
+                         .has_waves = has_waves_.data(),
+                         .highest_envelope = highest_envelope_.data(),
+                         .sharpness = sharpness_.data(),
+                         .first_group = first,
+                         .groups = std::min(groups_an_item, has_waves_.size() - first),
+                         .height = slot.height.data(),
+                         .rise = slot.rise.data(),
+                         .reach = slot.reach.data(),
+                         .foam = slot.foam.data(),
+                         .lowest = &slot.lowest[item],
+                         .highest = &slot.highest[item]});
+}
+
+ShoreSurface ShoreSource::end_frame() {
+    const Slot& slot = slots_[back_];
+    const std::size_t texels = bed_.texels();
+    return {.columns = bed_.columns,
+            .rows = bed_.rows,
+            .texel_m = bed_.texel_m,
+            .x_m = bed_.x_m,
+            .z_m = bed_.z_m,
+            .depth_m = {depth_.data(), texels},
+            .parts_rgba8 = {parts_.data(), texels},
+            .height_m = {slot.height.data(), texels},
+            .rise_mps = {slot.rise.data(), texels},
+            .reach_m = {slot.reach.data(), texels},
+            .foam = {slot.foam.data(), texels},
+            .height_min_m = *std::min_element(slot.lowest.begin(), slot.lowest.end()),
+            .height_max_m = *std::max_element(slot.highest.begin(), slot.highest.end()),
+            .parts_change_per_m = parts_change_per_m_};
+}
+
+std::size_t ShoreSource::bytes() const {
+    std::size_t bytes = sizeof *this + bed_.depth_m.size() * sizeof(double) + amplitudes_.bytes() +
+                        has_waves_.size() + highest_envelope_.bytes() + sharpness_.bytes() + depth_.bytes() +
+                        parts_.bytes() + waves_.size() * (sizeof(ShoreWave) + sizeof(ShoreRowsJob::Moment));
+    for (const Slot& slot : slots_)
+        bytes += slot.height.bytes() + slot.rise.bytes() + slot.reach.bytes() + slot.foam.bytes() +
+                 (slot.lowest.size() + slot.highest.size()) * sizeof(float);
+    return bytes;
+}
+
+}  // namespace pelagic

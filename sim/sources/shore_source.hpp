@@ -1,0 +1,89 @@
+// Waves over the floor of a shore (shore.hpp), frame by frame, and how much of each tile there is.
+//
+// Baked once, on jobs: each long wave's way over the floor (refraction.hpp) as a complex amplitude a texel; which heights stand at a
+// depth; what comes of the tiles' own waves. A frame turns the amplitudes by a phase a wave and adds them up.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "pelagic/jobs/job_graph.hpp"
+#include "pelagic/sim/kernels/kernels.hpp"
+#include "pelagic/sim/shore_surface.hpp"
+#include "pelagic/sim/sources/refraction.hpp"
+#include "pelagic/sim/sources/sea_bed.hpp"
+#include "pelagic/sim/spectrum/shore_waves.hpp"
+#include "pelagic/sim/tile_plan.hpp"
+#include "pelagic/simd/aligned_buffer.hpp"
+#include "pelagic/simd/host_memory.hpp"
+
+namespace pelagic {
+
+class ShoreSource {
+   public:
+    /// Height over depth of a wave that breaks on an even slope, at most (McCowan 1894).
+    static constexpr double breaking_height_over_depth = 0.78;
+
+    /// \pre check(options), check(sea) and check(options, sea) are empty; plans are those of the sea's tiles
+    ShoreSource(const ShoreOptions& options, const SeaState& sea, const std::vector<TilePlan>& plans,
+                const Kernels& kernels, const HostMemory& memory = {});
+    ShoreSource(const ShoreSource&) = delete;  // stages point into it
+    ShoreSource& operator=(const ShoreSource&) = delete;
+
+    /// To be run once, before all frames.
+    void add_bake_stages(JobGraph& graph);
+    void end_bake();
+
+    void add_frame_stage(JobGraph& graph);
+    void begin_frame(double time_s);
+    /// Of the last run. Valid until the second begin_frame() from then.
+    ShoreSurface end_frame();
+    void drop_frame() { back_ = 1 - back_; }
+
+    const std::vector<ShoreWave>& waves() const { return waves_; }
+    std::size_t bytes() const;
+
+   private:
+    void bake_wave(std::size_t number);
+    void bake_shelter(std::size_t number);
+    void bake_limits(const Refraction& wave, double omega);
+    void bake_parts(std::size_t row);
+    void rows(std::size_t item);
+    /// 0 at the rectangle's edges, 1 inside.
+    double inside(std::size_t texel) const;
+
+    SeaBed bed_;
+    SeaState sea_;
+    double fade_m_, swash_m_;
+    const Kernels& kernels_;
+    std::vector<ShoreWave> waves_;
+
+    AlignedBuffer<float> amplitudes_;  ///< as ShoreRowsJob::waves
+    std::vector<std::uint8_t> has_waves_;
+    AlignedBuffer<float> highest_envelope_, sharpness_, depth_;
+    AlignedBuffer<std::uint32_t> parts_;
+    float parts_change_per_m_ = 0;
+
+    /// While it is baked.
+    struct Bake {
+        std::vector<ShoreWave> ways;                   ///< along which shorter waves come
+        std::vector<std::vector<float>> shelters;      ///< energy that comes along each, by texel
+        std::vector<std::vector<double>> depth_parts;  ///< of each tile but the coarsest, by depth
+        double deepest_m;
+    };
+    std::unique_ptr<Bake> bake_;
+
+    struct Slot {
+        AlignedBuffer<float> height, rise, reach;
+        AlignedBuffer<std::uint8_t> foam;
+        std::vector<float> lowest, highest;
+    };
+    std::array<Slot, 2> slots_;
+    std::size_t back_ = 0;
+    std::vector<ShoreRowsJob::Moment> moments_;
+};
+
+}  // namespace pelagic
