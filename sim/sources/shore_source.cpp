@@ -16,7 +16,7 @@ constexpr double two_pi = 6.28318530717958647693;
 constexpr std::size_t group_texels = ShoreRowsJob::group_texels;
 constexpr std::size_t groups_an_item = 64;
 
-// Ways along which the shelter of shorter waves is found: those of as many long waves.
+// Ways along which the shelter of shorter waves is found: those of as many long waves, neighbours in frequency, which run to all sides.
 constexpr std::size_t most_ways = 8;
 
 // Depths for which a table says what they leave of a tile, by the square root of the depth.
@@ -88,8 +88,8 @@ ShoreSource::ShoreSource(const ShoreOptions& options, const SeaState& sea, const
     std::fill_n(highest_envelope_.data(), bed_.texels(), static_cast<float>(swash_m_));
 
     const std::size_t ways = std::min(most_ways, waves_.size());
-    for (std::size_t way = 0; way < ways; ++way)
-        bake_->ways.push_back(waves_[(2 * way + 1) * waves_.size() / (2 * ways)]);
+    const auto first_way = waves_.begin() + static_cast<std::ptrdiff_t>((waves_.size() - ways) / 2);
+    bake_->ways.assign(first_way, first_way + static_cast<std::ptrdiff_t>(ways));
     bake_->shelters.resize(ways);
     bake_->deepest_m = std::max(1.0, *std::max_element(bed_.depth_m.begin(), bed_.depth_m.end()));
     for (std::size_t tile = 1; tile < plans.size(); ++tile) {
