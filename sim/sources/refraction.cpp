@@ -17,6 +17,9 @@ constexpr double still_rad = 1e-9;
 // Fluxes that come in where contours turn away from the waves, or towards them.
 constexpr double least_flux = 0.25, most_flux = 2;
 
+// Of the whole rectangle; less is an even floor with something on it.
+constexpr double least_slope = 1e-3;
+
 // A wave whose way is nearer to an edge than this runs along it.
 constexpr double least_inward = 1e-9;
 
@@ -79,20 +82,17 @@ void Refraction::come_in_along(const IncomingWave& wave, double open_k, bool alo
     const double way_s = std::fabs(along_column ? wave.along_z : wave.along_x);
     const double way_n = std::fabs(along_column ? wave.along_x : wave.along_z);
     if (way_n < least_inward) return;
+    // g down the slope, c along the contours. Over an even floor the wave has come straight on, as if contours lay across its way.
+    const double steepness = std::sqrt(bed_.slope_x * bed_.slope_x + bed_.slope_z * bed_.slope_z);
+    const double slope_s = along_column ? bed_.slope_z * step_j : bed_.slope_x * step_i;
+    const double slope_n = along_column ? bed_.slope_x * step_i : bed_.slope_z * step_j;
+    const bool is_even = steepness < least_slope;
+    const double g_s = is_even ? way_s : slope_s / steepness, g_n = is_even ? way_n : slope_n / steepness;
     const int count = along_column ? bed_.rows : bed_.columns;
-    const auto texel_at = [&](int s, int n) {
-        return along_column ? bed_.at(first_i + n * step_i, first_j + s * step_j)
-                            : bed_.at(first_i + s * step_i, first_j + n * step_j);
-    };
     double phase = 0, slowness_before = 0;
     for (int s = 0; s < count; ++s) {
-        const std::size_t texel = texel_at(s, 0);
-        const double slope_s =
-            bed_.depth_m[texel_at(std::min(s + 1, count - 1), 0)] - bed_.depth_m[texel_at(std::max(s - 1, 0), 0)];
-        const double slope_n = 2 * (bed_.depth_m[texel_at(s, 1)] - bed_.depth_m[texel]);
-        const double steepness = std::sqrt(slope_s * slope_s + slope_n * slope_n);
-        // g down the slope, c along the contour; where the floor is even, contours run along the edge.
-        const double g_s = steepness > 0 ? slope_s / steepness : 0, g_n = steepness > 0 ? slope_n / steepness : 1;
+        const std::size_t texel =
+            along_column ? bed_.at(first_i, first_j + s * step_j) : bed_.at(first_i + s * step_i, first_j);
         const double c_s = g_n, c_n = 0 - g_s;
         const double kept = open_k * (way_s * c_s + way_n * c_n), across = way_s * g_s + way_n * g_n;
         const double k = std::max(k_[texel], std::fabs(kept));

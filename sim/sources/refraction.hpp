@@ -4,7 +4,7 @@
 //   energy   div(E Cg grad phase / k) = 0 along the rays (Munk and Traylor 1947): height = Ks Kr, Ks = sqrt(Cg0 / Cg). Fluxes go from
 //            texel to texel in the order of the phases, so what lies behind an island gets what comes round it and no more
 //
-// Where the waves come in, Snell's law says how they ran up to there: contours of the floor go on straight beyond the rectangle.
+// Where the waves come in, Snell's law says how they ran up to there, over contours as straight as those of the plane that fits the floor.
 #pragma once
 
 #include <cstddef>

@@ -38,6 +38,18 @@ SeaBed::SeaBed(const ShoreOptions& options) : x_m(options.corner_x_m), z_m(optio
     for (int j = 0; j < rows; ++j)
         for (int i = 0; i < columns; ++i)
             depth_m[at(i, j)] = 0 - height_at(options, i * samples_a_texel, j * samples_a_texel);
+
+    // On a whole lattice the columns and rows of a plane's least squares don't mix.
+    double along_x = 0, along_z = 0, squares_x = 0, squares_z = 0;
+    for (int j = 0; j < rows; ++j)
+        for (int i = 0; i < columns; ++i) {
+            const double x = (i - 0.5 * (columns - 1)) * texel_m, z = (j - 0.5 * (rows - 1)) * texel_m;
+            const double water_m = std::max(depth_m[at(i, j)], 0.0);
+            along_x += x * water_m, along_z += z * water_m;
+            squares_x += x * x, squares_z += z * z;
+        }
+    slope_x = along_x / squares_x;
+    slope_z = along_z / squares_z;
 }
 
 }  // namespace pelagic

@@ -15,6 +15,8 @@ struct SeaBed {
     int columns, rows;  ///< multiples of 16
     double texel_m, x_m, z_m;
     std::vector<double> depth_m;  ///< of still water, by texel; below 0 on land
+    /// How the depth grows along x and z, of the plane that fits it best, land counting as 0.
+    double slope_x = 0, slope_z = 0;
 
     /// Water that is shallower is land to waves.
     static constexpr double least_depth_m = 0.02;

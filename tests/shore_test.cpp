@@ -1,0 +1,298 @@
+// Shores in an ocean: what frames, queries and rays tell of them, and that bits are everywhere the same.
+#include "pelagic/sim/shore.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <iomanip>
+#include <limits>
+#include <random>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "pelagic/sim/ocean.hpp"
+#include "pelagic/sim/surface_query.hpp"
+#include "pelagic/sim/surface_ray.hpp"
+#include "pelagic/tests/each_executor.hpp"
+#include "pelagic/tests/each_isa.hpp"
+#include "pelagic/tests/emulated.hpp"
+#include "pelagic/tests/shores.hpp"
+
+namespace pelagic {
+namespace {
+
+const SeaState breeze{.cascades = 3, .resolution = 32, .wind_speed_mps = 8, .loop_period_s = 40};
+
+/// A beach with an island before it.
+ShoreOptions bay() {
+    ShoreOptions shore = shore_of(81, 61, 5, [](double x, double z) {
+        const double from_x = x - 150, from_z = z - 120, squared = (from_x * from_x + from_z * from_z) / 1600;
+        return -12 + x * 0.035 + 16 / (1 + squared * squared);
+    });
+    shore.corner_x_m = -170;
+    shore.corner_z_m = -130;
+    shore.resolution = 64;
+    return shore;
+}
+
+OceanOptions with_bay(Isa isa = choose_isa(), std::shared_ptr<Executor> executor = make_serial_executor()) {
+    return {.executor = std::move(executor), .isa = isa, .queries = true, .velocities = true, .shore = bay()};
+}
+
+TEST(Shore, LeavesTheTilesAsTheyAre) {
+    Ocean with(breeze, with_bay()), without(breeze, {.executor = make_serial_executor()});
+    EXPECT_EQ(hash_of(with.frame_at(3.5)), hash_of(without.frame_at(3.5)));
+    EXPECT_NE(shore_hash_of(with.frame_at(3.5)), 0U);
+    EXPECT_EQ(shore_hash_of(without.frame_at(3.5)), 0U);
+}
+
+TEST(Shore, HasTheSameBitsEverywhere) {
+    Ocean first(breeze, with_bay(isas_here().front()));
+    const std::uint64_t expected = shore_hash_of(first.frame_at(7.3));
+    for (const Isa isa : isas_here()) {
+        Ocean ocean(breeze, with_bay(isa));
+        EXPECT_EQ(shore_hash_of(ocean.frame_at(7.3)), expected) << name_of(isa);
+    }
+    if (is_emulated) return;
+    for (const ExecutorKind& kind : executor_kinds()) {
+        Ocean ocean(breeze, with_bay(choose_isa(), kind.make(kind.threads)));
+        EXPECT_EQ(shore_hash_of(ocean.frame_at(7.3)), expected) << kind.name;
+    }
+}
+
+// tests/golden/shore.txt: what another compiler, processor or version has to find as well.
+TEST(Shore, HasTheGoldenBits) {
+    std::ifstream golden(PELAGIC_GOLDEN_FOLDER "/shore.txt");
+    Ocean ocean(breeze, with_bay());
+    int lines = 0;
+    for (std::string time, hash; golden >> time >> hash; ++lines) {
+        std::ostringstream found;
+        found << std::hex << std::setw(16) << std::setfill('0') << shore_hash_of(ocean.frame_at(std::stod(time)));
+        EXPECT_EQ(found.str(), hash) << time;
+    }
+    EXPECT_EQ(lines, 2);
+}
+
+TEST(Shore, LoopsAsTheSeaDoes) {
+    Ocean ocean(breeze, with_bay());
+    for (const double t : {0.0, 11.7}) {
+        const std::uint64_t expected = shore_hash_of(ocean.frame_at(t));
+        EXPECT_EQ(shore_hash_of(ocean.frame_at(t + 40)), expected);
+        EXPECT_EQ(shore_hash_of(ocean.frame_at(t - 4000)), expected);
+    }
+}
+
+// Two slots: a frame's views hold while the next is computed.
+TEST(Shore, KeepsTheFrameThatIsDrawn) {
+    Ocean ocean(breeze, with_bay());
+    const Frame first = ocean.frame_at(1);
+    const std::uint64_t expected = shore_hash_of(first);
+    EXPECT_NE(shore_hash_of(ocean.frame_at(2)), expected);
+    EXPECT_EQ(shore_hash_of(first), expected);
+}
+
+TEST(Shore, IsOpenSeaOutsideItsRectangle) {
+    Ocean with(breeze, with_bay()), without(breeze, {.executor = make_serial_executor(), .queries = true});
+    const Frame& frame = with.frame_at(9);
+    const ShoreSurface& shore = frame.shore;
+    const double right_m = shore.x_m + (shore.columns - 1) * shore.texel_m, top_m = shore.z_m;
+    for (const double along : {0.0, 0.3, 0.77}) {
+        const ShoreSample edge =
+            sample(shore, shore.x_m + 1e-9, shore.z_m + along * (shore.rows - 1) * shore.texel_m);
+        EXPECT_NEAR(edge.height_m, 0, 1e-9);
+        EXPECT_NEAR(edge.parts[0], 1, 1e-9);
+        EXPECT_NEAR(edge.parts[2], 1, 1e-9);
+    }
+    const std::vector<double> x = {right_m + 0.01, -500, 12, 1e7}, z = {3, 900, top_m - 0.01, -1e6};
+    std::vector<float> found(4), expected(4);
+    SurfaceQuery(frame).sample({x, z}, {.height_m = found});
+    SurfaceQuery(without.frame_at(9)).sample({x, z}, {.height_m = expected});
+    EXPECT_EQ(found, expected);
+}
+
+/// Bilinear in a tile, by its definition.
+double tile_at(const Tile& tile, const PlaneView& plane, double x, double z) {
+    const auto [along, across] = tile.lattice.in_tile(x, z);
+    const double u = along / tile.texel_m(), v = across / tile.texel_m(), i = std::floor(u), j = std::floor(v);
+    const int n = tile.resolution();
+    const auto at = [&](double column, double row) {
+        const auto wrapped = [n](double c) { return static_cast<int>(c - n * std::floor(c / n)); };
+        return static_cast<double>(plane.at(wrapped(column), wrapped(row)));
+    };
+    const double above = at(i, j) + (u - i) * (at(i + 1, j) - at(i, j));
+    const double below = at(i, j + 1) + (u - i) * (at(i + 1, j + 1) - at(i, j + 1));
+    return above + (v - j) * (below - above);
+}
+
+// The surface by its definition: rest points forward, where q + sum of part(p) D(q) = p.
+TEST(Shore, IsWhatQueriesTell) {
+    Ocean ocean(breeze, with_bay());
+    const Frame& frame = ocean.frame_at(4.2);
+    const SurfaceQuery query(frame);
+    std::mt19937 random(3);
+    const auto even = [&](double from, double to) {
+        return from + (to - from) * static_cast<double>(random()) * 0x1p-32;
+    };
+    int in_fade = 0, at_shore = 0;
+    for (int i = 0; i < 3000; ++i) {
+        const double q_x = even(-190, 260), q_z = even(-150, 190);
+        double x = q_x, z = q_z, height = 0, rise = 0;
+        ShoreSample here;
+        for (int step = 0; step < 60; ++step) {
+            here = sample(frame.shore, x, z);
+            x = q_x, z = q_z, height = here.height_m, rise = here.rise_mps;
+            for (std::size_t t = 0; t < frame.tiles.size(); ++t) {
+                const Tile& tile = frame.tiles[t];
+                x += here.parts[t] * tile_at(tile, tile.dx, q_x, q_z);
+                z += here.parts[t] * tile_at(tile, tile.dz, q_x, q_z);
+                height += here.parts[t] * tile_at(tile, tile.height, q_x, q_z);
+                rise += here.parts[t] * tile_at(tile, tile.velocity_y, q_x, q_z);
+            }
+        }
+        float found_height, found_rise, jacobian;
+        query.sample(
+            {{&x, 1}, {&z, 1}},
+            {.height_m = {&found_height, 1}, .jacobian = {&jacobian, 1}, .velocity_y_mps = {&found_rise, 1}});
+        // Near a fold another sheet may be the higher one.
+        if (jacobian < 0.3f) continue;
+        EXPECT_NEAR(static_cast<double>(found_height), height, 2e-4) << x << " " << z;
+        EXPECT_NEAR(static_cast<double>(found_rise), rise, 2e-3) << x << " " << z;
+        in_fade += here.parts[0] > 0.05 && here.parts[0] < 0.95;
+        at_shore += here.parts[1] < 0.5;
+    }
+    EXPECT_GT(in_fade, 500);
+    EXPECT_GT(at_shore, 300);
+}
+
+TEST(Shore, RisesAsItsHeightChanges) {
+    Ocean ocean(breeze, with_bay());
+    // Powers of two, or heights of floats would be noise in the differences.
+    const double dt = 1.0 / 64;
+    const auto heights = [&](double t) {
+        const std::span<const float> all = ocean.frame_at(t).shore.height_m;
+        return std::vector<float>(all.begin(), all.end());
+    };
+    const std::vector<float> before = heights(5 - dt), after = heights(5 + dt);
+    const ShoreSurface& shore = ocean.frame_at(5).shore;
+    double squares = 0, errors = 0;
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        const double change = static_cast<double>(after[i] - before[i]) / (2 * dt);
+        const double error = change - static_cast<double>(shore.rise_mps[i]);
+        squares += change * change;
+        errors += error * error;
+    }
+    // The third derivative's part, (omega dt)^2 / 6, of waves up to 3 rad/s, and the corner where a wave begins to break.
+    EXPECT_LT(std::sqrt(errors / squares), 0.01);
+}
+
+TEST(Shore, HasReachesNoLowerThanItsHeights) {
+    Ocean ocean(breeze, with_bay());
+    const Frame& frame = ocean.frame_at(13);
+    float most = 0, least = 0;
+    for (std::size_t i = 0; i < frame.shore.height_m.size(); ++i) {
+        EXPECT_GE(frame.shore.reach_m[i], frame.shore.height_m[i] - 1e-5f);
+        most = std::max(most, frame.shore.height_m[i]);
+        least = std::min(least, frame.shore.height_m[i]);
+    }
+    EXPECT_EQ(frame.shore.height_max_m, most);
+    EXPECT_EQ(frame.shore.height_min_m, least);
+    EXPECT_GT(most, 0.1f);
+    // Culling boxes hold it.
+    EXPECT_GE(frame.bounds.height_max_m, most);
+    EXPECT_LE(frame.bounds.height_min_m, least);
+}
+
+// A ray meets the water where small steps along it do.
+TEST(Shore, IsWhereRaysHit) {
+    Ocean ocean(breeze, with_bay());
+    const Frame& frame = ocean.frame_at(2.5);
+    const SurfaceQuery query(frame);
+    std::mt19937 random(11);
+    const auto even = [&](double from, double to) {
+        return from + (to - from) * static_cast<double>(random()) * 0x1p-32;
+    };
+    for (int i = 0; i < 40; ++i) {
+        const SurfaceRay ray{.origin_m = {even(-200, 250), 6, even(-150, 190)},
+                             .direction = {even(-1, 1), -0.25, even(-1, 1)},
+                             .reach_m = 60};
+        const double length =
+            std::sqrt(ray.direction[0] * ray.direction[0] + 0.0625 + ray.direction[2] * ray.direction[2]);
+        const auto height_over = [&](double distance) {
+            const double x = ray.origin_m[0] + distance * ray.direction[0] / length;
+            const double z = ray.origin_m[2] + distance * ray.direction[2] / length;
+            float height;
+            query.sample({{&x, 1}, {&z, 1}}, {.height_m = {&height, 1}});
+            return ray.origin_m[1] - distance * 0.25 / length - static_cast<double>(height);
+        };
+        double expected = 0;
+        while (expected < ray.reach_m && height_over(expected) > 0) expected += 0.01;
+        const auto hit = first_hit(query, ray);
+        ASSERT_EQ(hit.has_value(), expected < ray.reach_m);
+        // Two steps may lie on both sides of a crest that is thinner than they.
+        if (hit) {
+            EXPECT_NEAR(hit->distance_m, expected, 0.02 + query.texel_m());
+        }
+    }
+}
+
+TEST(Shore, HasFoamWhereWavesBreak) {
+    Ocean ocean(breeze, with_bay());
+    const ShoreSurface& shore = ocean.frame_at(6).shore;
+    int white = 0;
+    for (std::size_t i = 0; i < shore.foam.size(); ++i) {
+        white += shore.foam[i] > 100;
+        // Hs 1.5 m doesn't break in deeper water than 4 m.
+        if (shore.depth_m[i] > 6) {
+            EXPECT_EQ(shore.foam[i], 0);
+        }
+    }
+    EXPECT_GT(white, 20);
+    const std::vector<double> x = {220}, z = {0};
+    std::vector<float> foam(1);
+    EXPECT_TRUE(SurfaceQuery(ocean.complete()).has_foam());
+    SurfaceQuery(ocean.complete()).sample({x, z}, {.foam = foam});
+    EXPECT_NEAR(static_cast<double>(foam[0]), sample(ocean.complete().shore, 220, 0).foam, 1e-6);
+}
+
+TEST(Shore, RefusesWhatItCantBe) {
+    const auto refused = [](auto change) {
+        ShoreOptions shore = bay();
+        change(shore);
+        return check(shore);
+    };
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(refused([](ShoreOptions&) {}), "");
+    EXPECT_EQ(refused([](ShoreOptions& shore) { shore.columns = 1; }), "columns is 1, needs 2 to 4096");
+    EXPECT_EQ(refused([](ShoreOptions& shore) { shore.rows = 60; }),
+              "heights_m' size is 4941, needs 4860, columns times rows");
+    EXPECT_EQ(refused([=](ShoreOptions& shore) { shore.heights_m[7] = static_cast<float>(nan); }),
+              "heights_m is nan, needs [-11000, 9000]");
+    EXPECT_EQ(refused([](ShoreOptions& shore) { shore.heights_m.back() = 1e30f; }),
+              "heights_m is 1e+30, needs [-11000, 9000]");
+    EXPECT_EQ(refused([=](ShoreOptions& shore) { shore.corner_x_m = nan; }), "corner_x_m is nan, needs [-1e8, 1e8]");
+    EXPECT_EQ(refused([](ShoreOptions& shore) { shore.metres_a_sample = 0; }),
+              "metres_a_sample is 0, needs (0, 10000]");
+    EXPECT_EQ(refused([](ShoreOptions& shore) { shore.resolution = 100; }),
+              "resolution is 100, needs 64, 128, 256, 512 or 1024");
+    EXPECT_EQ(refused([](ShoreOptions& shore) { shore.fade_m = 151; }),
+              "fade_m is 151, needs at most half the field's shorter side, 150");
+
+    EXPECT_EQ(check(bay(), SeaState{.patch_size_m = 100}),
+              "cascades is 1, needs 2 to 4 where there is a shore, which takes the coarsest tile's waves");
+    EXPECT_EQ(check(bay(), SeaState{.waves = WaveModel::exp_sine}),
+              "waves is exp-sine, needs spectrum or analytic where there is a shore");
+    EXPECT_THROW(Ocean(SeaState{.resolution = 32, .patch_size_m = 100}, with_bay()), std::invalid_argument);
+    Forecast changing{.first = breeze};
+    changing.changes.push_back({.sea = breeze, .from_s = 5, .over_s = 5});
+    EXPECT_THROW(Ocean(changing, with_bay()), std::invalid_argument);
+    Ocean ocean(breeze, with_bay());
+    const std::uint64_t expected = shore_hash_of(ocean.frame_at(1));
+    EXPECT_THROW(ocean.schedule_sea(breeze), std::invalid_argument);
+    EXPECT_THROW(ocean.schedule_sea(breeze, 1, 2), std::invalid_argument);
+    EXPECT_EQ(shore_hash_of(ocean.frame_at(1)), expected);
+}
+
+}  // namespace
+}  // namespace pelagic

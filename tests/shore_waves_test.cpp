@@ -1,0 +1,280 @@
+// The physics of shores: shoaling, refraction, shelter, breaking, beside linear theory in closed form.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "pelagic/sim/ocean.hpp"
+#include "pelagic/sim/sources/refraction.hpp"
+#include "pelagic/sim/spectrum/shore_waves.hpp"
+#include "pelagic/sim/spectrum/spectra.hpp"
+#include "pelagic/sim/surface_query.hpp"
+#include "pelagic/tests/shores.hpp"
+
+namespace pelagic {
+namespace {
+
+constexpr double pi = 3.14159265358979323846, gravity = 9.80665;
+
+/// omega^2 = g k tanh(k d) by bisection.
+double wave_number_at(double omega, double depth_m) {
+    double low = 0, high = 1e3;
+    for (int i = 0; i < 200; ++i) {
+        const double k = 0.5 * (low + high);
+        (gravity * k * std::tanh(k * depth_m) < omega * omega ? low : high) = k;
+    }
+    return low;
+}
+
+double group_velocity_at(double omega, double depth_m) {
+    const double k = wave_number_at(omega, depth_m), kd = k * depth_m;
+    return omega / k * (0.5 + (kd > 300 ? 0 : kd / std::sinh(2 * kd)));
+}
+
+/// One wave of 200 m, more or less along +x, and nothing else.
+SeaState one_wave(double amplitude_m = 0.05) {
+    return {.waves = WaveModel::analytic,
+            .cascades = 2,
+            .resolution = 64,
+            .choppiness = 0,
+            .loop_period_s = 600,
+            .wave_count = 1,
+            .longest_wave_m = 200,
+            .wave_height_m = amplitude_m * 2 * std::sqrt(2.0)};
+}
+
+struct OpenWave {
+    double omega, amplitude_m, along_x, along_z;
+};
+
+OpenWave wave_of(const SeaState& sea) {
+    const std::vector<ShoreWave> waves = shore_waves(sea, plan_tiles(sea).front());
+    EXPECT_EQ(waves.size(), 1U);
+    return {waves[0].omega, waves[0].amplitude_m, waves[0].along_x, waves[0].along_z};
+}
+
+// Height over time at texels along the beach beside Ks = sqrt(Cg0 / Cg), times what Snell's law makes of a wave that comes aslant, and where k d <= 0.3 beside Green's law, d^-1/4.
+TEST(Shoaling, FollowsLinearTheoryAndGreensLaw) {
+    const SeaState sea = one_wave();
+    const OpenWave wave = wave_of(sea);
+    EXPECT_NEAR(wave.amplitude_m, 0.05, 0.005);
+    ShoreOptions shore = beach(1000, 400, 40, 150, 5);
+    shore.swash_m = 0.01;
+    Ocean ocean(sea, {.executor = make_serial_executor(), .shore = shore});
+    const int row = ocean.frame_at(0).shore.rows / 2, columns = ocean.complete().shore.columns;
+    std::vector<float> highest(static_cast<std::size_t>(columns), -1e9f), lowest(highest.size(), 1e9f),
+        depth(highest.size());
+    constexpr int times = 48;
+    for (int i = 0; i < times; ++i) {
+        const ShoreSurface& shown = ocean.frame_at(i * (2 * pi / wave.omega) / times).shore;
+        for (std::size_t column = 0; column < highest.size(); ++column) {
+            const float height = shown.height_m[static_cast<std::size_t>(row * columns) + column];
+            highest[column] = std::max(highest[column], height);
+            lowest[column] = std::min(lowest[column], height);
+            depth[column] = shown.depth_m[static_cast<std::size_t>(row * columns) + column];
+        }
+    }
+    const double open_speed = group_velocity_at(wave.omega, 4000);
+    int shoaling = 0, green = 0;
+    double least_ratio = 10, most_ratio = 0, green_height_m = 0, green_depth_m = 0;
+    for (std::size_t column = 0; column < highest.size(); ++column) {
+        const double d = static_cast<double>(depth[column]);
+        const double x = static_cast<double>(column) * ocean.complete().shore.texel_m;
+        const double amplitude = 0.5 * static_cast<double>(highest[column] - lowest[column]);
+        // Inside of what fades, before it breaks.
+        if (x < 60 || d < 0.45) continue;
+        const double sine = wave.along_z * wave_number_at(wave.omega, 4000) / wave_number_at(wave.omega, d);
+        const double spread = wave.along_x / std::sqrt(1 - sine * sine);
+        const double expected = wave.amplitude_m * std::sqrt(spread * open_speed / group_velocity_at(wave.omega, d));
+        EXPECT_NEAR(amplitude / expected, 1, 0.03) << "depth " << d;
+        least_ratio = std::min(least_ratio, amplitude / wave.amplitude_m);
+        most_ratio = std::max(most_ratio, amplitude / wave.amplitude_m);
+        ++shoaling;
+        if (wave_number_at(wave.omega, d) * d > 0.3) continue;
+        if (green == 0) green_height_m = amplitude, green_depth_m = d;
+        EXPECT_NEAR(amplitude / green_height_m / std::pow(green_depth_m / d, 0.25), 1, 0.03) << "depth " << d;
+        ++green;
+    }
+    EXPECT_GT(shoaling, 100);
+    EXPECT_GT(green, 8);
+    // It was lower in between and is higher at the end, or nothing would have been told.
+    EXPECT_LT(least_ratio, 0.93);
+    EXPECT_GT(most_ratio, 1.3);
+}
+
+TEST(Shoaling, EndsWhereWavesBreak) {
+    const SeaState sea = one_wave(0.8);
+    const OpenWave wave = wave_of(sea);
+    ShoreOptions shore = beach(1000, 400, 40, 150, 5);
+    Ocean ocean(sea, {.executor = make_serial_executor(), .shore = shore});
+    bool breaks = false;
+    for (int i = 0; i < 16; ++i) {
+        const ShoreSurface& shown = ocean.frame_at(i * (2 * pi / wave.omega) / 16).shore;
+        for (std::size_t texel = 0; texel < shown.height_m.size(); ++texel) {
+            const double d = static_cast<double>(shown.depth_m[texel]);
+            const double stands = std::max(0.39 * d, shore.swash_m);
+            EXPECT_LE(std::fabs(static_cast<double>(shown.height_m[texel])), stands * 1.0001);
+            breaks |= shown.foam[texel] > 128;
+            if (d > 6) {
+                EXPECT_EQ(shown.foam[texel], 0) << d;
+            }
+        }
+    }
+    EXPECT_TRUE(breaks);
+}
+
+// A wave that broke on a bar stays as high as the bar let it, but for shoaling.
+TEST(Shoaling, IsRememberedBehindABar) {
+    const SeaState sea = one_wave(0.8);
+    ShoreOptions shore = shore_of(201, 81, 5, [](double x, double) {
+        const double from_bar = std::fabs(x - 500);
+        return from_bar < 60 ? -1.0 : from_bar < 200 ? -1 - (from_bar - 60) / 140 * 19 : -20.0;
+    });
+    shore.swash_m = 0.01;
+    Ocean ocean(sea, {.executor = make_serial_executor(), .shore = shore});
+    const ShoreSurface& shown = ocean.frame_at(0).shore;
+    const double before = sample(shown, 250, 200).reach_m, on = sample(shown, 500, 200).reach_m,
+                 behind = sample(shown, 750, 200).reach_m;
+    EXPECT_GT(before, 0.6);
+    EXPECT_NEAR(on, 0.39, 0.005);
+    // Energy is what the bar left: 0.39 m where Cg is that of 1 m.
+    const double omega = wave_of(sea).omega;
+    EXPECT_NEAR(behind, 0.39 * std::sqrt(group_velocity_at(omega, 1) / group_velocity_at(omega, 20)), 0.02);
+}
+
+// Over a slope the wave vector keeps its part along the contours, and rays come apart: Kr = sqrt(cos0 / cos).
+TEST(Refraction, IsSnellsOnABeach) {
+    ShoreOptions options = beach(1000, 600, 40, 150, 5);
+    const SeaBed bed(options);
+    const double omega = 2 * pi / 9, angle = 0.6, open_k = wave_number_at(omega, 4000);
+    const Refraction wave(bed,
+                          {.omega = omega, .along_x = std::cos(angle), .along_z = std::sin(angle), .depth_m = 4000});
+    int looked = 0;
+    for (int i = 60; i < bed.columns; i += 10) {
+        const double d = bed.depth_m[bed.at(i, bed.rows / 2)];
+        if (d < 1) continue;
+        const std::size_t upper = bed.at(i, 30), lower = bed.at(i, bed.rows - 30);
+        const double along = (wave.phase()[lower] - wave.phase()[upper]) / ((bed.rows - 60) * bed.texel_m);
+        EXPECT_NEAR(along / (open_k * std::sin(angle)), 1, 0.01) << d;
+        const double k = wave_number_at(omega, d), sine = open_k * std::sin(angle) / k;
+        const double spread = std::sqrt(std::cos(angle) / std::sqrt(1 - sine * sine));
+        const std::size_t middle = bed.at(i, bed.rows / 2);
+        EXPECT_NEAR(wave.height()[middle] / wave.shoaling(middle) / spread, 1, 0.04) << d;
+        ++looked;
+    }
+    EXPECT_GT(looked, 10);
+    // It has turned by then.
+    EXPECT_LT(open_k * std::sin(angle) / wave_number_at(omega, 1), 0.2);
+}
+
+// Over an even floor the first way round an island is the shortest: a tangent, an arc, a tangent.
+TEST(Refraction, GoesRoundAnIslandTheShortestWay) {
+    const double side = 1000, radius = 150;
+    ShoreOptions options = island(side, radius, 60, 4);
+    const SeaBed bed(options);
+    const double omega = 2 * pi / 7, k = wave_number_at(omega, 60);
+    const Refraction wave(bed, {.omega = omega, .along_x = 1, .along_z = 0, .depth_m = 60});
+    for (const double behind : {250.0, 350.0, 450.0}) {
+        const int i = static_cast<int>(std::lround((side / 2 + behind) / bed.texel_m)), j = bed.rows / 2;
+        const double x = i * bed.texel_m - side / 2;
+        const double way = side / 2 + (pi / 2 - std::acos(radius / x)) * radius + std::sqrt(x * x - radius * radius);
+        // The least depth, at the island's feet, is within a texel or so of its edge; the scheme is of the first order.
+        EXPECT_NEAR(wave.phase()[bed.at(i, j)] / (k * way), 1, 0.02) << behind;
+        EXPECT_LT(wave.height()[bed.at(i, j)], 0.35) << behind;
+        EXPECT_NEAR(wave.height()[bed.at(i, 12)], 1, 0.1) << behind;
+    }
+}
+
+// No more energy goes through a line behind the island than came in, and what passes it goes through.
+TEST(Refraction, LosesNoEnergyButWhereItRunsAground) {
+    const double side = 1000;
+    const SeaBed bed(island(side, 150, 60, 4));
+    const Refraction wave(bed, {.omega = 2 * pi / 7, .along_x = 1, .along_z = 0, .depth_m = 60});
+    double energy = 0;
+    const int i = bed.columns - 30;
+    for (int j = 0; j < bed.rows; ++j) energy += wave.height()[bed.at(i, j)] * wave.height()[bed.at(i, j)];
+    // Of the line 300 m are the island's. Those who run round it run aslant, which the sum doesn't see: a tenth.
+    EXPECT_NEAR(energy / bed.rows, 0.7, 0.1);
+}
+
+TEST(ShoreWaves, HaveTheEnergyOfTheCoarsestTile) {
+    for (const double wind : {6.0, 15.0}) {
+        const SeaState sea{.wind_speed_mps = wind, .wind_direction_rad = 0.7};
+        const TilePlan tile = plan_tiles(sea).front();
+        const WaveSpectrum spectrum(sea, tile);
+        double expected = 0, found = 0, x = 0, z = 0;
+        const double most_k = std::min(tile.most_k, pi * tile.resolution / tile.lattice.side_m);
+        constexpr int steps = 20000;
+        for (int i = 0; i < steps; ++i) {
+            const double k = (i + 0.5) / steps * most_k;
+            expected += spectrum.radial_density(k) * most_k / steps;
+        }
+        const std::vector<ShoreWave> waves = shore_waves(sea, tile);
+        ASSERT_EQ(waves.size(), most_shore_waves);
+        for (std::size_t i = 0; i < waves.size(); ++i) {
+            found += waves[i].variance();
+            x += waves[i].along_x;
+            z += waves[i].along_z;
+            EXPECT_NEAR(waves[i].along_x * waves[i].along_x + waves[i].along_z * waves[i].along_z, 1, 1e-12);
+            if (i > 0) {
+                EXPECT_GE(waves[i].harmonic, waves[i - 1].harmonic);
+            }
+        }
+        EXPECT_NEAR(found / expected, 1, 0.005);
+        EXPECT_NEAR(std::atan2(z, x), 0.7, 0.3);
+    }
+}
+
+// One wave: sqrt(phi), phi = t^3 / (t + k d (1 - t^2)), until it breaks.
+TEST(ShoreWaves, AreLeftByDepthAsTheTmaSpectrumIs) {
+    const SeaState sea = one_wave();
+    const DepthPart part(sea, plan_tiles(sea).front());
+    const double omega = wave_of(sea).omega, variance = 0.5 * wave_of(sea).amplitude_m * wave_of(sea).amplitude_m;
+    for (const double d : {2000.0, 100.0, 30.0, 8.0, 2.0, 0.5, 0.05}) {
+        const double kd = wave_number_at(omega, d) * d, t = std::tanh(kd);
+        const double left = std::sqrt(t * t * t / (t + kd * (1 - t * t)));
+        const double highest = std::min(1.0, 0.6 * d / (4 * std::sqrt(variance) * left));
+        // A shore's frequency is a whole number of the loop's, up to 1 % off.
+        EXPECT_NEAR(part.at(d), left * highest, 6e-3) << d;
+    }
+    EXPECT_EQ(part.at(0), 0);
+    EXPECT_EQ(part.at(-3), 0);
+}
+
+// The sea behind an island is calm beside the one before it: a root mean square over places and times.
+TEST(Islands, HaveCalmWaterBehindThem) {
+    const SeaState sea{
+        .spreading = SpreadingModel::donelan_banner, .cascades = 3, .resolution = 64, .wind_speed_mps = 9};
+    ShoreOptions shore = island(1000, 180, 30, 5);
+    shore.resolution = 128;
+    Ocean ocean(sea, {.executor = make_serial_executor(), .queries = true, .shore = shore});
+    double before = 0, behind = 0, beside = 0;
+    std::vector<double> x, z;
+    for (int i = 0; i < 400; ++i) {
+        x.push_back(180 + i % 20 * 5);
+        z.push_back(450 + i / 20 * 5);
+        x.push_back(720 + i % 20 * 5);
+        z.push_back(450 + i / 20 * 5);
+        x.push_back(720 + i % 20 * 5);
+        z.push_back(150 + i / 20 * 5);
+    }
+    std::vector<float> heights(x.size());
+    for (int i = 0; i < 40; ++i) {
+        SurfaceQuery(ocean.frame_at(4.7 * i)).sample({x, z}, {.height_m = heights});
+        for (std::size_t point = 0; point < heights.size(); point += 3) {
+            const auto square = [&](std::size_t at) {
+                return static_cast<double>(heights[at]) * static_cast<double>(heights[at]);
+            };
+            before += square(point), behind += square(point + 1), beside += square(point + 2);
+        }
+    }
+    EXPECT_LT(std::sqrt(behind / before), 0.5);
+    // Open water has the sea's own height: sixteen or so peak waves by as many times scatter by a tenth.
+    const double expected = ocean.complete().figures.significant_wave_height_m / 4;
+    EXPECT_NEAR(std::sqrt(before / (400 * 40)) / expected, 1, 0.2);
+    EXPECT_NEAR(std::sqrt(beside / (400 * 40)) / expected, 1, 0.2);
+}
+
+}  // namespace
+}  // namespace pelagic

@@ -1,0 +1,38 @@
+// Floors of the sea for tests, in plain arithmetic so that their bits are everywhere the same.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "pelagic/sim/shore.hpp"
+
+namespace pelagic {
+
+template <class Height>
+ShoreOptions shore_of(int columns, int rows, double metres_a_sample, Height height) {
+    ShoreOptions shore{.columns = columns, .rows = rows, .metres_a_sample = metres_a_sample};
+    for (int j = 0; j < rows; ++j)
+        for (int i = 0; i < columns; ++i)
+            shore.heights_m.push_back(static_cast<float>(height(i * metres_a_sample, j * metres_a_sample)));
+    return shore;
+}
+
+/// Even at a depth, then a slope up to 2 m above the sea at the far end of x.
+inline ShoreOptions beach(double long_m, double wide_m, double depth_m, double flat_m, double metres_a_sample) {
+    return shore_of(static_cast<int>(long_m / metres_a_sample) + 1, static_cast<int>(wide_m / metres_a_sample) + 1,
+                    metres_a_sample, [=](double x, double) {
+                        return x < flat_m ? -depth_m : -depth_m + (x - flat_m) / (long_m - flat_m) * (depth_m + 2);
+                    });
+}
+
+/// A round island with steep sides in water of one depth, in the middle of a square.
+inline ShoreOptions island(double side_m, double radius_m, double depth_m, double metres_a_sample) {
+    const int samples = static_cast<int>(side_m / metres_a_sample) + 1;
+    return shore_of(samples, samples, metres_a_sample, [=](double x, double z) {
+        const double from_x = x - side_m / 2, from_z = z - side_m / 2;
+        const double to_edge = std::sqrt(from_x * from_x + from_z * from_z) - radius_m;
+        return std::max(-depth_m, std::min(5.0, -20 * to_edge));
+    });
+}
+
+}  // namespace pelagic
