@@ -80,6 +80,7 @@ OceanOptions options_of(const pelagic_ocean_options& options) {
     }
     if (!options.allocate != !options.release) refuse("allocate or release is NULL, needs both or neither");
     if (options.local) result.local = local_options_of(options.local);
+    if (options.shore) result.shore = shore_options_of(options.shore);
     result.memory = {options.memory_user, options.allocate, options.release};
     return result;
 }

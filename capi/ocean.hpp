@@ -78,6 +78,7 @@ namespace pelagic::capi {
 
 /// The host's options of water that answers. Throws std::invalid_argument for null, a wrong struct_size and what can't be.
 LocalWaterOptions local_options_of(const pelagic_local_options* options);
+ShoreOptions shore_options_of(const pelagic_shore_options* options);
 
 /// What a call that needs them throws.
 void need_no_frame_in_flight(const pelagic_ocean& ocean);

@@ -252,6 +252,8 @@ typedef struct pelagic_ocean_options {
     uint32_t reserved_1; /* 0 */
     /* Newer still. Water that answers beside the waves of the wind, see below; NULL: none. Read before the call returns. */
     const struct pelagic_local_options* local;
+    /* Newer still. A floor that waves feel, see below; NULL: none. Read before the call returns. */
+    const struct pelagic_shore_options* shore;
 } pelagic_ocean_options;
 
 typedef struct pelagic_ocean pelagic_ocean;
@@ -626,6 +628,51 @@ PELAGIC_API pelagic_status pelagic_ocean_save_water(const pelagic_ocean* ocean, 
  * since the last schedule is forgotten. PELAGIC_INVALID_ARGUMENT if such an ocean can't have saved it; PELAGIC_WRONG_ORDER if a
  * frame is in flight. */
 PELAGIC_API pelagic_status pelagic_ocean_restore_water(pelagic_ocean* ocean, const uint8_t* bytes, size_t count);
+
+/* ---- Shores ----------------------------------------------------------------------------------------------------- */
+
+/* A floor that waves feel, which may rise above the water as a beach or an island. Within its rectangle long waves are slowed, turned
+ * and raised by the depth, break at 0.78 of it, and don't come behind land but round it; queries and bounds have them. Of a sea of
+ * several tiles that never changes. */
+typedef struct pelagic_shore_options {
+    uint32_t struct_size;
+    int32_t columns, rows;  /* samples of the floor along x and z; 2 to 4096 */
+    int32_t resolution;     /* texels along the longer side of what frames show; 64, 128, 256, 512 or 1024 */
+    const float* heights_m; /* columns * rows, above rest, [-11000, 9000]; sample (i, j) is element j * columns + i. Read before the
+                             * call returns */
+    double corner_x_m, corner_z_m; /* where sample (0, 0) stands; [-1e8, 1e8] */
+    double metres_a_sample;        /* between neighbours; (0, 10000] */
+    double fade_m;  /* along the edges, where the tiles give way; 0: an eighth of the shorter side; at most half of it */
+    double swash_m; /* waves reach so high on dry sand at most; [0, 10] */
+} pelagic_shore_options;
+
+/* Sets every field but struct_size: no samples, 1 m between them, 256 texels, a swash of 0.25 m. */
+PELAGIC_API pelagic_status pelagic_shore_defaults(pelagic_shore_options* options);
+
+/* Where water is drawn at a place of the rectangle, tile t counts with its part there and height_m adds to the sum. Texel (i, j) stands
+ * at x_m + i texel_m, z_m + j texel_m, in element j * columns + i; all is bilinear between texels. Beyond the rectangle parts are 1 and
+ * the height is 0, as on its edges. */
+typedef struct pelagic_shore_surface {
+    uint32_t struct_size;
+    int32_t columns, rows;
+    float parts_change_per_m; /* no part differs by more between places a metre apart */
+    double texel_m;
+    double x_m, z_m;
+    const float* depth_m;        /* of still water; below 0 on land */
+    const uint32_t* parts_rgba8; /* of tile t in byte t from the lowest up, 255 for 1 */
+    const float* height_m;
+    const float* rise_mps; /* how fast it rises */
+    const float* reach_m;  /* how high the waves that are passing reach: sand below it is wet */
+    const uint8_t* foam;   /* of waves that break */
+    float height_min_m, height_max_m;
+} pelagic_shore_surface;
+
+/* Of the frame completed last; what it points to is valid as long as that frame is. PELAGIC_WRONG_ORDER before the first frame,
+ * PELAGIC_INVALID_ARGUMENT without pelagic_ocean_options.shore. */
+PELAGIC_API pelagic_status pelagic_ocean_shore(const pelagic_ocean* ocean, pelagic_shore_surface* surface);
+
+/* The 64-bit hash of all that pelagic_ocean_shore tells of the frame completed last, which pelagic_ocean_hash leaves out. */
+PELAGIC_API pelagic_status pelagic_ocean_shore_hash(const pelagic_ocean* ocean, uint64_t* hash);
 
 /* ---- Queries ---------------------------------------------------------------------------------------------------- */
 

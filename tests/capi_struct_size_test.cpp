@@ -117,6 +117,22 @@ TEST_F(StructSizes, WhatIsReadMayBeOlderOrNewer) {
         pelagic_ocean_destroy(made);
         return status;
     });
+    auto shore = sized<pelagic_shore_options>();
+    ASSERT_EQ(pelagic_shore_defaults(&shore), PELAGIC_OK);
+    const float floor[] = {-9, 1, -8, 2};
+    shore.columns = shore.rows = 2;
+    shore.metres_a_sample = 100;
+    shore.resolution = 64;
+    shore.heights_m = floor;
+    expect_read_in_every_size(shore, &pelagic_shore_options::swash_m, [](pelagic_shore_options* wanted) {
+        const pelagic_sea sea = stack_sea(2, 32);
+        auto options = sized<pelagic_ocean_options>();
+        options.shore = wanted;
+        pelagic_ocean* made = nullptr;
+        const pelagic_status status = pelagic_ocean_create(&sea, &options, &made);
+        pelagic_ocean_destroy(made);
+        return status;
+    });
     auto answering = sized<pelagic_ocean_options>();
     answering.local = &local;
     const COcean water = ocean_of(small_sea(), answering);
@@ -189,6 +205,22 @@ TEST_F(StructSizes, WhatIsWrittenMayBeOlderOrNewer) {
     expect_written_in_every_size(&pelagic_local_surface::height_max_m, [&](pelagic_local_surface* surface) {
         return pelagic_ocean_local(water.get(), surface);
     });
+    expect_written_in_every_size(&pelagic_shore_options::swash_m, pelagic_shore_defaults);
+    auto shore = sized<pelagic_shore_options>();
+    ASSERT_EQ(pelagic_shore_defaults(&shore), PELAGIC_OK);
+    const float floor[] = {-9, 1, -8, 2};
+    shore.columns = shore.rows = 2;
+    shore.metres_a_sample = 100;
+    shore.resolution = 64;
+    shore.heights_m = floor;
+    auto ashore = sized<pelagic_ocean_options>();
+    ashore.shore = &shore;
+    const COcean coast = ocean_of(stack_sea(2, 32), ashore);
+    ASSERT_EQ(pelagic_ocean_schedule(coast.get(), 1), PELAGIC_OK);
+    ASSERT_EQ(pelagic_ocean_complete(coast.get(), &first), PELAGIC_OK);
+    expect_written_in_every_size(&pelagic_shore_surface::height_max_m, [&](pelagic_shore_surface* surface) {
+        return pelagic_ocean_shore(coast.get(), surface);
+    });
     complete_one();
     expect_written_in_every_size(&pelagic_tile::whitecap_jacobian,
                                  [&](pelagic_tile* tile) { return pelagic_ocean_tile(ocean.get(), 0, tile); });
@@ -248,7 +280,8 @@ TEST(StructSizesOfSeas, NewFieldsLieBehindThePaddingOfTheFirstVersion) {
     EXPECT_GE(offsetof(pelagic_frame, tile_count), padded);
     EXPECT_EQ(offsetof(pelagic_sea, wave_drag) + sizeof(double), sizeof(pelagic_sea));
     EXPECT_EQ(offsetof(pelagic_ocean_options, reserved_1) + 4, offsetof(pelagic_ocean_options, local));
-    EXPECT_EQ(offsetof(pelagic_ocean_options, local) + sizeof(void*), sizeof(pelagic_ocean_options));
+    EXPECT_EQ(offsetof(pelagic_ocean_options, local) + sizeof(void*), offsetof(pelagic_ocean_options, shore));
+    EXPECT_EQ(offsetof(pelagic_ocean_options, shore) + sizeof(void*), sizeof(pelagic_ocean_options));
     EXPECT_EQ(offsetof(pelagic_ocean_info, reserved_1) + 4, sizeof(pelagic_ocean_info));
     EXPECT_EQ(offsetof(pelagic_frame, foam_drift_x_mps), offsetof(pelagic_frame, roughness) + 4);
     EXPECT_EQ(offsetof(pelagic_frame, foam_drift_z_mps) + 8, sizeof(pelagic_frame));

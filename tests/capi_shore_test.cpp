@@ -1,0 +1,123 @@
+// Shores through the C interface: the same as in C++, bit for bit.
+#include <algorithm>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "pelagic/sim/ocean.hpp"
+#include "pelagic/sim/surface_query.hpp"
+#include "pelagic/tests/capi_sea.hpp"
+#include "pelagic/tests/shores.hpp"
+
+namespace pelagic {
+namespace {
+
+class CInterfaceShore : public testing::Test {
+   protected:
+    CInterfaceShore() {
+        ours = beach(400, 300, 12, 40, 10);
+        ours.corner_x_m = -90;
+        ours.corner_z_m = 30;
+        ours.resolution = 64;
+        ours.swash_m = 0.1;
+    }
+    pelagic_shore_options shore() const {
+        auto options = sized<pelagic_shore_options>();
+        EXPECT_EQ(pelagic_shore_defaults(&options), PELAGIC_OK);
+        options.columns = ours.columns;
+        options.rows = ours.rows;
+        options.heights_m = ours.heights_m.data();
+        options.corner_x_m = ours.corner_x_m;
+        options.corner_z_m = ours.corner_z_m;
+        options.metres_a_sample = ours.metres_a_sample;
+        options.resolution = ours.resolution;
+        options.swash_m = ours.swash_m;
+        return options;
+    }
+    pelagic_ocean_options with(const pelagic_shore_options* wanted) const {
+        auto options = sized<pelagic_ocean_options>();
+        options.executor = serial.get();
+        options.queries = 1;
+        options.shore = wanted;
+        return options;
+    }
+    std::string refused(const pelagic_shore_options& wanted, const pelagic_sea& sea = stack_sea(2)) const {
+        const pelagic_ocean_options options = with(&wanted);
+        pelagic_ocean* made = nullptr;
+        EXPECT_EQ(pelagic_ocean_create(&sea, &options, &made), PELAGIC_INVALID_ARGUMENT);
+        EXPECT_EQ(made, nullptr);
+        return pelagic_last_error();
+    }
+    static void complete(const COcean& ocean, double time_s) {
+        auto frame = sized<pelagic_frame>();
+        ASSERT_EQ(pelagic_ocean_schedule(ocean.get(), time_s), PELAGIC_OK) << pelagic_last_error();
+        ASSERT_EQ(pelagic_ocean_complete(ocean.get(), &frame), PELAGIC_OK) << pelagic_last_error();
+    }
+
+    COceanExecutor serial = executor_of(PELAGIC_EXECUTOR_SERIAL);
+    ShoreOptions ours;
+};
+
+TEST_F(CInterfaceShore, IsTheSameAsInCPlusPlus) {
+    const pelagic_shore_options options = shore();
+    const COcean ocean = ocean_of(stack_sea(2), with(&options));
+    complete(ocean, 3.25);
+    Ocean expected({.cascades = 2, .resolution = 32},
+                   {.executor = make_serial_executor(), .queries = true, .shore = ours});
+    const Frame& frame = expected.frame_at(3.25);
+
+    std::uint64_t hash = 0;
+    ASSERT_EQ(pelagic_ocean_shore_hash(ocean.get(), &hash), PELAGIC_OK);
+    EXPECT_EQ(hash, shore_hash_of(frame));
+    auto surface = sized<pelagic_shore_surface>();
+    ASSERT_EQ(pelagic_ocean_shore(ocean.get(), &surface), PELAGIC_OK);
+    EXPECT_EQ(surface.columns, frame.shore.columns);
+    EXPECT_EQ(surface.rows, frame.shore.rows);
+    EXPECT_EQ(surface.texel_m, frame.shore.texel_m);
+    EXPECT_EQ(surface.x_m, -90);
+    EXPECT_EQ(surface.z_m, 30);
+    EXPECT_EQ(surface.parts_change_per_m, frame.shore.parts_change_per_m);
+    EXPECT_EQ(surface.height_max_m, frame.shore.height_max_m);
+    EXPECT_EQ(surface.height_min_m, frame.shore.height_min_m);
+    const auto same = [](const auto* found, auto all) { return std::equal(all.begin(), all.end(), found); };
+    EXPECT_TRUE(same(surface.depth_m, frame.shore.depth_m));
+    EXPECT_TRUE(same(surface.parts_rgba8, frame.shore.parts_rgba8));
+    EXPECT_TRUE(same(surface.height_m, frame.shore.height_m));
+    EXPECT_TRUE(same(surface.rise_mps, frame.shore.rise_mps));
+    EXPECT_TRUE(same(surface.reach_m, frame.shore.reach_m));
+    EXPECT_TRUE(same(surface.foam, frame.shore.foam));
+
+    const std::vector<double> x = {0, 120, 290, -400}, z = {100, 200, 150, 0};
+    std::vector<float> height(4), foam(4), expected_height(4);
+    auto points = sized<pelagic_points>();
+    points.count = 4, points.x = x.data(), points.z = z.data();
+    auto samples = sized<pelagic_samples>();
+    samples.height_m = height.data();
+    ASSERT_EQ(pelagic_ocean_query(ocean.get(), &points, &samples), PELAGIC_OK) << pelagic_last_error();
+    SurfaceQuery(frame).sample({x, z}, {.height_m = expected_height});
+    EXPECT_EQ(height, expected_height);
+}
+
+TEST_F(CInterfaceShore, SaysWhatIsWrong) {
+    pelagic_shore_options wrong = shore();
+    wrong.columns = 1;
+    EXPECT_EQ(refused(wrong), "shore.columns is 1, needs 2 to 4096");
+    wrong = shore();
+    wrong.heights_m = nullptr;
+    EXPECT_EQ(refused(wrong), "shore.heights_m is null");
+    wrong = shore();
+    wrong.swash_m = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(refused(wrong), "shore.swash_m is nan, needs [0, 10]");
+    EXPECT_EQ(refused(shore(), small_sea()),
+              "cascades is 1, needs 2 to 4 where there is a shore, which takes the coarsest tile's waves");
+
+    const COcean open = ocean_of(stack_sea(2), with(nullptr));
+    auto surface = sized<pelagic_shore_surface>();
+    EXPECT_EQ(pelagic_ocean_shore(open.get(), &surface), PELAGIC_WRONG_ORDER);
+    complete(open, 0);
+    EXPECT_EQ(pelagic_ocean_shore(open.get(), &surface), PELAGIC_INVALID_ARGUMENT);
+    EXPECT_EQ(std::string(pelagic_last_error()), "the ocean has no shore, needs pelagic_ocean_options.shore");
+}
+
+}  // namespace
+}  // namespace pelagic
