@@ -104,7 +104,7 @@ TEST_F(CInterfaceShore, SaysWhatIsWrong) {
     EXPECT_EQ(refused(wrong), "shore.columns is 1, needs 2 to 4096");
     wrong = shore();
     wrong.heights_m = nullptr;
-    EXPECT_EQ(refused(wrong), "shore.heights_m is null");
+    EXPECT_EQ(refused(wrong), "shore.heights_m is NULL, needs a pointer");
     wrong = shore();
     wrong.swash_m = std::numeric_limits<double>::quiet_NaN();
     EXPECT_EQ(refused(wrong), "shore.swash_m is nan, needs [0, 10]");

@@ -19,6 +19,7 @@
 #include "pelagic/tests/each_isa.hpp"
 #include "pelagic/tests/emulated.hpp"
 #include "pelagic/tests/shores.hpp"
+#include "pelagic/tests/tile_stack.hpp"
 
 namespace pelagic {
 namespace {
@@ -164,6 +165,53 @@ TEST(Shore, IsWhatQueriesTell) {
     }
     EXPECT_GT(in_fade, 500);
     EXPECT_GT(at_shore, 300);
+}
+
+// Parts of tiles are tiles of less displacement, where sheets lie over one another as well.
+TEST(Shore, CountsPartsOfFoldedTilesToo) {
+    constexpr int part = 153;
+    std::vector<TileStack::Part> all = TileStack::of_scales(3, 14, 1, 7, 32), less = all;
+    for (std::size_t t = 0; t < all.size(); ++t) {
+        all[t].factor *= 8;
+        less[t].factor = all[t].factor * part / 255;
+    }
+    const TileStack whole(all, 3), expected(less, 3);
+    constexpr int texels = 16;
+    const std::vector<std::uint32_t> parts(texels * texels, part * 0x01010101U);
+    const std::vector<float> flat(parts.size());
+    const std::vector<std::uint8_t> no_foam(parts.size());
+    Frame frame = whole.frame();
+    frame.shore = {.columns = texels,
+                   .rows = texels,
+                   .texel_m = 100,
+                   .x_m = -700,
+                   .z_m = -700,
+                   .depth_m = flat,
+                   .parts_rgba8 = parts,
+                   .height_m = flat,
+                   .rise_mps = flat,
+                   .reach_m = flat,
+                   .foam = no_foam};
+    std::mt19937 random(5);
+    std::vector<double> x, z;
+    for (int i = 0; i < 3000; ++i) {
+        x.push_back(static_cast<double>(random()) * 0x1p-32 * 1000 - 500);
+        z.push_back(static_cast<double>(random()) * 0x1p-32 * 1000 - 500);
+    }
+    std::vector<float> height(x.size()), normal(x.size()), expected_height(x.size()), expected_normal(x.size());
+    SurfaceQuery(frame).sample({x, z}, {.height_m = height, .normal_x = normal});
+    SurfaceQuery(expected.frame()).sample({x, z}, {.height_m = expected_height, .normal_x = expected_normal});
+    double squeezed = 0;
+    for (const Tile& tile : expected.frame().tiles) squeezed += tile.squeeze.most();
+    int differ = 0;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        // On a fold's edge a rounding decides which sheet there is.
+        differ +=
+            !(std::fabs(height[i] - expected_height[i]) < 2e-3f && std::fabs(normal[i] - expected_normal[i]) < 2e-2f);
+    }
+    // Tiles that squeeze away more than all may fold, so that the steps alone would prove nothing.
+    EXPECT_GT(squeezed, 1.3);
+    EXPECT_LE(differ, 6);
 }
 
 TEST(Shore, RisesAsItsHeightChanges) {
