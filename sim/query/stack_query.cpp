@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "pelagic/sim/query/foam_at.hpp"
-#include "pelagic/sim/shore.hpp"
+#include "pelagic/sim/query/shore_parts.hpp"
 #include "pelagic/sim/surface/squeeze_map.hpp"
 
 namespace pelagic {
@@ -36,8 +36,8 @@ StackQuery::StackQuery(const Frame& frame, const Kernels& kernels, double tolera
 void StackQuery::place(PointChunk& chunk) const {
     if (shore_)
         for (std::size_t i = 0; i < chunk.padded; ++i) {
-            const ShoreSample here = sample(shore_, chunk.x[i], chunk.z[i]);
-            for (std::size_t t = 0; t < tiles_.size(); ++t) chunk.part[t][i] = static_cast<float>(here.parts[t]);
+            const std::array<float, most_tiles> parts = shore_parts_at(shore_, chunk.x[i], chunk.z[i]);
+            for (std::size_t t = 0; t < tiles_.size(); ++t) chunk.part[t][i] = parts[t];
         }
     for (std::size_t t = 0; t < tiles_.size(); ++t) {
         const SearchTile& tile = search_tiles_[t];
