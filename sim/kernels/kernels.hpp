@@ -316,9 +316,10 @@ inline constexpr std::size_t most_tiles = 4;
 /// One tile of a stack as queries read it. A point that is drawn d metres from where it rests rests at world - d.
 struct StackTile {
     SurfaceTexels surface;
-    float along, across;          ///< the lattice's cosine and sine, times N / L
-    CellPlaces world;             ///< of each point, along the tile's own axes
-    const float* part = nullptr;  ///< of the tile's displacement that counts at each point; null: all of it
+    float along, across;  ///< the lattice's cosine and sine, times N / L
+    CellPlaces world;     ///< of each point, along the tile's own axes
+    const float* part =
+        nullptr;  ///< of the tile's displacement that counts at each point; of all tiles or none: null, all of it
 };
 
 /// InvertSurfaceJob for a sum of tiles: the offset o with o + sum of D(p + o) = 0. The first step knows the coarsest tiles only:

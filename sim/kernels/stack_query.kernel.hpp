@@ -37,8 +37,19 @@ struct StackPlaces {
     }
 };
 
+/// What counts of a tile at W points: all of it, without a product, where there are no parts.
+template <class Arch, bool HasParts>
+struct CountedPart {
+    using V = xsimd::batch<float, Arch>;
+    V part;
+
+    PELAGIC_INLINE CountedPart(const StackTile& tile, std::size_t at)
+        : part(HasParts ? V::load_aligned(tile.part + at) : V(1.f)) {}
+    PELAGIC_INLINE V of(V value) const { return HasParts ? part * value : value; }
+};
+
 /// W searches for a rest point.
-template <class Arch>
+template <class Arch, bool HasParts>
 class StackSearch {
     using V = xsimd::batch<float, Arch>;
     using I = xsimd::batch<std::int32_t, Arch>;
@@ -57,17 +68,10 @@ class StackSearch {
                 cells_[t].follow(tile.surface, texels, place.x, place.z);
             const Sideways<Arch> dx(cells_[t].dx, place.u, place.v, V(1.f)),
                 dz(cells_[t].dz, place.u, place.v, V(1.f));
-            V along(tile.along), across(tile.across);
-            if (tile.part) {
-                const V part = V::load_aligned(tile.part + at);
-                along = along * part;
-                across = across * part;
-                off_x = off_x + part * dx.value;
-                off_z = off_z + part * dz.value;
-            } else {
-                off_x = off_x + dx.value;
-                off_z = off_z + dz.value;
-            }
+            const CountedPart<Arch, HasParts> counted(tile, at);
+            const V along = counted.of(V(tile.along)), across = counted.of(V(tile.across));
+            off_x = off_x + counted.of(dx.value);
+            off_z = off_z + counted.of(dz.value);
             x_x = x_x + (along * dx.along_u - across * dx.along_v);
             x_z = x_z + (across * dx.along_u + along * dx.along_v);
             z_x = z_x + (along * dz.along_u - across * dz.along_v);
@@ -116,32 +120,40 @@ class StackSearch {
     V squared_, step_x_, step_z_;
 };
 
-template <class Arch, std::size_t Registers>
+template <class Arch, bool HasParts, std::size_t Registers>
 PELAGIC_INLINE void invert_stack_registers(const InvertStackJob& job, std::size_t at) {
     using V = xsimd::batch<float, Arch>;
     const V enough(job.target * job.target), reach(job.reach);
-    StackSearch<Arch> searches[Registers];
+    StackSearch<Arch, HasParts> searches[Registers];
     if (job.tile_count > InvertStackJob::first_tiles) {
         for (std::size_t r = 0; r < Registers; ++r)
             searches[r].look(job, InvertStackJob::first_tiles, at + r * V::size);
-        for (StackSearch<Arch>& search : searches) search.step(reach);
+        for (auto& search : searches) search.step(reach);
     }
     for (int step = 0;; ++step) {
         for (std::size_t r = 0; r < Registers; ++r) searches[r].look(job, job.tile_count, at + r * V::size);
         auto open = searches[0].open(enough);
         for (std::size_t r = 1; r < Registers; ++r) open = open | searches[r].open(enough);
         if (step == InvertStackJob::most_steps || !xsimd::any(open)) break;
-        for (StackSearch<Arch>& search : searches) search.step(reach, enough);
+        for (auto& search : searches) search.step(reach, enough);
     }
     for (std::size_t r = 0; r < Registers; ++r) searches[r].store(job, at + r * V::size);
 }
 
-template <class Arch>
-void invert_stack(const InvertStackJob& job) {
+template <class Arch, bool HasParts>
+void invert_stack_points(const InvertStackJob& job) {
     constexpr std::size_t lanes = xsimd::batch<float, Arch>::size;
     std::size_t at = 0;
-    for (; at + 2 * lanes <= job.count; at += 2 * lanes) invert_stack_registers<Arch, 2>(job, at);
-    if (at < job.count) invert_stack_registers<Arch, 1>(job, at);
+    for (; at + 2 * lanes <= job.count; at += 2 * lanes) invert_stack_registers<Arch, HasParts, 2>(job, at);
+    if (at < job.count) invert_stack_registers<Arch, HasParts, 1>(job, at);
+}
+
+template <class Arch>
+void invert_stack(const InvertStackJob& job) {
+    if (job.tiles[0].part)
+        invert_stack_points<Arch, true>(job);
+    else
+        invert_stack_points<Arch, false>(job);
 }
 
 /// Slopes of one plane along the world's axes, added up tile by tile, and its value.
@@ -150,14 +162,16 @@ struct SlopeSum {
     using V = xsimd::batch<float, Arch>;
     V value = V(0.f), x = V(0.f), z = V(0.f);
 
-    PELAGIC_INLINE void add(const CellSlopes<Arch>& tile, V part, V half_along, V half_across) {
-        value = value + part * tile.value;
+    template <bool HasParts>
+    PELAGIC_INLINE void add(const CellSlopes<Arch>& tile, const CountedPart<Arch, HasParts>& counted, V half_along,
+                            V half_across) {
+        value = value + counted.of(tile.value);
         x = x + (half_along * tile.x - half_across * tile.z);
         z = z + (half_across * tile.x + half_along * tile.z);
     }
 };
 
-template <class Arch>
+template <class Arch, bool HasParts>
 PELAGIC_INLINE void sample_stack_lanes(const SampleStackJob& job, std::size_t at) {
     using V = xsimd::batch<float, Arch>;
     const V offset_x = V::load_aligned(job.offset_x + at), offset_z = V::load_aligned(job.offset_z + at);
@@ -168,24 +182,28 @@ PELAGIC_INLINE void sample_stack_lanes(const SampleStackJob& job, std::size_t at
         const StackTile& tile = job.tiles[t];
         const TexelPlaces<Arch> texels(tile.surface);
         const StackPlaces<Arch> place(tile, at, offset_x, offset_z);
-        const V part = tile.part ? V::load_aligned(tile.part + at) : V(1.f);
+        const CountedPart<Arch, HasParts> counted(tile, at);
         if (out.normal_x) {
-            const V half_along = part * V(0.5f * tile.along), half_across = part * V(0.5f * tile.across);
+            const V half_along = counted.of(V(0.5f * tile.along)), half_across = counted.of(V(0.5f * tile.across));
             CellSurroundings<Arch> around[3];
             CellReader<Arch>(texels, place.x, place.z)
                 .read({tile.surface.dx, tile.surface.height, tile.surface.dz}, around);
-            dx.add(CellSlopes<Arch>(around[0], place.u, place.v), part, half_along, half_across);
-            height.add(CellSlopes<Arch>(around[1], place.u, place.v), part, half_along, half_across);
-            dz.add(CellSlopes<Arch>(around[2], place.u, place.v), part, half_along, half_across);
+            dx.add(CellSlopes<Arch>(around[0], place.u, place.v), counted, half_along, half_across);
+            height.add(CellSlopes<Arch>(around[1], place.u, place.v), counted, half_along, half_across);
+            dz.add(CellSlopes<Arch>(around[2], place.u, place.v), counted, half_along, half_across);
         } else if (out.height) {
             const CellGather<Arch> cell(texels, place.x, place.z);
-            height.value = height.value + part * bilinear<Arch>(cell.corners(tile.surface.height), place.u, place.v);
+            height.value =
+                height.value + counted.of(bilinear<Arch>(cell.corners(tile.surface.height), place.u, place.v));
         }
         if (out.velocity_x) {
             const CellGather<Arch> cell(texels, place.x, place.z);
-            velocity_x = velocity_x + part * bilinear<Arch>(cell.corners(tile.surface.velocity_x), place.u, place.v);
-            velocity_y = velocity_y + part * bilinear<Arch>(cell.corners(tile.surface.velocity_y), place.u, place.v);
-            velocity_z = velocity_z + part * bilinear<Arch>(cell.corners(tile.surface.velocity_z), place.u, place.v);
+            velocity_x =
+                velocity_x + counted.of(bilinear<Arch>(cell.corners(tile.surface.velocity_x), place.u, place.v));
+            velocity_y =
+                velocity_y + counted.of(bilinear<Arch>(cell.corners(tile.surface.velocity_y), place.u, place.v));
+            velocity_z =
+                velocity_z + counted.of(bilinear<Arch>(cell.corners(tile.surface.velocity_z), place.u, place.v));
         }
     }
     if (out.height) height.value.store_aligned(out.height + at);
@@ -210,7 +228,11 @@ PELAGIC_INLINE void sample_stack_lanes(const SampleStackJob& job, std::size_t at
 
 template <class Arch>
 void sample_stack(const SampleStackJob& job) {
-    for (std::size_t at = 0; at < job.count; at += xsimd::batch<float, Arch>::size) sample_stack_lanes<Arch>(job, at);
+    constexpr std::size_t lanes = xsimd::batch<float, Arch>::size;
+    if (job.tiles[0].part)
+        for (std::size_t at = 0; at < job.count; at += lanes) sample_stack_lanes<Arch, true>(job, at);
+    else
+        for (std::size_t at = 0; at < job.count; at += lanes) sample_stack_lanes<Arch, false>(job, at);
 }
 
 }  // namespace pelagic::kernels
