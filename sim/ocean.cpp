@@ -40,7 +40,8 @@ struct Ocean::State {
                   .gradients = options.gradients,
                   .slopes = options.slopes,
                   .foam = options.foam,
-                  .memory = options.memory}) {
+                  .memory = options.memory},
+                 std::move(options.inputs)) {
         frames.add_frame_stages(frame_graph);
         if (options.foam) {
             frames.add_tick_stages(tick_graph);

@@ -26,13 +26,14 @@
 #include "pelagic/sim/sea_state.hpp"
 #include "pelagic/sim/shore.hpp"
 #include "pelagic/sim/texture_targets.hpp"
+#include "pelagic/sim/wave_input.hpp"
 #include "pelagic/simd/host_memory.hpp"
 #include "pelagic/simd/isa.hpp"
 
 namespace pelagic {
 
 /// How the sea is computed, and what comes with it; nothing in here changes a bit of the tiles but `foam`, and that
-/// only foam.
+/// only foam, and `inputs`.
 struct OceanOptions {
     std::shared_ptr<Executor> executor = {};  ///< none: oneTBB with its default number of threads
     std::optional<Isa> isa = {};              ///< none: PELAGIC_ISA, else the strongest that this CPU runs
@@ -52,6 +53,9 @@ struct OceanOptions {
     /// A floor that waves feel (shore.hpp): frames say what it makes of the sea, Frame::shore, and queries tell that. Of a sea of several
     /// tiles that never changes. Baking it takes a second or so of one core; 290 bytes for each of the shore's texels.
     std::optional<ShoreOptions> shore = {};
+    /// Waves that are added to those of the wind, in this order (wave_input.hpp). What tiles hold then is the host's sea, and so is
+    /// hash_of(); without inputs no bit, no job and no branch of a kernel is another.
+    std::vector<std::shared_ptr<WaveInput>> inputs = {};
     HostMemory memory = {};  ///< none: operator new. For frames and spectra, all but some 100 KB of an ocean
 };
 

@@ -28,12 +28,13 @@ FrameExtras completed(FrameExtras extras, std::size_t tiles) {
 
 }  // namespace
 
-FrameAssembly::FrameAssembly(const Forecast& forecast, Isa isa, const FrameExtras& wanted)
+FrameAssembly::FrameAssembly(const Forecast& forecast, Isa isa, const FrameExtras& wanted, WaveInputs::List inputs)
     : isa_(isa),
       weather_(forecast),
       extras_(completed(wanted, tiles_of(forecast.first))),
       slots_(tiles_of(forecast.first), resolution_of(forecast.first), kernels_for(isa).lanes, extras_),
-      folds_(slots_, kernels_for(isa)) {
+      folds_(slots_, kernels_for(isa)),
+      inputs_(std::move(inputs), slots_, isa, extras_.velocities) {
     for (std::size_t tile = 0; tile < slots_.tile_count(); ++tile) {
         sources_.push_back(source_of(forecast.first.waves, tile));
         surfaces_.push_back(std::make_unique<SurfaceStages>(slots_, tile, kernels_for(isa), extras_));
@@ -46,7 +47,8 @@ void FrameAssembly::add_frame_stages(JobGraph& graph, std::span<const StageId> a
     for (std::size_t tile = 0; tile < sources_.size(); ++tile) {
         std::vector<StageId> waits_for;
         if (!after.empty()) waits_for = {after[tile]};
-        surfaces_done.push_back(sources_[tile]->add_stages(graph, Pass::frame, waits_for));
+        const FilledBy filled = sources_[tile]->add_stages(graph, Pass::frame, waits_for);
+        surfaces_done.push_back(inputs_.add_stage(graph, Pass::frame, tile, filled));
         surfaces_[tile]->add_to(graph, surfaces_done.back());
     }
     if (extras_.folds) folds_.add_to(graph, surfaces_done);
@@ -54,7 +56,10 @@ void FrameAssembly::add_frame_stages(JobGraph& graph, std::span<const StageId> a
 
 std::vector<StageId> FrameAssembly::add_tick_stages(JobGraph& graph) {
     std::vector<StageId> surfaces_done;
-    for (const auto& source : sources_) surfaces_done.push_back(source->add_stages(graph, Pass::tick, {}));
+    for (std::size_t tile = 0; tile < sources_.size(); ++tile) {
+        const FilledBy filled = sources_[tile]->add_stages(graph, Pass::tick, {});
+        surfaces_done.push_back(inputs_.add_stage(graph, Pass::tick, tile, filled));
+    }
     return foam_->add_tick_stages(graph, surfaces_done);
 }
 
@@ -74,6 +79,7 @@ void FrameAssembly::begin_frame(double time_s, std::span<const TextureTargets> t
     frame.isa = isa_;
     for (std::size_t tile = 0; tile < sources_.size(); ++tile)
         sources_[tile]->begin(Pass::frame, moment, slots_.tile(tile));
+    begin_inputs(Pass::frame, time_s, time_s);
     if (foam_) plan_ticks(time_s);
 }
 
@@ -91,6 +97,7 @@ void FrameAssembly::begin_tick() {
         const DriftTexels drift = drift_of(figures, at_tick.lattice, resolution(), clock(), number);
         foam_->set_drift(tile, drift.x, drift.z);
     }
+    begin_inputs(Pass::tick, clock().time_s(number), moment.time_s);
     newest_tick_ = number;
     if (ticks_due_ == 0) show_foam();
 }
@@ -101,7 +108,9 @@ const Frame& FrameAssembly::end_frame() {
     Frame& frame = slots_.frame();
     frame.bounds = {};
     for (std::size_t tile = 0; tile < sources_.size(); ++tile) {
-        const FrameBounds bounds = slots_.tile(tile).bounds = sources_[tile]->end_frame();
+        const bool has_inputs = !inputs_.empty() && inputs_.adds_to(tile);
+        const FrameBounds bounds = slots_.tile(tile).bounds =
+            has_inputs ? inputs_.bounds(tile) : sources_[tile]->end_frame();
         frame.bounds.height_min_m += bounds.height_min_m;
         frame.bounds.height_max_m += bounds.height_max_m;
         frame.bounds.sideways_x_max_m += bounds.sideways_x_max_m;
@@ -175,11 +184,20 @@ std::size_t FrameAssembly::texels() const {
 }
 
 std::size_t FrameAssembly::bytes() const {
-    std::size_t bytes = slots_.bytes();
+    std::size_t bytes = slots_.bytes() + inputs_.bytes();
     for (const auto& source : sources_) bytes += source->bytes();
     for (const auto& surface : surfaces_) bytes += sizeof(SurfaceStages) + surface->bytes();
     if (foam_) bytes += foam_->bytes();
     return bytes;
+}
+
+/// After the sources, which say what the tiles are.
+void FrameAssembly::begin_inputs(Pass pass, double time_s, double time_in_loop_s) {
+    if (inputs_.empty()) return;
+    for (std::size_t tile = 0; tile < tile_count(); ++tile)
+        inputs_.set_lattice(pass, tile, tile_of(pass, tile).lattice);
+    inputs_.begin(pass, time_s, time_in_loop_s, weather_.forecast().first.loop_period_s);
+    for (std::size_t tile = 0; tile < tile_count(); ++tile) inputs_.begin_tile(pass, tile, tile_of(pass, tile));
 }
 
 std::unique_ptr<SeaSource> FrameAssembly::source_of(WaveModel waves, std::size_t tile) {
@@ -197,14 +215,14 @@ SeaMoment FrameAssembly::moment_at_tick(std::int64_t number) const {
 }
 
 /// Which ticks the frame of a time needs beyond those that are remembered. A sea that does not change has the same foam in
-/// every loop.
+/// every loop, unless hosts add to it what need not loop.
 void FrameAssembly::plan_ticks(double time_s) {
     frame_tick_ = clock().at(time_s);
     const std::int64_t all = foam_->warm_up_ticks();
     std::int64_t ahead = all;
     if (newest_tick_) {
         ahead = frame_tick_.number - *newest_tick_;
-        if (weather_.forecast().changes.empty()) ahead = clock().in_loop(ahead);
+        if (weather_.forecast().changes.empty() && inputs_.empty()) ahead = clock().in_loop(ahead);
     }
     ticks_due_ = static_cast<int>(ahead < 0 ? all : std::min(ahead, all));
     if (ticks_due_ == all) foam_->forget();

@@ -12,6 +12,7 @@
 #include "pelagic/sim/forecast.hpp"
 #include "pelagic/sim/frame.hpp"
 #include "pelagic/sim/history/foam_history.hpp"
+#include "pelagic/sim/sources/wave_inputs.hpp"
 #include "pelagic/sim/sources/wave_source.hpp"
 #include "pelagic/sim/sources/weather.hpp"
 #include "pelagic/sim/surface/fold_stages.hpp"
@@ -25,7 +26,7 @@ namespace pelagic {
 class FrameAssembly {
    public:
     /// \pre check(forecast) is empty
-    FrameAssembly(const Forecast& forecast, Isa isa, const FrameExtras& wanted);
+    FrameAssembly(const Forecast& forecast, Isa isa, const FrameExtras& wanted, WaveInputs::List inputs = {});
 
     /// \param after  those of its tick, by tile, or none
     void add_frame_stages(JobGraph& graph, std::span<const StageId> after = {});
@@ -69,6 +70,8 @@ class FrameAssembly {
     std::size_t bytes() const;  ///< without the object itself
 
    private:
+    void begin_inputs(Pass pass, double time_s, double time_in_loop_s);
+    Tile& tile_of(Pass pass, std::size_t tile) { return pass == Pass::frame ? slots_.tile(tile) : foam_->tile(tile); }
     std::unique_ptr<SeaSource> source_of(WaveModel waves, std::size_t tile);
     TickClock clock() const;
     SeaMoment moment_at_tick(std::int64_t number) const;
@@ -82,6 +85,7 @@ class FrameAssembly {
     std::vector<std::unique_ptr<SeaSource>> sources_;
     std::vector<std::unique_ptr<SurfaceStages>> surfaces_;
     FoldStages folds_;
+    WaveInputs inputs_;
     std::optional<FoamHistory> foam_;
     TickPlace frame_tick_;                     ///< of the frame begun last
     std::optional<std::int64_t> newest_tick_;  ///< none: nothing is remembered

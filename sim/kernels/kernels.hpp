@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "pelagic/sim/kernels/input_jobs.hpp"
 #include "pelagic/sim/kernels/local_jobs.hpp"
 #include "pelagic/sim/kernels/shore_jobs.hpp"
 
@@ -378,6 +379,9 @@ struct Kernels {
     void (*local_foam)(const LocalFoamJob&);
     void (*local_show)(const LocalShowJob&);
     void (*shore_rows)(const ShoreRowsJob&);
+    void (*add_waves)(const AddWavesJob&);
+    void (*add_ripple)(const AddRippleJob&);
+    bool (*add_rows)(const AddRowsJob&);  ///< false: a value is too large, or none
 };
 
 /// \pre runs_here(isa)

@@ -9,6 +9,7 @@
 #include "pelagic/sim/kernels/foam.kernel.hpp"
 #include "pelagic/sim/kernels/folds.kernel.hpp"
 #include "pelagic/sim/kernels/gradients.kernel.hpp"
+#include "pelagic/sim/kernels/inputs.kernel.hpp"
 #include "pelagic/sim/kernels/local_step.kernel.hpp"
 #include "pelagic/sim/kernels/mipmaps.kernel.hpp"
 #include "pelagic/sim/kernels/shore.kernel.hpp"
@@ -53,6 +54,9 @@ const Kernels PELAGIC_TABLE(PELAGIC_ISA_NAME) = {
     kernels::local_foam<xsimd::PELAGIC_ISA_ARCH>,
     kernels::local_show<xsimd::PELAGIC_ISA_ARCH>,
     kernels::shore_rows<xsimd::PELAGIC_ISA_ARCH>,
+    kernels::add_waves<xsimd::PELAGIC_ISA_ARCH>,
+    kernels::add_ripple<xsimd::PELAGIC_ISA_ARCH>,
+    kernels::add_rows<xsimd::PELAGIC_ISA_ARCH>,
 };
 
 }  // namespace pelagic

@@ -43,7 +43,7 @@ void Cascade::add_spectrum_stage(JobGraph& graph) {
                .stack_bytes = stack_margin});
 }
 
-StageId Cascade::add_stages(JobGraph& graph, Pass pass, const std::vector<StageId>& waits_for) {
+FilledBy Cascade::add_stages(JobGraph& graph, Pass pass, const std::vector<StageId>& waits_for) {
     const std::size_t transforms = transform_stack_bytes(resolution_, kernels_.lanes);
     const auto surface = [this] { return slots_.buffers(tile_).surface.data(); };
     const bool is_tick = pass == Pass::tick;
@@ -64,12 +64,11 @@ StageId Cascade::add_stages(JobGraph& graph, Pass pass, const std::vector<StageI
                                                 columns_finalize(pass, pair, surface(), part_bounds_[pair]);
                                             }),
                                             .stack_bytes = transforms});
-    if (has_velocities_ && !is_tick) add_velocity_stages(graph, lines_done);
-    return surface_done;
+    return {surface_done, has_velocities_ && !is_tick ? add_velocity_stages(graph, lines_done) : surface_done};
 }
 
 // The derivative in time of a sum of waves is a sum of waves, so its lines and columns are those of the surface.
-void Cascade::add_velocity_stages(JobGraph& graph, StageId blend_done) {
+StageId Cascade::add_velocity_stages(JobGraph& graph, StageId blend_done) {
     const std::size_t transforms = transform_stack_bytes(resolution_, kernels_.lanes);
     const auto velocity = [this] { return slots_.buffers(tile_).velocity.data(); };
     const StageId lines_done =
@@ -80,13 +79,13 @@ void Cascade::add_velocity_stages(JobGraph& graph, StageId blend_done) {
                        kernels_.evolve_velocity_rows(evolve_rows_job(Pass::frame, block, velocity()));
                    }),
                    .stack_bytes = transforms});
-    graph.add({.name = stage_name("velocity columns", tile_),
-               .count = velocity_bounds_.size(),
-               .waits_for = {lines_done},
-               .body = for_each_item([this, velocity](std::size_t pair) {
-                   columns_finalize(Pass::frame, pair, velocity(), velocity_bounds_[pair]);
-               }),
-               .stack_bytes = transforms});
+    return graph.add({.name = stage_name("velocity columns", tile_),
+                      .count = velocity_bounds_.size(),
+                      .waits_for = {lines_done},
+                      .body = for_each_item([this, velocity](std::size_t pair) {
+                          columns_finalize(Pass::frame, pair, velocity(), velocity_bounds_[pair]);
+                      }),
+                      .stack_bytes = transforms});
 }
 
 const Cascade::Waves& Cascade::waves_of(std::size_t number) const {

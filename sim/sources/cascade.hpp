@@ -33,7 +33,7 @@ class Cascade final : public SeaSource {
     Cascade& operator=(const Cascade&) = delete;
 
     /// Velocities are the frame's alone.
-    StageId add_stages(JobGraph& graph, Pass pass, const std::vector<StageId>& waits_for) override;
+    FilledBy add_stages(JobGraph& graph, Pass pass, const std::vector<StageId>& waits_for) override;
     void begin(Pass pass, const SeaMoment& moment, Tile& tile) override;
     FrameBounds end_frame() override;
     std::size_t bytes() const override;
@@ -48,7 +48,7 @@ class Cascade final : public SeaSource {
     void forget_seas() override { seas_ = {}; }
 
    private:
-    void add_velocity_stages(JobGraph& graph, StageId blend_done);
+    StageId add_velocity_stages(JobGraph& graph, StageId blend_done);
     void spectrum(std::size_t line);
     void blend(Pass pass, std::size_t line_block);
     EvolveRowsJob evolve_rows_job(Pass pass, std::size_t line_block, float* lines);

@@ -59,13 +59,14 @@ Pond::Pond(FrameSlots& slots, std::size_t tile, Isa isa, const FrameExtras& extr
         starts.reserve(most_analytic_waves);  // frames allocate nothing
 }
 
-StageId Pond::add_stages(JobGraph& graph, Pass pass, const std::vector<StageId>& waits_for) {
-    return graph.add({.name = stage_name(pass == Pass::tick ? "tick octaves" : "octaves", tile_),
-                      .count = static_cast<std::size_t>(resolution_),
-                      .batch = rows_a_job,
-                      .waits_for = waits_for,
-                      .body = for_each_item([this, pass](std::size_t row) { fill_row(pass, row); }),
-                      .stack_bytes = stack_margin});
+FilledBy Pond::add_stages(JobGraph& graph, Pass pass, const std::vector<StageId>& waits_for) {
+    const StageId filled = graph.add({.name = stage_name(pass == Pass::tick ? "tick octaves" : "octaves", tile_),
+                                      .count = static_cast<std::size_t>(resolution_),
+                                      .batch = rows_a_job,
+                                      .waits_for = waits_for,
+                                      .body = for_each_item([this, pass](std::size_t row) { fill_row(pass, row); }),
+                                      .stack_bytes = stack_margin});
+    return {filled, filled};
 }
 
 void Pond::begin(Pass pass, const SeaMoment& moment, Tile& tile) {

@@ -26,7 +26,7 @@ class Pond final : public SeaSource {
     Pond(const Pond&) = delete;  // stages point into it
     Pond& operator=(const Pond&) = delete;
 
-    StageId add_stages(JobGraph& graph, Pass pass, const std::vector<StageId>& waits_for) override;
+    FilledBy add_stages(JobGraph& graph, Pass pass, const std::vector<StageId>& waits_for) override;
     void begin(Pass pass, const SeaMoment& moment, Tile& tile) override;
     FrameBounds end_frame() override;
     std::size_t bytes() const override;

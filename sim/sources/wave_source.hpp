@@ -37,13 +37,19 @@ struct SeaMoment {
     bool is_steady() const { return before == after; }
 };
 
+/// The stages after which a source's part of a pass stands.
+struct FilledBy {
+    StageId displacement;
+    StageId velocity;  ///< the same where nobody wants any, or one stage makes both
+};
+
 class WaveSource {
    public:
     virtual ~WaveSource() = default;
 
     /// Adds the stages of a pass, which fill the buffers of the source's tile in the slot that is the back one when they run.
-    /// Returns the one after which the displacement stands. The source outlives the graph's runs.
-    virtual StageId add_stages(JobGraph& graph, Pass pass, const std::vector<StageId>& waits_for) = 0;
+    /// The source outlives the graph's runs.
+    virtual FilledBy add_stages(JobGraph& graph, Pass pass, const std::vector<StageId>& waits_for) = 0;
 
     /// What the next run of the pass's stages makes. Says what the tile is, too. \pre none is in flight
     virtual void begin(Pass pass, const SeaMoment& moment, Tile& tile) = 0;

@@ -39,18 +39,6 @@ double turns_of(double rad) {
     return turns - std::floor(turns + 0.5);
 }
 
-LatticePlace nearest_place(const TileLattice& lattice, double turns_per_m_x, double turns_per_m_z) {
-    const auto [along, across] = lattice.in_tile(turns_per_m_x, turns_per_m_z);
-    const auto nearest = [&](double turns_per_m) {
-        return static_cast<int>(std::floor(turns_per_m * lattice.side_m + 0.5));
-    };
-    return {nearest(along), nearest(across)};
-}
-
-TileLattice::Place turns_per_m_of(const TileLattice& lattice, const LatticePlace& at) {
-    return lattice.in_world(at.m / lattice.side_m, at.n / lattice.side_m);
-}
-
 std::string check_pond(const SeaState& sea) {
     const ExpSineSea asked = exp_sine_sea_of(sea);
     if (asked.growth > 4)
@@ -78,6 +66,18 @@ std::string check_analytic(const SeaState& sea) {
 }
 
 }  // namespace
+
+LatticePlace nearest_place(const TileLattice& lattice, double turns_per_m_x, double turns_per_m_z) {
+    const auto [along, across] = lattice.in_tile(turns_per_m_x, turns_per_m_z);
+    const auto nearest = [&](double turns_per_m) {
+        return static_cast<int>(std::floor(turns_per_m * lattice.side_m + 0.5));
+    };
+    return {nearest(along), nearest(across)};
+}
+
+TileLattice::Place turns_per_m_of(const TileLattice& lattice, const LatticePlace& at) {
+    return lattice.in_world(at.m / lattice.side_m, at.n / lattice.side_m);
+}
 
 double LatticePlace::steps() const { return std::sqrt(static_cast<double>(m) * m + static_cast<double>(n) * n); }
 

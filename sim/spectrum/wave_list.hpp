@@ -25,6 +25,10 @@ struct LatticePlace {
     double steps() const;  ///< its length, in 2 pi / L
 };
 
+/// The one nearest to a wave vector, which is given by its turns a metre along the world's axes; and the other way round.
+LatticePlace nearest_place(const TileLattice& lattice, double turns_per_m_x, double turns_per_m_z);
+TileLattice::Place turns_per_m_of(const TileLattice& lattice, const LatticePlace& at);
+
 /// A wave of an analytic sea on a tile's lattice.
 struct LatticeWave {
     LatticePlace at;
