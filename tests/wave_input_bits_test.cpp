@@ -1,0 +1,104 @@
+// Waves that hosts add to tiles, as bits: the same on every instruction set, executor and compiler.
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <fstream>
+#include <iomanip>
+#include <memory>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "pelagic/sim/gerstner_input.hpp"
+#include "pelagic/sim/ocean.hpp"
+#include "pelagic/sim/ripple_input.hpp"
+#include "pelagic/tests/each_executor.hpp"
+#include "pelagic/tests/each_isa.hpp"
+#include "pelagic/tests/emulated.hpp"
+
+namespace pelagic {
+namespace {
+
+struct NamedSea {
+    const char* name;
+    SeaState sea;
+};
+
+/// Jobs of several rows, of one, and of all; a stack whose lattices are turned, and a pond.
+std::vector<NamedSea> seas() {
+    return {{"stack", {.cascades = 3, .resolution = 64, .wind_speed_mps = 12, .loop_period_s = 30}},
+            {"smallest", {.resolution = 16, .patch_size_m = 40, .wind_speed_mps = 6, .loop_period_s = 30}},
+            {"one-tile", {.resolution = 256, .patch_size_m = 300, .wind_speed_mps = 12, .loop_period_s = 30}},
+            {"pond", {.waves = WaveModel::exp_sine, .resolution = 64, .loop_period_s = 30}}};
+}
+
+/// Some of the waves are for each of the tiles.
+AnalyticSea waves() {
+    AnalyticSea sea{.waves = {}, .choppiness = 0.9};
+    double wavelength_m = 180;
+    for (int i = 0; i < 20; ++i, wavelength_m *= 0.77)
+        sea.waves.push_back({.amplitude_m = 0.003 * wavelength_m,
+                             .wavelength_m = wavelength_m,
+                             .direction_rad = 0.61 * (i % 7) - 1.9,
+                             .phase_rad = 0.43 * (i % 11) - 2});
+    return sea;
+}
+
+/// FNV-1a of the velocities, which hash_of() leaves out.
+std::uint64_t velocity_hash_of(const Frame& frame) {
+    std::uint64_t hash = 14695981039346656037u;
+    for (const Tile& tile : frame.tiles)
+        for (const PlaneView& plane : {tile.velocity_x, tile.velocity_y, tile.velocity_z})
+            for (int j = 0; j < plane.resolution; ++j)
+                for (int i = 0; i < plane.resolution; ++i)
+                    hash = (hash ^ std::bit_cast<std::uint32_t>(plane.at(i, j))) * 1099511628211u;
+    return hash;
+}
+
+/// Two frames after one another, with foam, the second with other inputs.
+std::string frames_of(const SeaState& sea, Isa isa, std::shared_ptr<Executor> executor) {
+    const auto batch = std::make_shared<GerstnerInput>(waves());
+    const auto rings = std::make_shared<RippleInput>(
+        Ripple{.x_m = 7.3, .z_m = -2.9, .wavelength_m = 9, .amplitude_m = 0.5, .reach_m = 40});
+    Ocean ocean(sea, {.executor = std::move(executor),
+                      .isa = isa,
+                      .velocities = true,
+                      .slopes = true,
+                      .foam = true,
+                      .inputs = {batch, rings}});
+    std::ostringstream hashes;
+    const auto note = [&](const Frame& frame) {
+        for (const std::uint64_t hash : {hash_of(frame), foam_hash_of(frame), velocity_hash_of(frame)})
+            hashes << ' ' << std::hex << std::setw(16) << std::setfill('0') << hash;
+    };
+    note(ocean.frame_at(4.321));
+    rings->set({.x_m = -3, .z_m = 1e6, .wavelength_m = 13, .amplitude_m = 0.25, .phase_rad = 1});
+    note(ocean.frame_at(4.444));
+    return hashes.str();
+}
+
+TEST(WaveInputBits, AreTheSameEverywhere) {
+    for (const auto& [name, sea] : seas()) {
+        const std::string expected = frames_of(sea, isas_here().front(), make_serial_executor());
+        for (const Isa isa : isas_here())
+            EXPECT_EQ(frames_of(sea, isa, make_serial_executor()), expected) << name << ' ' << name_of(isa);
+        if (is_emulated) continue;
+        for (const ExecutorKind& kind : executor_kinds())
+            EXPECT_EQ(frames_of(sea, choose_isa(), kind.make(kind.threads)), expected) << name << ' ' << kind.name;
+    }
+}
+
+// tests/golden/wave_inputs.txt: what another compiler, processor or version has to find as well.
+TEST(WaveInputBits, AreTheGoldenOnes) {
+    std::ifstream golden(PELAGIC_GOLDEN_FOLDER "/wave_inputs.txt");
+    for (const auto& [name, sea] : seas()) {
+        std::string line;
+        std::getline(golden, line);
+        if (!line.empty() && line.back() == '\r') line.pop_back();
+        EXPECT_EQ(name + frames_of(sea, choose_isa(), make_serial_executor()), line);
+    }
+}
+
+}  // namespace
+}  // namespace pelagic

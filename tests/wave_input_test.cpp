@@ -1,0 +1,576 @@
+// Waves that hosts add to tiles: against closed forms summed in double, through all that is made of tiles, and what is refused.
+#include "pelagic/sim/wave_input.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "pelagic/analytic/analytic_surface.hpp"
+#include "pelagic/sim/gerstner_input.hpp"
+#include "pelagic/sim/ocean.hpp"
+#include "pelagic/sim/ripple_input.hpp"
+#include "pelagic/sim/surface_query.hpp"
+#include "pelagic/tests/each_executor.hpp"
+#include "pelagic/tests/each_isa.hpp"
+
+namespace pelagic {
+namespace {
+
+constexpr double two_pi = 2 * std::numbers::pi;
+constexpr double loop_s = 20;
+
+const SeaState stack{.cascades = 4, .resolution = 64, .wind_speed_mps = 7, .loop_period_s = loop_s};
+const SeaState one_tile{.resolution = 64, .patch_size_m = 80, .wind_speed_mps = 5, .loop_period_s = loop_s};
+/// Next to no wind.
+const SeaState still{.resolution = 64, .patch_size_m = 80, .wind_speed_mps = 0.3f, .loop_period_s = loop_s};
+
+OceanOptions with(std::vector<std::shared_ptr<WaveInput>> inputs, Isa isa = choose_isa(),
+                  std::shared_ptr<Executor> executor = make_serial_executor()) {
+    return {.executor = std::move(executor),
+            .isa = isa,
+            .queries = true,
+            .velocities = true,
+            .slopes = true,
+            .inputs = std::move(inputs)};
+}
+
+/// Waves for each of the stack's tiles; their k A add up to 0.35.
+AnalyticSea some_waves() {
+    return {.waves = {{.amplitude_m = 0.7, .wavelength_m = 90, .direction_rad = 0.3, .phase_rad = 1},
+                      {.amplitude_m = 0.4, .wavelength_m = 33, .direction_rad = -2},
+                      {.amplitude_m = 0.06, .wavelength_m = 7, .direction_rad = 2.5, .phase_rad = -3},
+                      {.amplitude_m = 0.02, .wavelength_m = 2.5, .direction_rad = 1.2, .phase_rad = 0.4},
+                      {.amplitude_m = 0.005, .wavelength_m = 0.9, .direction_rad = -1.2, .phase_rad = 2}},
+            .choppiness = 0.8};
+}
+
+std::shared_ptr<GerstnerInput> gerstner(const AnalyticSea& waves = some_waves()) {
+    return std::make_shared<GerstnerInput>(waves);
+}
+std::shared_ptr<RippleInput> ripple(const Ripple& ripple) { return std::make_shared<RippleInput>(ripple); }
+std::shared_ptr<CallbackInput> callback(CallbackInput::Add add, double largest_slope = 0.5) {
+    return std::make_shared<CallbackInput>(std::move(add), largest_slope);
+}
+
+constexpr PlaneView Tile::*planes[] = {&Tile::dx,         &Tile::height,     &Tile::dz,
+                                       &Tile::velocity_x, &Tile::velocity_y, &Tile::velocity_z};
+struct SixFields {
+    double of[6] = {};
+};
+
+/// Calls check(tile, plane, what is there more than without inputs, i, j) for texels all over a frame.
+template <class Check>
+void for_differences(const Frame& a, const Frame& b, Check check) {
+    ASSERT_EQ(a.tiles.size(), b.tiles.size());
+    for (std::size_t tile = 0; tile < a.tiles.size(); ++tile) {
+        const int n = a.tiles[tile].resolution();
+        for (int j = 0; j < n; ++j)
+            for (int i = j % 3; i < n; i += 3)
+                for (std::size_t plane = 0; plane < 6; ++plane)
+                    check(tile, plane,
+                          static_cast<double>((a.tiles[tile].*planes[plane]).at(i, j)) -
+                              static_cast<double>((b.tiles[tile].*planes[plane]).at(i, j)),
+                          i, j);
+    }
+}
+
+/// What the header says of a wave: where it goes and how it runs there. Written down a second time.
+struct Told {
+    int tile = -1;
+    double m = 0, n = 0, omega = 0;
+};
+Told told_of(const AnalyticWave& wave, std::span<const Tile> tiles) {
+    Told told;
+    for (std::size_t i = 0; i < tiles.size(); ++i) {
+        const double texels = wave.wavelength_m / tiles[i].texel_m();
+        const double steps = tiles[i].lattice.side_m / wave.wavelength_m;
+        const bool above_has_none =
+            told.tile < 0 || wave.wavelength_m <= 3 * tiles[static_cast<std::size_t>(told.tile)].texel_m();
+        if (texels > (tiles.size() == 1 ? 2 : 3) && (steps >= 8 || above_has_none)) told.tile = static_cast<int>(i);
+    }
+    if (told.tile < 0) return told;
+    const TileLattice& lattice = tiles[static_cast<std::size_t>(told.tile)].lattice;
+    const double turn = std::atan2(lattice.sine, lattice.cosine), steps = lattice.side_m / wave.wavelength_m;
+    told.m = std::round(steps * std::cos(wave.direction_rad - turn));
+    told.n = std::round(steps * std::sin(wave.direction_rad - turn));
+    const double k = two_pi / lattice.side_m * std::hypot(told.m, told.n);
+    told.omega = two_pi / loop_s * std::max(1.0, std::round(std::sqrt(9.80665 * k) * loop_s / two_pi));
+    return told;
+}
+
+/// The sum at a texel, in double.
+SixFields closed_form(const AnalyticSea& sea, std::span<const Tile> tiles, std::size_t tile, int i, int j, double t) {
+    SixFields sum;
+    const TileLattice& lattice = tiles[tile].lattice;
+    const double n = tiles[tile].resolution();
+    for (const AnalyticWave& wave : sea.waves) {
+        const Told told = told_of(wave, tiles);
+        if (told.tile != static_cast<int>(tile)) continue;
+        const double steps = std::hypot(told.m, told.n);
+        const auto [x, z] = lattice.in_world(told.m / steps, told.n / steps);
+        const double angle = two_pi * (told.m * i + told.n * j) / n - told.omega * t + wave.phase_rad;
+        const double a = wave.amplitude_m, sideways = sea.choppiness * a;
+        sum.of[0] -= sideways * x * std::sin(angle);
+        sum.of[1] += a * std::cos(angle);
+        sum.of[2] -= sideways * z * std::sin(angle);
+        sum.of[3] += sideways * told.omega * x * std::cos(angle);
+        sum.of[4] += a * told.omega * std::sin(angle);
+        sum.of[5] += sideways * told.omega * z * std::cos(angle);
+    }
+    return sum;
+}
+
+// Differences of floats: of a sea of some metres, two roundings of 2e-7 m, and as much of the waves' own factors.
+constexpr double float_m = 2e-6;
+
+TEST(WaveInput, GerstnerWavesAreTheirClosedFormAtTexels) {
+    for (const SeaState& sea : {stack, one_tile}) {
+        Ocean pure(sea, with({})), ocean(sea, with({gerstner()}));
+        for (const double t : {0.0, 3.21, 1e4 + 0.7}) {
+            const Frame &a = ocean.frame_at(t), &b = pure.frame_at(t);
+            std::vector<double> largest(6 * a.tiles.size());
+            for_differences(a, b, [&](std::size_t tile, std::size_t plane, double difference, int i, int j) {
+                const double expected = closed_form(some_waves(), a.tiles, tile, i, j, t).of[plane];
+                ASSERT_NEAR(difference, expected, float_m) << tile << ' ' << plane << ' ' << i << ' ' << j;
+                double& most = largest[6 * tile + plane];
+                most = std::max(most, std::fabs(expected));
+            });
+            for (const double most : largest) EXPECT_GT(most, 0.004);  // each tile and field had some
+        }
+    }
+}
+
+// The same from the closed form's own evaluator, by what the input says it holds.
+TEST(WaveInput, SaysWhichWavesItHolds) {
+    const auto input = gerstner();
+    Ocean pure(one_tile, with({})), ocean(one_tile, with({input}));
+    const double t = 7.3;
+    const Frame &a = ocean.frame_at(t), &b = pure.frame_at(t);
+    EXPECT_EQ(input->held().waves.size(), 3U);  // one of 2.5 m has two texels of 1.25, no more; one of 0.9 m has none
+    const AnalyticSurface water(input->held());
+    for_differences(a, b, [&](std::size_t, std::size_t plane, double difference, int i, int j) {
+        const double x[] = {80.0 / 64 * i}, z[] = {80.0 / 64 * j};
+        float told[6];
+        const auto one = [&](int field) { return std::span<float>(told + field, 1); };
+        water.sample_rest(t, {x, z},
+                          {.height_m = one(1),
+                           .sideways_x_m = one(0),
+                           .sideways_z_m = one(2),
+                           .velocity_x_mps = one(3),
+                           .velocity_y_mps = one(4),
+                           .velocity_z_mps = one(5)});
+        ASSERT_NEAR(difference, told[plane], float_m);
+    });
+    // Of a stack, texel (0, 0) of all tiles is one place.
+    Ocean pure_stack(stack, with({})), stacked(stack, with({input}));
+    const Frame &c = stacked.frame_at(t), &d = pure_stack.frame_at(t);
+    EXPECT_EQ(input->held().waves.size(), 5U);
+    double height = 0;
+    for (std::size_t i = 0; i < c.tiles.size(); ++i)
+        height += static_cast<double>(c.tiles[i].height.at(0, 0)) - static_cast<double>(d.tiles[i].height.at(0, 0));
+    const double origin[] = {0};
+    float told[1];
+    AnalyticSurface(input->held()).sample_rest(t, {origin, origin}, {.height_m = told});
+    EXPECT_NEAR(height, told[0], float_m);
+}
+
+TEST(WaveInput, RingsAreTheirClosedFormAndEndBeforeTheyMeetTheirNeighbours) {
+    // The second is cut by half of the tile's side, the third lies across the tile's edges, far from the origin.
+    for (const Ripple& asked :
+         {Ripple{.x_m = 3, .z_m = -2, .wavelength_m = 2, .amplitude_m = 0.2, .reach_m = 6},
+          Ripple{.x_m = 11.7, .z_m = 0.2, .wavelength_m = 11, .amplitude_m = 1, .phase_rad = 2},
+          Ripple{.x_m = 12345.6, .z_m = -6543.2, .wavelength_m = 3, .amplitude_m = 0.4, .reach_m = 1e5}}) {
+        const auto input = ripple(asked);
+        Ocean pure(stack, with({})), ocean(stack, with({input}));
+        for (const double t : {0.0, 4.56}) {
+            const Frame &a = ocean.frame_at(t), &b = pure.frame_at(t);
+            const auto home = static_cast<std::size_t>(told_of({.wavelength_m = asked.wavelength_m}, a.tiles).tile);
+            ASSERT_EQ(input->held().tile, home);
+            const TileLattice& lattice = a.tiles[home].lattice;
+            const double half = lattice.side_m / 2;
+            const double reach = asked.reach_m > 0 ? std::min(asked.reach_m, half) : half;
+            EXPECT_EQ(input->held().reach_m, reach);
+            const double omega =
+                two_pi / loop_s * std::round(std::sqrt(9.80665 * two_pi / asked.wavelength_m) * loop_s / two_pi);
+            EXPECT_NEAR(input->held().frequency_hz, omega / two_pi, 1e-12);
+            double largest = 0;
+            int untouched = 0;
+            for_differences(a, b, [&](std::size_t tile, std::size_t plane, double difference, int i, int j) {
+                const auto [x, z] = lattice.in_world(a.tiles[home].texel_m() * i, a.tiles[home].texel_m() * j);
+                const auto [u, v] = lattice.in_tile(x - asked.x_m, z - asked.z_m);
+                const double r = std::hypot(std::remainder(u, lattice.side_m), std::remainder(v, lattice.side_m));
+                if (tile != home || (plane != 1 && plane != 4) || r >= reach * (1 + 1e-6)) {
+                    ASSERT_EQ(difference, 0) << tile << ' ' << plane << ' ' << i << ' ' << j;
+                    untouched += tile == home && plane == 1;
+                    return;
+                }
+                const double wave = asked.wavelength_m, q = std::hypot(r, wave / 2);
+                const double fade = std::max(0.0, 1 - r * r / (reach * reach));
+                const double high = asked.amplitude_m * fade * fade * std::sqrt(wave / 2 / q);
+                const double angle = two_pi * (q - wave / 2) / wave - omega * t + asked.phase_rad;
+                const double expected = plane == 1 ? high * std::cos(angle) : high * omega * std::sin(angle);
+                // Turns of a ring, some ten, are floats: 2^-20 of a turn.
+                ASSERT_NEAR(difference, expected, float_m + 1e-5 * asked.amplitude_m * (plane == 1 ? 1 : omega));
+                largest = std::max(largest, std::fabs(expected));
+            });
+            EXPECT_GT(largest, asked.amplitude_m / 3);
+            EXPECT_GT(untouched, 10);
+        }
+    }
+}
+
+TEST(WaveInput, WhatIsTooShortOrTooLongOrFlatIsLeftOut) {
+    const auto waves = gerstner({.waves = {{.amplitude_m = 0.0001, .wavelength_m = 0.011},
+                                           {.amplitude_m = 0, .wavelength_m = 30},
+                                           {.amplitude_m = 1, .wavelength_m = 900}}});
+    const auto rings = ripple({.wavelength_m = 2, .amplitude_m = 0.1});
+    const auto nothing = std::make_shared<GerstnerInput>();
+    Ocean pure(one_tile, with({})), ocean(one_tile, with({waves, rings, nothing}));
+    EXPECT_EQ(hash_of(ocean.frame_at(5)), hash_of(pure.frame_at(5)));
+    EXPECT_TRUE(waves->held().waves.empty());
+    EXPECT_EQ(rings->held().reach_m, 0);
+}
+
+TEST(WaveInput, TilesThatGetNothingKeepTheirBits) {
+    Ocean pure(stack, with({})), ocean(stack, with({ripple({.wavelength_m = 3, .amplitude_m = 0.1})}));
+    const Frame &a = ocean.frame_at(2), &b = pure.frame_at(2);
+    for (const std::size_t tile : {0U, 1U, 3U}) {
+        const Tile &x = a.tiles[tile], &y = b.tiles[tile];
+        EXPECT_TRUE(std::equal(x.slopes_rgba8.begin(), x.slopes_rgba8.end(), y.slopes_rgba8.begin()));
+        EXPECT_TRUE(
+            std::equal(x.displacement_rgba16f.begin(), x.displacement_rgba16f.end(), y.displacement_rgba16f.begin()));
+        EXPECT_EQ(x.bounds.height_max_m, y.bounds.height_max_m);
+        EXPECT_EQ(x.slope_ranges.slope, y.slope_ranges.slope);
+    }
+    EXPECT_NE(hash_of(a), hash_of(b));
+    Ocean without(stack, {.executor = make_serial_executor()});
+    EXPECT_EQ(hash_of(without.frame_at(2)), hash_of(pure.frame_at(2)));
+    for (const Stage& stage : without.graph().stages()) EXPECT_EQ(stage.name.find("inputs"), std::string::npos);
+}
+
+// Floats don't add up to the same in another order: it is the list's.
+TEST(WaveInput, InputsAreAddedInTheirOrder) {
+    const auto constant = [](float value) {
+        return callback([value](const InputRows& rows) {
+            for (const std::span<float> field : {rows.dx, rows.height, rows.dz, rows.velocity_y})
+                for (float& texel : field) {
+                    ASSERT_EQ(texel, 0.f);  // whatever came before
+                    texel = value;
+                }
+        });
+    };
+    const float a = 1e-8f, b = 700.3f, c = -700.1f;
+    Ocean pure(stack, with({})), ocean(stack, with({constant(a), constant(b), constant(c)}));
+    Ocean other(stack, with({constant(b), constant(c), constant(a)}));
+    const Frame &sum = ocean.frame_at(1), &sea = pure.frame_at(1), &otherwise = other.frame_at(1);
+    int unlike = 0;
+    for (std::size_t tile = 0; tile < 4; ++tile)
+        for (const auto plane : {&Tile::dx, &Tile::height, &Tile::dz, &Tile::velocity_y})
+            for (int j = 0; j < 64; ++j)
+                for (int i = 0; i < 64; ++i) {
+                    const float of_sea = (sea.tiles[tile].*plane).at(i, j);
+                    ASSERT_EQ((sum.tiles[tile].*plane).at(i, j), ((of_sea + a) + b) + c);
+                    ASSERT_EQ((otherwise.tiles[tile].*plane).at(i, j), ((of_sea + b) + c) + a);
+                    unlike += ((of_sea + a) + b) + c != ((of_sea + b) + c) + a;
+                }
+    EXPECT_GT(unlike, 0);
+}
+
+TEST(WaveInput, BoundsAreThoseOfTheSum) {
+    Ocean ocean(stack, with({gerstner(), ripple({.wavelength_m = 3, .amplitude_m = 0.4})}));
+    const Frame& frame = ocean.frame_at(6);
+    FrameBounds sums;
+    for (const Tile& tile : frame.tiles) {
+        FrameBounds exact{1e9f, -1e9f, 0, 0};
+        for (int j = 0; j < 64; ++j)
+            for (int i = 0; i < 64; ++i) {
+                exact.height_min_m = std::min(exact.height_min_m, tile.height.at(i, j));
+                exact.height_max_m = std::max(exact.height_max_m, tile.height.at(i, j));
+                exact.sideways_x_max_m = std::max(exact.sideways_x_max_m, std::fabs(tile.dx.at(i, j)));
+                exact.sideways_z_max_m = std::max(exact.sideways_z_max_m, std::fabs(tile.dz.at(i, j)));
+            }
+        EXPECT_EQ(tile.bounds.height_min_m, exact.height_min_m);
+        EXPECT_EQ(tile.bounds.height_max_m, exact.height_max_m);
+        EXPECT_EQ(tile.bounds.sideways_x_max_m, exact.sideways_x_max_m);
+        EXPECT_EQ(tile.bounds.sideways_z_max_m, exact.sideways_z_max_m);
+        sums.height_max_m += exact.height_max_m;
+    }
+    EXPECT_EQ(frame.bounds.height_max_m, sums.height_max_m);
+}
+
+// Where a texel is drawn, a query finds that texel's water.
+TEST(WaveInput, QueriesFindTheSum) {
+    for (const SeaState& sea : {one_tile, stack}) {
+        Ocean ocean(sea, with({gerstner(), ripple({.x_m = 4, .wavelength_m = 4, .amplitude_m = 0.3})}));
+        const Frame& frame = ocean.frame_at(9.5);
+        const SurfaceQuery query(frame);
+        std::vector<double> x, z;
+        std::vector<float> height, rise;
+        if (frame.tiles.size() > 1) {  // one place that is a texel of all
+            x = {0}, z = {0}, height = {0}, rise = {0};
+            for (const Tile& tile : frame.tiles) {
+                x[0] += static_cast<double>(tile.dx.at(0, 0)), z[0] += static_cast<double>(tile.dz.at(0, 0));
+                height[0] += tile.height.at(0, 0), rise[0] += tile.velocity_y.at(0, 0);
+            }
+        } else {
+            const Tile& tile = frame.tiles[0];
+            for (int j = 0; j < 64; j += 5)
+                for (int i = 0; i < 64; i += 3) {
+                    x.push_back(tile.texel_m() * i + static_cast<double>(tile.dx.at(i, j)));
+                    z.push_back(tile.texel_m() * j + static_cast<double>(tile.dz.at(i, j)));
+                    height.push_back(tile.height.at(i, j)), rise.push_back(tile.velocity_y.at(i, j));
+                }
+        }
+        std::vector<float> found(x.size()), rises(x.size());
+        query.sample({x, z}, {.height_m = found, .velocity_y_mps = rises});
+        for (std::size_t i = 0; i < x.size(); ++i) {
+            EXPECT_NEAR(found[i], height[i], 1e-3);  // the query's tolerance, at slopes below 1
+            EXPECT_NEAR(rises[i], rise[i], 5e-3);
+        }
+    }
+}
+
+/// The largest byte of h_x away from none, and what it means.
+std::pair<int, double> steepest(const Tile& tile) {
+    int most = 0;
+    for (const std::uint32_t texel : tile.level_of(tile.slopes_rgba8, 0))
+        most = std::max(most, std::abs(static_cast<int>(texel & 0xFF) - 128));
+    return {most, most / 127.0 * static_cast<double>(tile.slope_ranges.slope)};
+}
+
+// A calm sea's bytes count in slopes of thousandths.
+TEST(WaveInput, SteepWavesFindRoomInTheSlopes) {
+    const AnalyticSea steep{.waves = {{.amplitude_m = 0.6, .wavelength_m = 10}}, .choppiness = 0};  // 8 texels a wave
+    Ocean pure(still, with({})), ocean(still, with({gerstner(steep)}));
+    const Tile& sea = pure.frame_at(0).tiles[0];
+    EXPECT_LT(sea.slope_ranges.slope, 0.15f);
+    const Tile& tile = ocean.frame_at(0).tiles[0];
+    const auto [byte, slope] = steepest(tile);
+    EXPECT_LT(byte, 127);
+    // A quarter of a wave of 8 texels is a texel, and there the derivative's stencil (kernels.hpp) overstates it by an eighth. The sea's own
+    // slopes may add to it or not, and a byte is half of its step off.
+    const double x = two_pi / 8, stencil = 2 * (0.9388 * std::sin(x) - 0.2194 * std::sin(2 * x)) / x;
+    EXPECT_NEAR(slope, stencil * two_pi * 0.6 / 10,
+                steepest(sea).second + static_cast<double>(tile.slope_ranges.slope) / 254 + 1e-4);
+    // A callback says how steep it is; if that is too little, bytes stop.
+    const auto bumps = [](double told) {
+        return callback(
+            [](const InputRows& rows) {
+                for (std::size_t row = 0; row < rows.row_count; ++row)
+                    for (std::size_t i = 0; i < 64; ++i)
+                        rows.height[row * 64 + i] =
+                            0.7f * static_cast<float>(std::sin(two_pi * 8 / 64 * static_cast<double>(i)));
+            },
+            told);
+    };
+    Ocean honest(still, with({bumps(0.5)})), wrong(still, with({bumps(0.001)}));
+    EXPECT_LT(steepest(honest.frame_at(0).tiles[0]).first, 127);
+    EXPECT_GE(steepest(wrong.frame_at(0).tiles[0]).first, 127);
+}
+
+TEST(WaveInput, WavesAreThoseOfOneLoopLater) {
+    const auto make = [] {
+        OceanOptions options = with({gerstner(), ripple({.wavelength_m = 3, .amplitude_m = 0.4})});
+        options.foam = true;
+        return options;
+    };
+    SeaState windy = stack;
+    windy.wind_speed_mps = 15;
+    Ocean ocean(windy, make()), later(windy, make());
+    const std::uint64_t now = hash_of(ocean.frame_at(1.25)), foam = foam_hash_of(ocean.frame_at(1.25));
+    EXPECT_EQ(hash_of(later.frame_at(1.25 + 3 * loop_s)), now);
+    EXPECT_EQ(foam_hash_of(later.frame_at(1.25 + 3 * loop_s)), foam);
+    EXPECT_NE(hash_of(later.frame_at(1.35)), now);
+}
+
+TEST(WaveInput, WhatIsSetCountsFromTheNextFrameOn) {
+    const Ripple first{.wavelength_m = 4, .amplitude_m = 0.2},
+        second{.x_m = 9, .wavelength_m = 4, .amplitude_m = 0.3};
+    const auto hashes_with = [&](auto&& alter) {
+        const auto waves = gerstner();
+        const auto rings = ripple(first);
+        Ocean ocean(stack, with({waves, rings}, choose_isa(), make_thread_executor(2)));
+        std::vector<std::uint64_t> hashes;
+        for (int frame = 0; frame < 3; ++frame) {
+            ocean.schedule(frame);
+            if (frame == 1) alter(*waves, *rings);
+            hashes.push_back(hash_of(ocean.complete()));
+        }
+        return hashes;
+    };
+    const AnalyticSea few{.waves = {{.amplitude_m = 0.3, .wavelength_m = 25, .direction_rad = 1}}, .choppiness = 1};
+    const auto before = hashes_with([](GerstnerInput&, RippleInput&) {});
+    const auto after = hashes_with([&](GerstnerInput& waves, RippleInput& rings) {
+        waves.set(few);
+        rings.set(second);
+    });
+    EXPECT_EQ(after[0], before[0]);
+    EXPECT_EQ(after[1], before[1]);
+    Ocean fresh(stack, with({gerstner(few), ripple(second)}));
+    EXPECT_EQ(after[2], hash_of(fresh.frame_at(2)));
+    EXPECT_NE(after[2], before[2]);
+}
+
+// Foam that lasts is of ticks: an input of ticks alone leaves no trace but foam.
+TEST(WaveInput, TicksOfFoamHaveIt) {
+    SeaState sea = one_tile;
+    sea.wind_speed_mps = 8;
+    const auto squeeze = callback([](const InputRows& rows) {
+        if (rows.moment.place == 0) return;
+        for (std::size_t row = 0; row < rows.row_count; ++row)
+            for (std::size_t i = 16; i < 48; ++i)  // -0.95 of each texel's way: water comes together there
+                rows.dx[row * 64 + i] = -0.95f * 1.25f * (static_cast<float>(i) - 31.5f);
+    });
+    OceanOptions options = with({squeeze}), pure_options = with({});
+    options.foam = pure_options.foam = true;
+    Ocean ocean(sea, options), pure(sea, pure_options);
+    const Frame &a = ocean.frame_at(4.02), &b = pure.frame_at(4.02);
+    ASSERT_TRUE(a.tiles[0].makes_whitecaps());
+    int white = 0, more = 0;
+    for (std::size_t j = 0; j < 64; ++j)
+        for (std::size_t i = 0; i < 64; ++i) {
+            const bool is_squeezed = i > 18 && i < 45;
+            white += is_squeezed && a.tiles[0].foam_r8[j * 64 + i] > 200;
+            more += !is_squeezed && i != 15 && i != 16 && i != 17 && i != 18 && i != 45 && i != 46 && i != 47 &&
+                    i != 48 && a.tiles[0].foam_r8[j * 64 + i] != b.tiles[0].foam_r8[j * 64 + i];
+        }
+    EXPECT_GT(white, 64 * 20);
+    EXPECT_LT(more, 64 * 8);  // drift
+    EXPECT_EQ(a.tiles[0].height.at(20, 20), b.tiles[0].height.at(20, 20));
+    EXPECT_EQ(a.tiles[0].dx.at(20, 20), b.tiles[0].dx.at(20, 20));
+}
+
+// A tick's time is its own, absolute, and so is its part of the loop.
+TEST(WaveInput, IsToldTheTimeOfFramesAndTicks) {
+    struct Spy final : WaveInput {
+        void begin(const InputMoment& moment) override { moments.push_back(moment); }
+        bool adds_to(std::size_t) const override { return false; }
+        double largest_slope(std::size_t) const override { return 0; }
+        void add(const InputRows&) const override { ADD_FAILURE(); }
+        std::vector<InputMoment> moments;
+    };
+    const auto spy = std::make_shared<Spy>();
+    OceanOptions options = with({spy});
+    options.foam = true;
+    Ocean ocean(stack, options);
+    ocean.frame_at(3 * loop_s + 5.04);
+    ASSERT_EQ(spy->moments.size(), 30U);  // the frame, and the ticks of 2.9 s before it
+    EXPECT_EQ(spy->moments[0].time_s, 3 * loop_s + 5.04);
+    EXPECT_NEAR(spy->moments[0].loop_turns * 0x1p-32, 5.04 / loop_s, 1e-9);
+    for (std::size_t i = 1; i < 30; ++i) {
+        const InputMoment& tick = spy->moments[i];
+        EXPECT_EQ(tick.place, 1U);
+        EXPECT_NEAR(tick.time_s, 3 * loop_s + 5.0 - 0.1 * static_cast<double>(29 - i), 1e-9);
+        EXPECT_NEAR(tick.loop_turns * 0x1p-32, (tick.time_s - 3 * loop_s) / loop_s, 1e-9);
+        EXPECT_EQ(tick.lattices.size(), 4U);
+        EXPECT_EQ(tick.resolution, 64);
+        EXPECT_EQ(tick.loop_period_s, loop_s);
+    }
+}
+
+template <class Body>
+std::string refusal_of(Body body) {
+    try {
+        body();
+    } catch (const std::invalid_argument& error) {
+        return error.what();
+    }
+    return "nothing was refused";
+}
+
+TEST(WaveInput, BadValuesAreRefusedAndTheNextFrameIsRight) {
+    const std::uint64_t expected = [] {
+        Ocean pure(stack, with({}));
+        return hash_of(pure.frame_at(2));
+    }();
+    for (const ExecutorKind& kind : executor_kinds()) {
+        float value = 0;
+        std::size_t field = 0;
+        const auto bad = callback([&](const InputRows& rows) {
+            const std::span<float> fields[] = {rows.dx,         rows.height,     rows.dz,
+                                               rows.velocity_x, rows.velocity_y, rows.velocity_z};
+            if (rows.tile == 1 && rows.first_row == 32) fields[field][77] = value;
+        });
+        Ocean ocean(stack, with({std::make_shared<GerstnerInput>(), bad}, choose_isa(), kind.make(kind.threads)));
+        const auto complete = [&] { ocean.frame_at(1); };
+        value = std::numeric_limits<float>::quiet_NaN();
+        EXPECT_EQ(refusal_of(complete), "inputs[1]'s dx is nan, needs [-1000, 1000], metres or metres a second");
+        value = -1001, field = 1;
+        EXPECT_EQ(refusal_of(complete),
+                  "inputs[1]'s height is -1001, needs [-1000, 1000], metres or metres a second");
+        value = std::numeric_limits<float>::infinity(), field = 5;
+        EXPECT_EQ(refusal_of(complete),
+                  "inputs[1]'s velocity_z is inf, needs [-1000, 1000], metres or metres a second");
+        value = 0, field = 0;
+        EXPECT_EQ(hash_of(ocean.frame_at(2)), [&] {
+            // Zeros that are added: the sea's own values, but for the ranges of slopes.
+            Ocean same(stack, with({callback([](const InputRows&) {})}));
+            return hash_of(same.frame_at(2));
+        }()) << kind.name;
+    }
+    Ocean untouched(stack, with({std::make_shared<GerstnerInput>()}));
+    EXPECT_EQ(hash_of(untouched.frame_at(2)), expected);
+}
+
+TEST(WaveInput, WhatItThrowsLosesItsFrameAlone) {
+    struct Lost : std::runtime_error {
+        using std::runtime_error::runtime_error;
+    };
+    for (const ExecutorKind& kind : executor_kinds()) {
+        bool throws = false;
+        const auto throwing = callback([&](const InputRows&) {
+            if (throws) throw Lost("no such wave");
+        });
+        OceanOptions options = with({throwing}, choose_isa(), kind.make(kind.threads));
+        options.foam = true;
+        Ocean ocean(stack, options);
+        const std::uint64_t before = hash_of(ocean.frame_at(1));
+        for (const double t : {1.01, 1.25, 9.0}) {  // without a tick, with one, with thirty
+            throws = true;
+            EXPECT_THROW(ocean.frame_at(t), Lost) << kind.name;
+            throws = false;
+            EXPECT_EQ(hash_of(ocean.frame_at(1)), before) << kind.name;
+        }
+    }
+}
+
+TEST(WaveInput, BadInputsAreRefusedInOneLine) {
+    EXPECT_EQ(refusal_of([] {
+                  Ocean ocean(stack, with({gerstner(), nullptr}));
+              }),
+              "inputs[1] is null, needs an input");
+    for (const auto& [slope, text] : {std::pair{-1.0, "-1"}, {std::nan(""), "nan"}, {1e9, "1000000000"}}) {
+        const auto steep = callback([](const InputRows&) {}, slope);
+        Ocean ocean(stack, with({steep}));
+        EXPECT_EQ(refusal_of([&] { ocean.frame_at(0); }),
+                  "inputs[0]'s largest_slope is " + std::string(text) + ", needs [0, 100]");
+    }
+    const auto waves = gerstner();
+    AnalyticSea bad = some_waves();
+    bad.waves[1].wavelength_m = std::nan("");
+    EXPECT_EQ(refusal_of([&] { waves->set(bad); }), "waves[1].wavelength_m is nan, needs [0.01, 1000]");
+    bad = some_waves();
+    bad.waves[0].amplitude_m = 50;
+    EXPECT_NE(refusal_of([&] { waves->set(bad); }).find("steepness is "), std::string::npos);
+    const auto rings = ripple({.wavelength_m = 3, .amplitude_m = 0.4});
+    EXPECT_EQ(refusal_of([&] { rings->set({.x_m = std::nan("")}); }), "x_m is nan, needs [-1e8, 1e8]");
+    EXPECT_EQ(refusal_of([&] { rings->set({.wavelength_m = 0}); }), "wavelength_m is 0, needs [0.01, 1000]");
+    EXPECT_EQ(refusal_of([&] { rings->set({.wavelength_m = 1, .amplitude_m = 0.2}); }),
+              "amplitude_m is 0.2, needs at most wavelength_m / (2 pi), 0.1592");
+    EXPECT_EQ(refusal_of([&] { rings->set({.reach_m = -1}); }), "reach_m is -1, needs [0, 1e5]");
+    // They keep what they had.
+    Ocean ocean(stack, with({waves, rings})),
+        same(stack, with({gerstner(), ripple({.wavelength_m = 3, .amplitude_m = 0.4})}));
+    EXPECT_EQ(hash_of(ocean.frame_at(1)), hash_of(same.frame_at(1)));
+}
+
+}  // namespace
+}  // namespace pelagic
