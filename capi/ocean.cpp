@@ -9,6 +9,7 @@
 #include "pelagic/capi/sea.hpp"
 #include "pelagic/capi/sized_struct.hpp"
 #include "pelagic/capi/status.hpp"
+#include "pelagic/capi/wave_input.hpp"
 #include "pelagic/jobs/platform.hpp"
 #include "pelagic/message/number_text.hpp"
 #include "pelagic/message/refusal.hpp"
@@ -81,6 +82,7 @@ OceanOptions options_of(const pelagic_ocean_options& options) {
     if (!options.allocate != !options.release) refuse("allocate or release is NULL, needs both or neither");
     if (options.local) result.local = local_options_of(options.local);
     if (options.shore) result.shore = shore_options_of(options.shore);
+    result.inputs = inputs_of(options.inputs, options.input_count);
     result.memory = {options.memory_user, options.allocate, options.release};
     return result;
 }
@@ -235,7 +237,9 @@ using HostTargets = OfEachTile<pelagic_texture_targets, TextureTargets>;
 
 pelagic_ocean* new_ocean(const Forecast& forecast, const pelagic_ocean_options* options) {
     const pelagic_ocean_options wanted = options ? read_struct(options, "options") : pelagic_ocean_options{};
-    return new pelagic_ocean(forecast, options_of(wanted), query_tolerance_m(wanted));
+    auto* const ocean = new pelagic_ocean(forecast, options_of(wanted), query_tolerance_m(wanted));
+    for (std::size_t i = 0; i < wanted.input_count; ++i) wanted.inputs[i]->has_ocean = true;
+    return ocean;
 }
 
 }  // namespace pelagic::capi

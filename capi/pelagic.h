@@ -254,6 +254,10 @@ typedef struct pelagic_ocean_options {
     const struct pelagic_local_options* local;
     /* Newer still. A floor that waves feel, see below; NULL: none. Read before the call returns. */
     const struct pelagic_shore_options* shore;
+    /* Newer still. Waves that are added to those of the wind, in this order, see below; none of another ocean. The ocean keeps what it
+     * needs of them. */
+    size_t input_count;
+    struct pelagic_input* const* inputs; /* `input_count` of them; may be NULL if that is 0 */
 } pelagic_ocean_options;
 
 typedef struct pelagic_ocean pelagic_ocean;
@@ -673,6 +677,78 @@ PELAGIC_API pelagic_status pelagic_ocean_shore(const pelagic_ocean* ocean, pelag
 
 /* The 64-bit hash of all that pelagic_ocean_shore tells of the frame completed last, which pelagic_ocean_hash leaves out. */
 PELAGIC_API pelagic_status pelagic_ocean_shore_hash(const pelagic_ocean* ocean, uint64_t* hash);
+
+/* ---- Waves that the host adds ----------------------------------------------------------------------------------- */
+
+/* Waves in the tiles themselves, so that all that is made of tiles has them: normals, bounds, foam, queries, textures. They repeat
+ * with their tile. What pelagic_ocean_hash says is then of the host's sea; of one without inputs it is as ever. An input belongs to one
+ * ocean. It is set on the thread that calls the ocean's functions, and what it is then counts from the next schedule on. */
+typedef struct pelagic_input pelagic_input;
+
+/* A batch of Gerstner waves in deep water. Each goes to the nearest place of the lattice of the tile that takes waves of its length,
+ * with a whole number of periods in a loop. */
+typedef struct pelagic_waves {
+    uint32_t struct_size;
+    uint32_t reserved; /* 0 */
+    size_t count;      /* at most 64; 0 adds nothing */
+    const double* amplitude_m;   /* `count` of each; [0, 100] */
+    const double* wavelength_m;  /* [0.01, 1000] */
+    const double* direction_rad; /* where it runs towards, from +x towards +z; [-2 pi, 2 pi] */
+    const double* phase_rad;     /* at x = z = t = 0, a crest where it is 0; NULL: all 0 */
+    double choppiness; /* 1: water goes round in circles, 0: a height field; [0, 1]. The sum of 2 pi amplitude / length is at most 0.4 */
+} pelagic_waves;
+
+PELAGIC_API pelagic_status pelagic_input_create_waves(const pelagic_waves* waves, pelagic_input** input);
+PELAGIC_API pelagic_status pelagic_input_set_waves(pelagic_input* input, const pelagic_waves* waves);
+
+/* Rings that run from a place, in the tile that takes waves of their length:
+ * amplitude (1 - (r / reach)^2)^2 sqrt(L / 2 / q) cos(2 pi ((q - L / 2) / L - f t) + phase), q^2 = r^2 + (L / 2)^2. */
+typedef struct pelagic_ripple {
+    uint32_t struct_size;
+    uint32_t reserved;   /* 0 */
+    double x_m, z_m;     /* [-1e8, 1e8] */
+    double wavelength_m; /* [0.01, 1000] */
+    double amplitude_m;  /* in the middle; [0, 100], and at most wavelength_m / (2 pi) */
+    double reach_m;      /* no water beyond it moves; 0 and more than half of the tile's side: that; [0, 1e5] */
+    double phase_rad;    /* [-2 pi, 2 pi] */
+} pelagic_ripple;
+
+PELAGIC_API pelagic_status pelagic_input_create_ripple(const pelagic_ripple* ripple, pelagic_input** input);
+PELAGIC_API pelagic_status pelagic_input_set_ripple(pelagic_input* input, const pelagic_ripple* ripple);
+
+/* Some rows of a tile at a moment: column i of row first_row + j is at j N + i. Floats are 0 before, and what is left there is added to
+ * the tile, metres and metres a second in the world's axes; all are finite and at most 1000. Places as pelagic_tile says. */
+typedef struct pelagic_input_rows {
+    uint32_t struct_size;
+    int32_t tile; /* 0 is the coarsest */
+    double time_s;
+    double loop_period_s;
+    uint32_t loop_turns; /* where in the loop that is, in parts of 2^32: whoever uses no other time has the same bits in every loop */
+    int32_t is_tick;     /* of foam that lasts, at a time before the frame's */
+    double side_m, cosine, sine;
+    int32_t resolution; /* N */
+    int32_t first_row, row_count;
+    uint32_t reserved;
+    float *dx, *height, *dz;
+    float *velocity_x, *velocity_y, *velocity_z; /* NULL without velocities, and in ticks */
+} pelagic_input_rows;
+
+/* Called from any thread, for several rows and tiles at once. If it throws, complete() returns PELAGIC_HOST_ERROR, and if it
+ * leaves a value that can't be, PELAGIC_INVALID_ARGUMENT; that frame is lost, the ocean is not. */
+typedef void (*pelagic_add_rows)(void* user, const pelagic_input_rows* rows);
+
+typedef struct pelagic_input_callback {
+    uint32_t struct_size;
+    uint32_t tiles; /* bit i: tile i; 0: all */
+    pelagic_add_rows add;
+    void* user;           /* handed to it; outlives the ocean */
+    double largest_slope; /* that it adds to a tile, or slopes_rgba8 stops at its range's end; [0, 100] */
+} pelagic_input_callback;
+
+PELAGIC_API pelagic_status pelagic_input_create_callback(const pelagic_input_callback* callback, pelagic_input** input);
+
+/* The ocean that has it keeps what it needs. NULL is ignored. */
+PELAGIC_API void pelagic_input_destroy(pelagic_input* input);
 
 /* ---- Queries ---------------------------------------------------------------------------------------------------- */
 

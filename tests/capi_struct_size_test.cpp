@@ -141,6 +141,25 @@ TEST_F(StructSizes, WhatIsReadMayBeOlderOrNewer) {
     expect_read_in_every_size(disturbance, &pelagic_disturbance::velocity_z_mps, [&](pelagic_disturbance* push) {
         return pelagic_ocean_disturb(water.get(), push);
     });
+    const auto status_of_input = [](auto create, const auto* from) {
+        pelagic_input* made = nullptr;
+        const pelagic_status status = create(from, &made);
+        pelagic_input_destroy(made);
+        return status;
+    };
+    expect_read_in_every_size(sized<pelagic_waves>(), &pelagic_waves::choppiness, [&](pelagic_waves* waves) {
+        return status_of_input(pelagic_input_create_waves, waves);
+    });
+    auto ripple = sized<pelagic_ripple>();
+    ripple.wavelength_m = 1;
+    expect_read_in_every_size(ripple, &pelagic_ripple::phase_rad, [&](pelagic_ripple* rings) {
+        return status_of_input(pelagic_input_create_ripple, rings);
+    });
+    auto callback = sized<pelagic_input_callback>();
+    callback.add = [](void*, const pelagic_input_rows*) {};
+    expect_read_in_every_size(callback, &pelagic_input_callback::largest_slope, [&](pelagic_input_callback* wanted) {
+        return status_of_input(pelagic_input_create_callback, wanted);
+    });
     auto ray = sized<pelagic_ray>();
     ray.direction[1] = -1;
     expect_read_in_every_size(ray, &pelagic_ray::reach_m, [&](pelagic_ray* asked) {
@@ -281,7 +300,8 @@ TEST(StructSizesOfSeas, NewFieldsLieBehindThePaddingOfTheFirstVersion) {
     EXPECT_EQ(offsetof(pelagic_sea, wave_drag) + sizeof(double), sizeof(pelagic_sea));
     EXPECT_EQ(offsetof(pelagic_ocean_options, reserved_1) + 4, offsetof(pelagic_ocean_options, local));
     EXPECT_EQ(offsetof(pelagic_ocean_options, local) + sizeof(void*), offsetof(pelagic_ocean_options, shore));
-    EXPECT_EQ(offsetof(pelagic_ocean_options, shore) + sizeof(void*), sizeof(pelagic_ocean_options));
+    EXPECT_EQ(offsetof(pelagic_ocean_options, shore) + sizeof(void*), offsetof(pelagic_ocean_options, input_count));
+    EXPECT_EQ(offsetof(pelagic_ocean_options, inputs) + sizeof(void*), sizeof(pelagic_ocean_options));
     EXPECT_EQ(offsetof(pelagic_ocean_info, reserved_1) + 4, sizeof(pelagic_ocean_info));
     EXPECT_EQ(offsetof(pelagic_frame, foam_drift_x_mps), offsetof(pelagic_frame, roughness) + 4);
     EXPECT_EQ(offsetof(pelagic_frame, foam_drift_z_mps) + 8, sizeof(pelagic_frame));

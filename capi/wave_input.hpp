@@ -1,0 +1,26 @@
+// What a pelagic_input is.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "pelagic/pelagic.h"
+#include "pelagic/sim/gerstner_input.hpp"
+#include "pelagic/sim/ripple_input.hpp"
+#include "pelagic/sim/wave_input.hpp"
+
+struct pelagic_input {
+    std::shared_ptr<pelagic::WaveInput> input;
+    /// The same, if it can be set.
+    std::shared_ptr<pelagic::GerstnerInput> waves = {};
+    std::shared_ptr<pelagic::RippleInput> ripple = {};
+    bool has_ocean = false;
+};
+
+namespace pelagic::capi {
+
+/// The host's list. Throws std::invalid_argument for null and for inputs of other oceans.
+std::vector<std::shared_ptr<WaveInput>> inputs_of(pelagic_input* const* inputs, std::size_t count);
+
+}  // namespace pelagic::capi

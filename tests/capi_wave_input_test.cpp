@@ -1,0 +1,229 @@
+// Waves that hosts add through the C interface: those that they ask for, a callback in C beside a batch, and what is refused.
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "pelagic/tests/capi_sea.hpp"
+
+namespace pelagic {
+namespace {
+
+struct DestroyInput {
+    void operator()(pelagic_input* input) const { pelagic_input_destroy(input); }
+};
+using CInput = std::unique_ptr<pelagic_input, DestroyInput>;
+
+constexpr double side_m = 250, loop_s = 64;
+
+pelagic_sea flat_sea(std::int32_t resolution = 64) {
+    pelagic_sea sea = small_sea(resolution);
+    sea.wind_speed_mps = 0.1;
+    sea.loop_period_s = loop_s;
+    return sea;
+}
+
+/// One wave of five periods along x and three along z.
+struct OneWave {
+    double amplitude = 1.5, wavelength = side_m / std::sqrt(34.0), direction = std::atan2(3.0, 5.0), phase = 0.5;
+    pelagic_waves asked() const {
+        auto waves = sized<pelagic_waves>();
+        waves.count = 1;
+        waves.amplitude_m = &amplitude, waves.wavelength_m = &wavelength;
+        waves.direction_rad = &direction, waves.phase_rad = &phase;
+        waves.choppiness = 1;
+        return waves;
+    }
+    double angle(int i, int j, int n, double t) const {
+        const double omega = std::sqrt(9.80665 * 2 * std::numbers::pi / wavelength);
+        const double periods = std::round(omega * loop_s / (2 * std::numbers::pi));
+        return 2 * std::numbers::pi * ((5.0 * i + 3.0 * j) / n - periods * t / loop_s) + phase;
+    }
+};
+
+CInput waves_input(const pelagic_waves& waves) {
+    pelagic_input* made = nullptr;
+    EXPECT_EQ(pelagic_input_create_waves(&waves, &made), PELAGIC_OK) << pelagic_last_error();
+    return CInput(made);
+}
+
+CInput ripple_input(double amplitude_m) {
+    auto ripple = sized<pelagic_ripple>();
+    ripple.wavelength_m = 20;
+    ripple.amplitude_m = amplitude_m;
+    pelagic_input* made = nullptr;
+    EXPECT_EQ(pelagic_input_create_ripple(&ripple, &made), PELAGIC_OK) << pelagic_last_error();
+    return CInput(made);
+}
+
+CInput callback_input(pelagic_add_rows add, void* user = nullptr) {
+    auto callback = sized<pelagic_input_callback>();
+    callback.add = add;
+    callback.user = user;
+    callback.largest_slope = 1;
+    pelagic_input* made = nullptr;
+    EXPECT_EQ(pelagic_input_create_callback(&callback, &made), PELAGIC_OK) << pelagic_last_error();
+    return CInput(made);
+}
+
+/// With velocities; the handles are destroyed before a frame is made.
+COcean ocean_with(const pelagic_sea& sea, std::vector<CInput> inputs) {
+    std::vector<pelagic_input*> pointers;
+    for (const CInput& input : inputs) pointers.push_back(input.get());
+    auto options = sized<pelagic_ocean_options>();
+    options.velocities = 1;
+    options.input_count = pointers.size();
+    options.inputs = pointers.data();
+    return ocean_of(sea, options);
+}
+
+pelagic_frame frame_of(const COcean& ocean, double time_s) {
+    auto frame = sized<pelagic_frame>();
+    EXPECT_EQ(pelagic_ocean_schedule(ocean.get(), time_s), PELAGIC_OK) << pelagic_last_error();
+    EXPECT_EQ(pelagic_ocean_complete(ocean.get(), &frame), PELAGIC_OK) << pelagic_last_error();
+    return frame;
+}
+
+std::uint64_t hash_of(const COcean& ocean, double time_s) {
+    frame_of(ocean, time_s);
+    std::uint64_t hash = 0;
+    EXPECT_EQ(pelagic_ocean_hash(ocean.get(), &hash), PELAGIC_OK);
+    return hash;
+}
+
+void expect_refused(pelagic_status status, pelagic_status expected, const std::string& line) {
+    EXPECT_EQ(status, expected);
+    EXPECT_EQ(pelagic_last_error(), line);
+}
+
+TEST(CInterfaceInputs, AWaveIsItsClosedForm) {
+    const OneWave wave;
+    std::vector<CInput> inputs;
+    inputs.push_back(waves_input(wave.asked()));
+    const COcean ocean = ocean_with(flat_sea(), std::move(inputs));
+    const pelagic_frame frame = frame_of(ocean, 12.5);
+    const double x = 5 / std::sqrt(34.0);
+    for (int j = 0; j < 64; j += 3)
+        for (int i = 0; i < 64; ++i) {  // the wind's own waves are of micrometres
+            const double angle = wave.angle(i, j, 64, 12.5);
+            EXPECT_NEAR(texel_of(frame.height, i, j), 1.5 * std::cos(angle), 1e-3);
+            EXPECT_NEAR(texel_of(frame.dx, i, j), -1.5 * x * std::sin(angle), 1e-3);
+        }
+}
+
+TEST(CInterfaceInputs, ACallbackAddsWhatABatchDoes) {
+    const OneWave wave;
+    // Its heights and how fast they rise, in C's own words.
+    const auto add = [](void* user, const pelagic_input_rows* rows) {
+        const auto& told = *static_cast<const OneWave*>(user);
+        const int n = rows->resolution;
+        for (int j = 0; j < rows->row_count; ++j)
+            for (int i = 0; i < n; ++i) {
+                const double angle = told.angle(i, rows->first_row + j, n, rows->time_s);
+                rows->height[j * n + i] = static_cast<float>(1.5 * std::cos(angle));
+                rows->velocity_y[j * n + i] = static_cast<float>(rows->side_m * std::sin(angle));
+            }
+    };
+    std::vector<CInput> batch, callback;
+    batch.push_back(waves_input(wave.asked()));
+    callback.push_back(callback_input(add, const_cast<OneWave*>(&wave)));
+    const COcean a = ocean_with(flat_sea(), std::move(batch)), b = ocean_with(flat_sea(), std::move(callback));
+    const pelagic_frame one = frame_of(a, 7), other = frame_of(b, 7);
+    for (int j = 0; j < 64; ++j)
+        for (int i = 0; i < 64; ++i) {
+            EXPECT_NEAR(texel_of(one.height, i, j), texel_of(other.height, i, j), 1e-5);
+            EXPECT_NEAR(texel_of(other.velocity_y, i, j), side_m * std::sin(wave.angle(i, j, 64, 7)), 1e-2);
+        }
+}
+
+TEST(CInterfaceInputs, AreSetBetweenFrames) {
+    const OneWave wave;
+    CInput waves = waves_input(wave.asked()), rings = ripple_input(0.5);
+    pelagic_input* const all[] = {waves.get(), rings.get()};
+    auto options = sized<pelagic_ocean_options>();
+    options.velocities = 1;
+    options.input_count = 2;
+    options.inputs = all;
+    const COcean ocean = ocean_of(flat_sea(), options);
+    std::vector<CInput> none;
+    const COcean pure = ocean_with(flat_sea(), std::move(none));
+    EXPECT_NE(hash_of(ocean, 3), hash_of(pure, 3));
+    const auto nothing = sized<pelagic_waves>();
+    ASSERT_EQ(pelagic_input_set_waves(waves.get(), &nothing), PELAGIC_OK) << pelagic_last_error();
+    auto still = sized<pelagic_ripple>();
+    still.wavelength_m = 1;
+    ASSERT_EQ(pelagic_input_set_ripple(rings.get(), &still), PELAGIC_OK) << pelagic_last_error();
+    EXPECT_EQ(hash_of(ocean, 3), hash_of(pure, 3));
+    expect_refused(pelagic_input_set_ripple(waves.get(), &still), PELAGIC_INVALID_ARGUMENT,
+                   "input is no ripple, needs one of pelagic_input_create_ripple");
+    expect_refused(pelagic_input_set_waves(rings.get(), &nothing), PELAGIC_INVALID_ARGUMENT,
+                   "input is no waves, needs one of pelagic_input_create_waves");
+    pelagic_ocean* second = nullptr;
+    const pelagic_sea sea = flat_sea();
+    expect_refused(pelagic_ocean_create(&sea, &options, &second), PELAGIC_INVALID_ARGUMENT,
+                   "inputs[0] belongs to another ocean, needs one that is new");
+}
+
+TEST(CInterfaceInputs, WhatCanNotBeIsRefusedInOneLine) {
+    pelagic_input* made = nullptr;
+    OneWave wave;
+    wave.wavelength = std::numeric_limits<double>::quiet_NaN();
+    pelagic_waves waves = wave.asked();
+    expect_refused(pelagic_input_create_waves(&waves, &made), PELAGIC_INVALID_ARGUMENT,
+                   "waves[0].wavelength_m is nan, needs [0.01, 1000]");
+    waves.count = 65;
+    expect_refused(pelagic_input_create_waves(&waves, &made), PELAGIC_INVALID_ARGUMENT,
+                   "waves.count is 65, needs at most 64");
+    waves.count = 1, waves.amplitude_m = nullptr;
+    expect_refused(pelagic_input_create_waves(&waves, &made), PELAGIC_INVALID_ARGUMENT,
+                   "waves.amplitude_m is NULL, needs a pointer");
+    const auto ripple = sized<pelagic_ripple>();
+    expect_refused(pelagic_input_create_ripple(&ripple, &made), PELAGIC_INVALID_ARGUMENT,
+                   "wavelength_m is 0, needs [0.01, 1000]");
+    auto callback = sized<pelagic_input_callback>();
+    expect_refused(pelagic_input_create_callback(&callback, &made), PELAGIC_INVALID_ARGUMENT,
+                   "callback.add is NULL, needs a pointer");
+    callback.add = [](void*, const pelagic_input_rows*) {};
+    callback.largest_slope = -1;
+    expect_refused(pelagic_input_create_callback(&callback, &made), PELAGIC_INVALID_ARGUMENT,
+                   "callback.largest_slope is -1, needs [0, 100]");
+    EXPECT_EQ(made, nullptr);
+    const pelagic_sea sea = flat_sea(16);
+    auto options = sized<pelagic_ocean_options>();
+    options.input_count = 1;
+    pelagic_ocean* ocean = nullptr;
+    expect_refused(pelagic_ocean_create(&sea, &options, &ocean), PELAGIC_INVALID_ARGUMENT,
+                   "inputs is NULL, needs a pointer");
+    options.inputs = &made;
+    expect_refused(pelagic_ocean_create(&sea, &options, &ocean), PELAGIC_INVALID_ARGUMENT,
+                   "inputs[0] is NULL, needs a pointer");
+}
+
+TEST(CInterfaceInputs, ACallbackThatFailsLosesItsFrameAlone) {
+    int fails = 0;
+    const auto add = [](void* user, const pelagic_input_rows* rows) {
+        const int how = *static_cast<const int*>(user);
+        if (how == 1) throw std::runtime_error("lost");
+        if (how == 2) rows->height[3] = std::numeric_limits<float>::infinity();
+        rows->height[5] = 0.25f;
+    };
+    std::vector<CInput> inputs;
+    inputs.push_back(callback_input(add, &fails));
+    const COcean ocean = ocean_with(flat_sea(), std::move(inputs));
+    const std::uint64_t before = hash_of(ocean, 1);
+    auto frame = sized<pelagic_frame>();
+    fails = 1;
+    ASSERT_EQ(pelagic_ocean_schedule(ocean.get(), 2), PELAGIC_OK);
+    expect_refused(pelagic_ocean_complete(ocean.get(), &frame), PELAGIC_HOST_ERROR, "an input's callback threw");
+    fails = 2;
+    ASSERT_EQ(pelagic_ocean_schedule(ocean.get(), 2), PELAGIC_OK);
+    expect_refused(pelagic_ocean_complete(ocean.get(), &frame), PELAGIC_INVALID_ARGUMENT,
+                   "inputs[0]'s height is inf, needs [-1000, 1000], metres or metres a second");
+    fails = 0;
+    EXPECT_EQ(hash_of(ocean, 1), before);
+}
+
+}  // namespace
+}  // namespace pelagic
