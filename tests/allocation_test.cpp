@@ -10,7 +10,9 @@
 #include "pelagic/analytic/analytic_surface.hpp"
 #include "pelagic/analytic/exp_sine_water.hpp"
 #include "pelagic/quadtree/selection.hpp"
+#include "pelagic/sim/gerstner_input.hpp"
 #include "pelagic/sim/ocean.hpp"
+#include "pelagic/sim/ripple_input.hpp"
 #include "pelagic/sim/surface_query_jobs.hpp"
 #include "pelagic/sim/surface_ray.hpp"
 #include "pelagic/tests/platform/platform.hpp"
@@ -83,6 +85,25 @@ TEST(Allocation, NeitherQueriesNorFramesThatCanBeAskedAllocate) {
             first_hit(query, {{0, 30, 0}, {1, -0.3, 0.2}, 500});
         }
         EXPECT_EQ(allocations, before) << executor->name();
+    }
+}
+
+TEST(Allocation, WavesOfHostsAllocateNothingInFrames) {
+    for (const auto& executor : {make_serial_executor(), make_thread_executor(3)}) {
+        const auto waves = std::make_shared<GerstnerInput>(), none = std::make_shared<GerstnerInput>();
+        const auto rings = std::make_shared<RippleInput>(Ripple{.wavelength_m = 5, .amplitude_m = 0.2});
+        const auto zeros = std::make_shared<CallbackInput>([](const InputRows&) {});
+        Ocean ocean({.resolution = 128}, {.executor = executor,
+                                          .velocities = true,
+                                          .foam = true,
+                                          .inputs = {waves, none, rings, zeros}});
+        ocean.frame_at(0);
+        waves->set(analytic_sea({.waves = 64}));
+        rings->set({.x_m = 30, .wavelength_m = 40, .amplitude_m = 1});
+        const long before = allocations;
+        for (int i = 0; i < 10; ++i) ocean.frame_at(i * 0.1);
+        EXPECT_EQ(allocations, before) << executor->name();
+        EXPECT_GT(waves->held().waves.size(), 60U);
     }
 }
 
