@@ -60,8 +60,8 @@ struct OceanOptions {
 };
 
 /// Not thread-safe: one thread at a time calls its methods; the work runs on the executor.
-/// After construction a frame allocates nothing in Pelagic's code, and throws only where an executor fails
-/// (GraphRun::complete()): that frame or sea is lost then, and the next may be scheduled. Misuse is asserted.
+/// After construction a frame allocates nothing in Pelagic's code but inputs' tables in the first one, and throws only where an executor
+/// fails (GraphRun::complete()) or an input (WaveInput): that frame or sea is lost then, and the next may be scheduled. Misuse is asserted.
 class Ocean {
    public:
     /// Bakes the spectrum. Throws std::invalid_argument(check(sea)) if an option is out of range, what

@@ -448,6 +448,41 @@ TEST(WaveInput, TicksOfFoamHaveIt) {
     EXPECT_EQ(a.tiles[0].dx.at(20, 20), b.tiles[0].dx.at(20, 20));
 }
 
+// Whoever adds something else a loop later finds the foam of that.
+TEST(WaveInput, FoamIsOfItsOwnLoop) {
+    SeaState sea = one_tile;
+    sea.wind_speed_mps = 8;
+    const auto later = callback([](const InputRows& rows) {
+        if (rows.moment.time_s < loop_s) return;
+        for (std::size_t row = 0; row < rows.row_count; ++row)
+            for (std::size_t i = 16; i < 48; ++i)
+                rows.dx[row * 64 + i] = -0.95f * 1.25f * (static_cast<float>(i) - 31.5f);
+    });
+    OceanOptions options = with({later});
+    options.foam = true;
+    Ocean walks(sea, options), jumps(sea, options);
+    walks.frame_at(5);
+    const std::uint64_t there = foam_hash_of(walks.frame_at(5 + loop_s));
+    EXPECT_EQ(there, foam_hash_of(jumps.frame_at(5 + loop_s)));
+    EXPECT_NE(there, foam_hash_of(jumps.frame_at(5)));
+}
+
+// Another weather has other tiles, and waves go where those take them.
+TEST(WaveInput, FollowsTheTilesOfAnotherSea) {
+    SeaState storm = stack;
+    storm.wind_speed_mps = 20;
+    const auto waves = gerstner();
+    const auto rings = ripple({.wavelength_m = 9, .amplitude_m = 0.4});
+    Ocean ocean(stack, with({waves, rings})),
+        fresh(storm, with({gerstner(), ripple({.wavelength_m = 9, .amplitude_m = 0.4})}));
+    const double side = ocean.frame_at(1).tiles[0].lattice.side_m;
+    ocean.schedule_sea(storm);
+    ocean.complete_sea();
+    const Frame& frame = ocean.frame_at(2);
+    EXPECT_NE(frame.tiles[0].lattice.side_m, side);
+    EXPECT_EQ(hash_of(frame), hash_of(fresh.frame_at(2)));
+}
+
 // A tick's time is its own, absolute, and so is its part of the loop.
 TEST(WaveInput, IsToldTheTimeOfFramesAndTicks) {
     struct Spy final : WaveInput {
