@@ -104,6 +104,45 @@ pelagic_sea any_sea(Bytes& bytes) {
     return sea;
 }
 
+/// A batch, rings and a callback, as many of them as can be.
+std::vector<pelagic_input*> any_inputs(Bytes& bytes) {
+    std::vector<pelagic_input*> inputs;
+    const auto keep = [&](pelagic_status status, pelagic_input* made) {
+        must_be_a_status(status);
+        if (made) inputs.push_back(made);
+    };
+    auto waves = sized<pelagic_waves>(bytes);
+    double of_waves[4][3];
+    for (auto& field : of_waves)
+        for (double& value : field) value = bytes.number();
+    const auto count = bytes.take<std::uint8_t>();
+    waves.count = count == 255 ? SIZE_MAX : count % 4;
+    waves.amplitude_m = of_waves[0], waves.wavelength_m = of_waves[1], waves.direction_rad = of_waves[2];
+    if (count % 2) waves.phase_rad = of_waves[3];
+    waves.choppiness = bytes.number();
+    pelagic_input* made = nullptr;
+    keep(pelagic_input_create_waves(&waves, &made), made);
+    if (made) must_be_a_status(pelagic_input_set_waves(made, &waves));
+    auto ripple = sized<pelagic_ripple>(bytes);
+    for (double* const field :
+         {&ripple.x_m, &ripple.z_m, &ripple.wavelength_m, &ripple.amplitude_m, &ripple.reach_m, &ripple.phase_rad})
+        *field = bytes.number();
+    made = nullptr;
+    keep(pelagic_input_create_ripple(&ripple, &made), made);
+    auto callback = sized<pelagic_input_callback>(bytes);
+    static float value;
+    value = static_cast<float>(bytes.number());
+    callback.add = [](void* user, const pelagic_input_rows* rows) {
+        rows->height[rows->resolution - 1] = *static_cast<const float*>(user);
+    };
+    callback.user = &value;
+    callback.tiles = bytes.take<std::uint8_t>();
+    callback.largest_slope = bytes.number();
+    made = nullptr;
+    keep(pelagic_input_create_callback(&callback, &made), made);
+    return inputs;
+}
+
 pelagic_ocean* any_ocean(Bytes& bytes) {
     auto executor_options = sized<pelagic_executor_options>(bytes);
     constexpr std::int32_t kinds[] = {PELAGIC_EXECUTOR_SERIAL, PELAGIC_EXECUTOR_HOST, PELAGIC_EXECUTOR_TBB, -7};
@@ -134,8 +173,13 @@ pelagic_ocean* any_ocean(Bytes& bytes) {
     const char* const isas[] = {nullptr, nullptr, nullptr, "sse4.2", "avx2", "", "neon"};
     options.isa = isas[bytes.take<std::uint8_t>() % std::size(isas)];
     const pelagic_sea sea = any_sea(bytes);
+    // From some bytes alone, so that others read what they did.
+    const std::vector<pelagic_input*> inputs = parts / 16 == 15 ? any_inputs(bytes) : std::vector<pelagic_input*>();
+    options.input_count = inputs.size();
+    options.inputs = inputs.data();
     pelagic_ocean* ocean = nullptr;
     must_be_a_status(pelagic_ocean_create(&sea, &options, &ocean));
+    for (pelagic_input* const input : inputs) pelagic_input_destroy(input);
     pelagic_executor_destroy(executor);
     pelagic_executor_destroy(serial);
     return ocean;
