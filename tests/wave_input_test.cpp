@@ -148,6 +148,37 @@ TEST(WaveInput, GerstnerWavesAreTheirClosedFormAtTexels) {
     }
 }
 
+// On tiles close to one another, where several could take a wave.
+TEST(WaveInput, AWaveGoesToTheTileThatShowsItBest) {
+    const SeaState close{.waves = WaveModel::analytic,
+                         .cascades = 4,
+                         .resolution = 64,
+                         .loop_period_s = loop_s,
+                         .longest_wave_m = 30,
+                         .shortest_wave_m = 2};
+    const auto input = std::make_shared<GerstnerInput>();
+    Ocean ocean(close, with({input}));
+    int by_steps = 0, held = 0;
+    for (double wavelength = 150; wavelength > 0.5; wavelength *= 0.97) {
+        const AnalyticWave wave{.amplitude_m = 0.01 * std::min(wavelength, 1.0),
+                                .wavelength_m = wavelength,
+                                .direction_rad = std::remainder(wavelength, two_pi)};
+        input->set({.waves = {wave}});
+        const Frame& frame = ocean.frame_at(0);
+        const Told told = told_of(wave, frame.tiles);
+        ASSERT_EQ(input->held().waves.size(), told.tile < 0 ? 0U : 1U) << wavelength;
+        if (told.tile < 0) continue;
+        const TileLattice& lattice = frame.tiles[static_cast<std::size_t>(told.tile)].lattice;
+        const auto [x, z] = lattice.in_world(told.m / lattice.side_m, told.n / lattice.side_m);
+        EXPECT_NEAR(input->held().waves[0].turns_per_m_x, x, 1e-12) << wavelength;
+        EXPECT_NEAR(input->held().waves[0].turns_per_m_z, z, 1e-12) << wavelength;
+        ++held;
+        by_steps += told.tile > 0 && wavelength > 3 * frame.tiles[static_cast<std::size_t>(told.tile - 1)].texel_m();
+    }
+    EXPECT_GT(held, 100);
+    EXPECT_GT(by_steps, 2);  // the tile above could have shown it, too
+}
+
 // The same from the closed form's own evaluator, by what the input says it holds.
 TEST(WaveInput, SaysWhichWavesItHolds) {
     const auto input = gerstner();
@@ -417,6 +448,26 @@ TEST(WaveInput, WhatIsSetCountsFromTheNextFrameOn) {
     Ocean fresh(stack, with({gerstner(few), ripple(second)}));
     EXPECT_EQ(after[2], hash_of(fresh.frame_at(2)));
     EXPECT_NE(after[2], before[2]);
+}
+
+// A jump's ticks are made after it was scheduled, a tick of the frame's own beside it: neither moves what frames show.
+TEST(WaveInput, TicksOfFoamChangeNothingElse) {
+    SeaState windy = stack;
+    windy.wind_speed_mps = 15;
+    const auto waves = gerstner();
+    const auto rings = ripple({.wavelength_m = 9, .amplitude_m = 0.4});
+    OceanOptions options = with({waves, rings});
+    options.foam = true;
+    Ocean ocean(windy, options), plain(windy, with({gerstner(), ripple({.wavelength_m = 9, .amplitude_m = 0.4})}));
+    for (const double t : {1.0, 1.15, 9.07}) EXPECT_EQ(hash_of(ocean.frame_at(t)), hash_of(plain.frame_at(t))) << t;
+    const std::uint64_t foam = foam_hash_of(ocean.frame_at(14.03));
+    ocean.frame_at(1);
+    ocean.schedule(14.03);
+    waves->set({});
+    rings->set({});
+    const Frame& frame = ocean.complete();
+    EXPECT_EQ(hash_of(frame), hash_of(plain.frame_at(14.03)));
+    EXPECT_EQ(foam_hash_of(frame), foam);
 }
 
 // Foam that lasts is of ticks: an input of ticks alone leaves no trace but foam.
