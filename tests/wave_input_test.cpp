@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -268,6 +270,10 @@ TEST(WaveInput, WhatIsTooShortOrTooLongOrFlatIsLeftOut) {
     EXPECT_EQ(hash_of(ocean.frame_at(5)), hash_of(pure.frame_at(5)));
     EXPECT_TRUE(waves->held().waves.empty());
     EXPECT_EQ(rings->held().reach_m, 0);
+    // Where there is one tile, two texels of 1.25 m are enough.
+    waves->set({.waves = {{.amplitude_m = 0.01, .wavelength_m = 2.6}, {.amplitude_m = 0.01, .wavelength_m = 2.4}}});
+    ocean.frame_at(5);
+    EXPECT_EQ(waves->held().waves.size(), 1U);
 }
 
 TEST(WaveInput, TilesThatGetNothingKeepTheirBits) {
@@ -282,9 +288,40 @@ TEST(WaveInput, TilesThatGetNothingKeepTheirBits) {
         EXPECT_EQ(x.slope_ranges.slope, y.slope_ranges.slope);
     }
     EXPECT_NE(hash_of(a), hash_of(b));
+    for (const Stage& stage : ocean.graph().stages()) {  // on threads nothing else keeps it behind both
+        if (stage.name != "inputs c1") continue;
+        ASSERT_EQ(stage.waits_for.size(), 2U);
+        EXPECT_EQ(ocean.graph().stages()[stage.waits_for[0]].name, "columns+finalize c1");
+        EXPECT_EQ(ocean.graph().stages()[stage.waits_for[1]].name, "velocity columns c1");
+    }
     Ocean without(stack, {.executor = make_serial_executor()});
     EXPECT_EQ(hash_of(without.frame_at(2)), hash_of(pure.frame_at(2)));
     for (const Stage& stage : without.graph().stages()) EXPECT_EQ(stage.name.find("inputs"), std::string::npos);
+}
+
+// Of a callback that is for some tiles, and of tiles whose ticks nobody looks at.
+TEST(WaveInput, NobodyIsAskedForWhatNobodyWants) {
+    std::array<std::atomic<int>, 4> frames{}, ticks{};
+    const auto count = [&](const InputRows& rows) {
+        ++(rows.moment.place == 0 ? frames : ticks)[rows.tile];
+        EXPECT_EQ(rows.velocity_x.empty(), rows.moment.place == 1);
+    };
+    OceanOptions options = with({std::make_shared<CallbackInput>(count, 0.5, 0b1101)});
+    options.foam = true;
+    SeaState wide = stack;
+    wide.resolution = 128;  // the finest tile's waves are shorter than a metre
+    wide.wind_speed_mps = 12;
+    Ocean ocean(wide, options);
+    const Frame& frame = ocean.frame_at(1);
+    int whites = 0;
+    for (std::size_t tile = 0; tile < 4; ++tile) {
+        const bool is_asked = tile != 1;
+        EXPECT_EQ(frames[tile] > 0, is_asked) << tile;
+        EXPECT_EQ(ticks[tile] > 0, is_asked && frame.tiles[tile].makes_whitecaps()) << tile;
+        whites += frame.tiles[tile].makes_whitecaps();
+    }
+    EXPECT_GT(whites, 0);
+    EXPECT_LT(whites, 4);
 }
 
 // Floats don't add up to the same in another order: it is the list's.

@@ -98,7 +98,6 @@ void WaveInputs::begin_tile(Pass pass, std::size_t tile, Tile& at) {
     }
     // A tick is for foam alone, and its source leaves nothing where there is none.
     if (pass == Pass::tick && !at.makes_whitecaps()) adds = 0;
-    if (adds == 0) return;
     at.slope_ranges.slope += static_cast<float>(steeper);
     at.slope_ranges.variance += static_cast<float>(steeper * steeper);
 }
