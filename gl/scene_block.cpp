@@ -90,6 +90,18 @@ void place_details(SceneBlock& block, const SeaFacts& facts, glm::dvec2 viewer) 
     block.gust_shift = {placed(viewer, tiles.z), placed(turned, tiles.w)};
 }
 
+/// Texel i of the world stands at i texels and is kept in column i mod N. The outermost ones are 0 and have neighbours on the other
+/// side only: local_water.cpp's sample() leaves them out, too.
+void place_local_water(SceneBlock& block, const LocalFacts& local, glm::dvec2 viewer) {
+    if (local.resolution == 0) return;
+    const double n = local.resolution;
+    const glm::dvec2 first(static_cast<double>(local.first_x), static_cast<double>(local.first_z));
+    const auto coordinate = [&](double metres) { return fraction((metres / local.texel_m + 0.5) / n); };
+    block.local_place = {coordinate(viewer.x), coordinate(viewer.y), 1 / (n * local.texel_m), 1 / local.texel_m};
+    block.local_window = {glm::vec2((first + 0.5 * (n - 1)) * local.texel_m - viewer), 0.5 * (n - 3) * local.texel_m,
+                          0};
+}
+
 /// The moon's disc and the stars.
 void place_night(SceneBlock& block, const SkyLight& sky) {
     const float lit_part = 0.5f - 0.5f * glm::dot(sky.true_sun_direction, sky.sun_direction);
@@ -156,7 +168,11 @@ SeaFacts facts_of(const Frame& frame) {
                    .figures = frame.figures,
                    .resolution = frame.tiles[0].resolution(),
                    .tiles = {},
-                   .time_s = frame.time_s};
+                   .time_s = frame.time_s,
+                   .local = {.resolution = frame.local.resolution,
+                             .texel_m = frame.local.texel_m,
+                             .first_x = frame.local.first_x,
+                             .first_z = frame.local.first_z}};
     // A finer tile's waves are those that have less than three texels of the coarser one (sim/spectrum/bands.cpp), or so few of which
     // there are that it takes more of them (sim/tile_plan.hpp).
     double longest_wave_m = frame.tiles[0].lattice.side_m;
@@ -209,6 +225,7 @@ SceneBlock scene_block_of(const DrawInput& input, const SeaFacts& facts, const W
     block.waves = {std::max(0.05, facts.figures.significant_wave_height_m), alpha, std::cos(wind), std::sin(wind)};
     place_tiles(block, facts, viewer);
     place_details(block, facts, viewer);
+    place_local_water(block, facts.local, viewer);
     block.output_kind = {facts.framebuffer_is_srgb ? 0 : 1, facts.writes_radiance ? 1 : 0,
                          input.weighs_samples ? exposure : 0, sky.unit * sun_illuminance_lx};
     place_night(block, sky);

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -40,6 +41,7 @@ struct SceneBlock {
     glm::vec4 flow_place{}, flow_cycle{}, flow_jump{};
     glm::vec4 output_kind{};
     glm::vec4 moon{}, stars{};
+    glm::vec4 local_place{}, local_window{};
 };
 
 /// What stays of a tile when its texels are in a texture.
@@ -50,6 +52,13 @@ struct TileFacts {
     float slope_variance = 0;  ///< of all its waves, both axes: what its last mip has averaged away
     float foam_cover = 0;      ///< mean part of the sea under its foam, 0 where the frame has none
     bool makes_foam = false;
+};
+
+/// What stays of a window of water that answers.
+struct LocalFacts {
+    int resolution = 0;  ///< 0: the frame has none
+    double texel_m = 0;
+    std::int64_t first_x = 0, first_z = 0;
 };
 
 /// What the uploaded frame says of itself, and how its textures and the framebuffer are made.
@@ -65,6 +74,7 @@ struct SeaFacts {
     bool writes_radiance = false;
     Surface surface = Surface::open;
     FlowExtent flow{};
+    LocalFacts local{};
 
     const TileFacts& finest_tile() const { return tiles.back(); }
     double texel_m(const TileFacts& tile) const { return tile.lattice.side_m / resolution; }

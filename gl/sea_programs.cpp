@@ -13,10 +13,12 @@ std::array<ProgramFiles, 5> sea_program_files(const SeaVariant& variant) {
                           number(variant.below) + "\n";
     if (variant.mirrors_scene) defines += "#define MIRRORS_SCENE\n";
     if (variant.multiview) defines += "#define MULTIVIEW\n";
-    return {{{"sea.vert.glsl", "sea.frag.glsl", defines},
+    // No water answers beyond the patches.
+    const std::string of_patches = defines + (variant.local ? "#define LOCAL_WATER\n" : "");
+    return {{{"sea.vert.glsl", "sea.frag.glsl", of_patches},
              {"skirt.vert.glsl", "sea.frag.glsl", defines + "#define SKIRT\n"},
              {"sky.vert.glsl", "sky.frag.glsl", defines},
-             {"sea.vert.glsl", "wireframe.frag.glsl", defines},
+             {"sea.vert.glsl", "wireframe.frag.glsl", of_patches},
              {"floor.vert.glsl", "floor.frag.glsl", defines + "#define FLOOR\n"}}};
 }
 
@@ -36,6 +38,7 @@ SeaProgram::SeaProgram(const Functions& gl, const ProgramFiles& files)
     gl.Uniform1i(program.uniform("flow"), flow_unit);
     gl.Uniform1i(program.uniform("host_radiance"), host_radiance_unit);
     gl.Uniform1i(program.uniform("host_depth"), host_depth_unit);
+    gl.Uniform1i(program.uniform("local_texels"), local_unit);
     eye_index = program.uniform("eye_index");
     brightness = program.uniform("brightness");
 }

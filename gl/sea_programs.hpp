@@ -24,6 +24,7 @@ enum Unit : GLint {
     flow_unit,
     host_radiance_unit,
     host_depth_unit,
+    local_unit,
     unit_count
 };
 
@@ -41,6 +42,7 @@ struct SeaVariant {
     bool multiview = false;
     bool below = false;          ///< the floor shows, or a lens is near the water: the others spare its cost
     bool mirrors_scene = false;  ///< what a host drew, too
+    bool local = false;          ///< the frame has a window of water that answers
 };
 
 /// For patches, skirt, background, wireframe and floor, in this order.

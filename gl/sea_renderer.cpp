@@ -9,6 +9,7 @@
 #include "pelagic/gl/detail_image.hpp"
 #include "pelagic/gl/foam_image.hpp"
 #include "pelagic/gl/kept_state.hpp"
+#include "pelagic/gl/local_textures.hpp"
 #include "pelagic/gl/patch_buffers.hpp"
 #include "pelagic/gl/scene_block.hpp"
 #include "pelagic/gl/sea_programs.hpp"
@@ -64,9 +65,12 @@ const RendererOptions& checked(const RendererOptions& options) {
 
 struct SeaRenderer::State {
     State(const Functions& functions, const RendererOptions& wanted)
-        : gl(functions), options(checked(wanted)), textures(functions, wanted.resolution, wanted.tiles) {
+        : gl(functions),
+          options(checked(wanted)),
+          textures(functions, wanted.resolution, wanted.tiles),
+          local(functions) {
         const KeptState keep(gl);
-        choose_programs(false, false);
+        choose_programs({});
         buffers = std::make_unique<PatchBuffers>(gl, options.patch_vertices);
         detail = make_detail_texture(gl);
         foam = make_foam_texture(gl, *(options.executor ? options.executor : make_serial_executor()));
@@ -98,6 +102,7 @@ struct SeaRenderer::State {
         bind(flow_unit, GL_TEXTURE_2D, flow.name());
         bind(host_radiance_unit, GL_TEXTURE_2D, host.radiance);
         bind(host_depth_unit, GL_TEXTURE_2D, host.depth);
+        bind(local_unit, GL_TEXTURE_2D, local.texels());
     }
 
     void add(const PatchBuffers::Counts& counts) {
@@ -106,16 +111,26 @@ struct SeaRenderer::State {
         figures.draw_driver_ms += counts.driver_ms;
     }
 
-    /// Those for a floor that shows, a lens near the water or a host's scene are compiled when they are first needed.
-    void choose_programs(bool below, bool mirrors_scene) {
-        std::unique_ptr<SeaPrograms>& chosen = all_programs[below ? 1 : 0][mirrors_scene ? 1 : 0];
+    /// What a draw needs beyond the open sea. What nobody needs costs no pixel anything.
+    struct Extras {
+        bool below = false;  ///< a floor shows, or a lens is near the water
+        bool mirrors_scene = false;
+        bool local = false;
+    };
+
+    /// Programs with extras are compiled when they are first needed.
+    void choose_programs(const Extras& with) {
+        const auto index = [](bool wanted) { return std::size_t{wanted ? 1u : 0u}; };
+        std::unique_ptr<SeaPrograms>& chosen =
+            all_programs[index(with.below)][index(with.mirrors_scene)][index(with.local)];
         if (!chosen)
             chosen = std::make_unique<SeaPrograms>(gl, SeaVariant{.tiles = options.tiles,
                                                                   .shading = options.shading,
                                                                   .surface = options.surface,
                                                                   .multiview = options.multiview,
-                                                                  .below = below,
-                                                                  .mirrors_scene = mirrors_scene});
+                                                                  .below = with.below,
+                                                                  .mirrors_scene = with.mirrors_scene,
+                                                                  .local = with.local});
         programs = chosen.get();
     }
 
@@ -163,9 +178,11 @@ struct SeaRenderer::State {
     const Functions& gl;
     RendererOptions options;
     FrameTextures textures;
+    LocalTextures local;
     SeaFacts facts;
-    std::array<std::array<std::unique_ptr<SeaPrograms>, 2>, 2> all_programs;  ///< by below and mirrors_scene
-    SeaPrograms* programs = nullptr;                                          ///< of the draw() in progress
+    /// By Extras: below, mirrors_scene, local.
+    std::array<std::array<std::array<std::unique_ptr<SeaPrograms>, 2>, 2>, 2> all_programs;
+    SeaPrograms* programs = nullptr;  ///< of the draw() in progress
     std::unique_ptr<PatchBuffers> buffers;
     Texture detail, foam, sky, floor, caustics, flow;
     FloorFacts floor_facts;
@@ -289,7 +306,10 @@ std::span<const TextureTargets> SeaRenderer::map_textures() { return state_->tex
 
 void SeaRenderer::upload(const Frame& frame) {
     const Stopwatch all;
+    if (const std::string reason = state_->local.refusal_of(frame.local); !reason.empty())
+        throw std::invalid_argument(reason);
     state_->textures.upload(frame);
+    state_->local.upload(frame.local);
     state_->facts = facts_of(frame);
     state_->facts.has_displacement_mips = state_->textures.has_displacement_mips();
     state_->facts.has_foam = state_->textures.has_foam();
@@ -297,8 +317,8 @@ void SeaRenderer::upload(const Frame& frame) {
     state_->facts.surface = state_->options.surface;
     state_->facts.writes_radiance = state_->options.writes == PixelKind::radiance;
     state_->figures.upload_ms = all.milliseconds();
-    state_->figures.upload_driver_ms = state_->textures.last_driver_ms();
-    state_->figures.upload_bytes = state_->textures.uploaded_bytes();
+    state_->figures.upload_driver_ms = state_->textures.last_driver_ms() + state_->local.last_driver_ms();
+    state_->figures.upload_bytes = state_->textures.uploaded_bytes() + state_->local.uploaded_bytes();
 }
 
 const DrawFigures& SeaRenderer::draw(const DrawInput& input) {
@@ -320,7 +340,9 @@ const DrawFigures& SeaRenderer::draw(const DrawInput& input) {
     s.lens_is_wet = block.lens.w > 0;
     const bool mirrors_scene =
         input.host_scene && input.eyes.size() == 1 && !s.options.multiview && s.options.shading != Shading::headset;
-    s.choose_programs(s.lens_is_wet || block.floor_albedo.w > 0 || s.floor_facts.columns > 0, mirrors_scene);
+    s.choose_programs({.below = s.lens_is_wet || block.floor_albedo.w > 0 || s.floor_facts.columns > 0,
+                       .mirrors_scene = mirrors_scene,
+                       .local = s.facts.local.resolution > 0});
     gl.BindBuffer(GL_UNIFORM_BUFFER, s.scene.name());
     gl.BufferData(GL_UNIFORM_BUFFER, sizeof(block), &block, GL_STREAM_DRAW);
     gl.BindBufferBase(GL_UNIFORM_BUFFER, 0, s.scene.name());

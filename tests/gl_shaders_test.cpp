@@ -54,13 +54,22 @@ TEST(Shaders, AreGlslInEveryVariant) {
         for (const Shading shading : {Shading::headset, Shading::high})
             variants.push_back({.shading = shading, .surface = surface, .below = true});
     for (const bool below : {false, true}) variants.push_back({.tiles = 4, .below = below, .mirrors_scene = true});
+    for (const Surface surface : {Surface::open, Surface::pond})
+        for (const Shading shading : {Shading::headset, Shading::medium, Shading::high})
+            variants.push_back({.tiles = surface == Surface::open ? 4u : 1u,
+                                .shading = shading,
+                                .surface = surface,
+                                .multiview = shading == Shading::headset,
+                                .below = shading != Shading::medium,
+                                .mirrors_scene = shading == Shading::high,
+                                .local = true});
     std::vector<gl::ProgramFiles> all = {{"panel.vert.glsl", "panel.frag.glsl", ""},
                                          {"rock.vert.glsl", "rock.frag.glsl", ""}};
     for (const gl::SeaVariant& variant : variants)
         for (const gl::ProgramFiles& files : gl::sea_program_files(variant)) all.push_back(files);
     for (const char* pass : {"bloom_down.frag.glsl", "bloom_up.frag.glsl", "display.frag.glsl", "meter.frag.glsl"})
         all.push_back({"screen.vert.glsl", pass, ""});
-    ASSERT_EQ(all.size(), 146u);
+    ASSERT_EQ(all.size(), 176u);
     for (const gl::ProgramFiles& files : all)
         EXPECT_EQ(refusal_of(files), "") << files.vertex << ", " << files.fragment << "\n" << files.defines;
 }
@@ -128,6 +137,14 @@ TEST(Shaders, CostAPixelWhatTheirTierMay) {
                         tiles, cost.looks, cost.operations);
             EXPECT_EQ(cost.loops, 0);
             EXPECT_EQ(cost.looks, tiles == 1 ? row.looks_at_one_tile : row.looks_at_four) << tiles << " tiles";
+            const PixelCost with_window =
+                cost_of(gl::sea_program_files({.tiles = tiles, .shading = row.shading, .local = true})[0]);
+            std::printf("    and a window of water that answers: %d look-ups, %d operations\n", with_window.looks,
+                        with_window.operations);
+            EXPECT_EQ(with_window.loops, 0);
+            EXPECT_EQ(with_window.looks, cost.looks + 1);
+            // Its place, four products of it, and foam's union with the tiles'.
+            EXPECT_LE(with_window.operations, cost.operations + 45);
             if (row.shading == Shading::headset) {
                 EXPECT_LE(cost.looks, 8);
             }

@@ -1,73 +1,14 @@
-// The sea that is drawn lies where queries say: seen from straight above through a near plane that cuts the crests off,
-// holes are where the height is above that plane.
+// The sea that is drawn lies where the tiles of its frame say (gl_slice.hpp).
 #include <gtest/gtest.h>
 
 #include "pelagic/sim/surface/tile_sum.hpp"
-#include "pelagic/tests/gl_scene.hpp"
+#include "pelagic/tests/gl_slice.hpp"
 
 namespace pelagic {
 namespace {
 
-constexpr int side = 160;      // pixels
-constexpr double half_m = 20;  // of the square that is seen
+constexpr int side = slice_pixels;
 constexpr glm::dvec2 middle(1034.7, -263.9);
-
-/// From above, x to the right and z down; what is higher than `top_m` lies before the near plane.
-glm::dmat4 slice(double top_m) {
-    glm::dmat4 m(0);
-    m[0][0] = 1 / half_m;
-    m[2][1] = -1 / half_m;
-    m[1][2] = -1.0 / 25;
-    m[3] = {-middle.x / half_m, middle.y / half_m, top_m / 25 - 1, 1};
-    return m;
-}
-
-std::vector<std::uint8_t> picture_of_slice(GlScene& scene, const Frame& frame, double top_m) {
-    const glm::dvec3 viewer(middle.x, 1, middle.y);
-    const gl::Eye eye{
-        .clip_from_world = slice(top_m), .position_m = {middle.x, 30, middle.y}, .viewport = {0, 0, side, side}};
-    const DrawList& list = scene.selection.select({.viewer_m = viewer});
-    scene.target->bind();
-    scene.gl().ClearColor(1, 0, 1, 1);
-    scene.gl().Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    scene.renderer->upload(frame);
-    scene.renderer->draw({.eyes = {&eye, 1},
-                          .viewer_m = viewer,
-                          .list = &list,
-                          .lod_scale = scene.quadtree.lod_scale,
-                          .draws_sky = false});
-    return scene.target->read();
-}
-
-/// Checks a slice at a height that `heights` has in the middle of its range: the sea is drawn where it lies, and not half a
-/// metre, which is the vertices' spacing and half a texel, beside.
-template <class Height>
-void expect_slice_in_place(GlScene& scene, const Frame& frame, double top_m, const Height& height) {
-    const std::vector<std::uint8_t> pixels = picture_of_slice(scene, frame, top_m);
-    const auto is_cut = [&](int x, int y) {
-        const std::uint8_t* rgb = &pixels[4 * static_cast<std::size_t>(y * side + x)];
-        return rgb[0] == 255 && rgb[1] == 0 && rgb[2] == 255;
-    };
-    const auto wrong_pixels = [&](double shift_m) {
-        int wrong = 0;
-        for (int y = 0; y < side; ++y)
-            for (int x = 0; x < side; ++x) {
-                const double world_x = middle.x + ((x + 0.5) / side * 2 - 1) * half_m + shift_m,
-                             world_z = middle.y + ((y + 0.5) / side * 2 - 1) * half_m + shift_m;
-                wrong += is_cut(x, y) != (height(world_x, world_z) > top_m);
-            }
-        return wrong;
-    };
-    int cut = 0;
-    for (int y = 0; y < side; ++y)
-        for (int x = 0; x < side; ++x) cut += is_cut(x, y);
-    ASSERT_GT(cut, side * side / 10);
-    ASSERT_LT(cut, side * side * 9 / 10);
-    std::printf("pixels on the wrong side: %d in place, %d and %d half a texel beside\n", wrong_pixels(0),
-                wrong_pixels(-0.5), wrong_pixels(0.5));
-    EXPECT_LT(3 * wrong_pixels(0), wrong_pixels(-0.5));
-    EXPECT_LT(3 * wrong_pixels(0), wrong_pixels(0.5));
-}
 
 /// One sheet, straight up and down.
 SeaState sea_without_choppiness() {
@@ -81,7 +22,7 @@ TEST(GlSurface, LiesWhereTheFramesTilesSumToAndNotBeside) {
         {.quality = "ultra", .resolution = 128, .width = side, .height = side, .samples = 1, .size_m = 512});
     Ocean ocean(sea_without_choppiness(), {.executor = make_serial_executor()});
     const Frame& frame = ocean.frame_at(3);
-    expect_slice_in_place(scene, frame, displacement_of(frame, middle.x, middle.y).height,
+    expect_slice_in_place(scene, frame, middle, displacement_of(frame, middle.x, middle.y).height,
                           [&](double x, double z) { return displacement_of(frame, x, z).height; });
 }
 
@@ -102,7 +43,7 @@ TEST(GlSurface, HasEachTileAloneInItsPlaceAndTurned) {
         Frame frame = all;
         frame.tiles = tiles;
         const Tile& tile = tiles[alone];
-        expect_slice_in_place(scene, frame, displacement_of(tile, middle.x, middle.y).height,
+        expect_slice_in_place(scene, frame, middle, displacement_of(tile, middle.x, middle.y).height,
                               [&](double x, double z) { return displacement_of(tile, x, z).height; });
     }
 }

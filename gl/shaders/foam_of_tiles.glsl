@@ -9,10 +9,14 @@ struct FoamOfTiles {
 const FoamOfTiles no_foam = FoamOfTiles(0.0, 0.0, 1.0);
 
 // A whitecap is some texels wide: the fourth mip has hardly any of them left.
-FoamOfTiles with_tile(FoamOfTiles all, int tile, float part, float mip) {
+FoamOfTiles with_foam_of(FoamOfTiles all, float part, float mip, float thick) {
     float mean = smoothstep(1.0, 4.0, mip);
     float both = all.part * part, sum = max(all.part + part, 1e-4);
-    float thick = clamp(0.5 / tile_scale[tile].x, 0.3, 1.0);  // texels of 2 m belong to waves of 6 m and more
     return FoamOfTiles(mix(max(all.part, part), all.part + part - both, mean), (all.part * all.mean + part * mean) / sum,
                        mix(all.thick, thick, mix(smoothstep(0.5, 0.9, part / sum), part / sum, mean)));
+}
+
+FoamOfTiles with_tile(FoamOfTiles all, int tile, float part, float mip) {
+    // Texels of 2 m belong to waves of 6 m and more.
+    return with_foam_of(all, part, mip, clamp(0.5 / tile_scale[tile].x, 0.3, 1.0));
 }

@@ -1,6 +1,6 @@
 // Open sea. In the order of main():
 //
-//   waves       normal and roughness of the surface in the pixel; of small water, if that is what is drawn
+//   waves       normal and roughness of the surface in the pixel; of small water, if that is what is drawn; slopes of water that answers
 //   mirror      the sky, mirrored by waves of which those that lean towards the eye count most; the sun's glint; with MIRRORS_SCENE also
 //               what a host drew
 //   water       light from below: absorption and backscattering, light through crests
@@ -48,6 +48,9 @@ const float pi = 3.14159265;
 #include "foam_of_tiles.glsl"
 #include "foam_maps.glsl"
 #endif
+#ifdef LOCAL_WATER
+#include "local_water.glsl"
+#endif
 #include "foam.glsl"
 #include "haze.glsl"
 #if BELOW
@@ -87,6 +90,11 @@ void main() {
     float height = at.y + viewer.z;
 
     Waves surface = waves_at(resting, distance_m);
+#ifdef LOCAL_WATER
+    vec4 answers = local_water(at.xz, footprint_of(resting).wide_m);
+    surface.slopes -= answers.yz;
+    surface.crests = max(surface.crests, answers.w);
+#endif
     vec3 normal = normalize(vec3(surface.slopes.x, 1.0, surface.slopes.y));
 #if !defined(SKIRT) && SHADING != HEADSET
 #if MESH_SLOPES

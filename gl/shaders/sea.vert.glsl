@@ -38,10 +38,15 @@ invariant gl_Position;
 #include "small_water.glsl"
 #endif
 
-// Of a vertex: how far, and what foam floats there.
+#ifdef LOCAL_WATER
+#include "local_water.glsl"
+#endif
+
+// Of a vertex: how far, what foam floats there, and the slopes of water that answers.
 struct Moved {
     vec3 way;
     vec3 foam;
+    vec2 slopes;
 };
 
 // The sum of what the tiles hold there. Mips and weights depend on the rest position alone, so that every patch that has this
@@ -72,10 +77,20 @@ Moved displaced(ivec2 index) {
 #endif
     }
 #endif
-    return Moved(moved * left, foam);
+    moved *= left;
+    vec2 slopes = vec2(0.0);
+#ifdef LOCAL_WATER
+    // Half a level finer, as the tiles.
+    vec4 answers = left * local_water(at + moved.xz, spacing * 0.7071068);
+    moved.y += answers.x;
+    slopes = answers.yz;
+#endif
+    return Moved(moved, foam, slopes);
 }
 
-Moved mixed(Moved a, Moved b, float part) { return Moved(mix(a.way, b.way, part), mix(a.foam, b.foam, part)); }
+Moved mixed(Moved a, Moved b, float part) {
+    return Moved(mix(a.way, b.way, part), mix(a.foam, b.foam, part), mix(a.slopes, b.slopes, part));
+}
 
 #if BELOW
 // Around a lens near the water the mesh is the plane that the lens is told of, or its edge would stand beside the line in the
@@ -118,7 +133,7 @@ void main() {
 #endif
 #if MESH_SLOPES
     float spacing = max(mesh.y, length(vec3(rest.x, viewer.z, rest.y)) * mesh.x);
-    mesh_slopes = vec2(0.0);
+    mesh_slopes = moved.slopes;
     for (int tile = 0; tile < TILES; ++tile) {
         float mip = max(log2(spacing * tile_scale[tile].x), 0.0);
         vec2 texel = textureLod(slopes, vec3(place_in_tile(tile, rest), tile), mip).xy * (255.0 / 127.0) - 128.0 / 127.0;

@@ -1,0 +1,117 @@
+#include "pelagic/gl/local_textures.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "pelagic/gl/kept_state.hpp"
+#include "pelagic/gl/stopwatch.hpp"
+#include "pelagic/message/refusal.hpp"
+#include "pelagic/sim/tile.hpp"
+
+namespace pelagic::gl {
+namespace {
+
+constexpr std::size_t texel_bytes = 4 * sizeof(std::uint16_t);
+
+/// To the nearest half, of two the even one, without a branch, so that compilers do several at once. Not a number: the largest.
+std::uint32_t half_of(float value) {
+    constexpr float largest = 65504, smallest_normal = 0x1p-14f;
+    const auto bits = std::bit_cast<std::uint32_t>(value);
+    const float size = std::fabs(value) < largest ? std::fabs(value) : largest;
+    const auto of_size = std::bit_cast<std::uint32_t>(size);
+    const std::uint32_t normal = (of_size - (112u << 23) + 0xfff + (of_size >> 13 & 1)) >> 13;
+    // Added to a half, whose last bit is worth 2^-24 as that of a half below its normal ones, it is rounded there.
+    const std::uint32_t tiny = std::bit_cast<std::uint32_t>(size + 0.5f) - std::bit_cast<std::uint32_t>(0.5f);
+    return (bits >> 16 & 0x8000) | (size < smallest_normal ? tiny : normal);
+}
+
+/// A row of the window with those before and after it.
+struct Rows {
+    const float *before, *here, *after;
+    const std::uint8_t* foam;
+};
+
+void pack_texel(const Rows& rows, std::size_t i, std::size_t left, std::size_t right, float half_a_texel,
+                std::uint16_t* to) {
+    to[0] = static_cast<std::uint16_t>(half_of(rows.here[i]));
+    to[1] = static_cast<std::uint16_t>(half_of((rows.here[right] - rows.here[left]) * half_a_texel));
+    to[2] = static_cast<std::uint16_t>(half_of((rows.after[i] - rows.before[i]) * half_a_texel));
+    to[3] = static_cast<std::uint16_t>(half_of(static_cast<float>(rows.foam[i]) * (1.f / 255)));
+}
+
+}  // namespace
+
+std::string check(const LocalSurface& water, int largest_side) {
+    const auto refused = [](const char* what, auto value, const std::string& needs) {
+        return refusal("Frame::local." + std::string(what), value, needs);
+    };
+    if (!water) return {};
+    if (water.resolution > largest_side || std::popcount(static_cast<unsigned>(water.resolution)) != 1)
+        return refused("resolution", water.resolution,
+                       "a power of two up to the driver's " + std::to_string(largest_side));
+    if (!(water.texel_m > 0) || !std::isfinite(water.texel_m)) return refused("texel_m", water.texel_m, "(0, inf)");
+    const std::size_t texels =
+        static_cast<std::size_t>(water.resolution) * static_cast<std::size_t>(water.resolution);
+    const std::string all = "resolution^2, " + std::to_string(texels);
+    if (water.height_m.size() != texels) return refused("height_m.size()", water.height_m.size(), all);
+    if (water.foam.size() != texels) return refused("foam.size()", water.foam.size(), all);
+    return {};
+}
+
+void pack(const LocalSurface& water, std::span<std::uint16_t> halves) {
+    const auto n = static_cast<std::size_t>(water.resolution);
+    const auto half_a_texel = static_cast<float>(0.5 / water.texel_m);
+    const auto row_at = [&](std::size_t row) { return water.height_m.data() + (row & (n - 1)) * n; };
+    for (std::size_t row = 0; row < n; ++row) {
+        const Rows rows{row_at(row + n - 1), row_at(row), row_at(row + 1), water.foam.data() + row * n};
+        std::uint16_t* const to = halves.data() + 4 * n * row;
+        for (std::size_t i = 1; i + 1 < n; ++i) pack_texel(rows, i, i - 1, i + 1, half_a_texel, to + 4 * i);
+        for (const std::size_t i : {std::size_t{0}, n - 1})
+            pack_texel(rows, i, (i + n - 1) & (n - 1), (i + 1) & (n - 1), half_a_texel, to + 4 * i);
+    }
+}
+
+LocalTextures::LocalTextures(const Functions& gl) : gl_(gl) { gl.GetIntegerv(GL_MAX_TEXTURE_SIZE, &largest_side_); }
+
+void LocalTextures::make_textures(int resolution) {
+    resolution_ = resolution;
+    const auto side = static_cast<std::size_t>(resolution);
+    pixels_.emplace(gl_, texel_bytes * side * side);
+    for (Texture& texture : sets_) {
+        texture = Texture(gl_);
+        gl_.BindTexture(GL_TEXTURE_2D, texture.name());
+        gl_.TexStorage2D(GL_TEXTURE_2D, gl_.renders_to_half_floats ? mip_levels(resolution) : 1, GL_RGBA16F,
+                         resolution, resolution);
+        gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_REPEAT);
+        gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_REPEAT);
+        gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+        gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER,
+                          gl_.renders_to_half_floats ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR);
+    }
+}
+
+void LocalTextures::upload(const LocalSurface& water) {
+    uploaded_bytes_ = 0;
+    driver_ms_ = 0;
+    if (!water) return;
+    const KeptState keep(gl_);
+    if (water.resolution != resolution_) make_textures(water.resolution);
+    const auto halves =
+        std::size_t{4} * static_cast<std::size_t>(resolution_) * static_cast<std::size_t>(resolution_);
+    // GL's buffers are as aligned as TextureTargets are.
+    pack(water, {reinterpret_cast<std::uint16_t*>(pixels_->map()), halves});
+    const std::uintptr_t texels = pixels_->hand_over();
+    set_ = 1 - set_;
+
+    const Stopwatch driver;
+    gl_.BindTexture(GL_TEXTURE_2D, sets_[set_].name());
+    gl_.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, resolution_, resolution_, GL_RGBA, GL_HALF_FLOAT,
+                      reinterpret_cast<const void*>(texels));
+    if (gl_.renders_to_half_floats) gl_.GenerateMipmap(GL_TEXTURE_2D);
+    pixels_->release();
+    driver_ms_ = driver.milliseconds();
+    uploaded_bytes_ = sizeof(std::uint16_t) * halves;
+}
+
+}  // namespace pelagic::gl

@@ -1,0 +1,366 @@
+// Water that answers in pictures: the window's heights, slopes and foam where queries know them, and nothing where there is none.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <numbers>
+#include <stdexcept>
+
+#include "pelagic/gl/local_textures.hpp"
+#include "pelagic/sim/surface_query.hpp"
+#include "pelagic/tests/gl_probe.hpp"
+#include "pelagic/tests/gl_slice.hpp"
+
+namespace pelagic {
+namespace {
+
+/// A window by hand: waves that fade towards its edges, and foam, kept as an ocean keeps them.
+class Window {
+   public:
+    static constexpr int n = 64;
+    struct Place {
+        std::int64_t x = 0, z = 0;
+        double texel_m = 0.25;
+    };
+
+    /// Both of texels, counted from the window's corner.
+    Window(const Place& first, auto&& height, auto&& foam) {
+        const std::int64_t first_x = first.x, first_z = first.z;
+        surface_.resolution = n;
+        surface_.texel_m = first.texel_m;
+        surface_.first_x = first_x;
+        surface_.first_z = first_z;
+        for (std::int64_t z = first_z; z < first_z + n; ++z)
+            for (std::int64_t x = first_x; x < first_x + n; ++x) {
+                const auto place = static_cast<std::size_t>((z & (n - 1)) * n + (x & (n - 1)));
+                const bool is_edge = x == first_x || z == first_z || x == first_x + n - 1 || z == first_z + n - 1;
+                heights_[place] = is_edge ? 0 : static_cast<float>(height(x - first_x, z - first_z));
+                foam_[place] = is_edge ? std::uint8_t{0} : static_cast<std::uint8_t>(foam(x - first_x, z - first_z));
+            }
+        surface_.height_m = heights_;
+        surface_.rise_mps = rises_;
+        surface_.foam = foam_;
+    }
+    const LocalSurface& surface() const { return surface_; }
+    glm::dvec2 middle() const {
+        return surface_.texel_m * (glm::dvec2(surface_.first_x, surface_.first_z) + 0.5 * (n - 1));
+    }
+
+   private:
+    LocalSurface surface_;
+    std::vector<float> heights_ = std::vector<float>(n * n), rises_ = heights_;
+    std::vector<std::uint8_t> foam_ = std::vector<std::uint8_t>(n * n);
+};
+
+const auto no_foam = [](auto, auto) { return 0; };
+
+Window waves_at(std::int64_t first_x, std::int64_t first_z) {
+    const auto faded = [](std::int64_t i) {
+        const double s = std::sin(std::numbers::pi * static_cast<double>(i) / (Window::n - 1));
+        return s * s;
+    };
+    return {{.x = first_x, .z = first_z},
+            [&](auto x, auto z) {
+                return 0.4 * faded(x) * faded(z) *
+                       std::sin(0.9 * static_cast<double>(x) - 0.6 * static_cast<double>(z));
+            },
+            [&](auto x, auto z) { return 255 * faded(x) * faded(z); }};
+}
+
+// Places within and around the window, near the world's origin and where a float would know no metres: from a viewer beside it, on every
+// seam of the torus.
+TEST(GlLocalWater, ShadersReadWhatSampleSays) {
+    constexpr double apart_m = 0.2;  // of places
+    GlProbe probe(gl::Surface::open, {"local_water.glsl"},
+                  "result = local_water((gl_FragCoord.xy - 64.0) * 0.2 + vec2(0.013, -0.007), 0.01);");
+    for (const auto& [first_x, first_z] :
+         {std::pair<std::int64_t, std::int64_t>{-32, -32}, {17, -93}, {4'000'000'027, -3'999'999'991}}) {
+        SCOPED_TRACE(std::to_string(first_x));
+        const Window window = waves_at(first_x, first_z);
+        gl::LocalTextures textures(probe.gl());
+        ASSERT_EQ(textures.refusal_of(window.surface()), "");
+        textures.upload(window.surface());
+        probe.gl().Finish();
+
+        gl::SeaFacts facts;
+        facts.tiles.resize(1);
+        facts.tiles[0].lattice.side_m = 100;
+        facts.resolution = 64;
+        facts.local = {Window::n, window.surface().texel_m, first_x, first_z};
+        const glm::dvec2 viewer = window.middle() + glm::dvec2(1.7, 0.6);
+        DrawList list;
+        const gl::SceneBlock block =
+            gl::scene_block_of({.eyes = {}, .viewer_m = {viewer.x, 2, viewer.y}, .list = &list}, facts, {}, {});
+        probe.gl().ActiveTexture(GL_TEXTURE0);
+        probe.gl().BindTexture(GL_TEXTURE_2D, textures.texels());
+        const std::vector<float> rgba = probe.ask(block);
+
+        std::array<double, 4> worst{}, most{};
+        int outside = 0;
+        for (int row = 0; row < GlProbe::side; ++row)
+            for (int column = 0; column < GlProbe::side; ++column) {
+                // The upper row of the picture has the largest y.
+                const double x = viewer.x + (column + 0.5 - 64) * apart_m + 0.013;
+                const double z = viewer.y + (GlProbe::side - 1 - row + 0.5 - 64) * apart_m - 0.007;
+                const LocalSample wanted = sample(window.surface(), x, z);
+                const float* const read = &rgba[4 * static_cast<std::size_t>(row * GlProbe::side + column)];
+                const double all[] = {wanted.height_m, wanted.slope_x, wanted.slope_z, wanted.foam};
+                const glm::dvec2 from_middle = glm::abs(glm::dvec2(x, z) - window.middle());
+                if (std::max(from_middle.x, from_middle.y) > 0.5 * Window::n * window.surface().texel_m) {
+                    ++outside;
+                    for (int i = 0; i < 4; ++i) ASSERT_EQ(read[i], 0) << x << ", " << z;
+                }
+                for (std::size_t i = 0; i < 4; ++i) {
+                    worst[i] = std::max(worst[i], std::fabs(static_cast<double>(read[i]) - all[i]));
+                    most[i] = std::max(most[i], std::fabs(all[i]));
+                }
+            }
+        std::printf("off by %.5f m of %.2f, slopes by %.5f and %.5f of %.2f and %.2f, foam by %.5f\n", worst[0],
+                    most[0], worst[1], worst[2], most[1], most[2], worst[3]);
+        EXPECT_GT(outside, 1000);
+        EXPECT_GT(most[0], 0.3);
+        // Drivers mix texels in 256ths, and from one to the next a wave may go by all of its range; halves have 11 bits.
+        EXPECT_LT(worst[0], 2 * 0.8 / 256);
+        EXPECT_LT(worst[1], 4 * most[1] / 256);
+        EXPECT_LT(worst[2], 4 * most[2] / 256);
+        EXPECT_LT(worst[3], 2.0 / 256);
+    }
+}
+
+// IEEE 754: to the nearest, of two the even one, also below the normal numbers; beyond the largest, that one.
+TEST(GlLocalWater, PacksHalvesToTheNearest) {
+    struct Pair {
+        float value;
+        std::uint16_t half;
+    };
+    constexpr Pair pairs[] = {{0, 0},
+                              {-0.f, 0x8000},
+                              {1, 0x3c00},
+                              {-1, 0xbc00},
+                              {0.1f, 0x2e66},
+                              {1 + 0x1p-11f, 0x3c00},
+                              {1 + 3 * 0x1p-11f, 0x3c02},
+                              {2047.5f, 0x6800},
+                              {65504, 0x7bff},
+                              {65519, 0x7bff},
+                              {1e9f, 0x7bff},
+                              {-1e9f, 0xfbff},
+                              {0x1p-14f, 0x0400},
+                              {0x1p-14f - 0x1p-25f, 0x0400},
+                              {0x1p-24f, 1},
+                              {0x1p-25f, 0},
+                              {3 * 0x1p-25f, 2},
+                              {-5 * 0x1p-24f, 0x8005},
+                              {1e-12f, 0}};
+    const Window window(
+        {}, [&](auto x, auto z) { return pairs[static_cast<std::size_t>(x + z) % std::size(pairs)].value; }, no_foam);
+    std::vector<std::uint16_t> halves(4 * Window::n * Window::n);
+    gl::pack(window.surface(), halves);
+    for (std::size_t z = 1; z < Window::n - 1; ++z)
+        for (std::size_t x = 1; x < Window::n - 1; ++x) {
+            const Pair& wanted = pairs[(x + z) % std::size(pairs)];
+            ASSERT_EQ(halves[4 * (z * Window::n + x)], wanted.half) << wanted.value;
+        }
+}
+
+TEST(GlLocalWater, IsRefusedWhereNoTextureTakesIt) {
+    const Window window = waves_at(0, 0);
+    EXPECT_EQ(gl::check(window.surface(), 2048), "");
+    EXPECT_EQ(gl::check({}, 2048), "");
+    EXPECT_EQ(gl::check(window.surface(), 32),
+              "Frame::local.resolution is 64, needs a power of two up to the driver's 32");
+    LocalSurface wrong = window.surface();
+    wrong.resolution = 48;
+    EXPECT_EQ(gl::check(wrong, 2048), "Frame::local.resolution is 48, needs a power of two up to the driver's 2048");
+    wrong = window.surface();
+    wrong.foam = wrong.foam.first(9);
+    EXPECT_EQ(gl::check(wrong, 2048), "Frame::local.foam.size() is 9, needs resolution^2, 4096");
+    wrong = window.surface();
+    wrong.height_m = {};
+    EXPECT_EQ(gl::check(wrong, 2048), "Frame::local.height_m.size() is 0, needs resolution^2, 4096");
+    wrong = window.surface();
+    wrong.texel_m = 0;
+    EXPECT_EQ(gl::check(wrong, 2048), "Frame::local.texel_m is 0, needs (0, inf)");
+}
+
+// Waves of the wind that carry splashes along, a million metres from the origin.
+TEST(GlLocalWater, LiesWhereQueriesSayAndNotBeside) {
+    GlScene scene({.quality = "ultra",
+                   .resolution = 128,
+                   .width = slice_pixels,
+                   .height = slice_pixels,
+                   .samples = 1,
+                   .size_m = 512,
+                   .shading = gl::Shading::headset});
+    const glm::dvec2 middle(1'000'017.3, -999'963.9);
+    Ocean ocean(sea_named("calm", 128),
+                {.executor = make_serial_executor(), .queries = true, .slopes = true, .local = LocalWaterOptions{}});
+    ocean.follow(middle.x, middle.y);
+    for (const glm::dvec2 from : {glm::dvec2(-7, 5), {4, -9}, {11, 8}})
+        ocean.disturb({.mode = Disturbance::Mode::add,
+                       .x_m = middle.x + from.x,
+                       .z_m = middle.y + from.y,
+                       .radius_m = 3,
+                       .height_m = 3});
+    for (int tick = 0; tick < 70; ++tick) ocean.frame_at(tick / 60.0);
+    const Frame frame = ocean.complete();
+    ASSERT_GT(frame.local.height_max_m, 0.3f);
+    const auto height_in = [](const SurfaceQuery& query) {
+        return [&query](double x, double z) {
+            float height = 0;
+            query.sample({{&x, 1}, {&z, 1}}, {.height_m = {&height, 1}});
+            return static_cast<double>(height);
+        };
+    };
+    const SurfaceQuery query(frame);
+    expect_slice_in_place(scene, frame, middle, 0.1, height_in(query));
+}
+
+/// Light of a square of flat water from above, with slopes or foam that its only tile or its window have.
+class FlatScene : public GlScene {
+   public:
+    FlatScene()
+        : GlScene({.quality = "low",
+                   .resolution = 64,
+                   .cascades = 1,
+                   .patch_size_m = 1000,  // so near that no copies of it are mixed
+                   .width = pixels,
+                   .height = pixels,
+                   .samples = 1,
+                   .writes = gl::PixelKind::radiance,
+                   .foam = true}),
+          zeros_(ocean.frame_at(3).tiles[0].displacement_rgba16f.size()) {}
+
+    static constexpr int pixels = 32;
+    static constexpr double side_m = 1.6;  // within the window of 3.2 m
+
+    /// \param slope  127ths of what the tile's slopes count in
+    std::vector<float> light(glm::ivec2 slope, std::uint8_t foam, const LocalSurface& local) {
+        Frame frame = ocean.frame_at(3);
+        Tile tile = frame.tiles[0];
+        // Of these bytes 128 is none.
+        const std::uint32_t word =
+            0x80800000u | static_cast<std::uint32_t>(128 + slope.y) << 8 | static_cast<std::uint32_t>(128 + slope.x);
+        const std::vector<std::uint32_t> slopes(tile.slopes_rgba8.size(), word),
+            moments(tile.moments_rgba8.size(), 0x00000080u);
+        const std::vector<std::uint8_t> foams(tile.foam_r8.size(), foam);
+        tile.displacement_rgba16f = zeros_;
+        tile.slopes_rgba8 = slopes;
+        tile.moments_rgba8 = moments;
+        tile.foam_r8 = foams;
+        frame.tiles = {&tile, 1};
+        frame.local = local;
+        return light_from_above(frame, pixels, side_m);
+    }
+    double slope_unit() { return static_cast<double>(ocean.complete().tiles[0].slope_ranges.slope) / 127; }
+
+   private:
+    std::vector<std::uint16_t> zeros_;
+};
+
+/// Largest difference, as a part of the brightest.
+double apart(const std::vector<float>& a, const std::vector<float>& b) {
+    double worst = 0, most = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        worst = std::max(worst, std::fabs(static_cast<double>(a[i] - b[i])));
+        most = std::max(most, static_cast<double>(a[i]));
+    }
+    return worst / most;
+}
+
+// The same slope in the tile's map and in the window gives the same light; another way round it does not.
+TEST(GlLocalWater, TurnsNormalsAsTilesDo) {
+    FlatScene scene;
+    const double unit = scene.slope_unit();
+    const auto plane = [&](int x, int z) {
+        return Window(
+            {.x = -32, .z = -32, .texel_m = 0.05},
+            [=](auto i, auto j) {
+                return unit * 0.05 * (x * (static_cast<double>(i) - 32) + z * (static_cast<double>(j) - 32));
+            },
+            no_foam);
+    };
+    const auto tilted = scene.light({100, -40}, 0, {});
+    const double same = apart(tilted, scene.light({}, 0, plane(100, -40).surface()));
+    const double both = apart(tilted, scene.light({70, -90}, 0, plane(30, 50).surface()));
+    const double less = std::min({apart(tilted, scene.light({}, 0, plane(-100, 40).surface())),
+                                  apart(tilted, scene.light({}, 0, plane(-40, 100).surface())),
+                                  apart(tilted, scene.light({}, 0, plane(50, -40).surface()))});
+    std::printf("slopes of %.2f and %.2f: light is %.4f apart, halves of each %.4f, others %.3f\n", 100 * unit,
+                -40 * unit, same, both, less);
+    EXPECT_LT(same, 0.003);
+    EXPECT_LT(both, 0.003);
+    EXPECT_GT(less, 0.012);
+}
+
+// Foam of the window is as white as that of a tile, and where both have some the larger counts.
+TEST(GlLocalWater, IsAsWhiteAsTilesAreAndNoWhiterTogether) {
+    FlatScene scene;
+    const auto foam = [](int byte) {
+        return Window({.x = -32, .z = -32, .texel_m = 0.05}, no_foam, [=](auto, auto) { return byte; });
+    };
+    const auto white = scene.light({}, 200, {});
+    EXPECT_GT(apart(white, scene.light({}, 0, {})), 0.3);
+    EXPECT_LT(apart(white, scene.light({}, 0, foam(200).surface())), 0.01);
+    EXPECT_LT(apart(white, scene.light({}, 90, foam(200).surface())), 0.01);
+    EXPECT_LT(apart(white, scene.light({}, 200, foam(90).surface())), 0.01);
+    EXPECT_GT(apart(white, scene.light({}, 90, foam(90).surface())), 0.1);
+}
+
+// A window changes pixels within it alone; a frame without one, or with one in which nothing stirs, is drawn as if there had never been any.
+TEST(GlLocalWater, IsDrawnWithinItsWindowAndWhileThereIsOne) {
+    GlScene scene({.quality = "low", .resolution = 64, .width = 128, .height = 96, .samples = 1, .size_m = 512});
+    const Camera camera{.position_m = {0, 30, 0}, .target_m = {0.01, 0, 0}, .vertical_view_rad = 1};
+    Frame frame = scene.ocean.frame_at(3);
+    const auto before = scene.picture(camera, frame);
+    const Window waves = waves_at(-20, -40), flat({}, no_foam, no_foam);
+    frame.local = waves.surface();
+    const auto with = scene.picture(camera, frame);
+    frame.local = flat.surface();
+    const auto resting = scene.picture(camera, frame);
+    frame.local = {};
+    EXPECT_EQ(scene.picture(camera, frame), before);
+
+    int changed = 0, beyond = 0, moved = 0;
+    for (int y = 0; y < 96; ++y)
+        for (int x = 0; x < 128; ++x) {
+            const std::size_t at = 4 * static_cast<std::size_t>(y * 128 + x);
+            int most = 0;
+            for (std::size_t channel = 0; channel < 3; ++channel) {
+                most = std::max(most, std::abs(with[at + channel] - before[at + channel]));
+                moved = std::max(moved, std::abs(resting[at + channel] - before[at + channel]));
+            }
+            // From 30 m the picture is 33 m high; the camera's right is +z, its up is +x. Waves of the wind bring water nearer by
+            // metres.
+            const double metres = 2 * 30 * std::tan(0.5) / 96;
+            const glm::dvec2 place(-(y + 0.5 - 48) * metres, (x + 0.5 - 64) * metres);
+            const glm::dvec2 from = glm::abs(place - waves.middle());
+            const double half = 0.5 * Window::n * 0.25;
+            changed += most > 2 && std::max(from.x, from.y) < half;
+            beyond += most > 0 && std::max(from.x, from.y) > half + 3;
+        }
+    std::printf("%d pixels within the window changed, %d beyond; a flat window moved a channel by %d\n", changed,
+                beyond, moved);
+    EXPECT_GT(changed, 500);
+    EXPECT_EQ(beyond, 0);
+    EXPECT_LE(moved, 1);  // compilers may round otherwise
+}
+
+TEST(GlLocalWater, IsRefusedBeforeAnythingIsUploaded) {
+    GlScene scene({.quality = "low", .resolution = 64, .width = 64, .height = 48, .samples = 1});
+    const Camera camera{.position_m = {0, 5, 0}, .target_m = {20, 0, 5}};
+    const auto before = scene.picture(camera, 3);
+    const GLuint textures = scene.renderer->textures().slopes();
+    Frame frame = scene.ocean.frame_at(4);
+    const Window window = waves_at(0, 0);
+    frame.local = window.surface();
+    frame.local.resolution = 48;
+    EXPECT_THROW(scene.renderer->upload(frame), std::invalid_argument);
+    EXPECT_EQ(scene.renderer->textures().slopes(), textures);
+    EXPECT_EQ(scene.picture(camera, 3), before);
+}
+
+}  // namespace
+}  // namespace pelagic

@@ -1,0 +1,77 @@
+// The sea that is drawn lies where queries say: seen from straight above through a near plane that cuts the crests off, holes are where
+// the height is above that plane.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+
+#include "pelagic/tests/gl_scene.hpp"
+
+namespace pelagic {
+
+constexpr int slice_pixels = 160;    // a side; the scene's target is as large
+constexpr double slice_half_m = 20;  // of the square that is seen
+
+/// From above, x to the right and z down; what is higher than `top_m` lies before the near plane.
+inline glm::dmat4 slice(glm::dvec2 middle, double top_m) {
+    glm::dmat4 m(0);
+    m[0][0] = 1 / slice_half_m;
+    m[2][1] = -1 / slice_half_m;
+    m[1][2] = -1.0 / 25;
+    m[3] = {-middle.x / slice_half_m, middle.y / slice_half_m, top_m / 25 - 1, 1};
+    return m;
+}
+
+inline std::vector<std::uint8_t> picture_of_slice(GlScene& scene, const Frame& frame, glm::dvec2 middle,
+                                                  double top_m) {
+    const glm::dvec3 viewer(middle.x, 1, middle.y);
+    const gl::Eye eye{.clip_from_world = slice(middle, top_m),
+                      .position_m = {middle.x, 30, middle.y},
+                      .viewport = {0, 0, slice_pixels, slice_pixels}};
+    const DrawList& list = scene.selection.select({.viewer_m = viewer});
+    scene.target->bind();
+    scene.gl().ClearColor(1, 0, 1, 1);
+    scene.gl().Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    scene.renderer->upload(frame);
+    scene.renderer->draw({.eyes = {&eye, 1},
+                          .viewer_m = viewer,
+                          .list = &list,
+                          .lod_scale = scene.quadtree.lod_scale,
+                          .draws_sky = false});
+    return scene.target->read();
+}
+
+/// Checks a slice at a height that `height` has in the middle of its range: the sea is drawn where it lies, and not half a
+/// metre, which is the vertices' spacing and half a texel, beside.
+template <class Height>
+void expect_slice_in_place(GlScene& scene, const Frame& frame, glm::dvec2 middle, double top_m,
+                           const Height& height) {
+    constexpr int side = slice_pixels;
+    const std::vector<std::uint8_t> pixels = picture_of_slice(scene, frame, middle, top_m);
+    const auto is_cut = [&](int x, int y) {
+        const std::uint8_t* rgb = &pixels[4 * static_cast<std::size_t>(y * side + x)];
+        return rgb[0] == 255 && rgb[1] == 0 && rgb[2] == 255;
+    };
+    const auto wrong_pixels = [&](double shift_m) {
+        int wrong = 0;
+        for (int y = 0; y < side; ++y)
+            for (int x = 0; x < side; ++x) {
+                const double world_x = middle.x + ((x + 0.5) / side * 2 - 1) * slice_half_m + shift_m,
+                             world_z = middle.y + ((y + 0.5) / side * 2 - 1) * slice_half_m + shift_m;
+                wrong += is_cut(x, y) != (height(world_x, world_z) > top_m);
+            }
+        return wrong;
+    };
+    int cut = 0;
+    for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x) cut += is_cut(x, y);
+    ASSERT_GT(cut, side * side / 10);
+    ASSERT_LT(cut, side * side * 9 / 10);
+    std::printf("pixels on the wrong side: %d in place, %d and %d half a texel beside\n", wrong_pixels(0),
+                wrong_pixels(-0.5), wrong_pixels(0.5));
+    EXPECT_LT(3 * wrong_pixels(0), wrong_pixels(-0.5));
+    EXPECT_LT(3 * wrong_pixels(0), wrong_pixels(0.5));
+}
+
+}  // namespace pelagic
