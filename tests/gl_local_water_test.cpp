@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
+#include <glm/gtc/packing.hpp>
 #include <numbers>
 #include <stdexcept>
 
@@ -216,6 +216,37 @@ TEST(GlLocalWater, LiesWhereQueriesSayAndNotBeside) {
     };
     const SurfaceQuery query(frame);
     expect_slice_in_place(scene, frame, middle, 0.1, height_in(query));
+}
+
+// The tile carries all water two metres away; the window's heights stay where the window says.
+TEST(GlLocalWater, AddsWhereWaterIsDrawnNotWhereItRests) {
+    GlScene scene({.quality = "ultra",
+                   .resolution = 64,
+                   .cascades = 1,
+                   .patch_size_m = 250,
+                   .width = slice_pixels,
+                   .height = slice_pixels,
+                   .samples = 1,
+                   .size_m = 512,
+                   .shading = gl::Shading::headset});
+    Frame frame = scene.ocean.frame_at(3);
+    Tile tile = frame.tiles[0];
+    std::vector<std::uint16_t> carried;
+    for (std::size_t i = 0; i < tile.displacement_rgba16f.size() / 4; ++i)
+        for (const float value : {2.f, 0.f, -2.f, 0.f}) carried.push_back(glm::packHalf1x16(value));
+    tile.displacement_rgba16f = carried;
+    frame.tiles = {&tile, 1};
+    // Waves of 8 m: the mesh has a vertex every half a metre.
+    const double wave = 2 * std::numbers::pi / 8;
+    const Window window(
+        {.x = -32, .z = -32, .texel_m = 1},
+        [&](auto x, auto z) {
+            return 0.5 * std::sin(wave * static_cast<double>(x)) * std::sin(wave * static_cast<double>(z));
+        },
+        no_foam);
+    frame.local = window.surface();
+    expect_slice_in_place(scene, frame, {0.3, 0.2}, 0.05,
+                          [&](double x, double z) { return sample(window.surface(), x, z).height_m; });
 }
 
 /// Light of a square of flat water from above, with slopes or foam that its only tile or its window have.
