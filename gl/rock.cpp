@@ -1,28 +1,17 @@
 #include "pelagic/gl/rock.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
-#include <glm/vec4.hpp>
 #include <vector>
-
-#include "pelagic/gl/errors.hpp"
-#include "pelagic/gl/kept_state.hpp"
 
 namespace pelagic::gl {
 namespace {
 
 constexpr int around = 192, down = 96;
 constexpr float pi = 3.14159265f;
-
-/// The block of shaders/rock_light.glsl.
-struct RockLight {
-    glm::mat4 clip_from_rock;
-    glm::vec4 sun, sun_irradiance, sky_irradiance;
-};
 
 /// [-1, 1], the same for a corner of the lattice each time.
 float value_at(glm::ivec3 corner) {
@@ -59,12 +48,8 @@ glm::vec3 on_rock(float u, float v) {
     return radius * direction * glm::vec3(6, direction.y > 0 ? 6 : 4, 5);
 }
 
-struct Vertex {
-    glm::vec3 position, outwards;
-};
-
-std::vector<Vertex> rock_vertices() {
-    std::vector<Vertex> all;
+std::vector<MeshVertex> rock_vertices() {
+    std::vector<MeshVertex> all;
     for (int j = 0; j <= down; ++j)
         for (int i = 0; i <= around; ++i) {
             const float u = 2 * pi * static_cast<float>(i) / around;
@@ -73,7 +58,7 @@ std::vector<Vertex> rock_vertices() {
             const float step = 0.5f * pi / down;
             const glm::vec3 along = on_rock(u + step, v) - on_rock(u - step, v),
                             below = on_rock(u, v + step) - on_rock(u, v - step);
-            all.push_back({on_rock(u, v), glm::normalize(glm::cross(along, below))});
+            all.push_back({on_rock(u, v), glm::normalize(glm::cross(along, below)), {}});
         }
     return all;
 }
@@ -92,96 +77,8 @@ std::vector<std::uint16_t> rock_indices() {
 
 }  // namespace
 
-Rock::Rock(const Functions& gl, glm::dvec3 foot_m) : gl_(gl), foot_m_(foot_m) {
-    const KeptState keep(gl);
-    program_ = Program(gl, "rock.vert.glsl", "rock.frag.glsl");
-    gl.UniformBlockBinding(program_.name(), gl.GetUniformBlockIndex(program_.name(), "RockLight"), 0);
-    array_ = VertexArray(gl);
-    gl.BindVertexArray(array_.name());
-    const std::vector<Vertex> vertices = rock_vertices();
-    vertices_ = Buffer(gl);
-    gl.BindBuffer(GL_ARRAY_BUFFER, vertices_.name());
-    gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size() * sizeof(Vertex)), vertices.data(),
-                  GL_STATIC_DRAW);
-    for (GLuint location = 0; location < 2; ++location) {
-        gl.EnableVertexAttribArray(location);
-        gl.VertexAttribPointer(location, 3, GL_FLOAT, GL_FALSE, sizeof(Vertex),
-                               reinterpret_cast<const void*>(location * sizeof(glm::vec3)));
-    }
-    const std::vector<std::uint16_t> indices = rock_indices();
-    indices_ = Buffer(gl);
-    gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.name());
-    gl.BufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(indices.size() * sizeof(std::uint16_t)),
-                  indices.data(), GL_STATIC_DRAW);
-    light_ = Buffer(gl);
-}
-
-void Rock::set_light(const Sky& sky) {
-    sun_direction_ = sky.sun_direction;
-    sun_irradiance_ = sky.sun_irradiance;
-    sky_irradiance_ = sky.sky_irradiance;
-}
-
-void Rock::draw(const Eye& eye, float weighing_exposure) {
-    const KeptState keep(gl_);
-    const RockLight light{glm::mat4(glm::translate(eye.clip_from_world, foot_m_)), glm::vec4(sun_direction_, 0),
-                          glm::vec4(sun_irradiance_, weighing_exposure), glm::vec4(sky_irradiance_, 0)};
-    gl_.BindBuffer(GL_UNIFORM_BUFFER, light_.name());
-    gl_.BufferData(GL_UNIFORM_BUFFER, sizeof(light), &light, GL_STREAM_DRAW);
-    gl_.BindBufferBase(GL_UNIFORM_BUFFER, 0, light_.name());
-    gl_.UseProgram(program_.name());
-    gl_.BindVertexArray(array_.name());
-    gl_.Viewport(eye.viewport.x, eye.viewport.y, eye.viewport.width, eye.viewport.height);
-    gl_.Enable(GL_DEPTH_TEST);
-    gl_.DrawElementsInstanced(GL_TRIANGLES, around * down * 6, GL_UNSIGNED_SHORT, nullptr, 1);
-}
-
-HostScene Rock::picture(const Eye& eye) {
-    const KeptState keep(gl_);
-    const KeptTargets targets(gl_);
-    const int width = eye.viewport.width, height = eye.viewport.height;
-    if (width != width_ || height != height_) {
-        radiance_ = Texture(gl_);
-        gl_.BindTexture(GL_TEXTURE_2D, radiance_.name());
-        int levels = 1;
-        while (std::max(width, height) >> levels > 0) ++levels;
-        gl_.TexStorage2D(GL_TEXTURE_2D, levels, GL_RGBA16F, width, height);
-        gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
-        depth_ = Texture(gl_);
-        gl_.BindTexture(GL_TEXTURE_2D, depth_.name());
-        gl_.TexStorage2D(GL_TEXTURE_2D, 1, GL_DEPTH_COMPONENT24, width, height);
-        gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-        gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-        for (const GLuint texture : {radiance_.name(), depth_.name()}) {
-            gl_.BindTexture(GL_TEXTURE_2D, texture);
-            gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-            gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-        }
-        framebuffer_ = Framebuffer(gl_);
-        gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
-        gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, radiance_.name(), 0);
-        gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth_.name(), 0);
-        if (gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-            throw GlError("the driver can't draw half floats, or is out of memory");
-        width_ = width;
-        height_ = height;
-    }
-    gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
-    std::array<GLfloat, 4> clear{};
-    GLfloat clear_depth = 1;
-    gl_.GetFloatv(GL_COLOR_CLEAR_VALUE, clear.data());
-    gl_.GetFloatv(GL_DEPTH_CLEAR_VALUE, &clear_depth);
-    gl_.ClearColor(0, 0, 0, 0);
-    gl_.ClearDepthf(1);
-    gl_.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    gl_.ClearColor(clear[0], clear[1], clear[2], clear[3]);
-    gl_.ClearDepthf(clear_depth);
-    Eye whole = eye;
-    whole.viewport = {0, 0, width, height};
-    draw(whole, 0);
-    gl_.BindTexture(GL_TEXTURE_2D, radiance_.name());
-    gl_.GenerateMipmap(GL_TEXTURE_2D);
-    return {radiance_.name(), depth_.name()};
-}
+Rock::Rock(const Functions& gl, glm::dvec3 foot_m)
+    : mesh_(gl, rock_vertices(), rock_indices(), "rock.frag.glsl"),
+      world_from_rock_(glm::translate(glm::dmat4(1), foot_m)) {}
 
 }  // namespace pelagic::gl

@@ -64,12 +64,13 @@ TEST(Shaders, AreGlslInEveryVariant) {
                                 .mirrors_scene = shading == Shading::high,
                                 .local = true});
     std::vector<gl::ProgramFiles> all = {{"panel.vert.glsl", "panel.frag.glsl", ""},
-                                         {"rock.vert.glsl", "rock.frag.glsl", ""}};
+                                         {"mesh.vert.glsl", "rock.frag.glsl", ""},
+                                         {"mesh.vert.glsl", "boat.frag.glsl", ""}};
     for (const gl::SeaVariant& variant : variants)
         for (const gl::ProgramFiles& files : gl::sea_program_files(variant)) all.push_back(files);
     for (const char* pass : {"bloom_down.frag.glsl", "bloom_up.frag.glsl", "display.frag.glsl", "meter.frag.glsl"})
         all.push_back({"screen.vert.glsl", pass, ""});
-    ASSERT_EQ(all.size(), 176u);
+    ASSERT_EQ(all.size(), 177u);
     for (const gl::ProgramFiles& files : all)
         EXPECT_EQ(refusal_of(files), "") << files.vertex << ", " << files.fragment << "\n" << files.defines;
 }

@@ -211,6 +211,30 @@ TEST_F(ViewTest, KeyHHidesThePanel) {
     end();
 }
 
+// Its roof is red as nothing else is; arrows and a click beside it find it there. Steering itself is steered_boat_test.cpp.
+TEST_F(ViewTest, KeyBPutsABoatIntoTheWaterAndTakesItOutAgain) {
+    ASSERT_NO_FATAL_FAILURE(start());
+    const auto roof = [&] {
+        const std::string screen = display_.screen();
+        int pixels = 0;
+        for (std::size_t at = 0; at < screen.size(); at += 3) {
+            const auto channel = [&](std::size_t i) { return int{static_cast<unsigned char>(screen[at + i])}; };
+            pixels += channel(0) > 90 && channel(0) > 3 * channel(2) / 2 && channel(0) > 5 * channel(1) / 4;
+        }
+        return pixels;
+    };
+    EXPECT_EQ(roof(), 0);
+    display_.act("key h key b");  // the panel would hide it
+    EXPECT_TRUE(wait_until([&] { return roof() > 20; }));
+    display_.act("keydown Up keydown Right mousemove 300 400 click 1");
+    ASSERT_NO_FATAL_FAILURE(wait_for_frames());
+    display_.act("keyup Up keyup Right");
+    EXPECT_GT(roof(), 0);
+    display_.act("key b");
+    EXPECT_TRUE(wait_until([&] { return roof() == 0; }));
+    end();
+}
+
 TEST(View, WithoutADisplayItSaysWhatIsMissing) {
     const Outcome run = run_pelagic({"view", "--resolution", "32"}, [] {
         unsetenv("DISPLAY");

@@ -178,9 +178,15 @@ void show_panel(ViewSettings& settings, ViewCamera& camera, const ViewFigures& f
     ImGui::SameLine();
     bool flies = camera.mode() == ViewCamera::Mode::fly;
     if (ImGui::Checkbox("fly", &flies)) camera.set_mode(flies ? ViewCamera::Mode::fly : ViewCamera::Mode::orbit);
+    if (figures.boat_mps) {
+        ImGui::Text("boat: %.1f m/s", *figures.boat_mps);
+        ImGui::SameLine();
+        ImGui::Checkbox("camera follows it", &settings.follows_boat);
+    }
     ImGui::Separator();
     show_times(figures, stage_times);
     ImGui::TextDisabled("camera: drag, wheel, WASD, R, F");
+    ImGui::TextDisabled("click: a splash; B: a boat, arrows steer it");
     ImGui::TextDisabled("H hides this, P saves a picture, Esc ends");
     ImGui::End();
 }

@@ -34,6 +34,7 @@ struct ViewSettings {
     float fixed_scale = 1;  ///< of the drawn picture's width and height over the window's; [0.25, 1]
     bool wireframe = false;
     bool frozen = false;
+    bool follows_boat = true;  ///< the camera goes along with the boat
 };
 
 /// What the panel shows of the last frame.
@@ -48,6 +49,7 @@ struct ViewFigures {
     std::size_t patches = 0;
     double significant_wave_height_m = 0;
     std::vector<double> tile_sides_m;
+    std::optional<double> boat_mps;  ///< its speed, if there is one
     bool sea_is_baking = false, sea_is_changing = false, sky_is_baking = false;
 };
 

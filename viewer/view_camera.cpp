@@ -14,7 +14,11 @@ constexpr double highest_m = 5000;
 }  // namespace
 
 ViewCamera::ViewCamera(const Camera& start) : eye_(start.position_m), vertical_view_rad_(start.vertical_view_rad) {
-    const glm::dvec3 to_target = start.target_m - start.position_m;
+    look_at(start.target_m);
+}
+
+void ViewCamera::look_at(glm::dvec3 place_m) {
+    const glm::dvec3 to_target = place_m - eye_;
     distance_ = std::clamp(glm::length(to_target), nearest_m, furthest_m);
     heading_ = std::atan2(to_target.z, to_target.x);
     pitch_ = std::clamp(std::asin(to_target.y / glm::length(to_target)), -steepest_rad, steepest_rad);

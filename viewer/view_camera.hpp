@@ -23,6 +23,10 @@ class ViewCamera {
     void zoom(double factor);
     /// Right, up, ahead, in metres.
     void move(glm::dvec3 metres);
+    /// Turns to a place, at 1 to 3000 m, which it goes round from now on.
+    void look_at(glm::dvec3 place_m);
+    /// As far along x and z as what it follows has gone.
+    void go_along(glm::dvec2 metres) { eye_ += glm::dvec3(metres.x, 0, metres.y); }
 
     Camera camera() const;
 

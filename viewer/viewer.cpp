@@ -13,14 +13,17 @@
 #include <string_view>
 #include <vector>
 
+#include "pelagic/gl/boat.hpp"
 #include "pelagic/gl/sea_renderer.hpp"
 #include "pelagic/gl/stopwatch.hpp"
 #include "pelagic/quadtree/selection.hpp"
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/viewer/camera_picture.hpp"
 #include "pelagic/viewer/panel_renderer.hpp"
+#include "pelagic/viewer/picked_place.hpp"
 #include "pelagic/viewer/render_scale.hpp"
 #include "pelagic/viewer/stage_times.hpp"
+#include "pelagic/viewer/steered_boat.hpp"
 #include "pelagic/viewer/window.hpp"
 
 namespace pelagic::viewer {
@@ -45,6 +48,17 @@ constexpr int fewest_vertices = 8;
 /// A spectrum is baked in less, beside frames.
 constexpr double baking_s = 0.1;
 constexpr double least_change_s = 0.1;
+
+/// The window in which the water answers: a tick is a seventh of a millisecond, and a boat's wake has room in it.
+constexpr LocalWaterOptions local_water{.resolution = 256, .side_m = 128, .border_m = 16};
+constexpr double tick_s = 1.0 / local_water.ticks_per_s;
+/// A click that makes a splash rather than turning the camera.
+constexpr float most_pixels_of_a_click = 4;
+constexpr double most_s_of_a_click = 0.4;
+constexpr double splash_reach_m = 400;
+constexpr Disturbance splash{.mode = Disturbance::Mode::add, .radius_m = 1.2, .height_m = 1};
+/// Where a boat is put: so far ahead of the camera.
+constexpr double boat_ahead_m = 22;
 
 bool same_sea(const SeaState& a, const SeaState& b) {
     if (a.waves != b.waves || a.spectrum != b.spectrum || a.spreading != b.spreading) return false;
@@ -159,13 +173,19 @@ class Viewer {
                 if (key == GLFW_KEY_ESCAPE) window_.close();
                 if (key == GLFW_KEY_H) shows_panel_ = !shows_panel_;
                 if (key == GLFW_KEY_P) takes_picture_ = true;
+                if (key == GLFW_KEY_B) wants_boat_ = !wants_boat_;
             }
             const auto held = [](int key) { return ImGui::IsKeyDown(key) ? 1.0 : 0.0; };
             const double metres = passed_s * std::max(slowest_mps, std::abs(camera_.camera().position_m.y));
             camera_.move(metres * glm::dvec3(held(GLFW_KEY_D) - held(GLFW_KEY_A), held(GLFW_KEY_R) - held(GLFW_KEY_F),
                                              held(GLFW_KEY_W) - held(GLFW_KEY_S)));
+            helm_ = {held(GLFW_KEY_UP) - held(GLFW_KEY_DOWN), held(GLFW_KEY_RIGHT) - held(GLFW_KEY_LEFT)};
         }
         if (io.WantCaptureMouse) return;
+        if (ImGui::IsMouseReleased(ImGuiMouseButton_Left) &&
+            io.MouseDragMaxDistanceSqr[0] <= most_pixels_of_a_click * most_pixels_of_a_click &&
+            static_cast<double>(io.MouseDownDurationPrev[0]) <= most_s_of_a_click)
+            clicked_ = glm::dvec2(io.MousePos.x, io.MousePos.y);
         if (ImGui::IsMouseDragging(ImGuiMouseButton_Left, 0))
             camera_.turn(radians_a_pixel * glm::dvec2(io.MouseDelta.x, io.MouseDelta.y));
         if (io.MouseWheel != 0) camera_.zoom(std::pow(0.9, static_cast<double>(io.MouseWheel)));
@@ -238,7 +258,10 @@ class Viewer {
                                     .trace = stage_times_,
                                     .queries = true,
                                     .slopes = true,
-                                    .foam = true});
+                                    .foam = true,
+                                    .local = local_water});
+        boat_source_.reset();
+        ocean_->follow(window_middle_.x, window_middle_.y);
         stage_times_->follow(ocean_->graph());
         ocean_->schedule(time_s_);
     }
@@ -246,6 +269,7 @@ class Viewer {
     void take_sky() {
         const gl::Sky& sky = baker_.complete();
         renderer_->set_sky(sky);
+        if (boat_model_) boat_model_->set_light(sky);
         luminance_of_unit_ = sky.luminance_of_unit();
         unmetered_ev_ = gl::ev_of_exposure(sky.exposure, luminance_of_unit_);
         ++changes_;
@@ -303,7 +327,7 @@ class Viewer {
     }
 
     /// The frame that was scheduled one picture ago, then the next one: computed while this one is drawn.
-    const Frame& next_frame() {
+    const Frame& next_frame(double passed_s) {
         const Frame& frame = ocean_->complete();
         stage_times_->end_frame();
         if (figures_.sea_is_baking && ocean_->sea_is_ready()) {
@@ -314,8 +338,71 @@ class Viewer {
         figures_.sea_is_changing = ocean_->forecast().at(time_s_).part > 0;
         // They read the frame before this one, whose views end with the next schedule().
         take_caustics();
+        if (!settings_.frozen) disturb_water(frame, passed_s);
         ocean_->schedule(time_s_);
         return frame;
+    }
+
+    /// Splashes and the boat, for the ticks to come.
+    void disturb_water(const Frame& frame, double passed_s) {
+        const SurfaceQuery query(frame);
+        if (clicked_) make_splash(query);
+        clicked_.reset();
+        if (wants_boat_ != boat_.has_value()) wants_boat_ ? put_boat() : take_boat();
+        if (!boat_) return;
+        const glm::dvec2 before = boat_->place_m();
+        boat_->step(
+            passed_s, helm_, [&](double x, double z) { return drawn_height(query, x, z); }, frame.time_s);
+        if (settings_.follows_boat) camera_.go_along(boat_->place_m() - before);
+        const Disturbance press = boat_->press(frame.time_s, tick_s);
+        if (!boat_source_) boat_source_ = ocean_->add_source(press);
+        ocean_->set_source(*boat_source_, press);
+        ocean_->follow(boat_->place_m().x, boat_->place_m().y);
+        figures_.boat_mps = boat_->speed_mps();
+    }
+
+    void make_splash(const SurfaceQuery& query) {
+        const glm::dvec2 window(ImGui::GetIO().DisplaySize.x, ImGui::GetIO().DisplaySize.y);
+        const auto place = picked_place(query, camera_.camera(), *clicked_, window, splash_reach_m);
+        if (!place) return;
+        // The window goes where it is needed, unless a boat needs it.
+        if (!boat_ && glm::length(*place - window_middle_) > local_water.side_m / 4) {
+            window_middle_ = *place;
+            ocean_->follow(place->x, place->y);
+        }
+        Disturbance here = splash;
+        here.x_m = place->x;
+        here.z_m = place->y;
+        ocean_->disturb(here);
+    }
+
+    void put_boat() {
+        const Camera camera = camera_.camera();
+        const glm::dvec2 ahead(camera.target_m.x - camera.position_m.x, camera.target_m.z - camera.position_m.z);
+        const double heading = std::atan2(ahead.y, ahead.x);
+        boat_.emplace(glm::dvec2(camera.position_m.x, camera.position_m.z) +
+                          boat_ahead_m * glm::dvec2(std::cos(heading), std::sin(heading)),
+                      heading);
+        if (settings_.follows_boat) camera_.look_at({boat_->place_m().x, 1, boat_->place_m().y});
+        if (boat_model_) return;
+        boat_model_.emplace(window_.functions());
+        if (!figures_.sky_is_baking) boat_model_->set_light(baker_.complete());
+    }
+
+    void take_boat() {
+        window_middle_ = boat_->place_m();
+        boat_.reset();
+        figures_.boat_mps.reset();
+        if (boat_source_) ocean_->remove_source(*boat_source_);
+        boat_source_.reset();
+    }
+
+    /// Small water is drawn in place of the tiles, whose heights it has not.
+    double drawn_height(const SurfaceQuery& query, double x, double z) const {
+        if (surface_ != gl::Surface::open) return sample(query.frame().local, x, z).height_m;
+        float height_m = 0;
+        query.sample({{&x, 1}, {&z, 1}}, {.height_m = {&height_m, 1}});
+        return static_cast<double>(height_m);
     }
 
     void take_caustics() {
@@ -341,7 +428,7 @@ class Viewer {
     }
 
     void draw_frame(double passed_s) {
-        const Frame& frame = next_frame();
+        const Frame& frame = next_frame(passed_s);
         start_caustics(frame);
         shown_time_s_ = frame.time_s;
         figures_.tile_sides_m.clear();
@@ -406,20 +493,31 @@ class Viewer {
         figures_.select_us = select.milliseconds() * 1000;
         figures_.patches = list.instances.size();
         renderer_->upload(frame);
+        const float exposure = gl::exposure_of_ev(picture_.ev(), luminance_of_unit_);
         const gl::DrawFigures& drawn =
             renderer_->draw({.eyes = {&eye, 1},
                              .viewer_m = camera.position_m,
                              .list = &list,
                              .lod_scale = selection_->options().lod_scale,
                              .mode = settings_.wireframe ? gl::DrawMode::wireframe : gl::DrawMode::shaded,
-                             .exposure = gl::exposure_of_ev(picture_.ev(), luminance_of_unit_),
+                             .exposure = exposure,
                              .weighs_samples = true,
-                             .water_at_lens = water_at_lens(frame)});
+                             .water_at_lens = water_at_lens(frame),
+                             .host_scene = draw_boat(eye, exposure)});
         figures_.upload_ms = drawn.upload_ms - drawn.upload_driver_ms;
         figures_.draw_ms = drawn.draw_ms - drawn.draw_driver_ms;
         figures_.draw_calls = drawn.sea_calls + drawn.sky_calls;
         figures_.triangles = drawn.triangles;
         if (!settings_.wireframe) picture_.end(luminance_of_unit_);
+    }
+
+    /// Before the sea, which mirrors it where a GPU draws.
+    std::optional<gl::HostScene> draw_boat(const gl::Eye& eye, float exposure) {
+        if (!boat_ || settings_.wireframe) return {};
+        const glm::dmat4 pose = boat_->world_from_boat();
+        boat_model_->draw(eye, pose, exposure);
+        if (is_software_ && !takes_picture_) return {};
+        return boat_model_->picture(eye, pose);
     }
 
     /// Lines are no light: they go to the screen as they are.
@@ -490,6 +588,13 @@ class Viewer {
     unsigned long long changes_ = 0;
     ViewFigures figures_;
     bool shows_panel_ = true, takes_picture_ = false;
+    std::optional<glm::dvec2> clicked_;  ///< a pixel of the window, from its upper left corner
+    glm::dvec2 window_middle_{};         ///< of the water that answers, while there is no boat
+    Helm helm_;
+    bool wants_boat_ = false;
+    std::optional<SteeredBoat> boat_;
+    std::optional<std::uint32_t> boat_source_;  ///< of the ocean
+    std::optional<gl::Boat> boat_model_;
     double time_s_ = 0, shown_time_s_ = 0;
     std::uint64_t frames_ = 0;
 };

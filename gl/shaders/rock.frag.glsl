@@ -1,6 +1,6 @@
 // Dull stone: grey, darker where waves wet it, with pale spray and birds' marks above.
 precision highp float;
-#include "rock_light.glsl"
+#include "mesh_light.glsl"
 #include "film.glsl"
 
 in vec3 at;

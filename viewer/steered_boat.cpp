@@ -1,0 +1,106 @@
+#include "pelagic/viewer/steered_boat.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace pelagic::viewer {
+namespace {
+
+constexpr double thrust_mps2 = 1.6, astern_part = 0.4;
+constexpr double longest_step_s = 1.0 / 120;
+/// Of the circle that a hull goes in with its rudder hard over: about three lengths across.
+constexpr double turning_radius_m = 11;
+constexpr double rudder_s = 0.5;
+/// A hull is slow to follow: it heaves, pitches and rolls behind the water by about so much.
+constexpr double heave_s = 0.25, tilt_s = 0.35;
+/// The ellipsoid that presses: less deep than the keel, of as much water as four tons displace.
+constexpr double pressed_m = 0.45;
+constexpr int rows = 5, columns = 3;
+constexpr double felt_part = 0.8;  ///< of length and beam, where it feels the water
+
+double part_in(double passed_s, double of_s) { return 1 - std::exp(-passed_s / of_s); }
+
+}  // namespace
+
+glm::dvec2 SteeredBoat::ahead() const { return {std::cos(heading_), std::sin(heading_)}; }
+
+void SteeredBoat::step(double passed_s, const Helm& helm, const WaterHeight& water, double frame_s) {
+    drive(passed_s, helm);
+    float_on(passed_s, [&](double x, double z) { return water(x, z) - own_hollow_m(frame_s, {x, z}); });
+}
+
+void SteeredBoat::drive(double passed_s, const Helm& helm) {
+    const double thrust = thrust_mps2 * (helm.thrust < 0 ? astern_part : 1) * std::clamp(helm.thrust, -1., 1.);
+    const double rudder = std::clamp(helm.rudder, -1., 1.);
+    const int steps = std::max(1, static_cast<int>(std::ceil(passed_s / longest_step_s)));
+    const double step_s = passed_s / steps;
+    for (int i = 0; i < steps; ++i) {
+        // Drag grows as the square of the speed, and a little of it as the speed, which is what stops a boat.
+        const double drag = 0.9 * speed_ * std::fabs(speed_) / top_speed_mps + 0.1 * speed_;
+        speed_ += step_s * (thrust - thrust_mps2 / top_speed_mps * drag);
+        turn_rad_ps_ += (rudder * speed_ / turning_radius_m - turn_rad_ps_) * part_in(step_s, rudder_s);
+        heading_ += step_s * turn_rad_ps_;
+        place_ += step_s * speed_ * ahead();
+    }
+}
+
+/// The plane nearest to the heights that it feels, by least squares.
+void SteeredBoat::float_on(double passed_s, const WaterHeight& water) {
+    const glm::dvec2 forward = ahead(), starboard(-forward.y, forward.x);
+    double height = 0, along = 0, across = 0, squares_along = 0, squares_across = 0;
+    for (int i = 0; i < rows; ++i)
+        for (int j = 0; j < columns; ++j) {
+            const double x = (static_cast<double>(i) / (rows - 1) - 0.5) * felt_part * length_m;
+            const double z = (static_cast<double>(j) / (columns - 1) - 0.5) * felt_part * beam_m;
+            const glm::dvec2 at = place_ + x * forward + z * starboard;
+            const double felt = water(at.x, at.y);
+            height += felt / (rows * columns);
+            along += x * felt;
+            across += z * felt;
+            squares_along += x * x;
+            squares_across += z * z;
+        }
+    const double heaves = floats_ ? part_in(passed_s, heave_s) : 1, tilts = floats_ ? part_in(passed_s, tilt_s) : 1;
+    floats_ = true;
+    height_ += (height - height_) * heaves;
+    pitch_ += (std::atan(along / squares_along) - pitch_) * tilts;
+    roll_ += (std::atan(-across / squares_across) - roll_) * tilts;
+}
+
+Disturbance SteeredBoat::hull() const {
+    const glm::dvec2 way = speed_ * ahead();
+    return {.shape = Disturbance::Shape::hull,
+            .x_m = place_.x,
+            .z_m = place_.y,
+            .radius_m = beam_m / 2,
+            .length_m = length_m / 2,
+            .heading_rad = std::remainder(heading_, 2 * 3.14159265358979323846),
+            .height_m = -pressed_m,
+            .velocity_x_mps = way.x,
+            .velocity_z_mps = way.y};
+}
+
+Disturbance SteeredBoat::press(double frame_s, double tick_s) {
+    presses_ = true;
+    pressed_ = hull();
+    // The next tick has it there, and a frame shows the water a tick late.
+    pressed_shown_s_ = frame_s + 2 * tick_s;
+    return pressed_;
+}
+
+double SteeredBoat::own_hollow_m(double frame_s, glm::dvec2 at) const {
+    if (!presses_) return 0;
+    const double since_s = frame_s - pressed_shown_s_;
+    return shape_at(pressed_, at.x - since_s * pressed_.velocity_x_mps, at.y - since_s * pressed_.velocity_z_mps);
+}
+
+glm::dmat4 SteeredBoat::world_from_boat() const {
+    glm::dmat4 turned = glm::translate(glm::dmat4(1), glm::dvec3(place_.x, height_, place_.y));
+    turned = glm::rotate(turned, -heading_, glm::dvec3(0, 1, 0));
+    turned = glm::rotate(turned, pitch_, glm::dvec3(0, 0, 1));
+    return glm::rotate(turned, roll_, glm::dvec3(1, 0, 0));
+}
+
+}  // namespace pelagic::viewer
