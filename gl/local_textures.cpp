@@ -12,18 +12,21 @@
 namespace pelagic::gl {
 namespace {
 
-constexpr std::size_t texel_bytes = 4 * sizeof(std::uint16_t);
+constexpr std::size_t texel_bytes = 2 * sizeof(std::uint32_t);
 
-/// To the nearest half, of two the even one, without a branch, so that compilers do several at once. Not a number: the largest.
+/// To the nearest half, of two the even one; beyond the largest, and of no number, the largest. All choices are masks, so that compilers do
+/// several at once.
 std::uint32_t half_of(float value) {
-    constexpr float largest = 65504, smallest_normal = 0x1p-14f;
+    constexpr auto largest = std::bit_cast<std::uint32_t>(65504.f),
+                   normal_from = std::bit_cast<std::uint32_t>(0x1p-14f);
     const auto bits = std::bit_cast<std::uint32_t>(value);
-    const float size = std::fabs(value) < largest ? std::fabs(value) : largest;
-    const auto of_size = std::bit_cast<std::uint32_t>(size);
-    const std::uint32_t normal = (of_size - (112u << 23) + 0xfff + (of_size >> 13 & 1)) >> 13;
+    const std::uint32_t size = std::min(bits & 0x7fffffff, largest);
+    const std::uint32_t normal = (size - (112u << 23) + 0xfff + (size >> 13 & 1)) >> 13;
     // Added to a half, whose last bit is worth 2^-24 as that of a half below its normal ones, it is rounded there.
-    const std::uint32_t tiny = std::bit_cast<std::uint32_t>(size + 0.5f) - std::bit_cast<std::uint32_t>(0.5f);
-    return (bits >> 16 & 0x8000) | (size < smallest_normal ? tiny : normal);
+    const std::uint32_t tiny =
+        std::bit_cast<std::uint32_t>(std::bit_cast<float>(size) + 0.5f) - std::bit_cast<std::uint32_t>(0.5f);
+    const std::uint32_t is_tiny = 0u - static_cast<std::uint32_t>(size < normal_from);
+    return (bits >> 16 & 0x8000) | (tiny & is_tiny) | (normal & ~is_tiny);
 }
 
 /// A row of the window with those before and after it.
@@ -32,12 +35,12 @@ struct Rows {
     const std::uint8_t* foam;
 };
 
+/// Two words a texel: a loop of these is one that compilers do in lanes.
 void pack_texel(const Rows& rows, std::size_t i, std::size_t left, std::size_t right, float half_a_texel,
-                std::uint16_t* to) {
-    to[0] = static_cast<std::uint16_t>(half_of(rows.here[i]));
-    to[1] = static_cast<std::uint16_t>(half_of((rows.here[right] - rows.here[left]) * half_a_texel));
-    to[2] = static_cast<std::uint16_t>(half_of((rows.after[i] - rows.before[i]) * half_a_texel));
-    to[3] = static_cast<std::uint16_t>(half_of(static_cast<float>(rows.foam[i]) * (1.f / 255)));
+                std::uint32_t* to) {
+    to[2 * i] = half_of(rows.here[i]) | half_of((rows.here[right] - rows.here[left]) * half_a_texel) << 16;
+    to[2 * i + 1] = half_of((rows.after[i] - rows.before[i]) * half_a_texel) |
+                    half_of(static_cast<float>(rows.foam[i]) * (1.f / 255)) << 16;
 }
 
 }  // namespace
@@ -59,16 +62,16 @@ std::string check(const LocalSurface& water, int largest_side) {
     return {};
 }
 
-void pack(const LocalSurface& water, std::span<std::uint16_t> halves) {
+void pack(const LocalSurface& water, std::span<std::uint32_t> words) {
     const auto n = static_cast<std::size_t>(water.resolution);
     const auto half_a_texel = static_cast<float>(0.5 / water.texel_m);
     const auto row_at = [&](std::size_t row) { return water.height_m.data() + (row & (n - 1)) * n; };
     for (std::size_t row = 0; row < n; ++row) {
         const Rows rows{row_at(row + n - 1), row_at(row), row_at(row + 1), water.foam.data() + row * n};
-        std::uint16_t* const to = halves.data() + 4 * n * row;
-        for (std::size_t i = 1; i + 1 < n; ++i) pack_texel(rows, i, i - 1, i + 1, half_a_texel, to + 4 * i);
+        std::uint32_t* const to = words.data() + 2 * n * row;
+        for (std::size_t i = 1; i + 1 < n; ++i) pack_texel(rows, i, i - 1, i + 1, half_a_texel, to);
         for (const std::size_t i : {std::size_t{0}, n - 1})
-            pack_texel(rows, i, (i + n - 1) & (n - 1), (i + 1) & (n - 1), half_a_texel, to + 4 * i);
+            pack_texel(rows, i, (i + n - 1) & (n - 1), (i + 1) & (n - 1), half_a_texel, to);
     }
 }
 
@@ -97,10 +100,9 @@ void LocalTextures::upload(const LocalSurface& water) {
     if (!water) return;
     const KeptState keep(gl_);
     if (water.resolution != resolution_) make_textures(water.resolution);
-    const auto halves =
-        std::size_t{4} * static_cast<std::size_t>(resolution_) * static_cast<std::size_t>(resolution_);
+    const auto words = std::size_t{2} * static_cast<std::size_t>(resolution_) * static_cast<std::size_t>(resolution_);
     // GL's buffers are as aligned as TextureTargets are.
-    pack(water, {reinterpret_cast<std::uint16_t*>(pixels_->map()), halves});
+    pack(water, {reinterpret_cast<std::uint32_t*>(pixels_->map()), words});
     const std::uintptr_t texels = pixels_->hand_over();
     set_ = 1 - set_;
 
@@ -111,7 +113,7 @@ void LocalTextures::upload(const LocalSurface& water) {
     if (gl_.renders_to_half_floats) gl_.GenerateMipmap(GL_TEXTURE_2D);
     pixels_->release();
     driver_ms_ = driver.milliseconds();
-    uploaded_bytes_ = sizeof(std::uint16_t) * halves;
+    uploaded_bytes_ = sizeof(std::uint32_t) * words;
 }
 
 }  // namespace pelagic::gl

@@ -18,9 +18,9 @@ namespace pelagic::gl {
 /// Why the textures can't take the window, "Frame::local.height_m.size() is 3, needs resolution^2, 65536"; empty if they can, or if there is none.
 std::string check(const LocalSurface& water, int largest_side);
 
-/// Four halves a texel, N^2 of them: height, slopes by central differences around the torus, foam as a part of 1. Heights beyond what
-/// halves hold are their largest.
-void pack(const LocalSurface& water, std::span<std::uint16_t> halves);
+/// Four halves a texel, two a word with the first below: height, slopes by central differences around the torus, foam as a part of 1. What
+/// is beyond halves is their largest.
+void pack(const LocalSurface& water, std::span<std::uint32_t> words);
 
 class LocalTextures {
    public:

@@ -156,12 +156,12 @@ TEST(GlLocalWater, PacksHalvesToTheNearest) {
                               {1e-12f, 0}};
     const Window window(
         {}, [&](auto x, auto z) { return pairs[static_cast<std::size_t>(x + z) % std::size(pairs)].value; }, no_foam);
-    std::vector<std::uint16_t> halves(4 * Window::n * Window::n);
-    gl::pack(window.surface(), halves);
+    std::vector<std::uint32_t> words(2 * Window::n * Window::n);
+    gl::pack(window.surface(), words);
     for (std::size_t z = 1; z < Window::n - 1; ++z)
         for (std::size_t x = 1; x < Window::n - 1; ++x) {
             const Pair& wanted = pairs[(x + z) % std::size(pairs)];
-            ASSERT_EQ(halves[4 * (z * Window::n + x)], wanted.half) << wanted.value;
+            ASSERT_EQ(words[2 * (z * Window::n + x)] & 0xffff, wanted.half) << wanted.value;
         }
 }
 
