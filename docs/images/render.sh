@@ -80,3 +80,9 @@ pair 2m --camera 0,2.6,0 --target 60,-1,25
 pair 20m --camera 0,20,0 --target 100,0,40
 pair 250m --camera 0,250,0 --target 400,0,160
 pair 2km --camera 0,2000,0 --target 900,0,360
+
+# A boat's wake. Needs Debian's netpbm.
+wake=$(mktemp)
+trap 'rm -f "$heights" "$wake"' EXIT
+"$(dirname "$pelagic")/boat_wake" "$wake"
+pnmtopng -compression 9 "$wake" > docs/images/wake.png
