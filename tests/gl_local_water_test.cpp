@@ -129,6 +129,34 @@ TEST(GlLocalWater, ShadersReadWhatSampleSays) {
     }
 }
 
+// Looked at from so far that the window is one texel, it is its mean: waves that a pixel averages away don't sparkle.
+TEST(GlLocalWater, IsItsMeanFromFarAway) {
+    GlProbe probe(gl::Surface::open, {"local_water.glsl"},
+                  "result = local_water((gl_FragCoord.xy - 64.0) * 0.1, 1000.0);");
+    if (!probe.gl().renders_to_half_floats) GTEST_SKIP() << "the driver makes no mips of half floats";
+    const auto wave = [](auto x, auto) { return 0.3 + 0.5 * std::sin(0.7 * static_cast<double>(x)); };
+    const Window window({.x = -19, .z = 5}, wave, [](auto, auto z) { return 4 * z; });
+    gl::LocalTextures textures(probe.gl());
+    textures.upload(window.surface());
+    probe.gl().Finish();
+    gl::SceneBlock block;
+    block.local_place = {0, 0, 1 / 16.f, 4};
+    block.local_window = {0, 0, 100, 0};
+    probe.gl().ActiveTexture(GL_TEXTURE0);
+    probe.gl().BindTexture(GL_TEXTURE_2D, textures.texels());
+    const std::vector<float> rgba = probe.ask(block);
+    double height = 0, foam = 0;
+    for (const float each : window.surface().height_m) height += static_cast<double>(each) / (Window::n * Window::n);
+    for (const std::uint8_t each : window.surface().foam) foam += each / 255.0 / (Window::n * Window::n);
+    for (const std::size_t at : {std::size_t{0}, rgba.size() / 2, rgba.size() - 4}) {
+        // Six levels of halves, each rounded.
+        EXPECT_NEAR(rgba[at], height, 6 * height / 2048);
+        EXPECT_NEAR(rgba[at + 1], 0, 1e-3);  // around the torus slopes add to nothing
+        EXPECT_NEAR(rgba[at + 2], 0, 1e-3);
+        EXPECT_NEAR(rgba[at + 3], foam, 6 * foam / 2048);
+    }
+}
+
 // IEEE 754: to the nearest, of two the even one, also below the normal numbers; beyond the largest, that one.
 TEST(GlLocalWater, PacksHalvesToTheNearest) {
     struct Pair {
@@ -377,6 +405,27 @@ TEST(GlLocalWater, IsDrawnWithinItsWindowAndWhileThereIsOne) {
     EXPECT_GT(changed, 500);
     EXPECT_EQ(beyond, 0);
     EXPECT_LE(moved, 1);  // compilers may round otherwise
+}
+
+TEST(GlLocalWater, IsSeenByBothEyes) {
+    GlScene scene({.quality = "low", .resolution = 64, .width = 128, .height = 48, .samples = 1, .size_m = 512});
+    const Camera camera{.position_m = {0, 12, 0}, .target_m = {0.01, 0, 0}, .vertical_view_rad = 1};
+    Frame frame = scene.ocean.frame_at(3);
+    const auto both = [&] {
+        scene.draw(camera, frame, true, true);
+        return scene.target->read();
+    };
+    const auto before = both();
+    const Window waves = waves_at(-32, -32);
+    frame.local = waves.surface();
+    const auto with = both();
+    int changed[2] = {0, 0};
+    for (std::size_t pixel = 0; pixel < 128 * 48; ++pixel)
+        changed[pixel % 128 / 64] += std::abs(with[4 * pixel] - before[4 * pixel]) > 2;
+    std::printf("%d pixels of the left eye changed, %d of the right\n", changed[0], changed[1]);
+    // Most of what they see, and about as much of each.
+    EXPECT_GT(changed[0], 64 * 48 / 4);
+    EXPECT_NEAR(changed[1], changed[0], 0.2 * changed[0]);
 }
 
 TEST(GlLocalWater, IsRefusedBeforeAnythingIsUploaded) {
