@@ -116,7 +116,8 @@ void draw_voyage(const char* name) {
     gl::SeaRenderer renderer(functions, {.patch_vertices = selection.options().vertices,
                                          .resolution = ocean.resolution(),
                                          .tiles = ocean.tile_count(),
-                                         .writes = gl::PixelKind::radiance});
+                                         .writes = gl::PixelKind::radiance,
+                                         .local_water = true});
     gl::SkyBaker baker(make_default_executor(), 256);
     baker.schedule({.sun_azimuth_rad = 0.35f, .sun_elevation_rad = 0.42f, .cloud_cover = 0.12f});
     const gl::Sky& sky = baker.complete();

@@ -70,7 +70,7 @@ struct SeaRenderer::State {
           textures(functions, wanted.resolution, wanted.tiles),
           local(functions) {
         const KeptState keep(gl);
-        choose_programs({});
+        choose_programs({.local = options.local_water});
         buffers = std::make_unique<PatchBuffers>(gl, options.patch_vertices);
         detail = make_detail_texture(gl);
         foam = make_foam_texture(gl, *(options.executor ? options.executor : make_serial_executor()));

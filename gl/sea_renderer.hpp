@@ -45,6 +45,8 @@ struct RendererOptions {
     Surface surface = Surface::open;       ///< small water is drawn in place of the frames' tiles
     std::shared_ptr<Executor> executor = nullptr;  ///< bakes textures at the start; null: on this thread
     bool multiview = false;                        ///< the framebuffer holds both eyes as layers (OVR_multiview2)
+    /// Frames have a window of water that answers: its programs are compiled at the start, and not when the first such frame is drawn.
+    bool local_water = false;
 };
 
 enum class DrawMode { shaded, wireframe };

@@ -297,7 +297,8 @@ class Viewer {
                                                          .shading = shading,
                                                          .writes = gl::PixelKind::radiance,
                                                          .surface = surface_,
-                                                         .executor = make_default_executor(options_.threads)});
+                                                         .executor = make_default_executor(options_.threads),
+                                                         .local_water = true});
             renderer->set_water(settings_.water);
             renderer->set_floor(options_.floor);
             if (settings_.flow) renderer->set_flow(*settings_.flow);
