@@ -393,6 +393,7 @@ void Ocean::set_source(std::uint32_t number, const Disturbance& source) {
 }
 void Ocean::remove_source(std::uint32_t number) { state_->local_water().remove_source(number); }
 void Ocean::follow(double x_m, double z_m) { state_->local_water().follow(x_m, z_m); }
+void Ocean::set_rain(const Rain& rain) { state_->local_water().set_rain(rain); }
 
 std::vector<std::uint8_t> Ocean::saved_water() const {
     assert(!state_->frame_in_flight && "complete() the frame in flight first");

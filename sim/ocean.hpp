@@ -23,6 +23,7 @@
 #include "pelagic/sim/frame.hpp"
 #include "pelagic/sim/frame_buffers.hpp"
 #include "pelagic/sim/local_water.hpp"
+#include "pelagic/sim/rain.hpp"
 #include "pelagic/sim/sea_state.hpp"
 #include "pelagic/sim/shore.hpp"
 #include "pelagic/sim/texture_targets.hpp"
@@ -146,6 +147,8 @@ class Ocean {
     void remove_source(std::uint32_t number);
     /// The window's middle is there as near as whole texels allow. Texels that stay in it keep their bits, and others are flat.
     void follow(double x_m, double z_m);
+    /// It rains so from the next tick on, until another rain is set: none, of 0 drops.
+    void set_rain(const Rain& rain);
     /// All that frames to come depend on, but for what was said since the last schedule(): for a host that goes back to a moment, or
     /// begins in one. \pre no frame is in flight
     std::vector<std::uint8_t> saved_water() const;

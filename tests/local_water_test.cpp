@@ -187,11 +187,13 @@ TEST(LocalWater, StopsRays) {
 
 TEST(LocalWater, RestoredIsAsIfOneHadNeverLeft) {
     Ocean stays(breeze, answering()), goes(breeze, answering()), late(breeze, answering());
+    for (Ocean* rains : {&stays, &goes}) rains->set_rain({.drops_per_m2_s = 2, .radius_m = 0.5, .seed = 5});
     const std::uint64_t expected = local_hash_of(happen(stays, 0, 150));
     happen(goes, 0, 70);
     const std::vector<std::uint8_t> saved = goes.saved_water();
     happen(goes, 70, 110);
     goes.disturb({.height_m = 1});  // never happened
+    goes.set_rain({.drops_per_m2_s = 1});
     goes.restore_water(saved);
     EXPECT_EQ(local_hash_of(happen(goes, 70, 150)), expected);
     late.restore_water(saved);
@@ -201,6 +203,7 @@ TEST(LocalWater, RestoredIsAsIfOneHadNeverLeft) {
 
 TEST(LocalWater, TakesOnlyWhatCanBeSaved) {
     Ocean ocean(breeze, answering());
+    ocean.set_rain({.drops_per_m2_s = 2});
     happen(ocean, 0, 20);
     const std::vector<std::uint8_t> saved = ocean.saved_water();
     std::mt19937 random(9);
@@ -208,7 +211,7 @@ TEST(LocalWater, TakesOnlyWhatCanBeSaved) {
         std::vector<std::uint8_t> bytes = saved;
         // Headers in front, sources behind: eight bytes of one of them turned into anything.
         const std::size_t front = 40,
-                          at = i % 2 == 0 ? 8 * (random() % (front / 8)) : bytes.size() - 8 * (1 + random() % 13);
+                          at = i % 2 == 0 ? 8 * (random() % (front / 8)) : bytes.size() - 8 * (1 + random() % 19);
         const std::uint64_t word = i % 3 == 0 ? ~std::uint64_t{0} : (std::uint64_t{random()} << 32 | random());
         std::memcpy(bytes.data() + at, &word, sizeof word);
         try {
@@ -252,6 +255,7 @@ TEST(LocalWater, RefusesWhatItCantTake) {
     Ocean plain(breeze, {.executor = make_serial_executor()});
     EXPECT_THROW(plain.disturb({}), std::invalid_argument);
     EXPECT_THROW(plain.follow(0, 0), std::invalid_argument);
+    EXPECT_THROW(plain.set_rain({}), std::invalid_argument);
     EXPECT_THROW(plain.saved_water(), std::invalid_argument);
     OceanOptions wrong = answering();
     wrong.local->resolution = 65;

@@ -90,6 +90,11 @@ void LocalFrames::follow(double x_m, double z_m) {
     say({Said::What::follow, 0, {.x_m = x_m, .z_m = z_m}});
 }
 
+void LocalFrames::set_rain(const Rain& rain) {
+    if (const std::string reason = check(rain, grid_.options()); !reason.empty()) throw std::invalid_argument(reason);
+    say({.what = Said::What::rain, .rain = rain});
+}
+
 void LocalFrames::take_what_was_said() {
     for (const Said& said : said_) {
         switch (said.what) {
@@ -100,6 +105,7 @@ void LocalFrames::take_what_was_said() {
                 break;
             case Said::What::remove: grid_.sources().remove(said.number); break;
             case Said::What::follow: grid_.follow(said.disturbance.x_m, said.disturbance.z_m); break;
+            case Said::What::rain: grid_.set_rain(said.rain); break;
         }
     }
     said_.clear();

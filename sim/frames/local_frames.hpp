@@ -35,6 +35,7 @@ class LocalFrames {
     void set_source(std::uint32_t number, const Disturbance& source);
     void remove_source(std::uint32_t number);
     void follow(double x_m, double z_m);
+    void set_rain(const Rain& rain);
 
     /// Begins the frame of `time_s`: its ticks, of which all but one are left to complete(), and what it shows. The first frame, and one
     /// of a time before the last one's, has no ticks.
@@ -65,9 +66,10 @@ class LocalFrames {
     LocalGrid grid_;
     /// What a host said since the last begin_frame().
     struct Said {
-        enum class What { disturb, add, set, remove, follow } what;
+        enum class What { disturb, add, set, remove, follow, rain } what;
         std::uint32_t number = 0;
         Disturbance disturbance = {};  ///< of a follow, its place
+        Rain rain = {};
     };
     void say(const Said& said);
 

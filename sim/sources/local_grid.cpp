@@ -326,7 +326,7 @@ void LocalGrid::restore(std::span<const std::uint8_t> saved) {
         if (!(std::fabs(texel) <= 1e6f))  // of what is no number, too
             throw std::invalid_argument(refusal("a saved texel of the water", texel, "[-1e6, 1e6]"));
     }
-    sources_ = LocalSources::restored(saved.subspan(sizeof header + saved_texel_bytes()), header.ticks);
+    sources_ = LocalSources::restored(saved.subspan(sizeof header + saved_texel_bytes()), header.ticks, options_);
 
     window_.move_to({header.first_x, header.first_z});
     ticks_ = header.ticks;

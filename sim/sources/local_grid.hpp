@@ -48,6 +48,7 @@ class LocalGrid {
     LocalSources& sources() { return sources_; }
     const LocalSources& sources() const { return sources_; }
     void set_source(std::uint32_t number, const Disturbance& source) { sources_.set(number, source, ticks_); }
+    void set_rain(const Rain& rain) { sources_.set_rain(rain, options_); }
 
     /// Before and after each run of the tick's stages.
     void begin_tick();

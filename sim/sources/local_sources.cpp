@@ -29,6 +29,8 @@ std::array<std::int64_t, 2> reached(double middle_m, double reach_m, const Local
 
 struct SavedHeader {
     std::int64_t next_number, count;
+    double rain_drops, rain_radius, rain_height;
+    std::int64_t rain_seed;
 };
 
 /// A source as it is saved: numbers without gaps between them.
@@ -55,6 +57,13 @@ Disturbance disturbance_of(const SavedSource& saved) {
                                 .velocity_z_mps = saved.velocity_z};
     if (const std::string reason = check(source); !reason.empty()) throw std::invalid_argument(reason);
     return source;
+}
+
+LocalRain restored_rain(const SavedHeader& saved, const LocalWaterOptions& water) {
+    if (saved.rain_seed < 0 || saved.rain_seed > std::numeric_limits<std::uint32_t>::max())
+        throw std::invalid_argument(refusal("the saved rain's seed", saved.rain_seed, "[0, 2^32)"));
+    const auto seed = static_cast<std::uint32_t>(saved.rain_seed);
+    return {{saved.rain_drops, saved.rain_radius, saved.rain_height, seed}, water};
 }
 
 void need_room(const char* what, std::size_t count) {
@@ -94,6 +103,7 @@ bool LocalSources::has(std::uint32_t number) const {
 }
 
 void LocalSources::begin_tick(const LocalWindow& window, std::int64_t ticks, double tick_s) {
+    tick_ = ticks;
     for (const Lasting& source : lasting_) {
         Disturbance moved = source.disturbance;
         const double since_s = static_cast<double>(ticks - source.since) * tick_s;
@@ -191,6 +201,7 @@ void LocalSources::push_rows(const LocalWindow& window, std::size_t first_row, s
                 break;
         }
     }
+    rain_.push_rows(window, tick_, first_row, rows, heights);
 }
 
 void LocalSources::lift_rows(const LocalWindow& window, std::size_t first_row, std::size_t rows,
@@ -214,7 +225,10 @@ std::size_t LocalSources::saved_bytes() const { return sizeof(SavedHeader) + las
 
 void LocalSources::save(std::span<std::uint8_t> bytes) const {
     assert(bytes.size() == saved_bytes());
-    const SavedHeader header = {next_number_, static_cast<std::int64_t>(lasting_.size())};
+    const Rain& rain = rain_.rain();
+    const SavedHeader header = {next_number_,        static_cast<std::int64_t>(lasting_.size()),
+                                rain.drops_per_m2_s, rain.radius_m,
+                                rain.height_m,       rain.seed};
     std::memcpy(bytes.data(), &header, sizeof header);
     std::uint8_t* to = bytes.data() + sizeof header;
     for (const Lasting& source : lasting_) {
@@ -237,7 +251,8 @@ void LocalSources::save(std::span<std::uint8_t> bytes) const {
     }
 }
 
-LocalSources LocalSources::restored(std::span<const std::uint8_t> bytes, std::int64_t ticks) {
+LocalSources LocalSources::restored(std::span<const std::uint8_t> bytes, std::int64_t ticks,
+                                    const LocalWaterOptions& water) {
     SavedHeader header{};
     if (bytes.size() >= sizeof header) std::memcpy(&header, bytes.data(), sizeof header);
     const bool can_be = header.count >= 0 && header.count <= static_cast<std::int64_t>(most);
@@ -248,6 +263,7 @@ LocalSources LocalSources::restored(std::span<const std::uint8_t> bytes, std::in
         throw std::invalid_argument(refusal("the saved water's next source", header.next_number, "[1, 2^32)"));
     LocalSources sources;
     sources.next_number_ = static_cast<std::uint32_t>(header.next_number);
+    sources.rain_ = restored_rain(header, water);
     const std::uint8_t* from = bytes.data() + sizeof header;
     for (std::int64_t i = 0, last = 0; i < header.count; ++i, from += sizeof(SavedSource)) {
         SavedSource saved;
@@ -264,7 +280,7 @@ LocalSources LocalSources::restored(std::span<const std::uint8_t> bytes, std::in
 
 std::size_t LocalSources::bytes() const {
     return lasting_.capacity() * sizeof(Lasting) + waiting_.capacity() * sizeof(Disturbance) +
-           splashes_.capacity() * sizeof(Splash) + profiles_.capacity() * sizeof(float);
+           splashes_.capacity() * sizeof(Splash) + profiles_.capacity() * sizeof(float) + rain_.bytes();
 }
 
 }  // namespace pelagic

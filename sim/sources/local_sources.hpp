@@ -1,4 +1,4 @@
-// What pushes at a window of water: sources that last, what is said once, and the texels that both reach in a tick.
+// What pushes at a window of water: sources that last, rain, what is said once, and the texels that all reach in a tick.
 #pragma once
 
 #include <cstddef>
@@ -7,15 +7,10 @@
 #include <vector>
 
 #include "pelagic/sim/disturbance.hpp"
+#include "pelagic/sim/sources/local_rain.hpp"
 #include "pelagic/sim/sources/local_window.hpp"
 
 namespace pelagic {
-
-/// Texels (0, 0) of the planes of a window that a tick moves, in rows as local_jobs.hpp has them.
-struct LocalHeights {
-    float* now;
-    float* before;  ///< Verlet's other height; null where there is none
-};
 
 class LocalSources {
    public:
@@ -29,12 +24,14 @@ class LocalSources {
     void set(std::uint32_t number, const Disturbance& source, std::int64_t ticks);
     void remove(std::uint32_t number);
     bool has(std::uint32_t number) const;
+    /// From the tick to come on. Throws std::invalid_argument(check(rain, water)).
+    void set_rain(const Rain& rain, const LocalWaterOptions& water) { rain_ = LocalRain(rain, water); }
     std::size_t lasting() const { return lasting_.size(); }
     std::size_t waiting() const { return waiting_.size(); }
     void forget_waiting() { waiting_.clear(); }
 
     /// Finds what the tick after `ticks` of them reaches in the window. Sources push in the order of their numbers, then
-    /// disturbances in theirs.
+    /// disturbances in theirs, then rain.
     void begin_tick(const LocalWindow& window, std::int64_t ticks, double tick_s);
     /// Before the step, in rows of the torus: presses take the shape away, which lift_rows() puts back after it.
     void push_rows(const LocalWindow& window, std::size_t first_row, std::size_t rows, LocalHeights heights) const;
@@ -44,8 +41,9 @@ class LocalSources {
     /// What lasts, as bytes; what waits is not in it.
     std::size_t saved_bytes() const;
     void save(std::span<std::uint8_t> bytes) const;
-    /// Throws std::invalid_argument if no water of so many ticks can have saved them.
-    static LocalSources restored(std::span<const std::uint8_t> bytes, std::int64_t ticks);
+    /// Throws std::invalid_argument if no such water of so many ticks can have saved them.
+    static LocalSources restored(std::span<const std::uint8_t> bytes, std::int64_t ticks,
+                                 const LocalWaterOptions& water);
     std::size_t bytes() const;
 
    private:
@@ -75,6 +73,8 @@ class LocalSources {
     std::vector<Disturbance> waiting_;  ///< for the tick to come
     std::vector<Splash> splashes_;      ///< of the tick in flight
     std::vector<float> profiles_;
+    LocalRain rain_;
+    std::int64_t tick_ = 0;  ///< in flight
 };
 
 }  // namespace pelagic

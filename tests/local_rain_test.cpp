@@ -1,0 +1,333 @@
+// Rain: as many drops as it says, each of its shape, none of which brings water, and the same ones wherever the window is.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "pelagic/tests/each_executor.hpp"
+#include "pelagic/tests/each_isa.hpp"
+#include "pelagic/tests/local_pool.hpp"
+
+namespace pelagic {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+/// Water that is too slow to move: what falls stays where it fell.
+const LocalWaterOptions stiff{.step = LocalStep::verlet,
+                              .resolution = 64,
+                              .side_m = 16,
+                              .border_m = 0,
+                              .wave_speed_mps = 1e-6,
+                              .decay_per_s = 0};
+constexpr double texel = 0.25;
+/// Twice as wide as texels, so that sums over texels are integrals, to 1e-8. A drop reaches six texels and one more to either side.
+const Rain wide{.drops_per_m2_s = 1, .radius_m = 2 * texel, .height_m = 0.03, .seed = 7};
+constexpr std::int64_t reach = 6;
+/// Where drops of that width fall whole in a window of 64 texels.
+constexpr double fallen_on_m2 = (64 - 2 * reach - 1) * (64 - 2 * reach - 1) * texel * texel;
+
+std::vector<double> heights(const LocalGrid& grid) {
+    std::vector<double> all;
+    for (std::int64_t z = 0; z < grid.options().resolution; ++z)
+        for (std::int64_t x = 0; x < grid.options().resolution; ++x)
+            all.push_back(static_cast<double>(grid.height_m(grid.first_x() + x, grid.first_z() + z)));
+    return all;
+}
+
+/// What each of so many ticks added, in stiff water.
+template <class OfTick>
+void for_ticks(const Rain& rain, int ticks, OfTick of_tick) {
+    LocalPool pool(stiff);
+    pool.grid.set_rain(rain);
+    std::vector<double> before = heights(pool.grid);
+    for (int tick = 0; tick < ticks; ++tick) {
+        pool.tick();
+        std::vector<double> now = heights(pool.grid), added(now.size());
+        for (std::size_t i = 0; i < now.size(); ++i) added[i] = now[i] - before[i];
+        of_tick(added);
+        before = std::move(now);
+    }
+}
+
+struct Crater {
+    std::int64_t x, z;
+};
+
+/// Texels that lie deeper than all around them, and than 0.6 of a drop: its deepest texel has 0.77 of its height or more.
+std::vector<Crater> craters(const std::vector<double>& added, double height_m) {
+    std::vector<Crater> found;
+    const auto at = [&](std::int64_t x, std::int64_t z) { return added[static_cast<std::size_t>(z * 64 + x)]; };
+    for (std::int64_t z = 1; z < 63; ++z)
+        for (std::int64_t x = 1; x < 63; ++x) {
+            bool lowest = at(x, z) < -0.6 * height_m;
+            for (const auto& [dx, dz] : {Crater{-1, -1}, {0, -1}, {1, -1}, {-1, 0}})
+                lowest = lowest && at(x, z) < at(x + dx, z + dz) && at(x, z) <= at(x - dx, z - dz);
+            if (lowest) found.push_back({x, z});
+        }
+    return found;
+}
+
+TEST(LocalRain, HasAsManyDropsAsItSays) {
+    constexpr int ticks = 1000;
+    constexpr double mean = 3;  // of a tick
+    Rain sparse = wide;
+    sparse.drops_per_m2_s = mean * stiff.ticks_per_s / fallen_on_m2;
+    std::vector<double> counts;
+    double quarters[4] = {};
+    for_ticks(sparse, ticks, [&](const std::vector<double>& added) {
+        const std::vector<Crater> fallen = craters(added, sparse.height_m);
+        counts.push_back(static_cast<double>(fallen.size()));
+        for (const Crater& each : fallen) quarters[(each.x < 32 ? 0 : 1) + (each.z < 32 ? 0 : 2)] += 1;
+    });
+    double sum = 0, squares = 0;
+    for (const double count : counts) sum += count, squares += (count - mean) * (count - mean);
+    // Poisson: mean and variance are one. Within four standard deviations, and 2 % for drops that fall into one another: a pair in a
+    // hundred is closer than the three texels in which craters are told apart, and there are 1.5 pairs a drop.
+    EXPECT_GT(sum / ticks, mean * (1 - 4 / std::sqrt(mean * ticks) - 0.02));
+    EXPECT_LT(sum / ticks, mean * (1 + 4 / std::sqrt(mean * ticks)));
+    EXPECT_NEAR(squares / ticks / mean, 1, 4 * std::sqrt(2.0 / ticks) + 0.04);
+    for (const double quarter : quarters) EXPECT_NEAR(quarter, sum / 4, 4 * std::sqrt(sum * 3 / 16));
+}
+
+// Campbell's theorem: drops of mean zero that know nothing of one another have as much energy as all of them alone. The square of
+// height_m (q - 1) e^-q has the integral height_m^2 pi radius_m^2 / 4.
+TEST(LocalRain, BringsTheEnergyOfItsDrops) {
+    for (const double drops : {1.0, 20.0}) {
+        Rain rain = wide;
+        rain.drops_per_m2_s = drops;
+        constexpr int ticks = 300;
+        double sum = 0;
+        for_ticks(rain, ticks, [&](const std::vector<double>& added) {
+            for (const double height : added) sum += height * height * texel * texel;
+        });
+        const double fallen = drops * fallen_on_m2 * ticks / stiff.ticks_per_s;
+        const double expected = fallen * rain.height_m * rain.height_m * pi * rain.radius_m * rain.radius_m / 4;
+        // Four standard deviations: of the number of drops, and of how those of a tick meet, which counts less than their number does.
+        EXPECT_NEAR(sum / expected, 1, 4 * std::sqrt(2 / fallen)) << drops;
+    }
+}
+
+TEST(LocalRain, HasDropsOfItsShape) {
+    Rain sparse = wide;
+    sparse.drops_per_m2_s = 0.3;
+    double seen = 0, same = 0, parts = 0;
+    for_ticks(sparse, 600, [&](const std::vector<double>& added) {
+        const std::vector<Crater> fallen = craters(added, sparse.height_m);
+        if (fallen.size() != 1) return;
+        const Crater deepest = fallen.front();
+        double least = std::numeric_limits<double>::infinity();
+        std::int64_t best_x = 0, best_z = 0;
+        for (std::int64_t part = 0; part < 17 * 17; ++part) {  // its middle is within a texel, at an eighth of one
+            const std::int64_t eighths_x = 8 * deepest.x + part % 17 - 8, eighths_z = 8 * deepest.z + part / 17 - 8;
+            double largest = 0;
+            for (std::int64_t i = 0; i < 17 * 17; ++i) {
+                const std::int64_t x = deepest.x + i % 17 - 8, z = deepest.z + i / 17 - 8;
+                if (x < 0 || x > 63 || z < 0 || z > 63) continue;
+                const double s =
+                    (static_cast<double>(x) - static_cast<double>(eighths_x) / 8) * texel / wide.radius_m;
+                const double t =
+                    (static_cast<double>(z) - static_cast<double>(eighths_z) / 8) * texel / wide.radius_m;
+                const double q = s * s + t * t, height = sparse.height_m * (q - 1) * std::exp(-q);
+                largest = std::max(largest, std::fabs(added[static_cast<std::size_t>(z * 64 + x)] - height));
+            }
+            if (largest >= least) continue;
+            least = largest;
+            best_x = eighths_x, best_z = eighths_z;
+        }
+        // It ends where it is 9 e^-9 of its height.
+        EXPECT_LT(least, 1.2e-3 * sparse.height_m);
+        for (const std::int64_t at : {best_x, best_z})
+            ++seen, same += (at & 7) == (at >> 3 & 7), parts += static_cast<double>(at & 7);
+    });
+    // Which texel of eight says nothing of which eighth of it: they are the same for one drop in eight. Four standard deviations.
+    EXPECT_GT(seen, 300);
+    EXPECT_NEAR(same / seen, 1.0 / 8, 4 * std::sqrt(7.0 / 64 / seen));
+    EXPECT_NEAR(parts / seen, 3.5, 4 * std::sqrt(63.0 / 12 / seen));
+}
+
+TEST(LocalRain, HasDropsOfNoVolume) {
+    for (const double texels :
+         {1.0, 5.0 / 3, 2.0, 8.0 / 3, 4.0}) {  // reaching up to 12 of them, over rows of several jobs
+        Rain rain = wide;
+        rain.radius_m = texels * texel;
+        for_ticks(rain, 200, [&](const std::vector<double>& added) {
+            double volume = 0, moved = 0;
+            for (const double height : added) volume += height, moved += std::fabs(height);
+            if (moved < rain.height_m) return;                     // no drop fell
+            EXPECT_LE(std::fabs(volume), 3e-6 * moved) << texels;  // floats' rounding
+        });
+    }
+}
+
+TEST(LocalRain, AddsNoWater) {
+    for (const LocalStep step : {LocalStep::spectral, LocalStep::verlet})
+        for (const double radius_m : {0.05, 0.25, 0.6}) {
+            LocalWaterOptions open{.step = step, .resolution = 64, .side_m = 16, .border_m = 0};
+            open.wave_speed_mps = 3;
+            LocalPool pool(open);
+            pool.grid.set_rain({.drops_per_m2_s = 20, .radius_m = radius_m, .height_m = 0.05});
+            pool.tick(300);
+            double sum = 0, squares = 0;
+            for (const double height : heights(pool.grid)) sum += height, squares += height * height;
+            const double rms = std::sqrt(squares / 4096);
+            EXPECT_GT(rms, 1e-4);
+            // Floats' rounding: 1e-7 of the waves in each of 300 ticks. Drops cut off where they end would be 1e-3.
+            EXPECT_LT(std::fabs(sum / 4096), 3e-5 * rms) << radius_m;
+        }
+}
+
+/// Texels that both windows have, `margin` or more from their edges.
+void expect_same_inside(const LocalGrid& a, const LocalGrid& b, std::int64_t margin) {
+    std::int64_t compared = 0, wet = 0;
+    const auto end = [](std::int64_t first, const LocalGrid& grid) { return first + grid.options().resolution; };
+    const std::int64_t first_x = std::max(a.first_x(), b.first_x()) + margin;
+    const std::int64_t first_z = std::max(a.first_z(), b.first_z()) + margin;
+    const std::int64_t end_x = std::min(end(a.first_x(), a), end(b.first_x(), b)) - margin;
+    const std::int64_t end_z = std::min(end(a.first_z(), a), end(b.first_z(), b)) - margin;
+    for (std::int64_t z = first_z; z < end_z; ++z)
+        for (std::int64_t x = first_x; x < end_x; ++x, ++compared) {
+            ASSERT_EQ(a.height_m(x, z), b.height_m(x, z)) << x << ' ' << z;
+            wet += a.height_m(x, z) != 0;
+        }
+    EXPECT_GT(compared, 300);
+    EXPECT_GT(wet, compared / 4);
+}
+
+TEST(LocalRain, FallsTheSameWhereverTheWindowIs) {
+    constexpr std::int64_t margin = 2 * reach + 2;  // of a drop that one window has whole and the other doesn't
+    LocalWaterOptions large = stiff;
+    large.resolution = 128;
+    large.side_m = 32;
+    LocalPool here(stiff), there(stiff), larger(large), goes(stiff);
+    there.grid.follow(3.1, -2.3);
+    larger.grid.follow(-4, 5.2);
+    for (LocalPool* pool : {&here, &there, &larger, &goes}) pool->grid.set_rain(wide);
+    for (int tick = 0; tick < 40; ++tick) {
+        goes.grid.follow(0.05 * tick, -0.04 * tick);  // eight texels and six in all
+        for (LocalPool* pool : {&here, &there, &larger, &goes}) pool->tick();
+    }
+    expect_same_inside(here.grid, there.grid, margin);
+    expect_same_inside(here.grid, larger.grid, margin);
+    expect_same_inside(here.grid, goes.grid, margin);
+    // Far away, too, where cells have large numbers below 0.
+    there.grid.follow(-9e7, 9e7);
+    larger.grid.follow(-9e7 + 2, 9e7 - 1);
+    LocalPool fresh(large);
+    fresh.grid.follow(-9e7, 9e7);
+    fresh.grid.set_rain(wide);
+    fresh.tick(40);
+    larger.tick(40);
+    there.tick(40);
+    expect_same_inside(there.grid, larger.grid, margin);
+    bool differs = false;  // of other ticks, other drops
+    for (std::int64_t i = 0; i < 64; ++i)
+        differs |= fresh.grid.height_m(fresh.grid.first_x() + i + 32, fresh.grid.first_z() + 64) !=
+                   there.grid.height_m(fresh.grid.first_x() + i + 32, fresh.grid.first_z() + 64);
+    EXPECT_TRUE(differs);
+}
+
+const LocalWaterOptions small{.resolution = 64, .side_m = 32, .border_m = 6};
+const Rain pours{.drops_per_m2_s = 5, .radius_m = 0.8, .height_m = 0.05, .seed = 3};
+
+void rain_and_pan(LocalPool& pool, int from, int to) {
+    for (int tick = from; tick < to; ++tick) {
+        if (tick == 60) pool.grid.set_rain({.drops_per_m2_s = 12, .radius_m = 0.3, .height_m = 0.1});
+        pool.grid.follow(0.07 * tick, 0.2 * tick);
+        pool.tick();
+    }
+}
+
+TEST(LocalRain, HasTheSameBitsEverywhere) {
+    const auto hash_on = [](Isa isa, std::shared_ptr<Executor> executor) {
+        LocalPool pool(small, isa, std::move(executor));
+        pool.grid.set_rain(pours);
+        rain_and_pan(pool, 0, 100);
+        return pool.grid.hash();
+    };
+    const std::uint64_t expected = hash_on(isas_here().front(), make_serial_executor());
+    for (const Isa isa : isas_here()) EXPECT_EQ(hash_on(isa, make_serial_executor()), expected) << name_of(isa);
+    for (const ExecutorKind& kind : executor_kinds())
+        EXPECT_EQ(hash_on(choose_isa(), kind.make(kind.threads)), expected) << kind.name;
+}
+
+TEST(LocalRain, GoesOnWhereItWasSaved) {
+    for (const LocalStep step : {LocalStep::spectral, LocalStep::verlet}) {
+        LocalWaterOptions options = small;
+        options.step = step;
+        LocalPool stays(options), late(options);
+        stays.grid.set_rain(pours);
+        rain_and_pan(stays, 0, 40);
+        late.grid.restore(stays.grid.saved());
+        rain_and_pan(stays, 40, 80);
+        rain_and_pan(late, 40, 80);
+        EXPECT_EQ(late.grid.saved(), stays.grid.saved());
+    }
+}
+
+TEST(LocalRain, OfNoDropsIsNone) {
+    LocalPool dry(small), over(small), other(small), same(small);
+    over.grid.set_rain(pours);
+    over.grid.set_rain({.drops_per_m2_s = 0, .radius_m = 1e9, .height_m = std::numeric_limits<double>::quiet_NaN()});
+    same.grid.set_rain(pours);
+    other.grid.set_rain({.drops_per_m2_s = 5, .radius_m = 0.8, .height_m = 0.05, .seed = 4});
+    for (LocalPool* pool : {&dry, &over, &same, &other}) {
+        pool->grid.sources().disturb({.mode = Disturbance::Mode::add, .height_m = 0.4});
+        pool->tick(20);
+    }
+    EXPECT_EQ(over.grid.saved(), dry.grid.saved());
+    EXPECT_NE(same.grid.hash(), dry.grid.hash());
+    EXPECT_NE(same.grid.hash(), other.grid.hash());
+}
+
+// A drop half as wide as a texel is a texel wide and a quarter as high: factors of two are exact.
+TEST(LocalRain, NarrowerThanATexelIsFlatterInstead) {
+    LocalPool wider(stiff), narrow(stiff);
+    Rain rain{.drops_per_m2_s = 3, .radius_m = texel, .height_m = 0.04};
+    wider.grid.set_rain(rain);
+    rain.radius_m = texel / 2;
+    narrow.grid.set_rain(rain);
+    wider.tick();
+    narrow.tick();
+    const std::vector<double> a = heights(wider.grid), b = heights(narrow.grid);
+    EXPECT_GT(*std::max_element(a.begin(), a.end()), 1e-3);
+    for (std::size_t i = 0; i < a.size(); ++i) EXPECT_EQ(b[i], a[i] / 4);
+}
+
+TEST(LocalRain, RefusesWhatCantFall) {
+    const LocalWaterOptions water;  // 64 m
+    Rain rain{.drops_per_m2_s = 1};
+    EXPECT_EQ(check(rain, water), "");
+    rain.radius_m = 4.1;
+    EXPECT_EQ(check(rain, water), "radius_m is 4.1, needs (0, 4], to a 16th of side_m");
+    rain.radius_m = 0;
+    EXPECT_EQ(check(rain, water), "radius_m is 0, needs (0, 4], to a 16th of side_m");
+    rain = {.drops_per_m2_s = 1, .height_m = std::numeric_limits<double>::quiet_NaN()};
+    EXPECT_NE(check(rain, water), "");
+    // Drops of eight texels by eight, 2 m by 2 m, 16 of which are on a texel in each of 60 ticks a second.
+    rain = {.drops_per_m2_s = 16.0 * 60 / 4};
+    EXPECT_EQ(check(rain, water), "");
+    rain.drops_per_m2_s = 250;
+    EXPECT_EQ(check(rain, water), "drops_per_m2_s is 250, needs [0, 240] for drops so wide in such a window");
+    rain.drops_per_m2_s = -1;
+    EXPECT_NE(check(rain, water), "");
+    rain.drops_per_m2_s = std::numeric_limits<double>::infinity();
+    EXPECT_NE(check(rain, water), "");
+    LocalPool pool(water);
+    EXPECT_THROW(pool.grid.set_rain(rain), std::invalid_argument);
+    // A saved rain that can't be is refused, and nothing has changed.
+    pool.grid.set_rain({.drops_per_m2_s = 2});
+    const std::vector<std::uint8_t> saved = pool.grid.saved();
+    std::vector<std::uint8_t> wrong = saved;
+    const double radius = 5;
+    std::memcpy(wrong.data() + wrong.size() - 3 * sizeof radius, &radius, sizeof radius);
+    EXPECT_THROW(pool.grid.restore(wrong), std::invalid_argument);
+    EXPECT_EQ(pool.grid.saved(), saved);
+}
+
+}  // namespace
+}  // namespace pelagic
