@@ -6,6 +6,7 @@
 #include "pelagic/capi/status.hpp"
 #include "pelagic/message/refusal.hpp"
 #include "pelagic/sim/disturbance.hpp"
+#include "pelagic/sim/rain.hpp"
 
 namespace pelagic::capi {
 namespace {
@@ -121,6 +122,30 @@ pelagic_status pelagic_ocean_remove_source(pelagic_ocean* ocean, uint32_t number
 
 pelagic_status pelagic_ocean_follow(pelagic_ocean* ocean, double x_m, double z_m) {
     return guarded([&] { needed(ocean, "ocean").ocean.follow(x_m, z_m); });
+}
+
+pelagic_status pelagic_rain_defaults(pelagic_rain* rain) {
+    return guarded([&] {
+        struct_bytes(rain, "rain");
+        const Rain ours;
+        pelagic_rain out{};
+        out.seed = ours.seed;
+        out.drops_per_m2_s = ours.drops_per_m2_s;
+        out.radius_m = ours.radius_m;
+        out.height_m = ours.height_m;
+        write_struct(out, rain);
+    });
+}
+
+pelagic_status pelagic_ocean_set_rain(pelagic_ocean* ocean, const pelagic_rain* rain) {
+    return guarded([&] {
+        const pelagic_rain from = read_struct(rain, "rain");
+        needed(ocean, "ocean")
+            .ocean.set_rain({.drops_per_m2_s = from.drops_per_m2_s,
+                             .radius_m = from.radius_m,
+                             .height_m = from.height_m,
+                             .seed = from.seed});
+    });
 }
 
 pelagic_status pelagic_ocean_local(const pelagic_ocean* ocean, pelagic_local_surface* surface) {

@@ -590,7 +590,7 @@ typedef struct pelagic_disturbance {
 /* Sets every field but struct_size: a press of 0 m at the origin, radius and length 1 m, rate 10. */
 PELAGIC_API pelagic_status pelagic_disturbance_defaults(pelagic_disturbance* disturbance);
 
-/* Pushes in the next tick; at most 4096 times a tick. What this and the four functions below say counts from the next schedule
+/* Pushes in the next tick; at most 4096 times a tick. What this and the functions below say counts from the next schedule
  * on, in its order, whether or not a frame is in flight. PELAGIC_INVALID_ARGUMENT without pelagic_ocean_options.local. */
 PELAGIC_API pelagic_status pelagic_ocean_disturb(pelagic_ocean* ocean, const pelagic_disturbance* disturbance);
 
@@ -604,6 +604,22 @@ PELAGIC_API pelagic_status pelagic_ocean_remove_source(pelagic_ocean* ocean, uin
 
 /* The window's middle is there, as near as whole texels allow: [-1e8, 1e8]. Texels that enter it are flat. */
 PELAGIC_API pelagic_status pelagic_ocean_follow(pelagic_ocean* ocean, double x_m, double z_m);
+
+/* Rain: each drop digs a crater with a rim of as much water around it, height_m (q - 1) e^-q with q = (r / radius_m)^2. Which drops
+ * fall follows from the seed, the tick and the place in the world alone. */
+typedef struct pelagic_rain {
+    uint32_t struct_size;
+    uint32_t seed;
+    double drops_per_m2_s; /* on the mean; 0: no rain. At most as many as put 16 on a texel in a tick */
+    double radius_m;       /* (0, side_m / 16]; what is narrower than a texel is drawn a texel wide, and flatter */
+    double height_m;       /* how deep a crater is; [-10, 10] */
+} pelagic_rain;
+
+/* Sets every field but struct_size: no rain, drops of 0.25 m and 0.02 m, seed 1. */
+PELAGIC_API pelagic_status pelagic_rain_defaults(pelagic_rain* rain);
+
+/* It rains so from the next tick on, until another rain is set. Saved with the water. */
+PELAGIC_API pelagic_status pelagic_ocean_set_rain(pelagic_ocean* ocean, const pelagic_rain* rain);
 
 /* What adds to the tiles where water is drawn, at x = rest x + Dx, z alike. Texel (i, j) of the world's lattice stands at
  * x = i texel_m, z = j texel_m, in column i mod N of row j mod N; the window has first_x <= i < first_x + N. */

@@ -33,6 +33,7 @@ PELAGIC_LAST_FIELD_AT_FIRST(pelagic_change, over_s);
 PELAGIC_LAST_FIELD_AT_FIRST(pelagic_forecast, largest_peak_m);
 PELAGIC_LAST_FIELD_AT_FIRST(pelagic_local_options, foam_height_m);
 PELAGIC_LAST_FIELD_AT_FIRST(pelagic_disturbance, velocity_z_mps);
+PELAGIC_LAST_FIELD_AT_FIRST(pelagic_rain, height_m);
 PELAGIC_LAST_FIELD_AT_FIRST(pelagic_local_surface, height_max_m);
 PELAGIC_LAST_FIELD_AT_FIRST(pelagic_shore_options, swash_m);
 PELAGIC_LAST_FIELD_AT_FIRST(pelagic_shore_surface, height_max_m);

@@ -106,6 +106,37 @@ TEST_F(CInterfaceLocal, IsInSurfacesAndQueries) {
     EXPECT_EQ(a, b);
 }
 
+TEST_F(CInterfaceLocal, Rains) {
+    auto rain = sized<pelagic_rain>();
+    ASSERT_EQ(pelagic_rain_defaults(&rain), PELAGIC_OK);
+    EXPECT_EQ(rain.drops_per_m2_s, 0);
+    rain.drops_per_m2_s = 4, rain.radius_m = 0.6;
+    const auto hash_with = [&] {
+        const COcean ocean = answering();
+        EXPECT_EQ(pelagic_ocean_set_rain(ocean.get(), &rain), PELAGIC_OK) << pelagic_last_error();
+        for (int tick = 0; tick < 20; ++tick) complete(ocean, tick / 60.0);
+        return local_hash(ocean);
+    };
+    const std::uint64_t first = hash_with();
+    EXPECT_EQ(hash_with(), first);
+    rain.seed = 9;
+    EXPECT_NE(hash_with(), first);
+
+    const COcean ocean = answering();
+    rain.radius_m = 3;
+    expect_refused(pelagic_ocean_set_rain(ocean.get(), &rain), PELAGIC_INVALID_ARGUMENT,
+                   "radius_m is 3, needs (0, 2], to a 16th of side_m");
+    rain.radius_m = 0.6, rain.height_m = 11;
+    expect_refused(pelagic_ocean_set_rain(ocean.get(), &rain), PELAGIC_INVALID_ARGUMENT,
+                   "height_m is 11, needs [-10, 10]");
+    rain.height_m = 0.1, rain.drops_per_m2_s = 100;  // ten texels by ten, half a metre each
+    expect_refused(pelagic_ocean_set_rain(ocean.get(), &rain), PELAGIC_INVALID_ARGUMENT,
+                   "drops_per_m2_s is 100, needs [0, 38.4] for drops so wide in such a window");
+    rain.drops_per_m2_s = 1;
+    EXPECT_EQ(pelagic_ocean_set_rain(answering(false).get(), &rain), PELAGIC_INVALID_ARGUMENT);
+    EXPECT_EQ(pelagic_ocean_set_rain(ocean.get(), nullptr), PELAGIC_INVALID_ARGUMENT);
+}
+
 TEST_F(CInterfaceLocal, GoesBackToASavedMoment) {
     const COcean stays = answering(), goes = answering();
     for (const COcean* ocean : {&stays, &goes}) {

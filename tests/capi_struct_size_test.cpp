@@ -160,6 +160,11 @@ TEST_F(StructSizes, WhatIsReadMayBeOlderOrNewer) {
     expect_read_in_every_size(callback, &pelagic_input_callback::largest_slope, [&](pelagic_input_callback* wanted) {
         return status_of_input(pelagic_input_create_callback, wanted);
     });
+    auto rain = sized<pelagic_rain>();
+    ASSERT_EQ(pelagic_rain_defaults(&rain), PELAGIC_OK);
+    rain.drops_per_m2_s = 1;
+    expect_read_in_every_size(rain, &pelagic_rain::height_m,
+                              [&](pelagic_rain* falls) { return pelagic_ocean_set_rain(water.get(), falls); });
     auto ray = sized<pelagic_ray>();
     ray.direction[1] = -1;
     expect_read_in_every_size(ray, &pelagic_ray::reach_m, [&](pelagic_ray* asked) {
@@ -213,6 +218,7 @@ TEST_F(StructSizes, WhatIsWrittenMayBeOlderOrNewer) {
     });
     expect_written_in_every_size(&pelagic_local_options::foam_height_m, pelagic_local_defaults);
     expect_written_in_every_size(&pelagic_disturbance::velocity_z_mps, pelagic_disturbance_defaults);
+    expect_written_in_every_size(&pelagic_rain::height_m, pelagic_rain_defaults);
     auto local = sized<pelagic_local_options>();
     ASSERT_EQ(pelagic_local_defaults(&local), PELAGIC_OK);
     auto options = sized<pelagic_ocean_options>();
