@@ -11,7 +11,7 @@
 namespace pelagic::gl {
 
 /// Texture units that the sea's shaders use, from 0 on.
-inline constexpr int texture_units = 13;
+inline constexpr int texture_units = 16;
 
 class KeptState {
    public:

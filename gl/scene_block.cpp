@@ -152,6 +152,15 @@ void place_foam(SceneBlock& block, const SeaFacts& facts, glm::dvec2 viewer) {
     block.foam_kind = {tiles, 0.5 - 0.2 * order, fresh_foam_m, order};
 }
 
+/// Texels stand where the shore says; a texture's have their middles half a texel further.
+void place_shore(SceneBlock& block, const ShoreFacts& shore, bool has_mips, glm::dvec2 viewer) {
+    const glm::dvec2 texels(shore.columns, shore.rows);
+    const glm::dvec2 place = (viewer - shore.corner_m) / shore.texel_m + 0.5;
+    block.shore_place = {place / texels, 1.0 / (texels * shore.texel_m)};
+    block.shore_size = {texels, 1 / shore.texel_m,
+                        has_mips ? mip_levels(std::max(shore.columns, shore.rows)) - 1 : 0};
+}
+
 /// Mean of a tile's foam, from a level whose texels are many enough to tell a thousandth.
 float cover_of(const Tile& tile) {
     if (tile.foam_r8.empty()) return 0;
@@ -187,6 +196,8 @@ SeaFacts facts_of(const Frame& frame) {
                                .makes_foam = tile.makes_whitecaps()});
         longest_wave_m = 3 * tile.texel_m();
     }
+    if (const ShoreSurface& shore = frame.shore)
+        facts.shore = {shore.columns, shore.rows, shore.texel_m, {shore.x_m, shore.z_m}};
     return facts;
 }
 
@@ -231,6 +242,7 @@ SceneBlock scene_block_of(const DrawInput& input, const SeaFacts& facts, const W
     place_night(block, sky);
     place_foam(block, facts, viewer);
     if (facts.surface != Surface::open) place_small_water(block, facts, viewer);
+    if (facts.shore.columns > 0) place_shore(block, facts.shore, facts.shore_has_mips, viewer);
     return block;
 }
 

@@ -41,6 +41,7 @@ struct SceneBlock {
     glm::vec4 flow_place{}, flow_cycle{}, flow_jump{};
     glm::vec4 output_kind{};
     glm::vec4 moon{}, stars{};
+    glm::vec4 shore_place{}, shore_size{};
     glm::vec4 local_place{}, local_window{};
 };
 
@@ -52,6 +53,13 @@ struct TileFacts {
     float slope_variance = 0;  ///< of all its waves, both axes: what its last mip has averaged away
     float foam_cover = 0;      ///< mean part of the sea under its foam, 0 where the frame has none
     bool makes_foam = false;
+};
+
+/// What stays of a frame's shore when its texels are in textures.
+struct ShoreFacts {
+    int columns = 0, rows = 0;  ///< 0: none
+    double texel_m = 1;
+    glm::dvec2 corner_m{};
 };
 
 /// What stays of a window of water that answers.
@@ -74,6 +82,8 @@ struct SeaFacts {
     bool writes_radiance = false;
     Surface surface = Surface::open;
     FlowExtent flow{};
+    ShoreFacts shore{};
+    bool shore_has_mips = false;
     LocalFacts local{};
 
     const TileFacts& finest_tile() const { return tiles.back(); }

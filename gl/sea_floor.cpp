@@ -37,6 +37,14 @@ std::string check(const SeaFloor& floor) {
     return {};
 }
 
+SeaFloor floor_of(const ShoreOptions& shore) {
+    return {.columns = shore.columns,
+            .rows = shore.rows,
+            .heights_m = shore.heights_m,
+            .corner_m = {shore.corner_x_m, shore.corner_z_m},
+            .metres_a_texel = shore.metres_a_sample};
+}
+
 FloorTexels texels_of(const SeaFloor& floor) {
     FloorTexels texels;
     int columns = floor.columns, rows = floor.rows;

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "pelagic/sim/shore.hpp"
+
 namespace pelagic::gl {
 
 struct SeaFloor {
@@ -30,6 +32,9 @@ struct SeaFloor {
 
 /// Empty if usable, else the first bad field: "columns is 1, needs 2 to 4096, or 0 for an even floor".
 std::string check(const SeaFloor& floor);
+
+/// The floor that a shore's waves feel, of sand.
+SeaFloor floor_of(const ShoreOptions& shore);
 
 /// Heights as half floats, level after level down to one texel: what a texture takes. A half tells heights near the waterline
 /// apart to a millimetre, and 60 m down to 3 cm.

@@ -12,6 +12,7 @@ std::array<ProgramFiles, 5> sea_program_files(const SeaVariant& variant) {
                           "\n#define SURFACE " + number(variant.surface) + "\n#define BELOW " +
                           number(variant.below) + "\n";
     if (variant.mirrors_scene) defines += "#define MIRRORS_SCENE\n";
+    if (variant.shore) defines += "#define SHORE\n";
     if (variant.multiview) defines += "#define MULTIVIEW\n";
     // No water answers beyond the patches.
     const std::string of_patches = defines + (variant.local ? "#define LOCAL_WATER\n" : "");
@@ -38,6 +39,9 @@ SeaProgram::SeaProgram(const Functions& gl, const ProgramFiles& files)
     gl.Uniform1i(program.uniform("flow"), flow_unit);
     gl.Uniform1i(program.uniform("host_radiance"), host_radiance_unit);
     gl.Uniform1i(program.uniform("host_depth"), host_depth_unit);
+    gl.Uniform1i(program.uniform("shore_parts"), shore_parts_unit);
+    gl.Uniform1i(program.uniform("shore_water"), shore_water_unit);
+    gl.Uniform1i(program.uniform("shore_reach"), shore_reach_unit);
     gl.Uniform1i(program.uniform("local_texels"), local_unit);
     eye_index = program.uniform("eye_index");
     brightness = program.uniform("brightness");

@@ -24,6 +24,9 @@ enum Unit : GLint {
     flow_unit,
     host_radiance_unit,
     host_depth_unit,
+    shore_parts_unit,
+    shore_water_unit,
+    shore_reach_unit,
     local_unit,
     unit_count
 };
@@ -43,6 +46,7 @@ struct SeaVariant {
     bool below = false;          ///< the floor shows, or a lens is near the water: the others spare its cost
     bool mirrors_scene = false;  ///< what a host drew, too
     bool local = false;          ///< the frame has a window of water that answers
+    bool shore = false;          ///< of an open sea: tiles are held back there, and its waves add to them
 };
 
 /// For patches, skirt, background, wireframe and floor, in this order.

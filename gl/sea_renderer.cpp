@@ -13,6 +13,7 @@
 #include "pelagic/gl/patch_buffers.hpp"
 #include "pelagic/gl/scene_block.hpp"
 #include "pelagic/gl/sea_programs.hpp"
+#include "pelagic/gl/shore_textures.hpp"
 #include "pelagic/gl/stopwatch.hpp"
 
 namespace pelagic::gl {
@@ -68,7 +69,8 @@ struct SeaRenderer::State {
         : gl(functions),
           options(checked(wanted)),
           textures(functions, wanted.resolution, wanted.tiles),
-          local(functions) {
+          local(functions),
+          shore(functions) {
         const KeptState keep(gl);
         choose_programs({.local = options.local_water});
         buffers = std::make_unique<PatchBuffers>(gl, options.patch_vertices);
@@ -102,6 +104,9 @@ struct SeaRenderer::State {
         bind(flow_unit, GL_TEXTURE_2D, flow.name());
         bind(host_radiance_unit, GL_TEXTURE_2D, host.radiance);
         bind(host_depth_unit, GL_TEXTURE_2D, host.depth);
+        bind(shore_parts_unit, GL_TEXTURE_2D, shore.parts());
+        bind(shore_water_unit, GL_TEXTURE_2D, shore.water());
+        bind(shore_reach_unit, GL_TEXTURE_2D, shore.reach());
         bind(local_unit, GL_TEXTURE_2D, local.texels());
     }
 
@@ -116,13 +121,14 @@ struct SeaRenderer::State {
         bool below = false;  ///< a floor shows, or a lens is near the water
         bool mirrors_scene = false;
         bool local = false;
+        bool shore = false;
     };
 
     /// Programs with extras are compiled when they are first needed.
     void choose_programs(const Extras& with) {
         const auto index = [](bool wanted) { return std::size_t{wanted ? 1u : 0u}; };
         std::unique_ptr<SeaPrograms>& chosen =
-            all_programs[index(with.below)][index(with.mirrors_scene)][index(with.local)];
+            all_programs[index(with.below)][index(with.mirrors_scene)][index(with.local)][index(with.shore)];
         if (!chosen)
             chosen = std::make_unique<SeaPrograms>(gl, SeaVariant{.tiles = options.tiles,
                                                                   .shading = options.shading,
@@ -130,7 +136,8 @@ struct SeaRenderer::State {
                                                                   .multiview = options.multiview,
                                                                   .below = with.below,
                                                                   .mirrors_scene = with.mirrors_scene,
-                                                                  .local = with.local});
+                                                                  .local = with.local,
+                                                                  .shore = with.shore});
         programs = chosen.get();
     }
 
@@ -179,9 +186,10 @@ struct SeaRenderer::State {
     RendererOptions options;
     FrameTextures textures;
     LocalTextures local;
+    ShoreTextures shore;
     SeaFacts facts;
-    /// By Extras: below, mirrors_scene, local.
-    std::array<std::array<std::array<std::unique_ptr<SeaPrograms>, 2>, 2>, 2> all_programs;
+    /// By Extras: below, mirrors_scene, local, shore.
+    std::array<std::array<std::array<std::array<std::unique_ptr<SeaPrograms>, 2>, 2>, 2>, 2> all_programs;
     SeaPrograms* programs = nullptr;  ///< of the draw() in progress
     std::unique_ptr<PatchBuffers> buffers;
     Texture detail, foam, sky, floor, caustics, flow;
@@ -309,16 +317,20 @@ void SeaRenderer::upload(const Frame& frame) {
     if (const std::string reason = state_->local.refusal_of(frame.local); !reason.empty())
         throw std::invalid_argument(reason);
     state_->textures.upload(frame);
+    state_->shore.upload(frame.shore);
     state_->local.upload(frame.local);
     state_->facts = facts_of(frame);
     state_->facts.has_displacement_mips = state_->textures.has_displacement_mips();
     state_->facts.has_foam = state_->textures.has_foam();
+    state_->facts.shore_has_mips = state_->shore.has_mips();
     state_->facts.framebuffer_is_srgb = state_->options.framebuffer_is_srgb;
     state_->facts.surface = state_->options.surface;
     state_->facts.writes_radiance = state_->options.writes == PixelKind::radiance;
     state_->figures.upload_ms = all.milliseconds();
-    state_->figures.upload_driver_ms = state_->textures.last_driver_ms() + state_->local.last_driver_ms();
-    state_->figures.upload_bytes = state_->textures.uploaded_bytes() + state_->local.uploaded_bytes();
+    state_->figures.upload_driver_ms =
+        state_->textures.last_driver_ms() + state_->local.last_driver_ms() + state_->shore.last_driver_ms();
+    state_->figures.upload_bytes =
+        state_->textures.uploaded_bytes() + state_->local.uploaded_bytes() + state_->shore.uploaded_bytes();
 }
 
 const DrawFigures& SeaRenderer::draw(const DrawInput& input) {
@@ -342,7 +354,8 @@ const DrawFigures& SeaRenderer::draw(const DrawInput& input) {
         input.host_scene && input.eyes.size() == 1 && !s.options.multiview && s.options.shading != Shading::headset;
     s.choose_programs({.below = s.lens_is_wet || block.floor_albedo.w > 0 || s.floor_facts.columns > 0,
                        .mirrors_scene = mirrors_scene,
-                       .local = s.facts.local.resolution > 0});
+                       .local = s.facts.local.resolution > 0,
+                       .shore = s.facts.shore.columns > 0 && s.options.surface == Surface::open});
     gl.BindBuffer(GL_UNIFORM_BUFFER, s.scene.name());
     gl.BufferData(GL_UNIFORM_BUFFER, sizeof(block), &block, GL_STREAM_DRAW);
     gl.BindBufferBase(GL_UNIFORM_BUFFER, 0, s.scene.name());

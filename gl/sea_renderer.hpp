@@ -9,6 +9,9 @@
 // Foam is that of the frame's tiles (Tile::foam_r8): it stays where water broke, fades and drifts. Frames of an ocean without
 // OceanOptions::foam show none. A window of water that answers (Frame::local) is drawn where the frame has one.
 //
+// A frame's shore is drawn with it, by programs that are compiled when the first such frame comes. Its sand is a floor like others:
+// renderer.set_floor(floor_of(shore)).
+//
 // It needs an OpenGL ES 3.0 context, current whenever it is built, called or destroyed; any context does, the host's too.
 // No compute shaders, nothing is read back. draw() needs a bound framebuffer with depth, which the host has cleared
 // to 1. GL state may be anything before and is the same afterwards.
@@ -106,8 +109,8 @@ class SeaRenderer {
     /// How a river flows from now on; a winding channel until then. Throws std::invalid_argument for a map that is not whole.
     void set_flow(const FlowMap& map);
     /// From here on the frame's sea is drawn, at its time; the frame's views may go stale. Throws what
-    /// FrameTextures::upload() throws, and std::invalid_argument for a Frame::local that no texture takes, and draws on what was
-    /// uploaded before then.
+    /// FrameTextures::upload() and ShoreTextures::upload() throw, and std::invalid_argument for a Frame::local that no texture takes,
+    /// and draws on what was uploaded before then.
     void upload(const Frame& frame);
     /// Where Ocean::schedule() may write the textures of the frame that is uploaded next, which spares a copy of them
     /// (FrameTextures::map()). Call it before the frame is scheduled.

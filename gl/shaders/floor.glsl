@@ -4,6 +4,9 @@ uniform highp sampler2D floor_heights;  // metres above rest; metres are halves,
 #if defined(FLOOR) && SHADING != HEADSET
 uniform sampler2D detail;
 #endif
+#if defined(FLOOR) && defined(SHORE)
+#include "shore.glsl"
+#endif
 
 bool has_floor_heights() { return floor_place.z > 0.0; }
 
@@ -44,6 +47,18 @@ float way_to_floor(vec3 start, vec3 ray) {
 // How wide a pixel is on the floor when it has gone so far.
 float pixel_on_floor(float distance_m) { return floor_look.z * distance_m; }
 
+#if defined(SHORE) && SHADING != HEADSET
+// The film that runs off mirrors the sky, as water does, where the sand is smooth and full of it.
+vec3 with_film_of_water(vec3 light, vec3 at, vec3 normal, float wet) {
+    vec3 to_eye = normalize(eye[EYE].xyz - at);
+    float facing = max(dot(normal, to_eye), 0.0);
+    if (wet * floor_look.w <= 0.0 || facing <= 0.0) return light;
+    vec3 mirrored = reflect(-to_eye, normal);
+    vec3 seen = textureLod(sky, vec3(mirrored.x, max(mirrored.y, 0.01), mirrored.z), 0.4 * sky_irradiance.w).rgb;
+    return mix(light, seen, 0.6 * wet * floor_look.w * mean_fresnel(facing, 0.15));
+}
+#endif
+
 // Light that sand gives back to a pixel that is so wide there. Under water sun and sky are dimmed by the water above: the sun's along its
 // own way. Ripples a quarter of a metre apart, as swell leaves them; wet sand is darker than dry (Lobell and Asner 2002: by half).
 vec3 floor_light(vec3 at, float pixel_m) {
@@ -65,14 +80,25 @@ vec3 floor_light(vec3 at, float pixel_m) {
 #endif
 
     const vec3 wet_sand = vec3(0.35, 0.31, 0.25);
+#ifdef SHORE
+    // Water that has run off leaves sand dark as high as the waves reach, whose edge sand sucks a little higher.
+    float above_reach = -depth - textureLod(shore_reach, shore_uv(at.xz), 0.0).x;
+    float wet = 1.0 - smoothstep(0.0, 0.08, above_reach + 0.06 * (middle - 0.5));
+#else
     float wet = 1.0 - smoothstep(0.6, 1.4, -depth / floor_look.y + 0.5 * (middle - 0.5));
+#endif
     // Dry sand is blown even; under water shells and algae gather in patches.
     vec3 albedo = wet_sand * mix(1.65, 1.0, wet) * mix(0.87 + 0.16 * coarse + 0.1 * middle, 0.62 + 0.45 * coarse + 0.31 * middle, wet);
     albedo = mix(floor_albedo.rgb, albedo, floor_look.w);
 
-    if (depth <= 0.0)
-        return albedo / pi * (sun_irradiance.rgb * max(dot(rippled, sun.xyz), 0.0) +
-                              sky_irradiance.rgb * (0.5 + 0.5 * normal.y));
+    if (depth <= 0.0) {
+        vec3 light = albedo / pi * (sun_irradiance.rgb * max(dot(rippled, sun.xyz), 0.0) +
+                                    sky_irradiance.rgb * (0.5 + 0.5 * normal.y));
+#if defined(SHORE) && SHADING != HEADSET
+        light = with_film_of_water(light, at, normal, wet);
+#endif
+        return light;
+    }
     vec3 k = attenuation_of_water();
     vec3 to_sun = sun_in_water();
     float gathered = caustics_at(at.xz + to_sun.xz / to_sun.y * depth, depth, pixel_m);

@@ -14,11 +14,15 @@ vec3 light_from_below(vec3 at, vec3 normal, vec3 to_eye, float distance_m, float
     return upwelling(normal, to_eye) * (1.0 - there_and_back) + bottom * exp(-k * way) / (water_index * water_index);
 }
 
-// The last decimetres of water are hardly there: no hard line where the sea meets the sand.
-vec3 soft_shore(vec3 radiance, vec3 at, float distance_m, float height) {
+// The last decimetres of water are hardly there: no hard line where the sea meets the sand. Foam that waves leave on a beach is no thicker
+// than a few centimetres, and hides the sand nevertheless.
+vec3 soft_shore(vec3 radiance, vec3 at, float distance_m, float height, float foam) {
     if (!has_floor_heights()) return radiance;
     float ground = floor_height(at.xz, 0.0);
     float there = smoothstep(0.0, 0.3, height - ground);
+#ifdef SHORE
+    there = max(there, foam * smoothstep(0.0, 0.04, height - ground));
+#endif
     if (there >= 1.0) return radiance;
     return mix(floor_light(vec3(at.x, ground - viewer.z, at.z), pixel_on_floor(distance_m)), radiance, there);
 }

@@ -33,6 +33,9 @@ out vec4 colour;
 
 const float pi = 3.14159265;
 
+#ifdef SHORE
+#include "shore.glsl"
+#endif
 #include "waves.glsl"
 #if SURFACE != OPEN
 #include "small_water.glsl"
@@ -89,6 +92,9 @@ void main() {
     vec3 to_eye = -from_eye / distance_m;
     float height = at.y + viewer.z;
 
+#ifdef SHORE
+    look_at_shore(at.xz);
+#endif
     Waves surface = waves_at(resting, distance_m);
 #ifdef LOCAL_WATER
     vec4 answers = local_water(at.xz, footprint_of(resting).wide_m);
@@ -132,7 +138,7 @@ void main() {
                     sun_irradiance.rgb * glint(normal, to_eye, surface.alpha2);
     radiance = with_foam(radiance, foam, normal, to_eye, mirrors);
 #if BELOW
-    radiance = soft_shore(radiance, at, distance_m, height);
+    radiance = soft_shore(radiance, at, distance_m, height, foam.cover);
     colour = screen_colour(across_meniscus(through_haze(radiance, from_eye, distance_m), above_lens));
 #else
     colour = screen_colour(through_haze(radiance, from_eye, distance_m));

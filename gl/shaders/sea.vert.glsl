@@ -37,6 +37,21 @@ invariant gl_Position;
 #if SURFACE != OPEN
 #include "small_water.glsl"
 #endif
+#ifdef SHORE
+#include "shore.glsl"
+
+// The tiles' parts count where water is drawn, and where that is depends on them. They change over many times the length of the way, so
+// that each round is nearer by the ratio of the two; the first begins where the water rests.
+vec4 parts_where_drawn(vec2 at, vec2 ways[TILES]) {
+    vec4 parts = parts_of_tiles(at);
+    for (int round = 0; round < 2; ++round) {
+        vec2 drawn = at;
+        for (int tile = 0; tile < TILES; ++tile) drawn += parts[tile] * ways[tile];
+        parts = parts_of_tiles(drawn);
+    }
+    return parts;
+}
+#endif
 
 #ifdef LOCAL_WATER
 #include "local_water.glsl"
@@ -62,20 +77,35 @@ Moved displaced(ivec2 index) {
 #if SURFACE != OPEN
     moved.y = small_height(at, spacing);
 #else
+    float mips[TILES], weights[TILES];
+    vec4 texels[TILES];
     for (int tile = 0; tile < TILES; ++tile) {
-        float mip = max(log2(spacing * tile_scale[tile].x) - 0.5, 0.0);
-        float weight = weight_of_tile(tile, mip);
-        vec4 texel = vec4(0.0);
-        if (weight > 0.0) texel = textureLod(displacement, vec3(place_in_tile(tile, at), tile), min(mip, mesh.z));
-        moved += weight * texel.xyz;
+        mips[tile] = max(log2(spacing * tile_scale[tile].x) - 0.5, 0.0);
+        weights[tile] = weight_of_tile(tile, mips[tile]);
+        texels[tile] = vec4(0.0);
+        if (weights[tile] > 0.0)
+            texels[tile] = textureLod(displacement, vec3(place_in_tile(tile, at), tile), min(mips[tile], mesh.z));
+    }
+#ifdef SHORE
+    vec2 ways[TILES];
+    for (int tile = 0; tile < TILES; ++tile) ways[tile] = left * weights[tile] * texels[tile].xz;
+    vec4 parts = parts_where_drawn(at, ways);
+#else
+    const vec4 parts = vec4(1.0);
+#endif
+    for (int tile = 0; tile < TILES; ++tile) {
+        moved += parts[tile] * weights[tile] * texels[tile].xyz;
 #if FOAM_OF_VERTICES > 0
         if (tile < FOAM_OF_VERTICES && float(tile) < foam_kind.x) {
-            FoamOfTiles all = with_tile(FoamOfTiles(foam.x, foam.y, foam.z), tile,
-                                        mix(tile_slope[tile].w, texel.w, weight * left), mip);
+            float part = parts[tile] * mix(tile_slope[tile].w, texels[tile].w, weights[tile] * left);
+            FoamOfTiles all = with_tile(FoamOfTiles(foam.x, foam.y, foam.z), tile, part, mips[tile]);
             foam = vec3(all.part, all.mean, all.thick);
         }
 #endif
     }
+#ifdef SHORE
+    moved.y += shore_water_at(at + left * moved.xz, shore_mip(spacing)).x;
+#endif
 #endif
     moved *= left;
     vec2 slopes = vec2(0.0);
@@ -134,10 +164,16 @@ void main() {
 #if MESH_SLOPES
     float spacing = max(mesh.y, length(vec3(rest.x, viewer.z, rest.y)) * mesh.x);
     mesh_slopes = moved.slopes;
+    vec4 parts = vec4(1.0);
+#ifdef SHORE
+    vec2 drawn = rest + moved.way.xz;
+    parts = parts_of_tiles(drawn);
+    mesh_slopes += shore_water_at(drawn, shore_mip(spacing)).yz;
+#endif
     for (int tile = 0; tile < TILES; ++tile) {
         float mip = max(log2(spacing * tile_scale[tile].x), 0.0);
         vec2 texel = textureLod(slopes, vec3(place_in_tile(tile, rest), tile), mip).xy * (255.0 / 127.0) - 128.0 / 127.0;
-        mesh_slopes += texel * (tile_slope[tile].x * weight_of_tile(tile, mip));
+        mesh_slopes += texel * (parts[tile] * tile_slope[tile].x * weight_of_tile(tile, mip));
     }
 #endif
 #if FOAM_OF_VERTICES > 0

@@ -135,6 +135,10 @@ vec2 normal_slopes(Slopes sum) {
     return normal.xz / max(normal.y, 0.2 * length(normal));
 }
 
+#ifdef SHORE
+#include "shore_in_pixel.glsl"
+#endif
+
 struct Waves {
     vec2 slopes;   // with the sign of the normal
     float alpha2;  // GGX roughness squared: slopes below the size of a pixel, mean square
@@ -164,9 +168,16 @@ Waves resolved_waves(vec2 at, float distance_m, Footprint pixel) {
 #else
         Slopes seen = tile_slopes(tile, at, distance_m, pixel);
 #endif
+#ifdef SHORE
+        seen = held_back(seen, shore.parts[tile]);
+#endif
         sum = Slopes(sum.h + seen.h, sum.d + seen.d, sum.variance + seen.variance);
     }
-    return Waves(normal_slopes(sum), sum.variance, 0.0);
+    vec2 slopes_of_all = normal_slopes(sum);
+#ifdef SHORE
+    slopes_of_all -= shore.water.yz;
+#endif
+    return Waves(slopes_of_all, sum.variance, 0.0);
 }
 
 // A layer of ripples around a place: slopes in xy, in w how much of their mean square the pixel does not average away. A tile of them is

@@ -1,0 +1,607 @@
+// A shore in pictures: water lies where sim/shore_surface.hpp says, the tiles are held back there and nowhere else, foam comes with its
+// waves, and sand is dark as high as they reach. The shores are made by hand, so that each says what a real one seldom does.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <glm/gtc/packing.hpp>
+#include <vector>
+
+#include "pelagic/sim/local_water.hpp"
+#include "pelagic/sim/surface/tile_sum.hpp"
+#include "pelagic/sim/surface_query.hpp"
+#include "pelagic/tests/gl_scene.hpp"
+#include "pelagic/tests/shores.hpp"
+
+namespace pelagic {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+/// Texels of a shore, to be changed before view() is taken.
+struct HandmadeShore {
+    HandmadeShore(glm::dvec2 corner_m, int wide, int high, double texel)
+        : corner(corner_m), columns(wide), rows(high), texel_m(texel) {
+        const std::size_t texels = static_cast<std::size_t>(wide * high);
+        depth_m.assign(texels, 10);
+        height_m.assign(texels, 0);
+        rise_mps.assign(texels, 0);
+        reach_m.assign(texels, 0);
+        parts_rgba8.assign(texels, 0xFFFFFFFFu);
+        foam.assign(texels, 0);
+    }
+
+    /// Calls what(texel, x, z, part), part 0 on the edges and 1 from `fade_m` inside them, smoothly.
+    template <class What>
+    void each(double fade_m, const What& what) {
+        for (int j = 0; j < rows; ++j)
+            for (int i = 0; i < columns; ++i) {
+                const int in = std::min({i, j, columns - 1 - i, rows - 1 - j});
+                const double part = std::min(in * texel_m / fade_m, 1.0);
+                what(static_cast<std::size_t>(j * columns + i), corner.x + i * texel_m, corner.y + j * texel_m,
+                     part * part * (3 - 2 * part));
+            }
+    }
+
+    ShoreSurface view() const {
+        const auto [least, most] = std::minmax_element(height_m.begin(), height_m.end());
+        return {.columns = columns,
+                .rows = rows,
+                .texel_m = texel_m,
+                .x_m = corner.x,
+                .z_m = corner.y,
+                .depth_m = depth_m,
+                .parts_rgba8 = parts_rgba8,
+                .height_m = height_m,
+                .rise_mps = rise_mps,
+                .reach_m = reach_m,
+                .foam = foam,
+                .height_min_m = *least,
+                .height_max_m = *most};
+    }
+
+    glm::dvec2 corner;
+    int columns, rows;
+    double texel_m;
+    std::vector<float> depth_m, height_m, rise_mps, reach_m;
+    std::vector<std::uint32_t> parts_rgba8;
+    std::vector<std::uint8_t> foam;
+};
+
+/// Bilinear, as the definition has it; `beyond` outside.
+template <class Texel>
+double between(const ShoreSurface& shore, double x, double z, double beyond, const Texel& texel) {
+    const double u = (x - shore.x_m) / shore.texel_m, v = (z - shore.z_m) / shore.texel_m;
+    if (!(u >= 0 && v >= 0 && u <= shore.columns - 1 && v <= shore.rows - 1)) return beyond;
+    const int i = std::min(static_cast<int>(u), shore.columns - 2), j = std::min(static_cast<int>(v), shore.rows - 2);
+    const auto at = [&](int column, int row) {
+        return texel(static_cast<std::size_t>(row * shore.columns + column));
+    };
+    return std::lerp(std::lerp(at(i, j), at(i + 1, j), u - i), std::lerp(at(i, j + 1), at(i + 1, j + 1), u - i),
+                     v - j);
+}
+
+/// The definition, solved: how high the water is that is drawn at a place of the world.
+double height_drawn_at(const Frame& frame, double x, double z) {
+    const ShoreSurface& shore = frame.shore;
+    double parts[4];
+    for (std::size_t tile = 0; tile < 4; ++tile)
+        parts[tile] = between(shore, x, z, 1.0, [&](std::size_t texel) {
+            return static_cast<double>(shore.parts_rgba8[texel] >> 8 * tile & 255) / 255;
+        });
+    double rest_x = x, rest_z = z;
+    for (int step = 0; step < 60; ++step) {
+        double dx = 0, dz = 0;
+        for (std::size_t tile = 0; tile < frame.tiles.size(); ++tile) {
+            const Displacement way = displacement_of(frame.tiles[tile], rest_x, rest_z);
+            dx += parts[tile] * way.dx;
+            dz += parts[tile] * way.dz;
+        }
+        rest_x += 0.7 * (x - dx - rest_x);
+        rest_z += 0.7 * (z - dz - rest_z);
+    }
+    double height =
+        between(shore, x, z, 0.0, [&](std::size_t texel) { return static_cast<double>(shore.height_m[texel]); });
+    for (std::size_t tile = 0; tile < frame.tiles.size(); ++tile)
+        height += parts[tile] * displacement_of(frame.tiles[tile], rest_x, rest_z).height;
+    return height;
+}
+
+/// A square seen from above through parallel rays, x to the right and z down; what is higher than top_m lies before the near plane.
+struct SquareFromAbove {
+    glm::dvec2 middle{};
+    double half_m = 20;
+    int pixels = 64;
+
+    gl::Eye eye(double top_m) const {
+        constexpr double deep_m = 50;
+        glm::dmat4 m(0);
+        m[0][0] = 1 / half_m;
+        m[2][1] = -1 / half_m;
+        m[1][2] = -2 / deep_m;
+        m[3] = {-middle.x / half_m, middle.y / half_m, 2 * top_m / deep_m - 1, 1};
+        return {.clip_from_world = m, .position_m = {middle.x, 30, middle.y}, .viewport = {0, 0, pixels, pixels}};
+    }
+    double x(int column) const { return middle.x + ((column + 0.5) / pixels * 2 - 1) * half_m; }
+    double z(int row) const { return middle.y + ((row + 0.5) / pixels * 2 - 1) * half_m; }
+};
+
+class GlShore : public testing::Test {
+   protected:
+    void draw(GlScene& scene, const SquareFromAbove& square, double top_m = 20) {
+        const glm::dvec3 viewer(square.middle.x, 1, square.middle.y);
+        const gl::Eye eye = square.eye(top_m);
+        const DrawList& list = scene.selection.select(
+            {.viewer_m = viewer, .views = {&eye.clip_from_world, 1}, .bounds = {-20, 20, 20, 20}});
+        scene.target->bind();
+        scene.gl().ClearColor(1, 0, 1, 1);
+        scene.gl().Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        scene.renderer->draw({.eyes = {&eye, 1},
+                              .viewer_m = viewer,
+                              .list = &list,
+                              .lod_scale = scene.quadtree.lod_scale,
+                              .draws_sky = false});
+    }
+    std::vector<std::uint8_t> picture(GlScene& scene, const SquareFromAbove& square) {
+        draw(scene, square);
+        return scene.target->read();
+    }
+    /// How far heights of pixels, found with near planes that cut off what is higher, are from those that are handed in.
+    struct Heights {
+        double mean_m = 0, worst_m = 0, step_m = 0;
+    };
+    Heights heights_beside(GlScene& scene, const SquareFromAbove& square, int cuts,
+                           const std::vector<double>& exact) {
+        const auto [least, most] = std::minmax_element(exact.begin(), exact.end());
+        Heights off{.step_m = (*most - *least) / cuts};
+        std::vector<double> drawn(exact.size(), *least);
+        for (int cut = 0; cut < cuts; ++cut) {
+            const double top_m = *least + (cut + 0.5) * off.step_m;
+            draw(scene, square, top_m);
+            const std::vector<std::uint8_t> rgba = scene.target->read();
+            for (std::size_t i = 0; i < drawn.size(); ++i)
+                if (rgba[4 * i] == 255 && rgba[4 * i + 1] == 0 && rgba[4 * i + 2] == 255)
+                    drawn[i] = top_m + 0.5 * off.step_m;
+        }
+        for (std::size_t i = 0; i < drawn.size(); ++i) {
+            const double difference = std::abs(drawn[i] - exact[i]);
+            off.mean_m += difference / static_cast<double>(drawn.size());
+            off.worst_m = std::max(off.worst_m, difference);
+        }
+        std::printf("heights over %.2f m: %.4f m off in the mean, %.3f m at most, of cuts %.3f m apart\n",
+                    *most - *least, off.mean_m, off.worst_m, off.step_m);
+        return off;
+    }
+    static GlScene::Options options(int pixels) {
+        return {.preset = "storm",
+                .quality = "low",
+                .resolution = 128,
+                .width = pixels,
+                .height = pixels,
+                .samples = 0,
+                .size_m = 1024};
+    }
+    void upload(GlScene& scene, const Frame& frame) {
+        scene.renderer->upload(frame);
+        scene.gl().Finish();
+    }
+};
+
+/// The frame with its coarsest tile four times, of other sides and turned otherwise: each is large enough to be seen in the sum, and
+/// smooth from vertex to vertex.
+class FourLargeTiles {
+   public:
+    explicit FourLargeTiles(const Frame& of) : frame(of), tiles_(4, of.tiles[0]) {
+        for (std::size_t i = 0; i < tiles_.size(); ++i) {
+            const double turn = 0.7 * static_cast<double>(i);
+            tiles_[i].lattice = {1100 + 170.0 * static_cast<double>(i), std::cos(turn), std::sin(turn)};
+        }
+        frame.tiles = tiles_;
+    }
+    Frame frame;
+
+   private:
+    std::vector<Tile> tiles_;
+};
+
+// Heights of pixels beside the definition's: far from the origin, over an edge of the
+// rectangle, with parts that change in it.
+TEST_F(GlShore, WaterLiesWhereTheDefinitionSays) {
+    constexpr int pixels = 40, cuts = 100;
+    GlScene scene(options(pixels));
+    const glm::dvec2 corner(1e6 + 3.7, -2e6 - 11.2);
+    HandmadeShore shore(corner, 36, 30, 8);
+    shore.each(32, [&](std::size_t texel, double x, double z, double part) {
+        shore.height_m[texel] =
+            static_cast<float>(part * std::sin(2 * pi * (x - corner.x) / 90 + (z - corner.y) / 30));
+        shore.parts_rgba8[texel] = 0;
+        for (std::uint32_t tile = 0; tile < 4; ++tile)
+            shore.parts_rgba8[texel] |= static_cast<std::uint32_t>(std::lround(255 * (1 - part / (1 + tile))))
+                                        << 8 * tile;
+    });
+    FourLargeTiles large(scene.ocean.frame_at(3));
+    large.frame.shore = shore.view();
+    upload(scene, large.frame);
+    for (const glm::dvec2 from_corner : {glm::dvec2(130, 110), glm::dvec2(10, 60)}) {
+        const SquareFromAbove square{.middle = corner + from_corner, .half_m = 40, .pixels = pixels};
+        const Heights off = heights_beside(scene, square, cuts, [&] {
+            std::vector<double> exact;
+            for (int row = 0; row < pixels; ++row)
+                for (int column = 0; column < pixels; ++column)
+                    exact.push_back(height_drawn_at(large.frame, square.x(column), square.z(row)));
+            return exact;
+        }());
+        // Cuts alone make a quarter of a step; triangles between bilinear texels make the rest.
+        EXPECT_LT(off.mean_m, 0.75 * off.step_m);
+    }
+}
+
+// A window of water that answers adds to a shore as it adds to the open sea.
+TEST_F(GlShore, WaterThatAnswersAddsToIt) {
+    constexpr int pixels = 40, cuts = 60, side = 64;
+    GlScene scene(options(pixels));
+    HandmadeShore shore({300, -400}, 36, 30, 8);
+    shore.each(60, [&](std::size_t texel, double x, double z, double part) {
+        shore.height_m[texel] = static_cast<float>(part * std::sin(x / 15 + z / 30));
+        shore.parts_rgba8[texel] = static_cast<std::uint32_t>(std::lround(255 * (1 - part))) * 0x01010101u;
+    });
+    const SquareFromAbove square{.middle = {450, -290}, .half_m = 40, .pixels = pixels};
+    FourLargeTiles large(scene.ocean.frame_at(3));
+    large.frame.shore = shore.view();
+    LocalSurface& local = large.frame.local;
+    local = {.resolution = side, .texel_m = 2, .first_x = 450 / 2 - side / 2, .first_z = -290 / 2 - side / 2};
+    std::vector<float> heights(side * side), rises(heights.size());
+    std::vector<std::uint8_t> foam(heights.size());
+    for (std::int64_t z = local.first_z; z < local.first_z + side; ++z)
+        for (std::int64_t x = local.first_x; x < local.first_x + side; ++x) {
+            const double from_x = static_cast<double>(2 * x) - 440, from_z = static_cast<double>(2 * z) + 300;
+            heights[static_cast<std::size_t>((z & (side - 1)) * side + (x & (side - 1)))] =
+                static_cast<float>(3 * std::exp(-(from_x * from_x + from_z * from_z) / 200));
+        }
+    local.height_m = heights;
+    local.rise_mps = rises;
+    local.foam = foam;
+    local.height_max_m = 3;
+    upload(scene, large.frame);
+    std::vector<double> exact;
+    for (int row = 0; row < pixels; ++row)
+        for (int column = 0; column < pixels; ++column)
+            exact.push_back(height_drawn_at(large.frame, square.x(column), square.z(row)) +
+                            sample(local, square.x(column), square.z(row)).height_m);
+    const Heights off = heights_beside(scene, square, cuts, exact);
+    EXPECT_LT(off.mean_m, 0.75 * off.step_m);
+}
+
+// The same of a shore that an ocean made, beside what queries tell, where waves come up a beach and where the sea is open.
+TEST_F(GlShore, WaterLiesWhereQueriesSay) {
+    constexpr int pixels = 40, cuts = 60;
+    GlScene::Options moderate = options(pixels);
+    moderate.preset = "moderate";
+    moderate.resolution = 64;
+    moderate.quality = "high";
+    GlScene scene(moderate);
+    ShoreOptions shore = beach(600, 400, 8, 100, 5);
+    shore.corner_x_m = 2000;
+    shore.corner_z_m = -700;
+    shore.resolution = 128;
+    Ocean ocean(sea_named("moderate", 64), {.queries = true, .slopes = true, .shore = shore});
+    ASSERT_EQ(ocean.tile_count(), scene.ocean.tile_count());
+    const Frame& frame = ocean.frame_at(12);
+    upload(scene, frame);
+    const SurfaceQuery query(frame);
+    std::array<Heights, 2> off;
+    for (const double from_corner : {350.0, -300.0}) {
+        const SquareFromAbove square{.middle = {2000 + from_corner, -500}, .half_m = 20, .pixels = pixels};
+        std::vector<double> x, z;
+        for (int row = 0; row < pixels; ++row)
+            for (int column = 0; column < pixels; ++column) {
+                x.push_back(square.x(column));
+                z.push_back(square.z(row));
+            }
+        std::vector<float> heights(x.size());
+        query.sample({x, z}, {.height_m = heights});
+        off[from_corner < 0] = heights_beside(scene, square, cuts, {heights.begin(), heights.end()});
+    }
+    // Waves of a texel or two fall between vertices, at a shore as elsewhere.
+    EXPECT_LT(off[1].mean_m, 0.03);
+    EXPECT_LT(off[0].mean_m, 1.3 * off[1].mean_m);
+}
+
+/// The frame without the waves and the foam of one tile.
+class WithoutTile {
+   public:
+    WithoutTile(const Frame& of, std::size_t missing)
+        : frame(of),
+          tiles_(of.tiles.begin(), of.tiles.end()),
+          halves_(of.tiles[0].displacement_rgba16f.size()),
+          slopes_(of.tiles[0].slopes_rgba8.size(), 0x80808080u),
+          moments_(slopes_.size(), 0x80000080u),
+          foam_(of.tiles[0].foam_r8.size()) {
+        Tile& tile = tiles_[missing];
+        tile.displacement_rgba16f = halves_;
+        tile.slopes_rgba8 = slopes_;
+        tile.moments_rgba8 = moments_;
+        tile.foam_r8 = foam_;
+        tile.slope_variance = 0;
+        frame.tiles = tiles_;
+    }
+    Frame frame;
+
+   private:
+    std::vector<Tile> tiles_;
+    std::vector<std::uint16_t> halves_;
+    std::vector<std::uint32_t> slopes_, moments_;
+    std::vector<std::uint8_t> foam_;
+};
+
+int largest_difference(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b) {
+    int largest = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
+    return largest;
+}
+
+// A tile of which no part counts is as if it had no waves and no foam, in every tier: its displacement, slopes, roughness and whitecaps
+// go together. Parts that change where they are in memory are seen, and others don't go up again.
+TEST_F(GlShore, ATileWithoutAPartIsNotThere) {
+    constexpr int pixels = 40;
+    for (const gl::Shading shading : {gl::Shading::headset, gl::Shading::medium, gl::Shading::high}) {
+        GlScene::Options with_foam = options(pixels);
+        with_foam.shading = shading;
+        with_foam.foam = true;
+        GlScene scene(with_foam);
+        ASSERT_EQ(scene.ocean.tile_count(), 4u);
+        const Frame& frame = scene.ocean.frame_at(5);
+        HandmadeShore shore({-200, -200}, 81, 81, 5);
+        const SquareFromAbove square{.middle = {0, 0}, .half_m = 12, .pixels = pixels};
+        upload(scene, frame);
+        const std::vector<std::uint8_t> all = picture(scene, square);
+        for (std::size_t missing = 0; missing < 4; ++missing) {
+            const WithoutTile less(frame, missing);
+            upload(scene, less.frame);
+            const std::vector<std::uint8_t> wanted = picture(scene, square);
+
+            shore.each(50, [&](std::size_t texel, double, double, double part) {
+                shore.parts_rgba8[texel] = part < 1 ? 0xFFFFFFFFu : ~(0xFFu << 8 * missing);
+            });
+            Frame shown = frame;
+            shown.shore = shore.view();
+            upload(scene, shown);
+            const std::size_t first_bytes = scene.renderer->figures().upload_bytes;
+            const std::vector<std::uint8_t> held_back = picture(scene, square);
+            // Another program may round otherwise, and a mirror of the sun is steep.
+            EXPECT_LE(largest_difference(held_back, wanted), 3) << name_of(shading) << ", tile " << missing;
+            EXPECT_GT(largest_difference(held_back, all), 12) << name_of(shading) << ", tile " << missing;
+
+            upload(scene, shown);
+            EXPECT_EQ(first_bytes - scene.renderer->figures().upload_bytes, 4 * shore.parts_rgba8.size());
+        }
+    }
+}
+
+// Outside of the rectangle the sea is as without it, also where parts, waves and foam go up to its edge.
+TEST_F(GlShore, ChangesNothingBesideItsRectangle) {
+    constexpr int pixels = 64;
+    GlScene scene(options(pixels));
+    const Frame& frame = scene.ocean.frame_at(5);
+    const SquareFromAbove square{.middle = {500, -300}, .half_m = 60, .pixels = pixels};
+    HandmadeShore shore(square.middle + glm::dvec2(0, -200), 41, 81, 5);
+    shore.each(10, [&](std::size_t texel, double x, double z, double part) {
+        shore.height_m[texel] = static_cast<float>(2 * part * std::sin(x / 3 + z / 5));
+        shore.parts_rgba8[texel] = static_cast<std::uint32_t>(std::lround(255 * (1 - part))) * 0x01010101u;
+        shore.foam[texel] = static_cast<std::uint8_t>(std::lround(200 * part));
+    });
+    upload(scene, frame);
+    const std::vector<std::uint8_t> open = picture(scene, square);
+    Frame shown = frame;
+    shown.shore = shore.view();
+    upload(scene, shown);
+    const std::vector<std::uint8_t> with_shore = picture(scene, square);
+    // A storm's water is drawn up to 5 m from where it rests, and vertices stand 4 m apart.
+    int beside = 0, within = 0, different = 0;
+    for (int row = 0; row < pixels; ++row)
+        for (int column = 0; column < pixels; ++column) {
+            const std::size_t at = 4 * static_cast<std::size_t>(row * pixels + column);
+            const int difference = std::abs(open[at + 1] - with_shore[at + 1]);
+            if (square.x(column) < shore.corner.x - 10) {
+                ++beside;
+                EXPECT_LE(difference, 2) << column << ", " << row;
+            } else if (square.x(column) > shore.corner.x + 10) {
+                ++within;
+                different += difference > 10;
+            }
+        }
+    EXPECT_GT(beside, pixels * pixels / 3);
+    EXPECT_GT(within, pixels * pixels / 3);
+    EXPECT_GT(different, within * 9 / 10);
+
+    // Two eyes that see the same draw the same.
+    scene.resize(2 * pixels, pixels);
+    gl::Eye left = square.eye(20), right = left;
+    right.viewport.x = pixels;
+    const gl::Eye eyes[] = {left, right};
+    const DrawList& list = scene.selection.select({.viewer_m = {square.middle.x, 1, square.middle.y}});
+    scene.target->bind();
+    scene.gl().Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    scene.renderer->draw({.eyes = eyes,
+                          .viewer_m = {square.middle.x, 1, square.middle.y},
+                          .list = &list,
+                          .lod_scale = scene.quadtree.lod_scale,
+                          .draws_sky = false});
+    const std::vector<std::uint8_t> both = scene.target->read();
+    int apart = 0;
+    for (std::size_t row = 0; row < pixels; ++row)
+        for (std::size_t byte = 0; byte < 4 * pixels; ++byte) {
+            const std::uint8_t* const start = &both[row * 8 * pixels + byte];
+            apart = std::max(apart, std::abs(start[0] - start[4 * pixels]));
+        }
+    EXPECT_LE(apart, 2);
+}
+
+/// The same radiance from everywhere, and no sun: what shines back is what reflects.
+gl::Sky white_sky() {
+    gl::Sky sky;
+    sky.face_size = 16;
+    sky.levels = gl::sky_levels(sky.face_size);
+    std::size_t texels = 0;
+    for (int level = 0; level < sky.levels; ++level) texels += std::size_t{6} * (16u >> level) * (16u >> level);
+    sky.texels.assign(4 * texels, glm::packHalf1x16(1));
+    sky.sky_irradiance = glm::vec3(static_cast<float>(pi));
+    sky.sun_direction = {0.6f, 0.8f, 0};  // of no light, but there
+    return sky;
+}
+
+/// Of the pixels' green radiance for which which(column, row).
+template <class Which>
+double mean_green(const std::vector<float>& rgba, int pixels, const Which& which) {
+    double sum = 0;
+    int count = 0;
+    for (int row = 0; row < pixels; ++row)
+        for (int column = 0; column < pixels; ++column)
+            if (which(column, row)) {
+                sum += static_cast<double>(rgba[4 * static_cast<std::size_t>(row * pixels + column) + 1]);
+                ++count;
+            }
+    return count > 0 ? sum / count : -1;
+}
+
+// Thick foam reflects at most 0.7 of white light (Whitlock et al. 1982), and water that is looked at from above 0.02 and what its depth
+// sends up.
+TEST_F(GlShore, FoamOfTheShoreIsWhiteWhereItIs) {
+    constexpr int pixels = 64;
+    GlScene::Options radiance = options(pixels);
+    radiance.preset = "calm";
+    radiance.writes = gl::PixelKind::radiance;
+    for (const gl::Shading shading : {gl::Shading::headset, gl::Shading::high}) {
+        radiance.shading = shading;
+        GlScene scene(radiance);
+        scene.renderer->set_sky(white_sky());
+        Frame frame = scene.ocean.frame_at(5);
+        const SquareFromAbove square{.middle = {500, -300}, .half_m = 20, .pixels = pixels};
+        HandmadeShore shore(square.middle - 100.0, 41, 41, 5);
+        shore.each(50, [&](std::size_t texel, double x, double, double part) {
+            shore.foam[texel] = part == 1 && x > square.middle.x ? 255 : 0;
+        });
+        frame.shore = shore.view();
+        upload(scene, frame);
+        draw(scene, square);
+        const std::vector<float> rgba = scene.target->read_radiance();
+        const double white = mean_green(rgba, pixels, [&](int column, int) { return column > pixels / 2 + 10; });
+        const double water = mean_green(rgba, pixels, [&](int column, int) { return column < pixels / 2 - 10; });
+        std::printf("foam %.3f, water %.3f\n", white, water);
+        EXPECT_GT(white, 0.45) << name_of(shading);
+        EXPECT_LT(white, 0.75) << name_of(shading);
+        EXPECT_LT(water, 0.15) << name_of(shading);
+    }
+}
+
+/// Black but for a quarter of the sky right above, which is bright where x, or else z, is positive.
+gl::Sky half_bright_sky(bool along_x) {
+    gl::Sky sky = white_sky();
+    sky.sky_irradiance = glm::vec3(0);
+    std::size_t texel = 0;
+    for (int level = 0; level < sky.levels; ++level)
+        for (int face = 0; face < 6; ++face)
+            for (int row = 0; row < 16 >> level; ++row)
+                for (int column = 0; column < 16 >> level; ++column, texel += 4) {
+                    // OpenGL's third face looks up, x along its rows and z along its columns.
+                    const bool is_bright = face == 2 && (along_x ? column : row) >= 8 >> level;
+                    for (std::size_t channel = 0; channel < 3; ++channel)
+                        sky.texels[texel + channel] = glm::packHalf1x16(is_bright ? 100 : 0);
+                }
+    return sky;
+}
+
+// From above a slope of 0.3 mirrors what stands 33 degrees down the slope from overhead.
+TEST_F(GlShore, WavesMirrorWhatTheirSlopesFace) {
+    constexpr int pixels = 24;
+    GlScene::Options radiance = options(pixels);
+    radiance.preset = "calm";
+    radiance.writes = gl::PixelKind::radiance;
+    for (const gl::Shading shading : {gl::Shading::headset, gl::Shading::high}) {
+        radiance.shading = shading;
+        GlScene scene(radiance);
+        Frame frame = scene.ocean.frame_at(5);
+        const SquareFromAbove square{.middle = {-300, 70}, .half_m = 6, .pixels = pixels};
+        HandmadeShore shore(square.middle - 100.0, 41, 41, 5);
+        for (const bool along_x : {true, false}) {
+            scene.renderer->set_sky(half_bright_sky(along_x));
+            std::array<double, 2> green{};
+            for (const double slope : {-0.3, 0.3}) {
+                shore.each(50, [&](std::size_t texel, double x, double z, double part) {
+                    const double way = along_x ? x - square.middle.x : z - square.middle.y;
+                    shore.height_m[texel] = static_cast<float>(part * std::clamp(slope * way, -5.0, 5.0));
+                    shore.parts_rgba8[texel] = part < 1 ? 0xFFFFFFFFu : 0;
+                });
+                frame.shore = shore.view();
+                upload(scene, frame);
+                draw(scene, square);
+                green[slope > 0] = mean_green(scene.target->read_radiance(), pixels, [](int, int) { return true; });
+            }
+            // Fresnel's 0.02 of 100; a fifth of it is left to rough water and to the air.
+            EXPECT_NEAR(green[0], 2, 0.5) << name_of(shading) << (along_x ? ", x" : ", z");
+            EXPECT_LT(green[1], 0.2) << name_of(shading) << (along_x ? ", x" : ", z");
+        }
+    }
+}
+
+// Sand rises from the water along x. It is dark up to where the waves reach, which is higher in one half of the picture than in the other.
+TEST_F(GlShore, SandIsDarkAsHighAsWavesReach) {
+    constexpr int pixels = 96;
+    GlScene::Options radiance = options(pixels);
+    radiance.preset = "calm";
+    radiance.writes = gl::PixelKind::radiance;
+    GlScene scene(radiance);
+    scene.renderer->set_sky(white_sky());
+    const SquareFromAbove square{.middle = {-700, 900}, .half_m = 20, .pixels = pixels};
+    ShoreOptions beach{.columns = 41,
+                       .rows = 41,
+                       .corner_x_m = square.middle.x - 100,
+                       .corner_z_m = square.middle.y - 100,
+                       .metres_a_sample = 5};
+    const auto ground = [&](double x) { return 1 + (x - square.middle.x) / 16; };
+    for (int i = 0; i < beach.columns * beach.rows; ++i)
+        beach.heights_m.push_back(static_cast<float>(ground(beach.corner_x_m + 5 * (i % beach.columns))));
+    const gl::SeaFloor floor = gl::floor_of(beach);
+    EXPECT_EQ(gl::check(floor), "");
+    EXPECT_NEAR(floor.height_at(square.middle.x + 7, square.middle.y - 3), ground(square.middle.x + 7), 1e-6);
+    scene.renderer->set_floor(floor);
+
+    Frame frame = scene.ocean.frame_at(5);
+    HandmadeShore shore(square.middle - 100.0, 41, 41, 5);
+    const auto reach = [&](double z) { return z < square.middle.y ? 0.5 : 1.4; };
+    shore.each(20, [&](std::size_t texel, double, double z, double part) {
+        shore.reach_m[texel] = static_cast<float>(part * reach(z));
+        shore.parts_rgba8[texel] = part > 0 ? 0 : 0xFFFFFFFFu;
+    });
+    frame.shore = shore.view();
+    upload(scene, frame);
+    draw(scene, square);
+    const std::vector<float> rgba = scene.target->read_radiance();
+    // Reach is bilinear between the halves, and the edge is 8 cm of height wide.
+    const auto above_reach = [&](int column, int row) {
+        return std::abs(square.z(row) - square.middle.y) < 6 ? 0.0 : ground(square.x(column)) - reach(square.z(row));
+    };
+    const auto is_wet = [&](int column, int row) {
+        return above_reach(column, row) < -0.05 && ground(square.x(column)) > 0.05;
+    };
+    const auto is_dry = [&](int column, int row) { return above_reach(column, row) > 0.15; };
+    const double wet = mean_green(rgba, pixels, is_wet), dry = mean_green(rgba, pixels, is_dry);
+    const double bound = 0.5 * (wet + dry);
+    int wrong = 0, all = 0;
+    for (int row = 0; row < pixels; ++row)
+        for (int column = 0; column < pixels; ++column) {
+            const double green = static_cast<double>(rgba[4 * static_cast<std::size_t>(row * pixels + column) + 1]);
+            if (is_wet(column, row)) ++all, wrong += green > bound;
+            if (is_dry(column, row)) ++all, wrong += green < bound;
+        }
+    std::printf("sand: wet %.3f, dry %.3f, %d of %d pixels on the wrong side\n", wet, dry, wrong, all);
+    // Lobell and Asner 2002: wet sand is about half as bright as dry.
+    EXPECT_LT(wet, 0.75 * dry);
+    EXPECT_GT(all, pixels * pixels / 2);
+    EXPECT_LT(wrong, all / 50);
+}
+
+}  // namespace
+}  // namespace pelagic
