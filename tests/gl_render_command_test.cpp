@@ -88,6 +88,10 @@ TEST(RenderCommand, TakesAFloorFromAnImage) {
     const OIIO::ImageBuf picture = read_picture(file);
     const auto brightness = [&](int y) { return picture.getchannel(32, y, 0, 1); };
     EXPECT_GT(brightness(8), 2 * brightness(56));
+    const Outcome lake = run_pelagic({"render", "--floor", (folder / "floor.png").string(), "--shore", "--surface", "lake",
+                                      "--out", file.string()});
+    EXPECT_EQ(lake.exit_code, 2);
+    EXPECT_EQ(lake.err, "pelagic: --shore is given, needs --surface open: small water feels no floor\n");
     const Outcome wrong = run_pelagic({"render", "--floor", (folder / "sea.png").string(), "--out", "a.png"},
                                       [&] { write_file(folder / "sea.png", "no image"); });
     EXPECT_EQ(wrong.exit_code, 2);
@@ -206,6 +210,8 @@ TEST(RenderCommand, NamesOptionValueAndRange) {
         {{"--out", "a.png", "--floor", "no such.png"},
          "pelagic: --floor is no such.png, which can't be read, needs a PNG or EXR image, each side from 2 to 4096 "
          "pixels (No such file or directory)\n"},
+        {{"--out", "a.png", "--shore"},
+         "pelagic: --shore is given, needs --floor FILE beside it: the heights that waves feel\n"},
         {{"--out", "a.png", "--floor-size", "20"}, "pelagic: --floor-size is 20, needs --floor beside it\n"},
         {{"--out", "a.png", "--floor", "a.exr", "--floor-heights", "0,1"},
          "pelagic: --floor-heights is 0,1, needs a PNG: an EXR holds metres\n"},

@@ -56,6 +56,9 @@ void QueryFlags::add_to(CLI::App& app) {
     app.add_flag("--foam", foam_,
                  "a column foam too: how much of the water is white, 0 to 1, with what is left of 2.9 seconds "
                  "before; a jump in time costs 29 ticks, each less than a frame");
+#if defined(PELAGIC_HAS_IMAGES)
+    floor_.add_to(app);
+#endif
     sea_.add_to(app);
     sea_.add_weather_to(app);
     compute_.add_to(app);
@@ -74,10 +77,21 @@ std::vector<double> QueryFlags::times() const {
     return {time_ ? number_in("--time", *time_, -latest_time_s, latest_time_s, "seconds in [-1e9, 1e9]") : 0};
 }
 
+std::optional<ShoreOptions> QueryFlags::shore([[maybe_unused]] const ResolvedSea& sea) const {
+#if defined(PELAGIC_HAS_IMAGES)
+    if (floor_.has_floor() && !floor_.has_shore())
+        throw InputError("--floor is given, needs --shore beside it: no other water feels its floor");
+    return floor_.resolve(sea).shore();
+#else
+    return {};
+#endif
+}
+
 void QueryFlags::run() const {
     const ResolvedSea sea = sea_.resolve();
     const ComputeOptions compute = compute_.resolve();
     const std::vector<double> times_s = times();
+    const std::optional<ShoreOptions> shore = this->shore(sea);
     if (!points_ || points_->empty())
         throw InputError("--points is missing, needs a CSV file of lines x,z, or - for standard input");
     InputFile file("--points", *points_, "a CSV file of lines x,z", true);
@@ -87,7 +101,12 @@ void QueryFlags::run() const {
 
     const auto executor = make_default_executor(compute.threads);
     Ocean ocean(forecast_of(sea),
-                {.executor = executor, .isa = compute.isa, .queries = true, .velocities = true, .foam = foam_});
+                {.executor = executor,
+                 .isa = compute.isa,
+                 .queries = true,
+                 .velocities = true,
+                 .foam = foam_,
+                 .shore = shore});
     SurfaceQueryJobs jobs(executor);
     Answers answers(foam_);
     RowWriter rows(executor, answers, json_, times_.has_value());

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "pelagic/tools/options/compute_options.hpp"
+#include "pelagic/tools/options/floor_options.hpp"
 #include "pelagic/tools/options/sea_options.hpp"
 
 namespace pelagic::tools {
@@ -21,8 +22,11 @@ class QueryFlags {
    private:
     std::vector<double> times() const;
 
+    std::optional<ShoreOptions> shore(const ResolvedSea& sea) const;
+
     SeaOptions sea_;
     ComputeFlags compute_;
+    FloorFlags floor_;
     std::optional<std::string> points_, time_, times_;
     bool json_ = false, foam_ = false;
 };

@@ -107,6 +107,7 @@ void ViewFlags::run() const {
                                 .height = scene.height,
                                 .threads = scene.compute.threads};
     options.floor = scene.floor;
+    options.shore = scene.shore;
     options.changes = forecast_of(scene.sea).changes;
     options.save_picture = [&](std::span<const std::uint8_t> pixels, int width, int height) {
         const std::filesystem::path file = next_picture(folder);

@@ -243,9 +243,9 @@ class Viewer {
         return true;
     }
 
-    /// An ocean has its tiles, and what fills them, for life.
+    /// An ocean has its tiles, and what fills them, for life; one with a shore has its sea, too.
     bool ocean_takes(const SeaState& sea) const {
-        return cascades_of(sea) == static_cast<int>(ocean_->tile_count()) &&
+        return !options_.shore && cascades_of(sea) == static_cast<int>(ocean_->tile_count()) &&
                resolution_of(sea) == ocean_->resolution() &&
                (sea.waves == WaveModel::exp_sine) == (ocean_->sea().waves == WaveModel::exp_sine);
     }
@@ -253,13 +253,15 @@ class Viewer {
     void fill_ocean(const std::vector<SeaChange>& changes = {}) {
         take_caustics();  // they read the ocean that goes
         shown_sea_ = settings_.sea;
+        const bool has_shore = options_.shore && check(*options_.shore, shown_sea_).empty();
         ocean_.emplace(Forecast{.first = shown_sea_, .changes = changes},
                        OceanOptions{.executor = make_default_executor(options_.threads),
                                     .trace = stage_times_,
                                     .queries = true,
                                     .slopes = true,
                                     .foam = true,
-                                    .local = local_water});
+                                    .local = local_water,
+                                    .shore = has_shore ? options_.shore : std::nullopt});
         boat_source_.reset();
         ocean_->follow(window_middle_.x, window_middle_.y);
         stage_times_->follow(ocean_->graph());

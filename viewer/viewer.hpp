@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -18,6 +19,8 @@ struct ViewOptions {
     ViewSettings settings;
     Camera camera;
     gl::SeaFloor floor = {};
+    /// Waves feel the floor; of the seas that the user chooses those do that can have a shore.
+    std::optional<ShoreOptions> shore = {};
     std::vector<SeaChange> changes = {};  ///< of the settings' sea, until the user changes it
     int width = 1280, height = 720;
     int threads = 0;  ///< as make_default_executor() takes them

@@ -29,10 +29,10 @@ std::pair<double, double> two_numbers(const char* option, const std::string& tex
 }
 
 /// The first channel: of a PNG from 0 for black to 1 for white, of an EXR what it holds.
-gl::SeaFloor read_heights(const std::string& file, const std::string& extension) {
+ShoreOptions read_heights(const std::string& file, const std::string& extension) {
     const std::string bytes = InputFile("--floor", file, an_image).read_all(most_bytes);
     const std::span<const unsigned char> data(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());
-    gl::SeaFloor floor;
+    ShoreOptions field;
     try {
         ImageDescription image{.extension = extension.c_str(),
                                .width = 0,
@@ -42,21 +42,21 @@ gl::SeaFloor read_heights(const std::string& file, const std::string& extension)
                                .colour_space = nullptr,
                                .compression = nullptr};
         image_codec().measure(image, data);
-        constexpr int most = gl::SeaFloor::most_samples_a_side;
+        constexpr int most = ShoreOptions::most_samples_a_side;
         if (image.width < 2 || image.width > most || image.height < 2 || image.height > most)
             throw std::runtime_error("it has " + number_text(image.width) + " x " + number_text(image.height) +
                                      " pixels");
         const std::vector<float> pixels = image_codec().decode(image, data);
-        floor.columns = image.width;
-        floor.rows = image.height;
+        field.columns = image.width;
+        field.rows = image.height;
         for (std::size_t i = 0; i < pixels.size(); i += static_cast<std::size_t>(image.channels))
-            floor.heights_m.push_back(pixels[i]);
+            field.heights_m.push_back(pixels[i]);
     } catch (const FileError&) {
         throw;
     } catch (const std::runtime_error& error) {
         throw bad_value("--floor", file, std::string(an_image) + " (" + error.what() + ")");
     }
-    return floor;
+    return field;
 }
 
 }  // namespace
@@ -72,6 +72,9 @@ void FloorFlags::add_to(CLI::App& app) {
     app.add_option("--floor-middle", middle_, "where its middle is, X,Z in metres [0,0]")->type_name("X,Z");
     app.add_option("--floor-heights", heights_, "of black and white, metres above rest [-20,10]")
         ->type_name("LOW,HIGH");
+    app.add_flag("--shore", shore_,
+                 "waves feel --floor's heights: they slow down, turn and break there, and land shelters what lies behind "
+                 "it; takes a second or so before the first frame");
 }
 
 std::string FloorFlags::typed() const {
@@ -80,16 +83,28 @@ std::string FloorFlags::typed() const {
          {std::pair{" --floor ", &file_}, std::pair{" --floor-size ", &size_},
           std::pair{" --floor-middle ", &middle_}, std::pair{" --floor-heights ", &heights_}})
         if (*value) text += option + **value;
+    if (shore_) text += " --shore";
     return text;
 }
 
-gl::SeaFloor FloorFlags::resolve() const {
+FloorOptions FloorFlags::resolve(const ResolvedSea& sea) const {
     if (!file_) {
+        if (shore_) throw InputError("--shore is given, needs --floor FILE beside it: the heights that waves feel");
         for (const auto& [option, text] : {std::pair{"--floor-size", &size_}, std::pair{"--floor-middle", &middle_},
                                            std::pair{"--floor-heights", &heights_}})
             if (*text) throw bad_value(option, **text, "--floor beside it");
         return {};
     }
+    if (shore_ && !sea.changes.empty())
+        throw InputError("--shore is given, needs a sea that never changes, without --weather");
+    FloorOptions floor{.field = read_field(), .waves_feel_it = shore_};
+    // Of the field it has nothing to say any more; what is left are a sea's fields, named as their flags are.
+    if (shore_)
+        if (const std::string reason = check(*floor.field, sea.sea); !reason.empty()) throw InputError("--" + reason);
+    return floor;
+}
+
+ShoreOptions FloorFlags::read_field() const {
     std::string extension = std::filesystem::path(*file_).extension().string();
     if (!extension.empty()) extension.erase(0, 1);
     std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
@@ -103,14 +118,15 @@ gl::SeaFloor FloorFlags::resolve() const {
                                       : std::pair{usual_low_m, usual_high_m};
     if (!(low < high) || high > 9000) throw bad_value("--floor-heights", *heights_, two_heights);
 
-    gl::SeaFloor floor = read_heights(*file_, extension);
-    floor.metres_a_texel = size_m / floor.columns;
-    floor.corner_m = glm::dvec2(x, z) - 0.5 * floor.metres_a_texel * glm::dvec2(floor.columns - 1, floor.rows - 1);
+    ShoreOptions field = read_heights(*file_, extension);
+    field.metres_a_sample = size_m / field.columns;
+    field.corner_x_m = x - 0.5 * field.metres_a_sample * (field.columns - 1);
+    field.corner_z_m = z - 0.5 * field.metres_a_sample * (field.rows - 1);
     if (extension == "png")
-        for (float& height : floor.heights_m) height = static_cast<float>(low + height * (high - low));
-    if (const std::string reason = check(floor); !reason.empty())
+        for (float& height : field.heights_m) height = static_cast<float>(low + height * (high - low));
+    if (const std::string reason = check(field); !reason.empty())
         throw bad_value("--floor", *file_, "heights in metres (" + reason + ")");
-    return floor;
+    return field;
 }
 
 }  // namespace pelagic::tools

@@ -169,7 +169,9 @@ SceneOptions SceneFlags::resolve() const {
     options.compute = compute_.resolve();
     options.camera = chosen_camera(camera_, options.sea.sea);
     options.sky = usual_sky(options.sea.sea);
-    options.floor = floor_.resolve();
+    const FloorOptions floor = floor_.resolve(options.sea);
+    if (floor.field) options.floor = gl::floor_of(*floor.field);
+    options.shore = floor.shore();
 
     const auto given = [&](const char* flag, auto use) {
         if (const auto& text = typed_.at(flag)) use("--" + std::string(flag), *text);
@@ -203,6 +205,8 @@ SceneOptions SceneFlags::resolve() const {
     });
     read_camera_settings(options.settings);
     choose_surface(options, typed_.at("surface").value_or("open"), typed_.at("flow"));
+    if (options.shore && options.surface != gl::Surface::open)
+        throw InputError("--shore is given, needs --surface open: small water feels no floor");
     choose_quality(options, typed_.at("quality").value_or("high"));
     return options;
 }

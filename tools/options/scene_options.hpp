@@ -7,6 +7,7 @@
 #include <string>
 
 #include "pelagic/gl/exposure.hpp"
+#include "pelagic/gl/sea_floor.hpp"
 #include "pelagic/gl/shading.hpp"
 #include "pelagic/gl/sky_baker.hpp"
 #include "pelagic/gl/small_water.hpp"
@@ -31,6 +32,7 @@ struct SceneOptions {
     std::optional<gl::Shading> shading;  ///< none: high, or as a window's frame time allows
     gl::CameraSettings settings;
     gl::SeaFloor floor;
+    std::optional<ShoreOptions> shore;  ///< the floor's heights, where waves feel them
     gl::Surface surface = gl::Surface::open;
     std::optional<gl::FlowMap> flow;
     std::string quality;
