@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes heights of an island with a lagoon side, 16-bit grey, for the pictures of render.sh. usage: island.py FILE.png"""
+"""Writes heights of an island with a lagoon side, or of a beach, 16-bit grey, for the pictures of render.sh. usage: island.py FILE.png [beach]"""
 import math
 import random
 import struct
@@ -32,11 +32,21 @@ def height(column, row):
     return hill * edge
 
 
+def beach(column, row):
+    """The same of a beach that rises along the rows, with a bar before it."""
+    x, y = column * 256 / SIDE, row * 256 / SIDE
+    u = (column + 0.5) / SIDE + 0.05 * (noise(x / 50 + 3, y / 23) - 0.5) + 0.012 * (noise(x / 30, y / 7 + 9) - 0.5)
+    metres = -14 + 18.7 * u if u < 0.8 else 0.96 + 22 * (u - 0.8) - 30 * (u - 0.8) ** 2
+    metres += 0.7 * math.exp(-((u - 0.6) / 0.03) ** 2) + 0.5 * max(0.0, u - 0.84) * 8 * noise(x / 6, y / 6)
+    return max(0.0, min(1.0, (metres + 20) / 30))
+
+
 def chunk(kind, data):
     return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
 
 
-rows = b"".join(b"\0" + b"".join(struct.pack(">H", int(65535 * height(i, j))) for i in range(SIDE)) for j in range(SIDE))
+heights = beach if sys.argv[2:] == ["beach"] else height
+rows = b"".join(b"\0" + b"".join(struct.pack(">H", int(65535 * heights(i, j))) for i in range(SIDE)) for j in range(SIDE))
 with open(sys.argv[1], "wb") as file:
     file.write(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", SIDE, SIDE, 16, 0, 0, 0, 0)) +
                chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b""))

@@ -20,6 +20,14 @@ heights=$(mktemp --suffix=.png)
 trap 'rm -f "$heights"' EXIT
 docs/images/island.py "$heights"
 picture shore --preset calm --light noon --water I --floor "$heights" --floor-size 300 --sun 150,45 --camera -92,6,-30 --target -40,-2,22 --fov 60
+# Waves that feel the floor.
+"$pelagic" render --size 960x540 --preset moderate --light noon --water I --shore --floor "$heights" --floor-size 1000 --camera 560,150,-120 --target 60,0,10 \
+  --fov 60 --sun 185,38 --time 8 --exposure-bias -0.7 --out docs/images/shore_island.png
+beach=$(mktemp --suffix=.png)
+trap 'rm -f "$heights" "$beach"' EXIT
+docs/images/island.py "$beach" beach
+"$pelagic" render --size 960x540 --preset rough --light noon --shore --floor "$beach" --floor-size 600 --camera 137,2.6,30 --target 70,0.8,-50 \
+  --fov 50 --sun 330,40 --time 9 --exposure-bias 0.3 --out docs/images/shore_beach.png
 picture levels --preset moderate --camera -60,260,-60 --target 240,0,240 --fov 60 --quality low --wireframe
 
 # One view in each tier of shading.
