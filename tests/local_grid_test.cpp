@@ -15,6 +15,7 @@
 #include "pelagic/tests/emulated.hpp"
 #include "pelagic/tests/local_pool.hpp"
 #include "pelagic/tests/sanitized.hpp"
+#include "pelagic/tests/sweep.hpp"
 
 namespace pelagic {
 namespace {
@@ -277,9 +278,105 @@ TEST(LocalGridLasts, WithoutDriftOrNumbersThatAreSlow) {
             return all;
         };
         const double before = largest();
-        const int ticks = is_sanitized || is_emulated ? 300 : 20000;
+        const int ticks = is_sanitized || is_emulated ? 300 : of_sweep(20'000, 1'000'000);
         pool.tick(ticks);
         EXPECT_LT(largest(), before * std::exp(-options.decay_per_s * ticks * pool.grid.tick_s()));
+    }
+}
+
+constexpr int busy_ticks = 6000, quiet_ticks = 4000;  // of a round
+
+/// What happens at tick n of a round: hulls, lifts and presses that last and go away again, a pull that comes and goes, stones and
+/// holes, in a window that is off for 6 m and returns.
+void bustle(LocalGrid& grid, int tick) {
+    constexpr int change_ticks = 400, numbers = 6, last_change = busy_ticks / change_ticks;
+    if (tick % change_ticks == 0 && tick <= busy_ticks) {
+        const int change = tick / change_ticks;
+        grid.sources().remove(static_cast<std::uint32_t>((change + 3) % numbers + 1));
+        if (change + numbers <= last_change)
+            grid.set_source(static_cast<std::uint32_t>(change % numbers + 1),
+                            {.shape = change % 2 ? Disturbance::Shape::hull : Disturbance::Shape::gauss,
+                             .mode = change % 5 == 3 ? Disturbance::Mode::pull : Disturbance::Mode::press,
+                             .x_m = 4 * sawtooth(change, 7),
+                             .z_m = 4 * sawtooth(change, 5),
+                             .radius_m = 0.9,
+                             .length_m = 1.7,
+                             .heading_rad = sawtooth(change, 11),
+                             .height_m = change % 3 ? -0.3 : 0.2,
+                             .velocity_x_mps = 0.5 * sawtooth(change, 4),
+                             .velocity_z_mps = 0.4 * sawtooth(change, 9)});
+        else
+            for (std::uint32_t number = 1; number <= numbers; ++number) grid.sources().remove(number);
+    }
+    if (tick >= busy_ticks) return;
+    grid.follow(6 * (1 - std::fabs(sawtooth(tick, busy_ticks))), 0);
+    if (tick % 29 == 0)
+        grid.sources().disturb({.mode = Disturbance::Mode::add,
+                                .x_m = 5 * sawtooth(tick, 310),
+                                .z_m = 5 * sawtooth(tick, 170),
+                                .radius_m = 0.7,
+                                .height_m = tick % 2 ? 0.25 : -0.25});
+    if (tick % 1000 < 200)
+        grid.sources().disturb({.mode = Disturbance::Mode::pull, .x_m = 1, .radius_m = 0.8, .height_m = 0.3});
+}
+
+struct Texels {
+    double squares = 0, highest = 0;  ///< of heights and companions
+    int denormal = 0;
+};
+
+Texels texels_of(const LocalGrid& grid) {
+    const std::vector<std::uint8_t> saved = grid.saved();
+    const std::size_t count = static_cast<std::size_t>(grid.options().resolution) * grid.options().resolution;
+    std::vector<float> texels(3 * count);  // and heights of the tick before
+    std::memcpy(texels.data(), saved.data() + 3 * sizeof(std::int64_t), texels.size() * sizeof(float));
+    Texels all;
+    for (std::size_t i = 0; i < texels.size(); ++i) {
+        const double value = texels[i];
+        all.denormal += std::fpclassify(texels[i]) == FP_SUBNORMAL;
+        if (i < 2 * count) all.squares += value * value;
+        all.highest = std::max(all.highest, std::fabs(value));
+    }
+    return all;
+}
+
+// A hundred rounds at night, a million ticks: each has the energies of the first, as nothing is left of what was before.
+TEST(LocalGridLasts, ThroughRoundsOfSourcesThatComeAndGo) {
+    for (const LocalStep step : {LocalStep::spectral, LocalStep::verlet}) {
+        LocalWaterOptions options = small(step);
+        options.side_m = 16;
+        options.border_m = 4;
+        LocalPool pool(options);
+        std::vector<double> first_round;
+        double highest = 0, most = 0, farthest = 0, left_over = 0;
+        int denormal = 0;
+        const int rounds = is_sanitized || is_emulated ? 2 : of_sweep(3, 100);
+        for (int round = 0; round < rounds; ++round) {
+            for (int tick = 0; tick < busy_ticks + quiet_ticks; ++tick) {
+                bustle(pool.grid, tick);
+                pool.tick();
+                if (tick % 100 != 99) continue;
+                const Texels texels = texels_of(pool.grid);
+                denormal += texels.denormal;
+                highest = std::max(highest, texels.highest);
+                most = std::max(most, texels.squares);
+                const std::size_t at = static_cast<std::size_t>(tick / 100);
+                if (round == 0) first_round.push_back(texels.squares);
+                farthest = std::max(farthest, std::fabs(texels.squares - first_round[at]));
+                if (tick + 1 == busy_ticks + quiet_ticks) left_over = std::max(left_over, texels.highest);
+            }
+        }
+        const std::string name = step == LocalStep::spectral ? "spectral_" : "verlet_";
+        RecordProperty(name + "highest_m", std::to_string(highest));
+        RecordProperty(name + "squares", std::to_string(most));
+        RecordProperty(name + "squares_off_the_first_round", std::to_string(farthest));
+        RecordProperty(name + "highest_at_rest_m", std::to_string(left_over));
+        EXPECT_EQ(denormal, 0);
+        // A minute's rest takes waves through the border a few times. What it leaves of amplitudes, a part of them, moves squares
+        // by twice that part.
+        EXPECT_LT(left_over, 5e-4 * highest);
+        EXPECT_LT(farthest, 1e-3 * most);
+        EXPECT_GT(highest, 0.3);
     }
 }
 
