@@ -279,8 +279,14 @@ TEST(LocalGridLasts, WithoutDriftOrNumbersThatAreSlow) {
         };
         const double before = largest();
         const int ticks = is_sanitized || is_emulated ? 300 : of_sweep(20'000, 1'000'000);
-        pool.tick(ticks);
-        EXPECT_LT(largest(), before * std::exp(-options.decay_per_s * ticks * pool.grid.tick_s()));
+        // Where one of Verlet's two heights is small enough to become 0 and the other is not, that is a push, so its water never rests
+        // entirely.
+        const double pushed = step == LocalStep::verlet ? 100 * static_cast<double>(LocalBorder::smallest) : 0;
+        for (int part = 1; part <= 10; ++part) {
+            pool.tick(ticks / 10);
+            const double decayed = before * std::exp(-options.decay_per_s * part * ticks / 10 * pool.grid.tick_s());
+            EXPECT_LT(largest(), decayed + pushed) << "after " << part << " tenths";
+        }
     }
 }
 
