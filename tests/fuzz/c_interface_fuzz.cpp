@@ -143,6 +143,55 @@ std::vector<pelagic_input*> any_inputs(Bytes& bytes) {
     return inputs;
 }
 
+template <class T, std::size_t count>
+void change(Bytes& bytes, T& options, double T::*const (&fields)[count]) {
+    for (int changes = bytes.take<std::uint8_t>() % 4; changes > 0; --changes)
+        options.*fields[bytes.take<std::uint8_t>() % count] = bytes.number();
+}
+
+pelagic_local_options any_local(Bytes& bytes) {
+    auto local = sized<pelagic_local_options>(bytes);
+    const std::uint32_t size = local.struct_size;
+    local.struct_size = sizeof local;
+    must_be_a_status(pelagic_local_defaults(&local));
+    local.struct_size = size;
+    local.resolution = 64;
+    const auto kind = bytes.take<std::uint8_t>();
+    local.step = kind % 3;
+    if (kind > 250) {
+        // Large ones are slow, not wrong.
+        const auto resolution = bytes.take<std::int32_t>();
+        if (resolution <= 64 || resolution > 1024) local.resolution = resolution;
+        local.ticks_per_s = bytes.take<std::int32_t>();
+    }
+    change(bytes, local,
+           {&pelagic_local_options::side_m, &pelagic_local_options::border_m, &pelagic_local_options::depth_m,
+            &pelagic_local_options::viscosity_m2ps, &pelagic_local_options::wave_speed_mps,
+            &pelagic_local_options::decay_per_s, &pelagic_local_options::foam_height_m});
+    return local;
+}
+
+/// \param heights  of its floor, as long as the ocean is being made
+pelagic_shore_options any_shore(Bytes& bytes, std::array<float, 64>& heights) {
+    auto shore = sized<pelagic_shore_options>(bytes);
+    const std::uint32_t size = shore.struct_size;
+    shore.struct_size = sizeof shore;
+    must_be_a_status(pelagic_shore_defaults(&shore));
+    shore.struct_size = size;
+    shore.resolution = 64;
+    for (float& height : heights) height = static_cast<float>(bytes.number());
+    const auto kind = bytes.take<std::uint8_t>();
+    shore.columns = kind % 9;
+    shore.rows = kind / 9 % 9;
+    shore.heights_m = kind > 250 ? nullptr : heights.data();
+    shore.metres_a_sample = 20;
+    change(
+        bytes, shore,
+        {&pelagic_shore_options::corner_x_m, &pelagic_shore_options::corner_z_m,
+         &pelagic_shore_options::metres_a_sample, &pelagic_shore_options::fade_m, &pelagic_shore_options::swash_m});
+    return shore;
+}
+
 pelagic_ocean* any_ocean(Bytes& bytes) {
     auto executor_options = sized<pelagic_executor_options>(bytes);
     constexpr std::int32_t kinds[] = {PELAGIC_EXECUTOR_SERIAL, PELAGIC_EXECUTOR_HOST, PELAGIC_EXECUTOR_TBB, -7};
@@ -163,7 +212,8 @@ pelagic_ocean* any_ocean(Bytes& bytes) {
     }
     auto options = sized<pelagic_ocean_options>(bytes);
     options.executor = executor ? executor : serial;
-    options.queries = bytes.take<std::uint8_t>() % 4;
+    const auto queries = bytes.take<std::uint8_t>();
+    options.queries = queries % 4;
     const auto parts = bytes.take<std::uint8_t>();
     options.velocities = parts % 2;
     options.slopes = parts / 2 % 2;
@@ -177,6 +227,11 @@ pelagic_ocean* any_ocean(Bytes& bytes) {
     const std::vector<pelagic_input*> inputs = parts / 16 == 15 ? any_inputs(bytes) : std::vector<pelagic_input*>();
     options.input_count = inputs.size();
     options.inputs = inputs.data();
+    pelagic_local_options local{};
+    if (queries / 4 % 4 == 3) local = any_local(bytes), options.local = &local;
+    pelagic_shore_options shore{};
+    std::array<float, 64> floor{};
+    if (queries / 16 % 4 == 3) shore = any_shore(bytes, floor), options.shore = &shore;
     pelagic_ocean* ocean = nullptr;
     must_be_a_status(pelagic_ocean_create(&sea, &options, &ocean));
     for (pelagic_input* const input : inputs) pelagic_input_destroy(input);
@@ -279,11 +334,110 @@ void any_history(pelagic_ocean* ocean, std::uint64_t hash) {
     must_be_a_status(pelagic_ocean_restore_history(ocean, saved.data(), saved.size()));
 }
 
+pelagic_disturbance any_disturbance(Bytes& bytes) {
+    auto disturbance = sized<pelagic_disturbance>(bytes);
+    const std::uint32_t size = disturbance.struct_size;
+    disturbance.struct_size = sizeof disturbance;
+    must_be_a_status(pelagic_disturbance_defaults(&disturbance));
+    disturbance.struct_size = size;
+    const auto kind = bytes.take<std::uint8_t>();
+    disturbance.shape = kind % 3;
+    disturbance.mode = kind / 3 % 4;
+    disturbance.reserved = kind == 255;
+    disturbance.height_m = bytes.number();
+    change(bytes, disturbance,
+           {&pelagic_disturbance::x_m, &pelagic_disturbance::z_m, &pelagic_disturbance::radius_m,
+            &pelagic_disturbance::length_m, &pelagic_disturbance::heading_rad, &pelagic_disturbance::height_m,
+            &pelagic_disturbance::rate_per_s, &pelagic_disturbance::velocity_x_mps,
+            &pelagic_disturbance::velocity_z_mps});
+    return disturbance;
+}
+
+/// Saved, and restored with four bytes that somebody has changed, in the head, among the texels or among the sources, or with fewer.
+void any_saved_water(Bytes& bytes, pelagic_ocean* ocean) {
+    static std::vector<std::uint8_t> saved;
+    std::size_t count = 0;
+    const pelagic_status measured = pelagic_ocean_save_water(ocean, nullptr, 0, &count);
+    must_be_a_status(measured);
+    if (measured == PELAGIC_OK) {
+        saved.resize(count);
+        must_be_a_status(pelagic_ocean_save_water(ocean, saved.data(), saved.size(), &count));
+    }  // else those of another time, perhaps of another ocean
+    const auto changed = bytes.take<std::uint8_t>();
+    std::vector<std::uint8_t> mutated = saved;
+    if (mutated.size() > 600 && changed % 4) {
+        const std::size_t at = bytes.take<std::uint16_t>();
+        const std::size_t place = changed % 4 == 1   ? at % 64
+                                  : changed % 4 == 2 ? at % (mutated.size() - sizeof(std::uint32_t))
+                                                     : mutated.size() - sizeof(std::uint32_t) - at % 500;
+        const auto instead = bytes.take<std::uint32_t>();
+        std::memcpy(mutated.data() + place, &instead, sizeof instead);
+    }
+    if (changed >= 250 && !mutated.empty()) mutated.resize(mutated.size() - changed % mutated.size());
+    must_be_a_status(pelagic_ocean_restore_water(ocean, mutated.data(), mutated.size()));
+}
+
+/// What frames show of the window and of the shore; every last byte of it is there.
+void any_water(const pelagic_ocean* ocean, Bytes& bytes) {
+    std::uint64_t hash = 0;
+    must_be_a_status(pelagic_ocean_local_hash(ocean, &hash));
+    must_be_a_status(pelagic_ocean_shore_hash(ocean, &hash));
+    auto local = sized<pelagic_local_surface>(bytes);
+    auto shore = sized<pelagic_shore_surface>(bytes);
+    double sum = 0;
+    const pelagic_status of_local = pelagic_ocean_local(ocean, &local);
+    must_be_a_status(of_local);
+    if (of_local == PELAGIC_OK && local.struct_size == sizeof local) {
+        const auto last = static_cast<std::size_t>(local.resolution) * static_cast<std::size_t>(local.resolution) - 1;
+        sum += local.height_m[last] + local.rise_mps[last] + local.foam[last];
+    }
+    const pelagic_status of_shore = pelagic_ocean_shore(ocean, &shore);
+    must_be_a_status(of_shore);
+    if (of_shore == PELAGIC_OK && shore.struct_size == sizeof shore) {
+        const auto last = static_cast<std::size_t>(shore.columns) * static_cast<std::size_t>(shore.rows) - 1;
+        sum += shore.height_m[last] + shore.rise_mps[last] + shore.reach_m[last] + shore.foam[last] +
+               shore.depth_m[last] + static_cast<double>(shore.parts_rgba8[last]);
+    }
+    if (sum != sum) std::abort();  // no number has come in, and none may come out
+}
+
+void any_word_to_the_water(Bytes& bytes, pelagic_ocean* ocean) {
+    std::uint32_t number = 0;
+    switch (bytes.take<std::uint8_t>() % 7) {
+        case 0: {
+            const pelagic_disturbance disturbance = any_disturbance(bytes);
+            must_be_a_status(pelagic_ocean_disturb(ocean, &disturbance));
+            break;
+        }
+        case 1: {
+            const pelagic_disturbance source = any_disturbance(bytes);
+            must_be_a_status(pelagic_ocean_add_source(ocean, &source, &number));
+            break;
+        }
+        case 2: {
+            number = bytes.take<std::uint8_t>();
+            const pelagic_disturbance source = any_disturbance(bytes);
+            must_be_a_status(pelagic_ocean_set_source(ocean, number, &source));
+            break;
+        }
+        case 3: must_be_a_status(pelagic_ocean_remove_source(ocean, bytes.take<std::uint8_t>())); break;
+        case 4: {
+            const double x = bytes.number(), z = bytes.number();
+            must_be_a_status(pelagic_ocean_follow(ocean, x, z));
+            break;
+        }
+        case 5: any_saved_water(bytes, ocean); break;
+        default: any_water(ocean, bytes);
+    }
+}
+
 void any_call(Bytes& bytes, pelagic_ocean*& ocean) {
     std::int32_t is_ready = 0;
     std::uint64_t hash = 0;
     auto frame = sized<pelagic_frame>(bytes);
-    switch (bytes.take<std::uint8_t>() % 12) {
+    const auto which = bytes.take<std::uint8_t>();
+    if (which >= 200) return any_word_to_the_water(bytes, ocean);
+    switch (which % 12) {
         case 0: must_be_a_status(pelagic_ocean_schedule(ocean, bytes.number())); break;
         case 1: must_be_a_status(pelagic_ocean_complete(ocean, &frame)); break;
         case 2: must_be_a_status(pelagic_ocean_poll(ocean, &is_ready)); break;
