@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "pelagic/examples/buoyancy/box_wake.hpp"
+#include "pelagic/sim/local_water.hpp"
 #include "pelagic/sim/ocean.hpp"
+#include "pelagic/simd/det_math.hpp"
 #include "pelagic/tests/sanitized.hpp"
 
 namespace pelagic::buoyancy {
@@ -39,7 +41,7 @@ void sail(std::vector<FloatingBox>& boxes, double seconds, EachStep each_step) {
     ocean.schedule(0);
     for (int i = 1; i <= seconds / step_s; ++i) {
         const Frame& frame = ocean.complete();
-        for (std::size_t box = 0; box < boxes.size(); ++box) wakes[box].press(ocean, boxes[box]);
+        for (std::size_t box = 0; box < boxes.size(); ++box) wakes[box].press(ocean, boxes[box], step_s);
         ocean.schedule(i * step_s);
         step(boxes, SurfaceQuery(frame), step_s, hull, wakes);
         each_step(i * step_s);
@@ -107,6 +109,42 @@ TEST(Wake, ABoxThatGoesByRocksAnother) {
     RecordProperty("after_m", std::to_string(after));
     EXPECT_GT(after, 0.05);
     EXPECT_LT(before, after / 3);
+}
+
+// A lighter of 190 t is put into a wind sea, which carries it to and fro by metres. It goes with the water, so around it there are no
+// waves but those of its being put in, of the little that it slides, and of what `return_s` lets through.
+TEST(Wake, ABoxThatDriftsWithTheWavesHardlyMakesAny) {
+    std::vector<FloatingBox> boxes = {
+        FloatingBox({.length_m = 20, .height_m = 3, .beam_m = 6, .mass_kg = 190e3, .centre_of_mass_m = -0.3})};
+    Ocean ocean({.resolution = 64, .patch_size_m = 250, .wind_speed_mps = 14},
+                {.executor = make_serial_executor(),
+                 .queries = true,
+                 .velocities = true,
+                 .local = LocalWaterOptions{.resolution = 128, .side_m = 128, .border_m = 24}});
+    std::vector<BoxWake> wakes = {BoxWake(ocean, boxes[0])};
+    HullWater hull;
+    double highest = 0, fastest = 0;
+    const int steps = is_sanitized ? 300 : 2400;
+    ocean.schedule(0);
+    for (int i = 1; i <= steps; ++i) {
+        const Frame& frame = ocean.complete();
+        const glm::dvec3 at = boxes[0].state().position_m;
+        wakes[0].press(ocean, boxes[0], step_s);
+        ocean.follow(at.x, at.z);
+        ocean.schedule(i * step_s);
+        step(boxes, SurfaceQuery(frame), step_s, hull, wakes);
+        for (int direction = 0; direction < 12; ++direction) {
+            const auto to = det::sine_cosine_of_turns(direction / 12.0);
+            const double height = sample(frame.local, at.x + 20 * to.cosine, at.z + 20 * to.sine).height_m;
+            highest = std::max(highest, std::fabs(height));
+        }
+        fastest = std::max(fastest, std::hypot(boxes[0].state().velocity_mps.x, boxes[0].state().velocity_mps.z));
+    }
+    ocean.complete();
+    RecordProperty("highest_m", std::to_string(highest));
+    RecordProperty("fastest_mps", std::to_string(fastest));
+    EXPECT_GT(fastest, is_sanitized ? 0.1 : 0.5);
+    EXPECT_LT(highest, 0.025 * -press_of(boxes[0]).height_m);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "pelagic/examples/buoyancy/box_wake.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
 #include <numbers>
@@ -35,12 +36,32 @@ Disturbance press_of(const FloatingBox& box) {
             .height_m = -of.mass_kg / water_density_kgpm3 / (2.0 / 3 * area)};
 }
 
-BoxWake::BoxWake(Ocean& ocean, const FloatingBox& box) : source_(ocean.add_source(press_of(box))) {
-    presses_.fill(press_of(box));
+BoxWake::BoxWake(Ocean& ocean, const FloatingBox& box)
+    : box_m_(box.state().position_m), press_m_(box.state().position_m) {
+    presses_.fill(pressing(box));
+    source_ = ocean.add_source(presses_[0]);
 }
 
-void BoxWake::press(Ocean& ocean, const FloatingBox& box) {
-    presses_ = {press_of(box), presses_[0], presses_[1]};
+double BoxWake::launch_s(const BoxOptions& box) {
+    return 4 * std::sqrt(2 * std::numbers::pi * box.length_m / gravity_mps2);
+}
+
+Disturbance BoxWake::pressing(const FloatingBox& box) const {
+    Disturbance press = press_of(box);
+    const double part = std::min(afloat_s_ / launch_s(box.options()), 1.0);
+    press.height_m *= part * part * (3 - 2 * part);
+    press.x_m = press_m_.x;
+    press.z_m = press_m_.z;
+    return press;
+}
+
+void BoxWake::press(Ocean& ocean, const FloatingBox& box, double tick_s) {
+    afloat_s_ += tick_s;
+    const glm::dvec3 now_m = box.state().position_m;
+    press_m_ += now_m - box_m_ - tick_s * box.water_velocity_mps();
+    press_m_ += tick_s / return_s * (now_m - press_m_);
+    box_m_ = now_m;
+    presses_ = {pressing(box), presses_[0], presses_[1]};
     ocean.set_source(source_, presses_[0]);
 }
 

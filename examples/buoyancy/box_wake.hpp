@@ -1,6 +1,9 @@
 // A box's part in water that answers: it presses as much as it weighs, and feels the wakes of all others, and what its own sends
 // back, but not the hollow that it lies in, whose pressure is already its buoyancy.
 //
+// The window stands in the world and does not know that the waves of the wind carry its water to and fro, and a box with it. So a press
+// goes with its box only as that moves through the water (BoxWake::press).
+//
 //   const Frame& frame = ocean.complete();
 //   for (...) wakes[i].press(ocean, boxes[i]);
 //   ocean.schedule(next_s);                            // a tick of the water later
@@ -25,17 +28,31 @@ Disturbance press_of(const FloatingBox& box);
 
 class BoxWake {
    public:
-    /// A source of the ocean from its next frame on, which has water that answers (OceanOptions::local).
+    /// The press follows a box so fast that the water carries to and fro: less, and it makes waves by a way that it goes with the
+    /// water; more, and it lags behind a box that drifts with it.
+    static constexpr double return_s = 10;
+
+    /// A source of the ocean from its next frame on, which has water that answers (OceanOptions::local). It weighs nothing at first, and
+    /// all after launch_s(): put in at once, a barge of 4,000 t is a splash that rocks all others for a minute.
     BoxWake(Ocean& ocean, const FloatingBox& box);
 
-    /// The box lies here now. Between complete() and schedule(), whose frames are a tick of the water apart.
-    void press(Ocean& ocean, const FloatingBox& box);
+    /// The box lies here now, `tick_s` after the press before. Between complete() and schedule(), whose frames are a tick of the water
+    /// apart.
+    void press(Ocean& ocean, const FloatingBox& box, double tick_s);
+
+    /// Four periods of waves as long as the box, which a slower change hardly makes.
+    static double launch_s(const BoxOptions& box);
 
     /// Takes the box's own hollow out of what its columns found in the frame completed last.
     void leave_out(HullWater& hull, std::size_t first, std::size_t columns, double tick_s) const;
 
    private:
+    Disturbance pressing(const FloatingBox& box) const;
+
     std::uint32_t source_;
+    double afloat_s_ = 0;
+    glm::dvec3 box_m_;    ///< at the press before
+    glm::dvec3 press_m_;  ///< of the press
     /// As they were said: for the frame to come, for that completed last, which shows the tick before it, and for that one.
     std::array<Disturbance, 3> presses_;
 };

@@ -87,6 +87,8 @@ class FloatingBox {
     double heave_m() const { return state_.position_m.y - rest_height_m_; }
     double displaced_kg() const { return displaced_kg_; }  ///< water, at the last step
     double heave_added_mass_kg() const;                    ///< at rest, upright
+    /// Mean under the box, at the last step.
+    glm::dvec3 water_velocity_mps() const { return water_velocity_mps_.value_or(glm::dvec3{}); }
     double heave_frequency_radps() const;  ///< of free heave in still water, undamped: sqrt(rho g L B / (m + A))
 
    private:

@@ -1,4 +1,4 @@
-// Three boats in a storm: while they float on one frame, the next one is computed.
+// Three boats in a storm, each in the wakes of the others: while they float on one frame, the next one is computed.
 //
 //   buoyancy [FOLDER [SECONDS]]     writes FOLDER/trace.csv and FOLDER/trace.svg
 #include <cmath>
@@ -11,6 +11,7 @@
 #include <system_error>
 #include <vector>
 
+#include "pelagic/examples/buoyancy/box_wake.hpp"
 #include "pelagic/examples/buoyancy/floating_box.hpp"
 #include "pelagic/examples/buoyancy/trace.hpp"
 #include "pelagic/sim/ocean.hpp"
@@ -21,7 +22,11 @@ using namespace pelagic;
 using namespace pelagic::buoyancy;
 
 constexpr double step_s = 1.0 / 60;
-constexpr double settling_s = 10;  // before the trace: the boats start at rest, the sea doesn't
+constexpr double settling_s =
+    30;  // before the trace: the boats start at rest, the sea doesn't; and the barge's launch_s()
+
+/// Half a metre a texel, so that the dinghy's hollow has some; broad enough for the barge and a border.
+const LocalWaterOptions answering{.resolution = 512, .side_m = 256, .border_m = 48};
 
 struct Boat {
     const char* name;
@@ -68,7 +73,7 @@ void make_folder(const std::filesystem::path& folder) {
 }
 
 std::vector<BoatTrace> sail(double seconds) {
-    Ocean ocean(storm(), {.queries = true, .velocities = true});
+    Ocean ocean(storm(), {.queries = true, .velocities = true, .local = answering});
     std::vector<FloatingBox> boxes;
     std::vector<BoatTrace> traces;
     for (const Boat& boat : boats) {
@@ -77,14 +82,20 @@ std::vector<BoatTrace> sail(double seconds) {
         traces.push_back({boat.name, {}});
     }
 
+    std::vector<BoxWake> wakes;
+    for (const FloatingBox& box : boxes) wakes.emplace_back(ocean, box);
+
     HullWater hull;
     const int settling = static_cast<int>(std::lround(settling_s / step_s));
     const int steps = static_cast<int>(std::lround(seconds / step_s));
     ocean.schedule(-settling * step_s);
     for (int i = -settling; i <= steps; ++i) {
         const Frame& frame = ocean.complete();
+        for (std::size_t boat = 0; boat < boxes.size(); ++boat) wakes[boat].press(ocean, boxes[boat], step_s);
+        const glm::dvec3 middle = boxes[1].state().position_m;
+        ocean.follow(middle.x, middle.z);
         ocean.schedule((i + 1) * step_s);  // computed while the boats ask about this one
-        step(boxes, SurfaceQuery(frame), step_s, hull);
+        step(boxes, SurfaceQuery(frame), step_s, hull, wakes);
         if (i < 0) continue;
         for (std::size_t boat = 0; boat < boxes.size(); ++boat)
             traces[boat].moments.push_back({i * step_s, boxes[boat].heave_m(), attitude_of(boxes[boat].state())});
