@@ -1,7 +1,7 @@
-// What a tick of water that answers costs, on one thread: the spectral step beside a frame of one tile of as many texels, Verlet's
-// beside a loop without lanes and beside a copy of what it reads and writes. And windows with many boats on several threads.
+// What a tick of water that answers costs, on one thread and on two: the spectral step beside a frame of one tile of as many texels,
+// Verlet's beside a loop without lanes and beside a copy of what it reads and writes. And windows with many boats.
 //
-//   taskset -c 1 build/release/bin/pelagic_local_bench [instruction set]
+//   build/release/bin/pelagic_local_bench [instruction set]
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -13,6 +13,7 @@
 
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/sources/local_grid.hpp"
+#include "pelagic/sim/surface/item_stage.hpp"
 #include "pelagic/sim/surface_query_jobs.hpp"
 
 namespace pelagic {
@@ -52,10 +53,10 @@ struct Window {
 };
 
 /// Verlet's step as one writes it down, and as the compiler leaves it without lanes.
-__attribute__((optimize("no-tree-vectorize"))) void scalar_verlet(const float* now, float* before, std::size_t n,
-                                                                  float coupling, float left) {
+__attribute__((optimize("no-tree-vectorize"))) void scalar_verlet(const VerletRowsJob& job) {
+    const auto [now, before, n, first_row, rows, coupling, left] = job;
     const std::size_t stride = local_row_stride(n);
-    for (std::size_t z = 0; z < n; ++z) {
+    for (std::size_t z = first_row; z < first_row + rows; ++z) {
         const float *row = now + z * stride, *above = now + (z + n - 1) % n * stride,
                     *below = now + (z + 1) % n * stride;
         float* const to = before + z * stride;
@@ -66,8 +67,32 @@ __attribute__((optimize("no-tree-vectorize"))) void scalar_verlet(const float* n
     }
 }
 
-void measure_steps(std::size_t n, Isa isa) {
-    const auto executor = make_serial_executor();
+/// One stage whose items are the rows that a tick's jobs have.
+class RowsStage {
+   public:
+    template <class OfRows>
+    RowsStage(std::size_t n, Executor& executor, OfRows of_rows) {
+        graph_.add({.name = "rows",
+                    .count = n / LocalGrid::rows_an_item,
+                    .body = for_each_item([of_rows](std::size_t item) { of_rows(item * LocalGrid::rows_an_item); })});
+        run_ = executor.prepare(graph_);
+    }
+    void operator()() {
+        run_->schedule();
+        run_->complete();
+    }
+
+   private:
+    JobGraph graph_;
+    std::unique_ptr<GraphRun> run_;
+};
+
+std::shared_ptr<Executor> executor_of(int threads) {
+    return threads == 1 ? make_serial_executor() : make_thread_executor(threads);
+}
+
+void measure_steps(std::size_t n, Isa isa, int threads) {
+    const auto executor = executor_of(threads);
     const double side_m = 0.25 * static_cast<double>(n);
     const int resolution = static_cast<int>(n);
     Window spectral({.resolution = resolution, .side_m = side_m, .border_m = side_m / 5}, isa, *executor);
@@ -77,7 +102,17 @@ void measure_steps(std::size_t n, Isa isa) {
     const Kernels& kernels = kernels_for(isa);
     AlignedBuffer<float> now(local_plane_floats(n)), before(local_plane_floats(n));
     for (std::size_t i = 0; i < now.size(); ++i) now[i] = before[i] = std::sin(0.01f * static_cast<float>(i));
-    const auto first = [](AlignedBuffer<float>& plane) { return plane.data() + local_margin; };
+    const auto rows_from = [&, n](std::size_t row) -> VerletRowsJob {
+        return {
+            now.data() + local_margin, before.data() + local_margin, n, row, LocalGrid::rows_an_item, 0.1f, 0.9999f};
+    };
+    RowsStage step(n, *executor, [&](std::size_t row) { kernels.verlet_rows(rows_from(row)); });
+    RowsStage scalar(n, *executor, [&](std::size_t row) { scalar_verlet(rows_from(row)); });
+    const std::size_t floats = LocalGrid::rows_an_item * local_row_stride(n);
+    RowsStage copy(n, *executor, [&](std::size_t row) {
+        const std::size_t at = row * local_row_stride(n);
+        std::memcpy(before.data() + at, now.data() + at, floats * sizeof(float));
+    });
 
     std::vector<double> of_frame, of_spectral, of_verlet, of_step, of_scalar, of_copy;
     for (int round = 0; round < rounds; ++round) {
@@ -86,22 +121,21 @@ void measure_steps(std::size_t n, Isa isa) {
         of_frame.push_back(seconds_of([&] { ocean.frame_at(round / 72.0); }));
         of_spectral.push_back(seconds_of([&] { spectral.begin(), spectral.end(); }));
         of_verlet.push_back(seconds_of([&] { verlet.begin(), verlet.end(); }));
-        of_step.push_back(seconds_of([&] {
-            kernels.verlet_rows({first(now), first(before), n, 0, n, 0.1f, 0.9999f});
-        }));
-        of_scalar.push_back(seconds_of([&] { scalar_verlet(first(now), first(before), n, 0.1f, 0.9999f); }));
+        of_step.push_back(seconds_of([&] { step(); }));
+        of_scalar.push_back(seconds_of([&] { scalar(); }));
         // As many bytes: two planes are read and one written.
-        of_copy.push_back(1.5 * seconds_of([&] { std::memcpy(before.data(), now.data(), now.bytes()); }));
+        of_copy.push_back(1.5 * seconds_of([&] { copy(); }));
     }
-    const double frame = median_us(of_frame), tick = median_us(of_spectral), step = median_us(of_step);
-    std::printf("%5zu %-7s %9.1f %9.1f (%.2f) %9.1f %9.1f %9.1f (%.1f) %9.1f (%.2f)\n", n,
-                std::string(name_of(isa)).c_str(), frame, tick, tick / frame, median_us(of_verlet), step,
-                median_us(of_scalar), median_us(of_scalar) / step, median_us(of_copy), step / median_us(of_copy));
+    const double frame = median_us(of_frame), spectral_tick = median_us(of_spectral), of_one = median_us(of_step),
+                 copied = median_us(of_copy), without_lanes = median_us(of_scalar);
+    std::printf("%5zu %7d %9.1f %9.1f (%.2f) %9.1f %9.1f %9.1f (%.1f) %9.1f (%.2f)\n", n, threads, frame,
+                spectral_tick, spectral_tick / frame, median_us(of_verlet), of_one, without_lanes,
+                without_lanes / of_one, copied, of_one / copied);
 }
 
 /// Four shared windows with 250 boats each, 12 places where a boat asks for the height of the window's water.
 void measure_server(Isa isa, int threads) {
-    const auto executor = threads == 1 ? make_serial_executor() : make_thread_executor(threads);
+    const auto executor = executor_of(threads);
     std::vector<std::unique_ptr<Window>> windows;
     for (int i = 0; i < 4; ++i) windows.push_back(std::make_unique<Window>(LocalWaterOptions{}, isa, *executor));
     std::vector<double> ticks;
@@ -127,7 +161,7 @@ void measure_server(Isa isa, int threads) {
 
 /// A server's tick of the default sea: its frame, then heights, normals and velocities at 12 points of each of 1,000 boats.
 void measure_queries(Isa isa, int threads) {
-    const auto executor = threads == 1 ? make_serial_executor() : make_thread_executor(threads);
+    const auto executor = executor_of(threads);
     Ocean ocean(SeaState{}, {.executor = executor, .isa = isa, .queries = true, .velocities = true});
     SurfaceQueryJobs jobs(executor);
     constexpr std::size_t count = 12 * 1000;
@@ -157,11 +191,12 @@ void measure_queries(Isa isa, int threads) {
 int main(int argc, char** argv) {
     const auto wanted = argc > 1 ? pelagic::isa_named(argv[1]) : std::nullopt;
     const pelagic::Isa isa = pelagic::choose_isa(wanted);
-    std::printf("microseconds, medians; in brackets the part of what stands before, for the copy of the step\n");
     std::printf(
-        "    N isa         frame    spectral tick    Verlet tick    its step   without lanes      bytes copied\n");
-    for (const std::size_t n : {64, 128, 256, 512}) pelagic::measure_steps(n, isa);
+        "%s; microseconds, medians; in brackets how much more than what stands before, and the step than the copy\n",
+        std::string(name_of(isa)).c_str());
+    std::printf("    N threads     frame    spectral tick Verlet tick its step   without lanes      bytes copied\n");
     for (const int threads : {1, 2}) {
+        for (const std::size_t n : {64, 128, 256, 512}) pelagic::measure_steps(n, isa, threads);
         pelagic::measure_queries(isa, threads);
         pelagic::measure_server(isa, threads);
     }
