@@ -5,7 +5,7 @@
 // goes with its box only as that moves through the water (BoxWake::press).
 //
 //   const Frame& frame = ocean.complete();
-//   for (...) wakes[i].press(ocean, boxes[i]);
+//   for (...) wakes[i].press(ocean, boxes[i], tick_s);
 //   ocean.schedule(next_s);                            // a tick of the water later
 //   step(boxes, SurfaceQuery(frame), step_s, hull, wakes);
 #pragma once
