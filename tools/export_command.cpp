@@ -1,5 +1,6 @@
 #include "pelagic/tools/export_command.hpp"
 
+#include <chrono>
 #include <cstdio>
 #include <functional>
 #include <map>
@@ -7,12 +8,14 @@
 #include <optional>
 #include <span>
 #include <sstream>
+#include <thread>
 #include <vector>
 
 #include "pelagic/jobs/chrome_trace.hpp"
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/statistics.hpp"
 #include "pelagic/tools/export/export_journal.hpp"
+#include "pelagic/tools/export/export_names.hpp"
 #include "pelagic/tools/export/export_preview.hpp"
 #include "pelagic/tools/export/export_summary.hpp"
 #include "pelagic/tools/export/folder_lock.hpp"
@@ -33,8 +36,8 @@ void make_folder(const std::filesystem::path& folder) {
     if (error) throw FileError("can't write " + folder.string() + ": " + error.message());
 }
 
-/// Computes frames in order, the next one while the last is looked at. False if a signal stopped it.
-bool for_each_frame(const ExportOptions& options, Ocean& ocean, std::span<const int> numbers,
+/// Computes frames in order, the next one while the last is looked at. False if a signal stopped it. \param player  may be none
+bool for_each_frame(const ExportOptions& options, Ocean& ocean, EventPlayer* player, std::span<const int> numbers,
                     const std::function<void(int, const Frame&)>& take) {
     if (numbers.empty()) return true;
     Progress progress("frame", numbers.size());
@@ -44,13 +47,26 @@ bool for_each_frame(const ExportOptions& options, Ocean& ocean, std::span<const 
         progress.show(i);
         const Frame& frame = ocean.complete();
         if (i + 1 < numbers.size()) ocean.schedule(options.times.time_of(numbers[i + 1]));
-        take(numbers[i], frame);
+        take(numbers[i], exported_frame(frame, player));
     }
     return true;
 }
 
 Stopped stopped(const ExportOptions& options, std::size_t done) {
     return {stop_signal(), static_cast<int>(done), static_cast<int>(options.frames_here().size())};
+}
+
+/// Puts a copy of the events beside the frames, from which `pelagic merge`, `verify` and --resume take them. Shards of one export
+/// may do so at the same moment: whoever of them is late finds it done.
+void keep_events(const EventFile& events, const OutputFolder& folder) {
+    constexpr int most_tries = 50;
+    for (int tries = 1;; ++tries) try {
+            if (folder.read_text(events_copy_name, events.text.size()) == events.text) return;
+            return folder.write(events_copy_name, events.text);
+        } catch (const FileError&) {
+            if (tries == most_tries) throw;
+            std::this_thread::sleep_for(std::chrono::milliseconds(tries));
+        }
 }
 
 /// Computes and writes the frames that `records` lacks.
@@ -60,10 +76,12 @@ void make_frames(const ExportOptions& options, const OutputFolder& folder, Expor
     std::erase_if(missing, [&](int number) { return records.contains(number); });
     if (missing.empty()) return;
 
-    Ocean ocean(forecast_of(options.sea), ocean_options(options, trace));
+    const OceanOptions how = ocean_options(options, trace);
+    Ocean ocean(forecast_of(options.sea), how);
+    const std::unique_ptr<EventPlayer> player = event_player(options, how);
     FrameWriter writer(options, folder, journal, records, trace.get(), bytes_for_writing(ocean.memory_bytes()));
     const bool all_made =
-        for_each_frame(options, ocean, missing, [&](int number, const Frame& frame) { writer.write(number, frame); });
+        for_each_frame(options, ocean, player.get(), missing, [&](int number, const Frame& frame) { writer.write(number, frame); });
     writer.finish();
     if (!all_made) throw stopped(options, records.size());
 }
@@ -76,7 +94,7 @@ std::vector<FileRecord> make_sequences(const ExportOptions& options, const Outpu
     const std::vector<int> numbers = options.frames_here();
     Ocean ocean(forecast_of(options.sea), ocean_options(options, trace));
     std::size_t index = 0;
-    const bool all_seen = for_each_frame(options, ocean, numbers, [&](int, const Frame& frame) {
+    const bool all_seen = for_each_frame(options, ocean, nullptr, numbers, [&](int, const Frame& frame) {
         for (const auto& output : outputs) output->add(index, frame);
         ++index;
     });
@@ -108,6 +126,16 @@ OceanOptions ocean_options(const ExportOptions& options, const std::shared_ptr<C
             .foam = options.has_foam()};
 }
 
+std::unique_ptr<EventPlayer> event_player(const ExportOptions& options, const OceanOptions& how) {
+    return options.events ? std::make_unique<EventPlayer>(*options.events, how.executor, how.isa) : nullptr;
+}
+
+Frame exported_frame(const Frame& frame, EventPlayer* player) {
+    Frame exported = frame;
+    if (player) exported.local = player->at(frame.time_s);
+    return exported;
+}
+
 void run_export(const ExportOptions& options) {
     catch_stop_signals();
     make_folder(options.folder);
@@ -118,6 +146,7 @@ void run_export(const ExportOptions& options) {
     ExportJournal journal(options, folder);
     std::optional<OutputFile> trace_file;
     if (options.trace) trace_file.emplace(*options.trace);
+    if (options.events) keep_events(*options.events->file, folder);
     journal.begin();
     std::map<int, FrameRecord> records = journal.done();
     const std::size_t kept = records.size();

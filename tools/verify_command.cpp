@@ -78,12 +78,15 @@ class Verification {
     /// The frames that were kept, computed once more.
     void check_sample() {
         if (sample_.empty()) return;
-        Ocean ocean(forecast_of(options_.sea), ocean_options(options_, nullptr));
+        const OceanOptions how = ocean_options(options_, nullptr);
+        Ocean ocean(forecast_of(options_.sea), how);
+        const std::unique_ptr<EventPlayer> player = event_player(options_, how);
         Progress progress("sample", sample_.size());
         std::size_t done = 0;
         for (const FrameRecord& recorded : sample_) {
             progress.show(done++);
-            FrameRecord computed = figures_of(recorded.frame, ocean.frame_at(recorded.time_s), options_.has_foam());
+            FrameRecord computed = figures_of(
+                recorded.frame, exported_frame(ocean.frame_at(recorded.time_s), player.get()), options_.has_foam());
             computed.files = recorded.files;
             const Json now = frame_as_json(computed);
             if (now == frame_as_json(recorded)) continue;

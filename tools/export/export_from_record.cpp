@@ -5,6 +5,7 @@
 #include <string_view>
 #include <utility>
 
+#include "pelagic/tools/export/export_names.hpp"
 #include "pelagic/tools/text/errors.hpp"
 
 namespace pelagic::tools {
@@ -15,7 +16,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 2> other_fla
     {{"mesh_formats", "--mesh"}, {"mesh_side_m", "--mesh-size"}}};
 
 /// Keys that follow from others.
-constexpr std::array<std::string_view, 1> no_flags = {"mesh_tiles"};
+constexpr std::array<std::string_view, 2> no_flags = {"mesh_tiles", "events_xxh3"};
 
 /// "start_s" as "--start".
 std::string flag_of(std::string key) {
@@ -71,6 +72,9 @@ std::vector<std::string> words_in(const Json& how, const std::filesystem::path& 
     if (how.contains("names")) out /= std::filesystem::path(typed(how["names"])).filename();
     std::vector<std::string> words = {"--out", path_word(out)};
     const bool is_list = how.contains("frame_numbers"), is_loop = how.contains("loop");
+    // The record has the digest of what stands beside it.
+    if (how.contains("events_xxh3"))
+        words.insert(words.end(), {"--events", path_word(folder / events_copy_name)});
     const Json usual = options_as_json({})["export"];
     for (const auto& [key, value] : how.items()) {
         if (key == "names" || key == "loop" || (key == "frames" && is_list)) continue;

@@ -19,6 +19,11 @@ double mean_significant_wave_height_m(const std::vector<FrameRecord>& frames) {
     return sum / static_cast<double>(frames.size());
 }
 
+bool has_events(const ReadJson& options) {
+    const ReadJson how = options.value("export", ReadJson());
+    return how.is_object() && how.contains("events_xxh3");
+}
+
 }  // namespace
 
 ExportJournal::ExportJournal(const ExportOptions& options, const OutputFolder& folder)
@@ -60,6 +65,7 @@ void ExportJournal::read_earlier() {
     if (!earlier) return;
 
     if (!options_.shard) earlier_images_ = std::move(earlier->images);
+    if (!options_.shard && has_events(earlier->options)) earlier_images_.emplace_back(events_copy_name);
     if (!options_.resume) return;
     if (const Json now = options_as_json(options_); earlier->options != ReadJson(now))
         throw InputError("--resume is not possible in " + folder_.path().string() +
@@ -162,6 +168,7 @@ void ExportJournal::end(const std::vector<FrameRecord>& frames, const std::vecto
 void ExportJournal::remove_what_is_left(const std::vector<FrameRecord>& frames,
                                         const std::vector<FileRecord>& sequence_files) {
     std::set<std::string> left(earlier_images_.begin(), earlier_images_.end());
+    if (options_.events) left.erase(events_copy_name);
     for (const FrameRecord& frame : frames)
         for (const FileRecord& file : frame.files) left.erase(file.name);
     for (const FileRecord& file : sequence_files) left.erase(file.name);

@@ -43,6 +43,7 @@ class NameReader {
     std::optional<MapKind> take_map_and_tile() {
         const auto* map =
             std::find_if(all_maps.begin(), all_maps.end(), [&](MapKind one) { return take(name_of(one)); });
+        if (map == all_maps.end() && take(name_of(MapKind::local))) return MapKind::local;
         if (map == all_maps.end() || (take("_c") && !take_number(1, 1, most_tiles - 1))) return {};
         return *map;
     }
@@ -136,7 +137,7 @@ bool is_mesh_name(std::string_view name, const std::optional<NamePattern>& patte
 }
 
 bool is_export_name(std::string_view name, const std::optional<NamePattern>& pattern) {
-    return is_record_name(name) || is_image_name(name, pattern) || is_mesh_name(name, pattern) ||
+    return is_record_name(name) || name == events_copy_name || is_image_name(name, pattern) || is_mesh_name(name, pattern) ||
            is_flipbook_name(name) || is_export_part(name, pattern);
 }
 

@@ -27,6 +27,9 @@ std::string mesh_name(const std::optional<NamePattern>& pattern, int frame, cons
 inline constexpr const char* mesh_animation_name = "mesh.glb";
 inline constexpr const char* point_cache_name = "mesh.mdd";
 
+/// The copy of the events that pushed at the water.
+inline constexpr const char* events_copy_name = "sea_events.csv";
+
 /// "sea_0007.exr", or by the pattern "wave.0007.exr": all maps of a frame.
 std::string packed_name(const MapOptions& options, int frame);
 

@@ -237,6 +237,7 @@ void ExportFlags::add_to(CLI::App& app) {
                  "for file systems without locks; see to it that no other export uses the folder");
     add("trace", "FILE", "Chrome trace of stages and workers, opens in ui.perfetto.dev; where the time goes");
     meshes_.add_to(app);
+    events_.add_to(app);
     sea_.add_to(app);
     sea_.add_weather_to(app);
     compute_.add_to(app);
@@ -335,7 +336,7 @@ MapOptions ExportFlags::maps(const std::optional<NamePattern>& names) const {
 ExportOptions ExportFlags::resolve() const {
     checked_place(typed("out"));  // what is wrong with it is said before what is wrong with the sea
     ExportOptions options = resolve_with(sea_.resolve());
-    if (!options.maps.maps.empty()) image_codec();  // before anything is written: without its library nothing will be
+    if (!options.maps.maps.empty() || options.events) image_codec();  // before anything is written: without its library nothing will be
     return options;
 }
 
@@ -348,13 +349,16 @@ ExportOptions ExportFlags::resolve_with(const ResolvedSea& sea) const {
     options.times = times(options.sea);
     options.maps = maps(place.names);
     options.meshes = meshes_.resolve(options.sea, options.times);
+    options.events = events_.resolve();
+    if (options.events)
+        require_reachable(*options.events, options.times.time_of(options.times.number(options.times.count() - 1)));
     const bool is_gltf = options.meshes.has(MeshFormat::gltf) || options.meshes.has(MeshFormat::gltf_animation);
     if (is_gltf && options.maps.up_axis != UpAxis::y)
         throw bad_value("--axes", *typed("axes"), "y-up with --mesh gltf, whose specification says so");
     if (is_gltf && options.maps.unit != LengthUnit::metre)
         throw bad_value("--unit", *typed("unit"), "m with --mesh gltf, whose specification says so");
-    if (options.maps.maps.empty() && !options.meshes.any())
-        throw bad_value("--maps", no_maps, "--mesh with it, or some maps");
+    if (options.maps.maps.empty() && !options.meshes.any() && !options.events)
+        throw bad_value("--maps", no_maps, "--mesh or --events with it, or some maps");
     if (const auto& grid = typed("flipbook")) {
         options.flipbook = grid_in(*grid);
         check_flipbook(options, *grid);

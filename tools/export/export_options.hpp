@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "pelagic/tools/events/event_options.hpp"
 #include "pelagic/tools/export/frame_times.hpp"
 #include "pelagic/tools/export/mesh_options.hpp"
 #include "pelagic/tools/export/shard.hpp"
@@ -29,6 +30,7 @@ struct ExportOptions {
     FrameTimes times;  ///< of the whole export
     MapOptions maps;
     MeshOptions meshes;
+    std::optional<EventOptions> events;  ///< none: the water answers nobody
     std::optional<Shard> shard;  ///< none: all frames are made here
     std::optional<FlipbookGrid> flipbook;
     bool preview = false;  ///< no frames, but what shows what they will be
@@ -64,6 +66,7 @@ class ExportFlags {
 
     SeaOptions sea_;
     MeshFlags meshes_;
+    EventFlags events_;
     ComputeFlags compute_;
     std::map<std::string, std::optional<std::string>> typed_;  ///< by flag name, where it was given
     bool mips_ = false, half_ = false, tiled_ = false, preview_ = false, resume_ = false, no_sync_ = false,

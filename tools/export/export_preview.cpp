@@ -8,6 +8,7 @@
 
 #include "pelagic/message/number_text.hpp"
 #include "pelagic/sim/statistics.hpp"
+#include "pelagic/tools/events/event_player.hpp"
 #include "pelagic/tools/export/image_files.hpp"
 #include "pelagic/tools/export/mesh_files.hpp"
 #include "pelagic/tools/export/mesh_sequences.hpp"
@@ -60,7 +61,7 @@ Expected expected_of(const ExportOptions& options, const Frame& frame) {
     for (const MeshFile& mesh : meshes)
         expected.bytes_a_frame +=
             static_cast<double>(encode_mesh_file(mesh.format, exported_mesh(frame, options)).size());
-    expected.files = (images.size() + meshes.size()) * options.times.count() + 1;
+    expected.files = (images.size() + meshes.size()) * options.times.count() + 1 + (options.events ? 1 : 0);
     if (options.flipbook) {
         expected.files += options.maps.maps.size() * frame.tiles.size() + 1;
         expected.bytes_a_frame += image_bytes;
@@ -233,7 +234,10 @@ class FilmMaker {
 void preview_export(const ExportOptions& options, OceanOptions how, const OutputFolder& folder) {
     how.slopes = how.foam = true;  // for the picture of the sea
     Ocean ocean(forecast_of(options.sea), how);
-    const Frame& frame = ocean.frame_at(options.times.time_of(options.times.number(0)));
+    const double first_s = options.times.time_of(options.times.number(0));
+    Frame frame = ocean.frame_at(first_s);
+    std::optional<EventPlayer> player;
+    if (options.events) frame.local = player.emplace(*options.events, how.executor, how.isa).at(first_s);
     const Expected expected = expected_of(options, frame);
     const std::string sea = "Hs " + rounded_text(measured_significant_wave_height_m(frame), 3) + " m, peak period " +
                             rounded_text(expected_waves(options.sea.sea).peak_period_s, 2) + " s";

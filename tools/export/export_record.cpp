@@ -57,13 +57,16 @@ std::optional<FrameRecord> accepted_frame(const ReadJson& entry, const ExportOpt
                        .time_s = options.times.time_of(number.get<int>()),
                        .hash = text_of(value_of(entry, "hash")),
                        .foam_hash = has_foam ? text_of(value_of(entry, "foam_hash")) : "",
+                       .local_hash = options.events ? text_of(value_of(entry, "local_hash")) : "",
                        .significant_wave_height_m = number_of(value_of(entry, "significant_wave_height_m")),
                        .height_min_m = number_of(value_of(entry, "height_min_m")),
                        .height_max_m = number_of(value_of(entry, "height_max_m")),
                        .files = {}};
     const ReadJson& files = value_of(entry, "files");
     const std::vector<std::string> names = file_names(options, record.frame);
-    if (files.size() != names.size() || has_foam == record.foam_hash.empty()) return {};
+    if (files.size() != names.size() || has_foam == record.foam_hash.empty() ||
+        options.events.has_value() == record.local_hash.empty())
+        return {};
     for (std::size_t i = 0; i < names.size(); ++i)
         record.files.push_back({names[i], files.is_array() ? text_of(value_of(files[i], "xxh3")) : ""});
     // Time and names are ours by now: an entry with others is not equal. Nor is one whose digest does not fit the rest.
@@ -85,7 +88,7 @@ namespace {
 
 void take_name(const ReadJson& name, const ExportOptions& options, EarlierExport& earlier) {
     if (std::string text = text_of(name);
-        is_image_name(text, options.maps.names) || is_mesh_name(text, options.maps.names) || is_flipbook_name(text))
+        is_image_name(text, options.maps.names) || is_mesh_name(text, options.maps.names) || is_flipbook_name(text) || text == events_copy_name)
         earlier.images.push_back(std::move(text));
 }
 

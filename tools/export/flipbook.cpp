@@ -83,7 +83,7 @@ class Flipbook : public SequenceOutput {
                                        {"loop", !times.fps},
                                        {"side", resolution_of(options_.sea.sea)},
                                        {"levels", levels_of(options_)},
-                                       {"channels", channels_as_json(options_.maps)}};
+                                       {"channels", channels_as_json(options_.maps, false)}};
         for (const Atlas& atlas : atlases_)
             json["files"].push_back({{"name", flipbook_name(options_.maps, atlas.map, atlas.tile)},
                                      {"map", name_of(atlas.map)},

@@ -38,9 +38,7 @@ TextureImage square(MapImage image) {
     return {image.side, image.side, image.channels, image.sample, std::move(image.pixels)};
 }
 
-}  // namespace
-
-std::vector<ImageFile> image_files(const ExportOptions& options, int frame) {
+std::vector<ImageFile> tile_files(const ExportOptions& options, int frame) {
     std::vector<ImagePart> parts;
     for (int tile = 0; tile < cascades_of(options.sea.sea); ++tile)
         for (const MapKind map : options.maps.maps) {
@@ -59,10 +57,23 @@ std::vector<ImageFile> image_files(const ExportOptions& options, int frame) {
     return files;
 }
 
+}  // namespace
+
+std::vector<ImageFile> image_files(const ExportOptions& options, int frame) {
+    std::vector<ImageFile> files = tile_files(options, frame);
+    // A file of its own, however others are packed: it has another size than tiles.
+    if (options.events)
+        files.push_back({.name = image_name(options.maps, {.map = MapKind::local, .tile = 0, .level = 0}, frame, false),
+                         .parts = {{.map = MapKind::local}}});
+    return files;
+}
+
 std::vector<unsigned char> encode_image_file(const ImageFile& file, const Frame& frame, int number,
                                              const ExportOptions& options) {
     const ImagePart& part = file.parts.front();
     if (options.maps.is_exr(part.map)) return image_codec().encode_exr(exr_file(file, frame, number, options));
+    if (part.map == MapKind::local)
+        return encode_pixels(part.map, {square(local_map_image(frame.local, options.maps))}, options.maps);
     const Tile& tile = frame.tiles[static_cast<std::size_t>(part.tile)];
     std::vector<TextureImage> levels;
     if (is_texture(options.maps.format))

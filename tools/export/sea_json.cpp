@@ -78,6 +78,13 @@ Json options_as_json(const ExportOptions& options) {
     if (options.flipbook)
         how["flipbook"] = number_text(options.flipbook->columns) + "x" + number_text(options.flipbook->rows);
     if (options.maps.names) how["names"] = options.maps.names->text();
+    if (options.events) {
+        how["events_xxh3"] = options.events->file->digest;
+        how["events_side_m"] = options.events->water.side_m;
+        how["events_resolution"] = options.events->water.resolution;
+        how["events_at"] = {options.events->middle_x_m, options.events->middle_z_m};
+        how["events_step"] = name_in(local_step_names, options.events->water.step);
+    }
     if (options.meshes.any()) how["mesh"] = mesh_as_json(options.meshes);
     Json json = {{"version", PELAGIC_VERSION}, {"sea", sea_as_json(options.sea)}};
     if (!options.sea.changes.empty()) json["weather"] = weather_as_json(options.sea);
@@ -88,6 +95,7 @@ Json options_as_json(const ExportOptions& options) {
 Json frame_as_json(const FrameRecord& record) {
     Json json = {{"frame", record.frame}, {"time_s", record.time_s}, {"hash", record.hash}};
     if (!record.foam_hash.empty()) json["foam_hash"] = record.foam_hash;
+    if (!record.local_hash.empty()) json["local_hash"] = record.local_hash;
     json["significant_wave_height_m"] = record.significant_wave_height_m;
     json["height_min_m"] = record.height_min_m;
     json["height_max_m"] = record.height_max_m;
@@ -156,8 +164,13 @@ Json foam_as_json(const Frame& frame) {
 Json sea_json_head(const ExportOptions& options, double mean_significant_wave_height_m,
                    const std::vector<FileRecord>& sequence_files) {
     Json json = options_as_json(options);
-    json["channels"] = channels_as_json(options.maps);
+    json["channels"] = channels_as_json(options.maps, options.events.has_value());
     json["layout"] = layout_as_json(forecast_of(options.sea), options.maps);
+    if (options.events) {
+        const auto [first_x, first_z] = options.events->first_texels();
+        json["local"] = local_layout_as_json(
+            {options.events->water.resolution, options.events->texel_m(), first_x, first_z}, options.maps);
+    }
     const SeaReport report = report_on(options.sea.sea);
     json["waves"] = waves_as_json(options.sea.sea, report, mean_significant_wave_height_m);
     if (options.has_foam()) {
@@ -166,6 +179,8 @@ Json sea_json_head(const ExportOptions& options, double mean_significant_wave_he
         json["foam"] = foam_as_json(ocean.frame_at(0));
     }
     json["warnings"] = report.warnings;
+    if (options.events)
+        for (const std::string& warning : warnings_about(*options.events)) json["warnings"].push_back(warning);
     if (!sequence_files.empty()) json["sequence_files"] = files_as_json(sequence_files);
     return json;
 }

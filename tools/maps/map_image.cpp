@@ -99,4 +99,25 @@ std::vector<MapImage> map_levels(const Tile& tile, MapKind map, int first_level,
     return images;
 }
 
+MapImage local_map_image(const LocalSurface& water, const MapOptions& options) {
+    const auto side = static_cast<std::size_t>(water.resolution);
+    const float factor = units_per_metre(options.unit);
+    MapValues values{.side = water.resolution, .channels = channels_of(MapKind::local), .values = {}};
+    values.values.reserve(3 * side * side);
+    const auto in_torus = [&](std::int64_t first, std::size_t i) {
+        return static_cast<std::size_t>((first + static_cast<std::int64_t>(i)) & (water.resolution - 1));
+    };
+    for (std::size_t j = 0; j < side; ++j)
+        for (std::size_t i = 0; i < side; ++i) {
+            const std::size_t texel = in_torus(water.first_z, j) * side + in_torus(water.first_x, i);
+            for (const float value : {water.height_m[texel] * factor, water.rise_mps[texel] * factor,
+                                      static_cast<float>(water.foam[texel]) / 255})
+                values.values.push_back(value);
+        }
+    const Sample sample = options.sample_of(MapKind::local);
+    MapImage image{values.side, values.channels, sample, stored(values, MapKind::local, sample)};
+    if (options.rows == FirstRow::bottom) turn_rows_over(image);
+    return image;
+}
+
 }  // namespace pelagic::tools

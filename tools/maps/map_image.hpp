@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "pelagic/sim/local_surface.hpp"
 #include "pelagic/sim/tile.hpp"
 #include "pelagic/tools/maps/map_options.hpp"
 
@@ -24,5 +25,8 @@ MapImage map_image(const Tile& tile, MapKind map, int level, const MapOptions& o
 /// So many levels of a map, the largest first; cheaper than one after the other.
 std::vector<MapImage> map_levels(const Tile& tile, MapKind map, int first_level, int levels,
                                  const MapOptions& options);
+
+/// Water that answers: heights, how fast they rise, foam; rows and columns from the window's lowest texel on, along z and x.
+MapImage local_map_image(const LocalSurface& water, const MapOptions& options);
 
 }  // namespace pelagic::tools

@@ -7,9 +7,10 @@
 
 namespace pelagic::tools {
 
-enum class MapKind { displacement, gradient, normal, foam, velocity, jacobian, slope };
+/// `local` is no tile's: a window of water that answers, which is there with --events alone.
+enum class MapKind { displacement, gradient, normal, foam, velocity, jacobian, slope, local };
 
-/// In the order in which records and files list them.
+/// Those of tiles, in the order in which records and files list them.
 inline constexpr std::array all_maps = {MapKind::displacement, MapKind::gradient, MapKind::normal, MapKind::foam,
                                         MapKind::velocity,     MapKind::jacobian, MapKind::slope};
 
@@ -17,7 +18,7 @@ inline constexpr std::array all_maps = {MapKind::displacement, MapKind::gradient
 std::string_view name_of(MapKind map);
 
 /// Its smaller levels, down to one texel, have files of their own: those of what moves vertices are rarely asked for.
-constexpr bool has_chain(MapKind map) { return map != MapKind::displacement && map != MapKind::velocity; }
+constexpr bool has_chain(MapKind map) { return map != MapKind::displacement && map != MapKind::velocity && map != MapKind::local; }
 
 /// Its values lie in [-1, 1], so that --bit-depth can store them as 8 or 16 bits.
 constexpr bool has_bit_depth(MapKind map) { return map == MapKind::normal || map == MapKind::foam; }
@@ -28,6 +29,7 @@ constexpr int channels_of(MapKind map) {
         case MapKind::gradient: return 4;
         case MapKind::displacement:
         case MapKind::normal:
+        case MapKind::local:
         case MapKind::velocity: return 3;
         case MapKind::slope: return 2;
         case MapKind::foam:

@@ -94,9 +94,10 @@ std::vector<float> values_of(const Tile& tile, MapKind map, const MapOptions& op
         case MapKind::jacobian: return jacobians(tile);
         case MapKind::slope: return slopes(tile, options.up_axis);
         case MapKind::foam: return foam(tile);
-        case MapKind::gradient: break;
+        case MapKind::gradient:
+        case MapKind::local: break;
     }
-    assert(false && "gradients are bytes already");
+    assert(false && "gradients are bytes already, and the window is no tile's");
     return {};
 }
 

@@ -1,0 +1,128 @@
+#include "pelagic/tools/events/event_options.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "pelagic/tools/text/errors.hpp"
+#include "pelagic/tools/text/option_text.hpp"
+
+namespace pelagic::tools {
+namespace {
+
+/// A day of ticks takes about an hour and a half of a core.
+constexpr double longest_replay_s = 86400;
+/// As 12 m of 64.
+constexpr double border_part = 0.1875;
+
+std::array<double, 2> place_in(const std::string& text) {
+    const std::vector<std::string> parts = split_at_commas(text);
+    std::array<double, 2> place{};
+    const auto refuse = [&] { throw bad_value("--events-at", text, "X,Z: two numbers of metres in [-1e8, 1e8]"); };
+    if (parts.size() != 2) refuse();
+    for (std::size_t i = 0; i < 2; ++i) {
+        const auto value = parse_number(parts[i]);
+        if (!value || std::fabs(*value) > 1e8) refuse();
+        place[i] = *value;
+    }
+    return place;
+}
+
+/// Of the least box around the places where pushes begin.
+std::array<double, 2> middle_of(const EventFile& file) {
+    const Disturbance& first = file.events.front().push;
+    double least_x = first.x_m, most_x = first.x_m, least_z = first.z_m, most_z = first.z_m;
+    for (const WaterEvent& event : file.events) {
+        least_x = std::min(least_x, event.push.x_m), most_x = std::max(most_x, event.push.x_m);
+        least_z = std::min(least_z, event.push.z_m), most_z = std::max(most_z, event.push.z_m);
+    }
+    return {(least_x + most_x) / 2, (least_z + most_z) / 2};
+}
+
+}  // namespace
+
+std::array<std::int64_t, 2> EventOptions::first_texels() const {
+    const auto first = [&](double middle_m) {
+        return static_cast<std::int64_t>(std::floor(middle_m / texel_m() + 0.5)) - water.resolution / 2;
+    };
+    return {first(middle_x_m), first(middle_z_m)};
+}
+
+std::size_t EventOptions::events_outside() const {
+    const auto [first_x, first_z] = first_texels();
+    const auto is_inside = [&](double at_m, std::int64_t first) {
+        const double texel = at_m / texel_m() - static_cast<double>(first);
+        return texel >= 0 && texel < water.resolution;
+    };
+    return static_cast<std::size_t>(
+        std::count_if(file->events.begin(), file->events.end(), [&, x = first_x, z = first_z](const WaterEvent& event) {
+            return !is_inside(event.push.x_m, x) || !is_inside(event.push.z_m, z);
+        }));
+}
+
+std::vector<std::string> warnings_about(const EventOptions& options) {
+    std::vector<std::string> warnings;
+    if (const std::size_t outside = options.events_outside(); outside > 0)
+        warnings.push_back(number_text(outside) + " of " + number_text(options.file->events.size()) +
+                           " events begin outside of the window of " + number_text(options.water.side_m) +
+                           " m around " + number_text(options.middle_x_m) + "," + number_text(options.middle_z_m) +
+                           ", where alone water answers; --events-side and --events-at say where it is");
+    return warnings;
+}
+
+void require_reachable(const EventOptions& options, double last_frame_s) {
+    const double first_s = options.file->first_s();
+    if (last_frame_s - first_s > longest_replay_s)
+        throw InputError("--events has a first event at " + number_text(first_s) + " s and the last frame is at " +
+                         number_text(last_frame_s) + " s, needs 86400 s between them at most: each tick is computed");
+}
+
+void EventFlags::add_to(CLI::App& app) {
+    app.add_option("--events", file_,
+                   "what pushes at the water, and when: columns time,x,z,radius,strength and, if wanted, "
+                   "velocity,heading,duration,length,mode, named by the first line")
+        ->type_name("FILE.csv");
+    app.add_option("--events-side", side_, "side of the window that answers, in metres; [1, 10000], default 64")
+        ->type_name("METRES");
+    app.add_option("--events-resolution", resolution_,
+                   "texels along its side; 64, 128, 256, 512 or 1024, default 256")
+        ->type_name("NUMBER");
+    app.add_option("--events-at", at_, "its middle, in metres; default the middle of the events' places")
+        ->type_name("X,Z");
+    app.add_option("--events-step", step_,
+                   "spectral (waves of deep water, wakes) or verlet (one speed for all waves, cheaper); default "
+                   "spectral")
+        ->type_name("NAME");
+}
+
+std::optional<EventOptions> EventFlags::resolve() const {
+    if (!file_) {
+        for (const auto& [flag, typed] : {std::pair("side", &side_), {"resolution", &resolution_}, {"at", &at_}, {"step", &step_}})
+            if (*typed)
+                throw InputError(std::string("--events-") + flag + " is " + **typed + ", needs --events with it");
+        return {};
+    }
+    EventOptions options;
+    if (side_) options.water.side_m = number_in("--events-side", *side_, 1, 10000, "metres in [1, 10000]");
+    if (resolution_) {
+        constexpr const char* accepted = "64, 128, 256, 512 or 1024";
+        const auto texels = parse_integer(*resolution_);
+        if (!texels || *texels < 64 || *texels > 1024 || (*texels & (*texels - 1)) != 0)
+            throw bad_value("--events-resolution", *resolution_, accepted);
+        options.water.resolution = static_cast<int>(*texels);
+    }
+    if (step_) options.water.step = one_of(local_step_names, "--events-step", *step_);
+    options.water.border_m = options.water.side_m * border_part;
+    if (const std::string reason = check(options.water); !reason.empty())
+        throw InputError("--events with --events-side " + number_text(options.water.side_m) +
+                         " and --events-resolution " + number_text(options.water.resolution) + ": " + reason);
+    std::optional<std::array<double, 2>> at;
+    if (at_) at = place_in(*at_);
+    if (file_->empty()) throw InputError("--events is empty, needs a CSV file");
+    options.file = read_events(*file_);
+    if (!at) at = middle_of(*options.file);
+    options.middle_x_m = (*at)[0];
+    options.middle_z_m = (*at)[1];
+    return options;
+}
+
+}  // namespace pelagic::tools

@@ -1,0 +1,52 @@
+// Water that answers the rows of a file, at any times: the same bits for a time whichever others were asked for before.
+//
+// Ticks follow upon each other from the one before the first event on, so a time costs the ticks since the time asked for before,
+// or since the first event if that was later. An event counts in the first tick that is not before it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "pelagic/sim/ocean.hpp"
+#include "pelagic/tools/events/event_options.hpp"
+
+namespace pelagic::tools {
+
+class EventPlayer {
+   public:
+    /// Throws InputError if more pushes meet in a tick than the water takes.
+    EventPlayer(const EventOptions& options, std::shared_ptr<Executor> executor, std::optional<Isa> isa);
+
+    /// Valid until it is called again. \pre time_s is finite
+    LocalSurface at(double time_s);
+
+   private:
+    /// What is said before a tick.
+    struct Word {
+        std::int64_t tick;
+        enum class What { remove, push } what;  ///< in this order
+        std::size_t event;
+    };
+
+    void plan();
+    void say(const Word& word);
+    void go_to(std::int64_t tick);
+    double time_of(std::int64_t tick) const { return static_cast<double>(tick) / rate_; }
+
+    EventOptions options_;
+    double rate_;
+    std::vector<Word> words_;             ///< in their order
+    std::size_t next_word_ = 0;
+    std::vector<std::uint32_t> numbers_;  ///< of each event's source
+    std::int64_t first_tick_ = 0, tick_ = 0;
+    Ocean ocean_;
+    std::vector<std::uint8_t> beginning_;
+};
+
+/// The frame with the water beside its tiles, within its bounds.
+Frame with_water(const Frame& frame, const LocalSurface& water);
+
+}  // namespace pelagic::tools
