@@ -5,6 +5,7 @@
 
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/surface_query_jobs.hpp"
+#include "pelagic/tools/events/event_player.hpp"
 #include "pelagic/tools/files/input_file.hpp"
 #include "pelagic/tools/query/points_file.hpp"
 #include "pelagic/tools/query/query_rows.hpp"
@@ -59,6 +60,7 @@ void QueryFlags::add_to(CLI::App& app) {
 #if defined(PELAGIC_HAS_IMAGES)
     floor_.add_to(app);
 #endif
+    events_.add_to(app);
     sea_.add_to(app);
     sea_.add_weather_to(app);
     compute_.add_to(app);
@@ -92,6 +94,8 @@ void QueryFlags::run() const {
     const ComputeOptions compute = compute_.resolve();
     const std::vector<double> times_s = times();
     const std::optional<ShoreOptions> shore = this->shore(sea);
+    const std::optional<EventOptions> events = events_.resolve();
+    if (events) require_reachable(*events, times_s.back());
     if (!points_ || points_->empty())
         throw InputError("--points is missing, needs a CSV file of lines x,z, or - for standard input");
     InputFile file("--points", *points_, "a CSV file of lines x,z", true);
@@ -107,14 +111,19 @@ void QueryFlags::run() const {
                  .velocities = true,
                  .foam = foam_,
                  .shore = shore});
+    std::optional<EventPlayer> player;
+    if (events) player.emplace(*events, executor, compute.isa);
     SurfaceQueryJobs jobs(executor);
     Answers answers(foam_);
     RowWriter rows(executor, answers, json_, times_.has_value());
-    const Frame* frame = nullptr;
+    std::optional<Frame> frame;
     for (rows.begin(reader); has_points; has_points = reader.read_block(block, block_points)) {
         answers.resize(block.size());
         for (const double time_s : times_s) {
-            if (!frame || times_s.size() > 1) frame = &ocean.frame_at(time_s);
+            if (!frame || times_s.size() > 1) {
+                frame = ocean.frame_at(time_s);
+                if (player) frame = with_water(*frame, player->at(time_s));
+            }
             jobs.sample(SurfaceQuery(*frame), {block.x, block.z}, answers.samples());
             rows.write(block, time_s);
         }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "pelagic/tools/events/event_options.hpp"
 #include "pelagic/tools/options/compute_options.hpp"
 #include "pelagic/tools/options/floor_options.hpp"
 #include "pelagic/tools/options/sea_options.hpp"
@@ -24,6 +25,7 @@ class QueryFlags {
 
     std::optional<ShoreOptions> shore(const ResolvedSea& sea) const;
 
+    EventFlags events_;
     SeaOptions sea_;
     ComputeFlags compute_;
     FloorFlags floor_;

@@ -18,6 +18,7 @@
 #include "pelagic/gl/water_at_lens.hpp"
 #include "pelagic/quadtree/selection.hpp"
 #include "pelagic/sim/ocean.hpp"
+#include "pelagic/tools/events/event_player.hpp"
 #include "pelagic/tools/export/sea_json.hpp"
 #include "pelagic/tools/files/output_folder.hpp"
 #include "pelagic/tools/pictures/picture_file.hpp"
@@ -72,7 +73,8 @@ class PictureMaker {
                                            .shading = options.scene.shading.value_or(gl::Shading::high),
                                            .writes = gl::PixelKind::radiance,
                                            .surface = options.scene.surface,
-                                           .executor = make_default_executor(options.scene.compute.threads)}),
+                                           .executor = make_default_executor(options.scene.compute.threads),
+                                           .local_water = options.events.has_value()}),
           selection_(options.scene.quadtree),
           luminance_of_unit_(sky.luminance_of_unit()),
           unit_(sky.unit),
@@ -81,6 +83,9 @@ class PictureMaker {
         renderer_.set_floor(options.scene.floor);
         if (options.scene.flow) renderer_.set_flow(*options.scene.flow);
         renderer_.set_sky(sky);
+        if (options.events)
+            player_.emplace(*options.events, make_default_executor(options.scene.compute.threads),
+                            options.scene.compute.isa);
         if (options.rock_m) {
             rock_.emplace(context_.functions(), glm::dvec3(options.rock_m->x, 0, options.rock_m->y));
             rock_->set_light(sky);
@@ -97,7 +102,8 @@ class PictureMaker {
     /// One frame, for pixels() and radiance().
     void draw(double time_s) {
         const gl::Stopwatch all;
-        const Frame& frame = ocean_.frame_at(time_s);
+        Frame frame = ocean_.frame_at(time_s);
+        if (player_) frame = with_water(frame, player_->at(time_s));
         measured_.sea_ms.push_back(all.milliseconds());
 
         const gl::Stopwatch select;
@@ -232,6 +238,7 @@ class PictureMaker {
     const RenderOptions& options_;
     gl::HeadlessContext context_;
     Ocean ocean_;
+    std::optional<EventPlayer> player_;  ///< of what pushes at the water
     gl::RenderTarget target_;
     gl::SeaRenderer renderer_;
     std::optional<gl::Rock> rock_;

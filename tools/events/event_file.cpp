@@ -95,7 +95,8 @@ class EventReader {
     void take_header(std::string_view line) {
         for (const std::string& cell : cells_in(line)) {
             const auto* rule = std::find_if(rules.begin(), rules.end(), [&](auto& one) { return one.name == cell; });
-            if (rule == rules.end()) refuse("a column's name", cell, names_of_columns() + "; the first line names columns");
+            if (rule == rules.end())
+                refuse("a column's name", cell, names_of_columns() + "; the first line names columns");
             if (std::find(columns_.begin(), columns_.end(), rule) != columns_.end())
                 refuse("a column's name", cell, "each column once");
             columns_.push_back(rule);
@@ -168,9 +169,9 @@ class EventReader {
 }  // namespace
 
 double EventFile::first_s() const {
-    return std::min_element(events.begin(), events.end(), [](const WaterEvent& one, const WaterEvent& other) {
-               return one.time_s < other.time_s;
-           })->time_s;
+    return std::min_element(events.begin(), events.end(),
+                            [](const WaterEvent& one, const WaterEvent& other) { return one.time_s < other.time_s; })
+        ->time_s;
 }
 
 EventFile parse_events(const std::string& name, std::string_view text) {

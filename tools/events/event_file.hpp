@@ -27,8 +27,8 @@ struct EventFile {
     static constexpr std::size_t most_bytes = std::size_t{16} << 20, most_events = 100'000;
     static constexpr double longest_s = 86400;  ///< of an event
 
-    std::string text;    ///< as it was read
-    std::string digest;  ///< of it
+    std::string text;                ///< as it was read
+    std::string digest;              ///< of it
     std::vector<WaterEvent> events;  ///< at least one, in the order of the rows
 
     double first_s() const;

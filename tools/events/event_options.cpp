@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pelagic/tools/events/event_words.hpp"
 #include "pelagic/tools/text/errors.hpp"
 #include "pelagic/tools/text/option_text.hpp"
 
@@ -53,19 +54,22 @@ std::size_t EventOptions::events_outside() const {
         const double texel = at_m / texel_m() - static_cast<double>(first);
         return texel >= 0 && texel < water.resolution;
     };
-    return static_cast<std::size_t>(
-        std::count_if(file->events.begin(), file->events.end(), [&, x = first_x, z = first_z](const WaterEvent& event) {
+    return static_cast<std::size_t>(std::count_if(
+        file->events.begin(), file->events.end(), [&, x = first_x, z = first_z](const WaterEvent& event) {
             return !is_inside(event.push.x_m, x) || !is_inside(event.push.z_m, z);
         }));
 }
 
-std::vector<std::string> warnings_about(const EventOptions& options) {
+std::vector<std::string> warnings_about(const EventOptions& options, bool is_loop) {
     std::vector<std::string> warnings;
     if (const std::size_t outside = options.events_outside(); outside > 0)
         warnings.push_back(number_text(outside) + " of " + number_text(options.file->events.size()) +
                            " events begin outside of the window of " + number_text(options.water.side_m) +
                            " m around " + number_text(options.middle_x_m) + "," + number_text(options.middle_z_m) +
                            ", where alone water answers; --events-side and --events-at say where it is");
+    if (is_loop)
+        warnings.push_back(
+            "the frames are a loop, but water that answers events does not come back to where it began");
     return warnings;
 }
 
@@ -96,7 +100,8 @@ void EventFlags::add_to(CLI::App& app) {
 
 std::optional<EventOptions> EventFlags::resolve() const {
     if (!file_) {
-        for (const auto& [flag, typed] : {std::pair("side", &side_), {"resolution", &resolution_}, {"at", &at_}, {"step", &step_}})
+        for (const auto& [flag, typed] :
+             {std::pair("side", &side_), {"resolution", &resolution_}, {"at", &at_}, {"step", &step_}})
             if (*typed)
                 throw InputError(std::string("--events-") + flag + " is " + **typed + ", needs --events with it");
         return {};
@@ -119,6 +124,8 @@ std::optional<EventOptions> EventFlags::resolve() const {
     if (at_) at = place_in(*at_);
     if (file_->empty()) throw InputError("--events is empty, needs a CSV file");
     options.file = read_events(*file_);
+    event_words(*options.file,
+                options.water.ticks_per_s);  // so that too many at once are told before anything is made
     if (!at) at = middle_of(*options.file);
     options.middle_x_m = (*at)[0];
     options.middle_z_m = (*at)[1];

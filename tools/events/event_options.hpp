@@ -30,8 +30,8 @@ struct EventOptions {
     std::size_t events_outside() const;
 };
 
-/// What people should know of them: "3 of 10 events begin outside of the window ...".
-std::vector<std::string> warnings_about(const EventOptions& options);
+/// What people should know of them: "3 of 10 events begin outside of the window ...". \param is_loop  frames are one loop
+std::vector<std::string> warnings_about(const EventOptions& options, bool is_loop);
 
 /// Throws InputError if ticks from the first event to the last frame would take days.
 void require_reachable(const EventOptions& options, double last_frame_s);

@@ -2,11 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 #include <utility>
-
-#include "pelagic/message/number_text.hpp"
-#include "pelagic/tools/text/errors.hpp"
 
 namespace pelagic::tools {
 namespace {
@@ -15,8 +11,6 @@ namespace {
 constexpr double clock_slack = 0x1p-16;
 /// An ocean's jump in time has no more than that many seconds of ticks.
 constexpr double longest_jump_s = 0.5;
-/// What an ocean takes for a tick, pushes and sources each.
-constexpr std::size_t most_at_once = 4096;
 
 /// The sea is not looked at: as small as can be.
 SeaState least_sea() { return {.cascades = 1, .resolution = 16}; }
@@ -26,9 +20,9 @@ SeaState least_sea() { return {.cascades = 1, .resolution = 16}; }
 EventPlayer::EventPlayer(const EventOptions& options, std::shared_ptr<Executor> executor, std::optional<Isa> isa)
     : options_(options),
       rate_(options.water.ticks_per_s),
+      words_(event_words(*options.file, options.water.ticks_per_s)),
       numbers_(options.file->events.size()),
       ocean_(least_sea(), {.executor = std::move(executor), .isa = isa, .local = options.water}) {
-    plan();
     first_tick_ = words_.front().tick - 1;
     ocean_.follow(options_.middle_x_m, options_.middle_z_m);
     ocean_.frame_at(time_of(first_tick_));
@@ -36,39 +30,9 @@ EventPlayer::EventPlayer(const EventOptions& options, std::shared_ptr<Executor> 
     beginning_ = ocean_.saved_water();
 }
 
-void EventPlayer::plan() {
-    const auto tick_at = [&](double time_s) {
-        return static_cast<std::int64_t>(std::ceil(time_s * rate_ - clock_slack));
-    };
-    for (std::size_t i = 0; i < options_.file->events.size(); ++i) {
-        const WaterEvent& event = options_.file->events[i];
-        const std::int64_t begin = tick_at(event.time_s);
-        words_.push_back({begin, Word::What::push, i});
-        if (event.duration_s > 0)
-            words_.push_back(
-                {std::max(begin + 1, tick_at(event.time_s + event.duration_s)), Word::What::remove, i});
-    }
-    std::sort(words_.begin(), words_.end(), [](const Word& one, const Word& other) {
-        return std::tuple(one.tick, one.what, one.event) < std::tuple(other.tick, other.what, other.event);
-    });
-    std::size_t sources = 0, pushes = 0;
-    std::int64_t tick = words_.front().tick;
-    for (const Word& word : words_) {
-        if (std::exchange(tick, word.tick) != word.tick) pushes = 0;
-        const bool lasts = options_.file->events[word.event].duration_s > 0;
-        if (word.what == Word::What::remove)
-            --sources;
-        else
-            ++(lasts ? sources : pushes);
-        if (std::max(sources, pushes) > most_at_once)
-            throw InputError("--events has more than " + number_text(most_at_once) + " pushes at " +
-                             number_text(time_of(tick)) + " s, needs at most that many at once");
-    }
-}
-
-void EventPlayer::say(const Word& word) {
+void EventPlayer::say(const EventWord& word) {
     const WaterEvent& event = options_.file->events[word.event];
-    if (word.what == Word::What::remove) return ocean_.remove_source(numbers_[word.event]);
+    if (word.what == EventWord::What::remove) return ocean_.remove_source(numbers_[word.event]);
     if (event.duration_s == 0) return ocean_.disturb(event.push);
     Disturbance source = event.push;
     const double since_s = time_of(word.tick) - event.time_s;

@@ -12,33 +12,26 @@
 
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/tools/events/event_options.hpp"
+#include "pelagic/tools/events/event_words.hpp"
 
 namespace pelagic::tools {
 
 class EventPlayer {
    public:
-    /// Throws InputError if more pushes meet in a tick than the water takes.
+    /// Throws what event_words() throws.
     EventPlayer(const EventOptions& options, std::shared_ptr<Executor> executor, std::optional<Isa> isa);
 
     /// Valid until it is called again. \pre time_s is finite
     LocalSurface at(double time_s);
 
    private:
-    /// What is said before a tick.
-    struct Word {
-        std::int64_t tick;
-        enum class What { remove, push } what;  ///< in this order
-        std::size_t event;
-    };
-
-    void plan();
-    void say(const Word& word);
+    void say(const EventWord& word);
     void go_to(std::int64_t tick);
     double time_of(std::int64_t tick) const { return static_cast<double>(tick) / rate_; }
 
     EventOptions options_;
     double rate_;
-    std::vector<Word> words_;             ///< in their order
+    std::vector<EventWord> words_;
     std::size_t next_word_ = 0;
     std::vector<std::uint32_t> numbers_;  ///< of each event's source
     std::int64_t first_tick_ = 0, tick_ = 0;

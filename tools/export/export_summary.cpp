@@ -21,7 +21,8 @@ void print_summary(const ExportOptions& options, const ExportSummary& summary) {
     if (options.shard) return;  // pelagic merge says the rest once
     for (const std::string& warning : warnings_about(sea)) std::printf("note: %s\n", warning.c_str());
     if (options.events)
-        for (const std::string& warning : warnings_about(*options.events)) std::printf("note: %s\n", warning.c_str());
+        for (const std::string& warning : warnings_about(*options.events, !options.times.fps))
+            std::printf("note: %s\n", warning.c_str());
     if (const SeaPatch& patch = options.meshes.patch;
         options.meshes.any() && patch.tiles < static_cast<std::size_t>(cascades_of(sea)))
         std::printf(

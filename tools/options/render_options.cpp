@@ -64,6 +64,7 @@ void RenderFlags::add_to(CLI::App& app) {
     app.add_flag("--wireframe", wireframe_, "the mesh, a colour for each level of detail");
     app.add_flag("--stereo", stereo_, "both eyes beside one another");
     app.add_flag("--json", json_, "draw calls, triangles, bytes and times, for programs");
+    events_.add_to(app);
     scene_.add_to(app);
 }
 
@@ -100,6 +101,8 @@ RenderOptions RenderFlags::resolve() const {
     given("fps", [&](const auto& option, const auto& text) {
         options.fps = number_in(option, text, 1e-6, 1000, "frames a second in (0, 1000]");
     });
+    options.events = events_.resolve();
+    if (options.events) require_reachable(*options.events, options.time_s + (options.frames - 1) / options.fps);
     return options;
 }
 

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "pelagic/tools/events/event_options.hpp"
 #include "pelagic/tools/options/scene_options.hpp"
 
 namespace pelagic::tools {
@@ -19,7 +20,8 @@ struct RenderOptions {
     double time_s = 0;
     int frames = 1;
     double fps = 24;
-    std::optional<glm::dvec2> rock_m;  ///< x and z of a rock in the sea
+    std::optional<EventOptions> events;  ///< none: the water answers nobody
+    std::optional<glm::dvec2> rock_m;    ///< x and z of a rock in the sea
     bool wireframe = false, stereo = false, json = false;
 
     /// FILE.png, or FILE_0000.png and so on where there is more than one frame. \param named  `file` or `hdr_file`
@@ -34,6 +36,7 @@ class RenderFlags {
 
    private:
     SceneFlags scene_;
+    EventFlags events_;
     std::map<std::string, std::optional<std::string>> typed_;  ///< by flag name, where it was given
     bool wireframe_ = false, stereo_ = false, json_ = false;
 };

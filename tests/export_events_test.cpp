@@ -1,0 +1,394 @@
+// Pushes at the water from a file: what is exported beside the tiles, against the ticks themselves, linear theory and queries; and
+// that the bytes depend on the events and the times alone.
+#include <gtest/gtest.h>
+#include <math.h>
+#include <signal.h>
+
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <sstream>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "pelagic/tests/local_pool.hpp"
+#include "pelagic/tests/read_image.hpp"
+#include "pelagic/tests/run_pelagic.hpp"
+#include "pelagic/tools/events/event_player.hpp"
+
+namespace pelagic {
+namespace {
+
+using Arguments = std::vector<std::string>;
+using Files = std::map<std::string, std::string>;
+using json = nlohmann::ordered_json;
+
+// A drop, a hull that runs through the window, a pull between ticks, and what comes after the last frame.
+constexpr const char* several =
+    "time,x,z,radius,strength,velocity,heading,duration,length,mode\n"
+    "0.5,0,0,1,0.4,,,,,\n"
+    "0.7,-10,5,1,-0.5,6,-30,1.5,4,\n"
+    "-0.258,8,-8,1.5,0.2,1,90,0.8,,pull\n"
+    "9,0,0,1,1,,,,,\n";
+
+// The middle of a window of 128 texels on 64 m around (-1, -1.5), which is that of the places.
+constexpr int window = 128;
+constexpr double texel_m = 0.5;
+
+// Frames with a gap, before the first event, on ticks and between them.
+const Arguments sea = {
+    "--cascades",       "2",         "--resolution",        "32",  "--start",      "-0.5", "--fps",     "7",
+    "--frames",         "0-9,14-17", "--events-resolution", "128", "--wind-speed", "8",    "--no-sync", "--maps",
+    "displacement,foam"};
+
+Arguments with(Arguments first, const Arguments& more) {
+    first.insert(first.end(), more.begin(), more.end());
+    return first;
+}
+
+class ExportEvents : public testing::Test {
+   protected:
+    ExportEvents() { write_file(events(), several); }
+
+    std::filesystem::path events() const { return folder_ / "events.csv"; }
+    std::filesystem::path place(const std::string& name) const { return folder_ / name; }
+    Arguments to(const std::string& name, const Arguments& more = {}) const {
+        return with(with({"export", "--out", place(name).string(), "--events", events().string()}, sea), more);
+    }
+    Files made(const Arguments& arguments, const std::string& name) const {
+        const Outcome outcome = run_pelagic(arguments);
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        return files_in(place(name));
+    }
+    ReadImage map(const std::string& name, const std::string& file) const { return read_image(place(name) / file); }
+
+    TemporaryFolder folder_;
+};
+
+void expect_same(const Files& files, const Files& wanted) {
+    EXPECT_EQ(files.size(), wanted.size());
+    for (const auto& [name, bytes] : wanted) {
+        ASSERT_TRUE(files.contains(name)) << name;
+        EXPECT_EQ(files.at(name) == bytes, true) << name;
+    }
+}
+
+void expect_refused(const Outcome& outcome, const std::string& says) {
+    EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
+    EXPECT_NE(outcome.err.find(says), std::string::npos) << outcome.err << "lacks " << says;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+}
+
+TEST_F(ExportEvents, HaveTheBytesOfOneRunInShardsAndInWhatWasKilledAndResumed) {
+    const Files one = made(to("one"), "one");
+    EXPECT_TRUE(one.contains("local_0017.exr"));
+    EXPECT_EQ(one.at("sea_events.csv"), several);
+
+    for (const char* shard : {"3/3", "1/3", "2/3"})
+        made(to("shards", {"--shard", shard, "--threads", "1"}), "shards");
+    ASSERT_EQ(run_pelagic({"merge", place("shards").string()}).exit_code, 0);
+    expect_same(files_in(place("shards")), one);
+    const Outcome verified = run_pelagic({"verify", place("shards").string(), "--sample", "all"});
+    EXPECT_EQ(verified.exit_code, 0) << verified.err << verified.out;
+
+    // Killed as soon as some frames are journaled; on a machine that is faster than that it is whole, which is as good.
+    const pid_t process = start_pelagic(to("killed"), place("out"), place("err"));
+    for (int i = 0; i < 2000; ++i) {
+        const std::string journal = read_file(place("killed") / ".pelagic-export.jsonl");
+        if (std::count(journal.begin(), journal.end(), '\n') > 4 ||
+            std::filesystem::exists(place("killed") / "sea.json"))
+            break;
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    kill(process, SIGKILL);
+    wait_for(process);
+    expect_same(made(to("killed", {"--resume"}), "killed"), one);
+
+    // A frame in the middle that is made again alone has the same water.
+    std::filesystem::remove(place("killed") / "local_0008.exr");
+    expect_same(made(to("killed", {"--resume"}), "killed"), one);
+}
+
+TEST_F(ExportEvents, LeaveTheTilesAndTheirHashesAsTheyAre) {
+    const Files pushed = made(to("pushed"), "pushed");
+    // Into the folder of an export with events, of which nothing is left then.
+    made(to("calm"), "calm");
+    Arguments calm = sea;
+    const auto of_events = std::find(calm.begin(), calm.end(), "--events-resolution");
+    calm.erase(of_events, of_events + 2);
+    const Files still = made(with({"export", "--out", place("calm").string()}, calm), "calm");
+    const std::size_t frames = 14;
+    EXPECT_EQ(still.size(), frames * 4 + 1);  // two maps of two tiles, and sea.json
+    EXPECT_EQ(pushed.size(), frames * 5 + 2);
+    for (const auto& [name, bytes] : still) {
+        if (name != "sea.json") EXPECT_EQ(pushed.at(name) == bytes, true) << name;
+    }
+    const json of_pushed = json::parse(pushed.at("sea.json"))["frames"];
+    const json of_still = json::parse(still.at("sea.json"))["frames"];
+    for (std::size_t i = 0; i < frames; ++i) {
+        for (const char* key : {"hash", "foam_hash", "height_max_m"}) EXPECT_EQ(of_pushed[i][key], of_still[i][key]);
+        EXPECT_FALSE(of_still[i].contains("local_hash"));
+        // Two frames are before the first event, and later ones move.
+        if (i == 1) EXPECT_EQ(of_pushed[i]["local_hash"], of_pushed[0]["local_hash"]);
+        if (i > 1) EXPECT_NE(of_pushed[i]["local_hash"], of_pushed[i - 1]["local_hash"]);
+    }
+}
+
+/// The same rows, said by hand to the ticks themselves: 60 a second, an event in the first tick that is not before it.
+class TicksByHand {
+   public:
+    TicksByHand() : pool_({.resolution = window}) {
+        pool_.grid.follow(-1, -1.5);
+        LocalSources& sources = pool_.grid.sources();
+        const auto set = [&](std::uint32_t number, const Disturbance& source) {
+            pool_.grid.set_source(number, source);
+        };
+        pull_ = sources.new_number();
+        // -0.258 s lies 0.48 ticks behind tick -16: tick -15 is 8 ms later, and 8 mm further south.
+        set(pull_, {.mode = Disturbance::Mode::pull,
+                    .x_m = 8,
+                    .z_m = -8 + 0.008,
+                    .radius_m = 1.5,
+                    .height_m = 0.2,
+                    .velocity_z_mps = 1});
+    }
+
+    /// The window that a frame shows, \param part of the way from the tick before the last one to that.
+    std::vector<float> after_tick(int tick, double part) {
+        for (; tick_ < tick; ++tick_) before_tick(tick_ + 1), pool_.tick();
+        const std::size_t texels = window * window;
+        std::vector<float> height(texels), rise(texels), edge(window);
+        std::vector<std::uint8_t> foam(texels);
+        for (std::size_t item = 0; item < window / LocalGrid::rows_an_item; ++item)
+            pool_.grid.show(static_cast<float>(part), item,
+                            {height.data(), rise.data(), foam.data(), edge.data(), edge.data()});
+        std::vector<float> pixels;
+        const auto in_torus = [](std::int64_t i) {
+            return static_cast<std::size_t>(((i % window) + window) % window);
+        };
+        for (std::int64_t z = pool_.grid.first_z(); z < pool_.grid.first_z() + window; ++z)
+            for (std::int64_t x = pool_.grid.first_x(); x < pool_.grid.first_x() + window; ++x) {
+                const std::size_t texel = in_torus(z) * window + in_torus(x);
+                pixels.insert(pixels.end(), {height[texel], rise[texel], static_cast<float>(foam[texel]) / 255});
+            }
+        return pixels;
+    }
+
+   private:
+    void before_tick(int tick) {
+        constexpr double degree = std::numbers::pi / 180;
+        LocalSources& sources = pool_.grid.sources();
+        if (tick == 30) sources.disturb({.mode = Disturbance::Mode::add, .radius_m = 1, .height_m = 0.4});
+        if (tick == 33) sources.remove(pull_);  // the first one behind -0.258 s + 0.8 s
+        if (tick == 42) {
+            hull_ = sources.new_number();
+            pool_.grid.set_source(hull_, {.shape = Disturbance::Shape::hull,
+                                          .x_m = -10,
+                                          .z_m = 5,
+                                          .radius_m = 1,
+                                          .length_m = 4,
+                                          .heading_rad = -30 * degree,
+                                          .height_m = -0.5,
+                                          .velocity_x_mps = 6 * std::cos(30 * degree),
+                                          .velocity_z_mps = -6 * std::sin(30 * degree)});
+        }
+        if (tick == 132) sources.remove(hull_);
+    }
+
+    LocalPool pool_;
+    int tick_ = -16;
+    std::uint32_t pull_ = 0, hull_ = 0;
+};
+
+TEST_F(ExportEvents, AreTheTicksOfTheirTimes) {
+    write_file(events(), several);
+    made(to("ticks"), "ticks");
+    const json layout = json::parse(read_file(place("ticks") / "sea.json"))["local"];
+    EXPECT_EQ(layout["x_m_of_column"], (json{{"scale", texel_m}, {"offset", -1 - 32.0}}));
+    EXPECT_EQ(layout["z_m_of_row"], (json{{"scale", texel_m}, {"offset", -1.5 - 32.0}}));
+    TicksByHand by_hand;
+    double highest = 0;
+    for (const int frame : {2, 7, 9, 14, 17}) {
+        // A time that is meant to be a tick's may be rounded, so a tick begins 2^-16 of itself earlier.
+        const double ticks = (-0.5 + frame / 7.0) * 60 + 0x1p-16;
+        const std::vector<float> wanted =
+            by_hand.after_tick(static_cast<int>(std::floor(ticks)), ticks - std::floor(ticks));
+        const ReadImage image = map("ticks", "local_000" + std::to_string(frame) + ".exr");
+        const ReadImage read = frame < 10 ? image : map("ticks", "local_00" + std::to_string(frame) + ".exr");
+        ASSERT_EQ(read.type, "float");
+        ASSERT_EQ(read.pixels.size(), wanted.size());
+        double worst = 0;
+        for (std::size_t i = 0; i < wanted.size(); ++i)
+            worst = std::max(worst, std::fabs(read.pixels[i] - static_cast<double>(wanted[i])));
+        for (std::size_t i = 0; i < wanted.size(); i += 3) highest = std::max(highest, read.pixels[i]);
+        // Sines of headings by libm are off by a bit, and floats of half a metre by 3e-8; rises go up to 10 m/s.
+        EXPECT_LT(worst, 2e-6) << "frame " << frame;
+    }
+    EXPECT_GT(highest, 0.1);
+}
+
+/// eta(r, t) = A R^2 / 2 integral of exp(-k^2 R^2 / 4) J0(k r) cos(omega t) k dk: what a Gaussian that rests becomes (Lamb,
+/// Hydrodynamics, 255), with what the water of a window loses.
+double ring(double amplitude, double radius, double r, double t) {
+    constexpr int steps = 4000;
+    const double most_k = 12 / radius, step = most_k / steps;
+    double sum = 0;
+    for (int i = 0; i < steps; ++i) {
+        const double k = (i + 0.5) * step, omega = std::sqrt(9.80665 * k + 0.074 / 1025 * k * k * k);
+        const double left = std::exp(-(2 * 2e-3 * k * k + 0.01) * t);
+        sum += std::exp(-k * k * radius * radius / 4) * ::j0(k * r) * std::cos(omega * t) * left * k * step;
+    }
+    return amplitude * radius * radius / 2 * sum;
+}
+
+TEST_F(ExportEvents, OfADropAreTheRingsOfLinearTheory) {
+    write_file(events(), "radius,z,x,time,strength\n1.5,0,0,0.5,0.4\n");
+    made({"export", "--out", place("drop").string(), "--events", events().string(), "--maps", "none", "--resolution",
+          "16", "--cascades", "1", "--fps", "2", "--frames", "2-5", "--no-sync"},
+         "drop");
+    // The drop counts from the tick at 0.5 s on, and a frame shows the tick before it: so it is as old as the times say.
+    for (const int frame : {2, 3, 5}) {
+        const ReadImage image = map("drop", "local_000" + std::to_string(frame) + ".exr");
+        ASSERT_EQ(image.width, 256);
+        double worst = 0, most = 0;
+        for (int texel = 0; texel < 64; ++texel) {  // up to 16 m; the borders' influence begins at 20
+            const double wanted = ring(0.4, 1.5, texel * 0.25, frame * 0.5 - 0.5);
+            most = std::max(most, std::fabs(wanted));
+            for (const auto& [column, row] : {std::pair{128 + texel, 128}, {128, 128 - texel}})
+                worst = std::max(worst, std::fabs(image.at(column, row, 0) - wanted));
+        }
+        // The window has no waves between those that fit it: a 64 m one is 1 % of what the drop makes.
+        EXPECT_LT(worst, 0.01 * 0.4) << frame;
+        EXPECT_GT(most, 0.05);
+    }
+}
+
+std::vector<std::vector<double>> rows_in(const std::string& text) {
+    std::vector<std::vector<double>> rows;
+    std::istringstream lines(text);
+    std::string line;
+    std::getline(lines, line);
+    while (std::getline(lines, line)) {
+        rows.emplace_back();
+        std::istringstream cells(line);
+        for (std::string cell; std::getline(cells, cell, ',');) rows.back().push_back(std::stod(cell));
+    }
+    return rows;
+}
+
+TEST_F(ExportEvents, AreInQueriesWhatTheMapSays) {
+    const Arguments flat_tiles = {"--choppiness", "0"};
+    made(to("map", flat_tiles), "map");
+    const ReadImage image = map("map", "local_0009.exr");  // 0.785714 s
+    std::string points = "x,z\n";
+    std::vector<std::pair<int, int>> texels;
+    for (int row = 20; row < 108; row += 8)
+        for (int column = 20; column < 108; column += 3) texels.emplace_back(column, row);
+    for (const auto& [column, row] : texels)
+        points += std::to_string(-33 + column * texel_m) + "," + std::to_string(-33.5 + row * texel_m) + "\n";
+    write_file(place("points.csv"), points);
+    Arguments query = {"query",
+                       "--points",
+                       place("points.csv").string(),
+                       "--cascades",
+                       "2",
+                       "--resolution",
+                       "32",
+                       "--wind-speed",
+                       "8",
+                       "--choppiness",
+                       "0"};
+    const Outcome calm = run_pelagic(with(query, {"--time", "0.7857142857142857"}));
+    const Outcome pushed = run_pelagic(
+        with(query, {"--time", "0.7857142857142857", "--events", events().string(), "--events-resolution", "128"}));
+    ASSERT_EQ(pushed.exit_code, 0) << pushed.err;
+    const auto without = rows_in(calm.out), both = rows_in(pushed.out);
+    ASSERT_EQ(without.size(), texels.size());
+    ASSERT_EQ(both.size(), texels.size());
+    double highest = 0;
+    for (std::size_t i = 0; i < texels.size(); ++i) {
+        const auto& [column, row] = texels[i];
+        const double height = image.at(column, row, 0);
+        highest = std::max(highest, std::fabs(height));
+        // Sums of floats of a metre, and of metres a second.
+        EXPECT_NEAR(both[i][2] - without[i][2], height, 5e-7);
+        EXPECT_NEAR(both[i][7] - without[i][7], image.at(column, row, 1), 2e-6);
+        const auto slope = [&](const std::vector<double>& of, std::size_t axis) { return -of[3 + axis] / of[4]; };
+        const double along_x = (image.at(column + 1, row, 0) - image.at(column - 1, row, 0)) / (2 * texel_m);
+        const double along_z = (image.at(column, row + 1, 0) - image.at(column, row - 1, 0)) / (2 * texel_m);
+        EXPECT_NEAR(slope(both[i], 0) - slope(without[i], 0), along_x, 2e-6);
+        EXPECT_NEAR(slope(both[i], 2) - slope(without[i], 2), along_z, 2e-6);
+    }
+    EXPECT_GT(highest, 0.05);
+}
+
+TEST_F(ExportEvents, AreTheSameWhateverTimesWereAskedForBefore) {
+    using namespace tools;
+    EventOptions options{.file = std::make_shared<const EventFile>(parse_events("events.csv", several)), .water = {}};
+    options.water.resolution = 64;
+    const auto copied = [](const LocalSurface& water) {
+        return std::pair(std::vector<float>(water.height_m.begin(), water.height_m.end()),
+                         std::vector<float>(water.rise_mps.begin(), water.rise_mps.end()));
+    };
+    const auto alone = [&](double time_s) {
+        return copied(EventPlayer(options, make_serial_executor(), {}).at(time_s));
+    };
+    EventPlayer player(options, make_serial_executor(), {});
+    for (const double time_s : {1.5, 0.31, -7.0, 0.9, 0.93, 0.9, 2.25})
+        EXPECT_EQ(copied(player.at(time_s)) == alone(time_s), true) << time_s;
+}
+
+TEST_F(ExportEvents, OfAnotherFileAreNotResumedOrJoined) {
+    made(to("one"), "one");
+    made(to("shards", {"--shard", "1/2"}), "shards");
+    write_file(events(), std::string(several) + "9,1,0,1,1,,,,,\n");
+    expect_refused(run_pelagic(to("one", {"--resume"})), "events_xxh3 was ");
+    EXPECT_EQ(read_file(place("one") / "sea_events.csv"), several);
+    made(to("shards", {"--shard", "2/2"}), "shards");
+    EXPECT_NE(run_pelagic({"merge", place("shards").string()}).exit_code, 0);
+    // A copy that was edited is not what the record says.
+    write_file(place("one") / "sea_events.csv", std::string(several) + "\n");
+    expect_refused(run_pelagic({"verify", place("one").string()}), "events_xxh3");
+}
+
+TEST_F(ExportEvents, AreRefusedWithTheLineAndTheColumn) {
+    const std::string start = "time,x,z,radius,strength";
+    const std::vector<std::pair<std::string, std::string>> bad = {
+        {"", " is empty, needs a CSV file whose first line names"},
+        {start + "\n", "holds no events, needs rows"},
+        {"0,0,0,1,1\n", ":1: a column's name is 0, needs time, x, z"},
+        {"time,x,z,radius\n", "a column strength"},
+        {"time,x,z,x,radius,strength\n", ":1: a column's name is x, needs each column once"},
+        {start + ",speed\n", ":1: a column's name is speed, needs time"},
+        {start + "\n\n0,0,0,1\n", ":3: the number of columns is 4, needs 5"},
+        {start + "\n0,0,0,0,1\n", ":2: radius is 0, needs metres in (0, 1000]"},
+        {start + "\n0,nan,0,1,1\n", ":2: x is nan, needs metres in"},
+        {start + "\n2e9,0,0,1,1\n", ":2: time is 2e9, needs seconds in"},
+        {start + "\n0,0,0,1,1e3\n", ":2: strength is 1e3, needs metres in [-100, 100]"},
+        {start + ",velocity\n0,0,0,1,1,3\n", ":2: velocity is 3, needs 0, or a duration"},
+        {start + ",mode\n0,0,0,1,1,push\n", ":2: mode is push, needs add, press or pull"},
+        {start + ",mode,duration\n0,0,0,1,1,add,1\n", ":2: mode is add, needs press or pull with a duration"},
+        {start + "\n-90000,0,0,1,1\n", "needs 86400 s between them at most"}};
+    for (const auto& [text, says] : bad) {
+        write_file(events(), text);
+        const Outcome outcome = run_pelagic(to("bad"));
+        expect_refused(outcome, says);
+        EXPECT_FALSE(std::filesystem::exists(place("bad"))) << text;
+    }
+    write_file(events(), several);
+    expect_refused(run_pelagic(to("bad", {"--events-side", "0"})), "--events-side is 0, needs metres in [1, 10000]");
+    expect_refused(run_pelagic(to("bad", {"--events-at", "3"})), "--events-at is 3, needs X,Z");
+    expect_refused(run_pelagic({"query", "--points", "-", "--events-at", "3,4"}), "needs --events with it");
+    std::string many = start + "\n";
+    for (int i = 0; i < 4097; ++i) many += "1,0,0,1,0.1\n";
+    write_file(events(), many);
+    expect_refused(run_pelagic(to("bad")), "more than 4096 pushes at 1 s");
+    EXPECT_FALSE(std::filesystem::exists(place("bad")));
+}
+
+}  // namespace
+}  // namespace pelagic
