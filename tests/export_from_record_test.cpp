@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <map>
 #include <set>
 #include <sstream>
@@ -21,6 +22,9 @@ using Words = std::vector<std::string>;
 // How an export is made, and not what is in its files.
 const std::set<std::string> how = {"out",     "help", "version", "resume", "no-sync", "no-lock", "preview",
                                    "threads", "isa",  "trace",   "shard",  "config",  "weather"};
+
+/// Stands for the file beside the record, where it looks for its rows.
+const std::string the_events = "the events";
 
 // For each option that decides about the files, words that name it and another value than its default.
 const std::map<std::string, Words> tries = {
@@ -72,6 +76,11 @@ const std::map<std::string, Words> tries = {
     {"wave-strength", {"--waves", "analytic", "--wave-strength", "0.5"}},
     {"wave-height", {"--waves", "analytic", "--wave-height", "2"}},
     {"wave-drag", {"--waves", "exp-sine", "--wave-drag", "0.2"}},
+    {"events", {"--events", the_events}},
+    {"events-side", {"--events", the_events, "--events-side", "80"}},
+    {"events-resolution", {"--events", the_events, "--events-resolution", "128"}},
+    {"events-at", {"--events", the_events, "--events-at", "-3.5,2"}},
+    {"events-step", {"--events", the_events, "--events-step", "verlet"}},
 };
 
 ExportOptions options_of(Words words) {
@@ -80,6 +89,16 @@ ExportOptions options_of(Words words) {
     flags.add_to(app);
     app.parse(Words(words.rbegin(), words.rend()));
     return flags.resolve();
+}
+
+/// Words that name events name those of the folder.
+Words with_events_of(const std::filesystem::path& folder, Words words) {
+    for (std::string& word : words)
+        if (word == the_events) {
+            word = (folder / "sea_events.csv").string();
+            std::ofstream(word) << "time,x,z,radius,strength\n0.5,1,2,1,0.4\n";
+        }
+    return words;
 }
 
 /// The words of a line without quotes.
@@ -92,6 +111,7 @@ Words split(const std::string& line) {
 
 void expect_there_and_back(Words words) {
     const TemporaryFolder folder;
+    words = with_events_of(folder.path(), std::move(words));
     words.insert(words.end(), {"--out", folder.path().string()});
     const ExportOptions options = options_of(words);
     const Json json = options_as_json(options);
@@ -120,7 +140,7 @@ TEST(ExportFromRecord, KeepsEachOptionOfExport) {
             ADD_FAILURE() << "is it in options_as_json() and in export_from_record.cpp? Then give this test a value";
             continue;
         }
-        Words words = tries.at(name);
+        Words words = with_events_of(folder.path(), tries.at(name));
         words.insert(words.end(), {"--out", folder.path().string()});
         EXPECT_NE(options_as_json(options_of(words)), usual) << "the record does not hold it";
         expect_there_and_back(tries.at(name));
@@ -188,8 +208,12 @@ TEST(RecordFile, IsWrittenAsTheWholeWouldBe) {
         whole["frames"] = Json::array();
         std::vector<FrameRecord> frames;
         for (int i = 0; i < count; ++i) {
-            frames.push_back(
-                {.frame = i, .time_s = i / 24., .hash = "h", .foam_hash = "", .files = {{"a", "b"}, {"c", "d"}}});
+            frames.push_back({.frame = i,
+                              .time_s = i / 24.,
+                              .hash = "h",
+                              .foam_hash = "",
+                              .local_hash = "",
+                              .files = {{"a", "b"}, {"c", "d"}}});
             whole["frames"].push_back(frame_as_json(frames.back()));
         }
         write_record(place, "record", head, [&](const auto& take) {

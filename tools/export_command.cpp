@@ -80,8 +80,8 @@ void make_frames(const ExportOptions& options, const OutputFolder& folder, Expor
     Ocean ocean(forecast_of(options.sea), how);
     const std::unique_ptr<EventPlayer> player = event_player(options, how);
     FrameWriter writer(options, folder, journal, records, trace.get(), bytes_for_writing(ocean.memory_bytes()));
-    const bool all_made =
-        for_each_frame(options, ocean, player.get(), missing, [&](int number, const Frame& frame) { writer.write(number, frame); });
+    const bool all_made = for_each_frame(options, ocean, player.get(), missing,
+                                         [&](int number, const Frame& frame) { writer.write(number, frame); });
     writer.finish();
     if (!all_made) throw stopped(options, records.size());
 }

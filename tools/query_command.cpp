@@ -104,13 +104,12 @@ void QueryFlags::run() const {
     bool has_points = reader.read_block(block, block_points);
 
     const auto executor = make_default_executor(compute.threads);
-    Ocean ocean(forecast_of(sea),
-                {.executor = executor,
-                 .isa = compute.isa,
-                 .queries = true,
-                 .velocities = true,
-                 .foam = foam_,
-                 .shore = shore});
+    Ocean ocean(forecast_of(sea), {.executor = executor,
+                                   .isa = compute.isa,
+                                   .queries = true,
+                                   .velocities = true,
+                                   .foam = foam_,
+                                   .shore = shore});
     std::optional<EventPlayer> player;
     if (events) player.emplace(*events, executor, compute.isa);
     SurfaceQueryJobs jobs(executor);

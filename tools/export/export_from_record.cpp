@@ -73,8 +73,7 @@ std::vector<std::string> words_in(const Json& how, const std::filesystem::path& 
     std::vector<std::string> words = {"--out", path_word(out)};
     const bool is_list = how.contains("frame_numbers"), is_loop = how.contains("loop");
     // The record has the digest of what stands beside it.
-    if (how.contains("events_xxh3"))
-        words.insert(words.end(), {"--events", path_word(folder / events_copy_name)});
+    if (how.contains("events_xxh3")) words.insert(words.end(), {"--events", path_word(folder / events_copy_name)});
     const Json usual = options_as_json({})["export"];
     for (const auto& [key, value] : how.items()) {
         if (key == "names" || key == "loop" || (key == "frames" && is_list)) continue;

@@ -137,8 +137,8 @@ bool is_mesh_name(std::string_view name, const std::optional<NamePattern>& patte
 }
 
 bool is_export_name(std::string_view name, const std::optional<NamePattern>& pattern) {
-    return is_record_name(name) || name == events_copy_name || is_image_name(name, pattern) || is_mesh_name(name, pattern) ||
-           is_flipbook_name(name) || is_export_part(name, pattern);
+    return is_record_name(name) || name == events_copy_name || is_image_name(name, pattern) ||
+           is_mesh_name(name, pattern) || is_flipbook_name(name) || is_export_part(name, pattern);
 }
 
 bool is_export_part(std::string_view name, const std::optional<NamePattern>& pattern) {

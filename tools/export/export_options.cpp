@@ -336,7 +336,8 @@ MapOptions ExportFlags::maps(const std::optional<NamePattern>& names) const {
 ExportOptions ExportFlags::resolve() const {
     checked_place(typed("out"));  // what is wrong with it is said before what is wrong with the sea
     ExportOptions options = resolve_with(sea_.resolve());
-    if (!options.maps.maps.empty() || options.events) image_codec();  // before anything is written: without its library nothing will be
+    if (!options.maps.maps.empty() || options.events)
+        image_codec();  // before anything is written: without its library nothing will be
     return options;
 }
 

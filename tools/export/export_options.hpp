@@ -31,7 +31,7 @@ struct ExportOptions {
     MapOptions maps;
     MeshOptions meshes;
     std::optional<EventOptions> events;  ///< none: the water answers nobody
-    std::optional<Shard> shard;  ///< none: all frames are made here
+    std::optional<Shard> shard;          ///< none: all frames are made here
     std::optional<FlipbookGrid> flipbook;
     bool preview = false;  ///< no frames, but what shows what they will be
     bool resume = false;

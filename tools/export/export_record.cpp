@@ -87,8 +87,9 @@ ReadJson options_in(const ReadJson& head) {
 namespace {
 
 void take_name(const ReadJson& name, const ExportOptions& options, EarlierExport& earlier) {
-    if (std::string text = text_of(name);
-        is_image_name(text, options.maps.names) || is_mesh_name(text, options.maps.names) || is_flipbook_name(text) || text == events_copy_name)
+    if (std::string text = text_of(name); is_image_name(text, options.maps.names) ||
+                                          is_mesh_name(text, options.maps.names) || is_flipbook_name(text) ||
+                                          text == events_copy_name)
         earlier.images.push_back(std::move(text));
 }
 

@@ -201,7 +201,8 @@ WritingPlan plan_writing(const ExportOptions& options, std::size_t most_bytes) {
         bytes_per_texel_in_flight + (options.maps.has(MapKind::velocity) ? bytes_per_texel_of_velocities : 0);
     const std::size_t row = options.meshes.any() ? static_cast<std::size_t>(options.meshes.patch.steps) + 1 : 0;
     const auto window = static_cast<std::size_t>(options.events ? options.events->water.resolution : 0);
-    const std::size_t bytes = side * side * tiles * bytes_per_texel + window * window * bytes_per_texel_in_flight + row * row * bytes_per_vertex_in_flight;
+    const std::size_t bytes = side * side * tiles * bytes_per_texel + window * window * bytes_per_texel_in_flight +
+                              row * row * bytes_per_vertex_in_flight;
     const std::size_t frames = std::min(threads, most_bytes / bytes);
     if (frames >= 2) return {frames, std::min((threads + frames - 1) / frames, tiles)};
     const std::size_t files = most_bytes / (side * side * bytes_per_texel_of_a_file);

@@ -63,8 +63,9 @@ std::vector<ImageFile> image_files(const ExportOptions& options, int frame) {
     std::vector<ImageFile> files = tile_files(options, frame);
     // A file of its own, however others are packed: it has another size than tiles.
     if (options.events)
-        files.push_back({.name = image_name(options.maps, {.map = MapKind::local, .tile = 0, .level = 0}, frame, false),
-                         .parts = {{.map = MapKind::local}}});
+        files.push_back(
+            {.name = image_name(options.maps, {.map = MapKind::local, .tile = 0, .level = 0}, frame, false),
+             .parts = {{.map = MapKind::local}}});
     return files;
 }
 

@@ -180,7 +180,8 @@ Json sea_json_head(const ExportOptions& options, double mean_significant_wave_he
     }
     json["warnings"] = report.warnings;
     if (options.events)
-        for (const std::string& warning : warnings_about(*options.events, !options.times.fps)) json["warnings"].push_back(warning);
+        for (const std::string& warning : warnings_about(*options.events, !options.times.fps))
+            json["warnings"].push_back(warning);
     if (!sequence_files.empty()) json["sequence_files"] = files_as_json(sequence_files);
     return json;
 }

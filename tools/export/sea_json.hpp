@@ -22,7 +22,7 @@ struct FileRecord {
 struct FrameRecord {
     int frame = 0;
     double time_s = 0;
-    std::string hash;       ///< hash_of() as 16 hexadecimal digits
+    std::string hash;        ///< hash_of() as 16 hexadecimal digits
     std::string foam_hash;   ///< foam_hash_of() likewise; empty without maps of foam
     std::string local_hash;  ///< local_hash_of() likewise; empty without events
     double significant_wave_height_m = 0;

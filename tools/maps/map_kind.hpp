@@ -18,7 +18,9 @@ inline constexpr std::array all_maps = {MapKind::displacement, MapKind::gradient
 std::string_view name_of(MapKind map);
 
 /// Its smaller levels, down to one texel, have files of their own: those of what moves vertices are rarely asked for.
-constexpr bool has_chain(MapKind map) { return map != MapKind::displacement && map != MapKind::velocity && map != MapKind::local; }
+constexpr bool has_chain(MapKind map) {
+    return map != MapKind::displacement && map != MapKind::velocity && map != MapKind::local;
+}
 
 /// Its values lie in [-1, 1], so that --bit-depth can store them as 8 or 16 bits.
 constexpr bool has_bit_depth(MapKind map) { return map == MapKind::normal || map == MapKind::foam; }
