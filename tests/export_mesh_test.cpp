@@ -141,7 +141,7 @@ TEST(ExportMesh, WhatCantBeDoneIsOneLineAndNoFile) {
         {{"--mesh", "obj", "--mesh-steps", "2049"}, "--mesh-steps is 2049, needs a whole number from 1 to 2048"},
         {{"--mesh", "gltf", "--axes", "z-up"}, "--axes is z-up, needs y-up with --mesh gltf"},
         {{"--mesh", "gltf-animation", "--unit", "cm"}, "--unit is cm, needs m with --mesh gltf"},
-        {{"--maps", "none"}, "--maps is none, needs --mesh with it, or some maps"},
+        {{"--maps", "none"}, "--maps is none, needs --mesh or --events with it, or some maps"},
         {{"--mesh", "gltf-animation", "--frames", "257"}, "of 257 frames needs at most 256"},
         {{"--mesh", "gltf-animation", "--frames", "1-3,5"}, "of frames 1-3,5 needs frames without a gap"},
         {{"--mesh", "gltf-animation", "--frames", "100", "--mesh-steps", "2048"}, "needs at most 512 MiB"},
