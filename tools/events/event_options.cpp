@@ -10,7 +10,7 @@
 namespace pelagic::tools {
 namespace {
 
-/// A day of ticks takes about an hour and a half of a core.
+/// A day of ticks takes some ten minutes of a core.
 constexpr double longest_replay_s = 86400;
 /// As 12 m of 64.
 constexpr double border_part = 0.1875;
