@@ -119,7 +119,7 @@ void LocalRain::push_rows(const LocalWindow& window, std::int64_t tick, std::siz
                           LocalHeights heights) const {
     if (shapes_.empty()) return;
     const std::int64_t side = window.resolution(), count = static_cast<std::int64_t>(width());
-    const auto [first_x, first_z] = window.first();
+    const std::int64_t first_x = window.first()[0], first_z = window.first()[1];
     const std::size_t stride = local_row_stride(static_cast<std::size_t>(side));
 
     const auto add_row = [&](const Drop& drop, std::int64_t z) {
