@@ -138,9 +138,8 @@ TEST_F(StructSizes, WhatIsReadMayBeOlderOrNewer) {
     const COcean water = ocean_of(small_sea(), answering);
     auto disturbance = sized<pelagic_disturbance>();
     ASSERT_EQ(pelagic_disturbance_defaults(&disturbance), PELAGIC_OK);
-    expect_read_in_every_size(disturbance, &pelagic_disturbance::velocity_z_mps, [&](pelagic_disturbance* push) {
-        return pelagic_ocean_disturb(water.get(), push);
-    });
+    expect_read_in_every_size(disturbance, &pelagic_disturbance::velocity_z_mps,
+                              [&](pelagic_disturbance* push) { return pelagic_ocean_disturb(water.get(), push); });
     const auto status_of_input = [](auto create, const auto* from) {
         pelagic_input* made = nullptr;
         const pelagic_status status = create(from, &made);

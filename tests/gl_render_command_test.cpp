@@ -88,8 +88,8 @@ TEST(RenderCommand, TakesAFloorFromAnImage) {
     const OIIO::ImageBuf picture = read_picture(file);
     const auto brightness = [&](int y) { return picture.getchannel(32, y, 0, 1); };
     EXPECT_GT(brightness(8), 2 * brightness(56));
-    const Outcome lake = run_pelagic({"render", "--floor", (folder / "floor.png").string(), "--shore", "--surface", "lake",
-                                      "--out", file.string()});
+    const Outcome lake = run_pelagic({"render", "--floor", (folder / "floor.png").string(), "--shore", "--surface",
+                                      "lake", "--out", file.string()});
     EXPECT_EQ(lake.exit_code, 2);
     EXPECT_EQ(lake.err, "pelagic: --shore is given, needs --surface open: small water feels no floor\n");
     const Outcome wrong = run_pelagic({"render", "--floor", (folder / "sea.png").string(), "--out", "a.png"},

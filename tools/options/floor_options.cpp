@@ -72,9 +72,10 @@ void FloorFlags::add_to(CLI::App& app) {
     app.add_option("--floor-middle", middle_, "where its middle is, X,Z in metres [0,0]")->type_name("X,Z");
     app.add_option("--floor-heights", heights_, "of black and white, metres above rest [-20,10]")
         ->type_name("LOW,HIGH");
-    app.add_flag("--shore", shore_,
-                 "waves feel --floor's heights: they slow down, turn and break there, and land shelters what lies behind "
-                 "it; takes a second or so before the first frame");
+    app.add_flag(
+        "--shore", shore_,
+        "waves feel --floor's heights: they slow down, turn and break there, and land shelters what lies behind "
+        "it; takes a second or so before the first frame");
 }
 
 std::string FloorFlags::typed() const {
