@@ -286,6 +286,11 @@ SeaReport report_on(const SeaState& sea) {
     return report;
 }
 
+double repeat_length_m(const SeaState& sea) {
+    const DefaultFloatEnvironment environment;
+    return plan_tiles(sea).front().lattice.side_m;
+}
+
 WaveDirections directions_of_moment(double a, double b) {
     return {angle_of(a, b), std::sqrt(2 * std::max(0.0, 1 - std::sqrt(a * a + b * b)))};
 }

@@ -20,6 +20,12 @@ struct ExpectedWaves {
     std::optional<double> model_significant_wave_height_m;
 };
 
+/// Side of the sea's coarsest cascade, which holds its longest waves, in metres: after this length, along either axis of that cascade,
+/// those waves repeat. A sea of one cascade (a patch size given, phillips-paper, a pond) repeats exactly. Finer cascades repeat
+/// after shorter sides along rotated axes, so the sum of several never repeats exactly. While one sea turns into another it is the
+/// larger value of the two. \pre check(sea) is empty. Thread-safe.
+double repeat_length_m(const SeaState& sea);
+
 /// Sums the spectrum over the grid, without this seed's draws: O(N^2).
 ExpectedWaves expected_waves(const SeaState& sea);
 

@@ -4,9 +4,12 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <vector>
 
+#include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/spectrum/wave_noise.hpp"
 #include "pelagic/sim/statistics.hpp"
+#include "pelagic/sim/surface_query.hpp"
 #include "pelagic/tests/oracle/sea_oracle.hpp"
 
 namespace pelagic {
@@ -104,6 +107,46 @@ TEST(SeaReport, OfASeaWithoutWavesIsCalm) {
     EXPECT_EQ(report.expected_directions.spread_rad, 0);
     EXPECT_EQ(report.drawn_directions.mean_rad, 0);
     EXPECT_EQ(report.loop_frequencies.for_90_percent, 0);
+}
+
+/// Correlation of a sea's heights with those `lag_m` further along x, over 64 x 64 points of the coarsest cascade.
+double correlation_of_heights(const SeaState& sea, double lag_m) {
+    Ocean ocean(sea, {.queries = true});
+    const SurfaceQuery water(ocean.frame_at(0));
+    constexpr int side = 64;
+    const double step_m = repeat_length_m(sea) / side;
+    std::vector<double> x, further, z;
+    for (int i = 0; i < side * side; ++i) {
+        x.push_back(i % side * step_m);
+        further.push_back(x.back() + lag_m);
+        z.push_back(i / side * step_m);
+    }
+    std::vector<float> here(x.size()), there(x.size());
+    water.sample({.x = x, .z = z}, {.height_m = here});
+    water.sample({.x = further, .z = z}, {.height_m = there});
+    double both = 0, squares = 0, other_squares = 0;
+    for (std::size_t i = 0; i < here.size(); ++i) {
+        both += here[i] * there[i];
+        squares += here[i] * here[i];
+        other_squares += there[i] * there[i];
+    }
+    return both / std::sqrt(squares * other_squares);
+}
+
+TEST(SeaReport, RepeatLengthIsTheCoarsestCascadesSide) {
+    EXPECT_EQ(repeat_length_m({.patch_size_m = 321}), 321);
+    EXPECT_EQ(repeat_length_m({.spectrum = SpectrumModel::phillips_paper}), 250);
+    SeaState calm = sea_preset_named("calm")->sea;
+    EXPECT_EQ(repeat_length_m(calm), 150);
+
+    calm.choppiness = 0;  // heights at fixed points
+    const double length_m = repeat_length_m(calm);
+    EXPECT_GT(correlation_of_heights(calm, length_m), 0.8) << "the coarsest cascade's part of the variance";
+    EXPECT_LT(std::fabs(correlation_of_heights(calm, 0.4 * length_m)), 0.5);
+
+    SeaState one = calm;
+    one.patch_size_m = 150;
+    EXPECT_GT(correlation_of_heights(one, repeat_length_m(one)), 1 - 1e-6) << "one cascade repeats exactly";
 }
 
 // The square of a draw, alone, is that of the draw.
