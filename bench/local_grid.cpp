@@ -61,9 +61,8 @@ __attribute__((optimize("no-tree-vectorize"))) void scalar_verlet(const VerletRo
                     *below = now + (z + 1) % n * stride;
         float* const to = before + z * stride;
         for (std::size_t x = 0; x < n; ++x)
-            to[x] =
-                ((2 - 4 * coupling) * row[x] + coupling * (row[x - 1] + row[x + 1] + (above[x] + below[x])) - to[x]) *
-                left;
+            to[x] = row[x] + (left * (row[x] - to[x]) +
+                              coupling * (row[x - 1] + row[x + 1] + (above[x] + below[x]) - 4 * row[x]));
     }
 }
 

@@ -15,7 +15,8 @@ enum class LocalStep {
     /// Each wave goes on by its own phase: deep or shallow water's dispersion, exactly, at any length of a tick. Wakes have Kelvin's
     /// angle.
     spectral,
-    /// h' = (2 h - h_before + c lap h) (1 - decay dt), c = (speed dt / dx)^2 <= 0.4: one speed for all waves, for ponds and rings.
+    /// h' = h + d^2 (h - h_before) + d c lap h, d = e^(-decay dt), c = (speed dt / dx)^2 <= 0.4: one speed for all waves, for ponds
+    /// and rings.
     verlet
 };
 

@@ -1,10 +1,13 @@
 // Water that answers, as bits: the same on every instruction set and executor, through windows that move, saved and restored.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <iomanip>
 #include <limits>
+#include <numbers>
+#include <optional>
 #include <random>
 #include <sstream>
 #include <string>
@@ -256,6 +259,22 @@ TEST(LocalGridRefuses, NumbersThatAreNoneAndHugeOnes) {
     EXPECT_GT(sum_over(pool.grid, [&](auto x, auto z) { return std::fabs(pool.grid.height_m(x, z)); }), 1);
 }
 
+/// omega dt of Verlet's waves of two texels along an axis: sin(omega dt / 2) = courant.
+double turned_by_shortest(const LocalWaterOptions& options) {
+    return 2 * std::asin(LocalGrid::courant_number(options));
+}
+
+/// How high Verlet's water stands that never rests entirely. Where one of its two heights is below s = LocalBorder::smallest and becomes 0,
+/// the other one is not, and their difference, the speed v of a tick, changes by less than s: by chance, for as many heights lie before
+/// the zero as behind. So v^2 grows by s^2 / 3 on the mean, in 2 s / (pi A) of all ticks, A the amplitude, and decay takes
+/// 2 decay dt v^2, v = A omega dt. Both are equal at A^3 = s^3 / (3 pi decay dt (omega dt)^2): 16 s for the waves of two texels, which
+/// stay where they are, so that no border takes them. Six times the rms, A / sqrt 2.
+double verlets_unrest_m(const LocalWaterOptions& options) {
+    const double tick = 1.0 / options.ticks_per_s, turned = turned_by_shortest(options);
+    const double in_smallest = std::cbrt(1 / (3 * std::numbers::pi * options.decay_per_s * tick * turned * turned));
+    return 6 / std::sqrt(2.0) * in_smallest * static_cast<double>(LocalBorder::smallest);
+}
+
 TEST(LocalGridLasts, WithoutDriftOrNumbersThatAreSlow) {
     for (const LocalStep step : {LocalStep::spectral, LocalStep::verlet}) {
         LocalWaterOptions options = small(step);
@@ -279,9 +298,7 @@ TEST(LocalGridLasts, WithoutDriftOrNumbersThatAreSlow) {
         };
         const double before = largest();
         const int ticks = is_sanitized || is_emulated ? 300 : of_sweep(20'000, 1'000'000);
-        // Where one of Verlet's two heights is small enough to become 0 and the other is not, that is a push, so its water never rests
-        // entirely.
-        const double pushed = step == LocalStep::verlet ? 100 * static_cast<double>(LocalBorder::smallest) : 0;
+        const double pushed = step == LocalStep::verlet ? verlets_unrest_m(options) : 0;
         for (int part = 1; part <= 10; ++part) {
             pool.tick(ticks / 10);
             const double decayed = before * std::exp(-options.decay_per_s * part * ticks / 10 * pool.grid.tick_s());
@@ -346,6 +363,71 @@ Texels texels_of(const LocalGrid& grid) {
     return all;
 }
 
+/// Verlet's step with its border as it is defined, in double, of water that nothing pushes any more. All that it shares with the grid is
+/// what it begins with.
+class VerletInDouble {
+   public:
+    explicit VerletInDouble(const LocalGrid& grid)
+        : n_(grid.options().resolution), first_{grid.first_x(), grid.first_z()}, now_(size()), before_(size()) {
+        const LocalWaterOptions& options = grid.options();
+        const double tick = grid.tick_s();
+        for (std::int64_t z = 0; z < n_; ++z)
+            for (std::int64_t x = 0; x < n_; ++x) {
+                now_[at(x, z)] = static_cast<double>(grid.height_m(first_[0] + x, first_[1] + z));
+                before_[at(x, z)] = static_cast<double>(grid.companion_m(first_[0] + x, first_[1] + z));
+            }
+        for (std::int64_t i = 0; i < n_; ++i) {
+            const double from_edge = (static_cast<double>(std::min(i, n_ - 1 - i)) + 0.5) * grid.texel_m();
+            const double within = std::max(0.0, 1 - from_edge / options.border_m);
+            left_.push_back(std::exp(-12 * options.wave_speed_mps / options.border_m * within * within * tick));
+        }
+        decay_ = std::exp(-options.decay_per_s * tick);
+        coupling_ = std::pow(options.wave_speed_mps * tick / grid.texel_m(), 2);
+    }
+
+    void tick() {
+        for (std::int64_t z = 0; z < n_; ++z)
+            for (std::int64_t x = 0; x < n_; ++x)
+                for (std::vector<double>* plane : {&now_, &before_})
+                    (*plane)[at(x, z)] *= left_[static_cast<std::size_t>(x)] * left_[static_cast<std::size_t>(z)];
+        for (std::int64_t z = 0; z < n_; ++z)
+            for (std::int64_t x = 0; x < n_; ++x) {
+                const double here = now_[at(x, z)];
+                const double lap =
+                    now_[at(x - 1, z)] + now_[at(x + 1, z)] + now_[at(x, z - 1)] + now_[at(x, z + 1)] - 4 * here;
+                double& to = before_[at(x, z)];
+                to = here + decay_ * decay_ * (here - to) + decay_ * coupling_ * lap;
+            }
+        now_.swap(before_);
+    }
+
+    double highest_m() const {
+        double highest = 0;
+        for (const double height : now_) highest = std::max(highest, std::fabs(height));
+        return highest;
+    }
+    double farthest_from(const LocalGrid& grid) const {
+        double farthest = 0;
+        for (std::int64_t z = 0; z < n_; ++z)
+            for (std::int64_t x = 0; x < n_; ++x)
+                farthest = std::max(
+                    farthest,
+                    std::fabs(now_[at(x, z)] - static_cast<double>(grid.height_m(first_[0] + x, first_[1] + z))));
+        return farthest;
+    }
+
+   private:
+    std::size_t size() const { return static_cast<std::size_t>(n_ * n_); }
+    std::size_t at(std::int64_t x, std::int64_t z) const {
+        return static_cast<std::size_t>((z & (n_ - 1)) * n_ + (x & (n_ - 1)));
+    }
+
+    std::int64_t n_;
+    std::array<std::int64_t, 2> first_;
+    std::vector<double> now_, before_, left_;
+    double decay_ = 1, coupling_ = 0;
+};
+
 // A hundred rounds at night, a million ticks: each has the energies of the first, as nothing is left of what was before.
 TEST(LocalGridLasts, ThroughRoundsOfSourcesThatComeAndGo) {
     for (const LocalStep step : {LocalStep::spectral, LocalStep::verlet}) {
@@ -358,9 +440,16 @@ TEST(LocalGridLasts, ThroughRoundsOfSourcesThatComeAndGo) {
         int denormal = 0;
         const int rounds = is_sanitized || is_emulated ? 2 : of_sweep(3, 100);
         for (int round = 0; round < rounds; ++round) {
+            std::optional<VerletInDouble> in_double;
+            double quiet_squares = 0;
             for (int tick = 0; tick < busy_ticks + quiet_ticks; ++tick) {
                 bustle(pool.grid, tick);
                 pool.tick();
+                if (in_double) {
+                    in_double->tick();
+                    quiet_squares += std::pow(in_double->highest_m(), 2);
+                }
+                if (tick == busy_ticks && step == LocalStep::verlet) in_double.emplace(pool.grid);
                 if (tick % 100 != 99) continue;
                 const Texels texels = texels_of(pool.grid);
                 denormal += texels.denormal;
@@ -371,6 +460,13 @@ TEST(LocalGridLasts, ThroughRoundsOfSourcesThatComeAndGo) {
                 farthest = std::max(farthest, std::fabs(texels.squares - first_round[at]));
                 if (tick + 1 == busy_ticks + quiet_ticks) left_over = std::max(left_over, texels.highest);
             }
+            if (in_double) {
+                // Each of a tick's four roundings pushes a texel by 2^-24 of its height at most, at random from tick to tick, and the
+                // waves of two texels, which carry nothing away, make a height of a push by 1 / (omega dt).
+                const double pushed = 4 * 0x1p-24 * std::sqrt(quiet_squares) / turned_by_shortest(options);
+                EXPECT_LT(in_double->farthest_from(pool.grid), pushed);
+                EXPECT_LT(pushed, 0.01 * in_double->highest_m()) << "what is left is no rounding";
+            }
         }
         const std::string name = step == LocalStep::spectral ? "spectral_" : "verlet_";
         RecordProperty(name + "highest_m", std::to_string(highest));
@@ -379,7 +475,8 @@ TEST(LocalGridLasts, ThroughRoundsOfSourcesThatComeAndGo) {
         RecordProperty(name + "highest_at_rest_m", std::to_string(left_over));
         EXPECT_EQ(denormal, 0);
         // A minute's rest takes waves through the border a few times. What it leaves of amplitudes, a part of them, moves squares
-        // by twice that part.
+        // by twice that part. Of Verlet's it leaves the longest waves, which a border of a quarter of the window sends back, and those of
+        // two texels, which do not move: as many as the step in double leaves.
         EXPECT_LT(left_over, 5e-4 * highest);
         EXPECT_LT(farthest, 1e-3 * most);
         EXPECT_GT(highest, 0.3);

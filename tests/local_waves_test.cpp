@@ -67,7 +67,7 @@ TEST(LocalWaves, RunAsDeepAndShallowWaterHasIt) {
     }
 }
 
-// sin^2(omega dt / 2) = c (sin^2(kx dx / 2) + sin^2(kz dx / 2)), the step's own dispersion; to lowest order omega = speed k.
+// sin^2(omega dt / 2) = c (sin^2(kx dx / 2) + sin^2(kz dx / 2)), the step's own dispersion without decay; to lowest order omega = speed k.
 TEST(LocalWaves, OfVerletRunAsItsDiscreteEquation) {
     const LocalWaterOptions options = bare(LocalStep::verlet);
     for (const auto& [i, j] : {std::pair{1, 0}, {3, 5}, {-7, 2}, {0, 13}}) {
@@ -91,6 +91,87 @@ TEST(LocalWaves, OfVerletRunAsItsDiscreteEquation) {
         });
         // Rounding of (2 h - h_before) adds up as the square of the ticks over the phase a tick, at least 0.04: 1e4 / 2 x 6e-8.
         EXPECT_LT(worst, 3e-4 * wave.amplitude) << i << ", " << j;
+    }
+}
+
+/// Waves that run along x with decay: h'' + 2 decay h' = speed^2 lap h has e^(-decay t) cos(k x - omega t), where
+/// omega^2 = (speed k)^2 - decay^2.
+struct DecayingWave {
+    double decay_per_s, side_m, speed_mps;
+    int ticks_per_s, waves;
+};
+
+TEST(LocalWaves, OfVerletDecayAndRunAsSet) {
+    for (const DecayingWave& set : {DecayingWave{0.01, 40, 3, 60, 1},
+                                    {0.01, 40, 3, 60, 2},
+                                    {0.08, 40, 3, 60, 1},
+                                    {0.5, 20, 3, 60, 4},
+                                    {3, 6, 3, 120, 5},
+                                    {10, 6, 6, 240, 9}}) {
+        LocalWaterOptions options = bare(LocalStep::verlet, 128, set.side_m);
+        options.decay_per_s = set.decay_per_s;
+        options.wave_speed_mps = set.speed_mps;
+        options.ticks_per_s = set.ticks_per_s;
+        LocalPool pool(options);
+        const double k = 2 * pi * set.waves / set.side_m, tick = pool.grid.tick_s(), texel = pool.grid.texel_m();
+        const double omega = std::sqrt(std::pow(set.speed_mps * k, 2) - std::pow(set.decay_per_s, 2));
+        ASSERT_GT(omega, 5 * set.decay_per_s);
+        const RunningWave wave{k, 0, omega, texel};
+        fill(
+            pool.grid, [&](auto x, auto z) { return wave.height(x, z, 0); },
+            [&](auto x, auto z) { return wave.height(x, z, -tick) * std::exp(set.decay_per_s * tick); });
+        const auto moment = [&] {
+            std::complex<double> sum;
+            sum_over(pool.grid, [&](auto x, auto z) {
+                sum += static_cast<double>(pool.grid.height_m(x, z)) * std::polar(1.0, -k * texel * double(x));
+                return 0.0;
+            });
+            return sum;
+        };
+        const std::complex<double> first = moment();
+        // An eighth of a period leaves no doubt about the phase.
+        const double seconds = std::min(3 / set.decay_per_s, 20 * pi / omega);
+        const int ticks = static_cast<int>(seconds / tick),
+                  apart = std::max(1, static_cast<int>(0.25 * pi / omega / tick));
+        std::complex<double> before = first;
+        double turned = 0;
+        int done = 0;
+        while (done < ticks) {
+            const int some = std::min(apart, ticks - done);
+            pool.tick(some);
+            done += some;
+            const std::complex<double> now = moment();
+            turned -= std::arg(now / before);
+            before = now;
+        }
+        const double amplitude = std::abs(before / first), time_s = done * tick;
+        // A tick leaves e^(-decay tick) of a wave. What begins as one of the continuous equation is one of the grid's by all but half of
+        // what their speeds are apart, and the rest runs the other way.
+        EXPECT_NEAR(amplitude / std::exp(-set.decay_per_s * time_s), 1, 5e-3) << set.decay_per_s;
+        // Differences make waves slower by (k texel)^2 / 24 and ticks faster by (omega tick)^2 / 24: 0.8 % at 9 waves of 128 texels.
+        EXPECT_NEAR(turned / time_s / omega, 1, 1e-2) << set.decay_per_s << ", " << set.waves;
+        if (omega > 20 * set.decay_per_s) {
+            EXPECT_NEAR(turned / time_s / k, set.speed_mps, 1e-2 * set.speed_mps);
+        }
+    }
+}
+
+// Decay is of waves: a level that all of the window has is none, and neither is its share of other water.
+TEST(LocalWaves, OfVerletKeepTheMeanLevel) {
+    LocalWaterOptions options = bare(LocalStep::verlet);
+    options.decay_per_s = 0.5;
+    LocalPool pool(options);
+    const double step = 2 * pi / options.side_m;
+    const auto height = [&](auto x, auto z) {
+        return 0.3 + 0.1 * std::cos(step * pool.grid.texel_m() * (2 * double(x) - 3 * double(z)));
+    };
+    fill(pool.grid, height, height);
+    for (int second = 1; second <= 20; ++second) {
+        pool.tick(options.ticks_per_s);
+        const double mean = sum_over(pool.grid, [&](auto x, auto z) { return pool.grid.height_m(x, z); }) / 4096;
+        // Floats of 0.3 m are 3e-8 apart, and there are 64 different ones, so rounding pushes the mean by 2e-9 a tick at random. A push
+        // is 30 ticks old when decay has ended it: 600 of them are 2e-9 x 30 sqrt(600) = 1.5e-6 rms; six times that.
+        EXPECT_NEAR(mean, 0.3, 1e-5) << "after " << second << " s";
     }
 }
 
@@ -200,8 +281,8 @@ TEST(LocalWaves, NeverGrowWithoutASource) {
     }
 }
 
-// Its decay takes of the newer height alone, and a border of both, so energy goes to and fro between its two sums, within a wave's
-// period: the most of a second counts.
+// Its decay takes of the speed alone, and a border of both sums, so energy goes to and fro between them within a wave's period: the
+// most of a second counts.
 TEST(LocalWaves, OfVerletNeverGrowWithoutASource) {
     for (const double border_m : {0.0, 4.0}) {
         LocalPool pool({.step = LocalStep::verlet, .resolution = 64, .side_m = 32, .border_m = border_m});
@@ -219,6 +300,30 @@ TEST(LocalWaves, OfVerletNeverGrowWithoutASource) {
             }
             before = most;
         }
+    }
+}
+
+// The strongest decay of the coarsest tick at the largest c: the waves of two texels along both axes, whose height changes sign from
+// texel to texel, are the first to grow where a step is not stable.
+TEST(LocalWaves, OfVerletAreStableAtAnyDecay) {
+    for (const double decay : {0.0, 1.0, 3.0, 10.0}) {
+        LocalWaterOptions options = bare(LocalStep::verlet);
+        options.ticks_per_s = 10;
+        options.wave_speed_mps = 3.16;  // c = (3.16 / (10 x 0.5))^2 = 0.399
+        options.decay_per_s = decay;
+        LocalPool pool(options);
+        const auto height = [](auto x, auto z) { return (x + z) % 2 == 0 ? 0.1 : -0.1; };
+        fill(pool.grid, height, height);
+        double highest = 0;
+        for (int tick = 0; tick < 200; ++tick) {
+            pool.tick();
+            sum_over(pool.grid, [&](auto x, auto z) {
+                highest = std::max(highest, std::fabs(static_cast<double>(pool.grid.height_m(x, z))));
+                return 0.0;
+            });
+        }
+        // At rest at one tick and the tick before, a wave has its height half a tick away: over 1 / cos(omega dt / 2) <= sqrt(5) of it.
+        EXPECT_LT(highest, 0.1 * std::sqrt(5) * 1.01) << decay;
     }
 }
 
@@ -286,6 +391,53 @@ TEST(LocalSources, ThatPressAtRestBecomeTheSurface) {
             return worst = std::max(worst, std::fabs(pool.grid.height_m(x, z) - shape));
         });
         EXPECT_LT(worst, 0.02 * 0.5) << (step == LocalStep::verlet ? "Verlet" : "spectral");
+    }
+}
+
+/// J0(x) = integral of cos(x sin a) over half a turn, over pi: sums of periodic functions are exact for x < 2 points.
+double bessel_0(double x) {
+    constexpr int points = 128;
+    double sum = 0;
+    for (int i = 0; i < points; ++i) sum += std::cos(x * std::sin((i + 0.5) * pi / points));
+    return sum / points;
+}
+
+/// What a Gaussian that rests becomes where all waves have one speed and decay: height radius^2 / 2 times the integral of
+/// e^(-k^2 radius^2 / 4) J0(k r) cos(speed k t) e^(-decay t) k dk.
+double ring(double height_m, double radius_m, double speed_mps, double decay_per_s, double r, double t) {
+    constexpr int steps = 300;
+    const double step = 12 / radius_m / steps;
+    double sum = 0;
+    for (int i = 0; i < steps; ++i) {
+        const double k = (i + 0.5) * step;
+        sum += std::exp(-k * k * radius_m * radius_m / 4) * bessel_0(k * r) * std::cos(speed_mps * k * t) * k * step;
+    }
+    return height_m * radius_m * radius_m / 2 * std::exp(-decay_per_s * t) * sum;
+}
+
+// Rings a tenth as high as the drop, as linear theory has them: water that is brought has no speed of its own. A pull of one tick that
+// goes all of its way brings its shape times the shape over its height, a Gaussian whose radius is smaller by sqrt 2.
+TEST(LocalSources, OfVerletThatAddAndPullMakeRingsOfWaterAtRest) {
+    for (const Disturbance::Mode mode : {Disturbance::Mode::add, Disturbance::Mode::pull}) {
+        const bool is_pull = mode == Disturbance::Mode::pull;
+        LocalPool pool({.step = LocalStep::verlet, .resolution = 512, .side_m = 64});
+        const double drop_m = 0.2, radius_m = 1;
+        pool.grid.sources().disturb({.mode = mode,
+                                     .radius_m = is_pull ? std::sqrt(2) * radius_m : radius_m,
+                                     .height_m = drop_m,
+                                     .rate_per_s = 1000});
+        for (const int second : {1, 2, 3}) {
+            pool.tick(60);
+            double worst = 0, highest = 0;
+            for (int i = 0; i <= 96; ++i) {  // up to 12 m, where the border's influence is yet to come
+                const double wanted = ring(drop_m, radius_m, 3, 0.01, i * 0.125, second);
+                worst = std::max(worst, std::fabs(pool.grid.height_m(i, 0) - wanted));
+                worst = std::max(worst, std::fabs(pool.grid.height_m(0, -i) - wanted));
+                highest = std::max(highest, std::fabs(wanted));
+            }
+            // Waves of k = 2 / radius are slower by (k texel)^2 / 24 (1 - c), 0.2 %: 0.04 rad of a ring of 18 rad, at most.
+            EXPECT_LT(worst, 0.05 * highest) << second << (is_pull ? " s, pulled" : " s, added");
+        }
     }
 }
 

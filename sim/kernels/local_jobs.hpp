@@ -53,14 +53,15 @@ struct DampJob {
     LocalBorder border;
 };
 
-/// Verlet's step, in place of the rows before: h' = (2 h - h_before + c lap h) left, with neighbours' differences for lap.
+/// Verlet's step, in place of the rows before: h' = h + left (h - h_before) + coupling lap h, lap h the sum of four neighbours less
+/// four times h. A constant level stays, bit for bit.
 struct VerletRowsJob {
     const float* now;  ///< texel (0, 0); its margins repeat the other end of each row
     float* before;     ///< becomes what comes after; aliases nothing
     std::size_t resolution;
     std::size_t first_row, rows;
-    float coupling;  ///< c = (speed tick / texel)^2
-    float left;
+    float coupling;  ///< c e^(-decay tick), c = (speed tick / texel)^2
+    float left;      ///< e^(-2 decay tick)
 };
 
 /// Foam of rows: the more of what stands high and what is left of the tick before. Rows without either are told from a look.

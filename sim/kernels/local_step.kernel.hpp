@@ -139,7 +139,7 @@ template <class Arch>
 void verlet_rows(const VerletRowsJob& job) {
     using V = xsimd::batch<float, Arch>;
     const std::size_t n = job.resolution, stride = local_row_stride(n);
-    const V coupling(job.coupling), own(2.f - 4.f * job.coupling), left(job.left);
+    const V coupling(job.coupling), left(job.left), four(4.f);
     for (std::size_t z = job.first_row; z < job.first_row + job.rows; ++z) {
         const float* const row = job.now + z * stride;
         const float* const above = job.now + (z + n - 1) % n * stride;
@@ -148,9 +148,10 @@ void verlet_rows(const VerletRowsJob& job) {
         for (std::size_t x = 0; x < n; x += V::size) {
             const V sides = V::load_unaligned(row + x - 1) + V::load_unaligned(row + x + 1);
             const V ends = V::load_aligned(above + x) + V::load_aligned(below + x);
-            const V neighbours = sides + ends;
-            const V after = (own * V::load_aligned(row + x) + coupling * neighbours) - V::load_aligned(to + x);
-            (after * left).store_aligned(to + x);
+            const V here = V::load_aligned(row + x);
+            const V moved = left * (here - V::load_aligned(to + x));
+            const V pulled = coupling * ((sides + ends) - four * here);
+            (here + (moved + pulled)).store_aligned(to + x);
         }
     }
 }

@@ -131,13 +131,14 @@ StageId LocalGrid::add_verlet_stage(JobGraph& graph, StageId prepared) {
                       .waits_for = {prepared},
                       .body = for_each_item([this](std::size_t job) {
                           const double courant = courant_number(options_);
+                          const double left = det::exp(-options_.decay_per_s * tick_s());
                           kernels_.verlet_rows({.now = first_texel(height_),
                                                 .before = first_texel(1 - height_),
                                                 .resolution = n(),
                                                 .first_row = job * rows_an_item,
                                                 .rows = rows_an_item,
-                                                .coupling = static_cast<float>(courant * courant),
-                                                .left = static_cast<float>(1 - options_.decay_per_s * tick_s())});
+                                                .coupling = static_cast<float>(courant * courant * left),
+                                                .left = static_cast<float>(left * left)});
                       })});
 }
 

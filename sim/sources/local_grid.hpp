@@ -3,7 +3,7 @@
 // spectral (the default)   z = h + i w, where the wave number k of w is that of dh/dt over omega(k). Each wave goes on by
 //                          z_k(t + dt) = z_k(t) exp(-i omega(k) dt - (2 nu k^2 + decay) dt),
 //                          omega^2 = (g k + (T/rho) k^3) tanh(k depth): exact dispersion, at any length of a tick
-// verlet                   h' = (2 h - h_before + c lap h) (1 - decay dt), of which amplitudes lose half, c = (speed dt / dx)^2
+// verlet                   h' = h + d^2 (h - h_before) + d c lap h,  d = exp(-decay dt),  c = (speed dt / dx)^2
 //
 // In either case the window is a torus whose border takes waves away before they come round, and texels that enter it are flat.
 #pragma once

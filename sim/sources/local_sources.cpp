@@ -192,12 +192,18 @@ void LocalSources::push_rows(const LocalWindow& window, std::size_t first_row, s
                 });
                 break;
             case Disturbance::Mode::pull:
+                // Of both of Verlet's heights the same, here and below: water that is brought has no speed.
                 push([=, part = splash.part](std::size_t texel, float shape, float weight) {
-                    now[texel] += part * weight * (shape - now[texel]);
+                    const float brought = part * weight * (shape - now[texel]);
+                    now[texel] += brought;
+                    if (before) before[texel] += brought;
                 });
                 break;
             case Disturbance::Mode::add:
-                push([=](std::size_t texel, float shape, float) { now[texel] += shape; });
+                push([=](std::size_t texel, float shape, float) {
+                    now[texel] += shape;
+                    if (before) before[texel] += shape;
+                });
                 break;
         }
     }
