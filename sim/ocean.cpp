@@ -224,6 +224,13 @@ struct Ocean::State {
         }
         run_in_flight->complete();
     }
+    /// All of a frame's buffers, before anything of it can fail: drop_frame() turns all of them back.
+    void turn() {
+        if (local) local->turn();
+        if (shore) shore->turn();
+        frames.turn();
+    }
+    /// \pre turn() for this frame
     void drop_frame() {
         if (local) local->drop_frame();
         if (shore) shore->drop_frame();
@@ -264,6 +271,7 @@ void Ocean::schedule(double time_s, std::span<const TextureTargets> tiles) {
     state_->hold_seas(Pass::frame, time_s);
     state_->bake_ahead(time_s);
     state_->run_in_flight = nullptr;
+    state_->turn();
     try {
         if (state_->local) state_->local->begin_frame(time_s);
         if (state_->shore) state_->shore->begin_frame(time_s);

@@ -69,7 +69,6 @@ void FrameAssembly::add_spectrum_stages(JobGraph& graph) {
 
 void FrameAssembly::begin_frame(double time_s, std::span<const TextureTargets> targets) {
     const DefaultFloatEnvironment environment;
-    slots_.turn();
     slots_.write_textures_to(targets);
     Frame& frame = slots_.frame();
     const SeaMoment moment = weather_.moment_at(time_s);

@@ -33,7 +33,9 @@ class FrameAssembly {
     std::vector<StageId> add_tick_stages(JobGraph& graph);
     void add_spectrum_stages(JobGraph& graph);
 
-    /// \pre the moment's seas are at hand
+    /// Makes room for the next frame, before anything of it can fail; drop_frame() gives it back. \pre no frame is in flight
+    void turn() { slots_.turn(); }
+    /// \pre turn() for this frame, and the moment's seas are at hand
     void begin_frame(double time_s, std::span<const TextureTargets> targets);
     /// How many ticks are still to be remembered before the frame is computed.
     int ticks_due() const { return ticks_due_; }

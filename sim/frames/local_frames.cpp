@@ -115,7 +115,6 @@ void LocalFrames::take_what_was_said() {
 void LocalFrames::begin_frame(double time_s) {
     assert(!frame_in_flight_);
     const DefaultFloatEnvironment environment;
-    back_ = 1 - back_;  // first: whatever fails from here on, drop_frame() turns it back
     take_what_was_said();
     const double rate = grid_.options().ticks_per_s;
     const double place = std::clamp(time_s * rate + clock_slack, -farthest_tick, farthest_tick);
@@ -188,7 +187,7 @@ void LocalFrames::drop_frame() {
         complete();
     } catch (...) {  // it is lost already
     }
-    back_ = 1 - back_;
+    turn();
 }
 
 std::vector<std::uint8_t> LocalFrames::saved() const {

@@ -37,8 +37,10 @@ class LocalFrames {
     void follow(double x_m, double z_m);
     void set_rain(const Rain& rain);
 
+    /// Makes room for the next frame, before anything of it can fail; drop_frame() gives it back.
+    void turn() { back_ = 1 - back_; }
     /// Begins the frame of `time_s`: its ticks, of which all but one are left to complete(), and what it shows. The first frame, and one
-    /// of a time before the last one's, has no ticks.
+    /// of a time before the last one's, has no ticks. \pre turn() for this frame
     void begin_frame(double time_s);
     void complete();
     bool is_done() const;

@@ -247,7 +247,6 @@ void ShoreSource::add_frame_stage(JobGraph& graph) {
 }
 
 void ShoreSource::begin_frame(double time_s) {
-    back_ = 1 - back_;
     const LoopFraction fraction = loop_fraction(time_s, sea_.loop_period_s);
     for (std::size_t wave = 0; wave < waves_.size(); ++wave) {
         const std::uint32_t turns = waves_[wave].harmonic * fraction.turns;

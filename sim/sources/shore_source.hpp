@@ -38,10 +38,13 @@ class ShoreSource {
     void end_bake();
 
     void add_frame_stage(JobGraph& graph);
+    /// Makes room for the next frame, before anything of it can fail; drop_frame() gives it back.
+    void turn() { back_ = 1 - back_; }
+    /// \pre turn() for this frame
     void begin_frame(double time_s);
     /// Of the last run. Valid until the second begin_frame() from then.
     ShoreSurface end_frame();
-    void drop_frame() { back_ = 1 - back_; }
+    void drop_frame() { turn(); }
 
     const std::vector<ShoreWave>& waves() const { return waves_; }
     std::size_t bytes() const;
