@@ -236,6 +236,7 @@ struct Ocean::State {
         if (shore) shore->drop_frame();
         frames.drop_frame();
         frames.forget();
+        frames.weather().need_nothing();
     }
 };
 
@@ -306,6 +307,7 @@ const Frame& Ocean::complete() {
             throw;
         }
         state_->completed = &state_->frames.end_frame();
+        state_->frames.weather().need_nothing();
     }
     return *state_->completed;
 }

@@ -118,7 +118,8 @@ class Ocean {
     /// One more change of the forecast: the sea turns into another one, and its spectrum is baked beside frames from now on
     /// (Forecast says what may change). The ocean remembers the last two changes, and times before them have the oldest sea that is
     /// left. Throws std::invalid_argument(check(forecast)) if the change before isn't over by `from_s`, or the sea doesn't fit.
-    /// A frame may be in flight. \pre no sea is between schedule_sea(sea) and complete_sea()
+    /// A frame may be in flight, and stays that of the forecast that it was scheduled in.
+    /// \pre no sea is between schedule_sea(sea) and complete_sea()
     void schedule_sea(const SeaChange& change);
     void schedule_sea(const SeaState& sea, double from_s, double over_s) {
         schedule_sea({.sea = sea, .from_s = from_s, .over_s = over_s});

@@ -201,8 +201,10 @@ TEST(SeaShelf, KeepsWhatPassesTakeAndGivesUpTheOldest) {
     shelf.need(Pass::tick, 1, 2);
     shelf.need(Pass::frame, 2, 7);
     shelf.put(8);
+    EXPECT_FALSE(shelf.holds(4)) << "nobody took it either";
+    shelf.put(9);
     EXPECT_FALSE(shelf.holds(0));
-    for (const std::size_t number : {1, 2, 7, 8}) EXPECT_TRUE(shelf.holds(number)) << number;
+    for (const std::size_t number : {1, 2, 7, 8, 9}) EXPECT_TRUE(shelf.holds(number)) << number;
 }
 
 /// FNV-1a over everything that the waves of a frame displace.

@@ -102,7 +102,7 @@ void FrameAssembly::begin_tick() {
 }
 
 const Frame& FrameAssembly::end_frame() {
-    if (std::exchange(ticks_mix_weathers_, false)) forget();
+    if (std::exchange(foam_ends_with_frame_, false)) forget();
     slots_.finish_textures();
     Frame& frame = slots_.frame();
     frame.bounds = {};
@@ -120,11 +120,22 @@ const Frame& FrameAssembly::end_frame() {
     return frame;
 }
 
+void FrameAssembly::drop_frame() {
+    slots_.turn();
+    ticks_due_ = 0;
+    foam_ends_with_frame_ = false;
+}
+
 void FrameAssembly::keep_foam_of(const SeaChange& next) {
-    ticks_mix_weathers_ = ticks_due_ > 0;  // of a frame in flight
-    if (!newest_tick_) return;
-    const double oldest_s = clock().time_s(*newest_tick_ - foam_->warm_up_ticks());
-    if (clock().time_s(*newest_tick_) > next.from_s || oldest_s < weather_.end_of_forgotten_by_next()) forget();
+    const bool has_ticks_due = ticks_due_ > 0;  // of a frame in flight
+    if (!has_ticks_due && !newest_tick_) return;
+    const std::int64_t newest = has_ticks_due ? frame_tick_.number : *newest_tick_;
+    const double oldest_s = clock().time_s(newest - foam_->warm_up_ticks());
+    if (clock().time_s(newest) <= next.from_s && oldest_s >= weather_.end_of_forgotten_by_next()) return;
+    if (has_ticks_due)
+        foam_ends_with_frame_ = true;
+    else
+        forget();
 }
 
 std::vector<std::uint8_t> FrameAssembly::saved_history() const {

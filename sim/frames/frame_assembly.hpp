@@ -47,7 +47,7 @@ class FrameAssembly {
     void show(const LocalSurface& local) { slots_.frame().local = local; }
     void show(const ShoreSurface& shore) { slots_.frame().shore = shore; }
     const Frame& end_frame();
-    void drop_frame() { slots_.turn(); }
+    void drop_frame();
 
     /// Whatever was being remembered may be half of it.
     void forget() { newest_tick_.reset(); }
@@ -92,7 +92,7 @@ class FrameAssembly {
     TickPlace frame_tick_;                     ///< of the frame begun last
     std::optional<std::int64_t> newest_tick_;  ///< none: nothing is remembered
     int ticks_due_ = 0;
-    bool ticks_mix_weathers_ = false;
+    bool foam_ends_with_frame_ = false;  ///< the frame in flight is the last one that what it remembers is right for
 };
 
 }  // namespace pelagic

@@ -18,6 +18,8 @@ std::size_t transform_stack_bytes(int resolution, std::size_t lanes) {
     return 24 * static_cast<std::size_t>(resolution) * lanes + stack_margin;
 }
 
+constexpr double two_pi = 6.28318530717958647693;
+
 // Lines a job: a wind change should not hold up frames.
 constexpr std::size_t spectrum_batch = 2;
 
@@ -109,6 +111,9 @@ void Cascade::begin(Pass pass, const SeaMoment& moment, Tile& tile) {
     shown.after = &after;
     shown.part = static_cast<float>(moment.part);
     shown.choppiness = static_cast<float>(before.choppiness);
+    shown.cosine = static_cast<float>(lattice_.cosine);
+    shown.sine = static_cast<float>(lattice_.sine);
+    shown.first_frequency = static_cast<float>(two_pi / loop_period_s_);
     shown.fraction = loop_fraction(moment.time_s, loop_period_s_);
     shown.parts.clear();
     Look look = before.look;
@@ -201,7 +206,6 @@ void Cascade::blend(Pass pass, std::size_t line_block) {
 }
 
 EvolveRowsJob Cascade::evolve_rows_job(Pass pass, std::size_t line_block, float* lines) {
-    constexpr double two_pi = 6.28318530717958647693;
     const std::size_t first_line = line_block * kernels_.lanes;
     const Shown& shown = shown_[pass];
     const PackedSpectrum& spectrum = shown.before->spectrum;  // whose waves are those of the sea after
@@ -213,15 +217,16 @@ EvolveRowsJob Cascade::evolve_rows_job(Pass pass, std::size_t line_block, float*
             .line_count = std::min(kernels_.lanes, line_count(resolution_) - first_line),
             .fft = &fft_,
             .lines = lines,
-            .first_frequency = static_cast<float>(two_pi / loop_period_s_)};
+            .first_frequency = shown.first_frequency};
 }
 
 void Cascade::columns_finalize(Pass pass, std::size_t number, float* surface, PartBounds& bounds) {
+    const Shown& shown = shown_[pass];
     ColumnsFinalizeJob job{.blocks = {},
                            .fft = &fft_,
-                           .choppiness = shown_[pass].choppiness,
-                           .cosine = static_cast<float>(lattice_.cosine),
-                           .sine = static_cast<float>(lattice_.sine),
+                           .choppiness = shown.choppiness,
+                           .cosine = shown.cosine,
+                           .sine = shown.sine,
                            .bounds = &bounds};
     const std::size_t block_floats = column_block_floats(resolution_, kernels_.lanes);
     const ColumnBlockPair pair = column_block_pair(resolution_, kernels_.lanes, number);

@@ -81,8 +81,8 @@ class Cascade final : public SeaSource {
     };
     const Waves& waves_of(std::size_t number) const;
     std::array<std::optional<Waves>, SeaShelf::places> seas_;
-    TileLattice lattice_;
-    double loop_period_s_ = 1;
+    TileLattice lattice_;       ///< of frames to come, and so is
+    double loop_period_s_ = 1;  ///< this: a pass in flight has its own
 
     /// What a pass evaluates.
     struct Shown {
@@ -92,6 +92,8 @@ class Cascade final : public SeaSource {
         std::vector<float> parts;  ///< of each band while a swell from afar comes; else empty
         bool is_idle = false;      ///< ticks are for whitecaps alone
         float choppiness = 0;
+        float cosine = 1, sine = 0;  ///< of the lattice
+        float first_frequency = 0;   ///< of the loop, radians a second
         LoopFraction fraction;
         AlignedBuffer<float> blended;  ///< as PackedSpectrum::waves, where one sea turns into another
     };

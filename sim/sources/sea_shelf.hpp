@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -12,8 +13,8 @@ namespace pelagic {
 
 class SeaShelf {
    public:
-    /// Those of a tick and of a frame, which may lie in two changes.
-    static constexpr std::size_t places = 2 * passes;
+    /// Two seas for the tick in flight, two for the frame, which may lie in another change, and one that is put there meanwhile.
+    static constexpr std::size_t places = 2 * passes + 1;
 
     /// Where a sea's waves are; none if they have to be baked.
     std::optional<std::size_t> find(std::size_t number) const {
@@ -33,10 +34,11 @@ class SeaShelf {
 
     /// Whatever was taken is done.
     void need_nothing() { needed_ = nothing; }
+    bool needs_any() const { return needed_.values != nothing.values; }
 
-    /// A place for a sea that the shelf doesn't hold. What was there is given up. \pre passes need less than all places
+    /// A place for a sea that the shelf doesn't hold. What was there is given up; no pass needs it.
     std::size_t put(std::size_t number) {
-        std::size_t best = 0;
+        std::size_t best = places;
         std::uint64_t oldest = ~std::uint64_t{0};
         for (std::size_t place = 0; place < places; ++place) {
             const std::uint64_t used = !held_[place]                     ? 0
@@ -46,6 +48,7 @@ class SeaShelf {
             best = place;
             oldest = used;
         }
+        assert(best < places && "passes need all places");
         held_[best] = {number, ++now_};
         return best;
     }

@@ -24,29 +24,32 @@ int white_tiles_of(const std::vector<TilePlan>& plans) {
 
 }  // namespace
 
-Weather::Weather(const Forecast& forecast) : forecast_(forecast), reach_(reach_of(forecast)) {
-    forecast_.largest_peak_m = reach_.peak_m;
+Weather::Weather(const Forecast& forecast) : reach_(reach_of(forecast)), next_{.forecast = forecast} {
+    next_.forecast.largest_peak_m = reach_.peak_m;
     for (std::size_t index = 0; index <= forecast.changes.size(); ++index)
-        plans_.push_back(plan_tiles(forecast.sea(index), reach_));
-    find_arrivals();
+        next_.plans.push_back(plan_tiles(forecast.sea(index), reach_));
+    next_.find_arrivals();
 }
 
-void Weather::find_arrivals() {
-    arrivals_.clear();
-    for (const SeaChange& change : forecast_.changes)
-        arrivals_.push_back(change.swell_from_m > 0 ? std::optional<Arrival>(change) : std::nullopt);
+void Weather::Outlook::find_arrivals() {
+    arrivals.clear();
+    for (const SeaChange& change : forecast.changes)
+        arrivals.push_back(change.swell_from_m > 0 ? std::optional<Arrival>(change) : std::nullopt);
 }
 
 void Weather::add(const SeaChange& change) {
-    const std::size_t before = first_number_;
-    forecast_ = with(change, &first_number_);
-    plans_.erase(plans_.begin(), plans_.begin() + static_cast<std::ptrdiff_t>(first_number_ - before));
-    plans_.push_back(plan_tiles(change.sea, reach_));
-    find_arrivals();
+    Outlook next = next_;
+    next.forecast = with(change, &next.first_number);
+    next.plans.erase(next.plans.begin(),
+                     next.plans.begin() + static_cast<std::ptrdiff_t>(next.first_number - next_.first_number));
+    next.plans.push_back(plan_tiles(change.sea, reach_));
+    next.find_arrivals();
+    std::swap(next_, next);
+    if (shelf_.needs_any() && !in_flight_) in_flight_ = std::move(next);
 }
 
 Forecast Weather::with(const SeaChange& change, std::size_t* first_number) const {
-    Forecast longer = forecast_;
+    Forecast longer = forecast();
     if (longer.changes.size() >= remembered_changes) {
         longer.first = longer.changes.front().sea;
         longer.changes.erase(longer.changes.begin());
@@ -58,19 +61,20 @@ Forecast Weather::with(const SeaChange& change, std::size_t* first_number) const
 
 double Weather::end_of_forgotten_by_next() const {
     constexpr double never = -std::numeric_limits<double>::infinity();
-    return forecast_.changes.size() < remembered_changes ? never : forecast_.changes.front().end_s();
+    return forecast().changes.size() < remembered_changes ? never : forecast().changes.front().end_s();
 }
 
 SeaMoment Weather::moment_at(double time_s) const {
-    const ForecastMoment moment = forecast_.at(time_s);
-    SeaMoment now{.time_s = time_s,
-                  .before = first_number_ + moment.before,
-                  .after = first_number_ + moment.after,
-                  .part = moment.part};
-    if (now.is_steady()) return now;
-    if (const std::optional<Arrival>& arrival = arrivals_[moment.before]) now.arrival = &*arrival;
-    now.since_s = time_s - forecast_.changes[moment.before].from_s;
-    return now;
+    const Outlook& outlook = now();
+    const ForecastMoment found = outlook.forecast.at(time_s);
+    SeaMoment moment{.time_s = time_s,
+                     .before = outlook.first_number + found.before,
+                     .after = outlook.first_number + found.after,
+                     .part = found.part};
+    if (moment.is_steady()) return moment;
+    if (const std::optional<Arrival>& arrival = outlook.arrivals[found.before]) moment.arrival = &*arrival;
+    moment.since_s = time_s - outlook.forecast.changes[found.before].from_s;
+    return moment;
 }
 
 SeaState Weather::sea_at(const SeaMoment& moment) const {
@@ -132,11 +136,11 @@ SeaFigures Weather::figures_of(const SeaState& sea, const Sums& sums) {
 }
 
 std::optional<std::size_t> Weather::wanted_soon(double time_s) const {
-    const auto& changes = forecast_.changes;
+    const auto& changes = forecast().changes;
     for (std::size_t i = 0; i < changes.size(); ++i) {
         if (changes[i].from_s > time_s + bake_ahead_s) break;
         if (changes[i].end_s() < time_s - bake_ahead_s) continue;
-        for (const std::size_t number : {first_number_ + i, first_number_ + i + 1})
+        for (const std::size_t number : {next_.first_number + i, next_.first_number + i + 1})
             if (!has(number)) return number;
     }
     return {};
@@ -149,7 +153,8 @@ void Weather::begin(const SeaState& sea, const std::vector<TilePlan>& plans, Sou
 }
 
 void Weather::begin(std::size_t number, Sources sources) {
-    begin(sea(number), plans_[number - first_number_], sources);
+    const Outlook& outlook = outlook_of(number);
+    begin(outlook.sea(number), outlook.plans[number - outlook.first_number], sources);
     baked_number_ = number;
 }
 
@@ -181,16 +186,13 @@ void Weather::begin_other(const SeaState& sea, Sources sources) {
 }
 
 void Weather::restart(Sources sources) {
-    first_number_ += forecast_.changes.size() + 1;
-    forecast_ = other_->forecast;
+    next_ = {.forecast = other_->forecast, .plans = {other_->plans}, .first_number = number_of_last() + 1};
     reach_ = other_->reach;
-    plans_ = {other_->plans};
-    find_arrivals();
-    forecast_.largest_peak_m = reach_.peak_m;
+    next_.forecast.largest_peak_m = reach_.peak_m;
     other_.reset();
     shelf_.clear();
     for (const auto& source : sources) source->forget_seas();
-    baked_number_ = first_number_;
+    baked_number_ = next_.first_number;
     adopt(sources);
 }
 

@@ -27,10 +27,10 @@ class Weather {
     /// \pre check(forecast) is empty
     explicit Weather(const Forecast& forecast);
 
-    /// Says how long peaks may be, too.
-    const Forecast& forecast() const { return forecast_; }
+    /// That of frames to come. Says how long peaks may be, too.
+    const Forecast& forecast() const { return next_.forecast; }
 
-    /// \pre check(with(change)) is empty
+    /// A frame in flight keeps the forecast that it was scheduled in, until need_nothing(). \pre check(with(change)) is empty
     void add(const SeaChange& change);
     /// The forecast after one more change; it remembers two. `first_number` counts what it forgets.
     Forecast with(const SeaChange& change, std::size_t* first_number = nullptr) const;
@@ -46,8 +46,12 @@ class Weather {
 
     /// The next run of the pass takes what the moment needs.
     void need(Pass pass, const SeaMoment& moment) { shelf_.need(pass, moment.before, moment.after); }
-    void need_nothing() { shelf_.need_nothing(); }
-    std::size_t number_of_last() const { return first_number_ + forecast_.changes.size(); }
+    /// No frame is in flight.
+    void need_nothing() {
+        shelf_.need_nothing();
+        in_flight_.reset();
+    }
+    std::size_t number_of_last() const { return next_.first_number + next_.forecast.changes.size(); }
     bool has(std::size_t number) const { return shelf_.holds(number); }
     /// A sea that is not at hand, and that frames around this one will need.
     std::optional<std::size_t> wanted_soon(double time_s) const;
@@ -85,19 +89,30 @@ class Weather {
         std::vector<TilePlan> plans;
     };
 
-    const SeaState& sea(std::size_t number) const { return forecast_.sea(number - first_number_); }
-    /// Of the forecast's changes.
-    void find_arrivals();
+    /// A forecast, and what follows from it.
+    struct Outlook {
+        Forecast forecast;
+        /// Of each sea: to find one out takes longer than a frame has time for.
+        std::vector<std::vector<TilePlan>> plans = {};
+        /// Of each change; none: all of its waves come together.
+        std::vector<std::optional<Arrival>> arrivals = {};
+        std::size_t first_number = 0;  ///< of forecast.first
+
+        const SeaState& sea(std::size_t number) const { return forecast.sea(number - first_number); }
+        void find_arrivals();
+    };
+    /// That of the frame in flight, or of the next one.
+    const Outlook& now() const { return in_flight_ ? *in_flight_ : next_; }
+    /// One that knows the sea.
+    const Outlook& outlook_of(std::size_t number) const { return number < next_.first_number ? now() : next_; }
+    const SeaState& sea(std::size_t number) const { return outlook_of(number).sea(number); }
     static Sums arriving(const Baked& before, const Baked& after, const SeaMoment& moment);
     static SeaFigures figures_of(const SeaState& sea, const Sums& sums);
     void begin(const SeaState& sea, const std::vector<TilePlan>& plans, Sources sources);
 
-    Forecast forecast_;
     WaveReach reach_;
-    std::vector<std::vector<TilePlan>>
-        plans_;  ///< of each sea: to find one out takes longer than a frame has time for
-    std::vector<std::optional<Arrival>> arrivals_;  ///< of each change; none: all of its waves come together
-    std::size_t first_number_ = 0;                  ///< of forecast_.first
+    Outlook next_;                      ///< of frames to come
+    std::optional<Outlook> in_flight_;  ///< of the frame in flight, if changes were added since it was scheduled
     SeaShelf shelf_;
     std::array<Baked, SeaShelf::places> baked_;
     std::size_t baked_number_ = 0;

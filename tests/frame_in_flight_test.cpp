@@ -1,0 +1,139 @@
+// Changes of the sea that are scheduled while a frame is in flight: the frame is the one that it would have been without them, and
+// later frames are those of an ocean whose changes were scheduled between frames.
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <memory>
+#include <random>
+#include <utility>
+#include <vector>
+
+#include "pelagic/sim/ocean.hpp"
+#include "pelagic/sim/sources/sea_shelf.hpp"
+#include "pelagic/tests/each_executor.hpp"
+#include "pelagic/tests/sanitized.hpp"
+
+namespace pelagic {
+namespace {
+
+/// Enough texels for a frame on the executor's threads. All of these seas break, and no two have the same foam.
+SeaState windy(int number) {
+    return {.cascades = 2,
+            .resolution = 64,
+            .wind_speed_mps = 12. + number % 7,
+            .wind_direction_rad = 0.3 * (number % 11),
+            .choppiness = 0.7 + 0.05 * (number % 5)};
+}
+
+/// Room for the peaks of all of them.
+const double largest_peak_m = WaveReach::of(windy(6)).peak_m;
+
+struct Step {
+    double time_s;
+    std::vector<SeaChange> changes;  ///< scheduled while the frame is in flight, or right after it
+};
+
+struct Bits {
+    std::uint64_t frame, foam;
+    bool operator==(const Bits&) const = default;
+};
+
+enum class Order { in_flight, serial };
+
+std::vector<Bits> frames_of(const Forecast& forecast, const std::vector<Step>& steps, Order order,
+                            std::shared_ptr<Executor> executor) {
+    Ocean ocean(forecast, {.executor = std::move(executor), .foam = true});
+    std::vector<Bits> bits;
+    for (const Step& step : steps) {
+        const auto schedule_changes = [&] {
+            for (const SeaChange& change : step.changes) ocean.schedule_sea(change);
+        };
+        ocean.schedule(step.time_s);
+        if (order == Order::in_flight) schedule_changes();
+        const Frame& frame = ocean.complete();
+        bits.push_back({hash_of(frame), foam_hash_of(frame)});
+        if (order == Order::serial) schedule_changes();
+    }
+    return bits;
+}
+
+void expect_same_bits(const Forecast& forecast, const std::vector<Step>& steps) {
+    const auto expected = frames_of(forecast, steps, Order::serial, make_serial_executor());
+    for (const ExecutorKind& kind : executor_kinds()) {
+        if (kind.threads != 2 && kind.name != "serial") continue;  // more of them take the same ways, and longer
+        const auto found = frames_of(forecast, steps, Order::in_flight, kind.make(kind.threads));
+        for (std::size_t i = 0; i < steps.size(); ++i)
+            EXPECT_EQ(found[i], expected[i]) << kind.name << ": frame " << i << ", at " << steps[i].time_s << " s";
+    }
+}
+
+/// Ticks are a tenth of a second apart: that of 10 s lies in the first change, a frame at 10.09 s in the third.
+Forecast three_changes_within_a_tick() {
+    return {.first = windy(0),
+            .changes = {{.sea = windy(1), .from_s = 9, .over_s = 1.02},
+                        {.sea = windy(2), .from_s = 10.02, .over_s = 0.03},
+                        {.sea = windy(3), .from_s = 10.06, .over_s = 5},
+                        {.sea = windy(4), .from_s = 18, .over_s = 2}},
+            .largest_peak_m = largest_peak_m};
+}
+
+// The tick and the frame take four seas. A fifth is being baked ahead, and has to be put somewhere.
+TEST(FrameInFlight, ItsTickAndItselfKeepFourSeasWhileAFifthIsBaked) {
+    expect_same_bits(three_changes_within_a_tick(),
+                     {{9.95, {}}, {10.09, {{.sea = windy(5), .from_s = 25, .over_s = 5}}}, {10.2, {}}, {10.31, {}}});
+}
+
+// 29 ticks are left to complete(): from 7.2 s to 10 s. The first change is forgotten with the first of those that come.
+TEST(FrameInFlight, ItsWarmUpIsThatOfTheWeatherItWasScheduledIn) {
+    std::vector<SeaChange> changes;
+    for (int number = 0; number < 4; ++number) {
+        expect_same_bits(three_changes_within_a_tick(), {{0, {}}, {10.09, changes}, {10.2, {}}, {10.31, {}}});
+        changes.push_back({.sea = windy(5 + number), .from_s = 25. + number, .over_s = 0.5});
+    }
+}
+
+TEST(FrameInFlight, AChangeInThePastOfItsTicksIsNoneOfItsOwn) {
+    const Forecast steady{.first = windy(6), .largest_peak_m = largest_peak_m};
+    expect_same_bits(steady, {{0, {}}, {10.09, {{.sea = windy(0), .from_s = 6, .over_s = 2}}}, {10.2, {}}});
+}
+
+TEST(FrameInFlight, AnyChangesInAnyFramesAreThoseOfTheSerialOrder) {
+    std::mt19937 random(31);
+    const auto uniform = [&](double least, double most) {
+        return least + (most - least) * static_cast<double>(random()) * 0x1p-32;
+    };
+    for (int run = 0; run < (is_sanitized ? 1 : 2); ++run) {
+        const Forecast forecast{.first = windy(run), .largest_peak_m = largest_peak_m};
+        std::vector<Step> steps;
+        double time_s = 0, over_s = 0;  // when the last change is over
+        for (int number = 0; number < (is_sanitized ? 12 : 25); ++number) {
+            Step step{time_s, {}};
+            for (std::size_t more = random() % 3; more > 0; --more) {
+                SeaChange change{.sea = windy(static_cast<int>(random() % 77)),
+                                 .from_s = over_s + uniform(0, 0.1),
+                                 .over_s = uniform(0.01, random() % 4 == 0 ? 2 : 0.1)};
+                over_s = change.end_s();
+                step.changes.push_back(change);
+            }
+            steps.push_back(step);
+            // Most frames are a tick or less apart, and some jump to where the changes are.
+            time_s = random() % 5 == 0 ? over_s + uniform(-1, 0.1) : time_s + uniform(0, 0.15);
+        }
+        expect_same_bits(forecast, steps);
+    }
+}
+
+TEST(SeaShelf, HasRoomForAllThatPassesTakeAndOneMore) {
+    SeaShelf shelf;
+    for (const std::size_t number : {0, 1, 2, 3}) shelf.put(number);
+    shelf.need(Pass::tick, 0, 1);
+    shelf.need(Pass::frame, 2, 3);
+    for (std::size_t number = 4; number < 10; ++number) {
+        shelf.put(number);
+        EXPECT_TRUE(shelf.holds(number));
+        for (const std::size_t needed : {0, 1, 2, 3}) EXPECT_TRUE(shelf.holds(needed)) << number;
+    }
+}
+
+}  // namespace
+}  // namespace pelagic
