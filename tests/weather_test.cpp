@@ -383,6 +383,78 @@ TEST(Weather, EnergyOfFramesIsThatOfTheBlend) {
     }
 }
 
+double slope_variance(const Frame& frame) {
+    double sum = 0;
+    for (const Tile& tile : frame.tiles) sum += tile.slope_variance;
+    return sum;
+}
+
+/// Cox and Munk (1954): 0.00316 U upwind and 0.003 + 0.00192 U crosswind.
+double measured_slope_variance(double wind_speed_mps) { return 0.003 + 0.00508 * wind_speed_mps; }
+
+// What the textures show goes over with the energy, and so does what is expected of them. The roughness of the water between texels
+// goes over linearly, from what Cox and Munk's slopes leave in the one wind to what they leave in the other.
+TEST(Weather, SlopesGoOverWithTheEnergyAndRoughnessLinearly) {
+    const double loop_s = calm.loop_period_s, whole_s = 1e6 * loop_s;
+    Ocean ocean(calm_to_storm(0, whole_s), {.executor = make_thread_executor(2)});
+    struct Slopes {
+        double shown, expected, roughness;
+    };
+    const auto slopes_at = [&](double part_of_change) {
+        Slopes slopes{};
+        for (int moment = 0; moment < 12; ++moment) {
+            const Frame& frame = ocean.frame_at(part_of_change * whole_s + moment * loop_s / 12);
+            slopes.shown += slope_variance(frame) / 12;
+            slopes.expected = frame.figures.resolved_slopes.total();
+            slopes.roughness = frame.figures.roughness;
+        }
+        return slopes;
+    };
+    const Slopes before = slopes_at(-1), after = slopes_at(1);
+    EXPECT_NEAR(before.roughness, std::sqrt(measured_slope_variance(4) - before.expected), 1e-12);
+    EXPECT_NEAR(after.roughness, std::sqrt(measured_slope_variance(19) - after.expected), 1e-12);
+    ASSERT_GT(after.roughness, 2 * before.roughness) << "else a wrong blend is hard to tell";
+    for (const double u : {0.125, 0.25, 0.5, 0.75}) {
+        const double part = u * u * (3 - 2 * u);
+        const auto between = [&](double Slopes::*which) { return (1 - part) * before.*which + part * after.*which; };
+        const Slopes now = slopes_at(u);
+        // Waves that run against others, as in EnergyOfFramesIsThatOfTheBlend, and a byte a slope.
+        EXPECT_NEAR(now.shown, between(&Slopes::shown), 0.02 * after.shown) << u;
+        // In 12 moments a change of 1e6 loops moves s by less than 2e-6.
+        EXPECT_NEAR(now.expected, between(&Slopes::expected), 2e-6 * after.expected) << u;
+        EXPECT_NEAR(now.roughness, between(&Slopes::roughness), 2e-6 * after.roughness) << u;
+    }
+}
+
+TEST(Weather, SmoothnessChannelHasTheRoughnessOfTheBlend) {
+    SeaState smooth = calm, rough = storm, swell = storm;
+    smooth.roughness = 0.04;
+    rough.roughness = 0.64;
+    swell.roughness = 0.25;
+    swell.swell_height_m = 2;
+    const Forecast forecast{.first = smooth,
+                            .changes = {{.sea = rough, .from_s = 10, .over_s = 20},
+                                        {.sea = swell, .from_s = 40, .over_s = 20, .swell_from_m = 1000}}};
+    Ocean ocean(forecast, {.executor = make_serial_executor(), .gradients = true});
+    const auto expect_roughness = [&](double time_s, double roughness) {
+        const Frame& frame = ocean.frame_at(time_s);
+        EXPECT_NEAR(frame.figures.roughness, roughness, 1e-12) << time_s;
+        for (const Tile& tile : frame.tiles)
+            EXPECT_NEAR((tile.gradient_level(0)[5] >> 24) / 255.0, 1 - std::sqrt(roughness), 0.51 / 255) << time_s;
+    };
+    for (const double time_s : {0.0, 10.0, 15.0, 20.0, 25.0, 30.0, 35.0}) {
+        const double u = std::clamp((time_s - 10) / 20, 0.0, 1.0);
+        expect_roughness(time_s, 0.04 + u * u * (3 - 2 * u) * (0.64 - 0.04));
+    }
+    const double end_s = forecast.changes[1].end_s();
+    ASSERT_GT(end_s, 100) << "waves of the swell's peak come first";
+    for (double time_s = 40; time_s < end_s + 5; time_s += 20) {
+        const ForecastMoment moment = forecast.at(time_s);
+        const double part = moment.before == moment.after ? time_s < end_s ? 0 : 1 : moment.part;
+        expect_roughness(time_s, 0.64 + part * (0.25 - 0.64));
+    }
+}
+
 struct Turn {
     std::string name;
     SeaState before, after;
