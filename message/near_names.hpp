@@ -42,6 +42,8 @@ inline std::optional<std::string> near_name(std::string_view name, std::span<con
     std::optional<std::string> nearest;
     std::size_t least = std::min<std::size_t>(3, name.size() / 2) + 1;
     for (const std::string& known : names) {
+        // A text of megabytes is no slip: what it is longer by is part of its distance.
+        if (name.size() >= known.size() + least) continue;
         const std::size_t distance = edit_distance(name, known);
         if (distance >= least) continue;
         least = distance;

@@ -1,5 +1,6 @@
 // Bad input: exit code 2, one line that names the option, the value and what is accepted, and nothing written.
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <string>
@@ -263,6 +264,52 @@ TEST(BadInput, AConfigFileOfMoreThan64MiBIsOne) {
     const Outcome outcome = run_pelagic({"info", "--config", (folder / "sea.toml").string()});
     EXPECT_EQ(outcome.exit_code, 2);
     EXPECT_NE(outcome.err.find("which has more than 64 MiB, needs a TOML file"), std::string::npos) << outcome.err;
+}
+
+std::string repeated(const std::string& text, int times) {
+    std::string all;
+    for (int i = 0; i < times; ++i) all += text;
+    return all;
+}
+
+// toml++ recurses for each part of a key and for each nested value: 100,000 of them end the program.
+TEST(BadInput, ATomlFileOfManyLevelsIsOne) {
+    const std::string dots = repeated("a.", 100'000) + "a";
+    const std::vector<std::pair<std::string, std::string>> files = {
+        {dots + " = 1\n", ":1: a line of more than 4096 bytes"},
+        {"[" + dots + "]\n", ":1: a line of more than 4096 bytes"},
+        {"seed = 1\n[[" + dots + "]]\n", ":2: a line of more than 4096 bytes"},
+        {"seed = 1\n\n" + repeated("a.", 1000) + "a = 1\n", ":3: a line with more than 16 dots"},
+        {"a = \"\"\"\n# \"\"\"\n\"#\"." + repeated("a.", 20) + "a = 1\n", ":3: a line with more than 16 dots"},
+        {"a = " + repeated("[\n", 100'000), ""},
+        {"a = " + repeated("[{a.a.a.a.a.a.a.a = \n", 30'000), ""},
+        {repeated("# the sea of the film\n", 100'000), ":1: TOML of more than 1 MiB"}};
+    for (const auto& [text, says] : files)
+        for (const char* option : {"--config", "--weather"}) {
+            const TemporaryFolder folder;
+            write_file(folder / "sea.toml", text);
+            const Outcome outcome = run_pelagic({"info", option, (folder / "sea.toml").string()});
+            EXPECT_EQ(outcome.exit_code, 2) << option << text.substr(0, 40);
+            EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+            EXPECT_NE(outcome.err.find("sea.toml" + says), std::string::npos) << outcome.err << "lacks " << says;
+        }
+    const TemporaryFolder folder;
+    write_file(folder / "sea.toml", "# " + repeated(".", 80) + "\nseed = 7 # " + repeated(".", 80) + "\n");
+    EXPECT_EQ(run_pelagic({"info", "--config", (folder / "sea.toml").string()}).exit_code, 0)
+        << "comments may have dots";
+}
+
+// The search for the nearest name took 22 s of the processor here.
+TEST(BadInput, APresetNameOf60MillionBytesIsOne) {
+    const TemporaryFolder folder;
+    write_file(folder / "sea.json", R"({"sea": {"preset": ")" + std::string(60'000'000, 'x') + R"("}})");
+    const Outcome outcome = run_pelagic({"info", "--config", (folder / "sea.json").string()}, [] {
+        const rlimit ten_seconds{10, 10};
+        ::setrlimit(RLIMIT_CPU, &ten_seconds);
+    });
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_LT(outcome.err.size(), 300u);
+    EXPECT_NE(outcome.err.find("sea: preset is xxx"), std::string::npos) << outcome.err;
 }
 
 TEST(BadInput, HelpAndVersionAreNone) {

@@ -84,6 +84,14 @@ TEST_F(WeatherCommand, RefusalsAreOneLineThatNamesThePlace) {
     EXPECT_NE(
         refusal_of("[[change]]\nfrom = 1\nover = 1\nswell_from = 3e7\n").find("swell_from is 30000000, needs metres"),
         std::string::npos);
+    EXPECT_NE(refusal_of("[[change]]\nfrom = \"5\"\nover = 1\n")
+                  .find("weather.toml:2: from is \"5\", needs a number without quotes: seconds in [-1e9, 1e9]"),
+              std::string::npos);
+    EXPECT_NE(refusal_of("[[change]]\nfrom = 5\nover = \"1\"\n").find("over is \"1\", needs a number without quotes"),
+              std::string::npos);
+    EXPECT_NE(refusal_of("[[change]]\nfrom = 5\nover = 1\nswell_from = \"2e3\"\n")
+                  .find("swell_from is \"2e3\", needs a number without quotes"),
+              std::string::npos);
     EXPECT_NE(refusal_of("change = 3\n").find("needs lines [[change]]"), std::string::npos);
     EXPECT_NE(refusal_of(calm_to_storm, {"--config", file(calm_to_storm)}).find("needs one of the two"),
               std::string::npos);

@@ -35,7 +35,35 @@ std::string value_text(const toml::node& node, const std::string& place, std::st
     throw InputError(place + ": " + std::string(key) + " is of type " + type.str() + ", needs a number or a text");
 }
 
+/// The line up to its comment. A line with a quote is kept whole: there a # may stand in a text, and the text may have begun on
+/// an earlier line.
+std::string_view without_comment(std::string_view line) {
+    return line.find_first_of("\"'") == std::string_view::npos ? line.substr(0, line.find('#')) : line;
+}
+
+/// toml++ recurses for each part of a dotted key, on the stack, and so it does where it frees the tables. It limits nested values
+/// itself, to 256 levels, each of which may add a dotted key: with these limits it uses less than 2 MiB of stack.
+void require_few_levels(std::string_view text, const std::filesystem::path& file) {
+    constexpr std::size_t most_bytes = std::size_t{1} << 20;
+    constexpr std::size_t most_line = 4096;
+    constexpr std::ptrdiff_t most_dots = 16;
+    const auto refuse = [&](std::size_t line, const std::string& what) {
+        throw InputError(file.string() + ":" + number_text(line) + ": " + what +
+                         ", needs lines such as wind_speed = 9.0");
+    };
+    if (text.size() > most_bytes) refuse(1, "TOML of more than 1 MiB");
+    for (std::size_t number = 1; !text.empty(); ++number) {
+        const std::string_view line = text.substr(0, text.find('\n'));
+        text.remove_prefix(std::min(line.size() + 1, text.size()));
+        const std::string_view data = without_comment(line);
+        if (line.size() > most_line) refuse(number, "a line of more than " + number_text(most_line) + " bytes");
+        if (std::count(data.begin(), data.end(), '.') > most_dots)
+            refuse(number, "a line with more than " + number_text(most_dots) + " dots");
+    }
+}
+
 toml::table parsed(std::string_view text, const std::filesystem::path& file) {
+    require_few_levels(text, file);
     try {
         return toml::parse(text);
     } catch (const toml::parse_error& error) {

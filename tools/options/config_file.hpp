@@ -20,7 +20,7 @@ struct ConfigEntry {
 };
 
 /// The top-level keys of a text that came from `file`. Throws InputError, one line with file and line number, for
-/// malformed TOML, duplicate keys, tables and arrays, and for a key that is not in `known` (it lists those).
+/// malformed TOML, TOML of more than 1 MiB, 4096 bytes a line or 16 dots a line, duplicate keys, tables and arrays, and for a key that is not in `known` (it lists those).
 std::vector<ConfigEntry> parse_config(std::string_view text, const std::filesystem::path& file,
                                       std::span<const std::string> known);
 

@@ -321,13 +321,17 @@ void SeaOptions::add_changes(ResolvedSea& first, const WeatherConfig& weather, c
         std::vector<ConfigEntry> of_sea;
         for (const ConfigEntry& entry : config.entries) {
             const std::string asked_by = entry.place + ": " + entry.key;
+            const auto number = [&](double least, double most, const std::string& accepted) {
+                if (entry.quoted)
+                    throw bad_value(asked_by, '"' + entry.value + '"', "a number without quotes: " + accepted);
+                return number_in(asked_by, entry.value, least, most, accepted);
+            };
             if (entry.key == "from")
-                from_s = number_in(asked_by, entry.value, -most_time_s, most_time_s, "seconds in [-1e9, 1e9]");
+                from_s = number(-most_time_s, most_time_s, "seconds in [-1e9, 1e9]");
             else if (entry.key == "over")
-                over_s = number_in(asked_by, entry.value, 0, most_time_s, "seconds in (0, 1e9]");
+                over_s = number(0, most_time_s, "seconds in (0, 1e9]");
             else if (entry.key == "swell_from")
-                change.swell_from_m =
-                    number_in(asked_by, entry.value, 0, most_swell_from_m, "metres in [1e3, 2e7], or 0");
+                change.swell_from_m = number(0, most_swell_from_m, "metres in [1e3, 2e7], or 0");
             else if (entry.key == "preset") {
                 apply_preset(change.sea, entry.value, asked_by);
                 keep_tiles(change.sea.sea, first.sea);
