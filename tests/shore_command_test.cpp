@@ -1,9 +1,12 @@
 // `pelagic query --shore`: the library's answers on a floor from an image, and what is refused.
 #include <OpenImageIO/imagebuf.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
+#include <initializer_list>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -11,6 +14,7 @@
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/surface_query.hpp"
 #include "pelagic/tests/run_pelagic.hpp"
+#include "pelagic/tests/sanitized.hpp"
 #include "pelagic/tests/shores.hpp"
 
 namespace pelagic {
@@ -114,6 +118,82 @@ TEST(ShoreCommand, NamesWhatAShoreNeeds) {
                                          (folder / "weather.toml").string(), "--floor", file, "--shore"});
     EXPECT_EQ(weather.exit_code, 2);
     EXPECT_EQ(weather.err, "pelagic: --shore is given, needs a sea that never changes, without --weather\n");
+}
+
+/// The bytes of an EXR file by its specification, with no pixels: all that is read before they are asked for.
+class ExrBytes {
+   public:
+    ExrBytes() { number(20000630).number(2); }
+
+    ExrBytes& number(std::uint32_t value) {
+        for (int shift = 0; shift < 32; shift += 8) text_ += static_cast<char>(value >> shift & 0xFF);
+        return *this;
+    }
+    ExrBytes& attribute(const std::string& name, const std::string& type, const std::string& value) {
+        text_.append(name).append(1, '\0').append(type).append(1, '\0');
+        number(static_cast<std::uint32_t>(value.size()));
+        text_ += value;
+        return *this;
+    }
+    /// Float channels c1000, c1001, ... and all else that a header needs, for 4096 x 4096 pixels.
+    ExrBytes& usual(int channels) {
+        const auto numbers = [](std::initializer_list<std::uint32_t> values) {
+            ExrBytes bytes;
+            bytes.text_.clear();
+            for (const std::uint32_t value : values) bytes.number(value);
+            return bytes.text_;
+        };
+        std::string list;
+        for (int i = 0; i < channels; ++i)
+            list += "c" + std::to_string(1000 + i) + std::string(1, '\0') + numbers({2, 0, 1, 1});
+        const std::string box = numbers({0, 0, 4095, 4095});
+        return attribute("channels", "chlist", list + std::string(1, '\0'))
+            .attribute("compression", "compression", std::string(1, '\3'))
+            .attribute("dataWindow", "box2i", box)
+            .attribute("displayWindow", "box2i", box)
+            .attribute("lineOrder", "lineOrder", std::string(1, '\0'))
+            .attribute("pixelAspectRatio", "float", numbers({0x3F800000}))
+            .attribute("screenWindowCenter", "v2f", numbers({0, 0}))
+            .attribute("screenWindowWidth", "float", numbers({0x3F800000}));
+    }
+    /// The null byte, and where 256 blocks of 16 lines would be.
+    std::string whole() const { return text_ + std::string(1 + 256 * 8, '\0'); }
+    std::string torn() const { return text_; }
+
+   private:
+    std::string text_;
+};
+
+TEST(ShoreCommand, RefusesHeadersThatAskForMuch) {
+    ExrBytes attributes, long_attribute;
+    for (int i = 0; i < 100'000; ++i) attributes.attribute("a" + std::to_string(i), "int", std::string(4, '\0'));
+    std::string two_gigabytes =
+        long_attribute.usual(1).torn() + "a" + std::string(1, '\0') + "string" + std::string(1, '\0');
+    two_gigabytes += std::string("\xff\xff\xff\x7f", 4) + std::string(100, 'x');
+    const std::vector<std::pair<std::string, std::string>> files = {
+        {ExrBytes().usual(1000).whole(), "it has 1000 channels, needs at most 4"},
+        {attributes.usual(1).whole(), "its EXR header has more than 4000 attributes"},
+        {two_gigabytes, "its EXR header has no end within the first 1 MiB"},
+        {ExrBytes().usual(1).torn(), "its EXR header has no end"},
+        {"no image at all", "it is no EXR file"},
+        {"", "its EXR header has no end"}};
+    EXPECT_LT(files[0].first.size(), 27'000u);
+    const TemporaryFolder folder;
+    write_file(folder / "points.csv", "0,0\n");
+    for (const auto& [bytes, says] : files) {
+        write_file(folder / "floor.exr", bytes);
+        const Outcome run = run_pelagic({"query", "--points", (folder / "points.csv").string(), "--floor",
+                                         (folder / "floor.exr").string(), "--shore"},
+                                        [] {
+                                            // The channels would be 67 GB, the attributes 100,000 squared comparisons.
+                                            const rlimit memory{rlim_t{2} << 30, rlim_t{2} << 30}, seconds{10, 10};
+                                            if (!is_sanitized) ::setrlimit(RLIMIT_AS, &memory);
+                                            ::setrlimit(RLIMIT_CPU, &seconds);
+                                        });
+        EXPECT_EQ(run.exit_code, 2) << says << run.err;
+        EXPECT_NE(run.err.find(says), std::string::npos) << run.err << "lacks " << says;
+        EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+    }
 }
 
 }  // namespace

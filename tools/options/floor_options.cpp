@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "pelagic/tools/files/input_file.hpp"
+#include "pelagic/tools/images/exr_header.hpp"
 #include "pelagic/tools/images/image_codec.hpp"
 #include "pelagic/tools/text/errors.hpp"
 #include "pelagic/tools/text/option_text.hpp"
@@ -28,6 +29,13 @@ std::pair<double, double> two_numbers(const char* option, const std::string& tex
     return {*first, *second};
 }
 
+/// All channels are decoded for the sake of the first.
+void require_few_channels(std::size_t channels) {
+    constexpr std::size_t most = 4;
+    if (channels > most)
+        throw std::runtime_error("it has " + number_text(channels) + " channels, needs at most " + number_text(most));
+}
+
 /// The first channel: of a PNG from 0 for black to 1 for white, of an EXR what it holds.
 ShoreOptions read_heights(const std::string& file, const std::string& extension) {
     const std::string bytes = InputFile("--floor", file, an_image).read_all(most_bytes);
@@ -41,7 +49,9 @@ ShoreOptions read_heights(const std::string& file, const std::string& extension)
                                .sample = Sample::float32,
                                .colour_space = nullptr,
                                .compression = nullptr};
+        if (extension == "exr") require_few_channels(read_exr_header(data).channels);
         image_codec().measure(image, data);
+        require_few_channels(static_cast<std::size_t>(image.channels));
         constexpr int most = ShoreOptions::most_samples_a_side;
         if (image.width < 2 || image.width > most || image.height < 2 || image.height > most)
             throw std::runtime_error("it has " + number_text(image.width) + " x " + number_text(image.height) +
