@@ -34,10 +34,11 @@ TEST(WindSpeed, HasUnits) {
     EXPECT_DOUBLE_EQ(speed("9.5m/s"), 9.5);
     EXPECT_NEAR(speed("20kn"), 20 * 0.514444444, 1e-7);
     EXPECT_NEAR(speed("20 kn"), 20 * 0.514444444, 1e-7);
+    for (const char* text : {"9knots", "9 knots", "9knot"}) EXPECT_DOUBLE_EQ(speed(text), speed("9kn")) << text;
     EXPECT_DOUBLE_EQ(speed("36km/h"), 10);
     EXPECT_DOUBLE_EQ(speed("100mph"), 44.704);
-    for (const char* text :
-         {"", "kn", "20knots", "20  kn", "bft", "bft0", "bft13", "bft6.5", "6bft", "nankn", "20kn ", "0x9"})
+    for (const char* text : {"", "kn", "knots", "20knotss", "20  knots", "20  kn", "bft", "bft0", "bft13", "bft6.5",
+                             "6bft", "nankn", "20kn ", "0x9"})
         EXPECT_FALSE(tools::parse_speed_mps(text)) << text;
 }
 
@@ -104,7 +105,7 @@ TEST(Wind, ThatSaysTooLittleIsRefused) {
     for (const auto& [arguments, says] : std::vector<std::pair<std::vector<std::string>, std::string>>{
              {{"info", "--wind-direction", "NW"}, "--wind-direction is NW, needs from-NW or to-NW"},
              {{"info", "--wind-direction", "north"}, "from-NW or to-SE"},
-             {{"info", "--wind-speed", "20knots"}, "--wind-speed is 20knots, needs (0, 60] m/s, or with a unit"},
+             {{"info", "--wind-speed", "20leagues"}, "--wind-speed is 20leagues, needs (0, 60] m/s, or with a unit"},
              {{"info", "--wind-speed", "200kn"}, "--wind-speed is 200kn, needs (0, 60] m/s"},
              {{"info", "--fetch", "100km"}, "--fetch is 100km, needs (0, 2e6]"}}) {
         const Outcome outcome = run_pelagic(arguments);

@@ -34,4 +34,4 @@ refused 2 "--points is none.csv, which can't be read, needs a CSV file of lines 
 refused 1 "can't write folder: it is a folder, needs a regular file or a free name" quadtree --svg folder
 refused 1 "can't write nowhere/plan.svg: No such file or directory" quadtree --svg nowhere/plan.svg
 refused 1 "can't write plan.svg/plan.svg: Not a directory" quadtree --svg plan.svg/plan.svg
-refused 2 "--wind-speed is -3, needs (0, 60] m/s, or with a unit such as 20kn, 40km/h, 25mph, bft6" info --wind-speed -3
+refused 2 "--wind-speed is -3, needs (0, 60] m/s, or with a unit such as 20kn, 20knots, 40km/h, 25mph, bft6" info --wind-speed -3

@@ -15,8 +15,10 @@ struct SpeedUnit {
 };
 
 /// The international knot and mile (1852 m an hour, 1609.344 m an hour).
-constexpr std::array speed_table = {SpeedUnit{"m/s", 1.0}, SpeedUnit{"km/h", 1000.0 / 3600},
-                                    SpeedUnit{"kn", 1852.0 / 3600}, SpeedUnit{"mph", 1609.344 / 3600}};
+constexpr double knot_mps = 1852.0 / 3600;
+constexpr std::array speed_table = {SpeedUnit{"m/s", 1.0},        SpeedUnit{"km/h", 1000.0 / 3600},
+                                    SpeedUnit{"kn", knot_mps},    SpeedUnit{"knot", knot_mps},
+                                    SpeedUnit{"knots", knot_mps}, SpeedUnit{"mph", 1609.344 / 3600}};
 
 constexpr std::array<std::string_view, 16> compass = {"N", "NNE", "NE", "ENE", "E", "ESE", "SE", "SSE",
                                                       "S", "SSW", "SW", "WSW", "W", "WNW", "NW", "NNW"};
