@@ -105,7 +105,7 @@ TEST(Resume, OfAnotherSeaIsRefusedAndLosesNothing) {
     const auto before = files_in(folder.path());
     const Outcome outcome = run_pelagic(arguments_of(folder.path(), {"--resume", "--wind-speed", "9"}));
     EXPECT_EQ(outcome.exit_code, 2);
-    EXPECT_NE(outcome.err.find("wind_speed_mps was 12"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("--wind-speed was 12"), std::string::npos) << outcome.err;
     EXPECT_NE(outcome.err.find("is 9"), std::string::npos) << outcome.err;
     expect_same_files(folder.path(), before);
 }

@@ -157,10 +157,11 @@ TEST(ExportedFoam, ResumeMakesAFrameAgainThatAnExportWithoutFoamRecorded) {
     export_to(folder.path(), {"--maps", "foam"});
     const auto whole = files_in(folder.path());
     const Outcome other =
-        run_pelagic({"export", "--out", folder.path().string(), "--maps", "gradient", "--resume", "--cascades", "4",
-                     "--resolution", "32", "--wind-speed", "20", "--loop-period", "8"});
+        run_pelagic({"export", "--out", folder.path().string(), "--maps", "gradient", "--resume", "--fetch", "100",
+                     "--cascades", "4", "--resolution", "32", "--wind-speed", "20", "--loop-period", "8"});
     EXPECT_EQ(other.exit_code, 2);
-    EXPECT_NE(other.err.find("whose export had other options"), std::string::npos) << other.err;
+    EXPECT_NE(other.err.find("whose export had other options: --maps was foam and is gradient"), std::string::npos)
+        << other.err;
     json record = json::parse(read_file(folder / "sea.json"));
     record["frames"][0].erase("foam_hash");
     write_file(folder / "sea.json", record.dump());

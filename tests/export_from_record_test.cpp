@@ -190,7 +190,7 @@ TEST(ExportFromRecord, RefusesWhatNoExportHasWritten) {
     expect_says(refusal("/export/maps", "whales"), "--maps is whales");
     expect_says(refusal("/export/frames", -1), "--frames is -1");
     expect_says(refusal("/export/help", true), "sea.json: ");
-    expect_says(refusal("/export/trace", "/tmp/somewhere"), "trace is \"/tmp/somewhere\", not not set");
+    expect_says(refusal("/export/trace", "/tmp/somewhere"), "--trace is /tmp/somewhere, not not set");
     expect_says(refusal("/export/out", "elsewhere"), "sea.json: ");
     expect_says(refusal("/export/names", "../../../etc/wave.####.exr"), "sea.json: ");
     expect_says(refusal("/sea/wind_speed_mps", 1e6), "wind_speed");

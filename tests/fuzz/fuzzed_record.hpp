@@ -41,8 +41,9 @@ void read_back(Parse parse, std::string_view text) {
             must_hold((tools::map_named(name.substr(0, name.find('_'))) || name.starts_with("sea_") ||
                        name.starts_with("mesh") || name.starts_with("flipbook")) &&
                       name.find('/') == name.npos && name.find('\0') == name.npos && name.size() < 40);
-        must_hold(tools::first_difference(earlier.options, tools::options_as_json(options)).was_and_is().size() <
-                  250);
+        const tools::Json now = tools::options_as_json(options);
+        must_hold(tools::first_difference(earlier.options, now).was_and_is().size() < 250);
+        must_hold(tools::first_option_difference(earlier.options, now).was_and_is().size() < 250);
     } catch (const tools::DamagedRecord&) {
     }
 }

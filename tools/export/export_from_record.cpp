@@ -6,37 +6,14 @@
 #include <utility>
 
 #include "pelagic/tools/export/export_names.hpp"
+#include "pelagic/tools/export/option_flags.hpp"
 #include "pelagic/tools/text/errors.hpp"
 
 namespace pelagic::tools {
 namespace {
 
-/// Keys that are named otherwise than their options.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 2> other_flags = {
-    {{"mesh_formats", "--mesh"}, {"mesh_side_m", "--mesh-size"}}};
-
 /// Keys that follow from others.
 constexpr std::array<std::string_view, 2> no_flags = {"mesh_tiles", "events_xxh3"};
-
-/// "start_s" as "--start".
-std::string flag_of(std::string key) {
-    for (const auto& [other_key, flag] : other_flags)
-        if (key == other_key) return std::string(flag);
-    for (const std::string_view unit : {"_s", "_m"})
-        if (key.ends_with(unit)) key.resize(key.size() - unit.size());
-    std::replace(key.begin(), key.end(), '_', '-');
-    return "--" + key;
-}
-
-/// As it would be typed, lists with commas.
-std::string typed(const Json& value) {
-    if (value.is_string()) return value.get<std::string>();
-    if (!value.is_array()) return value.dump();
-    std::string list;
-    for (const Json& item : value)
-        list.append(list.empty() ? "" : ",").append(item.is_string() ? item.get<std::string>() : item.dump());
-    return list.empty() ? "none" : list;
-}
 
 /// A list of one frame could be taken for a number of frames.
 std::string as_list(const std::string& numbers) {
@@ -58,7 +35,7 @@ void add_words(std::vector<std::string>& words, const std::string& key, const Js
             add_words(words, key + "_" + inner, inner_value);
         }
     } else if (!value.is_boolean()) {
-        words.insert(words.end(), {flag_of(key), typed(value)});
+        words.insert(words.end(), {flag_of(key), typed_value(value)});
     } else if (value.get<bool>()) {
         words.push_back(flag_of(key));
     }
@@ -69,7 +46,7 @@ void add_words(std::vector<std::string>& words, const std::string& key, const Js
 std::vector<std::string> words_in(const Json& how, const std::filesystem::path& folder) {
     if (!how.is_object()) throw DamagedRecord();
     std::filesystem::path out = folder;
-    if (how.contains("names")) out /= std::filesystem::path(typed(how["names"])).filename();
+    if (how.contains("names")) out /= std::filesystem::path(typed_value(how["names"])).filename();
     std::vector<std::string> words = {"--out", path_word(out)};
     const bool is_list = how.contains("frame_numbers"), is_loop = how.contains("loop");
     // The record has the digest of what stands beside it.
@@ -78,9 +55,9 @@ std::vector<std::string> words_in(const Json& how, const std::filesystem::path& 
     for (const auto& [key, value] : how.items()) {
         if (key == "names" || key == "loop" || (key == "frames" && is_list)) continue;
         if (key == "frame_numbers")
-            words.insert(words.end(), {"--frames", as_list(typed(value))});
+            words.insert(words.end(), {"--frames", as_list(typed_value(value))});
         else if (key == "frames")
-            words.insert(words.end(), {is_loop ? "--loop-frames" : "--frames", typed(value)});
+            words.insert(words.end(), {is_loop ? "--loop-frames" : "--frames", typed_value(value)});
         else if (!usual.contains(key) || usual[key] != value)
             add_words(words, key, value);
     }
@@ -127,8 +104,8 @@ ExportOptions options_of_record(const ReadJson& head, const std::filesystem::pat
         throw what.starts_with(file.string()) ? error : InputError(file.string() + ": export: " + what);
     }
     if (const Json now = options_as_json(options); recorded != ReadJson(now))
-        throw InputError(file.string() +
-                         ": its options are not those of an export: " + first_difference(recorded, now).is_not());
+        throw InputError(file.string() + ": its options are not those of an export: " +
+                         first_option_difference(recorded, now).is_not());
     return options;
 }
 

@@ -68,8 +68,9 @@ void ExportJournal::read_earlier() {
     if (!options_.shard && has_events(earlier->options)) earlier_images_.emplace_back(events_copy_name);
     if (!options_.resume) return;
     if (const Json now = options_as_json(options_); earlier->options != ReadJson(now))
-        throw InputError("--resume is not possible in " + folder_.path().string() +
-                         ", whose export had other options: " + first_difference(earlier->options, now).was_and_is());
+        throw InputError(
+            "--resume is not possible in " + folder_.path().string() +
+            ", whose export had other options: " + first_option_difference(earlier->options, now).was_and_is());
     done_ = std::move(earlier->frames);
 }
 
@@ -81,7 +82,7 @@ void ExportJournal::join_others(const std::vector<int>& here) {
         if (options != wanted)
             throw bad_value("--shard", text_of(*options_.shard),
                             "a folder for this export alone: the one in " + folder_.path().string() +
-                                " has other options: " + first_difference(options, now).is_not());
+                                " has other options: " + first_option_difference(options, now).is_not());
     };
     const auto take = [&](FrameRecord&& frame) {
         if (std::binary_search(here.begin(), here.end(), frame.frame)) done_.emplace(frame.frame, std::move(frame));

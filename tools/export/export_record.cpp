@@ -1,11 +1,13 @@
 #include "pelagic/tools/export/export_record.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <optional>
 
 #include "pelagic/tools/export/export_names.hpp"
 #include "pelagic/tools/export/image_files.hpp"
 #include "pelagic/tools/export/mesh_files.hpp"
+#include "pelagic/tools/export/option_flags.hpp"
 #include "pelagic/tools/files/digest.hpp"
 
 namespace pelagic::tools {
@@ -160,6 +162,36 @@ OptionDifference first_difference(const ReadJson& earlier, const Json& now) {
         if (const ReadJson& before = value_of(was, key), &after = value_of(is, key); before != after)
             return {clipped(key.substr(key.rfind('/') + 1)), text(before), text(after)};
     return {"something", "other", "as here"};
+}
+
+OptionDifference first_option_difference(const ReadJson& earlier, const Json& now) {
+    const ReadJson is(now);
+    const auto in = [](const ReadJson& json, const Json::json_pointer& at) {
+        const ReadJson::json_pointer pointer(at.to_string());
+        return json.contains(pointer) ? json.at(pointer) : ReadJson();
+    };
+    const auto text = [](const ReadJson& value) {
+        return value.is_null() ? "not set" : clipped(typed_value(Json(value)));
+    };
+    const auto difference = [&](const Json::json_pointer& at) {
+        return OptionDifference{clipped(flag_at(at.to_string())), text(in(earlier, at)), text(in(is, at))};
+    };
+    // A list is one option, and so are all changes of the weather.
+    const auto is_option = [](const Json& value) { return !value.is_object(); };
+    std::optional<OptionDifference> found;
+    const std::function<void(const Json&, const Json::json_pointer&)> look = [&](const Json& part,
+                                                                                 const Json::json_pointer& at) {
+        for (const auto& [key, value] : part.items()) {
+            if (found) return;
+            if (!is_option(value))
+                look(value, at / key);
+            else if (in(earlier, at / key) != in(is, at / key))
+                found = difference(at / key);
+        }
+    };
+    look(now, Json::json_pointer());
+    if (!found) look(Json(earlier), Json::json_pointer());  // what only the earlier one has
+    return found ? *found : OptionDifference{"something", "other", "as here"};
 }
 
 }  // namespace pelagic::tools

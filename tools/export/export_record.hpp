@@ -56,4 +56,8 @@ struct OptionDifference {
 /// The first value that differs, in the order of `now`.
 OptionDifference first_difference(const ReadJson& earlier, const Json& now);
 
+/// The first option of options_as_json() that differs, by its name on the command line: "--maps", "displacement,gradient",
+/// "displacement".
+OptionDifference first_option_difference(const ReadJson& earlier, const Json& now);
+
 }  // namespace pelagic::tools
