@@ -55,8 +55,8 @@ Arguments shard_to(const std::filesystem::path& folder, int index, int count, co
 
 void expect_done(const Outcome& outcome) { EXPECT_EQ(outcome.exit_code, 0) << outcome.err; }
 
-void make_shards(const std::filesystem::path& folder, int count) {
-    for (int index = 1; index <= count; ++index) expect_done(run_pelagic(shard_to(folder, index, count)));
+void make_shards(const std::filesystem::path& folder, int count, const Arguments& more = {}) {
+    for (int index = 1; index <= count; ++index) expect_done(run_pelagic(shard_to(folder, index, count, more)));
 }
 
 Outcome merge(const std::filesystem::path& folder) { return run_pelagic({"merge", folder.string()}); }
@@ -155,7 +155,7 @@ TEST(ShardedExport, RefusesWhatIsMadeOfAllFrames) {
 TEST(ShardedExport, JoinsAFinishedExportOnlyIfItIsTheSame) {
     const TemporaryFolder folder;
     expect_done(run_pelagic(export_to(folder.path())));
-    expect_says(run_pelagic(shard_to(folder.path(), 1, 3, {"--depth", "7"})), 2, "depth_m is 4000.0, not 7.0");
+    expect_says(run_pelagic(shard_to(folder.path(), 1, 3, {"--depth", "7"})), 2, "--depth is 4000.0, not 7.0");
     EXPECT_TRUE(std::filesystem::remove(folder / ".sea.1-of-3.lock")) << "all that it left";
     EXPECT_EQ(differences(files_in(folder.path()), one_run()), "");
     const Outcome kept = run_pelagic(shard_to(folder.path(), 2, 3, {"--resume"}));
@@ -210,8 +210,62 @@ TEST(MergedShards, AreMadeAgainByTheLinesThatMergePrints) {
     expect_done(merge(folder));
     EXPECT_EQ(differences(files_in(folder), one_run()), "");
     const Outcome again = merge(folder);
-    EXPECT_NE(again.out.find("nothing to merge"), std::string::npos) << again.out;
+    EXPECT_NE(again.err.find("nothing to merge"), std::string::npos) << again.err;
+    EXPECT_EQ(again.out, "");
     EXPECT_EQ(differences(files_in(folder), one_run()), "");
+}
+
+/// What a shell makes of `pelagic COMMAND FOLDER | sh`, run in `place`. \return  its exit code
+int piped_into_shell(const std::filesystem::path& place, const std::string& command, const std::string& folder) {
+    write_file(place / "folder", folder);
+    const std::string path = std::filesystem::path(PELAGIC_BINARY).parent_path().string();
+    return std::system(("cd '" + place.string() + "' && PATH='" + path + "':\"$PATH\" && pelagic " + command +
+                        " \"$(cat folder)\" 2>err | sh >out 2>>err")
+                           .c_str());
+}
+
+TEST(PipesIntoAShell, RunNothingButWhatMakesTheExportAgain) {
+    for (const std::string name :
+         {"a;touch PWNED;", "$(touch PWNED)", "`touch PWNED`", "a'\ntouch PWNED\n'b", "-a\ntouch PWNED", "plain"}) {
+        SCOPED_TRACE(name);
+        const TemporaryFolder place;
+        const auto folder = place.path() / name;
+        const auto expect_piped = [&](const std::string& command) {
+            EXPECT_EQ(piped_into_shell(place.path(), command, "./" + name), 0) << read_file(place / "err");
+            EXPECT_FALSE(std::filesystem::exists(place / "PWNED")) << command;
+        };
+        // A loop as short as that is worth a note, which is no line for a shell.
+        make_shards(folder, 2, {"--loop-period", "4"});
+        const Files shards = files_in(folder);
+        std::filesystem::remove(folder / "sea.2-of-2.json");
+        std::filesystem::remove(folder / "foam_0003.png");
+        expect_piped("merge");  // makes both shards again
+        EXPECT_EQ(differences(files_in(folder), shards), "");
+        for (const char* command : {"merge", "merge", "verify"}) expect_piped(command);
+        EXPECT_NE(read_file(place / "err").find("11 frames as they were written"), std::string::npos);
+        const Files whole = files_in(folder);
+        write_file(folder / "foam_0003.png", "torn");
+        expect_piped("verify");
+        EXPECT_EQ(differences(files_in(folder), whole), "");
+    }
+}
+
+TEST(MergedShards, LeaveFilesOfOthersAlone) {
+    const TemporaryFolder folder;
+    make_shards(folder.path(), 2);
+    const std::vector<std::string> own = {".displacement_0003.exr.part", ".sea.1-of-2.json.part", ".sea.json.part"};
+    const std::vector<std::string> others = {".part",     ".notes.txt.part",           "displacement_0003.exr.part",
+                                             "mine.part", ".displacement_0003.part",   ".film.mov.part",
+                                             "sea.txt",   ".displacement_03.exr.part", "sea.1-of-2.json.bak"};
+    for (const auto& names : {own, others})
+        for (const std::string& name : names) write_file(folder / name, name);
+    expect_done(merge(folder.path()));
+    Files left = files_in(folder.path());
+    for (const std::string& name : others) {
+        EXPECT_EQ(left[name], name);
+        left.erase(name);
+    }
+    EXPECT_EQ(differences(left, one_run()), "") << "its own are gone";
 }
 
 TEST(MergedShards, ThatNobodyMadeAreRefused) {
@@ -291,12 +345,12 @@ INSTANTIATE_TEST_SUITE_P(
              [](const auto& folder) {
                  edit(second(folder), [](json& record) { record["frames"][1]["height_max_m"] = 3; });
              }},
-        Edit{"OtherSea", "sea.2-of-2.json is of another export than sea.1-of-2.json: wind_speed_mps is 9.0, not 20.0",
+        Edit{"OtherSea", "sea.2-of-2.json is of another export than sea.1-of-2.json: --wind-speed is 9.0, not 20.0",
              2,
              [](const auto& folder) {
                  edit(second(folder), [](json& record) { record["sea"]["wind_speed_mps"] = 9.; });
              }},
-        Edit{"OtherMaps", "mips is true, not false", 2,
+        Edit{"OtherMaps", "--mips is true, not false", 2,
              [](const auto& folder) { edit(second(folder), [](json& record) { record["export"]["mips"] = true; }); }},
         Edit{"Newer", "sea.2-of-2.json was written by pelagic 99.0.0", 2,
              [](const auto& folder) { edit(second(folder), [](json& record) { record["version"] = "99.0.0"; }); }},
@@ -306,7 +360,7 @@ INSTANTIATE_TEST_SUITE_P(
              [](const auto& folder) { edit(second(folder), [](json& record) { record["shard"]["index"] = 1; }); }},
         Edit{"OtherNumberOfShards", "there are sea.1-of-2.json and sea.3-of-4.json", 2,
              [](const auto& folder) { std::filesystem::copy_file(second(folder), folder / "sea.3-of-4.json"); }},
-        Edit{"OtherExport", "sea.json is of another export than sea.1-of-2.json: depth_m is 7", 2,
+        Edit{"OtherExport", "sea.json is of another export than sea.1-of-2.json: --depth is 7", 2,
              [](const auto& folder) {
                  std::filesystem::copy_file(second(folder), folder / "sea.json");
                  edit(folder / "sea.json", [](json& record) { record["sea"]["depth_m"] = 7.; });
@@ -329,8 +383,9 @@ TEST(VerifiedExport, IsWholeOrNamed) {
     const Arguments verify = {"verify", folder.path().string(), "--sample", "all"};
     const Outcome whole = run_pelagic(verify);
     expect_done(whole);
-    EXPECT_NE(whole.out.find("11 frames as they were written, 11 of them computed once more"), std::string::npos)
-        << whole.out;
+    EXPECT_NE(whole.err.find("11 frames as they were written, 11 of them computed once more"), std::string::npos)
+        << whole.err;
+    EXPECT_EQ(whole.out, "");
 
     write_file(folder / "foam_0007.png", "torn");
     const Outcome torn = run_pelagic(verify);

@@ -148,6 +148,8 @@ void run_export(const ExportOptions& options) {
     if (options.trace) trace_file.emplace(*options.trace);
     if (options.events) keep_events(*options.events->file, folder);
     journal.begin();
+    print_notes(stdout, options);
+    std::fflush(stdout);  // a pipe gets the notes now, too
     std::map<int, FrameRecord> records = journal.done();
     const std::size_t kept = records.size();
     const auto trace = options.trace ? std::make_shared<ChromeTrace>() : nullptr;
@@ -168,7 +170,7 @@ void run_export(const ExportOptions& options) {
     }
     journal.end(frames, sequence_files);
     if (trace) write_trace(*trace_file, *trace);
-    print_summary(options, {.frames = frames.size(), .kept = kept, .height_sum_m = height_sum_m});
+    print_summary(stdout, options, {.frames = frames.size(), .kept = kept, .height_sum_m = height_sum_m});
     if (trace && trace->left_out() > 0)
         std::printf("note: %s holds the first %zu spans, %zu later ones are left out\n", options.trace->c_str(),
                     ChromeTrace::default_most_spans, trace->left_out());

@@ -61,7 +61,8 @@ class Merge {
         for (const std::string& name : names_.leftovers)
             if (is_export_name(name, options_.maps.names)) folder_.remove(name);
         folder_.sync();
-        print_summary(options_, {.frames = options_.times.count(), .height_sum_m = height_sum_m});
+        print_summary(stderr, options_, {.frames = options_.times.count(), .height_sum_m = height_sum_m});
+        print_notes(stderr, options_);
     }
 
    private:
@@ -96,7 +97,7 @@ class Merge {
         if (options == wanted_) return;
         options_of_record(head, folder_.path() / name);  // if it is of another version, that is said
         throw InputError(path_of(name) + " is of another export than " + first_name_ + ": " +
-                         first_difference(options, options_json_).is_not());
+                         first_option_difference(options, options_json_).is_not());
     }
 
     /// All is there, whatever became of the shards' records: a merge was interrupted, or shards were made once more.
@@ -254,8 +255,8 @@ void MergeFlags::run() const {
         if (!names.has_sea_json)
             throw bad_value("DIR", *folder_,
                             "a folder with records of shards, sea.1-of-N.json and so on: none is there");
-        std::printf("%s: nothing to merge, it holds one export and no shards; pelagic verify checks it\n",
-                    folder_->c_str());
+        std::fprintf(stderr, "%s: nothing to merge, it holds one export and no shards; pelagic verify checks it\n",
+                     folder_->c_str());
         return;
     }
     if (names.shards.size() > 1) {

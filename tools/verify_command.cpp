@@ -166,8 +166,9 @@ void VerifyFlags::run() const {
         verification.check_files(sample_of(verification.frames(), sample, static_cast<std::uint64_t>(seed)));
         verification.check_sample();
         if (verification.wrong() > 0) verification.refuse();
-        std::printf("%s: %zu frame%s as they were written, %zu of them computed once more\n", folder_->c_str(),
-                    verification.frames(), verification.frames() == 1 ? "" : "s", verification.sampled());
+        std::fprintf(stderr, "%s: %zu frame%s as they were written, %zu of them computed once more\n",
+                     folder_->c_str(), verification.frames(), verification.frames() == 1 ? "" : "s",
+                     verification.sampled());
     } catch (const DamagedRecord&) {
         throw FileError((folder.path() / record_name({})).string() +
                         " is damaged: nothing says what the export was, so it has to be made again");

@@ -8,24 +8,30 @@
 
 namespace pelagic::tools {
 
-void print_summary(const ExportOptions& options, const ExportSummary& summary) {
-    std::printf("%s: ", options.folder.c_str());
-    if (options.shard) std::printf("shard %s, ", text_of(*options.shard).c_str());
-    std::printf("%zu frame%s", summary.frames, summary.frames == 1 ? "" : "s");
-    if (options.resume) std::printf(" (%zu of them kept)", summary.kept);
+void print_summary(std::FILE* to, const ExportOptions& options, const ExportSummary& summary) {
+    std::fprintf(to, "%s: ", options.folder.c_str());
+    if (options.shard) std::fprintf(to, "shard %s, ", text_of(*options.shard).c_str());
+    std::fprintf(to, "%zu frame%s", summary.frames, summary.frames == 1 ? "" : "s");
+    if (options.resume) std::fprintf(to, " (%zu of them kept)", summary.kept);
     const SeaState& sea = options.sea.sea;
     const std::string_view waves = sea.waves == WaveModel::spectrum ? name_of(sea.spectrum) : name_of(sea.waves);
-    std::printf(", %s sea, ", std::string(waves).c_str());
-    if (summary.frames > 0) std::printf("Hs %.2f m, ", summary.height_sum_m / static_cast<double>(summary.frames));
-    std::printf("peak period %.1f s\n", expected_waves(sea).peak_period_s);
-    if (options.shard) return;  // pelagic merge says the rest once
-    for (const std::string& warning : warnings_about(sea)) std::printf("note: %s\n", warning.c_str());
+    std::fprintf(to, ", %s sea, ", std::string(waves).c_str());
+    if (summary.frames > 0)
+        std::fprintf(to, "Hs %.2f m, ", summary.height_sum_m / static_cast<double>(summary.frames));
+    std::fprintf(to, "peak period %.1f s\n", expected_waves(sea).peak_period_s);
+}
+
+void print_notes(std::FILE* to, const ExportOptions& options) {
+    if (options.shard) return;
+    const SeaState& sea = options.sea.sea;
+    for (const std::string& warning : warnings_about(sea)) std::fprintf(to, "note: %s\n", warning.c_str());
     if (options.events)
         for (const std::string& warning : warnings_about(*options.events, !options.times.fps))
-            std::printf("note: %s\n", warning.c_str());
+            std::fprintf(to, "note: %s\n", warning.c_str());
     if (const SeaPatch& patch = options.meshes.patch;
         options.meshes.any() && patch.tiles < static_cast<std::size_t>(cascades_of(sea)))
-        std::printf(
+        std::fprintf(
+            to,
             "note: the mesh's steps of %s m show the waves of the coarsest %zu of %d tiles; a smaller --mesh-size or "
             "more --mesh-steps show shorter waves\n",
             rounded_text(patch.side_m / patch.steps, 3).c_str(), patch.tiles, cascades_of(sea));
