@@ -2,7 +2,7 @@
 // native program. usage: node page_test.mjs PAGE_FOLDER PELAGIC, in a folder that page_test.sh has filled
 import assert from 'node:assert/strict';
 import {execFileSync, spawn, spawnSync} from 'node:child_process';
-import {mkdtempSync, readFileSync, rmSync, symlinkSync, writeFileSync} from 'node:fs';
+import {mkdirSync, mkdtempSync, readdirSync, readFileSync, readlinkSync, rmSync, symlinkSync, writeFileSync} from 'node:fs';
 import {request} from 'node:http';
 import {createRequire} from 'node:module';
 import {tmpdir} from 'node:os';
@@ -112,6 +112,39 @@ test('the server follows no link out of its folder, and says in a line what it w
   assert.equal(refused(folder, new URL(at).port), `serve: port ${new URL(at).port} is taken: give another one\n`);
   other.kill('SIGINT');
   assert.equal(await new Promise(resolve => other.once('exit', resolve)), 0);
+});
+
+test('the server closes what an aborted download read, waits for no FIFO, and leads from a folder to its page', {timeout: 120000}, async () => {
+  const folder = join(scratch, 'attacked');
+  mkdirSync(join(folder, 'inside'), {recursive: true});
+  writeFileSync(join(folder, 'inside', 'index.html'), 'inside');
+  writeFileSync(join(folder, 'empty.js'), '');
+  writeFileSync(join(folder, 'large.bin'), Buffer.alloc(64 << 20));
+  execFileSync('mkfifo', [join(folder, 'pipe')]);
+  const other = spawn(process.execPath, [serve, folder], {stdio: ['ignore', 'pipe', 'inherit']});
+  try {
+    const at = await new Promise(resolve => other.stdout.once('data', line => resolve(String(line).trim())));
+    const openFiles = () => readdirSync(`/proc/${other.pid}/fd`).map(number => {
+      try { return readlinkSync(`/proc/${other.pid}/fd/${number}`); } catch { return ''; }  // closed meanwhile
+    }).filter(path => path.startsWith(folder));
+    for (let download = 0; download < 20; ++download)
+      await new Promise((resolve, reject) => {
+        const asked = request(`${at}large.bin`, answer => answer.once('data', () => { asked.destroy(); resolve(); }));
+        asked.on('error', reject).end();
+      });
+    for (let wait = 0; wait < 1000 && openFiles().length; ++wait) await new Promise(resolve => setTimeout(resolve, 20));
+    assert.deepEqual(openFiles(), []);
+    for (let call = 0; call < 8; ++call) assert.equal((await fetch(`${at}pipe`)).status, 404);  // more than node has threads for files
+    const redirect = await fetch(`${at}inside?wind=3`, {redirect: 'manual'});
+    assert.equal(redirect.status, 301);
+    assert.equal(redirect.headers.get('location'), './inside/?wind=3');
+    assert.equal(await (await fetch(`${at}inside`)).text(), 'inside');
+    assert.equal(await (await fetch(`${at}empty.js`)).text(), '');
+    assert.equal((await (await fetch(`${at}large.bin`)).arrayBuffer()).byteLength, 64 << 20);
+    assert.deepEqual(openFiles(), []);
+  } finally {
+    other.kill('SIGKILL');
+  }
 });
 
 // ---- Opening -------------------------------------------------------------------------------------------------------------------

@@ -2,10 +2,11 @@
 // Serves a folder on localhost: `serve.mjs FOLDER [PORT]`, any free port unless it is given. Prints the address; Ctrl-C ends it.
 //
 // Pages are isolated (COOP and COEP), so that they may have threads, and WebAssembly has its type, so that it compiles while it loads.
-import {createReadStream} from 'node:fs';
-import {realpath, stat} from 'node:fs/promises';
+import {constants} from 'node:fs';
+import {open, realpath} from 'node:fs/promises';
 import {createServer} from 'node:http';
-import {extname, join, resolve, sep} from 'node:path';
+import {extname, join, posix, resolve, sep} from 'node:path';
+import {pipeline} from 'node:stream/promises';
 
 const types = {
   '.css': 'text/css; charset=utf-8',
@@ -34,23 +35,42 @@ const folder = await realpath(resolve(folderText)).catch(() => fail(`there is no
 const port = Number(portText);
 if (!/^\d+$/.test(portText) || port > 65535) fail(`PORT is ${portText}, needs 0 to 65535`);
 
-/** The file that is asked for, or nothing: none outside the folder, through a link neither. */
-async function fileOf(url) {
-  const path = decodeURIComponent(new URL(url, 'http://localhost').pathname);
-  const wanted = await realpath(join(folder, path.endsWith('/') ? `${path}index.html` : path));
-  if (!wanted.startsWith(folder + sep)) throw new Error('outside');
-  const {size} = await stat(wanted);
-  return {wanted, size};
+/** Opens the regular file or folder of a path; throws outside the served folder, also through a link. Closed by the caller. */
+async function openPath(path) {
+  const file = await realpath(join(folder, decodeURIComponent(path)));
+  if (file !== folder && !file.startsWith(folder + sep)) throw new Error('outside');
+  // Without waiting for a FIFO's writer.
+  const handle = await open(file, constants.O_RDONLY | (constants.O_NONBLOCK ?? 0));
+  try {
+    const status = await handle.stat();
+    if (!status.isFile() && !status.isDirectory()) throw new Error('neither a file nor a folder');
+    return {handle, file, size: status.size, isFolder: status.isDirectory()};
+  } catch (error) {
+    await handle.close();
+    throw error;
+  }
+}
+
+async function serve(request, response) {
+  const {pathname, search} = new URL(request.url, 'http://localhost');
+  const {handle, file, size, isFolder} = await openPath(pathname.endsWith('/') ? `${pathname}index.html` : pathname);
+  try {
+    if (isFolder) return response.writeHead(301, {...headers, Location: `./${posix.basename(pathname)}/${search}`}).end();
+    response.writeHead(200, {...headers, 'Content-Length': size, 'Content-Type': types[extname(file)] ?? 'application/octet-stream'});
+    if (request.method === 'HEAD' || size === 0) return response.end();
+    // Closes the file when the reader goes away, too.
+    await pipeline(handle.createReadStream({end: size - 1}), response);
+  } finally {
+    await handle.close();
+  }
 }
 
 const server = createServer(async (request, response) => {
   if (request.method !== 'GET' && request.method !== 'HEAD') return response.writeHead(405, {...headers, Allow: 'GET, HEAD'}).end();
   try {
-    const {wanted, size} = await fileOf(request.url);
-    response.writeHead(200, {...headers, 'Content-Length': size, 'Content-Type': types[extname(wanted)] ?? 'application/octet-stream'});
-    if (request.method === 'HEAD') return response.end();
-    createReadStream(wanted).on('error', () => response.destroy()).pipe(response);
+    await serve(request, response);
   } catch {
+    if (response.headersSent) return response.destroy();
     response.writeHead(404, {...headers, 'Content-Type': 'text/plain'}).end('There is no such file.\n');
   }
 });
