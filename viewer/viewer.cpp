@@ -186,8 +186,8 @@ class Viewer {
             io.MouseDragMaxDistanceSqr[0] <= most_pixels_of_a_click * most_pixels_of_a_click &&
             static_cast<double>(io.MouseDownDurationPrev[0]) <= most_s_of_a_click)
             clicked_ = glm::dvec2(io.MousePos.x, io.MousePos.y);
-        if (ImGui::IsMouseDragging(ImGuiMouseButton_Left, 0))
-            camera_.turn(radians_a_pixel * glm::dvec2(io.MouseDelta.x, io.MouseDelta.y));
+        // Not io.MouseDelta, which in the frame of a press holds the movement before it, too.
+        if (ImGui::IsMouseDown(ImGuiMouseButton_Left)) camera_.turn(radians_a_pixel * window_.dragged_px());
         if (io.MouseWheel != 0) camera_.zoom(std::pow(0.9, static_cast<double>(io.MouseWheel)));
     }
 

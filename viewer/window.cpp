@@ -30,10 +30,14 @@ Window::Window(int width, int height, const std::string& title) {
         throw error;
     }
     glfwSetWindowUserPointer(window_, this);
-    // Dear ImGui sets its own later and calls this one.
+    // Dear ImGui sets its own later and calls these.
     glfwSetKeyCallback(window_, [](GLFWwindow* handle, int key, int, int action, int) {
-        if (action == GLFW_PRESS)
-            static_cast<Window*>(glfwGetWindowUserPointer(handle))->pressed_keys_.push_back(key);
+        if (action == GLFW_PRESS) window_of(handle).pressed_keys_.push_back(key);
+    });
+    glfwSetCursorPosCallback(
+        window_, [](GLFWwindow* handle, double x, double y) { window_of(handle).drag_.move_to({x, y}); });
+    glfwSetMouseButtonCallback(window_, [](GLFWwindow* handle, int button, int action, int) {
+        if (button == GLFW_MOUSE_BUTTON_LEFT) window_of(handle).drag_.set_button(action == GLFW_PRESS);
     });
     glfwMakeContextCurrent(window_);
     glfwSwapInterval(1);
@@ -51,10 +55,13 @@ Window::~Window() {
     glfwTerminate();
 }
 
+Window& Window::window_of(GLFWwindow* handle) { return *static_cast<Window*>(glfwGetWindowUserPointer(handle)); }
+
 bool Window::should_close() const { return glfwWindowShouldClose(window_) != 0; }
 void Window::close() { glfwSetWindowShouldClose(window_, GLFW_TRUE); }
 void Window::poll() {
     pressed_keys_.clear();
+    drag_.clear();
     glfwPollEvents();
 }
 void Window::swap() { glfwSwapBuffers(window_); }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "pelagic/gl/functions.hpp"
+#include "pelagic/viewer/pointer_drag.hpp"
 
 struct GLFWwindow;
 
@@ -27,6 +28,8 @@ class Window {
     void swap();
     /// Keys that went down during the last poll(), as GLFW numbers them; a short press between two slow frames too.
     const std::vector<int>& pressed_keys() const { return pressed_keys_; }
+    /// Pixels that the pointer moved to the right and down with the left button held, during the last poll().
+    glm::dvec2 dragged_px() const { return drag_.moved_px(); }
 
     /// In pixels; 0 while it is minimised.
     int width() const;
@@ -38,9 +41,12 @@ class Window {
     static gl::GetProcAddress get_proc_address();
 
    private:
+    static Window& window_of(GLFWwindow* handle);
+
     GLFWwindow* window_ = nullptr;
     gl::Functions functions_;
     std::vector<int> pressed_keys_;
+    PointerDrag drag_;
 };
 
 }  // namespace pelagic::viewer
