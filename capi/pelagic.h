@@ -590,12 +590,14 @@ typedef struct pelagic_disturbance {
 /* Sets every field but struct_size: a press of 0 m at the origin, radius and length 1 m, rate 10. */
 PELAGIC_API pelagic_status pelagic_disturbance_defaults(pelagic_disturbance* disturbance);
 
-/* Pushes in the next tick; at most 4096 times a tick. What this and the functions below say counts from the next schedule
- * on, in its order, whether or not a frame is in flight. PELAGIC_INVALID_ARGUMENT without pelagic_ocean_options.local. */
+/* Pushes in the next tick. At most 4096 disturbances wait for a tick. While time stands still, in frames that are not later than the
+ * frame before, they do not add up: only those of the last such frame that has any wait. This and the functions below take effect at
+ * the next schedule, in their order, whether or not a frame is in flight. PELAGIC_INVALID_ARGUMENT without
+ * pelagic_ocean_options.local. */
 PELAGIC_API pelagic_status pelagic_ocean_disturb(pelagic_ocean* ocean, const pelagic_disturbance* disturbance);
 
-/* Pushes at every tick, moving as it says, until it is removed; at most 4096 of them. Its number is used once; setting or removing
- * one that there is not, or no more, does nothing. */
+/* Pushes at every tick, moving as it says, until it is removed; at most 4096 of them, less those removed. Its number is used once;
+ * setting or removing one that there is not, or no more, does nothing. */
 PELAGIC_API pelagic_status pelagic_ocean_add_source(pelagic_ocean* ocean, const pelagic_disturbance* source,
                                                     uint32_t* number);
 PELAGIC_API pelagic_status pelagic_ocean_set_source(pelagic_ocean* ocean, uint32_t number,

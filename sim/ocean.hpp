@@ -139,9 +139,11 @@ class Ocean {
     // machine. A frame shows the water between the last tick and the one before: a tick late. A time before the last frame's leaves
     // the water as it is, and a jump ahead moves it by half a second at most.
 
-    /// Pushes at the water in the next tick. At most 4096 times a tick.
+    /// Pushes at the water in the next tick. At most 4096 disturbances wait for a tick. While time stands still, in frames that are not
+    /// later than the frame before, they do not add up: only those of the last such frame that has any wait.
     void disturb(const Disturbance& disturbance);
-    /// Pushes at every tick, moving as it says. At most 4096 of them; later ones push after earlier ones. Returns its number.
+    /// Pushes at every tick, moving as it says. At most 4096 of them, less those that are removed; later ones push after earlier ones.
+    /// Returns its number.
     std::uint32_t add_source(const Disturbance& source);
     /// From the next tick on, and from where it says. A number that there is not, or no more, does nothing.
     void set_source(std::uint32_t number, const Disturbance& source);

@@ -27,6 +27,10 @@ OceanOptions answering(Isa isa = choose_isa(), std::shared_ptr<Executor> executo
 const Disturbance boat{
     .shape = Disturbance::Shape::hull, .radius_m = 0.9, .length_m = 2.4, .height_m = -0.4, .velocity_x_mps = 2};
 
+Disturbance drop(double height_m) {
+    return {.mode = Disturbance::Mode::add, .x_m = 1, .radius_m = 0.8, .height_m = height_m};
+}
+
 /// A boat, whom the window follows, and drops; a frame of 72 a second after another. Returns the last one.
 const Frame& happen(Ocean& ocean, int from, int to) {
     const Frame* last = nullptr;
@@ -199,6 +203,120 @@ TEST(LocalWater, RestoredIsAsIfOneHadNeverLeft) {
     late.restore_water(saved);
     EXPECT_EQ(local_hash_of(happen(late, 70, 150)), expected);
     EXPECT_GT(late.add_source(boat), 1U) << "the boat's number is taken";
+}
+
+TEST(LocalWater, RestoredHasWhatWaitedForATick) {
+    Ocean stays(breeze, answering()), late(breeze, answering());
+    stays.frame_at(0.5);
+    stays.disturb(drop(0.3));
+    stays.frame_at(0.501);  // no tick
+    const std::vector<std::uint8_t> saved = stays.saved_water();
+    late.restore_water(saved);
+    for (Ocean* ocean : {&stays, &late}) {
+        ocean->disturb(drop(0.2));
+        ocean->frame_at(0.501);  // time stands still for both
+    }
+    EXPECT_GT(stays.frame_at(0.55).local.height_max_m, 0.2f);
+    EXPECT_EQ(local_hash_of(late.frame_at(0.55)), local_hash_of(stays.frame_at(0.55)));
+}
+
+/// The water at 0.6 s after a frame at 0.5 s and frames at these times, each given these drops while the frame before is in flight.
+struct FrameWithDrops {
+    double time_s;
+    std::vector<double> drops_m;
+};
+std::uint64_t hash_after(const std::vector<FrameWithDrops>& frames) {
+    Ocean ocean(breeze, answering(choose_isa(), make_thread_executor(2)));
+    ocean.schedule(0.5);
+    for (const FrameWithDrops& frame : frames) {
+        for (const double height_m : frame.drops_m) ocean.disturb(drop(height_m));
+        ocean.complete();
+        ocean.schedule(frame.time_s);
+    }
+    ocean.complete();
+    return local_hash_of(ocean.frame_at(0.6));
+}
+
+// Ticks are at 0.5 s and 0.517 s.
+TEST(LocalWater, AddsUpWhatFramesBringUntilTheNextTick) {
+    const std::uint64_t at_once = hash_after({{0.52, {0.1, -0.2, 0.3, 0.05}}});
+    EXPECT_EQ(hash_after({{0.505, {0.1}}, {0.51, {-0.2, 0.3}}, {0.515, {}}, {0.52, {0.05}}}), at_once);
+    EXPECT_NE(hash_after({{0.52, {0.1, -0.2, 0.3}}}), at_once);
+}
+
+TEST(LocalWater, KeepsTheLastOfWhatFramesBringWhileTimeStandsStill) {
+    const std::uint64_t expected = hash_after({{0.52, {0.1, 0.3, 0.05}}});
+    EXPECT_EQ(hash_after({{0.505, {0.1}}, {0.505, {-0.2}}, {0.505, {0.3}}, {0.505, {}}, {0.52, {0.05}}}), expected);
+    EXPECT_EQ(hash_after({{0.505, {0.1}}, {0.504, {-0.2, 1}}, {0.503, {0.3}}, {0.52, {0.05}}}), expected);
+    // Of a second of an application that is paused, with a thousand frames of five drops each.
+    std::vector<FrameWithDrops> paused(1000, {0.5, {0.01, 0.02, 0.03, 0.04, 0.05}});
+    paused.push_back({0.52, {0.3}});
+    EXPECT_EQ(hash_after(paused), hash_after({{0.52, {0.01, 0.02, 0.03, 0.04, 0.05, 0.3}}}));
+}
+
+TEST(LocalWater, HasRoomForSoManyDisturbancesATick) {
+    Ocean ocean(breeze, answering(choose_isa(), make_thread_executor(2)));
+    const auto disturb = [&](int times) {
+        for (int i = 0; i < times; ++i) ocean.disturb(drop(1e-4));
+    };
+    const auto expect_full = [&] {
+        try {
+            ocean.disturb(drop(1e-4));
+            ADD_FAILURE();
+        } catch (const std::invalid_argument& error) {
+            EXPECT_STREQ(error.what(), "the number of disturbances of a tick is 4097, needs at most 4096");
+        }
+    };
+    ocean.frame_at(0.5);
+    for (int frame = 0; frame < 3; ++frame) {  // time stands still
+        disturb(4096);
+        expect_full();
+        ocean.frame_at(0.5);
+    }
+    disturb(4000);
+    ocean.frame_at(0.505);  // no tick, and no room for both
+    disturb(96);
+    expect_full();
+    ocean.frame_at(0.51);
+    expect_full();
+    ocean.frame_at(0.52);  // a tick
+    disturb(4096);
+    ocean.frame_at(0.54);
+}
+
+TEST(LocalWater, HasRoomForASourceWhereOneHasGone) {
+    Ocean ocean(breeze, answering(choose_isa(), make_thread_executor(2)));
+    const Disturbance press{.radius_m = 1, .height_m = 1e-4};
+    std::vector<std::uint32_t> numbers;
+    const auto add = [&] { numbers.push_back(ocean.add_source(press)); };
+    const auto expect_full = [&] { EXPECT_THROW(ocean.add_source(press), std::invalid_argument); };
+    for (int i = 0; i < 4096; ++i) add();
+    expect_full();
+    for (int frame = 0; frame < 3; ++frame) {
+        ocean.schedule(frame / 60.0);
+        for (const std::size_t place : {0U, 2000U}) {
+            ocean.remove_source(numbers[place]);
+            ocean.remove_source(numbers[place]);  // it makes room once
+            numbers.erase(numbers.begin() + static_cast<std::ptrdiff_t>(place));
+            ocean.remove_source(1'000'000);
+            add();
+            expect_full();
+        }
+        ocean.remove_source(numbers.back());  // one of this frame's own
+        numbers.pop_back();
+        add();
+        expect_full();
+        ocean.complete();
+    }
+    ocean.frame_at(0.05);
+    const std::vector<std::uint8_t> saved = ocean.saved_water();
+    ocean.remove_source(numbers.front());
+    ocean.restore_water(saved);  // it is there again
+    expect_full();
+    for (const std::uint32_t number : numbers) ocean.remove_source(number);
+    for (int i = 0; i < 4096; ++i) add();
+    expect_full();
+    ocean.frame_at(0.1);
 }
 
 TEST(LocalWater, TakesOnlyWhatCanBeSaved) {

@@ -22,6 +22,7 @@ constexpr double farthest_tick = 0x1p50;
 
 struct SavedClock {
     std::int64_t has_clock, last_tick;
+    double last_time_s;
 };
 
 void check_place(double x_m, double z_m) {
@@ -60,8 +61,8 @@ void LocalFrames::say(const Said& said) { said_.push_back(said); }
 
 void LocalFrames::disturb(const Disturbance& disturbance) {
     if (const std::string reason = check(disturbance); !reason.empty()) throw std::invalid_argument(reason);
-    if (grid_.sources().waiting() + new_disturbances_ == LocalSources::most)
-        throw std::invalid_argument(refusal("the number of disturbances of a frame", LocalSources::most + 1,
+    if (grid_.sources().settled() + new_disturbances_ == LocalSources::most)
+        throw std::invalid_argument(refusal("the number of disturbances of a tick", LocalSources::most + 1,
                                             "at most " + number_text(LocalSources::most)));
     ++new_disturbances_;
     say({Said::What::disturb, 0, disturbance});
@@ -69,11 +70,11 @@ void LocalFrames::disturb(const Disturbance& disturbance) {
 
 std::uint32_t LocalFrames::add_source(const Disturbance& source) {
     if (const std::string reason = check(source); !reason.empty()) throw std::invalid_argument(reason);
-    if (grid_.sources().lasting() + new_sources_ == LocalSources::most)
+    if (numbers_.size() == LocalSources::most)
         throw std::invalid_argument(
             refusal("the number of sources", LocalSources::most + 1, "at most " + number_text(LocalSources::most)));
-    ++new_sources_;
     const std::uint32_t number = grid_.sources().new_number();
+    numbers_.push_back(number);
     say({Said::What::add, number, source});
     return number;
 }
@@ -83,7 +84,12 @@ void LocalFrames::set_source(std::uint32_t number, const Disturbance& source) {
     say({Said::What::set, number, source});
 }
 
-void LocalFrames::remove_source(std::uint32_t number) { say({Said::What::remove, number}); }
+void LocalFrames::remove_source(std::uint32_t number) {
+    const auto at = std::lower_bound(numbers_.begin(), numbers_.end(), number);
+    if (at == numbers_.end() || *at != number) return;
+    numbers_.erase(at);
+    say({Said::What::remove, number});
+}
 
 void LocalFrames::follow(double x_m, double z_m) {
     check_place(x_m, z_m);
@@ -95,27 +101,32 @@ void LocalFrames::set_rain(const Rain& rain) {
     say({.what = Said::What::rain, .rain = rain});
 }
 
-void LocalFrames::take_what_was_said() {
+void LocalFrames::take_what_was_said(bool time_goes_on) {
+    LocalSources& sources = grid_.sources();
+    const bool is_full = sources.waiting() + new_disturbances_ > LocalSources::most;
+    if (new_disturbances_ > 0 && (!time_goes_on || is_full)) sources.forget_provisional();
     for (const Said& said : said_) {
         switch (said.what) {
-            case Said::What::disturb: grid_.sources().disturb(said.disturbance); break;
+            case Said::What::disturb: sources.disturb(said.disturbance); break;
             case Said::What::add: grid_.set_source(said.number, said.disturbance); break;
             case Said::What::set:
-                if (grid_.sources().has(said.number)) grid_.set_source(said.number, said.disturbance);
+                if (sources.has(said.number)) grid_.set_source(said.number, said.disturbance);
                 break;
-            case Said::What::remove: grid_.sources().remove(said.number); break;
+            case Said::What::remove: sources.remove(said.number); break;
             case Said::What::follow: grid_.follow(said.disturbance.x_m, said.disturbance.z_m); break;
             case Said::What::rain: grid_.set_rain(said.rain); break;
         }
     }
+    if (time_goes_on) sources.settle();
     said_.clear();
-    new_sources_ = new_disturbances_ = 0;
+    new_disturbances_ = 0;
 }
 
 void LocalFrames::begin_frame(double time_s) {
     assert(!frame_in_flight_);
     const DefaultFloatEnvironment environment;
-    take_what_was_said();
+    take_what_was_said(!has_clock_ || time_s > last_time_s_);
+    last_time_s_ = time_s;
     const double rate = grid_.options().ticks_per_s;
     const double place = std::clamp(time_s * rate + clock_slack, -farthest_tick, farthest_tick);
     const double tick = std::floor(place);
@@ -191,7 +202,7 @@ void LocalFrames::drop_frame() {
 }
 
 std::vector<std::uint8_t> LocalFrames::saved() const {
-    const SavedClock clock = {has_clock_, last_tick_};
+    const SavedClock clock = {has_clock_, last_tick_, last_time_s_};
     std::vector<std::uint8_t> bytes(sizeof clock);
     std::memcpy(bytes.data(), &clock, sizeof clock);
     const std::vector<std::uint8_t> water = grid_.saved();
@@ -206,15 +217,20 @@ void LocalFrames::restore(std::span<const std::uint8_t> saved) {
     std::memcpy(&clock, saved.data(), sizeof clock);
     if (std::fabs(static_cast<double>(clock.last_tick)) > farthest_tick)
         throw std::invalid_argument(refusal("the saved water's clock", clock.last_tick, "a tick within 2^50"));
+    if (!std::isfinite(clock.last_time_s))
+        throw std::invalid_argument(refusal("the saved water's time", clock.last_time_s, "a finite one"));
     grid_.restore(saved.subspan(sizeof clock));
     has_clock_ = clock.has_clock != 0;
     last_tick_ = clock.last_tick;
+    last_time_s_ = clock.last_time_s;
     said_.clear();
-    new_sources_ = new_disturbances_ = 0;
+    new_disturbances_ = 0;
+    numbers_ = grid_.sources().numbers();
 }
 
 std::size_t LocalFrames::bytes() const {
-    std::size_t bytes = sizeof(LocalFrames) + grid_.bytes() + said_.capacity() * sizeof(Said);
+    std::size_t bytes = sizeof(LocalFrames) + grid_.bytes() + said_.capacity() * sizeof(Said) +
+                        numbers_.capacity() * sizeof(std::uint32_t);
     for (const Slot& slot : slots_)
         bytes += slot.height.bytes() + slot.rise.bytes() + slot.foam.bytes() +
                  (slot.lowest.capacity() + slot.highest.capacity()) * sizeof(float);

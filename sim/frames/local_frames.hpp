@@ -29,7 +29,11 @@ class LocalFrames {
     LocalFrames(const LocalFrames&) = delete;  // stages point into it
     LocalFrames& operator=(const LocalFrames&) = delete;
 
-    // What hosts say counts from the next begin_frame() on, in their order.
+    // Commands take effect at the next begin_frame(), in their order.
+    //
+    // Disturbances wait for the next tick. Of a frame whose time is not after the time of the frame before, they are provisional: they
+    // give way to those of the next such frame that has any, so an application that is paused adds nothing up, and to those of later frames
+    // where there is no room for both. Throws std::invalid_argument where more than LocalSources::most would wait.
     void disturb(const Disturbance& disturbance);
     std::uint32_t add_source(const Disturbance& source);
     void set_source(std::uint32_t number, const Disturbance& source);
@@ -62,7 +66,7 @@ class LocalFrames {
     };
     void begin_run(GraphRun& run);
     void complete_run();
-    void take_what_was_said();
+    void take_what_was_said(bool time_goes_on);
     void show_rows(std::size_t item);
 
     LocalGrid grid_;
@@ -76,10 +80,13 @@ class LocalFrames {
     void say(const Said& said);
 
     std::vector<Said> said_;
-    std::size_t new_sources_ = 0, new_disturbances_ = 0;  ///< among them
+    std::size_t new_disturbances_ = 0;  ///< among them
+    std::vector<std::uint32_t>
+        numbers_;  ///< of the sources that there are after all that was said, in ascending order
     std::array<Slot, 2> slots_;
     std::size_t back_ = 0;
     bool has_clock_ = false;
+    double last_time_s_ = 0;      ///< of the last frame
     std::int64_t last_tick_ = 0;  ///< by the frames' time
     std::int64_t ticks_due_ = 0;
     float part_ = 0;

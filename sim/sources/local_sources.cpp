@@ -28,16 +28,32 @@ std::array<std::int64_t, 2> reached(double middle_m, double reach_m, const Local
 }
 
 struct SavedHeader {
-    std::int64_t next_number, count;
+    std::int64_t next_number, lasting, waiting, settled;
     double rain_drops, rain_radius, rain_height;
     std::int64_t rain_seed;
 };
 
-/// A source as it is saved: numbers without gaps between them.
+/// A source as it is saved, or with numbers of 0 a disturbance: numbers without gaps between them.
 struct SavedSource {
     std::int64_t number, since, shape, mode;
     double x, z, radius, length, heading, height, rate, velocity_x, velocity_z;
 };
+
+SavedSource saved_source(std::uint32_t number, std::int64_t since, const Disturbance& of) {
+    return {number,
+            since,
+            static_cast<std::int64_t>(of.shape),
+            static_cast<std::int64_t>(of.mode),
+            of.x_m,
+            of.z_m,
+            of.radius_m,
+            of.length_m,
+            of.heading_rad,
+            of.height_m,
+            of.rate_per_s,
+            of.velocity_x_mps,
+            of.velocity_z_mps};
+}
 
 Disturbance disturbance_of(const SavedSource& saved) {
     if (saved.shape < 0 || saved.shape > static_cast<std::int64_t>(Disturbance::Shape::hull))
@@ -102,6 +118,12 @@ bool LocalSources::has(std::uint32_t number) const {
                               [](const Lasting& a, const Lasting& b) { return a.number < b.number; });
 }
 
+std::vector<std::uint32_t> LocalSources::numbers() const {
+    std::vector<std::uint32_t> numbers;
+    for (const Lasting& source : lasting_) numbers.push_back(source.number);
+    return numbers;
+}
+
 void LocalSources::begin_tick(const LocalWindow& window, std::int64_t ticks, double tick_s) {
     tick_ = ticks;
     for (const Lasting& source : lasting_) {
@@ -113,6 +135,7 @@ void LocalSources::begin_tick(const LocalWindow& window, std::int64_t ticks, dou
     }
     for (const Disturbance& disturbance : waiting_) add_splash(disturbance, window, tick_s);
     waiting_.clear();
+    settled_ = 0;
 }
 
 void LocalSources::add_splash(const Disturbance& of, const LocalWindow& window, double tick_s) {
@@ -227,42 +250,41 @@ void LocalSources::end_tick() {
     profiles_.clear();
 }
 
-std::size_t LocalSources::saved_bytes() const { return sizeof(SavedHeader) + lasting_.size() * sizeof(SavedSource); }
+std::size_t LocalSources::saved_bytes() const {
+    return sizeof(SavedHeader) + (lasting_.size() + waiting_.size()) * sizeof(SavedSource);
+}
 
 void LocalSources::save(std::span<std::uint8_t> bytes) const {
     assert(bytes.size() == saved_bytes());
     const Rain& rain = rain_.rain();
-    const SavedHeader header = {next_number_,        static_cast<std::int64_t>(lasting_.size()),
-                                rain.drops_per_m2_s, rain.radius_m,
-                                rain.height_m,       rain.seed};
+    const SavedHeader header = {next_number_,
+                                static_cast<std::int64_t>(lasting_.size()),
+                                static_cast<std::int64_t>(waiting_.size()),
+                                static_cast<std::int64_t>(settled_),
+                                rain.drops_per_m2_s,
+                                rain.radius_m,
+                                rain.height_m,
+                                rain.seed};
     std::memcpy(bytes.data(), &header, sizeof header);
     std::uint8_t* to = bytes.data() + sizeof header;
-    for (const Lasting& source : lasting_) {
-        const Disturbance& of = source.disturbance;
-        const SavedSource saved = {source.number,
-                                   source.since,
-                                   static_cast<std::int64_t>(of.shape),
-                                   static_cast<std::int64_t>(of.mode),
-                                   of.x_m,
-                                   of.z_m,
-                                   of.radius_m,
-                                   of.length_m,
-                                   of.heading_rad,
-                                   of.height_m,
-                                   of.rate_per_s,
-                                   of.velocity_x_mps,
-                                   of.velocity_z_mps};
+    const auto put = [&to](const SavedSource& saved) {
         std::memcpy(to, &saved, sizeof saved);
         to += sizeof saved;
-    }
+    };
+    for (const Lasting& source : lasting_) put(saved_source(source.number, source.since, source.disturbance));
+    for (const Disturbance& disturbance : waiting_) put(saved_source(0, 0, disturbance));
 }
 
 LocalSources LocalSources::restored(std::span<const std::uint8_t> bytes, std::int64_t ticks,
                                     const LocalWaterOptions& water) {
     SavedHeader header{};
     if (bytes.size() >= sizeof header) std::memcpy(&header, bytes.data(), sizeof header);
-    const bool can_be = header.count >= 0 && header.count <= static_cast<std::int64_t>(most);
-    if (!can_be || bytes.size() != sizeof header + static_cast<std::size_t>(header.count) * sizeof(SavedSource))
+    const auto can_be = [](std::int64_t count, std::int64_t at_most) { return count >= 0 && count <= at_most; };
+    constexpr auto most_of_each = static_cast<std::int64_t>(most);
+    if (!can_be(header.lasting, most_of_each) || !can_be(header.waiting, most_of_each) ||
+        !can_be(header.settled, header.waiting) ||
+        bytes.size() !=
+            sizeof header + static_cast<std::size_t>(header.lasting + header.waiting) * sizeof(SavedSource))
         throw std::invalid_argument(
             refusal("the saved sources", number_text(bytes.size()) + " bytes", "as many as their number says"));
     if (header.next_number < 1 || header.next_number > std::numeric_limits<std::uint32_t>::max())
@@ -271,9 +293,14 @@ LocalSources LocalSources::restored(std::span<const std::uint8_t> bytes, std::in
     sources.next_number_ = static_cast<std::uint32_t>(header.next_number);
     sources.rain_ = restored_rain(header, water);
     const std::uint8_t* from = bytes.data() + sizeof header;
-    for (std::int64_t i = 0, last = 0; i < header.count; ++i, from += sizeof(SavedSource)) {
+    const auto next = [&from] {
         SavedSource saved;
         std::memcpy(&saved, from, sizeof saved);
+        from += sizeof saved;
+        return saved;
+    };
+    for (std::int64_t i = 0, last = 0; i < header.lasting; ++i) {
+        const SavedSource saved = next();
         if (saved.number <= last || saved.number >= header.next_number)
             throw std::invalid_argument(refusal("a saved source's number", saved.number, "more than the one before"));
         if (saved.since < 0 || saved.since > ticks)
@@ -281,6 +308,8 @@ LocalSources LocalSources::restored(std::span<const std::uint8_t> bytes, std::in
         sources.lasting_.push_back({static_cast<std::uint32_t>(saved.number), disturbance_of(saved), saved.since});
         last = saved.number;
     }
+    for (std::int64_t i = 0; i < header.waiting; ++i) sources.waiting_.push_back(disturbance_of(next()));
+    sources.settled_ = static_cast<std::size_t>(header.settled);
     return sources;
 }
 

@@ -19,6 +19,11 @@ class LocalSources {
 
     /// For the tick to come. Throws std::invalid_argument(check(disturbance)), or if there are too many.
     void disturb(const Disturbance& disturbance);
+    /// What waits for the tick to come. Some of it may be provisional, until settle().
+    std::size_t waiting() const { return waiting_.size(); }
+    std::size_t settled() const { return settled_; }
+    void settle() { settled_ = waiting_.size(); }
+    void forget_provisional() { waiting_.resize(settled_); }
     std::uint32_t new_number() { return next_number_++; }
     /// \param ticks  that are over: the source moves from where it is from then on
     void set(std::uint32_t number, const Disturbance& source, std::int64_t ticks);
@@ -26,9 +31,8 @@ class LocalSources {
     bool has(std::uint32_t number) const;
     /// From the tick to come on. Throws std::invalid_argument(check(rain, water)).
     void set_rain(const Rain& rain, const LocalWaterOptions& water) { rain_ = LocalRain(rain, water); }
-    std::size_t lasting() const { return lasting_.size(); }
-    std::size_t waiting() const { return waiting_.size(); }
-    void forget_waiting() { waiting_.clear(); }
+    /// Of what lasts, in ascending order.
+    std::vector<std::uint32_t> numbers() const;
 
     /// Finds what the tick after `ticks` of them reaches in the window. Sources push in the order of their numbers, then
     /// disturbances in theirs, then rain.
@@ -38,7 +42,7 @@ class LocalSources {
     void lift_rows(const LocalWindow& window, std::size_t first_row, std::size_t rows, LocalHeights heights) const;
     void end_tick();
 
-    /// What lasts, as bytes; what waits is not in it.
+    /// What lasts, what waits and the rain, as bytes.
     std::size_t saved_bytes() const;
     void save(std::span<std::uint8_t> bytes) const;
     /// Throws std::invalid_argument if no such water of so many ticks can have saved them.
@@ -71,6 +75,7 @@ class LocalSources {
     std::uint32_t next_number_ = 1;
     std::vector<Lasting> lasting_;      ///< by number
     std::vector<Disturbance> waiting_;  ///< for the tick to come
+    std::size_t settled_ = 0;           ///< of these, the first ones
     std::vector<Splash> splashes_;      ///< of the tick in flight
     std::vector<float> profiles_;
     LocalRain rain_;

@@ -35,16 +35,12 @@ std::vector<EventWord> event_words(const EventFile& file, int ticks_per_s) {
     std::sort(words.begin(), words.end(), [](const EventWord& one, const EventWord& other) {
         return std::tuple(one.tick, one.what, one.event) < std::tuple(other.tick, other.what, other.event);
     });
-    // An ocean makes room for what begins only when what ends with it is gone.
-    std::size_t sources = 0, ended = 0, pushes = 0;
+    std::size_t sources = 0, pushes = 0;
     std::int64_t tick = words.front().tick;
     for (const EventWord& word : words) {
-        if (std::exchange(tick, word.tick) != word.tick) {
-            sources -= std::exchange(ended, 0);
-            pushes = 0;
-        }
+        if (std::exchange(tick, word.tick) != word.tick) pushes = 0;
         if (word.what == What::remove)
-            ++ended;
+            --sources;
         else
             ++(file.events[word.event].duration_s > 0 ? sources : pushes);
         if (std::max(sources, pushes) > most_at_once)
