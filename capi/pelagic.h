@@ -132,7 +132,7 @@ typedef struct pelagic_sea {
     double patch_size_m;   /* the side of the one tile; [0.001, 1e6]. 0: sides chosen from the sea */
     double wind_speed_mps; /* mean wind 10 m above the sea; (0, 60] */
     double wind_direction_rad; /* where the wind blows towards, from +x towards +z; [-2 pi, 2 pi] */
-    double fetch_m;            /* how far the wind has blown over water (jonswap); (0, 2e6] */
+    double fetch_m;            /* how far the wind has blown over water (jonswap); (0, 2e6]. More than 17,000 U10^2 / g adds nothing */
     double depth_m;            /* waves over 0.6 of it break; [0.01, 11000] */
     double choppiness;         /* 0 gives a height field; [0, 1] */
     double roughness;     /* of the water between texels, for the smoothness channel; [0, 1], or -1: from the wind */

@@ -55,7 +55,7 @@ struct SeaState {
     double patch_size_m = 0;
     double wind_speed_mps = 12;     ///< U10, mean wind 10 m above the sea; (0, 60]
     double wind_direction_rad = 0;  ///< where the wind blows towards, from +x towards +z; [-2 pi, 2 pi]
-    double fetch_m = 100e3;         ///< how far the wind has blown over water (jonswap); (0, 2e6]
+    double fetch_m = 100e3;         ///< of the wind over water (jonswap); (0, 2e6]. More than 17,000 U10^2 / g adds nothing
     double depth_m = 4000;          ///< of the water: waves that feel it are slower and lower; [0.01, 11000]
     double choppiness = 0.8;        ///< lambda, 0 gives a height field; [0, 1]
     double roughness =

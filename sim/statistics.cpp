@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -39,21 +40,60 @@ constexpr double band_ratio = 1.05;
 /// What one pass over all tiles' lattices finds: every figure of this file comes from these.
 struct GridSums {
     double lowest_band_hz = 0;
-    Moments expected;               ///< the mean over all seeds
-    std::vector<TileSlopes> tiles;  ///< the same
-    Moments drawn;                  ///< of this seed, as are the rest
-    std::vector<double> bands;      ///< of frequency, band_ratio wide, from that of the longest wave on; m^2
+    Moments expected;                 ///< the mean over all seeds
+    std::vector<TileSlopes> tiles;    ///< the same
+    Moments drawn;                    ///< of this seed, as are the rest
+    std::vector<double> bands;        ///< of frequency, band_ratio wide, from that of the longest wave on; m^2
+    std::vector<double> swell_bands;  ///< the swell's part of them, as many; none without a swell
     std::unordered_map<std::uint32_t, double> harmonics;  ///< periods in a loop, m^2
+    double expected_hz = 0,
+           expected_hz2 = 0;  ///< the mean over all seeds of the variances times the frequency, and its square
+    double expected_swell = 0, drawn_swell = 0;              ///< m^2
+    double expected_convergence = 0, drawn_convergence = 0;  ///< variances of Dx,x + Dz,z
 
-    /// The variance of a wave.
-    void add_drawn(double hertz, std::uint32_t harmonic, double variance) {
+    /// The variance of a wave, and what part of it is the swell's.
+    void add_drawn(double hertz, std::uint32_t harmonic, double variance, double of_swell) {
         const double rise = det::log(hertz / lowest_band_hz) / det::log(band_ratio);
         const auto band = static_cast<std::size_t>(std::max(0.0, rise));
-        if (band >= bands.size()) bands.resize(band + 1);
+        if (band >= bands.size()) bands.resize(band + 1), swell_bands.resize(band + 1);
         bands[band] += variance;
+        swell_bands[band] += of_swell;
+        drawn_swell += of_swell;
         harmonics[harmonic] += variance;
     }
+    void add_expected(double hertz, double variance) {
+        expected_hz += variance * hertz;
+        expected_hz2 += variance * (hertz * hertz);
+    }
 };
+
+SeaState without_swell(SeaState sea) {
+    sea.swell_height_m = 0;
+    return sea;
+}
+
+/// What the waves of a sea with a swell would be without it, breaking apart, which takes as much of both.
+class WindPart {
+   public:
+    WindPart(const SeaState& sea, const TilePlan& tile, const TileWaves& all)
+        : waves_(without_swell(sea), tile),
+          kept_(all.spectrum().kept_by_breaking() / waves_.spectrum().kept_by_breaking()) {}
+
+    TileWaves::MirroredVariances variances(int m, int n) const {
+        const TileWaves::MirroredVariances own = waves_.variances(m, n);
+        const auto kept = [&](const OppositeDensities& of) {
+            return OppositeDensities{of.along * kept_, of.against * kept_};
+        };
+        return {kept(own.plus), kept(own.minus)};
+    }
+
+   private:
+    TileWaves waves_;
+    double kept_;
+};
+
+/// The swell's part of a wave's energy.
+double swell_share(double all, double of_wind) { return all > 0 ? std::clamp(1 - of_wind / all, 0.0, 1.0) : 0; }
 
 enum class Draws { no, yes };
 
@@ -63,33 +103,54 @@ void add_tile(const SeaState& sea, const TilePlan& tile, Draws draws, GridSums& 
     const TileWaves waves(sea, tile);
     const Water& water = waves.water();
     const auto wind = det::sine_cosine_of_turns(sea.wind_direction_rad / two_pi);
+    const bool has_swell = draws == Draws::yes && sea.waves == WaveModel::spectrum && sea.swell_height_m > 0;
+    std::optional<WindPart> wind_part;
+    if (has_swell) wind_part.emplace(sea, tile, waves);
     SlopeVariance slopes;
 
-    // The wave (m, n) and the one against it; what they hold of this seed.
-    const auto add_pair = [&](const OppositeDensities& variances, int m, int n, double k) {
+    struct Variances {
+        double expected = 0, drawn = 0, drawn_swell = 0;
+    };
+    // The wave (m, n) and the one against it; what they hold of this seed. Each h~(k) is h0(k) and a mirror of h0(-k), so every
+    // amplitude counts twice in the variance.
+    const auto add_pair = [&](const OppositeDensities& variances, const OppositeDensities& of_wind, int m, int n,
+                              double k, Variances& of_shell) {
         const auto [kx, kz] = tile.lattice.in_world(m * tile.spacing(), n * tile.spacing());
-        // Each h~(k) is h0(k) and a mirror of h0(-k), so every amplitude counts twice in the variance.
         sums.expected.add(2 * variances.along, 2 * variances.against, kx / k, kz / k);
         const double expected = 2 * (variances.along + variances.against);
         const double k_along = kx * wind.cosine + kz * wind.sine, k_across = kz * wind.cosine - kx * wind.sine;
         slopes.upwind += expected * (k_along * k_along);
         slopes.crosswind += expected * (k_across * k_across);
-        if (draws == Draws::no) return 0.0;
+        of_shell.expected += expected;
+        if (draws == Draws::no) return;
         const double along = 2 * waves.drawn_square(variances.along, m, n);
         const double against = 2 * waves.drawn_square(variances.against, -m, -n);
         sums.drawn.add(along, against, kx / k, kz / k);
-        return along + against;
+        of_shell.drawn += along + against;
+        if (!has_swell) return;
+        const double along_share = swell_share(variances.along, of_wind.along);
+        const double against_share = swell_share(variances.against, of_wind.against);
+        sums.expected_swell += 2 * (variances.along * along_share + variances.against * against_share);
+        of_shell.drawn_swell += along * along_share + against * against_share;
     };
     // DC and the Nyquist row and column hold no waves.
     for (int n = 0; n < tile.resolution / 2; ++n) {
         for (int m = n == 0 ? 1 : 0; m < tile.resolution / 2; ++m) {
             const double k = tile.spacing() * std::sqrt(static_cast<double>(m) * m + static_cast<double>(n) * n);
             const TileWaves::MirroredVariances variances = waves.variances(m, n);
-            double drawn = add_pair(variances.plus, m, n, k);
-            if (m > 0 && n > 0) drawn += add_pair(variances.minus, -m, n, k);
-            if (!(drawn > 0)) continue;
+            TileWaves::MirroredVariances of_wind{};
+            if (wind_part) of_wind = wind_part->variances(m, n);
+            Variances here;
+            add_pair(variances.plus, of_wind.plus, m, n, k, here);
+            if (m > 0 && n > 0) add_pair(variances.minus, of_wind.minus, -m, n, k, here);
+            if (!(here.expected > 0)) continue;
             const double omega = angular_frequency(k, water);
-            sums.add_drawn(omega / two_pi, loop_harmonic(omega, sea.loop_period_s), drawn);
+            const double sideways = sea.choppiness * orbit_ratio(k, water.depth_m) * k;
+            sums.add_expected(omega / two_pi, here.expected);
+            sums.expected_convergence += here.expected * (sideways * sideways);
+            if (!(here.drawn > 0)) continue;
+            sums.drawn_convergence += here.drawn * (sideways * sideways);
+            sums.add_drawn(omega / two_pi, loop_harmonic(omega, sea.loop_period_s), here.drawn, here.drawn_swell);
         }
     }
     sums.tiles.push_back({tile.lattice.side_m, tile.resolution, slopes});
@@ -106,7 +167,8 @@ void add_pond(const SeaState& sea, const TilePlan& tile, GridSums& sums) {
         if (!(variance > 0)) continue;
         sums.expected.add(variance, 0, x, z);
         sums.drawn.add(variance, 0, x, z);
-        sums.add_drawn(octave.frequency_hz, moved.harmonic, variance);
+        sums.add_expected(octave.frequency_hz, variance);
+        sums.add_drawn(octave.frequency_hz, moved.harmonic, variance, 0);
         const double along = x * wind.cosine + z * wind.sine;
         const double steep = moved.shown * moved.shown * moved.slope_variance();
         slopes.upwind += steep * (along * along);
@@ -171,18 +233,55 @@ ExpectedWaves expected_from(const AskedWaves& asked, const GridSums& sums) {
             asked.significant_wave_height_m};
 }
 
-double peak_period_from(const GridSums& sums) {
+/// Of bands band_ratio wide, the first from `edge_hz` on; no number where all are empty.
+double peak_period_of(const std::vector<double>& bands, double edge_hz) {
     double weight = 0, weighted_frequency = 0;
-    double edge = sums.lowest_band_hz;
-    for (const double energy : sums.bands) {
-        const double width = edge * (band_ratio - 1);
+    for (const double energy : bands) {
+        const double width = edge_hz * (band_ratio - 1);
         const double density = energy / width;
         const double fourth = density * density * density * density * width;
         weight += fourth;
-        weighted_frequency += fourth * (edge + 0.5 * width);
-        edge *= band_ratio;
+        weighted_frequency += fourth * (edge_hz + 0.5 * width);
+        edge_hz *= band_ratio;
     }
     return weight / weighted_frequency;
+}
+
+MeanPeriods periods_of(double variance, double hz, double hz2) {
+    if (!(variance > 0)) return {};
+    return {variance / hz, std::sqrt(variance / hz2)};
+}
+
+MeanPeriods drawn_periods_from(const GridSums& sums, double loop_period_s) {
+    GridSums looped;
+    double variance = 0;
+    // In the order of their frequencies: a sum of doubles has other bits in another order.
+    for (const auto& [harmonic, of_harmonic] : std::map(sums.harmonics.begin(), sums.harmonics.end())) {
+        looped.add_expected(harmonic / loop_period_s, of_harmonic);
+        variance += of_harmonic;
+    }
+    return periods_of(variance, looped.expected_hz, looped.expected_hz2);
+}
+
+/// Of a sea with a swell. The peak of all that was drawn is that of the part which has the model's.
+void add_parts(const SeaState& sea, std::span<const TilePlan> plan, const GridSums& sums, SeaReport& report) {
+    const auto part = [&](double expected, double drawn, double peak_period_s, const std::vector<double>& bands) {
+        return WavePart{.significant_wave_height_m = 4 * std::sqrt(std::max(0.0, expected)),
+                        .drawn_significant_wave_height_m = 4 * std::sqrt(std::max(0.0, drawn)),
+                        .peak_period_s = peak_period_s,
+                        .drawn_peak_period_s = drawn > 0 ? peak_period_of(bands, sums.lowest_band_hz) : 0};
+    };
+    std::vector<double> wind_bands = sums.bands;
+    for (std::size_t band = 0; band < wind_bands.size(); ++band) wind_bands[band] -= sums.swell_bands[band];
+    const SeaState wind = without_swell(sea);
+    const double wind_peak_s = two_pi / peak_of(WaveSpectrum(wind, plan.front()), wind).omega;
+    report.wind_sea = part(sums.expected.variance - sums.expected_swell, sums.drawn.variance - sums.drawn_swell,
+                           wind_peak_s, wind_bands);
+    // Where Ochi and Hubble's spectrum peaks at any depth: it is one over frequency.
+    report.swell = part(sums.expected_swell, sums.drawn_swell, sea.swell_period_s, sums.swell_bands);
+    const double peak_s = report.expected.peak_period_s;
+    const bool is_swells = std::fabs(sea.swell_period_s - peak_s) < std::fabs(wind_peak_s - peak_s);
+    report.drawn_peak_period_s = (is_swells ? report.swell : report.wind_sea)->drawn_peak_period_s;
 }
 
 LoopFrequencies loop_frequencies_from(const GridSums& sums) {
@@ -257,13 +356,16 @@ std::vector<std::string> warnings_from(const SeaState& sea, std::span<const Tile
         warnings.push_back("a loop of " + number_text(sea.loop_period_s) + " s bends the peak's period by " +
                            number_text(std::round(100 * std::fabs(peak.omega / looped - 1))) +
                            " %: waves of a loop run a whole number of periods");
-    // Of a list's waves few frequencies are all that there are.
-    if (sea.waves == WaveModel::spectrum && found.largest_share > 0 && found.for_90_percent < fewest_loop_frequencies)
+    // Of a list's waves few frequencies are all that there are. In a longer loop few are those of a narrow swell, or of a grid that
+    // holds few waves, which the notes above tell.
+    const double ten_peaks_s = 10 * waves.peak_period_s;
+    if (sea.waves == WaveModel::spectrum && found.largest_share > 0 &&
+        found.for_90_percent < fewest_loop_frequencies && sea.loop_period_s < ten_peaks_s)
         warnings.push_back("a loop of " + number_text(sea.loop_period_s) +
                            " s is short for this sea: " + number_text(found.for_90_percent) +
                            " of its frequencies hold 90 % of the energy, so waves rise and fall in step; ten peak "
                            "periods, " +
-                           number_text(std::round(10 * two_pi / peak.omega)) + " s, leave about ten");
+                           number_text(std::round(ten_peaks_s)) + " s, leave about ten");
     return warnings;
 }
 
@@ -277,9 +379,16 @@ SeaReport report_on(const SeaState& sea) {
     SeaReport report;
     report.expected = expected_from(asked, sums);
     report.drawn_significant_wave_height_m = 4 * std::sqrt(sums.drawn.variance);
-    report.drawn_peak_period_s = peak_period_from(sums);
+    report.drawn_peak_period_s = peak_period_of(sums.bands, sums.lowest_band_hz);
+    if (sea.waves == WaveModel::spectrum && sea.swell_height_m > 0) add_parts(sea, plan, sums, report);
+    report.expected_periods = periods_of(sums.expected.variance, sums.expected_hz, sums.expected_hz2);
+    report.drawn_periods = drawn_periods_from(sums, sea.loop_period_s);
+    report.expected_convergence_variance = sums.expected_convergence;
+    report.drawn_convergence_variance = sums.drawn_convergence;
     report.expected_directions = directions_from(sums.expected);
     report.drawn_directions = directions_from(sums.drawn);
+    if (sea.waves == WaveModel::spectrum && sea.spectrum == SpectrumModel::jonswap)
+        report.effective_fetch_m = effective_fetch_m(sea);
     report.tiles = std::move(sums.tiles);
     report.loop_frequencies = loop_frequencies_from(sums);
     report.warnings = warnings_from(sea, plan, asked, report.expected, report.loop_frequencies);

@@ -33,7 +33,8 @@ ExpectedWaves expected_waves(const SeaState& sea);
 double measured_significant_wave_height_m(const Frame& frame);
 
 /// Peak period of the waves that this seed drew: T_p = (integral S^4 df) / (integral f S^4 df) over their energies in
-/// bands of frequency (Young 1995). O(N^2).
+/// bands of frequency (Young 1995). Of a sea with a swell that of the part, wind sea or swell, which has the model's peak; a wave counts
+/// for the parts by their shares of its energy over all seeds. O(N^2).
 double measured_peak_period_s(const SeaState& sea);
 
 /// How the waves that this seed drew share the frequencies of their loop. A loop knows only whole numbers of periods, so
@@ -45,7 +46,7 @@ struct LoopFrequencies {
 /// O(N^2).
 LoopFrequencies loop_frequencies(const SeaState& sea);
 
-/// With fewer for 90 %, warnings_about() says that a loop is too short to look like a sea. The height at a point of n
+/// With fewer for 90 %, and less than ten peak periods in a loop, warnings_about() says that a loop is too short to look like a sea. The height at a point of n
 /// equal waves of their own frequencies has the kurtosis 3 - 3/(2n): from 8 on it is within a sixteenth of the 3 of a
 /// real sea's, which is Gaussian. With the wind's spectra that is a loop of about eight peak periods.
 inline constexpr int fewest_loop_frequencies = 8;
@@ -68,6 +69,21 @@ WaveDirections directions_of_moment(double a, double b);
 std::vector<double> model_by_frequency(const SeaState& sea, std::span<const double> frequencies_hz);
 std::vector<double> model_by_wave_number(const SeaState& sea, std::span<const double> wave_numbers);
 
+/// Mean periods from the moments m_n = integral f^n S(f) df of the waves that the grid holds, seconds; 0 of a sea without waves.
+struct MeanPeriods {
+    double tm01_s = 0;  ///< m0 / m1
+    /// sqrt(m0 / m2). In a Gaussian sea that is also the mean time between upward crossings of the rest level (Rice 1945).
+    double tm02_s = 0;
+};
+
+/// The wind's waves or the swell of a sea that has both.
+struct WavePart {
+    double significant_wave_height_m = 0;  ///< mean over all seeds, of the waves that the grid holds
+    double drawn_significant_wave_height_m = 0;
+    double peak_period_s = 0;        ///< where the part's frequency spectrum peaks
+    double drawn_peak_period_s = 0;  ///< of what this seed drew; 0 where the grid holds none of the part
+};
+
 /// The slope of the waves that a tile holds, the mean over all seeds; shorter waves are below its texels.
 struct TileSlopes {
     double side_m;
@@ -80,8 +96,15 @@ struct SeaReport {
     ExpectedWaves expected;
     double drawn_significant_wave_height_m = 0;  ///< of the waves that this seed drew, the mean over time
     double drawn_peak_period_s = 0;              ///< measured_peak_period_s()
+    MeanPeriods expected_periods;
+    MeanPeriods drawn_periods;                ///< of the waves that this seed drew, at the loop's frequencies
+    std::optional<WavePart> wind_sea, swell;  ///< of a spectrum with a swell alone
+    /// Variance of Dx,x + Dz,z, how much the water converges: the waves' own, at the sea's choppiness. 0 of a pond.
+    double expected_convergence_variance = 0, drawn_convergence_variance = 0;
     WaveDirections expected_directions;
     WaveDirections drawn_directions;  ///< of the waves that this seed drew
+    /// Fetch that counts, metres, of `jonswap`; 0 of other models. Less than SeaState::fetch_m where the sea is fully developed.
+    double effective_fetch_m = 0;
     std::vector<TileSlopes> tiles;
     LoopFrequencies loop_frequencies = {};
     std::vector<std::string> warnings;  ///< warnings_about()

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "pelagic/sim/ocean.hpp"
+#include "pelagic/sim/spectrum/spectral_peak.hpp"
 #include "pelagic/sim/statistics.hpp"
 #include "pelagic/tests/oracle/gradient_oracle.hpp"
 #include "pelagic/tests/oracle/sea_oracle.hpp"
@@ -65,6 +66,18 @@ double integrated_height(const SeaState& sea) {
     return 4 * std::sqrt(sum * (last - first) / steps / 3);
 }
 
+/// Simpson's rule in log k, around the peak of the wind's waves.
+double integral_over_wave_numbers(const WaveSpectrum& spectrum, const SeaState& sea) {
+    const double first = std::log(1e-2 * peak_of(spectrum, sea).k), last = first + std::log(1e7);
+    constexpr int steps = 8000;
+    double sum = 0;
+    for (int i = 0; i <= steps; ++i) {
+        const double k = std::exp(first + (last - first) * i / steps);
+        sum += (i == 0 || i == steps ? 1 : i % 2 == 1 ? 4 : 2) * spectrum.radial_density(k) * k;
+    }
+    return sum * (last - first) / steps / 3;
+}
+
 // A wide patch with a short peak wave, so that many waves share the energy: 16 seeds then scatter by about 1 %, and the
 // grid holds all but 1 % of the height.
 constexpr SeaState many_waves{.resolution = 256, .patch_size_m = 400, .wind_speed_mps = 6, .alignment = 0.2};
@@ -116,6 +129,35 @@ TEST(WaveHeight, OfJonswapIsAboveItsFetchLawByItsKnownSpread) {
         const double ratio = expected_waves(sea).model_significant_wave_height_m.value() / law;
         EXPECT_GT(ratio, 1.0) << fetch;
         EXPECT_LT(ratio, 1.33) << fetch;
+    }
+}
+
+// JONSWAP's laws end at a fully developed sea. With nu = 0.8556 and alpha = 0.00892 at g F / V^2 = 17,000 the integral of the
+// spectrum is alpha / (5 nu^4) (V^2 / g)^2 times what gamma = 3.3 adds, 1.52: Hs = 0.285 V^2 / g.
+TEST(WaveHeight, OfJonswapEndsAtAFullyDevelopedSea) {
+    for (const double speed : {1.0, 3.0, 5.0, 8.0, 12.0, 20.0, 40.0, 60.0}) {
+        const double unit = speed * speed / oracle::gravity, limit_m = 17000 * unit;
+        for (const double fetch : {1e2, 1e3, 1e4, 0.5 * limit_m, limit_m, 1e5, 5e5, 1e6, 2e6}) {
+            if (fetch > 2e6) continue;
+            const SeaState sea{.wind_speed_mps = speed, .fetch_m = fetch, .depth_m = 11000};
+            const WaveSpectrum spectrum(sea, {.lattice = {.side_m = 1000}, .resolution = 16});
+            const double height = 4 * std::sqrt(integral_over_wave_numbers(spectrum, sea));
+            EXPECT_LT(height, 0.2855 * unit) << speed << " m/s, " << fetch << " m";
+            if (fetch < limit_m) continue;
+            EXPECT_NEAR(height, 0.285 * unit, 0.002 * 0.285 * unit) << speed << " m/s, " << fetch << " m";
+            EXPECT_NEAR(peak_of(spectrum, sea).omega * speed / oracle::gravity, 0.855, 0.001);
+            // The same bits as at the limit: more fetch adds nothing.
+            SeaState at_limit = sea;
+            at_limit.fetch_m = effective_fetch_m(sea);
+            EXPECT_EQ(WaveSpectrum(at_limit, {.lattice = {.side_m = 1000}, .resolution = 16}).variance(),
+                      spectrum.variance());
+        }
+        // TMA: a depth takes from the same sea.
+        const SeaState deep{.wind_speed_mps = speed, .fetch_m = 2e6, .depth_m = 11000};
+        SeaState shallow = deep;
+        shallow.depth_m = 3 * unit;
+        EXPECT_LT(expected_waves(shallow).model_significant_wave_height_m.value(),
+                  expected_waves(deep).model_significant_wave_height_m.value());
     }
 }
 
@@ -347,6 +389,11 @@ TEST(LoopFrequencies, AStormOfTwelveSecondsIsNearlyOneWave) {
     };
     EXPECT_NE(says(storm).find("a loop of 12.8 s is short for this sea: 2 of its frequencies"), std::string::npos)
         << says(storm);
+    // Not of a grid too coarse for the waves, in a loop of 80 peak periods: it has a note of its own.
+    SeaState coarse{.resolution = 16, .patch_size_m = 200, .wind_speed_mps = 3};
+    EXPECT_LT(loop_frequencies(coarse).for_90_percent, fewest_loop_frequencies);
+    EXPECT_EQ(says(coarse).find("a loop of"), std::string::npos) << says(coarse);
+    EXPECT_NE(says(coarse).find("raise the resolution"), std::string::npos) << says(coarse);
     // The advice is heard: ten peak periods, and the loops that presets have by themselves.
     for (const SeaPreset& preset : sea_presets()) {
         SeaState sea = preset.sea;

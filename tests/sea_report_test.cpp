@@ -10,6 +10,7 @@
 #include "pelagic/sim/spectrum/wave_noise.hpp"
 #include "pelagic/sim/statistics.hpp"
 #include "pelagic/sim/surface_query.hpp"
+#include "pelagic/sim/tile_plan.hpp"
 #include "pelagic/tests/oracle/sea_oracle.hpp"
 
 namespace pelagic {
@@ -137,7 +138,7 @@ TEST(SeaReport, RepeatLengthIsTheCoarsestCascadesSide) {
     EXPECT_EQ(repeat_length_m({.patch_size_m = 321}), 321);
     EXPECT_EQ(repeat_length_m({.spectrum = SpectrumModel::phillips_paper}), 250);
     SeaState calm = sea_preset_named("calm")->sea;
-    EXPECT_EQ(repeat_length_m(calm), 150);
+    EXPECT_EQ(repeat_length_m(calm), 140) << "16 waves of the peak, 2 pi 3.2^2 / (0.8556^2 g) = 8.96 m, to two digits";
 
     calm.choppiness = 0;  // heights at fixed points
     const double length_m = repeat_length_m(calm);
@@ -147,6 +148,92 @@ TEST(SeaReport, RepeatLengthIsTheCoarsestCascadesSide) {
     SeaState one = calm;
     one.patch_size_m = 150;
     EXPECT_GT(correlation_of_heights(one, repeat_length_m(one)), 1 - 1e-6) << "one cascade repeats exactly";
+}
+
+// In closed form for any depth: Ochi and Hubble's swell, S = 4 m0 u^3 e^-u / (2 omega), u = 13/4 (omega_p / omega)^4, has the moments
+// of omega^n m0 (13/4)^(n/4) Gamma(3 - n/4) / Gamma(3) omega_p^n.
+TEST(SeaReport, MeanPeriodsOfASwellAreTheirClosedForms) {
+    const SeaState sea{.resolution = 256,
+                       .patch_size_m = 3000,
+                       .wind_speed_mps = 0.1,
+                       .swell_height_m = 2,
+                       .swell_period_s = 11,
+                       .loop_period_s = 2000};
+    const auto moment = [](double n) {  // over m0 omega_p^n
+        return std::pow(3.25, n / 4) * std::tgamma(3 - n / 4) / std::tgamma(3);
+    };
+    const SeaReport report = report_on(sea);
+    // The grid's shortest wave of 23 m leaves out 0.2 % of m2.
+    EXPECT_NEAR(report.expected_periods.tm01_s, 11 / moment(1), 0.005 * 11);
+    EXPECT_NEAR(report.expected_periods.tm02_s, 11 / std::sqrt(moment(2)), 0.005 * 11);
+    EXPECT_NEAR(report.drawn_periods.tm01_s / report.expected_periods.tm01_s, 1, 0.02);
+    EXPECT_NEAR(report.drawn_periods.tm02_s / report.expected_periods.tm02_s, 1, 0.02);
+}
+
+// Moments of JONSWAP's own frequency spectrum, up to the shortest wave that the cascades hold, by Simpson's rule.
+TEST(SeaReport, MeanPeriodsOfJonswapAreItsIntegrals) {
+    const SeaState sea{.wind_speed_mps = 10, .loop_period_s = 2000};
+    const double last = std::sqrt(oracle::gravity * plan_tiles(sea).back().most_k), first = last / 100;
+    double m0 = 0, m1 = 0, m2 = 0;
+    constexpr int steps = 20000;
+    for (int i = 0; i <= steps; ++i) {
+        const double omega = first * std::pow(last / first, static_cast<double>(i) / steps);
+        const double weight = (i == 0 || i == steps ? 1 : i % 2 == 1 ? 4 : 2) * omega;  // d log omega
+        const double density = weight * oracle::frequency_density(sea, omega);
+        m0 += density, m1 += density * omega, m2 += density * omega * omega;
+    }
+    const SeaReport report = report_on(sea);
+    EXPECT_NEAR(report.expected_periods.tm01_s / (2 * pi * m0 / m1), 1,
+                0.005);  // cells of the lattice are wide at the peak
+    EXPECT_NEAR(report.expected_periods.tm02_s / (2 * pi * std::sqrt(m0 / m2)), 1,
+                0.01);  // and capillaries are faster
+}
+
+// The sea of issue 29: its peak was 9.56 s, between the two, where nothing peaks.
+TEST(SeaReport, PeaksOfWindSeaAndSwellAreApart) {
+    const SeaState sea{.spreading = SpreadingModel::hasselmann,
+                       .wind_speed_mps = 14,
+                       .wind_direction_rad = -130 * pi / 180,
+                       .swell_height_m = 2,
+                       .swell_period_s = 14,
+                       .swell_direction_rad = -60 * pi / 180,
+                       .seed = 62};
+    const SeaReport report = report_on(sea);
+    ASSERT_TRUE(report.wind_sea && report.swell);
+    EXPECT_EQ(report.swell->peak_period_s, 14);
+    SeaState wind = sea;
+    wind.swell_height_m = 0;
+    const SeaReport of_wind = report_on(wind);
+    EXPECT_EQ(report.wind_sea->peak_period_s, of_wind.expected.peak_period_s);
+    // Few waves of the lattice make the swell's peak, so a seed's is within an eighth of the model's, and the mean of eight closer.
+    double swell_s = 0, wind_s = 0;
+    for (std::uint32_t seed = 60; seed < 68; ++seed) {
+        SeaState drawn = sea;
+        drawn.seed = seed;
+        const SeaReport one = report_on(drawn);
+        EXPECT_NEAR(one.swell->drawn_peak_period_s, 14, 14.0 / 8) << seed;
+        EXPECT_NEAR(one.wind_sea->drawn_peak_period_s, one.wind_sea->peak_period_s, one.wind_sea->peak_period_s / 8);
+        swell_s += one.swell->drawn_peak_period_s / 8;
+        wind_s += one.wind_sea->drawn_peak_period_s / 8;
+    }
+    EXPECT_NEAR(swell_s, 14, 0.06 * 14);
+    EXPECT_NEAR(wind_s, of_wind.expected.peak_period_s, 0.06 * of_wind.expected.peak_period_s);
+    EXPECT_NEAR(report.swell->significant_wave_height_m, 2, 0.02);
+    EXPECT_NEAR(report.wind_sea->significant_wave_height_m, of_wind.expected.significant_wave_height_m, 0.02);
+    EXPECT_NEAR(
+        std::hypot(report.swell->drawn_significant_wave_height_m, report.wind_sea->drawn_significant_wave_height_m),
+        report.drawn_significant_wave_height_m, 1e-9);
+    const double peak_s = report.drawn_peak_period_s;
+    EXPECT_TRUE(peak_s == report.swell->drawn_peak_period_s || peak_s == report.wind_sea->drawn_peak_period_s);
+    EXPECT_FALSE(of_wind.wind_sea || of_wind.swell) << "one part alone is the sea";
+}
+
+TEST(SeaReport, FetchThatCountsEndsAtAFullyDevelopedSea) {
+    EXPECT_EQ(report_on({.resolution = 16, .patch_size_m = 250}).effective_fetch_m, 100e3);
+    EXPECT_NEAR(report_on({.resolution = 16, .patch_size_m = 250, .wind_speed_mps = 3}).effective_fetch_m,
+                17000 * 9 / oracle::gravity, 1e-6);
+    EXPECT_EQ(
+        report_on({.spectrum = SpectrumModel::phillips, .resolution = 16, .patch_size_m = 250}).effective_fetch_m, 0);
 }
 
 // The square of a draw, alone, is that of the draw.

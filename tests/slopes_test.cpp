@@ -160,7 +160,7 @@ TEST(SlopeSum, TurnedTilesAreNearTheExactSurface) {
         const double part = std::log(n / 3.0 / least_steps) / octaves;
         tiles.push_back(random_tile(n, sides[t], angles[t], least_steps, part * mean_square_slope, random));
         maps.push_back(slopes_by(kernels_for(choose_isa()), planes_of(tiles[t], choppiness),
-                                 slope_ranges(tiles[t].mean_square_slope)));
+                                 slope_ranges(tiles[t].mean_square_slope, tiles[t].mean_square_slope)));
     }
     double normal_squares = 0, normal_most = 0, jacobian_squares = 0, jacobian_most = 0, steepness = 0;
     constexpr int points = 4000;
@@ -170,7 +170,8 @@ TEST(SlopeSum, TurnedTilesAreNearTheExactSurface) {
         SurfaceSlopes exact, shown;
         for (std::size_t t = 0; t < tiles.size(); ++t) {
             exact += exact_slopes(tiles[t], choppiness, x, z);
-            shown += filtered(tiles[t], maps[t], slope_ranges(tiles[t].mean_square_slope), x, z);
+            shown += filtered(tiles[t], maps[t], slope_ranges(tiles[t].mean_square_slope, tiles[t].mean_square_slope),
+                              x, z);
         }
         const double degrees = angle_between(normal_of(exact), normal_of(shown)) * 180 / pi;
         const double difference = std::fabs(normal_of(exact).y - normal_of(shown).y);
@@ -434,7 +435,7 @@ TEST(SlopeMips, KeepTheRoughnessOfEveryLevel) {
     std::mt19937 random(3);
     for (const double angle : {0.0, 1.1}) {
         const WaveTile tile = random_tile(n, 22, angle, 6, 0.01, random);
-        const SlopeRanges ranges = slope_ranges(tile.mean_square_slope);
+        const SlopeRanges ranges = slope_ranges(tile.mean_square_slope, tile.mean_square_slope);
         const TileSlopes maps = slopes_by(kernels_for(choose_isa()), planes_of(tile, 0.8), ranges);
         std::array<double, 3> exact{};
         for (const Wave& wave : tile.waves) {
@@ -463,7 +464,7 @@ TEST(SlopeMips, BeginWithTheVarianceThatLevel0Shows) {
     constexpr int n = 128;
     std::mt19937 random(4);
     const WaveTile tile = random_tile(n, 22, 0.4, 6, 0.01, random);
-    const SlopeRanges ranges = slope_ranges(tile.mean_square_slope);
+    const SlopeRanges ranges = slope_ranges(tile.mean_square_slope, tile.mean_square_slope);
     const TileSlopes maps = slopes_by(kernels_for(choose_isa()), planes_of(tile, 0.8), ranges);
     std::uniform_real_distribution<double> place(0, 22);
     double shown = 0;
@@ -480,7 +481,7 @@ TEST(SlopeMips, BeginWithTheVarianceThatLevel0Shows) {
 // Water that lies flat is exactly flat: zero has a byte.
 TEST_P(SlopesOnEachIsa, StillWaterIsFlatAndSmooth) {
     const std::vector<float> zero(32 * 32);
-    const TileSlopes maps = slopes_by(kernels(), {32, 10, 1, 0, zero, zero, zero}, slope_ranges(0));
+    const TileSlopes maps = slopes_by(kernels(), {32, 10, 1, 0, zero, zero, zero}, slope_ranges(0, 0));
     for (std::size_t i = 0; i < maps.slopes.size(); ++i) {
         const SurfaceSlopes s = texel_of(maps, {1, 1}, i);
         for (const double value : {s.h_x, s.h_z, s.d_xx, s.d_zz, s.d_xz, s.var_xx, s.var_zz, s.cov_xz})
@@ -656,7 +657,7 @@ TEST(SlopesOfFrames, MakeTheHalvesAndTheHashOfSeveralTiles) {
         slots.tile(t).height.data = slots.buffers(t).surface.data() + surface_height * kernels.lanes;
         slots.tile(t).dz.data = slots.buffers(t).surface.data() + surface_dz * kernels.lanes;
         slots.tile(t).lattice = {waves[t].side_m, std::cos(waves[t].angle_rad), std::sin(waves[t].angle_rad)};
-        slots.tile(t).slope_ranges = slope_ranges(waves[t].mean_square_slope);
+        slots.tile(t).slope_ranges = slope_ranges(waves[t].mean_square_slope, waves[t].mean_square_slope);
         slots.tile(t).whitecap_jacobian = 0.7f;
         slots.tile(t).whitecap_ramp = 0.2f;
     }

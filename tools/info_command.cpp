@@ -132,6 +132,12 @@ void print_table(const Json& json) {
     }
     computing["stages"] = stages;
     print_section("Computing", computing);
+    const double fetch_m = json.at("sea").at("fetch_m"),
+                 counts_m = json.at("waves").value("effective_fetch_m", fetch_m);
+    if (counts_m < fetch_m)
+        std::printf(
+            "note: this wind's sea is fully developed after %s m of fetch (g F / U^2 = 17000): more adds nothing\n",
+            rounded_text(counts_m, 3).c_str());
     for (const Json& warning : json.at("warnings")) std::printf("note: %s\n", warning.get<std::string>().c_str());
 }
 

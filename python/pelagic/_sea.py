@@ -58,7 +58,7 @@ class Sea:
     wind_direction_rad: float = 0.0
     """Where the wind blows towards, from +x towards +z; [-2 pi, 2 pi]."""
     fetch_m: float = 100e3
-    """How far the wind has blown over water (jonswap); (0, 2e6]."""
+    """How far the wind has blown over water (jonswap); (0, 2e6]. More than 17,000 U10^2 / g adds nothing."""
     depth_m: float = 4000.0
     """Of the water: waves that feel it are slower and lower; [0.01, 11000]."""
     choppiness: float = 0.8

@@ -31,7 +31,7 @@ enum WaveQuantity {
     minus_cos_im,
     minus_sin_re,
     minus_sin_im,
-    direction_x,  ///< k / |k| of (kx, kz)
+    direction_x,  ///< k / |k| of (kx, kz) times orbit_ratio()
     direction_z,
     wave_quantities
 };

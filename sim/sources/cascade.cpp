@@ -101,7 +101,7 @@ Cascade::Look Cascade::look_of(const LineFigures& figures, double choppiness, do
     return {whitecap_cover > 0
                 ? whitecap_threshold(figures.folding, choppiness, whitecap_cover, TickClock(loop_period_s_).tick_s())
                 : WhitecapThreshold{.jacobian = Tile::no_whitecaps, .ramp = 1},
-            slope_ranges(figures.mean_square_slope)};
+            slope_ranges(figures.mean_square_slope, figures.mean_square_convergence)};
 }
 
 void Cascade::begin(Pass pass, const SeaMoment& moment, Tile& tile) {

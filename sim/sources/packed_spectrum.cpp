@@ -55,6 +55,7 @@ PackedSpectrum::PackedSpectrum(const FftPlan& plan, std::size_t lane_count, cons
 LineFigures& LineFigures::operator+=(const LineFigures& other) {
     height_variance += other.height_variance;
     mean_square_slope += other.mean_square_slope;
+    mean_square_convergence += other.mean_square_convergence;
     slopes += other.slopes;
     folding += other.folding;
     stokes_x += other.stokes_x;
@@ -82,8 +83,13 @@ LineFigures between(const LineFigures& before, const LineFigures& after, double 
     if (part == 1) return after;
     LineFigures sum;
     const auto add = [&](const LineFigures& of, double weight) {
-        sum += {of.height_variance * weight, of.mean_square_slope * weight, of.slopes * weight,
-                of.folding * weight,         of.stokes_x * weight,          of.stokes_z * weight};
+        sum += {.height_variance = of.height_variance * weight,
+                .mean_square_slope = of.mean_square_slope * weight,
+                .mean_square_convergence = of.mean_square_convergence * weight,
+                .slopes = of.slopes * weight,
+                .folding = of.folding * weight,
+                .stokes_x = of.stokes_x * weight,
+                .stokes_z = of.stokes_z * weight};
     };
     add(before, 1 - part);
     add(after, part);
@@ -126,21 +132,25 @@ LineFigures bake_spectrum_line(const SeaState& sea, const TileWaves& waves, cons
             const ShownSlope shown_x = shown_slope(tile, m);
             const double fold_x = fold_derivative(shown_x, m);
             const double drift = stokes_drift(k, waves.water()) / k;
+            const double orbit = orbit_ratio(k, waves.water().depth_m), orbit_square = orbit * orbit;
             const auto put_wave = [&](WaveQuantity first, const OppositeWaves& opposites, int signed_m) {
                 const PackedWave values = packed(opposites);
                 for (std::size_t i = 0; i < values.size(); ++i) wave[(first + i) * out.lanes] = values[i];
                 LineFigures figures;
                 figures.height_variance = mirrors * opposites.expected_square();
                 figures.mean_square_slope = mirrors * opposites.expected_square() * k * k;
+                figures.mean_square_convergence = figures.mean_square_slope * orbit_square;
                 const double sign = signed_m == m ? 1 : -1;
                 // Foam that drifts meets waves the slower, the more it runs with them.
                 const double drifted = signed_m * spacing * foam_drift.along + n * spacing * foam_drift.across;
                 const auto square_rate = [](const Wave& of, double met_frequency) {
                     return std::norm(of.amplitude) * met_frequency * met_frequency;
                 };
-                figures.folding.add_wave(mirrors * opposites.drawn_square(),
-                                         mirrors * (square_rate(opposites.along, frequency - drifted) +
-                                                    square_rate(opposites.against, frequency + drifted)),
+                figures.folding.add_wave(mirrors * opposites.drawn_square() * orbit_square,
+                                         mirrors *
+                                             (square_rate(opposites.along, frequency - drifted) +
+                                              square_rate(opposites.against, frequency + drifted)) *
+                                             orbit_square,
                                          signed_m * spacing, n * spacing, sign * fold_x, fold_z);
                 figures.slopes.add_wave(mirrors * opposites.expected_square() * shown_x.filter * shown_z.filter,
                                         sign * shown_x.derivative, shown_z.derivative);
@@ -153,8 +163,8 @@ LineFigures bake_spectrum_line(const SeaState& sea, const TileWaves& waves, cons
             const TileWaves::MirroredPair mirrored = waves.pair(m, n);
             put_wave(plus_cos_re, mirrored.plus, m);
             if (!pair.is_own_negative()) put_wave(minus_cos_re, mirrored.minus, -m);
-            put(direction_x, m / length);
-            put(direction_z, n / length);
+            put(direction_x, m / length * orbit);
+            put(direction_z, n / length * orbit);
             *harmonic = periods;
         }
     }

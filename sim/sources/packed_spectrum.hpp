@@ -45,8 +45,10 @@ struct PackedSpectrum {
 struct LineFigures {
     double height_variance = 0;    ///< m^2, the mean over all seeds
     double mean_square_slope = 0;  ///< h_x^2 + h_z^2 of the waves themselves, the mean over all seeds
-    SlopeMoments slopes;           ///< as the tile shows them, the mean over all seeds, along the tile's own axes
-    FoldMoments folding;           ///< of the waves that this seed drew
+    double mean_square_convergence =
+        0;                ///< (Dx,x + Dz,z)^2 of the waves themselves at choppiness 1, the mean over all seeds
+    SlopeMoments slopes;  ///< as the tile shows them, the mean over all seeds, along the tile's own axes
+    FoldMoments folding;  ///< of the waves that this seed drew
     double stokes_x = 0,
            stokes_z = 0;  ///< Stokes' drift at the surface along the tile's own axes, m/s, the mean over all seeds
 

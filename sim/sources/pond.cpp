@@ -149,7 +149,8 @@ Pond::Waves Pond::waves_of(const SeaState& sea, const TilePlan& plan) {
                        static_cast<double>(octave.at.n) / plan.resolution};
         waves.terms.push_back(terms);
     }
-    waves.slope_ranges = slope_ranges(figures_of(waves).mean_square_slope);
+    const double mean_square_slope = figures_of(waves).mean_square_slope;
+    waves.slope_ranges = slope_ranges(mean_square_slope, mean_square_slope);
     return waves;
 }
 

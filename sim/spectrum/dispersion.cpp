@@ -1,5 +1,6 @@
 #include "pelagic/sim/spectrum/dispersion.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "pelagic/simd/det_math.hpp"
@@ -27,6 +28,11 @@ double group_velocity(double k, const Water& water) {
 double stokes_drift(double k, const Water& water) {
     const double tanh_kd = det::tanh(k * water.depth_m);
     return angular_frequency(k, water) * k * (1 + 1 / (tanh_kd * tanh_kd));
+}
+
+double orbit_ratio(double k, double depth_m) {
+    constexpr double most = 20;
+    return std::min(1 / det::tanh(k * depth_m), most);
 }
 
 // With k = omega^2 / g in deep water and t = tanh(k d) the ratio is t^3 / (t + k d (1 - t^2)).

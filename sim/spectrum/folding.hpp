@@ -15,7 +15,8 @@ struct FoldMoments {
     double uu_rate = 0;  ///< mean square of du/dt, 1/s^2, as what drifts over the sea meets it
     double uu_uu = 0;    ///< sum of the squares of what each wave adds to uu: a sum of few waves is no Gaussian
 
-    /// A wave of that mean square, m^2, whose height changes by `square_rate`, m^2/s^2, in the mean square. `wave_x` and `_z` are its
+    /// A wave of that mean square of its displacement along its direction, m^2, which changes by `square_rate`, m^2/s^2, in the mean
+    /// square; in deep water those of its height. `wave_x` and `_z` are its
     /// wave vector, rad/m; the differences what the texels' derivative makes of it, 1/m: sin(k_x d) / d for central differences over
     /// texels of side d.
     void add_wave(double mean_square, double square_rate, double wave_x, double wave_z, double difference_x,

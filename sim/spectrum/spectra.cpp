@@ -31,7 +31,7 @@ double deep_peak(const SeaState& sea) {
     const double speed = sea.wind_speed_mps;
     switch (sea.spectrum) {
         case SpectrumModel::jonswap:
-            return 22 * det::pow(gravity_mps2 * gravity_mps2 / (speed * sea.fetch_m), 1.0 / 3);
+            return 22 * det::pow(gravity_mps2 * gravity_mps2 / (speed * effective_fetch_m(sea)), 1.0 / 3);
         case SpectrumModel::pierson_moskowitz:
             return std::sqrt(std::sqrt(0.8 * pierson_moskowitz_beta)) * gravity_mps2 / speed;
         default: return std::sqrt(std::sqrt(0.8)) * gravity_mps2 / speed;
@@ -47,6 +47,10 @@ double cutoff_length(const SeaState& sea, double peak) {
 }
 
 }  // namespace
+
+double effective_fetch_m(const SeaState& sea) {
+    return std::min(sea.fetch_m, full_development * sea.wind_speed_mps * sea.wind_speed_mps / gravity_mps2);
+}
 
 WaveSpectrum::WaveSpectrum(const SeaState& sea, const TilePlan& tile)
     : sea_(sea),
@@ -71,7 +75,7 @@ WaveSpectrum::WaveSpectrum(const SeaState& sea, const TilePlan& tile)
     paper_scale_ = spatial * spatial / std::sqrt(static_cast<double>(tile.resolution));
 
     const double speed = sea.wind_speed_mps;
-    jonswap_alpha_ = 0.076 * det::pow(speed * speed / (sea.fetch_m * gravity_mps2), 0.22);
+    jonswap_alpha_ = 0.076 * det::pow(speed * speed / (effective_fetch_m(sea) * gravity_mps2), 0.22);
     if (sea.spreading != SpreadingModel::paper)
         measured_spreading_.emplace(sea.spreading, peak_, speed * peak_ / gravity_mps2);
 

@@ -21,6 +21,13 @@ namespace pelagic {
 /// breaks (Thornton and Guza 1982).
 inline constexpr double highest_over_depth = 0.6;
 
+/// g F / U10^2 of a fully developed sea. JONSWAP's laws know no limit (Hasselmann et al. 1973). At this fetch their peak frequency is that
+/// of Pierson and Moskowitz 1964, 0.877 g / U19.5 = 0.855 g / U10, and Hs is 0.285 U10^2 / g.
+inline constexpr double full_development = 17000;
+
+/// The fetch that counts for `jonswap`, metres: fetch_m, at most full_development U^2 / g.
+double effective_fetch_m(const SeaState& sea);
+
 /// The spectrum of one sea on the lattice of one of its tiles. Construction does the slow part; calls are const and thread-safe.
 class WaveSpectrum {
    public:

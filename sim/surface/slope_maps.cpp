@@ -17,9 +17,10 @@ constexpr double least_mean_square_slope = 1e-12;
 
 }  // namespace
 
-SlopeRanges slope_ranges(double mean_square_slope) {
+SlopeRanges slope_ranges(double mean_square_slope, double mean_square_convergence) {
     const double square = std::max(mean_square_slope, least_mean_square_slope);
-    return {static_cast<float>(4 * std::sqrt(square)), static_cast<float>(3 * square)};
+    return {static_cast<float>(4 * std::sqrt(std::max(square, mean_square_convergence))),
+            static_cast<float>(3 * square)};
 }
 
 std::size_t SlopeMaps::jobs() const {

@@ -11,10 +11,10 @@
 
 namespace pelagic {
 
-/// Ranges for a tile whose waves have that mean square slope, h_x^2 + h_z^2: four times its root, which is at least
-/// four standard deviations along any axis and five where waves go both ways, and three times itself. D_xx, D_zz and D_xz
-/// vary no more than slopes do, choppiness being at most 1. A sea without waves gets ranges too.
-SlopeRanges slope_ranges(double mean_square_slope);
+/// Ranges for a tile whose waves have the mean squares h_x^2 + h_z^2 of slopes and (D_xx + D_zz)^2 of convergence at choppiness 1, which
+/// is the larger one in shallow water. Slopes: four times the root of the larger, which is at least four standard deviations along any
+/// axis and five where waves go both ways. Variances: three times the mean square slope. A sea without waves gets ranges too.
+SlopeRanges slope_ranges(double mean_square_slope, double mean_square_convergence);
 
 /// Where slopes come from and where they go; a view.
 struct SlopeMaps {

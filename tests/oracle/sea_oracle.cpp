@@ -42,10 +42,16 @@ double depth_factor(double k, double depth_m) {
     return ratio * ratio * ratio * slope_of_frequency(deep_k, 1e9) / slope_of_frequency(k, depth_m);
 }
 
+/// Where waves of a wind stop growing: g F / V^2 = 17000.
+double grown_fetch_m(const SeaState& sea) {
+    const double grown = 17000 * sea.wind_speed_mps * sea.wind_speed_mps / gravity;
+    return sea.fetch_m < grown ? sea.fetch_m : grown;
+}
+
 /// omega in deep water where each model's frequency spectrum peaks.
 double peak_frequency(const SeaState& sea) {
     if (sea.spectrum == SpectrumModel::jonswap)
-        return 22 * std::cbrt(gravity * gravity / (sea.wind_speed_mps * sea.fetch_m));
+        return 22 * std::cbrt(gravity * gravity / (sea.wind_speed_mps * grown_fetch_m(sea)));
     const double beta = sea.spectrum == SpectrumModel::pierson_moskowitz ? 0.74 : 1;
     return std::pow(0.8 * beta, 0.25) * gravity / sea.wind_speed_mps;
 }
@@ -159,8 +165,8 @@ double frequency_density(const SeaState& sea, double w) {
     const double v = sea.wind_speed_mps;
     if (sea.spectrum == SpectrumModel::pierson_moskowitz)
         return 0.0081 * gravity * gravity * std::pow(w, -5) * std::exp(-0.74 * std::pow(gravity / (v * w), 4));
-    const double alpha = 0.076 * std::pow(v * v / (sea.fetch_m * gravity), 0.22);
-    const double peak = 22 * std::cbrt(gravity * gravity / (v * sea.fetch_m));
+    const double alpha = 0.076 * std::pow(v * v / (grown_fetch_m(sea) * gravity), 0.22);
+    const double peak = 22 * std::cbrt(gravity * gravity / (v * grown_fetch_m(sea)));
     const double sigma = w <= peak ? 0.07 : 0.09;
     const double r = std::exp(-(w - peak) * (w - peak) / (2 * sigma * sigma * peak * peak));
     return alpha * gravity * gravity * std::pow(w, -5) * std::exp(-1.25 * std::pow(peak / w, 4)) * std::pow(3.3, r);
@@ -202,7 +208,9 @@ Fields fields_at(const SeaState& sea, double time_s) {
             const double kx = wave_number(i, n), kz = wave_number(j, n);
             const double length = std::hypot(kx, kz);
             if (length == 0) continue;
-            const Complex sideways = Complex(0, sea.choppiness) * waves[j * side + i];
+            const double kd = 2 * pi / sea.patch_size_m * length * sea.depth_m;
+            const double orbit = std::min(20.0, 1 / std::tanh(kd));  // Airy: sideways over up and down
+            const Complex sideways = Complex(0, sea.choppiness * orbit) * waves[j * side + i];
             along_x[j * side + i] = kx / length * sideways;
             along_z[j * side + i] = kz / length * sideways;
         }

@@ -11,6 +11,7 @@
 #include "pelagic/sim/sources/packed_spectrum.hpp"
 #include "pelagic/sim/spectrum/dispersion.hpp"
 #include "pelagic/sim/surface/surface_look.hpp"
+#include "pelagic/simd/det_math.hpp"
 #include "pelagic/tests/unfused/unfused_foam.hpp"
 
 namespace pelagic::unfused {
@@ -133,10 +134,11 @@ void UnfusedSea::spectrum() {
             const std::complex<double> along = waves.amplitude(m, n);
             const std::complex<double> against = std::conj(waves.amplitude(-m, -n));
             const double length = std::sqrt(static_cast<double>(m) * m + static_cast<double>(n) * n);
+            const double tanh_kd = det::tanh(length * spacing * sea_.depth_m), coth_kd = std::min(1 / tanh_kd, 20.0);
             waves_.push_back(
                 {static_cast<float>(along.real() + against.real()), static_cast<float>(along.imag() + against.imag()),
                  static_cast<float>(along.imag() - against.imag()), static_cast<float>(against.real() - along.real()),
-                 static_cast<float>(m / length), static_cast<float>(n / length),
+                 static_cast<float>(m / length * coth_kd), static_cast<float>(n / length * coth_kd),
                  loop_harmonic(angular_frequency(length * spacing, sea_.depth_m), sea_.loop_period_s)});
         }
     }

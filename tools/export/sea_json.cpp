@@ -124,21 +124,24 @@ Json waves_as_json(const SeaState& sea, const SeaReport& report, double measured
         entry.update(slopes(tile.slopes));
         tiles.push_back(entry);
     }
-    return {{"significant_wave_height_m", height},
-            {"peak_period_s", both(expected.peak_period_s, report.drawn_peak_period_s)},
-            {"peak_wavelength_m", expected.peak_wavelength_m},
-            {"mean_direction_deg",
-             both(degrees(report.expected_directions.mean_rad), degrees(report.drawn_directions.mean_rad))},
-            {"directional_spread_deg",
-             both(degrees(report.expected_directions.spread_rad), degrees(report.drawn_directions.spread_rad))},
-            {"steepness", expected.significant_wave_height_m / expected.peak_wavelength_m},
-            {"beaufort", step(beaufort_of(sea.wind_speed_mps))},
-            {"sea_state", step(sea_state_of(expected.significant_wave_height_m))},
-            {"slope_variance",
-             {{"tiles", tiles}, {"all", slopes(all)}, {"cox_and_munk", slopes(measured_slopes(sea.wind_speed_mps))}}},
-            {"loop_frequencies",
-             {{"for_90_percent", report.loop_frequencies.for_90_percent},
-              {"largest_share", report.loop_frequencies.largest_share}}}};
+    Json json = {
+        {"significant_wave_height_m", height},
+        {"peak_period_s", both(expected.peak_period_s, report.drawn_peak_period_s)},
+        {"peak_wavelength_m", expected.peak_wavelength_m},
+        {"mean_direction_deg",
+         both(degrees(report.expected_directions.mean_rad), degrees(report.drawn_directions.mean_rad))},
+        {"directional_spread_deg",
+         both(degrees(report.expected_directions.spread_rad), degrees(report.drawn_directions.spread_rad))},
+        {"steepness", expected.significant_wave_height_m / expected.peak_wavelength_m},
+        {"beaufort", step(beaufort_of(sea.wind_speed_mps))},
+        {"sea_state", step(sea_state_of(expected.significant_wave_height_m))},
+        {"slope_variance",
+         {{"tiles", tiles}, {"all", slopes(all)}, {"cox_and_munk", slopes(measured_slopes(sea.wind_speed_mps))}}},
+        {"loop_frequencies",
+         {{"for_90_percent", report.loop_frequencies.for_90_percent},
+          {"largest_share", report.loop_frequencies.largest_share}}}};
+    if (report.effective_fetch_m > 0) json["effective_fetch_m"] = report.effective_fetch_m;
+    return json;
 }
 
 Json foam_as_json(const Frame& frame) {

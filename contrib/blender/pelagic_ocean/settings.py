@@ -30,7 +30,7 @@ class PelagicOcean(bpy.types.PropertyGroup):
         description="Where the wind blows towards, from +X clockwise seen from above: 90 degrees is -Y")
     fetch: FloatProperty(
         name="Fetch", default=100e3, min=1, max=2e6, subtype="DISTANCE", update=changed,
-        description="How far the wind has blown over water; more makes longer and higher waves")
+        description="How far the wind has blown over water; more makes longer and higher waves until they are fully developed")
     depth: FloatProperty(
         name="Depth", default=4000, min=0.01, max=11000, subtype="DISTANCE", update=changed,
         description="Of the water: waves that feel the ground are slower and lower")
