@@ -53,17 +53,19 @@ struct Scene {
 
 struct Wanted {
     bool normal, velocity;
+    Interpolation interpolation = Interpolation::linear;
 };
 
 void time_query(benchmark::State& state, const SeaState& sea, Isa isa, bool coherent, Wanted wanted) {
     const Scene scene(sea, isa, coherent);
+    const SurfaceQuery query(scene.frame, {.interpolation = wanted.interpolation});
     std::vector<std::vector<float>> out(8, std::vector<float>(count));
     SurfaceSamples samples{.height_m = out[0]};
     if (wanted.normal) samples.normal_x = out[1], samples.normal_y = out[2], samples.normal_z = out[3];
     if (wanted.velocity)
         samples.velocity_x_mps = out[4], samples.velocity_y_mps = out[5], samples.velocity_z_mps = out[6];
     for (auto _ : state) {
-        scene.query.sample({scene.x, scene.z}, samples);
+        query.sample({scene.x, scene.z}, samples);
         benchmark::ClobberMemory();
     }
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(count));
@@ -106,7 +108,7 @@ void time_lookup(benchmark::State& state, int resolution, Isa isa, bool coherent
                          .out = {}};
     job.out.height = height.data();
     for (auto _ : state) {
-        kernels_for(isa).sample_surface(job);
+        kernels_for(isa).sample_surface.linear(job);
         benchmark::ClobberMemory();
     }
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(count));
@@ -144,6 +146,9 @@ void register_queries(const SeaState& sea, const std::string& size) {
             add("height", {false, false});
             add("height+normal", {true, false});
             add("height+normal+velocity", {true, true});
+            add("cubic/height", {false, false, Interpolation::cubic});
+            add("cubic/height+normal", {true, false, Interpolation::cubic});
+            add("cubic/height+normal+velocity", {true, true, Interpolation::cubic});
         }
         const std::string suffix = "/" + std::string(name_of(isa)) + "/" + size;
         const auto add_frame = [&](const char* what, bool queries, bool velocities) {

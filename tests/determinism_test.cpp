@@ -104,10 +104,11 @@ std::unique_ptr<Ocean> asked_ocean(const SeaState& sea, Isa isa = choose_isa(),
         sea, OceanOptions{.executor = std::move(executor), .isa = isa, .queries = true, .velocities = true});
 }
 
-Answers answers_at(const SeaState& sea, double time_s, Isa isa, const AskedPoints& points) {
+Answers answers_at(const SeaState& sea, double time_s, Isa isa, const AskedPoints& points,
+                   Interpolation interpolation = Interpolation::linear) {
     const auto ocean = asked_ocean(sea, isa);
     Answers answers(points.x.size());
-    SurfaceQuery(ocean->frame_at(time_s)).sample(points.view(), answers.view());
+    SurfaceQuery(ocean->frame_at(time_s), {.interpolation = interpolation}).sample(points.view(), answers.view());
     return answers;
 }
 
@@ -252,16 +253,23 @@ TEST(Determinism, FoamIsTheSameOnEveryInstructionSetExecutorAndThreadCount) {
 TEST(Determinism, EveryInstructionSetGivesTheSameAnswers) {
     const AskedPoints points(20000);
     for (const SeaState& sea : {folded_sea, smooth_sea, sea_of_tiles, analytic_sea_state, pond}) {
-        const std::uint64_t expected = answers_at(sea, 3, isas_here().front(), points).hash();
-        for (const Isa isa : isas_here()) EXPECT_EQ(answers_at(sea, 3, isa, points).hash(), expected) << name_of(isa);
+        for (const Interpolation interpolation : {Interpolation::linear, Interpolation::cubic}) {
+            const std::uint64_t expected = answers_at(sea, 3, isas_here().front(), points, interpolation).hash();
+            for (const Isa isa : isas_here())
+                EXPECT_EQ(answers_at(sea, 3, isa, points, interpolation).hash(), expected) << name_of(isa);
+        }
     }
 }
 
 TEST(Determinism, AnAnswerDependsOnNoOtherPointOfTheBatch) {
     const AskedPoints points(1000);
-    for (const SeaState& sea : {folded_sea, smooth_sea, sea_of_tiles}) {
+    for (const auto& [sea, interpolation] : {std::pair{folded_sea, Interpolation::linear},
+                                             {smooth_sea, Interpolation::linear},
+                                             {sea_of_tiles, Interpolation::linear},
+                                             {folded_sea, Interpolation::cubic},
+                                             {sea_of_tiles, Interpolation::cubic}}) {
         const auto ocean = asked_ocean(sea);
-        const SurfaceQuery query(ocean->frame_at(3));
+        const SurfaceQuery query(ocean->frame_at(3), {.interpolation = interpolation});
         Answers expected(points.x.size());
         query.sample(points.view(), expected.view());
 

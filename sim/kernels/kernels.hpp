@@ -227,7 +227,7 @@ struct CellPlaces {
     float *u, *v;
 };
 
-/// Which rest point is drawn at a given world point: the q of q + D(q) = p, D being bilinear between texels. Newton's
+/// Which rest point is drawn at a given world point: the q of q + D(q) = p, D being bilinear or cubic between texels. Newton's
 /// steps with the slopes of the cell; where they don't hold (far away, or near a fold) q - (q + D(q) - p) instead.
 /// A lane that has come within `target` stays as it is, so no lane depends on its neighbours.
 struct InvertSurfaceJob {
@@ -244,8 +244,8 @@ struct InvertSurfaceJob {
     float* error;        ///< remaining distance in texels
 };
 
-/// The surface at rest points: everything bilinear between texels, slopes from central differences at texels. Blocks of the
-/// surface have a multiple of W columns.
+/// The surface at rest points. Linear: everything bilinear between texels, slopes from central differences at texels. Cubic:
+/// products of Catmull and Rom's cubics, and their derivatives. Blocks of the surface have a multiple of W columns.
 struct SampleSurfaceJob {
     struct Outputs {
         float* height;                                     ///< metres; null if nobody wants it
@@ -350,6 +350,14 @@ struct SampleStackJob {
     SampleSurfaceJob::Outputs out;  ///< aliases no input
 };
 
+/// A kernel of queries for each Interpolation. The cubic inversion begins where the linear one ended: the places of what rests
+/// there are its input, too.
+template <class Job>
+struct ByInterpolation {
+    void (*linear)(const Job&);
+    void (*cubic)(const Job&);
+};
+
 struct Kernels {
     std::size_t lanes;  ///< floats in a register, and lanes of a block in every buffer
     void (*blend_waves)(const BlendWavesJob&);
@@ -364,13 +372,13 @@ struct Kernels {
     void (*foam_tick)(const FoamTickJob&);
     void (*halve_foam)(const HalveFoamJob&);
     void (*find_folds)(const FindFoldsJob&);
-    void (*invert_surface)(const InvertSurfaceJob&);
-    void (*sample_surface)(const SampleSurfaceJob&);
+    ByInterpolation<InvertSurfaceJob> invert_surface;
+    ByInterpolation<SampleSurfaceJob> sample_surface;
     void (*find_squeeze)(const FindSqueezeJob&);
     void (*spread_squeeze)(const SpreadSqueezeJob&);
     void (*halve_squeeze)(const HalveSqueezeJob&);
-    void (*invert_stack)(const InvertStackJob&);
-    void (*sample_stack)(const SampleStackJob&);
+    ByInterpolation<InvertStackJob> invert_stack;
+    ByInterpolation<SampleStackJob> sample_stack;
     void (*local_columns)(const LocalColumnsJob&);
     void (*local_lines)(const LocalLinesJob&);
     void (*local_columns_back)(const LocalColumnsJob&);  ///< the third part: into h and w

@@ -49,12 +49,17 @@ struct CountedPart {
 };
 
 /// W searches for a rest point.
-template <class Arch, bool HasParts>
+template <class Arch, class Interpolation, bool HasParts>
 class StackSearch {
     using V = xsimd::batch<float, Arch>;
     using I = xsimd::batch<std::int32_t, Arch>;
 
    public:
+    PELAGIC_INLINE void begin(const InvertStackJob& job, std::size_t at) {
+        if (Interpolation::begins_at_the_point) return;
+        x_ = V::load_aligned(job.offset_x + at);
+        z_ = V::load_aligned(job.offset_z + at);
+    }
     PELAGIC_INLINE void look(const InvertStackJob& job, std::size_t tiles, std::size_t at) {
         V off_x = x_, off_z = z_;
         V x_x(1.f), x_z(0.f), z_x(0.f), z_z(1.f);
@@ -66,8 +71,8 @@ class StackSearch {
                 cells_[t].load(tile.surface, texels, place.x, place.z);
             else
                 cells_[t].follow(tile.surface, texels, place.x, place.z);
-            const Sideways<Arch> dx(cells_[t].dx, place.u, place.v, V(1.f)),
-                dz(cells_[t].dz, place.u, place.v, V(1.f));
+            const Sideways<Arch> dx = cells_[t].dx(place.u, place.v, V(1.f)),
+                                 dz = cells_[t].dz(place.u, place.v, V(1.f));
             const CountedPart<Arch, HasParts> counted(tile, at);
             const V along = counted.of(V(tile.along)), across = counted.of(V(tile.across));
             off_x = off_x + counted.of(dx.value);
@@ -114,18 +119,19 @@ class StackSearch {
         return xsimd::min(xsimd::max(offset, V(0.f) - reach), reach);
     }
 
-    SidewaysCells<Arch> cells_[most_tiles];
+    typename Interpolation::template Cells<Arch> cells_[most_tiles];
     std::size_t tiles_loaded_ = 0;
     V x_ = V(0.f), z_ = V(0.f);
     V squared_, step_x_, step_z_;
 };
 
-template <class Arch, bool HasParts, std::size_t Registers>
+template <class Arch, class Interpolation, bool HasParts, std::size_t Registers>
 PELAGIC_INLINE void invert_stack_registers(const InvertStackJob& job, std::size_t at) {
     using V = xsimd::batch<float, Arch>;
     const V enough(job.target * job.target), reach(job.reach);
-    StackSearch<Arch, HasParts> searches[Registers];
-    if (job.tile_count > InvertStackJob::first_tiles) {
+    StackSearch<Arch, Interpolation, HasParts> searches[Registers];
+    for (std::size_t r = 0; r < Registers; ++r) searches[r].begin(job, at + r * V::size);
+    if (Interpolation::begins_at_the_point && job.tile_count > InvertStackJob::first_tiles) {
         for (std::size_t r = 0; r < Registers; ++r)
             searches[r].look(job, InvertStackJob::first_tiles, at + r * V::size);
         for (auto& search : searches) search.step(reach);
@@ -140,20 +146,21 @@ PELAGIC_INLINE void invert_stack_registers(const InvertStackJob& job, std::size_
     for (std::size_t r = 0; r < Registers; ++r) searches[r].store(job, at + r * V::size);
 }
 
-template <class Arch, bool HasParts>
+template <class Arch, class Interpolation, bool HasParts>
 void invert_stack_points(const InvertStackJob& job) {
     constexpr std::size_t lanes = xsimd::batch<float, Arch>::size;
     std::size_t at = 0;
-    for (; at + 2 * lanes <= job.count; at += 2 * lanes) invert_stack_registers<Arch, HasParts, 2>(job, at);
-    if (at < job.count) invert_stack_registers<Arch, HasParts, 1>(job, at);
+    for (; at + 2 * lanes <= job.count; at += 2 * lanes)
+        invert_stack_registers<Arch, Interpolation, HasParts, 2>(job, at);
+    if (at < job.count) invert_stack_registers<Arch, Interpolation, HasParts, 1>(job, at);
 }
 
-template <class Arch>
+template <class Arch, class Interpolation>
 void invert_stack(const InvertStackJob& job) {
     if (job.tiles[0].part)
-        invert_stack_points<Arch, true>(job);
+        invert_stack_points<Arch, Interpolation, true>(job);
     else
-        invert_stack_points<Arch, false>(job);
+        invert_stack_points<Arch, Interpolation, false>(job);
 }
 
 /// Slopes of one plane along the world's axes, added up tile by tile, and its value.
@@ -171,7 +178,7 @@ struct SlopeSum {
     }
 };
 
-template <class Arch, bool HasParts>
+template <class Arch, class Interpolation, bool HasParts>
 PELAGIC_INLINE void sample_stack_lanes(const SampleStackJob& job, std::size_t at) {
     using V = xsimd::batch<float, Arch>;
     const V offset_x = V::load_aligned(job.offset_x + at), offset_z = V::load_aligned(job.offset_z + at);
@@ -182,28 +189,28 @@ PELAGIC_INLINE void sample_stack_lanes(const SampleStackJob& job, std::size_t at
         const StackTile& tile = job.tiles[t];
         const TexelPlaces<Arch> texels(tile.surface);
         const StackPlaces<Arch> place(tile, at, offset_x, offset_z);
+        const typename Interpolation::template Place<Arch> at_place(place.u, place.v);
         const CountedPart<Arch, HasParts> counted(tile, at);
         if (out.normal_x) {
             const V half_along = counted.of(V(0.5f * tile.along)), half_across = counted.of(V(0.5f * tile.across));
             CellSurroundings<Arch> around[3];
             CellReader<Arch>(texels, place.x, place.z)
                 .read({tile.surface.dx, tile.surface.height, tile.surface.dz}, around);
-            dx.add(CellSlopes<Arch>(around[0], place.u, place.v), counted, half_along, half_across);
-            height.add(CellSlopes<Arch>(around[1], place.u, place.v), counted, half_along, half_across);
-            dz.add(CellSlopes<Arch>(around[2], place.u, place.v), counted, half_along, half_across);
+            dx.add(at_place.slopes(around[0]), counted, half_along, half_across);
+            height.add(at_place.slopes(around[1]), counted, half_along, half_across);
+            dz.add(at_place.slopes(around[2]), counted, half_along, half_across);
         } else if (out.height) {
-            const CellGather<Arch> cell(texels, place.x, place.z);
-            height.value =
-                height.value + counted.of(bilinear<Arch>(cell.corners(tile.surface.height), place.u, place.v));
+            V values[1];
+            at_place.read(texels, place.x, place.z, {tile.surface.height}, values);
+            height.value = height.value + counted.of(values[0]);
         }
         if (out.velocity_x) {
-            const CellGather<Arch> cell(texels, place.x, place.z);
-            velocity_x =
-                velocity_x + counted.of(bilinear<Arch>(cell.corners(tile.surface.velocity_x), place.u, place.v));
-            velocity_y =
-                velocity_y + counted.of(bilinear<Arch>(cell.corners(tile.surface.velocity_y), place.u, place.v));
-            velocity_z =
-                velocity_z + counted.of(bilinear<Arch>(cell.corners(tile.surface.velocity_z), place.u, place.v));
+            V values[3];
+            at_place.read(texels, place.x, place.z,
+                          {tile.surface.velocity_x, tile.surface.velocity_y, tile.surface.velocity_z}, values);
+            velocity_x = velocity_x + counted.of(values[0]);
+            velocity_y = velocity_y + counted.of(values[1]);
+            velocity_z = velocity_z + counted.of(values[2]);
         }
     }
     if (out.height) height.value.store_aligned(out.height + at);
@@ -226,13 +233,13 @@ PELAGIC_INLINE void sample_stack_lanes(const SampleStackJob& job, std::size_t at
     }
 }
 
-template <class Arch>
+template <class Arch, class Interpolation>
 void sample_stack(const SampleStackJob& job) {
     constexpr std::size_t lanes = xsimd::batch<float, Arch>::size;
     if (job.tiles[0].part)
-        for (std::size_t at = 0; at < job.count; at += lanes) sample_stack_lanes<Arch, true>(job, at);
+        for (std::size_t at = 0; at < job.count; at += lanes) sample_stack_lanes<Arch, Interpolation, true>(job, at);
     else
-        for (std::size_t at = 0; at < job.count; at += lanes) sample_stack_lanes<Arch, false>(job, at);
+        for (std::size_t at = 0; at < job.count; at += lanes) sample_stack_lanes<Arch, Interpolation, false>(job, at);
 }
 
 }  // namespace pelagic::kernels

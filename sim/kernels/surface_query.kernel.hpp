@@ -74,6 +74,162 @@ class CellGather {
     Gather<Arch> at00_, at10_, at01_, at11_;
 };
 
+/// Four columns in four rows of one plane, by row and column, without the corners of this square.
+template <class Arch>
+struct CellSurroundings {
+    xsimd::batch<float, Arch> at[4][4];
+};
+
+/// One plane inside a cell: its value, and its slopes along both axes, per two texels.
+template <class Arch>
+struct CellSlopes {
+    using V = xsimd::batch<float, Arch>;
+    V x, z;
+    V value;
+};
+
+/// Reads four columns around W cells. They lie in one or two groups of W columns, each side by side in memory however large
+/// the blocks are. Of the first group four are loaded that end with it at most, the first `shift` of which are too early: in
+/// their place come the first four of the second group, and all are turned. Nothing is read beyond a group.
+template <class Arch>
+class CellReader {
+    using V = xsimd::batch<float, Arch>;
+    using I = xsimd::batch<std::int32_t, Arch>;
+    static constexpr int lanes = static_cast<int>(V::size);
+
+   public:
+    PELAGIC_INLINE CellReader(const TexelPlaces<Arch>& places, I x, I z) {
+        const I shift = xsimd::max(((x - I(1)) & I(lanes - 1)) - I(lanes - 4), I(0));
+        const I shifts[4] = {lane_in_all<0, Arch>(shift), lane_in_all<1, Arch>(shift), lane_in_all<2, Arch>(shift),
+                             lane_in_all<3, Arch>(shift)};
+        const I order = I::load_aligned(lane_numbers);
+        for (int k = 0; k < 4; ++k) {
+            is_second_[k] = xsimd::to_float(order) < xsimd::to_float(shifts[k]);
+            lanes_[k] = order + shifts[k];
+        }
+        const I first = places.column(x - I(1)) - shift, second = places.column((x + I(2)) & I(-lanes));
+        for (int row = 0; row < 4; ++row) {
+            const I at = places.row(z + I(row - 1));
+            (first + at).store_aligned(reinterpret_cast<std::int32_t*>(first_[row]));
+            (second + at).store_aligned(reinterpret_cast<std::int32_t*>(second_[row]));
+        }
+    }
+
+    template <std::size_t Planes>
+    PELAGIC_INLINE void read(const float* const (&planes)[Planes], CellSurroundings<Arch> (&texels)[Planes]) const {
+        read_row(0, planes, texels);
+        read_row(1, planes, texels);
+        read_row(2, planes, texels);
+        read_row(3, planes, texels);
+    }
+
+   private:
+    template <std::size_t Planes>
+    PELAGIC_INLINE void read_row(int row, const float* const (&planes)[Planes],
+                                 CellSurroundings<Arch> (&texels)[Planes]) const {
+        for (int k = 0; k < 4; ++k) {
+            for (std::size_t plane = 0; plane < Planes; ++plane) {
+                const V first = fours_loaded<Arch>(planes[plane], first_[row] + k);
+                const V second = fours_loaded<Arch>(planes[plane], second_[row] + k);
+                texels[plane].at[row][k] = lanes_turned<Arch>(xsimd::select(is_second_[k], second, first), lanes_[k]);
+            }
+        }
+        for (std::size_t plane = 0; plane < Planes; ++plane) fours_turned<Arch>(texels[plane].at[row]);
+    }
+
+    alignas(64) static constexpr std::int32_t lane_numbers[16] = {0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
+    xsimd::batch_bool<float, Arch> is_second_[4];
+    I lanes_[4];
+    alignas(64) std::uint32_t first_[4][V::size], second_[4][V::size];
+};
+
+/// Bilinear between texels; slopes are central differences at the corners of the cell, bilinear between them.
+template <class Arch>
+class LinearPlace {
+    using V = xsimd::batch<float, Arch>;
+    using I = xsimd::batch<std::int32_t, Arch>;
+
+   public:
+    PELAGIC_INLINE LinearPlace(V u, V v) : u_(u), v_(v) {}
+
+    PELAGIC_INLINE CellSlopes<Arch> slopes(const CellSurroundings<Arch>& texels) const {
+        const auto& [a, b, c, d] = texels.at;
+        return {.x = bilinear<Arch>({b[2] - b[0], b[3] - b[1], c[2] - c[0], c[3] - c[1]}, u_, v_),
+                .z = bilinear<Arch>({c[1] - a[1], c[2] - a[2], d[1] - b[1], d[2] - b[2]}, u_, v_),
+                .value = bilinear<Arch>({b[1], b[2], c[1], c[2]}, u_, v_)};
+    }
+    /// Values alone, of planes at W cells.
+    template <std::size_t Planes>
+    PELAGIC_INLINE void read(const TexelPlaces<Arch>& places, I x, I z, const float* const (&planes)[Planes],
+                             V (&values)[Planes]) const {
+        const CellGather<Arch> cell(places, x, z);
+        for (std::size_t plane = 0; plane < Planes; ++plane)
+            values[plane] = bilinear<Arch>(cell.corners(planes[plane]), u_, v_);
+    }
+
+   private:
+    V u_, v_;
+};
+
+/// Weights of four texels in a row, from one before the cell to one behind it, at t from 0 to 1 in it: the cubic that has the
+/// texels' values and their central differences as slopes at both ends (Catmull and Rom 1974; Keys 1981, IEEE Trans. Acoust.,
+/// Speech, Signal Process. 29, 1153-1160, a = -1/2). At 0 and 1 they are the texels to the bit.
+template <class Arch>
+struct CubicWeights {
+    using V = xsimd::batch<float, Arch>;
+    V value[4];
+    V slope[4];  ///< per two texels
+
+    PELAGIC_INLINE explicit CubicWeights(V t) {
+        const V half_t = V(0.5f) * t, half_t_squared = half_t * t, three_t = V(3.f) * t, nine_t = V(9.f) * t;
+        value[0] = half_t * (t * (V(2.f) - t) - V(1.f));
+        value[1] = V(1.f) + half_t_squared * (three_t - V(5.f));
+        value[2] = half_t * (V(1.f) + t * (V(4.f) - three_t));
+        value[3] = half_t_squared * (t - V(1.f));
+        slope[0] = t * (V(4.f) - three_t) - V(1.f);
+        slope[1] = t * (nine_t - V(10.f));
+        slope[2] = V(1.f) + t * (V(8.f) - nine_t);
+        slope[3] = t * (three_t - V(2.f));
+    }
+};
+
+/// The product of the cubics along both axes; slopes are its derivatives.
+template <class Arch>
+class CubicPlace {
+    using V = xsimd::batch<float, Arch>;
+    using I = xsimd::batch<std::int32_t, Arch>;
+
+   public:
+    PELAGIC_INLINE CubicPlace(V u, V v) : u_(u), v_(v) {}
+
+    PELAGIC_INLINE CellSlopes<Arch> slopes(const CellSurroundings<Arch>& texels) const {
+        V rows[4], slopes[4];
+        for (int row = 0; row < 4; ++row) {
+            rows[row] = sum(u_.value, texels.at[row]);
+            slopes[row] = sum(u_.slope, texels.at[row]);
+        }
+        return {.x = sum(v_.value, slopes), .z = sum(v_.slope, rows), .value = sum(v_.value, rows)};
+    }
+    template <std::size_t Planes>
+    PELAGIC_INLINE void read(const TexelPlaces<Arch>& places, I x, I z, const float* const (&planes)[Planes],
+                             V (&values)[Planes]) const {
+        CellSurroundings<Arch> texels[Planes];
+        CellReader<Arch>(places, x, z).read(planes, texels);
+        for (std::size_t plane = 0; plane < Planes; ++plane) {
+            V rows[4];
+            for (int row = 0; row < 4; ++row) rows[row] = sum(u_.value, texels[plane].at[row]);
+            values[plane] = sum(v_.value, rows);
+        }
+    }
+
+   private:
+    PELAGIC_INLINE static V sum(const V (&weights)[4], const V (&of)[4]) {
+        return (weights[0] * of[0] + weights[1] * of[1]) + (weights[2] * of[2] + weights[3] * of[3]);
+    }
+
+    CubicWeights<Arch> u_, v_;
+};
+
 /// One sideways component inside a cell, in texels: its value and its slopes.
 template <class Arch>
 struct Sideways {
@@ -86,18 +242,60 @@ struct Sideways {
         along_u = between<Arch>(c.v10 - c.v00, c.v11 - c.v01, v) * texels_per_m;
         along_v = (high - low) * texels_per_m;
     }
+    PELAGIC_INLINE Sideways(const CellSlopes<Arch>& cell, V texels_per_m)
+        : value(cell.value * texels_per_m),
+          along_u(cell.x * (V(0.5f) * texels_per_m)),
+          along_v(cell.z * (V(0.5f) * texels_per_m)) {}
 };
 
 /// The sideways displacement at the corners of W cells. A search's last steps stay inside of them, and load nothing.
 template <class Arch>
-class SidewaysCells {
+class LinearCells {
+    using V = xsimd::batch<float, Arch>;
     using I = xsimd::batch<std::int32_t, Arch>;
 
    public:
     PELAGIC_INLINE void load(const SurfaceTexels& surface, const TexelPlaces<Arch>& places, I x, I z) {
         const CellGather<Arch> cell(places, x, z);
-        dx = cell.corners(surface.dx);
-        dz = cell.corners(surface.dz);
+        dx_ = cell.corners(surface.dx);
+        dz_ = cell.corners(surface.dz);
+    }
+    PELAGIC_INLINE Sideways<Arch> dx(V u, V v, V texels_per_m) const { return {dx_, u, v, texels_per_m}; }
+    PELAGIC_INLINE Sideways<Arch> dz(V u, V v, V texels_per_m) const { return {dz_, u, v, texels_per_m}; }
+
+   private:
+    Corners<Arch> dx_, dz_;
+};
+
+/// The same with a texel more on each side.
+template <class Arch>
+class CubicCells {
+    using V = xsimd::batch<float, Arch>;
+    using I = xsimd::batch<std::int32_t, Arch>;
+
+   public:
+    PELAGIC_INLINE void load(const SurfaceTexels& surface, const TexelPlaces<Arch>& places, I x, I z) {
+        CellReader<Arch>(places, x, z).read({surface.dx, surface.dz}, texels_);
+    }
+    PELAGIC_INLINE Sideways<Arch> dx(V u, V v, V texels_per_m) const {
+        return {CubicPlace<Arch>(u, v).slopes(texels_[0]), texels_per_m};
+    }
+    PELAGIC_INLINE Sideways<Arch> dz(V u, V v, V texels_per_m) const {
+        return {CubicPlace<Arch>(u, v).slopes(texels_[1]), texels_per_m};
+    }
+
+   private:
+    CellSurroundings<Arch> texels_[2];
+};
+
+/// Cells that are loaded where a search is.
+template <class Arch, class Cells>
+class FollowedCells : public Cells {
+    using I = xsimd::batch<std::int32_t, Arch>;
+
+   public:
+    PELAGIC_INLINE void load(const SurfaceTexels& surface, const TexelPlaces<Arch>& places, I x, I z) {
+        Cells::load(surface, places, x, z);
         x_ = x;
         z_ = z;
     }
@@ -108,25 +306,44 @@ class SidewaysCells {
     I x() const { return x_; }
     I z() const { return z_; }
 
-    Corners<Arch> dx, dz;
-
    private:
     I x_, z_;
 };
 
+/// What kernels of queries are compiled for: how a value is read between texels, which cells a search for a rest point reads, and
+/// whether it begins at the point itself or where an earlier search ended.
+struct Linear {
+    template <class Arch>
+    using Place = LinearPlace<Arch>;
+    template <class Arch>
+    using Cells = FollowedCells<Arch, LinearCells<Arch>>;
+    static constexpr bool begins_at_the_point = true;
+};
+struct Cubic {
+    template <class Arch>
+    using Place = CubicPlace<Arch>;
+    template <class Arch>
+    using Cells = FollowedCells<Arch, CubicCells<Arch>>;
+    static constexpr bool begins_at_the_point = false;
+};
+
 /// W searches for a rest point.
-template <class Arch>
+template <class Arch, class Interpolation>
 class Inversion {
     using V = xsimd::batch<float, Arch>;
     using I = xsimd::batch<std::int32_t, Arch>;
 
    public:
-    /// The search begins at the point itself.
     PELAGIC_INLINE void begin(const InvertSurfaceJob& job, std::size_t at) {
-        world_x_ = x_ = I::load_aligned(job.world.cell_x + at);
-        world_z_ = z_ = I::load_aligned(job.world.cell_z + at);
-        world_u_ = u_ = V::load_aligned(job.world.u + at);
-        world_v_ = v_ = V::load_aligned(job.world.v + at);
+        const CellPlaces& from = Interpolation::begins_at_the_point ? job.world : job.rest;
+        world_x_ = I::load_aligned(job.world.cell_x + at);
+        world_z_ = I::load_aligned(job.world.cell_z + at);
+        world_u_ = V::load_aligned(job.world.u + at);
+        world_v_ = V::load_aligned(job.world.v + at);
+        x_ = I::load_aligned(from.cell_x + at);
+        z_ = I::load_aligned(from.cell_z + at);
+        u_ = V::load_aligned(from.u + at);
+        v_ = V::load_aligned(from.v + at);
     }
 
     PELAGIC_INLINE void look(const InvertSurfaceJob& job, const TexelPlaces<Arch>& places, bool is_first) {
@@ -134,7 +351,7 @@ class Inversion {
             cells_.load(job.surface, places, x_, z_);
         else
             cells_.follow(job.surface, places, x_, z_);
-        const Sideways<Arch> dx(cells_.dx, u_, v_, V(job.texels_per_m)), dz(cells_.dz, u_, v_, V(job.texels_per_m));
+        const Sideways<Arch> dx = cells_.dx(u_, v_, V(job.texels_per_m)), dz = cells_.dz(u_, v_, V(job.texels_per_m));
 
         // How far the displaced point is from where it should be, in texels.
         const V off_x = xsimd::to_float(x_ - world_x_) + (u_ - world_u_) + dx.value;
@@ -175,126 +392,53 @@ class Inversion {
         within = xsimd::select(open(enough), moved - whole, within);
     }
 
-    SidewaysCells<Arch> cells_;
+    typename Interpolation::template Cells<Arch> cells_;
     I world_x_, world_z_, x_, z_;
     V world_u_, world_v_, u_, v_;
     V squared_, step_x_, step_z_;
 };
 
 /// Several registers of searches together: each step of one waits for its loads, and meanwhile the others go on.
-template <class Arch, std::size_t Registers>
+template <class Arch, class Interpolation, std::size_t Registers>
 PELAGIC_INLINE void invert_registers(const InvertSurfaceJob& job, const TexelPlaces<Arch>& places, std::size_t at) {
     using V = xsimd::batch<float, Arch>;
     const V enough(job.target * job.target);
-    Inversion<Arch> searches[Registers];
+    Inversion<Arch, Interpolation> searches[Registers];
     for (std::size_t r = 0; r < Registers; ++r) searches[r].begin(job, at + r * V::size);
     for (int step = 0;; ++step) {
-        for (Inversion<Arch>& search : searches) search.look(job, places, step == 0);
+        for (auto& search : searches) search.look(job, places, step == 0);
         auto open = searches[0].open(enough);
         for (std::size_t r = 1; r < Registers; ++r) open = open | searches[r].open(enough);
         if (step == InvertSurfaceJob::most_steps || !xsimd::any(open)) break;
-        for (Inversion<Arch>& search : searches) search.step(enough);
+        for (auto& search : searches) search.step(enough);
     }
     for (std::size_t r = 0; r < Registers; ++r) searches[r].store(job, at + r * V::size);
 }
 
-template <class Arch>
+template <class Arch, class Interpolation>
 void invert_surface(const InvertSurfaceJob& job) {
     constexpr std::size_t lanes = xsimd::batch<float, Arch>::size;
     const TexelPlaces<Arch> places(job.surface);
     std::size_t at = 0;
-    for (; at + 4 * lanes <= job.count; at += 4 * lanes) invert_registers<Arch, 4>(job, places, at);
-    for (; at + 2 * lanes <= job.count; at += 2 * lanes) invert_registers<Arch, 2>(job, places, at);
-    if (at < job.count) invert_registers<Arch, 1>(job, places, at);
+    for (; at + 4 * lanes <= job.count; at += 4 * lanes) invert_registers<Arch, Interpolation, 4>(job, places, at);
+    for (; at + 2 * lanes <= job.count; at += 2 * lanes) invert_registers<Arch, Interpolation, 2>(job, places, at);
+    if (at < job.count) invert_registers<Arch, Interpolation, 1>(job, places, at);
 }
 
-/// Four columns in four rows of one plane, by row and column, without the corners of this square.
-template <class Arch>
-struct CellSurroundings {
-    xsimd::batch<float, Arch> at[4][4];
-};
-
-/// Slopes of one plane along both axes, per two texels: central differences at the corners of the cell, bilinear
-/// between them.
-template <class Arch>
-struct CellSlopes {
-    using V = xsimd::batch<float, Arch>;
-    V x, z;
-    V value;
-
-    PELAGIC_INLINE CellSlopes(const CellSurroundings<Arch>& texels, V u, V v) {
-        const auto& [a, b, c, d] = texels.at;
-        value = bilinear<Arch>({b[1], b[2], c[1], c[2]}, u, v);
-        x = bilinear<Arch>({b[2] - b[0], b[3] - b[1], c[2] - c[0], c[3] - c[1]}, u, v);
-        z = bilinear<Arch>({c[1] - a[1], c[2] - a[2], d[1] - b[1], d[2] - b[2]}, u, v);
-    }
-};
-
-/// Reads four columns around W cells. They lie in one or two groups of W columns, each side by side in memory however large
-/// the blocks are. Of the first group four are loaded that end with it at most, the first `shift` of which are too early: in
-/// their place come the first four of the second group, and all are turned. Nothing is read beyond a group.
-template <class Arch>
-class CellReader {
-    using V = xsimd::batch<float, Arch>;
-    using I = xsimd::batch<std::int32_t, Arch>;
-    static constexpr int lanes = static_cast<int>(V::size);
-
-   public:
-    PELAGIC_INLINE CellReader(const TexelPlaces<Arch>& places, I x, I z) {
-        const I shift = xsimd::max(((x - I(1)) & I(lanes - 1)) - I(lanes - 4), I(0));
-        const I shifts[4] = {lane_in_all<0, Arch>(shift), lane_in_all<1, Arch>(shift), lane_in_all<2, Arch>(shift),
-                             lane_in_all<3, Arch>(shift)};
-        const I order = I::load_aligned(lane_numbers);
-        for (int k = 0; k < 4; ++k) {
-            is_second_[k] = xsimd::to_float(order) < xsimd::to_float(shifts[k]);
-            lanes_[k] = order + shifts[k];
-        }
-        const I first = places.column(x - I(1)) - shift, second = places.column((x + I(2)) & I(-lanes));
-        for (int row = 0; row < 4; ++row) {
-            const I at = places.row(z + I(row - 1));
-            (first + at).store_aligned(reinterpret_cast<std::int32_t*>(first_[row]));
-            (second + at).store_aligned(reinterpret_cast<std::int32_t*>(second_[row]));
-        }
-    }
-
-    PELAGIC_INLINE void read(const float* const (&planes)[3], CellSurroundings<Arch> (&texels)[3]) const {
-        read_row(0, planes, texels);
-        read_row(1, planes, texels);
-        read_row(2, planes, texels);
-        read_row(3, planes, texels);
-    }
-
-   private:
-    PELAGIC_INLINE void read_row(int row, const float* const (&planes)[3],
-                                 CellSurroundings<Arch> (&texels)[3]) const {
-        for (int k = 0; k < 4; ++k) {
-            for (int plane = 0; plane < 3; ++plane) {
-                const V first = fours_loaded<Arch>(planes[plane], first_[row] + k);
-                const V second = fours_loaded<Arch>(planes[plane], second_[row] + k);
-                texels[plane].at[row][k] = lanes_turned<Arch>(xsimd::select(is_second_[k], second, first), lanes_[k]);
-            }
-        }
-        for (int plane = 0; plane < 3; ++plane) fours_turned<Arch>(texels[plane].at[row]);
-    }
-
-    alignas(64) static constexpr std::int32_t lane_numbers[16] = {0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
-    xsimd::batch_bool<float, Arch> is_second_[4];
-    I lanes_[4];
-    alignas(64) std::uint32_t first_[4][V::size], second_[4][V::size];
-};
-
-template <class Arch>
+template <class Arch, class Interpolation>
 PELAGIC_INLINE void sample_lanes(const SampleSurfaceJob& job, const TexelPlaces<Arch>& places, std::size_t at) {
     using V = xsimd::batch<float, Arch>;
     using I = xsimd::batch<std::int32_t, Arch>;
     const I x = I::load_aligned(job.rest.cell_x + at), z = I::load_aligned(job.rest.cell_z + at);
     const V u = V::load_aligned(job.rest.u + at), v = V::load_aligned(job.rest.v + at);
+    const typename Interpolation::template Place<Arch> place(u, v);
     const SampleSurfaceJob::Outputs& out = job.out;
 
     if (out.normal_x) {
         CellSurroundings<Arch> texels[3];
         CellReader<Arch>(places, x, z).read({job.surface.dx, job.surface.height, job.surface.dz}, texels);
-        const CellSlopes<Arch> dx(texels[0], u, v), h(texels[1], u, v), dz(texels[2], u, v);
+        const CellSlopes<Arch> dx = place.slopes(texels[0]), h = place.slopes(texels[1]),
+                               dz = place.slopes(texels[2]);
         // As normal_of() in gradients.kernel.hpp: times (2 L/N)^2, which the normal's length doesn't show.
         const V two_texels(job.two_texels_m);
         const V j_xx = two_texels + dx.x, j_zz = two_texels + dz.z;
@@ -309,22 +453,24 @@ PELAGIC_INLINE void sample_lanes(const SampleSurfaceJob& job, const TexelPlaces<
         (n_z * inverse).store_aligned(out.normal_z + at);
         (n_y * V(job.jacobian_factor)).store_aligned(out.jacobian + at);
     } else if (out.height) {
-        bilinear<Arch>(CellGather<Arch>(places, x, z).corners(job.surface.height), u, v)
-            .store_aligned(out.height + at);
+        V height[1];
+        place.read(places, x, z, {job.surface.height}, height);
+        height[0].store_aligned(out.height + at);
     }
     if (out.velocity_x) {
-        const CellGather<Arch> cell(places, x, z);
-        bilinear<Arch>(cell.corners(job.surface.velocity_x), u, v).store_aligned(out.velocity_x + at);
-        bilinear<Arch>(cell.corners(job.surface.velocity_y), u, v).store_aligned(out.velocity_y + at);
-        bilinear<Arch>(cell.corners(job.surface.velocity_z), u, v).store_aligned(out.velocity_z + at);
+        V velocity[3];
+        place.read(places, x, z, {job.surface.velocity_x, job.surface.velocity_y, job.surface.velocity_z}, velocity);
+        velocity[0].store_aligned(out.velocity_x + at);
+        velocity[1].store_aligned(out.velocity_y + at);
+        velocity[2].store_aligned(out.velocity_z + at);
     }
 }
 
-template <class Arch>
+template <class Arch, class Interpolation>
 void sample_surface(const SampleSurfaceJob& job) {
     const TexelPlaces<Arch> places(job.surface);
     for (std::size_t at = 0; at < job.count; at += xsimd::batch<float, Arch>::size)
-        sample_lanes<Arch>(job, places, at);
+        sample_lanes<Arch, Interpolation>(job, places, at);
 }
 
 }  // namespace pelagic::kernels

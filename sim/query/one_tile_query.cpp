@@ -1,12 +1,14 @@
 // Two ways to a rest point. Nearly everywhere it is the only one (fold_map.hpp), and a kernel steps towards it, W points
 // at a time. Where the surface may lie over itself, and where the steps did not arrive, all cells that could be drawn
-// at the point are looked at, in double and in closed form; that is plain code, compiled once.
+// at the point are looked at, in double and in closed form, by Newton's steps if they are cubic; that is plain code, compiled once.
+// The map is of the linear surface: a fold that only the cubic one has is lost, whose sheets are close together.
 #include "pelagic/sim/query/one_tile_query.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "pelagic/sim/query/foam_at.hpp"
+#include "pelagic/sim/query/tile_cell.hpp"
 #include "pelagic/sim/surface/fold_map.hpp"
 #include "pelagic/sim/surface/surface_texels.hpp"
 
@@ -17,6 +19,10 @@ namespace {
 // one outside of the fold map's margin.
 constexpr double least_target = 4e-6, most_target = 1.0 / 64;
 static_assert(most_target < FoldMap::margin);
+
+// Newton's steps in double in one cubic cell, and how near is the same, of the search's target.
+constexpr int most_cubic_steps = 16;
+constexpr double same_cubic = 1.0 / 64;
 
 // A point on the edge between cells must not fall between them by rounding. In texels.
 constexpr double edge = 1e-7;
@@ -59,11 +65,13 @@ struct OneTileQuery::Sheet {
     float error = 0;  ///< texels
 };
 
-OneTileQuery::OneTileQuery(const Tile& tile, const Kernels& kernels, double tolerance_m)
+OneTileQuery::OneTileQuery(const Tile& tile, const Kernels& kernels, const SurfaceQueryOptions& options)
     : kernels_(kernels),
       tile_(tile),
+      interpolation_(options.interpolation),
       texel_m_(tile.texel_m()),
-      target_(static_cast<float>(std::clamp(tolerance_m * query_aim / texel_m_, least_target, most_target))) {}
+      target_(static_cast<float>(std::clamp(options.tolerance_m * query_aim / texel_m_, least_target, most_target))) {
+}
 
 void OneTileQuery::place(PointChunk& chunk) const {
     const int resolution = tile_.resolution();
@@ -76,13 +84,16 @@ void OneTileQuery::place(PointChunk& chunk) const {
 
 void OneTileQuery::find_rest_points(PointChunk& chunk) const {
     PointChunk::World& world = chunk.world[0];
-    kernels_.invert_surface({.surface = texels_of(tile_),
-                             .texels_per_m = static_cast<float>(1 / texel_m_),
-                             .target = target_,
-                             .count = chunk.padded,
-                             .world = world.places(),
-                             .rest = chunk.rest.places(),
-                             .error = chunk.error});
+    const bool is_cubic = interpolation_ == Interpolation::cubic;
+    const InvertSurfaceJob job{.surface = texels_of(tile_),
+                               .texels_per_m = static_cast<float>(1 / texel_m_),
+                               .target = target_,
+                               .count = chunk.padded,
+                               .world = world.places(),
+                               .rest = chunk.rest.places(),
+                               .error = chunk.error};
+    kernels_.invert_surface.linear(job);
+    if (is_cubic) kernels_.invert_surface.cubic(job);
 
     const std::uint8_t* folds = tile_.folds.data();
     const int resolution = tile_.resolution();
@@ -90,7 +101,8 @@ void OneTileQuery::find_rest_points(PointChunk& chunk) const {
         const auto square = static_cast<unsigned>(world.cell_z[i] * resolution + world.cell_x[i]);
         const bool may_be_folded = (folds[square / 8] >> square % 8 & 1) != 0;
         if (chunk.error[i] <= target_ && !may_be_folded) continue;
-        const Sheet sheet = highest_sheet(world.cell_x[i], world.u[i], world.cell_z[i], world.v[i]);
+        const Sheet sheet = is_cubic ? highest_cubic_sheet(world.cell_x[i], world.u[i], world.cell_z[i], world.v[i])
+                                     : highest_sheet(world.cell_x[i], world.u[i], world.cell_z[i], world.v[i]);
         if (!sheet.found) continue;  // the error says how good the steps' end is
         chunk.rest.cell_x[i] = sheet.cell_x;
         chunk.rest.cell_z[i] = sheet.cell_z;
@@ -102,12 +114,14 @@ void OneTileQuery::find_rest_points(PointChunk& chunk) const {
 }
 
 void OneTileQuery::read(const SampleSurfaceJob::Outputs& outputs, PointChunk& chunk) const {
-    kernels_.sample_surface({.surface = texels_of(tile_),
-                             .two_texels_m = static_cast<float>(2 * texel_m_),
-                             .jacobian_factor = static_cast<float>(1 / (4 * texel_m_ * texel_m_)),
-                             .count = chunk.padded,
-                             .rest = chunk.rest.places(),
-                             .out = outputs});
+    const auto& kernel = kernels_.sample_surface;
+    (interpolation_ == Interpolation::cubic ? kernel.cubic : kernel.linear)(
+        {.surface = texels_of(tile_),
+         .two_texels_m = static_cast<float>(2 * texel_m_),
+         .jacobian_factor = static_cast<float>(1 / (4 * texel_m_ * texel_m_)),
+         .count = chunk.padded,
+         .rest = chunk.rest.places(),
+         .out = outputs});
 }
 
 void OneTileQuery::read_foam(const PointChunk& chunk, std::span<float> foam) const {
@@ -171,6 +185,65 @@ OneTileQuery::Sheet OneTileQuery::highest_sheet(int cell_x, double u, int cell_z
         highest.cell_x += cell_x;
         highest.cell_z += cell_z;
     }
+    return highest;
+}
+
+// In each cell Newton's steps begin at the middles of its quarters. What they find is a rest point if it is in the cell.
+OneTileQuery::Sheet OneTileQuery::highest_cubic_sheet(int cell_x, double u, int cell_z, double v) const {
+    const SurfaceTexels surface = texels_of(tile_);
+    const double texels_per_m = 1 / texel_m_;
+    const double reach_x = tile_.bounds.sideways_x_max_m * most_cubic_value * texels_per_m + edge;
+    const double reach_z = tile_.bounds.sideways_z_max_m * most_cubic_value * texels_per_m + edge;
+    const auto first_x = static_cast<int>(floor_of(u - reach_x)), last_x = static_cast<int>(floor_of(u + reach_x));
+    const auto first_z = static_cast<int>(floor_of(v - reach_z)), last_z = static_cast<int>(floor_of(v + reach_z));
+    const double enough = target_ * same_cubic;
+
+    Sheet highest;
+    double least_off = 0;
+    const auto look_at = [&](int i, int j, const TileCell& cell, double along_x, double along_z) {
+        /// From the point that is asked about, in texels, and what that changes by.
+        Vector off{}, along_u{}, along_v{};
+        const auto look = [&] {
+            const TileCell::Value dx = cell.at(surface.dx, along_x, along_z),
+                                  dz = cell.at(surface.dz, along_x, along_z);
+            off = {i + along_x - u + dx.value * texels_per_m, j + along_z - v + dz.value * texels_per_m};
+            along_u = {1 + dx.along_u * texels_per_m, dz.along_u * texels_per_m};
+            along_v = {dx.along_v * texels_per_m, 1 + dz.along_v * texels_per_m};
+        };
+        look();
+        for (int step = 0; step < most_cubic_steps && !(dot(off, off) <= enough * enough); ++step) {
+            const double determinant = cross(along_u, along_v);
+            if (determinant == 0) return;
+            along_x -= cross(off, along_v) / determinant;
+            along_z -= cross(along_u, off) / determinant;
+            const auto is_near = [](double t) { return t > -1 && t < 2; };  // false for NaN
+            if (!is_near(along_x) || !is_near(along_z)) return;
+            look();
+        }
+        const auto is_inside = [](double t) { return t >= -edge && t <= 1 + edge; };
+        if (!(dot(off, off) <= target_ * target_) || !is_inside(along_x) || !is_inside(along_z)) return;
+        const double height = cell.at(surface.height, along_x, along_z).value;
+        if (highest.found && height <= highest.height) return;
+        highest = {true,
+                   cell_x + i,
+                   cell_z + j,
+                   static_cast<float>(std::clamp(along_x, 0.0, 1.0)),
+                   static_cast<float>(std::clamp(along_z, 0.0, 1.0)),
+                   height};
+        least_off = std::sqrt(dot(off, off));
+    };
+    for (int j = first_z; j <= last_z; ++j)
+        for (int i = first_x; i <= last_x; ++i) {
+            const TileCell cell(surface, cell_x + i, cell_z + j, Interpolation::cubic);
+            const auto may_reach = [&](const float* plane, double from) {
+                const auto [least, most] = cell.range(plane);
+                return from + least * texels_per_m <= edge && from + 1 + most * texels_per_m >= -edge;
+            };
+            if (!may_reach(surface.dx, i - u) || !may_reach(surface.dz, j - v)) continue;
+            for (const double along_x : {0.25, 0.75})
+                for (const double along_z : {0.25, 0.75}) look_at(i, j, cell, along_x, along_z);
+        }
+    highest.error = static_cast<float>(least_off);
     return highest;
 }
 

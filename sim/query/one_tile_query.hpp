@@ -8,7 +8,7 @@ namespace pelagic {
 
 class OneTileQuery {
    public:
-    OneTileQuery(const Tile& tile, const Kernels& kernels, double tolerance_m);
+    OneTileQuery(const Tile& tile, const Kernels& kernels, const SurfaceQueryOptions& options);
 
     /// Each point of a chunk becomes a cell of the patch and a place in it.
     void place(PointChunk& chunk) const;
@@ -22,9 +22,11 @@ class OneTileQuery {
     struct Sheet;
 
     Sheet highest_sheet(int cell_x, double u, int cell_z, double v) const;
+    Sheet highest_cubic_sheet(int cell_x, double u, int cell_z, double v) const;
 
     const Kernels& kernels_;
     const Tile& tile_;
+    Interpolation interpolation_;
     double texel_m_;
     float target_;  ///< where the search stops, in texels
 };

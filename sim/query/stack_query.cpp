@@ -24,13 +24,18 @@ static_assert(most_of_all < 255, "the largest byte must fail");
 
 }  // namespace
 
-StackQuery::StackQuery(const Frame& frame, const Kernels& kernels, double tolerance_m)
-    : kernels_(kernels), tiles_(frame.tiles), shore_(frame.shore), finest_texel_m_(tiles_.back().texel_m()) {
+StackQuery::StackQuery(const Frame& frame, const Kernels& kernels, const SurfaceQueryOptions& options)
+    : kernels_(kernels),
+      interpolation_(options.interpolation),
+      tiles_(frame.tiles),
+      shore_(frame.shore),
+      finest_texel_m_(tiles_.back().texel_m()) {
     for (std::size_t t = 0; t < tiles_.size(); ++t) {
-        search_tiles_[t] = SearchTile(tiles_[t]);
-        reach_m_ += static_cast<double>(tiles_[t].squeeze.largest_m);
+        search_tiles_[t] = SearchTile(tiles_[t], interpolation_);
+        reach_m_ += static_cast<double>(search_tiles_[t].squeeze.largest_m);
     }
-    target_m_ = std::clamp(tolerance_m * query_aim, least_target * (1 + reach_m_), most_target * finest_texel_m_);
+    target_m_ =
+        std::clamp(options.tolerance_m * query_aim, least_target * (1 + reach_m_), most_target * finest_texel_m_);
 }
 
 void StackQuery::place(PointChunk& chunk) const {
@@ -73,7 +78,8 @@ void StackQuery::find_rest_points(PointChunk& chunk) const {
         job.tiles[t] = stack_tile(t, chunk);
         job.blocks[t] = chunk.blocks[t];
     }
-    kernels_.invert_stack(job);
+    kernels_.invert_stack.linear(job);
+    if (interpolation_ == Interpolation::cubic) kernels_.invert_stack.cubic(job);
     for (std::size_t i = 0; i < chunk.count; ++i)
         if (!(chunk.error[i] <= static_cast<float>(target_m_) && is_only_one(chunk, i))) search(chunk, i);
 }
@@ -114,7 +120,7 @@ void StackQuery::read(const SampleSurfaceJob::Outputs& outputs, PointChunk& chun
                        .offset_z = chunk.offset_z,
                        .out = outputs};
     for (std::size_t t = 0; t < tiles_.size(); ++t) job.tiles[t] = stack_tile(t, chunk);
-    kernels_.sample_stack(job);
+    (interpolation_ == Interpolation::cubic ? kernels_.sample_stack.cubic : kernels_.sample_stack.linear)(job);
 }
 
 void StackQuery::read_foam(const PointChunk& chunk, std::span<float> foam) const {

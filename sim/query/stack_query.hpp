@@ -12,7 +12,7 @@ namespace pelagic {
 
 class StackQuery {
    public:
-    StackQuery(const Frame& frame, const Kernels& kernels, double tolerance_m);
+    StackQuery(const Frame& frame, const Kernels& kernels, const SurfaceQueryOptions& options);
 
     void place(PointChunk& chunk) const;
     void find_rest_points(PointChunk& chunk) const;
@@ -25,6 +25,7 @@ class StackQuery {
     StackTile stack_tile(std::size_t tile, PointChunk& chunk) const;
 
     const Kernels& kernels_;
+    Interpolation interpolation_;
     std::span<const Tile> tiles_;
     const ShoreSurface& shore_;
     std::array<SearchTile, most_tiles> search_tiles_;

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pelagic/sim/query/tile_cell.hpp"
 #include "pelagic/sim/surface/squeeze_map.hpp"
-#include "pelagic/sim/surface/surface_texels.hpp"
 
 namespace pelagic {
 namespace {
@@ -13,7 +13,7 @@ namespace {
 constexpr double surroundings = 1.5;
 
 // Boxes below this slack are cut further: Newton's steps would lead far away.
-constexpr double least_slack = 0.02;
+constexpr double least_slack = 0.02, least_cubic_slack = 0.3;
 
 // Of the finest texel: sheets that rest nearer together than some of this are not told apart. Boxes of this size are searched
 // whether they can be proven or not, because a sheet that is turned over can't.
@@ -44,37 +44,19 @@ CellPlace place_in(const SearchTile& tile, const StackPoint& point, std::size_t 
             v - row};
 }
 
-struct Cell {
-    std::ptrdiff_t at00, at10, at01, at11;
-
-    Cell(const SurfaceTexels& texels, const CellPlace& place)
-        : at00(place_of(texels, place.i, place.j)),
-          at10(place_of(texels, place.i + 1, place.j)),
-          at01(place_of(texels, place.i, place.j + 1)),
-          at11(place_of(texels, place.i + 1, place.j + 1)) {}
-};
-
-/// Value and slopes along the tile's axes, a texel long.
-struct Bilinear {
-    double value, along_u, along_v;
-
-    Bilinear(const float* plane, const Cell& cell, double u, double v) {
-        const double a = plane[cell.at00], b = plane[cell.at10], c = plane[cell.at01], d = plane[cell.at11];
-        const double low = a + u * (b - a), high = c + u * (d - c);
-        value = low + v * (high - low);
-        along_u = (b - a) + v * ((d - c) - (b - a));
-        along_v = high - low;
-    }
-};
-
 }  // namespace
 
-SearchTile::SearchTile(const Tile& tile)
+SearchTile::SearchTile(const Tile& tile, Interpolation interpolated)
     : texels(texels_of(tile)),
       along(tile.lattice.cosine / tile.texel_m()),
       across(tile.lattice.sine / tile.texel_m()),
       texels_per_m(1 / tile.texel_m()),
-      squeeze(tile.squeeze) {}
+      interpolation(interpolated),
+      squeeze(tile.squeeze) {
+    if (interpolation == Interpolation::linear) return;
+    squeeze.largest_m *= static_cast<float>(most_cubic_value);
+    squeeze.stretch *= static_cast<float>(most_cubic_slope * square_root_of_2);  // slopes along two axes
+}
 
 /// Where an offset's rest point is drawn, from the point that is asked about, metres.
 struct StackSearch::Drawn {
@@ -118,8 +100,9 @@ StackSearch::Drawn StackSearch::drawn_at(const StackPoint& point, Offset offset)
     for (std::size_t t = 0; t < tiles_.size(); ++t) {
         const SearchTile& tile = tiles_[t];
         const CellPlace place = place_in(tile, point, t, offset);
-        const Cell cell(tile.texels, place);
-        const Bilinear dx(tile.texels.dx, cell, place.u, place.v), dz(tile.texels.dz, cell, place.u, place.v);
+        const TileCell cell(tile.texels, place.i, place.j, tile.interpolation);
+        const TileCell::Value dx = cell.at(tile.texels.dx, place.u, place.v),
+                              dz = cell.at(tile.texels.dz, place.u, place.v);
         const double part = point.part[t];
         drawn.x += part * dx.value;
         drawn.z += part * dz.value;
@@ -135,9 +118,10 @@ StackSearch::Drawn StackSearch::drawn_at(const StackPoint& point, Offset offset)
 double StackSearch::height_at(const StackPoint& point, Offset offset) const {
     double height = 0;
     for (std::size_t t = 0; t < tiles_.size(); ++t) {
-        const CellPlace place = place_in(tiles_[t], point, t, offset);
-        height +=
-            point.part[t] * Bilinear(tiles_[t].texels.height, Cell(tiles_[t].texels, place), place.u, place.v).value;
+        const SearchTile& tile = tiles_[t];
+        const CellPlace place = place_in(tile, point, t, offset);
+        const TileCell cell(tile.texels, place.i, place.j, tile.interpolation);
+        height += point.part[t] * cell.at(tile.texels.height, place.u, place.v).value;
     }
     return height;
 }
@@ -172,8 +156,9 @@ double StackSearch::slack_within(const StackPoint& point, Offset centre, double 
     double slack = 1;
     for (std::size_t t = 0; t < tiles && slack > 0; ++t) {
         const SearchTile& tile = tiles_[t];
+        const double around = tile.interpolation == Interpolation::cubic ? 1 : 0;
         const double texels =
-            reach_m * (is_square ? std::fabs(tile.along) + std::fabs(tile.across) : tile.texels_per_m);
+            reach_m * (is_square ? std::fabs(tile.along) + std::fabs(tile.across) : tile.texels_per_m) + around;
         slack -= squeeze_within(point, t, centre, texels);
     }
     return slack;
@@ -217,6 +202,7 @@ bool StackSearch::step_towards(const StackPoint& point, Offset& offset) const {
 
 void StackSearch::look_into(const StackPoint& point, const Box& box, Sheets& sheets) const {
     const double small = same_sheet / tiles_.back().texels_per_m;
+    const double enough = tiles_.front().interpolation == Interpolation::cubic ? least_cubic_slack : least_slack;
     // Each level of the search leaves at most three boxes behind.
     std::array<Box, 128> waiting;
     std::size_t count = 0;
@@ -231,8 +217,7 @@ void StackSearch::look_into(const StackPoint& point, const Box& box, Sheets& she
                              static_cast<double>(tiles_[t].squeeze.largest_m) + drawn.displacement[t]);
         if (drawn.distance() > most) continue;
         const bool is_small = here.half <= small;
-        if (is_small ||
-            slack_within(point, here.centre, here.half * surroundings, tiles_.size(), true) >= least_slack) {
+        if (is_small || slack_within(point, here.centre, here.half * surroundings, tiles_.size(), true) >= enough) {
             const double near = is_small ? small_surroundings : surroundings;
             if (sheets.has_one_in(here, near)) continue;
             Offset found = here.centre;

@@ -5,6 +5,10 @@
 // than its stretch times the distance, nor by more than |D_i(c)| and the largest |D_i| together. Where a box holds at most one, or
 // is small, Newton's steps find it. What is neither is cut in four, down to the search's tolerance. Plain code, compiled once
 // for everybody; nothing is allocated.
+//
+// The maps are of the linear surface. A cubic one's slopes are sums of those of the cells around, with weights that may exceed 1: it
+// is cut until the squeezes of those cells leave plenty. That is no proof, and sheets of a fold that the linear surface has not are
+// lost; they are close together.
 #pragma once
 
 #include <array>
@@ -12,19 +16,21 @@
 #include <cstdint>
 
 #include "pelagic/sim/kernels/kernels.hpp"
+#include "pelagic/sim/surface_query.hpp"
 #include "pelagic/sim/tile.hpp"
 
 namespace pelagic {
 
 /// A tile as the search reads it.
 struct SearchTile {
-    explicit SearchTile(const Tile& tile);
+    SearchTile(const Tile& tile, Interpolation interpolation);
     SearchTile() = default;
 
     SurfaceTexels texels;
     double along, across;  ///< the lattice's cosine and sine, times texels a metre
     double texels_per_m;
-    TileSqueeze squeeze;
+    Interpolation interpolation;
+    TileSqueeze squeeze;  ///< its largest displacement and its stretch are those of the interpolated surface
 };
 
 /// Where a point of the world is along the axes of each tile: a cell, and where in it.

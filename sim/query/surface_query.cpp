@@ -47,13 +47,13 @@ SampleSurfaceJob::Outputs outputs_wanted(const SurfaceSamples& samples, PointChu
 
 }  // namespace
 
-SurfaceQuery::SurfaceQuery(const Frame& frame, double tolerance_m)
+SurfaceQuery::SurfaceQuery(const Frame& frame, const SurfaceQueryOptions& options)
     : kernels_(&kernels_for(frame.isa)),
       frame_(frame),
       texel_m_(frame.tiles.back().texel_m()),
-      asked_tolerance_m_(tolerance_m),
-      tolerance_m_(static_cast<float>(tolerance_m)) {
-    assert(tolerance_m > 0);
+      options_(options),
+      tolerance_m_(static_cast<float>(options.tolerance_m)) {
+    assert(options.tolerance_m > 0);
     assert(frame.tiles.size() > 1 || !frame.tiles.front().lattice.is_turned());
     const bool is_one = frame.tiles.size() == 1;
     for (const Tile& tile : frame.tiles)
@@ -100,9 +100,9 @@ void SurfaceQuery::sample(const SurfacePoints& points, const SurfaceSamples& sam
         }
     };
     if (frame_.tiles.size() == 1)
-        sample_with(OneTileQuery(frame_.tiles.front(), *kernels_, asked_tolerance_m_));
+        sample_with(OneTileQuery(frame_.tiles.front(), *kernels_, options_));
     else
-        sample_with(StackQuery(frame_, *kernels_, asked_tolerance_m_));
+        sample_with(StackQuery(frame_, *kernels_, options_));
 }
 
 bool SurfaceQuery::has_sample(double x, double z) const {

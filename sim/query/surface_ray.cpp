@@ -156,8 +156,9 @@ std::string check(const SurfaceRay& ray, const Frame& frame) {
     return {};
 }
 
-std::optional<SurfaceHit> first_hit(const SurfaceQuery& query, const SurfaceRay& ray) {
+std::optional<SurfaceHit> first_hit(const SurfaceQuery& asked, const SurfaceRay& ray) {
     const DefaultFloatEnvironment environment;
+    const SurfaceQuery query(asked.frame(), asked.tolerance_m());
     const RayWalk walk(query, ray);
     const Stretch near = walk.near_water(ray.reach_m);
     if (near.begin > near.end) return {};

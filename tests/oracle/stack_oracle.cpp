@@ -21,7 +21,7 @@ std::vector<double> plane_of(const PlaneView& view) {
 
 }  // namespace
 
-Stack::Stack(const Frame& frame) {
+Stack::Stack(const Frame& frame, Interpolation interpolation) {
     for (const Tile& tile : frame.tiles) {
         Layer layer{.n = tile.resolution(),
                     .texel_m = tile.lattice.side_m / tile.resolution(),
@@ -34,11 +34,15 @@ Stack::Stack(const Frame& frame) {
                     .velocity_y = plane_of(tile.velocity_y),
                     .velocity_z = plane_of(tile.velocity_z),
                     .dx_range = {},
-                    .dz_range = {}};
+                    .dz_range = {},
+                    .interpolation = interpolation};
         const auto range_of = [&](const std::vector<double>& plane) {
             const auto [least, most] = std::minmax_element(plane.begin(), plane.end());
-            reach_m_ += std::max(-*least, *most);
-            return Range{*least, *most};
+            // Four weights that add up to 1 are -1/16, 9/16, 9/16, -1/16 at worst, along either axis.
+            const double beyond =
+                interpolation == Interpolation::cubic ? (1.25 * 1.25 - 1) / 2 * (*most - *least) : 0;
+            reach_m_ += std::max(-*least, *most) + beyond;
+            return Range{*least - beyond, *most + beyond};
         };
         layer.dx_range = range_of(layer.dx);
         layer.dz_range = range_of(layer.dz);
@@ -51,6 +55,7 @@ double Stack::Layer::at(const std::vector<double>& plane, int i, int j) const {
 }
 
 double Stack::Layer::value(const std::vector<double>& plane, double u, double v) const {
+    if (interpolation == Interpolation::cubic) return cubic_value(plane, u, v);
     const int i = static_cast<int>(std::floor(u)), j = static_cast<int>(std::floor(v));
     u -= i;
     v -= j;
@@ -58,7 +63,26 @@ double Stack::Layer::value(const std::vector<double>& plane, double u, double v)
            v * ((1 - u) * at(plane, i, j + 1) + u * at(plane, i + 1, j + 1));
 }
 
+// Hermite's cubic of two values and the central differences there, along one axis and then along the other.
+double Stack::Layer::cubic_value(const std::vector<double>& plane, double u, double v) const {
+    const int i = static_cast<int>(std::floor(u)), j = static_cast<int>(std::floor(v));
+    const auto hermite = [](double before, double left, double right, double behind, double t) {
+        const double left_slope = (right - before) / 2, right_slope = (behind - left) / 2;
+        const double t2 = t * t, t3 = t2 * t;
+        return (2 * t3 - 3 * t2 + 1) * left + (t3 - 2 * t2 + t) * left_slope + (3 * t2 - 2 * t3) * right +
+               (t3 - t2) * right_slope;
+    };
+    const auto row = [&](int b) {
+        return hermite(at(plane, i - 1, b), at(plane, i, b), at(plane, i + 1, b), at(plane, i + 2, b), u - i);
+    };
+    return hermite(row(j - 1), row(j), row(j + 1), row(j + 2), v - j);
+}
+
 double Stack::Layer::slope(const std::vector<double>& plane, double u, double v, bool is_across) const {
+    if (interpolation == Interpolation::cubic) {
+        const double small = 1e-5, a = is_across ? 0 : small, b = is_across ? small : 0;
+        return (value(plane, u + a, v + b) - value(plane, u - a, v - b)) / (2 * small * texel_m);
+    }
     const int i = static_cast<int>(std::floor(u)), j = static_cast<int>(std::floor(v));
     const auto central = [&](int a, int b) {
         return is_across ? (at(plane, a, b + 1) - at(plane, a, b - 1)) / (2 * texel_m)
@@ -74,6 +98,21 @@ double Stack::Layer::slope(const std::vector<double>& plane, double u, double v,
 Stack::Range Stack::Layer::range(const std::vector<double>& plane, Range all, double u, double v,
                                  double reach) const {
     if (2 * reach > most_cells) return all;
+    if (interpolation == Interpolation::cubic) {
+        // Of the differences between texels the slope along an axis is a sum with weights of at most 1.5 * 1.25.
+        const int first_i = static_cast<int>(std::floor(u - reach)) - 1,
+                  last_i = static_cast<int>(std::floor(u + reach)) + 2;
+        const int first_j = static_cast<int>(std::floor(v - reach)) - 1,
+                  last_j = static_cast<int>(std::floor(v + reach)) + 2;
+        double along = 0, across = 0;
+        for (int j = first_j; j <= last_j; ++j)
+            for (int i = first_i; i <= last_i; ++i) {
+                if (i < last_i) along = std::max(along, std::fabs(at(plane, i + 1, j) - at(plane, i, j)));
+                if (j < last_j) across = std::max(across, std::fabs(at(plane, i, j + 1) - at(plane, i, j)));
+            }
+        const double here = value(plane, u, v), change = 1.5 * 1.25 * (along + across) * reach;
+        return {std::max(all.least, here - change), std::min(all.most, here + change)};
+    }
     Range found{1e300, -1e300};
     const auto next = [&](double place, double end) {
         return place >= end ? end + 1 : std::min(end, std::floor(place) + 1);

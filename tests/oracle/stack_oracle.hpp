@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "pelagic/sim/frame.hpp"
+#include "pelagic/sim/surface_query.hpp"
 #include "pelagic/tests/oracle/surface_oracle.hpp"
 
 namespace pelagic::oracle {
@@ -17,11 +18,12 @@ struct StackSheet {
 
 class Stack {
    public:
-    explicit Stack(const Frame& frame);
+    explicit Stack(const Frame& frame, Interpolation interpolation = Interpolation::linear);
 
     /// All sheets over a point of the world, highest first.
     std::vector<StackSheet> sheets_at(double x_m, double z_m) const;
-    /// From slopes by central differences at texels, bilinear between them, turned into the world's axes and added up.
+    /// From slopes by central differences at texels, bilinear between them, turned into the world's axes and added up. Cubic: from
+    /// differences of interpolated values over a small part of a texel.
     SurfaceFacts facts_at(double rest_x_m, double rest_z_m) const;
 
     struct Vector {
@@ -39,9 +41,11 @@ class Stack {
         double texel_m, cosine, sine;
         std::vector<double> dx, height, dz, velocity_x, velocity_y, velocity_z;
         Range dx_range, dz_range;
+        Interpolation interpolation;
 
         double at(const std::vector<double>& plane, int i, int j) const;
         double value(const std::vector<double>& plane, double u, double v) const;
+        double cubic_value(const std::vector<double>& plane, double u, double v) const;
         double slope(const std::vector<double>& plane, double u, double v, bool is_across) const;
         Range range(const std::vector<double>& plane, Range all, double u, double v, double reach) const;
         double along(double x_m, double z_m) const { return (cosine * x_m + sine * z_m) / texel_m; }

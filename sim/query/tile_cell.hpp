@@ -1,0 +1,87 @@
+// A cell of a tile in double, for searches in plain code.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+#include "pelagic/sim/surface/surface_texels.hpp"
+#include "pelagic/sim/surface_query.hpp"
+
+namespace pelagic {
+
+/// Weights of Catmull and Rom's cubic at t from 0 to 1 between the second and the third of four texels (CubicWeights of
+/// kernels/surface_query.kernel.hpp), and their derivatives.
+struct CubicWeightsInDouble {
+    std::array<double, 4> value, slope;
+
+    explicit CubicWeightsInDouble(double t)
+        : value{0.5 * t * (t * (2 - t) - 1), 1 + 0.5 * t * t * (3 * t - 5), 0.5 * t * (1 + t * (4 - 3 * t)),
+                0.5 * t * t * (t - 1)},
+          slope{0.5 * (t * (4 - 3 * t) - 1), 0.5 * t * (9 * t - 10), 0.5 * (1 + t * (8 - 9 * t)),
+                0.5 * t * (3 * t - 2)} {}
+};
+
+/// By how much the product of two such cubics can leave what its 16 texels hold: absolute weights add up to 5/4 along an axis at
+/// most, and those of the slopes to 3/2 of the differences from texel to texel.
+inline constexpr double most_cubic_value = 25.0 / 16, most_cubic_slope = 15.0 / 8;
+
+class TileCell {
+   public:
+    struct Value {
+        double value, along_u, along_v;  ///< slopes along the tile's axes, a texel long
+    };
+
+    TileCell(const SurfaceTexels& texels, int i, int j, Interpolation interpolation) : interpolation_(interpolation) {
+        const int first = interpolation == Interpolation::cubic ? -1 : 0, side = 2 - 2 * first;
+        for (int b = 0; b < side; ++b)
+            for (int a = 0; a < side; ++a)
+                places_[static_cast<std::size_t>(b * side + a)] = place_of(texels, i + first + a, j + first + b);
+    }
+
+    Value at(const float* plane, double u, double v) const {
+        return interpolation_ == Interpolation::cubic ? cubic(plane, u, v) : bilinear(plane, u, v);
+    }
+
+    struct Range {
+        double least, most;
+    };
+    /// What a cubic cell's values lie between.
+    Range range(const float* plane) const {
+        Range texels{plane[places_[0]], plane[places_[0]]};
+        for (const std::ptrdiff_t place : places_) {
+            texels.least = std::min(texels.least, static_cast<double>(plane[place]));
+            texels.most = std::max(texels.most, static_cast<double>(plane[place]));
+        }
+        const double beyond = (most_cubic_value - 1) / 2 * (texels.most - texels.least);
+        return {texels.least - beyond, texels.most + beyond};
+    }
+
+   private:
+    Value bilinear(const float* plane, double u, double v) const {
+        const double a = plane[places_[0]], b = plane[places_[1]], c = plane[places_[2]], d = plane[places_[3]];
+        const double low = a + u * (b - a), high = c + u * (d - c);
+        return {low + v * (high - low), (b - a) + v * ((d - c) - (b - a)), high - low};
+    }
+    Value cubic(const float* plane, double u, double v) const {
+        const CubicWeightsInDouble along(u), across(v);
+        Value sum{};
+        for (std::size_t row = 0; row < 4; ++row) {
+            double value = 0, slope = 0;
+            for (std::size_t column = 0; column < 4; ++column) {
+                const double texel = plane[places_[4 * row + column]];
+                value += along.value[column] * texel;
+                slope += along.slope[column] * texel;
+            }
+            sum.value += across.value[row] * value;
+            sum.along_u += across.value[row] * slope;
+            sum.along_v += across.slope[row] * value;
+        }
+        return sum;
+    }
+
+    Interpolation interpolation_;
+    std::array<std::ptrdiff_t, 16> places_;
+};
+
+}  // namespace pelagic
