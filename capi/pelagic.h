@@ -770,6 +770,12 @@ PELAGIC_API void pelagic_input_destroy(pelagic_input* input);
 
 /* ---- Queries ---------------------------------------------------------------------------------------------------- */
 
+/* How a query reads the frame between texels. */
+enum {
+    PELAGIC_INTERPOLATION_LINEAR = 0, /* the surface that a GPU draws */
+    PELAGIC_INTERPOLATION_CUBIC = 1   /* for measurements: keeps the heights and slopes of short waves; some 2.5 times the work */
+};
+
 /* World positions in metres, as far away as you like: the sea repeats in double precision. A position that is no number
  * has no sample: its error is infinite and it is not converged. */
 typedef struct pelagic_points {
@@ -777,6 +783,9 @@ typedef struct pelagic_points {
     uint32_t reserved; /* 0 */
     size_t count;
     const double *x, *z; /* `count` of each; may be NULL if that is 0 */
+    /* Newer than the fields above. */
+    int32_t interpolation; /* PELAGIC_INTERPOLATION_...; foam is linear in both */
+    uint32_t reserved_1;   /* 0 */
 } pelagic_points;
 
 /* What to tell: arrays as long as the points, or NULL. None overlaps another or the points. */
@@ -794,7 +803,7 @@ typedef struct pelagic_samples {
 } pelagic_samples;
 
 /* Asks the frame completed last; of sheets over one another the highest counts. Any thread, any number
- * at once; allocates nothing, never waits. The bits depend on the frame, the point and the tolerance alone.
+ * at once; allocates nothing, never waits. The bits depend on the frame, the point, the tolerance and the interpolation alone.
  * PELAGIC_INVALID_ARGUMENT if the ocean has no queries, or no velocities or foam and they are wanted; PELAGIC_WRONG_ORDER before
  * the first frame. */
 PELAGIC_API pelagic_status pelagic_ocean_query(const pelagic_ocean* ocean, const pelagic_points* points,

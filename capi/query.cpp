@@ -15,6 +15,16 @@ const SurfaceQuery& needed_query(const pelagic_ocean& ocean, const AskedFrames::
     return *reader.query();
 }
 
+Interpolation interpolation_of(const pelagic_points& points) {
+    switch (points.interpolation) {
+        case PELAGIC_INTERPOLATION_LINEAR: return Interpolation::linear;
+        case PELAGIC_INTERPOLATION_CUBIC: return Interpolation::cubic;
+        default:
+            refuse(refusal("points.interpolation", points.interpolation,
+                           "PELAGIC_INTERPOLATION_LINEAR (0) or _CUBIC (1)"));
+    }
+}
+
 SurfacePoints points_of(const pelagic_points& points) {
     // More can't be in memory, and a length in bytes still fits.
     constexpr std::size_t most = std::numeric_limits<std::ptrdiff_t>::max() / sizeof(double);
@@ -69,8 +79,10 @@ pelagic_status pelagic_ocean_query(const pelagic_ocean* ocean, const pelagic_poi
     return guarded([&] {
         const AskedFrames::Reader reader(needed(ocean, "ocean").asked);
         const SurfaceQuery& query = needed_query(*ocean, reader);
-        const SurfacePoints where = points_of(read_struct(points, "points"));
-        query.sample(where, samples_of(read_struct(samples, "samples"), where.x.size()));
+        const pelagic_points asked = read_struct(points, "points");
+        const SurfacePoints where = points_of(asked);
+        query.with(interpolation_of(asked))
+            .sample(where, samples_of(read_struct(samples, "samples"), where.x.size()));
     });
 }
 

@@ -21,7 +21,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
+#include <string_view>
 
 #include "pelagic/sim/frame.hpp"
 
@@ -38,6 +40,11 @@ enum class Interpolation {
     /// 0 to 1. Dynamic waves and shores keep their own interpolation.
     cubic
 };
+
+/// "linear" or "cubic".
+std::string_view name_of(Interpolation);
+std::optional<Interpolation> interpolation_named(std::string_view name);
+std::span<const Interpolation> interpolations();
 
 struct SurfaceQueryOptions {
     /// Largest error of a converged point, positive, metres. The search aims at a 64th of it, because on a steep face a step
@@ -84,6 +91,9 @@ class SurfaceQuery {
     /// Throws std::invalid_argument, before it writes, if a velocity is wanted of a frame made without
     /// OceanOptions::velocities, or foam of one without OceanOptions::foam, local and shore. \pre spans are as long as the points or empty (asserted)
     void sample(const SurfacePoints& points, const SurfaceSamples& samples) const;
+
+    /// The same query with another interpolation.
+    SurfaceQuery with(Interpolation interpolation) const;
 
     const Frame& frame() const { return frame_; }
     const FrameBounds& bounds() const { return frame_.bounds; }

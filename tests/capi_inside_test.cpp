@@ -4,10 +4,14 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <string>
+#include <vector>
 
 #include "pelagic/capi/sea.hpp"
 #include "pelagic/sim/ocean.hpp"
+#include "pelagic/sim/surface_query.hpp"
 #include "pelagic/sim/tile_plan.hpp"
+#include "pelagic/tests/capi_sea.hpp"
 
 namespace pelagic::capi {
 namespace {
@@ -133,6 +137,42 @@ TEST(CInterfaceInside, AnOlderHostHasOneTileOfAQuarterOfTheCoarsestSide) {
         EXPECT_EQ(sea_of(&today).cascades, 0);
         EXPECT_EQ(plan_tiles(sea_of(&today)).size(), static_cast<std::size_t>(default_cascades)) << preset.name;
     }
+}
+
+// As SurfaceQuery with that interpolation, to the bit; hosts with the older struct have the linear one.
+TEST(CInterfaceInside, QueriesInterpolateAsTheyAreAsked) {
+    const COcean ocean = ocean_of(small_sea(64), executor_of(PELAGIC_EXECUTOR_SERIAL).get());
+    auto frame = sized<pelagic_frame>();
+    ASSERT_EQ(pelagic_ocean_schedule(ocean.get(), 5), PELAGIC_OK);
+    ASSERT_EQ(pelagic_ocean_complete(ocean.get(), &frame), PELAGIC_OK);
+    const std::vector<double> x = {1.25, -30.5, 77}, z = {2.75, 14, -3.5};
+    const auto heights_by = [&](std::int32_t interpolation, std::size_t bytes) {
+        pelagic_points points{};
+        points.struct_size = static_cast<std::uint32_t>(bytes);
+        points.count = x.size(), points.x = x.data(), points.z = z.data();
+        points.interpolation = interpolation;
+        auto samples = sized<pelagic_samples>();
+        std::vector<float> heights(x.size());
+        samples.height_m = heights.data();
+        EXPECT_EQ(pelagic_ocean_query(ocean.get(), &points, &samples), PELAGIC_OK) << pelagic_last_error();
+        return heights;
+    };
+    Ocean cpp({.resolution = 64, .patch_size_m = 250}, {.executor = make_serial_executor(), .queries = true});
+    const auto expected = [&](Interpolation interpolation) {
+        std::vector<float> heights(x.size());
+        SurfaceQuery(cpp.frame_at(5), {.interpolation = interpolation}).sample({x, z}, {.height_m = heights});
+        return heights;
+    };
+    const std::vector<float> linear = expected(Interpolation::linear), cubic = expected(Interpolation::cubic);
+    EXPECT_NE(linear, cubic);
+    EXPECT_EQ(heights_by(PELAGIC_INTERPOLATION_LINEAR, sizeof(pelagic_points)), linear);
+    EXPECT_EQ(heights_by(PELAGIC_INTERPOLATION_CUBIC, sizeof(pelagic_points)), cubic);
+    EXPECT_EQ(heights_by(PELAGIC_INTERPOLATION_CUBIC, offsetof(pelagic_points, interpolation)), linear);
+    auto points = sized<pelagic_points>();
+    auto samples = sized<pelagic_samples>();
+    points.interpolation = 2;
+    EXPECT_EQ(pelagic_ocean_query(ocean.get(), &points, &samples), PELAGIC_INVALID_ARGUMENT);
+    EXPECT_NE(std::string(pelagic_last_error()).find("points.interpolation is 2, needs"), std::string::npos);
 }
 
 }  // namespace

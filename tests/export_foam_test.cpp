@@ -210,7 +210,8 @@ TEST(QueriedFoam, IsAColumnOfItsOwnForWhoAsks) {
         text += std::to_string(x.back()) + "," + std::to_string(z.back()) + "\n";
     }
     write_file(folder / "points.csv", text);
-    const Arguments asked = {"query", "--points", (folder / "points.csv").string(), "--time", "5.5"};
+    const Arguments asked = {"query",           "--points", (folder / "points.csv").string(), "--time", "5.5",
+                             "--interpolation", "linear"};
     const Outcome with = run(asked, {"--foam"}), without = run(asked), as_json = run(asked, {"--foam", "--json"});
     Library library;
     std::vector<float> foam(x.size());

@@ -6,10 +6,12 @@
 #        golden_rows_test.sh --write GOLDEN_FOLDER PELAGIC...        makes the rows anew, after a change of everybody's sea
 set -euo pipefail
 seas=(
-  "default.csv  --wind-speed 9 --time 12.5"
-  "storm.csv    --preset storm --foam --time 33.3"
-  "pond.csv     --preset pond --time 3"
-  "analytic.csv --preset analytic-intense --time 3.25"
+  "default.csv       --wind-speed 9 --time 12.5 --interpolation linear"
+  "storm.csv         --preset storm --foam --time 33.3 --interpolation linear"
+  "pond.csv          --preset pond --time 3 --interpolation linear"
+  "analytic.csv      --preset analytic-intense --time 3.25 --interpolation linear"
+  "default_cubic.csv --wind-speed 9 --time 12.5"
+  "pond_cubic.csv    --preset pond --time 3 --interpolation cubic"
 )
 
 if [ "$1" = --write ]; then
@@ -36,5 +38,5 @@ for isa in "${isas[@]}"; do
   grep -qF "\"hash\": \"$expected\"" <<<"$said" || { echo "$isa: info has not the hash $expected"; exit 1; }
 done
 # By standard input too, which is bytes as they are.
-"${pelagic[@]}" query --wind-speed 9 --time 12.5 --points - <"$golden/query/points.csv" | cmp "$golden/query/default.csv" -
+"${pelagic[@]}" query --wind-speed 9 --time 12.5 --points - <"$golden/query/points.csv" | cmp "$golden/query/default_cubic.csv" -
 echo "the golden rows on ${isas[*]}"

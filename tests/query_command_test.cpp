@@ -48,41 +48,90 @@ Outcome query(const std::string& points, std::vector<std::string> more = {}) {
     return run_pelagic(more);
 }
 
+// Cubic unless it is told otherwise, and it says which.
 TEST(QueryCommand, PrintsTheLibrarysAnswersToTheLastBit) {
-    const Outcome outcome = query("x,z\n0,0\n12.25,-3.5\n\n  1e3 ,\t-0.1\r\n",
-                                  {"--time", "12.5", "--resolution", "64", "--patch-size", "250", "--choppiness", "1",
-                                   "--wind-speed", "9", "--seed", "3"});
-    EXPECT_EQ(outcome.exit_code, 0);
-    EXPECT_EQ(outcome.err, "");
-    const std::vector<std::string> lines = lines_of(outcome.out);
-    ASSERT_EQ(lines.size(), 4u);
-    EXPECT_EQ(lines[0], header);
+    for (const auto& [flags, interpolation] :
+         {std::pair<std::vector<std::string>, Interpolation>{{}, Interpolation::cubic},
+          {{"--interpolation", "cubic"}, Interpolation::cubic},
+          {{"--interpolation", "linear"}, Interpolation::linear}}) {
+        std::vector<std::string> more = {"--time",       "12.5", "--resolution", "64", "--patch-size", "250",
+                                         "--choppiness", "1",    "--wind-speed", "9",  "--seed",       "3"};
+        more.insert(more.end(), flags.begin(), flags.end());
+        const Outcome outcome = query("x,z\n0,0\n12.25,-3.5\n\n  1e2 ,\t-0.1\r\n", more);
+        EXPECT_EQ(outcome.exit_code, 0);
+        EXPECT_EQ(outcome.err, "note: interpolation is " + std::string(name_of(interpolation)) + "\n");
+        const std::vector<std::string> lines = lines_of(outcome.out);
+        ASSERT_EQ(lines.size(), 4u);
+        EXPECT_EQ(lines[0], header);
 
-    Ocean ocean({.resolution = 64, .patch_size_m = 250, .wind_speed_mps = 9, .choppiness = 1, .seed = 3},
-                {.executor = make_serial_executor(), .queries = true, .velocities = true});
-    const std::vector<double> x = {0, 12.25, 1e3}, z = {0, -3.5, -0.1};
-    std::vector<std::vector<float>> values(9, std::vector<float>(3));
-    std::vector<std::uint8_t> converged(3);
-    SurfaceQuery(ocean.frame_at(12.5))
-        .sample({x, z}, {.height_m = values[0],
-                         .normal_x = values[1],
-                         .normal_y = values[2],
-                         .normal_z = values[3],
-                         .jacobian = values[7],
-                         .velocity_x_mps = values[4],
-                         .velocity_y_mps = values[5],
-                         .velocity_z_mps = values[6],
-                         .error_m = values[8],
-                         .converged = converged});
-    for (std::size_t i = 0; i < 3; ++i) {
-        const std::vector<double> numbers = numbers_in(lines[i + 1]);
-        ASSERT_EQ(numbers.size(), 12u) << lines[i + 1];
-        EXPECT_EQ(numbers[0], x[i]);
-        EXPECT_EQ(numbers[1], z[i]);
-        for (std::size_t value = 0; value < values.size(); ++value)
-            EXPECT_EQ(static_cast<float>(numbers[2 + value]), values[value][i]) << lines[i + 1];
-        EXPECT_EQ(numbers[11], 1);
+        Ocean ocean({.resolution = 64, .patch_size_m = 250, .wind_speed_mps = 9, .choppiness = 1, .seed = 3},
+                    {.executor = make_serial_executor(), .queries = true, .velocities = true});
+        const std::vector<double> x = {0, 12.25, 1e2}, z = {0, -3.5, -0.1};
+        std::vector<std::vector<float>> values(9, std::vector<float>(3));
+        std::vector<std::uint8_t> converged(3);
+        SurfaceQuery(ocean.frame_at(12.5), {.interpolation = interpolation})
+            .sample({x, z}, {.height_m = values[0],
+                             .normal_x = values[1],
+                             .normal_y = values[2],
+                             .normal_z = values[3],
+                             .jacobian = values[7],
+                             .velocity_x_mps = values[4],
+                             .velocity_y_mps = values[5],
+                             .velocity_z_mps = values[6],
+                             .error_m = values[8],
+                             .converged = converged});
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::vector<double> numbers = numbers_in(lines[i + 1]);
+            ASSERT_EQ(numbers.size(), 12u) << lines[i + 1];
+            EXPECT_EQ(numbers[0], x[i]);
+            EXPECT_EQ(numbers[1], z[i]);
+            for (std::size_t value = 0; value < values.size(); ++value)
+                EXPECT_EQ(static_cast<float>(numbers[2 + value]), values[value][i]) << lines[i + 1];
+            EXPECT_EQ(numbers[11], 1);
+        }
     }
+}
+
+// The default sea repeats after 200 s: the row of 200 s is that of 0 s.
+TEST(QueryCommand, RefusesTimesThatOutlastTheLoopUnlessItIsGiven) {
+    const Outcome outcome = query("1,2\n", {"--times", "0:400:200"});
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_EQ(
+        outcome.err,
+        "pelagic: --times 0:400:200 spans 400 s, but the sea repeats after 200 s: --loop-period 600 makes it long "
+        "enough, and --loop-period 200 permits repetition\n");
+    const auto heights = [](const Outcome& run) {
+        std::vector<double> found;
+        for (const std::string& line : lines_of(run.out))
+            if (const std::vector<double> numbers = numbers_in(line); numbers.size() == 13)
+                found.push_back(numbers[3]);
+        return found;
+    };
+    const Outcome repeated = query("1,2\n", {"--times", "0:400:200", "--loop-period", "200"});
+    EXPECT_EQ(repeated.exit_code, 0) << repeated.err;
+    const std::vector<double> same = heights(repeated);
+    ASSERT_EQ(same.size(), 3u);
+    EXPECT_TRUE(same[0] == same[1] && same[1] == same[2]);
+    const std::vector<double> others = heights(query("1,2\n", {"--times", "0:400:200", "--loop-period", "600"}));
+    ASSERT_EQ(others.size(), 3u);
+    EXPECT_TRUE(others[0] != others[1] && others[1] != others[2] && others[2] != others[0]);
+    // A file may give the loop, too; what spans one loop exactly closes it.
+    const TemporaryFolder folder;
+    write_file(folder / "sea.toml", "loop_period = 10\n");
+    EXPECT_EQ(query("1,2\n", {"--times", "0:30:10", "--config", (folder / "sea.toml").string()}).exit_code, 0);
+    EXPECT_EQ(query("1,2\n", {"--times", "-100:100:100"}).exit_code, 0);
+    const Outcome days = query("1,2\n", {"--times", "0:90000:60"});
+    EXPECT_EQ(days.exit_code, 2);
+    EXPECT_NE(days.err.find("no loop is longer than 86400 s; --loop-period 200 permits"), std::string::npos)
+        << days.err;
+}
+
+TEST(QueryCommand, NotesThatPointsSpanMoreThanTheSeaDoes) {
+    const auto notes = [](const std::string& points) { return query(points, {"--patch-size", "250"}).err; };
+    const std::string note = "note: the points span 250.5 m, but the longest waves repeat after 250 m\n";
+    EXPECT_NE(notes("100,2\n3,4\n100,252.5\n").find(note), std::string::npos);
+    EXPECT_EQ(notes("100,2\n3,4\n100,252\n").find("span"), std::string::npos);
 }
 
 TEST(QueryCommand, TakesPointsWithoutAHeaderAndWithMarks) {
@@ -125,7 +174,7 @@ TEST(QueryCommand, ReadsStandardInput) {
     write_file(folder / "points.csv", "1,2\n3,4\n");
     const Outcome outcome = run_pelagic(
         {"query", "--points", "-"}, [&] { ::dup2(::open((folder / "points.csv").c_str(), O_RDONLY), STDIN_FILENO); });
-    EXPECT_EQ(outcome.err, "");
+    EXPECT_EQ(outcome.err, "note: interpolation is cubic\n");
     EXPECT_EQ(lines_of(outcome.out).size(), 3u);
     EXPECT_EQ(outcome.out, query("1,2\n3,4\n").out);
 }
@@ -144,7 +193,8 @@ TEST(QueryCommand, PrintsJsonWithTheSameNumbers) {
         for (std::size_t value = 0; value < std::size(names); ++value)
             EXPECT_EQ(rows[i].at(names[value]).get<double>(), numbers[value]) << names[value];
         EXPECT_EQ(rows[i].at("converged"), true);
-        EXPECT_EQ(rows[i].size(), 13u);
+        EXPECT_EQ(rows[i].at("interpolation"), "cubic");
+        EXPECT_EQ(rows[i].size(), 14u);
     }
     EXPECT_EQ(rows[0].at("name"), "a \"\xc3\xb6\" \t\xEF\xBF\xBD");
     EXPECT_EQ(rows[1].at("name"), "b");
@@ -243,6 +293,8 @@ TEST(QueryCommand, NamesTheOptionThatIsMissingOrWrong) {
              {{"query", "--points", "/proc/self/mem"}, "/proc/self/mem, which can't be read, needs a CSV file"},
              {{"query", "--points", points, "--time", "noon"}, "--time is noon, needs seconds in [-1e9, 1e9]"},
              {{"query", "--points", points, "--time", "2e9"}, "--time is 2e9, needs seconds in [-1e9, 1e9]"},
+             {{"query", "--points", points, "--interpolation", "quintic"},
+              "--interpolation is quintic, needs linear or cubic"},
              {{"query", "--points", points, "--choppiness", "2"}, "--choppiness is 2, needs [0, 1]"},
              {{"query", "--points", points, "--tmie", "2"}, "unknown option --tmie, the nearest known one is --time"},
              {{"ask"},

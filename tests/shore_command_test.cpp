@@ -59,8 +59,8 @@ TEST(ShoreCommand, QueriesTellTheLibrarysAnswersToTheLastBit) {
         end = std::to_chars(end, text.data() + text.size(), z.back()).ptr;
         points += std::string(text.data(), end) + "\n";
     }
-    const std::vector<std::string> sea = {"--resolution", "32", "--cascades", "3",
-                                          "--wind-speed", "8",  "--time",     "7.3"};
+    const std::vector<std::string> sea = {"--resolution", "32",  "--cascades",      "3",     "--wind-speed", "8",
+                                          "--time",       "7.3", "--interpolation", "linear"};
     std::vector<std::string> with_shore = {
         "--floor", (folder / "floor.exr").string(), "--floor-size", "600", "--floor-middle", "1e6,-3e5", "--shore"};
     with_shore.insert(with_shore.end(), sea.begin(), sea.end());

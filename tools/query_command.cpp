@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <limits>
 
 #include "pelagic/sim/ocean.hpp"
+#include "pelagic/sim/statistics.hpp"
 #include "pelagic/sim/surface_query_jobs.hpp"
 #include "pelagic/tools/events/event_player.hpp"
 #include "pelagic/tools/files/input_file.hpp"
@@ -16,12 +19,61 @@ namespace pelagic::tools {
 namespace {
 
 constexpr double latest_time_s = 1e9;  // as `export --start`
+constexpr double longest_loop_s = 86400;
 constexpr std::size_t most_times = 1'000'000;
 
 /// Points in memory at once: some megabytes, and enough for each of many threads.
 constexpr std::size_t block_points = std::size_t{1} << 15;
 
 constexpr const char* a_series = "FIRST:LAST:STEP in seconds, FIRST <= LAST in [-1e9, 1e9], at most 1000000 times";
+
+constexpr NamedValues<Interpolation, 2> interpolations = {
+    {{Interpolation::linear, "linear"}, {Interpolation::cubic, "cubic"}}};
+
+/// Throws InputError if the times span more than the sea's loop, which nobody asked for, and names one that fits.
+void require_no_repetition(const std::string& text, const std::vector<double>& times_s, const ResolvedSea& sea) {
+    const double loop_s = sea.sea.loop_period_s, span_s = times_s.back() - times_s.front();
+    if (sea.has_loop_period || span_s <= loop_s) return;
+    const double step_s = span_s / static_cast<double>(times_s.size() - 1), fits_s = std::ceil(span_s + step_s);
+    throw InputError("--times " + text + " spans " + number_text(span_s) + " s, but the sea repeats after " +
+                     number_text(loop_s) + " s: " +
+                     (fits_s <= longest_loop_s
+                          ? "--loop-period " + number_text(fits_s) + " makes it long enough, and "
+                          : "no loop is longer than 86400 s; ") +
+                     "--loop-period " + number_text(loop_s) + " permits repetition");
+}
+
+/// Prints once that points are farther apart than the sea is long before it repeats.
+class SpanNote {
+   public:
+    explicit SpanNote(double repeat_m) : repeat_m_(repeat_m) {}
+
+    void look_at(const PointBlock& block) {
+        if (is_printed_) return;
+        x_.extend(block.x);
+        z_.extend(block.z);
+        const double span_m = std::max(x_.length(), z_.length());
+        if (!(span_m > repeat_m_)) return;
+        std::fprintf(stderr, "note: the points span %s m, but the longest waves repeat after %s m\n",
+                     number_text(span_m).c_str(), number_text(repeat_m_).c_str());
+        is_printed_ = true;
+    }
+
+   private:
+    struct Extent {
+        double least = std::numeric_limits<double>::infinity(), most = -least;
+
+        void extend(const std::vector<double>& to) {
+            const auto [low, high] = std::minmax_element(to.begin(), to.end());
+            least = std::min(least, *low);
+            most = std::max(most, *high);
+        }
+        double length() const { return most - least; }
+    };
+    double repeat_m_;
+    Extent x_, z_;
+    bool is_printed_ = false;
+};
 
 std::vector<double> series(const std::string& text) {
     const auto first_colon = text.find(':'), last_colon = text.rfind(':');
@@ -53,6 +105,10 @@ void QueryFlags::add_to(CLI::App& app) {
            "--times", times_,
            "a series instead: every point at FIRST, then at FIRST + STEP and so on, the time in a first column")
         ->type_name("FIRST:LAST:STEP");
+    app.add_option("--interpolation", interpolation_,
+                   "between texels: cubic, the default, keeps the heights and slopes of short waves; linear is the "
+                   "surface that is drawn, of which N = 128 keeps 93 % of Hm0")
+        ->type_name("linear|cubic");
     app.add_flag("--json", json_, "an array of objects, one a line, instead of CSV");
     app.add_flag("--foam", foam_,
                  "a column foam too: how much of the water is white, 0 to 1, with what is left of 2.9 seconds "
@@ -67,15 +123,20 @@ void QueryFlags::add_to(CLI::App& app) {
     app.footer(
         "Prints x,z,height,nx,ny,nz,vx,vy,vz,jacobian,error_m,converged: metres, metres a second, the normal as a\n"
         "unit vector, how far the sampled point is from the one asked for, and whether that is within a millimetre;\n"
-        "with --foam a column foam before the last one.\n"
+        "with --foam a column foam before the last one. Standard error names the interpolation; with --json each\n"
+        "object does, as interpolation.\n"
         "Columns of the file stand before the answers, as they are. A file may have any length, in blocks of 32768\n"
         "points: a bad line ends the work when its block is reached, and --times goes block by block.");
 }
 
-std::vector<double> QueryFlags::times() const {
+std::vector<double> QueryFlags::times(const ResolvedSea& sea) const {
     if (times_ && time_)
         throw InputError("--times is " + *times_ + " and --time is " + *time_ + ", needs one of the two");
-    if (times_) return series(*times_);
+    if (times_) {
+        const std::vector<double> times_s = series(*times_);
+        require_no_repetition(*times_, times_s, sea);
+        return times_s;
+    }
     return {time_ ? number_in("--time", *time_, -latest_time_s, latest_time_s, "seconds in [-1e9, 1e9]") : 0};
 }
 
@@ -92,7 +153,9 @@ std::optional<ShoreOptions> QueryFlags::shore([[maybe_unused]] const ResolvedSea
 void QueryFlags::run() const {
     const ResolvedSea sea = sea_.resolve();
     const ComputeOptions compute = compute_.resolve();
-    const std::vector<double> times_s = times();
+    const std::vector<double> times_s = times(sea);
+    const Interpolation interpolation =
+        interpolation_ ? one_of(interpolations, "--interpolation", *interpolation_) : Interpolation::cubic;
     const std::optional<ShoreOptions> shore = this->shore(sea);
     const std::optional<EventOptions> events = events_.resolve();
     if (events) require_reachable(*events, times_s.back());
@@ -114,16 +177,20 @@ void QueryFlags::run() const {
     if (events) player.emplace(*events, executor, compute.isa);
     SurfaceQueryJobs jobs(executor);
     Answers answers(foam_);
-    RowWriter rows(executor, answers, json_, times_.has_value());
+    RowWriter rows(executor, answers, interpolation, json_, times_.has_value());
+    SpanNote span_note(repeat_length_m(sea.sea));
     std::optional<Frame> frame;
+    if (!json_) std::fprintf(stderr, "note: interpolation is %s\n", std::string(name_of(interpolation)).c_str());
     for (rows.begin(reader); has_points; has_points = reader.read_block(block, block_points)) {
         answers.resize(block.size());
+        span_note.look_at(block);
         for (const double time_s : times_s) {
             if (!frame || times_s.size() > 1) {
                 frame = ocean.frame_at(time_s);
                 if (player) frame = with_water(*frame, player->at(time_s));
             }
-            jobs.sample(SurfaceQuery(*frame), {block.x, block.z}, answers.samples());
+            jobs.sample(SurfaceQuery(*frame, {.interpolation = interpolation}), {block.x, block.z},
+                        answers.samples());
             rows.write(block, time_s);
         }
     }

@@ -21,7 +21,7 @@ class QueryFlags {
     void run() const;
 
    private:
-    std::vector<double> times() const;
+    std::vector<double> times(const ResolvedSea& sea) const;
 
     std::optional<ShoreOptions> shore(const ResolvedSea& sea) const;
 
@@ -29,7 +29,7 @@ class QueryFlags {
     SeaOptions sea_;
     ComputeFlags compute_;
     FloorFlags floor_;
-    std::optional<std::string> points_, time_, times_;
+    std::optional<std::string> points_, time_, times_, interpolation_;
     bool json_ = false, foam_ = false;
 };
 

@@ -129,12 +129,16 @@ std::optional<double> OceanNode::significant_wave_height_m() {
     return asked->figures.significant_wave_height_m;
 }
 
+SurfaceQuery OceanNode::query_of(const Frame& frame) const {
+    return SurfaceQuery(frame, {.interpolation = *interpolation_named(settings_.interpolation)});
+}
+
 std::optional<float> OceanNode::height_at(const Vector3& place) {
     const Frame* asked = frame();
     if (!asked) return {};
     const double x = place.x, z = place.z;
     float height = 0;
-    SurfaceQuery(*asked).sample({{&x, 1}, {&z, 1}}, {.height_m = {&height, 1}});
+    query_of(*asked).sample({{&x, 1}, {&z, 1}}, {.height_m = {&height, 1}});
     return height;
 }
 
@@ -153,13 +157,13 @@ std::unique_ptr<Table> OceanNode::query(std::span<const Vector3> places) {
     for (auto& component : n) component.resize(count);
     for (auto& component : v) component.resize(settings_.velocities ? count : 0);
     heights.fill([&](std::span<float> room) {
-        SurfaceQuery(*asked).sample({x_, z_}, {.height_m = room,
-                                               .normal_x = n[0],
-                                               .normal_y = n[1],
-                                               .normal_z = n[2],
-                                               .velocity_x_mps = v[0],
-                                               .velocity_y_mps = v[1],
-                                               .velocity_z_mps = v[2]});
+        query_of(*asked).sample({x_, z_}, {.height_m = room,
+                                           .normal_x = n[0],
+                                           .normal_y = n[1],
+                                           .normal_z = n[2],
+                                           .velocity_x_mps = v[0],
+                                           .velocity_y_mps = v[1],
+                                           .velocity_z_mps = v[2]});
     });
     const auto vectors = [&](const std::vector<float>(&of)[3]) {
         Pool<Vector3> pool(count);

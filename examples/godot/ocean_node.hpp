@@ -12,6 +12,7 @@
 #include "pelagic/examples/godot/sea_drawing.hpp"
 #include "pelagic/examples/godot/settings.hpp"
 #include "pelagic/sim/ocean.hpp"
+#include "pelagic/sim/surface_query.hpp"
 
 namespace pelagic::godot {
 
@@ -58,6 +59,7 @@ class OceanNode {
     /// The frame of time_s_; null if there is no sea.
     const Frame* frame();
     void draw(const Frame& frame);
+    SurfaceQuery query_of(const Frame& frame) const;
 
     Object* self_;
     OceanSettings settings_;

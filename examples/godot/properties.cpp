@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "pelagic/message/refusal.hpp"
+#include "pelagic/sim/surface_query.hpp"
 
 namespace pelagic::godot {
 namespace {
@@ -114,6 +115,8 @@ std::vector<Property> table() {
         sea_property("patch_size_m", "0,1000000,1"),
         flag("foam", &OceanSettings::foam),
         flag("velocities", &OceanSettings::velocities),
+        choice("interpolation", "linear,cubic", &OceanSettings::interpolation,
+               [](std::string_view name) { return interpolation_named(name).has_value(); }),
         ranged(
             "threads", type_int, 0, 1024, "0,1024,1", "a whole number from 0 to 1024",
             [](const OceanSettings& settings) { return static_cast<double>(settings.threads); },

@@ -17,8 +17,9 @@ struct OceanSettings {
     int threads = 0;  ///< the engine's own included; 0: one per core
     bool foam = true;
     bool velocities = false;
-    std::string quality = "medium";  ///< of the mesh: a quadtree_presets() name
-    double size_m = 2048;            ///< of the square that has waves, around the camera
+    std::string interpolation = "linear";  ///< of answers between texels, or "cubic"
+    std::string quality = "medium";        ///< of the mesh: a quadtree_presets() name
+    double size_m = 2048;                  ///< of the square that has waves, around the camera
 };
 
 inline constexpr std::string_view no_preset = "custom";

@@ -36,6 +36,9 @@ void add_frame_classes(pybind11::module_& module);
 
 using FrameClass = pybind11::class_<FrameHandle, std::shared_ptr<FrameHandle>>;
 void add_questions(FrameClass& frame);
+
+using OceanClass = pybind11::class_<SharedOcean, std::shared_ptr<SharedOcean>>;
+void add_series(OceanClass& ocean);
 void add_resting_points(FrameClass& frame);  ///< at_rest
 
 }  // namespace pelagic::python

@@ -85,7 +85,7 @@ void add_ocean_class(py::module_& module) {
     const auto facts_and_docs = [](auto& ocean, const char* name, auto get) {
         ocean.def_property_readonly(name, fact(get), doc_of((std::string("Ocean.") + name).c_str()));
     };
-    py::class_<SharedOcean, OceanPointer> ocean(module, "Ocean", doc_of("Ocean"));
+    OceanClass ocean(module, "Ocean", doc_of("Ocean"));
     ocean.def(py::init(&make_ocean), py::arg("sea"), py::arg("queries") = true, py::arg("velocities") = false,
               py::arg("foam") = false, py::arg("gradients") = false, py::arg("slopes") = false, py::arg("threads") = 0,
               py::arg("isa") = py::none(), py::arg("largest_peak_m") = 0.0, doc_of("Ocean.__init__"));
@@ -99,6 +99,7 @@ void add_ocean_class(py::module_& module) {
     ocean.def("frame_at", freely_made(&SharedOcean::frame_at), py::arg("time_s"), doc_of("Ocean.frame_at"));
     ocean.def("schedule_sea", &schedule_sea, py::arg("sea"), py::arg("from_s"), py::arg("over_s"),
               py::arg("swell_from_m") = 0.0, doc_of("Ocean.schedule_sea"));
+    add_series(ocean);
     facts_and_docs(ocean, "sea", +[](const Facts& of) { return python_sea_of(of.sea); });
     facts_and_docs(ocean, "resolution", +[](const Facts& of) { return of.resolution; });
     facts_and_docs(ocean, "tile_count", +[](const Facts& of) { return of.tile_count; });
@@ -112,6 +113,9 @@ void add_ocean_class(py::module_& module) {
 
 PYBIND11_MODULE(_pelagic, module) {
     using namespace pelagic::python;
+    // The docs have signatures in Python's own form.
+    py::options options;
+    options.disable_function_signatures();
     module.attr("version") = PELAGIC_VERSION;
     py::register_exception<StaleFrame>(module, "StaleFrame", PyExc_RuntimeError);
     py::register_exception_translator([](std::exception_ptr thrown) {

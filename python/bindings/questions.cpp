@@ -3,6 +3,7 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -142,53 +143,155 @@ class Fields {
     std::set<std::string> wanted_;
 };
 
-py::dict query(const FrameHandle& handle, py::handle points, py::handle z, py::handle asked, double tolerance_m) {
-    const auto reader = handle.read();
+/// Arrays of answers, of one moment or of several.
+class AnswerArrays {
+   public:
+    /// \param shape  of what has a number a point and a moment
+    /// \param count  points
+    AnswerArrays(const Fields& fields, const Shape& shape, std::size_t count, bool has_velocities, bool has_foam)
+        : count_(count) {
+        const auto add = [&](const char* name, std::span<float> SurfaceSamples::*span) {
+            py::array_t<float> array(shape);
+            numbers_.push_back({array.mutable_data(), span});
+            answers[name] = std::move(array);
+        };
+        const auto add_vectors = [&](const char* name, std::array<std::span<float> SurfaceSamples::*, 3> spans) {
+            py::array_t<float> array(with(shape, 3));
+            vectors_.push_back({array.mutable_data(), spans, Vectors(count)});
+            answers[name] = std::move(array);
+        };
+        if (fields.has("height")) add("height", &SurfaceSamples::height_m);
+        if (fields.has("normal"))
+            add_vectors("normal", {&SurfaceSamples::normal_x, &SurfaceSamples::normal_y, &SurfaceSamples::normal_z});
+        if (fields.has("jacobian")) add("jacobian", &SurfaceSamples::jacobian);
+        if (fields.has("velocity", has_velocities))
+            add_vectors("velocity", {&SurfaceSamples::velocity_x_mps, &SurfaceSamples::velocity_y_mps,
+                                     &SurfaceSamples::velocity_z_mps});
+        if (fields.has("foam", has_foam)) add("foam", &SurfaceSamples::foam);
+        if (fields.has("converged")) {
+            py::array_t<bool> array(shape);
+            converged_ = reinterpret_cast<std::uint8_t*>(array.mutable_data());
+            answers["converged"] = std::move(array);
+        }
+        if (fields.has("error")) add("error", &SurfaceSamples::error_m);
+    }
+
+    /// Where the answers of a moment go; write() follows.
+    SurfaceSamples samples(std::size_t moment) {
+        SurfaceSamples samples;
+        for (const Numbers& numbers : numbers_) samples.*numbers.span = {numbers.data + moment * count_, count_};
+        for (ThreeNumbers& three : vectors_) {
+            samples.*three.spans[0] = three.parts.x;
+            samples.*three.spans[1] = three.parts.y;
+            samples.*three.spans[2] = three.parts.z;
+        }
+        if (converged_) samples.converged = {converged_ + moment * count_, count_};
+        return samples;
+    }
+    void write(std::size_t moment) const {
+        for (const ThreeNumbers& three : vectors_) three.parts.write(three.data + 3 * moment * count_);
+    }
+
+    py::dict answers;
+
+   private:
+    struct Numbers {
+        float* data;
+        std::span<float> SurfaceSamples::*span;
+    };
+    struct ThreeNumbers {
+        float* data;
+        std::array<std::span<float> SurfaceSamples::*, 3> spans;
+        Vectors parts;
+    };
+    std::size_t count_;
+    std::vector<Numbers> numbers_;
+    std::vector<ThreeNumbers> vectors_;
+    std::uint8_t* converged_ = nullptr;
+};
+
+SurfaceQueryOptions options_of(double tolerance_m, const std::string& interpolation) {
     if (!(tolerance_m >= least_tolerance_m && tolerance_m <= most_tolerance_m))
         throw std::invalid_argument(refusal("tolerance_m", tolerance_m, "[1e-6, 1000]"));
-    const SurfaceQuery surface(handle.frame, tolerance_m);
-    const Places places = places_of(points, z);
+    const std::optional<Interpolation> named = interpolation_named(interpolation);
+    if (!named) throw std::invalid_argument(refusal("interpolation", interpolation, "linear or cubic"));
+    return {.tolerance_m = tolerance_m, .interpolation = *named};
+}
 
-    const Fields fields(asked);
-
-    const std::size_t count = places.x.size();
-    py::dict answers;
-    SurfaceSamples samples;
-    const auto add = [&]<class Number>(const char* name, std::span<Number>& span) {
-        if (!fields.has(name)) return;
-        py::array_t<Number> array(places.shape);
-        span = {array.mutable_data(), count};
-        answers[name] = std::move(array);
-    };
-    std::vector<std::pair<Vectors, float*>> vectors;
-    vectors.reserve(2);
-    const auto add_vectors = [&](const char* name, std::span<float>& x, std::span<float>& y, std::span<float>& across) {
-        py::array_t<float> array(with(places.shape, 3));
-        Vectors& parts = vectors.emplace_back(Vectors(count), array.mutable_data()).first;
-        x = parts.x;
-        y = parts.y;
-        across = parts.z;
-        answers[name] = std::move(array);
-    };
-    add("height", samples.height_m);
-    if (fields.has("normal")) add_vectors("normal", samples.normal_x, samples.normal_y, samples.normal_z);
-    add("jacobian", samples.jacobian);
-    if (fields.has("velocity", surface.has_velocities()))
-        add_vectors("velocity", samples.velocity_x_mps, samples.velocity_y_mps, samples.velocity_z_mps);
-    if (fields.has("foam", surface.has_foam())) add("foam", samples.foam);
-    if (fields.has("converged")) {
-        py::array_t<bool> array(places.shape);
-        samples.converged = {reinterpret_cast<std::uint8_t*>(array.mutable_data()), count};
-        answers["converged"] = std::move(array);
+/// A UserWarning if points are farther apart than the sea is long before it repeats. Of the caller of the package's function.
+void warn_of_span(const Places& places, double repeat_m) {
+    double span_m = 0;
+    for (const std::vector<double>* along : {&places.x, &places.z}) {
+        double least = std::numeric_limits<double>::infinity(), most = -least;
+        for (const double at : *along)
+            if (std::isfinite(at)) least = std::min(least, at), most = std::max(most, at);
+        span_m = std::max(span_m, most - least);
     }
-    add("error", samples.error_m);
+    if (!(span_m > repeat_m)) return;
+    const std::string line = "the points span " + number_text(span_m) + " m, but the longest waves repeat after " +
+                             number_text(repeat_m) + " m";
+    if (PyErr_WarnEx(PyExc_UserWarning, line.c_str(), 2) != 0) throw py::error_already_set();
+}
+
+py::dict query(const FrameHandle& handle, py::handle points, py::handle z, py::handle asked, double tolerance_m,
+               const std::string& interpolation) {
+    const auto reader = handle.read();
+    const SurfaceQuery surface(handle.frame, options_of(tolerance_m, interpolation));
+    const Places places = places_of(points, z);
+    warn_of_span(places, handle.frame.tiles.front().lattice.side_m);
+    AnswerArrays arrays(Fields(asked), places.shape, places.x.size(), surface.has_velocities(), surface.has_foam());
+    const SurfaceSamples samples = arrays.samples(0);
     surface.check(samples);  // before other threads run
     {
         const py::gil_scoped_release others_run;
         handle.ocean->sample(surface, {places.x, places.z}, samples);
-        for (const auto& [parts, out] : vectors) parts.write(out);
+        arrays.write(0);
     }
-    return answers;
+    return arrays.answers;
+}
+
+/// Throws std::invalid_argument if the moments span more than the loop, and names one that fits.
+void need_no_repetition(const std::vector<double>& times_s, double loop_s) {
+    const auto [first, last] = std::minmax_element(times_s.begin(), times_s.end());
+    const double span_s = *last - *first;
+    if (!(span_s > loop_s)) return;
+    constexpr double longest_loop_s = 86400;
+    const double fits_s = std::ceil(span_s + span_s / static_cast<double>(times_s.size() - 1));
+    throw std::invalid_argument(
+        "times span " + number_text(span_s) + " s, but the sea repeats after " + number_text(loop_s) + " s: " +
+        (fits_s <= longest_loop_s ? "loop_period_s=" + number_text(fits_s) + " is long enough, and " : "no loop is longer than 86400 s; ") +
+        "repeats=True permits repetition");
+}
+
+py::dict series(SharedOcean& ocean, py::handle points, py::handle times, py::handle asked, double tolerance_m,
+                const std::string& interpolation, bool repeats) {
+    const SurfaceQueryOptions options = options_of(tolerance_m, interpolation);
+    const Places places = places_of(points, py::none());
+    const Doubles moments = doubles_of(times, "times");
+    if (moments.ndim() != 1) throw std::invalid_argument(refusal("times.shape", text_of(shape_of(moments)), "(n,): seconds"));
+    const std::vector<double> times_s(moments.data(), moments.data() + moments.size());
+    for (const double time_s : times_s)
+        if (!std::isfinite(time_s)) throw std::invalid_argument(refusal("times", time_s, "finite numbers of seconds"));
+    const auto facts = [&] {
+        const py::gil_scoped_release others_run;
+        return ocean.facts();
+    }();
+    if (!repeats && !times_s.empty()) need_no_repetition(times_s, facts.sea.loop_period_s);
+    warn_of_span(places, facts.repeat_length_m);
+
+    Shape shape{static_cast<py::ssize_t>(times_s.size())};
+    shape.insert(shape.end(), places.shape.begin(), places.shape.end());
+    AnswerArrays arrays(Fields(asked), shape, places.x.size(), facts.has_velocities, facts.has_foam);
+    {
+        const py::gil_scoped_release others_run;
+        ocean.frames_at(times_s, [&](std::size_t moment, const Frame& frame) {
+            ocean.sample(SurfaceQuery(frame, options), {places.x, places.z}, arrays.samples(moment));
+            arrays.write(moment);
+            const py::gil_scoped_acquire interrupted;
+            if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+        });
+    }
+    return arrays.answers;
 }
 
 py::dict rays(const FrameHandle& handle, py::handle origins, py::handle directions, py::handle reach, double tolerance_m) {
@@ -291,12 +394,19 @@ py::array_t<float> displaced_foam(const FrameHandle& handle, py::handle points, 
 
 void add_questions(FrameClass& frame) {
     frame.def("query", &query, py::arg("points"), py::arg("z") = py::none(), py::kw_only(), py::arg("fields") = py::none(),
-              py::arg("tolerance_m") = SurfaceQuery::default_tolerance_m, doc_of("Frame.query"));
+              py::arg("tolerance_m") = SurfaceQuery::default_tolerance_m, py::arg("interpolation") = "linear",
+              doc_of("Frame.query"));
     frame.def("rays", &rays, py::arg("origins"), py::arg("directions"), py::arg("reach"), py::kw_only(),
               py::arg("tolerance_m") = SurfaceQuery::default_tolerance_m, doc_of("Frame.rays"));
     frame.def("displaced", &displaced, py::arg("points"), py::arg("z") = py::none(), doc_of("Frame.displaced"));
     frame.def("displaced_foam", &displaced_foam, py::arg("points"), py::arg("z") = py::none(),
               doc_of("Frame.displaced_foam"));
+}
+
+void add_series(OceanClass& ocean) {
+    ocean.def("series", &series, py::arg("points"), py::arg("times"), py::kw_only(), py::arg("fields") = py::none(),
+              py::arg("tolerance_m") = SurfaceQuery::default_tolerance_m, py::arg("interpolation") = "cubic",
+              py::arg("repeats") = false, doc_of("Ocean.series"));
 }
 
 }  // namespace pelagic::python

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "pelagic/message/refusal.hpp"
+#include "pelagic/sim/statistics.hpp"
 
 namespace pelagic::python {
 namespace {
@@ -14,7 +15,11 @@ void need_finite(double time_s) {
 }  // namespace
 
 SharedOcean::SharedOcean(const Forecast& forecast, const OceanOptions& options)
-    : executor_(options.executor), ocean_(std::make_unique<Ocean>(forecast, options)) {}
+    : executor_(options.executor),
+      ocean_(std::make_unique<Ocean>(forecast, options)),
+      repeat_length_m_(pelagic::repeat_length_m(forecast.first)),
+      has_velocities_(options.velocities),
+      has_foam_(options.foam) {}
 
 void SharedOcean::need_open_now() const {
     if (is_closed_) throw std::invalid_argument("the ocean is closed, needs one that is open");
@@ -75,6 +80,23 @@ NumberedFrame SharedOcean::frame_at(double time_s) {
     return end();
 }
 
+void SharedOcean::frames_at(std::span<const double> times_s, const std::function<void(std::size_t, const Frame&)>& use) {
+    const std::lock_guard turn(turn_);
+    if (times_s.empty()) return;
+    begin(times_s[0]);
+    for (std::size_t i = 0; i < times_s.size(); ++i) {
+        const NumberedFrame made = end();
+        const bool is_last = i + 1 == times_s.size();
+        if (!is_last) begin(times_s[i + 1]);
+        try {
+            use(i, made.frame);
+        } catch (...) {
+            if (!is_last) end();
+            throw;
+        }
+    }
+}
+
 bool SharedOcean::is_ready() {
     const std::lock_guard turn(turn_);
     return opened().is_ready();
@@ -89,7 +111,8 @@ SharedOcean::Facts SharedOcean::facts() {
     const std::lock_guard turn(turn_);
     const Ocean& ocean = opened();
     return {ocean.sea(),        ocean.resolution(),   ocean.executor().thread_limit(),
-            ocean.tile_count(), ocean.memory_bytes(), ocean.isa()};
+            ocean.tile_count(), ocean.memory_bytes(), ocean.isa(),
+            repeat_length_m_,   has_velocities_,      has_foam_};
 }
 
 void SharedOcean::close() {

@@ -8,9 +8,11 @@
 #include <array>
 #include <condition_variable>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <vector>
 
@@ -50,6 +52,8 @@ class SharedOcean {
     bool is_ready();
     NumberedFrame complete();
     NumberedFrame frame_at(double time_s);
+    /// Calls use(i, frame) with the frame of each time, in order, while the next one is computed. Frames made before are over then.
+    void frames_at(std::span<const double> times_s, const std::function<void(std::size_t, const Frame&)>& use);
     void schedule_sea(const SeaChange& change);
 
     /// Waits for readers, and gives the memory back; what is on view goes when its last view does.
@@ -62,6 +66,8 @@ class SharedOcean {
         int resolution, threads;
         std::size_t tile_count, memory_bytes;
         Isa isa;
+        double repeat_length_m;
+        bool has_velocities, has_foam;
     };
     Facts facts();
 
@@ -113,6 +119,8 @@ class SharedOcean {
     std::condition_variable readers_left_;
     std::shared_ptr<Executor> executor_;
     std::unique_ptr<Ocean> ocean_;
+    double repeat_length_m_;
+    bool has_velocities_, has_foam_;
     std::array<Use, 2> uses_;
     std::array<double, 2> times_s_{};
     std::uint64_t scheduled_ = 0;  ///< frames up to now

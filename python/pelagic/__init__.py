@@ -10,10 +10,11 @@
 Conventions: SI units, named in each field; right-handed, +y up, rest level y = 0; angles in radians; time in seconds.
 """
 
-from types import MappingProxyType
-from typing import Mapping
+from types import MappingProxyType as _MappingProxyType
+from typing import Mapping as _Mapping
 
-from ._pelagic import Bounds, Frame, Ocean, StaleFrame, Tile, isas_here, preset_list, version as __version__
+from ._explained import explain as _explain, nearest_hint as _nearest_hint
+from ._pelagic import Bounds, Frame, Ocean, StaleFrame, Tile, isas_here, preset_list as _preset_list, version as __version__
 from ._sea import Report, Sea
 
 __all__ = [
@@ -22,10 +23,12 @@ __all__ = [
 ]
 
 #: Named seas, mildest first, and then the open sea of each force of wind, "beaufort-0" to "beaufort-12".
-presets: Mapping[str, Sea] = MappingProxyType({name: sea for name, _, sea in preset_list()})
+presets: _Mapping[str, Sea] = _MappingProxyType({name: sea for name, _, sea in _preset_list()})
 
 #: A line about each of them.
-preset_summaries: Mapping[str, str] = MappingProxyType({name: summary for name, summary, _ in preset_list()})
+preset_summaries: _Mapping[str, str] = _MappingProxyType({name: summary for name, summary, _ in _preset_list()})
+
+_explain(Frame, Ocean, Sea, Tile)
 
 
 def preset(name: str) -> Sea:
@@ -33,4 +36,5 @@ def preset(name: str) -> Sea:
     try:
         return presets[name]
     except KeyError:
-        raise ValueError(f"preset is {name}, needs {', '.join(list(presets)[:-1])} or {list(presets)[-1]}") from None
+        hint = _nearest_hint(str(name), presets)
+        raise ValueError(f"preset is {name}, needs {', '.join(list(presets)[:-1])} or {list(presets)[-1]}{hint}") from None

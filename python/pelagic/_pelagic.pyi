@@ -11,6 +11,7 @@ from ._sea import Sea
 version: str
 
 Field = Literal["height", "normal", "jacobian", "velocity", "foam", "converged", "error"]
+Interpolation = Literal["linear", "cubic"]
 
 class StaleFrame(RuntimeError):
     """The frame's memory holds a later one."""
@@ -169,12 +170,20 @@ class Frame:
     def measured_significant_wave_height_m(self) -> float:
         """4 times the standard deviation of the frame's heights."""
     def query(
-        self, points: ArrayLike, z: Optional[ArrayLike] = None, *, fields: Optional[Iterable[Field]] = None, tolerance_m: float = 0.001
+        self,
+        points: ArrayLike,
+        z: Optional[ArrayLike] = None,
+        *,
+        fields: Optional[Iterable[Field]] = None,
+        tolerance_m: float = 0.001,
+        interpolation: Interpolation = "linear",
     ) -> Answers:
         """What the water is like at points of the world: query(points) or query(x, z).
 
         The surface is what is drawn: at crests water stands where it was moved to. `fields` names what is wanted, by default all
-        that the ocean was made with. The bits depend on the frame, the point and the tolerance alone.
+        that the ocean was made with. `interpolation` is that between texels: "linear" is the drawn surface, "cubic" keeps the heights
+        and slopes of short waves, for measurements. The bits depend on the frame, the point and the options alone. Warns if the
+        points span more than the longest waves, which repeat.
         """
     def rays(self, origins: ArrayLike, directions: ArrayLike, reach: ArrayLike, *, tolerance_m: float = 0.001) -> Hits:
         """Where rays meet the water. Origins and directions are (..., 3), reach is in metres, a number or one a ray."""
@@ -232,6 +241,21 @@ class Ocean:
         """Waits for the scheduled frame, helping."""
     def frame_at(self, time_s: float) -> Frame:
         """schedule() and complete() in one."""
+    def series(
+        self,
+        points: ArrayLike,
+        times: ArrayLike,
+        *,
+        fields: Optional[Iterable[Field]] = None,
+        tolerance_m: float = 0.001,
+        interpolation: Interpolation = "cubic",
+        repeats: bool = False,
+    ) -> Answers:
+        """What frame_at(time).query(points) has for each of n times, while other threads run: arrays of shape (n, ...), of vectors
+        (n, ..., 3), for points of shape (..., 2). Frames made before are over afterwards.
+
+        Raises ValueError if the times span more than the sea's loop, unless repeats is True. Warns as query().
+        """
     def schedule_sea(self, sea: Sea, from_s: float, over_s: float, swell_from_m: float = 0.0) -> None:
         """The sea turns into another one, from a time on and over so many seconds; the same tiles, depth, loop and seed. If its swell
         was raised so many metres away, long waves come first."""

@@ -2,6 +2,7 @@
 #include "pelagic/sim/surface_query.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <cstring>
@@ -45,7 +46,21 @@ SampleSurfaceJob::Outputs outputs_wanted(const SurfaceSamples& samples, PointChu
     return out;
 }
 
+constexpr std::array all_interpolations = {Interpolation::linear, Interpolation::cubic};
+
 }  // namespace
+
+std::string_view name_of(Interpolation interpolation) {
+    return interpolation == Interpolation::cubic ? "cubic" : "linear";
+}
+
+std::optional<Interpolation> interpolation_named(std::string_view name) {
+    for (const Interpolation interpolation : all_interpolations)
+        if (name_of(interpolation) == name) return interpolation;
+    return {};
+}
+
+std::span<const Interpolation> interpolations() { return all_interpolations; }
 
 SurfaceQuery::SurfaceQuery(const Frame& frame, const SurfaceQueryOptions& options)
     : kernels_(&kernels_for(frame.isa)),
@@ -59,6 +74,12 @@ SurfaceQuery::SurfaceQuery(const Frame& frame, const SurfaceQueryOptions& option
     for (const Tile& tile : frame.tiles)
         if (is_one ? tile.folds.empty() : tile.squeeze.empty())
             throw std::invalid_argument("the frame can't be queried, needs an ocean with OceanOptions::queries");
+}
+
+SurfaceQuery SurfaceQuery::with(Interpolation interpolation) const {
+    SurfaceQuery other = *this;
+    other.options_.interpolation = interpolation;
+    return other;
 }
 
 void SurfaceQuery::check(const SurfaceSamples& wanted) const {

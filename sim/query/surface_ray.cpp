@@ -158,7 +158,7 @@ std::string check(const SurfaceRay& ray, const Frame& frame) {
 
 std::optional<SurfaceHit> first_hit(const SurfaceQuery& asked, const SurfaceRay& ray) {
     const DefaultFloatEnvironment environment;
-    const SurfaceQuery query(asked.frame(), asked.tolerance_m());
+    const SurfaceQuery query = asked.with(Interpolation::linear);
     const RayWalk walk(query, ray);
     const Stretch near = walk.near_water(ray.reach_m);
     if (near.begin > near.end) return {};

@@ -31,7 +31,7 @@ def ask(pelagic, sea, time_s, points, *options):
     with tempfile.NamedTemporaryFile("w", suffix=".csv") as file:
         file.writelines(f"{x!r},{z!r}\n" for x, z in points.tolist())
         file.flush()
-        answer = run(pelagic, "query", *sea, "--time", repr(time_s), "--points", file.name, *options)
+        answer = run(pelagic, "query", *sea, "--time", repr(time_s), "--points", file.name, "--interpolation", "linear", *options)
     rows = list(csv.reader(answer.splitlines()))
     columns = numpy.array(rows[1:], float).T
     return dict(zip(rows[0], columns))

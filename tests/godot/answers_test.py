@@ -66,7 +66,8 @@ with tempfile.TemporaryDirectory() as work:
 
     # The command line's answers about the same points, to the bit.
     text = "x,z\n" + "".join(f"{x!r},{z!r}\n" for x, z in points)
-    asked = subprocess.run([pelagic, "query", "--points", "-", "--wind-direction", "30", "--time", "12.34"], input=text,
+    asked = subprocess.run([pelagic, "query", "--points", "-", "--wind-direction", "30", "--time", "12.34",
+                            "--interpolation", "linear"], input=text,
                            capture_output=True, text=True, check=True).stdout
     rows = list(csv.DictReader(asked.splitlines()))
     answers = Path(work, "answers").read_bytes()
@@ -101,7 +102,7 @@ with tempfile.TemporaryDirectory() as work:
             number, time_s, x, z, height_m, resident = words.split()
             kib.append(int(resident))
             asked = subprocess.run([pelagic, "query", "--points", "-", "--time", time_s, "--wind-speed", "10",
-                                    "--wind-direction", "30"], input=f"{x},{z}\n", capture_output=True, text=True, check=True).stdout
+                                    "--wind-direction", "30", "--interpolation", "linear"], input=f"{x},{z}\n", capture_output=True, text=True, check=True).stdout
             # The times differ by 1e-9 s, in which no water moves a micrometre.
             assert abs(float(asked.splitlines()[1].split(",")[2]) - float(height_m)) < 1e-6, (words, asked)
         assert len(kib) == 3

@@ -53,7 +53,7 @@ def pixels(file):
 def heights(case, places):
     flags = [word for name, value in case["values"].items() if name in as_flags for word in (as_flags[name], str(value))]
     text = "x,z\n" + "".join(f"{x!r},{z!r}\n" for x, z in places)
-    out = subprocess.run([pelagic, "query", "--points", "-", *flags], input=text, capture_output=True, text=True, check=True).stdout
+    out = subprocess.run([pelagic, "query", "--points", "-", "--interpolation", "linear", *flags], input=text, capture_output=True, text=True, check=True).stdout
     return [float(line.split(",")[2]) for line in out.splitlines()[1:]]
 
 

@@ -20,7 +20,7 @@ def ask(pelagic, folder, frame_number, places, *options):
         points.writelines(f"{x!r},{z!r}\n" for x, _, z in places)
         points.flush()
         answer = subprocess.run([pelagic, "query", "--config", str(sea_json), "--time", repr(frame["time_s"]),
-                                 "--points", points.name, *options], check=True, capture_output=True, text=True).stdout
+                                 "--points", points.name, "--interpolation", "linear", *options], check=True, capture_output=True, text=True).stdout
     rows = [{name: float(value) for name, value in row.items()} for row in csv.DictReader(answer.splitlines())]
     assert len(rows) == len(places)
     return rows

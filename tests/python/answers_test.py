@@ -1,5 +1,7 @@
 """What a frame tells, against what can be worked out without it."""
 
+import warnings
+
 import numpy as np
 import pelagic
 import pytest
@@ -152,3 +154,58 @@ def test_a_frame_between_two_seas_tells_of_both():
         assert between.spectrum == "jonswap" and ocean.frame_at(30).sea == then
     with pelagic.Ocean(first) as ocean, pytest.raises(ValueError, match=r"^peak_wavelength_m of change 1 is .* largest_peak_m"):
         ocean.schedule_sea(then, from_s=10, over_s=10)
+
+
+def test_a_series_is_queries_of_frames():
+    points, times = np.random.default_rng(4).uniform(-300, 300, (5, 7, 2)), [3.5, 0.0, 7.25]
+    with pelagic.Ocean(pelagic.Sea(resolution=64), velocities=True, foam=True) as ocean:
+        for interpolation in ("linear", "cubic"):
+            series = ocean.series(points, times, interpolation=interpolation)
+            assert series["height"].shape == (3, 5, 7) and series["normal"].shape == series["velocity"].shape == (3, 5, 7, 3)
+            assert {name: array.dtype for name, array in series.items()}["converged"] == np.bool_
+            for i, time_s in enumerate(times):
+                answers = ocean.frame_at(time_s).query(points, interpolation=interpolation)
+                assert list(answers) == list(series)
+                for name in ("height", "normal", "jacobian", "velocity", "converged", "error"):
+                    np.testing.assert_array_equal(series[name][i], answers[name], name)
+        assert list(ocean.series([0, 0], [1], fields=["height"])) == ["height"]
+        assert ocean.series([[0, 0]], [], fields=["normal"])["normal"].shape == (0, 1, 3)
+        cubic = ocean.series(points, times)["height"]
+        np.testing.assert_array_equal(cubic, ocean.series(points, times, interpolation="cubic")["height"])
+
+        # A view of a frame is safe from a series, and what goes wrong halfway leaves the ocean as it was.
+        view = ocean.frame_at(1).displacement
+        with pytest.raises(BufferError):
+            ocean.series(points, times)
+        del view
+        with pytest.raises(ValueError, match=r"times.shape is \(\), needs \(n,\): seconds"):
+            ocean.series(points, 3.0)
+        with pytest.raises(ValueError, match="times is nan, needs finite numbers of seconds"):
+            ocean.series(points, [0, np.nan])
+        assert ocean.frame_at(2).hash
+    with pelagic.Ocean(pelagic.Sea(resolution=64)) as still, pytest.raises(ValueError, match="velocities"):
+        still.series(points, times, fields=["velocity"])
+
+
+def test_a_series_that_outlasts_the_loop_is_refused():
+    with pelagic.Ocean(pelagic.Sea(resolution=64, patch_size_m=250)) as ocean:
+        with pytest.raises(ValueError, match=r"^times span 400 s, but the sea repeats after 200 s: loop_period_s=600 is long enough, "
+                                             r"and repeats=True permits repetition$"):
+            ocean.series([0, 0], [0, 200, 400])
+        heights = ocean.series([0, 0], [0, 200, 400], repeats=True)["height"]
+        assert heights[0] == heights[1] == heights[2]
+        ocean.series([0, 0], [-100, 100])  # one loop, closed
+    with pelagic.Ocean(pelagic.Sea(resolution=64, patch_size_m=250, loop_period_s=600)) as ocean:
+        assert len(set(ocean.series([0, 0], [0, 200, 400])["height"])) == 3
+
+
+def test_points_that_span_more_than_the_sea_are_noted(small):
+    with pelagic.Ocean(small) as ocean:
+        frame = ocean.frame_at(0)
+        for ask in (frame.query, lambda points: ocean.series(points, [0])):
+            with pytest.warns(UserWarning, match=r"^the points span 251 m, but the longest waves repeat after 250 m$") as noted:
+                ask([[0, 0], [3, 251]])
+            assert noted[0].filename == __file__
+            with warnings.catch_warnings():
+                warnings.simplefilter("error")
+                ocean.frame_at(0).query([[0, 0], [250, 250], [np.nan, 9]])

@@ -79,8 +79,9 @@ def assert_same_answers(answers, told):
 def test_queries_have_the_commands_bits(sea):
     options, flags = SEAS[sea]
     where = points()
-    told = csv_columns(run_pelagic("query", "--points", "-", "--time", "12.34", "--foam", *flags,
-                                   given="".join(f"{x!r},{z!r}\n" for x, z in where.tolist())))
+    given = "".join(f"{x!r},{z!r}\n" for x, z in where.tolist())
+    told, told_by_cubic = (csv_columns(run_pelagic("query", "--points", "-", "--time", "12.34", "--foam", "--interpolation", interpolation,
+                                                   *flags, given=given)) for interpolation in ("linear", "cubic"))
     wanted = pelagic.preset("rough") if options is None else pelagic.Sea(**options)
     with pelagic.Ocean(wanted, velocities=True, foam=True) as ocean:
         frame = ocean.frame_at(12.34)
@@ -88,6 +89,10 @@ def test_queries_have_the_commands_bits(sea):
                         frame.query(np.asfortranarray(where))):
             assert len(answers["height"]) == len(where) > 1000
             assert_same_answers(answers, told)
+        assert_same_answers(frame.query(where, interpolation="cubic"), told_by_cubic)
+        of_series = ocean.series(where, [12.34, 13])
+        assert_same_answers({name: array[0] for name, array in of_series.items()}, told_by_cubic)
+        frame = ocean.frame_at(12.34)
         for i in (0, 1700, len(where) - 1):  # alone as well
             assert frame.query(where[i])["height"] == answers["height"][i]
     if sea == "steep":
@@ -127,7 +132,7 @@ def test_seas_change_as_the_commands_do(tmp_path):
     with pelagic.Ocean(pelagic.preset("calm"), velocities=True, foam=True, largest_peak_m=storm.report().peak_wavelength_m) as ocean:
         ocean.schedule_sea(storm, from_s=10, over_s=20)
         for time_s in (5, 17.5, 40):
-            told = csv_columns(run_pelagic("query", "--points", "-", "--time", time_s, "--foam", "--weather", weather, given=given))
+            told = csv_columns(run_pelagic("query", "--points", "-", "--time", time_s, "--foam", "--weather", weather, "--interpolation", "linear", given=given))
             assert_same_answers(ocean.frame_at(time_s).query(where), told)
         assert ocean.sea == storm
         assert ocean.frame_at(5).sea == pelagic.preset("calm")

@@ -114,8 +114,10 @@ def test_numbers_of_numpy_are_numbers():
 
 
 def test_bad_questions_get_one_line(small):
-    with pytest.raises(ValueError, match=r"^preset is strom, needs pond, .* or beaufort-12$"):
+    with pytest.raises(ValueError, match=r"^preset is strom, needs pond, .* or beaufort-12 \(the nearest is storm\)$"):
         pelagic.preset("strom")
+    with pytest.raises(ValueError, match=r" or beaufort-12$"):
+        pelagic.preset("quiet night")
     with pytest.raises(TypeError, match=r'^sea is \'rough\', needs a pelagic.Sea, such as pelagic.preset\("rough"\)$'):
         pelagic.Ocean("rough")
     with pytest.raises(ValueError, match=r"^threads is 2000, needs "):
@@ -130,6 +132,7 @@ def test_bad_questions_get_one_line(small):
         "points can't be made an array of numbers": lambda frame: frame.query([["a", "b"]]),
         "z can't be made an array of numbers": lambda frame: frame.query([1.0], "south"),
         "fields is depth, needs height, normal, jacobian, velocity, foam, converged or error": lambda frame: frame.query([[0, 0]], fields=["depth"]),
+        "interpolation is quintic, needs linear or cubic": lambda frame: frame.query([[0, 0]], interpolation="quintic"),
         "tolerance_m is 0, needs [1e-6, 1000]": lambda frame: frame.query([[0, 0]], tolerance_m=0),
         "ray 1: reach_m is nan, needs ": lambda frame: frame.rays([0, 9, 0], [0, -1, 0], [1.0, np.nan]),
         "ray 0: ": lambda frame: frame.rays([0, 9, 0], [0, 0, 0], 1.0),
@@ -156,6 +159,52 @@ def test_bad_questions_get_one_line(small):
         with pytest.raises(ValueError, match="over_s"):
             ocean.schedule_sea(small, 10, 0)
         assert ocean.frame_at(1).hash  # none of that did any harm
+
+
+def test_arguments_that_do_not_fit_are_named(small):
+    with pelagic.Ocean(small) as ocean:
+        frame = ocean.frame_at(0)
+        for line, call in {
+            "Ocean() needs sea": lambda: pelagic.Ocean(),
+            "Ocean() has no argument query (the nearest is queries)": lambda: pelagic.Ocean(small, query=True),
+            "Ocean() needs sea, and has no argument see (the nearest is sea)": lambda: pelagic.Ocean(see=small),
+            "Sea() has no argument wind_speed (the nearest is wind_speed_mps)": lambda: pelagic.Sea(wind_speed=9),
+            "Sea() has no argument xyz": lambda: pelagic.Sea(xyz=9),
+            "frame_at() needs time_s": lambda: ocean.frame_at(),
+            "frame_at() takes at most 1 without a name": lambda: ocean.frame_at(1, 2),
+            "schedule_sea() needs from_s and over_s": lambda: ocean.schedule_sea(small),
+            "query() needs points, and has no argument pionts (the nearest is points)": lambda: frame.query(pionts=[[0, 0]]),
+            "query() is given points twice": lambda: frame.query([[0, 0]], points=[[0, 0]]),
+            "series() needs times": lambda: ocean.series([[0, 0]]),
+        }.items():
+            with pytest.raises(TypeError) as refused:
+                call()
+            assert str(refused.value) == line and refused.value.__context__ is None
+
+
+def test_signatures_are_those_of_the_stub():
+    stub = ast.parse((PACKAGE / "_pelagic.pyi").read_text())
+    seen = 0
+    for part in stub.body:
+        if not isinstance(part, ast.ClassDef) or part.name not in ("Bounds", "Tile", "Frame", "Ocean"):
+            continue
+        for method in part.body:
+            is_function = isinstance(method, ast.FunctionDef) and not method.decorator_list
+            if not is_function or method.name.startswith("__") and method.name != "__init__":
+                continue
+            names = [argument.arg for argument in method.args.args + method.args.kwonlyargs]
+            defaults = [ast.unparse(default) for default in method.args.defaults + method.args.kw_defaults if default]
+            there = inspect.signature(getattr(getattr(pelagic, part.name), method.name)).parameters.values()
+            assert [parameter.name for parameter in there] == names, method.name
+            assert [repr(parameter.default) for parameter in there if parameter.default is not parameter.empty] == [
+                repr(ast.literal_eval(default)) for default in defaults], method.name
+            seen += 1
+    assert seen > 15
+    assert list(inspect.signature(pelagic.Ocean).parameters)[:2] == ["sea", "queries"]
+
+
+def test_nothing_else_is_in_the_package():
+    assert {name for name in dir(pelagic) if not name.startswith("_")} == set(pelagic.__all__)
 
 
 def test_an_ocean_says_what_it_was_made_of():

@@ -94,7 +94,11 @@ test('views that a growing memory takes away are made anew', async () => {
 test("answers have the native command's bits", async () => {
   const points = Array.from({ length: 2000 }, (_, i) => [(i * 37.77) % 900 - 450, (i * 12.345) % 700 - 350]);
   points.push([1e7 + 0.5, -3e6]);
-  const csv = execFileSync(pelagic, ['query', '--points', '-', '--time', '12.34', '--foam', '--resolution', '64'],
+  for (const interpolation of ['linear', 'cubic']) await compareWithCommand(points, interpolation);
+});
+
+async function compareWithCommand(points, interpolation) {
+  const csv = execFileSync(pelagic, ['query', '--points', '-', '--time', '12.34', '--foam', '--resolution', '64', '--interpolation', interpolation],
                            { input: points.map(([x, z]) => `${x},${z}\n`).join('') }).toString();
   const [header, ...lines] = csv.trim().split('\n');
   const column = Object.fromEntries(header.split(',').map((name, i) => [name, i]));
@@ -104,7 +108,7 @@ test("answers have the native command's bits", async () => {
     const ocean = await create({ ...options, threads });
     const frame = await ocean.frameAt(12.34);
     for (const given of [points, points.flat(), Float64Array.from(points.flat()), points.map(([x, z]) => ({ x, z }))]) {
-      const answers = await frame.query(given);
+      const answers = await frame.query(given, interpolation === 'linear' ? undefined : { interpolation });
       native.forEach((row, i) => {
         const here = [answers.heightM[i], ...answers.normal.slice(3 * i, 3 * i + 3), ...answers.velocityMps.slice(3 * i, 3 * i + 3),
                       answers.jacobian[i], answers.errorM[i], answers.foam[i], answers.converged[i]];
@@ -114,7 +118,7 @@ test("answers have the native command's bits", async () => {
     }
     ocean.dispose();
   }
-});
+}
 
 test('a ray comes down on the water that a query finds there', async () => {
   for (const create of [createOcean, remote.createOcean]) {
@@ -180,6 +184,7 @@ test('what is wrong is refused by one line that says what would do', async () =>
                                 [{ originM: [0, 1, 0], direction: [0, -1, 0], reachM: -1 }, /reachM is -1, needs 0 to a million/]])
     assert.throws(() => askable.firstHit(ray), pattern);
   assert.throws(() => askable.query([0, 0], { toleranceM: 0 }), /toleranceM is 0, needs metres above 0/);
+  assert.throws(() => askable.query([0, 0], { interpolation: 'quintic' }), /interpolation is "quintic", needs linear or cubic/);
   askable.dispose();
 });
 

@@ -379,7 +379,7 @@ test('the boat lies on the native program\'s water', async () => {
   });
   const points = join(scratch, 'points.csv');
   writeFileSync(points, Array.from({length: xz.length / 2}, (_, i) => `${xz[2 * i]},${xz[2 * i + 1]}`).join('\n'));
-  const rows = JSON.parse(execFileSync(pelagic, ['query', '--preset', 'rough', '--time', '40', '--points', points, '--json']).toString());
+  const rows = JSON.parse(execFileSync(pelagic, ['query', '--preset', 'rough', '--time', '40', '--points', points, '--json', '--interpolation', 'linear']).toString());
   const heights = rows.map(row => row.height);
   assert.equal(heights.length, 15);
   const mean = heights.reduce((sum, height) => sum + height, 0) / heights.length;

@@ -177,6 +177,7 @@ void apply_number(ResolvedSea& resolved, const SeaFlag& flag, const std::string&
     if (!number || !field.accepts(value)) throw bad_value(asked_by, text, accepted_by(flag));
 
     field.set(resolved.sea, value);
+    if (flag.field == "loop_period_s") resolved.has_loop_period = true;
     if (angle) resolved.*angle->degrees = *number;
 }
 

@@ -24,6 +24,7 @@ struct ResolvedSea {
     double swell_direction_deg = 0;
     double swell_spread_deg = 15;
     std::string preset;                   ///< empty if none was named
+    bool has_loop_period = false;         ///< a flag or a file gave one
     std::vector<ResolvedChange> changes;  ///< of --weather
 };
 

@@ -18,7 +18,7 @@ constexpr std::size_t pieces = 32;
 
 /// Room for the longest row beside the file's own columns, so that a job allocates nothing: a job must not throw. A number
 /// takes 25 characters at most, its JSON key 12.
-constexpr std::size_t most_answer_length = (Answers::most_values + 4) * (25 + 12);
+constexpr std::size_t most_answer_length = (Answers::most_values + 5) * (25 + 12);
 /// JSON writes a control character as \u001f.
 constexpr std::size_t most_escaped_length = 6;
 
@@ -86,8 +86,14 @@ SurfaceSamples Answers::samples() {
             .foam = foam};
 }
 
-RowWriter::RowWriter(std::shared_ptr<Executor> executor, const Answers& answers, bool as_json, bool has_times)
-    : answers_(answers), as_json_(as_json), has_times_(has_times), pieces_(pieces), executor_(std::move(executor)) {
+RowWriter::RowWriter(std::shared_ptr<Executor> executor, const Answers& answers, Interpolation interpolation,
+                     bool as_json, bool has_times)
+    : answers_(answers),
+      interpolation_(interpolation),
+      as_json_(as_json),
+      has_times_(has_times),
+      pieces_(pieces),
+      executor_(std::move(executor)) {
     graph_.add({.name = "rows", .count = pieces, .body = [this](std::size_t begin, std::size_t end) {
                     for (std::size_t piece = begin; piece < end; ++piece) fill_piece(piece);
                 }});
@@ -98,6 +104,7 @@ void RowWriter::begin(const PointReader& reader) {
     reader_ = &reader;
     std::set<std::string> taken(answers_.names().begin(), answers_.names().end());
     taken.insert("converged");
+    if (as_json_) taken.insert("interpolation");
     if (has_times_) taken.insert("time");
     std::string header = has_times_ ? "time," : "";
     json_keys_.clear();
@@ -149,7 +156,8 @@ void RowWriter::append_json(std::string& text, std::size_t point, std::vector<st
         append_json_number(text, answers_.value(column, point));
         text += ',';
     }
-    text += answers_.converged(point) ? "\"converged\":true}" : "\"converged\":false}";
+    text.append("\"interpolation\":\"").append(name_of(interpolation_));
+    text += answers_.converged(point) ? "\",\"converged\":true}" : "\",\"converged\":false}";
 }
 
 void RowWriter::fill_piece(std::size_t piece) {

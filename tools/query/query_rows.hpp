@@ -41,9 +41,11 @@ class Answers {
 /// Turns blocks into text, in pieces side by side, and writes them to standard output in order.
 class RowWriter {
    public:
+    /// \param interpolation  of the answers, which JSON names
     /// \param answers    to the block that is written, whenever one is; outlives the writer
     /// \param has_times  rows begin with the moment
-    RowWriter(std::shared_ptr<Executor> executor, const Answers& answers, bool as_json, bool has_times);
+    RowWriter(std::shared_ptr<Executor> executor, const Answers& answers, Interpolation interpolation, bool as_json,
+              bool has_times);
 
     /// The header or the opening bracket. Throws InputError if a column of the file has the name of an answer's, or, for
     /// JSON, of another one.
@@ -63,6 +65,7 @@ class RowWriter {
     };
 
     const Answers& answers_;
+    Interpolation interpolation_;
     bool as_json_, has_times_;
     const PointReader* reader_ = nullptr;
     std::vector<std::string> json_keys_;  ///< of the file's columns

@@ -257,15 +257,22 @@ class OceanOfPage {
     std::string foam_hash(int slot) const { return hash_text(foam_hash_of(frames_[slot])); }
 
     /// \param points       a Float64Array of x, z, x, z, ...
-    /// \param tolerance_m  a number, or undefined
-    val query(int slot, const val& points, const val& tolerance_m) {
+    /// \param tolerance_m    a number, or undefined
+    /// \param interpolation  "linear", "cubic" or undefined
+    val query(int slot, const val& points, const val& tolerance_m, const val& interpolation) {
         return answer_of([&] {
             const double tolerance = tolerance_m.isUndefined()
                                          ? SurfaceQuery::default_tolerance_m
                                          : number_of(
                                                "toleranceM", tolerance_m,
                                                [](double m) { return std::isfinite(m) && m > 0; }, "metres above 0");
-            const SurfaceQuery query(frames_[slot], tolerance);
+            const std::optional<Interpolation> named = interpolation.isUndefined() ? Interpolation::linear
+                                                       : interpolation.isString()
+                                                           ? interpolation_named(interpolation.as<std::string>())
+                                                           : std::nullopt;
+            if (!named)
+                throw std::invalid_argument(refusal("interpolation", text_of(interpolation), "linear or cubic"));
+            const SurfaceQuery query(frames_[slot], {.tolerance_m = tolerance, .interpolation = *named});
             const auto pairs = emscripten::convertJSArrayToNumberVector<double>(points);
             const std::size_t count = pairs.size() / 2;
             xs_.resize(count);

@@ -299,6 +299,11 @@ export type Points = ArrayLike<number> | readonly (readonly [number, number])[] 
 export interface QueryOptions {
   /** Largest error of a converged point, metres. Default 0.001. */
   toleranceM?: number;
+  /**
+   * "linear", the default, is the surface that is drawn. "cubic" is for measurements: it keeps the heights and slopes of short waves,
+   * for some 2.5 times the work. Foam is linear in both.
+   */
+  interpolation?: 'linear' | 'cubic';
 }
 
 /** An element, or three, for each point; copies that are yours. */

@@ -120,9 +120,9 @@ export class Frame {
     return this.#native.foamHash(this.#slot);
   }
 
-  query(points, { toleranceM } = {}) {
+  query(points, { toleranceM, interpolation } = {}) {
     this.assertValid();
-    const views = valueOf(this.#native.query(this.#slot, flatPoints(points), toleranceM));
+    const views = valueOf(this.#native.query(this.#slot, flatPoints(points), toleranceM, interpolation));
     // The next query writes over them.
     return Object.fromEntries(Object.entries(views).map(([name, view]) => [name, view.slice()]));
   }
