@@ -77,13 +77,15 @@ struct LocalFoamJob {
     std::uint8_t* has_foam;  ///< a byte a row
 };
 
-/// What a frame shows of rows: the way from the tick before to the last one, faded towards the edges.
+/// What a frame shows of rows, faded towards the edges: heights on the straight way from `before` to `now`, and how fast they rise at
+/// `part` of it, the derivative of the parabola through the ways of the last two ticks.
 struct LocalShowJob {
     const float *before, *now;  ///< texel (0, 0)
+    const float* way_before;    ///< that of the tick before
     std::size_t resolution;
     std::size_t first_row, rows;
-    float part;                      ///< of the way
-    float ticks_per_s;               ///< times the way is how fast the water rises
+    float part;  ///< of the way
+    float ticks_per_s;
     const float *shown_x, *shown_z;  ///< of each column and row of the torus
     float *height, *rise;            ///< N^2, in rows of N
     float *lowest, *highest;         ///< of each row's heights

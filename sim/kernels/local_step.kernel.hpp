@@ -187,10 +187,11 @@ template <class Arch>
 void local_show(const LocalShowJob& job) {
     using V = xsimd::batch<float, Arch>;
     const std::size_t n = job.resolution;
-    const V part(job.part), ticks_per_s(job.ticks_per_s);
+    const V part(job.part), from_middle(job.part - 0.5f), ticks_per_s(job.ticks_per_s);
     for (std::size_t z = job.first_row; z < job.first_row + job.rows; ++z) {
         const float* const before = job.before + z * local_row_stride(n);
         const float* const now = job.now + z * local_row_stride(n);
+        const float* const way_before = job.way_before + z * local_row_stride(n);
         const V shown_z(job.shown_z[z]);
         V low(0.f), high(0.f);
         for (std::size_t x = 0; x < n; x += V::size) {
@@ -198,7 +199,8 @@ void local_show(const LocalShowJob& job) {
             const V shown = V::load_aligned(job.shown_x + x) * shown_z;
             const V height = (from + part * way) * shown;
             height.store_aligned(job.height + z * n + x);
-            ((way * ticks_per_s) * shown).store_aligned(job.rise + z * n + x);
+            const V rise = way + from_middle * (way - V::load_aligned(way_before + x));
+            ((rise * ticks_per_s) * shown).store_aligned(job.rise + z * n + x);
             low = xsimd::min(low, height);
             high = xsimd::max(high, height);
         }

@@ -52,6 +52,7 @@ LocalGrid::LocalGrid(const LocalWaterOptions& options, Isa isa, const HostMemory
     const DefaultFloatEnvironment environment;
     for (auto& plane : planes_) plane = AlignedBuffer<float>(local_plane_floats(n()), memory);
     tick_before_ = AlignedBuffer<float>(local_plane_floats(n()), memory);
+    way_before_ = AlignedBuffer<float>(local_plane_floats(n()), memory);
     foam_ = AlignedBuffer<std::uint8_t>(n() * n(), memory);
     has_foam_.resize(n());
     for (std::size_t axis = 0; axis < 2; ++axis) {
@@ -180,16 +181,15 @@ StageId LocalGrid::add_spectral_stages(JobGraph& graph, StageId prepared) {
 }
 
 void LocalGrid::flatten_row(std::int64_t z) {
-    for (std::size_t plane = 0; plane < 2; ++plane)
-        std::fill_n(first_texel(plane) + window_.in_torus(z) * local_row_stride(n()), n(), 0.f);
-    std::fill_n(tick_before_.data() + local_margin + window_.in_torus(z) * local_row_stride(n()), n(), 0.f);
+    for (AlignedBuffer<float>* plane : {&planes_[0], &planes_[1], &tick_before_, &way_before_})
+        std::fill_n(plane->data() + local_margin + window_.in_torus(z) * local_row_stride(n()), n(), 0.f);
     std::fill_n(foam_.data() + window_.in_torus(z) * n(), n(), std::uint8_t{0});
 }
 
 void LocalGrid::flatten_column(std::int64_t x) {
     for (std::size_t z = 0; z < n(); ++z) {
         const std::size_t at = local_margin + z * local_row_stride(n()) + window_.in_torus(x);
-        planes_[0][at] = planes_[1][at] = tick_before_[at] = 0;
+        planes_[0][at] = planes_[1][at] = tick_before_[at] = way_before_[at] = 0;
         foam_[z * n() + window_.in_torus(x)] = 0;
     }
 }
@@ -227,9 +227,15 @@ void LocalGrid::end_tick() {
 void LocalGrid::prepare_rows(std::size_t job) {
     const std::size_t first = job * rows_an_item;
     // Rows alone: their margins are the neighbouring jobs' as well.
-    for (std::size_t z = first; z < first + rows_an_item; ++z)
-        std::copy_n(first_texel(height_) + z * local_row_stride(n()), n(),
-                    tick_before_.data() + local_margin + z * local_row_stride(n()));
+    for (std::size_t z = first; z < first + rows_an_item; ++z) {
+        const std::size_t row = local_margin + z * local_row_stride(n());
+        const float* const now = planes_[height_].data() + row;
+        float *const before = tick_before_.data() + row, *const way = way_before_.data() + row;
+        for (std::size_t x = 0; x < n(); ++x) {
+            way[x] = now[x] - before[x];
+            before[x] = now[x];
+        }
+    }
     const bool is_verlet = options_.step == LocalStep::verlet;
     if (is_verlet)
         kernels_.damp_rows({.planes = {first_texel(0), first_texel(1)},
@@ -237,13 +243,15 @@ void LocalGrid::prepare_rows(std::size_t job) {
                             .first_row = first,
                             .rows = rows_an_item,
                             .border = border()});
-    sources_.push_rows(window_, first, rows_an_item, {first_texel(height_), verlets_other(height_)});
+    sources_.push_rows(window_, first, rows_an_item,
+                       {first_texel(height_), verlets_other(height_), tick_before_.data() + local_margin});
     if (is_verlet) repeat_ends(height_, first);
 }
 
 void LocalGrid::finish_rows(std::size_t job) {
     const std::size_t first = job * rows_an_item, plane = stepped_plane();
-    sources_.lift_rows(window_, first, rows_an_item, {first_texel(plane), verlets_other(plane)});
+    sources_.lift_rows(window_, first, rows_an_item,
+                       {first_texel(plane), verlets_other(plane), tick_before_.data() + local_margin});
     foam_rows(first);
 }
 
@@ -274,6 +282,7 @@ void LocalGrid::show(float part, std::size_t item, const Shown& to) const {
     const std::size_t first = item * rows_an_item;
     kernels_.local_show({.before = tick_before_.data() + local_margin,
                          .now = first_texel(height_),
+                         .way_before = way_before_.data() + local_margin,
                          .resolution = n(),
                          .first_row = first,
                          .rows = rows_an_item,
@@ -298,7 +307,7 @@ std::vector<std::uint8_t> LocalGrid::saved() const {
         to += count;
     };
     put(&header, sizeof header);
-    for (const AlignedBuffer<float>* plane : {&planes_[height_], &planes_[1 - height_], &tick_before_})
+    for (const AlignedBuffer<float>* plane : {&planes_[height_], &planes_[1 - height_], &tick_before_, &way_before_})
         for (std::size_t z = 0; z < n(); ++z)
             put(plane->data() + local_margin + z * local_row_stride(n()), row_bytes);
     put(foam_.data(), foam_.size());
@@ -321,7 +330,7 @@ void LocalGrid::restore(std::span<const std::uint8_t> saved) {
     if (header.ticks < 0 || header.ticks > most_ticks)
         throw std::invalid_argument(refusal("the saved water's ticks", header.ticks, "[0, 2^50]"));
     const std::uint8_t* from = saved.data() + sizeof header;
-    for (std::size_t i = 0; i < 3 * n() * n(); ++i) {
+    for (std::size_t i = 0; i < saved_planes * n() * n(); ++i) {
         float texel;
         std::memcpy(&texel, from + i * sizeof texel, sizeof texel);
         if (!(std::fabs(texel) <= 1e6f))  // of what is no number, too
@@ -331,7 +340,7 @@ void LocalGrid::restore(std::span<const std::uint8_t> saved) {
 
     window_.move_to({header.first_x, header.first_z});
     ticks_ = header.ticks;
-    for (AlignedBuffer<float>* plane : {&planes_[height_], &planes_[1 - height_], &tick_before_})
+    for (AlignedBuffer<float>* plane : {&planes_[height_], &planes_[1 - height_], &tick_before_, &way_before_})
         for (std::size_t z = 0; z < n(); ++z, from += row_bytes)
             std::memcpy(plane->data() + local_margin + z * local_row_stride(n()), from, row_bytes);
     std::memcpy(foam_.data(), from, foam_.size());
@@ -345,8 +354,8 @@ std::uint64_t LocalGrid::hash() const {
 }
 
 std::size_t LocalGrid::bytes() const {
-    std::size_t bytes = foam_.bytes() + tick_before_.bytes() + sources_.bytes() + has_foam_.capacity() +
-                        phases_.bytes() + lines_.bytes();
+    std::size_t bytes = foam_.bytes() + tick_before_.bytes() + way_before_.bytes() + sources_.bytes() +
+                        has_foam_.capacity() + phases_.bytes() + lines_.bytes();
     for (const auto& plane : planes_) bytes += plane.bytes();
     for (std::size_t axis = 0; axis < 2; ++axis) bytes += left_[axis].bytes() + shown_[axis].bytes();
     for (const FftPlan& plan : plan_) bytes += plan.bytes();

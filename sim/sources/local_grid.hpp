@@ -68,7 +68,8 @@ class LocalGrid {
     float companion_m(std::int64_t x, std::int64_t z) const { return planes_[1 - height_][texel(x, z)]; }
 
     /// Puts together what a frame shows of the rows of an item, `part` of the way from the tick before to the last one: rows of N floats
-    /// and bytes, and the extremes of each row's heights. Items may run side by side. \pre no tick is in flight
+    /// and bytes, and the extremes of each row's heights. A wave's velocity is off by (3 part^2 - 1) / 6 (omega tick)^2 of itself. Items may
+    /// run side by side. \pre no tick is in flight
     static constexpr std::size_t rows_an_item = 16;
     struct Shown {
         float *height_m, *rise_mps;
@@ -79,7 +80,7 @@ class LocalGrid {
 
     /// Of the window's place, ticks and texels: XXH3 of what is saved but for the sources.
     std::uint64_t hash() const;
-    /// All that ticks and frames to come depend on; 13 N^2 bytes and some. \pre no tick is in flight
+    /// All that ticks and frames to come depend on; 17 N^2 bytes and some. \pre no tick is in flight
     std::vector<std::uint8_t> saved() const;
     /// Takes that up, in a grid of the same options, on any machine of the same byte order. Throws std::invalid_argument if such a
     /// grid can't have saved it; nothing has changed then. \pre no tick is in flight
@@ -102,7 +103,8 @@ class LocalGrid {
     float* verlets_other(std::size_t plane) {
         return options_.step == LocalStep::verlet ? first_texel(1 - plane) : nullptr;
     }
-    std::size_t saved_texel_bytes() const { return 3 * n() * n() * sizeof(float) + foam_.size(); }
+    static constexpr std::size_t saved_planes = 4;
+    std::size_t saved_texel_bytes() const { return saved_planes * n() * n() * sizeof(float) + foam_.size(); }
     float* first_texel(std::size_t plane) { return planes_[plane].data() + local_margin; }
     const float* first_texel(std::size_t plane) const { return planes_[plane].data() + local_margin; }
 
@@ -124,7 +126,9 @@ class LocalGrid {
     std::int64_t ticks_ = 0;
     std::size_t height_ = 0;  ///< which plane holds h
     std::array<AlignedBuffer<float>, 2> planes_;
-    AlignedBuffer<float> tick_before_;  ///< h of the tick before, which frames show the way from
+    AlignedBuffer<float>
+        tick_before_;  ///< h where the last tick began, with what it was given at once: frames show the way from there
+    AlignedBuffer<float> way_before_;  ///< that h went in the tick before
     AlignedBuffer<std::uint8_t> foam_;
     std::vector<std::uint8_t> has_foam_;         ///< by row; 0: none
     std::array<AlignedBuffer<float>, 2> left_;   ///< of each column and row of the torus by a tick

@@ -132,6 +132,7 @@ void LocalRain::push_rows(const LocalWindow& window, std::int64_t tick, std::siz
             const float height = along_x[i].rim * e + along_x[i].e * rim;
             heights.now[texel] += height;
             if (heights.before) heights.before[texel] += height;  // it is dug, and does not move yet
+            heights.tick_before[texel] += height;
         }
     };
     const auto add_drops = [&](std::int64_t from_z, std::int64_t to_z) {

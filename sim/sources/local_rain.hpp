@@ -15,7 +15,8 @@ namespace pelagic {
 /// Texels (0, 0) of the planes of a window that a tick moves, in rows as local_jobs.hpp has them.
 struct LocalHeights {
     float* now;
-    float* before;  ///< Verlet's other height; null where there is none
+    float* before;       ///< Verlet's other height; null where there is none
+    float* tick_before;  ///< as frames show it: what is there at once was there before the tick, too
 };
 
 class LocalRain {

@@ -223,9 +223,10 @@ void LocalSources::push_rows(const LocalWindow& window, std::size_t first_row, s
                 });
                 break;
             case Disturbance::Mode::add:
-                push([=](std::size_t texel, float shape, float) {
+                push([=, tick_before = heights.tick_before](std::size_t texel, float shape, float) {
                     now[texel] += shape;
                     if (before) before[texel] += shape;
+                    tick_before[texel] += shape;
                 });
                 break;
         }
