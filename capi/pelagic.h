@@ -631,7 +631,7 @@ typedef struct pelagic_local_surface {
     int64_t first_x, first_z;
     double texel_m;
     const float* height_m; /* N^2, 0 at the window's edges */
-    const float* rise_mps; /* N^2: how fast it rises */
+    const float* rise_mps; /* N^2: its vertical velocity at the frame's moment; what is added at once brings none */
     const uint8_t* foam;   /* N^2 */
     float height_min_m, height_max_m;
 } pelagic_local_surface;
@@ -643,12 +643,12 @@ PELAGIC_API pelagic_status pelagic_ocean_local(const pelagic_ocean* ocean, pelag
 PELAGIC_API pelagic_status pelagic_ocean_local_hash(const pelagic_ocean* ocean, uint64_t* hash);
 
 /* All that the water of frames to come depends on, sources included, but for what was said since the last schedule; as
- * pelagic_ocean_save_history. For a host that goes back to a moment: 13 N^2 bytes and some. */
+ * pelagic_ocean_save_history. For a host that goes back to a moment: 17 N^2 bytes and some. */
 PELAGIC_API pelagic_status pelagic_ocean_save_water(const pelagic_ocean* ocean, uint8_t* bytes, size_t room, size_t* count);
 
-/* Takes that up, in an ocean with the same options on any machine of the same byte order, as if one had never left. What was said
- * since the last schedule is forgotten. PELAGIC_INVALID_ARGUMENT if such an ocean can't have saved it; PELAGIC_WRONG_ORDER if a
- * frame is in flight. */
+/* Takes that up, in an ocean of any sea with the same pelagic_ocean_options.local on any machine of the same byte order, as if one had
+ * never left. What was said since the last schedule is forgotten. PELAGIC_INVALID_ARGUMENT if the options are others or such an ocean
+ * can't have saved it; PELAGIC_WRONG_ORDER if a frame is in flight. */
 PELAGIC_API pelagic_status pelagic_ocean_restore_water(pelagic_ocean* ocean, const uint8_t* bytes, size_t count);
 
 /* ---- Shores ----------------------------------------------------------------------------------------------------- */

@@ -49,7 +49,7 @@ struct OceanOptions {
     bool foam = false;
     /// Water that answers beside the waves of the wind (local_water.hpp): frames have a window of it, Frame::local, and queries tell the
     /// sum. With 256 texels a tick takes about three quarters of a frame of one tile of 256, at 60 ticks a second; 18 N^2 bytes for
-    /// frames and 25 N^2 for ticks.
+    /// frames and 29 N^2 for ticks.
     std::optional<LocalWaterOptions> local = {};
     /// A floor that waves feel (shore.hpp): frames say what it makes of the sea, Frame::shore, and queries tell that. Of a sea of several
     /// tiles that never changes. Baking it takes a second or so of one core; 290 bytes for each of the shore's texels.
@@ -155,8 +155,9 @@ class Ocean {
     /// All that frames to come depend on, but for what was said since the last schedule(): for a host that goes back to a moment, or
     /// begins in one. \pre no frame is in flight
     std::vector<std::uint8_t> saved_water() const;
-    /// Takes that up, in an ocean with the same options, on any machine of the same byte order: as if one had never left. What was said
-    /// since is forgotten. Throws std::invalid_argument, changing nothing, if no such ocean can have saved it. \pre no frame is in flight
+    /// Takes that up, in an ocean of any sea with the same OceanOptions::local, on any machine of the same byte order: as if one had never
+    /// left. What was said since is forgotten. Throws std::invalid_argument, changing nothing, if the options are others, or no such
+    /// ocean can have saved it. \pre no frame is in flight
     void restore_water(std::span<const std::uint8_t> saved);
 
     std::size_t tile_count() const;    ///< of every frame

@@ -14,11 +14,11 @@ class CInterfaceLocal : public testing::Test {
    protected:
     COceanExecutor serial = executor_of(PELAGIC_EXECUTOR_SERIAL);
 
-    COcean answering(bool has_local = true) const {
+    COcean answering(bool has_local = true, double side_m = 32) const {
         auto local = sized<pelagic_local_options>();
         EXPECT_EQ(pelagic_local_defaults(&local), PELAGIC_OK);
         local.resolution = 64;
-        local.side_m = 32;
+        local.side_m = side_m;
         local.border_m = 6;
         auto options = sized<pelagic_ocean_options>();
         options.executor = serial.get();
@@ -161,6 +161,9 @@ TEST_F(CInterfaceLocal, GoesBackToASavedMoment) {
     run(stays, 30, 80);
     EXPECT_EQ(local_hash(goes), local_hash(stays));
     EXPECT_EQ(pelagic_ocean_restore_water(goes.get(), saved.data(), saved.size() - 1), PELAGIC_INVALID_ARGUMENT);
+    expect_refused(pelagic_ocean_restore_water(answering(true, 48).get(), saved.data(), saved.size()),
+                   PELAGIC_INVALID_ARGUMENT,
+                   "the saved water is of other options, needs those of this ocean's water");
     ASSERT_EQ(pelagic_ocean_schedule(goes.get(), 2), PELAGIC_OK);
     EXPECT_EQ(pelagic_ocean_save_water(goes.get(), saved.data(), saved.size(), &count), PELAGIC_WRONG_ORDER);
     EXPECT_EQ(pelagic_ocean_restore_water(goes.get(), saved.data(), saved.size()), PELAGIC_WRONG_ORDER);

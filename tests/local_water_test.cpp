@@ -319,6 +319,53 @@ TEST(LocalWater, HasRoomForASourceWhereOneHasGone) {
     ocean.frame_at(0.1);
 }
 
+TEST(LocalWater, RefusesWhatWasSavedUnderOtherOptions) {
+    OceanOptions set = answering();
+    set.local->step = LocalStep::verlet;
+    const auto saved_with = [&](auto change) {
+        OceanOptions changed = set;
+        change(*changed.local);
+        Ocean ocean(breeze, changed);
+        ocean.disturb(drop(0.3));
+        ocean.frame_at(0);
+        ocean.frame_at(0.1);
+        return ocean.saved_water();
+    };
+    Ocean ocean(breeze, set);
+    ocean.frame_at(0);
+    const std::vector<std::uint8_t> before = ocean.saved_water();
+    const auto refuses = [&](auto change, const char* what) {
+        try {
+            ocean.restore_water(saved_with(change));
+            ADD_FAILURE() << "took water of another " << what;
+        } catch (const std::invalid_argument& error) {
+            EXPECT_STREQ(error.what(), "the saved water is of other options, needs those of this ocean's water");
+        }
+        EXPECT_EQ(ocean.saved_water(), before) << what;
+    };
+    using Options = LocalWaterOptions;
+    refuses([](Options& o) { o.step = LocalStep::spectral; }, "step");
+    refuses([](Options& o) { o.resolution = 128; }, "resolution");
+    refuses([](Options& o) { o.side_m = 33; }, "side_m");
+    refuses([](Options& o) { o.ticks_per_s = 61; }, "ticks_per_s");
+    refuses([](Options& o) { o.border_m = 5; }, "border_m");
+    refuses([](Options& o) { o.depth_m = 10; }, "depth_m");
+    refuses([](Options& o) { o.viscosity_m2ps = 0; }, "viscosity_m2ps");
+    refuses([](Options& o) { o.wave_speed_mps = 2; }, "wave_speed_mps");
+    refuses([](Options& o) { o.decay_per_s = 0.02; }, "decay_per_s");
+    refuses([](Options& o) { o.foam_height_m = 0.3; }, "foam_height_m");
+    static_assert(sizeof(Options) == 72, "each field above");
+    EXPECT_NO_THROW(ocean.restore_water(saved_with([](Options&) {})));
+}
+
+// The water of the window does not depend on the waves of the wind.
+TEST(LocalWater, IsRestoredInAnOceanOfAnotherSea) {
+    Ocean there(breeze, answering()), here({.cascades = 1, .resolution = 64, .wind_speed_mps = 12}, answering());
+    happen(there, 0, 40);
+    here.restore_water(there.saved_water());
+    EXPECT_EQ(local_hash_of(happen(here, 40, 60)), local_hash_of(happen(there, 40, 60)));
+}
+
 TEST(LocalWater, TakesOnlyWhatCanBeSaved) {
     Ocean ocean(breeze, answering());
     ocean.set_rain({.drops_per_m2_s = 2});
@@ -328,7 +375,7 @@ TEST(LocalWater, TakesOnlyWhatCanBeSaved) {
     for (int i = 0; i < 300; ++i) {
         std::vector<std::uint8_t> bytes = saved;
         // Headers in front, sources behind: eight bytes of one of them turned into anything.
-        const std::size_t front = 40,
+        const std::size_t front = 56,
                           at = i % 2 == 0 ? 8 * (random() % (front / 8)) : bytes.size() - 8 * (1 + random() % 19);
         const std::uint64_t word = i % 3 == 0 ? ~std::uint64_t{0} : (std::uint64_t{random()} << 32 | random());
         std::memcpy(bytes.data() + at, &word, sizeof word);

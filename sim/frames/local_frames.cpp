@@ -8,6 +8,9 @@
 #include <string>
 #include <utility>
 
+#define XXH_INLINE_ALL
+#include <xxhash.h>
+
 #include "pelagic/message/refusal.hpp"
 #include "pelagic/sim/surface/item_stage.hpp"
 #include "pelagic/simd/float_environment.hpp"
@@ -21,9 +24,25 @@ constexpr double clock_slack = 0x1p-16;
 constexpr double farthest_tick = 0x1p50;
 
 struct SavedClock {
+    std::uint64_t options;  ///< digest_of() them
     std::int64_t has_clock, last_tick;
     double last_time_s;
 };
+
+/// XXH3 of all that is set, numbers without gaps between them.
+std::uint64_t digest_of(const LocalWaterOptions& options) {
+    const double numbers[] = {static_cast<double>(options.step),
+                              static_cast<double>(options.resolution),
+                              options.side_m,
+                              static_cast<double>(options.ticks_per_s),
+                              options.border_m,
+                              options.depth_m,
+                              options.viscosity_m2ps,
+                              options.wave_speed_mps,
+                              options.decay_per_s,
+                              options.foam_height_m};
+    return XXH3_64bits(numbers, sizeof numbers);
+}
 
 void check_place(double x_m, double z_m) {
     for (const double at : {x_m, z_m})
@@ -202,7 +221,7 @@ void LocalFrames::drop_frame() {
 }
 
 std::vector<std::uint8_t> LocalFrames::saved() const {
-    const SavedClock clock = {has_clock_, last_tick_, last_time_s_};
+    const SavedClock clock = {digest_of(grid_.options()), has_clock_, last_tick_, last_time_s_};
     std::vector<std::uint8_t> bytes(sizeof clock);
     std::memcpy(bytes.data(), &clock, sizeof clock);
     const std::vector<std::uint8_t> water = grid_.saved();
@@ -215,6 +234,8 @@ void LocalFrames::restore(std::span<const std::uint8_t> saved) {
     if (saved.size() < sizeof clock)
         throw std::invalid_argument(refusal("the saved water", number_text(saved.size()) + " bytes", "more"));
     std::memcpy(&clock, saved.data(), sizeof clock);
+    if (clock.options != digest_of(grid_.options()))
+        throw std::invalid_argument("the saved water is of other options, needs those of this ocean's water");
     if (std::fabs(static_cast<double>(clock.last_tick)) > farthest_tick)
         throw std::invalid_argument(refusal("the saved water's clock", clock.last_tick, "a tick within 2^50"));
     if (!std::isfinite(clock.last_time_s))

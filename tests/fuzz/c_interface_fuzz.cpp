@@ -367,7 +367,8 @@ void any_saved_water(Bytes& bytes, pelagic_ocean* ocean) {
     std::vector<std::uint8_t> mutated = saved;
     if (mutated.size() > 600 && changed % 4) {
         const std::size_t at = bytes.take<std::uint16_t>();
-        const std::size_t place = changed % 4 == 1   ? at % 64
+        // Behind the digest of its options, without which nothing is read.
+        const std::size_t place = changed % 4 == 1   ? 8 + at % 64
                                   : changed % 4 == 2 ? at % (mutated.size() - sizeof(std::uint32_t))
                                                      : mutated.size() - sizeof(std::uint32_t) - at % 500;
         const auto instead = bytes.take<std::uint32_t>();
