@@ -406,7 +406,7 @@ typedef struct pelagic_texture_targets {
     uint32_t struct_size;
     uint32_t tile_count;            /* of the first struct: the frame's tiles, 0 for one; of the others 0 */
     uint16_t* displacement_rgba16f; /* 4 N^2 in tight rows, at a multiple of 64 bytes */
-    /* Level m: (N >> m)^2 texels in tight rows. All levels of a map, or none. */
+    /* Level m: (N >> m)^2 texels in tight rows, at a multiple of 4 bytes. All levels of a map, or none. */
     uint32_t* gradient_rgba8[12];
     uint32_t *slopes_rgba8[12], *moments_rgba8[12];
 } pelagic_texture_targets;
@@ -550,12 +550,12 @@ typedef struct pelagic_local_options {
     int32_t resolution;  /* N, texels along a side; 64, 128, 256, 512 or 1024 */
     int32_t ticks_per_s; /* [10, 240] */
     double side_m;         /* [1, 10000] */
-    double border_m;       /* of each side, where waves end; 0: none, waves come round; at most a quarter of the side */
+    double border_m;       /* of each side, where waves end; 0: none, waves come round, else [0.001, side_m / 4] */
     double depth_m;        /* spectral; [0.01, 11000] */
     double viscosity_m2ps; /* spectral: of eddies; amplitudes of the wave number k lose 2 k^2 of it a second; [0, 1] */
     double wave_speed_mps; /* Verlet; (0, 1000] */
     double decay_per_s;    /* of amplitudes; [0, 10] */
-    double foam_height_m;  /* water that stands higher turns white; (0, 100] */
+    double foam_height_m;  /* water that stands higher turns white; [0.001, 100] */
 } pelagic_local_options;
 
 /* Sets every field but struct_size: spectral, 256 texels on 64 m, 60 ticks a second. */
@@ -579,8 +579,8 @@ typedef struct pelagic_disturbance {
     int32_t mode;      /* PELAGIC_DISTURB_... */
     uint32_t reserved; /* 0 */
     double x_m, z_m;     /* in the world; [-1e8, 1e8] */
-    double radius_m;     /* of a hull half its beam; (0, 1000] */
-    double length_m;     /* of a hull half its length; (0, 1000] */
+    double radius_m;     /* of a hull half its beam; [0.001, 1000] */
+    double length_m;     /* of a hull half its length; [0.001, 1000] */
     double heading_rad;  /* of a hull's length, from +x towards +z; [-2 pi, 2 pi] */
     double height_m;     /* [-100, 100] */
     double rate_per_s;   /* of a pull; (0, 1000] */
@@ -613,7 +613,7 @@ typedef struct pelagic_rain {
     uint32_t struct_size;
     uint32_t seed;
     double drops_per_m2_s; /* on the mean; 0: no rain. At most as many as put 16 on a texel in a tick */
-    double radius_m;       /* (0, side_m / 16]; what is narrower than a texel is drawn a texel wide, and flatter */
+    double radius_m;       /* [0.001, side_m / 16]; what is narrower than a texel is drawn a texel wide, and flatter */
     double height_m;       /* how deep a crater is; [-10, 10] */
 } pelagic_rain;
 
@@ -663,7 +663,7 @@ typedef struct pelagic_shore_options {
     const float* heights_m; /* columns * rows, above rest, [-11000, 9000]; sample (i, j) is element j * columns + i. Read before the
                              * call returns */
     double corner_x_m, corner_z_m; /* where sample (0, 0) stands; [-1e8, 1e8] */
-    double metres_a_sample;        /* between neighbours; (0, 10000] */
+    double metres_a_sample;        /* between neighbours; [0.001, 10000] */
     double fade_m;  /* along the edges, where the tiles give way; 0: an eighth of the shorter side; at most half of it */
     double swash_m; /* waves reach so high on dry sand at most; [0, 10] */
 } pelagic_shore_options;

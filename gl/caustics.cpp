@@ -72,7 +72,7 @@ double blur_of(const Frame& frame, const Tile& tile, double depth_m) {
 }  // namespace
 
 std::string check(const CausticsOptions& options) {
-    if (!(options.depth_m > 0 && options.depth_m <= 1000)) return refusal("depth_m", options.depth_m, "(0, 1000]");
+    if (!(options.depth_m >= 0.001 && options.depth_m <= 1000)) return refusal("depth_m", options.depth_m, "[0.001, 1000]");
     if (!(std::abs(glm::length(options.sun) - 1) < 1e-3f))
         return refusal("sun", glm::length(options.sun), "a unit vector");
     return {};

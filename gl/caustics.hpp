@@ -24,7 +24,7 @@
 namespace pelagic::gl {
 
 struct CausticsOptions {
-    double depth_m = 6;      ///< of the plane below rest; (0, 1000]
+    double depth_m = 6;      ///< of the plane below rest; [0.001, 1000]
     glm::vec3 sun{0, 1, 0};  ///< towards it, a unit vector; lower than 6 degrees it counts as that high
 };
 

@@ -28,8 +28,8 @@ std::string check(const SeaFloor& floor) {
     if (floor.columns < 2 || floor.columns > SeaFloor::most_samples_a_side)
         return refusal("columns", floor.columns, sides);
     if (floor.rows < 2 || floor.rows > SeaFloor::most_samples_a_side) return refusal("rows", floor.rows, sides);
-    if (!(floor.metres_a_texel > 0 && floor.metres_a_texel <= 1e4))
-        return refusal("metres_a_texel", floor.metres_a_texel, "(0, 10000]");
+    if (!(floor.metres_a_texel >= 0.001 && floor.metres_a_texel <= 1e4))
+        return refusal("metres_a_texel", floor.metres_a_texel, "[0.001, 10000]");
     if (floor.heights_m.size() != static_cast<std::size_t>(floor.columns) * floor.rows)
         return refusal("heights_m.size()", floor.heights_m.size(), "columns * rows");
     for (const float height : floor.heights_m)

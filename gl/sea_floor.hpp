@@ -21,7 +21,7 @@ struct SeaFloor {
     std::vector<float> heights_m = {};
     glm::dvec2 corner_m{};  ///< world x and z of sample (0, 0)
     double metres_a_texel =
-        1;  ///< between neighbouring samples; (0, 10000]. Beyond its edges the floor goes on as high as they are.
+        1;  ///< between neighbouring samples; [0.001, 10000]. Beyond its edges the floor goes on as high as they are.
     bool is_sand = true;                    ///< with ripples, darker where it is wet; else of an even albedo
     glm::vec3 albedo{0.35f, 0.31f, 0.25f};  ///< of what is not sand; [0, 1]
 

@@ -24,8 +24,8 @@ struct Disturbance {
     Shape shape = Shape::gauss;
     Mode mode = Mode::press;
     double x_m = 0, z_m = 0;  ///< in the world, when it is given; [-1e8, 1e8]
-    double radius_m = 1;      ///< of a hull half its beam; (0, 1000]
-    double length_m = 1;      ///< of a hull half its length; (0, 1000]
+    double radius_m = 1;      ///< of a hull half its beam; [0.001, 1000]
+    double length_m = 1;      ///< of a hull half its length; [0.001, 1000]
     double heading_rad = 0;   ///< of a hull's length, from +x towards +z; [-2 pi, 2 pi]
     double height_m = 0;      ///< [-100, 100]
     double rate_per_s = 10;   ///< of a pull; (0, 1000]
@@ -36,7 +36,7 @@ struct Disturbance {
 /// The shape itself, metres above rest at a place of the world: what a press that rests makes of still water.
 double shape_at(const Disturbance& disturbance, double x_m, double z_m);
 
-/// Empty, or what is wrong: "radius_m is 0, needs (0, 1000]".
+/// Empty, or what is wrong: "radius_m is 0, needs [0.001, 1000]".
 std::string check(const Disturbance& disturbance);
 
 }  // namespace pelagic

@@ -17,14 +17,14 @@ constexpr std::array fields = {
                                     "64, 128, 256, 512 or 1024", Among::powers_of_two},
     NumericField<LocalWaterOptions>{"side_m", &LocalWaterOptions::side_m, 1, 10000, "[1, 10000]"},
     NumericField<LocalWaterOptions>{"ticks_per_s", &LocalWaterOptions::ticks_per_s, 10, 240, "[10, 240]"},
-    NumericField<LocalWaterOptions>{"border_m", &LocalWaterOptions::border_m, 0, 2500, "[0, side_m / 4]"},
+    NumericField<LocalWaterOptions>{"border_m", &LocalWaterOptions::border_m, 0.001, 2500,
+                                    "[0.001, side_m / 4], or 0: none", Among::all, 0},
     NumericField<LocalWaterOptions>{"depth_m", &LocalWaterOptions::depth_m, 0.01, 11000, "[0.01, 11000]"},
     NumericField<LocalWaterOptions>{"viscosity_m2ps", &LocalWaterOptions::viscosity_m2ps, 0, 1, "[0, 1]"},
     NumericField<LocalWaterOptions>{"wave_speed_mps", &LocalWaterOptions::wave_speed_mps, 0, 1000, "(0, 1000]",
                                     Among::above_least},
     NumericField<LocalWaterOptions>{"decay_per_s", &LocalWaterOptions::decay_per_s, 0, 10, "[0, 10]"},
-    NumericField<LocalWaterOptions>{"foam_height_m", &LocalWaterOptions::foam_height_m, 0, 100, "(0, 100]",
-                                    Among::above_least},
+    NumericField<LocalWaterOptions>{"foam_height_m", &LocalWaterOptions::foam_height_m, 0.001, 100, "[0.001, 100]"},
 };
 
 /// Texels of a frame's window, with their neighbours.

@@ -17,7 +17,7 @@ struct ShoreOptions {
     int columns = 0, rows = 0;
     std::vector<float> heights_m = {};
     double corner_x_m = 0, corner_z_m = 0;  ///< [-1e8, 1e8]
-    double metres_a_sample = 1;             ///< (0, 10000]
+    double metres_a_sample = 1;             ///< [0.001, 10000]
 
     int resolution = 256;  ///< texels along the longer side of what frames show; 64, 128, 256, 512 or 1024
     /// Along the field's edges, where the tiles give way to waves that feel the floor; 0: an eighth of its shorter side. [0, half of it]

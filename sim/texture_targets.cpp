@@ -7,23 +7,33 @@
 namespace pelagic {
 namespace {
 
+bool is_multiple_of(std::size_t bytes, const void* address) {
+    return reinterpret_cast<std::uintptr_t>(address) % bytes == 0;
+}
+
+std::string no_multiple_of(std::size_t bytes) { return "at an address that is no multiple of " + number_text(bytes); }
+
 std::string check_chain(std::string_view name, const TextureTargets::Chain& chain, int levels, bool is_there,
                         std::string_view part) {
     bool is_wanted = false;
     for (const std::uint32_t* level : chain) is_wanted |= level != nullptr;
     if (!is_wanted) return {};
     if (!is_there) return std::string(name) + " is wanted, needs an ocean with " + std::string(part);
-    for (int level = 0; level < levels; ++level)
-        if (!chain[static_cast<std::size_t>(level)])
+    for (int level = 0; level < levels; ++level) {
+        const std::uint32_t* texels = chain[static_cast<std::size_t>(level)];
+        if (!texels)
             return std::string(name) + " lacks level " + number_text(level) + ", needs " + number_text(levels) +
                    " levels";
+        if (!is_multiple_of(alignof(std::uint32_t), texels))
+            return "level " + number_text(level) + " of " + std::string(name) + " is " +
+                   no_multiple_of(alignof(std::uint32_t));
+    }
     return {};
 }
 
 std::string check_tile(const TextureTargets& targets, int resolution, const FrameContents& contents) {
-    if (reinterpret_cast<std::uintptr_t>(targets.displacement_rgba16f) % TextureTargets::alignment != 0)
-        return "displacement_rgba16f is at an address that is no multiple of " +
-               number_text(TextureTargets::alignment);
+    if (!is_multiple_of(TextureTargets::alignment, targets.displacement_rgba16f))
+        return "displacement_rgba16f is " + no_multiple_of(TextureTargets::alignment);
     struct Chain {
         std::string_view name;
         const TextureTargets::Chain& levels;

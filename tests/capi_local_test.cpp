@@ -125,7 +125,7 @@ TEST_F(CInterfaceLocal, Rains) {
     const COcean ocean = answering();
     rain.radius_m = 3;
     expect_refused(pelagic_ocean_set_rain(ocean.get(), &rain), PELAGIC_INVALID_ARGUMENT,
-                   "radius_m is 3, needs (0, 2], to a 16th of side_m");
+                   "radius_m is 3, needs [0.001, 2], to a 16th of side_m");
     rain.radius_m = 0.6, rain.height_m = 11;
     expect_refused(pelagic_ocean_set_rain(ocean.get(), &rain), PELAGIC_INVALID_ARGUMENT,
                    "height_m is 11, needs [-10, 10]");
@@ -184,7 +184,7 @@ TEST_F(CInterfaceLocal, RefusesWhatItCantTake) {
     EXPECT_EQ(pelagic_ocean_disturb(without.get(), &wrong), PELAGIC_INVALID_ARGUMENT);
     wrong.radius_m = 0;
     expect_refused(pelagic_ocean_disturb(with.get(), &wrong), PELAGIC_INVALID_ARGUMENT,
-                   "radius_m is 0, needs (0, 1000]");
+                   "radius_m is 0, needs [0.001, 1000]");
     wrong = drop();
     wrong.mode = 3;
     expect_refused(pelagic_ocean_disturb(with.get(), &wrong), PELAGIC_INVALID_ARGUMENT,

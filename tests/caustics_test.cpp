@@ -139,7 +139,7 @@ TEST(Caustics, ComeFromTheTileWhoseWavesFocusThere) {
     }
     EXPECT_GT(side_before_m, frame.tiles.back().lattice.side_m);
     EXPECT_THROW(baker.schedule(frame, {.depth_m = 0}), std::invalid_argument);
-    EXPECT_EQ(gl::check(gl::CausticsOptions{.depth_m = -1}), "depth_m is -1, needs (0, 1000]");
+    EXPECT_EQ(gl::check(gl::CausticsOptions{.depth_m = -1}), "depth_m is -1, needs [0.001, 1000]");
 }
 
 TEST(SeaFloor, SaysWhatIsWrongWithIt) {

@@ -370,7 +370,7 @@ TEST_F(ExportEvents, AreRefusedWithTheLineAndTheColumn) {
         {"time,x,z,x,radius,strength\n", ":1: a column's name is x, needs each column once"},
         {start + ",speed\n", ":1: a column's name is speed, needs time"},
         {start + "\n\n0,0,0,1\n", ":3: the number of columns is 4, needs 5"},
-        {start + "\n0,0,0,0,1\n", ":2: radius is 0, needs metres in (0, 1000]"},
+        {start + "\n0,0,0,0,1\n", ":2: radius is 0, needs metres in [0.001, 1000]"},
         {start + "\n0,nan,0,1,1\n", ":2: x is nan, needs metres in"},
         {start + "\n2e9,0,0,1,1\n", ":2: time is 2e9, needs seconds in"},
         {start + "\n0,0,0,1,1e3\n", ":2: strength is 1e3, needs metres in [-100, 100]"},

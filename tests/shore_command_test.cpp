@@ -101,7 +101,7 @@ TEST(ShoreCommand, NamesWhatAShoreNeeds) {
          "pelagic: --floor is reef.jpg, needs a PNG or EXR image, each side from 2 to 4096 pixels\n"},
         {{"--floor", file, "--floor-size", "1e6", "--shore"},
          "pelagic: --floor is " + file +
-             ", needs heights in metres (metres_a_sample is 41666.666666666664, needs (0, 10000])\n"},
+             ", needs heights in metres (metres_a_sample is 41666.666666666664, needs [0.001, 10000])\n"},
         {{"--floor", file, "--shore", "--patch-size", "250"},
          "pelagic: --cascades is 1, needs 2 to 4 where there is a shore, which takes the coarsest tile's waves\n"},
         {{"--floor", file, "--shore", "--waves", "exp-sine"},

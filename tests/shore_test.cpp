@@ -321,7 +321,7 @@ TEST(Shore, RefusesWhatItCantBe) {
               "heights_m is 1e+30, needs [-11000, 9000]");
     EXPECT_EQ(refused([=](ShoreOptions& shore) { shore.corner_x_m = nan; }), "corner_x_m is nan, needs [-1e8, 1e8]");
     EXPECT_EQ(refused([](ShoreOptions& shore) { shore.metres_a_sample = 0; }),
-              "metres_a_sample is 0, needs (0, 10000]");
+              "metres_a_sample is 0, needs [0.001, 10000]");
     EXPECT_EQ(refused([](ShoreOptions& shore) { shore.resolution = 100; }),
               "resolution is 100, needs 64, 128, 256, 512 or 1024");
     EXPECT_EQ(refused([](ShoreOptions& shore) { shore.fade_m = 151; }),

@@ -4,6 +4,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "pelagic/sim/ocean.hpp"
@@ -145,6 +146,18 @@ TEST(TextureTargets, AreRefusedInOneLineBeforeAnythingIsComputed) {
     EXPECT_EQ(refusal_of(ocean, two), "there are targets of 2 tiles, needs 1");
     TextureTargets odd{.displacement_rgba16f = whole.displacement_rgba16f + 4};
     EXPECT_EQ(refusal_of(ocean, {&odd, 1}), "displacement_rgba16f is at an address that is no multiple of 64");
+    Ocean with_slopes({.resolution = n, .patch_size_m = 130}, {.executor = make_serial_executor(), .slopes = true});
+    for (const std::size_t bytes : {1, 2, 3})
+        for (const std::size_t level : {0, 2})
+            for (const auto& [name, chain] : {std::pair{"gradient_rgba8", &TextureTargets::gradient_rgba8},
+                                              std::pair{"slopes_rgba8", &TextureTargets::slopes_rgba8},
+                                              std::pair{"moments_rgba8", &TextureTargets::moments_rgba8}}) {
+                TextureTargets off = memory.targets();
+                std::uint32_t*& texels = (off.*chain)[level];
+                texels = reinterpret_cast<std::uint32_t*>(reinterpret_cast<std::uintptr_t>(texels) + bytes);
+                EXPECT_EQ(refusal_of(with_slopes, {&off, 1}), "level " + std::to_string(level) + " of " + name +
+                                                                  " is at an address that is no multiple of 4");
+            }
     TextureTargets torn{.gradient_rgba8 = whole.gradient_rgba8};
     torn.gradient_rgba8[3] = nullptr;
     EXPECT_EQ(refusal_of(ocean, {&torn, 1}), "gradient_rgba8 lacks level 3, needs 6 levels");

@@ -50,8 +50,8 @@ std::array<std::int64_t, 2> cells_reaching(std::int64_t first, std::int64_t end,
 std::string check(const Rain& rain, const LocalWaterOptions& water) {
     if (rain.drops_per_m2_s == 0) return {};  // of no rain nothing else counts
     const double widest = water.side_m / 16;
-    if (!(rain.radius_m > 0 && rain.radius_m <= widest))
-        return refusal("radius_m", rain.radius_m, "(0, " + number_text(widest) + "], to a 16th of side_m");
+    if (!(rain.radius_m >= 0.001 && rain.radius_m <= widest))
+        return refusal("radius_m", rain.radius_m, "[0.001, " + number_text(widest) + "], to a 16th of side_m");
     if (!(rain.height_m >= -10 && rain.height_m <= 10)) return refusal("height_m", rain.height_m, "[-10, 10]");
     const double most = most_drops(rain, water);
     if (!(rain.drops_per_m2_s >= 0 && rain.drops_per_m2_s <= most))

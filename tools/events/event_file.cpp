@@ -36,12 +36,12 @@ constexpr std::array<ColumnRule, 10> rules = {{
     {Column::time, "time", true, -1e9, 1e9, "seconds in [-1e9, 1e9]"},
     {Column::x, "x", true, -1e8, 1e8, "metres in [-1e8, 1e8]"},
     {Column::z, "z", true, -1e8, 1e8, "metres in [-1e8, 1e8]"},
-    {Column::radius, "radius", true, 0, 1000, "metres in (0, 1000]"},
+    {Column::radius, "radius", true, 0.001, 1000, "metres in [0.001, 1000]"},
     {Column::strength, "strength", true, -100, 100, "metres in [-100, 100]"},
     {Column::velocity, "velocity", false, -1000, 1000, "metres a second in [-1000, 1000]"},
     {Column::heading, "heading", false, -360, 360, "degrees in [-360, 360]"},
     {Column::duration, "duration", false, 0, EventFile::longest_s, "seconds in [0, 86400]"},
-    {Column::length, "length", false, 0, 1000, "metres in [0, 1000], 0 for what is round"},
+    {Column::length, "length", false, 0.001, 1000, "metres in [0.001, 1000], or 0 for what is round"},
     {Column::mode, "mode", false, 0, 0, "add, press or pull"},
 }};
 
@@ -109,7 +109,8 @@ class EventReader {
 
     double number(const ColumnRule& rule, const std::string& cell) const {
         const auto value = parse_number(cell);
-        if (!value || *value < rule.least || *value > rule.most || (rule.column == Column::radius && *value == 0))
+        const bool is_round = value && *value == 0 && rule.column == Column::length;
+        if (!value || !(is_round || (*value >= rule.least && *value <= rule.most)))
             refuse(rule.name, cell, rule.accepted);
         return *value;
     }

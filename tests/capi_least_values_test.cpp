@@ -1,0 +1,535 @@
+// Every number that a struct of the C interface takes, as small as doubles and floats go: refused in one line that names it, or
+// what follows is finite.
+#include <array>
+#include <cmath>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "pelagic/tests/capi_sea.hpp"
+
+namespace pelagic {
+namespace {
+
+/// The least double, one whose square is 0, the least float, one whose square is 0 as a float, and one below 0.
+constexpr std::array least_values = {5e-324, 1e-300, 1.4e-45, 1e-30, -5e-324};
+
+template <class Struct>
+struct Named {
+    const char* name;
+    double Struct::*member;
+};
+
+/// Empty, or the first thing that is not finite.
+class Findings {
+   public:
+    void number(const char* name, double value) {
+        if (!std::isfinite(value) && what_.empty()) what_ = std::string(name) + " is " + std::to_string(value);
+    }
+    void floats(const char* name, const float* values, std::size_t count) {
+        for (std::size_t i = 0; values && i < count; ++i) number(name, static_cast<double>(values[i]));
+    }
+    void halves(const char* name, const std::uint16_t* values, std::size_t count) {
+        for (std::size_t i = 0; values && i < count; ++i)
+            if ((values[i] & 0x7c00) == 0x7c00) number(name, INFINITY);
+    }
+    void plane(const char* name, const pelagic_plane& plane) {
+        for (int j = 0; plane.data && j < plane.resolution; ++j)
+            for (int i = 0; i < plane.resolution; ++i) number(name, static_cast<double>(texel_of(plane, i, j)));
+    }
+    void bounds(const pelagic_bounds& bounds) {
+        for (const float bound :
+             {bounds.height_min_m, bounds.height_max_m, bounds.sideways_x_max_m, bounds.sideways_z_max_m})
+            number("bound", static_cast<double>(bound));
+    }
+    const std::string& what() const { return what_; }
+
+   private:
+    std::string what_;
+};
+
+void look_at(const pelagic_tile& tile, Findings& found) {
+    const auto texels = static_cast<std::size_t>(tile.resolution) * static_cast<std::size_t>(tile.resolution);
+    for (const pelagic_plane* plane :
+         {&tile.dx, &tile.height, &tile.dz, &tile.velocity_x, &tile.velocity_y, &tile.velocity_z})
+        found.plane("plane", *plane);
+    found.halves("half", tile.displacement_rgba16f, 4 * texels);
+    found.bounds(tile.bounds);
+    found.number("side_m", tile.side_m);
+    for (const float number : {tile.slope_range, tile.variance_range, tile.whitecap_jacobian, tile.whitecap_ramp})
+        found.number("figure of a tile", static_cast<double>(number));
+}
+
+void look_at(const pelagic_local_surface& local, Findings& found) {
+    const auto texels = static_cast<std::size_t>(local.resolution) * static_cast<std::size_t>(local.resolution);
+    found.floats("local height", local.height_m, texels);
+    found.floats("local rise", local.rise_mps, texels);
+    found.number("local texel", local.texel_m);
+    found.number("local bound", static_cast<double>(local.height_min_m));
+    found.number("local bound", static_cast<double>(local.height_max_m));
+}
+
+void look_at(const pelagic_shore_surface& shore, Findings& found) {
+    const auto texels = static_cast<std::size_t>(shore.columns) * static_cast<std::size_t>(shore.rows);
+    found.floats("shore depth", shore.depth_m, texels);
+    found.floats("shore height", shore.height_m, texels);
+    found.floats("shore rise", shore.rise_mps, texels);
+    found.floats("shore reach", shore.reach_m, texels);
+    found.number("shore texel", shore.texel_m);
+    found.number("parts_change_per_m", static_cast<double>(shore.parts_change_per_m));
+}
+
+/// Frames at some times, all that they show, and queries of them.
+std::string first_unusual(pelagic_ocean* ocean, const pelagic_ocean_options& options) {
+    Findings found;
+    for (const double time_s : {0.0, 0.02, 0.3, 1.1}) {
+        auto frame = sized<pelagic_frame>();
+        if (pelagic_ocean_schedule(ocean, time_s) != PELAGIC_OK ||
+            pelagic_ocean_complete(ocean, &frame) != PELAGIC_OK)
+            return std::string("a frame failed: ") + pelagic_last_error();
+        found.bounds(frame.bounds);
+        found.number("roughness", static_cast<double>(frame.roughness));
+        found.number("foam_drift_x_mps", frame.foam_drift_x_mps);
+        found.number("foam_drift_z_mps", frame.foam_drift_z_mps);
+        for (int i = 0; i < frame.tile_count; ++i) {
+            auto tile = sized<pelagic_tile>();
+            EXPECT_EQ(pelagic_ocean_tile(ocean, i, &tile), PELAGIC_OK);
+            look_at(tile, found);
+        }
+        if (options.local) {
+            auto local = sized<pelagic_local_surface>();
+            EXPECT_EQ(pelagic_ocean_local(ocean, &local), PELAGIC_OK);
+            look_at(local, found);
+        }
+        if (options.shore) {
+            auto shore = sized<pelagic_shore_surface>();
+            EXPECT_EQ(pelagic_ocean_shore(ocean, &shore), PELAGIC_OK);
+            look_at(shore, found);
+        }
+        const std::array<double, 3> x = {0, 7.3, -41}, z = {0, -3.1, 55};
+        std::array<std::array<float, 3>, 8> out{};
+        std::array<std::uint8_t, 3> converged{};
+        auto points = sized<pelagic_points>();
+        points.count = x.size();
+        points.x = x.data();
+        points.z = z.data();
+        auto samples = sized<pelagic_samples>();
+        samples.height_m = out[0].data();
+        samples.normal_x = out[1].data();
+        samples.normal_y = out[2].data();
+        samples.normal_z = out[3].data();
+        samples.jacobian = out[4].data();
+        samples.velocity_x_mps = out[5].data();
+        samples.velocity_y_mps = out[6].data();
+        samples.velocity_z_mps = out[7].data();
+        samples.converged = converged.data();
+        EXPECT_EQ(pelagic_ocean_query(ocean, &points, &samples), PELAGIC_OK) << pelagic_last_error();
+        for (const auto& values : out) found.floats("sample", values.data(), values.size());
+    }
+    return found.what();
+}
+
+void expect_refused(pelagic_status status, const std::string& what, const char* name) {
+    const std::string line = pelagic_last_error();
+    EXPECT_EQ(status, PELAGIC_INVALID_ARGUMENT) << what << ": " << line;
+    EXPECT_NE(line.find(name), std::string::npos) << what << ": " << line;
+    EXPECT_NE(line.find(", needs "), std::string::npos) << what << ": " << line;
+}
+
+using Make = std::function<pelagic_status(pelagic_ocean** ocean)>;
+
+/// \pre `options` are what make() takes
+void expect_refused_or_finite(const std::string& what, const char* name, const pelagic_ocean_options& options,
+                              const Make& make) {
+    pelagic_ocean* made = nullptr;
+    const pelagic_status status = make(&made);
+    const COcean ocean(made);
+    if (status != PELAGIC_OK) return expect_refused(status, what, name);
+    EXPECT_EQ(first_unusual(ocean.get(), options), "") << what;
+}
+
+/// Each field with each of the least values, others as they are.
+template <class Struct, std::size_t count, class Try>
+void walk(const Struct& all, const Named<Struct> (&fields)[count], const std::string& which, Try attempt) {
+    for (const auto& field : fields)
+        for (const double value : least_values) {
+            Struct changed = all;
+            changed.*field.member = value;
+            char text[40];
+            std::snprintf(text, sizeof text, "%g", value);
+            attempt(changed, which + ": " + field.name + " = " + text, field.name);
+        }
+}
+
+pelagic_ocean_options all_options() {
+    static const COceanExecutor serial = executor_of(PELAGIC_EXECUTOR_SERIAL);
+    auto options = sized<pelagic_ocean_options>();
+    options.executor = serial.get();
+    options.queries = options.velocities = options.slopes = options.gradients = options.foam = 1;
+    return options;
+}
+
+constexpr Named<pelagic_sea> sea_fields[] = {{"patch_size_m", &pelagic_sea::patch_size_m},
+                                             {"wind_speed_mps", &pelagic_sea::wind_speed_mps},
+                                             {"wind_direction_rad", &pelagic_sea::wind_direction_rad},
+                                             {"fetch_m", &pelagic_sea::fetch_m},
+                                             {"depth_m", &pelagic_sea::depth_m},
+                                             {"choppiness", &pelagic_sea::choppiness},
+                                             {"roughness", &pelagic_sea::roughness},
+                                             {"small_waves", &pelagic_sea::small_waves},
+                                             {"alignment", &pelagic_sea::alignment},
+                                             {"loop_period_s", &pelagic_sea::loop_period_s},
+                                             {"swell_height_m", &pelagic_sea::swell_height_m},
+                                             {"swell_period_s", &pelagic_sea::swell_period_s},
+                                             {"swell_direction_rad", &pelagic_sea::swell_direction_rad},
+                                             {"swell_spread_rad", &pelagic_sea::swell_spread_rad},
+                                             {"longest_wave_m", &pelagic_sea::longest_wave_m},
+                                             {"shortest_wave_m", &pelagic_sea::shortest_wave_m},
+                                             {"wave_strength", &pelagic_sea::wave_strength},
+                                             {"wave_height_m", &pelagic_sea::wave_height_m},
+                                             {"wave_drag", &pelagic_sea::wave_drag}};
+
+struct Kind {
+    const char* name;
+    std::int32_t waves, spectrum, spreading;
+    bool has_side = false;  ///< of its one tile
+    double swell_height_m = 0;
+};
+constexpr Kind kinds[] = {
+    {"jonswap", PELAGIC_WAVES_SPECTRUM, PELAGIC_SPECTRUM_JONSWAP, PELAGIC_SPREADING_HASSELMANN, false, 1.5},
+    {"pierson-moskowitz", PELAGIC_WAVES_SPECTRUM, PELAGIC_SPECTRUM_PIERSON_MOSKOWITZ, PELAGIC_SPREADING_COSINE_2S},
+    {"phillips", PELAGIC_WAVES_SPECTRUM, PELAGIC_SPECTRUM_PHILLIPS, PELAGIC_SPREADING_DONELAN_BANNER, true},
+    {"phillips-paper", PELAGIC_WAVES_SPECTRUM, PELAGIC_SPECTRUM_PHILLIPS_PAPER, PELAGIC_SPREADING_PAPER, true},
+    {"analytic", PELAGIC_WAVES_ANALYTIC, PELAGIC_SPECTRUM_JONSWAP, PELAGIC_SPREADING_PAPER},
+    {"exp-sine", PELAGIC_WAVES_EXP_SINE, PELAGIC_SPECTRUM_JONSWAP, PELAGIC_SPREADING_PAPER}};
+
+pelagic_sea sea_of(const Kind& kind) {
+    auto sea = sized<pelagic_sea>();
+    EXPECT_EQ(pelagic_sea_defaults(&sea), PELAGIC_OK);
+    sea.waves = kind.waves;
+    sea.spectrum = kind.spectrum;
+    sea.spreading = kind.spreading;
+    sea.swell_height_m = kind.swell_height_m;
+    sea.resolution = 32;
+    if (kind.has_side) sea.patch_size_m = 100;
+    return sea;
+}
+
+pelagic_sea two_tiles() { return stack_sea(2); }
+
+TEST(CInterfaceLeastValues, OfASea) {
+    const pelagic_ocean_options options = all_options();
+    for (const Kind& kind : kinds)
+        walk(sea_of(kind), sea_fields, kind.name,
+             [&](const pelagic_sea& sea, const std::string& what, const char* name) {
+                 expect_refused_or_finite(what, name, options, [&](pelagic_ocean** ocean) {
+                     return pelagic_ocean_create(&sea, &options, ocean);
+                 });
+             });
+}
+
+TEST(CInterfaceLeastValues, OfTheQueriesTolerance) {
+    constexpr Named<pelagic_ocean_options> fields[] = {
+        {"query_tolerance_m", &pelagic_ocean_options::query_tolerance_m}};
+    const pelagic_sea sea = two_tiles();
+    walk(all_options(), fields, "options",
+         [&](const pelagic_ocean_options& options, const std::string& what, const char* name) {
+             expect_refused_or_finite(what, name, options, [&](pelagic_ocean** ocean) {
+                 return pelagic_ocean_create(&sea, &options, ocean);
+             });
+         });
+}
+
+TEST(CInterfaceLeastValues, OfAChange) {
+    constexpr Named<pelagic_change> fields[] = {{"from_s", &pelagic_change::from_s},
+                                                {"over_s", &pelagic_change::over_s},
+                                                {"swell_from_m", &pelagic_change::swell_from_m}};
+    const pelagic_ocean_options options = all_options();
+    const pelagic_sea first = two_tiles();
+    pelagic_sea later = first;
+    later.wind_direction_rad = 1;
+    later.swell_height_m = 1;
+    auto usual = sized<pelagic_change>();
+    usual.sea = &later;
+    usual.from_s = 0.1;
+    usual.over_s = 1;
+    const auto of_forecast = [&](const pelagic_forecast& forecast, const std::string& what, const char* name) {
+        expect_refused_or_finite(what, name, options, [&](pelagic_ocean** ocean) {
+            return pelagic_ocean_create_forecast(&forecast, &options, ocean);
+        });
+    };
+    auto forecast = sized<pelagic_forecast>();
+    forecast.first = &first;
+    forecast.change_count = 1;
+    walk(usual, fields, "change", [&](const pelagic_change& change, const std::string& what, const char* name) {
+        forecast.changes = &change;
+        of_forecast(forecast, what, name);
+    });
+    forecast.changes = &usual;
+    constexpr Named<pelagic_forecast> peak[] = {{"largest_peak_m", &pelagic_forecast::largest_peak_m}};
+    walk(forecast, peak, "forecast", of_forecast);
+}
+
+pelagic_local_options local_options(std::int32_t step) {
+    auto local = sized<pelagic_local_options>();
+    EXPECT_EQ(pelagic_local_defaults(&local), PELAGIC_OK);
+    local.resolution = 64;
+    local.step = step;
+    return local;
+}
+
+pelagic_disturbance splash(std::int32_t mode, std::int32_t shape) {
+    auto disturbance = sized<pelagic_disturbance>();
+    EXPECT_EQ(pelagic_disturbance_defaults(&disturbance), PELAGIC_OK);
+    disturbance.mode = mode;
+    disturbance.shape = shape;
+    disturbance.radius_m = 3;
+    disturbance.length_m = 5;
+    disturbance.height_m = 0.3;
+    return disturbance;
+}
+
+constexpr std::int32_t steps[] = {PELAGIC_LOCAL_SPECTRAL, PELAGIC_LOCAL_VERLET};
+
+TEST(CInterfaceLeastValues, OfWaterThatAnswers) {
+    constexpr Named<pelagic_local_options> fields[] = {{"side_m", &pelagic_local_options::side_m},
+                                                       {"border_m", &pelagic_local_options::border_m},
+                                                       {"depth_m", &pelagic_local_options::depth_m},
+                                                       {"viscosity_m2ps", &pelagic_local_options::viscosity_m2ps},
+                                                       {"wave_speed_mps", &pelagic_local_options::wave_speed_mps},
+                                                       {"decay_per_s", &pelagic_local_options::decay_per_s},
+                                                       {"foam_height_m", &pelagic_local_options::foam_height_m}};
+    const pelagic_sea sea = two_tiles();
+    const pelagic_disturbance push = splash(PELAGIC_DISTURB_PRESS, PELAGIC_SHAPE_GAUSS);
+    for (const std::int32_t step : steps)
+        walk(local_options(step), fields, step == PELAGIC_LOCAL_VERLET ? "Verlet" : "spectral",
+             [&](const pelagic_local_options& local, const std::string& what, const char* name) {
+                 pelagic_ocean_options options = all_options();
+                 options.local = &local;
+                 expect_refused_or_finite(what, name, options, [&](pelagic_ocean** ocean) {
+                     const pelagic_status status = pelagic_ocean_create(&sea, &options, ocean);
+                     return status == PELAGIC_OK ? pelagic_ocean_disturb(*ocean, &push) : status;
+                 });
+             });
+}
+
+TEST(CInterfaceLeastValues, OfADisturbance) {
+    constexpr Named<pelagic_disturbance> fields[] = {{"x_m", &pelagic_disturbance::x_m},
+                                                     {"z_m", &pelagic_disturbance::z_m},
+                                                     {"radius_m", &pelagic_disturbance::radius_m},
+                                                     {"length_m", &pelagic_disturbance::length_m},
+                                                     {"heading_rad", &pelagic_disturbance::heading_rad},
+                                                     {"height_m", &pelagic_disturbance::height_m},
+                                                     {"rate_per_s", &pelagic_disturbance::rate_per_s},
+                                                     {"velocity_x_mps", &pelagic_disturbance::velocity_x_mps},
+                                                     {"velocity_z_mps", &pelagic_disturbance::velocity_z_mps}};
+    const pelagic_sea sea = two_tiles();
+    for (const std::int32_t step : steps) {
+        const pelagic_local_options local = local_options(step);
+        pelagic_ocean_options options = all_options();
+        options.local = &local;
+        const COcean ocean = ocean_of(sea, options);
+        for (const std::int32_t mode : {PELAGIC_DISTURB_PRESS, PELAGIC_DISTURB_PULL, PELAGIC_DISTURB_ADD})
+            for (const std::int32_t shape : {PELAGIC_SHAPE_GAUSS, PELAGIC_SHAPE_HULL})
+                walk(splash(mode, shape), fields,
+                     "step " + std::to_string(step) + ", mode " + std::to_string(mode) + ", shape " +
+                         std::to_string(shape),
+                     [&](const pelagic_disturbance& source, const std::string& what, const char* name) {
+                         std::uint32_t number = 0;
+                         const pelagic_status status = pelagic_ocean_add_source(ocean.get(), &source, &number);
+                         if (status != PELAGIC_OK) return expect_refused(status, what, name);
+                         EXPECT_EQ(first_unusual(ocean.get(), options), "") << what;
+                         EXPECT_EQ(pelagic_ocean_remove_source(ocean.get(), number), PELAGIC_OK);
+                     });
+    }
+}
+
+TEST(CInterfaceLeastValues, OfRain) {
+    constexpr Named<pelagic_rain> fields[] = {{"drops_per_m2_s", &pelagic_rain::drops_per_m2_s},
+                                              {"radius_m", &pelagic_rain::radius_m},
+                                              {"height_m", &pelagic_rain::height_m}};
+    const pelagic_sea sea = two_tiles();
+    auto usual = sized<pelagic_rain>();
+    EXPECT_EQ(pelagic_rain_defaults(&usual), PELAGIC_OK);
+    usual.drops_per_m2_s = 1;
+    for (const std::int32_t step : steps) {
+        const pelagic_local_options local = local_options(step);
+        pelagic_ocean_options options = all_options();
+        options.local = &local;
+        const COcean ocean = ocean_of(sea, options);
+        walk(usual, fields, "step " + std::to_string(step),
+             [&](const pelagic_rain& rain, const std::string& what, const char* name) {
+                 const pelagic_status status = pelagic_ocean_set_rain(ocean.get(), &rain);
+                 if (status != PELAGIC_OK) return expect_refused(status, what, name);
+                 EXPECT_EQ(first_unusual(ocean.get(), options), "") << what;
+             });
+    }
+}
+
+TEST(CInterfaceLeastValues, OfAShore) {
+    constexpr Named<pelagic_shore_options> fields[] = {{"corner_x_m", &pelagic_shore_options::corner_x_m},
+                                                       {"corner_z_m", &pelagic_shore_options::corner_z_m},
+                                                       {"metres_a_sample", &pelagic_shore_options::metres_a_sample},
+                                                       {"fade_m", &pelagic_shore_options::fade_m},
+                                                       {"swash_m", &pelagic_shore_options::swash_m}};
+    const pelagic_sea sea = two_tiles();
+    auto usual = sized<pelagic_shore_options>();
+    EXPECT_EQ(pelagic_shore_defaults(&usual), PELAGIC_OK);
+    usual.columns = usual.rows = 17;
+    usual.resolution = 64;
+    usual.metres_a_sample = 10;
+    usual.corner_x_m = usual.corner_z_m = -70;
+    for (const float sign : {1.f, 0.f}) {  // a beach; heights that are least numbers, too
+        std::vector<float> heights;
+        for (int j = 0; j < usual.rows; ++j)
+            for (int i = 0; i < usual.columns; ++i)
+                heights.push_back(sign > 0 ? static_cast<float>(i - 12) : i % 2 ? -1.4e-45f : 1.4e-45f);
+        usual.heights_m = heights.data();
+        walk(usual, fields, sign > 0 ? "beach" : "no depth",
+             [&](const pelagic_shore_options& shore, const std::string& what, const char* name) {
+                 pelagic_ocean_options options = all_options();
+                 options.shore = &shore;
+                 expect_refused_or_finite(what, name, options, [&](pelagic_ocean** ocean) {
+                     return pelagic_ocean_create(&sea, &options, ocean);
+                 });
+             });
+    }
+}
+
+// The least that is accepted is good for frames, too.
+TEST(CInterfaceLeastValues, ThatAreAccepted) {
+    const pelagic_sea sea = two_tiles();
+    std::vector<float> heights(9, -1);
+    heights[4] = 1;
+    auto shore = sized<pelagic_shore_options>();
+    EXPECT_EQ(pelagic_shore_defaults(&shore), PELAGIC_OK);
+    shore.columns = shore.rows = 3;
+    shore.resolution = 64;
+    shore.heights_m = heights.data();
+    shore.metres_a_sample = 0.001;
+    for (const std::int32_t step : steps) {
+        pelagic_local_options local = local_options(step);
+        local.border_m = local.foam_height_m = 0.001;
+        pelagic_ocean_options options = all_options();
+        options.local = &local;
+        options.shore = &shore;
+        const COcean ocean = ocean_of(sea, options);
+        pelagic_disturbance stone = splash(PELAGIC_DISTURB_ADD, PELAGIC_SHAPE_HULL);
+        stone.radius_m = stone.length_m = 0.001;
+        auto rain = sized<pelagic_rain>();
+        EXPECT_EQ(pelagic_rain_defaults(&rain), PELAGIC_OK);
+        rain.drops_per_m2_s = 1;
+        rain.radius_m = 0.001;
+        EXPECT_EQ(pelagic_ocean_disturb(ocean.get(), &stone), PELAGIC_OK) << pelagic_last_error();
+        EXPECT_EQ(pelagic_ocean_set_rain(ocean.get(), &rain), PELAGIC_OK) << pelagic_last_error();
+        EXPECT_EQ(first_unusual(ocean.get(), options), "") << "step " << step;
+    }
+}
+
+/// An ocean with the one input.
+pelagic_status ocean_with(pelagic_status status, pelagic_input* input, const pelagic_ocean_options& options,
+                          pelagic_ocean** ocean) {
+    if (status != PELAGIC_OK) return status;
+    const pelagic_sea sea = two_tiles();
+    pelagic_ocean_options with = options;
+    with.input_count = 1;
+    with.inputs = &input;
+    status = pelagic_ocean_create(&sea, &with, ocean);
+    pelagic_input_destroy(input);
+    return status;
+}
+
+TEST(CInterfaceLeastValues, OfARipple) {
+    constexpr Named<pelagic_ripple> fields[] = {{"x_m", &pelagic_ripple::x_m},
+                                                {"z_m", &pelagic_ripple::z_m},
+                                                {"wavelength_m", &pelagic_ripple::wavelength_m},
+                                                {"amplitude_m", &pelagic_ripple::amplitude_m},
+                                                {"reach_m", &pelagic_ripple::reach_m},
+                                                {"phase_rad", &pelagic_ripple::phase_rad}};
+    auto usual = sized<pelagic_ripple>();
+    usual.wavelength_m = 20;
+    usual.amplitude_m = 0.5;
+    usual.reach_m = 50;
+    const pelagic_ocean_options options = all_options();
+    walk(usual, fields, "ripple", [&](const pelagic_ripple& ripple, const std::string& what, const char* name) {
+        expect_refused_or_finite(what, name, options, [&](pelagic_ocean** ocean) {
+            pelagic_input* input = nullptr;
+            const pelagic_status status = pelagic_input_create_ripple(&ripple, &input);
+            return ocean_with(status, input, options, ocean);
+        });
+    });
+}
+
+struct Wave {
+    double amplitude_m = 0.3, wavelength_m = 20, direction_rad = 1, phase_rad = 1, choppiness = 1;
+};
+
+TEST(CInterfaceLeastValues, OfWaves) {
+    constexpr Named<Wave> fields[] = {{"amplitude_m", &Wave::amplitude_m},
+                                      {"wavelength_m", &Wave::wavelength_m},
+                                      {"direction_rad", &Wave::direction_rad},
+                                      {"phase_rad", &Wave::phase_rad},
+                                      {"choppiness", &Wave::choppiness}};
+    const pelagic_ocean_options options = all_options();
+    walk(Wave(), fields, "waves", [&](const Wave& wave, const std::string& what, const char* name) {
+        auto waves = sized<pelagic_waves>();
+        waves.count = 1;
+        waves.amplitude_m = &wave.amplitude_m;
+        waves.wavelength_m = &wave.wavelength_m;
+        waves.direction_rad = &wave.direction_rad;
+        waves.phase_rad = &wave.phase_rad;
+        waves.choppiness = wave.choppiness;
+        expect_refused_or_finite(what, name, options, [&](pelagic_ocean** ocean) {
+            pelagic_input* input = nullptr;
+            const pelagic_status status = pelagic_input_create_waves(&waves, &input);
+            return ocean_with(status, input, options, ocean);
+        });
+    });
+}
+
+TEST(CInterfaceLeastValues, OfACallbacksSlope) {
+    constexpr Named<pelagic_input_callback> fields[] = {{"largest_slope", &pelagic_input_callback::largest_slope}};
+    auto usual = sized<pelagic_input_callback>();
+    usual.add = [](void*, const pelagic_input_rows* rows) { rows->height[0] = 1e-30f; };
+    const pelagic_ocean_options options = all_options();
+    walk(usual, fields, "callback",
+         [&](const pelagic_input_callback& callback, const std::string& what, const char* name) {
+             expect_refused_or_finite(what, name, options, [&](pelagic_ocean** ocean) {
+                 pelagic_input* input = nullptr;
+                 const pelagic_status status = pelagic_input_create_callback(&callback, &input);
+                 return ocean_with(status, input, options, ocean);
+             });
+         });
+}
+
+TEST(CInterfaceLeastValues, OfTimesAndPlaces) {
+    const pelagic_local_options local = local_options(PELAGIC_LOCAL_SPECTRAL);
+    pelagic_ocean_options options = all_options();
+    options.local = &local;
+    const COcean ocean = ocean_of(two_tiles(), options);
+    for (const double value : least_values) {
+        auto frame = sized<pelagic_frame>();
+        EXPECT_EQ(pelagic_ocean_follow(ocean.get(), value, value), PELAGIC_OK);
+        EXPECT_EQ(pelagic_ocean_schedule(ocean.get(), value), PELAGIC_OK);
+        EXPECT_EQ(pelagic_ocean_complete(ocean.get(), &frame), PELAGIC_OK);
+        EXPECT_EQ(first_unusual(ocean.get(), options), "");
+        for (std::size_t number = 0; number < 7; ++number) {
+            auto ray = sized<pelagic_ray>();
+            ray.origin_m[1] = 20;
+            ray.direction[1] = -1;
+            ray.reach_m = 100;
+            (number < 3 ? ray.origin_m[number] : number < 6 ? ray.direction[number - 3] : ray.reach_m) = value;
+            auto hit = sized<pelagic_hit>();
+            if (pelagic_ocean_first_hit(ocean.get(), &ray, &hit) != PELAGIC_OK) continue;
+            Findings found;
+            found.number("distance_m", hit.distance_m);
+            for (const double at : hit.position_m) found.number("position_m", at);
+            for (const float at : hit.normal) found.number("normal", static_cast<double>(at));
+            EXPECT_EQ(found.what(), "") << "number " << number << " of the ray is " << value;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace pelagic
