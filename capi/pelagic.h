@@ -132,7 +132,7 @@ typedef struct pelagic_sea {
     double patch_size_m;   /* the side of the one tile; [0.001, 1e6]. 0: sides chosen from the sea */
     double wind_speed_mps; /* mean wind 10 m above the sea; (0, 60] */
     double wind_direction_rad; /* where the wind blows towards, from +x towards +z; [-2 pi, 2 pi] */
-    double fetch_m;            /* how far the wind has blown over water (jonswap); (0, 2e6]. More than 17,000 U10^2 / g adds nothing */
+    double fetch_m;            /* how far the wind has blown over water (jonswap), 17,000 U10^2/g counts at most; (0, 2e6] */
     double depth_m;            /* waves over 0.6 of it break; [0.01, 11000] */
     double choppiness;         /* 0 gives a height field; [0, 1] */
     double roughness;     /* of the water between texels, for the smoothness channel; [0, 1], or -1: from the wind */
@@ -173,6 +173,43 @@ PELAGIC_API pelagic_status pelagic_sea_preset(const char* name, pelagic_sea* sea
 
 /* PELAGIC_OK if an ocean could be made of it, else the message names the first bad field. */
 PELAGIC_API pelagic_status pelagic_sea_check(const pelagic_sea* sea);
+
+/* Heights, periods and directions of a sea. `expected` is the mean over all seeds of the waves that the tiles hold; `drawn` is of the waves
+ * that this seed drew, the mean over a loop. 0 where a sea has no such figure. */
+typedef struct pelagic_statistics {
+    uint32_t struct_size;
+    uint32_t reserved;
+    double expected_wave_height_m; /* significant, 4 sqrt(variance) */
+    double drawn_wave_height_m;
+    double model_wave_height_m;    /* of all waves that the options ask for; 0 for phillips-paper, which has no scale */
+    double expected_peak_period_s; /* where the frequency spectrum peaks */
+    double drawn_peak_period_s;    /* Young 1995; of a sea with a swell that of the higher peak's part */
+    double peak_wavelength_m;
+    double expected_tm01_s; /* m0 / m1, m_n = integral f^n S(f) df */
+    double drawn_tm01_s;
+    double expected_tm02_s; /* sqrt(m0 / m2), also the mean period of upward zero crossings */
+    double drawn_tm02_s;
+    double expected_direction_rad; /* where waves run towards, from +x towards +z, (-pi, pi] */
+    double drawn_direction_rad;
+    double expected_spread_rad; /* directional spread, [0, sqrt(2)] */
+    double drawn_spread_rad;
+    double slope_variance_along_wind; /* expected, of all tiles */
+    double slope_variance_across_wind;
+    double expected_convergence_variance; /* of Dx,x + Dz,z */
+    double drawn_convergence_variance;
+    double wind_sea_height_m;        /* expected; this and the next three of a spectrum with a swell */
+    double wind_sea_peak_period_s;   /* expected */
+    double swell_height_m;           /* expected */
+    double swell_peak_period_s;      /* expected */
+    double drawn_wind_sea_peak_period_s; /* likewise */
+    double drawn_swell_peak_period_s;
+    double effective_fetch_m; /* jonswap: the fetch that counts, at most 17,000 U10^2 / g */
+    double repeats_after_m;   /* side of the coarsest tile, after which the sea's long waves repeat */
+} pelagic_statistics;
+
+/* Sums over the spectrum of a sea: as long as creating an ocean of it takes. Thread-safe. PELAGIC_INVALID_ARGUMENT as
+ * pelagic_sea_check(). */
+PELAGIC_API pelagic_status pelagic_sea_statistics(const pelagic_sea* sea, pelagic_statistics* statistics);
 
 /* ---- Where jobs run --------------------------------------------------------------------------------------------- */
 

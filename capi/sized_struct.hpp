@@ -22,6 +22,7 @@ inline constexpr std::size_t least_struct_bytes = 0;
     template <>                                  \
     inline constexpr std::size_t least_struct_bytes<type> = offsetof(type, field) + sizeof(type::field)
 PELAGIC_LAST_FIELD_AT_FIRST(pelagic_sea, loop_period_s);
+PELAGIC_LAST_FIELD_AT_FIRST(pelagic_statistics, repeats_after_m);
 PELAGIC_LAST_FIELD_AT_FIRST(pelagic_executor_options, user);
 PELAGIC_LAST_FIELD_AT_FIRST(pelagic_ocean_options, query_tolerance_m);
 PELAGIC_LAST_FIELD_AT_FIRST(pelagic_ocean_info, executor);

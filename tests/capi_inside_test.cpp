@@ -9,6 +9,7 @@
 
 #include "pelagic/capi/sea.hpp"
 #include "pelagic/sim/ocean.hpp"
+#include "pelagic/sim/statistics.hpp"
 #include "pelagic/sim/surface_query.hpp"
 #include "pelagic/sim/tile_plan.hpp"
 #include "pelagic/tests/capi_sea.hpp"
@@ -98,6 +99,60 @@ TEST(CInterfaceInside, TilesAreThoseOfTheCppInterface) {
         pelagic_ocean_destroy(made);
     }
     pelagic_executor_destroy(executor);
+}
+
+TEST(CInterfaceInside, StatisticsAreThoseOfTheCppInterface) {
+    pelagic_sea sea{};
+    sea.struct_size = sizeof sea;
+    ASSERT_EQ(pelagic_sea_preset("swell", &sea), PELAGIC_OK);
+    sea.resolution = 64;
+    pelagic_statistics of{};
+    of.struct_size = sizeof of;
+    ASSERT_EQ(pelagic_sea_statistics(&sea, &of), PELAGIC_OK) << pelagic_last_error();
+    const SeaState state = sea_of(&sea);
+    const SeaReport report = report_on(state);
+    EXPECT_EQ(of.expected_wave_height_m, report.expected.significant_wave_height_m);
+    EXPECT_EQ(of.drawn_wave_height_m, report.drawn_significant_wave_height_m);
+    EXPECT_EQ(of.model_wave_height_m, *report.expected.model_significant_wave_height_m);
+    EXPECT_EQ(of.expected_peak_period_s, report.expected.peak_period_s);
+    EXPECT_EQ(of.drawn_peak_period_s, report.drawn_peak_period_s);
+    EXPECT_EQ(of.peak_wavelength_m, report.expected.peak_wavelength_m);
+    EXPECT_EQ(of.expected_tm01_s, report.expected_periods.tm01_s);
+    EXPECT_EQ(of.drawn_tm01_s, report.drawn_periods.tm01_s);
+    EXPECT_EQ(of.expected_tm02_s, report.expected_periods.tm02_s);
+    EXPECT_EQ(of.drawn_tm02_s, report.drawn_periods.tm02_s);
+    EXPECT_EQ(of.expected_direction_rad, report.expected_directions.mean_rad);
+    EXPECT_EQ(of.drawn_direction_rad, report.drawn_directions.mean_rad);
+    EXPECT_EQ(of.expected_spread_rad, report.expected_directions.spread_rad);
+    EXPECT_EQ(of.drawn_spread_rad, report.drawn_directions.spread_rad);
+    double along = 0, across = 0;
+    for (const TileSlopes& tile : report.tiles) along += tile.slopes.upwind, across += tile.slopes.crosswind;
+    EXPECT_EQ(of.slope_variance_along_wind, along);
+    EXPECT_EQ(of.slope_variance_across_wind, across);
+    EXPECT_EQ(of.expected_convergence_variance, report.expected_convergence_variance);
+    EXPECT_EQ(of.drawn_convergence_variance, report.drawn_convergence_variance);
+    EXPECT_EQ(of.wind_sea_height_m, report.wind_sea->significant_wave_height_m);
+    EXPECT_EQ(of.wind_sea_peak_period_s, report.wind_sea->peak_period_s);
+    EXPECT_EQ(of.swell_height_m, report.swell->significant_wave_height_m);
+    EXPECT_EQ(of.swell_peak_period_s, 12);
+    EXPECT_EQ(of.drawn_wind_sea_peak_period_s, report.wind_sea->drawn_peak_period_s);
+    EXPECT_EQ(of.drawn_swell_peak_period_s, report.swell->drawn_peak_period_s);
+    EXPECT_EQ(of.effective_fetch_m, report.effective_fetch_m);
+    EXPECT_EQ(of.repeats_after_m, repeat_length_m(state));
+
+    ASSERT_EQ(pelagic_sea_preset("pond", &sea), PELAGIC_OK);
+    ASSERT_EQ(pelagic_sea_statistics(&sea, &of), PELAGIC_OK) << pelagic_last_error();
+    EXPECT_EQ(of.swell_peak_period_s, 0);
+    EXPECT_EQ(of.effective_fetch_m, 0);
+    EXPECT_GT(of.expected_tm02_s, 0);
+
+    sea.wind_speed_mps = -3;
+    EXPECT_EQ(pelagic_sea_statistics(&sea, &of), PELAGIC_INVALID_ARGUMENT);
+    EXPECT_NE(std::string(pelagic_last_error()).find("wind_speed_mps"), std::string::npos);
+    EXPECT_EQ(pelagic_sea_statistics(nullptr, &of), PELAGIC_INVALID_ARGUMENT);
+    EXPECT_EQ(pelagic_sea_statistics(&sea, nullptr), PELAGIC_INVALID_ARGUMENT);
+    of.struct_size = 8;
+    EXPECT_EQ(pelagic_sea_statistics(&sea, &of), PELAGIC_INVALID_ARGUMENT);
 }
 
 /// The sea of a host whose struct ends before `cascades`.

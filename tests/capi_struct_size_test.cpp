@@ -202,6 +202,10 @@ TEST_F(StructSizes, WhatIsWrittenMayBeOlderOrNewer) {
     expect_written_in_every_size(
         &pelagic_sea::loop_period_s, [](pelagic_sea* sea) { return pelagic_sea_preset("storm", sea); },
         sizeof(pelagic_sea));
+    const pelagic_sea asked = small_sea();
+    expect_written_in_every_size(&pelagic_statistics::repeats_after_m, [&](pelagic_statistics* statistics) {
+        return pelagic_sea_statistics(&asked, statistics);
+    });
     expect_written_in_every_size(&pelagic_ocean_info::executor,
                                  [&](pelagic_ocean_info* info) { return pelagic_ocean_describe(ocean.get(), info); });
     const COcean serial = ocean_of(small_sea(), executor_of(PELAGIC_EXECUTOR_SERIAL).get());

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -453,6 +454,84 @@ TEST(Info, SaysForceStateDirectionSpreadAndSlopes) {
     for (const char* part :
          {"5, fresh breeze", "4, moderate", "slope_variance, all", "of Cox and Munk", "mean_direction_deg"})
         EXPECT_NE(table.find(part), std::string::npos) << part;
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+    std::vector<std::string> lines;
+    std::istringstream stream(text);
+    for (std::string line; std::getline(stream, line);) lines.push_back(line);
+    return lines;
+}
+
+TEST(Info, BeginsWithASummaryOfFiveLines) {
+    const std::vector<std::string> lines = lines_of(run_pelagic({"info", "--preset", "calm"}).out);
+    ASSERT_GT(lines.size(), 10u);
+    const char* const names[] = {"Sea ", "Waves ", "Periods ", "Repeats ", "Computes "};
+    for (std::size_t i = 0; i < 5; ++i) EXPECT_TRUE(lines[i].starts_with(names[i])) << lines[i];
+    EXPECT_EQ(lines[5], "");
+    const char* const parts[] = {"preset calm, jonswap, wind 3.2 m/s", "Hs 0.297 m expected", "Tm01",
+                                 "after 200 s and after 140 m, the side of the coarsest of 4 cascades", "MB"};
+    for (std::size_t i = 0; i < 5; ++i) EXPECT_NE(lines[i].find(parts[i]), std::string::npos) << lines[i];
+    const std::string one = run_pelagic({"info", "--patch-size", "250", "--resolution", "32"}).out;
+    EXPECT_NE(one.find("after 200 s and after 250 m\n"), std::string::npos) << "one cascade repeats exactly";
+}
+
+TEST(Info, HasNeitherSentinelsNorLinesThatDoNotApply) {
+    for (const std::vector<std::string>& sea :
+         std::vector<std::vector<std::string>>{{},
+                                               {"--preset", "pond"},
+                                               {"--preset", "analytic-moderate"},
+                                               {"--swell-height", "1"},
+                                               {"--spectrum", "phillips-paper"},
+                                               {"--wind-speed", "0.3"}}) {
+        std::vector<std::string> arguments = {"info"};
+        arguments.insert(arguments.end(), sea.begin(), sea.end());
+        const Outcome outcome = run_pelagic(arguments);
+        ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+        const bool is_spectrum = sea.empty() || (sea[1] != "pond" && sea[1] != "analytic-moderate");
+        const bool has_swell = !sea.empty() && sea[0] == "--swell-height";
+        for (const std::string& line : lines_of(outcome.out)) {
+            EXPECT_EQ(line.find("roughness                   -1"), std::string::npos);
+            for (int power = 10; power < 30; ++power)
+                EXPECT_EQ(line.find("e-" + std::to_string(power)), std::string::npos) << line;
+            EXPECT_EQ(line.find("nan"), std::string::npos) << line;
+            EXPECT_FALSE(!has_swell && line.find("swell_") != std::string::npos) << line;
+            EXPECT_FALSE(is_spectrum && line.starts_with("  wave_")) << line;
+            EXPECT_FALSE(!is_spectrum && line.starts_with("  fetch_m")) << line;
+        }
+        EXPECT_NE(outcome.out.find("from the wind"), std::string::npos);
+    }
+}
+
+TEST(Info, SaysWhereAFetchEndsAndWhatTheNotesAreAbout) {
+    const Outcome limited = run_pelagic({"info", "--wind-speed", "3"});
+    EXPECT_NE(limited.out.find("note: this wind's sea is fully developed after 15600 m of fetch"), std::string::npos)
+        << limited.out;
+    EXPECT_EQ(run_pelagic({"info", "--wind-speed", "12"}).out.find("fully developed"), std::string::npos);
+    // A grid too coarse for its waves is no short loop.
+    const Outcome coarse = run_pelagic({"info", "--wind-speed", "3", "--patch-size", "200", "--resolution", "16"});
+    EXPECT_EQ(coarse.out.find("a loop of"), std::string::npos) << coarse.out;
+    EXPECT_NE(coarse.out.find("raise the resolution"), std::string::npos);
+}
+
+TEST(Info, HasMeanPeriodsPeaksApartAndTheLengthOfRepetition) {
+    const json info = json::parse(run_pelagic({"info", "--json", "--preset", "swell"}).out);
+    const json &waves = info["waves"], &periods = waves["zero_crossing_period_s"];
+    EXPECT_EQ(waves["swell"]["peak_period_s"]["expected"], 12.0);
+    EXPECT_LT(waves["wind_sea"]["peak_period_s"]["expected"], 5.0);
+    EXPECT_GT(waves["tm01_s"]["expected"], periods["expected"]) << "Tm01 is never the shorter one";
+    EXPECT_EQ(waves["tm02_s"], periods);
+    EXPECT_GT(waves["convergence_variance"]["measured"], 0);
+    const SeaState swell = sea_preset_named("swell")->sea;
+    EXPECT_EQ(info["repeats_after_m"], repeat_length_m(swell));
+    EXPECT_FALSE(json::parse(run_pelagic({"info", "--json"}).out)["waves"].contains("swell"));
+
+    const TemporaryFolder folder;
+    ASSERT_EQ(run_pelagic({"export", "--out", (folder / "out").string(), "--frames", "1", "--resolution", "32",
+                           "--patch-size", "250"})
+                  .exit_code,
+              0);
+    EXPECT_EQ(json::parse(read_file(folder / "out" / "sea.json"))["repeats_after_m"], 250.0);
 }
 
 TEST(Info, WarnsOfAPatchShorterThanTwoPeakWaves) {

@@ -93,6 +93,26 @@ TEST(Measure, ALoopHoldsWhatTheSeedDrew) {
                 0.1);
 }
 
+// The mixed sea whose peak was 9.56 s, where nothing peaks; its wind sea peaks at 7.0 s and its swell at 14 s.
+TEST(Measure, PeaksOfWindSeaAndSwellAreApart) {
+    const TemporaryFolder folder;
+    export_to(folder / "out", {"--wind-speed",   "14", "--wind-direction",  "-130", "--spreading",    "hasselmann",
+                               "--swell-height", "2",  "--swell-direction", "-60",  "--swell-period", "14",
+                               "--seed",         "62", "--patch-size",      "1200", "--resolution",   "64",
+                               "--loop-frames",  "400"});
+    const json found = measured(folder / "out");
+    // Harmonics of the loop are 7 % apart at the swell's peak, and bands of what was drawn are 5 % wide.
+    for (const char* part : {"wind_sea_peak_period_s", "swell_peak_period_s", "peak_period_s"})
+        EXPECT_NEAR(figure(found, part) / figure(found, part, "drawn"), 1, 0.12) << part;
+    EXPECT_NEAR(figure(found, "wind_sea_peak_period_s"), 7, 0.7);
+    EXPECT_NEAR(figure(found, "swell_peak_period_s"), 14, 1.6) << "few waves of the patch make it";
+    // 256 points of the patch, where the seed's figures are of all.
+    EXPECT_NEAR(figure(found, "tm01_s") / figure(found, "tm01_s", "drawn"), 1, 0.02);
+    EXPECT_NEAR(figure(found, "tm02_s") / figure(found, "tm02_s", "drawn"), 1, 0.02);
+    // Rice's: crossings of a Gaussian sea are sqrt(m0 / m2) apart. Half a second between frames loses few of them.
+    EXPECT_NEAR(figure(found, "zero_crossing_period_s") / figure(found, "tm02_s", "drawn"), 1, 0.03);
+}
+
 TEST(Measure, HalvesAndTiffAndFramesOfNoLoopGiveTheSame) {
     const TemporaryFolder folder;
     const std::vector<std::string> sea = {"--preset", "moderate", "--patch-size", "200",   "--resolution",

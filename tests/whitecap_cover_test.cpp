@@ -99,5 +99,14 @@ TEST(WhitecapCover, DependsNeitherOnChoppinessNorOnWhereTheWindBlows) {
     }
 }
 
+// Long waves gather the water more where it is shallow, and the thresholds follow. Other seeds give 0.98 to 1.02.
+TEST(WhitecapCover, HoldsWhereWavesFeelTheGround) {
+    if (is_sanitized) return;
+    SeaState sea = sea_of(1, 12);
+    sea.depth_m = 8;
+    sea.swell_height_m = 2.5;
+    EXPECT_NEAR(cover_over_measured_at_sea(sea, 3, 40), 1, 0.2);
+}
+
 }  // namespace
 }  // namespace pelagic

@@ -1,5 +1,6 @@
 #include "pelagic/tools/info_command.hpp"
 
+#include <cmath>
 #include <cstdio>
 #include <future>
 #include <string>
@@ -46,6 +47,7 @@ Json info_json(const ResolvedSea& resolved, const ComputeOptions& compute) {
     if (!resolved.changes.empty()) json["weather"] = weather_as_json(resolved);
     const SeaReport report = begun.get();
     json["waves"] = waves_as_json(resolved.sea, report, measured_significant_wave_height_m(frame));
+    json["repeats_after_m"] = repeats_after_m(resolved);
     json["foam"] = foam_as_json(frame);
     json["first_frame"] = {{"hash", hex_text(hash_of(frame))},
                            {"height_min_m", frame.bounds.height_min_m},
@@ -59,10 +61,22 @@ Json info_json(const ResolvedSea& resolved, const ComputeOptions& compute) {
     return json;
 }
 
+/// What rounding leaves of 0.
+constexpr double least_shown = 1e-9;
+
 /// Four digits of what is computed, and six of what was asked for: more mean nothing to a reader, and --json has all.
 std::string value_text(const Json& value, int digits) {
     if (value.is_string()) return value.get<std::string>();
-    return value.is_number_float() ? rounded_text(value.get<double>(), digits) : value.dump();
+    if (!value.is_number_float()) return value.dump();
+    const double number = value.get<double>();
+    if (!std::isfinite(number)) return "none";  // such as a period of a sea without waves
+    return std::fabs(number) < least_shown ? "0" : rounded_text(number, digits);
+}
+
+/// Directions to a hundredth of a degree.
+Json shown(const std::string& key, const Json& value) {
+    if (!key.ends_with("_deg") || !value.is_number_float()) return value;
+    return std::floor(value.get<double>() * 100 + 0.5) / 100;
 }
 
 void print_section(const char* title, const Json& values, int digits = 4) {
@@ -71,19 +85,45 @@ void print_section(const char* title, const Json& values, int digits = 4) {
         if (value.is_object() && !value.empty()) {
             std::string parts;
             for (const auto& [name, part] : value.items())
-                parts += (parts.empty() ? "" : ", ") + name + " " + value_text(part, digits);
+                parts += (parts.empty() ? "" : ", ") + name + " " + value_text(shown(key, part), digits);
             std::printf("  %-28s%s\n", key.c_str(), parts.c_str());
         } else {
-            std::printf("  %-28s%s\n", key.c_str(), value_text(value, digits).c_str());
+            std::printf("  %-28s%s\n", key.c_str(), value_text(shown(key, value), digits).c_str());
         }
     }
 }
 
+/// The options that decide something in this sea, and no 0 that stands for a value chosen by the sea.
+Json sea_for_people(const Json& sea) {
+    const std::string waves = sea.at("waves");
+    const bool is_spectrum = waves == "spectrum", has_swell = is_spectrum && sea.at("swell_height_m") > 0;
+    const auto counts = [&](const std::string& key) {
+        if (key == "fetch_m") return is_spectrum && sea.at("spectrum") == "jonswap";
+        if (key == "alignment") return is_spectrum && sea.at("spreading") == "paper";
+        if (key.starts_with("swell_")) return has_swell;
+        if (key == "wave_strength") return waves == "analytic";
+        if (key == "wave_drag") return waves == "exp-sine";
+        if (key == "patch_size_m") return sea.at(key) > 0;
+        if (key == "wave_count" || key == "longest_wave_m" || key == "shortest_wave_m" || key == "wave_height_m")
+            return !is_spectrum && sea.at(key) > 0;
+        if (key == "spectrum" || key == "spreading" || key == "depth_m" || key == "small_waves" || key == "seed")
+            return is_spectrum;
+        return true;
+    };
+    Json rows = Json::object();
+    for (const auto& [key, value] : sea.items())
+        if (counts(key)) rows[key] = key == "roughness" && value < 0 ? Json("from the wind") : value;
+    return rows;
+}
+
 /// Steps of scales as "6, strong breeze", and a row for each tile's slopes.
-Json waves_for_people(const Json& waves) {
+Json waves_for_people(const Json& waves, bool has_spectrum) {
     Json rows = Json::object();
     for (const auto& [key, value] : waves.items()) {
-        if (value.is_object() && value.contains("number")) {
+        if (key == "loop_frequencies" && !has_spectrum) continue;
+        if (key == "wind_sea" || key == "swell") {
+            for (const auto& [figure, both] : value.items()) rows[key + ", " + figure] = both;
+        } else if (value.is_object() && value.contains("number")) {
             rows[key] = value.at("number").dump() + ", " + value.at("name").get<std::string>();
         } else if (key == "slope_variance") {
             for (Json tile : value.at("tiles")) {
@@ -117,11 +157,41 @@ Json foam_for_people(Json foam) {
     return foam;
 }
 
+/// What most readers want to know, a line each.
+void print_summary(const Json& json) {
+    const Json &sea = json.at("sea"), &waves = json.at("waves"), &computing = json.at("computing");
+    const auto number = [](const Json& value) { return value_text(value, 3); };
+    const auto row = [](const char* name, const std::string& text) { std::printf("%-10s%s\n", name, text.c_str()); };
+    const auto step = [](const Json& of) { return of.at("number").dump() + ", " + of.at("name").get<std::string>(); };
+    const std::string preset = json.value("preset", ""), model = sea.at("waves");
+    const Json& height = waves.at("significant_wave_height_m");
+    const std::size_t tiles = waves.at("slope_variance").at("tiles").size();
+    row("Sea", (preset.empty() ? "" : "preset " + preset + ", ") +
+                   (model == "spectrum" ? sea.at("spectrum").get<std::string>() : model) + ", wind " +
+                   number(sea.at("wind_speed_mps")) + " m/s towards " + number(sea.at("wind_direction_deg")) +
+                   " degrees (Beaufort " + step(waves.at("beaufort")) + ")");
+    row("Waves", "Hs " + number(height.at("expected")) + " m expected, " + number(height.at("measured")) +
+                     " m in this seed's first frame (sea state " + step(waves.at("sea_state")) + ")");
+    row("Periods", "peak " + number(waves.at("peak_period_s").at("expected")) + " s (" +
+                       number(waves.at("peak_wavelength_m")) + " m), Tm01 " +
+                       number(waves.at("tm01_s").at("expected")) + " s, Tm02 and zero crossings " +
+                       number(waves.at("tm02_s").at("expected")) + " s");
+    const std::string loop = "after " + number_text(sea.at("loop_period_s").get<double>()) + " s and after " +
+                             number_text(json.at("repeats_after_m").get<double>()) + " m";
+    row("Repeats", tiles == 1 ? loop
+                              : loop + ", the side of the coarsest of " + number_text(tiles) +
+                                    " cascades: its long waves, not the finer ones");
+    row("Computes", computing.at("isa").get<std::string>() + ", executor " +
+                        computing.at("executor").get<std::string>() + " with " + computing.at("threads").dump() +
+                        " threads, " + number(computing.at("memory_bytes").get<double>() / 1e6) + " MB");
+}
+
 void print_table(const Json& json) {
-    const std::string preset = json.value("preset", "");
-    print_section(("Sea" + (preset.empty() ? "" : ", preset " + preset)).c_str(), json.at("sea"), 6);
-    print_section("Waves", waves_for_people(json.at("waves")));
-    print_section("Foam that lasts", foam_for_people(json.at("foam")));
+    print_summary(json);
+    const bool has_spectrum = json.at("sea").at("waves") == "spectrum";
+    print_section("\nSea", sea_for_people(json.at("sea")), 6);
+    print_section("Waves", waves_for_people(json.at("waves"), has_spectrum));
+    if (json.at("foam").at("whitecap_cover") > 0) print_section("Foam that lasts", foam_for_people(json.at("foam")));
     print_section("Frame at 0 s", json.at("first_frame"));
     Json computing = json.at("computing");
     std::string stages;

@@ -127,6 +127,9 @@ Json waves_as_json(const SeaState& sea, const SeaReport& report, double measured
     Json json = {
         {"significant_wave_height_m", height},
         {"peak_period_s", both(expected.peak_period_s, report.drawn_peak_period_s)},
+        {"tm01_s", both(report.expected_periods.tm01_s, report.drawn_periods.tm01_s)},
+        {"tm02_s", both(report.expected_periods.tm02_s, report.drawn_periods.tm02_s)},
+        {"zero_crossing_period_s", both(report.expected_periods.tm02_s, report.drawn_periods.tm02_s)},
         {"peak_wavelength_m", expected.peak_wavelength_m},
         {"mean_direction_deg",
          both(degrees(report.expected_directions.mean_rad), degrees(report.drawn_directions.mean_rad))},
@@ -140,9 +143,19 @@ Json waves_as_json(const SeaState& sea, const SeaReport& report, double measured
         {"loop_frequencies",
          {{"for_90_percent", report.loop_frequencies.for_90_percent},
           {"largest_share", report.loop_frequencies.largest_share}}}};
+    if (report.expected_convergence_variance > 0)
+        json["convergence_variance"] = both(report.expected_convergence_variance, report.drawn_convergence_variance);
+    const auto part = [&](const WavePart& of) -> Json {
+        return {{"significant_wave_height_m", both(of.significant_wave_height_m, of.drawn_significant_wave_height_m)},
+                {"peak_period_s", both(of.peak_period_s, of.drawn_peak_period_s)}};
+    };
+    if (report.wind_sea) json["wind_sea"] = part(*report.wind_sea);
+    if (report.swell) json["swell"] = part(*report.swell);
     if (report.effective_fetch_m > 0) json["effective_fetch_m"] = report.effective_fetch_m;
     return json;
 }
+
+double repeats_after_m(const ResolvedSea& sea) { return plan_tiles(forecast_of(sea)).front().lattice.side_m; }
 
 Json foam_as_json(const Frame& frame) {
     const FoamReport report = report_on_foam(frame);
@@ -174,6 +187,7 @@ Json sea_json_head(const ExportOptions& options, double mean_significant_wave_he
         json["local"] = local_layout_as_json(
             {options.events->water.resolution, options.events->texel_m(), first_x, first_z}, options.maps);
     }
+    json["repeats_after_m"] = repeats_after_m(options.sea);
     const SeaReport report = report_on(options.sea.sea);
     json["waves"] = waves_as_json(options.sea.sea, report, mean_significant_wave_height_m);
     if (options.has_foam()) {

@@ -45,6 +45,9 @@ Json frame_as_json(const FrameRecord& record);
 /// Heights, periods, directions, slopes, expected by the model and measured: {"significant_wave_height_m", ...}.
 Json waves_as_json(const SeaState& sea, const SeaReport& report, double measured_significant_wave_height_m);
 
+/// repeat_length_m() of a sea and of what it turns into.
+double repeats_after_m(const ResolvedSea& sea);
+
 /// When foam is remembered, how it drifts, how much of it there is: {"whitecap_cover", "tick_s", ...}.
 Json foam_as_json(const Frame& frame);
 

@@ -1,5 +1,6 @@
 #include "pelagic/tools/measure/measure_report.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <vector>
@@ -34,8 +35,39 @@ Json or_null(const std::optional<Value>& value) {
     return value ? Json(*value) : Json();
 }
 
+/// Peak periods of wind sea and swell (Young 1995); none where the series holds none of the part.
+struct PartPeaks {
+    std::optional<double> wind_sea_s, swell_s;
+};
+
+/// Of what was found at each frequency the parts have the shares that they have of the model there.
+PartPeaks part_peaks(const std::vector<SpectrumPoint>& found, const SeaState& sea) {
+    SeaState wind = sea;
+    wind.swell_height_m = 0;
+    std::vector<double> at;
+    for (const SpectrumPoint& point : found) at.push_back(point.at);
+    const std::vector<double> all = model_by_frequency(sea, at), of_wind = model_by_frequency(wind, at);
+    struct {
+        double weight = 0, weighted = 0;
+        void add(double hertz, double density) {
+            const double fourth = (density * density) * (density * density);
+            weight += fourth;
+            weighted += fourth * hertz;
+        }
+        std::optional<double> period() const {
+            return weighted > 0 ? std::optional(weight / weighted) : std::nullopt;
+        }
+    } wind_sea, swell;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        const double share = all[i] > 0 ? std::min(1.0, of_wind[i] / all[i]) : 0;
+        wind_sea.add(found[i].at, found[i].density * share);
+        swell.add(found[i].at, found[i].density * (1 - share));
+    }
+    return {wind_sea.period(), swell.period()};
+}
+
 /// The export's own figures beside those of its options; drawn is null where only frames say what the seed drew.
-Json figures_json(const MeasuredWaves& found, const SeaReport& report) {
+Json figures_json(const MeasuredWaves& found, const SeaState& sea, const SeaReport& report) {
     const auto three = [](Json measured, Json drawn, Json expected) -> Json {
         return {{"found", measured}, {"drawn", drawn}, {"expected", expected}};
     };
@@ -44,14 +76,29 @@ Json figures_json(const MeasuredWaves& found, const SeaReport& report) {
         return three(found.directions ? Json(direction(angle, *found.directions)) : Json(),
                      direction(angle, report.drawn_directions), direction(angle, report.expected_directions));
     };
-    return {
+    Json json = {
         {"significant_wave_height_m", three(found.significant_wave_height_m, report.drawn_significant_wave_height_m,
                                             report.expected.significant_wave_height_m)},
         {"peak_period_s",
          three(or_null(found.peak_period_s), report.drawn_peak_period_s, report.expected.peak_period_s)},
         {"peak_wavelength_m", three(or_null(found.peak_wavelength_m), Json(), report.expected.peak_wavelength_m)},
         {"mean_direction_deg", directions(&WaveDirections::mean_rad)},
-        {"directional_spread_deg", directions(&WaveDirections::spread_rad)}};
+        {"directional_spread_deg", directions(&WaveDirections::spread_rad)},
+        {"tm01_s", three(or_null(found.tm01_s), report.drawn_periods.tm01_s, report.expected_periods.tm01_s)},
+        {"tm02_s", three(or_null(found.tm02_s), report.drawn_periods.tm02_s, report.expected_periods.tm02_s)},
+        {"zero_crossing_period_s",
+         three(or_null(found.zero_crossing_period_s), report.drawn_periods.tm02_s, report.expected_periods.tm02_s)}};
+    if (!report.wind_sea || !report.swell) return json;
+    const PartPeaks peaks = part_peaks(found.by_harmonic, sea);
+    const auto part = [&](const std::optional<double>& peak_s, const WavePart& of) {
+        return three(or_null(peak_s), of.drawn_peak_period_s, of.peak_period_s);
+    };
+    json["wind_sea_peak_period_s"] = part(peaks.wind_sea_s, *report.wind_sea);
+    json["swell_peak_period_s"] = part(peaks.swell_s, *report.swell);
+    // That of all together lies where nothing peaks: the part that has the model's peak has it.
+    const bool is_swells = report.drawn_peak_period_s == report.swell->drawn_peak_period_s;
+    json["peak_period_s"]["found"] = or_null(is_swells ? peaks.swell_s : peaks.wind_sea_s);
+    return json;
 }
 
 std::vector<PlottedPoint> points_of(const Json& spectrum, const char* at, const std::string& unit) {
@@ -98,7 +145,7 @@ Json measure_export(const std::filesystem::path& folder) {
         json["tiles"].push_back({{"side_m", tile.lattice.side_m}, {"resolution", tile.resolution}});
     json["tiles_there"] = plan_tiles(sea).size();
     json["method"] = {{"by_frequency", found.frequency_method}};
-    json["waves"] = figures_json(found, report);
+    json["waves"] = figures_json(found, sea, report);
     json["by_frequency"] = spectrum_json(found.by_frequency, "frequency_hz", "m2_per_hz",
                                          [&](const auto& at) { return model_by_frequency(sea, at); });
     json["by_wave_number"] = spectrum_json(found.by_wave_number, "wave_number_rad_per_m", "m3",

@@ -214,6 +214,29 @@ std::vector<double> WaveMeasurement::frequency_density() const {
     return density;
 }
 
+/// A point of each tile together is a point of the sea, for their waves are independent.
+std::optional<double> WaveMeasurement::zero_crossing_period(std::span<const WaveMeasurement> tiles) {
+    const HeightSeries& series = tiles.front().series_;
+    std::size_t points = tiles.front().at_points_.size(), crossings = 0;
+    for (const WaveMeasurement& tile : tiles) points = std::min(points, tile.at_points_.size());
+    std::vector<double> heights(series.frames);
+    for (std::size_t point = 0; point < points; ++point) {
+        double mean = 0;
+        for (std::size_t frame = 0; frame < series.frames; ++frame) {
+            heights[frame] = 0;
+            for (const WaveMeasurement& tile : tiles)
+                heights[frame] += static_cast<double>(tile.at_points_[point][frame]);
+            mean += heights[frame] / static_cast<double>(series.frames);
+        }
+        for (std::size_t frame = 1; frame < series.frames; ++frame)
+            crossings += heights[frame - 1] < mean && heights[frame] >= mean;
+        if (series.is_one_loop) crossings += heights.back() < mean && heights.front() >= mean;
+    }
+    if (crossings == 0) return {};
+    const std::size_t steps = series.is_one_loop ? series.frames : series.frames - 1;
+    return static_cast<double>(points * steps) * series.step_s / static_cast<double>(crossings);
+}
+
 bool WaveMeasurement::holds_whole_ring(std::size_t number) const {
     const TilePlan& tile = series_.tile;
     const auto r = static_cast<double>(number);
@@ -265,8 +288,18 @@ MeasuredWaves measured_waves(std::span<const WaveMeasurement> tiles) {
     const std::size_t length = tiles.front().segment_length();
     const double step_hz = 1 / (static_cast<double>(length) * series.step_s);
     Peak peak;
-    for (std::size_t q = 1; q < density.size(); ++q) peak.add(static_cast<double>(q) * step_hz, density[q], step_hz);
+    double m0 = 0, m1 = 0, m2 = 0;
+    for (std::size_t q = 1; q < density.size(); ++q) {
+        const double hertz = static_cast<double>(q) * step_hz;
+        peak.add(hertz, density[q], step_hz);
+        found.by_harmonic.push_back({hertz, density[q]});
+        m0 += density[q];
+        m1 += density[q] * hertz;
+        m2 += density[q] * (hertz * hertz);
+    }
     if (const auto hertz = peak.at()) found.peak_period_s = 1 / *hertz;
+    if (m0 > 0) found.tm01_s = m0 / m1, found.tm02_s = std::sqrt(m0 / m2);
+    found.zero_crossing_period_s = WaveMeasurement::zero_crossing_period(tiles);
     found.by_frequency = in_bands(density, step_hz);
     found.frequency_method = series.is_one_loop
                                  ? std::string("the loop's own harmonics")

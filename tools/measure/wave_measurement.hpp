@@ -37,11 +37,16 @@ struct MeasuredWaves {
     double significant_wave_height_m = 0;  ///< 4 sqrt(variance) over all texels of all frames
     /// (integral S^4 df) / (integral f S^4 df) of by_frequency, before its bands are joined (Young 1995); none without it.
     std::optional<double> peak_period_s;
+    /// m0 / m1 and sqrt(m0 / m2) of by_frequency, m_n = integral f^n S df; none without it.
+    std::optional<double> tm01_s, tm02_s;
+    /// Mean time between upward crossings of the mean level at the points, tiles together; none without by_frequency, or crossings.
+    std::optional<double> zero_crossing_period_s;
     /// The same of by_wave_number carried to frequencies, as a wavelength; none for a flat sea.
     std::optional<double> peak_wavelength_m;
     std::optional<WaveDirections> directions;  ///< needs two frames that tell half of the energy and more
     std::vector<SpectrumPoint>
         by_frequency;  ///< mean over the points, in bands of 8 %; empty for fewer than 16 frames
+    std::vector<SpectrumPoint> by_harmonic;  ///< by_frequency before its bands are joined
     /// Mean over some frames, in rings as wide as a tile's lattice is fine. Rings that the end of a tile's band cuts are left out.
     std::vector<SpectrumPoint> by_wave_number;
     std::string frequency_method;  ///< how by_frequency was estimated, for people
@@ -71,6 +76,7 @@ class WaveMeasurement {
     bool holds_whole_ring(std::size_t number) const;
     std::size_t segment_length() const;
     std::vector<double> frequency_density() const;
+    static std::optional<double> zero_crossing_period(std::span<const WaveMeasurement> tiles);
 
     HeightSeries series_;
     std::size_t added_ = 0;
