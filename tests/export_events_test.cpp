@@ -238,12 +238,13 @@ TEST_F(ExportEvents, AreTheTicksOfTheirTimes) {
 
 /// eta(r, t) = A R^2 / 2 integral of exp(-k^2 R^2 / 4) J0(k r) cos(omega t) k dk: what a Gaussian that rests becomes (Lamb,
 /// Hydrodynamics, 255), with what the water of a window loses.
-double ring(double amplitude, double radius, double r, double t) {
+double ring(double amplitude, double radius, double r, double t, double depth) {
     constexpr int steps = 4000;
     const double most_k = 12 / radius, step = most_k / steps;
     double sum = 0;
     for (int i = 0; i < steps; ++i) {
-        const double k = (i + 0.5) * step, omega = std::sqrt(9.80665 * k + 0.074 / 1025 * k * k * k);
+        const double k = (i + 0.5) * step, gravity_and_tension = 9.80665 * k + 0.074 / 1025 * k * k * k;
+        const double omega = std::sqrt(gravity_and_tension * std::tanh(k * depth));
         const double left = std::exp(-(2 * 2e-3 * k * k + 0.01) * t);
         sum += std::exp(-k * k * radius * radius / 4) * ::j0(k * r) * std::cos(omega * t) * left * k * step;
     }
@@ -252,24 +253,75 @@ double ring(double amplitude, double radius, double r, double t) {
 
 TEST_F(ExportEvents, OfADropAreTheRingsOfLinearTheory) {
     write_file(events(), "radius,z,x,time,strength\n1.5,0,0,0.5,0.4\n");
-    made({"export", "--out", place("drop").string(), "--events", events().string(), "--maps", "none", "--resolution",
-          "16", "--cascades", "1", "--fps", "2", "--frames", "2-5", "--no-sync"},
-         "drop");
-    // The drop counts from the tick at 0.5 s on, and a frame shows the tick before it: so it is as old as the times say.
-    for (const int frame : {2, 3, 5}) {
-        const ReadImage image = map("drop", "local_000" + std::to_string(frame) + ".exr");
-        ASSERT_EQ(image.width, 256);
-        double worst = 0, most = 0;
-        for (int texel = 0; texel < 64; ++texel) {  // up to 16 m; the borders' influence begins at 20
-            const double wanted = ring(0.4, 1.5, texel * 0.25, frame * 0.5 - 0.5);
-            most = std::max(most, std::fabs(wanted));
-            for (const auto& [column, row] : {std::pair{128 + texel, 128}, {128, 128 - texel}})
-                worst = std::max(worst, std::fabs(image.at(column, row, 0) - wanted));
+    for (const char* depth : {"4000", "0.5"}) {
+        made(
+            {"export", "--out", place("drop").string(), "--events", events().string(), "--maps", "none",
+             "--resolution", "16", "--cascades", "1", "--fps", "2", "--frames", "2-5", "--no-sync", "--depth", depth},
+            "drop");
+        // The drop counts from the tick at 0.5 s on, and a frame shows the tick before it: so it is as old as the times say.
+        for (const int frame : {2, 3, 5}) {
+            const ReadImage image = map("drop", "local_000" + std::to_string(frame) + ".exr");
+            ASSERT_EQ(image.width, 256);
+            double worst = 0, most = 0;
+            for (int texel = 0; texel < 64; ++texel) {  // up to 16 m; the borders' influence begins at 20
+                const double wanted = ring(0.4, 1.5, texel * 0.25, frame * 0.5 - 0.5, std::stod(depth));
+                most = std::max(most, std::fabs(wanted));
+                for (const auto& [column, row] : {std::pair{128 + texel, 128}, {128, 128 - texel}})
+                    worst = std::max(worst, std::fabs(image.at(column, row, 0) - wanted));
+            }
+            // The window has no waves between those that fit it: a 64 m one is 1 % of what the drop makes.
+            EXPECT_LT(worst, 0.01 * 0.4) << frame << " at " << depth << " m";
+            EXPECT_GT(most, 0.05);
         }
-        // The window has no waves between those that fit it: a 64 m one is 1 % of what the drop makes.
-        EXPECT_LT(worst, 0.01 * 0.4) << frame;
-        EXPECT_GT(most, 0.05);
+        std::filesystem::remove_all(place("drop"));
     }
+}
+
+// 800 drops of 100 m at one place and moment: 80 km, and as many centimetres a second.
+TEST_F(ExportEvents, BeyondTheLargestHalfAreClampedWithOneNote) {
+    std::string rows = "time,x,z,radius,strength\n";
+    for (int row = 0; row < 800; ++row) rows += "0.5,0,0,2,100\n0.5,12,0,2,-100\n";
+    write_file(events(), rows);
+    const auto outcome_of = [&](const std::string& name, const Arguments& more) {
+        return run_pelagic(
+            with({"export", "--out", place(name).string(), "--events", events().string(), "--maps", "none",
+                  "--resolution", "16", "--cascades", "1", "--fps", "2", "--frames", "2-4", "--no-sync"},
+                 more));
+    };
+    for (const Arguments& more : {Arguments{"--half"}, Arguments{}}) {
+        const std::string name = more.empty() ? "floats" : "halves";
+        const Outcome outcome = outcome_of(name, more);
+        ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+        const ReadImage image = map(name, "local_0002.exr");
+        const auto [lowest, highest] = std::minmax_element(image.pixels.begin(), image.pixels.end());
+        if (more.empty()) {
+            EXPECT_EQ(outcome.err, "");
+            EXPECT_GT(*highest, 65520);
+            continue;
+        }
+        EXPECT_EQ(outcome.err,
+                  "note: values beyond 65504, the largest 16-bit float, are stored as 65504; 32-bit floats hold "
+                  "them, without --half and --format ktx2\n");
+        EXPECT_EQ(image.type, "half");
+        EXPECT_EQ(*highest, 65504);
+        EXPECT_EQ(*lowest, -65504);
+    }
+    // KTX2 as the specification has it: no half is infinite.
+    const Outcome outcome = outcome_of("textures", {"--format", "ktx2", "--compression", "none"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_NE(outcome.err.find("note: values beyond 65504"), std::string::npos) << outcome.err;
+    const std::string file = read_file(place("textures") / "local_0002.ktx2");
+    const auto number_at = [&](std::size_t at, std::size_t bytes) {
+        std::uint64_t number = 0;
+        for (std::size_t i = bytes; i-- > 0;) number = number << 8 | static_cast<unsigned char>(file.at(at + i));
+        return number;
+    };
+    const std::uint64_t begin = number_at(80, 8), bytes = number_at(88, 8);
+    ASSERT_EQ(bytes % 2, 0U);
+    std::uint64_t largest = 0;
+    for (std::uint64_t at = begin; at < begin + bytes; at += 2)
+        largest = std::max(largest, number_at(at, 2) & 0x7FFF);
+    EXPECT_EQ(largest, 0x7BFFU);
 }
 
 std::vector<std::vector<double>> rows_in(const std::string& text) {
@@ -372,6 +424,7 @@ TEST_F(ExportEvents, AreRefusedWithTheLineAndTheColumn) {
         {start + "\n\n0,0,0,1\n", ":3: the number of columns is 4, needs 5"},
         {start + "\n0,0,0,0,1\n", ":2: radius is 0, needs metres in [0.001, 1000]"},
         {start + "\n0,nan,0,1,1\n", ":2: x is nan, needs metres in"},
+        {start + "\n0,+-1,0,1,1\n", ":2: x is +-1, needs metres in"},
         {start + "\n2e9,0,0,1,1\n", ":2: time is 2e9, needs seconds in"},
         {start + "\n0,0,0,1,1e3\n", ":2: strength is 1e3, needs metres in [-100, 100]"},
         {start + ",velocity\n0,0,0,1,1,3\n", ":2: velocity is 3, needs 0, or a duration"},

@@ -261,11 +261,11 @@ INSTANTIATE_TEST_SUITE_P(
 
 // Imath is a reader that nobody here wrote.
 TEST(HalfOf, IsImathsForEveryHalfAndAroundEveryMiddle) {
-    for (std::uint32_t bits = 0; bits < 0x7C00; ++bits) {
+    for (std::uint32_t bits = 0; bits < 0x7BFF; ++bits) {
         const auto value = [](std::uint32_t of) {
             Imath::half half;
             half.setBits(static_cast<std::uint16_t>(of));
-            return of == 0x7C00 ? 65536.f : static_cast<float>(half);
+            return static_cast<float>(half);
         };
         const float here = value(bits), next = value(bits + 1), middle = here + (next - here) / 2;
         for (const float x : {here, middle, std::nextafter(middle, 0.f), std::nextafter(middle, 1e9f)}) {
@@ -273,7 +273,11 @@ TEST(HalfOf, IsImathsForEveryHalfAndAroundEveryMiddle) {
             ASSERT_EQ(tools::half_of(-x), Imath::half(-x).bits()) << -x;
         }
     }
-    EXPECT_EQ(tools::half_of(1e30f), 0x7C00);
+    // The largest is 65504, and stands for what is beyond.
+    for (const float x : {65504.f, 65519.9f, 65520.f, 1e30f, std::numeric_limits<float>::infinity()}) {
+        EXPECT_EQ(tools::half_of(x), 0x7BFF) << x;
+        EXPECT_EQ(tools::half_of(-x), 0xFBFF) << -x;
+    }
     EXPECT_EQ(tools::half_of(-1e-30f), 0x8000);
 }
 

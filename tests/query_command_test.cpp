@@ -267,6 +267,7 @@ TEST(QueryCommand, NamesFileLineAndTextOfWhatItCantTake) {
              {"1;2\n", ":1: the line is 1;2, needs"},
              {",\n", ":1: the line is ,, needs"},
              {"1,nan\n", ":1: the line is 1,nan, needs"},
+             {"1,+-1\n", ":1: the line is 1,+-1, needs"},
              {"inf,1\n", ":1: the line is inf,1, needs"},
              {"1e16,1\n", "[-1e15, 1e15]"},
              {"1,2\nx,z\n", ":2: the line is x,z, needs"},

@@ -23,6 +23,7 @@
 #include "pelagic/tools/export/sequence_output.hpp"
 #include "pelagic/tools/files/digest.hpp"
 #include "pelagic/tools/files/output_folder.hpp"
+#include "pelagic/tools/maps/map_image.hpp"
 #include "pelagic/tools/text/errors.hpp"
 #include "pelagic/tools/text/progress.hpp"
 #include "pelagic/tools/text/stop_signal.hpp"
@@ -171,6 +172,11 @@ void run_export(const ExportOptions& options) {
     journal.end(frames, sequence_files);
     if (trace) write_trace(*trace_file, *trace);
     print_summary(stdout, options, {.frames = frames.size(), .kept = kept, .height_sum_m = height_sum_m});
+    if (clamped_halves())
+        std::fprintf(
+            stderr,
+            "note: values beyond 65504, the largest 16-bit float, are stored as 65504; 32-bit floats hold them, "
+            "without --half and --format ktx2\n");
     if (trace && trace->left_out() > 0)
         std::printf("note: %s holds the first %zu spans, %zu later ones are left out\n", options.trace->c_str(),
                     ChromeTrace::default_most_spans, trace->left_out());

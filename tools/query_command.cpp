@@ -157,7 +157,7 @@ void QueryFlags::run() const {
     const Interpolation interpolation =
         interpolation_ ? one_of(interpolations, "--interpolation", *interpolation_) : Interpolation::cubic;
     const std::optional<ShoreOptions> shore = this->shore(sea);
-    const std::optional<EventOptions> events = events_.resolve();
+    const std::optional<EventOptions> events = events_.resolve(sea.sea.depth_m);
     if (events) require_reachable(*events, times_s.back());
     if (!points_ || points_->empty())
         throw InputError("--points is missing, needs a CSV file of lines x,z, or - for standard input");

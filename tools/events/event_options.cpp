@@ -92,13 +92,14 @@ void EventFlags::add_to(CLI::App& app) {
         ->type_name("NUMBER");
     app.add_option("--events-at", at_, "its middle, in metres; default the middle of the events' places")
         ->type_name("X,Z");
-    app.add_option("--events-step", step_,
-                   "spectral (waves of deep water, wakes) or verlet (one speed for all waves, cheaper); default "
-                   "spectral")
+    app.add_option(
+           "--events-step", step_,
+           "spectral (waves of water of --depth, wakes) or verlet (one speed for all waves, cheaper); default "
+           "spectral")
         ->type_name("NAME");
 }
 
-std::optional<EventOptions> EventFlags::resolve() const {
+std::optional<EventOptions> EventFlags::resolve(double depth_m) const {
     if (!file_) {
         for (const auto& [flag, typed] :
              {std::pair("side", &side_), {"resolution", &resolution_}, {"at", &at_}, {"step", &step_}})
@@ -117,6 +118,7 @@ std::optional<EventOptions> EventFlags::resolve() const {
     }
     if (step_) options.water.step = one_of(local_step_names, "--events-step", *step_);
     options.water.border_m = options.water.side_m * border_part;
+    options.water.depth_m = depth_m;
     if (const std::string reason = check(options.water); !reason.empty())
         throw InputError("--events with --events-side " + number_text(options.water.side_m) +
                          " and --events-resolution " + number_text(options.water.resolution) + ": " + reason);

@@ -40,7 +40,8 @@ class EventFlags {
    public:
     void add_to(CLI::App& app);
     /// None without --events. Throws InputError.
-    std::optional<EventOptions> resolve() const;
+    /// \param depth_m  of the sea, whose waves of pushes feel it as well; that of its beginning if it changes
+    std::optional<EventOptions> resolve(double depth_m) const;
 
    private:
     std::optional<std::string> file_, side_, resolution_, at_, step_;

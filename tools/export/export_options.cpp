@@ -350,7 +350,7 @@ ExportOptions ExportFlags::resolve_with(const ResolvedSea& sea) const {
     options.times = times(options.sea);
     options.maps = maps(place.names);
     options.meshes = meshes_.resolve(options.sea, options.times);
-    options.events = events_.resolve();
+    options.events = events_.resolve(sea.sea.depth_m);
     if (options.events)
         require_reachable(*options.events, options.times.time_of(options.times.number(options.times.count() - 1)));
     const bool is_gltf = options.meshes.has(MeshFormat::gltf) || options.meshes.has(MeshFormat::gltf_animation);

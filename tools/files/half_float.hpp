@@ -6,13 +6,16 @@
 
 namespace pelagic::tools {
 
-/// The nearest half, of two equally near ones the even one; infinity from 65520 on. \pre not NaN
+/// Below it floats round to a half; from it on they would round to infinity.
+inline constexpr float first_beyond_halves = 65520;
+
+/// The nearest half, of two equally near ones the even one; +-65504, the largest, for what is beyond. \pre not NaN
 constexpr std::uint16_t half_of(float value) {
     const auto bits = std::bit_cast<std::uint32_t>(value);
     const std::uint32_t sign = bits >> 16 & 0x8000, magnitude = bits & 0x7FFFFFFF;
-    constexpr std::uint32_t infinity = 0x7C00, first_infinite = 0x477FF000,
-                            first_normal = 0x38800000;  // 65520, 2^-14
-    if (magnitude >= first_infinite) return static_cast<std::uint16_t>(sign | infinity);
+    constexpr std::uint32_t largest = 0x7BFF, first_normal = 0x38800000;  // 65504, 2^-14
+    if (magnitude >= std::bit_cast<std::uint32_t>(first_beyond_halves))
+        return static_cast<std::uint16_t>(sign | largest);
     // Below the least normal half, halves are multiples of 2^-24. The float whose last place that is, 1/2, rounds for us.
     if (magnitude < first_normal)
         return static_cast<std::uint16_t>(

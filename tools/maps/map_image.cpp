@@ -1,6 +1,8 @@
 #include "pelagic/tools/maps/map_image.hpp"
 
 #include <algorithm>
+#include <atomic>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <span>
@@ -12,6 +14,8 @@ namespace pelagic::tools {
 namespace {
 
 using Pixels = std::vector<std::byte>;
+
+std::atomic<bool> halves_are_clamped = false;
 
 template <class Value>
 Pixels pixels_of(std::span<const Value> values) {
@@ -40,11 +44,17 @@ Pixels in_parts(const std::vector<float>& values, float most, bool from_minus_on
     });
 }
 
+Pixels in_halves(const std::vector<float>& values) {
+    const auto is_beyond = [](float value) { return std::fabs(value) >= first_beyond_halves; };
+    if (std::any_of(values.begin(), values.end(), is_beyond)) halves_are_clamped = true;
+    return converted<std::uint16_t>(values, half_of);
+}
+
 Pixels stored(const MapValues& of, MapKind map, Sample sample) {
     switch (sample) {
         case Sample::uint8: return in_parts<std::uint8_t>(of.values, 255, map == MapKind::normal);
         case Sample::uint16: return in_parts<std::uint16_t>(of.values, 65535, map == MapKind::normal);
-        case Sample::half: return converted<std::uint16_t>(of.values, half_of);
+        case Sample::half: return in_halves(of.values);
         case Sample::float32: return pixels_of(std::span<const float>(of.values));
     }
     return {};
@@ -74,6 +84,8 @@ void turn_rows_over(MapImage& image) {
 }
 
 }  // namespace
+
+bool clamped_halves() { return halves_are_clamped; }
 
 MapImage map_image(const Tile& tile, MapKind map, int level, const MapOptions& options) {
     return map_levels(tile, map, level, 1, options).front();

@@ -29,4 +29,7 @@ std::vector<MapImage> map_levels(const Tile& tile, MapKind map, int first_level,
 /// Water that answers: heights, how fast they rise, foam; rows and columns from the window's lowest texel on, along z and x.
 MapImage local_map_image(const LocalSurface& water, const MapOptions& options);
 
+/// Whether any image of this process holds +-65504, the largest half, for a value beyond that. Any thread.
+bool clamped_halves();
+
 }  // namespace pelagic::tools

@@ -101,7 +101,7 @@ RenderOptions RenderFlags::resolve() const {
     given("fps", [&](const auto& option, const auto& text) {
         options.fps = number_in(option, text, 1e-6, 1000, "frames a second in (0, 1000]");
     });
-    options.events = events_.resolve();
+    options.events = events_.resolve(options.scene.sea.sea.depth_m);
     if (options.events) require_reachable(*options.events, options.time_s + (options.frames - 1) / options.fps);
     return options;
 }
