@@ -403,13 +403,13 @@ TEST_F(ExportEvents, OfAnotherFileAreNotResumedOrJoined) {
     made(to("one"), "one");
     made(to("shards", {"--shard", "1/2"}), "shards");
     write_file(events(), std::string(several) + "9,1,0,1,1,,,,,\n");
-    expect_refused(run_pelagic(to("one", {"--resume"})), "events_xxh3 was ");
+    expect_refused(run_pelagic(to("one", {"--resume"})), "--events was ");
     EXPECT_EQ(read_file(place("one") / "sea_events.csv"), several);
     made(to("shards", {"--shard", "2/2"}), "shards");
     EXPECT_NE(run_pelagic({"merge", place("shards").string()}).exit_code, 0);
     // A copy that was edited is not what the record says.
     write_file(place("one") / "sea_events.csv", std::string(several) + "\n");
-    expect_refused(run_pelagic({"verify", place("one").string()}), "events_xxh3");
+    expect_refused(run_pelagic({"verify", place("one").string()}), "--events is ");
 }
 
 TEST_F(ExportEvents, AreRefusedWithTheLineAndTheColumn) {
