@@ -2,12 +2,16 @@
 #include <OpenImageIO/imagebuf.h>
 #include <OpenImageIO/imagebufalgo.h>
 #include <gtest/gtest.h>
+#include <signal.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <thread>
 #include <vector>
 
 #include "pelagic/tests/run_pelagic.hpp"
@@ -51,6 +55,44 @@ TEST(RenderCommand, PicturesLookLikeTheReferences) {
         if (preset == "calm") continue;
         // Another sea is such a change: 30 and 51.
         EXPECT_GT(difference(made, read_picture(references / "calm.png")), 3) << preset;
+    }
+}
+
+TEST(RenderCommand, StopsWithALineAndLeavesWholePictures) {
+    const TemporaryFolder folder, logs;
+    constexpr std::ptrdiff_t frames = 500;
+    const pid_t process = start_pelagic({"render", "--preset", "calm", "--size", "64x36", "--quality", "low",
+                                         "--frames", std::to_string(frames), "--out", (folder / "sea.png").string()},
+                                        logs / "out", logs / "err");
+    const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(120);
+    while (!std::filesystem::exists(folder / "sea_0001.png") && std::chrono::steady_clock::now() < deadline)
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    ::kill(process, SIGINT);
+    EXPECT_EQ(wait_for(process), 128 + SIGINT);
+    EXPECT_EQ(read_file(logs / "out"), "");
+    EXPECT_EQ(read_file(logs / "err"), "pelagic: stopped; pictures that are there are whole\n");
+    std::ptrdiff_t pictures = 0;
+    for (const auto& [name, bytes] : files_in(folder.path())) {
+        EXPECT_TRUE(name.starts_with("sea_")) << name;
+        EXPECT_EQ(read_picture(folder / name).spec().width, 64) << name;
+        ++pictures;
+    }
+    EXPECT_GE(pictures, 2);
+    EXPECT_LT(pictures, frames);
+}
+
+TEST(RenderCommand, NotesADriverInSoftware) {
+    const TemporaryFolder folder;
+    for (const std::string quality : {"low", "medium"}) {
+        const Outcome run = run_pelagic(
+            {"render", "--size", "32x18", "--quality", quality, "--json", "--out", (folder / "sea.png").string()});
+        ASSERT_EQ(run.exit_code, 0) << run.err;
+        const std::string renderer = nlohmann::json::parse(run.out)["figures"]["renderer"];
+        const bool is_software = renderer.find("llvmpipe") != std::string::npos;
+        EXPECT_EQ(run.err,
+                  is_software && quality != "low"
+                      ? "note: " + renderer + " draws without a graphics processor; --quality low is faster\n"
+                      : "");
     }
 }
 

@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <memory>
 #include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "pelagic/gl/display.hpp"
@@ -14,6 +16,7 @@
 #include "pelagic/gl/rock.hpp"
 #include "pelagic/gl/sea_renderer.hpp"
 #include "pelagic/gl/sky_panorama.hpp"
+#include "pelagic/gl/software_renderer.hpp"
 #include "pelagic/gl/stopwatch.hpp"
 #include "pelagic/gl/water_at_lens.hpp"
 #include "pelagic/quadtree/selection.hpp"
@@ -23,6 +26,7 @@
 #include "pelagic/tools/files/output_folder.hpp"
 #include "pelagic/tools/pictures/picture_file.hpp"
 #include "pelagic/tools/text/progress.hpp"
+#include "pelagic/tools/text/stop_signal.hpp"
 
 namespace pelagic::tools {
 namespace {
@@ -34,6 +38,7 @@ constexpr int sky_face_size = 512;
 constexpr int metered_width = 320;
 /// Of the sky as a picture of all directions: a texel is as wide as the cube's.
 constexpr int panorama_width = 2048, panorama_height = 1024;
+constexpr const char* fastest_quality = "low";
 /// Between the eyes of most people (Dodgson 2004: 63 mm in the mean).
 constexpr double eye_distance_m = 0.063;
 
@@ -57,7 +62,7 @@ gl::Sky baked_sky(const SceneOptions& scene) {
 /// Everything that a picture needs, built once.
 class PictureMaker {
    public:
-    PictureMaker(const RenderOptions& options, const gl::Sky& sky)
+    PictureMaker(const RenderOptions& options, const gl::Sky& sky, Progress& progress)
         : options_(options),
           ocean_(forecast_of(options.scene.sea), {.executor = make_default_executor(options.scene.compute.threads),
                                                   .isa = options.scene.compute.isa,
@@ -79,6 +84,10 @@ class PictureMaker {
           luminance_of_unit_(sky.luminance_of_unit()),
           unit_(sky.unit),
           caustics_(make_default_executor(options.scene.compute.threads)) {
+        if (const std::string name = context_.renderer_name();
+            gl::is_software_renderer(name) && options.scene.quality != fastest_quality)
+            progress.note("note: " + name + " draws without a graphics processor; --quality " + fastest_quality +
+                          " is faster");
         renderer_.set_water(options.scene.water);
         renderer_.set_floor(options.scene.floor);
         if (options.scene.flow) renderer_.set_flow(*options.scene.flow);
@@ -294,13 +303,14 @@ Json as_json(const gl::WaterOptics& water) {
 }
 
 /// Draws and writes all pictures; what they took.
-Json write_pictures(const RenderOptions& options, const gl::Sky& sky, const Files& out, const Files& hdr) {
+Json write_pictures(const RenderOptions& options, const gl::Sky& sky, const Files& out, const Files& hdr,
+                    Progress& progress) {
     const int width = options.scene.width, height = options.scene.height;
-    PictureMaker maker(options, sky);
-    Progress progress("picture", static_cast<std::size_t>(options.frames));
+    PictureMaker maker(options, sky, progress);
     for (int frame = 0; frame < options.frames; ++frame) {
         progress.show(static_cast<std::size_t>(frame));
         maker.draw(options.time_s + frame / options.fps);
+        const HeldStop whole_files;
         if (out) out.write(frame, encode_picture(maker.pixels(), width, height));
         if (hdr) hdr.write(frame, encode_light(maker.radiance(), width, height));
     }
@@ -315,12 +325,16 @@ void run_render(const RenderOptions& options) {
     std::optional<OutputFile> panorama;
     if (!options.sky_file.empty()) panorama.emplace(options.sky_file);
 
+    end_on_stop_signals("pelagic: stopped; pictures that are there are whole\n");
+    std::optional<Progress> progress(std::in_place, "picture", static_cast<std::size_t>(options.frames));
+    progress->show("sky", 0);
     const gl::Stopwatch watch;
     const gl::Sky sky = baked_sky(options.scene);
     const double sky_ms = watch.milliseconds();
     if (panorama) {
         const auto exr =
             encode_light(gl::panorama_of(sky, panorama_width, panorama_height), panorama_width, panorama_height);
+        const HeldStop whole_file;
         panorama->write(std::as_bytes(std::span(exr)));
     }
     Json json = {{"version", PELAGIC_VERSION}, {"sky", as_json(sky)}, {"water", as_json(options.scene.water)}};
@@ -332,9 +346,10 @@ void run_render(const RenderOptions& options) {
                      {"quality", options.scene.quality},
                      {"sea", sea_as_json(options.scene.sea)},
                      {"weather", weather_as_json(options.scene.sea)},
-                     {"figures", write_pictures(options, sky, out, hdr)}});
+                     {"figures", write_pictures(options, sky, out, hdr, *progress)}});
         json["figures"]["sky_ms"] = sky_ms;
     }
+    progress.reset();
     out.sync();
     hdr.sync();
     if (options.json) {

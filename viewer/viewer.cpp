@@ -15,6 +15,7 @@
 
 #include "pelagic/gl/boat.hpp"
 #include "pelagic/gl/sea_renderer.hpp"
+#include "pelagic/gl/software_renderer.hpp"
 #include "pelagic/gl/stopwatch.hpp"
 #include "pelagic/quadtree/selection.hpp"
 #include "pelagic/sim/ocean.hpp"
@@ -66,10 +67,8 @@ bool same_sea(const SeaState& a, const SeaState& b) {
                                [&](const SeaStateField& field) { return field.value_in(a) == field.value_in(b); });
 }
 
-bool is_software(const gl::Functions& gl) {
-    const std::string_view name = reinterpret_cast<const char*>(gl.GetString(GL_RENDERER));
-    return name.find("llvmpipe") != name.npos || name.find("softpipe") != name.npos ||
-           name.find("SwiftShader") != name.npos;
+bool is_software(const gl::Functions& functions) {
+    return gl::is_software_renderer(reinterpret_cast<const char*>(functions.GetString(GL_RENDERER)));
 }
 
 /// What a drawn picture depends on, in one comparable piece; `changes` counts what else can change.

@@ -15,6 +15,10 @@ Progress::~Progress() {
     if (on_terminal_) std::fputs("\r\033[K", stderr);
 }
 
+void Progress::note(const std::string& line) {
+    std::fprintf(stderr, "%s%s\n", on_terminal_ ? "\r\033[K" : "", line.c_str());
+}
+
 void Progress::show(std::size_t done) {
     show(item_ + " " + std::to_string(done) + " of " + std::to_string(total_),
          static_cast<double>(done) / static_cast<double>(total_));

@@ -19,6 +19,8 @@ class Progress {
     void show(std::size_t done);
     /// \param part  what is done of the whole, 0 to 1
     void show(const std::string& doing, double part);
+    /// Prints a line that stays, on stderr, also where it is no terminal. \param line  without its end of line
+    void note(const std::string& line);
 
    private:
     using Clock = std::chrono::steady_clock;

@@ -1,6 +1,9 @@
 #include "pelagic/tools/text/stop_signal.hpp"
 
+#include <unistd.h>
+
 #include <csignal>
+#include <cstring>
 #include <initializer_list>
 
 namespace pelagic::tools {
@@ -10,21 +13,52 @@ volatile std::sig_atomic_t caught = 0;
 
 extern "C" void note_signal(int signal) { caught = signal; }
 
-}  // namespace
+volatile std::sig_atomic_t is_held = 0;
+const char* end_line = "";
+const char* clear_progress = "";
 
-void catch_stop_signals() {
+/// Calls nothing but what a signal's handler may.
+void end_now() {
+    for (const char* text : {clear_progress, end_line})
+        if (::write(STDERR_FILENO, text, std::strlen(text)) < 0) break;
+    ::_exit(128 + caught);
+}
+
+extern "C" void end_at_signal(int signal) {
+    caught = signal;
+    if (!is_held) end_now();
+}
+
+void handle_stop_signals(void (*handler)(int)) {
     for (const int signal : {SIGINT, SIGTERM}) {
         struct sigaction action {};
         ::sigaction(signal, nullptr, &action);
         if (action.sa_handler == SIG_IGN) continue;  // nohup and background jobs of a script
         action = {};
-        action.sa_handler = note_signal;
+        action.sa_handler = handler;
         action.sa_flags = static_cast<int>(SA_RESETHAND) | SA_RESTART;
         ::sigaction(signal, &action, nullptr);
     }
     std::signal(SIGXFSZ, SIG_IGN);
 }
 
+}  // namespace
+
+void catch_stop_signals() { handle_stop_signals(note_signal); }
+
 int stop_signal() { return caught; }
+
+void end_on_stop_signals(const char* line) {
+    end_line = line;
+    if (::isatty(STDERR_FILENO) == 1) clear_progress = "\r\033[K";
+    handle_stop_signals(end_at_signal);
+}
+
+HeldStop::HeldStop() { is_held = 1; }
+
+HeldStop::~HeldStop() {
+    is_held = 0;
+    if (caught != 0) end_now();
+}
 
 }  // namespace pelagic::tools
