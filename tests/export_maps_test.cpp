@@ -281,6 +281,17 @@ TEST(HalfOf, IsImathsForEveryHalfAndAroundEveryMiddle) {
     EXPECT_EQ(tools::half_of(-1e-30f), 0x8000);
 }
 
+TEST(FloatOfHalf, IsImathsForEveryHalf) {
+    for (std::uint32_t bits = 0; bits <= 0xFFFF; ++bits) {
+        Imath::half half;
+        half.setBits(static_cast<std::uint16_t>(bits));
+        const float value = tools::float_of_half(static_cast<std::uint16_t>(bits)), expected = half;
+        ASSERT_EQ(std::isnan(value), std::isnan(expected)) << bits;
+        if (!std::isnan(expected))
+            ASSERT_EQ(std::bit_cast<std::uint32_t>(value), std::bit_cast<std::uint32_t>(expected)) << bits;
+    }
+}
+
 /// A tile of still water, or of something else.
 struct Planes {
     std::vector<float> dx = std::vector<float>(16 * 16), height = dx, dz = dx;

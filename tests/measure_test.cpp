@@ -26,7 +26,9 @@ using nlohmann::json;
 using std::numbers::pi;
 
 void export_to(const std::filesystem::path& folder, std::vector<std::string> flags) {
-    flags.insert(flags.begin(), {"export", "--out", folder.string(), "--maps", "displacement", "--no-sync"});
+    flags.insert(flags.begin(), {"export", "--out", folder.string(), "--no-sync"});
+    if (std::find(flags.begin(), flags.end(), "--maps") == flags.end())
+        flags.insert(flags.end(), {"--maps", "displacement"});
     const Outcome outcome = run_pelagic(flags);
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
 }
@@ -266,6 +268,54 @@ TEST(Measure, WavesOfSeveralTilesAddInTheWorldsAxes) {
     EXPECT_EQ(bands, 2);
 }
 
+// The same heights in files of every kind: floats to the bit, halves to a part in 2^11, which of a height of 4 m is a millimetre.
+TEST(Measure, LayersPartsAndTexturesGiveTheSameAsFiles) {
+    const TemporaryFolder folder;
+    const std::vector<std::string> sea = {"--preset",      "rough", "--cascades",    "3", "--resolution", "64",
+                                          "--loop-period", "20",    "--loop-frames", "16"};
+    struct Kind {
+        std::string name;
+        std::vector<std::string> flags;
+        bool has_halves = false;
+    };
+    json files;
+    for (const auto& [name, flags, has_halves] : std::vector<Kind>{
+             {"files", {}, false},
+             {"layers", {"--pack", "layers", "--maps", "displacement,gradient,foam"}, false},
+             {"parts", {"--pack", "parts", "--tiled", "--mips", "--maps", "displacement,velocity"}, false},
+             {"turned", {"--pack", "layers", "--axes", "z-up", "--unit", "cm", "--rows", "bottom"}, false},
+             {"ktx2", {"--format", "ktx2", "--mips"}, true},
+             {"zstd", {"--format", "ktx2", "--compression", "zstd", "--axes", "z-up"}, true}}) {
+        SCOPED_TRACE(name);
+        std::vector<std::string> all = sea;
+        all.insert(all.end(), flags.begin(), flags.end());
+        export_to(folder / name, all);
+        const json found = measured(folder / name);
+        if (files.empty()) files = found;
+        EXPECT_EQ(found["tiles"], files["tiles"]);
+        for (const char* of :
+             {"significant_wave_height_m", "peak_period_s", "peak_wavelength_m", "mean_direction_deg"})
+            EXPECT_NEAR(figure(found, of) / figure(files, of), 1, has_halves ? 1e-3 : 1e-6) << of;
+    }
+    // A texture that is damaged is one line.
+    const std::filesystem::path texture = folder / "ktx2" / "displacement_c1_0003.ktx2";
+    const std::string whole = read_file(texture);
+    for (const auto& [bytes, reason] : std::vector<std::pair<std::string, std::string>>{
+             {whole.substr(0, 90), "it ends before its texels"},
+             {whole.substr(0, whole.size() - 10), "it ends before its texels"},
+             {"KTX" + whole.substr(3), "it is no KTX2 file"},
+             {read_file(folder / "ktx2" / "displacement_0000.ktx2").replace(20, 1, "\x20"), "it has 32 x 64 texels"},
+             {std::string(whole).replace(12, 1, "\x25"), "its Vulkan format is 37"},
+             {std::string(whole).replace(44, 1, "\x01"), "its supercompression scheme is 1"},
+             {std::string(whole).replace(80, 8, std::string(8, '\xff')), "it ends before its texels"},
+             {std::string(whole).replace(44, 1, "\x02"), "libzstd can't decompress"}}) {
+        write_file(texture, bytes);
+        const Outcome outcome = run_pelagic({"info", "--measure", (folder / "ktx2").string()});
+        EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
+        EXPECT_NE(outcome.err.find("displacement_c1_0003.ktx2: " + reason), std::string::npos) << outcome.err;
+    }
+}
+
 TEST(Measure, OneFrameTellsNeitherPeriodNorDirection) {
     const TemporaryFolder folder;
     export_to(folder / "out", {"--resolution", "32"});
@@ -293,8 +343,18 @@ TEST(Measure, WritesAPictureWhereItIsToldAndNothingElse) {
     EXPECT_EQ(files_in(folder / "out"), before);
     const std::string svg = read_file(folder / "plot.svg");
     EXPECT_TRUE(svg.starts_with("<svg"));
-    for (const char* part : {"Spectrum by frequency", "Spectrum by wave number", "asked for", "</svg>"})
+    for (const char* part :
+         {"<title>Waves of 32 frames: Hs ", "Spectrum by frequency", "Spectrum by wave number", "asked for",
+          ">frequency, Hz<", ">variance density, m²/Hz<", ">wave number, rad/m<", ">variance density, m³<", "</svg>"})
         EXPECT_NE(svg.find(part), std::string::npos) << part;
+    // Both ends of each axis are labelled: numbers left of x = 0 at the frame's upper and lower edge (0 and 420), and below it at
+    // its left and right edge (0 and 560).
+    for (const char* end :
+         {"x=\"-8\" y=\"5.0\"", "x=\"-8\" y=\"425.0\"", "x=\"0.0\" y=\"446\"", "x=\"560.0\" y=\"446\""}) {
+        const std::size_t first = svg.find(end);
+        ASSERT_NE(first, std::string::npos) << end;
+        EXPECT_NE(svg.find(end, first + 1), std::string::npos) << "of both panels: " << end;
+    }
     EXPECT_EQ(svg.find("nan"), std::string::npos);
     EXPECT_EQ(svg.find("inf"), std::string::npos);
 }
@@ -331,7 +391,9 @@ TEST(Measure, HostileFoldersAreOneLine) {
                    "can't write");
     expect_refused({"info", "--svg", "x.svg"}, 2, "needs --measure DIR");
 
-    with_record([](json& record) { record["export"]["pack"] = "parts"; }, "needs an export with --pack files");
+    with_record([](json& record) { record["export"]["pack"] = "parts"; }, "frame 0 names no displacement image");
+    with_record([](json& record) { record["export"]["format"] = "dds"; },
+                "needs an export with --format exr, tif or ktx2");
     with_record([](json& record) { record.erase("frames"); }, "has no frames");
     with_record([](json& record) { record["frames"] = json::array(); }, "has no frames");
     with_record([](json& record) { record["frames"][1] = 7; }, "frame 1 has no time_s");
@@ -364,8 +426,7 @@ TEST(Measure, HostileFoldersAreOneLine) {
     with_image(image.substr(0, image.size() / 2), "");
     with_image(std::string(std::size_t{2} << 20, 'x'), "it is larger than 16 x 16 pixels can be");
     export_to(folder / "other", {"--resolution", "32", "--patch-size", "250"});
-    with_image(read_file(folder / "other" / "displacement_0000.exr"),
-               "it has 32 x 32 pixels of 3 channels, needs 16 x 16 of 3");
+    with_image(read_file(folder / "other" / "displacement_0000.exr"), "it has 32 x 32 pixels, needs 16 x 16");
     std::filesystem::remove(out / "displacement_0001.exr");
     expect_refused(measure, 1, "displacement_0001.exr: No such file");
     std::filesystem::create_symlink("displacement_0000.exr", out / "displacement_0001.exr");

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <span>
 #include <vector>
 
 namespace pelagic::tools {
@@ -27,6 +28,15 @@ void append_little_endian(Bytes& bytes, Number number) {
 template <class Number>
 void append_big_endian(Bytes& bytes, Number number) {
     append_number_bytes<std::endian::big>(bytes, number);
+}
+
+/// The number whose bytes these are, the lowest first. \pre as many as it has
+template <class Number>
+Number little_endian(std::span<const unsigned char> bytes) {
+    std::array<unsigned char, sizeof(Number)> all;
+    std::copy(bytes.begin(), bytes.end(), all.begin());
+    if constexpr (std::endian::native != std::endian::little) std::reverse(all.begin(), all.end());
+    return std::bit_cast<Number>(all);
 }
 
 }  // namespace pelagic::tools

@@ -25,4 +25,14 @@ constexpr std::uint16_t half_of(float value) {
     return static_cast<std::uint16_t>(sign | (((magnitude + 0xFFF + is_odd) >> 13) - (112 << 10)));
 }
 
+/// The value of a half, exactly.
+constexpr float float_of_half(std::uint16_t half) {
+    const std::uint32_t sign = static_cast<std::uint32_t>(half & 0x8000) << 16;
+    const std::uint32_t exponent = half >> 10 & 0x1F, mantissa = half & 0x3FF;
+    if (exponent == 0)  // multiples of 2^-24
+        return std::bit_cast<float>(std::bit_cast<std::uint32_t>(static_cast<float>(mantissa) * 0x1p-24f) | sign);
+    const std::uint32_t exponent_of_float = exponent == 0x1F ? 0xFF : exponent + 112;  // infinity and NaN stay so
+    return std::bit_cast<float>(sign | exponent_of_float << 23 | mantissa << 13);
+}
+
 }  // namespace pelagic::tools

@@ -1,5 +1,8 @@
 #include "pelagic/tools/files/zstd.hpp"
 
+#include <stdexcept>
+#include <string>
+
 #include "pelagic/tools/text/errors.hpp"
 
 #ifdef PELAGIC_HAS_ZSTD
@@ -21,9 +24,22 @@ std::vector<unsigned char> zstd_frame(std::span<const unsigned char> bytes) {
     return frame;
 }
 
+std::vector<unsigned char> zstd_content(std::span<const unsigned char> frame, std::size_t size) {
+    std::vector<unsigned char> bytes(size);
+    const std::size_t got = ZSTD_decompress(bytes.data(), bytes.size(), frame.data(), frame.size());
+    if (ZSTD_isError(got))
+        throw std::runtime_error(std::string("libzstd can't decompress: ") + ZSTD_getErrorName(got));
+    if (got != size) throw std::runtime_error("its Zstandard frame is too short");
+    return bytes;
+}
+
 #else
 
 bool has_zstd() { return false; }
+
+std::vector<unsigned char> zstd_content(std::span<const unsigned char>, std::size_t) {
+    throw FileError("this pelagic was built without libzstd, which decompresses KTX2");
+}
 
 std::vector<unsigned char> zstd_frame(std::span<const unsigned char>) {
     throw FileError("this pelagic was built without libzstd, which compresses KTX2");

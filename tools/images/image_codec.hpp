@@ -31,6 +31,9 @@ struct ImageCodec {
     /// The pixels of a file in memory as floats, rows from the top, channels interleaved. Throws std::runtime_error with
     /// OpenImageIO's reason, or if the image's width, height or channels are not `image`'s, before it makes room for any.
     std::vector<float> (*decode)(const ImageDescription& image, std::span<const unsigned char> file);
+    /// The same of one channel, by its full name, "displacement_c1.G" in whichever part of an EXR file it is. Makes room for no other.
+    std::vector<float> (*decode_channel)(const ImageDescription& image, std::span<const unsigned char> file,
+                                         const char* channel);
     /// Sets the width, height and channels of an image whose extension is known. Throws likewise.
     void (*measure)(ImageDescription& image, std::span<const unsigned char> file);
 };

@@ -100,9 +100,29 @@ std::vector<float> decode(const ImageDescription& image, std::span<const unsigne
     return pixels;
 }
 
+std::vector<float> decode_channel(const ImageDescription& image, std::span<const unsigned char> file,
+                                  const char* channel) {
+    OIIO::Filesystem::IOMemReader memory(const_cast<unsigned char*>(file.data()), file.size());
+    ImageSpec spec;
+    const std::unique_ptr<ImageInput> input = opened(image.extension, memory, spec);
+    for (int part = 0; input->seek_subimage(part, 0); ++part) {
+        spec = input->spec();
+        const int number = spec.channelindex(channel);
+        if (number < 0) continue;
+        if (spec.width != image.width || spec.height != image.height || spec.depth != 1)
+            throw std::runtime_error("it has " + std::to_string(spec.width) + " x " + std::to_string(spec.height) +
+                                     " pixels, needs " + std::to_string(image.width) + " x " +
+                                     std::to_string(image.height));
+        std::vector<float> pixels(static_cast<std::size_t>(image.width) * image.height);
+        check(*input, input->read_image(part, 0, number, number + 1, TypeDesc::FLOAT, pixels.data()));
+        return pixels;
+    }
+    throw std::runtime_error(std::string("it has no channel ") + channel);
+}
+
 }  // namespace
 }  // namespace pelagic::tools
 
 extern "C" __attribute__((visibility("default"))) const pelagic::tools::ImageCodec pelagic_image_codec = {
-    PELAGIC_VERSION, pelagic::tools::encode, pelagic::tools::encode_exr, pelagic::tools::decode,
-    pelagic::tools::measure};
+    PELAGIC_VERSION,        pelagic::tools::encode,         pelagic::tools::encode_exr,
+    pelagic::tools::decode, pelagic::tools::decode_channel, pelagic::tools::measure};

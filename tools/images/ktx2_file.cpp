@@ -1,12 +1,17 @@
 #include "pelagic/tools/images/ktx2_file.hpp"
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <cassert>
 #include <initializer_list>
 #include <numeric>
+#include <stdexcept>
+#include <string>
 #include <string_view>
 
 #include "pelagic/tools/files/byte_order.hpp"
+#include "pelagic/tools/files/half_float.hpp"
 #include "pelagic/tools/files/zstd.hpp"
 
 namespace pelagic::tools {
@@ -17,6 +22,7 @@ constexpr std::array<unsigned char, 12> identifier = {0xAB, 'K',  'T',  'X',  ' 
 
 // Lengths of the parts in front of the data.
 constexpr std::size_t header_bytes = 80, level_index_entry_bytes = 24;
+constexpr std::uint32_t zstd_scheme = 2;
 
 /// VkFormat of 1, 2 and 4 channels (Vulkan 1.0).
 std::uint32_t vulkan_format(const Texture& texture) {
@@ -126,7 +132,7 @@ Bytes ktx2_file(const Texture& texture, Supercompression supercompression) {
     append_words(file, {vulkan_format(texture), bytes_of(texture.sample)});
     append_words(file, {static_cast<std::size_t>(texture.width), static_cast<std::size_t>(texture.height)});
     append_words(file, {0, 0, 1, levels.size()});  // no depth, no array, no cube
-    append_words(file, {is_compressed ? std::size_t{2} : 0});
+    append_words(file, {is_compressed ? std::size_t{zstd_scheme} : 0});
     append_words(file, {descriptor_offset, descriptor.size(), pairs_offset, pairs.size()});
     append_long_words(file, {0, 0});  // nothing that all levels share
     for (std::size_t level = 0; level < levels.size(); ++level)
@@ -139,6 +145,47 @@ Bytes ktx2_file(const Texture& texture, Supercompression supercompression) {
         file.insert(file.end(), level->bytes.begin(), level->bytes.end());
     }
     return file;
+}
+
+std::vector<float> ktx2_channel(std::span<const unsigned char> file, int side, std::size_t channel) {
+    const auto piece = [&](std::size_t offset, std::size_t size) {
+        if (offset > file.size() || size > file.size() - offset)
+            throw std::runtime_error("it ends before its texels");
+        return file.subspan(offset, size);
+    };
+    const auto word_at = [&](std::size_t offset) { return little_endian<std::uint32_t>(piece(offset, 4)); };
+    const auto long_word_at = [&](std::size_t offset) { return little_endian<std::uint64_t>(piece(offset, 8)); };
+    constexpr std::size_t format_at = 12, width_at = 20, height_at = 24, scheme_at = 44;
+    constexpr std::uint32_t four_halves = 97,
+                            four_floats = 109;  // VK_FORMAT_R16G16B16A16_SFLOAT, R32G32B32A32_SFLOAT
+
+    const auto start = piece(0, header_bytes + level_index_entry_bytes);
+    if (!std::equal(identifier.begin(), identifier.end(), start.begin()))
+        throw std::runtime_error("it is no KTX2 file");
+    const std::uint32_t format = word_at(format_at), scheme = word_at(scheme_at);
+    const std::uint32_t width = word_at(width_at), height = word_at(height_at);
+    if (width != static_cast<std::uint32_t>(side) || height != width)
+        throw std::runtime_error("it has " + std::to_string(width) + " x " + std::to_string(height) +
+                                 " texels, needs " + std::to_string(side) + " x " + std::to_string(side));
+    if (format != four_halves && format != four_floats)
+        throw std::runtime_error("its Vulkan format is " + std::to_string(format) + ", needs four halves or floats");
+    if (scheme != 0 && scheme != zstd_scheme)
+        throw std::runtime_error("its supercompression scheme is " + std::to_string(scheme) +
+                                 ", needs none or Zstandard");
+
+    const std::size_t value_bytes = format == four_halves ? 2 : 4;
+    const std::size_t texels = static_cast<std::size_t>(side) * static_cast<std::size_t>(side);
+    auto level = piece(long_word_at(header_bytes), long_word_at(header_bytes + 8));
+    Bytes content;
+    if (scheme == zstd_scheme) level = content = zstd_content(level, texels * 4 * value_bytes);
+    if (level.size() != texels * 4 * value_bytes) throw std::runtime_error("its largest level has another size");
+    std::vector<float> values(texels);
+    for (std::size_t i = 0; i < texels; ++i) {
+        const auto value = level.subspan((4 * i + channel) * value_bytes, value_bytes);
+        values[i] = format == four_halves ? float_of_half(little_endian<std::uint16_t>(value))
+                                          : std::bit_cast<float>(little_endian<std::uint32_t>(value));
+    }
+    return values;
 }
 
 }  // namespace pelagic::tools

@@ -1,6 +1,8 @@
 // KTX 2.0, the container of textures for OpenGL, Vulkan, WebGL and WebGPU (Khronos, KTX File Format Specification 2.0, revision 4).
 #pragma once
 
+#include <cstddef>
+#include <span>
 #include <vector>
 
 #include "pelagic/tools/images/texture.hpp"
@@ -14,5 +16,9 @@ enum class Supercompression { none, zstd };
 /// Pelagic was built without libzstd.
 /// \pre check(texture) is empty (asserted)
 std::vector<unsigned char> ktx2_file(const Texture& texture, Supercompression supercompression);
+
+/// One channel of the largest level of such a texture, side x side texels, rows from the top. Throws std::runtime_error with the
+/// reason if it is damaged, has another size, or has other texels than four halves or floats; FileError as above.
+std::vector<float> ktx2_channel(std::span<const unsigned char> file, int side, std::size_t channel);
 
 }  // namespace pelagic::tools

@@ -7,13 +7,16 @@
 #include <cmath>
 #include <cstring>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <system_error>
 
 #include "pelagic/message/number_text.hpp"
 #include "pelagic/tools/export/export_names.hpp"
 #include "pelagic/tools/export/frame_times.hpp"
 #include "pelagic/tools/export/record_names.hpp"
+#include "pelagic/tools/images/exr_header.hpp"
 #include "pelagic/tools/images/image_codec.hpp"
+#include "pelagic/tools/images/ktx2_file.hpp"
 #include "pelagic/tools/text/errors.hpp"
 
 namespace pelagic::tools {
@@ -48,7 +51,8 @@ const Json& value_of(const Json& json, const char* key) {
     return found == json.end() ? none : *found;
 }
 
-/// The images of the frame's heights, of the coarsest tile and of as many finer ones as it lists, as the export names them.
+/// The images of the frame's heights, of the coarsest tile and of as many finer ones as it lists, as the export names them. In an
+/// export whose files have all maps each tile has the same.
 std::vector<std::string> heights_names(const Json& frame, const MapOptions& options, std::size_t most_tiles) {
     const Json &files = value_of(frame, "files"), &number = value_of(frame, "frame");
     if (!files.is_array() || !number.is_number_unsigned() || number > FrameTimes::largest_number) return {};
@@ -57,6 +61,11 @@ std::vector<std::string> heights_names(const Json& frame, const MapOptions& opti
                            [&](const Json& file) { return value_of(file, "name") == name; });
     };
     std::vector<std::string> names;
+    if (options.pack != Pack::files) {
+        if (const std::string name = packed_name(options, number.get<int>()); is_listed(name))
+            names.assign(most_tiles, name);
+        return names;
+    }
     for (std::size_t tile = 0; tile < most_tiles; ++tile) {
         const ImageMark mark{MapKind::displacement, static_cast<int>(tile)};
         const std::string name = image_name(options, mark, number.get<int>(), files.size() == 1);
@@ -96,7 +105,10 @@ StoredHeights stored_heights(const Json& record, const std::filesystem::path& pl
 MapOptions names_in(const Json& record) {
     MapOptions options;
     const Json& how = value_of(record, "export");
-    if (value_of(how, "format") == "tif") options.format = ImageFormat::tiff;
+    for (const ImageFormat format : all_formats)
+        if (value_of(how, "format") == name_of(format)) options.format = format;
+    for (const Pack pack : all_packs)
+        if (value_of(how, "pack") == name_of(pack)) options.pack = pack;
     if (const Json& names = value_of(how, "names"); names.is_string())
         options.names = NamePattern::parse(names.get<std::string>());
     return options;
@@ -118,8 +130,8 @@ OutputFolder open_export(const std::string& option, const std::filesystem::path&
 
 ExportReader::ExportReader(std::string option, const std::filesystem::path& folder)
     : option_(std::move(option)), folder_(open_export(option_, folder, Sync::no)) {
-    const std::filesystem::path place = folder / record_name({});
-    const std::optional<std::string> text = folder_.read_text(record_name({}), most_record_bytes);
+    const std::filesystem::path place = folder / sea_json_name;
+    const std::optional<std::string> text = folder_.read_text(sea_json_name, most_record_bytes);
     if (!text) throw InputError(place.string() + " is missing, needs a finished export");
     if (text->size() > most_record_bytes)
         throw InputError(place.string() + " has more than " + number_text(most_record_bytes >> 20) + " MiB");
@@ -128,19 +140,18 @@ ExportReader::ExportReader(std::string option, const std::filesystem::path& fold
     tiles_ = plan_tiles(forecast_of(sea_));
     stored_ = stored_heights(record, place);
 
-    const Json& pack = value_of(value_of(record, "export"), "pack");
-    if (pack.is_string() && pack != name_of(Pack::files))
-        throw InputError(place.string() + ": all maps of a frame are in one file, needs an export with --pack files");
-    for (const ImageFormat format : {ImageFormat::ktx2, ImageFormat::dds})
-        if (value_of(value_of(record, "export"), "format") == name_of(format))
-            throw InputError(place.string() + ": the maps are " + name_of(format) +
-                             " textures, needs an export with --format exr or tif");
+    const MapOptions maps = names_in(record);
+    is_packed_ = maps.pack != Pack::files;
+    if (maps.format == ImageFormat::dds)
+        throw InputError(place.string() +
+                         ": the maps are dds textures, needs an export with --format exr, tif or ktx2");
+    if (is_packed_ && value_of(value_of(record, "channels"), "displacement").is_null())
+        throw InputError(place.string() + " names no displacement, needs an export with --maps displacement");
     const Json& frames = value_of(record, "frames");
     if (!frames.is_array() || frames.empty())
         throw InputError(place.string() + " has no frames, needs a finished export");
     frames_there_ = frames.size();
     std::vector<double> times_s;
-    const MapOptions maps = names_in(record);
     for (const Json& frame : frames) {
         if (names_.size() == most_frames) break;
         const std::string where = place.string() + ": frame " + number_text(names_.size());
@@ -163,13 +174,22 @@ ExportReader::ExportReader(std::string option, const std::filesystem::path& fold
     }
 }
 
+std::string ExportReader::channel_of(std::size_t tile) const {
+    const std::string letter(1, "RGB"[stored_.channel]);
+    if (!is_packed_) return letter;
+    return std::string(name_of(MapKind::displacement)) + (tile > 0 ? "_c" + number_text(tile) : "") + "." + letter;
+}
+
 std::vector<float> ExportReader::heights(std::size_t frame, std::size_t tile) const {
     const std::string& name = names_[frame][tile];
     const int resolution = tiles_[tile].resolution;
     const std::filesystem::path place = folder_.path() / name;
     const std::size_t texels = static_cast<std::size_t>(resolution) * resolution;
-    const std::size_t most_bytes =
-        2 * texels * 3 * sizeof(float) + (std::size_t{1} << 20);  // nothing grows so by compression
+    // Nothing grows so much by compression. A texture has four channels and smaller levels; a packed file may have all maps of all
+    // tiles, which levels make larger by a third.
+    const std::size_t texel_bytes =
+        is_packed_ ? all_maps.size() * 4 * tiles_.size() * 2 * sizeof(float) : 4 * 2 * sizeof(float);
+    const std::size_t most_bytes = 2 * texels * texel_bytes + (std::size_t{1} << 20);
     const std::optional<std::string> file = folder_.read_text(name, most_bytes);
     if (!file) throw FileError("can't read " + place.string() + ": " + std::strerror(ENOENT));
     if (file->size() > most_bytes)
@@ -178,19 +198,23 @@ std::vector<float> ExportReader::heights(std::size_t frame, std::size_t tile) co
     const ImageDescription image{.extension = name.ends_with(".tif") ? "tif" : "exr",
                                  .width = resolution,
                                  .height = resolution,
-                                 .channels = 3,
+                                 .channels = 0,
                                  .sample = Sample::float32,
                                  .colour_space = "Linear",
                                  .compression = nullptr};
     std::vector<float> heights(texels);
     try {
-        const auto* bytes = reinterpret_cast<const unsigned char*>(file->data());
-        const std::vector<float> pixels = image_codec().decode(image, {bytes, file->size()});
+        const std::span<const unsigned char> bytes(reinterpret_cast<const unsigned char*>(file->data()),
+                                                   file->size());
+        const auto pixels = [&] {
+            if (name.ends_with(".ktx2")) return ktx2_channel(bytes, resolution, stored_.channel);
+            if (!name.ends_with(".tif")) read_exr_header(bytes);
+            return image_codec().decode_channel(image, bytes, channel_of(tile).c_str());
+        }();
         const auto side = static_cast<std::size_t>(resolution);
         for (std::size_t j = 0; j < side; ++j) {
             const std::size_t row = stored_.rows_turned_over ? side - 1 - j : j;
-            for (std::size_t i = 0; i < side; ++i)
-                heights[j * side + i] = stored_.metres * pixels[3 * (row * side + i) + stored_.channel];
+            for (std::size_t i = 0; i < side; ++i) heights[j * side + i] = stored_.metres * pixels[row * side + i];
         }
     } catch (const FileError&) {
         throw;  // the library itself is missing

@@ -42,11 +42,15 @@ class ExportReader {
     static constexpr std::size_t most_frames = 65536;
 
    private:
+    /// That holds a tile's heights, by its name in the file.
+    std::string channel_of(std::size_t tile) const;
+
     std::string option_;
     OutputFolder folder_;
     ResolvedSea sea_;
     std::vector<TilePlan> tiles_;
     StoredHeights stored_;
+    bool is_packed_ = false;                       ///< all maps of a frame are in one file
     std::vector<std::vector<std::string>> names_;  ///< [frame][tile]
     std::size_t frames_there_ = 0;
     double step_s_ = 0;

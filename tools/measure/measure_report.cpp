@@ -156,10 +156,16 @@ Json measure_export(const std::filesystem::path& folder) {
 std::string measurement_as_svg(const Json& measured) {
     std::vector<SpectrumPanel> panels;
     if (const Json& spectrum = measured.at("by_frequency"); !spectrum.empty())
-        panels.push_back({"Spectrum by frequency", "Hz", "m²/Hz", points_of(spectrum, "frequency_hz", "m2_per_hz")});
-    panels.push_back({"Spectrum by wave number", "rad/m", "m³",
+        panels.push_back({"Spectrum by frequency", "frequency, Hz", "variance density, m²/Hz",
+                          points_of(spectrum, "frequency_hz", "m2_per_hz")});
+    panels.push_back({"Spectrum by wave number", "wave number, rad/m", "variance density, m³",
                       points_of(measured.at("by_wave_number"), "wave_number_rad_per_m", "m3")});
-    return spectra_as_svg(panels);
+    const Json& height = measured.at("waves").at("significant_wave_height_m");
+    const auto frames = measured.at("frames").at("read").get<std::size_t>();
+    return spectra_as_svg("Waves of " + number_text(frames) + (frames == 1 ? " frame" : " frames") + ": Hs " +
+                              rounded_text(height.at("found").get<double>(), 3) + " m found, " +
+                              rounded_text(height.at("expected").get<double>(), 3) + " m expected",
+                          panels);
 }
 
 void print_measurement(const Json& measured) {

@@ -8,7 +8,7 @@ namespace pelagic::tools {
 namespace {
 
 constexpr double width = 560, height = 420;  ///< of a panel's axes, in SVG units
-constexpr double left = 80, top = 50, below = 70, between = 40;
+constexpr double left = 110, top = 100, below = 80, right = 30;
 constexpr double most_decades = 5;  ///< below the largest density: less is nothing
 constexpr const char* found_colour = "#d62728";
 constexpr const char* asked_colour = "#1f77b4";
@@ -23,11 +23,15 @@ std::string line(const char* format, Values... values) {
 /// Base-10 logarithms from `least` to `most` on `size` units.
 struct Axis {
     double least, most, size;
-    double place(double value) const { return (std::log10(value) - least) / (most - least) * size; }
-    bool holds(double value) const { return value > 0 && std::log10(value) >= least && std::log10(value) <= most; }
+    std::vector<double> ticks = {1};  ///< of each decade
+    double place(double value) const { return std::max(0.0, (std::log10(value) - least) / (most - least) * size); }
+    bool holds(double value) const {
+        constexpr double rounding = 1e-9;
+        return value > 0 && std::log10(value) >= least - rounding && std::log10(value) <= most + rounding;
+    }
 };
 
-/// The span of the values, of which at most `decades` below the largest count; a tenth of a decade wider at both ends.
+/// An axis over the values, of which at most `decades` below the largest count. It begins and ends with a tick.
 Axis axis_over(const std::vector<double>& values, double decades, double size) {
     double most = -300;
     for (const double value : values)
@@ -36,30 +40,38 @@ Axis axis_over(const std::vector<double>& values, double decades, double size) {
     for (const double value : values)
         if (value > 0) least = std::min(least, std::max(std::log10(value), most - decades));
     if (most < -299) return {0, 1, size};
-    return {least - 0.1, most + 0.1, size};
+    const std::vector<double> ticks = most - least < 2 ? std::vector<double>{1, 2, 5} : std::vector<double>{1};
+    double first = std::floor(least), last = std::ceil(most);
+    for (double decade = std::floor(least); decade <= std::ceil(most); ++decade)
+        for (const double factor : ticks) {
+            const double tick = decade + std::log10(factor);
+            if (tick <= least) first = std::max(first, tick);
+            if (tick >= most) last = std::min(last, tick);
+        }
+    return {first, last > first ? last : first + 1, size, ticks};
 }
 
 std::string axes_as_svg(const Axis& across, const Axis& up, const SpectrumPanel& panel) {
     std::string svg = line("<rect width=\"%g\" height=\"%g\" fill=\"none\" stroke=\"black\"/>\n", width, height);
     const auto each_tick = [](const Axis& axis, auto draw) {
         for (double decade = std::floor(axis.least); decade <= axis.most; ++decade)
-            for (const double factor : {1.0, 2.0, 5.0})
+            for (const double factor : axis.ticks)
                 if (const double value = factor * std::pow(10, decade); axis.holds(value))
-                    draw(axis.place(value), value, factor == 1 || axis.most - axis.least < 2);
+                    draw(axis.place(value), value);
     };
-    each_tick(across, [&](double x, double value, bool is_labelled) {
+    each_tick(across, [&](double x, double value) {
         svg += line("<path d=\"M%.1f 0V%g\" stroke=\"#ddd\"/>\n", x, height);
-        if (is_labelled)
-            svg += line("<text x=\"%.1f\" y=\"%g\" text-anchor=\"middle\">%g</text>\n", x, height + 20, value);
+        svg += line("<text x=\"%.1f\" y=\"%g\" text-anchor=\"middle\">%g</text>\n", x, height + 26, value);
     });
-    each_tick(up, [&](double y, double value, bool is_labelled) {
+    each_tick(up, [&](double y, double value) {
         svg += line("<path d=\"M0 %.1fH%g\" stroke=\"#ddd\"/>\n", height - y, width);
-        if (is_labelled)
-            svg += line("<text x=\"-8\" y=\"%.1f\" text-anchor=\"end\">%g</text>\n", height - y + 5, value);
+        svg += line("<text x=\"-8\" y=\"%.1f\" text-anchor=\"end\">%g</text>\n", height - y + 5, value);
     });
-    svg += line("<text x=\"%g\" y=\"%g\" text-anchor=\"middle\">", width / 2, height + 45) + panel.at_label +
+    svg += line("<text x=\"%g\" y=\"%g\" text-anchor=\"middle\">", width / 2, height + 56) + panel.at_label +
            "</text>\n";
-    svg += line("<text x=\"0\" y=\"-10\">") + panel.title + ", " + panel.density_label + "</text>\n";
+    svg += line("<text transform=\"translate(%g %g) rotate(-90)\" text-anchor=\"middle\">", -80.0, height / 2) +
+           panel.density_label + "</text>\n";
+    svg += line("<text x=\"0\" y=\"-12\">") + panel.title + "</text>\n";
     return svg;
 }
 
@@ -80,11 +92,11 @@ std::string curve_as_svg(const Axis& across, const Axis& up, const SpectrumPanel
 
 std::string panel_as_svg(const SpectrumPanel& panel) {
     std::vector<double> places, densities;
-    for (const PlottedPoint& point : panel.points) {
-        places.push_back(point.at);
-        densities.insert(densities.end(), {point.found, point.asked_for});
-    }
-    const Axis across = axis_over(places, 300, width), up = axis_over(densities, most_decades, height);
+    for (const PlottedPoint& point : panel.points) densities.insert(densities.end(), {point.found, point.asked_for});
+    const Axis up = axis_over(densities, most_decades, height);
+    for (const PlottedPoint& point : panel.points)
+        if (up.holds(point.found) || up.holds(point.asked_for)) places.push_back(point.at);
+    const Axis across = axis_over(places, 300, width);
     const std::string found = line("stroke=\"%s\" stroke-width=\"2\"", found_colour);
     const std::string asked = line("stroke=\"%s\" stroke-width=\"2\" stroke-dasharray=\"7 4\"", asked_colour);
     return axes_as_svg(across, up, panel) + curve_as_svg(across, up, panel, &PlottedPoint::asked_for, asked.c_str()) +
@@ -96,12 +108,15 @@ std::string panel_as_svg(const SpectrumPanel& panel) {
 
 }  // namespace
 
-std::string spectra_as_svg(const std::vector<SpectrumPanel>& panels) {
-    const double step = left + width + between;
+std::string spectra_as_svg(const std::string& title, const std::vector<SpectrumPanel>& panels) {
+    const double step = left + width + right;
+    const double whole = step * static_cast<double>(panels.size());
     std::string svg = line(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %g %g\" font-family=\"sans-serif\" "
-        "font-size=\"16\">\n<rect width=\"100%%\" height=\"100%%\" fill=\"white\"/>\n",
-        step * static_cast<double>(panels.size()), top + height + below);
+        "font-size=\"16\">\n",
+        whole, top + height + below);
+    svg += "<title>" + title + "</title>\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n";
+    svg += line("<text x=\"%g\" y=\"40\" text-anchor=\"middle\" font-size=\"20\">", whole / 2) + title + "</text>\n";
     for (std::size_t i = 0; i < panels.size(); ++i)
         svg += line("<g transform=\"translate(%g %g)\">\n", left + step * static_cast<double>(i), top) +
                panel_as_svg(panels[i]) + "</g>\n";

@@ -10,13 +10,13 @@ struct PlottedPoint {
     double at, found, asked_for;
 };
 
-/// One pair of axes. Points whose values are not above 0 are left out.
+/// One pair of axes, labelled with quantities and units. Points whose values are not above 0 are left out.
 struct SpectrumPanel {
     std::string title, at_label, density_label;
     std::vector<PlottedPoint> points;
 };
 
-/// The panels side by side. Texts are ours, or numbers: nothing in them is escaped.
-std::string spectra_as_svg(const std::vector<SpectrumPanel>& panels);
+/// The panels side by side below a title. Texts are ours, or numbers: nothing in them is escaped.
+std::string spectra_as_svg(const std::string& title, const std::vector<SpectrumPanel>& panels);
 
 }  // namespace pelagic::tools
