@@ -54,7 +54,7 @@ quietly build
 
 # 60 seconds are nine periods of the highest waves, so the loop looks like a sea and not like a machine. The shortest wave of
 # this coarse grid takes 1.6 seconds, so 4 frames a second are enough where the player blends between them.
-command=(build/release/bin/pelagic export --out out --patch-size 250 --resolution 128 --loop-period 60 --loop-frames 240 --mips)
+command=(build/release/bin/pelagic export --out out --patch-size 250 --resolution 128 --loop-period 60 --loop-frames 240 --mips --overwrite)
 "${command[@]}"
 picture=(build/release/bin/pelagic render --out out/sea.png --loop-period 60)
 "${picture[@]}" ||
@@ -65,6 +65,7 @@ Your sea is in out/:
   displacement_0000.exr ... displacement_0239.exr   metres: red = Dx, green = height, blue = Dz
   gradient_0000.png ... gradient_0239.png           normal x, normal z, Jacobian, smoothness (and _mip1 ...)
   sea.json                                          every option, what pixels mean, a hash for each frame
+  sea_files.json                                    a hash for each file, for --resume and pelagic verify
 Play the 240 frames at 4 a second, blended: after the last one the first follows without a seam.
   sea.png                                           a sea in that wind, with its smaller waves
 They were made by:

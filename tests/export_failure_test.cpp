@@ -118,7 +118,7 @@ TEST(Resume, ForgetsNothingOfAnExportThatWasBeingReplaced) {
                            "--frames", "40"})
                   .exit_code,
               0);
-    const Outcome failed = run_pelagic(arguments_of(folder.path()), [] {
+    const Outcome failed = run_pelagic(arguments_of(folder.path(), {"--overwrite"}), [] {
         const rlimit least{20000, 20000};
         ::setrlimit(RLIMIT_FSIZE, &least);
         ::signal(SIGXFSZ, SIG_IGN);
@@ -132,7 +132,7 @@ TEST(Resume, ForgetsNothingOfAnExportThatWasBeingReplaced) {
 TEST(Resume, OfADamagedRecordIsRefusedInOneLine) {
     const TemporaryFolder folder;
     ASSERT_EQ(run_pelagic(arguments_of(folder.path())).exit_code, 0);
-    write_file(folder / "sea.json", "{ torn");
+    write_file(folder / "sea_files.json", "{ torn");
     const Outcome outcome = run_pelagic(arguments_of(folder.path(), {"--resume"}));
     EXPECT_EQ(outcome.exit_code, 2);
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;

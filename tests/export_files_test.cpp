@@ -409,7 +409,7 @@ TEST(ExportedFiles, AShorterExportReplacesALongerOne) {
     const TemporaryFolder folder, fresh;
     write_file(folder / "gradient_notes.txt", "mine");
     export_to(folder.path(), {"--frames", "4", "--mips"});
-    export_to(folder.path(), {"--frames", "2"});
+    export_to(folder.path(), {"--frames", "2", "--overwrite"});
     export_to(fresh.path(), {"--frames", "2"});
     auto expected = files_in(fresh.path());
     expected["gradient_notes.txt"] = "mine";

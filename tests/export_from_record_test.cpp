@@ -20,8 +20,8 @@ namespace {
 using Words = std::vector<std::string>;
 
 // How an export is made, and not what is in its files.
-const std::set<std::string> how = {"out",     "help", "version", "resume", "no-sync", "no-lock", "preview",
-                                   "threads", "isa",  "trace",   "shard",  "config",  "weather"};
+const std::set<std::string> how = {"out",     "help",    "version", "resume", "overwrite", "no-sync", "no-lock",
+                                   "preview", "threads", "isa",     "trace",  "shard",     "config",  "weather"};
 
 /// Stands for the file beside the record, where it looks for its rows.
 const std::string the_events = "the events";

@@ -191,10 +191,13 @@ TEST(SyncedExport, HasAFrameOnTheDiskBeforeItCounts) {
         EXPECT_LT(find(counted, {"fdatasync(", "/.pelagic-export.jsonl>"}), calls.size()) << frame;
         last_frame = counted;
     }
-    const std::size_t record = find(0, {"renameat(", "\"sea.json\""});
+    const std::size_t record = find(0, {"renameat(", "\"sea_files.json\""}),
+                      sea_json = find(0, {"renameat(", "\"sea.json\""});
     EXPECT_LT(last_frame, record);
-    EXPECT_LT(find(0, {"fdatasync(", "/.sea.json.part>"}), record);
-    EXPECT_LT(find(record, {"fsync(", in_folder + ">"}), calls.size());
+    EXPECT_LT(find(0, {"fdatasync(", "/.sea_files.json.part>"}), record);
+    EXPECT_LT(record, sea_json);
+    EXPECT_LT(find(0, {"fdatasync(", "/.sea.json.part>"}), sea_json);
+    EXPECT_LT(find(sea_json, {"fsync(", in_folder + ">"}), calls.size());
 }
 
 }  // namespace

@@ -37,7 +37,8 @@ TEST(ExportMesh, EachFormatHasItsFilesAndARecord) {
     for (const auto& [name, bytes] : files_in(folder.path())) names.push_back(name);
     EXPECT_EQ(names, (std::vector<std::string>{".sea.lock", "mesh.glb", "mesh.mdd", "mesh_0000.glb", "mesh_0000.obj",
                                                "mesh_0000.ply", "mesh_0001.glb", "mesh_0001.obj", "mesh_0001.ply",
-                                               "mesh_0002.glb", "mesh_0002.obj", "mesh_0002.ply", "sea.json"}));
+                                               "mesh_0002.glb", "mesh_0002.obj", "mesh_0002.ply", "sea.json",
+                                               "sea_files.json"}));
     const auto record = nlohmann::json::parse(read_file(folder / "sea.json"));
     EXPECT_EQ(record["export"]["mesh"]["side_m"], 100);
     EXPECT_EQ(record["export"]["mesh"]["steps"], 32);
@@ -54,7 +55,7 @@ TEST(ExportMesh, ThreadsAndMapsDontChangeABit) {
     ASSERT_EQ(export_to(other, with_maps).exit_code, 0);
     const auto others = files_in(other.path());
     for (const auto& [name, bytes] : files_in(one.path()))
-        EXPECT_TRUE(name == "sea.json" || others.at(name) == bytes) << name;
+        EXPECT_TRUE(name == "sea.json" || name == "sea_files.json" || others.at(name) == bytes) << name;
 }
 
 TEST(ExportMesh, ResumeMakesADamagedMeshAgain) {
@@ -73,10 +74,11 @@ TEST(ExportMesh, ALaterExportWithoutThemRemovesMeshes) {
     const TemporaryFolder folder;
     ASSERT_EQ(export_to(folder, all_meshes).exit_code, 0);
     write_file(folder / "mesh.obj", "somebody's own");
-    ASSERT_EQ(export_to(folder, {"--maps", "foam"}).exit_code, 0);
+    ASSERT_EQ(export_to(folder, {"--maps", "foam", "--overwrite"}).exit_code, 0);
     std::vector<std::string> names;
     for (const auto& [name, bytes] : files_in(folder.path())) names.push_back(name);
-    EXPECT_EQ(names, (std::vector<std::string>{".sea.lock", "foam_0000.png", "mesh.obj", "sea.json"}));
+    EXPECT_EQ(names,
+              (std::vector<std::string>{".sea.lock", "foam_0000.png", "mesh.obj", "sea.json", "sea_files.json"}));
 }
 
 /// Of the last vertex of an OBJ: place, texture coordinates, normal.
@@ -112,10 +114,10 @@ TEST(ExportMesh, NamesFollowAPattern) {
     ASSERT_EQ(exported({"--start-number", "7", "--maps", "displacement", "--mesh", "obj,mdd"}).exit_code, 0);
     std::vector<std::string> names;
     for (const auto& [name, bytes] : files_in(folder.path())) names.push_back(name);
-    EXPECT_EQ(names,
-              (std::vector<std::string>{".sea.lock", "mesh.mdd", "sea.json", "wave.0007.exr", "wave.mesh.0007.obj"}));
-    ASSERT_EQ(exported({"--maps", "displacement"}).exit_code, 0);
-    EXPECT_EQ(files_in(folder.path()).size(), 3u) << "meshes of the earlier export are still there";
+    EXPECT_EQ(names, (std::vector<std::string>{".sea.lock", "mesh.mdd", "sea.json", "sea_files.json", "wave.0007.exr",
+                                               "wave.mesh.0007.obj"}));
+    ASSERT_EQ(exported({"--maps", "displacement", "--overwrite"}).exit_code, 0);
+    EXPECT_EQ(files_in(folder.path()).size(), 4u) << "meshes of the earlier export are still there";
 }
 
 TEST(ExportMesh, WavesThatStepsCantShowAreSaid) {
@@ -124,7 +126,7 @@ TEST(ExportMesh, WavesThatStepsCantShowAreSaid) {
         "export", "--out", folder.path().string(), "--resolution", "32", "--maps", "none", "--mesh", "obj"};
     const Outcome coarse = run_pelagic(with(stack, {"--mesh-steps", "8"}));
     EXPECT_NE(coarse.out.find("show the waves of the coarsest 1 of 4 tiles"), std::string::npos) << coarse.out;
-    const Outcome fine = run_pelagic(with(stack, {"--mesh-steps", "8", "--mesh-size", "0.5"}));
+    const Outcome fine = run_pelagic(with(stack, {"--mesh-steps", "8", "--mesh-size", "0.5", "--overwrite"}));
     EXPECT_EQ(fine.exit_code, 0) << fine.err;
     EXPECT_EQ(fine.out.find("show the waves"), std::string::npos) << fine.out;
 }

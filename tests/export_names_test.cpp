@@ -28,7 +28,7 @@ std::vector<std::string> exported_to(const std::string& place, Arguments more) {
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     std::vector<std::string> names;
     for (const auto& [name, bytes] : files_in((folder / place).parent_path()))
-        if (name != ".sea.lock" && name != "sea.json") names.push_back(name);
+        if (name != ".sea.lock" && name != "sea.json" && name != "sea_files.json") names.push_back(name);
     return names;
 }
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 
 #include "pelagic/tests/run_pelagic.hpp"
@@ -19,7 +20,7 @@ namespace {
 using nlohmann::json;
 using Arguments = std::vector<std::string>;
 
-const std::string journal = ".pelagic-export.jsonl";
+const std::string journal = ".pelagic-export.jsonl", record = "sea_files.json";
 
 Arguments export_to(const std::filesystem::path& folder, const Arguments& more = {}) {
     Arguments all = {"export", "--out", folder.string(), "--resolution", "16", "--frames", "3"};
@@ -85,13 +86,14 @@ void expect_refused(const std::vector<std::string>& names,
 }
 
 TEST(PreparedFolder, HasNothingReplacedThatIsNoRegularFile) {
-    expect_refused({"sea.json", ".sea.json.part", journal, "." + journal + ".part", "displacement_0000.exr",
-                    ".displacement_0000.exr.part", "gradient_0002.png", ".gradient_0002.png.part", ".sea.lock"},
+    expect_refused({"sea.json", ".sea.json.part", record, "." + record + ".part", journal, "." + journal + ".part",
+                    "displacement_0000.exr", ".displacement_0000.exr.part", "gradient_0002.png",
+                    ".gradient_0002.png.part", ".sea.lock"},
                    [](const auto& folder) { return export_to(folder); });
 }
 
 TEST(PreparedFolder, HasNothingReadThatIsNoRegularFile) {
-    expect_refused({"sea.json", journal}, [](const auto& folder) { return export_to(folder, {"--resume"}); });
+    expect_refused({record, journal}, [](const auto& folder) { return export_to(folder, {"--resume"}); });
 }
 
 TEST(PreparedFolder, HasItsImagesCheckedBeforeTheyAreBelieved) {
@@ -133,13 +135,123 @@ TEST(PreparedFolder, LosesAStalePartButNotTheFileThatSharesItsBytes) {
     EXPECT_TRUE(files == files_in(fresh.path()));
 }
 
-/// A finished export whose sea.json, or journal of the same records, is edited before it goes on.
+TEST(FinishedExport, IsReplacedOnlyIfAsked) {
+    const TemporaryFolder folder, fresh;
+    ASSERT_EQ(run(export_to(folder.path())).exit_code, 0);
+    ASSERT_EQ(run(Arguments{"export", "--out", fresh.path().string(), "--resolution", "16", "--frames", "2",
+                            "--wind-speed", "9"})
+                  .exit_code,
+              0);
+    const Arguments second = {"export",       "--out", folder.path().string(), "--resolution", "16", "--frames", "2",
+                              "--wind-speed", "9"};
+    const auto with = [&](const std::string& more) {
+        Arguments all = second;
+        all.push_back(more);
+        return all;
+    };
+    const auto before = files_in(folder.path());
+    const auto expect_refused_and_kept = [&](const Arguments& arguments, const std::string& says) {
+        const auto now = files_in(folder.path());
+        const Outcome outcome = run(arguments);
+        expect_one_line(outcome, 2, says);
+        EXPECT_EQ(outcome.out, "");
+        EXPECT_TRUE(files_in(folder.path()) == now);
+    };
+    const std::string finished = folder.path().string() +
+                                 " already holds a finished export of 3 frames: --resume keeps what is "
+                                 "whole of it, --overwrite replaces it";
+    expect_refused_and_kept(second, finished);
+    expect_refused_and_kept(export_to(folder.path()), finished);
+    expect_refused_and_kept(with("--resume"), "--wind-speed was 12.0 and is 9.0");
+    Arguments both = with("--overwrite");
+    both.push_back("--resume");
+    expect_refused_and_kept(both, "--overwrite is given with --resume");
+    expect_refused_and_kept(export_to(folder.path(), {"--overwrite", "--shard", "1/2"}),
+                            "--overwrite is given with --shard 1/2");
+    EXPECT_EQ(run(export_to(folder.path(), {"--resume"})).exit_code, 0);
+    EXPECT_TRUE(files_in(folder.path()) == before);
+
+    // Of a record that is gone sea.json tells as much, and of both that are gone nothing.
+    std::filesystem::remove(folder / record);
+    expect_refused_and_kept(second, finished);
+    expect_refused_and_kept(export_to(folder.path(), {"--resume"}), "which has a sea.json but no sea_files.json");
+    write_file(folder / record, before.at(record));
+    std::filesystem::remove(folder / "sea.json");
+    expect_refused_and_kept(second, finished);
+    write_file(folder / "sea.json", before.at("sea.json"));
+    EXPECT_EQ(run(with("--overwrite")).exit_code, 0);
+    EXPECT_TRUE(files_in(folder.path()) == files_in(fresh.path()));
+}
+
+TEST(FinishedExport, OfShardsIsReplacedOnlyIfAsked) {
+    const TemporaryFolder folder, fresh;
+    ASSERT_EQ(run(export_to(folder.path(), {"--shard", "2/2"})).exit_code, 0);
+    const auto before = files_in(folder.path());
+    expect_one_line(run(export_to(folder.path())), 2, "already holds 1 shard of an export: pelagic merge");
+    EXPECT_TRUE(files_in(folder.path()) == before);
+    EXPECT_EQ(run(export_to(folder.path(), {"--shard", "1/2"})).exit_code, 0) << "shards go on beside one another";
+    EXPECT_EQ(run(export_to(folder.path(), {"--overwrite"})).exit_code, 0);
+    EXPECT_EQ(run(export_to(fresh.path())).exit_code, 0);
+    EXPECT_TRUE(files_in(folder.path()) == files_in(fresh.path()));
+}
+
+// sea.json is for people: one line a frame, and the hashes of files are in the record.
+TEST(FinishedExport, HasTheHashesOfItsFilesInItsRecordAlone) {
+    const TemporaryFolder folder;
+    const Outcome outcome =
+        run({"export", "--out", folder.path().string(), "--resolution", "32", "--frames", "30", "--maps",
+             "displacement,gradient,foam", "--mips", "--mesh", "obj,mdd", "--mesh-steps", "4"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const std::string text = read_file(folder / "sea.json");
+    EXPECT_EQ(text.find("xxh3"), std::string::npos);
+    const auto lines_of = [](const json& whole) {
+        const std::string pretty = whole.dump(2);
+        return std::count(pretty.begin(), pretty.end(), '\n') + 1;
+    };
+    const json sea = json::parse(text), files = json::parse(read_file(folder / record));
+    json without_frames = sea;
+    without_frames["frames"] = json::array();
+    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), lines_of(without_frames) + 30 + 1);
+    ASSERT_EQ(sea.at("frames").size(), 30u);
+    ASSERT_EQ(files.at("frames").size(), 30u);
+    std::set<std::string> named = {"sea.json", record, ".sea.lock", sea.at("sequence_files")[0].at("name")};
+    for (std::size_t i = 0; i < 30; ++i) {
+        const json &frame = sea["frames"][i], &entry = files["frames"][i];
+        for (const char* key : {"frame", "time_s", "hash", "foam_hash", "significant_wave_height_m"})
+            EXPECT_EQ(frame.at(key), entry.at(key)) << key;
+        ASSERT_EQ(frame.at("files").size(), entry.at("files").size());
+        for (std::size_t f = 0; f < frame["files"].size(); ++f) {
+            EXPECT_EQ(frame["files"][f], (json{{"name", entry["files"][f].at("name")}}));
+            EXPECT_EQ(entry["files"][f].at("xxh3").get<std::string>().size(), 16u);
+            named.insert(frame["files"][f]["name"]);
+        }
+    }
+    std::set<std::string> there;
+    for (const auto& [name, bytes] : files_in(folder.path())) there.insert(name);
+    EXPECT_EQ(named, there);
+    // A byte of any file, and verify names it.
+    ASSERT_EQ(run({"verify", folder.path().string(), "--sample", "0"}).exit_code, 0);
+    for (const std::string name : {"displacement_0007.exr", "displacement_c3_0011.exr", "gradient_c2_0029_mip3.png",
+                                   "foam_c1_0000_mip1.png", "mesh_0013.obj", "mesh.mdd"}) {
+        const std::string bytes = read_file(folder / name);
+        ASSERT_FALSE(bytes.empty()) << name;
+        std::string changed = bytes;
+        changed.back() = static_cast<char>(changed.back() ^ 1);
+        write_file(folder / name, changed);
+        const Outcome verified = run({"verify", folder.path().string(), "--sample", "0"});
+        EXPECT_EQ(verified.exit_code, 1);
+        EXPECT_NE(verified.err.find(name + " has other bytes than were written"), std::string::npos) << verified.err;
+        write_file(folder / name, bytes);
+    }
+}
+
+/// A finished export whose record, or journal of the same entries, is edited before it goes on.
 class EditedRecord : public testing::TestWithParam<bool> {
    protected:
     void SetUp() override {
         ASSERT_EQ(run(arguments()).exit_code, 0);
         whole_ = files_in(folder_ / "sea");
-        sea_ = json::parse(whole_.at("sea.json"));
+        sea_ = json::parse(whole_.at(record));
     }
 
     Arguments arguments(const Arguments& more = {}) const {
@@ -152,20 +264,20 @@ class EditedRecord : public testing::TestWithParam<bool> {
     void expect_mended(const std::string& what, const std::string& kept) {
         SCOPED_TRACE(what);
         std::filesystem::remove(folder_ / "sea" / journal);
-        std::filesystem::remove(folder_ / "sea" / "sea.json");
+        std::filesystem::remove(folder_ / "sea" / record);
         if (GetParam()) {
             const json options = {{"version", sea_["version"]}, {"sea", sea_["sea"]}, {"export", sea_["export"]}};
             std::string lines = json{{"options", options}, {"replaced_files", replaced_}}.dump() + "\n";
             for (const json& frame : sea_["frames"]) lines += frame.dump() + "\n";
             write_file(folder_ / "sea" / journal, lines);
         } else {
-            write_file(folder_ / "sea" / "sea.json", sea_.dump());
+            write_file(folder_ / "sea" / record, sea_.dump());
         }
         const Outcome outcome = run(arguments({"--resume"}));
         EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
         EXPECT_NE(outcome.out.find("(" + kept + " of them kept)"), std::string::npos) << outcome.out;
         EXPECT_TRUE(files_in(folder_ / "sea") == whole_);
-        sea_ = json::parse(whole_.at("sea.json"));
+        sea_ = json::parse(whole_.at(record));
     }
 
     const TemporaryFolder folder_;
@@ -274,26 +386,27 @@ TEST_P(EditedRecord, HasAnOlderImageRemovedOnlyIfItIsAFile) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Records, EditedRecord, testing::Bool(),
-                         [](const auto& record) { return record.param ? "Journal" : "SeaJson"; });
+                         [](const auto& of) { return of.param ? "Journal" : "Record"; });
 
-TEST(DamagedRecord, IsRefusedInOneLineAndReplacedWithoutResume) {
+TEST(DamagedRecord, IsRefusedInOneLineAndReplacedIfAsked) {
     for (const std::string& text :
          {std::string("{ torn"), std::string("[]"), std::string("7"), std::string("{}"), std::string(1000000, '['),
           std::string("{\"version\":1,\"sea\":{},\"export\":{}}"),
           std::string("{\"version\":1,\"sea\":{},\"export\":{},\"frames\":1e999}")}) {
         const TemporaryFolder folder;
-        write_file(folder / "sea.json", text);
+        write_file(folder / record, text);
         expect_one_line(run(export_to(folder.path(), {"--resume"})), 2, "damaged");
-        EXPECT_EQ(read_file(folder / "sea.json"), text);
-        EXPECT_EQ(run(export_to(folder.path())).exit_code, 0);
+        expect_one_line(run(export_to(folder.path())), 2, "an export whose sea_files.json is damaged");
+        EXPECT_EQ(read_file(folder / record), text);
+        EXPECT_EQ(run(export_to(folder.path(), {"--overwrite"})).exit_code, 0);
         EXPECT_EQ(run(export_to(folder.path(), {"--resume"})).exit_code, 0);
     }
 }
 
 TEST(DamagedRecord, OfAnySizeIsRefused) {
     const TemporaryFolder folder;
-    write_file(folder / "sea.json", "");
-    std::filesystem::resize_file(folder / "sea.json", std::uintmax_t{1} << 40);  // a hole, which takes no room
+    write_file(folder / record, "");
+    std::filesystem::resize_file(folder / record, std::uintmax_t{1} << 40);  // a hole, which takes no room
     expect_one_line(run(export_to(folder.path(), {"--resume"})), 2, "damaged");
 }
 

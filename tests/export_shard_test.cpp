@@ -253,7 +253,8 @@ TEST(PipesIntoAShell, RunNothingButWhatMakesTheExportAgain) {
 TEST(MergedShards, LeaveFilesOfOthersAlone) {
     const TemporaryFolder folder;
     make_shards(folder.path(), 2);
-    const std::vector<std::string> own = {".displacement_0003.exr.part", ".sea.1-of-2.json.part", ".sea.json.part"};
+    const std::vector<std::string> own = {".displacement_0003.exr.part", ".sea.1-of-2.json.part", ".sea.json.part",
+                                          ".sea_files.json.part"};
     const std::vector<std::string> others = {".part",     ".notes.txt.part",           "displacement_0003.exr.part",
                                              "mine.part", ".displacement_0003.part",   ".film.mov.part",
                                              "sea.txt",   ".displacement_03.exr.part", "sea.1-of-2.json.bak"};
@@ -360,10 +361,10 @@ INSTANTIATE_TEST_SUITE_P(
              [](const auto& folder) { edit(second(folder), [](json& record) { record["shard"]["index"] = 1; }); }},
         Edit{"OtherNumberOfShards", "there are sea.1-of-2.json and sea.3-of-4.json", 2,
              [](const auto& folder) { std::filesystem::copy_file(second(folder), folder / "sea.3-of-4.json"); }},
-        Edit{"OtherExport", "sea.json is of another export than sea.1-of-2.json: --depth is 7", 2,
+        Edit{"OtherExport", "sea_files.json is of another export than sea.1-of-2.json: --depth is 7", 2,
              [](const auto& folder) {
-                 std::filesystem::copy_file(second(folder), folder / "sea.json");
-                 edit(folder / "sea.json", [](json& record) { record["sea"]["depth_m"] = 7.; });
+                 std::filesystem::copy_file(second(folder), folder / "sea_files.json");
+                 edit(folder / "sea_files.json", [](json& record) { record["sea"]["depth_m"] = 7.; });
              }},
         Edit{"Link", "sea.2-of-2.json: it is a symbolic link", 1,
              [](const auto& folder) {
@@ -396,9 +397,21 @@ TEST(VerifiedExport, IsWholeOrNamed) {
     edit(folder / "sea.json", [](json& record) { record["waves"]["steepness"] = 1; });
     expect_says(run_pelagic(verify), 1, "sea.json is edited: steepness is 1, not 0.");
 
+    write_file(folder / "sea.json", one_run().at("sea.json"));
+    edit(folder / "sea.json", [](json& record) { record["frames"][3]["hash"] = "0123456789abcdef"; });
+    expect_says(run_pelagic(verify), 1,
+                "sea.json is edited: its entry 3 of frames is not what an export writes there");
+    write_file(folder / "sea.json", one_run().at("sea.json"));
+    edit(folder / "sea.json", [](json& record) { record["frames"].erase(10); });
+    const Outcome short_list = run_pelagic(verify);
+    expect_says(short_list, 1, "sea.json is edited: it has 10 of 11 frames");
+    std::filesystem::remove(folder / "sea.json");
+    expect_says(run_pelagic(verify), 1, "sea.json is missing");
+    EXPECT_TRUE(short_list.out.ends_with(" --resume\n")) << short_list.out;
+
     // As another processor or compiler might have computed it: the entry is in itself sound.
     write_file(folder / "sea.json", one_run().at("sea.json"));
-    edit(folder / "sea.json", [](json& record) {
+    edit(folder / "sea_files.json", [](json& record) {
         json& frame = record["frames"][3];
         frame["hash"] = "0123456789abcdef";
         frame.erase("record_xxh3");
@@ -406,13 +419,15 @@ TEST(VerifiedExport, IsWholeOrNamed) {
     });
     const Outcome other = run_pelagic(verify);
     expect_says(other, 1, "frame 5 is computed otherwise here: hash is \"0123456789abcdef\", not");
-    EXPECT_EQ(other.out.find("--resume"), std::string::npos) << "which would keep that frame";
+    EXPECT_TRUE(other.out.ends_with(" --overwrite\n")) << "--resume would keep that frame: " << other.out;
+    write_file(folder / "sea_files.json", one_run().at("sea_files.json"));
     expect_done(run_pelagic({"verify", folder.path().string(), "--sample", "0"}));
 }
 
 TEST(VerifiedExport, NeedsOne) {
     const TemporaryFolder folder;
-    expect_says(run_pelagic({"verify", folder.path().string()}), 2, "sea.json is missing, needs a finished export");
+    expect_says(run_pelagic({"verify", folder.path().string()}), 2,
+                "sea_files.json is missing, needs a finished export");
     expect_done(run_pelagic(shard_to(folder.path(), 1, 2)));
     expect_says(run_pelagic({"verify", folder.path().string()}), 2, "pelagic merge makes one of the shards");
     expect_says(run_pelagic({"verify", folder.path().string(), "--sample", "some"}), 2, "--sample is some");
@@ -450,7 +465,7 @@ TEST(ManyShards, AreMerged) {
         expect_done(run_pelagic(shard));
     }
     expect_done(merge(folder.path()));
-    EXPECT_EQ(files_in(folder.path()).size(), 4u * 2 + 2) << "images, sea.json and the lock";
+    EXPECT_EQ(files_in(folder.path()).size(), 4u * 2 + 3) << "images, sea.json, the record and the lock";
 }
 
 }  // namespace

@@ -58,13 +58,43 @@ TEST_P(StoppedExport, EndsCleanlySaysHowToGoOnAndResumes) {
     EXPECT_TRUE(files_in(folder.path()) == files_in(fresh.path()));
 }
 
+// Into a file, as into a pipe, nothing would come before the end but for a flush.
+TEST(ExportNotes, AreThereBeforeTheFrames) {
+    const TemporaryFolder folder, logs;
+    const pid_t process =
+        start_pelagic(export_arguments(folder.path(), {"--frames", "480", "--fps", "24", "--loop-period", "5"}),
+                      logs / "out", logs / "err");
+    EXPECT_TRUE(wait_for_journal(folder.path(), 3, "version"));
+    const std::string notes = read_file(logs / "out");
+    ::kill(process, SIGKILL);
+    wait_for(process);
+    EXPECT_NE(
+        notes.find(
+            "note: the frames span 20 s, and the sea repeats after its loop of 5 s; a --loop-period of at least 20 "
+            "repeats nothing\n"),
+        std::string::npos)
+        << notes;
+    EXPECT_EQ(notes.find("frames, "), std::string::npos) << "the summary is not there yet: " << notes;
+    for (const std::vector<std::string>& whole :
+         {Arguments{"--frames", "120", "--fps", "24"}, {"--loop-frames", "200"}}) {
+        const TemporaryFolder other;
+        Arguments arguments = export_arguments(other.path(), {"--maps", "foam", "--loop-period", "5", "--no-sync"});
+        arguments.insert(arguments.end(), whole.begin(), whole.end());
+        const Outcome outcome = run_pelagic(arguments);
+        EXPECT_EQ(outcome.exit_code, 0);
+        EXPECT_EQ(outcome.out.find("the sea repeats"), std::string::npos) << outcome.out;
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Signals, StoppedExport, testing::Values(SIGINT, SIGTERM));
 
 TEST(KilledReplacement, LeavesNothingOfTheExportBeforeItAfterResume) {
     const TemporaryFolder folder, logs, fresh;
     ASSERT_EQ(run_pelagic(export_arguments(folder.path(), {"--frames", "40", "--mips"})).exit_code, 0);
     const Arguments second = {"--frames", "300", "--wind-speed", "9", "--maps", "displacement"};
-    const pid_t process = start_pelagic(export_arguments(folder.path(), second), logs / "out", logs / "err");
+    Arguments replacing = second;
+    replacing.push_back("--overwrite");
+    const pid_t process = start_pelagic(export_arguments(folder.path(), replacing), logs / "out", logs / "err");
     ASSERT_TRUE(wait_for_journal(folder.path(), 4, "\"wind_speed_mps\":9"));
     ::kill(process, SIGKILL);
     EXPECT_EQ(wait_for(process), 128 + SIGKILL);

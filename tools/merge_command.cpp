@@ -28,7 +28,7 @@ constexpr std::size_t most_lines = Findings::most_kept;
 struct FolderNames {
     std::map<int, std::set<int>> shards;  ///< that have a record: their index, by how many the export has
     std::vector<std::string> leftovers;   ///< that nobody needs when the export is whole, if they are an export's
-    bool has_sea_json = false;
+    bool has_record = false, has_sea_json = false;  ///< of a whole export
 };
 
 FolderNames names_in(const OutputFolder& folder) {
@@ -37,12 +37,13 @@ FolderNames names_in(const OutputFolder& folder) {
         if (const auto shard = shard_of_record(name)) names.shards[shard->count].insert(shard->index);
         const bool is_part = name.starts_with('.') && name.ends_with(".part");
         if (is_of_shard(name) || is_part || name == journal_name({})) names.leftovers.push_back(name);
-        names.has_sea_json = names.has_sea_json || name == record_name({});
+        names.has_record = names.has_record || name == record_name({});
+        names.has_sea_json = names.has_sea_json || name == sea_json_name;
     });
     return names;
 }
 
-/// The records that make up an export: those of its shards, or its sea.json.
+/// The records that make up an export: those of its shards, or its own.
 class Merge {
    public:
     Merge(const OutputFolder& folder, FolderNames names, const ComputeOptions& compute, bool has_lock)
@@ -102,21 +103,20 @@ class Merge {
 
     /// All is there, whatever became of the shards' records: a merge was interrupted, or shards were made once more.
     bool has_finished_export() const {
-        if (!names_.has_sea_json) return false;
-        bool is_record = false;
-        try {
-            read_record(folder_, record_name({}),
-                        {.head =
-                             [&](const ReadJson& head) {
-                                 require_same_options(record_name({}), head);
-                                 is_record = true;
-                                 return false;
-                             },
-                         .frame = {}});
-        } catch (const DamagedRecord&) {
-            return false;
-        }
-        return is_record && names_.shards.begin()->second.size() < static_cast<std::size_t>(count_);
+        int found = 0;
+        for (const std::string& name : {record_name({}), std::string(sea_json_name)}) try {
+                read_record(folder_, name,
+                            {.head =
+                                 [&](const ReadJson& head) {
+                                     require_same_options(name, head);
+                                     ++found;
+                                     return false;
+                                 },
+                             .frame = {}});
+            } catch (const DamagedRecord&) {
+                return false;
+            }
+        return found == 2 && names_.shards.begin()->second.size() < static_cast<std::size_t>(count_);
     }
 
     int records() const { return is_finished_ ? 1 : count_; }
@@ -182,7 +182,7 @@ class Merge {
 
     void write(double height_sum_m) const {
         const double mean_m = height_sum_m / static_cast<double>(options_.times.count());
-        write_record(folder_, record_name({}), sea_json_head(options_, mean_m, {}), [&](const auto& take) {
+        write_finished(folder_, options_, mean_m, {}, [&](const auto& take) {
             for (int record = 1; record <= records(); ++record) {
                 const std::string wrong = read(record, [&](std::size_t, FrameRecord&& frame) { take(frame); });
                 if (!wrong.empty()) throw FileError(wrong + ", which it was not a moment ago");
@@ -252,7 +252,7 @@ void MergeFlags::run() const {
     if (!no_lock_) lock.emplace(folder, "DIR");
     FolderNames names = names_in(folder);
     if (names.shards.empty()) {
-        if (!names.has_sea_json)
+        if (!names.has_record)
             throw bad_value("DIR", *folder_,
                             "a folder with records of shards, sea.1-of-N.json and so on: none is there");
         std::fprintf(stderr, "%s: nothing to merge, it holds one export and no shards; pelagic verify checks it\n",

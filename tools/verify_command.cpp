@@ -16,6 +16,7 @@
 #include "pelagic/tools/export/frames_of_record.hpp"
 #include "pelagic/tools/export/record_names.hpp"
 #include "pelagic/tools/export_command.hpp"
+#include "pelagic/tools/files/digest.hpp"
 #include "pelagic/tools/measure/export_reader.hpp"
 #include "pelagic/tools/text/errors.hpp"
 #include "pelagic/tools/text/option_text.hpp"
@@ -54,9 +55,10 @@ class Verification {
     std::size_t frames() const { return options_.times.count(); }
     std::size_t wrong() const { return findings_.count(); }
 
-    /// sea.json and every file; keeps what it says of some frames.
+    /// The record, every file and sea.json; keeps what the record says of some frames.
     void check_files(const std::set<std::size_t>& sample) {
         double height_sum_m = 0;
+        std::vector<std::string> summaries;  // XXH3 of what sea.json has to say of each frame
         FileCheck check(folder_, options_.compute.threads,
                         [&](std::size_t place, const std::string& what) { findings_.add(place, what); });
         Progress progress("frame", frames());
@@ -64,14 +66,18 @@ class Verification {
             folder_, name_, options_, {0, frames()}, [](const ReadJson&) {},
             [&](std::size_t place, FrameRecord&& frame) {
                 height_sum_m += frame.significant_wave_height_m;
+                summaries.push_back(digest_of(ReadJson(frame_summary_as_json(frame)).dump()));
                 check.add(place, frame.files);
                 if (sample.contains(place)) sample_.push_back(std::move(frame));
                 progress.show(place);
             });
-        if (wrong.empty())
-            check_head(height_sum_m / static_cast<double>(frames()), check);
-        else
+        if (wrong.empty()) {
+            std::vector<FileRecord> sequence_files = check_head();
+            check_sea_json(height_sum_m / static_cast<double>(frames()), sequence_files, summaries);
+            check.add(frames(), std::move(sequence_files));
+        } else {
             findings_.add(0, path().string() + wrong);
+        }
         check.finish();
     }
 
@@ -100,6 +106,7 @@ class Verification {
     [[noreturn]] void refuse() {
         findings_.print();
         options_.resume = !is_other_sea_;  // which would keep files that are what their record says
+        options_.overwrite = is_other_sea_;
         std::printf("%s\n", command_line_of(options_, path()).c_str());
         throw FileError(folder_.path().string() + " is not what was exported: " + std::to_string(findings_.count()) +
                         (findings_.count() == 1 ? " thing is wrong" : " things are wrong") +
@@ -118,8 +125,8 @@ class Verification {
         return has_shards ? "; pelagic merge makes one of the shards" : "";
     }
 
-    /// What follows from the options, and the files that are made of all frames together.
-    void check_head(double mean_significant_wave_height_m, FileCheck& check) {
+    /// The files that are made of all frames together.
+    std::vector<FileRecord> check_head() {
         std::vector<FileRecord> sequence_files;
         for (const ReadJson& file : head_.value("sequence_files", ReadJson::array())) {
             if (!file.is_object()) continue;
@@ -127,10 +134,39 @@ class Verification {
             const bool is_plain = !record.name.empty() && record.name.find('/') == std::string::npos;
             if (is_plain) sequence_files.push_back(std::move(record));
         }
-        const Json expected = sea_json_head(options_, mean_significant_wave_height_m, sequence_files);
+        const Json expected = record_head(options_, sequence_files);
         if (head_ != ReadJson(expected))
             findings_.add(0, path().string() + " is edited: " + first_difference(head_, expected).is_not());
-        check.add(frames(), std::move(sequence_files));
+        return sequence_files;
+    }
+
+    /// sea.json says what follows from the record.
+    void check_sea_json(double mean_significant_wave_height_m, const std::vector<FileRecord>& sequence_files,
+                        const std::vector<std::string>& summaries) {
+        std::size_t next = 0;
+        std::string wrong;
+        const auto look_at_head = [&](const ReadJson& head) {
+            const Json expected = sea_json_head(options_, mean_significant_wave_height_m, sequence_files);
+            if (head != ReadJson(expected)) wrong = " is edited: " + first_difference(head, expected).is_not();
+            return wrong.empty();
+        };
+        const auto look_at_frame = [&](const ReadJson& entry) {
+            if (next == summaries.size() || digest_of(entry.dump()) != summaries[next])
+                wrong =
+                    " is edited: its entry " + std::to_string(next) + " of frames is not what an export writes there";
+            ++next;
+            return wrong.empty();
+        };
+        try {
+            if (!read_record(folder_, sea_json_name, {.head = look_at_head, .frame = look_at_frame}))
+                wrong = " is missing";
+            else if (wrong.empty() && next < summaries.size())
+                wrong = " is edited: it has " + std::to_string(next) + " of " + std::to_string(summaries.size()) +
+                        " frames";
+        } catch (const DamagedRecord&) {
+            wrong = " is damaged";
+        }
+        if (!wrong.empty()) findings_.add(0, (folder_.path() / sea_json_name).string() + wrong);
     }
 
     const OutputFolder& folder_;

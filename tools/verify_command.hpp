@@ -12,7 +12,7 @@ namespace pelagic::tools {
 class VerifyFlags {
    public:
     void add_to(CLI::App& app);
-    /// Looks at sea.json, at every file against its hash, and computes a sample of the frames once more. If anything is wrong it
+    /// Looks at the record, at every file against its hash, at sea.json, and computes a sample of the frames once more. If anything is wrong it
     /// names it on stderr, prints on stdout the line that makes it again, and throws FileError. Writes nothing.
     /// Throws InputError where there is no export, or one of another version of pelagic.
     void run() const;

@@ -119,6 +119,7 @@ std::string command_line_of(const ExportOptions& options, const std::filesystem:
     for (std::string& word : words_of(options)) words.push_back(std::move(word));
     if (options.shard) words.insert(words.end(), {"--shard", text_of(*options.shard)});
     if (options.resume) words.push_back("--resume");
+    if (options.overwrite) words.push_back("--overwrite");
     if (!options.sync) words.push_back("--no-sync");
     if (!options.lock) words.push_back("--no-lock");
     std::string line;

@@ -22,7 +22,7 @@ ExportOptions options_of_record(const ReadJson& head, const std::filesystem::pat
 /// The words behind `pelagic export` that decide what is in the files, without the sea: "--out", "waves", "--mips", ...
 std::vector<std::string> words_of(const ExportOptions& options);
 
-/// A line for a shell that makes the export or the shard, with --resume if the options say so.
+/// A line for a shell that makes the export or the shard, with --resume or --overwrite if the options say so.
 /// \param record  that the sea is taken from
 std::string command_line_of(const ExportOptions& options, const std::filesystem::path& record);
 

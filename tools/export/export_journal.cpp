@@ -4,6 +4,7 @@
 #include <set>
 #include <utility>
 
+#include "pelagic/message/number_text.hpp"
 #include "pelagic/tools/export/export_names.hpp"
 #include "pelagic/tools/export/record_file.hpp"
 #include "pelagic/tools/export/record_names.hpp"
@@ -52,16 +53,46 @@ std::optional<EarlierExport> ExportJournal::read_record_or_journal() const {
     return {};
 }
 
+void ExportJournal::require_nothing_finished() const {
+    const auto refuse = [&](const std::string& what) {
+        throw InputError("--out " + folder_.path().string() + " already holds " + what);
+    };
+    std::size_t frames = 0;
+    const RecordTaker count = {.head = [](const ReadJson&) { return true; },
+                               .frame =
+                                   [&](const ReadJson&) {
+                                       ++frames;
+                                       return true;
+                                   }};
+    for (const std::string& name : {record_name({}), std::string(sea_json_name)}) try {
+            frames = 0;
+            if (read_record(folder_, name, count))
+                refuse("a finished export of " + number_text(frames) + (frames == 1 ? " frame" : " frames") +
+                       ": --resume keeps what is whole of it, --overwrite replaces it");
+        } catch (const DamagedRecord&) {
+            refuse("an export whose " + name + " is damaged: --overwrite replaces it");
+        }
+    std::size_t shards = 0;
+    folder_.for_each_name([&](const std::string& name) { shards += shard_of_record(name) ? 1 : 0; });
+    if (shards > 0)
+        refuse(number_text(shards) + (shards == 1 ? " shard" : " shards") +
+               " of an export: pelagic merge joins all of them, --overwrite replaces them");
+}
+
 void ExportJournal::read_earlier() {
+    if (!options_.shard && !options_.resume && !options_.overwrite) require_nothing_finished();
     std::optional<EarlierExport> earlier;
     try {
         earlier = read_record_or_journal();
     } catch (const DamagedRecord&) {
         // Of a shard's record nothing is lost but the time to make it again, which its line in `pelagic merge` asks for.
         if (!options_.resume || options_.shard) return;
-        throw InputError("--resume is not possible in " + folder_.path().string() +
-                         ", whose sea.json or journal is damaged; without it the export starts anew");
+        throw InputError("--resume is not possible in " + folder_.path().string() + ", whose " + record_name_ +
+                         " or journal is damaged; --overwrite starts anew");
     }
+    if (!earlier && options_.resume && !options_.shard && folder_.open_for_reading(sea_json_name).is_open())
+        throw InputError("--resume is not possible in " + folder_.path().string() + ", which has a sea.json but no " +
+                         record_name_ + "; --overwrite starts anew");
     if (!earlier) return;
 
     if (!options_.shard) earlier_images_ = std::move(earlier->images);
@@ -74,7 +105,7 @@ void ExportJournal::read_earlier() {
     done_ = std::move(earlier->frames);
 }
 
-// What is no shard's is sea.json and the journal of a run that was to make all frames.
+// What is no shard's are the record and the journal of a run that was to make all frames.
 void ExportJournal::join_others(const std::vector<int>& here) {
     const Json now = options_as_json(options_);
     const ReadJson wanted = now;
@@ -88,19 +119,20 @@ void ExportJournal::join_others(const std::vector<int>& here) {
         if (std::binary_search(here.begin(), here.end(), frame.frame)) done_.emplace(frame.frame, std::move(frame));
     };
     try {
-        read_record(folder_, record_name({}),
-                    {.head =
-                         [&](const ReadJson& head) {
-                             require_same(options_in(head));
-                             return options_.resume && !here.empty();
-                         },
-                     .frame =
-                         [&](const ReadJson& entry) {
-                             auto frame = accepted_frame(entry, options_);
-                             const bool goes_on = !frame || frame->frame < here.back();
-                             if (frame) take(std::move(*frame));
-                             return goes_on;
-                         }});
+        const bool has_record = read_record(folder_, record_name({}),
+                                            {.head =
+                                                 [&](const ReadJson& head) {
+                                                     require_same(options_in(head));
+                                                     return options_.resume && !here.empty();
+                                                 },
+                                             .frame =
+                                                 [&](const ReadJson& entry) {
+                                                     auto frame = accepted_frame(entry, options_);
+                                                     const bool goes_on = !frame || frame->frame < here.back();
+                                                     if (frame) take(std::move(*frame));
+                                                     return goes_on;
+                                                 }});
+        if (!has_record && folder_.open_for_reading(sea_json_name).is_open()) throw DamagedRecord();
         const std::size_t most = most_record_bytes(options_);
         const auto journal = folder_.read_text(journal_name({}), most);
         if (!journal || journal->empty()) return;
@@ -109,9 +141,9 @@ void ExportJournal::join_others(const std::vector<int>& here) {
         if (options_.resume)
             for (auto& [number, frame] : earlier.frames) take(std::move(frame));
     } catch (const DamagedRecord&) {
-        throw bad_value(
-            "--shard", text_of(*options_.shard),
-            "a folder for this export alone: sea.json or the journal in " + folder_.path().string() + " is damaged");
+        throw bad_value("--shard", text_of(*options_.shard),
+                        "a folder for this export alone: " + record_name({}) + " or the journal in " +
+                            folder_.path().string() + " is damaged or missing");
     }
 }
 
@@ -130,6 +162,7 @@ bool ExportJournal::is_whole(const FrameRecord& record) const {
 void ExportJournal::begin() {
     // What can't be replaced is said now, not after hours of work.
     folder_.check_writable(record_name_);
+    if (!options_.shard) folder_.check_writable(sea_json_name);
     const Json header = {{"options", options_as_json(options_)}, {"replaced_files", earlier_images_}};
     std::string lines = header.dump() + "\n";
     for (const auto& [number, record] : done_) lines += frame_as_json(record).dump() + "\n";
@@ -140,6 +173,7 @@ void ExportJournal::begin() {
     // options from it; so does a shard.
     if (options_.shard || options_.resume) return;
     folder_.remove(record_name_);
+    folder_.remove(sea_json_name);
     folder_.sync();
 }
 
@@ -148,16 +182,14 @@ void ExportJournal::add(const FrameRecord& record) {
     folder_.append_line(journal_name_, journal_, frame_as_json(record).dump());
 }
 
-Json ExportJournal::head(const std::vector<FrameRecord>& frames,
-                         const std::vector<FileRecord>& sequence_files) const {
-    if (options_.shard) return shard_head(options_);
-    return sea_json_head(options_, mean_significant_wave_height_m(frames), sequence_files);
-}
-
 void ExportJournal::end(const std::vector<FrameRecord>& frames, const std::vector<FileRecord>& sequence_files) {
-    write_record(folder_, record_name_, head(frames, sequence_files), [&](const auto& take) {
+    const MakeFrames make_frames = [&](const auto& take) {
         for (const FrameRecord& frame : frames) take(frame);
-    });
+    };
+    if (options_.shard)
+        write_record(folder_, record_name_, shard_head(options_), make_frames);
+    else
+        write_finished(folder_, options_, mean_significant_wave_height_m(frames), sequence_files, make_frames);
     folder_.sync();
 
     // Other shards have parts and files of their own; `pelagic merge` removes what is left of them.

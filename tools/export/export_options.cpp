@@ -179,7 +179,8 @@ void ExportFlags::add_to(CLI::App& app) {
         app.add_option("--" + flag, typed_[flag], help)->type_name(type);
     };
     add("out", "DIR",
-        "folder for the files; made if missing, an earlier export in it is replaced. Or a folder and a name for the "
+        "folder for the files; made if missing, one with a finished export needs --resume or --overwrite. Or a "
+        "folder and a name for the "
         "sequence: DIR/wave.####.exr, DIR/wave.%04d.tif; where a frame has several images, their maps and tiles "
         "stand "
         "before the number: wave.foam_c1.0007.png");
@@ -231,6 +232,7 @@ void ExportFlags::add_to(CLI::App& app) {
         "the frames of one of N equal parts, 1/N to N/N, as several machines make an export in one folder; N up to "
         "1000000. pelagic merge joins the parts");
     app.add_flag("--resume", resume_, "keep the frames of an interrupted export that are whole, make the rest");
+    app.add_flag("--overwrite", overwrite_, "replace a finished export in the folder");
     app.add_flag("--no-sync", no_sync_,
                  "don't wait for the disk: faster, but a power cut may cost frames that are done");
     app.add_flag("--no-lock", no_lock_,
@@ -368,7 +370,12 @@ ExportOptions ExportFlags::resolve_with(const ResolvedSea& sea) const {
     if (preview_ && resume_) throw InputError("--preview is given with --resume, needs an export without");
     if (preview_ && typed("trace"))
         throw InputError("--preview is given with --trace " + *typed("trace") + ", needs an export without");
+    if (overwrite_ && resume_) throw InputError("--overwrite is given with --resume, needs one of the two");
+    if (overwrite_ && typed("shard"))
+        throw InputError("--overwrite is given with --shard " + *typed("shard") +
+                         ", needs a whole export: a shard replaces no other export");
     options.resume = resume_;
+    options.overwrite = overwrite_;
     options.sync = !no_sync_;
     options.lock = !no_lock_;
     if (const auto& trace = typed("trace")) options.trace = checked_trace(*trace, options);

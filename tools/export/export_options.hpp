@@ -35,8 +35,9 @@ struct ExportOptions {
     std::optional<FlipbookGrid> flipbook;
     bool preview = false;  ///< no frames, but what shows what they will be
     bool resume = false;
-    bool sync = true;  ///< a frame counts as done once the disk has it
-    bool lock = true;  ///< the folder is locked, so that no other export works in it
+    bool overwrite = false;  ///< a finished export in the folder may be replaced
+    bool sync = true;        ///< a frame counts as done once the disk has it
+    bool lock = true;        ///< the folder is locked, so that no other export works in it
     std::optional<std::filesystem::path> trace;
 
     bool has_foam() const { return maps.has(MapKind::foam) || meshes.any(); }
@@ -69,8 +70,8 @@ class ExportFlags {
     EventFlags events_;
     ComputeFlags compute_;
     std::map<std::string, std::optional<std::string>> typed_;  ///< by flag name, where it was given
-    bool mips_ = false, half_ = false, tiled_ = false, preview_ = false, resume_ = false, no_sync_ = false,
-         no_lock_ = false;
+    bool mips_ = false, half_ = false, tiled_ = false, preview_ = false, resume_ = false, overwrite_ = false,
+         no_sync_ = false, no_lock_ = false;
 };
 
 }  // namespace pelagic::tools

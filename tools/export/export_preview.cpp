@@ -45,7 +45,7 @@ std::string bytes_text(double bytes) {
 
 /// How much the export will be.
 struct Expected {
-    std::size_t files = 0;  ///< with sea.json
+    std::size_t files = 0;  ///< with sea.json and the record
     double bytes = 0, bytes_a_frame = 0;
 };
 
@@ -61,7 +61,7 @@ Expected expected_of(const ExportOptions& options, const Frame& frame) {
     for (const MeshFile& mesh : meshes)
         expected.bytes_a_frame +=
             static_cast<double>(encode_mesh_file(mesh.format, exported_mesh(frame, options)).size());
-    expected.files = (images.size() + meshes.size()) * options.times.count() + 1 + (options.events ? 1 : 0);
+    expected.files = (images.size() + meshes.size()) * options.times.count() + 2 + (options.events ? 1 : 0);
     if (options.flipbook) {
         expected.files += options.maps.maps.size() * frame.tiles.size() + 1;
         expected.bytes_a_frame += image_bytes;

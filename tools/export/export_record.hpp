@@ -32,7 +32,7 @@ struct EarlierExport {
         images;  ///< that this export replaces: names that an export can have given, and no others
 };
 
-/// The texts of a journal and of a sea.json. Throws DamagedRecord.
+/// The texts of a journal and of a record. Throws DamagedRecord.
 EarlierExport parse_journal(std::string_view text, const ExportOptions& options);
 EarlierExport parse_sea_json(std::string_view text, const ExportOptions& options);
 

@@ -8,6 +8,24 @@
 
 namespace pelagic::tools {
 
+namespace {
+
+/// Returns a note if the sea repeats within the export, else an empty text. An export of weather repeats nothing, and one by
+/// --loop-frames or --frames loop ends with its loop.
+std::string warning_about_loop(const ExportOptions& options) {
+    const FrameTimes& times = options.times;
+    if (!times.fps || !options.sea.changes.empty()) return {};
+    const double last_s = times.time_of(times.number(times.count() - 1));
+    const double span_s = last_s + 1 / *times.fps - times.time_of(times.number(0));
+    constexpr double rounding = 1e-9;
+    if (span_s <= times.loop_period_s * (1 + rounding)) return {};
+    return "the frames span " + rounded_text(span_s, 6) + " s, and the sea repeats after its loop of " +
+           rounded_text(times.loop_period_s, 6) + " s; a --loop-period of at least " + rounded_text(span_s, 6) +
+           " repeats nothing";
+}
+
+}  // namespace
+
 void print_summary(std::FILE* to, const ExportOptions& options, const ExportSummary& summary) {
     std::fprintf(to, "%s: ", options.folder.c_str());
     if (options.shard) std::fprintf(to, "shard %s, ", text_of(*options.shard).c_str());
@@ -25,6 +43,8 @@ void print_notes(std::FILE* to, const ExportOptions& options) {
     if (options.shard) return;
     const SeaState& sea = options.sea.sea;
     for (const std::string& warning : warnings_about(sea)) std::fprintf(to, "note: %s\n", warning.c_str());
+    if (const std::string warning = warning_about_loop(options); !warning.empty())
+        std::fprintf(to, "note: %s\n", warning.c_str());
     if (options.events)
         for (const std::string& warning : warnings_about(*options.events, !options.times.fps))
             std::fprintf(to, "note: %s\n", warning.c_str());

@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "pelagic/tools/export/record_names.hpp"
+
 namespace pelagic::tools {
 namespace {
 
@@ -123,19 +125,16 @@ class RecordParts : public nlohmann::json_sax<ReadJson> {
 }  // namespace
 
 void write_record(const OutputFolder& folder, const std::string& name, const Json& head,
-                  const std::function<void(const std::function<void(const FrameRecord&)>&)>& make_frames) {
+                  const MakeFrames& make_frames, Json (*as_json)(const FrameRecord&)) {
     Json with_frames = head;
     with_frames[frames_key] = Json::array();
     const std::string text = with_frames.dump(2), end_of_list = "]\n}";
     folder.write(name, [&](const OutputFolder::Take& take) {
         std::string waiting = text.substr(0, text.size() - end_of_list.size());
         bool is_first = true;
-        const std::string line = "\n    ";  // a frame is two levels deep
         make_frames([&](const FrameRecord& frame) {
-            waiting += (is_first ? "" : ",") + line;
+            waiting += (is_first ? "\n    " : ",\n    ") + as_json(frame).dump();
             is_first = false;
-            for (const char letter : frame_as_json(frame).dump(2))
-                letter == '\n' ? waiting += line : waiting += letter;
             constexpr std::size_t enough = 1 << 20;
             if (waiting.size() < enough) return;
             take(waiting);
@@ -143,6 +142,13 @@ void write_record(const OutputFolder& folder, const std::string& name, const Jso
         });
         take(waiting + (is_first ? "" : "\n  ") + end_of_list + "\n");
     });
+}
+
+void write_finished(const OutputFolder& folder, const ExportOptions& options, double mean_significant_wave_height_m,
+                    const std::vector<FileRecord>& sequence_files, const MakeFrames& make_frames) {
+    write_record(folder, record_name({}), record_head(options, sequence_files), make_frames);
+    write_record(folder, sea_json_name, sea_json_head(options, mean_significant_wave_height_m, sequence_files),
+                 make_frames, frame_summary_as_json);
 }
 
 bool read_record(const OutputFolder& folder, const std::string& name, const RecordTaker& take) {

@@ -22,7 +22,7 @@ constexpr NameAroundShard records{"sea", ".json"}, journals{".pelagic-export", "
 
 }  // namespace
 
-std::string record_name(const std::optional<Shard>& shard) { return records.of(shard); }
+std::string record_name(const std::optional<Shard>& shard) { return shard ? records.of(shard) : "sea_files.json"; }
 std::string journal_name(const std::optional<Shard>& shard) { return journals.of(shard); }
 std::string lock_name_of(const Shard& shard) { return locks.of(shard); }
 
@@ -33,7 +33,8 @@ bool is_of_shard(std::string_view name) {
 }
 
 bool is_record_name(std::string_view name) {
-    return name == record_name({}) || name == journal_name({}) || name == lock_name || is_of_shard(name);
+    return name == sea_json_name || name == record_name({}) || name == journal_name({}) || name == lock_name ||
+           is_of_shard(name);
 }
 
 }  // namespace pelagic::tools

@@ -11,7 +11,10 @@ namespace pelagic::tools {
 
 inline constexpr const char* lock_name = ".sea.lock";
 
-/// "sea.json", or of a shard "sea.3-of-8.json".
+/// What an export holds, for people and tools; nothing is read back from it but the sea.
+inline constexpr const char* sea_json_name = "sea.json";
+
+/// "sea_files.json", or of a shard "sea.3-of-8.json".
 std::string record_name(const std::optional<Shard>& shard);
 /// ".pelagic-export.jsonl", or of a shard ".pelagic-export.3-of-8.jsonl".
 std::string journal_name(const std::optional<Shard>& shard);

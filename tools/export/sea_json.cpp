@@ -18,6 +18,22 @@ Json files_as_json(const std::vector<FileRecord>& files) {
     return list;
 }
 
+Json names_as_json(const std::vector<FileRecord>& files) {
+    Json list = Json::array();
+    for (const FileRecord& file : files) list.push_back({{"name", file.name}});
+    return list;
+}
+
+Json figures_as_json(const FrameRecord& record) {
+    Json json = {{"frame", record.frame}, {"time_s", record.time_s}, {"hash", record.hash}};
+    if (!record.foam_hash.empty()) json["foam_hash"] = record.foam_hash;
+    if (!record.local_hash.empty()) json["local_hash"] = record.local_hash;
+    json["significant_wave_height_m"] = record.significant_wave_height_m;
+    json["height_min_m"] = record.height_min_m;
+    json["height_max_m"] = record.height_max_m;
+    return json;
+}
+
 Json mesh_as_json(const MeshOptions& options) {
     Json formats = Json::array();
     for (const MeshFormat format : options.formats) formats.push_back(name_of(format));
@@ -93,14 +109,15 @@ Json options_as_json(const ExportOptions& options) {
 }
 
 Json frame_as_json(const FrameRecord& record) {
-    Json json = {{"frame", record.frame}, {"time_s", record.time_s}, {"hash", record.hash}};
-    if (!record.foam_hash.empty()) json["foam_hash"] = record.foam_hash;
-    if (!record.local_hash.empty()) json["local_hash"] = record.local_hash;
-    json["significant_wave_height_m"] = record.significant_wave_height_m;
-    json["height_min_m"] = record.height_min_m;
-    json["height_max_m"] = record.height_max_m;
+    Json json = figures_as_json(record);
     json["files"] = files_as_json(record.files);
     json["record_xxh3"] = digest_of(json.dump());
+    return json;
+}
+
+Json frame_summary_as_json(const FrameRecord& record) {
+    Json json = figures_as_json(record);
+    json["files"] = names_as_json(record.files);
     return json;
 }
 
@@ -199,6 +216,12 @@ Json sea_json_head(const ExportOptions& options, double mean_significant_wave_he
     if (options.events)
         for (const std::string& warning : warnings_about(*options.events, !options.times.fps))
             json["warnings"].push_back(warning);
+    if (!sequence_files.empty()) json["sequence_files"] = names_as_json(sequence_files);
+    return json;
+}
+
+Json record_head(const ExportOptions& options, const std::vector<FileRecord>& sequence_files) {
+    Json json = options_as_json(options);
     if (!sequence_files.empty()) json["sequence_files"] = files_as_json(sequence_files);
     return json;
 }
