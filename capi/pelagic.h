@@ -810,7 +810,7 @@ PELAGIC_API void pelagic_input_destroy(pelagic_input* input);
 /* How a query reads the frame between texels. */
 enum {
     PELAGIC_INTERPOLATION_LINEAR = 0, /* the surface that a GPU draws */
-    PELAGIC_INTERPOLATION_CUBIC = 1   /* for measurements: keeps the heights and slopes of short waves; some 2.5 times the work */
+    PELAGIC_INTERPOLATION_CUBIC = 1   /* for measurements: keeps the heights and slopes of short waves; 2 to 4 times the work */
 };
 
 /* World positions in metres, as far away as you like: the sea repeats in double precision. A position that is no number

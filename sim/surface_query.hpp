@@ -9,8 +9,8 @@
 // lie over one another (breaking crests at high choppiness) the highest one counts.
 //
 // Linear interpolation attenuates short waves. A wave with k radians a texel along one axis keeps (2 + cos k) / 3 of its variance,
-// and its slopes (sin(k) / k)^2 of that: with four tiles of 128^2 texels heights lose 7 % of Hm0 and normals 30 % of the slope
-// variance. Interpolation::cubic is for measurements: 1 % and 3 %.
+// and its slopes (sin(k) / k)^2 of that: with four tiles of 128^2 texels heights lose 7 % of Hm0 and normals 33 % of the slope
+// variance (default sea). Interpolation::cubic is for measurements: 1.5 % and 3 %.
 //
 // Water that answers (local_water.hpp) adds its height, its slopes and how it rises at the given place, and so does a shore (shore.hpp).
 // There each tile counts with its part at the given place: q + sum of part D(q) = p.

@@ -228,8 +228,8 @@ void warn_of_span(const Places& places, double repeat_m) {
         span_m = std::max(span_m, most - least);
     }
     if (!(span_m > repeat_m)) return;
-    const std::string line = "the points span " + number_text(span_m) + " m, but the longest waves repeat after " +
-                             number_text(repeat_m) + " m";
+    // Without the span: of warnings with one text Python shows and keeps one for each line of a program.
+    const std::string line = "the points span more than the " + number_text(repeat_m) + " m after which the longest waves repeat";
     if (PyErr_WarnEx(PyExc_UserWarning, line.c_str(), 2) != 0) throw py::error_already_set();
 }
 

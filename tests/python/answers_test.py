@@ -203,7 +203,7 @@ def test_points_that_span_more_than_the_sea_are_noted(small):
     with pelagic.Ocean(small) as ocean:
         frame = ocean.frame_at(0)
         for ask in (frame.query, lambda points: ocean.series(points, [0])):
-            with pytest.warns(UserWarning, match=r"^the points span 251 m, but the longest waves repeat after 250 m$") as noted:
+            with pytest.warns(UserWarning, match=r"^the points span more than the 250 m after which the longest waves repeat$") as noted:
                 ask([[0, 0], [3, 251]])
             assert noted[0].filename == __file__
             with warnings.catch_warnings():

@@ -301,7 +301,7 @@ export interface QueryOptions {
   toleranceM?: number;
   /**
    * "linear", the default, is the surface that is drawn. "cubic" is for measurements: it keeps the heights and slopes of short waves,
-   * for some 2.5 times the work. Foam is linear in both.
+   * for 2 to 4 times the work. Foam is linear in both.
    */
   interpolation?: 'linear' | 'cubic';
 }
