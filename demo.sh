@@ -48,7 +48,7 @@ pelagic_install_dependencies
 echo "Building (a minute or two the first time) ..."
 build() {
   cmake --preset release -DPELAGIC_TESTS=OFF -DPELAGIC_BENCH=OFF -DPELAGIC_EXAMPLES=OFF &&
-    cmake --build --preset release -j "$(nproc)" --target pelagic
+    cmake --build --preset release -j "$(nproc)"  # libraries, too, so that cmake --install finds them
 }
 quietly build
 

@@ -110,6 +110,11 @@ if command -v pkg-config >/dev/null; then
   "$cc" -std=c99 -Wall -Wextra -pedantic -Werror "$examples/c_host/main.c" -o "$work/c_pc" \
     $(pkg-config --cflags --libs pelagic_c)
   LD_LIBRARY_PATH="$library_folder" "$work/c_pc" | diff - "$work/c_host.txt"
+  # The page's line, after which the program finds the library by itself.
+  line=$(sed -n 's/^    \(cc main.c -o main .*\)/\1/p' "$examples/../docs/library.md")
+  [ -n "$line" ] || { echo "docs/library.md has no line for pkg-config"; exit 1; }
+  cp "$examples/c_host/main.c" "$work/main.c"
+  (cd "$work" && cc() { command "$cc" "$@"; } && eval "$line" && env -u LD_LIBRARY_PATH ./main) | diff - "$work/c_host.txt"
   "$cxx" -std=c++20 "$examples/cpp_host/main.cpp" -o "$work/cpp_pc" $(pkg-config --cflags --libs pelagic)
   "$work/cpp_pc" | diff - "$work/c_host.txt"
   # The static library, linked by a C compiler.

@@ -1,0 +1,19 @@
+#!/usr/bin/env bash
+# A fresh copy of the tree, ./demo.sh, then cmake --install of what it built: all that an install has is there, and runs.
+#
+# usage: demo_install_test.sh SOURCE_FOLDER CMAKE
+set -euo pipefail
+source=$1 cmake=$2
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+export DESTDIR=
+
+mkdir "$work/tree"
+tar -C "$source" --exclude=./build --exclude=./out --exclude=./.git --exclude=./shared -cf - . | tar -C "$work/tree" -xf -
+cd "$work/tree"
+PELAGIC_SKIP_SETUP=1 ./demo.sh
+"$cmake" --install build/release --prefix "$work/prefix" >/dev/null
+"$work/prefix/bin/pelagic" --version
+for file in libpelagic_c.so libpelagic.a libpelagic_quadtree.a; do
+  find "$work/prefix" -name "$file" | grep . || { echo "$file is missing"; exit 1; }
+done
