@@ -691,8 +691,9 @@ PELAGIC_API pelagic_status pelagic_ocean_restore_water(pelagic_ocean* ocean, con
 /* ---- Shores ----------------------------------------------------------------------------------------------------- */
 
 /* A floor that waves feel, which may rise above the water as a beach or an island. Within its rectangle long waves are slowed, turned
- * and raised by the depth, break at 0.78 of it, and don't come behind land but round it; queries and bounds have them. Of a sea of
- * several tiles that never changes. */
+ * and raised by the depth, break, and don't come behind land but round it; queries and bounds have them. Beyond it the floor continues as
+ * its nearest edge has it: dry ground stays dry, and the sea is open where it is deep enough for its waves. Of a sea of several tiles
+ * that never changes. */
 typedef struct pelagic_shore_options {
     uint32_t struct_size;
     int32_t columns, rows;  /* samples of the floor along x and z; 2 to 4096 */
@@ -701,7 +702,7 @@ typedef struct pelagic_shore_options {
                              * call returns */
     double corner_x_m, corner_z_m; /* where sample (0, 0) stands; [-1e8, 1e8] */
     double metres_a_sample;        /* between neighbours; [0.001, 10000] */
-    double fade_m;  /* along the edges, where the tiles give way; 0: an eighth of the shorter side; at most half of it */
+    double fade_m;  /* along the edges, where the coarsest tile gives way; 0: an eighth of the shorter side; at most half of it */
     double swash_m; /* waves reach so high on dry sand at most; [0, 10] */
 } pelagic_shore_options;
 
@@ -709,8 +710,9 @@ typedef struct pelagic_shore_options {
 PELAGIC_API pelagic_status pelagic_shore_defaults(pelagic_shore_options* options);
 
 /* Where water is drawn at a place of the rectangle, tile t counts with its part there and height_m adds to the sum. Texel (i, j) stands
- * at x_m + i texel_m, z_m + j texel_m, in element j * columns + i; all is bilinear between texels. Beyond the rectangle parts are 1 and
- * the height is 0, as on its edges. */
+ * at x_m + i texel_m, z_m + j texel_m, in element j * columns + i. Between texels height_m and rise_mps are cubic (Keys 1981, the 4 x 4
+ * texels around; those of the edge again beyond it), all else is bilinear. Beyond the rectangle depths and parts are those of the nearest
+ * place of its edge, and the height is 0, as on the edge. */
 typedef struct pelagic_shore_surface {
     uint32_t struct_size;
     int32_t columns, rows;
@@ -723,7 +725,8 @@ typedef struct pelagic_shore_surface {
     const float* rise_mps; /* how fast it rises */
     const float* reach_m;  /* how high the waves that are passing reach: sand below it is wet */
     const uint8_t* foam;   /* of waves that break */
-    float height_min_m, height_max_m;
+    float height_min_m, height_max_m; /* bounds of the height, between texels too */
+    const float* potential_m2ps;      /* its gradient is the horizontal velocity of these waves at the surface, linear theory */
 } pelagic_shore_surface;
 
 /* Of the frame completed last; what it points to is valid as long as that frame is. PELAGIC_WRONG_ORDER before the first frame,

@@ -8,6 +8,7 @@
 #include <xxhash.h>
 
 #include "pelagic/message/refusal.hpp"
+#include "pelagic/sim/query/shore_at.hpp"
 
 namespace pelagic {
 namespace {
@@ -25,51 +26,6 @@ constexpr std::array fields = {
     NumericField<ShoreOptions>{"fade_m", &ShoreOptions::fade_m, 0, 1e8, "[0, half the field's shorter side]"},
     NumericField<ShoreOptions>{"swash_m", &ShoreOptions::swash_m, 0, 10, "[0, 10]"},
 };
-
-/// Texels of a shore, with their neighbours.
-class ShoreTexels {
-   public:
-    explicit ShoreTexels(const ShoreSurface& shore) : shore_(shore) {}
-
-    ShoreSample at(int i, int j) const {
-        const std::size_t here = place(i, j);
-        const double half = 0.5 / shore_.texel_m;
-        ShoreSample sample{.depth_m = static_cast<double>(shore_.depth_m[here]),
-                           .height_m = static_cast<double>(shore_.height_m[here]),
-                           .slope_x = (height(i + 1, j) - height(i - 1, j)) * half,
-                           .slope_z = (height(i, j + 1) - height(i, j - 1)) * half,
-                           .rise_mps = static_cast<double>(shore_.rise_mps[here]),
-                           .reach_m = static_cast<double>(shore_.reach_m[here]),
-                           .foam = static_cast<double>(shore_.foam[here]) * (1.0 / 255)};
-        for (int tile = 0; tile < 4; ++tile)
-            sample.parts[tile] = static_cast<double>(shore_.parts_rgba8[here] >> 8 * tile & 255) * (1.0 / 255);
-        return sample;
-    }
-
-   private:
-    std::size_t place(int i, int j) const {
-        return static_cast<std::size_t>(j) * static_cast<std::size_t>(shore_.columns) + static_cast<std::size_t>(i);
-    }
-    /// 0 beyond the edges.
-    double height(int i, int j) const {
-        if (i < 0 || j < 0 || i >= shore_.columns || j >= shore_.rows) return 0;
-        return static_cast<double>(shore_.height_m[place(i, j)]);
-    }
-    const ShoreSurface& shore_;
-};
-
-ShoreSample between(const ShoreSample& a, const ShoreSample& b, double part) {
-    const auto mix = [part](double from, double to) { return from + part * (to - from); };
-    ShoreSample mixed{.depth_m = mix(a.depth_m, b.depth_m),
-                      .height_m = mix(a.height_m, b.height_m),
-                      .slope_x = mix(a.slope_x, b.slope_x),
-                      .slope_z = mix(a.slope_z, b.slope_z),
-                      .rise_mps = mix(a.rise_mps, b.rise_mps),
-                      .reach_m = mix(a.reach_m, b.reach_m),
-                      .foam = mix(a.foam, b.foam)};
-    for (int tile = 0; tile < 4; ++tile) mixed.parts[tile] = mix(a.parts[tile], b.parts[tile]);
-    return mixed;
-}
 
 }  // namespace
 
@@ -101,12 +57,25 @@ std::string check(const ShoreOptions& options, const SeaState& sea) {
 
 ShoreSample sample(const ShoreSurface& shore, double x_m, double z_m) {
     if (!shore) return {};
-    const double u = (x_m - shore.x_m) / shore.texel_m, v = (z_m - shore.z_m) / shore.texel_m;
-    if (!(u >= 0 && v >= 0 && u < shore.columns - 1 && v < shore.rows - 1)) return {};
-    const int i = static_cast<int>(u), j = static_cast<int>(v);
-    const ShoreTexels texels(shore);
-    return between(between(texels.at(i, j), texels.at(i + 1, j), u - i),
-                   between(texels.at(i, j + 1), texels.at(i + 1, j + 1), u - i), v - j);
+    const ShoreAt at(shore, x_m, z_m);
+    if (!at.is_place()) return {};
+    const auto metres = [&](std::span<const float> plane) {
+        return at.linear([plane](std::size_t texel) { return static_cast<double>(plane[texel]); });
+    };
+    ShoreSample sample{.depth_m = metres(shore.depth_m)};
+    for (std::size_t tile = 0; tile < std::size(sample.parts); ++tile) sample.parts[tile] = at.part(tile);
+    if (!at.is_within()) return sample;
+    const ShoreAt::Cubic height = at.cubic(shore.height_m);
+    const auto [x_mps, z_mps] = at.velocity();
+    sample.height_m = height.value;
+    sample.slope_x = height.along_x;
+    sample.slope_z = height.along_z;
+    sample.velocity_x_mps = x_mps;
+    sample.rise_mps = at.cubic(shore.rise_mps).value;
+    sample.velocity_z_mps = z_mps;
+    sample.reach_m = metres(shore.reach_m);
+    sample.foam = at.foam();
+    return sample;
 }
 
 std::uint64_t shore_hash_of(const Frame& frame) {
@@ -119,6 +88,7 @@ std::uint64_t shore_hash_of(const Frame& frame) {
     add(shore.parts_rgba8);
     add(shore.height_m);
     add(shore.rise_mps);
+    add(shore.potential_m2ps);
     add(shore.reach_m);
     add(shore.foam);
     return XXH3_64bits_digest(&state);

@@ -56,6 +56,7 @@ struct HandmadeShore {
                 .parts_rgba8 = parts_rgba8,
                 .height_m = height_m,
                 .rise_mps = rise_mps,
+                .potential_m2ps = rise_mps,
                 .reach_m = reach_m,
                 .foam = foam,
                 .height_min_m = *least,
@@ -102,8 +103,7 @@ double height_drawn_at(const Frame& frame, double x, double z) {
         rest_x += 0.7 * (x - dx - rest_x);
         rest_z += 0.7 * (z - dz - rest_z);
     }
-    double height =
-        between(shore, x, z, 0.0, [&](std::size_t texel) { return static_cast<double>(shore.height_m[texel]); });
+    double height = sample(shore, x, z).height_m;
     for (std::size_t tile = 0; tile < frame.tiles.size(); ++tile)
         height += parts[tile] * displacement_of(frame.tiles[tile], rest_x, rest_z).height;
     return height;

@@ -94,11 +94,13 @@ TEST(Shore, KeepsTheFrameThatIsDrawn) {
     EXPECT_EQ(shore_hash_of(first), expected);
 }
 
-TEST(Shore, IsOpenSeaOutsideItsRectangle) {
+// Where the edge is deep; where it is dry there is no water beyond it either.
+TEST(Shore, GoesOnOutsideItsRectangleAsItsEdgeIs) {
     Ocean with(breeze, with_bay()), without(breeze, {.executor = make_serial_executor(), .queries = true});
     const Frame& frame = with.frame_at(9);
     const ShoreSurface& shore = frame.shore;
     const double right_m = shore.x_m + (shore.columns - 1) * shore.texel_m, top_m = shore.z_m;
+    const double bottom_m = shore.z_m + (shore.rows - 1) * shore.texel_m;
     for (const double along : {0.0, 0.3, 0.77}) {
         const ShoreSample edge =
             sample(shore, shore.x_m + 1e-9, shore.z_m + along * (shore.rows - 1) * shore.texel_m);
@@ -106,11 +108,40 @@ TEST(Shore, IsOpenSeaOutsideItsRectangle) {
         EXPECT_NEAR(edge.parts[0], 1, 1e-9);
         EXPECT_NEAR(edge.parts[2], 1, 1e-9);
     }
-    const std::vector<double> x = {right_m + 0.01, -500, 12, 1e7}, z = {3, 900, top_m - 0.01, -1e6};
+    const std::vector<double> x = {-170.01, -500, 12, -1e7}, z = {3, 900, top_m - 0.01, -1e6};
     std::vector<float> found(4), expected(4);
-    SurfaceQuery(frame).sample({x, z}, {.height_m = found});
+    const SurfaceQuery query(frame);
+    query.sample({x, z}, {.height_m = found});
     SurfaceQuery(without.frame_at(9)).sample({x, z}, {.height_m = expected});
     EXPECT_EQ(found, expected);
+
+    // The bay's ground rises to 2 m at the right edge, which no swash reaches.
+    const std::vector<double> dry_x = {right_m - 0.01, right_m, right_m + 0.01, 1e7}, dry_z = {3, -40, 3, -1e6};
+    query.sample({dry_x, dry_z}, {.height_m = found});
+    EXPECT_EQ(found, std::vector<float>(4, 0.f));
+    EXPECT_NEAR(sample(shore, 1e7, 3).depth_m, sample(shore, right_m, 3).depth_m, 1e-9);
+    EXPECT_LT(sample(shore, 1e7, 3).depth_m, -1);
+
+    // Nowhere on the way round is there a step.
+    std::vector<double> in_x, in_z, out_x, out_z;
+    for (int i = 0; i < 400; ++i) {
+        const double along = (i + 0.5) / 400, width = right_m - shore.x_m, length = bottom_m - top_m;
+        for (const int side : {0, 1}) {
+            in_x.push_back(shore.x_m + along * width), out_x.push_back(in_x.back());
+            in_z.push_back(side == 0 ? top_m + 1e-4 : bottom_m - 1e-4);
+            out_z.push_back(side == 0 ? top_m - 1e-4 : bottom_m + 1e-4);
+            in_z.push_back(top_m + along * length), out_z.push_back(in_z.back());
+            in_x.push_back(side == 0 ? shore.x_m + 1e-4 : right_m - 1e-4);
+            out_x.push_back(side == 0 ? shore.x_m - 1e-4 : right_m + 1e-4);
+        }
+    }
+    std::vector<float> inside(in_x.size()), outside(in_x.size());
+    query.sample({in_x, in_z}, {.height_m = inside});
+    query.sample({out_x, out_z}, {.height_m = outside});
+    for (std::size_t i = 0; i < inside.size(); ++i) {
+        // A slope of 1 over the distance, and the tolerance of a query.
+        EXPECT_NEAR(inside[i], outside[i], 5e-4f) << in_x[i] << " " << in_z[i];
+    }
 }
 
 /// Bilinear in a tile, by its definition.
@@ -137,29 +168,36 @@ TEST(Shore, IsWhatQueriesTell) {
         return from + (to - from) * static_cast<double>(random()) * 0x1p-32;
     };
     int in_fade = 0, at_shore = 0;
-    for (int i = 0; i < 3000; ++i) {
+    for (int i = 0; i < 4000; ++i) {
         const double q_x = even(-190, 260), q_z = even(-150, 190);
-        double x = q_x, z = q_z, height = 0, rise = 0;
+        double x = q_x, z = q_z, height = 0, rise = 0, x_mps = 0, z_mps = 0;
         ShoreSample here;
         for (int step = 0; step < 60; ++step) {
             here = sample(frame.shore, x, z);
             x = q_x, z = q_z, height = here.height_m, rise = here.rise_mps;
+            x_mps = here.velocity_x_mps, z_mps = here.velocity_z_mps;
             for (std::size_t t = 0; t < frame.tiles.size(); ++t) {
                 const Tile& tile = frame.tiles[t];
                 x += here.parts[t] * tile_at(tile, tile.dx, q_x, q_z);
                 z += here.parts[t] * tile_at(tile, tile.dz, q_x, q_z);
                 height += here.parts[t] * tile_at(tile, tile.height, q_x, q_z);
                 rise += here.parts[t] * tile_at(tile, tile.velocity_y, q_x, q_z);
+                x_mps += here.parts[t] * tile_at(tile, tile.velocity_x, q_x, q_z);
+                z_mps += here.parts[t] * tile_at(tile, tile.velocity_z, q_x, q_z);
             }
         }
-        float found_height, found_rise, jacobian;
-        query.sample(
-            {{&x, 1}, {&z, 1}},
-            {.height_m = {&found_height, 1}, .jacobian = {&jacobian, 1}, .velocity_y_mps = {&found_rise, 1}});
+        float found_height, found_rise, found_x_mps, found_z_mps, jacobian;
+        query.sample({{&x, 1}, {&z, 1}}, {.height_m = {&found_height, 1},
+                                          .jacobian = {&jacobian, 1},
+                                          .velocity_x_mps = {&found_x_mps, 1},
+                                          .velocity_y_mps = {&found_rise, 1},
+                                          .velocity_z_mps = {&found_z_mps, 1}});
         // Near a fold another sheet may be the higher one.
         if (jacobian < 0.3f) continue;
         EXPECT_NEAR(static_cast<double>(found_height), height, 2e-4) << x << " " << z;
         EXPECT_NEAR(static_cast<double>(found_rise), rise, 2e-3) << x << " " << z;
+        EXPECT_NEAR(static_cast<double>(found_x_mps), x_mps, 2e-3) << x << " " << z;
+        EXPECT_NEAR(static_cast<double>(found_z_mps), z_mps, 2e-3) << x << " " << z;
         in_fade += here.parts[0] > 0.05 && here.parts[0] < 0.95;
         at_shore += here.parts[1] < 0.5;
     }
@@ -190,6 +228,7 @@ TEST(Shore, CountsPartsOfFoldedTilesToo) {
                    .parts_rgba8 = parts,
                    .height_m = flat,
                    .rise_mps = flat,
+                   .potential_m2ps = flat,
                    .reach_m = flat,
                    .foam = no_foam};
     std::mt19937 random(5);
@@ -244,12 +283,105 @@ TEST(Shore, HasReachesNoLowerThanItsHeights) {
         most = std::max(most, frame.shore.height_m[i]);
         least = std::min(least, frame.shore.height_m[i]);
     }
-    EXPECT_EQ(frame.shore.height_max_m, most);
-    EXPECT_EQ(frame.shore.height_min_m, least);
     EXPECT_GT(most, 0.1f);
+    // Between texels a cubic is beyond the range by 0.28125 of it at most.
+    EXPECT_FLOAT_EQ(frame.shore.height_max_m, most + 0.28125f * (most - least));
+    EXPECT_FLOAT_EQ(frame.shore.height_min_m, least - 0.28125f * (most - least));
     // Culling boxes hold it.
-    EXPECT_GE(frame.bounds.height_max_m, most);
-    EXPECT_LE(frame.bounds.height_min_m, least);
+    EXPECT_GE(frame.bounds.height_max_m, frame.shore.height_max_m);
+    EXPECT_LE(frame.bounds.height_min_m, frame.shore.height_min_m);
+}
+
+/// A moat as wide as one texel along the diagonal near an edge, where no land shelters the tiles, in ground 5 m above the sea.
+ShoreOptions moat() {
+    ShoreOptions shore = shore_of(64, 64, 1, [](double x, double z) { return x - z == 20 ? -60.0 : 5.0; });
+    shore.resolution = 64;
+    shore.fade_m = 31;
+    return shore;
+}
+
+TEST(Shore, BoundsHowFastPartsChange) {
+    Ocean ocean(breeze, {.executor = make_serial_executor(), .shore = moat()});
+    const ShoreSurface& shore = ocean.frame_at(0).shore;
+    constexpr double far_m = 1e-3;
+    double fastest = 0;
+    for (double x = 20; x < 26; x += 0.05)
+        for (double z = 0; z < 6; z += 0.05)
+            for (const double way : {0.0, far_m, -far_m})
+                for (std::size_t tile = 0; tile < 3; ++tile)
+                    fastest = std::max(fastest, std::fabs(sample(shore, x, z).parts[tile] -
+                                                          sample(shore, x + far_m, z + way).parts[tile]) /
+                                                    std::sqrt(far_m * far_m + way * way));
+    EXPECT_LE(fastest, static_cast<double>(shore.parts_change_per_m));
+    // On the diagonal from a texel that has all to one that has nothing.
+    EXPECT_GT(fastest, 0.9 * std::sqrt(2.0));
+}
+
+// The tiles' parts go from 0 to 1 and back over the moat's diagonal, so that waves stand in it as a narrow wall, which a ray that trusts too
+// small a bound of the parts' change passes. The oracle walks in double through the definition: the water moves up and down alone.
+TEST(Shore, IsWhereRaysHitWherePartsChangeAtOnce) {
+    const SeaState sea{.waves = WaveModel::analytic,
+                       .cascades = 4,
+                       .resolution = 512,
+                       .choppiness = 0,
+                       .loop_period_s = 60,
+                       .wave_count = 1,
+                       .longest_wave_m = 150,
+                       .wave_height_m = 12};
+    Ocean ocean(sea, {.executor = make_serial_executor(), .queries = true, .shore = moat()});
+    std::mt19937 random(17);
+    const auto even = [&](double from, double to) {
+        return from + (to - from) * static_cast<double>(random()) * 0x1p-32;
+    };
+    const auto height_of_tiles = [](const Frame& frame, double x, double z) {
+        double height = 0;
+        for (const Tile& tile : frame.tiles) height += tile_at(tile, tile.height, x, z);
+        return height;
+    };
+    double crest_s = 0, highest_m = 0;
+    for (double t = 0; t < 12; t += 0.5)
+        if (const double height_m = height_of_tiles(ocean.frame_at(t), 22, 2); height_m > highest_m)
+            highest_m = height_m, crest_s = t;
+    EXPECT_GT(highest_m, 4);
+    int hits = 0, misses = 0;
+    for (int i = 0; i < 600; ++i) {
+        if (i % 20 == 0) ocean.frame_at(crest_s + even(-1, 1));
+        const Frame& frame = ocean.complete();
+        // Only then are tiles all that there is.
+        ASSERT_EQ(frame.shore.height_max_m - frame.shore.height_min_m, 0);
+        const double middle_z = even(0.5, 3.5), from_m = even(2, 6), tilt = even(-0.1, 0.1);
+        const double high = even(0.3, 1.1) * height_of_tiles(frame, 22, 2);
+        const SurfaceRay ray{.origin_m = {20 + middle_z - from_m, high - from_m * tilt, middle_z + from_m},
+                             .direction = {1, tilt, -1},
+                             .reach_m = 12};
+        const double length = std::sqrt(2 + tilt * tilt);
+        const auto clearance = [&](double distance) {
+            const double x = ray.origin_m[0] + distance / length, z = ray.origin_m[2] - distance / length;
+            double height = 0;
+            const ShoreSample here = sample(frame.shore, x, z);
+            for (std::size_t t = 0; t < frame.tiles.size(); ++t)
+                height += here.parts[t] * tile_at(frame.tiles[t], frame.tiles[t].height, x, z);
+            return ray.origin_m[1] + distance * tilt / length - height;
+        };
+        double expected = 0, inside_m = 0, most_inside_m = 0;
+        constexpr double step = 1.0 / 512;
+        for (double distance = 0; distance < ray.reach_m; distance += step) {
+            inside_m = clearance(distance) < 0 ? inside_m + step : 0;
+            if (inside_m > 0 && expected == 0) expected = distance;
+            most_inside_m = std::max(most_inside_m, inside_m);
+        }
+        // What a ray only grazes, for less than half a texel of the finest tile, it may miss.
+        const double texel_m = frame.tiles.back().texel_m();
+        if (most_inside_m > 0 && most_inside_m < 0.6 * texel_m) continue;
+        const auto hit = first_hit(SurfaceQuery(frame), ray);
+        ASSERT_EQ(hit.has_value(), most_inside_m > 0) << i << ", at " << expected;
+        if (hit) {
+            EXPECT_NEAR(hit->distance_m, expected, 2 * step) << i;
+        }
+        (hit ? hits : misses) += 1;
+    }
+    EXPECT_GT(hits, 150);
+    EXPECT_GT(misses, 60);
 }
 
 // A ray meets the water where small steps along it do.

@@ -104,7 +104,7 @@ Moved displaced(ivec2 index) {
 #endif
     }
 #ifdef SHORE
-    moved.y += shore_water_at(at + left * moved.xz, shore_mip(spacing)).x;
+    moved.y += shore_height_at(at + left * moved.xz, shore_mip(spacing));
 #endif
 #endif
     moved *= left;

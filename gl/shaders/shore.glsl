@@ -1,5 +1,5 @@
 // A shore, as sim/shore_surface.hpp says: at a place where water is drawn each tile counts with its part, and waves that feel the floor add to
-// the sum. Look-ups beyond the rectangle have what its edges have: all of the tiles, and no waves.
+// the sum. Look-ups beyond the rectangle have what its edges have: the parts of the tiles there, and no waves.
 uniform mediump sampler2D shore_parts;  // of the tiles
 uniform highp sampler2D shore_water;    // height, its slopes along x and z, foam
 uniform highp sampler2D shore_reach;    // how high the waves that are passing reach, above rest
@@ -17,4 +17,23 @@ vec4 shore_water_at(vec2 at, float mip) {
     vec2 within = (0.5 - abs(uv - 0.5)) * shore_size.xy - 0.5;  // texels of mip 0
     float there = clamp((min(within.x, within.y) + 1e-3) / max(exp2(mip) - 1.0, 1e-3), 0.0, 1.0);
     return textureLod(shore_water, uv, mip) * there;
+}
+
+// The height of the finest mip is cubic between texels (Keys 1981), as queries have it: 4 x 4 texels in 3 x 3 linear samples, of which one
+// between the two middle texels stands for both. Coarser mips are linear.
+float shore_height_at(vec2 at, float mip) {
+    float coarse = shore_water_at(at, mip).x;
+    if (mip >= 1.0) return coarse;
+    vec2 place = clamp(shore_uv(at) * shore_size.xy - 0.5, vec2(0.0), shore_size.xy - 1.0);
+    vec2 texel = floor(place), t = place - texel;
+    vec2 before = 0.5 * t * (t * (2.0 - t) - 1.0), here = 0.5 * (t * t * (3.0 * t - 5.0) + 2.0);
+    vec2 after = 0.5 * t * t * (t - 1.0), both = 1.0 - before - after;
+    vec2 weights[3] = vec2[3](before, both, after);
+    vec2 places[3] = vec2[3](texel - 0.5, texel + 0.5 + (1.0 - here / both), texel + 2.5);
+    float fine = 0.0;
+    for (int row = 0; row < 3; ++row)
+        for (int column = 0; column < 3; ++column)
+            fine += weights[column].x * weights[row].y *
+                    textureLod(shore_water, vec2(places[column].x, places[row].y) / shore_size.xy, 0.0).x;
+    return mix(fine, coarse, mip);
 }

@@ -10,11 +10,11 @@
 
 namespace pelagic::kernels {
 
-/// W texels of a group: h, q and their derivatives in time.
+/// W texels of a group: h, q, their derivatives in time and the velocity potential.
 template <class Arch>
 struct ShoreSum {
     using V = xsimd::batch<float, Arch>;
-    V h = V(0.f), q = V(0.f), h_t = V(0.f), q_t = V(0.f);
+    V h = V(0.f), q = V(0.f), h_t = V(0.f), q_t = V(0.f), potential = V(0.f);
 
     /// e^(-i omega t) times C, whose derivative is -i omega times that.
     PELAGIC_INLINE void add(const float* re, const float* im, const ShoreRowsJob::Moment& moment) {
@@ -25,6 +25,7 @@ struct ShoreSum {
         q = q + imaginary;
         h_t = h_t + omega * imaginary;
         q_t = q_t - omega * real;
+        potential = potential + V(moment.potential) * imaginary;
     }
 };
 
@@ -41,6 +42,7 @@ void shore_rows(const ShoreRowsJob& job) {
             if (!job.has_waves[g]) {
                 none.store_aligned(job.height + at);
                 none.store_aligned(job.rise + at);
+                none.store_aligned(job.potential + at);
                 none.store_aligned(job.reach + at);
                 for (std::size_t i = 0; i < lanes; ++i) job.foam[at + i] = 0;
                 continue;
@@ -61,6 +63,7 @@ void shore_rows(const ShoreRowsJob& job) {
             const V height = h + sharpness * (h * h - q * q);
             height.store_aligned(job.height + at);
             (h_t + (sharpness + sharpness) * (h * h_t - q * q_t)).store_aligned(job.rise + at);
+            (left * sum.potential).store_aligned(job.potential + at);
             (stands + sharpness * (stands * stands)).store_aligned(job.reach + at);
             low = xsimd::min(low, height);
             high = xsimd::max(high, height);
@@ -68,8 +71,8 @@ void shore_rows(const ShoreRowsJob& job) {
             // How long ago the crest was here, 0 to 1 over a period: the angle's cosine, and on which side of the crest it is.
             const V cosine = divided<Arch>(sum.h, envelope), quarter(0.25f);
             const V since = xsimd::select(sum.q > none, (V(3.f) + cosine) * quarter, (one - cosine) * quarter);
-            const V over =
-                (divided<Arch>(envelope, most) - V(ShoreRowsJob::white_from)) * V(1.f / ShoreRowsJob::white_over);
+            const V breaking = divided<Arch>(envelope, V::load_aligned(job.breaking_envelope + at));
+            const V over = (breaking - V(ShoreRowsJob::white_from)) * V(1.f / ShoreRowsJob::white_over);
             const V white = xsimd::min(xsimd::max(over, none), one), fading = one - since;
             alignas(64) std::int32_t bytes[lanes];
             xsimd::to_int(V(255.f) * (white * fading) + V(0.5f)).store_aligned(bytes);

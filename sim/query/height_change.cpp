@@ -1,6 +1,7 @@
 #include "pelagic/sim/query/height_change.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace pelagic {
 namespace {
@@ -24,7 +25,8 @@ HeightChange::HeightChange(std::span<const Tile> tiles, double local_range_m, do
                      .slack = slack,
                      .further_m = further_m};
         stretch_ += parts_change_per_m * static_cast<double>(tile.squeeze.largest_m);
-        range_per_m_ += parts_change_per_m * parts_[i].range_m;
+        highest_per_m_ += parts_change_per_m * static_cast<double>(std::max(std::fabs(tile.bounds.height_min_m),
+                                                                            std::fabs(tile.bounds.height_max_m)));
         slack -= tile.squeeze.most();
         further_m = std::max(0.0, further_m - 2 * static_cast<double>(tile.squeeze.largest_m));
     }
@@ -36,7 +38,7 @@ double HeightChange::within(double distance_m) const {
     double at_rest_m = way_m + parts_[0].further_m;
     for (std::size_t i = 1; i <= count_ && parts_[i].slack >= least_slack; ++i)
         at_rest_m = std::min(at_rest_m, (way_m + parts_[i].further_m) / parts_[i].slack);
-    double change_m = local_range_m_ + range_per_m_ * distance_m;
+    double change_m = local_range_m_ + highest_per_m_ * distance_m;
     for (std::size_t i = 0; i < count_; ++i) change_m += std::min(parts_[i].steepness * at_rest_m, parts_[i].range_m);
     return change_m;
 }

@@ -10,7 +10,7 @@
 // it holds for every sheet.
 //
 // At a shore tiles count with parts a_i <= 1 of places, which change by c a metre at most: d (1 + c (e_0 + e_1 + ...)) takes d's place
-// then, and each height changes by another c d of its range.
+// then, and each height changes by another c d of the largest |height| of its tile: a h - a' h' = a (h - h') + (a - a') h'.
 #pragma once
 
 #include <array>
@@ -49,8 +49,8 @@ class HeightChange {
     std::array<Part, most_tiles + 1> parts_;  ///< the last one after all tiles
     std::size_t count_;
     double local_range_m_;
-    double stretch_ = 1;      ///< of ways, by what the parts change
-    double range_per_m_ = 0;  ///< of heights, by the same
+    double stretch_ = 1;        ///< of ways, by what the parts change
+    double highest_per_m_ = 0;  ///< of heights, by the same
 };
 
 }  // namespace pelagic

@@ -12,8 +12,8 @@
 #include "pelagic/sim/kernels/kernels.hpp"
 #include "pelagic/sim/local_water.hpp"
 #include "pelagic/sim/query/one_tile_query.hpp"
+#include "pelagic/sim/query/shore_at.hpp"
 #include "pelagic/sim/query/stack_query.hpp"
-#include "pelagic/sim/shore.hpp"
 #include "pelagic/simd/float_environment.hpp"
 
 namespace pelagic {
@@ -150,12 +150,20 @@ void SurfaceQuery::add_water_of_place(const SurfaceSamples& samples, const Point
         const std::size_t at = chunk.first + i;
         LocalSample local = pelagic::sample(frame_.local, chunk.x[i], chunk.z[i]);
         if (frame_.shore) {
-            const ShoreSample shore = pelagic::sample(frame_.shore, chunk.x[i], chunk.z[i]);
-            local.height_m += shore.height_m;
-            local.slope_x += shore.slope_x;
-            local.slope_z += shore.slope_z;
-            local.rise_mps += shore.rise_mps;
-            local.foam = std::max(local.foam, shore.foam);
+            const ShoreAt shore(frame_.shore, chunk.x[i], chunk.z[i]);
+            if (shore.is_within()) {
+                const ShoreAt::Cubic height = shore.cubic(frame_.shore.height_m);
+                local.height_m += height.value;
+                local.slope_x += height.along_x;
+                local.slope_z += height.along_z;
+                if (wants_velocity(samples)) {
+                    local.rise_mps += shore.cubic(frame_.shore.rise_mps).value;
+                    const auto [x_mps, z_mps] = shore.velocity();
+                    add(samples.velocity_x_mps, at, x_mps);
+                    add(samples.velocity_z_mps, at, z_mps);
+                }
+                if (!samples.foam.empty()) local.foam = std::max(local.foam, shore.foam());
+            }
         }
         add(samples.height_m, at, local.height_m);
         add(samples.velocity_y_mps, at, local.rise_mps);

@@ -24,6 +24,9 @@ constexpr int depths = 256;
 
 // So far from water there is some over the sand, and less with each texel.
 constexpr int swash_texels = 8;
+// As far everywhere, for what is interpolated at the waterline; further only where the ground is no higher than some times the swash.
+constexpr int steep_swash_texels = 2;
+constexpr double most_ground_over_swash = 2;
 
 // What is lower than this of a wave is nothing, so that no sum has numbers that processors are slow with.
 constexpr double least_amplitude_m = 1e-9;
@@ -33,19 +36,28 @@ constexpr double least_envelope_m = 1e-6;
 /// Second-order crests over first-order ones are no higher, or troughs would have humps.
 constexpr double most_sharp = 0.25;
 
+// Crests of a tile in standard deviations: one place and moment in 10 million has a higher one, and one in 30,000, which has to meet a
+// crest of the long waves.
+constexpr double highest_crest = 5.2, high_crest = 4;
+
+/// Bounds of a sum of Keys' weights in two dimensions, 9/8 and -1/8 at most in one: so much of the range is beyond each end of it.
+constexpr double most_overshoot = 0.28125;
+
 double eased(double part) {
     const double u = std::clamp(part, 0.0, 1.0);
     return u * u * (3 - 2 * u);
 }
 
 /// What comes over sand from water: phase and height of the nearest texels with waves, later and lower texel by texel.
-void run_up(const SeaBed& bed, std::vector<double>& phase, std::vector<double>& height, double k) {
+void run_up(const SeaBed& bed, std::vector<double>& phase, std::vector<double>& height, double k, double swash_m) {
     std::vector<double> phase_after = phase, height_after = height;
     for (int texel_away = 1; texel_away <= swash_texels; ++texel_away) {
         for (int j = 0; j < bed.rows; ++j)
             for (int i = 0; i < bed.columns; ++i) {
                 const std::size_t here = bed.at(i, j);
                 if (phase[here] < Refraction::nowhere || bed.is_water(here)) continue;
+                if (texel_away > steep_swash_texels && 0 - bed.depth_m[here] > most_ground_over_swash * swash_m)
+                    continue;
                 double nearest = 0 - Refraction::nowhere, highest = 0;
                 const auto look_at = [&](bool is_there, std::size_t texel) {
                     if (!is_there || !(phase[texel] < Refraction::nowhere)) return;
@@ -78,6 +90,7 @@ ShoreSource::ShoreSource(const ShoreOptions& options, const SeaState& sea, const
       amplitudes_(bed_.texels() * 2 * waves_.size(), memory),
       has_waves_(bed_.texels() / group_texels),
       highest_envelope_(bed_.texels(), memory),
+      breaking_envelope_(bed_.texels(), memory),
       sharpness_(bed_.texels(), memory),
       depth_(bed_.texels(), memory),
       parts_(bed_.texels(), memory),
@@ -92,8 +105,13 @@ ShoreSource::ShoreSource(const ShoreOptions& options, const SeaState& sea, const
     bake_->ways.assign(first_way, first_way + static_cast<std::ptrdiff_t>(ways));
     bake_->shelters.resize(ways);
     bake_->deepest_m = std::max(1.0, *std::max_element(bed_.depth_m.begin(), bed_.depth_m.end()));
+    bake_->variances.push_back(DepthPart(sea, plans.front()).variance());
+    bake_->parts.assign(plans.size(), std::vector<float>(bed_.texels()));
+    bake_->deviation_m.resize(bed_.texels());
+    bake_->left.resize(bed_.texels());
     for (std::size_t tile = 1; tile < plans.size(); ++tile) {
         const DepthPart part(sea, plans[tile]);
+        bake_->variances.push_back(part.variance());
         std::vector<double>& table = bake_->depth_parts.emplace_back();
         for (int i = 0; i <= depths; ++i) {
             const double root = static_cast<double>(i) / depths;
@@ -104,6 +122,7 @@ ShoreSource::ShoreSource(const ShoreOptions& options, const SeaState& sea, const
     for (Slot& slot : slots_) {
         slot.height = AlignedBuffer<float>(bed_.texels(), memory);
         slot.rise = AlignedBuffer<float>(bed_.texels(), memory);
+        slot.potential = AlignedBuffer<float>(bed_.texels(), memory);
         slot.reach = AlignedBuffer<float>(bed_.texels(), memory);
         slot.foam = AlignedBuffer<std::uint8_t>(bed_.texels(), memory);
         slot.lowest.resize(items);
@@ -126,23 +145,36 @@ void ShoreSource::add_bake_stages(JobGraph& graph) {
                                               item < waves ? bake_wave(item) : bake_shelter(item - waves);
                                           }),
                                           .stack_bytes = stack_margin});
-    graph.add({.name = "shore parts",
-               .count = static_cast<std::size_t>(bed_.rows),
+    const auto rows = static_cast<std::size_t>(bed_.rows);
+    const StageId parts_done = graph.add({.name = "shore parts",
+                                          .count = rows,
+                                          .batch = 16,
+                                          .waits_for = {waves_done},
+                                          .body = for_each_item([this](std::size_t row) { bake_parts(row); }),
+                                          .stack_bytes = stack_margin});
+    const StageId breaking_done = graph.add({.name = "shore breaking",
+                                             .count = 1,
+                                             .waits_for = {parts_done},
+                                             .body = for_each_item([this](std::size_t) { bake_breaking(); }),
+                                             .stack_bytes = stack_margin});
+    graph.add({.name = "shore heights",
+               .count = rows,
                .batch = 16,
-               .waits_for = {waves_done},
-               .body = for_each_item([this](std::size_t row) { bake_parts(row); }),
+               .waits_for = {breaking_done},
+               .body = for_each_item([this](std::size_t row) { bake_heights(row); }),
                .stack_bytes = stack_margin});
 }
 
 void ShoreSource::bake_wave(std::size_t number) {
     const ShoreWave& wave = waves_[number];
-    const Refraction way(
-        bed_, {.omega = wave.omega, .along_x = wave.along_x, .along_z = wave.along_z, .depth_m = sea_.depth_m});
-    if (number == waves_.size() / 2) bake_limits(way, wave.omega);
+    auto refraction = std::make_unique<Refraction>(
+        bed_,
+        IncomingWave{.omega = wave.omega, .along_x = wave.along_x, .along_z = wave.along_z, .depth_m = sea_.depth_m});
+    const Refraction& way = *refraction;
     std::vector<double> phase = way.phase(), height = way.height();
     const double k =
         std::min(wave_number(wave.omega, SeaBed::least_depth_m), two_pi / (Refraction::least_texels * bed_.texel_m));
-    run_up(bed_, phase, height, k);
+    run_up(bed_, phase, height, k, swash_m_);
     for (std::size_t texel = 0; texel < bed_.texels(); ++texel) {
         // Where tiles give way, energies add up to one.
         const double fade = det::sine_cosine_of_turns(0.25 * inside(texel)).sine;
@@ -154,6 +186,10 @@ void ShoreSource::bake_wave(std::size_t number) {
                           texel % group_texels;
         at[0] = static_cast<float>(amplitude_m * cosine);
         at[group_texels] = static_cast<float>(amplitude_m * sine);
+    }
+    if (number == waves_.size() / 2) {
+        bake_limits(way, wave.omega);
+        bake_->main_way = std::move(refraction);
     }
 }
 
@@ -194,6 +230,25 @@ void ShoreSource::bake_shelter(std::size_t number) {
         energy[texel] = static_cast<float>(straight.height()[texel] * straight.height()[texel]);
 }
 
+ShoreSource::Variance ShoreSource::variance_of_waves(std::size_t texel) const {
+    const float* at =
+        amplitudes_.data() + texel / group_texels * waves_.size() * 2 * group_texels + texel % group_texels;
+    double squares = 0, squares_of_sums = 0, sum_re = 0, sum_im = 0;
+    for (std::size_t wave = 0; wave < waves_.size(); ++wave, at += 2 * group_texels) {
+        const double re = static_cast<double>(at[0]), im = static_cast<double>(at[group_texels]);
+        squares += re * re + im * im;
+        sum_re += re, sum_im += im;
+        if (wave + 1 < waves_.size() && waves_[wave + 1].harmonic == waves_[wave].harmonic) continue;
+        squares_of_sums += sum_re * sum_re + sum_im * sum_im;
+        sum_re = sum_im = 0;
+    }
+    return {.of_all = 0.5 * squares, .here = 0.5 * squares_of_sums};
+}
+
+double ShoreSource::wave_depth_m(std::size_t texel) const {
+    return std::max(bed_.depth_m[texel], swash_m_ / crest_over_depth);
+}
+
 void ShoreSource::bake_parts(std::size_t row) {
     double all = 0;
     for (const ShoreWave& way : bake_->ways) all += way.variance();
@@ -205,16 +260,101 @@ void ShoreSource::bake_parts(std::size_t row) {
             comes += bake_->ways[way].variance() * static_cast<double>(bake_->shelters[way][texel]);
         const double sheltered = all > 0 ? std::min(1.0, std::sqrt(comes / all)) : 1;
         const double coarsest = det::sine_cosine_of_turns(0.25 * shore).cosine;
-        std::uint32_t parts = static_cast<std::uint32_t>(255 * coarsest + 0.5);
+        bake_->parts[0][texel] = static_cast<float>(coarsest);
+        double variance = variance_of_waves(texel).of_all + coarsest * coarsest * bake_->variances[0];
         const double place = depths * std::sqrt(depth_m / bake_->deepest_m);
         const auto cell = static_cast<std::size_t>(std::min(place, depths - 1.0));
         for (std::size_t tile = 0; tile < bake_->depth_parts.size(); ++tile) {
             const std::vector<double>& table = bake_->depth_parts[tile];
             const double stands = table[cell] + (place - static_cast<double>(cell)) * (table[cell + 1] - table[cell]);
             const double part = 1 - shore * (1 - sheltered * stands);
-            parts |= static_cast<std::uint32_t>(255 * part + 0.5) << 8 * (tile + 1);
+            bake_->parts[tile + 1][texel] = static_cast<float>(part);
+            variance += part * part * bake_->variances[tile + 1];
         }
+        bake_->deviation_m[texel] = std::sqrt(variance);
+    }
+}
+
+/// Amplitudes that have shoaled as if none broke are cut to the deviation that a depth bears. What broke stays lost behind it: the least
+/// factor on the way of the wave in the middle counts. Dry sand has that of the water beside it.
+void ShoreSource::bake_breaking() {
+    std::vector<double>& left = bake_->left;
+    for (std::size_t texel = 0; texel < bed_.texels(); ++texel) {
+        const double most_m = deviation_over_depth * wave_depth_m(texel), here_m = bake_->deviation_m[texel];
+        left[texel] = here_m > most_m ? most_m / here_m : 1;
+    }
+    if (!bake_->main_way) return;
+    const Refraction& way = *bake_->main_way;
+    for (const std::uint32_t texel : way.order()) {
+        if (way.comes_in_at(texel)) continue;
+        const Refraction::Upstream from = way.upstream(texel);
+        if (from.share_x + from.share_z > 0)
+            left[texel] = std::min(left[texel], (from.share_x > 0 ? from.share_x * left[from.x] : 0) +
+                                                    (from.share_z > 0 ? from.share_z * left[from.z] : 0));
+    }
+    std::vector<double> before(left.size());
+    std::vector<std::uint8_t> is_known(left.size());
+    for (std::size_t texel = 0; texel < bed_.texels(); ++texel) is_known[texel] = bed_.is_water(texel);
+    for (int texel_away = 1; texel_away <= swash_texels; ++texel_away) {
+        before = left;
+        const std::vector<std::uint8_t> was_known = is_known;
+        for (int j = 0; j < bed_.rows; ++j)
+            for (int i = 0; i < bed_.columns; ++i) {
+                const std::size_t here = bed_.at(i, j);
+                if (was_known[here]) continue;
+                double most = 0;
+                const auto look_at = [&](bool is_there, std::size_t texel) {
+                    if (is_there && was_known[texel]) most = std::max(most, before[texel]);
+                };
+                look_at(i > 0, here - 1);
+                look_at(i + 1 < bed_.columns, here + 1);
+                look_at(j > 0, here - static_cast<std::size_t>(bed_.columns));
+                look_at(j + 1 < bed_.rows, here + static_cast<std::size_t>(bed_.columns));
+                if (!(most > 0)) continue;
+                left[here] = std::min(left[here], most);
+                is_known[here] = 1;
+            }
+    }
+}
+
+void ShoreSource::bake_heights(std::size_t row) {
+    for (int i = 0; i < bed_.columns; ++i) {
+        const std::size_t texel = bed_.at(i, static_cast<int>(row));
+        const double shore = inside(texel), depth_m = std::max(bed_.depth_m[texel], 0.0);
+        // At the edges what stands is that of the depth alone, as beyond them.
+        double variance = 0;
+        for (std::size_t tile = 0; tile < bake_->parts.size(); ++tile) {
+            const double part = static_cast<double>(bake_->parts[tile][texel]);
+            variance += part * part * bake_->variances[tile];
+        }
+        const double deviation_m = std::sqrt(variance);
+        const auto most_of = [](double most_m, double of_m) { return of_m > most_m ? most_m / of_m : 1.0; };
+        const double stands = std::min({1 - shore * (1 - bake_->left[texel]),
+                                        most_of(deviation_over_depth * depth_m, bake_->deviation_m[texel]),
+                                        most_of(crest_over_depth / highest_crest * depth_m, deviation_m)});
+        std::uint32_t parts = 0;
+        for (std::size_t tile = 0; tile < bake_->parts.size(); ++tile)
+            parts |= static_cast<std::uint32_t>(255 * (stands * static_cast<double>(bake_->parts[tile][texel])))
+                     << 8 * tile;
         parts_.data()[texel] = parts;
+
+        // Waves of one period stand still in places where they meet: there the sum over the loop counts, beside the tiles.
+        const double most_m = deviation_over_depth * wave_depth_m(texel), tiles_m = stands * deviation_m;
+        const double here_m = bake_->left[texel] * std::sqrt(variance_of_waves(texel).here);
+        const double left =
+            bake_->left[texel] * most_of(std::sqrt(std::max(0.0, most_m * most_m - tiles_m * tiles_m)), here_m);
+        float* at =
+            amplitudes_.data() + texel / group_texels * waves_.size() * 2 * group_texels + texel % group_texels;
+        for (std::size_t wave = 0; wave < waves_.size(); ++wave, at += 2 * group_texels) {
+            at[0] = static_cast<float>(left * static_cast<double>(at[0]));
+            at[group_texels] = static_cast<float>(left * static_cast<double>(at[group_texels]));
+        }
+
+        const double breaking_m = static_cast<double>(highest_envelope_.data()[texel]);
+        breaking_envelope_.data()[texel] = static_cast<float>(std::max(left * breaking_m, least_envelope_m));
+        if (!bed_.is_water(texel)) continue;
+        const double crest_m = crest_over_depth * wave_depth_m(texel) - high_crest * tiles_m;
+        highest_envelope_.data()[texel] = static_cast<float>(std::min(breaking_m, crest_m / (1 + most_sharp)));
     }
 }
 
@@ -252,7 +392,8 @@ void ShoreSource::begin_frame(double time_s) {
         const std::uint32_t turns = waves_[wave].harmonic * fraction.turns;
         const auto [sine, cosine] = det::sine_cosine_of_turns(turns * 0x1p-32);
         moments_[wave] = {static_cast<float>(cosine), static_cast<float>(sine),
-                          static_cast<float>(waves_[wave].omega)};
+                          static_cast<float>(waves_[wave].omega),
+                          static_cast<float>(gravity_mps2 / waves_[wave].omega)};
     }
 }
 
@@ -264,11 +405,13 @@ void ShoreSource::rows(std::size_t item) {
                          .wave_count = waves_.size(),
                          .has_waves = has_waves_.data(),
                          .highest_envelope = highest_envelope_.data(),
+                         .breaking_envelope = breaking_envelope_.data(),
                          .sharpness = sharpness_.data(),
                          .first_group = first,
                          .groups = std::min(groups_an_item, has_waves_.size() - first),
                          .height = slot.height.data(),
                          .rise = slot.rise.data(),
+                         .potential = slot.potential.data(),
                          .reach = slot.reach.data(),
                          .foam = slot.foam.data(),
                          .lowest = &slot.lowest[item],
@@ -278,6 +421,9 @@ void ShoreSource::rows(std::size_t item) {
 ShoreSurface ShoreSource::end_frame() {
     const Slot& slot = slots_[back_];
     const std::size_t texels = bed_.texels();
+    const float lowest = *std::min_element(slot.lowest.begin(), slot.lowest.end());
+    const float highest = *std::max_element(slot.highest.begin(), slot.highest.end());
+    const float beyond = static_cast<float>(most_overshoot) * (highest - lowest);
     return {.columns = bed_.columns,
             .rows = bed_.rows,
             .texel_m = bed_.texel_m,
@@ -287,20 +433,23 @@ ShoreSurface ShoreSource::end_frame() {
             .parts_rgba8 = {parts_.data(), texels},
             .height_m = {slot.height.data(), texels},
             .rise_mps = {slot.rise.data(), texels},
+            .potential_m2ps = {slot.potential.data(), texels},
             .reach_m = {slot.reach.data(), texels},
             .foam = {slot.foam.data(), texels},
-            .height_min_m = *std::min_element(slot.lowest.begin(), slot.lowest.end()),
-            .height_max_m = *std::max_element(slot.highest.begin(), slot.highest.end()),
-            .parts_change_per_m = parts_change_per_m_};
+            .height_min_m = lowest - beyond,
+            .height_max_m = highest + beyond,
+            .parts_change_per_m = parts_change_per_m_,
+            .shortest_wave_m = waves_.empty() ? 0 : two_pi / wave_number(waves_.back().omega, sea_.depth_m)};
 }
 
 std::size_t ShoreSource::bytes() const {
     std::size_t bytes = sizeof *this + bed_.depth_m.size() * sizeof(double) + amplitudes_.bytes() +
-                        has_waves_.size() + highest_envelope_.bytes() + sharpness_.bytes() + depth_.bytes() +
-                        parts_.bytes() + waves_.size() * (sizeof(ShoreWave) + sizeof(ShoreRowsJob::Moment));
+                        has_waves_.size() + highest_envelope_.bytes() + breaking_envelope_.bytes() +
+                        sharpness_.bytes() + depth_.bytes() + parts_.bytes() +
+                        waves_.size() * (sizeof(ShoreWave) + sizeof(ShoreRowsJob::Moment));
     for (const Slot& slot : slots_)
-        bytes += slot.height.bytes() + slot.rise.bytes() + slot.reach.bytes() + slot.foam.bytes() +
-                 (slot.lowest.size() + slot.highest.size()) * sizeof(float);
+        bytes += slot.height.bytes() + slot.rise.bytes() + slot.potential.bytes() + slot.reach.bytes() +
+                 slot.foam.bytes() + (slot.lowest.size() + slot.highest.size()) * sizeof(float);
     return bytes;
 }
 

@@ -36,6 +36,7 @@ class DepthPart {
     /// \pre as above
     DepthPart(const SeaState& sea, const TilePlan& tile);
     double at(double depth_m) const;
+    double variance() const { return variance_; }  ///< m^2, of the tile's heights in the open sea
 
    private:
     struct Band {
