@@ -9,11 +9,20 @@
 
 #include "pelagic/message/refusal.hpp"
 #include "pelagic/sim/query/shore_at.hpp"
+#include "pelagic/sim/sources/sea_bed.hpp"
+#include "pelagic/sim/spectrum/dispersion.hpp"
+#include "pelagic/sim/spectrum/shore_waves.hpp"
+#include "pelagic/sim/tile_plan.hpp"
 
 namespace pelagic {
 namespace {
 
+constexpr double two_pi = 6.28318530717958647693;
+
 constexpr double lowest_m = -11000, highest_m = 9000;
+
+/// A wave of so many texels keeps 97 % of its height in the middle between four of them.
+constexpr double texels_a_wave = 8;
 
 constexpr std::array fields = {
     NumericField<ShoreOptions>{"columns", &ShoreOptions::columns, 2, ShoreOptions::most_samples_a_side, "2 to 4096"},
@@ -53,6 +62,18 @@ std::string check(const ShoreOptions& options, const SeaState& sea) {
     if (const int tiles = cascades_of(sea); tiles < 2)
         return refusal("cascades", tiles, "2 to 4 where there is a shore, which takes the coarsest tile's waves");
     return {};
+}
+
+std::string warning_about(const ShoreOptions& options, const SeaState& sea) {
+    const std::vector<ShoreWave> waves = shore_waves(sea, plan_tiles(sea).front());
+    if (waves.empty()) return {};
+    const double texel_m = SeaBed(options).texel_m;
+    const double shortest_m = two_pi / wave_number(waves.back().omega, sea.depth_m);
+    if (!(shortest_m < texels_a_wave * texel_m)) return {};
+    const auto metres = [](double m) { return number_text(std::floor(10 * m + 0.5) / 10) + " m"; };
+    return "texels of " + metres(texel_m) + " are coarse for the shore's shortest long waves, " + metres(shortest_m) +
+           ", which lose more than 3 % of their height between texels; texels of " +
+           metres(std::floor(10 * shortest_m / texels_a_wave) / 10) + " do not";
 }
 
 ShoreSample sample(const ShoreSurface& shore, double x_m, double z_m) {

@@ -34,6 +34,11 @@ std::string check(const ShoreOptions& options);
 /// \pre check(sea) is empty
 std::string check(const ShoreOptions& options, const SeaState& sea);
 
+/// Empty, or one line where texels are coarse for the long waves: those of less than 8 texels lose more than 3 % of their height between
+/// texels. Lengths are those before the waves feel the floor.
+/// \pre check(options), check(sea) and check(options, sea) are empty
+std::string warning_about(const ShoreOptions& options, const SeaState& sea);
+
 /// A shore at a place.
 struct ShoreSample {
     double depth_m = 0;  ///< of still water; below 0 on land

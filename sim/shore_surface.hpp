@@ -26,8 +26,6 @@ struct ShoreSurface {
     std::span<const std::uint8_t> foam;        ///< of waves that break
     float height_min_m = 0, height_max_m = 0;  ///< bounds of the height, between texels too
     float parts_change_per_m = 0;              ///< no part differs by more between places a metre apart
-    /// Length of the shortest of the long waves before it feels the floor; below 8 texels it loses over 3 % of its height between them.
-    double shortest_wave_m = 0;
 
     explicit operator bool() const { return columns > 0; }
 };

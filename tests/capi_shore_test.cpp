@@ -84,6 +84,7 @@ TEST_F(CInterfaceShore, IsTheSameAsInCPlusPlus) {
     EXPECT_TRUE(same(surface.parts_rgba8, frame.shore.parts_rgba8));
     EXPECT_TRUE(same(surface.height_m, frame.shore.height_m));
     EXPECT_TRUE(same(surface.rise_mps, frame.shore.rise_mps));
+    EXPECT_TRUE(same(surface.potential_m2ps, frame.shore.potential_m2ps));
     EXPECT_TRUE(same(surface.reach_m, frame.shore.reach_m));
     EXPECT_TRUE(same(surface.foam, frame.shore.foam));
 

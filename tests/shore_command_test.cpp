@@ -75,6 +75,7 @@ TEST(ShoreCommand, QueriesTellTheLibrarysAnswersToTheLastBit) {
     std::string line, open_line;
     std::getline(lines, line);
     std::getline(open_lines, open_line);
+    EXPECT_EQ(line, "x,z,height,nx,ny,nz,vx,vy,vz,jacobian,error_m,depth,converged");
     for (std::size_t i = 0; i < x.size(); ++i) {
         ASSERT_TRUE(std::getline(lines, line) && std::getline(open_lines, open_line));
         double numbers[4] = {};
@@ -82,9 +83,32 @@ TEST(ShoreCommand, QueriesTellTheLibrarysAnswersToTheLastBit) {
         for (double& number : numbers) at = std::from_chars(at, line.data() + line.size(), number).ptr + 1;
         EXPECT_EQ(static_cast<float>(numbers[2]), height[i]) << line;
         EXPECT_EQ(static_cast<float>(numbers[3]), normal_x[i]) << line;
-        // Only the last point is outside, where the floor continues 14 m deep.
-        EXPECT_EQ(line == open_line, i + 1 == x.size()) << line;
+        // The floor falls 0.03 along x and 0.01 along z from -14 m in its corner; outside it continues as its corner.
+        const std::size_t depth_at = line.rfind(',', line.rfind(',') - 1);
+        double depth_m = 0;
+        std::from_chars(line.data() + depth_at + 1, line.data() + line.size(), depth_m);
+        const double from_x = std::max(0.0, x[i] - shore.corner_x_m), from_z = std::max(0.0, z[i] - shore.corner_z_m);
+        EXPECT_NEAR(depth_m, 14 - from_x * 0.03 - from_z * 0.01, 1e-4) << line;
+        // Only the last point is outside, where it is deep enough for the open sea.
+        EXPECT_EQ(line.substr(0, depth_at) == open_line.substr(0, open_line.rfind(',')), i + 1 == x.size()) << line;
     }
+}
+
+TEST(ShoreCommand, NotesTexelsThatAreCoarse) {
+    const TemporaryFolder folder;
+    write_image(folder / "floor.exr", beach_of_image());
+    const std::vector<std::string> on = {
+        "--floor", (folder / "floor.exr").string(), "--shore", "--resolution", "32", "--cascades", "3"};
+    std::vector<std::string> fine = on, coarse = on;
+    fine.insert(fine.end(), {"--floor-size", "600"});
+    coarse.insert(coarse.end(), {"--floor-size", "30000"});
+    EXPECT_EQ(query(folder, "0,0\n", fine).err.find("coarse"), std::string::npos);
+    const Outcome outcome = query(folder, "0,0\n", coarse);
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_NE(outcome.err.find("note: texels of 112.7 m are coarse for the shore's shortest long waves, "),
+              std::string::npos)
+        << outcome.err;
+    EXPECT_NE(outcome.err.find("; --floor-size sets them\n"), std::string::npos) << outcome.err;
 }
 
 TEST(ShoreCommand, NamesWhatAShoreNeeds) {

@@ -123,8 +123,10 @@ void QueryFlags::add_to(CLI::App& app) {
     app.footer(
         "Prints x,z,height,nx,ny,nz,vx,vy,vz,jacobian,error_m,converged: metres, metres a second, the normal as a\n"
         "unit vector, how far the sampled point is from the one asked for, and whether that is within a millimetre;\n"
-        "with --foam a column foam before the last one. Standard error names the interpolation; with --json each\n"
-        "object does, as interpolation.\n"
+        "with --foam a column foam before the last one, with --shore a column depth: of still water in metres, 0 or\n"
+        "less where the ground is dry. Over a shore vx and vz include the motion of long waves by linear theory.\n"
+        "The displacement of these waves is vertical, so error_m and jacobian do not include them.\n"
+        "Standard error names the interpolation; with --json each object does, as interpolation.\n"
         "Columns of the file stand before the answers, as they are. A file may have any length, in blocks of 32768\n"
         "points: a bad line ends the work when its block is reached, and --times goes block by block.");
 }
@@ -176,7 +178,7 @@ void QueryFlags::run() const {
     std::optional<EventPlayer> player;
     if (events) player.emplace(*events, executor, compute.isa);
     SurfaceQueryJobs jobs(executor);
-    Answers answers(foam_);
+    Answers answers(foam_, shore.has_value());
     RowWriter rows(executor, answers, interpolation, json_, times_.has_value());
     SpanNote span_note(repeat_length_m(sea.sea));
     std::optional<Frame> frame;
@@ -191,6 +193,9 @@ void QueryFlags::run() const {
             }
             jobs.sample(SurfaceQuery(*frame, {.interpolation = interpolation}), {block.x, block.z},
                         answers.samples());
+            for (std::size_t i = 0; i < answers.depths().size(); ++i)
+                answers.depths()[i] =
+                    static_cast<float>(pelagic::sample(frame->shore, block.x[i], block.z[i]).depth_m);
             rows.write(block, time_s);
         }
     }

@@ -26,7 +26,7 @@ constexpr int depths = 256;
 constexpr int swash_texels = 8;
 // As far everywhere, for what is interpolated at the waterline; further only where the ground is no higher than some times the swash.
 constexpr int steep_swash_texels = 2;
-constexpr double most_ground_over_swash = 2;
+constexpr double max_ground_over_swash = 2;
 
 // What is lower than this of a wave is nothing, so that no sum has numbers that processors are slow with.
 constexpr double least_amplitude_m = 1e-9;
@@ -41,11 +41,24 @@ constexpr double most_sharp = 0.25;
 constexpr double highest_crest = 5.2, high_crest = 4;
 
 /// Bounds of a sum of Keys' weights in two dimensions, 9/8 and -1/8 at most in one: so much of the range is beyond each end of it.
-constexpr double most_overshoot = 0.28125;
+constexpr double max_overshoot = 0.28125;
 
 double eased(double part) {
     const double u = std::clamp(part, 0.0, 1.0);
     return u * u * (3 - 2 * u);
+}
+
+/// The factor that brings `value` down to a maximum.
+double attenuation_to(double max, double value) { return value > max ? max / value : 1; }
+
+/// Calls take(texel) for the neighbours of a texel along both axes.
+template <class Take>
+void for_neighbours(const SeaBed& bed, int i, int j, Take take) {
+    const std::size_t here = bed.at(i, j), columns = static_cast<std::size_t>(bed.columns);
+    if (i > 0) take(here - 1);
+    if (i + 1 < bed.columns) take(here + 1);
+    if (j > 0) take(here - columns);
+    if (j + 1 < bed.rows) take(here + columns);
 }
 
 /// What comes over sand from water: phase and height of the nearest texels with waves, later and lower texel by texel.
@@ -56,18 +69,14 @@ void run_up(const SeaBed& bed, std::vector<double>& phase, std::vector<double>& 
             for (int i = 0; i < bed.columns; ++i) {
                 const std::size_t here = bed.at(i, j);
                 if (phase[here] < Refraction::nowhere || bed.is_water(here)) continue;
-                if (texel_away > steep_swash_texels && 0 - bed.depth_m[here] > most_ground_over_swash * swash_m)
+                if (texel_away > steep_swash_texels && 0 - bed.depth_m[here] > max_ground_over_swash * swash_m)
                     continue;
                 double nearest = 0 - Refraction::nowhere, highest = 0;
-                const auto look_at = [&](bool is_there, std::size_t texel) {
-                    if (!is_there || !(phase[texel] < Refraction::nowhere)) return;
+                for_neighbours(bed, i, j, [&](std::size_t texel) {
+                    if (!(phase[texel] < Refraction::nowhere)) return;
                     nearest = std::max(nearest, phase[texel]);
                     highest = std::max(highest, height[texel]);
-                };
-                look_at(i > 0, here - 1);
-                look_at(i + 1 < bed.columns, here + 1);
-                look_at(j > 0, here - static_cast<std::size_t>(bed.columns));
-                look_at(j + 1 < bed.rows, here + static_cast<std::size_t>(bed.columns));
+                });
                 if (!(highest > 0)) continue;
                 phase_after[here] = nearest + k * bed.texel_m;
                 height_after[here] = highest * (1 - 1.0 / (swash_texels + 2 - texel_away));
@@ -108,7 +117,7 @@ ShoreSource::ShoreSource(const ShoreOptions& options, const SeaState& sea, const
     bake_->variances.push_back(DepthPart(sea, plans.front()).variance());
     bake_->parts.assign(plans.size(), std::vector<float>(bed_.texels()));
     bake_->deviation_m.resize(bed_.texels());
-    bake_->left.resize(bed_.texels());
+    bake_->attenuation.resize(bed_.texels());
     for (std::size_t tile = 1; tile < plans.size(); ++tile) {
         const DepthPart part(sea, plans[tile]);
         bake_->variances.push_back(part.variance());
@@ -278,40 +287,35 @@ void ShoreSource::bake_parts(std::size_t row) {
 /// Amplitudes that have shoaled as if none broke are cut to the deviation that a depth bears. What broke stays lost behind it: the least
 /// factor on the way of the wave in the middle counts. Dry sand has that of the water beside it.
 void ShoreSource::bake_breaking() {
-    std::vector<double>& left = bake_->left;
-    for (std::size_t texel = 0; texel < bed_.texels(); ++texel) {
-        const double most_m = deviation_over_depth * wave_depth_m(texel), here_m = bake_->deviation_m[texel];
-        left[texel] = here_m > most_m ? most_m / here_m : 1;
-    }
+    std::vector<double>& attenuation = bake_->attenuation;
+    for (std::size_t texel = 0; texel < bed_.texels(); ++texel)
+        attenuation[texel] = attenuation_to(deviation_over_depth * wave_depth_m(texel), bake_->deviation_m[texel]);
     if (!bake_->main_way) return;
     const Refraction& way = *bake_->main_way;
     for (const std::uint32_t texel : way.order()) {
         if (way.comes_in_at(texel)) continue;
         const Refraction::Upstream from = way.upstream(texel);
         if (from.share_x + from.share_z > 0)
-            left[texel] = std::min(left[texel], (from.share_x > 0 ? from.share_x * left[from.x] : 0) +
-                                                    (from.share_z > 0 ? from.share_z * left[from.z] : 0));
+            attenuation[texel] =
+                std::min(attenuation[texel], (from.share_x > 0 ? from.share_x * attenuation[from.x] : 0) +
+                                                 (from.share_z > 0 ? from.share_z * attenuation[from.z] : 0));
     }
-    std::vector<double> before(left.size());
-    std::vector<std::uint8_t> is_known(left.size());
+    std::vector<double> before(attenuation.size());
+    std::vector<std::uint8_t> is_known(attenuation.size());
     for (std::size_t texel = 0; texel < bed_.texels(); ++texel) is_known[texel] = bed_.is_water(texel);
     for (int texel_away = 1; texel_away <= swash_texels; ++texel_away) {
-        before = left;
+        before = attenuation;
         const std::vector<std::uint8_t> was_known = is_known;
         for (int j = 0; j < bed_.rows; ++j)
             for (int i = 0; i < bed_.columns; ++i) {
                 const std::size_t here = bed_.at(i, j);
                 if (was_known[here]) continue;
-                double most = 0;
-                const auto look_at = [&](bool is_there, std::size_t texel) {
-                    if (is_there && was_known[texel]) most = std::max(most, before[texel]);
-                };
-                look_at(i > 0, here - 1);
-                look_at(i + 1 < bed_.columns, here + 1);
-                look_at(j > 0, here - static_cast<std::size_t>(bed_.columns));
-                look_at(j + 1 < bed_.rows, here + static_cast<std::size_t>(bed_.columns));
-                if (!(most > 0)) continue;
-                left[here] = std::min(left[here], most);
+                double highest = 0;
+                for_neighbours(bed_, i, j, [&](std::size_t texel) {
+                    if (was_known[texel]) highest = std::max(highest, before[texel]);
+                });
+                if (!(highest > 0)) continue;
+                attenuation[here] = std::min(attenuation[here], highest);
                 is_known[here] = 1;
             }
     }
@@ -328,10 +332,9 @@ void ShoreSource::bake_heights(std::size_t row) {
             variance += part * part * bake_->variances[tile];
         }
         const double deviation_m = std::sqrt(variance);
-        const auto most_of = [](double most_m, double of_m) { return of_m > most_m ? most_m / of_m : 1.0; };
-        const double stands = std::min({1 - shore * (1 - bake_->left[texel]),
-                                        most_of(deviation_over_depth * depth_m, bake_->deviation_m[texel]),
-                                        most_of(crest_over_depth / highest_crest * depth_m, deviation_m)});
+        const double stands = std::min({1 - shore * (1 - bake_->attenuation[texel]),
+                                        attenuation_to(deviation_over_depth * depth_m, bake_->deviation_m[texel]),
+                                        attenuation_to(crest_over_depth / highest_crest * depth_m, deviation_m)});
         std::uint32_t parts = 0;
         for (std::size_t tile = 0; tile < bake_->parts.size(); ++tile)
             parts |= static_cast<std::uint32_t>(255 * (stands * static_cast<double>(bake_->parts[tile][texel])))
@@ -339,19 +342,20 @@ void ShoreSource::bake_heights(std::size_t row) {
         parts_.data()[texel] = parts;
 
         // Waves of one period stand still in places where they meet: there the sum over the loop counts, beside the tiles.
-        const double most_m = deviation_over_depth * wave_depth_m(texel), tiles_m = stands * deviation_m;
-        const double here_m = bake_->left[texel] * std::sqrt(variance_of_waves(texel).here);
-        const double left =
-            bake_->left[texel] * most_of(std::sqrt(std::max(0.0, most_m * most_m - tiles_m * tiles_m)), here_m);
+        const double max_m = deviation_over_depth * wave_depth_m(texel), tiles_m = stands * deviation_m;
+        const double here_m = bake_->attenuation[texel] * std::sqrt(variance_of_waves(texel).here);
+        const double attenuation =
+            bake_->attenuation[texel] *
+            attenuation_to(std::sqrt(std::max(0.0, max_m * max_m - tiles_m * tiles_m)), here_m);
         float* at =
             amplitudes_.data() + texel / group_texels * waves_.size() * 2 * group_texels + texel % group_texels;
         for (std::size_t wave = 0; wave < waves_.size(); ++wave, at += 2 * group_texels) {
-            at[0] = static_cast<float>(left * static_cast<double>(at[0]));
-            at[group_texels] = static_cast<float>(left * static_cast<double>(at[group_texels]));
+            at[0] = static_cast<float>(attenuation * static_cast<double>(at[0]));
+            at[group_texels] = static_cast<float>(attenuation * static_cast<double>(at[group_texels]));
         }
 
         const double breaking_m = static_cast<double>(highest_envelope_.data()[texel]);
-        breaking_envelope_.data()[texel] = static_cast<float>(std::max(left * breaking_m, least_envelope_m));
+        breaking_envelope_.data()[texel] = static_cast<float>(std::max(attenuation * breaking_m, least_envelope_m));
         if (!bed_.is_water(texel)) continue;
         const double crest_m = crest_over_depth * wave_depth_m(texel) - high_crest * tiles_m;
         highest_envelope_.data()[texel] = static_cast<float>(std::min(breaking_m, crest_m / (1 + most_sharp)));
@@ -423,7 +427,7 @@ ShoreSurface ShoreSource::end_frame() {
     const std::size_t texels = bed_.texels();
     const float lowest = *std::min_element(slot.lowest.begin(), slot.lowest.end());
     const float highest = *std::max_element(slot.highest.begin(), slot.highest.end());
-    const float beyond = static_cast<float>(most_overshoot) * (highest - lowest);
+    const float beyond = static_cast<float>(max_overshoot) * (highest - lowest);
     return {.columns = bed_.columns,
             .rows = bed_.rows,
             .texel_m = bed_.texel_m,
@@ -438,8 +442,7 @@ ShoreSurface ShoreSource::end_frame() {
             .foam = {slot.foam.data(), texels},
             .height_min_m = lowest - beyond,
             .height_max_m = highest + beyond,
-            .parts_change_per_m = parts_change_per_m_,
-            .shortest_wave_m = waves_.empty() ? 0 : two_pi / wave_number(waves_.back().omega, sea_.depth_m)};
+            .parts_change_per_m = parts_change_per_m_};
 }
 
 std::size_t ShoreSource::bytes() const {

@@ -93,7 +93,7 @@ class ShoreSource {
         std::vector<std::vector<float>> parts;  ///< of each tile, by texel, before waves break
         std::unique_ptr<Refraction> main_way;   ///< of the wave in the middle of the energy; none without waves
         std::vector<double> deviation_m;        ///< of all waves, by texel, before they break
-        std::vector<double> left;               ///< what breaking leaves of the long waves' amplitudes, by texel
+        std::vector<double> attenuation;        ///< of the long waves' amplitudes by breaking, by texel
     };
     std::unique_ptr<Bake> bake_;
 

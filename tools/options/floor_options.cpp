@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <stdexcept>
 #include <utility>
@@ -110,8 +111,11 @@ FloorOptions FloorFlags::resolve(const ResolvedSea& sea) const {
         throw InputError("--shore is given, needs a sea that never changes, without --weather");
     FloorOptions floor{.field = read_field(), .waves_feel_it = shore_};
     // Of the field it has nothing to say any more; what is left are a sea's fields, named as their flags are.
-    if (shore_)
+    if (shore_) {
         if (const std::string reason = check(*floor.field, sea.sea); !reason.empty()) throw InputError("--" + reason);
+        if (const std::string warning = warning_about(*floor.field, sea.sea); !warning.empty())
+            std::fprintf(stderr, "note: %s; --floor-size sets them\n", warning.c_str());
+    }
     return floor;
 }
 

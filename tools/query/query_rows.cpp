@@ -66,13 +66,21 @@ void append_json_number(std::string& out, auto value) {
 
 }  // namespace
 
+Answers::Answers(bool has_foam, bool has_depth) {
+    for (std::size_t value = 0; value < most_values; ++value) {
+        if ((value == foam_at && !has_foam) || (value == depth_at && !has_depth)) continue;
+        columns_[values_there_] = value;
+        names_[values_there_++] = all_names[value];
+    }
+}
+
 void Answers::resize(std::size_t points) {
-    for (std::size_t column = 0; column < values_there_; ++column) values_[column].resize(points);
+    for (const std::size_t value : std::span(columns_).first(values_there_)) values_[value].resize(points);
     converged_.resize(points);
 }
 
 SurfaceSamples Answers::samples() {
-    auto& [height, nx, ny, nz, vx, vy, vz, jacobian, error_m, foam] = values_;
+    auto& [height, nx, ny, nz, vx, vy, vz, jacobian, error_m, foam, depth] = values_;
     return {.height_m = height,
             .normal_x = nx,
             .normal_y = ny,

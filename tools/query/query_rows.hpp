@@ -17,23 +17,28 @@ namespace pelagic::tools {
 /// Answers for a block of points.
 class Answers {
    public:
-    static constexpr std::size_t most_values = 10;
+    static constexpr std::size_t most_values = 11;
 
-    explicit Answers(bool has_foam) : values_there_(has_foam ? most_values : most_values - 1) {}
+    Answers(bool has_foam, bool has_depth);
 
     /// Of the values, in the order of the columns; `converged` follows.
-    std::span<const char* const> names() const { return std::span(all_names).first(values_there_); }
+    std::span<const char* const> names() const { return std::span(names_).first(values_there_); }
 
     void resize(std::size_t points);
     SurfaceSamples samples();
-    float value(std::size_t column, std::size_t point) const { return values_[column][point]; }
+    /// Of still water over a shore, metres; empty without the column.
+    std::span<float> depths() { return values_[depth_at]; }
+    float value(std::size_t column, std::size_t point) const { return values_[columns_[column]][point]; }
     bool converged(std::size_t point) const { return converged_[point] != 0; }
 
    private:
-    static constexpr std::array<const char*, most_values> all_names = {"height", "nx", "ny",       "nz",      "vx",
-                                                                       "vy",     "vz", "jacobian", "error_m", "foam"};
+    static constexpr std::array<const char*, most_values> all_names = {
+        "height", "nx", "ny", "nz", "vx", "vy", "vz", "jacobian", "error_m", "foam", "depth"};
+    static constexpr std::size_t foam_at = 9, depth_at = 10;
 
-    std::size_t values_there_;
+    std::array<const char*, most_values> names_;
+    std::array<std::size_t, most_values> columns_;  ///< of the names
+    std::size_t values_there_ = 0;
     std::array<std::vector<float>, most_values> values_;
     std::vector<std::uint8_t> converged_;
 };
