@@ -26,7 +26,7 @@ using nlohmann::json;
 using std::numbers::pi;
 
 void export_to(const std::filesystem::path& folder, std::vector<std::string> flags) {
-    flags.insert(flags.begin(), {"export", "--out", folder.string(), "--no-sync"});
+    flags.insert(flags.begin(), {"export", "--out", folder.string(), "--no-sync", "--overwrite"});
     if (std::find(flags.begin(), flags.end(), "--maps") == flags.end())
         flags.insert(flags.end(), {"--maps", "displacement"});
     const Outcome outcome = run_pelagic(flags);
