@@ -71,6 +71,22 @@ TEST_F(WeatherCommand, SwellMayComeFromAfar) {
     EXPECT_NE(near.at("frames"), record.at("frames"));
 }
 
+TEST_F(WeatherCommand, HasAtMostAThousandChanges) {
+    const auto weather_of = [](int changes) {
+        std::string text = "resolution = 16\n";
+        for (int i = 0; i < changes; ++i)
+            text += "[[change]]\nfrom = " + std::to_string(i) +
+                    "\nover = 0.5\nwind_speed = " + std::to_string(5 + i % 9) + "\n";
+        return text;
+    };
+    EXPECT_EQ(refusal_of(weather_of(1001)), "pelagic: " + (folder_ / "weather.toml").string() +
+                                                " is a forecast of 1001 changes, needs at most 1000\n");
+    write_file(folder_ / "points.csv", "0,0\n");
+    const Outcome most = run_pelagic({"query", "--points", (folder_ / "points.csv").string(), "--time", "900",
+                                      "--weather", file(weather_of(1000))});
+    EXPECT_EQ(most.exit_code, 0) << most.err;
+}
+
 TEST_F(WeatherCommand, RefusalsAreOneLineThatNamesThePlace) {
     EXPECT_NE(refusal_of("[[change]]\nfrom = 1\n").find("weather.toml:1: over is missing"), std::string::npos);
     EXPECT_NE(refusal_of("[[change]]\nover = 1\n").find("from is missing"), std::string::npos);

@@ -254,6 +254,8 @@ void keep_tiles(SeaState& sea, const SeaState& first) {
 }
 
 constexpr double most_time_s = 1e9;
+/// Tiles are laid out for all of its seas: some milliseconds each before the first frame.
+constexpr std::size_t most_changes = 1000;
 constexpr double most_swell_from_m = 2e7;
 
 }  // namespace
@@ -315,6 +317,9 @@ ResolvedSea SeaOptions::of_record(std::string_view text, const std::filesystem::
 
 /// A change goes on from the sea before it, or from a preset, on the tiles of the first.
 void SeaOptions::add_changes(ResolvedSea& first, const WeatherConfig& weather, const std::filesystem::path& file) {
+    if (weather.changes.size() > most_changes)
+        throw bad_value(file.string(), "a forecast of " + number_text(weather.changes.size()) + " changes",
+                        "at most " + number_text(most_changes));
     for (const WeatherConfig::Change& config : weather.changes) {
         ResolvedChange change{.sea = first.changes.empty() ? first : first.changes.back().sea};
         change.sea.changes.clear();
