@@ -54,8 +54,9 @@ std::string difference(const SeaState& first, const SeaState& sea, std::size_t n
 }
 
 std::string too_long(const std::string& whose, const SeaState& sea, double largest_peak_m) {
+    if (largest_peak_m == 0) return {};  // the search for a peak takes most of a check's time
     const double peak_m = WaveReach::of(sea).peak_m;
-    if (largest_peak_m == 0 || peak_m <= largest_peak_m * (1 + peak_tolerance)) return {};
+    if (peak_m <= largest_peak_m * (1 + peak_tolerance)) return {};
     return refusal("peak_wavelength_m" + whose, peak_m,
                    "at most " + number_text(largest_peak_m) + ", the largest_peak_m that tiles are laid out for");
 }
@@ -133,9 +134,17 @@ std::string check(const Forecast& forecast) {
     return {};
 }
 
-WaveReach reach_of(const Forecast& forecast) {
-    WaveReach reach = WaveReach::of(forecast.first);
-    for (const SeaChange& change : forecast.changes) reach.extend_to(WaveReach::of(change.sea));
+std::vector<WaveReach> own_reaches(const Forecast& forecast) {
+    std::vector<WaveReach> own = {WaveReach::of(forecast.first)};
+    for (const SeaChange& change : forecast.changes) own.push_back(WaveReach::of(change.sea));
+    return own;
+}
+
+WaveReach reach_of(const Forecast& forecast) { return reach_of(forecast, own_reaches(forecast)); }
+
+WaveReach reach_of(const Forecast& forecast, std::span<const WaveReach> own) {
+    WaveReach reach;
+    for (const WaveReach& sea : own) reach.extend_to(sea);
     if (forecast.largest_peak_m > 0 && reach.peak_m > 0) reach.peak_m = forecast.largest_peak_m;
     return reach;
 }

@@ -12,6 +12,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -68,6 +69,9 @@ std::string check(const Forecast& forecast);
 /// How far the tiles that all of its seas share reach, and those tiles, with the bands that the first has in them.
 /// \pre check(forecast) is empty
 WaveReach reach_of(const Forecast& forecast);
+/// The same where the reach of each of its seas is known: own_reaches(), which searches each spectrum for about a millisecond.
+WaveReach reach_of(const Forecast& forecast, std::span<const WaveReach> own);
+std::vector<WaveReach> own_reaches(const Forecast& forecast);
 std::vector<TilePlan> plan_tiles(const Forecast& forecast);
 
 /// What a frame in between says that its sea is: numbers go over with `part`; heights of swell as their energy does; directions

@@ -47,4 +47,7 @@ std::vector<TilePlan> plan_tiles(const SeaState& sea);
 /// and the last band ends where this sea's own does.
 std::vector<TilePlan> plan_tiles(const SeaState& sea, const WaveReach& reach);
 
+/// The same where it is known how far the sea itself reaches: WaveReach::of(sea), most of the time that a plan takes.
+std::vector<TilePlan> plan_tiles(const SeaState& sea, const WaveReach& reach, const WaveReach& own);
+
 }  // namespace pelagic

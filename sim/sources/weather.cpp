@@ -24,10 +24,12 @@ int white_tiles_of(const std::vector<TilePlan>& plans) {
 
 }  // namespace
 
-Weather::Weather(const Forecast& forecast) : reach_(reach_of(forecast)), next_{.forecast = forecast} {
+Weather::Weather(const Forecast& forecast) : next_{.forecast = forecast} {
+    const std::vector<WaveReach> own = own_reaches(forecast);
+    reach_ = reach_of(forecast, own);
     next_.forecast.largest_peak_m = reach_.peak_m;
     for (std::size_t index = 0; index <= forecast.changes.size(); ++index)
-        next_.plans.push_back(plan_tiles(forecast.sea(index), reach_));
+        next_.plans.push_back(plan_tiles(forecast.sea(index), reach_, own[index]));
     next_.find_arrivals();
 }
 

@@ -131,9 +131,12 @@ WaveReach& WaveReach::extend_to(const WaveReach& other) {
 }
 
 std::vector<TilePlan> plan_tiles(const SeaState& sea, const WaveReach& reach) {
-    if (is_stack(sea) && sea.waves == WaveModel::analytic)
-        return with_few_waves(plan_stack(sea, reach, end_of_waves(sea)));
-    if (is_stack(sea)) return plan_stack(sea, reach, end_of_waves(sea));
+    return plan_tiles(sea, reach, {.peak_m = 0, .end_k = is_stack(sea) ? end_of_waves(sea) : 0});
+}
+
+std::vector<TilePlan> plan_tiles(const SeaState& sea, const WaveReach& reach, const WaveReach& own) {
+    if (is_stack(sea) && sea.waves == WaveModel::analytic) return with_few_waves(plan_stack(sea, reach, own.end_k));
+    if (is_stack(sea)) return plan_stack(sea, reach, own.end_k);
     const double chosen_m = sea.waves == WaveModel::exp_sine ? pond_side_m(sea) : papers_side_m;
     return {{.lattice = {.side_m = sea.patch_size_m > 0 ? sea.patch_size_m : chosen_m},
              .resolution = resolution_of(sea)}};
@@ -141,8 +144,7 @@ std::vector<TilePlan> plan_tiles(const SeaState& sea, const WaveReach& reach) {
 
 std::vector<TilePlan> plan_tiles(const SeaState& sea) {
     const WaveReach own = WaveReach::of(sea);
-    if (is_stack(sea) && sea.waves == WaveModel::spectrum) return plan_stack(sea, own, own.end_k);
-    return plan_tiles(sea, own);
+    return plan_tiles(sea, own, own);
 }
 
 }  // namespace pelagic
