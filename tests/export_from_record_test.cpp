@@ -198,7 +198,7 @@ TEST(ExportFromRecord, RefusesWhatNoExportHasWritten) {
     EXPECT_EQ(refusal("/export/mips", ReadJson{{"a", {{"b", 1}}}}), "damaged");
 }
 
-// What is written piece by piece is what the library writes of the whole.
+// What is written frame by frame is JSON of the whole, with a line for each frame.
 TEST(RecordFile, IsWrittenAsTheWholeWouldBe) {
     const TemporaryFolder folder;
     const OutputFolder place(folder.path(), Sync::no);
@@ -219,7 +219,14 @@ TEST(RecordFile, IsWrittenAsTheWholeWouldBe) {
         write_record(place, "record", head, [&](const auto& take) {
             for (const FrameRecord& frame : frames) take(frame);
         });
-        EXPECT_EQ(read_file(folder / "record"), whole.dump(2) + "\n");
+        const std::string text = read_file(folder / "record");
+        EXPECT_EQ(Json::parse(text), whole);
+        std::string expected = head.dump(2);
+        expected.resize(expected.size() - 2);  // the last brace and the line before it
+        expected += ",\n  \"frames\": [";
+        for (int i = 0; i < count; ++i)
+            expected += (i == 0 ? "\n    " : ",\n    ") + whole["frames"][static_cast<std::size_t>(i)].dump();
+        EXPECT_EQ(text, expected + (count > 0 ? "\n  ]\n}\n" : "]\n}\n"));
         Json read = head;
         read["frames"] = Json::array();
         EXPECT_TRUE(read_record(place, "record",

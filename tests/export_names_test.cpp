@@ -141,7 +141,7 @@ TEST(ExportedNames, OfAPatternAreResumedAndReplaced) {
     EXPECT_EQ(mended["wave.mine.0001.exr"], "mine");
     mended.erase("wave.mine.0001.exr");
     EXPECT_TRUE(mended == whole);
-    export_with({"--frames", "1"});
+    export_with({"--frames", "1", "--overwrite"});
     EXPECT_EQ(files_in(folder.path()).count("wave.gradient.0002.png"), 0u);
     EXPECT_EQ(files_in(folder.path()).at("wave.mine.0001.exr"), "mine");
     EXPECT_EQ(run_pelagic({"info", "--measure", folder.path().string()}).exit_code, 0);

@@ -162,7 +162,7 @@ TEST(ExportTrace, ThatCanNotBeWrittenIsSaidBeforeAnyWorkAndLeavesAnEarlierExport
     for (const auto& [place, reason] :
          {std::pair<std::string, std::string>{"missing", "No such file or directory"}, {"file", "Not a directory"}}) {
         const std::string trace = (folder / place / "trace.json").string();
-        const Outcome outcome = run_pelagic(arguments_of(folder / "sea", {"--trace", trace}));
+        const Outcome outcome = run_pelagic(arguments_of(folder / "sea", {"--overwrite", "--trace", trace}));
         EXPECT_EQ(outcome.exit_code, 1);
         EXPECT_EQ(outcome.err, "pelagic: can't write " + trace + ": " + reason + "\n");
         EXPECT_EQ(outcome.out, "");

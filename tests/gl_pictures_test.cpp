@@ -228,7 +228,8 @@ struct Sparkle {
 Sparkle sparkle_towards(glm::dvec3 target_m) {
     constexpr int width = 80, height = 180, finer = 4, frames = 16;
     const Camera camera{.position_m = {0, 12, 0}, .target_m = target_m};
-    GlScene scene({.preset = "moderate", .width = width, .height = height, .foam = true});
+    // The bounds below are of a wind of 8 m/s. More foam, as in the preset's 9 m/s, sparkles more: 0.18 of the mean and 1.19.
+    GlScene scene({.preset = "moderate", .width = width, .height = height, .wind_speed_mps = 8, .foam = true});
     scene.resize(width, height, far_rows(height));
     std::vector<std::vector<float>> plain, reference;
     for (int i = 0; i < frames; ++i) plain.push_back(light_of(scene.picture(camera, i / 30.0), width, 1));

@@ -10,6 +10,7 @@ SeaState sea_of(const GlScene::Options& options) {
     sea.cascades = options.cascades;
     sea.patch_size_m = options.patch_size_m;
     if (options.depth_m > 0) sea.depth_m = options.depth_m;
+    if (options.wind_speed_mps > 0) sea.wind_speed_mps = options.wind_speed_mps;
     return sea;
 }
 

@@ -38,6 +38,7 @@ class GlScene {
         gl::PixelKind writes = gl::PixelKind::screen;
         gl::Shading shading = gl::Shading::high;
         double depth_m = 0;         ///< 0: the preset's
+        double wind_speed_mps = 0;  ///< 0: the preset's
         bool foam = false;          ///< the sea remembers foam, and pictures show it
         bool lens_may_dip = false;  ///< the renderer is told of the surface at the lens
     };

@@ -31,7 +31,7 @@ TEST(GlSurface, HasEachTileAloneInItsPlaceAndTurned) {
     GlScene scene(
         {.quality = "ultra", .resolution = 128, .width = side, .height = side, .samples = 1, .size_m = 512});
     Ocean ocean(sea_without_choppiness(), {.executor = make_serial_executor()});
-    const Frame& all = ocean.frame_at(3);
+    const Frame& all = ocean.frame_at(6);  // at 3 s the middle of tile 0 is a trough, and the slice cuts almost all
     const std::vector<std::uint16_t> calm(all.tiles[0].displacement_rgba16f.size());
     for (std::size_t alone = 0; alone < all.tiles.size(); ++alone) {
         SCOPED_TRACE("tile " + std::to_string(alone));

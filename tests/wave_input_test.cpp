@@ -29,7 +29,8 @@ namespace {
 constexpr double two_pi = 2 * std::numbers::pi;
 constexpr double loop_s = 20;
 
-const SeaState stack{.cascades = 4, .resolution = 64, .wind_speed_mps = 7, .loop_period_s = loop_s};
+const SeaState stack{
+    .cascades = 4, .resolution = 64, .wind_speed_mps = 7.5, .fetch_m = 93e3, .loop_period_s = loop_s};
 const SeaState one_tile{.resolution = 64, .patch_size_m = 80, .wind_speed_mps = 5, .loop_period_s = loop_s};
 /// Next to no wind.
 const SeaState still{.resolution = 64, .patch_size_m = 80, .wind_speed_mps = 0.3f, .loop_period_s = loop_s};

@@ -116,8 +116,9 @@ void FftwFrame::bake_spectrum() {
             }
             const double length = std::hypot(m, n);
             if (length == 0) continue;
-            wave[0] = static_cast<float>(m / length);
-            wave[half] = static_cast<float>(n / length);
+            const double orbit = orbit_ratio(length * spacing, sea_.depth_m);
+            wave[0] = static_cast<float>(m / length * orbit);
+            wave[half] = static_cast<float>(n / length * orbit);
             harmonics_[row * half + column] =
                 loop_harmonic(angular_frequency(length * spacing, sea_.depth_m), sea_.loop_period_s);
         }

@@ -145,6 +145,7 @@ PaperFrame::PaperFrame(const SeaState& sea)
     const std::size_t chain_texels = mip_offset(sea.resolution, mip_levels(sea.resolution));
     initial_amplitudes_.resize(texels);
     harmonics_.resize(texels);
+    orbit_ratios_.resize(texels, 1);
     for (Fields* fields : {&a_, &b_}) {
         fields->height.resize(texels);
         fields->sideways.resize(texels);
@@ -171,6 +172,7 @@ void PaperFrame::bake_spectrum() {
         h0[index] = waves.amplitude(m, n);
         harmonics_[index] =
             length == 0 ? 0 : loop_harmonic(angular_frequency(length * spacing, sea_.depth_m), sea_.loop_period_s);
+        if (length > 0) orbit_ratios_[index] = static_cast<float>(orbit_ratio(length * spacing, sea_.depth_m));
     }
     for (std::uint32_t index = 0; index < h0.size(); ++index) {
         const std::uint32_t partner_x = (resolution_ - index) & (resolution_ - 1);
@@ -210,7 +212,7 @@ void PaperFrame::evolve(std::uint32_t index) {
     const float half_resolution = static_cast<float>(resolution_ / 2);
     float wave_x = static_cast<float>(index & (resolution_ - 1)) - half_resolution;
     float wave_z = static_cast<float>(index >> log_resolution_) - half_resolution;
-    const float inverse_length = 1.f / std::sqrt(std::max(1.f, wave_x * wave_x + wave_z * wave_z));
+    const float inverse_length = orbit_ratios_[index] / std::sqrt(std::max(1.f, wave_x * wave_x + wave_z * wave_z));
     wave_x *= inverse_length;
     wave_z *= inverse_length;
 

@@ -87,7 +87,8 @@ class PaperFrame {
 
     std::vector<paper::PackedWave> initial_amplitudes_;
     std::vector<std::uint32_t> harmonics_;
-    paper::Fields a_, b_;  ///< figure 4: evolve writes A, rows A to B, columns B to A
+    std::vector<float> orbit_ratios_;  ///< beside the paper, which knows deep water alone
+    paper::Fields a_, b_;              ///< figure 4: evolve writes A, rows A to B, columns B to A
     std::vector<paper::GradientTexel> chain_;
     paper::Outputs outputs_;
     PeerFrame frame_;  ///< views of them
