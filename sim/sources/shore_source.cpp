@@ -191,8 +191,7 @@ void ShoreSource::bake_wave(std::size_t number) {
         if (!(amplitude_m > least_amplitude_m)) continue;
         const auto [sine, cosine] =
             det::sine_cosine_of_turns((phase[texel] + way.corner_phase()) / two_pi + wave.phase_turns);
-        float* const at = amplitudes_.data() + (texel / group_texels * waves_.size() + number) * 2 * group_texels +
-                          texel % group_texels;
+        float* const at = amplitudes_.data() + place_of(texel, number);
         at[0] = static_cast<float>(amplitude_m * cosine);
         at[group_texels] = static_cast<float>(amplitude_m * sine);
     }
@@ -239,11 +238,14 @@ void ShoreSource::bake_shelter(std::size_t number) {
         energy[texel] = static_cast<float>(straight.height()[texel] * straight.height()[texel]);
 }
 
+std::size_t ShoreSource::place_of(std::size_t texel, std::size_t wave) const {
+    return (texel / group_texels * waves_.size() + wave) * 2 * group_texels + texel % group_texels;
+}
+
 ShoreSource::Variance ShoreSource::variance_of_waves(std::size_t texel) const {
-    const float* at =
-        amplitudes_.data() + texel / group_texels * waves_.size() * 2 * group_texels + texel % group_texels;
     double squares = 0, squares_of_sums = 0, sum_re = 0, sum_im = 0;
-    for (std::size_t wave = 0; wave < waves_.size(); ++wave, at += 2 * group_texels) {
+    for (std::size_t wave = 0; wave < waves_.size(); ++wave) {
+        const float* const at = amplitudes_.data() + place_of(texel, wave);
         const double re = static_cast<double>(at[0]), im = static_cast<double>(at[group_texels]);
         squares += re * re + im * im;
         sum_re += re, sum_im += im;
@@ -347,9 +349,8 @@ void ShoreSource::bake_heights(std::size_t row) {
         const double attenuation =
             bake_->attenuation[texel] *
             attenuation_to(std::sqrt(std::max(0.0, max_m * max_m - tiles_m * tiles_m)), here_m);
-        float* at =
-            amplitudes_.data() + texel / group_texels * waves_.size() * 2 * group_texels + texel % group_texels;
-        for (std::size_t wave = 0; wave < waves_.size(); ++wave, at += 2 * group_texels) {
+        for (std::size_t wave = 0; wave < waves_.size(); ++wave) {
+            float* const at = amplitudes_.data() + place_of(texel, wave);
             at[0] = static_cast<float>(attenuation * static_cast<double>(at[0]));
             at[group_texels] = static_cast<float>(attenuation * static_cast<double>(at[group_texels]));
         }

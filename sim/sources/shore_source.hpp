@@ -64,6 +64,7 @@ class ShoreSource {
     struct Variance {
         double of_all, here;
     };
+    std::size_t place_of(std::size_t texel, std::size_t wave) const;  ///< of its two numbers in amplitudes_
     Variance variance_of_waves(std::size_t texel) const;
     /// Of still water, and as deep as the swash is high where it is shallower.
     double wave_depth_m(std::size_t texel) const;
