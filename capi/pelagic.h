@@ -684,7 +684,7 @@ PELAGIC_API pelagic_status pelagic_ocean_local_hash(const pelagic_ocean* ocean, 
 PELAGIC_API pelagic_status pelagic_ocean_save_water(const pelagic_ocean* ocean, uint8_t* bytes, size_t room, size_t* count);
 
 /* Takes that up, in an ocean of any sea with the same pelagic_ocean_options.local on any machine of the same byte order, as if one had
- * never left. What was said since the last schedule is forgotten. PELAGIC_INVALID_ARGUMENT if the options are others or such an ocean
+ * never left. Commands since the last schedule are dropped. PELAGIC_INVALID_ARGUMENT if the options are others or such an ocean
  * can't have saved it; PELAGIC_WRONG_ORDER if a frame is in flight. */
 PELAGIC_API pelagic_status pelagic_ocean_restore_water(pelagic_ocean* ocean, const uint8_t* bytes, size_t count);
 

@@ -156,7 +156,7 @@ class Ocean {
     /// begins in one. \pre no frame is in flight
     std::vector<std::uint8_t> saved_water() const;
     /// Takes that up, in an ocean of any sea with the same OceanOptions::local, on any machine of the same byte order: as if one had never
-    /// left. What was said since is forgotten. Throws std::invalid_argument, changing nothing, if the options are others, or no such
+    /// left. Commands since the last schedule() are dropped. Throws std::invalid_argument, changing nothing, if the options are others, or no such
     /// ocean can have saved it. \pre no frame is in flight
     void restore_water(std::span<const std::uint8_t> saved);
 
