@@ -14,47 +14,12 @@
 #include "pelagic/sim/surface_ray.hpp"
 #include "pelagic/tests/each_isa.hpp"
 #include "pelagic/tests/oracle/stack_oracle.hpp"
+#include "pelagic/tests/query_points.hpp"
 #include "pelagic/tests/sanitized.hpp"
 #include "pelagic/tests/tile_stack.hpp"
 
 namespace pelagic {
 namespace {
-
-struct Points {
-    std::vector<double> x, z;
-    SurfacePoints view() const { return {x, z}; }
-};
-
-struct Samples {
-    explicit Samples(std::size_t count)
-        : height(count),
-          normal_x(count),
-          normal_y(count),
-          normal_z(count),
-          jacobian(count),
-          velocity_x(count),
-          velocity_y(count),
-          velocity_z(count),
-          error(count),
-          converged(count) {}
-    SurfaceSamples view() {
-        return {height, normal_x, normal_y, normal_z, jacobian, velocity_x, velocity_y, velocity_z, error, converged};
-    }
-    bool operator==(const Samples&) const = default;
-    std::vector<float> height, normal_x, normal_y, normal_z, jacobian, velocity_x, velocity_y, velocity_z, error;
-    std::vector<std::uint8_t> converged;
-};
-
-Points random_points(std::size_t count, double reach_m, unsigned seed) {
-    std::mt19937 random(seed);
-    std::uniform_real_distribution<double> anywhere(-reach_m, reach_m);
-    Points points;
-    for (std::size_t i = 0; i < count; ++i) {
-        points.x.push_back(anywhere(random));
-        points.z.push_back(anywhere(random));
-    }
-    return points;
-}
 
 double significant_wave_height_m(const Frame& frame) {
     double variance = 0;

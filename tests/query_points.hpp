@@ -1,0 +1,49 @@
+// Points of the world at random, and room for all that a query answers at them.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <random>
+#include <vector>
+
+#include "pelagic/sim/surface_query.hpp"
+
+namespace pelagic {
+
+struct Points {
+    std::vector<double> x, z;
+    SurfacePoints view() const { return {x, z}; }
+};
+
+inline Points random_points(std::size_t count, double reach_m, unsigned seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> anywhere(-reach_m, reach_m);
+    Points points;
+    for (std::size_t i = 0; i < count; ++i) {
+        points.x.push_back(anywhere(random));
+        points.z.push_back(anywhere(random));
+    }
+    return points;
+}
+
+struct Samples {
+    explicit Samples(std::size_t count)
+        : height(count),
+          normal_x(count),
+          normal_y(count),
+          normal_z(count),
+          jacobian(count),
+          velocity_x(count),
+          velocity_y(count),
+          velocity_z(count),
+          error(count),
+          converged(count) {}
+    SurfaceSamples view() {
+        return {height, normal_x, normal_y, normal_z, jacobian, velocity_x, velocity_y, velocity_z, error, converged};
+    }
+    bool operator==(const Samples&) const = default;
+    std::vector<float> height, normal_x, normal_y, normal_z, jacobian, velocity_x, velocity_y, velocity_z, error;
+    std::vector<std::uint8_t> converged;
+};
+
+}  // namespace pelagic
