@@ -80,7 +80,7 @@ OceanOptions options_of(const pelagic_ocean_options& options) {
         if (!result.isa) refuse(refusal("isa", options.isa, "sse4.2, avx2, avx512 or neon"));
     }
     if (!options.allocate != !options.release) refuse("allocate or release is NULL, needs both or neither");
-    if (options.local) result.local = local_options_of(options.local);
+    if (options.dynamic_waves) result.dynamic_waves = dynamic_waves_options_of(options.dynamic_waves);
     if (options.shore) result.shore = shore_options_of(options.shore);
     result.inputs = inputs_of(options.inputs, options.input_count);
     result.memory = {options.memory_user, options.allocate, options.release};

@@ -76,8 +76,8 @@ struct pelagic_ocean {
 
 namespace pelagic::capi {
 
-/// The host's options of water that answers. Throws std::invalid_argument for null, a wrong struct_size and what can't be.
-LocalWaterOptions local_options_of(const pelagic_local_options* options);
+/// The host's options of dynamic waves. Throws std::invalid_argument for null, a wrong struct_size and what can't be.
+DynamicWavesOptions dynamic_waves_options_of(const pelagic_dynamic_waves_options* options);
 ShoreOptions shore_options_of(const pelagic_shore_options* options);
 
 /// What a call that needs them throws.

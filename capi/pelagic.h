@@ -43,7 +43,7 @@
  * pelagic_last_error().
  *
  * No allocation is made by schedule, poll, complete and queries after an ocean's first frame, unless its weather changes or more
- * is said of water that answers than ever before. What is as large as a frame
+ * is said of dynamic waves than ever before. What is as large as a frame
  * or a spectrum comes from pelagic_ocean_options.allocate, if that is there. */
 #ifndef PELAGIC_PELAGIC_H
 #define PELAGIC_PELAGIC_H
@@ -240,7 +240,7 @@ typedef struct pelagic_executor_options {
      * threads with a mask, one per core of the mask; for a host, 1). [0, 1024] */
     int32_t threads;
     uint32_t reserved; /* 0 */
-    /* PELAGIC_EXECUTOR_THREADS on Linux, Android and Windows: bit i allows CPU i to the pool's threads; 0 allows all. */
+    /* PELAGIC_EXECUTOR_THREADS on Linux, Android and Grids: bit i allows CPU i to the pool's threads; 0 allows all. */
     uint64_t cpu_mask;
     pelagic_parallel_for parallel_for; /* PELAGIC_EXECUTOR_HOST: must be there */
     pelagic_submit submit;             /* optional: without it complete() begins the work */
@@ -287,8 +287,8 @@ typedef struct pelagic_ocean_options {
      * ten to twenty frames. 5 N^2 bytes a tile. With 0 the half floats hold only what breaks at that very moment. */
     int32_t foam;
     uint32_t reserved_1; /* 0 */
-    /* Newer still. Water that answers beside the waves of the wind, see below; NULL: none. Read before the call returns. */
-    const struct pelagic_local_options* local;
+    /* Newer still. Dynamic waves beside the waves of the wind, see below; NULL: none. Read before the call returns. */
+    const struct pelagic_dynamic_waves_options* dynamic_waves;
     /* Newer still. A floor that waves feel, see below; NULL: none. Read before the call returns. */
     const struct pelagic_shore_options* shore;
     /* Newer still. Waves that are added to those of the wind, in this order, see below; none of another ocean. The ocean keeps what it
@@ -571,19 +571,19 @@ PELAGIC_API pelagic_status pelagic_ocean_create_forecast(const pelagic_forecast*
  * pelagic_ocean_complete_sea, which makes an end of all changes. */
 PELAGIC_API pelagic_status pelagic_ocean_schedule_change(pelagic_ocean* ocean, const pelagic_change* change);
 
-/* ---- Water that answers ----------------------------------------------------------------------------------------- */
+/* ---- Dynamic waves ----------------------------------------------------------------------------------------- */
 
 enum {
-    PELAGIC_LOCAL_SPECTRAL = 0, /* each wave goes on by its own phase: wakes as deep or shallow water has them */
-    PELAGIC_LOCAL_VERLET = 1    /* one speed for all waves, for ponds and rings; (speed / (ticks_per_s texel))^2 <= 0.4 */
+    PELAGIC_DYNAMIC_WAVES_SPECTRAL = 0, /* each wave goes on by its own phase: wakes as deep or shallow water has them */
+    PELAGIC_DYNAMIC_WAVES_VERLET = 1    /* one speed for all waves, for ponds and rings; (speed / (ticks_per_s texel))^2 <= 0.4 */
 };
 
-/* A window of the sea in which the host makes waves; queries and bounds have them, and pelagic_ocean_local shows them. It moves
+/* A grid of the sea in which the host makes waves; queries and bounds have them, and pelagic_ocean_dynamic_waves shows them. It moves
  * in ticks of its own, whatever the frames are: the same words between frames of the same times give the same bits on every
  * machine. */
-typedef struct pelagic_local_options {
+typedef struct pelagic_dynamic_waves_options {
     uint32_t struct_size;
-    int32_t step;        /* PELAGIC_LOCAL_... */
+    int32_t step;        /* PELAGIC_DYNAMIC_WAVES_... */
     int32_t resolution;  /* N, texels along a side; 64, 128, 256, 512 or 1024 */
     int32_t ticks_per_s; /* [10, 240] */
     double side_m;         /* [1, 10000] */
@@ -593,10 +593,10 @@ typedef struct pelagic_local_options {
     double wave_speed_mps; /* Verlet; (0, 1000] */
     double decay_per_s;    /* of amplitudes; [0, 10] */
     double foam_height_m;  /* water that stands higher turns white; [0.001, 100] */
-} pelagic_local_options;
+} pelagic_dynamic_waves_options;
 
 /* Sets every field but struct_size: spectral, 256 texels on 64 m, 60 ticks a second. */
-PELAGIC_API pelagic_status pelagic_local_defaults(pelagic_local_options* options);
+PELAGIC_API pelagic_status pelagic_dynamic_waves_defaults(pelagic_dynamic_waves_options* options);
 
 enum {
     PELAGIC_SHAPE_GAUSS = 0, /* height_m exp(-(r / radius_m)^2) */
@@ -630,7 +630,7 @@ PELAGIC_API pelagic_status pelagic_disturbance_defaults(pelagic_disturbance* dis
 /* Pushes in the next tick. At most 4096 disturbances wait for a tick. While time stands still, in frames that are not later than the
  * frame before, they do not add up: only those of the last such frame that has any wait. This and the functions below take effect at
  * the next schedule, in their order, whether or not a frame is in flight. PELAGIC_INVALID_ARGUMENT without
- * pelagic_ocean_options.local. */
+ * pelagic_ocean_options.dynamic_waves. */
 PELAGIC_API pelagic_status pelagic_ocean_disturb(pelagic_ocean* ocean, const pelagic_disturbance* disturbance);
 
 /* Pushes at every tick, moving as it says, until it is removed; at most 4096 of them, less those removed. Its number is used once;
@@ -641,7 +641,7 @@ PELAGIC_API pelagic_status pelagic_ocean_set_source(pelagic_ocean* ocean, uint32
                                                     const pelagic_disturbance* source);
 PELAGIC_API pelagic_status pelagic_ocean_remove_source(pelagic_ocean* ocean, uint32_t number);
 
-/* The window's middle is there, as near as whole texels allow: [-1e8, 1e8]. Texels that enter it are flat. */
+/* The grid's middle is there, as near as whole texels allow: [-1e8, 1e8]. Texels that enter it are flat. */
 PELAGIC_API pelagic_status pelagic_ocean_follow(pelagic_ocean* ocean, double x_m, double z_m);
 
 /* Rain: each drop digs a crater with a rim of as much water around it, height_m (q - 1) e^-q with q = (r / radius_m)^2. Which drops
@@ -661,29 +661,29 @@ PELAGIC_API pelagic_status pelagic_rain_defaults(pelagic_rain* rain);
 PELAGIC_API pelagic_status pelagic_ocean_set_rain(pelagic_ocean* ocean, const pelagic_rain* rain);
 
 /* What adds to the tiles where water is drawn, at x = rest x + Dx, z alike. Texel (i, j) of the world's lattice stands at
- * x = i texel_m, z = j texel_m, in column i mod N of row j mod N; the window has first_x <= i < first_x + N. */
-typedef struct pelagic_local_surface {
+ * x = i texel_m, z = j texel_m, in column i mod N of row j mod N; the grid has first_x <= i < first_x + N. */
+typedef struct pelagic_dynamic_waves_view {
     uint32_t struct_size;
     int32_t resolution; /* N, a power of two */
     int64_t first_x, first_z;
     double texel_m;
-    const float* height_m; /* N^2, 0 at the window's edges */
+    const float* height_m; /* N^2, 0 at the grid's edges */
     const float* rise_mps; /* N^2: its vertical velocity at the frame's moment; what is added at once brings none */
     const uint8_t* foam;   /* N^2 */
     float height_min_m, height_max_m;
-} pelagic_local_surface;
+} pelagic_dynamic_waves_view;
 
 /* Of the frame completed last; what it points to is valid as long as that frame is. PELAGIC_WRONG_ORDER before the first frame. */
-PELAGIC_API pelagic_status pelagic_ocean_local(const pelagic_ocean* ocean, pelagic_local_surface* surface);
+PELAGIC_API pelagic_status pelagic_ocean_dynamic_waves(const pelagic_ocean* ocean, pelagic_dynamic_waves_view* surface);
 
-/* The 64-bit hash of all that pelagic_ocean_local tells of the frame completed last, which pelagic_ocean_hash leaves out. */
-PELAGIC_API pelagic_status pelagic_ocean_local_hash(const pelagic_ocean* ocean, uint64_t* hash);
+/* The 64-bit hash of all that pelagic_ocean_dynamic_waves tells of the frame completed last, which pelagic_ocean_hash leaves out. */
+PELAGIC_API pelagic_status pelagic_ocean_dynamic_waves_hash(const pelagic_ocean* ocean, uint64_t* hash);
 
 /* All that the water of frames to come depends on, sources included, but for what was said since the last schedule; as
  * pelagic_ocean_save_history. For a host that goes back to a moment: 17 N^2 bytes and some. */
 PELAGIC_API pelagic_status pelagic_ocean_save_water(const pelagic_ocean* ocean, uint8_t* bytes, size_t room, size_t* count);
 
-/* Takes that up, in an ocean of any sea with the same pelagic_ocean_options.local on any machine of the same byte order, as if one had
+/* Takes that up, in an ocean of any sea with the same pelagic_ocean_options.dynamic_waves on any machine of the same byte order, as if one had
  * never left. Commands since the last schedule are dropped. PELAGIC_INVALID_ARGUMENT if the options are others or such an ocean
  * can't have saved it; PELAGIC_WRONG_ORDER if a frame is in flight. */
 PELAGIC_API pelagic_status pelagic_ocean_restore_water(pelagic_ocean* ocean, const uint8_t* bytes, size_t count);

@@ -1,7 +1,7 @@
-// A host of water that answers, without a window: a boat goes its way, stones fall beside it, and what they leave behind is drawn.
+// A host of dynamic waves, without a window: a boat goes its way, stones fall beside it, and what they leave behind is drawn.
 // Writes wake.ppm, or the file that it is told.
 //
-// A boat presses on the water as long as it is there and says where it goes; a stone adds to it once. The window of such water follows the
+// A boat presses on the water as long as it is there and says where it goes; a stone adds to it once. The grid of such water follows the
 // boat. Where the boat lies it asks the waves of the wind alone: its own hollow is what carries it.
 #include <cmath>
 #include <cstdint>
@@ -62,7 +62,7 @@ Disturbance stone_at(double x_m, double z_m) {
 /// As it lies on the waves of the wind: by their heights at its bow, stern and sides.
 glm::dmat4 boat_on(const Frame& frame, const Course& course) {
     Frame of_wind = frame;
-    of_wind.local = {};
+    of_wind.dynamic_waves = {};
     const glm::dvec2 ahead = 2.5 * course.ahead(), starboard = glm::dvec2(-ahead.y, ahead.x) * 0.4;
     const glm::dvec2 places[] = {course.place + ahead, course.place - ahead, course.place + starboard,
                                  course.place - starboard};
@@ -93,7 +93,7 @@ void draw_voyage(const char* name) {
                 {.queries = true,
                  .slopes = true,
                  .foam = true,
-                 .local = LocalWaterOptions{.resolution = 512, .side_m = 160, .border_m = 16}});
+                 .dynamic_waves = DynamicWavesOptions{.resolution = 512, .side_m = 160, .border_m = 16}});
     Course course;
     const std::uint32_t boat = ocean.add_source(hull_on(course));
     double time_s = 0;
@@ -117,7 +117,7 @@ void draw_voyage(const char* name) {
                                          .resolution = ocean.resolution(),
                                          .tiles = ocean.tile_count(),
                                          .writes = gl::PixelKind::radiance,
-                                         .local_water = true});
+                                         .dynamic_waves = true});
     gl::SkyBaker baker(make_default_executor(), 256);
     baker.schedule({.sun_azimuth_rad = 0.35f, .sun_elevation_rad = 0.42f, .cloud_cover = 0.12f});
     const gl::Sky& sky = baker.complete();

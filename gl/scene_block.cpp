@@ -91,14 +91,14 @@ void place_details(SceneBlock& block, const SeaFacts& facts, glm::dvec2 viewer) 
 }
 
 /// Texel i of the world stands at i texels and is kept in column i mod N. The outermost ones are 0 and have neighbours on the other
-/// side only: local_water.cpp's sample() leaves them out, too.
-void place_local_water(SceneBlock& block, const LocalFacts& local, glm::dvec2 viewer) {
-    if (local.resolution == 0) return;
-    const double n = local.resolution;
-    const glm::dvec2 first(static_cast<double>(local.first_x), static_cast<double>(local.first_z));
-    const auto coordinate = [&](double metres) { return fraction((metres / local.texel_m + 0.5) / n); };
-    block.local_place = {coordinate(viewer.x), coordinate(viewer.y), 1 / (n * local.texel_m), 1 / local.texel_m};
-    block.local_window = {glm::vec2((first + 0.5 * (n - 1)) * local.texel_m - viewer), 0.5 * (n - 3) * local.texel_m,
+/// side only: dynamic_waves.cpp's sample() leaves them out, too.
+void place_dynamic_waves(SceneBlock& block, const DynamicWaveFacts& dynamic_waves, glm::dvec2 viewer) {
+    if (dynamic_waves.resolution == 0) return;
+    const double n = dynamic_waves.resolution;
+    const glm::dvec2 first(static_cast<double>(dynamic_waves.first_x), static_cast<double>(dynamic_waves.first_z));
+    const auto coordinate = [&](double metres) { return fraction((metres / dynamic_waves.texel_m + 0.5) / n); };
+    block.dynamic_waves_place = {coordinate(viewer.x), coordinate(viewer.y), 1 / (n * dynamic_waves.texel_m), 1 / dynamic_waves.texel_m};
+    block.dynamic_waves_extent = {glm::vec2((first + 0.5 * (n - 1)) * dynamic_waves.texel_m - viewer), 0.5 * (n - 3) * dynamic_waves.texel_m,
                           0};
 }
 
@@ -178,10 +178,10 @@ SeaFacts facts_of(const Frame& frame) {
                    .resolution = frame.tiles[0].resolution(),
                    .tiles = {},
                    .time_s = frame.time_s,
-                   .local = {.resolution = frame.local.resolution,
-                             .texel_m = frame.local.texel_m,
-                             .first_x = frame.local.first_x,
-                             .first_z = frame.local.first_z}};
+                   .dynamic_waves = {.resolution = frame.dynamic_waves.resolution,
+                             .texel_m = frame.dynamic_waves.texel_m,
+                             .first_x = frame.dynamic_waves.first_x,
+                             .first_z = frame.dynamic_waves.first_z}};
     // A finer tile's waves are those that have less than three texels of the coarser one (sim/spectrum/bands.cpp), or so few of which
     // there are that it takes more of them (sim/tile_plan.hpp).
     double longest_wave_m = frame.tiles[0].lattice.side_m;
@@ -236,7 +236,7 @@ SceneBlock scene_block_of(const DrawInput& input, const SeaFacts& facts, const W
     block.waves = {std::max(0.05, facts.figures.significant_wave_height_m), alpha, std::cos(wind), std::sin(wind)};
     place_tiles(block, facts, viewer);
     place_details(block, facts, viewer);
-    place_local_water(block, facts.local, viewer);
+    place_dynamic_waves(block, facts.dynamic_waves, viewer);
     block.output_kind = {facts.framebuffer_is_srgb ? 0 : 1, facts.writes_radiance ? 1 : 0,
                          input.weighs_samples ? exposure : 0, sky.unit * sun_illuminance_lx};
     place_night(block, sky);

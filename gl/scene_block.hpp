@@ -42,7 +42,7 @@ struct SceneBlock {
     glm::vec4 output_kind{};
     glm::vec4 moon{}, stars{};
     glm::vec4 shore_place{}, shore_size{};
-    glm::vec4 local_place{}, local_window{};
+    glm::vec4 dynamic_waves_place{}, dynamic_waves_extent{};
 };
 
 /// What stays of a tile when its texels are in a texture.
@@ -62,8 +62,8 @@ struct ShoreFacts {
     glm::dvec2 corner_m{};
 };
 
-/// What stays of a window of water that answers.
-struct LocalFacts {
+/// What stays of a dynamic-wave grid.
+struct DynamicWaveFacts {
     int resolution = 0;  ///< 0: the frame has none
     double texel_m = 0;
     std::int64_t first_x = 0, first_z = 0;
@@ -84,7 +84,7 @@ struct SeaFacts {
     FlowExtent flow{};
     ShoreFacts shore{};
     bool shore_has_mips = false;
-    LocalFacts local{};
+    DynamicWaveFacts dynamic_waves{};
 
     const TileFacts& finest_tile() const { return tiles.back(); }
     double texel_m(const TileFacts& tile) const { return tile.lattice.side_m / resolution; }

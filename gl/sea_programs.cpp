@@ -15,7 +15,7 @@ std::array<ProgramFiles, 5> sea_program_files(const SeaVariant& variant) {
     if (variant.shore) defines += "#define SHORE\n";
     if (variant.multiview) defines += "#define MULTIVIEW\n";
     // No water answers beyond the patches.
-    const std::string of_patches = defines + (variant.local ? "#define LOCAL_WATER\n" : "");
+    const std::string of_patches = defines + (variant.dynamic_waves ? "#define DYNAMIC_WAVES\n" : "");
     return {{{"sea.vert.glsl", "sea.frag.glsl", of_patches},
              {"skirt.vert.glsl", "sea.frag.glsl", defines + "#define SKIRT\n"},
              {"sky.vert.glsl", "sky.frag.glsl", defines},
@@ -42,7 +42,7 @@ SeaProgram::SeaProgram(const Functions& gl, const ProgramFiles& files)
     gl.Uniform1i(program.uniform("shore_parts"), shore_parts_unit);
     gl.Uniform1i(program.uniform("shore_water"), shore_water_unit);
     gl.Uniform1i(program.uniform("shore_reach"), shore_reach_unit);
-    gl.Uniform1i(program.uniform("local_texels"), local_unit);
+    gl.Uniform1i(program.uniform("dynamic_waves_texels"), dynamic_waves_unit);
     eye_index = program.uniform("eye_index");
     brightness = program.uniform("brightness");
 }

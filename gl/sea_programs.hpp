@@ -27,7 +27,7 @@ enum Unit : GLint {
     shore_parts_unit,
     shore_water_unit,
     shore_reach_unit,
-    local_unit,
+    dynamic_waves_unit,
     unit_count
 };
 
@@ -45,7 +45,7 @@ struct SeaVariant {
     bool multiview = false;
     bool below = false;          ///< the floor shows, or a lens is near the water: the others spare its cost
     bool mirrors_scene = false;  ///< what a host drew, too
-    bool local = false;          ///< the frame has a window of water that answers
+    bool dynamic_waves = false;          ///< the frame has a dynamic-wave grid
     bool shore = false;          ///< of an open sea: tiles are held back there, and its waves add to them
 };
 

@@ -9,7 +9,7 @@
 #include "pelagic/gl/detail_image.hpp"
 #include "pelagic/gl/foam_image.hpp"
 #include "pelagic/gl/kept_state.hpp"
-#include "pelagic/gl/local_textures.hpp"
+#include "pelagic/gl/dynamic_wave_textures.hpp"
 #include "pelagic/gl/patch_buffers.hpp"
 #include "pelagic/gl/scene_block.hpp"
 #include "pelagic/gl/sea_programs.hpp"
@@ -69,10 +69,10 @@ struct SeaRenderer::State {
         : gl(functions),
           options(checked(wanted)),
           textures(functions, wanted.resolution, wanted.tiles),
-          local(functions),
+          dynamic_waves(functions),
           shore(functions) {
         const KeptState keep(gl);
-        choose_programs({.local = options.local_water});
+        choose_programs({.dynamic_waves = options.dynamic_waves});
         buffers = std::make_unique<PatchBuffers>(gl, options.patch_vertices);
         detail = make_detail_texture(gl);
         foam = make_foam_texture(gl, *(options.executor ? options.executor : make_serial_executor()));
@@ -107,7 +107,7 @@ struct SeaRenderer::State {
         bind(shore_parts_unit, GL_TEXTURE_2D, shore.parts());
         bind(shore_water_unit, GL_TEXTURE_2D, shore.water());
         bind(shore_reach_unit, GL_TEXTURE_2D, shore.reach());
-        bind(local_unit, GL_TEXTURE_2D, local.texels());
+        bind(dynamic_waves_unit, GL_TEXTURE_2D, dynamic_waves.texels());
     }
 
     void add(const PatchBuffers::Counts& counts) {
@@ -120,7 +120,7 @@ struct SeaRenderer::State {
     struct Extras {
         bool below = false;  ///< a floor shows, or a lens is near the water
         bool mirrors_scene = false;
-        bool local = false;
+        bool dynamic_waves = false;
         bool shore = false;
     };
 
@@ -128,7 +128,7 @@ struct SeaRenderer::State {
     void choose_programs(const Extras& with) {
         const auto index = [](bool wanted) { return std::size_t{wanted ? 1u : 0u}; };
         std::unique_ptr<SeaPrograms>& chosen =
-            all_programs[index(with.below)][index(with.mirrors_scene)][index(with.local)][index(with.shore)];
+            all_programs[index(with.below)][index(with.mirrors_scene)][index(with.dynamic_waves)][index(with.shore)];
         if (!chosen)
             chosen = std::make_unique<SeaPrograms>(gl, SeaVariant{.tiles = options.tiles,
                                                                   .shading = options.shading,
@@ -136,7 +136,7 @@ struct SeaRenderer::State {
                                                                   .multiview = options.multiview,
                                                                   .below = with.below,
                                                                   .mirrors_scene = with.mirrors_scene,
-                                                                  .local = with.local,
+                                                                  .dynamic_waves = with.dynamic_waves,
                                                                   .shore = with.shore});
         programs = chosen.get();
     }
@@ -185,10 +185,10 @@ struct SeaRenderer::State {
     const Functions& gl;
     RendererOptions options;
     FrameTextures textures;
-    LocalTextures local;
+    DynamicWaveTextures dynamic_waves;
     ShoreTextures shore;
     SeaFacts facts;
-    /// By Extras: below, mirrors_scene, local, shore.
+    /// By Extras: below, mirrors_scene, dynamic_waves, shore.
     std::array<std::array<std::array<std::array<std::unique_ptr<SeaPrograms>, 2>, 2>, 2>, 2> all_programs;
     SeaPrograms* programs = nullptr;  ///< of the draw() in progress
     std::unique_ptr<PatchBuffers> buffers;
@@ -314,11 +314,11 @@ std::span<const TextureTargets> SeaRenderer::map_textures() { return state_->tex
 
 void SeaRenderer::upload(const Frame& frame) {
     const Stopwatch all;
-    if (const std::string reason = state_->local.refusal_of(frame.local); !reason.empty())
+    if (const std::string reason = state_->dynamic_waves.refusal_of(frame.dynamic_waves); !reason.empty())
         throw std::invalid_argument(reason);
     state_->textures.upload(frame);
     state_->shore.upload(frame.shore);
-    state_->local.upload(frame.local);
+    state_->dynamic_waves.upload(frame.dynamic_waves);
     state_->facts = facts_of(frame);
     state_->facts.has_displacement_mips = state_->textures.has_displacement_mips();
     state_->facts.has_foam = state_->textures.has_foam();
@@ -328,9 +328,9 @@ void SeaRenderer::upload(const Frame& frame) {
     state_->facts.writes_radiance = state_->options.writes == PixelKind::radiance;
     state_->figures.upload_ms = all.milliseconds();
     state_->figures.upload_driver_ms =
-        state_->textures.last_driver_ms() + state_->local.last_driver_ms() + state_->shore.last_driver_ms();
+        state_->textures.last_driver_ms() + state_->dynamic_waves.last_driver_ms() + state_->shore.last_driver_ms();
     state_->figures.upload_bytes =
-        state_->textures.uploaded_bytes() + state_->local.uploaded_bytes() + state_->shore.uploaded_bytes();
+        state_->textures.uploaded_bytes() + state_->dynamic_waves.uploaded_bytes() + state_->shore.uploaded_bytes();
 }
 
 const DrawFigures& SeaRenderer::draw(const DrawInput& input) {
@@ -354,7 +354,7 @@ const DrawFigures& SeaRenderer::draw(const DrawInput& input) {
         input.host_scene && input.eyes.size() == 1 && !s.options.multiview && s.options.shading != Shading::headset;
     s.choose_programs({.below = s.lens_is_wet || block.floor_albedo.w > 0 || s.floor_facts.columns > 0,
                        .mirrors_scene = mirrors_scene,
-                       .local = s.facts.local.resolution > 0,
+                       .dynamic_waves = s.facts.dynamic_waves.resolution > 0,
                        .shore = s.facts.shore.columns > 0 && s.options.surface == Surface::open});
     gl.BindBuffer(GL_UNIFORM_BUFFER, s.scene.name());
     gl.BufferData(GL_UNIFORM_BUFFER, sizeof(block), &block, GL_STREAM_DRAW);

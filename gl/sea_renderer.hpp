@@ -7,7 +7,7 @@
 //                renderer.draw({.eyes = eyes, .viewer_m = head, .list = &selection.select(...)});
 //
 // Foam is that of the frame's tiles (Tile::foam_r8): it stays where water broke, fades and drifts. Frames of an ocean without
-// OceanOptions::foam show none. A window of water that answers (Frame::local) is drawn where the frame has one.
+// OceanOptions::foam show none. a dynamic-wave grid (Frame::dynamic_waves) is drawn where the frame has one.
 //
 // A frame's shore is drawn with it, by programs that are compiled when the first such frame comes. Its sand is a floor like others:
 // renderer.set_floor(floor_of(shore)).
@@ -48,8 +48,8 @@ struct RendererOptions {
     Surface surface = Surface::open;       ///< small water is drawn in place of the frames' tiles
     std::shared_ptr<Executor> executor = nullptr;  ///< bakes textures at the start; null: on this thread
     bool multiview = false;                        ///< the framebuffer holds both eyes as layers (OVR_multiview2)
-    /// Frames have a window of water that answers: its programs are compiled at the start, and not when the first such frame is drawn.
-    bool local_water = false;
+    /// Frames have a dynamic-wave grid: its programs are compiled at the start, and not when the first such frame is drawn.
+    bool dynamic_waves = false;
 };
 
 enum class DrawMode { shaded, wireframe };
@@ -109,7 +109,7 @@ class SeaRenderer {
     /// How a river flows from now on; a winding channel until then. Throws std::invalid_argument for a map that is not whole.
     void set_flow(const FlowMap& map);
     /// From here on the frame's sea is drawn, at its time; the frame's views may go stale. Throws what
-    /// FrameTextures::upload() and ShoreTextures::upload() throw, and std::invalid_argument for a Frame::local that no texture takes,
+    /// FrameTextures::upload() and ShoreTextures::upload() throw, and std::invalid_argument for a Frame::dynamic_waves that no texture takes,
     /// and draws on what was uploaded before then.
     void upload(const Frame& frame);
     /// Where Ocean::schedule() may write the textures of the frame that is uploaded next, which spares a copy of them

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <span>
 
-#include "pelagic/sim/local_surface.hpp"
+#include "pelagic/sim/dynamic_waves_view.hpp"
 #include "pelagic/sim/sea_state.hpp"
 #include "pelagic/sim/shore_surface.hpp"
 #include "pelagic/sim/slope_variance.hpp"
@@ -38,8 +38,8 @@ struct Frame {
     std::span<const Tile> tiles;  ///< at least one; the coarsest first
     /// Sums of the tiles' bounds: exact for one tile, upper bounds for several, whose extremes need not meet.
     FrameBounds bounds;
-    /// What adds to the tiles where hosts move the water, with OceanOptions::local; within the bounds, too.
-    LocalSurface local;
+    /// What adds to the tiles where hosts move the water, with OceanOptions::dynamic_waves; within the bounds, too.
+    DynamicWavesView dynamic_waves;
     /// Where the sea has a floor that waves feel, with OceanOptions::shore; within the bounds, too.
     ShoreSurface shore;
 };

@@ -11,7 +11,7 @@
 
 #include "pelagic/message/refusal.hpp"
 #include "pelagic/sim/frames/frame_assembly.hpp"
-#include "pelagic/sim/frames/local_frames.hpp"
+#include "pelagic/sim/frames/dynamic_wave_frames.hpp"
 #include "pelagic/sim/sources/shore_source.hpp"
 
 namespace pelagic {
@@ -65,11 +65,11 @@ struct Ocean::State {
                 prepare(*frame_executor, tick_and_frame_graph, options.trace, "frame", frame_numbers);
         }
         spectrum_run = prepare(*executor, spectrum_graph, options.trace, "sea", std::make_shared<std::uint64_t>());
-        if (options.local)
-            local =
-                std::make_unique<LocalFrames>(checked(*options.local), isa, options.memory,
+        if (options.dynamic_waves)
+            dynamic_waves =
+                std::make_unique<DynamicWaveFrames>(checked(*options.dynamic_waves), isa, options.memory,
                                               [&, runs = std::make_shared<std::uint64_t>()](const JobGraph& graph) {
-                                                  return prepare(*executor, graph, options.trace, "local", runs);
+                                                  return prepare(*executor, graph, options.trace, "dynamic_waves", runs);
                                               });
     }
 
@@ -181,7 +181,7 @@ struct Ocean::State {
     std::size_t baking_stage = 0, baking_block = 0;  ///< next of what bake_blocks() does
     const Frame* completed = nullptr;
     std::unique_ptr<GraphRun> frame_run, tick_run, tick_and_frame_run, spectrum_run;
-    std::unique_ptr<LocalFrames> local;  ///< if the ocean has water that answers
+    std::unique_ptr<DynamicWaveFrames> dynamic_waves;  ///< if the ocean has dynamic waves
 
     /// \pre the ocean has one
     void bake_shore() {
@@ -196,10 +196,10 @@ struct Ocean::State {
         if (shore) throw std::invalid_argument("the sea can't change, needs an ocean without a shore");
     }
 
-    LocalFrames& local_water() {
-        if (!local)
-            throw std::invalid_argument("the ocean has no water that answers, needs one with OceanOptions::local");
-        return *local;
+    DynamicWaveFrames& dynamic_waves() {
+        if (!dynamic_waves)
+            throw std::invalid_argument("the ocean has no dynamic waves, needs one with OceanOptions::dynamic_waves");
+        return *dynamic_waves;
     }
 
     void begin_tick() {
@@ -226,13 +226,13 @@ struct Ocean::State {
     }
     /// All of a frame's buffers, before anything of it can fail: drop_frame() turns all of them back.
     void turn() {
-        if (local) local->turn();
+        if (dynamic_waves) local->turn();
         if (shore) shore->turn();
         frames.turn();
     }
     /// \pre turn() for this frame
     void drop_frame() {
-        if (local) local->drop_frame();
+        if (dynamic_waves) local->drop_frame();
         if (shore) shore->drop_frame();
         frames.drop_frame();
         frames.forget();
@@ -274,7 +274,7 @@ void Ocean::schedule(double time_s, std::span<const TextureTargets> tiles) {
     state_->run_in_flight = nullptr;
     state_->turn();
     try {
-        if (state_->local) state_->local->begin_frame(time_s);
+        if (state_->dynamic_waves) state_->dynamic_waves->begin_frame(time_s);
         if (state_->shore) state_->shore->begin_frame(time_s);
         state_->frames.begin_frame(time_s, tiles);
         if (state_->frames.ticks_due() <= 1) state_->begin_run();
@@ -287,7 +287,7 @@ void Ocean::schedule(double time_s, std::span<const TextureTargets> tiles) {
 
 bool Ocean::is_ready() const {
     if (!state_->frame_in_flight) return true;
-    if (state_->local && state_->executor->runs_ahead() && !state_->local->is_done()) return false;
+    if (state_->dynamic_waves && state_->executor->runs_ahead() && !state_->dynamic_waves->is_done()) return false;
     return !state_->frame_runs_ahead || !state_->run_in_flight || state_->run_in_flight->is_done();
 }
 
@@ -298,9 +298,9 @@ const Frame& Ocean::complete() {
         try {
             state_->complete_run();
             if (state_->shore) state_->frames.show(state_->shore->end_frame());
-            if (state_->local) {
-                state_->local->complete();
-                state_->frames.show(state_->local->surface());
+            if (state_->dynamic_waves) {
+                state_->dynamic_waves->complete();
+                state_->frames.show(state_->dynamic_waves->surface());
             }
         } catch (...) {
             state_->drop_frame();
@@ -326,7 +326,7 @@ FrameBounds Ocean::frame_at(double time_s, std::span<const FrameBuffers> tiles) 
     copy_frame(frame, tiles);
     state_->completed = completed;
     state_->frames.drop_frame();
-    if (state_->local) state_->local->drop_frame();
+    if (state_->dynamic_waves) state_->dynamic_waves->drop_frame();
     if (state_->shore) state_->shore->drop_frame();
     return frame.bounds;
 }
@@ -396,23 +396,23 @@ void Ocean::restore_history(std::span<const std::uint8_t> saved) {
     state_->frames.restore_history(saved);
 }
 
-void Ocean::disturb(const Disturbance& disturbance) { state_->local_water().disturb(disturbance); }
-std::uint32_t Ocean::add_source(const Disturbance& source) { return state_->local_water().add_source(source); }
+void Ocean::disturb(const Disturbance& disturbance) { state_->dynamic_waves().disturb(disturbance); }
+std::uint32_t Ocean::add_source(const Disturbance& source) { return state_->dynamic_waves().add_source(source); }
 void Ocean::set_source(std::uint32_t number, const Disturbance& source) {
-    state_->local_water().set_source(number, source);
+    state_->dynamic_waves().set_source(number, source);
 }
-void Ocean::remove_source(std::uint32_t number) { state_->local_water().remove_source(number); }
-void Ocean::follow(double x_m, double z_m) { state_->local_water().follow(x_m, z_m); }
-void Ocean::set_rain(const Rain& rain) { state_->local_water().set_rain(rain); }
+void Ocean::remove_source(std::uint32_t number) { state_->dynamic_waves().remove_source(number); }
+void Ocean::follow(double x_m, double z_m) { state_->dynamic_waves().follow(x_m, z_m); }
+void Ocean::set_rain(const Rain& rain) { state_->dynamic_waves().set_rain(rain); }
 
 std::vector<std::uint8_t> Ocean::saved_water() const {
     assert(!state_->frame_in_flight && "complete() the frame in flight first");
-    return state_->local_water().saved();
+    return state_->dynamic_waves().saved();
 }
 
 void Ocean::restore_water(std::span<const std::uint8_t> saved) {
     assert(!state_->frame_in_flight && "complete() the frame in flight first");
-    state_->local_water().restore(saved);
+    state_->dynamic_waves().restore(saved);
 }
 
 std::size_t Ocean::tile_count() const { return state_->frames.tile_count(); }
@@ -423,7 +423,7 @@ Isa Ocean::isa() const { return state_->isa; }
 const Executor& Ocean::executor() const { return *state_->executor; }
 const JobGraph& Ocean::graph() const { return state_->frame_graph; }
 std::size_t Ocean::memory_bytes() const {
-    return sizeof(State) + state_->frames.bytes() + (state_->local ? state_->local->bytes() : 0) +
+    return sizeof(State) + state_->frames.bytes() + (state_->dynamic_waves ? state_->dynamic_waves->bytes() : 0) +
            (state_->shore ? state_->shore->bytes() : 0);
 }
 

@@ -22,7 +22,7 @@
 #include "pelagic/sim/forecast.hpp"
 #include "pelagic/sim/frame.hpp"
 #include "pelagic/sim/frame_buffers.hpp"
-#include "pelagic/sim/local_water.hpp"
+#include "pelagic/sim/dynamic_waves.hpp"
 #include "pelagic/sim/rain.hpp"
 #include "pelagic/sim/sea_state.hpp"
 #include "pelagic/sim/shore.hpp"
@@ -47,10 +47,10 @@ struct OceanOptions {
     /// tenth to a fifth longer, one of a tick, ten times a second, another half or more, and a jump in time, which computes 29
     /// ticks, as long as ten to twenty frames; 5 N^2 bytes a tile. Without it half floats hold only what breaks at that very moment.
     bool foam = false;
-    /// Water that answers beside the waves of the wind (local_water.hpp): frames have a window of it, Frame::local, and queries tell the
+    /// Dynamic waves beside the waves of the wind (dynamic_waves.hpp): frames have a grid of it, Frame::dynamic_waves, and queries tell the
     /// sum. With 256 texels a tick takes about three quarters of a frame of one tile of 256, at 60 ticks a second; 18 N^2 bytes for
     /// frames and 29 N^2 for ticks.
-    std::optional<LocalWaterOptions> local = {};
+    std::optional<DynamicWavesOptions> dynamic_waves = {};
     /// A floor that waves feel (shore.hpp): frames say what it makes of the sea, Frame::shore, and queries tell that. Of a sea of several
     /// tiles that never changes. Baking it takes a second or so of one core; 290 bytes for each of the shore's texels.
     std::optional<ShoreOptions> shore = {};
@@ -132,7 +132,7 @@ class Ocean {
     /// \pre no frame is in flight
     void restore_history(std::span<const std::uint8_t> saved);
 
-    // ---- Water that answers: only with OceanOptions::local, else std::invalid_argument, and so of values out of range.
+    // ---- Dynamic waves: only with OceanOptions::dynamic_waves, else std::invalid_argument, and so of values out of range.
     //
     // What is said counts from the next schedule() on, in its order, whether or not a frame is in flight. Each tick is made of the ticks
     // before and what was said before it, so frames of the same times with the same words between them have the same bits, on every
@@ -148,14 +148,14 @@ class Ocean {
     /// From the next tick on, and from where it says. A number that there is not, or no more, does nothing.
     void set_source(std::uint32_t number, const Disturbance& source);
     void remove_source(std::uint32_t number);
-    /// The window's middle is there as near as whole texels allow. Texels that stay in it keep their bits, and others are flat.
+    /// The grid's middle is there as near as whole texels allow. Texels that stay in it keep their bits, and others are flat.
     void follow(double x_m, double z_m);
     /// It rains so from the next tick on, until another rain is set: none, of 0 drops.
     void set_rain(const Rain& rain);
     /// All that frames to come depend on, but for what was said since the last schedule(): for a host that goes back to a moment, or
     /// begins in one. \pre no frame is in flight
     std::vector<std::uint8_t> saved_water() const;
-    /// Takes that up, in an ocean of any sea with the same OceanOptions::local, on any machine of the same byte order: as if one had never
+    /// Takes that up, in an ocean of any sea with the same OceanOptions::dynamic_waves, on any machine of the same byte order: as if one had never
     /// left. Commands since the last schedule() are dropped. Throws std::invalid_argument, changing nothing, if the options are others, or no such
     /// ocean can have saved it. \pre no frame is in flight
     void restore_water(std::span<const std::uint8_t> saved);

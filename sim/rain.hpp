@@ -1,4 +1,4 @@
-// Rain on water that answers (local_water.hpp): drops that fall anywhere, at any time, and leave rings.
+// Rain on dynamic waves (dynamic_waves.hpp): drops that fall anywhere, at any time, and leave rings.
 #pragma once
 
 #include <cstdint>
@@ -6,7 +6,7 @@
 
 namespace pelagic {
 
-struct LocalWaterOptions;
+struct DynamicWavesOptions;
 
 /// Each drop digs a crater whose water stands around it as a rim, height_m (q - 1) e^-q with q = (r / radius_m)^2, so rain adds no
 /// water. Which drops fall follows from the seed, the tick and the place in the world alone.
@@ -22,6 +22,6 @@ struct Rain {
 
 /// Empty, or what is wrong with such rain on such water, of no rain nothing: "radius_m is 0, needs [0.001, 4], to a 16th of side_m".
 /// \pre check(water).empty()
-std::string check(const Rain& rain, const LocalWaterOptions& water);
+std::string check(const Rain& rain, const DynamicWavesOptions& water);
 
 }  // namespace pelagic

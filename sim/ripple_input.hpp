@@ -5,7 +5,7 @@
 // within the reach R, and exactly 0 beyond it. L is the wavelength, far from the middle; f that of deep water, but with as many periods
 // in a loop as is nearest. In the middle the rings are as high as A and smooth, and fall as rings do, as r^(-1/2). Water moves up and down
 // alone. A tile repeats, and so do the rings, each side of it: R is at most half of it, so that none meets its neighbour's. For rings
-// that don't repeat there is water that answers (local_water.hpp).
+// that don't repeat there is dynamic waves (dynamic_waves.hpp).
 #pragma once
 
 #include <cstddef>

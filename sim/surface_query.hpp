@@ -12,7 +12,7 @@
 // and its slopes (sin(k) / k)^2 of that: with four tiles of 128^2 texels heights lose 7 % of Hm0 and normals 33 % of the slope
 // variance (default sea). Interpolation::cubic is for measurements: 1.5 % and 3 %.
 //
-// Water that answers (local_water.hpp) adds its height, its slopes and how it rises at the given place, and so does a shore (shore.hpp).
+// Dynamic waves (dynamic_waves.hpp) adds its height, its slopes and how it rises at the given place, and so does a shore (shore.hpp).
 // There each tile counts with its part at the given place: q + sum of part D(q) = p.
 //
 // The bits depend on the frame, the point and the tolerance alone: not on other points of the batch, nor their order,
@@ -89,7 +89,7 @@ class SurfaceQuery {
     SurfaceQuery(const Frame& frame, double tolerance_m) : SurfaceQuery(frame, {.tolerance_m = tolerance_m}) {}
 
     /// Throws std::invalid_argument, before it writes, if a velocity is wanted of a frame made without
-    /// OceanOptions::velocities, or foam of one without OceanOptions::foam, local and shore. \pre spans are as long as the points or empty (asserted)
+    /// OceanOptions::velocities, or foam of one without OceanOptions::foam, dynamic_waves and shore. \pre spans are as long as the points or empty (asserted)
     void sample(const SurfacePoints& points, const SurfaceSamples& samples) const;
 
     /// The same query with another interpolation.
@@ -101,7 +101,7 @@ class SurfaceQuery {
     double tolerance_m() const { return tolerance_m_; }
     Interpolation interpolation() const { return options_.interpolation; }
     bool has_velocities() const { return frame_.tiles.front().velocity_y.data != nullptr; }
-    bool has_foam() const { return tiles_have_foam() || frame_.local || frame_.shore; }
+    bool has_foam() const { return tiles_have_foam() || frame_.dynamic_waves || frame_.shore; }
     /// Throws as sample() does.
     void check(const SurfaceSamples& wanted) const;
 

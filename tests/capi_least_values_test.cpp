@@ -61,13 +61,13 @@ void look_at(const pelagic_tile& tile, Findings& found) {
         found.number("figure of a tile", static_cast<double>(number));
 }
 
-void look_at(const pelagic_local_surface& local, Findings& found) {
-    const auto texels = static_cast<std::size_t>(local.resolution) * static_cast<std::size_t>(local.resolution);
-    found.floats("local height", local.height_m, texels);
-    found.floats("local rise", local.rise_mps, texels);
-    found.number("local texel", local.texel_m);
-    found.number("local bound", static_cast<double>(local.height_min_m));
-    found.number("local bound", static_cast<double>(local.height_max_m));
+void look_at(const pelagic_dynamic_waves_view& dynamic_waves, Findings& found) {
+    const auto texels = static_cast<std::size_t>(dynamic_waves.resolution) * static_cast<std::size_t>(dynamic_waves.resolution);
+    found.floats("dynamic waves height", dynamic_waves.height_m, texels);
+    found.floats("dynamic waves rise", dynamic_waves.rise_mps, texels);
+    found.number("dynamic waves texel", dynamic_waves.texel_m);
+    found.number("dynamic waves bound", static_cast<double>(dynamic_waves.height_min_m));
+    found.number("dynamic waves bound", static_cast<double>(dynamic_waves.height_max_m));
 }
 
 void look_at(const pelagic_shore_surface& shore, Findings& found) {
@@ -97,10 +97,10 @@ std::string first_unusual(pelagic_ocean* ocean, const pelagic_ocean_options& opt
             EXPECT_EQ(pelagic_ocean_tile(ocean, i, &tile), PELAGIC_OK);
             look_at(tile, found);
         }
-        if (options.local) {
-            auto local = sized<pelagic_local_surface>();
-            EXPECT_EQ(pelagic_ocean_local(ocean, &local), PELAGIC_OK);
-            look_at(local, found);
+        if (options.dynamic_waves) {
+            auto dynamic_waves = sized<pelagic_dynamic_waves_view>();
+            EXPECT_EQ(pelagic_ocean_dynamic_waves(ocean, &dynamic_waves), PELAGIC_OK);
+            look_at(dynamic_waves, found);
         }
         if (options.shore) {
             auto shore = sized<pelagic_shore_surface>();
@@ -271,12 +271,12 @@ TEST(CInterfaceLeastValues, OfAChange) {
     walk(forecast, peak, "forecast", of_forecast);
 }
 
-pelagic_local_options local_options(std::int32_t step) {
-    auto local = sized<pelagic_local_options>();
-    EXPECT_EQ(pelagic_local_defaults(&local), PELAGIC_OK);
-    local.resolution = 64;
-    local.step = step;
-    return local;
+pelagic_dynamic_waves_options dynamic_waves_options(std::int32_t step) {
+    auto dynamic_waves = sized<pelagic_dynamic_waves_options>();
+    EXPECT_EQ(pelagic_dynamic_waves_defaults(&dynamic_waves), PELAGIC_OK);
+    dynamic_waves.resolution = 64;
+    dynamic_waves.step = step;
+    return dynamic_waves;
 }
 
 pelagic_disturbance splash(std::int32_t mode, std::int32_t shape) {
@@ -290,23 +290,23 @@ pelagic_disturbance splash(std::int32_t mode, std::int32_t shape) {
     return disturbance;
 }
 
-constexpr std::int32_t steps[] = {PELAGIC_LOCAL_SPECTRAL, PELAGIC_LOCAL_VERLET};
+constexpr std::int32_t steps[] = {PELAGIC_DYNAMIC_WAVES_SPECTRAL, PELAGIC_DYNAMIC_WAVES_VERLET};
 
-TEST(CInterfaceLeastValues, OfWaterThatAnswers) {
-    constexpr Named<pelagic_local_options> fields[] = {{"side_m", &pelagic_local_options::side_m},
-                                                       {"border_m", &pelagic_local_options::border_m},
-                                                       {"depth_m", &pelagic_local_options::depth_m},
-                                                       {"viscosity_m2ps", &pelagic_local_options::viscosity_m2ps},
-                                                       {"wave_speed_mps", &pelagic_local_options::wave_speed_mps},
-                                                       {"decay_per_s", &pelagic_local_options::decay_per_s},
-                                                       {"foam_height_m", &pelagic_local_options::foam_height_m}};
+TEST(CInterfaceLeastValues, OfDynamicWaves) {
+    constexpr Named<pelagic_dynamic_waves_options> fields[] = {{"side_m", &pelagic_dynamic_waves_options::side_m},
+                                                       {"border_m", &pelagic_dynamic_waves_options::border_m},
+                                                       {"depth_m", &pelagic_dynamic_waves_options::depth_m},
+                                                       {"viscosity_m2ps", &pelagic_dynamic_waves_options::viscosity_m2ps},
+                                                       {"wave_speed_mps", &pelagic_dynamic_waves_options::wave_speed_mps},
+                                                       {"decay_per_s", &pelagic_dynamic_waves_options::decay_per_s},
+                                                       {"foam_height_m", &pelagic_dynamic_waves_options::foam_height_m}};
     const pelagic_sea sea = two_tiles();
     const pelagic_disturbance push = splash(PELAGIC_DISTURB_PRESS, PELAGIC_SHAPE_GAUSS);
     for (const std::int32_t step : steps)
-        walk(local_options(step), fields, step == PELAGIC_LOCAL_VERLET ? "Verlet" : "spectral",
-             [&](const pelagic_local_options& local, const std::string& what, const char* name) {
+        walk(dynamic_waves_options(step), fields, step == PELAGIC_DYNAMIC_WAVES_VERLET ? "Verlet" : "spectral",
+             [&](const pelagic_dynamic_waves_options& dynamic_waves, const std::string& what, const char* name) {
                  pelagic_ocean_options options = all_options();
-                 options.local = &local;
+                 options.dynamic_waves = &dynamic_waves;
                  expect_refused_or_finite(what, name, options, [&](pelagic_ocean** ocean) {
                      const pelagic_status status = pelagic_ocean_create(&sea, &options, ocean);
                      return status == PELAGIC_OK ? pelagic_ocean_disturb(*ocean, &push) : status;
@@ -326,9 +326,9 @@ TEST(CInterfaceLeastValues, OfADisturbance) {
                                                      {"velocity_z_mps", &pelagic_disturbance::velocity_z_mps}};
     const pelagic_sea sea = two_tiles();
     for (const std::int32_t step : steps) {
-        const pelagic_local_options local = local_options(step);
+        const pelagic_dynamic_waves_options dynamic_waves = dynamic_waves_options(step);
         pelagic_ocean_options options = all_options();
-        options.local = &local;
+        options.dynamic_waves = &dynamic_waves;
         const COcean ocean = ocean_of(sea, options);
         for (const std::int32_t mode : {PELAGIC_DISTURB_PRESS, PELAGIC_DISTURB_PULL, PELAGIC_DISTURB_ADD})
             for (const std::int32_t shape : {PELAGIC_SHAPE_GAUSS, PELAGIC_SHAPE_HULL})
@@ -354,9 +354,9 @@ TEST(CInterfaceLeastValues, OfRain) {
     EXPECT_EQ(pelagic_rain_defaults(&usual), PELAGIC_OK);
     usual.drops_per_m2_s = 1;
     for (const std::int32_t step : steps) {
-        const pelagic_local_options local = local_options(step);
+        const pelagic_dynamic_waves_options dynamic_waves = dynamic_waves_options(step);
         pelagic_ocean_options options = all_options();
-        options.local = &local;
+        options.dynamic_waves = &dynamic_waves;
         const COcean ocean = ocean_of(sea, options);
         walk(usual, fields, "step " + std::to_string(step),
              [&](const pelagic_rain& rain, const std::string& what, const char* name) {
@@ -409,10 +409,10 @@ TEST(CInterfaceLeastValues, ThatAreAccepted) {
     shore.heights_m = heights.data();
     shore.metres_a_sample = 0.001;
     for (const std::int32_t step : steps) {
-        pelagic_local_options local = local_options(step);
-        local.border_m = local.foam_height_m = 0.001;
+        pelagic_dynamic_waves_options dynamic_waves = dynamic_waves_options(step);
+        dynamic_waves.border_m = dynamic_waves.foam_height_m = 0.001;
         pelagic_ocean_options options = all_options();
-        options.local = &local;
+        options.dynamic_waves = &dynamic_waves;
         options.shore = &shore;
         const COcean ocean = ocean_of(sea, options);
         pelagic_disturbance stone = splash(PELAGIC_DISTURB_ADD, PELAGIC_SHAPE_HULL);
@@ -504,9 +504,9 @@ TEST(CInterfaceLeastValues, OfACallbacksSlope) {
 }
 
 TEST(CInterfaceLeastValues, OfTimesAndPlaces) {
-    const pelagic_local_options local = local_options(PELAGIC_LOCAL_SPECTRAL);
+    const pelagic_dynamic_waves_options dynamic_waves = dynamic_waves_options(PELAGIC_DYNAMIC_WAVES_SPECTRAL);
     pelagic_ocean_options options = all_options();
-    options.local = &local;
+    options.dynamic_waves = &dynamic_waves;
     const COcean ocean = ocean_of(two_tiles(), options);
     for (const double value : least_values) {
         auto frame = sized<pelagic_frame>();

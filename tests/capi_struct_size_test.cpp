@@ -106,12 +106,12 @@ TEST_F(StructSizes, WhatIsReadMayBeOlderOrNewer) {
     expect_read_in_every_size(samples, &pelagic_samples::converged, [&](pelagic_samples* wanted) {
         return pelagic_ocean_query(ocean.get(), &points, wanted);
     });
-    auto local = sized<pelagic_local_options>();
-    ASSERT_EQ(pelagic_local_defaults(&local), PELAGIC_OK);
-    expect_read_in_every_size(local, &pelagic_local_options::foam_height_m, [](pelagic_local_options* wanted) {
+    auto dynamic_waves = sized<pelagic_dynamic_waves_options>();
+    ASSERT_EQ(pelagic_dynamic_waves_defaults(&dynamic_waves), PELAGIC_OK);
+    expect_read_in_every_size(dynamic_waves, &pelagic_dynamic_waves_options::foam_height_m, [](pelagic_dynamic_waves_options* wanted) {
         const pelagic_sea sea = small_sea();
         auto options = sized<pelagic_ocean_options>();
-        options.local = wanted;
+        options.dynamic_waves = wanted;
         pelagic_ocean* made = nullptr;
         const pelagic_status status = pelagic_ocean_create(&sea, &options, &made);
         pelagic_ocean_destroy(made);
@@ -134,7 +134,7 @@ TEST_F(StructSizes, WhatIsReadMayBeOlderOrNewer) {
         return status;
     });
     auto answering = sized<pelagic_ocean_options>();
-    answering.local = &local;
+    answering.dynamic_waves = &dynamic_waves;
     const COcean water = ocean_of(small_sea(), answering);
     auto disturbance = sized<pelagic_disturbance>();
     ASSERT_EQ(pelagic_disturbance_defaults(&disturbance), PELAGIC_OK);
@@ -219,19 +219,19 @@ TEST_F(StructSizes, WhatIsWrittenMayBeOlderOrNewer) {
         if (status != PELAGIC_OK) pelagic_ocean_complete(serial.get(), &other);
         return status;
     });
-    expect_written_in_every_size(&pelagic_local_options::foam_height_m, pelagic_local_defaults);
+    expect_written_in_every_size(&pelagic_dynamic_waves_options::foam_height_m, pelagic_dynamic_waves_defaults);
     expect_written_in_every_size(&pelagic_disturbance::velocity_z_mps, pelagic_disturbance_defaults);
     expect_written_in_every_size(&pelagic_rain::height_m, pelagic_rain_defaults);
-    auto local = sized<pelagic_local_options>();
-    ASSERT_EQ(pelagic_local_defaults(&local), PELAGIC_OK);
+    auto dynamic_waves = sized<pelagic_dynamic_waves_options>();
+    ASSERT_EQ(pelagic_dynamic_waves_defaults(&dynamic_waves), PELAGIC_OK);
     auto options = sized<pelagic_ocean_options>();
-    options.local = &local;
+    options.dynamic_waves = &dynamic_waves;
     const COcean water = ocean_of(small_sea(), options);
     auto first = sized<pelagic_frame>();
     ASSERT_EQ(pelagic_ocean_schedule(water.get(), 1), PELAGIC_OK);
     ASSERT_EQ(pelagic_ocean_complete(water.get(), &first), PELAGIC_OK);
-    expect_written_in_every_size(&pelagic_local_surface::height_max_m, [&](pelagic_local_surface* surface) {
-        return pelagic_ocean_local(water.get(), surface);
+    expect_written_in_every_size(&pelagic_dynamic_waves_view::height_max_m, [&](pelagic_dynamic_waves_view* surface) {
+        return pelagic_ocean_dynamic_waves(water.get(), surface);
     });
     expect_written_in_every_size(&pelagic_shore_options::swash_m, pelagic_shore_defaults);
     auto shore = sized<pelagic_shore_options>();
@@ -307,8 +307,8 @@ TEST(StructSizesOfSeas, NewFieldsLieBehindThePaddingOfTheFirstVersion) {
         (end + alignof(pelagic_frame) - 1) / alignof(pelagic_frame) * alignof(pelagic_frame);
     EXPECT_GE(offsetof(pelagic_frame, tile_count), padded);
     EXPECT_EQ(offsetof(pelagic_sea, wave_drag) + sizeof(double), sizeof(pelagic_sea));
-    EXPECT_EQ(offsetof(pelagic_ocean_options, reserved_1) + 4, offsetof(pelagic_ocean_options, local));
-    EXPECT_EQ(offsetof(pelagic_ocean_options, local) + sizeof(void*), offsetof(pelagic_ocean_options, shore));
+    EXPECT_EQ(offsetof(pelagic_ocean_options, reserved_1) + 4, offsetof(pelagic_ocean_options, dynamic_waves));
+    EXPECT_EQ(offsetof(pelagic_ocean_options, dynamic_waves) + sizeof(void*), offsetof(pelagic_ocean_options, shore));
     EXPECT_EQ(offsetof(pelagic_ocean_options, shore) + sizeof(void*), offsetof(pelagic_ocean_options, input_count));
     EXPECT_EQ(offsetof(pelagic_ocean_options, inputs) + sizeof(void*), sizeof(pelagic_ocean_options));
     EXPECT_EQ(offsetof(pelagic_ocean_info, reserved_1) + 4, sizeof(pelagic_ocean_info));

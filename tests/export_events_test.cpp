@@ -15,7 +15,7 @@
 #include <thread>
 #include <vector>
 
-#include "pelagic/tests/local_pool.hpp"
+#include "pelagic/tests/dynamic_wave_pool.hpp"
 #include "pelagic/tests/read_image.hpp"
 #include "pelagic/tests/run_pelagic.hpp"
 #include "pelagic/tools/events/event_player.hpp"
@@ -27,7 +27,7 @@ using Arguments = std::vector<std::string>;
 using Files = std::map<std::string, std::string>;
 using json = nlohmann::ordered_json;
 
-// A drop, a hull that runs through the window, a pull between ticks, and what comes after the last frame.
+// A drop, a hull that runs through the grid, a pull between ticks, and what comes after the last frame.
 constexpr const char* several =
     "time,x,z,radius,strength,velocity,heading,duration,length,mode\n"
     "0.5,0,0,1,0.4,,,,,\n"
@@ -35,8 +35,8 @@ constexpr const char* several =
     "-0.258,8,-8,1.5,0.2,1,90,0.8,,pull\n"
     "9,0,0,1,1,,,,,\n";
 
-// The middle of a window of 128 texels on 64 m around (-1, -1.5), which is that of the places.
-constexpr int window = 128;
+// The middle of a grid of 128 texels on 64 m around (-1, -1.5), which is that of the places.
+constexpr int grid_texels = 128;
 constexpr double texel_m = 0.5;
 
 // Frames with a gap, before the first event, on ticks and between them.
@@ -85,7 +85,7 @@ void expect_refused(const Outcome& outcome, const std::string& says) {
 
 TEST_F(ExportEvents, HaveTheBytesOfOneRunInShardsAndInWhatWasKilledAndResumed) {
     const Files one = made(to("one"), "one");
-    EXPECT_TRUE(one.contains("local_0017.exr"));
+    EXPECT_TRUE(one.contains("dynamic-waves_0017.exr"));
     EXPECT_EQ(one.at("sea_events.csv"), several);
 
     for (const char* shard : {"3/3", "1/3", "2/3"})
@@ -109,7 +109,7 @@ TEST_F(ExportEvents, HaveTheBytesOfOneRunInShardsAndInWhatWasKilledAndResumed) {
     expect_same(made(to("killed", {"--resume"}), "killed"), one);
 
     // A frame in the middle that is made again alone has the same water.
-    std::filesystem::remove(place("killed") / "local_0008.exr");
+    std::filesystem::remove(place("killed") / "dynamic-waves_0008.exr");
     expect_same(made(to("killed", {"--resume"}), "killed"), one);
 }
 
@@ -123,7 +123,7 @@ TEST_F(ExportEvents, LeaveTheTilesAndTheirHashesAsTheyAre) {
     const Files still = made(with({"export", "--out", place("calm").string(), "--overwrite"}, calm), "calm");
     const std::size_t frames = 14;
     EXPECT_EQ(still.size(), frames * 4 + 3);   // two maps of two tiles, sea.json, its record and the folder's lock
-    EXPECT_EQ(pushed.size(), frames * 5 + 4);  // the window too, and the rows
+    EXPECT_EQ(pushed.size(), frames * 5 + 4);  // the grid too, and the rows
     for (const auto& [name, bytes] : still) {
         if (name != "sea.json" && name != "sea_files.json") {
             EXPECT_EQ(pushed.at(name) == bytes, true) << name;
@@ -133,12 +133,12 @@ TEST_F(ExportEvents, LeaveTheTilesAndTheirHashesAsTheyAre) {
     const json of_still = json::parse(still.at("sea.json"))["frames"];
     for (std::size_t i = 0; i < frames; ++i) {
         for (const char* key : {"hash", "foam_hash", "height_max_m"}) EXPECT_EQ(of_pushed[i][key], of_still[i][key]);
-        EXPECT_FALSE(of_still[i].contains("local_hash"));
+        EXPECT_FALSE(of_still[i].contains("dynamic_waves_hash"));
         // Two frames are before the first event, and later ones move.
         if (i == 1) {
-            EXPECT_EQ(of_pushed[i]["local_hash"], of_pushed[0]["local_hash"]);
+            EXPECT_EQ(of_pushed[i]["dynamic_waves_hash"], of_pushed[0]["dynamic_waves_hash"]);
         } else if (i > 1) {
-            EXPECT_NE(of_pushed[i]["local_hash"], of_pushed[i - 1]["local_hash"]);
+            EXPECT_NE(of_pushed[i]["dynamic_waves_hash"], of_pushed[i - 1]["dynamic_waves_hash"]);
         }
     }
 }
@@ -146,9 +146,9 @@ TEST_F(ExportEvents, LeaveTheTilesAndTheirHashesAsTheyAre) {
 /// The same rows, said by hand to the ticks themselves: 60 a second, an event in the first tick that is not before it.
 class TicksByHand {
    public:
-    TicksByHand() : pool_({.resolution = window}) {
+    TicksByHand() : pool_({.resolution = grid_texels}) {
         pool_.grid.follow(-1, -1.5);
-        LocalSources& sources = pool_.grid.sources();
+        DynamicWaveSources& sources = pool_.grid.sources();
         const auto set = [&](std::uint32_t number, const Disturbance& source) {
             pool_.grid.set_source(number, source);
         };
@@ -162,22 +162,22 @@ class TicksByHand {
                     .velocity_z_mps = 1});
     }
 
-    /// The window that a frame shows, \param part of the way from the tick before the last one to that.
+    /// The grid that a frame shows, \param part of the way from the tick before the last one to that.
     std::vector<float> after_tick(int tick, double part) {
         for (; tick_ < tick; ++tick_) before_tick(tick_ + 1), pool_.tick();
-        const std::size_t texels = window * window;
-        AlignedBuffer<float> height(texels), rise(texels), edge(window);
+        const std::size_t texels = grid_texels * grid_texels;
+        AlignedBuffer<float> height(texels), rise(texels), edge(grid_texels);
         std::vector<std::uint8_t> foam(texels);
-        for (std::size_t item = 0; item < window / LocalGrid::rows_an_item; ++item)
+        for (std::size_t item = 0; item < grid_texels / DynamicWaveGrid::rows_an_item; ++item)
             pool_.grid.show(static_cast<float>(part), item,
                             {height.data(), rise.data(), foam.data(), edge.data(), edge.data()});
         std::vector<float> pixels;
         const auto in_torus = [](std::int64_t i) {
-            return static_cast<std::size_t>(((i % window) + window) % window);
+            return static_cast<std::size_t>(((i % grid_texels) + grid_texels) % grid_texels);
         };
-        for (std::int64_t z = pool_.grid.first_z(); z < pool_.grid.first_z() + window; ++z)
-            for (std::int64_t x = pool_.grid.first_x(); x < pool_.grid.first_x() + window; ++x) {
-                const std::size_t texel = in_torus(z) * window + in_torus(x);
+        for (std::int64_t z = pool_.grid.first_z(); z < pool_.grid.first_z() + grid_texels; ++z)
+            for (std::int64_t x = pool_.grid.first_x(); x < pool_.grid.first_x() + grid_texels; ++x) {
+                const std::size_t texel = in_torus(z) * grid_texels + in_torus(x);
                 pixels.insert(pixels.end(),
                               {height.data()[texel], rise.data()[texel], static_cast<float>(foam[texel]) / 255});
             }
@@ -187,7 +187,7 @@ class TicksByHand {
    private:
     void before_tick(int tick) {
         constexpr double degree = std::numbers::pi / 180;
-        LocalSources& sources = pool_.grid.sources();
+        DynamicWaveSources& sources = pool_.grid.sources();
         if (tick == 30) sources.disturb({.mode = Disturbance::Mode::add, .radius_m = 1, .height_m = 0.4});
         if (tick == 33) sources.remove(pull_);  // the first one behind -0.258 s + 0.8 s
         if (tick == 42) {
@@ -205,7 +205,7 @@ class TicksByHand {
         if (tick == 132) sources.remove(hull_);
     }
 
-    LocalPool pool_;
+    DynamicWavePool pool_;
     int tick_ = -16;
     std::uint32_t pull_ = 0, hull_ = 0;
 };
@@ -213,7 +213,7 @@ class TicksByHand {
 TEST_F(ExportEvents, AreTheTicksOfTheirTimes) {
     write_file(events(), several);
     made(to("ticks"), "ticks");
-    const json layout = json::parse(read_file(place("ticks") / "sea.json"))["local"];
+    const json layout = json::parse(read_file(place("ticks") / "sea.json"))["dynamic_waves"];
     EXPECT_EQ(layout["x_m_of_column"], (json{{"scale", texel_m}, {"offset", -1 - 32.0}}));
     EXPECT_EQ(layout["z_m_of_row"], (json{{"scale", texel_m}, {"offset", -1.5 - 32.0}}));
     TicksByHand by_hand;
@@ -223,7 +223,7 @@ TEST_F(ExportEvents, AreTheTicksOfTheirTimes) {
         const double ticks = (-0.5 + frame / 7.0) * 60 + 0x1p-16;
         const std::vector<float> wanted =
             by_hand.after_tick(static_cast<int>(std::floor(ticks)), ticks - std::floor(ticks));
-        const ReadImage read = map("ticks", (frame < 10 ? "local_000" : "local_00") + std::to_string(frame) + ".exr");
+        const ReadImage read = map("ticks", (frame < 10 ? "dynamic-waves_000" : "dynamic-waves_00") + std::to_string(frame) + ".exr");
         ASSERT_EQ(read.type, "float");
         ASSERT_EQ(read.pixels.size(), wanted.size());
         double worst = 0;
@@ -237,7 +237,7 @@ TEST_F(ExportEvents, AreTheTicksOfTheirTimes) {
 }
 
 /// eta(r, t) = A R^2 / 2 integral of exp(-k^2 R^2 / 4) J0(k r) cos(omega t) k dk: what a Gaussian that rests becomes (Lamb,
-/// Hydrodynamics, 255), with what the water of a window loses.
+/// Hydrodynamics, 255), with what the water of a grid loses.
 double ring(double amplitude, double radius, double r, double t, double depth) {
     constexpr int steps = 4000;
     const double most_k = 12 / radius, step = most_k / steps;
@@ -260,7 +260,7 @@ TEST_F(ExportEvents, OfADropAreTheRingsOfLinearTheory) {
             "drop");
         // The drop counts from the tick at 0.5 s on, and a frame shows the tick before it: so it is as old as the times say.
         for (const int frame : {2, 3, 5}) {
-            const ReadImage image = map("drop", "local_000" + std::to_string(frame) + ".exr");
+            const ReadImage image = map("drop", "dynamic-waves_000" + std::to_string(frame) + ".exr");
             ASSERT_EQ(image.width, 256);
             double worst = 0, most = 0;
             for (int texel = 0; texel < 64; ++texel) {  // up to 16 m; the borders' influence begins at 20
@@ -269,7 +269,7 @@ TEST_F(ExportEvents, OfADropAreTheRingsOfLinearTheory) {
                 for (const auto& [column, row] : {std::pair{128 + texel, 128}, {128, 128 - texel}})
                     worst = std::max(worst, std::fabs(image.at(column, row, 0) - wanted));
             }
-            // The window has no waves between those that fit it: a 64 m one is 1 % of what the drop makes.
+            // The grid has no waves between those that fit it: a 64 m one is 1 % of what the drop makes.
             EXPECT_LT(worst, 0.01 * 0.4) << frame << " at " << depth << " m";
             EXPECT_GT(most, 0.05);
         }
@@ -292,7 +292,7 @@ TEST_F(ExportEvents, BeyondTheLargestHalfAreClampedWithOneNote) {
         const std::string name = more.empty() ? "floats" : "halves";
         const Outcome outcome = outcome_of(name, more);
         ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-        const ReadImage image = map(name, "local_0002.exr");
+        const ReadImage image = map(name, "dynamic-waves_0002.exr");
         const auto [lowest, highest] = std::minmax_element(image.pixels.begin(), image.pixels.end());
         if (more.empty()) {
             EXPECT_EQ(outcome.err, "");
@@ -310,7 +310,7 @@ TEST_F(ExportEvents, BeyondTheLargestHalfAreClampedWithOneNote) {
     const Outcome outcome = outcome_of("textures", {"--format", "ktx2", "--compression", "none"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_NE(outcome.err.find("note: values beyond 65504"), std::string::npos) << outcome.err;
-    const std::string file = read_file(place("textures") / "local_0002.ktx2");
+    const std::string file = read_file(place("textures") / "dynamic-waves_0002.ktx2");
     const auto number_at = [&](std::size_t at, std::size_t bytes) {
         std::uint64_t number = 0;
         for (std::size_t i = bytes; i-- > 0;) number = number << 8 | static_cast<unsigned char>(file.at(at + i));
@@ -340,7 +340,7 @@ std::vector<std::vector<double>> rows_in(const std::string& text) {
 TEST_F(ExportEvents, AreInQueriesWhatTheMapSays) {
     const Arguments flat_tiles = {"--choppiness", "0"};
     made(to("map", flat_tiles), "map");
-    const ReadImage image = map("map", "local_0009.exr");  // 0.785714 s
+    const ReadImage image = map("map", "dynamic-waves_0009.exr");  // 0.785714 s
     std::string points = "x,z\n";
     std::vector<std::pair<int, int>> texels;
     for (int row = 20; row < 108; row += 8)
@@ -387,7 +387,7 @@ TEST_F(ExportEvents, AreTheSameWhateverTimesWereAskedForBefore) {
     using namespace tools;
     EventOptions options{.file = std::make_shared<const EventFile>(parse_events("events.csv", several)), .water = {}};
     options.water.resolution = 64;
-    const auto copied = [](const LocalSurface& water) {
+    const auto copied = [](const DynamicWavesView& water) {
         return std::pair(std::vector<float>(water.height_m.begin(), water.height_m.end()),
                          std::vector<float>(water.rise_mps.begin(), water.rise_mps.end()));
     };

@@ -212,7 +212,7 @@ TEST(RecordFile, IsWrittenAsTheWholeWouldBe) {
                               .time_s = i / 24.,
                               .hash = "h",
                               .foam_hash = "",
-                              .local_hash = "",
+                              .dynamic_waves_hash = "",
                               .files = {{"a", "b"}, {"c", "d"}}});
             whole["frames"].push_back(frame_as_json(frames.back()));
         }

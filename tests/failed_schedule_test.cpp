@@ -59,7 +59,7 @@ class FailingExecutor final : public Executor {
 
 struct Rings {
     std::string name;
-    bool foam, local, shore;
+    bool foam, dynamic_waves, shore;
     bool changes = false;  ///< so that seas are baked beside frames
 };
 
@@ -79,7 +79,7 @@ class FailedSchedule : public testing::TestWithParam<Rings> {
     }
     OceanOptions options(std::shared_ptr<Executor> executor) const {
         OceanOptions options{.executor = std::move(executor), .foam = GetParam().foam};
-        if (GetParam().local) options.local = LocalWaterOptions{.resolution = 64};
+        if (GetParam().dynamic_waves) options.dynamic_waves = DynamicWavesOptions{.resolution = 64};
         if (GetParam().shore) {
             options.shore = beach(400, 200, 10, 100, 10);
             options.shore->resolution = 64;
@@ -89,10 +89,10 @@ class FailedSchedule : public testing::TestWithParam<Rings> {
 
     using Hashes = std::array<std::uint64_t, 4>;
     static Hashes hashes_of(const Frame& frame) {
-        return {hash_of(frame), foam_hash_of(frame), local_hash_of(frame), shore_hash_of(frame)};
+        return {hash_of(frame), foam_hash_of(frame), dynamic_waves_hash_of(frame), shore_hash_of(frame)};
     }
     void disturb(double time_s) {
-        if (GetParam().local) ocean_.disturb({.x_m = time_s, .radius_m = 3, .height_m = 0.2});
+        if (GetParam().dynamic_waves) ocean_.disturb({.x_m = time_s, .radius_m = 3, .height_m = 0.2});
     }
 
     std::shared_ptr<FailingExecutor> executor_;
@@ -145,7 +145,7 @@ TEST_P(FailedSchedule, LeavesTheFrameCompletedLastAsItIsForOneMore) {
             EXPECT_EQ(shore_hash_of(next), shore_hash_of(expected));
         }
     }
-    EXPECT_GE(failures, 3 * (1 + (rings.local ? 1 : 0)));
+    EXPECT_GE(failures, 3 * (1 + (rings.dynamic_waves ? 1 : 0)));
 }
 
 }  // namespace

@@ -68,9 +68,9 @@ TEST(Shaders, AreGlslInEveryVariant) {
                                 .multiview = shading == Shading::headset,
                                 .below = shading != Shading::medium,
                                 .mirrors_scene = shading == Shading::high,
-                                .local = true});
+                                .dynamic_waves = true});
     for (const Shading shading : {Shading::headset, Shading::high})
-        variants.push_back({.tiles = 4, .shading = shading, .below = true, .local = true, .shore = true});
+        variants.push_back({.tiles = 4, .shading = shading, .below = true, .dynamic_waves = true, .shore = true});
     std::vector<gl::ProgramFiles> all = {{"panel.vert.glsl", "panel.frag.glsl", ""},
                                          {"mesh.vert.glsl", "rock.frag.glsl", ""},
                                          {"mesh.vert.glsl", "boat.frag.glsl", ""}};
@@ -147,8 +147,8 @@ TEST(Shaders, CostAPixelWhatTheirTierMay) {
             EXPECT_EQ(cost.loops, 0);
             EXPECT_EQ(cost.looks, tiles == 1 ? row.looks_at_one_tile : row.looks_at_four) << tiles << " tiles";
             const PixelCost with_window =
-                cost_of(gl::sea_program_files({.tiles = tiles, .shading = row.shading, .local = true})[0]);
-            std::printf("    and a window of water that answers: %d look-ups, %d operations\n", with_window.looks,
+                cost_of(gl::sea_program_files({.tiles = tiles, .shading = row.shading, .dynamic_waves = true})[0]);
+            std::printf("    and a dynamic-wave grid: %d look-ups, %d operations\n", with_window.looks,
                         with_window.operations);
             EXPECT_EQ(with_window.loops, 0);
             EXPECT_EQ(with_window.looks, cost.looks + 1);

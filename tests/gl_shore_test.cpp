@@ -9,7 +9,7 @@
 #include <glm/gtc/packing.hpp>
 #include <vector>
 
-#include "pelagic/sim/local_water.hpp"
+#include "pelagic/sim/dynamic_waves.hpp"
 #include "pelagic/sim/surface/tile_sum.hpp"
 #include "pelagic/sim/surface_query.hpp"
 #include "pelagic/tests/gl_scene.hpp"
@@ -238,8 +238,8 @@ TEST_F(GlShore, WaterLiesWhereTheDefinitionSays) {
     }
 }
 
-// A window of water that answers adds to a shore as it adds to the open sea.
-TEST_F(GlShore, WaterThatAnswersAddsToIt) {
+// a dynamic-wave grid adds to a shore as it adds to the open sea.
+TEST_F(GlShore, DynamicWavesAddsToIt) {
     constexpr int pixels = 40, cuts = 60, side = 64;
     GlScene scene(options(pixels));
     HandmadeShore shore({300, -400}, 36, 30, 8);
@@ -250,26 +250,26 @@ TEST_F(GlShore, WaterThatAnswersAddsToIt) {
     const SquareFromAbove square{.middle = {450, -290}, .half_m = 40, .pixels = pixels};
     FourLargeTiles large(scene.ocean.frame_at(3));
     large.frame.shore = shore.view();
-    LocalSurface& local = large.frame.local;
-    local = {.resolution = side, .texel_m = 2, .first_x = 450 / 2 - side / 2, .first_z = -290 / 2 - side / 2};
+    DynamicWavesView& dynamic_waves = large.frame.dynamic_waves;
+    dynamic_waves = {.resolution = side, .texel_m = 2, .first_x = 450 / 2 - side / 2, .first_z = -290 / 2 - side / 2};
     std::vector<float> heights(side * side), rises(heights.size());
     std::vector<std::uint8_t> foam(heights.size());
-    for (std::int64_t z = local.first_z; z < local.first_z + side; ++z)
-        for (std::int64_t x = local.first_x; x < local.first_x + side; ++x) {
+    for (std::int64_t z = dynamic_waves.first_z; z < dynamic_waves.first_z + side; ++z)
+        for (std::int64_t x = dynamic_waves.first_x; x < dynamic_waves.first_x + side; ++x) {
             const double from_x = static_cast<double>(2 * x) - 440, from_z = static_cast<double>(2 * z) + 300;
             heights[static_cast<std::size_t>((z & (side - 1)) * side + (x & (side - 1)))] =
                 static_cast<float>(3 * std::exp(-(from_x * from_x + from_z * from_z) / 200));
         }
-    local.height_m = heights;
-    local.rise_mps = rises;
-    local.foam = foam;
-    local.height_max_m = 3;
+    dynamic_waves.height_m = heights;
+    dynamic_waves.rise_mps = rises;
+    dynamic_waves.foam = foam;
+    dynamic_waves.height_max_m = 3;
     upload(scene, large.frame);
     std::vector<double> exact;
     for (int row = 0; row < pixels; ++row)
         for (int column = 0; column < pixels; ++column)
             exact.push_back(height_drawn_at(large.frame, square.x(column), square.z(row)) +
-                            sample(local, square.x(column), square.z(row)).height_m);
+                            sample(dynamic_waves, square.x(column), square.z(row)).height_m);
     const Heights off = heights_beside(scene, square, cuts, exact);
     EXPECT_LT(off.mean_m, 0.75 * off.step_m);
 }

@@ -1,4 +1,4 @@
-// The window's boat on water in closed form and on water that answers, and what a click meets.
+// The window's boat on water in closed form and on dynamic waves, and what a click meets.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -87,12 +87,12 @@ TEST(SteeredBoat, LiesInThePlaneOfTheWater) {
     EXPECT_NEAR(boat.pitch_rad(), 0, 1e-5);
 }
 
-/// A boat on water that answers, as the window has it: frames of 30 a second on ripples of millimetres.
+/// A boat on dynamic waves, as the window has it: frames of 30 a second on ripples of millimetres.
 struct Voyage {
     Ocean ocean{{.resolution = 16, .patch_size_m = 100, .wind_speed_mps = 0.05},
                 {.executor = make_serial_executor(),
                  .queries = true,
-                 .local = LocalWaterOptions{.resolution = 128, .side_m = 64}}};
+                 .dynamic_waves = DynamicWavesOptions{.resolution = 128, .side_m = 64}}};
     SteeredBoat boat{{0, 0}, 0};
     std::uint32_t source = ocean.add_source(boat.press(0, 1 / 60.));
     double time_s = 0;
@@ -121,7 +121,7 @@ TEST(SteeredBoat, IsNotCarriedDownByItsOwnHollow) {
     double deepest = 0, lowest = 0;
     voyage.go(20, {}, [&](const Frame& frame) {
         if (frame.time_s < 15) return;
-        deepest = std::min(deepest, sample(frame.local, 0, 0).height_m);
+        deepest = std::min(deepest, sample(frame.dynamic_waves, 0, 0).height_m);
         lowest = std::min(lowest, voyage.boat.height_m());
     });
     EXPECT_NEAR(deepest, -0.45, 0.05);
@@ -144,7 +144,7 @@ TEST(SteeredBoat, LeavesAWake) {
         double most = 0;
         for (double x = from_m; x < to_m; x += 0.25)
             for (double z = -8; z < 8; z += 0.25)
-                most = std::max(most, std::fabs(sample(frame.local, voyage.boat.place_m().x + x, z).height_m));
+                most = std::max(most, std::fabs(sample(frame.dynamic_waves, voyage.boat.place_m().x + x, z).height_m));
         return most;
     };
     EXPECT_GT(most_between(-18, -8), 0.1);

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "pelagic/examples/buoyancy/box_wake.hpp"
-#include "pelagic/sim/local_water.hpp"
+#include "pelagic/sim/dynamic_waves.hpp"
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/simd/det_math.hpp"
 #include "pelagic/tests/sanitized.hpp"
@@ -34,7 +34,7 @@ void sail(std::vector<FloatingBox>& boxes, double seconds, EachStep each_step) {
     Ocean ocean(still, {.executor = make_serial_executor(),
                         .queries = true,
                         .velocities = true,
-                        .local = LocalWaterOptions{.resolution = 128, .side_m = 64, .border_m = 12}});
+                        .dynamic_waves = DynamicWavesOptions{.resolution = 128, .side_m = 64, .border_m = 12}});
     std::vector<BoxWake> wakes;
     for (const FloatingBox& box : boxes) wakes.emplace_back(ocean, box);
     HullWater hull;
@@ -120,7 +120,7 @@ TEST(Wake, ABoxThatDriftsWithTheWavesHardlyMakesAny) {
                 {.executor = make_serial_executor(),
                  .queries = true,
                  .velocities = true,
-                 .local = LocalWaterOptions{.resolution = 128, .side_m = 128, .border_m = 24}});
+                 .dynamic_waves = DynamicWavesOptions{.resolution = 128, .side_m = 128, .border_m = 24}});
     std::vector<BoxWake> wakes = {BoxWake(ocean, boxes[0])};
     HullWater hull;
     double highest = 0, fastest = 0;
@@ -135,7 +135,7 @@ TEST(Wake, ABoxThatDriftsWithTheWavesHardlyMakesAny) {
         step(boxes, SurfaceQuery(frame), step_s, hull, wakes);
         for (int direction = 0; direction < 12; ++direction) {
             const auto to = det::sine_cosine_of_turns(direction / 12.0);
-            const double height = sample(frame.local, at.x + 20 * to.cosine, at.z + 20 * to.sine).height_m;
+            const double height = sample(frame.dynamic_waves, at.x + 20 * to.cosine, at.z + 20 * to.sine).height_m;
             highest = std::max(highest, std::fabs(height));
         }
         fastest = std::max(fastest, std::hypot(boxes[0].state().velocity_mps.x, boxes[0].state().velocity_mps.z));

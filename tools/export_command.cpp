@@ -133,7 +133,7 @@ std::unique_ptr<EventPlayer> event_player(const ExportOptions& options, const Oc
 
 Frame exported_frame(const Frame& frame, EventPlayer* player) {
     Frame exported = frame;
-    if (player) exported.local = player->at(frame.time_s);
+    if (player) exported.dynamic_waves = player->at(frame.time_s);
     return exported;
 }
 

@@ -13,7 +13,7 @@ namespace pelagic::tools {
 /// What an ocean is told so that its frames have what the files need. \param trace  may be none
 OceanOptions ocean_options(const ExportOptions& options, const std::shared_ptr<ChromeTrace>& trace);
 
-/// The water that answers the options' events, on the ocean's executor; null without events.
+/// the dynamic waves the options' events, on the ocean's executor; null without events.
 std::unique_ptr<EventPlayer> event_player(const ExportOptions& options, const OceanOptions& how);
 
 /// The frame as it is exported: with the window beside its tiles, whose bounds and figures stay those of the sea alone.

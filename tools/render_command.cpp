@@ -79,7 +79,7 @@ class PictureMaker {
                                            .writes = gl::PixelKind::radiance,
                                            .surface = options.scene.surface,
                                            .executor = make_default_executor(options.scene.compute.threads),
-                                           .local_water = options.events.has_value()}),
+                                           .dynamic_waves = options.events.has_value()}),
           selection_(options.scene.quadtree),
           luminance_of_unit_(sky.luminance_of_unit()),
           unit_(sky.unit),

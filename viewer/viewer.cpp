@@ -51,8 +51,8 @@ constexpr double baking_s = 0.1;
 constexpr double least_change_s = 0.1;
 
 /// The window in which the water answers: a tick is a seventh of a millisecond, and a boat's wake has room in it.
-constexpr LocalWaterOptions local_water{.resolution = 256, .side_m = 128, .border_m = 16};
-constexpr double tick_s = 1.0 / local_water.ticks_per_s;
+constexpr DynamicWavesOptions dynamic_waves{.resolution = 256, .side_m = 128, .border_m = 16};
+constexpr double tick_s = 1.0 / dynamic_waves.ticks_per_s;
 /// A click that makes a splash rather than turning the camera.
 constexpr float most_pixels_of_a_click = 4;
 constexpr double most_s_of_a_click = 0.4;
@@ -259,7 +259,7 @@ class Viewer {
                                     .queries = true,
                                     .slopes = true,
                                     .foam = true,
-                                    .local = local_water,
+                                    .dynamic_waves = dynamic_waves,
                                     .shore = has_shore ? options_.shore : std::nullopt});
         boat_source_.reset();
         ocean_->follow(window_middle_.x, window_middle_.y);
@@ -299,7 +299,7 @@ class Viewer {
                                                          .writes = gl::PixelKind::radiance,
                                                          .surface = surface_,
                                                          .executor = make_default_executor(options_.threads),
-                                                         .local_water = true});
+                                                         .dynamic_waves = true});
             renderer->set_water(settings_.water);
             renderer->set_floor(options_.floor);
             if (settings_.flow) renderer->set_flow(*settings_.flow);
@@ -368,7 +368,7 @@ class Viewer {
         const auto place = picked_place(query, camera_.camera(), *clicked_, window, splash_reach_m);
         if (!place) return;
         // The window goes where it is needed, unless a boat needs it.
-        if (!boat_ && glm::length(*place - window_middle_) > local_water.side_m / 4) {
+        if (!boat_ && glm::length(*place - window_middle_) > dynamic_waves.side_m / 4) {
             window_middle_ = *place;
             ocean_->follow(place->x, place->y);
         }
@@ -401,7 +401,7 @@ class Viewer {
 
     /// Small water is drawn in place of the tiles, whose heights it has not.
     double drawn_height(const SurfaceQuery& query, double x, double z) const {
-        if (surface_ != gl::Surface::open) return sample(query.frame().local, x, z).height_m;
+        if (surface_ != gl::Surface::open) return sample(query.frame().dynamic_waves, x, z).height_m;
         float height_m = 0;
         query.sample({{&x, 1}, {&z, 1}}, {.height_m = {&height_m, 1}});
         return static_cast<double>(height_m);
@@ -591,7 +591,7 @@ class Viewer {
     ViewFigures figures_;
     bool shows_panel_ = true, takes_picture_ = false;
     std::optional<glm::dvec2> clicked_;  ///< a pixel of the window, from its upper left corner
-    glm::dvec2 window_middle_{};         ///< of the water that answers, while there is no boat
+    glm::dvec2 window_middle_{};         ///< of the dynamic waves, while there is no boat
     Helm helm_;
     bool wants_boat_ = false;
     std::optional<SteeredBoat> boat_;

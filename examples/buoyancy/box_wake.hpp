@@ -1,7 +1,7 @@
-// A box's part in water that answers: it presses as much as it weighs, and feels the wakes of all others, and what its own sends
+// A box's part in dynamic waves: it presses as much as it weighs, and feels the wakes of all others, and what its own sends
 // back, but not the hollow that it lies in, whose pressure is already its buoyancy.
 //
-// The window stands in the world and does not know that the waves of the wind carry its water to and fro, and a box with it. So a press
+// The grid stands in the world and does not know that the waves of the wind carry its water to and fro, and a box with it. So a press
 // goes with its box only as that moves through the water (BoxWake::press).
 //
 //   const Frame& frame = ocean.complete();
@@ -32,7 +32,7 @@ class BoxWake {
     /// water; more, and it lags behind a box that drifts with it.
     static constexpr double return_s = 10;
 
-    /// A source of the ocean from its next frame on, which has water that answers (OceanOptions::local). It weighs nothing at first, and
+    /// A source of the ocean from its next frame on, which has dynamic waves (OceanOptions::dynamic_waves). It weighs nothing at first, and
     /// all after launch_s(): put in at once, a barge of 4,000 t is a splash that rocks all others for a minute.
     BoxWake(Ocean& ocean, const FloatingBox& box);
 

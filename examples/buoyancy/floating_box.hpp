@@ -118,7 +118,7 @@ class FloatingBox {
 /// of the heave's period is a step that is short enough. \pre frames with velocities, of seas `step_s` apart
 void step(std::span<FloatingBox> boxes, const SurfaceQuery& water, double step_s, HullWater& hull);
 
-/// The same in water that answers, of ticks as long as steps. \param wakes  of the boxes, in their order
+/// The same in dynamic waves, of ticks as long as steps. \param wakes  of the boxes, in their order
 void step(std::span<FloatingBox> boxes, const SurfaceQuery& water, double step_s, HullWater& hull,
           std::span<const BoxWake> wakes);
 

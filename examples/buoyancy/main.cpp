@@ -26,7 +26,7 @@ constexpr double settling_s =
     30;  // before the trace: the boats start at rest, the sea doesn't; and the barge's launch_s()
 
 /// Half a metre a texel, so that the dinghy's hollow has some; broad enough for the barge and a border.
-const LocalWaterOptions answering{.resolution = 512, .side_m = 256, .border_m = 48};
+const DynamicWavesOptions answering{.resolution = 512, .side_m = 256, .border_m = 48};
 
 struct Boat {
     const char* name;
@@ -73,7 +73,7 @@ void make_folder(const std::filesystem::path& folder) {
 }
 
 std::vector<BoatTrace> sail(double seconds) {
-    Ocean ocean(storm(), {.queries = true, .velocities = true, .local = answering});
+    Ocean ocean(storm(), {.queries = true, .velocities = true, .dynamic_waves = answering});
     std::vector<FloatingBox> boxes;
     std::vector<BoatTrace> traces;
     for (const Boat& boat : boats) {

@@ -98,8 +98,8 @@ layout(std140) uniform Scene {
     highp vec4 stars;             // x: irradiance of a star of magnitude 0; 0 by day
     highp vec4 shore_place;       // xy: texture coordinates of the viewer's place; zw: the same a metre
     highp vec4 shore_size;        // xy: texels along x and z; z: texels a metre; w: last mip of its waves
-    highp vec4 local_place;       // of water that answers: xy: texture coordinates of the viewer's place; z: the same a metre; w: texels a metre
-    highp vec4 local_window;      // xy: its middle; z: half its side
+    highp vec4 dynamic_waves_place;       // of dynamic waves: xy: texture coordinates of the viewer's place; z: the same a metre; w: texels a metre
+    highp vec4 dynamic_waves_extent;      // xy: its middle; z: half its side
 };
 
 const float ripple_noise_tiles = 13.0;

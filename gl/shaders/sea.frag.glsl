@@ -1,6 +1,6 @@
 // Open sea. In the order of main():
 //
-//   waves       normal and roughness of the surface in the pixel; of small water, if that is what is drawn; slopes of water that answers
+//   waves       normal and roughness of the surface in the pixel; of small water, if that is what is drawn; slopes of dynamic waves
 //   mirror      the sky, mirrored by waves of which those that lean towards the eye count most; the sun's glint; with MIRRORS_SCENE also
 //               what a host drew
 //   water       light from below: absorption and backscattering, light through crests
@@ -51,8 +51,8 @@ const float pi = 3.14159265;
 #include "foam_of_tiles.glsl"
 #include "foam_maps.glsl"
 #endif
-#ifdef LOCAL_WATER
-#include "local_water.glsl"
+#ifdef DYNAMIC_WAVES
+#include "dynamic_waves.glsl"
 #endif
 #include "foam.glsl"
 #include "haze.glsl"
@@ -96,8 +96,8 @@ void main() {
     look_at_shore(at.xz);
 #endif
     Waves surface = waves_at(resting, distance_m);
-#ifdef LOCAL_WATER
-    vec4 answers = local_water(at.xz, footprint_of(resting).wide_m);
+#ifdef DYNAMIC_WAVES
+    vec4 answers = dynamic_waves(at.xz, footprint_of(resting).wide_m);
     surface.slopes -= answers.yz;
     surface.crests = max(surface.crests, answers.w);
 #endif

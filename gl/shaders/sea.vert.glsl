@@ -53,11 +53,11 @@ vec4 parts_where_drawn(vec2 at, vec2 ways[TILES]) {
 }
 #endif
 
-#ifdef LOCAL_WATER
-#include "local_water.glsl"
+#ifdef DYNAMIC_WAVES
+#include "dynamic_waves.glsl"
 #endif
 
-// Of a vertex: how far, what foam floats there, and the slopes of water that answers.
+// Of a vertex: how far, what foam floats there, and the slopes of dynamic waves.
 struct Moved {
     vec3 way;
     vec3 foam;
@@ -109,9 +109,9 @@ Moved displaced(ivec2 index) {
 #endif
     moved *= left;
     vec2 slopes = vec2(0.0);
-#ifdef LOCAL_WATER
+#ifdef DYNAMIC_WAVES
     // Half a level finer, as the tiles.
-    vec4 answers = left * local_water(at + moved.xz, spacing * 0.7071068);
+    vec4 answers = left * dynamic_waves(at + moved.xz, spacing * 0.7071068);
     moved.y += answers.x;
     slopes = answers.yz;
 #endif

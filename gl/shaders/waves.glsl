@@ -142,7 +142,7 @@ vec2 normal_slopes(Slopes sum) {
 struct Waves {
     vec2 slopes;   // with the sign of the normal
     float alpha2;  // GGX roughness squared: slopes below the size of a pixel, mean square
-    float crests;  // part of the pixel that breaks of small water and of water that answers; the tiles have maps of it (foam_maps.glsl)
+    float crests;  // part of the pixel that breaks of small water and of dynamic waves; the tiles have maps of it (foam_maps.glsl)
 };
 
 #if VERTEX_TILES > 0

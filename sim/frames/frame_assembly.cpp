@@ -115,8 +115,8 @@ const Frame& FrameAssembly::end_frame() {
         frame.bounds.sideways_x_max_m += bounds.sideways_x_max_m;
         frame.bounds.sideways_z_max_m += bounds.sideways_z_max_m;
     }
-    frame.bounds.height_min_m += frame.local.height_min_m + frame.shore.height_min_m;
-    frame.bounds.height_max_m += frame.local.height_max_m + frame.shore.height_max_m;
+    frame.bounds.height_min_m += frame.dynamic_waves.height_min_m + frame.shore.height_min_m;
+    frame.bounds.height_max_m += frame.dynamic_waves.height_max_m + frame.shore.height_max_m;
     return frame;
 }
 

@@ -43,8 +43,8 @@ class FrameAssembly {
     double next_tick_s() const;
     /// The next run of the tick's stages is that one. \pre its moment's seas are at hand
     void begin_tick();
-    /// What the frame shows of water that answers; before end_frame().
-    void show(const LocalSurface& local) { slots_.frame().local = local; }
+    /// What the frame shows of dynamic waves; before end_frame().
+    void show(const DynamicWavesView& dynamic_waves) { slots_.frame().dynamic_waves = dynamic_waves; }
     void show(const ShoreSurface& shore) { slots_.frame().shore = shore; }
     const Frame& end_frame();
     void drop_frame();

@@ -9,7 +9,7 @@
 #include <cstdint>
 
 #include "pelagic/sim/kernels/input_jobs.hpp"
-#include "pelagic/sim/kernels/local_jobs.hpp"
+#include "pelagic/sim/kernels/dynamic_wave_jobs.hpp"
 #include "pelagic/sim/kernels/shore_jobs.hpp"
 
 namespace pelagic {
@@ -379,13 +379,13 @@ struct Kernels {
     void (*halve_squeeze)(const HalveSqueezeJob&);
     ByInterpolation<InvertStackJob> invert_stack;
     ByInterpolation<SampleStackJob> sample_stack;
-    void (*local_columns)(const LocalColumnsJob&);
-    void (*local_lines)(const LocalLinesJob&);
-    void (*local_columns_back)(const LocalColumnsJob&);  ///< the third part: into h and w
+    void (*dynamic_columns)(const DynamicColumnsJob&);
+    void (*dynamic_lines)(const DynamicLinesJob&);
+    void (*dynamic_columns_back)(const DynamicColumnsJob&);  ///< the third part: into h and w
     void (*damp_rows)(const DampJob&);
     void (*verlet_rows)(const VerletRowsJob&);
-    void (*local_foam)(const LocalFoamJob&);
-    void (*local_show)(const LocalShowJob&);
+    void (*dynamic_foam)(const DynamicFoamJob&);
+    void (*interpolate_ticks)(const TickInterpolationJob&);
     void (*shore_rows)(const ShoreRowsJob&);
     void (*add_waves)(const AddWavesJob&);
     void (*add_ripple)(const AddRippleJob&);

@@ -10,7 +10,7 @@
 #include "pelagic/sim/kernels/folds.kernel.hpp"
 #include "pelagic/sim/kernels/gradients.kernel.hpp"
 #include "pelagic/sim/kernels/inputs.kernel.hpp"
-#include "pelagic/sim/kernels/local_step.kernel.hpp"
+#include "pelagic/sim/kernels/dynamic_waves_step.kernel.hpp"
 #include "pelagic/sim/kernels/mipmaps.kernel.hpp"
 #include "pelagic/sim/kernels/shore.kernel.hpp"
 #include "pelagic/sim/kernels/slopes.kernel.hpp"
@@ -50,13 +50,13 @@ const Kernels PELAGIC_TABLE(PELAGIC_ISA_NAME) = {
      kernels::invert_stack<xsimd::PELAGIC_ISA_ARCH, kernels::Cubic>},
     {kernels::sample_stack<xsimd::PELAGIC_ISA_ARCH, kernels::Linear>,
      kernels::sample_stack<xsimd::PELAGIC_ISA_ARCH, kernels::Cubic>},
-    kernels::local_columns<xsimd::PELAGIC_ISA_ARCH>,
-    kernels::local_lines<xsimd::PELAGIC_ISA_ARCH>,
-    kernels::local_columns_back<xsimd::PELAGIC_ISA_ARCH>,
+    kernels::dynamic_columns<xsimd::PELAGIC_ISA_ARCH>,
+    kernels::dynamic_lines<xsimd::PELAGIC_ISA_ARCH>,
+    kernels::dynamic_columns_back<xsimd::PELAGIC_ISA_ARCH>,
     kernels::damp_rows<xsimd::PELAGIC_ISA_ARCH>,
     kernels::verlet_rows<xsimd::PELAGIC_ISA_ARCH>,
-    kernels::local_foam<xsimd::PELAGIC_ISA_ARCH>,
-    kernels::local_show<xsimd::PELAGIC_ISA_ARCH>,
+    kernels::dynamic_foam<xsimd::PELAGIC_ISA_ARCH>,
+    kernels::interpolate_ticks<xsimd::PELAGIC_ISA_ARCH>,
     kernels::shore_rows<xsimd::PELAGIC_ISA_ARCH>,
     kernels::add_waves<xsimd::PELAGIC_ISA_ARCH>,
     kernels::add_ripple<xsimd::PELAGIC_ISA_ARCH>,

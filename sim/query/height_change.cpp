@@ -14,8 +14,8 @@ constexpr double near_enough = 1.0 / 32;
 
 }  // namespace
 
-HeightChange::HeightChange(std::span<const Tile> tiles, double local_range_m, double parts_change_per_m)
-    : count_(tiles.size()), local_range_m_(local_range_m) {
+HeightChange::HeightChange(std::span<const Tile> tiles, double dynamic_waves_range_m, double parts_change_per_m)
+    : count_(tiles.size()), dynamic_waves_range_m_(dynamic_waves_range_m) {
     double slack = 1, further_m = 0;
     for (const Tile& tile : tiles) further_m += 2 * static_cast<double>(tile.squeeze.largest_m);
     for (std::size_t i = 0; i < count_; ++i) {
@@ -38,7 +38,7 @@ double HeightChange::within(double distance_m) const {
     double at_rest_m = way_m + parts_[0].further_m;
     for (std::size_t i = 1; i <= count_ && parts_[i].slack >= least_slack; ++i)
         at_rest_m = std::min(at_rest_m, (way_m + parts_[i].further_m) / parts_[i].slack);
-    double change_m = local_range_m_ + highest_per_m_ * distance_m;
+    double change_m = dynamic_waves_range_m_ + highest_per_m_ * distance_m;
     for (std::size_t i = 0; i < count_; ++i) change_m += std::min(parts_[i].steepness * at_rest_m, parts_[i].range_m);
     return change_m;
 }

@@ -25,9 +25,9 @@ namespace pelagic {
 class HeightChange {
    public:
     /// \param tiles          of a frame of several, made with OceanOptions::queries
-    /// \param local_range_m  what adds to them wherever water is drawn has that from its lowest to its highest
+    /// \param dynamic_waves_range_m  what adds to them wherever water is drawn has that from its lowest to its highest
     /// \param parts_change_per_m  c
-    explicit HeightChange(std::span<const Tile> tiles, double local_range_m = 0, double parts_change_per_m = 0);
+    explicit HeightChange(std::span<const Tile> tiles, double dynamic_waves_range_m = 0, double parts_change_per_m = 0);
 
     /// Metres, at most, between places so far apart.
     double within(double distance_m) const;
@@ -48,7 +48,7 @@ class HeightChange {
     };
     std::array<Part, most_tiles + 1> parts_;  ///< the last one after all tiles
     std::size_t count_;
-    double local_range_m_;
+    double dynamic_waves_range_m_;
     double stretch_ = 1;        ///< of ways, by what the parts change
     double highest_per_m_ = 0;  ///< of heights, by the same
 };

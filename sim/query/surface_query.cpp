@@ -10,7 +10,7 @@
 #include <stdexcept>
 
 #include "pelagic/sim/kernels/kernels.hpp"
-#include "pelagic/sim/local_water.hpp"
+#include "pelagic/sim/dynamic_waves.hpp"
 #include "pelagic/sim/query/one_tile_query.hpp"
 #include "pelagic/sim/query/shore_at.hpp"
 #include "pelagic/sim/query/stack_query.hpp"
@@ -117,7 +117,7 @@ void SurfaceQuery::sample(const SurfacePoints& points, const SurfaceSamples& sam
                     std::fill(foam.begin(), foam.end(), 0.f);
             }
             hand_out(points, samples, chunk);
-            if (frame_.local || frame_.shore) add_water_of_place(samples, chunk);
+            if (frame_.dynamic_waves || frame_.shore) add_water_of_place(samples, chunk);
         }
     };
     if (frame_.tiles.size() == 1)
@@ -140,7 +140,7 @@ void SurfaceQuery::take(const SurfacePoints& points, PointChunk& chunk) const {
         if (!has_sample(chunk.x[i], chunk.z[i])) chunk.x[i] = chunk.z[i] = 0;
 }
 
-// What a window and a shore have adds where the water is drawn: with the tiles' normal n and their slopes s the sum's is along
+// What a grid and a shore have adds where the water is drawn: with the tiles' normal n and their slopes s the sum's is along
 // (n_x - n_y s_x, n_y, n_z - n_y s_z).
 void SurfaceQuery::add_water_of_place(const SurfaceSamples& samples, const PointChunk& chunk) const {
     const auto add = [](std::span<float> to, std::size_t i, double more) {
@@ -148,30 +148,30 @@ void SurfaceQuery::add_water_of_place(const SurfaceSamples& samples, const Point
     };
     for (std::size_t i = 0; i < chunk.count; ++i) {
         const std::size_t at = chunk.first + i;
-        LocalSample local = pelagic::sample(frame_.local, chunk.x[i], chunk.z[i]);
+        DynamicWavesSample dynamic_waves = pelagic::sample(frame_.dynamic_waves, chunk.x[i], chunk.z[i]);
         if (frame_.shore) {
             const ShoreAt shore(frame_.shore, chunk.x[i], chunk.z[i]);
             if (shore.is_within()) {
                 const ShoreAt::Cubic height = shore.cubic(frame_.shore.height_m);
-                local.height_m += height.value;
-                local.slope_x += height.along_x;
-                local.slope_z += height.along_z;
+                dynamic_waves.height_m += height.value;
+                dynamic_waves.slope_x += height.along_x;
+                dynamic_waves.slope_z += height.along_z;
                 if (wants_velocity(samples)) {
-                    local.rise_mps += shore.cubic(frame_.shore.rise_mps).value;
+                    dynamic_waves.rise_mps += shore.cubic(frame_.shore.rise_mps).value;
                     const auto [x_mps, z_mps] = shore.velocity();
                     add(samples.velocity_x_mps, at, x_mps);
                     add(samples.velocity_z_mps, at, z_mps);
                 }
-                if (!samples.foam.empty()) local.foam = std::max(local.foam, shore.foam());
+                if (!samples.foam.empty()) dynamic_waves.foam = std::max(dynamic_waves.foam, shore.foam());
             }
         }
-        add(samples.height_m, at, local.height_m);
-        add(samples.velocity_y_mps, at, local.rise_mps);
-        if (!samples.foam.empty()) samples.foam[at] = std::max(samples.foam[at], static_cast<float>(local.foam));
-        if (!wants_normal(samples) || (local.slope_x == 0 && local.slope_z == 0)) continue;
+        add(samples.height_m, at, dynamic_waves.height_m);
+        add(samples.velocity_y_mps, at, dynamic_waves.rise_mps);
+        if (!samples.foam.empty()) samples.foam[at] = std::max(samples.foam[at], static_cast<float>(dynamic_waves.foam));
+        if (!wants_normal(samples) || (dynamic_waves.slope_x == 0 && dynamic_waves.slope_z == 0)) continue;
         const double y = static_cast<double>(chunk.normal_y[i]);
-        const double x = static_cast<double>(chunk.normal_x[i]) - y * local.slope_x;
-        const double z = static_cast<double>(chunk.normal_z[i]) - y * local.slope_z;
+        const double x = static_cast<double>(chunk.normal_x[i]) - y * dynamic_waves.slope_x;
+        const double z = static_cast<double>(chunk.normal_z[i]) - y * dynamic_waves.slope_z;
         const double length = std::sqrt(x * x + y * y + z * z);
         if (!(length > 0)) continue;
         if (!samples.normal_x.empty()) samples.normal_x[at] = static_cast<float>(x / length);

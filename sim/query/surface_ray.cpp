@@ -110,11 +110,11 @@ class FreeSteps {
    public:
     FreeSteps(const SurfaceQuery& query, const RayWalk& walk, double step_m)
         : ground_(walk.along_ground()), rise_(walk.upwards()), step_m_(step_m), unsure_m_(2 * query.tolerance_m()) {
-        const LocalSurface& local = query.frame().local;
+        const DynamicWavesView& dynamic_waves = query.frame().dynamic_waves;
         const ShoreSurface& shore = query.frame().shore;
         if (query.frame().tiles.size() > 1)
             change_.emplace(query.frame().tiles,
-                            static_cast<double>(local.height_max_m - local.height_min_m) +
+                            static_cast<double>(dynamic_waves.height_max_m - dynamic_waves.height_min_m) +
                                 static_cast<double>(shore.height_max_m - shore.height_min_m),
                             static_cast<double>(shore.parts_change_per_m));
     }

@@ -149,26 +149,26 @@ void change(Bytes& bytes, T& options, double T::*const (&fields)[count]) {
         options.*fields[bytes.take<std::uint8_t>() % count] = bytes.number();
 }
 
-pelagic_local_options any_local(Bytes& bytes) {
-    auto local = sized<pelagic_local_options>(bytes);
-    const std::uint32_t size = local.struct_size;
-    local.struct_size = sizeof local;
-    must_be_a_status(pelagic_local_defaults(&local));
-    local.struct_size = size;
-    local.resolution = 64;
+pelagic_dynamic_waves_options any_dynamic_waves(Bytes& bytes) {
+    auto dynamic_waves = sized<pelagic_dynamic_waves_options>(bytes);
+    const std::uint32_t size = dynamic_waves.struct_size;
+    dynamic_waves.struct_size = sizeof dynamic_waves;
+    must_be_a_status(pelagic_dynamic_waves_defaults(&dynamic_waves));
+    dynamic_waves.struct_size = size;
+    dynamic_waves.resolution = 64;
     const auto kind = bytes.take<std::uint8_t>();
-    local.step = kind % 3;
+    dynamic_waves.step = kind % 3;
     if (kind > 250) {
         // Large ones are slow, not wrong.
         const auto resolution = bytes.take<std::int32_t>();
-        if (resolution <= 64 || resolution > 1024) local.resolution = resolution;
-        local.ticks_per_s = bytes.take<std::int32_t>();
+        if (resolution <= 64 || resolution > 1024) dynamic_waves.resolution = resolution;
+        dynamic_waves.ticks_per_s = bytes.take<std::int32_t>();
     }
-    change(bytes, local,
-           {&pelagic_local_options::side_m, &pelagic_local_options::border_m, &pelagic_local_options::depth_m,
-            &pelagic_local_options::viscosity_m2ps, &pelagic_local_options::wave_speed_mps,
-            &pelagic_local_options::decay_per_s, &pelagic_local_options::foam_height_m});
-    return local;
+    change(bytes, dynamic_waves,
+           {&pelagic_dynamic_waves_options::side_m, &pelagic_dynamic_waves_options::border_m, &pelagic_dynamic_waves_options::depth_m,
+            &pelagic_dynamic_waves_options::viscosity_m2ps, &pelagic_dynamic_waves_options::wave_speed_mps,
+            &pelagic_dynamic_waves_options::decay_per_s, &pelagic_dynamic_waves_options::foam_height_m});
+    return dynamic_waves;
 }
 
 /// \param heights  of its floor, as long as the ocean is being made
@@ -227,8 +227,8 @@ pelagic_ocean* any_ocean(Bytes& bytes) {
     const std::vector<pelagic_input*> inputs = parts / 16 == 15 ? any_inputs(bytes) : std::vector<pelagic_input*>();
     options.input_count = inputs.size();
     options.inputs = inputs.data();
-    pelagic_local_options local{};
-    if (queries / 4 % 4 == 3) local = any_local(bytes), options.local = &local;
+    pelagic_dynamic_waves_options dynamic_waves{};
+    if (queries / 4 % 4 == 3) dynamic_waves = any_dynamic_waves(bytes), options.dynamic_waves = &dynamic_waves;
     pelagic_shore_options shore{};
     std::array<float, 64> floor{};
     if (queries / 16 % 4 == 3) shore = any_shore(bytes, floor), options.shore = &shore;
@@ -381,16 +381,16 @@ void any_saved_water(Bytes& bytes, pelagic_ocean* ocean) {
 /// What frames show of the window and of the shore; every last byte of it is there.
 void any_water(const pelagic_ocean* ocean, Bytes& bytes) {
     std::uint64_t hash = 0;
-    must_be_a_status(pelagic_ocean_local_hash(ocean, &hash));
+    must_be_a_status(pelagic_ocean_dynamic_waves_hash(ocean, &hash));
     must_be_a_status(pelagic_ocean_shore_hash(ocean, &hash));
-    auto local = sized<pelagic_local_surface>(bytes);
+    auto dynamic_waves = sized<pelagic_dynamic_waves_view>(bytes);
     auto shore = sized<pelagic_shore_surface>(bytes);
     double sum = 0;
-    const pelagic_status of_local = pelagic_ocean_local(ocean, &local);
-    must_be_a_status(of_local);
-    if (of_local == PELAGIC_OK && local.struct_size == sizeof local) {
-        const auto last = static_cast<std::size_t>(local.resolution) * static_cast<std::size_t>(local.resolution) - 1;
-        sum += local.height_m[last] + local.rise_mps[last] + local.foam[last];
+    const pelagic_status of_dynamic_waves = pelagic_ocean_dynamic_waves(ocean, &dynamic_waves);
+    must_be_a_status(of_dynamic_waves);
+    if (of_dynamic_waves == PELAGIC_OK && dynamic_waves.struct_size == sizeof dynamic_waves) {
+        const auto last = static_cast<std::size_t>(dynamic_waves.resolution) * static_cast<std::size_t>(dynamic_waves.resolution) - 1;
+        sum += dynamic_waves.height_m[last] + dynamic_waves.rise_mps[last] + dynamic_waves.foam[last];
     }
     const pelagic_status of_shore = pelagic_ocean_shore(ocean, &shore);
     must_be_a_status(of_shore);

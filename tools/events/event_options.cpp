@@ -64,12 +64,12 @@ std::vector<std::string> warnings_about(const EventOptions& options, bool is_loo
     std::vector<std::string> warnings;
     if (const std::size_t outside = options.events_outside(); outside > 0)
         warnings.push_back(number_text(outside) + " of " + number_text(options.file->events.size()) +
-                           " events begin outside of the window of " + number_text(options.water.side_m) +
+                           " events begin outside of the grid of " + number_text(options.water.side_m) +
                            " m around " + number_text(options.middle_x_m) + "," + number_text(options.middle_z_m) +
                            ", where alone water answers; --events-side and --events-at say where it is");
     if (is_loop)
         warnings.push_back(
-            "the frames are a loop, but water that answers events does not come back to where it began");
+            "the frames are a loop, but dynamic waves events does not come back to where it began");
     return warnings;
 }
 
@@ -85,7 +85,7 @@ void EventFlags::add_to(CLI::App& app) {
                    "what pushes at the water, and when: columns time,x,z,radius,strength and, if wanted, "
                    "velocity,heading,duration,length,mode, named by the first line")
         ->type_name("FILE.csv");
-    app.add_option("--events-side", side_, "side of the window that answers, in metres; [1, 10000], default 64")
+    app.add_option("--events-side", side_, "side of the grid that answers, in metres; [1, 10000], default 64")
         ->type_name("METRES");
     app.add_option("--events-resolution", resolution_,
                    "texels along its side; 64, 128, 256, 512 or 1024, default 256")
@@ -116,7 +116,7 @@ std::optional<EventOptions> EventFlags::resolve(double depth_m) const {
             throw bad_value("--events-resolution", *resolution_, accepted);
         options.water.resolution = static_cast<int>(*texels);
     }
-    if (step_) options.water.step = one_of(local_step_names, "--events-step", *step_);
+    if (step_) options.water.step = one_of(dynamic_waves_step_names, "--events-step", *step_);
     options.water.border_m = options.water.side_m * border_part;
     options.water.depth_m = depth_m;
     if (const std::string reason = check(options.water); !reason.empty())

@@ -1,4 +1,4 @@
-// Which pushes at the water a command was given, and the window that answers them.
+// Which pushes at the water a command was given, and the grid that answers them.
 #pragma once
 
 #include <CLI/App.hpp>
@@ -9,28 +9,28 @@
 #include <string>
 #include <vector>
 
-#include "pelagic/sim/local_water.hpp"
+#include "pelagic/sim/dynamic_waves.hpp"
 #include "pelagic/tools/events/event_file.hpp"
 #include "pelagic/tools/text/named_values.hpp"
 
 namespace pelagic::tools {
 
-inline constexpr NamedValues<LocalStep, 2> local_step_names = {
-    {{LocalStep::spectral, "spectral"}, {LocalStep::verlet, "verlet"}}};
+inline constexpr NamedValues<DynamicWavesStep, 2> dynamic_waves_step_names = {
+    {{DynamicWavesStep::spectral, "spectral"}, {DynamicWavesStep::verlet, "verlet"}}};
 
 struct EventOptions {
     std::shared_ptr<const EventFile> file;
-    LocalWaterOptions water;
-    double middle_x_m = 0, middle_z_m = 0;  ///< of the window, which rests
+    DynamicWavesOptions water;
+    double middle_x_m = 0, middle_z_m = 0;  ///< of the grid, which rests
 
     double texel_m() const { return water.side_m / water.resolution; }
-    /// The lowest texels of the window, along x and z; texel i stands at i texel_m().
+    /// The lowest texels of the grid, along x and z; texel i stands at i texel_m().
     std::array<std::int64_t, 2> first_texels() const;
-    /// Rows whose push begins outside of the window, where no water answers.
+    /// Rows whose push begins outside of the grid, where no water answers.
     std::size_t events_outside() const;
 };
 
-/// What people should know of them: "3 of 10 events begin outside of the window ...". \param is_loop  frames are one loop
+/// What people should know of them: "3 of 10 events begin outside of the grid ...". \param is_loop  frames are one loop
 std::vector<std::string> warnings_about(const EventOptions& options, bool is_loop);
 
 /// Throws InputError if ticks from the first event to the last frame would take days.

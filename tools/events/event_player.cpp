@@ -7,7 +7,7 @@
 namespace pelagic::tools {
 namespace {
 
-/// Of a tick: a time that is meant to be a tick's own may be rounded, as an ocean takes it (frames/local_frames.cpp).
+/// Of a tick: a time that is meant to be a tick's own may be rounded, as an ocean takes it (frames/dynamic_wave_frames.cpp).
 constexpr double clock_slack = 0x1p-16;
 /// An ocean's jump in time has no more than that many seconds of ticks.
 constexpr double longest_jump_s = 0.5;
@@ -22,7 +22,7 @@ EventPlayer::EventPlayer(const EventOptions& options, std::shared_ptr<Executor> 
       rate_(options.water.ticks_per_s),
       words_(event_words(*options.file, options.water.ticks_per_s)),
       numbers_(options.file->events.size()),
-      ocean_(least_sea(), {.executor = std::move(executor), .isa = isa, .local = options.water}) {
+      ocean_(least_sea(), {.executor = std::move(executor), .isa = isa, .dynamic_waves = options.water}) {
     first_tick_ = words_.front().tick - 1;
     ocean_.follow(options_.middle_x_m, options_.middle_z_m);
     ocean_.frame_at(time_of(first_tick_));
@@ -53,21 +53,21 @@ void EventPlayer::go_to(std::int64_t tick) {
     }
 }
 
-LocalSurface EventPlayer::at(double time_s) {
+DynamicWavesView EventPlayer::at(double time_s) {
     const auto tick = static_cast<std::int64_t>(std::floor(time_s * rate_ + clock_slack));
     if (tick < tick_) {
         ocean_.restore_water(beginning_);
         tick_ = first_tick_;
         next_word_ = 0;
     }
-    if (tick < first_tick_) return ocean_.frame_at(time_of(first_tick_)).local;
+    if (tick < first_tick_) return ocean_.frame_at(time_of(first_tick_)).dynamic_waves;
     go_to(tick);
-    return ocean_.frame_at(time_s).local;
+    return ocean_.frame_at(time_s).dynamic_waves;
 }
 
-Frame with_water(const Frame& frame, const LocalSurface& water) {
+Frame with_water(const Frame& frame, const DynamicWavesView& water) {
     Frame both = frame;
-    both.local = water;
+    both.dynamic_waves = water;
     both.bounds.height_min_m += water.height_min_m;
     both.bounds.height_max_m += water.height_max_m;
     return both;

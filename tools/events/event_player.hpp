@@ -1,4 +1,4 @@
-// Water that answers the rows of a file, at any times: the same bits for a time whichever others were asked for before.
+// Dynamic waves the rows of a file, at any times: the same bits for a time whichever others were asked for before.
 //
 // Ticks follow upon each other from the one before the first event on, so a time costs the ticks since the time asked for before,
 // or since the first event if that was later. An event counts in the first tick that is not before it.
@@ -22,7 +22,7 @@ class EventPlayer {
     EventPlayer(const EventOptions& options, std::shared_ptr<Executor> executor, std::optional<Isa> isa);
 
     /// Valid until it is called again. \pre time_s is finite
-    LocalSurface at(double time_s);
+    DynamicWavesView at(double time_s);
 
    private:
     void say(const EventWord& word);
@@ -40,6 +40,6 @@ class EventPlayer {
 };
 
 /// The frame with the water beside its tiles, within its bounds.
-Frame with_water(const Frame& frame, const LocalSurface& water);
+Frame with_water(const Frame& frame, const DynamicWavesView& water);
 
 }  // namespace pelagic::tools

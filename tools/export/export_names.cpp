@@ -43,7 +43,7 @@ class NameReader {
     std::optional<MapKind> take_map_and_tile() {
         const auto* map =
             std::find_if(all_maps.begin(), all_maps.end(), [&](MapKind one) { return take(name_of(one)); });
-        if (map == all_maps.end() && take(name_of(MapKind::local))) return MapKind::local;
+        if (map == all_maps.end() && take(name_of(MapKind::dynamic_waves))) return MapKind::dynamic_waves;
         if (map == all_maps.end() || (take("_c") && !take_number(1, 1, most_tiles - 1))) return {};
         return *map;
     }

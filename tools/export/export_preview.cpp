@@ -237,7 +237,7 @@ void preview_export(const ExportOptions& options, OceanOptions how, const Output
     const double first_s = options.times.time_of(options.times.number(0));
     Frame frame = ocean.frame_at(first_s);
     std::optional<EventPlayer> player;
-    if (options.events) frame.local = player.emplace(*options.events, how.executor, how.isa).at(first_s);
+    if (options.events) frame.dynamic_waves = player.emplace(*options.events, how.executor, how.isa).at(first_s);
     const Expected expected = expected_of(options, frame);
     const std::string sea = "Hs " + rounded_text(measured_significant_wave_height_m(frame), 3) + " m, peak period " +
                             rounded_text(expected_waves(options.sea.sea).peak_period_s, 2) + " s";

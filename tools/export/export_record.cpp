@@ -59,7 +59,7 @@ std::optional<FrameRecord> accepted_frame(const ReadJson& entry, const ExportOpt
                        .time_s = options.times.time_of(number.get<int>()),
                        .hash = text_of(value_of(entry, "hash")),
                        .foam_hash = has_foam ? text_of(value_of(entry, "foam_hash")) : "",
-                       .local_hash = options.events ? text_of(value_of(entry, "local_hash")) : "",
+                       .dynamic_waves_hash = options.events ? text_of(value_of(entry, "dynamic_waves_hash")) : "",
                        .significant_wave_height_m = number_of(value_of(entry, "significant_wave_height_m")),
                        .height_min_m = number_of(value_of(entry, "height_min_m")),
                        .height_max_m = number_of(value_of(entry, "height_max_m")),
@@ -67,7 +67,7 @@ std::optional<FrameRecord> accepted_frame(const ReadJson& entry, const ExportOpt
     const ReadJson& files = value_of(entry, "files");
     const std::vector<std::string> names = file_names(options, record.frame);
     if (files.size() != names.size() || has_foam == record.foam_hash.empty() ||
-        options.events.has_value() == record.local_hash.empty())
+        options.events.has_value() == record.dynamic_waves_hash.empty())
         return {};
     for (std::size_t i = 0; i < names.size(); ++i)
         record.files.push_back({names[i], files.is_array() ? text_of(value_of(files[i], "xxh3")) : ""});

@@ -98,23 +98,23 @@ ExrPart empty_part(const ImagePart& of, const Frame& frame, int number, const Fr
             .frames_per_second = times.fps ? *times.fps : static_cast<double>(times.count()) / times.loop_period_s};
 }
 
-/// A file of the window of water that answers.
-ExrPart local_part(const Frame& frame, int number, const ExportOptions& options) {
-    const LocalSurface& water = frame.local;
+/// A file of the dynamic-wave grid.
+ExrPart dynamic_waves_part(const Frame& frame, int number, const ExportOptions& options) {
+    const DynamicWavesView& water = frame.dynamic_waves;
     const MapOptions& maps = options.maps;
-    const ImagePart of{.map = MapKind::local};
+    const ImagePart of{.map = MapKind::dynamic_waves};
     ExrPart part = empty_part(of, frame, number, options.times, maps);
     part.side = water.resolution;
     ExrLayer layer{.channels = {}, .sample = maps.sample_of(of.map), .image_of = [&water, &maps](int) {
-                       return local_map_image(water, maps);
+                       return dynamic_waves_map_image(water, maps);
                    }};
     for (const ChannelMeaning& channel : channel_meanings(of.map, maps)) layer.channels.emplace_back(channel.channel);
     part.layers.push_back(std::move(layer));
     for (auto& [name, value] : part.attributes) {
         if (name == "wrapmodes") value = "black,black";
         if (name == "pelagic:rows")
-            value = maps.rows == FirstRow::bottom ? "the last row is the window's lowest z"
-                                                  : "row 0 is the upper edge, the window's lowest z";
+            value = maps.rows == FirstRow::bottom ? "the last row is the grid's lowest z"
+                                                  : "row 0 is the upper edge, the grid's lowest z";
     }
     const auto add = [&](const char* name, auto value) {
         part.attributes.emplace_back(std::string("pelagic:") + name, std::move(value));
@@ -134,8 +134,8 @@ ExrFile exr_file(const ImageFile& file, const Frame& frame, int number, const Ex
     // Parts too have the layer in their channels' names: OpenEXR wants no reader to guess it from the part's.
     const bool is_packed = options.maps.pack != Pack::files, has_layers = options.maps.pack == Pack::layers;
     for (const ImagePart& of : file.parts) {
-        if (of.map == MapKind::local) {
-            exr.parts.push_back(local_part(frame, number, options));
+        if (of.map == MapKind::dynamic_waves) {
+            exr.parts.push_back(dynamic_waves_part(frame, number, options));
             continue;
         }
         const Tile& tile = frame.tiles[static_cast<std::size_t>(of.tile)];

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "pelagic/sim/frame_buffers.hpp"
-#include "pelagic/sim/local_water.hpp"
+#include "pelagic/sim/dynamic_waves.hpp"
 #include "pelagic/sim/statistics.hpp"
 #include "pelagic/tools/export/image_files.hpp"
 #include "pelagic/tools/export/mesh_files.hpp"
@@ -29,9 +29,9 @@ struct NeededViews {
           velocities(options.maps.has(MapKind::velocity)),
           gradient(options.maps.has(MapKind::gradient)),
           foam(options.has_foam()),
-          local(options.events.has_value()) {}
+          dynamic_waves(options.events.has_value()) {}
 
-    bool planes, velocities, gradient, foam, local;
+    bool planes, velocities, gradient, foam, dynamic_waves;
 };
 
 /// What a frame's files need of it, copied, so that its images can be encoded while the ocean goes on.
@@ -41,10 +41,10 @@ class FrameCopy {
         : frame_(frame), tiles_(frame.tiles.begin(), frame.tiles.end()) {
         for (Tile& tile : tiles_) copies_.push_back(copied(tile, needed));
         frame_.tiles = tiles_;
-        if (!needed.local) return;
-        copy_if(true, local_height_m_, frame_.local.height_m);
-        copy_if(true, local_rise_mps_, frame_.local.rise_mps);
-        copy_if(true, local_foam_, frame_.local.foam);
+        if (!needed.dynamic_waves) return;
+        copy_if(true, dynamic_height_m_, frame_.dynamic_waves.height_m);
+        copy_if(true, dynamic_rise_mps_, frame_.dynamic_waves.rise_mps);
+        copy_if(true, dynamic_foam_, frame_.dynamic_waves.foam);
     }
     FrameCopy(const FrameCopy&) = delete;
 
@@ -91,8 +91,8 @@ class FrameCopy {
     Frame frame_;
     std::vector<Tile> tiles_;
     std::vector<Copies> copies_;
-    std::vector<float> local_height_m_, local_rise_mps_;
-    std::vector<std::uint8_t> local_foam_;
+    std::vector<float> dynamic_height_m_, dynamic_rise_mps_;
+    std::vector<std::uint8_t> dynamic_foam_;
 };
 
 constexpr const char* file_category = "file";
@@ -107,7 +107,7 @@ std::string_view trace_name(MapKind map) {
         case MapKind::velocity: return "encode velocity";
         case MapKind::jacobian: return "encode jacobian";
         case MapKind::slope: return "encode slope";
-        case MapKind::local: return "encode local";
+        case MapKind::dynamic_waves: return "encode dynamic-waves";
     }
     return "";
 }
@@ -185,7 +185,7 @@ FrameRecord figures_of(int number, const Frame& frame, bool has_foam) {
             .time_s = frame.time_s,
             .hash = hex_text(hash_of(frame)),
             .foam_hash = has_foam ? hex_text(foam_hash_of(frame)) : "",
-            .local_hash = frame.local ? hex_text(local_hash_of(frame)) : "",
+            .dynamic_waves_hash = frame.dynamic_waves ? hex_text(dynamic_waves_hash_of(frame)) : "",
             .significant_wave_height_m = measured_significant_wave_height_m(frame),
             .height_min_m = frame.bounds.height_min_m,
             .height_max_m = frame.bounds.height_max_m,
@@ -200,8 +200,8 @@ WritingPlan plan_writing(const ExportOptions& options, std::size_t most_bytes) {
     const std::size_t bytes_per_texel =
         bytes_per_texel_in_flight + (options.maps.has(MapKind::velocity) ? bytes_per_texel_of_velocities : 0);
     const std::size_t row = options.meshes.any() ? static_cast<std::size_t>(options.meshes.patch.steps) + 1 : 0;
-    const auto window = static_cast<std::size_t>(options.events ? options.events->water.resolution : 0);
-    const std::size_t bytes = side * side * tiles * bytes_per_texel + window * window * bytes_per_texel_in_flight +
+    const auto grid = static_cast<std::size_t>(options.events ? options.events->water.resolution : 0);
+    const std::size_t bytes = side * side * tiles * bytes_per_texel + grid * grid * bytes_per_texel_in_flight +
                               row * row * bytes_per_vertex_in_flight;
     const std::size_t frames = std::min(threads, most_bytes / bytes);
     if (frames >= 2) return {frames, std::min((threads + frames - 1) / frames, tiles)};

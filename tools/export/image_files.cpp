@@ -64,8 +64,8 @@ std::vector<ImageFile> image_files(const ExportOptions& options, int frame) {
     // A file of its own, however others are packed: it has another size than tiles.
     if (options.events)
         files.push_back(
-            {.name = image_name(options.maps, {.map = MapKind::local, .tile = 0, .level = 0}, frame, false),
-             .parts = {{.map = MapKind::local}}});
+            {.name = image_name(options.maps, {.map = MapKind::dynamic_waves, .tile = 0, .level = 0}, frame, false),
+             .parts = {{.map = MapKind::dynamic_waves}}});
     return files;
 }
 
@@ -73,8 +73,8 @@ std::vector<unsigned char> encode_image_file(const ImageFile& file, const Frame&
                                              const ExportOptions& options) {
     const ImagePart& part = file.parts.front();
     if (options.maps.is_exr(part.map)) return image_codec().encode_exr(exr_file(file, frame, number, options));
-    if (part.map == MapKind::local)
-        return encode_pixels(part.map, {square(local_map_image(frame.local, options.maps))}, options.maps);
+    if (part.map == MapKind::dynamic_waves)
+        return encode_pixels(part.map, {square(dynamic_waves_map_image(frame.dynamic_waves, options.maps))}, options.maps);
     const Tile& tile = frame.tiles[static_cast<std::size_t>(part.tile)];
     std::vector<TextureImage> levels;
     if (is_texture(options.maps.format))

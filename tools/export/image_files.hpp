@@ -10,7 +10,7 @@
 
 namespace pelagic::tools {
 
-/// A map of a tile, with so many levels of its chain; or the window of water that answers.
+/// A map of a tile, with so many levels of its chain; or the dynamic-wave grid.
 struct ImagePart {
     MapKind map;
     int tile = 0;  ///< 0 is the coarsest

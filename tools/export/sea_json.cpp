@@ -27,7 +27,7 @@ Json names_as_json(const std::vector<FileRecord>& files) {
 Json figures_as_json(const FrameRecord& record) {
     Json json = {{"frame", record.frame}, {"time_s", record.time_s}, {"hash", record.hash}};
     if (!record.foam_hash.empty()) json["foam_hash"] = record.foam_hash;
-    if (!record.local_hash.empty()) json["local_hash"] = record.local_hash;
+    if (!record.dynamic_waves_hash.empty()) json["dynamic_waves_hash"] = record.dynamic_waves_hash;
     json["significant_wave_height_m"] = record.significant_wave_height_m;
     json["height_min_m"] = record.height_min_m;
     json["height_max_m"] = record.height_max_m;
@@ -99,7 +99,7 @@ Json options_as_json(const ExportOptions& options) {
         how["events_side_m"] = options.events->water.side_m;
         how["events_resolution"] = options.events->water.resolution;
         how["events_at"] = {options.events->middle_x_m, options.events->middle_z_m};
-        how["events_step"] = name_in(local_step_names, options.events->water.step);
+        how["events_step"] = name_in(dynamic_waves_step_names, options.events->water.step);
     }
     if (options.meshes.any()) how["mesh"] = mesh_as_json(options.meshes);
     Json json = {{"version", PELAGIC_VERSION}, {"sea", sea_as_json(options.sea)}};
@@ -201,7 +201,7 @@ Json sea_json_head(const ExportOptions& options, double mean_significant_wave_he
     json["layout"] = layout_as_json(forecast_of(options.sea), options.maps);
     if (options.events) {
         const auto [first_x, first_z] = options.events->first_texels();
-        json["local"] = local_layout_as_json(
+        json["dynamic_waves"] = dynamic_waves_layout_as_json(
             {options.events->water.resolution, options.events->texel_m(), first_x, first_z}, options.maps);
     }
     json["repeats_after_m"] = repeats_after_m(options.sea);

@@ -25,7 +25,7 @@ struct FrameRecord {
     double time_s = 0;
     std::string hash;        ///< hash_of() as 16 hexadecimal digits
     std::string foam_hash;   ///< foam_hash_of() likewise; empty without maps of foam
-    std::string local_hash;  ///< local_hash_of() likewise; empty without events
+    std::string dynamic_waves_hash;  ///< dynamic_waves_hash_of() likewise; empty without events
     double significant_wave_height_m = 0;
     double height_min_m = 0, height_max_m = 0;
     std::vector<FileRecord> files;

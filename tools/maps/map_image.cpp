@@ -111,10 +111,10 @@ std::vector<MapImage> map_levels(const Tile& tile, MapKind map, int first_level,
     return images;
 }
 
-MapImage local_map_image(const LocalSurface& water, const MapOptions& options) {
+MapImage dynamic_waves_map_image(const DynamicWavesView& water, const MapOptions& options) {
     const auto side = static_cast<std::size_t>(water.resolution);
     const float factor = units_per_metre(options.unit);
-    MapValues values{.side = water.resolution, .channels = channels_of(MapKind::local), .values = {}};
+    MapValues values{.side = water.resolution, .channels = channels_of(MapKind::dynamic_waves), .values = {}};
     values.values.reserve(3 * side * side);
     const auto in_torus = [&](std::int64_t first, std::size_t i) {
         return static_cast<std::size_t>((first + static_cast<std::int64_t>(i)) & (water.resolution - 1));
@@ -126,8 +126,8 @@ MapImage local_map_image(const LocalSurface& water, const MapOptions& options) {
                                       static_cast<float>(water.foam[texel]) / 255})
                 values.values.push_back(value);
         }
-    const Sample sample = options.sample_of(MapKind::local);
-    MapImage image{values.side, values.channels, sample, stored(values, MapKind::local, sample)};
+    const Sample sample = options.sample_of(MapKind::dynamic_waves);
+    MapImage image{values.side, values.channels, sample, stored(values, MapKind::dynamic_waves, sample)};
     if (options.rows == FirstRow::bottom) turn_rows_over(image);
     return image;
 }

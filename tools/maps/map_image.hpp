@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "pelagic/sim/local_surface.hpp"
+#include "pelagic/sim/dynamic_waves_view.hpp"
 #include "pelagic/sim/tile.hpp"
 #include "pelagic/tools/maps/map_options.hpp"
 
@@ -26,8 +26,8 @@ MapImage map_image(const Tile& tile, MapKind map, int level, const MapOptions& o
 std::vector<MapImage> map_levels(const Tile& tile, MapKind map, int first_level, int levels,
                                  const MapOptions& options);
 
-/// Water that answers: heights, how fast they rise, foam; rows and columns from the window's lowest texel on, along z and x.
-MapImage local_map_image(const LocalSurface& water, const MapOptions& options);
+/// Dynamic waves: heights, how fast they rise, foam; rows and columns from the grid's lowest texel on, along z and x.
+MapImage dynamic_waves_map_image(const DynamicWavesView& water, const MapOptions& options);
 
 /// Whether any image of this process holds +-65504, the largest half, for a value beyond that. Any thread.
 bool clamped_halves();

@@ -13,7 +13,7 @@ std::string_view name_of(MapKind map) {
         case MapKind::velocity: return "velocity";
         case MapKind::jacobian: return "jacobian";
         case MapKind::slope: return "slope";
-        case MapKind::local: return "local";
+        case MapKind::dynamic_waves: return "dynamic-waves";
     }
     return "";
 }

@@ -7,8 +7,8 @@
 
 namespace pelagic::tools {
 
-/// `local` is no tile's: a window of water that answers, which is there with --events alone.
-enum class MapKind { displacement, gradient, normal, foam, velocity, jacobian, slope, local };
+/// `dynamic_waves` is no tile's: a dynamic-wave grid, which is there with --events alone.
+enum class MapKind { displacement, gradient, normal, foam, velocity, jacobian, slope, dynamic_waves };
 
 /// Those of tiles, in the order in which records and files list them.
 inline constexpr std::array all_maps = {MapKind::displacement, MapKind::gradient, MapKind::normal, MapKind::foam,
@@ -19,7 +19,7 @@ std::string_view name_of(MapKind map);
 
 /// Its smaller levels, down to one texel, have files of their own: those of what moves vertices are rarely asked for.
 constexpr bool has_chain(MapKind map) {
-    return map != MapKind::displacement && map != MapKind::velocity && map != MapKind::local;
+    return map != MapKind::displacement && map != MapKind::velocity && map != MapKind::dynamic_waves;
 }
 
 /// Its values lie in [-1, 1], so that --bit-depth can store them as 8 or 16 bits.
@@ -31,7 +31,7 @@ constexpr int channels_of(MapKind map) {
         case MapKind::gradient: return 4;
         case MapKind::displacement:
         case MapKind::normal:
-        case MapKind::local:
+        case MapKind::dynamic_waves:
         case MapKind::velocity: return 3;
         case MapKind::slope: return 2;
         case MapKind::foam:

@@ -95,9 +95,9 @@ std::vector<float> values_of(const Tile& tile, MapKind map, const MapOptions& op
         case MapKind::slope: return slopes(tile, options.up_axis);
         case MapKind::foam: return foam(tile);
         case MapKind::gradient:
-        case MapKind::local: break;
+        case MapKind::dynamic_waves: break;
     }
-    assert(false && "gradients are bytes already, and the window is no tile's");
+    assert(false && "gradients are bytes already, and the grid is no tile's");
     return {};
 }
 

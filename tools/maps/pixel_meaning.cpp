@@ -54,7 +54,7 @@ std::vector<Channel> channels_of(MapKind map, const MapOptions& options) {
         case MapKind::jacobian: return {{"jacobian", "1", {}}};
         case MapKind::slope: return {{"dh_dx", "1", {}}, {is_z_up ? "dh_dy" : "dh_dz", "1", {}}};
         case MapKind::foam: return {{"foam", "1", {}, one_sign}};
-        case MapKind::local:
+        case MapKind::dynamic_waves:
             return {{"height", "m", in_metres}, {"rise", "m/s", in_metres}, {"foam", "1", {}, one_sign}};
     }
     return {};
@@ -142,10 +142,10 @@ std::vector<ChannelMeaning> channel_meanings(MapKind map, const MapOptions& opti
     return meanings;
 }
 
-Json channels_as_json(const MapOptions& options, bool has_local) {
+Json channels_as_json(const MapOptions& options, bool has_dynamic_waves) {
     Json maps = Json::object();
     for (const MapKind map : options.maps) maps[std::string(name_of(map))] = list_of(map, options);
-    if (has_local) maps[std::string(name_of(MapKind::local))] = list_of(MapKind::local, options);
+    if (has_dynamic_waves) maps[std::string(name_of(MapKind::dynamic_waves))] = list_of(MapKind::dynamic_waves, options);
     return maps;
 }
 
@@ -168,15 +168,15 @@ Json layout_as_json(const Forecast& forecast, const MapOptions& options) {
             {"alpha_is_opacity", false}};
 }
 
-Json local_layout_as_json(const WindowPlace& window, const MapOptions& options) {
-    const double sign = sign_of_z(options.up_axis), texel_m = window.texel_m;
-    const RowPlaces rows(sign * texel_m, window.resolution, options.rows);
-    const double first_row_m = sign * static_cast<double>(window.first_z) * texel_m;
-    return {{"resolution", window.resolution},
+Json dynamic_waves_layout_as_json(const GridPlace& grid, const MapOptions& options) {
+    const double sign = sign_of_z(options.up_axis), texel_m = grid.texel_m;
+    const RowPlaces rows(sign * texel_m, grid.resolution, options.rows);
+    const double first_row_m = sign * static_cast<double>(grid.first_z) * texel_m;
+    return {{"resolution", grid.resolution},
             {"texel_m", texel_m},
-            {"first_x", window.first_x},
-            {"first_z", window.first_z},
-            {"x_m_of_column", as_json({texel_m, static_cast<double>(window.first_x) * texel_m + 0.0})},
+            {"first_x", grid.first_x},
+            {"first_z", grid.first_z},
+            {"x_m_of_column", as_json({texel_m, static_cast<double>(grid.first_x) * texel_m + 0.0})},
             {std::string(other_axis(options.up_axis)) + "_m_of_row",
              as_json({rows.a_row, rows.offset + first_row_m + 0.0})}};
 }
@@ -194,8 +194,8 @@ std::string pixel_meaning() {
   velocity      of the point that is drawn, along x, y, z, metres a second; for motion blur
   jacobian      one channel: J, not clamped; below 1 pressed together, below 0 turned over
   slope         R, G = dh/dx, dh/dz (z-up: dh/dy) of the heights over the rest places
-  local         with --events: R, G, B = height, how fast it rises (m/s), foam (1 covered) of the water that answers, floats;
-                its height adds to the tiles' where water is drawn. sea.json says where the window lies (local)
+  dynamic_waves         with --events: R, G, B = height, how fast it rises (m/s), foam (1 covered) of the dynamic waves, floats;
+                its height adds to the tiles' where water is drawn. sea.json says where the grid lies (dynamic_waves)
   place         N texels a side, L metres: column i, row j rests at x = i L/N, z = j L/N and is drawn at
                 (x + Dx, height, z + Dz). Row 0 is the upper edge of the image and z = 0 (--rows bottom: the last row is
                 z = 0). The rest place is the texel's corner, its number stands at the centre: u = (i + 0.5)/N,

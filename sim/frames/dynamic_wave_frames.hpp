@@ -1,4 +1,4 @@
-// Water that answers beside the frames of an ocean: which ticks a frame needs, the runs that make them, and two slots for what frames
+// Dynamic waves beside the frames of an ocean: which ticks a frame needs, the runs that make them, and two slots for what frames
 // show of it.
 #pragma once
 
@@ -12,28 +12,28 @@
 
 #include "pelagic/jobs/executor.hpp"
 #include "pelagic/jobs/job_graph.hpp"
-#include "pelagic/sim/local_surface.hpp"
-#include "pelagic/sim/sources/local_grid.hpp"
+#include "pelagic/sim/dynamic_waves_view.hpp"
+#include "pelagic/sim/sources/dynamic_wave_grid.hpp"
 #include "pelagic/simd/host_memory.hpp"
 
 namespace pelagic {
 
-class LocalFrames {
+class DynamicWaveFrames {
    public:
     using Prepare = std::function<std::unique_ptr<GraphRun>(const JobGraph&)>;
 
     /// A jump in time is no more ticks than that many seconds have.
     static constexpr double most_seconds_a_frame = 0.5;
 
-    LocalFrames(const LocalWaterOptions& options, Isa isa, const HostMemory& memory, const Prepare& prepare);
-    LocalFrames(const LocalFrames&) = delete;  // stages point into it
-    LocalFrames& operator=(const LocalFrames&) = delete;
+    DynamicWaveFrames(const DynamicWavesOptions& options, Isa isa, const HostMemory& memory, const Prepare& prepare);
+    DynamicWaveFrames(const DynamicWaveFrames&) = delete;  // stages point into it
+    DynamicWaveFrames& operator=(const DynamicWaveFrames&) = delete;
 
     // Commands take effect at the next begin_frame(), in their order.
     //
     // Disturbances wait for the next tick. Of a frame whose time is not after the time of the frame before, they are provisional: they
     // give way to those of the next such frame that has any, so an application that is paused adds nothing up, and to those of later frames
-    // where there is no room for both. Throws std::invalid_argument where more than LocalSources::most would wait.
+    // where there is no room for both. Throws std::invalid_argument where more than DynamicWaveSources::most would wait.
     void disturb(const Disturbance& disturbance);
     std::uint32_t add_source(const Disturbance& source);
     void set_source(std::uint32_t number, const Disturbance& source);
@@ -49,7 +49,7 @@ class LocalFrames {
     void complete();
     bool is_done() const;
     /// Of the frame completed last. Valid until the second begin_frame() from now.
-    LocalSurface surface() const;
+    DynamicWavesView surface() const;
     /// Gives up what begin_frame() began, so that the frame before stays; its ticks are not undone.
     void drop_frame();
 
@@ -69,7 +69,7 @@ class LocalFrames {
     void take_what_was_said(bool time_goes_on);
     void show_rows(std::size_t item);
 
-    LocalGrid grid_;
+    DynamicWaveGrid grid_;
     /// What a host said since the last begin_frame().
     struct Said {
         enum class What { disturb, add, set, remove, follow, rain } what;

@@ -1,4 +1,4 @@
-// Water that answers, as bits: the same on every instruction set and executor, through windows that move, saved and restored.
+// Dynamic waves, as bits: the same on every instruction set and executor, through grids that move, saved and restored.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -16,14 +16,14 @@
 #include "pelagic/tests/each_executor.hpp"
 #include "pelagic/tests/each_isa.hpp"
 #include "pelagic/tests/emulated.hpp"
-#include "pelagic/tests/local_pool.hpp"
+#include "pelagic/tests/dynamic_wave_pool.hpp"
 #include "pelagic/tests/sanitized.hpp"
 #include "pelagic/tests/sweep.hpp"
 
 namespace pelagic {
 namespace {
 
-LocalWaterOptions small(LocalStep step) {
+DynamicWavesOptions small(DynamicWavesStep step) {
     return {.step = step, .resolution = 64, .side_m = 32, .border_m = 6, .foam_height_m = 0.05};
 }
 
@@ -31,7 +31,7 @@ LocalWaterOptions small(LocalStep step) {
 double sawtooth(int tick, int period) { return 2.0 * (tick % period) / period - 1; }
 
 /// What happens at tick n of a log: somebody who is followed, a hull beside him, rain.
-void happen(LocalGrid& grid, int tick) {
+void happen(DynamicWaveGrid& grid, int tick) {
     const double x = 0.05 * tick, z = 5 * sawtooth(tick, 70);
     grid.follow(x, z);
     grid.sources().disturb({.shape = Disturbance::Shape::hull,
@@ -51,9 +51,9 @@ void happen(LocalGrid& grid, int tick) {
                                 .height_m = 0.3});
 }
 
-std::uint64_t replayed(const LocalWaterOptions& options, Isa isa, std::shared_ptr<Executor> executor,
+std::uint64_t replayed(const DynamicWavesOptions& options, Isa isa, std::shared_ptr<Executor> executor,
                        int ticks = 90) {
-    LocalPool pool(options, isa, std::move(executor));
+    DynamicWavePool pool(options, isa, std::move(executor));
     for (int i = 0; i < ticks; ++i) {
         happen(pool.grid, i);
         pool.tick();
@@ -61,10 +61,10 @@ std::uint64_t replayed(const LocalWaterOptions& options, Isa isa, std::shared_pt
     return pool.grid.hash();
 }
 
-TEST(LocalReplay, HasTheSameBitsEverywhere) {
-    for (const LocalStep step : {LocalStep::spectral, LocalStep::verlet}) {
+TEST(DynamicWaveReplay, HasTheSameBitsEverywhere) {
+    for (const DynamicWavesStep step : {DynamicWavesStep::spectral, DynamicWavesStep::verlet}) {
         for (const int resolution : {64, 128}) {
-            LocalWaterOptions options = small(step);
+            DynamicWavesOptions options = small(step);
             options.resolution = resolution;
             options.side_m = 0.5 * resolution;
             const std::uint64_t expected = replayed(options, isas_here().front(), make_serial_executor());
@@ -77,12 +77,12 @@ TEST(LocalReplay, HasTheSameBitsEverywhere) {
     }
 }
 
-// tests/golden/local_water.txt: what another compiler, processor or version has to find as well.
-TEST(LocalReplay, HasTheGoldenBits) {
-    std::ifstream golden(PELAGIC_GOLDEN_FOLDER "/local_water.txt");
+// tests/golden/dynamic_waves.txt: what another compiler, processor or version has to find as well.
+TEST(DynamicWaveReplay, HasTheGoldenBits) {
+    std::ifstream golden(PELAGIC_GOLDEN_FOLDER "/dynamic_waves.txt");
     int lines = 0;
     for (std::string name, hash; golden >> name >> hash; ++lines) {
-        const LocalStep step = name == "spectral" ? LocalStep::spectral : LocalStep::verlet;
+        const DynamicWavesStep step = name == "spectral" ? DynamicWavesStep::spectral : DynamicWavesStep::verlet;
         std::ostringstream found;
         found << std::hex << std::setw(16) << std::setfill('0')
               << replayed(small(step), choose_isa(), make_serial_executor());
@@ -91,10 +91,10 @@ TEST(LocalReplay, HasTheGoldenBits) {
     EXPECT_EQ(lines, 2);
 }
 
-TEST(LocalWindowMoves, AndKeepsEveryTexelThatItStillCovers) {
-    for (const LocalStep step : {LocalStep::spectral, LocalStep::verlet}) {
-        LocalPool pool(small(step));
-        LocalGrid& grid = pool.grid;
+TEST(GridPlacementMoves, AndKeepsEveryTexelThatItStillCovers) {
+    for (const DynamicWavesStep step : {DynamicWavesStep::spectral, DynamicWavesStep::verlet}) {
+        DynamicWavePool pool(small(step));
+        DynamicWaveGrid& grid = pool.grid;
         for (int i = 0; i < 40; ++i) {
             happen(grid, i);
             pool.tick();
@@ -131,15 +131,15 @@ TEST(LocalWindowMoves, AndKeepsEveryTexelThatItStillCovers) {
     }
 }
 
-TEST(LocalWindowMoves, LeavesVerletsBitsAsALargerWindowHasThem) {
-    LocalWaterOptions narrow = small(LocalStep::verlet), wide = narrow;
+TEST(GridPlacementMoves, LeavesVerletsBitsAsALargerWindowHasThem) {
+    DynamicWavesOptions narrow = small(DynamicWavesStep::verlet), wide = narrow;
     narrow.border_m = wide.border_m = 4;
     wide.resolution = 256;
     wide.side_m = 128;
-    LocalPool a(narrow), b(wide);
+    DynamicWavePool a(narrow), b(wide);
     const int ticks = 20;
     for (int i = 0; i < ticks; ++i) {
-        for (LocalPool* pool : {&a, &b}) {
+        for (DynamicWavePool* pool : {&a, &b}) {
             pool->grid.sources().disturb({.x_m = 1, .z_m = -2, .radius_m = 0.7, .height_m = 0.4});
             pool->tick();
         }
@@ -154,10 +154,10 @@ TEST(LocalWindowMoves, LeavesVerletsBitsAsALargerWindowHasThem) {
     EXPECT_GT(largest, 0.05);
 }
 
-TEST(LocalSaved, IsAsIfOneHadNeverLeft) {
-    for (const LocalStep step : {LocalStep::spectral, LocalStep::verlet}) {
-        LocalPool stays(small(step)), goes(small(step)), late(small(step));
-        const auto go_on = [](LocalPool& pool, int from, int to) {
+TEST(DynamicWaveState, IsAsIfOneHadNeverLeft) {
+    for (const DynamicWavesStep step : {DynamicWavesStep::spectral, DynamicWavesStep::verlet}) {
+        DynamicWavePool stays(small(step)), goes(small(step)), late(small(step));
+        const auto go_on = [](DynamicWavePool& pool, int from, int to) {
             for (int i = from; i < to; ++i) {
                 happen(pool.grid, i);
                 pool.tick();
@@ -177,8 +177,8 @@ TEST(LocalSaved, IsAsIfOneHadNeverLeft) {
     }
 }
 
-TEST(LocalSaved, OfSomethingElseIsRefusedAndSpoilsNothing) {
-    LocalPool pool(small(LocalStep::spectral));
+TEST(DynamicWaveState, OfSomethingElseIsRefusedAndSpoilsNothing) {
+    DynamicWavePool pool(small(DynamicWavesStep::spectral));
     for (int i = 0; i < 5; ++i) {
         happen(pool.grid, i);
         pool.tick();
@@ -208,30 +208,30 @@ TEST(LocalSaved, OfSomethingElseIsRefusedAndSpoilsNothing) {
     refuses(with(saved.size() / 2, 1e30f), "texel of the water is 1e+30, needs [-1e6, 1e6]");
 }
 
-TEST(LocalGridRefuses, WhatItCantTake) {
+TEST(DynamicWavesGridRefuses, WhatItCantTake) {
     const auto reason = [](auto change) {
-        LocalWaterOptions options;
+        DynamicWavesOptions options;
         change(options);
         return check(options);
     };
-    EXPECT_EQ(check(LocalWaterOptions{}), "");
+    EXPECT_EQ(check(DynamicWavesOptions{}), "");
     EXPECT_EQ(reason([](auto& o) { o.resolution = 100; }), "resolution is 100, needs 64, 128, 256, 512 or 1024");
     EXPECT_EQ(reason([](auto& o) { o.border_m = 17; }), "border_m is 17, needs at most a quarter of side_m, 16");
     EXPECT_EQ(reason([](auto& o) { o.side_m = std::numeric_limits<double>::quiet_NaN(); }),
               "side_m is nan, needs [1, 10000]");
     // c = (9.5 / (60 x 0.25))^2 = 0.401
-    EXPECT_EQ(reason([](auto& o) { o.step = LocalStep::verlet, o.wave_speed_mps = 9.5; }),
+    EXPECT_EQ(reason([](auto& o) { o.step = DynamicWavesStep::verlet, o.wave_speed_mps = 9.5; }),
               "wave_speed_mps is 9.5, needs c = (wave_speed_mps / (ticks_per_s texel))^2 to be 0.4 at most, which is "
               "0.401");
-    EXPECT_EQ(reason([](auto& o) { o.step = LocalStep::verlet, o.wave_speed_mps = 9.48; }), "");
+    EXPECT_EQ(reason([](auto& o) { o.step = DynamicWavesStep::verlet, o.wave_speed_mps = 9.48; }), "");
     EXPECT_EQ(reason([](auto& o) { o.wave_speed_mps = 9.5; }), "") << "only Verlet's waves have that speed";
-    LocalWaterOptions wrong;
+    DynamicWavesOptions wrong;
     wrong.ticks_per_s = 1;
-    EXPECT_THROW(LocalGrid(wrong, choose_isa()), std::invalid_argument);
+    EXPECT_THROW(DynamicWaveGrid(wrong, choose_isa()), std::invalid_argument);
 }
 
-TEST(LocalGridRefuses, NumbersThatAreNoneAndHugeOnes) {
-    LocalPool pool(small(LocalStep::spectral));
+TEST(DynamicWavesGridRefuses, NumbersThatAreNoneAndHugeOnes) {
+    DynamicWavePool pool(small(DynamicWavesStep::spectral));
     happen(pool.grid, 0);
     pool.tick();
     const std::uint64_t before = pool.grid.hash();
@@ -248,7 +248,7 @@ TEST(LocalGridRefuses, NumbersThatAreNoneAndHugeOnes) {
         }
     }
     EXPECT_EQ(pool.grid.hash(), before);
-    for (std::size_t i = 0; i < LocalSources::most; ++i) pool.grid.sources().disturb({.height_m = 0.1});
+    for (std::size_t i = 0; i < DynamicWaveSources::most; ++i) pool.grid.sources().disturb({.height_m = 0.1});
     EXPECT_THROW(pool.grid.sources().disturb({.height_m = 0.1}), std::invalid_argument);
     pool.tick();
     pool.grid.sources().disturb({.height_m = 0.1});
@@ -260,27 +260,27 @@ TEST(LocalGridRefuses, NumbersThatAreNoneAndHugeOnes) {
 }
 
 /// omega dt of Verlet's waves of two texels along an axis: sin(omega dt / 2) = courant.
-double turned_by_shortest(const LocalWaterOptions& options) {
-    return 2 * std::asin(LocalGrid::courant_number(options));
+double turned_by_shortest(const DynamicWavesOptions& options) {
+    return 2 * std::asin(DynamicWaveGrid::courant_number(options));
 }
 
-/// How high Verlet's water stands that never rests entirely. Where one of its two heights is below s = LocalBorder::smallest and becomes 0,
+/// How high Verlet's water stands that never rests entirely. Where one of its two heights is below s = BorderDamping::smallest and becomes 0,
 /// the other one is not, and their difference, the speed v of a tick, changes by less than s: by chance, for as many heights lie before
 /// the zero as behind. So v^2 grows by s^2 / 3 on the mean, in 2 s / (pi A) of all ticks, A the amplitude, and decay takes
 /// 2 decay dt v^2, v = A omega dt. Both are equal at A^3 = s^3 / (3 pi decay dt (omega dt)^2): 16 s for the waves of two texels, which
 /// stay where they are, so that no border takes them. Six times the rms, A / sqrt 2.
-double verlets_unrest_m(const LocalWaterOptions& options) {
+double verlets_unrest_m(const DynamicWavesOptions& options) {
     const double tick = 1.0 / options.ticks_per_s, turned = turned_by_shortest(options);
     const double in_smallest = std::cbrt(1 / (3 * std::numbers::pi * options.decay_per_s * tick * turned * turned));
-    return 6 / std::sqrt(2.0) * in_smallest * static_cast<double>(LocalBorder::smallest);
+    return 6 / std::sqrt(2.0) * in_smallest * static_cast<double>(BorderDamping::smallest);
 }
 
-TEST(LocalGridLasts, WithoutDriftOrNumbersThatAreSlow) {
-    for (const LocalStep step : {LocalStep::spectral, LocalStep::verlet}) {
-        LocalWaterOptions options = small(step);
+TEST(DynamicWavesGridLasts, WithoutDriftOrNumbersThatAreSlow) {
+    for (const DynamicWavesStep step : {DynamicWavesStep::spectral, DynamicWavesStep::verlet}) {
+        DynamicWavesOptions options = small(step);
         options.side_m = 16;
         options.border_m = 4;
-        LocalPool pool(options);
+        DynamicWavePool pool(options);
         for (int i = 0; i < 20; ++i) {
             pool.grid.sources().disturb({.mode = Disturbance::Mode::pull, .radius_m = 1, .height_m = 0.5});
             pool.tick();
@@ -298,7 +298,7 @@ TEST(LocalGridLasts, WithoutDriftOrNumbersThatAreSlow) {
         };
         const double before = largest();
         const int ticks = is_sanitized || is_emulated ? 300 : of_sweep(20'000, 1'000'000);
-        const double pushed = step == LocalStep::verlet ? verlets_unrest_m(options) : 0;
+        const double pushed = step == DynamicWavesStep::verlet ? verlets_unrest_m(options) : 0;
         for (int part = 1; part <= 10; ++part) {
             pool.tick(ticks / 10);
             const double decayed = before * std::exp(-options.decay_per_s * part * ticks / 10 * pool.grid.tick_s());
@@ -310,8 +310,8 @@ TEST(LocalGridLasts, WithoutDriftOrNumbersThatAreSlow) {
 constexpr int busy_ticks = 6000, quiet_ticks = 4000;  // of a round
 
 /// What happens at tick n of a round: hulls, lifts and presses that last and go away again, a pull that comes and goes, stones and
-/// holes, in a window that is off for 6 m and returns.
-void bustle(LocalGrid& grid, int tick) {
+/// holes, in a grid that is off for 6 m and returns.
+void bustle(DynamicWaveGrid& grid, int tick) {
     constexpr int change_ticks = 400, numbers = 6, last_change = busy_ticks / change_ticks;
     if (tick % change_ticks == 0 && tick <= busy_ticks) {
         const int change = tick / change_ticks;
@@ -348,7 +348,7 @@ struct Texels {
     int denormal = 0;
 };
 
-Texels texels_of(const LocalGrid& grid) {
+Texels texels_of(const DynamicWaveGrid& grid) {
     const std::vector<std::uint8_t> saved = grid.saved();
     const std::size_t count = static_cast<std::size_t>(grid.options().resolution) * grid.options().resolution;
     std::vector<float> texels(3 * count);  // and heights of the tick before
@@ -367,9 +367,9 @@ Texels texels_of(const LocalGrid& grid) {
 /// what it begins with.
 class VerletInDouble {
    public:
-    explicit VerletInDouble(const LocalGrid& grid)
+    explicit VerletInDouble(const DynamicWaveGrid& grid)
         : n_(grid.options().resolution), first_{grid.first_x(), grid.first_z()}, now_(size()), before_(size()) {
-        const LocalWaterOptions& options = grid.options();
+        const DynamicWavesOptions& options = grid.options();
         const double tick = grid.tick_s();
         for (std::int64_t z = 0; z < n_; ++z)
             for (std::int64_t x = 0; x < n_; ++x) {
@@ -406,7 +406,7 @@ class VerletInDouble {
         for (const double height : now_) highest = std::max(highest, std::fabs(height));
         return highest;
     }
-    double farthest_from(const LocalGrid& grid) const {
+    double farthest_from(const DynamicWaveGrid& grid) const {
         double farthest = 0;
         for (std::int64_t z = 0; z < n_; ++z)
             for (std::int64_t x = 0; x < n_; ++x)
@@ -429,12 +429,12 @@ class VerletInDouble {
 };
 
 // A hundred rounds at night, a million ticks: each has the energies of the first, as nothing is left of what was before.
-TEST(LocalGridLasts, ThroughRoundsOfSourcesThatComeAndGo) {
-    for (const LocalStep step : {LocalStep::spectral, LocalStep::verlet}) {
-        LocalWaterOptions options = small(step);
+TEST(DynamicWavesGridLasts, ThroughRoundsOfSourcesThatComeAndGo) {
+    for (const DynamicWavesStep step : {DynamicWavesStep::spectral, DynamicWavesStep::verlet}) {
+        DynamicWavesOptions options = small(step);
         options.side_m = 16;
         options.border_m = 4;
-        LocalPool pool(options);
+        DynamicWavePool pool(options);
         std::vector<double> first_round;
         double highest = 0, most = 0, farthest = 0, left_over = 0;
         int denormal = 0;
@@ -449,7 +449,7 @@ TEST(LocalGridLasts, ThroughRoundsOfSourcesThatComeAndGo) {
                     in_double->tick();
                     quiet_squares += std::pow(in_double->highest_m(), 2);
                 }
-                if (tick == busy_ticks && step == LocalStep::verlet) in_double.emplace(pool.grid);
+                if (tick == busy_ticks && step == DynamicWavesStep::verlet) in_double.emplace(pool.grid);
                 if (tick % 100 != 99) continue;
                 const Texels texels = texels_of(pool.grid);
                 denormal += texels.denormal;
@@ -468,14 +468,14 @@ TEST(LocalGridLasts, ThroughRoundsOfSourcesThatComeAndGo) {
                 EXPECT_LT(pushed, 0.01 * in_double->highest_m()) << "what is left is no rounding";
             }
         }
-        const std::string name = step == LocalStep::spectral ? "spectral_" : "verlet_";
+        const std::string name = step == DynamicWavesStep::spectral ? "spectral_" : "verlet_";
         RecordProperty(name + "highest_m", std::to_string(highest));
         RecordProperty(name + "squares", std::to_string(most));
         RecordProperty(name + "squares_off_the_first_round", std::to_string(farthest));
         RecordProperty(name + "highest_at_rest_m", std::to_string(left_over));
         EXPECT_EQ(denormal, 0);
         // A minute's rest takes waves through the border a few times. What it leaves of amplitudes, a part of them, moves squares
-        // by twice that part. Of Verlet's it leaves the longest waves, which a border of a quarter of the window sends back, and those of
+        // by twice that part. Of Verlet's it leaves the longest waves, which a border of a quarter of the grid sends back, and those of
         // two texels, which do not move: as many as the step in double leaves.
         EXPECT_LT(left_over, 5e-4 * highest);
         EXPECT_LT(farthest, 1e-3 * most);
@@ -483,10 +483,10 @@ TEST(LocalGridLasts, ThroughRoundsOfSourcesThatComeAndGo) {
     }
 }
 
-TEST(LocalFoam, ComesWhereWaterStandsHighAndFadesAsTheSeas) {
-    LocalWaterOptions options = small(LocalStep::spectral);
+TEST(DynamicWavesFoam, ComesWhereWaterStandsHighAndFadesAsTheSeas) {
+    DynamicWavesOptions options = small(DynamicWavesStep::spectral);
     options.foam_height_m = 0.2;
-    LocalPool pool(options);
+    DynamicWavePool pool(options);
     pool.grid.sources().disturb({.mode = Disturbance::Mode::add, .radius_m = 3, .height_m = 0.6});
     pool.tick();
     EXPECT_EQ(pool.grid.foam(0, 0), 255);  // over twice the threshold

@@ -1,4 +1,4 @@
-// What pushes at a window of water: sources that last, rain, what is said once, and the texels that all reach in a tick.
+// What pushes at a grid of water: sources that last, rain, what is said once, and the texels that all reach in a tick.
 #pragma once
 
 #include <cstddef>
@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "pelagic/sim/disturbance.hpp"
-#include "pelagic/sim/sources/local_rain.hpp"
-#include "pelagic/sim/sources/local_window.hpp"
+#include "pelagic/sim/sources/rain_drops.hpp"
+#include "pelagic/sim/sources/grid_placement.hpp"
 
 namespace pelagic {
 
-class LocalSources {
+class DynamicWaveSources {
    public:
     /// Sources that last, and disturbances of one tick.
     static constexpr std::size_t most = 4096;
@@ -30,24 +30,24 @@ class LocalSources {
     void remove(std::uint32_t number);
     bool has(std::uint32_t number) const;
     /// From the tick to come on. Throws std::invalid_argument(check(rain, water)).
-    void set_rain(const Rain& rain, const LocalWaterOptions& water) { rain_ = LocalRain(rain, water); }
+    void set_rain(const Rain& rain, const DynamicWavesOptions& water) { rain_ = RainDrops(rain, water); }
     /// Of what lasts, in ascending order.
     std::vector<std::uint32_t> numbers() const;
 
-    /// Finds what the tick after `ticks` of them reaches in the window. Sources push in the order of their numbers, then
+    /// Finds what the tick after `ticks` of them reaches in the grid. Sources push in the order of their numbers, then
     /// disturbances in theirs, then rain.
-    void begin_tick(const LocalWindow& window, std::int64_t ticks, double tick_s);
+    void begin_tick(const GridPlacement& placement, std::int64_t ticks, double tick_s);
     /// Before the step, in rows of the torus: presses take the shape away, which lift_rows() puts back after it.
-    void push_rows(const LocalWindow& window, std::size_t first_row, std::size_t rows, LocalHeights heights) const;
-    void lift_rows(const LocalWindow& window, std::size_t first_row, std::size_t rows, LocalHeights heights) const;
+    void push_rows(const GridPlacement& placement, std::size_t first_row, std::size_t rows, HeightPlanes heights) const;
+    void lift_rows(const GridPlacement& placement, std::size_t first_row, std::size_t rows, HeightPlanes heights) const;
     void end_tick();
 
     /// What lasts, what waits and the rain, as bytes.
     std::size_t saved_bytes() const;
     void save(std::span<std::uint8_t> bytes) const;
     /// Throws std::invalid_argument if no such water of so many ticks can have saved them.
-    static LocalSources restored(std::span<const std::uint8_t> bytes, std::int64_t ticks,
-                                 const LocalWaterOptions& water);
+    static DynamicWaveSources restored(std::span<const std::uint8_t> bytes, std::int64_t ticks,
+                                 const DynamicWavesOptions& water);
     std::size_t bytes() const;
 
    private:
@@ -60,16 +60,16 @@ class LocalSources {
     struct Splash {
         Disturbance of;
         float part;                   ///< of the way that a pull goes in one tick
-        std::int64_t first_x, end_x;  ///< texels that it reaches, within the window
+        std::int64_t first_x, end_x;  ///< texels that it reaches, within the grid
         std::int64_t first_z, end_z;
         std::size_t profile;  ///< of a gauss: its values along x, then along z
         double cosine, sine;  ///< of a hull's heading
     };
 
-    void add_splash(const Disturbance& of, const LocalWindow& window, double tick_s);
-    void add_profile(const Splash& splash, const LocalWindow& window);
+    void add_splash(const Disturbance& of, const GridPlacement& placement, double tick_s);
+    void add_profile(const Splash& splash, const GridPlacement& placement);
     template <class AtTexel>
-    void for_texels(const Splash& splash, const LocalWindow& window, std::size_t first_row, std::size_t rows,
+    void for_texels(const Splash& splash, const GridPlacement& placement, std::size_t first_row, std::size_t rows,
                     AtTexel at_texel) const;
 
     std::uint32_t next_number_ = 1;
@@ -78,7 +78,7 @@ class LocalSources {
     std::size_t settled_ = 0;           ///< of these, the first ones
     std::vector<Splash> splashes_;      ///< of the tick in flight
     std::vector<float> profiles_;
-    LocalRain rain_;
+    RainDrops rain_;
     std::int64_t tick_ = 0;  ///< in flight
 };
 

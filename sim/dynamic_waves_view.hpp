@@ -1,4 +1,4 @@
-// What a frame shows of water that answers (local_water.hpp).
+// What a frame shows of dynamic waves (dynamic_waves.hpp).
 #pragma once
 
 #include <cstdint>
@@ -6,10 +6,10 @@
 
 namespace pelagic {
 
-/// A window of the sea whose height adds to that of the tiles, where water is drawn: at x = rest x + Dx, z alike. Texel (i, j) of the
-/// world's lattice stands at x = i texel_m, z = j texel_m and is kept in column i mod N of row j mod N; the window has first_x <= i <
+/// A grid of the sea whose height adds to that of the tiles, where water is drawn: at x = rest x + Dx, z alike. Texel (i, j) of the
+/// world's lattice stands at x = i texel_m, z = j texel_m and is kept in column i mod N of row j mod N; the grid has first_x <= i <
 /// first_x + N. Waves fade towards its edges, where they are 0.
-struct LocalSurface {
+struct DynamicWavesView {
     int resolution = 0;  ///< N, a power of two; 0: the ocean has no such water
     double texel_m = 0;
     std::int64_t first_x = 0, first_z = 0;

@@ -1,4 +1,4 @@
-// The jobs of water that answers (sim/sources/local_grid.hpp). Texels lie in rows, a torus: the column behind the last one is
+// The jobs of dynamic waves (sim/sources/dynamic_wave_grid.hpp). Texels lie in rows, a torus: the column behind the last one is
 // the first. Rows have a margin before them whose nearest float repeats the row's last one, and the float behind a row its first.
 #pragma once
 
@@ -11,24 +11,24 @@ struct FftTables;
 
 /// Floats before each row, and behind the last one: a register of every instruction set, so that rows stay aligned and strides are
 /// no powers of two.
-inline constexpr std::size_t local_margin = 16;
-constexpr std::size_t local_row_stride(std::size_t resolution) { return resolution + local_margin; }
-constexpr std::size_t local_plane_floats(std::size_t resolution) {
-    return resolution * local_row_stride(resolution) + 2 * local_margin;
+inline constexpr std::size_t dynamic_row_margin = 16;
+constexpr std::size_t dynamic_row_stride(std::size_t resolution) { return resolution + dynamic_row_margin; }
+constexpr std::size_t dynamic_plane_floats(std::size_t resolution) {
+    return resolution * dynamic_row_stride(resolution) + 2 * dynamic_row_margin;
 }
 
 /// What a tick leaves of each texel, left_x left_z: less than 1 in the border, where waves end. What is smaller than `smallest`
 /// becomes 0, or water at rest would fade into numbers that processors are slow with.
-struct LocalBorder {
+struct BorderDamping {
     static constexpr float smallest = 1e-18f;
     const float *left_x, *left_z;  ///< of each column and row of the torus
 };
 
 /// First part of the spectral step: W columns of z = h + i w, as far as the border leaves them, transformed along z and turned, so
 /// that the wave number along z becomes the lane. Third part: back into them. Stack: 8 N W bytes, 16 N W back.
-struct LocalColumnsJob {
+struct DynamicColumnsJob {
     float *h, *w;  ///< texel (0, 0)
-    LocalBorder border;
+    BorderDamping border;
     std::size_t first_column;
     const FftTables* fft;
     float*
@@ -38,7 +38,7 @@ struct LocalColumnsJob {
 
 /// Second part: one block of lines to wave numbers along x, where each wave goes on by its phase of a tick, and back. Parts are
 /// exchanged: a transform of the other direction is one of the exchanged number. Stack: 16 N W bytes.
-struct LocalLinesJob {
+struct DynamicLinesJob {
     float* lines;  ///< the block
     const float*
         phases;  ///< for kx = 0, ..., N/2 W times the cosine, then W times the sine, with what a tick leaves, over N^2
@@ -50,7 +50,7 @@ struct DampJob {
     float* planes[2];  ///< texel (0, 0) of both
     std::size_t resolution;
     std::size_t first_row, rows;
-    LocalBorder border;
+    BorderDamping border;
 };
 
 /// Verlet's step, in place of the rows before: h' = h + left (h - h_before) + coupling lap h, lap h the sum of four neighbours less
@@ -65,7 +65,7 @@ struct VerletRowsJob {
 };
 
 /// Foam of rows: the more of what stands high and what is left of the tick before. Rows without either are told from a look.
-struct LocalFoamJob {
+struct DynamicFoamJob {
     static constexpr std::size_t most_resolution = 1024;
 
     const float* heights;  ///< texel (0, 0)
@@ -79,7 +79,7 @@ struct LocalFoamJob {
 
 /// What a frame shows of rows, faded towards the edges: heights on the straight way from `before` to `now`, and how fast they rise at
 /// `part` of it, the derivative of the parabola through the ways of the last two ticks.
-struct LocalShowJob {
+struct TickInterpolationJob {
     const float *before, *now;  ///< texel (0, 0)
     const float* way_before;    ///< that of the tick before
     std::size_t resolution;

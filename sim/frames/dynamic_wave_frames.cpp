@@ -1,4 +1,4 @@
-#include "pelagic/sim/frames/local_frames.hpp"
+#include "pelagic/sim/frames/dynamic_wave_frames.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -30,7 +30,7 @@ struct SavedClock {
 };
 
 /// XXH3 of all that is set, numbers without gaps between them.
-std::uint64_t digest_of(const LocalWaterOptions& options) {
+std::uint64_t digest_of(const DynamicWavesOptions& options) {
     const double numbers[] = {static_cast<double>(options.step),
                               static_cast<double>(options.resolution),
                               options.side_m,
@@ -52,7 +52,7 @@ void check_place(double x_m, double z_m) {
 
 }  // namespace
 
-LocalFrames::LocalFrames(const LocalWaterOptions& options, Isa isa, const HostMemory& memory, const Prepare& prepare)
+DynamicWaveFrames::DynamicWaveFrames(const DynamicWavesOptions& options, Isa isa, const HostMemory& memory, const Prepare& prepare)
     : grid_(options, isa, memory) {
     const auto n = static_cast<std::size_t>(options.resolution);
     for (Slot& slot : slots_) {
@@ -63,8 +63,8 @@ LocalFrames::LocalFrames(const LocalWaterOptions& options, Isa isa, const HostMe
         slot.highest.resize(n);
     }
     const auto add_show_stage = [&](JobGraph& graph, std::vector<StageId> waits_for) {
-        graph.add({.name = "local show",
-                   .count = n / LocalGrid::rows_an_item,
+        graph.add({.name = "dynamic waves show",
+                   .count = n / DynamicWaveGrid::rows_an_item,
                    .waits_for = std::move(waits_for),
                    .body = for_each_item([this](std::size_t item) { show_rows(item); })});
     };
@@ -76,53 +76,53 @@ LocalFrames::LocalFrames(const LocalWaterOptions& options, Isa isa, const HostMe
     tick_and_show_run_ = prepare(tick_and_show_graph_);
 }
 
-void LocalFrames::say(const Said& said) { said_.push_back(said); }
+void DynamicWaveFrames::say(const Said& said) { said_.push_back(said); }
 
-void LocalFrames::disturb(const Disturbance& disturbance) {
+void DynamicWaveFrames::disturb(const Disturbance& disturbance) {
     if (const std::string reason = check(disturbance); !reason.empty()) throw std::invalid_argument(reason);
-    if (grid_.sources().settled() + new_disturbances_ == LocalSources::most)
-        throw std::invalid_argument(refusal("the number of disturbances of a tick", LocalSources::most + 1,
-                                            "at most " + number_text(LocalSources::most)));
+    if (grid_.sources().settled() + new_disturbances_ == DynamicWaveSources::most)
+        throw std::invalid_argument(refusal("the number of disturbances of a tick", DynamicWaveSources::most + 1,
+                                            "at most " + number_text(DynamicWaveSources::most)));
     ++new_disturbances_;
     say({Said::What::disturb, 0, disturbance});
 }
 
-std::uint32_t LocalFrames::add_source(const Disturbance& source) {
+std::uint32_t DynamicWaveFrames::add_source(const Disturbance& source) {
     if (const std::string reason = check(source); !reason.empty()) throw std::invalid_argument(reason);
-    if (numbers_.size() == LocalSources::most)
+    if (numbers_.size() == DynamicWaveSources::most)
         throw std::invalid_argument(
-            refusal("the number of sources", LocalSources::most + 1, "at most " + number_text(LocalSources::most)));
+            refusal("the number of sources", DynamicWaveSources::most + 1, "at most " + number_text(DynamicWaveSources::most)));
     const std::uint32_t number = grid_.sources().new_number();
     numbers_.push_back(number);
     say({Said::What::add, number, source});
     return number;
 }
 
-void LocalFrames::set_source(std::uint32_t number, const Disturbance& source) {
+void DynamicWaveFrames::set_source(std::uint32_t number, const Disturbance& source) {
     if (const std::string reason = check(source); !reason.empty()) throw std::invalid_argument(reason);
     say({Said::What::set, number, source});
 }
 
-void LocalFrames::remove_source(std::uint32_t number) {
+void DynamicWaveFrames::remove_source(std::uint32_t number) {
     const auto at = std::lower_bound(numbers_.begin(), numbers_.end(), number);
     if (at == numbers_.end() || *at != number) return;
     numbers_.erase(at);
     say({Said::What::remove, number});
 }
 
-void LocalFrames::follow(double x_m, double z_m) {
+void DynamicWaveFrames::follow(double x_m, double z_m) {
     check_place(x_m, z_m);
     say({Said::What::follow, 0, {.x_m = x_m, .z_m = z_m}});
 }
 
-void LocalFrames::set_rain(const Rain& rain) {
+void DynamicWaveFrames::set_rain(const Rain& rain) {
     if (const std::string reason = check(rain, grid_.options()); !reason.empty()) throw std::invalid_argument(reason);
     say({.what = Said::What::rain, .rain = rain});
 }
 
-void LocalFrames::take_what_was_said(bool time_goes_on) {
-    LocalSources& sources = grid_.sources();
-    const bool is_full = sources.waiting() + new_disturbances_ > LocalSources::most;
+void DynamicWaveFrames::take_what_was_said(bool time_goes_on) {
+    DynamicWaveSources& sources = grid_.sources();
+    const bool is_full = sources.waiting() + new_disturbances_ > DynamicWaveSources::most;
     if (new_disturbances_ > 0 && (!time_goes_on || is_full)) sources.forget_provisional();
     for (const Said& said : said_) {
         switch (said.what) {
@@ -141,7 +141,7 @@ void LocalFrames::take_what_was_said(bool time_goes_on) {
     new_disturbances_ = 0;
 }
 
-void LocalFrames::begin_frame(double time_s) {
+void DynamicWaveFrames::begin_frame(double time_s) {
     assert(!frame_in_flight_);
     const DefaultFloatEnvironment environment;
     take_what_was_said(!has_clock_ || time_s > last_time_s_);
@@ -161,7 +161,7 @@ void LocalFrames::begin_frame(double time_s) {
     if (ticks_due_ == 1) begin_run(*tick_and_show_run_);
 }
 
-void LocalFrames::complete() {
+void DynamicWaveFrames::complete() {
     if (!frame_in_flight_) return;
     frame_in_flight_ = false;
     while (ticks_due_ > 1) {
@@ -173,17 +173,17 @@ void LocalFrames::complete() {
     complete_run();
 }
 
-void LocalFrames::begin_run(GraphRun& run) {
+void DynamicWaveFrames::begin_run(GraphRun& run) {
     if (&run != show_run_.get()) grid_.begin_tick();
     run_in_flight_ = &run;
     run.schedule();
 }
 
-void LocalFrames::complete_run() {
+void DynamicWaveFrames::complete_run() {
     GraphRun& run = *std::exchange(run_in_flight_, nullptr);
     // A run that fails has done what it could, and the next tick follows on it.
     struct EndOfTick {
-        LocalGrid* grid;
+        DynamicWaveGrid* grid;
         ~EndOfTick() {
             if (grid) grid->end_tick();
         }
@@ -191,15 +191,15 @@ void LocalFrames::complete_run() {
     run.complete();
 }
 
-bool LocalFrames::is_done() const { return !frame_in_flight_ || !run_in_flight_ || run_in_flight_->is_done(); }
+bool DynamicWaveFrames::is_done() const { return !frame_in_flight_ || !run_in_flight_ || run_in_flight_->is_done(); }
 
-void LocalFrames::show_rows(std::size_t item) {
+void DynamicWaveFrames::show_rows(std::size_t item) {
     Slot& slot = slots_[back_];
     grid_.show(part_, item,
                {slot.height.data(), slot.rise.data(), slot.foam.data(), slot.lowest.data(), slot.highest.data()});
 }
 
-LocalSurface LocalFrames::surface() const {
+DynamicWavesView DynamicWaveFrames::surface() const {
     const Slot& slot = slots_[back_];
     return {.resolution = grid_.options().resolution,
             .texel_m = grid_.texel_m(),
@@ -212,7 +212,7 @@ LocalSurface LocalFrames::surface() const {
             .height_max_m = *std::max_element(slot.highest.begin(), slot.highest.end())};
 }
 
-void LocalFrames::drop_frame() {
+void DynamicWaveFrames::drop_frame() {
     try {
         complete();
     } catch (...) {  // it is lost already
@@ -220,7 +220,7 @@ void LocalFrames::drop_frame() {
     turn();
 }
 
-std::vector<std::uint8_t> LocalFrames::saved() const {
+std::vector<std::uint8_t> DynamicWaveFrames::saved() const {
     const SavedClock clock = {digest_of(grid_.options()), has_clock_, last_tick_, last_time_s_};
     std::vector<std::uint8_t> bytes(sizeof clock);
     std::memcpy(bytes.data(), &clock, sizeof clock);
@@ -229,7 +229,7 @@ std::vector<std::uint8_t> LocalFrames::saved() const {
     return bytes;
 }
 
-void LocalFrames::restore(std::span<const std::uint8_t> saved) {
+void DynamicWaveFrames::restore(std::span<const std::uint8_t> saved) {
     SavedClock clock{};
     if (saved.size() < sizeof clock)
         throw std::invalid_argument(refusal("the saved water", number_text(saved.size()) + " bytes", "more"));
@@ -249,8 +249,8 @@ void LocalFrames::restore(std::span<const std::uint8_t> saved) {
     numbers_ = grid_.sources().numbers();
 }
 
-std::size_t LocalFrames::bytes() const {
-    std::size_t bytes = sizeof(LocalFrames) + grid_.bytes() + said_.capacity() * sizeof(Said) +
+std::size_t DynamicWaveFrames::bytes() const {
+    std::size_t bytes = sizeof(DynamicWaveFrames) + grid_.bytes() + said_.capacity() * sizeof(Said) +
                         numbers_.capacity() * sizeof(std::uint32_t);
     for (const Slot& slot : slots_)
         bytes += slot.height.bytes() + slot.rise.bytes() + slot.foam.bytes() +

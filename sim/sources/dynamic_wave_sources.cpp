@@ -1,4 +1,4 @@
-#include "pelagic/sim/sources/local_sources.hpp"
+#include "pelagic/sim/sources/dynamic_wave_sources.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,7 @@
 #include <string>
 
 #include "pelagic/message/refusal.hpp"
-#include "pelagic/sim/kernels/local_jobs.hpp"
+#include "pelagic/sim/kernels/dynamic_wave_jobs.hpp"
 #include "pelagic/simd/det_math.hpp"
 
 namespace pelagic {
@@ -19,11 +19,11 @@ namespace {
 constexpr double two_pi = 6.283185307179586;
 constexpr double gauss_reach = 3;  ///< in radii
 
-/// Texels of the window within `reach_m` of a place along an axis: the first, and the one behind the last.
-std::array<std::int64_t, 2> reached(double middle_m, double reach_m, const LocalWindow& window, std::size_t axis) {
-    const auto low = static_cast<std::int64_t>(std::ceil((middle_m - reach_m) / window.texel_m()));
-    const auto high = static_cast<std::int64_t>(std::floor((middle_m + reach_m) / window.texel_m())) + 1;
-    const std::int64_t first = window.first()[axis], end = first + window.resolution();
+/// Texels of the grid within `reach_m` of a place along an axis: the first, and the one behind the last.
+std::array<std::int64_t, 2> reached(double middle_m, double reach_m, const GridPlacement& placement, std::size_t axis) {
+    const auto low = static_cast<std::int64_t>(std::ceil((middle_m - reach_m) / placement.texel_m()));
+    const auto high = static_cast<std::int64_t>(std::floor((middle_m + reach_m) / placement.texel_m())) + 1;
+    const std::int64_t first = placement.first()[axis], end = first + placement.resolution();
     return {std::clamp(low, first, end), std::clamp(high, first, end)};
 }
 
@@ -75,7 +75,7 @@ Disturbance disturbance_of(const SavedSource& saved) {
     return source;
 }
 
-LocalRain restored_rain(const SavedHeader& saved, const LocalWaterOptions& water) {
+RainDrops restored_rain(const SavedHeader& saved, const DynamicWavesOptions& water) {
     if (saved.rain_seed < 0 || saved.rain_seed > std::numeric_limits<std::uint32_t>::max())
         throw std::invalid_argument(refusal("the saved rain's seed", saved.rain_seed, "[0, 2^32)"));
     const auto seed = static_cast<std::uint32_t>(saved.rain_seed);
@@ -83,19 +83,19 @@ LocalRain restored_rain(const SavedHeader& saved, const LocalWaterOptions& water
 }
 
 void need_room(const char* what, std::size_t count) {
-    if (count == LocalSources::most)
-        throw std::invalid_argument(refusal(what, count + 1, "at most " + number_text(LocalSources::most)));
+    if (count == DynamicWaveSources::most)
+        throw std::invalid_argument(refusal(what, count + 1, "at most " + number_text(DynamicWaveSources::most)));
 }
 
 }  // namespace
 
-void LocalSources::disturb(const Disturbance& disturbance) {
+void DynamicWaveSources::disturb(const Disturbance& disturbance) {
     if (const std::string reason = check(disturbance); !reason.empty()) throw std::invalid_argument(reason);
     need_room("the number of disturbances of a tick", waiting_.size());
     waiting_.push_back(disturbance);
 }
 
-void LocalSources::set(std::uint32_t number, const Disturbance& source, std::int64_t ticks) {
+void DynamicWaveSources::set(std::uint32_t number, const Disturbance& source, std::int64_t ticks) {
     if (const std::string reason = check(source); !reason.empty()) throw std::invalid_argument(reason);
     const auto at =
         std::lower_bound(lasting_.begin(), lasting_.end(), number,
@@ -108,41 +108,41 @@ void LocalSources::set(std::uint32_t number, const Disturbance& source, std::int
     lasting_.insert(at, {number, source, ticks});
 }
 
-void LocalSources::remove(std::uint32_t number) {
+void DynamicWaveSources::remove(std::uint32_t number) {
     std::erase_if(lasting_, [number](const Lasting& source) { return source.number == number; });
 }
 
-bool LocalSources::has(std::uint32_t number) const {
+bool DynamicWaveSources::has(std::uint32_t number) const {
     return std::binary_search(lasting_.begin(), lasting_.end(),
                               Lasting{.number = number, .disturbance = {}, .since = 0},
                               [](const Lasting& a, const Lasting& b) { return a.number < b.number; });
 }
 
-std::vector<std::uint32_t> LocalSources::numbers() const {
+std::vector<std::uint32_t> DynamicWaveSources::numbers() const {
     std::vector<std::uint32_t> numbers;
     for (const Lasting& source : lasting_) numbers.push_back(source.number);
     return numbers;
 }
 
-void LocalSources::begin_tick(const LocalWindow& window, std::int64_t ticks, double tick_s) {
+void DynamicWaveSources::begin_tick(const GridPlacement& placement, std::int64_t ticks, double tick_s) {
     tick_ = ticks;
     for (const Lasting& source : lasting_) {
         Disturbance moved = source.disturbance;
         const double since_s = static_cast<double>(ticks - source.since) * tick_s;
         moved.x_m += since_s * moved.velocity_x_mps;
         moved.z_m += since_s * moved.velocity_z_mps;
-        if (check(moved).empty()) add_splash(moved, window, tick_s);  // else it has left the world
+        if (check(moved).empty()) add_splash(moved, placement, tick_s);  // else it has left the world
     }
-    for (const Disturbance& disturbance : waiting_) add_splash(disturbance, window, tick_s);
+    for (const Disturbance& disturbance : waiting_) add_splash(disturbance, placement, tick_s);
     waiting_.clear();
     settled_ = 0;
 }
 
-void LocalSources::add_splash(const Disturbance& of, const LocalWindow& window, double tick_s) {
+void DynamicWaveSources::add_splash(const Disturbance& of, const GridPlacement& placement, double tick_s) {
     const bool is_hull = of.shape == Disturbance::Shape::hull;
     const double reach_m = is_hull ? std::max(of.length_m, of.radius_m) : gauss_reach * of.radius_m;
-    const auto [first_x, end_x] = reached(of.x_m, reach_m, window, 0);
-    const auto [first_z, end_z] = reached(of.z_m, reach_m, window, 1);
+    const auto [first_x, end_x] = reached(of.x_m, reach_m, placement, 0);
+    const auto [first_z, end_z] = reached(of.z_m, reach_m, placement, 1);
     if (first_x >= end_x || first_z >= end_z) return;
     const auto heading = det::sine_cosine_of_turns(of.heading_rad / two_pi);
     splashes_.push_back({.of = of,
@@ -154,13 +154,13 @@ void LocalSources::add_splash(const Disturbance& of, const LocalWindow& window, 
                          .profile = profiles_.size(),
                          .cosine = heading.cosine,
                          .sine = heading.sine});
-    if (!is_hull) add_profile(splashes_.back(), window);
+    if (!is_hull) add_profile(splashes_.back(), placement);
 }
 
-void LocalSources::add_profile(const Splash& splash, const LocalWindow& window) {
+void DynamicWaveSources::add_profile(const Splash& splash, const GridPlacement& placement) {
     const auto add_along = [&](double middle_m, std::int64_t first, std::int64_t end) {
         for (std::int64_t texel = first; texel < end; ++texel) {
-            const double away = (static_cast<double>(texel) * window.texel_m() - middle_m) / splash.of.radius_m;
+            const double away = (static_cast<double>(texel) * placement.texel_m() - middle_m) / splash.of.radius_m;
             profiles_.push_back(static_cast<float>(det::exp(-away * away)));
         }
     };
@@ -170,13 +170,13 @@ void LocalSources::add_profile(const Splash& splash, const LocalWindow& window) 
 
 /// Calls at_texel(floats from the first texel, shape, shape over its height) for what a splash reaches in the rows.
 template <class AtTexel>
-void LocalSources::for_texels(const Splash& splash, const LocalWindow& window, std::size_t first_row,
+void DynamicWaveSources::for_texels(const Splash& splash, const GridPlacement& placement, std::size_t first_row,
                               std::size_t rows, AtTexel at_texel) const {
     const Disturbance& of = splash.of;
     const float height = static_cast<float>(of.height_m);
-    const std::size_t stride = local_row_stride(static_cast<std::size_t>(window.resolution()));
+    const std::size_t stride = dynamic_row_stride(static_cast<std::size_t>(placement.resolution()));
     for (std::int64_t z = splash.first_z; z < splash.end_z; ++z) {
-        const std::size_t row = window.in_torus(z);
+        const std::size_t row = placement.in_torus(z);
         if (row < first_row || row >= first_row + rows) continue;
         const std::size_t begin = row * stride;
         if (of.shape == Disturbance::Shape::gauss) {
@@ -184,28 +184,28 @@ void LocalSources::for_texels(const Splash& splash, const LocalWindow& window, s
             const float along_z = along_x[splash.end_x - splash.first_x + z - splash.first_z];
             for (std::int64_t x = splash.first_x; x < splash.end_x; ++x) {
                 const float gauss = along_x[x - splash.first_x] * along_z;
-                at_texel(begin + window.in_torus(x), height * gauss, gauss);
+                at_texel(begin + placement.in_torus(x), height * gauss, gauss);
             }
             continue;
         }
-        const double away_z = static_cast<double>(z) * window.texel_m() - of.z_m;
+        const double away_z = static_cast<double>(z) * placement.texel_m() - of.z_m;
         for (std::int64_t x = splash.first_x; x < splash.end_x; ++x) {
-            const double away_x = static_cast<double>(x) * window.texel_m() - of.x_m;
+            const double away_x = static_cast<double>(x) * placement.texel_m() - of.x_m;
             const double along = (away_x * splash.cosine + away_z * splash.sine) / of.length_m;
             const double across = (away_z * splash.cosine - away_x * splash.sine) / of.radius_m;
             const double inside = 1 - along * along - across * across;
             if (inside <= 0) continue;
             const float part = static_cast<float>(std::sqrt(inside));
-            at_texel(begin + window.in_torus(x), height * part, part);
+            at_texel(begin + placement.in_torus(x), height * part, part);
         }
     }
 }
 
-void LocalSources::push_rows(const LocalWindow& window, std::size_t first_row, std::size_t rows,
-                             LocalHeights heights) const {
+void DynamicWaveSources::push_rows(const GridPlacement& placement, std::size_t first_row, std::size_t rows,
+                             HeightPlanes heights) const {
     float *const now = heights.now, *const before = heights.before;
     for (const Splash& splash : splashes_) {
-        const auto push = [&](auto at_texel) { for_texels(splash, window, first_row, rows, at_texel); };
+        const auto push = [&](auto at_texel) { for_texels(splash, placement, first_row, rows, at_texel); };
         switch (splash.of.mode) {
             case Disturbance::Mode::press:
                 // A step moves what the water lacks of its shape at rest; Verlet's knows it at two moments.
@@ -231,31 +231,31 @@ void LocalSources::push_rows(const LocalWindow& window, std::size_t first_row, s
                 break;
         }
     }
-    rain_.push_rows(window, tick_, first_row, rows, heights);
+    rain_.push_rows(placement, tick_, first_row, rows, heights);
 }
 
-void LocalSources::lift_rows(const LocalWindow& window, std::size_t first_row, std::size_t rows,
-                             LocalHeights heights) const {
+void DynamicWaveSources::lift_rows(const GridPlacement& placement, std::size_t first_row, std::size_t rows,
+                             HeightPlanes heights) const {
     float *const now = heights.now, *const before = heights.before;
     for (const Splash& splash : splashes_) {
         if (splash.of.mode != Disturbance::Mode::press) continue;
-        for_texels(splash, window, first_row, rows, [=](std::size_t texel, float shape, float) {
+        for_texels(splash, placement, first_row, rows, [=](std::size_t texel, float shape, float) {
             now[texel] += shape;
             if (before) before[texel] += shape;
         });
     }
 }
 
-void LocalSources::end_tick() {
+void DynamicWaveSources::end_tick() {
     splashes_.clear();
     profiles_.clear();
 }
 
-std::size_t LocalSources::saved_bytes() const {
+std::size_t DynamicWaveSources::saved_bytes() const {
     return sizeof(SavedHeader) + (lasting_.size() + waiting_.size()) * sizeof(SavedSource);
 }
 
-void LocalSources::save(std::span<std::uint8_t> bytes) const {
+void DynamicWaveSources::save(std::span<std::uint8_t> bytes) const {
     assert(bytes.size() == saved_bytes());
     const Rain& rain = rain_.rain();
     const SavedHeader header = {next_number_,
@@ -276,8 +276,8 @@ void LocalSources::save(std::span<std::uint8_t> bytes) const {
     for (const Disturbance& disturbance : waiting_) put(saved_source(0, 0, disturbance));
 }
 
-LocalSources LocalSources::restored(std::span<const std::uint8_t> bytes, std::int64_t ticks,
-                                    const LocalWaterOptions& water) {
+DynamicWaveSources DynamicWaveSources::restored(std::span<const std::uint8_t> bytes, std::int64_t ticks,
+                                    const DynamicWavesOptions& water) {
     SavedHeader header{};
     if (bytes.size() >= sizeof header) std::memcpy(&header, bytes.data(), sizeof header);
     const auto can_be = [](std::int64_t count, std::int64_t at_most) { return count >= 0 && count <= at_most; };
@@ -290,7 +290,7 @@ LocalSources LocalSources::restored(std::span<const std::uint8_t> bytes, std::in
             refusal("the saved sources", number_text(bytes.size()) + " bytes", "as many as their number says"));
     if (header.next_number < 1 || header.next_number > std::numeric_limits<std::uint32_t>::max())
         throw std::invalid_argument(refusal("the saved water's next source", header.next_number, "[1, 2^32)"));
-    LocalSources sources;
+    DynamicWaveSources sources;
     sources.next_number_ = static_cast<std::uint32_t>(header.next_number);
     sources.rain_ = restored_rain(header, water);
     const std::uint8_t* from = bytes.data() + sizeof header;
@@ -314,7 +314,7 @@ LocalSources LocalSources::restored(std::span<const std::uint8_t> bytes, std::in
     return sources;
 }
 
-std::size_t LocalSources::bytes() const {
+std::size_t DynamicWaveSources::bytes() const {
     return lasting_.capacity() * sizeof(Lasting) + waiting_.capacity() * sizeof(Disturbance) +
            splashes_.capacity() * sizeof(Splash) + profiles_.capacity() * sizeof(float) + rain_.bytes();
 }

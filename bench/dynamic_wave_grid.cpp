@@ -1,7 +1,7 @@
-// What a tick of water that answers costs, on one thread and on two: the spectral step beside a frame of one tile of as many texels,
-// Verlet's beside a loop without lanes and beside a copy of what it reads and writes. And windows with many boats.
+// What a tick of dynamic waves costs, on one thread and on two: the spectral step beside a frame of one tile of as many texels,
+// Verlet's beside a loop without lanes and beside a copy of what it reads and writes. And waves with many boats.
 //
-//   build/release/bin/pelagic_local_bench [instruction set]
+//   build/release/bin/pelagic_dynamic_waves_bench [instruction set]
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "pelagic/sim/ocean.hpp"
-#include "pelagic/sim/sources/local_grid.hpp"
+#include "pelagic/sim/sources/dynamic_wave_grid.hpp"
 #include "pelagic/sim/surface/item_stage.hpp"
 #include "pelagic/sim/surface_query_jobs.hpp"
 
@@ -34,8 +34,8 @@ double median_us(std::vector<double>& seconds) {
     return 1e6 * seconds[seconds.size() / 2];
 }
 
-struct Window {
-    Window(const LocalWaterOptions& options, Isa isa, Executor& executor) : grid(options, isa) {
+struct Waves {
+    Waves(const DynamicWavesOptions& options, Isa isa, Executor& executor) : grid(options, isa) {
         grid.add_tick_stages(graph);
         run = executor.prepare(graph);
     }
@@ -47,7 +47,7 @@ struct Window {
         run->complete();
         grid.end_tick();
     }
-    LocalGrid grid;
+    DynamicWaveGrid grid;
     JobGraph graph;
     std::unique_ptr<GraphRun> run;
 };
@@ -55,7 +55,7 @@ struct Window {
 /// Verlet's step as one writes it down, and as the compiler leaves it without lanes.
 __attribute__((optimize("no-tree-vectorize"))) void scalar_verlet(const VerletRowsJob& job) {
     const auto [now, before, n, first_row, rows, coupling, left] = job;
-    const std::size_t stride = local_row_stride(n);
+    const std::size_t stride = dynamic_row_stride(n);
     for (std::size_t z = first_row; z < first_row + rows; ++z) {
         const float *row = now + z * stride, *above = now + (z + n - 1) % n * stride,
                     *below = now + (z + 1) % n * stride;
@@ -72,8 +72,8 @@ class RowsStage {
     template <class OfRows>
     RowsStage(std::size_t n, Executor& executor, OfRows of_rows) {
         graph_.add({.name = "rows",
-                    .count = n / LocalGrid::rows_an_item,
-                    .body = for_each_item([of_rows](std::size_t item) { of_rows(item * LocalGrid::rows_an_item); })});
+                    .count = n / DynamicWaveGrid::rows_an_item,
+                    .body = for_each_item([of_rows](std::size_t item) { of_rows(item * DynamicWaveGrid::rows_an_item); })});
         run_ = executor.prepare(graph_);
     }
     void operator()() {
@@ -94,22 +94,22 @@ void measure_steps(std::size_t n, Isa isa, int threads) {
     const auto executor = executor_of(threads);
     const double side_m = 0.25 * static_cast<double>(n);
     const int resolution = static_cast<int>(n);
-    Window spectral({.resolution = resolution, .side_m = side_m, .border_m = side_m / 5}, isa, *executor);
-    Window verlet({.step = LocalStep::verlet, .resolution = resolution, .side_m = side_m, .border_m = side_m / 5},
+    Waves spectral({.resolution = resolution, .side_m = side_m, .border_m = side_m / 5}, isa, *executor);
+    Waves verlet({.step = DynamicWavesStep::verlet, .resolution = resolution, .side_m = side_m, .border_m = side_m / 5},
                   isa, *executor);
     Ocean ocean({.resolution = resolution, .patch_size_m = side_m}, {.executor = executor, .isa = isa});
     const Kernels& kernels = kernels_for(isa);
-    AlignedBuffer<float> now(local_plane_floats(n)), before(local_plane_floats(n));
+    AlignedBuffer<float> now(dynamic_plane_floats(n)), before(dynamic_plane_floats(n));
     for (std::size_t i = 0; i < now.size(); ++i) now[i] = before[i] = std::sin(0.01f * static_cast<float>(i));
     const auto rows_from = [&, n](std::size_t row) -> VerletRowsJob {
         return {
-            now.data() + local_margin, before.data() + local_margin, n, row, LocalGrid::rows_an_item, 0.1f, 0.9999f};
+            now.data() + dynamic_row_margin, before.data() + dynamic_row_margin, n, row, DynamicWaveGrid::rows_an_item, 0.1f, 0.9999f};
     };
     RowsStage step(n, *executor, [&](std::size_t row) { kernels.verlet_rows(rows_from(row)); });
     RowsStage scalar(n, *executor, [&](std::size_t row) { scalar_verlet(rows_from(row)); });
-    const std::size_t floats = LocalGrid::rows_an_item * local_row_stride(n);
+    const std::size_t floats = DynamicWaveGrid::rows_an_item * dynamic_row_stride(n);
     RowsStage copy(n, *executor, [&](std::size_t row) {
-        const std::size_t at = row * local_row_stride(n);
+        const std::size_t at = row * dynamic_row_stride(n);
         std::memcpy(before.data() + at, now.data() + at, floats * sizeof(float));
     });
 
@@ -132,29 +132,29 @@ void measure_steps(std::size_t n, Isa isa, int threads) {
                 without_lanes / of_one, copied, of_one / copied);
 }
 
-/// Four shared windows with 250 boats each, 12 places where a boat asks for the height of the window's water.
+/// Four shared grids with 250 boats each, 12 places where a boat asks for the height of the grid's water.
 void measure_server(Isa isa, int threads) {
     const auto executor = executor_of(threads);
-    std::vector<std::unique_ptr<Window>> windows;
-    for (int i = 0; i < 4; ++i) windows.push_back(std::make_unique<Window>(LocalWaterOptions{}, isa, *executor));
+    std::vector<std::unique_ptr<Waves>> waves;
+    for (int i = 0; i < 4; ++i) waves.push_back(std::make_unique<Waves>(DynamicWavesOptions{}, isa, *executor));
     std::vector<double> ticks;
     for (int tick = 0; tick < rounds / 2; ++tick) {
         ticks.push_back(seconds_of([&] {
-            for (auto& window : windows) {
+            for (auto& each : waves) {
                 for (int boat = 0; boat < 250; ++boat)
-                    window->grid.sources().disturb({.shape = Disturbance::Shape::hull,
+                    each->grid.sources().disturb({.shape = Disturbance::Shape::hull,
                                                     .x_m = 25 * std::sin(0.37 * boat + 0.01 * tick),
                                                     .z_m = 25 * std::cos(0.73 * boat),
                                                     .radius_m = 0.8,
                                                     .length_m = 2,
                                                     .heading_rad = 0.01 * boat,
                                                     .height_m = -0.3});
-                window->begin();
+                each->begin();
             }
-            for (auto& window : windows) window->end();
+            for (auto& each : waves) each->end();
         }));
     }
-    std::printf("four windows of 256 with 250 hulls each, %d thread%s: %.2f ms a tick\n", threads,
+    std::printf("four grids of 256 with 250 hulls each, %d thread%s: %.2f ms a tick\n", threads,
                 threads == 1 ? "" : "s", median_us(ticks) / 1000);
 }
 

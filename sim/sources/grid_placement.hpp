@@ -1,5 +1,5 @@
-// Where a window of texels lies that follows somebody. Texel i of the world's lattice stands at i texel_m and is kept in column
-// i mod N of a torus, so a window that moves keeps what it still covers where it is.
+// Where a grid of texels lies that follows somebody. Texel i of the world's lattice stands at i texel_m and is kept in column
+// i mod N of a torus, so a grid that moves keeps what it still covers where it is.
 #pragma once
 
 #include <array>
@@ -9,11 +9,11 @@
 
 namespace pelagic {
 
-class LocalWindow {
+class GridPlacement {
    public:
-    LocalWindow(int resolution, double texel_m) : resolution_(resolution), texel_m_(texel_m) {}
+    GridPlacement(int resolution, double texel_m) : resolution_(resolution), texel_m_(texel_m) {}
 
-    /// The lowest texels along x and z of a window whose middle is as near to the place as whole texels allow.
+    /// The lowest texels along x and z of a grid whose middle is as near to the place as whole texels allow.
     std::array<std::int64_t, 2> first_around(double x_m, double z_m) const {
         const auto first = [this](double middle_m) {
             return static_cast<std::int64_t>(std::floor(middle_m / texel_m_ + 0.5)) - resolution_ / 2;

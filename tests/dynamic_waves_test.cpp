@@ -1,4 +1,4 @@
-// Water that answers, in an ocean: beside the tiles, in queries and rays, tick by tick whatever the frames do.
+// Dynamic waves, in an ocean: beside the tiles, in queries and rays, tick by tick whatever the frames do.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -17,11 +17,11 @@
 namespace pelagic {
 namespace {
 
-const LocalWaterOptions small{.resolution = 64, .side_m = 32, .border_m = 6, .foam_height_m = 0.1};
+const DynamicWavesOptions small{.resolution = 64, .side_m = 32, .border_m = 6, .foam_height_m = 0.1};
 const SeaState breeze{.cascades = 2, .resolution = 32, .wind_speed_mps = 6, .loop_period_s = 20};
 
 OceanOptions answering(Isa isa = choose_isa(), std::shared_ptr<Executor> executor = make_serial_executor()) {
-    return {.executor = std::move(executor), .isa = isa, .queries = true, .velocities = true, .local = small};
+    return {.executor = std::move(executor), .isa = isa, .queries = true, .velocities = true, .dynamic_waves = small};
 }
 
 const Disturbance boat{
@@ -31,7 +31,7 @@ Disturbance drop(double height_m) {
     return {.mode = Disturbance::Mode::add, .x_m = 1, .radius_m = 0.8, .height_m = height_m};
 }
 
-/// A boat, whom the window follows, and drops; a frame of 72 a second after another. Returns the last one.
+/// A boat, whom the grid follows, and drops; a frame of 72 a second after another. Returns the last one.
 const Frame& happen(Ocean& ocean, int from, int to) {
     const Frame* last = nullptr;
     for (int frame = from; frame < to; ++frame) {
@@ -46,37 +46,37 @@ const Frame& happen(Ocean& ocean, int from, int to) {
     return *last;
 }
 
-TEST(LocalWater, LeavesTheTilesAsTheyAre) {
+TEST(DynamicWaves, LeavesTheTilesAsTheyAre) {
     Ocean with(breeze, answering()), without(breeze, {.executor = make_serial_executor()});
     happen(with, 0, 90);
     const Frame& frame = with.frame_at(2.5);
     EXPECT_EQ(hash_of(frame), hash_of(without.frame_at(2.5)));
-    EXPECT_NE(local_hash_of(frame), 0U);
-    EXPECT_EQ(local_hash_of(without.frame_at(2.5)), 0U);
+    EXPECT_NE(dynamic_waves_hash_of(frame), 0U);
+    EXPECT_EQ(dynamic_waves_hash_of(without.frame_at(2.5)), 0U);
 }
 
-TEST(LocalWater, HasTheSameBitsEverywhere) {
+TEST(DynamicWaves, HasTheSameBitsEverywhere) {
     Ocean first(breeze, answering(isas_here().front()));
-    const std::uint64_t expected = local_hash_of(happen(first, 0, 120));
+    const std::uint64_t expected = dynamic_waves_hash_of(happen(first, 0, 120));
     for (const Isa isa : isas_here()) {
         Ocean ocean(breeze, answering(isa));
-        EXPECT_EQ(local_hash_of(happen(ocean, 0, 120)), expected) << name_of(isa);
+        EXPECT_EQ(dynamic_waves_hash_of(happen(ocean, 0, 120)), expected) << name_of(isa);
     }
 
     for (const ExecutorKind& kind : executor_kinds()) {
         Ocean ocean(breeze, answering(choose_isa(), kind.make(kind.threads)));
-        EXPECT_EQ(local_hash_of(happen(ocean, 0, 120)), expected) << kind.name;
+        EXPECT_EQ(dynamic_waves_hash_of(happen(ocean, 0, 120)), expected) << kind.name;
     }
 }
 
 // Ticks are the water's own: what lasts from the beginning is the same at the same time, however many frames there were.
-TEST(LocalWater, IsMadeTickByTickWhateverTheFramesAre) {
+TEST(DynamicWaves, IsMadeTickByTickWhateverTheFramesAre) {
     const auto after_two_seconds = [](int frames_a_second) {
         Ocean ocean(breeze, answering());
         ocean.add_source(boat);
         for (int frame = 0; frame <= 2 * frames_a_second; ++frame)
             ocean.frame_at(frame / static_cast<double>(frames_a_second));
-        return local_hash_of(ocean.frame_at(2.0));
+        return dynamic_waves_hash_of(ocean.frame_at(2.0));
     };
     const std::uint64_t expected = after_two_seconds(60);
     for (const int frames_a_second : {7, 24, 30, 72, 90, 144})
@@ -84,12 +84,12 @@ TEST(LocalWater, IsMadeTickByTickWhateverTheFramesAre) {
 }
 
 // A frame between two ticks shows the way between what the two before it left, as straight as it is long.
-TEST(LocalWater, IsShownBetweenTicks) {
+TEST(DynamicWaves, IsShownBetweenTicks) {
     Ocean ocean(breeze, answering());
     ocean.add_source(boat);
     for (int tick = 0; tick <= 60; ++tick) ocean.frame_at(tick / 60.0);
     const auto heights_at = [&](double tick) {
-        const LocalSurface& water = ocean.frame_at(tick / 60).local;
+        const DynamicWavesView& water = ocean.frame_at(tick / 60).dynamic_waves;
         return std::vector<float>(water.height_m.begin(), water.height_m.end());
     };
     const std::vector<float> begin = heights_at(60), quarter = heights_at(60.25), half = heights_at(60.5),
@@ -103,12 +103,12 @@ TEST(LocalWater, IsShownBetweenTicks) {
     EXPECT_GT(way, 1e-3);
 }
 
-TEST(LocalWater, GoesNowhereInTimesThatAreOverAndHalfASecondInAJump) {
+TEST(DynamicWaves, GoesNowhereInTimesThatAreOverAndHalfASecondInAJump) {
     Ocean ocean(breeze, answering());
     happen(ocean, 0, 72);
-    const std::uint64_t there = local_hash_of(ocean.frame_at(1.0));
+    const std::uint64_t there = dynamic_waves_hash_of(ocean.frame_at(1.0));
     ocean.frame_at(0.3);
-    EXPECT_EQ(local_hash_of(ocean.frame_at(0.3)), there);
+    EXPECT_EQ(dynamic_waves_hash_of(ocean.frame_at(0.3)), there);
     Ocean jumps(breeze, answering()), walks(breeze, answering());
     for (Ocean* each : {&jumps, &walks}) {
         each->frame_at(0);
@@ -116,10 +116,10 @@ TEST(LocalWater, GoesNowhereInTimesThatAreOverAndHalfASecondInAJump) {
     }
     jumps.frame_at(1e6);
     for (int tick = 1; tick <= 30; ++tick) walks.frame_at(tick / 60.0);
-    EXPECT_EQ(local_hash_of(jumps.frame_at(1e6)), local_hash_of(walks.frame_at(0.5)));
+    EXPECT_EQ(dynamic_waves_hash_of(jumps.frame_at(1e6)), dynamic_waves_hash_of(walks.frame_at(0.5)));
 }
 
-TEST(LocalWater, AddsToWhatQueriesTell) {
+TEST(DynamicWaves, AddsToWhatQueriesTell) {
     for (const SeaState& sea : {breeze, SeaState{.resolution = 32, .patch_size_m = 60, .wind_speed_mps = 6}}) {
         Ocean with(sea, answering()), without(sea, answering());
         const Frame& moved = happen(with, 0, 100);
@@ -137,14 +137,14 @@ TEST(LocalWater, AddsToWhatQueriesTell) {
             {x, z}, {.height_m = b, .normal_x = mx, .normal_y = my, .normal_z = mz, .velocity_y_mps = rise_b});
         double largest = 0;
         for (std::size_t i = 0; i < n; ++i) {
-            const LocalSample local = sample(moved.local, x[i], z[i]);
-            largest = std::max(largest, std::fabs(local.height_m));
-            EXPECT_NEAR(a[i] - b[i], local.height_m, 1e-6);
-            EXPECT_NEAR(rise_a[i] - rise_b[i], local.rise_mps, 1e-6);
-            EXPECT_EQ(foam[i], static_cast<float>(local.foam));
+            const DynamicWavesSample dynamic_waves = sample(moved.dynamic_waves, x[i], z[i]);
+            largest = std::max(largest, std::fabs(dynamic_waves.height_m));
+            EXPECT_NEAR(a[i] - b[i], dynamic_waves.height_m, 1e-6);
+            EXPECT_NEAR(rise_a[i] - rise_b[i], dynamic_waves.rise_mps, 1e-6);
+            EXPECT_EQ(foam[i], static_cast<float>(dynamic_waves.foam));
             // Slopes add, whatever the tiles' are.
-            EXPECT_NEAR(-nx[i] / ny[i], -mx[i] / my[i] + local.slope_x, 1e-5);
-            EXPECT_NEAR(-nz[i] / ny[i], -mz[i] / my[i] + local.slope_z, 1e-5);
+            EXPECT_NEAR(-nx[i] / ny[i], -mx[i] / my[i] + dynamic_waves.slope_x, 1e-5);
+            EXPECT_NEAR(-nz[i] / ny[i], -mz[i] / my[i] + dynamic_waves.slope_z, 1e-5);
             EXPECT_NEAR(std::hypot(nx[i], ny[i], nz[i]), 1, 1e-6);
         }
         EXPECT_GT(largest, 0.1);
@@ -152,9 +152,9 @@ TEST(LocalWater, AddsToWhatQueriesTell) {
 }
 
 // Against the surface's own differences: slopes at texels are those over two texels.
-TEST(LocalWater, SlopesAsItsHeightsDo) {
+TEST(DynamicWaves, SlopesAsItsHeightsDo) {
     Ocean ocean(breeze, answering());
-    const LocalSurface& water = happen(ocean, 0, 100).local;
+    const DynamicWavesView& water = happen(ocean, 0, 100).dynamic_waves;
     for (std::int64_t z = water.first_z + 2; z < water.first_z + 60; z += 3)
         for (std::int64_t x = water.first_x + 2; x < water.first_x + 60; x += 3) {
             const double step = water.texel_m, at_x = static_cast<double>(x) * step,
@@ -168,7 +168,7 @@ TEST(LocalWater, SlopesAsItsHeightsDo) {
     EXPECT_EQ(sample(water, static_cast<double>(water.first_x - 1) * water.texel_m, 0).height_m, 0);
 }
 
-TEST(LocalWater, StopsRays) {
+TEST(DynamicWaves, StopsRays) {
     Ocean ocean(breeze, answering());
     ocean.add_source({.radius_m = 2, .height_m = 3});  // a bulge, higher than all waves
     const Frame* frame = nullptr;
@@ -189,23 +189,23 @@ TEST(LocalWater, StopsRays) {
     EXPECT_LT(along->position_m[0], 0);
 }
 
-TEST(LocalWater, RestoredIsAsIfOneHadNeverLeft) {
+TEST(DynamicWaves, RestoredIsAsIfOneHadNeverLeft) {
     Ocean stays(breeze, answering()), goes(breeze, answering()), late(breeze, answering());
     for (Ocean* rains : {&stays, &goes}) rains->set_rain({.drops_per_m2_s = 2, .radius_m = 0.5, .seed = 5});
-    const std::uint64_t expected = local_hash_of(happen(stays, 0, 150));
+    const std::uint64_t expected = dynamic_waves_hash_of(happen(stays, 0, 150));
     happen(goes, 0, 70);
     const std::vector<std::uint8_t> saved = goes.saved_water();
     happen(goes, 70, 110);
     goes.disturb({.height_m = 1});  // never happened
     goes.set_rain({.drops_per_m2_s = 1});
     goes.restore_water(saved);
-    EXPECT_EQ(local_hash_of(happen(goes, 70, 150)), expected);
+    EXPECT_EQ(dynamic_waves_hash_of(happen(goes, 70, 150)), expected);
     late.restore_water(saved);
-    EXPECT_EQ(local_hash_of(happen(late, 70, 150)), expected);
+    EXPECT_EQ(dynamic_waves_hash_of(happen(late, 70, 150)), expected);
     EXPECT_GT(late.add_source(boat), 1U) << "the boat's number is taken";
 }
 
-TEST(LocalWater, RestoredHasWhatWaitedForATick) {
+TEST(DynamicWaves, RestoredHasWhatWaitedForATick) {
     Ocean stays(breeze, answering()), late(breeze, answering());
     stays.frame_at(0.5);
     stays.disturb(drop(0.3));
@@ -216,8 +216,8 @@ TEST(LocalWater, RestoredHasWhatWaitedForATick) {
         ocean->disturb(drop(0.2));
         ocean->frame_at(0.501);  // time stands still for both
     }
-    EXPECT_GT(stays.frame_at(0.55).local.height_max_m, 0.2f);
-    EXPECT_EQ(local_hash_of(late.frame_at(0.55)), local_hash_of(stays.frame_at(0.55)));
+    EXPECT_GT(stays.frame_at(0.55).dynamic_waves.height_max_m, 0.2f);
+    EXPECT_EQ(dynamic_waves_hash_of(late.frame_at(0.55)), dynamic_waves_hash_of(stays.frame_at(0.55)));
 }
 
 /// The water at 0.6 s after a frame at 0.5 s and frames at these times, each given these drops while the frame before is in flight.
@@ -234,17 +234,17 @@ std::uint64_t hash_after(const std::vector<FrameWithDrops>& frames) {
         ocean.schedule(frame.time_s);
     }
     ocean.complete();
-    return local_hash_of(ocean.frame_at(0.6));
+    return dynamic_waves_hash_of(ocean.frame_at(0.6));
 }
 
 // Ticks are at 0.5 s and 0.517 s.
-TEST(LocalWater, AddsUpWhatFramesBringUntilTheNextTick) {
+TEST(DynamicWaves, AddsUpWhatFramesBringUntilTheNextTick) {
     const std::uint64_t at_once = hash_after({{0.52, {0.1, -0.2, 0.3, 0.05}}});
     EXPECT_EQ(hash_after({{0.505, {0.1}}, {0.51, {-0.2, 0.3}}, {0.515, {}}, {0.52, {0.05}}}), at_once);
     EXPECT_NE(hash_after({{0.52, {0.1, -0.2, 0.3}}}), at_once);
 }
 
-TEST(LocalWater, KeepsTheLastOfWhatFramesBringWhileTimeStandsStill) {
+TEST(DynamicWaves, KeepsTheLastOfWhatFramesBringWhileTimeStandsStill) {
     const std::uint64_t expected = hash_after({{0.52, {0.1, 0.3, 0.05}}});
     EXPECT_EQ(hash_after({{0.505, {0.1}}, {0.505, {-0.2}}, {0.505, {0.3}}, {0.505, {}}, {0.52, {0.05}}}), expected);
     EXPECT_EQ(hash_after({{0.505, {0.1}}, {0.504, {-0.2, 1}}, {0.503, {0.3}}, {0.52, {0.05}}}), expected);
@@ -254,7 +254,7 @@ TEST(LocalWater, KeepsTheLastOfWhatFramesBringWhileTimeStandsStill) {
     EXPECT_EQ(hash_after(paused), hash_after({{0.52, {0.01, 0.02, 0.03, 0.04, 0.05, 0.3}}}));
 }
 
-TEST(LocalWater, HasRoomForSoManyDisturbancesATick) {
+TEST(DynamicWaves, HasRoomForSoManyDisturbancesATick) {
     Ocean ocean(breeze, answering(choose_isa(), make_thread_executor(2)));
     const auto disturb = [&](int times) {
         for (int i = 0; i < times; ++i) ocean.disturb(drop(1e-4));
@@ -284,7 +284,7 @@ TEST(LocalWater, HasRoomForSoManyDisturbancesATick) {
     ocean.frame_at(0.54);
 }
 
-TEST(LocalWater, HasRoomForASourceWhereOneHasGone) {
+TEST(DynamicWaves, HasRoomForASourceWhereOneHasGone) {
     Ocean ocean(breeze, answering(choose_isa(), make_thread_executor(2)));
     const Disturbance press{.radius_m = 1, .height_m = 1e-4};
     std::vector<std::uint32_t> numbers;
@@ -319,12 +319,12 @@ TEST(LocalWater, HasRoomForASourceWhereOneHasGone) {
     ocean.frame_at(0.1);
 }
 
-TEST(LocalWater, RefusesWhatWasSavedUnderOtherOptions) {
+TEST(DynamicWaves, RefusesWhatWasSavedUnderOtherOptions) {
     OceanOptions set = answering();
-    set.local->step = LocalStep::verlet;
+    set.dynamic_waves->step = DynamicWavesStep::verlet;
     const auto saved_with = [&](auto change) {
         OceanOptions changed = set;
-        change(*changed.local);
+        change(*changed.dynamic_waves);
         Ocean ocean(breeze, changed);
         ocean.disturb(drop(0.3));
         ocean.frame_at(0);
@@ -343,8 +343,8 @@ TEST(LocalWater, RefusesWhatWasSavedUnderOtherOptions) {
         }
         EXPECT_EQ(ocean.saved_water(), before) << what;
     };
-    using Options = LocalWaterOptions;
-    refuses([](Options& o) { o.step = LocalStep::spectral; }, "step");
+    using Options = DynamicWavesOptions;
+    refuses([](Options& o) { o.step = DynamicWavesStep::spectral; }, "step");
     refuses([](Options& o) { o.resolution = 128; }, "resolution");
     refuses([](Options& o) { o.side_m = 33; }, "side_m");
     refuses([](Options& o) { o.ticks_per_s = 61; }, "ticks_per_s");
@@ -358,15 +358,15 @@ TEST(LocalWater, RefusesWhatWasSavedUnderOtherOptions) {
     EXPECT_NO_THROW(ocean.restore_water(saved_with([](Options&) {})));
 }
 
-// The water of the window does not depend on the waves of the wind.
-TEST(LocalWater, IsRestoredInAnOceanOfAnotherSea) {
+// The water of the grid does not depend on the waves of the wind.
+TEST(DynamicWaves, IsRestoredInAnOceanOfAnotherSea) {
     Ocean there(breeze, answering()), here({.cascades = 1, .resolution = 64, .wind_speed_mps = 12}, answering());
     happen(there, 0, 40);
     here.restore_water(there.saved_water());
-    EXPECT_EQ(local_hash_of(happen(here, 40, 60)), local_hash_of(happen(there, 40, 60)));
+    EXPECT_EQ(dynamic_waves_hash_of(happen(here, 40, 60)), dynamic_waves_hash_of(happen(there, 40, 60)));
 }
 
-TEST(LocalWater, TakesOnlyWhatCanBeSaved) {
+TEST(DynamicWaves, TakesOnlyWhatCanBeSaved) {
     Ocean ocean(breeze, answering());
     ocean.set_rain({.drops_per_m2_s = 2});
     happen(ocean, 0, 20);
@@ -389,11 +389,11 @@ TEST(LocalWater, TakesOnlyWhatCanBeSaved) {
     EXPECT_THROW(ocean.restore_water(std::span(saved).first(saved.size() - 1)), std::invalid_argument);
 }
 
-TEST(LocalWater, SourcesMoveStopAndGo) {
+TEST(DynamicWaves, SourcesMoveStopAndGo) {
     Ocean ocean(breeze, answering());
     const std::uint32_t source = ocean.add_source({.radius_m = 1.5, .height_m = 0.5, .velocity_x_mps = 1});
     const auto highest_at = [&](double x, const Frame& frame) {
-        return sample(frame.local, x, 0).height_m > 0.8 * 0.5;
+        return sample(frame.dynamic_waves, x, 0).height_m > 0.8 * 0.5;
     };
     int frame = 0;
     const auto run_to = [&](int ticks) -> const Frame& {
@@ -409,21 +409,21 @@ TEST(LocalWater, SourcesMoveStopAndGo) {
     ocean.set_source(source, {.x_m = -5, .radius_m = 1.5, .height_m = 0.5, .velocity_x_mps = 1});
     EXPECT_TRUE(highest_at(-3.1, run_to(720)));
     ocean.remove_source(source);
-    EXPECT_LT(run_to(1600).local.height_max_m, 0.02f);
+    EXPECT_LT(run_to(1600).dynamic_waves.height_max_m, 0.02f);
     // What is said of it afterwards, or of one that never was, is of nobody.
     ocean.set_source(source, {.radius_m = 1.5, .height_m = 0.5});
     ocean.set_source(77, {.radius_m = 1.5, .height_m = 0.5});
-    EXPECT_LT(run_to(1800).local.height_max_m, 0.02f);
+    EXPECT_LT(run_to(1800).dynamic_waves.height_max_m, 0.02f);
 }
 
-TEST(LocalWater, RefusesWhatItCantTake) {
+TEST(DynamicWaves, RefusesWhatItCantTake) {
     Ocean plain(breeze, {.executor = make_serial_executor()});
     EXPECT_THROW(plain.disturb({}), std::invalid_argument);
     EXPECT_THROW(plain.follow(0, 0), std::invalid_argument);
     EXPECT_THROW(plain.set_rain({}), std::invalid_argument);
     EXPECT_THROW(plain.saved_water(), std::invalid_argument);
     OceanOptions wrong = answering();
-    wrong.local->resolution = 65;
+    wrong.dynamic_waves->resolution = 65;
     try {
         const Ocean ocean(breeze, wrong);
         ADD_FAILURE();
@@ -432,7 +432,7 @@ TEST(LocalWater, RefusesWhatItCantTake) {
     }
     Ocean ocean(breeze, answering());
     happen(ocean, 0, 20);
-    const std::uint64_t before = local_hash_of(ocean.frame_at(0.3));
+    const std::uint64_t before = dynamic_waves_hash_of(ocean.frame_at(0.3));
     const double nan = std::numeric_limits<double>::quiet_NaN();
     for (const double bad : {nan, 1e300}) {
         EXPECT_THROW(ocean.disturb({.x_m = bad}), std::invalid_argument);
@@ -440,7 +440,7 @@ TEST(LocalWater, RefusesWhatItCantTake) {
         EXPECT_THROW(ocean.set_source(1, {.radius_m = bad}), std::invalid_argument);
         EXPECT_THROW(ocean.follow(bad, 0), std::invalid_argument);
     }
-    EXPECT_EQ(local_hash_of(ocean.frame_at(0.3)), before);
+    EXPECT_EQ(dynamic_waves_hash_of(ocean.frame_at(0.3)), before);
     for (std::size_t i = 0; i < 4096; ++i) ocean.disturb({.height_m = 0.01});
     EXPECT_THROW(ocean.disturb({.height_m = 0.01}), std::invalid_argument);
     ocean.frame_at(0.31);  // may have no tick: they wait for the next one

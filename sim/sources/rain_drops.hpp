@@ -1,35 +1,35 @@
-// The drops of rain (rain.hpp) that fall on a window of water. They are drawn by (seed, tick, cell of the world), as the waves of the
-// wind are by their numbers: there is nothing to remember, and wherever the window is, the same drops fall.
+// The drops of rain (rain.hpp) that fall on a grid of water. They are drawn by (seed, tick, cell of the world), as the waves of the
+// wind are by their numbers: there is nothing to remember, and wherever the grid is, the same drops fall.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
-#include "pelagic/sim/local_water.hpp"
+#include "pelagic/sim/dynamic_waves.hpp"
 #include "pelagic/sim/rain.hpp"
-#include "pelagic/sim/sources/local_window.hpp"
+#include "pelagic/sim/sources/grid_placement.hpp"
 
 namespace pelagic {
 
-/// Texels (0, 0) of the planes of a window that a tick moves, in rows as local_jobs.hpp has them.
-struct LocalHeights {
+/// Texels (0, 0) of the planes of a grid that a tick moves, in rows as dynamic_wave_jobs.hpp has them.
+struct HeightPlanes {
     float* now;
     float* before;       ///< Verlet's other height; null where there is none
     float* tick_before;  ///< as frames show it: what is there at once was there before the tick, too
 };
 
-class LocalRain {
+class RainDrops {
    public:
     /// None.
-    LocalRain() = default;
+    RainDrops() = default;
     /// Throws std::invalid_argument(check(rain, water)). \pre check(water).empty()
-    LocalRain(const Rain& rain, const LocalWaterOptions& water);
+    RainDrops(const Rain& rain, const DynamicWavesOptions& water);
 
-    /// Adds the drops of the tick to rows of the torus. One that the window's edge would cut does not fall: no water comes in, and none
+    /// Adds the drops of the tick to rows of the torus. One that the grid's edge would cut does not fall: no water comes in, and none
     /// goes.
-    void push_rows(const LocalWindow& window, std::int64_t tick, std::size_t first_row, std::size_t rows,
-                   LocalHeights heights) const;
+    void push_rows(const GridPlacement& placement, std::int64_t tick, std::size_t first_row, std::size_t rows,
+                   HeightPlanes heights) const;
 
     /// What it was made of; all as in Rain{} where it is none.
     const Rain& rain() const { return rain_; }

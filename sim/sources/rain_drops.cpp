@@ -1,4 +1,4 @@
-#include "pelagic/sim/sources/local_rain.hpp"
+#include "pelagic/sim/sources/rain_drops.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "pelagic/message/refusal.hpp"
-#include "pelagic/sim/kernels/local_jobs.hpp"
+#include "pelagic/sim/kernels/dynamic_wave_jobs.hpp"
 #include "pelagic/sim/spectrum/split_mix.hpp"
 #include "pelagic/simd/det_math.hpp"
 #include "pelagic/simd/float_environment.hpp"
@@ -26,14 +26,14 @@ constexpr double most_at_a_texel = 16;
 constexpr int most_in_a_cell = 100;
 constexpr double two_to_minus_53 = 1.0 / 9007199254740992.0;
 
-double texel_of(const LocalWaterOptions& water) { return water.side_m / water.resolution; }
-double drawn_radius(const Rain& rain, const LocalWaterOptions& water) {
+double texel_of(const DynamicWavesOptions& water) { return water.side_m / water.resolution; }
+double drawn_radius(const Rain& rain, const DynamicWavesOptions& water) {
     return std::max(rain.radius_m, texel_of(water));
 }
-std::int64_t reach_of(const Rain& rain, const LocalWaterOptions& water) {
+std::int64_t reach_of(const Rain& rain, const DynamicWavesOptions& water) {
     return static_cast<std::int64_t>(std::ceil(reach_radii * drawn_radius(rain, water) / texel_of(water)));
 }
-double most_drops(const Rain& rain, const LocalWaterOptions& water) {
+double most_drops(const Rain& rain, const DynamicWavesOptions& water) {
     const double side_m = static_cast<double>(2 * reach_of(rain, water) + 2) * texel_of(water);
     return most_at_a_texel * water.ticks_per_s / (side_m * side_m);
 }
@@ -47,7 +47,7 @@ std::array<std::int64_t, 2> cells_reaching(std::int64_t first, std::int64_t end,
 
 }  // namespace
 
-std::string check(const Rain& rain, const LocalWaterOptions& water) {
+std::string check(const Rain& rain, const DynamicWavesOptions& water) {
     if (rain.drops_per_m2_s == 0) return {};  // of no rain nothing else counts
     const double widest = water.side_m / 16;
     if (!(rain.radius_m >= 0.001 && rain.radius_m <= widest))
@@ -56,17 +56,17 @@ std::string check(const Rain& rain, const LocalWaterOptions& water) {
     const double most = most_drops(rain, water);
     if (!(rain.drops_per_m2_s >= 0 && rain.drops_per_m2_s <= most))
         return refusal("drops_per_m2_s", rain.drops_per_m2_s,
-                       "[0, " + rounded_text(most, 6) + "] for drops so wide in such a window");
+                       "[0, " + rounded_text(most, 6) + "] for drops so wide in such a grid");
     return {};
 }
 
 /// A drop's middle: the texel below it, and the part of a texel that it is above that.
-struct LocalRain::Drop {
+struct RainDrops::Drop {
     std::int64_t x, z;
     std::size_t part_x, part_z;
 };
 
-LocalRain::LocalRain(const Rain& rain, const LocalWaterOptions& water) {
+RainDrops::RainDrops(const Rain& rain, const DynamicWavesOptions& water) {
     if (const std::string reason = check(rain, water); !reason.empty()) throw std::invalid_argument(reason);
     const DefaultFloatEnvironment environment;
     if (rain.drops_per_m2_s == 0) return;
@@ -100,7 +100,7 @@ LocalRain::LocalRain(const Rain& rain, const LocalWaterOptions& water) {
 }
 
 template <class OfDrop>
-void LocalRain::for_drops(std::uint64_t state, std::int64_t cell_x, std::int64_t cell_z, OfDrop of_drop) const {
+void RainDrops::for_drops(std::uint64_t state, std::int64_t cell_x, std::int64_t cell_z, OfDrop of_drop) const {
     const double u = static_cast<double>(split_mix(state) >> 11) * two_to_minus_53;
     double likely = none_, up_to = none_;
     for (int drop = 1; drop <= most_in_a_cell && u >= up_to; ++drop) {
@@ -115,20 +115,20 @@ void LocalRain::for_drops(std::uint64_t state, std::int64_t cell_x, std::int64_t
     }
 }
 
-void LocalRain::push_rows(const LocalWindow& window, std::int64_t tick, std::size_t first_row, std::size_t rows,
-                          LocalHeights heights) const {
+void RainDrops::push_rows(const GridPlacement& placement, std::int64_t tick, std::size_t first_row, std::size_t rows,
+                          HeightPlanes heights) const {
     if (shapes_.empty()) return;
-    const std::int64_t side = window.resolution(), count = static_cast<std::int64_t>(width());
-    const std::int64_t first_x = window.first()[0], first_z = window.first()[1];
-    const std::size_t stride = local_row_stride(static_cast<std::size_t>(side));
+    const std::int64_t side = placement.resolution(), count = static_cast<std::int64_t>(width());
+    const std::int64_t first_x = placement.first()[0], first_z = placement.first()[1];
+    const std::size_t stride = dynamic_row_stride(static_cast<std::size_t>(side));
 
     const auto add_row = [&](const Drop& drop, std::int64_t z) {
         const Shape along_z = shape_at(drop.part_z)[z - (drop.z - reach_)];
         const float e = height_ * along_z.e, rim = height_ * along_z.rim;
         const Shape* const along_x = shape_at(drop.part_x);
-        const std::size_t row = window.in_torus(z) * stride;
+        const std::size_t row = placement.in_torus(z) * stride;
         for (std::int64_t i = 0; i < count; ++i) {
-            const std::size_t texel = row + window.in_torus(drop.x - reach_ + i);
+            const std::size_t texel = row + placement.in_torus(drop.x - reach_ + i);
             const float height = along_x[i].rim * e + along_x[i].e * rim;
             heights.now[texel] += height;
             if (heights.before) heights.before[texel] += height;  // it is dug, and does not move yet
@@ -156,8 +156,8 @@ void LocalRain::push_rows(const LocalWindow& window, std::int64_t tick, std::siz
         }
     };
 
-    // Rows of the torus are those of the window from where it begins in it, and go round once.
-    const std::int64_t begins = static_cast<std::int64_t>(window.in_torus(first_z));
+    // Rows of the torus are those of the grid from where it begins in it, and go round once.
+    const std::int64_t begins = static_cast<std::int64_t>(placement.in_torus(first_z));
     const std::int64_t from = static_cast<std::int64_t>(first_row), to = static_cast<std::int64_t>(first_row + rows);
     const std::int64_t cut = std::clamp(begins, from, to);
     if (cut < to) add_drops(first_z + cut - begins, first_z + to - begins);

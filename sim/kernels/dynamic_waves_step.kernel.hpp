@@ -5,7 +5,7 @@
 #include <xsimd/xsimd.hpp>
 
 #include "pelagic/sim/kernels/fft.kernel.hpp"
-#include "pelagic/sim/kernels/local_jobs.hpp"
+#include "pelagic/sim/kernels/dynamic_wave_jobs.hpp"
 #include "pelagic/simd/always_inline.hpp"
 #include "pelagic/simd/transpose.kernel.hpp"
 
@@ -34,19 +34,19 @@ inline void transform_from(Input input, const FftTables& fft, float* data) {
         transform_from<Arch, 4>(input, fft, data);
 }
 
-/// LocalBorder in registers, of W columns.
+/// BorderDamping in registers, of W columns.
 template <class Arch>
 struct BorderColumns {
     using V = xsimd::batch<float, Arch>;
     V left_x;
     const float* left_z;
 
-    PELAGIC_INLINE BorderColumns(const LocalBorder& border, std::size_t first_column)
+    PELAGIC_INLINE BorderColumns(const BorderDamping& border, std::size_t first_column)
         : left_x(V::load_aligned(border.left_x + first_column)), left_z(border.left_z) {}
 
     PELAGIC_INLINE V operator()(V value, std::size_t z) const {
         const V left = value * (left_x * V(left_z[z]));
-        return xsimd::select(xsimd::abs(left) < V(LocalBorder::smallest), V(0.f), left);
+        return xsimd::select(xsimd::abs(left) < V(BorderDamping::smallest), V(0.f), left);
     }
 };
 
@@ -54,7 +54,7 @@ template <class Arch>
 void damp_rows(const DampJob& job) {
     using V = xsimd::batch<float, Arch>;
     for (std::size_t z = job.first_row; z < job.first_row + job.rows; ++z) {
-        const std::size_t row = z * local_row_stride(job.resolution);
+        const std::size_t row = z * dynamic_row_stride(job.resolution);
         for (std::size_t x = 0; x < job.resolution; x += V::size) {
             const BorderColumns<Arch> border(job.border, x);
             for (float* const plane : job.planes)
@@ -64,10 +64,10 @@ void damp_rows(const DampJob& job) {
 }
 
 template <class Arch>
-void local_columns(const LocalColumnsJob& job) {
+void dynamic_columns(const DynamicColumnsJob& job) {
     using V = xsimd::batch<float, Arch>;
     constexpr std::size_t lanes = V::size, element = 2 * lanes;
-    const std::size_t size = static_cast<std::size_t>(job.fft->size), stride = local_row_stride(size);
+    const std::size_t size = static_cast<std::size_t>(job.fft->size), stride = dynamic_row_stride(size);
     float* const data = PELAGIC_STACK_FLOATS(workspace_floats<Arch>(*job.fft));
     const float* const h = job.h + job.first_column;
     const float* const w = job.w + job.first_column;
@@ -90,7 +90,7 @@ void local_columns(const LocalColumnsJob& job) {
 }
 
 template <class Arch>
-void local_lines(const LocalLinesJob& job) {
+void dynamic_lines(const DynamicLinesJob& job) {
     using V = xsimd::batch<float, Arch>;
     using C = Complex<Arch>;
     constexpr std::size_t element = 2 * V::size;
@@ -109,11 +109,11 @@ void local_lines(const LocalLinesJob& job) {
 }
 
 template <class Arch>
-void local_columns_back(const LocalColumnsJob& job) {
+void dynamic_columns_back(const DynamicColumnsJob& job) {
     using V = xsimd::batch<float, Arch>;
     constexpr std::size_t lanes = V::size, element = 2 * lanes;
     const FftTables& fft = *job.fft;
-    const std::size_t size = static_cast<std::size_t>(fft.size), stride = local_row_stride(size);
+    const std::size_t size = static_cast<std::size_t>(fft.size), stride = dynamic_row_stride(size);
     float* const data = PELAGIC_STACK_FLOATS(2 * workspace_floats<Arch>(fft));
     float* const columns = data + size * element;
     for (std::size_t line = 0; line < size; line += lanes) {
@@ -138,7 +138,7 @@ void local_columns_back(const LocalColumnsJob& job) {
 template <class Arch>
 void verlet_rows(const VerletRowsJob& job) {
     using V = xsimd::batch<float, Arch>;
-    const std::size_t n = job.resolution, stride = local_row_stride(n);
+    const std::size_t n = job.resolution, stride = dynamic_row_stride(n);
     const V coupling(job.coupling), left(job.left), four(4.f);
     for (std::size_t z = job.first_row; z < job.first_row + job.rows; ++z) {
         const float* const row = job.now + z * stride;
@@ -157,12 +157,12 @@ void verlet_rows(const VerletRowsJob& job) {
 }
 
 template <class Arch>
-void local_foam(const LocalFoamJob& job) {
+void dynamic_foam(const DynamicFoamJob& job) {
     using V = xsimd::batch<float, Arch>;
     const V threshold(job.threshold), scale(job.scale), none(0.f), most(255.f);
-    alignas(64) std::int32_t fresh[LocalFoamJob::most_resolution];
+    alignas(64) std::int32_t fresh[DynamicFoamJob::most_resolution];
     for (std::size_t z = job.first_row; z < job.first_row + job.rows; ++z) {
-        const float* const row = job.heights + z * local_row_stride(job.resolution);
+        const float* const row = job.heights + z * dynamic_row_stride(job.resolution);
         V highest(row[0]);
         for (std::size_t x = 0; x < job.resolution; x += V::size)
             highest = xsimd::max(highest, V::load_aligned(row + x));
@@ -184,14 +184,14 @@ void local_foam(const LocalFoamJob& job) {
 }
 
 template <class Arch>
-void local_show(const LocalShowJob& job) {
+void interpolate_ticks(const TickInterpolationJob& job) {
     using V = xsimd::batch<float, Arch>;
     const std::size_t n = job.resolution;
     const V part(job.part), from_middle(job.part - 0.5f), ticks_per_s(job.ticks_per_s);
     for (std::size_t z = job.first_row; z < job.first_row + job.rows; ++z) {
-        const float* const before = job.before + z * local_row_stride(n);
-        const float* const now = job.now + z * local_row_stride(n);
-        const float* const way_before = job.way_before + z * local_row_stride(n);
+        const float* const before = job.before + z * dynamic_row_stride(n);
+        const float* const now = job.now + z * dynamic_row_stride(n);
+        const float* const way_before = job.way_before + z * dynamic_row_stride(n);
         const V shown_z(job.shown_z[z]);
         V low(0.f), high(0.f);
         for (std::size_t x = 0; x < n; x += V::size) {

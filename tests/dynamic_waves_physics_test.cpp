@@ -1,4 +1,4 @@
-// Water that answers, as physics: dispersion, energy, borders, wakes, against closed forms and a slow oracle in double.
+// Dynamic waves, as physics: dispersion, energy, borders, wakes, against closed forms and a slow oracle in double.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,7 +9,7 @@
 
 #include "pelagic/sim/spectrum/dispersion.hpp"
 #include "pelagic/tests/each_isa.hpp"
-#include "pelagic/tests/local_pool.hpp"
+#include "pelagic/tests/dynamic_wave_pool.hpp"
 #include "pelagic/tests/sanitized.hpp"
 
 namespace pelagic {
@@ -18,7 +18,7 @@ namespace {
 constexpr double pi = std::numbers::pi;
 
 /// No border, nothing that fades: what is left is the step.
-LocalWaterOptions bare(LocalStep step, int resolution = 64, double side_m = 32) {
+DynamicWavesOptions bare(DynamicWavesStep step, int resolution = 64, double side_m = 32) {
     return {.step = step,
             .resolution = resolution,
             .side_m = side_m,
@@ -29,7 +29,7 @@ LocalWaterOptions bare(LocalStep step, int resolution = 64, double side_m = 32) 
             .decay_per_s = 0};
 }
 
-/// h and w of a wave that runs, (kx, kz) in whole waves a window.
+/// h and w of a wave that runs, (kx, kz) in whole waves a grid.
 struct RunningWave {
     double kx, kz, omega, texel_m, amplitude = 0.1;
     double phase(std::int64_t x, std::int64_t z, double time_s) const {
@@ -44,12 +44,12 @@ struct RunningWave {
     }
 };
 
-TEST(LocalWaves, RunAsDeepAndShallowWaterHasIt) {
+TEST(DynamicWavesWaves, RunAsDeepAndShallowWaterHasIt) {
     for (const double depth : {1e4, 2.0, 0.3}) {
         for (const auto& [i, j] : {std::pair{1, 0}, {3, 5}, {-7, 2}, {0, 13}}) {
-            LocalWaterOptions options = bare(LocalStep::spectral);
+            DynamicWavesOptions options = bare(DynamicWavesStep::spectral);
             options.depth_m = depth;
-            LocalPool pool(options);
+            DynamicWavePool pool(options);
             const double step = 2 * pi / options.side_m, k = step * std::hypot(i, j);
             const double omega = std::sqrt((9.80665 * k + 0.074 / 1025 * k * k * k) * std::tanh(k * depth));
             const RunningWave wave{step * i, step * j, omega, pool.grid.texel_m()};
@@ -68,10 +68,10 @@ TEST(LocalWaves, RunAsDeepAndShallowWaterHasIt) {
 }
 
 // sin^2(omega dt / 2) = c (sin^2(kx dx / 2) + sin^2(kz dx / 2)), the step's own dispersion without decay; to lowest order omega = speed k.
-TEST(LocalWaves, OfVerletRunAsItsDiscreteEquation) {
-    const LocalWaterOptions options = bare(LocalStep::verlet);
+TEST(DynamicWavesWaves, OfVerletRunAsItsDiscreteEquation) {
+    const DynamicWavesOptions options = bare(DynamicWavesStep::verlet);
     for (const auto& [i, j] : {std::pair{1, 0}, {3, 5}, {-7, 2}, {0, 13}}) {
-        LocalPool pool(options);
+        DynamicWavePool pool(options);
         const double step = 2 * pi / options.side_m, texel = pool.grid.texel_m(), tick = pool.grid.tick_s();
         const double courant = options.wave_speed_mps * tick / texel;
         const double omega =
@@ -101,18 +101,18 @@ struct DecayingWave {
     int ticks_per_s, waves;
 };
 
-TEST(LocalWaves, OfVerletDecayAndRunAsSet) {
+TEST(DynamicWavesWaves, OfVerletDecayAndRunAsSet) {
     for (const DecayingWave& set : {DecayingWave{0.01, 40, 3, 60, 1},
                                     {0.01, 40, 3, 60, 2},
                                     {0.08, 40, 3, 60, 1},
                                     {0.5, 20, 3, 60, 4},
                                     {3, 6, 3, 120, 5},
                                     {10, 6, 6, 240, 9}}) {
-        LocalWaterOptions options = bare(LocalStep::verlet, 128, set.side_m);
+        DynamicWavesOptions options = bare(DynamicWavesStep::verlet, 128, set.side_m);
         options.decay_per_s = set.decay_per_s;
         options.wave_speed_mps = set.speed_mps;
         options.ticks_per_s = set.ticks_per_s;
-        LocalPool pool(options);
+        DynamicWavePool pool(options);
         const double k = 2 * pi * set.waves / set.side_m, tick = pool.grid.tick_s(), texel = pool.grid.texel_m();
         const double omega = std::sqrt(std::pow(set.speed_mps * k, 2) - std::pow(set.decay_per_s, 2));
         ASSERT_GT(omega, 5 * set.decay_per_s);
@@ -156,11 +156,11 @@ TEST(LocalWaves, OfVerletDecayAndRunAsSet) {
     }
 }
 
-// Decay is of waves: a level that all of the window has is none, and neither is its share of other water.
-TEST(LocalWaves, OfVerletKeepTheMeanLevel) {
-    LocalWaterOptions options = bare(LocalStep::verlet);
+// Decay is of waves: a level that all of the grid has is none, and neither is its share of other water.
+TEST(DynamicWavesWaves, OfVerletKeepTheMeanLevel) {
+    DynamicWavesOptions options = bare(DynamicWavesStep::verlet);
     options.decay_per_s = 0.5;
-    LocalPool pool(options);
+    DynamicWavePool pool(options);
     const double step = 2 * pi / options.side_m;
     const auto height = [&](auto x, auto z) {
         return 0.3 + 0.1 * std::cos(step * pool.grid.texel_m() * (2 * double(x) - 3 * double(z)));
@@ -180,11 +180,11 @@ struct Shown {
 };
 
 /// What a frame shows `part` of the way from the tick before to the last one.
-Shown shown(const LocalGrid& grid, double part) {
+Shown shown(const DynamicWaveGrid& grid, double part) {
     const auto n = static_cast<std::size_t>(grid.options().resolution);
     AlignedBuffer<float> height(n * n), rise(n * n), edge(n);
     std::vector<std::uint8_t> foam(n * n);
-    for (std::size_t item = 0; item < n / LocalGrid::rows_an_item; ++item)
+    for (std::size_t item = 0; item < n / DynamicWaveGrid::rows_an_item; ++item)
         grid.show(static_cast<float>(part), item,
                   {height.data(), rise.data(), foam.data(), edge.data(), edge.data()});
     return {{height.data(), height.data() + n * n}, {rise.data(), rise.data() + n * n}};
@@ -193,12 +193,12 @@ Shown shown(const LocalGrid& grid, double part) {
 // 4.4 rad/s, of which a difference between ticks is half a tick, 3.7 %, behind or ahead. The derivative of a parabola through three ticks is
 // off by (3 part^2 - 1) / 6 (omega tick)^2 of itself, 0.18 % at most, and by terms of (omega tick)^3, 4e-4 of which there are fewer than
 // a quarter.
-TEST(LocalWaves, RiseAsFastAsTheyDoAtTheMomentThatIsShown) {
-    for (const LocalStep step : {LocalStep::spectral, LocalStep::verlet}) {
-        LocalWaterOptions options = bare(step);
+TEST(DynamicWavesWaves, RiseAsFastAsTheyDoAtTheMomentThatIsShown) {
+    for (const DynamicWavesStep step : {DynamicWavesStep::spectral, DynamicWavesStep::verlet}) {
+        DynamicWavesOptions options = bare(step);
         options.ticks_per_s = 60;
-        LocalPool pool(options);
-        const bool is_verlet = step == LocalStep::verlet;
+        DynamicWavePool pool(options);
+        const bool is_verlet = step == DynamicWavesStep::verlet;
         const double tick = pool.grid.tick_s(), texel = pool.grid.texel_m();
         const double k = 2 * pi / options.side_m * (is_verlet ? 4 : 10);
         const double omega =
@@ -226,8 +226,8 @@ TEST(LocalWaves, RiseAsFastAsTheyDoAtTheMomentThatIsShown) {
 
 // A drop is there at once and at rest. It falls with no more than -h'' = height g sqrt(pi) / radius (deep water, the integral of
 // e^(-k^2 radius^2 / 4) k^2 dk height radius^2 g / 2), of which a parabola makes half as much again within a tick.
-TEST(LocalWaves, OfWhatIsAddedBeginAtRest) {
-    LocalPool pool({.resolution = 64, .side_m = 16, .border_m = 3});
+TEST(DynamicWavesWaves, OfWhatIsAddedBeginAtRest) {
+    DynamicWavePool pool({.resolution = 64, .side_m = 16, .border_m = 3});
     const double drop_m = 0.4;
     pool.tick(2);
     pool.grid.sources().disturb({.mode = Disturbance::Mode::add, .radius_m = 1, .height_m = drop_m});
@@ -243,7 +243,7 @@ TEST(LocalWaves, OfWhatIsAddedBeginAtRest) {
 }
 
 /// One step of the definition: z_k exp(-i omega dt - (2 nu k^2 + decay) dt), by sums in double.
-std::vector<std::complex<double>> stepped(const std::vector<std::complex<double>>& z, const LocalWaterOptions& o) {
+std::vector<std::complex<double>> stepped(const std::vector<std::complex<double>>& z, const DynamicWavesOptions& o) {
     const int n = o.resolution;
     const auto size = static_cast<std::size_t>(n);
     std::vector<std::complex<double>> roots(size);
@@ -274,12 +274,12 @@ std::vector<std::complex<double>> stepped(const std::vector<std::complex<double>
     return along(along(waves, false, true), false, false);
 }
 
-TEST(LocalWaves, StepAsAnOracleInDouble) {
-    LocalWaterOptions options = bare(LocalStep::spectral);
+TEST(DynamicWavesWaves, StepAsAnOracleInDouble) {
+    DynamicWavesOptions options = bare(DynamicWavesStep::spectral);
     options.viscosity_m2ps = 0.01;
     options.decay_per_s = 0.5;
     options.depth_m = 3;
-    LocalPool pool(options);
+    DynamicWavePool pool(options);
     pool.grid.sources().disturb(
         {.mode = Disturbance::Mode::add, .x_m = 1.3, .z_m = -2, .radius_m = 1.5, .height_m = 0.7});
     pool.tick(3);
@@ -304,14 +304,14 @@ TEST(LocalWaves, StepAsAnOracleInDouble) {
     EXPECT_LT(worst, 2e-6 * largest);
 }
 
-double spectral_energy(const LocalGrid& grid) {
+double spectral_energy(const DynamicWaveGrid& grid) {
     return sum_over(grid, [&](auto x, auto z) {
         return std::norm(std::complex<double>(grid.height_m(x, z), grid.companion_m(x, z)));
     });
 }
 
 /// What Verlet's step keeps where nothing fades: |(h - h_before) / dt|^2 + speed^2 grad h . grad h_before.
-double verlet_energy(const LocalGrid& grid) {
+double verlet_energy(const DynamicWaveGrid& grid) {
     const double over_tick = 1 / grid.tick_s(), over_texel = grid.options().wave_speed_mps / grid.texel_m();
     return sum_over(grid, [&](auto x, auto z) {
         const double moved = (static_cast<double>(grid.height_m(x, z)) - grid.companion_m(x, z)) * over_tick;
@@ -324,7 +324,7 @@ double verlet_energy(const LocalGrid& grid) {
 }
 
 /// Pushed at in many places for half a second.
-void stir(LocalPool& pool) {
+void stir(DynamicWavePool& pool) {
     for (int i = 0; i < 30; ++i) {
         pool.grid.sources().disturb(
             {.x_m = 5.0 * std::cos(i), .z_m = 6.0 * std::sin(2 * i), .radius_m = 0.8, .height_m = 1});
@@ -332,11 +332,11 @@ void stir(LocalPool& pool) {
     }
 }
 
-TEST(LocalWaves, NeverGrowWithoutASource) {
+TEST(DynamicWavesWaves, NeverGrowWithoutASource) {
     // Rounding may add 1e-7 of the energy a tick.
-    LocalWaterOptions options = {
+    DynamicWavesOptions options = {
         .resolution = 64, .side_m = 32, .border_m = 4, .viscosity_m2ps = 0, .decay_per_s = 1e-4};
-    LocalPool pool(options);
+    DynamicWavePool pool(options);
     stir(pool);
     double before = spectral_energy(pool.grid);
     ASSERT_GT(before, 0.1);
@@ -350,9 +350,9 @@ TEST(LocalWaves, NeverGrowWithoutASource) {
 
 // Its decay takes of the speed alone, and a border of both sums, so energy goes to and fro between them within a wave's period: the
 // most of a second counts.
-TEST(LocalWaves, OfVerletNeverGrowWithoutASource) {
+TEST(DynamicWavesWaves, OfVerletNeverGrowWithoutASource) {
     for (const double border_m : {0.0, 4.0}) {
-        LocalPool pool({.step = LocalStep::verlet, .resolution = 64, .side_m = 32, .border_m = border_m});
+        DynamicWavePool pool({.step = DynamicWavesStep::verlet, .resolution = 64, .side_m = 32, .border_m = border_m});
         stir(pool);
         double before = verlet_energy(pool.grid);
         ASSERT_GT(before, 0.1);
@@ -372,13 +372,13 @@ TEST(LocalWaves, OfVerletNeverGrowWithoutASource) {
 
 // The strongest decay of the coarsest tick at the largest c: the waves of two texels along both axes, whose height changes sign from
 // texel to texel, are the first to grow where a step is not stable.
-TEST(LocalWaves, OfVerletAreStableAtAnyDecay) {
+TEST(DynamicWavesWaves, OfVerletAreStableAtAnyDecay) {
     for (const double decay : {0.0, 1.0, 3.0, 10.0}) {
-        LocalWaterOptions options = bare(LocalStep::verlet);
+        DynamicWavesOptions options = bare(DynamicWavesStep::verlet);
         options.ticks_per_s = 10;
         options.wave_speed_mps = 3.16;  // c = (3.16 / (10 x 0.5))^2 = 0.399
         options.decay_per_s = decay;
-        LocalPool pool(options);
+        DynamicWavePool pool(options);
         const auto height = [](auto x, auto z) { return (x + z) % 2 == 0 ? 0.1 : -0.1; };
         fill(pool.grid, height, height);
         double highest = 0;
@@ -395,14 +395,14 @@ TEST(LocalWaves, OfVerletAreStableAtAnyDecay) {
 }
 
 /// How much of a packet's energy is still there when all of it should have left through the border.
-double energy_that_stays(LocalStep step, double wave_m, double degrees) {
-    LocalWaterOptions options = {.step = step, .resolution = 256, .side_m = 64, .ticks_per_s = 30};
+double energy_that_stays(DynamicWavesStep step, double wave_m, double degrees) {
+    DynamicWavesOptions options = {.step = step, .resolution = 256, .side_m = 64, .ticks_per_s = 30};
     options.viscosity_m2ps = 0;
     options.decay_per_s = 0;
-    LocalPool pool(options);
+    DynamicWavePool pool(options);
     const double k = 2 * pi / wave_m, angle = degrees * pi / 180, texel = pool.grid.texel_m();
-    const double speed = step == LocalStep::verlet ? options.wave_speed_mps : std::sqrt(9.80665 / k) / 2;
-    const double omega = step == LocalStep::verlet ? speed * k : std::sqrt(9.80665 * k);
+    const double speed = step == DynamicWavesStep::verlet ? options.wave_speed_mps : std::sqrt(9.80665 / k) / 2;
+    const double omega = step == DynamicWavesStep::verlet ? speed * k : std::sqrt(9.80665 * k);
     const double width = 6;  // of the packet, metres: well within the 40 that waves run freely
     const RunningWave wave{k * std::cos(angle), k * std::sin(angle), omega, texel};
     const auto envelope = [&](double x, double z) { return std::exp(-(x * x + z * z) / (width * width)); };
@@ -410,14 +410,14 @@ double energy_that_stays(LocalStep step, double wave_m, double degrees) {
         pool.grid,
         [&](auto x, auto z) { return wave.height(x, z, 0) * envelope(double(x) * texel, double(z) * texel); },
         [&](auto x, auto z) {
-            if (step == LocalStep::spectral)
+            if (step == DynamicWavesStep::spectral)
                 return wave.companion(x, z, 0) * envelope(double(x) * texel, double(z) * texel);
             const double back = speed * pool.grid.tick_s();
             return wave.height(x, z, -pool.grid.tick_s()) *
                    envelope(double(x) * texel + back * std::cos(angle), double(z) * texel + back * std::sin(angle));
         });
     const auto energy = [&] {
-        return step == LocalStep::spectral ? spectral_energy(pool.grid) : verlet_energy(pool.grid);
+        return step == DynamicWavesStep::spectral ? spectral_energy(pool.grid) : verlet_energy(pool.grid);
     };
     const double before = energy();
     // From the middle to the edge and back to the free water, along the longer of both axes.
@@ -426,15 +426,15 @@ double energy_that_stays(LocalStep step, double wave_m, double degrees) {
     return energy() / before;
 }
 
-TEST(LocalBorder, SendsLessThanAHundredthBack) {
-    for (const LocalStep step : {LocalStep::spectral, LocalStep::verlet})
+TEST(BorderDamping, SendsLessThanAHundredthBack) {
+    for (const DynamicWavesStep step : {DynamicWavesStep::spectral, DynamicWavesStep::verlet})
         for (const double wave_m : {12.0, 6.0, 3.0})
             for (const double degrees : {0.0, 20.0, 45.0})
                 EXPECT_LT(energy_that_stays(step, wave_m, degrees), 0.01)
-                    << wave_m << " m at " << degrees << (step == LocalStep::verlet ? " degrees, Verlet" : " degrees");
+                    << wave_m << " m at " << degrees << (step == DynamicWavesStep::verlet ? " degrees, Verlet" : " degrees");
 }
 
-double highest_in(const LocalGrid& grid) {
+double highest_in(const DynamicWaveGrid& grid) {
     double highest = 0;
     sum_over(grid, [&](auto x, auto z) {
         return highest = std::max(highest, std::fabs(static_cast<double>(grid.height_m(x, z))));
@@ -443,9 +443,9 @@ double highest_in(const LocalGrid& grid) {
 }
 
 // The water takes the shape and stays in it: h = shape solves the equation of pressed water, and waves of the beginning leave.
-TEST(LocalSources, ThatPressAtRestBecomeTheSurface) {
-    for (const LocalStep step : {LocalStep::spectral, LocalStep::verlet}) {
-        LocalPool pool({.step = step, .resolution = 64, .side_m = 32, .border_m = 8});
+TEST(DynamicWaveSources, ThatPressAtRestBecomeTheSurface) {
+    for (const DynamicWavesStep step : {DynamicWavesStep::spectral, DynamicWavesStep::verlet}) {
+        DynamicWavePool pool({.step = step, .resolution = 64, .side_m = 32, .border_m = 8});
         const Disturbance press{.radius_m = 2, .height_m = -0.5};
         for (int i = 0; i < 3000; ++i) {
             pool.grid.sources().disturb(press);
@@ -457,7 +457,7 @@ TEST(LocalSources, ThatPressAtRestBecomeTheSurface) {
             const double shape = away < 3 ? press.height_m * std::exp(-away * away) : 0;
             return worst = std::max(worst, std::fabs(pool.grid.height_m(x, z) - shape));
         });
-        EXPECT_LT(worst, 0.02 * 0.5) << (step == LocalStep::verlet ? "Verlet" : "spectral");
+        EXPECT_LT(worst, 0.02 * 0.5) << (step == DynamicWavesStep::verlet ? "Verlet" : "spectral");
     }
 }
 
@@ -484,10 +484,10 @@ double ring(double height_m, double radius_m, double speed_mps, double decay_per
 
 // Rings a tenth as high as the drop, as linear theory has them: water that is brought has no speed of its own. A pull of one tick that
 // goes all of its way brings its shape times the shape over its height, a Gaussian whose radius is smaller by sqrt 2.
-TEST(LocalSources, OfVerletThatAddAndPullMakeRingsOfWaterAtRest) {
+TEST(DynamicWaveSources, OfVerletThatAddAndPullMakeRingsOfWaterAtRest) {
     for (const Disturbance::Mode mode : {Disturbance::Mode::add, Disturbance::Mode::pull}) {
         const bool is_pull = mode == Disturbance::Mode::pull;
-        LocalPool pool({.step = LocalStep::verlet, .resolution = 512, .side_m = 64});
+        DynamicWavePool pool({.step = DynamicWavesStep::verlet, .resolution = 512, .side_m = 64});
         const double drop_m = 0.2, radius_m = 1;
         pool.grid.sources().disturb({.mode = mode,
                                      .radius_m = is_pull ? std::sqrt(2) * radius_m : radius_m,
@@ -508,9 +508,9 @@ TEST(LocalSources, OfVerletThatAddAndPullMakeRingsOfWaterAtRest) {
     }
 }
 
-TEST(LocalSources, ThatPullAtRestMakeABoundedBulge) {
-    for (const LocalStep step : {LocalStep::spectral, LocalStep::verlet}) {
-        LocalPool pool({.step = step, .resolution = 64, .side_m = 32, .border_m = 4});
+TEST(DynamicWaveSources, ThatPullAtRestMakeABoundedBulge) {
+    for (const DynamicWavesStep step : {DynamicWavesStep::spectral, DynamicWavesStep::verlet}) {
+        DynamicWavePool pool({.step = step, .resolution = 64, .side_m = 32, .border_m = 4});
         double highest = 0;
         for (int i = 0; i < 2000; ++i) {
             pool.grid.sources().disturb({.mode = Disturbance::Mode::pull, .radius_m = 2, .height_m = 0.5});
@@ -523,15 +523,15 @@ TEST(LocalSources, ThatPullAtRestMakeABoundedBulge) {
     }
 }
 
-// A wave number of a window isn't one of another, so bits differ; the water doesn't.
-TEST(LocalWake, IsInASmallWindowAsInALargerOne) {
-    LocalWaterOptions narrow = {.step = LocalStep::spectral, .resolution = 128, .side_m = 64}, wide = narrow;
+// A wave number of a grid isn't one of another, so bits differ; the water doesn't.
+TEST(DynamicWaveWake, IsInASmallWindowAsInALargerOne) {
+    DynamicWavesOptions narrow = {.step = DynamicWavesStep::spectral, .resolution = 128, .side_m = 64}, wide = narrow;
     wide.resolution = 512;
     wide.side_m = 256;
-    LocalPool a(narrow), b(wide);
+    DynamicWavePool a(narrow), b(wide);
     for (int i = 0; i < 300; ++i) {
         const double x = -10 + 4.0 * i / 60;
-        for (LocalPool* pool : {&a, &b}) {
+        for (DynamicWavePool* pool : {&a, &b}) {
             if (pool == &a) pool->grid.follow(x, 0);
             pool->grid.sources().disturb(
                 {.shape = Disturbance::Shape::hull, .x_m = x, .radius_m = 0.8, .length_m = 2, .height_m = -0.4});
@@ -567,11 +567,11 @@ double fitted_slope(const std::vector<double>& x, const std::vector<double>& y) 
     return (n * sxy - sx * sy) / (n * sxx - sx * sx);
 }
 
-// A boat of 10 m at 5 m/s, whom the window follows; over six of its waves.
-TEST(LocalWake, HasKelvinsAngleAndLength) {
-    LocalPool pool({.resolution = 512, .side_m = 256, .ticks_per_s = 20, .border_m = 24}, choose_isa(),
+// A boat of 10 m at 5 m/s, whom the grid follows; over six of its waves.
+TEST(DynamicWaveWake, HasKelvinsAngleAndLength) {
+    DynamicWavePool pool({.resolution = 512, .side_m = 256, .ticks_per_s = 20, .border_m = 24}, choose_isa(),
                    make_thread_executor(2));
-    const LocalGrid& grid = pool.grid;
+    const DynamicWaveGrid& grid = pool.grid;
     const double speed = 5, k = 9.80665 / (speed * speed), length = 2 * pi / k;
     double boat = 0;
     for (int i = 0; i < 55 * 20; ++i) {

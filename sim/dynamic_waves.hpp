@@ -1,4 +1,4 @@
-// Water that answers: a window of the sea in which hosts make waves, beside those of the wind. It follows somebody, its texels rest
+// Dynamic waves: a grid of the sea in which hosts make waves, beside those of the wind. It follows somebody, its texels rest
 // in the world, and its ticks are fixed, whatever frames do.
 #pragma once
 
@@ -11,7 +11,7 @@
 
 namespace pelagic {
 
-enum class LocalStep {
+enum class DynamicWavesStep {
     /// Each wave goes on by its own phase: deep or shallow water's dispersion, exactly, at any length of a tick. Wakes have Kelvin's
     /// angle.
     spectral,
@@ -20,8 +20,8 @@ enum class LocalStep {
     verlet
 };
 
-struct LocalWaterOptions {
-    LocalStep step = LocalStep::spectral;
+struct DynamicWavesOptions {
+    DynamicWavesStep step = DynamicWavesStep::spectral;
     int resolution = 256;          ///< N, texels along a side; 64, 128, 256, 512 or 1024
     double side_m = 64;            ///< [1, 10000]
     int ticks_per_s = 60;          ///< [10, 240]
@@ -34,21 +34,21 @@ struct LocalWaterOptions {
 };
 
 /// Empty, or what is wrong: "resolution is 100, needs 64, 128, 256, 512 or 1024".
-std::string check(const LocalWaterOptions& options);
+std::string check(const DynamicWavesOptions& options);
 
-/// The water of a window at a place.
-struct LocalSample {
+/// The water of a grid at a place.
+struct DynamicWavesSample {
     double height_m = 0;
     double slope_x = 0, slope_z = 0;
     double rise_mps = 0;
     double foam = 0;  ///< 0 to 1
 };
 
-/// Of the view that a frame has of the window (LocalSurface): bilinear between texels, slopes by central differences at texels. Flat
+/// Of the view that a frame has of the grid (DynamicWavesView): bilinear between texels, slopes by central differences at texels. Flat
 /// outside, and where x or z is no number.
-LocalSample sample(const LocalSurface& water, double x_m, double z_m);
+DynamicWavesSample sample(const DynamicWavesView& water, double x_m, double z_m);
 
-/// XXH3 of the window's place, heights, rises and foam, little-endian; 0 of a frame without one. hash_of() has none of it.
-std::uint64_t local_hash_of(const Frame& frame);
+/// XXH3 of the grid's place, heights, rises and foam, little-endian; 0 of a frame without one. hash_of() has none of it.
+std::uint64_t dynamic_waves_hash_of(const Frame& frame);
 
 }  // namespace pelagic

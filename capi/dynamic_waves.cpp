@@ -1,5 +1,5 @@
-// Water that answers as C spells it.
-#include "pelagic/sim/local_water.hpp"
+// Dynamic waves as C spells it.
+#include "pelagic/sim/dynamic_waves.hpp"
 
 #include "pelagic/capi/ocean.hpp"
 #include "pelagic/capi/sized_struct.hpp"
@@ -11,7 +11,7 @@
 namespace pelagic::capi {
 namespace {
 
-static_assert(PELAGIC_LOCAL_VERLET == static_cast<int>(LocalStep::verlet));
+static_assert(PELAGIC_DYNAMIC_WAVES_VERLET == static_cast<int>(DynamicWavesStep::verlet));
 static_assert(PELAGIC_SHAPE_HULL == static_cast<int>(Disturbance::Shape::hull));
 static_assert(PELAGIC_DISTURB_PULL == static_cast<int>(Disturbance::Mode::pull) &&
               PELAGIC_DISTURB_ADD == static_cast<int>(Disturbance::Mode::add));
@@ -36,19 +36,19 @@ Disturbance disturbance_of(const pelagic_disturbance* pointer, const char* name)
             .velocity_z_mps = from.velocity_z_mps};
 }
 
-const LocalSurface& shown_local(const pelagic_ocean& ocean) {
+const DynamicWavesView& shown_dynamic_waves(const pelagic_ocean& ocean) {
     need_frame(ocean);
-    if (!ocean.shown->local) refuse("the ocean has no water that answers, needs pelagic_ocean_options.local");
-    return ocean.shown->local;
+    if (!ocean.shown->dynamic_waves) refuse("the ocean has no dynamic waves, needs pelagic_ocean_options.dynamic_waves");
+    return ocean.shown->dynamic_waves;
 }
 
 }  // namespace
 
-LocalWaterOptions local_options_of(const pelagic_local_options* options) {
-    const pelagic_local_options from = read_struct(options, "local");
-    if (from.step < 0 || from.step > PELAGIC_LOCAL_VERLET)
-        refuse(refusal("local.step", from.step, "PELAGIC_LOCAL_SPECTRAL or PELAGIC_LOCAL_VERLET"));
-    const LocalWaterOptions ours{.step = static_cast<LocalStep>(from.step),
+DynamicWavesOptions dynamic_waves_options_of(const pelagic_dynamic_waves_options* options) {
+    const pelagic_dynamic_waves_options from = read_struct(options, "dynamic_waves");
+    if (from.step < 0 || from.step > PELAGIC_DYNAMIC_WAVES_VERLET)
+        refuse(refusal("dynamic_waves.step", from.step, "PELAGIC_DYNAMIC_WAVES_SPECTRAL or PELAGIC_DYNAMIC_WAVES_VERLET"));
+    const DynamicWavesOptions ours{.step = static_cast<DynamicWavesStep>(from.step),
                                  .resolution = from.resolution,
                                  .side_m = from.side_m,
                                  .ticks_per_s = from.ticks_per_s,
@@ -58,7 +58,7 @@ LocalWaterOptions local_options_of(const pelagic_local_options* options) {
                                  .wave_speed_mps = from.wave_speed_mps,
                                  .decay_per_s = from.decay_per_s,
                                  .foam_height_m = from.foam_height_m};
-    if (const std::string reason = check(ours); !reason.empty()) refuse("local." + reason);
+    if (const std::string reason = check(ours); !reason.empty()) refuse("dynamic_waves." + reason);
     return ours;
 }
 
@@ -67,11 +67,11 @@ LocalWaterOptions local_options_of(const pelagic_local_options* options) {
 using namespace pelagic;
 using namespace pelagic::capi;
 
-pelagic_status pelagic_local_defaults(pelagic_local_options* options) {
+pelagic_status pelagic_dynamic_waves_defaults(pelagic_dynamic_waves_options* options) {
     return guarded([&] {
         struct_bytes(options, "options");
-        const LocalWaterOptions ours;
-        pelagic_local_options out{};
+        const DynamicWavesOptions ours;
+        pelagic_dynamic_waves_options out{};
         out.step = static_cast<std::int32_t>(ours.step);
         out.resolution = ours.resolution;
         out.ticks_per_s = ours.ticks_per_s;
@@ -148,28 +148,28 @@ pelagic_status pelagic_ocean_set_rain(pelagic_ocean* ocean, const pelagic_rain* 
     });
 }
 
-pelagic_status pelagic_ocean_local(const pelagic_ocean* ocean, pelagic_local_surface* surface) {
+pelagic_status pelagic_ocean_dynamic_waves(const pelagic_ocean* ocean, pelagic_dynamic_waves_view* surface) {
     return guarded([&] {
-        const LocalSurface& local = shown_local(needed(ocean, "ocean"));
+        const DynamicWavesView& dynamic_waves = shown_dynamic_waves(needed(ocean, "ocean"));
         struct_bytes(surface, "surface");
-        pelagic_local_surface out{};
-        out.resolution = local.resolution;
-        out.first_x = local.first_x;
-        out.first_z = local.first_z;
-        out.texel_m = local.texel_m;
-        out.height_m = local.height_m.data();
-        out.rise_mps = local.rise_mps.data();
-        out.foam = local.foam.data();
-        out.height_min_m = local.height_min_m;
-        out.height_max_m = local.height_max_m;
+        pelagic_dynamic_waves_view out{};
+        out.resolution = dynamic_waves.resolution;
+        out.first_x = dynamic_waves.first_x;
+        out.first_z = dynamic_waves.first_z;
+        out.texel_m = dynamic_waves.texel_m;
+        out.height_m = dynamic_waves.height_m.data();
+        out.rise_mps = dynamic_waves.rise_mps.data();
+        out.foam = dynamic_waves.foam.data();
+        out.height_min_m = dynamic_waves.height_min_m;
+        out.height_max_m = dynamic_waves.height_max_m;
         write_struct(out, surface);
     });
 }
 
-pelagic_status pelagic_ocean_local_hash(const pelagic_ocean* ocean, uint64_t* hash) {
+pelagic_status pelagic_ocean_dynamic_waves_hash(const pelagic_ocean* ocean, uint64_t* hash) {
     return guarded([&] {
-        shown_local(needed(ocean, "ocean"));
-        needed(hash, "hash") = local_hash_of(*ocean->shown);
+        shown_dynamic_waves(needed(ocean, "ocean"));
+        needed(hash, "hash") = dynamic_waves_hash_of(*ocean->shown);
     });
 }
 

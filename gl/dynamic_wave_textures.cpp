@@ -1,4 +1,4 @@
-#include "pelagic/gl/local_textures.hpp"
+#include "pelagic/gl/dynamic_wave_textures.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -29,7 +29,7 @@ std::uint32_t half_of(float value) {
     return (bits >> 16 & 0x8000) | (tiny & is_tiny) | (normal & ~is_tiny);
 }
 
-/// A row of the window with those before and after it.
+/// A row of the grid with those before and after it.
 struct Rows {
     const float *before, *here, *after;
     const std::uint8_t* foam;
@@ -45,9 +45,9 @@ void pack_texel(const Rows& rows, std::size_t i, std::size_t left, std::size_t r
 
 }  // namespace
 
-std::string check(const LocalSurface& water, int largest_side) {
+std::string check(const DynamicWavesView& water, int largest_side) {
     const auto refused = [](const char* what, auto value, const std::string& needs) {
-        return refusal("Frame::local." + std::string(what), value, needs);
+        return refusal("Frame::dynamic_waves." + std::string(what), value, needs);
     };
     if (!water) return {};
     if (water.resolution > largest_side || std::popcount(static_cast<unsigned>(water.resolution)) != 1)
@@ -62,7 +62,7 @@ std::string check(const LocalSurface& water, int largest_side) {
     return {};
 }
 
-void pack(const LocalSurface& water, std::span<std::uint32_t> words) {
+void pack(const DynamicWavesView& water, std::span<std::uint32_t> words) {
     const auto n = static_cast<std::size_t>(water.resolution);
     const auto half_a_texel = static_cast<float>(0.5 / water.texel_m);
     const auto row_at = [&](std::size_t row) { return water.height_m.data() + (row & (n - 1)) * n; };
@@ -75,9 +75,9 @@ void pack(const LocalSurface& water, std::span<std::uint32_t> words) {
     }
 }
 
-LocalTextures::LocalTextures(const Functions& gl) : gl_(gl) { gl.GetIntegerv(GL_MAX_TEXTURE_SIZE, &largest_side_); }
+DynamicWaveTextures::DynamicWaveTextures(const Functions& gl) : gl_(gl) { gl.GetIntegerv(GL_MAX_TEXTURE_SIZE, &largest_side_); }
 
-void LocalTextures::make_textures(int resolution) {
+void DynamicWaveTextures::make_textures(int resolution) {
     resolution_ = resolution;
     const auto side = static_cast<std::size_t>(resolution);
     pixels_.emplace(gl_, texel_bytes * side * side);
@@ -94,7 +94,7 @@ void LocalTextures::make_textures(int resolution) {
     }
 }
 
-void LocalTextures::upload(const LocalSurface& water) {
+void DynamicWaveTextures::upload(const DynamicWavesView& water) {
     uploaded_bytes_ = 0;
     driver_ms_ = 0;
     if (!water) return;

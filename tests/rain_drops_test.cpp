@@ -1,4 +1,4 @@
-// Rain: as many drops as it says, each of its shape, none of which brings water, and the same ones wherever the window is.
+// Rain: as many drops as it says, each of its shape, none of which brings water, and the same ones wherever the grid is.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 #include "pelagic/tests/each_executor.hpp"
 #include "pelagic/tests/each_isa.hpp"
-#include "pelagic/tests/local_pool.hpp"
+#include "pelagic/tests/dynamic_wave_pool.hpp"
 
 namespace pelagic {
 namespace {
@@ -18,7 +18,7 @@ namespace {
 constexpr double pi = 3.14159265358979323846;
 
 /// Water that is too slow to move: what falls stays where it fell.
-const LocalWaterOptions stiff{.step = LocalStep::verlet,
+const DynamicWavesOptions stiff{.step = DynamicWavesStep::verlet,
                               .resolution = 64,
                               .side_m = 16,
                               .border_m = 0,
@@ -28,10 +28,10 @@ constexpr double texel = 0.25;
 /// Twice as wide as texels, so that sums over texels are integrals, to 1e-8. A drop reaches six texels and one more to either side.
 const Rain wide{.drops_per_m2_s = 1, .radius_m = 2 * texel, .height_m = 0.03, .seed = 7};
 constexpr std::int64_t reach = 6;
-/// Where drops of that width fall whole in a window of 64 texels.
+/// Where drops of that width fall whole in a grid of 64 texels.
 constexpr double fallen_on_m2 = (64 - 2 * reach - 1) * (64 - 2 * reach - 1) * texel * texel;
 
-std::vector<double> heights(const LocalGrid& grid) {
+std::vector<double> heights(const DynamicWaveGrid& grid) {
     std::vector<double> all;
     for (std::int64_t z = 0; z < grid.options().resolution; ++z)
         for (std::int64_t x = 0; x < grid.options().resolution; ++x)
@@ -42,7 +42,7 @@ std::vector<double> heights(const LocalGrid& grid) {
 /// What each of so many ticks added, in stiff water.
 template <class OfTick>
 void for_ticks(const Rain& rain, int ticks, OfTick of_tick) {
-    LocalPool pool(stiff);
+    DynamicWavePool pool(stiff);
     pool.grid.set_rain(rain);
     std::vector<double> before = heights(pool.grid);
     for (int tick = 0; tick < ticks; ++tick) {
@@ -72,7 +72,7 @@ std::vector<Crater> craters(const std::vector<double>& added, double height_m) {
     return found;
 }
 
-TEST(LocalRain, HasAsManyDropsAsItSays) {
+TEST(RainDrops, HasAsManyDropsAsItSays) {
     constexpr int ticks = 1000;
     constexpr double mean = 3;  // of a tick
     Rain sparse = wide;
@@ -96,7 +96,7 @@ TEST(LocalRain, HasAsManyDropsAsItSays) {
 
 // Campbell's theorem: drops of mean zero that know nothing of one another have as much energy as all of them alone. The square of
 // height_m (q - 1) e^-q has the integral height_m^2 pi radius_m^2 / 4.
-TEST(LocalRain, BringsTheEnergyOfItsDrops) {
+TEST(RainDrops, BringsTheEnergyOfItsDrops) {
     for (const double drops : {1.0, 20.0}) {
         Rain rain = wide;
         rain.drops_per_m2_s = drops;
@@ -112,7 +112,7 @@ TEST(LocalRain, BringsTheEnergyOfItsDrops) {
     }
 }
 
-TEST(LocalRain, HasDropsOfItsShape) {
+TEST(RainDrops, HasDropsOfItsShape) {
     Rain sparse = wide;
     sparse.drops_per_m2_s = 0.3;
     double seen = 0, same = 0, parts = 0;
@@ -150,7 +150,7 @@ TEST(LocalRain, HasDropsOfItsShape) {
     EXPECT_NEAR(parts / seen, 3.5, 4 * std::sqrt(63.0 / 12 / seen));
 }
 
-TEST(LocalRain, HasDropsOfNoVolume) {
+TEST(RainDrops, HasDropsOfNoVolume) {
     for (const double texels :
          {1.0, 5.0 / 3, 2.0, 8.0 / 3, 4.0}) {  // reaching up to 12 of them, over rows of several jobs
         Rain rain = wide;
@@ -164,12 +164,12 @@ TEST(LocalRain, HasDropsOfNoVolume) {
     }
 }
 
-TEST(LocalRain, AddsNoWater) {
-    for (const LocalStep step : {LocalStep::spectral, LocalStep::verlet})
+TEST(RainDrops, AddsNoWater) {
+    for (const DynamicWavesStep step : {DynamicWavesStep::spectral, DynamicWavesStep::verlet})
         for (const double radius_m : {0.05, 0.25, 0.6}) {
-            LocalWaterOptions open{.step = step, .resolution = 64, .side_m = 16, .border_m = 0};
+            DynamicWavesOptions open{.step = step, .resolution = 64, .side_m = 16, .border_m = 0};
             open.wave_speed_mps = 3;
-            LocalPool pool(open);
+            DynamicWavePool pool(open);
             pool.grid.set_rain({.drops_per_m2_s = 20, .radius_m = radius_m, .height_m = 0.05});
             pool.tick(300);
             double sum = 0, squares = 0;
@@ -181,10 +181,10 @@ TEST(LocalRain, AddsNoWater) {
         }
 }
 
-/// Texels that both windows have, `margin` or more from their edges.
-void expect_same_inside(const LocalGrid& a, const LocalGrid& b, std::int64_t margin) {
+/// Texels that both grids have, `margin` or more from their edges.
+void expect_same_inside(const DynamicWaveGrid& a, const DynamicWaveGrid& b, std::int64_t margin) {
     std::int64_t compared = 0, wet = 0;
-    const auto end = [](std::int64_t first, const LocalGrid& grid) { return first + grid.options().resolution; };
+    const auto end = [](std::int64_t first, const DynamicWaveGrid& grid) { return first + grid.options().resolution; };
     const std::int64_t first_x = std::max(a.first_x(), b.first_x()) + margin;
     const std::int64_t first_z = std::max(a.first_z(), b.first_z()) + margin;
     const std::int64_t end_x = std::min(end(a.first_x(), a), end(b.first_x(), b)) - margin;
@@ -198,18 +198,18 @@ void expect_same_inside(const LocalGrid& a, const LocalGrid& b, std::int64_t mar
     EXPECT_GT(wet, compared / 4);
 }
 
-TEST(LocalRain, FallsTheSameWhereverTheWindowIs) {
-    constexpr std::int64_t margin = 2 * reach + 2;  // of a drop that one window has whole and the other doesn't
-    LocalWaterOptions large = stiff;
+TEST(RainDrops, FallsTheSameWhereverTheWindowIs) {
+    constexpr std::int64_t margin = 2 * reach + 2;  // of a drop that one grid has whole and the other doesn't
+    DynamicWavesOptions large = stiff;
     large.resolution = 128;
     large.side_m = 32;
-    LocalPool here(stiff), there(stiff), larger(large), goes(stiff);
+    DynamicWavePool here(stiff), there(stiff), larger(large), goes(stiff);
     there.grid.follow(3.1, -2.3);
     larger.grid.follow(-4, 5.2);
-    for (LocalPool* pool : {&here, &there, &larger, &goes}) pool->grid.set_rain(wide);
+    for (DynamicWavePool* pool : {&here, &there, &larger, &goes}) pool->grid.set_rain(wide);
     for (int tick = 0; tick < 40; ++tick) {
         goes.grid.follow(0.05 * tick, -0.04 * tick);  // eight texels and six in all
-        for (LocalPool* pool : {&here, &there, &larger, &goes}) pool->tick();
+        for (DynamicWavePool* pool : {&here, &there, &larger, &goes}) pool->tick();
     }
     expect_same_inside(here.grid, there.grid, margin);
     expect_same_inside(here.grid, larger.grid, margin);
@@ -217,7 +217,7 @@ TEST(LocalRain, FallsTheSameWhereverTheWindowIs) {
     // Far away, too, where cells have large numbers below 0.
     there.grid.follow(-9e7, 9e7);
     larger.grid.follow(-9e7 + 2, 9e7 - 1);
-    LocalPool fresh(large);
+    DynamicWavePool fresh(large);
     fresh.grid.follow(-9e7, 9e7);
     fresh.grid.set_rain(wide);
     fresh.tick(40);
@@ -231,10 +231,10 @@ TEST(LocalRain, FallsTheSameWhereverTheWindowIs) {
     EXPECT_TRUE(differs);
 }
 
-const LocalWaterOptions small{.resolution = 64, .side_m = 32, .border_m = 6};
+const DynamicWavesOptions small{.resolution = 64, .side_m = 32, .border_m = 6};
 const Rain pours{.drops_per_m2_s = 5, .radius_m = 0.8, .height_m = 0.05, .seed = 3};
 
-void rain_and_pan(LocalPool& pool, int from, int to) {
+void rain_and_pan(DynamicWavePool& pool, int from, int to) {
     for (int tick = from; tick < to; ++tick) {
         if (tick == 60) pool.grid.set_rain({.drops_per_m2_s = 12, .radius_m = 0.3, .height_m = 0.1});
         pool.grid.follow(0.07 * tick, 0.2 * tick);
@@ -242,9 +242,9 @@ void rain_and_pan(LocalPool& pool, int from, int to) {
     }
 }
 
-TEST(LocalRain, HasTheSameBitsEverywhere) {
+TEST(RainDrops, HasTheSameBitsEverywhere) {
     const auto hash_on = [](Isa isa, std::shared_ptr<Executor> executor) {
-        LocalPool pool(small, isa, std::move(executor));
+        DynamicWavePool pool(small, isa, std::move(executor));
         pool.grid.set_rain(pours);
         rain_and_pan(pool, 0, 100);
         return pool.grid.hash();
@@ -255,11 +255,11 @@ TEST(LocalRain, HasTheSameBitsEverywhere) {
         EXPECT_EQ(hash_on(choose_isa(), kind.make(kind.threads)), expected) << kind.name;
 }
 
-TEST(LocalRain, GoesOnWhereItWasSaved) {
-    for (const LocalStep step : {LocalStep::spectral, LocalStep::verlet}) {
-        LocalWaterOptions options = small;
+TEST(RainDrops, GoesOnWhereItWasSaved) {
+    for (const DynamicWavesStep step : {DynamicWavesStep::spectral, DynamicWavesStep::verlet}) {
+        DynamicWavesOptions options = small;
         options.step = step;
-        LocalPool stays(options), late(options);
+        DynamicWavePool stays(options), late(options);
         stays.grid.set_rain(pours);
         rain_and_pan(stays, 0, 40);
         late.grid.restore(stays.grid.saved());
@@ -269,13 +269,13 @@ TEST(LocalRain, GoesOnWhereItWasSaved) {
     }
 }
 
-TEST(LocalRain, OfNoDropsIsNone) {
-    LocalPool dry(small), over(small), other(small), same(small);
+TEST(RainDrops, OfNoDropsIsNone) {
+    DynamicWavePool dry(small), over(small), other(small), same(small);
     over.grid.set_rain(pours);
     over.grid.set_rain({.drops_per_m2_s = 0, .radius_m = 1e9, .height_m = std::numeric_limits<double>::quiet_NaN()});
     same.grid.set_rain(pours);
     other.grid.set_rain({.drops_per_m2_s = 5, .radius_m = 0.8, .height_m = 0.05, .seed = 4});
-    for (LocalPool* pool : {&dry, &over, &same, &other}) {
+    for (DynamicWavePool* pool : {&dry, &over, &same, &other}) {
         pool->grid.sources().disturb({.mode = Disturbance::Mode::add, .height_m = 0.4});
         pool->tick(20);
     }
@@ -285,8 +285,8 @@ TEST(LocalRain, OfNoDropsIsNone) {
 }
 
 // A drop half as wide as a texel is a texel wide and a quarter as high: factors of two are exact.
-TEST(LocalRain, NarrowerThanATexelIsFlatterInstead) {
-    LocalPool wider(stiff), narrow(stiff);
+TEST(RainDrops, NarrowerThanATexelIsFlatterInstead) {
+    DynamicWavePool wider(stiff), narrow(stiff);
     Rain rain{.drops_per_m2_s = 3, .radius_m = texel, .height_m = 0.04};
     wider.grid.set_rain(rain);
     rain.radius_m = texel / 2;
@@ -298,8 +298,8 @@ TEST(LocalRain, NarrowerThanATexelIsFlatterInstead) {
     for (std::size_t i = 0; i < a.size(); ++i) EXPECT_EQ(b[i], a[i] / 4);
 }
 
-TEST(LocalRain, RefusesWhatCantFall) {
-    const LocalWaterOptions water;  // 64 m
+TEST(RainDrops, RefusesWhatCantFall) {
+    const DynamicWavesOptions water;  // 64 m
     Rain rain{.drops_per_m2_s = 1};
     EXPECT_EQ(check(rain, water), "");
     rain.radius_m = 4.1;
@@ -312,12 +312,12 @@ TEST(LocalRain, RefusesWhatCantFall) {
     rain = {.drops_per_m2_s = 16.0 * 60 / 4};
     EXPECT_EQ(check(rain, water), "");
     rain.drops_per_m2_s = 250;
-    EXPECT_EQ(check(rain, water), "drops_per_m2_s is 250, needs [0, 240] for drops so wide in such a window");
+    EXPECT_EQ(check(rain, water), "drops_per_m2_s is 250, needs [0, 240] for drops so wide in such a grid");
     rain.drops_per_m2_s = -1;
     EXPECT_NE(check(rain, water), "");
     rain.drops_per_m2_s = std::numeric_limits<double>::infinity();
     EXPECT_NE(check(rain, water), "");
-    LocalPool pool(water);
+    DynamicWavePool pool(water);
     EXPECT_THROW(pool.grid.set_rain(rain), std::invalid_argument);
     // A saved rain that can't be is refused, and nothing has changed.
     pool.grid.set_rain({.drops_per_m2_s = 2});

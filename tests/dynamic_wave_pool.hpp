@@ -1,4 +1,4 @@
-// A window of water that answers, with an executor of its own.
+// a dynamic-wave grid, with an executor of its own.
 #pragma once
 
 #include <cstring>
@@ -7,14 +7,14 @@
 #include <vector>
 
 #include "pelagic/jobs/executor.hpp"
-#include "pelagic/sim/sources/local_grid.hpp"
+#include "pelagic/sim/sources/dynamic_wave_grid.hpp"
 #include "pelagic/simd/isa.hpp"
 
 namespace pelagic {
 
-class LocalPool {
+class DynamicWavePool {
    public:
-    explicit LocalPool(const LocalWaterOptions& options, Isa isa = choose_isa(),
+    explicit DynamicWavePool(const DynamicWavesOptions& options, Isa isa = choose_isa(),
                        std::shared_ptr<Executor> executor = make_serial_executor())
         : grid(options, isa), executor_(std::move(executor)) {
         grid.add_tick_stages(graph_);
@@ -31,7 +31,7 @@ class LocalPool {
         for (int i = 0; i < times; ++i) tick();
     }
 
-    LocalGrid grid;
+    DynamicWaveGrid grid;
 
    private:
     JobGraph graph_;
@@ -39,9 +39,9 @@ class LocalPool {
     std::unique_ptr<GraphRun> run_;
 };
 
-/// Water that was made elsewhere, by texels of the torus of a window around the origin.
+/// Water that was made elsewhere, by texels of the torus of a grid around the origin.
 template <class Height, class Companion>
-void fill(LocalGrid& grid, Height height, Companion companion) {
+void fill(DynamicWaveGrid& grid, Height height, Companion companion) {
     std::vector<std::uint8_t> state = grid.saved();
     const std::size_t n = static_cast<std::size_t>(grid.options().resolution);
     const auto at = [&](std::size_t plane, std::int64_t x, std::int64_t z) {
@@ -57,9 +57,9 @@ void fill(LocalGrid& grid, Height height, Companion companion) {
     grid.restore(state);
 }
 
-/// The sum of f over the texels of the window.
+/// The sum of f over the texels of the grid.
 template <class OfTexel>
-double sum_over(const LocalGrid& grid, OfTexel of_texel) {
+double sum_over(const DynamicWaveGrid& grid, OfTexel of_texel) {
     double sum = 0;
     for (std::int64_t z = grid.first_z(); z < grid.first_z() + grid.options().resolution; ++z)
         for (std::int64_t x = grid.first_x(); x < grid.first_x() + grid.options().resolution; ++x)

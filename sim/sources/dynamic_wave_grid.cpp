@@ -1,4 +1,4 @@
-#include "pelagic/sim/sources/local_grid.hpp"
+#include "pelagic/sim/sources/dynamic_wave_grid.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -27,8 +27,8 @@ constexpr std::int64_t foam_fade_per_s = 90;
 
 /// The border takes e^-8 of amplitudes on the way through it and its neighbour across the torus, of waves as long as it is wide; of
 /// shorter and slower ones more. It rises as the square of the way in, gently enough to send hardly anything back.
-double damping_at_edge(const LocalWaterOptions& options) {
-    const double speed = options.step == LocalStep::verlet
+double damping_at_edge(const DynamicWavesOptions& options) {
+    const double speed = options.step == DynamicWavesStep::verlet
                              ? options.wave_speed_mps
                              : group_velocity(two_pi / options.border_m, options.depth_m);
     return 12 * speed / options.border_m;
@@ -40,38 +40,38 @@ struct SavedHeader {
 
 }  // namespace
 
-double LocalGrid::courant_number(const LocalWaterOptions& options) {
+double DynamicWaveGrid::courant_number(const DynamicWavesOptions& options) {
     return options.wave_speed_mps / (options.side_m / options.resolution) / options.ticks_per_s;
 }
 
-LocalGrid::LocalGrid(const LocalWaterOptions& options, Isa isa, const HostMemory& memory)
+DynamicWaveGrid::DynamicWaveGrid(const DynamicWavesOptions& options, Isa isa, const HostMemory& memory)
     : options_(options),
       kernels_(kernels_for(isa)),
-      window_(options.resolution, options.side_m / options.resolution) {
+      placement_(options.resolution, options.side_m / options.resolution) {
     if (const std::string reason = check(options); !reason.empty()) throw std::invalid_argument(reason);
     const DefaultFloatEnvironment environment;
-    for (auto& plane : planes_) plane = AlignedBuffer<float>(local_plane_floats(n()), memory);
-    tick_before_ = AlignedBuffer<float>(local_plane_floats(n()), memory);
-    way_before_ = AlignedBuffer<float>(local_plane_floats(n()), memory);
+    for (auto& plane : planes_) plane = AlignedBuffer<float>(dynamic_plane_floats(n()), memory);
+    tick_before_ = AlignedBuffer<float>(dynamic_plane_floats(n()), memory);
+    way_before_ = AlignedBuffer<float>(dynamic_plane_floats(n()), memory);
     foam_ = AlignedBuffer<std::uint8_t>(n() * n(), memory);
     has_foam_.resize(n());
     for (std::size_t axis = 0; axis < 2; ++axis) {
         left_[axis] = AlignedBuffer<float>(n(), memory);
         shown_[axis] = AlignedBuffer<float>(n(), memory);
     }
-    if (options.step == LocalStep::spectral) {
+    if (options.step == DynamicWavesStep::spectral) {
         plan_.emplace_back(options.resolution);
         lines_ = AlignedBuffer<float>(n() / kernels_.lanes * block_stride(), memory);
         phases_ = AlignedBuffer<float>(n() * (n() + 2), memory);
         bake_phases();
     }
-    window_.move_to(window_.first_around(0, 0));
+    placement_.move_to(placement_.first_around(0, 0));
     lay_border();
 }
 
-std::size_t LocalGrid::block_stride() const { return 2 * kernels_.lanes * n() + block_margin; }
+std::size_t DynamicWaveGrid::block_stride() const { return 2 * kernels_.lanes * n() + block_margin; }
 
-void LocalGrid::bake_phases() {
+void DynamicWaveGrid::bake_phases() {
     const std::size_t lanes = kernels_.lanes, half = n() / 2;
     const double step = two_pi / options_.side_m;
     const Water water(options_.depth_m, sea_surface_tension_m3ps2);
@@ -95,7 +95,7 @@ void LocalGrid::bake_phases() {
     }
 }
 
-void LocalGrid::lay_border() {
+void DynamicWaveGrid::lay_border() {
     const bool has_border = options_.border_m > 0;
     const double edge = has_border ? damping_at_edge(options_) : 0;
     for (std::size_t axis = 0; axis < 2; ++axis) {
@@ -103,31 +103,31 @@ void LocalGrid::lay_border() {
             const double texels_in = static_cast<double>(std::min(i, n() - 1 - i));
             const double from_edge = (texels_in + 0.5) * texel_m();
             const double within = from_edge < options_.border_m ? 1 - from_edge / options_.border_m : 0;
-            const std::size_t at = window_.in_torus(window_.first()[axis] + static_cast<std::int64_t>(i));
+            const std::size_t at = placement_.in_torus(placement_.first()[axis] + static_cast<std::int64_t>(i));
             left_[axis][at] = static_cast<float>(within > 0 ? det::exp(-edge * within * within * tick_s()) : 1);
-            // The two outermost texels are flat, so that slopes are, too, where the window ends.
+            // The two outermost texels are flat, so that slopes are, too, where the grid ends.
             const double shown = (texels_in - 1) * texel_m() / (0.5 * options_.border_m);
             shown_[axis][at] = static_cast<float>(has_border ? std::clamp(shown, 0.0, 1.0) : 1);
         }
     }
 }
 
-StageId LocalGrid::add_tick_stages(JobGraph& graph, const std::vector<StageId>& waits_for) {
+StageId DynamicWaveGrid::add_tick_stages(JobGraph& graph, const std::vector<StageId>& waits_for) {
     const std::size_t row_jobs = n() / rows_an_item;
-    const StageId prepared = graph.add({.name = "local splashes",
+    const StageId prepared = graph.add({.name = "dynamic waves splashes",
                                         .count = row_jobs,
                                         .waits_for = waits_for,
                                         .body = for_each_item([this](std::size_t job) { prepare_rows(job); })});
     const StageId stepped =
-        options_.step == LocalStep::verlet ? add_verlet_stage(graph, prepared) : add_spectral_stages(graph, prepared);
-    return graph.add({.name = "local foam",
+        options_.step == DynamicWavesStep::verlet ? add_verlet_stage(graph, prepared) : add_spectral_stages(graph, prepared);
+    return graph.add({.name = "dynamic waves foam",
                       .count = row_jobs,
                       .waits_for = {stepped},
                       .body = for_each_item([this](std::size_t job) { finish_rows(job); })});
 }
 
-StageId LocalGrid::add_verlet_stage(JobGraph& graph, StageId prepared) {
-    return graph.add({.name = "local verlet",
+StageId DynamicWaveGrid::add_verlet_stage(JobGraph& graph, StageId prepared) {
+    return graph.add({.name = "dynamic waves verlet",
                       .count = n() / rows_an_item,
                       .waits_for = {prepared},
                       .body = for_each_item([this](std::size_t job) {
@@ -143,92 +143,92 @@ StageId LocalGrid::add_verlet_stage(JobGraph& graph, StageId prepared) {
                       })});
 }
 
-StageId LocalGrid::add_spectral_stages(JobGraph& graph, StageId prepared) {
+StageId DynamicWaveGrid::add_spectral_stages(JobGraph& graph, StageId prepared) {
     const std::size_t blocks = n() / kernels_.lanes, stack_bytes = 8 * n() * kernels_.lanes;
-    const auto columns = [this](std::size_t job, FftTables& tables) -> LocalColumnsJob {
+    const auto columns = [this](std::size_t job, FftTables& tables) -> DynamicColumnsJob {
         tables = plan_.front().tables();
         return {
             first_texel(height_), first_texel(1 - height_), border(), job * kernels_.lanes, &tables, lines_.data(),
             block_stride()};
     };
-    const StageId transformed = graph.add({.name = "local columns",
+    const StageId transformed = graph.add({.name = "dynamic waves columns",
                                            .count = blocks,
                                            .waits_for = {prepared},
                                            .body = for_each_item([this, columns](std::size_t job) {
                                                FftTables tables;
-                                               kernels_.local_columns(columns(job, tables));
+                                               kernels_.dynamic_columns(columns(job, tables));
                                            }),
                                            .stack_bytes = stack_bytes + stack_margin});
     const StageId moved =
-        graph.add({.name = "local lines",
+        graph.add({.name = "dynamic waves lines",
                    .count = blocks,
                    .waits_for = {transformed},
                    .body = for_each_item([this](std::size_t job) {
                        const FftTables tables = plan_.front().tables();
-                       kernels_.local_lines({.lines = lines_.data() + job * block_stride(),
+                       kernels_.dynamic_lines({.lines = lines_.data() + job * block_stride(),
                                              .phases = phases_.data() + job * (n() + 2) * kernels_.lanes,
                                              .fft = &tables});
                    }),
                    .stack_bytes = 2 * stack_bytes + stack_margin});
-    return graph.add({.name = "local columns back",
+    return graph.add({.name = "dynamic waves columns back",
                       .count = blocks,
                       .waits_for = {moved},
                       .body = for_each_item([this, columns](std::size_t job) {
                           FftTables tables;
-                          kernels_.local_columns_back(columns(job, tables));
+                          kernels_.dynamic_columns_back(columns(job, tables));
                       }),
                       .stack_bytes = 2 * stack_bytes + stack_margin});
 }
 
-void LocalGrid::flatten_row(std::int64_t z) {
+void DynamicWaveGrid::flatten_row(std::int64_t z) {
     for (AlignedBuffer<float>* plane : {&planes_[0], &planes_[1], &tick_before_, &way_before_})
-        std::fill_n(plane->data() + local_margin + window_.in_torus(z) * local_row_stride(n()), n(), 0.f);
-    std::fill_n(foam_.data() + window_.in_torus(z) * n(), n(), std::uint8_t{0});
+        std::fill_n(plane->data() + dynamic_row_margin + placement_.in_torus(z) * dynamic_row_stride(n()), n(), 0.f);
+    std::fill_n(foam_.data() + placement_.in_torus(z) * n(), n(), std::uint8_t{0});
 }
 
-void LocalGrid::flatten_column(std::int64_t x) {
+void DynamicWaveGrid::flatten_column(std::int64_t x) {
     for (std::size_t z = 0; z < n(); ++z) {
-        const std::size_t at = local_margin + z * local_row_stride(n()) + window_.in_torus(x);
+        const std::size_t at = dynamic_row_margin + z * dynamic_row_stride(n()) + placement_.in_torus(x);
         planes_[0][at] = planes_[1][at] = tick_before_[at] = way_before_[at] = 0;
-        foam_[z * n() + window_.in_torus(x)] = 0;
+        foam_[z * n() + placement_.in_torus(x)] = 0;
     }
 }
 
-void LocalGrid::follow(double x_m, double z_m) {
+void DynamicWaveGrid::follow(double x_m, double z_m) {
     const DefaultFloatEnvironment environment;
     for (const double at : {x_m, z_m})
         if (!(at >= -farthest_m && at <= farthest_m))
-            throw std::invalid_argument(refusal("the window's middle", at, "[-1e8, 1e8]"));
-    const std::array<std::int64_t, 2> moved = window_.first_around(x_m, z_m);
-    if (moved == window_.first()) return;
+            throw std::invalid_argument(refusal("the grid's middle", at, "[-1e8, 1e8]"));
+    const std::array<std::int64_t, 2> moved = placement_.first_around(x_m, z_m);
+    if (moved == placement_.first()) return;
     const std::int64_t side = options_.resolution;
     for (std::size_t axis = 0; axis < 2; ++axis) {
-        const std::int64_t from = window_.first()[axis], to = moved[axis];
-        const auto flatten = axis == 0 ? &LocalGrid::flatten_column : &LocalGrid::flatten_row;
+        const std::int64_t from = placement_.first()[axis], to = moved[axis];
+        const auto flatten = axis == 0 ? &DynamicWaveGrid::flatten_column : &DynamicWaveGrid::flatten_row;
         const std::int64_t entered = to > from ? std::max(to, from + side) : to;
         const std::int64_t end = to > from ? to + side : std::min(from, to + side);
         for (std::int64_t texel = entered; texel < end; ++texel) (this->*flatten)(texel);
     }
-    window_.move_to(moved);
+    placement_.move_to(moved);
     lay_border();
 }
 
-void LocalGrid::begin_tick() {
+void DynamicWaveGrid::begin_tick() {
     const DefaultFloatEnvironment environment;
-    sources_.begin_tick(window_, ticks_, tick_s());
+    sources_.begin_tick(placement_, ticks_, tick_s());
 }
 
-void LocalGrid::end_tick() {
+void DynamicWaveGrid::end_tick() {
     ++ticks_;
     height_ = stepped_plane();
     sources_.end_tick();
 }
 
-void LocalGrid::prepare_rows(std::size_t job) {
+void DynamicWaveGrid::prepare_rows(std::size_t job) {
     const std::size_t first = job * rows_an_item;
     // Rows alone: their margins are the neighbouring jobs' as well.
     for (std::size_t z = first; z < first + rows_an_item; ++z) {
-        const std::size_t row = local_margin + z * local_row_stride(n());
+        const std::size_t row = dynamic_row_margin + z * dynamic_row_stride(n());
         const float* const now = planes_[height_].data() + row;
         float *const before = tick_before_.data() + row, *const way = way_before_.data() + row;
         for (std::size_t x = 0; x < n(); ++x) {
@@ -236,29 +236,29 @@ void LocalGrid::prepare_rows(std::size_t job) {
             before[x] = now[x];
         }
     }
-    const bool is_verlet = options_.step == LocalStep::verlet;
+    const bool is_verlet = options_.step == DynamicWavesStep::verlet;
     if (is_verlet)
         kernels_.damp_rows({.planes = {first_texel(0), first_texel(1)},
                             .resolution = n(),
                             .first_row = first,
                             .rows = rows_an_item,
                             .border = border()});
-    sources_.push_rows(window_, first, rows_an_item,
-                       {first_texel(height_), verlets_other(height_), tick_before_.data() + local_margin});
+    sources_.push_rows(placement_, first, rows_an_item,
+                       {first_texel(height_), verlets_other(height_), tick_before_.data() + dynamic_row_margin});
     if (is_verlet) repeat_ends(height_, first);
 }
 
-void LocalGrid::finish_rows(std::size_t job) {
+void DynamicWaveGrid::finish_rows(std::size_t job) {
     const std::size_t first = job * rows_an_item, plane = stepped_plane();
-    sources_.lift_rows(window_, first, rows_an_item,
-                       {first_texel(plane), verlets_other(plane), tick_before_.data() + local_margin});
+    sources_.lift_rows(placement_, first, rows_an_item,
+                       {first_texel(plane), verlets_other(plane), tick_before_.data() + dynamic_row_margin});
     foam_rows(first);
 }
 
-void LocalGrid::foam_rows(std::size_t first_row) {
+void DynamicWaveGrid::foam_rows(std::size_t first_row) {
     const std::int64_t rate = options_.ticks_per_s;
     const float threshold = static_cast<float>(options_.foam_height_m);
-    kernels_.local_foam(
+    kernels_.dynamic_foam(
         {.heights = first_texel(stepped_plane()),
          .resolution = n(),
          .first_row = first_row,
@@ -270,19 +270,19 @@ void LocalGrid::foam_rows(std::size_t first_row) {
          .has_foam = has_foam_.data()});
 }
 
-void LocalGrid::repeat_ends(std::size_t plane, std::size_t first_row) {
+void DynamicWaveGrid::repeat_ends(std::size_t plane, std::size_t first_row) {
     for (std::size_t z = first_row; z < first_row + rows_an_item; ++z) {
-        float* const row = first_texel(plane) + z * local_row_stride(n());
+        float* const row = first_texel(plane) + z * dynamic_row_stride(n());
         row[-1] = row[n() - 1];
         row[n()] = row[0];
     }
 }
 
-void LocalGrid::show(float part, std::size_t item, const Shown& to) const {
+void DynamicWaveGrid::show(float part, std::size_t item, const Shown& to) const {
     const std::size_t first = item * rows_an_item;
-    kernels_.local_show({.before = tick_before_.data() + local_margin,
+    kernels_.interpolate_ticks({.before = tick_before_.data() + dynamic_row_margin,
                          .now = first_texel(height_),
-                         .way_before = way_before_.data() + local_margin,
+                         .way_before = way_before_.data() + dynamic_row_margin,
                          .resolution = n(),
                          .first_row = first,
                          .rows = rows_an_item,
@@ -297,7 +297,7 @@ void LocalGrid::show(float part, std::size_t item, const Shown& to) const {
     std::copy_n(foam_.data() + first * n(), rows_an_item * n(), to.foam + first * n());
 }
 
-std::vector<std::uint8_t> LocalGrid::saved() const {
+std::vector<std::uint8_t> DynamicWaveGrid::saved() const {
     const SavedHeader header = {first_x(), first_z(), ticks_};
     const std::size_t row_bytes = n() * sizeof(float);
     std::vector<std::uint8_t> bytes(sizeof header + saved_texel_bytes() + sources_.saved_bytes());
@@ -309,13 +309,13 @@ std::vector<std::uint8_t> LocalGrid::saved() const {
     put(&header, sizeof header);
     for (const AlignedBuffer<float>* plane : {&planes_[height_], &planes_[1 - height_], &tick_before_, &way_before_})
         for (std::size_t z = 0; z < n(); ++z)
-            put(plane->data() + local_margin + z * local_row_stride(n()), row_bytes);
+            put(plane->data() + dynamic_row_margin + z * dynamic_row_stride(n()), row_bytes);
     put(foam_.data(), foam_.size());
     sources_.save({to, sources_.saved_bytes()});
     return bytes;
 }
 
-void LocalGrid::restore(std::span<const std::uint8_t> saved) {
+void DynamicWaveGrid::restore(std::span<const std::uint8_t> saved) {
     SavedHeader header{};
     const std::size_t row_bytes = n() * sizeof(float);
     if (saved.size() < sizeof header + saved_texel_bytes())
@@ -336,24 +336,24 @@ void LocalGrid::restore(std::span<const std::uint8_t> saved) {
         if (!(std::fabs(texel) <= 1e6f))  // of what is no number, too
             throw std::invalid_argument(refusal("a saved texel of the water", texel, "[-1e6, 1e6]"));
     }
-    sources_ = LocalSources::restored(saved.subspan(sizeof header + saved_texel_bytes()), header.ticks, options_);
+    sources_ = DynamicWaveSources::restored(saved.subspan(sizeof header + saved_texel_bytes()), header.ticks, options_);
 
-    window_.move_to({header.first_x, header.first_z});
+    placement_.move_to({header.first_x, header.first_z});
     ticks_ = header.ticks;
     for (AlignedBuffer<float>* plane : {&planes_[height_], &planes_[1 - height_], &tick_before_, &way_before_})
         for (std::size_t z = 0; z < n(); ++z, from += row_bytes)
-            std::memcpy(plane->data() + local_margin + z * local_row_stride(n()), from, row_bytes);
+            std::memcpy(plane->data() + dynamic_row_margin + z * dynamic_row_stride(n()), from, row_bytes);
     std::memcpy(foam_.data(), from, foam_.size());
     std::fill(has_foam_.begin(), has_foam_.end(), std::uint8_t{1});  // or so: the next tick looks
     lay_border();
 }
 
-std::uint64_t LocalGrid::hash() const {
+std::uint64_t DynamicWaveGrid::hash() const {
     const std::vector<std::uint8_t> bytes = saved();
     return XXH3_64bits(bytes.data(), bytes.size() - sources_.saved_bytes());
 }
 
-std::size_t LocalGrid::bytes() const {
+std::size_t DynamicWaveGrid::bytes() const {
     std::size_t bytes = foam_.bytes() + tick_before_.bytes() + way_before_.bytes() + sources_.bytes() +
                         has_foam_.capacity() + phases_.bytes() + lines_.bytes();
     for (const auto& plane : planes_) bytes += plane.bytes();

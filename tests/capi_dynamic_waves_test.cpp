@@ -1,4 +1,4 @@
-// Water that answers through the C interface: the same as in C++, bit for bit.
+// Dynamic waves through the C interface: the same as in C++, bit for bit.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,20 +10,20 @@
 namespace pelagic {
 namespace {
 
-class CInterfaceLocal : public testing::Test {
+class CInterfaceDynamicWaves : public testing::Test {
    protected:
     COceanExecutor serial = executor_of(PELAGIC_EXECUTOR_SERIAL);
 
-    COcean answering(bool has_local = true, double side_m = 32) const {
-        auto local = sized<pelagic_local_options>();
-        EXPECT_EQ(pelagic_local_defaults(&local), PELAGIC_OK);
-        local.resolution = 64;
-        local.side_m = side_m;
-        local.border_m = 6;
+    COcean answering(bool has_dynamic_waves = true, double side_m = 32) const {
+        auto dynamic_waves = sized<pelagic_dynamic_waves_options>();
+        EXPECT_EQ(pelagic_dynamic_waves_defaults(&dynamic_waves), PELAGIC_OK);
+        dynamic_waves.resolution = 64;
+        dynamic_waves.side_m = side_m;
+        dynamic_waves.border_m = 6;
         auto options = sized<pelagic_ocean_options>();
         options.executor = serial.get();
         options.queries = 1;
-        options.local = has_local ? &local : nullptr;
+        options.dynamic_waves = has_dynamic_waves ? &dynamic_waves : nullptr;
         return ocean_of(small_sea(), options);
     }
     static pelagic_disturbance drop(double height_m = 0.5) {
@@ -56,9 +56,9 @@ class CInterfaceLocal : public testing::Test {
             complete(ocean, frame / 60.0);
         }
     }
-    static std::uint64_t local_hash(const COcean& ocean) {
+    static std::uint64_t dynamic_waves_hash(const COcean& ocean) {
         std::uint64_t hash = 0;
-        EXPECT_EQ(pelagic_ocean_local_hash(ocean.get(), &hash), PELAGIC_OK) << pelagic_last_error();
+        EXPECT_EQ(pelagic_ocean_dynamic_waves_hash(ocean.get(), &hash), PELAGIC_OK) << pelagic_last_error();
         return hash;
     }
     static float height(const COcean& ocean, double x, double z) {
@@ -77,7 +77,7 @@ void expect_refused(pelagic_status status, pelagic_status expected, const std::s
     EXPECT_EQ(pelagic_last_error(), line);
 }
 
-TEST_F(CInterfaceLocal, IsInSurfacesAndQueries) {
+TEST_F(CInterfaceDynamicWaves, IsInSurfacesAndQueries) {
     const COcean with = answering(), without = answering(false);
     std::uint32_t number = 0;
     const pelagic_disturbance source = boat();
@@ -85,18 +85,18 @@ TEST_F(CInterfaceLocal, IsInSurfacesAndQueries) {
     EXPECT_EQ(number, 1U);
     run(with, 0, 60);
     complete(without, 59 / 60.0);
-    auto surface = sized<pelagic_local_surface>();
-    ASSERT_EQ(pelagic_ocean_local(with.get(), &surface), PELAGIC_OK) << pelagic_last_error();
+    auto surface = sized<pelagic_dynamic_waves_view>();
+    ASSERT_EQ(pelagic_ocean_dynamic_waves(with.get(), &surface), PELAGIC_OK) << pelagic_last_error();
     ASSERT_EQ(surface.resolution, 64);
     EXPECT_EQ(surface.texel_m, 0.5);
-    // At texels, what queries tell is the tiles' height and the window's.
+    // At texels, what queries tell is the tiles' height and the grid's.
     double largest = 0;
     for (std::int64_t z = surface.first_z + 4; z < surface.first_z + 60; z += 5)
         for (std::int64_t x = surface.first_x + 4; x < surface.first_x + 60; x += 5) {
-            const float local = surface.height_m[(z & 63) * 64 + (x & 63)];
+            const float dynamic_waves = surface.height_m[(z & 63) * 64 + (x & 63)];
             const double at_x = static_cast<double>(x) * 0.5, at_z = static_cast<double>(z) * 0.5;
-            EXPECT_NEAR(height(with, at_x, at_z) - height(without, at_x, at_z), local, 1e-6);
-            largest = std::max(largest, std::fabs(static_cast<double>(local)));
+            EXPECT_NEAR(height(with, at_x, at_z) - height(without, at_x, at_z), dynamic_waves, 1e-6);
+            largest = std::max(largest, std::fabs(static_cast<double>(dynamic_waves)));
         }
     EXPECT_GT(largest, 0.05);
     EXPECT_LE(largest, std::max(-surface.height_min_m, surface.height_max_m));
@@ -106,7 +106,7 @@ TEST_F(CInterfaceLocal, IsInSurfacesAndQueries) {
     EXPECT_EQ(a, b);
 }
 
-TEST_F(CInterfaceLocal, Rains) {
+TEST_F(CInterfaceDynamicWaves, Rains) {
     auto rain = sized<pelagic_rain>();
     ASSERT_EQ(pelagic_rain_defaults(&rain), PELAGIC_OK);
     EXPECT_EQ(rain.drops_per_m2_s, 0);
@@ -115,7 +115,7 @@ TEST_F(CInterfaceLocal, Rains) {
         const COcean ocean = answering();
         EXPECT_EQ(pelagic_ocean_set_rain(ocean.get(), &rain), PELAGIC_OK) << pelagic_last_error();
         for (int tick = 0; tick < 20; ++tick) complete(ocean, tick / 60.0);
-        return local_hash(ocean);
+        return dynamic_waves_hash(ocean);
     };
     const std::uint64_t first = hash_with();
     EXPECT_EQ(hash_with(), first);
@@ -131,13 +131,13 @@ TEST_F(CInterfaceLocal, Rains) {
                    "height_m is 11, needs [-10, 10]");
     rain.height_m = 0.1, rain.drops_per_m2_s = 100;  // ten texels by ten, half a metre each
     expect_refused(pelagic_ocean_set_rain(ocean.get(), &rain), PELAGIC_INVALID_ARGUMENT,
-                   "drops_per_m2_s is 100, needs [0, 38.4] for drops so wide in such a window");
+                   "drops_per_m2_s is 100, needs [0, 38.4] for drops so wide in such a grid");
     rain.drops_per_m2_s = 1;
     EXPECT_EQ(pelagic_ocean_set_rain(answering(false).get(), &rain), PELAGIC_INVALID_ARGUMENT);
     EXPECT_EQ(pelagic_ocean_set_rain(ocean.get(), nullptr), PELAGIC_INVALID_ARGUMENT);
 }
 
-TEST_F(CInterfaceLocal, GoesBackToASavedMoment) {
+TEST_F(CInterfaceDynamicWaves, GoesBackToASavedMoment) {
     const COcean stays = answering(), goes = answering();
     for (const COcean* ocean : {&stays, &goes}) {
         std::uint32_t number = 0;
@@ -159,7 +159,7 @@ TEST_F(CInterfaceLocal, GoesBackToASavedMoment) {
         << pelagic_last_error();
     run(goes, 30, 80);
     run(stays, 30, 80);
-    EXPECT_EQ(local_hash(goes), local_hash(stays));
+    EXPECT_EQ(dynamic_waves_hash(goes), dynamic_waves_hash(stays));
     EXPECT_EQ(pelagic_ocean_restore_water(goes.get(), saved.data(), saved.size() - 1), PELAGIC_INVALID_ARGUMENT);
     expect_refused(pelagic_ocean_restore_water(answering(true, 48).get(), saved.data(), saved.size()),
                    PELAGIC_INVALID_ARGUMENT,
@@ -169,16 +169,16 @@ TEST_F(CInterfaceLocal, GoesBackToASavedMoment) {
     EXPECT_EQ(pelagic_ocean_restore_water(goes.get(), saved.data(), saved.size()), PELAGIC_WRONG_ORDER);
 }
 
-TEST_F(CInterfaceLocal, RefusesWhatItCantTake) {
+TEST_F(CInterfaceDynamicWaves, RefusesWhatItCantTake) {
     const COcean without = answering(false), with = answering();
-    auto surface = sized<pelagic_local_surface>();
-    EXPECT_EQ(pelagic_ocean_local(with.get(), &surface), PELAGIC_WRONG_ORDER);
+    auto surface = sized<pelagic_dynamic_waves_view>();
+    EXPECT_EQ(pelagic_ocean_dynamic_waves(with.get(), &surface), PELAGIC_WRONG_ORDER);
     complete(without, 0);
     complete(with, 0);
     std::uint64_t hash = 0;
-    expect_refused(pelagic_ocean_local_hash(without.get(), &hash), PELAGIC_INVALID_ARGUMENT,
-                   "the ocean has no water that answers, needs pelagic_ocean_options.local");
-    EXPECT_EQ(pelagic_ocean_local(without.get(), &surface), PELAGIC_INVALID_ARGUMENT);
+    expect_refused(pelagic_ocean_dynamic_waves_hash(without.get(), &hash), PELAGIC_INVALID_ARGUMENT,
+                   "the ocean has no dynamic waves, needs pelagic_ocean_options.dynamic_waves");
+    EXPECT_EQ(pelagic_ocean_dynamic_waves(without.get(), &surface), PELAGIC_INVALID_ARGUMENT);
     EXPECT_EQ(pelagic_ocean_follow(without.get(), 0, 0), PELAGIC_INVALID_ARGUMENT);
     pelagic_disturbance wrong = drop();
     EXPECT_EQ(pelagic_ocean_disturb(without.get(), &wrong), PELAGIC_INVALID_ARGUMENT);
@@ -197,17 +197,17 @@ TEST_F(CInterfaceLocal, RefusesWhatItCantTake) {
     EXPECT_EQ(pelagic_ocean_follow(with.get(), std::numeric_limits<double>::quiet_NaN(), 0),
               PELAGIC_INVALID_ARGUMENT);
 
-    auto local = sized<pelagic_local_options>();
-    ASSERT_EQ(pelagic_local_defaults(&local), PELAGIC_OK);
-    local.border_m = 20;
+    auto dynamic_waves = sized<pelagic_dynamic_waves_options>();
+    ASSERT_EQ(pelagic_dynamic_waves_defaults(&dynamic_waves), PELAGIC_OK);
+    dynamic_waves.border_m = 20;
     auto options = sized<pelagic_ocean_options>();
-    options.local = &local;
+    options.dynamic_waves = &dynamic_waves;
     const pelagic_sea sea = small_sea();
     pelagic_ocean* ocean = nullptr;
     expect_refused(pelagic_ocean_create(&sea, &options, &ocean), PELAGIC_INVALID_ARGUMENT,
-                   "local.border_m is 20, needs at most a quarter of side_m, 16");
-    local.border_m = 0;
-    local.step = 2;
+                   "dynamic_waves.border_m is 20, needs at most a quarter of side_m, 16");
+    dynamic_waves.border_m = 0;
+    dynamic_waves.step = 2;
     EXPECT_EQ(pelagic_ocean_create(&sea, &options, &ocean), PELAGIC_INVALID_ARGUMENT);
 }
 

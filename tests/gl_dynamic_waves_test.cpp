@@ -1,4 +1,4 @@
-// Water that answers in pictures: the window's heights, slopes and foam where queries know them, and nothing where there is none.
+// Dynamic waves in pictures: the grid's heights, slopes and foam where queries know them, and nothing where there is none.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "pelagic/gl/local_textures.hpp"
+#include "pelagic/gl/dynamic_wave_textures.hpp"
 #include "pelagic/sim/surface_query.hpp"
 #include "pelagic/tests/gl_probe.hpp"
 #include "pelagic/tests/gl_slice.hpp"
@@ -16,8 +16,8 @@
 namespace pelagic {
 namespace {
 
-/// A window by hand: waves that fade towards its edges, and foam, kept as an ocean keeps them.
-class Window {
+/// A grid by hand: waves that fade towards its edges, and foam, kept as an ocean keeps them.
+class Grid {
    public:
     static constexpr int n = 64;
     struct Place {
@@ -25,8 +25,8 @@ class Window {
         double texel_m = 0.25;
     };
 
-    /// Both of texels, counted from the window's corner.
-    Window(const Place& first, auto&& height, auto&& foam) {
+    /// Both of texels, counted from the grid's corner.
+    Grid(const Place& first, auto&& height, auto&& foam) {
         const std::int64_t first_x = first.x, first_z = first.z;
         surface_.resolution = n;
         surface_.texel_m = first.texel_m;
@@ -43,22 +43,22 @@ class Window {
         surface_.rise_mps = rises_;
         surface_.foam = foam_;
     }
-    const LocalSurface& surface() const { return surface_; }
+    const DynamicWavesView& surface() const { return surface_; }
     glm::dvec2 middle() const {
         return surface_.texel_m * (glm::dvec2(surface_.first_x, surface_.first_z) + 0.5 * (n - 1));
     }
 
    private:
-    LocalSurface surface_;
+    DynamicWavesView surface_;
     std::vector<float> heights_ = std::vector<float>(n * n), rises_ = heights_;
     std::vector<std::uint8_t> foam_ = std::vector<std::uint8_t>(n * n);
 };
 
 const auto no_foam = [](auto, auto) { return 0; };
 
-Window waves_at(std::int64_t first_x, std::int64_t first_z) {
+Grid waves_at(std::int64_t first_x, std::int64_t first_z) {
     const auto faded = [](std::int64_t i) {
-        const double s = std::sin(std::numbers::pi * static_cast<double>(i) / (Window::n - 1));
+        const double s = std::sin(std::numbers::pi * static_cast<double>(i) / (Grid::n - 1));
         return s * s;
     };
     return {{.x = first_x, .z = first_z},
@@ -69,27 +69,27 @@ Window waves_at(std::int64_t first_x, std::int64_t first_z) {
             [&](auto x, auto z) { return 255 * faded(x) * faded(z); }};
 }
 
-// Places within and around the window, near the world's origin and where a float would know no metres: from a viewer beside it, on every
+// Places within and around the grid, near the world's origin and where a float would know no metres: from a viewer beside it, on every
 // seam of the torus.
-TEST(GlLocalWater, ShadersReadWhatSampleSays) {
+TEST(GlDynamicWaves, ShadersReadWhatSampleSays) {
     constexpr double apart_m = 0.2;  // of places
-    GlProbe probe(gl::Surface::open, {"local_water.glsl"},
-                  "result = local_water((gl_FragCoord.xy - 64.0) * 0.2 + vec2(0.013, -0.007), 0.01);");
+    GlProbe probe(gl::Surface::open, {"dynamic_waves.glsl"},
+                  "result = dynamic_waves((gl_FragCoord.xy - 64.0) * 0.2 + vec2(0.013, -0.007), 0.01);");
     for (const auto& [first_x, first_z] :
          {std::pair<std::int64_t, std::int64_t>{-32, -32}, {17, -93}, {4'000'000'027, -3'999'999'991}}) {
         SCOPED_TRACE(std::to_string(first_x));
-        const Window window = waves_at(first_x, first_z);
-        gl::LocalTextures textures(probe.gl());
-        ASSERT_EQ(textures.refusal_of(window.surface()), "");
-        textures.upload(window.surface());
+        const Grid grid = waves_at(first_x, first_z);
+        gl::DynamicWaveTextures textures(probe.gl());
+        ASSERT_EQ(textures.refusal_of(grid.surface()), "");
+        textures.upload(grid.surface());
         probe.gl().Finish();
 
         gl::SeaFacts facts;
         facts.tiles.resize(1);
         facts.tiles[0].lattice.side_m = 100;
         facts.resolution = 64;
-        facts.local = {Window::n, window.surface().texel_m, first_x, first_z};
-        const glm::dvec2 viewer = window.middle() + glm::dvec2(1.7, 0.6);
+        facts.dynamic_waves = {Grid::n, grid.surface().texel_m, first_x, first_z};
+        const glm::dvec2 viewer = grid.middle() + glm::dvec2(1.7, 0.6);
         DrawList list;
         const gl::SceneBlock block =
             gl::scene_block_of({.eyes = {}, .viewer_m = {viewer.x, 2, viewer.y}, .list = &list}, facts, {}, {});
@@ -104,11 +104,11 @@ TEST(GlLocalWater, ShadersReadWhatSampleSays) {
                 // The upper row of the picture has the largest y.
                 const double x = viewer.x + (column + 0.5 - 64) * apart_m + 0.013;
                 const double z = viewer.y + (GlProbe::side - 1 - row + 0.5 - 64) * apart_m - 0.007;
-                const LocalSample wanted = sample(window.surface(), x, z);
+                const DynamicWavesSample wanted = sample(grid.surface(), x, z);
                 const float* const read = &rgba[4 * static_cast<std::size_t>(row * GlProbe::side + column)];
                 const double all[] = {wanted.height_m, wanted.slope_x, wanted.slope_z, wanted.foam};
-                const glm::dvec2 from_middle = glm::abs(glm::dvec2(x, z) - window.middle());
-                if (std::max(from_middle.x, from_middle.y) > 0.5 * Window::n * window.surface().texel_m) {
+                const glm::dvec2 from_middle = glm::abs(glm::dvec2(x, z) - grid.middle());
+                if (std::max(from_middle.x, from_middle.y) > 0.5 * Grid::n * grid.surface().texel_m) {
                     ++outside;
                     for (int i = 0; i < 4; ++i) ASSERT_EQ(read[i], 0) << x << ", " << z;
                 }
@@ -129,25 +129,25 @@ TEST(GlLocalWater, ShadersReadWhatSampleSays) {
     }
 }
 
-// Looked at from so far that the window is one texel, it is its mean: waves that a pixel averages away don't sparkle.
-TEST(GlLocalWater, IsItsMeanFromFarAway) {
-    GlProbe probe(gl::Surface::open, {"local_water.glsl"},
-                  "result = local_water((gl_FragCoord.xy - 64.0) * 0.1, 1000.0);");
+// Looked at from so far that the grid is one texel, it is its mean: waves that a pixel averages away don't sparkle.
+TEST(GlDynamicWaves, IsItsMeanFromFarAway) {
+    GlProbe probe(gl::Surface::open, {"dynamic_waves.glsl"},
+                  "result = dynamic_waves((gl_FragCoord.xy - 64.0) * 0.1, 1000.0);");
     if (!probe.gl().renders_to_half_floats) GTEST_SKIP() << "the driver makes no mips of half floats";
     const auto wave = [](auto x, auto) { return 0.3 + 0.5 * std::sin(0.7 * static_cast<double>(x)); };
-    const Window window({.x = -19, .z = 5}, wave, [](auto, auto z) { return 4 * z; });
-    gl::LocalTextures textures(probe.gl());
-    textures.upload(window.surface());
+    const Grid grid({.x = -19, .z = 5}, wave, [](auto, auto z) { return 4 * z; });
+    gl::DynamicWaveTextures textures(probe.gl());
+    textures.upload(grid.surface());
     probe.gl().Finish();
     gl::SceneBlock block;
-    block.local_place = {0, 0, 1 / 16.f, 4};
-    block.local_window = {0, 0, 100, 0};
+    block.dynamic_waves_place = {0, 0, 1 / 16.f, 4};
+    block.dynamic_waves_extent = {0, 0, 100, 0};
     probe.gl().ActiveTexture(GL_TEXTURE0);
     probe.gl().BindTexture(GL_TEXTURE_2D, textures.texels());
     const std::vector<float> rgba = probe.ask(block);
     double height = 0, foam = 0;
-    for (const float each : window.surface().height_m) height += static_cast<double>(each) / (Window::n * Window::n);
-    for (const std::uint8_t each : window.surface().foam) foam += each / 255.0 / (Window::n * Window::n);
+    for (const float each : grid.surface().height_m) height += static_cast<double>(each) / (Grid::n * Grid::n);
+    for (const std::uint8_t each : grid.surface().foam) foam += each / 255.0 / (Grid::n * Grid::n);
     for (const std::size_t at : {std::size_t{0}, rgba.size() / 2, rgba.size() - 4}) {
         // Six levels of halves, each rounded.
         EXPECT_NEAR(rgba[at], height, 6 * height / 2048);
@@ -158,7 +158,7 @@ TEST(GlLocalWater, IsItsMeanFromFarAway) {
 }
 
 // IEEE 754: to the nearest, of two the even one, also below the normal numbers; beyond the largest, that one.
-TEST(GlLocalWater, PacksHalvesToTheNearest) {
+TEST(GlDynamicWaves, PacksHalvesToTheNearest) {
     struct Pair {
         float value;
         std::uint16_t half;
@@ -182,39 +182,39 @@ TEST(GlLocalWater, PacksHalvesToTheNearest) {
                               {3 * 0x1p-25f, 2},
                               {-5 * 0x1p-24f, 0x8005},
                               {1e-12f, 0}};
-    const Window window(
+    const Grid grid(
         {}, [&](auto x, auto z) { return pairs[static_cast<std::size_t>(x + z) % std::size(pairs)].value; }, no_foam);
-    std::vector<std::uint32_t> words(2 * Window::n * Window::n);
-    gl::pack(window.surface(), words);
-    for (std::size_t z = 1; z < Window::n - 1; ++z)
-        for (std::size_t x = 1; x < Window::n - 1; ++x) {
+    std::vector<std::uint32_t> words(2 * Grid::n * Grid::n);
+    gl::pack(grid.surface(), words);
+    for (std::size_t z = 1; z < Grid::n - 1; ++z)
+        for (std::size_t x = 1; x < Grid::n - 1; ++x) {
             const Pair& wanted = pairs[(x + z) % std::size(pairs)];
-            ASSERT_EQ(words[2 * (z * Window::n + x)] & 0xffff, wanted.half) << wanted.value;
+            ASSERT_EQ(words[2 * (z * Grid::n + x)] & 0xffff, wanted.half) << wanted.value;
         }
 }
 
-TEST(GlLocalWater, IsRefusedWhereNoTextureTakesIt) {
-    const Window window = waves_at(0, 0);
-    EXPECT_EQ(gl::check(window.surface(), 2048), "");
+TEST(GlDynamicWaves, IsRefusedWhereNoTextureTakesIt) {
+    const Grid grid = waves_at(0, 0);
+    EXPECT_EQ(gl::check(grid.surface(), 2048), "");
     EXPECT_EQ(gl::check({}, 2048), "");
-    EXPECT_EQ(gl::check(window.surface(), 32),
-              "Frame::local.resolution is 64, needs a power of two up to the driver's 32");
-    LocalSurface wrong = window.surface();
+    EXPECT_EQ(gl::check(grid.surface(), 32),
+              "Frame::dynamic_waves.resolution is 64, needs a power of two up to the driver's 32");
+    DynamicWavesView wrong = grid.surface();
     wrong.resolution = 48;
-    EXPECT_EQ(gl::check(wrong, 2048), "Frame::local.resolution is 48, needs a power of two up to the driver's 2048");
-    wrong = window.surface();
+    EXPECT_EQ(gl::check(wrong, 2048), "Frame::dynamic_waves.resolution is 48, needs a power of two up to the driver's 2048");
+    wrong = grid.surface();
     wrong.foam = wrong.foam.first(9);
-    EXPECT_EQ(gl::check(wrong, 2048), "Frame::local.foam.size() is 9, needs resolution^2, 4096");
-    wrong = window.surface();
+    EXPECT_EQ(gl::check(wrong, 2048), "Frame::dynamic_waves.foam.size() is 9, needs resolution^2, 4096");
+    wrong = grid.surface();
     wrong.height_m = {};
-    EXPECT_EQ(gl::check(wrong, 2048), "Frame::local.height_m.size() is 0, needs resolution^2, 4096");
-    wrong = window.surface();
+    EXPECT_EQ(gl::check(wrong, 2048), "Frame::dynamic_waves.height_m.size() is 0, needs resolution^2, 4096");
+    wrong = grid.surface();
     wrong.texel_m = 0;
-    EXPECT_EQ(gl::check(wrong, 2048), "Frame::local.texel_m is 0, needs (0, inf)");
+    EXPECT_EQ(gl::check(wrong, 2048), "Frame::dynamic_waves.texel_m is 0, needs (0, inf)");
 }
 
 // Waves of the wind that carry splashes along, a million metres from the origin.
-TEST(GlLocalWater, LiesWhereQueriesSayAndNotBeside) {
+TEST(GlDynamicWaves, LiesWhereQueriesSayAndNotBeside) {
     GlScene scene({.quality = "ultra",
                    .resolution = 128,
                    .width = slice_pixels,
@@ -224,7 +224,7 @@ TEST(GlLocalWater, LiesWhereQueriesSayAndNotBeside) {
                    .shading = gl::Shading::headset});
     const glm::dvec2 middle(1'000'017.3, -999'963.9);
     Ocean ocean(sea_named("calm", 128),
-                {.executor = make_serial_executor(), .queries = true, .slopes = true, .local = LocalWaterOptions{}});
+                {.executor = make_serial_executor(), .queries = true, .slopes = true, .dynamic_waves = DynamicWavesOptions{}});
     ocean.follow(middle.x, middle.y);
     for (const glm::dvec2 from : {glm::dvec2(-7, 5), {4, -9}, {11, 8}})
         ocean.disturb({.mode = Disturbance::Mode::add,
@@ -234,7 +234,7 @@ TEST(GlLocalWater, LiesWhereQueriesSayAndNotBeside) {
                        .height_m = 3});
     for (int tick = 0; tick < 70; ++tick) ocean.frame_at(tick / 60.0);
     const Frame frame = ocean.complete();
-    ASSERT_GT(frame.local.height_max_m, 0.3f);
+    ASSERT_GT(frame.dynamic_waves.height_max_m, 0.3f);
     const auto height_in = [](const SurfaceQuery& query) {
         return [&query](double x, double z) {
             float height = 0;
@@ -246,8 +246,8 @@ TEST(GlLocalWater, LiesWhereQueriesSayAndNotBeside) {
     expect_slice_in_place(scene, frame, middle, 0.1, height_in(query));
 }
 
-// The tile carries all water two metres away; the window's heights stay where the window says.
-TEST(GlLocalWater, AddsWhereWaterIsDrawnNotWhereItRests) {
+// The tile carries all water two metres away; the grid's heights stay where the grid says.
+TEST(GlDynamicWaves, AddsWhereWaterIsDrawnNotWhereItRests) {
     GlScene scene({.quality = "ultra",
                    .resolution = 64,
                    .cascades = 1,
@@ -266,18 +266,18 @@ TEST(GlLocalWater, AddsWhereWaterIsDrawnNotWhereItRests) {
     frame.tiles = {&tile, 1};
     // Waves of 8 m: the mesh has a vertex every half a metre.
     const double wave = 2 * std::numbers::pi / 8;
-    const Window window(
+    const Grid grid(
         {.x = -32, .z = -32, .texel_m = 1},
         [&](auto x, auto z) {
             return 0.5 * std::sin(wave * static_cast<double>(x)) * std::sin(wave * static_cast<double>(z));
         },
         no_foam);
-    frame.local = window.surface();
+    frame.dynamic_waves = grid.surface();
     expect_slice_in_place(scene, frame, {0.3, 0.2}, 0.05,
-                          [&](double x, double z) { return sample(window.surface(), x, z).height_m; });
+                          [&](double x, double z) { return sample(grid.surface(), x, z).height_m; });
 }
 
-/// Light of a square of flat water from above, with slopes or foam that its only tile or its window have.
+/// Light of a square of flat water from above, with slopes or foam that its only tile or its grid have.
 class FlatScene : public GlScene {
    public:
     FlatScene()
@@ -293,10 +293,10 @@ class FlatScene : public GlScene {
           zeros_(ocean.frame_at(3).tiles[0].displacement_rgba16f.size()) {}
 
     static constexpr int pixels = 32;
-    static constexpr double side_m = 1.6;  // within the window of 3.2 m
+    static constexpr double side_m = 1.6;  // within the grid of 3.2 m
 
     /// \param slope  127ths of what the tile's slopes count in
-    std::vector<float> light(glm::ivec2 slope, std::uint8_t foam, const LocalSurface& local) {
+    std::vector<float> light(glm::ivec2 slope, std::uint8_t foam, const DynamicWavesView& dynamic_waves) {
         Frame frame = ocean.frame_at(3);
         Tile tile = frame.tiles[0];
         // Of these bytes 128 is none.
@@ -310,7 +310,7 @@ class FlatScene : public GlScene {
         tile.moments_rgba8 = moments;
         tile.foam_r8 = foams;
         frame.tiles = {&tile, 1};
-        frame.local = local;
+        frame.dynamic_waves = dynamic_waves;
         return light_from_above(frame, pixels, side_m);
     }
     double slope_unit() { return static_cast<double>(ocean.complete().tiles[0].slope_ranges.slope) / 127; }
@@ -329,12 +329,12 @@ double apart(const std::vector<float>& a, const std::vector<float>& b) {
     return worst / most;
 }
 
-// The same slope in the tile's map and in the window gives the same light; another way round it does not.
-TEST(GlLocalWater, TurnsNormalsAsTilesDo) {
+// The same slope in the tile's map and in the grid gives the same light; another way round it does not.
+TEST(GlDynamicWaves, TurnsNormalsAsTilesDo) {
     FlatScene scene;
     const double unit = scene.slope_unit();
     const auto plane = [&](int x, int z) {
-        return Window(
+        return Grid(
             {.x = -32, .z = -32, .texel_m = 0.05},
             [=](auto i, auto j) {
                 return unit * 0.05 * (x * (static_cast<double>(i) - 32) + z * (static_cast<double>(j) - 32));
@@ -354,11 +354,11 @@ TEST(GlLocalWater, TurnsNormalsAsTilesDo) {
     EXPECT_GT(less, 0.012);
 }
 
-// Foam of the window is as white as that of a tile, and where both have some the larger counts.
-TEST(GlLocalWater, IsAsWhiteAsTilesAreAndNoWhiterTogether) {
+// Foam of the grid is as white as that of a tile, and where both have some the larger counts.
+TEST(GlDynamicWaves, IsAsWhiteAsTilesAreAndNoWhiterTogether) {
     FlatScene scene;
     const auto foam = [](int byte) {
-        return Window({.x = -32, .z = -32, .texel_m = 0.05}, no_foam, [=](auto, auto) { return byte; });
+        return Grid({.x = -32, .z = -32, .texel_m = 0.05}, no_foam, [=](auto, auto) { return byte; });
     };
     const auto white = scene.light({}, 200, {});
     EXPECT_GT(apart(white, scene.light({}, 0, {})), 0.3);
@@ -368,18 +368,18 @@ TEST(GlLocalWater, IsAsWhiteAsTilesAreAndNoWhiterTogether) {
     EXPECT_GT(apart(white, scene.light({}, 90, foam(90).surface())), 0.1);
 }
 
-// A window changes pixels within it alone; a frame without one, or with one in which nothing stirs, is drawn as if there had never been any.
-TEST(GlLocalWater, IsDrawnWithinItsWindowAndWhileThereIsOne) {
+// A grid changes pixels within it alone; a frame without one, or with one in which nothing stirs, is drawn as if there had never been any.
+TEST(GlDynamicWaves, IsDrawnWithinItsWindowAndWhileThereIsOne) {
     GlScene scene({.quality = "low", .resolution = 64, .width = 128, .height = 96, .samples = 1, .size_m = 512});
     const Camera camera{.position_m = {0, 30, 0}, .target_m = {0.01, 0, 0}, .vertical_view_rad = 1};
     Frame frame = scene.ocean.frame_at(3);
     const auto before = scene.picture(camera, frame);
-    const Window waves = waves_at(-20, -40), flat({}, no_foam, no_foam);
-    frame.local = waves.surface();
+    const Grid waves = waves_at(-20, -40), flat({}, no_foam, no_foam);
+    frame.dynamic_waves = waves.surface();
     const auto with = scene.picture(camera, frame);
-    frame.local = flat.surface();
+    frame.dynamic_waves = flat.surface();
     const auto resting = scene.picture(camera, frame);
-    frame.local = {};
+    frame.dynamic_waves = {};
     EXPECT_EQ(scene.picture(camera, frame), before);
 
     int changed = 0, beyond = 0, moved = 0;
@@ -396,18 +396,18 @@ TEST(GlLocalWater, IsDrawnWithinItsWindowAndWhileThereIsOne) {
             const double metres = 2 * 30 * std::tan(0.5) / 96;
             const glm::dvec2 place(-(y + 0.5 - 48) * metres, (x + 0.5 - 64) * metres);
             const glm::dvec2 from = glm::abs(place - waves.middle());
-            const double half = 0.5 * Window::n * 0.25;
+            const double half = 0.5 * Grid::n * 0.25;
             changed += most > 2 && std::max(from.x, from.y) < half;
             beyond += most > 0 && std::max(from.x, from.y) > half + 3;
         }
-    std::printf("%d pixels within the window changed, %d beyond; a flat window moved a channel by %d\n", changed,
+    std::printf("%d pixels within the grid changed, %d beyond; a flat grid moved a channel by %d\n", changed,
                 beyond, moved);
     EXPECT_GT(changed, 500);
     EXPECT_EQ(beyond, 0);
     EXPECT_LE(moved, 1);  // compilers may round otherwise
 }
 
-TEST(GlLocalWater, IsSeenByBothEyes) {
+TEST(GlDynamicWaves, IsSeenByBothEyes) {
     GlScene scene({.quality = "low", .resolution = 64, .width = 128, .height = 48, .samples = 1, .size_m = 512});
     const Camera camera{.position_m = {0, 12, 0}, .target_m = {0.01, 0, 0}, .vertical_view_rad = 1};
     Frame frame = scene.ocean.frame_at(3);
@@ -416,8 +416,8 @@ TEST(GlLocalWater, IsSeenByBothEyes) {
         return scene.target->read();
     };
     const auto before = both();
-    const Window waves = waves_at(-32, -32);
-    frame.local = waves.surface();
+    const Grid waves = waves_at(-32, -32);
+    frame.dynamic_waves = waves.surface();
     const auto with = both();
     int changed[2] = {0, 0};
     for (std::size_t pixel = 0; pixel < 128 * 48; ++pixel)
@@ -428,15 +428,15 @@ TEST(GlLocalWater, IsSeenByBothEyes) {
     EXPECT_NEAR(changed[1], changed[0], 0.2 * changed[0]);
 }
 
-TEST(GlLocalWater, IsRefusedBeforeAnythingIsUploaded) {
+TEST(GlDynamicWaves, IsRefusedBeforeAnythingIsUploaded) {
     GlScene scene({.quality = "low", .resolution = 64, .width = 64, .height = 48, .samples = 1});
     const Camera camera{.position_m = {0, 5, 0}, .target_m = {20, 0, 5}};
     const auto before = scene.picture(camera, 3);
     const GLuint textures = scene.renderer->textures().slopes();
     Frame frame = scene.ocean.frame_at(4);
-    const Window window = waves_at(0, 0);
-    frame.local = window.surface();
-    frame.local.resolution = 48;
+    const Grid grid = waves_at(0, 0);
+    frame.dynamic_waves = grid.surface();
+    frame.dynamic_waves.resolution = 48;
     EXPECT_THROW(scene.renderer->upload(frame), std::invalid_argument);
     EXPECT_EQ(scene.renderer->textures().slopes(), textures);
     EXPECT_EQ(scene.picture(camera, 3), before);
