@@ -16,7 +16,7 @@
 
 namespace pelagic::capi {
 
-AskedFrames::Reader::Reader(AskedFrames& frames) {
+QueryFrames::Reader::Reader(QueryFrames& frames) {
     for (;;) {
         slot_ = frames.current_;
         if (!slot_) return;
@@ -26,17 +26,17 @@ AskedFrames::Reader::Reader(AskedFrames& frames) {
     }
 }
 
-void AskedFrames::Reader::leave() {
+void QueryFrames::Reader::leave() {
     if (slot_ && --slot_->readers == 0) wake_all(slot_->readers);
 }
 
-void AskedFrames::show(const SurfaceQuery& query) {
+void QueryFrames::show(const SurfaceQuery& query) {
     newest_ = 1 - newest_;
     slots_[newest_].query = query;
     current_ = &slots_[newest_];
 }
 
-void AskedFrames::wait_for_old_readers() {
+void QueryFrames::wait_for_old_readers() {
     const std::atomic<std::uint32_t>& readers = slots_[1 - newest_].readers;
     for (std::uint32_t now = readers; now != 0; now = readers) wait_while(readers, now);
 }

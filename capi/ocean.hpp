@@ -17,7 +17,7 @@ namespace pelagic::capi {
 ///
 /// A reader counts himself in at the current slot and looks again whether it still is. So whoever makes another one
 /// current and then sees nobody at the old one knows that nobody will come. Readers never wait.
-class AskedFrames {
+class QueryFrames {
     struct Slot {
         std::optional<SurfaceQuery> query;
         std::atomic<std::uint32_t> readers = 0;
@@ -27,7 +27,7 @@ class AskedFrames {
     /// Keeps the current frame from being written over while it lives.
     class Reader {
        public:
-        explicit Reader(AskedFrames& frames);
+        explicit Reader(QueryFrames& frames);
         ~Reader() { leave(); }
         Reader(const Reader&) = delete;
         Reader& operator=(const Reader&) = delete;
@@ -71,7 +71,7 @@ struct pelagic_ocean {
     bool sea_in_flight = false;
     bool has_completed = false;             ///< by complete(), not by frame_at() alone
     const pelagic::Frame* shown = nullptr;  ///< what queries, tile, copy and hash tell of
-    mutable pelagic::capi::AskedFrames asked;
+    mutable pelagic::capi::QueryFrames asked;
 };
 
 namespace pelagic::capi {

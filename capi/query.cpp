@@ -9,7 +9,7 @@
 namespace pelagic::capi {
 namespace {
 
-const SurfaceQuery& needed_query(const pelagic_ocean& ocean, const AskedFrames::Reader& reader) {
+const SurfaceQuery& needed_query(const pelagic_ocean& ocean, const QueryFrames::Reader& reader) {
     if (!ocean.has_queries) refuse("the ocean can't be queried, needs pelagic_ocean_options.queries");
     if (!reader.query()) throw WrongOrder("there is no frame yet, needs pelagic_ocean_complete first");
     return *reader.query();
@@ -77,7 +77,7 @@ using namespace pelagic::capi;
 pelagic_status pelagic_ocean_query(const pelagic_ocean* ocean, const pelagic_points* points,
                                    const pelagic_samples* samples) {
     return guarded([&] {
-        const AskedFrames::Reader reader(needed(ocean, "ocean").asked);
+        const QueryFrames::Reader reader(needed(ocean, "ocean").asked);
         const SurfaceQuery& query = needed_query(*ocean, reader);
         const pelagic_points asked = read_struct(points, "points");
         const SurfacePoints where = points_of(asked);
@@ -88,7 +88,7 @@ pelagic_status pelagic_ocean_query(const pelagic_ocean* ocean, const pelagic_poi
 
 pelagic_status pelagic_ocean_first_hit(const pelagic_ocean* ocean, const pelagic_ray* ray, pelagic_hit* hit) {
     return guarded([&] {
-        const AskedFrames::Reader reader(needed(ocean, "ocean").asked);
+        const QueryFrames::Reader reader(needed(ocean, "ocean").asked);
         const SurfaceQuery& query = needed_query(*ocean, reader);
         const SurfaceRay asked = ray_of(read_struct(ray, "ray"), query.frame());
         struct_bytes(hit, "hit");

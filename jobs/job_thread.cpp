@@ -66,18 +66,18 @@ void JobThread::join() {
 }
 
 void need_threads(int count, std::size_t stack_bytes) {
-    std::atomic<std::uint32_t> all_asked = 0;
+    std::atomic<std::uint32_t> is_released = 0;
     std::vector<JobThread> threads;
     threads.reserve(static_cast<std::size_t>(std::max(count - 1, 0)));
     std::error_code refusal;
     try {
-        for (int i = 1; i < count; ++i) threads.emplace_back([&] { wait_while(all_asked, 0); }, stack_bytes);
+        for (int i = 1; i < count; ++i) threads.emplace_back([&] { wait_while(is_released, 0); }, stack_bytes);
     } catch (const std::system_error& error) {
         refusal = error.code();
     }
     const std::size_t given = threads.size() + 1;
-    all_asked = 1;
-    wake_all(all_asked);
+    is_released = 1;
+    wake_all(is_released);
     for (JobThread& thread : threads) thread.join();
     if (refusal)
         throw std::system_error(

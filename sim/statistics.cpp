@@ -192,14 +192,14 @@ GridSums sums_over(const SeaState& sea, std::span<const TilePlan> plan, Draws dr
 std::string short_text(double value) { return rounded_text(value, 3); }
 
 /// What a sea asks for, whatever tiles can hold.
-struct AskedWaves {
+struct ModelWaves {
     SpectralPeak peak;
     std::optional<double> significant_wave_height_m;  ///< none for phillips-paper
     double kept_by_breaking = 1;
     int left_out = 0;  ///< waves of a list that no tile holds
 };
 
-AskedWaves asked_of_list(const SeaState& sea) {
+ModelWaves model_waves_of_list(const SeaState& sea) {
     if (sea.waves == WaveModel::exp_sine) {
         double squares = 0;
         const std::vector<ExpSineOctave> octaves = octaves_of(exp_sine_sea_of(sea));
@@ -217,10 +217,10 @@ AskedWaves asked_of_list(const SeaState& sea) {
             .left_out = static_cast<int>(asked.waves.size() - waves_of_tiles(sea).waves.size())};
 }
 
-AskedWaves asked_of(const SeaState& sea, std::span<const TilePlan> plan) {
-    if (sea.waves != WaveModel::spectrum) return asked_of_list(sea);
+ModelWaves model_waves_of(const SeaState& sea, std::span<const TilePlan> plan) {
+    if (sea.waves != WaveModel::spectrum) return model_waves_of_list(sea);
     const WaveSpectrum spectrum(sea, plan.front());
-    AskedWaves asked{.peak = peak_of(spectrum, sea),
+    ModelWaves asked{.peak = peak_of(spectrum, sea),
                      .significant_wave_height_m = {},
                      .kept_by_breaking = spectrum.kept_by_breaking()};
     if (spectrum.is_physical()) asked.significant_wave_height_m = 4 * std::sqrt(spectrum.variance());
@@ -228,7 +228,7 @@ AskedWaves asked_of(const SeaState& sea, std::span<const TilePlan> plan) {
 }
 
 /// What was asked for, with the sums of the grid.
-ExpectedWaves expected_from(const AskedWaves& asked, const GridSums& sums) {
+ExpectedWaves expected_from(const ModelWaves& asked, const GridSums& sums) {
     return {4 * std::sqrt(sums.expected.variance), two_pi / asked.peak.omega, two_pi / asked.peak.k,
             asked.significant_wave_height_m};
 }
@@ -319,7 +319,7 @@ WaveDirections directions_from(const Moments& moments) {
     return directions_of_moment(moments.x / moments.variance, moments.z / moments.variance);
 }
 
-std::vector<std::string> warnings_from(const SeaState& sea, std::span<const TilePlan> plan, const AskedWaves& asked,
+std::vector<std::string> warnings_from(const SeaState& sea, std::span<const TilePlan> plan, const ModelWaves& asked,
                                        const ExpectedWaves& waves, const LoopFrequencies& found) {
     const SpectralPeak& peak = asked.peak;
     const TilePlan &coarsest = plan.front(), &finest = plan.back();
@@ -374,7 +374,7 @@ std::vector<std::string> warnings_from(const SeaState& sea, std::span<const Tile
 SeaReport report_on(const SeaState& sea) {
     const DefaultFloatEnvironment environment;
     const std::vector<TilePlan> plan = plan_tiles(sea);
-    const AskedWaves asked = asked_of(sea, plan);
+    const ModelWaves asked = model_waves_of(sea, plan);
     GridSums sums = sums_over(sea, plan, Draws::yes);
     SeaReport report;
     report.expected = expected_from(asked, sums);
@@ -428,7 +428,7 @@ std::vector<double> model_by_wave_number(const SeaState& sea, std::span<const do
 ExpectedWaves expected_waves(const SeaState& sea) {
     const DefaultFloatEnvironment environment;
     const std::vector<TilePlan> plan = plan_tiles(sea);
-    return expected_from(asked_of(sea, plan), sums_over(sea, plan, Draws::no));
+    return expected_from(model_waves_of(sea, plan), sums_over(sea, plan, Draws::no));
 }
 
 double measured_significant_wave_height_m(const Frame& frame) {

@@ -33,8 +33,8 @@ bool has_f16c() {
 }
 #endif
 
-[[noreturn]] void refuse(std::string_view asked_by, std::string_view value) {
-    throw std::invalid_argument(refusal(asked_by, value, "an instruction set that this CPU runs: " + names_here()));
+[[noreturn]] void refuse(std::string_view option, std::string_view value) {
+    throw std::invalid_argument(refusal(option, value, "an instruction set that this CPU runs: " + names_here()));
 }
 
 }  // namespace

@@ -74,8 +74,8 @@ struct Answers {
 };
 
 /// Points that no library's distribution has a say in.
-struct AskedPoints {
-    explicit AskedPoints(std::size_t count) {
+struct QueryPoints {
+    explicit QueryPoints(std::size_t count) {
         std::mt19937 random(5);
         for (std::size_t i = 0; i < count; ++i) {
             x.push_back(static_cast<double>(random()) / 0x1p20 - 2000);
@@ -98,15 +98,15 @@ const SeaState sea_of_tiles{.cascades = 4, .resolution = 64, .choppiness = 1};
 const SeaState analytic_sea_state{.waves = WaveModel::analytic, .resolution = 64, .choppiness = 1};
 const SeaState pond{.waves = WaveModel::exp_sine, .resolution = 64};
 
-std::unique_ptr<Ocean> asked_ocean(const SeaState& sea, Isa isa = choose_isa(),
+std::unique_ptr<Ocean> queryable_ocean(const SeaState& sea, Isa isa = choose_isa(),
                                    std::shared_ptr<Executor> executor = make_serial_executor()) {
     return std::make_unique<Ocean>(
         sea, OceanOptions{.executor = std::move(executor), .isa = isa, .queries = true, .velocities = true});
 }
 
-Answers answers_at(const SeaState& sea, double time_s, Isa isa, const AskedPoints& points,
+Answers answers_at(const SeaState& sea, double time_s, Isa isa, const QueryPoints& points,
                    Interpolation interpolation = Interpolation::linear) {
-    const auto ocean = asked_ocean(sea, isa);
+    const auto ocean = queryable_ocean(sea, isa);
     Answers answers(points.x.size());
     SurfaceQuery(ocean->frame_at(time_s), {.interpolation = interpolation}).sample(points.view(), answers.view());
     return answers;
@@ -228,7 +228,7 @@ TEST(Determinism, OceansMayBeDestroyedInFlight) {
 TEST(Determinism, ASeaThatCanBeAskedIsTheSameSea) {
     for (const SeaState& sea : {folded_sea, smooth_sea, sea_of_tiles, analytic_sea_state, pond})
         for (const Host& host : hosts())
-            EXPECT_EQ(hash_of(asked_ocean(sea, choose_isa(), host.executor)->frame_at(7)), hash_at(sea, 7))
+            EXPECT_EQ(hash_of(queryable_ocean(sea, choose_isa(), host.executor)->frame_at(7)), hash_at(sea, 7))
                 << host.name;
 }
 
@@ -251,7 +251,7 @@ TEST(Determinism, FoamIsTheSameOnEveryInstructionSetExecutorAndThreadCount) {
 }
 
 TEST(Determinism, EveryInstructionSetGivesTheSameAnswers) {
-    const AskedPoints points(20000);
+    const QueryPoints points(20000);
     for (const SeaState& sea : {folded_sea, smooth_sea, sea_of_tiles, analytic_sea_state, pond}) {
         for (const Interpolation interpolation : {Interpolation::linear, Interpolation::cubic}) {
             const std::uint64_t expected = answers_at(sea, 3, isas_here().front(), points, interpolation).hash();
@@ -262,13 +262,13 @@ TEST(Determinism, EveryInstructionSetGivesTheSameAnswers) {
 }
 
 TEST(Determinism, AnAnswerDependsOnNoOtherPointOfTheBatch) {
-    const AskedPoints points(1000);
+    const QueryPoints points(1000);
     for (const auto& [sea, interpolation] : {std::pair{folded_sea, Interpolation::linear},
                                              {smooth_sea, Interpolation::linear},
                                              {sea_of_tiles, Interpolation::linear},
                                              {folded_sea, Interpolation::cubic},
                                              {sea_of_tiles, Interpolation::cubic}}) {
-        const auto ocean = asked_ocean(sea);
+        const auto ocean = queryable_ocean(sea);
         const SurfaceQuery query(ocean->frame_at(3), {.interpolation = interpolation});
         Answers expected(points.x.size());
         query.sample(points.view(), expected.view());
@@ -299,8 +299,8 @@ TEST(Determinism, AnAnswerDependsOnNoOtherPointOfTheBatch) {
 }
 
 TEST(Determinism, EveryExecutorAndThreadCountGivesTheSameAnswers) {
-    const AskedPoints points(30001);
-    const auto ocean = asked_ocean(folded_sea);
+    const QueryPoints points(30001);
+    const auto ocean = queryable_ocean(folded_sea);
     const SurfaceQuery query(ocean->frame_at(3));
     Answers expected(points.x.size());
     query.sample(points.view(), expected.view());
@@ -317,9 +317,9 @@ TEST(Determinism, EveryExecutorAndThreadCountGivesTheSameAnswers) {
 // The frame before is asked while the next one is computed; whoever asks waits for nobody.
 TEST(Determinism, EightThreadsAskWhileFramesRun) {
     const SeaState& sea = folded_sea;
-    const AskedPoints points(is_sanitized ? 200 : 2000);
+    const QueryPoints points(is_sanitized ? 200 : 2000);
     const auto executor = make_thread_executor(3);
-    const auto ocean = asked_ocean(sea, choose_isa(), executor);
+    const auto ocean = queryable_ocean(sea, choose_isa(), executor);
     ocean->schedule(0);
     for (int i = 0; i < 6; ++i) {
         const Frame& frame = ocean->complete();
@@ -350,7 +350,7 @@ TEST(Determinism, EightThreadsAskWhileFramesRun) {
 TEST(Determinism, RaysHitTheSameBitsOnEveryInstructionSet) {
     std::vector<double> expected;
     for (const Isa isa : isas_here()) {
-        const auto ocean = asked_ocean(folded_sea, isa);
+        const auto ocean = queryable_ocean(folded_sea, isa);
         const SurfaceQuery query(ocean->frame_at(3));
         std::vector<double> hits;
         for (int i = 0; i < 100; ++i) {
@@ -368,7 +368,7 @@ TEST(Determinism, TheHostsFloatingPointEnvironmentDoesNotReachTheSea) {
     const SeaState sea{
         .spectrum = SpectrumModel::phillips, .resolution = 64, .patch_size_m = 250, .wind_speed_mps = 2};
     const std::uint64_t expected = hash_at(sea, 5);
-    const AskedPoints points(2000);
+    const QueryPoints points(2000);
     const std::uint64_t expected_answers = answers_at(folded_sea, 5, choose_isa(), points).hash();
 #if !defined(__wasm__)  // which has one way to round
     for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
@@ -495,7 +495,7 @@ TEST(Determinism, GoldenHashesNeverChange) {
         ++compared;
     }
     // Answers to queries, velocities included.
-    const AskedPoints points(5000);
+    const QueryPoints points(5000);
     for (const auto& [name, sea] : {std::pair{"queries-folded", folded_sea},
                                     {"queries-smooth", smooth_sea},
                                     {"queries-tiles", sea_of_tiles},

@@ -131,12 +131,12 @@ double bound(const std::string& type, double scale, double value) {
     return type == "half" ? of_floats + std::fabs(value) / 2048 + 6e-8 : of_floats;
 }
 
-struct Asked {
+struct MapRequest {
     const char* name;
     Arguments flags;
 };
 
-class ExportedMaps : public testing::TestWithParam<Asked> {
+class ExportedMaps : public testing::TestWithParam<MapRequest> {
    protected:
     void SetUp() override {
         Arguments flags = GetParam().flags;
@@ -244,19 +244,19 @@ TEST_P(LevelsOfExportedMaps, AreMeansAndNormalsStayUnitVectors) {
     EXPECT_FALSE(std::filesystem::exists(folder_ / "velocity_0000_mip1.exr"));
 }
 
-INSTANTIATE_TEST_SUITE_P(Asked, LevelsOfExportedMaps,
-                         testing::Values(Asked{"Bytes", {}},
-                                         Asked{"Halves", {"--half", "--bit-depth", "float", "--rows", "bottom"}}),
+INSTANTIATE_TEST_SUITE_P(MapRequest, LevelsOfExportedMaps,
+                         testing::Values(MapRequest{"Bytes", {}},
+                                         MapRequest{"Halves", {"--half", "--bit-depth", "float", "--rows", "bottom"}}),
                          [](const auto& asked) { return asked.param.name; });
 INSTANTIATE_TEST_SUITE_P(
-    Asked, ExportedMaps,
-    testing::Values(Asked{"AsTheyAre", {}},
-                    Asked{"ForDirectXIn16Bits", {"--bit-depth", "16", "--normal-y", "down", "--rows", "bottom"}},
-                    Asked{"ZUpInCentimetresAsTiff",
+    MapRequest, ExportedMaps,
+    testing::Values(MapRequest{"AsTheyAre", {}},
+                    MapRequest{"ForDirectXIn16Bits", {"--bit-depth", "16", "--normal-y", "down", "--rows", "bottom"}},
+                    MapRequest{"ZUpInCentimetresAsTiff",
                           {"--format", "tif", "--bit-depth", "16", "--axes", "z-up", "--unit", "cm", "--rows",
                            "bottom"}},
-                    Asked{"ZUpInHalves", {"--half", "--bit-depth", "float", "--axes", "z-up", "--normal-y", "down"}},
-                    Asked{"FloatsInCentimetres", {"--bit-depth", "float", "--unit", "cm", "--rows", "bottom"}}),
+                    MapRequest{"ZUpInHalves", {"--half", "--bit-depth", "float", "--axes", "z-up", "--normal-y", "down"}},
+                    MapRequest{"FloatsInCentimetres", {"--bit-depth", "float", "--unit", "cm", "--rows", "bottom"}}),
     [](const auto& asked) { return asked.param.name; });
 
 // Imath is a reader that nobody here wrote.

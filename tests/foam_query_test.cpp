@@ -20,7 +20,7 @@ const SeaState gale{.cascades = 4, .resolution = 32, .wind_speed_mps = 20, .wind
 const SeaState storm_on_one_tile{
     .resolution = 64, .patch_size_m = 120, .wind_speed_mps = 25, .wind_direction_rad = 2.5};
 
-OceanOptions asked_for_foam(Isa isa = choose_isa()) {
+OceanOptions with_queries_and_foam(Isa isa = choose_isa()) {
     return {.executor = make_serial_executor(), .isa = isa, .queries = true, .foam = true};
 }
 
@@ -63,7 +63,7 @@ double foam_by_texels(const Frame& frame, double rest_x_m, double rest_z_m) {
 
 TEST(FoamQuery, IsTheLargestOfTheTilesAtTheRestPoint) {
     for (const SeaState& sea : {gale, storm_on_one_tile}) {
-        Ocean ocean(sea, asked_for_foam());
+        Ocean ocean(sea, with_queries_and_foam());
         const Frame& frame = ocean.frame_at(11.03);
         const oracle::Stack stack(frame);
         const Points points = random_points(is_sanitized ? 50 : 2000);
@@ -94,7 +94,7 @@ TEST(FoamQuery, HasTheSameBitsOnAnyInstructionSetAndInAnyBatch) {
     for (const SeaState& sea : {gale, storm_on_one_tile}) {
         std::vector<float> expected;
         for (const Isa isa : isas_here()) {
-            Ocean ocean(sea, asked_for_foam(isa));
+            Ocean ocean(sea, with_queries_and_foam(isa));
             const SurfaceQuery query(ocean.frame_at(3.21));
             std::vector<float> together(points.x.size()), apart(together), on_jobs(together);
             query.sample({points.x, points.z}, {.foam = together});
@@ -123,7 +123,7 @@ TEST(FoamQuery, IsRefusedOfAFrameThatRemembersNone) {
 }
 
 TEST(FoamInBuffers, IsTheChainOfEachTile) {
-    Ocean ocean(gale, asked_for_foam());
+    Ocean ocean(gale, with_queries_and_foam());
     const std::size_t chain = mip_offset(32, mip_levels(32));
     std::vector<std::vector<std::uint8_t>> bytes(4, std::vector<std::uint8_t>(chain, 77));
     std::vector<FrameBuffers> buffers;

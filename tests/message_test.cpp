@@ -19,7 +19,7 @@ namespace pelagic {
 namespace {
 
 /// What stands between "NAME is " and ", needs", read by the C library.
-double number_said(const std::string& message) {
+double quoted_number(const std::string& message) {
     return std::strtod(message.c_str() + message.find(" is ") + 4, nullptr);
 }
 
@@ -55,9 +55,9 @@ TEST(NumberText, IsWhatPeopleWrite) {
 
 TEST(Refusal, SaysTheNumberThatWasGiven) {
     for (const double value : {8.000000000000002, -4.9e-324, -1e-300, 12345678.912345679}) {
-        EXPECT_EQ(number_said(check(SeaState{.choppiness = value})), value);
-        EXPECT_EQ(number_said(check(QuadtreeOptions{.size_m = value})), value);
-        EXPECT_EQ(number_said(check(QuadtreeOptions{.lod_scale = value})), value);
+        EXPECT_EQ(quoted_number(check(SeaState{.choppiness = value})), value);
+        EXPECT_EQ(quoted_number(check(QuadtreeOptions{.size_m = value})), value);
+        EXPECT_EQ(quoted_number(check(QuadtreeOptions{.lod_scale = value})), value);
     }
 }
 

@@ -76,7 +76,7 @@ DynamicWaveFrames::DynamicWaveFrames(const DynamicWavesOptions& options, Isa isa
     tick_and_show_run_ = prepare(tick_and_show_graph_);
 }
 
-void DynamicWaveFrames::say(const Said& said) { said_.push_back(said); }
+void DynamicWaveFrames::enqueue(const Command& command) { commands_.push_back(command); }
 
 void DynamicWaveFrames::disturb(const Disturbance& disturbance) {
     if (const std::string reason = check(disturbance); !reason.empty()) throw std::invalid_argument(reason);
@@ -84,7 +84,7 @@ void DynamicWaveFrames::disturb(const Disturbance& disturbance) {
         throw std::invalid_argument(refusal("the number of disturbances of a tick", DynamicWaveSources::most + 1,
                                             "at most " + number_text(DynamicWaveSources::most)));
     ++new_disturbances_;
-    say({Said::What::disturb, 0, disturbance});
+    enqueue({Command::Kind::disturb, 0, disturbance});
 }
 
 std::uint32_t DynamicWaveFrames::add_source(const Disturbance& source) {
@@ -94,57 +94,57 @@ std::uint32_t DynamicWaveFrames::add_source(const Disturbance& source) {
             refusal("the number of sources", DynamicWaveSources::most + 1, "at most " + number_text(DynamicWaveSources::most)));
     const std::uint32_t number = grid_.sources().new_number();
     numbers_.push_back(number);
-    say({Said::What::add, number, source});
+    enqueue({Command::Kind::add, number, source});
     return number;
 }
 
 void DynamicWaveFrames::set_source(std::uint32_t number, const Disturbance& source) {
     if (const std::string reason = check(source); !reason.empty()) throw std::invalid_argument(reason);
-    say({Said::What::set, number, source});
+    enqueue({Command::Kind::set, number, source});
 }
 
 void DynamicWaveFrames::remove_source(std::uint32_t number) {
     const auto at = std::lower_bound(numbers_.begin(), numbers_.end(), number);
     if (at == numbers_.end() || *at != number) return;
     numbers_.erase(at);
-    say({Said::What::remove, number});
+    enqueue({Command::Kind::remove, number});
 }
 
 void DynamicWaveFrames::follow(double x_m, double z_m) {
     check_place(x_m, z_m);
-    say({Said::What::follow, 0, {.x_m = x_m, .z_m = z_m}});
+    enqueue({Command::Kind::follow, 0, {.x_m = x_m, .z_m = z_m}});
 }
 
 void DynamicWaveFrames::set_rain(const Rain& rain) {
     if (const std::string reason = check(rain, grid_.options()); !reason.empty()) throw std::invalid_argument(reason);
-    say({.what = Said::What::rain, .rain = rain});
+    enqueue({.kind = Command::Kind::rain, .rain = rain});
 }
 
-void DynamicWaveFrames::take_what_was_said(bool time_goes_on) {
+void DynamicWaveFrames::apply_commands(bool time_goes_on) {
     DynamicWaveSources& sources = grid_.sources();
     const bool is_full = sources.waiting() + new_disturbances_ > DynamicWaveSources::most;
     if (new_disturbances_ > 0 && (!time_goes_on || is_full)) sources.forget_provisional();
-    for (const Said& said : said_) {
-        switch (said.what) {
-            case Said::What::disturb: sources.disturb(said.disturbance); break;
-            case Said::What::add: grid_.set_source(said.number, said.disturbance); break;
-            case Said::What::set:
-                if (sources.has(said.number)) grid_.set_source(said.number, said.disturbance);
+    for (const Command& command : commands_) {
+        switch (command.kind) {
+            case Command::Kind::disturb: sources.disturb(command.disturbance); break;
+            case Command::Kind::add: grid_.set_source(command.number, command.disturbance); break;
+            case Command::Kind::set:
+                if (sources.has(command.number)) grid_.set_source(command.number, command.disturbance);
                 break;
-            case Said::What::remove: sources.remove(said.number); break;
-            case Said::What::follow: grid_.follow(said.disturbance.x_m, said.disturbance.z_m); break;
-            case Said::What::rain: grid_.set_rain(said.rain); break;
+            case Command::Kind::remove: sources.remove(command.number); break;
+            case Command::Kind::follow: grid_.follow(command.disturbance.x_m, command.disturbance.z_m); break;
+            case Command::Kind::rain: grid_.set_rain(command.rain); break;
         }
     }
     if (time_goes_on) sources.settle();
-    said_.clear();
+    commands_.clear();
     new_disturbances_ = 0;
 }
 
 void DynamicWaveFrames::begin_frame(double time_s) {
     assert(!frame_in_flight_);
     const DefaultFloatEnvironment environment;
-    take_what_was_said(!has_clock_ || time_s > last_time_s_);
+    apply_commands(!has_clock_ || time_s > last_time_s_);
     last_time_s_ = time_s;
     const double rate = grid_.options().ticks_per_s;
     const double place = std::clamp(time_s * rate + clock_slack, -farthest_tick, farthest_tick);
@@ -244,13 +244,13 @@ void DynamicWaveFrames::restore(std::span<const std::uint8_t> saved) {
     has_clock_ = clock.has_clock != 0;
     last_tick_ = clock.last_tick;
     last_time_s_ = clock.last_time_s;
-    said_.clear();
+    commands_.clear();
     new_disturbances_ = 0;
     numbers_ = grid_.sources().numbers();
 }
 
 std::size_t DynamicWaveFrames::bytes() const {
-    std::size_t bytes = sizeof(DynamicWaveFrames) + grid_.bytes() + said_.capacity() * sizeof(Said) +
+    std::size_t bytes = sizeof(DynamicWaveFrames) + grid_.bytes() + commands_.capacity() * sizeof(Command) +
                         numbers_.capacity() * sizeof(std::uint32_t);
     for (const Slot& slot : slots_)
         bytes += slot.height.bytes() + slot.rise.bytes() + slot.foam.bytes() +

@@ -66,20 +66,20 @@ class DynamicWaveFrames {
     };
     void begin_run(GraphRun& run);
     void complete_run();
-    void take_what_was_said(bool time_goes_on);
+    void apply_commands(bool time_goes_on);
     void show_rows(std::size_t item);
 
     DynamicWaveGrid grid_;
     /// What a host said since the last begin_frame().
-    struct Said {
-        enum class What { disturb, add, set, remove, follow, rain } what;
+    struct Command {
+        enum class Kind { disturb, add, set, remove, follow, rain } kind;
         std::uint32_t number = 0;
         Disturbance disturbance = {};  ///< of a follow, its place
         Rain rain = {};
     };
-    void say(const Said& said);
+    void enqueue(const Command& command);
 
-    std::vector<Said> said_;
+    std::vector<Command> commands_;
     std::size_t new_disturbances_ = 0;  ///< among them
     std::vector<std::uint32_t>
         numbers_;  ///< of the sources that there are after all that was said, in ascending order

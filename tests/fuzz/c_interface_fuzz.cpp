@@ -402,7 +402,7 @@ void any_water(const pelagic_ocean* ocean, Bytes& bytes) {
     if (sum != sum) std::abort();  // no number has come in, and none may come out
 }
 
-void any_word_to_the_water(Bytes& bytes, pelagic_ocean* ocean) {
+void any_dynamic_waves_command(Bytes& bytes, pelagic_ocean* ocean) {
     std::uint32_t number = 0;
     switch (bytes.take<std::uint8_t>() % 7) {
         case 0: {
@@ -437,7 +437,7 @@ void any_call(Bytes& bytes, pelagic_ocean*& ocean) {
     std::uint64_t hash = 0;
     auto frame = sized<pelagic_frame>(bytes);
     const auto which = bytes.take<std::uint8_t>();
-    if (which >= 200) return any_word_to_the_water(bytes, ocean);
+    if (which >= 200) return any_dynamic_waves_command(bytes, ocean);
     switch (which % 12) {
         case 0: must_be_a_status(pelagic_ocean_schedule(ocean, bytes.number())); break;
         case 1: must_be_a_status(pelagic_ocean_complete(ocean, &frame)); break;

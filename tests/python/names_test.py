@@ -31,9 +31,9 @@ def test_each_field_says_what_it_accepts():
     docs = docstrings_of_fields(pelagic.Sea)
     assert set(docs) == {field.name for field in dataclasses.fields(pelagic.Sea)}
     ranges = {name: re.search(r"[\[(]-?[\d.].*?[\])]", accepted) for name, _, accepted in _pelagic.sea_fields()}
-    said_otherwise = {"swell_spread_rad", "wave_height_m"}
+    named_differently = {"swell_spread_rad", "wave_height_m"}
     for name, found in ranges.items():
-        if found and name not in said_otherwise:
+        if found and name not in named_differently:
             assert found.group() in docs[name], name
 
 

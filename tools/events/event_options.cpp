@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pelagic/tools/events/event_words.hpp"
+#include "pelagic/tools/events/event_commands.hpp"
 #include "pelagic/tools/text/errors.hpp"
 #include "pelagic/tools/text/option_text.hpp"
 
@@ -126,7 +126,7 @@ std::optional<EventOptions> EventFlags::resolve(double depth_m) const {
     if (at_) at = place_in(*at_);
     if (file_->empty()) throw InputError("--events is empty, needs a CSV file");
     options.file = read_events(*file_);
-    event_words(*options.file,
+    event_commands(*options.file,
                 options.water.ticks_per_s);  // so that too many at once are told before anything is made
     if (!at) at = middle_of(*options.file);
     options.middle_x_m = (*at)[0];

@@ -20,34 +20,34 @@ SeaState least_sea() { return {.cascades = 1, .resolution = 16}; }
 EventPlayer::EventPlayer(const EventOptions& options, std::shared_ptr<Executor> executor, std::optional<Isa> isa)
     : options_(options),
       rate_(options.water.ticks_per_s),
-      words_(event_words(*options.file, options.water.ticks_per_s)),
+      commands_(event_commands(*options.file, options.water.ticks_per_s)),
       numbers_(options.file->events.size()),
       ocean_(least_sea(), {.executor = std::move(executor), .isa = isa, .dynamic_waves = options.water}) {
-    first_tick_ = words_.front().tick - 1;
+    first_tick_ = commands_.front().tick - 1;
     ocean_.follow(options_.middle_x_m, options_.middle_z_m);
     ocean_.frame_at(time_of(first_tick_));
     tick_ = first_tick_;
     beginning_ = ocean_.saved_water();
 }
 
-void EventPlayer::say(const EventWord& word) {
-    const WaterEvent& event = options_.file->events[word.event];
-    if (word.what == EventWord::What::remove) return ocean_.remove_source(numbers_[word.event]);
+void EventPlayer::run_command(const EventCommand& command) {
+    const WaterEvent& event = options_.file->events[command.event];
+    if (command.kind == EventCommand::Kind::remove) return ocean_.remove_source(numbers_[command.event]);
     if (event.duration_s == 0) return ocean_.disturb(event.push);
     Disturbance source = event.push;
-    const double since_s = time_of(word.tick) - event.time_s;
+    const double since_s = time_of(command.tick) - event.time_s;
     source.x_m = std::clamp(source.x_m + since_s * source.velocity_x_mps, -1e8, 1e8);
     source.z_m = std::clamp(source.z_m + since_s * source.velocity_z_mps, -1e8, 1e8);
-    numbers_[word.event] = ocean_.add_source(source);
+    numbers_[command.event] = ocean_.add_source(source);
 }
 
 void EventPlayer::go_to(std::int64_t tick) {
     const auto longest_jump = static_cast<std::int64_t>(longest_jump_s * rate_);
     while (tick_ < tick) {
-        for (; next_word_ < words_.size() && words_[next_word_].tick == tick_ + 1; ++next_word_)
-            say(words_[next_word_]);
+        for (; next_command_ < commands_.size() && commands_[next_command_].tick == tick_ + 1; ++next_command_)
+            run_command(commands_[next_command_]);
         std::int64_t until = std::min(tick, tick_ + longest_jump);
-        if (next_word_ < words_.size()) until = std::min(until, words_[next_word_].tick - 1);
+        if (next_command_ < commands_.size()) until = std::min(until, commands_[next_command_].tick - 1);
         ocean_.frame_at(time_of(until));
         tick_ = until;
     }
@@ -58,7 +58,7 @@ DynamicWavesView EventPlayer::at(double time_s) {
     if (tick < tick_) {
         ocean_.restore_water(beginning_);
         tick_ = first_tick_;
-        next_word_ = 0;
+        next_command_ = 0;
     }
     if (tick < first_tick_) return ocean_.frame_at(time_of(first_tick_)).dynamic_waves;
     go_to(tick);

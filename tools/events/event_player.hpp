@@ -12,27 +12,27 @@
 
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/tools/events/event_options.hpp"
-#include "pelagic/tools/events/event_words.hpp"
+#include "pelagic/tools/events/event_commands.hpp"
 
 namespace pelagic::tools {
 
 class EventPlayer {
    public:
-    /// Throws what event_words() throws.
+    /// Throws what event_commands() throws.
     EventPlayer(const EventOptions& options, std::shared_ptr<Executor> executor, std::optional<Isa> isa);
 
     /// Valid until it is called again. \pre time_s is finite
     DynamicWavesView at(double time_s);
 
    private:
-    void say(const EventWord& word);
+    void run_command(const EventCommand& command);
     void go_to(std::int64_t tick);
     double time_of(std::int64_t tick) const { return static_cast<double>(tick) / rate_; }
 
     EventOptions options_;
     double rate_;
-    std::vector<EventWord> words_;
-    std::size_t next_word_ = 0;
+    std::vector<EventCommand> commands_;
+    std::size_t next_command_ = 0;
     std::vector<std::uint32_t> numbers_;  ///< of each event's source
     std::int64_t first_tick_ = 0, tick_ = 0;
     Ocean ocean_;

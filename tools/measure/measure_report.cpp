@@ -21,12 +21,12 @@ double degrees(double radians) { return radians * (180 / 3.14159265358979323846)
 Json spectrum_json(const std::vector<SpectrumPoint>& found, const char* at, const char* unit, auto model) {
     std::vector<double> places;
     for (const SpectrumPoint& point : found) places.push_back(point.at);
-    const std::vector<double> asked_for = model(places);
+    const std::vector<double> modelled = model(places);
     Json list = Json::array();
     for (std::size_t i = 0; i < found.size(); ++i)
         list.push_back({{at, found[i].at},
                         {std::string("found_") + unit, found[i].density},
-                        {std::string("expected_") + unit, asked_for[i]}});
+                        {std::string("expected_") + unit, modelled[i]}});
     return list;
 }
 

@@ -11,7 +11,7 @@ constexpr double width = 560, height = 420;  ///< of a panel's axes, in SVG unit
 constexpr double left = 110, top = 100, below = 80, right = 30;
 constexpr double most_decades = 5;  ///< below the largest density: less is nothing
 constexpr const char* found_colour = "#d62728";
-constexpr const char* asked_colour = "#1f77b4";
+constexpr const char* model_colour = "#1f77b4";
 
 template <class... Values>
 std::string line(const char* format, Values... values) {
@@ -92,18 +92,18 @@ std::string curve_as_svg(const Axis& across, const Axis& up, const SpectrumPanel
 
 std::string panel_as_svg(const SpectrumPanel& panel) {
     std::vector<double> places, densities;
-    for (const PlottedPoint& point : panel.points) densities.insert(densities.end(), {point.found, point.asked_for});
+    for (const PlottedPoint& point : panel.points) densities.insert(densities.end(), {point.found, point.model});
     const Axis up = axis_over(densities, most_decades, height);
     for (const PlottedPoint& point : panel.points)
-        if (up.holds(point.found) || up.holds(point.asked_for)) places.push_back(point.at);
+        if (up.holds(point.found) || up.holds(point.model)) places.push_back(point.at);
     const Axis across = axis_over(places, 300, width);
     const std::string found = line("stroke=\"%s\" stroke-width=\"2\"", found_colour);
-    const std::string asked = line("stroke=\"%s\" stroke-width=\"2\" stroke-dasharray=\"7 4\"", asked_colour);
-    return axes_as_svg(across, up, panel) + curve_as_svg(across, up, panel, &PlottedPoint::asked_for, asked.c_str()) +
+    const std::string asked = line("stroke=\"%s\" stroke-width=\"2\" stroke-dasharray=\"7 4\"", model_colour);
+    return axes_as_svg(across, up, panel) + curve_as_svg(across, up, panel, &PlottedPoint::model, asked.c_str()) +
            curve_as_svg(across, up, panel, &PlottedPoint::found, found.c_str()) +
            line("<text x=\"%g\" y=\"25\" text-anchor=\"end\" fill=\"%s\">found</text>\n", width - 10, found_colour) +
            line("<text x=\"%g\" y=\"47\" text-anchor=\"end\" fill=\"%s\">asked for</text>\n", width - 10,
-                asked_colour);
+                model_colour);
 }
 
 }  // namespace

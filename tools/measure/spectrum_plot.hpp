@@ -7,7 +7,7 @@
 namespace pelagic::tools {
 
 struct PlottedPoint {
-    double at, found, asked_for;
+    double at, found, model;
 };
 
 /// One pair of axes, labelled with quantities and units. Points whose values are not above 0 are left out.

@@ -134,9 +134,9 @@ std::string help_of_presets() {
     return help + "\nbeaufort-0 to beaufort-12: the open sea of that force of wind, Hs 0 to 14 m";
 }
 
-[[noreturn]] void refuse_name(const std::string& asked_by, const std::string& value,
+[[noreturn]] void refuse_name(const std::string& option, const std::string& value,
                               const std::vector<std::string>& names) {
-    throw bad_value(asked_by, value, list_of(names) + nearest_hint(value, names));
+    throw bad_value(option, value, list_of(names) + nearest_hint(value, names));
 }
 
 /// As they would be typed, if those are the same radians: 30, not 29.999999999999996.
@@ -145,7 +145,7 @@ double degrees_of(double radians) {
     return typed * radians_per_degree == radians ? typed : degrees;
 }
 
-void apply_preset(ResolvedSea& resolved, const std::string& name, const std::string& asked_by) {
+void apply_preset(ResolvedSea& resolved, const std::string& name, const std::string& option) {
     if (const SeaPreset* preset = sea_preset_named(name)) {
         resolved = {};
         for (const SeaAngle& angle :
@@ -162,19 +162,19 @@ void apply_preset(ResolvedSea& resolved, const std::string& name, const std::str
         if (!is_force(preset)) few.push_back(all.back());
     }
     few.push_back("beaufort-0 to beaufort-12");
-    throw bad_value(asked_by, name, list_of(few) + nearest_hint(name, all));
+    throw bad_value(option, name, list_of(few) + nearest_hint(name, all));
 }
 
-void apply_number(ResolvedSea& resolved, const SeaFlag& flag, const std::string& text, const std::string& asked_by) {
+void apply_number(ResolvedSea& resolved, const SeaFlag& flag, const std::string& text, const std::string& option) {
     const SeaStateField& field = field_of(flag);
     const std::optional<double> number = parse_value(flag, text);
     if (is_direction(flag) && is_compass_point(text))
         throw bad_value(
-            asked_by, text,
+            option, text,
             "from-" + text + " or to-" + text + ": winds are named for where they come from, seas by where they go");
     const SeaAngle* const angle = sea_angle(flag.field);
     const double value = number ? (angle ? *number * radians_per_degree : *number) : 0;
-    if (!number || !field.accepts(value)) throw bad_value(asked_by, text, accepted_by(flag));
+    if (!number || !field.accepts(value)) throw bad_value(option, text, accepted_by(flag));
 
     field.set(resolved.sea, value);
     if (flag.field == "loop_period_s") resolved.has_loop_period = true;
@@ -182,27 +182,27 @@ void apply_number(ResolvedSea& resolved, const SeaFlag& flag, const std::string&
 }
 
 /// One option other than the preset, by its flag's name.
-void apply(ResolvedSea& resolved, std::string_view name, const std::string& text, const std::string& asked_by) {
+void apply(ResolvedSea& resolved, std::string_view name, const std::string& text, const std::string& option) {
     if (name == "waves") {
         const auto waves = wave_model_named(text);
-        if (!waves) refuse_name(asked_by, text, names_of_waves());
+        if (!waves) refuse_name(option, text, names_of_waves());
         resolved.sea.waves = *waves;
         return;
     }
     if (name == "spectrum") {
         const auto model = spectrum_model_named(text);
-        if (!model) refuse_name(asked_by, text, names_of_spectra());
+        if (!model) refuse_name(option, text, names_of_spectra());
         resolved.sea.spectrum = *model;
         return;
     }
     if (name == "spreading") {
         const auto model = spreading_model_named(text);
-        if (!model) refuse_name(asked_by, text, names_of_spreadings());
+        if (!model) refuse_name(option, text, names_of_spreadings());
         resolved.sea.spreading = *model;
         return;
     }
     for (const SeaFlag& flag : sea_flags)
-        if (flag.flag == name) apply_number(resolved, flag, text, asked_by);
+        if (flag.flag == name) apply_number(resolved, flag, text, option);
 }
 
 /// Names of the flags that a config file may hold, the preset first.
@@ -241,9 +241,9 @@ void write_down_choices(SeaState& sea) {
 
 /// What a forecast fixes and a preset does not say is as the first sea has it.
 void keep_tiles(SeaState& sea, const SeaState& first) {
-    const SeaState unsaid;
+    const SeaState defaults;
     const auto keep = [&](auto member) {
-        if (sea.*member == unsaid.*member) sea.*member = first.*member;
+        if (sea.*member == defaults.*member) sea.*member = first.*member;
     };
     keep(&SeaState::cascades);
     keep(&SeaState::resolution);
@@ -327,11 +327,11 @@ void SeaOptions::add_changes(ResolvedSea& first, const WeatherConfig& weather, c
         std::optional<double> from_s, over_s;
         std::vector<ConfigEntry> of_sea;
         for (const ConfigEntry& entry : config.entries) {
-            const std::string asked_by = entry.place + ": " + entry.key;
+            const std::string option = entry.place + ": " + entry.key;
             const auto number = [&](double least, double most, const std::string& accepted) {
                 if (entry.quoted)
-                    throw bad_value(asked_by, '"' + entry.value + '"', "a number without quotes: " + accepted);
-                return number_in(asked_by, entry.value, least, most, accepted);
+                    throw bad_value(option, '"' + entry.value + '"', "a number without quotes: " + accepted);
+                return number_in(option, entry.value, least, most, accepted);
             };
             if (entry.key == "from")
                 from_s = number(-most_time_s, most_time_s, "seconds in [-1e9, 1e9]");
@@ -340,7 +340,7 @@ void SeaOptions::add_changes(ResolvedSea& first, const WeatherConfig& weather, c
             else if (entry.key == "swell_from")
                 change.swell_from_m = number(0, most_swell_from_m, "metres in [1e3, 2e7], or 0");
             else if (entry.key == "preset") {
-                apply_preset(change.sea, entry.value, asked_by);
+                apply_preset(change.sea, entry.value, option);
                 keep_tiles(change.sea.sea, first.sea);
             } else {
                 of_sea.push_back(entry);

@@ -68,9 +68,9 @@ void set_number(SeaState& sea, const SeaStateField& field, const val& value) {
 
 /// What belongs to the tiles is as `before` has it, where a preset leaves it open.
 SeaState keep_tiles(SeaState preset, const SeaState& before) {
-    const SeaState unsaid;
+    const SeaState defaults;
     const auto keep = [&](auto member) {
-        if (preset.*member == unsaid.*member) preset.*member = before.*member;
+        if (preset.*member == defaults.*member) preset.*member = before.*member;
     };
     keep(&SeaState::cascades);
     keep(&SeaState::resolution);

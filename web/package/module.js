@@ -5,7 +5,7 @@ const isPageThread = !isNode && typeof document !== 'undefined';
 
 const mostThreads = 64;
 // More than that gains little at the resolutions that a page draws, and each thread is a worker of its own.
-const mostThreadsUnasked = 8;
+const defaultMaxThreads = 8;
 
 /** What only node has, in a file that no browser asks for, and no bundler looks into. */
 function nodeHost() {
@@ -39,7 +39,7 @@ export async function threadsFor(wanted) {
     throw new Error(`threads is ${wanted}, needs 1 where a page is not isolated: its server sends neither or one of the headers COOP and COEP`);
   if (wanted !== undefined) return wanted;
   if (isPageThread || !isShared) return 1;
-  return Math.min(await coresHere(), mostThreadsUnasked);
+  return Math.min(await coresHere(), defaultMaxThreads);
 }
 
 const compiled = new Map();

@@ -26,33 +26,33 @@ class Shown {
     Frame frame_;
 };
 
-float number_of(const AskedFrames::Reader& reader) { return reader.query()->bounds().height_min_m; }
+float number_of(const QueryFrames::Reader& reader) { return reader.query()->bounds().height_min_m; }
 
-TEST(CInterfaceAskedFrames, AReaderSeesTheNewestFrameAndKeepsIt) {
+TEST(CInterfaceQueryFrames, AReaderSeesTheNewestFrameAndKeepsIt) {
     Shown shown;
-    AskedFrames frames;
-    EXPECT_EQ(AskedFrames::Reader(frames).query(), nullptr);
+    QueryFrames frames;
+    EXPECT_EQ(QueryFrames::Reader(frames).query(), nullptr);
     frames.show(shown.query(1));
-    const AskedFrames::Reader first(frames);
+    const QueryFrames::Reader first(frames);
     EXPECT_EQ(number_of(first), 1);
     frames.wait_for_old_readers();
     frames.show(shown.query(2));
     EXPECT_EQ(number_of(first), 1);
-    EXPECT_EQ(number_of(AskedFrames::Reader(frames)), 2);
+    EXPECT_EQ(number_of(QueryFrames::Reader(frames)), 2);
 }
 
 // Long enough for a thread that doesn't wait to get through; one that waits is never caught by a slow machine.
 constexpr std::chrono::milliseconds a_while(100);
 
-TEST(CInterfaceAskedFrames, AFrameIsWrittenOverWhenItsLastReaderHasGone) {
+TEST(CInterfaceQueryFrames, AFrameIsWrittenOverWhenItsLastReaderHasGone) {
     Shown shown;
-    AskedFrames frames;
+    QueryFrames frames;
     frames.show(shown.query(1));
-    auto first = std::make_unique<AskedFrames::Reader>(frames);
-    auto second = std::make_unique<AskedFrames::Reader>(frames);
+    auto first = std::make_unique<QueryFrames::Reader>(frames);
+    auto second = std::make_unique<QueryFrames::Reader>(frames);
     frames.wait_for_old_readers();  // nobody reads the one before
     frames.show(shown.query(2));
-    const AskedFrames::Reader of_the_newest(frames);
+    const QueryFrames::Reader of_the_newest(frames);
 
     std::atomic<bool> waits = false, is_free = false;
     std::thread host([&] {
@@ -73,11 +73,11 @@ TEST(CInterfaceAskedFrames, AFrameIsWrittenOverWhenItsLastReaderHasGone) {
 
 // Readers that come while the host goes from frame to frame: what they hold never changes under them. The host's steps are
 // short, so that every order of the two comes up in a second.
-TEST(CInterfaceAskedFrames, WhatAReaderHoldsNeverChanges) {
+TEST(CInterfaceQueryFrames, WhatAReaderHoldsNeverChanges) {
     Shown shown;
     std::vector<SurfaceQuery> queries;
     for (int n = 0; n < 64; ++n) queries.push_back(shown.query(static_cast<float>(n)));
-    AskedFrames frames;
+    QueryFrames frames;
     frames.show(queries[0]);
     std::atomic<bool> is_over = false;
     std::atomic<long> changed = 0, reads = 0;
@@ -85,7 +85,7 @@ TEST(CInterfaceAskedFrames, WhatAReaderHoldsNeverChanges) {
     for (int thread = 0; thread < 3; ++thread) {
         readers.emplace_back([&] {
             while (!is_over) {
-                const AskedFrames::Reader reader(frames);
+                const QueryFrames::Reader reader(frames);
                 const float number = number_of(reader);
                 for (int look = 0; look < 3000; ++look) {
                     const FrameBounds bounds = reader.query()->bounds();

@@ -1,4 +1,4 @@
-#include "pelagic/tools/events/event_words.hpp"
+#include "pelagic/tools/events/event_commands.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,36 +18,36 @@ constexpr std::size_t most_at_once = 4096;
 
 }  // namespace
 
-std::vector<EventWord> event_words(const EventFile& file, int ticks_per_s) {
+std::vector<EventCommand> event_commands(const EventFile& file, int ticks_per_s) {
     const double rate = ticks_per_s;
     const auto tick_at = [&](double time_s) {
         return static_cast<std::int64_t>(std::ceil(time_s * rate - clock_slack));
     };
-    using What = EventWord::What;
-    std::vector<EventWord> words;
+    using Kind = EventCommand::Kind;
+    std::vector<EventCommand> commands;
     for (std::size_t i = 0; i < file.events.size(); ++i) {
         const WaterEvent& event = file.events[i];
         const std::int64_t begin = tick_at(event.time_s);
-        words.push_back({begin, What::push, i});
+        commands.push_back({begin, Kind::push, i});
         if (event.duration_s > 0)
-            words.push_back({std::max(begin + 1, tick_at(event.time_s + event.duration_s)), What::remove, i});
+            commands.push_back({std::max(begin + 1, tick_at(event.time_s + event.duration_s)), Kind::remove, i});
     }
-    std::sort(words.begin(), words.end(), [](const EventWord& one, const EventWord& other) {
-        return std::tuple(one.tick, one.what, one.event) < std::tuple(other.tick, other.what, other.event);
+    std::sort(commands.begin(), commands.end(), [](const EventCommand& one, const EventCommand& other) {
+        return std::tuple(one.tick, one.kind, one.event) < std::tuple(other.tick, other.kind, other.event);
     });
     std::size_t sources = 0, pushes = 0;
-    std::int64_t tick = words.front().tick;
-    for (const EventWord& word : words) {
-        if (std::exchange(tick, word.tick) != word.tick) pushes = 0;
-        if (word.what == What::remove)
+    std::int64_t tick = commands.front().tick;
+    for (const EventCommand& command : commands) {
+        if (std::exchange(tick, command.tick) != command.tick) pushes = 0;
+        if (command.kind == Kind::remove)
             --sources;
         else
-            ++(file.events[word.event].duration_s > 0 ? sources : pushes);
+            ++(file.events[command.event].duration_s > 0 ? sources : pushes);
         if (std::max(sources, pushes) > most_at_once)
             throw InputError("--events has more than " + number_text(most_at_once) + " pushes at " +
                              number_text(static_cast<double>(tick) / rate) + " s, needs at most that many at once");
     }
-    return words;
+    return commands;
 }
 
 }  // namespace pelagic::tools
