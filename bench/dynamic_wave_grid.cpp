@@ -115,8 +115,8 @@ void measure_steps(std::size_t n, Isa isa, int threads) {
 
     std::vector<double> of_frame, of_spectral, of_verlet, of_step, of_scalar, of_copy;
     for (int round = 0; round < rounds; ++round) {
-        spectral.grid.sources().disturb({.mode = Disturbance::Mode::pull, .radius_m = 2, .height_m = 0.3});
-        verlet.grid.sources().disturb({.mode = Disturbance::Mode::pull, .radius_m = 2, .height_m = 0.3});
+        spectral.grid.sources().disturb({.mode = Disturbance::Mode::relaxation, .radius_m = 2, .height_m = 0.3});
+        verlet.grid.sources().disturb({.mode = Disturbance::Mode::relaxation, .radius_m = 2, .height_m = 0.3});
         of_frame.push_back(seconds_of([&] { ocean.frame_at(round / 72.0); }));
         of_spectral.push_back(seconds_of([&] { spectral.begin(), spectral.end(); }));
         of_verlet.push_back(seconds_of([&] { verlet.begin(), verlet.end(); }));

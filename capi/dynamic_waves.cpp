@@ -13,15 +13,15 @@ namespace {
 
 static_assert(PELAGIC_DYNAMIC_WAVES_VERLET == static_cast<int>(DynamicWavesStep::verlet));
 static_assert(PELAGIC_SHAPE_HULL == static_cast<int>(Disturbance::Shape::hull));
-static_assert(PELAGIC_DISTURB_PULL == static_cast<int>(Disturbance::Mode::pull) &&
-              PELAGIC_DISTURB_ADD == static_cast<int>(Disturbance::Mode::add));
+static_assert(PELAGIC_DISTURBANCE_RELAXATION == static_cast<int>(Disturbance::Mode::relaxation) &&
+              PELAGIC_DISTURBANCE_IMPULSE == static_cast<int>(Disturbance::Mode::impulse));
 
 /// Throws std::invalid_argument for null, a wrong struct_size and constants that there aren't. Values are for check().
 Disturbance disturbance_of(const pelagic_disturbance* pointer, const char* name) {
     const pelagic_disturbance from = read_struct(pointer, name);
     if (from.shape < 0 || from.shape > PELAGIC_SHAPE_HULL)
         refuse(refusal("shape", from.shape, "one of PELAGIC_SHAPE_..."));
-    if (from.mode < 0 || from.mode > PELAGIC_DISTURB_ADD)
+    if (from.mode < 0 || from.mode > PELAGIC_DISTURBANCE_IMPULSE)
         refuse(refusal("mode", from.mode, "one of PELAGIC_DISTURB_..."));
     return {.shape = static_cast<Disturbance::Shape>(from.shape),
             .mode = static_cast<Disturbance::Mode>(from.mode),

@@ -604,9 +604,9 @@ enum {
 };
 
 enum {
-    PELAGIC_DISTURB_PRESS = 0, /* by the weight of the shape's own water: at rest the surface becomes the shape */
-    PELAGIC_DISTURB_PULL = 1,  /* towards the shape, at a rate: a bounded bulge */
-    PELAGIC_DISTURB_ADD = 2    /* the shape is added at once: a drop, a stone */
+    PELAGIC_DISTURBANCE_PRESSURE = 0, /* by the weight of the shape's own water: at rest the surface becomes the shape */
+    PELAGIC_DISTURBANCE_RELAXATION = 1,  /* towards the shape, at a rate: a bounded bulge */
+    PELAGIC_DISTURBANCE_IMPULSE = 2    /* the shape is added at once: a drop, a stone */
 };
 
 /* A push at the water: once, or as a source that lasts. */
@@ -620,11 +620,11 @@ typedef struct pelagic_disturbance {
     double length_m;     /* of a hull half its length; [0.001, 1000] */
     double heading_rad;  /* of a hull's length, from +x towards +z; [-2 pi, 2 pi] */
     double height_m;     /* [-100, 100] */
-    double rate_per_s;   /* of a pull; (0, 1000] */
+    double rate_per_s;   /* of a relaxation; (0, 1000] */
     double velocity_x_mps, velocity_z_mps; /* how a source moves until it is set anew; [-1000, 1000] */
 } pelagic_disturbance;
 
-/* Sets every field but struct_size: a press of 0 m at the origin, radius and length 1 m, rate 10. */
+/* Sets every field but struct_size: a pressure of 0 m at the origin, radius and length 1 m, rate 10. */
 PELAGIC_API pelagic_status pelagic_disturbance_defaults(pelagic_disturbance* disturbance);
 
 /* Pushes in the next tick. At most 4096 disturbances wait for a tick. While time stands still, in frames that are not later than the

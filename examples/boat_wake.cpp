@@ -56,7 +56,7 @@ Disturbance hull_on(const Course& course) {
 }
 
 Disturbance stone_at(double x_m, double z_m) {
-    return {.mode = Disturbance::Mode::add, .x_m = x_m, .z_m = z_m, .radius_m = 0.8, .height_m = 0.7};
+    return {.mode = Disturbance::Mode::impulse, .x_m = x_m, .z_m = z_m, .radius_m = 0.8, .height_m = 0.7};
 }
 
 /// As it lies on the waves of the wind: by their heights at its bow, stern and sides.

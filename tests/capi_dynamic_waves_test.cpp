@@ -29,13 +29,13 @@ class CInterfaceDynamicWaves : public testing::Test {
     static pelagic_disturbance drop(double height_m = 0.5) {
         auto drop = sized<pelagic_disturbance>();
         EXPECT_EQ(pelagic_disturbance_defaults(&drop), PELAGIC_OK);
-        drop.mode = PELAGIC_DISTURB_ADD;
+        drop.mode = PELAGIC_DISTURBANCE_IMPULSE;
         drop.height_m = height_m;
         return drop;
     }
     static pelagic_disturbance boat() {
         pelagic_disturbance boat = drop(-0.3);
-        boat.mode = PELAGIC_DISTURB_PRESS;
+        boat.mode = PELAGIC_DISTURBANCE_PRESSURE;
         boat.shape = PELAGIC_SHAPE_HULL;
         boat.length_m = 2;
         boat.velocity_x_mps = 1.5;

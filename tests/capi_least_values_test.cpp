@@ -301,7 +301,7 @@ TEST(CInterfaceLeastValues, OfDynamicWaves) {
                                                        {"decay_per_s", &pelagic_dynamic_waves_options::decay_per_s},
                                                        {"foam_height_m", &pelagic_dynamic_waves_options::foam_height_m}};
     const pelagic_sea sea = two_tiles();
-    const pelagic_disturbance push = splash(PELAGIC_DISTURB_PRESS, PELAGIC_SHAPE_GAUSS);
+    const pelagic_disturbance push = splash(PELAGIC_DISTURBANCE_PRESSURE, PELAGIC_SHAPE_GAUSS);
     for (const std::int32_t step : steps)
         walk(dynamic_waves_options(step), fields, step == PELAGIC_DYNAMIC_WAVES_VERLET ? "Verlet" : "spectral",
              [&](const pelagic_dynamic_waves_options& dynamic_waves, const std::string& what, const char* name) {
@@ -330,7 +330,7 @@ TEST(CInterfaceLeastValues, OfADisturbance) {
         pelagic_ocean_options options = all_options();
         options.dynamic_waves = &dynamic_waves;
         const COcean ocean = ocean_of(sea, options);
-        for (const std::int32_t mode : {PELAGIC_DISTURB_PRESS, PELAGIC_DISTURB_PULL, PELAGIC_DISTURB_ADD})
+        for (const std::int32_t mode : {PELAGIC_DISTURBANCE_PRESSURE, PELAGIC_DISTURBANCE_RELAXATION, PELAGIC_DISTURBANCE_IMPULSE})
             for (const std::int32_t shape : {PELAGIC_SHAPE_GAUSS, PELAGIC_SHAPE_HULL})
                 walk(splash(mode, shape), fields,
                      "step " + std::to_string(step) + ", mode " + std::to_string(mode) + ", shape " +
@@ -415,7 +415,7 @@ TEST(CInterfaceLeastValues, ThatAreAccepted) {
         options.dynamic_waves = &dynamic_waves;
         options.shore = &shore;
         const COcean ocean = ocean_of(sea, options);
-        pelagic_disturbance stone = splash(PELAGIC_DISTURB_ADD, PELAGIC_SHAPE_HULL);
+        pelagic_disturbance stone = splash(PELAGIC_DISTURBANCE_IMPULSE, PELAGIC_SHAPE_HULL);
         stone.radius_m = stone.length_m = 0.001;
         auto rain = sized<pelagic_rain>();
         EXPECT_EQ(pelagic_rain_defaults(&rain), PELAGIC_OK);

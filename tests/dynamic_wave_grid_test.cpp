@@ -42,9 +42,9 @@ void happen(DynamicWaveGrid& grid, int tick) {
                             .heading_rad = 0.3 * sawtooth(tick, 90),
                             .height_m = -0.4});
     grid.sources().disturb(
-        {.mode = Disturbance::Mode::pull, .x_m = x - 4, .z_m = z + 3, .radius_m = 0.8, .height_m = 0.2});
+        {.mode = Disturbance::Mode::relaxation, .x_m = x - 4, .z_m = z + 3, .radius_m = 0.8, .height_m = 0.2});
     if (tick % 7 == 0)
-        grid.sources().disturb({.mode = Disturbance::Mode::add,
+        grid.sources().disturb({.mode = Disturbance::Mode::impulse,
                                 .x_m = x + 9 * sawtooth(tick, 23),
                                 .z_m = z + 9 * sawtooth(tick, 31),
                                 .radius_m = 1.1,
@@ -254,7 +254,7 @@ TEST(DynamicWavesGridRefuses, NumbersThatAreNoneAndHugeOnes) {
     pool.grid.sources().disturb({.height_m = 0.1});
     // The farthest places that are taken: texels there are a texel apart, as everywhere.
     pool.grid.follow(1e8, -1e8);
-    pool.grid.sources().disturb({.mode = Disturbance::Mode::add, .x_m = 1e8, .z_m = -1e8, .height_m = 0.5});
+    pool.grid.sources().disturb({.mode = Disturbance::Mode::impulse, .x_m = 1e8, .z_m = -1e8, .height_m = 0.5});
     pool.tick();
     EXPECT_GT(sum_over(pool.grid, [&](auto x, auto z) { return std::fabs(pool.grid.height_m(x, z)); }), 1);
 }
@@ -282,7 +282,7 @@ TEST(DynamicWavesGridLasts, WithoutDriftOrNumbersThatAreSlow) {
         options.border_m = 4;
         DynamicWavePool pool(options);
         for (int i = 0; i < 20; ++i) {
-            pool.grid.sources().disturb({.mode = Disturbance::Mode::pull, .radius_m = 1, .height_m = 0.5});
+            pool.grid.sources().disturb({.mode = Disturbance::Mode::relaxation, .radius_m = 1, .height_m = 0.5});
             pool.tick();
         }
         const auto largest = [&] {
@@ -319,7 +319,7 @@ void bustle(DynamicWaveGrid& grid, int tick) {
         if (change + numbers <= last_change)
             grid.set_source(static_cast<std::uint32_t>(change % numbers + 1),
                             {.shape = change % 2 ? Disturbance::Shape::hull : Disturbance::Shape::gauss,
-                             .mode = change % 5 == 3 ? Disturbance::Mode::pull : Disturbance::Mode::press,
+                             .mode = change % 5 == 3 ? Disturbance::Mode::relaxation : Disturbance::Mode::pressure,
                              .x_m = 4 * sawtooth(change, 7),
                              .z_m = 4 * sawtooth(change, 5),
                              .radius_m = 0.9,
@@ -334,13 +334,13 @@ void bustle(DynamicWaveGrid& grid, int tick) {
     if (tick >= busy_ticks) return;
     grid.follow(6 * (1 - std::fabs(sawtooth(tick, busy_ticks))), 0);
     if (tick % 29 == 0)
-        grid.sources().disturb({.mode = Disturbance::Mode::add,
+        grid.sources().disturb({.mode = Disturbance::Mode::impulse,
                                 .x_m = 5 * sawtooth(tick, 310),
                                 .z_m = 5 * sawtooth(tick, 170),
                                 .radius_m = 0.7,
                                 .height_m = tick % 2 ? 0.25 : -0.25});
     if (tick % 1000 < 200)
-        grid.sources().disturb({.mode = Disturbance::Mode::pull, .x_m = 1, .radius_m = 0.8, .height_m = 0.3});
+        grid.sources().disturb({.mode = Disturbance::Mode::relaxation, .x_m = 1, .radius_m = 0.8, .height_m = 0.3});
 }
 
 struct Texels {
@@ -487,7 +487,7 @@ TEST(DynamicWavesFoam, ComesWhereWaterStandsHighAndFadesAsTheSeas) {
     DynamicWavesOptions options = small(DynamicWavesStep::spectral);
     options.foam_height_m = 0.2;
     DynamicWavePool pool(options);
-    pool.grid.sources().disturb({.mode = Disturbance::Mode::add, .radius_m = 3, .height_m = 0.6});
+    pool.grid.sources().disturb({.mode = Disturbance::Mode::impulse, .radius_m = 3, .height_m = 0.6});
     pool.tick();
     EXPECT_EQ(pool.grid.foam(0, 0), 255);  // over twice the threshold
     EXPECT_EQ(pool.grid.foam(15, 0), 0);

@@ -230,7 +230,7 @@ TEST(DynamicWavesWaves, OfWhatIsAddedBeginAtRest) {
     DynamicWavePool pool({.resolution = 64, .side_m = 16, .border_m = 3});
     const double drop_m = 0.4;
     pool.tick(2);
-    pool.grid.sources().disturb({.mode = Disturbance::Mode::add, .radius_m = 1, .height_m = drop_m});
+    pool.grid.sources().disturb({.mode = Disturbance::Mode::impulse, .radius_m = 1, .height_m = drop_m});
     pool.tick();
     EXPECT_NEAR(shown(pool.grid, 0).height_m[0], drop_m, 1e-6);
     const double fastest = 1.5 * drop_m * 9.80665 * std::sqrt(pi) * pool.grid.tick_s();
@@ -281,7 +281,7 @@ TEST(DynamicWavesWaves, StepAsAnOracleInDouble) {
     options.depth_m = 3;
     DynamicWavePool pool(options);
     pool.grid.sources().disturb(
-        {.mode = Disturbance::Mode::add, .x_m = 1.3, .z_m = -2, .radius_m = 1.5, .height_m = 0.7});
+        {.mode = Disturbance::Mode::impulse, .x_m = 1.3, .z_m = -2, .radius_m = 1.5, .height_m = 0.7});
     pool.tick(3);
     const std::size_t n = 64;
     std::vector<std::complex<double>> z(n * n);
@@ -485,12 +485,12 @@ double ring(double height_m, double radius_m, double speed_mps, double decay_per
 // Rings a tenth as high as the drop, as linear theory has them: water that is brought has no speed of its own. A pull of one tick that
 // goes all of its way brings its shape times the shape over its height, a Gaussian whose radius is smaller by sqrt 2.
 TEST(DynamicWaveSources, OfVerletThatAddAndPullMakeRingsOfWaterAtRest) {
-    for (const Disturbance::Mode mode : {Disturbance::Mode::add, Disturbance::Mode::pull}) {
-        const bool is_pull = mode == Disturbance::Mode::pull;
+    for (const Disturbance::Mode mode : {Disturbance::Mode::impulse, Disturbance::Mode::relaxation}) {
+        const bool is_relaxation = mode == Disturbance::Mode::relaxation;
         DynamicWavePool pool({.step = DynamicWavesStep::verlet, .resolution = 512, .side_m = 64});
         const double drop_m = 0.2, radius_m = 1;
         pool.grid.sources().disturb({.mode = mode,
-                                     .radius_m = is_pull ? std::sqrt(2) * radius_m : radius_m,
+                                     .radius_m = is_relaxation ? std::sqrt(2) * radius_m : radius_m,
                                      .height_m = drop_m,
                                      .rate_per_s = 1000});
         for (const int second : {1, 2, 3}) {
@@ -503,7 +503,7 @@ TEST(DynamicWaveSources, OfVerletThatAddAndPullMakeRingsOfWaterAtRest) {
                 highest = std::max(highest, std::fabs(wanted));
             }
             // Waves of k = 2 / radius are slower by (k texel)^2 / 24 (1 - c), 0.2 %: 0.04 rad of a ring of 18 rad, at most.
-            EXPECT_LT(worst, 0.05 * highest) << second << (is_pull ? " s, pulled" : " s, added");
+            EXPECT_LT(worst, 0.05 * highest) << second << (is_relaxation ? " s, pulled" : " s, added");
         }
     }
 }
@@ -513,7 +513,7 @@ TEST(DynamicWaveSources, ThatPullAtRestMakeABoundedBulge) {
         DynamicWavePool pool({.step = step, .resolution = 64, .side_m = 32, .border_m = 4});
         double highest = 0;
         for (int i = 0; i < 2000; ++i) {
-            pool.grid.sources().disturb({.mode = Disturbance::Mode::pull, .radius_m = 2, .height_m = 0.5});
+            pool.grid.sources().disturb({.mode = Disturbance::Mode::relaxation, .radius_m = 2, .height_m = 0.5});
             pool.tick();
             highest = std::max(highest, highest_in(pool.grid));
         }

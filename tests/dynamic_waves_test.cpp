@@ -28,7 +28,7 @@ const Disturbance boat{
     .shape = Disturbance::Shape::hull, .radius_m = 0.9, .length_m = 2.4, .height_m = -0.4, .velocity_x_mps = 2};
 
 Disturbance drop(double height_m) {
-    return {.mode = Disturbance::Mode::add, .x_m = 1, .radius_m = 0.8, .height_m = height_m};
+    return {.mode = Disturbance::Mode::impulse, .x_m = 1, .radius_m = 0.8, .height_m = height_m};
 }
 
 /// A boat, whom the grid follows, and drops; a frame of 72 a second after another. Returns the last one.
@@ -40,7 +40,7 @@ const Frame& happen(Ocean& ocean, int from, int to) {
         ocean.follow(2 * t, 0);
         if (frame % 11 == 3)
             ocean.disturb(
-                {.mode = Disturbance::Mode::add, .x_m = 2 * t + 4, .z_m = -3, .radius_m = 0.8, .height_m = 0.5});
+                {.mode = Disturbance::Mode::impulse, .x_m = 2 * t + 4, .z_m = -3, .radius_m = 0.8, .height_m = 0.5});
         last = &ocean.frame_at(t);
     }
     return *last;
@@ -112,7 +112,7 @@ TEST(DynamicWaves, GoesNowhereInTimesThatAreOverAndHalfASecondInAJump) {
     Ocean jumps(breeze, answering()), walks(breeze, answering());
     for (Ocean* each : {&jumps, &walks}) {
         each->frame_at(0);
-        each->disturb({.mode = Disturbance::Mode::add, .height_m = 0.5});
+        each->disturb({.mode = Disturbance::Mode::impulse, .height_m = 0.5});
     }
     jumps.frame_at(1e6);
     for (int tick = 1; tick <= 30; ++tick) walks.frame_at(tick / 60.0);

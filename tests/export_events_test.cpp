@@ -32,7 +32,7 @@ constexpr const char* several =
     "time,x,z,radius,strength,velocity,heading,duration,length,mode\n"
     "0.5,0,0,1,0.4,,,,,\n"
     "0.7,-10,5,1,-0.5,6,-30,1.5,4,\n"
-    "-0.258,8,-8,1.5,0.2,1,90,0.8,,pull\n"
+    "-0.258,8,-8,1.5,0.2,1,90,0.8,,relaxation\n"
     "9,0,0,1,1,,,,,\n";
 
 // The middle of a grid of 128 texels on 64 m around (-1, -1.5), which is that of the places.
@@ -152,9 +152,9 @@ class TicksByHand {
         const auto set = [&](std::uint32_t number, const Disturbance& source) {
             pool_.grid.set_source(number, source);
         };
-        pull_ = sources.new_number();
+        relaxation_ = sources.new_number();
         // -0.258 s lies 0.48 ticks behind tick -16: tick -15 is 8 ms later, and 8 mm further south.
-        set(pull_, {.mode = Disturbance::Mode::pull,
+        set(relaxation_, {.mode = Disturbance::Mode::relaxation,
                     .x_m = 8,
                     .z_m = -8 + 0.008,
                     .radius_m = 1.5,
@@ -188,8 +188,8 @@ class TicksByHand {
     void before_tick(int tick) {
         constexpr double degree = std::numbers::pi / 180;
         DynamicWaveSources& sources = pool_.grid.sources();
-        if (tick == 30) sources.disturb({.mode = Disturbance::Mode::add, .radius_m = 1, .height_m = 0.4});
-        if (tick == 33) sources.remove(pull_);  // the first one behind -0.258 s + 0.8 s
+        if (tick == 30) sources.disturb({.mode = Disturbance::Mode::impulse, .radius_m = 1, .height_m = 0.4});
+        if (tick == 33) sources.remove(relaxation_);  // the first one behind -0.258 s + 0.8 s
         if (tick == 42) {
             hull_ = sources.new_number();
             pool_.grid.set_source(hull_, {.shape = Disturbance::Shape::hull,
@@ -207,7 +207,7 @@ class TicksByHand {
 
     DynamicWavePool pool_;
     int tick_ = -16;
-    std::uint32_t pull_ = 0, hull_ = 0;
+    std::uint32_t relaxation_ = 0, hull_ = 0;
 };
 
 TEST_F(ExportEvents, AreTheTicksOfTheirTimes) {
@@ -428,8 +428,8 @@ TEST_F(ExportEvents, AreRefusedWithTheLineAndTheColumn) {
         {start + "\n2e9,0,0,1,1\n", ":2: time is 2e9, needs seconds in"},
         {start + "\n0,0,0,1,1e3\n", ":2: strength is 1e3, needs metres in [-100, 100]"},
         {start + ",velocity\n0,0,0,1,1,3\n", ":2: velocity is 3, needs 0, or a duration"},
-        {start + ",mode\n0,0,0,1,1,push\n", ":2: mode is push, needs add, press or pull"},
-        {start + ",mode,duration\n0,0,0,1,1,add,1\n", ":2: mode is add, needs press or pull with a duration"},
+        {start + ",mode\n0,0,0,1,1,push\n", ":2: mode is push, needs impulse, pressure or relaxation"},
+        {start + ",mode,duration\n0,0,0,1,1,impulse,1\n", ":2: mode is impulse, needs pressure or relaxation with a duration"},
         {start + "\n-90000,0,0,1,1\n", "needs 86400 s between them at most"}};
     for (const auto& [text, says] : bad) {
         write_file(events(), text);

@@ -227,7 +227,7 @@ TEST(GlDynamicWaves, LiesWhereQueriesSayAndNotBeside) {
                 {.executor = make_serial_executor(), .queries = true, .slopes = true, .dynamic_waves = DynamicWavesOptions{}});
     ocean.follow(middle.x, middle.y);
     for (const glm::dvec2 from : {glm::dvec2(-7, 5), {4, -9}, {11, 8}})
-        ocean.disturb({.mode = Disturbance::Mode::add,
+        ocean.disturb({.mode = Disturbance::Mode::impulse,
                        .x_m = middle.x + from.x,
                        .z_m = middle.y + from.y,
                        .radius_m = 3,

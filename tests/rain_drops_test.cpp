@@ -276,7 +276,7 @@ TEST(RainDrops, OfNoDropsIsNone) {
     same.grid.set_rain(pours);
     other.grid.set_rain({.drops_per_m2_s = 5, .radius_m = 0.8, .height_m = 0.05, .seed = 4});
     for (DynamicWavePool* pool : {&dry, &over, &same, &other}) {
-        pool->grid.sources().disturb({.mode = Disturbance::Mode::add, .height_m = 0.4});
+        pool->grid.sources().disturb({.mode = Disturbance::Mode::impulse, .height_m = 0.4});
         pool->tick(20);
     }
     EXPECT_EQ(over.grid.saved(), dry.grid.saved());

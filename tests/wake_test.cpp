@@ -58,7 +58,7 @@ TEST(Wake, KnowsWhereABoxHeads) {
 }
 
 TEST(Wake, ThePressIsTheWaterThatTheBoxDisplaces) {
-    const Disturbance press = press_of(FloatingBox(launch));
+    const Disturbance press = pressure_of(FloatingBox(launch));
     double volume = 0;
     const double step = 0.01;
     for (double x = -3.5; x < 3.5; x += step)
@@ -144,7 +144,7 @@ TEST(Wake, ABoxThatDriftsWithTheWavesHardlyMakesAny) {
     RecordProperty("highest_m", std::to_string(highest));
     RecordProperty("fastest_mps", std::to_string(fastest));
     EXPECT_GT(fastest, is_sanitized ? 0.1 : 0.5);
-    EXPECT_LT(highest, 0.025 * -press_of(boxes[0]).height_m);
+    EXPECT_LT(highest, 0.025 * -pressure_of(boxes[0]).height_m);
 }
 
 }  // namespace

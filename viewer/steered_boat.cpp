@@ -16,7 +16,7 @@ constexpr double rudder_s = 0.5;
 /// A hull is slow to follow: it heaves, pitches and rolls behind the water by about so much.
 constexpr double heave_s = 0.25, tilt_s = 0.35;
 /// The ellipsoid that presses: less deep than the keel, of as much water as four tons displace.
-constexpr double pressed_m = 0.45;
+constexpr double draught_m = 0.45;
 constexpr int rows = 5, columns = 3;
 constexpr double felt_part = 0.8;  ///< of length and beam, where it feels the water
 
@@ -77,23 +77,23 @@ Disturbance SteeredBoat::hull() const {
             .radius_m = beam_m / 2,
             .length_m = length_m / 2,
             .heading_rad = std::remainder(heading_, 2 * 3.14159265358979323846),
-            .height_m = -pressed_m,
+            .height_m = -draught_m,
             .velocity_x_mps = way.x,
             .velocity_z_mps = way.y};
 }
 
 Disturbance SteeredBoat::press(double frame_s, double tick_s) {
-    presses_ = true;
-    pressed_ = hull();
+    pressures_ = true;
+    pressure_ = hull();
     // The next tick has it there, and a frame shows the water a tick late.
     pressed_shown_s_ = frame_s + 2 * tick_s;
-    return pressed_;
+    return pressure_;
 }
 
 double SteeredBoat::own_hollow_m(double frame_s, glm::dvec2 at) const {
-    if (!presses_) return 0;
+    if (!pressures_) return 0;
     const double since_s = frame_s - pressed_shown_s_;
-    return shape_at(pressed_, at.x - since_s * pressed_.velocity_x_mps, at.y - since_s * pressed_.velocity_z_mps);
+    return shape_at(pressure_, at.x - since_s * pressure_.velocity_x_mps, at.y - since_s * pressure_.velocity_z_mps);
 }
 
 glm::dmat4 SteeredBoat::world_from_boat() const {

@@ -54,8 +54,8 @@ class SteeredBoat {
     double heading_, speed_ = 0, turn_rad_ps_ = 0;
     double height_ = 0, pitch_ = 0, roll_ = 0;
     bool floats_ = false;   ///< it has been on the water once
-    bool presses_ = false;  ///< by this, where the frame of that time shows it
-    Disturbance pressed_;
+    bool pressures_ = false;  ///< by this, where the frame of that time shows it
+    Disturbance pressure_;
     double pressed_shown_s_ = 0;
 };
 

@@ -57,7 +57,7 @@ constexpr double tick_s = 1.0 / dynamic_waves.ticks_per_s;
 constexpr float most_pixels_of_a_click = 4;
 constexpr double most_s_of_a_click = 0.4;
 constexpr double splash_reach_m = 400;
-constexpr Disturbance splash{.mode = Disturbance::Mode::add, .radius_m = 1.2, .height_m = 1};
+constexpr Disturbance splash{.mode = Disturbance::Mode::impulse, .radius_m = 1.2, .height_m = 1};
 /// Where a boat is put: so far ahead of the camera.
 constexpr double boat_ahead_m = 22;
 

@@ -24,7 +24,7 @@ double heading_rad(const BoxState& state) {
     return 2 * std::numbers::pi * turns;
 }
 
-Disturbance press_of(const FloatingBox& box) {
+Disturbance pressure_of(const FloatingBox& box) {
     const BoxOptions& of = box.options();
     const double area = std::numbers::pi / 4 * of.length_m * of.beam_m;
     return {.shape = Disturbance::Shape::hull,
@@ -37,9 +37,9 @@ Disturbance press_of(const FloatingBox& box) {
 }
 
 BoxWake::BoxWake(Ocean& ocean, const FloatingBox& box)
-    : box_m_(box.state().position_m), press_m_(box.state().position_m) {
-    presses_.fill(pressing(box));
-    source_ = ocean.add_source(presses_[0]);
+    : box_m_(box.state().position_m), pressure_m_(box.state().position_m) {
+    pressures_.fill(pressing(box));
+    source_ = ocean.add_source(pressures_[0]);
 }
 
 double BoxWake::launch_s(const BoxOptions& box) {
@@ -47,28 +47,28 @@ double BoxWake::launch_s(const BoxOptions& box) {
 }
 
 Disturbance BoxWake::pressing(const FloatingBox& box) const {
-    Disturbance press = press_of(box);
+    Disturbance press = pressure_of(box);
     const double part = std::min(afloat_s_ / launch_s(box.options()), 1.0);
     press.height_m *= part * part * (3 - 2 * part);
-    press.x_m = press_m_.x;
-    press.z_m = press_m_.z;
+    press.x_m = pressure_m_.x;
+    press.z_m = pressure_m_.z;
     return press;
 }
 
 void BoxWake::press(Ocean& ocean, const FloatingBox& box, double tick_s) {
     afloat_s_ += tick_s;
     const glm::dvec3 now_m = box.state().position_m;
-    press_m_ += now_m - box_m_ - tick_s * box.water_velocity_mps();
-    press_m_ += tick_s / return_s * (now_m - press_m_);
+    pressure_m_ += now_m - box_m_ - tick_s * box.water_velocity_mps();
+    pressure_m_ += tick_s / return_s * (now_m - pressure_m_);
     box_m_ = now_m;
-    presses_ = {pressing(box), presses_[0], presses_[1]};
-    ocean.set_source(source_, presses_[0]);
+    pressures_ = {pressing(box), pressures_[0], pressures_[1]};
+    ocean.set_source(source_, pressures_[0]);
 }
 
 void BoxWake::leave_out(HullWater& hull, std::size_t first, std::size_t columns, double tick_s) const {
     for (std::size_t column = first; column < first + columns; ++column) {
-        const double before = shape_at(presses_[2], hull.x[column], hull.z[column]);
-        const double after = shape_at(presses_[1], hull.x[column], hull.z[column]);
+        const double before = shape_at(pressures_[2], hull.x[column], hull.z[column]);
+        const double after = shape_at(pressures_[1], hull.x[column], hull.z[column]);
         hull.height_m[column] = static_cast<float>(hull.height_m[column] - before);
         hull.velocity_y_mps[column] = static_cast<float>(hull.velocity_y_mps[column] - (after - before) / tick_s);
     }

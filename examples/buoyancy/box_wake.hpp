@@ -24,7 +24,7 @@ namespace pelagic::buoyancy {
 double heading_rad(const BoxState& state);
 
 /// An ellipsoid's lower half as long and broad as the box, of as much water as the box displaces at rest.
-Disturbance press_of(const FloatingBox& box);
+Disturbance pressure_of(const FloatingBox& box);
 
 class BoxWake {
    public:
@@ -52,9 +52,9 @@ class BoxWake {
     std::uint32_t source_;
     double afloat_s_ = 0;
     glm::dvec3 box_m_;    ///< at the press before
-    glm::dvec3 press_m_;  ///< of the press
+    glm::dvec3 pressure_m_;  ///< of the press
     /// As they were said: for the frame to come, for that completed last, which shows the tick before it, and for that one.
-    std::array<Disturbance, 3> presses_;
+    std::array<Disturbance, 3> pressures_;
 };
 
 }  // namespace pelagic::buoyancy

@@ -58,7 +58,7 @@ SavedSource saved_source(std::uint32_t number, std::int64_t since, const Disturb
 Disturbance disturbance_of(const SavedSource& saved) {
     if (saved.shape < 0 || saved.shape > static_cast<std::int64_t>(Disturbance::Shape::hull))
         throw std::invalid_argument(refusal("a saved source's shape", saved.shape, "0 or 1"));
-    if (saved.mode < 0 || saved.mode > static_cast<std::int64_t>(Disturbance::Mode::add))
+    if (saved.mode < 0 || saved.mode > static_cast<std::int64_t>(Disturbance::Mode::impulse))
         throw std::invalid_argument(refusal("a saved source's mode", saved.mode, "0, 1 or 2"));
     const Disturbance source = {.shape = static_cast<Disturbance::Shape>(saved.shape),
                                 .mode = static_cast<Disturbance::Mode>(saved.mode),
@@ -207,14 +207,14 @@ void DynamicWaveSources::push_rows(const GridPlacement& placement, std::size_t f
     for (const Splash& splash : splashes_) {
         const auto push = [&](auto at_texel) { for_texels(splash, placement, first_row, rows, at_texel); };
         switch (splash.of.mode) {
-            case Disturbance::Mode::press:
+            case Disturbance::Mode::pressure:
                 // A step moves what the water lacks of its shape at rest; Verlet's knows it at two moments.
                 push([=](std::size_t texel, float shape, float) {
                     now[texel] -= shape;
                     if (before) before[texel] -= shape;
                 });
                 break;
-            case Disturbance::Mode::pull:
+            case Disturbance::Mode::relaxation:
                 // Of both of Verlet's heights the same, here and below: water that is brought has no speed.
                 push([=, part = splash.part](std::size_t texel, float shape, float weight) {
                     const float brought = part * weight * (shape - now[texel]);
@@ -222,7 +222,7 @@ void DynamicWaveSources::push_rows(const GridPlacement& placement, std::size_t f
                     if (before) before[texel] += brought;
                 });
                 break;
-            case Disturbance::Mode::add:
+            case Disturbance::Mode::impulse:
                 push([=, tick_before = heights.tick_before](std::size_t texel, float shape, float) {
                     now[texel] += shape;
                     if (before) before[texel] += shape;
@@ -238,7 +238,7 @@ void DynamicWaveSources::lift_rows(const GridPlacement& placement, std::size_t f
                              HeightPlanes heights) const {
     float *const now = heights.now, *const before = heights.before;
     for (const Splash& splash : splashes_) {
-        if (splash.of.mode != Disturbance::Mode::press) continue;
+        if (splash.of.mode != Disturbance::Mode::pressure) continue;
         for_texels(splash, placement, first_row, rows, [=](std::size_t texel, float shape, float) {
             now[texel] += shape;
             if (before) before[texel] += shape;

@@ -19,7 +19,7 @@ constexpr const char* a_file = "a CSV file whose first line names time,x,z,radiu
 constexpr double radians_a_degree = 3.14159265358979323846 / 180;
 
 constexpr NamedValues<Disturbance::Mode, 3> mode_names = {
-    {{Disturbance::Mode::add, "add"}, {Disturbance::Mode::press, "press"}, {Disturbance::Mode::pull, "pull"}}};
+    {{Disturbance::Mode::impulse, "impulse"}, {Disturbance::Mode::pressure, "pressure"}, {Disturbance::Mode::relaxation, "relaxation"}}};
 
 enum class Column { time, x, z, radius, strength, velocity, heading, duration, length, mode };
 
@@ -42,7 +42,7 @@ constexpr std::array<ColumnRule, 10> rules = {{
     {Column::heading, "heading", false, -360, 360, "degrees in [-360, 360]"},
     {Column::duration, "duration", false, 0, EventFile::longest_s, "seconds in [0, 86400]"},
     {Column::length, "length", false, 0.001, 1000, "metres in [0.001, 1000], or 0 for what is round"},
-    {Column::mode, "mode", false, 0, 0, "add, press or pull"},
+    {Column::mode, "mode", false, 0, 0, "impulse, pressure or relaxation"},
 }};
 
 std::string names_of_columns() {
@@ -147,9 +147,9 @@ class EventReader {
         const bool lasts = event.duration_s > 0;
         if (velocity_mps != 0 && !lasts)
             refuse("velocity", number_text(velocity_mps), "0, or a duration: what is pushed once doesn't move");
-        push.mode = mode.value_or(lasts ? Disturbance::Mode::press : Disturbance::Mode::add);
-        if (lasts && push.mode == Disturbance::Mode::add)
-            refuse("mode", "add", "press or pull with a duration: water is added at once");
+        push.mode = mode.value_or(lasts ? Disturbance::Mode::pressure : Disturbance::Mode::impulse);
+        if (lasts && push.mode == Disturbance::Mode::impulse)
+            refuse("mode", "impulse", "pressure or relaxation with a duration: an impulse acts at once");
         if (push.length_m > 0)
             push.shape = Disturbance::Shape::hull;
         else

@@ -5,7 +5,7 @@
 //   velocity, heading  metres a second, and degrees from east (+x) towards south (+z): how the push moves while it lasts
 //   duration           seconds that it lasts; 0, as without it: it is one push
 //   length             metres: half a hull's length, whose half beam is the radius; 0, as without it: it is round
-//   mode               add, press or pull (sim/disturbance.hpp); add for one push, press for what lasts, unless it says so
+//   mode               impulse, pressure or relaxation (sim/disturbance.hpp); impulse for one push, pressure for what lasts, unless it says so
 #pragma once
 
 #include <cstddef>
