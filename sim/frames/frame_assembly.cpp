@@ -7,7 +7,7 @@
 
 #include "pelagic/message/refusal.hpp"
 #include "pelagic/sim/history/foam_drift.hpp"
-#include "pelagic/sim/sources/cascade.hpp"
+#include "pelagic/sim/sources/spectral_cascade.hpp"
 #include "pelagic/sim/sources/pond.hpp"
 #include "pelagic/simd/float_environment.hpp"
 
@@ -212,7 +212,7 @@ void FrameAssembly::begin_inputs(Pass pass, double time_s, double time_in_loop_s
 
 std::unique_ptr<SeaSource> FrameAssembly::source_of(WaveModel waves, std::size_t tile) {
     if (waves == WaveModel::exp_sine) return std::make_unique<Pond>(slots_, tile, isa_, extras_);
-    return std::make_unique<Cascade>(slots_, tile, kernels_for(isa_), extras_);
+    return std::make_unique<SpectralCascade>(slots_, tile, kernels_for(isa_), extras_);
 }
 
 TickClock FrameAssembly::clock() const { return TickClock(weather_.forecast().first.loop_period_s); }

@@ -1,4 +1,4 @@
-#include "pelagic/sim/sources/cascade.hpp"
+#include "pelagic/sim/sources/spectral_cascade.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -25,7 +25,7 @@ constexpr std::size_t spectrum_batch = 2;
 
 }  // namespace
 
-Cascade::Cascade(FrameSlots& slots, std::size_t tile, const Kernels& kernels, const FrameExtras& extras)
+SpectralCascade::SpectralCascade(FrameSlots& slots, std::size_t tile, const Kernels& kernels, const FrameExtras& extras)
     : slots_(slots),
       tile_(tile),
       kernels_(kernels),
@@ -37,7 +37,7 @@ Cascade::Cascade(FrameSlots& slots, std::size_t tile, const Kernels& kernels, co
       part_bounds_(column_block_pairs(resolution_, kernels_.lanes)),
       velocity_bounds_(has_velocities_ ? part_bounds_.size() : 0) {}
 
-void Cascade::add_spectrum_stage(JobGraph& graph) {
+void SpectralCascade::add_spectrum_stage(JobGraph& graph) {
     graph.add({.name = stage_name("spectrum", tile_),
                .count = line_count(resolution_),
                .batch = spectrum_batch,
@@ -45,7 +45,7 @@ void Cascade::add_spectrum_stage(JobGraph& graph) {
                .stack_bytes = stack_margin});
 }
 
-FilledBy Cascade::add_stages(JobGraph& graph, Pass pass, const std::vector<StageId>& waits_for) {
+FilledBy SpectralCascade::add_stages(JobGraph& graph, Pass pass, const std::vector<StageId>& waits_for) {
     const std::size_t transforms = transform_stack_bytes(resolution_, kernels_.lanes);
     const auto surface = [this] { return slots_.buffers(tile_).surface.data(); };
     const bool is_tick = pass == Pass::tick;
@@ -70,7 +70,7 @@ FilledBy Cascade::add_stages(JobGraph& graph, Pass pass, const std::vector<Stage
 }
 
 // The derivative in time of a sum of waves is a sum of waves, so its lines and columns are those of the surface.
-StageId Cascade::add_velocity_stages(JobGraph& graph, StageId blend_done) {
+StageId SpectralCascade::add_velocity_stages(JobGraph& graph, StageId blend_done) {
     const std::size_t transforms = transform_stack_bytes(resolution_, kernels_.lanes);
     const auto velocity = [this] { return slots_.buffers(tile_).velocity.data(); };
     const StageId lines_done =
@@ -90,21 +90,21 @@ StageId Cascade::add_velocity_stages(JobGraph& graph, StageId blend_done) {
                       .stack_bytes = transforms});
 }
 
-const Cascade::Waves& Cascade::waves_of(std::size_t number) const {
+const SpectralCascade::Waves& SpectralCascade::waves_of(std::size_t number) const {
     const auto found =
         std::find_if(seas_.begin(), seas_.end(), [&](const auto& waves) { return waves && waves->number == number; });
     assert(found != seas_.end() && "the sea's spectrum has not been baked");
     return **found;
 }
 
-Cascade::Look Cascade::look_of(const LineFigures& figures, double choppiness, double whitecap_cover) const {
+SpectralCascade::Look SpectralCascade::look_of(const LineFigures& figures, double choppiness, double whitecap_cover) const {
     return {whitecap_cover > 0
                 ? whitecap_threshold(figures.folding, choppiness, whitecap_cover, TickClock(loop_period_s_).tick_s())
                 : WhitecapThreshold{.jacobian = Tile::no_whitecaps, .ramp = 1},
             slope_ranges(figures.mean_square_slope, figures.mean_square_convergence)};
 }
 
-void Cascade::begin(Pass pass, const SeaMoment& moment, Tile& tile) {
+void SpectralCascade::begin(Pass pass, const SeaMoment& moment, Tile& tile) {
     Shown& shown = shown_[pass];
     const Waves &before = waves_of(moment.before), &after = waves_of(moment.after);
     shown.before = &before;
@@ -140,7 +140,7 @@ void Cascade::begin(Pass pass, const SeaMoment& moment, Tile& tile) {
     shown.is_idle = pass == Pass::tick && !tile.makes_whitecaps();
 }
 
-FrameBounds Cascade::end_frame() {
+FrameBounds SpectralCascade::end_frame() {
     PartBounds all = part_bounds_.front();
     for (const PartBounds& part : part_bounds_) {
         all.height_min = std::min(all.height_min, part.height_min);
@@ -151,7 +151,7 @@ FrameBounds Cascade::end_frame() {
     return {all.height_min, all.height_max, all.sideways_x_max, all.sideways_z_max};
 }
 
-void Cascade::begin_spectrum(const SeaState& sea, const TilePlan& plan, double whitecap_cover) {
+void SpectralCascade::begin_spectrum(const SeaState& sea, const TilePlan& plan, double whitecap_cover) {
     bake_.emplace(Bake{sea,
                        whitecap_cover,
                        plan,
@@ -162,7 +162,7 @@ void Cascade::begin_spectrum(const SeaState& sea, const TilePlan& plan, double w
                        std::vector<FiguresByBand>(line_count(resolution_))});
 }
 
-LineFigures Cascade::adopt_spectrum(std::size_t number, std::size_t place) {
+LineFigures SpectralCascade::adopt_spectrum(std::size_t number, std::size_t place) {
     LineFigures all;
     for (const LineFigures& line : bake_->lines) all += line;
     FiguresByBand by_band;
@@ -177,14 +177,14 @@ LineFigures Cascade::adopt_spectrum(std::size_t number, std::size_t place) {
     return all;
 }
 
-void Cascade::spectrum(std::size_t line) {
+void SpectralCascade::spectrum(std::size_t line) {
     std::call_once(*bake_->has_begun, [this] { bake_->waves.emplace(bake_->sea, bake_->plan); });
     bake_->lines[line] =
         bake_spectrum_line(bake_->sea, *bake_->waves, plan_, line, bake_->spectrum, &bake_->lines_by_band[line]);
 }
 
 /// What evolves the block of lines next reads of it.
-void Cascade::blend(Pass pass, std::size_t line_block) {
+void SpectralCascade::blend(Pass pass, std::size_t line_block) {
     Shown& shown = shown_[pass];
     if (!shown.is_blend) return;
     const PackedSpectrum &before = shown.before->spectrum, &after = shown.after->spectrum;
@@ -205,7 +205,7 @@ void Cascade::blend(Pass pass, std::size_t line_block) {
                                        .out = out});
 }
 
-EvolveRowsJob Cascade::evolve_rows_job(Pass pass, std::size_t line_block, float* lines) {
+EvolveRowsJob SpectralCascade::evolve_rows_job(Pass pass, std::size_t line_block, float* lines) {
     const std::size_t first_line = line_block * kernels_.lanes;
     const Shown& shown = shown_[pass];
     const PackedSpectrum& spectrum = shown.before->spectrum;  // whose waves are those of the sea after
@@ -220,7 +220,7 @@ EvolveRowsJob Cascade::evolve_rows_job(Pass pass, std::size_t line_block, float*
             .first_frequency = shown.first_frequency};
 }
 
-void Cascade::columns_finalize(Pass pass, std::size_t number, float* surface, PartBounds& bounds) {
+void SpectralCascade::columns_finalize(Pass pass, std::size_t number, float* surface, PartBounds& bounds) {
     const Shown& shown = shown_[pass];
     ColumnsFinalizeJob job{.blocks = {},
                            .fft = &fft_,
@@ -235,8 +235,8 @@ void Cascade::columns_finalize(Pass pass, std::size_t number, float* surface, Pa
     kernels_.columns_finalize(job);
 }
 
-std::size_t Cascade::bytes() const {
-    std::size_t bytes = sizeof(Cascade) + plan_.bytes() +
+std::size_t SpectralCascade::bytes() const {
+    std::size_t bytes = sizeof(SpectralCascade) + plan_.bytes() +
                         (part_bounds_.capacity() + velocity_bounds_.capacity()) * sizeof(PartBounds);
     for (const auto& waves : seas_)
         if (waves) bytes += waves->spectrum.bytes() + waves->by_band.bytes();

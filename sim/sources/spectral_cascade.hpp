@@ -25,12 +25,12 @@
 
 namespace pelagic {
 
-class Cascade final : public SeaSource {
+class SpectralCascade final : public SeaSource {
    public:
     /// \param tile  which of the slots' tiles it fills
-    Cascade(FrameSlots& slots, std::size_t tile, const Kernels& kernels, const FrameExtras& extras);
-    Cascade(const Cascade&) = delete;  // stages point into it
-    Cascade& operator=(const Cascade&) = delete;
+    SpectralCascade(FrameSlots& slots, std::size_t tile, const Kernels& kernels, const FrameExtras& extras);
+    SpectralCascade(const SpectralCascade&) = delete;  // stages point into it
+    SpectralCascade& operator=(const SpectralCascade&) = delete;
 
     /// Velocities are the frame's alone.
     FilledBy add_stages(JobGraph& graph, Pass pass, const std::vector<StageId>& waits_for) override;
