@@ -72,7 +72,7 @@ They were made by:
   ${command[*]}
   ${picture[*]}
 Try also:
-  build/release/bin/pelagic export --out tiles          a frame of all four tiles of the default sea
+  build/release/bin/pelagic export --out cascades          a frame of all four cascades of the default sea
   build/release/bin/pelagic info --preset storm
   build/release/bin/pelagic export --help
 END

@@ -84,6 +84,6 @@ def beside(what, foam, settings):
 
 print(f"{side} x {side} faces, {options.frames} frames, ms a frame, medians")
 print(f"{'':<42} {'modifier':>8} {'Pelagic':>8} {'ratio':>7}   its quartiles")
-beside("no foam; four tiles of 128", False, {"foam": False})
-beside("no foam; one tile as fine as the mesh", False, {"foam": False, "tile_side": 100, "tile_resolution": str(side)})
-beside("foam (Pelagic's lasts); four tiles of 128", True, {"foam": True})
+beside("no foam; four cascades of 128", False, {"foam": False})
+beside("no foam; one cascade as fine as the mesh", False, {"foam": False, "cascade_side": 100, "cascade_resolution": str(side)})
+beside("foam (Pelagic's lasts); four cascades of 128", True, {"foam": True})

@@ -24,12 +24,12 @@ INSET = 26  # of the first and the last N
 
 
 class Machine:
-    """A file of bench/results: frames of one tile by instruction set and threads, in the order of N."""
+    """A file of bench/results: frames of one cascade by instruction set and threads, in the order of N."""
 
     def __init__(self, file):
         results = json.loads(file.read_text())
         self.name = f"{results['cpu']}, {results['compiler']}"
-        self.rows = sorted((row for row in results["rows"] if row.get("tiles", 1) == 1), key=lambda row: row["n"])
+        self.rows = sorted((row for row in results["rows"] if row.get("cascades", 1) == 1), key=lambda row: row["n"])
         self.isas = [isa for isa in ISAS if any(row["isa"] == isa for row in self.rows)]
         self.threads = sorted({row["threads"] for row in self.rows})
         self.has_peers = all("fftw_ms" in row for row in self.rows)

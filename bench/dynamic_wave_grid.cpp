@@ -1,4 +1,4 @@
-// What a tick of dynamic waves costs, on one thread and on two: the spectral step beside a frame of one tile of as many texels,
+// What a tick of dynamic waves costs, on one thread and on two: the spectral step beside a frame of one cascade of as many texels,
 // Verlet's beside a loop without lanes and beside a copy of what it reads and writes. And waves with many boats.
 //
 //   build/release/bin/pelagic_dynamic_waves_bench [instruction set]

@@ -3,9 +3,9 @@
 //
 //   taskset -c 1 build/release/bin/pelagic_query_bench --benchmark_repetitions=9
 //
-// Names are what/instruction set/N/points, or what/instruction set/tiles x N/points of the default sea's tiles. Points are
+// Names are what/instruction set/N/points, or what/instruction set/cascades x N/points of the default sea's cascades. Points are
 // random over nine patches, or coherent: a grid of a quarter of a texel, as under a hull. Choppiness is 1, and the wind of
-// several tiles 12 m/s.
+// several cascades 12 m/s.
 #include <benchmark/benchmark.h>
 
 #include <memory>
@@ -25,11 +25,11 @@ namespace {
 
 constexpr std::size_t count = 1 << 16;
 
-SeaState one_tile(int resolution) { return {.resolution = resolution, .patch_size_m = 250, .choppiness = 1}; }
-SeaState several_tiles(int tiles) { return {.cascades = tiles, .resolution = 128, .choppiness = 1}; }
+SeaState one_cascade(int resolution) { return {.resolution = resolution, .patch_size_m = 250, .choppiness = 1}; }
+SeaState several_cascades(int cascades) { return {.cascades = cascades, .resolution = 128, .choppiness = 1}; }
 
 struct Scene {
-    Scene(int resolution, Isa isa, bool coherent) : Scene(one_tile(resolution), isa, coherent) {}
+    Scene(int resolution, Isa isa, bool coherent) : Scene(one_cascade(resolution), isa, coherent) {}
     Scene(const SeaState& sea, Isa isa, bool coherent)
         : ocean(sea, {.executor = make_serial_executor(), .isa = isa, .queries = true, .velocities = true}),
           frame(ocean.frame_at(1)),
@@ -37,9 +37,9 @@ struct Scene {
           x(count),
           z(count) {
         std::mt19937 random(1);
-        const double side_m = frame.tiles[0].lattice.side_m;
+        const double side_m = frame.cascades[0].lattice.side_m;
         std::uniform_real_distribution<double> anywhere(-side_m, 2 * side_m);
-        const double spacing = frame.tiles.back().texel_m() / 4;
+        const double spacing = frame.cascades.back().texel_m() / 4;
         for (std::size_t i = 0; i < count; ++i) {
             x[i] = coherent ? static_cast<double>(i % 256) * spacing : anywhere(random);
             z[i] = coherent ? static_cast<double>(i / 256) * spacing : anywhere(random);
@@ -100,7 +100,7 @@ void time_lookup(benchmark::State& state, int resolution, Isa isa, bool coherent
         u[i] = static_cast<float>(x - cell_x[i]);
         v[i] = static_cast<float>(z - cell_z[i]);
     }
-    SampleSurfaceJob job{.surface = texels_of(scene.frame.tiles[0]),
+    SampleSurfaceJob job{.surface = texels_of(scene.frame.cascades[0]),
                          .two_texels_m = 0,
                          .jacobian_factor = 0,
                          .count = count,
@@ -129,8 +129,8 @@ void time_ray(benchmark::State& state, const SeaState& sea, Isa isa) {
 void time_frame(benchmark::State& state, const SeaState& sea, Isa isa, bool queries, bool velocities) {
     Ocean ocean(sea, {.executor = make_serial_executor(), .isa = isa, .queries = queries, .velocities = velocities});
     double time_s = 0;
-    for (auto _ : state) benchmark::DoNotOptimize(ocean.frame_at(time_s += 1.0 / 72).tiles[0].height.data);
-    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(ocean.tile_count()) * ocean.resolution() *
+    for (auto _ : state) benchmark::DoNotOptimize(ocean.frame_at(time_s += 1.0 / 72).cascades[0].height.data);
+    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(ocean.cascade_count()) * ocean.resolution() *
                             ocean.resolution());
 }
 
@@ -165,7 +165,7 @@ void register_queries(const SeaState& sea, const std::string& size) {
 void register_all() {
     using benchmark::RegisterBenchmark;
     for (const int n : {256, 512, 1024}) {
-        register_queries(one_tile(n), std::to_string(n));
+        register_queries(one_cascade(n), std::to_string(n));
         for (const bool coherent : {false, true}) {
             const std::string end = "/" + std::to_string(n) + (coherent ? "/coherent" : "/random");
             for (const Isa isa : isas_here())
@@ -175,7 +175,7 @@ void register_all() {
             RegisterBenchmark(("lookup/scalar" + end).c_str(), time_scalar_lookup, n, coherent);
         }
     }
-    for (const int tiles : {2, 3, 4}) register_queries(several_tiles(tiles), std::to_string(tiles) + "x128");
+    for (const int cascades : {2, 3, 4}) register_queries(several_cascades(cascades), std::to_string(cascades) + "x128");
 }
 
 }  // namespace

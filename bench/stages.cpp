@@ -50,7 +50,7 @@ void time_frame(benchmark::State& state, int resolution, Isa isa, int threads) {
     const auto ocean =
         ocean_of(resolution, isa, threads == 1 ? make_serial_executor() : make_default_executor(threads));
     double time_s = 0;
-    for (auto _ : state) benchmark::DoNotOptimize(ocean->frame_at(time_s += 1.0 / 72).tiles[0].height.data);
+    for (auto _ : state) benchmark::DoNotOptimize(ocean->frame_at(time_s += 1.0 / 72).cascades[0].height.data);
     tools::StageWork work{};
     for (const Stage& stage : ocean->graph().stages()) {
         work.flops += tools::work_of(stage.name, resolution).flops;
@@ -59,12 +59,12 @@ void time_frame(benchmark::State& state, int resolution, Isa isa, int threads) {
     count(state, resolution, work);
 }
 
-/// A stack of tiles that the sea chooses.
+/// A stack of cascades that the sea chooses.
 void time_stack(benchmark::State& state, int cascades, Isa isa, int threads) {
     Ocean ocean({.cascades = cascades, .resolution = 128},
                 {.executor = threads == 1 ? make_serial_executor() : make_default_executor(threads), .isa = isa});
     double time_s = 0;
-    for (auto _ : state) benchmark::DoNotOptimize(ocean.frame_at(time_s += 1.0 / 72).tiles[0].height.data);
+    for (auto _ : state) benchmark::DoNotOptimize(ocean.frame_at(time_s += 1.0 / 72).cascades[0].height.data);
     state.SetItemsProcessed(state.iterations() * cascades * 128 * 128);
     state.counters["memory"] = static_cast<double>(ocean.memory_bytes());
 }

@@ -2,8 +2,8 @@
 //
 //   taskset -c 1 build/release/bin/pelagic_inputs_bench [instruction set]
 //
-// Sixteen Gerstner waves from 120 to 2 m and a ring of 6 m, in the tiles that take them; an input that adds nothing but zeros to
-// every tile, which is what the stage itself costs. Medians of frames.
+// Sixteen Gerstner waves from 120 to 2 m and a ring of 6 m, in the cascades that take them; an input that adds nothing but zeros to
+// every cascade, which is what the stage itself costs. Medians of frames.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>

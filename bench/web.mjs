@@ -12,15 +12,15 @@ const [folder = 'build/pelagic-npm', pelagic = 'build/release/bin/pelagic', turn
 const { createOcean } = await import(pathToFileURL(join(resolve(folder), 'index.js')));
 
 const sizes = [64, 128, 256, 512];
-const seas = new Map(sizes.map((n) => [`one tile of ${n}`, { resolution: n, patchSizeM: 250 }]));
+const seas = new Map(sizes.map((n) => [`one cascade of ${n}`, { resolution: n, patchSizeM: 250 }]));
 seas.set('default sea', {});
 const least = new Map([...seas.keys()].map((name) => [name, { native: Infinity, node: Infinity }]));
 
 function takeNative() {
   const args = ['bench', '--isa', 'sse4.2', '--threads', '1', '--seconds', '8', '--json', '-'];
   const { rows } = JSON.parse(execFileSync(pelagic, args, { encoding: 'utf8', stdio: ['ignore', 'pipe', 'ignore'] }));
-  for (const { tiles, n, ours_ms } of rows) {
-    const best = least.get(tiles > 1 ? 'default sea' : `one tile of ${n}`);
+  for (const { cascades, n, ours_ms } of rows) {
+    const best = least.get(cascades > 1 ? 'default sea' : `one cascade of ${n}`);
     if (best) best.native = Math.min(best.native, ours_ms);
   }
 }

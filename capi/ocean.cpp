@@ -116,23 +116,23 @@ void write_offsets(int resolution, std::uint32_t (&offset)[most_levels]) {
         offset[level] = static_cast<std::uint32_t>(mip_offset(resolution, level));
 }
 
-/// What C's frame and tile have in common: planes and halves.
+/// What C's frame and cascade have in common: planes and halves.
 template <class T>
-void write_surface(const Tile& tile, T& out) {
-    out.resolution = tile.resolution();
-    out.dx = plane_of(tile.dx);
-    out.height = plane_of(tile.height);
-    out.dz = plane_of(tile.dz);
-    out.velocity_x = plane_of(tile.velocity_x);
-    out.velocity_y = plane_of(tile.velocity_y);
-    out.velocity_z = plane_of(tile.velocity_z);
-    out.displacement_rgba16f = tile.displacement_rgba16f.data();
-    out.gradient_rgba8 = tile.gradient_rgba8.data();
+void write_surface(const Cascade& cascade, T& out) {
+    out.resolution = cascade.resolution();
+    out.dx = plane_of(cascade.dx);
+    out.height = plane_of(cascade.height);
+    out.dz = plane_of(cascade.dz);
+    out.velocity_x = plane_of(cascade.velocity_x);
+    out.velocity_y = plane_of(cascade.velocity_y);
+    out.velocity_z = plane_of(cascade.velocity_z);
+    out.displacement_rgba16f = cascade.displacement_rgba16f.data();
+    out.gradient_rgba8 = cascade.gradient_rgba8.data();
 }
 
 pelagic_frame c_frame_of(const Frame& frame) {
     pelagic_frame out{};
-    const Tile& first = frame.tiles.front();
+    const Cascade& first = frame.cascades.front();
     write_surface(first, out);
     out.time_s = frame.time_s;
     out.patch_size_m = first.lattice.side_m;
@@ -141,33 +141,33 @@ pelagic_frame c_frame_of(const Frame& frame) {
         write_offsets(first.resolution(), out.gradient_offset);
     }
     out.bounds = bounds_of(frame.bounds);
-    out.tile_count = static_cast<std::int32_t>(frame.tiles.size());
+    out.cascade_count = static_cast<std::int32_t>(frame.cascades.size());
     out.roughness = static_cast<float>(frame.figures.roughness);
     out.foam_drift_x_mps = frame.figures.foam_drift_x_mps;
     out.foam_drift_z_mps = frame.figures.foam_drift_z_mps;
     return out;
 }
 
-pelagic_tile c_tile_of(const Tile& tile) {
-    pelagic_tile out{};
-    write_surface(tile, out);
-    out.side_m = tile.lattice.side_m;
-    out.cosine = tile.lattice.cosine;
-    out.sine = tile.lattice.sine;
-    out.slopes_rgba8 = tile.slopes_rgba8.data();
-    out.moments_rgba8 = tile.moments_rgba8.data();
-    out.slope_range = tile.slope_ranges.slope;
-    out.variance_range = tile.slope_ranges.variance;
-    out.levels = mip_levels(tile.resolution());
-    write_offsets(tile.resolution(), out.level_offset);
-    out.bounds = bounds_of(tile.bounds);
-    out.whitecap_jacobian = tile.whitecap_jacobian;
-    out.foam_r8 = tile.foam_r8.data();
-    out.whitecap_ramp = tile.whitecap_ramp;
+pelagic_cascade c_cascade_of(const Cascade& cascade) {
+    pelagic_cascade out{};
+    write_surface(cascade, out);
+    out.side_m = cascade.lattice.side_m;
+    out.cosine = cascade.lattice.cosine;
+    out.sine = cascade.lattice.sine;
+    out.slopes_rgba8 = cascade.slopes_rgba8.data();
+    out.moments_rgba8 = cascade.moments_rgba8.data();
+    out.slope_range = cascade.slope_ranges.slope;
+    out.variance_range = cascade.slope_ranges.variance;
+    out.levels = mip_levels(cascade.resolution());
+    write_offsets(cascade.resolution(), out.level_offset);
+    out.bounds = bounds_of(cascade.bounds);
+    out.whitecap_jacobian = cascade.whitecap_jacobian;
+    out.foam_r8 = cascade.foam_r8.data();
+    out.whitecap_ramp = cascade.whitecap_ramp;
     return out;
 }
 
-/// Makes it the frame that queries, tile, copy and hash tell of.
+/// Makes it the frame that queries, cascade, copy and hash tell of.
 void show(pelagic_ocean& ocean, const Frame& frame) {
     ocean.shown = &frame;
     if (ocean.has_queries) ocean.asked.show(SurfaceQuery(frame, ocean.query_tolerance_m));
@@ -199,39 +199,39 @@ TextureTargets ours_of(const pelagic_texture_targets& targets) {
             .moments_rgba8 = std::to_array(targets.moments_rgba8)};
 }
 
-/// What a host says of each tile of a frame: his structs, one after the other, each of the size that the first states.
+/// What a host says of each cascade of a frame: his structs, one after the other, each of the size that the first states.
 template <class Theirs, class Ours>
-class OfEachTile {
+class OfEachCascade {
    public:
     /// Throws std::invalid_argument for null and a wrong struct_size.
-    OfEachTile(const Theirs* first, const std::string& name, std::size_t tile_count) : count_(tile_count) {
+    OfEachCascade(const Theirs* first, const std::string& name, std::size_t cascade_count) : count_(cascade_count) {
         const std::size_t bytes = struct_bytes(first, name.c_str());
         if (count_ > 1 && bytes % alignof(Theirs) != 0)
             refuse(refusal(name + ".struct_size", bytes, number_text(sizeof *first) + ", the size of the struct"));
-        // Before anybody looks behind the first: a host that knows one tile has one struct.
-        if (std::max(first->tile_count, 1u) != count_)
-            refuse(refusal(name + ".tile_count", first->tile_count,
+        // Before anybody looks behind the first: a host that knows one cascade has one struct.
+        if (std::max(first->cascade_count, 1u) != count_)
+            refuse(refusal(name + ".cascade_count", first->cascade_count,
                            number_text(count_) + ", with as many structs one after the other"));
         for (std::size_t i = 0; i < count_; ++i) {
-            const std::string of_tile = i == 0 ? name : name + "[" + number_text(i) + "]";
+            const std::string of_cascade = i == 0 ? name : name + "[" + number_text(i) + "]";
             const auto* const at =
                 reinterpret_cast<const Theirs*>(reinterpret_cast<const unsigned char*>(first) + i * bytes);
             if (at->struct_size != bytes)
-                refuse(refusal(of_tile + ".struct_size", at->struct_size, number_text(bytes) + ", as the first's"));
-            if (i > 0 && at->tile_count != 0) refuse(refusal(of_tile + ".tile_count", at->tile_count, "0"));
-            tiles_[i] = ours_of(read_struct(at, of_tile.c_str()));
+                refuse(refusal(of_cascade + ".struct_size", at->struct_size, number_text(bytes) + ", as the first's"));
+            if (i > 0 && at->cascade_count != 0) refuse(refusal(of_cascade + ".cascade_count", at->cascade_count, "0"));
+            cascades_[i] = ours_of(read_struct(at, of_cascade.c_str()));
         }
     }
-    std::span<const Ours> all() const { return {tiles_.data(), count_}; }
+    std::span<const Ours> all() const { return {cascades_.data(), count_}; }
 
    private:
-    static constexpr std::size_t most_tiles = 4;
-    std::array<Ours, most_tiles> tiles_;
+    static constexpr std::size_t most_cascades = 4;
+    std::array<Ours, most_cascades> cascades_;
     std::size_t count_;
 };
 
-using HostBuffers = OfEachTile<pelagic_frame_buffers, FrameBuffers>;
-using HostTargets = OfEachTile<pelagic_texture_targets, TextureTargets>;
+using HostBuffers = OfEachCascade<pelagic_frame_buffers, FrameBuffers>;
+using HostTargets = OfEachCascade<pelagic_texture_targets, TextureTargets>;
 
 }  // namespace
 
@@ -266,7 +266,7 @@ pelagic_status pelagic_ocean_describe(const pelagic_ocean* ocean, pelagic_ocean_
         struct_bytes(info, "info");
         pelagic_ocean_info out{};
         out.resolution = sea.resolution();
-        out.tile_count = static_cast<std::int32_t>(sea.tile_count());
+        out.cascade_count = static_cast<std::int32_t>(sea.cascade_count());
         out.threads = sea.executor().thread_limit();
         out.memory_bytes = sea.memory_bytes();
         out.isa = name_of(sea.isa()).data();          // names are literals, so they end in 0
@@ -291,8 +291,8 @@ pelagic_status pelagic_ocean_schedule_into(pelagic_ocean* ocean, double time_s,
         need_no_frame_in_flight(needed(ocean, "ocean"));
         need_finite(time_s);
         Ocean& sea = ocean->ocean;
-        const HostTargets to(targets, "targets", sea.tile_count());
-        if (const std::string reason = check(to.all(), sea.tile_count(), sea.resolution(), ocean->contents);
+        const HostTargets to(targets, "targets", sea.cascade_count());
+        if (const std::string reason = check(to.all(), sea.cascade_count(), sea.resolution(), ocean->contents);
             !reason.empty())
             refuse("targets: " + reason);
         ocean->asked.wait_for_old_readers();
@@ -320,21 +320,21 @@ pelagic_status pelagic_ocean_complete(pelagic_ocean* ocean, pelagic_frame* frame
     });
 }
 
-pelagic_status pelagic_ocean_tile(const pelagic_ocean* ocean, int32_t index, pelagic_tile* tile) {
+pelagic_status pelagic_ocean_cascade(const pelagic_ocean* ocean, int32_t index, pelagic_cascade* cascade) {
     return guarded([&] {
         need_frame(needed(ocean, "ocean"));
-        struct_bytes(tile, "tile");
-        const std::span<const Tile> tiles = ocean->shown->tiles;
-        if (index < 0 || static_cast<std::size_t>(index) >= tiles.size())
-            refuse(refusal("index", index, tiles.size() == 1 ? "0" : "0 to " + number_text(tiles.size() - 1)));
-        write_struct(c_tile_of(tiles[static_cast<std::size_t>(index)]), tile);
+        struct_bytes(cascade, "cascade");
+        const std::span<const Cascade> cascades = ocean->shown->cascades;
+        if (index < 0 || static_cast<std::size_t>(index) >= cascades.size())
+            refuse(refusal("index", index, cascades.size() == 1 ? "0" : "0 to " + number_text(cascades.size() - 1)));
+        write_struct(c_cascade_of(cascades[static_cast<std::size_t>(index)]), cascade);
     });
 }
 
 pelagic_status pelagic_ocean_copy(const pelagic_ocean* ocean, const pelagic_frame_buffers* buffers) {
     return guarded([&] {
         need_frame(needed(ocean, "ocean"));
-        copy_frame(*ocean->shown, HostBuffers(buffers, "buffers", ocean->shown->tiles.size()).all());
+        copy_frame(*ocean->shown, HostBuffers(buffers, "buffers", ocean->shown->cascades.size()).all());
     });
 }
 
@@ -344,8 +344,8 @@ pelagic_status pelagic_ocean_frame_at(pelagic_ocean* ocean, double time_s, const
         need_no_frame_in_flight(needed(ocean, "ocean"));
         need_finite(time_s);
         Ocean& sea = ocean->ocean;
-        const HostBuffers to(buffers, "buffers", sea.tile_count());
-        if (const std::string reason = check(to.all(), sea.tile_count(), sea.resolution(), ocean->contents);
+        const HostBuffers to(buffers, "buffers", sea.cascade_count());
+        if (const std::string reason = check(to.all(), sea.cascade_count(), sea.resolution(), ocean->contents);
             !reason.empty())
             refuse(reason);
         ocean->asked.wait_for_old_readers();

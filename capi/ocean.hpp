@@ -58,8 +58,8 @@ struct pelagic_ocean {
         : ocean(forecast, options),
           has_queries(options.queries),
           contents{.velocities = options.velocities,
-                   .gradients = options.gradients || ocean.tile_count() == 1,
-                   .slopes = options.slopes || ocean.tile_count() > 1,
+                   .gradients = options.gradients || ocean.cascade_count() == 1,
+                   .slopes = options.slopes || ocean.cascade_count() > 1,
                    .foam = options.foam},
           query_tolerance_m(tolerance_m) {}
 
@@ -70,7 +70,7 @@ struct pelagic_ocean {
     bool frame_in_flight = false;
     bool sea_in_flight = false;
     bool has_completed = false;             ///< by complete(), not by frame_at() alone
-    const pelagic::Frame* shown = nullptr;  ///< what queries, tile, copy and hash tell of
+    const pelagic::Frame* shown = nullptr;  ///< what queries, cascade, copy and hash tell of
     mutable pelagic::capi::QueryFrames asked;
 };
 

@@ -10,10 +10,10 @@
  *   for (t = 0; drawing; t += 1.0 / 90) {
  *       pelagic_ocean_complete(ocean, &frame);           // the frame scheduled last
  *       pelagic_ocean_schedule(ocean, t + 1.0 / 90);     // the next is computed while this one is drawn
- *       for (i = 0; i < frame.tile_count; ++i) {
- *           pelagic_tile tile = {.struct_size = sizeof tile};
- *           pelagic_ocean_tile(ocean, i, &tile);         // of the frame completed last
- *           upload(tile.displacement_rgba16f, tile.slopes_rgba8, tile.moments_rgba8);
+ *       for (i = 0; i < frame.cascade_count; ++i) {
+ *           pelagic_cascade cascade = {.struct_size = sizeof cascade};
+ *           pelagic_ocean_cascade(ocean, i, &cascade);         // of the frame completed last
+ *           upload(cascade.displacement_rgba16f, cascade.slopes_rgba8, cascade.moments_rgba8);
  *       }
  *   }
  *   pelagic_ocean_destroy(ocean);
@@ -127,9 +127,9 @@ enum {
 typedef struct pelagic_sea {
     uint32_t struct_size;
     int32_t spectrum;      /* PELAGIC_SPECTRUM_... */
-    int32_t resolution;    /* N, texels along a tile; a power of two, 16 to 2048. 0: 128, with a patch_size_m 256 */
+    int32_t resolution;    /* N, texels along a cascade; a power of two, 16 to 2048. 0: 128, with a patch_size_m 256 */
     uint32_t seed;         /* which sea of this kind */
-    double patch_size_m;   /* the side of the one tile; [0.001, 1e6]. 0: sides chosen from the sea */
+    double patch_size_m;   /* the side of the one cascade; [0.001, 1e6]. 0: sides chosen from the sea */
     double wind_speed_mps; /* mean wind 10 m above the sea; (0, 60] */
     double wind_direction_rad; /* where the wind blows towards, from +x towards +z; [-2 pi, 2 pi] */
     double fetch_m;            /* how far the wind has blown over water (jonswap), 17,000 U10^2/g counts at most; (0, 2e6] */
@@ -146,12 +146,12 @@ typedef struct pelagic_sea {
     double swell_period_s;      /* at which their spectrum peaks; 0: 12, else [1, 40] */
     double swell_direction_rad; /* where they run towards, as wind_direction_rad */
     double swell_spread_rad;    /* standard deviation of their directions; 0: 15 degrees, else [pi/180, 4 pi/9] */
-    /* How many tiles hold the waves, each a band of them; 1 to 4. 0: chosen, four, or one where patch_size_m is set, where the
+    /* How many cascades hold the waves, each a band of them; 1 to 4. 0: chosen, four, or one where patch_size_m is set, where the
      * resolution is 16 or the spectrum phillips-paper. More than one takes no patch_size_m. A host whose struct ends before
-     * it has one tile. */
+     * it has one cascade. */
     int32_t cascades;
     uint32_t reserved_1; /* 0 */
-    /* Which waves: PELAGIC_WAVES_... A pond (exp-sine) is one tile. What follows is of the others than a spectrum, which alone
+    /* Which waves: PELAGIC_WAVES_... A pond (exp-sine) is one cascade. What follows is of the others than a spectrum, which alone
      * has spectrum, spreading, fetch_m, depth_m, small_waves, alignment, swell and seed. */
     int32_t waves;
     int32_t wave_count;     /* waves, or octaves of a pond; 1 to 64. 0: 16 or 24 */
@@ -163,18 +163,18 @@ typedef struct pelagic_sea {
 } pelagic_sea;
 
 /* Sets every field but struct_size: resolution, patch_size_m and cascades to 0, which is chosen. A host whose struct ends before
- * `cascades` draws one tile only and gets one: 256 texels on 250 m. */
+ * `cascades` draws one cascade only and gets one: 256 texels on 250 m. */
 PELAGIC_API pelagic_status pelagic_sea_defaults(pelagic_sea* sea);
 
 /* The same for a sea state: "calm", "lake", "swell", "moderate", "rough" or "storm", or the open sea of a force of wind,
- * "beaufort-0" to "beaufort-12". The one tile of an older host has 256 texels on a quarter of the side that the coarsest of the
- * sea's tiles would have. */
+ * "beaufort-0" to "beaufort-12". The one cascade of an older host has 256 texels on a quarter of the side that the coarsest of the
+ * sea's cascades would have. */
 PELAGIC_API pelagic_status pelagic_sea_preset(const char* name, pelagic_sea* sea);
 
 /* PELAGIC_OK if an ocean could be made of it, else the message names the first bad field. */
 PELAGIC_API pelagic_status pelagic_sea_check(const pelagic_sea* sea);
 
-/* Heights, periods and directions of a sea. `expected` is the mean over all seeds of the waves that the tiles hold; `drawn` is of the waves
+/* Heights, periods and directions of a sea. `expected` is the mean over all seeds of the waves that the cascades hold; `drawn` is of the waves
  * that this seed drew, the mean over a loop. 0 where a sea has no such figure. */
 typedef struct pelagic_statistics {
     uint32_t struct_size;
@@ -193,7 +193,7 @@ typedef struct pelagic_statistics {
     double drawn_direction_rad;
     double expected_spread_rad; /* directional spread, [0, sqrt(2)] */
     double drawn_spread_rad;
-    double slope_variance_along_wind; /* expected, of all tiles */
+    double slope_variance_along_wind; /* expected, of all cascades */
     double slope_variance_across_wind;
     double expected_convergence_variance; /* of Dx,x + Dz,z */
     double drawn_convergence_variance;
@@ -204,7 +204,7 @@ typedef struct pelagic_statistics {
     double drawn_wind_sea_peak_period_s; /* likewise */
     double drawn_swell_peak_period_s;
     double effective_fetch_m; /* jonswap: the fetch that counts, at most 17,000 U10^2 / g */
-    double repeats_after_m;   /* side of the coarsest tile, after which the sea's long waves repeat */
+    double repeats_after_m;   /* side of the coarsest cascade, after which the sea's long waves repeat */
 } pelagic_statistics;
 
 /* Sums over the spectrum of a sea: as long as creating an ocean of it takes. Thread-safe. PELAGIC_INVALID_ARGUMENT as
@@ -267,9 +267,9 @@ typedef void (*pelagic_release)(void* user, void* memory, size_t bytes, size_t a
 
 typedef struct pelagic_ocean_options {
     uint32_t struct_size;
-    int32_t queries; /* not 0: frames can be asked about any point; N^2 / 8 bytes a tile of a frame */
+    int32_t queries; /* not 0: frames can be asked about any point; N^2 / 8 bytes a cascade of a frame */
     int32_t
-        velocities;    /* not 0: frames have velocities; 12 N^2 bytes a tile of a frame, about twice the transforms */
+        velocities;    /* not 0: frames have velocities; 12 N^2 bytes a cascade of a frame, about twice the transforms */
     uint32_t reserved; /* 0 */
     const pelagic_executor* executor; /* NULL: PELAGIC_EXECUTOR_DEFAULT */
     const char* isa;          /* "sse4.2", "avx2", "avx512" or "neon"; NULL: PELAGIC_ISA, else the strongest */
@@ -280,11 +280,11 @@ typedef struct pelagic_ocean_options {
     pelagic_release release;
     void* memory_user; /* handed to both; outlives the ocean */
     /* Newer still. */
-    int32_t slopes;    /* not 0: a frame of one tile has slopes and moments too; those of several always do */
-    int32_t gradients; /* not 0: tiles of several have a gradient chain of their own too; those of one always do */
+    int32_t slopes;    /* not 0: a frame of one cascade has slopes and moments too; those of several always do */
+    int32_t gradients; /* not 0: cascades of several have a gradient chain of their own too; those of one always do */
     /* Newer still. Not 0: frames remember foam. What breaks lasts for 2.9 seconds, fades and drifts. A frame then takes a tenth to a
      * fifth longer, one of a tick, ten times a second, another half or more, and a jump in time, which computes 29 ticks, as long as
-     * ten to twenty frames. 5 N^2 bytes a tile. With 0 the half floats hold only what breaks at that very moment. */
+     * ten to twenty frames. 5 N^2 bytes a cascade. With 0 the half floats hold only what breaks at that very moment. */
     int32_t foam;
     uint32_t reserved_1; /* 0 */
     /* Newer still. Dynamic waves beside the waves of the wind, see below; NULL: none. Read before the call returns. */
@@ -308,14 +308,14 @@ PELAGIC_API void pelagic_ocean_destroy(pelagic_ocean* ocean);
 
 typedef struct pelagic_ocean_info {
     uint32_t struct_size;
-    int32_t resolution; /* N, of each tile */
+    int32_t resolution; /* N, of each cascade */
     int32_t threads;    /* most that work on a frame */
     uint32_t reserved;
     uint64_t memory_bytes; /* all that the ocean allocated, two frames and the spectrum included */
     const char* isa;
     const char* executor; /* "serial", "thread", "tbb" or "host" */
     /* Newer than the fields above. */
-    int32_t tile_count; /* of every frame */
+    int32_t cascade_count; /* of every frame */
     uint32_t reserved_1;
 } pelagic_ocean_info;
 
@@ -334,7 +334,7 @@ typedef struct pelagic_plane {
     ptrdiff_t block_stride;
 } pelagic_plane;
 
-/* Extremes of displacements, for culling boxes. Those of a tile are exact; those of a frame are the sums of its tiles', exact
+/* Extremes of displacements, for culling boxes. Those of a cascade are exact; those of a frame are the sums of its cascades', exact
  * for one and upper bounds for several, whose extremes need not meet. */
 typedef struct pelagic_bounds {
     float height_min_m;
@@ -343,14 +343,14 @@ typedef struct pelagic_bounds {
     float sideways_z_max_m; /* largest |Dz| */
 } pelagic_bounds;
 
-/* A frame is a stack of tiles, the coarsest first, and shows the first of them itself: all there is where tile_count is 1. Then
+/* A frame is a stack of cascades, the coarsest first, and shows the first of them itself: all there is where cascade_count is 1. Then
  * texel (i, j) rests at x = i L / N, z = j L / N and is drawn at (x + Dx, height, z + Dz); metres. Where there are more, see
- * pelagic_tile. */
+ * pelagic_cascade. */
 typedef struct pelagic_frame {
     uint32_t struct_size;
     int32_t resolution; /* N */
     double time_s;
-    double patch_size_m; /* L, the first tile's side */
+    double patch_size_m; /* L, the first cascade's side */
     pelagic_plane dx, height, dz;
     pelagic_plane velocity_x, velocity_y, velocity_z; /* metres a second; with pelagic_ocean_options.velocities */
     /* N^2 texels of four IEEE half floats, Dx, height, Dz and foam (0 none to 1 covered): rows are tight, 8 N bytes.
@@ -358,23 +358,23 @@ typedef struct pelagic_frame {
     const uint16_t* displacement_rgba16f;
     /* A chain of gradient_levels levels of N, N / 2, ..., 1 texels a side, rows tight, 4 bytes a texel: normal x, normal
      * z, Jacobian, smoothness. GL_RGBA8, VK_FORMAT_R8G8B8A8_UNORM. Level m begins gradient_offset[m] texels in. NULL and
-     * no levels in a frame of several tiles, unless pelagic_ocean_options.gradients. */
+     * no levels in a frame of several cascades, unless pelagic_ocean_options.gradients. */
     const uint32_t* gradient_rgba8;
     int32_t gradient_levels;
     uint32_t gradient_offset[12];
-    pelagic_bounds bounds; /* of all tiles together */
+    pelagic_bounds bounds; /* of all cascades together */
     /* Newer than the fields above. */
     uint32_t reserved_1; /* padding in the first version */
-    int32_t tile_count;
-    /* GGX's alpha of the water between texels, in [0, 1]: its square is the mean square of the slopes that no tile holds.
+    int32_t cascade_count;
+    /* GGX's alpha of the water between texels, in [0, 1]: its square is the mean square of the slopes that no cascade holds.
      * Smoothness is 1 - sqrt(roughness). */
     float roughness;
     /* Newer still. How fast foam drifts over the sea, in the world's axes: with the wind and with the waves. */
     double foam_drift_x_mps, foam_drift_z_mps;
 } pelagic_frame;
 
-/* One square of waves, which repeats over the whole sea along its own two axes. The tiles of a frame add: the water that rests
- * at (x, z) is drawn at (x + Dx, height, z + Dz), each the sum of what the tiles hold there.
+/* One square of waves, which repeats over the whole sea along its own two axes. The cascades of a frame add: the water that rests
+ * at (x, z) is drawn at (x + Dx, height, z + Dz), each the sum of what the cascades hold there.
  *
  * Places. L being side_m and N the resolution, texel (i, j), column i and row j, rests at
  *
@@ -397,30 +397,30 @@ typedef struct pelagic_frame {
  *
  * A texture has byte / 255. h_x is the height's derivative along x at rest, D_xz those of Dx along z and of Dz along x, which
  * are equal. The variances are of h_x and h_z within a texel, for roughness (LEAN mapping, Olano and Baker 2010): GGX's alpha^2
- * is var_xx + var_zz + pelagic_frame.roughness^2. With the sums of each over the tiles, the Jacobian J and a normal of any length are
+ * is var_xx + var_zz + pelagic_frame.roughness^2. With the sums of each over the cascades, the Jacobian J and a normal of any length are
  *
  *   J = (1 + D_xx) (1 + D_zz) - D_xz^2,  n = (h_z D_xz - h_x (1 + D_zz), J, h_x D_xz - h_z (1 + D_xx)).
  *
- * Foam of the stack is at a point the largest of the tiles'. */
-typedef struct pelagic_tile {
+ * Foam of the stack is at a point the largest of the cascades'. */
+typedef struct pelagic_cascade {
     uint32_t struct_size;
     int32_t resolution; /* N */
     double side_m;      /* L */
-    /* Of the turn of the tile's axes against the world's, from +x towards +z; 1 and 0: not turned. */
+    /* Of the turn of the cascade's axes against the world's, from +x towards +z; 1 and 0: not turned. */
     double cosine, sine;
-    /* As in pelagic_frame, of this tile alone. */
+    /* As in pelagic_frame, of this cascade alone. */
     pelagic_plane dx, height, dz;
     pelagic_plane velocity_x, velocity_y, velocity_z;
     const uint16_t* displacement_rgba16f;
     const uint32_t* gradient_rgba8;
-    /* NULL in a frame of one tile, unless pelagic_ocean_options.slopes. */
+    /* NULL in a frame of one cascade, unless pelagic_ocean_options.slopes. */
     const uint32_t *slopes_rgba8, *moments_rgba8;
     float slope_range, variance_range;
     int32_t levels;            /* of each of the chains, if it is there */
     uint32_t level_offset[12]; /* level m of any of them begins so many texels in */
     pelagic_bounds bounds;
-    /* Water of the Jacobian J of the tile alone makes foam of 1/2 + (whitecap_jacobian - J) / whitecap_ramp, within 0 and 1: as much
-     * of it, in the mean over time and while it lasts, as whitecaps cover in that wind, tiles together. -10 where the tile makes
+    /* Water of the Jacobian J of the cascade alone makes foam of 1/2 + (whitecap_jacobian - J) / whitecap_ramp, within 0 and 1: as much
+     * of it, in the mean over time and while it lasts, as whitecaps cover in that wind, cascades together. -10 where the cascade makes
      * none. */
     float whitecap_jacobian;
     /* Newer than the fields above. A fourth chain of `levels` levels, a byte a texel, 0 none to 255 covered: GL_R8,
@@ -428,7 +428,7 @@ typedef struct pelagic_tile {
     const uint8_t* foam_r8;
     float whitecap_ramp; /* above 0 */
     uint32_t reserved_1;
-} pelagic_tile;
+} pelagic_cascade;
 
 /* Starts the frame at time_s and returns at once. Any finite time, in any order: a frame is a pure function of the sea and
  * the time, and time_s + n * loop_period_s gives the same bits. A small frame (N up to 64), and any without threads,
@@ -436,12 +436,12 @@ typedef struct pelagic_tile {
  * frame that they read. PELAGIC_WRONG_ORDER if a frame is in flight. */
 PELAGIC_API pelagic_status pelagic_ocean_schedule(pelagic_ocean* ocean, double time_s);
 
-/* Where pelagic_ocean_schedule_into writes the textures of a tile: memory of the host's own, a mapped pixel buffer for instance.
+/* Where pelagic_ocean_schedule_into writes the textures of a cascade: memory of the host's own, a mapped pixel buffer for instance.
  * Pointers may be NULL: that map is in the frame then. Each byte is written once, in rows of whole registers, and none is read,
- * so memory may be write-combined. For a frame of several tiles there is an array of them, as of pelagic_frame_buffers. */
+ * so memory may be write-combined. For a frame of several cascades there is an array of them, as of pelagic_frame_buffers. */
 typedef struct pelagic_texture_targets {
     uint32_t struct_size;
-    uint32_t tile_count;            /* of the first struct: the frame's tiles, 0 for one; of the others 0 */
+    uint32_t cascade_count;            /* of the first struct: the frame's cascades, 0 for one; of the others 0 */
     uint16_t* displacement_rgba16f; /* 4 N^2 in tight rows, at a multiple of 64 bytes */
     /* Level m: (N >> m)^2 texels in tight rows, at a multiple of 4 bytes. All levels of a map, or none. */
     uint32_t* gradient_rgba8[12];
@@ -449,7 +449,7 @@ typedef struct pelagic_texture_targets {
 } pelagic_texture_targets;
 
 /* pelagic_ocean_schedule, with textures in memory of the host's, which must stay until complete() returns. In the frame and
- * its tiles what is written there is NULL, and pelagic_ocean_hash tells nothing of it. PELAGIC_INVALID_ARGUMENT for parts that
+ * its cascades what is written there is NULL, and pelagic_ocean_hash tells nothing of it. PELAGIC_INVALID_ARGUMENT for parts that
  * the ocean was made without. */
 PELAGIC_API pelagic_status pelagic_ocean_schedule_into(pelagic_ocean* ocean, double time_s,
                                                        const pelagic_texture_targets* targets);
@@ -464,17 +464,17 @@ PELAGIC_API pelagic_status pelagic_ocean_poll(const pelagic_ocean* ocean, int32_
  * more stack and there was none. */
 PELAGIC_API pelagic_status pelagic_ocean_complete(pelagic_ocean* ocean, pelagic_frame* frame);
 
-/* One tile of the frame completed last, the coarsest being 0; what it points to is valid as long as that frame is. Also while
- * the next frame is computed. PELAGIC_INVALID_ARGUMENT if `index` is not less than the frame's tile_count;
+/* One cascade of the frame completed last, the coarsest being 0; what it points to is valid as long as that frame is. Also while
+ * the next frame is computed. PELAGIC_INVALID_ARGUMENT if `index` is not less than the frame's cascade_count;
  * PELAGIC_WRONG_ORDER before the first frame. */
-PELAGIC_API pelagic_status pelagic_ocean_tile(const pelagic_ocean* ocean, int32_t index, pelagic_tile* tile);
+PELAGIC_API pelagic_status pelagic_ocean_cascade(const pelagic_ocean* ocean, int32_t index, pelagic_cascade* cascade);
 
-/* Where pelagic_ocean_copy and pelagic_ocean_frame_at write a tile. Pointers may be NULL: not wanted. Counts are exact, of
- * elements. Rows are tight, texel (i, j) at j N + i. For a frame of several tiles there is an array of them, one for each tile,
+/* Where pelagic_ocean_copy and pelagic_ocean_frame_at write a cascade. Pointers may be NULL: not wanted. Counts are exact, of
+ * elements. Rows are tight, texel (i, j) at j N + i. For a frame of several cascades there is an array of them, one for each cascade,
  * all of the struct_size of the first, which says how many there are. */
 typedef struct pelagic_frame_buffers {
     uint32_t struct_size;
-    uint32_t tile_count; /* of the first struct: the frame's tiles, 0 for one; of the others 0 */
+    uint32_t cascade_count; /* of the first struct: the frame's cascades, 0 for one; of the others 0 */
     size_t plane_count;  /* N^2, the length of each of these */
     float *dx, *height, *dz;
     float *velocity_x, *velocity_y, *velocity_z;
@@ -495,7 +495,7 @@ typedef struct pelagic_frame_buffers {
 PELAGIC_API pelagic_status pelagic_ocean_copy(const pelagic_ocean* ocean, const pelagic_frame_buffers* buffers);
 
 /* Computes the frame of time_s into the caller's memory, synchronously; for servers and replays. Views and queries of the
- * frame completed last are not touched; before there is one, it is this frame that queries, tile, copy and hash
+ * frame completed last are not touched; before there is one, it is this frame that queries, cascade, copy and hash
  * tell of.
  * `bounds` may be NULL. PELAGIC_WRONG_ORDER as for schedule. */
 PELAGIC_API pelagic_status pelagic_ocean_frame_at(pelagic_ocean* ocean, double time_s,
@@ -505,12 +505,12 @@ PELAGIC_API pelagic_status pelagic_ocean_frame_at(pelagic_ocean* ocean, double t
  * PELAGIC_WRONG_ORDER before the first frame. */
 PELAGIC_API pelagic_status pelagic_ocean_hash(const pelagic_ocean* ocean, uint64_t* hash);
 
-/* The same of the foam of its tiles, which pelagic_ocean_hash leaves out. PELAGIC_INVALID_ARGUMENT without
+/* The same of the foam of its cascades, which pelagic_ocean_hash leaves out. PELAGIC_INVALID_ARGUMENT without
  * pelagic_ocean_options.foam. */
 PELAGIC_API pelagic_status pelagic_ocean_foam_hash(const pelagic_ocean* ocean, uint64_t* hash);
 
 /* What frames remember, for a host that wants to go on from there without the warm-up of a jump in time: writes it to `bytes`,
- * which has room for `room` of them, and how many there are to *count. With `bytes` NULL only the count: N^2 a tile and some, or
+ * which has room for `room` of them, and how many there are to *count. With `bytes` NULL only the count: N^2 a cascade and some, or
  * 0 before the first frame and without pelagic_ocean_options.foam. PELAGIC_INVALID_ARGUMENT if there is less room;
  * PELAGIC_WRONG_ORDER if a frame is in flight. */
 PELAGIC_API pelagic_status pelagic_ocean_save_history(const pelagic_ocean* ocean, uint8_t* bytes, size_t room,
@@ -522,7 +522,7 @@ PELAGIC_API pelagic_status pelagic_ocean_restore_history(pelagic_ocean* ocean, c
 
 /* ---- Another sea ------------------------------------------------------------------------------------------------ */
 
-/* Starts to bake another sea beside the current one; frames go on with the old one. The resolution and the number of tiles
+/* Starts to bake another sea beside the current one; frames go on with the old one. The resolution and the number of cascades
  * must stay.
  * PELAGIC_WRONG_ORDER if one is being baked. */
 PELAGIC_API pelagic_status pelagic_ocean_schedule_sea(pelagic_ocean* ocean, const pelagic_sea* sea);
@@ -549,14 +549,14 @@ typedef struct pelagic_change {
     double swell_from_m;
 } pelagic_change;
 
-/* Seas with times. All have the same number and kind of tiles, resolution, depth_m, loop_period_s and seed. */
+/* Seas with times. All have the same number and kind of cascades, resolution, depth_m, loop_period_s and seed. */
 typedef struct pelagic_forecast {
     uint32_t struct_size;
     uint32_t change_count;
     const pelagic_sea* first; /* before the first change */
     const pelagic_change*
         changes; /* change_count of them, in order, all of the first one's struct_size; NULL where there are none */
-    /* Tiles are laid out for waves with peaks up to this long, and later changes can bring no longer ones; 0: the longest peak of
+    /* Cascades are laid out for waves with peaks up to this long, and later changes can bring no longer ones; 0: the longest peak of
      * these seas, or (0, 1e5]. Without meaning with a patch_size_m. */
     double largest_peak_m;
 } pelagic_forecast;
@@ -660,7 +660,7 @@ PELAGIC_API pelagic_status pelagic_rain_defaults(pelagic_rain* rain);
 /* It rains so from the next tick on, until another rain is set. Saved with the water. */
 PELAGIC_API pelagic_status pelagic_ocean_set_rain(pelagic_ocean* ocean, const pelagic_rain* rain);
 
-/* What adds to the tiles where water is drawn, at x = rest x + Dx, z alike. Texel (i, j) of the world's lattice stands at
+/* What adds to the cascades where water is drawn, at x = rest x + Dx, z alike. Texel (i, j) of the world's lattice stands at
  * x = i texel_m, z = j texel_m, in column i mod N of row j mod N; the grid has first_x <= i < first_x + N. */
 typedef struct pelagic_dynamic_waves_view {
     uint32_t struct_size;
@@ -692,7 +692,7 @@ PELAGIC_API pelagic_status pelagic_ocean_restore_water(pelagic_ocean* ocean, con
 
 /* A floor that waves feel, which may rise above the water as a beach or an island. Within its rectangle long waves are slowed, turned
  * and raised by the depth, break, and don't come behind land but round it; queries and bounds have them. Beyond it the floor continues as
- * its nearest edge has it: dry ground stays dry, and the sea is open where it is deep enough for its waves. Of a sea of several tiles
+ * its nearest edge has it: dry ground stays dry, and the sea is open where it is deep enough for its waves. Of a sea of several cascades
  * that never changes. */
 typedef struct pelagic_shore_options {
     uint32_t struct_size;
@@ -702,14 +702,14 @@ typedef struct pelagic_shore_options {
                              * call returns */
     double corner_x_m, corner_z_m; /* where sample (0, 0) stands; [-1e8, 1e8] */
     double metres_a_sample;        /* between neighbours; [0.001, 10000] */
-    double fade_m;  /* along the edges, where the coarsest tile gives way; 0: an eighth of the shorter side; at most half of it */
+    double fade_m;  /* along the edges, where the coarsest cascade gives way; 0: an eighth of the shorter side; at most half of it */
     double swash_m; /* waves reach so high on dry sand at most; [0, 10] */
 } pelagic_shore_options;
 
 /* Sets every field but struct_size: no samples, 1 m between them, 256 texels, a swash of 0.25 m. */
 PELAGIC_API pelagic_status pelagic_shore_defaults(pelagic_shore_options* options);
 
-/* Where water is drawn at a place of the rectangle, tile t counts with its part there and height_m adds to the sum. Texel (i, j) stands
+/* Where water is drawn at a place of the rectangle, cascade t counts with its part there and height_m adds to the sum. Texel (i, j) stands
  * at x_m + i texel_m, z_m + j texel_m, in element j * columns + i. Between texels height_m and rise_mps are cubic (Keys 1981, the 4 x 4
  * texels around; those of the edge again beyond it), all else is bilinear. Beyond the rectangle depths and parts are those of the nearest
  * place of its edge, and the height is 0, as on the edge. */
@@ -720,7 +720,7 @@ typedef struct pelagic_shore_surface {
     double texel_m;
     double x_m, z_m;
     const float* depth_m;        /* of still water; below 0 on land */
-    const uint32_t* parts_rgba8; /* of tile t in byte t from the lowest up, 255 for 1 */
+    const uint32_t* parts_rgba8; /* of cascade t in byte t from the lowest up, 255 for 1 */
     const float* height_m;
     const float* rise_mps; /* how fast it rises */
     const float* reach_m;  /* how high the waves that are passing reach: sand below it is wet */
@@ -738,12 +738,12 @@ PELAGIC_API pelagic_status pelagic_ocean_shore_hash(const pelagic_ocean* ocean, 
 
 /* ---- Waves that the host adds ----------------------------------------------------------------------------------- */
 
-/* Waves in the tiles themselves, so that all that is made of tiles has them: normals, bounds, foam, queries, textures. They repeat
- * with their tile. What pelagic_ocean_hash says is then of the host's sea; of one without inputs it is as ever. An input belongs to one
+/* Waves in the cascades themselves, so that all that is made of cascades has them: normals, bounds, foam, queries, textures. They repeat
+ * with their cascade. What pelagic_ocean_hash says is then of the host's sea; of one without inputs it is as ever. An input belongs to one
  * ocean. It is set on the thread that calls the ocean's functions, and what it is then counts from the next schedule on. */
 typedef struct pelagic_input pelagic_input;
 
-/* A batch of Gerstner waves in deep water. Each goes to the nearest place of the lattice of the tile that takes waves of its length,
+/* A batch of Gerstner waves in deep water. Each goes to the nearest place of the lattice of the cascade that takes waves of its length,
  * with a whole number of periods in a loop. */
 typedef struct pelagic_waves {
     uint32_t struct_size;
@@ -759,7 +759,7 @@ typedef struct pelagic_waves {
 PELAGIC_API pelagic_status pelagic_input_create_waves(const pelagic_waves* waves, pelagic_input** input);
 PELAGIC_API pelagic_status pelagic_input_set_waves(pelagic_input* input, const pelagic_waves* waves);
 
-/* Rings that run from a place, in the tile that takes waves of their length:
+/* Rings that run from a place, in the cascade that takes waves of their length:
  * amplitude (1 - (r / reach)^2)^2 sqrt(L / 2 / q) cos(2 pi ((q - L / 2) / L - f t) + phase), q^2 = r^2 + (L / 2)^2. */
 typedef struct pelagic_ripple {
     uint32_t struct_size;
@@ -767,18 +767,18 @@ typedef struct pelagic_ripple {
     double x_m, z_m;     /* [-1e8, 1e8] */
     double wavelength_m; /* [0.01, 1000] */
     double amplitude_m;  /* in the middle; [0, 100], and at most wavelength_m / (2 pi) */
-    double reach_m;      /* no water beyond it moves; 0 and more than half of the tile's side: that; [0, 1e5] */
+    double reach_m;      /* no water beyond it moves; 0 and more than half of the cascade's side: that; [0, 1e5] */
     double phase_rad;    /* [-2 pi, 2 pi] */
 } pelagic_ripple;
 
 PELAGIC_API pelagic_status pelagic_input_create_ripple(const pelagic_ripple* ripple, pelagic_input** input);
 PELAGIC_API pelagic_status pelagic_input_set_ripple(pelagic_input* input, const pelagic_ripple* ripple);
 
-/* Some rows of a tile at a moment: column i of row first_row + j is at j N + i. Floats are 0 before, and what is left there is added to
- * the tile, metres and metres a second in the world's axes; all are finite and at most 1000. Places as pelagic_tile says. */
+/* Some rows of a cascade at a moment: column i of row first_row + j is at j N + i. Floats are 0 before, and what is left there is added to
+ * the cascade, metres and metres a second in the world's axes; all are finite and at most 1000. Places as pelagic_cascade says. */
 typedef struct pelagic_input_rows {
     uint32_t struct_size;
-    int32_t tile; /* 0 is the coarsest */
+    int32_t cascade; /* 0 is the coarsest */
     double time_s;
     double loop_period_s;
     uint32_t loop_turns; /* where in the loop that is, in parts of 2^32: whoever uses no other time has the same bits in every loop */
@@ -791,16 +791,16 @@ typedef struct pelagic_input_rows {
     float *velocity_x, *velocity_y, *velocity_z; /* NULL without velocities, and in ticks */
 } pelagic_input_rows;
 
-/* Called from any thread, for several rows and tiles at once. If it throws, complete() returns PELAGIC_HOST_ERROR, and if it
+/* Called from any thread, for several rows and cascades at once. If it throws, complete() returns PELAGIC_HOST_ERROR, and if it
  * leaves a value that can't be, PELAGIC_INVALID_ARGUMENT; that frame is lost, the ocean is not. */
 typedef void (*pelagic_add_rows)(void* user, const pelagic_input_rows* rows);
 
 typedef struct pelagic_input_callback {
     uint32_t struct_size;
-    uint32_t tiles; /* bit i: tile i; 0: all */
+    uint32_t cascades; /* bit i: cascade i; 0: all */
     pelagic_add_rows add;
     void* user;           /* handed to it; outlives the ocean */
-    double largest_slope; /* that it adds to a tile, or slopes_rgba8 stops at its range's end; [0, 100] */
+    double largest_slope; /* that it adds to a cascade, or slopes_rgba8 stops at its range's end; [0, 100] */
 } pelagic_input_callback;
 
 PELAGIC_API pelagic_status pelagic_input_create_callback(const pelagic_input_callback* callback, pelagic_input** input);
@@ -854,7 +854,7 @@ typedef struct pelagic_ray {
     uint32_t reserved;   /* 0 */
     double origin_m[3];  /* x, y, z; [-1e9, 1e9] */
     double direction[3]; /* its length doesn't matter; [1e-100, 1e100] */
-    double reach_m;      /* how far to look; 0 to 1e6 texels of the coarsest tile, which are L / N each */
+    double reach_m;      /* how far to look; 0 to 1e6 texels of the coarsest cascade, which are L / N each */
 } pelagic_ray;
 
 typedef struct pelagic_hit {

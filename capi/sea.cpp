@@ -6,7 +6,7 @@
 #include "pelagic/capi/status.hpp"
 #include "pelagic/message/refusal.hpp"
 #include "pelagic/sim/statistics.hpp"
-#include "pelagic/sim/tile_plan.hpp"
+#include "pelagic/sim/cascade_plan.hpp"
 
 namespace pelagic::capi {
 namespace {
@@ -57,7 +57,7 @@ pelagic_sea c_sea_of(const SeaState& from) {
     return to;
 }
 
-/// A host whose struct ends before it was compiled when a frame was one tile, and draws one.
+/// A host whose struct ends before it was compiled when a frame was one cascade, and draws one.
 bool knows_cascades(const pelagic_sea& sea) {
     return sea.struct_size >= offsetof(pelagic_sea, cascades) + sizeof sea.cascades;
 }
@@ -68,14 +68,14 @@ bool knows_waves(const pelagic_sea& sea) {
 }
 
 /// For a host that doesn't know cascades: as it was, 256 texels on this side.
-SeaState one_tile(SeaState sea, double side_m) {
+SeaState one_cascade(SeaState sea, double side_m) {
     sea.resolution = 256;
     sea.patch_size_m = side_m;
     return sea;
 }
 
-/// Four peak wavelengths, or so, instead of sixteen: a tile that stands alone needs the short waves too.
-double lone_side_m(const SeaState& sea) { return plan_tiles(sea).front().lattice.side_m / 4; }
+/// Four peak wavelengths, or so, instead of sixteen: a cascade that stands alone needs the short waves too.
+double lone_side_m(const SeaState& sea) { return plan_cascades(sea).front().lattice.side_m / 4; }
 
 std::string preset_names() {
     std::string names;
@@ -125,7 +125,7 @@ pelagic_status pelagic_sea_defaults(pelagic_sea* sea) {
     return guarded([&] {
         struct_bytes(sea, "sea");
         constexpr double side_m = 250;
-        write_struct(c_sea_of(knows_cascades(*sea) ? SeaState{} : one_tile({}, side_m)), sea);
+        write_struct(c_sea_of(knows_cascades(*sea) ? SeaState{} : one_cascade({}, side_m)), sea);
     });
 }
 
@@ -138,7 +138,7 @@ pelagic_status pelagic_sea_preset(const char* name, pelagic_sea* sea) {
         const SeaState& state = preset->sea;
         if (state.waves != WaveModel::spectrum && !knows_waves(*sea))
             refuse(refusal("preset", wanted, "a struct pelagic_sea that has waves, as later versions do"));
-        write_struct(c_sea_of(knows_cascades(*sea) ? state : one_tile(state, lone_side_m(state))), sea);
+        write_struct(c_sea_of(knows_cascades(*sea) ? state : one_cascade(state, lone_side_m(state))), sea);
     });
 }
 
@@ -170,9 +170,9 @@ pelagic_status pelagic_sea_statistics(const pelagic_sea* sea, pelagic_statistics
         all.drawn_direction_rad = report.drawn_directions.mean_rad;
         all.expected_spread_rad = report.expected_directions.spread_rad;
         all.drawn_spread_rad = report.drawn_directions.spread_rad;
-        for (const TileSlopes& tile : report.tiles) {
-            all.slope_variance_along_wind += tile.slopes.upwind;
-            all.slope_variance_across_wind += tile.slopes.crosswind;
+        for (const CascadeSlopes& cascade : report.cascades) {
+            all.slope_variance_along_wind += cascade.slopes.upwind;
+            all.slope_variance_across_wind += cascade.slopes.crosswind;
         }
         all.expected_convergence_variance = report.expected_convergence_variance;
         all.drawn_convergence_variance = report.drawn_convergence_variance;

@@ -27,7 +27,7 @@ PELAGIC_LAST_FIELD_AT_FIRST(pelagic_executor_options, user);
 PELAGIC_LAST_FIELD_AT_FIRST(pelagic_ocean_options, query_tolerance_m);
 PELAGIC_LAST_FIELD_AT_FIRST(pelagic_ocean_info, executor);
 PELAGIC_LAST_FIELD_AT_FIRST(pelagic_frame, bounds);
-PELAGIC_LAST_FIELD_AT_FIRST(pelagic_tile, whitecap_jacobian);
+PELAGIC_LAST_FIELD_AT_FIRST(pelagic_cascade, whitecap_jacobian);
 PELAGIC_LAST_FIELD_AT_FIRST(pelagic_frame_buffers, gradient_rgba8);
 PELAGIC_LAST_FIELD_AT_FIRST(pelagic_texture_targets, moments_rgba8);
 PELAGIC_LAST_FIELD_AT_FIRST(pelagic_change, over_s);

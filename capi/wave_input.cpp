@@ -41,10 +41,10 @@ Ripple ripple_of(const pelagic_ripple* pointer) {
 
 pelagic_input_rows c_rows_of(const InputRows& rows) {
     const InputMoment& moment = rows.moment;
-    const TileLattice& lattice = rows.lattice();
+    const CascadeLattice& lattice = rows.lattice();
     pelagic_input_rows out{};
     out.struct_size = sizeof out;
-    out.tile = static_cast<std::int32_t>(rows.tile);
+    out.cascade = static_cast<std::int32_t>(rows.cascade);
     out.time_s = moment.time_s;
     out.loop_period_s = moment.loop_period_s;
     out.loop_turns = moment.loop_turns;
@@ -130,8 +130,8 @@ pelagic_status pelagic_input_create_callback(const pelagic_input_callback* callb
                 throw HostJobsError("an input's callback threw");
             }
         };
-        const std::uint32_t tiles = from.tiles == 0 ? CallbackInput::all_tiles : from.tiles;
-        out = new pelagic_input{.input = std::make_shared<CallbackInput>(add, from.largest_slope, tiles)};
+        const std::uint32_t cascades = from.cascades == 0 ? CallbackInput::all_cascades : from.cascades;
+        out = new pelagic_input{.input = std::make_shared<CallbackInput>(add, from.largest_slope, cascades)};
     });
 }
 

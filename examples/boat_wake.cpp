@@ -115,7 +115,7 @@ void draw_voyage(const char* name) {
     Selection selection(quadtree_preset_named("ultra")->options(2048));
     gl::SeaRenderer renderer(functions, {.patch_vertices = selection.options().vertices,
                                          .resolution = ocean.resolution(),
-                                         .tiles = ocean.tile_count(),
+                                         .cascades = ocean.cascade_count(),
                                          .writes = gl::PixelKind::radiance,
                                          .dynamic_waves = true});
     gl::SkyBaker baker(make_default_executor(), 256);

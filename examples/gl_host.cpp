@@ -76,7 +76,7 @@ int main() {
     Selection selection(quadtree_preset_named("medium")->options(2048));
     gl::SeaRenderer renderer(functions, {.patch_vertices = selection.options().vertices,
                                          .resolution = ocean.resolution(),
-                                         .tiles = ocean.tile_count()});
+                                         .cascades = ocean.cascade_count()});
     gl::SkyBaker baker(make_default_executor(), 128);
     baker.schedule({.sun_elevation_rad = 0.5f});
     renderer.set_sky(baker.complete());

@@ -79,9 +79,9 @@ void place_below(SceneBlock& block, const DrawInput& input, const SeaFacts& sea,
         block.floor_place = {place, 1.0 / size};
         block.floor_size = {size - floor.metres_a_texel, corner};
     }
-    const auto in_tile = [](double at) { return at - std::floor(at / sand_tile_m) * sand_tile_m; };
+    const auto in_cascade = [](double at) { return at - std::floor(at / sand_tile_m) * sand_tile_m; };
     const glm::ivec2 cells = floor_cells(floor);
-    block.floor_mesh = {cells.x, cells.y, in_tile(viewer.x), in_tile(viewer.y)};
+    block.floor_mesh = {cells.x, cells.y, in_cascade(viewer.x), in_cascade(viewer.y)};
     block.floor_look = {-sea.sea.depth_m, 0.1 + 0.35 * sea.figures.significant_wave_height_m,
                         input.eyes.empty() ? 1e-3 : pixel_of(input.eyes[0]), floor.is_sand ? 1 : 0};
     block.floor_albedo = {floor.albedo, is_field || sea.sea.depth_m < deepest_seen_m ? 1 : 0};
@@ -89,8 +89,8 @@ void place_below(SceneBlock& block, const DrawInput& input, const SeaFacts& sea,
     place_crests(block, sea, viewer);
     block.caustic_row[0].w = static_cast<float>(caustics.depth_m);
     if (caustics.side_m > 0) {
-        const TileLattice lattice{caustics.side_m, caustics.cosine, caustics.sine};
-        const TileLattice::Place at = lattice.in_tile(viewer.x, viewer.y);
+        const CascadeLattice lattice{caustics.side_m, caustics.cosine, caustics.sine};
+        const CascadeLattice::Place at = lattice.in_cascade(viewer.x, viewer.y);
         const auto part = [&](double value) { return value / lattice.side_m - std::floor(value / lattice.side_m); };
         block.caustic_place = {part(at.along), part(at.across), lattice.cosine / lattice.side_m,
                                lattice.sine / lattice.side_m};

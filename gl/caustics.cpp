@@ -51,22 +51,22 @@ std::size_t index_of(int i, int j) {
     return static_cast<std::size_t>(j & (side - 1)) * side + static_cast<std::size_t>(i & (side - 1));
 }
 
-/// The tile whose waves gather light nearest the depth, by the ratio.
-const Tile& tile_for(const Frame& frame, double depth_m) {
-    const auto off_by = [&](const Tile& tile) { return std::abs(std::log(focus_of(tile) / depth_m)); };
-    const Tile* best = &frame.tiles[0];
-    for (const Tile& tile : frame.tiles)
-        if (off_by(tile) < off_by(*best)) best = &tile;
+/// The cascade whose waves gather light nearest the depth, by the ratio.
+const Cascade& cascade_for(const Frame& frame, double depth_m) {
+    const auto off_by = [&](const Cascade& cascade) { return std::abs(std::log(focus_of(cascade) / depth_m)); };
+    const Cascade* best = &frame.cascades[0];
+    for (const Cascade& cascade : frame.cascades)
+        if (off_by(cascade) < off_by(*best)) best = &cascade;
     return *best;
 }
 
-/// How far waves that are finer than the tile's move light on the plane, in texels: the root of the mean square along an axis. A
+/// How far waves that are finer than the cascade's move light on the plane, in texels: the root of the mean square along an axis. A
 /// slope turns a ray by (1 - 1/n) of itself.
-double blur_of(const Frame& frame, const Tile& tile, double depth_m) {
+double blur_of(const Frame& frame, const Cascade& cascade, double depth_m) {
     double variance = frame.figures.unresolved_slopes.total();
-    for (const Tile* finer = &tile + 1; finer < frame.tiles.data() + frame.tiles.size(); ++finer)
+    for (const Cascade* finer = &cascade + 1; finer < frame.cascades.data() + frame.cascades.size(); ++finer)
         variance += finer->slope_variance;
-    return depth_m * (1 - 1 / water_index) * std::sqrt(0.5 * variance) / (tile.lattice.side_m / side);
+    return depth_m * (1 - 1 / water_index) * std::sqrt(0.5 * variance) / (cascade.lattice.side_m / side);
 }
 
 }  // namespace
@@ -78,16 +78,16 @@ std::string check(const CausticsOptions& options) {
     return {};
 }
 
-double focus_of(const Tile& tile) {
-    const int n = tile.resolution();
-    const double texel = tile.texel_m();
+double focus_of(const Cascade& cascade) {
+    const int n = cascade.resolution();
+    const double texel = cascade.texel_m();
     const int step = std::max(n / 64, 1);
     double squares = 0;
     int count = 0;
     for (int j = 0; j < n; j += step)
         for (int i = 0; i < n; i += step) {
             const auto at = [&](int x, int z) {
-                return static_cast<double>(tile.height.at((x + n) % n, (z + n) % n));
+                return static_cast<double>(cascade.height.at((x + n) % n, (z + n) % n));
             };
             const double sum =
                 (at(i + 1, j) + at(i - 1, j) + at(i, j + 1) + at(i, j - 1) - 4 * at(i, j)) / (texel * texel);
@@ -115,7 +115,7 @@ double caustics_depth_m(const SeaFloor& floor, double sea_depth_m) {
     return static_cast<double>(*middle);
 }
 
-// The stages, in order: `caustics surface` (the tile on a grid of `side`, along its own axes), `caustics rays` (where each corner's
+// The stages, in order: `caustics surface` (the cascade on a grid of `side`, along its own axes), `caustics rays` (where each corner's
 // ray meets the plane), `caustics splat` (light of the cells), `caustics rows` and `caustics columns` (blur), `caustics mips`.
 struct CausticsBaker::State {
     static constexpr std::size_t cells = std::size_t{side} * side;
@@ -146,12 +146,12 @@ struct CausticsBaker::State {
 
     void begin(const Frame& frame, const CausticsOptions& options) {
         making.options = options;
-        const Tile& chosen = tile_for(frame, options.depth_m);
-        tile = chosen;
-        making.lattice = tile.lattice;
+        const Cascade& chosen = cascade_for(frame, options.depth_m);
+        cascade = chosen;
+        making.lattice = cascade.lattice;
         const glm::vec3 sun = as_high_as_needed(options.sun);
-        const auto c = static_cast<float>(tile.lattice.cosine), s = static_cast<float>(tile.lattice.sine);
-        sun_in_tile = {c * sun.x + s * sun.z, sun.y, c * sun.z - s * sun.x};
+        const auto c = static_cast<float>(cascade.lattice.cosine), s = static_cast<float>(cascade.lattice.sine);
+        sun_in_cascade = {c * sun.x + s * sun.z, sun.y, c * sun.z - s * sun.x};
         const double sigma = std::min(blur_of(frame, chosen, options.depth_m), most_radius / 2.5);
         float sum = 0;
         for (int i = -most_radius; i <= most_radius; ++i) {
@@ -163,20 +163,20 @@ struct CausticsBaker::State {
         in_flight = true;
     }
 
-    /// Row j of the grid: between the tile's texels where it has fewer, every so many of them where it has more.
+    /// Row j of the grid: between the cascade's texels where it has fewer, every so many of them where it has more.
     void sample_row(int j) {
-        const int n = tile.resolution();
+        const int n = cascade.resolution();
         std::vector<float> rows[6];
         const double z = static_cast<double>(j) * n / side;
         const int upper = static_cast<int>(z);
         const auto part_z = static_cast<float>(z - upper);
-        const PlaneView* const planes[] = {&tile.dx, &tile.height, &tile.dz};
+        const PlaneView* const planes[] = {&cascade.dx, &cascade.height, &cascade.dz};
         for (std::size_t plane = 0; plane < 3; ++plane)
             for (std::size_t k = 0; k < 2; ++k) {
                 rows[2 * plane + k].resize(static_cast<std::size_t>(n));
                 planes[plane]->copy_row((upper + static_cast<int>(k)) % n, rows[2 * plane + k].data());
             }
-        const auto c = static_cast<float>(tile.lattice.cosine), s = static_cast<float>(tile.lattice.sine);
+        const auto c = static_cast<float>(cascade.lattice.cosine), s = static_cast<float>(cascade.lattice.sine);
         for (int i = 0; i < side; ++i) {
             const double x = static_cast<double>(i) * n / side;
             const auto left = static_cast<std::size_t>(x), right = (left + 1) % static_cast<std::size_t>(n);
@@ -193,16 +193,16 @@ struct CausticsBaker::State {
     /// Where rays through row j meet the plane, from where they would through flat water; and how much light each cell takes in:
     /// its area as the sun sees it.
     void refract_row(int j) {
-        const auto step = static_cast<float>(tile.lattice.side_m / side);
+        const auto step = static_cast<float>(cascade.lattice.side_m / side);
         const auto depth = static_cast<float>(making.options.depth_m);
-        const glm::vec3 flat = refracted(sun_in_tile, {0, 1, 0});
+        const glm::vec3 flat = refracted(sun_in_cascade, {0, 1, 0});
         for (int i = 0; i < side; ++i) {
             const auto at = [&](int x, int z) { return surface[index_of(x, z)]; };
             const glm::vec3 along = glm::vec3(2 * step, 0, 0) + at(i + 1, j) - at(i - 1, j);
             const glm::vec3 across = glm::vec3(0, 0, 2 * step) + at(i, j + 1) - at(i, j - 1);
             glm::vec3 normal = glm::cross(across, along);
             normal = normal.y > 0 ? glm::normalize(normal) : glm::vec3(0, 1, 0);  // folded over: as good as level
-            const glm::vec3 ray = refracted(sun_in_tile, normal);
+            const glm::vec3 ray = refracted(sun_in_cascade, normal);
             const glm::vec3 here = at(i, j);
             const glm::vec2 moved = glm::vec2(here.x, here.z) +
                                     glm::vec2(ray.x, ray.z) * ((depth + here.y) / std::max(-ray.y, 0.1f)) -
@@ -210,7 +210,7 @@ struct CausticsBaker::State {
             // Twice the cell's area, as the cross product of its diagonals, projected along the sun's rays.
             const glm::vec3 down = glm::vec3(step, 0, step) + at(i + 1, j + 1) - here;
             const glm::vec3 up = glm::vec3(step, 0, -step) + at(i + 1, j) - at(i, j + 1);
-            const float area = 0.5f * glm::dot(glm::cross(down, up), sun_in_tile) / (sun_in_tile.y * step * step);
+            const float area = 0.5f * glm::dot(glm::cross(down, up), sun_in_cascade) / (sun_in_cascade.y * step * step);
             target[index_of(i, j)] = {moved / step, std::clamp(area, 0.f, 8.f)};
         }
     }
@@ -292,8 +292,8 @@ struct CausticsBaker::State {
     }
 
     Caustics making, made;
-    Tile tile;
-    glm::vec3 sun_in_tile{0, 1, 0};
+    Cascade cascade;
+    glm::vec3 sun_in_cascade{0, 1, 0};
     std::array<float, 2 * most_radius + 1> kernel{};
     std::vector<glm::vec3> surface;  ///< displacement along, up, across
     std::vector<glm::vec3>

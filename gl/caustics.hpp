@@ -5,10 +5,10 @@
 //   ... in the next frame: renderer.set_caustics(baker.complete());
 //
 // A grid cell of the surface carries its sunlight to where its refracted corners meet the plane; what its area there has
-// shrunk to, light has grown by. That is done for the one tile whose waves focus nearest that depth: waves of curvature c gather
+// shrunk to, light has grown by. That is done for the one cascade whose waves focus nearest that depth: waves of curvature c gather
 // light n / ((n - 1) c) below their crests (the paraxial focus of a lens whose radius is 1/c), so longer ones are still a
 // plain swell there, and shorter ones have mixed their rays long before: they blur it, by the scatter of their slopes.
-// A tile repeats, so all light that leaves it on one side comes back on the other: the mean is 1.
+// A cascade repeats, so all light that leaves it on one side comes back on the other: the mean is 1.
 #pragma once
 
 #include <cstdint>
@@ -37,18 +37,18 @@ struct Caustics {
     static constexpr int levels = 9;
 
     CausticsOptions options;
-    /// What all cells take in, over what a level tile does: 1 but for what folds of the surface hide. The texels are divided by it.
+    /// What all cells take in, over what a level cascade does: 1 but for what folds of the surface hide. The texels are divided by it.
     double light = 1;
-    TileLattice
-        lattice;  ///< of the tile that made it: texel (i, j)'s middle is (i + 1/2, j + 1/2) side_m / side along its axes
+    CascadeLattice
+        lattice;  ///< of the cascade that made it: texel (i, j)'s middle is (i + 1/2, j + 1/2) side_m / side along its axes
     /// Half floats, level after level, each the box mean of the one before. A texel is where light came through the surface had
     /// it been flat: a place on the floor is looked up as seen along the sun's ray in flat water.
     std::vector<std::uint16_t> halves;
 };
 
-/// The depth in which the tile's waves gather most light: n / ((n - 1) 1.5 c), c being the root of the mean square of the sum
+/// The depth in which the cascade's waves gather most light: n / ((n - 1) 1.5 c), c being the root of the mean square of the sum
 /// of both curvatures.
-double focus_of(const Tile& tile);
+double focus_of(const Cascade& cascade);
 
 /// Whether anybody could see them: an eye in the water or soon there, or a floor within sight.
 /// \param above_water_m  the eye's height above the surface below it

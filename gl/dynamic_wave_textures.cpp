@@ -7,7 +7,7 @@
 #include "pelagic/gl/kept_state.hpp"
 #include "pelagic/gl/stopwatch.hpp"
 #include "pelagic/message/refusal.hpp"
-#include "pelagic/sim/tile.hpp"
+#include "pelagic/sim/cascade.hpp"
 
 namespace pelagic::gl {
 namespace {

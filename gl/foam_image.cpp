@@ -56,7 +56,7 @@ class Lace {
 
     glm::vec4 texel(glm::vec2 place) const {
         constexpr std::array strengths = {1.f, 0.84f, 0.62f};
-        constexpr std::array fading = {7.f, 9.f, 9.f};  // of strength, over a part of the tile
+        constexpr std::array fading = {7.f, 9.f, 9.f};  // of strength, over a part of the cascade
         const glm::vec2 bent = place + 0.04f * glm::vec2(bend_[0].at(place), bend_[1].at(place)) +
                                0.010f * glm::vec2(fine_bend_[0].at(place), fine_bend_[1].at(place));
         float thread = 0, froth = 0;

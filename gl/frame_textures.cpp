@@ -14,10 +14,10 @@ namespace {
 
 const void* texels_at(std::uintptr_t address) { return reinterpret_cast<const void*>(address); }
 
-Texture make_texture(const Functions& gl, GLenum format, int side, GLsizei tiles, int levels) {
+Texture make_texture(const Functions& gl, GLenum format, int side, GLsizei cascades, int levels) {
     Texture texture(gl);
     gl.BindTexture(GL_TEXTURE_2D_ARRAY, texture.name());
-    gl.TexStorage3D(GL_TEXTURE_2D_ARRAY, levels, format, side, side, tiles);
+    gl.TexStorage3D(GL_TEXTURE_2D_ARRAY, levels, format, side, side, cascades);
     gl.TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_S, GL_REPEAT);
     gl.TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_T, GL_REPEAT);
     gl.TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
@@ -26,25 +26,25 @@ Texture make_texture(const Functions& gl, GLenum format, int side, GLsizei tiles
 }
 
 bool shows_foam(const Frame& frame) {
-    const auto has_no_foam = [](const Tile& tile) { return tile.foam_r8.empty(); };
-    return std::none_of(frame.tiles.begin(), frame.tiles.end(), has_no_foam);
+    const auto has_no_foam = [](const Cascade& cascade) { return cascade.foam_r8.empty(); };
+    return std::none_of(frame.cascades.begin(), frame.cascades.end(), has_no_foam);
 }
 
 /// Why the textures can't take the frame; empty if they can.
-std::string refusal_of(const Frame& frame, int resolution, std::size_t tiles, bool is_mapped) {
-    if (frame.tiles.size() != tiles)
-        return "the frame has " + std::to_string(frame.tiles.size()) + " tiles, the renderer was made for " +
-               std::to_string(tiles) + " (RendererOptions::tiles)";
-    for (const Tile& tile : frame.tiles) {
-        if (tile.resolution() != resolution)
-            return "the frame has tiles of " + std::to_string(tile.resolution()) +
+std::string refusal_of(const Frame& frame, int resolution, std::size_t cascades, bool is_mapped) {
+    if (frame.cascades.size() != cascades)
+        return "the frame has " + std::to_string(frame.cascades.size()) + " cascades, the renderer was made for " +
+               std::to_string(cascades) + " (RendererOptions::cascades)";
+    for (const Cascade& cascade : frame.cascades) {
+        if (cascade.resolution() != resolution)
+            return "the frame has cascades of " + std::to_string(cascade.resolution()) +
                    " texels, the renderer was made for " + std::to_string(resolution) +
                    " (RendererOptions::resolution)";
-        const bool is_elsewhere = tile.displacement_rgba16f.empty();
-        const bool is_torn = is_elsewhere && !(tile.slopes_rgba8.empty() && tile.moments_rgba8.empty());
+        const bool is_elsewhere = cascade.displacement_rgba16f.empty();
+        const bool is_torn = is_elsewhere && !(cascade.slopes_rgba8.empty() && cascade.moments_rgba8.empty());
         if (is_elsewhere && (!is_mapped || is_torn))
             return "the frame's textures are in memory of the host's; map() gives such that upload() knows";
-        if (tile.slopes_rgba8.empty() && !is_elsewhere)
+        if (cascade.slopes_rgba8.empty() && !is_elsewhere)
             return "the frame has no slopes; drawing needs an ocean with OceanOptions::slopes";
     }
     return {};
@@ -52,8 +52,8 @@ std::string refusal_of(const Frame& frame, int resolution, std::size_t tiles, bo
 
 }  // namespace
 
-FrameTextures::FrameTextures(const Functions& gl, int resolution, std::size_t tiles)
-    : gl_(gl), resolution_(resolution), tiles_(tiles), pixels_(gl, foam_offset() + foam_bytes()) {
+FrameTextures::FrameTextures(const Functions& gl, int resolution, std::size_t cascades)
+    : gl_(gl), resolution_(resolution), cascades_(cascades), pixels_(gl, foam_offset() + foam_bytes()) {
     const KeptState keep(gl);
     const int levels = mip_levels(resolution);
     for (Set& set : sets_) {
@@ -64,30 +64,30 @@ FrameTextures::FrameTextures(const Functions& gl, int resolution, std::size_t ti
     }
 }
 
-std::size_t FrameTextures::displacement_bytes() const { return std::size_t{8} * resolution_ * resolution_ * tiles_; }
+std::size_t FrameTextures::displacement_bytes() const { return std::size_t{8} * resolution_ * resolution_ * cascades_; }
 
 std::size_t FrameTextures::chain_bytes() const {
-    return sizeof(std::uint32_t) * mip_offset(resolution_, mip_levels(resolution_)) * tiles_;
+    return sizeof(std::uint32_t) * mip_offset(resolution_, mip_levels(resolution_)) * cascades_;
 }
 
-/// Level by level, so that one call takes a level of all tiles.
+/// Level by level, so that one call takes a level of all cascades.
 template <class Texel>
-void FrameTextures::fill_chains(std::byte* to, const Frame& frame, std::span<const Texel> Tile::*map) const {
+void FrameTextures::fill_chains(std::byte* to, const Frame& frame, std::span<const Texel> Cascade::*map) const {
     for (int level = 0; level < mip_levels(resolution_); ++level)
-        for (const Tile& tile : frame.tiles) {
-            const std::span<const Texel> texels = tile.level_of(tile.*map, level);
+        for (const Cascade& cascade : frame.cascades) {
+            const std::span<const Texel> texels = cascade.level_of(cascade.*map, level);
             std::memcpy(to, texels.data(), texels.size_bytes());
             to += texels.size_bytes();
         }
 }
 
-/// All tiles' displacement, then their slopes, then their moments.
+/// All cascades' displacement, then their slopes, then their moments.
 void FrameTextures::fill(std::byte* to, const Frame& frame) const {
-    fill_chains(to + displacement_bytes(), frame, &Tile::slopes_rgba8);
-    fill_chains(to + displacement_bytes() + chain_bytes(), frame, &Tile::moments_rgba8);
-    for (const Tile& tile : frame.tiles) {
-        std::memcpy(to, tile.displacement_rgba16f.data(), tile.displacement_rgba16f.size_bytes());
-        to += tile.displacement_rgba16f.size_bytes();
+    fill_chains(to + displacement_bytes(), frame, &Cascade::slopes_rgba8);
+    fill_chains(to + displacement_bytes() + chain_bytes(), frame, &Cascade::moments_rgba8);
+    for (const Cascade& cascade : frame.cascades) {
+        std::memcpy(to, cascade.displacement_rgba16f.data(), cascade.displacement_rgba16f.size_bytes());
+        to += cascade.displacement_rgba16f.size_bytes();
     }
 }
 
@@ -98,7 +98,7 @@ void FrameTextures::upload_chain(GLuint texture, GLenum format, std::size_t texe
         const int side = resolution_ >> level;
         gl_.TexSubImage3D(GL_TEXTURE_2D_ARRAY, level, 0, 0, 0, side, side, layers(), format, GL_UNSIGNED_BYTE,
                           texels_at(address));
-        address += texel_bytes * static_cast<std::size_t>(side) * static_cast<std::size_t>(side) * tiles_;
+        address += texel_bytes * static_cast<std::size_t>(side) * static_cast<std::size_t>(side) * cascades_;
     }
 }
 
@@ -106,32 +106,32 @@ std::span<const TextureTargets> FrameTextures::map() {
     if (pixels_.is_mapped()) return targets_;
     const KeptState keep(gl_);
     std::byte* const start = pixels_.map();
-    targets_.assign(tiles_, {});
-    const std::size_t halves = displacement_bytes() / sizeof(std::uint16_t) / tiles_;
-    for (std::size_t tile = 0; tile < tiles_; ++tile) {
-        TextureTargets& to = targets_[tile];
-        to.displacement_rgba16f = reinterpret_cast<std::uint16_t*>(start) + tile * halves;
+    targets_.assign(cascades_, {});
+    const std::size_t halves = displacement_bytes() / sizeof(std::uint16_t) / cascades_;
+    for (std::size_t cascade = 0; cascade < cascades_; ++cascade) {
+        TextureTargets& to = targets_[cascade];
+        to.displacement_rgba16f = reinterpret_cast<std::uint16_t*>(start) + cascade * halves;
         auto* texels = reinterpret_cast<std::uint32_t*>(start + displacement_bytes());
         for (auto chain : {&TextureTargets::slopes_rgba8, &TextureTargets::moments_rgba8})
             for (std::size_t level = 0; level < static_cast<std::size_t>(mip_levels(resolution_)); ++level) {
                 const std::size_t layer = std::size_t{1}
                                           << 2 * (mip_levels(resolution_) - 1 - static_cast<int>(level));
-                (to.*chain)[level] = texels + tile * layer;
-                texels += tiles_ * layer;
+                (to.*chain)[level] = texels + cascade * layer;
+                texels += cascades_ * layer;
             }
     }
     return targets_;
 }
 
 void FrameTextures::upload(const Frame& frame) {
-    if (const std::string reason = refusal_of(frame, resolution_, tiles_, pixels_.is_mapped()); !reason.empty())
+    if (const std::string reason = refusal_of(frame, resolution_, cascades_, pixels_.is_mapped()); !reason.empty())
         throw std::invalid_argument(reason);
     const KeptState keep(gl_);
-    const bool is_there = frame.tiles.front().displacement_rgba16f.empty();
+    const bool is_there = frame.cascades.front().displacement_rgba16f.empty();
     std::byte* const start = pixels_.map();
     if (!is_there) fill(start, frame);
     has_foam_ = shows_foam(frame);
-    if (has_foam_) fill_chains(start + foam_offset(), frame, &Tile::foam_r8);
+    if (has_foam_) fill_chains(start + foam_offset(), frame, &Cascade::foam_r8);
     const std::uintptr_t texels = pixels_.hand_over();
     set_ = 1 - set_;
 

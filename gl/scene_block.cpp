@@ -10,7 +10,7 @@
 
 #include "pelagic/gl/foam_image.hpp"
 #include "pelagic/gl/sea_renderer.hpp"
-#include "pelagic/sim/tile_plan.hpp"
+#include "pelagic/sim/cascade_plan.hpp"
 
 namespace pelagic::gl {
 namespace {
@@ -22,17 +22,17 @@ constexpr float sun_radius_rad = 0.00465f;
 
 /// Ripples stand for this part of the roughness that the sea has between its texels; the rest is too fine even for them.
 constexpr float detail_part = 0.75f;
-/// A tile of ripples in texels of the finest tile: its longest waves, a third of it, are as long as the sea's shortest.
+/// A cascade of ripples in texels of the finest cascade: its longest waves, a third of it, are as long as the sea's shortest.
 constexpr double detail_texels = 6;
 /// Layers have no period in common: their sizes stand in powers of the golden ratio.
 constexpr double golden = 1.6180339887;
-/// Where in the ripples each place looks follows a noise that repeats after so many tiles; scene.glsl has the same number.
+/// Where in the ripples each place looks follows a noise that repeats after so many cascades; scene.glsl has the same number.
 constexpr double ripple_noise_tiles = 13;
 constexpr double layer_turns_rad[2] = {0.21, -0.47};
 
 /// The horizon softens over this angle below it.
 constexpr double softened_horizon_rad = 0.15 * pi / 180;
-/// The noise that tells the copies of a tile apart repeats after so many sides, which no whole number of tiles comes near.
+/// The noise that tells the copies of a cascade apart repeats after so many sides, which no whole number of cascades comes near.
 constexpr double noise_sides = 12 * golden;
 
 /// Of a star of magnitude 0 (Allen 1976, "Astrophysical Quantities").
@@ -46,48 +46,48 @@ glm::dvec2 place_in_square(glm::dvec2 at, double angle, double tile_m) {
     return {fraction((c * at.x + s * at.y) / tile_m), fraction((c * at.y - s * at.x) / tile_m)};
 }
 
-void place_tiles(SceneBlock& block, const SeaFacts& facts, glm::dvec2 viewer) {
+void place_cascades(SceneBlock& block, const SeaFacts& facts, glm::dvec2 viewer) {
     // Texel (i, j) stands at i L/N, j L/N; a texture's texel has its middle half a texel further.
     const double half_texel = 0.5 / facts.resolution;
-    for (std::size_t i = 0; i < facts.tiles.size(); ++i) {
-        const TileFacts& tile = facts.tiles[i];
-        const double side = tile.lattice.side_m;
-        const TileLattice::Place at = tile.lattice.in_tile(viewer.x, viewer.y);
-        block.tile_place[i] = {fraction(at.along / side + half_texel), fraction(at.across / side + half_texel),
-                               tile.lattice.cosine / side, tile.lattice.sine / side};
+    for (std::size_t i = 0; i < facts.cascades.size(); ++i) {
+        const CascadeFacts& cascade = facts.cascades[i];
+        const double side = cascade.lattice.side_m;
+        const CascadeLattice::Place at = cascade.lattice.in_cascade(viewer.x, viewer.y);
+        block.cascade_place[i] = {fraction(at.along / side + half_texel), fraction(at.across / side + half_texel),
+                               cascade.lattice.cosine / side, cascade.lattice.sine / side};
         const double noise_m = noise_sides * side;
         block.tile_noise[i] = {fraction(at.along / noise_m), fraction(at.across / noise_m), 1 / noise_sides, 0};
         // A texel of that mip is as long as the longest waves.
-        const double last_mip = std::log2(tile.longest_wave_m / facts.texel_m(tile));
-        block.tile_scale[i] = {1 / facts.texel_m(tile), last_mip, side, 0};
-        block.tile_slope[i] = {tile.ranges.slope, tile.ranges.variance, tile.slope_variance,
-                               facts.has_foam ? tile.foam_cover : 0};
+        const double last_mip = std::log2(cascade.longest_wave_m / facts.texel_m(cascade));
+        block.cascade_scale[i] = {1 / facts.texel_m(cascade), last_mip, side, 0};
+        block.cascade_slope[i] = {cascade.ranges.slope, cascade.ranges.variance, cascade.slope_variance,
+                               facts.has_foam ? cascade.foam_cover : 0};
     }
 }
 
 void place_details(SceneBlock& block, const SeaFacts& facts, glm::dvec2 viewer) {
     const SeaState& sea = facts.sea;
-    const double texel_m = facts.texel_m(facts.finest_tile());
+    const double texel_m = facts.texel_m(facts.finest_cascade());
     const double loop = fraction(facts.time_s / sea.loop_period_s);
     glm::dvec2 shifts[2], noise[2];
     for (int layer = 0; layer < 2; ++layer) {
         const double tile_m = detail_texels * texel_m / (layer == 0 ? 1 : golden * golden * golden);
         const double angle = sea.wind_direction_rad + layer_turns_rad[layer];
-        // Ripples travel as waves of a tenth of the tile do in deep water; the way in a loop is whole tiles.
+        // Ripples travel as waves of a tenth of the cascade do in deep water; the way in a loop is whole cascades.
         const double speed = std::sqrt(gravity_mps2 * tile_m / 10 / (2 * pi));
-        const double tiles = std::round(speed * sea.loop_period_s / tile_m);
+        const double repeats = std::round(speed * sea.loop_period_s / tile_m);
         noise[layer] = place_in_square(viewer, angle, ripple_noise_tiles * tile_m);
-        shifts[layer] = place_in_square(viewer, angle, tile_m) - glm::dvec2(fraction(tiles * loop), 0);
+        shifts[layer] = place_in_square(viewer, angle, tile_m) - glm::dvec2(fraction(repeats * loop), 0);
         block.detail_turn[static_cast<std::size_t>(layer)] = {std::cos(angle) / tile_m, std::sin(angle) / tile_m,
                                                               std::cos(angle), std::sin(angle)};
     }
     block.detail_shift = {glm::vec2(shifts[0]), glm::vec2(shifts[1])};
     block.detail_noise = {glm::vec2(noise[0]), glm::vec2(noise[1])};
-    const glm::dvec4 tiles(FoamSizes::bubbles_m, FoamSizes::lace_m, 460, 1510);  // gusts: metres
-    block.noise_scale = glm::vec4(1.0 / tiles);
+    const glm::dvec4 cascades(FoamSizes::bubbles_m, FoamSizes::lace_m, 460, 1510);  // gusts: metres
+    block.noise_scale = glm::vec4(1.0 / cascades);
     const glm::dvec2 turned(viewer.y, viewer.x);
-    const auto placed = [](glm::dvec2 at, double tile) { return glm::vec2(place_in_square(at, 0, tile)); };
-    block.gust_shift = {placed(viewer, tiles.z), placed(turned, tiles.w)};
+    const auto placed = [](glm::dvec2 at, double cascade) { return glm::vec2(place_in_square(at, 0, cascade)); };
+    block.gust_shift = {placed(viewer, cascades.z), placed(turned, cascades.w)};
 }
 
 /// Texel i of the world stands at i texels and is kept in column i mod N. The outermost ones are 0 and have neighbours on the other
@@ -112,7 +112,7 @@ void place_night(SceneBlock& block, const SkyLight& sky) {
     block.stars = {dark * star_illuminance_lx / (sun_illuminance_lx * sky.unit), 0, 0, 0};
 }
 
-/// Foam's structure drifts as foam does, along two directions of the world. In a loop that is whole tiles of the structure.
+/// Foam's structure drifts as foam does, along two directions of the world. In a loop that is whole cascades of the structure.
 class FoamDrift {
    public:
     explicit FoamDrift(const SeaFacts& facts)
@@ -122,8 +122,8 @@ class FoamDrift {
 
     /// Where the viewer is in a structure that repeats after so many metres along a direction, [0, 1).
     float place(glm::dvec2 viewer, glm::dvec2 direction, double tile_m) const {
-        const double tiles = std::round(glm::dot(metres_a_loop_, direction) / tile_m);
-        return static_cast<float>(fraction(glm::dot(viewer, direction) / tile_m - tiles * loop_));
+        const double repeats = std::round(glm::dot(metres_a_loop_, direction) / tile_m);
+        return static_cast<float>(fraction(glm::dot(viewer, direction) / tile_m - repeats * loop_));
     }
 
    private:
@@ -143,13 +143,13 @@ void place_foam(SceneBlock& block, const SeaFacts& facts, glm::dvec2 viewer) {
         block.foam_streaks[i] = {1 / along_m, 1 / across_m, drift.place(viewer, {c, s}, along_m),
                                  drift.place(viewer, {-s, c}, across_m)};
     }
-    std::size_t tiles = 0;
-    for (std::size_t i = 0; i < facts.tiles.size(); ++i)
-        if (facts.has_foam && facts.tiles[i].makes_foam) tiles = i + 1;
+    std::size_t cascades = 0;
+    for (std::size_t i = 0; i < facts.cascades.size(); ++i)
+        if (facts.has_foam && facts.cascades[i].makes_foam) cascades = i + 1;
     // Windrows form above 3 m/s and are tight in a gale.
     const double order = std::clamp((sea.wind_speed_mps - 3) / 15, 0., 1.);
     constexpr double fresh_foam_m = 0.12;
-    block.foam_kind = {tiles, 0.5 - 0.2 * order, fresh_foam_m, order};
+    block.foam_kind = {cascades, 0.5 - 0.2 * order, fresh_foam_m, order};
 }
 
 /// Texels stand where the shore says; a texture's have their middles half a texel further.
@@ -161,11 +161,11 @@ void place_shore(SceneBlock& block, const ShoreFacts& shore, bool has_mips, glm:
                         has_mips ? mip_levels(std::max(shore.columns, shore.rows)) - 1 : 0};
 }
 
-/// Mean of a tile's foam, from a level whose texels are many enough to tell a thousandth.
-float cover_of(const Tile& tile) {
-    if (tile.foam_r8.empty()) return 0;
+/// Mean of a cascade's foam, from a level whose texels are many enough to tell a thousandth.
+float cover_of(const Cascade& cascade) {
+    if (cascade.foam_r8.empty()) return 0;
     const std::span<const std::uint8_t> bytes =
-        tile.level_of(tile.foam_r8, std::max(mip_levels(tile.resolution()) - 5, 0));
+        cascade.level_of(cascade.foam_r8, std::max(mip_levels(cascade.resolution()) - 5, 0));
     return static_cast<float>(std::accumulate(bytes.begin(), bytes.end(), 0)) /
            (255 * static_cast<float>(bytes.size()));
 }
@@ -175,26 +175,26 @@ float cover_of(const Tile& tile) {
 SeaFacts facts_of(const Frame& frame) {
     SeaFacts facts{.sea = frame.sea,
                    .figures = frame.figures,
-                   .resolution = frame.tiles[0].resolution(),
-                   .tiles = {},
+                   .resolution = frame.cascades[0].resolution(),
+                   .cascades = {},
                    .time_s = frame.time_s,
                    .dynamic_waves = {.resolution = frame.dynamic_waves.resolution,
                              .texel_m = frame.dynamic_waves.texel_m,
                              .first_x = frame.dynamic_waves.first_x,
                              .first_z = frame.dynamic_waves.first_z}};
-    // A finer tile's waves are those that have less than three texels of the coarser one (sim/spectrum/bands.cpp), or so few of which
-    // there are that it takes more of them (sim/tile_plan.hpp).
-    double longest_wave_m = frame.tiles[0].lattice.side_m;
-    for (const Tile& tile : frame.tiles) {
-        if (frame.sea.waves == WaveModel::analytic && !facts.tiles.empty())
-            longest_wave_m = std::max(longest_wave_m, tile.lattice.side_m / steps_of_few_waves);
-        facts.tiles.push_back({.lattice = tile.lattice,
-                               .ranges = tile.slope_ranges,
+    // A finer cascade's waves are those that have less than three texels of the coarser one (sim/spectrum/bands.cpp), or so few of which
+    // there are that it takes more of them (sim/cascade_plan.hpp).
+    double longest_wave_m = frame.cascades[0].lattice.side_m;
+    for (const Cascade& cascade : frame.cascades) {
+        if (frame.sea.waves == WaveModel::analytic && !facts.cascades.empty())
+            longest_wave_m = std::max(longest_wave_m, cascade.lattice.side_m / steps_of_few_waves);
+        facts.cascades.push_back({.lattice = cascade.lattice,
+                               .ranges = cascade.slope_ranges,
                                .longest_wave_m = longest_wave_m,
-                               .slope_variance = static_cast<float>(tile.slope_variance),
-                               .foam_cover = cover_of(tile),
-                               .makes_foam = tile.makes_whitecaps()});
-        longest_wave_m = 3 * tile.texel_m();
+                               .slope_variance = static_cast<float>(cascade.slope_variance),
+                               .foam_cover = cover_of(cascade),
+                               .makes_foam = cascade.makes_whitecaps()});
+        longest_wave_m = 3 * cascade.texel_m();
     }
     if (const ShoreSurface& shore = frame.shore)
         facts.shore = {shore.columns, shore.rows, shore.texel_m, {shore.x_m, shore.z_m}};
@@ -234,7 +234,7 @@ SceneBlock scene_block_of(const DrawInput& input, const SeaFacts& facts, const W
     block.water_scattering = {water.scattering_per_m, 0};
     const double wind = sea.wind_direction_rad;
     block.waves = {std::max(0.05, facts.figures.significant_wave_height_m), alpha, std::cos(wind), std::sin(wind)};
-    place_tiles(block, facts, viewer);
+    place_cascades(block, facts, viewer);
     place_details(block, facts, viewer);
     place_dynamic_waves(block, facts.dynamic_waves, viewer);
     block.output_kind = {facts.framebuffer_is_srgb ? 0 : 1, facts.writes_radiance ? 1 : 0,

@@ -17,13 +17,13 @@
 
 namespace pelagic::gl {
 
-/// As many tiles as the shaders know.
-inline constexpr std::size_t most_tiles = 4;
+/// As many cascades as the shaders know.
+inline constexpr std::size_t most_cascades = 4;
 
 struct SceneBlock {
     std::array<glm::mat4, 2> clip_from_viewer{}, viewer_from_clip{};
     std::array<glm::vec4, 2> eye{};
-    std::array<glm::vec4, most_tiles> tile_place{}, tile_scale{}, tile_slope{}, tile_noise{};
+    std::array<glm::vec4, most_cascades> cascade_place{}, cascade_scale{}, cascade_slope{}, tile_noise{};
     glm::vec4 viewer{}, grid{}, fade{}, mesh{}, skirt{};
     glm::vec4 sun{}, sun_irradiance{}, sky_irradiance{}, haze{};
     glm::vec4 water_absorption{}, water_backscattering{}, water_scattering{}, waves{};
@@ -45,9 +45,9 @@ struct SceneBlock {
     glm::vec4 dynamic_waves_place{}, dynamic_waves_extent{};
 };
 
-/// What stays of a tile when its texels are in a texture.
-struct TileFacts {
-    TileLattice lattice;
+/// What stays of a cascade when its texels are in a texture.
+struct CascadeFacts {
+    CascadeLattice lattice;
     SlopeRanges ranges;
     double longest_wave_m = 0;
     float slope_variance = 0;  ///< of all its waves, both axes: what its last mip has averaged away
@@ -74,7 +74,7 @@ struct SeaFacts {
     SeaState sea;
     SeaFigures figures;
     int resolution = 0;
-    std::vector<TileFacts> tiles;
+    std::vector<CascadeFacts> cascades;
     double time_s = 0;
     bool has_displacement_mips = false;
     bool has_foam = false;
@@ -86,8 +86,8 @@ struct SeaFacts {
     bool shore_has_mips = false;
     DynamicWaveFacts dynamic_waves{};
 
-    const TileFacts& finest_tile() const { return tiles.back(); }
-    double texel_m(const TileFacts& tile) const { return tile.lattice.side_m / resolution; }
+    const CascadeFacts& finest_cascade() const { return cascades.back(); }
+    double texel_m(const CascadeFacts& cascade) const { return cascade.lattice.side_m / resolution; }
 };
 
 /// The light of a baked sky, as sky.hpp has it.

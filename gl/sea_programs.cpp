@@ -8,7 +8,7 @@ static_assert(unit_count == texture_units, "a host gets back what it had in each
 
 std::array<ProgramFiles, 5> sea_program_files(const SeaVariant& variant) {
     const auto number = [](auto value) { return std::to_string(static_cast<int>(value)); };
-    std::string defines = "#define TILES " + number(variant.tiles) + "\n#define SHADING " + number(variant.shading) +
+    std::string defines = "#define CASCADES " + number(variant.cascades) + "\n#define SHADING " + number(variant.shading) +
                           "\n#define SURFACE " + number(variant.surface) + "\n#define BELOW " +
                           number(variant.below) + "\n";
     if (variant.mirrors_scene) defines += "#define MIRRORS_SCENE\n";

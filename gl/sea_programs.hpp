@@ -39,14 +39,14 @@ struct ProgramFiles {
 
 /// What a set of programs is made for.
 struct SeaVariant {
-    std::size_t tiles = 1;
+    std::size_t cascades = 1;
     Shading shading = Shading::high;
     Surface surface = Surface::open;
     bool multiview = false;
     bool below = false;          ///< the floor shows, or a lens is near the water: the others spare its cost
     bool mirrors_scene = false;  ///< what a host drew, too
     bool dynamic_waves = false;          ///< the frame has a dynamic-wave grid
-    bool shore = false;          ///< of an open sea: tiles are held back there, and its waves add to them
+    bool shore = false;          ///< of an open sea: cascades are held back there, and its waves add to them
 };
 
 /// For patches, skirt, background, wireframe and floor, in this order.

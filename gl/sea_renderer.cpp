@@ -56,9 +56,9 @@ Texture make_flow_texture(const Functions& gl, const FlowMap& map) {
 }
 
 const RendererOptions& checked(const RendererOptions& options) {
-    if (options.tiles < 1 || options.tiles > most_tiles)
-        throw std::invalid_argument("RendererOptions::tiles is " + std::to_string(options.tiles) + ", needs 1 to " +
-                                    std::to_string(most_tiles));
+    if (options.cascades < 1 || options.cascades > most_cascades)
+        throw std::invalid_argument("RendererOptions::cascades is " + std::to_string(options.cascades) + ", needs 1 to " +
+                                    std::to_string(most_cascades));
     return options;
 }
 
@@ -68,7 +68,7 @@ struct SeaRenderer::State {
     State(const Functions& functions, const RendererOptions& wanted)
         : gl(functions),
           options(checked(wanted)),
-          textures(functions, wanted.resolution, wanted.tiles),
+          textures(functions, wanted.resolution, wanted.cascades),
           dynamic_waves(functions),
           shore(functions) {
         const KeptState keep(gl);
@@ -130,7 +130,7 @@ struct SeaRenderer::State {
         std::unique_ptr<SeaPrograms>& chosen =
             all_programs[index(with.below)][index(with.mirrors_scene)][index(with.dynamic_waves)][index(with.shore)];
         if (!chosen)
-            chosen = std::make_unique<SeaPrograms>(gl, SeaVariant{.tiles = options.tiles,
+            chosen = std::make_unique<SeaPrograms>(gl, SeaVariant{.cascades = options.cascades,
                                                                   .shading = options.shading,
                                                                   .surface = options.surface,
                                                                   .multiview = options.multiview,
@@ -339,7 +339,7 @@ const DrawFigures& SeaRenderer::draw(const DrawInput& input) {
     const Functions& gl = s.gl;
     assert(input.list && !input.eyes.empty() && input.eyes.size() <= 2);
     assert(s.sky_face_size > 0 && "set_sky() first");
-    assert(!s.facts.tiles.empty() && "upload() a frame first");
+    assert(!s.facts.cascades.empty() && "upload() a frame first");
     const KeptState keep(gl);
     DrawFigures& figures = s.figures;
     figures.sea_calls = figures.sky_calls = figures.floor_calls = 0;

@@ -1,12 +1,12 @@
 // Draws the sea: uploads a frame, then draws the quadtree's patches, the skirt and the sky for one eye or two.
 //
 //   SeaRenderer renderer(gl, {.patch_vertices = selection.options().vertices, .resolution = ocean.resolution(),
-//                             .tiles = ocean.tile_count()});  // built with OceanOptions::slopes and ::foam
+//                             .cascades = ocean.cascade_count()});  // built with OceanOptions::slopes and ::foam
 //   renderer.set_sky(baker.complete());
 //   each frame:  renderer.upload(ocean.complete());
 //                renderer.draw({.eyes = eyes, .viewer_m = head, .list = &selection.select(...)});
 //
-// Foam is that of the frame's tiles (Tile::foam_r8): it stays where water broke, fades and drifts. Frames of an ocean without
+// Foam is that of the frame's cascades (Cascade::foam_r8): it stays where water broke, fades and drifts. Frames of an ocean without
 // OceanOptions::foam show none. a dynamic-wave grid (Frame::dynamic_waves) is drawn where the frame has one.
 //
 // A frame's shore is drawn with it, by programs that are compiled when the first such frame comes. Its sand is a floor like others:
@@ -40,12 +40,12 @@ namespace pelagic::gl {
 
 struct RendererOptions {
     int patch_vertices = 64;  ///< V of the draw lists
-    int resolution = 256;     ///< N of the frames' tiles
-    std::size_t tiles = 1;    ///< of the frames, 1 to 4
+    int resolution = 256;     ///< N of the frames' cascades
+    std::size_t cascades = 1;    ///< of the frames, 1 to 4
     Shading shading = Shading::high;
     bool framebuffer_is_srgb = false;      ///< it encodes what shaders write; else they do
     PixelKind writes = PixelKind::screen;  ///< radiance: linear and not exposed, for a host that has its own camera
-    Surface surface = Surface::open;       ///< small water is drawn in place of the frames' tiles
+    Surface surface = Surface::open;       ///< small water is drawn in place of the frames' cascades
     std::shared_ptr<Executor> executor = nullptr;  ///< bakes textures at the start; null: on this thread
     bool multiview = false;                        ///< the framebuffer holds both eyes as layers (OVR_multiview2)
     /// Frames have a dynamic-wave grid: its programs are compiled at the start, and not when the first such frame is drawn.
@@ -91,7 +91,7 @@ struct DrawFigures {
 class SeaRenderer {
    public:
     /// \param gl  outlives the renderer. Throws GlError if the driver refuses a shader, std::invalid_argument for a number of
-    /// tiles that no frame has.
+    /// cascades that no frame has.
     SeaRenderer(const Functions& gl, const RendererOptions& options);
     ~SeaRenderer();
     SeaRenderer(const SeaRenderer&) = delete;

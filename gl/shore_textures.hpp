@@ -1,4 +1,4 @@
-// A frame's shore as textures: what each tile counts with, the waves that feel the floor, and how high they reach.
+// A frame's shore as textures: what each cascade counts with, the waves that feel the floor, and how high they reach.
 #pragma once
 
 #include <array>
@@ -24,7 +24,7 @@ class ShoreTextures {
     /// nothing, and those of the last one stay. GL state ends as it was. Throws GlError.
     void upload(const ShoreSurface& shore);
 
-    GLuint parts() const { return parts_.name(); }  ///< RGBA8, tile t in channel t
+    GLuint parts() const { return parts_.name(); }  ///< RGBA8, cascade t in channel t
     /// RGBA16F: height, its slopes along x and z by central differences, foam; with the driver's mips, where it makes any.
     GLuint water() const { return sets_[set_].water.name(); }
     GLuint reach() const { return sets_[set_].reach.name(); }  ///< R16F

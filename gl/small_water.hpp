@@ -1,5 +1,5 @@
-// Water that is too small for the sea's tiles: a lake, a coast, a river, a pond. Shaders make it from a few octaves
-// (gl/shaders/small_water.glsl); here is what they are told. Wind and loop are the frame's, its tiles are not drawn.
+// Water that is too small for the sea's cascades: a lake, a coast, a river, a pond. Shaders make it from a few octaves
+// (gl/shaders/small_water.glsl); here is what they are told. Wind and loop are the frame's, its cascades are not drawn.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ namespace pelagic::gl {
 
 /// As gl/shaders/scene.glsl numbers them.
 enum class Surface {
-    open,   ///< the frame's tiles
+    open,   ///< the frame's cascades
     lake,   ///< bumps of 3 m to 3 cm on a level plane, rougher in gusts
     coast,  ///< ridges of 12 m to 10 cm that stand up, white on the sharpest
     river,  ///< bumps of a metre to a centimetre that a map carries along, on a level plane

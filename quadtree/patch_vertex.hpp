@@ -57,7 +57,7 @@ inline glm::ivec2 coarser_offset(const PatchInstance& patch, int i, int j) {
     return {odd_i ? 1 : 0, odd_j ? 1 : 0};
 }
 
-/// Where the vertex is drawn, metres. `displacement` maps a rest position to glm::dvec3(Dx, height, Dz), the sum of all tiles.
+/// Where the vertex is drawn, metres. `displacement` maps a rest position to glm::dvec3(Dx, height, Dz), the sum of all cascades.
 template <class Displacement>
 glm::dvec3 patch_vertex(const QuadtreeGrid& grid, const PatchInstance& patch, int i, int j,
                         const Displacement& displacement) {

@@ -23,13 +23,13 @@ FoamReport report_on_foam(const Frame& frame) {
                       .drift_mps = length(figures.foam_drift_x_mps, figures.foam_drift_z_mps),
                       .drift_direction_rad = std::atan2(figures.foam_drift_z_mps, figures.foam_drift_x_mps),
                       .whitecap_cover = whitecap_cover(frame.sea),
-                      .tiles = {}};
-    for (const Tile& tile : frame.tiles) {
-        const DriftTexels loop = drift_a_loop(figures, tile.lattice, tile.resolution(), clock);
-        report.tiles.push_back({.makes_whitecaps = tile.makes_whitecaps(),
+                      .cascades = {}};
+    for (const Cascade& cascade : frame.cascades) {
+        const DriftTexels loop = drift_a_loop(figures, cascade.lattice, cascade.resolution(), clock);
+        report.cascades.push_back({.makes_whitecaps = cascade.makes_whitecaps(),
                                 .columns_a_loop = loop.x,
                                 .rows_a_loop = loop.z,
-                                .drift_mps = length(loop.x, loop.z) * tile.texel_m() / frame.sea.loop_period_s});
+                                .drift_mps = length(loop.x, loop.z) * cascade.texel_m() / frame.sea.loop_period_s});
     }
     return report;
 }

@@ -7,9 +7,9 @@
 
 namespace pelagic {
 
-struct TileFoam {
+struct CascadeFoam {
     bool makes_whitecaps;
-    /// How far foam drifts in a whole loop, along the tile's columns and rows: the nearest whole texels to what the drift comes to, so
+    /// How far foam drifts in a whole loop, along the cascade's columns and rows: the nearest whole texels to what the drift comes to, so
     /// that a loop ends where it began.
     int columns_a_loop, rows_a_loop;
     double drift_mps;  ///< how fast that is
@@ -22,7 +22,7 @@ struct FoamReport {
     /// How fast it drifts but for whole texels, and where to, from +x towards +z.
     double drift_mps, drift_direction_rad;
     double whitecap_cover;  ///< part of the sea that is to be white, by the wind (Monahan and O'Muircheartaigh 1980)
-    std::vector<TileFoam> tiles;
+    std::vector<CascadeFoam> cascades;
 };
 
 /// Of the sea that a frame shows, whether or not it has foam.

@@ -58,7 +58,7 @@ std::string too_long(const std::string& whose, const SeaState& sea, double large
     const double peak_m = WaveReach::of(sea).peak_m;
     if (peak_m <= largest_peak_m * (1 + peak_tolerance)) return {};
     return refusal("peak_wavelength_m" + whose, peak_m,
-                   "at most " + number_text(largest_peak_m) + ", the largest_peak_m that tiles are laid out for");
+                   "at most " + number_text(largest_peak_m) + ", the largest_peak_m that cascades are laid out for");
 }
 
 double between(double before, double after, double part) {
@@ -149,7 +149,7 @@ WaveReach reach_of(const Forecast& forecast, std::span<const WaveReach> own) {
     return reach;
 }
 
-std::vector<TilePlan> plan_tiles(const Forecast& forecast) { return plan_tiles(forecast.first, reach_of(forecast)); }
+std::vector<CascadePlan> plan_cascades(const Forecast& forecast) { return plan_cascades(forecast.first, reach_of(forecast)); }
 
 SeaState sea_between(const SeaState& before, const SeaState& after, double part) {
     if (part == 0) return before;

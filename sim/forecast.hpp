@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "pelagic/sim/sea_state.hpp"
-#include "pelagic/sim/tile_plan.hpp"
+#include "pelagic/sim/cascade_plan.hpp"
 
 namespace pelagic {
 
@@ -47,12 +47,12 @@ struct ForecastMoment {
 };
 
 /// A value: a frame is a function of the forecast and the time, whatever frames there were before.
-/// The kind of tiles, their number, resolution and side, depth, loop period and seed are those of the first sea.
+/// The kind of cascades, their number, resolution and side, depth, loop period and seed are those of the first sea.
 struct Forecast {
     SeaState first;
     std::vector<SeaChange> changes = {};  ///< in order: none begins before the one before it is over
-    /// Tiles are laid out for waves with peaks up to this long; 0: the longest peak of these seas, or (0, 1e5]. A sea that is
-    /// scheduled later may have no longer one. Without meaning where the side of the tile is given.
+    /// Cascades are laid out for waves with peaks up to this long; 0: the longest peak of these seas, or (0, 1e5]. A sea that is
+    /// scheduled later may have no longer one. Without meaning where the side of the cascade is given.
     double largest_peak_m = 0;
 
     /// 0 is the first, i is that of changes[i - 1]. \pre number <= changes.size()
@@ -66,13 +66,13 @@ struct Forecast {
 /// check() says of a sea begins with which one it is.
 std::string check(const Forecast& forecast);
 
-/// How far the tiles that all of its seas share reach, and those tiles, with the bands that the first has in them.
+/// How far the cascades that all of its seas share reach, and those cascades, with the bands that the first has in them.
 /// \pre check(forecast) is empty
 WaveReach reach_of(const Forecast& forecast);
 /// The same where the reach of each of its seas is known: own_reaches(), which searches each spectrum for about a millisecond.
 WaveReach reach_of(const Forecast& forecast, std::span<const WaveReach> own);
 std::vector<WaveReach> own_reaches(const Forecast& forecast);
-std::vector<TilePlan> plan_tiles(const Forecast& forecast);
+std::vector<CascadePlan> plan_cascades(const Forecast& forecast);
 
 /// What a frame in between says that its sea is: numbers go over with `part`; heights of swell as their energy does; directions
 /// turn the shorter way (a half turn: the way from +x towards +z); models are those of the sea that there is more of. What only

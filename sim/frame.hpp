@@ -8,16 +8,16 @@
 #include "pelagic/sim/sea_state.hpp"
 #include "pelagic/sim/shore_surface.hpp"
 #include "pelagic/sim/slope_variance.hpp"
-#include "pelagic/sim/tile.hpp"
+#include "pelagic/sim/cascade.hpp"
 #include "pelagic/simd/isa.hpp"
 
 namespace pelagic {
 
 /// What holds for all frames of a sea, found out when its spectrum is baked.
 struct SeaFigures {
-    /// 4 sqrt(variance), mean over all seeds, of the waves that the tiles hold; as expected_waves() has it.
+    /// 4 sqrt(variance), mean over all seeds, of the waves that the cascades hold; as expected_waves() has it.
     double significant_wave_height_m = 0;
-    /// Mean squares of the slopes that the tiles' textures show at their finest level, mean over all seeds; and what is left
+    /// Mean squares of the slopes that the cascades' textures show at their finest level, mean over all seeds; and what is left
     /// of those that were measured in such a wind (Cox and Munk 1954, spectrum/mean_square_slope.hpp).
     SlopeVariance resolved_slopes, unresolved_slopes;
     /// What the smoothness channel says of the water between texels, 1 - sqrt(roughness): SeaState::roughness, or what the wind
@@ -28,29 +28,29 @@ struct SeaFigures {
 };
 
 /// One frame, which says what it is: whoever draws it or asks it needs nothing else about the sea.
-/// The point of water that rests at (x, z) is drawn at (x + Dx, height, z + Dz), each the sum of what the tiles hold there.
+/// The point of water that rests at (x, z) is drawn at (x + Dx, height, z + Dz), each the sum of what the cascades hold there.
 /// Views stay valid until the ocean schedules the second frame after this one.
 struct Frame {
     double time_s = 0;
     SeaState sea;
     SeaFigures figures;
     Isa isa = {};                 ///< that computed it
-    std::span<const Tile> tiles;  ///< at least one; the coarsest first
-    /// Sums of the tiles' bounds: exact for one tile, upper bounds for several, whose extremes need not meet.
+    std::span<const Cascade> cascades;  ///< at least one; the coarsest first
+    /// Sums of the cascades' bounds: exact for one cascade, upper bounds for several, whose extremes need not meet.
     FrameBounds bounds;
-    /// What adds to the tiles where hosts move the water, with OceanOptions::dynamic_waves; within the bounds, too.
+    /// What adds to the cascades where hosts move the water, with OceanOptions::dynamic_waves; within the bounds, too.
     DynamicWavesView dynamic_waves;
     /// Where the sea has a floor that waves feel, with OceanOptions::shore; within the bounds, too.
     ShoreSurface shore;
 };
 
-/// XXH3 of every output of the frame: of each tile the rows of dx, height and dz, the half floats but for foam, the gradient chain (of
-/// several tiles the two chains of slopes instead) and the bounds, in this order, little-endian. The time is not in it, nor are
+/// XXH3 of every output of the frame: of each cascade the rows of dx, height and dz, the half floats but for foam, the gradient chain (of
+/// several cascades the two chains of slopes instead) and the bounds, in this order, little-endian. The time is not in it, nor are
 /// velocities, folds and whichever chains only OceanOptions asked for: whoever wants them has the same sea as one who doesn't.
 /// Textures that were written into memory of the host's (texture_targets.hpp) are not in it either. Two frames with equal hashes hold the same bits.
 std::uint64_t hash_of(const Frame& frame);
 
-/// The same of the tiles' chains of foam, which belong to the sea and the time as everything else does, and are asked for by
+/// The same of the cascades' chains of foam, which belong to the sea and the time as everything else does, and are asked for by
 /// OceanOptions::foam.
 std::uint64_t foam_hash_of(const Frame& frame);
 

@@ -14,7 +14,7 @@ void copy_all(std::span<const T> from, std::span<T> to) {
     if (!to.empty()) std::memcpy(to.data(), from.data(), from.size_bytes());
 }
 
-std::string check_tile(const FrameBuffers& buffers, int resolution, const FrameContents& contents) {
+std::string check_cascade(const FrameBuffers& buffers, int resolution, const FrameContents& contents) {
     const std::size_t texels = static_cast<std::size_t>(resolution) * static_cast<std::size_t>(resolution);
     const std::size_t chain = mip_offset(resolution, mip_levels(resolution));
     struct Field {
@@ -49,12 +49,12 @@ std::string check_tile(const FrameBuffers& buffers, int resolution, const FrameC
 
 }  // namespace
 
-std::string check(std::span<const FrameBuffers> tiles, std::size_t tile_count, int resolution,
+std::string check(std::span<const FrameBuffers> cascades, std::size_t cascade_count, int resolution,
                   const FrameContents& contents) {
-    if (tiles.size() != tile_count)
-        return "there are buffers of " + number_text(tiles.size()) + " tiles, needs " + number_text(tile_count);
-    for (const FrameBuffers& buffers : tiles)
-        if (std::string reason = check_tile(buffers, resolution, contents); !reason.empty()) return reason;
+    if (cascades.size() != cascade_count)
+        return "there are buffers of " + number_text(cascades.size()) + " cascades, needs " + number_text(cascade_count);
+    for (const FrameBuffers& buffers : cascades)
+        if (std::string reason = check_cascade(buffers, resolution, contents); !reason.empty()) return reason;
     return {};
 }
 
@@ -67,21 +67,21 @@ void copy_plane(const PlaneView& plane, std::span<float> out) {
     for (int j = 0; j < plane.resolution; ++j) plane.copy_row(j, out.data() + static_cast<std::size_t>(j) * side);
 }
 
-void copy_frame(const Frame& frame, std::span<const FrameBuffers> tiles) {
-    const Tile& first = frame.tiles.front();
-    if (const std::string reason = check(tiles, frame.tiles.size(), first.resolution(),
+void copy_frame(const Frame& frame, std::span<const FrameBuffers> cascades) {
+    const Cascade& first = frame.cascades.front();
+    if (const std::string reason = check(cascades, frame.cascades.size(), first.resolution(),
                                          {.velocities = first.velocity_x.data != nullptr,
                                           .gradients = !first.gradient_rgba8.empty(),
                                           .slopes = !first.slopes_rgba8.empty(),
                                           .foam = !first.foam_r8.empty()});
         !reason.empty())
         throw std::invalid_argument(reason);
-    for (std::size_t i = 0; i < tiles.size(); ++i)
-        if (!tiles[i].displacement_rgba16f.empty() && frame.tiles[i].displacement_rgba16f.empty())
+    for (std::size_t i = 0; i < cascades.size(); ++i)
+        if (!cascades[i].displacement_rgba16f.empty() && frame.cascades[i].displacement_rgba16f.empty())
             throw std::invalid_argument("displacement_rgba16f is wanted, but was written into the host's own memory");
-    for (std::size_t i = 0; i < tiles.size(); ++i) {
-        const Tile& from = frame.tiles[i];
-        const FrameBuffers& to = tiles[i];
+    for (std::size_t i = 0; i < cascades.size(); ++i) {
+        const Cascade& from = frame.cascades[i];
+        const FrameBuffers& to = cascades[i];
         copy_plane(from.dx, to.dx);
         copy_plane(from.height, to.height);
         copy_plane(from.dz, to.dz);

@@ -31,7 +31,7 @@ void update_with_displacement(XXH3_state_t& state, std::span<const std::uint16_t
 std::uint64_t foam_hash_of(const Frame& frame) {
     XXH3_state_t state;
     XXH3_64bits_reset(&state);
-    for (const Tile& tile : frame.tiles) XXH3_64bits_update(&state, tile.foam_r8.data(), tile.foam_r8.size());
+    for (const Cascade& cascade : frame.cascades) XXH3_64bits_update(&state, cascade.foam_r8.data(), cascade.foam_r8.size());
     return XXH3_64bits_digest(&state);
 }
 
@@ -39,23 +39,23 @@ std::uint64_t hash_of(const Frame& frame) {
     XXH3_state_t state;
     XXH3_64bits_reset(&state);
     std::vector<float> row;
-    for (const Tile& tile : frame.tiles) {
-        row.resize(static_cast<std::size_t>(tile.resolution()));
-        for (const PlaneView* plane : {&tile.dx, &tile.height, &tile.dz}) {
-            for (int j = 0; j < tile.resolution(); ++j) {
+    for (const Cascade& cascade : frame.cascades) {
+        row.resize(static_cast<std::size_t>(cascade.resolution()));
+        for (const PlaneView* plane : {&cascade.dx, &cascade.height, &cascade.dz}) {
+            for (int j = 0; j < cascade.resolution(); ++j) {
                 plane->copy_row(j, row.data());
                 XXH3_64bits_update(&state, row.data(), row.size() * sizeof(float));
             }
         }
-        update_with_displacement(state, tile.displacement_rgba16f);
-        if (frame.tiles.size() == 1) {
-            XXH3_64bits_update(&state, tile.gradient_rgba8.data(), tile.gradient_rgba8.size_bytes());
+        update_with_displacement(state, cascade.displacement_rgba16f);
+        if (frame.cascades.size() == 1) {
+            XXH3_64bits_update(&state, cascade.gradient_rgba8.data(), cascade.gradient_rgba8.size_bytes());
         } else {
-            XXH3_64bits_update(&state, tile.slopes_rgba8.data(), tile.slopes_rgba8.size_bytes());
-            XXH3_64bits_update(&state, tile.moments_rgba8.data(), tile.moments_rgba8.size_bytes());
+            XXH3_64bits_update(&state, cascade.slopes_rgba8.data(), cascade.slopes_rgba8.size_bytes());
+            XXH3_64bits_update(&state, cascade.moments_rgba8.data(), cascade.moments_rgba8.size_bytes());
         }
-        const float bounds[] = {tile.bounds.height_min_m, tile.bounds.height_max_m, tile.bounds.sideways_x_max_m,
-                                tile.bounds.sideways_z_max_m};
+        const float bounds[] = {cascade.bounds.height_min_m, cascade.bounds.height_max_m, cascade.bounds.sideways_x_max_m,
+                                cascade.bounds.sideways_z_max_m};
         XXH3_64bits_update(&state, bounds, sizeof bounds);
     }
     return XXH3_64bits_digest(&state);

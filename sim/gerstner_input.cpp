@@ -19,9 +19,9 @@ namespace {
 
 constexpr double two_pi = 6.28318530717958647693;
 
-/// A wave as a tile has it.
+/// A wave as a cascade has it.
 struct Held {
-    std::size_t tile;
+    std::size_t cascade;
     LatticePlace at;
     std::uint32_t harmonic;
     PlaneWave wave;
@@ -44,16 +44,16 @@ struct GerstnerInput::State {
         held.reserve(most_waves);
     }
 
-    /// The waves that are asked for, as the tiles can have them.
+    /// The waves that are asked for, as the cascades can have them.
     void hold(const InputMoment& moment) {
         if (circle.size() != static_cast<std::size_t>(moment.resolution))
             make_room(static_cast<std::size_t>(moment.resolution));
         held.clear();
         choppiness = asked.choppiness;
         for (const AnalyticWave& wave : asked.waves) {
-            const auto tile = input_tile_of(1 / wave.wavelength_m, moment);
-            if (!tile || wave.amplitude_m == 0) continue;
-            const TileLattice& lattice = moment.lattices[*tile];
+            const auto cascade = input_cascade_of(1 / wave.wavelength_m, moment);
+            if (!cascade || wave.amplitude_m == 0) continue;
+            const CascadeLattice& lattice = moment.lattices[*cascade];
             const auto [sine, cosine] = det::sine_cosine_of_turns(wave.direction_rad / two_pi);
             const LatticePlace at = nearest_place(lattice, cosine / wave.wavelength_m, sine / wave.wavelength_m);
             if (at == LatticePlace{} || !is_on_lattice(at, moment.resolution)) continue;
@@ -61,7 +61,7 @@ struct GerstnerInput::State {
             const double turns_per_m = at.steps() / lattice.side_m;
             const std::uint32_t harmonic = input_harmonic(turns_per_m, moment.loop_period_s);
             make_columns(held.size(), at.m);
-            held.push_back({*tile,
+            held.push_back({*cascade,
                             at,
                             harmonic,
                             {.amplitude_m = wave.amplitude_m,
@@ -157,15 +157,15 @@ void GerstnerInput::begin(const InputMoment& moment) {
     }
 }
 
-bool GerstnerInput::adds_to(std::size_t tile) const {
+bool GerstnerInput::adds_to(std::size_t cascade) const {
     const auto& held = state_->held;
-    return std::any_of(held.begin(), held.end(), [tile](const Held& wave) { return wave.tile == tile; });
+    return std::any_of(held.begin(), held.end(), [cascade](const Held& wave) { return wave.cascade == cascade; });
 }
 
-double GerstnerInput::largest_slope(std::size_t tile) const {
+double GerstnerInput::largest_slope(std::size_t cascade) const {
     double sum = 0;
     for (const Held& held : state_->held)
-        if (held.tile == tile) sum += two_pi * held.wave.turns_per_m() * held.wave.amplitude_m;
+        if (held.cascade == cascade) sum += two_pi * held.wave.turns_per_m() * held.wave.amplitude_m;
     return sum;
 }
 
@@ -177,7 +177,7 @@ void GerstnerInput::add(const InputRows& rows) const {
         std::size_t count = 0;
         for (std::size_t i = 0; i < state_->held.size(); ++i) {
             const Held& held = state_->held[i];
-            if (held.tile != rows.tile) continue;
+            if (held.cascade != rows.cascade) continue;
             waves[count] = state_->row_of(i, rows.moment.place, rows.first_row + row);
             if (with_velocities) derivatives[count] = State::derivative_of(waves[count], held.wave.frequency_hz);
             ++count;

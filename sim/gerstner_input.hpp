@@ -1,8 +1,8 @@
-// A batch of Gerstner waves for the tiles of an ocean.
+// A batch of Gerstner waves for the cascades of an ocean.
 //
-// A tile holds waves of its lattice alone, with whole periods in a loop. Each wave goes to the nearest place of the lattice of the
-// finest tile that has eight steps of its lattice or more between it and k = 0, unless it has less than three texels of the one above:
-// as those of an analytic sea (closed_form_tiles.hpp). It keeps amplitude and phase, and runs as the wave that it has become does in deep
+// A cascade holds waves of its lattice alone, with whole periods in a loop. Each wave goes to the nearest place of the lattice of the
+// finest cascade that has eight steps of its lattice or more between it and k = 0, unless it has less than three texels of the one above:
+// as those of an analytic sea (closed_form_cascades.hpp). It keeps amplitude and phase, and runs as the wave that it has become does in deep
 // water, but with as many periods in a loop as is nearest.
 #pragma once
 
@@ -26,13 +26,13 @@ class GerstnerInput final : public WaveInput {
     /// From the next schedule() on. Throws std::invalid_argument(check(waves)) and keeps what it had; without waves it adds nothing.
     void set(const AnalyticSea& waves);
     /// The waves as the frame scheduled last has them: what they add to its texels is what AnalyticSurface says of them. Left out are
-    /// those of less than three texels of the finest tile (two, where it is the only one), and those of twice the coarsest tile's
+    /// those of less than three texels of the finest cascade (two, where it is the only one), and those of twice the coarsest cascade's
     /// side and longer.
     PlaneWaves held() const;
 
     void begin(const InputMoment& moment) override;
-    bool adds_to(std::size_t tile) const override;
-    double largest_slope(std::size_t tile) const override;  ///< the sum of k A
+    bool adds_to(std::size_t cascade) const override;
+    double largest_slope(std::size_t cascade) const override;  ///< the sum of k A
     void add(const InputRows& rows) const override;
 
    private:

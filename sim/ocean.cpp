@@ -48,7 +48,7 @@ struct Ocean::State {
             frames.add_frame_stages(tick_and_frame_graph, frames.add_tick_stages(tick_and_frame_graph));
         }
         if (options.shore) {
-            shore = std::make_unique<ShoreSource>(*options.shore, forecast.first, plan_tiles(forecast),
+            shore = std::make_unique<ShoreSource>(*options.shore, forecast.first, plan_cascades(forecast),
                                                   kernels_for(isa), options.memory);
             shore->add_frame_stage(frame_graph);
             if (options.foam) shore->add_frame_stage(tick_and_frame_graph);
@@ -108,7 +108,7 @@ struct Ocean::State {
             throw;
         }
     }
-    /// Without other threads a frame bakes as much as it is not late for: one block, of two lines of a tile.
+    /// Without other threads a frame bakes as much as it is not late for: one block, of two lines of a cascade.
     void bake_blocks(std::size_t most) {
         for (; most > 0 && baking_stage < spectrum_graph.stages().size(); --most) {
             const Stage& stage = spectrum_graph.stages()[baking_stage];
@@ -261,11 +261,11 @@ Ocean::Ocean(const Forecast& forecast, OceanOptions options) {
 
 Ocean::~Ocean() = default;
 
-void Ocean::schedule(double time_s, std::span<const TextureTargets> tiles) {
+void Ocean::schedule(double time_s, std::span<const TextureTargets> cascades) {
     assert(!state_->frame_in_flight && "complete() the frame in flight first");
     assert(std::isfinite(time_s));
     if (const std::string reason =
-            tiles.empty() ? std::string() : check(tiles, tile_count(), resolution(), state_->frames.contents());
+            cascades.empty() ? std::string() : check(cascades, cascade_count(), resolution(), state_->frames.contents());
         !reason.empty())
         throw std::invalid_argument(reason);
     state_->adopt_ahead();
@@ -276,7 +276,7 @@ void Ocean::schedule(double time_s, std::span<const TextureTargets> tiles) {
     try {
         if (state_->dynamic_waves) state_->dynamic_waves->begin_frame(time_s);
         if (state_->shore) state_->shore->begin_frame(time_s);
-        state_->frames.begin_frame(time_s, tiles);
+        state_->frames.begin_frame(time_s, cascades);
         if (state_->frames.ticks_due() <= 1) state_->begin_run();
     } catch (...) {
         state_->drop_frame();
@@ -317,13 +317,13 @@ const Frame& Ocean::frame_at(double time_s) {
     return complete();
 }
 
-FrameBounds Ocean::frame_at(double time_s, std::span<const FrameBuffers> tiles) {
+FrameBounds Ocean::frame_at(double time_s, std::span<const FrameBuffers> cascades) {
     const Frame* const completed = state_->completed;
-    if (const std::string reason = check(tiles, tile_count(), resolution(), state_->frames.contents());
+    if (const std::string reason = check(cascades, cascade_count(), resolution(), state_->frames.contents());
         !reason.empty())
         throw std::invalid_argument(reason);
     const Frame& frame = frame_at(time_s);
-    copy_frame(frame, tiles);
+    copy_frame(frame, cascades);
     state_->completed = completed;
     state_->frames.drop_frame();
     if (state_->dynamic_waves) state_->dynamic_waves->drop_frame();
@@ -337,9 +337,9 @@ void Ocean::schedule_sea(const SeaState& sea) {
            "complete_sea() first");
     state_->refuse_other_sea();
     checked(sea);
-    if (const auto tiles = static_cast<std::size_t>(cascades_of(sea)); tiles != tile_count())
+    if (const auto cascades = static_cast<std::size_t>(cascades_of(sea)); cascades != cascade_count())
         throw std::invalid_argument(
-            refusal("cascades", tiles, number_text(tile_count()) + ", as the ocean was built"));
+            refusal("cascades", cascades, number_text(cascade_count()) + ", as the ocean was built"));
     if (resolution_of(sea) != resolution())
         throw std::invalid_argument(
             refusal("resolution", resolution_of(sea), number_text(resolution()) + ", as the ocean was built"));
@@ -415,7 +415,7 @@ void Ocean::restore_water(std::span<const std::uint8_t> saved) {
     state_->dynamic_waves().restore(saved);
 }
 
-std::size_t Ocean::tile_count() const { return state_->frames.tile_count(); }
+std::size_t Ocean::cascade_count() const { return state_->frames.cascade_count(); }
 int Ocean::resolution() const { return state_->frames.resolution(); }
 const SeaState& Ocean::sea() const { return state_->frames.weather().forecast().last(); }
 const Forecast& Ocean::forecast() const { return state_->frames.weather().forecast(); }

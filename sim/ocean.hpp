@@ -33,7 +33,7 @@
 
 namespace pelagic {
 
-/// How the sea is computed, and what comes with it; nothing in here changes a bit of the tiles but `foam`, and that
+/// How the sea is computed, and what comes with it; nothing in here changes a bit of the cascades but `foam`, and that
 /// only foam, and `inputs`.
 struct OceanOptions {
     std::shared_ptr<Executor> executor = {};  ///< none: oneTBB with its default number of threads
@@ -41,20 +41,20 @@ struct OceanOptions {
     std::shared_ptr<TraceSink> trace = {};    ///< none: no clock is read. ChromeTrace or the host's own profiler
     bool queries = false;     ///< frames can be asked about any point (surface_query.hpp); N^2 / 8 bytes a frame
     bool velocities = false;  ///< frames have velocities; 12 N^2 bytes a frame and about twice the transforms
-    bool gradients = false;   ///< frames of several tiles have each tile's own normals too; those of one always do
-    bool slopes = false;      ///< a frame of one tile has slopes too (slope_sum.hpp); those of several always do
+    bool gradients = false;   ///< frames of several cascades have each cascade's own normals too; those of one always do
+    bool slopes = false;      ///< a frame of one cascade has slopes too (slope_sum.hpp); those of several always do
     /// Frames remember foam: what breaks lasts for 2.9 seconds, fades and drifts (history/foam_history.hpp). A frame then takes a
     /// tenth to a fifth longer, one of a tick, ten times a second, another half or more, and a jump in time, which computes 29
-    /// ticks, as long as ten to twenty frames; 5 N^2 bytes a tile. Without it half floats hold only what breaks at that very moment.
+    /// ticks, as long as ten to twenty frames; 5 N^2 bytes a cascade. Without it half floats hold only what breaks at that very moment.
     bool foam = false;
     /// Dynamic waves beside the waves of the wind (dynamic_waves.hpp): frames have a grid of it, Frame::dynamic_waves, and queries tell the
-    /// sum. With 256 texels a tick takes about three quarters of a frame of one tile of 256, at 60 ticks a second; 18 N^2 bytes for
+    /// sum. With 256 texels a tick takes about three quarters of a frame of one cascade of 256, at 60 ticks a second; 18 N^2 bytes for
     /// frames and 29 N^2 for ticks.
     std::optional<DynamicWavesOptions> dynamic_waves = {};
     /// A floor that waves feel (shore.hpp): frames say what it makes of the sea, Frame::shore, and queries tell that. Of a sea of several
-    /// tiles that never changes. Baking it takes a second or so of one core; 290 bytes for each of the shore's texels.
+    /// cascades that never changes. Baking it takes a second or so of one core; 290 bytes for each of the shore's texels.
     std::optional<ShoreOptions> shore = {};
-    /// Waves that are added to those of the wind, in this order (wave_input.hpp). What tiles hold then is the host's sea, and so is
+    /// Waves that are added to those of the wind, in this order (wave_input.hpp). What cascades hold then is the host's sea, and so is
     /// hash_of(); without inputs no bit, no job and no branch of a kernel is another.
     std::vector<std::shared_ptr<WaveInput>> inputs = {};
     HostMemory memory = {};  ///< none: operator new. For frames and spectra, all but some 100 KB of an ocean
@@ -82,10 +82,10 @@ class Ocean {
     /// \pre no frame is in flight
     void schedule(double time_s) { schedule(time_s, {}); }
 
-    /// The same with textures in memory of the host's, by tile. The frame has no views of what is written there, and
+    /// The same with textures in memory of the host's, by cascade. The frame has no views of what is written there, and
     /// hash_of() none of its bits; the memory must stay until complete() returns. Throws
     /// std::invalid_argument(check(targets, ...)) before it computes.
-    void schedule(double time_s, std::span<const TextureTargets> tiles);
+    void schedule(double time_s, std::span<const TextureTargets> cascades);
 
     /// complete() would not wait for other threads: they are done with the frame, or have no part in it (a small frame, an
     /// executor without threads), or none is in flight. Never blocks.
@@ -98,12 +98,12 @@ class Ocean {
     /// schedule() and complete() in one.
     const Frame& frame_at(double time_s);
 
-    /// Computes the frame of `time_s` and writes it into the caller's arrays, those of a tile each; for servers and replays. The views of the frame
+    /// Computes the frame of `time_s` and writes it into the caller's arrays, those of a cascade each; for servers and replays. The views of the frame
     /// completed last stay valid, and what complete() hands out without a frame in flight is still that one. Throws
     /// std::invalid_argument(check(buffers, ...)) before it computes.
     /// \pre no frame is in flight
-    FrameBounds frame_at(double time_s, std::span<const FrameBuffers> tiles);
-    FrameBounds frame_at(double time_s, const FrameBuffers& only_tile) { return frame_at(time_s, {&only_tile, 1}); }
+    FrameBounds frame_at(double time_s, std::span<const FrameBuffers> cascades);
+    FrameBounds frame_at(double time_s, const FrameBuffers& only_cascade) { return frame_at(time_s, {&only_cascade, 1}); }
 
     /// Starts to bake the spectrum of another sea beside the current one (stage `spectrum`); frames go on with the
     /// old one. The resolution must stay. Throws std::invalid_argument if a value is out of range or it does not.
@@ -160,10 +160,10 @@ class Ocean {
     /// ocean can have saved it. \pre no frame is in flight
     void restore_water(std::span<const std::uint8_t> saved);
 
-    std::size_t tile_count() const;    ///< of every frame
-    int resolution() const;            ///< texels along a side of each tile
+    std::size_t cascade_count() const;    ///< of every frame
+    int resolution() const;            ///< texels along a side of each cascade
     const SeaState& sea() const;       ///< the last one of the forecast; Frame::sea is that of the frame
-    const Forecast& forecast() const;  ///< with the largest_peak_m that the tiles have
+    const Forecast& forecast() const;  ///< with the largest_peak_m that the cascades have
     Isa isa() const;
     const Executor& executor() const;
     const JobGraph& graph() const;     ///< the stages of a frame

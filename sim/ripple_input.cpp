@@ -55,16 +55,16 @@ struct RippleInput::State {
     void hold(const InputMoment& moment) {
         shown = asked;
         held = {};
-        const auto tile = input_tile_of(1 / shown.wavelength_m, moment);
-        if (!tile || shown.amplitude_m == 0) return;
-        const TileLattice& lattice = moment.lattices[*tile];
+        const auto cascade = input_cascade_of(1 / shown.wavelength_m, moment);
+        if (!cascade || shown.amplitude_m == 0) return;
+        const CascadeLattice& lattice = moment.lattices[*cascade];
         const double half_m = lattice.side_m / 2;
         harmonic = input_harmonic(1 / shown.wavelength_m, moment.loop_period_s);
-        held = {*tile, harmonic / moment.loop_period_s, shown.reach_m > 0 ? std::min(shown.reach_m, half_m) : half_m};
+        held = {*cascade, harmonic / moment.loop_period_s, shown.reach_m > 0 ? std::min(shown.reach_m, half_m) : half_m};
         const std::size_t n = static_cast<std::size_t>(moment.resolution);
         if (along_squared.size() != n) along_squared = AlignedBuffer<float>(n);
         texel_m = lattice.side_m / moment.resolution;
-        const auto [along, across] = lattice.in_tile(shown.x_m, shown.z_m);
+        const auto [along, across] = lattice.in_cascade(shown.x_m, shown.z_m);
         middle_row = across / texel_m;
         for (std::size_t i = 0; i < n; ++i) along_squared[i] = squared_way(static_cast<double>(i), along / texel_m);
     }
@@ -87,12 +87,12 @@ void RippleInput::begin(const InputMoment& moment) {
     state_->starts[moment.place] = static_cast<std::uint32_t>(static_cast<std::int64_t>(turns * 0x1p32));
 }
 
-bool RippleInput::adds_to(std::size_t tile) const { return state_->held.reach_m > 0 && state_->held.tile == tile; }
+bool RippleInput::adds_to(std::size_t cascade) const { return state_->held.reach_m > 0 && state_->held.cascade == cascade; }
 
 // The wave's own slope, at most k A; that of its fall from the middle, A / L at most, for q >= L / 2; and that of the fade, whose
 // (1 - u^2)^2 falls by 16 / (6 sqrt 3) = 1.54 of the reach at most.
-double RippleInput::largest_slope(std::size_t tile) const {
-    if (!adds_to(tile)) return 0;
+double RippleInput::largest_slope(std::size_t cascade) const {
+    if (!adds_to(cascade)) return 0;
     const Ripple& ripple = state_->shown;
     return ripple.amplitude_m * ((two_pi + 1) / ripple.wavelength_m + 1.54 / state_->held.reach_m);
 }

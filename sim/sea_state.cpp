@@ -21,7 +21,7 @@ constexpr std::array spreadings = {SpreadingModel::paper, SpreadingModel::cosine
 constexpr std::array<std::string_view, spreadings.size()> spreading_names = {"paper", "cosine-2s", "hasselmann",
                                                                              "donelan-banner"};
 
-// With 3 texels to its shortest wave and 6 steps of its lattice to its longest, a tile of N texels is N / 18 times shorter than
+// With 3 texels to its shortest wave and 6 steps of its lattice to its longest, a cascade of N texels is N / 18 times shorter than
 // the one above it at most. Fewer texels make no stack.
 constexpr int least_resolution_of_stacks = 32;
 
@@ -62,19 +62,19 @@ bool has_papers_spectrum(const SeaState& sea) {
     return sea.waves == WaveModel::spectrum && sea.spectrum == SpectrumModel::phillips_paper;
 }
 
-bool is_tile_for_good(const SeaState& sea) {
+bool is_cascade_for_good(const SeaState& sea) {
     return sea.patch_size_m > 0 || has_papers_spectrum(sea) || sea.waves == WaveModel::exp_sine;
 }
 
 int cascades_of(const SeaState& sea) {
     if (sea.cascades != 0) return sea.cascades;
-    const bool is_one = is_tile_for_good(sea) || (sea.resolution != 0 && sea.resolution < least_resolution_of_stacks);
+    const bool is_one = is_cascade_for_good(sea) || (sea.resolution != 0 && sea.resolution < least_resolution_of_stacks);
     return is_one ? 1 : default_cascades;
 }
 
 int resolution_of(const SeaState& sea) {
     if (sea.resolution != 0) return sea.resolution;
-    return is_tile_for_good(sea) ? 256 : 128;
+    return is_cascade_for_good(sea) ? 256 : 128;
 }
 
 std::string_view name_of(WaveModel waves) { return wave_names[static_cast<std::size_t>(waves)]; }
@@ -116,7 +116,7 @@ std::string check(const SeaState& sea) {
     if (const std::string reason = check_fields(sea, fields); !reason.empty()) return reason;
     const bool is_papers = has_papers_spectrum(sea);
     if (sea.cascades > 1) {
-        if (sea.patch_size_m > 0) return refusal("cascades", sea.cascades, "1 where the side of the tile is given");
+        if (sea.patch_size_m > 0) return refusal("cascades", sea.cascades, "1 where the side of the cascade is given");
         if (is_papers) return refusal("cascades", sea.cascades, "1 where the spectrum is phillips-paper");
         if (sea.waves == WaveModel::exp_sine) return refusal("cascades", sea.cascades, "1 where waves is exp-sine");
         if (sea.resolution != 0 && sea.resolution < least_resolution_of_stacks)

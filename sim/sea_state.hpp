@@ -35,7 +35,7 @@ std::string_view name_of(SpreadingModel);
 std::optional<SpreadingModel> spreading_model_named(std::string_view name);
 std::span<const SpreadingModel> spreading_models();
 
-/// A stack of so many tiles holds the waves of a sea down to a hand's width.
+/// A stack of so many cascades holds the waves of a sea down to a hand's width.
 inline constexpr int default_cascades = 4;
 
 /// SI units, and each name says its unit. Ranges stand in sea_state_fields() and are checked by check().
@@ -46,12 +46,12 @@ struct SeaState {
     SpectrumModel spectrum = SpectrumModel::jonswap;
     SpreadingModel spreading = SpreadingModel::paper;  ///< phillips-paper takes no other
 
-    /// How many tiles hold its waves, each a band of them (tile_plan.hpp); 1 to 4. 0: default_cascades, or one where the side is
+    /// How many cascades hold its waves, each a band of them (cascade_plan.hpp); 1 to 4. 0: default_cascades, or one where the side is
     /// given or the model knows no other.
     int cascades = 0;
-    /// N, texels along a side of each tile; a power of two, 16 to 2048. 0: 128, or 256 where the side is given.
+    /// N, texels along a side of each cascade; a power of two, 16 to 2048. 0: 128, or 256 where the side is given.
     int resolution = 0;
-    /// L, the side of the one tile, after which the sea repeats; [0.001, 1e6]. 0: sides chosen from the sea.
+    /// L, the side of the one cascade, after which the sea repeats; [0.001, 1e6]. 0: sides chosen from the sea.
     double patch_size_m = 0;
     double wind_speed_mps = 12;     ///< U10, mean wind 10 m above the sea; (0, 60]
     double wind_direction_rad = 0;  ///< where the wind blows towards, from +x towards +z; [-2 pi, 2 pi]
@@ -59,7 +59,7 @@ struct SeaState {
     double depth_m = 4000;          ///< of the water: waves that feel it are slower and lower; [0.01, 11000]
     double choppiness = 0.8;        ///< lambda, 0 gives a height field; [0, 1]
     double roughness =
-        -1;  ///< of the water between texels, for the smoothness channel; [0, 1], or -1: what the tiles
+        -1;  ///< of the water between texels, for the smoothness channel; [0, 1], or -1: what the cascades
              ///< do not resolve of the slopes of a sea in this wind (SeaFigures)
     double small_waves = 0;      ///< 0 keeps small waves, 1 removes those below a quarter of the peak's; [0, 1]
     double alignment = 0.5;      ///< alpha of equations 6 to 9, spreading `paper`: with 0 a third of the energy runs
@@ -83,8 +83,8 @@ struct SeaState {
 /// What is chosen where a sea says 0. \pre check(sea) is empty
 int cascades_of(const SeaState& sea);
 int resolution_of(const SeaState& sea);
-/// The side was given, or the waves know no other than one tile. \pre the same
-bool is_tile_for_good(const SeaState& sea);
+/// The side was given, or the waves know no other than one cascade. \pre the same
+bool is_cascade_for_good(const SeaState& sea);
 /// Its spectrum is phillips-paper, and is what makes its waves.
 bool has_papers_spectrum(const SeaState& sea);
 
@@ -96,7 +96,7 @@ std::span<const SeaStateField> sea_state_fields();
 
 /// Empty if usable, else the first bad field: "wind_speed_mps is -3, needs (0, 60]". phillips-paper has no physical height
 /// to go with a swell, and knows no other spreading than its own. Only a spectrum has a swell. A given side is no shorter than
-/// the longest wave of the others, and an analytic sea, as its tiles hold it, no steeper than 0.4 (most_steepness).
+/// the longest wave of the others, and an analytic sea, as its cascades hold it, no steeper than 0.4 (most_steepness).
 std::string check(const SeaState&);
 
 /// Named seas for people who think in sea states, mildest first, and then the open sea of each force of wind, beaufort-0 to

@@ -12,7 +12,7 @@
 #include "pelagic/sim/sources/sea_bed.hpp"
 #include "pelagic/sim/spectrum/dispersion.hpp"
 #include "pelagic/sim/spectrum/shore_waves.hpp"
-#include "pelagic/sim/tile_plan.hpp"
+#include "pelagic/sim/cascade_plan.hpp"
 
 namespace pelagic {
 namespace {
@@ -59,13 +59,13 @@ std::string check(const ShoreOptions& options, const SeaState& sea) {
         return refusal("waves", name_of(sea.waves), "spectrum or analytic where there is a shore");
     if (has_papers_spectrum(sea))
         return refusal("spectrum", name_of(sea.spectrum), "one with a physical height where there is a shore");
-    if (const int tiles = cascades_of(sea); tiles < 2)
-        return refusal("cascades", tiles, "2 to 4 where there is a shore, which takes the coarsest tile's waves");
+    if (const int cascades = cascades_of(sea); cascades < 2)
+        return refusal("cascades", cascades, "2 to 4 where there is a shore, which takes the coarsest cascade's waves");
     return {};
 }
 
 std::string warning_about(const ShoreOptions& options, const SeaState& sea) {
-    const std::vector<ShoreWave> waves = shore_waves(sea, plan_tiles(sea).front());
+    const std::vector<ShoreWave> waves = shore_waves(sea, plan_cascades(sea).front());
     if (waves.empty()) return {};
     const double texel_m = SeaBed(options).texel_m;
     const double shortest_m = two_pi / wave_number(waves.back().omega, sea.depth_m);
@@ -84,7 +84,7 @@ ShoreSample sample(const ShoreSurface& shore, double x_m, double z_m) {
         return at.linear([plane](std::size_t texel) { return static_cast<double>(plane[texel]); });
     };
     ShoreSample sample{.depth_m = metres(shore.depth_m)};
-    for (std::size_t tile = 0; tile < std::size(sample.parts); ++tile) sample.parts[tile] = at.part(tile);
+    for (std::size_t cascade = 0; cascade < std::size(sample.parts); ++cascade) sample.parts[cascade] = at.part(cascade);
     if (!at.is_within()) return sample;
     const ShoreAt::Cubic height = at.cubic(shore.height_m);
     const auto [x_mps, z_mps] = at.velocity();

@@ -21,7 +21,7 @@ struct ShoreOptions {
     double metres_a_sample = 1;             ///< [0.001, 10000]
 
     int resolution = 256;  ///< texels along the longer side of what frames show; 64, 128, 256, 512 or 1024
-    /// Along the field's edges, where the coarsest tile gives way to waves that feel the floor; 0: an eighth of its shorter side.
+    /// Along the field's edges, where the coarsest cascade gives way to waves that feel the floor; 0: an eighth of its shorter side.
     /// [0, half of it]
     double fade_m = 0;
     /// Waves reach so high on dry sand at most, where those that break would end at the waterline; [0, 10]
@@ -30,7 +30,7 @@ struct ShoreOptions {
 
 /// Empty, or what is wrong: "columns is 1, needs 2 to 4096".
 std::string check(const ShoreOptions& options);
-/// The same, and whether the sea can have one: of several tiles, and waves of a physical height: "cascades is 1, needs 2 to 4 ...".
+/// The same, and whether the sea can have one: of several cascades, and waves of a physical height: "cascades is 1, needs 2 to 4 ...".
 /// \pre check(sea) is empty
 std::string check(const ShoreOptions& options, const SeaState& sea);
 
@@ -45,7 +45,7 @@ struct ShoreSample {
     double height_m = 0, slope_x = 0, slope_z = 0, rise_mps = 0, reach_m = 0;
     double velocity_x_mps = 0, velocity_z_mps = 0;  ///< of the long waves' water, by linear theory
     double foam = 0;                                ///< 0 to 1
-    double parts[4] = {1, 1, 1, 1};                 ///< of the tiles
+    double parts[4] = {1, 1, 1, 1};                 ///< of the cascades
 };
 
 /// Of the view that a frame has, between texels as ShoreSurface describes; slopes are the derivatives of the height. The parts are 1 and

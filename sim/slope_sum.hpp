@@ -1,7 +1,7 @@
-// Slopes that add: what the words of a tile's slope maps mean, and the normal and Jacobian of a sum of tiles.
+// Slopes that add: what the words of a cascade's slope maps mean, and the normal and Jacobian of a sum of cascades.
 //
 // Normals and Jacobians of a sum are no sums of normals and Jacobians, but derivatives are sums of derivatives. So whoever
-// draws or asks adds what the tiles say about a point and makes a normal of the sum. Filters and mipmaps may come
+// draws or asks adds what the cascades say about a point and makes a normal of the sum. Filters and mipmaps may come
 // before it, because they are linear. Shaders do the same.
 #pragma once
 
@@ -9,17 +9,17 @@
 
 namespace pelagic {
 
-/// What the bytes of a tile's slope maps count in.
+/// What the bytes of a cascade's slope maps count in.
 struct SlopeRanges {
     float slope = 1;     ///< of h_x, h_z, D_xx, D_zz, D_xz
     float variance = 1;  ///< of h_x and h_z within a texel
 };
 
-/// How a surface changes along the world's x and z, at rest: of one tile, or of several once added.
+/// How a surface changes along the world's x and z, at rest: of one cascade, or of several once added.
 struct SurfaceSlopes {
     double h_x = 0, h_z = 0;                    ///< of the height
     double d_xx = 0, d_zz = 0, d_xz = 0;        ///< of the sideways displacement; Dx,z = Dz,x in a sea of waves
-    double var_xx = 0, var_zz = 0, cov_xz = 0;  ///< of h_x and h_z within the texel; waves of tiles are independent
+    double var_xx = 0, var_zz = 0, cov_xz = 0;  ///< of h_x and h_z within the texel; waves of cascades are independent
 
     SurfaceSlopes& operator+=(const SurfaceSlopes& other) {
         h_x += other.h_x;

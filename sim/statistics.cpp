@@ -37,11 +37,11 @@ struct Moments {
 // Bands 5 % wide from the longest wave of the lattice up to the shortest.
 constexpr double band_ratio = 1.05;
 
-/// What one pass over all tiles' lattices finds: every figure of this file comes from these.
+/// What one pass over all cascades' lattices finds: every figure of this file comes from these.
 struct GridSums {
     double lowest_band_hz = 0;
     Moments expected;                 ///< the mean over all seeds
-    std::vector<TileSlopes> tiles;    ///< the same
+    std::vector<CascadeSlopes> cascades;    ///< the same
     Moments drawn;                    ///< of this seed, as are the rest
     std::vector<double> bands;        ///< of frequency, band_ratio wide, from that of the longest wave on; m^2
     std::vector<double> swell_bands;  ///< the swell's part of them, as many; none without a swell
@@ -75,12 +75,12 @@ SeaState without_swell(SeaState sea) {
 /// What the waves of a sea with a swell would be without it, breaking apart, which takes as much of both.
 class WindPart {
    public:
-    WindPart(const SeaState& sea, const TilePlan& tile, const TileWaves& all)
-        : waves_(without_swell(sea), tile),
+    WindPart(const SeaState& sea, const CascadePlan& cascade, const CascadeWaves& all)
+        : waves_(without_swell(sea), cascade),
           kept_(all.spectrum().kept_by_breaking() / waves_.spectrum().kept_by_breaking()) {}
 
-    TileWaves::MirroredVariances variances(int m, int n) const {
-        const TileWaves::MirroredVariances own = waves_.variances(m, n);
+    CascadeWaves::MirroredVariances variances(int m, int n) const {
+        const CascadeWaves::MirroredVariances own = waves_.variances(m, n);
         const auto kept = [&](const OppositeDensities& of) {
             return OppositeDensities{of.along * kept_, of.against * kept_};
         };
@@ -88,7 +88,7 @@ class WindPart {
     }
 
    private:
-    TileWaves waves_;
+    CascadeWaves waves_;
     double kept_;
 };
 
@@ -97,15 +97,15 @@ double swell_share(double all, double of_wind) { return all > 0 ? std::clamp(1 -
 
 enum class Draws { no, yes };
 
-/// Adds a tile's waves. (m, n) and (-m, n) share a wave number, and most of the work. Without draws only what is the mean over
+/// Adds a cascade's waves. (m, n) and (-m, n) share a wave number, and most of the work. Without draws only what is the mean over
 /// all seeds is summed, for half the work.
-void add_tile(const SeaState& sea, const TilePlan& tile, Draws draws, GridSums& sums) {
-    const TileWaves waves(sea, tile);
+void add_cascade(const SeaState& sea, const CascadePlan& cascade, Draws draws, GridSums& sums) {
+    const CascadeWaves waves(sea, cascade);
     const Water& water = waves.water();
     const auto wind = det::sine_cosine_of_turns(sea.wind_direction_rad / two_pi);
     const bool has_swell = draws == Draws::yes && sea.waves == WaveModel::spectrum && sea.swell_height_m > 0;
     std::optional<WindPart> wind_part;
-    if (has_swell) wind_part.emplace(sea, tile, waves);
+    if (has_swell) wind_part.emplace(sea, cascade, waves);
     SlopeVariance slopes;
 
     struct Variances {
@@ -115,7 +115,7 @@ void add_tile(const SeaState& sea, const TilePlan& tile, Draws draws, GridSums& 
     // amplitude counts twice in the variance.
     const auto add_pair = [&](const OppositeDensities& variances, const OppositeDensities& of_wind, int m, int n,
                               double k, Variances& of_shell) {
-        const auto [kx, kz] = tile.lattice.in_world(m * tile.spacing(), n * tile.spacing());
+        const auto [kx, kz] = cascade.lattice.in_world(m * cascade.spacing(), n * cascade.spacing());
         sums.expected.add(2 * variances.along, 2 * variances.against, kx / k, kz / k);
         const double expected = 2 * (variances.along + variances.against);
         const double k_along = kx * wind.cosine + kz * wind.sine, k_across = kz * wind.cosine - kx * wind.sine;
@@ -134,11 +134,11 @@ void add_tile(const SeaState& sea, const TilePlan& tile, Draws draws, GridSums& 
         of_shell.drawn_swell += along * along_share + against * against_share;
     };
     // DC and the Nyquist row and column hold no waves.
-    for (int n = 0; n < tile.resolution / 2; ++n) {
-        for (int m = n == 0 ? 1 : 0; m < tile.resolution / 2; ++m) {
-            const double k = tile.spacing() * std::sqrt(static_cast<double>(m) * m + static_cast<double>(n) * n);
-            const TileWaves::MirroredVariances variances = waves.variances(m, n);
-            TileWaves::MirroredVariances of_wind{};
+    for (int n = 0; n < cascade.resolution / 2; ++n) {
+        for (int m = n == 0 ? 1 : 0; m < cascade.resolution / 2; ++m) {
+            const double k = cascade.spacing() * std::sqrt(static_cast<double>(m) * m + static_cast<double>(n) * n);
+            const CascadeWaves::MirroredVariances variances = waves.variances(m, n);
+            CascadeWaves::MirroredVariances of_wind{};
             if (wind_part) of_wind = wind_part->variances(m, n);
             Variances here;
             add_pair(variances.plus, of_wind.plus, m, n, k, here);
@@ -153,14 +153,14 @@ void add_tile(const SeaState& sea, const TilePlan& tile, Draws draws, GridSums& 
             sums.add_drawn(omega / two_pi, loop_harmonic(omega, sea.loop_period_s), here.drawn, here.drawn_swell);
         }
     }
-    sums.tiles.push_back({tile.lattice.side_m, tile.resolution, slopes});
+    sums.cascades.push_back({cascade.lattice.side_m, cascade.resolution, slopes});
 }
 
 /// Adds a pond's octaves, as independent as phases of their own make them.
-void add_pond(const SeaState& sea, const TilePlan& tile, GridSums& sums) {
+void add_pond(const SeaState& sea, const CascadePlan& cascade, GridSums& sums) {
     const auto wind = det::sine_cosine_of_turns(sea.wind_direction_rad / two_pi);
     SlopeVariance slopes;
-    for (const LatticeOctave& moved : lattice_octaves(sea, tile)) {
+    for (const LatticeOctave& moved : lattice_octaves(sea, cascade)) {
         const ExpSineOctave& octave = moved.octave;
         const double x = octave.turns_per_m_x / octave.turns_per_m(), z = octave.turns_per_m_z / octave.turns_per_m();
         const double variance = moved.height_variance();
@@ -174,10 +174,10 @@ void add_pond(const SeaState& sea, const TilePlan& tile, GridSums& sums) {
         slopes.upwind += steep * (along * along);
         slopes.crosswind += steep * (1 - along * along);
     }
-    sums.tiles.push_back({tile.lattice.side_m, tile.resolution, slopes});
+    sums.cascades.push_back({cascade.lattice.side_m, cascade.resolution, slopes});
 }
 
-GridSums sums_over(const SeaState& sea, std::span<const TilePlan> plan, Draws draws) {
+GridSums sums_over(const SeaState& sea, std::span<const CascadePlan> plan, Draws draws) {
     GridSums sums;
     if (sea.waves == WaveModel::exp_sine) {
         sums.lowest_band_hz = ripple_frequency_hz(1 / plan.front().lattice.side_m);
@@ -185,18 +185,18 @@ GridSums sums_over(const SeaState& sea, std::span<const TilePlan> plan, Draws dr
         return sums;
     }
     sums.lowest_band_hz = angular_frequency(plan.front().spacing(), sea.depth_m) / two_pi;
-    for (const TilePlan& tile : plan) add_tile(sea, tile, draws, sums);
+    for (const CascadePlan& cascade : plan) add_cascade(sea, cascade, draws, sums);
     return sums;
 }
 
 std::string short_text(double value) { return rounded_text(value, 3); }
 
-/// What a sea asks for, whatever tiles can hold.
+/// What a sea asks for, whatever cascades can hold.
 struct ModelWaves {
     SpectralPeak peak;
     std::optional<double> significant_wave_height_m;  ///< none for phillips-paper
     double kept_by_breaking = 1;
-    int left_out = 0;  ///< waves of a list that no tile holds
+    int left_out = 0;  ///< waves of a list that no cascade holds
 };
 
 ModelWaves model_waves_of_list(const SeaState& sea) {
@@ -214,10 +214,10 @@ ModelWaves model_waves_of_list(const SeaState& sea) {
                          [](const PlaneWave& a, const PlaneWave& b) { return a.amplitude_m < b.amplitude_m; });
     return {.peak = {two_pi * highest->turns_per_m(), two_pi * highest->frequency_hz},
             .significant_wave_height_m = significant_height_m(asked),
-            .left_out = static_cast<int>(asked.waves.size() - waves_of_tiles(sea).waves.size())};
+            .left_out = static_cast<int>(asked.waves.size() - waves_of_cascades(sea).waves.size())};
 }
 
-ModelWaves model_waves_of(const SeaState& sea, std::span<const TilePlan> plan) {
+ModelWaves model_waves_of(const SeaState& sea, std::span<const CascadePlan> plan) {
     if (sea.waves != WaveModel::spectrum) return model_waves_of_list(sea);
     const WaveSpectrum spectrum(sea, plan.front());
     ModelWaves asked{.peak = peak_of(spectrum, sea),
@@ -264,7 +264,7 @@ MeanPeriods drawn_periods_from(const GridSums& sums, double loop_period_s) {
 }
 
 /// Of a sea with a swell. The peak of all that was drawn is that of the part which has the model's.
-void add_parts(const SeaState& sea, std::span<const TilePlan> plan, const GridSums& sums, SeaReport& report) {
+void add_parts(const SeaState& sea, std::span<const CascadePlan> plan, const GridSums& sums, SeaReport& report) {
     const auto part = [&](double expected, double drawn, double peak_period_s, const std::vector<double>& bands) {
         return WavePart{.significant_wave_height_m = 4 * std::sqrt(std::max(0.0, expected)),
                         .drawn_significant_wave_height_m = 4 * std::sqrt(std::max(0.0, drawn)),
@@ -319,10 +319,10 @@ WaveDirections directions_from(const Moments& moments) {
     return directions_of_moment(moments.x / moments.variance, moments.z / moments.variance);
 }
 
-std::vector<std::string> warnings_from(const SeaState& sea, std::span<const TilePlan> plan, const ModelWaves& asked,
+std::vector<std::string> warnings_from(const SeaState& sea, std::span<const CascadePlan> plan, const ModelWaves& asked,
                                        const ExpectedWaves& waves, const LoopFrequencies& found) {
     const SpectralPeak& peak = asked.peak;
-    const TilePlan &coarsest = plan.front(), &finest = plan.back();
+    const CascadePlan &coarsest = plan.front(), &finest = plan.back();
     const double peak_wavelength_m = waves.peak_wavelength_m;
     // What a patch does to the height, over all seeds: one seed's own may as well be above the model's.
     const auto height_beside_model = [&]() -> std::string {
@@ -339,7 +339,7 @@ std::vector<std::string> warnings_from(const SeaState& sea, std::span<const Tile
     }
     if (asked.left_out > 0)
         warnings.push_back(number_text(asked.left_out) +
-                           " of the sea's waves are shorter than the tiles' texels hold and left out, of Hs " +
+                           " of the sea's waves are shorter than the cascades' texels hold and left out, of Hs " +
                            short_text(*waves.model_significant_wave_height_m) + " m " +
                            short_text(waves.significant_wave_height_m) + " m is left: raise the resolution");
     if (coarsest.lattice.side_m < 2 * peak_wavelength_m)
@@ -373,7 +373,7 @@ std::vector<std::string> warnings_from(const SeaState& sea, std::span<const Tile
 
 SeaReport report_on(const SeaState& sea) {
     const DefaultFloatEnvironment environment;
-    const std::vector<TilePlan> plan = plan_tiles(sea);
+    const std::vector<CascadePlan> plan = plan_cascades(sea);
     const ModelWaves asked = model_waves_of(sea, plan);
     GridSums sums = sums_over(sea, plan, Draws::yes);
     SeaReport report;
@@ -389,7 +389,7 @@ SeaReport report_on(const SeaState& sea) {
     report.drawn_directions = directions_from(sums.drawn);
     if (sea.waves == WaveModel::spectrum && sea.spectrum == SpectrumModel::jonswap)
         report.effective_fetch_m = effective_fetch_m(sea);
-    report.tiles = std::move(sums.tiles);
+    report.cascades = std::move(sums.cascades);
     report.loop_frequencies = loop_frequencies_from(sums);
     report.warnings = warnings_from(sea, plan, asked, report.expected, report.loop_frequencies);
     return report;
@@ -397,7 +397,7 @@ SeaReport report_on(const SeaState& sea) {
 
 double repeat_length_m(const SeaState& sea) {
     const DefaultFloatEnvironment environment;
-    return plan_tiles(sea).front().lattice.side_m;
+    return plan_cascades(sea).front().lattice.side_m;
 }
 
 WaveDirections directions_of_moment(double a, double b) {
@@ -407,7 +407,7 @@ WaveDirections directions_of_moment(double a, double b) {
 std::vector<double> model_by_frequency(const SeaState& sea, std::span<const double> frequencies_hz) {
     const DefaultFloatEnvironment environment;
     if (sea.waves != WaveModel::spectrum) return std::vector<double>(frequencies_hz.size());
-    const WaveSpectrum spectrum(sea, plan_tiles(sea).front());
+    const WaveSpectrum spectrum(sea, plan_cascades(sea).front());
     std::vector<double> densities;
     for (const double hertz : frequencies_hz) {
         const double k = wave_number(two_pi * hertz, sea.depth_m);
@@ -419,7 +419,7 @@ std::vector<double> model_by_frequency(const SeaState& sea, std::span<const doub
 std::vector<double> model_by_wave_number(const SeaState& sea, std::span<const double> wave_numbers) {
     const DefaultFloatEnvironment environment;
     if (sea.waves != WaveModel::spectrum) return std::vector<double>(wave_numbers.size());
-    const WaveSpectrum spectrum(sea, plan_tiles(sea).front());
+    const WaveSpectrum spectrum(sea, plan_cascades(sea).front());
     std::vector<double> densities;
     for (const double k : wave_numbers) densities.push_back(radial_energy(spectrum, sea, k));
     return densities;
@@ -427,19 +427,19 @@ std::vector<double> model_by_wave_number(const SeaState& sea, std::span<const do
 
 ExpectedWaves expected_waves(const SeaState& sea) {
     const DefaultFloatEnvironment environment;
-    const std::vector<TilePlan> plan = plan_tiles(sea);
+    const std::vector<CascadePlan> plan = plan_cascades(sea);
     return expected_from(model_waves_of(sea, plan), sums_over(sea, plan, Draws::no));
 }
 
 double measured_significant_wave_height_m(const Frame& frame) {
     const DefaultFloatEnvironment environment;
     double variance = 0;
-    for (const Tile& tile : frame.tiles) {
-        const double count = static_cast<double>(tile.resolution()) * tile.resolution();
+    for (const Cascade& cascade : frame.cascades) {
+        const double count = static_cast<double>(cascade.resolution()) * cascade.resolution();
         double sum = 0, squares = 0;
-        for (int j = 0; j < tile.resolution(); ++j) {
-            for (int i = 0; i < tile.resolution(); ++i) {
-                const double h = tile.height.at(i, j);
+        for (int j = 0; j < cascade.resolution(); ++j) {
+            for (int i = 0; i < cascade.resolution(); ++i) {
+                const double h = cascade.height.at(i, j);
                 sum += h;
                 squares += h * h;
             }

@@ -63,7 +63,7 @@ struct WaveDirections {
 WaveDirections directions_of_moment(double a, double b);
 
 /// What a sea's options ask of its frequencies, m^2/Hz, and of its wave numbers, m^3, all directions together and whatever the
-/// tiles hold: its integral over Hz or rad/m is the variance, but for phillips-paper, which has a shape and no scale. 0 of seas
+/// cascades hold: its integral over Hz or rad/m is the variance, but for phillips-paper, which has a shape and no scale. 0 of seas
 /// of few waves, which are lines.
 /// \pre every frequency, in Hz, or wave number, in rad/m, is above 0
 std::vector<double> model_by_frequency(const SeaState& sea, std::span<const double> frequencies_hz);
@@ -84,8 +84,8 @@ struct WavePart {
     double drawn_peak_period_s = 0;  ///< of what this seed drew; 0 where the grid holds none of the part
 };
 
-/// The slope of the waves that a tile holds, the mean over all seeds; shorter waves are below its texels.
-struct TileSlopes {
+/// The slope of the waves that a cascade holds, the mean over all seeds; shorter waves are below its texels.
+struct CascadeSlopes {
     double side_m;
     int resolution;
     SlopeVariance slopes;
@@ -105,7 +105,7 @@ struct SeaReport {
     WaveDirections drawn_directions;  ///< of the waves that this seed drew
     /// Fetch that counts, metres, of `jonswap`; 0 of other models. Less than SeaState::fetch_m where the sea is fully developed.
     double effective_fetch_m = 0;
-    std::vector<TileSlopes> tiles;
+    std::vector<CascadeSlopes> cascades;
     LoopFrequencies loop_frequencies = {};
     std::vector<std::string> warnings;  ///< warnings_about()
 };

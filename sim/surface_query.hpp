@@ -5,15 +5,15 @@
 //   water.sample({.x = xs, .z = zs}, {.height_m = heights});
 //
 // The surface is what a GPU draws: between texels each displacement is bilinear, and the rest point q is drawn at
-// q + D(q), D being the sum of the tiles' displacements. A query looks for the rest point that is drawn at the given (x, z) and reads the frame there. Where sheets
+// q + D(q), D being the sum of the cascades' displacements. A query looks for the rest point that is drawn at the given (x, z) and reads the frame there. Where sheets
 // lie over one another (breaking crests at high choppiness) the highest one counts.
 //
 // Linear interpolation attenuates short waves. A wave with k radians a texel along one axis keeps (2 + cos k) / 3 of its variance,
-// and its slopes (sin(k) / k)^2 of that: with four tiles of 128^2 texels heights lose 7 % of Hm0 and normals 33 % of the slope
+// and its slopes (sin(k) / k)^2 of that: with four cascades of 128^2 texels heights lose 7 % of Hm0 and normals 33 % of the slope
 // variance (default sea). Interpolation::cubic is for measurements: 1.5 % and 3 %.
 //
 // Dynamic waves (dynamic_waves.hpp) adds its height, its slopes and how it rises at the given place, and so does a shore (shore.hpp).
-// There each tile counts with its part at the given place: q + sum of part D(q) = p.
+// There each cascade counts with its part at the given place: q + sum of part D(q) = p.
 //
 // The bits depend on the frame, the point and the tolerance alone: not on other points of the batch, nor their order,
 // nor the thread, nor the instruction set.
@@ -63,7 +63,7 @@ struct SurfacePoints {
 /// What to tell. Each span is as long as the points, or empty if nobody wants it. None aliases another or the points.
 struct SurfaceSamples {
     std::span<float> height_m = {};
-    /// Unit normal of the displaced surface, (hz Dz,x - hx (1 + Dz,z), J, hx Dx,z - hz (1 + Dx,x)), added up over the tiles.
+    /// Unit normal of the displaced surface, (hz Dz,x - hx (1 + Dz,z), J, hx Dx,z - hz (1 + Dx,x)), added up over the cascades.
     /// Linear: slopes by central differences at texels, bilinear between them, smooth, as textures show it.
     std::span<float> normal_x = {}, normal_y = {}, normal_z = {};
     /// The same slopes' (1 + Dx,x)(1 + Dz,z) - Dx,z Dz,x: 1 at rest, small at sharp crests, negative (and the normal
@@ -74,7 +74,7 @@ struct SurfaceSamples {
     /// How far sideways from the given point the sampled one is drawn.
     std::span<float> error_m = {};
     std::span<std::uint8_t> converged = {};  ///< 1 if the error is within the tolerance
-    /// How much of the water there is white, 0 to 1: the largest of the tiles' foam at the rest point, bilinear between texels.
+    /// How much of the water there is white, 0 to 1: the largest of the cascades' foam at the rest point, bilinear between texels.
     std::span<float> foam = {};
 };
 
@@ -97,16 +97,16 @@ class SurfaceQuery {
 
     const Frame& frame() const { return frame_; }
     const FrameBounds& bounds() const { return frame_.bounds; }
-    double texel_m() const { return texel_m_; }  ///< of the finest tile
+    double texel_m() const { return texel_m_; }  ///< of the finest cascade
     double tolerance_m() const { return tolerance_m_; }
     Interpolation interpolation() const { return options_.interpolation; }
-    bool has_velocities() const { return frame_.tiles.front().velocity_y.data != nullptr; }
-    bool has_foam() const { return tiles_have_foam() || frame_.dynamic_waves || frame_.shore; }
+    bool has_velocities() const { return frame_.cascades.front().velocity_y.data != nullptr; }
+    bool has_foam() const { return cascades_have_foam() || frame_.dynamic_waves || frame_.shore; }
     /// Throws as sample() does.
     void check(const SurfaceSamples& wanted) const;
 
    private:
-    bool tiles_have_foam() const { return !frame_.tiles.front().foam_r8.empty(); }
+    bool cascades_have_foam() const { return !frame_.cascades.front().foam_r8.empty(); }
     bool has_sample(double x, double z) const;
     void take(const SurfacePoints& points, PointChunk& chunk) const;
     void hand_out(const SurfacePoints& points, const SurfaceSamples& samples, const PointChunk& chunk) const;

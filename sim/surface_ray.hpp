@@ -23,13 +23,13 @@ struct SurfaceHit {
 };
 
 /// Empty if a host may ask that, which bounds the time that it takes, too; else what is bad first: "reach_m is nan, needs 0 to a million
-/// texels of the coarsest tile". Coordinates are within 1e9, the direction's length within [1e-100, 1e100].
+/// texels of the coarsest cascade". Coordinates are within 1e9, the direction's length within [1e-100, 1e100].
 std::string check(const SurfaceRay& ray, const Frame& frame);
 
 /// The first place where the ray passes through the surface, from above or from below; none within its reach.
 ///
 /// The surface is the linear one, which is drawn, also where the query is cubic: its highest sheet, as SurfaceQuery gives it; where a crest hangs over, its front is a wall. The ray is
-/// looked at every half texel of the finest tile along the ground between the lowest and the highest water, but where the
+/// looked at every half texel of the finest cascade along the ground between the lowest and the highest water, but where the
 /// waters around are proven to stay away from it; so no crest or trough is missed through which it passes for half such a
 /// texel (along the ground) or longer; one that it only grazes may be. The distance is within the query's tolerance, or 1e-9 of itself where that is more.
 ///

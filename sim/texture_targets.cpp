@@ -31,7 +31,7 @@ std::string check_chain(std::string_view name, const TextureTargets::Chain& chai
     return {};
 }
 
-std::string check_tile(const TextureTargets& targets, int resolution, const FrameContents& contents) {
+std::string check_cascade(const TextureTargets& targets, int resolution, const FrameContents& contents) {
     if (!is_multiple_of(TextureTargets::alignment, targets.displacement_rgba16f))
         return "displacement_rgba16f is " + no_multiple_of(TextureTargets::alignment);
     struct Chain {
@@ -59,12 +59,12 @@ TextureTargets::Chain chain_in(std::uint32_t* texels, int resolution) {
     return chain;
 }
 
-std::string check(std::span<const TextureTargets> tiles, std::size_t tile_count, int resolution,
+std::string check(std::span<const TextureTargets> cascades, std::size_t cascade_count, int resolution,
                   const FrameContents& contents) {
-    if (tiles.size() != tile_count)
-        return "there are targets of " + number_text(tiles.size()) + " tiles, needs " + number_text(tile_count);
-    for (const TextureTargets& targets : tiles)
-        if (std::string reason = check_tile(targets, resolution, contents); !reason.empty()) return reason;
+    if (cascades.size() != cascade_count)
+        return "there are targets of " + number_text(cascades.size()) + " cascades, needs " + number_text(cascade_count);
+    for (const TextureTargets& targets : cascades)
+        if (std::string reason = check_cascade(targets, resolution, contents); !reason.empty()) return reason;
     return {};
 }
 

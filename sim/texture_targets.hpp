@@ -12,7 +12,7 @@
 
 namespace pelagic {
 
-/// Of one tile of N^2 texels. Any map may be left out; it is in the frame then. Each byte is written once, in rows of whole
+/// Of one cascade of N^2 texels. Any map may be left out; it is in the frame then. Each byte is written once, in rows of whole
 /// registers, and none is read, so memory may be write-combined. None aliases another or the frame.
 struct TextureTargets {
     static constexpr std::size_t alignment = 64, most_levels = 12;
@@ -26,9 +26,9 @@ struct TextureTargets {
 /// A chain in one piece, as frames have it: level m at mip_offset(N, m).
 TextureTargets::Chain chain_in(std::uint32_t* texels, int resolution);
 
-/// Empty if frames of so many tiles of this resolution can be written there, else what is bad first: "slopes_rgba8 lacks level
+/// Empty if frames of so many cascades of this resolution can be written there, else what is bad first: "slopes_rgba8 lacks level
 /// 3, needs 8 levels", "gradient_rgba8 is wanted, needs an ocean with gradients".
-std::string check(std::span<const TextureTargets> tiles, std::size_t tile_count, int resolution,
+std::string check(std::span<const TextureTargets> cascades, std::size_t cascade_count, int resolution,
                   const FrameContents& contents);
 
 }  // namespace pelagic

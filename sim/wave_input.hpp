@@ -1,12 +1,12 @@
-// Waves that a host adds to those of the wind: into the tiles themselves, so that whatever is made of tiles has them, normals,
+// Waves that a host adds to those of the wind: into the cascades themselves, so that whatever is made of cascades has them, normals,
 // bounds, foam, queries, textures.
 //
 //   const auto waves = std::make_shared<GerstnerInput>(some_waves);
 //   const auto rings = std::make_shared<RippleInput>(Ripple{.wavelength_m = 2, .amplitude_m = 0.1});
 //   Ocean ocean(sea, {.inputs = {waves, rings}});
 //
-// A tile gets them in their order, each into rows that are 0 before it, so the sum has the same bits on any thread and
-// instruction set. It repeats after the tile's side, and so do they. Figures of the sea, its significant height, its roughness
+// A cascade gets them in their order, each into rows that are 0 before it, so the sum has the same bits on any thread and
+// instruction set. It repeats after the cascade's side, and so do they. Figures of the sea, its significant height, its roughness
 // and where it whitens, stay those of the wind.
 #pragma once
 
@@ -16,7 +16,7 @@
 #include <span>
 #include <utility>
 
-#include "pelagic/sim/tile.hpp"
+#include "pelagic/sim/cascade.hpp"
 #include "pelagic/simd/isa.hpp"
 
 namespace pelagic {
@@ -30,22 +30,22 @@ struct InputMoment {
     /// 0 for a frame, 1 for a tick, which is begun after the frame that needs it and may be made in the same run. What add() needs of
     /// a moment is kept in one of two places.
     std::size_t place = 0;
-    std::span<const TileLattice> lattices = {};  ///< of the tiles, the coarsest first
+    std::span<const CascadeLattice> lattices = {};  ///< of the cascades, the coarsest first
     int resolution = 0;                          ///< of each
     Isa isa = {};                                ///< that computes
 };
 
-/// Some rows of a tile, tight: column i of row first_row + j is at j N + i. They are 0, and what an input leaves there is added to the
-/// tile: metres and metres a second, in the world's axes. Values are finite and at most WaveInput::most.
+/// Some rows of a cascade, tight: column i of row first_row + j is at j N + i. They are 0, and what an input leaves there is added to the
+/// cascade: metres and metres a second, in the world's axes. Values are finite and at most WaveInput::most.
 struct InputRows {
     const InputMoment& moment;
-    std::size_t tile = 0;
+    std::size_t cascade = 0;
     std::size_t first_row = 0, row_count = 0;
     std::span<float> dx, height, dz;
     /// Their derivatives in time. Empty unless OceanOptions::velocities, and in ticks.
     std::span<float> velocity_x, velocity_y, velocity_z;
 
-    const TileLattice& lattice() const { return moment.lattices[tile]; }
+    const CascadeLattice& lattice() const { return moment.lattices[cascade]; }
     std::size_t resolution() const { return static_cast<std::size_t>(moment.resolution); }
     /// One row of a field.
     std::span<float> row_of(std::span<float> field, std::size_t row) const {
@@ -69,11 +69,11 @@ class WaveInput {
 
     /// On the thread that schedules, before anything is added. What it throws, schedule() or complete() throws.
     virtual void begin(const InputMoment& moment) = 0;
-    /// A tile to which nothing is added keeps its bits. After begin().
-    virtual bool adds_to(std::size_t tile) const = 0;
-    /// What slopes of the tile get steeper by at most: the bytes of Tile::slopes_rgba8 count in coarser parts, so that they hold
+    /// A cascade to which nothing is added keeps its bits. After begin().
+    virtual bool adds_to(std::size_t cascade) const = 0;
+    /// What slopes of the cascade get steeper by at most: the bytes of Cascade::slopes_rgba8 count in coarser parts, so that they hold
     /// both. In [0, 100]; where it is too little they stop at the end of their range. After begin().
-    virtual double largest_slope(std::size_t tile) const = 0;
+    virtual double largest_slope(std::size_t cascade) const = 0;
     /// On threads of the executor, several at once. A frame is lost as above if it throws.
     virtual void add(const InputRows& rows) const = 0;
 };
@@ -83,21 +83,21 @@ class CallbackInput final : public WaveInput {
    public:
     using Add = std::function<void(const InputRows&)>;
 
-    static constexpr std::uint32_t all_tiles = ~std::uint32_t{0};
+    static constexpr std::uint32_t all_cascades = ~std::uint32_t{0};
 
-    /// \param tiles  bit i: tile i
-    explicit CallbackInput(Add add, double largest_slope = 0.5, std::uint32_t tiles = all_tiles)
-        : add_(std::move(add)), largest_slope_(largest_slope), tiles_(tiles) {}
+    /// \param cascades  bit i: cascade i
+    explicit CallbackInput(Add add, double largest_slope = 0.5, std::uint32_t cascades = all_cascades)
+        : add_(std::move(add)), largest_slope_(largest_slope), cascades_(cascades) {}
 
     void begin(const InputMoment&) override {}
-    bool adds_to(std::size_t tile) const override { return add_ && (tiles_ >> tile & 1) != 0; }
+    bool adds_to(std::size_t cascade) const override { return add_ && (cascades_ >> cascade & 1) != 0; }
     double largest_slope(std::size_t) const override { return largest_slope_; }
     void add(const InputRows& rows) const override { add_(rows); }
 
    private:
     Add add_;
     double largest_slope_;
-    std::uint32_t tiles_;
+    std::uint32_t cascades_;
 };
 
 }  // namespace pelagic

@@ -55,19 +55,19 @@ TEST(Allocation, FramesAfterTheFirstAllocateNothing) {
 }
 
 TEST(Allocation, NeitherQueriesNorFramesThatCanBeAskedAllocate) {
-    // The paper's own scale folds at such winds, and tiles in a hurricane are nearly as steep: so the searches for the
+    // The paper's own scale folds at such winds, and cascades in a hurricane are nearly as steep: so the searches for the
     // highest sheet are in it.
     const SeaState folded{.spectrum = SpectrumModel::phillips_paper,
                           .resolution = 64,
                           .patch_size_m = 250,
                           .wind_speed_mps = 20,
                           .choppiness = 1};
-    const SeaState steep_tiles{.cascades = 4, .resolution = 64, .wind_speed_mps = 50, .choppiness = 1};
+    const SeaState steep_cascades{.cascades = 4, .resolution = 64, .wind_speed_mps = 50, .choppiness = 1};
     const SeaState pond{.waves = WaveModel::exp_sine, .resolution = 128};
     for (const auto& [executor, sea] : {std::pair{make_serial_executor(), folded},
                                         {make_thread_executor(3), folded},
-                                        {make_serial_executor(), steep_tiles},
-                                         {make_thread_executor(3), steep_tiles},
+                                        {make_serial_executor(), steep_cascades},
+                                         {make_thread_executor(3), steep_cascades},
                                          {make_thread_executor(3), pond}}) {
         Ocean ocean(sea, {.executor = executor, .queries = true, .velocities = true, .slopes = true, .foam = true});
         SurfaceQueryJobs jobs(executor);

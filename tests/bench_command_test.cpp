@@ -18,7 +18,7 @@ namespace {
 
 using nlohmann::json;
 
-const std::vector<std::string> jobs_of_one_tile = {"evolve+rows", "columns+finalize", "gradients+mipmaps",
+const std::vector<std::string> jobs_of_one_cascade = {"evolve+rows", "columns+finalize", "gradients+mipmaps",
                                                    "mipmaps tail"};
 
 Outcome bench(std::vector<std::string> more) {
@@ -50,7 +50,7 @@ TEST(BenchCommand, TimesEachJobOfEachSizeOnEachInstructionSetAndNumberOfThreads)
     std::vector<std::string> rows, wanted;
     for (const json& row : all.at("rows")) {
         rows.push_back(row.at("n").dump() + row.at("isa").get<std::string>() + row.at("threads").dump());
-        EXPECT_EQ(row.at("tiles"), 1);
+        EXPECT_EQ(row.at("cascades"), 1);
         expect_in_order(row.at("ours_ms_quartiles"), row.at("ours_ms"));
         EXPECT_GT(row.at("speedup").get<double>(), 0);
         EXPECT_GT(row.at("gb_per_s").get<double>(), 0);
@@ -61,7 +61,7 @@ TEST(BenchCommand, TimesEachJobOfEachSizeOnEachInstructionSetAndNumberOfThreads)
             expect_in_order(job.at("ms_quartiles"), job.at("ms"));
             EXPECT_GT(job.at("gb_per_s").get<double>(), 0);
         }
-        EXPECT_TRUE(jobs == jobs_of_one_tile || row.at("threads") != 1);
+        EXPECT_TRUE(jobs == jobs_of_one_cascade || row.at("threads") != 1);
     }
     for (const char* n : {"32", "128"}) {
         for (const Isa isa : isas_here()) wanted.push_back(n + std::string(name_of(isa)) + "1");
@@ -78,7 +78,7 @@ TEST(BenchCommand, PrintsTablesWithinAHundredColumnsAndWritesTheFile) {
     EXPECT_EQ(files_in(folder.path()).size(), 1u);
     EXPECT_EQ(json::parse(read_file(folder / "here.json")).at("rows").size(), isas_here().size());
     for (const Isa isa : isas_here()) EXPECT_NE(run.out.find(name_of(isa)), std::string::npos);
-    for (const std::string& job : jobs_of_one_tile) EXPECT_NE(run.out.find(job), std::string::npos) << job;
+    for (const std::string& job : jobs_of_one_cascade) EXPECT_NE(run.out.find(job), std::string::npos) << job;
     for (const tools::MachineFrames& stored : tools::stored_frames())
         EXPECT_NE(run.out.find(stored.machine.substr(0, 39)), std::string::npos) << stored.machine;
     EXPECT_EQ(run.out.find("more threads"), std::string::npos);
@@ -88,7 +88,7 @@ TEST(BenchCommand, PrintsTablesWithinAHundredColumnsAndWritesTheFile) {
     while (std::getline(lines, line)) EXPECT_LE(line.size(), 100u) << line;
 }
 
-TEST(BenchCommand, ASeaOfSeveralTilesHasEachJobOnce) {
+TEST(BenchCommand, ASeaOfSeveralCascadesHasEachJobOnce) {
     std::vector<double> done;
     const tools::Timings timings =
         tools::time_frames({.seas = {{}}, .isas = {isas_here().back()}, .threads = {1}, .seconds = 0.1},
@@ -123,13 +123,13 @@ json headset_rows() {
     return json::parse(run.out).at("rows");
 }
 
-std::string sea_of(const json& row) { return row.at("tiles").dump() + "x" + row.at("n").dump(); }
+std::string sea_of(const json& row) { return row.at("cascades").dump() + "x" + row.at("n").dump(); }
 
 json memory_by_info(const json& row) {
     std::vector<std::string> ask = {"info", "--json", "--isa", row.at("isa"), "--resolution", row.at("n").dump()};
-    const bool is_one_tile = row.at("tiles") == 1;
-    ask.push_back(is_one_tile ? "--patch-size" : "--cascades");
-    ask.push_back(is_one_tile ? "250" : row.at("tiles").dump());
+    const bool is_one_cascade = row.at("cascades") == 1;
+    ask.push_back(is_one_cascade ? "--patch-size" : "--cascades");
+    ask.push_back(is_one_cascade ? "250" : row.at("cascades").dump());
     return json::parse(run_pelagic(ask).out).at("computing").at("memory_bytes");
 }
 
@@ -141,9 +141,9 @@ TEST(HeadsetBench, HasEachSeaOnOneTwoAndThreeThreadsWithItsMemoryAndTextures) {
         if (row.at("threads") == 1) {
             EXPECT_EQ(row.at("memory_bytes"), memory_by_info(row)) << rows.back();
         }
-        // Half floats; a chain of words of a tile alone, two chains of several.
-        const std::size_t tiles = row.at("tiles"), n = row.at("n"), chains = tiles == 1 ? 1 : 2;
-        EXPECT_EQ(row.at("upload_bytes"), tiles * (8 * n * n + chains * 4 * (4 * n * n - 1) / 3)) << rows.back();
+        // Half floats; a chain of words of a cascade alone, two chains of several.
+        const std::size_t cascades = row.at("cascades"), n = row.at("n"), chains = cascades == 1 ? 1 : 2;
+        EXPECT_EQ(row.at("upload_bytes"), cascades * (8 * n * n + chains * 4 * (4 * n * n - 1) / 3)) << rows.back();
     }
     for (const char* sea : {"1x128", "1x256", "3x64", "3x128", "4x128"})
         for (const char* threads : {" 1", " 2", " 3"}) wanted.push_back(sea + std::string(threads));
@@ -206,7 +206,7 @@ TEST(ThreadCounts, DoubleUpToTheMost) {
     EXPECT_EQ(tools::thread_counts(8), (std::vector{1, 2, 4, 8}));
 }
 
-TEST(StageWork, IsThatOfTheJobWhateverTheTile) {
+TEST(StageWork, IsThatOfTheJobWhateverTheCascade) {
     EXPECT_EQ(tools::job_of("evolve+rows c1"), "evolve+rows");
     EXPECT_EQ(tools::job_of("velocity columns"), "velocity columns");
     EXPECT_EQ(tools::job_of("c1"), "c1");

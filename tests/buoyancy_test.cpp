@@ -18,7 +18,7 @@
 #include "pelagic/sim/surface/fold_map.hpp"
 #include "pelagic/tests/each_executor.hpp"
 #include "pelagic/tests/each_isa.hpp"
-#include "pelagic/tests/one_tile_frame.hpp"
+#include "pelagic/tests/one_cascade_frame.hpp"
 #include "pelagic/tests/sanitized.hpp"
 
 namespace pelagic::buoyancy {
@@ -33,11 +33,11 @@ class StillWater {
     StillWater() : zero_(n * n, 0.f), folds_(n) {
         const PlaneView plane{zero_.data(), n, n, n, 0};
         water_.frame.isa = choose_isa();
-        Tile& tile = water_.tile;
-        tile.lattice.side_m = 64;
-        tile.dx = tile.height = tile.dz = plane;
-        tile.velocity_x = tile.velocity_y = tile.velocity_z = plane;
-        folds_.update(tile, kernels_for(choose_isa()));
+        Cascade& cascade = water_.cascade;
+        cascade.lattice.side_m = 64;
+        cascade.dx = cascade.height = cascade.dz = plane;
+        cascade.velocity_x = cascade.velocity_y = cascade.velocity_z = plane;
+        folds_.update(cascade, kernels_for(choose_isa()));
     }
     SurfaceQuery query() const { return SurfaceQuery(water_.frame); }
 
@@ -45,7 +45,7 @@ class StillWater {
     static constexpr int n = 16;
     std::vector<float> zero_;
     FoldMap folds_;
-    OneTileFrame water_;
+    OneCascadeFrame water_;
 };
 
 glm::dquat turned(double angle_rad, const glm::dvec3& axis) {
@@ -328,11 +328,11 @@ TEST(Buoyancy, AStormNeverMakesABoxExplode) {
         const Frame& frame = ocean.frame_at(i * step_s);
         step(boxes, SurfaceQuery(frame), step_s, hull);
         double water_mps = 0;
-        const Tile& tile = frame.tiles[0];
-        for (int j = 0; j < tile.resolution(); ++j)
-            for (int k = 0; k < tile.resolution(); ++k)
-                water_mps = std::max<double>(water_mps, std::hypot(tile.velocity_x.at(k, j), tile.velocity_y.at(k, j),
-                                                                   tile.velocity_z.at(k, j)));
+        const Cascade& cascade = frame.cascades[0];
+        for (int j = 0; j < cascade.resolution(); ++j)
+            for (int k = 0; k < cascade.resolution(); ++k)
+                water_mps = std::max<double>(water_mps, std::hypot(cascade.velocity_x.at(k, j), cascade.velocity_y.at(k, j),
+                                                                   cascade.velocity_z.at(k, j)));
         const double fall_m = 5 + frame.bounds.height_max_m - frame.bounds.height_min_m;
         const double fastest_mps = std::sqrt(2 * gravity_mps2 * fall_m) + water_mps;
         for (const FloatingBox& box : boxes) {

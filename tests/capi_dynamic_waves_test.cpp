@@ -89,7 +89,7 @@ TEST_F(CInterfaceDynamicWaves, IsInSurfacesAndQueries) {
     ASSERT_EQ(pelagic_ocean_dynamic_waves(with.get(), &surface), PELAGIC_OK) << pelagic_last_error();
     ASSERT_EQ(surface.resolution, 64);
     EXPECT_EQ(surface.texel_m, 0.5);
-    // At texels, what queries tell is the tiles' height and the grid's.
+    // At texels, what queries tell is the cascades' height and the grid's.
     double largest = 0;
     for (std::int64_t z = surface.first_z + 4; z < surface.first_z + 60; z += 5)
         for (std::int64_t x = surface.first_x + 4; x < surface.first_x + 60; x += 5) {

@@ -46,26 +46,26 @@ class CInterfaceFoam : public testing::Test {
     }
 };
 
-TEST_F(CInterfaceFoam, IsInTilesCopiesAndQueries) {
+TEST_F(CInterfaceFoam, IsInCascadesCopiesAndQueries) {
     const COcean ocean = gale(true);
     const pelagic_frame frame = complete(ocean, 4);
-    // Along +x, as the wind: 2 % of it, and Stokes' drift of those waves that two tiles of 32 texels hold.
+    // Along +x, as the wind: 2 % of it, and Stokes' drift of those waves that two cascades of 32 texels hold.
     EXPECT_GT(frame.foam_drift_x_mps, 0.02 * 20);
     EXPECT_LT(frame.foam_drift_x_mps, 0.04 * 20);
     EXPECT_NEAR(frame.foam_drift_z_mps, 0, 0.02);
     const std::size_t chain = (4 * 32 * 32 - 1) / 3;
     std::vector<std::vector<std::uint8_t>> copies(2, std::vector<std::uint8_t>(chain));
     std::vector<pelagic_frame_buffers> buffers(2, sized<pelagic_frame_buffers>());
-    buffers[0].tile_count = 2;
+    buffers[0].cascade_count = 2;
     for (std::size_t i = 0; i < 2; ++i) buffers[i].foam_count = chain, buffers[i].foam_r8 = copies[i].data();
     ASSERT_EQ(pelagic_ocean_copy(ocean.get(), buffers.data()), PELAGIC_OK) << pelagic_last_error();
     int most = 0;
     for (std::int32_t i = 0; i < 2; ++i) {
-        auto tile = sized<pelagic_tile>();
-        ASSERT_EQ(pelagic_ocean_tile(ocean.get(), i, &tile), PELAGIC_OK);
-        EXPECT_EQ(std::vector<std::uint8_t>(tile.foam_r8, tile.foam_r8 + chain), copies[static_cast<std::size_t>(i)]);
-        EXPECT_GT(tile.whitecap_ramp, 0);
-        for (std::size_t texel = 0; texel < 32 * 32; ++texel) most = std::max<int>(most, tile.foam_r8[texel]);
+        auto cascade = sized<pelagic_cascade>();
+        ASSERT_EQ(pelagic_ocean_cascade(ocean.get(), i, &cascade), PELAGIC_OK);
+        EXPECT_EQ(std::vector<std::uint8_t>(cascade.foam_r8, cascade.foam_r8 + chain), copies[static_cast<std::size_t>(i)]);
+        EXPECT_GT(cascade.whitecap_ramp, 0);
+        for (std::size_t texel = 0; texel < 32 * 32; ++texel) most = std::max<int>(most, cascade.foam_r8[texel]);
     }
     EXPECT_GT(most, 127) << "nothing breaks here";
 
@@ -82,9 +82,9 @@ TEST_F(CInterfaceFoam, IsInTilesCopiesAndQueries) {
 
     const COcean forgetful = gale(false);
     complete(forgetful, 4);
-    auto tile = sized<pelagic_tile>();
-    ASSERT_EQ(pelagic_ocean_tile(forgetful.get(), 0, &tile), PELAGIC_OK);
-    EXPECT_EQ(tile.foam_r8, nullptr);
+    auto cascade = sized<pelagic_cascade>();
+    ASSERT_EQ(pelagic_ocean_cascade(forgetful.get(), 0, &cascade), PELAGIC_OK);
+    EXPECT_EQ(cascade.foam_r8, nullptr);
     expect_refused(pelagic_ocean_query(forgetful.get(), &points, &samples), PELAGIC_INVALID_ARGUMENT,
                    "the frame has no foam, needs an ocean with OceanOptions::foam");
     expect_refused(pelagic_ocean_copy(forgetful.get(), buffers.data()), PELAGIC_INVALID_ARGUMENT,

@@ -1,10 +1,10 @@
 /* The header is C99, pedantic: that this compiles is the test. */
 #include <pelagic/pelagic.h>
 
-#include "pelagic/tests/capi_tile_sum.h"
+#include "pelagic/tests/capi_cascade_sum.h"
 
 pelagic_status make_a_sea(pelagic_ocean** ocean);
-double jacobian_at(const pelagic_ocean* ocean, int32_t tile_count, double x, double z);
+double jacobian_at(const pelagic_ocean* ocean, int32_t cascade_count, double x, double z);
 
 pelagic_status make_a_sea(pelagic_ocean** ocean) {
     pelagic_sea sea = {.struct_size = sizeof sea};
@@ -12,12 +12,12 @@ pelagic_status make_a_sea(pelagic_ocean** ocean) {
     return status == PELAGIC_OK ? pelagic_ocean_create(&sea, NULL, ocean) : status;
 }
 
-double jacobian_at(const pelagic_ocean* ocean, int32_t tile_count, double x, double z) {
+double jacobian_at(const pelagic_ocean* ocean, int32_t cascade_count, double x, double z) {
     double sum[8] = {0}, normal[3];
-    for (int32_t i = 0; i < tile_count; ++i) {
-        pelagic_tile tile = {.struct_size = sizeof tile};
-        if (pelagic_ocean_tile(ocean, i, &tile) != PELAGIC_OK) return 0;
-        add_slopes(&tile, x, z, sum);
+    for (int32_t i = 0; i < cascade_count; ++i) {
+        pelagic_cascade cascade = {.struct_size = sizeof cascade};
+        if (pelagic_ocean_cascade(ocean, i, &cascade) != PELAGIC_OK) return 0;
+        add_slopes(&cascade, x, z, sum);
     }
     normal_of_slopes(sum, normal);
     return normal[1];

@@ -1,4 +1,4 @@
-// The C interface beside the C++ one that it is made of: the same tiles, and the same seas for hosts of any age.
+// The C interface beside the C++ one that it is made of: the same cascades, and the same seas for hosts of any age.
 #include <gtest/gtest.h>
 #include <pelagic/pelagic.h>
 
@@ -11,7 +11,7 @@
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/statistics.hpp"
 #include "pelagic/sim/surface_query.hpp"
-#include "pelagic/sim/tile_plan.hpp"
+#include "pelagic/sim/cascade_plan.hpp"
 #include "pelagic/tests/capi_sea.hpp"
 
 namespace pelagic::capi {
@@ -32,7 +32,7 @@ void expect_same(const T* c, std::span<const T> cpp) {
     EXPECT_TRUE(std::equal(cpp.begin(), cpp.end(), c));
 }
 
-TEST(CInterfaceInside, TilesAreThoseOfTheCppInterface) {
+TEST(CInterfaceInside, CascadesAreThoseOfTheCppInterface) {
     pelagic_executor_options serial{};
     serial.struct_size = sizeof serial;
     serial.kind = PELAGIC_EXECUTOR_SERIAL;
@@ -64,7 +64,7 @@ TEST(CInterfaceInside, TilesAreThoseOfTheCppInterface) {
         std::uint64_t hash = 0;
         ASSERT_EQ(pelagic_ocean_hash(made, &hash), PELAGIC_OK);
         EXPECT_EQ(hash, hash_of(frame));
-        ASSERT_EQ(c_frame.tile_count, 4);
+        ASSERT_EQ(c_frame.cascade_count, 4);
         EXPECT_EQ(c_frame.roughness, static_cast<float>(frame.figures.roughness));
         EXPECT_EQ(c_frame.foam_drift_x_mps, frame.figures.foam_drift_x_mps);
         EXPECT_EQ(c_frame.foam_drift_z_mps, frame.figures.foam_drift_z_mps);
@@ -73,28 +73,28 @@ TEST(CInterfaceInside, TilesAreThoseOfTheCppInterface) {
             EXPECT_EQ(hash, foam_hash_of(frame));
         }
         for (std::size_t t = 0; t < 4; ++t) {
-            pelagic_tile c{};
+            pelagic_cascade c{};
             c.struct_size = sizeof c;
-            ASSERT_EQ(pelagic_ocean_tile(made, static_cast<int32_t>(t), &c), PELAGIC_OK);
-            const Tile& tile = frame.tiles[t];
-            EXPECT_EQ(c.side_m, tile.lattice.side_m);
-            EXPECT_EQ(c.cosine, tile.lattice.cosine);
-            EXPECT_EQ(c.sine, tile.lattice.sine);
-            EXPECT_EQ(c.slope_range, tile.slope_ranges.slope);
-            EXPECT_EQ(c.variance_range, tile.slope_ranges.variance);
-            EXPECT_EQ(c.whitecap_jacobian, tile.whitecap_jacobian);
-            EXPECT_EQ(c.whitecap_ramp, tile.whitecap_ramp);
-            expect_same(c.dx, tile.dx);
-            expect_same(c.height, tile.height);
-            expect_same(c.dz, tile.dz);
-            expect_same(c.velocity_x, tile.velocity_x);
-            expect_same(c.velocity_y, tile.velocity_y);
-            expect_same(c.velocity_z, tile.velocity_z);
-            expect_same(c.displacement_rgba16f, tile.displacement_rgba16f);
-            expect_same(c.gradient_rgba8, tile.gradient_rgba8);
-            expect_same(c.slopes_rgba8, tile.slopes_rgba8);
-            expect_same(c.moments_rgba8, tile.moments_rgba8);
-            expect_same(c.foam_r8, tile.foam_r8);
+            ASSERT_EQ(pelagic_ocean_cascade(made, static_cast<int32_t>(t), &c), PELAGIC_OK);
+            const Cascade& cascade = frame.cascades[t];
+            EXPECT_EQ(c.side_m, cascade.lattice.side_m);
+            EXPECT_EQ(c.cosine, cascade.lattice.cosine);
+            EXPECT_EQ(c.sine, cascade.lattice.sine);
+            EXPECT_EQ(c.slope_range, cascade.slope_ranges.slope);
+            EXPECT_EQ(c.variance_range, cascade.slope_ranges.variance);
+            EXPECT_EQ(c.whitecap_jacobian, cascade.whitecap_jacobian);
+            EXPECT_EQ(c.whitecap_ramp, cascade.whitecap_ramp);
+            expect_same(c.dx, cascade.dx);
+            expect_same(c.height, cascade.height);
+            expect_same(c.dz, cascade.dz);
+            expect_same(c.velocity_x, cascade.velocity_x);
+            expect_same(c.velocity_y, cascade.velocity_y);
+            expect_same(c.velocity_z, cascade.velocity_z);
+            expect_same(c.displacement_rgba16f, cascade.displacement_rgba16f);
+            expect_same(c.gradient_rgba8, cascade.gradient_rgba8);
+            expect_same(c.slopes_rgba8, cascade.slopes_rgba8);
+            expect_same(c.moments_rgba8, cascade.moments_rgba8);
+            expect_same(c.foam_r8, cascade.foam_r8);
         }
         pelagic_ocean_destroy(made);
     }
@@ -126,7 +126,7 @@ TEST(CInterfaceInside, StatisticsAreThoseOfTheCppInterface) {
     EXPECT_EQ(of.expected_spread_rad, report.expected_directions.spread_rad);
     EXPECT_EQ(of.drawn_spread_rad, report.drawn_directions.spread_rad);
     double along = 0, across = 0;
-    for (const TileSlopes& tile : report.tiles) along += tile.slopes.upwind, across += tile.slopes.crosswind;
+    for (const CascadeSlopes& cascade : report.cascades) along += cascade.slopes.upwind, across += cascade.slopes.crosswind;
     EXPECT_EQ(of.slope_variance_along_wind, along);
     EXPECT_EQ(of.slope_variance_across_wind, across);
     EXPECT_EQ(of.expected_convergence_variance, report.expected_convergence_variance);
@@ -162,7 +162,7 @@ pelagic_sea older_host() {
     return sea;
 }
 
-TEST(CInterfaceInside, AnOlderHostHasOneTileOfAQuarterOfTheCoarsestSide) {
+TEST(CInterfaceInside, AnOlderHostHasOneCascadeOfAQuarterOfTheCoarsestSide) {
     for (const SeaPreset& preset : sea_presets()) {
         pelagic_sea older = older_host(), today{};
         today.struct_size = sizeof today;
@@ -182,15 +182,15 @@ TEST(CInterfaceInside, AnOlderHostHasOneTileOfAQuarterOfTheCoarsestSide) {
         EXPECT_EQ(today.patch_size_m, 0);
         EXPECT_EQ(today.cascades, 0);
         EXPECT_EQ(older.resolution, 256);
-        EXPECT_EQ(older.patch_size_m, plan_tiles(preset.sea).front().lattice.side_m / 4) << preset.name;
+        EXPECT_EQ(older.patch_size_m, plan_cascades(preset.sea).front().lattice.side_m / 4) << preset.name;
         EXPECT_EQ(older.wind_speed_mps, today.wind_speed_mps);
         EXPECT_EQ(older.swell_height_m, today.swell_height_m);
 
         const SeaState read = sea_of(&older);
         EXPECT_EQ(read.cascades, 1);
-        EXPECT_EQ(plan_tiles(read).size(), 1u);
+        EXPECT_EQ(plan_cascades(read).size(), 1u);
         EXPECT_EQ(sea_of(&today).cascades, 0);
-        EXPECT_EQ(plan_tiles(sea_of(&today)).size(), static_cast<std::size_t>(default_cascades)) << preset.name;
+        EXPECT_EQ(plan_cascades(sea_of(&today)).size(), static_cast<std::size_t>(default_cascades)) << preset.name;
     }
 }
 

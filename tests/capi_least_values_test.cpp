@@ -49,16 +49,16 @@ class Findings {
     std::string what_;
 };
 
-void look_at(const pelagic_tile& tile, Findings& found) {
-    const auto texels = static_cast<std::size_t>(tile.resolution) * static_cast<std::size_t>(tile.resolution);
+void look_at(const pelagic_cascade& cascade, Findings& found) {
+    const auto texels = static_cast<std::size_t>(cascade.resolution) * static_cast<std::size_t>(cascade.resolution);
     for (const pelagic_plane* plane :
-         {&tile.dx, &tile.height, &tile.dz, &tile.velocity_x, &tile.velocity_y, &tile.velocity_z})
+         {&cascade.dx, &cascade.height, &cascade.dz, &cascade.velocity_x, &cascade.velocity_y, &cascade.velocity_z})
         found.plane("plane", *plane);
-    found.halves("half", tile.displacement_rgba16f, 4 * texels);
-    found.bounds(tile.bounds);
-    found.number("side_m", tile.side_m);
-    for (const float number : {tile.slope_range, tile.variance_range, tile.whitecap_jacobian, tile.whitecap_ramp})
-        found.number("figure of a tile", static_cast<double>(number));
+    found.halves("half", cascade.displacement_rgba16f, 4 * texels);
+    found.bounds(cascade.bounds);
+    found.number("side_m", cascade.side_m);
+    for (const float number : {cascade.slope_range, cascade.variance_range, cascade.whitecap_jacobian, cascade.whitecap_ramp})
+        found.number("figure of a cascade", static_cast<double>(number));
 }
 
 void look_at(const pelagic_dynamic_waves_view& dynamic_waves, Findings& found) {
@@ -92,10 +92,10 @@ std::string first_unusual(pelagic_ocean* ocean, const pelagic_ocean_options& opt
         found.number("roughness", static_cast<double>(frame.roughness));
         found.number("foam_drift_x_mps", frame.foam_drift_x_mps);
         found.number("foam_drift_z_mps", frame.foam_drift_z_mps);
-        for (int i = 0; i < frame.tile_count; ++i) {
-            auto tile = sized<pelagic_tile>();
-            EXPECT_EQ(pelagic_ocean_tile(ocean, i, &tile), PELAGIC_OK);
-            look_at(tile, found);
+        for (int i = 0; i < frame.cascade_count; ++i) {
+            auto cascade = sized<pelagic_cascade>();
+            EXPECT_EQ(pelagic_ocean_cascade(ocean, i, &cascade), PELAGIC_OK);
+            look_at(cascade, found);
         }
         if (options.dynamic_waves) {
             auto dynamic_waves = sized<pelagic_dynamic_waves_view>();
@@ -193,7 +193,7 @@ constexpr Named<pelagic_sea> sea_fields[] = {{"patch_size_m", &pelagic_sea::patc
 struct Kind {
     const char* name;
     std::int32_t waves, spectrum, spreading;
-    bool has_side = false;  ///< of its one tile
+    bool has_side = false;  ///< of its one cascade
     double swell_height_m = 0;
 };
 constexpr Kind kinds[] = {
@@ -216,7 +216,7 @@ pelagic_sea sea_of(const Kind& kind) {
     return sea;
 }
 
-pelagic_sea two_tiles() { return stack_sea(2); }
+pelagic_sea two_cascades() { return stack_sea(2); }
 
 TEST(CInterfaceLeastValues, OfASea) {
     const pelagic_ocean_options options = all_options();
@@ -232,7 +232,7 @@ TEST(CInterfaceLeastValues, OfASea) {
 TEST(CInterfaceLeastValues, OfTheQueriesTolerance) {
     constexpr Named<pelagic_ocean_options> fields[] = {
         {"query_tolerance_m", &pelagic_ocean_options::query_tolerance_m}};
-    const pelagic_sea sea = two_tiles();
+    const pelagic_sea sea = two_cascades();
     walk(all_options(), fields, "options",
          [&](const pelagic_ocean_options& options, const std::string& what, const char* name) {
              expect_refused_or_finite(what, name, options, [&](pelagic_ocean** ocean) {
@@ -246,7 +246,7 @@ TEST(CInterfaceLeastValues, OfAChange) {
                                                 {"over_s", &pelagic_change::over_s},
                                                 {"swell_from_m", &pelagic_change::swell_from_m}};
     const pelagic_ocean_options options = all_options();
-    const pelagic_sea first = two_tiles();
+    const pelagic_sea first = two_cascades();
     pelagic_sea later = first;
     later.wind_direction_rad = 1;
     later.swell_height_m = 1;
@@ -300,7 +300,7 @@ TEST(CInterfaceLeastValues, OfDynamicWaves) {
                                                        {"wave_speed_mps", &pelagic_dynamic_waves_options::wave_speed_mps},
                                                        {"decay_per_s", &pelagic_dynamic_waves_options::decay_per_s},
                                                        {"foam_height_m", &pelagic_dynamic_waves_options::foam_height_m}};
-    const pelagic_sea sea = two_tiles();
+    const pelagic_sea sea = two_cascades();
     const pelagic_disturbance push = splash(PELAGIC_DISTURBANCE_PRESSURE, PELAGIC_SHAPE_GAUSS);
     for (const std::int32_t step : steps)
         walk(dynamic_waves_options(step), fields, step == PELAGIC_DYNAMIC_WAVES_VERLET ? "Verlet" : "spectral",
@@ -324,7 +324,7 @@ TEST(CInterfaceLeastValues, OfADisturbance) {
                                                      {"rate_per_s", &pelagic_disturbance::rate_per_s},
                                                      {"velocity_x_mps", &pelagic_disturbance::velocity_x_mps},
                                                      {"velocity_z_mps", &pelagic_disturbance::velocity_z_mps}};
-    const pelagic_sea sea = two_tiles();
+    const pelagic_sea sea = two_cascades();
     for (const std::int32_t step : steps) {
         const pelagic_dynamic_waves_options dynamic_waves = dynamic_waves_options(step);
         pelagic_ocean_options options = all_options();
@@ -349,7 +349,7 @@ TEST(CInterfaceLeastValues, OfRain) {
     constexpr Named<pelagic_rain> fields[] = {{"drops_per_m2_s", &pelagic_rain::drops_per_m2_s},
                                               {"radius_m", &pelagic_rain::radius_m},
                                               {"height_m", &pelagic_rain::height_m}};
-    const pelagic_sea sea = two_tiles();
+    const pelagic_sea sea = two_cascades();
     auto usual = sized<pelagic_rain>();
     EXPECT_EQ(pelagic_rain_defaults(&usual), PELAGIC_OK);
     usual.drops_per_m2_s = 1;
@@ -373,7 +373,7 @@ TEST(CInterfaceLeastValues, OfAShore) {
                                                        {"metres_a_sample", &pelagic_shore_options::metres_a_sample},
                                                        {"fade_m", &pelagic_shore_options::fade_m},
                                                        {"swash_m", &pelagic_shore_options::swash_m}};
-    const pelagic_sea sea = two_tiles();
+    const pelagic_sea sea = two_cascades();
     auto usual = sized<pelagic_shore_options>();
     EXPECT_EQ(pelagic_shore_defaults(&usual), PELAGIC_OK);
     usual.columns = usual.rows = 17;
@@ -399,7 +399,7 @@ TEST(CInterfaceLeastValues, OfAShore) {
 
 // The least that is accepted is good for frames, too.
 TEST(CInterfaceLeastValues, ThatAreAccepted) {
-    const pelagic_sea sea = two_tiles();
+    const pelagic_sea sea = two_cascades();
     std::vector<float> heights(9, -1);
     heights[4] = 1;
     auto shore = sized<pelagic_shore_options>();
@@ -431,7 +431,7 @@ TEST(CInterfaceLeastValues, ThatAreAccepted) {
 pelagic_status ocean_with(pelagic_status status, pelagic_input* input, const pelagic_ocean_options& options,
                           pelagic_ocean** ocean) {
     if (status != PELAGIC_OK) return status;
-    const pelagic_sea sea = two_tiles();
+    const pelagic_sea sea = two_cascades();
     pelagic_ocean_options with = options;
     with.input_count = 1;
     with.inputs = &input;
@@ -507,7 +507,7 @@ TEST(CInterfaceLeastValues, OfTimesAndPlaces) {
     const pelagic_dynamic_waves_options dynamic_waves = dynamic_waves_options(PELAGIC_DYNAMIC_WAVES_SPECTRAL);
     pelagic_ocean_options options = all_options();
     options.dynamic_waves = &dynamic_waves;
-    const COcean ocean = ocean_of(two_tiles(), options);
+    const COcean ocean = ocean_of(two_cascades(), options);
     for (const double value : least_values) {
         auto frame = sized<pelagic_frame>();
         EXPECT_EQ(pelagic_ocean_follow(ocean.get(), value, value), PELAGIC_OK);

@@ -16,7 +16,7 @@ T sized() {
     return value;
 }
 
-/// Of one tile.
+/// Of one cascade.
 inline pelagic_sea small_sea(std::int32_t resolution = 16) {
     auto sea = sized<pelagic_sea>();
     EXPECT_EQ(pelagic_sea_defaults(&sea), PELAGIC_OK);

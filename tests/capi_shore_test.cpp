@@ -110,7 +110,7 @@ TEST_F(CInterfaceShore, SaysWhatIsWrong) {
     wrong.swash_m = std::numeric_limits<double>::quiet_NaN();
     EXPECT_EQ(refused(wrong), "shore.swash_m is nan, needs [0, 10]");
     EXPECT_EQ(refused(shore(), small_sea()),
-              "cascades is 1, needs 2 to 4 where there is a shore, which takes the coarsest tile's waves");
+              "cascades is 1, needs 2 to 4 where there is a shore, which takes the coarsest cascade's waves");
 
     const COcean open = ocean_of(stack_sea(2), with(nullptr));
     auto surface = sized<pelagic_shore_surface>();

@@ -196,7 +196,7 @@ void expect_written_in_every_size(Field T::*last, Call call, std::size_t same_fr
 }
 
 TEST_F(StructSizes, WhatIsWrittenMayBeOlderOrNewer) {
-    // Those that end before `cascades` get one tile: the next test.
+    // Those that end before `cascades` get one cascade: the next test.
     expect_written_in_every_size(
         &pelagic_sea::loop_period_s, [](pelagic_sea* sea) { return pelagic_sea_defaults(sea); }, sizeof(pelagic_sea));
     expect_written_in_every_size(
@@ -250,16 +250,16 @@ TEST_F(StructSizes, WhatIsWrittenMayBeOlderOrNewer) {
         return pelagic_ocean_shore(coast.get(), surface);
     });
     complete_one();
-    expect_written_in_every_size(&pelagic_tile::whitecap_jacobian,
-                                 [&](pelagic_tile* tile) { return pelagic_ocean_tile(ocean.get(), 0, tile); });
+    expect_written_in_every_size(&pelagic_cascade::whitecap_jacobian,
+                                 [&](pelagic_cascade* cascade) { return pelagic_ocean_cascade(ocean.get(), 0, cascade); });
     auto ray = sized<pelagic_ray>();
     ray.origin_m[1] = 50, ray.direction[1] = -1, ray.reach_m = 100;
     expect_written_in_every_size(&pelagic_hit::position_m,
                                  [&](pelagic_hit* hit) { return pelagic_ocean_first_hit(ocean.get(), &ray, hit); });
 }
 
-// What stands in pelagic_sea before `cascades` is all that hosts of one tile know: whatever they ask for is that tile.
-TEST(StructSizesOfSeas, HostsThatKnowOneTileGetOne) {
+// What stands in pelagic_sea before `cascades` is all that hosts of one cascade know: whatever they ask for is that cascade.
+TEST(StructSizesOfSeas, HostsThatKnowOneCascadeGetOne) {
     const std::size_t at_first = size_at_first(&pelagic_sea::loop_period_s);
     const std::size_t before_cascades = offsetof(pelagic_sea, cascades);
     const COceanExecutor serial = executor_of(PELAGIC_EXECUTOR_SERIAL);
@@ -285,7 +285,7 @@ TEST(StructSizesOfSeas, HostsThatKnowOneTileGetOne) {
                 auto frame = sized<pelagic_frame>();
                 ASSERT_EQ(pelagic_ocean_schedule(made.get(), 1), PELAGIC_OK);
                 ASSERT_EQ(pelagic_ocean_complete(made.get(), &frame), PELAGIC_OK);
-                EXPECT_EQ(frame.tile_count, 1);
+                EXPECT_EQ(frame.cascade_count, 1);
                 EXPECT_NE(frame.gradient_rgba8, nullptr);
                 if (patch_size_m > 0) {
                     EXPECT_EQ(frame.patch_size_m, patch_size_m);
@@ -305,7 +305,7 @@ TEST(StructSizesOfSeas, NewFieldsLieBehindThePaddingOfTheFirstVersion) {
     constexpr std::size_t end = offsetof(pelagic_frame, bounds) + sizeof(pelagic_bounds);
     constexpr std::size_t padded =
         (end + alignof(pelagic_frame) - 1) / alignof(pelagic_frame) * alignof(pelagic_frame);
-    EXPECT_GE(offsetof(pelagic_frame, tile_count), padded);
+    EXPECT_GE(offsetof(pelagic_frame, cascade_count), padded);
     EXPECT_EQ(offsetof(pelagic_sea, wave_drag) + sizeof(double), sizeof(pelagic_sea));
     EXPECT_EQ(offsetof(pelagic_ocean_options, reserved_1) + 4, offsetof(pelagic_ocean_options, dynamic_waves));
     EXPECT_EQ(offsetof(pelagic_ocean_options, dynamic_waves) + sizeof(void*), offsetof(pelagic_ocean_options, shore));
@@ -314,8 +314,8 @@ TEST(StructSizesOfSeas, NewFieldsLieBehindThePaddingOfTheFirstVersion) {
     EXPECT_EQ(offsetof(pelagic_ocean_info, reserved_1) + 4, sizeof(pelagic_ocean_info));
     EXPECT_EQ(offsetof(pelagic_frame, foam_drift_x_mps), offsetof(pelagic_frame, roughness) + 4);
     EXPECT_EQ(offsetof(pelagic_frame, foam_drift_z_mps) + 8, sizeof(pelagic_frame));
-    EXPECT_EQ(offsetof(pelagic_tile, foam_r8), offsetof(pelagic_tile, whitecap_jacobian) + 4);
-    EXPECT_EQ(offsetof(pelagic_tile, reserved_1) + 4, sizeof(pelagic_tile));
+    EXPECT_EQ(offsetof(pelagic_cascade, foam_r8), offsetof(pelagic_cascade, whitecap_jacobian) + 4);
+    EXPECT_EQ(offsetof(pelagic_cascade, reserved_1) + 4, sizeof(pelagic_cascade));
     EXPECT_EQ(offsetof(pelagic_frame_buffers, foam_r8) + sizeof(void*), sizeof(pelagic_frame_buffers));
     EXPECT_EQ(offsetof(pelagic_samples, foam), offsetof(pelagic_samples, converged) + sizeof(void*));
 }

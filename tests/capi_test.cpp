@@ -164,7 +164,7 @@ TEST(CInterface, BadSeasAreNamedFieldByField) {
         {"sea.reserved_1 is set", [](pelagic_sea& sea) { sea.reserved_1 = 1; }},
         {"cascades is 5, needs 1, 2, 3 or 4", [](pelagic_sea& sea) { sea.cascades = 5; }},
         {"cascades is -1, needs 1, 2, 3 or 4", [](pelagic_sea& sea) { sea.cascades = -1; }},
-        {"cascades is 2, needs 1 where the side of the tile is given", [](pelagic_sea& sea) { sea.cascades = 2; }},
+        {"cascades is 2, needs 1 where the side of the cascade is given", [](pelagic_sea& sea) { sea.cascades = 2; }},
         {"cascades is 3, needs 1 where the resolution is 16",
          [](pelagic_sea& sea) { sea.cascades = 3, sea.patch_size_m = 0; }},
         {"spreading is hasselmann, needs paper where the spectrum is phillips-paper",
@@ -201,7 +201,7 @@ TEST(CInterface, NullIsNamed) {
     auto ray = sized<pelagic_ray>();
     auto hit = sized<pelagic_hit>();
     auto buffers = sized<pelagic_frame_buffers>();
-    auto tile = sized<pelagic_tile>();
+    auto cascade = sized<pelagic_cascade>();
     pelagic_executor* executor = nullptr;
     pelagic_ocean* made = nullptr;
     std::int32_t flag = 0;
@@ -223,7 +223,7 @@ TEST(CInterface, NullIsNamed) {
     expect_invalid(pelagic_ocean_frame_at(nullptr, 0, &buffers, nullptr), "ocean is NULL");
     expect_invalid(pelagic_ocean_frame_at(ocean.get(), 0, nullptr, nullptr), "buffers is NULL");
     expect_invalid(pelagic_ocean_copy(nullptr, &buffers), "ocean is NULL");
-    expect_invalid(pelagic_ocean_tile(nullptr, 0, &tile), "ocean is NULL");
+    expect_invalid(pelagic_ocean_cascade(nullptr, 0, &cascade), "ocean is NULL");
     expect_invalid(pelagic_ocean_hash(nullptr, &hash), "ocean is NULL");
     expect_invalid(pelagic_ocean_schedule_sea(nullptr, &sea), "ocean is NULL");
     expect_invalid(pelagic_ocean_schedule_sea(ocean.get(), nullptr), "sea is NULL");
@@ -239,7 +239,7 @@ TEST(CInterface, NullIsNamed) {
     expect_invalid(pelagic_ocean_complete(ocean.get(), nullptr), "frame is NULL");
     EXPECT_EQ(pelagic_ocean_complete(ocean.get(), &frame), PELAGIC_OK) << "a failed complete leaves it in flight";
     expect_invalid(pelagic_ocean_copy(ocean.get(), nullptr), "buffers is NULL");
-    expect_invalid(pelagic_ocean_tile(ocean.get(), 0, nullptr), "tile is NULL");
+    expect_invalid(pelagic_ocean_cascade(ocean.get(), 0, nullptr), "cascade is NULL");
     expect_invalid(pelagic_ocean_hash(ocean.get(), nullptr), "hash is NULL");
     expect_invalid(pelagic_ocean_query(ocean.get(), nullptr, &samples), "points is NULL");
     expect_invalid(pelagic_ocean_query(ocean.get(), &points, nullptr), "samples is NULL");
@@ -266,7 +266,7 @@ TEST(CInterface, AWrongSizeOfAStructIsNamed) {
         auto ocean_options = with_size(pelagic_ocean_options{});
         auto info = with_size(pelagic_ocean_info{});
         auto frame = with_size(pelagic_frame{});
-        auto tile = with_size(pelagic_tile{});
+        auto cascade = with_size(pelagic_cascade{});
         auto buffers = with_size(pelagic_frame_buffers{});
         auto points = with_size(pelagic_points{});
         auto samples = with_size(pelagic_samples{});
@@ -288,7 +288,7 @@ TEST(CInterface, AWrongSizeOfAStructIsNamed) {
         expect_invalid(pelagic_ocean_create(&good_sea, &ocean_options, &made), "options.struct_size");
         expect_invalid(pelagic_ocean_describe(ocean.get(), &info), "info.struct_size");
         expect_invalid(pelagic_ocean_frame_at(ocean.get(), 0, &buffers, nullptr), "buffers.struct_size");
-        expect_invalid(pelagic_ocean_tile(ocean.get(), 0, &tile), "tile.struct_size");
+        expect_invalid(pelagic_ocean_cascade(ocean.get(), 0, &cascade), "cascade.struct_size");
         expect_invalid(pelagic_ocean_schedule_sea(ocean.get(), &sea), "sea.struct_size");
         expect_invalid(pelagic_ocean_query(ocean.get(), &points, &good_samples), "points.struct_size");
         expect_invalid(pelagic_ocean_query(ocean.get(), &good_points, &samples), "samples.struct_size");
@@ -313,14 +313,14 @@ TEST(CInterface, ReservedFieldsHaveToBe0) {
     auto ray = sized<pelagic_ray>();
     auto hit = sized<pelagic_hit>();
     executor_options.reserved = ocean_options.reserved = 1;
-    buffers.tile_count = 2;
+    buffers.cascade_count = 2;
     points.reserved = samples.reserved = ray.reserved = 1;
     const pelagic_sea sea = small_sea();
     pelagic_executor* executor = nullptr;
     pelagic_ocean* made = nullptr;
     expect_invalid(pelagic_executor_create(&executor_options, &executor), "options.reserved is set, needs 0");
     expect_invalid(pelagic_ocean_create(&sea, &ocean_options, &made), "options.reserved");
-    expect_invalid(pelagic_ocean_frame_at(ocean.get(), 0, &buffers, nullptr), "buffers.tile_count is 2, needs 1");
+    expect_invalid(pelagic_ocean_frame_at(ocean.get(), 0, &buffers, nullptr), "buffers.cascade_count is 2, needs 1");
     expect_invalid(pelagic_ocean_query(ocean.get(), &points, &samples), "points.reserved");
     expect_invalid(pelagic_ocean_query(ocean.get(), &good_points, &samples), "samples.reserved");
     expect_invalid(pelagic_ocean_first_hit(ocean.get(), &ray, &hit), "ray.reserved");
@@ -370,8 +370,8 @@ TEST(CInterface, TheWrongOrderIsAnErrorThatChangesNothing) {
     expect_wrong_order(pelagic_ocean_query(ocean.get(), &points, &samples), "no frame yet");
     expect_wrong_order(pelagic_ocean_complete_sea(ocean.get()), "no sea is being baked");
     expect_wrong_order(pelagic_ocean_copy(ocean.get(), &buffers), "no frame yet");
-    auto tile = sized<pelagic_tile>();
-    expect_wrong_order(pelagic_ocean_tile(ocean.get(), 0, &tile), "no frame yet");
+    auto cascade = sized<pelagic_cascade>();
+    expect_wrong_order(pelagic_ocean_cascade(ocean.get(), 0, &cascade), "no frame yet");
 
     EXPECT_EQ(pelagic_ocean_schedule(ocean.get(), 3), PELAGIC_OK);
     expect_wrong_order(pelagic_ocean_schedule(ocean.get(), 4), "a frame is in flight");

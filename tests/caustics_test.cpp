@@ -14,7 +14,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi, water_index = 1.333;
 
-/// One tile whose height is a function of x, in metres.
+/// One cascade whose height is a function of x, in metres.
 struct HandMadeSea {
     template <class Height>
     HandMadeSea(int n, double side_m, Height height_of)
@@ -22,17 +22,17 @@ struct HandMadeSea {
         for (int j = 0; j < n; ++j)
             for (int i = 0; i < n; ++i)
                 height[std::size_t(j) * n + i] = static_cast<float>(height_of(i * side_m / n));
-        tile.lattice.side_m = side_m;
-        tile.dx = tile.dz = plane(flat);
-        tile.height = plane(height);
-        frame.tiles = {&tile, 1};
+        cascade.lattice.side_m = side_m;
+        cascade.dx = cascade.dz = plane(flat);
+        cascade.height = plane(height);
+        frame.cascades = {&cascade, 1};
     }
     PlaneView plane(const std::vector<float>& texels) const {
         return {texels.data(), resolution, resolution, resolution, 0};
     }
     int resolution;
     std::vector<float> flat, height;
-    Tile tile;
+    Cascade cascade;
     Frame frame;
 };
 
@@ -59,7 +59,7 @@ TEST(Caustics, OfAWaveGrowAsALensGathersAndFocusWhereItDoes) {
     const double focus_m = water_index / ((water_index - 1) * a * k * k);
     const HandMadeSea sea(n, side_m, [&](double x) { return a * std::cos(k * x); });
     // Of a sine the root of the mean square is a part 1/sqrt(2) of the most; differences over a texel lose 0.05 %.
-    EXPECT_NEAR(gl::focus_of(sea.tile), focus_m * std::sqrt(2) / 1.5, 0.005 * focus_m);
+    EXPECT_NEAR(gl::focus_of(sea.cascade), focus_m * std::sqrt(2) / 1.5, 0.005 * focus_m);
 
     constexpr int side = gl::Caustics::side;
     const auto below_crest = [&](const std::vector<double>& light) { return light[side / 2]; };
@@ -96,7 +96,7 @@ TEST(Caustics, OfARealSeaLoseNoLight) {
         gl::CausticsBaker baker(make_serial_executor());
         baker.schedule(frame, {.depth_m = depth_m, .sun = glm::normalize(glm::vec3(0.4f, 0.8f, 0.3f))});
         const gl::Caustics& caustics = baker.complete();
-        // Areas before and after: the surface's squares, as the sun sees them, add up to the tile's.
+        // Areas before and after: the surface's squares, as the sun sees them, add up to the cascade's.
         EXPECT_NEAR(caustics.light, 1, 0.005) << depth_m;
         double sum = 0, squares = 0;
         constexpr std::size_t texels = std::size_t{gl::Caustics::side} * gl::Caustics::side;
@@ -126,7 +126,7 @@ TEST(Caustics, AreTheSameForAnyNumberOfThreads) {
     }
 }
 
-TEST(Caustics, ComeFromTheTileWhoseWavesFocusThere) {
+TEST(Caustics, ComeFromTheCascadeWhoseWavesFocusThere) {
     Ocean ocean(sea_preset_named("moderate")->sea, {.executor = make_serial_executor(), .slopes = true});
     const Frame& frame = ocean.frame_at(0);
     gl::CausticsBaker baker(make_serial_executor());
@@ -137,7 +137,7 @@ TEST(Caustics, ComeFromTheTileWhoseWavesFocusThere) {
         EXPECT_GE(side_m, side_before_m) << "deeper water wants longer waves";
         side_before_m = side_m;
     }
-    EXPECT_GT(side_before_m, frame.tiles.back().lattice.side_m);
+    EXPECT_GT(side_before_m, frame.cascades.back().lattice.side_m);
     EXPECT_THROW(baker.schedule(frame, {.depth_m = 0}), std::invalid_argument);
     EXPECT_EQ(gl::check(gl::CausticsOptions{.depth_m = -1}), "depth_m is -1, needs [0.001, 1000]");
 }

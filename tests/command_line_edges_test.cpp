@@ -86,7 +86,7 @@ TEST(TiffHalves, StayHalves) {
     Ocean ocean({.resolution = 32, .patch_size_m = 250}, {.executor = make_serial_executor()});
     const Frame& frame = ocean.frame_at(0);
     for (std::size_t i = 0; i < pixels.size(); ++i)
-        ASSERT_EQ(pixels[i], frame.tiles[0].displacement_rgba16f[i / 3 * 4 + i % 3]) << i;
+        ASSERT_EQ(pixels[i], frame.cascades[0].displacement_rgba16f[i / 3 * 4 + i % 3]) << i;
 }
 
 }  // namespace

@@ -15,18 +15,18 @@
 #include "pelagic/sim/surface_query_jobs.hpp"
 #include "pelagic/sim/surface_ray.hpp"
 #include "pelagic/tests/each_isa.hpp"
-#include "pelagic/tests/one_tile_frame.hpp"
+#include "pelagic/tests/one_cascade_frame.hpp"
 #include "pelagic/tests/oracle/stack_oracle.hpp"
 #include "pelagic/tests/query_points.hpp"
 #include "pelagic/tests/sanitized.hpp"
-#include "pelagic/tests/tile_stack.hpp"
+#include "pelagic/tests/cascade_stack.hpp"
 
 namespace pelagic {
 namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// One tile of a plane wave without sideways displacement, of `m` and `n` waves along its axes.
+/// One cascade of a plane wave without sideways displacement, of `m` and `n` waves along its axes.
 class PlaneWave {
    public:
     static constexpr int side = 32;
@@ -40,17 +40,17 @@ class PlaneWave {
             return PlaneView{plane.data(), side, side, side, 0};
         };
         water_.frame.isa = choose_isa();
-        water_.tile.lattice.side_m = side * texel_m;
-        water_.tile.dx = view(zero_), water_.tile.height = view(height_), water_.tile.dz = view(zero_);
+        water_.cascade.lattice.side_m = side * texel_m;
+        water_.cascade.dx = view(zero_), water_.cascade.height = view(height_), water_.cascade.dz = view(zero_);
         water_.set_bounds({-amplitude_m, amplitude_m, 0, 0});
-        folds_.update(water_.tile, kernels_for(choose_isa()));
+        folds_.update(water_.cascade, kernels_for(choose_isa()));
     }
     const Frame& frame() const { return water_.frame; }
 
    private:
     std::vector<float> height_, zero_;
     FoldMap folds_;
-    OneTileFrame water_;
+    OneCascadeFrame water_;
 };
 
 /// Of the variance of a wave of `k` radians a texel, along one axis, what is left of it and of its slope's: the mean over a
@@ -151,7 +151,7 @@ Ratios ratios_of(const SeaState& sea, Interpolation interpolation, std::size_t c
         slopes += (x * x + z * z) / (y * y) / static_cast<double>(count);
     }
     double resolved = 0;
-    for (const TileSlopes& tile : report_on(sea).tiles) resolved += tile.slopes.total();
+    for (const CascadeSlopes& cascade : report_on(sea).cascades) resolved += cascade.slopes.total();
     return {4 * std::sqrt(squares - mean * mean) / measured_significant_wave_height_m(frame), slopes / resolved};
 }
 
@@ -171,14 +171,14 @@ TEST(CubicQuery, OfTheDefaultSeaHeightsAndSlopesAreThoseOfItsWaves) {
     }
 }
 
-/// As in tile_stack_query_test.cpp: heights within the tolerance on faces of 1 : 1 and float's rounding of some metres; the others
+/// As in cascade_stack_query_test.cpp: heights within the tolerance on faces of 1 : 1 and float's rounding of some metres; the others
 /// where the surface isn't folded.
 void expect_as_oracle(const Frame& frame, const Points& points, bool is_folded, std::size_t& folded) {
     const oracle::Stack stack(frame, Interpolation::cubic);
     Samples samples(points.x.size());
     SurfaceQuery(frame, {.interpolation = Interpolation::cubic}).sample(points.view(), samples.view());
     const double coarsest_m =
-        frame.tiles.size() == 1 ? frame.tiles.front().texel_m() : 0;  // a search in texels ends at 4e-6
+        frame.cascades.size() == 1 ? frame.cascades.front().texel_m() : 0;  // a search in texels ends at 4e-6
     for (std::size_t i = 0; i < points.x.size(); ++i) {
         const std::vector<oracle::StackSheet> sheets = stack.sheets_at(points.x[i], points.z[i]);
         ASSERT_FALSE(sheets.empty()) << "the oracle misses " << points.x[i] << ", " << points.z[i];
@@ -203,10 +203,10 @@ void expect_as_oracle(const Frame& frame, const Points& points, bool is_folded, 
 
 TEST(CubicQuery, AnswersAsTheOracle) {
     std::size_t folded = 0;
-    for (const std::size_t tiles : {2, 3, 4})
+    for (const std::size_t cascades : {2, 3, 4})
         for (const double choppiness : {0.0, 0.8, 1.0}) {
-            SCOPED_TRACE(std::to_string(tiles) + " tiles, choppiness " + std::to_string(choppiness));
-            const TileStack stack(TileStack::of_scales(tiles, 12, choppiness, 5, 64), 3.7);
+            SCOPED_TRACE(std::to_string(cascades) + " cascades, choppiness " + std::to_string(choppiness));
+            const CascadeStack stack(CascadeStack::of_scales(cascades, 12, choppiness, 5, 64), 3.7);
             expect_as_oracle(stack.frame(), random_points(is_sanitized ? 5 : 200, 3000, 4), false, folded);
         }
     for (const Isa isa : isas_here())
@@ -220,12 +220,12 @@ TEST(CubicQuery, AnswersAsTheOracle) {
 
 TEST(CubicQuery, OfSheetsOverOneAnotherTheHighestCounts) {
     std::size_t folded = 0;
-    for (const std::size_t tiles : {2, 3})
+    for (const std::size_t cascades : {2, 3})
         for (const double factor : {6.0, 12.0}) {
-            SCOPED_TRACE(std::to_string(tiles) + " tiles, " + std::to_string(factor) + " times as steep");
-            std::vector<TileStack::Part> parts = TileStack::of_scales(tiles, 12, 1, 9, 32);
-            for (TileStack::Part& part : parts) part.factor *= factor;
-            const TileStack stack(parts, 2);
+            SCOPED_TRACE(std::to_string(cascades) + " cascades, " + std::to_string(factor) + " times as steep");
+            std::vector<CascadeStack::Part> parts = CascadeStack::of_scales(cascades, 12, 1, 9, 32);
+            for (CascadeStack::Part& part : parts) part.factor *= factor;
+            const CascadeStack stack(parts, 2);
             expect_as_oracle(stack.frame(), random_points(is_sanitized ? 5 : 200, 300, 6), true, folded);
         }
     for (unsigned seed = 1; seed <= 2; ++seed) {

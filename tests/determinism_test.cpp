@@ -93,7 +93,7 @@ const SeaState folded_sea{.spectrum = SpectrumModel::phillips_paper,
                           .wind_speed_mps = 20,
                           .choppiness = 1};
 const SeaState smooth_sea{.resolution = 256, .patch_size_m = 250, .choppiness = 1};
-const SeaState sea_of_tiles{.cascades = 4, .resolution = 64, .choppiness = 1};
+const SeaState sea_of_cascades{.cascades = 4, .resolution = 64, .choppiness = 1};
 /// Of few waves.
 const SeaState analytic_sea_state{.waves = WaveModel::analytic, .resolution = 64, .choppiness = 1};
 const SeaState pond{.waves = WaveModel::exp_sine, .resolution = 64};
@@ -226,7 +226,7 @@ TEST(Determinism, OceansMayBeDestroyedInFlight) {
 }
 
 TEST(Determinism, ASeaThatCanBeAskedIsTheSameSea) {
-    for (const SeaState& sea : {folded_sea, smooth_sea, sea_of_tiles, analytic_sea_state, pond})
+    for (const SeaState& sea : {folded_sea, smooth_sea, sea_of_cascades, analytic_sea_state, pond})
         for (const Host& host : hosts())
             EXPECT_EQ(hash_of(queryable_ocean(sea, choose_isa(), host.executor)->frame_at(7)), hash_at(sea, 7))
                 << host.name;
@@ -252,7 +252,7 @@ TEST(Determinism, FoamIsTheSameOnEveryInstructionSetExecutorAndThreadCount) {
 
 TEST(Determinism, EveryInstructionSetGivesTheSameAnswers) {
     const QueryPoints points(20000);
-    for (const SeaState& sea : {folded_sea, smooth_sea, sea_of_tiles, analytic_sea_state, pond}) {
+    for (const SeaState& sea : {folded_sea, smooth_sea, sea_of_cascades, analytic_sea_state, pond}) {
         for (const Interpolation interpolation : {Interpolation::linear, Interpolation::cubic}) {
             const std::uint64_t expected = answers_at(sea, 3, isas_here().front(), points, interpolation).hash();
             for (const Isa isa : isas_here())
@@ -265,9 +265,9 @@ TEST(Determinism, AnAnswerDependsOnNoOtherPointOfTheBatch) {
     const QueryPoints points(1000);
     for (const auto& [sea, interpolation] : {std::pair{folded_sea, Interpolation::linear},
                                              {smooth_sea, Interpolation::linear},
-                                             {sea_of_tiles, Interpolation::linear},
+                                             {sea_of_cascades, Interpolation::linear},
                                              {folded_sea, Interpolation::cubic},
-                                             {sea_of_tiles, Interpolation::cubic}}) {
+                                             {sea_of_cascades, Interpolation::cubic}}) {
         const auto ocean = queryable_ocean(sea);
         const SurfaceQuery query(ocean->frame_at(3), {.interpolation = interpolation});
         Answers expected(points.x.size());
@@ -394,26 +394,26 @@ TEST(Determinism, TheHostsFloatingPointEnvironmentDoesNotReachTheSea) {
 /// FNV-1a over the bits of all displacement planes, row by row.
 std::uint64_t hash_of_displacement(const Frame& frame) {
     std::uint64_t hash = 0xcbf29ce484222325u;
-    for (const Tile& tile : frame.tiles)
-        for (const PlaneView* plane : {&tile.dx, &tile.height, &tile.dz})
+    for (const Cascade& cascade : frame.cascades)
+        for (const PlaneView* plane : {&cascade.dx, &cascade.height, &cascade.dz})
             for (int j = 0; j < plane->resolution; ++j)
                 for (int i = 0; i < plane->resolution; ++i)
                     hash = (hash ^ std::bit_cast<std::uint32_t>(plane->at(i, j))) * 0x100000001b3u;
     return hash;
 }
 
-/// Seas of one tile over deep water, which were defaults and presets before there were stacks of tiles.
-std::map<std::string, SeaState> seas_of_one_tile() {
+/// Seas of one cascade over deep water, which were defaults and presets before there were stacks of cascades.
+std::map<std::string, SeaState> seas_of_one_cascade() {
     std::map<std::string, SeaState> seas = {
-        {"one-tile-256", {.resolution = 256, .patch_size_m = 250, .roughness = 0.1}},
-        {"one-tile-calm",
+        {"one-cascade-256", {.resolution = 256, .patch_size_m = 250, .roughness = 0.1}},
+        {"one-cascade-calm",
          {.resolution = 256,
           .patch_size_m = 50,
           .wind_speed_mps = 3,
           .fetch_m = 20e3,
           .choppiness = 0.6,
           .roughness = 0.05}},
-        {"one-tile-rough",
+        {"one-cascade-rough",
          {.resolution = 256,
           .patch_size_m = 300,
           .wind_speed_mps = 12,
@@ -421,7 +421,7 @@ std::map<std::string, SeaState> seas_of_one_tile() {
           .choppiness = 0.9,
           .roughness = 0.15,
           .alignment = 0.6}},
-        {"one-tile-storm",
+        {"one-cascade-storm",
          {.resolution = 512,
           .patch_size_m = 800,
           .wind_speed_mps = 19,
@@ -435,14 +435,14 @@ std::map<std::string, SeaState> seas_of_one_tile() {
     return seas;
 }
 
-// The waves of one deep tile have had these bits since the first version; its normals, whose roughness was the user's alone
+// The waves of one deep cascade have had these bits since the first version; its normals, whose roughness was the user's alone
 // then, are in the hashes of whole frames.
-TEST(Determinism, ADeepTileKeepsItsDisplacement) {
+TEST(Determinism, ADeepCascadeKeepsItsDisplacement) {
     std::map<std::string, std::string> golden;
     std::ifstream file(PELAGIC_GOLDEN_FOLDER "/displacement_hashes.txt");
     for (std::string name, hash; file >> name >> hash;) golden[name] = hash;
     std::size_t compared = 0;
-    for (const auto& [name, sea] : seas_of_one_tile()) {
+    for (const auto& [name, sea] : seas_of_one_cascade()) {
         Ocean ocean(sea, {.executor = make_serial_executor()});
         for (const char* time : {"0", "12.34"}) {
             std::ostringstream hash;
@@ -486,8 +486,8 @@ TEST(Determinism, GoldenHashesNeverChange) {
             ++compared;
         }
     }
-    // Foam that lasts, of four tiles and of one.
-    for (const auto& [name, sea] : {std::pair{"foam-tiles", sea_of_tiles}, {"foam-folded", folded_sea}}) {
+    // Foam that lasts, of four cascades and of one.
+    for (const auto& [name, sea] : {std::pair{"foam-cascades", sea_of_cascades}, {"foam-folded", folded_sea}}) {
         Ocean ocean(sea, {.executor = make_serial_executor(), .foam = true});
         std::ostringstream hash;
         hash << std::hex << foam_hash_of(ocean.frame_at(12.34));
@@ -498,7 +498,7 @@ TEST(Determinism, GoldenHashesNeverChange) {
     const QueryPoints points(5000);
     for (const auto& [name, sea] : {std::pair{"queries-folded", folded_sea},
                                     {"queries-smooth", smooth_sea},
-                                    {"queries-tiles", sea_of_tiles},
+                                    {"queries-cascades", sea_of_cascades},
                                     {"queries-analytic", analytic_sea_state},
                                     {"queries-exp-sine", pond}}) {
         std::ostringstream hash;

@@ -1,4 +1,4 @@
-// Dynamic waves, in an ocean: beside the tiles, in queries and rays, tick by tick whatever the frames do.
+// Dynamic waves, in an ocean: beside the cascades, in queries and rays, tick by tick whatever the frames do.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -46,7 +46,7 @@ const Frame& happen(Ocean& ocean, int from, int to) {
     return *last;
 }
 
-TEST(DynamicWaves, LeavesTheTilesAsTheyAre) {
+TEST(DynamicWaves, LeavesTheCascadesAsTheyAre) {
     Ocean with(breeze, answering()), without(breeze, {.executor = make_serial_executor()});
     happen(with, 0, 90);
     const Frame& frame = with.frame_at(2.5);
@@ -142,7 +142,7 @@ TEST(DynamicWaves, AddsToWhatQueriesTell) {
             EXPECT_NEAR(a[i] - b[i], dynamic_waves.height_m, 1e-6);
             EXPECT_NEAR(rise_a[i] - rise_b[i], dynamic_waves.rise_mps, 1e-6);
             EXPECT_EQ(foam[i], static_cast<float>(dynamic_waves.foam));
-            // Slopes add, whatever the tiles' are.
+            // Slopes add, whatever the cascades' are.
             EXPECT_NEAR(-nx[i] / ny[i], -mx[i] / my[i] + dynamic_waves.slope_x, 1e-5);
             EXPECT_NEAR(-nz[i] / ny[i], -mz[i] / my[i] + dynamic_waves.slope_z, 1e-5);
             EXPECT_NEAR(std::hypot(nx[i], ny[i], nz[i]), 1, 1e-6);

@@ -1,4 +1,4 @@
-// Pushes at the water from a file: what is exported beside the tiles, against the ticks themselves, linear theory and queries; and
+// Pushes at the water from a file: what is exported beside the cascades, against the ticks themselves, linear theory and queries; and
 // that the bytes depend on the events and the times alone.
 #include <gtest/gtest.h>
 #include <math.h>
@@ -113,7 +113,7 @@ TEST_F(ExportEvents, HaveTheBytesOfOneRunInShardsAndInWhatWasKilledAndResumed) {
     expect_same(made(to("killed", {"--resume"}), "killed"), one);
 }
 
-TEST_F(ExportEvents, LeaveTheTilesAndTheirHashesAsTheyAre) {
+TEST_F(ExportEvents, LeaveTheCascadesAndTheirHashesAsTheyAre) {
     const Files pushed = made(to("pushed"), "pushed");
     // Into the folder of an export with events, of which nothing is left then.
     made(to("calm"), "calm");
@@ -122,7 +122,7 @@ TEST_F(ExportEvents, LeaveTheTilesAndTheirHashesAsTheyAre) {
     calm.erase(of_events, of_events + 2);
     const Files still = made(with({"export", "--out", place("calm").string(), "--overwrite"}, calm), "calm");
     const std::size_t frames = 14;
-    EXPECT_EQ(still.size(), frames * 4 + 3);   // two maps of two tiles, sea.json, its record and the folder's lock
+    EXPECT_EQ(still.size(), frames * 4 + 3);   // two maps of two cascades, sea.json, its record and the folder's lock
     EXPECT_EQ(pushed.size(), frames * 5 + 4);  // the grid too, and the rows
     for (const auto& [name, bytes] : still) {
         if (name != "sea.json" && name != "sea_files.json") {
@@ -338,8 +338,8 @@ std::vector<std::vector<double>> rows_in(const std::string& text) {
 }
 
 TEST_F(ExportEvents, AreInQueriesWhatTheMapSays) {
-    const Arguments flat_tiles = {"--choppiness", "0"};
-    made(to("map", flat_tiles), "map");
+    const Arguments flat_cascades = {"--choppiness", "0"};
+    made(to("map", flat_cascades), "map");
     const ReadImage image = map("map", "dynamic-waves_0009.exr");  // 0.785714 s
     std::string points = "x,z\n";
     std::vector<std::pair<int, int>> texels;

@@ -70,7 +70,7 @@ TEST(ExportedFiles, ExrHoldsTheFramesFloatsBitForBit) {
     Library library;
     const Frame& frame = library.frame_at(1.25);
     const std::pair<const char*, const PlaneView*> channels[] = {
-        {"R", &frame.tiles[0].dx}, {"G", &frame.tiles[0].height}, {"B", &frame.tiles[0].dz}};
+        {"R", &frame.cascades[0].dx}, {"G", &frame.cascades[0].height}, {"B", &frame.cascades[0].dz}};
     for (const auto& [channel, plane] : channels) {
         const auto pixels = read_exr<float>(folder / "displacement_0000.exr", channel, Imf::FLOAT);
         for (int j = 0; j < 32; ++j)
@@ -93,7 +93,7 @@ TEST(ExportedFiles, ExrIsTheSameToOpenImageIO) {
     ASSERT_TRUE(input->read_image(0, 0, 0, -1, OIIO::TypeDesc::FLOAT, pixels.data()));
     for (std::size_t texel = 0; texel < 32 * 32; ++texel)
         ASSERT_EQ(pixels[3 * texel + 1],
-                  frame.tiles[0].height.at(static_cast<int>(texel % 32), static_cast<int>(texel / 32)));
+                  frame.cascades[0].height.at(static_cast<int>(texel % 32), static_cast<int>(texel / 32)));
 }
 
 TEST(ExportedFiles, HalvesAreTheFramesOwn) {
@@ -107,7 +107,7 @@ TEST(ExportedFiles, HalvesAreTheFramesOwn) {
         for (int j = 0; j < 32; ++j)
             for (int i = 0; i < 32; ++i)
                 ASSERT_EQ(pixels[static_cast<std::size_t>(j * 32 + i)].bits(),
-                          frame.tiles[0].displacement_rgba16f[static_cast<std::size_t>(4 * (j * 32 + i)) + c]);
+                          frame.cascades[0].displacement_rgba16f[static_cast<std::size_t>(4 * (j * 32 + i)) + c]);
     }
 }
 
@@ -136,18 +136,18 @@ TEST(ExportedFiles, PngHoldsEveryGradientByteOfEveryLevel) {
     export_to(folder.path(), {"--mips", "--maps", "gradient"});
     Library library;
     const Frame& frame = library.frame_at(0);
-    expect_bytes(read_png(folder / "gradient_0000.png", 32), frame.tiles[0].gradient_level(0));
+    expect_bytes(read_png(folder / "gradient_0000.png", 32), frame.cascades[0].gradient_level(0));
     for (int level = 1; level < mip_levels(32); ++level)
         expect_bytes(read_png(folder / ("gradient_0000_mip" + std::to_string(level) + ".png"), 32u >> level),
-                     frame.tiles[0].gradient_level(level));
+                     frame.cascades[0].gradient_level(level));
     EXPECT_FALSE(std::filesystem::exists(folder / "gradient_0000_mip6.png"));
     EXPECT_FALSE(std::filesystem::exists(folder / "displacement_0000.exr"));
 }
 
-/// A map of one tile as a program reads it that knows the files alone: bilinear and periodic.
-class ReadTile {
+/// A map of one cascade as a program reads it that knows the files alone: bilinear and periodic.
+class ReadCascade {
    public:
-    ReadTile(const std::filesystem::path& folder, const nlohmann::json& layout)
+    ReadCascade(const std::filesystem::path& folder, const nlohmann::json& layout)
         : n_(layout.at("resolution")),
           side_m_(layout.at("side_m")),
           cosine_(layout.at("turn").at("cosine")),
@@ -181,16 +181,16 @@ class ReadTile {
     std::array<std::vector<float>, 3> planes_;
 };
 
-// As docs/users/exporter.md says that tiles add up. A query answers within its tolerance of 1 mm, on slopes of less than 1.
-TEST(ExportedFiles, TilesAddUpToTheSeaThatQueriesKnow) {
+// As docs/users/exporter.md says that cascades add up. A query answers within its tolerance of 1 mm, on slopes of less than 1.
+TEST(ExportedFiles, CascadesAddUpToTheSeaThatQueriesKnow) {
     const TemporaryFolder folder;
     const Outcome outcome =
         run_pelagic({"export", "--out", folder.path().string(), "--cascades", "3", "--resolution", "64"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     const auto record = nlohmann::json::parse(read_file(folder / "sea.json"));
-    std::vector<ReadTile> tiles;
-    for (const auto& tile : record.at("layout").at("tiles")) tiles.emplace_back(folder.path(), tile);
-    ASSERT_EQ(tiles.size(), 3u);
+    std::vector<ReadCascade> cascades;
+    for (const auto& cascade : record.at("layout").at("cascades")) cascades.emplace_back(folder.path(), cascade);
+    ASSERT_EQ(cascades.size(), 3u);
 
     Ocean ocean({.cascades = 3, .resolution = 64},
                 {.executor = make_serial_executor(), .queries = true, .gradients = true});
@@ -200,8 +200,8 @@ TEST(ExportedFiles, TilesAddUpToTheSeaThatQueriesKnow) {
     for (int i = 0; i < 500; ++i) {
         const double x = 7.3 * i - 900, z = 1700 - 11.9 * i;
         double drawn_x = x, height = 0, drawn_z = z;
-        for (const ReadTile& tile : tiles) {
-            const std::array<double, 3> part = tile.at(x, z);
+        for (const ReadCascade& cascade : cascades) {
+            const std::array<double, 3> part = cascade.at(x, z);
             drawn_x += part[0], height += part[1], drawn_z += part[2];
         }
         float answer = 0, jacobian = 0;
@@ -213,9 +213,9 @@ TEST(ExportedFiles, TilesAddUpToTheSeaThatQueriesKnow) {
     }
     EXPECT_GT(asked, 450);
 
-    for (std::size_t i = 1; i < frame.tiles.size(); ++i)
+    for (std::size_t i = 1; i < frame.cascades.size(); ++i)
         expect_bytes(read_png(folder / ("gradient_c" + std::to_string(i) + "_0000.png"), 64),
-                     frame.tiles[i].gradient_level(0));
+                     frame.cascades[i].gradient_level(0));
 }
 
 TEST(ExportedFiles, TiffHoldsTheSame) {
@@ -230,7 +230,7 @@ TEST(ExportedFiles, TiffHoldsTheSame) {
     EXPECT_EQ(gradient->spec().get_int_attribute("oiio:UnassociatedAlpha"), 1);
     std::vector<std::uint8_t> bytes(32 * 32 * 4);
     ASSERT_TRUE(gradient->read_image(0, 0, 0, -1, OIIO::TypeDesc::UINT8, bytes.data()));
-    expect_bytes(bytes, frame.tiles[0].gradient_level(0));
+    expect_bytes(bytes, frame.cascades[0].gradient_level(0));
 
     auto displacement = OIIO::ImageInput::open((folder / "displacement_0000.tif").string());
     ASSERT_TRUE(displacement);
@@ -239,7 +239,7 @@ TEST(ExportedFiles, TiffHoldsTheSame) {
     ASSERT_TRUE(displacement->read_image(0, 0, 0, -1, OIIO::TypeDesc::FLOAT, pixels.data()));
     for (std::size_t texel = 0; texel < 32 * 32; ++texel)
         ASSERT_EQ(pixels[3 * texel + 1],
-                  frame.tiles[0].height.at(static_cast<int>(texel % 32), static_cast<int>(texel / 32)));
+                  frame.cascades[0].height.at(static_cast<int>(texel % 32), static_cast<int>(texel / 32)));
 }
 
 TEST(ExportedFiles, SeaJsonSaysWhatIsThere) {
@@ -446,8 +446,8 @@ TEST(Info, SaysForceStateDirectionSpreadAndSlopes) {
         waves["significant_wave_height_m"]["expected"].get<double>() / waves["peak_wavelength_m"].get<double>(),
         1e-12);
     const json& slopes = waves["slope_variance"];
-    ASSERT_EQ(slopes["tiles"].size(), 2u);
-    EXPECT_NEAR(slopes["tiles"][0]["total"].get<double>() + slopes["tiles"][1]["total"].get<double>(),
+    ASSERT_EQ(slopes["cascades"].size(), 2u);
+    EXPECT_NEAR(slopes["cascades"][0]["total"].get<double>() + slopes["cascades"][1]["total"].get<double>(),
                 slopes["all"]["total"].get<double>(), 1e-12);
     EXPECT_LT(slopes["all"]["total"], slopes["cox_and_munk"]["total"]);
     const std::string table = run_pelagic({"info", "--preset", "beaufort-5"}).out;

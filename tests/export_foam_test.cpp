@@ -21,7 +21,7 @@ namespace {
 using nlohmann::json;
 using Arguments = std::vector<std::string>;
 
-// A gale on a pond, so that much is white; the last two of four tiles have waves of less than a metre, which break without white
+// A gale on a pond, so that much is white; the last two of four cascades have waves of less than a metre, which break without white
 // water.
 const SeaState gale{.cascades = 4, .resolution = 32, .wind_speed_mps = 20, .fetch_m = 100, .loop_period_s = 8};
 const Arguments gale_flags = {"--cascades", "4",   "--resolution",  "32", "--wind-speed", "20",
@@ -62,33 +62,33 @@ std::vector<std::uint8_t> read_grey_png(const std::filesystem::path& file, unsig
     return bytes;
 }
 
-std::vector<std::uint8_t> foam_of(const Tile& tile, int level) {
-    const auto texels = tile.level_of(tile.foam_r8, level);
+std::vector<std::uint8_t> foam_of(const Cascade& cascade, int level) {
+    const auto texels = cascade.level_of(cascade.foam_r8, level);
     return {texels.begin(), texels.end()};
 }
 
-std::string mark_of(std::size_t tile) { return tile == 0 ? "" : "c" + std::to_string(tile) + "_"; }
+std::string mark_of(std::size_t cascade) { return cascade == 0 ? "" : "c" + std::to_string(cascade) + "_"; }
 
-TEST(ExportedFoam, PngHoldsEveryByteOfEveryLevelOfEveryTile) {
+TEST(ExportedFoam, PngHoldsEveryByteOfEveryLevelOfEveryCascade) {
     const TemporaryFolder folder;
     export_to(folder.path(), {"--start", "3.03", "--maps", "foam", "--mips"});
     Library library;
     const Frame& frame = library.frame_at(3.03);
     const json record = json::parse(read_file(folder / "sea.json"));
-    std::size_t white_tiles = 0;
-    for (std::size_t tile = 0; tile < 4; ++tile) {
+    std::size_t white_cascades = 0;
+    for (std::size_t cascade = 0; cascade < 4; ++cascade) {
         for (int level = 0; level < 6; ++level) {
             const std::string file =
-                "foam_" + mark_of(tile) + "0000" + (level == 0 ? "" : "_mip" + std::to_string(level)) + ".png";
-            EXPECT_EQ(read_grey_png(folder / file, 32u >> level), foam_of(frame.tiles[tile], level)) << file;
-            EXPECT_EQ(record["frames"][0]["files"][6 * tile + static_cast<std::size_t>(level)]["name"], file);
+                "foam_" + mark_of(cascade) + "0000" + (level == 0 ? "" : "_mip" + std::to_string(level)) + ".png";
+            EXPECT_EQ(read_grey_png(folder / file, 32u >> level), foam_of(frame.cascades[cascade], level)) << file;
+            EXPECT_EQ(record["frames"][0]["files"][6 * cascade + static_cast<std::size_t>(level)]["name"], file);
         }
-        const auto foam = foam_of(frame.tiles[tile], 0);
+        const auto foam = foam_of(frame.cascades[cascade], 0);
         const bool is_white = *std::max_element(foam.begin(), foam.end()) > 127;
-        EXPECT_EQ(record["foam"]["tiles"][tile]["makes_whitecaps"], is_white) << tile;
-        white_tiles += is_white;
+        EXPECT_EQ(record["foam"]["cascades"][cascade]["makes_whitecaps"], is_white) << cascade;
+        white_cascades += is_white;
     }
-    EXPECT_EQ(white_tiles, 2u);
+    EXPECT_EQ(white_cascades, 2u);
     EXPECT_EQ(files_in(folder.path()).size(), 4u * 6 + 3) << "sea.json, its record, its lock, and no other map";
     EXPECT_EQ(std::stoull(record["frames"][0]["foam_hash"].get<std::string>(), nullptr, 16), foam_hash_of(frame));
     EXPECT_EQ(std::stoull(record["frames"][0]["hash"].get<std::string>(), nullptr, 16), hash_of(frame));
@@ -120,7 +120,7 @@ TEST(ExportedFoam, TiffHoldsTheSame) {
     EXPECT_EQ(input->spec().format, OIIO::TypeDesc::UINT8);
     std::vector<std::uint8_t> bytes(32 * 32);
     ASSERT_TRUE(input->read_image(0, 0, 0, -1, OIIO::TypeDesc::UINT8, bytes.data()));
-    EXPECT_EQ(bytes, foam_of(library.frame_at(2).tiles[1], 0));
+    EXPECT_EQ(bytes, foam_of(library.frame_at(2).cascades[1], 0));
 }
 
 // Farms cut a film into shards, and exports are interrupted: what foam remembers is found again.
@@ -133,8 +133,8 @@ TEST(ExportedFoam, IsTheSameInOneRunInShardsAndResumed) {
     export_to(folder / "shard",
               {"--maps", "foam", "--fps", "12.5", "--frames", "3", "--start", "0.4", "--threads", "1"});
     for (const int frame : {0, 1, 2})
-        for (const std::size_t tile : {0, 1, 2, 3}) {
-            const std::string name = "foam_" + mark_of(tile) + "000";
+        for (const std::size_t cascade : {0, 1, 2, 3}) {
+            const std::string name = "foam_" + mark_of(cascade) + "000";
             EXPECT_EQ(read_file(folder / "shard" / (name + std::to_string(frame) + ".png")),
                       whole.at(name + std::to_string(frame + 5) + ".png"));
         }
@@ -185,14 +185,14 @@ TEST(ExportedFoam, SeaJsonAndInfoSayHowItIsRememberedAndDrifts) {
     EXPECT_NEAR(said["drift_mps"].get<double>(), std::hypot(x, z), 1e-12);
     EXPECT_NEAR(said["drift_direction_deg"].get<double>(), std::atan2(z, x) * 180 / 3.14159265358979323846, 1e-9);
     for (std::size_t i = 0; i < 4; ++i) {
-        const Tile& tile = frame.tiles[i];
-        const TileLattice::Place a_loop = tile.lattice.in_tile(8 * x, 8 * z);
-        const json& of_tile = said["tiles"][i];
-        const double columns = of_tile["columns_a_loop"], rows = of_tile["rows_a_loop"];
-        EXPECT_NEAR(columns, a_loop.along / tile.texel_m(), 0.5001);
-        EXPECT_NEAR(rows, a_loop.across / tile.texel_m(), 0.5001);
-        EXPECT_NEAR(of_tile["drift_mps"].get<double>(), std::hypot(columns, rows) * tile.texel_m() / 8, 1e-12);
-        EXPECT_EQ(of_tile["side_m"], tile.lattice.side_m);
+        const Cascade& cascade = frame.cascades[i];
+        const CascadeLattice::Place a_loop = cascade.lattice.in_cascade(8 * x, 8 * z);
+        const json& of_cascade = said["cascades"][i];
+        const double columns = of_cascade["columns_a_loop"], rows = of_cascade["rows_a_loop"];
+        EXPECT_NEAR(columns, a_loop.along / cascade.texel_m(), 0.5001);
+        EXPECT_NEAR(rows, a_loop.across / cascade.texel_m(), 0.5001);
+        EXPECT_NEAR(of_cascade["drift_mps"].get<double>(), std::hypot(columns, rows) * cascade.texel_m() / 8, 1e-12);
+        EXPECT_EQ(of_cascade["side_m"], cascade.lattice.side_m);
     }
 
     const std::string table = run({"info"}).out;

@@ -22,7 +22,7 @@ namespace {
 using nlohmann::json;
 using Arguments = std::vector<std::string>;
 
-// A gale on a pond. The second tile is turned.
+// A gale on a pond. The second cascade is turned.
 const SeaState gale{.cascades = 2, .resolution = 32, .wind_speed_mps = 20, .fetch_m = 400, .loop_period_s = 8};
 const Arguments gale_flags = {"--cascades", "2",   "--resolution",  "32", "--wind-speed", "20",
                               "--fetch",    "400", "--loop-period", "8"};
@@ -43,35 +43,35 @@ struct Truth {
     double jacobian = 0, h_x = 0, h_z = 0, foam = 0;
 };
 
-Truth truth_at(const Tile& tile, int i, int j) {
-    const int n = tile.resolution();
-    const TileLattice& lattice = tile.lattice;
+Truth truth_at(const Cascade& cascade, int i, int j) {
+    const int n = cascade.resolution();
+    const CascadeLattice& lattice = cascade.lattice;
     const auto slopes = [&](const PlaneView& plane) {
         const auto at = [&](int a, int b) { return static_cast<double>(plane.at((a + n) % n, (b + n) % n)); };
-        const double along = (at(i + 1, j) - at(i - 1, j)) / (2 * tile.texel_m());
-        const double across = (at(i, j + 1) - at(i, j - 1)) / (2 * tile.texel_m());
+        const double along = (at(i + 1, j) - at(i - 1, j)) / (2 * cascade.texel_m());
+        const double across = (at(i, j + 1) - at(i, j - 1)) / (2 * cascade.texel_m());
         return lattice.in_world(along, across);  // of x and z
     };
-    const TileLattice::Place dx = slopes(tile.dx), h = slopes(tile.height), dz = slopes(tile.dz);
+    const CascadeLattice::Place dx = slopes(cascade.dx), h = slopes(cascade.height), dz = slopes(cascade.dz);
     const Vector along_x{1 + dx.along, h.along, dz.along}, along_z{dx.across, h.across, 1 + dz.across};
     const Vector normal{along_z.y * along_x.z - along_z.z * along_x.y, along_z.z * along_x.x - along_z.x * along_x.z,
                         along_z.x * along_x.y - along_z.y * along_x.x};
     const double length = std::hypot(normal.x, normal.y, normal.z);
     const auto at = [&](const PlaneView& plane) { return static_cast<double>(plane.at(i, j)); };
-    return {.displacement = {at(tile.dx), at(tile.height), at(tile.dz)},
-            .velocity = {at(tile.velocity_x), at(tile.velocity_y), at(tile.velocity_z)},
+    return {.displacement = {at(cascade.dx), at(cascade.height), at(cascade.dz)},
+            .velocity = {at(cascade.velocity_x), at(cascade.velocity_y), at(cascade.velocity_z)},
             .normal = {normal.x / length, normal.y / length, normal.z / length},
             .jacobian = normal.y,
             .h_x = h.along,
             .h_z = h.across,
-            .foam = tile.foam_r8[static_cast<std::size_t>(j * n + i)] / 255.0};
+            .foam = cascade.foam_r8[static_cast<std::size_t>(j * n + i)] / 255.0};
 }
 
 /// Where texels rest, from the layout alone, in Pelagic's x and z.
 class Places {
    public:
-    explicit Places(const json& tile) : x_(tile.at("x_m")), is_z_up_(tile.contains("y_m")) {
-        other_ = tile.at(is_z_up_ ? "y_m" : "z_m");
+    explicit Places(const json& cascade) : x_(cascade.at("x_m")), is_z_up_(cascade.contains("y_m")) {
+        other_ = cascade.at(is_z_up_ ? "y_m" : "z_m");
     }
     Vector at(int column, int row) const {
         const double other = on(other_, column, row);
@@ -96,7 +96,7 @@ class Places {
     bool is_z_up_;
 };
 
-/// The value of that name at a texel; a normal map's are of the tile's own axes.
+/// The value of that name at a texel; a normal map's are of the cascade's own axes.
 double value_named(const std::string& name, const Truth& truth, const Places& places, bool is_z_up) {
     const auto& [x, y, z] = truth.velocity;
     const auto along = [&](const Vector& axis) { return truth.normal.x * axis.x + truth.normal.z * axis.z; };
@@ -147,8 +147,8 @@ class ExportedMaps : public testing::TestWithParam<MapRequest> {
         record_ = json::parse(read_file(folder_ / "sea.json"));
     }
 
-    std::string mark_of(const json& tile) const {
-        const std::string mark = tile.at("in_file_names");
+    std::string mark_of(const json& cascade) const {
+        const std::string mark = cascade.at("in_file_names");
         return mark.empty() ? "" : mark + "_";
     }
     /// The one file of a map whose name starts so, whatever its extension.
@@ -168,23 +168,23 @@ class ExportedMaps : public testing::TestWithParam<MapRequest> {
 TEST_P(ExportedMaps, DecodedBySeaJsonAreTheFrame) {
     const Frame& frame = ocean_.frame_at(1.5);
     const bool is_z_up = record_["layout"]["axes"]["up"] == "+z";
-    for (std::size_t t = 0; t < frame.tiles.size(); ++t) {
-        const Tile& tile = frame.tiles[t];
-        const json& layout = record_["layout"]["tiles"][t];
+    for (std::size_t t = 0; t < frame.cascades.size(); ++t) {
+        const Cascade& cascade = frame.cascades[t];
+        const json& layout = record_["layout"]["cascades"][t];
         const Places places(layout);
-        ASSERT_EQ(layout["resolution"], tile.resolution());
+        ASSERT_EQ(layout["resolution"], cascade.resolution());
         for (const auto& [map, channels] : record_["channels"].items()) {
             const ReadImage pixels = image(map + "_" + mark_of(layout) + "0000");
             ASSERT_EQ(pixels.channels, static_cast<int>(channels.size())) << map;
-            ASSERT_EQ(pixels.width, tile.resolution());
+            ASSERT_EQ(pixels.width, cascade.resolution());
             for (int row = 0; row < pixels.height; ++row)
                 for (int column = 0; column < pixels.width; ++column) {
                     const Vector rest = places.at(column, row);
-                    const TileLattice::Place place = tile.lattice.in_tile(rest.x, rest.z);
-                    const double i = place.along / tile.texel_m(), j = place.across / tile.texel_m();
+                    const CascadeLattice::Place place = cascade.lattice.in_cascade(rest.x, rest.z);
+                    const double i = place.along / cascade.texel_m(), j = place.across / cascade.texel_m();
                     ASSERT_NEAR(i, column, 1e-6);
                     ASSERT_NEAR(j, std::round(j), 1e-6);
-                    const Truth truth = truth_at(tile, column, static_cast<int>(std::round(j)));
+                    const Truth truth = truth_at(cascade, column, static_cast<int>(std::round(j)));
                     for (int c = 0; c < pixels.channels; ++c) {
                         const json& channel = channels[static_cast<std::size_t>(c)];
                         const std::string name = channel["name"];
@@ -196,7 +196,7 @@ TEST_P(ExportedMaps, DecodedBySeaJsonAreTheFrame) {
                         if (channel.contains("range"))
                             expected = std::clamp<double>(expected, channel["range"][0], channel["range"][1]);
                         ASSERT_NEAR(read, expected, bound(pixels.type, scale, expected))
-                            << map << "." << name << " of tile " << t << " at " << column << ", " << row;
+                            << map << "." << name << " of cascade " << t << " at " << column << ", " << row;
                     }
                 }
         }
@@ -233,7 +233,7 @@ TEST_P(LevelsOfExportedMaps, AreMeansAndNormalsStayUnitVectors) {
                     for (int c = 0; c < pixels.channels; ++c) {
                         const double read = scale * pixels.at(column, row, c) + offset;
                         const double value = expected[static_cast<std::size_t>(c)] / length;
-                        // Level 0 was rounded too, and a short mean made long again makes that worse. Tiles round foam of each
+                        // Level 0 was rounded too, and a short mean made long again makes that worse. Cascades round foam of each
                         // level from that of the finer one.
                         const double steps = std::string(map) == "foam" ? 1 + level : 2 / length + 1;
                         EXPECT_NEAR(read, value, steps * bound(pixels.type, scale, value)) << map << " " << level;
@@ -292,21 +292,21 @@ TEST(FloatOfHalf, IsImathsForEveryHalf) {
     }
 }
 
-/// A tile of still water, or of something else.
+/// A cascade of still water, or of something else.
 struct Planes {
     std::vector<float> dx = std::vector<float>(16 * 16), height = dx, dz = dx;
 
-    Tile tile() const {
+    Cascade cascade() const {
         const auto view = [](const std::vector<float>& plane) { return PlaneView{plane.data(), 16, 16, 16, 0}; };
-        Tile tile;
-        tile.lattice.side_m = 32;
-        tile.dx = view(dx), tile.height = view(height), tile.dz = view(dz);
-        return tile;
+        Cascade cascade;
+        cascade.lattice.side_m = 32;
+        cascade.dx = view(dx), cascade.height = view(height), cascade.dz = view(dz);
+        return cascade;
     }
 };
 
 std::vector<std::uint8_t> normal_bytes(const Planes& planes, int level) {
-    const tools::MapImage image = tools::map_image(planes.tile(), tools::MapKind::normal, level, {});
+    const tools::MapImage image = tools::map_image(planes.cascade(), tools::MapKind::normal, level, {});
     std::vector<std::uint8_t> bytes;
     for (const std::byte byte : image.pixels) bytes.push_back(std::to_integer<std::uint8_t>(byte));
     return bytes;

@@ -1,4 +1,4 @@
-// export --format ktx2 and dds, --flipbook and --preview: bytes on disk against the tiles of the library and against libpng.
+// export --format ktx2 and dds, --flipbook and --preview: bytes on disk against the cascades of the library and against libpng.
 #include <gtest/gtest.h>
 #include <png.h>
 
@@ -70,8 +70,8 @@ Texels as_bytes(std::span<const Value> values) {
     return bytes;
 }
 
-std::string name_of(const std::string& map, std::size_t tile, const std::string& rest) {
-    return map + (tile == 0 ? "" : "_c" + std::to_string(tile)) + rest;
+std::string name_of(const std::string& map, std::size_t cascade, const std::string& rest) {
+    return map + (cascade == 0 ? "" : "_c" + std::to_string(cascade)) + rest;
 }
 
 class ExportedTextures : public testing::Test {
@@ -82,30 +82,30 @@ class ExportedTextures : public testing::Test {
     Ocean ocean_;
 };
 
-TEST_F(ExportedTextures, HoldEveryLevelOfEveryMapOfEveryTile) {
+TEST_F(ExportedTextures, HoldEveryLevelOfEveryMapOfEveryCascade) {
     expect_export(folder_.path(),
                   {"--start", "3.03", "--maps", "displacement,gradient,foam", "--mips", "--format", "ktx2"});
     const Frame& frame = ocean_.frame_at(3.03);
     for (std::size_t number = 0; number < 2; ++number) {
-        const Tile& tile = frame.tiles[number];
+        const Cascade& cascade = frame.cascades[number];
         const auto gradient = ktx2_levels(read_file(folder_ / name_of("gradient", number, "_0000.ktx2")));
         const auto foam = ktx2_levels(read_file(folder_ / name_of("foam", number, "_0000.ktx2")));
         ASSERT_EQ(gradient.size(), 6u);
         ASSERT_EQ(foam.size(), 6u);
         for (int level = 0; level < 6; ++level) {
-            EXPECT_EQ(gradient[static_cast<std::size_t>(level)], as_bytes(tile.gradient_level(level)));
-            EXPECT_EQ(foam[static_cast<std::size_t>(level)], as_bytes(tile.level_of(tile.foam_r8, level)));
+            EXPECT_EQ(gradient[static_cast<std::size_t>(level)], as_bytes(cascade.gradient_level(level)));
+            EXPECT_EQ(foam[static_cast<std::size_t>(level)], as_bytes(cascade.level_of(cascade.foam_r8, level)));
         }
     }
 }
 
-// Level 0 is the tile's own halves with a 1 for foam, the others are means, here in double of all texels at once.
+// Level 0 is the cascade's own halves with a 1 for foam, the others are means, here in double of all texels at once.
 TEST_F(ExportedTextures, DisplacementHasMeansOfItsTexels) {
     expect_export(folder_.path(), {"--start", "3.03", "--maps", "displacement", "--mips", "--format", "ktx2"});
-    const Tile& tile = ocean_.frame_at(3.03).tiles[0];
+    const Cascade& cascade = ocean_.frame_at(3.03).cascades[0];
     const auto levels = ktx2_levels(read_file(folder_ / "displacement_0000.ktx2"));
     ASSERT_EQ(levels.size(), 6u);
-    std::vector<std::uint16_t> halves(tile.displacement_rgba16f.begin(), tile.displacement_rgba16f.end());
+    std::vector<std::uint16_t> halves(cascade.displacement_rgba16f.begin(), cascade.displacement_rgba16f.end());
     for (std::size_t alpha = 3; alpha < halves.size(); alpha += 4) halves[alpha] = 0x3C00;
     EXPECT_EQ(levels[0], as_bytes(std::span<const std::uint16_t>(halves)));
     for (int level = 1; level < 6; ++level) {
@@ -115,7 +115,7 @@ TEST_F(ExportedTextures, DisplacementHasMeansOfItsTexels) {
                 double mean = 0;
                 for (int y = 0; y < block; ++y)
                     for (int x = 0; x < block; ++x)
-                        mean += static_cast<double>(tile.height.at(i * block + x, j * block + y)) / (block * block);
+                        mean += static_cast<double>(cascade.height.at(i * block + x, j * block + y)) / (block * block);
                 std::uint16_t half = 0;
                 std::memcpy(&half,
                             &levels[static_cast<std::size_t>(level)][8 * static_cast<std::size_t>(j * side + i) + 2],
@@ -146,10 +146,10 @@ TEST_F(ExportedTextures, DdsHasFloatsWithoutHalf) {
     expect_export(folder_.path(), {"--maps", "displacement", "--format", "dds"});
     const std::string file = read_file(folder_ / "displacement_0000.dds");
     EXPECT_EQ(number_at(file, 128, 4), 2u);  // DXGI_FORMAT_R32G32B32A32_FLOAT
-    const Tile& tile = ocean_.frame_at(0).tiles[0];
+    const Cascade& cascade = ocean_.frame_at(0).cascades[0];
     std::array<float, 4> texel{};
     std::memcpy(texel.data(), &file[148 + 16 * (5 * 32 + 7)], 16);
-    EXPECT_EQ(texel, (std::array{tile.dx.at(7, 5), tile.height.at(7, 5), tile.dz.at(7, 5), 1.f}));
+    EXPECT_EQ(texel, (std::array{cascade.dx.at(7, 5), cascade.height.at(7, 5), cascade.dz.at(7, 5), 1.f}));
 }
 
 TEST_F(ExportedTextures, ResumeWithTheSameBytes) {
@@ -210,12 +210,12 @@ Texels read_png(const std::filesystem::path& file, png_uint_32 format, unsigned 
 
 TEST_F(ExportedTextures, FlipbookShowsEachFrameInItsCell) {
     expect_export(folder_.path(), {"--maps", "foam", "--loop-frames", "5", "--flipbook", "3x2"});
-    for (const std::string tile : {"", "_c1"}) {
-        const Texels atlas = read_png(folder_ / ("flipbook_foam" + tile + ".png"), PNG_FORMAT_GRAY, 96, 64);
+    for (const std::string cascade : {"", "_c1"}) {
+        const Texels atlas = read_png(folder_ / ("flipbook_foam" + cascade + ".png"), PNG_FORMAT_GRAY, 96, 64);
         for (std::size_t frame = 0; frame < 6; ++frame) {
             const Texels single = frame == 5
                                       ? Texels(32 * 32)  // no frame: black
-                                      : read_png(folder_ / ("foam" + tile + "_000" + std::to_string(frame) + ".png"),
+                                      : read_png(folder_ / ("foam" + cascade + "_000" + std::to_string(frame) + ".png"),
                                                  PNG_FORMAT_GRAY, 32, 32);
             for (std::size_t j = 0; j < 32; ++j)
                 EXPECT_TRUE(std::equal(&single[32 * j], &single[32 * j] + 32,

@@ -30,7 +30,7 @@ constexpr int side = 128;
 constexpr SeaState sea{.cascades = 2, .resolution = side, .wind_speed_mps = 20};
 const std::vector<std::string> maps = {"displacement", "gradient", "foam"};
 
-/// Frame 3 of three at 12 frames a second, of both tiles.
+/// Frame 3 of three at 12 frames a second, of both cascades.
 void export_to(const std::filesystem::path& folder, const std::vector<std::string>& flags) {
     std::vector<std::string> arguments = {
         "export", "--out",    folder.string(), "--cascades",   "2", "--resolution", "128", "--fps",
@@ -44,22 +44,22 @@ void export_to(const std::filesystem::path& folder, const std::vector<std::strin
 
 constexpr double time_s = 0.25;
 
-/// The values of that frame by the library: tile, map, channel.
+/// The values of that frame by the library: cascade, map, channel.
 class ExpectedFrame {
    public:
     ExpectedFrame()
         : ocean_(sea, {.executor = make_serial_executor(), .gradients = true, .foam = true}),
           frame_(ocean_.frame_at(time_s)) {}
 
-    float at(std::size_t tile, const std::string& map, char channel, int i, int j) const {
-        const Tile& of = frame_.tiles[tile];
+    float at(std::size_t cascade, const std::string& map, char channel, int i, int j) const {
+        const Cascade& of = frame_.cascades[cascade];
         const auto texel = static_cast<std::size_t>(j * side + i);
         if (map == "displacement") return (channel == 'R' ? of.dx : channel == 'G' ? of.height : of.dz).at(i, j);
         if (map == "foam") return of.foam_r8[texel];
         const int shift = channel == 'R' ? 0 : channel == 'G' ? 8 : channel == 'B' ? 16 : 24;
         return static_cast<float>(of.gradient_rgba8[texel] >> shift & 0xFF);
     }
-    const Tile& tile(std::size_t number) const { return frame_.tiles[number]; }
+    const Cascade& cascade(std::size_t number) const { return frame_.cascades[number]; }
 
    private:
     Ocean ocean_;
@@ -92,34 +92,34 @@ std::vector<float> read_channel(Part& part, const std::string& channel, int leve
 }
 
 /// Floats are the frame's own bits; bytes are their part of 255, as near as a half has it.
-void expect_map(const std::vector<float>& pixels, std::size_t tile, const std::string& map, char channel) {
+void expect_map(const std::vector<float>& pixels, std::size_t cascade, const std::string& map, char channel) {
     for (int j = 0; j < side; ++j)
         for (int i = 0; i < side; ++i) {
             const float value = pixels[static_cast<std::size_t>(j * side + i)];
             const float is = map == "displacement" ? value : std::round(255 * value);
-            ASSERT_EQ(is, expected().at(tile, map, channel, i, j)) << map << tile << channel << i << "," << j;
+            ASSERT_EQ(is, expected().at(cascade, map, channel, i, j)) << map << cascade << channel << i << "," << j;
         }
 }
 
-std::string mark_of(std::size_t tile) { return tile > 0 ? "_c" + std::to_string(tile) : ""; }
+std::string mark_of(std::size_t cascade) { return cascade > 0 ? "_c" + std::to_string(cascade) : ""; }
 
-TEST(ExrFiles, PartsHoldEveryMapOfEveryTile) {
+TEST(ExrFiles, PartsHoldEveryMapOfEveryCascade) {
     const TemporaryFolder folder;
     export_to(folder.path(), {"--pack", "parts"});
     Imf::MultiPartInputFile file((folder / "sea_0003.exr").c_str());
     ASSERT_EQ(file.parts(), 6);
     int number = 0;
-    for (std::size_t tile = 0; tile < 2; ++tile)
+    for (std::size_t cascade = 0; cascade < 2; ++cascade)
         for (const std::string& map : maps) {
             Imf::InputPart part(file, number++);
-            EXPECT_EQ(part.header().name(), map + mark_of(tile));
+            EXPECT_EQ(part.header().name(), map + mark_of(cascade));
             EXPECT_EQ(part.header().type(), Imf::SCANLINEIMAGE);
             for (const char channel : channels_of(map))
-                expect_map(read_channel(part, map + mark_of(tile) + "." + channel), tile, map, channel);
+                expect_map(read_channel(part, map + mark_of(cascade) + "." + channel), cascade, map, channel);
         }
 }
 
-TEST(ExrFiles, LayersHoldEveryMapOfEveryTile) {
+TEST(ExrFiles, LayersHoldEveryMapOfEveryCascade) {
     const TemporaryFolder folder;
     export_to(folder.path(), {"--pack", "layers"});
     Imf::MultiPartInputFile file((folder / "sea_0003.exr").c_str());
@@ -129,27 +129,27 @@ TEST(ExrFiles, LayersHoldEveryMapOfEveryTile) {
     part.header().channels().layers(layers);
     EXPECT_EQ(layers, (std::set<std::string>{"displacement", "displacement_c1", "foam", "foam_c1", "gradient",
                                              "gradient_c1"}));
-    for (std::size_t tile = 0; tile < 2; ++tile)
+    for (std::size_t cascade = 0; cascade < 2; ++cascade)
         for (const std::string& map : maps)
             for (const char channel : channels_of(map))
-                expect_map(read_channel(part, map + mark_of(tile) + "." + channel), tile, map, channel);
+                expect_map(read_channel(part, map + mark_of(cascade) + "." + channel), cascade, map, channel);
 }
 
 /// The mean of the texels that a pixel of a level stands for.
-double mean_displacement(std::size_t tile, char channel, int level, int i, int j) {
+double mean_displacement(std::size_t cascade, char channel, int level, int i, int j) {
     double sum = 0;
     const int texels = 1 << level;
     for (int row = j * texels; row < (j + 1) * texels; ++row)
         for (int column = i * texels; column < (i + 1) * texels; ++column)
-            sum += static_cast<double>(expected().at(tile, "displacement", channel, column, row));
+            sum += static_cast<double>(expected().at(cascade, "displacement", channel, column, row));
     return sum / (texels * texels);
 }
 
 TEST(ExrFiles, TiledFilesHoldAllLevels) {
     const TemporaryFolder folder;
     export_to(folder.path(), {"--tiled", "--mips"});
-    for (std::size_t tile = 0; tile < 2; ++tile) {
-        Imf::MultiPartInputFile file((folder / ("displacement" + mark_of(tile) + "_0003.exr")).c_str());
+    for (std::size_t cascade = 0; cascade < 2; ++cascade) {
+        Imf::MultiPartInputFile file((folder / ("displacement" + mark_of(cascade) + "_0003.exr")).c_str());
         Imf::TiledInputPart part(file, 0);
         EXPECT_EQ(part.tileXSize(), 64u);
         EXPECT_EQ(part.tileYSize(), 64u);
@@ -157,7 +157,7 @@ TEST(ExrFiles, TiledFilesHoldAllLevels) {
         EXPECT_EQ(part.levelRoundingMode(), Imf::ROUND_DOWN);
         ASSERT_EQ(part.numLevels(), 8);
         for (const char channel : channels_of("displacement")) {
-            expect_map(read_channel(part, {channel}), tile, "displacement", channel);
+            expect_map(read_channel(part, {channel}), cascade, "displacement", channel);
             for (int level = 1; level < part.numLevels(); ++level) {
                 const std::vector<float> pixels = read_channel(part, {channel}, level);
                 const int width = side >> level;
@@ -165,7 +165,7 @@ TEST(ExrFiles, TiledFilesHoldAllLevels) {
                 for (int j = 0; j < width; ++j)
                     for (int i = 0; i < width; ++i)
                         ASSERT_NEAR(pixels[static_cast<std::size_t>(j * width + i)],
-                                    mean_displacement(tile, channel, level, i, j), level * 3 * 20 * 0x1p-24);
+                                    mean_displacement(cascade, channel, level, i, j), level * 3 * 20 * 0x1p-24);
             }
         }
     }
@@ -183,7 +183,7 @@ TEST(ExrFiles, TiledPartsHoldTheFramesOwnLevels) {
     ASSERT_EQ(part.header().name(), "gradient_c1");
     for (int level = 0; level < 8; ++level) {
         const std::vector<float> red = read_channel(part, "gradient_c1.R", level);
-        const auto texels = expected().tile(1).gradient_level(level);
+        const auto texels = expected().cascade(1).gradient_level(level);
         for (std::size_t texel = 0; texel < texels.size(); ++texel)
             ASSERT_EQ(std::lround(255 * red[texel]), texels[texel] & 0xFF) << level;
     }
@@ -203,7 +203,7 @@ TEST(ExrFiles, SayWhatTheyAre) {
     Imf::MultiPartInputFile file((folder / "sea_0003.exr").c_str());
     for (int number : {0, 4}) {
         const Imf::Header& header = file.header(number);
-        const nlohmann::json& tile = record.at("layout").at("tiles").at(number / 3);
+        const nlohmann::json& cascade = record.at("layout").at("cascades").at(number / 3);
         const Imath::Box2i whole({0, 0}, {side - 1, side - 1});
         EXPECT_EQ(header.dataWindow(), whole);
         EXPECT_EQ(header.displayWindow(), whole);
@@ -211,11 +211,11 @@ TEST(ExrFiles, SayWhatTheyAre) {
         EXPECT_EQ(Imf::wrapmodes(header), "periodic,periodic");
         EXPECT_EQ(Imf::framesPerSecond(header), Imf::Rational(12, 1));
         EXPECT_EQ(attribute<int>(header, "pelagic:frame"), 3);
-        EXPECT_EQ(attribute<int>(header, "pelagic:tile"), number / 3);
+        EXPECT_EQ(attribute<int>(header, "pelagic:cascade"), number / 3);
         EXPECT_EQ(attribute<double>(header, "pelagic:time_s"), time_s);
-        EXPECT_EQ(attribute<double>(header, "pelagic:side_m"), tile.at("side_m"));
-        EXPECT_EQ(attribute<double>(header, "pelagic:turn_cosine"), tile.at("turn").at("cosine"));
-        EXPECT_EQ(attribute<double>(header, "pelagic:turn_sine"), tile.at("turn").at("sine"));
+        EXPECT_EQ(attribute<double>(header, "pelagic:side_m"), cascade.at("side_m"));
+        EXPECT_EQ(attribute<double>(header, "pelagic:turn_cosine"), cascade.at("turn").at("cosine"));
+        EXPECT_EQ(attribute<double>(header, "pelagic:turn_sine"), cascade.at("turn").at("sine"));
         EXPECT_EQ(attribute<std::string>(header, "pelagic:axes"), "+x east, +y up, +z south");
         for (const char* none : {"capDate", "owner", "worldToCamera", "worldToNDC", "Software"})
             EXPECT_EQ(header.find(none), header.end()) << none;
@@ -231,7 +231,7 @@ TEST(ExrFiles, LayersSayWhatTheyAreByName) {
     export_to(folder.path(), {"--pack", "layers"});
     Imf::MultiPartInputFile file((folder / "sea_0003.exr").c_str());
     EXPECT_EQ(attribute<std::string>(file.header(0), "pelagic:foam_c1:channels"), "foam = Y");
-    EXPECT_EQ(attribute<double>(file.header(0), "pelagic:foam_c1:side_m"), expected().tile(1).lattice.side_m);
+    EXPECT_EQ(attribute<double>(file.header(0), "pelagic:foam_c1:side_m"), expected().cascade(1).lattice.side_m);
     EXPECT_EQ(attribute<int>(file.header(0), "pelagic:frame"), 3);
 }
 

@@ -38,10 +38,10 @@ ComplexField transformed(const PlaneView& plane) {
     return oracle::forward_fft(values, n);
 }
 
-/// Of each wave vector of a tile.
-struct TileSpectrum {
-    explicit TileSpectrum(const Tile& tile)
-        : n(tile.resolution()), spacing(2 * pi / tile.lattice.side_m), lattice(tile.lattice) {}
+/// Of each wave vector of a cascade.
+struct CascadeSpectrum {
+    explicit CascadeSpectrum(const Cascade& cascade)
+        : n(cascade.resolution()), spacing(2 * pi / cascade.lattice.side_m), lattice(cascade.lattice) {}
 
     /// Calls visit(element, kx, kz) with wave vectors along the world's axes, but for k = 0.
     template <class Visit>
@@ -58,7 +58,7 @@ struct TileSpectrum {
 
     int n;
     double spacing;
-    TileLattice lattice;
+    CascadeLattice lattice;
 };
 
 TEST(FiniteDepth, OrbitRatioIsTheHyperbolicCotangentUpToTwenty) {
@@ -94,12 +94,12 @@ TEST(FiniteDepth, SwellsOrbitHasAirysAxes) {
         constexpr int times = 160;
         for (int i = 0; i < times; ++i) {
             const double turns = 5.0 * i / times;
-            const Tile& tile = ocean.frame_at(turns * period_s).tiles[0];
+            const Cascade& cascade = ocean.frame_at(turns * period_s).cascades[0];
             const Complex turn = std::polar(1.0 / times, -2 * pi * turns);
-            sideways += turn * static_cast<double>(tile.dx.at(5, 3));
-            up += turn * static_cast<double>(tile.height.at(5, 3));
-            sideways_speed += turn * static_cast<double>(tile.velocity_x.at(5, 3));
-            up_speed += turn * static_cast<double>(tile.velocity_y.at(5, 3));
+            sideways += turn * static_cast<double>(cascade.dx.at(5, 3));
+            up += turn * static_cast<double>(cascade.height.at(5, 3));
+            sideways_speed += turn * static_cast<double>(cascade.velocity_x.at(5, 3));
+            up_speed += turn * static_cast<double>(cascade.velocity_y.at(5, 3));
         }
         const double airy = 1 / std::tanh(k * depth);
         ASSERT_GT(std::abs(up), 0.01);
@@ -114,15 +114,15 @@ TEST(FiniteDepth, EachWaveMovesSidewaysAsAiryHasIt) {
     for (const double depth : {6.0, 20.0, 4000.0}) {
         const SeaState sea{.cascades = 2, .resolution = 64, .depth_m = depth, .choppiness = 0.8};
         Ocean ocean(sea, {.executor = make_serial_executor(), .velocities = true});
-        for (const Tile& tile : ocean.frame_at(3.7).tiles) {
-            const ComplexField h = transformed(tile.height), dx = transformed(tile.dx), dz = transformed(tile.dz);
-            const ComplexField up = transformed(tile.velocity_y), vx = transformed(tile.velocity_x),
-                               vz = transformed(tile.velocity_z);
+        for (const Cascade& cascade : ocean.frame_at(3.7).cascades) {
+            const ComplexField h = transformed(cascade.height), dx = transformed(cascade.dx), dz = transformed(cascade.dz);
+            const ComplexField up = transformed(cascade.velocity_y), vx = transformed(cascade.velocity_x),
+                               vz = transformed(cascade.velocity_z);
             double most = 0, most_up = 0;
             for (const Complex& wave : h) most = std::max(most, std::abs(wave));
             for (const Complex& wave : up) most_up = std::max(most_up, std::abs(wave));
             int seen = 0;
-            TileSpectrum(tile).each([&](std::size_t at, double kx, double kz) {
+            CascadeSpectrum(cascade).each([&](std::size_t at, double kx, double kz) {
                 const double k = std::hypot(kx, kz), airy = sea.choppiness / std::tanh(k * depth);
                 if (std::abs(h[at]) > 0.01 * most) {  // the rest drowns in float
                     EXPECT_NEAR(std::abs((kx * dx[at] + kz * dz[at]) / k) / std::abs(h[at]), airy, 0.001 * airy);
@@ -146,9 +146,9 @@ TEST(FiniteDepth, ReportsVarianceOfConvergenceIsTheFrames) {
         double measured = 0;
         constexpr int times = 8;
         for (int i = 0; i < times; ++i) {
-            for (const Tile& tile : ocean.frame_at(17.3 * i).tiles) {
-                const ComplexField dx = transformed(tile.dx), dz = transformed(tile.dz);
-                TileSpectrum(tile).each([&](std::size_t at, double kx, double kz) {
+            for (const Cascade& cascade : ocean.frame_at(17.3 * i).cascades) {
+                const ComplexField dx = transformed(cascade.dx), dz = transformed(cascade.dz);
+                CascadeSpectrum(cascade).each([&](std::size_t at, double kx, double kz) {
                     measured += std::norm(kx * dx[at] + kz * dz[at]) / times;
                 });
             }
@@ -156,7 +156,7 @@ TEST(FiniteDepth, ReportsVarianceOfConvergenceIsTheFrames) {
         EXPECT_NEAR(report.drawn_convergence_variance / measured, 1, 0.02) << depth;
         EXPECT_NEAR(report.expected_convergence_variance / measured, 1, 0.06) << depth << ": all seeds, not this one";
         double slopes = 0;
-        for (const TileSlopes& tile : report.tiles) slopes += tile.slopes.total();
+        for (const CascadeSlopes& cascade : report.cascades) slopes += cascade.slopes.total();
         const double circles = sea.choppiness * sea.choppiness * slopes;
         if (depth == 6) {
             EXPECT_GT(report.expected_convergence_variance / circles, 1.05);
@@ -178,8 +178,8 @@ TEST(FiniteDepth, SlopeMapsReachAsFarAsInDeepWater) {
                      .swell_period_s = 14},
                     {.executor = make_serial_executor(), .slopes = true});
         std::size_t values = 0, at_end = 0;
-        for (const Tile& tile : ocean.frame_at(1).tiles) {
-            for (const std::uint32_t texel : tile.level_of(tile.slopes_rgba8, 0)) {
+        for (const Cascade& cascade : ocean.frame_at(1).cascades) {
+            for (const std::uint32_t texel : cascade.level_of(cascade.slopes_rgba8, 0)) {
                 for (const unsigned shift : {16u, 24u}) {  // D_xx, D_zz
                     const int byte = static_cast<int>(texel >> shift & 0xFF);
                     at_end += byte <= 1 || byte == 255;

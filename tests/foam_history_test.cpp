@@ -25,19 +25,19 @@ OceanOptions with_foam(Isa isa = choose_isa()) {
 /// A gale on a small sea, so that much is white.
 const SeaState gale{
     .cascades = 2, .resolution = 32, .wind_speed_mps = 20, .wind_direction_rad = 0.7, .loop_period_s = 20};
-const SeaState gale_on_one_tile{
+const SeaState gale_on_one_cascade{
     .resolution = 32, .patch_size_m = 60, .wind_speed_mps = 20, .wind_direction_rad = 2.5};
 
-std::vector<int> foam_of(const Tile& tile) {
-    const auto texels = tile.level_of(tile.foam_r8, 0);
+std::vector<int> foam_of(const Cascade& cascade) {
+    const auto texels = cascade.level_of(cascade.foam_r8, 0);
     return {texels.begin(), texels.end()};
 }
 
 /// What the half floats hold of foam, in parts of a byte.
-std::vector<int> foam_in_halves(const Tile& tile) {
+std::vector<int> foam_in_halves(const Cascade& cascade) {
     std::vector<int> foam;
-    for (std::size_t i = 3; i < tile.displacement_rgba16f.size(); i += 4) {
-        const std::uint16_t bits = tile.displacement_rgba16f[i];
+    for (std::size_t i = 3; i < cascade.displacement_rgba16f.size(); i += 4) {
+        const std::uint16_t bits = cascade.displacement_rgba16f[i];
         const int exponent = bits >> 10, mantissa = bits & 0x3FF;
         const double value = exponent == 0 ? mantissa * 0x1p-24 : std::ldexp(1024 + mantissa, exponent - 25);
         foam.push_back(static_cast<int>(std::nearbyint(255 * value)));
@@ -52,12 +52,12 @@ std::vector<std::vector<int>> replayed(const SeaState& sea, std::int64_t tick) {
     std::vector<std::vector<int>> foam;
     for (std::int64_t number = tick - 40; number <= tick; ++number) {
         const Frame& frame = forgetful.frame_at(clock.time_in_loop_s(number));
-        foam.resize(frame.tiles.size());
+        foam.resize(frame.cascades.size());
         for (std::size_t t = 0; t < foam.size(); ++t) {
-            const Tile& tile = frame.tiles[t];
-            const int n = tile.resolution();
-            const DriftTexels drift = drift_of(frame.figures, tile.lattice, n, clock, number);
-            const std::vector<int> fresh = foam_in_halves(tile), before = foam[t];
+            const Cascade& cascade = frame.cascades[t];
+            const int n = cascade.resolution();
+            const DriftTexels drift = drift_of(frame.figures, cascade.lattice, n, clock, number);
+            const std::vector<int> fresh = foam_in_halves(cascade), before = foam[t];
             foam[t] = fresh;
             if (before.empty()) continue;
             for (int z = 0; z < n; ++z) {
@@ -76,19 +76,19 @@ class FoamHistoryOnEachIsa : public OnEachIsa {};
 INSTANTIATE_TEST_SUITE_P(Isas, FoamHistoryOnEachIsa, testing::ValuesIn(isas_here()), isa_test_name);
 
 TEST_P(FoamHistoryOnEachIsa, IsWhatItsRuleSays) {
-    for (const SeaState& sea : {gale, gale_on_one_tile}) {
+    for (const SeaState& sea : {gale, gale_on_one_cascade}) {
         const std::int64_t tick = 57;
         Ocean ocean(sea, with_foam(GetParam()));
         const Frame& frame = ocean.frame_at(TickClock(sea.loop_period_s).time_in_loop_s(tick));
         const auto expected = replayed(sea, tick);
-        ASSERT_EQ(expected.size(), frame.tiles.size());
+        ASSERT_EQ(expected.size(), frame.cascades.size());
         for (std::size_t t = 0; t < expected.size(); ++t) {
-            const std::vector<int> foam = foam_of(frame.tiles[t]);
-            EXPECT_EQ(foam, foam_in_halves(frame.tiles[t]));
+            const std::vector<int> foam = foam_of(frame.cascades[t]);
+            EXPECT_EQ(foam, foam_in_halves(frame.cascades[t]));
             int most = 0;
             for (std::size_t i = 0; i < foam.size(); ++i) {
                 // A tick adds J up in another order than a frame, so where it stands between two bytes it may take the other.
-                ASSERT_NEAR(foam[i], expected[t][i], 1) << "tile " << t << ", texel " << i;
+                ASSERT_NEAR(foam[i], expected[t][i], 1) << "cascade " << t << ", texel " << i;
                 most = std::max(most, foam[i]);
             }
             EXPECT_GT(most, 127) << "nothing breaks here";
@@ -100,11 +100,11 @@ TEST(FoamHistory, FadesBetweenTicksAndBreaksAtAnyTime) {
     Ocean ocean(gale, with_foam()), forgetful(gale, {.executor = make_serial_executor()});
     const TickClock clock(gale.loop_period_s);
     const double tick = clock.time_in_loop_s(33);
-    const std::vector<int> at_tick = foam_of(ocean.frame_at(tick).tiles[0]);
+    const std::vector<int> at_tick = foam_of(ocean.frame_at(tick).cascades[0]);
     for (const double part : {0.1, 0.5, 0.99}) {
         const double time = tick + part * clock.tick_s();
-        const std::vector<int> foam = foam_of(ocean.frame_at(time).tiles[0]);
-        const std::vector<int> breaking = foam_in_halves(forgetful.frame_at(time).tiles[0]);
+        const std::vector<int> foam = foam_of(ocean.frame_at(time).cascades[0]);
+        const std::vector<int> breaking = foam_in_halves(forgetful.frame_at(time).cascades[0]);
         const int faded = static_cast<int>(9 * part);
         for (std::size_t i = 0; i < foam.size(); ++i) ASSERT_EQ(foam[i], std::max(at_tick[i] - faded, breaking[i]));
     }
@@ -132,11 +132,11 @@ TEST(FoamHistory, IsTheSameFromAThousandBeginnings) {
 }
 
 TEST(FoamHistory, ChangesNothingButFoam) {
-    for (const SeaState& sea : {gale, gale_on_one_tile}) {
+    for (const SeaState& sea : {gale, gale_on_one_cascade}) {
         Ocean with(sea, with_foam()), without(sea, {.executor = make_serial_executor()});
         for (const double time : {0.0, 0.05, 3.0, -2.0})
             EXPECT_EQ(hash_of(with.frame_at(time)), hash_of(without.frame_at(time)));
-        EXPECT_TRUE(without.frame_at(0).tiles[0].foam_r8.empty());
+        EXPECT_TRUE(without.frame_at(0).cascades[0].foam_r8.empty());
     }
 }
 
@@ -150,7 +150,7 @@ TEST(FoamHistory, IsSavedAndRestoredInAnOceanOfTheSameSea) {
     std::vector<std::uint8_t> saved = first.saved_history();
     std::fill(saved.begin() + 8, saved.end(), std::uint8_t{255});
     second.restore_history(saved);
-    const std::vector<int> foam = foam_of(second.frame_at(7.2).tiles[0]);
+    const std::vector<int> foam = foam_of(second.frame_at(7.2).cascades[0]);
     EXPECT_GE(*std::min_element(foam.begin(), foam.end()), 255 - 9);
     std::vector<std::uint8_t> of_no_clock = saved;
     std::fill_n(of_no_clock.begin(), 8, std::uint8_t{0x7F});
@@ -211,10 +211,10 @@ TEST(FoamHistory, OfALiveChangeIsThatOfItsForecast) {
 
 TEST(FoamHistory, LevelsAreTheMeansOfFourTexels) {
     Ocean ocean(gale, with_foam());
-    const Tile& tile = ocean.frame_at(3).tiles[0];
-    for (int level = 1; level < mip_levels(tile.resolution()); ++level) {
-        const auto finer = tile.level_of(tile.foam_r8, level - 1), coarser = tile.level_of(tile.foam_r8, level);
-        const std::size_t side = static_cast<std::size_t>(tile.resolution()) >> level;
+    const Cascade& cascade = ocean.frame_at(3).cascades[0];
+    for (int level = 1; level < mip_levels(cascade.resolution()); ++level) {
+        const auto finer = cascade.level_of(cascade.foam_r8, level - 1), coarser = cascade.level_of(cascade.foam_r8, level);
+        const std::size_t side = static_cast<std::size_t>(cascade.resolution()) >> level;
         for (std::size_t i = 0; i < coarser.size(); ++i) {
             const std::size_t from = 2 * (i / side) * 2 * side + 2 * (i % side);
             const int sum = finer[from] + finer[from + 1] + finer[from + 2 * side] + finer[from + 2 * side + 1];
@@ -247,23 +247,23 @@ TEST(FoamDrift, IsAsFastAsWindAndWavesOverAThousandTicks) {
         EXPECT_GT(along / sea.wind_speed_mps, 0.03);
         EXPECT_LT(along / sea.wind_speed_mps, 0.04);
         EXPECT_NEAR(drift_z * std::cos(direction) - drift_x * std::sin(direction), 0, 0.02 * along);
-        std::size_t fine_tiles = 0;
-        for (const Tile& tile : frame.tiles) {
-            if (tile.texel_m() > 0.25) continue;
-            ++fine_tiles;
+        std::size_t fine_cascades = 0;
+        for (const Cascade& cascade : frame.cascades) {
+            if (cascade.texel_m() > 0.25) continue;
+            ++fine_cascades;
             double texels_x = 0, texels_z = 0;
             for (int tick = 501; tick <= 1500; ++tick) {
-                const DriftTexels step = drift_of(frame.figures, tile.lattice, tile.resolution(), clock, tick);
+                const DriftTexels step = drift_of(frame.figures, cascade.lattice, cascade.resolution(), clock, tick);
                 texels_x += step.x;
                 texels_z += step.z;
             }
-            const TileLattice::Place way =
-                tile.lattice.in_world(texels_x * tile.texel_m(), texels_z * tile.texel_m());
+            const CascadeLattice::Place way =
+                cascade.lattice.in_world(texels_x * cascade.texel_m(), texels_z * cascade.texel_m());
             const double seconds = 1000 * clock.tick_s(), speed = std::hypot(drift_x, drift_z);
             EXPECT_NEAR(way.along / seconds, drift_x, 0.02 * speed);
             EXPECT_NEAR(way.across / seconds, drift_z, 0.02 * speed);
         }
-        EXPECT_GE(fine_tiles, 2u);
+        EXPECT_GE(fine_cascades, 2u);
     }
 }
 
@@ -276,7 +276,7 @@ TEST(FoamDrift, IsReportedOfEveryPreset) {
         EXPECT_GE(report.drift_mps, 0.01 * preset.sea.wind_speed_mps) << preset.name;
         EXPECT_LE(report.drift_mps, 0.5 + 0.05 * preset.sea.wind_speed_mps) << preset.name;
         bool is_white = false;
-        for (const TileFoam& tile : report.tiles) is_white |= tile.makes_whitecaps;
+        for (const CascadeFoam& cascade : report.cascades) is_white |= cascade.makes_whitecaps;
         EXPECT_EQ(report.whitecap_cover > 0, is_white) << preset.name;
     }
 }
@@ -285,7 +285,7 @@ TEST(FoamDrift, IsWholeTexelsALoop) {
     SeaFigures figures;
     figures.foam_drift_x_mps = 0.37;
     figures.foam_drift_z_mps = -0.21;
-    const TileLattice lattice{.side_m = 10, .cosine = 0.6, .sine = 0.8};
+    const CascadeLattice lattice{.side_m = 10, .cosine = 0.6, .sine = 0.8};
     for (const double period : {0.1, 7.3, 200.0}) {
         const TickClock clock(period);
         const DriftTexels loop = drift_a_loop(figures, lattice, 64, clock);

@@ -15,9 +15,9 @@
 namespace pelagic {
 namespace {
 
-// A gale and a storm, so that much is white. Finer tiles are turned against the world.
+// A gale and a storm, so that much is white. Finer cascades are turned against the world.
 const SeaState gale{.cascades = 4, .resolution = 32, .wind_speed_mps = 20, .wind_direction_rad = 0.7};
-const SeaState storm_on_one_tile{
+const SeaState storm_on_one_cascade{
     .resolution = 64, .patch_size_m = 120, .wind_speed_mps = 25, .wind_direction_rad = 2.5};
 
 OceanOptions with_queries_and_foam(Isa isa = choose_isa()) {
@@ -39,13 +39,13 @@ Points random_points(std::size_t count) {
     return points;
 }
 
-/// As Tile and TileLattice say: the largest of what the tiles hold around the rest point.
+/// As Cascade and CascadeLattice say: the largest of what the cascades hold around the rest point.
 double foam_by_texels(const Frame& frame, double rest_x_m, double rest_z_m) {
     double largest = 0;
-    for (const Tile& tile : frame.tiles) {
-        const int n = tile.resolution();
-        const TileLattice::Place place = tile.lattice.in_tile(rest_x_m, rest_z_m);
-        const double u = place.along / tile.texel_m(), v = place.across / tile.texel_m();
+    for (const Cascade& cascade : frame.cascades) {
+        const int n = cascade.resolution();
+        const CascadeLattice::Place place = cascade.lattice.in_cascade(rest_x_m, rest_z_m);
+        const double u = place.along / cascade.texel_m(), v = place.across / cascade.texel_m();
         double foam = 0;
         for (const int right : {0, 1}) {
             for (const int below : {0, 1}) {
@@ -53,7 +53,7 @@ double foam_by_texels(const Frame& frame, double rest_x_m, double rest_z_m) {
                 const double weight = (1 - std::fabs(u - column)) * (1 - std::fabs(v - row));
                 const auto wrapped = [n](double of) { return static_cast<std::size_t>(of - std::floor(of / n) * n); };
                 const std::size_t texel = wrapped(row) * static_cast<std::size_t>(n) + wrapped(column);
-                foam += weight * tile.level_of(tile.foam_r8, 0)[texel] / 255;
+                foam += weight * cascade.level_of(cascade.foam_r8, 0)[texel] / 255;
             }
         }
         largest = std::max(largest, foam);
@@ -61,8 +61,8 @@ double foam_by_texels(const Frame& frame, double rest_x_m, double rest_z_m) {
     return largest;
 }
 
-TEST(FoamQuery, IsTheLargestOfTheTilesAtTheRestPoint) {
-    for (const SeaState& sea : {gale, storm_on_one_tile}) {
+TEST(FoamQuery, IsTheLargestOfTheCascadesAtTheRestPoint) {
+    for (const SeaState& sea : {gale, storm_on_one_cascade}) {
         Ocean ocean(sea, with_queries_and_foam());
         const Frame& frame = ocean.frame_at(11.03);
         const oracle::Stack stack(frame);
@@ -82,7 +82,7 @@ TEST(FoamQuery, IsTheLargestOfTheTilesAtTheRestPoint) {
         }
         // The search stops a 64th of a millimetre away, or five times that at rest, and foam changes by 1 over a texel at most, along
         // each axis.
-        EXPECT_LT(largest_error, 2 * 5 * 1.6e-5 / frame.tiles.back().texel_m());
+        EXPECT_LT(largest_error, 2 * 5 * 1.6e-5 / frame.cascades.back().texel_m());
         EXPECT_GT(asked, static_cast<int>(foam.size()) * 8 / 10);
         EXPECT_GT(white, asked / 50);
     }
@@ -91,7 +91,7 @@ TEST(FoamQuery, IsTheLargestOfTheTilesAtTheRestPoint) {
 TEST(FoamQuery, HasTheSameBitsOnAnyInstructionSetAndInAnyBatch) {
     const Points points = random_points(1500);
     const auto executor = make_thread_executor(3);
-    for (const SeaState& sea : {gale, storm_on_one_tile}) {
+    for (const SeaState& sea : {gale, storm_on_one_cascade}) {
         std::vector<float> expected;
         for (const Isa isa : isas_here()) {
             Ocean ocean(sea, with_queries_and_foam(isa));
@@ -122,17 +122,17 @@ TEST(FoamQuery, IsRefusedOfAFrameThatRemembersNone) {
     EXPECT_EQ(height[0], -1) << "it wrote before it looked";
 }
 
-TEST(FoamInBuffers, IsTheChainOfEachTile) {
+TEST(FoamInBuffers, IsTheChainOfEachCascade) {
     Ocean ocean(gale, with_queries_and_foam());
     const std::size_t chain = mip_offset(32, mip_levels(32));
     std::vector<std::vector<std::uint8_t>> bytes(4, std::vector<std::uint8_t>(chain, 77));
     std::vector<FrameBuffers> buffers;
-    for (auto& of_tile : bytes) buffers.push_back({.foam_r8 = of_tile});
+    for (auto& of_cascade : bytes) buffers.push_back({.foam_r8 = of_cascade});
     ocean.frame_at(5, buffers);
     const Frame& frame = ocean.frame_at(5);
     for (std::size_t i = 0; i < bytes.size(); ++i)
-        EXPECT_TRUE(std::equal(bytes[i].begin(), bytes[i].end(), frame.tiles[i].foam_r8.begin(),
-                               frame.tiles[i].foam_r8.end()));
+        EXPECT_TRUE(std::equal(bytes[i].begin(), bytes[i].end(), frame.cascades[i].foam_r8.begin(),
+                               frame.cascades[i].foam_r8.end()));
 
     EXPECT_EQ(check(buffers, 4, 32, {}), "foam_r8 is wanted, needs an ocean with foam");
     buffers[2].foam_r8 = buffers[2].foam_r8.first(1024);

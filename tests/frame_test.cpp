@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "pelagic/sim/ocean.hpp"
-#include "pelagic/sim/surface/tile_sum.hpp"
+#include "pelagic/sim/surface/cascade_sum.hpp"
 #include "pelagic/tests/each_isa.hpp"
 #include "pelagic/tests/oracle/gradient_oracle.hpp"
 #include "pelagic/tests/oracle/sea_oracle.hpp"
@@ -103,22 +103,22 @@ TEST_P(FrameOnEachIsa, DisplacementMatchesTheOracle) {
     Ocean ocean = ocean_on(one().sea, isa());
     const Frame& frame = ocean.frame_at(one().time_s);
     const oracle::Fields truth = oracle::fields_at(one().sea, one().time_s);
-    expect_close(frame.tiles[0].height, truth.height, "height");
-    expect_close(frame.tiles[0].dx, truth.dx, "dx");
-    expect_close(frame.tiles[0].dz, truth.dz, "dz");
+    expect_close(frame.cascades[0].height, truth.height, "height");
+    expect_close(frame.cascades[0].dx, truth.dx, "dx");
+    expect_close(frame.cascades[0].dz, truth.dz, "dz");
 }
 
 TEST_P(FrameOnEachIsa, BoundsAreThePlanesExtremes) {
     Ocean ocean = ocean_on(one().sea, isa());
     const Frame& frame = ocean.frame_at(one().time_s);
-    FrameBounds bounds{.height_min_m = frame.tiles[0].height.at(0, 0),
-                       .height_max_m = frame.tiles[0].height.at(0, 0)};
-    for (int j = 0; j < frame.tiles[0].resolution(); ++j) {
-        for (int i = 0; i < frame.tiles[0].resolution(); ++i) {
-            bounds.height_min_m = std::min(bounds.height_min_m, frame.tiles[0].height.at(i, j));
-            bounds.height_max_m = std::max(bounds.height_max_m, frame.tiles[0].height.at(i, j));
-            bounds.sideways_x_max_m = std::max(bounds.sideways_x_max_m, std::fabs(frame.tiles[0].dx.at(i, j)));
-            bounds.sideways_z_max_m = std::max(bounds.sideways_z_max_m, std::fabs(frame.tiles[0].dz.at(i, j)));
+    FrameBounds bounds{.height_min_m = frame.cascades[0].height.at(0, 0),
+                       .height_max_m = frame.cascades[0].height.at(0, 0)};
+    for (int j = 0; j < frame.cascades[0].resolution(); ++j) {
+        for (int i = 0; i < frame.cascades[0].resolution(); ++i) {
+            bounds.height_min_m = std::min(bounds.height_min_m, frame.cascades[0].height.at(i, j));
+            bounds.height_max_m = std::max(bounds.height_max_m, frame.cascades[0].height.at(i, j));
+            bounds.sideways_x_max_m = std::max(bounds.sideways_x_max_m, std::fabs(frame.cascades[0].dx.at(i, j)));
+            bounds.sideways_z_max_m = std::max(bounds.sideways_z_max_m, std::fabs(frame.cascades[0].dz.at(i, j)));
         }
     }
     EXPECT_EQ(frame.bounds.height_min_m, bounds.height_min_m);
@@ -131,21 +131,21 @@ TEST_P(FrameOnEachIsa, BoundsAreThePlanesExtremes) {
 TEST_P(FrameOnEachIsa, HalvesAreTheFloatsRoundedToNearestEven) {
     Ocean ocean = ocean_on(one().sea, isa());
     const Frame& frame = ocean.frame_at(one().time_s);
-    const Tile& tile = frame.tiles[0];
+    const Cascade& cascade = frame.cascades[0];
     const auto jacobian = oracle::jacobian_of(oracle::displacement_of(frame), one().sea.patch_size_m);
-    for (int j = 0; j < frame.tiles[0].resolution(); ++j) {
-        for (int i = 0; i < frame.tiles[0].resolution(); ++i) {
-            const std::size_t texel = static_cast<std::size_t>(j * frame.tiles[0].resolution() + i);
-            const std::uint16_t* halves = frame.tiles[0].displacement_rgba16f.data() + 4 * texel;
-            ASSERT_EQ(halves[0], Imath::half(frame.tiles[0].dx.at(i, j)).bits()) << i << ", " << j;
-            ASSERT_EQ(halves[1], Imath::half(frame.tiles[0].height.at(i, j)).bits()) << i << ", " << j;
-            ASSERT_EQ(halves[2], Imath::half(frame.tiles[0].dz.at(i, j)).bits()) << i << ", " << j;
+    for (int j = 0; j < frame.cascades[0].resolution(); ++j) {
+        for (int i = 0; i < frame.cascades[0].resolution(); ++i) {
+            const std::size_t texel = static_cast<std::size_t>(j * frame.cascades[0].resolution() + i);
+            const std::uint16_t* halves = frame.cascades[0].displacement_rgba16f.data() + 4 * texel;
+            ASSERT_EQ(halves[0], Imath::half(frame.cascades[0].dx.at(i, j)).bits()) << i << ", " << j;
+            ASSERT_EQ(halves[1], Imath::half(frame.cascades[0].height.at(i, j)).bits()) << i << ", " << j;
+            ASSERT_EQ(halves[2], Imath::half(frame.cascades[0].dz.at(i, j)).bits()) << i << ", " << j;
             // Half a step of a byte is 2e-3, half a step of a half below one 2.5e-4; the float Jacobian adds 1e-4 over the ramp
             // where slopes are steep.
             Imath::half foam;
             foam.setBits(halves[3]);
-            const double beyond = (tile.whitecap_jacobian - jacobian[texel]) / tile.whitecap_ramp;
-            ASSERT_NEAR(foam, std::clamp(0.5 + beyond, 0.0, 1.0), 2.3e-3 + 1e-4 / tile.whitecap_ramp)
+            const double beyond = (cascade.whitecap_jacobian - jacobian[texel]) / cascade.whitecap_ramp;
+            ASSERT_NEAR(foam, std::clamp(0.5 + beyond, 0.0, 1.0), 2.3e-3 + 1e-4 / cascade.whitecap_ramp)
                 << i << ", " << j;
         }
     }
@@ -158,9 +158,9 @@ TEST_P(FrameOnEachIsa, GradientBytesOfEveryLevelAreWithinOneStepOfEquation50) {
     const Frame& frame = ocean.frame_at(one().time_s);
     const auto levels =
         oracle::levels_of(oracle::displacement_of(frame), one().sea.patch_size_m, frame.figures.roughness);
-    ASSERT_EQ(static_cast<int>(levels.size()), mip_levels(frame.tiles[0].resolution()));
+    ASSERT_EQ(static_cast<int>(levels.size()), mip_levels(frame.cascades[0].resolution()));
     for (std::size_t m = 0; m < levels.size(); ++m) {
-        const auto texels = frame.tiles[0].gradient_level(static_cast<int>(m));
+        const auto texels = frame.cascades[0].gradient_level(static_cast<int>(m));
         ASSERT_EQ(texels.size(), levels[m].normal.size());
         for (std::size_t texel = 0; texel < texels.size(); ++texel) {
             const auto expected = oracle::bytes_of(levels[m], texel);
@@ -173,7 +173,7 @@ TEST_P(FrameOnEachIsa, GradientBytesOfEveryLevelAreWithinOneStepOfEquation50) {
     }
 }
 
-TEST(TileSum, HoldsTexelsGoesStraightBetweenThemAndRepeats) {
+TEST(CascadeSum, HoldsTexelsGoesStraightBetweenThemAndRepeats) {
     const double side = 130;
     Ocean ocean = ocean_on({.resolution = 32, .patch_size_m = 130}, choose_isa());
     const Frame& frame = ocean.frame_at(4);
@@ -183,17 +183,17 @@ TEST(TileSum, HoldsTexelsGoesStraightBetweenThemAndRepeats) {
             for (int i = 0; i < 32; ++i) {
                 // A texel's place may round to a hair before it: off by that part of a slope below 1.
                 const Displacement at = displacement_of(frame, i * texel + patch * side, j * texel - patch * side);
-                EXPECT_NEAR(at.dx, frame.tiles[0].dx.at(i, j), 1e-9);
-                EXPECT_NEAR(at.height, frame.tiles[0].height.at(i, j), 1e-9);
-                EXPECT_NEAR(at.dz, frame.tiles[0].dz.at(i, j), 1e-9);
+                EXPECT_NEAR(at.dx, frame.cascades[0].dx.at(i, j), 1e-9);
+                EXPECT_NEAR(at.height, frame.cascades[0].height.at(i, j), 1e-9);
+                EXPECT_NEAR(at.dz, frame.cascades[0].dz.at(i, j), 1e-9);
                 const Displacement centre =
                     displacement_of(frame, (i + 0.5) * texel + patch * side, (j + 0.5) * texel);
                 const int right = (i + 1) % 32, below = (j + 1) % 32;
                 const auto mean = [&](const PlaneView& p) {
                     return (double{p.at(i, j)} + p.at(right, j) + p.at(i, below) + p.at(right, below)) / 4;
                 };
-                EXPECT_NEAR(centre.height, mean(frame.tiles[0].height), 1e-9);
-                EXPECT_NEAR(centre.dz, mean(frame.tiles[0].dz), 1e-9);
+                EXPECT_NEAR(centre.height, mean(frame.cascades[0].height), 1e-9);
+                EXPECT_NEAR(centre.dz, mean(frame.cascades[0].dz), 1e-9);
             }
     }
 }

@@ -140,7 +140,7 @@ TEST(FrameWriter, RecordsFramesAsTheyWereHandedOver) {
 }
 
 // Of a large sea nothing is copied, and two files of N = 2048 are written at once, on however many threads: docs/users/exporter.md
-// promises 2 GB for four such tiles. Smaller ones are copied, as many as there are threads.
+// promises 2 GB for four such cascades. Smaller ones are copied, as many as there are threads.
 TEST(FrameWriter, SharesOutWhatTheOceanLeaves) {
     constexpr std::size_t mib = std::size_t{1} << 20;
     ExportOptions options;

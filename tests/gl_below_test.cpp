@@ -50,7 +50,7 @@ class BelowScene {
           target_(context_.functions(), width, height, 1, gl::PixelKind::radiance),
           renderer(context_.functions(), {.patch_vertices = quadtree_.vertices,
                                           .resolution = ocean_.resolution(),
-                                          .tiles = ocean_.tile_count(),
+                                          .cascades = ocean_.cascade_count(),
                                           .writes = gl::PixelKind::radiance}) {}
 
     const Frame& frame_at(double time_s) { return ocean_.frame_at(time_s); }
@@ -66,15 +66,15 @@ class BelowScene {
         plane_.assign(n * n, 0);
         slopes_.assign(mip_offset(ocean_.resolution(), mip_levels(ocean_.resolution())), 0x80808080u);
         moments_.assign(slopes_.size(), 0x80000080u);
-        tiles_.assign(level_.tiles.begin(), level_.tiles.end());
-        for (Tile& tile : tiles_) {
+        cascades_.assign(level_.cascades.begin(), level_.cascades.end());
+        for (Cascade& cascade : cascades_) {
             const PlaneView plane{plane_.data(), ocean_.resolution(), ocean_.resolution(), ocean_.resolution(), 0};
-            tile.dx = tile.height = tile.dz = plane;
-            tile.displacement_rgba16f = zeros_;
-            tile.slopes_rgba8 = slopes_;
-            tile.moments_rgba8 = moments_;
+            cascade.dx = cascade.height = cascade.dz = plane;
+            cascade.displacement_rgba16f = zeros_;
+            cascade.slopes_rgba8 = slopes_;
+            cascade.moments_rgba8 = moments_;
         }
-        level_.tiles = tiles_;
+        level_.cascades = cascades_;
         return level_;
     }
 
@@ -116,7 +116,7 @@ class BelowScene {
     Selection selection_;
     gl::RenderTarget target_;
     Frame level_;
-    std::vector<Tile> tiles_;
+    std::vector<Cascade> cascades_;
     std::vector<std::uint16_t> zeros_;
     std::vector<float> plane_;
     std::vector<std::uint32_t> slopes_, moments_;

@@ -85,8 +85,8 @@ TEST(GlDynamicWaves, ShadersReadWhatSampleSays) {
         probe.gl().Finish();
 
         gl::SeaFacts facts;
-        facts.tiles.resize(1);
-        facts.tiles[0].lattice.side_m = 100;
+        facts.cascades.resize(1);
+        facts.cascades[0].lattice.side_m = 100;
         facts.resolution = 64;
         facts.dynamic_waves = {Grid::n, grid.surface().texel_m, first_x, first_z};
         const glm::dvec2 viewer = grid.middle() + glm::dvec2(1.7, 0.6);
@@ -246,7 +246,7 @@ TEST(GlDynamicWaves, LiesWhereQueriesSayAndNotBeside) {
     expect_slice_in_place(scene, frame, middle, 0.1, height_in(query));
 }
 
-// The tile carries all water two metres away; the grid's heights stay where the grid says.
+// The cascade carries all water two metres away; the grid's heights stay where the grid says.
 TEST(GlDynamicWaves, AddsWhereWaterIsDrawnNotWhereItRests) {
     GlScene scene({.quality = "ultra",
                    .resolution = 64,
@@ -258,12 +258,12 @@ TEST(GlDynamicWaves, AddsWhereWaterIsDrawnNotWhereItRests) {
                    .size_m = 512,
                    .shading = gl::Shading::headset});
     Frame frame = scene.ocean.frame_at(3);
-    Tile tile = frame.tiles[0];
+    Cascade cascade = frame.cascades[0];
     std::vector<std::uint16_t> carried;
-    for (std::size_t i = 0; i < tile.displacement_rgba16f.size() / 4; ++i)
+    for (std::size_t i = 0; i < cascade.displacement_rgba16f.size() / 4; ++i)
         for (const float value : {2.f, 0.f, -2.f, 0.f}) carried.push_back(glm::packHalf1x16(value));
-    tile.displacement_rgba16f = carried;
-    frame.tiles = {&tile, 1};
+    cascade.displacement_rgba16f = carried;
+    frame.cascades = {&cascade, 1};
     // Waves of 8 m: the mesh has a vertex every half a metre.
     const double wave = 2 * std::numbers::pi / 8;
     const Grid grid(
@@ -277,7 +277,7 @@ TEST(GlDynamicWaves, AddsWhereWaterIsDrawnNotWhereItRests) {
                           [&](double x, double z) { return sample(grid.surface(), x, z).height_m; });
 }
 
-/// Light of a square of flat water from above, with slopes or foam that its only tile or its grid have.
+/// Light of a square of flat water from above, with slopes or foam that its only cascade or its grid have.
 class FlatScene : public GlScene {
    public:
     FlatScene()
@@ -290,30 +290,30 @@ class FlatScene : public GlScene {
                    .samples = 1,
                    .writes = gl::PixelKind::radiance,
                    .foam = true}),
-          zeros_(ocean.frame_at(3).tiles[0].displacement_rgba16f.size()) {}
+          zeros_(ocean.frame_at(3).cascades[0].displacement_rgba16f.size()) {}
 
     static constexpr int pixels = 32;
     static constexpr double side_m = 1.6;  // within the grid of 3.2 m
 
-    /// \param slope  127ths of what the tile's slopes count in
+    /// \param slope  127ths of what the cascade's slopes count in
     std::vector<float> light(glm::ivec2 slope, std::uint8_t foam, const DynamicWavesView& dynamic_waves) {
         Frame frame = ocean.frame_at(3);
-        Tile tile = frame.tiles[0];
+        Cascade cascade = frame.cascades[0];
         // Of these bytes 128 is none.
         const std::uint32_t word =
             0x80800000u | static_cast<std::uint32_t>(128 + slope.y) << 8 | static_cast<std::uint32_t>(128 + slope.x);
-        const std::vector<std::uint32_t> slopes(tile.slopes_rgba8.size(), word),
-            moments(tile.moments_rgba8.size(), 0x00000080u);
-        const std::vector<std::uint8_t> foams(tile.foam_r8.size(), foam);
-        tile.displacement_rgba16f = zeros_;
-        tile.slopes_rgba8 = slopes;
-        tile.moments_rgba8 = moments;
-        tile.foam_r8 = foams;
-        frame.tiles = {&tile, 1};
+        const std::vector<std::uint32_t> slopes(cascade.slopes_rgba8.size(), word),
+            moments(cascade.moments_rgba8.size(), 0x00000080u);
+        const std::vector<std::uint8_t> foams(cascade.foam_r8.size(), foam);
+        cascade.displacement_rgba16f = zeros_;
+        cascade.slopes_rgba8 = slopes;
+        cascade.moments_rgba8 = moments;
+        cascade.foam_r8 = foams;
+        frame.cascades = {&cascade, 1};
         frame.dynamic_waves = dynamic_waves;
         return light_from_above(frame, pixels, side_m);
     }
-    double slope_unit() { return static_cast<double>(ocean.complete().tiles[0].slope_ranges.slope) / 127; }
+    double slope_unit() { return static_cast<double>(ocean.complete().cascades[0].slope_ranges.slope) / 127; }
 
    private:
     std::vector<std::uint16_t> zeros_;
@@ -329,8 +329,8 @@ double apart(const std::vector<float>& a, const std::vector<float>& b) {
     return worst / most;
 }
 
-// The same slope in the tile's map and in the grid gives the same light; another way round it does not.
-TEST(GlDynamicWaves, TurnsNormalsAsTilesDo) {
+// The same slope in the cascade's map and in the grid gives the same light; another way round it does not.
+TEST(GlDynamicWaves, TurnsNormalsAsCascadesDo) {
     FlatScene scene;
     const double unit = scene.slope_unit();
     const auto plane = [&](int x, int z) {
@@ -354,8 +354,8 @@ TEST(GlDynamicWaves, TurnsNormalsAsTilesDo) {
     EXPECT_GT(less, 0.012);
 }
 
-// Foam of the grid is as white as that of a tile, and where both have some the larger counts.
-TEST(GlDynamicWaves, IsAsWhiteAsTilesAreAndNoWhiterTogether) {
+// Foam of the grid is as white as that of a cascade, and where both have some the larger counts.
+TEST(GlDynamicWaves, IsAsWhiteAsCascadesAreAndNoWhiterTogether) {
     FlatScene scene;
     const auto foam = [](int byte) {
         return Grid({.x = -32, .z = -32, .texel_m = 0.05}, no_foam, [=](auto, auto) { return byte; });

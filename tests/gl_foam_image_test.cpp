@@ -63,7 +63,7 @@ TEST(FoamImage, CoversWhatAThresholdSaysAtEachLevel) {
             }
 }
 
-/// A layer's variance by waves across the tile, kx + side ky; both from 0 to side / 2, of all four signs.
+/// A layer's variance by waves across the cascade, kx + side ky; both from 0 to side / 2, of all four signs.
 std::vector<double> power_of(FoamImage::Layer layer) {
     std::vector<std::complex<double>> turns, lines(side * side);
     for (int i = 0; i < side; ++i) turns.push_back(std::polar(1.0, -2 * std::numbers::pi * i / side));

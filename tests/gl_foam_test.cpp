@@ -40,50 +40,50 @@ class FoamScene : public GlScene {
 
     const Frame& frame() { return ocean.frame_at(3); }
 
-    /// The same with this byte in every texel of the coarsest tile's map and none in the others'; without a byte, with no maps.
+    /// The same with this byte in every texel of the coarsest cascade's map and none in the others'; without a byte, with no maps.
     Frame frame_with(std::optional<std::uint8_t> foam) {
         Frame changed = frame();
-        tiles_.assign(changed.tiles.begin(), changed.tiles.end());
-        none_.assign(tiles_[0].foam_r8.size(), 0);
-        bytes_.assign(tiles_[0].foam_r8.size(), foam.value_or(0));
-        for (Tile& tile : tiles_) tile.foam_r8 = {};
+        cascades_.assign(changed.cascades.begin(), changed.cascades.end());
+        none_.assign(cascades_[0].foam_r8.size(), 0);
+        bytes_.assign(cascades_[0].foam_r8.size(), foam.value_or(0));
+        for (Cascade& cascade : cascades_) cascade.foam_r8 = {};
         if (foam)
-            for (Tile& tile : tiles_) tile.foam_r8 = &tile == tiles_.data() ? bytes_ : none_;
-        changed.tiles = tiles_;
+            for (Cascade& cascade : cascades_) cascade.foam_r8 = &cascade == cascades_.data() ? bytes_ : none_;
+        changed.cascades = cascades_;
         return changed;
     }
 
    private:
-    std::vector<Tile> tiles_;
+    std::vector<Cascade> cascades_;
     std::vector<std::uint8_t> bytes_, none_;
 };
 
-/// One tile's foam at a rest point, bilinear, a part of 1.
-double foam_at(const Tile& tile, double x_m, double z_m) {
-    const int n = tile.resolution();
-    const TileLattice::Place at = tile.lattice.in_tile(x_m, z_m);
-    const double u = at.along / tile.texel_m(), v = at.across / tile.texel_m();
+/// One cascade's foam at a rest point, bilinear, a part of 1.
+double foam_at(const Cascade& cascade, double x_m, double z_m) {
+    const int n = cascade.resolution();
+    const CascadeLattice::Place at = cascade.lattice.in_cascade(x_m, z_m);
+    const double u = at.along / cascade.texel_m(), v = at.across / cascade.texel_m();
     const double i = std::floor(u), j = std::floor(v);
     const auto texel = [&](double column, double row) {
         const auto wrapped = [&](double index) {
             return static_cast<std::size_t>(static_cast<long>(index) & (n - 1));
         };
-        return static_cast<double>(tile.foam_r8[wrapped(row) * static_cast<std::size_t>(n) + wrapped(column)]);
+        return static_cast<double>(cascade.foam_r8[wrapped(row) * static_cast<std::size_t>(n) + wrapped(column)]);
     };
     const double upper = std::lerp(texel(i, j), texel(i + 1, j), u - i);
     const double lower = std::lerp(texel(i, j + 1), texel(i + 1, j + 1), u - i);
     return std::lerp(upper, lower, v - j) / 255;
 }
 
-/// Mean of the largest of the tiles' foam over a square of rest points around the origin.
+/// Mean of the largest of the cascades' foam over a square of rest points around the origin.
 double cover_by_maps(const Frame& frame, double side_m) {
     constexpr int points = 700;
     double sum = 0;
     for (int row = 0; row < points; ++row)
         for (int column = 0; column < points; ++column) {
             double largest = 0;
-            for (const Tile& tile : frame.tiles)
-                largest = std::max(largest, foam_at(tile, ((column + 0.5) / points - 0.5) * side_m,
+            for (const Cascade& cascade : frame.cascades)
+                largest = std::max(largest, foam_at(cascade, ((column + 0.5) / points - 0.5) * side_m,
                                                     ((row + 0.5) / points - 0.5) * side_m));
             sum += largest;
         }
@@ -143,7 +143,7 @@ TEST(GlFoam, CoversThePartThatTheMapsSay) {
 }
 
 // What whitecaps add to the sea's light, for each part of it that the maps' largest covers: far away, where a pixel holds many of them
-// and the tiles' means are put together, as much as near, where each is seen.
+// and the cascades' means are put together, as much as near, where each is seen.
 TEST(GlFoam, IsAsMuchFromNearAndFar) {
     for (const char* preset : {"rough", "storm"}) {
         FoamScene scene(preset);

@@ -31,7 +31,7 @@ class GlMirror : public testing::Test {
             ": "
             "-1.0, 0.0, 1.0); }\n";
         const std::string fragment =
-            "#version 300 es\n#define TILES 1\n#define SHADING 2\n#define SURFACE 0\nprecision highp "
+            "#version 300 es\n#define CASCADES 1\n#define SHADING 2\n#define SURFACE 0\nprecision highp "
             "float;\nprecision highp int;\nconst float pi = "
             "3.14159265;\n" +
             std::string(gl::shader_text("scene.glsl")) + std::string(gl::shader_text("mirror.glsl")) +

@@ -153,12 +153,12 @@ double correlation(const std::vector<double>& light, int side, int dx, int dy) {
     return product / std::sqrt(here * there);
 }
 
-// What is seen are the waves' slopes, a pixel being an eighth of the peak's, and gusts. The picture knows where the coarsest tile
+// What is seen are the waves' slopes, a pixel being an eighth of the peak's, and gusts. The picture knows where the coarsest cascade
 // does repeat.
-TEST(GlTiling, TheDefaultTilesRepeatNowhereWithinWhatTheEyeCompares) {
+TEST(GlTiling, TheDefaultCascadesRepeatNowhereWithinWhatTheEyeCompares) {
     constexpr int pixels = 256;
     GlScene scene({.quality = "low", .samples = 4, .writes = gl::PixelKind::radiance});
-    const double coarsest_m = scene.ocean.frame_at(3).tiles[0].lattice.side_m;
+    const double coarsest_m = scene.ocean.frame_at(3).cascades[0].lattice.side_m;
     const double pixel_m = 2 * coarsest_m / pixels;
     // Without foam: a few white pixels would weigh more than all waves.
     const std::vector<float> seen = scene.light_from_above(scene.ocean.frame_at(3), pixels, 2 * coarsest_m);

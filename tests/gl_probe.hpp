@@ -24,7 +24,7 @@ class GlProbe {
         : gl_(context_.functions()) {
         const std::string defines =
             "precision highp float;\nprecision highp int;\nprecision highp sampler2DArray;\n"
-            "#define TILES 1\n#define SHADING 2\n#define BELOW 0\n#define SURFACE " +
+            "#define CASCADES 1\n#define SHADING 2\n#define BELOW 0\n#define SURFACE " +
             std::to_string(static_cast<int>(surface)) + "\n";
         std::string fragment = gl::shader_source("scene.glsl", defines);
         for (const char* file : files) fragment += gl::shader_text(file);

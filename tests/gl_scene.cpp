@@ -41,7 +41,7 @@ GlScene::GlScene(const Options& options)
     resize(options.width, options.height);
     renderer.emplace(gl(), gl::RendererOptions{.patch_vertices = quadtree.vertices,
                                                .resolution = ocean.resolution(),
-                                               .tiles = ocean.tile_count(),
+                                               .cascades = ocean.cascade_count(),
                                                .shading = options.shading,
                                                .writes = writes_});
     renderer->set_sky(test_sky());

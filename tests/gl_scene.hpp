@@ -32,7 +32,7 @@ class GlScene {
         std::string_view quality = "high";
         int resolution = 0;       ///< 0: the preset's
         int cascades = 0;         ///< 0: as many as are chosen by default
-        double patch_size_m = 0;  ///< of an only tile; 0: sides chosen from the sea
+        double patch_size_m = 0;  ///< of an only cascade; 0: sides chosen from the sea
         int width = 320, height = 180, samples = 4;
         double size_m = 4096;
         gl::PixelKind writes = gl::PixelKind::screen;

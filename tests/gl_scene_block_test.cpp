@@ -1,4 +1,4 @@
-// What the shaders are told of a frame's tiles. Needs no driver.
+// What the shaders are told of a frame's cascades. Needs no driver.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -8,47 +8,47 @@
 #include "pelagic/gl/scene_block.hpp"
 #include "pelagic/gl/sea_renderer.hpp"
 #include "pelagic/sim/ocean.hpp"
-#include "pelagic/sim/tile_plan.hpp"
+#include "pelagic/sim/cascade_plan.hpp"
 
 namespace pelagic {
 namespace {
 
-// A tile is left out where pixels or vertices are as far apart as its longest waves are long; no wave may be longer.
-TEST(SceneBlock, KnowsTheLongestWavesOfEachTile) {
+// A cascade is left out where pixels or vertices are as far apart as its longest waves are long; no wave may be longer.
+TEST(SceneBlock, KnowsTheLongestWavesOfEachCascade) {
     for (const SeaPreset& preset : sea_presets()) {
         SeaState sea = preset.sea;
-        if (sea.waves == WaveModel::exp_sine) continue;  // of one tile
+        if (sea.waves == WaveModel::exp_sine) continue;  // of one cascade
         sea.resolution = 64;
-        sea.cascades = is_tile_for_good(sea) ? 1 : 4;
+        sea.cascades = is_cascade_for_good(sea) ? 1 : 4;
         Ocean ocean(sea, {.executor = make_serial_executor()});
         const gl::SeaFacts facts = gl::facts_of(ocean.frame_at(0));
-        const std::vector<TilePlan> plans = plan_tiles(sea);
-        ASSERT_EQ(facts.tiles.size(), plans.size());
-        EXPECT_EQ(facts.tiles[0].longest_wave_m, plans[0].lattice.side_m);
+        const std::vector<CascadePlan> plans = plan_cascades(sea);
+        ASSERT_EQ(facts.cascades.size(), plans.size());
+        EXPECT_EQ(facts.cascades[0].longest_wave_m, plans[0].lattice.side_m);
         for (std::size_t i = 1; i < plans.size(); ++i) {
             const double longest_m = 2 * std::numbers::pi / plans[i].least_k;
-            EXPECT_GE(facts.tiles[i].longest_wave_m, longest_m * (1 - 1e-12)) << preset.name << ", tile " << i;
-            EXPECT_LE(facts.tiles[i].longest_wave_m, longest_m * 1.01) << preset.name << ", tile " << i;
+            EXPECT_GE(facts.cascades[i].longest_wave_m, longest_m * (1 - 1e-12)) << preset.name << ", cascade " << i;
+            EXPECT_LE(facts.cascades[i].longest_wave_m, longest_m * 1.01) << preset.name << ", cascade " << i;
         }
     }
 }
 
-// Texel (0, 0) of a tile of N texels stands at the world's origin, half a texel into the texture, whatever the tile's turn; and a
-// million kilometres of tiles away a viewer stands where he would within a tile.
-TEST(SceneBlock, PlacesAViewerInEachTurnedTile) {
+// Texel (0, 0) of a cascade of N texels stands at the world's origin, half a texel into the texture, whatever the cascade's turn; and a
+// million kilometres of cascades away a viewer stands where he would within a cascade.
+TEST(SceneBlock, PlacesAViewerInEachTurnedCascade) {
     Ocean ocean({.cascades = 4, .resolution = 64}, {.executor = make_serial_executor()});
     const gl::SeaFacts facts = gl::facts_of(ocean.frame_at(0));
     DrawList list;
-    for (std::size_t i = 0; i < facts.tiles.size(); ++i) {
-        const TileLattice& lattice = facts.tiles[i].lattice;
-        for (const double tiles : {0.0, 1e6}) {
-            const TileLattice::Place at =
-                lattice.in_world((tiles + 0.25) * lattice.side_m, (3 * tiles + 0.5) * lattice.side_m);
+    for (std::size_t i = 0; i < facts.cascades.size(); ++i) {
+        const CascadeLattice& lattice = facts.cascades[i].lattice;
+        for (const double cascades : {0.0, 1e6}) {
+            const CascadeLattice::Place at =
+                lattice.in_world((cascades + 0.25) * lattice.side_m, (3 * cascades + 0.5) * lattice.side_m);
             const gl::SceneBlock block =
                 gl::scene_block_of({.eyes = {}, .viewer_m = {at.along, 5, at.across}, .list = &list}, facts, {}, {});
-            // In double a metre is known to 1e-6 there, in tiles of 3 m.
-            EXPECT_NEAR(block.tile_place[i].x, 0.25 + 0.5 / 64, 1e-5) << "tile " << i;
-            EXPECT_NEAR(block.tile_place[i].y, 0.5 + 0.5 / 64, 1e-5) << "tile " << i;
+            // In double a metre is known to 1e-6 there, in cascades of 3 m.
+            EXPECT_NEAR(block.cascade_place[i].x, 0.25 + 0.5 / 64, 1e-5) << "cascade " << i;
+            EXPECT_NEAR(block.cascade_place[i].y, 0.5 + 0.5 / 64, 1e-5) << "cascade " << i;
         }
     }
 }
@@ -78,8 +78,8 @@ TEST(SceneBlock, MovesTheStructureOfFoamAsFoamDrifts) {
     }
 }
 
-// Finer tiles than those that make whitecaps come after them, and a frame without foam has none.
-TEST(SceneBlock, CountsTheTilesThatMakeFoam) {
+// Finer cascades than those that make whitecaps come after them, and a frame without foam has none.
+TEST(SceneBlock, CountsTheCascadesThatMakeFoam) {
     Ocean ocean({.cascades = 4, .resolution = 128, .wind_speed_mps = 14},
                 {.executor = make_serial_executor(), .foam = true});
     DrawList list;
@@ -89,12 +89,12 @@ TEST(SceneBlock, CountsTheTilesThatMakeFoam) {
         facts.has_foam = has_foam;
         const gl::SceneBlock block = gl::scene_block_of({.eyes = {}, .list = &list}, facts, {}, {});
         EXPECT_EQ(block.foam_kind.x, has_foam ? 3 : 0);
-        for (std::size_t i = 0; i < frame.tiles.size(); ++i) {
+        for (std::size_t i = 0; i < frame.cascades.size(); ++i) {
             double sum = 0;
-            const auto texels = frame.tiles[i].level_of(frame.tiles[i].foam_r8, 0);
+            const auto texels = frame.cascades[i].level_of(frame.cascades[i].foam_r8, 0);
             for (const std::uint8_t texel : texels) sum += texel;
             // Each level of bytes is rounded, by an eighth of a step in the mean.
-            EXPECT_NEAR(block.tile_slope[i].w, has_foam ? sum / (255.0 * static_cast<double>(texels.size())) : 0,
+            EXPECT_NEAR(block.cascade_slope[i].w, has_foam ? sum / (255.0 * static_cast<double>(texels.size())) : 0,
                         0.5 / 255)
                 << i;
         }

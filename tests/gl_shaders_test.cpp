@@ -46,23 +46,23 @@ std::string refusal_of(const gl::ProgramFiles& files) {
 TEST(Shaders, AreGlslInEveryVariant) {
     using gl::Shading, gl::Surface;
     std::vector<gl::SeaVariant> variants;
-    for (const std::size_t tiles : {1, 4})
+    for (const std::size_t cascades : {1, 4})
         for (const Shading shading : {Shading::headset, Shading::medium, Shading::high})
             for (const auto& [multiview, below] : {std::pair(false, false), {false, true}, {true, true}})
-                variants.push_back({.tiles = tiles, .shading = shading, .multiview = multiview, .below = below});
+                variants.push_back({.cascades = cascades, .shading = shading, .multiview = multiview, .below = below});
     for (const Surface surface : {Surface::lake, Surface::coast, Surface::river, Surface::pond})
         for (const Shading shading : {Shading::headset, Shading::high})
             variants.push_back({.shading = shading, .surface = surface, .below = true});
-    for (const bool below : {false, true}) variants.push_back({.tiles = 4, .below = below, .mirrors_scene = true});
-    for (const std::size_t tiles : {1, 4})
+    for (const bool below : {false, true}) variants.push_back({.cascades = 4, .below = below, .mirrors_scene = true});
+    for (const std::size_t cascades : {1, 4})
         for (const Shading shading : {Shading::headset, Shading::medium, Shading::high})
             for (const bool below : {false, true})
-                variants.push_back({.tiles = tiles, .shading = shading, .below = below, .shore = true});
-    variants.push_back({.tiles = 4, .shading = Shading::headset, .multiview = true, .below = true, .shore = true});
-    variants.push_back({.tiles = 4, .below = true, .mirrors_scene = true, .shore = true});
+                variants.push_back({.cascades = cascades, .shading = shading, .below = below, .shore = true});
+    variants.push_back({.cascades = 4, .shading = Shading::headset, .multiview = true, .below = true, .shore = true});
+    variants.push_back({.cascades = 4, .below = true, .mirrors_scene = true, .shore = true});
     for (const Surface surface : {Surface::open, Surface::pond})
         for (const Shading shading : {Shading::headset, Shading::medium, Shading::high})
-            variants.push_back({.tiles = surface == Surface::open ? 4u : 1u,
+            variants.push_back({.cascades = surface == Surface::open ? 4u : 1u,
                                 .shading = shading,
                                 .surface = surface,
                                 .multiview = shading == Shading::headset,
@@ -70,7 +70,7 @@ TEST(Shaders, AreGlslInEveryVariant) {
                                 .mirrors_scene = shading == Shading::high,
                                 .dynamic_waves = true});
     for (const Shading shading : {Shading::headset, Shading::high})
-        variants.push_back({.tiles = 4, .shading = shading, .below = true, .dynamic_waves = true, .shore = true});
+        variants.push_back({.cascades = 4, .shading = shading, .below = true, .dynamic_waves = true, .shore = true});
     std::vector<gl::ProgramFiles> all = {{"panel.vert.glsl", "panel.frag.glsl", ""},
                                          {"mesh.vert.glsl", "rock.frag.glsl", ""},
                                          {"mesh.vert.glsl", "boat.frag.glsl", ""}};
@@ -85,7 +85,7 @@ TEST(Shaders, AreGlslInEveryVariant) {
 
 TEST(Shaders, OfHeadsetsTakeBothEyesInOnePass) {
     for (const gl::ProgramFiles& files :
-         gl::sea_program_files({.tiles = 4, .shading = gl::Shading::headset, .multiview = true})) {
+         gl::sea_program_files({.cascades = 4, .shading = gl::Shading::headset, .multiview = true})) {
         EXPECT_NE(gl::shader_source(files.vertex, files.defines).find("num_views = 2"), std::string::npos);
         EXPECT_NE(gl::shader_source(files.vertex, files.defines).find("gl_ViewID_OVR"), std::string::npos);
     }
@@ -129,49 +129,49 @@ PixelCost cost_of(const gl::ProgramFiles& files) {
     return cost;
 }
 
-// An open sea's pixel: the table of docs/architecture.md says the same. A headset takes one look at each of three tiles, at ripples, foam, mirrored
+// An open sea's pixel: the table of docs/architecture.md says the same. A headset takes one look at each of three cascades, at ripples, foam, mirrored
 // sky and haze, and has no loop left that a driver might not unroll.
 TEST(Shaders, CostAPixelWhatTheirTierMay) {
     using gl::Shading;
     struct Row {
         Shading shading;
-        int looks_at_one_tile, looks_at_four;
-        int operations;  // of four tiles, about
+        int looks_at_one_cascade, looks_at_four;
+        int operations;  // of four cascades, about
     };
     for (const Row& row :
          {Row{Shading::headset, 5, 7, 800}, Row{Shading::medium, 11, 18, 1055}, Row{Shading::high, 28, 42, 1536}}) {
-        for (const std::size_t tiles : {1, 4}) {
-            const PixelCost cost = cost_of(gl::sea_program_files({.tiles = tiles, .shading = row.shading})[0]);
-            std::printf("%s, %zu tiles: %d look-ups, %d operations\n", std::string(name_of(row.shading)).c_str(),
-                        tiles, cost.looks, cost.operations);
+        for (const std::size_t cascades : {1, 4}) {
+            const PixelCost cost = cost_of(gl::sea_program_files({.cascades = cascades, .shading = row.shading})[0]);
+            std::printf("%s, %zu cascades: %d look-ups, %d operations\n", std::string(name_of(row.shading)).c_str(),
+                        cascades, cost.looks, cost.operations);
             EXPECT_EQ(cost.loops, 0);
-            EXPECT_EQ(cost.looks, tiles == 1 ? row.looks_at_one_tile : row.looks_at_four) << tiles << " tiles";
+            EXPECT_EQ(cost.looks, cascades == 1 ? row.looks_at_one_cascade : row.looks_at_four) << cascades << " cascades";
             const PixelCost with_window =
-                cost_of(gl::sea_program_files({.tiles = tiles, .shading = row.shading, .dynamic_waves = true})[0]);
+                cost_of(gl::sea_program_files({.cascades = cascades, .shading = row.shading, .dynamic_waves = true})[0]);
             std::printf("    and a dynamic-wave grid: %d look-ups, %d operations\n", with_window.looks,
                         with_window.operations);
             EXPECT_EQ(with_window.loops, 0);
             EXPECT_EQ(with_window.looks, cost.looks + 1);
-            // Its place, four products of it, and foam's union with the tiles'.
+            // Its place, four products of it, and foam's union with the cascades'.
             EXPECT_LE(with_window.operations, cost.operations + 45);
             if (row.shading == Shading::headset) {
                 EXPECT_LE(cost.looks, 8);
             }
             // Versions of the optimiser differ by some of them.
-            if (tiles == 4) {
+            if (cascades == 4) {
                 EXPECT_NEAR(cost.operations, row.operations, 0.1 * row.operations);
             }
         }
     }
 }
 
-// At a shore it takes one look at the tiles' parts, one at the waves there, but on headsets another for their foam, and about 80 operations:
-// with four tiles a headset takes 9 looks, there and nowhere else.
+// At a shore it takes one look at the cascades' parts, one at the waves there, but on headsets another for their foam, and about 80 operations:
+// with four cascades a headset takes 9 looks, there and nowhere else.
 TEST(Shaders, TakeThreeMoreLooksAtAShore) {
     using gl::Shading;
     for (const Shading shading : {Shading::headset, Shading::medium, Shading::high}) {
-        const PixelCost open = cost_of(gl::sea_program_files({.tiles = 4, .shading = shading})[0]);
-        const PixelCost shore = cost_of(gl::sea_program_files({.tiles = 4, .shading = shading, .shore = true})[0]);
+        const PixelCost open = cost_of(gl::sea_program_files({.cascades = 4, .shading = shading})[0]);
+        const PixelCost shore = cost_of(gl::sea_program_files({.cascades = 4, .shading = shading, .shore = true})[0]);
         std::printf("%s: %d more look-ups, %d more operations\n", std::string(name_of(shading)).c_str(),
                     shore.looks - open.looks, shore.operations - open.operations);
         EXPECT_EQ(shore.loops, 0);
@@ -185,7 +185,7 @@ TEST(Shaders, TakeThreeMoreLooksAtAShore) {
 TEST(Shaders, WithAMistakeAreRefused) {
     EXPECT_NE(
         refusal_of({"sea.vert.glsl", "sea.frag.glsl",
-                    "#define TILES 1\n#define SHADING 2\n#define MULTIVIEW\n#define gl_ViewID_OVR eye_of_nobody\n"}),
+                    "#define CASCADES 1\n#define SHADING 2\n#define MULTIVIEW\n#define gl_ViewID_OVR eye_of_nobody\n"}),
         "");
 }
 

@@ -1,4 +1,4 @@
-// A shore in pictures: water lies where sim/shore_surface.hpp says, the tiles are held back there and nowhere else, foam comes with its
+// A shore in pictures: water lies where sim/shore_surface.hpp says, the cascades are held back there and nowhere else, foam comes with its
 // waves, and sand is dark as high as they reach. The shores are made by hand, so that each says what a real one seldom does.
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "pelagic/sim/dynamic_waves.hpp"
-#include "pelagic/sim/surface/tile_sum.hpp"
+#include "pelagic/sim/surface/cascade_sum.hpp"
 #include "pelagic/sim/surface_query.hpp"
 #include "pelagic/tests/gl_scene.hpp"
 #include "pelagic/tests/shores.hpp"
@@ -88,24 +88,24 @@ double between(const ShoreSurface& shore, double x, double z, double beyond, con
 double height_drawn_at(const Frame& frame, double x, double z) {
     const ShoreSurface& shore = frame.shore;
     double parts[4];
-    for (std::size_t tile = 0; tile < 4; ++tile)
-        parts[tile] = between(shore, x, z, 1.0, [&](std::size_t texel) {
-            return static_cast<double>(shore.parts_rgba8[texel] >> 8 * tile & 255) / 255;
+    for (std::size_t cascade = 0; cascade < 4; ++cascade)
+        parts[cascade] = between(shore, x, z, 1.0, [&](std::size_t texel) {
+            return static_cast<double>(shore.parts_rgba8[texel] >> 8 * cascade & 255) / 255;
         });
     double rest_x = x, rest_z = z;
     for (int step = 0; step < 60; ++step) {
         double dx = 0, dz = 0;
-        for (std::size_t tile = 0; tile < frame.tiles.size(); ++tile) {
-            const Displacement way = displacement_of(frame.tiles[tile], rest_x, rest_z);
-            dx += parts[tile] * way.dx;
-            dz += parts[tile] * way.dz;
+        for (std::size_t cascade = 0; cascade < frame.cascades.size(); ++cascade) {
+            const Displacement way = displacement_of(frame.cascades[cascade], rest_x, rest_z);
+            dx += parts[cascade] * way.dx;
+            dz += parts[cascade] * way.dz;
         }
         rest_x += 0.7 * (x - dx - rest_x);
         rest_z += 0.7 * (z - dz - rest_z);
     }
     double height = sample(shore, x, z).height_m;
-    for (std::size_t tile = 0; tile < frame.tiles.size(); ++tile)
-        height += parts[tile] * displacement_of(frame.tiles[tile], rest_x, rest_z).height;
+    for (std::size_t cascade = 0; cascade < frame.cascades.size(); ++cascade)
+        height += parts[cascade] * displacement_of(frame.cascades[cascade], rest_x, rest_z).height;
     return height;
 }
 
@@ -189,21 +189,21 @@ class GlShore : public testing::Test {
     }
 };
 
-/// The frame with its coarsest tile four times, of other sides and turned otherwise: each is large enough to be seen in the sum, and
+/// The frame with its coarsest cascade four times, of other sides and turned otherwise: each is large enough to be seen in the sum, and
 /// smooth from vertex to vertex.
-class FourLargeTiles {
+class FourLargeCascades {
    public:
-    explicit FourLargeTiles(const Frame& of) : frame(of), tiles_(4, of.tiles[0]) {
-        for (std::size_t i = 0; i < tiles_.size(); ++i) {
+    explicit FourLargeCascades(const Frame& of) : frame(of), cascades_(4, of.cascades[0]) {
+        for (std::size_t i = 0; i < cascades_.size(); ++i) {
             const double turn = 0.7 * static_cast<double>(i);
-            tiles_[i].lattice = {1100 + 170.0 * static_cast<double>(i), std::cos(turn), std::sin(turn)};
+            cascades_[i].lattice = {1100 + 170.0 * static_cast<double>(i), std::cos(turn), std::sin(turn)};
         }
-        frame.tiles = tiles_;
+        frame.cascades = cascades_;
     }
     Frame frame;
 
    private:
-    std::vector<Tile> tiles_;
+    std::vector<Cascade> cascades_;
 };
 
 // Heights of pixels beside the definition's: far from the origin, over an edge of the
@@ -217,11 +217,11 @@ TEST_F(GlShore, WaterLiesWhereTheDefinitionSays) {
         shore.height_m[texel] =
             static_cast<float>(part * std::sin(2 * pi * (x - corner.x) / 90 + (z - corner.y) / 30));
         shore.parts_rgba8[texel] = 0;
-        for (std::uint32_t tile = 0; tile < 4; ++tile)
-            shore.parts_rgba8[texel] |= static_cast<std::uint32_t>(std::lround(255 * (1 - part / (1 + tile))))
-                                        << 8 * tile;
+        for (std::uint32_t cascade = 0; cascade < 4; ++cascade)
+            shore.parts_rgba8[texel] |= static_cast<std::uint32_t>(std::lround(255 * (1 - part / (1 + cascade))))
+                                        << 8 * cascade;
     });
-    FourLargeTiles large(scene.ocean.frame_at(3));
+    FourLargeCascades large(scene.ocean.frame_at(3));
     large.frame.shore = shore.view();
     upload(scene, large.frame);
     for (const glm::dvec2 from_corner : {glm::dvec2(130, 110), glm::dvec2(10, 60)}) {
@@ -248,7 +248,7 @@ TEST_F(GlShore, DynamicWavesAddsToIt) {
         shore.parts_rgba8[texel] = static_cast<std::uint32_t>(std::lround(255 * (1 - part))) * 0x01010101u;
     });
     const SquareFromAbove square{.middle = {450, -290}, .half_m = 40, .pixels = pixels};
-    FourLargeTiles large(scene.ocean.frame_at(3));
+    FourLargeCascades large(scene.ocean.frame_at(3));
     large.frame.shore = shore.view();
     DynamicWavesView& dynamic_waves = large.frame.dynamic_waves;
     dynamic_waves = {.resolution = side, .texel_m = 2, .first_x = 450 / 2 - side / 2, .first_z = -290 / 2 - side / 2};
@@ -287,7 +287,7 @@ TEST_F(GlShore, WaterLiesWhereQueriesSay) {
     shore.corner_z_m = -700;
     shore.resolution = 128;
     Ocean ocean(sea_named("moderate", 64), {.queries = true, .slopes = true, .shore = shore});
-    ASSERT_EQ(ocean.tile_count(), scene.ocean.tile_count());
+    ASSERT_EQ(ocean.cascade_count(), scene.ocean.cascade_count());
     const Frame& frame = ocean.frame_at(12);
     upload(scene, frame);
     const SurfaceQuery query(frame);
@@ -309,28 +309,28 @@ TEST_F(GlShore, WaterLiesWhereQueriesSay) {
     EXPECT_LT(off[0].mean_m, 1.3 * off[1].mean_m);
 }
 
-/// The frame without the waves and the foam of one tile.
-class WithoutTile {
+/// The frame without the waves and the foam of one cascade.
+class WithoutCascade {
    public:
-    WithoutTile(const Frame& of, std::size_t missing)
+    WithoutCascade(const Frame& of, std::size_t missing)
         : frame(of),
-          tiles_(of.tiles.begin(), of.tiles.end()),
-          halves_(of.tiles[0].displacement_rgba16f.size()),
-          slopes_(of.tiles[0].slopes_rgba8.size(), 0x80808080u),
+          cascades_(of.cascades.begin(), of.cascades.end()),
+          halves_(of.cascades[0].displacement_rgba16f.size()),
+          slopes_(of.cascades[0].slopes_rgba8.size(), 0x80808080u),
           moments_(slopes_.size(), 0x80000080u),
-          foam_(of.tiles[0].foam_r8.size()) {
-        Tile& tile = tiles_[missing];
-        tile.displacement_rgba16f = halves_;
-        tile.slopes_rgba8 = slopes_;
-        tile.moments_rgba8 = moments_;
-        tile.foam_r8 = foam_;
-        tile.slope_variance = 0;
-        frame.tiles = tiles_;
+          foam_(of.cascades[0].foam_r8.size()) {
+        Cascade& cascade = cascades_[missing];
+        cascade.displacement_rgba16f = halves_;
+        cascade.slopes_rgba8 = slopes_;
+        cascade.moments_rgba8 = moments_;
+        cascade.foam_r8 = foam_;
+        cascade.slope_variance = 0;
+        frame.cascades = cascades_;
     }
     Frame frame;
 
    private:
-    std::vector<Tile> tiles_;
+    std::vector<Cascade> cascades_;
     std::vector<std::uint16_t> halves_;
     std::vector<std::uint32_t> slopes_, moments_;
     std::vector<std::uint8_t> foam_;
@@ -342,23 +342,23 @@ int largest_difference(const std::vector<std::uint8_t>& a, const std::vector<std
     return largest;
 }
 
-// A tile of which no part counts is as if it had no waves and no foam, in every tier: its displacement, slopes, roughness and whitecaps
+// A cascade of which no part counts is as if it had no waves and no foam, in every tier: its displacement, slopes, roughness and whitecaps
 // go together. Parts that change where they are in memory are seen, and others don't go up again.
-TEST_F(GlShore, ATileWithoutAPartIsNotThere) {
+TEST_F(GlShore, ACascadeWithoutAPartIsNotThere) {
     constexpr int pixels = 40;
     for (const gl::Shading shading : {gl::Shading::headset, gl::Shading::medium, gl::Shading::high}) {
         GlScene::Options with_foam = options(pixels);
         with_foam.shading = shading;
         with_foam.foam = true;
         GlScene scene(with_foam);
-        ASSERT_EQ(scene.ocean.tile_count(), 4u);
+        ASSERT_EQ(scene.ocean.cascade_count(), 4u);
         const Frame& frame = scene.ocean.frame_at(5);
         HandmadeShore shore({-200, -200}, 81, 81, 5);
         const SquareFromAbove square{.middle = {0, 0}, .half_m = 12, .pixels = pixels};
         upload(scene, frame);
         const std::vector<std::uint8_t> all = picture(scene, square);
         for (std::size_t missing = 0; missing < 4; ++missing) {
-            const WithoutTile less(frame, missing);
+            const WithoutCascade less(frame, missing);
             upload(scene, less.frame);
             const std::vector<std::uint8_t> wanted = picture(scene, square);
 
@@ -371,8 +371,8 @@ TEST_F(GlShore, ATileWithoutAPartIsNotThere) {
             const std::size_t first_bytes = scene.renderer->figures().upload_bytes;
             const std::vector<std::uint8_t> held_back = picture(scene, square);
             // Another program may round otherwise, and a mirror of the sun is steep.
-            EXPECT_LE(largest_difference(held_back, wanted), 3) << name_of(shading) << ", tile " << missing;
-            EXPECT_GT(largest_difference(held_back, all), 12) << name_of(shading) << ", tile " << missing;
+            EXPECT_LE(largest_difference(held_back, wanted), 3) << name_of(shading) << ", cascade " << missing;
+            EXPECT_GT(largest_difference(held_back, all), 12) << name_of(shading) << ", cascade " << missing;
 
             upload(scene, shown);
             EXPECT_EQ(first_bytes - scene.renderer->figures().upload_bytes, 4 * shore.parts_rgba8.size());

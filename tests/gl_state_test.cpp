@@ -215,8 +215,8 @@ std::vector<std::uint8_t> picture(const gl::Functions& gl, const Frame& frame, c
                                   Check after_each_call) {
     const QuadtreeOptions quadtree = quadtree_preset_named("low")->options(512);
     gl::SeaRenderer renderer(gl, {.patch_vertices = quadtree.vertices,
-                                  .resolution = frame.tiles[0].resolution(),
-                                  .tiles = frame.tiles.size()});
+                                  .resolution = frame.cascades[0].resolution(),
+                                  .cascades = frame.cascades.size()});
     after_each_call("constructor");
     renderer.set_sky(test_sky());
     after_each_call("set_sky");

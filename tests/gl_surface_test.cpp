@@ -1,7 +1,7 @@
-// The sea that is drawn lies where the tiles of its frame say (gl_slice.hpp).
+// The sea that is drawn lies where the cascades of its frame say (gl_slice.hpp).
 #include <gtest/gtest.h>
 
-#include "pelagic/sim/surface/tile_sum.hpp"
+#include "pelagic/sim/surface/cascade_sum.hpp"
 #include "pelagic/tests/gl_slice.hpp"
 
 namespace pelagic {
@@ -17,7 +17,7 @@ SeaState sea_without_choppiness() {
     return sea;
 }
 
-TEST(GlSurface, LiesWhereTheFramesTilesSumToAndNotBeside) {
+TEST(GlSurface, LiesWhereTheFramesCascadesSumToAndNotBeside) {
     GlScene scene(
         {.quality = "ultra", .resolution = 128, .width = side, .height = side, .samples = 1, .size_m = 512});
     Ocean ocean(sea_without_choppiness(), {.executor = make_serial_executor()});
@@ -26,25 +26,25 @@ TEST(GlSurface, LiesWhereTheFramesTilesSumToAndNotBeside) {
                           [&](double x, double z) { return displacement_of(frame, x, z).height; });
 }
 
-// Small waves hardly move the sum, so each tile is drawn without the others too, with texels of a metre: its layer, place and turn.
-TEST(GlSurface, HasEachTileAloneInItsPlaceAndTurned) {
+// Small waves hardly move the sum, so each cascade is drawn without the others too, with texels of a metre: its layer, place and turn.
+TEST(GlSurface, HasEachCascadeAloneInItsPlaceAndTurned) {
     GlScene scene(
         {.quality = "ultra", .resolution = 128, .width = side, .height = side, .samples = 1, .size_m = 512});
     Ocean ocean(sea_without_choppiness(), {.executor = make_serial_executor()});
-    const Frame& all = ocean.frame_at(6);  // at 3 s the middle of tile 0 is a trough, and the slice cuts almost all
-    const std::vector<std::uint16_t> calm(all.tiles[0].displacement_rgba16f.size());
-    for (std::size_t alone = 0; alone < all.tiles.size(); ++alone) {
-        SCOPED_TRACE("tile " + std::to_string(alone));
-        std::vector<Tile> tiles(all.tiles.begin(), all.tiles.end());
-        for (std::size_t i = 0; i < tiles.size(); ++i) {
-            tiles[i].lattice.side_m = 128;
-            if (i != alone) tiles[i].displacement_rgba16f = calm;
+    const Frame& all = ocean.frame_at(6);  // at 3 s the middle of cascade 0 is a trough, and the slice cuts almost all
+    const std::vector<std::uint16_t> calm(all.cascades[0].displacement_rgba16f.size());
+    for (std::size_t alone = 0; alone < all.cascades.size(); ++alone) {
+        SCOPED_TRACE("cascade " + std::to_string(alone));
+        std::vector<Cascade> cascades(all.cascades.begin(), all.cascades.end());
+        for (std::size_t i = 0; i < cascades.size(); ++i) {
+            cascades[i].lattice.side_m = 128;
+            if (i != alone) cascades[i].displacement_rgba16f = calm;
         }
         Frame frame = all;
-        frame.tiles = tiles;
-        const Tile& tile = tiles[alone];
-        expect_slice_in_place(scene, frame, middle, displacement_of(tile, middle.x, middle.y).height,
-                              [&](double x, double z) { return displacement_of(tile, x, z).height; });
+        frame.cascades = cascades;
+        const Cascade& cascade = cascades[alone];
+        expect_slice_in_place(scene, frame, middle, displacement_of(cascade, middle.x, middle.y).height,
+                              [&](double x, double z) { return displacement_of(cascade, x, z).height; });
     }
 }
 

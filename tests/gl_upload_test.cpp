@@ -51,40 +51,40 @@ TEST_P(GlUploads, TexturesHoldTheFramesBytesInEveryMip) {
             scene.renderer->upload(frame);
         }
         const gl::FrameTextures& textures = scene.renderer->textures();
-        ASSERT_EQ(frame.tiles.size(), static_cast<std::size_t>(GetParam()));
+        ASSERT_EQ(frame.cascades.size(), static_cast<std::size_t>(GetParam()));
         ASSERT_TRUE(textures.has_foam());
         for (int layer = 0; layer < GetParam(); ++layer) {
-            const Tile& tile = frame.tiles[static_cast<std::size_t>(layer)];
+            const Cascade& cascade = frame.cascades[static_cast<std::size_t>(layer)];
             const auto is_in = [&](GLuint texture, std::span<const std::uint32_t> chain, int level) {
                 const auto bytes =
                     read_level<std::uint8_t>(scene.gl(), texture, layer, level, 64 >> level, GL_UNSIGNED_BYTE);
-                return 0 == std::memcmp(bytes.data(), tile.level_of(chain, level).data(), bytes.size());
+                return 0 == std::memcmp(bytes.data(), cascade.level_of(chain, level).data(), bytes.size());
             };
             const auto is_foam = [&](int level) {
                 const auto read = read_level<std::uint8_t>(scene.gl(), textures.foam(), layer, level, 64 >> level,
                                                            GL_UNSIGNED_BYTE);
-                const auto wanted = tile.level_of(tile.foam_r8, level);
+                const auto wanted = cascade.level_of(cascade.foam_r8, level);
                 for (std::size_t texel = 0; texel < wanted.size(); ++texel)
                     if (read[4 * texel] != wanted[texel]) return false;
                 return true;
             };
             for (int level = 0; level < mip_levels(64); ++level) {
-                ASSERT_TRUE(is_in(textures.slopes(), tile.slopes_rgba8, level))
-                    << "frame " << i << ", tile " << layer << ", level " << level;
-                ASSERT_TRUE(is_in(textures.moments(), tile.moments_rgba8, level))
-                    << "frame " << i << ", tile " << layer << ", level " << level;
-                ASSERT_TRUE(is_foam(level)) << "frame " << i << ", tile " << layer << ", level " << level;
+                ASSERT_TRUE(is_in(textures.slopes(), cascade.slopes_rgba8, level))
+                    << "frame " << i << ", cascade " << layer << ", level " << level;
+                ASSERT_TRUE(is_in(textures.moments(), cascade.moments_rgba8, level))
+                    << "frame " << i << ", cascade " << layer << ", level " << level;
+                ASSERT_TRUE(is_foam(level)) << "frame " << i << ", cascade " << layer << ", level " << level;
             }
             // Every half is a float too, so the way through floats loses nothing.
             const auto floats = read_level<float>(scene.gl(), textures.displacement(), layer, 0, 64, GL_FLOAT);
             for (std::size_t v = 0; v < floats.size(); ++v)
-                ASSERT_EQ(glm::packHalf1x16(floats[v]), tile.displacement_rgba16f[v])
-                    << "frame " << i << ", tile " << layer << ", value " << v;
+                ASSERT_EQ(glm::packHalf1x16(floats[v]), cascade.displacement_rgba16f[v])
+                    << "frame " << i << ", cascade " << layer << ", value " << v;
         }
     }
 }
-INSTANTIATE_TEST_SUITE_P(Tiles, GlUploads, testing::Values(1, 4),
-                         [](const auto& tiles) { return std::to_string(tiles.param); });
+INSTANTIATE_TEST_SUITE_P(Cascades, GlUploads, testing::Values(1, 4),
+                         [](const auto& cascades) { return std::to_string(cascades.param); });
 
 /// What the renderer says of a frame that it can't draw.
 std::string refusal_of(gl::SeaRenderer& renderer, const Frame& frame) {
@@ -98,7 +98,7 @@ std::string refusal_of(gl::SeaRenderer& renderer, const Frame& frame) {
 
 TEST(GlUpload, RefusesAFrameThatTheTexturesCannotTakeAndSaysWhatIsMissing) {
     gl::HeadlessContext context;
-    gl::SeaRenderer renderer(context.functions(), {.patch_vertices = 16, .resolution = 32, .tiles = 1});
+    gl::SeaRenderer renderer(context.functions(), {.patch_vertices = 16, .resolution = 32, .cascades = 1});
     const auto refused = [&](const SeaState& sea, const OceanOptions& options) {
         Ocean ocean(sea, options);
         return refusal_of(renderer, ocean.frame_at(0));
@@ -108,10 +108,10 @@ TEST(GlUpload, RefusesAFrameThatTheTexturesCannotTakeAndSaysWhatIsMissing) {
     EXPECT_EQ(refused({.resolution = 32, .patch_size_m = 60}, {.executor = serial}),
               "the frame has no slopes; drawing needs an ocean with OceanOptions::slopes");
     EXPECT_EQ(refused({.resolution = 64, .patch_size_m = 60}, {.executor = serial, .slopes = true}),
-              "the frame has tiles of 64 texels, the renderer was made for 32 (RendererOptions::resolution)");
+              "the frame has cascades of 64 texels, the renderer was made for 32 (RendererOptions::resolution)");
     EXPECT_EQ(refused({.cascades = 3, .resolution = 32}, {.executor = serial}),
-              "the frame has 3 tiles, the renderer was made for 1 (RendererOptions::tiles)");
-    EXPECT_THROW(gl::SeaRenderer(context.functions(), {.tiles = 5}), std::invalid_argument);
+              "the frame has 3 cascades, the renderer was made for 1 (RendererOptions::cascades)");
+    EXPECT_THROW(gl::SeaRenderer(context.functions(), {.cascades = 5}), std::invalid_argument);
 
     Ocean ocean({.resolution = 32, .patch_size_m = 60}, {.executor = serial, .slopes = true});
     AlignedBuffer<std::uint16_t> halves(4 * 32 * 32);

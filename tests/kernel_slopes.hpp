@@ -3,13 +3,13 @@
 
 #include "pelagic/sim/kernels/wave_blocks.hpp"
 #include "pelagic/sim/surface/slope_maps.hpp"
-#include "pelagic/sim/tile.hpp"
+#include "pelagic/sim/cascade.hpp"
 #include "pelagic/tests/unfused/unfused_slopes.hpp"
 
 namespace pelagic {
 
 /// Planes as columns_finalize() would leave them.
-inline AlignedBuffer<float> surface_of(const unfused::TilePlanes& planes, std::size_t lanes) {
+inline AlignedBuffer<float> surface_of(const unfused::CascadePlanes& planes, std::size_t lanes) {
     const int n = planes.resolution;
     const auto side = static_cast<std::size_t>(n);
     AlignedBuffer<float> surface(column_blocks(n, lanes) * column_block_floats(n, lanes));
@@ -25,7 +25,7 @@ inline AlignedBuffer<float> surface_of(const unfused::TilePlanes& planes, std::s
     return surface;
 }
 
-inline unfused::TileSlopes slopes_by(const Kernels& kernels, const unfused::TilePlanes& planes,
+inline unfused::CascadeSlopes slopes_by(const Kernels& kernels, const unfused::CascadePlanes& planes,
                                      const SlopeRanges& ranges) {
     const int n = planes.resolution;
     const AlignedBuffer<float> surface = surface_of(planes, kernels.lanes);

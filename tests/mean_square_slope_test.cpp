@@ -67,39 +67,39 @@ TEST(MeanSquareSlope, WhatIsLeftIsNeverNegative) {
 }
 
 // The same waves in the world's axes, wave by wave.
-TEST(MeanSquareSlope, OfATurnedTileIsThatOfItsWavesInTheWorld) {
+TEST(MeanSquareSlope, OfATurnedCascadeIsThatOfItsWavesInTheWorld) {
     std::mt19937 random(4);
     const auto number = [&] { return static_cast<double>(random()) / 4294967296.0 - 0.5; };
-    const TileLattice lattice{.side_m = 1, .cosine = std::cos(0.9), .sine = std::sin(0.9)};
-    SlopeMoments in_tile, in_world;
+    const CascadeLattice lattice{.side_m = 1, .cosine = std::cos(0.9), .sine = std::sin(0.9)};
+    SlopeMoments in_cascade, in_world;
     for (int i = 0; i < 30; ++i) {
         const double square = number() + 0.5, along = number(), across = number();
-        in_tile.add_wave(square, along, across);
-        const TileLattice::Place wave = lattice.in_world(along, across);
+        in_cascade.add_wave(square, along, across);
+        const CascadeLattice::Place wave = lattice.in_world(along, across);
         in_world.add_wave(square, wave.along, wave.across);
     }
-    const SlopeMoments turned = in_tile.in_world(lattice);
+    const SlopeMoments turned = in_cascade.in_world(lattice);
     EXPECT_NEAR(turned.xx, in_world.xx, 1e-12);
     EXPECT_NEAR(turned.zz, in_world.zz, 1e-12);
     EXPECT_NEAR(turned.xz, in_world.xz, 1e-12);
 }
 
-/// Mean squares of the slopes between texels' neighbours, along the wind and across, summed over the tiles of a frame: waves
-/// of tiles are independent.
+/// Mean squares of the slopes between texels' neighbours, along the wind and across, summed over the cascades of a frame: waves
+/// of cascades are independent.
 SlopeVariance shown_slopes(const Frame& frame) {
     const double c = std::cos(frame.sea.wind_direction_rad), s = std::sin(frame.sea.wind_direction_rad);
     SlopeVariance all;
-    for (const Tile& tile : frame.tiles) {
-        const int n = tile.resolution();
+    for (const Cascade& cascade : frame.cascades) {
+        const int n = cascade.resolution();
         double up = 0, cross = 0;
         for (int j = 0; j < n; ++j)
             for (int i = 0; i < n; ++i) {
                 const auto h = [&](int x, int z) {
-                    return static_cast<double>(tile.height.at((x + n) % n, (z + n) % n));
+                    return static_cast<double>(cascade.height.at((x + n) % n, (z + n) % n));
                 };
-                const double along = (h(i + 1, j) - h(i - 1, j)) / (2 * tile.texel_m());
-                const double across = (h(i, j + 1) - h(i, j - 1)) / (2 * tile.texel_m());
-                const auto [x, z] = tile.lattice.in_world(along, across);
+                const double along = (h(i + 1, j) - h(i - 1, j)) / (2 * cascade.texel_m());
+                const double across = (h(i, j + 1) - h(i, j - 1)) / (2 * cascade.texel_m());
+                const auto [x, z] = cascade.lattice.in_world(along, across);
                 up += std::pow(c * x + s * z, 2);
                 cross += std::pow(c * z - s * x, 2);
             }
@@ -111,7 +111,7 @@ SlopeVariance shown_slopes(const Frame& frame) {
 
 /// alpha^2 of what the smoothness channel says.
 double rough_slopes(const Frame& frame) {
-    const double smoothness = (frame.tiles[0].gradient_level(0)[0] >> 24) / 255.0;
+    const double smoothness = (frame.cascades[0].gradient_level(0)[0] >> 24) / 255.0;
     return std::pow(1 - smoothness, 4);
 }
 
@@ -157,12 +157,12 @@ SlopeVariance filtered_slopes(const Frame& frame) {
     const double c = std::cos(frame.sea.wind_direction_rad), s = std::sin(frame.sea.wind_direction_rad);
     const double gauss[] = {0.5 - 0.5 / std::sqrt(3.0), 0.5 + 0.5 / std::sqrt(3.0)};
     SlopeVariance all;
-    for (const Tile& tile : frame.tiles) {
-        const int n = tile.resolution();
-        const auto slopes = tile.level_of(tile.slopes_rgba8, 0), moments = tile.level_of(tile.moments_rgba8, 0);
+    for (const Cascade& cascade : frame.cascades) {
+        const int n = cascade.resolution();
+        const auto slopes = cascade.level_of(cascade.slopes_rgba8, 0), moments = cascade.level_of(cascade.moments_rgba8, 0);
         const auto at = [&](int i, int j) {
             const auto texel = static_cast<std::size_t>(j % n * n + i % n);
-            return slopes_of_texel(slopes[texel], moments[texel], tile.slope_ranges);
+            return slopes_of_texel(slopes[texel], moments[texel], cascade.slope_ranges);
         };
         double up = 0, cross = 0;
         for (int j = 0; j < n; ++j)
@@ -186,17 +186,17 @@ SlopeVariance filtered_slopes(const Frame& frame) {
     return all;
 }
 
-TEST(MeanSquareSlope, OfAStackOfTilesAndRoughnessTogetherIsTheSeas) {
+TEST(MeanSquareSlope, OfAStackOfCascadesAndRoughnessTogetherIsTheSeas) {
     for (const double wind : {3.0, 5.0, 8.0, 12.0, 18.0, 25.0})
         for (const int cascades : {2, 4}) {
             Ocean ocean({.cascades = cascades, .resolution = 128, .wind_speed_mps = wind, .wind_direction_rad = 0.6},
                         {.executor = make_serial_executor()});
             const Frame& frame = ocean.frame_at(3);
-            ASSERT_EQ(frame.tiles.size(), static_cast<std::size_t>(cascades));
+            ASSERT_EQ(frame.cascades.size(), static_cast<std::size_t>(cascades));
             const SlopeVariance shown = filtered_slopes(frame);
             const double alpha = frame.figures.roughness;
             const std::string which =
-                std::to_string(static_cast<int>(wind)) + "_" + std::to_string(cascades) + "_tiles";
+                std::to_string(static_cast<int>(wind)) + "_" + std::to_string(cascades) + "_cascades";
             RecordProperty(which, std::to_string((shown.total() + alpha * alpha) / measured_slopes(wind).total()));
             RecordProperty(which + "_resolved", std::to_string(shown.total() / measured_slopes(wind).total()));
             EXPECT_NEAR((shown.total() + alpha * alpha) / (0.003 + 0.00512 * wind), 1, 0.05) << which;

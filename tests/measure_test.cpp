@@ -189,14 +189,14 @@ TEST(Measure, OneWaveHasItsFrequencyLengthAndDirection) {
     EXPECT_NEAR(most / all, 1, 1e-9);
 }
 
-// Its tiles are turned against each other, and each holds a band of the waves.
-TEST(Measure, SeveralTilesTogetherHoldWhatTheSeedDrew) {
+// Its cascades are turned against each other, and each holds a band of the waves.
+TEST(Measure, SeveralCascadesTogetherHoldWhatTheSeedDrew) {
     const TemporaryFolder folder;
     export_to(folder / "out", {"--cascades", "3", "--resolution", "32", "--loop-period", "60", "--loop-frames", "60",
                                "--wind-direction", "200"});
     const json found = measured(folder / "out");
-    EXPECT_EQ(found["tiles"].size(), 3u);
-    EXPECT_EQ(found["tiles_there"], 3);
+    EXPECT_EQ(found["cascades"].size(), 3u);
+    EXPECT_EQ(found["cascades_there"], 3);
     // A frame a second folds short waves onto each other's frequencies, and a few of them onto twice their own.
     EXPECT_NEAR(figure(found, "significant_wave_height_m") / figure(found, "significant_wave_height_m", "drawn"), 1,
                 0.02);
@@ -204,42 +204,42 @@ TEST(Measure, SeveralTilesTogetherHoldWhatTheSeedDrew) {
     EXPECT_LT(std::fabs(std::remainder(apart, 360)), 5);
     EXPECT_NEAR(figure(found, "directional_spread_deg"), figure(found, "directional_spread_deg", "drawn"), 5);
 
-    // Without the images of a tile the others are measured, and that is said.
+    // Without the images of a cascade the others are measured, and that is said.
     json record = json::parse(read_file(folder / "out" / "sea.json"));
     for (json& frame : record["frames"]) frame["files"].erase(2);
     write_file(folder / "out" / "sea.json", record.dump());
     const Outcome outcome = run_pelagic({"info", "--measure", (folder / "out").string()});
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    EXPECT_NE(outcome.out.find("images of 2 of the sea's 3 tiles"), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find("images of 2 of the sea's 3 cascades"), std::string::npos) << outcome.out;
 }
 
-/// A wave (m, n) of a tile's lattice at a time, by its dispersion in deep water rounded to the loop.
-std::vector<float> wave_of(const TilePlan& tile, int m, int n, double amplitude_m, double time_s,
+/// A wave (m, n) of a cascade's lattice at a time, by its dispersion in deep water rounded to the loop.
+std::vector<float> wave_of(const CascadePlan& cascade, int m, int n, double amplitude_m, double time_s,
                            double loop_period_s) {
-    const double k = tile.spacing() * std::hypot(m, n);
+    const double k = cascade.spacing() * std::hypot(m, n);
     const double periods = std::round(std::sqrt(9.80665 * k) * loop_period_s / (2 * pi));
     std::vector<float> heights;
-    for (int j = 0; j < tile.resolution; ++j)
-        for (int i = 0; i < tile.resolution; ++i)
+    for (int j = 0; j < cascade.resolution; ++j)
+        for (int i = 0; i < cascade.resolution; ++i)
             heights.push_back(static_cast<float>(
                 amplitude_m *
                 std::cos(2 * pi *
-                         (static_cast<double>(m * i + n * j) / tile.resolution - periods * time_s / loop_period_s))));
+                         (static_cast<double>(m * i + n * j) / cascade.resolution - periods * time_s / loop_period_s))));
     return heights;
 }
 
-// Two tiles, the finer one turned by 40 degrees: energies add, and directions are the world's.
-TEST(Measure, WavesOfSeveralTilesAddInTheWorldsAxes) {
+// Two cascades, the finer one turned by 40 degrees: energies add, and directions are the world's.
+TEST(Measure, WavesOfSeveralCascadesAddInTheWorldsAxes) {
     const double turn = 40 * pi / 180, loop_s = 30;
-    const TilePlan coarse{.lattice = {.side_m = 200}, .resolution = 16, .most_k = 0.2};
-    const TilePlan fine{.lattice = {.side_m = 30, .cosine = std::cos(turn), .sine = std::sin(turn)},
+    const CascadePlan coarse{.lattice = {.side_m = 200}, .resolution = 16, .most_k = 0.2};
+    const CascadePlan fine{.lattice = {.side_m = 30, .cosine = std::cos(turn), .sine = std::sin(turn)},
                         .resolution = 16,
                         .number = 1,
                         .least_k = 0.2};
     const int frames = 90;
-    std::vector<tools::WaveMeasurement> tiles;
-    for (const TilePlan& tile : {coarse, fine})
-        tiles.emplace_back(tools::HeightSeries{.tile = tile,
+    std::vector<tools::WaveMeasurement> cascades;
+    for (const CascadePlan& cascade : {coarse, fine})
+        cascades.emplace_back(tools::HeightSeries{.cascade = cascade,
                                                .depth_m = 4000,
                                                .loop_period_s = loop_s,
                                                .likely_peak_period_s = 6,
@@ -248,10 +248,10 @@ TEST(Measure, WavesOfSeveralTilesAddInTheWorldsAxes) {
                                                .is_one_loop = true});
     for (int frame = 0; frame < frames; ++frame) {
         const double time_s = loop_s / frames * frame;
-        tiles[0].add_frame(wave_of(coarse, 4, 0, 0.4, time_s, loop_s));  // along +x
-        tiles[1].add_frame(wave_of(fine, 0, 3, 0.3, time_s, loop_s));    // a quarter turn and 40 degrees from it
+        cascades[0].add_frame(wave_of(coarse, 4, 0, 0.4, time_s, loop_s));  // along +x
+        cascades[1].add_frame(wave_of(fine, 0, 3, 0.3, time_s, loop_s));    // a quarter turn and 40 degrees from it
     }
-    const tools::MeasuredWaves found = measured_waves(tiles);
+    const tools::MeasuredWaves found = measured_waves(cascades);
     EXPECT_NEAR(found.significant_wave_height_m, 4 * std::sqrt((0.16 + 0.09) / 2), 1e-6);
     ASSERT_TRUE(found.directions);
     const double x = 0.16 - 0.09 * std::sin(turn), z = 0.09 * std::cos(turn);
@@ -260,9 +260,9 @@ TEST(Measure, WavesOfSeveralTilesAddInTheWorldsAxes) {
     // Each wave in its ring, and the two in their bands of frequency.
     double rings = 0, bands = 0;
     for (const auto& ring : found.by_wave_number)
-        for (const auto& [tile, number, amplitude] : {std::tuple(coarse, 4, 0.4), std::tuple(fine, 3, 0.3)})
-            if (std::fabs(ring.at - number * tile.spacing()) < 1e-9)
-                rings += ring.density * tile.spacing() * 2 / (amplitude * amplitude);
+        for (const auto& [cascade, number, amplitude] : {std::tuple(coarse, 4, 0.4), std::tuple(fine, 3, 0.3)})
+            if (std::fabs(ring.at - number * cascade.spacing()) < 1e-9)
+                rings += ring.density * cascade.spacing() * 2 / (amplitude * amplitude);
     EXPECT_NEAR(rings, 2, 1e-6);
     for (const auto& band : found.by_frequency) bands += band.density > 0.01 ? 1 : 0;
     EXPECT_EQ(bands, 2);
@@ -292,7 +292,7 @@ TEST(Measure, LayersPartsAndTexturesGiveTheSameAsFiles) {
         export_to(folder / name, all);
         const json found = measured(folder / name);
         if (files.empty()) files = found;
-        EXPECT_EQ(found["tiles"], files["tiles"]);
+        EXPECT_EQ(found["cascades"], files["cascades"]);
         for (const char* of :
              {"significant_wave_height_m", "peak_period_s", "peak_wavelength_m", "mean_direction_deg"})
             EXPECT_NEAR(figure(found, of) / figure(files, of), 1, has_halves ? 1e-3 : 1e-6) << of;

@@ -24,7 +24,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr SeaState one_tile{
+constexpr SeaState one_cascade{
     .resolution = 32, .patch_size_m = 100, .wind_speed_mps = 12, .choppiness = 0.5, .loop_period_s = 20};
 
 Ocean ocean_of(const SeaState& sea) {
@@ -46,15 +46,15 @@ void expect_the_sea(const Frame& frame, const Mesh& mesh) {
         // Queries look for a place to a 64th of the tolerance, and slopes are below 1.
         EXPECT_NEAR(mesh.positions[v].y, static_cast<double>(height[v]), 1e-5);
         EXPECT_NEAR(static_cast<double>(mesh.foam[v]), static_cast<double>(foam[v]), 1e-3);
-        // Both take differences over two texels of the finest tile, and cosines near 1 are floats: steps of 0.02 degrees. A query of a
-        // stack takes the other tiles' over two texels of theirs, which smooths them: measured 1.3 degrees at most.
+        // Both take differences over two texels of the finest cascade, and cosines near 1 are floats: steps of 0.02 degrees. A query of a
+        // stack takes the other cascades' over two texels of theirs, which smooths them: measured 1.3 degrees at most.
         const float cosine = glm::dot(mesh.normals[v], glm::vec3(nx[v], ny[v], nz[v]));
-        EXPECT_GT(cosine, std::cos((frame.tiles.size() == 1 ? 0.05f : 2.f) * std::numbers::pi_v<float> / 180));
+        EXPECT_GT(cosine, std::cos((frame.cascades.size() == 1 ? 0.05f : 2.f) * std::numbers::pi_v<float> / 180));
     }
 }
 
-TEST(SeaMesh, ATilesOwnLatticeIsTheSea) {
-    Ocean ocean = ocean_of(one_tile);
+TEST(SeaMesh, ACascadesOwnLatticeIsTheSea) {
+    Ocean ocean = ocean_of(one_cascade);
     const Frame& frame = ocean.frame_at(3);
     const Mesh mesh = mesh_of(frame, {100, 32});
     expect_the_sea(frame, mesh);
@@ -65,22 +65,22 @@ TEST(SeaMesh, ATilesOwnLatticeIsTheSea) {
 TEST(SeaMesh, AFineSquareOfAStackIsTheSea) {
     Ocean ocean = ocean_of({.cascades = 2, .resolution = 32, .wind_speed_mps = 14, .choppiness = 0.5});
     const Frame& frame = ocean.frame_at(3);
-    expect_the_sea(frame, mesh_of(frame, {32 * frame.tiles[1].texel_m(), 32, 2}));
+    expect_the_sea(frame, mesh_of(frame, {32 * frame.cascades[1].texel_m(), 32, 2}));
 }
 
 TEST(SeaMesh, WavesThatStepsCantShowAreLeftOut) {
-    const std::vector<TilePlan> plans = plan_tiles({.cascades = 3, .resolution = 32});
-    for (std::size_t tile = 1; tile < 3; ++tile) {
+    const std::vector<CascadePlan> plans = plan_cascades({.cascades = 3, .resolution = 32});
+    for (std::size_t cascade = 1; cascade < 3; ++cascade) {
         const double longest_step_m =
-            1.5 * plans[tile].lattice.side_m / 32;  // two of them for a wave of three texels
-        EXPECT_EQ(tiles_shown_by(longest_step_m * 0.999, plans), tile + 1);
-        EXPECT_EQ(tiles_shown_by(longest_step_m * 1.001, plans), tile);
+            1.5 * plans[cascade].lattice.side_m / 32;  // two of them for a wave of three texels
+        EXPECT_EQ(cascades_shown_by(longest_step_m * 0.999, plans), cascade + 1);
+        EXPECT_EQ(cascades_shown_by(longest_step_m * 1.001, plans), cascade);
     }
-    EXPECT_EQ(tiles_shown_by(1e6, plans), 1u);
+    EXPECT_EQ(cascades_shown_by(1e6, plans), 1u);
 }
 
-TEST(SeaMesh, OneTileMeetsItself) {
-    Ocean ocean = ocean_of(one_tile);
+TEST(SeaMesh, OneCascadeMeetsItself) {
+    Ocean ocean = ocean_of(one_cascade);
     const Mesh mesh = mesh_of(ocean.frame_at(5), {100, 32});
     for (std::size_t k = 0; k <= 32; ++k) {
         const auto expect_shifted = [&](std::size_t from, std::size_t to, const glm::dvec3& by) {
@@ -94,7 +94,7 @@ TEST(SeaMesh, OneTileMeetsItself) {
 }
 
 TEST(SeaMesh, FacesLookUp) {
-    Ocean ocean = ocean_of(one_tile);
+    Ocean ocean = ocean_of(one_cascade);
     const Mesh mesh = mesh_of(ocean.frame_at(5), {100, 32});
     double area = 0;
     for (std::size_t at = 0; at < mesh.faces.size(); at += 4)
@@ -221,7 +221,7 @@ TEST(MeshFiles, GlbHoldsTrianglesAndCountsVFromAbove) {
 
 /// The frames of a loop as a viewer shows them: weights between the keys around a time, and targets by their weights.
 TEST(MeshFiles, AnAnimatedGlbShowsEachFrameAtItsTimeAndCloses) {
-    Ocean ocean = ocean_of(one_tile);
+    Ocean ocean = ocean_of(one_cascade);
     constexpr std::size_t frames = 5;
     constexpr double fps = frames / 20.0;
     std::vector<Mesh> meshes;

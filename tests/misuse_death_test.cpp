@@ -81,10 +81,10 @@ TEST_F(MisuseDeathTest, ARayHasNoDirectionOrReach) {
     EXPECT_DEATH(first_hit(query, {{0, 5, 0}, {0, -1, 0}, infinity}), "length > 0");
 }
 
-TEST_F(MisuseDeathTest, AFoldMapIsAskedForATileOfAnotherSize) {
-    Tile tile = ocean_.frame_at(0).tiles[0];
+TEST_F(MisuseDeathTest, AFoldMapIsAskedForACascadeOfAnotherSize) {
+    Cascade cascade = ocean_.frame_at(0).cascades[0];
     FoldMap folds(32);
-    EXPECT_DEATH(folds.update(tile, kernels_for(ocean_.isa())), "resolution\\(\\) == resolution_");
+    EXPECT_DEATH(folds.update(cascade, kernels_for(ocean_.isa())), "resolution\\(\\) == resolution_");
 }
 
 TEST_F(MisuseDeathTest, KernelsAreAskedForThatThisProcessorCannotRun) {

@@ -136,8 +136,8 @@ std::array<Picture, 2> drawn_here(const std::array<RecordedEye, 2>& eyes, const 
     Selection selection(quadtree_preset_named("low")->options(2048));
     gl::RenderTarget target(gl, side, side, 0);
     gl::SeaRenderer renderer(gl, {.patch_vertices = selection.options().vertices,
-                                  .resolution = frame.tiles[0].resolution(),
-                                  .tiles = frame.tiles.size(),
+                                  .resolution = frame.cascades[0].resolution(),
+                                  .cascades = frame.cascades.size(),
                                   .shading = gl::Shading::headset});
     gl::SkyBaker baker(make_default_executor(), 128);
     baker.schedule({.sun_azimuth_rad = -0.6f, .sun_elevation_rad = 0.8f});

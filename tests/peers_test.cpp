@@ -28,7 +28,7 @@ enum Component { component_dx, component_height, component_dz };
 
 /// The one place that knows how a Frame stores its planes.
 float plane_value(const Frame& frame, Component component, int i, int j) {
-    const PlaneView* planes[] = {&frame.tiles[0].dx, &frame.tiles[0].height, &frame.tiles[0].dz};
+    const PlaneView* planes[] = {&frame.cascades[0].dx, &frame.cascades[0].height, &frame.cascades[0].dz};
     return planes[component]->at(i, j);
 }
 
@@ -82,7 +82,7 @@ class PeerOf : public testing::TestWithParam<std::tuple<Peer, Case>> {
             case Peer::fftw_packed: fftw_.emplace(sea, choose_isa(), FftwArrangement::packed); break;
             case Peer::fftw_separate: fftw_.emplace(sea, choose_isa(), FftwArrangement::separate); break;
         }
-        const FoamSource foam = foam_source(ours_.tiles[0]);  // nor thresholds
+        const FoamSource foam = foam_source(ours_.cascades[0]);  // nor thresholds
         paper_ ? paper_->set_foam(foam) : fftw_->set_foam(foam);
         theirs_ = paper_ ? paper_->frame_at(one().time_s) : fftw_->frame_at(one().time_s);
     }
@@ -143,12 +143,12 @@ TEST_P(PeerOf, PlanesArePelagics) {
 // Values on either side of a rounding edge differ by a step. Smoothness is infinitely steep at a length of one, where
 // the lengths' error of some 1e-7 is up to half a step by itself: hence two in rare cases.
 TEST_P(PeerOf, GradientBytesAreWithinAStepOfPelagics) {
-    ASSERT_EQ(theirs_.rgba8.size(), ours_.tiles[0].gradient_rgba8.size());
+    ASSERT_EQ(theirs_.rgba8.size(), ours_.cascades[0].gradient_rgba8.size());
     std::size_t beyond_one = 0;
     for (std::size_t i = 0; i < theirs_.rgba8.size(); ++i) {
         for (int shift = 0; shift < 32; shift += 8) {
             const int theirs = theirs_.rgba8[i] >> shift & 0xFF;
-            const int ours = ours_.tiles[0].gradient_rgba8[i] >> shift & 0xFF;
+            const int ours = ours_.cascades[0].gradient_rgba8[i] >> shift & 0xFF;
             ASSERT_LE(std::abs(theirs - ours), 2) << "texel " << i << " of the chain, bit " << shift;
             if (std::abs(theirs - ours) > 1) ++beyond_one;
         }
@@ -176,11 +176,11 @@ TEST_P(PeerOf, HalvesAreWithinAStepOfPelagics) {
                                    resolution() / one().sea.patch_size_m;
     const double tolerance[] = {plane_tolerance * largest(component_dx), plane_tolerance * largest(component_height),
                                 plane_tolerance * largest(component_dz),
-                                1.0 / 255 + 4 * slope_tolerance / ours_.tiles[0].whitecap_ramp};
-    ASSERT_EQ(theirs_.rgba16f.size(), ours_.tiles[0].displacement_rgba16f.size());
+                                1.0 / 255 + 4 * slope_tolerance / ours_.cascades[0].whitecap_ramp};
+    ASSERT_EQ(theirs_.rgba16f.size(), ours_.cascades[0].displacement_rgba16f.size());
     for (std::size_t i = 0; i < theirs_.rgba16f.size(); ++i) {
         const float theirs = value_of_half(theirs_.rgba16f[i]);
-        const float ours = value_of_half(ours_.tiles[0].displacement_rgba16f[i]);
+        const float ours = value_of_half(ours_.cascades[0].displacement_rgba16f[i]);
         ASSERT_NEAR(theirs, ours, std::max(step_of_half(theirs), step_of_half(ours)) + tolerance[i % 4])
             << "half " << i % 4 << " of texel " << i / 4;
     }

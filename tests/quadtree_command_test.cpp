@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "pelagic/sim/ocean.hpp"
-#include "pelagic/sim/surface/tile_sum.hpp"
+#include "pelagic/sim/surface/cascade_sum.hpp"
 #include "pelagic/sim/surface_query.hpp"
 #include "pelagic/tests/run_pelagic.hpp"
 

@@ -11,7 +11,7 @@
 #include <tuple>
 
 #include "pelagic/sim/ocean.hpp"
-#include "pelagic/sim/surface/tile_sum.hpp"
+#include "pelagic/sim/surface/cascade_sum.hpp"
 #include "pelagic/tests/quadtree_scene.hpp"
 
 namespace pelagic {
@@ -265,13 +265,13 @@ TEST(NodeCullingTest, SeesWhatTheFrustumSeesAndAllWhereEveryCornerIsInside) {
         EXPECT_GT(seen[sight], 1000);
 }
 
-class CullingOfSeveralTiles : public Culling {
+class CullingOfSeveralCascades : public Culling {
    protected:
-    CullingOfSeveralTiles() : Culling({.cascades = 4, .resolution = 32, .wind_speed_mps = 18}) {}
+    CullingOfSeveralCascades() : Culling({.cascades = 4, .resolution = 32, .wind_speed_mps = 18}) {}
 };
 
-// A frame's bounds are sums of its tiles', whose extremes need not meet: a few more patches are kept.
-TEST_F(CullingOfSeveralTiles, LosesNoVisibleTriangleAndKeepsFewInvisiblePatches) {
+// A frame's bounds are sums of its cascades', whose extremes need not meet: a few more patches are kept.
+TEST_F(CullingOfSeveralCascades, LosesNoVisibleTriangleAndKeepsFewInvisiblePatches) {
     Random random(13);
     const QuadtreeOptions options = quadtree_preset_named("low")->options(2048);
     for (int i = 0; i < views / 10; ++i) {

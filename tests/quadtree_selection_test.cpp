@@ -117,7 +117,7 @@ TEST(Selection, DeepestLevelIsEquation56) {
     EXPECT_EQ(deepest_level(8192), 7);
 }
 
-// The drawn patches tile the grid as the level map says, and cover it once.
+// The drawn patches cascade the grid as the level map says, and cover it once.
 TEST(Selection, TheLevelMapHoldsWhatIsDrawnAndWhatWouldBe) {
     Random random(3);
     for (const QuadtreeOptions& options : all_options()) {

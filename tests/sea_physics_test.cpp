@@ -303,8 +303,8 @@ TEST(Crests, WithoutChoppinessNothingMovesSideways) {
     const Frame& frame = ocean.frame_at(1.7);
     for (int j = 0; j < 64; ++j) {
         for (int i = 0; i < 64; ++i) {
-            ASSERT_EQ(frame.tiles[0].dx.at(i, j), 0.f);
-            ASSERT_EQ(frame.tiles[0].dz.at(i, j), 0.f);
+            ASSERT_EQ(frame.cascades[0].dx.at(i, j), 0.f);
+            ASSERT_EQ(frame.cascades[0].dz.at(i, j), 0.f);
         }
     }
 }
@@ -341,7 +341,7 @@ std::vector<double> measured_shares(const SeaState& sea, int frames) {
     const auto harmonics = static_cast<std::size_t>(frames / 2);
     std::vector<std::vector<std::complex<double>>> sums(harmonics, std::vector<std::complex<double>>(texels));
     for (int frame = 0; frame < frames; ++frame) {
-        const PlaneView height = ocean.frame_at(sea.loop_period_s * frame / frames).tiles[0].height;
+        const PlaneView height = ocean.frame_at(sea.loop_period_s * frame / frames).cascades[0].height;
         for (std::size_t q = 1; q < harmonics; ++q) {
             const auto turn = std::polar(1.0, -2 * pi * static_cast<double>(q) * frame / frames);
             for (std::size_t texel = 0; texel < texels; ++texel)

@@ -41,34 +41,34 @@ std::string text_of(const SeaState& sea) {
 
 bool is_finite_half(std::uint16_t half) { return (half & 0x7C00) != 0x7C00; }
 
-/// Empty, or what is wrong with the tile.
-std::string fault_of(const Tile& tile) {
+/// Empty, or what is wrong with the cascade.
+std::string fault_of(const Cascade& cascade) {
     float least = std::numeric_limits<float>::infinity(), most = -least, most_dx = 0, most_dz = 0;
-    for (int j = 0; j < tile.resolution(); ++j) {
-        for (int i = 0; i < tile.resolution(); ++i) {
+    for (int j = 0; j < cascade.resolution(); ++j) {
+        for (int i = 0; i < cascade.resolution(); ++i) {
             for (const PlaneView* plane :
-                 {&tile.dx, &tile.height, &tile.dz, &tile.velocity_x, &tile.velocity_y, &tile.velocity_z})
+                 {&cascade.dx, &cascade.height, &cascade.dz, &cascade.velocity_x, &cascade.velocity_y, &cascade.velocity_z})
                 if (!std::isfinite(plane->at(i, j))) return "a plane is not finite";
-            least = std::min(least, tile.height.at(i, j));
-            most = std::max(most, tile.height.at(i, j));
-            most_dx = std::max(most_dx, std::fabs(tile.dx.at(i, j)));
-            most_dz = std::max(most_dz, std::fabs(tile.dz.at(i, j)));
+            least = std::min(least, cascade.height.at(i, j));
+            most = std::max(most, cascade.height.at(i, j));
+            most_dx = std::max(most_dx, std::fabs(cascade.dx.at(i, j)));
+            most_dz = std::max(most_dz, std::fabs(cascade.dz.at(i, j)));
         }
     }
-    const FrameBounds& bounds = tile.bounds;
+    const FrameBounds& bounds = cascade.bounds;
     if (bounds.height_min_m != least || bounds.height_max_m != most || bounds.sideways_x_max_m != most_dx ||
         bounds.sideways_z_max_m != most_dz)
         return "bounds are not the extremes";
-    for (const std::uint16_t half : tile.displacement_rgba16f)
+    for (const std::uint16_t half : cascade.displacement_rgba16f)
         if (!is_finite_half(half)) return "a half is not finite";
-    if (!std::isfinite(tile.whitecap_jacobian)) return "the threshold of whitecaps is not finite";
+    if (!std::isfinite(cascade.whitecap_jacobian)) return "the threshold of whitecaps is not finite";
     return {};
 }
 
 /// Empty, or what is wrong with the frame.
 std::string fault_of(const Frame& frame) {
-    for (const Tile& tile : frame.tiles)
-        if (const std::string fault = fault_of(tile); !fault.empty()) return fault;
+    for (const Cascade& cascade : frame.cascades)
+        if (const std::string fault = fault_of(cascade); !fault.empty()) return fault;
     const double roughness = frame.figures.roughness;
     if (!(roughness >= 0 && roughness <= 1)) return "the roughness is " + number_text(roughness);
     return {};
@@ -116,7 +116,7 @@ void expect_finite(SeaState sea) {
         const Frame& frame = ocean.frame_at(time_s);
         const std::string fault = fault_of(frame);
         ASSERT_EQ(fault, "") << text_of(sea);
-        ASSERT_EQ(fault_of_answers(SurfaceQuery(frame), frame.tiles[0].lattice.side_m), "") << text_of(sea);
+        ASSERT_EQ(fault_of_answers(SurfaceQuery(frame), frame.cascades[0].lattice.side_m), "") << text_of(sea);
     }
 }
 

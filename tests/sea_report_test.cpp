@@ -10,7 +10,7 @@
 #include "pelagic/sim/spectrum/wave_noise.hpp"
 #include "pelagic/sim/statistics.hpp"
 #include "pelagic/sim/surface_query.hpp"
-#include "pelagic/sim/tile_plan.hpp"
+#include "pelagic/sim/cascade_plan.hpp"
 #include "pelagic/tests/oracle/sea_oracle.hpp"
 
 namespace pelagic {
@@ -78,11 +78,11 @@ TEST(SeaReport, SlopesAreTheSumOfTheirWaves) {
         }
     }
     const SeaReport report = report_on(sea);
-    ASSERT_EQ(report.tiles.size(), 1u);
-    EXPECT_EQ(report.tiles[0].side_m, 120);
-    EXPECT_EQ(report.tiles[0].resolution, 64);
-    EXPECT_NEAR(report.tiles[0].slopes.upwind / along, 1, 1e-6);
-    EXPECT_NEAR(report.tiles[0].slopes.crosswind / across, 1, 1e-6);
+    ASSERT_EQ(report.cascades.size(), 1u);
+    EXPECT_EQ(report.cascades[0].side_m, 120);
+    EXPECT_EQ(report.cascades[0].resolution, 64);
+    EXPECT_NEAR(report.cascades[0].slopes.upwind / along, 1, 1e-6);
+    EXPECT_NEAR(report.cascades[0].slopes.crosswind / across, 1, 1e-6);
 }
 
 // Cox and Munk's own example of a clean sea: 10 m/s gives 0.003 + 0.0512.
@@ -173,7 +173,7 @@ TEST(SeaReport, MeanPeriodsOfASwellAreTheirClosedForms) {
 // Moments of JONSWAP's own frequency spectrum, up to the shortest wave that the cascades hold, by Simpson's rule.
 TEST(SeaReport, MeanPeriodsOfJonswapAreItsIntegrals) {
     const SeaState sea{.wind_speed_mps = 10, .loop_period_s = 2000};
-    const double last = std::sqrt(oracle::gravity * plan_tiles(sea).back().most_k), first = last / 100;
+    const double last = std::sqrt(oracle::gravity * plan_cascades(sea).back().most_k), first = last / 100;
     double m0 = 0, m1 = 0, m2 = 0;
     constexpr int steps = 20000;
     for (int i = 0; i <= steps; ++i) {

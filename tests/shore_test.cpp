@@ -19,7 +19,7 @@
 #include "pelagic/tests/each_isa.hpp"
 #include "pelagic/tests/emulated.hpp"
 #include "pelagic/tests/shores.hpp"
-#include "pelagic/tests/tile_stack.hpp"
+#include "pelagic/tests/cascade_stack.hpp"
 
 namespace pelagic {
 namespace {
@@ -42,7 +42,7 @@ OceanOptions with_bay(Isa isa = choose_isa(), std::shared_ptr<Executor> executor
     return {.executor = std::move(executor), .isa = isa, .queries = true, .velocities = true, .shore = bay()};
 }
 
-TEST(Shore, LeavesTheTilesAsTheyAre) {
+TEST(Shore, LeavesTheCascadesAsTheyAre) {
     Ocean with(breeze, with_bay()), without(breeze, {.executor = make_serial_executor()});
     EXPECT_EQ(hash_of(with.frame_at(3.5)), hash_of(without.frame_at(3.5)));
     EXPECT_NE(shore_hash_of(with.frame_at(3.5)), 0U);
@@ -144,11 +144,11 @@ TEST(Shore, GoesOnOutsideItsRectangleAsItsEdgeIs) {
     }
 }
 
-/// Bilinear in a tile, by its definition.
-double tile_at(const Tile& tile, const PlaneView& plane, double x, double z) {
-    const auto [along, across] = tile.lattice.in_tile(x, z);
-    const double u = along / tile.texel_m(), v = across / tile.texel_m(), i = std::floor(u), j = std::floor(v);
-    const int n = tile.resolution();
+/// Bilinear in a cascade, by its definition.
+double cascade_at(const Cascade& cascade, const PlaneView& plane, double x, double z) {
+    const auto [along, across] = cascade.lattice.in_cascade(x, z);
+    const double u = along / cascade.texel_m(), v = across / cascade.texel_m(), i = std::floor(u), j = std::floor(v);
+    const int n = cascade.resolution();
     const auto at = [&](double column, double row) {
         const auto wrapped = [n](double c) { return static_cast<int>(c - n * std::floor(c / n)); };
         return static_cast<double>(plane.at(wrapped(column), wrapped(row)));
@@ -176,14 +176,14 @@ TEST(Shore, IsWhatQueriesTell) {
             here = sample(frame.shore, x, z);
             x = q_x, z = q_z, height = here.height_m, rise = here.rise_mps;
             x_mps = here.velocity_x_mps, z_mps = here.velocity_z_mps;
-            for (std::size_t t = 0; t < frame.tiles.size(); ++t) {
-                const Tile& tile = frame.tiles[t];
-                x += here.parts[t] * tile_at(tile, tile.dx, q_x, q_z);
-                z += here.parts[t] * tile_at(tile, tile.dz, q_x, q_z);
-                height += here.parts[t] * tile_at(tile, tile.height, q_x, q_z);
-                rise += here.parts[t] * tile_at(tile, tile.velocity_y, q_x, q_z);
-                x_mps += here.parts[t] * tile_at(tile, tile.velocity_x, q_x, q_z);
-                z_mps += here.parts[t] * tile_at(tile, tile.velocity_z, q_x, q_z);
+            for (std::size_t t = 0; t < frame.cascades.size(); ++t) {
+                const Cascade& cascade = frame.cascades[t];
+                x += here.parts[t] * cascade_at(cascade, cascade.dx, q_x, q_z);
+                z += here.parts[t] * cascade_at(cascade, cascade.dz, q_x, q_z);
+                height += here.parts[t] * cascade_at(cascade, cascade.height, q_x, q_z);
+                rise += here.parts[t] * cascade_at(cascade, cascade.velocity_y, q_x, q_z);
+                x_mps += here.parts[t] * cascade_at(cascade, cascade.velocity_x, q_x, q_z);
+                z_mps += here.parts[t] * cascade_at(cascade, cascade.velocity_z, q_x, q_z);
             }
         }
         float found_height, found_rise, found_x_mps, found_z_mps, jacobian;
@@ -205,15 +205,15 @@ TEST(Shore, IsWhatQueriesTell) {
     EXPECT_GT(at_shore, 300);
 }
 
-// Parts of tiles are tiles of less displacement, where sheets lie over one another as well.
-TEST(Shore, CountsPartsOfFoldedTilesToo) {
+// Parts of cascades are cascades of less displacement, where sheets lie over one another as well.
+TEST(Shore, CountsPartsOfFoldedCascadesToo) {
     constexpr int part = 153;
-    std::vector<TileStack::Part> all = TileStack::of_scales(3, 14, 1, 7, 32), less = all;
+    std::vector<CascadeStack::Part> all = CascadeStack::of_scales(3, 14, 1, 7, 32), less = all;
     for (std::size_t t = 0; t < all.size(); ++t) {
         all[t].factor *= 8;
         less[t].factor = all[t].factor * part / 255;
     }
-    const TileStack whole(all, 3), expected(less, 3);
+    const CascadeStack whole(all, 3), expected(less, 3);
     constexpr int texels = 16;
     const std::vector<std::uint32_t> parts(texels * texels, part * 0x01010101U);
     const std::vector<float> flat(parts.size());
@@ -241,14 +241,14 @@ TEST(Shore, CountsPartsOfFoldedTilesToo) {
     SurfaceQuery(frame).sample({x, z}, {.height_m = height, .normal_x = normal});
     SurfaceQuery(expected.frame()).sample({x, z}, {.height_m = expected_height, .normal_x = expected_normal});
     double squeezed = 0;
-    for (const Tile& tile : expected.frame().tiles) squeezed += tile.squeeze.most();
+    for (const Cascade& cascade : expected.frame().cascades) squeezed += cascade.squeeze.most();
     int differ = 0;
     for (std::size_t i = 0; i < x.size(); ++i) {
         // On a fold's edge a rounding decides which sheet there is.
         differ +=
             !(std::fabs(height[i] - expected_height[i]) < 2e-3f && std::fabs(normal[i] - expected_normal[i]) < 2e-2f);
     }
-    // Tiles that squeeze away more than all may fold, so that the steps alone would prove nothing.
+    // Cascades that squeeze away more than all may fold, so that the steps alone would prove nothing.
     EXPECT_GT(squeezed, 1.3);
     EXPECT_LE(differ, 6);
 }
@@ -292,7 +292,7 @@ TEST(Shore, HasReachesNoLowerThanItsHeights) {
     EXPECT_LE(frame.bounds.height_min_m, frame.shore.height_min_m);
 }
 
-/// A moat as wide as one texel along the diagonal near an edge, where no land shelters the tiles, in ground 5 m above the sea.
+/// A moat as wide as one texel along the diagonal near an edge, where no land shelters the cascades, in ground 5 m above the sea.
 ShoreOptions moat() {
     ShoreOptions shore = shore_of(64, 64, 1, [](double x, double z) { return x - z == 20 ? -60.0 : 5.0; });
     shore.resolution = 64;
@@ -308,16 +308,16 @@ TEST(Shore, BoundsHowFastPartsChange) {
     for (double x = 20; x < 26; x += 0.05)
         for (double z = 0; z < 6; z += 0.05)
             for (const double way : {0.0, far_m, -far_m})
-                for (std::size_t tile = 0; tile < 3; ++tile)
-                    fastest = std::max(fastest, std::fabs(sample(shore, x, z).parts[tile] -
-                                                          sample(shore, x + far_m, z + way).parts[tile]) /
+                for (std::size_t cascade = 0; cascade < 3; ++cascade)
+                    fastest = std::max(fastest, std::fabs(sample(shore, x, z).parts[cascade] -
+                                                          sample(shore, x + far_m, z + way).parts[cascade]) /
                                                     std::sqrt(far_m * far_m + way * way));
     EXPECT_LE(fastest, static_cast<double>(shore.parts_change_per_m));
     // On the diagonal from a texel that has all to one that has nothing.
     EXPECT_GT(fastest, 0.9 * std::sqrt(2.0));
 }
 
-// The tiles' parts go from 0 to 1 and back over the moat's diagonal, so that waves stand in it as a narrow wall, which a ray that trusts too
+// The cascades' parts go from 0 to 1 and back over the moat's diagonal, so that waves stand in it as a narrow wall, which a ray that trusts too
 // small a bound of the parts' change passes. The oracle walks in double through the definition: the water moves up and down alone.
 TEST(Shore, IsWhereRaysHitWherePartsChangeAtOnce) {
     const SeaState sea{.waves = WaveModel::analytic,
@@ -333,24 +333,24 @@ TEST(Shore, IsWhereRaysHitWherePartsChangeAtOnce) {
     const auto even = [&](double from, double to) {
         return from + (to - from) * static_cast<double>(random()) * 0x1p-32;
     };
-    const auto height_of_tiles = [](const Frame& frame, double x, double z) {
+    const auto height_of_cascades = [](const Frame& frame, double x, double z) {
         double height = 0;
-        for (const Tile& tile : frame.tiles) height += tile_at(tile, tile.height, x, z);
+        for (const Cascade& cascade : frame.cascades) height += cascade_at(cascade, cascade.height, x, z);
         return height;
     };
     double crest_s = 0, highest_m = 0;
     for (double t = 0; t < 12; t += 1)
-        if (const double height_m = height_of_tiles(ocean.frame_at(t), 22, 2); height_m > highest_m)
+        if (const double height_m = height_of_cascades(ocean.frame_at(t), 22, 2); height_m > highest_m)
             highest_m = height_m, crest_s = t;
     EXPECT_GT(highest_m, 4);
     int hits = 0, misses = 0;
     for (int i = 0; i < 600; ++i) {
         if (i % 20 == 0) ocean.frame_at(crest_s + even(-1, 1));
         const Frame& frame = ocean.complete();
-        // Only then are tiles all that there is.
+        // Only then are cascades all that there is.
         ASSERT_EQ(frame.shore.height_max_m - frame.shore.height_min_m, 0);
         const double middle_z = even(0.5, 3.5), from_m = even(2, 6), tilt = even(-0.1, 0.1);
-        const double high = even(0.6, 1.1) * height_of_tiles(frame, 22, 2);
+        const double high = even(0.6, 1.1) * height_of_cascades(frame, 22, 2);
         const SurfaceRay ray{.origin_m = {20 + middle_z - from_m, high - from_m * tilt, middle_z + from_m},
                              .direction = {1, tilt, -1},
                              .reach_m = 12};
@@ -359,8 +359,8 @@ TEST(Shore, IsWhereRaysHitWherePartsChangeAtOnce) {
             const double x = ray.origin_m[0] + distance / length, z = ray.origin_m[2] - distance / length;
             double height = 0;
             const ShoreSample here = sample(frame.shore, x, z);
-            for (std::size_t t = 0; t < frame.tiles.size(); ++t)
-                height += here.parts[t] * tile_at(frame.tiles[t], frame.tiles[t].height, x, z);
+            for (std::size_t t = 0; t < frame.cascades.size(); ++t)
+                height += here.parts[t] * cascade_at(frame.cascades[t], frame.cascades[t].height, x, z);
             return ray.origin_m[1] + distance * tilt / length - height;
         };
         double expected = 0, inside_m = 0, most_inside_m = 0;
@@ -370,8 +370,8 @@ TEST(Shore, IsWhereRaysHitWherePartsChangeAtOnce) {
             if (inside_m > 0 && expected == 0) expected = distance;
             most_inside_m = std::max(most_inside_m, inside_m);
         }
-        // What a ray only grazes, for less than half a texel of the finest tile, it may miss.
-        const double texel_m = frame.tiles.back().texel_m();
+        // What a ray only grazes, for less than half a texel of the finest cascade, it may miss.
+        const double texel_m = frame.cascades.back().texel_m();
         if (most_inside_m > 0 && most_inside_m < 0.6 * texel_m) continue;
         const auto hit = first_hit(SurfaceQuery(frame), ray);
         ASSERT_EQ(hit.has_value(), most_inside_m > 0) << i << ", at " << expected;
@@ -479,7 +479,7 @@ TEST(Shore, RefusesWhatItCantBe) {
               "fade_m is 151, needs at most half the field's shorter side, 150");
 
     EXPECT_EQ(check(bay(), SeaState{.patch_size_m = 100}),
-              "cascades is 1, needs 2 to 4 where there is a shore, which takes the coarsest tile's waves");
+              "cascades is 1, needs 2 to 4 where there is a shore, which takes the coarsest cascade's waves");
     EXPECT_EQ(check(bay(), SeaState{.waves = WaveModel::exp_sine}),
               "waves is exp-sine, needs spectrum or analytic where there is a shore");
     EXPECT_THROW(Ocean(SeaState{.resolution = 32, .patch_size_m = 100}, with_bay()), std::invalid_argument);

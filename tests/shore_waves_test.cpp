@@ -49,7 +49,7 @@ struct OpenWave {
 };
 
 OpenWave wave_of(const SeaState& sea) {
-    const std::vector<ShoreWave> waves = shore_waves(sea, plan_tiles(sea).front());
+    const std::vector<ShoreWave> waves = shore_waves(sea, plan_cascades(sea).front());
     EXPECT_EQ(waves.size(), 1U);
     return {waves[0].omega, waves[0].amplitude_m, waves[0].along_x, waves[0].along_z};
 }
@@ -191,7 +191,7 @@ ShoreOptions bar() {
     });
 }
 
-// All waves together, of the shore and of the tiles: Hrms = 0.42 d (Thornton and Guza 1983), which is Hm0 = 0.594 d, and crests of 0.66 d;
+// All waves together, of the shore and of the cascades: Hrms = 0.42 d (Thornton and Guza 1983), which is Hm0 = 0.594 d, and crests of 0.66 d;
 // where it is deeper than the swash.
 TEST(Breaking, LeavesWhatADepthBears) {
     SeaState storm{.resolution = 64, .wind_speed_mps = 20};
@@ -203,7 +203,7 @@ TEST(Breaking, LeavesWhatADepthBears) {
         for (const Surf::Line& line : surf.line_of) {
             ASSERT_GT(line.depth_m, 0.25 / 0.66);
             EXPECT_LE(line.hm0_m, 0.6 * line.depth_m) << line.depth_m;
-            // The tiles' share at one place varies from loop to loop.
+            // The cascades' share at one place varies from loop to loop.
             EXPECT_LE(line.highest_hm0_m, 0.64 * line.depth_m) << line.depth_m;
             EXPECT_LE(line.crest_m, 0.66 * line.depth_m) << line.depth_m;
             saturated += line.hm0_m > 0.5 * line.depth_m;
@@ -364,19 +364,19 @@ TEST(Refraction, LosesNoEnergyButWhereItRunsAground) {
     EXPECT_NEAR(energy / bed.rows, 0.7, 0.1);
 }
 
-TEST(ShoreWaves, HaveTheEnergyOfTheCoarsestTile) {
+TEST(ShoreWaves, HaveTheEnergyOfTheCoarsestCascade) {
     for (const double wind : {6.0, 15.0}) {
         const SeaState sea{.wind_speed_mps = wind, .wind_direction_rad = 0.7};
-        const TilePlan tile = plan_tiles(sea).front();
-        const WaveSpectrum spectrum(sea, tile);
+        const CascadePlan cascade = plan_cascades(sea).front();
+        const WaveSpectrum spectrum(sea, cascade);
         double expected = 0, found = 0, x = 0, z = 0;
-        const double most_k = std::min(tile.most_k, pi * tile.resolution / tile.lattice.side_m);
+        const double most_k = std::min(cascade.most_k, pi * cascade.resolution / cascade.lattice.side_m);
         constexpr int steps = 20000;
         for (int i = 0; i < steps; ++i) {
             const double k = (i + 0.5) / steps * most_k;
             expected += spectrum.radial_density(k) * most_k / steps;
         }
-        const std::vector<ShoreWave> waves = shore_waves(sea, tile);
+        const std::vector<ShoreWave> waves = shore_waves(sea, cascade);
         ASSERT_EQ(waves.size(), most_shore_waves);
         for (std::size_t i = 0; i < waves.size(); ++i) {
             found += waves[i].variance();
@@ -395,7 +395,7 @@ TEST(ShoreWaves, HaveTheEnergyOfTheCoarsestTile) {
 // One wave: sqrt(phi), phi = t^3 / (t + k d (1 - t^2)), until it breaks.
 TEST(ShoreWaves, AreLeftByDepthAsTheTmaSpectrumIs) {
     const SeaState sea = one_wave();
-    const DepthPart part(sea, plan_tiles(sea).front());
+    const DepthPart part(sea, plan_cascades(sea).front());
     const double omega = wave_of(sea).omega, variance = 0.5 * wave_of(sea).amplitude_m * wave_of(sea).amplitude_m;
     for (const double d : {2000.0, 100.0, 30.0, 8.0, 2.0, 0.5, 0.05}) {
         const double kd = wave_number_at(omega, d) * d, t = std::tanh(kd);

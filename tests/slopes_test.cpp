@@ -17,15 +17,15 @@
 #include "pelagic/sim/surface/foam_source.hpp"
 #include "pelagic/sim/surface/surface_look.hpp"
 #include "pelagic/sim/surface/surface_stages.hpp"
-#include "pelagic/sim/tile_plan.hpp"
+#include "pelagic/sim/cascade_plan.hpp"
 #include "pelagic/tests/each_isa.hpp"
 #include "pelagic/tests/kernel_slopes.hpp"
 
 namespace pelagic {
 namespace {
 
-using unfused::TilePlanes;
-using unfused::TileSlopes;
+using unfused::CascadePlanes;
+using unfused::CascadeSlopes;
 constexpr double pi = std::numbers::pi;
 
 /// h = Re a e^{i (kx x + kz z)}; along the world's axes, rad/m and metres.
@@ -37,7 +37,7 @@ struct Wave {
 };
 
 /// Waves on a square lattice that is turned in the world.
-struct WaveTile {
+struct WaveCascade {
     int resolution;
     double side_m, angle_rad;
     std::vector<Wave> waves;
@@ -45,13 +45,13 @@ struct WaveTile {
 };
 
 /// Random waves of `least_steps` to N/3 steps of the lattice in a side, each octave as steep as every other, from everywhere.
-WaveTile random_tile(int resolution, double side_m, double angle_rad, double least_steps, double mean_square_slope,
+WaveCascade random_cascade(int resolution, double side_m, double angle_rad, double least_steps, double mean_square_slope,
                      std::mt19937& random) {
     constexpr int count = 80;
-    WaveTile tile{resolution, side_m, angle_rad, {}, mean_square_slope};
+    WaveCascade cascade{resolution, side_m, angle_rad, {}, mean_square_slope};
     std::uniform_real_distribution<double> part;
     std::normal_distribution<double> draw;
-    while (tile.waves.size() < count) {
+    while (cascade.waves.size() < count) {
         const double steps = least_steps * std::pow(resolution / 3.0 / least_steps, part(random));
         const double direction = 2 * pi * part(random);
         const double m = std::round(steps * std::cos(direction)), n = std::round(steps * std::sin(direction));
@@ -61,15 +61,15 @@ WaveTile random_tile(int resolution, double side_m, double angle_rad, double lea
         // |a|^2/2 k^2 in the mean, of which both parts of the draw have half.
         const double scale = std::sqrt(mean_square_slope / count) / wave.number();
         wave.amplitude = {scale * draw(random), scale * draw(random)};
-        tile.waves.push_back(wave);
+        cascade.waves.push_back(wave);
     }
-    return tile;
+    return cascade;
 }
 
 /// The exact derivatives of the waves' surface at a place that rests there.
-SurfaceSlopes exact_slopes(const WaveTile& tile, double choppiness, double x, double z) {
+SurfaceSlopes exact_slopes(const WaveCascade& cascade, double choppiness, double x, double z) {
     SurfaceSlopes sum;
-    for (const Wave& wave : tile.waves) {
+    for (const Wave& wave : cascade.waves) {
         const std::complex<double> h = wave.amplitude * std::polar(1.0, wave.kx * x + wave.kz * z);
         sum.h_x -= wave.kx * h.imag();
         sum.h_z -= wave.kz * h.imag();
@@ -83,22 +83,22 @@ SurfaceSlopes exact_slopes(const WaveTile& tile, double choppiness, double x, do
 }
 
 /// The waves' surface at the lattice, by naive sums.
-TilePlanes planes_of(const WaveTile& tile, double choppiness) {
-    const double c = std::cos(tile.angle_rad), s = std::sin(tile.angle_rad);
-    const double texel = tile.side_m / tile.resolution;
-    TilePlanes planes{tile.resolution,
-                      tile.side_m,
+CascadePlanes planes_of(const WaveCascade& cascade, double choppiness) {
+    const double c = std::cos(cascade.angle_rad), s = std::sin(cascade.angle_rad);
+    const double texel = cascade.side_m / cascade.resolution;
+    CascadePlanes planes{cascade.resolution,
+                      cascade.side_m,
                       static_cast<float>(c),
                       static_cast<float>(s),
                       {},
                       {},
                       {},
                       {.offset = 200, .scale = 255}};
-    for (int j = 0; j < tile.resolution; ++j) {
-        for (int i = 0; i < tile.resolution; ++i) {
+    for (int j = 0; j < cascade.resolution; ++j) {
+        for (int i = 0; i < cascade.resolution; ++i) {
             const double x = texel * (i * c - j * s), z = texel * (i * s + j * c);
             double dx = 0, height = 0, dz = 0;
-            for (const Wave& wave : tile.waves) {
+            for (const Wave& wave : cascade.waves) {
                 const std::complex<double> h = wave.amplitude * std::polar(1.0, wave.kx * x + wave.kz * z);
                 height += h.real();
                 dx -= choppiness * wave.kx / wave.number() * h.imag();
@@ -112,22 +112,22 @@ TilePlanes planes_of(const WaveTile& tile, double choppiness) {
     return planes;
 }
 
-SurfaceSlopes texel_of(const TileSlopes& maps, const SlopeRanges& ranges, std::size_t texel) {
+SurfaceSlopes texel_of(const CascadeSlopes& maps, const SlopeRanges& ranges, std::size_t texel) {
     return slopes_of_texel(maps.slopes[texel], maps.moments[texel], ranges);
 }
 
 /// What a GPU's bilinear filter shows of level 0 at a place of the world.
-SurfaceSlopes filtered(const WaveTile& tile, const TileSlopes& maps, const SlopeRanges& ranges, double x, double z) {
-    const double c = std::cos(tile.angle_rad), s = std::sin(tile.angle_rad);
-    const double texels_per_m = tile.resolution / tile.side_m;
+SurfaceSlopes filtered(const WaveCascade& cascade, const CascadeSlopes& maps, const SlopeRanges& ranges, double x, double z) {
+    const double c = std::cos(cascade.angle_rad), s = std::sin(cascade.angle_rad);
+    const double texels_per_m = cascade.resolution / cascade.side_m;
     const double u = (x * c + z * s) * texels_per_m, v = (z * c - x * s) * texels_per_m;
     const double i = std::floor(u), j = std::floor(v);
     SurfaceSlopes sum;
     for (const int right : {0, 1}) {
         for (const int below : {0, 1}) {
-            const int mask = tile.resolution - 1;
+            const int mask = cascade.resolution - 1;
             const int column = (static_cast<int>(i) + right) & mask, row = (static_cast<int>(j) + below) & mask;
-            const SurfaceSlopes at = texel_of(maps, ranges, static_cast<std::size_t>(row * tile.resolution + column));
+            const SurfaceSlopes at = texel_of(maps, ranges, static_cast<std::size_t>(row * cascade.resolution + column));
             const double weight = (right ? u - i : 1 - (u - i)) * (below ? v - j : 1 - (v - j));
             sum += {at.h_x * weight, at.h_z * weight, at.d_xx * weight, at.d_zz * weight, at.d_xz * weight};
         }
@@ -146,21 +146,21 @@ INSTANTIATE_TEST_SUITE_P(Isas, SlopesOnEachIsa, testing::ValuesIn(isas_here()), 
 // The bounds are what is asked of the summed texture: normals within 2 degrees, J within 0.03, rms. 0.038 is how much of
 // Cox and Munk's mean square slope such a stack resolves in wind of 12 m/s (0.59 of 0.0645), evenly over the octaves
 // from the peak, 1/16 of the first side, on.
-TEST(SlopeSum, TurnedTilesAreNearTheExactSurface) {
+TEST(SlopeSum, TurnedCascadesAreNearTheExactSurface) {
     constexpr int n = 128;
     constexpr double sides[] = {1000, 150, 22, 3.3}, angles[] = {0, 0.5, -0.9, 1.8};
     constexpr double choppiness = 0.8, mean_square_slope = 0.038;
     const double octaves = std::log(n / 3.0 / 3.3 / (16.0 / 1000));
     std::mt19937 random(5);
-    std::vector<WaveTile> tiles;
-    std::vector<TileSlopes> maps;
+    std::vector<WaveCascade> cascades;
+    std::vector<CascadeSlopes> maps;
     for (std::size_t t = 0; t < 4; ++t) {
-        // Where the tile before ends, which is 6 to 7 steps of this one.
+        // Where the cascade before ends, which is 6 to 7 steps of this one.
         const double least_steps = t == 0 ? 16 : n / 3.0 * sides[t] / sides[t - 1];
         const double part = std::log(n / 3.0 / least_steps) / octaves;
-        tiles.push_back(random_tile(n, sides[t], angles[t], least_steps, part * mean_square_slope, random));
-        maps.push_back(slopes_by(kernels_for(choose_isa()), planes_of(tiles[t], choppiness),
-                                 slope_ranges(tiles[t].mean_square_slope, tiles[t].mean_square_slope)));
+        cascades.push_back(random_cascade(n, sides[t], angles[t], least_steps, part * mean_square_slope, random));
+        maps.push_back(slopes_by(kernels_for(choose_isa()), planes_of(cascades[t], choppiness),
+                                 slope_ranges(cascades[t].mean_square_slope, cascades[t].mean_square_slope)));
     }
     double normal_squares = 0, normal_most = 0, jacobian_squares = 0, jacobian_most = 0, steepness = 0;
     constexpr int points = 4000;
@@ -168,9 +168,9 @@ TEST(SlopeSum, TurnedTilesAreNearTheExactSurface) {
     for (int p = 0; p < points; ++p) {
         const double x = place(random), z = place(random);
         SurfaceSlopes exact, shown;
-        for (std::size_t t = 0; t < tiles.size(); ++t) {
-            exact += exact_slopes(tiles[t], choppiness, x, z);
-            shown += filtered(tiles[t], maps[t], slope_ranges(tiles[t].mean_square_slope, tiles[t].mean_square_slope),
+        for (std::size_t t = 0; t < cascades.size(); ++t) {
+            exact += exact_slopes(cascades[t], choppiness, x, z);
+            shown += filtered(cascades[t], maps[t], slope_ranges(cascades[t].mean_square_slope, cascades[t].mean_square_slope),
                               x, z);
         }
         const double degrees = angle_between(normal_of(exact), normal_of(shown)) * 180 / pi;
@@ -190,38 +190,38 @@ TEST(SlopeSum, TurnedTilesAreNearTheExactSurface) {
     RecordProperty("jacobian_most", std::to_string(jacobian_most));
 }
 
-/// All waves that a tile of a sea holds at t = 0: h = sum of h0 e^{ikx} and its conjugate.
-WaveTile waves_of(const SeaState& sea, const TilePlan& plan) {
-    const TileLattice& lattice = plan.lattice;
-    WaveTile tile{plan.resolution, lattice.side_m, std::atan2(lattice.sine, lattice.cosine), {}, 0};
-    const TileWaves waves(sea, plan);
+/// All waves that a cascade of a sea holds at t = 0: h = sum of h0 e^{ikx} and its conjugate.
+WaveCascade waves_of(const SeaState& sea, const CascadePlan& plan) {
+    const CascadeLattice& lattice = plan.lattice;
+    WaveCascade cascade{plan.resolution, lattice.side_m, std::atan2(lattice.sine, lattice.cosine), {}, 0};
+    const CascadeWaves waves(sea, plan);
     const int half = plan.resolution / 2;
     for (int n = -half; n < half; ++n) {
         for (int m = -half; m < half; ++m) {
             const std::complex<double> h0 = waves.amplitude(m, n);
             if (h0 == 0.0) continue;
             const auto [kx, kz] = lattice.in_world(m * plan.spacing(), n * plan.spacing());
-            tile.waves.push_back({kx, kz, 2.0 * h0});
+            cascade.waves.push_back({kx, kz, 2.0 * h0});
         }
     }
-    return tile;
+    return cascade;
 }
 
 // The same of real seas, from their own spectrum to the bytes of a frame. Their ranges come from the sea, too.
-TEST(SlopeSum, OfAnOceansTilesIsNearTheExactSurface) {
+TEST(SlopeSum, OfAnOceansCascadesIsNearTheExactSurface) {
     for (const int cascades : {3, 4}) {
         const SeaState sea{.cascades = cascades, .wind_direction_rad = 0.7};
         Ocean ocean(sea, {.executor = make_serial_executor()});
         const Frame& frame = ocean.frame_at(0);
-        const std::vector<TilePlan> plans = plan_tiles(sea);
-        ASSERT_EQ(frame.tiles.size(), static_cast<std::size_t>(cascades));
-        std::vector<WaveTile> waves;
-        std::vector<TileSlopes> maps;
+        const std::vector<CascadePlan> plans = plan_cascades(sea);
+        ASSERT_EQ(frame.cascades.size(), static_cast<std::size_t>(cascades));
+        std::vector<WaveCascade> waves;
+        std::vector<CascadeSlopes> maps;
         for (std::size_t t = 0; t < plans.size(); ++t) {
-            const Tile& tile = frame.tiles[t];
+            const Cascade& cascade = frame.cascades[t];
             waves.push_back(waves_of(sea, plans[t]));
-            maps.push_back({{tile.slopes_rgba8.begin(), tile.slopes_rgba8.end()},
-                            {tile.moments_rgba8.begin(), tile.moments_rgba8.end()},
+            maps.push_back({{cascade.slopes_rgba8.begin(), cascade.slopes_rgba8.end()},
+                            {cascade.moments_rgba8.begin(), cascade.moments_rgba8.end()},
                             {}});
         }
         std::mt19937 random(2);
@@ -233,7 +233,7 @@ TEST(SlopeSum, OfAnOceansTilesIsNearTheExactSurface) {
             SurfaceSlopes exact, shown;
             for (std::size_t t = 0; t < plans.size(); ++t) {
                 exact += exact_slopes(waves[t], sea.choppiness, x, z);
-                shown += filtered(waves[t], maps[t], frame.tiles[t].slope_ranges, x, z);
+                shown += filtered(waves[t], maps[t], frame.cascades[t].slope_ranges, x, z);
             }
             const double degrees = angle_between(normal_of(exact), normal_of(shown)) * 180 / pi;
             const double difference = normal_of(exact).y - normal_of(shown).y;
@@ -244,7 +244,7 @@ TEST(SlopeSum, OfAnOceansTilesIsNearTheExactSurface) {
         }
         EXPECT_LE(std::sqrt(normal_squares), 2) << cascades;
         EXPECT_LE(std::sqrt(jacobian_squares), 0.03) << cascades;
-        const std::string which = std::to_string(cascades) + "_tiles_";
+        const std::string which = std::to_string(cascades) + "_cascades_";
         RecordProperty(which + "normal_rms_deg", std::to_string(std::sqrt(normal_squares)));
         RecordProperty(which + "jacobian_rms", std::to_string(std::sqrt(jacobian_squares)));
         RecordProperty(which + "mean_square_slope", std::to_string(exact_squares));
@@ -289,14 +289,14 @@ TEST(SlopeStencil, IsTheBestOfItsKind) {
 TEST_P(SlopesOnEachIsa, OneWaveHasTheStencilsFactor) {
     constexpr int n = 64;
     for (const int steps : {1, 5, 13, 21}) {
-        WaveTile tile{n, 100, 0, {{2 * pi * steps / 100, 0, {0.2 / (2 * pi * steps / 100), 0}}}, 0.02};
+        WaveCascade cascade{n, 100, 0, {{2 * pi * steps / 100, 0, {0.2 / (2 * pi * steps / 100), 0}}}, 0.02};
         const SlopeRanges ranges{0.4f, 0.1f};
-        const TileSlopes maps = slopes_by(kernels(), planes_of(tile, 0.5), ranges);
+        const CascadeSlopes maps = slopes_by(kernels(), planes_of(cascade, 0.5), ranges);
         const double t = 2 * pi * steps / n;
         const double factor =
             (2 * SlopesJob::near_weight * std::sin(t) + 2 * SlopesJob::far_weight * std::sin(2 * t)) / t;
         for (std::size_t i = 0; i < n; ++i) {
-            const SurfaceSlopes exact = exact_slopes(tile, 0.5, 100.0 / n * static_cast<double>(i), 0);
+            const SurfaceSlopes exact = exact_slopes(cascade, 0.5, 100.0 / n * static_cast<double>(i), 0);
             const SurfaceSlopes texel = texel_of(maps, ranges, 3 * n + i);
             const double step = ranges.slope / 127.0;
             EXPECT_NEAR(texel.h_x, exact.h_x * factor, step) << steps << " steps, " << i;
@@ -317,7 +317,7 @@ struct Level {
 double byte_around_zero(double value, double range) { return std::clamp(value / range, -1.0, 1.0) * 127 + 128; }
 double byte_from_zero(double value, double range) { return std::clamp(value / range, 0.0, 1.0) * 255; }
 
-void expect_bytes(const Level& level, const TileSlopes& maps, std::size_t first, const SlopeRanges& ranges) {
+void expect_bytes(const Level& level, const CascadeSlopes& maps, std::size_t first, const SlopeRanges& ranges) {
     for (std::size_t i = 0; i < level.texels.size(); ++i) {
         const SurfaceSlopes& s = level.texels[i];
         const bool is_base = first == 0;
@@ -339,7 +339,7 @@ void expect_bytes(const Level& level, const TileSlopes& maps, std::size_t first,
     }
 }
 
-Level base_level(const TilePlanes& planes) {
+Level base_level(const CascadePlanes& planes) {
     const int n = planes.resolution;
     Level level{n, {}};
     const double texel = planes.side_m / n;
@@ -398,11 +398,11 @@ Level as_shown(Level level) {
 TEST_P(SlopesOnEachIsa, BytesOfEveryLevelAreWithinOneStepOfDoubles) {
     std::mt19937 random(11);
     for (const double angle : {0.0, 2.2}) {
-        const WaveTile tile = random_tile(64, 20, angle, 3, 0.02, random);
-        const TilePlanes planes = planes_of(tile, 0.9);
+        const WaveCascade cascade = random_cascade(64, 20, angle, 3, 0.02, random);
+        const CascadePlanes planes = planes_of(cascade, 0.9);
         // Tighter than ranges should be, so that some values stop there.
         const SlopeRanges ranges{static_cast<float>(2 * std::sqrt(0.02)), 0.02f};
-        const TileSlopes maps = slopes_by(kernels(), planes, ranges);
+        const CascadeSlopes maps = slopes_by(kernels(), planes, ranges);
         Level level = base_level(planes);
         expect_bytes(level, maps, 0, ranges);
         level = as_shown(halved(level));
@@ -414,7 +414,7 @@ TEST_P(SlopesOnEachIsa, BytesOfEveryLevelAreWithinOneStepOfDoubles) {
 }
 
 /// The law of total variance: what a texel means and how it varies within, of h_x, h_z and both, over a level.
-std::array<double, 3> total_variance(const TileSlopes& maps, const SlopeRanges& ranges, int resolution, int level) {
+std::array<double, 3> total_variance(const CascadeSlopes& maps, const SlopeRanges& ranges, int resolution, int level) {
     std::array<double, 3> total{};
     const auto side = static_cast<std::size_t>(resolution) >> level;
     for (std::size_t i = 0; i < side * side; ++i) {
@@ -434,11 +434,11 @@ TEST(SlopeMips, KeepTheRoughnessOfEveryLevel) {
     constexpr int n = 128;
     std::mt19937 random(3);
     for (const double angle : {0.0, 1.1}) {
-        const WaveTile tile = random_tile(n, 22, angle, 6, 0.01, random);
-        const SlopeRanges ranges = slope_ranges(tile.mean_square_slope, tile.mean_square_slope);
-        const TileSlopes maps = slopes_by(kernels_for(choose_isa()), planes_of(tile, 0.8), ranges);
+        const WaveCascade cascade = random_cascade(n, 22, angle, 6, 0.01, random);
+        const SlopeRanges ranges = slope_ranges(cascade.mean_square_slope, cascade.mean_square_slope);
+        const CascadeSlopes maps = slopes_by(kernels_for(choose_isa()), planes_of(cascade, 0.8), ranges);
         std::array<double, 3> exact{};
-        for (const Wave& wave : tile.waves) {
+        for (const Wave& wave : cascade.waves) {
             exact[0] += wave.kx * wave.kx * std::norm(wave.amplitude) / 2;
             exact[1] += wave.kz * wave.kz * std::norm(wave.amplitude) / 2;
             exact[2] += wave.kx * wave.kz * std::norm(wave.amplitude) / 2;
@@ -463,14 +463,14 @@ TEST(SlopeMips, KeepTheRoughnessOfEveryLevel) {
 TEST(SlopeMips, BeginWithTheVarianceThatLevel0Shows) {
     constexpr int n = 128;
     std::mt19937 random(4);
-    const WaveTile tile = random_tile(n, 22, 0.4, 6, 0.01, random);
-    const SlopeRanges ranges = slope_ranges(tile.mean_square_slope, tile.mean_square_slope);
-    const TileSlopes maps = slopes_by(kernels_for(choose_isa()), planes_of(tile, 0.8), ranges);
+    const WaveCascade cascade = random_cascade(n, 22, 0.4, 6, 0.01, random);
+    const SlopeRanges ranges = slope_ranges(cascade.mean_square_slope, cascade.mean_square_slope);
+    const CascadeSlopes maps = slopes_by(kernels_for(choose_isa()), planes_of(cascade, 0.8), ranges);
     std::uniform_real_distribution<double> place(0, 22);
     double shown = 0;
     constexpr int points = 20000;
     for (int p = 0; p < points; ++p) {
-        const SurfaceSlopes at = filtered(tile, maps, ranges, place(random), place(random));
+        const SurfaceSlopes at = filtered(cascade, maps, ranges, place(random), place(random));
         shown += (at.h_x * at.h_x + at.h_z * at.h_z) / points;
     }
     const std::array<double, 3> first = total_variance(maps, ranges, n, 1);
@@ -481,7 +481,7 @@ TEST(SlopeMips, BeginWithTheVarianceThatLevel0Shows) {
 // Water that lies flat is exactly flat: zero has a byte.
 TEST_P(SlopesOnEachIsa, StillWaterIsFlatAndSmooth) {
     const std::vector<float> zero(32 * 32);
-    const TileSlopes maps = slopes_by(kernels(), {32, 10, 1, 0, zero, zero, zero}, slope_ranges(0, 0));
+    const CascadeSlopes maps = slopes_by(kernels(), {32, 10, 1, 0, zero, zero, zero}, slope_ranges(0, 0));
     for (std::size_t i = 0; i < maps.slopes.size(); ++i) {
         const SurfaceSlopes s = texel_of(maps, {1, 1}, i);
         for (const double value : {s.h_x, s.h_z, s.d_xx, s.d_zz, s.d_xz, s.var_xx, s.var_zz, s.cov_xz})
@@ -493,12 +493,12 @@ TEST_P(SlopesOnEachIsa, StillWaterIsFlatAndSmooth) {
     EXPECT_EQ(up.z, 0);
 }
 
-/// Level 0 and the last level of the gradient chain of a 64-texel tile, and the half floats' foam.
+/// Level 0 and the last level of the gradient chain of a 64-texel cascade, and the half floats' foam.
 struct Gradients {
     std::vector<std::uint32_t> texels;
     std::vector<std::uint16_t> halves;
 };
-Gradients gradients_by(const Kernels& kernels, const TilePlanes& planes, bool with_halves) {
+Gradients gradients_by(const Kernels& kernels, const CascadePlanes& planes, bool with_halves) {
     const int n = planes.resolution;
     const AlignedBuffer<float> surface = surface_of(planes, kernels.lanes);
     AlignedBuffer<std::uint32_t> texels(mip_offset(n, mip_levels(n)));
@@ -517,24 +517,24 @@ Gradients gradients_by(const Kernels& kernels, const TilePlanes& planes, bool wi
                      .rgba16f = with_halves ? halves.data() : nullptr,
                      .foam = {.source = planes.foam},
                      .levels = {},
-                     .averages = averages.level(GradientsJob::tile_levels),
-                     .average_stride = averages.stride(GradientsJob::tile_levels),
+                     .averages = averages.level(GradientsJob::cascade_levels),
+                     .average_stride = averages.stride(GradientsJob::cascade_levels),
                      .cosine = planes.cosine,
                      .sine = planes.sine};
-    for (int level = 0; level <= GradientsJob::tile_levels; ++level)
+    for (int level = 0; level <= GradientsJob::cascade_levels; ++level)
         job.levels[level] = texels.data() + mip_offset(n, level);
-    for (; job.first_row < static_cast<std::size_t>(n); job.first_row += GradientsJob::tile_rows)
+    for (; job.first_row < static_cast<std::size_t>(n); job.first_row += GradientsJob::cascade_rows)
         kernels.gradients(job);
-    return {{texels.data(), texels.data() + mip_offset(n, GradientsJob::tile_levels + 1)},
+    return {{texels.data(), texels.data() + mip_offset(n, GradientsJob::cascade_levels + 1)},
             {halves.data(), halves.data() + halves.size()}};
 }
 
-// The same water on a tile that is turned, and its displacement with it: normals turn, J and smoothness stay. Floats round
+// The same water on a cascade that is turned, and its displacement with it: normals turn, J and smoothness stay. Floats round
 // apart, so a byte may be a step off, and a normal of two bytes turned by as much again.
-TEST_P(SlopesOnEachIsa, GradientsOfATurnedTileTurnWithIt) {
+TEST_P(SlopesOnEachIsa, GradientsOfATurnedCascadeTurnWithIt) {
     std::mt19937 random(9);
-    const TilePlanes planes = planes_of(random_tile(64, 20, 0, 3, 0.03, random), 0.8);
-    TilePlanes turned = planes;
+    const CascadePlanes planes = planes_of(random_cascade(64, 20, 0, 3, 0.03, random), 0.8);
+    CascadePlanes turned = planes;
     turned.cosine = 0.6f;
     turned.sine = 0.8f;
     for (std::size_t i = 0; i < planes.dx.size(); ++i) {
@@ -563,55 +563,55 @@ TEST_P(SlopesOnEachIsa, GradientsOfATurnedTileTurnWithIt) {
 
 TEST_P(SlopesOnEachIsa, GradientsWithoutHalvesAreTheSame) {
     std::mt19937 random(10);
-    const TilePlanes planes = planes_of(random_tile(64, 20, 0, 3, 0.03, random), 0.8);
+    const CascadePlanes planes = planes_of(random_cascade(64, 20, 0, 3, 0.03, random), 0.8);
     const Gradients with = gradients_by(kernels(), planes, true), without = gradients_by(kernels(), planes, false);
     EXPECT_EQ(with.texels, without.texels);
     EXPECT_EQ(std::count(without.halves.begin(), without.halves.end(), 0),
               static_cast<std::ptrdiff_t>(without.halves.size()));
 }
 
-TilePlanes planes_of(const Tile& tile) {
-    TilePlanes planes{tile.resolution(),
-                      tile.lattice.side_m,
-                      static_cast<float>(tile.lattice.cosine),
-                      static_cast<float>(tile.lattice.sine),
+CascadePlanes planes_of(const Cascade& cascade) {
+    CascadePlanes planes{cascade.resolution(),
+                      cascade.lattice.side_m,
+                      static_cast<float>(cascade.lattice.cosine),
+                      static_cast<float>(cascade.lattice.sine),
                       {},
                       {},
                       {},
-                      foam_source(tile)};
-    for (int j = 0; j < tile.resolution(); ++j) {
-        for (int i = 0; i < tile.resolution(); ++i) {
-            planes.dx.push_back(tile.dx.at(i, j));
-            planes.height.push_back(tile.height.at(i, j));
-            planes.dz.push_back(tile.dz.at(i, j));
+                      foam_source(cascade)};
+    for (int j = 0; j < cascade.resolution(); ++j) {
+        for (int i = 0; i < cascade.resolution(); ++i) {
+            planes.dx.push_back(cascade.dx.at(i, j));
+            planes.height.push_back(cascade.height.at(i, j));
+            planes.dz.push_back(cascade.dz.at(i, j));
         }
     }
     return planes;
 }
 
-void expect_slopes(const Tile& tile, const TileSlopes& expected) {
-    EXPECT_TRUE(std::equal(tile.slopes_rgba8.begin(), tile.slopes_rgba8.end(), expected.slopes.begin(),
+void expect_slopes(const Cascade& cascade, const CascadeSlopes& expected) {
+    EXPECT_TRUE(std::equal(cascade.slopes_rgba8.begin(), cascade.slopes_rgba8.end(), expected.slopes.begin(),
                            expected.slopes.end()));
-    EXPECT_TRUE(std::equal(tile.moments_rgba8.begin(), tile.moments_rgba8.end(), expected.moments.begin(),
+    EXPECT_TRUE(std::equal(cascade.moments_rgba8.begin(), cascade.moments_rgba8.end(), expected.moments.begin(),
                            expected.moments.end()));
 }
 
-TEST(SlopesOfFrames, AreThereForOneTileIfAskedAndChangeNoHash) {
+TEST(SlopesOfFrames, AreThereForOneCascadeIfAskedAndChangeNoHash) {
     const SeaState sea{.resolution = 64, .patch_size_m = 60};
     Ocean plain(sea, {.executor = make_serial_executor()});
     Ocean asked(sea, {.executor = make_serial_executor(), .slopes = true});
     const Frame& without = plain.frame_at(3);
     const Frame& with = asked.frame_at(3);
-    EXPECT_TRUE(without.tiles[0].slopes_rgba8.empty());
-    EXPECT_TRUE(without.tiles[0].moments_rgba8.empty());
+    EXPECT_TRUE(without.cascades[0].slopes_rgba8.empty());
+    EXPECT_TRUE(without.cascades[0].moments_rgba8.empty());
     EXPECT_EQ(hash_of(with), hash_of(without));
     EXPECT_GT(asked.memory_bytes(), plain.memory_bytes());
-    const Tile& tile = with.tiles[0];
-    expect_slopes(tile, unfused::slopes_of(planes_of(tile), tile.slope_ranges));
+    const Cascade& cascade = with.cascades[0];
+    expect_slopes(cascade, unfused::slopes_of(planes_of(cascade), cascade.slope_ranges));
 
     // The ranges follow from the waves: their mean square slope by the definition.
-    const TilePlan plan = plan_tiles(sea)[0];
-    const TileWaves waves(sea, plan);
+    const CascadePlan plan = plan_cascades(sea)[0];
+    const CascadeWaves waves(sea, plan);
     double mean_square_slope = 0;
     for (int n = 0; n < 32; ++n) {
         for (int m = -31; m < 32; ++m) {
@@ -621,14 +621,14 @@ TEST(SlopesOfFrames, AreThereForOneTileIfAskedAndChangeNoHash) {
             mean_square_slope += 2 * k * k * (along + against);
         }
     }
-    EXPECT_NEAR(tile.slope_ranges.slope, 4 * std::sqrt(mean_square_slope), 1e-6);
-    EXPECT_NEAR(tile.slope_ranges.variance, 3 * mean_square_slope, 1e-6);
+    EXPECT_NEAR(cascade.slope_ranges.slope, 4 * std::sqrt(mean_square_slope), 1e-6);
+    EXPECT_NEAR(cascade.slope_ranges.variance, 3 * mean_square_slope, 1e-6);
 
-    std::vector<std::uint32_t> slopes(tile.slopes_rgba8.size()), moments(slopes.size());
+    std::vector<std::uint32_t> slopes(cascade.slopes_rgba8.size()), moments(slopes.size());
     FrameBuffers buffers{.slopes_rgba8 = slopes, .moments_rgba8 = moments};
     asked.frame_at(3, buffers);
-    EXPECT_TRUE(std::equal(slopes.begin(), slopes.end(), tile.slopes_rgba8.begin(), tile.slopes_rgba8.end()));
-    EXPECT_TRUE(std::equal(moments.begin(), moments.end(), tile.moments_rgba8.begin(), tile.moments_rgba8.end()));
+    EXPECT_TRUE(std::equal(slopes.begin(), slopes.end(), cascade.slopes_rgba8.begin(), cascade.slopes_rgba8.end()));
+    EXPECT_TRUE(std::equal(moments.begin(), moments.end(), cascade.moments_rgba8.begin(), cascade.moments_rgba8.end()));
     try {
         plain.frame_at(3, buffers);
         FAIL() << "no exception";
@@ -637,8 +637,8 @@ TEST(SlopesOfFrames, AreThereForOneTileIfAskedAndChangeNoHash) {
     }
 }
 
-// Displacement that a test writes, in a frame of two tiles.
-TEST(SlopesOfFrames, MakeTheHalvesAndTheHashOfSeveralTiles) {
+// Displacement that a test writes, in a frame of two cascades.
+TEST(SlopesOfFrames, MakeTheHalvesAndTheHashOfSeveralCascades) {
     std::mt19937 random(12);
     const Kernels& kernels = kernels_for(choose_isa());
     const FrameExtras extras{.gradients = false, .slopes = true};
@@ -648,32 +648,32 @@ TEST(SlopesOfFrames, MakeTheHalvesAndTheHashOfSeveralTiles) {
     const StageId surface_done = graph.add({.name = "surface", .count = 1, .body = [](std::size_t, std::size_t) {}});
     first.add_to(graph, surface_done);
     second.add_to(graph, surface_done);
-    const WaveTile waves[] = {random_tile(32, 100, 0, 2, 0.02, random), random_tile(32, 13, 0.7, 3, 0.02, random)};
+    const WaveCascade waves[] = {random_cascade(32, 100, 0, 2, 0.02, random), random_cascade(32, 13, 0.7, 3, 0.02, random)};
     for (std::size_t t = 0; t < 2; ++t) {
-        const TilePlanes planes = planes_of(waves[t], 0.8);
+        const CascadePlanes planes = planes_of(waves[t], 0.8);
         slots.buffers(t).surface = surface_of(planes, kernels.lanes);
         // The views of the buffer that was there before.
-        slots.tile(t).dx.data = slots.buffers(t).surface.data();
-        slots.tile(t).height.data = slots.buffers(t).surface.data() + surface_height * kernels.lanes;
-        slots.tile(t).dz.data = slots.buffers(t).surface.data() + surface_dz * kernels.lanes;
-        slots.tile(t).lattice = {waves[t].side_m, std::cos(waves[t].angle_rad), std::sin(waves[t].angle_rad)};
-        slots.tile(t).slope_ranges = slope_ranges(waves[t].mean_square_slope, waves[t].mean_square_slope);
-        slots.tile(t).whitecap_jacobian = 0.7f;
-        slots.tile(t).whitecap_ramp = 0.2f;
+        slots.cascade(t).dx.data = slots.buffers(t).surface.data();
+        slots.cascade(t).height.data = slots.buffers(t).surface.data() + surface_height * kernels.lanes;
+        slots.cascade(t).dz.data = slots.buffers(t).surface.data() + surface_dz * kernels.lanes;
+        slots.cascade(t).lattice = {waves[t].side_m, std::cos(waves[t].angle_rad), std::sin(waves[t].angle_rad)};
+        slots.cascade(t).slope_ranges = slope_ranges(waves[t].mean_square_slope, waves[t].mean_square_slope);
+        slots.cascade(t).whitecap_jacobian = 0.7f;
+        slots.cascade(t).whitecap_ramp = 0.2f;
     }
     const auto executor = make_serial_executor();
     const auto run = executor->prepare(graph);
     run->schedule();
     run->complete();
     for (std::size_t t = 0; t < 2; ++t) {
-        const Tile& tile = slots.tile(t);
-        TilePlanes planes = planes_of(waves[t], 0.8);
-        planes.foam = foam_source(tile);
-        const TileSlopes expected = unfused::slopes_of(planes, tile.slope_ranges);
-        expect_slopes(tile, expected);
-        EXPECT_TRUE(std::equal(tile.displacement_rgba16f.begin(), tile.displacement_rgba16f.end(),
+        const Cascade& cascade = slots.cascade(t);
+        CascadePlanes planes = planes_of(waves[t], 0.8);
+        planes.foam = foam_source(cascade);
+        const CascadeSlopes expected = unfused::slopes_of(planes, cascade.slope_ranges);
+        expect_slopes(cascade, expected);
+        EXPECT_TRUE(std::equal(cascade.displacement_rgba16f.begin(), cascade.displacement_rgba16f.end(),
                                expected.halves.begin(), expected.halves.end()));
-        EXPECT_TRUE(tile.gradient_rgba8.empty());
+        EXPECT_TRUE(cascade.gradient_rgba8.empty());
     }
     const std::uint64_t hash = hash_of(slots.frame());
     slots.buffers(1).moments[5] ^= 1;
@@ -681,7 +681,7 @@ TEST(SlopesOfFrames, MakeTheHalvesAndTheHashOfSeveralTiles) {
     slots.buffers(1).moments[5] ^= 1;
     EXPECT_EQ(hash_of(slots.frame()), hash);
     const std::vector<std::uint32_t> gradients(mip_offset(32, mip_levels(32)));
-    slots.tile(0).gradient_rgba8 = gradients;
+    slots.cascade(0).gradient_rgba8 = gradients;
     EXPECT_EQ(hash_of(slots.frame()), hash) << "gradients beside slopes are an option";
 }
 

@@ -21,11 +21,11 @@ using std::numbers::pi;
 
 constexpr double gravity = 9.80665;
 
-/// One tile of the sea's waves, without surface tension.
-TilePlan tile_of(const SeaState& sea) {
+/// One cascade of the sea's waves, without surface tension.
+CascadePlan cascade_of(const SeaState& sea) {
     return {.lattice = {.side_m = sea.patch_size_m > 0 ? sea.patch_size_m : 250}, .resolution = resolution_of(sea)};
 }
-WaveSpectrum spectrum_of(const SeaState& sea) { return WaveSpectrum(sea, tile_of(sea)); }
+WaveSpectrum spectrum_of(const SeaState& sea) { return WaveSpectrum(sea, cascade_of(sea)); }
 
 /// Simpson's rule.
 double integral(const std::function<double(double)>& f, double first, double last, int steps = 4000) {
@@ -129,7 +129,7 @@ std::vector<double> measured_bands(SeaState sea, const std::vector<int>& harmoni
         const auto last = static_cast<std::size_t>(harmonics.back());
         std::vector<std::complex<double>> sums(last * texels);
         for (int frame = 0; frame < frames; ++frame) {
-            const PlaneView height = ocean.frame_at(sea.loop_period_s * frame / frames).tiles[0].height;
+            const PlaneView height = ocean.frame_at(sea.loop_period_s * frame / frames).cascades[0].height;
             for (std::size_t q = static_cast<std::size_t>(harmonics.front()); q < last; ++q) {
                 const auto turn = std::polar(1.0, -2 * pi * static_cast<double>(q) * frame / frames);
                 for (std::size_t texel = 0; texel < texels; ++texel)
@@ -266,8 +266,8 @@ struct Directions {
 /// First circular moment of the waves that 16 seeds drew, around the direction; `expected` from the variances alone.
 Directions directions(SeaState sea, bool drawn) {
     const WaveSpectrum spectrum = spectrum_of(sea);
-    std::vector<TileWaves> seeds;
-    for (sea.seed = 1; drawn && sea.seed <= 16; ++sea.seed) seeds.emplace_back(sea, tile_of(sea));
+    std::vector<CascadeWaves> seeds;
+    for (sea.seed = 1; drawn && sea.seed <= 16; ++sea.seed) seeds.emplace_back(sea, cascade_of(sea));
     double x = 0, z = 0, all = 0, squares = 0;
     const int half = sea.resolution / 2;
     for (int n = -half + 1; n < half; ++n)
@@ -277,7 +277,7 @@ Directions directions(SeaState sea, bool drawn) {
             const double dk = 2 * pi / sea.patch_size_m, length = std::hypot(m, n);
             const double variance = spectrum.amplitude_variance(m * dk, n * dk);
             if (drawn) {
-                for (const TileWaves& waves : seeds) energy += std::norm(waves.amplitude(m, n)) / 16;
+                for (const CascadeWaves& waves : seeds) energy += std::norm(waves.amplitude(m, n)) / 16;
             } else {
                 energy = variance;
             }
@@ -333,7 +333,7 @@ TEST(Directions, OfDrawnWavesAreThoseOfTheSpreading) {
     }
 }
 
-TEST(SmallWaves, EndBelowAQuarterOfThePeaksWhateverTheTile) {
+TEST(SmallWaves, EndBelowAQuarterOfThePeaksWhateverTheCascade) {
     for (const SpectrumModel model : physical) {
         const SeaState all{.spectrum = model};
         SeaState few = all;

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "pelagic/sim/surface_query.hpp"
-#include "pelagic/tests/one_tile_frame.hpp"
+#include "pelagic/tests/one_cascade_frame.hpp"
 
 namespace pelagic {
 namespace {
@@ -36,7 +36,7 @@ class Crumpled {
         }
     }
 
-    void show_in(OneTileFrame& water) const {
+    void show_in(OneCascadeFrame& water) const {
         const auto plane = [](const std::vector<float>& values) { return PlaneView{values.data(), n, n, n, 0}; };
         const auto largest = [](const std::vector<float>& values) {
             float size = 0;
@@ -44,11 +44,11 @@ class Crumpled {
             return size;
         };
         water.frame.isa = choose_isa();
-        water.tile.lattice.side_m = n;
-        water.tile.dx = plane(dx_);
-        water.tile.height = plane(height_);
-        water.tile.dz = plane(dz_);
-        water.tile.folds = folds_;
+        water.cascade.lattice.side_m = n;
+        water.cascade.dx = plane(dx_);
+        water.cascade.height = plane(height_);
+        water.cascade.dz = plane(dz_);
+        water.cascade.folds = folds_;
         water.set_bounds({-4, 4, largest(dx_), largest(dz_)});
     }
 
@@ -70,7 +70,7 @@ TEST(SurfaceQueryEdges, APointOnAnEdgeIsOnOneOfItsCells) {
     std::size_t asked = 0, lower = 0;
     for (unsigned seed = 0; seed < 5; ++seed) {
         const Crumpled surface(seed);
-        OneTileFrame water;
+        OneCascadeFrame water;
         surface.show_in(water);
         const Frame& frame = water.frame;
         const SurfaceQuery query(frame);

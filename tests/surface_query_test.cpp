@@ -1,6 +1,6 @@
 // Queries held against an oracle that looks at every cell, in double, and against closed forms.
 #include "pelagic/sim/surface_query.hpp"
-#include "pelagic/tests/one_tile_frame.hpp"
+#include "pelagic/tests/one_cascade_frame.hpp"
 
 #include <gtest/gtest.h>
 
@@ -60,15 +60,15 @@ Points random_points(std::size_t count, double reach_m, unsigned seed) {
 
 /// Points in the squares of the world where the surface may be folded.
 Points points_in_folds(const Frame& frame, std::size_t count, unsigned seed) {
-    const std::size_t n = static_cast<std::size_t>(frame.tiles[0].resolution());
+    const std::size_t n = static_cast<std::size_t>(frame.cascades[0].resolution());
     std::vector<std::size_t> squares;
     for (std::size_t square = 0; square < n * n; ++square)
-        if (frame.tiles[0].folds[square / 8] >> square % 8 & 1) squares.push_back(square);
+        if (frame.cascades[0].folds[square / 8] >> square % 8 & 1) squares.push_back(square);
     Points points;
     if (squares.empty()) return points;
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> within(0, 1);
-    const double texel_m = frame.tiles[0].texel_m();
+    const double texel_m = frame.cascades[0].texel_m();
     for (std::size_t i = 0; i < count; ++i) {
         const std::size_t square = squares[random() % squares.size()];
         points.x.push_back((static_cast<double>(square % n) + within(random)) * texel_m);
@@ -143,12 +143,12 @@ TEST(SurfaceQuery, HeightsNormalsAndJacobiansAreThoseOfTheOracleFromCalmToStorm)
 class Exaggerated {
    public:
     Exaggerated(const Frame& frame, float factor, const Kernels& kernels)
-        : Exaggerated(frame, frame.tiles[0], factor, kernels) {}
-    Exaggerated(const Frame& frame, const Tile& tile, float factor, const Kernels& kernels)
-        : planes_(3 * static_cast<std::size_t>(tile.resolution()) * tile.resolution()), folds_(tile.resolution()) {
-        const int n = tile.resolution();
-        const PlaneView* const from[3] = {&tile.dx, &tile.height, &tile.dz};
-        PlaneView* const to[3] = {&water_.tile.dx, &water_.tile.height, &water_.tile.dz};
+        : Exaggerated(frame, frame.cascades[0], factor, kernels) {}
+    Exaggerated(const Frame& frame, const Cascade& cascade, float factor, const Kernels& kernels)
+        : planes_(3 * static_cast<std::size_t>(cascade.resolution()) * cascade.resolution()), folds_(cascade.resolution()) {
+        const int n = cascade.resolution();
+        const PlaneView* const from[3] = {&cascade.dx, &cascade.height, &cascade.dz};
+        PlaneView* const to[3] = {&water_.cascade.dx, &water_.cascade.height, &water_.cascade.dz};
         for (int p = 0; p < 3; ++p) {
             float* plane = planes_.data() + static_cast<std::size_t>(p) * n * n;
             for (int texel = 0; texel < n * n; ++texel)
@@ -157,19 +157,19 @@ class Exaggerated {
         }
         water_.frame.sea = frame.sea;
         water_.frame.isa = frame.isa;
-        water_.tile.lattice = tile.lattice;
-        FrameBounds bounds = tile.bounds;
+        water_.cascade.lattice = cascade.lattice;
+        FrameBounds bounds = cascade.bounds;
         bounds.sideways_x_max_m *= factor;
         bounds.sideways_z_max_m *= factor;
         water_.set_bounds(bounds);
-        folds_.update(water_.tile, kernels);
+        folds_.update(water_.cascade, kernels);
     }
     const Frame& frame() const { return water_.frame; }
 
    private:
     std::vector<float> planes_;
     FoldMap folds_;
-    OneTileFrame water_;
+    OneCascadeFrame water_;
 };
 
 // Linear seas with physical heights do not fold even at choppiness 1; the paper's own scale makes them do.
@@ -224,7 +224,7 @@ TEST(SurfaceQuery, TheFoldMapHoldsEveryPointUnderSeveralSheets) {
             return static_cast<std::size_t>(static_cast<int>(std::floor(along / texel_m)) & (sea.resolution - 1));
         };
         const std::size_t square = square_of(points.z[i]) * 64 + square_of(points.x[i]);
-        ASSERT_TRUE(frame.tiles[0].folds[square / 8] >> square % 8 & 1) << points.x[i] << ", " << points.z[i];
+        ASSERT_TRUE(frame.cascades[0].folds[square / 8] >> square % 8 & 1) << points.x[i] << ", " << points.z[i];
     }
     EXPECT_GT(folded, 0u);
 }
@@ -247,10 +247,10 @@ class Trochoid {
         zero_.assign(dx_.size(), 0.f);
         const auto view = [](const std::vector<float>& plane) { return PlaneView{plane.data(), n, n, n, 0}; };
         water_.frame.isa = choose_isa();
-        water_.tile.lattice.side_m = patch_m;
-        water_.tile.dx = view(dx_), water_.tile.height = view(height_), water_.tile.dz = view(zero_);
+        water_.cascade.lattice.side_m = patch_m;
+        water_.cascade.dx = view(dx_), water_.cascade.height = view(height_), water_.cascade.dz = view(zero_);
         water_.set_bounds({-amplitude, amplitude, a, 0});
-        folds_.update(water_.tile, kernels);
+        folds_.update(water_.cascade, kernels);
     }
     const Frame& frame() const { return water_.frame; }
 
@@ -278,7 +278,7 @@ class Trochoid {
    private:
     std::vector<float> dx_, height_, zero_;
     FoldMap folds_;
-    OneTileFrame water_;
+    OneCascadeFrame water_;
 };
 
 TEST(SurfaceQuery, FindsTheTopOfALoopKnownInClosedForm) {

@@ -16,7 +16,7 @@
 #include "pelagic/sim/spectrum/dispersion.hpp"
 #include "pelagic/sim/spectrum/harmonic_bands.hpp"
 #include "pelagic/sim/spectrum/swell_arrival.hpp"
-#include "pelagic/sim/tile_plan.hpp"
+#include "pelagic/sim/cascade_plan.hpp"
 #include "pelagic/tests/each_executor.hpp"
 #include "pelagic/tests/each_isa.hpp"
 #include "pelagic/tests/sanitized.hpp"
@@ -142,13 +142,13 @@ TEST_P(ArrivalOnEachIsa, EachWaveBlendsAsIfAllHadItsPart) {
     }
 }
 
-/// One term of a tile's discrete Fourier transform.
-std::complex<double> term(const Tile& tile, int m, int n) {
-    const int size = tile.resolution();
+/// One term of a cascade's discrete Fourier transform.
+std::complex<double> term(const Cascade& cascade, int m, int n) {
+    const int size = cascade.resolution();
     std::complex<double> sum;
     for (int j = 0; j < size; ++j)
         for (int i = 0; i < size; ++i)
-            sum += static_cast<double>(tile.height.at(i, j)) * std::polar(1.0, -two_pi * (m * i + n * j) / size);
+            sum += static_cast<double>(cascade.height.at(i, j)) * std::polar(1.0, -two_pi * (m * i + n * j) / size);
     return sum;
 }
 
@@ -167,16 +167,16 @@ TEST(SwellArrival, LongWavesComeBeforeShortOnes) {
     const double steady_s = 100 * loop_s;
     std::vector<std::complex<double>> whole;
     {
-        const Tile& tile = ocean.frame_at(steady_s).tiles[0];
-        const double spacing = two_pi / tile.lattice.side_m;
+        const Cascade& cascade = ocean.frame_at(steady_s).cascades[0];
+        const double spacing = two_pi / cascade.lattice.side_m;
         for (int steps = 2; steps < 24; steps += 2) {
-            // Along the swell, as the tile's axes lie.
-            const TileLattice::Place along = tile.lattice.in_tile(std::cos(0.6), std::sin(0.6));
+            // Along the swell, as the cascade's axes lie.
+            const CascadeLattice::Place along = cascade.lattice.in_cascade(std::cos(0.6), std::sin(0.6));
             const int m = static_cast<int>(std::lround(steps * along.along));
             const int n = static_cast<int>(std::lround(steps * along.across));
             const double omega = angular_frequency(spacing * std::hypot(m, n), swell.depth_m);
             const std::uint32_t harmonic = loop_harmonic(omega, loop_s);
-            const std::complex<double> height = term(tile, m, n);
+            const std::complex<double> height = term(cascade, m, n);
             if (harmonic >= 32 || std::abs(height) < 1) continue;
             waves.push_back({m, n, two_pi * harmonic / loop_s});
             whole.push_back(height);
@@ -186,9 +186,9 @@ TEST(SwellArrival, LongWavesComeBeforeShortOnes) {
     std::vector<double> came(waves.size(), -1);
     for (const int loop : {1, 4, 8, 12, 16, 20}) {
         const double time_s = loop * loop_s;
-        const Tile& tile = ocean.frame_at(time_s).tiles[0];
+        const Cascade& cascade = ocean.frame_at(time_s).cascades[0];
         for (std::size_t i = 0; i < waves.size(); ++i) {
-            const double part = std::norm(term(tile, waves[i].m, waves[i].n) / whole[i]);
+            const double part = std::norm(term(cascade, waves[i].m, waves[i].n) / whole[i]);
             EXPECT_NEAR(part, part_of(waves[i].omega, change, time_s), 3e-3) << "T " << two_pi / waves[i].omega;
             if (came[i] < 0 && part > 0.5) came[i] = time_s;
         }
@@ -198,19 +198,19 @@ TEST(SwellArrival, LongWavesComeBeforeShortOnes) {
     EXPECT_GT(came.front(), 0);
 }
 
-/// 4 sqrt of the mean energy of all waves of all tiles, each with its own frequency's part.
+/// 4 sqrt of the mean energy of all waves of all cascades, each with its own frequency's part.
 double expected_height(const Forecast& forecast, double time_s) {
     const SeaChange& change = forecast.changes[0];
-    const auto plans = plan_tiles(forecast);
+    const auto plans = plan_cascades(forecast);
     double variance = 0;
-    for (const TilePlan& plan : plans) {
-        const TileWaves before(forecast.first, plan), after(change.sea, plan);
+    for (const CascadePlan& plan : plans) {
+        const CascadeWaves before(forecast.first, plan), after(change.sea, plan);
         const int half = plan.resolution / 2;
         for (int n = 0; n < half; ++n)
             for (int m = n == 0 ? 1 : 1 - half; m < half; ++m) {
                 const double k = std::hypot(m, n) * plan.spacing();
                 const double part = part_of(angular_frequency(k, change.sea.depth_m), change, time_s);
-                const auto energy = [&](const TileWaves& of) {
+                const auto energy = [&](const CascadeWaves& of) {
                     const auto both = of.variances(m, n).plus;
                     return 2 * (both.along + both.against);
                 };
@@ -267,10 +267,10 @@ TEST(SwellArrival, AFrameHasTheSameBitsInAnyOrderOnEachInstructionSet) {
 /// FNV-1a over all heights.
 std::uint64_t height_hash(const Frame& frame) {
     std::uint64_t hash = 0xcbf29ce484222325u;
-    for (const Tile& tile : frame.tiles) {
-        std::vector<float> row(static_cast<std::size_t>(tile.resolution()));
-        for (int j = 0; j < tile.resolution(); ++j) {
-            tile.height.copy_row(j, row.data());
+    for (const Cascade& cascade : frame.cascades) {
+        std::vector<float> row(static_cast<std::size_t>(cascade.resolution()));
+        for (int j = 0; j < cascade.resolution(); ++j) {
+            cascade.height.copy_row(j, row.data());
             for (const float value : row) hash = (hash ^ std::bit_cast<std::uint32_t>(value)) * 0x100000001b3u;
         }
     }

@@ -17,7 +17,7 @@ INSTANTIATE_TEST_SUITE_P(Isas, SymmetryOnEachIsa, testing::ValuesIn(isas_here())
 TEST_P(SymmetryOnEachIsa, ImaginaryResidueIsAMillionthOfTheRealMaximum) {
     for (int n = 16; n <= 512; n *= 2) {
         const SeaState sea{.resolution = n, .patch_size_m = 250, .choppiness = 1};
-        const TileWaves waves(sea, plan_tiles(sea).front());
+        const CascadeWaves waves(sea, plan_cascades(sea).front());
         const FftPlan plan(n);
         const FftTables fft = plan.tables();
         const std::size_t lanes = kernels().lanes;
@@ -53,7 +53,7 @@ TEST_P(SymmetryOnEachIsa, ImaginaryResidueIsAMillionthOfTheRealMaximum) {
 // Nyquist: no wave there, in either direction, so no odd factor has to be cut (errata, equation 30).
 TEST(Symmetry, TheNyquistColumnHoldsNoWave) {
     const SeaState sea{.resolution = 32, .patch_size_m = 250};
-    const TileWaves waves(sea, plan_tiles(sea).front());
+    const CascadeWaves waves(sea, plan_cascades(sea).front());
     for (int k = -15; k < 16; ++k) {
         EXPECT_EQ(waves.amplitude(-16, k), 0.0);
         EXPECT_EQ(waves.amplitude(k, -16), 0.0);

@@ -17,7 +17,7 @@ namespace {
 constexpr int n = 32;
 constexpr std::uint32_t guard = 0xA5C3A5C3;
 
-/// A host's memory for one map of one tile, with a guard on both sides of every piece of it.
+/// A host's memory for one map of one cascade, with a guard on both sides of every piece of it.
 class Guarded {
    public:
     explicit Guarded(std::vector<std::size_t> words) {
@@ -47,7 +47,7 @@ std::vector<std::size_t> texels_by_level() {
     return texels;
 }
 
-struct TileMemory {
+struct CascadeMemory {
     Guarded halves{{2 * n * n}}, gradients{texels_by_level()}, slopes{texels_by_level()}, moments{texels_by_level()};
 
     TextureTargets targets() {
@@ -58,50 +58,50 @@ struct TileMemory {
         };
         return {reinterpret_cast<std::uint16_t*>(halves.piece(0)), chain(gradients), chain(slopes), chain(moments)};
     }
-    bool holds(const Tile& tile) {
+    bool holds(const Cascade& cascade) {
         const auto is_chain = [&](Guarded& map, std::span<const std::uint32_t> chain) {
             for (int level = 0; level < mip_levels(n); ++level) {
-                const auto texels = tile.level_of(chain, level);
+                const auto texels = cascade.level_of(chain, level);
                 if (std::memcmp(map.piece(static_cast<std::size_t>(level)), texels.data(), texels.size_bytes()) != 0)
                     return false;
             }
             return map.guards_hold();
         };
-        return std::memcmp(halves.piece(0), tile.displacement_rgba16f.data(),
-                           tile.displacement_rgba16f.size_bytes()) == 0 &&
-               halves.guards_hold() && is_chain(gradients, tile.gradient_rgba8) &&
-               is_chain(slopes, tile.slopes_rgba8) && is_chain(moments, tile.moments_rgba8);
+        return std::memcmp(halves.piece(0), cascade.displacement_rgba16f.data(),
+                           cascade.displacement_rgba16f.size_bytes()) == 0 &&
+               halves.guards_hold() && is_chain(gradients, cascade.gradient_rgba8) &&
+               is_chain(slopes, cascade.slopes_rgba8) && is_chain(moments, cascade.moments_rgba8);
     }
 };
 
-SeaState sea_of(int tiles) {
-    return tiles == 1 ? SeaState{.resolution = n, .patch_size_m = 130} : SeaState{.cascades = tiles, .resolution = n};
+SeaState sea_of(int cascades) {
+    return cascades == 1 ? SeaState{.resolution = n, .patch_size_m = 130} : SeaState{.cascades = cascades, .resolution = n};
 }
 
 class TextureTargetsOnEachIsa : public OnEachIsa {
    protected:
-    Ocean ocean_of(int tiles) const {
-        return Ocean(sea_of(tiles),
+    Ocean ocean_of(int cascades) const {
+        return Ocean(sea_of(cascades),
                      {.executor = make_serial_executor(), .isa = GetParam(), .gradients = true, .slopes = true});
     }
 };
 INSTANTIATE_TEST_SUITE_P(Isa, TextureTargetsOnEachIsa, testing::ValuesIn(isas_here()), isa_test_name);
 
 TEST_P(TextureTargetsOnEachIsa, HoldWhatTheFrameWouldHaveHeld) {
-    for (const int tiles : {1, 3}) {
-        Ocean usual = ocean_of(tiles), elsewhere = ocean_of(tiles);
-        std::vector<TileMemory> memory(static_cast<std::size_t>(tiles));
+    for (const int cascades : {1, 3}) {
+        Ocean usual = ocean_of(cascades), elsewhere = ocean_of(cascades);
+        std::vector<CascadeMemory> memory(static_cast<std::size_t>(cascades));
         std::vector<TextureTargets> targets;
-        for (TileMemory& tile : memory) targets.push_back(tile.targets());
+        for (CascadeMemory& cascade : memory) targets.push_back(cascade.targets());
         for (const double time_s : {0.4, 1.7, 9.2}) {
             const Frame& expected = usual.frame_at(time_s);
             elsewhere.schedule(time_s, targets);
             const Frame& frame = elsewhere.complete();
             for (std::size_t i = 0; i < memory.size(); ++i) {
-                EXPECT_TRUE(memory[i].holds(expected.tiles[i])) << tiles << " tiles, tile " << i << ", " << time_s;
-                EXPECT_TRUE(frame.tiles[i].displacement_rgba16f.empty() && frame.tiles[i].gradient_rgba8.empty() &&
-                            frame.tiles[i].slopes_rgba8.empty() && frame.tiles[i].moments_rgba8.empty());
-                EXPECT_EQ(frame.tiles[i].height.at(3, 5), expected.tiles[i].height.at(3, 5));
+                EXPECT_TRUE(memory[i].holds(expected.cascades[i])) << cascades << " cascades, cascade " << i << ", " << time_s;
+                EXPECT_TRUE(frame.cascades[i].displacement_rgba16f.empty() && frame.cascades[i].gradient_rgba8.empty() &&
+                            frame.cascades[i].slopes_rgba8.empty() && frame.cascades[i].moments_rgba8.empty());
+                EXPECT_EQ(frame.cascades[i].height.at(3, 5), expected.cascades[i].height.at(3, 5));
             }
         }
         // The same slots again, without targets: everything is the frame's own as before.
@@ -112,19 +112,19 @@ TEST_P(TextureTargetsOnEachIsa, HoldWhatTheFrameWouldHaveHeld) {
 
 TEST_P(TextureTargetsOnEachIsa, WhatIsLeftOutStaysInTheFrame) {
     Ocean usual = ocean_of(1), elsewhere = ocean_of(1);
-    TileMemory memory;
+    CascadeMemory memory;
     TextureTargets only_slopes{.slopes_rgba8 = memory.targets().slopes_rgba8};
     const Frame& expected = usual.frame_at(1);
     elsewhere.schedule(1, {&only_slopes, 1});
-    const Tile& tile = elsewhere.complete().tiles[0];
-    EXPECT_TRUE(tile.slopes_rgba8.empty());
-    EXPECT_TRUE(std::equal(tile.displacement_rgba16f.begin(), tile.displacement_rgba16f.end(),
-                           expected.tiles[0].displacement_rgba16f.begin(),
-                           expected.tiles[0].displacement_rgba16f.end()));
-    EXPECT_TRUE(std::equal(tile.gradient_rgba8.begin(), tile.gradient_rgba8.end(),
-                           expected.tiles[0].gradient_rgba8.begin(), expected.tiles[0].gradient_rgba8.end()));
-    EXPECT_TRUE(std::equal(tile.moments_rgba8.begin(), tile.moments_rgba8.end(),
-                           expected.tiles[0].moments_rgba8.begin(), expected.tiles[0].moments_rgba8.end()));
+    const Cascade& cascade = elsewhere.complete().cascades[0];
+    EXPECT_TRUE(cascade.slopes_rgba8.empty());
+    EXPECT_TRUE(std::equal(cascade.displacement_rgba16f.begin(), cascade.displacement_rgba16f.end(),
+                           expected.cascades[0].displacement_rgba16f.begin(),
+                           expected.cascades[0].displacement_rgba16f.end()));
+    EXPECT_TRUE(std::equal(cascade.gradient_rgba8.begin(), cascade.gradient_rgba8.end(),
+                           expected.cascades[0].gradient_rgba8.begin(), expected.cascades[0].gradient_rgba8.end()));
+    EXPECT_TRUE(std::equal(cascade.moments_rgba8.begin(), cascade.moments_rgba8.end(),
+                           expected.cascades[0].moments_rgba8.begin(), expected.cascades[0].moments_rgba8.end()));
 }
 
 std::string refusal_of(Ocean& ocean, std::span<const TextureTargets> targets) {
@@ -139,11 +139,11 @@ std::string refusal_of(Ocean& ocean, std::span<const TextureTargets> targets) {
 TEST(TextureTargets, AreRefusedInOneLineBeforeAnythingIsComputed) {
     Ocean ocean({.resolution = n, .patch_size_m = 130}, {.executor = make_serial_executor()});
     const std::uint64_t before = hash_of(ocean.frame_at(5));
-    TileMemory memory;
+    CascadeMemory memory;
     const TextureTargets whole = memory.targets();
     EXPECT_EQ(refusal_of(ocean, {&whole, 1}), "slopes_rgba8 is wanted, needs an ocean with slopes");
     const TextureTargets two[2] = {};
-    EXPECT_EQ(refusal_of(ocean, two), "there are targets of 2 tiles, needs 1");
+    EXPECT_EQ(refusal_of(ocean, two), "there are targets of 2 cascades, needs 1");
     TextureTargets odd{.displacement_rgba16f = whole.displacement_rgba16f + 4};
     EXPECT_EQ(refusal_of(ocean, {&odd, 1}), "displacement_rgba16f is at an address that is no multiple of 64");
     Ocean with_slopes({.resolution = n, .patch_size_m = 130}, {.executor = make_serial_executor(), .slopes = true});

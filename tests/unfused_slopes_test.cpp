@@ -9,7 +9,7 @@ namespace pelagic {
 namespace {
 
 /// No wave, no smoothness: everything that a kernel might mix up differs.
-unfused::TilePlanes noise(int resolution, float cosine, float sine) {
+unfused::CascadePlanes noise(int resolution, float cosine, float sine) {
     std::mt19937 random(7);
     const auto plane = [&] {
         std::vector<float> values(static_cast<std::size_t>(resolution) * static_cast<std::size_t>(resolution));
@@ -30,11 +30,11 @@ INSTANTIATE_TEST_SUITE_P(
 TEST_P(UnfusedSlopesOnEachIsa, GiveTheBitsOfTheFusedJobs) {
     const auto [isa, n] = GetParam();
     for (const bool is_turned : {false, true}) {
-        const unfused::TilePlanes planes = is_turned ? noise(n, 0.8f, -0.6f) : noise(n, 1, 0);
+        const unfused::CascadePlanes planes = is_turned ? noise(n, 0.8f, -0.6f) : noise(n, 1, 0);
         // Some values are beyond these ranges.
         const SlopeRanges ranges{0.5f, 0.1f};
-        const unfused::TileSlopes fused = slopes_by(kernels_for(isa), planes, ranges);
-        const unfused::TileSlopes apart = unfused::slopes_of(planes, ranges);
+        const unfused::CascadeSlopes fused = slopes_by(kernels_for(isa), planes, ranges);
+        const unfused::CascadeSlopes apart = unfused::slopes_of(planes, ranges);
         EXPECT_EQ(fused.slopes, apart.slopes) << "turned " << is_turned;
         EXPECT_EQ(fused.moments, apart.moments) << "turned " << is_turned;
         EXPECT_EQ(fused.halves, apart.halves) << "turned " << is_turned;

@@ -17,17 +17,17 @@ void expect_same_bits(SeaState sea, double time_s, Isa isa, const char* what) {
     Ocean ocean(sea, {.executor = make_serial_executor(), .isa = isa});
     unfused::UnfusedSea stages(sea);
     const Frame& fused = ocean.frame_at(time_s);
-    const Frame& apart = stages.frame_at(time_s, foam_source(fused.tiles[0]));
+    const Frame& apart = stages.frame_at(time_s, foam_source(fused.cascades[0]));
     EXPECT_EQ(hash_of(fused), hash_of(apart)) << what << ", N = " << sea.resolution;
-    EXPECT_TRUE(std::equal(fused.tiles[0].displacement_rgba16f.begin(), fused.tiles[0].displacement_rgba16f.end(),
-                           apart.tiles[0].displacement_rgba16f.begin(), apart.tiles[0].displacement_rgba16f.end()))
+    EXPECT_TRUE(std::equal(fused.cascades[0].displacement_rgba16f.begin(), fused.cascades[0].displacement_rgba16f.end(),
+                           apart.cascades[0].displacement_rgba16f.begin(), apart.cascades[0].displacement_rgba16f.end()))
         << what << ", foam, N = " << sea.resolution;
     // Where they differ, for whoever has to find out why.
     for (int j = 0; j < sea.resolution; ++j) {
         for (int i = 0; i < sea.resolution; ++i) {
-            ASSERT_EQ(fused.tiles[0].dx.at(i, j), apart.tiles[0].dx.at(i, j)) << i << ", " << j;
-            ASSERT_EQ(fused.tiles[0].height.at(i, j), apart.tiles[0].height.at(i, j)) << i << ", " << j;
-            ASSERT_EQ(fused.tiles[0].dz.at(i, j), apart.tiles[0].dz.at(i, j)) << i << ", " << j;
+            ASSERT_EQ(fused.cascades[0].dx.at(i, j), apart.cascades[0].dx.at(i, j)) << i << ", " << j;
+            ASSERT_EQ(fused.cascades[0].height.at(i, j), apart.cascades[0].height.at(i, j)) << i << ", " << j;
+            ASSERT_EQ(fused.cascades[0].dz.at(i, j), apart.cascades[0].dz.at(i, j)) << i << ", " << j;
         }
     }
 }

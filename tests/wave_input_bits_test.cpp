@@ -1,4 +1,4 @@
-// Waves that hosts add to tiles, as bits: the same on every instruction set, executor and compiler.
+// Waves that hosts add to cascades, as bits: the same on every instruction set, executor and compiler.
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -29,11 +29,11 @@ struct NamedSea {
 std::vector<NamedSea> seas() {
     return {{"stack", {.cascades = 3, .resolution = 64, .wind_speed_mps = 12, .loop_period_s = 30}},
             {"smallest", {.resolution = 16, .patch_size_m = 40, .wind_speed_mps = 6, .loop_period_s = 30}},
-            {"one-tile", {.resolution = 128, .patch_size_m = 150, .wind_speed_mps = 12, .loop_period_s = 30}},
+            {"one-cascade", {.resolution = 128, .patch_size_m = 150, .wind_speed_mps = 12, .loop_period_s = 30}},
             {"pond", {.waves = WaveModel::exp_sine, .resolution = 64, .loop_period_s = 30}}};
 }
 
-/// Some of the waves are for each of the tiles.
+/// Some of the waves are for each of the cascades.
 AnalyticSea waves() {
     AnalyticSea sea{.waves = {}, .choppiness = 0.9};
     double wavelength_m = 180;
@@ -48,8 +48,8 @@ AnalyticSea waves() {
 /// FNV-1a of the velocities, which hash_of() leaves out.
 std::uint64_t velocity_hash_of(const Frame& frame) {
     std::uint64_t hash = 14695981039346656037u;
-    for (const Tile& tile : frame.tiles)
-        for (const PlaneView& plane : {tile.velocity_x, tile.velocity_y, tile.velocity_z})
+    for (const Cascade& cascade : frame.cascades)
+        for (const PlaneView& plane : {cascade.velocity_x, cascade.velocity_y, cascade.velocity_z})
             for (int j = 0; j < plane.resolution; ++j)
                 for (int i = 0; i < plane.resolution; ++i)
                     hash = (hash ^ std::bit_cast<std::uint32_t>(plane.at(i, j))) * 1099511628211u;

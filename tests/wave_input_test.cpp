@@ -1,4 +1,4 @@
-// Waves that hosts add to tiles: against closed forms summed in double, through all that is made of tiles, and what is refused.
+// Waves that hosts add to cascades: against closed forms summed in double, through all that is made of cascades, and what is refused.
 #include "pelagic/sim/wave_input.hpp"
 
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ constexpr double loop_s = 20;
 
 const SeaState stack{
     .cascades = 4, .resolution = 64, .wind_speed_mps = 7.5, .fetch_m = 93e3, .loop_period_s = loop_s};
-const SeaState one_tile{.resolution = 64, .patch_size_m = 80, .wind_speed_mps = 5, .loop_period_s = loop_s};
+const SeaState one_cascade{.resolution = 64, .patch_size_m = 80, .wind_speed_mps = 5, .loop_period_s = loop_s};
 /// Next to no wind.
 const SeaState still{.resolution = 64, .patch_size_m = 80, .wind_speed_mps = 0.3f, .loop_period_s = loop_s};
 
@@ -45,7 +45,7 @@ OceanOptions with(std::vector<std::shared_ptr<WaveInput>> inputs, Isa isa = choo
             .inputs = std::move(inputs)};
 }
 
-/// Waves for each of the stack's tiles; their k A add up to 0.35.
+/// Waves for each of the stack's cascades; their k A add up to 0.35.
 AnalyticSea some_waves() {
     return {.waves = {{.amplitude_m = 0.7, .wavelength_m = 90, .direction_rad = 0.3, .phase_rad = 1},
                       {.amplitude_m = 0.4, .wavelength_m = 33, .direction_rad = -2},
@@ -63,44 +63,44 @@ std::shared_ptr<CallbackInput> callback(CallbackInput::Add add, double largest_s
     return std::make_shared<CallbackInput>(std::move(add), largest_slope);
 }
 
-constexpr PlaneView Tile::*planes[] = {&Tile::dx,         &Tile::height,     &Tile::dz,
-                                       &Tile::velocity_x, &Tile::velocity_y, &Tile::velocity_z};
+constexpr PlaneView Cascade::*planes[] = {&Cascade::dx,         &Cascade::height,     &Cascade::dz,
+                                       &Cascade::velocity_x, &Cascade::velocity_y, &Cascade::velocity_z};
 struct SixFields {
     double of[6] = {};
 };
 
-/// Calls check(tile, plane, what is there more than without inputs, i, j) for texels all over a frame.
+/// Calls check(cascade, plane, what is there more than without inputs, i, j) for texels all over a frame.
 template <class Check>
 void for_differences(const Frame& a, const Frame& b, Check check) {
-    ASSERT_EQ(a.tiles.size(), b.tiles.size());
-    for (std::size_t tile = 0; tile < a.tiles.size(); ++tile) {
-        const int n = a.tiles[tile].resolution();
+    ASSERT_EQ(a.cascades.size(), b.cascades.size());
+    for (std::size_t cascade = 0; cascade < a.cascades.size(); ++cascade) {
+        const int n = a.cascades[cascade].resolution();
         for (int j = 0; j < n; ++j)
             for (int i = j % 3; i < n; i += 3)
                 for (std::size_t plane = 0; plane < 6; ++plane)
-                    check(tile, plane,
-                          static_cast<double>((a.tiles[tile].*planes[plane]).at(i, j)) -
-                              static_cast<double>((b.tiles[tile].*planes[plane]).at(i, j)),
+                    check(cascade, plane,
+                          static_cast<double>((a.cascades[cascade].*planes[plane]).at(i, j)) -
+                              static_cast<double>((b.cascades[cascade].*planes[plane]).at(i, j)),
                           i, j);
     }
 }
 
 /// What the header says of a wave: where it goes and how it runs there. Written down a second time.
 struct Told {
-    int tile = -1;
+    int cascade = -1;
     double m = 0, n = 0, omega = 0;
 };
-Told told_of(const AnalyticWave& wave, std::span<const Tile> tiles) {
+Told told_of(const AnalyticWave& wave, std::span<const Cascade> cascades) {
     Told told;
-    for (std::size_t i = 0; i < tiles.size(); ++i) {
-        const double texels = wave.wavelength_m / tiles[i].texel_m();
-        const double steps = tiles[i].lattice.side_m / wave.wavelength_m;
+    for (std::size_t i = 0; i < cascades.size(); ++i) {
+        const double texels = wave.wavelength_m / cascades[i].texel_m();
+        const double steps = cascades[i].lattice.side_m / wave.wavelength_m;
         const bool above_has_none =
-            told.tile < 0 || wave.wavelength_m <= 3 * tiles[static_cast<std::size_t>(told.tile)].texel_m();
-        if (texels > (tiles.size() == 1 ? 2 : 3) && (steps >= 8 || above_has_none)) told.tile = static_cast<int>(i);
+            told.cascade < 0 || wave.wavelength_m <= 3 * cascades[static_cast<std::size_t>(told.cascade)].texel_m();
+        if (texels > (cascades.size() == 1 ? 2 : 3) && (steps >= 8 || above_has_none)) told.cascade = static_cast<int>(i);
     }
-    if (told.tile < 0) return told;
-    const TileLattice& lattice = tiles[static_cast<std::size_t>(told.tile)].lattice;
+    if (told.cascade < 0) return told;
+    const CascadeLattice& lattice = cascades[static_cast<std::size_t>(told.cascade)].lattice;
     const double turn = std::atan2(lattice.sine, lattice.cosine), steps = lattice.side_m / wave.wavelength_m;
     told.m = std::round(steps * std::cos(wave.direction_rad - turn));
     told.n = std::round(steps * std::sin(wave.direction_rad - turn));
@@ -110,13 +110,13 @@ Told told_of(const AnalyticWave& wave, std::span<const Tile> tiles) {
 }
 
 /// The sum at a texel, in double.
-SixFields closed_form(const AnalyticSea& sea, std::span<const Tile> tiles, std::size_t tile, int i, int j, double t) {
+SixFields closed_form(const AnalyticSea& sea, std::span<const Cascade> cascades, std::size_t cascade, int i, int j, double t) {
     SixFields sum;
-    const TileLattice& lattice = tiles[tile].lattice;
-    const double n = tiles[tile].resolution();
+    const CascadeLattice& lattice = cascades[cascade].lattice;
+    const double n = cascades[cascade].resolution();
     for (const AnalyticWave& wave : sea.waves) {
-        const Told told = told_of(wave, tiles);
-        if (told.tile != static_cast<int>(tile)) continue;
+        const Told told = told_of(wave, cascades);
+        if (told.cascade != static_cast<int>(cascade)) continue;
         const double steps = std::hypot(told.m, told.n);
         const auto [x, z] = lattice.in_world(told.m / steps, told.n / steps);
         const double angle = two_pi * (told.m * i + told.n * j) / n - told.omega * t + wave.phase_rad;
@@ -135,24 +135,24 @@ SixFields closed_form(const AnalyticSea& sea, std::span<const Tile> tiles, std::
 constexpr double float_m = 2e-6;
 
 TEST(WaveInput, GerstnerWavesAreTheirClosedFormAtTexels) {
-    for (const SeaState& sea : {stack, one_tile}) {
+    for (const SeaState& sea : {stack, one_cascade}) {
         Ocean pure(sea, with({})), ocean(sea, with({gerstner()}));
         for (const double t : {0.0, 3.21, 1e4 + 0.7}) {
             const Frame &a = ocean.frame_at(t), &b = pure.frame_at(t);
-            std::vector<double> largest(6 * a.tiles.size());
-            for_differences(a, b, [&](std::size_t tile, std::size_t plane, double difference, int i, int j) {
-                const double expected = closed_form(some_waves(), a.tiles, tile, i, j, t).of[plane];
-                ASSERT_NEAR(difference, expected, float_m) << tile << ' ' << plane << ' ' << i << ' ' << j;
-                double& most = largest[6 * tile + plane];
+            std::vector<double> largest(6 * a.cascades.size());
+            for_differences(a, b, [&](std::size_t cascade, std::size_t plane, double difference, int i, int j) {
+                const double expected = closed_form(some_waves(), a.cascades, cascade, i, j, t).of[plane];
+                ASSERT_NEAR(difference, expected, float_m) << cascade << ' ' << plane << ' ' << i << ' ' << j;
+                double& most = largest[6 * cascade + plane];
                 most = std::max(most, std::fabs(expected));
             });
-            for (const double most : largest) EXPECT_GT(most, 0.004);  // each tile and field had some
+            for (const double most : largest) EXPECT_GT(most, 0.004);  // each cascade and field had some
         }
     }
 }
 
-// On tiles close to one another, where several could take a wave.
-TEST(WaveInput, AWaveGoesToTheTileThatShowsItBest) {
+// On cascades close to one another, where several could take a wave.
+TEST(WaveInput, AWaveGoesToTheCascadeThatShowsItBest) {
     const SeaState close{.waves = WaveModel::analytic,
                          .cascades = 4,
                          .resolution = 64,
@@ -168,24 +168,24 @@ TEST(WaveInput, AWaveGoesToTheTileThatShowsItBest) {
                                 .direction_rad = std::remainder(wavelength, two_pi)};
         input->set({.waves = {wave}});
         const Frame& frame = ocean.frame_at(0);
-        const Told told = told_of(wave, frame.tiles);
-        ASSERT_EQ(input->held().waves.size(), told.tile < 0 ? 0U : 1U) << wavelength;
-        if (told.tile < 0) continue;
-        const TileLattice& lattice = frame.tiles[static_cast<std::size_t>(told.tile)].lattice;
+        const Told told = told_of(wave, frame.cascades);
+        ASSERT_EQ(input->held().waves.size(), told.cascade < 0 ? 0U : 1U) << wavelength;
+        if (told.cascade < 0) continue;
+        const CascadeLattice& lattice = frame.cascades[static_cast<std::size_t>(told.cascade)].lattice;
         const auto [x, z] = lattice.in_world(told.m / lattice.side_m, told.n / lattice.side_m);
         EXPECT_NEAR(input->held().waves[0].turns_per_m_x, x, 1e-12) << wavelength;
         EXPECT_NEAR(input->held().waves[0].turns_per_m_z, z, 1e-12) << wavelength;
         ++held;
-        by_steps += told.tile > 0 && wavelength > 3 * frame.tiles[static_cast<std::size_t>(told.tile - 1)].texel_m();
+        by_steps += told.cascade > 0 && wavelength > 3 * frame.cascades[static_cast<std::size_t>(told.cascade - 1)].texel_m();
     }
     EXPECT_GT(held, 100);
-    EXPECT_GT(by_steps, 2);  // the tile above could have shown it, too
+    EXPECT_GT(by_steps, 2);  // the cascade above could have shown it, too
 }
 
 // The same from the closed form's own evaluator, by what the input says it holds.
 TEST(WaveInput, SaysWhichWavesItHolds) {
     const auto input = gerstner();
-    Ocean pure(one_tile, with({})), ocean(one_tile, with({input}));
+    Ocean pure(one_cascade, with({})), ocean(one_cascade, with({input}));
     const double t = 7.3;
     const Frame &a = ocean.frame_at(t), &b = pure.frame_at(t);
     EXPECT_EQ(input->held().waves.size(), 3U);  // one of 2.5 m has two texels of 1.25, no more; one of 0.9 m has none
@@ -203,13 +203,13 @@ TEST(WaveInput, SaysWhichWavesItHolds) {
                            .velocity_z_mps = one(5)});
         ASSERT_NEAR(difference, told[plane], float_m);
     });
-    // Of a stack, texel (0, 0) of all tiles is one place.
+    // Of a stack, texel (0, 0) of all cascades is one place.
     Ocean pure_stack(stack, with({})), stacked(stack, with({input}));
     const Frame &c = stacked.frame_at(t), &d = pure_stack.frame_at(t);
     EXPECT_EQ(input->held().waves.size(), 5U);
     double height = 0;
-    for (std::size_t i = 0; i < c.tiles.size(); ++i)
-        height += static_cast<double>(c.tiles[i].height.at(0, 0)) - static_cast<double>(d.tiles[i].height.at(0, 0));
+    for (std::size_t i = 0; i < c.cascades.size(); ++i)
+        height += static_cast<double>(c.cascades[i].height.at(0, 0)) - static_cast<double>(d.cascades[i].height.at(0, 0));
     const double origin[] = {0};
     float told[1];
     AnalyticSurface(input->held()).sample_rest(t, {origin, origin}, {.height_m = told});
@@ -217,7 +217,7 @@ TEST(WaveInput, SaysWhichWavesItHolds) {
 }
 
 TEST(WaveInput, RingsAreTheirClosedFormAndEndBeforeTheyMeetTheirNeighbours) {
-    // The second is cut by half of the tile's side, the third lies across the tile's edges, far from the origin.
+    // The second is cut by half of the cascade's side, the third lies across the cascade's edges, far from the origin.
     for (const Ripple& asked :
          {Ripple{.x_m = 3, .z_m = -2, .wavelength_m = 2, .amplitude_m = 0.2, .reach_m = 6},
           Ripple{.x_m = 11.7, .z_m = 0.2, .wavelength_m = 11, .amplitude_m = 1, .phase_rad = 2},
@@ -226,9 +226,9 @@ TEST(WaveInput, RingsAreTheirClosedFormAndEndBeforeTheyMeetTheirNeighbours) {
         Ocean pure(stack, with({})), ocean(stack, with({input}));
         for (const double t : {0.0, 4.56}) {
             const Frame &a = ocean.frame_at(t), &b = pure.frame_at(t);
-            const auto home = static_cast<std::size_t>(told_of({.wavelength_m = asked.wavelength_m}, a.tiles).tile);
-            ASSERT_EQ(input->held().tile, home);
-            const TileLattice& lattice = a.tiles[home].lattice;
+            const auto home = static_cast<std::size_t>(told_of({.wavelength_m = asked.wavelength_m}, a.cascades).cascade);
+            ASSERT_EQ(input->held().cascade, home);
+            const CascadeLattice& lattice = a.cascades[home].lattice;
             const double half = lattice.side_m / 2;
             const double reach = asked.reach_m > 0 ? std::min(asked.reach_m, half) : half;
             EXPECT_EQ(input->held().reach_m, reach);
@@ -237,13 +237,13 @@ TEST(WaveInput, RingsAreTheirClosedFormAndEndBeforeTheyMeetTheirNeighbours) {
             EXPECT_NEAR(input->held().frequency_hz, omega / two_pi, 1e-12);
             double largest = 0;
             int untouched = 0;
-            for_differences(a, b, [&](std::size_t tile, std::size_t plane, double difference, int i, int j) {
-                const auto [x, z] = lattice.in_world(a.tiles[home].texel_m() * i, a.tiles[home].texel_m() * j);
-                const auto [u, v] = lattice.in_tile(x - asked.x_m, z - asked.z_m);
+            for_differences(a, b, [&](std::size_t cascade, std::size_t plane, double difference, int i, int j) {
+                const auto [x, z] = lattice.in_world(a.cascades[home].texel_m() * i, a.cascades[home].texel_m() * j);
+                const auto [u, v] = lattice.in_cascade(x - asked.x_m, z - asked.z_m);
                 const double r = std::hypot(std::remainder(u, lattice.side_m), std::remainder(v, lattice.side_m));
-                if (tile != home || (plane != 1 && plane != 4) || r >= reach * (1 + 1e-6)) {
-                    ASSERT_EQ(difference, 0) << tile << ' ' << plane << ' ' << i << ' ' << j;
-                    untouched += tile == home && plane == 1;
+                if (cascade != home || (plane != 1 && plane != 4) || r >= reach * (1 + 1e-6)) {
+                    ASSERT_EQ(difference, 0) << cascade << ' ' << plane << ' ' << i << ' ' << j;
+                    untouched += cascade == home && plane == 1;
                     return;
                 }
                 const double wave = asked.wavelength_m, q = std::hypot(r, wave / 2);
@@ -267,21 +267,21 @@ TEST(WaveInput, WhatIsTooShortOrTooLongOrFlatIsLeftOut) {
                                            {.amplitude_m = 1, .wavelength_m = 900}}});
     const auto rings = ripple({.wavelength_m = 2, .amplitude_m = 0.1});
     const auto nothing = std::make_shared<GerstnerInput>();
-    Ocean pure(one_tile, with({})), ocean(one_tile, with({waves, rings, nothing}));
+    Ocean pure(one_cascade, with({})), ocean(one_cascade, with({waves, rings, nothing}));
     EXPECT_EQ(hash_of(ocean.frame_at(5)), hash_of(pure.frame_at(5)));
     EXPECT_TRUE(waves->held().waves.empty());
     EXPECT_EQ(rings->held().reach_m, 0);
-    // Where there is one tile, two texels of 1.25 m are enough.
+    // Where there is one cascade, two texels of 1.25 m are enough.
     waves->set({.waves = {{.amplitude_m = 0.01, .wavelength_m = 2.6}, {.amplitude_m = 0.01, .wavelength_m = 2.4}}});
     ocean.frame_at(5);
     EXPECT_EQ(waves->held().waves.size(), 1U);
 }
 
-TEST(WaveInput, TilesThatGetNothingKeepTheirBits) {
+TEST(WaveInput, CascadesThatGetNothingKeepTheirBits) {
     Ocean pure(stack, with({})), ocean(stack, with({ripple({.wavelength_m = 3, .amplitude_m = 0.1})}));
     const Frame &a = ocean.frame_at(2), &b = pure.frame_at(2);
-    for (const std::size_t tile : {0U, 1U, 3U}) {
-        const Tile &x = a.tiles[tile], &y = b.tiles[tile];
+    for (const std::size_t cascade : {0U, 1U, 3U}) {
+        const Cascade &x = a.cascades[cascade], &y = b.cascades[cascade];
         EXPECT_TRUE(std::equal(x.slopes_rgba8.begin(), x.slopes_rgba8.end(), y.slopes_rgba8.begin()));
         EXPECT_TRUE(
             std::equal(x.displacement_rgba16f.begin(), x.displacement_rgba16f.end(), y.displacement_rgba16f.begin()));
@@ -300,26 +300,26 @@ TEST(WaveInput, TilesThatGetNothingKeepTheirBits) {
     for (const Stage& stage : without.graph().stages()) EXPECT_EQ(stage.name.find("inputs"), std::string::npos);
 }
 
-// Of a callback that is for some tiles, and of tiles whose ticks nobody looks at.
+// Of a callback that is for some cascades, and of cascades whose ticks nobody looks at.
 TEST(WaveInput, NobodyIsAskedForWhatNobodyWants) {
     std::array<std::atomic<int>, 4> frames{}, ticks{};
     const auto count = [&](const InputRows& rows) {
-        ++(rows.moment.place == 0 ? frames : ticks)[rows.tile];
+        ++(rows.moment.place == 0 ? frames : ticks)[rows.cascade];
         EXPECT_EQ(rows.velocity_x.empty(), rows.moment.place == 1);
     };
     OceanOptions options = with({std::make_shared<CallbackInput>(count, 0.5, 0b1101)});
     options.foam = true;
     SeaState wide = stack;
-    wide.resolution = 128;  // the finest tile's waves are shorter than a metre
+    wide.resolution = 128;  // the finest cascade's waves are shorter than a metre
     wide.wind_speed_mps = 12;
     Ocean ocean(wide, options);
     const Frame& frame = ocean.frame_at(1);
     int whites = 0;
-    for (std::size_t tile = 0; tile < 4; ++tile) {
-        const bool is_asked = tile != 1;
-        EXPECT_EQ(frames[tile] > 0, is_asked) << tile;
-        EXPECT_EQ(ticks[tile] > 0, is_asked && frame.tiles[tile].makes_whitecaps()) << tile;
-        whites += frame.tiles[tile].makes_whitecaps();
+    for (std::size_t cascade = 0; cascade < 4; ++cascade) {
+        const bool is_asked = cascade != 1;
+        EXPECT_EQ(frames[cascade] > 0, is_asked) << cascade;
+        EXPECT_EQ(ticks[cascade] > 0, is_asked && frame.cascades[cascade].makes_whitecaps()) << cascade;
+        whites += frame.cascades[cascade].makes_whitecaps();
     }
     EXPECT_GT(whites, 0);
     EXPECT_LT(whites, 4);
@@ -341,13 +341,13 @@ TEST(WaveInput, InputsAreAddedInTheirOrder) {
     Ocean other(stack, with({constant(b), constant(c), constant(a)}));
     const Frame &sum = ocean.frame_at(1), &sea = pure.frame_at(1), &otherwise = other.frame_at(1);
     int unlike = 0;
-    for (std::size_t tile = 0; tile < 4; ++tile)
-        for (const auto plane : {&Tile::dx, &Tile::height, &Tile::dz, &Tile::velocity_y})
+    for (std::size_t cascade = 0; cascade < 4; ++cascade)
+        for (const auto plane : {&Cascade::dx, &Cascade::height, &Cascade::dz, &Cascade::velocity_y})
             for (int j = 0; j < 64; ++j)
                 for (int i = 0; i < 64; ++i) {
-                    const float of_sea = (sea.tiles[tile].*plane).at(i, j);
-                    ASSERT_EQ((sum.tiles[tile].*plane).at(i, j), ((of_sea + a) + b) + c);
-                    ASSERT_EQ((otherwise.tiles[tile].*plane).at(i, j), ((of_sea + b) + c) + a);
+                    const float of_sea = (sea.cascades[cascade].*plane).at(i, j);
+                    ASSERT_EQ((sum.cascades[cascade].*plane).at(i, j), ((of_sea + a) + b) + c);
+                    ASSERT_EQ((otherwise.cascades[cascade].*plane).at(i, j), ((of_sea + b) + c) + a);
                     unlike += ((of_sea + a) + b) + c != ((of_sea + b) + c) + a;
                 }
     EXPECT_GT(unlike, 0);
@@ -357,19 +357,19 @@ TEST(WaveInput, BoundsAreThoseOfTheSum) {
     Ocean ocean(stack, with({gerstner(), ripple({.wavelength_m = 3, .amplitude_m = 0.4})}));
     const Frame& frame = ocean.frame_at(6);
     FrameBounds sums;
-    for (const Tile& tile : frame.tiles) {
+    for (const Cascade& cascade : frame.cascades) {
         FrameBounds exact{1e9f, -1e9f, 0, 0};
         for (int j = 0; j < 64; ++j)
             for (int i = 0; i < 64; ++i) {
-                exact.height_min_m = std::min(exact.height_min_m, tile.height.at(i, j));
-                exact.height_max_m = std::max(exact.height_max_m, tile.height.at(i, j));
-                exact.sideways_x_max_m = std::max(exact.sideways_x_max_m, std::fabs(tile.dx.at(i, j)));
-                exact.sideways_z_max_m = std::max(exact.sideways_z_max_m, std::fabs(tile.dz.at(i, j)));
+                exact.height_min_m = std::min(exact.height_min_m, cascade.height.at(i, j));
+                exact.height_max_m = std::max(exact.height_max_m, cascade.height.at(i, j));
+                exact.sideways_x_max_m = std::max(exact.sideways_x_max_m, std::fabs(cascade.dx.at(i, j)));
+                exact.sideways_z_max_m = std::max(exact.sideways_z_max_m, std::fabs(cascade.dz.at(i, j)));
             }
-        EXPECT_EQ(tile.bounds.height_min_m, exact.height_min_m);
-        EXPECT_EQ(tile.bounds.height_max_m, exact.height_max_m);
-        EXPECT_EQ(tile.bounds.sideways_x_max_m, exact.sideways_x_max_m);
-        EXPECT_EQ(tile.bounds.sideways_z_max_m, exact.sideways_z_max_m);
+        EXPECT_EQ(cascade.bounds.height_min_m, exact.height_min_m);
+        EXPECT_EQ(cascade.bounds.height_max_m, exact.height_max_m);
+        EXPECT_EQ(cascade.bounds.sideways_x_max_m, exact.sideways_x_max_m);
+        EXPECT_EQ(cascade.bounds.sideways_z_max_m, exact.sideways_z_max_m);
         sums.height_max_m += exact.height_max_m;
     }
     EXPECT_EQ(frame.bounds.height_max_m, sums.height_max_m);
@@ -377,25 +377,25 @@ TEST(WaveInput, BoundsAreThoseOfTheSum) {
 
 // Where a texel is drawn, a query finds that texel's water.
 TEST(WaveInput, QueriesFindTheSum) {
-    for (const SeaState& sea : {one_tile, stack}) {
+    for (const SeaState& sea : {one_cascade, stack}) {
         Ocean ocean(sea, with({gerstner(), ripple({.x_m = 4, .wavelength_m = 4, .amplitude_m = 0.3})}));
         const Frame& frame = ocean.frame_at(9.5);
         const SurfaceQuery query(frame);
         std::vector<double> x, z;
         std::vector<float> height, rise;
-        if (frame.tiles.size() > 1) {  // one place that is a texel of all
+        if (frame.cascades.size() > 1) {  // one place that is a texel of all
             x = {0}, z = {0}, height = {0}, rise = {0};
-            for (const Tile& tile : frame.tiles) {
-                x[0] += static_cast<double>(tile.dx.at(0, 0)), z[0] += static_cast<double>(tile.dz.at(0, 0));
-                height[0] += tile.height.at(0, 0), rise[0] += tile.velocity_y.at(0, 0);
+            for (const Cascade& cascade : frame.cascades) {
+                x[0] += static_cast<double>(cascade.dx.at(0, 0)), z[0] += static_cast<double>(cascade.dz.at(0, 0));
+                height[0] += cascade.height.at(0, 0), rise[0] += cascade.velocity_y.at(0, 0);
             }
         } else {
-            const Tile& tile = frame.tiles[0];
+            const Cascade& cascade = frame.cascades[0];
             for (int j = 0; j < 64; j += 5)
                 for (int i = 0; i < 64; i += 3) {
-                    x.push_back(tile.texel_m() * i + static_cast<double>(tile.dx.at(i, j)));
-                    z.push_back(tile.texel_m() * j + static_cast<double>(tile.dz.at(i, j)));
-                    height.push_back(tile.height.at(i, j)), rise.push_back(tile.velocity_y.at(i, j));
+                    x.push_back(cascade.texel_m() * i + static_cast<double>(cascade.dx.at(i, j)));
+                    z.push_back(cascade.texel_m() * j + static_cast<double>(cascade.dz.at(i, j)));
+                    height.push_back(cascade.height.at(i, j)), rise.push_back(cascade.velocity_y.at(i, j));
                 }
         }
         std::vector<float> found(x.size()), rises(x.size());
@@ -408,27 +408,27 @@ TEST(WaveInput, QueriesFindTheSum) {
 }
 
 /// The largest byte of h_x away from none, and what it means.
-std::pair<int, double> steepest(const Tile& tile) {
+std::pair<int, double> steepest(const Cascade& cascade) {
     int most = 0;
-    for (const std::uint32_t texel : tile.level_of(tile.slopes_rgba8, 0))
+    for (const std::uint32_t texel : cascade.level_of(cascade.slopes_rgba8, 0))
         most = std::max(most, std::abs(static_cast<int>(texel & 0xFF) - 128));
-    return {most, most / 127.0 * static_cast<double>(tile.slope_ranges.slope)};
+    return {most, most / 127.0 * static_cast<double>(cascade.slope_ranges.slope)};
 }
 
 // A calm sea's bytes count in slopes of thousandths.
 TEST(WaveInput, SteepWavesFindRoomInTheSlopes) {
     const AnalyticSea steep{.waves = {{.amplitude_m = 0.6, .wavelength_m = 10}}, .choppiness = 0};  // 8 texels a wave
     Ocean pure(still, with({})), ocean(still, with({gerstner(steep)}));
-    const Tile& sea = pure.frame_at(0).tiles[0];
+    const Cascade& sea = pure.frame_at(0).cascades[0];
     EXPECT_LT(sea.slope_ranges.slope, 0.15f);
-    const Tile& tile = ocean.frame_at(0).tiles[0];
-    const auto [byte, slope] = steepest(tile);
+    const Cascade& cascade = ocean.frame_at(0).cascades[0];
+    const auto [byte, slope] = steepest(cascade);
     EXPECT_LT(byte, 127);
     // A quarter of a wave of 8 texels is a texel, and there the derivative's stencil (kernels.hpp) overstates it by an eighth. The sea's own
     // slopes may add to it or not, and a byte is half of its step off.
     const double x = two_pi / 8, stencil = 2 * (0.9388 * std::sin(x) - 0.2194 * std::sin(2 * x)) / x;
     EXPECT_NEAR(slope, stencil * two_pi * 0.6 / 10,
-                steepest(sea).second + static_cast<double>(tile.slope_ranges.slope) / 254 + 1e-4);
+                steepest(sea).second + static_cast<double>(cascade.slope_ranges.slope) / 254 + 1e-4);
     // A callback says how steep it is; if that is too little, bytes stop.
     const auto bumps = [](double told) {
         return callback(
@@ -441,8 +441,8 @@ TEST(WaveInput, SteepWavesFindRoomInTheSlopes) {
             told);
     };
     Ocean honest(still, with({bumps(0.5)})), wrong(still, with({bumps(0.001)}));
-    EXPECT_LT(steepest(honest.frame_at(0).tiles[0]).first, 127);
-    EXPECT_GE(steepest(wrong.frame_at(0).tiles[0]).first, 127);
+    EXPECT_LT(steepest(honest.frame_at(0).cascades[0]).first, 127);
+    EXPECT_GE(steepest(wrong.frame_at(0).cascades[0]).first, 127);
 }
 
 TEST(WaveInput, WavesAreThoseOfOneLoopLater) {
@@ -510,7 +510,7 @@ TEST(WaveInput, TicksOfFoamChangeNothingElse) {
 
 // Foam that lasts is of ticks: an input of ticks alone leaves no trace but foam.
 TEST(WaveInput, TicksOfFoamHaveIt) {
-    SeaState sea = one_tile;
+    SeaState sea = one_cascade;
     sea.wind_speed_mps = 8;
     const auto squeeze = callback([](const InputRows& rows) {
         if (rows.moment.place == 0) return;
@@ -522,24 +522,24 @@ TEST(WaveInput, TicksOfFoamHaveIt) {
     options.foam = pure_options.foam = true;
     Ocean ocean(sea, options), pure(sea, pure_options);
     const Frame &a = ocean.frame_at(4.02), &b = pure.frame_at(4.02);
-    ASSERT_TRUE(a.tiles[0].makes_whitecaps());
+    ASSERT_TRUE(a.cascades[0].makes_whitecaps());
     int white = 0, more = 0;
     for (std::size_t j = 0; j < 64; ++j)
         for (std::size_t i = 0; i < 64; ++i) {
             const bool is_squeezed = i > 18 && i < 45;
-            white += is_squeezed && a.tiles[0].foam_r8[j * 64 + i] > 200;
+            white += is_squeezed && a.cascades[0].foam_r8[j * 64 + i] > 200;
             more += !is_squeezed && i != 15 && i != 16 && i != 17 && i != 18 && i != 45 && i != 46 && i != 47 &&
-                    i != 48 && a.tiles[0].foam_r8[j * 64 + i] != b.tiles[0].foam_r8[j * 64 + i];
+                    i != 48 && a.cascades[0].foam_r8[j * 64 + i] != b.cascades[0].foam_r8[j * 64 + i];
         }
     EXPECT_GT(white, 64 * 20);
     EXPECT_LT(more, 64 * 8);  // drift
-    EXPECT_EQ(a.tiles[0].height.at(20, 20), b.tiles[0].height.at(20, 20));
-    EXPECT_EQ(a.tiles[0].dx.at(20, 20), b.tiles[0].dx.at(20, 20));
+    EXPECT_EQ(a.cascades[0].height.at(20, 20), b.cascades[0].height.at(20, 20));
+    EXPECT_EQ(a.cascades[0].dx.at(20, 20), b.cascades[0].dx.at(20, 20));
 }
 
 // Whoever adds something else a loop later finds the foam of that.
 TEST(WaveInput, FoamIsOfItsOwnLoop) {
-    SeaState sea = one_tile;
+    SeaState sea = one_cascade;
     sea.wind_speed_mps = 8;
     const auto later = callback([](const InputRows& rows) {
         if (rows.moment.time_s < loop_s) return;
@@ -556,19 +556,19 @@ TEST(WaveInput, FoamIsOfItsOwnLoop) {
     EXPECT_NE(there, foam_hash_of(jumps.frame_at(5)));
 }
 
-// Another weather has other tiles, and waves go where those take them.
-TEST(WaveInput, FollowsTheTilesOfAnotherSea) {
+// Another weather has other cascades, and waves go where those take them.
+TEST(WaveInput, FollowsTheCascadesOfAnotherSea) {
     SeaState storm = stack;
     storm.wind_speed_mps = 20;
     const auto waves = gerstner();
     const auto rings = ripple({.wavelength_m = 9, .amplitude_m = 0.4});
     Ocean ocean(stack, with({waves, rings})),
         fresh(storm, with({gerstner(), ripple({.wavelength_m = 9, .amplitude_m = 0.4})}));
-    const double side = ocean.frame_at(1).tiles[0].lattice.side_m;
+    const double side = ocean.frame_at(1).cascades[0].lattice.side_m;
     ocean.schedule_sea(storm);
     ocean.complete_sea();
     const Frame& frame = ocean.frame_at(2);
-    EXPECT_NE(frame.tiles[0].lattice.side_m, side);
+    EXPECT_NE(frame.cascades[0].lattice.side_m, side);
     EXPECT_EQ(hash_of(frame), hash_of(fresh.frame_at(2)));
 }
 
@@ -621,7 +621,7 @@ TEST(WaveInput, BadValuesAreRefusedAndTheNextFrameIsRight) {
         const auto bad = callback([&](const InputRows& rows) {
             const std::span<float> fields[] = {rows.dx,         rows.height,     rows.dz,
                                                rows.velocity_x, rows.velocity_y, rows.velocity_z};
-            if (rows.tile == 1 && rows.first_row == 32) fields[field][77] = value;
+            if (rows.cascade == 1 && rows.first_row == 32) fields[field][77] = value;
         });
         Ocean ocean(stack, with({std::make_shared<GerstnerInput>(), bad}, choose_isa(), kind.make(kind.threads)));
         const auto complete = [&] { ocean.frame_at(1); };

@@ -16,7 +16,7 @@
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/sources/packed_spectrum.hpp"
 #include "pelagic/sim/sources/sea_shelf.hpp"
-#include "pelagic/sim/tile_plan.hpp"
+#include "pelagic/sim/cascade_plan.hpp"
 #include "pelagic/tests/each_executor.hpp"
 #include "pelagic/tests/each_isa.hpp"
 #include "pelagic/tests/sanitized.hpp"
@@ -60,7 +60,7 @@ TEST(Forecast, SaysWhichSeasThereAreAndHowMuchOfTheSecond) {
     expect(1e9, 2, 2, 0);
 }
 
-TEST(Forecast, RefusesInOneLineWhatTilesCannotShow) {
+TEST(Forecast, RefusesInOneLineWhatCascadesCannotShow) {
     const auto refused = [](auto alter) {
         Forecast forecast = calm_to_storm();
         alter(forecast);
@@ -112,18 +112,18 @@ TEST(Forecast, SeaInBetweenGoesFromOneToTheOther) {
     for (const double part : {0.1, 0.5, 0.9}) EXPECT_EQ(check(sea_between(north, west, part)), "");
 }
 
-TEST(TilePlan, SeasThatTurnIntoOneAnotherShareLatticesAndBands) {
+TEST(CascadePlan, SeasThatTurnIntoOneAnotherShareLatticesAndBands) {
     WaveReach reach = WaveReach::of(calm);
     reach.extend_to(WaveReach::of(storm));
-    const auto of_calm = plan_tiles(calm, reach), of_storm = plan_tiles(storm, reach);
-    EXPECT_GE(of_storm.front().lattice.side_m, plan_tiles(storm).front().lattice.side_m);
+    const auto of_calm = plan_cascades(calm, reach), of_storm = plan_cascades(storm, reach);
+    EXPECT_GE(of_storm.front().lattice.side_m, plan_cascades(storm).front().lattice.side_m);
     ASSERT_EQ(of_calm.size(), of_storm.size());
-    for (std::size_t tile = 0; tile < of_calm.size(); ++tile) {
-        EXPECT_EQ(of_calm[tile].lattice.side_m, of_storm[tile].lattice.side_m);
-        EXPECT_EQ(of_calm[tile].lattice.sine, of_storm[tile].lattice.sine);
-        EXPECT_EQ(of_calm[tile].least_k, of_storm[tile].least_k);
-        if (tile + 1 < of_calm.size()) {
-            EXPECT_EQ(of_calm[tile].most_k, of_storm[tile].most_k);
+    for (std::size_t cascade = 0; cascade < of_calm.size(); ++cascade) {
+        EXPECT_EQ(of_calm[cascade].lattice.side_m, of_storm[cascade].lattice.side_m);
+        EXPECT_EQ(of_calm[cascade].lattice.sine, of_storm[cascade].lattice.sine);
+        EXPECT_EQ(of_calm[cascade].least_k, of_storm[cascade].least_k);
+        if (cascade + 1 < of_calm.size()) {
+            EXPECT_EQ(of_calm[cascade].most_k, of_storm[cascade].most_k);
         }
     }
 }
@@ -210,10 +210,10 @@ TEST(SeaShelf, KeepsWhatPassesTakeAndGivesUpTheOldest) {
 /// FNV-1a over everything that the waves of a frame displace.
 std::uint64_t displacement_hash(const Frame& frame) {
     std::uint64_t hash = 0xcbf29ce484222325u;
-    for (const Tile& tile : frame.tiles) {
-        std::vector<float> row(static_cast<std::size_t>(tile.resolution()));
-        for (const PlaneView* plane : {&tile.dx, &tile.height, &tile.dz})
-            for (int j = 0; j < tile.resolution(); ++j) {
+    for (const Cascade& cascade : frame.cascades) {
+        std::vector<float> row(static_cast<std::size_t>(cascade.resolution()));
+        for (const PlaneView* plane : {&cascade.dx, &cascade.height, &cascade.dz})
+            for (int j = 0; j < cascade.resolution(); ++j) {
                 plane->copy_row(j, row.data());
                 for (const float value : row) hash = (hash ^ std::bit_cast<std::uint32_t>(value)) * 0x100000001b3u;
             }
@@ -221,7 +221,7 @@ std::uint64_t displacement_hash(const Frame& frame) {
     return hash;
 }
 
-// Seas that share a forecast share their tiles, so either may come first.
+// Seas that share a forecast share their cascades, so either may come first.
 TEST(Weather, IsOneSeaBeforeAndAnotherAfterwards) {
     const Forecast there = calm_to_storm();
     const Forecast back{.first = storm, .changes = {{.sea = calm, .from_s = 10, .over_s = 20}}};
@@ -231,7 +231,7 @@ TEST(Weather, IsOneSeaBeforeAndAnotherAfterwards) {
     EXPECT_NE(hash_at(there, 10.5), hash_at(back, 10.5 + loop_s));
 }
 
-// A calm sea by itself has other tiles than one that a storm follows, but with room for the storm's peak it is where it was.
+// A calm sea by itself has other cascades than one that a storm follows, but with room for the storm's peak it is where it was.
 TEST(Weather, ASeaWithRoomForALongerPeakIsTheSameWithOrWithoutChanges) {
     const double peak_m = WaveReach::of(storm).peak_m;
     EXPECT_EQ(hash_at({.first = calm, .largest_peak_m = peak_m}, 3), hash_at(calm_to_storm(), 3));
@@ -321,19 +321,19 @@ TEST(Weather, VelocitiesAreThoseOfTheBlend) {
     Ocean ocean(slow, {.executor = make_thread_executor(2), .velocities = true});
     std::vector<double> moved;
     const auto heights = [&](double time_s) {
-        const Tile& tile = ocean.frame_at(time_s).tiles[0];
+        const Cascade& cascade = ocean.frame_at(time_s).cascades[0];
         std::vector<double> all;
-        for (int j = 0; j < tile.resolution(); j += 7)
-            for (int i = 0; i < tile.resolution(); i += 5) all.push_back(tile.height.at(i, j));
+        for (int j = 0; j < cascade.resolution(); j += 7)
+            for (int i = 0; i < cascade.resolution(); i += 5) all.push_back(cascade.height.at(i, j));
         return all;
     };
     const std::vector<double> earlier = heights(100 - step_s), later = heights(100 + step_s);
-    const Tile& tile = ocean.frame_at(100).tiles[0];
+    const Cascade& cascade = ocean.frame_at(100).cascades[0];
     std::size_t number = 0;
-    for (int j = 0; j < tile.resolution(); j += 7)
-        for (int i = 0; i < tile.resolution(); i += 5, ++number)
+    for (int j = 0; j < cascade.resolution(); j += 7)
+        for (int i = 0; i < cascade.resolution(); i += 5, ++number)
             // Heights of metres have steps of 2^-22 m: 1e-4 m/s over two milliseconds.
-            EXPECT_NEAR(tile.velocity_y.at(i, j), (later[number] - earlier[number]) / (2 * step_s), 2e-3);
+            EXPECT_NEAR(cascade.velocity_y.at(i, j), (later[number] - earlier[number]) / (2 * step_s), 2e-3);
 }
 
 TEST(Weather, ExpectedHeightGoesFromOneSeasToTheOthers) {
@@ -353,14 +353,14 @@ TEST(Weather, ExpectedHeightGoesFromOneSeasToTheOthers) {
 
 double mean_square_height(const Frame& frame) {
     double sum = 0;
-    for (const Tile& tile : frame.tiles) {
-        double of_tile = 0;
-        for (int j = 0; j < tile.resolution(); ++j)
-            for (int i = 0; i < tile.resolution(); ++i) {
-                const double height = tile.height.at(i, j);
-                of_tile += height * height;
+    for (const Cascade& cascade : frame.cascades) {
+        double of_cascade = 0;
+        for (int j = 0; j < cascade.resolution(); ++j)
+            for (int i = 0; i < cascade.resolution(); ++i) {
+                const double height = cascade.height.at(i, j);
+                of_cascade += height * height;
             }
-        sum += of_tile / tile.resolution() / tile.resolution();
+        sum += of_cascade / cascade.resolution() / cascade.resolution();
     }
     return sum;
 }
@@ -385,7 +385,7 @@ TEST(Weather, EnergyOfFramesIsThatOfTheBlend) {
 
 double slope_variance(const Frame& frame) {
     double sum = 0;
-    for (const Tile& tile : frame.tiles) sum += tile.slope_variance;
+    for (const Cascade& cascade : frame.cascades) sum += cascade.slope_variance;
     return sum;
 }
 
@@ -439,8 +439,8 @@ TEST(Weather, SmoothnessChannelHasTheRoughnessOfTheBlend) {
     const auto expect_roughness = [&](double time_s, double roughness) {
         const Frame& frame = ocean.frame_at(time_s);
         EXPECT_NEAR(frame.figures.roughness, roughness, 1e-12) << time_s;
-        for (const Tile& tile : frame.tiles)
-            EXPECT_NEAR((tile.gradient_level(0)[5] >> 24) / 255.0, 1 - std::sqrt(roughness), 0.51 / 255) << time_s;
+        for (const Cascade& cascade : frame.cascades)
+            EXPECT_NEAR((cascade.gradient_level(0)[5] >> 24) / 255.0, 1 - std::sqrt(roughness), 0.51 / 255) << time_s;
     };
     for (const double time_s : {0.0, 10.0, 15.0, 20.0, 25.0, 30.0, 35.0}) {
         const double u = std::clamp((time_s - 10) / 20, 0.0, 1.0);
@@ -480,7 +480,7 @@ INSTANTIATE_TEST_SUITE_P(Changes, WeatherMoves,
                                          Turn{"StormToCalm", storm, calm, 10}, swell_comes_from_afar()),
                          [](const auto& changed) { return changed.param.name; });
 
-// Of all heights and all sideways displacements of a tile, at 72 frames a second.
+// Of all heights and all sideways displacements of a cascade, at 72 frames a second.
 TEST_P(WeatherMoves, NoMoreFromFrameToFrameThanTheLargerSea) {
     const Turn& turn = GetParam();
     const double frame_s = 1.0 / 72, loop_s = calm.loop_period_s;
@@ -492,10 +492,10 @@ TEST_P(WeatherMoves, NoMoreFromFrameToFrameThanTheLargerSea) {
         for (const double at_s : {time_s, time_s + frame_s}) {
             const Frame& frame = ocean.frame_at(at_s);
             std::size_t number = 0;
-            for (const Tile& tile : frame.tiles)
-                for (const PlaneView* plane : {&tile.dx, &tile.height, &tile.dz})
-                    for (int j = 0; j < tile.resolution(); ++j, ++number) {
-                        std::vector<float> row(static_cast<std::size_t>(tile.resolution()));
+            for (const Cascade& cascade : frame.cascades)
+                for (const PlaneView* plane : {&cascade.dx, &cascade.height, &cascade.dz})
+                    for (int j = 0; j < cascade.resolution(); ++j, ++number) {
+                        std::vector<float> row(static_cast<std::size_t>(cascade.resolution()));
                         plane->copy_row(j, row.data());
                         if (number < earlier.size())
                             for (std::size_t i = 0; i < row.size(); ++i)
@@ -542,7 +542,7 @@ TEST(Weather, ALiveOceanWithoutRoomRefusesALongerPeak) {
     Ocean ocean(calm, serial());
     try {
         ocean.schedule_sea(storm, 10, 20);
-        FAIL() << "the storm's peak is longer than the tiles are laid out for";
+        FAIL() << "the storm's peak is longer than the cascades are laid out for";
     } catch (const std::invalid_argument& error) {
         EXPECT_EQ(std::string(error.what()).substr(0, 29), "peak_wavelength_m of change 1");
     }

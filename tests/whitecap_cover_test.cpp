@@ -18,24 +18,24 @@ namespace {
 /// Foam lasts for three; frames are between ticks, mostly.
 constexpr double seconds_between = 0.57;
 
-/// Foam of a tile at a rest point, bilinear between texels; part of the place that is covered.
-double foam_at(const Tile& tile, double rest_x_m, double rest_z_m) {
-    if (!tile.makes_whitecaps()) return 0;
-    const int n = tile.resolution();
-    const TileLattice::Place place = tile.lattice.in_tile(rest_x_m, rest_z_m);
-    const double u = place.along / tile.texel_m(), v = place.across / tile.texel_m();
+/// Foam of a cascade at a rest point, bilinear between texels; part of the place that is covered.
+double foam_at(const Cascade& cascade, double rest_x_m, double rest_z_m) {
+    if (!cascade.makes_whitecaps()) return 0;
+    const int n = cascade.resolution();
+    const CascadeLattice::Place place = cascade.lattice.in_cascade(rest_x_m, rest_z_m);
+    const double u = place.along / cascade.texel_m(), v = place.across / cascade.texel_m();
     const int i = static_cast<int>(std::floor(u)), j = static_cast<int>(std::floor(v));
     const double s = u - i, t = v - j;
     const auto texel = [&](int a, int b) {
         const auto row = static_cast<std::size_t>(b & (n - 1)), column = static_cast<std::size_t>(a & (n - 1));
-        return static_cast<double>(tile.foam_r8[row * static_cast<std::size_t>(n) + column]);
+        return static_cast<double>(cascade.foam_r8[row * static_cast<std::size_t>(n) + column]);
     };
     return ((1 - t) * ((1 - s) * texel(i, j) + s * texel(i + 1, j)) +
             t * ((1 - s) * texel(i, j + 1) + s * texel(i + 1, j + 1))) /
            255;
 }
 
-/// The mean of the most foam of the tiles: over so many seeds, frames of each, and rest points.
+/// The mean of the most foam of the cascades: over so many seeds, frames of each, and rest points.
 double mean_cover(SeaState sea, int seeds, int frames) {
     // Places that fill a square evenly (Roberts 2018), other ones in each frame.
     constexpr int places = 10'000;
@@ -51,7 +51,7 @@ double mean_cover(SeaState sea, int seeds, int frames) {
                 const double x_m = square_m * part_of(place * 0.7548776662466927);
                 const double z_m = square_m * part_of(place * 0.5698402909980532);
                 double most = 0;
-                for (const Tile& tile : frame.tiles) most = std::max(most, foam_at(tile, x_m, z_m));
+                for (const Cascade& cascade : frame.cascades) most = std::max(most, foam_at(cascade, x_m, z_m));
                 sum += most;
             }
         }
@@ -59,7 +59,7 @@ double mean_cover(SeaState sea, int seeds, int frames) {
     return sum / (static_cast<double>(places) * frames * seeds);
 }
 
-/// One tile of a given side where the cascades are 0.
+/// One cascade of a given side where the cascades are 0.
 SeaState sea_of(int cascades, double wind_speed_mps) {
     return {.cascades = cascades, .patch_size_m = cascades == 0 ? 250.0 : 0.0, .wind_speed_mps = wind_speed_mps};
 }

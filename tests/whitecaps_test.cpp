@@ -22,10 +22,10 @@ TEST(Whitecaps, CoverWhatWasObservedAtSea) {
 TEST(Whitecaps, AreNoneWhereNothingFolds) {
     const SeaState flat{.resolution = 32, .patch_size_m = 250, .wind_speed_mps = 1e-3};
     Ocean ocean(flat, {.executor = make_serial_executor()});
-    EXPECT_FALSE(ocean.frame_at(0).tiles[0].makes_whitecaps());
+    EXPECT_FALSE(ocean.frame_at(0).cascades[0].makes_whitecaps());
     const SeaState height_field{.resolution = 32, .patch_size_m = 250, .choppiness = 0};
     Ocean unfolded(height_field, {.executor = make_serial_executor()});
-    EXPECT_FALSE(unfolded.frame_at(0).tiles[0].makes_whitecaps());
+    EXPECT_FALSE(unfolded.frame_at(0).cascades[0].makes_whitecaps());
 }
 
 TEST(FrameFigures, AreThoseOfTheSeaOnEveryInstructionSetAndAfterEveryChange) {
@@ -45,7 +45,7 @@ TEST(FrameFigures, AreThoseOfTheSeaOnEveryInstructionSetAndAfterEveryChange) {
         EXPECT_NEAR(last_calm.figures.significant_wave_height_m / expected_waves(calm).significant_wave_height_m, 1,
                     1e-12);
         const double height_before_m = last_calm.figures.significant_wave_height_m;
-        const float jacobian_before = last_calm.tiles[0].whitecap_jacobian;
+        const float jacobian_before = last_calm.cascades[0].whitecap_jacobian;
         const Frame& first_storm = ocean.complete();
         EXPECT_EQ(first_storm.sea.patch_size_m, 800);
         EXPECT_NEAR(first_storm.figures.significant_wave_height_m / expected_waves(storm).significant_wave_height_m,
@@ -54,12 +54,12 @@ TEST(FrameFigures, AreThoseOfTheSeaOnEveryInstructionSetAndAfterEveryChange) {
             calm_height_m = height_before_m;
             calm_jacobian = jacobian_before;
             storm_height_m = first_storm.figures.significant_wave_height_m;
-            storm_jacobian = first_storm.tiles[0].whitecap_jacobian;
+            storm_jacobian = first_storm.cascades[0].whitecap_jacobian;
         }
         EXPECT_EQ(height_before_m, calm_height_m);
         EXPECT_EQ(jacobian_before, calm_jacobian);
         EXPECT_EQ(first_storm.figures.significant_wave_height_m, storm_height_m);
-        EXPECT_EQ(first_storm.tiles[0].whitecap_jacobian, storm_jacobian);
+        EXPECT_EQ(first_storm.cascades[0].whitecap_jacobian, storm_jacobian);
     }
 }
 

@@ -45,7 +45,7 @@ void add_instructions(Json& json, const FrameTiming& frame, const std::string& j
 
 /// The keys of bench/results, and more.
 Json as_json(const FrameTiming& frame, const FrameTiming& on_one_thread) {
-    Json json = {{"tiles", frame.tiles},
+    Json json = {{"cascades", frame.cascades},
                  {"n", frame.resolution},
                  {"isa", name_of(frame.isa)},
                  {"threads", frame.threads},
@@ -86,7 +86,7 @@ Json as_json(const Timings& timings) {
 
 void BenchFlags::add_to(CLI::App& app) {
     app.add_option("--sizes", sizes_,
-                   "N of seas of one tile, with commas; default 64,128,256,512,1024, and the default sea")
+                   "N of seas of one cascade, with commas; default 64,128,256,512,1024, and the default sea")
         ->type_name("N,N");
     app.add_option("--seconds", seconds_, std::string("about how long to measure; ") + seconds_range + ", default 30")
         ->type_name("SECONDS");

@@ -16,7 +16,7 @@ OceanOptions ocean_options(const ExportOptions& options, const std::shared_ptr<C
 /// the dynamic waves the options' events, on the ocean's executor; null without events.
 std::unique_ptr<EventPlayer> event_player(const ExportOptions& options, const OceanOptions& how);
 
-/// The frame as it is exported: with the window beside its tiles, whose bounds and figures stay those of the sea alone.
+/// The frame as it is exported: with the window beside its cascades, whose bounds and figures stay those of the sea alone.
 Frame exported_frame(const Frame& frame, EventPlayer* player);
 
 /// Throws InputError and FileError. Prints a summary on stdout, progress on stderr if that is a terminal.

@@ -116,7 +116,7 @@ Json sea_for_people(const Json& sea) {
     return rows;
 }
 
-/// Steps of scales as "6, strong breeze", and a row for each tile's slopes.
+/// Steps of scales as "6, strong breeze", and a row for each cascade's slopes.
 Json waves_for_people(const Json& waves, bool has_spectrum) {
     Json rows = Json::object();
     for (const auto& [key, value] : waves.items()) {
@@ -126,13 +126,13 @@ Json waves_for_people(const Json& waves, bool has_spectrum) {
         } else if (value.is_object() && value.contains("number")) {
             rows[key] = value.at("number").dump() + ", " + value.at("name").get<std::string>();
         } else if (key == "slope_variance") {
-            for (Json tile : value.at("tiles")) {
-                const std::string side = rounded_text(tile.at("side_m").get<double>(), 4);
-                tile.erase("side_m");
-                tile.erase("resolution");
-                rows[key + ", " + side + " m"] = tile;
+            for (Json cascade : value.at("cascades")) {
+                const std::string side = rounded_text(cascade.at("side_m").get<double>(), 4);
+                cascade.erase("side_m");
+                cascade.erase("resolution");
+                rows[key + ", " + side + " m"] = cascade;
             }
-            if (value.at("tiles").size() > 1) rows[key + ", all"] = value.at("all");
+            if (value.at("cascades").size() > 1) rows[key + ", all"] = value.at("all");
             rows["  of Cox and Munk"] = value.at("cox_and_munk");
         } else {
             rows[key] = value;
@@ -141,16 +141,16 @@ Json waves_for_people(const Json& waves, bool has_spectrum) {
     return rows;
 }
 
-/// A row for each tile's drift.
+/// A row for each cascade's drift.
 Json foam_for_people(Json foam) {
-    const Json tiles = foam.at("tiles");
-    foam.erase("tiles");
-    for (const Json& tile : tiles) {
-        const std::string row = "drift of " + rounded_text(tile.at("side_m").get<double>(), 4) + " m";
-        if (tile.at("makes_whitecaps").get<bool>())
-            foam[row] = {{"columns_a_loop", tile.at("columns_a_loop")},
-                         {"rows_a_loop", tile.at("rows_a_loop")},
-                         {"drift_mps", tile.at("drift_mps")}};
+    const Json cascades = foam.at("cascades");
+    foam.erase("cascades");
+    for (const Json& cascade : cascades) {
+        const std::string row = "drift of " + rounded_text(cascade.at("side_m").get<double>(), 4) + " m";
+        if (cascade.at("makes_whitecaps").get<bool>())
+            foam[row] = {{"columns_a_loop", cascade.at("columns_a_loop")},
+                         {"rows_a_loop", cascade.at("rows_a_loop")},
+                         {"drift_mps", cascade.at("drift_mps")}};
         else
             foam[row] = "makes no whitecaps";
     }
@@ -165,7 +165,7 @@ void print_summary(const Json& json) {
     const auto step = [](const Json& of) { return of.at("number").dump() + ", " + of.at("name").get<std::string>(); };
     const std::string preset = json.value("preset", ""), model = sea.at("waves");
     const Json& height = waves.at("significant_wave_height_m");
-    const std::size_t tiles = waves.at("slope_variance").at("tiles").size();
+    const std::size_t cascades = waves.at("slope_variance").at("cascades").size();
     row("Sea", (preset.empty() ? "" : "preset " + preset + ", ") +
                    (model == "spectrum" ? sea.at("spectrum").get<std::string>() : model) + ", wind " +
                    number(sea.at("wind_speed_mps")) + " m/s towards " + number(sea.at("wind_direction_deg")) +
@@ -178,8 +178,8 @@ void print_summary(const Json& json) {
                        number(waves.at("tm02_s").at("expected")) + " s");
     const std::string loop = "after " + number_text(sea.at("loop_period_s").get<double>()) + " s and after " +
                              number_text(json.at("repeats_after_m").get<double>()) + " m";
-    row("Repeats", tiles == 1 ? loop
-                              : loop + ", the side of the coarsest of " + number_text(tiles) +
+    row("Repeats", cascades == 1 ? loop
+                              : loop + ", the side of the coarsest of " + number_text(cascades) +
                                     " cascades: its long waves, not the finer ones");
     row("Computes", computing.at("isa").get<std::string>() + ", executor " +
                         computing.at("executor").get<std::string>() + " with " + computing.at("threads").dump() +
@@ -197,7 +197,7 @@ void print_table(const Json& json) {
     std::string stages;
     for (const Json& stage : computing.at("stages")) {
         const auto name = stage.at("name").get<std::string>();
-        if (job_of(name) != name) continue;  // of a finer tile, as those of the coarsest
+        if (job_of(name) != name) continue;  // of a finer cascade, as those of the coarsest
         stages += (stages.empty() ? "" : " -> ") + name;
     }
     computing["stages"] = stages;

@@ -74,7 +74,7 @@ class PictureMaker {
                   options.wireframe ? gl::PixelKind::screen : gl::PixelKind::radiance),
           renderer_(context_.functions(), {.patch_vertices = options.scene.quadtree.vertices,
                                            .resolution = ocean_.resolution(),
-                                           .tiles = ocean_.tile_count(),
+                                           .cascades = ocean_.cascade_count(),
                                            .shading = options.scene.shading.value_or(gl::Shading::high),
                                            .writes = gl::PixelKind::radiance,
                                            .surface = options.scene.surface,

@@ -56,16 +56,16 @@ void choose_waves(SeaState& sea) {
     if (sea.waves == WaveModel::exp_sine) slide(sliders::drag, sea.wave_drag);
 }
 
-/// How many tiles the sea is a sum of, unless the side of the only one was given or the model knows no other.
+/// How many cascades the sea is a sum of, unless the side of the only one was given or the model knows no other.
 void choose_cascades(SeaState& sea, const std::vector<double>& sides_m) {
     int cascades = cascades_of(sea);
-    if (!is_tile_for_good(sea) &&
+    if (!is_cascade_for_good(sea) &&
         ImGui::SliderInt(sliders::cascades.label, &cascades, static_cast<int>(sliders::cascades.least),
                          static_cast<int>(sliders::cascades.most)))
         sea.cascades = cascades;
     std::string sides;
     for (const double side : sides_m) sides += (sides.empty() ? "" : ", ") + number_text(side);
-    ImGui::Text("tiles of %s m", sides.c_str());
+    ImGui::Text("cascades of %s m", sides.c_str());
 }
 
 void choose_quality(std::string& quality) {
@@ -156,7 +156,7 @@ void show_panel(ViewSettings& settings, ViewCamera& camera, const ViewFigures& f
     slide(sliders::choppiness, settings.sea.choppiness);
     choose_waves(settings.sea);
     choose_preset(settings.sea);
-    choose_cascades(settings.sea, figures.tile_sides_m);
+    choose_cascades(settings.sea, figures.cascade_sides_m);
     slide({"changes take", "", 0, 60, "%.0f s"}, settings.change_over_s);
     ImGui::Text("waves of %.2f m%s", figures.significant_wave_height_m,
                 figures.sea_is_baking || figures.sea_is_changing ? ", changing" : "");

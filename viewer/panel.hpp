@@ -48,7 +48,7 @@ struct ViewFigures {
     std::uint64_t triangles = 0;
     std::size_t patches = 0;
     double significant_wave_height_m = 0;
-    std::vector<double> tile_sides_m;
+    std::vector<double> cascade_sides_m;
     std::optional<double> boat_mps;  ///< its speed, if there is one
     bool sea_is_baking = false, sea_is_changing = false, sky_is_baking = false;
 };

@@ -6,8 +6,8 @@
 namespace pelagic::viewer {
 namespace {
 
-/// Stages of further tiles have their number behind: "gradients+mipmaps c2".
-std::string_view without_tile(std::string_view name) {
+/// Stages of further cascades have their number behind: "gradients+mipmaps c2".
+std::string_view without_cascade(std::string_view name) {
     const std::size_t number = name.find(" c");
     return number != name.npos && name.find_first_not_of("0123456789", number + 2) == name.npos
                ? name.substr(0, number)
@@ -20,8 +20,8 @@ void StageTimes::follow(const JobGraph& graph) {
     const std::lock_guard lock(mutex_);
     rows_.clear();
     for (const Stage& stage : graph.stages())
-        if (std::ranges::find(rows_, without_tile(stage.name), &Row::name) == rows_.end())
-            rows_.push_back({.name = std::string(without_tile(stage.name))});
+        if (std::ranges::find(rows_, without_cascade(stage.name), &Row::name) == rows_.end())
+            rows_.push_back({.name = std::string(without_cascade(stage.name))});
     now_ms_.assign(rows_.size(), 0);
 }
 
@@ -29,7 +29,7 @@ void StageTimes::work(const TraceSpan& span) noexcept {
     const double ms = std::chrono::duration<double, std::milli>(span.end - span.start).count();
     const std::lock_guard lock(mutex_);
     for (std::size_t i = 0; i < rows_.size(); ++i)
-        if (rows_[i].name == without_tile(span.name)) now_ms_[i] += ms;
+        if (rows_[i].name == without_cascade(span.name)) now_ms_[i] += ms;
 }
 
 void StageTimes::end_frame() {

@@ -16,7 +16,7 @@ class StageTimes final : public TraceSink {
    public:
     static constexpr std::size_t frames_kept = 120;
 
-    /// One stage of all tiles: milliseconds of work, all threads together, the oldest frame first.
+    /// One stage of all cascades: milliseconds of work, all threads together, the oldest frame first.
     struct Row {
         std::string name;
         std::array<float, frames_kept> ms{};

@@ -231,20 +231,20 @@ class Viewer {
         return !settings_.frozen && left_s > 0 && left_s <= settings_.change_over_s + baking_s;
     }
 
-    /// The sea turns into the one that is chosen, if that fits the tiles.
+    /// The sea turns into the one that is chosen, if that fits the cascades.
     bool turns_slowly() {
         if (settings_.frozen || settings_.change_over_s < least_change_s) return false;
         try {
             ocean_->schedule_sea(settings_.sea, time_s_ + baking_s, settings_.change_over_s);
-        } catch (const std::invalid_argument&) {  // longer waves, another kind of tiles, or weather to come
+        } catch (const std::invalid_argument&) {  // longer waves, another kind of cascades, or weather to come
             return false;
         }
         return true;
     }
 
-    /// An ocean has its tiles, and what fills them, for life; one with a shore has its sea, too.
+    /// An ocean has its cascades, and what fills them, for life; one with a shore has its sea, too.
     bool ocean_takes(const SeaState& sea) const {
-        return !options_.shore && cascades_of(sea) == static_cast<int>(ocean_->tile_count()) &&
+        return !options_.shore && cascades_of(sea) == static_cast<int>(ocean_->cascade_count()) &&
                resolution_of(sea) == ocean_->resolution() &&
                (sea.waves == WaveModel::exp_sine) == (ocean_->sea().waves == WaveModel::exp_sine);
     }
@@ -276,7 +276,7 @@ class Viewer {
         ++changes_;
     }
 
-    /// Textures and meshes belong to the quality and to the tiles; the sky is uploaded again.
+    /// Textures and meshes belong to the quality and to the cascades; the sky is uploaded again.
     void choose_quality() {
         quality_ = settings_.quality;
         surface_ = settings_.surface;
@@ -294,7 +294,7 @@ class Viewer {
             renderer = std::make_unique<gl::SeaRenderer>(
                 window_.functions(), gl::RendererOptions{.patch_vertices = selection_->options().vertices,
                                                          .resolution = ocean_->resolution(),
-                                                         .tiles = ocean_->tile_count(),
+                                                         .cascades = ocean_->cascade_count(),
                                                          .shading = shading,
                                                          .writes = gl::PixelKind::radiance,
                                                          .surface = surface_,
@@ -399,7 +399,7 @@ class Viewer {
         boat_source_.reset();
     }
 
-    /// Small water is drawn in place of the tiles, whose heights it has not.
+    /// Small water is drawn in place of the cascades, whose heights it has not.
     double drawn_height(const SurfaceQuery& query, double x, double z) const {
         if (surface_ != gl::Surface::open) return sample(query.frame().dynamic_waves, x, z).height_m;
         float height_m = 0;
@@ -433,8 +433,8 @@ class Viewer {
         const Frame& frame = next_frame(passed_s);
         start_caustics(frame);
         shown_time_s_ = frame.time_s;
-        figures_.tile_sides_m.clear();
-        for (const Tile& tile : frame.tiles) figures_.tile_sides_m.push_back(tile.lattice.side_m);
+        figures_.cascade_sides_m.clear();
+        for (const Cascade& cascade : frame.cascades) figures_.cascade_sides_m.push_back(cascade.lattice.side_m);
         figures_.significant_wave_height_m = frame.figures.significant_wave_height_m;
         picture_.follow(settings_.camera, unmetered_ev_, passed_s);
         figures_.ev = picture_.ev();

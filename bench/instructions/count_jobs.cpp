@@ -1,8 +1,8 @@
 // Every job of a frame once, between marks, for instructions.py to count.
 //
-//   pelagic_count_jobs ISA SEA...    a sea is TILESxN, 1x256 or 3x128
+//   pelagic_count_jobs ISA SEA...    a sea is CASCADESxN, 1x256 or 3x128
 //
-// Names are sea/job; items are texels, and points of queries; blocks are those of all tiles.
+// Names are sea/job; items are texels, and points of queries; blocks are those of all cascades.
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
@@ -21,27 +21,27 @@
 namespace pelagic {
 namespace {
 
-struct Tiles {
+struct Cascades {
     int count, resolution;
 };
 
-Tiles tiles_of(const std::string& sea) {
-    Tiles tiles{};
+Cascades cascades_of(const std::string& sea) {
+    Cascades cascades{};
     char rest = 0;
-    if (std::sscanf(sea.c_str(), "%dx%d%c", &tiles.count, &tiles.resolution, &rest) != 2)
-        throw std::invalid_argument("SEA is " + sea + ", needs tiles and their resolution, as in 3x128");
-    return tiles;
+    if (std::sscanf(sea.c_str(), "%dx%d%c", &cascades.count, &cascades.resolution, &rest) != 2)
+        throw std::invalid_argument("SEA is " + sea + ", needs cascades and their resolution, as in 3x128");
+    return cascades;
 }
 
-SeaState sea_of(Tiles tiles) {
-    if (tiles.count == 1) return {.resolution = tiles.resolution, .patch_size_m = 250};
-    return {.cascades = tiles.count, .resolution = tiles.resolution};
+SeaState sea_of(Cascades cascades) {
+    if (cascades.count == 1) return {.resolution = cascades.resolution, .patch_size_m = 250};
+    return {.cascades = cascades.count, .resolution = cascades.resolution};
 }
 
 void count_queries(const std::string& sea, const Frame& frame) {
     constexpr std::size_t points = 4096;
     std::mt19937 random(1);
-    const double side_m = frame.tiles[0].lattice.side_m;
+    const double side_m = frame.cascades[0].lattice.side_m;
     std::vector<double> x(points), z(points);
     for (std::vector<double>* const axis : {&x, &z})
         for (double& at : *axis) at = side_m * 3 * (static_cast<double>(random()) / 4294967296.0) - side_m;
@@ -55,9 +55,9 @@ void count_queries(const std::string& sea, const Frame& frame) {
 
 /// A stage's jobs may be run again on what the last frame left: their work does not depend on the values.
 void count_jobs(const std::string& sea, Isa isa) {
-    const Tiles tiles = tiles_of(sea);
-    Ocean ocean(sea_of(tiles), {.executor = make_serial_executor(), .isa = isa, .queries = true});
-    const double texels = static_cast<double>(tiles.count) * tiles.resolution * tiles.resolution;
+    const Cascades cascades = cascades_of(sea);
+    Ocean ocean(sea_of(cascades), {.executor = make_serial_executor(), .isa = isa, .queries = true});
+    const double texels = static_cast<double>(cascades.count) * cascades.resolution * cascades.resolution;
     ocean.frame_at(0.5);
     std::vector<std::pair<std::string, std::vector<const Stage*>>> jobs;  // in the frame's order
     for (const Stage& stage : ocean.graph().stages()) {
@@ -77,7 +77,7 @@ void count_jobs(const std::string& sea, Isa isa) {
         bench::counted(sea + "/" + job.first, texels, run_all, blocks);
     }
     count_queries(sea, ocean.frame_at(1));
-    Ocean plain(sea_of(tiles), {.executor = make_serial_executor(), .isa = isa});
+    Ocean plain(sea_of(cascades), {.executor = make_serial_executor(), .isa = isa});
     plain.frame_at(0.5);
     plain.frame_at(0.75);
     bench::counted(sea + "/frame", texels, [&] { plain.frame_at(1); });

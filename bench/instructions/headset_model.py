@@ -102,7 +102,7 @@ def print_table(options):
     printed = subprocess.run([options.command, "bench", "--headset", "--isa", "sse4.2", "--threads", "3", "--seconds", "0.1",
                               "--json", "-"], stdout=subprocess.PIPE, check=True).stdout
     print("| sea | threads | X3-like, ms | A715-like, ms | of 11.1 ms | memory, MB | uploaded, MB |\n|" + "---|" * 7)
-    for sea, rows in itertools.groupby(json.loads(printed)["rows"], lambda row: f"{row['tiles']}x{row['n']}"):
+    for sea, rows in itertools.groupby(json.loads(printed)["rows"], lambda row: f"{row['cascades']}x{row['n']}"):
         jobs = {job: part for job, part in blocks_of(options.program, sea).items() if of_frame(job)}
         cycles = [cycles_of({block for _, _, blocks in jobs.values() for block in blocks}, core) for core in CORES]
         for row in rows:
@@ -121,7 +121,7 @@ def main():
     builds = instructions.HERE.parents[1] / "build"
     parser.add_argument("--program", type=pathlib.Path, default=builds / "arm64-libcxx/bin/pelagic_count_jobs")
     parser.add_argument("--command", type=pathlib.Path, default=builds / "release/bin/pelagic")
-    parser.add_argument("--seas", nargs="+", help="tiles x resolution [1x128 1x256 3x128]")
+    parser.add_argument("--seas", nargs="+", help="cascades x resolution [1x128 1x256 3x128]")
     parser.add_argument("--table", action="store_true", help="print the table of docs/users/headset.md")
     options = parser.parse_args()
     print_table(options) if options.table else print_jobs(options)

@@ -179,7 +179,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--program", default=HERE.parents[1] / "build/release/bin/pelagic_count_jobs", type=pathlib.Path)
     parser.add_argument("--isa", help="instruction sets, separated by commas [sse4.2,avx2, or neon]")
-    parser.add_argument("--seas", nargs="+", default=["1x256", "3x128"], help="tiles x resolution")
+    parser.add_argument("--seas", nargs="+", default=["1x256", "3x128"], help="cascades x resolution")
     parser.add_argument("--check", action="store_true", help="compare with bench/budgets.json")
     parser.add_argument("--update", action="store_true", help="write bench/budgets.json")
     parser.add_argument("--bytes", type=int, metavar="CACHE", help="bytes moved beyond a cache of that size, instead")

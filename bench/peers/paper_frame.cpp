@@ -161,7 +161,7 @@ PaperFrame::PaperFrame(const SeaState& sea)
 // Equations 16 to 22 on the centred grid of equation 2. Waves on the Nyquist row and column, index 0, are none, so it
 // does no harm that each of them is its own partner in the wrapped index below.
 void PaperFrame::bake_spectrum() {
-    const TileWaves waves(sea_, plan_tiles(sea_).front());
+    const CascadeWaves waves(sea_, plan_cascades(sea_).front());
     const int centre = sea_.resolution / 2;
     const double spacing = 2 * std::numbers::pi / sea_.patch_size_m;
     std::vector<std::complex<double>> h0(initial_amplitudes_.size());

@@ -14,13 +14,13 @@ struct Place {
 };
 
 Place place_in_texels(const Frame& frame, double x_m, double z_m) {
-    const double texel_m = frame.tiles[0].texel_m();
+    const double texel_m = frame.cascades[0].texel_m();
     const double x = x_m / texel_m, z = z_m / texel_m;
     const auto floor_of = [](double t) {
         const auto cut = static_cast<std::int64_t>(t);
         return cut - (static_cast<double>(cut) > t);
     };
-    const std::int64_t i = floor_of(x), j = floor_of(z), last = frame.tiles[0].resolution() - 1;
+    const std::int64_t i = floor_of(x), j = floor_of(z), last = frame.cascades[0].resolution() - 1;
     return {static_cast<int>(i & last), static_cast<int>(j & last), static_cast<float>(x - static_cast<double>(i)),
             static_cast<float>(z - static_cast<double>(j))};
 }
@@ -70,8 +70,8 @@ Slopes slopes(const SurfaceTexels& surface, const float* plane, const Place& at)
 }  // namespace
 
 ScalarSample scalar_query(const Frame& frame, double x_m, double z_m, double tolerance_m) {
-    const SurfaceTexels surface = texels_of(frame.tiles[0]);
-    const double texel_m = frame.tiles[0].texel_m();
+    const SurfaceTexels surface = texels_of(frame.cascades[0]);
+    const double texel_m = frame.cascades[0].texel_m();
     const auto texels_per_m = static_cast<float>(1 / texel_m);
     const auto target = static_cast<float>(std::clamp(tolerance_m / 64 / texel_m, 4e-6, 1.0 / 64));
     const Place world = place_in_texels(frame, x_m, z_m);
@@ -108,7 +108,7 @@ ScalarSample scalar_query(const Frame& frame, double x_m, double z_m, double tol
 }
 
 float scalar_lookup(const Frame& frame, double x_m, double z_m) {
-    const SurfaceTexels surface = texels_of(frame.tiles[0]);
+    const SurfaceTexels surface = texels_of(frame.cascades[0]);
     const Place at = place_in_texels(frame, x_m, z_m);
     const auto texel = [&](int i, int j) { return surface.height[place_of(surface, at.cell_x + i, at.cell_z + j)]; };
     return bilinear(texel(0, 0), texel(1, 0), texel(0, 1), texel(1, 1), at.u, at.v);

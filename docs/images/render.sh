@@ -74,14 +74,14 @@ below island --preset calm --water I --floor "$heights" --floor-size 300 --camer
 # What a host draws, mirrored.
 "$pelagic" render --size 480x270 --preset beaufort-1 --camera 0,3,0 --target 30,0.5,12 --fov 40 --sun 300,28 --rock 32,12.5 --out docs/images/mirror_rock.png
 
-# One tile of 250 m beside the default tiles, from four heights.
+# One cascade of 250 m beside the default cascades, from four heights.
 pair() {
   local name=$1
   shift
-  for tiles in one all; do
+  for cascades in one all; do
     local side=()
-    [ "$tiles" = one ] && side=(--patch-size 250)
-    "$pelagic" render --size 480x270 --preset moderate --fov 50 --sun 66,26 --out "docs/images/${tiles}_$name.png" "${side[@]}" "$@"
+    [ "$cascades" = one ] && side=(--patch-size 250)
+    "$pelagic" render --size 480x270 --preset moderate --fov 50 --sun 66,26 --out "docs/images/${cascades}_$name.png" "${side[@]}" "$@"
   done
 }
 pair 2m --camera 0,2.6,0 --target 60,-1,25

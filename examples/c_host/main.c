@@ -1,4 +1,4 @@
-/* Draws nothing, but does each frame what a game does: takes the finished one, starts the next, looks at its tiles, asks for
+/* Draws nothing, but does each frame what a game does: takes the finished one, starts the next, looks at its cascades, asks for
  * heights. */
 #include <pelagic/pelagic.h>
 #include <stdio.h>
@@ -8,13 +8,13 @@ static int failed(pelagic_status status) {
     return status != PELAGIC_OK;
 }
 
-/* Where a renderer would upload a tile's textures: displacement_rgba16f, and all levels of slopes_rgba8 and moments_rgba8. */
+/* Where a renderer would upload a cascade's textures: displacement_rgba16f, and all levels of slopes_rgba8 and moments_rgba8. */
 static int draw(const pelagic_ocean* ocean, const pelagic_frame* frame) {
     int32_t i;
-    for (i = 0; i < frame->tile_count; ++i) {
-        pelagic_tile tile = {.struct_size = sizeof tile};
-        if (failed(pelagic_ocean_tile(ocean, i, &tile))) return 1;
-        printf(" %g", tile.side_m);
+    for (i = 0; i < frame->cascade_count; ++i) {
+        pelagic_cascade cascade = {.struct_size = sizeof cascade};
+        if (failed(pelagic_ocean_cascade(ocean, i, &cascade))) return 1;
+        printf(" %g", cascade.side_m);
     }
     printf(" m\n");
     return 0;
@@ -35,7 +35,7 @@ static int run(pelagic_ocean* ocean) {
         if (failed(pelagic_ocean_schedule(ocean, n / 90.0))) return 1; /* computed while this one is drawn */
         if (failed(pelagic_ocean_query(ocean, &buoys, &wanted))) return 1;
         if (failed(pelagic_ocean_hash(ocean, &hash))) return 1;
-        printf("%.4f s: hash %016llx, buoys at %.3f %.3f %.3f m, tiles of", frame.time_s, (unsigned long long)hash,
+        printf("%.4f s: hash %016llx, buoys at %.3f %.3f %.3f m, cascades of", frame.time_s, (unsigned long long)hash,
                heights[0], heights[1], heights[2]);
         if (draw(ocean, &frame)) return 1;
     }

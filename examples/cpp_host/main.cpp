@@ -1,4 +1,4 @@
-// Draws nothing, but does each frame what a game does: takes the finished one, starts the next, looks at its tiles, asks for
+// Draws nothing, but does each frame what a game does: takes the finished one, starts the next, looks at its cascades, asks for
 // heights.
 #include <cstdio>
 #include <vector>
@@ -17,10 +17,10 @@ int main() {
         ocean.schedule(n / 90.0);                        // computed while this one is drawn
         const pelagic::SurfaceQuery water(frame);
         water.sample({.x = buoys_x, .z = buoys_z}, {.height_m = heights});
-        std::printf("%.4f s: hash %016llx, buoys at %.3f %.3f %.3f m, tiles of", frame.time_s,
+        std::printf("%.4f s: hash %016llx, buoys at %.3f %.3f %.3f m, cascades of", frame.time_s,
                     static_cast<unsigned long long>(hash_of(frame)), heights[0], heights[1], heights[2]);
-        // Where a renderer would upload a tile's textures: displacement_rgba16f, slopes_rgba8 and moments_rgba8.
-        for (const pelagic::Tile& tile : frame.tiles) std::printf(" %g", tile.lattice.side_m);
+        // Where a renderer would upload a cascade's textures: displacement_rgba16f, slopes_rgba8 and moments_rgba8.
+        for (const pelagic::Cascade& cascade : frame.cascades) std::printf(" %g", cascade.lattice.side_m);
         std::printf(" m\n");
     }
 }

@@ -79,12 +79,12 @@ View view_of(Object* camera, Object* viewport) {
     return view;
 }
 
-/// A layer a tile. Not anisotropic: what a square of texels averages away is roughness (sim/slope_sum.hpp), and a driver without a
+/// A layer a cascade. Not anisotropic: what a square of texels averages away is roughness (sim/slope_sum.hpp), and a driver without a
 /// GPU would take fifty times as long.
 Rid texture_array(Object* server, const Frame& frame, std::int64_t format) {
     const Rid texture = texture_create.on<Rid>(server);
-    const std::int64_t side = frame.tiles[0].resolution();
-    texture_allocate.on(server, texture, side, side, static_cast<std::int64_t>(frame.tiles.size()), format,
+    const std::int64_t side = frame.cascades[0].resolution();
+    texture_allocate.on(server, texture, side, side, static_cast<std::int64_t>(frame.cascades.size()), format,
                         texture_2d_array, mipmaps | repeat | filter);
     return texture;
 }
@@ -210,12 +210,12 @@ void SeaDrawing::upload(const Frame& frame) {
         create_from_data.on(image_.object(), side, side, has_mipmaps, format, Pool<std::uint8_t>(bytes).array());
         texture_set_data.on(server_, texture, image_.object(), static_cast<std::int64_t>(layer));
     };
-    for (std::size_t i = 0; i < frame.tiles.size(); ++i) {
-        const Tile& tile = frame.tiles[i];
-        const std::int64_t side = tile.resolution();
-        upload_layer(displacement_, i, side, format_rgbah, false, bytes_of(tile.displacement_rgba16f));
-        upload_layer(slopes_, i, side, format_rgba8, true, bytes_of(tile.slopes_rgba8));
-        upload_layer(moments_, i, side, format_rgba8, true, bytes_of(tile.moments_rgba8));
+    for (std::size_t i = 0; i < frame.cascades.size(); ++i) {
+        const Cascade& cascade = frame.cascades[i];
+        const std::int64_t side = cascade.resolution();
+        upload_layer(displacement_, i, side, format_rgbah, false, bytes_of(cascade.displacement_rgba16f));
+        upload_layer(slopes_, i, side, format_rgba8, true, bytes_of(cascade.slopes_rgba8));
+        upload_layer(moments_, i, side, format_rgba8, true, bytes_of(cascade.moments_rgba8));
     }
 }
 
@@ -230,21 +230,21 @@ void SeaDrawing::set_uniforms(const Frame& frame, const QuadtreeGrid& grid, glm:
     set("grid", Value(floats(corner.x, corner.y, grid.step_m, grid.vertices)));
     set("grid_shape", Value(floats(middle.x, middle.y, grid.side, grid.deepest_level)));
     set("fade", Value(floats(fade.x, fade.y, grid.fade_end_m, 1 / (grid.fade_end_m - grid.fade_start_m))));
-    const double resolution = frame.tiles[0].resolution();
+    const double resolution = frame.cascades[0].resolution();
     set("spacing", Value(floats(1 / (options.lod_scale * options.vertices), grid.step_m, std::log2(resolution), 0)));
     set("roughness_between_texels", Value(frame.figures.roughness));
-    set("tiles", Value(static_cast<std::int64_t>(frame.tiles.size())));
-    for (std::size_t i = 0; i < frame.tiles.size(); ++i) {
-        const Tile& tile = frame.tiles[i];
-        const double side = tile.lattice.side_m;
-        const TileLattice::Place at = tile.lattice.in_tile(viewer.x, viewer.y);
+    set("cascades", Value(static_cast<std::int64_t>(frame.cascades.size())));
+    for (std::size_t i = 0; i < frame.cascades.size(); ++i) {
+        const Cascade& cascade = frame.cascades[i];
+        const double side = cascade.lattice.side_m;
+        const CascadeLattice::Place at = cascade.lattice.in_cascade(viewer.x, viewer.y);
         const std::string number = std::to_string(i);
         // A texture's texels have their middles half a texel further than where they rest.
-        set(("tile_place_" + number).c_str(),
+        set(("cascade_place_" + number).c_str(),
             Value(floats(fraction(at.along / side + 0.5 / resolution), fraction(at.across / side + 0.5 / resolution),
-                         tile.lattice.cosine / side, tile.lattice.sine / side)));
-        set(("tile_scale_" + number).c_str(), Value(floats(1 / tile.texel_m(), tile.slope_ranges.slope,
-                                                           tile.slope_ranges.variance, tile.slope_variance)));
+                         cascade.lattice.cosine / side, cascade.lattice.sine / side)));
+        set(("cascade_scale_" + number).c_str(), Value(floats(1 / cascade.texel_m(), cascade.slope_ranges.slope,
+                                                           cascade.slope_ranges.variance, cascade.slope_variance)));
     }
 }
 

@@ -1,4 +1,4 @@
-// The sea in the engine's own scene: patches of the quadtree as instances of meshes, and a frame's tiles as textures of a material.
+// The sea in the engine's own scene: patches of the quadtree as instances of meshes, and a frame's cascades as textures of a material.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ class SeaDrawing {
    public:
     /// \param node      in the tree, of whose world and camera it draws
     /// \param material  its shader is addons/pelagic/sea.shader, or has its uniforms
-    /// \param frame     all frames have as many tiles and texels
+    /// \param frame     all frames have as many cascades and texels
     SeaDrawing(Object* node, Rid material, const QuadtreeOptions& options, const Frame& frame);
     ~SeaDrawing();
     SeaDrawing(const SeaDrawing&) = delete;

@@ -48,7 +48,7 @@ SeaScene::SeaScene(const SeaState& sea, const QuadtreePreset& quality, const gl:
       selection_(quality.options(2048)),
       renderer_(gl, {.patch_vertices = selection_.options().vertices,
                      .resolution = ocean_.resolution(),
-                     .tiles = ocean_.tile_count(),
+                     .cascades = ocean_.cascade_count(),
                      .shading = gl::Shading::headset,
                      .framebuffer_is_srgb = true,
                      .multiview = multiview}) {

@@ -1,4 +1,4 @@
-// Dynamic waves: a grid whose waves add to those of the tiles where water is drawn (sim/dynamic_waves_view.hpp). Its texture repeats, as the
+// Dynamic waves: a grid whose waves add to those of the cascades where water is drawn (sim/dynamic_waves_view.hpp). Its texture repeats, as the
 // grid's own storage does, so texels stay where they are in the world while the grid moves.
 uniform highp sampler2D dynamic_waves_texels;
 

@@ -1,6 +1,6 @@
 // Foam: how much of a pixel lies under it, how thick it is there, and its light.
 //
-// The tiles' maps say how much foam there is (foam_maps.glsl), a texture says where it lies at three scales (gl/foam_image.hpp).
+// The cascades' maps say how much foam there is (foam_maps.glsl), a texture says where it lies at three scales (gl/foam_image.hpp).
 // Each scale hands its amount on to the next finer one and changes nothing of its mean, so the sea is as white as its maps are, from near
 // and far. A value of a map is an age, too: 1 breaks now, 0.5 did so 1.4 s ago, and opens into threads.
 //
@@ -37,8 +37,8 @@ float gathered_in_pixel(float amount, float rank, float soft, float pixel_m, flo
 }
 
 // A layer, its signed bytes from -1 to 1. Texels as long as the pixel; half a level finer, because ranks blur when they are mixed.
-vec4 structure(int layer, vec2 uv, float pixel_tiles) {
-    vec4 texel = textureLod(foam_structure, vec3(uv, layer), log2(max(pixel_tiles * foam_texels, 1.0)) - 0.5);
+vec4 structure(int layer, vec2 uv, float pixel_cascades) {
+    vec4 texel = textureLod(foam_structure, vec3(uv, layer), log2(max(pixel_cascades * foam_texels, 1.0)) - 0.5);
     texel.yz = (texel.yz * 255.0 - 128.0) / 127.0;
     return texel;
 }
@@ -70,7 +70,7 @@ Foam foam_at(vec2 at, float distance_m, float crests, vec3 to_eye) {
     ragged = 0.5 * streaks.yz;
 #endif
 #if SURFACE == OPEN
-    FoamOfTiles there = foam_of_maps(at, ragged, distance_m, pixel);
+    FoamOfCascades there = foam_of_maps(at, ragged, distance_m, pixel);
 #ifdef DYNAMIC_WAVES
     there = with_foam_of(there, crests, log2(max(pixel.wide_m * dynamic_waves_place.w, 1e-3)), 1.0);
 #endif

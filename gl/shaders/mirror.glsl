@@ -59,17 +59,17 @@ float lit_part(float eye_cosine, float light_cosine, float alpha_of_all) {
 // Alpha of all waves together.
 float alpha_of_all_waves() {
     float square = waves.y * waves.y;
-    for (int tile = 0; tile < TILES; ++tile) square += tile_slope[tile].z;
+    for (int cascade = 0; cascade < CASCADES; ++cascade) square += cascade_slope[cascade].z;
     return sqrt(square);
 }
 
-// Of the mean square slope of all waves what the mesh's triangles have at a distance: a tile's octaves have equal parts, and a mesh needs
+// Of the mean square slope of all waves what the mesh's triangles have at a distance: a cascade's octaves have equal parts, and a mesh needs
 // vertices twice as dense as texels.
 float slopes_of_mesh(float distance_m) {
     float spacing = max(mesh.y, distance_m * mesh.x), square = 0.0;
-    for (int tile = 0; tile < TILES; ++tile) {
-        float mip = max(log2(spacing * tile_scale[tile].x) - 0.5, 0.0);
-        square += tile_slope[tile].z * clamp(1.0 - (mip + 1.0) / tile_scale[tile].y, 0.0, 1.0);
+    for (int cascade = 0; cascade < CASCADES; ++cascade) {
+        float mip = max(log2(spacing * cascade_scale[cascade].x) - 0.5, 0.0);
+        square += cascade_slope[cascade].z * clamp(1.0 - (mip + 1.0) / cascade_scale[cascade].y, 0.0, 1.0);
     }
     return square;
 }

@@ -4,7 +4,7 @@
 //   mirror      the sky, mirrored by waves of which those that lean towards the eye count most; the sun's glint; with MIRRORS_SCENE also
 //               what a host drew
 //   water       light from below: absorption and backscattering, light through crests
-//   foam        white and diffuse, over all of it: how much the tiles' maps say, where in the pixel its texture does
+//   foam        white and diffuse, over all of it: how much the cascades' maps say, where in the pixel its texture does
 //   haze        towards the colour that the sky has at the horizon there
 //
 // With BELOW, where a floor or a lens is near the surface: what lies below shows through, and pixels of a lens that is under water see the
@@ -20,7 +20,7 @@ precision highp int;
 in vec4 place;
 #ifndef SKIRT
 in vec2 rest;
-#if VERTEX_TILES > 0
+#if VERTEX_CASCADES > 0
 in vec4 coarsest;
 #elif MESH_SLOPES
 in vec2 mesh_slopes;
@@ -48,7 +48,7 @@ const float pi = 3.14159265;
 #include "water_light.glsl"
 #include "water.glsl"
 #if SURFACE == OPEN
-#include "foam_of_tiles.glsl"
+#include "foam_of_cascades.glsl"
 #include "foam_maps.glsl"
 #endif
 #ifdef DYNAMIC_WAVES

@@ -14,18 +14,18 @@ layout(location = 2) in uvec2 level;    // x: level; y: which diagonals
 layout(location = 3) in float inner_weight;
 layout(location = 4) in vec4 edge_weights;  // +x, +z, -x, -z
 
-uniform highp sampler2DArray displacement;  // Dx, height, Dz, foam; a layer a tile
-#if VERTEX_TILES > 0
+uniform highp sampler2DArray displacement;  // Dx, height, Dz, foam; a layer a cascade
+#if VERTEX_CASCADES > 0
 uniform highp sampler2DArray slopes;  // as waves.glsl has it
-out vec4 coarsest;                    // h_x, h_z, D_xx, D_zz of the coarsest tile
+out vec4 coarsest;                    // h_x, h_z, D_xx, D_zz of the coarsest cascade
 #elif MESH_SLOPES
 uniform highp sampler2DArray slopes;
 out vec2 mesh_slopes;  // of the height, of the waves that the mesh holds
 #endif
 
 #if FOAM_OF_VERTICES > 0
-#include "foam_of_tiles.glsl"
-out vec3 foam_of_vertices;  // FoamOfTiles: part, mean, thick
+#include "foam_of_cascades.glsl"
+out vec3 foam_of_vertices;  // FoamOfCascades: part, mean, thick
 #endif
 
 out vec4 place;  // relative to the viewer; w is 1, the skirt has 0 at the horizon
@@ -40,14 +40,14 @@ invariant gl_Position;
 #ifdef SHORE
 #include "shore.glsl"
 
-// The tiles' parts count where water is drawn, and where that is depends on them. They change over many times the length of the way, so
+// The cascades' parts count where water is drawn, and where that is depends on them. They change over many times the length of the way, so
 // that each round is nearer by the ratio of the two; the first begins where the water rests.
-vec4 parts_where_drawn(vec2 at, vec2 ways[TILES]) {
-    vec4 parts = parts_of_tiles(at);
+vec4 parts_where_drawn(vec2 at, vec2 ways[CASCADES]) {
+    vec4 parts = parts_of_cascades(at);
     for (int round = 0; round < 2; ++round) {
         vec2 drawn = at;
-        for (int tile = 0; tile < TILES; ++tile) drawn += parts[tile] * ways[tile];
-        parts = parts_of_tiles(drawn);
+        for (int cascade = 0; cascade < CASCADES; ++cascade) drawn += parts[cascade] * ways[cascade];
+        parts = parts_of_cascades(drawn);
     }
     return parts;
 }
@@ -64,7 +64,7 @@ struct Moved {
     vec2 slopes;
 };
 
-// The sum of what the tiles hold there. Mips and weights depend on the rest position alone, so that every patch that has this
+// The sum of what the cascades hold there. Mips and weights depend on the rest position alone, so that every patch that has this
 // vertex takes the same ones. A mip grows with distance as the vertices' spacing does; half a level below it, because waves
 // of a few vertices still count.
 Moved displaced(ivec2 index) {
@@ -77,28 +77,28 @@ Moved displaced(ivec2 index) {
 #if SURFACE != OPEN
     moved.y = small_height(at, spacing);
 #else
-    float mips[TILES], weights[TILES];
-    vec4 texels[TILES];
-    for (int tile = 0; tile < TILES; ++tile) {
-        mips[tile] = max(log2(spacing * tile_scale[tile].x) - 0.5, 0.0);
-        weights[tile] = weight_of_tile(tile, mips[tile]);
-        texels[tile] = vec4(0.0);
-        if (weights[tile] > 0.0)
-            texels[tile] = textureLod(displacement, vec3(place_in_tile(tile, at), tile), min(mips[tile], mesh.z));
+    float mips[CASCADES], weights[CASCADES];
+    vec4 texels[CASCADES];
+    for (int cascade = 0; cascade < CASCADES; ++cascade) {
+        mips[cascade] = max(log2(spacing * cascade_scale[cascade].x) - 0.5, 0.0);
+        weights[cascade] = weight_of_cascade(cascade, mips[cascade]);
+        texels[cascade] = vec4(0.0);
+        if (weights[cascade] > 0.0)
+            texels[cascade] = textureLod(displacement, vec3(place_in_cascade(cascade, at), cascade), min(mips[cascade], mesh.z));
     }
 #ifdef SHORE
-    vec2 ways[TILES];
-    for (int tile = 0; tile < TILES; ++tile) ways[tile] = left * weights[tile] * texels[tile].xz;
+    vec2 ways[CASCADES];
+    for (int cascade = 0; cascade < CASCADES; ++cascade) ways[cascade] = left * weights[cascade] * texels[cascade].xz;
     vec4 parts = parts_where_drawn(at, ways);
 #else
     const vec4 parts = vec4(1.0);
 #endif
-    for (int tile = 0; tile < TILES; ++tile) {
-        moved += parts[tile] * weights[tile] * texels[tile].xyz;
+    for (int cascade = 0; cascade < CASCADES; ++cascade) {
+        moved += parts[cascade] * weights[cascade] * texels[cascade].xyz;
 #if FOAM_OF_VERTICES > 0
-        if (tile < FOAM_OF_VERTICES && float(tile) < foam_kind.x) {
-            float part = parts[tile] * mix(tile_slope[tile].w, texels[tile].w, weights[tile] * left);
-            FoamOfTiles all = with_tile(FoamOfTiles(foam.x, foam.y, foam.z), tile, part, mips[tile]);
+        if (cascade < FOAM_OF_VERTICES && float(cascade) < foam_kind.x) {
+            float part = parts[cascade] * mix(cascade_slope[cascade].w, texels[cascade].w, weights[cascade] * left);
+            FoamOfCascades all = with_cascade(FoamOfCascades(foam.x, foam.y, foam.z), cascade, part, mips[cascade]);
             foam = vec3(all.part, all.mean, all.thick);
         }
 #endif
@@ -110,7 +110,7 @@ Moved displaced(ivec2 index) {
     moved *= left;
     vec2 slopes = vec2(0.0);
 #ifdef DYNAMIC_WAVES
-    // Half a level finer, as the tiles.
+    // Half a level finer, as the cascades.
     vec4 answers = left * dynamic_waves(at + moved.xz, spacing * 0.7071068);
     moved.y += answers.x;
     slopes = answers.yz;
@@ -155,11 +155,11 @@ void main() {
         if (weight < 1.0) moved = mixed(mixed(displaced(index - offset), displaced(index + offset), 0.5), moved, weight);
     }
     rest = grid.xy + vec2(index) * grid.z;
-#if VERTEX_TILES > 0
+#if VERTEX_CASCADES > 0
     float spacing = max(mesh.y, length(vec3(rest.x, viewer.z, rest.y)) * mesh.x);
-    float mip = max(log2(spacing * tile_scale[0].x), 0.0);
-    vec4 texel = textureLod(slopes, vec3(place_in_tile(0, rest), 0.0), mip) * (255.0 / 127.0) - 128.0 / 127.0;
-    coarsest = texel * (tile_slope[0].x * weight_of_tile(0, mip));
+    float mip = max(log2(spacing * cascade_scale[0].x), 0.0);
+    vec4 texel = textureLod(slopes, vec3(place_in_cascade(0, rest), 0.0), mip) * (255.0 / 127.0) - 128.0 / 127.0;
+    coarsest = texel * (cascade_slope[0].x * weight_of_cascade(0, mip));
 #endif
 #if MESH_SLOPES
     float spacing = max(mesh.y, length(vec3(rest.x, viewer.z, rest.y)) * mesh.x);
@@ -167,13 +167,13 @@ void main() {
     vec4 parts = vec4(1.0);
 #ifdef SHORE
     vec2 drawn = rest + moved.way.xz;
-    parts = parts_of_tiles(drawn);
+    parts = parts_of_cascades(drawn);
     mesh_slopes += shore_water_at(drawn, shore_mip(spacing)).yz;
 #endif
-    for (int tile = 0; tile < TILES; ++tile) {
-        float mip = max(log2(spacing * tile_scale[tile].x), 0.0);
-        vec2 texel = textureLod(slopes, vec3(place_in_tile(tile, rest), tile), mip).xy * (255.0 / 127.0) - 128.0 / 127.0;
-        mesh_slopes += texel * (parts[tile] * tile_slope[tile].x * weight_of_tile(tile, mip));
+    for (int cascade = 0; cascade < CASCADES; ++cascade) {
+        float mip = max(log2(spacing * cascade_scale[cascade].x), 0.0);
+        vec2 texel = textureLod(slopes, vec3(place_in_cascade(cascade, rest), cascade), mip).xy * (255.0 / 127.0) - 128.0 / 127.0;
+        mesh_slopes += texel * (parts[cascade] * cascade_slope[cascade].x * weight_of_cascade(cascade, mip));
     }
 #endif
 #if FOAM_OF_VERTICES > 0

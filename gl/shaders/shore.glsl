@@ -1,12 +1,12 @@
-// A shore, as sim/shore_surface.hpp says: at a place where water is drawn each tile counts with its part, and waves that feel the floor add to
-// the sum. Look-ups beyond the rectangle have what its edges have: the parts of the tiles there, and no waves.
-uniform mediump sampler2D shore_parts;  // of the tiles
+// A shore, as sim/shore_surface.hpp says: at a place where water is drawn each cascade counts with its part, and waves that feel the floor add to
+// the sum. Look-ups beyond the rectangle have what its edges have: the parts of the cascades there, and no waves.
+uniform mediump sampler2D shore_parts;  // of the cascades
 uniform highp sampler2D shore_water;    // height, its slopes along x and z, foam
 uniform highp sampler2D shore_reach;    // how high the waves that are passing reach, above rest
 
 vec2 shore_uv(vec2 at) { return shore_place.xy + at * shore_place.zw; }
 
-vec4 parts_of_tiles(vec2 at) { return textureLod(shore_parts, shore_uv(at), 0.0); }
+vec4 parts_of_cascades(vec2 at) { return textureLod(shore_parts, shore_uv(at), 0.0); }
 
 // A texel of that mip is as long as `long_m`.
 float shore_mip(float long_m) { return clamp(log2(max(long_m * shore_size.z, 1e-6)), 0.0, shore_size.w); }

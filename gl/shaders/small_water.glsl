@@ -1,4 +1,4 @@
-// Water too small for the sea's tiles, made where it is shaded: a lake (bumps of noise), a coast (ridges of noise), a river (bumps
+// Water too small for the sea's cascades, made where it is shaded: a lake (bumps of noise), a coast (ridges of noise), a river (bumps
 // that a map of its flow carries along), a pond (waves of the exponential of a sine). Slopes are true derivatives of
 // the heights, and waves finer than a pixel count as its roughness, so that nothing sparkles and nothing is lost.
 //

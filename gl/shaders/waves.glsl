@@ -1,7 +1,7 @@
-// The surface in a pixel: normal and roughness from the mips of the tiles' slopes, and ripples that no texel holds.
+// The surface in a pixel: normal and roughness from the mips of the cascades' slopes, and ripples that no texel holds.
 //
 // VR Ocean, equations 47 and 48 (the normal); Olano and Baker 2010, "LEAN Mapping".
-uniform highp sampler2DArray slopes;   // of a tile: h_x, h_z, D_xx, D_zz, as sim/slope_sum.hpp says
+uniform highp sampler2DArray slopes;   // of a cascade: h_x, h_z, D_xx, D_zz, as sim/slope_sum.hpp says
 uniform highp sampler2DArray moments;  // D_xz, variance of h_x, of h_z, covariance
 uniform sampler2D detail;              // slopes of ripples, noise for gusts and foam, how much of the slopes this mip still holds
 
@@ -43,14 +43,14 @@ struct Slopes {
 const float signed_scale = 255.0 / 127.0, signed_zero = 128.0 / 127.0;
 
 #if SHADING == HIGH
-// The sides of a piece seen through texels of that size: at least a texel, at most a whole tile, beyond which there is nothing to tell apart.
+// The sides of a piece seen through texels of that size: at least a texel, at most a whole cascade, beyond which there is nothing to tell apart.
 mat2 sides_of(Footprint pixel, float texel_m, float tile_m) {
     vec2 lengths = vec2(max(length(pixel.dx), 1e-6), max(length(pixel.dy), 1e-6));
     vec2 scale = clamp(lengths, texel_m, tile_m) / lengths;
     return mat2(pixel.dx * scale.x, pixel.dy * scale.y);
 }
 
-// An only tile is seen many times over from where it looks small, and its copies would make a carpet; sums of tiles repeat nowhere that an
+// An only cascade is seen many times over from where it looks small, and its copies would make a carpet; sums of cascades repeat nowhere that an
 // eye compares. So far from the eye each look may
 // go to another place of it: along a smooth noise places follow one another, and the two between which the noise stands are mixed. Both are
 // the same random sea, so that weights whose squares sum to one keep its statistics (Heitz and Neyret 2018, "High-Performance
@@ -67,60 +67,60 @@ Copies copies_along(float noise) {
     return Copies(fract(first * to_next), fract((first + 1.0) * to_next), sqrt(vec2(1.0 - second, second)), false);
 }
 
-Copies copies_at(int tile, vec2 at, float distance_m) {
-    float part = TILES == 1 ? smoothstep(3.0, 12.0, distance_m / tile_scale[tile].z) : 0.0;
+Copies copies_at(int cascade, vec2 at, float distance_m) {
+    float part = CASCADES == 1 ? smoothstep(3.0, 12.0, distance_m / cascade_scale[cascade].z) : 0.0;
     if (part <= 0.0) return Copies(vec2(0.0), vec2(0.0), vec2(0.5), true);
-    vec2 uv = tile_noise[tile].xy + way_in_tile(tile, at) * tile_noise[tile].z;
+    vec2 uv = tile_noise[cascade].xy + way_in_cascade(cascade, at) * tile_noise[cascade].z;
     return copies_along(part * 16.0 * (textureLod(detail, uv, 5.0).z - 0.5));
 }
 
-vec4 look_of(int i, int tile, vec2 uv, mat2 sides, float mip) {
-    return textureLod(slopes, vec3(uv + sides * look_at[i], tile), mip) * signed_scale - signed_zero;
+vec4 look_of(int i, int cascade, vec2 uv, mat2 sides, float mip) {
+    return textureLod(slopes, vec3(uv + sides * look_at[i], cascade), mip) * signed_scale - signed_zero;
 }
 
-// What a tile's maps say around a place in them; the sides of the piece are texture coordinates. Where slopes differ between looks,
+// What a cascade's maps say around a place in them; the sides of the piece are texture coordinates. Where slopes differ between looks,
 // their variance counts as averaged away.
-Slopes look_at_tile(int tile, vec2 uv, mat2 sides, float mip, Copies copies) {
-    vec4 a = look_of(0, tile, uv + copies.first, sides, mip), b = look_of(2, tile, uv + copies.first, sides, mip);
-    vec4 c = look_of(1, tile, uv + copies.second, sides, mip), d = look_of(3, tile, uv + copies.second, sides, mip);
+Slopes look_at_cascade(int cascade, vec2 uv, mat2 sides, float mip, Copies copies) {
+    vec4 a = look_of(0, cascade, uv + copies.first, sides, mip), b = look_of(2, cascade, uv + copies.first, sides, mip);
+    vec4 c = look_of(1, cascade, uv + copies.second, sides, mip), d = look_of(3, cascade, uv + copies.second, sides, mip);
     vec4 first = 0.5 * (a + b), second = 0.5 * (c + d);
     vec4 sum = copies.weights.x * first + copies.weights.y * second;
     vec2 apart = vec2(dot(a.xy - b.xy, a.xy - b.xy), dot(c.xy - d.xy, c.xy - d.xy)) / 4.0;
     float scatter = copies.are_one ? 0.5 * (apart.x + apart.y) + dot(first.xy - second.xy, first.xy - second.xy) / 4.0
                                    : dot(copies.weights * copies.weights, apart);
-    vec4 moment = textureLod(moments, vec3(uv + copies.first, tile), mip);
-    float range = tile_slope[tile].x;
+    vec4 moment = textureLod(moments, vec3(uv + copies.first, cascade), mip);
+    float range = cascade_slope[cascade].x;
     return Slopes(sum.xy * range, vec3(sum.zw, moment.x * signed_scale - signed_zero) * range,
-                  scatter * range * range + (moment.y + moment.z) * tile_slope[tile].y);
+                  scatter * range * range + (moment.y + moment.z) * cascade_slope[cascade].y);
 }
 
-// The same of a pixel. A tile of which no wave is left in the pixel is roughness, and costs nothing.
-Slopes tile_slopes(int tile, vec2 at, float distance_m, Footprint pixel) {
-    float mip = log2(pixel.wide_m * tile_scale[tile].x);
-    float weight = weight_of_tile(tile, mip + 1.0);
-    float all = tile_slope[tile].z;
+// The same of a pixel. A cascade of which no wave is left in the pixel is roughness, and costs nothing.
+Slopes cascade_slopes(int cascade, vec2 at, float distance_m, Footprint pixel) {
+    float mip = log2(pixel.wide_m * cascade_scale[cascade].x);
+    float weight = weight_of_cascade(cascade, mip + 1.0);
+    float all = cascade_slope[cascade].z;
     if (weight <= 0.0) return Slopes(vec2(0.0), vec3(0.0), all);
-    mat2 sides = sides_of(pixel, 1.0 / tile_scale[tile].x, tile_scale[tile].z);
-    Slopes seen = look_at_tile(tile, place_in_tile(tile, at), mat2(way_in_tile(tile, sides[0]), way_in_tile(tile, sides[1])), mip,
-                               copies_at(tile, at, distance_m));
+    mat2 sides = sides_of(pixel, 1.0 / cascade_scale[cascade].x, cascade_scale[cascade].z);
+    Slopes seen = look_at_cascade(cascade, place_in_cascade(cascade, at), mat2(way_in_cascade(cascade, sides[0]), way_in_cascade(cascade, sides[1])), mip,
+                               copies_at(cascade, at, distance_m));
     return Slopes(weight * seen.h, weight * seen.d, mix(all, seen.variance, weight * weight));
 }
 #else
-// A tile's slopes from one look. What the pixel averages away is in the moments; a headset, which has no look to spare for them, takes
-// it as the part of the octaves between the texels and the tile's longest waves that the mip has lost: the slopes of wind waves are about
+// A cascade's slopes from one look. What the pixel averages away is in the moments; a headset, which has no look to spare for them, takes
+// it as the part of the octaves between the texels and the cascade's longest waves that the mip has lost: the slopes of wind waves are about
 // the same in each.
-Slopes tile_slopes(int tile, vec2 at, float distance_m, Footprint pixel) {
-    float mip = log2(pixel.wide_m * tile_scale[tile].x);
-    vec3 uv = vec3(place_in_tile(tile, at), tile);
-    float weight = weight_of_tile(tile, mip);
-    float all = tile_slope[tile].z, range = tile_slope[tile].x;
+Slopes cascade_slopes(int cascade, vec2 at, float distance_m, Footprint pixel) {
+    float mip = log2(pixel.wide_m * cascade_scale[cascade].x);
+    vec3 uv = vec3(place_in_cascade(cascade, at), cascade);
+    float weight = weight_of_cascade(cascade, mip);
+    float all = cascade_slope[cascade].z, range = cascade_slope[cascade].x;
     vec4 texel = (textureLod(slopes, uv, mip) * signed_scale - signed_zero) * (weight * range);
 #if SHADING == MEDIUM
     vec4 moment = textureLod(moments, uv, mip);
     return Slopes(texel.xy, vec3(texel.zw, (moment.x * signed_scale - signed_zero) * (weight * range)),
-                  mix(all, (moment.y + moment.z) * tile_slope[tile].y, weight * weight));
+                  mix(all, (moment.y + moment.z) * cascade_slope[cascade].y, weight * weight));
 #else
-    return Slopes(texel.xy, vec3(texel.zw, 0.0), all * clamp(mip / tile_scale[tile].y, 0.0, 1.0));
+    return Slopes(texel.xy, vec3(texel.zw, 0.0), all * clamp(mip / cascade_scale[cascade].y, 0.0, 1.0));
 #endif
 }
 #endif
@@ -128,7 +128,7 @@ Slopes tile_slopes(int tile, vec2 at, float distance_m, Footprint pixel) {
 // VR Ocean, equation 48, as `y` of the normal.
 float jacobian_of(vec3 d) { return (1.0 + d.x) * (1.0 + d.y) - d.z * d.z; }
 
-// The normal of the sum of all tiles, as its slopes in the world: x and z over y, at most 4.9.
+// The normal of the sum of all cascades, as its slopes in the world: x and z over y, at most 4.9.
 vec2 normal_slopes(Slopes sum) {
     vec3 normal = vec3(sum.h.y * sum.d.z - sum.h.x * (1.0 + sum.d.y), jacobian_of(sum.d),
                        sum.h.x * sum.d.z - sum.h.y * (1.0 + sum.d.x));
@@ -142,14 +142,14 @@ vec2 normal_slopes(Slopes sum) {
 struct Waves {
     vec2 slopes;   // with the sign of the normal
     float alpha2;  // GGX roughness squared: slopes below the size of a pixel, mean square
-    float crests;  // part of the pixel that breaks of small water and of dynamic waves; the tiles have maps of it (foam_maps.glsl)
+    float crests;  // part of the pixel that breaks of small water and of dynamic waves; the cascades have maps of it (foam_maps.glsl)
 };
 
-#if VERTEX_TILES > 0
-// The coarsest tile's waves are long: a headset looks at them once a vertex.
+#if VERTEX_CASCADES > 0
+// The coarsest cascade's waves are long: a headset looks at them once a vertex.
 Slopes slopes_of_vertices() {
 #ifdef SKIRT
-    return Slopes(vec2(0.0), vec3(0.0), tile_slope[0].z);
+    return Slopes(vec2(0.0), vec3(0.0), cascade_slope[0].z);
 #else
     return Slopes(coarsest.xy, vec3(coarsest.zw, 0.0), 0.0);
 #endif
@@ -158,18 +158,18 @@ Slopes slopes_of_vertices() {
 
 Waves resolved_waves(vec2 at, float distance_m, Footprint pixel) {
     Slopes sum = Slopes(vec2(0.0), vec3(0.0), 0.0);
-    for (int tile = 0; tile < TILES; ++tile) {
-#if VERTEX_TILES > 0
+    for (int cascade = 0; cascade < CASCADES; ++cascade) {
+#if VERTEX_CASCADES > 0
         Slopes seen;  // WebGL chooses no structures by ?:
-        if (tile < VERTEX_TILES)
+        if (cascade < VERTEX_CASCADES)
             seen = slopes_of_vertices();
         else
-            seen = tile_slopes(tile, at, distance_m, pixel);
+            seen = cascade_slopes(cascade, at, distance_m, pixel);
 #else
-        Slopes seen = tile_slopes(tile, at, distance_m, pixel);
+        Slopes seen = cascade_slopes(cascade, at, distance_m, pixel);
 #endif
 #ifdef SHORE
-        seen = held_back(seen, shore.parts[tile]);
+        seen = held_back(seen, shore.parts[cascade]);
 #endif
         sum = Slopes(sum.h + seen.h, sum.d + seen.d, sum.variance + seen.variance);
     }
@@ -180,8 +180,8 @@ Waves resolved_waves(vec2 at, float distance_m, Footprint pixel) {
     return Waves(slopes_of_all, sum.variance, 0.0);
 }
 
-// A layer of ripples around a place: slopes in xy, in w how much of their mean square the pixel does not average away. A tile of them is
-// decimetres wide, so near the eye there are thousands: they are mixed from copies, as an only tile of waves is.
+// A layer of ripples around a place: slopes in xy, in w how much of their mean square the pixel does not average away. A cascade of them is
+// decimetres wide, so near the eye there are thousands: they are mixed from copies, as an only cascade of waves is.
 vec4 layer_of_ripples(int layer, vec2 at, Footprint pixel) {
     vec2 row = detail_turn[layer].xy;
     mat2 turn = mat2(row.x, -row.y, row.y, row.x);
@@ -227,7 +227,7 @@ float gust_at(vec2 at) {
 #endif
 }
 
-// The water that no tile holds: waves.y squared, of which ripples show their part as slopes where pixels are small enough.
+// The water that no cascade holds: waves.y squared, of which ripples show their part as slopes where pixels are small enough.
 void add_water_between_texels(vec2 at, Footprint pixel, inout Waves seen) {
     float gust = gust_at(at);
     vec4 a = layer_of_ripples(0, at, pixel);

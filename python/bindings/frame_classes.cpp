@@ -16,7 +16,7 @@ namespace py = pybind11;
 namespace pelagic::python {
 
 void need_foam(const Frame& frame) {
-    if (frame.tiles.front().foam_r8.empty())
+    if (frame.cascades.front().foam_r8.empty())
         throw std::invalid_argument("the frame has no foam, needs an ocean with foam=True");
 }
 
@@ -34,17 +34,17 @@ py::array view_of(const FrameHandle& handle, const py::dtype& type, Shape shape,
     return array;
 }
 
-py::array halves_of(const TileHandle& handle) {
+py::array halves_of(const CascadeHandle& handle) {
     const auto reader = handle.of->read();
-    const Tile& tile = handle.tile();
-    const py::ssize_t side = tile.resolution();
-    return view_of(*handle.of, py::dtype("e"), {side, side, 4}, tile.displacement_rgba16f.data());
+    const Cascade& cascade = handle.cascade();
+    const py::ssize_t side = cascade.resolution();
+    return view_of(*handle.of, py::dtype("e"), {side, side, 4}, cascade.displacement_rgba16f.data());
 }
 
 /// A plane's blocks as an array of the caller's own.
-py::array plane_of(const TileHandle& handle, PlaneView Tile::*plane, const char* option) {
+py::array plane_of(const CascadeHandle& handle, PlaneView Cascade::*plane, const char* option) {
     const auto reader = handle.of->read();
-    const PlaneView& from = handle.tile().*plane;
+    const PlaneView& from = handle.cascade().*plane;
     if (!from.data) throw std::invalid_argument(std::string("the frame has none of that, needs an ocean with ") + option);
     const py::ssize_t side = from.resolution;
     py::array_t<float> array({side, side});
@@ -58,24 +58,24 @@ py::array plane_of(const TileHandle& handle, PlaneView Tile::*plane, const char*
 
 /// One level of a chain, (N, N, 4) bytes of words or (N, N) bytes.
 template <class Texel>
-py::array level_of(const TileHandle& handle, std::span<const Texel> Tile::*chain, int level, const char* option) {
+py::array level_of(const CascadeHandle& handle, std::span<const Texel> Cascade::*chain, int level, const char* option) {
     const auto reader = handle.of->read();
-    const Tile& tile = handle.tile();
-    if ((tile.*chain).empty())
+    const Cascade& cascade = handle.cascade();
+    if ((cascade.*chain).empty())
         throw std::invalid_argument(std::string("the frame has none of that, needs an ocean with ") + option);
-    if (level < 0 || level >= mip_levels(tile.resolution()))
-        throw std::invalid_argument(refusal("level", level, "0 to " + number_text(mip_levels(tile.resolution()) - 1)));
-    const py::ssize_t side = tile.resolution() >> level;
+    if (level < 0 || level >= mip_levels(cascade.resolution()))
+        throw std::invalid_argument(refusal("level", level, "0 to " + number_text(mip_levels(cascade.resolution()) - 1)));
+    const py::ssize_t side = cascade.resolution() >> level;
     Shape shape{side, side};
     if (sizeof(Texel) == 4) shape.push_back(4);
-    return view_of(*handle.of, py::dtype("u1"), std::move(shape), tile.level_of(tile.*chain, level).data());
+    return view_of(*handle.of, py::dtype("u1"), std::move(shape), cascade.level_of(cascade.*chain, level).data());
 }
 
-std::vector<TileHandle> tiles_of(const std::shared_ptr<FrameHandle>& frame) {
+std::vector<CascadeHandle> cascades_of(const std::shared_ptr<FrameHandle>& frame) {
     const auto reader = frame->read();
-    std::vector<TileHandle> tiles;
-    for (std::size_t i = 0; i < frame->frame.tiles.size(); ++i) tiles.push_back({frame, i});
-    return tiles;
+    std::vector<CascadeHandle> cascades;
+    for (std::size_t i = 0; i < frame->frame.cascades.size(); ++i) cascades.push_back({frame, i});
+    return cascades;
 }
 
 /// What takes long enough for other threads to run meanwhile.
@@ -101,30 +101,30 @@ std::string text_of(const FrameBounds& bounds) {
            ", sideways_z_max_m=" + number_text(bounds.sideways_z_max_m) + ")";
 }
 
-/// Of the frame's tiles, read as long as their memory is there.
+/// Of the frame's cascades, read as long as their memory is there.
 template <class Value>
-auto of_tile(Value (*get)(const Tile&)) {
-    return [get](const TileHandle& handle) {
+auto of_cascade(Value (*get)(const Cascade&)) {
+    return [get](const CascadeHandle& handle) {
         const auto reader = handle.of->read();
-        return get(handle.tile());
+        return get(handle.cascade());
     };
 }
 
-TileHandle first_tile(const std::shared_ptr<FrameHandle>& frame) { return {frame, 0}; }
+CascadeHandle first_cascade(const std::shared_ptr<FrameHandle>& frame) { return {frame, 0}; }
 
-auto plane_getter(PlaneView Tile::*plane, const char* option) {
-    return [=](const TileHandle& handle) { return plane_of(handle, plane, option); };
+auto plane_getter(PlaneView Cascade::*plane, const char* option) {
+    return [=](const CascadeHandle& handle) { return plane_of(handle, plane, option); };
 }
 
 template <class Texel>
-void add_chain(py::class_<TileHandle>& tile, const std::string& name, std::span<const Texel> Tile::*chain, const char* option) {
+void add_chain(py::class_<CascadeHandle>& cascade, const std::string& name, std::span<const Texel> Cascade::*chain, const char* option) {
     const std::string of_level = name + "_level";
-    tile.def_property_readonly(
-        name.c_str(), [=](const TileHandle& handle) { return level_of(handle, chain, 0, option); },
-        doc_of(("Tile." + name).c_str()));
-    tile.def(
-        of_level.c_str(), [=](const TileHandle& handle, int level) { return level_of(handle, chain, level, option); },
-        py::arg("level"), doc_of(("Tile." + of_level).c_str()));
+    cascade.def_property_readonly(
+        name.c_str(), [=](const CascadeHandle& handle) { return level_of(handle, chain, 0, option); },
+        doc_of(("Cascade." + name).c_str()));
+    cascade.def(
+        of_level.c_str(), [=](const CascadeHandle& handle, int level) { return level_of(handle, chain, level, option); },
+        py::arg("level"), doc_of(("Cascade." + of_level).c_str()));
 }
 
 /// The property `name` of a class, with its docstring.
@@ -143,35 +143,35 @@ void add_bounds(py::module_& module) {
     bounds.def("__repr__", &text_of);
 }
 
-void add_tile(py::module_& module) {
-    py::class_<TileHandle> tile(module, "Tile", doc_of("Tile"));
-    add(tile, "displacement", &halves_of);
-    add(tile, "height", plane_getter(&Tile::height, ""));
-    add(tile, "dx", plane_getter(&Tile::dx, ""));
-    add(tile, "dz", plane_getter(&Tile::dz, ""));
-    add(tile, "velocity_x", plane_getter(&Tile::velocity_x, "velocities=True"));
-    add(tile, "velocity_y", plane_getter(&Tile::velocity_y, "velocities=True"));
-    add(tile, "velocity_z", plane_getter(&Tile::velocity_z, "velocities=True"));
-    add_chain(tile, "gradient", &Tile::gradient_rgba8, "gradients=True");
-    add_chain(tile, "slopes", &Tile::slopes_rgba8, "slopes=True");
-    add_chain(tile, "moments", &Tile::moments_rgba8, "slopes=True");
-    add_chain(tile, "foam", &Tile::foam_r8, "foam=True");
-    add(tile, "resolution", of_tile(+[](const Tile& of) { return of.resolution(); }));
-    add(tile, "levels", of_tile(+[](const Tile& of) { return mip_levels(of.resolution()); }));
-    add(tile, "patch_size_m", of_tile(+[](const Tile& of) { return of.lattice.side_m; }));
-    add(tile, "turn", of_tile(+[](const Tile& of) { return std::pair(of.lattice.cosine, of.lattice.sine); }));
-    add(tile, "slope_range", of_tile(+[](const Tile& of) { return of.slope_ranges.slope; }));
-    add(tile, "variance_range", of_tile(+[](const Tile& of) { return of.slope_ranges.variance; }));
-    add(tile, "bounds", of_tile(+[](const Tile& of) { return of.bounds; }));
+void add_cascade(py::module_& module) {
+    py::class_<CascadeHandle> cascade(module, "Cascade", doc_of("Cascade"));
+    add(cascade, "displacement", &halves_of);
+    add(cascade, "height", plane_getter(&Cascade::height, ""));
+    add(cascade, "dx", plane_getter(&Cascade::dx, ""));
+    add(cascade, "dz", plane_getter(&Cascade::dz, ""));
+    add(cascade, "velocity_x", plane_getter(&Cascade::velocity_x, "velocities=True"));
+    add(cascade, "velocity_y", plane_getter(&Cascade::velocity_y, "velocities=True"));
+    add(cascade, "velocity_z", plane_getter(&Cascade::velocity_z, "velocities=True"));
+    add_chain(cascade, "gradient", &Cascade::gradient_rgba8, "gradients=True");
+    add_chain(cascade, "slopes", &Cascade::slopes_rgba8, "slopes=True");
+    add_chain(cascade, "moments", &Cascade::moments_rgba8, "slopes=True");
+    add_chain(cascade, "foam", &Cascade::foam_r8, "foam=True");
+    add(cascade, "resolution", of_cascade(+[](const Cascade& of) { return of.resolution(); }));
+    add(cascade, "levels", of_cascade(+[](const Cascade& of) { return mip_levels(of.resolution()); }));
+    add(cascade, "patch_size_m", of_cascade(+[](const Cascade& of) { return of.lattice.side_m; }));
+    add(cascade, "turn", of_cascade(+[](const Cascade& of) { return std::pair(of.lattice.cosine, of.lattice.sine); }));
+    add(cascade, "slope_range", of_cascade(+[](const Cascade& of) { return of.slope_ranges.slope; }));
+    add(cascade, "variance_range", of_cascade(+[](const Cascade& of) { return of.slope_ranges.variance; }));
+    add(cascade, "bounds", of_cascade(+[](const Cascade& of) { return of.bounds; }));
 }
 
 using FramePointer = std::shared_ptr<FrameHandle>;
 
 void add_frame(py::module_& module) {
     FrameClass frame(module, "Frame", doc_of("Frame"));
-    add(frame, "displacement", [](const FramePointer& of) { return halves_of(first_tile(of)); });
-    add(frame, "height", [](const FramePointer& of) { return plane_of(first_tile(of), &Tile::height, ""); });
-    add(frame, "tiles", &tiles_of);
+    add(frame, "displacement", [](const FramePointer& of) { return halves_of(first_cascade(of)); });
+    add(frame, "height", [](const FramePointer& of) { return plane_of(first_cascade(of), &Cascade::height, ""); });
+    add(frame, "cascades", &cascades_of);
     add(frame, "time_s", [](const FrameHandle& of) { return of.frame.time_s; });
     add(frame, "bounds", [](const FrameHandle& of) { return of.frame.bounds; });
     add(frame, "sea", [](const FrameHandle& of) { return python_sea_of(of.frame.sea); });
@@ -190,7 +190,7 @@ void add_frame(py::module_& module) {
 
 void add_frame_classes(py::module_& module) {
     add_bounds(module);
-    add_tile(module);
+    add_cascade(module);
     add_frame(module);
 }
 

@@ -1,4 +1,4 @@
-// A frame as Python holds it, and a tile of one.
+// A frame as Python holds it, and a cascade of one.
 #pragma once
 
 #include <pybind11/numpy.h>
@@ -13,25 +13,25 @@ namespace pelagic::python {
 struct FrameHandle {
     std::shared_ptr<SharedOcean> ocean;
     std::uint64_t number;
-    Frame frame;  ///< its spans and their tiles belong to the ocean: only with a Reader or a View
+    Frame frame;  ///< its spans and their cascades belong to the ocean: only with a Reader or a View
 
     std::unique_ptr<SharedOcean::Reader> read() const {
         return std::make_unique<SharedOcean::Reader>(ocean, number);
     }
 };
 
-struct TileHandle {
+struct CascadeHandle {
     std::shared_ptr<FrameHandle> of;
     std::size_t index;
 
     /// \pre a Reader or a View lives
-    const Tile& tile() const { return of->frame.tiles[index]; }
+    const Cascade& cascade() const { return of->frame.cascades[index]; }
 };
 
 /// Throws std::invalid_argument if the frame has no foam.
 void need_foam(const Frame& frame);
 
-/// The classes Frame, Tile and Bounds; what a frame is asked is added by add_questions().
+/// The classes Frame, Cascade and Bounds; what a frame is asked is added by add_questions().
 void add_frame_classes(pybind11::module_& module);
 
 using FrameClass = pybind11::class_<FrameHandle, std::shared_ptr<FrameHandle>>;

@@ -102,7 +102,7 @@ void add_ocean_class(py::module_& module) {
     add_series(ocean);
     facts_and_docs(ocean, "sea", +[](const Facts& of) { return python_sea_of(of.sea); });
     facts_and_docs(ocean, "resolution", +[](const Facts& of) { return of.resolution; });
-    facts_and_docs(ocean, "tile_count", +[](const Facts& of) { return of.tile_count; });
+    facts_and_docs(ocean, "cascade_count", +[](const Facts& of) { return of.cascade_count; });
     facts_and_docs(ocean, "threads", +[](const Facts& of) { return of.threads; });
     facts_and_docs(ocean, "memory_bytes", +[](const Facts& of) { return of.memory_bytes; });
     facts_and_docs(ocean, "isa", +[](const Facts& of) { return std::string(name_of(of.isa)); });

@@ -16,7 +16,7 @@
 #include "pelagic/python/bindings/docs.hpp"
 #include "pelagic/python/bindings/frame_handle.hpp"
 #include "pelagic/sim/query/foam_at.hpp"
-#include "pelagic/sim/surface/tile_sum.hpp"
+#include "pelagic/sim/surface/cascade_sum.hpp"
 #include "pelagic/sim/surface_ray.hpp"
 
 namespace py = pybind11;
@@ -238,7 +238,7 @@ py::dict query(const FrameHandle& handle, py::handle points, py::handle z, py::h
     const auto reader = handle.read();
     const SurfaceQuery surface(handle.frame, options_of(tolerance_m, interpolation));
     const Places places = places_of(points, z);
-    warn_of_span(places, handle.frame.tiles.front().lattice.side_m);
+    warn_of_span(places, handle.frame.cascades.front().lattice.side_m);
     AnswerArrays arrays(Fields(asked), places.shape, places.x.size(), surface.has_velocities(), surface.has_foam());
     const SurfaceSamples samples = arrays.samples(0);
     surface.check(samples);  // before other threads run
@@ -366,14 +366,14 @@ py::array_t<float> displaced(const FrameHandle& handle, py::handle points, py::h
     return array;
 }
 
-/// Foam of the water that rests at (x, z): the largest of the tiles', as a query has it.
+/// Foam of the water that rests at (x, z): the largest of the cascades', as a query has it.
 float resting_foam(const Frame& frame, double x_m, double z_m) {
     double most = 0;
-    for (const Tile& tile : frame.tiles) {
-        const TileLattice::Place place = tile.lattice.in_tile(x_m, z_m);
-        const double x = place.along / tile.texel_m(), z = place.across / tile.texel_m();
+    for (const Cascade& cascade : frame.cascades) {
+        const CascadeLattice::Place place = cascade.lattice.in_cascade(x_m, z_m);
+        const double x = place.along / cascade.texel_m(), z = place.across / cascade.texel_m();
         const double column = std::floor(x), row = std::floor(z);
-        most = std::max(most, foam_at(tile, static_cast<std::int64_t>(column), static_cast<std::int64_t>(row), x - column,
+        most = std::max(most, foam_at(cascade, static_cast<std::int64_t>(column), static_cast<std::int64_t>(row), x - column,
                                       z - row));
     }
     return static_cast<float>(most);

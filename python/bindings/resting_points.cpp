@@ -1,5 +1,5 @@
 // What a frame does to points of water by where they rest: how far they are moved, how fast they move, how much foam floats on them. A
-// mesh whose vertices rest asks for all at once and often, so a tile's cells are found once for all of its planes.
+// mesh whose vertices rest asks for all at once and often, so a cascade's cells are found once for all of its planes.
 #include <pybind11/pybind11.h>
 #include <pybind11/numpy.h>
 
@@ -18,13 +18,13 @@ namespace pelagic::python {
 namespace {
 
 using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
-using Planes = PlaneView Tile::*[3];
+using Planes = PlaneView Cascade::*[3];
 
-/// One tile, as many points read it.
-class RestTile {
+/// One cascade, as many points read it.
+class RestCascade {
    public:
-    explicit RestTile(const Tile& tile) : tile_(tile), texels_per_m_(tile.resolution() / tile.lattice.side_m) {
-        const PlaneView& plane = tile.height;
+    explicit RestCascade(const Cascade& cascade) : cascade_(cascade), texels_per_m_(cascade.resolution() / cascade.lattice.side_m) {
+        const PlaneView& plane = cascade.height;
         for (int i = 0; i < plane.resolution; ++i)
             columns_.push_back(i / plane.block_columns * plane.block_stride + i % plane.block_columns);
     }
@@ -36,23 +36,23 @@ class RestTile {
     };
 
     Cell cell_at(double x_m, double z_m) const {
-        const TileLattice::Place place = tile_.lattice.in_tile(x_m, z_m);
+        const CascadeLattice::Place place = cascade_.lattice.in_cascade(x_m, z_m);
         const double x = place.along * texels_per_m_, z = place.across * texels_per_m_;
         const double column = std::floor(x), row = std::floor(z);
         const auto i = static_cast<std::int64_t>(column), j = static_cast<std::int64_t>(row);
         // The resolution is a power of two, so a mask wraps negative texels too.
-        const std::int64_t mask = tile_.resolution() - 1;
+        const std::int64_t mask = cascade_.resolution() - 1;
         const std::ptrdiff_t left = columns_[static_cast<std::size_t>(i & mask)];
         const std::ptrdiff_t right = columns_[static_cast<std::size_t>((i + 1) & mask)];
-        const std::ptrdiff_t upper = (j & mask) * tile_.height.row_stride;
-        const std::ptrdiff_t lower = ((j + 1) & mask) * tile_.height.row_stride;
+        const std::ptrdiff_t upper = (j & mask) * cascade_.height.row_stride;
+        const std::ptrdiff_t lower = ((j + 1) & mask) * cascade_.height.row_stride;
         return {upper + left, upper + right, lower + left, lower + right, i, j, x - column, z - row};
     }
 
-    /// As surface/tile_sum.hpp adds it: bilinear between texels, in double.
+    /// As surface/cascade_sum.hpp adds it: bilinear between texels, in double.
     void add(const Planes& planes, const Cell& cell, double* sum) const {
         for (int part = 0; part < 3; ++part) {
-            const float* plane = (tile_.*planes[part]).data;
+            const float* plane = (cascade_.*planes[part]).data;
             const double upper_left = static_cast<double>(plane[cell.upper_left]);
             const double lower_left = static_cast<double>(plane[cell.lower_left]);
             const double upper = upper_left + cell.u * (static_cast<double>(plane[cell.upper_right]) - upper_left);
@@ -61,16 +61,16 @@ class RestTile {
         }
     }
 
-    double foam(const Cell& cell) const { return foam_at(tile_, cell.x, cell.z, cell.u, cell.v); }
+    double foam(const Cell& cell) const { return foam_at(cascade_, cell.x, cell.z, cell.u, cell.v); }
 
    private:
-    const Tile& tile_;
+    const Cascade& cascade_;
     double texels_per_m_;
     std::vector<std::ptrdiff_t> columns_;  ///< where each begins, in floats
 };
 
-constexpr Planes displacements = {&Tile::dx, &Tile::height, &Tile::dz};
-constexpr Planes velocities = {&Tile::velocity_x, &Tile::velocity_y, &Tile::velocity_z};
+constexpr Planes displacements = {&Cascade::dx, &Cascade::height, &Cascade::dz};
+constexpr Planes velocities = {&Cascade::velocity_x, &Cascade::velocity_y, &Cascade::velocity_z};
 constexpr double farthest_m = 1e9;  // at which doubles tell micrometres apart
 
 py::dict at_rest(const FrameHandle& handle, const Doubles& points) {
@@ -78,7 +78,7 @@ py::dict at_rest(const FrameHandle& handle, const Doubles& points) {
     if (points.ndim() != 2 || points.shape(1) != 2)
         throw std::invalid_argument("points has another shape, needs (n, 2): x and z of each point");
     const py::ssize_t count = points.shape(0);
-    const Tile& first = handle.frame.tiles.front();
+    const Cascade& first = handle.frame.cascades.front();
     const bool has_velocities = first.velocity_x.data != nullptr, has_foam = !first.foam_r8.empty();
     py::array_t<float> displacement({count, py::ssize_t{3}}), velocity({has_velocities ? count : 0, py::ssize_t{3}});
     py::array_t<float> foam(has_foam ? count : 0);
@@ -86,17 +86,17 @@ py::dict at_rest(const FrameHandle& handle, const Doubles& points) {
     const double* at = points.data();
     {
         const py::gil_scoped_release others_run;
-        const std::vector<RestTile> tiles(handle.frame.tiles.begin(), handle.frame.tiles.end());
+        const std::vector<RestCascade> cascades(handle.frame.cascades.begin(), handle.frame.cascades.end());
         for (py::ssize_t point = 0; point < count; ++point, at += 2) {
             if (!(std::fabs(at[0]) <= farthest_m && std::fabs(at[1]) <= farthest_m))
                 throw std::invalid_argument(refusal("points[" + number_text(point) + "]",
                                                     number_text(at[0]) + ", " + number_text(at[1]), "metres in [-1e9, 1e9]"));
             double sum[3] = {}, speed[3] = {}, most_foam = 0;
-            for (const RestTile& tile : tiles) {
-                const RestTile::Cell cell = tile.cell_at(at[0], at[1]);
-                tile.add(displacements, cell, sum);
-                if (has_velocities) tile.add(velocities, cell, speed);
-                if (has_foam) most_foam = std::max(most_foam, tile.foam(cell));
+            for (const RestCascade& cascade : cascades) {
+                const RestCascade::Cell cell = cascade.cell_at(at[0], at[1]);
+                cascade.add(displacements, cell, sum);
+                if (has_velocities) cascade.add(velocities, cell, speed);
+                if (has_foam) most_foam = std::max(most_foam, cascade.foam(cell));
             }
             for (const double part : sum) *moved++ = static_cast<float>(part);
             if (has_velocities)

@@ -111,7 +111,7 @@ SharedOcean::Facts SharedOcean::facts() {
     const std::lock_guard turn(turn_);
     const Ocean& ocean = opened();
     return {ocean.sea(),        ocean.resolution(),   ocean.executor().thread_limit(),
-            ocean.tile_count(), ocean.memory_bytes(), ocean.isa(),
+            ocean.cascade_count(), ocean.memory_bytes(), ocean.isa(),
             repeat_length_m_,   has_velocities_,      has_foam_};
 }
 

@@ -64,7 +64,7 @@ class SharedOcean {
     struct Facts {
         SeaState sea;
         int resolution, threads;
-        std::size_t tile_count, memory_bytes;
+        std::size_t cascade_count, memory_bytes;
         Isa isa;
         double repeat_length_m;
         bool has_velocities, has_foam;

@@ -19,8 +19,8 @@ Doubles = NDArray[np.float64]
 #: Linear waves: with choppiness a buoy would see crests that are drawn together, and with them harmonics of the peak.
 SEA = pelagic.Sea(wind_speed_mps=12, fetch_m=100e3, choppiness=0, spreading="hasselmann", loop_period_s=400)
 
-#: The same on one tile with a texel every 2 m. Water is straight between texels, which flattens waves of a few texels for buoys
-#: that lie anywhere; of four tiles each has such waves.
+#: The same on one cascade with a texel every 2 m. Water is straight between texels, which flattens waves of a few texels for buoys
+#: that lie anywhere; of four cascades each has such waves.
 SEA_OF_BUOYS = replace(SEA, patch_size_m=1000, resolution=512)
 
 
@@ -39,15 +39,15 @@ def spectrum_of_buoys(sea: pelagic.Sea, step_s: float = 0.4, buoys: int = 300) -
 
 
 def spectrum_of_frame(sea: pelagic.Sea, time_s: float = 0) -> Tuple[Doubles, Doubles]:
-    """Bands of wave numbers by their edges, rad/m, and the heights' spectrum in them, m^3, all directions together. Each tile holds
+    """Bands of wave numbers by their edges, rad/m, and the heights' spectrum in them, m^3, all directions together. Each cascade holds
     a part of the waves."""
     edges = np.geomspace(0.01, 20, 80)
     energy = np.zeros(len(edges) - 1)
     with pelagic.Ocean(sea) as ocean:
-        for tile in ocean.frame_at(time_s).tiles:
-            n = tile.resolution
-            k = 2 * np.pi * np.fft.fftfreq(n, tile.patch_size_m / n)
-            variances = np.abs(np.fft.fft2(tile.height) / n**2) ** 2
+        for cascade in ocean.frame_at(time_s).cascades:
+            n = cascade.resolution
+            k = 2 * np.pi * np.fft.fftfreq(n, cascade.patch_size_m / n)
+            variances = np.abs(np.fft.fft2(cascade.height) / n**2) ** 2
             energy += np.histogram(np.hypot(k, k[:, None]), edges, weights=variances)[0]
     return edges, energy / np.diff(edges)
 
@@ -71,7 +71,7 @@ def main(out: str) -> None:
 
     edges, measured = spectrum_of_frame(SEA)
     wave_numbers = np.sqrt(edges[1:] * edges[:-1])
-    right.loglog(wave_numbers, np.where(measured > 0, measured, np.nan), color="tab:blue", marker=".", linewidth=1, label="one frame, all tiles")
+    right.loglog(wave_numbers, np.where(measured > 0, measured, np.nan), color="tab:blue", marker=".", linewidth=1, label="one frame, all cascades")
     right.loglog(wave_numbers, SEA.energy_by_wave_number(wave_numbers), color="black", linestyle="--", label="JONSWAP")
     right.set(xlabel="wave number (rad/m)", ylabel="m³", title=title((measured * np.diff(edges)).sum()), ylim=(1e-9, 1e3))
     right.legend()

@@ -14,11 +14,11 @@ from types import MappingProxyType as _MappingProxyType
 from typing import Mapping as _Mapping
 
 from ._explained import explain as _explain, nearest_hint as _nearest_hint
-from ._pelagic import Bounds, Frame, Ocean, StaleFrame, Tile, isas_here, preset_list as _preset_list, version as __version__
+from ._pelagic import Bounds, Frame, Ocean, StaleFrame, Cascade, isas_here, preset_list as _preset_list, version as __version__
 from ._sea import Report, Sea
 
 __all__ = [
-    "Bounds", "Frame", "Ocean", "Report", "Sea", "StaleFrame", "Tile",
+    "Bounds", "Frame", "Ocean", "Report", "Sea", "StaleFrame", "Cascade",
     "isas_here", "preset", "preset_summaries", "presets",
 ]
 
@@ -28,7 +28,7 @@ presets: _Mapping[str, Sea] = _MappingProxyType({name: sea for name, _, sea in _
 #: A line about each of them.
 preset_summaries: _Mapping[str, str] = _MappingProxyType({name: summary for name, summary, _ in _preset_list()})
 
-_explain(Frame, Ocean, Sea, Tile)
+_explain(Frame, Ocean, Sea, Cascade)
 
 
 def preset(name: str) -> Sea:

@@ -59,8 +59,8 @@ class Bounds:
     def sideways_z_max_m(self) -> float:
         """The largest |Dz|."""
 
-class Tile:
-    """One square of waves of a frame, which repeats over the whole sea; displacements of a frame's tiles add.
+class Cascade:
+    """One square of waves of a frame, which repeats over the whole sea; displacements of a frame's cascades add.
 
     Element [j, i] rests at x = (c i - s j) L/N, z = (s i + c j) L/N, c and s being `turn`, L `patch_size_m` and N `resolution`. What
     is called a view is read-only memory of the ocean's; the others are copies, yours to write.
@@ -89,14 +89,14 @@ class Tile:
         """As velocity_x, of dz."""
     @property
     def gradient(self) -> NDArray[np.uint8]:
-        """(N, N, 4), a view: normal x, normal z, Jacobian, smoothness, of the tile alone. Of a frame of one tile, or with
+        """(N, N, 4), a view: normal x, normal z, Jacobian, smoothness, of the cascade alone. Of a frame of one cascade, or with
         Ocean(gradients=True)."""
     def gradient_level(self, level: int) -> NDArray[np.uint8]:
         """The same of a mip level, 0 to levels - 1."""
     @property
     def slopes(self) -> NDArray[np.uint8]:
-        """(N, N, 4), a view: h_x, h_z, D_xx, D_zz, each (byte - 128)/127 of slope_range, which add to other tiles'. Of a frame of
-        several tiles, or with Ocean(slopes=True)."""
+        """(N, N, 4), a view: h_x, h_z, D_xx, D_zz, each (byte - 128)/127 of slope_range, which add to other cascades'. Of a frame of
+        several cascades, or with Ocean(slopes=True)."""
     def slopes_level(self, level: int) -> NDArray[np.uint8]:
         """The same of a mip level, 0 to levels - 1."""
     @property
@@ -118,7 +118,7 @@ class Tile:
         """Mip levels of gradient, slopes, moments and foam."""
     @property
     def patch_size_m(self) -> float:
-        """L, after which the tile repeats along its axes."""
+        """L, after which the cascade repeats along its axes."""
     @property
     def turn(self) -> Tuple[float, float]:
         """Cosine and sine of the turn of its axes against the world's, from +x towards +z."""
@@ -139,25 +139,25 @@ class Frame:
 
     @property
     def displacement(self) -> NDArray[np.float16]:
-        """(N, N, 4), a view, of the first tile, the one with the longest waves."""
+        """(N, N, 4), a view, of the first cascade, the one with the longest waves."""
     @property
     def height(self) -> NDArray[np.float32]:
-        """(N, N), a copy, of the first tile: of a frame of several the others' heights are not in it, query() has them all."""
+        """(N, N), a copy, of the first cascade: of a frame of several the others' heights are not in it, query() has them all."""
     @property
-    def tiles(self) -> List[Tile]:
+    def cascades(self) -> List[Cascade]:
         """The coarsest first."""
     @property
     def time_s(self) -> float:
         """As it was asked for."""
     @property
     def bounds(self) -> Bounds:
-        """Of one tile exact, of several upper bounds."""
+        """Of one cascade exact, of several upper bounds."""
     @property
     def sea(self) -> Sea:
         """That there is at that time."""
     @property
     def significant_wave_height_m(self) -> float:
-        """Of the waves that the tiles hold, the mean over all seeds."""
+        """Of the waves that the cascades hold, the mean over all seeds."""
     @property
     def is_alive(self) -> bool:
         """It would not raise StaleFrame, nor is its ocean closed."""
@@ -217,11 +217,11 @@ class Ocean:
         queries     frames can be asked by query() and rays()
         velocities  frames have velocities; about twice the work
         foam        frames remember foam, which lasts for 2.9 seconds
-        gradients   tiles of several have normals of their own; one tile always has
-        slopes      a frame of one tile has slopes; those of several always have
+        gradients   cascades of several have normals of their own; one cascade always has
+        slopes      a frame of one cascade has slopes; those of several always have
         threads     at work on a frame, the calling one included; 0: one per core
         isa         "sse4.2", "avx2", "avx512" or "neon"; None: PELAGIC_ISA, else the strongest. All have the same bits
-        largest_peak_m  tiles are laid out for waves with peaks up to this long, which a sea to come may have: its
+        largest_peak_m  cascades are laid out for waves with peaks up to this long, which a sea to come may have: its
                     report().peak_wavelength_m. 0: the first sea's
         """
     def __enter__(self) -> Ocean: ...
@@ -257,16 +257,16 @@ class Ocean:
         Raises ValueError if the times span more than the sea's loop, unless repeats is True. Warns as query().
         """
     def schedule_sea(self, sea: Sea, from_s: float, over_s: float, swell_from_m: float = 0.0) -> None:
-        """The sea turns into another one, from a time on and over so many seconds; the same tiles, depth, loop and seed. If its swell
+        """The sea turns into another one, from a time on and over so many seconds; the same cascades, depth, loop and seed. If its swell
         was raised so many metres away, long waves come first."""
     @property
     def sea(self) -> Sea:
         """That there will be after the last change."""
     @property
     def resolution(self) -> int:
-        """Texels along a side of each tile."""
+        """Texels along a side of each cascade."""
     @property
-    def tile_count(self) -> int:
+    def cascade_count(self) -> int:
         """Of every frame."""
     @property
     def threads(self) -> int:

@@ -17,9 +17,9 @@ class Report:
     """What follows from a sea's options."""
 
     significant_wave_height_m: float
-    """Hs of the waves that the tiles hold: 4 standard deviations of the height, the mean over all seeds."""
+    """Hs of the waves that the cascades hold: 4 standard deviations of the height, the mean over all seeds."""
     model_significant_wave_height_m: Optional[float]
-    """The same of all waves of the model, whatever the tiles hold; None for phillips-paper, which has no physical scale."""
+    """The same of all waves of the model, whatever the cascades hold; None for phillips-paper, which has no physical scale."""
     peak_period_s: float
     """Where the model's spectrum over frequency peaks."""
     peak_wavelength_m: float
@@ -48,11 +48,11 @@ class Sea:
     """How waves spread around the wind: "paper", "cosine-2s", "hasselmann" or "donelan-banner"; phillips-paper takes no other than
     "paper"."""
     cascades: int = 0
-    """How many tiles hold the waves, each a band of them, 1 to 4. 0: four, or one where the side is given or the waves know no other."""
+    """How many cascades hold the waves, each a band of them, 1 to 4. 0: four, or one where the side is given or the waves know no other."""
     resolution: int = 0
-    """N, texels along a side of each tile; a power of two, 16 to 2048. 0: 128, or 256 where the side is given."""
+    """N, texels along a side of each cascade; a power of two, 16 to 2048. 0: 128, or 256 where the side is given."""
     patch_size_m: float = 0.0
-    """The side of the one tile, after which the sea repeats; [0.001, 1e6]. 0: sides chosen from the sea."""
+    """The side of the one cascade, after which the sea repeats; [0.001, 1e6]. 0: sides chosen from the sea."""
     wind_speed_mps: float = 12.0
     """U10, mean wind 10 m above the sea; (0, 60]."""
     wind_direction_rad: float = 0.0
@@ -64,7 +64,7 @@ class Sea:
     choppiness: float = 0.8
     """0 gives a height field; [0, 1]."""
     roughness: float = -1.0
-    """Of the water between texels, for the smoothness channel; [0, 1], or -1: from the wind and what the tiles don't resolve."""
+    """Of the water between texels, for the smoothness channel; [0, 1], or -1: from the wind and what the cascades don't resolve."""
     small_waves: float = 0.0
     """0 keeps small waves, 1 removes those below a quarter of the peak's; [0, 1]."""
     alignment: float = 0.5
@@ -110,7 +110,7 @@ class Sea:
         return Report(**found)
 
     def energy_by_frequency(self, frequencies_hz: ArrayLike) -> NDArray[np.float64]:
-        """The spectrum that these options ask for, m^2/Hz, whatever the tiles hold; its integral is the variance of the height."""
+        """The spectrum that these options ask for, m^2/Hz, whatever the cascades hold; its integral is the variance of the height."""
         return _pelagic.model_by_frequency(self, frequencies_hz)
 
     def energy_by_wave_number(self, wave_numbers: ArrayLike) -> NDArray[np.float64]:

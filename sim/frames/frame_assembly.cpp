@@ -17,12 +17,12 @@ namespace {
 // More than a clock counts: 2^40 loops of less than 2^20 ticks.
 constexpr std::int64_t most_ticks = std::int64_t{1} << 60;
 
-std::size_t tiles_of(const SeaState& sea) { return static_cast<std::size_t>(cascades_of(sea)); }
+std::size_t cascades_of(const SeaState& sea) { return static_cast<std::size_t>(cascades_of(sea)); }
 
-/// One tile always has gradients, several always have slopes.
-FrameExtras completed(FrameExtras extras, std::size_t tiles) {
-    extras.gradients |= tiles == 1;
-    extras.slopes |= tiles > 1;
+/// One cascade always has gradients, several always have slopes.
+FrameExtras completed(FrameExtras extras, std::size_t cascades) {
+    extras.gradients |= cascades == 1;
+    extras.slopes |= cascades > 1;
     return extras;
 }
 
@@ -31,34 +31,34 @@ FrameExtras completed(FrameExtras extras, std::size_t tiles) {
 FrameAssembly::FrameAssembly(const Forecast& forecast, Isa isa, const FrameExtras& wanted, WaveInputs::List inputs)
     : isa_(isa),
       weather_(forecast),
-      extras_(completed(wanted, tiles_of(forecast.first))),
-      slots_(tiles_of(forecast.first), resolution_of(forecast.first), kernels_for(isa).lanes, extras_),
+      extras_(completed(wanted, cascades_of(forecast.first))),
+      slots_(cascades_of(forecast.first), resolution_of(forecast.first), kernels_for(isa).lanes, extras_),
       folds_(slots_, kernels_for(isa)),
       inputs_(std::move(inputs), slots_, isa, extras_.velocities) {
-    for (std::size_t tile = 0; tile < slots_.tile_count(); ++tile) {
-        sources_.push_back(source_of(forecast.first.waves, tile));
-        surfaces_.push_back(std::make_unique<SurfaceStages>(slots_, tile, kernels_for(isa), extras_));
+    for (std::size_t cascade = 0; cascade < slots_.cascade_count(); ++cascade) {
+        sources_.push_back(source_of(forecast.first.waves, cascade));
+        surfaces_.push_back(std::make_unique<SurfaceStages>(slots_, cascade, kernels_for(isa), extras_));
     }
     if (extras_.foam) foam_.emplace(slots_, kernels_for(isa), extras_.memory);
 }
 
 void FrameAssembly::add_frame_stages(JobGraph& graph, std::span<const StageId> after) {
     std::vector<StageId> surfaces_done;
-    for (std::size_t tile = 0; tile < sources_.size(); ++tile) {
+    for (std::size_t cascade = 0; cascade < sources_.size(); ++cascade) {
         std::vector<StageId> waits_for;
-        if (!after.empty()) waits_for = {after[tile]};
-        const FilledBy filled = sources_[tile]->add_stages(graph, Pass::frame, waits_for);
-        surfaces_done.push_back(inputs_.add_stage(graph, Pass::frame, tile, filled));
-        surfaces_[tile]->add_to(graph, surfaces_done.back());
+        if (!after.empty()) waits_for = {after[cascade]};
+        const FilledBy filled = sources_[cascade]->add_stages(graph, Pass::frame, waits_for);
+        surfaces_done.push_back(inputs_.add_stage(graph, Pass::frame, cascade, filled));
+        surfaces_[cascade]->add_to(graph, surfaces_done.back());
     }
     if (extras_.folds) folds_.add_to(graph, surfaces_done);
 }
 
 std::vector<StageId> FrameAssembly::add_tick_stages(JobGraph& graph) {
     std::vector<StageId> surfaces_done;
-    for (std::size_t tile = 0; tile < sources_.size(); ++tile) {
-        const FilledBy filled = sources_[tile]->add_stages(graph, Pass::tick, {});
-        surfaces_done.push_back(inputs_.add_stage(graph, Pass::tick, tile, filled));
+    for (std::size_t cascade = 0; cascade < sources_.size(); ++cascade) {
+        const FilledBy filled = sources_[cascade]->add_stages(graph, Pass::tick, {});
+        surfaces_done.push_back(inputs_.add_stage(graph, Pass::tick, cascade, filled));
     }
     return foam_->add_tick_stages(graph, surfaces_done);
 }
@@ -76,8 +76,8 @@ void FrameAssembly::begin_frame(double time_s, std::span<const TextureTargets> t
     frame.sea = weather_.sea_at(moment);
     frame.figures = weather_.figures_at(moment);
     frame.isa = isa_;
-    for (std::size_t tile = 0; tile < sources_.size(); ++tile)
-        sources_[tile]->begin(Pass::frame, moment, slots_.tile(tile));
+    for (std::size_t cascade = 0; cascade < sources_.size(); ++cascade)
+        sources_[cascade]->begin(Pass::frame, moment, slots_.cascade(cascade));
     begin_inputs(Pass::frame, time_s, time_s);
     if (foam_) plan_ticks(time_s);
 }
@@ -90,11 +90,11 @@ void FrameAssembly::begin_tick() {
     const SeaMoment moment = moment_at_tick(number);
     const SeaFigures figures = weather_.figures_at(moment);
     foam_->advance();
-    for (std::size_t tile = 0; tile < sources_.size(); ++tile) {
-        Tile& at_tick = foam_->tile(tile);
-        sources_[tile]->begin(Pass::tick, moment, at_tick);
+    for (std::size_t cascade = 0; cascade < sources_.size(); ++cascade) {
+        Cascade& at_tick = foam_->cascade(cascade);
+        sources_[cascade]->begin(Pass::tick, moment, at_tick);
         const DriftTexels drift = drift_of(figures, at_tick.lattice, resolution(), clock(), number);
-        foam_->set_drift(tile, drift.x, drift.z);
+        foam_->set_drift(cascade, drift.x, drift.z);
     }
     begin_inputs(Pass::tick, clock().time_s(number), moment.time_s);
     newest_tick_ = number;
@@ -106,10 +106,10 @@ const Frame& FrameAssembly::end_frame() {
     slots_.finish_textures();
     Frame& frame = slots_.frame();
     frame.bounds = {};
-    for (std::size_t tile = 0; tile < sources_.size(); ++tile) {
-        const bool has_inputs = !inputs_.empty() && inputs_.adds_to(tile);
-        const FrameBounds bounds = slots_.tile(tile).bounds =
-            has_inputs ? inputs_.bounds(tile) : sources_[tile]->end_frame();
+    for (std::size_t cascade = 0; cascade < sources_.size(); ++cascade) {
+        const bool has_inputs = !inputs_.empty() && inputs_.adds_to(cascade);
+        const FrameBounds bounds = slots_.cascade(cascade).bounds =
+            has_inputs ? inputs_.bounds(cascade) : sources_[cascade]->end_frame();
         frame.bounds.height_min_m += bounds.height_min_m;
         frame.bounds.height_max_m += bounds.height_max_m;
         frame.bounds.sideways_x_max_m += bounds.sideways_x_max_m;
@@ -190,7 +190,7 @@ void FrameAssembly::drop_sea() {
 }
 
 std::size_t FrameAssembly::texels() const {
-    return tile_count() * static_cast<std::size_t>(resolution()) * static_cast<std::size_t>(resolution());
+    return cascade_count() * static_cast<std::size_t>(resolution()) * static_cast<std::size_t>(resolution());
 }
 
 std::size_t FrameAssembly::bytes() const {
@@ -201,18 +201,18 @@ std::size_t FrameAssembly::bytes() const {
     return bytes;
 }
 
-/// After the sources, which say what the tiles are.
+/// After the sources, which say what the cascades are.
 void FrameAssembly::begin_inputs(Pass pass, double time_s, double time_in_loop_s) {
     if (inputs_.empty()) return;
-    for (std::size_t tile = 0; tile < tile_count(); ++tile)
-        inputs_.set_lattice(pass, tile, tile_of(pass, tile).lattice);
+    for (std::size_t cascade = 0; cascade < cascade_count(); ++cascade)
+        inputs_.set_lattice(pass, cascade, cascade_of(pass, cascade).lattice);
     inputs_.begin(pass, time_s, time_in_loop_s, weather_.forecast().first.loop_period_s);
-    for (std::size_t tile = 0; tile < tile_count(); ++tile) inputs_.begin_tile(pass, tile, tile_of(pass, tile));
+    for (std::size_t cascade = 0; cascade < cascade_count(); ++cascade) inputs_.begin_cascade(pass, cascade, cascade_of(pass, cascade));
 }
 
-std::unique_ptr<SeaSource> FrameAssembly::source_of(WaveModel waves, std::size_t tile) {
-    if (waves == WaveModel::exp_sine) return std::make_unique<Pond>(slots_, tile, isa_, extras_);
-    return std::make_unique<SpectralCascade>(slots_, tile, kernels_for(isa_), extras_);
+std::unique_ptr<SeaSource> FrameAssembly::source_of(WaveModel waves, std::size_t cascade) {
+    if (waves == WaveModel::exp_sine) return std::make_unique<Pond>(slots_, cascade, isa_, extras_);
+    return std::make_unique<SpectralCascade>(slots_, cascade, kernels_for(isa_), extras_);
 }
 
 TickClock FrameAssembly::clock() const { return TickClock(weather_.forecast().first.loop_period_s); }
@@ -242,8 +242,8 @@ void FrameAssembly::plan_ticks(double time_s) {
 /// The frame finds what is remembered now.
 void FrameAssembly::show_foam() {
     const int fade = static_cast<int>(std::uint64_t{FoamTickJob::fade} * frame_tick_.part >> 32);
-    for (std::size_t tile = 0; tile < slots_.tile_count(); ++tile)
-        slots_.remembered_foam(tile) = {foam_->remembered(tile), fade};
+    for (std::size_t cascade = 0; cascade < slots_.cascade_count(); ++cascade)
+        slots_.remembered_foam(cascade) = {foam_->remembered(cascade), fade};
 }
 
 }  // namespace pelagic

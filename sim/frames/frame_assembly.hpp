@@ -1,4 +1,4 @@
-// How a frame is put together: what the sources of all tiles share, the surfaces that follow from what they make, what is
+// How a frame is put together: what the sources of all cascades share, the surfaces that follow from what they make, what is
 // remembered between frames, and the slots that all of it goes into. When that happens, and on which executor, is the ocean's.
 #pragma once
 
@@ -28,7 +28,7 @@ class FrameAssembly {
     /// \pre check(forecast) is empty
     FrameAssembly(const Forecast& forecast, Isa isa, const FrameExtras& wanted, WaveInputs::List inputs = {});
 
-    /// \param after  those of its tick, by tile, or none
+    /// \param after  those of its tick, by cascade, or none
     void add_frame_stages(JobGraph& graph, std::span<const StageId> after = {});
     std::vector<StageId> add_tick_stages(JobGraph& graph);
     void add_spectrum_stages(JobGraph& graph);
@@ -66,15 +66,15 @@ class FrameAssembly {
     Weather& weather() { return weather_; }
     const Weather& weather() const { return weather_; }
     FrameContents contents() const { return {extras_.velocities, extras_.gradients, extras_.slopes, extras_.foam}; }
-    std::size_t tile_count() const { return slots_.tile_count(); }
+    std::size_t cascade_count() const { return slots_.cascade_count(); }
     int resolution() const { return slots_.resolution(); }
     std::size_t texels() const;
     std::size_t bytes() const;  ///< without the object itself
 
    private:
     void begin_inputs(Pass pass, double time_s, double time_in_loop_s);
-    Tile& tile_of(Pass pass, std::size_t tile) { return pass == Pass::frame ? slots_.tile(tile) : foam_->tile(tile); }
-    std::unique_ptr<SeaSource> source_of(WaveModel waves, std::size_t tile);
+    Cascade& cascade_of(Pass pass, std::size_t cascade) { return pass == Pass::frame ? slots_.cascade(cascade) : foam_->cascade(cascade); }
+    std::unique_ptr<SeaSource> source_of(WaveModel waves, std::size_t cascade);
     TickClock clock() const;
     SeaMoment moment_at_tick(std::int64_t number) const;
     void plan_ticks(double time_s);

@@ -1,4 +1,4 @@
-// Foam that lasts: what breaking water leaves behind, tile by tile.
+// Foam that lasts: what breaking water leaves behind, cascade by cascade.
 //
 //   foam_n = max(source(J_n), foam_(n-1) - F), in bytes, F = 9
 //
@@ -32,27 +32,27 @@ class FoamHistory final : public History {
     void restore(std::span<const std::uint8_t> bytes) override;
     std::size_t bytes() const override;
 
-    /// The tile at the tick to come: its lattice and what is white there.
-    Tile& tile(std::size_t tile) { return tiles_[tile].at_tick; }
-    /// How far its foam drifts in that tick, along the tile's axes, in texels of any sign. \pre tile() says what is white
-    void set_drift(std::size_t tile, int texels_x, int texels_z);
+    /// The cascade at the tick to come: its lattice and what is white there.
+    Cascade& cascade(std::size_t cascade) { return cascades_[cascade].at_tick; }
+    /// How far its foam drifts in that tick, along the cascade's axes, in texels of any sign. \pre cascade() says what is white
+    void set_drift(std::size_t cascade, int texels_x, int texels_z);
 
     /// N^2 bytes, as the last tick leaves them.
-    const std::uint8_t* remembered(std::size_t tile) const { return tiles_[tile].maps[newest_].data(); }
+    const std::uint8_t* remembered(std::size_t cascade) const { return cascades_[cascade].maps[newest_].data(); }
 
    private:
     int ticks_to_empty() const { return warm_up_ticks() + 1; }
-    void tick_rows(std::size_t tile, std::size_t job);
+    void tick_rows(std::size_t cascade, std::size_t job);
 
-    struct TileMemory {
-        Tile at_tick;
+    struct CascadeMemory {
+        Cascade at_tick;
         std::size_t shift_x = 0, shift_z = 0;
         int ticks_to_fade = 0;  ///< until both maps are empty, if no more water breaks: weather may turn calm
         std::array<AlignedBuffer<std::uint8_t>, 2> maps;
     };
     FrameSlots& slots_;
     const Kernels& kernels_;
-    std::vector<TileMemory> tiles_;
+    std::vector<CascadeMemory> cascades_;
     std::size_t newest_ = 0;
 };
 

@@ -18,8 +18,8 @@ class History {
     /// After so many ticks nothing is left of what was before.
     virtual int warm_up_ticks() const = 0;
 
-    /// Adds the stages of one tick. \param surfaces_done  those that leave the tick's displacement, by tile
-    /// Returns the stages after which the tick is remembered, by tile.
+    /// Adds the stages of one tick. \param surfaces_done  those that leave the tick's displacement, by cascade
+    /// Returns the stages after which the tick is remembered, by cascade.
     virtual std::vector<StageId> add_tick_stages(JobGraph& graph, std::span<const StageId> surfaces_done) = 0;
 
     /// Nothing is remembered.

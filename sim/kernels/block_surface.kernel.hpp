@@ -15,8 +15,8 @@ struct Differences {
     xsimd::batch<float, Arch> x, z;
 };
 
-/// Axes of a tile that is turned against the world: a texel's place along the tile's x axis counts `cosine` along the
-/// world's x and `sine` along its z. Differences along the tile's axes become those along the world's.
+/// Axes of a cascade that is turned against the world: a texel's place along the cascade's x axis counts `cosine` along the
+/// world's x and `sine` along its z. Differences along the cascade's axes become those along the world's.
 template <class Arch>
 struct Turned {
     xsimd::batch<float, Arch> cosine, sine;
@@ -28,7 +28,7 @@ struct Turned {
     }
 };
 
-/// The axes of tile and world are the same.
+/// The axes of cascade and world are the same.
 struct NotTurned {
     template <class Arch>
     PELAGIC_INLINE void operator()(Differences<Arch>&) const {}

@@ -93,7 +93,7 @@ struct SidewaysHalfPlane {
     const float* block;
 };
 
-/// From a transformed sideways pair, which is minus the displacement along the tile's axes, to the displacement along the
+/// From a transformed sideways pair, which is minus the displacement along the cascade's axes, to the displacement along the
 /// world's, times lambda.
 template <class Arch, bool Turned>
 struct FinishSideways {

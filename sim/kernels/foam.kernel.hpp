@@ -21,7 +21,7 @@ struct BreakingFoam {
     PELAGIC_INLINE V operator()(V jacobian) const { return clamped<Arch>(offset - scale * jacobian, 0.f, 255.f); }
 };
 
-/// A row of a piece of a tile: what is remembered there, and what becomes of it.
+/// A row of a piece of a cascade: what is remembered there, and what becomes of it.
 template <class Arch, std::size_t most_columns>
 class FoamRow {
     using V = xsimd::batch<float, Arch>;
@@ -51,7 +51,7 @@ class FoamRow {
     alignas(64) std::int32_t shown_[most_columns];
 };
 
-/// Two rows of a piece of a tile as a frame shows them.
+/// Two rows of a piece of a cascade as a frame shows them.
 template <class Arch, std::size_t most_columns>
 class ShownFoamRows {
     using V = xsimd::batch<float, Arch>;

@@ -14,21 +14,21 @@
 
 namespace pelagic::kernels {
 
-/// Normals of any length in a row of the tile, and the factors that make them unit vectors.
+/// Normals of any length in a row of the cascade, and the factors that make them unit vectors.
 enum NormalPlane { normal_x, normal_y, normal_z, inverse_length, normal_planes };
-using NormalRow = float[normal_planes][GradientsJob::tile_columns];
+using NormalRow = float[normal_planes][GradientsJob::cascade_columns];
 
-/// What the tile keeps for its mipmaps. Whole registers are read and written, two at a time.
+/// What the cascade keeps for its mipmaps. Whole registers are read and written, two at a time.
 template <class Arch>
 struct MipScratch {
     static constexpr std::size_t columns(int level) {
-        return (GradientsJob::tile_columns >> level) + 2 * xsimd::batch<float, Arch>::size;
+        return (GradientsJob::cascade_columns >> level) + 2 * xsimd::batch<float, Arch>::size;
     }
     template <int level>
     using Rows = GradientRows<columns(level)>;
 
-    alignas(64) float level_1[GradientsJob::tile_rows / 2 * (mip_planes + 1) * columns(1)];
-    alignas(64) float level_2[GradientsJob::tile_rows / 4 * (mip_planes + 1) * columns(2)];
+    alignas(64) float level_1[GradientsJob::cascade_rows / 2 * (mip_planes + 1) * columns(1)];
+    alignas(64) float level_2[GradientsJob::cascade_rows / 4 * (mip_planes + 1) * columns(2)];
 };
 
 /// Equations 45 to 48, times (2 L/N)^2: differences are not divided by the distance, because the normal's length
@@ -68,7 +68,7 @@ inline void normals_of_rows(const GradientsJob& job, const Surface& surface, con
     }
 }
 
-/// Level 0 and the half floats of two rows of the tile, and the averages of level 1. What the job says is read once, before
+/// Level 0 and the half floats of two rows of the cascade, and the averages of level 1. What the job says is read once, before
 /// the stores, which might change it for all that the compiler knows.
 /// \tparam FoamRows  NoFoamRows: no half floats
 template <class Arch, class FoamRows, class Surface>
@@ -130,8 +130,8 @@ inline void gradients_of(const GradientsJob& job, const Surface& surface) {
     using V = xsimd::batch<float, Arch>;
     using Scratch = MipScratch<Arch>;
     const std::size_t n = job.resolution;
-    const std::size_t rows = n < GradientsJob::tile_rows ? n : GradientsJob::tile_rows;
-    const std::size_t columns = n < GradientsJob::tile_columns ? n : GradientsJob::tile_columns;
+    const std::size_t rows = n < GradientsJob::cascade_rows ? n : GradientsJob::cascade_rows;
+    const std::size_t columns = n < GradientsJob::cascade_columns ? n : GradientsJob::cascade_columns;
     const bool is_turned = job.sine != 0 || job.cosine != 1;
     const Turned<Arch> turned{V(job.cosine), V(job.sine)};
     const auto texels = [&](int level) {
@@ -162,7 +162,7 @@ inline void gradients_of(const GradientsJob& job, const Surface& surface) {
         else if (!job.foam.remembered)
             pack.template operator()<FreshFoam<Arch>>();
         else
-            pack.template operator()<ShownFoamRows<Arch, GradientsJob::tile_columns>>();
+            pack.template operator()<ShownFoamRows<Arch, GradientsJob::cascade_columns>>();
         texels_of_row<Arch>(averages, level_1.plane_stride(), columns / 2, texels(1) + row / 2 * (n / 2));
     }
     make_level<Arch>(rows / 4, columns / 4, level_1, level_2, texels(2), n / 4);

@@ -1,4 +1,4 @@
-// The jobs of waves that hosts add to tiles (sim/wave_input.hpp). Rows are tight, aligned, and as long as the tile is wide.
+// The jobs of waves that hosts add to cascades (sim/wave_input.hpp). Rows are tight, aligned, and as long as the cascade is wide.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@ struct PartBounds;
 /// Three fields of a row: dx, height and dz, or their derivatives in time.
 inline constexpr std::size_t input_fields = 3;
 
-/// A wave of a tile's lattice along a row of texels: field f of column i gets
+/// A wave of a cascade's lattice along a row of texels: field f of column i gets
 ///   of_cosine[f] cos(2 pi m i / N) + of_sine[f] sin(2 pi m i / N).
 struct LatticeWaveRow {
     const float *cosine, *sine;  ///< of the columns, N each

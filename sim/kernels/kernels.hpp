@@ -77,7 +77,7 @@ struct ColumnsFinalizeJob {
     const FftTables* fft;
     float choppiness;
     float cosine,
-        sine;  ///< of the angle by which the tile's axes are turned; sideways parts leave in the world's axes
+        sine;  ///< of the angle by which the cascade's axes are turned; sideways parts leave in the world's axes
     PartBounds* bounds;
 };
 
@@ -86,7 +86,7 @@ struct FoamSource {
     float offset = 0, scale = 0;
 };
 
-/// What a frame shows of a tile's foam: at each texel the more of what breaks now and what is remembered, less `fade`.
+/// What a frame shows of a cascade's foam: at each texel the more of what breaks now and what is remembered, less `fade`.
 struct ShownFoam {
     FoamSource source;
     const std::uint8_t* remembered = nullptr;  ///< N^2 bytes of the last tick; null: nothing, and nobody wants bytes
@@ -97,16 +97,16 @@ struct ShownFoam {
 /// Planes of averages that a mip level is made from: scaled normal x, y, z, and J clamped to [-1, 1].
 inline constexpr std::size_t mip_planes = 4;
 
-/// Stage `gradients` and the first levels of `mipmaps` on one tile of texels. Central differences with wrap (equations
+/// Stage `gradients` and the first levels of `mipmaps` on one cascade of texels. Central differences with wrap (equations
 /// 45, 46), the full normal N = (hz Dz,x - hx (1 + Dz,z), J, hx Dx,z - hz (1 + Dx,x)) and the Jacobian J (48), packed
-/// (50, 51); the half floats with foam as a part of 255; then tile_levels levels of averages (52, 53).
+/// (50, 51); the half floats with foam as a part of 255; then cascade_levels levels of averages (52, 53).
 struct GradientsJob {
-    static constexpr std::size_t tile_rows = 16, tile_columns = 256;
-    static constexpr int tile_levels = 3;
+    static constexpr std::size_t cascade_rows = 16, cascade_columns = 256;
+    static constexpr int cascade_levels = 3;
 
     const float* surface;  ///< all column blocks
     std::size_t resolution;
-    std::size_t first_row, first_column;     ///< of the tile, which is smaller than the above if N is
+    std::size_t first_row, first_column;     ///< of the cascade, which is smaller than the above if N is
     std::size_t block_stride;                ///< floats between column blocks
     float two_texels_m;                      ///< 2 L / N
     float jacobian_factor;                   ///< 1 / two_texels_m^2
@@ -114,11 +114,11 @@ struct GradientsJob {
     std::int32_t smoothness_bits;            ///< 1 - sqrt(roughness) as the highest byte of a texel
     std::uint16_t* rgba16f;                  ///< tight rows of four halves a texel; null: nobody wants them
     ShownFoam foam;                          ///< with the half floats
-    std::uint32_t* levels[tile_levels + 1];  ///< tight rows of RGBA8, the texels of level 0 to 3
+    std::uint32_t* levels[cascade_levels + 1];  ///< tight rows of RGBA8, the texels of level 0 to 3
     float* averages;                         ///< of level 3, for MipLevelJob
     std::size_t average_stride;
     float cosine = 1,
-          sine = 0;  ///< of the angle by which the tile's axes are turned in the world, from +x towards +z;
+          sine = 0;  ///< of the angle by which the cascade's axes are turned in the world, from +x towards +z;
                      ///< displacement, normals and J are along the world's axes
 };
 
@@ -138,8 +138,8 @@ struct MipLevelJob {
 /// in steps of a byte.
 inline constexpr std::size_t slope_planes = 8;
 
-/// Stage `slopes` and its first levels on one tile of texels: what of a surface can be added to other surfaces', so that
-/// a sum of tiles has the normals and Jacobians of the sum (sim/slope_sum.hpp). Two words a texel, from the lowest byte up:
+/// Stage `slopes` and its first levels on one cascade of texels: what of a surface can be added to other surfaces', so that
+/// a sum of cascades has the normals and Jacobians of the sum (sim/slope_sum.hpp). Two words a texel, from the lowest byte up:
 ///   slopes   h_x, h_z, D_xx, D_zz, signed, in parts of slope_range
 ///   moments  D_xz = (Dx,z + Dz,x)/2, signed, in parts of slope_range; var h_x, var h_z from 0, cov(h_x, h_z) signed, in
 ///            parts of variance_range
@@ -152,13 +152,13 @@ inline constexpr std::size_t slope_planes = 8;
 /// the square between texels (docs/equations.md has the integral). The derivative at a texel therefore overstates short
 /// waves as much as the filter takes of them.
 struct SlopesJob {
-    static constexpr std::size_t tile_rows = 16, tile_columns = 256;
-    static constexpr int tile_levels = 3;
+    static constexpr std::size_t cascade_rows = 16, cascade_columns = 256;
+    static constexpr int cascade_levels = 3;
     static constexpr double far_weight = -0.2194, near_weight = 0.5 - 2 * far_weight;
 
     const float* surface;  ///< all column blocks
     std::size_t resolution;
-    std::size_t first_row, first_column;      ///< of the tile, which is smaller than the above if N is
+    std::size_t first_row, first_column;      ///< of the cascade, which is smaller than the above if N is
     std::size_t block_stride;                 ///< floats between column blocks
     float cosine, sine;                       ///< as in GradientsJob
     float difference_factor;                  ///< near_weight / (slope_step L / N)
@@ -166,8 +166,8 @@ struct SlopesJob {
     float variance_factor;                    ///< slope_step^2 / variance_range
     std::uint16_t* rgba16f;                   ///< as in GradientsJob, J from these slopes; null: nobody wants them
     ShownFoam foam;                           ///< the same
-    std::uint32_t* slopes[tile_levels + 1];   ///< tight rows, the texels of level 0 to 3
-    std::uint32_t* moments[tile_levels + 1];  ///< the same
+    std::uint32_t* slopes[cascade_levels + 1];   ///< tight rows, the texels of level 0 to 3
+    std::uint32_t* moments[cascade_levels + 1];  ///< the same
     float* averages;                          ///< of level 3, for SlopeLevelJob
     std::size_t average_stride;
 };
@@ -184,7 +184,7 @@ struct SlopeLevelJob {
     std::uint32_t *slopes, *moments;  ///< side^2 each
 };
 
-/// One tick of a tile's foam: after = max(source(J), before - fade), `before` moved by whole texels, which wrap. Derivatives are
+/// One tick of a cascade's foam: after = max(source(J), before - fade), `before` moved by whole texels, which wrap. Derivatives are
 /// as in SlopesJob.
 struct FoamTickJob {
     static constexpr std::size_t most_resolution = 2048;
@@ -198,7 +198,7 @@ struct FoamTickJob {
     float far_over_near;      ///< 0: central differences
     FoamSource source;
     const std::uint8_t* before;    ///< N^2
-    std::size_t shift_x, shift_z;  ///< along the tile's axes, less than N
+    std::size_t shift_x, shift_z;  ///< along the cascade's axes, less than N
     std::size_t first_row, rows;   ///< even
     std::uint8_t* after;           ///< N^2, these rows are written; aliases no input
 };
@@ -270,14 +270,14 @@ struct FindFoldsJob {
     std::uint8_t* cells;  ///< N^2 bits, cell (i, j) being bit i % 8 of byte (j N + i) / 8; these rows are written
 };
 
-/// Extremes of a part of a tile.
+/// Extremes of a part of a cascade.
 struct SqueezeExtremes {
     float displacement_squared;  ///< largest Dx^2 + Dz^2
     float stretch;               ///< what no slope matrix makes a vector grow by more than
     float steepness_squared;     ///< largest square of the height's gradient
 };
 
-/// How much a tile squeezes the water together at most, by blocks of 2 x 2 cells: minus the least eigenvalue of the
+/// How much a cascade squeezes the water together at most, by blocks of 2 x 2 cells: minus the least eigenvalue of the
 /// symmetric part of its slopes, or 0, times `one`, rounded up; the largest byte means that or anything more. Inside
 /// a cell the slopes lie between those at its corners, and the least eigenvalue is a concave function of them, so it is
 /// least at a corner. Blocks of the surface have a multiple of W columns.
@@ -286,7 +286,7 @@ struct FindSqueezeJob {
 
     SurfaceTexels surface;
     float texels_per_m;           ///< N / L
-    float cosine, sine;           ///< of the tile's lattice
+    float cosine, sine;           ///< of the cascade's lattice
     float one;                    ///< the byte that means 1
     std::size_t first_row, rows;  ///< even
     std::uint8_t* blocks;         ///< (N/2)^2, tight rows; those of these rows are written
@@ -311,40 +311,40 @@ struct HalveSqueezeJob {
     std::uint8_t* to;  ///< side^2
 };
 
-/// Tiles that a kernel adds up, at most.
-inline constexpr std::size_t most_tiles = 4;
+/// Cascades that a kernel adds up, at most.
+inline constexpr std::size_t most_cascades = 4;
 
-/// One tile of a stack as queries read it. A point that is drawn d metres from where it rests rests at world - d.
-struct StackTile {
+/// One cascade of a stack as queries read it. A point that is drawn d metres from where it rests rests at world - d.
+struct StackCascade {
     SurfaceTexels surface;
     float along, across;  ///< the lattice's cosine and sine, times N / L
-    CellPlaces world;     ///< of each point, along the tile's own axes
+    CellPlaces world;     ///< of each point, along the cascade's own axes
     const float* part =
-        nullptr;  ///< of the tile's displacement that counts at each point; of all tiles or none: null, all of it
+        nullptr;  ///< of the cascade's displacement that counts at each point; of all cascades or none: null, all of it
 };
 
-/// InvertSurfaceJob for a sum of tiles: the offset o with o + sum of D(p + o) = 0. The first step knows the coarsest tiles only:
+/// InvertSurfaceJob for a sum of cascades: the offset o with o + sum of D(p + o) = 0. The first step knows the coarsest cascades only:
 /// where finer ones are looked at, the place is right to within their waves. From then on a lane that has come within
 /// `target` stays as it is.
 struct InvertStackJob {
-    static constexpr std::size_t first_tiles = 2;
+    static constexpr std::size_t first_cascades = 2;
     static constexpr int most_steps = 16;
     static constexpr float least_determinant = 0.1f;
 
-    StackTile tiles[most_tiles];
-    std::size_t tile_count;
+    StackCascade cascades[most_cascades];
+    std::size_t cascade_count;
     float target;                      ///< metres
     float reach;                       ///< metres: no offset is longer than the largest displacement
     std::size_t count;                 ///< a multiple of W
     float *offset_x, *offset_z;        ///< metres, from the given points to those that rest there; alias no input
     float* error;                      ///< remaining distance in metres
-    std::int32_t* blocks[most_tiles];  ///< of 2 x 2 cells of each tile, row by row: where that is
+    std::int32_t* blocks[most_cascades];  ///< of 2 x 2 cells of each cascade, row by row: where that is
 };
 
-/// SampleSurfaceJob for a sum of tiles: slopes add, and normals are those of the sum.
+/// SampleSurfaceJob for a sum of cascades: slopes add, and normals are those of the sum.
 struct SampleStackJob {
-    StackTile tiles[most_tiles];
-    std::size_t tile_count;
+    StackCascade cascades[most_cascades];
+    std::size_t cascade_count;
     std::size_t count;  ///< a multiple of W
     const float *offset_x, *offset_z;
     SampleSurfaceJob::Outputs out;  ///< aliases no input

@@ -141,17 +141,17 @@ PELAGIC_INLINE xsimd::batch<std::int32_t, Arch> moments_at(xsimd::batch<float, A
            xsimd::batch<std::int32_t, Arch>(static_cast<std::int32_t>(zeros));
 }
 
-/// What the tile keeps of its levels. Whole registers are read and written, two at a time.
+/// What the cascade keeps of its levels. Whole registers are read and written, two at a time.
 template <class Arch>
 struct SlopeScratch {
     static constexpr std::size_t columns(int level) {
-        return (SlopesJob::tile_columns >> level) + 2 * xsimd::batch<float, Arch>::size;
+        return (SlopesJob::cascade_columns >> level) + 2 * xsimd::batch<float, Arch>::size;
     }
     template <int level>
     using Rows = SlopeAverages<columns(level)>;
 
-    alignas(64) float level_1[SlopesJob::tile_rows / 2 * slope_planes * columns(1)];
-    alignas(64) float level_2[SlopesJob::tile_rows / 4 * slope_planes * columns(2)];
+    alignas(64) float level_1[SlopesJob::cascade_rows / 2 * slope_planes * columns(1)];
+    alignas(64) float level_2[SlopesJob::cascade_rows / 4 * slope_planes * columns(2)];
 };
 
 /// Level 0 of two rows with the half floats, if wanted, and level 1. Between texels a GPU shows less variance than stands at the
@@ -228,8 +228,8 @@ void slopes(const SlopesJob& job) {
     using V = xsimd::batch<float, Arch>;
     using Scratch = SlopeScratch<Arch>;
     const std::size_t n = job.resolution;
-    const std::size_t rows = n < SlopesJob::tile_rows ? n : SlopesJob::tile_rows;
-    const std::size_t columns = n < SlopesJob::tile_columns ? n : SlopesJob::tile_columns;
+    const std::size_t rows = n < SlopesJob::cascade_rows ? n : SlopesJob::cascade_rows;
+    const std::size_t columns = n < SlopesJob::cascade_columns ? n : SlopesJob::cascade_columns;
     const BlockSurface<Arch> surface(job.surface, n, job.block_stride);
     const auto texels = [&](int level) {
         const SlopeRows all{job.slopes[level], job.moments[level], n >> level};
@@ -253,7 +253,7 @@ void slopes(const SlopesJob& job) {
         else if (!job.foam.remembered)
             all_rows.template operator()<FreshFoam<Arch>>(turn);
         else
-            all_rows.template operator()<ShownFoamRows<Arch, SlopesJob::tile_columns>>(turn);
+            all_rows.template operator()<ShownFoamRows<Arch, SlopesJob::cascade_columns>>(turn);
     };
     if (job.sine != 0 || job.cosine != 1)
         turned_rows(Turned<Arch>{V(job.cosine), V(job.sine)});

@@ -11,7 +11,7 @@
 
 namespace pelagic::kernels {
 
-/// A vector along the tile's own axes, W at a time.
+/// A vector along the cascade's own axes, W at a time.
 template <class Arch>
 struct LatticeVectors {
     xsimd::batch<float, Arch> along, across;

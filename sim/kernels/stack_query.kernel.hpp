@@ -12,7 +12,7 @@
 
 namespace pelagic::kernels {
 
-/// W places of one tile: where the points are that rest at world + offset.
+/// W places of one cascade: where the points are that rest at world + offset.
 template <class Arch>
 struct StackPlaces {
     using V = xsimd::batch<float, Arch>;
@@ -20,11 +20,11 @@ struct StackPlaces {
     I x, z;
     V u, v;
 
-    PELAGIC_INLINE StackPlaces(const StackTile& tile, std::size_t at, V offset_x, V offset_z) {
-        const V along(tile.along), across(tile.across);
-        split(tile.world.cell_x + at, V::load_aligned(tile.world.u + at) + (along * offset_x + across * offset_z), x,
+    PELAGIC_INLINE StackPlaces(const StackCascade& cascade, std::size_t at, V offset_x, V offset_z) {
+        const V along(cascade.along), across(cascade.across);
+        split(cascade.world.cell_x + at, V::load_aligned(cascade.world.u + at) + (along * offset_x + across * offset_z), x,
               u);
-        split(tile.world.cell_z + at, V::load_aligned(tile.world.v + at) + (along * offset_z - across * offset_x), z,
+        split(cascade.world.cell_z + at, V::load_aligned(cascade.world.v + at) + (along * offset_z - across * offset_x), z,
               v);
     }
 
@@ -37,14 +37,14 @@ struct StackPlaces {
     }
 };
 
-/// What counts of a tile at W points: all of it, without a product, where there are no parts.
+/// What counts of a cascade at W points: all of it, without a product, where there are no parts.
 template <class Arch, bool HasParts>
 struct CountedPart {
     using V = xsimd::batch<float, Arch>;
     V part;
 
-    PELAGIC_INLINE CountedPart(const StackTile& tile, std::size_t at)
-        : part(HasParts ? V::load_aligned(tile.part + at) : V(1.f)) {}
+    PELAGIC_INLINE CountedPart(const StackCascade& cascade, std::size_t at)
+        : part(HasParts ? V::load_aligned(cascade.part + at) : V(1.f)) {}
     PELAGIC_INLINE V of(V value) const { return HasParts ? part * value : value; }
 };
 
@@ -60,21 +60,21 @@ class StackSearch {
         x_ = V::load_aligned(job.offset_x + at);
         z_ = V::load_aligned(job.offset_z + at);
     }
-    PELAGIC_INLINE void look(const InvertStackJob& job, std::size_t tiles, std::size_t at) {
+    PELAGIC_INLINE void look(const InvertStackJob& job, std::size_t cascades, std::size_t at) {
         V off_x = x_, off_z = z_;
         V x_x(1.f), x_z(0.f), z_x(0.f), z_z(1.f);
-        for (std::size_t t = 0; t < tiles; ++t) {
-            const StackTile& tile = job.tiles[t];
-            const TexelPlaces<Arch> texels(tile.surface);
-            const StackPlaces<Arch> place(tile, at, x_, z_);
-            if (t >= tiles_loaded_)
-                cells_[t].load(tile.surface, texels, place.x, place.z);
+        for (std::size_t t = 0; t < cascades; ++t) {
+            const StackCascade& cascade = job.cascades[t];
+            const TexelPlaces<Arch> texels(cascade.surface);
+            const StackPlaces<Arch> place(cascade, at, x_, z_);
+            if (t >= cascades_loaded_)
+                cells_[t].load(cascade.surface, texels, place.x, place.z);
             else
-                cells_[t].follow(tile.surface, texels, place.x, place.z);
+                cells_[t].follow(cascade.surface, texels, place.x, place.z);
             const Sideways<Arch> dx = cells_[t].dx(place.u, place.v, V(1.f)),
                                  dz = cells_[t].dz(place.u, place.v, V(1.f));
-            const CountedPart<Arch, HasParts> counted(tile, at);
-            const V along = counted.of(V(tile.along)), across = counted.of(V(tile.across));
+            const CountedPart<Arch, HasParts> counted(cascade, at);
+            const V along = counted.of(V(cascade.along)), across = counted.of(V(cascade.across));
             off_x = off_x + counted.of(dx.value);
             off_z = off_z + counted.of(dz.value);
             x_x = x_x + (along * dx.along_u - across * dx.along_v);
@@ -82,7 +82,7 @@ class StackSearch {
             z_x = z_x + (along * dz.along_u - across * dz.along_v);
             z_z = z_z + (across * dz.along_u + along * dz.along_v);
         }
-        tiles_loaded_ = tiles;
+        cascades_loaded_ = cascades;
         squared_ = off_x * off_x + off_z * off_z;
         const V determinant = x_x * z_z - x_z * z_x;
         const auto newton = determinant > V(InvertStackJob::least_determinant);
@@ -107,8 +107,8 @@ class StackSearch {
         x_.store_aligned(job.offset_x + at);
         z_.store_aligned(job.offset_z + at);
         square_root<Arch>(squared_).store_aligned(job.error + at);
-        for (std::size_t t = 0; t < job.tile_count; ++t) {
-            const int half = job.tiles[t].surface.resolution / 2;
+        for (std::size_t t = 0; t < job.cascade_count; ++t) {
+            const int half = job.cascades[t].surface.resolution / 2;
             const I column = cells_[t].x() >> 1 & I(half - 1), row = cells_[t].z() >> 1 & I(half - 1);
             (row * I(half) + column).store_aligned(job.blocks[t] + at);
         }
@@ -119,8 +119,8 @@ class StackSearch {
         return xsimd::min(xsimd::max(offset, V(0.f) - reach), reach);
     }
 
-    typename Interpolation::template Cells<Arch> cells_[most_tiles];
-    std::size_t tiles_loaded_ = 0;
+    typename Interpolation::template Cells<Arch> cells_[most_cascades];
+    std::size_t cascades_loaded_ = 0;
     V x_ = V(0.f), z_ = V(0.f);
     V squared_, step_x_, step_z_;
 };
@@ -131,13 +131,13 @@ PELAGIC_INLINE void invert_stack_registers(const InvertStackJob& job, std::size_
     const V enough(job.target * job.target), reach(job.reach);
     StackSearch<Arch, Interpolation, HasParts> searches[Registers];
     for (std::size_t r = 0; r < Registers; ++r) searches[r].begin(job, at + r * V::size);
-    if (Interpolation::begins_at_the_point && job.tile_count > InvertStackJob::first_tiles) {
+    if (Interpolation::begins_at_the_point && job.cascade_count > InvertStackJob::first_cascades) {
         for (std::size_t r = 0; r < Registers; ++r)
-            searches[r].look(job, InvertStackJob::first_tiles, at + r * V::size);
+            searches[r].look(job, InvertStackJob::first_cascades, at + r * V::size);
         for (auto& search : searches) search.step(reach);
     }
     for (int step = 0;; ++step) {
-        for (std::size_t r = 0; r < Registers; ++r) searches[r].look(job, job.tile_count, at + r * V::size);
+        for (std::size_t r = 0; r < Registers; ++r) searches[r].look(job, job.cascade_count, at + r * V::size);
         auto open = searches[0].open(enough);
         for (std::size_t r = 1; r < Registers; ++r) open = open | searches[r].open(enough);
         if (step == InvertStackJob::most_steps || !xsimd::any(open)) break;
@@ -157,24 +157,24 @@ void invert_stack_points(const InvertStackJob& job) {
 
 template <class Arch, class Interpolation>
 void invert_stack(const InvertStackJob& job) {
-    if (job.tiles[0].part)
+    if (job.cascades[0].part)
         invert_stack_points<Arch, Interpolation, true>(job);
     else
         invert_stack_points<Arch, Interpolation, false>(job);
 }
 
-/// Slopes of one plane along the world's axes, added up tile by tile, and its value.
+/// Slopes of one plane along the world's axes, added up cascade by cascade, and its value.
 template <class Arch>
 struct SlopeSum {
     using V = xsimd::batch<float, Arch>;
     V value = V(0.f), x = V(0.f), z = V(0.f);
 
     template <bool HasParts>
-    PELAGIC_INLINE void add(const CellSlopes<Arch>& tile, const CountedPart<Arch, HasParts>& counted, V half_along,
+    PELAGIC_INLINE void add(const CellSlopes<Arch>& cascade, const CountedPart<Arch, HasParts>& counted, V half_along,
                             V half_across) {
-        value = value + counted.of(tile.value);
-        x = x + (half_along * tile.x - half_across * tile.z);
-        z = z + (half_across * tile.x + half_along * tile.z);
+        value = value + counted.of(cascade.value);
+        x = x + (half_along * cascade.x - half_across * cascade.z);
+        z = z + (half_across * cascade.x + half_along * cascade.z);
     }
 };
 
@@ -185,29 +185,29 @@ PELAGIC_INLINE void sample_stack_lanes(const SampleStackJob& job, std::size_t at
     const SampleSurfaceJob::Outputs& out = job.out;
     SlopeSum<Arch> dx, height, dz;
     V velocity_x(0.f), velocity_y(0.f), velocity_z(0.f);
-    for (std::size_t t = 0; t < job.tile_count; ++t) {
-        const StackTile& tile = job.tiles[t];
-        const TexelPlaces<Arch> texels(tile.surface);
-        const StackPlaces<Arch> place(tile, at, offset_x, offset_z);
+    for (std::size_t t = 0; t < job.cascade_count; ++t) {
+        const StackCascade& cascade = job.cascades[t];
+        const TexelPlaces<Arch> texels(cascade.surface);
+        const StackPlaces<Arch> place(cascade, at, offset_x, offset_z);
         const typename Interpolation::template Place<Arch> at_place(place.u, place.v);
-        const CountedPart<Arch, HasParts> counted(tile, at);
+        const CountedPart<Arch, HasParts> counted(cascade, at);
         if (out.normal_x) {
-            const V half_along = counted.of(V(0.5f * tile.along)), half_across = counted.of(V(0.5f * tile.across));
+            const V half_along = counted.of(V(0.5f * cascade.along)), half_across = counted.of(V(0.5f * cascade.across));
             CellSurroundings<Arch> around[3];
             CellReader<Arch>(texels, place.x, place.z)
-                .read({tile.surface.dx, tile.surface.height, tile.surface.dz}, around);
+                .read({cascade.surface.dx, cascade.surface.height, cascade.surface.dz}, around);
             dx.add(at_place.slopes(around[0]), counted, half_along, half_across);
             height.add(at_place.slopes(around[1]), counted, half_along, half_across);
             dz.add(at_place.slopes(around[2]), counted, half_along, half_across);
         } else if (out.height) {
             V values[1];
-            at_place.read(texels, place.x, place.z, {tile.surface.height}, values);
+            at_place.read(texels, place.x, place.z, {cascade.surface.height}, values);
             height.value = height.value + counted.of(values[0]);
         }
         if (out.velocity_x) {
             V values[3];
             at_place.read(texels, place.x, place.z,
-                          {tile.surface.velocity_x, tile.surface.velocity_y, tile.surface.velocity_z}, values);
+                          {cascade.surface.velocity_x, cascade.surface.velocity_y, cascade.surface.velocity_z}, values);
             velocity_x = velocity_x + counted.of(values[0]);
             velocity_y = velocity_y + counted.of(values[1]);
             velocity_z = velocity_z + counted.of(values[2]);
@@ -236,7 +236,7 @@ PELAGIC_INLINE void sample_stack_lanes(const SampleStackJob& job, std::size_t at
 template <class Arch, class Interpolation>
 void sample_stack(const SampleStackJob& job) {
     constexpr std::size_t lanes = xsimd::batch<float, Arch>::size;
-    if (job.tiles[0].part)
+    if (job.cascades[0].part)
         for (std::size_t at = 0; at < job.count; at += lanes) sample_stack_lanes<Arch, Interpolation, true>(job, at);
     else
         for (std::size_t at = 0; at < job.count; at += lanes) sample_stack_lanes<Arch, Interpolation, false>(job, at);

@@ -14,21 +14,21 @@ constexpr double near_enough = 1.0 / 32;
 
 }  // namespace
 
-HeightChange::HeightChange(std::span<const Tile> tiles, double dynamic_waves_range_m, double parts_change_per_m)
-    : count_(tiles.size()), dynamic_waves_range_m_(dynamic_waves_range_m) {
+HeightChange::HeightChange(std::span<const Cascade> cascades, double dynamic_waves_range_m, double parts_change_per_m)
+    : count_(cascades.size()), dynamic_waves_range_m_(dynamic_waves_range_m) {
     double slack = 1, further_m = 0;
-    for (const Tile& tile : tiles) further_m += 2 * static_cast<double>(tile.squeeze.largest_m);
+    for (const Cascade& cascade : cascades) further_m += 2 * static_cast<double>(cascade.squeeze.largest_m);
     for (std::size_t i = 0; i < count_; ++i) {
-        const Tile& tile = tiles[i];
-        parts_[i] = {.steepness = static_cast<double>(tile.squeeze.steepness),
-                     .range_m = static_cast<double>(tile.bounds.height_max_m - tile.bounds.height_min_m),
+        const Cascade& cascade = cascades[i];
+        parts_[i] = {.steepness = static_cast<double>(cascade.squeeze.steepness),
+                     .range_m = static_cast<double>(cascade.bounds.height_max_m - cascade.bounds.height_min_m),
                      .slack = slack,
                      .further_m = further_m};
-        stretch_ += parts_change_per_m * static_cast<double>(tile.squeeze.largest_m);
-        highest_per_m_ += parts_change_per_m * static_cast<double>(std::max(std::fabs(tile.bounds.height_min_m),
-                                                                            std::fabs(tile.bounds.height_max_m)));
-        slack -= tile.squeeze.most();
-        further_m = std::max(0.0, further_m - 2 * static_cast<double>(tile.squeeze.largest_m));
+        stretch_ += parts_change_per_m * static_cast<double>(cascade.squeeze.largest_m);
+        highest_per_m_ += parts_change_per_m * static_cast<double>(std::max(std::fabs(cascade.bounds.height_min_m),
+                                                                            std::fabs(cascade.bounds.height_max_m)));
+        slack -= cascade.squeeze.most();
+        further_m = std::max(0.0, further_m - 2 * static_cast<double>(cascade.squeeze.largest_m));
     }
     parts_[count_] = {.steepness = 0, .range_m = 0, .slack = slack, .further_m = 0};
 }

@@ -1,16 +1,16 @@
 // How much the height of the water can differ between two places.
 //
-// Let q and q' be rest points of places d apart, e_i, -s_i and g_i a tile's largest sideways displacement, its least eigenvalue
-// as in surface/squeeze_map.hpp, over the whole tile, and the steepest its heights are at rest. For any number k of the coarsest
-// tiles that leave m = 1 - s_0 - ... - s_(k-1) > 0,
+// Let q and q' be rest points of places d apart, e_i, -s_i and g_i a cascade's largest sideways displacement, its least eigenvalue
+// as in surface/squeeze_map.hpp, over the whole cascade, and the steepest its heights are at rest. For any number k of the coarsest
+// cascades that leave m = 1 - s_0 - ... - s_(k-1) > 0,
 //
 //   m |q' - q| <= |C(q') - C(q)| <= d + 2 (e_k + e_(k+1) + ...),      C(q) = q + D_0(q) + ... + D_(k-1)(q)
 //
-// and no tile's height changes by more than g_i |q' - q|, nor by more than from its lowest to its highest. Folds are no exception:
+// and no cascade's height changes by more than g_i |q' - q|, nor by more than from its lowest to its highest. Folds are no exception:
 // it holds for every sheet.
 //
-// At a shore tiles count with parts a_i <= 1 of places, which change by c a metre at most: d (1 + c (e_0 + e_1 + ...)) takes d's place
-// then, and each height changes by another c d of the largest |height| of its tile: a h - a' h' = a (h - h') + (a - a') h'.
+// At a shore cascades count with parts a_i <= 1 of places, which change by c a metre at most: d (1 + c (e_0 + e_1 + ...)) takes d's place
+// then, and each height changes by another c d of the largest |height| of its cascade: a h - a' h' = a (h - h') + (a - a') h'.
 #pragma once
 
 #include <array>
@@ -18,16 +18,16 @@
 #include <span>
 
 #include "pelagic/sim/kernels/kernels.hpp"
-#include "pelagic/sim/tile.hpp"
+#include "pelagic/sim/cascade.hpp"
 
 namespace pelagic {
 
 class HeightChange {
    public:
-    /// \param tiles          of a frame of several, made with OceanOptions::queries
+    /// \param cascades          of a frame of several, made with OceanOptions::queries
     /// \param dynamic_waves_range_m  what adds to them wherever water is drawn has that from its lowest to its highest
     /// \param parts_change_per_m  c
-    explicit HeightChange(std::span<const Tile> tiles, double dynamic_waves_range_m = 0, double parts_change_per_m = 0);
+    explicit HeightChange(std::span<const Cascade> cascades, double dynamic_waves_range_m = 0, double parts_change_per_m = 0);
 
     /// Metres, at most, between places so far apart.
     double within(double distance_m) const;
@@ -43,10 +43,10 @@ class HeightChange {
    private:
     struct Part {
         double steepness, range_m;
-        double slack;      ///< what the tiles before this leave of 1
+        double slack;      ///< what the cascades before this leave of 1
         double further_m;  ///< 2 (e_i + e_(i+1) + ...)
     };
-    std::array<Part, most_tiles + 1> parts_;  ///< the last one after all tiles
+    std::array<Part, most_cascades + 1> parts_;  ///< the last one after all cascades
     std::size_t count_;
     double dynamic_waves_range_m_;
     double stretch_ = 1;        ///< of ways, by what the parts change

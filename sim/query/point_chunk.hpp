@@ -35,13 +35,13 @@ inline void split_place(double texels, int resolution, std::int32_t& cell, float
     within = static_cast<float>(beyond + one_if_below);
 }
 
-/// On the stack, and what one tile needs of it, 8 KB, stays in the first cache.
+/// On the stack, and what one cascade needs of it, 8 KB, stays in the first cache.
 struct PointChunk {
     static constexpr std::size_t most = 128;
     using Floats = float[most];
     using Cells = std::int32_t[most];
 
-    /// Where points are along the axes of a tile.
+    /// Where points are along the axes of a cascade.
     struct World {
         alignas(64) Cells cell_x, cell_z;
         alignas(64) Floats u, v;
@@ -49,14 +49,14 @@ struct PointChunk {
         CellPlaces places() { return {cell_x, cell_z, u, v}; }
     };
 
-    World world[most_tiles];
-    World rest;                             ///< what rests there, of one tile
+    World world[most_cascades];
+    World rest;                             ///< what rests there, of one cascade
     alignas(64) Floats offset_x, offset_z;  ///< the same of several, metres from the points
-    alignas(64) Cells blocks[most_tiles];   ///< and in which 2 x 2 cells of each
+    alignas(64) Cells blocks[most_cascades];   ///< and in which 2 x 2 cells of each
     alignas(64) Floats error;               ///< metres, when all is done
     alignas(64) Floats height, normal_x, normal_y, normal_z, jacobian, velocity_x, velocity_y, velocity_z;
     alignas(64) double x[most], z[most];  ///< world, metres; 0 if a place has no sample
-    alignas(64) Floats part[most_tiles];  ///< of each tile at a shore
+    alignas(64) Floats part[most_cascades];  ///< of each cascade at a shore
 
     std::size_t first = 0, count = 0;  ///< of the batch
     std::size_t padded = 0;            ///< count, up to whole registers

@@ -43,10 +43,10 @@ class ShoreAt {
         return upper + down_ * (lower - upper);
     }
 
-    /// Of a tile.
-    double part(std::size_t tile) const {
-        return linear([this, tile](std::size_t texel) {
-            return static_cast<double>(shore_.parts_rgba8[texel] >> 8 * tile & 255) * (1.0 / 255);
+    /// Of a cascade.
+    double part(std::size_t cascade) const {
+        return linear([this, cascade](std::size_t texel) {
+            return static_cast<double>(shore_.parts_rgba8[texel] >> 8 * cascade & 255) * (1.0 / 255);
         });
     }
 

@@ -1,4 +1,4 @@
-// As for one tile there are two ways to a rest point. A kernel steps towards one, W points at a time, and one byte of each tile
+// As for one cascade there are two ways to a rest point. A kernel steps towards one, W points at a time, and one byte of each cascade
 // says whether it is the only one (squeeze_map.hpp). Where they don't, and where the steps did not arrive, stack_search.hpp
 // looks at all.
 #include "pelagic/sim/query/stack_query.hpp"
@@ -17,9 +17,9 @@ namespace {
 constexpr double least_target = 1e-6, most_target = 1.0 / 64;
 static_assert(most_target < SqueezeMap::margin);
 
-// Bytes that the tiles' squeezes add up to at most, rounded down.
-constexpr int most_but_last = static_cast<int>(TileSqueeze::one * (1 - SqueezeMap::least_slack));
-constexpr int most_of_all = static_cast<int>(TileSqueeze::one * (1 - SqueezeMap::least_slack_of_all));
+// Bytes that the cascades' squeezes add up to at most, rounded down.
+constexpr int most_but_last = static_cast<int>(CascadeSqueeze::one * (1 - SqueezeMap::least_slack));
+constexpr int most_of_all = static_cast<int>(CascadeSqueeze::one * (1 - SqueezeMap::least_slack_of_all));
 static_assert(most_of_all < 255, "the largest byte must fail");
 
 }  // namespace
@@ -27,12 +27,12 @@ static_assert(most_of_all < 255, "the largest byte must fail");
 StackQuery::StackQuery(const Frame& frame, const Kernels& kernels, const SurfaceQueryOptions& options)
     : kernels_(kernels),
       interpolation_(options.interpolation),
-      tiles_(frame.tiles),
+      cascades_(frame.cascades),
       shore_(frame.shore),
-      finest_texel_m_(tiles_.back().texel_m()) {
-    for (std::size_t t = 0; t < tiles_.size(); ++t) {
-        search_tiles_[t] = SearchTile(tiles_[t], interpolation_);
-        reach_m_ += static_cast<double>(search_tiles_[t].squeeze.largest_m);
+      finest_texel_m_(cascades_.back().texel_m()) {
+    for (std::size_t t = 0; t < cascades_.size(); ++t) {
+        search_cascades_[t] = SearchCascade(cascades_[t], interpolation_);
+        reach_m_ += static_cast<double>(search_cascades_[t].squeeze.largest_m);
     }
     target_m_ =
         std::clamp(options.tolerance_m * query_aim, least_target * (1 + reach_m_), most_target * finest_texel_m_);
@@ -41,32 +41,32 @@ StackQuery::StackQuery(const Frame& frame, const Kernels& kernels, const Surface
 void StackQuery::place(PointChunk& chunk) const {
     if (shore_)
         for (std::size_t i = 0; i < chunk.padded; ++i) {
-            const std::array<float, most_tiles> parts = shore_parts_at(shore_, chunk.x[i], chunk.z[i]);
-            for (std::size_t t = 0; t < tiles_.size(); ++t) chunk.part[t][i] = parts[t];
+            const std::array<float, most_cascades> parts = shore_parts_at(shore_, chunk.x[i], chunk.z[i]);
+            for (std::size_t t = 0; t < cascades_.size(); ++t) chunk.part[t][i] = parts[t];
         }
-    for (std::size_t t = 0; t < tiles_.size(); ++t) {
-        const SearchTile& tile = search_tiles_[t];
-        const int resolution = tile.texels.resolution;
+    for (std::size_t t = 0; t < cascades_.size(); ++t) {
+        const SearchCascade& cascade = search_cascades_[t];
+        const int resolution = cascade.texels.resolution;
         PointChunk::World& world = chunk.world[t];
         for (std::size_t i = 0; i < chunk.padded; ++i) {
             const double x = chunk.x[i], z = chunk.z[i];
-            split_place(tile.along * x + tile.across * z, resolution, world.cell_x[i], world.u[i]);
-            split_place(tile.along * z - tile.across * x, resolution, world.cell_z[i], world.v[i]);
+            split_place(cascade.along * x + cascade.across * z, resolution, world.cell_x[i], world.u[i]);
+            split_place(cascade.along * z - cascade.across * x, resolution, world.cell_z[i], world.v[i]);
         }
     }
 }
 
-StackTile StackQuery::stack_tile(std::size_t tile, PointChunk& chunk) const {
-    return {.surface = search_tiles_[tile].texels,
-            .along = static_cast<float>(search_tiles_[tile].along),
-            .across = static_cast<float>(search_tiles_[tile].across),
-            .world = chunk.world[tile].places(),
-            .part = shore_ ? chunk.part[tile] : nullptr};
+StackCascade StackQuery::stack_cascade(std::size_t cascade, PointChunk& chunk) const {
+    return {.surface = search_cascades_[cascade].texels,
+            .along = static_cast<float>(search_cascades_[cascade].along),
+            .across = static_cast<float>(search_cascades_[cascade].across),
+            .world = chunk.world[cascade].places(),
+            .part = shore_ ? chunk.part[cascade] : nullptr};
 }
 
 void StackQuery::find_rest_points(PointChunk& chunk) const {
-    InvertStackJob job{.tiles = {},
-                       .tile_count = tiles_.size(),
+    InvertStackJob job{.cascades = {},
+                       .cascade_count = cascades_.size(),
                        .target = static_cast<float>(target_m_),
                        .reach = static_cast<float>(reach_m_),
                        .count = chunk.padded,
@@ -74,8 +74,8 @@ void StackQuery::find_rest_points(PointChunk& chunk) const {
                        .offset_z = chunk.offset_z,
                        .error = chunk.error,
                        .blocks = {}};
-    for (std::size_t t = 0; t < tiles_.size(); ++t) {
-        job.tiles[t] = stack_tile(t, chunk);
+    for (std::size_t t = 0; t < cascades_.size(); ++t) {
+        job.cascades[t] = stack_cascade(t, chunk);
         job.blocks[t] = chunk.blocks[t];
     }
     kernels_.invert_stack.linear(job);
@@ -86,16 +86,16 @@ void StackQuery::find_rest_points(PointChunk& chunk) const {
 
 bool StackQuery::is_only_one(const PointChunk& chunk, std::size_t point) const {
     int sum = 0;
-    for (std::size_t t = 0; t < tiles_.size(); ++t) {
-        sum += search_tiles_[t].squeeze.around[static_cast<std::size_t>(chunk.blocks[t][point])];
-        if (sum > (t + 1 < tiles_.size() ? most_but_last : most_of_all)) return false;
+    for (std::size_t t = 0; t < cascades_.size(); ++t) {
+        sum += search_cascades_[t].squeeze.around[static_cast<std::size_t>(chunk.blocks[t][point])];
+        if (sum > (t + 1 < cascades_.size() ? most_but_last : most_of_all)) return false;
     }
     return true;
 }
 
 void StackQuery::search(PointChunk& chunk, std::size_t point) const {
     StackPoint where;
-    for (std::size_t t = 0; t < tiles_.size(); ++t) {
+    for (std::size_t t = 0; t < cascades_.size(); ++t) {
         where.cell_x[t] = chunk.world[t].cell_x[point];
         where.cell_z[t] = chunk.world[t].cell_z[point];
         where.u[t] = static_cast<double>(chunk.world[t].u[point]);
@@ -104,7 +104,7 @@ void StackQuery::search(PointChunk& chunk, std::size_t point) const {
     }
     const Offset stepped{static_cast<double>(chunk.offset_x[point]), static_cast<double>(chunk.offset_z[point])};
     const bool has_arrived = chunk.error[point] <= static_cast<float>(target_m_);
-    const StackSheet sheet = StackSearch({search_tiles_.data(), tiles_.size()}, target_m_)
+    const StackSheet sheet = StackSearch({search_cascades_.data(), cascades_.size()}, target_m_)
                                  .highest_sheet(where, has_arrived ? &stepped : nullptr);
     if (!sheet.found) return;  // the error says how good the steps' end is
     chunk.offset_x[point] = static_cast<float>(sheet.offset.x);
@@ -113,28 +113,28 @@ void StackQuery::search(PointChunk& chunk, std::size_t point) const {
 }
 
 void StackQuery::read(const SampleSurfaceJob::Outputs& outputs, PointChunk& chunk) const {
-    SampleStackJob job{.tiles = {},
-                       .tile_count = tiles_.size(),
+    SampleStackJob job{.cascades = {},
+                       .cascade_count = cascades_.size(),
                        .count = chunk.padded,
                        .offset_x = chunk.offset_x,
                        .offset_z = chunk.offset_z,
                        .out = outputs};
-    for (std::size_t t = 0; t < tiles_.size(); ++t) job.tiles[t] = stack_tile(t, chunk);
+    for (std::size_t t = 0; t < cascades_.size(); ++t) job.cascades[t] = stack_cascade(t, chunk);
     (interpolation_ == Interpolation::cubic ? kernels_.sample_stack.cubic : kernels_.sample_stack.linear)(job);
 }
 
 void StackQuery::read_foam(const PointChunk& chunk, std::span<float> foam) const {
     std::fill(foam.begin(), foam.end(), 0.f);
-    for (std::size_t t = 0; t < tiles_.size(); ++t) {
-        if (!tiles_[t].makes_whitecaps()) continue;
-        const SearchTile& tile = search_tiles_[t];
+    for (std::size_t t = 0; t < cascades_.size(); ++t) {
+        if (!cascades_[t].makes_whitecaps()) continue;
+        const SearchCascade& cascade = search_cascades_[t];
         const PointChunk::World& world = chunk.world[t];
         for (std::size_t i = 0; i < foam.size(); ++i) {
             const auto x = static_cast<double>(chunk.offset_x[i]), z = static_cast<double>(chunk.offset_z[i]);
-            const double u = static_cast<double>(world.u[i]) + (tile.along * x + tile.across * z);
-            const double v = static_cast<double>(world.v[i]) + (tile.along * z - tile.across * x);
+            const double u = static_cast<double>(world.u[i]) + (cascade.along * x + cascade.across * z);
+            const double v = static_cast<double>(world.v[i]) + (cascade.along * z - cascade.across * x);
             const std::int64_t column = floor_of(u), row = floor_of(v);
-            const double here = foam_at(tiles_[t], world.cell_x[i] + column, world.cell_z[i] + row,
+            const double here = foam_at(cascades_[t], world.cell_x[i] + column, world.cell_z[i] + row,
                                         u - static_cast<double>(column), v - static_cast<double>(row));
             const float counts = shore_ ? chunk.part[t][i] : 1;
             foam[i] = std::max(foam[i], counts * static_cast<float>(here));

@@ -1,4 +1,4 @@
-// Queries of a frame of several tiles: the same in all as OneTileQuery, of their sum.
+// Queries of a frame of several cascades: the same in all as OneCascadeQuery, of their sum.
 #pragma once
 
 #include <array>
@@ -22,13 +22,13 @@ class StackQuery {
    private:
     bool is_only_one(const PointChunk& chunk, std::size_t point) const;
     void search(PointChunk& chunk, std::size_t point) const;
-    StackTile stack_tile(std::size_t tile, PointChunk& chunk) const;
+    StackCascade stack_cascade(std::size_t cascade, PointChunk& chunk) const;
 
     const Kernels& kernels_;
     Interpolation interpolation_;
-    std::span<const Tile> tiles_;
+    std::span<const Cascade> cascades_;
     const ShoreSurface& shore_;
-    std::array<SearchTile, most_tiles> search_tiles_;
+    std::array<SearchCascade, most_cascades> search_cascades_;
     double finest_texel_m_;
     double reach_m_ = 0;  ///< no rest point is farther away from what is drawn there
     double target_m_;     ///< where the search stops

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pelagic/sim/query/tile_cell.hpp"
+#include "pelagic/sim/query/cascade_cell.hpp"
 #include "pelagic/sim/surface/squeeze_map.hpp"
 
 namespace pelagic {
@@ -36,9 +36,9 @@ struct CellPlace {
     double u, v;
 };
 
-CellPlace place_in(const SearchTile& tile, const StackPoint& point, std::size_t number, Offset offset) {
-    const double u = point.u[number] + (tile.along * offset.x + tile.across * offset.z);
-    const double v = point.v[number] + (tile.along * offset.z - tile.across * offset.x);
+CellPlace place_in(const SearchCascade& cascade, const StackPoint& point, std::size_t number, Offset offset) {
+    const double u = point.u[number] + (cascade.along * offset.x + cascade.across * offset.z);
+    const double v = point.v[number] + (cascade.along * offset.z - cascade.across * offset.x);
     const double column = std::floor(u), row = std::floor(v);
     return {point.cell_x[number] + static_cast<int>(column), point.cell_z[number] + static_cast<int>(row), u - column,
             v - row};
@@ -46,13 +46,13 @@ CellPlace place_in(const SearchTile& tile, const StackPoint& point, std::size_t 
 
 }  // namespace
 
-SearchTile::SearchTile(const Tile& tile, Interpolation interpolated)
-    : texels(texels_of(tile)),
-      along(tile.lattice.cosine / tile.texel_m()),
-      across(tile.lattice.sine / tile.texel_m()),
-      texels_per_m(1 / tile.texel_m()),
+SearchCascade::SearchCascade(const Cascade& cascade, Interpolation interpolated)
+    : texels(texels_of(cascade)),
+      along(cascade.lattice.cosine / cascade.texel_m()),
+      across(cascade.lattice.sine / cascade.texel_m()),
+      texels_per_m(1 / cascade.texel_m()),
       interpolation(interpolated),
-      squeeze(tile.squeeze) {
+      squeeze(cascade.squeeze) {
     if (interpolation == Interpolation::linear) return;
     squeeze.largest_m *= static_cast<float>(most_cubic_value);
     squeeze.stretch *= static_cast<float>(most_cubic_slope * square_root_of_2);  // slopes along two axes
@@ -62,7 +62,7 @@ SearchTile::SearchTile(const Tile& tile, Interpolation interpolated)
 struct StackSearch::Drawn {
     double x, z;
     double x_x = 1, x_z = 0, z_x = 0, z_z = 1;         ///< slopes along the world's axes
-    std::array<double, most_tiles> displacement = {};  ///< length of each tile's
+    std::array<double, most_cascades> displacement = {};  ///< length of each cascade's
 
     double distance() const { return length_of(x, z); }
 };
@@ -97,19 +97,19 @@ struct StackSearch::Sheets {
 
 StackSearch::Drawn StackSearch::drawn_at(const StackPoint& point, Offset offset) const {
     Drawn drawn{.x = offset.x, .z = offset.z};
-    for (std::size_t t = 0; t < tiles_.size(); ++t) {
-        const SearchTile& tile = tiles_[t];
-        const CellPlace place = place_in(tile, point, t, offset);
-        const TileCell cell(tile.texels, place.i, place.j, tile.interpolation);
-        const TileCell::Value dx = cell.at(tile.texels.dx, place.u, place.v),
-                              dz = cell.at(tile.texels.dz, place.u, place.v);
+    for (std::size_t t = 0; t < cascades_.size(); ++t) {
+        const SearchCascade& cascade = cascades_[t];
+        const CellPlace place = place_in(cascade, point, t, offset);
+        const CascadeCell cell(cascade.texels, place.i, place.j, cascade.interpolation);
+        const CascadeCell::Value dx = cell.at(cascade.texels.dx, place.u, place.v),
+                              dz = cell.at(cascade.texels.dz, place.u, place.v);
         const double part = point.part[t];
         drawn.x += part * dx.value;
         drawn.z += part * dz.value;
-        drawn.x_x += part * (tile.along * dx.along_u - tile.across * dx.along_v);
-        drawn.x_z += part * (tile.across * dx.along_u + tile.along * dx.along_v);
-        drawn.z_x += part * (tile.along * dz.along_u - tile.across * dz.along_v);
-        drawn.z_z += part * (tile.across * dz.along_u + tile.along * dz.along_v);
+        drawn.x_x += part * (cascade.along * dx.along_u - cascade.across * dx.along_v);
+        drawn.x_z += part * (cascade.across * dx.along_u + cascade.along * dx.along_v);
+        drawn.z_x += part * (cascade.along * dz.along_u - cascade.across * dz.along_v);
+        drawn.z_z += part * (cascade.across * dz.along_u + cascade.along * dz.along_v);
         drawn.displacement[t] = part * length_of(dx.value, dz.value);
     }
     return drawn;
@@ -117,26 +117,26 @@ StackSearch::Drawn StackSearch::drawn_at(const StackPoint& point, Offset offset)
 
 double StackSearch::height_at(const StackPoint& point, Offset offset) const {
     double height = 0;
-    for (std::size_t t = 0; t < tiles_.size(); ++t) {
-        const SearchTile& tile = tiles_[t];
-        const CellPlace place = place_in(tile, point, t, offset);
-        const TileCell cell(tile.texels, place.i, place.j, tile.interpolation);
-        height += point.part[t] * cell.at(tile.texels.height, place.u, place.v).value;
+    for (std::size_t t = 0; t < cascades_.size(); ++t) {
+        const SearchCascade& cascade = cascades_[t];
+        const CellPlace place = place_in(cascade, point, t, offset);
+        const CascadeCell cell(cascade.texels, place.i, place.j, cascade.interpolation);
+        height += point.part[t] * cell.at(cascade.texels.height, place.u, place.v).value;
     }
     return height;
 }
 
-/// The most that a tile squeezes on a square of its own axes, `reach` texels to all sides of a place.
+/// The most that a cascade squeezes on a square of its own axes, `reach` texels to all sides of a place.
 double StackSearch::squeeze_within(const StackPoint& point, std::size_t number, Offset centre, double reach) const {
-    const SearchTile& tile = tiles_[number];
-    const CellPlace place = place_in(tile, point, number, centre);
-    const int n = tile.texels.resolution;
+    const SearchCascade& cascade = cascades_[number];
+    const CellPlace place = place_in(cascade, point, number, centre);
+    const int n = cascade.texels.resolution;
     const int first_i = place.i + static_cast<int>(std::floor(place.u - reach));
     const int last_i = place.i + static_cast<int>(std::floor(place.u + reach));
     const int first_j = place.j + static_cast<int>(std::floor(place.v - reach));
     const int last_j = place.j + static_cast<int>(std::floor(place.v + reach));
     // Two blocks along each axis, at most, of the finest level where that is enough.
-    const std::uint8_t* blocks = tile.squeeze.blocks.data();
+    const std::uint8_t* blocks = cascade.squeeze.blocks.data();
     int shift = 1, side = n / 2;
     while (side > 1 && ((last_i >> shift) - (first_i >> shift) > 1 || (last_j >> shift) - (first_j >> shift) > 1)) {
         blocks += side * side;
@@ -147,18 +147,18 @@ double StackSearch::squeeze_within(const StackPoint& point, std::size_t number, 
     const int upper = (first_j >> shift & (side - 1)) * side, lower = (last_j >> shift & (side - 1)) * side;
     const int most = std::max(std::max(blocks[upper + left], blocks[upper + right]),
                               std::max(blocks[lower + left], blocks[lower + right]));
-    return most == 255 ? 1e9 : static_cast<double>(most) / TileSqueeze::one;
+    return most == 255 ? 1e9 : static_cast<double>(most) / CascadeSqueeze::one;
 }
 
-/// What the first of the tiles leave of 1 within a circle, or on a square of the world.
-double StackSearch::slack_within(const StackPoint& point, Offset centre, double reach_m, std::size_t tiles,
+/// What the first of the cascades leave of 1 within a circle, or on a square of the world.
+double StackSearch::slack_within(const StackPoint& point, Offset centre, double reach_m, std::size_t cascades,
                                  bool is_square) const {
     double slack = 1;
-    for (std::size_t t = 0; t < tiles && slack > 0; ++t) {
-        const SearchTile& tile = tiles_[t];
-        const double around = tile.interpolation == Interpolation::cubic ? 1 : 0;
+    for (std::size_t t = 0; t < cascades && slack > 0; ++t) {
+        const SearchCascade& cascade = cascades_[t];
+        const double around = cascade.interpolation == Interpolation::cubic ? 1 : 0;
         const double texels =
-            reach_m * (is_square ? std::fabs(tile.along) + std::fabs(tile.across) : tile.texels_per_m) + around;
+            reach_m * (is_square ? std::fabs(cascade.along) + std::fabs(cascade.across) : cascade.texels_per_m) + around;
         slack -= squeeze_within(point, t, centre, texels);
     }
     return slack;
@@ -167,12 +167,12 @@ double StackSearch::slack_within(const StackPoint& point, Offset centre, double 
 /// Where others can be if one is known: the chain of squeeze_map.hpp, as far as it goes here. Empty if there is no other.
 StackSearch::Box StackSearch::around_known(const StackPoint& point, Offset known) const {
     double rest_m = target_m_;
-    for (const SearchTile& tile : tiles_) rest_m += 2 * tile.squeeze.largest_m;
+    for (const SearchCascade& cascade : cascades_) rest_m += 2 * cascade.squeeze.largest_m;
     double reach_m = rest_m;
-    for (std::size_t t = 0; t < tiles_.size(); ++t) {
+    for (std::size_t t = 0; t < cascades_.size(); ++t) {
         const double slack = slack_within(point, known, reach_m, t + 1, false);
-        rest_m -= 2 * tiles_[t].squeeze.largest_m;
-        if (t + 1 == tiles_.size()) {
+        rest_m -= 2 * cascades_[t].squeeze.largest_m;
+        if (t + 1 == cascades_.size()) {
             if (slack >= SqueezeMap::least_slack_of_all) return {known, 0};
         } else if (slack > 0) {
             reach_m = std::min(reach_m, rest_m / slack);
@@ -201,8 +201,8 @@ bool StackSearch::step_towards(const StackPoint& point, Offset& offset) const {
 }
 
 void StackSearch::look_into(const StackPoint& point, const Box& box, Sheets& sheets) const {
-    const double small = same_sheet / tiles_.back().texels_per_m;
-    const double enough = tiles_.front().interpolation == Interpolation::cubic ? least_cubic_slack : least_slack;
+    const double small = same_sheet / cascades_.back().texels_per_m;
+    const double enough = cascades_.front().interpolation == Interpolation::cubic ? least_cubic_slack : least_slack;
     // Each level of the search leaves at most three boxes behind.
     std::array<Box, 128> waiting;
     std::size_t count = 0;
@@ -212,12 +212,12 @@ void StackSearch::look_into(const StackPoint& point, const Box& box, Sheets& she
         const Drawn drawn = drawn_at(point, here.centre);
         const double radius = here.half * square_root_of_2;
         double most = radius + target_m_;
-        for (std::size_t t = 0; t < tiles_.size(); ++t)
-            most += std::min(static_cast<double>(tiles_[t].squeeze.stretch) * radius,
-                             static_cast<double>(tiles_[t].squeeze.largest_m) + drawn.displacement[t]);
+        for (std::size_t t = 0; t < cascades_.size(); ++t)
+            most += std::min(static_cast<double>(cascades_[t].squeeze.stretch) * radius,
+                             static_cast<double>(cascades_[t].squeeze.largest_m) + drawn.displacement[t]);
         if (drawn.distance() > most) continue;
         const bool is_small = here.half <= small;
-        if (is_small || slack_within(point, here.centre, here.half * surroundings, tiles_.size(), true) >= enough) {
+        if (is_small || slack_within(point, here.centre, here.half * surroundings, cascades_.size(), true) >= enough) {
             const double near = is_small ? small_surroundings : surroundings;
             if (sheets.has_one_in(here, near)) continue;
             Offset found = here.centre;
@@ -248,7 +248,7 @@ StackSheet StackSearch::highest_sheet(const StackPoint& point, const Offset* kno
         }
     }
     if (sheets.count == 0)
-        for (const SearchTile& tile : tiles_) box.half += tile.squeeze.largest_m;
+        for (const SearchCascade& cascade : cascades_) box.half += cascade.squeeze.largest_m;
     if (box.half > 0) look_into(point, box, sheets);
     return sheets.highest;
 }

@@ -1,7 +1,7 @@
-// The exact search for queries of several tiles: all rest points that are drawn at a place, in double, by branch and bound.
+// The exact search for queries of several cascades: all rest points that are drawn at a place, in double, by branch and bound.
 //
-// surface/squeeze_map.hpp says why a box holds at most one of them where the tiles squeeze little, and how far from a known
-// one others can be. A box is left out if it is drawn too far away: from its centre c, no tile's displacement changes by more
+// surface/squeeze_map.hpp says why a box holds at most one of them where the cascades squeeze little, and how far from a known
+// one others can be. A box is left out if it is drawn too far away: from its centre c, no cascade's displacement changes by more
 // than its stretch times the distance, nor by more than |D_i(c)| and the largest |D_i| together. Where a box holds at most one, or
 // is small, Newton's steps find it. What is neither is cut in four, down to the search's tolerance. Plain code, compiled once
 // for everybody; nothing is allocated.
@@ -17,28 +17,28 @@
 
 #include "pelagic/sim/kernels/kernels.hpp"
 #include "pelagic/sim/surface_query.hpp"
-#include "pelagic/sim/tile.hpp"
+#include "pelagic/sim/cascade.hpp"
 
 namespace pelagic {
 
-/// A tile as the search reads it.
-struct SearchTile {
-    SearchTile(const Tile& tile, Interpolation interpolation);
-    SearchTile() = default;
+/// A cascade as the search reads it.
+struct SearchCascade {
+    SearchCascade(const Cascade& cascade, Interpolation interpolation);
+    SearchCascade() = default;
 
     SurfaceTexels texels;
     double along, across;  ///< the lattice's cosine and sine, times texels a metre
     double texels_per_m;
     Interpolation interpolation;
-    TileSqueeze squeeze;  ///< its largest displacement and its stretch are those of the interpolated surface
+    CascadeSqueeze squeeze;  ///< its largest displacement and its stretch are those of the interpolated surface
 };
 
-/// Where a point of the world is along the axes of each tile: a cell, and where in it.
+/// Where a point of the world is along the axes of each cascade: a cell, and where in it.
 struct StackPoint {
-    std::array<std::int32_t, most_tiles> cell_x, cell_z;
-    std::array<double, most_tiles> u, v;
-    /// Of each tile's displacement that counts there, 0 to 1: what is proven of whole tiles holds of less.
-    std::array<double, most_tiles> part = {1, 1, 1, 1};
+    std::array<std::int32_t, most_cascades> cell_x, cell_z;
+    std::array<double, most_cascades> u, v;
+    /// Of each cascade's displacement that counts there, 0 to 1: what is proven of whole cascades holds of less.
+    std::array<double, most_cascades> part = {1, 1, 1, 1};
 };
 
 /// From a point of the world to what rests where it is drawn, metres.
@@ -56,7 +56,7 @@ struct StackSheet {
 class StackSearch {
    public:
     /// \param target_m  how near is near enough
-    StackSearch(std::span<const SearchTile> tiles, double target_m) : tiles_(tiles), target_m_(target_m) {}
+    StackSearch(std::span<const SearchCascade> cascades, double target_m) : cascades_(cascades), target_m_(target_m) {}
 
     /// The highest of the sheets over a point.
     /// \param known  where one of them rests, or null
@@ -69,14 +69,14 @@ class StackSearch {
 
     Drawn drawn_at(const StackPoint& point, Offset offset) const;
     double height_at(const StackPoint& point, Offset offset) const;
-    double slack_within(const StackPoint& point, Offset centre, double reach_m, std::size_t tiles,
+    double slack_within(const StackPoint& point, Offset centre, double reach_m, std::size_t cascades,
                         bool is_square) const;
-    double squeeze_within(const StackPoint& point, std::size_t tile, Offset centre, double reach) const;
+    double squeeze_within(const StackPoint& point, std::size_t cascade, Offset centre, double reach) const;
     Box around_known(const StackPoint& point, Offset known) const;
     bool step_towards(const StackPoint& point, Offset& offset) const;
     void look_into(const StackPoint& point, const Box& box, Sheets& sheets) const;
 
-    std::span<const SearchTile> tiles_;
+    std::span<const SearchCascade> cascades_;
     double target_m_;
 };
 

@@ -1,4 +1,4 @@
-// A batch goes through in chunks; how a chunk's points find what is drawn there depends on how many tiles there are.
+// A batch goes through in chunks; how a chunk's points find what is drawn there depends on how many cascades there are.
 #include "pelagic/sim/surface_query.hpp"
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 #include "pelagic/sim/kernels/kernels.hpp"
 #include "pelagic/sim/dynamic_waves.hpp"
-#include "pelagic/sim/query/one_tile_query.hpp"
+#include "pelagic/sim/query/one_cascade_query.hpp"
 #include "pelagic/sim/query/shore_at.hpp"
 #include "pelagic/sim/query/stack_query.hpp"
 #include "pelagic/simd/float_environment.hpp"
@@ -65,14 +65,14 @@ std::span<const Interpolation> interpolations() { return all_interpolations; }
 SurfaceQuery::SurfaceQuery(const Frame& frame, const SurfaceQueryOptions& options)
     : kernels_(&kernels_for(frame.isa)),
       frame_(frame),
-      texel_m_(frame.tiles.back().texel_m()),
+      texel_m_(frame.cascades.back().texel_m()),
       options_(options),
       tolerance_m_(static_cast<float>(options.tolerance_m)) {
     assert(options.tolerance_m > 0);
-    assert(frame.tiles.size() > 1 || !frame.tiles.front().lattice.is_turned());
-    const bool is_one = frame.tiles.size() == 1;
-    for (const Tile& tile : frame.tiles)
-        if (is_one ? tile.folds.empty() : tile.squeeze.empty())
+    assert(frame.cascades.size() > 1 || !frame.cascades.front().lattice.is_turned());
+    const bool is_one = frame.cascades.size() == 1;
+    for (const Cascade& cascade : frame.cascades)
+        if (is_one ? cascade.folds.empty() : cascade.squeeze.empty())
             throw std::invalid_argument("the frame can't be queried, needs an ocean with OceanOptions::queries");
 }
 
@@ -111,7 +111,7 @@ void SurfaceQuery::sample(const SurfacePoints& points, const SurfaceSamples& sam
             query.read(outputs_wanted(samples, chunk), chunk);
             if (!samples.foam.empty()) {
                 const std::span<float> foam = samples.foam.subspan(first, chunk.count);
-                if (tiles_have_foam())
+                if (cascades_have_foam())
                     query.read_foam(chunk, foam);
                 else
                     std::fill(foam.begin(), foam.end(), 0.f);
@@ -120,8 +120,8 @@ void SurfaceQuery::sample(const SurfacePoints& points, const SurfaceSamples& sam
             if (frame_.dynamic_waves || frame_.shore) add_water_of_place(samples, chunk);
         }
     };
-    if (frame_.tiles.size() == 1)
-        sample_with(OneTileQuery(frame_.tiles.front(), *kernels_, options_));
+    if (frame_.cascades.size() == 1)
+        sample_with(OneCascadeQuery(frame_.cascades.front(), *kernels_, options_));
     else
         sample_with(StackQuery(frame_, *kernels_, options_));
 }
@@ -140,7 +140,7 @@ void SurfaceQuery::take(const SurfacePoints& points, PointChunk& chunk) const {
         if (!has_sample(chunk.x[i], chunk.z[i])) chunk.x[i] = chunk.z[i] = 0;
 }
 
-// What a grid and a shore have adds where the water is drawn: with the tiles' normal n and their slopes s the sum's is along
+// What a grid and a shore have adds where the water is drawn: with the cascades' normal n and their slopes s the sum's is along
 // (n_x - n_y s_x, n_y, n_z - n_y s_z).
 void SurfaceQuery::add_water_of_place(const SurfaceSamples& samples, const PointChunk& chunk) const {
     const auto add = [](std::span<float> to, std::size_t i, double more) {

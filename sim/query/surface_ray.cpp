@@ -105,15 +105,15 @@ double crossing_in(const RayWalk& walk, Crossing crossing, bool below, double to
     return crossing.guess();
 }
 
-/// How many steps of a ray can't meet the water, from its clearance. Of a frame of one tile each step is looked at.
+/// How many steps of a ray can't meet the water, from its clearance. Of a frame of one cascade each step is looked at.
 class FreeSteps {
    public:
     FreeSteps(const SurfaceQuery& query, const RayWalk& walk, double step_m)
         : ground_(walk.along_ground()), rise_(walk.upwards()), step_m_(step_m), unsure_m_(2 * query.tolerance_m()) {
         const DynamicWavesView& dynamic_waves = query.frame().dynamic_waves;
         const ShoreSurface& shore = query.frame().shore;
-        if (query.frame().tiles.size() > 1)
-            change_.emplace(query.frame().tiles,
+        if (query.frame().cascades.size() > 1)
+            change_.emplace(query.frame().cascades,
                             static_cast<double>(dynamic_waves.height_max_m - dynamic_waves.height_min_m) +
                                 static_cast<double>(shore.height_max_m - shore.height_min_m),
                             static_cast<double>(shore.parts_change_per_m));
@@ -151,8 +151,8 @@ std::string check(const SurfaceRay& ray, const Frame& frame) {
     const auto& d = ray.direction;
     const double length = std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
     if (!is_within(length, 1e-100, 1e100)) return refusal("direction's length", length, "[1e-100, 1e100]");
-    if (!is_within(ray.reach_m, 0, most_texels * frame.tiles.front().texel_m()))
-        return refusal("reach_m", ray.reach_m, "0 to a million texels of the coarsest tile");
+    if (!is_within(ray.reach_m, 0, most_texels * frame.cascades.front().texel_m()))
+        return refusal("reach_m", ray.reach_m, "0 to a million texels of the coarsest cascade");
     return {};
 }
 

@@ -28,7 +28,7 @@ class Arrival {
     std::vector<double> delays_s_;
 };
 
-/// What a tile's waves add to the sea meanwhile: each band blends by itself, so that the figures are those of the waves.
+/// What a cascade's waves add to the sea meanwhile: each band blends by itself, so that the figures are those of the waves.
 LineFigures between(const FiguresByBand& before, const FiguresByBand& after, const Arrival& arrival, double since_s);
 
 }  // namespace pelagic

@@ -12,18 +12,18 @@ namespace {
 constexpr double two_pi = 6.28318530717958647693;
 
 /// As bands of a stack end.
-constexpr double texels_a_wave = 3, texels_of_one_tile = 2;
+constexpr double texels_a_wave = 3, texels_of_one_cascade = 2;
 
 }  // namespace
 
-std::optional<std::size_t> input_tile_of(double turns_per_m, const InputMoment& moment) {
+std::optional<std::size_t> input_cascade_of(double turns_per_m, const InputMoment& moment) {
     const auto& lattices = moment.lattices;
-    const double texels = lattices.size() == 1 ? texels_of_one_tile : texels_a_wave;
-    for (std::size_t tile = 0; tile < lattices.size(); ++tile) {
-        const double shortest = moment.resolution / (texels * lattices[tile].side_m);
-        const bool is_last = tile + 1 == lattices.size();
-        const double end = is_last ? shortest : std::min(shortest, steps_of_few_waves / lattices[tile + 1].side_m);
-        if (turns_per_m < end) return tile;
+    const double texels = lattices.size() == 1 ? texels_of_one_cascade : texels_a_wave;
+    for (std::size_t cascade = 0; cascade < lattices.size(); ++cascade) {
+        const double shortest = moment.resolution / (texels * lattices[cascade].side_m);
+        const bool is_last = cascade + 1 == lattices.size();
+        const double end = is_last ? shortest : std::min(shortest, steps_of_few_waves / lattices[cascade + 1].side_m);
+        if (turns_per_m < end) return cascade;
     }
     return {};
 }

@@ -1,4 +1,4 @@
-// Which tile takes a wave that a host adds, and how it runs there.
+// Which cascade takes a wave that a host adds, and how it runs there.
 #pragma once
 
 #include <cstddef>
@@ -10,9 +10,9 @@
 
 namespace pelagic {
 
-/// The finest tile with steps_of_few_waves of its lattice between the wave and k = 0, or the first that has three texels of it. None
-/// if none has (two, where there is one tile).
-std::optional<std::size_t> input_tile_of(double turns_per_m, const InputMoment& moment);
+/// The finest cascade with steps_of_few_waves of its lattice between the wave and k = 0, or the first that has three texels of it. None
+/// if none has (two, where there is one cascade).
+std::optional<std::size_t> input_cascade_of(double turns_per_m, const InputMoment& moment);
 
 /// Neither N/2 nor beyond, along either axis.
 bool is_on_lattice(const LatticePlace& at, int resolution);

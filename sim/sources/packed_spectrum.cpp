@@ -22,23 +22,23 @@ PackedWave packed(const OppositeWaves& waves) {
             static_cast<float>(along.imag() - against.imag()), static_cast<float>(against.real() - along.real())};
 }
 
-/// What the paper's central differences, equation 45, make of a wave number, 1/m. \param periods  in a side of the tile
-double central_difference(const TilePlan& tile, int periods) {
-    const double texel_m = tile.lattice.side_m / tile.resolution;
-    return det::sine_cosine_of_turns(static_cast<double>(periods) / tile.resolution).sine / texel_m;
+/// What the paper's central differences, equation 45, make of a wave number, 1/m. \param periods  in a side of the cascade
+double central_difference(const CascadePlan& cascade, int periods) {
+    const double texel_m = cascade.lattice.side_m / cascade.resolution;
+    return det::sine_cosine_of_turns(static_cast<double>(periods) / cascade.resolution).sine / texel_m;
 }
 
-/// What a tile's texture shows of a wave's derivative along an axis of the tile.
+/// What a cascade's texture shows of a wave's derivative along an axis of the cascade.
 struct ShownSlope {
     double derivative;  ///< 1/m, at texels
     double filter;      ///< what a bilinear filter leaves of the mean square between them
 };
 
-/// \param periods  of the wave in a side of the tile
-ShownSlope shown_slope(const TilePlan& tile, int periods) {
-    if (!tile.is_banded()) return {central_difference(tile, periods), 1};  // texels count as they are
-    const double texel_m = tile.lattice.side_m / tile.resolution;
-    const auto [sine, cosine] = det::sine_cosine_of_turns(static_cast<double>(periods) / tile.resolution);
+/// \param periods  of the wave in a side of the cascade
+ShownSlope shown_slope(const CascadePlan& cascade, int periods) {
+    if (!cascade.is_banded()) return {central_difference(cascade, periods), 1};  // texels count as they are
+    const double texel_m = cascade.lattice.side_m / cascade.resolution;
+    const auto [sine, cosine] = det::sine_cosine_of_turns(static_cast<double>(periods) / cascade.resolution);
     // Stage `slopes`; the mean of ((1 - u) a + u b)^2 over u is (a^2 + a b + b^2)/3.
     const double near = SlopesJob::near_weight * sine, far = SlopesJob::far_weight * (2 * sine * cosine);
     return {2 * (near + far) / texel_m, (2 + cosine) / 3};
@@ -96,22 +96,22 @@ LineFigures between(const LineFigures& before, const LineFigures& after, double 
     return sum;
 }
 
-LineFigures bake_spectrum_line(const SeaState& sea, const TileWaves& waves, const FftPlan& plan, std::size_t line,
+LineFigures bake_spectrum_line(const SeaState& sea, const CascadeWaves& waves, const FftPlan& plan, std::size_t line,
                                PackedSpectrum& out, FiguresByBand* by_band) {
-    const TilePlan& tile = waves.tile();
-    const int resolution = tile.resolution;
+    const CascadePlan& cascade = waves.cascade();
+    const int resolution = cascade.resolution;
     const int radix = plan.tables().first_step().radix;
     const int n = static_cast<int>(line);
-    const double spacing = tile.spacing();
-    const ShownSlope shown_z = shown_slope(tile, n);
-    // Of a frame of one tile stage `gradients` makes the Jacobians, banded or not.
-    const bool folds_as_shown = !tile.is_banded() || cascades_of(sea) > 1;
+    const double spacing = cascade.spacing();
+    const ShownSlope shown_z = shown_slope(cascade, n);
+    // Of a frame of one cascade stage `gradients` makes the Jacobians, banded or not.
+    const bool folds_as_shown = !cascade.is_banded() || cascades_of(sea) > 1;
     const auto fold_derivative = [&](const ShownSlope& shown, int periods) {
-        return folds_as_shown ? shown.derivative : central_difference(tile, periods);
+        return folds_as_shown ? shown.derivative : central_difference(cascade, periods);
     };
     const double fold_z = fold_derivative(shown_z, n);
     const WindDrift usual = usual_foam_drift(sea);
-    const TileLattice::Place foam_drift = tile.lattice.in_tile(usual.x_mps, usual.z_mps);
+    const CascadeLattice::Place foam_drift = cascade.lattice.in_cascade(usual.x_mps, usual.z_mps);
     const double mirrors = n == 0 ? 1 : 2;  // line 0 holds its own
     LineFigures all;
     float* wave = out.block(line / out.lanes) + line % out.lanes;
@@ -129,7 +129,7 @@ LineFigures bake_spectrum_line(const SeaState& sea, const TileWaves& waves, cons
             const auto put = [&](WaveQuantity quantity, double value) {
                 wave[quantity * out.lanes] = static_cast<float>(value);
             };
-            const ShownSlope shown_x = shown_slope(tile, m);
+            const ShownSlope shown_x = shown_slope(cascade, m);
             const double fold_x = fold_derivative(shown_x, m);
             const double drift = stokes_drift(k, waves.water()) / k;
             const double orbit = orbit_ratio(k, waves.water().depth_m), orbit_square = orbit * orbit;
@@ -160,7 +160,7 @@ LineFigures bake_spectrum_line(const SeaState& sea, const TileWaves& waves, cons
                 all += figures;
                 if (by_band && opposites.expected_square() > 0) (*by_band)[harmonic_band(periods)] += figures;
             };
-            const TileWaves::MirroredPair mirrored = waves.pair(m, n);
+            const CascadeWaves::MirroredPair mirrored = waves.pair(m, n);
             put_wave(plus_cos_re, mirrored.plus, m);
             if (!pair.is_own_negative()) put_wave(minus_cos_re, mirrored.minus, -m);
             put(direction_x, m / length * orbit);

@@ -47,10 +47,10 @@ struct LineFigures {
     double mean_square_slope = 0;  ///< h_x^2 + h_z^2 of the waves themselves, the mean over all seeds
     double mean_square_convergence =
         0;                ///< (Dx,x + Dz,z)^2 of the waves themselves at choppiness 1, the mean over all seeds
-    SlopeMoments slopes;  ///< as the tile shows them, the mean over all seeds, along the tile's own axes
+    SlopeMoments slopes;  ///< as the cascade shows them, the mean over all seeds, along the cascade's own axes
     FoldMoments folding;  ///< of the waves that this seed drew
     double stokes_x = 0,
-           stokes_z = 0;  ///< Stokes' drift at the surface along the tile's own axes, m/s, the mean over all seeds
+           stokes_z = 0;  ///< Stokes' drift at the surface along the cascade's own axes, m/s, the mean over all seeds
 
     LineFigures& operator+=(const LineFigures& other);
 };
@@ -81,7 +81,7 @@ class FiguresByBand {
 LineFigures between(const LineFigures& before, const LineFigures& after, double part);
 
 /// Fills one line, 0 <= line < line_count(). Lines are independent. \param by_band  gets the same figures, if there is one
-LineFigures bake_spectrum_line(const SeaState& sea, const TileWaves& waves, const FftPlan& plan, std::size_t line,
+LineFigures bake_spectrum_line(const SeaState& sea, const CascadeWaves& waves, const FftPlan& plan, std::size_t line,
                                PackedSpectrum& out, FiguresByBand* by_band = nullptr);
 
 }  // namespace pelagic

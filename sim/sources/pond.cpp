@@ -46,9 +46,9 @@ double start_of(const LatticeOctave& octave, LoopFraction fraction) {
 
 }  // namespace
 
-Pond::Pond(FrameSlots& slots, std::size_t tile, Isa isa, const FrameExtras& extras)
+Pond::Pond(FrameSlots& slots, std::size_t cascade, Isa isa, const FrameExtras& extras)
     : slots_(slots),
-      tile_(tile),
+      cascade_(cascade),
       lanes_(kernels_for(isa).lanes),
       kernels_(analytic_kernels_for(isa)),
       has_velocities_(extras.velocities),
@@ -60,7 +60,7 @@ Pond::Pond(FrameSlots& slots, std::size_t tile, Isa isa, const FrameExtras& extr
 }
 
 FilledBy Pond::add_stages(JobGraph& graph, Pass pass, const std::vector<StageId>& waits_for) {
-    const StageId filled = graph.add({.name = stage_name(pass == Pass::tick ? "tick octaves" : "octaves", tile_),
+    const StageId filled = graph.add({.name = stage_name(pass == Pass::tick ? "tick octaves" : "octaves", cascade_),
                                       .count = static_cast<std::size_t>(resolution_),
                                       .batch = rows_a_job,
                                       .waits_for = waits_for,
@@ -69,20 +69,20 @@ FilledBy Pond::add_stages(JobGraph& graph, Pass pass, const std::vector<StageId>
     return {filled, filled};
 }
 
-void Pond::begin(Pass pass, const SeaMoment& moment, Tile& tile) {
+void Pond::begin(Pass pass, const SeaMoment& moment, Cascade& cascade) {
     const LoopFraction fraction = loop_fraction(moment.time_s, waves_.loop_period_s);
     std::vector<double>& starts = starts_[pass];
     starts.resize(waves_.octaves.size());
     for (std::size_t i = 0; i < starts.size(); ++i) starts[i] = start_of(waves_.octaves[i], fraction);
-    tile.lattice = waves_.plan.lattice;
-    tile.whitecap_jacobian = Tile::no_whitecaps;
-    tile.whitecap_ramp = 1;
-    tile.slope_ranges = waves_.slope_ranges;
+    cascade.lattice = waves_.plan.lattice;
+    cascade.whitecap_jacobian = Cascade::no_whitecaps;
+    cascade.whitecap_ramp = 1;
+    cascade.slope_ranges = waves_.slope_ranges;
 }
 
 void Pond::fill_row(Pass pass, std::size_t row) {
     const std::size_t block_floats = column_block_floats(resolution_, lanes_);
-    TileBuffers& buffers = slots_.buffers(tile_);
+    CascadeBuffers& buffers = slots_.buffers(cascade_);
     const auto component = [&](AlignedBuffer<float>& planes, SurfaceComponent of) {
         return planes.data() + (row * surface_components + of) * lanes_;
     };
@@ -130,13 +130,13 @@ FrameBounds Pond::end_frame() {
 }
 
 void Pond::add_spectrum_stage(JobGraph& graph) {
-    graph.add({.name = stage_name("spectrum", tile_),
+    graph.add({.name = stage_name("spectrum", cascade_),
                .count = 1,
                .body = for_each_item([](std::size_t) {}),  // begin_spectrum() is quicker than a job
                .stack_bytes = stack_margin});
 }
 
-Pond::Waves Pond::waves_of(const SeaState& sea, const TilePlan& plan) {
+Pond::Waves Pond::waves_of(const SeaState& sea, const CascadePlan& plan) {
     Waves waves{.plan = plan,
                 .loop_period_s = sea.loop_period_s,
                 .octaves = lattice_octaves(sea, plan),
@@ -171,7 +171,7 @@ LineFigures Pond::figures_of(const Waves& waves) {
     return figures;
 }
 
-void Pond::begin_spectrum(const SeaState& sea, const TilePlan& plan, double) { bake_ = waves_of(sea, plan); }
+void Pond::begin_spectrum(const SeaState& sea, const CascadePlan& plan, double) { bake_ = waves_of(sea, plan); }
 
 LineFigures Pond::adopt_spectrum(std::size_t, std::size_t) {
     waves_ = *std::exchange(bake_, std::nullopt);

@@ -1,4 +1,4 @@
-// Octaves of exp(sin - 1) on the lattice of one tile (analytic/exp_sine_water.hpp, sim/spectrum/wave_list.hpp): a stage that
+// Octaves of exp(sin - 1) on the lattice of one cascade (analytic/exp_sine_water.hpp, sim/spectrum/wave_list.hpp): a stage that
 // sums them at each texel. Octaves that move those after them are no sum of waves that a transform could make.
 //
 //   spectrum (on demand) -> octaves
@@ -21,21 +21,21 @@ namespace pelagic {
 
 class Pond final : public SeaSource {
    public:
-    /// \param tile  which of the slots' tiles it fills
-    Pond(FrameSlots& slots, std::size_t tile, Isa isa, const FrameExtras& extras);
+    /// \param cascade  which of the slots' cascades it fills
+    Pond(FrameSlots& slots, std::size_t cascade, Isa isa, const FrameExtras& extras);
     Pond(const Pond&) = delete;  // stages point into it
     Pond& operator=(const Pond&) = delete;
 
     FilledBy add_stages(JobGraph& graph, Pass pass, const std::vector<StageId>& waits_for) override;
-    void begin(Pass pass, const SeaMoment& moment, Tile& tile) override;
+    void begin(Pass pass, const SeaMoment& moment, Cascade& cascade) override;
     FrameBounds end_frame() override;
     std::size_t bytes() const override;
 
     void add_spectrum_stage(JobGraph& graph) override;
-    void begin_spectrum(const SeaState& sea, const TilePlan& plan, double whitecap_cover) override;
+    void begin_spectrum(const SeaState& sea, const CascadePlan& plan, double whitecap_cover) override;
     /// It has one sea at a time: Forecast lets none of its kind turn into another.
     LineFigures adopt_spectrum(std::size_t number, std::size_t place) override;
-    const TileLattice& lattice() const override { return waves_.plan.lattice; }
+    const CascadeLattice& lattice() const override { return waves_.plan.lattice; }
     void drop_spectrum() override { bake_.reset(); }
     void set_aside() override { bake_.swap(aside_); }
     void forget_seas() override {}
@@ -43,7 +43,7 @@ class Pond final : public SeaSource {
    private:
     /// The octaves of a sea, as the kernel takes them with texels for metres: so a place's turns are exact, and texel N is texel 0.
     struct Waves {
-        TilePlan plan;
+        CascadePlan plan;
         double loop_period_s = 1;
         std::vector<LatticeOctave> octaves;
         std::vector<ExpSineTerms> terms;
@@ -52,12 +52,12 @@ class Pond final : public SeaSource {
     struct RowBounds {
         float least, most;
     };
-    static Waves waves_of(const SeaState& sea, const TilePlan& plan);
+    static Waves waves_of(const SeaState& sea, const CascadePlan& plan);
     static LineFigures figures_of(const Waves& waves);
     void fill_row(Pass pass, std::size_t row);
 
     FrameSlots& slots_;
-    std::size_t tile_, lanes_;
+    std::size_t cascade_, lanes_;
     const AnalyticKernels& kernels_;
     bool has_velocities_;
     int resolution_;

@@ -4,7 +4,7 @@
 #include "pelagic/sim/sea_state.hpp"
 #include "pelagic/sim/sources/packed_spectrum.hpp"
 #include "pelagic/sim/sources/wave_source.hpp"
-#include "pelagic/sim/tile_plan.hpp"
+#include "pelagic/sim/cascade_plan.hpp"
 
 namespace pelagic {
 
@@ -14,14 +14,14 @@ class SeaSource : public WaveSource {
     virtual void add_spectrum_stage(JobGraph& graph) = 0;
     /// What the next run of the spectrum's stage bakes; adopt_spectrum() makes it that of a sea of frames to come. A source has
     /// no waves before the first one. \pre the plan has the resolution of the slots, and the sea the kind of waves
-    /// \param whitecap_cover  part of the sea that is to be white with what the tile folds, 0 for none
-    virtual void begin_spectrum(const SeaState& sea, const TilePlan& plan, double whitecap_cover) = 0;
+    /// \param whitecap_cover  part of the sea that is to be white with what the cascade folds, 0 for none
+    virtual void begin_spectrum(const SeaState& sea, const CascadePlan& plan, double whitecap_cover) = 0;
     /// Says what the new waves add to the sea, whose number moments name. What was in that place is gone; all seas that are kept
     /// have the same lattice and loop. \pre place < SeaShelf::places, and no pass in flight takes what is there
     virtual LineFigures adopt_spectrum(std::size_t number, std::size_t place) = 0;
     /// The same by bands of frequency; null where no sea turns into another. \pre the place holds a sea
     virtual const FiguresByBand* figures_by_band(std::size_t) const { return nullptr; }
-    virtual const TileLattice& lattice() const = 0;  ///< of the frames to come
+    virtual const CascadeLattice& lattice() const = 0;  ///< of the frames to come
     virtual void drop_spectrum() = 0;                ///< keeps the waves as they are
     /// Keeps what was baked for later, and makes room for another one; and the other way round.
     virtual void set_aside() = 0;

@@ -19,7 +19,7 @@ constexpr std::size_t groups_an_item = 64;
 // Ways along which the shelter of shorter waves is found: those of as many long waves, neighbours in frequency, which run to all sides.
 constexpr std::size_t most_ways = 8;
 
-// Depths for which a table says what they leave of a tile, by the square root of the depth.
+// Depths for which a table says what they leave of a cascade, by the square root of the depth.
 constexpr int depths = 256;
 
 // So far from water there is some over the sand, and less with each texel.
@@ -36,7 +36,7 @@ constexpr double least_envelope_m = 1e-6;
 /// Second-order crests over first-order ones are no higher, or troughs would have humps.
 constexpr double most_sharp = 0.25;
 
-// Crests of a tile in standard deviations: one place and moment in 10 million has a higher one, and one in 30,000, which has to meet a
+// Crests of a cascade in standard deviations: one place and moment in 10 million has a higher one, and one in 30,000, which has to meet a
 // crest of the long waves.
 constexpr double highest_crest = 5.2, high_crest = 4;
 
@@ -88,7 +88,7 @@ void run_up(const SeaBed& bed, std::vector<double>& phase, std::vector<double>& 
 
 }  // namespace
 
-ShoreSource::ShoreSource(const ShoreOptions& options, const SeaState& sea, const std::vector<TilePlan>& plans,
+ShoreSource::ShoreSource(const ShoreOptions& options, const SeaState& sea, const std::vector<CascadePlan>& plans,
                          const Kernels& kernels, const HostMemory& memory)
     : bed_(options),
       sea_(sea),
@@ -118,8 +118,8 @@ ShoreSource::ShoreSource(const ShoreOptions& options, const SeaState& sea, const
     bake_->parts.assign(plans.size(), std::vector<float>(bed_.texels()));
     bake_->deviation_m.resize(bed_.texels());
     bake_->attenuation.resize(bed_.texels());
-    for (std::size_t tile = 1; tile < plans.size(); ++tile) {
-        const DepthPart part(sea, plans[tile]);
+    for (std::size_t cascade = 1; cascade < plans.size(); ++cascade) {
+        const DepthPart part(sea, plans[cascade]);
         bake_->variances.push_back(part.variance());
         std::vector<double>& table = bake_->depth_parts.emplace_back();
         for (int i = 0; i <= depths; ++i) {
@@ -185,7 +185,7 @@ void ShoreSource::bake_wave(std::size_t number) {
         std::min(wave_number(wave.omega, SeaBed::least_depth_m), two_pi / (Refraction::least_texels * bed_.texel_m));
     run_up(bed_, phase, height, k, swash_m_);
     for (std::size_t texel = 0; texel < bed_.texels(); ++texel) {
-        // Where tiles give way, energies add up to one.
+        // Where cascades give way, energies add up to one.
         const double fade = det::sine_cosine_of_turns(0.25 * inside(texel)).sine;
         const double amplitude_m = wave.amplitude_m * height[texel] * fade;
         if (!(amplitude_m > least_amplitude_m)) continue;
@@ -275,12 +275,12 @@ void ShoreSource::bake_parts(std::size_t row) {
         double variance = variance_of_waves(texel).of_all + coarsest * coarsest * bake_->variances[0];
         const double place = depths * std::sqrt(depth_m / bake_->deepest_m);
         const auto cell = static_cast<std::size_t>(std::min(place, depths - 1.0));
-        for (std::size_t tile = 0; tile < bake_->depth_parts.size(); ++tile) {
-            const std::vector<double>& table = bake_->depth_parts[tile];
+        for (std::size_t cascade = 0; cascade < bake_->depth_parts.size(); ++cascade) {
+            const std::vector<double>& table = bake_->depth_parts[cascade];
             const double stands = table[cell] + (place - static_cast<double>(cell)) * (table[cell + 1] - table[cell]);
             const double part = 1 - shore * (1 - sheltered * stands);
-            bake_->parts[tile + 1][texel] = static_cast<float>(part);
-            variance += part * part * bake_->variances[tile + 1];
+            bake_->parts[cascade + 1][texel] = static_cast<float>(part);
+            variance += part * part * bake_->variances[cascade + 1];
         }
         bake_->deviation_m[texel] = std::sqrt(variance);
     }
@@ -329,26 +329,26 @@ void ShoreSource::bake_heights(std::size_t row) {
         const double shore = inside(texel), depth_m = std::max(bed_.depth_m[texel], 0.0);
         // At the edges what stands is that of the depth alone, as beyond them.
         double variance = 0;
-        for (std::size_t tile = 0; tile < bake_->parts.size(); ++tile) {
-            const double part = static_cast<double>(bake_->parts[tile][texel]);
-            variance += part * part * bake_->variances[tile];
+        for (std::size_t cascade = 0; cascade < bake_->parts.size(); ++cascade) {
+            const double part = static_cast<double>(bake_->parts[cascade][texel]);
+            variance += part * part * bake_->variances[cascade];
         }
         const double deviation_m = std::sqrt(variance);
         const double stands = std::min({1 - shore * (1 - bake_->attenuation[texel]),
                                         attenuation_to(deviation_over_depth * depth_m, bake_->deviation_m[texel]),
                                         attenuation_to(crest_over_depth / highest_crest * depth_m, deviation_m)});
         std::uint32_t parts = 0;
-        for (std::size_t tile = 0; tile < bake_->parts.size(); ++tile)
-            parts |= static_cast<std::uint32_t>(255 * (stands * static_cast<double>(bake_->parts[tile][texel])))
-                     << 8 * tile;
+        for (std::size_t cascade = 0; cascade < bake_->parts.size(); ++cascade)
+            parts |= static_cast<std::uint32_t>(255 * (stands * static_cast<double>(bake_->parts[cascade][texel])))
+                     << 8 * cascade;
         parts_.data()[texel] = parts;
 
-        // Waves of one period stand still in places where they meet: there the sum over the loop counts, beside the tiles.
-        const double max_m = deviation_over_depth * wave_depth_m(texel), tiles_m = stands * deviation_m;
+        // Waves of one period stand still in places where they meet: there the sum over the loop counts, beside the cascades.
+        const double max_m = deviation_over_depth * wave_depth_m(texel), cascades_m = stands * deviation_m;
         const double here_m = bake_->attenuation[texel] * std::sqrt(variance_of_waves(texel).here);
         const double attenuation =
             bake_->attenuation[texel] *
-            attenuation_to(std::sqrt(std::max(0.0, max_m * max_m - tiles_m * tiles_m)), here_m);
+            attenuation_to(std::sqrt(std::max(0.0, max_m * max_m - cascades_m * cascades_m)), here_m);
         for (std::size_t wave = 0; wave < waves_.size(); ++wave) {
             float* const at = amplitudes_.data() + place_of(texel, wave);
             at[0] = static_cast<float>(attenuation * static_cast<double>(at[0]));
@@ -358,7 +358,7 @@ void ShoreSource::bake_heights(std::size_t row) {
         const double breaking_m = static_cast<double>(highest_envelope_.data()[texel]);
         breaking_envelope_.data()[texel] = static_cast<float>(std::max(attenuation * breaking_m, least_envelope_m));
         if (!bed_.is_water(texel)) continue;
-        const double crest_m = crest_over_depth * wave_depth_m(texel) - high_crest * tiles_m;
+        const double crest_m = crest_over_depth * wave_depth_m(texel) - high_crest * cascades_m;
         highest_envelope_.data()[texel] = static_cast<float>(std::min(breaking_m, crest_m / (1 + most_sharp)));
     }
 }

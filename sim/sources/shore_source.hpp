@@ -1,6 +1,6 @@
-// Waves over the floor of a shore (shore.hpp), frame by frame, and how much of each tile there is.
+// Waves over the floor of a shore (shore.hpp), frame by frame, and how much of each cascade there is.
 //
-// Baked once, on jobs: each long wave's way over the floor (refraction.hpp) as a complex amplitude a texel; what comes of the tiles' own
+// Baked once, on jobs: each long wave's way over the floor (refraction.hpp) as a complex amplitude a texel; what comes of the cascades' own
 // waves; how much of all of them together stands at a depth. A frame turns the amplitudes by a phase a wave and adds them up.
 #pragma once
 
@@ -16,7 +16,7 @@
 #include "pelagic/sim/sources/refraction.hpp"
 #include "pelagic/sim/sources/sea_bed.hpp"
 #include "pelagic/sim/spectrum/shore_waves.hpp"
-#include "pelagic/sim/tile_plan.hpp"
+#include "pelagic/sim/cascade_plan.hpp"
 #include "pelagic/simd/aligned_buffer.hpp"
 #include "pelagic/simd/host_memory.hpp"
 
@@ -31,8 +31,8 @@ class ShoreSource {
     /// the first alone would let one crest of 20,000 be higher than 0.66 d.
     static constexpr double deviation_over_depth = 0.42 / 2.8284271247461903, crest_over_depth = 0.66;
 
-    /// \pre check(options), check(sea) and check(options, sea) are empty; plans are those of the sea's tiles
-    ShoreSource(const ShoreOptions& options, const SeaState& sea, const std::vector<TilePlan>& plans,
+    /// \pre check(options), check(sea) and check(options, sea) are empty; plans are those of the sea's cascades
+    ShoreSource(const ShoreOptions& options, const SeaState& sea, const std::vector<CascadePlan>& plans,
                 const Kernels& kernels, const HostMemory& memory = {});
     ShoreSource(const ShoreSource&) = delete;  // stages point into it
     ShoreSource& operator=(const ShoreSource&) = delete;
@@ -88,10 +88,10 @@ class ShoreSource {
     struct Bake {
         std::vector<ShoreWave> ways;                   ///< along which shorter waves come
         std::vector<std::vector<float>> shelters;      ///< energy that comes along each, by texel
-        std::vector<std::vector<double>> depth_parts;  ///< of each tile but the coarsest, by depth
+        std::vector<std::vector<double>> depth_parts;  ///< of each cascade but the coarsest, by depth
         double deepest_m;
-        std::vector<double> variances;          ///< of each tile, m^2
-        std::vector<std::vector<float>> parts;  ///< of each tile, by texel, before waves break
+        std::vector<double> variances;          ///< of each cascade, m^2
+        std::vector<std::vector<float>> parts;  ///< of each cascade, by texel, before waves break
         std::unique_ptr<Refraction> main_way;   ///< of the wave in the middle of the energy; none without waves
         std::vector<double> deviation_m;        ///< of all waves, by texel, before they break
         std::vector<double> attenuation;        ///< of the long waves' amplitudes by breaking, by texel

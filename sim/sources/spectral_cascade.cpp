@@ -25,9 +25,9 @@ constexpr std::size_t spectrum_batch = 2;
 
 }  // namespace
 
-SpectralCascade::SpectralCascade(FrameSlots& slots, std::size_t tile, const Kernels& kernels, const FrameExtras& extras)
+SpectralCascade::SpectralCascade(FrameSlots& slots, std::size_t cascade, const Kernels& kernels, const FrameExtras& extras)
     : slots_(slots),
-      tile_(tile),
+      cascade_(cascade),
       kernels_(kernels),
       memory_(extras.memory),
       has_velocities_(extras.velocities),
@@ -38,7 +38,7 @@ SpectralCascade::SpectralCascade(FrameSlots& slots, std::size_t tile, const Kern
       velocity_bounds_(has_velocities_ ? part_bounds_.size() : 0) {}
 
 void SpectralCascade::add_spectrum_stage(JobGraph& graph) {
-    graph.add({.name = stage_name("spectrum", tile_),
+    graph.add({.name = stage_name("spectrum", cascade_),
                .count = line_count(resolution_),
                .batch = spectrum_batch,
                .body = for_each_item([this](std::size_t line) { spectrum(line); }),
@@ -47,9 +47,9 @@ void SpectralCascade::add_spectrum_stage(JobGraph& graph) {
 
 FilledBy SpectralCascade::add_stages(JobGraph& graph, Pass pass, const std::vector<StageId>& waits_for) {
     const std::size_t transforms = transform_stack_bytes(resolution_, kernels_.lanes);
-    const auto surface = [this] { return slots_.buffers(tile_).surface.data(); };
+    const auto surface = [this] { return slots_.buffers(cascade_).surface.data(); };
     const bool is_tick = pass == Pass::tick;
-    const StageId lines_done = graph.add({.name = stage_name(is_tick ? "tick evolve+rows" : "evolve+rows", tile_),
+    const StageId lines_done = graph.add({.name = stage_name(is_tick ? "tick evolve+rows" : "evolve+rows", cascade_),
                                           .count = line_blocks(resolution_, kernels_.lanes),
                                           .waits_for = waits_for,
                                           .body = for_each_item([this, pass, surface](std::size_t block) {
@@ -58,7 +58,7 @@ FilledBy SpectralCascade::add_stages(JobGraph& graph, Pass pass, const std::vect
                                               kernels_.evolve_rows(evolve_rows_job(pass, block, surface()));
                                           }),
                                           .stack_bytes = transforms});
-    const StageId surface_done = graph.add({.name = stage_name(is_tick ? "tick columns" : "columns+finalize", tile_),
+    const StageId surface_done = graph.add({.name = stage_name(is_tick ? "tick columns" : "columns+finalize", cascade_),
                                             .count = part_bounds_.size(),
                                             .waits_for = {lines_done},
                                             .body = for_each_item([this, pass, surface](std::size_t pair) {
@@ -72,16 +72,16 @@ FilledBy SpectralCascade::add_stages(JobGraph& graph, Pass pass, const std::vect
 // The derivative in time of a sum of waves is a sum of waves, so its lines and columns are those of the surface.
 StageId SpectralCascade::add_velocity_stages(JobGraph& graph, StageId blend_done) {
     const std::size_t transforms = transform_stack_bytes(resolution_, kernels_.lanes);
-    const auto velocity = [this] { return slots_.buffers(tile_).velocity.data(); };
+    const auto velocity = [this] { return slots_.buffers(cascade_).velocity.data(); };
     const StageId lines_done =
-        graph.add({.name = stage_name("velocity rows", tile_),
+        graph.add({.name = stage_name("velocity rows", cascade_),
                    .count = line_blocks(resolution_, kernels_.lanes),
                    .waits_for = {blend_done},
                    .body = for_each_item([this, velocity](std::size_t block) {
                        kernels_.evolve_velocity_rows(evolve_rows_job(Pass::frame, block, velocity()));
                    }),
                    .stack_bytes = transforms});
-    return graph.add({.name = stage_name("velocity columns", tile_),
+    return graph.add({.name = stage_name("velocity columns", cascade_),
                       .count = velocity_bounds_.size(),
                       .waits_for = {lines_done},
                       .body = for_each_item([this, velocity](std::size_t pair) {
@@ -100,11 +100,11 @@ const SpectralCascade::Waves& SpectralCascade::waves_of(std::size_t number) cons
 SpectralCascade::Look SpectralCascade::look_of(const LineFigures& figures, double choppiness, double whitecap_cover) const {
     return {whitecap_cover > 0
                 ? whitecap_threshold(figures.folding, choppiness, whitecap_cover, TickClock(loop_period_s_).tick_s())
-                : WhitecapThreshold{.jacobian = Tile::no_whitecaps, .ramp = 1},
+                : WhitecapThreshold{.jacobian = Cascade::no_whitecaps, .ramp = 1},
             slope_ranges(figures.mean_square_slope, figures.mean_square_convergence)};
 }
 
-void SpectralCascade::begin(Pass pass, const SeaMoment& moment, Tile& tile) {
+void SpectralCascade::begin(Pass pass, const SeaMoment& moment, Cascade& cascade) {
     Shown& shown = shown_[pass];
     const Waves &before = waves_of(moment.before), &after = waves_of(moment.after);
     shown.before = &before;
@@ -133,11 +133,11 @@ void SpectralCascade::begin(Pass pass, const SeaMoment& moment, Tile& tile) {
         look = look_of(figures, choppiness, between_both(before.whitecap_cover, after.whitecap_cover));
     }
     shown.is_blend = shown.part != 0 || !shown.parts.empty();
-    tile.lattice = lattice_;
-    tile.whitecap_jacobian = look.whitecaps.jacobian;
-    tile.whitecap_ramp = look.whitecaps.ramp;
-    tile.slope_ranges = look.slope_ranges;
-    shown.is_idle = pass == Pass::tick && !tile.makes_whitecaps();
+    cascade.lattice = lattice_;
+    cascade.whitecap_jacobian = look.whitecaps.jacobian;
+    cascade.whitecap_ramp = look.whitecaps.ramp;
+    cascade.slope_ranges = look.slope_ranges;
+    shown.is_idle = pass == Pass::tick && !cascade.makes_whitecaps();
 }
 
 FrameBounds SpectralCascade::end_frame() {
@@ -151,7 +151,7 @@ FrameBounds SpectralCascade::end_frame() {
     return {all.height_min, all.height_max, all.sideways_x_max, all.sideways_z_max};
 }
 
-void SpectralCascade::begin_spectrum(const SeaState& sea, const TilePlan& plan, double whitecap_cover) {
+void SpectralCascade::begin_spectrum(const SeaState& sea, const CascadePlan& plan, double whitecap_cover) {
     bake_.emplace(Bake{sea,
                        whitecap_cover,
                        plan,

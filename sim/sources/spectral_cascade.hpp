@@ -1,4 +1,4 @@
-// Waves of a spectrum on the lattice of one tile: the stages that turn the spectrum into displacement.
+// Waves of a spectrum on the lattice of one cascade: the stages that turn the spectrum into displacement.
 //
 //   spectrum (on demand) -> evolve+rows -> columns+finalize
 //
@@ -27,22 +27,22 @@ namespace pelagic {
 
 class SpectralCascade final : public SeaSource {
    public:
-    /// \param tile  which of the slots' tiles it fills
-    SpectralCascade(FrameSlots& slots, std::size_t tile, const Kernels& kernels, const FrameExtras& extras);
+    /// \param cascade  which of the slots' cascades it fills
+    SpectralCascade(FrameSlots& slots, std::size_t cascade, const Kernels& kernels, const FrameExtras& extras);
     SpectralCascade(const SpectralCascade&) = delete;  // stages point into it
     SpectralCascade& operator=(const SpectralCascade&) = delete;
 
     /// Velocities are the frame's alone.
     FilledBy add_stages(JobGraph& graph, Pass pass, const std::vector<StageId>& waits_for) override;
-    void begin(Pass pass, const SeaMoment& moment, Tile& tile) override;
+    void begin(Pass pass, const SeaMoment& moment, Cascade& cascade) override;
     FrameBounds end_frame() override;
     std::size_t bytes() const override;
 
     void add_spectrum_stage(JobGraph& graph) override;
-    void begin_spectrum(const SeaState& sea, const TilePlan& plan, double whitecap_cover) override;
+    void begin_spectrum(const SeaState& sea, const CascadePlan& plan, double whitecap_cover) override;
     LineFigures adopt_spectrum(std::size_t number, std::size_t place) override;
     const FiguresByBand* figures_by_band(std::size_t place) const override { return &seas_[place]->by_band; }
-    const TileLattice& lattice() const override { return lattice_; }
+    const CascadeLattice& lattice() const override { return lattice_; }
     void drop_spectrum() override { bake_.reset(); }
     void set_aside() override { bake_.swap(aside_); }
     void forget_seas() override { seas_ = {}; }
@@ -55,7 +55,7 @@ class SpectralCascade final : public SeaSource {
     void columns_finalize(Pass pass, std::size_t number, float* surface, PartBounds& bounds);
 
     FrameSlots& slots_;
-    std::size_t tile_;
+    std::size_t cascade_;
     const Kernels& kernels_;
     HostMemory memory_;
     bool has_velocities_;
@@ -63,7 +63,7 @@ class SpectralCascade final : public SeaSource {
     FftPlan plan_;
     FftTables fft_;
 
-    /// How the tile's textures are to be read.
+    /// How the cascade's textures are to be read.
     struct Look {
         WhitecapThreshold whitecaps{.jacobian = 0, .ramp = 1};
         SlopeRanges slope_ranges;
@@ -81,7 +81,7 @@ class SpectralCascade final : public SeaSource {
     };
     const Waves& waves_of(std::size_t number) const;
     std::array<std::optional<Waves>, SeaShelf::places> seas_;
-    TileLattice lattice_;       ///< of frames to come, and so is
+    CascadeLattice lattice_;       ///< of frames to come, and so is
     double loop_period_s_ = 1;  ///< this: a pass in flight has its own
 
     /// What a pass evaluates.
@@ -103,9 +103,9 @@ class SpectralCascade final : public SeaSource {
     struct Bake {
         SeaState sea;
         double whitecap_cover;
-        TilePlan plan;
+        CascadePlan plan;
         std::unique_ptr<std::once_flag> has_begun;
-        std::optional<TileWaves>
+        std::optional<CascadeWaves>
             waves;  ///< by the first line that is baked: they take longer than a frame has time for
         PackedSpectrum spectrum;
         std::vector<LineFigures> lines;

@@ -15,7 +15,7 @@
 namespace pelagic {
 namespace {
 
-/// What a job adds at a time, whatever the tile's size: the rows of its fields lie on the stack.
+/// What a job adds at a time, whatever the cascade's size: the rows of its fields lie on the stack.
 constexpr std::size_t texels_a_job = 2048;
 constexpr double largest_slopes = 100;
 
@@ -51,14 +51,14 @@ WaveInputs::WaveInputs(List inputs, FrameSlots& slots, Isa isa, bool has_velocit
         if (!inputs_[i]) throw std::invalid_argument(name_of_input(i) + " is null, needs an input");
     if (inputs_.empty()) return;
     for (const Pass pass : {Pass::tick, Pass::frame}) {
-        lattices_[pass].resize(slots.tile_count());
-        adds_[pass].resize(slots.tile_count());
+        lattices_[pass].resize(slots.cascade_count());
+        adds_[pass].resize(slots.cascade_count());
         moments_[pass].place = pass == Pass::frame ? 0 : 1;
         moments_[pass].lattices = lattices_[pass];
         moments_[pass].resolution = slots.resolution();
         moments_[pass].isa = isa;
     }
-    bounds_.resize(slots.tile_count() * jobs());
+    bounds_.resize(slots.cascade_count() * jobs());
 }
 
 std::size_t WaveInputs::rows_a_job() const {
@@ -66,14 +66,14 @@ std::size_t WaveInputs::rows_a_job() const {
     return std::min(n, texels_a_job / n);
 }
 
-StageId WaveInputs::add_stage(JobGraph& graph, Pass pass, std::size_t tile, const FilledBy& filled) {
+StageId WaveInputs::add_stage(JobGraph& graph, Pass pass, std::size_t cascade, const FilledBy& filled) {
     if (empty()) return filled.displacement;
     std::vector<StageId> waits_for{filled.displacement};
     if (filled.velocity != filled.displacement) waits_for.push_back(filled.velocity);
-    return graph.add({.name = stage_name(pass == Pass::tick ? "tick inputs" : "inputs", tile),
+    return graph.add({.name = stage_name(pass == Pass::tick ? "tick inputs" : "inputs", cascade),
                       .count = jobs(),
                       .waits_for = waits_for,
-                      .body = for_each_item([this, pass, tile](std::size_t job) { add_rows(pass, tile, job); }),
+                      .body = for_each_item([this, pass, cascade](std::size_t job) { add_rows(pass, cascade, job); }),
                       .stack_bytes = inputs_stack_bytes});
 }
 
@@ -85,12 +85,12 @@ void WaveInputs::begin(Pass pass, double time_s, double time_in_loop_s, double l
     for (const auto& input : inputs_) input->begin(moment);
 }
 
-void WaveInputs::begin_tile(Pass pass, std::size_t tile, Tile& at) {
-    std::uint8_t& adds = adds_[pass][tile] = 0;
+void WaveInputs::begin_cascade(Pass pass, std::size_t cascade, Cascade& at) {
+    std::uint8_t& adds = adds_[pass][cascade] = 0;
     double steeper = 0;
     for (std::size_t i = 0; i < inputs_.size(); ++i) {
-        if (!inputs_[i]->adds_to(tile)) continue;
-        const double slope = inputs_[i]->largest_slope(tile);
+        if (!inputs_[i]->adds_to(cascade)) continue;
+        const double slope = inputs_[i]->largest_slope(cascade);
         if (!(slope >= 0 && slope <= largest_slopes))
             throw std::invalid_argument(refusal(name_of_input(i) + "'s largest_slope", slope, "[0, 100]"));
         steeper += overstated * slope;
@@ -102,12 +102,12 @@ void WaveInputs::begin_tile(Pass pass, std::size_t tile, Tile& at) {
     at.slope_ranges.variance += static_cast<float>(steeper * steeper);
 }
 
-void WaveInputs::add_rows(Pass pass, std::size_t tile, std::size_t job) {
-    if (adds_[pass][tile] == 0) return;
+void WaveInputs::add_rows(Pass pass, std::size_t cascade, std::size_t job) {
+    if (adds_[pass][cascade] == 0) return;
     const std::size_t n = static_cast<std::size_t>(slots_.resolution()), row_count = rows_a_job();
     const std::size_t first_row = job * row_count, texels = row_count * n;
     const bool with_velocities = has_velocities_ && pass == Pass::frame;
-    TileBuffers& buffers = slots_.buffers(tile);
+    CascadeBuffers& buffers = slots_.buffers(cascade);
     Rows surface, velocity;
     PartBounds bounds{};
     const auto spans_of = [texels](Rows& rows, std::size_t field) {
@@ -127,9 +127,9 @@ void WaveInputs::add_rows(Pass pass, std::size_t tile, std::size_t job) {
     };
     for (std::size_t number = 0; number < inputs_.size(); ++number) {
         const WaveInput& input = *inputs_[number];
-        if (!input.adds_to(tile)) continue;
+        if (!input.adds_to(cascade)) continue;
         InputRows rows{.moment = moments_[pass],
-                       .tile = tile,
+                       .cascade = cascade,
                        .first_row = first_row,
                        .row_count = row_count,
                        .dx = spans_of(surface, surface_dx),
@@ -152,11 +152,11 @@ void WaveInputs::add_rows(Pass pass, std::size_t tile, std::size_t job) {
         if (with_velocities)
             add_to(number, velocity, buffers.velocity, of_velocity, {"velocity_x", "velocity_y", "velocity_z"});
     }
-    if (pass == Pass::frame) bounds_[tile * jobs() + job] = bounds;
+    if (pass == Pass::frame) bounds_[cascade * jobs() + job] = bounds;
 }
 
-FrameBounds WaveInputs::bounds(std::size_t tile) const {
-    const PartBounds* const parts = bounds_.data() + tile * jobs();
+FrameBounds WaveInputs::bounds(std::size_t cascade) const {
+    const PartBounds* const parts = bounds_.data() + cascade * jobs();
     PartBounds all = *parts;
     for (std::size_t job = 1; job < jobs(); ++job) {
         all.height_min = std::min(all.height_min, parts[job].height_min);

@@ -1,4 +1,4 @@
-// What hosts add to the waves of the tiles (sim/wave_input.hpp): the stage `inputs` of each tile, between its source and what follows
+// What hosts add to the waves of the cascades (sim/wave_input.hpp): the stage `inputs` of each cascade, between its source and what follows
 // from the surface. Without inputs there is no such stage.
 #pragma once
 
@@ -26,35 +26,35 @@ class WaveInputs {
 
     bool empty() const { return inputs_.empty(); }
 
-    /// Adds the stage of a tile's pass, which adds to what its source leaves in the slot. Returns the one after which the surface
+    /// Adds the stage of a cascade's pass, which adds to what its source leaves in the slot. Returns the one after which the surface
     /// stands: without inputs the source's own.
-    StageId add_stage(JobGraph& graph, Pass pass, std::size_t tile, const FilledBy& filled);
+    StageId add_stage(JobGraph& graph, Pass pass, std::size_t cascade, const FilledBy& filled);
 
-    /// What the next run of the pass's stages adds. First the lattices, as the sources have begun the tiles; last what becomes of
-    /// each tile, whose slopes are as steep as both.
-    void set_lattice(Pass pass, std::size_t tile, const TileLattice& lattice) { lattices_[pass][tile] = lattice; }
+    /// What the next run of the pass's stages adds. First the lattices, as the sources have begun the cascades; last what becomes of
+    /// each cascade, whose slopes are as steep as both.
+    void set_lattice(Pass pass, std::size_t cascade, const CascadeLattice& lattice) { lattices_[pass][cascade] = lattice; }
     void begin(Pass pass, double time_s, double time_in_loop_s, double loop_period_s);
-    void begin_tile(Pass pass, std::size_t tile, Tile& at);
+    void begin_cascade(Pass pass, std::size_t cascade, Cascade& at);
 
-    /// Of the last run of frames: something was added to the tile, and these are the extremes of the sum.
-    bool adds_to(std::size_t tile) const { return adds_[Pass::frame][tile] != 0; }
-    FrameBounds bounds(std::size_t tile) const;
+    /// Of the last run of frames: something was added to the cascade, and these are the extremes of the sum.
+    bool adds_to(std::size_t cascade) const { return adds_[Pass::frame][cascade] != 0; }
+    FrameBounds bounds(std::size_t cascade) const;
 
     std::size_t bytes() const;  ///< without the inputs themselves
 
    private:
     std::size_t rows_a_job() const;
     std::size_t jobs() const { return static_cast<std::size_t>(slots_.resolution()) / rows_a_job(); }
-    void add_rows(Pass pass, std::size_t tile, std::size_t job);
+    void add_rows(Pass pass, std::size_t cascade, std::size_t job);
 
     FrameSlots& slots_;
     const Kernels& kernels_;
     List inputs_;
     bool has_velocities_;
     OfEachPass<InputMoment> moments_;
-    OfEachPass<std::vector<TileLattice>> lattices_;
-    OfEachPass<std::vector<std::uint8_t>> adds_;  ///< to the tile
-    std::vector<PartBounds> bounds_;              ///< of each job of each tile's frame
+    OfEachPass<std::vector<CascadeLattice>> lattices_;
+    OfEachPass<std::vector<std::uint8_t>> adds_;  ///< to the cascade
+    std::vector<PartBounds> bounds_;              ///< of each job of each cascade's frame
 };
 
 }  // namespace pelagic

@@ -1,4 +1,4 @@
-// What makes waves: fills the displacement of one tile, of frames and of the ticks that histories remember.
+// What makes waves: fills the displacement of one cascade, of frames and of the ticks that histories remember.
 #pragma once
 
 #include <array>
@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "pelagic/jobs/job_graph.hpp"
-#include "pelagic/sim/tile.hpp"
+#include "pelagic/sim/cascade.hpp"
 
 namespace pelagic {
 
@@ -47,12 +47,12 @@ class WaveSource {
    public:
     virtual ~WaveSource() = default;
 
-    /// Adds the stages of a pass, which fill the buffers of the source's tile in the slot that is the back one when they run.
+    /// Adds the stages of a pass, which fill the buffers of the source's cascade in the slot that is the back one when they run.
     /// The source outlives the graph's runs.
     virtual FilledBy add_stages(JobGraph& graph, Pass pass, const std::vector<StageId>& waits_for) = 0;
 
-    /// What the next run of the pass's stages makes. Says what the tile is, too. \pre none is in flight
-    virtual void begin(Pass pass, const SeaMoment& moment, Tile& tile) = 0;
+    /// What the next run of the pass's stages makes. Says what the cascade is, too. \pre none is in flight
+    virtual void begin(Pass pass, const SeaMoment& moment, Cascade& cascade) = 0;
     /// The extremes of the last run.
     virtual FrameBounds end_frame() = 0;
 

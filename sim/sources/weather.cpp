@@ -17,9 +17,9 @@ constexpr double bake_ahead_s = 10;
 /// A live ocean's: the sea that a frame in flight or a tick before it may still show.
 constexpr std::size_t remembered_changes = 2;
 
-int white_tiles_of(const std::vector<TilePlan>& plans) {
+int white_cascades_of(const std::vector<CascadePlan>& plans) {
     return static_cast<int>(
-        std::count_if(plans.begin(), plans.end(), [](const TilePlan& plan) { return plan.makes_whitecaps(); }));
+        std::count_if(plans.begin(), plans.end(), [](const CascadePlan& plan) { return plan.makes_whitecaps(); }));
 }
 
 }  // namespace
@@ -29,7 +29,7 @@ Weather::Weather(const Forecast& forecast) : next_{.forecast = forecast} {
     reach_ = reach_of(forecast, own);
     next_.forecast.largest_peak_m = reach_.peak_m;
     for (std::size_t index = 0; index <= forecast.changes.size(); ++index)
-        next_.plans.push_back(plan_tiles(forecast.sea(index), reach_, own[index]));
+        next_.plans.push_back(plan_cascades(forecast.sea(index), reach_, own[index]));
     next_.find_arrivals();
 }
 
@@ -44,7 +44,7 @@ void Weather::add(const SeaChange& change) {
     next.forecast = with(change, &next.first_number);
     next.plans.erase(next.plans.begin(),
                      next.plans.begin() + static_cast<std::ptrdiff_t>(next.first_number - next_.first_number));
-    next.plans.push_back(plan_tiles(change.sea, reach_));
+    next.plans.push_back(plan_cascades(change.sea, reach_));
     next.find_arrivals();
     std::swap(next_, next);
     if (shelf_.needs_any() && !in_flight_) in_flight_ = std::move(next);
@@ -111,8 +111,8 @@ Weather::Sums Weather::Sums::between(const Sums& before, const Sums& after, doub
     return sums;
 }
 
-Weather::Sums Weather::Sums::of(const LineFigures& figures, const TileLattice& lattice) {
-    const TileLattice::Place stokes = lattice.in_world(figures.stokes_x, figures.stokes_z);
+Weather::Sums Weather::Sums::of(const LineFigures& figures, const CascadeLattice& lattice) {
+    const CascadeLattice::Place stokes = lattice.in_world(figures.stokes_x, figures.stokes_z);
     return {figures.height_variance, figures.slopes.in_world(lattice), stokes.along, stokes.across};
 }
 
@@ -148,10 +148,10 @@ std::optional<std::size_t> Weather::wanted_soon(double time_s) const {
     return {};
 }
 
-void Weather::begin(const SeaState& sea, const std::vector<TilePlan>& plans, Sources sources) {
-    const double cover = cover_of_each(whitecap_cover(sea), white_tiles_of(plans));
-    for (std::size_t tile = 0; tile < plans.size(); ++tile)
-        sources[tile]->begin_spectrum(sea, plans[tile], plans[tile].makes_whitecaps() ? cover : 0);
+void Weather::begin(const SeaState& sea, const std::vector<CascadePlan>& plans, Sources sources) {
+    const double cover = cover_of_each(whitecap_cover(sea), white_cascades_of(plans));
+    for (std::size_t cascade = 0; cascade < plans.size(); ++cascade)
+        sources[cascade]->begin_spectrum(sea, plans[cascade], plans[cascade].makes_whitecaps() ? cover : 0);
 }
 
 void Weather::begin(std::size_t number, Sources sources) {
@@ -183,7 +183,7 @@ void Weather::adopt(Sources sources) {
 
 void Weather::begin_other(const SeaState& sea, Sources sources) {
     Forecast forecast{.first = sea};
-    other_.emplace(Other{forecast, WaveReach::of(sea), plan_tiles(sea)});
+    other_.emplace(Other{forecast, WaveReach::of(sea), plan_cascades(sea)});
     begin(sea, other_->plans, sources);
 }
 

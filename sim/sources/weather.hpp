@@ -16,7 +16,7 @@
 #include "pelagic/sim/sources/sea_shelf.hpp"
 #include "pelagic/sim/sources/sea_source.hpp"
 #include "pelagic/sim/spectrum/mean_square_slope.hpp"
-#include "pelagic/sim/tile_plan.hpp"
+#include "pelagic/sim/cascade_plan.hpp"
 
 namespace pelagic {
 
@@ -65,7 +65,7 @@ class Weather {
     void restart(Sources sources);
 
    private:
-    /// What all tiles of a sea add up to.
+    /// What all cascades of a sea add up to.
     struct Sums {
         double height_variance = 0;
         SlopeMoments slopes;                      ///< in the world's axes
@@ -74,7 +74,7 @@ class Weather {
         Sums& operator+=(const Sums& other);
         static Sums between(const Sums& before, const Sums& after, double part);
         /// The drift is Stokes'.
-        static Sums of(const LineFigures& figures, const TileLattice& lattice);
+        static Sums of(const LineFigures& figures, const CascadeLattice& lattice);
     };
     struct Baked {
         Sums sums;
@@ -86,14 +86,14 @@ class Weather {
     struct Other {
         Forecast forecast;
         WaveReach reach;
-        std::vector<TilePlan> plans;
+        std::vector<CascadePlan> plans;
     };
 
     /// A forecast, and what follows from it.
     struct Outlook {
         Forecast forecast;
         /// Of each sea: to find one out takes longer than a frame has time for.
-        std::vector<std::vector<TilePlan>> plans = {};
+        std::vector<std::vector<CascadePlan>> plans = {};
         /// Of each change; none: all of its waves come together.
         std::vector<std::optional<Arrival>> arrivals = {};
         std::size_t first_number = 0;  ///< of forecast.first
@@ -108,7 +108,7 @@ class Weather {
     const SeaState& sea(std::size_t number) const { return outlook_of(number).sea(number); }
     static Sums arriving(const Baked& before, const Baked& after, const SeaMoment& moment);
     static SeaFigures figures_of(const SeaState& sea, const Sums& sums);
-    void begin(const SeaState& sea, const std::vector<TilePlan>& plans, Sources sources);
+    void begin(const SeaState& sea, const std::vector<CascadePlan>& plans, Sources sources);
 
     WaveReach reach_;
     Outlook next_;                      ///< of frames to come

@@ -31,26 +31,26 @@ bool stands_before(const LatticeWave& a, const LatticeWave& b) {
 
 }  // namespace
 
-TileWaves::TileWaves(const SeaState& sea, const TilePlan& tile) : seed_(sea.seed), tile_(tile) {
+CascadeWaves::CascadeWaves(const SeaState& sea, const CascadePlan& cascade) : seed_(sea.seed), cascade_(cascade) {
     if (sea.waves == WaveModel::spectrum) {
-        spectrum_.emplace(sea, tile);
+        spectrum_.emplace(sea, cascade);
     } else {
-        list_ = lattice_waves(sea, tile);
+        list_ = lattice_waves(sea, cascade);
         std::stable_sort(list_.begin(), list_.end(), stands_before);
     }
 }
 
-TileWaves::MirroredVariances TileWaves::variances(int m, int n) const {
+CascadeWaves::MirroredVariances CascadeWaves::variances(int m, int n) const {
     if (!spectrum_)
         return {{listed(m, n).variance, listed(-m, -n).variance}, {listed(-m, n).variance, listed(m, -n).variance}};
-    return tile_.is_banded() ? cell_variances(m, n) : point_variances(m, n);
+    return cascade_.is_banded() ? cell_variances(m, n) : point_variances(m, n);
 }
 
 /// What the cells of two wave vectors would hold if the spectrum were everywhere in them as at these places.
-TileWaves::MirroredVariances TileWaves::point_variances(double m, double n) const {
-    const double spacing = tile_.spacing();
+CascadeWaves::MirroredVariances CascadeWaves::point_variances(double m, double n) const {
+    const double spacing = cascade_.spacing();
     const double along = m * spacing, across = n * spacing;
-    const auto [c, s] = std::pair(tile_.lattice.cosine, tile_.lattice.sine);
+    const auto [c, s] = std::pair(cascade_.lattice.cosine, cascade_.lattice.sine);
     const WaveSpectrum::Shell shell = spectrum_->shell(std::sqrt(along * along + across * across));
     return {spectrum_->amplitude_variances(shell, c * along - s * across, s * along + c * across),
             spectrum_->amplitude_variances(shell, -c * along - s * across, c * across - s * along)};
@@ -58,9 +58,9 @@ TileWaves::MirroredVariances TileWaves::point_variances(double m, double n) cons
 
 /// The means over that part of the cells which is in the band, from points in rows of as many as it takes: where an end of the
 /// band cuts the cell, and where the spectrum changes much from one side of it to the other.
-TileWaves::MirroredVariances TileWaves::cell_variances(int m, int n) const {
+CascadeWaves::MirroredVariances CascadeWaves::cell_variances(int m, int n) const {
     const double steps = std::sqrt(static_cast<double>(m) * m + static_cast<double>(n) * n);
-    const double least = tile_.least_k / tile_.spacing(), most = tile_.most_k / tile_.spacing();
+    const double least = cascade_.least_k / cascade_.spacing(), most = cascade_.most_k / cascade_.spacing();
     if (steps + half_diagonal < least || steps - half_diagonal >= most) return {};
     const bool is_cut = steps - half_diagonal < least || steps + half_diagonal >= most;
     const int points = is_cut ? points_of_cut_cell : steps < steps_of_wide_cells ? points_of_wide_cell : 1;
@@ -84,25 +84,25 @@ TileWaves::MirroredVariances TileWaves::cell_variances(int m, int n) const {
     return {{sum.plus.along * share, sum.plus.against * share}, {sum.minus.along * share, sum.minus.against * share}};
 }
 
-TileWaves::MirroredPair TileWaves::pair(int m, int n) const {
+CascadeWaves::MirroredPair CascadeWaves::pair(int m, int n) const {
     if (!spectrum_) return {{listed(m, n), listed(-m, -n)}, {listed(-m, n), listed(m, -n)}};
     const auto [plus, minus] = variances(m, n);
     return {{drawn(plus.along, m, n), drawn(plus.against, -m, -n)},
             {drawn(minus.along, -m, n), drawn(minus.against, m, -n)}};
 }
 
-std::complex<double> TileWaves::amplitude(int m, int n) const {
+std::complex<double> CascadeWaves::amplitude(int m, int n) const {
     if (!spectrum_) return listed(m, n).amplitude;
     return holds(m, n) ? drawn(variances(m, n).plus.along, m, n).amplitude : std::complex<double>{};
 }
 
-double TileWaves::drawn_square(double variance, int m, int n) const {
+double CascadeWaves::drawn_square(double variance, int m, int n) const {
     if (!spectrum_) return variance;
-    return 0.5 * variance * gaussian_pair_square(seed_, tile_.number, m, n);
+    return 0.5 * variance * gaussian_pair_square(seed_, cascade_.number, m, n);
 }
 
 /// The sum of those at a place.
-Wave TileWaves::listed(int m, int n) const {
+Wave CascadeWaves::listed(int m, int n) const {
     const LatticeWave wanted{.at = {m, n}, .amplitude_m = 0, .phase_turns = 0};
     Wave wave;
     for (auto at = std::lower_bound(list_.begin(), list_.end(), wanted, stands_before);
@@ -112,11 +112,11 @@ Wave TileWaves::listed(int m, int n) const {
     return wave;
 }
 
-Wave TileWaves::drawn(double variance, int m, int n) const {
+Wave CascadeWaves::drawn(double variance, int m, int n) const {
     // Both parts of the draw have variance 1, so half of E|h0|^2 belongs to each.
     const double scale = std::sqrt(0.5 * variance);
     if (scale < least_amplitude_m) return {};
-    const GaussianPair draw = gaussian_pair(seed_, tile_.number, m, n);
+    const GaussianPair draw = gaussian_pair(seed_, cascade_.number, m, n);
     return {{draw.re * scale, draw.im * scale}, variance};
 }
 

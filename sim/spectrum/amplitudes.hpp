@@ -1,4 +1,4 @@
-// The waves of one tile: how much each holds in the mean, and which this seed drew. An analytic sea's stand in a list: no
+// The waves of one cascade: how much each holds in the mean, and which this seed drew. An analytic sea's stand in a list: no
 // seed draws them, so that all hold just their mean.
 #pragma once
 
@@ -10,7 +10,7 @@
 #include "pelagic/sim/sea_state.hpp"
 #include "pelagic/sim/spectrum/spectra.hpp"
 #include "pelagic/sim/spectrum/wave_list.hpp"
-#include "pelagic/sim/tile_plan.hpp"
+#include "pelagic/sim/cascade_plan.hpp"
 
 namespace pelagic {
 
@@ -29,12 +29,12 @@ struct OppositeWaves {
 };
 
 /// Const and thread-safe.
-class TileWaves {
+class CascadeWaves {
    public:
-    /// \pre check(sea) is empty; `tile` is one of plan_tiles(sea)
-    TileWaves(const SeaState& sea, const TilePlan& tile);
+    /// \pre check(sea) is empty; `cascade` is one of plan_cascades(sea)
+    CascadeWaves(const SeaState& sea, const CascadePlan& cascade);
 
-    const TilePlan& tile() const { return tile_; }
+    const CascadePlan& cascade() const { return cascade_; }
     /// \pre the sea has one
     const WaveSpectrum& spectrum() const { return *spectrum_; }
     /// What its waves run in.
@@ -43,7 +43,7 @@ class TileWaves {
     /// DC (VR Ocean, equation 14) and the Nyquist row and column hold no waves: the partner -k of a wave of those is itself on
     /// the grid, so it can't be told which way it runs.
     bool holds(int m, int n) const {
-        const int nyquist = tile_.resolution / 2;
+        const int nyquist = cascade_.resolution / 2;
         return (m != 0 || n != 0) && m != -nyquist && n != -nyquist;
     }
 
@@ -63,7 +63,7 @@ class TileWaves {
     /// |h0|^2 of the wave (m, n) that this seed drew, m^2, where E|h0|^2 is `variance`; for less than the wave itself.
     double drawn_square(double variance, int m, int n) const;
 
-    /// h0 of the wave numbers (m, n), metres (VR Ocean, equation 13); 0 where the tile holds no wave.
+    /// h0 of the wave numbers (m, n), metres (VR Ocean, equation 13); 0 where the cascade holds no wave.
     std::complex<double> amplitude(int m, int n) const;
 
    private:
@@ -73,7 +73,7 @@ class TileWaves {
     Wave listed(int m, int n) const;
 
     std::uint32_t seed_;
-    TilePlan tile_;
+    CascadePlan cascade_;
     std::optional<WaveSpectrum> spectrum_;  ///< none: the list has all waves
     std::vector<LatticeWave> list_;         ///< by place
 };

@@ -5,7 +5,7 @@
 #include "pelagic/sim/spectrum/mean_square_slope.hpp"
 #include "pelagic/sim/spectrum/spectral_peak.hpp"
 #include "pelagic/sim/spectrum/wave_list.hpp"
-#include "pelagic/sim/tile_plan.hpp"
+#include "pelagic/sim/cascade_plan.hpp"
 #include "pelagic/simd/det_math.hpp"
 
 namespace pelagic {
@@ -13,30 +13,30 @@ namespace {
 
 constexpr double two_pi = 6.28318530717958647693;
 
-/// The side of the paper's one tile, whose scale depends on it.
+/// The side of the paper's one cascade, whose scale depends on it.
 constexpr double papers_side_m = 250;
 
-/// The coarsest tile has so many of the peak's waves: it repeats beyond what the eye compares.
+/// The coarsest cascade has so many of the peak's waves: it repeats beyond what the eye compares.
 constexpr double peak_waves = 16;
 constexpr double least_side_m = 1, most_side_m = 1e5;
 
-/// A wave has at least so many texels, and a tile's longest so many steps of the lattice between it and k = 0, so that its
+/// A wave has at least so many texels, and a cascade's longest so many steps of the lattice between it and k = 0, so that its
 /// directions are many.
 constexpr double texels_a_wave = 3;
 constexpr double steps_a_band = 6;
 
-/// No tile is more than nearly as long as the one above it.
+/// No cascade is more than nearly as long as the one above it.
 constexpr double least_ratio = 1.5;
 
 /// Shorter waves nobody sees.
 constexpr double shortest_wave_m = 0.02;
 
-/// Tiles hold this part of Cox and Munk's mean square slope at most. In light winds the spectra, whose tails know no ripples, have
+/// Cascades hold this part of Cox and Munk's mean square slope at most. In light winds the spectra, whose tails know no ripples, have
 /// more.
 constexpr double most_of_slopes = 0.9;
 
 /// Lattices are turned against each other by this part of a quarter turn, which meets no earlier one: the golden ratio's.
-constexpr double turn_a_tile = 0.25 * 0.6180339887498949;
+constexpr double turn_a_cascade = 0.25 * 0.6180339887498949;
 
 /// Two digits are enough for a side. `up`: not less than the value.
 double short_number(double value, bool up) {
@@ -47,7 +47,7 @@ double short_number(double value, bool up) {
     return unit < 1 ? digits / std::floor(1 / unit + 0.5) : digits * unit;
 }
 
-/// Where the slopes of the model reach what tiles may hold, rad/m; the shortest wave's if they never do.
+/// Where the slopes of the model reach what cascades may hold, rad/m; the shortest wave's if they never do.
 double end_of_slopes(const WaveSpectrum& spectrum, const SeaState& sea) {
     const double most = most_of_slopes * measured_slopes(sea.wind_speed_mps).total();
     constexpr double ratio = 1.02;
@@ -60,7 +60,7 @@ double end_of_slopes(const WaveSpectrum& spectrum, const SeaState& sea) {
     return last;
 }
 
-bool is_stack(const SeaState& sea) { return !is_tile_for_good(sea); }
+bool is_stack(const SeaState& sea) { return !is_cascade_for_good(sea); }
 
 /// An analytic sea's shortest wave is held though sides are rounded up, each by a tenth at most.
 constexpr double margin_of_shortest = 4.0 / 3;
@@ -70,12 +70,12 @@ WaveSpectrum spectrum_of_stack(const SeaState& sea) {
             {.lattice = {.side_m = papers_side_m}, .resolution = resolution_of(sea), .has_surface_tension = true}};
 }
 
-std::vector<TilePlan> with_few_waves(std::vector<TilePlan> tiles) {
-    for (std::size_t i = 0; i + 1 < tiles.size(); ++i) {
-        const double edge = std::min(tiles[i].most_k, steps_of_few_waves * tiles[i + 1].spacing());
-        tiles[i].most_k = tiles[i + 1].least_k = edge;
+std::vector<CascadePlan> with_few_waves(std::vector<CascadePlan> cascades) {
+    for (std::size_t i = 0; i + 1 < cascades.size(); ++i) {
+        const double edge = std::min(cascades[i].most_k, steps_of_few_waves * cascades[i + 1].spacing());
+        cascades[i].most_k = cascades[i + 1].least_k = edge;
     }
-    return tiles;
+    return cascades;
 }
 
 /// Where the waves of a sea end, rad/m.
@@ -84,7 +84,7 @@ double end_of_waves(const SeaState& sea) {
     return end_of_slopes(spectrum_of_stack(sea), sea);
 }
 
-std::vector<TilePlan> plan_stack(const SeaState& sea, const WaveReach& reach, double end_k) {
+std::vector<CascadePlan> plan_stack(const SeaState& sea, const WaveReach& reach, double end_k) {
     const int count = cascades_of(sea), n = resolution_of(sea);
     const double coarsest_m =
         std::clamp(short_number(std::clamp(peak_waves * reach.peak_m, least_side_m, most_side_m), false),
@@ -98,12 +98,12 @@ std::vector<TilePlan> plan_stack(const SeaState& sea, const WaveReach& reach, do
         ratio = std::clamp(wanted, least_ratio, widest);
     }
 
-    std::vector<TilePlan> tiles;
+    std::vector<CascadePlan> cascades;
     double side_m = coarsest_m, least_k = 0;
     for (int number = 0; number < count; ++number) {
-        const det::SineCosine turn = det::sine_cosine_of_turns(turn_a_tile * number);
+        const det::SineCosine turn = det::sine_cosine_of_turns(turn_a_cascade * number);
         const double most_k = two_pi * n / (texels_a_wave * side_m);
-        tiles.push_back({.lattice = {.side_m = side_m, .cosine = turn.cosine, .sine = turn.sine},
+        cascades.push_back({.lattice = {.side_m = side_m, .cosine = turn.cosine, .sine = turn.sine},
                          .resolution = n,
                          .number = number,
                          .least_k = least_k,
@@ -112,7 +112,7 @@ std::vector<TilePlan> plan_stack(const SeaState& sea, const WaveReach& reach, do
         least_k = most_k;
         side_m = short_number(side_m / ratio, true);
     }
-    return tiles;
+    return cascades;
 }
 
 }  // namespace
@@ -130,11 +130,11 @@ WaveReach& WaveReach::extend_to(const WaveReach& other) {
     return *this;
 }
 
-std::vector<TilePlan> plan_tiles(const SeaState& sea, const WaveReach& reach) {
-    return plan_tiles(sea, reach, {.peak_m = 0, .end_k = is_stack(sea) ? end_of_waves(sea) : 0});
+std::vector<CascadePlan> plan_cascades(const SeaState& sea, const WaveReach& reach) {
+    return plan_cascades(sea, reach, {.peak_m = 0, .end_k = is_stack(sea) ? end_of_waves(sea) : 0});
 }
 
-std::vector<TilePlan> plan_tiles(const SeaState& sea, const WaveReach& reach, const WaveReach& own) {
+std::vector<CascadePlan> plan_cascades(const SeaState& sea, const WaveReach& reach, const WaveReach& own) {
     if (is_stack(sea) && sea.waves == WaveModel::analytic) return with_few_waves(plan_stack(sea, reach, own.end_k));
     if (is_stack(sea)) return plan_stack(sea, reach, own.end_k);
     const double chosen_m = sea.waves == WaveModel::exp_sine ? pond_side_m(sea) : papers_side_m;
@@ -142,9 +142,9 @@ std::vector<TilePlan> plan_tiles(const SeaState& sea, const WaveReach& reach, co
              .resolution = resolution_of(sea)}};
 }
 
-std::vector<TilePlan> plan_tiles(const SeaState& sea) {
+std::vector<CascadePlan> plan_cascades(const SeaState& sea) {
     const WaveReach own = WaveReach::of(sea);
-    return plan_tiles(sea, own, own);
+    return plan_cascades(sea, own, own);
 }
 
 }  // namespace pelagic

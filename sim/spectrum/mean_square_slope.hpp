@@ -1,9 +1,9 @@
-// How steep the sea is: what was measured over a wind, what the waves of a tile have of it, and what is left for the light.
+// How steep the sea is: what was measured over a wind, what the waves of a cascade have of it, and what is left for the light.
 #pragma once
 
 #include "pelagic/sim/sea_state.hpp"
 #include "pelagic/sim/slope_variance.hpp"
-#include "pelagic/sim/tile.hpp"
+#include "pelagic/sim/cascade.hpp"
 
 namespace pelagic {
 
@@ -17,8 +17,8 @@ struct SlopeMoments {
     SlopeMoments& operator+=(const SlopeMoments& other);
     SlopeMoments operator*(double weight) const;  ///< of waves with so much of their energy
 
-    /// Those of a tile, along its own axes, along the world's.
-    SlopeMoments in_world(const TileLattice& lattice) const;
+    /// Those of a cascade, along its own axes, along the world's.
+    SlopeMoments in_world(const CascadeLattice& lattice) const;
     /// Along a wind and across it. \pre the axes are the world's
     SlopeVariance around(double wind_direction_rad) const;
 };
@@ -27,12 +27,12 @@ struct SlopeMoments {
 /// that both sums together are the measured one, unless the waves alone have more.
 SlopeVariance unresolved_slopes(const SlopeVariance& resolved, double wind_speed_mps);
 
-/// What a sea's tiles leave to the light: unresolved_slopes() in its wind, but of a pond what its texels hide of its own octaves,
+/// What a sea's cascades leave to the light: unresolved_slopes() in its wind, but of a pond what its texels hide of its own octaves,
 /// which are all that it has.
 SlopeVariance slopes_left(const SeaState& sea, const SlopeVariance& resolved);
 
 /// What the smoothness channel says: the sea's own roughness if it has one, else alpha of a GGX surface whose mean square
-/// slope, alpha^2, is what the tiles leave; at most 1.
+/// slope, alpha^2, is what the cascades leave; at most 1.
 double roughness_of(const SeaState& sea, const SlopeVariance& unresolved);
 
 }  // namespace pelagic

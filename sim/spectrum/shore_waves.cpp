@@ -21,21 +21,21 @@ constexpr int shells = 256, directions = 180;
 // Which of the directions' eight quantiles a wave takes, so that neighbours in frequency run far apart.
 constexpr std::array quantiles = {3, 6, 0, 5, 2, 7, 1, 4};
 
-// Waves are drawn as if they were waves of a tile that no stack has.
+// Waves are drawn as if they were waves of a cascade that no stack has.
 constexpr int shore_draws = 1000;
 
-/// Wave numbers of a tile: as far as its lattice reaches where a band has no end.
+/// Wave numbers of a cascade: as far as its lattice reaches where a band has no end.
 struct Reach {
     double least_k, most_k;
-    explicit Reach(const TilePlan& tile)
-        : least_k(std::max(tile.least_k, 0.5 * tile.spacing())),
-          most_k(std::min(tile.most_k, 0.5 * tile.resolution * tile.spacing())) {}
+    explicit Reach(const CascadePlan& cascade)
+        : least_k(std::max(cascade.least_k, 0.5 * cascade.spacing())),
+          most_k(std::min(cascade.most_k, 0.5 * cascade.resolution * cascade.spacing())) {}
 };
 
 /// Calls with (k, energy of the shell) from long waves to short ones.
 template <class Take>
-void for_shells(const WaveSpectrum& spectrum, const TilePlan& tile, Take take) {
-    const Reach reach(tile);
+void for_shells(const WaveSpectrum& spectrum, const CascadePlan& cascade, Take take) {
+    const Reach reach(cascade);
     const double ratio = det::pow(reach.most_k / reach.least_k, 1.0 / shells), step = det::log(ratio);
     double k = reach.least_k * std::sqrt(ratio);
     for (int shell = 0; shell < shells; ++shell, k *= ratio) take(k, spectrum.radial_density(k) * k * step);
@@ -62,7 +62,7 @@ double direction_turns(const WaveSpectrum& spectrum, double k, double wind_turns
     return wind_turns;
 }
 
-std::vector<ShoreWave> drawn_waves(const SeaState& sea, const TilePlan& coarsest) {
+std::vector<ShoreWave> drawn_waves(const SeaState& sea, const CascadePlan& coarsest) {
     const WaveSpectrum spectrum(sea, coarsest);
     double all = 0;
     for_shells(spectrum, coarsest, [&](double, double energy) { all += energy; });
@@ -108,7 +108,7 @@ std::vector<ShoreWave> drawn_waves(const SeaState& sea, const TilePlan& coarsest
     return waves;
 }
 
-std::vector<ShoreWave> listed_waves(const SeaState& sea, const TilePlan& coarsest) {
+std::vector<ShoreWave> listed_waves(const SeaState& sea, const CascadePlan& coarsest) {
     std::vector<ShoreWave> waves;
     for (const LatticeWave& wave : lattice_waves(sea, coarsest)) {
         const double length = wave.at.steps();
@@ -133,18 +133,18 @@ std::vector<ShoreWave> listed_waves(const SeaState& sea, const TilePlan& coarses
 
 }  // namespace
 
-std::vector<ShoreWave> shore_waves(const SeaState& sea, const TilePlan& coarsest) {
+std::vector<ShoreWave> shore_waves(const SeaState& sea, const CascadePlan& coarsest) {
     return sea.waves == WaveModel::analytic ? listed_waves(sea, coarsest) : drawn_waves(sea, coarsest);
 }
 
-DepthPart::DepthPart(const SeaState& sea, const TilePlan& tile) {
+DepthPart::DepthPart(const SeaState& sea, const CascadePlan& cascade) {
     if (sea.waves == WaveModel::analytic) {
-        for (const LatticeWave& wave : lattice_waves(sea, tile))
-            if (const double k = wave.at.steps() * tile.spacing(); k > 0)
+        for (const LatticeWave& wave : lattice_waves(sea, cascade))
+            if (const double k = wave.at.steps() * cascade.spacing(); k > 0)
                 bands_.push_back({angular_frequency(k, deep_water), 0.5 * wave.amplitude_m * wave.amplitude_m, 1});
     } else {
-        const WaveSpectrum spectrum(sea, tile);
-        for_shells(spectrum, tile, [&](double k, double energy) {
+        const WaveSpectrum spectrum(sea, cascade);
+        for_shells(spectrum, cascade, [&](double k, double energy) {
             if (energy > 0)
                 bands_.push_back({angular_frequency(k, spectrum.water().depth_m), energy,
                                   depth_factor(k, spectrum.water().depth_m)});

@@ -1,4 +1,4 @@
-// The waves of a sea that a shore takes from the tiles: the long ones, few enough to follow each over the floor; and what a depth
+// The waves of a sea that a shore takes from the cascades: the long ones, few enough to follow each over the floor; and what a depth
 // leaves of those that stay.
 #pragma once
 
@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "pelagic/sim/sea_state.hpp"
-#include "pelagic/sim/tile_plan.hpp"
+#include "pelagic/sim/cascade_plan.hpp"
 
 namespace pelagic {
 
@@ -23,20 +23,20 @@ struct ShoreWave {
     double variance() const { return 0.5 * amplitude_m * amplitude_m; }
 };
 
-/// Of the coarsest tile of a sea, longest first, with its whole energy. Of a spectrum 32 waves of equal energy, which share the
+/// Of the coarsest cascade of a sea, longest first, with its whole energy. Of a spectrum 32 waves of equal energy, which share the
 /// frequencies among them; at each the direction is a quantile of the energy's, and the phase is drawn by the seed. Of an analytic
-/// sea the tile's own waves, the 32 strongest. None where the tile holds no energy.
+/// sea the cascade's own waves, the 32 strongest. None where the cascade holds no energy.
 /// \pre check(sea) is empty; the waves are a physical spectrum's or an analytic sea's
-std::vector<ShoreWave> shore_waves(const SeaState& sea, const TilePlan& coarsest);
+std::vector<ShoreWave> shore_waves(const SeaState& sea, const CascadePlan& coarsest);
 
-/// How much of the height of a tile's waves a depth leaves: no more energy than the TMA spectrum bears there (Bouws et al. 1985), wave
+/// How much of the height of a cascade's waves a depth leaves: no more energy than the TMA spectrum bears there (Bouws et al. 1985), wave
 /// number by wave number, and no higher than water breaks (highest_over_depth). 0 on land, at most 1.
 class DepthPart {
    public:
     /// \pre as above
-    DepthPart(const SeaState& sea, const TilePlan& tile);
+    DepthPart(const SeaState& sea, const CascadePlan& cascade);
     double at(double depth_m) const;
-    double variance() const { return variance_; }  ///< m^2, of the tile's heights in the open sea
+    double variance() const { return variance_; }  ///< m^2, of the cascade's heights in the open sea
 
    private:
     struct Band {

@@ -52,12 +52,12 @@ double effective_fetch_m(const SeaState& sea) {
     return std::min(sea.fetch_m, full_development * sea.wind_speed_mps * sea.wind_speed_mps / gravity_mps2);
 }
 
-WaveSpectrum::WaveSpectrum(const SeaState& sea, const TilePlan& tile)
+WaveSpectrum::WaveSpectrum(const SeaState& sea, const CascadePlan& cascade)
     : sea_(sea),
-      water_(sea.depth_m, tile.has_surface_tension ? sea_surface_tension_m3ps2 : 0),
+      water_(sea.depth_m, cascade.has_surface_tension ? sea_surface_tension_m3ps2 : 0),
       paper_spreading_(sea.alignment),
       largest_wave_m_(sea.wind_speed_mps * sea.wind_speed_mps / gravity_mps2),
-      grid_spacing_(tile.spacing()),
+      grid_spacing_(cascade.spacing()),
       peak_(deep_peak(sea)),
       cutoff_m_(cutoff_length(sea, peak_)),
       swell_variance_(sea.swell_height_m * sea.swell_height_m / 16),
@@ -71,8 +71,8 @@ WaveSpectrum::WaveSpectrum(const SeaState& sea, const TilePlan& tile)
     swell_z_ = swell.sine;
 
     // A = A_fft^2 A_spatial^2 with A_fft = N^(-1/4), A_spatial = e / L: VR Ocean, equations 4 and 5.
-    const double spatial = euler_e / tile.lattice.side_m;
-    paper_scale_ = spatial * spatial / std::sqrt(static_cast<double>(tile.resolution));
+    const double spatial = euler_e / cascade.lattice.side_m;
+    paper_scale_ = spatial * spatial / std::sqrt(static_cast<double>(cascade.resolution));
 
     const double speed = sea.wind_speed_mps;
     jonswap_alpha_ = 0.076 * det::pow(speed * speed / (effective_fetch_m(sea) * gravity_mps2), 0.22);

@@ -21,7 +21,7 @@ constexpr double pond_ratio = 45;  // pond.growth^(pond.octaves - 1)
 /// Of an analytic sea (analytic_wave_fields()).
 constexpr double least_wave_m = 0.01;
 
-/// A pond's tile has so many of its longest waves.
+/// A pond's cascade has so many of its longest waves.
 constexpr double pond_waves = 6;
 
 double or_chosen(double value, double chosen) { return value > 0 ? value : chosen; }
@@ -54,28 +54,28 @@ std::string check_pond(const SeaState& sea) {
 }
 
 std::string check_analytic(const SeaState& sea) {
-    const PlaneWaves held = waves_of_tiles(sea);
+    const PlaneWaves held = waves_of_cascades(sea);
     if (held.waves.empty())
-        return refusal("longest_wave_m", longest_wave_of(sea), "longer waves: the tiles' texels hold none of these");
+        return refusal("longest_wave_m", longest_wave_of(sea), "longer waves: the cascades' texels hold none of these");
     if (const double steepness = steepness_of(held); steepness > most_steepness)
         return refusal(
             "steepness", rounded_text(steepness, 4),
             "at most " + number_text(most_steepness) +
-                ", the sum of k A of the waves on their tiles: ask for less wave_height_m or wave_strength");
+                ", the sum of k A of the waves on their cascades: ask for less wave_height_m or wave_strength");
     return one_line(check(held));
 }
 
 }  // namespace
 
-LatticePlace nearest_place(const TileLattice& lattice, double turns_per_m_x, double turns_per_m_z) {
-    const auto [along, across] = lattice.in_tile(turns_per_m_x, turns_per_m_z);
+LatticePlace nearest_place(const CascadeLattice& lattice, double turns_per_m_x, double turns_per_m_z) {
+    const auto [along, across] = lattice.in_cascade(turns_per_m_x, turns_per_m_z);
     const auto nearest = [&](double turns_per_m) {
         return static_cast<int>(std::floor(turns_per_m * lattice.side_m + 0.5));
     };
     return {nearest(along), nearest(across)};
 }
 
-TileLattice::Place turns_per_m_of(const TileLattice& lattice, const LatticePlace& at) {
+CascadeLattice::Place turns_per_m_of(const CascadeLattice& lattice, const LatticePlace& at) {
     return lattice.in_world(at.m / lattice.side_m, at.n / lattice.side_m);
 }
 
@@ -117,27 +117,27 @@ AnalyticSea analytic_sea_of(const SeaState& sea) {
     return sea.wave_height_m > 0 ? with_significant_height(std::move(asked), sea.wave_height_m) : asked;
 }
 
-std::vector<LatticeWave> lattice_waves(const SeaState& sea, const TilePlan& tile) {
+std::vector<LatticeWave> lattice_waves(const SeaState& sea, const CascadePlan& cascade) {
     const DefaultFloatEnvironment environment;
-    const int nyquist = tile.resolution / 2;
+    const int nyquist = cascade.resolution / 2;
     std::vector<LatticeWave> waves;
     for (const PlaneWave& wave : plane_waves_of(analytic_sea_of(sea)).waves) {
         const double k = two_pi * wave.turns_per_m();
-        if (k < tile.least_k || k >= tile.most_k) continue;
-        const LatticePlace at = nearest_place(tile.lattice, wave.turns_per_m_x, wave.turns_per_m_z);
+        if (k < cascade.least_k || k >= cascade.most_k) continue;
+        const LatticePlace at = nearest_place(cascade.lattice, wave.turns_per_m_x, wave.turns_per_m_z);
         if (std::max(std::abs(at.m), std::abs(at.n)) >= nyquist) continue;
         waves.push_back({at, wave.amplitude_m, wave.phase_turns});
     }
     return waves;
 }
 
-PlaneWaves waves_of_tiles(const SeaState& sea) {
+PlaneWaves waves_of_cascades(const SeaState& sea) {
     const DefaultFloatEnvironment environment;
     PlaneWaves held{.waves = {}, .choppiness = sea.choppiness};
-    for (const TilePlan& tile : plan_tiles(sea)) {
-        for (const LatticeWave& wave : lattice_waves(sea, tile)) {
-            const auto [x, z] = turns_per_m_of(tile.lattice, wave.at);
-            const double omega = angular_frequency(wave.at.steps() * tile.spacing(), deep_water);
+    for (const CascadePlan& cascade : plan_cascades(sea)) {
+        for (const LatticeWave& wave : lattice_waves(sea, cascade)) {
+            const auto [x, z] = turns_per_m_of(cascade.lattice, wave.at);
+            const double omega = angular_frequency(wave.at.steps() * cascade.spacing(), deep_water);
             held.waves.push_back({.amplitude_m = wave.amplitude_m,
                                   .turns_per_m_x = x,
                                   .turns_per_m_z = z,
@@ -166,14 +166,14 @@ ExpSineSea exp_sine_sea_of(const SeaState& sea) {
     return asked;
 }
 
-std::vector<LatticeOctave> lattice_octaves(const SeaState& sea, const TilePlan& tile) {
+std::vector<LatticeOctave> lattice_octaves(const SeaState& sea, const CascadePlan& cascade) {
     const DefaultFloatEnvironment environment;
-    const double texel_m = tile.lattice.side_m / tile.resolution;
+    const double texel_m = cascade.lattice.side_m / cascade.resolution;
     std::vector<LatticeOctave> octaves;
     for (const ExpSineOctave& asked : octaves_of(exp_sine_sea_of(sea))) {
-        const LatticePlace at = nearest_place(tile.lattice, asked.turns_per_m_x, asked.turns_per_m_z);
+        const LatticePlace at = nearest_place(cascade.lattice, asked.turns_per_m_x, asked.turns_per_m_z);
         LatticeOctave moved{.at = at, .harmonic = 0, .octave = asked, .shown = 0};
-        const auto [x, z] = turns_per_m_of(tile.lattice, at);
+        const auto [x, z] = turns_per_m_of(cascade.lattice, at);
         moved.octave.turns_per_m_x = x;
         moved.octave.turns_per_m_z = z;
         const double per_m = moved.octave.turns_per_m();
@@ -185,9 +185,9 @@ std::vector<LatticeOctave> lattice_octaves(const SeaState& sea, const TilePlan& 
     return octaves;
 }
 
-std::vector<ExpSineOctave> octaves_of_tile(const SeaState& sea) {
+std::vector<ExpSineOctave> octaves_of_cascade(const SeaState& sea) {
     std::vector<ExpSineOctave> octaves;
-    for (const LatticeOctave& moved : lattice_octaves(sea, plan_tiles(sea).front())) octaves.push_back(moved.octave);
+    for (const LatticeOctave& moved : lattice_octaves(sea, plan_cascades(sea).front())) octaves.push_back(moved.octave);
     return octaves;
 }
 

@@ -1,4 +1,4 @@
-// The waves of a sea that has no spectrum, but a list of them, on the lattices of its tiles.
+// The waves of a sea that has no spectrum, but a list of them, on the lattices of its cascades.
 #pragma once
 
 #include <complex>
@@ -7,17 +7,17 @@
 #include <string>
 #include <vector>
 
-#include "pelagic/sim/closed_form_tiles.hpp"
+#include "pelagic/sim/closed_form_cascades.hpp"
 #include "pelagic/sim/slope_variance.hpp"
 #include "pelagic/sim/spectrum/dispersion.hpp"
-#include "pelagic/sim/tile_plan.hpp"
+#include "pelagic/sim/cascade_plan.hpp"
 
 namespace pelagic {
 
 /// Deeper than any wave feels.
 inline constexpr Water deep_water(1e7);
 
-/// The wave vector (2 pi / L)(m, n) of a tile.
+/// The wave vector (2 pi / L)(m, n) of a cascade.
 struct LatticePlace {
     int m = 0, n = 0;
 
@@ -26,10 +26,10 @@ struct LatticePlace {
 };
 
 /// The one nearest to a wave vector, which is given by its turns a metre along the world's axes; and the other way round.
-LatticePlace nearest_place(const TileLattice& lattice, double turns_per_m_x, double turns_per_m_z);
-TileLattice::Place turns_per_m_of(const TileLattice& lattice, const LatticePlace& at);
+LatticePlace nearest_place(const CascadeLattice& lattice, double turns_per_m_x, double turns_per_m_z);
+CascadeLattice::Place turns_per_m_of(const CascadeLattice& lattice, const LatticePlace& at);
 
-/// A wave of an analytic sea on a tile's lattice.
+/// A wave of an analytic sea on a cascade's lattice.
 struct LatticeWave {
     LatticePlace at;
     double amplitude_m, phase_turns;
@@ -38,10 +38,10 @@ struct LatticeWave {
     std::complex<double> half_amplitude() const;
 };
 
-/// The waves of one of plan_tiles(sea). Two may be at one place. \pre check(sea) is empty and sea.waves is analytic
-std::vector<LatticeWave> lattice_waves(const SeaState& sea, const TilePlan& tile);
+/// The waves of one of plan_cascades(sea). Two may be at one place. \pre check(sea) is empty and sea.waves is analytic
+std::vector<LatticeWave> lattice_waves(const SeaState& sea, const CascadePlan& cascade);
 
-/// An octave of a pond on its tile's lattice.
+/// An octave of a pond on its cascade's lattice.
 struct LatticeOctave {
     LatticePlace at;
     std::uint32_t harmonic;  ///< periods in a loop
@@ -53,17 +53,17 @@ struct LatticeOctave {
     double slope_variance() const;
 };
 
-/// \pre check(sea) is empty, sea.waves is exp_sine, and `tile` is that of plan_tiles(sea)
-std::vector<LatticeOctave> lattice_octaves(const SeaState& sea, const TilePlan& tile);
+/// \pre check(sea) is empty, sea.waves is exp_sine, and `cascade` is that of plan_cascades(sea)
+std::vector<LatticeOctave> lattice_octaves(const SeaState& sea, const CascadePlan& cascade);
 
-/// Mean square slope of what the tile's texels hide of a pond's octaves, along the wind and across it.
+/// Mean square slope of what the cascade's texels hide of a pond's octaves, along the wind and across it.
 SlopeVariance hidden_slopes(const SeaState& sea, std::span<const LatticeOctave> octaves);
 
 /// Longest and shortest wave that a sea asks for, m. \pre sea.waves is no spectrum
 double longest_wave_of(const SeaState& sea);
 double shortest_wave_of(const SeaState& sea);
 
-/// The side of a pond's tile where none is given, m.
+/// The side of a pond's cascade where none is given, m.
 double pond_side_m(const SeaState& sea);
 
 /// Empty if such a sea is usable, its fields being in their ranges, else one line. \pre sea.waves is no spectrum

@@ -10,9 +10,9 @@ namespace {
 
 constexpr double two_to_minus_53 = 1.0 / 9007199254740992.0;
 
-std::uint64_t state_of(std::uint32_t seed, int tile, int m, int n) {
+std::uint64_t state_of(std::uint32_t seed, int cascade, int m, int n) {
     const std::uint64_t wave = std::uint64_t{static_cast<std::uint32_t>(m)} << 32 | static_cast<std::uint32_t>(n);
-    const std::uint64_t sea = std::uint64_t{static_cast<std::uint32_t>(tile)} << 32 | seed;
+    const std::uint64_t sea = std::uint64_t{static_cast<std::uint32_t>(cascade)} << 32 | seed;
     // The seed is mixed before it meets the wave: otherwise seeds would be shifted copies of one another.
     return split_mix(wave + golden_gamma) ^ split_mix(sea + 2 * golden_gamma);
 }
@@ -25,8 +25,8 @@ double squared_radius(std::uint64_t state) {
 
 }  // namespace
 
-GaussianPair gaussian_pair(std::uint32_t seed, int tile, int m, int n) {
-    const std::uint64_t state = state_of(seed, tile, m, n);
+GaussianPair gaussian_pair(std::uint32_t seed, int cascade, int m, int n) {
+    const std::uint64_t state = state_of(seed, cascade, m, n);
     const std::uint64_t second = split_mix(state + 2 * golden_gamma);
     const double u2 = static_cast<double>(second >> 11) * two_to_minus_53;
     const double radius = std::sqrt(squared_radius(state));
@@ -34,8 +34,8 @@ GaussianPair gaussian_pair(std::uint32_t seed, int tile, int m, int n) {
     return {radius * angle.sine, radius * angle.cosine};
 }
 
-double gaussian_pair_square(std::uint32_t seed, int tile, int m, int n) {
-    return squared_radius(state_of(seed, tile, m, n));
+double gaussian_pair_square(std::uint32_t seed, int cascade, int m, int n) {
+    return squared_radius(state_of(seed, cascade, m, n));
 }
 
 }  // namespace pelagic

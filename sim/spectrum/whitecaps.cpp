@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "pelagic/sim/spectrum/lasting_foam.hpp"
-#include "pelagic/sim/tile.hpp"
+#include "pelagic/sim/cascade.hpp"
 #include "pelagic/simd/det_math.hpp"
 
 namespace pelagic {
@@ -29,11 +29,11 @@ double whitecap_cover(const SeaState& sea) {
     return sea.waves == WaveModel::spectrum ? whitecap_cover(sea.wind_speed_mps) : 0;
 }
 
-double cover_of_each(double cover, int tiles) { return tiles == 1 ? cover : 1 - det::pow(1 - cover, 1.0 / tiles); }
+double cover_of_each(double cover, int cascades) { return cascades == 1 ? cover : 1 - det::pow(1 - cover, 1.0 / cascades); }
 
 WhitecapThreshold whitecap_threshold(const FoldMoments& moments, double choppiness, double cover, double tick_s) {
     const FoldDistribution jacobians(moments, choppiness);
-    if (!(jacobians.deviation >= least_deviation)) return {.jacobian = Tile::no_whitecaps, .ramp = 1};
+    if (!(jacobians.deviation >= least_deviation)) return {.jacobian = Cascade::no_whitecaps, .ramp = 1};
     constexpr double ramp = LastingFoam::ramp_deviations;
     const double level = LastingFoam(moments.frequency_radps(), tick_s).level_of(cover);
     const double none = jacobians.below_mean(level - ramp / 2), all = jacobians.below_mean(level + ramp / 2);

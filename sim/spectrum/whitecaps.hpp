@@ -12,12 +12,12 @@ double whitecap_cover(double wind_speed_mps);
 /// a pond's.
 double whitecap_cover(const SeaState& sea);
 
-/// What each of some tiles has to cover, one independent of the other, so that a part `cover` of the sea is under any of them.
-double cover_of_each(double cover, int tiles);
+/// What each of some cascades has to cover, one independent of the other, so that a part `cover` of the sea is under any of them.
+double cover_of_each(double cover, int cascades);
 
 /// Where water turns white: a texel of Jacobian J makes foam of clamp(1/2 + (jacobian - J) / ramp, 0, 1).
 struct WhitecapThreshold {
-    float jacobian;  ///< Tile::no_whitecaps where nothing folds
+    float jacobian;  ///< Cascade::no_whitecaps where nothing folds
     float ramp;      ///< from no foam to all of it; above 0
 };
 

@@ -2,10 +2,10 @@
 
 namespace pelagic {
 
-FoamSource foam_source(const Tile& tile) {
-    if (tile.whitecap_jacobian == Tile::no_whitecaps) return {};
-    const float scale = 255 / tile.whitecap_ramp;
-    return {127.5f + scale * tile.whitecap_jacobian, scale};
+FoamSource foam_source(const Cascade& cascade) {
+    if (cascade.whitecap_jacobian == Cascade::no_whitecaps) return {};
+    const float scale = 255 / cascade.whitecap_ramp;
+    return {127.5f + scale * cascade.whitecap_jacobian, scale};
 }
 
 }  // namespace pelagic

@@ -22,11 +22,11 @@ FoldMap::FoldMap(int resolution, const HostMemory& memory)
       cells_(static_cast<std::size_t>(resolution) * static_cast<std::size_t>(resolution) / 8, memory),
       squares_(cells_.size(), memory) {}
 
-void FoldMap::find(const Tile& tile, const Kernels& kernels, std::size_t job) {
-    assert(tile.resolution() == resolution_);
-    assert(static_cast<std::size_t>(tile.height.block_columns) >= kernels.lanes);
-    const double texel_m = tile.lattice.side_m / resolution_;
-    kernels.find_folds({.surface = texels_of(tile),
+void FoldMap::find(const Cascade& cascade, const Kernels& kernels, std::size_t job) {
+    assert(cascade.resolution() == resolution_);
+    assert(static_cast<std::size_t>(cascade.height.block_columns) >= kernels.lanes);
+    const double texel_m = cascade.lattice.side_m / resolution_;
+    kernels.find_folds({.surface = texels_of(cascade),
                         .texel_m = static_cast<float>(texel_m),
                         .most_area = static_cast<float>(most_jacobian * texel_m * texel_m),
                         .first_row = job * rows_per_job,
@@ -34,9 +34,9 @@ void FoldMap::find(const Tile& tile, const Kernels& kernels, std::size_t job) {
                         .cells = cells_.data()});
 }
 
-void FoldMap::mark(const Tile& tile) {
-    const SurfaceTexels surface = texels_of(tile);
-    const double texels_per_m = resolution_ / tile.lattice.side_m;
+void FoldMap::mark(const Cascade& cascade) {
+    const SurfaceTexels surface = texels_of(cascade);
+    const double texels_per_m = resolution_ / cascade.lattice.side_m;
     std::fill_n(squares_.data(), squares_.size(), std::uint8_t{0});
     for (std::size_t byte = 0; byte < cells_.size(); ++byte) {
         for (unsigned rest = cells_[byte]; rest != 0; rest &= rest - 1) {
@@ -69,11 +69,11 @@ void FoldMap::mark_squares(int first_x, int last_x, int first_z, int last_z) {
     }
 }
 
-void FoldMap::update(Tile& tile, const Kernels& kernels) {
+void FoldMap::update(Cascade& cascade, const Kernels& kernels) {
     const DefaultFloatEnvironment environment;
-    for (std::size_t job = 0; job < jobs(); ++job) find(tile, kernels, job);
-    mark(tile);
-    tile.folds = squares();
+    for (std::size_t job = 0; job < jobs(); ++job) find(cascade, kernels, job);
+    mark(cascade);
+    cascade.folds = squares();
 }
 
 }  // namespace pelagic

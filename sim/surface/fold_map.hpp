@@ -11,7 +11,7 @@
 #include <span>
 
 #include "pelagic/sim/kernels/kernels.hpp"
-#include "pelagic/sim/tile.hpp"
+#include "pelagic/sim/cascade.hpp"
 #include "pelagic/simd/aligned_buffer.hpp"
 
 namespace pelagic {
@@ -28,14 +28,14 @@ class FoldMap {
     explicit FoldMap(int resolution, const HostMemory& memory = {});
 
     /// Stage `folds`: looks for cells that turn over. Rows of different jobs may be looked at side by side.
-    void find(const Tile& tile, const Kernels& kernels, std::size_t job);
+    void find(const Cascade& cascade, const Kernels& kernels, std::size_t job);
     std::size_t jobs() const { return static_cast<std::size_t>(resolution_) / rows_per_job; }
     /// Stage `folds tail`: marks the squares that the cells found are drawn on.
-    void mark(const Tile& tile);
+    void mark(const Cascade& cascade);
 
-    /// All of it, for tiles that no ocean made; sets tile.folds, a view into the map.
+    /// All of it, for cascades that no ocean made; sets cascade.folds, a view into the map.
     /// \param kernels  of an instruction set with at most as many lanes as the planes' blocks have columns
-    void update(Tile& tile, const Kernels& kernels);
+    void update(Cascade& cascade, const Kernels& kernels);
 
     /// N^2 bits: the square of the world from texel (i, j) to (i + 1, j + 1) is bit i % 8 of byte (j N + i) / 8.
     std::span<const std::uint8_t> squares() const { return {squares_.data(), squares_.size()}; }

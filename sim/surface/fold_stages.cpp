@@ -10,29 +10,29 @@ namespace pelagic {
 void FoldStages::add_to(JobGraph& graph, std::span<const StageId> surfaces_done) {
     const bool is_one = surfaces_done.size() == 1;
     std::vector<StageId> cells_done;
-    for (std::size_t tile = 0; tile < surfaces_done.size(); ++tile) {
-        const auto find = [this, tile, is_one](std::size_t job) {
-            TileBuffers& buffers = slots_.buffers(tile);
+    for (std::size_t cascade = 0; cascade < surfaces_done.size(); ++cascade) {
+        const auto find = [this, cascade, is_one](std::size_t job) {
+            CascadeBuffers& buffers = slots_.buffers(cascade);
             if (is_one)
-                buffers.folds->find(slots_.tile(tile), kernels_, job);
+                buffers.folds->find(slots_.cascade(cascade), kernels_, job);
             else
-                buffers.squeeze->find(slots_.tile(tile), kernels_, job);
+                buffers.squeeze->find(slots_.cascade(cascade), kernels_, job);
         };
-        const TileBuffers& buffers = slots_.buffers(tile);
-        cells_done.push_back(graph.add({.name = stage_name("folds", tile),
+        const CascadeBuffers& buffers = slots_.buffers(cascade);
+        cells_done.push_back(graph.add({.name = stage_name("folds", cascade),
                                         .count = is_one ? buffers.folds->jobs() : buffers.squeeze->jobs(),
-                                        .waits_for = {surfaces_done[tile]},
+                                        .waits_for = {surfaces_done[cascade]},
                                         .body = for_each_item(find),
                                         .stack_bytes = stack_margin}));
     }
-    for (std::size_t tile = 0; tile < surfaces_done.size(); ++tile) {
-        const auto tail = [this, tile, is_one](std::size_t) {
+    for (std::size_t cascade = 0; cascade < surfaces_done.size(); ++cascade) {
+        const auto tail = [this, cascade, is_one](std::size_t) {
             if (is_one)
-                slots_.buffers(tile).folds->mark(slots_.tile(tile));
+                slots_.buffers(cascade).folds->mark(slots_.cascade(cascade));
             else
-                spread(tile);
+                spread(cascade);
         };
-        graph.add({.name = stage_name("folds tail", tile),
+        graph.add({.name = stage_name("folds tail", cascade),
                    .count = 1,
                    .waits_for = cells_done,
                    .body = for_each_item(tail),
@@ -40,12 +40,12 @@ void FoldStages::add_to(JobGraph& graph, std::span<const StageId> surfaces_done)
     }
 }
 
-void FoldStages::spread(std::size_t tile) {
-    std::array<const SqueezeMap*, most_tiles> maps;
-    const std::size_t count = slots_.tile_count();
+void FoldStages::spread(std::size_t cascade) {
+    std::array<const SqueezeMap*, most_cascades> maps;
+    const std::size_t count = slots_.cascade_count();
     for (std::size_t i = 0; i < count; ++i) maps[i] = &*slots_.buffers(i).squeeze;
-    slots_.buffers(tile).squeeze->spread(slots_.tile(tile), {maps.data(), count}, tile,
-                                         slots_.tile(count - 1).texel_m(), kernels_);
+    slots_.buffers(cascade).squeeze->spread(slots_.cascade(cascade), {maps.data(), count}, cascade,
+                                         slots_.cascade(count - 1).texel_m(), kernels_);
 }
 
 }  // namespace pelagic

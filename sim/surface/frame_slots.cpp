@@ -8,7 +8,7 @@ namespace {
 constexpr TextureTargets::Chain TextureTargets::*chains[] = {
     &TextureTargets::gradient_rgba8, &TextureTargets::slopes_rgba8, &TextureTargets::moments_rgba8};
 
-TextureTargets textures_in(TileBuffers& buffers, int n) {
+TextureTargets textures_in(CascadeBuffers& buffers, int n) {
     const auto chain = [n](AlignedBuffer<std::uint32_t>& texels) {
         return texels.size() > 0 ? chain_in(texels.data(), n) : TextureTargets::Chain{};
     };
@@ -16,40 +16,40 @@ TextureTargets textures_in(TileBuffers& buffers, int n) {
 }
 
 /// Of what stands in the buffers itself.
-void view_textures(Tile& tile, const TileBuffers& buffers, const TextureTargets& elsewhere) {
+void view_textures(Cascade& cascade, const CascadeBuffers& buffers, const TextureTargets& elsewhere) {
     const auto view = []<class T>(const AlignedBuffer<T>& texels, bool is_elsewhere) {
         return is_elsewhere ? std::span<const T>() : std::span<const T>(texels.data(), texels.size());
     };
-    tile.displacement_rgba16f = view(buffers.rgba16f, elsewhere.displacement_rgba16f);
-    tile.gradient_rgba8 = view(buffers.rgba8, elsewhere.gradient_rgba8[0]);
-    tile.slopes_rgba8 = view(buffers.slopes, elsewhere.slopes_rgba8[0]);
-    tile.moments_rgba8 = view(buffers.moments, elsewhere.moments_rgba8[0]);
+    cascade.displacement_rgba16f = view(buffers.rgba16f, elsewhere.displacement_rgba16f);
+    cascade.gradient_rgba8 = view(buffers.rgba8, elsewhere.gradient_rgba8[0]);
+    cascade.slopes_rgba8 = view(buffers.slopes, elsewhere.slopes_rgba8[0]);
+    cascade.moments_rgba8 = view(buffers.moments, elsewhere.moments_rgba8[0]);
 }
 
-Tile views_of(const TileBuffers& buffers, int n, std::size_t lanes) {
+Cascade views_of(const CascadeBuffers& buffers, int n, std::size_t lanes) {
     const auto view = [&](const AlignedBuffer<float>& planes, std::size_t component) {
         return PlaneView{planes.data() + component * lanes, n, static_cast<int>(lanes),
                          static_cast<std::ptrdiff_t>(surface_components * lanes),
                          static_cast<std::ptrdiff_t>(column_block_floats(n, lanes))};
     };
-    Tile tile;
-    tile.dx = view(buffers.surface, surface_dx);
-    tile.height = view(buffers.surface, surface_height);
-    tile.dz = view(buffers.surface, surface_dz);
+    Cascade cascade;
+    cascade.dx = view(buffers.surface, surface_dx);
+    cascade.height = view(buffers.surface, surface_height);
+    cascade.dz = view(buffers.surface, surface_dz);
     if (buffers.velocity.size() > 0) {
-        tile.velocity_x = view(buffers.velocity, surface_dx);
-        tile.velocity_y = view(buffers.velocity, surface_height);
-        tile.velocity_z = view(buffers.velocity, surface_dz);
+        cascade.velocity_x = view(buffers.velocity, surface_dx);
+        cascade.velocity_y = view(buffers.velocity, surface_height);
+        cascade.velocity_z = view(buffers.velocity, surface_dz);
     }
-    if (buffers.folds) tile.folds = buffers.folds->squares();
-    tile.foam_r8 = {buffers.foam.data(), buffers.foam.size()};
-    view_textures(tile, buffers, {});
-    return tile;
+    if (buffers.folds) cascade.folds = buffers.folds->squares();
+    cascade.foam_r8 = {buffers.foam.data(), buffers.foam.size()};
+    view_textures(cascade, buffers, {});
+    return cascade;
 }
 
 }  // namespace
 
-TileBuffers::TileBuffers(std::size_t tiles, int n, std::size_t lanes, const FrameExtras& extras)
+CascadeBuffers::CascadeBuffers(std::size_t cascades, int n, std::size_t lanes, const FrameExtras& extras)
     : surface(column_blocks(n, lanes) * column_block_floats(n, lanes), extras.memory),
       velocity(extras.velocities ? surface.size() : 0, extras.memory),
       rgba16f(4 * static_cast<std::size_t>(n) * n, extras.memory),
@@ -57,35 +57,35 @@ TileBuffers::TileBuffers(std::size_t tiles, int n, std::size_t lanes, const Fram
       slopes(extras.slopes ? mip_offset(n, mip_levels(n)) : 0, extras.memory),
       moments(slopes.size(), extras.memory),
       foam(extras.foam ? mip_offset(n, mip_levels(n)) : 0, extras.memory) {
-    if (extras.folds && tiles == 1) folds.emplace(n, extras.memory);
-    if (extras.folds && tiles > 1) squeeze.emplace(n, extras.memory);
+    if (extras.folds && cascades == 1) folds.emplace(n, extras.memory);
+    if (extras.folds && cascades > 1) squeeze.emplace(n, extras.memory);
 }
 
-std::size_t TileBuffers::bytes() const {
+std::size_t CascadeBuffers::bytes() const {
     return surface.bytes() + velocity.bytes() + rgba16f.bytes() + rgba8.bytes() + slopes.bytes() + moments.bytes() +
            foam.bytes() + (folds ? folds->bytes() : 0) + (squeeze ? squeeze->bytes() : 0);
 }
 
-FrameSlots::FrameSlots(std::size_t tiles, int resolution, std::size_t lanes, const FrameExtras& extras) {
+FrameSlots::FrameSlots(std::size_t cascades, int resolution, std::size_t lanes, const FrameExtras& extras) {
     for (Slot& slot : slots_) {
-        slot.buffers.reserve(tiles);  // views point into the elements
-        for (std::size_t i = 0; i < tiles; ++i) {
-            TileBuffers& buffers = slot.buffers.emplace_back(tiles, resolution, lanes, extras);
-            slot.tiles.push_back(views_of(buffers, resolution, lanes));
+        slot.buffers.reserve(cascades);  // views point into the elements
+        for (std::size_t i = 0; i < cascades; ++i) {
+            CascadeBuffers& buffers = slot.buffers.emplace_back(cascades, resolution, lanes, extras);
+            slot.cascades.push_back(views_of(buffers, resolution, lanes));
             slot.own_textures.push_back(textures_in(buffers, resolution));
         }
         slot.textures = slot.own_textures;
-        slot.elsewhere.resize(tiles);
-        slot.remembered_foam.resize(tiles);
-        slot.frame.tiles = slot.tiles;
+        slot.elsewhere.resize(cascades);
+        slot.remembered_foam.resize(cascades);
+        slot.frame.cascades = slot.cascades;
     }
 }
 
-void FrameSlots::write_textures_to(std::span<const TextureTargets> tiles) {
+void FrameSlots::write_textures_to(std::span<const TextureTargets> cascades) {
     Slot& slot = slots_[back_];
     const std::size_t last = last_level();
-    for (std::size_t i = 0; i < slot.tiles.size(); ++i) {
-        const TextureTargets& elsewhere = slot.elsewhere[i] = tiles.empty() ? TextureTargets{} : tiles[i];
+    for (std::size_t i = 0; i < slot.cascades.size(); ++i) {
+        const TextureTargets& elsewhere = slot.elsewhere[i] = cascades.empty() ? TextureTargets{} : cascades[i];
         TextureTargets& textures = slot.textures[i] = slot.own_textures[i];
         if (elsewhere.displacement_rgba16f) textures.displacement_rgba16f = elsewhere.displacement_rgba16f;
         for (const auto chain : chains) {
@@ -93,29 +93,29 @@ void FrameSlots::write_textures_to(std::span<const TextureTargets> tiles) {
             textures.*chain = elsewhere.*chain;
             (textures.*chain)[last] = (slot.own_textures[i].*chain)[last];  // it is read
         }
-        view_textures(slot.tiles[i], slot.buffers[i], elsewhere);
+        view_textures(slot.cascades[i], slot.buffers[i], elsewhere);
     }
 }
 
 void FrameSlots::finish_textures() {
     Slot& slot = slots_[back_];
     const std::size_t last = last_level();
-    for (std::size_t i = 0; i < slot.tiles.size(); ++i) {
+    for (std::size_t i = 0; i < slot.cascades.size(); ++i) {
         const TextureTargets& own = slot.own_textures[i];
         for (const auto chain : chains)
             if (std::uint32_t* const texel = (slot.elsewhere[i].*chain)[last]) *texel = *(own.*chain)[last];
         if (!own.slopes_rgba8[last]) continue;
-        Tile& tile = slot.tiles[i];
+        Cascade& cascade = slot.cascades[i];
         const SurfaceSlopes all =
-            slopes_of_texel(*own.slopes_rgba8[last], *own.moments_rgba8[last], tile.slope_ranges);
-        tile.slope_variance = all.var_xx + all.var_zz;
+            slopes_of_texel(*own.slopes_rgba8[last], *own.moments_rgba8[last], cascade.slope_ranges);
+        cascade.slope_variance = all.var_xx + all.var_zz;
     }
 }
 
 std::size_t FrameSlots::bytes() const {
     std::size_t bytes = 0;
     for (const Slot& slot : slots_)
-        for (const TileBuffers& buffers : slot.buffers) bytes += buffers.bytes() + sizeof(TileBuffers) + sizeof(Tile);
+        for (const CascadeBuffers& buffers : slot.buffers) bytes += buffers.bytes() + sizeof(CascadeBuffers) + sizeof(Cascade);
     return bytes;
 }
 

@@ -20,22 +20,22 @@ namespace pelagic {
 struct FrameExtras {
     bool folds = false;
     bool velocities = false;
-    bool gradients = true;   ///< each tile's own normals
-    bool slopes = false;     ///< and those that add to other tiles'
+    bool gradients = true;   ///< each cascade's own normals
+    bool slopes = false;     ///< and those that add to other cascades'
     bool foam = false;       ///< that lasts
     HostMemory memory = {};  ///< for everything whose size grows with N^2
 };
 
-/// The buffers of one tile of one frame, and the views of them.
-struct TileBuffers {
+/// The buffers of one cascade of one frame, and the views of them.
+struct CascadeBuffers {
     /// \param lanes  Kernels::lanes of the instruction set that computes them
-    /// \param tiles  of the frame
-    TileBuffers(std::size_t tiles, int resolution, std::size_t lanes, const FrameExtras& extras);
+    /// \param cascades  of the frame
+    CascadeBuffers(std::size_t cascades, int resolution, std::size_t lanes, const FrameExtras& extras);
     std::size_t bytes() const;
 
     AlignedBuffer<float> surface;       ///< lines at first, see kernels/wave_blocks.hpp
     AlignedBuffer<float> velocity;      ///< the same for the derivative in time, if wanted
-    std::optional<FoldMap> folds;       ///< of one tile, if wanted
+    std::optional<FoldMap> folds;       ///< of one cascade, if wanted
     std::optional<SqueezeMap> squeeze;  ///< of several
     AlignedBuffer<std::uint16_t> rgba16f;
     AlignedBuffer<std::uint32_t> rgba8;            ///< gradients, if wanted
@@ -43,7 +43,7 @@ struct TileBuffers {
     AlignedBuffer<std::uint8_t> foam;              ///< the chain, if wanted
 };
 
-/// The foam of a tile at the last tick, and how much of it has faded since.
+/// The foam of a cascade at the last tick, and how much of it has faded since.
 struct RememberedFoam {
     const std::uint8_t* bytes = nullptr;  ///< N^2, null where nothing is remembered
     int fade = 0;
@@ -52,28 +52,28 @@ struct RememberedFoam {
 /// Stages write to the slot that is the back one, and look for it when they run.
 class FrameSlots {
    public:
-    /// \param tiles  how many there are, of resolution^2 texels each
-    FrameSlots(std::size_t tiles, int resolution, std::size_t lanes, const FrameExtras& extras);
+    /// \param cascades  how many there are, of resolution^2 texels each
+    FrameSlots(std::size_t cascades, int resolution, std::size_t lanes, const FrameExtras& extras);
     FrameSlots(const FrameSlots&) = delete;  // frames point into it
     FrameSlots& operator=(const FrameSlots&) = delete;
 
-    std::size_t tile_count() const { return slots_[0].tiles.size(); }
-    int resolution() const { return slots_[0].tiles.front().resolution(); }
+    std::size_t cascade_count() const { return slots_[0].cascades.size(); }
+    int resolution() const { return slots_[0].cascades.front().resolution(); }
 
-    TileBuffers& buffers(std::size_t tile) { return slots_[back_].buffers[tile]; }
-    Tile& tile(std::size_t tile) { return slots_[back_].tiles[tile]; }
-    /// Where the tile's textures go: all that it has, into its buffers or into memory of the host's.
-    const TextureTargets& textures(std::size_t tile) const { return slots_[back_].textures[tile]; }
+    CascadeBuffers& buffers(std::size_t cascade) { return slots_[back_].buffers[cascade]; }
+    Cascade& cascade(std::size_t cascade) { return slots_[back_].cascades[cascade]; }
+    /// Where the cascade's textures go: all that it has, into its buffers or into memory of the host's.
+    const TextureTargets& textures(std::size_t cascade) const { return slots_[back_].textures[cascade]; }
     Frame& frame() { return slots_[back_].frame; }
-    /// What the tile's frame finds of foam.
-    RememberedFoam& remembered_foam(std::size_t tile) { return slots_[back_].remembered_foam[tile]; }
+    /// What the cascade's frame finds of foam.
+    RememberedFoam& remembered_foam(std::size_t cascade) { return slots_[back_].remembered_foam[cascade]; }
 
     /// Makes the other slot the back one: for the next frame, and to give up the last one, so that the one before it is not
     /// written over yet.
     void turn() { back_ = 1 - back_; }
 
-    /// What the slot's frame writes elsewhere, by tile; it has no views of that. None: everything is its own.
-    void write_textures_to(std::span<const TextureTargets> tiles);
+    /// What the slot's frame writes elsewhere, by cascade; it has no views of that. None: everything is its own.
+    void write_textures_to(std::span<const TextureTargets> cascades);
     /// What becomes of the textures when all stages are done.
     void finish_textures();
 
@@ -81,11 +81,11 @@ class FrameSlots {
 
    private:
     struct Slot {
-        std::vector<TileBuffers> buffers;
+        std::vector<CascadeBuffers> buffers;
         std::vector<TextureTargets> own_textures;  ///< in the buffers
         std::vector<TextureTargets> elsewhere;     ///< what the host has asked for
         std::vector<TextureTargets> textures;      ///< where the frame's are written
-        std::vector<Tile> tiles;
+        std::vector<Cascade> cascades;
         std::vector<RememberedFoam> remembered_foam;
         Frame frame;
     };

@@ -21,9 +21,9 @@ JobBody for_each_item(Item item) {
     };
 }
 
-/// The name of a stage of one tile: "evolve+rows" of the coarsest, "evolve+rows c1" of the next.
-inline std::string stage_name(const char* stage, std::size_t tile) {
-    return tile == 0 ? stage : std::string(stage) + " c" + std::to_string(tile);
+/// The name of a stage of one cascade: "evolve+rows" of the coarsest, "evolve+rows c1" of the next.
+inline std::string stage_name(const char* stage, std::size_t cascade) {
+    return cascade == 0 ? stage : std::string(stage) + " c" + std::to_string(cascade);
 }
 
 }  // namespace pelagic

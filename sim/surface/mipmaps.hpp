@@ -1,5 +1,5 @@
 // Stage `mipmaps`: the chain of averaged normals and Jacobians, or of slopes (kernels.hpp), kept in float because bytes lose the smoothness:
-// at a length of one a single step of a byte already means 0.88 (errata). Tiles of texels make the first levels
+// at a length of one a single step of a byte already means 0.88 (errata). Cascades of texels make the first levels
 // (kernels.hpp), one job the rest, the tail.
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace pelagic {
 
-/// Float averages of the levels that a tile leaves to others: GradientsJob::tile_levels and up.
+/// Float averages of the levels that a cascade leaves to others: GradientsJob::cascade_levels and up.
 class MipAverages {
    public:
     /// \param planes  of a row of averages: those of MipLevelJob, or slope_planes for SlopeLevelJob

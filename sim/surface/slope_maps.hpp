@@ -1,4 +1,4 @@
-// Stages `slopes+mipmaps` and `slopes tail` of one tile: from its surface to the two maps of sim/slope_sum.hpp.
+// Stages `slopes+mipmaps` and `slopes tail` of one cascade: from its surface to the two maps of sim/slope_sum.hpp.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace pelagic {
 
-/// Ranges for a tile whose waves have the mean squares h_x^2 + h_z^2 of slopes and (D_xx + D_zz)^2 of convergence at choppiness 1, which
+/// Ranges for a cascade whose waves have the mean squares h_x^2 + h_z^2 of slopes and (D_xx + D_zz)^2 of convergence at choppiness 1, which
 /// is the larger one in shallow water. Slopes: four times the root of the larger, which is at least four standard deviations along any
 /// axis and five where waves go both ways. Variances: three times the mean square slope. A sea without waves gets ranges too.
 SlopeRanges slope_ranges(double mean_square_slope, double mean_square_convergence);
@@ -21,7 +21,7 @@ struct SlopeMaps {
     const float* surface;  ///< column blocks (wave_blocks.hpp) for the kernels' lanes
     int resolution;
     std::size_t block_stride;     ///< floats between column blocks
-    double side_m;                ///< of the tile
+    double side_m;                ///< of the cascade
     double cosine = 1, sine = 0;  ///< how its axes are turned, GradientsJob
     SlopeRanges ranges;           ///< positive
     std::uint16_t* rgba16f;       ///< 4 N^2, null if nobody wants them

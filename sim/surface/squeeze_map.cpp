@@ -27,14 +27,14 @@ SqueezeMap::SqueezeMap(int resolution, const HostMemory& memory)
     static_assert(rows_per_job % 2 == 0);
 }
 
-void SqueezeMap::find(const Tile& tile, const Kernels& kernels, std::size_t job) {
-    assert(tile.resolution() == resolution_);
-    assert(static_cast<std::size_t>(tile.height.block_columns) >= kernels.lanes);
-    kernels.find_squeeze({.surface = texels_of(tile),
-                          .texels_per_m = static_cast<float>(1 / tile.texel_m()),
-                          .cosine = static_cast<float>(tile.lattice.cosine),
-                          .sine = static_cast<float>(tile.lattice.sine),
-                          .one = TileSqueeze::one,
+void SqueezeMap::find(const Cascade& cascade, const Kernels& kernels, std::size_t job) {
+    assert(cascade.resolution() == resolution_);
+    assert(static_cast<std::size_t>(cascade.height.block_columns) >= kernels.lanes);
+    kernels.find_squeeze({.surface = texels_of(cascade),
+                          .texels_per_m = static_cast<float>(1 / cascade.texel_m()),
+                          .cosine = static_cast<float>(cascade.lattice.cosine),
+                          .sine = static_cast<float>(cascade.lattice.sine),
+                          .one = CascadeSqueeze::one,
                           .first_row = job * rows_per_job,
                           .rows = rows_per_job,
                           .blocks = blocks_.data(),
@@ -47,7 +47,7 @@ double SqueezeMap::largest_m() const {
     return std::sqrt(static_cast<double>(squared)) * rounding;
 }
 
-void SqueezeMap::spread(Tile& tile, std::span<const SqueezeMap* const> maps, std::size_t number,
+void SqueezeMap::spread(Cascade& cascade, std::span<const SqueezeMap* const> maps, std::size_t number,
                         double finest_texel_m, const Kernels& kernels) {
     // The file's r_i, with what a search may be off.
     double reach_m = 0, rest_m = margin * finest_texel_m;
@@ -64,7 +64,7 @@ void SqueezeMap::spread(Tile& tile, std::span<const SqueezeMap* const> maps, std
             {.from = from, .side = finer / 2, .to = const_cast<std::uint8_t*>(from) + finer * finer});
         from += finer * finer;
     }
-    const double reach = std::ceil(reach_m / (2 * tile.texel_m()));
+    const double reach = std::ceil(reach_m / (2 * cascade.texel_m()));
     if (reach < static_cast<double>(side) / 2)
         kernels.spread_squeeze({.from = blocks_.data(),
                                 .side = side,
@@ -79,22 +79,22 @@ void SqueezeMap::spread(Tile& tile, std::span<const SqueezeMap* const> maps, std
         stretch = std::max(stretch, part.stretch);
         steepness_squared = std::max(steepness_squared, part.steepness_squared);
     }
-    tile.squeeze = {.blocks = {blocks_.data(), blocks_.size()},
+    cascade.squeeze = {.blocks = {blocks_.data(), blocks_.size()},
                     .around = {around_.data(), around_.size()},
                     .largest_m = static_cast<float>(largest_m()),
                     .stretch = static_cast<float>(static_cast<double>(stretch) * rounding),
                     .steepness = static_cast<float>(std::sqrt(static_cast<double>(steepness_squared)) * rounding)};
 }
 
-void SqueezeMap::update(std::span<Tile> tiles, std::span<SqueezeMap* const> maps, const Kernels& kernels) {
+void SqueezeMap::update(std::span<Cascade> cascades, std::span<SqueezeMap* const> maps, const Kernels& kernels) {
     const DefaultFloatEnvironment environment;
-    std::array<const SqueezeMap*, most_tiles> all;
-    for (std::size_t i = 0; i < tiles.size(); ++i) {
-        for (std::size_t job = 0; job < maps[i]->jobs(); ++job) maps[i]->find(tiles[i], kernels, job);
+    std::array<const SqueezeMap*, most_cascades> all;
+    for (std::size_t i = 0; i < cascades.size(); ++i) {
+        for (std::size_t job = 0; job < maps[i]->jobs(); ++job) maps[i]->find(cascades[i], kernels, job);
         all[i] = maps[i];
     }
-    for (std::size_t i = 0; i < tiles.size(); ++i)
-        maps[i]->spread(tiles[i], {all.data(), tiles.size()}, i, tiles.back().texel_m(), kernels);
+    for (std::size_t i = 0; i < cascades.size(); ++i)
+        maps[i]->spread(cascades[i], {all.data(), cascades.size()}, i, cascades.back().texel_m(), kernels);
 }
 
 }  // namespace pelagic

@@ -10,7 +10,7 @@
 namespace pelagic {
 namespace {
 
-// Pieces of a tile that one job takes are as large whatever N is.
+// Pieces of a cascade that one job takes are as large whatever N is.
 constexpr std::size_t gradients_stack_bytes = 48 * 1024 + stack_margin;
 constexpr std::size_t slopes_stack_bytes = 60 * 1024 + stack_margin;
 
@@ -21,14 +21,14 @@ struct Pieces {
 
 Pieces pieces_of(int resolution) {
     const std::size_t n = static_cast<std::size_t>(resolution);
-    return {std::max(n / GradientsJob::tile_columns, std::size_t{1}),
-            std::max(n / GradientsJob::tile_rows, std::size_t{1})};
+    return {std::max(n / GradientsJob::cascade_columns, std::size_t{1}),
+            std::max(n / GradientsJob::cascade_rows, std::size_t{1})};
 }
 
 }  // namespace
 
-SurfaceStages::SurfaceStages(FrameSlots& slots, std::size_t tile, const Kernels& kernels, const FrameExtras& extras)
-    : slots_(slots), tile_(tile), kernels_(kernels), resolution_(slots.resolution()), has_foam_(extras.foam) {
+SurfaceStages::SurfaceStages(FrameSlots& slots, std::size_t cascade, const Kernels& kernels, const FrameExtras& extras)
+    : slots_(slots), cascade_(cascade), kernels_(kernels), resolution_(slots.resolution()), has_foam_(extras.foam) {
     if (extras.gradients) gradient_averages_.emplace(resolution_, extras.memory);
     if (extras.slopes) slope_averages_.emplace(resolution_, extras.memory, slope_planes);
 }
@@ -40,14 +40,14 @@ void SurfaceStages::add_to(JobGraph& graph, StageId surface_done) {
 
 void SurfaceStages::add_gradient_stages(JobGraph& graph, StageId surface_done) {
     const StageId pieces_done =
-        graph.add({.name = stage_name("gradients+mipmaps", tile_),
+        graph.add({.name = stage_name("gradients+mipmaps", cascade_),
                    .count = pieces_of(resolution_).count(),
                    .waits_for = {surface_done},
                    .body = for_each_item([this](std::size_t piece) { gradients_mipmaps(piece); }),
                    .stack_bytes = gradients_stack_bytes});
     if (!slopes_make_halves()) add_foam_tail(graph, pieces_done);
     const auto tail = [this](std::size_t) { mipmaps_tail(); };
-    graph.add({.name = stage_name("mipmaps tail", tile_),
+    graph.add({.name = stage_name("mipmaps tail", cascade_),
                .count = 1,
                .waits_for = {pieces_done},
                .body = for_each_item(tail),
@@ -56,14 +56,14 @@ void SurfaceStages::add_gradient_stages(JobGraph& graph, StageId surface_done) {
 
 void SurfaceStages::add_slope_stages(JobGraph& graph, StageId surface_done) {
     const StageId pieces_done =
-        graph.add({.name = stage_name("slopes+mipmaps", tile_),
+        graph.add({.name = stage_name("slopes+mipmaps", cascade_),
                    .count = slope_maps().jobs(),
                    .waits_for = {surface_done},
                    .body = for_each_item([this](std::size_t piece) { slope_maps().make(kernels_, piece); }),
                    .stack_bytes = slopes_stack_bytes});
     if (slopes_make_halves()) add_foam_tail(graph, pieces_done);
     const auto tail = [this](std::size_t) { slope_maps().make_tail(kernels_); };
-    graph.add({.name = stage_name("slopes tail", tile_),
+    graph.add({.name = stage_name("slopes tail", cascade_),
                .count = 1,
                .waits_for = {pieces_done},
                .body = for_each_item(tail),
@@ -73,13 +73,13 @@ void SurfaceStages::add_slope_stages(JobGraph& graph, StageId surface_done) {
 void SurfaceStages::add_foam_tail(JobGraph& graph, StageId foam_done) {
     if (!has_foam_) return;
     const auto tail = [this](std::size_t) {
-        std::uint8_t* const chain = slots_.buffers(tile_).foam.data();
+        std::uint8_t* const chain = slots_.buffers(cascade_).foam.data();
         for (int level = 1; level < mip_levels(resolution_); ++level)
             kernels_.halve_foam({.from = chain + mip_offset(resolution_, level - 1),
                                  .side = static_cast<std::size_t>(resolution_) >> level,
                                  .to = chain + mip_offset(resolution_, level)});
     };
-    graph.add({.name = stage_name("foam tail", tile_),
+    graph.add({.name = stage_name("foam tail", cascade_),
                .count = 1,
                .waits_for = {foam_done},
                .body = for_each_item(tail),
@@ -87,23 +87,23 @@ void SurfaceStages::add_foam_tail(JobGraph& graph, StageId foam_done) {
 }
 
 ShownFoam SurfaceStages::shown_foam() {
-    const RememberedFoam& remembered = slots_.remembered_foam(tile_);
-    return {.source = foam_source(slots_.tile(tile_)),
+    const RememberedFoam& remembered = slots_.remembered_foam(cascade_);
+    return {.source = foam_source(slots_.cascade(cascade_)),
             .remembered = remembered.bytes,
             .fade = remembered.fade,
-            .bytes = slots_.buffers(tile_).foam.data()};
+            .bytes = slots_.buffers(cascade_).foam.data()};
 }
 
 void SurfaceStages::gradients_mipmaps(std::size_t piece) {
     const auto roughness = static_cast<float>(slots_.frame().figures.roughness);
-    const TileLattice& lattice = slots_.tile(tile_).lattice;
+    const CascadeLattice& lattice = slots_.cascade(cascade_).lattice;
     const double two_texels_m = 2 * lattice.side_m / resolution_;
     const Pieces all = pieces_of(resolution_);
-    const TextureTargets& textures = slots_.textures(tile_);
-    GradientsJob job{.surface = slots_.buffers(tile_).surface.data(),
+    const TextureTargets& textures = slots_.textures(cascade_);
+    GradientsJob job{.surface = slots_.buffers(cascade_).surface.data(),
                      .resolution = static_cast<std::size_t>(resolution_),
-                     .first_row = piece / all.across * GradientsJob::tile_rows,
-                     .first_column = piece % all.across * GradientsJob::tile_columns,
+                     .first_row = piece / all.across * GradientsJob::cascade_rows,
+                     .first_column = piece % all.across * GradientsJob::cascade_columns,
                      .block_stride = column_block_floats(resolution_, kernels_.lanes),
                      .two_texels_m = static_cast<float>(two_texels_m),
                      .jacobian_factor = static_cast<float>(1 / (two_texels_m * two_texels_m)),
@@ -112,35 +112,35 @@ void SurfaceStages::gradients_mipmaps(std::size_t piece) {
                      .rgba16f = slopes_make_halves() ? nullptr : textures.displacement_rgba16f,
                      .foam = shown_foam(),
                      .levels = {},
-                     .averages = gradient_averages_->level(GradientsJob::tile_levels),
-                     .average_stride = gradient_averages_->stride(GradientsJob::tile_levels),
+                     .averages = gradient_averages_->level(GradientsJob::cascade_levels),
+                     .average_stride = gradient_averages_->stride(GradientsJob::cascade_levels),
                      .cosine = static_cast<float>(lattice.cosine),
                      .sine = static_cast<float>(lattice.sine)};
-    for (int level = 0; level <= GradientsJob::tile_levels; ++level)
+    for (int level = 0; level <= GradientsJob::cascade_levels; ++level)
         job.levels[level] = textures.gradient_rgba8[static_cast<std::size_t>(level)];
     kernels_.gradients(job);
 }
 
 void SurfaceStages::mipmaps_tail() {
-    for (int level = GradientsJob::tile_levels + 1; level < mip_levels(resolution_); ++level)
+    for (int level = GradientsJob::cascade_levels + 1; level < mip_levels(resolution_); ++level)
         kernels_.mip_level({.finer = gradient_averages_->level(level - 1),
                             .finer_stride = gradient_averages_->stride(level - 1),
                             .side = static_cast<std::size_t>(resolution_) >> level,
                             .averages = gradient_averages_->level(level),
                             .stride = gradient_averages_->stride(level),
-                            .texels = slots_.textures(tile_).gradient_rgba8[static_cast<std::size_t>(level)]});
+                            .texels = slots_.textures(cascade_).gradient_rgba8[static_cast<std::size_t>(level)]});
 }
 
 SlopeMaps SurfaceStages::slope_maps() {
-    const TextureTargets& textures = slots_.textures(tile_);
-    const Tile& tile = slots_.tile(tile_);
-    return {.surface = slots_.buffers(tile_).surface.data(),
+    const TextureTargets& textures = slots_.textures(cascade_);
+    const Cascade& cascade = slots_.cascade(cascade_);
+    return {.surface = slots_.buffers(cascade_).surface.data(),
             .resolution = resolution_,
             .block_stride = column_block_floats(resolution_, kernels_.lanes),
-            .side_m = tile.lattice.side_m,
-            .cosine = tile.lattice.cosine,
-            .sine = tile.lattice.sine,
-            .ranges = tile.slope_ranges,
+            .side_m = cascade.lattice.side_m,
+            .cosine = cascade.lattice.cosine,
+            .sine = cascade.lattice.sine,
+            .ranges = cascade.slope_ranges,
             .rgba16f = slopes_make_halves() ? textures.displacement_rgba16f : nullptr,
             .foam = shown_foam(),
             .slopes = textures.slopes_rgba8,

@@ -1,4 +1,4 @@
-// From a tile's displacement to what consumers take: stages `gradients+mipmaps` and `mipmaps tail`, `slopes+mipmaps` and
+// From a cascade's displacement to what consumers take: stages `gradients+mipmaps` and `mipmaps tail`, `slopes+mipmaps` and
 // `slopes tail`.
 #pragma once
 
@@ -13,14 +13,14 @@
 
 namespace pelagic {
 
-/// The stages of one tile.
+/// The stages of one cascade.
 class SurfaceStages {
    public:
-    SurfaceStages(FrameSlots& slots, std::size_t tile, const Kernels& kernels, const FrameExtras& extras);
+    SurfaceStages(FrameSlots& slots, std::size_t cascade, const Kernels& kernels, const FrameExtras& extras);
     SurfaceStages(const SurfaceStages&) = delete;  // stages point into it
     SurfaceStages& operator=(const SurfaceStages&) = delete;
 
-    /// \param surface_done  the stage that leaves the displacement in the tile's buffers
+    /// \param surface_done  the stage that leaves the displacement in the cascade's buffers
     void add_to(JobGraph& graph, StageId surface_done);
 
     std::size_t bytes() const {
@@ -36,12 +36,12 @@ class SurfaceStages {
     void gradients_mipmaps(std::size_t piece);
     void mipmaps_tail();
     SlopeMaps slope_maps();
-    /// Foam stands in the half floats. Of one tile it comes with the paper's gradients, of several with slopes, which they
+    /// Foam stands in the half floats. Of one cascade it comes with the paper's gradients, of several with slopes, which they
     /// always have.
-    bool slopes_make_halves() const { return slots_.tile_count() > 1; }
+    bool slopes_make_halves() const { return slots_.cascade_count() > 1; }
 
     FrameSlots& slots_;
-    std::size_t tile_;
+    std::size_t cascade_;
     const Kernels& kernels_;
     int resolution_;
     bool has_foam_;

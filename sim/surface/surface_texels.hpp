@@ -1,31 +1,31 @@
-// A tile's planes as the kernels of surface queries take them.
+// A cascade's planes as the kernels of surface queries take them.
 #pragma once
 
 #include <bit>
 #include <cassert>
 
 #include "pelagic/sim/kernels/kernels.hpp"
-#include "pelagic/sim/tile.hpp"
+#include "pelagic/sim/cascade.hpp"
 
 namespace pelagic {
 
-/// \pre All planes of the tile are laid out alike, in blocks of a power of two of columns (asserted).
-inline SurfaceTexels texels_of(const Tile& tile) {
-    const PlaneView& plane = tile.height;
+/// \pre All planes of the cascade are laid out alike, in blocks of a power of two of columns (asserted).
+inline SurfaceTexels texels_of(const Cascade& cascade) {
+    const PlaneView& plane = cascade.height;
     [[maybe_unused]] const auto is_alike = [&](const PlaneView& other) {
         return other.resolution == plane.resolution && other.block_columns == plane.block_columns &&
                other.row_stride == plane.row_stride && other.block_stride == plane.block_stride;
     };
-    assert(is_alike(tile.dx) && is_alike(tile.dz));
+    assert(is_alike(cascade.dx) && is_alike(cascade.dz));
     assert(std::has_single_bit(static_cast<unsigned>(plane.block_columns)));
-    assert(!tile.velocity_y.data ||
-           (is_alike(tile.velocity_x) && is_alike(tile.velocity_y) && is_alike(tile.velocity_z)));
-    return {.dx = tile.dx.data,
+    assert(!cascade.velocity_y.data ||
+           (is_alike(cascade.velocity_x) && is_alike(cascade.velocity_y) && is_alike(cascade.velocity_z)));
+    return {.dx = cascade.dx.data,
             .height = plane.data,
-            .dz = tile.dz.data,
-            .velocity_x = tile.velocity_x.data,
-            .velocity_y = tile.velocity_y.data,
-            .velocity_z = tile.velocity_z.data,
+            .dz = cascade.dz.data,
+            .velocity_x = cascade.velocity_x.data,
+            .velocity_y = cascade.velocity_y.data,
+            .velocity_z = cascade.velocity_z.data,
             .resolution = plane.resolution,
             .block_columns = plane.block_columns,
             .block_shift = std::countr_zero(static_cast<unsigned>(plane.block_columns)),

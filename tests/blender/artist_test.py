@@ -85,16 +85,16 @@ first.pelagic.size = 100
 # Options that make no sea: one line on the panel, and the mesh stays as it was, on other frames too.
 scene.frame_set(40)
 kept = bits("Ocean")
-first.pelagic.tile_side = 250
-first.pelagic.tiles = 3
-assert first.pelagic.error == "cascades is 3, needs 1 where the side of the tile is given", first.pelagic.error
-one_tile = bits("Ocean")
+first.pelagic.cascade_side = 250
+first.pelagic.cascades = 3
+assert first.pelagic.error == "cascades is 3, needs 1 where the side of the cascade is given", first.pelagic.error
+one_cascade = bits("Ocean")
 scene.frame_set(41)
-assert bits("Ocean") == one_tile != kept, "the mesh of a sea that can't be is not the last one"
-first.pelagic.tiles = 0
+assert bits("Ocean") == one_cascade != kept, "the mesh of a sea that can't be is not the last one"
+first.pelagic.cascades = 0
 assert first.pelagic.error == ""
 compare(pelagic, ["--preset", "moderate", "--patch-size", "250"], 40 / 24, first)
-first.pelagic.tile_side = 0
+first.pelagic.cascade_side = 0
 for operator in (bpy.ops.pelagic.add_ocean, bpy.ops.pelagic.preset):
     try:
         operator(preset="strom")

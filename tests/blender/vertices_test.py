@@ -39,8 +39,8 @@ oceans = {
               "--preset swell --wind-speed 9.3 --wind-direction 33.3 --fetch 81234.5 --depth 37.7 --choppiness 0.77 --alignment 0.31 "
               "--small-waves 0.1 --swell-height 1.3 --swell-period 10.7 --swell-direction -123.4 --swell-spread 21.5 --seed 77 "
               "--loop-period 91.7 --spreading hasselmann".split(), {}),
-    "one tile": (add("rough", tile_side=250, tile_resolution="128", size=250, foam=False), "--preset rough --patch-size 250 --resolution 128".split(), {}),
-    "elsewhere": (add("moderate", place=(123456.5, -9876.25), tiles=2), "--preset moderate --cascades 2".split(), {"place": (123456.5, -9876.25)}),
+    "one cascade": (add("rough", cascade_side=250, cascade_resolution="128", size=250, foam=False), "--preset rough --patch-size 250 --resolution 128".split(), {}),
+    "elsewhere": (add("moderate", place=(123456.5, -9876.25), cascades=2), "--preset moderate --cascades 2".split(), {"place": (123456.5, -9876.25)}),
     "storm": (add("storm"), ["--preset", "storm"], {"folds": 0.01}),
     "analytic": (add("analytic-moderate", wave_strength=1.2, foam=False), "--preset analytic-moderate --wave-strength 1.2".split(), {}),
     "pond": (add("pond", size=3, foam=False), ["--preset", "pond"], {}),
@@ -87,7 +87,7 @@ scene.frame_set(34)
 compare(pelagic, ["--preset", "moderate"], 7.7 + 0.5, slow)
 
 # The frame's own hash, as the command line has it: no bit of a typed option is lost.
-for name in ("moderate", "typed", "one tile"):
+for name in ("moderate", "typed", "one cascade"):
     ocean, sea, _ = oceans[name]
     ours = f"{sea_object.moved(ocean.pelagic, 12.25).frame.hash:016x}"
     assert ours == hash_of(pelagic, sea, 12.25), f"{name}: another hash than the command line's"

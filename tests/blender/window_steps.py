@@ -84,12 +84,12 @@ def steps():
             bpy.ops.pelagic.preset(preset=preset)
         view().tag_redraw()
         yield lambda: "PELAGIC_PT_waves" in drawn
-    sea.tile_side, sea.tiles = 100, 2
+    sea.cascade_side, sea.cascades = 100, 2
     drawn.clear()
     view().tag_redraw()
     assert sea.error
     yield lambda: "PELAGIC_PT_ocean" in drawn
-    sea.tile_side = sea.tiles = 0
+    sea.cascade_side = sea.cascades = 0
 
     # A bake that Escape stops, and the next, which goes on to the end.
     sea.resolution, sea.bake_folder, sea.bake_start, sea.bake_end = 64, str(folder / "bake"), 1, 120

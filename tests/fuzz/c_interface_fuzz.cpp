@@ -136,7 +136,7 @@ std::vector<pelagic_input*> any_inputs(Bytes& bytes) {
         rows->height[rows->resolution - 1] = *static_cast<const float*>(user);
     };
     callback.user = &value;
-    callback.tiles = bytes.take<std::uint8_t>();
+    callback.cascades = bytes.take<std::uint8_t>();
     callback.largest_slope = bytes.number();
     made = nullptr;
     keep(pelagic_input_create_callback(&callback, &made), made);
@@ -277,19 +277,19 @@ void any_frame_at(Bytes& bytes, pelagic_ocean* ocean) {
     static std::vector<float> plane(64 * 64);
     static std::vector<std::uint32_t> chain(64 * 64 * 2);
     static std::vector<std::uint8_t> foam(64 * 64 * 2);
-    // As many structs as an ocean has tiles, of the size that the first states: more memory than that may take.
-    alignas(pelagic_frame_buffers) static std::array<std::byte, 4 * 4096> tiles;
-    tiles = {};
+    // As many structs as an ocean has cascades, of the size that the first states: more memory than that may take.
+    alignas(pelagic_frame_buffers) static std::array<std::byte, 4 * 4096> cascades;
+    cascades = {};
     const auto first = sized<pelagic_frame_buffers>(bytes);
     auto info = pelagic_ocean_info{};
     info.struct_size = sizeof info;
     std::size_t side = 16;
     if (ocean && pelagic_ocean_describe(ocean, &info) == PELAGIC_OK) side = static_cast<std::size_t>(info.resolution);
     const auto texels = bytes.take<std::uint8_t>(), parts = bytes.take<std::uint8_t>();
-    for (std::size_t tile = 0; tile < 4; ++tile) {
+    for (std::size_t cascade = 0; cascade < 4; ++cascade) {
         pelagic_frame_buffers buffers = first;
-        if (parts >= 252 && tile == parts - 252u) buffers.struct_size += 8;
-        if (tile == 0 && parts != 251) buffers.tile_count = static_cast<std::uint32_t>(info.tile_count);
+        if (parts >= 252 && cascade == parts - 252u) buffers.struct_size += 8;
+        if (cascade == 0 && parts != 251) buffers.cascade_count = static_cast<std::uint32_t>(info.cascade_count);
         buffers.plane_count = side * side + (texels == 255);
         buffers.height = plane.data();
         if (parts % 4 == 0) buffers.velocity_x = plane.data();
@@ -299,27 +299,27 @@ void any_frame_at(Bytes& bytes, pelagic_ocean* ocean) {
         if (parts / 4 % 4 == 3) buffers.gradient_rgba8 = chain.data();
         buffers.foam_count = buffers.rgba8_count;
         if (parts / 16 % 4 == 1) buffers.foam_r8 = foam.data();
-        const std::size_t place = tile * (first.struct_size <= 4096 ? first.struct_size : 0);
-        if (place + sizeof buffers <= tiles.size()) std::memcpy(tiles.data() + place, &buffers, sizeof buffers);
+        const std::size_t place = cascade * (first.struct_size <= 4096 ? first.struct_size : 0);
+        if (place + sizeof buffers <= cascades.size()) std::memcpy(cascades.data() + place, &buffers, sizeof buffers);
     }
     pelagic_bounds bounds{};
     must_be_a_status(pelagic_ocean_frame_at(ocean, bytes.number(),
-                                            reinterpret_cast<const pelagic_frame_buffers*>(tiles.data()), &bounds));
+                                            reinterpret_cast<const pelagic_frame_buffers*>(cascades.data()), &bounds));
 }
 
-/// Every byte of what a tile points to is there.
-void any_tile(Bytes& bytes, const pelagic_ocean* ocean) {
-    auto tile = sized<pelagic_tile>(bytes);
+/// Every byte of what a cascade points to is there.
+void any_cascade(Bytes& bytes, const pelagic_ocean* ocean) {
+    auto cascade = sized<pelagic_cascade>(bytes);
     const auto index = bytes.take<std::int8_t>();
-    const pelagic_status status = pelagic_ocean_tile(ocean, index, &tile);
+    const pelagic_status status = pelagic_ocean_cascade(ocean, index, &cascade);
     must_be_a_status(status);
     if (status != PELAGIC_OK) return;
-    const auto n = static_cast<std::size_t>(tile.resolution);
-    const std::size_t last = tile.level_offset[tile.levels - 1];
-    std::uint64_t sum = tile.displacement_rgba16f[4 * n * n - 1];
-    for (const std::uint32_t* chain : {tile.gradient_rgba8, tile.slopes_rgba8, tile.moments_rgba8})
+    const auto n = static_cast<std::size_t>(cascade.resolution);
+    const std::size_t last = cascade.level_offset[cascade.levels - 1];
+    std::uint64_t sum = cascade.displacement_rgba16f[4 * n * n - 1];
+    for (const std::uint32_t* chain : {cascade.gradient_rgba8, cascade.slopes_rgba8, cascade.moments_rgba8})
         if (chain) sum += chain[last];
-    if (tile.foam_r8) sum += tile.foam_r8[last];
+    if (cascade.foam_r8) sum += cascade.foam_r8[last];
     if (sum >> 62 != 0) std::abort();  // it never is; so the reads are not left out
 }
 
@@ -457,7 +457,7 @@ void any_call(Bytes& bytes, pelagic_ocean*& ocean) {
         case 7: any_query(bytes, ocean); break;
         case 8: any_ray(bytes, ocean); break;
         case 9: any_frame_at(bytes, ocean); break;
-        case 10: any_tile(bytes, ocean); break;
+        case 10: any_cascade(bytes, ocean); break;
         default: pelagic_ocean_destroy(ocean); ocean = any_ocean(bytes);
     }
 }

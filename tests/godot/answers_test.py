@@ -92,7 +92,7 @@ with tempfile.TemporaryDirectory() as work:
     assert says["nothing"] == ["True"] * 3
     assert single(says, "stays") == "True"
     same, why = single(says, "together").split(" ", 1)
-    assert same == "True" and json.loads(why)[-1] == "cascades is 4, needs 1 where the side of the tile is given", why
+    assert same == "True" and json.loads(why)[-1] == "cascades is 4, needs 1 where the side of the cascade is given", why
 
     for runs in (run_headless, run_drawing):
         frames = runs(project, here / "frames.gd", work, {}, fps=60)

@@ -19,7 +19,7 @@ as_flags = {"patch_size_m": "--patch-size", "resolution": "--resolution", "wind_
 cases = [
     # Texels of 3.9 m under a mesh of 0.5 m: what a triangle cuts off is small, so the bound is tight.
     {"values": {**smooth, "quality": "ultra"}, "from": [10, 9, -4], "to": [120, 0, 60]},
-    # The default sea, in tiles that are turned. Its mesh of 2 m holds waves down to some 6 m.
+    # The default sea, in cascades that are turned. Its mesh of 2 m holds waves down to some 6 m.
     {"values": {"wind_direction_deg": 30, "time_s": 12.34}, "from": [10000, 12, -7000], "to": [9900, 0, -6930]},
 ]
 cases.append({**cases[0], "wall": [60, 0.5, 25]})
@@ -89,7 +89,7 @@ for number, (case, picture) in enumerate(zip(cases, pictures)):
     deviation = math.sqrt(sum(h * h for h in truth) / len(truth) - (sum(truth) / len(truth)) ** 2)
     near = [e for e, distance_m in errors if distance_m < 100]
     if number == 0:
-        # Half a texel off, a tile turned or mirrored, or another time would be 0.1 m or more in the middle of all pixels. What is left
+        # Half a texel off, a cascade turned or mirrored, or another time would be 0.1 m or more in the middle of all pixels. What is left
         # is half floats (1 mm), distances in steps of 0.5 mm and, at crests, the triangles of 0.5 m: 23 mm at most when this was written.
         assert part(near, 0.5) < 0.001 and max(near) < 0.05, (part(near, 0.5), max(near))
         assert part([e for e, _ in errors], 0.999) < 0.05

@@ -69,12 +69,12 @@ Level halved(const Level& finer) {
 }  // namespace
 
 Displacement displacement_of(const Frame& frame) {
-    Displacement surface{frame.tiles[0].resolution(), {}, {}, {}};
-    for (int j = 0; j < frame.tiles[0].resolution(); ++j) {
-        for (int i = 0; i < frame.tiles[0].resolution(); ++i) {
-            surface.dx.push_back(frame.tiles[0].dx.at(i, j));
-            surface.height.push_back(frame.tiles[0].height.at(i, j));
-            surface.dz.push_back(frame.tiles[0].dz.at(i, j));
+    Displacement surface{frame.cascades[0].resolution(), {}, {}, {}};
+    for (int j = 0; j < frame.cascades[0].resolution(); ++j) {
+        for (int i = 0; i < frame.cascades[0].resolution(); ++i) {
+            surface.dx.push_back(frame.cascades[0].dx.at(i, j));
+            surface.height.push_back(frame.cascades[0].height.at(i, j));
+            surface.dz.push_back(frame.cascades[0].dz.at(i, j));
         }
     }
     return surface;

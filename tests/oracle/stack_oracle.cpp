@@ -22,17 +22,17 @@ std::vector<double> plane_of(const PlaneView& view) {
 }  // namespace
 
 Stack::Stack(const Frame& frame, Interpolation interpolation) {
-    for (const Tile& tile : frame.tiles) {
-        Layer layer{.n = tile.resolution(),
-                    .texel_m = tile.lattice.side_m / tile.resolution(),
-                    .cosine = tile.lattice.cosine,
-                    .sine = tile.lattice.sine,
-                    .dx = plane_of(tile.dx),
-                    .height = plane_of(tile.height),
-                    .dz = plane_of(tile.dz),
-                    .velocity_x = plane_of(tile.velocity_x),
-                    .velocity_y = plane_of(tile.velocity_y),
-                    .velocity_z = plane_of(tile.velocity_z),
+    for (const Cascade& cascade : frame.cascades) {
+        Layer layer{.n = cascade.resolution(),
+                    .texel_m = cascade.lattice.side_m / cascade.resolution(),
+                    .cosine = cascade.lattice.cosine,
+                    .sine = cascade.lattice.sine,
+                    .dx = plane_of(cascade.dx),
+                    .height = plane_of(cascade.height),
+                    .dz = plane_of(cascade.dz),
+                    .velocity_x = plane_of(cascade.velocity_x),
+                    .velocity_y = plane_of(cascade.velocity_y),
+                    .velocity_z = plane_of(cascade.velocity_z),
                     .dx_range = {},
                     .dz_range = {},
                     .interpolation = interpolation};

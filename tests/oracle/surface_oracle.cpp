@@ -12,7 +12,7 @@ constexpr double finest = 1.0 / 16;
 }  // namespace
 
 Surface::Surface(const Frame& frame, double patch_size_m)
-    : n_(frame.tiles[0].resolution()), texel_m_(patch_size_m / n_), planes_(displacement_of(frame)) {
+    : n_(frame.cascades[0].resolution()), texel_m_(patch_size_m / n_), planes_(displacement_of(frame)) {
     const Plane* const planes[3] = {&planes_.dx, &planes_.height, &planes_.dz};
     const auto at = [this](const Plane& plane, int i, int j) {
         return plane[static_cast<std::size_t>((j + n_) % n_ * n_ + (i + n_) % n_)];

@@ -7,14 +7,14 @@ import pelagic
 import pytest
 
 
-def at_points(array, tile, x, z):
-    """Bilinear and periodic on a tile's own lattice, in double."""
-    cosine, sine = tile.turn
-    step = tile.patch_size_m / tile.resolution
+def at_points(array, cascade, x, z):
+    """Bilinear and periodic on a cascade's own lattice, in double."""
+    cosine, sine = cascade.turn
+    step = cascade.patch_size_m / cascade.resolution
     u, v = (cosine * x + sine * z) / step, (cosine * z - sine * x) / step
     i, j = np.floor(u).astype(int), np.floor(v).astype(int)
     u, v = u - i, v - j
-    n = tile.resolution
+    n = cascade.resolution
     a = array.astype(np.float64)
     upper = a[j % n, i % n] * (1 - u) + a[j % n, (i + 1) % n] * u
     lower = a[(j + 1) % n, i % n] * (1 - u) + a[(j + 1) % n, (i + 1) % n] * u
@@ -26,18 +26,18 @@ def places():
     return np.random.default_rng(3).uniform(-900, 900, (40, 50, 2))
 
 
-def test_displaced_is_the_sum_of_tiles(places):
+def test_displaced_is_the_sum_of_cascades(places):
     with pelagic.Ocean(pelagic.preset("rough"), foam=True) as ocean:
         frame = ocean.frame_at(3)
         x, z = places[..., 0], places[..., 1]
-        moved = sum(np.stack([at_points(plane, tile, x, z) for plane in (tile.dx, tile.height, tile.dz)], -1) for tile in frame.tiles)
+        moved = sum(np.stack([at_points(plane, cascade, x, z) for plane in (cascade.dx, cascade.height, cascade.dz)], -1) for cascade in frame.cascades)
         moved += np.stack([x, np.zeros_like(x), z], -1)
         shown = frame.displaced(places)
         assert shown.dtype == np.float32 and shown.shape == (40, 50, 3)
         np.testing.assert_allclose(shown, moved, rtol=0, atol=5e-5)  # half of a float's last digit at 900 m is 3e-5
         np.testing.assert_array_equal(frame.displaced(x, z), shown)
 
-        foam = np.max([at_points(tile.foam, tile, x, z) for tile in frame.tiles], axis=0) / 255
+        foam = np.max([at_points(cascade.foam, cascade, x, z) for cascade in frame.cascades], axis=0) / 255
         assert foam.max() > 0.2
         np.testing.assert_allclose(frame.displaced_foam(places), foam, rtol=0, atol=1e-6)
 
@@ -84,8 +84,8 @@ def test_a_query_finds_the_water_that_is_drawn_there(places):
 def test_velocities_are_the_displacements_derivative():
     with pelagic.Ocean(pelagic.preset("moderate"), velocities=True) as ocean:
         step_s = 0.01
-        before, after = (ocean.frame_at(5 + sign * step_s).tiles[0].height.astype(float) for sign in (-1, 1))
-        speed = ocean.frame_at(5).tiles[0].velocity_y
+        before, after = (ocean.frame_at(5 + sign * step_s).cascades[0].height.astype(float) for sign in (-1, 1))
+        speed = ocean.frame_at(5).cascades[0].velocity_y
         assert np.abs(speed).max() > 0.5
         np.testing.assert_allclose((after - before) / (2 * step_s), speed, rtol=0, atol=2e-3)
 
@@ -113,24 +113,24 @@ def test_rays_end_on_the_water():
 
 def test_chains_halve_from_level_to_level(small):
     with pelagic.Ocean(small, slopes=True, foam=True) as ocean:
-        tile = ocean.frame_at(3).tiles[0]
-        assert tile.levels == 7
-        for level in range(tile.levels):
+        cascade = ocean.frame_at(3).cascades[0]
+        assert cascade.levels == 7
+        for level in range(cascade.levels):
             side = 64 >> level
-            for chain in (tile.gradient_level, tile.slopes_level, tile.moments_level):
+            for chain in (cascade.gradient_level, cascade.slopes_level, cascade.moments_level):
                 assert chain(level).shape == (side, side, 4)
-            assert tile.foam_level(level).shape == (side, side)
+            assert cascade.foam_level(level).shape == (side, side)
         for name in ("gradient", "slopes", "moments", "foam"):
-            np.testing.assert_array_equal(getattr(tile, name), getattr(tile, f"{name}_level")(0))
+            np.testing.assert_array_equal(getattr(cascade, name), getattr(cascade, f"{name}_level")(0))
         # Slopes are the heights' five-point differences of docs/equations.md.
-        h_x = (tile.slopes[..., 0].astype(float) - 128) / 127 * tile.slope_range
+        h_x = (cascade.slopes[..., 0].astype(float) - 128) / 127 * cascade.slope_range
         far = -0.2194
         near = 0.5 - 2 * far
-        heights = tile.height.astype(float)
+        heights = cascade.height.astype(float)
         slopes = sum(weight * (np.roll(heights, -step, axis=1) - np.roll(heights, step, axis=1)) for step, weight in ((1, near), (2, far)))
-        np.testing.assert_allclose(h_x, slopes / (250 / 64), rtol=0, atol=0.6 * tile.slope_range / 127)
+        np.testing.assert_allclose(h_x, slopes / (250 / 64), rtol=0, atol=0.6 * cascade.slope_range / 127)
         # Foam of the halves is that of the bytes.
-        np.testing.assert_allclose(tile.displacement[..., 3].astype(float), tile.foam / 255, rtol=0, atol=1e-3)
+        np.testing.assert_allclose(cascade.displacement[..., 3].astype(float), cascade.foam / 255, rtol=0, atol=1e-3)
 
 
 def test_measured_waves_are_as_high_as_the_sea_says():
@@ -139,9 +139,9 @@ def test_measured_waves_are_as_high_as_the_sea_says():
         waves = ocean.sea.report()
         assert frame.significant_wave_height_m == pytest.approx(waves.significant_wave_height_m, rel=1e-9)
         assert frame.measured_significant_wave_height_m() == pytest.approx(waves.drawn_significant_wave_height_m, rel=0.1)
-        # The tiles' heights are independent, so their variances add.
+        # The cascades' heights are independent, so their variances add.
         assert frame.measured_significant_wave_height_m() == pytest.approx(
-            4 * np.sqrt(sum(np.var(tile.height.astype(float)) for tile in frame.tiles)), rel=1e-6)
+            4 * np.sqrt(sum(np.var(cascade.height.astype(float)) for cascade in frame.cascades)), rel=1e-6)
 
 
 def test_a_frame_between_two_seas_tells_of_both():

@@ -21,12 +21,12 @@ def test_frames_have_the_golden_hashes(options):
     assert seen == {name: int(GOLDEN[name], 16) for name in seen}
     # All that there are, but for those of other questions than frames.
     assert {name for name in GOLDEN if name not in seen} == {
-        "foam-folded", "foam-tiles", "queries-analytic", "queries-exp-sine", "queries-folded", "queries-smooth", "queries-tiles"}
+        "foam-folded", "foam-cascades", "queries-analytic", "queries-exp-sine", "queries-folded", "queries-smooth", "queries-cascades"}
 
 
 def test_foam_has_the_golden_hash():
     with pelagic.Ocean(pelagic.Sea(cascades=4, resolution=64, choppiness=1), foam=True) as ocean:
-        assert ocean.frame_at(12.34).foam_hash == int(GOLDEN["foam-tiles"], 16)
+        assert ocean.frame_at(12.34).foam_hash == int(GOLDEN["foam-cascades"], 16)
 
 
 @pytest.mark.parametrize("name", ["lake", "storm", "analytic-moderate", "pond", "beaufort-7"])
@@ -48,7 +48,7 @@ def points():
 
 
 SEAS = {
-    "four tiles": ({}, []),
+    "four cascades": ({}, []),
     "rough": (None, ["--preset", "rough"]),
     "steep": ({"spectrum": "phillips-paper", "resolution": 64, "patch_size_m": 250, "choppiness": 1, "wind_speed_mps": 20},
                ["--spectrum", "phillips-paper", "--resolution", "64", "--patch-size", "250", "--choppiness", "1", "--wind-speed", "20"]),
@@ -114,13 +114,13 @@ def test_arrays_have_the_bits_of_exported_images(tmp_path, flags, number):
     with pelagic.Ocean(pelagic.preset("rough")) as ocean:
         frame = ocean.frame_at(12.34)
         assert f"{frame.hash:016x}" == hash_
-        assert len(frame.tiles) == 4
-        for i, tile in enumerate(frame.tiles):
-            exported = read_exr(tmp_path / f"displacement{f'_c{i}' if i else ''}_0000.exr", tile.resolution, number)
-            shown = tile.displacement[:, :, :3] if number == "<f2" else np.stack([tile.dx, tile.height, tile.dz], axis=-1)
+        assert len(frame.cascades) == 4
+        for i, cascade in enumerate(frame.cascades):
+            exported = read_exr(tmp_path / f"displacement{f'_c{i}' if i else ''}_0000.exr", cascade.resolution, number)
+            shown = cascade.displacement[:, :, :3] if number == "<f2" else np.stack([cascade.dx, cascade.height, cascade.dz], axis=-1)
             np.testing.assert_array_equal(shown, exported)
-        np.testing.assert_array_equal(frame.displacement, frame.tiles[0].displacement)
-        np.testing.assert_array_equal(frame.height, frame.tiles[0].height)
+        np.testing.assert_array_equal(frame.displacement, frame.cascades[0].displacement)
+        np.testing.assert_array_equal(frame.height, frame.cascades[0].height)
 
 
 def test_seas_change_as_the_commands_do(tmp_path):

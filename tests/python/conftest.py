@@ -19,17 +19,17 @@ def run_pelagic(*arguments, given=None):
 
 
 def golden_seas():
-    one_tile = {"resolution": 64, "patch_size_m": 250}
+    one_cascade = {"resolution": 64, "patch_size_m": 250}
     seas = {"default": pelagic.Sea()}
     for spectrum in ("phillips-paper", "phillips", "pierson-moskowitz", "jonswap"):
-        seas[f"{spectrum}-64"] = pelagic.Sea(**one_tile, spectrum=spectrum)
+        seas[f"{spectrum}-64"] = pelagic.Sea(**one_cascade, spectrum=spectrum)
     for spreading in ("cosine-2s", "hasselmann", "donelan-banner"):
-        seas[f"spreading-{spreading}-64"] = pelagic.Sea(**one_tile, spreading=spreading)
-    seas["shallow-64"] = pelagic.Sea(**one_tile, depth_m=8)
-    seas["breaking-swell-64"] = pelagic.Sea(**one_tile, depth_m=2, swell_height_m=1, swell_direction_rad=2)
+        seas[f"spreading-{spreading}-64"] = pelagic.Sea(**one_cascade, spreading=spreading)
+    seas["shallow-64"] = pelagic.Sea(**one_cascade, depth_m=8)
+    seas["breaking-swell-64"] = pelagic.Sea(**one_cascade, depth_m=2, swell_height_m=1, swell_direction_rad=2)
     seas["analytic-64"] = pelagic.Sea(waves="analytic", resolution=64, choppiness=1)
     seas["exp-sine-64"] = pelagic.Sea(waves="exp-sine", resolution=64)
-    seas["small-waves-64"] = pelagic.Sea(**one_tile, small_waves=0.8)
+    seas["small-waves-64"] = pelagic.Sea(**one_cascade, small_waves=0.8)
     for name in ("calm", "moderate", "rough", "storm"):
         seas[f"preset-{name}"] = pelagic.preset(name)
     return seas
@@ -37,5 +37,5 @@ def golden_seas():
 
 @pytest.fixture
 def small():
-    """A sea of one tile whose frames take no time."""
+    """A sea of one cascade whose frames take no time."""
     return pelagic.Sea(resolution=64, patch_size_m=250)

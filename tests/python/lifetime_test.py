@@ -14,7 +14,7 @@ import pytest
 def test_a_view_is_the_oceans_memory_and_read_only(small):
     with pelagic.Ocean(small) as ocean:
         frame = ocean.frame_at(1)
-        first, again = frame.displacement, frame.tiles[0].displacement
+        first, again = frame.displacement, frame.cascades[0].displacement
         assert first.dtype == np.float16 and first.shape == (64, 64, 4)
         assert np.shares_memory(first, again)
         assert not first.flags.writeable and not first.flags.owndata
@@ -56,14 +56,14 @@ def test_a_loop_that_keeps_the_last_array_is_never_refused(small):
 def test_a_frame_that_is_over_says_so(small):
     with pelagic.Ocean(small, foam=True) as ocean:
         frame = ocean.frame_at(1)
-        tile = frame.tiles[0]
+        cascade = frame.cascades[0]
         hash_ = frame.hash
         ocean.frame_at(2)
         assert frame.hash == hash_ and frame.is_alive
         ocean.schedule(3)
         assert not frame.is_alive
-        for ask in (lambda: frame.hash, lambda: frame.foam_hash, lambda: frame.displacement, lambda: frame.height, lambda: frame.tiles,
-                    lambda: tile.displacement, lambda: tile.dx, lambda: tile.foam, lambda: tile.bounds, lambda: tile.gradient_level(1),
+        for ask in (lambda: frame.hash, lambda: frame.foam_hash, lambda: frame.displacement, lambda: frame.height, lambda: frame.cascades,
+                    lambda: cascade.displacement, lambda: cascade.dx, lambda: cascade.foam, lambda: cascade.bounds, lambda: cascade.gradient_level(1),
                     lambda: frame.query([[0, 0]]), lambda: frame.rays([0, 9, 0], [0, -1, 0], 20), lambda: frame.displaced([[0, 0]]),
                     lambda: frame.displaced_foam([[0, 0]]), lambda: frame.at_rest([[0, 0]]), frame.measured_significant_wave_height_m):
             with pytest.raises(pelagic.StaleFrame, match="holds a later one"):
@@ -102,12 +102,12 @@ def test_a_closed_ocean_says_so(small):
         frame = ocean.frame_at(1)
         kept = frame.displacement
         copy = kept.copy()
-        tile = frame.tiles[0]
+        cascade = frame.cascades[0]
         assert not ocean.is_closed
     assert ocean.is_closed
     for ask in (lambda: ocean.frame_at(2), lambda: ocean.schedule(2), ocean.complete, ocean.is_ready, lambda: ocean.sea, lambda: ocean.isa,
                 lambda: ocean.__enter__(), lambda: ocean.schedule_sea(small, 1, 1), lambda: frame.hash, lambda: frame.displacement,
-                lambda: tile.height, lambda: frame.query([[0, 0]])):
+                lambda: cascade.height, lambda: frame.query([[0, 0]])):
         with pytest.raises(ValueError, match="the ocean is closed, needs one that is open"):
             ask()
     ocean.close()  # once more does no harm
@@ -149,12 +149,12 @@ MEMORY = """
     def frames(count):
         for i in range(count):
             frame = ocean.frame_at(i * 0.1)
-            arrays = [frame.displacement, frame.height, frame.tiles[0].gradient, frame.tiles[0].foam]
+            arrays = [frame.displacement, frame.height, frame.cascades[0].gradient, frame.cascades[0].foam]
             answers = frame.query([[i, 2.0], [3.0, 4.0]])
             frame.rays([0, 9, 0], [0, -1, 0], 20.0)
             frame.displaced([[1.0, i]])
             sea_of_frame, bounds = frame.sea, frame.bounds
-            for wrong in (lambda: frame.query("x"), lambda: frame.tiles[0].gradient_level(9), lambda: ocean.frame_at(float("nan"))):
+            for wrong in (lambda: frame.query("x"), lambda: frame.cascades[0].gradient_level(9), lambda: ocean.frame_at(float("nan"))):
                 try:
                     wrong()
                 except ValueError:

@@ -59,13 +59,13 @@ def test_the_stub_has_what_the_module_has():
     named = {part.name for part in stub.body if isinstance(part, (ast.ClassDef, ast.FunctionDef))} - only_types | {"version"}
     assert named == {name for name in dir(_pelagic) if not name.startswith("__")}
     for part in stub.body:
-        if isinstance(part, ast.ClassDef) and part.name in ("Bounds", "Tile", "Frame", "Ocean"):
+        if isinstance(part, ast.ClassDef) and part.name in ("Bounds", "Cascade", "Frame", "Ocean"):
             there = {name for name, value in vars(getattr(_pelagic, part.name)).items() if not name.startswith("_")}
             assert there == {name for name in members(part) if not name.startswith("_")}, part.name
 
 
 def test_help_says_something_about_everything():
-    for cls in (pelagic.Bounds, pelagic.Tile, pelagic.Frame, pelagic.Ocean):
+    for cls in (pelagic.Bounds, pelagic.Cascade, pelagic.Frame, pelagic.Ocean):
         assert cls.__doc__
         for name, value in vars(cls).items():
             if not name.startswith("_"):
@@ -98,7 +98,7 @@ def test_the_package_is_typed_and_has_the_projects_version():
     ({"spectrum": 3}, TypeError, "spectrum is 3, needs a name: phillips-paper, phillips, pierson-moskowitz or jonswap"),
     ({"waves": "exp_sine"}, ValueError, "waves is exp_sine, needs spectrum, analytic or exp-sine (the nearest is exp-sine)"),
     ({"spreading": "\n\x1b[31m"}, ValueError, r"spreading is \n\x1b[31m, needs paper, cosine-2s, hasselmann or donelan-banner"),
-    ({"cascades": 3, "patch_size_m": 100}, ValueError, "cascades is 3, needs 1 where the side of the tile is given"),
+    ({"cascades": 3, "patch_size_m": 100}, ValueError, "cascades is 3, needs 1 where the side of the cascade is given"),
 ], ids=str)
 def test_a_bad_sea_gets_one_line(bad, kind, line):
     with pytest.raises(kind) as refused:
@@ -139,9 +139,9 @@ def test_bad_questions_get_one_line(small):
         "directions.shape is (2,), needs (..., 3): x, y and z of each ray": lambda frame: frame.rays([0, 9, 0], [0, 0], 1.0),
         "point 1: a coordinate is nan, needs [-1e9, 1e9]": lambda frame: frame.displaced([[0, 0], [np.nan, 0]]),
         "the frame has no foam, needs an ocean with foam=True": lambda frame: frame.foam_hash,
-        "level is 7, needs 0 to 6": lambda frame: frame.tiles[0].gradient_level(7),
-        "the frame has none of that, needs an ocean with velocities=True": lambda frame: frame.tiles[0].velocity_y,
-        "the frame has none of that, needs an ocean with slopes=True": lambda frame: frame.tiles[0].slopes,
+        "level is 7, needs 0 to 6": lambda frame: frame.cascades[0].gradient_level(7),
+        "the frame has none of that, needs an ocean with velocities=True": lambda frame: frame.cascades[0].velocity_y,
+        "the frame has none of that, needs an ocean with slopes=True": lambda frame: frame.cascades[0].slopes,
     }
     with pelagic.Ocean(small) as ocean:
         frame = ocean.frame_at(0)
@@ -186,7 +186,7 @@ def test_signatures_are_those_of_the_stub():
     stub = ast.parse((PACKAGE / "_pelagic.pyi").read_text())
     seen = 0
     for part in stub.body:
-        if not isinstance(part, ast.ClassDef) or part.name not in ("Bounds", "Tile", "Frame", "Ocean"):
+        if not isinstance(part, ast.ClassDef) or part.name not in ("Bounds", "Cascade", "Frame", "Ocean"):
             continue
         for method in part.body:
             is_function = isinstance(method, ast.FunctionDef) and not method.decorator_list
@@ -210,6 +210,6 @@ def test_nothing_else_is_in_the_package():
 def test_an_ocean_says_what_it_was_made_of():
     for isa in pelagic.isas_here():
         with pelagic.Ocean(pelagic.Sea(cascades=3, resolution=32), threads=3, isa=isa) as ocean:
-            assert (ocean.threads, ocean.isa, ocean.resolution, ocean.tile_count) == (3, isa, 32, 3)
-            assert len(ocean.frame_at(0).tiles) == 3 and ocean.memory_bytes > 3 * 32 * 32 * 8
+            assert (ocean.threads, ocean.isa, ocean.resolution, ocean.cascade_count) == (3, isa, 32, 3)
+            assert len(ocean.frame_at(0).cascades) == 3 and ocean.memory_bytes > 3 * 32 * 32 * 8
             assert ocean.sea == pelagic.Sea(cascades=3, resolution=32)

@@ -19,7 +19,7 @@ import pelagic
 def heights(sea: pelagic.Sea) -> NDArray[np.float32]:
     with pelagic.Ocean(sea, threads=1, isa="sse4.2") as ocean:
         frame: pelagic.Frame = ocean.frame_at(1)
-        halves: NDArray[np.float16] = frame.tiles[0].displacement
+        halves: NDArray[np.float16] = frame.cascades[0].displacement
         hit: NDArray[np.bool_] = frame.rays([0, 9, 0], [0, -1, 0], 20)["hit"]
         print(halves.shape, hit.any(), frame.hash + 1)
         return frame.query([[0, 0]], fields=["height"])["height"]

@@ -101,12 +101,12 @@ UnfusedSea::UnfusedSea(const SeaState& sea)
     const auto view = [&](const std::vector<float>& plane) {
         return PlaneView{plane.data(), sea.resolution, sea.resolution, sea.resolution, 0};
     };
-    tile_.dx = view(dx_);
-    tile_.height = view(height_);
-    tile_.dz = view(dz_);
-    tile_.displacement_rgba16f = halves_;
-    tile_.gradient_rgba8 = texels_;
-    frame_.tiles = {&tile_, 1};
+    cascade_.dx = view(dx_);
+    cascade_.height = view(height_);
+    cascade_.dz = view(dz_);
+    cascade_.displacement_rgba16f = halves_;
+    cascade_.gradient_rgba8 = texels_;
+    frame_.cascades = {&cascade_, 1};
 }
 
 const Frame& UnfusedSea::frame_at(double time_s, const FoamSource& foam) {
@@ -121,7 +121,7 @@ const Frame& UnfusedSea::frame_at(double time_s, const FoamSource& foam) {
 }
 
 void UnfusedSea::spectrum() {
-    const TileWaves waves(sea_, plan_tiles(sea_).front());
+    const CascadeWaves waves(sea_, plan_cascades(sea_).front());
     const double spacing = 6.28318530717958647693 / sea_.patch_size_m;
     for (int n = 0; n < sea_.resolution / 2; ++n) {
         for (int position = 0; position < sea_.resolution; ++position) {
@@ -215,7 +215,7 @@ void UnfusedSea::finalize() {
         bounds.sideways_x_max_m = std::max(bounds.sideways_x_max_m, std::fabs(dx_[i]));
         bounds.sideways_z_max_m = std::max(bounds.sideways_z_max_m, std::fabs(dz_[i]));
     }
-    tile_.bounds = bounds;
+    cascade_.bounds = bounds;
 }
 
 void UnfusedSea::gradients(const FoamSource& foam) {

@@ -58,7 +58,7 @@ class UnfusedSea {
     std::vector<std::uint16_t> halves_;
     std::vector<std::uint32_t> texels_;
     std::vector<Average> averages_;  ///< of the finest level not yet made
-    Tile tile_;
+    Cascade cascade_;
     Frame frame_;
 };
 

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "pelagic/sim/kernels/kernels.hpp"
-#include "pelagic/sim/tile.hpp"
+#include "pelagic/sim/cascade.hpp"
 #include "pelagic/tests/unfused/unfused_foam.hpp"
 
 namespace pelagic::unfused {
@@ -40,9 +40,9 @@ struct Along {
     float x, z;
 };
 
-class Tile {
+class Cascade {
    public:
-    Tile(const TilePlanes& planes, const SlopeRanges& ranges)
+    Cascade(const CascadePlanes& planes, const SlopeRanges& ranges)
         : planes_(planes),
           n_(static_cast<std::size_t>(planes.resolution)),
           step_(ranges.slope / 127.f),
@@ -82,7 +82,7 @@ class Tile {
                 lattice.x * planes_.sine + lattice.z * planes_.cosine};
     }
 
-    const TilePlanes& planes_;
+    const CascadePlanes& planes_;
     std::size_t n_;
     float step_;
     float factor_;
@@ -90,18 +90,18 @@ class Tile {
 
 }  // namespace
 
-TileSlopes slopes_of(const TilePlanes& planes, const SlopeRanges& ranges) {
+CascadeSlopes slopes_of(const CascadePlanes& planes, const SlopeRanges& ranges) {
     const auto n = static_cast<std::size_t>(planes.resolution);
     const float step = ranges.slope / 127.f;
     const float variance_factor = step * step / ranges.variance;
-    const Tile tile(planes, ranges);
-    TileSlopes out;
+    const Cascade cascade(planes, ranges);
+    CascadeSlopes out;
     std::vector<Slopes> level(n * n);
     for (std::size_t i = 0; i < level.size(); ++i) {
-        level[i] = tile.slopes_at(i % n, i / n);
+        level[i] = cascade.slopes_at(i % n, i / n);
         out.slopes.push_back(slopes_word(level[i]));
         out.moments.push_back(byte_of(level[i].d_xz) | 0x80000000u);
-        for (const float value : tile.displacement_and_foam(level[i], i))
+        for (const float value : cascade.displacement_and_foam(level[i], i))
             out.halves.push_back(Imath::half(value).bits());
     }
     for (int number = 1; number < mip_levels(planes.resolution); ++number) {

@@ -1,4 +1,4 @@
-// Stages `slopes` and `slopes tail` over a whole tile, one float at a time, as UnfusedSea has the others.
+// Stages `slopes` and `slopes tail` over a whole cascade, one float at a time, as UnfusedSea has the others.
 #pragma once
 
 #include <cstdint>
@@ -9,20 +9,20 @@
 
 namespace pelagic::unfused {
 
-/// What a tile's slopes are made from: tight rows of N^2, metres.
-struct TilePlanes {
+/// What a cascade's slopes are made from: tight rows of N^2, metres.
+struct CascadePlanes {
     int resolution;
     double side_m;
-    float cosine, sine;  ///< how the tile is turned
+    float cosine, sine;  ///< how the cascade is turned
     std::vector<float> dx, height, dz;
     FoamSource foam = {.offset = 200, .scale = 255};
 };
 
-struct TileSlopes {
+struct CascadeSlopes {
     std::vector<std::uint32_t> slopes, moments;  ///< chains
     std::vector<std::uint16_t> halves;
 };
 
-TileSlopes slopes_of(const TilePlanes& planes, const SlopeRanges& ranges);
+CascadeSlopes slopes_of(const CascadePlanes& planes, const SlopeRanges& ranges);
 
 }  // namespace pelagic::unfused

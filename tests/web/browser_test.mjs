@@ -89,7 +89,7 @@ test('ten thousand frames take no more memory than a hundred', async () => {
     globalThis.ocean = await createOcean({ resolution: 32, patchSizeM: 250, queries: true });
     globalThis.run = (frames) => {
       for (let i = 0; i < frames; ++i) ocean.frameAt(i / 60).query([0, 0, 1, 1]);
-      return [ocean.memoryBytes, ocean.frameAt(0).tiles[0].displacement.buffer.byteLength];
+      return [ocean.memoryBytes, ocean.frameAt(0).cascades[0].displacement.buffer.byteLength];
     };
     return [run(100)];
   }).then(async ([first]) => {

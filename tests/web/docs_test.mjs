@@ -49,7 +49,7 @@ test("TypeScript takes the README's lines and the types' every file, strictly, a
   tsc(text);
   tsc(`import { createOcean, type RemoteFrame } from 'pelagic/worker';
 const frame: RemoteFrame = await (await createOcean({ maps: ['height'] })).frameAt(1);
-export const height: Float32Array | undefined = frame.tiles[0].height?.toRows();`);
+export const height: Float32Array | undefined = frame.cascades[0].height?.toRows();`);
   for (const wrong of ['{ windSpeed: 9 }', "{ windSpeedMps: '9' }", "{ waves: 'exp_sine' }"])
     assert.throws(() => tsc(`import { createOcean } from 'pelagic';\nawait createOcean(${wrong});`), (error) => /error TS2/.test(error.stdout));
 });

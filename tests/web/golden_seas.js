@@ -1,18 +1,18 @@
 // The seas of tests/golden/hashes.txt in JavaScript's spelling, for node and for pages. Queries' hashes are of GoogleTest's own points;
 // package_test.mjs asks the native command instead.
 
-const oneTile = { resolution: 64, patchSizeM: 250 };
+const oneCascade = { resolution: 64, patchSizeM: 250 };
 const seas = { default: {} };
-for (const spectrum of ['phillips-paper', 'phillips', 'pierson-moskowitz', 'jonswap']) seas[`${spectrum}-64`] = { ...oneTile, spectrum };
-for (const spreading of ['cosine-2s', 'hasselmann', 'donelan-banner']) seas[`spreading-${spreading}-64`] = { ...oneTile, spreading };
-seas['shallow-64'] = { ...oneTile, depthM: 8 };
-seas['breaking-swell-64'] = { ...oneTile, depthM: 2, swellHeightM: 1, swellDirectionRad: 2 };
+for (const spectrum of ['phillips-paper', 'phillips', 'pierson-moskowitz', 'jonswap']) seas[`${spectrum}-64`] = { ...oneCascade, spectrum };
+for (const spreading of ['cosine-2s', 'hasselmann', 'donelan-banner']) seas[`spreading-${spreading}-64`] = { ...oneCascade, spreading };
+seas['shallow-64'] = { ...oneCascade, depthM: 8 };
+seas['breaking-swell-64'] = { ...oneCascade, depthM: 2, swellHeightM: 1, swellDirectionRad: 2 };
 seas['analytic-64'] = { waves: 'analytic', resolution: 64, choppiness: 1 };
 seas['exp-sine-64'] = { waves: 'exp-sine', resolution: 64 };
-seas['small-waves-64'] = { ...oneTile, smallWaves: 0.8 };
+seas['small-waves-64'] = { ...oneCascade, smallWaves: 0.8 };
 for (const preset of ['calm', 'moderate', 'rough', 'storm']) seas[`preset-${preset}`] = { preset };
 
-export const goldenNames = [...Object.keys(seas).flatMap((name) => [`${name}@0`, `${name}@12.34`]), 'foam-tiles'];
+export const goldenNames = [...Object.keys(seas).flatMap((name) => [`${name}@0`, `${name}@12.34`]), 'foam-cascades'];
 
 /** Names with hashes, of oceans by createOcean() of index.js or worker.js, as "name hash" lines. */
 export async function goldenLines(createOcean, options) {
@@ -23,7 +23,7 @@ export async function goldenLines(createOcean, options) {
     ocean.dispose();
   }
   const foamy = await createOcean({ cascades: 4, resolution: 64, choppiness: 1, foam: true, ...options });
-  lines.push(`foam-tiles ${await (await foamy.frameAt(12.34)).foamHash()}`);
+  lines.push(`foam-cascades ${await (await foamy.frameAt(12.34)).foamHash()}`);
   foamy.dispose();
   return lines;
 }

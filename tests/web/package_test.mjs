@@ -24,7 +24,7 @@ for (const [where, create, threads] of [['here', createOcean, 1], ['here', creat
 test('every golden frame is compared', () => {
   const known = golden.trim().split('\n').map((line) => line.split(' ')[0]);
   assert.deepEqual(known.filter((name) => !goldenNames.includes(name)),
-                   ['foam-folded', 'queries-analytic', 'queries-exp-sine', 'queries-folded', 'queries-smooth', 'queries-tiles']);
+                   ['foam-folded', 'queries-analytic', 'queries-exp-sine', 'queries-folded', 'queries-smooth', 'queries-cascades']);
 });
 
 // Halves are rounded from the planes, which an own reader of halves sees.
@@ -36,44 +36,44 @@ function valueOfHalf(half) {
 test('maps and planes show the same waves, where d.ts says', async () => {
   const ocean = await createOcean({ ...small, queries: true, velocities: true, slopes: true, foam: true });
   const frame = ocean.frameAt(3);
-  const [tile] = frame.tiles;
+  const [cascade] = frame.cascades;
   const texels = 64 * 64;
-  assert.equal(tile.displacement.length, 4 * texels);
-  const rows = tile.height.toRows(), dx = tile.dx.toRows(), dz = tile.dz.toRows();
+  assert.equal(cascade.displacement.length, 4 * texels);
+  const rows = cascade.height.toRows(), dx = cascade.dx.toRows(), dz = cascade.dz.toRows();
   for (const [i, j] of [[0, 0], [5, 0], [0, 5], [63, 63], [17, 40]]) {
-    assert.equal(rows[64 * j + i], tile.height.at(i, j));
+    assert.equal(rows[64 * j + i], cascade.height.at(i, j));
     const texel = 4 * (64 * j + i);
     for (const [channel, plane] of [[0, dx], [1, rows], [2, dz]]) {
       const exact = plane[64 * j + i];
       // A half has eleven bits.
-      assert.ok(Math.abs(valueOfHalf(tile.displacement[texel + channel]) - exact) <= Math.max(Math.abs(exact) * 2 ** -11, 2 ** -25));
+      assert.ok(Math.abs(valueOfHalf(cascade.displacement[texel + channel]) - exact) <= Math.max(Math.abs(exact) * 2 ** -11, 2 ** -25));
     }
-    const [x, z] = [i * tile.texelM + dx[64 * j + i], j * tile.texelM + dz[64 * j + i]];
+    const [x, z] = [i * cascade.texelM + dx[64 * j + i], j * cascade.texelM + dz[64 * j + i]];
     assert.ok(Math.abs(frame.query([x, z]).heightM[0] - rows[64 * j + i]) < 2e-3);  // its tolerance is a millimetre, on slopes below 1
   }
-  assert.equal(Math.max(...rows), tile.bounds.heightMaxM);
-  assert.equal(Math.min(...rows), tile.bounds.heightMinM);
+  assert.equal(Math.max(...rows), cascade.bounds.heightMaxM);
+  assert.equal(Math.min(...rows), cascade.bounds.heightMinM);
   assert.equal(levelCount(64), 7);
   const chain = 4 * levelOffset(64, levelCount(64));
-  for (const name of ['gradients', 'slopes', 'moments']) assert.equal(tile[name].length, chain, name);
-  assert.equal(tile.foam.length, chain / 4);
-  assert.ok(tile.velocityY.toRows().some((speed) => speed !== 0));
+  for (const name of ['gradients', 'slopes', 'moments']) assert.equal(cascade[name].length, chain, name);
+  assert.equal(cascade.foam.length, chain / 4);
+  assert.ok(cascade.velocityY.toRows().some((speed) => speed !== 0));
   ocean.dispose();
 });
 
 test('views are of one memory, copies stay', async () => {
   const ocean = await createOcean({ ...small, threads: 2 });
   const first = ocean.frameAt(1);
-  const { displacement } = first.tiles[0];
-  assert.equal(displacement.buffer, first.tiles[0].height.data.buffer);
+  const { displacement } = first.cascades[0];
+  assert.equal(displacement.buffer, first.cascades[0].height.data.buffer);
   assert.ok(displacement.buffer instanceof SharedArrayBuffer);
   const copy = displacement.slice(), hash = first.hash();
   ocean.frameAt(2);
-  assert.deepEqual(first.tiles[0].displacement, copy);  // while the next one is computed, and until the one after
+  assert.deepEqual(first.cascades[0].displacement, copy);  // while the next one is computed, and until the one after
   assert.equal(first.hash(), hash);
   ocean.schedule(3);
   assert.equal(first.isValid, false);
-  assert.throws(() => first.tiles, /the frame is over/);
+  assert.throws(() => first.cascades, /the frame is over/);
   assert.throws(() => first.hash(), /the frame is over/);
   ocean.complete();
   assert.notDeepEqual(displacement, copy);
@@ -83,10 +83,10 @@ test('views are of one memory, copies stay', async () => {
 test('views that a growing memory takes away are made anew', async () => {
   const ocean = await createOcean({ ...small, queries: true });
   const frame = ocean.frameAt(1);
-  const kept = frame.tiles[0].displacement, copy = kept.slice(), hash = frame.hash();
+  const kept = frame.cascades[0].displacement, copy = kept.slice(), hash = frame.hash();
   ocean.query(new Float64Array(2e6));  // a million answers need more than there was
   assert.equal(kept.length, 0, 'the memory has not grown: this test tests nothing');
-  assert.deepEqual(frame.tiles[0].displacement, copy);
+  assert.deepEqual(frame.cascades[0].displacement, copy);
   assert.equal(frame.hash(), hash);
   ocean.dispose();
 });
@@ -143,7 +143,7 @@ test('what is wrong is refused by one line that says what would do', async () =>
     [{ windSpeedMps: [9] }, 'windSpeedMps is an array, needs a number: (0, 60]'],
     [{ resolution: 100 }, 'resolution is 100, needs a power of two from 16 to 2048, or 0: chosen'],
     [{ cascades: 2.5 }, 'cascades is 2.5, needs 1, 2, 3 or 4, or 0: chosen'],
-    [{ cascades: 3, patchSizeM: 100 }, 'cascades is 3, needs 1 where the side of the tile is given'],
+    [{ cascades: 3, patchSizeM: 100 }, 'cascades is 3, needs 1 where the side of the cascade is given'],
     [{ spectrum: 'phillips-paper', swellHeightM: 1 }, 'swellHeightM is 1, needs 0 where the spectrum is phillips-paper'],
     [{ wind_speed_mps: 9 }, 'there is no option wind_speed_mps, needs windSpeedMps'],
     [{ windspeed: 9 }, 'there is no option windspeed, needs windSpeedMps'],
@@ -225,13 +225,13 @@ test("a worker's frames are its memory where that is shared, else copies", async
     const ocean = await remote.createOcean({ ...small, threads, slopes: true, maps: ['displacement', 'slopes', 'height'] });
     assert.equal(ocean.isShared, threads > 1);
     ocean.schedule(4);
-    const [tile] = (await ocean.complete()).tiles;
-    assert.equal(tile.displacement.buffer instanceof SharedArrayBuffer, threads > 1);
-    const here = local.frameAt(4).tiles[0];
-    assert.deepEqual(Array.from(tile.displacement), Array.from(here.displacement));
-    assert.deepEqual(Array.from(tile.slopes), Array.from(here.slopes));
-    assert.deepEqual(Array.from(tile.height.toRows()), Array.from(here.height.toRows()));
-    assert.equal(tile.moments, null);
+    const [cascade] = (await ocean.complete()).cascades;
+    assert.equal(cascade.displacement.buffer instanceof SharedArrayBuffer, threads > 1);
+    const here = local.frameAt(4).cascades[0];
+    assert.deepEqual(Array.from(cascade.displacement), Array.from(here.displacement));
+    assert.deepEqual(Array.from(cascade.slopes), Array.from(here.slopes));
+    assert.deepEqual(Array.from(cascade.height.toRows()), Array.from(here.height.toRows()));
+    assert.equal(cascade.moments, null);
     const pending = ocean.frameAt(1);
     ocean.dispose();
     await assert.rejects(pending, /disposed/);
@@ -266,16 +266,16 @@ test('ten thousand frames take no more memory than a hundred', async () => {
     for (let i = 0; i < frames; ++i) {
       const frame = ocean.frameAt(i / 60);
       frame.query(points);
-      assert.ok(frame.tiles[0].displacement.length);
+      assert.ok(frame.cascades[0].displacement.length);
     }
   };
   run(100);
-  const bytes = ocean.frameAt(0).tiles[0].displacement.buffer.byteLength, held = ocean.memoryBytes;
+  const bytes = ocean.frameAt(0).cascades[0].displacement.buffer.byteLength, held = ocean.memoryBytes;
   globalThis.gc();
   const heap = process.memoryUsage().heapUsed;
   run(10000);
   globalThis.gc();
-  assert.equal(ocean.frameAt(0).tiles[0].displacement.buffer.byteLength, bytes);
+  assert.equal(ocean.frameAt(0).cascades[0].displacement.buffer.byteLength, bytes);
   assert.equal(ocean.memoryBytes, held);
   // A leak of one number a frame would be 80 KB, of a view a megabyte; compiled code comes and goes.
   assert.ok(process.memoryUsage().heapUsed - heap < 1e6, `${process.memoryUsage().heapUsed - heap} bytes more`);
@@ -286,7 +286,7 @@ test('oceans that come and go leave nothing', async () => {
   const live = [];
   for (let i = 0; i < 30; ++i) {
     const ocean = await createOcean({ ...small, threads: 1 + i % 2 });
-    live.push(new WeakRef(ocean.frameAt(i).tiles[0].displacement.buffer));
+    live.push(new WeakRef(ocean.frameAt(i).cascades[0].displacement.buffer));
     ocean.dispose();
   }
   for (let i = 0; i < 20; ++i) {

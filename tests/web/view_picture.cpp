@@ -42,7 +42,7 @@ void draw(const nlohmann::json& scene, const char* picture) {
     Selection selection(quadtree_preset_named(quality)->options(4096));
     gl::SeaRenderer renderer(gl, {.patch_vertices = selection.options().vertices,
                                   .resolution = ocean.resolution(),
-                                  .tiles = ocean.tile_count(),
+                                  .cascades = ocean.cascade_count(),
                                   .shading = *gl::shading_named(shading)});
     const gl::LightPreset& light = *gl::light_preset_named(light_name);
     gl::SkyBaker baker(make_default_executor(), scene["skyFaceSize"]);

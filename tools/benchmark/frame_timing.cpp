@@ -42,7 +42,7 @@ std::unique_ptr<Ocean> ocean_of(const SeaState& sea, Isa isa, int threads, std::
                           .trace = std::move(trace)});
 }
 
-/// Jobs of a graph, each once whatever the number of tiles, in the order in which they begin.
+/// Jobs of a graph, each once whatever the number of cascades, in the order in which they begin.
 std::vector<std::string> jobs_of(const JobGraph& graph) {
     std::vector<std::string> jobs;
     for (const Stage& stage : graph.stages())
@@ -74,9 +74,9 @@ class JobClock final : public TraceSink {
 
 std::size_t texture_bytes(const Frame& frame) {
     std::size_t bytes = 0;
-    for (const Tile& tile : frame.tiles)
-        bytes += tile.displacement_rgba16f.size_bytes() + tile.gradient_rgba8.size_bytes() +
-                 tile.slopes_rgba8.size_bytes() + tile.moments_rgba8.size_bytes() + tile.foam_r8.size_bytes();
+    for (const Cascade& cascade : frame.cascades)
+        bytes += cascade.displacement_rgba16f.size_bytes() + cascade.gradient_rgba8.size_bytes() +
+                 cascade.slopes_rgba8.size_bytes() + cascade.moments_rgba8.size_bytes() + cascade.foam_r8.size_bytes();
     return bytes;
 }
 
@@ -109,7 +109,7 @@ class TimedSea {
         for (std::size_t i = 0; i < jobs_.size(); ++i) jobs_[i].turns_ms.push_back(clock_->ms()[i] / frames_a_turn_);
     }
 
-    std::string sea() const { return sea_name(static_cast<int>(ocean_->tile_count()), ocean_->resolution()); }
+    std::string sea() const { return sea_name(static_cast<int>(ocean_->cascade_count()), ocean_->resolution()); }
     std::size_t turns() const { return turns_ms_.size(); }
 
     /// A stage may be run again on what the last frame left: its work does not depend on the values.
@@ -124,7 +124,7 @@ class TimedSea {
     }
 
     FrameTiming result() const {
-        FrameTiming frame{.tiles = static_cast<int>(ocean_->tile_count()),
+        FrameTiming frame{.cascades = static_cast<int>(ocean_->cascade_count()),
                           .resolution = ocean_->resolution(),
                           .isa = ocean_->isa(),
                           .threads = threads_,
@@ -154,7 +154,7 @@ class TimedSea {
     };
 
     double texels() const {
-        return static_cast<double>(ocean_->tile_count()) * ocean_->resolution() * ocean_->resolution();
+        return static_cast<double>(ocean_->cascade_count()) * ocean_->resolution() * ocean_->resolution();
     }
 
     void draw(Ocean& ocean, int frames) {

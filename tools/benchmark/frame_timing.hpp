@@ -13,8 +13,8 @@
 namespace pelagic::tools {
 
 /// "1x256", "4x128".
-inline std::string sea_name(int tiles, int resolution) {
-    return std::to_string(tiles) + "x" + std::to_string(resolution);
+inline std::string sea_name(int cascades, int resolution) {
+    return std::to_string(cascades) + "x" + std::to_string(resolution);
 }
 
 struct TimingPlan {
@@ -29,7 +29,7 @@ struct Quartiles {
     double median, low, high;
 };
 
-/// A job of a frame, of all tiles together.
+/// A job of a frame, of all cascades together.
 struct JobTiming {
     std::string job;
     Quartiles ms;
@@ -38,7 +38,7 @@ struct JobTiming {
 };
 
 struct FrameTiming {
-    int tiles, resolution;
+    int cascades, resolution;
     Isa isa;
     int threads;
     Quartiles ms;
@@ -48,7 +48,7 @@ struct FrameTiming {
     std::size_t memory_bytes;            ///< that the ocean holds: two frames and the spectrum
     std::size_t upload_bytes;            ///< of a frame's textures, all levels
 
-    std::string sea() const { return sea_name(tiles, resolution); }
+    std::string sea() const { return sea_name(cascades, resolution); }
 };
 
 struct Timings {

@@ -43,7 +43,7 @@ void print_headset_timings(const Timings& timings) {
     std::printf(" |%7s%9s\n", "MB", "MB");
     for (const FrameTiming& frame : timings.frames) print_row(frame);
     std::printf(
-        "\nsea: tiles x N; Hz: the part of a display's frame; uploaded: textures of each frame, all levels\n");
+        "\nsea: cascades x N; Hz: the part of a display's frame; uploaded: textures of each frame, all levels\n");
     std::printf("docs/users/headset.md has these rows for a headset's cores, by a model.\n");
 }
 

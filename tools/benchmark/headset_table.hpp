@@ -12,7 +12,7 @@ namespace pelagic::tools {
 /// More cores than that are slow ones, or the renderer's.
 inline constexpr int most_headset_threads = 3;
 
-/// One tile of 128 and of 256, three of 64, three and four of 128.
+/// One cascade of 128 and of 256, three of 64, three and four of 128.
 std::vector<SeaState> headset_seas();
 
 /// Prints, within 100 columns, a line for each sea and number of threads: milliseconds, the part of a headset's frame that

@@ -13,11 +13,11 @@ struct StageWork {
     double flops, bytes;
 };
 
-/// The job that a stage does, of whichever tile: "evolve+rows c1", of the second one, is "evolve+rows".
+/// The job that a stage does, of whichever cascade: "evolve+rows c1", of the second one, is "evolve+rows".
 inline std::string_view job_of(std::string_view stage_name) {
-    const std::size_t tile = stage_name.rfind(" c");
-    const bool is_of_finer_tile = tile != std::string_view::npos && tile + 3 == stage_name.size();
-    return is_of_finer_tile ? stage_name.substr(0, tile) : stage_name;
+    const std::size_t cascade = stage_name.rfind(" c");
+    const bool is_of_finer_cascade = cascade != std::string_view::npos && cascade + 3 == stage_name.size();
+    return is_of_finer_cascade ? stage_name.substr(0, cascade) : stage_name;
 }
 
 /// A complex transform of N points counts 5 N log2 N operations, as is usual; there are 1.5 N of them in each
@@ -25,7 +25,7 @@ inline std::string_view job_of(std::string_view stage_name) {
 inline double transform_flops(int n) { return 1.5 * 5 * (std::bit_width(static_cast<unsigned>(n)) - 1); }
 
 /// \param job         one of a frame without queries and velocities
-/// \param resolution  texels along a side of each tile
+/// \param resolution  texels along a side of each cascade
 inline StageWork work_of(std::string_view job, int resolution) {
     // Half a wave a texel: 16 for the rotation, shared by two, 6 for the height, 8 for the sideways pair.
     if (job == "evolve+rows") return {0.5 * 22 + transform_flops(resolution), 11 + 12};

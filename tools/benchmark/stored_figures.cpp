@@ -22,7 +22,7 @@ std::vector<MachineFrames> stored_frames() {
         const std::string machine = json.at("cpu").get<std::string>() + ", " + json.at("compiler").get<std::string>();
         std::map<std::string, MachineFrames> by_isa;
         for (const auto& row : json.at("rows")) {
-            if (row.at("threads") != 1 || row.value("tiles", 1) != 1) continue;
+            if (row.at("threads") != 1 || row.value("cascades", 1) != 1) continue;
             const auto isa = row.at("isa").get<std::string>();
             MachineFrames& frames = by_isa.try_emplace(isa, MachineFrames{machine, isa}).first->second;
             const int resolution = row.at("n").get<int>();

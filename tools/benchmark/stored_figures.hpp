@@ -11,7 +11,7 @@
 
 namespace pelagic::tools {
 
-/// Frames of one tile on one thread, with one instruction set of one machine: milliseconds by N.
+/// Frames of one cascade on one thread, with one instruction set of one machine: milliseconds by N.
 struct MachineFrames {
     std::string machine, isa;
     std::map<int, double> ms = {};

@@ -39,7 +39,7 @@ class EventPlayer {
     std::vector<std::uint8_t> beginning_;
 };
 
-/// The frame with the water beside its tiles, within its bounds.
+/// The frame with the water beside its cascades, within its bounds.
 Frame with_water(const Frame& frame, const DynamicWavesView& water);
 
 }  // namespace pelagic::tools

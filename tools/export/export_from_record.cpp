@@ -13,7 +13,7 @@ namespace pelagic::tools {
 namespace {
 
 /// Keys that follow from others.
-constexpr std::array<std::string_view, 2> no_flags = {"mesh_tiles", "events_xxh3"};
+constexpr std::array<std::string_view, 2> no_flags = {"mesh_cascades", "events_xxh3"};
 
 /// A list of one frame could be taken for a number of frames.
 std::string as_list(const std::string& numbers) {

@@ -5,7 +5,7 @@
 #include <cstdio>
 
 #include "pelagic/sim/sea_state.hpp"
-#include "pelagic/sim/tile.hpp"
+#include "pelagic/sim/cascade.hpp"
 #include "pelagic/tools/export/frame_times.hpp"
 #include "pelagic/tools/export/record_names.hpp"
 
@@ -13,7 +13,7 @@ namespace pelagic::tools {
 namespace {
 
 constexpr std::size_t frame_digits = 4;
-constexpr int most_tiles = 4, most_level = mip_levels(2048) - 1;
+constexpr int most_cascades = 4, most_level = mip_levels(2048) - 1;
 
 bool is_extension(std::string_view text, MapKind map) {
     if (text == "tif" || text == "ktx2" || text == "dds") return true;
@@ -39,12 +39,12 @@ class NameReader {
         rest_.remove_prefix(end);
         return least <= number && number <= most;
     }
-    /// "displacement_c1": a map and, of finer tiles, which one.
-    std::optional<MapKind> take_map_and_tile() {
+    /// "displacement_c1": a map and, of finer cascades, which one.
+    std::optional<MapKind> take_map_and_cascade() {
         const auto* map =
             std::find_if(all_maps.begin(), all_maps.end(), [&](MapKind one) { return take(name_of(one)); });
         if (map == all_maps.end() && take(name_of(MapKind::dynamic_waves))) return MapKind::dynamic_waves;
-        if (map == all_maps.end() || (take("_c") && !take_number(1, 1, most_tiles - 1))) return {};
+        if (map == all_maps.end() || (take("_c") && !take_number(1, 1, most_cascades - 1))) return {};
         return *map;
     }
     /// "_mip2", if the map has levels, or nothing.
@@ -69,12 +69,12 @@ std::string number_in_name(int frame) {
 }  // namespace
 
 std::string image_name(const MapOptions& options, const ImageMark& mark, int frame, bool is_alone) {
-    const std::string tile = mark.tile > 0 ? "_c" + std::to_string(mark.tile) : "";
+    const std::string cascade = mark.cascade > 0 ? "_c" + std::to_string(mark.cascade) : "";
     const std::string level = mark.level > 0 ? "_mip" + std::to_string(mark.level) : "";
     const std::string map(name_of(mark.map));
     const char* extension = extension_of(mark.map, options);
-    if (options.names) return options.names->name(is_alone ? "" : map + tile + level, frame, extension);
-    return map + tile + number_in_name(frame) + level + "." + extension;
+    if (options.names) return options.names->name(is_alone ? "" : map + cascade + level, frame, extension);
+    return map + cascade + number_in_name(frame) + level + "." + extension;
 }
 
 std::string mesh_name(const std::optional<NamePattern>& pattern, int frame, const char* extension) {
@@ -96,7 +96,7 @@ bool is_image_name(std::string_view name, const std::optional<NamePattern>& patt
     if (reader.take(packed_start))
         return reader.take("_") && reader.take_number(frame_digits, 0, FrameTimes::largest_number) &&
                reader.rest() == ".exr";
-    const auto map = reader.take_map_and_tile();
+    const auto map = reader.take_map_and_cascade();
     if (map && reader.take("_") && reader.take_number(frame_digits, 0, FrameTimes::largest_number) &&
         reader.take_level(*map) && reader.take(".") && is_extension(reader.rest(), *map))
         return true;
@@ -106,12 +106,12 @@ bool is_image_name(std::string_view name, const std::optional<NamePattern>& patt
         return std::any_of(all_maps.begin(), all_maps.end(),
                            [&](MapKind one) { return is_extension(parts->extension, one); });
     NameReader mark(parts->mark);
-    const auto marked = mark.take_map_and_tile();
+    const auto marked = mark.take_map_and_cascade();
     return marked && mark.take_level(*marked) && mark.rest().empty() && is_extension(parts->extension, *marked);
 }
 
-std::string flipbook_name(const MapOptions& options, MapKind map, int tile) {
-    const std::string mark = tile > 0 ? "_c" + std::to_string(tile) : "";
+std::string flipbook_name(const MapOptions& options, MapKind map, int cascade) {
+    const std::string mark = cascade > 0 ? "_c" + std::to_string(cascade) : "";
     return std::string(flipbook_mark).append(name_of(map)) + mark + "." + extension_of(map, options);
 }
 
@@ -119,7 +119,7 @@ bool is_flipbook_name(std::string_view name) {
     if (name == flipbook_json_name) return true;
     NameReader reader(name);
     if (!reader.take(flipbook_mark)) return false;
-    const auto map = reader.take_map_and_tile();
+    const auto map = reader.take_map_and_cascade();
     return map && reader.take(".") && is_extension(reader.rest(), *map);
 }
 

@@ -12,11 +12,11 @@ namespace pelagic::tools {
 /// What an image shows, as names have it.
 struct ImageMark {
     MapKind map;
-    int tile = 0;  ///< 0 is the coarsest
+    int cascade = 0;  ///< 0 is the coarsest
     int level = 0;
 };
 
-/// "displacement_0007.exr" of the coarsest tile; "gradient_c1_0007_mip2.png" for level 2 of the next one. By a pattern:
+/// "displacement_0007.exr" of the coarsest cascade; "gradient_c1_0007_mip2.png" for level 2 of the next one. By a pattern:
 /// "wave.gradient_c1_mip2.0007.png". \param is_alone  the frame has no other image, which a pattern needs no mark for then
 std::string image_name(const MapOptions& options, const ImageMark& mark, int frame, bool is_alone);
 
@@ -39,8 +39,8 @@ const char* extension_of(MapKind map, const MapOptions& options);
 /// True for what image_name() and packed_name() can give, without a pattern or with this one, and with any other options.
 bool is_image_name(std::string_view name, const std::optional<NamePattern>& pattern);
 
-/// Of all frames: "flipbook_foam.png" of the coarsest tile, "flipbook_foam_c1.png" of the next one.
-std::string flipbook_name(const MapOptions& options, MapKind map, int tile);
+/// Of all frames: "flipbook_foam.png" of the coarsest cascade, "flipbook_foam_c1.png" of the next one.
+std::string flipbook_name(const MapOptions& options, MapKind map, int cascade);
 inline constexpr const char* flipbook_json_name = "flipbook.json";
 
 /// True for what flipbook_name() can give, with any options, and for the JSON.

@@ -181,7 +181,7 @@ void ExportFlags::add_to(CLI::App& app) {
     add("out", "DIR",
         "folder for the files; made if missing, one with a finished export needs --resume or --overwrite. Or a "
         "folder and a name for the "
-        "sequence: DIR/wave.####.exr, DIR/wave.%04d.tif; where a frame has several images, their maps and tiles "
+        "sequence: DIR/wave.####.exr, DIR/wave.%04d.tif; where a frame has several images, their maps and cascades "
         "stand "
         "before the number: wave.foam_c1.0007.png");
     add("start", "SECONDS", "time of the first frame; default 0");
@@ -210,7 +210,7 @@ void ExportFlags::add_to(CLI::App& app) {
         "none. All but dwaa keep every bit; "
         "dwaa is for looking at: it makes halves of floats and is off by a hundredth of the largest waves and more");
     add("pack", "NAME",
-        "what is in a file: files (one map of one tile each), layers or parts (one EXR file a frame, sea_0000.exr, "
+        "what is in a file: files (one map of one cascade each), layers or parts (one EXR file a frame, sea_0000.exr, "
         "with "
         "layers in one image or with parts, called displacement, displacement_c1, ...); default files");
     app.add_flag(
@@ -223,7 +223,7 @@ void ExportFlags::add_to(CLI::App& app) {
         "their files");
     app.add_flag("--half", half_, "16-bit instead of 32-bit floats");
     add("flipbook", "COLUMNSxROWS",
-        "all frames side by side too: flipbook_MAP, one image a map and tile, and flipbook.json, which says how");
+        "all frames side by side too: flipbook_MAP, one image a map and cascade, and flipbook.json, which says how");
     app.add_flag(
         "--preview", preview_,
         "no frames: only preview.png, the maps and the sea in a picture, preview.mp4 if ffmpeg is there, and "

@@ -63,7 +63,7 @@ Expected expected_of(const ExportOptions& options, const Frame& frame) {
             static_cast<double>(encode_mesh_file(mesh.format, exported_mesh(frame, options)).size());
     expected.files = (images.size() + meshes.size()) * options.times.count() + 2 + (options.events ? 1 : 0);
     if (options.flipbook) {
-        expected.files += options.maps.maps.size() * frame.tiles.size() + 1;
+        expected.files += options.maps.maps.size() * frame.cascades.size() + 1;
         expected.bytes_a_frame += image_bytes;
     }
     for (const auto& sequence : mesh_sequences(options)) {
@@ -101,19 +101,19 @@ std::string expected_text(const Expected& expected) {
            bytes_text(expected.bytes_a_frame) + " a frame";
 }
 
-/// A map of a tile with what it is called below it.
+/// A map of a cascade with what it is called below it.
 struct Cell {
     Picture picture;
     std::vector<std::string> texts;
 };
 
 Cell cell_of(const ImageFile& file, const ImagePart& part, const Frame& frame, const MapOptions& options) {
-    const Tile& tile = frame.tiles[static_cast<std::size_t>(part.tile)];
-    const MapImage map = map_image(tile, part.map, 0, options);
+    const Cascade& cascade = frame.cascades[static_cast<std::size_t>(part.cascade)];
+    const MapImage map = map_image(cascade, part.map, 0, options);
     MapPicture shown = picture_of(map, cell);
     const std::string side = number_text(map.side), channels = map.channels == 1 ? " channel of " : " channels of ";
     Cell result{std::move(shown.picture),
-                {file.name, rounded_text(tile.lattice.side_m, 3) + " m, " + side + " x " + side,
+                {file.name, rounded_text(cascade.lattice.side_m, 3) + " m, " + side + " x " + side,
                  number_text(map.channels) + channels + sample_text(map.sample)}};
     if (is_floating(map.sample))
         result.texts.push_back(rounded_text(static_cast<double>(shown.least), 3) + " to " +
@@ -121,7 +121,7 @@ Cell cell_of(const ImageFile& file, const ImagePart& part, const Frame& frame, c
     return result;
 }
 
-/// Map by map, each of the coarsest tile first.
+/// Map by map, each of the coarsest cascade first.
 std::vector<Cell> cells_of(const ExportOptions& options, const Frame& frame) {
     const std::vector<ImageFile> files = image_files(options, options.times.number(0));
     std::vector<Cell> cells;

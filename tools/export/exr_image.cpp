@@ -54,36 +54,36 @@ std::string text_of(std::span<const ChannelMeaning> channels) {
 
 /// "displacement", "displacement_c1": as parts and layers are called.
 std::string name_of(const ImagePart& part) {
-    return std::string(name_of(part.map)) + (part.tile > 0 ? "_c" + number_text(part.tile) : "");
+    return std::string(name_of(part.map)) + (part.cascade > 0 ? "_c" + number_text(part.cascade) : "");
 }
 
-ExrLayer layer_of(const ImagePart& part, const Tile& tile, const MapOptions& options, const std::string& before) {
+ExrLayer layer_of(const ImagePart& part, const Cascade& cascade, const MapOptions& options, const std::string& before) {
     const Sample sample = options.sample_of(part.map);
-    ExrLayer layer{.channels = {}, .sample = exr_sample(sample), .image_of = [&tile, &options, part](int level) {
-                       return without_bytes(map_image(tile, part.map, part.first_level + level, options));
+    ExrLayer layer{.channels = {}, .sample = exr_sample(sample), .image_of = [&cascade, &options, part](int level) {
+                       return without_bytes(map_image(cascade, part.map, part.first_level + level, options));
                    }};
     for (const ChannelMeaning& channel : channel_meanings(part.map, options))
         layer.channels.push_back(before + std::string(channel.channel));
     return layer;
 }
 
-void add_map(std::vector<ExrAttribute>& attributes, const ImagePart& part, const Tile& tile,
+void add_map(std::vector<ExrAttribute>& attributes, const ImagePart& part, const Cascade& cascade,
              const MapOptions& options, const std::string& layer) {
     const auto add = [&](const char* name, auto value) {
         attributes.emplace_back("pelagic:" + layer + name, std::move(value));
     };
     add("map", std::string(name_of(part.map)));
     add("channels", text_of(channel_meanings(part.map, options)));
-    add("tile", part.tile);
-    add("side_m", tile.lattice.side_m);
-    add("turn_cosine", tile.lattice.cosine);
-    add("turn_sine", options.up_axis == UpAxis::z ? 0 - tile.lattice.sine : tile.lattice.sine);
+    add("cascade", part.cascade);
+    add("side_m", cascade.lattice.side_m);
+    add("turn_cosine", cascade.lattice.cosine);
+    add("turn_sine", options.up_axis == UpAxis::z ? 0 - cascade.lattice.sine : cascade.lattice.sine);
 }
 
 ExrPart empty_part(const ImagePart& of, const Frame& frame, int number, const FrameTimes& times,
                    const MapOptions& maps) {
     return {.name = "",
-            .side = frame.tiles[static_cast<std::size_t>(of.tile)].resolution() >> of.first_level,
+            .side = frame.cascades[static_cast<std::size_t>(of.cascade)].resolution() >> of.first_level,
             .levels = of.levels,
             .layers = {},
             .attributes = {{"wrapmodes", "periodic,periodic"},
@@ -93,8 +93,8 @@ ExrPart empty_part(const ImagePart& of, const Frame& frame, int number, const Fr
                            {"pelagic:axes",
                             maps.up_axis == UpAxis::z ? "+x east, +y north, +z up" : "+x east, +y up, +z south"},
                            {"pelagic:rows", maps.rows == FirstRow::bottom
-                                                ? "the last row is z = 0 of the tile"
-                                                : "row 0 is the upper edge, z = 0 of the tile"}},
+                                                ? "the last row is z = 0 of the cascade"
+                                                : "row 0 is the upper edge, z = 0 of the cascade"}},
             .frames_per_second = times.fps ? *times.fps : static_cast<double>(times.count()) / times.loop_period_s};
 }
 
@@ -138,14 +138,14 @@ ExrFile exr_file(const ImageFile& file, const Frame& frame, int number, const Ex
             exr.parts.push_back(dynamic_waves_part(frame, number, options));
             continue;
         }
-        const Tile& tile = frame.tiles[static_cast<std::size_t>(of.tile)];
+        const Cascade& cascade = frame.cascades[static_cast<std::size_t>(of.cascade)];
         if (exr.parts.empty() || !has_layers) {
             exr.parts.push_back(empty_part(of, frame, number, options.times, options.maps));
             if (is_packed && !has_layers) exr.parts.back().name = name_of(of);
         }
         ExrPart& part = exr.parts.back();
-        part.layers.push_back(layer_of(of, tile, options.maps, is_packed ? name_of(of) + "." : ""));
-        add_map(part.attributes, of, tile, options.maps, has_layers ? name_of(of) + ":" : "");
+        part.layers.push_back(layer_of(of, cascade, options.maps, is_packed ? name_of(of) + "." : ""));
+        add_map(part.attributes, of, cascade, options.maps, has_layers ? name_of(of) + ":" : "");
     }
     return exr;
 }

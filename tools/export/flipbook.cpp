@@ -20,24 +20,24 @@ int levels_of(const ExportOptions& options) {
     return is_texture(options.maps.format) && options.maps.mips ? mip_levels(resolution_of(options.sea.sea)) : 1;
 }
 
-/// The frames of one map of one tile.
+/// The frames of one map of one cascade.
 struct Atlas {
     MapKind map;
-    int tile;
+    int cascade;
     std::vector<TextureImage> levels = {};
 };
 
 class Flipbook : public SequenceOutput {
    public:
     explicit Flipbook(const ExportOptions& options) : options_(options), grid_(*options.flipbook) {
-        for (int tile = 0; tile < cascades_of(options.sea.sea); ++tile)
-            for (const MapKind map : options.maps.maps) atlases_.push_back({map, tile});
+        for (int cascade = 0; cascade < cascades_of(options.sea.sea); ++cascade)
+            for (const MapKind map : options.maps.maps) atlases_.push_back({map, cascade});
     }
 
     void add(std::size_t index, const Frame& frame) override {
         for (Atlas& atlas : atlases_) {
-            const Tile& tile = frame.tiles[static_cast<std::size_t>(atlas.tile)];
-            const std::vector<MapImage> levels = map_levels(tile, atlas.map, 0, levels_of(options_), options_.maps);
+            const Cascade& cascade = frame.cascades[static_cast<std::size_t>(atlas.cascade)];
+            const std::vector<MapImage> levels = map_levels(cascade, atlas.map, 0, levels_of(options_), options_.maps);
             if (atlas.levels.empty())
                 for (const MapImage& level : levels) atlas.levels.push_back(empty_level(level));
             for (std::size_t level = 0; level < levels.size(); ++level)
@@ -48,7 +48,7 @@ class Flipbook : public SequenceOutput {
     std::vector<File> finish() override {
         std::vector<File> files;
         for (const Atlas& atlas : atlases_)
-            files.push_back({flipbook_name(options_.maps, atlas.map, atlas.tile),
+            files.push_back({flipbook_name(options_.maps, atlas.map, atlas.cascade),
                              encode_pixels(atlas.map, atlas.levels, options_.maps)});
         const std::string json = as_json().dump(2) + "\n";
         files.push_back({flipbook_json_name, {json.begin(), json.end()}});
@@ -85,9 +85,9 @@ class Flipbook : public SequenceOutput {
                                        {"levels", levels_of(options_)},
                                        {"channels", channels_as_json(options_.maps, false)}};
         for (const Atlas& atlas : atlases_)
-            json["files"].push_back({{"name", flipbook_name(options_.maps, atlas.map, atlas.tile)},
+            json["files"].push_back({{"name", flipbook_name(options_.maps, atlas.map, atlas.cascade)},
                                      {"map", name_of(atlas.map)},
-                                     {"tile", atlas.tile}});
+                                     {"cascade", atlas.cascade}});
         return json;
     }
 
@@ -119,7 +119,7 @@ void check_flipbook(const ExportOptions& options, const std::string& typed) {
     if (bytes > most_bytes)
         throw bad_value("--flipbook", typed,
                         "images of at most 2 GB together, and these have " + rounded_text(bytes / 1e9, 2) +
-                            ": fewer frames, maps, tiles or texels");
+                            ": fewer frames, maps, cascades or texels");
 }
 
 std::unique_ptr<SequenceOutput> flipbook(const ExportOptions& options) {

@@ -1,4 +1,4 @@
-// Frames of an export side by side in one image a map and tile, for particle systems and shaders that play them, and
+// Frames of an export side by side in one image a map and cascade, for particle systems and shaders that play them, and
 // flipbook.json, which says how.
 #pragma once
 

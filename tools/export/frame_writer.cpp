@@ -21,7 +21,7 @@
 namespace pelagic::tools {
 namespace {
 
-/// The views of a tile that the files show.
+/// The views of a cascade that the files show.
 struct NeededViews {
     explicit NeededViews(const ExportOptions& options)
         : planes(options.maps.has(MapKind::displacement) || options.maps.has(MapKind::normal) ||
@@ -38,9 +38,9 @@ struct NeededViews {
 class FrameCopy {
    public:
     FrameCopy(const Frame& frame, const NeededViews& needed)
-        : frame_(frame), tiles_(frame.tiles.begin(), frame.tiles.end()) {
-        for (Tile& tile : tiles_) copies_.push_back(copied(tile, needed));
-        frame_.tiles = tiles_;
+        : frame_(frame), cascades_(frame.cascades.begin(), frame.cascades.end()) {
+        for (Cascade& cascade : cascades_) copies_.push_back(copied(cascade, needed));
+        frame_.cascades = cascades_;
         if (!needed.dynamic_waves) return;
         copy_if(true, dynamic_height_m_, frame_.dynamic_waves.height_m);
         copy_if(true, dynamic_rise_mps_, frame_.dynamic_waves.rise_mps);
@@ -58,14 +58,14 @@ class FrameCopy {
         std::vector<std::uint8_t> foam;
     };
 
-    static Copies copied(Tile& tile, const NeededViews& needed) {
+    static Copies copied(Cascade& cascade, const NeededViews& needed) {
         Copies copies;
-        if (needed.planes) copy_planes(copies.planes, {&tile.dx, &tile.height, &tile.dz});
-        if (needed.velocities) copy_planes(copies.velocities, {&tile.velocity_x, &tile.velocity_y, &tile.velocity_z});
-        copy_if(needed.gradient, copies.gradient, tile.gradient_rgba8);
-        copy_if(needed.foam, copies.foam, tile.foam_r8);
-        tile.displacement_rgba16f = {};
-        tile.slopes_rgba8 = tile.moments_rgba8 = {};
+        if (needed.planes) copy_planes(copies.planes, {&cascade.dx, &cascade.height, &cascade.dz});
+        if (needed.velocities) copy_planes(copies.velocities, {&cascade.velocity_x, &cascade.velocity_y, &cascade.velocity_z});
+        copy_if(needed.gradient, copies.gradient, cascade.gradient_rgba8);
+        copy_if(needed.foam, copies.foam, cascade.foam_r8);
+        cascade.displacement_rgba16f = {};
+        cascade.slopes_rgba8 = cascade.moments_rgba8 = {};
         return copies;
     }
 
@@ -89,7 +89,7 @@ class FrameCopy {
     }
 
     Frame frame_;
-    std::vector<Tile> tiles_;
+    std::vector<Cascade> cascades_;
     std::vector<Copies> copies_;
     std::vector<float> dynamic_height_m_, dynamic_rise_mps_;
     std::vector<std::uint8_t> dynamic_foam_;
@@ -196,15 +196,15 @@ WritingPlan plan_writing(const ExportOptions& options, std::size_t most_bytes) {
     const std::size_t threads = options.compute.threads == 0 ? std::max(1u, std::thread::hardware_concurrency())
                                                              : static_cast<std::size_t>(options.compute.threads);
     const auto side = static_cast<std::size_t>(resolution_of(options.sea.sea));
-    const auto tiles = static_cast<std::size_t>(cascades_of(options.sea.sea));
+    const auto cascades = static_cast<std::size_t>(cascades_of(options.sea.sea));
     const std::size_t bytes_per_texel =
         bytes_per_texel_in_flight + (options.maps.has(MapKind::velocity) ? bytes_per_texel_of_velocities : 0);
     const std::size_t row = options.meshes.any() ? static_cast<std::size_t>(options.meshes.patch.steps) + 1 : 0;
     const auto grid = static_cast<std::size_t>(options.events ? options.events->water.resolution : 0);
-    const std::size_t bytes = side * side * tiles * bytes_per_texel + grid * grid * bytes_per_texel_in_flight +
+    const std::size_t bytes = side * side * cascades * bytes_per_texel + grid * grid * bytes_per_texel_in_flight +
                               row * row * bytes_per_vertex_in_flight;
     const std::size_t frames = std::min(threads, most_bytes / bytes);
-    if (frames >= 2) return {frames, std::min((threads + frames - 1) / frames, tiles)};
+    if (frames >= 2) return {frames, std::min((threads + frames - 1) / frames, cascades)};
     const std::size_t files = most_bytes / (side * side * bytes_per_texel_of_a_file);
     return {1, std::clamp<std::size_t>(files, 1, threads)};
 }

@@ -24,7 +24,7 @@ constexpr std::size_t bytes_for_writing(std::size_t ocean_bytes) {
     return std::max(least_bytes_for_writing, most_bytes_of_export - std::min(most_bytes_of_export, ocean_bytes));
 }
 
-/// A copied frame, with one file of each of its tiles interleaved, encoded and compressed: at most so many bytes a texel, measured,
+/// A copied frame, with one file of each of its cascades interleaved, encoded and compressed: at most so many bytes a texel, measured,
 /// and more for copies of velocities.
 inline constexpr std::size_t bytes_per_texel_in_flight = 64, bytes_per_texel_of_velocities = 12;
 

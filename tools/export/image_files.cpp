@@ -38,20 +38,20 @@ TextureImage square(MapImage image) {
     return {image.side, image.side, image.channels, image.sample, std::move(image.pixels)};
 }
 
-std::vector<ImageFile> tile_files(const ExportOptions& options, int frame) {
+std::vector<ImageFile> cascade_files(const ExportOptions& options, int frame) {
     std::vector<ImagePart> parts;
-    for (int tile = 0; tile < cascades_of(options.sea.sea); ++tile)
+    for (int cascade = 0; cascade < cascades_of(options.sea.sea); ++cascade)
         for (const MapKind map : options.maps.maps) {
             const int levels = levels_of(options, map);
             const int levels_a_part = has_levels_within(options, map) ? levels : 1;
             for (int level = 0; level < levels; level += levels_a_part)
-                parts.push_back({.map = map, .tile = tile, .first_level = level, .levels = levels_a_part});
+                parts.push_back({.map = map, .cascade = cascade, .first_level = level, .levels = levels_a_part});
         }
     if (options.maps.pack != Pack::files && !parts.empty())
         return {{.name = packed_name(options.maps, frame), .parts = parts}};
     std::vector<ImageFile> files;
     for (const ImagePart& part : parts) {
-        const ImageMark mark{.map = part.map, .tile = part.tile, .level = part.first_level};
+        const ImageMark mark{.map = part.map, .cascade = part.cascade, .level = part.first_level};
         files.push_back({.name = image_name(options.maps, mark, frame, parts.size() == 1), .parts = {part}});
     }
     return files;
@@ -60,11 +60,11 @@ std::vector<ImageFile> tile_files(const ExportOptions& options, int frame) {
 }  // namespace
 
 std::vector<ImageFile> image_files(const ExportOptions& options, int frame) {
-    std::vector<ImageFile> files = tile_files(options, frame);
-    // A file of its own, however others are packed: it has another size than tiles.
+    std::vector<ImageFile> files = cascade_files(options, frame);
+    // A file of its own, however others are packed: it has another size than cascades.
     if (options.events)
         files.push_back(
-            {.name = image_name(options.maps, {.map = MapKind::dynamic_waves, .tile = 0, .level = 0}, frame, false),
+            {.name = image_name(options.maps, {.map = MapKind::dynamic_waves, .cascade = 0, .level = 0}, frame, false),
              .parts = {{.map = MapKind::dynamic_waves}}});
     return files;
 }
@@ -75,13 +75,13 @@ std::vector<unsigned char> encode_image_file(const ImageFile& file, const Frame&
     if (options.maps.is_exr(part.map)) return image_codec().encode_exr(exr_file(file, frame, number, options));
     if (part.map == MapKind::dynamic_waves)
         return encode_pixels(part.map, {square(dynamic_waves_map_image(frame.dynamic_waves, options.maps))}, options.maps);
-    const Tile& tile = frame.tiles[static_cast<std::size_t>(part.tile)];
+    const Cascade& cascade = frame.cascades[static_cast<std::size_t>(part.cascade)];
     std::vector<TextureImage> levels;
     if (is_texture(options.maps.format))
-        for (MapImage& level : map_levels(tile, part.map, 0, part.levels, options.maps))
+        for (MapImage& level : map_levels(cascade, part.map, 0, part.levels, options.maps))
             levels.push_back(square(std::move(level)));
     else
-        levels.push_back(square(map_image(tile, part.map, part.first_level, options.maps)));
+        levels.push_back(square(map_image(cascade, part.map, part.first_level, options.maps)));
     return encode_pixels(part.map, levels, options.maps);
 }
 

@@ -10,10 +10,10 @@
 
 namespace pelagic::tools {
 
-/// A map of a tile, with so many levels of its chain; or the dynamic-wave grid.
+/// A map of a cascade, with so many levels of its chain; or the dynamic-wave grid.
 struct ImagePart {
     MapKind map;
-    int tile = 0;  ///< 0 is the coarsest
+    int cascade = 0;  ///< 0 is the coarsest
     int first_level = 0;
     int levels = 1;
 };

@@ -75,7 +75,7 @@ void MeshFlags::add_to(CLI::App& app) {
            "gltf (binary), one file a frame; gltf-animation (morph targets) or mdd (a point cache for the obj), one "
            "file for all frames; or some of them with commas")
         ->type_name("NAMES");
-    app.add_option("--mesh-size", size_, "side of that square, metres, [0.001, 1e6]; default the coarsest tile's")
+    app.add_option("--mesh-size", size_, "side of that square, metres, [0.001, 1e6]; default the coarsest cascade's")
         ->type_name("M");
     app.add_option("--mesh-steps", steps_, "squares along its side; 1 to 2048, default --resolution")
         ->type_name("NUMBER");
@@ -87,13 +87,13 @@ MeshOptions MeshFlags::resolve(const ResolvedSea& sea, const FrameTimes& times) 
             if (*text) throw InputError(std::string(option) + " is " + **text + ", needs --mesh with it");
         return {};
     }
-    const std::vector<TilePlan> plans = plan_tiles(forecast_of(sea));
+    const std::vector<CascadePlan> plans = plan_cascades(forecast_of(sea));
     MeshOptions options{.formats = formats_in(*formats_), .patch = {}};
     SeaPatch& patch = options.patch;
     patch.side_m =
         size_ ? number_in("--mesh-size", *size_, 0.001, 1e6, "metres in [0.001, 1e6]") : plans.front().lattice.side_m;
     patch.steps = steps_ ? whole_number_in("--mesh-steps", *steps_, 1, 2048) : plans.front().resolution;
-    patch.tiles = tiles_shown_by(patch.side_m / patch.steps, plans);
+    patch.cascades = cascades_shown_by(patch.side_m / patch.steps, plans);
     check_sequences(options, times);
     return options;
 }

@@ -10,7 +10,7 @@ namespace {
 /// Keys that are named otherwise than their options.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 7> other_flags = {{{"mesh_formats", "--mesh"},
                                                                                        {"mesh_side_m", "--mesh-size"},
-                                                                                       {"mesh_tiles", "--mesh-size"},
+                                                                                       {"mesh_cascades", "--mesh-size"},
                                                                                        {"events_xxh3", "--events"},
                                                                                        {"frame_numbers", "--frames"},
                                                                                        {"loop", "--loop-frames"},

@@ -40,7 +40,7 @@ Json mesh_as_json(const MeshOptions& options) {
     return {{"formats", formats},
             {"side_m", options.patch.side_m},
             {"steps", options.patch.steps},
-            {"tiles", options.patch.tiles}};
+            {"cascades", options.patch.cascades}};
 }
 
 }  // namespace
@@ -132,14 +132,14 @@ Json waves_as_json(const SeaState& sea, const SeaReport& report, double measured
     };
     Json height = both(expected.significant_wave_height_m, measured_significant_wave_height_m);
     if (expected.model_significant_wave_height_m) height["model"] = *expected.model_significant_wave_height_m;
-    Json tiles = Json::array();
-    SlopeVariance all;  // waves of different tiles are independent
-    for (const TileSlopes& tile : report.tiles) {
-        all.upwind += tile.slopes.upwind;
-        all.crosswind += tile.slopes.crosswind;
-        Json entry = {{"side_m", tile.side_m}, {"resolution", tile.resolution}};
-        entry.update(slopes(tile.slopes));
-        tiles.push_back(entry);
+    Json cascades = Json::array();
+    SlopeVariance all;  // waves of different cascades are independent
+    for (const CascadeSlopes& cascade : report.cascades) {
+        all.upwind += cascade.slopes.upwind;
+        all.crosswind += cascade.slopes.crosswind;
+        Json entry = {{"side_m", cascade.side_m}, {"resolution", cascade.resolution}};
+        entry.update(slopes(cascade.slopes));
+        cascades.push_back(entry);
     }
     Json json = {
         {"significant_wave_height_m", height},
@@ -156,7 +156,7 @@ Json waves_as_json(const SeaState& sea, const SeaReport& report, double measured
         {"beaufort", step(beaufort_of(sea.wind_speed_mps))},
         {"sea_state", step(sea_state_of(expected.significant_wave_height_m))},
         {"slope_variance",
-         {{"tiles", tiles}, {"all", slopes(all)}, {"cox_and_munk", slopes(measured_slopes(sea.wind_speed_mps))}}},
+         {{"cascades", cascades}, {"all", slopes(all)}, {"cox_and_munk", slopes(measured_slopes(sea.wind_speed_mps))}}},
         {"loop_frequencies",
          {{"for_90_percent", report.loop_frequencies.for_90_percent},
           {"largest_share", report.loop_frequencies.largest_share}}}};
@@ -172,18 +172,18 @@ Json waves_as_json(const SeaState& sea, const SeaReport& report, double measured
     return json;
 }
 
-double repeats_after_m(const ResolvedSea& sea) { return plan_tiles(forecast_of(sea)).front().lattice.side_m; }
+double repeats_after_m(const ResolvedSea& sea) { return plan_cascades(forecast_of(sea)).front().lattice.side_m; }
 
 Json foam_as_json(const Frame& frame) {
     const FoamReport report = report_on_foam(frame);
-    Json tiles = Json::array();
-    for (std::size_t i = 0; i < report.tiles.size(); ++i) {
-        const TileFoam& tile = report.tiles[i];
-        tiles.push_back({{"side_m", frame.tiles[i].lattice.side_m},
-                         {"makes_whitecaps", tile.makes_whitecaps},
-                         {"columns_a_loop", tile.columns_a_loop},
-                         {"rows_a_loop", tile.rows_a_loop},
-                         {"drift_mps", tile.drift_mps}});
+    Json cascades = Json::array();
+    for (std::size_t i = 0; i < report.cascades.size(); ++i) {
+        const CascadeFoam& cascade = report.cascades[i];
+        cascades.push_back({{"side_m", frame.cascades[i].lattice.side_m},
+                         {"makes_whitecaps", cascade.makes_whitecaps},
+                         {"columns_a_loop", cascade.columns_a_loop},
+                         {"rows_a_loop", cascade.rows_a_loop},
+                         {"drift_mps", cascade.drift_mps}});
     }
     return {{"whitecap_cover", report.whitecap_cover},
             {"tick_s", report.tick_s},
@@ -191,7 +191,7 @@ Json foam_as_json(const Frame& frame) {
             {"warm_up_ticks", report.warm_up_ticks},
             {"drift_mps", report.drift_mps},
             {"drift_direction_deg", degrees(report.drift_direction_rad)},
-            {"tiles", tiles}};
+            {"cascades", cascades}};
 }
 
 Json sea_json_head(const ExportOptions& options, double mean_significant_wave_height_m,

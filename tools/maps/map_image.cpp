@@ -66,11 +66,11 @@ void turn_green(Pixels& gradient) {
     for (std::size_t green = 1; green < gradient.size(); green += 4) gradient[green] = ~gradient[green];
 }
 
-/// A level of which the tile has the bytes.
-Pixels own_bytes(const Tile& tile, MapKind map, int level, const MapOptions& options) {
-    if (map == MapKind::foam) return pixels_of(tile.level_of(tile.foam_r8, level));
+/// A level of which the cascade has the bytes.
+Pixels own_bytes(const Cascade& cascade, MapKind map, int level, const MapOptions& options) {
+    if (map == MapKind::foam) return pixels_of(cascade.level_of(cascade.foam_r8, level));
     Pixels pixels =
-        pixels_of(tile.gradient_level(level));  // a texel's lowest byte is its red one, in memory the first
+        pixels_of(cascade.gradient_level(level));  // a texel's lowest byte is its red one, in memory the first
     if (options.up_axis == UpAxis::z) turn_green(pixels);
     return pixels;
 }
@@ -87,22 +87,22 @@ void turn_rows_over(MapImage& image) {
 
 bool clamped_halves() { return halves_are_clamped; }
 
-MapImage map_image(const Tile& tile, MapKind map, int level, const MapOptions& options) {
-    return map_levels(tile, map, level, 1, options).front();
+MapImage map_image(const Cascade& cascade, MapKind map, int level, const MapOptions& options) {
+    return map_levels(cascade, map, level, 1, options).front();
 }
 
-std::vector<MapImage> map_levels(const Tile& tile, MapKind map, int first_level, int levels,
+std::vector<MapImage> map_levels(const Cascade& cascade, MapKind map, int first_level, int levels,
                                  const MapOptions& options) {
     const Sample sample = options.sample_of(map);
     const bool has_bytes = sample == Sample::uint8 && map != MapKind::normal;
-    MapValues values = has_bytes ? MapValues{} : map_values(tile, map, options);
+    MapValues values = has_bytes ? MapValues{} : map_values(cascade, map, options);
     std::vector<MapImage> images;
     for (int level = 0; level < first_level + levels; ++level) {
         if (level > 0 && !has_bytes) values = halved(values);
         if (level < first_level) continue;
-        MapImage image{tile.resolution() >> level, channels_of(map), sample, {}};
+        MapImage image{cascade.resolution() >> level, channels_of(map), sample, {}};
         if (has_bytes)
-            image.pixels = own_bytes(tile, map, level, options);
+            image.pixels = own_bytes(cascade, map, level, options);
         else
             image.pixels = stored(map == MapKind::normal && level > 0 ? normalised(values) : values, map, sample);
         if (options.rows == FirstRow::bottom) turn_rows_over(image);

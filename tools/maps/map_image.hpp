@@ -1,11 +1,11 @@
-// The pixels of one map of one tile, for any container: interleaved, rows from the top.
+// The pixels of one map of one cascade, for any container: interleaved, rows from the top.
 #pragma once
 
 #include <cstddef>
 #include <vector>
 
 #include "pelagic/sim/dynamic_waves_view.hpp"
-#include "pelagic/sim/tile.hpp"
+#include "pelagic/sim/cascade.hpp"
 #include "pelagic/tools/maps/map_options.hpp"
 
 namespace pelagic::tools {
@@ -19,11 +19,11 @@ struct MapImage {
 
 /// One level of a map: pixels as channels_as_json() says, in rows as layout_as_json() says (pixel_meaning.hpp). Levels of any map
 /// are means of 2 x 2 texels; normals are unit vectors at every level, which is what shaders expect.
-/// \pre the tile has the map's views (asserted)
-MapImage map_image(const Tile& tile, MapKind map, int level, const MapOptions& options);
+/// \pre the cascade has the map's views (asserted)
+MapImage map_image(const Cascade& cascade, MapKind map, int level, const MapOptions& options);
 
 /// So many levels of a map, the largest first; cheaper than one after the other.
-std::vector<MapImage> map_levels(const Tile& tile, MapKind map, int first_level, int levels,
+std::vector<MapImage> map_levels(const Cascade& cascade, MapKind map, int first_level, int levels,
                                  const MapOptions& options);
 
 /// Dynamic waves: heights, how fast they rise, foam; rows and columns from the grid's lowest texel on, along z and x.

@@ -1,4 +1,4 @@
-// The maps that an export can have of each tile.
+// The maps that an export can have of each cascade.
 #pragma once
 
 #include <array>
@@ -7,10 +7,10 @@
 
 namespace pelagic::tools {
 
-/// `dynamic_waves` is no tile's: a dynamic-wave grid, which is there with --events alone.
+/// `dynamic_waves` is no cascade's: a dynamic-wave grid, which is there with --events alone.
 enum class MapKind { displacement, gradient, normal, foam, velocity, jacobian, slope, dynamic_waves };
 
-/// Those of tiles, in the order in which records and files list them.
+/// Those of cascades, in the order in which records and files list them.
 inline constexpr std::array all_maps = {MapKind::displacement, MapKind::gradient, MapKind::normal, MapKind::foam,
                                         MapKind::velocity,     MapKind::jacobian, MapKind::slope};
 

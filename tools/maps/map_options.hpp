@@ -49,13 +49,13 @@ enum class NormalY {
 };
 inline constexpr NamedValues<NormalY, 2> normal_y_names = {{{NormalY::up, "up"}, {NormalY::down, "down"}}};
 
-/// At which edge of the image the tile's row 0 is, the one of z = 0.
+/// At which edge of the image the cascade's row 0 is, the one of z = 0.
 enum class FirstRow { top, bottom };
 inline constexpr NamedValues<FirstRow, 2> first_row_names = {{{FirstRow::top, "top"}, {FirstRow::bottom, "bottom"}}};
 
 /// What is in one file.
 enum class Pack {
-    files,   ///< a map of a tile
+    files,   ///< a map of a cascade
     layers,  ///< all of a frame, as layers of one EXR image
     parts,   ///< all of a frame, as parts of one EXR file
 };

@@ -6,14 +6,14 @@
 #include <cmath>
 
 #include "pelagic/simd/strict_floats.hpp"
-#include "pelagic/tools/maps/tile_differences.hpp"
+#include "pelagic/tools/maps/cascade_differences.hpp"
 
 namespace pelagic::tools {
 namespace {
 
 using Vector = std::array<float, 3>;
 
-/// Along the tile's columns, its rows, and up. Less than the least normal of waves that anybody can see counts as none.
+/// Along the cascade's columns, its rows, and up. Less than the least normal of waves that anybody can see counts as none.
 Vector unit_vector(const Vector& of) {
     const float squared = of[0] * of[0] + of[1] * of[1] + of[2] * of[2];
     if (!(squared > 1e-30f)) return {0, 0, 1};
@@ -39,16 +39,16 @@ std::vector<float> vectors(const std::array<PlaneView, 3>& planes, const MapOpti
     return values;
 }
 
-float two_texels_m(const Tile& tile) { return static_cast<float>(2 * tile.texel_m()); }
+float two_texels_m(const Cascade& cascade) { return static_cast<float>(2 * cascade.texel_m()); }
 
 /// Unit vectors along the columns, up or down the image, and up out of the water. Where the surface is turned over they lie flat:
 /// a normal map can't point down.
-std::vector<float> normals(const Tile& tile, const MapOptions& options) {
-    const auto cosine = static_cast<float>(tile.lattice.cosine), sine = static_cast<float>(tile.lattice.sine);
+std::vector<float> normals(const Cascade& cascade, const MapOptions& options) {
+    const auto cosine = static_cast<float>(cascade.lattice.cosine), sine = static_cast<float>(cascade.lattice.sine);
     const bool rows_go_up = options.rows == FirstRow::bottom, green_grows_up = options.normal_y == NormalY::up;
     const float green = rows_go_up == green_grows_up ? 1.f : -1.f;
     std::vector<float> values;
-    for_each_difference(tile, [&, across_texels_m = two_texels_m(tile)](const TexelDifferences& differences) {
+    for_each_difference(cascade, [&, across_texels_m = two_texels_m(cascade)](const TexelDifferences& differences) {
         const WorldVector normal = differences.normal(across_texels_m);
         const float along = cosine * normal.x + sine * normal.z, across = cosine * normal.z - sine * normal.x;
         const float up = normal.y > 0 ? normal.y : 0.f;
@@ -57,54 +57,54 @@ std::vector<float> normals(const Tile& tile, const MapOptions& options) {
     return values;
 }
 
-std::vector<float> jacobians(const Tile& tile) {
-    const double two_texels = 2 * tile.texel_m();
+std::vector<float> jacobians(const Cascade& cascade) {
+    const double two_texels = 2 * cascade.texel_m();
     const auto factor = static_cast<float>(1 / (two_texels * two_texels));
     std::vector<float> values;
-    for_each_difference(tile, [&, across_texels_m = two_texels_m(tile)](const TexelDifferences& differences) {
+    for_each_difference(cascade, [&, across_texels_m = two_texels_m(cascade)](const TexelDifferences& differences) {
         values.push_back(differences.normal(across_texels_m).y * factor);
     });
     return values;
 }
 
-/// Of the heights over the rest places: these add to other tiles'.
-std::vector<float> slopes(const Tile& tile, UpAxis up_axis) {
-    const auto per_metre = static_cast<float>(1 / (2 * tile.texel_m()));
+/// Of the heights over the rest places: these add to other cascades'.
+std::vector<float> slopes(const Cascade& cascade, UpAxis up_axis) {
+    const auto per_metre = static_cast<float>(1 / (2 * cascade.texel_m()));
     const float z_sign = up_axis == UpAxis::z ? -1.f : 1.f;
     std::vector<float> values;
-    for_each_difference(tile, [&](const TexelDifferences& differences) {
+    for_each_difference(cascade, [&](const TexelDifferences& differences) {
         values.push_back(differences.height.x * per_metre);
         values.push_back(differences.height.z * (z_sign * per_metre));
     });
     return values;
 }
 
-std::vector<float> foam(const Tile& tile) {
-    assert(!tile.foam_r8.empty());
+std::vector<float> foam(const Cascade& cascade) {
+    assert(!cascade.foam_r8.empty());
     std::vector<float> values;
-    for (const std::uint8_t byte : tile.level_of(tile.foam_r8, 0)) values.push_back(static_cast<float>(byte) / 255);
+    for (const std::uint8_t byte : cascade.level_of(cascade.foam_r8, 0)) values.push_back(static_cast<float>(byte) / 255);
     return values;
 }
 
-std::vector<float> values_of(const Tile& tile, MapKind map, const MapOptions& options) {
+std::vector<float> values_of(const Cascade& cascade, MapKind map, const MapOptions& options) {
     switch (map) {
-        case MapKind::displacement: return vectors({tile.dx, tile.height, tile.dz}, options);
-        case MapKind::velocity: return vectors({tile.velocity_x, tile.velocity_y, tile.velocity_z}, options);
-        case MapKind::normal: return normals(tile, options);
-        case MapKind::jacobian: return jacobians(tile);
-        case MapKind::slope: return slopes(tile, options.up_axis);
-        case MapKind::foam: return foam(tile);
+        case MapKind::displacement: return vectors({cascade.dx, cascade.height, cascade.dz}, options);
+        case MapKind::velocity: return vectors({cascade.velocity_x, cascade.velocity_y, cascade.velocity_z}, options);
+        case MapKind::normal: return normals(cascade, options);
+        case MapKind::jacobian: return jacobians(cascade);
+        case MapKind::slope: return slopes(cascade, options.up_axis);
+        case MapKind::foam: return foam(cascade);
         case MapKind::gradient:
         case MapKind::dynamic_waves: break;
     }
-    assert(false && "gradients are bytes already, and the grid is no tile's");
+    assert(false && "gradients are bytes already, and the grid is no cascade's");
     return {};
 }
 
 }  // namespace
 
-MapValues map_values(const Tile& tile, MapKind map, const MapOptions& options) {
-    return {.side = tile.resolution(), .channels = channels_of(map), .values = values_of(tile, map, options)};
+MapValues map_values(const Cascade& cascade, MapKind map, const MapOptions& options) {
+    return {.side = cascade.resolution(), .channels = channels_of(map), .values = values_of(cascade, map, options)};
 }
 
 MapValues halved(const MapValues& finer) {

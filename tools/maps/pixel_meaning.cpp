@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "pelagic/sim/tile_plan.hpp"
+#include "pelagic/sim/cascade_plan.hpp"
 
 namespace pelagic::tools {
 namespace {
@@ -90,36 +90,36 @@ Json list_of(MapKind map, const MapOptions& options) {
 
 Json as_json(const Line& line) { return {{"scale", line.scale}, {"offset", line.offset}}; }
 
-/// What an image's row adds to a texel's place, from what a row of the tile adds.
+/// What an image's row adds to a texel's place, from what a row of the cascade adds.
 struct RowPlaces {
     double a_row, offset;
 
-    RowPlaces(double a_row_of_the_tile, int resolution, FirstRow first)
-        : a_row(first == FirstRow::top ? a_row_of_the_tile : -a_row_of_the_tile),
-          offset(first == FirstRow::top ? 0 : a_row_of_the_tile * (resolution - 1)) {}
+    RowPlaces(double a_row_of_the_cascade, int resolution, FirstRow first)
+        : a_row(first == FirstRow::top ? a_row_of_the_cascade : -a_row_of_the_cascade),
+          offset(first == FirstRow::top ? 0 : a_row_of_the_cascade * (resolution - 1)) {}
 };
 
 /// The horizontal axis beside x, and its direction along Pelagic's z.
 const char* other_axis(UpAxis up) { return up == UpAxis::z ? "y" : "z"; }
 double sign_of_z(UpAxis up) { return up == UpAxis::z ? -1 : 1; }
 
-/// Where the texels of a tile rest: x and the other axis are sums of what a column and a row give.
-Json tile_as_json(const TilePlan& tile, const MapOptions& options) {
-    const TileLattice& lattice = tile.lattice;
-    const double texel_m = lattice.side_m / tile.resolution, sign = sign_of_z(options.up_axis);
+/// Where the texels of a cascade rest: x and the other axis are sums of what a column and a row give.
+Json cascade_as_json(const CascadePlan& cascade, const MapOptions& options) {
+    const CascadeLattice& lattice = cascade.lattice;
+    const double texel_m = lattice.side_m / cascade.resolution, sign = sign_of_z(options.up_axis);
     const auto place = [&](double column_m, double row_m) -> Json {
-        const RowPlaces rows(row_m, tile.resolution, options.rows);
+        const RowPlaces rows(row_m, cascade.resolution, options.rows);
         return {{"column", column_m + 0.0}, {"row", rows.a_row + 0.0}, {"offset", rows.offset + 0.0}};  // not -0
     };
     const std::string other = other_axis(options.up_axis);
-    Json json = {{"in_file_names", tile.number == 0 ? "" : "c" + std::to_string(tile.number)},
+    Json json = {{"in_file_names", cascade.number == 0 ? "" : "c" + std::to_string(cascade.number)},
                  {"side_m", lattice.side_m},
-                 {"resolution", tile.resolution},
+                 {"resolution", cascade.resolution},
                  {"turn", {{"cosine", lattice.cosine}, {"sine", sign * lattice.sine + 0.0}}},
                  {"x_m", place(lattice.cosine * texel_m, -lattice.sine * texel_m)},
                  {other + "_m", place(sign * lattice.sine * texel_m, sign * lattice.cosine * texel_m)}};
-    if (tile.least_k > 0) json["longest_wave_m"] = two_pi / tile.least_k;
-    if (tile.is_banded()) json["shortest_wave_m"] = two_pi / tile.most_k;
+    if (cascade.least_k > 0) json["longest_wave_m"] = two_pi / cascade.least_k;
+    if (cascade.is_banded()) json["shortest_wave_m"] = two_pi / cascade.most_k;
     return json;
 }
 
@@ -150,12 +150,12 @@ Json channels_as_json(const MapOptions& options, bool has_dynamic_waves) {
 }
 
 Json layout_as_json(const Forecast& forecast, const MapOptions& options) {
-    const std::vector<TilePlan> plans = plan_tiles(forecast);
-    const TilePlan& first = plans.front();
+    const std::vector<CascadePlan> plans = plan_cascades(forecast);
+    const CascadePlan& first = plans.front();
     const double n = first.resolution, side_m = first.lattice.side_m, texel_m = side_m / n;
     const RowPlaces rows(sign_of_z(options.up_axis) * texel_m, first.resolution, options.rows);
-    Json tiles = Json::array();
-    for (const TilePlan& plan : plans) tiles.push_back(tile_as_json(plan, options));
+    Json cascades = Json::array();
+    for (const CascadePlan& plan : plans) cascades.push_back(cascade_as_json(plan, options));
     return {{"axes", axes_as_json(options.up_axis)},
             {"row_0", "upper edge of the image"},
             {"x_m_of_column", as_json({texel_m, 0})},
@@ -163,7 +163,7 @@ Json layout_as_json(const Forecast& forecast, const MapOptions& options) {
             {"u_of_column", as_json({1 / n, 0.5 / n})},
             {"v_down_of_row", as_json({1 / n, 0.5 / n})},
             {"repeats_after_m", side_m},
-            {"tiles", tiles},
+            {"cascades", cascades},
             {"colour", false},
             {"alpha_is_opacity", false}};
 }
@@ -187,7 +187,7 @@ std::string pixel_meaning() {
   gradient      a byte's part of 255 is c: normal x = 2R - 1, normal z = 2G - 1 (z-up: y), Jacobian J = 2B - 1, which
                 was clamped to [-1, 1], each within 1/255; smoothness = A, no opacity. The normal's y is
                 sqrt(1 - x^2 - z^2), below 0 where J is: there the surface is turned over
-  normal        an ordinary normal map, of the tile's own axes: right, up the image (--normal-y down: down it) and out
+  normal        an ordinary normal map, of the cascade's own axes: right, up the image (--normal-y down: down it) and out
                 of the water are 2R - 1, 2G - 1, 2B - 1; floats are the values themselves. Unit vectors at every level;
                 where the surface is turned over they lie flat, B = 0 out of the water
   foam          one channel: 0 none, 1 covered with foam, what breaks now and what is left of 2.9 seconds before
@@ -195,16 +195,16 @@ std::string pixel_meaning() {
   jacobian      one channel: J, not clamped; below 1 pressed together, below 0 turned over
   slope         R, G = dh/dx, dh/dz (z-up: dh/dy) of the heights over the rest places
   dynamic_waves         with --events: R, G, B = height, how fast it rises (m/s), foam (1 covered) of the dynamic waves, floats;
-                its height adds to the tiles' where water is drawn. sea.json says where the grid lies (dynamic_waves)
+                its height adds to the cascades' where water is drawn. sea.json says where the grid lies (dynamic_waves)
   place         N texels a side, L metres: column i, row j rests at x = i L/N, z = j L/N and is drawn at
                 (x + Dx, height, z + Dz). Row 0 is the upper edge of the image and z = 0 (--rows bottom: the last row is
                 z = 0). The rest place is the texel's corner, its number stands at the centre: u = (i + 0.5)/N,
-                v = (j + 0.5)/N from the upper edge. The tile repeats after L, so column N is column 0 again
-  several tiles what they hold adds up. Files of the coarsest have no mark, those of the next c1, c2, c3. Their sides
+                v = (j + 0.5)/N from the upper edge. The cascade repeats after L, so column N is column 0 again
+  several cascades what they hold adds up. Files of the coarsest have no mark, those of the next c1, c2, c3. Their sides
                 differ, and their columns and rows are turned in the world, about x = z = 0: sea.json says how
-                (layout, tiles). All but normal is along the world's axes in all of them. Displacements, velocities and
+                (layout, cascades). All but normal is along the world's axes in all of them. Displacements, velocities and
                 slopes add; normals and Jacobians don't, so take them from the sum, or add slopes for a start.
-                Foam at a place is the largest of the tiles'; a tile whose waves make none has black images
+                Foam at a place is the largest of the cascades'; a cascade whose waves make none has black images
   axes          right-handed: +x east, +y up, +z south, so north is -z; z-up: +x east, +y north, +z up
   colour        none: load as linear, non-colour data, without sRGB, premultiplied alpha or compression)";
 }

@@ -51,9 +51,9 @@ const Json& value_of(const Json& json, const char* key) {
     return found == json.end() ? none : *found;
 }
 
-/// The images of the frame's heights, of the coarsest tile and of as many finer ones as it lists, as the export names them. In an
-/// export whose files have all maps each tile has the same.
-std::vector<std::string> heights_names(const Json& frame, const MapOptions& options, std::size_t most_tiles) {
+/// The images of the frame's heights, of the coarsest cascade and of as many finer ones as it lists, as the export names them. In an
+/// export whose files have all maps each cascade has the same.
+std::vector<std::string> heights_names(const Json& frame, const MapOptions& options, std::size_t most_cascades) {
     const Json &files = value_of(frame, "files"), &number = value_of(frame, "frame");
     if (!files.is_array() || !number.is_number_unsigned() || number > FrameTimes::largest_number) return {};
     const auto is_listed = [&](const std::string& name) {
@@ -63,11 +63,11 @@ std::vector<std::string> heights_names(const Json& frame, const MapOptions& opti
     std::vector<std::string> names;
     if (options.pack != Pack::files) {
         if (const std::string name = packed_name(options, number.get<int>()); is_listed(name))
-            names.assign(most_tiles, name);
+            names.assign(most_cascades, name);
         return names;
     }
-    for (std::size_t tile = 0; tile < most_tiles; ++tile) {
-        const ImageMark mark{MapKind::displacement, static_cast<int>(tile)};
+    for (std::size_t cascade = 0; cascade < most_cascades; ++cascade) {
+        const ImageMark mark{MapKind::displacement, static_cast<int>(cascade)};
         const std::string name = image_name(options, mark, number.get<int>(), files.size() == 1);
         if (!is_listed(name)) break;
         names.push_back(name);
@@ -137,7 +137,7 @@ ExportReader::ExportReader(std::string option, const std::filesystem::path& fold
         throw InputError(place.string() + " has more than " + number_text(most_record_bytes >> 20) + " MiB");
     const Json record = parsed(*text, place.string());
     sea_ = SeaOptions::of_record(*text, place);
-    tiles_ = plan_tiles(forecast_of(sea_));
+    cascades_ = plan_cascades(forecast_of(sea_));
     stored_ = stored_heights(record, place);
 
     const MapOptions maps = names_in(record);
@@ -159,9 +159,9 @@ ExportReader::ExportReader(std::string option, const std::filesystem::path& fold
         if (!time.is_number() || !std::isfinite(time.get<double>()))
             throw InputError(where + " has no time_s, needs a number");
         times_s.push_back(time.get<double>());
-        names_.push_back(heights_names(frame, maps, tiles_.size()));
-        if (names_.size() == 1) tiles_.resize(std::min(tiles_.size(), names_[0].size()));
-        if (names_.back().empty() || names_.back().size() < tiles_.size())
+        names_.push_back(heights_names(frame, maps, cascades_.size()));
+        if (names_.size() == 1) cascades_.resize(std::min(cascades_.size(), names_[0].size()));
+        if (names_.back().empty() || names_.back().size() < cascades_.size())
             throw InputError(where + " names no displacement image, needs an export with --maps displacement");
     }
     if (times_s.size() < 2) return;
@@ -174,21 +174,21 @@ ExportReader::ExportReader(std::string option, const std::filesystem::path& fold
     }
 }
 
-std::string ExportReader::channel_of(std::size_t tile) const {
+std::string ExportReader::channel_of(std::size_t cascade) const {
     const std::string letter(1, "RGB"[stored_.channel]);
     if (!is_packed_) return letter;
-    return std::string(name_of(MapKind::displacement)) + (tile > 0 ? "_c" + number_text(tile) : "") + "." + letter;
+    return std::string(name_of(MapKind::displacement)) + (cascade > 0 ? "_c" + number_text(cascade) : "") + "." + letter;
 }
 
-std::vector<float> ExportReader::heights(std::size_t frame, std::size_t tile) const {
-    const std::string& name = names_[frame][tile];
-    const int resolution = tiles_[tile].resolution;
+std::vector<float> ExportReader::heights(std::size_t frame, std::size_t cascade) const {
+    const std::string& name = names_[frame][cascade];
+    const int resolution = cascades_[cascade].resolution;
     const std::filesystem::path place = folder_.path() / name;
     const std::size_t texels = static_cast<std::size_t>(resolution) * resolution;
     // Nothing grows so much by compression. A texture has four channels and smaller levels; a packed file may have all maps of all
-    // tiles, which levels make larger by a third.
+    // cascades, which levels make larger by a third.
     const std::size_t texel_bytes =
-        is_packed_ ? all_maps.size() * 4 * tiles_.size() * 2 * sizeof(float) : 4 * 2 * sizeof(float);
+        is_packed_ ? all_maps.size() * 4 * cascades_.size() * 2 * sizeof(float) : 4 * 2 * sizeof(float);
     const std::size_t most_bytes = 2 * texels * texel_bytes + (std::size_t{1} << 20);
     const std::optional<std::string> file = folder_.read_text(name, most_bytes);
     if (!file) throw FileError("can't read " + place.string() + ": " + std::strerror(ENOENT));
@@ -209,7 +209,7 @@ std::vector<float> ExportReader::heights(std::size_t frame, std::size_t tile) co
         const auto pixels = [&] {
             if (name.ends_with(".ktx2")) return ktx2_channel(bytes, resolution, stored_.channel);
             if (!name.ends_with(".tif")) read_exr_header(bytes);
-            return image_codec().decode_channel(image, bytes, channel_of(tile).c_str());
+            return image_codec().decode_channel(image, bytes, channel_of(cascade).c_str());
         }();
         const auto side = static_cast<std::size_t>(resolution);
         for (std::size_t j = 0; j < side; ++j) {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "pelagic/sim/tile_plan.hpp"
+#include "pelagic/sim/cascade_plan.hpp"
 #include "pelagic/tools/files/output_folder.hpp"
 #include "pelagic/tools/options/sea_options.hpp"
 
@@ -18,7 +18,7 @@ OutputFolder open_export(const std::string& option, const std::filesystem::path&
 struct StoredHeights {
     std::size_t channel = 1;        ///< of three
     float metres = 1;               ///< that a pixel's 1 stands for
-    bool rows_turned_over = false;  ///< the image's last row is the tile's first
+    bool rows_turned_over = false;  ///< the image's last row is the cascade's first
 };
 
 /// Throws InputError where the folder holds no export that can be measured, and FileError where a file can't be read: one line
@@ -34,24 +34,24 @@ class ExportReader {
     std::size_t frames_there() const { return frames_there_; }
     /// Between two frames; 0 if there is one.
     double step_s() const { return step_s_; }
-    /// The tiles that the export has images of, the coarsest first.
-    const std::vector<TilePlan>& tiles() const { return tiles_; }
-    /// The heights of a tile, N x N, row by row, metres.
-    std::vector<float> heights(std::size_t frame, std::size_t tile) const;
+    /// The cascades that the export has images of, the coarsest first.
+    const std::vector<CascadePlan>& cascades() const { return cascades_; }
+    /// The heights of a cascade, N x N, row by row, metres.
+    std::vector<float> heights(std::size_t frame, std::size_t cascade) const;
 
     static constexpr std::size_t most_frames = 65536;
 
    private:
-    /// That holds a tile's heights, by its name in the file.
-    std::string channel_of(std::size_t tile) const;
+    /// That holds a cascade's heights, by its name in the file.
+    std::string channel_of(std::size_t cascade) const;
 
     std::string option_;
     OutputFolder folder_;
     ResolvedSea sea_;
-    std::vector<TilePlan> tiles_;
+    std::vector<CascadePlan> cascades_;
     StoredHeights stored_;
     bool is_packed_ = false;                       ///< all maps of a frame are in one file
-    std::vector<std::vector<std::string>> names_;  ///< [frame][tile]
+    std::vector<std::vector<std::string>> names_;  ///< [frame][cascade]
     std::size_t frames_there_ = 0;
     double step_s_ = 0;
 };

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "pelagic/message/number_text.hpp"
-#include "pelagic/sim/tile_plan.hpp"
+#include "pelagic/sim/cascade_plan.hpp"
 #include "pelagic/tools/measure/export_reader.hpp"
 #include "pelagic/tools/measure/spectrum_plot.hpp"
 #include "pelagic/tools/measure/wave_measurement.hpp"
@@ -117,9 +117,9 @@ Json measure_export(const std::filesystem::path& folder) {
     const double whole_s = reader.step_s() * static_cast<double>(reader.frames_there());
     const bool is_one_loop = reader.frames() == reader.frames_there() && reader.frames() > 1 &&
                              std::fabs(whole_s / sea.loop_period_s - 1) < 1e-6;
-    std::vector<WaveMeasurement> tiles;
-    for (const TilePlan& tile : reader.tiles())
-        tiles.emplace_back(HeightSeries{.tile = tile,
+    std::vector<WaveMeasurement> cascades;
+    for (const CascadePlan& cascade : reader.cascades())
+        cascades.emplace_back(HeightSeries{.cascade = cascade,
                                         .depth_m = sea.depth_m,
                                         .loop_period_s = sea.loop_period_s,
                                         .likely_peak_period_s = report.expected.peak_period_s,
@@ -130,20 +130,20 @@ Json measure_export(const std::filesystem::path& folder) {
         Progress progress("frame", reader.frames());
         for (std::size_t frame = 0; frame < reader.frames(); ++frame) {
             progress.show(frame);
-            for (std::size_t tile = 0; tile < tiles.size(); ++tile)
-                tiles[tile].add_frame(reader.heights(frame, tile));
+            for (std::size_t cascade = 0; cascade < cascades.size(); ++cascade)
+                cascades[cascade].add_frame(reader.heights(frame, cascade));
         }
     }
-    const MeasuredWaves found = measured_waves(tiles);
+    const MeasuredWaves found = measured_waves(cascades);
     Json json = {{"version", PELAGIC_VERSION}, {"sea", sea_as_json(reader.sea())}};
     json["frames"] = {{"read", reader.frames()},
                       {"there", reader.frames_there()},
                       {"apart_s", reader.step_s()},
                       {"one_loop", is_one_loop}};
-    json["tiles"] = Json::array();
-    for (const TilePlan& tile : reader.tiles())
-        json["tiles"].push_back({{"side_m", tile.lattice.side_m}, {"resolution", tile.resolution}});
-    json["tiles_there"] = plan_tiles(sea).size();
+    json["cascades"] = Json::array();
+    for (const CascadePlan& cascade : reader.cascades())
+        json["cascades"].push_back({{"side_m", cascade.lattice.side_m}, {"resolution", cascade.resolution}});
+    json["cascades_there"] = plan_cascades(sea).size();
     json["method"] = {{"by_frequency", found.frequency_method}};
     json["waves"] = figures_json(found, sea, report);
     json["by_frequency"] = spectrum_json(found.by_frequency, "frequency_hz", "m2_per_hz",
@@ -177,19 +177,19 @@ void print_measurement(const Json& measured) {
     if (frames.at("read") > 1)
         std::printf(", %s s apart%s", number(frames.at("apart_s")).c_str(),
                     frames.at("one_loop").get<bool>() ? ", one loop" : "");
-    for (const Json& tile : measured.at("tiles"))
-        std::printf(", %s x %s texels on %s m", number(tile.at("resolution")).c_str(),
-                    number(tile.at("resolution")).c_str(), number(tile.at("side_m")).c_str());
+    for (const Json& cascade : measured.at("cascades"))
+        std::printf(", %s x %s texels on %s m", number(cascade.at("resolution")).c_str(),
+                    number(cascade.at("resolution")).c_str(), number(cascade.at("side_m")).c_str());
     std::printf("\n%-30s%-14s%-14s%s\n", "Waves", "found", "drawn", "expected");
     for (const auto& [name, value] : measured.at("waves").items())
         std::printf("  %-28s%-14s%-14s%s\n", name.c_str(), number(value.at("found")).c_str(),
                     number(value.at("drawn")).c_str(), number(value.at("expected")).c_str());
     std::printf("  %-28s%s\n", "spectrum by frequency",
                 measured.at("method").at("by_frequency").get<std::string>().c_str());
-    if (measured.at("tiles").size() < measured.at("tiles_there"))
+    if (measured.at("cascades").size() < measured.at("cascades_there"))
         std::printf(
-            "note: the export has images of %zu of the sea's %s tiles: the waves of the others are not in it\n",
-            measured.at("tiles").size(), number(measured.at("tiles_there")).c_str());
+            "note: the export has images of %zu of the sea's %s cascades: the waves of the others are not in it\n",
+            measured.at("cascades").size(), number(measured.at("cascades_there")).c_str());
     if (frames.at("read") != frames.at("there"))
         std::printf("note: the export has %s frames, of which the first %s were read\n",
                     number(frames.at("there")).c_str(), number(frames.at("read")).c_str());

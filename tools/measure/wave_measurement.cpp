@@ -28,7 +28,7 @@ constexpr double band_ratio = 1.08;
 constexpr double least_sine = 0.2;
 
 Water water_of(const HeightSeries& series) {
-    return {series.depth_m, series.tile.has_surface_tension ? sea_surface_tension_m3ps2 : 0};
+    return {series.depth_m, series.cascade.has_surface_tension ? sea_surface_tension_m3ps2 : 0};
 }
 
 /// m of the place p in a transform of n.
@@ -79,8 +79,8 @@ std::vector<SpectrumPoint> in_bands(const std::vector<double>& density, double s
 
 WaveMeasurement::WaveMeasurement(const HeightSeries& series)
     : series_(series),
-      points_a_side_(std::min(most_points_a_side, static_cast<std::size_t>(series.tile.resolution))),
-      rings_(static_cast<std::size_t>(series.tile.resolution)) {
+      points_a_side_(std::min(most_points_a_side, static_cast<std::size_t>(series.cascade.resolution))),
+      rings_(static_cast<std::size_t>(series.cascade.resolution)) {
     if (series.frames >= fewest_frames) {
         at_points_.resize(points_a_side_ * points_a_side_);
         for (auto& point : at_points_) point.reserve(series.frames);
@@ -90,7 +90,7 @@ WaveMeasurement::WaveMeasurement(const HeightSeries& series)
         return;
     }
     // A quarter of the peak's period apart, so that the highest waves are told best, and less, for those that turn half about.
-    running_.resize(static_cast<std::size_t>(series.tile.resolution) * series.tile.resolution);
+    running_.resize(static_cast<std::size_t>(series.cascade.resolution) * series.cascade.resolution);
     told_.resize(running_.size());
     constexpr std::array parts = {1.0, 0.7, 0.5};
     for (std::size_t i = 0; i < most_pairs; ++i) {
@@ -102,7 +102,7 @@ WaveMeasurement::WaveMeasurement(const HeightSeries& series)
 }
 
 void WaveMeasurement::add_frame(std::span<const float> heights_m) {
-    const auto n = static_cast<std::size_t>(series_.tile.resolution);
+    const auto n = static_cast<std::size_t>(series_.cascade.resolution);
     assert(added_ < series_.frames && heights_m.size() == n * n);
     double sum = 0, squares = 0;
     for (const double height : heights_m) {
@@ -129,8 +129,8 @@ void WaveMeasurement::add_frame(std::span<const float> heights_m) {
 void WaveMeasurement::add_pair(const Pair& pair, std::span<const float> second) {
     const std::vector<float>& first = pair.heights_of_first;
     const double apart_s = series_.step_s * static_cast<double>(pair.second - pair.first);
-    const auto n = static_cast<std::size_t>(series_.tile.resolution);
-    const double spacing = series_.tile.spacing();
+    const auto n = static_cast<std::size_t>(series_.cascade.resolution);
+    const double spacing = series_.cascade.spacing();
     // Two real planes in one transform: h1 = (F(k) + conj F(-k)) / 2, h2 = (F(k) - conj F(-k)) / 2i.
     std::vector<Complex> both(n * n);
     for (std::size_t texel = 0; texel < both.size(); ++texel) both[texel] = {first[texel], second[texel]};
@@ -165,7 +165,7 @@ void WaveMeasurement::add_pair(const Pair& pair, std::span<const float> second) 
 
 WaveMeasurement::Running WaveMeasurement::running() const {
     Running sum;
-    const auto n = static_cast<std::size_t>(series_.tile.resolution);
+    const auto n = static_cast<std::size_t>(series_.cascade.resolution);
     for (std::size_t wave = 0; wave < running_.size(); ++wave) {
         if (told_[wave] == 0) continue;
         // The wave along k and the one against it, which is the one along -k, make both h~(k) and h~(-k).
@@ -214,18 +214,18 @@ std::vector<double> WaveMeasurement::frequency_density() const {
     return density;
 }
 
-/// A point of each tile together is a point of the sea, for their waves are independent.
-std::optional<double> WaveMeasurement::zero_crossing_period(std::span<const WaveMeasurement> tiles) {
-    const HeightSeries& series = tiles.front().series_;
-    std::size_t points = tiles.front().at_points_.size(), crossings = 0;
-    for (const WaveMeasurement& tile : tiles) points = std::min(points, tile.at_points_.size());
+/// A point of each cascade together is a point of the sea, for their waves are independent.
+std::optional<double> WaveMeasurement::zero_crossing_period(std::span<const WaveMeasurement> cascades) {
+    const HeightSeries& series = cascades.front().series_;
+    std::size_t points = cascades.front().at_points_.size(), crossings = 0;
+    for (const WaveMeasurement& cascade : cascades) points = std::min(points, cascade.at_points_.size());
     std::vector<double> heights(series.frames);
     for (std::size_t point = 0; point < points; ++point) {
         double mean = 0;
         for (std::size_t frame = 0; frame < series.frames; ++frame) {
             heights[frame] = 0;
-            for (const WaveMeasurement& tile : tiles)
-                heights[frame] += static_cast<double>(tile.at_points_[point][frame]);
+            for (const WaveMeasurement& cascade : cascades)
+                heights[frame] += static_cast<double>(cascade.at_points_[point][frame]);
             mean += heights[frame] / static_cast<double>(series.frames);
         }
         for (std::size_t frame = 1; frame < series.frames; ++frame)
@@ -238,43 +238,43 @@ std::optional<double> WaveMeasurement::zero_crossing_period(std::span<const Wave
 }
 
 bool WaveMeasurement::holds_whole_ring(std::size_t number) const {
-    const TilePlan& tile = series_.tile;
+    const CascadePlan& cascade = series_.cascade;
     const auto r = static_cast<double>(number);
-    // Beyond N/2 rings are cut by the square's edges; below 1 there is no wave, so the first ring of the first tile is whole.
+    // Beyond N/2 rings are cut by the square's edges; below 1 there is no wave, so the first ring of the first cascade is whole.
     return number >= 1 && 2 * number < rings_.size() &&
-           (tile.least_k == 0 || (r - 0.5) * tile.spacing() >= tile.least_k) &&
-           (r + 0.5) * tile.spacing() <= tile.most_k;
+           (cascade.least_k == 0 || (r - 0.5) * cascade.spacing() >= cascade.least_k) &&
+           (r + 0.5) * cascade.spacing() <= cascade.most_k;
 }
 
-MeasuredWaves measured_waves(std::span<const WaveMeasurement> tiles) {
+MeasuredWaves measured_waves(std::span<const WaveMeasurement> cascades) {
     MeasuredWaves found;
-    const HeightSeries& series = tiles.front().series_;
+    const HeightSeries& series = cascades.front().series_;
     double variance = 0, running = 0, running_x = 0, running_z = 0;
     std::vector<double> density;
     Peak longest;
-    for (const WaveMeasurement& tile : tiles) {
-        assert(tile.added_ == series.frames);
-        variance += tile.variances_ / static_cast<double>(tile.added_);
-        const WaveMeasurement::Running its_running = tile.running();
-        const auto world = tile.series_.tile.lattice.in_world(its_running.x, its_running.z);
+    for (const WaveMeasurement& cascade : cascades) {
+        assert(cascade.added_ == series.frames);
+        variance += cascade.variances_ / static_cast<double>(cascade.added_);
+        const WaveMeasurement::Running its_running = cascade.running();
+        const auto world = cascade.series_.cascade.lattice.in_world(its_running.x, its_running.z);
         running += its_running.variance;
         running_x += world.along;
         running_z += world.across;
-        const std::vector<double> its_own = tile.frequency_density();
+        const std::vector<double> its_own = cascade.frequency_density();
         density.resize(its_own.size());
         for (std::size_t q = 0; q < density.size(); ++q) density[q] += its_own[q];
 
-        const double spacing = tile.series_.tile.spacing();
-        const Water water = water_of(tile.series_);
-        for (std::size_t r = 1; r < tile.rings_.size(); ++r) {
-            if (!tile.holds_whole_ring(r)) continue;
-            const double in_ring = tile.rings_[r].variance / static_cast<double>(tile.spectra_);
+        const double spacing = cascade.series_.cascade.spacing();
+        const Water water = water_of(cascade.series_);
+        for (std::size_t r = 1; r < cascade.rings_.size(); ++r) {
+            if (!cascade.holds_whole_ring(r)) continue;
+            const double in_ring = cascade.rings_[r].variance / static_cast<double>(cascade.spectra_);
             const auto number = static_cast<double>(r);
             found.by_wave_number.push_back({number * spacing, in_ring / spacing});
             if (!(in_ring > 0)) continue;
             const double width = (angular_frequency((number + 0.5) * spacing, water) -
                                   angular_frequency((number - 0.5) * spacing, water));
-            const double mean_k = tile.rings_[r].weighted_k / tile.rings_[r].variance;
+            const double mean_k = cascade.rings_[r].weighted_k / cascade.rings_[r].variance;
             longest.add(angular_frequency(mean_k, water), in_ring / width, width);
         }
     }
@@ -285,7 +285,7 @@ MeasuredWaves measured_waves(std::span<const WaveMeasurement> tiles) {
         found.frequency_method = "none: fewer than " + number_text(fewest_frames) + " frames";
         return found;
     }
-    const std::size_t length = tiles.front().segment_length();
+    const std::size_t length = cascades.front().segment_length();
     const double step_hz = 1 / (static_cast<double>(length) * series.step_s);
     Peak peak;
     double m0 = 0, m1 = 0, m2 = 0;
@@ -299,12 +299,12 @@ MeasuredWaves measured_waves(std::span<const WaveMeasurement> tiles) {
     }
     if (const auto hertz = peak.at()) found.peak_period_s = 1 / *hertz;
     if (m0 > 0) found.tm01_s = m0 / m1, found.tm02_s = std::sqrt(m0 / m2);
-    found.zero_crossing_period_s = WaveMeasurement::zero_crossing_period(tiles);
+    found.zero_crossing_period_s = WaveMeasurement::zero_crossing_period(cascades);
     found.by_frequency = in_bands(density, step_hz);
     found.frequency_method = series.is_one_loop
                                  ? std::string("the loop's own harmonics")
                                  : "Welch, Hann windows of " + number_text(length) + " frames, half overlapping";
-    found.frequency_method += " at " + number_text(tiles.front().at_points_.size()) + " points of a tile";
+    found.frequency_method += " at " + number_text(cascades.front().at_points_.size()) + " points of a cascade";
     return found;
 }
 

@@ -13,13 +13,13 @@
 #include <vector>
 
 #include "pelagic/sim/statistics.hpp"
-#include "pelagic/sim/tile_plan.hpp"
+#include "pelagic/sim/cascade_plan.hpp"
 
 namespace pelagic::tools {
 
-/// Where and when the heights of one tile are.
+/// Where and when the heights of one cascade are.
 struct HeightSeries {
-    TilePlan tile;
+    CascadePlan cascade;
     double depth_m = 0;
     double loop_period_s = 0;
     double likely_peak_period_s = 0;  ///< how far apart in time two frames tell directions best
@@ -39,7 +39,7 @@ struct MeasuredWaves {
     std::optional<double> peak_period_s;
     /// m0 / m1 and sqrt(m0 / m2) of by_frequency, m_n = integral f^n S df; none without it.
     std::optional<double> tm01_s, tm02_s;
-    /// Mean time between upward crossings of the mean level at the points, tiles together; none without by_frequency, or crossings.
+    /// Mean time between upward crossings of the mean level at the points, cascades together; none without by_frequency, or crossings.
     std::optional<double> zero_crossing_period_s;
     /// The same of by_wave_number carried to frequencies, as a wavelength; none for a flat sea.
     std::optional<double> peak_wavelength_m;
@@ -47,7 +47,7 @@ struct MeasuredWaves {
     std::vector<SpectrumPoint>
         by_frequency;  ///< mean over the points, in bands of 8 %; empty for fewer than 16 frames
     std::vector<SpectrumPoint> by_harmonic;  ///< by_frequency before its bands are joined
-    /// Mean over some frames, in rings as wide as a tile's lattice is fine. Rings that the end of a tile's band cuts are left out.
+    /// Mean over some frames, in rings as wide as a cascade's lattice is fine. Rings that the end of a cascade's band cuts are left out.
     std::vector<SpectrumPoint> by_wave_number;
     std::string frequency_method;  ///< how by_frequency was estimated, for people
 };
@@ -59,8 +59,8 @@ class WaveMeasurement {
     /// The frames in their order, N x N heights each, row by row. \pre no more than were announced
     void add_frame(std::span<const float> heights_m);
 
-    /// Of all tiles together, whose waves are independent. \pre all frames of each were added; the series differ in the tile only
-    friend MeasuredWaves measured_waves(std::span<const WaveMeasurement> tiles);
+    /// Of all cascades together, whose waves are independent. \pre all frames of each were added; the series differ in the cascade only
+    friend MeasuredWaves measured_waves(std::span<const WaveMeasurement> cascades);
 
    private:
     struct Pair {
@@ -70,13 +70,13 @@ class WaveMeasurement {
     void add_pair(const Pair& pair, std::span<const float> second);
     struct Running {
         double variance = 0, x = 0,
-               z = 0;  ///< of waves whose direction is known; times its unit vector along the tile's axes
+               z = 0;  ///< of waves whose direction is known; times its unit vector along the cascade's axes
     };
     Running running() const;
     bool holds_whole_ring(std::size_t number) const;
     std::size_t segment_length() const;
     std::vector<double> frequency_density() const;
-    static std::optional<double> zero_crossing_period(std::span<const WaveMeasurement> tiles);
+    static std::optional<double> zero_crossing_period(std::span<const WaveMeasurement> cascades);
 
     HeightSeries series_;
     std::size_t added_ = 0;
@@ -94,6 +94,6 @@ class WaveMeasurement {
     std::vector<std::uint8_t> told_;  ///< [wave] how many could
 };
 
-MeasuredWaves measured_waves(std::span<const WaveMeasurement> tiles);
+MeasuredWaves measured_waves(std::span<const WaveMeasurement> cascades);
 
 }  // namespace pelagic::tools

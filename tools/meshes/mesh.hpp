@@ -12,8 +12,8 @@ namespace pelagic::tools {
 struct Mesh {
     std::vector<glm::dvec3> positions;  ///< metres: x east, y up, z south
     std::vector<glm::vec3> normals;     ///< unit vectors, one a vertex
-    /// u and v of an export's maps of the coarsest tile, one a vertex; v counts from the lower edge of the image, and both go on
-    /// beyond 0 and 1 where the tile repeats.
+    /// u and v of an export's maps of the coarsest cascade, one a vertex; v counts from the lower edge of the image, and both go on
+    /// beyond 0 and 1 where the cascade repeats.
     std::vector<glm::vec2> texture_coordinates;
     std::vector<float> foam;           ///< 0 none to 1 covered, one a vertex; empty: unknown
     std::vector<std::uint32_t> faces;  ///< vertices of one face after the other, counter-clockwise from above

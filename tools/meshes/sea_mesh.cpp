@@ -4,24 +4,24 @@
 #include <cmath>
 
 #include "pelagic/sim/query/foam_at.hpp"
-#include "pelagic/sim/surface/tile_sum.hpp"
+#include "pelagic/sim/surface/cascade_sum.hpp"
 
 namespace pelagic::tools {
 
 double foam_of(const Frame& frame, glm::dvec2 rest) {
     double most = 0;
-    for (const Tile& tile : frame.tiles) {
-        const TileLattice::Place place = tile.lattice.in_tile(rest.x, rest.y);
-        const double x = place.along / tile.texel_m(), z = place.across / tile.texel_m();
+    for (const Cascade& cascade : frame.cascades) {
+        const CascadeLattice::Place place = cascade.lattice.in_cascade(rest.x, rest.y);
+        const double x = place.along / cascade.texel_m(), z = place.across / cascade.texel_m();
         const double column = std::floor(x), row = std::floor(z);
-        most = std::max(most, foam_at(tile, static_cast<std::int64_t>(column), static_cast<std::int64_t>(row),
+        most = std::max(most, foam_at(cascade, static_cast<std::int64_t>(column), static_cast<std::int64_t>(row),
                                       x - column, z - row));
     }
     return most;
 }
 
-std::size_t tiles_shown_by(double step_m, std::span<const TilePlan> plans) {
-    const auto is_shown = [&](const TilePlan& plan) {
+std::size_t cascades_shown_by(double step_m, std::span<const CascadePlan> plans) {
+    const auto is_shown = [&](const CascadePlan& plan) {
         return 3 * plan.lattice.side_m / plan.resolution >= 2 * step_m;
     };
     std::size_t count = 1;
@@ -29,21 +29,21 @@ std::size_t tiles_shown_by(double step_m, std::span<const TilePlan> plans) {
     return count;
 }
 
-glm::vec2 texture_coordinates_of(const Tile& coarsest, glm::dvec2 rest) {
-    const TileLattice::Place place = coarsest.lattice.in_tile(rest.x, rest.y);
+glm::vec2 texture_coordinates_of(const Cascade& coarsest, glm::dvec2 rest) {
+    const CascadeLattice::Place place = coarsest.lattice.in_cascade(rest.x, rest.y);
     const double side_m = coarsest.lattice.side_m, half_m = coarsest.texel_m() / 2;  // a texel lies in its middle
     return glm::dvec2((place.along + half_m) / side_m, 1 - (place.across + half_m) / side_m);
 }
 
 Mesh mesh_of(const Frame& frame, const SeaPatch& patch) {
     Frame shown = frame;
-    shown.tiles = frame.tiles.first(patch.tiles);
+    shown.cascades = frame.cascades.first(patch.cascades);
     const auto drawn = [&](glm::dvec2 rest) {
         const Displacement d = displacement_of(shown, rest.x, rest.y);
         return glm::dvec3(rest.x + d.dx, d.height, rest.y + d.dz);
     };
-    const double reach_m = std::max(patch.side_m / patch.steps, shown.tiles.back().texel_m());
-    const bool has_foam = !frame.tiles.front().foam_r8.empty();
+    const double reach_m = std::max(patch.side_m / patch.steps, shown.cascades.back().texel_m());
+    const bool has_foam = !frame.cascades.front().foam_r8.empty();
 
     const auto row = static_cast<std::uint32_t>(patch.steps) + 1;
     Mesh mesh;
@@ -57,7 +57,7 @@ Mesh mesh_of(const Frame& frame, const SeaPatch& patch) {
             const glm::dvec2 rest(i * patch.side_m / patch.steps, j * patch.side_m / patch.steps);
             mesh.positions.push_back(drawn(rest));
             mesh.normals.emplace_back(normal_at(rest, reach_m, drawn));
-            mesh.texture_coordinates.push_back(texture_coordinates_of(frame.tiles.front(), rest));
+            mesh.texture_coordinates.push_back(texture_coordinates_of(frame.cascades.front(), rest));
             if (has_foam) mesh.foam.push_back(static_cast<float>(foam_of(frame, rest)));
         }
     }

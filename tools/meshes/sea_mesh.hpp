@@ -5,7 +5,7 @@
 #include <span>
 
 #include "pelagic/sim/frame.hpp"
-#include "pelagic/sim/tile_plan.hpp"
+#include "pelagic/sim/cascade_plan.hpp"
 #include "pelagic/tools/meshes/mesh.hpp"
 
 namespace pelagic::tools {
@@ -14,21 +14,21 @@ namespace pelagic::tools {
 struct SeaPatch {
     double side_m = 0;
     int steps = 0;  ///< a side, so that (steps + 1)^2 points rest on it; the last row and column lie on its far edges
-    std::size_t tiles = 1;  ///< that move it, from the coarsest on
+    std::size_t cascades = 1;  ///< that move it, from the coarsest on
 };
 
-/// How many tiles have waves that a mesh with such steps can show: the coarsest, and those whose shortest waves, three texels, have
+/// How many cascades have waves that a mesh with such steps can show: the coarsest, and those whose shortest waves, three texels, have
 /// two steps or more. The waves of others would not be seen as waves but as noise.
-std::size_t tiles_shown_by(double step_m, std::span<const TilePlan> plans);
+std::size_t cascades_shown_by(double step_m, std::span<const CascadePlan> plans);
 
-/// Vertex i + j (steps + 1) rests at i steps along x and j along z, and is drawn where the patch's tiles move it, bilinear between
-/// their texels. Normals are those of that surface; foam, if the frame has any, is that of all tiles. Faces are squares.
+/// Vertex i + j (steps + 1) rests at i steps along x and j along z, and is drawn where the patch's cascades move it, bilinear between
+/// their texels. Normals are those of that surface; foam, if the frame has any, is that of all cascades. Faces are squares.
 Mesh mesh_of(const Frame& frame, const SeaPatch& patch);
 
 /// Texture coordinates as Mesh has them of what rests there.
-glm::vec2 texture_coordinates_of(const Tile& coarsest, glm::dvec2 rest);
+glm::vec2 texture_coordinates_of(const Cascade& coarsest, glm::dvec2 rest);
 
-/// The largest of the tiles' foam at a rest place, as a query has it, 0 to 1. \pre the frame has foam
+/// The largest of the cascades' foam at a rest place, as a query has it, 0 to 1. \pre the frame has foam
 double foam_of(const Frame& frame, glm::dvec2 rest);
 
 /// The unit normal of what rests at `rest`, from the differences of the neighbours on both sides, `reach_m` away (VR Ocean, equations

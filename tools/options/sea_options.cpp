@@ -24,9 +24,9 @@ struct SeaFlag {
 };
 
 constexpr std::array sea_flags = {
-    SeaFlag{"cascades", "cascades", "tiles, each with a band of the waves, their sides chosen from the sea"},
-    SeaFlag{"resolution", "resolution", "texels along a side of a tile"},
-    SeaFlag{"patch-size", "patch_size_m", "one tile, of this side in metres, after which the sea repeats"},
+    SeaFlag{"cascades", "cascades", "cascades, each with a band of the waves, their sides chosen from the sea"},
+    SeaFlag{"resolution", "resolution", "texels along a side of a cascade"},
+    SeaFlag{"patch-size", "patch_size_m", "one cascade, of this side in metres, after which the sea repeats"},
     SeaFlag{"wind-speed", "wind_speed_mps", "mean wind 10 m above the sea"},
     SeaFlag{"wind-direction", "wind_direction_rad",
             "where the wind blows towards, from +x (east) towards +z (south; north is -z)"},
@@ -90,8 +90,8 @@ std::optional<double> parse_value(const SeaFlag& flag, const std::string& text) 
 std::string default_of(const SeaFlag& flag) {
     if (is_roughness(flag)) return "wind";
     if (flag.field == "cascades") return number_text(default_cascades) + ", of one side 1";
-    if (flag.field == "resolution") return "128, of one tile with --patch-size 256";
-    if (flag.field == "patch_size_m") return "several tiles";
+    if (flag.field == "resolution") return "128, of one cascade with --patch-size 256";
+    if (flag.field == "patch_size_m") return "several cascades";
     if (flag.field == "wave_count") return "16, of a pond 24";
     if (flag.field == "longest_wave_m") return "120, of a pond 1.2";
     if (flag.field == "shortest_wave_m") return "a sixtieth of the longest, of a pond a 45th";
@@ -240,7 +240,7 @@ void write_down_choices(SeaState& sea) {
 }
 
 /// What a forecast fixes and a preset does not say is as the first sea has it.
-void keep_tiles(SeaState& sea, const SeaState& first) {
+void keep_cascades(SeaState& sea, const SeaState& first) {
     const SeaState defaults;
     const auto keep = [&](auto member) {
         if (sea.*member == defaults.*member) sea.*member = first.*member;
@@ -254,7 +254,7 @@ void keep_tiles(SeaState& sea, const SeaState& first) {
 }
 
 constexpr double most_time_s = 1e9;
-/// Tiles are laid out for all of its seas: some milliseconds each before the first frame.
+/// Cascades are laid out for all of its seas: some milliseconds each before the first frame.
 constexpr std::size_t most_changes = 1000;
 constexpr double most_swell_from_m = 2e7;
 
@@ -315,7 +315,7 @@ ResolvedSea SeaOptions::of_record(std::string_view text, const std::filesystem::
     return sea;
 }
 
-/// A change goes on from the sea before it, or from a preset, on the tiles of the first.
+/// A change goes on from the sea before it, or from a preset, on the cascades of the first.
 void SeaOptions::add_changes(ResolvedSea& first, const WeatherConfig& weather, const std::filesystem::path& file) {
     if (weather.changes.size() > most_changes)
         throw bad_value(file.string(), "a forecast of " + number_text(weather.changes.size()) + " changes",
@@ -341,7 +341,7 @@ void SeaOptions::add_changes(ResolvedSea& first, const WeatherConfig& weather, c
                 change.swell_from_m = number(0, most_swell_from_m, "metres in [1e3, 2e7], or 0");
             else if (entry.key == "preset") {
                 apply_preset(change.sea, entry.value, option);
-                keep_tiles(change.sea.sea, first.sea);
+                keep_cascades(change.sea.sea, first.sea);
             } else {
                 of_sea.push_back(entry);
             }

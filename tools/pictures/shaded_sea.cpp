@@ -12,7 +12,7 @@
 #include "pelagic/sim/statistics.hpp"
 #include "pelagic/simd/det_math.hpp"
 #include "pelagic/tools/pictures/sea_light.hpp"
-#include "pelagic/tools/pictures/tile_levels.hpp"
+#include "pelagic/tools/pictures/cascade_levels.hpp"
 
 namespace pelagic::tools {
 namespace {
@@ -87,7 +87,7 @@ struct ShadedSea::State {
 
     Frame frame;
     float hidden_slope_variance = 0;
-    std::vector<TileLevels> tiles;
+    std::vector<CascadeLevels> cascades;
     std::vector<GridPoint> grid;
     std::vector<Extent> extents;
     std::vector<glm::vec3> samples;
@@ -182,8 +182,8 @@ GridPoint ShadedSea::State::point_at(const glm::vec2& at) const {
     glm::vec3 place = rest;
     SurfaceSlopes slopes;
     float foam = 0;
-    for (const TileLevels& tile : tiles) {
-        const TileSample sample = tile.at(static_cast<double>(rest.x), static_cast<double>(rest.z), footprint_m);
+    for (const CascadeLevels& cascade : cascades) {
+        const CascadeSample sample = cascade.at(static_cast<double>(rest.x), static_cast<double>(rest.z), footprint_m);
         place += sample.displacement;
         slopes += sample.slopes;
         foam = std::max(foam, sample.foam);
@@ -290,8 +290,8 @@ int ShadedSea::height() const { return state_->height; }
 
 const std::vector<std::uint8_t>& ShadedSea::draw(const Frame& frame) {
     state_->hidden_slope_variance = static_cast<float>(frame.figures.unresolved_slopes.total() / 2);
-    state_->tiles.resize(frame.tiles.size());
-    for (std::size_t tile = 0; tile < frame.tiles.size(); ++tile) state_->tiles[tile].take(frame.tiles[tile]);
+    state_->cascades.resize(frame.cascades.size());
+    for (std::size_t cascade = 0; cascade < frame.cascades.size(); ++cascade) state_->cascades[cascade].take(frame.cascades[cascade]);
     state_->run->schedule();
     state_->run->complete();
     return state_->pixels;

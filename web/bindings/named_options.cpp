@@ -66,8 +66,8 @@ void set_number(SeaState& sea, const SeaStateField& field, const val& value) {
     field.set(sea, number);
 }
 
-/// What belongs to the tiles is as `before` has it, where a preset leaves it open.
-SeaState keep_tiles(SeaState preset, const SeaState& before) {
+/// What belongs to the cascades is as `before` has it, where a preset leaves it open.
+SeaState keep_cascades(SeaState preset, const SeaState& before) {
     const SeaState defaults;
     const auto keep = [&](auto member) {
         if (preset.*member == defaults.*member) preset.*member = before.*member;
@@ -165,7 +165,7 @@ SeaState sea_with(const SeaState& sea, const val& options, std::span<const std::
 
     SeaState changed = sea;
     if (const val preset = options["preset"]; !preset.isUndefined())
-        changed = keep_tiles(sea_preset_named(word_of("preset", preset, preset_names()))->sea, sea);
+        changed = keep_cascades(sea_preset_named(word_of("preset", preset, preset_names()))->sea, sea);
     const val names = val::global("Object").call<val>("keys", options);
     for (int i = 0, count = names["length"].as<int>(); i < count; ++i) {
         const auto name = names[i].as<std::string>();

@@ -32,7 +32,7 @@ double number_of(std::string_view name, const emscripten::val& value, bool (*acc
 std::string word_of(std::string_view name, const emscripten::val& value, const std::vector<std::string>& words);
 
 /// What the object says about the sea, on top of `sea`: `preset` first, whatever the order, then the others. Of a preset, what belongs
-/// to the tiles stays as `sea` has it, where the preset leaves it to the library.
+/// to the cascades stays as `sea` has it, where the preset leaves it to the library.
 ///
 /// \param options  an object, or undefined: nothing
 /// \param others   names that the object may have, too, and whoever calls reads
@@ -57,7 +57,7 @@ emscripten::val answer_of(Work work) {
     try {
         answer.set("value", work());
     } catch (const std::bad_alloc&) {
-        answer.set("error", "out of memory: fewer or smaller tiles take less");
+        answer.set("error", "out of memory: fewer or smaller cascades take less");
     } catch (const std::exception& error) {
         answer.set("error", std::string(error.what()));
     }

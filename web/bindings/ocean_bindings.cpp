@@ -97,19 +97,19 @@ val figures_of(const SeaFigures& figures) {
     return object;
 }
 
-val tile_of(const Tile& tile) {
+val cascade_of(const Cascade& cascade) {
     val object = val::object();
-    object.set("sideM", tile.lattice.side_m);
-    object.set("cosine", tile.lattice.cosine);
-    object.set("sine", tile.lattice.sine);
-    object.set("resolution", tile.resolution());
-    object.set("slopeRange", tile.slope_ranges.slope);
-    object.set("varianceRange", tile.slope_ranges.variance);
-    object.set("slopeVariance", tile.slope_variance);
-    object.set("makesWhitecaps", tile.makes_whitecaps());
-    object.set("whitecapJacobian", tile.whitecap_jacobian);
-    object.set("whitecapRamp", tile.whitecap_ramp);
-    object.set("bounds", bounds_of(tile.bounds));
+    object.set("sideM", cascade.lattice.side_m);
+    object.set("cosine", cascade.lattice.cosine);
+    object.set("sine", cascade.lattice.sine);
+    object.set("resolution", cascade.resolution());
+    object.set("slopeRange", cascade.slope_ranges.slope);
+    object.set("varianceRange", cascade.slope_ranges.variance);
+    object.set("slopeVariance", cascade.slope_variance);
+    object.set("makesWhitecaps", cascade.makes_whitecaps());
+    object.set("whitecapJacobian", cascade.whitecap_jacobian);
+    object.set("whitecapRamp", cascade.whitecap_ramp);
+    object.set("bounds", bounds_of(cascade.bounds));
     return object;
 }
 
@@ -229,27 +229,27 @@ class OceanOfPage {
         object.set("figures", figures_of(frame.figures));
         object.set("isa", std::string(name_of(frame.isa)));
         object.set("bounds", bounds_of(frame.bounds));
-        val tiles = val::array();
-        for (const Tile& tile : frame.tiles) tiles.call<void>("push", tile_of(tile));
-        object.set("tiles", tiles);
+        val cascades = val::array();
+        for (const Cascade& cascade : frame.cascades) cascades.call<void>("push", cascade_of(cascade));
+        object.set("cascades", cascades);
         return object;
     }
 
-    /// Views of a tile, by name; null for what its frame doesn't have.
+    /// Views of a cascade, by name; null for what its frame doesn't have.
     val maps(int slot, int number) const {
-        const Tile& tile = frames_[slot].tiles[static_cast<std::size_t>(number)];
+        const Cascade& cascade = frames_[slot].cascades[static_cast<std::size_t>(number)];
         val object = val::object();
-        object.set("displacement", view_of(tile.displacement_rgba16f));
-        object.set("gradients", bytes_of(tile.gradient_rgba8));
-        object.set("slopes", bytes_of(tile.slopes_rgba8));
-        object.set("moments", bytes_of(tile.moments_rgba8));
-        object.set("foam", view_of(tile.foam_r8));
-        object.set("dx", plane_of(tile.dx));
-        object.set("height", plane_of(tile.height));
-        object.set("dz", plane_of(tile.dz));
-        object.set("velocityX", plane_of(tile.velocity_x));
-        object.set("velocityY", plane_of(tile.velocity_y));
-        object.set("velocityZ", plane_of(tile.velocity_z));
+        object.set("displacement", view_of(cascade.displacement_rgba16f));
+        object.set("gradients", bytes_of(cascade.gradient_rgba8));
+        object.set("slopes", bytes_of(cascade.slopes_rgba8));
+        object.set("moments", bytes_of(cascade.moments_rgba8));
+        object.set("foam", view_of(cascade.foam_r8));
+        object.set("dx", plane_of(cascade.dx));
+        object.set("height", plane_of(cascade.height));
+        object.set("dz", plane_of(cascade.dz));
+        object.set("velocityX", plane_of(cascade.velocity_x));
+        object.set("velocityY", plane_of(cascade.velocity_y));
+        object.set("velocityZ", plane_of(cascade.velocity_z));
         return object;
     }
 

@@ -36,19 +36,19 @@ struct SeaView::State {
         take(sea);
     }
 
-    /// Textures and shaders stay where the tiles are of the same kind.
+    /// Textures and shaders stay where the cascades are of the same kind.
     void take(const SeaState& sea) {
         auto next = std::make_unique<Ocean>(
             sea, OceanOptions{.executor = executor, .queries = true, .slopes = true, .foam = options.foam});
         const bool fits =
-            renderer && next->resolution() == ocean->resolution() && next->tile_count() == ocean->tile_count();
+            renderer && next->resolution() == ocean->resolution() && next->cascade_count() == ocean->cascade_count();
         ocean = std::move(next);
         frame = nullptr;
         if (fits) return;
         renderer =
             std::make_unique<gl::SeaRenderer>(gl, gl::RendererOptions{.patch_vertices = selection.options().vertices,
                                                                       .resolution = ocean->resolution(),
-                                                                      .tiles = ocean->tile_count(),
+                                                                      .cascades = ocean->cascade_count(),
                                                                       .shading = options.shading});
         if (sky) renderer->set_sky(*sky);
     }

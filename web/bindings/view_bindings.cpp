@@ -20,7 +20,7 @@
 //   simulate(timeS)         computes the frame of that time and uploads it
 //   hash()                  of that frame: 16 hexadecimal digits, the same as everywhere else
 //   simulateMs(), drawMs()  milliseconds of script in the last calls, without the upload; a GPU's own are not in them
-//   seaInfo()               {significantHeightM, tiles, resolution, memoryBytes, triangles}
+//   seaInfo()               {significantHeightM, cascades, resolution, memoryBytes, triangles}
 //   draw(request)           {framebuffer, eyes, origin, exposure}: clears the framebuffer and draws into it. `framebuffer`
 //                           is a WebGLFramebuffer of the page's own script or of an XRWebGLLayer; null or undefined is the canvas.
 //                           One or two eyes; `view` and `projection` are column-major as WebXR and OpenGL have them, of any far plane:
@@ -207,7 +207,7 @@ class BoundView {
     val sea_info() {
         val info = val::object();
         info.set("significantHeightM", frame().figures.significant_wave_height_m);
-        info.set("tiles", static_cast<int>(view_->ocean().tile_count()));
+        info.set("cascades", static_cast<int>(view_->ocean().cascade_count()));
         info.set("resolution", view_->ocean().resolution());
         info.set("memoryBytes", static_cast<double>(view_->ocean().memory_bytes()));
         info.set("triangles", static_cast<double>(view_->figures().triangles));

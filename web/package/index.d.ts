@@ -11,11 +11,11 @@ export interface SeaOptions {
   spectrum?: 'phillips-paper' | 'phillips' | 'pierson-moskowitz' | 'jonswap';
   /** How waves spread around the wind. Default "paper". */
   spreading?: 'paper' | 'cosine-2s' | 'hasselmann' | 'donelan-banner';
-  /** Tiles, each with a band of the waves: 1, 2, 3 or 4, or 0: chosen. Default 0, which is 4, or 1 where the side is given. */
+  /** Cascades, each with a band of the waves: 1, 2, 3 or 4, or 0: chosen. Default 0, which is 4, or 1 where the side is given. */
   cascades?: number;
-  /** Texels along a side of each tile: a power of two from 16 to 2048, or 0: chosen. Default 0, which is 128, or 256 where the side is given. */
+  /** Texels along a side of each cascade: a power of two from 16 to 2048, or 0: chosen. Default 0, which is 128, or 256 where the side is given. */
   resolution?: number;
-  /** One tile of this side, metres, after which the sea repeats: [0.001, 1e6], or 0: chosen. Default 0: sides chosen from the sea. */
+  /** One cascade of this side, metres, after which the sea repeats: [0.001, 1e6], or 0: chosen. Default 0: sides chosen from the sea. */
   patchSizeM?: number;
   /** Mean wind 10 m above the sea, metres a second: (0, 60]. Default 12. */
   windSpeedMps?: number;
@@ -70,9 +70,9 @@ export interface OceanOptions extends SeaOptions {
   queries?: boolean;
   /** Frames have velocities, and so have answers of query(). About twice the work. Default false. */
   velocities?: boolean;
-  /** Frames of several tiles have gradients too; those of one always do. Default false. */
+  /** Frames of several cascades have gradients too; those of one always do. Default false. */
   gradients?: boolean;
-  /** Frames of one tile have slopes and moments too; those of several always do. Default false. */
+  /** Frames of one cascade have slopes and moments too; those of several always do. Default false. */
   slopes?: boolean;
   /** Foam lasts for 2.9 seconds, and has its own map. Default false. */
   foam?: boolean;
@@ -123,7 +123,7 @@ export class Ocean {
   firstHit(ray: Ray): Hit | null;
 
   /**
-   * Starts to bake another sea beside frames, which go on as they are: this one with `options` changed, or a preset on the tiles of this one.
+   * Starts to bake another sea beside frames, which go on as they are: this one with `options` changed, or a preset on the cascades of this one.
    * The resolution must stay.
    */
   scheduleSea(options: SeaOptions): void;
@@ -165,7 +165,7 @@ export interface SlopeVariance {
 /** What holds for all frames of a sea. */
 export interface SeaFigures {
   significantWaveHeightM: number;
-  /** That the tiles' maps show, and what is left to roughness. */
+  /** That the cascades' maps show, and what is left to roughness. */
   resolvedSlopes: SlopeVariance;
   unresolvedSlopes: SlopeVariance;
   roughness: number;
@@ -181,12 +181,12 @@ export interface FrameAbout {
   readonly figures: SeaFigures;
   /** "wasm128": the instruction set. */
   readonly isa: string;
-  /** Sums of the tiles' bounds. */
+  /** Sums of the cascades' bounds. */
   readonly bounds: Bounds;
 }
 
 /**
- * The point of water that rests at (x, z) is drawn at (x + Dx, height, z + Dz), each the sum of what the tiles hold there.
+ * The point of water that rests at (x, z) is drawn at (x + Dx, height, z + Dz), each the sum of what the cascades hold there.
  * Valid until the second schedule() after its own, and until dispose(); later it throws.
  */
 export class Frame implements FrameAbout {
@@ -197,7 +197,7 @@ export class Frame implements FrameAbout {
   readonly isa: string;
   readonly bounds: Bounds;
   /** At least one, the coarsest first. */
-  readonly tiles: readonly Tile[];
+  readonly cascades: readonly Cascade[];
   readonly isValid: boolean;
   /** XXH3 of all its outputs, 16 hexadecimal digits: equal hashes, equal bits. `pelagic export` writes the same into sea.json. */
   hash(): string;
@@ -209,9 +209,9 @@ export class Frame implements FrameAbout {
   firstHit(ray: Ray): Hit | null;
 }
 
-/** What a tile says of itself. */
-export interface TileAbout {
-  /** L: the tile repeats after so many metres along both of its own axes. */
+/** What a cascade says of itself. */
+export interface CascadeAbout {
+  /** L: the cascade repeats after so many metres along both of its own axes. */
   readonly sideM: number;
   /** N, texels along a side. */
   readonly resolution: number;
@@ -228,7 +228,7 @@ export interface TileAbout {
   /** What the bytes of `slopes` and `moments` count in. */
   readonly slopeRange: number;
   readonly varianceRange: number;
-  /** Of the slope over the whole tile. */
+  /** Of the slope over the whole cascade. */
   readonly slopeVariance: number;
   /** Water of the Jacobian J makes foam of clamp(1/2 + (whitecapJacobian - J) / whitecapRamp, 0, 1). */
   readonly makesWhitecaps: boolean;
@@ -237,24 +237,24 @@ export interface TileAbout {
 }
 
 /**
- * The maps of a tile, with rows of texels along its own first axis. They are views of the module's memory, without a copy: as long as
+ * The maps of a cascade, with rows of texels along its own first axis. They are views of the module's memory, without a copy: as long as
  * the frame is valid they hold its bits, then those of another frame. Memory grows when an ocean answers a larger batch of points than
- * ever, or changes its sea; a view that you kept has no elements then, unless isShared. So read `tile.displacement` again for each use, which costs
+ * ever, or changes its sea; a view that you kept has no elements then, unless isShared. So read `cascade.displacement` again for each use, which costs
  * nothing, and copy what you keep.
  */
-export interface TileMaps {
+export interface CascadeMaps {
   /** N^2 texels of four IEEE half floats: Dx, height, Dz in metres, foam from 0 to 1 (RGBA16F). */
   readonly displacement: Uint16Array;
   /**
-   * A chain of levelCount(N) levels, RGBA8: normal x, normal z, Jacobian, smoothness. Of this tile alone. Null in frames of
-   * several tiles without OceanOptions.gradients.
+   * A chain of levelCount(N) levels, RGBA8: normal x, normal z, Jacobian, smoothness. Of this cascade alone. Null in frames of
+   * several cascades without OceanOptions.gradients.
    */
   readonly gradients: Uint8Array | null;
   /**
-   * Two chains, RGBA8, of slopes that add to other tiles': h_x, h_z, D_xx, D_zz; and D_xz, variances of h_x and h_z within the
+   * Two chains, RGBA8, of slopes that add to other cascades': h_x, h_z, D_xx, D_zz; and D_xz, variances of h_x and h_z within the
    * texel, their covariance. Variances are b/255 varianceRange, the covariance (b - 128)/127 of it, all others (b - 128)/127 slopeRange.
    * The normal of the sums is (h_z D_xz - h_x (1 + D_zz), J, h_x D_xz - h_z (1 + D_xx)), J = (1 + D_xx)(1 + D_zz) - D_xz^2.
-   * Null in frames of one tile without OceanOptions.slopes.
+   * Null in frames of one cascade without OceanOptions.slopes.
    */
   readonly slopes: Uint8Array | null;
   readonly moments: Uint8Array | null;
@@ -270,7 +270,7 @@ export interface TileMaps {
   readonly velocityZ: Plane | null;
 }
 
-export interface Tile extends TileAbout, TileMaps {}
+export interface Cascade extends CascadeAbout, CascadeMaps {}
 
 /**
  * A square of floats in blocks of a few columns, which is how they are computed; a view as maps are. Texel (i, j) is
@@ -326,7 +326,7 @@ export interface Ray {
   originM: readonly [number, number, number];
   /** Of any length but 0. */
   direction: readonly [number, number, number];
-  /** How far to look: 0 to a million texels of the coarsest tile. */
+  /** How far to look: 0 to a million texels of the coarsest cascade. */
   reachM: number;
 }
 

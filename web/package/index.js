@@ -2,7 +2,7 @@
 import { assertOptions, makeInstance, threadsFor, valueOf } from './module.js';
 import { Ocean } from './ocean.js';
 
-export { Ocean, Frame, Tile, Plane, levelCount, levelOffset } from './ocean.js';
+export { Ocean, Frame, Cascade, Plane, levelCount, levelOffset } from './ocean.js';
 
 /** Bakes a sea; index.d.ts has the options. Rejects with an Error of one line that names the option, the value and what is accepted. */
 export async function createOcean(options = {}) {

@@ -35,8 +35,8 @@ export class Plane {
 export const mapNames = ['displacement', 'gradients', 'slopes', 'moments', 'foam'];
 export const planeNames = ['dx', 'height', 'dz', 'velocityX', 'velocityY', 'velocityZ'];
 
-/** A tile of a frame. Its maps are views of the module's memory. */
-export class Tile {
+/** A cascade of a frame. Its maps are views of the module's memory. */
+export class Cascade {
   #frame;
   #number;
   #maps;
@@ -55,9 +55,9 @@ export class Tile {
   }
 }
 for (const name of mapNames)
-  Object.defineProperty(Tile.prototype, name, { get() { return this.map(name); } });
+  Object.defineProperty(Cascade.prototype, name, { get() { return this.map(name); } });
 for (const name of planeNames)
-  Object.defineProperty(Tile.prototype, name, {
+  Object.defineProperty(Cascade.prototype, name, {
     get() {
       const plane = this.map(name);
       return plane && new Plane(plane);
@@ -71,7 +71,7 @@ export class Frame {
   #slot;
   #number;
   #about;
-  #tiles;
+  #cascades;
 
   constructor(ocean, native, slot, number) {
     this.#ocean = ocean;
@@ -100,14 +100,14 @@ export class Frame {
   get isa() { return this.#describe().isa; }
   get bounds() { return this.#describe().bounds; }
 
-  get tiles() {
-    this.#tiles ??= this.#describe().tiles.map((about, number) => new Tile(this, number, about));
+  get cascades() {
+    this.#cascades ??= this.#describe().cascades.map((about, number) => new Cascade(this, number, about));
     this.assertValid();
-    return this.#tiles;
+    return this.#cascades;
   }
 
-  mapsOf(tile) {
-    return this.#native.maps(this.#slot, tile);
+  mapsOf(cascade) {
+    return this.#native.maps(this.#slot, cascade);
   }
 
   hash() {

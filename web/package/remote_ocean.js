@@ -50,8 +50,8 @@ class Line {
   }
 }
 
-/** A tile as it came: its maps are copies of the worker's, or its very memory where that is shared. */
-class RemoteTile {
+/** A cascade as it came: its maps are copies of the worker's, or its very memory where that is shared. */
+class RemoteCascade {
   constructor({ maps, ...about }) {
     Object.assign(this, about, { rotationRad: Math.atan2(about.sine, about.cosine), texelM: about.sideM / about.resolution });
     for (const name of mapNames) this[name] = maps[name] ?? null;
@@ -63,10 +63,10 @@ export class RemoteFrame {
   #line;
   #number;
 
-  constructor(line, { number, tiles, ...about }) {
+  constructor(line, { number, cascades, ...about }) {
     this.#line = line;
     this.#number = number;
-    Object.assign(this, about, { tiles: tiles.map((tile) => new RemoteTile(tile)) });
+    Object.assign(this, about, { cascades: cascades.map((cascade) => new RemoteCascade(cascade)) });
   }
 
   hash() {

@@ -1,13 +1,13 @@
 // The sea in a worker: the same as index.d.ts, as promises.
 import type {
-  Answers, Bounds, FrameAbout, Hit, OceanOptions, Points, QueryOptions, Ray, SeaFigures, SeaOptions, TileAbout, TileMaps,
+  Answers, Bounds, FrameAbout, Hit, OceanOptions, Points, QueryOptions, Ray, SeaFigures, SeaOptions, CascadeAbout, CascadeMaps,
 } from './index.js';
 
 export { seaOptions, presets, levelCount, levelOffset, Plane } from './index.js';
 
 export interface RemoteOceanOptions extends OceanOptions {
-  /** What comes with a frame; all else of a tile is null then. Default: displacement, gradients, slopes, moments and foam, as far as frames have them. */
-  maps?: (keyof TileMaps)[];
+  /** What comes with a frame; all else of a cascade is null then. Default: displacement, gradients, slopes, moments and foam, as far as frames have them. */
+  maps?: (keyof CascadeMaps)[];
 }
 
 /** Bakes the sea in a worker, which has threads of its own where the page is isolated, and in node. */
@@ -41,11 +41,11 @@ export class RemoteFrame implements FrameAbout {
   readonly figures: SeaFigures;
   readonly isa: string;
   readonly bounds: Bounds;
-  readonly tiles: readonly RemoteTile[];
+  readonly cascades: readonly RemoteCascade[];
   hash(): Promise<string>;
   foamHash(): Promise<string>;
   query(points: Points, options?: QueryOptions): Promise<Answers>;
   firstHit(ray: Ray): Promise<Hit | null>;
 }
 
-export type RemoteTile = TileAbout & {readonly [Name in keyof TileMaps]: TileMaps[Name] | null};
+export type RemoteCascade = CascadeAbout & {readonly [Name in keyof CascadeMaps]: CascadeMaps[Name] | null};

@@ -18,13 +18,13 @@ function posted(view, transfer) {
   return copy;
 }
 
-function postedTile(tile, transfer) {
+function postedCascade(cascade, transfer) {
   const maps = {};
   for (const name of sent) {
-    const data = tile.map(name);
+    const data = cascade.map(name);
     if (data) maps[name] = isPlane(data) ? { ...data, data: posted(data.data, transfer) } : posted(data, transfer);
   }
-  return { ...tile, maps };
+  return { ...cascade, maps };
 }
 
 function frameOf(number) {
@@ -50,7 +50,7 @@ const methods = {
     frames.set(number, frame);
     frames.delete(number - 2);
     const { sea, figures, isa, bounds } = frame;
-    return { number, timeS, sea, figures, isa, bounds, tiles: frame.tiles.map((tile) => postedTile(tile, transfer)) };
+    return { number, timeS, sea, figures, isa, bounds, cascades: frame.cascades.map((cascade) => postedCascade(cascade, transfer)) };
   },
   hash: (number) => frameOf(number).hash(),
   foamHash: (number) => frameOf(number).foamHash(),

@@ -91,7 +91,7 @@ export class Panel {
     const row = this.row('', label, input, output);
     output.htmlFor = input.id;
     this.followers.push(settings => {
-      // Chosen tiles are four, the waves' own sliders are for those waves.
+      // Chosen cascades are four, the waves' own sliders are for those waves.
       const value = option === 'cascades' && settings.cascades === 0 ? 4 : settings[option];
       input.value = value * scale;
       output.value = text(value * scale);

@@ -85,9 +85,9 @@ def take_preset(settings, name):
     settings.swell_spread = sea.swell_spread_rad
     settings.wave_strength = sea.wave_strength
     settings.wave_height = sea.wave_height_m
-    settings.tiles = sea.cascades
-    settings.tile_resolution = str(sea.resolution)
-    settings.tile_side = sea.patch_size_m
+    settings.cascades = sea.cascades
+    settings.cascade_resolution = str(sea.resolution)
+    settings.cascade_side = sea.patch_size_m
 
 
 class PELAGIC_OT_bake(OnOcean, bpy.types.Operator):

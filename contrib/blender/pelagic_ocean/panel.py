@@ -82,7 +82,7 @@ class PELAGIC_PT_swell(OfOcean, bpy.types.Panel):
 
 
 class PELAGIC_PT_spectrum(OfOcean, bpy.types.Panel):
-    bl_label = "Spectrum and Tiles"
+    bl_label = "Spectrum and Cascades"
     bl_options = {"DEFAULT_CLOSED"}
 
     def draw(self, context):
@@ -90,7 +90,7 @@ class PELAGIC_PT_spectrum(OfOcean, bpy.types.Panel):
         if sea_object.has_spectrum(library.pelagic.preset(settings.preset)):
             for name in ("spectrum", "spreading", "alignment", "small_waves"):
                 self.prepare().prop(settings, name)
-        for name in ("tiles", "tile_resolution", "tile_side"):
+        for name in ("cascades", "cascade_resolution", "cascade_side"):
             self.prepare().prop(settings, name)
 
 

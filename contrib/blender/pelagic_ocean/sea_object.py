@@ -62,9 +62,9 @@ def sea_of(settings):
         "wind_direction_rad": math.radians(typed_degrees(settings.wind_direction)),
         "choppiness": typed(settings.choppiness),
         "loop_period_s": typed(settings.loop_period),
-        "cascades": settings.tiles,
-        "resolution": int(settings.tile_resolution),
-        "patch_size_m": typed(settings.tile_side),
+        "cascades": settings.cascades,
+        "resolution": int(settings.cascade_resolution),
+        "patch_size_m": typed(settings.cascade_side),
     }
     if has_spectrum(sea):
         changes |= {

@@ -39,7 +39,7 @@ class PelagicOcean(bpy.types.PropertyGroup):
         description="How far water moves towards crests: 0 gives round waves, 1 sharp ones")
     spectrum: EnumProperty(
         name="Spectrum", default="jonswap", update=changed, items=(
-            ("phillips-paper", "Phillips, of the Paper", "As VR Ocean scales it; one tile, no swell", 0),
+            ("phillips-paper", "Phillips, of the Paper", "As VR Ocean scales it; one cascade, no swell", 0),
             ("phillips", "Phillips", "Phillips's, in metres", 1),
             ("pierson-moskowitz", "Pierson-Moskowitz", "A sea that has grown as far as it can; no fetch", 2),
             ("jonswap", "JONSWAP", "A sea that grows with the fetch", 3)))
@@ -79,17 +79,17 @@ class PelagicOcean(bpy.types.PropertyGroup):
         name="Spread", default=math.radians(15), min=math.radians(1), max=math.radians(80), subtype="ANGLE",
         update=changed, description="Standard deviation of the swell's directions")
 
-    tiles: IntProperty(
-        name="Tiles", default=0, min=0, max=4, update=changed,
+    cascades: IntProperty(
+        name="Cascades", default=0, min=0, max=4, update=changed,
         description="How many squares of waves make the sea, from long waves to short ones; 0: four, or one of a given side")
-    tile_resolution: EnumProperty(
+    cascade_resolution: EnumProperty(
         name="Texels", default="0", update=changed,
-        description="Along a side of each tile; more hold shorter waves",
+        description="Along a side of each cascade; more hold shorter waves",
         items=[("0", "Chosen", "128, or 256 where the side is given", 0)] +
               [(str(2 ** k), str(2 ** k), "", 2 ** k) for k in range(4, 12)])
-    tile_side: FloatProperty(
-        name="Tile Side", min=0, max=1e6, subtype="DISTANCE", update=changed,
-        description="Of the one tile, after which the sea repeats; 0: chosen from the sea")
+    cascade_side: FloatProperty(
+        name="Cascade Side", min=0, max=1e6, subtype="DISTANCE", update=changed,
+        description="Of the one cascade, after which the sea repeats; 0: chosen from the sea")
 
     size: FloatProperty(
         name="Size", default=100, min=0.01, max=1e5, soft_max=2000, subtype="DISTANCE", update=changed,

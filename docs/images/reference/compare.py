@@ -60,16 +60,16 @@ def numbers(values):
 class Comparison:
     def __init__(self, pelagic, folder, samples, threads, reuse):
         self.pelagic, self.folder, self.samples, self.threads, self.reuse = pelagic, folder, samples, threads, reuse
-        self.tiles = None
+        self.cascades = None
         info = json.loads(subprocess.check_output([pelagic, "info", *scenes.sea, "--json"]))
         self.all_slopes = info["waves"]["slope_variance"]["cox_and_munk"]["total"]
 
-    def read_tiles(self):
-        if not self.tiles:
+    def read_cascades(self):
+        if not self.cascades:
             export = self.folder / "sea"
             subprocess.check_call([self.pelagic, "export", "--out", str(export), *scenes.sea], stdout=subprocess.DEVNULL)
-            self.tiles = sea_mesh.read_tiles(export, lambda file: rgba(file)[2])
-        return self.tiles
+            self.cascades = sea_mesh.read_cascades(export, lambda file: rgba(file)[2])
+        return self.cascades
 
     def ours(self, name, camera, target, sun):
         picture, sky = self.folder / f"{name}_ours.exr", self.folder / f"{name}_sky.exr"
@@ -84,10 +84,10 @@ class Comparison:
         """Two pictures, of the sun's light and of the sky's; their sum is the sea's."""
         files = {kind: self.folder / f"{name}_{kind}.exr" for kind in ("sun", "skylight")}
         if not (self.reuse and all(file.exists() for file in files.values())):
-            tiles = self.read_tiles()
+            cascades = self.read_cascades()
             # Half a pixel's width at the nearest water, and to 0.1 degrees below the horizon.
             finest = 2.0 ** round(math.log2(camera[1] * 0.0078 / 2))
-            sea = sea_mesh.SeaMesh(tiles, finest, max(5e3, 573 * camera[1]), self.all_slopes)
+            sea = sea_mesh.SeaMesh(cascades, finest, max(5e3, 573 * camera[1]), self.all_slopes)
             for kind, file in files.items():
                 scene = cycles_scene.new_scene(self.samples, scenes.width, scenes.height, self.threads)
                 sun = light["sun_direction"] if kind == "sun" else None

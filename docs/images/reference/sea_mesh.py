@@ -1,5 +1,5 @@
 # The sea of `pelagic export` as one mesh around a viewer: square rings, each twice as coarse as the one inside it, on which vertices
-# stand where the tiles' displacements add up to. Waves too short for a ring are left out, as box averages of texels
+# stand where the cascades' displacements add up to. Waves too short for a ring are left out, as box averages of texels
 # leave them out, and their mean square slope is the ring's roughness.
 import json
 import math
@@ -7,8 +7,8 @@ from array import array
 from pathlib import Path
 
 
-class Tile:
-    """A tile's displacements, level by level: box averages of 2^level texels a side. \\param pixels RGBA, row 0 first"""
+class Cascade:
+    """A cascade's displacements, level by level: box averages of 2^level texels a side. \\param pixels RGBA, row 0 first"""
 
     def __init__(self, layout, pixels):
         self.side = layout["side_m"]
@@ -26,25 +26,25 @@ class Tile:
                 for j in range(n) for i in range(n)])
 
     def level_for(self, spacing):
-        """The finest level whose texels are not finer than the vertices stand; none where the tile has no such."""
+        """The finest level whose texels are not finer than the vertices stand; none where the cascade has no such."""
         level = max(0, math.ceil(math.log2(spacing / self.texel)))
         return level if level < len(self.levels) - 2 else None
 
 
-def displacement(tiles, x, z):
-    """The sum of the tiles, bilinear on each one's lattice. \\param tiles  (tile, level) that count"""
+def displacement(cascades, x, z):
+    """The sum of the cascades, bilinear on each one's lattice. \\param cascades  (cascade, level) that count"""
     dx = dy = dz = 0.0
-    for tile, level in tiles:
-        n = tile.n >> level
+    for cascade, level in cascades:
+        n = cascade.n >> level
         # A texel of level m is the mean of texels whose middle lies (2^m - 1) / 2 texels further.
-        scale = 1 / (tile.texel * (1 << level))
+        scale = 1 / (cascade.texel * (1 << level))
         shift = 0.5 * ((1 << level) - 1) / (1 << level)
-        u = (tile.cosine * x + tile.sine * z) * scale - shift
-        v = (tile.cosine * z - tile.sine * x) * scale - shift
+        u = (cascade.cosine * x + cascade.sine * z) * scale - shift
+        v = (cascade.cosine * z - cascade.sine * x) * scale - shift
         iu, iv = math.floor(u), math.floor(v)
         fu, fv = u - iu, v - iv
         i0, i1, j0, j1 = iu % n, (iu + 1) % n, iv % n * n, (iv + 1) % n * n
-        texels = tile.levels[level]
+        texels = cascade.levels[level]
         a, b, c, d = texels[j0 + i0], texels[j0 + i1], texels[j1 + i0], texels[j1 + i1]
         wa, wb, wc, wd = (1 - fu) * (1 - fv), fu * (1 - fv), (1 - fu) * fv, fu * fv
         dx += wa * a[0] + wb * b[0] + wc * c[0] + wd * d[0]
@@ -63,23 +63,23 @@ class SeaMesh:
     cells = 256  # a side of each ring
     depth_m = 300  # through which no light comes; Cycles wants water to be closed
 
-    def __init__(self, tiles, finest_m, radius_m, all_slopes):
+    def __init__(self, cascades, finest_m, radius_m, all_slopes):
         self.places, self.roughness, self.quads = array("f"), array("f"), array("i")
         self.rings = []
         spacing = finest_m
         while True:
             last = spacing * self.cells / 2 >= radius_m
-            self.add_ring(tiles, spacing, self.rings != [], last, all_slopes)
+            self.add_ring(cascades, spacing, self.rings != [], last, all_slopes)
             if last:
                 break
             spacing *= 2
         self.add_walls(all_slopes)
 
-    def add_ring(self, tiles, spacing, has_hole, is_last, all_slopes):
+    def add_ring(self, cascades, spacing, has_hole, is_last, all_slopes):
         n, half = self.cells, self.cells // 2
 
         def counting(s):
-            return [(tile, tile.level_for(s)) for tile in tiles if tile.level_for(s) is not None]
+            return [(cascade, cascade.level_for(s)) for cascade in cascades if cascade.level_for(s) is not None]
 
         own, coarser = counting(spacing), counting(2 * spacing)
 
@@ -145,11 +145,11 @@ class SeaMesh:
         self.quads.extend(first + k * count // 4 for k in range(4))
 
 
-def read_tiles(folder, load):
+def read_cascades(folder, load):
     """\\param load  file name to RGBA floats, row 0 first"""
     record = json.loads((Path(folder) / "sea.json").read_text())
-    tiles = []
-    for layout in record["layout"]["tiles"]:
+    cascades = []
+    for layout in record["layout"]["cascades"]:
         part = layout["in_file_names"]
-        tiles.append(Tile(layout, load(Path(folder) / f"displacement_{part + '_' if part else ''}0000.exr")))
-    return tiles
+        cascades.append(Cascade(layout, load(Path(folder) / f"displacement_{part + '_' if part else ''}0000.exr")))
+    return cascades

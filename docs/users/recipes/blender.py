@@ -64,11 +64,11 @@ displace.texture_coords, displace.uv_layer = "UV", "texels"
 displace.direction, displace.space = "RGB_TO_XYZ", "LOCAL"
 displace.mid_level, displace.strength = 0, 1
 for axis in (0, 2):
-    tiles = sea.modifiers.new("patches", "ARRAY")
-    tiles.count = patches
-    tiles.use_relative_offset, tiles.use_constant_offset = False, True
-    tiles.constant_offset_displace = [L if axis == k else 0 for k in range(3)]
-    tiles.use_merge_vertices, tiles.merge_threshold = True, 1e-3
+    cascades = sea.modifiers.new("patches", "ARRAY")
+    cascades.count = patches
+    cascades.use_relative_offset, cascades.use_constant_offset = False, True
+    cascades.constant_offset_displace = [L if axis == k else 0 for k in range(3)]
+    cascades.use_merge_vertices, cascades.merge_threshold = True, 1e-3
 
 # Foam where the surface is pressed together: J = 2 c - 1 of the third channel, foam = 1 - 2 J within [0, 1].
 water = bpy.data.materials.new("water")

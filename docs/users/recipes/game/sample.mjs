@@ -38,12 +38,12 @@ function bilinear({ side, halves }, u, v) {
 }
 
 const drawn = [x, 0, z];
-for (const tile of sea.layout.tiles) {
-  const mark = tile.in_file_names ? `${tile.in_file_names}_` : "";
+for (const cascade of sea.layout.cascades) {
+  const mark = cascade.in_file_names ? `${cascade.in_file_names}_` : "";
   const texture = displacement(`displacement_${mark}0000.ktx2`);
-  const { cosine: c, sine: s } = tile.turn;
-  const u = (c * x + s * z) / tile.side_m + 0.5 / tile.resolution;
-  const v = (c * z - s * x) / tile.side_m + 0.5 / tile.resolution;
+  const { cosine: c, sine: s } = cascade.turn;
+  const u = (c * x + s * z) / cascade.side_m + 0.5 / cascade.resolution;
+  const v = (c * z - s * x) / cascade.side_m + 0.5 / cascade.resolution;
   bilinear(texture, u, v).forEach((value, axis) => (drawn[axis] += value));
 }
 console.log(drawn.join(" "));

@@ -50,12 +50,12 @@ func _ready():
 	material.set_shader_param("gradient", map("gradient_0000.png", true))
 	var mesh = patch(N, L, Mesh.PRIMITIVE_TRIANGLES)
 	for k in range(PATCHES * PATCHES):
-		var tile = MeshInstance.new()
-		tile.mesh = mesh
-		tile.material_override = material
-		tile.translation = Vector3(k % PATCHES * L, 0, k / PATCHES * L)
-		tile.extra_cull_margin = 100
-		add_child(tile)
+		var cascade = MeshInstance.new()
+		cascade.mesh = mesh
+		cascade.material_override = material
+		cascade.translation = Vector3(k % PATCHES * L, 0, k / PATCHES * L)
+		cascade.extra_cull_margin = 100
+		add_child(cascade)
 
 	var sky = ProceduralSky.new()
 	sky.sun_latitude = 25

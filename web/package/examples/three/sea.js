@@ -5,19 +5,19 @@ import { seaShaders, skyShaders } from './shaders.js';
 
 const ocean = await createOcean({ preset: 'moderate', maps: ['displacement', 'slopes', 'moments'] });
 let frame = await ocean.frameAt(0);
-const { resolution } = frame.tiles[0];
-const count = frame.tiles.length;
+const { resolution } = frame.cascades[0];
+const count = frame.cascades.length;
 
-// Textures of each tile. Displacement holds half floats, as the frame does; slopes come with all their mipmaps.
+// Textures of each cascade. Displacement holds half floats, as the frame does; slopes come with all their mipmaps.
 function repeating(type, minFilter) {
   const texture = new THREE.DataTexture(null, resolution, resolution, THREE.RGBAFormat, type);
   Object.assign(texture, { wrapS: THREE.RepeatWrapping, wrapT: THREE.RepeatWrapping, magFilter: THREE.LinearFilter, minFilter });
   texture.anisotropy = 8;
   return texture;
 }
-const displacement = frame.tiles.map(() => repeating(THREE.HalfFloatType, THREE.LinearFilter));
-const slopes = frame.tiles.map(() => repeating(THREE.UnsignedByteType, THREE.LinearMipmapLinearFilter));
-const moments = frame.tiles.map(() => repeating(THREE.UnsignedByteType, THREE.LinearMipmapLinearFilter));
+const displacement = frame.cascades.map(() => repeating(THREE.HalfFloatType, THREE.LinearFilter));
+const slopes = frame.cascades.map(() => repeating(THREE.UnsignedByteType, THREE.LinearMipmapLinearFilter));
+const moments = frame.cascades.map(() => repeating(THREE.UnsignedByteType, THREE.LinearMipmapLinearFilter));
 
 const levels = (chain) => Array.from({ length: levelCount(resolution) }, (_, level) => {
   const side = resolution >> level, first = 4 * levelOffset(resolution, level);
@@ -25,11 +25,11 @@ const levels = (chain) => Array.from({ length: levelCount(resolution) }, (_, lev
 });
 
 // Nothing is copied here: three uploads the frame's maps from where they are when it draws next.
-function show({ tiles }) {
-  tiles.forEach((tile, i) => {
-    displacement[i].image.data = tile.displacement;
-    slopes[i].mipmaps = levels(tile.slopes);
-    moments[i].mipmaps = levels(tile.moments);
+function show({ cascades }) {
+  cascades.forEach((cascade, i) => {
+    displacement[i].image.data = cascade.displacement;
+    slopes[i].mipmaps = levels(cascade.slopes);
+    moments[i].mipmaps = levels(cascade.moments);
     for (const texture of [displacement[i], slopes[i], moments[i]]) texture.needsUpdate = true;
   });
 }
@@ -62,10 +62,10 @@ const uniforms = {
   displacement: { value: displacement },
   slopes: { value: slopes },
   moments: { value: moments },
-  // What each tile needs to be laid over the world: side, turn, and what its bytes count in.
-  lattice: { value: frame.tiles.map((tile) => new THREE.Vector3(tile.sideM, tile.cosine, tile.sine)) },
-  ranges: { value: frame.tiles.map((tile) => new THREE.Vector2(tile.slopeRange, tile.varianceRange)) },
-  whitecaps: { value: frame.tiles.map((tile) => new THREE.Vector2(tile.makesWhitecaps ? tile.whitecapJacobian : -10, tile.whitecapRamp)) },
+  // What each cascade needs to be laid over the world: side, turn, and what its bytes count in.
+  lattice: { value: frame.cascades.map((cascade) => new THREE.Vector3(cascade.sideM, cascade.cosine, cascade.sine)) },
+  ranges: { value: frame.cascades.map((cascade) => new THREE.Vector2(cascade.slopeRange, cascade.varianceRange)) },
+  whitecaps: { value: frame.cascades.map((cascade) => new THREE.Vector2(cascade.makesWhitecaps ? cascade.whitecapJacobian : -10, cascade.whitecapRamp)) },
   unresolved: { value: frame.figures.unresolvedSlopes.upwind + frame.figures.unresolvedSlopes.crosswind },
   sun: { value: new THREE.Vector3(0.25, 0.2, -1).normalize() },
 };

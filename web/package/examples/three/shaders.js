@@ -1,4 +1,4 @@
-// How the water and the sky look. The sums over tiles are those of Pelagic's documentation (docs/library.md, "Slopes that add").
+// How the water and the sky look. The sums over cascades are those of Pelagic's documentation (docs/library.md, "Slopes that add").
 
 const skyColour = `
   uniform vec3 sun;
@@ -10,14 +10,14 @@ const skyColour = `
     return colour;
   }`;
 
-// `body` for each tile; a shader may index its samplers by constants only.
-const forEachTile = (count, body) => Array.from({ length: count }, (_, tile) => `{ ${body.replaceAll('TILE', tile)} }`).join('\n');
+// `body` for each cascade; a shader may index its samplers by constants only.
+const forEachCascade = (count, body) => Array.from({ length: count }, (_, cascade) => `{ ${body.replaceAll('CASCADE', cascade)} }`).join('\n');
 
 const lattices = (count) => `
   uniform vec3 lattice[${count}];  // side, cosine and sine of the turn
-  // A place at rest as coordinates of the tile's maps; texel 0 rests at the origin.
-  vec2 placeIn(vec3 tile, vec2 rest, ivec2 texels) {
-    return vec2(tile.y * rest.x + tile.z * rest.y, tile.y * rest.y - tile.z * rest.x) / tile.x + 0.5 / vec2(texels);
+  // A place at rest as coordinates of the cascade's maps; texel 0 rests at the origin.
+  vec2 placeIn(vec3 cascade, vec2 rest, ivec2 texels) {
+    return vec2(cascade.y * rest.x + cascade.z * rest.y, cascade.y * rest.y - cascade.z * rest.x) / cascade.x + 0.5 / vec2(texels);
   }`;
 
 export const skyShaders = {
@@ -50,10 +50,10 @@ const vertexShader = (count) => `
     float distance = length(position.xz);
     vec3 moved = vec3(0.0);
     foam = 0.0;
-    ${forEachTile(count, `
-      vec4 texel = textureLod(displacement[TILE], placeIn(lattice[TILE], rest, textureSize(displacement[TILE], 0)), 0.0);
+    ${forEachCascade(count, `
+      vec4 texel = textureLod(displacement[CASCADE], placeIn(lattice[CASCADE], rest, textureSize(displacement[CASCADE], 0)), 0.0);
       // Waves shorter than the mesh's own steps fade with distance: their slopes stay.
-      moved += texel.xyz * (1.0 - smoothstep(2.0, 8.0, distance / lattice[TILE].x));
+      moved += texel.xyz * (1.0 - smoothstep(2.0, 8.0, distance / lattice[CASCADE].x));
       foam = max(foam, texel.w);`)}
     place = vec3(rest.x, 0.0, rest.y) + moved;
     gl_Position = projectionMatrix * viewMatrix * vec4(place, 1.0);
@@ -71,19 +71,19 @@ const fragmentShader = (count) => `
   const float zero = 128.0 / 127.0, one = 255.0 / 127.0;  // a byte b is (b - 128)/127
 
   void main() {
-    // Derivatives of tiles add up, and so do variances of slopes that the maps' levels left out.
+    // Derivatives of cascades add up, and so do variances of slopes that the maps' levels left out.
     vec2 h = vec2(0.0);
     vec3 d = vec3(0.0);  // D_xx, D_zz, D_xz
     float variance = unresolved, white = 0.0;
-    ${forEachTile(count, `
-      vec2 at = placeIn(lattice[TILE], rest, textureSize(slopes[TILE], 0));
-      vec4 slope = (texture2D(slopes[TILE], at) * one - zero) * ranges[TILE].x, moment = texture2D(moments[TILE], at);
-      vec3 own = vec3(slope.zw, (moment.x * one - zero) * ranges[TILE].x);
+    ${forEachCascade(count, `
+      vec2 at = placeIn(lattice[CASCADE], rest, textureSize(slopes[CASCADE], 0));
+      vec4 slope = (texture2D(slopes[CASCADE], at) * one - zero) * ranges[CASCADE].x, moment = texture2D(moments[CASCADE], at);
+      vec3 own = vec3(slope.zw, (moment.x * one - zero) * ranges[CASCADE].x);
       h += slope.xy;
       d += own;
-      variance += (moment.y + moment.z) * ranges[TILE].y;
+      variance += (moment.y + moment.z) * ranges[CASCADE].y;
       float jacobian = (1.0 + own.x) * (1.0 + own.y) - own.z * own.z;
-      white = max(white, clamp(0.5 + (whitecaps[TILE].x - jacobian) / whitecaps[TILE].y, 0.0, 1.0));`)}
+      white = max(white, clamp(0.5 + (whitecaps[CASCADE].x - jacobian) / whitecaps[CASCADE].y, 0.0, 1.0));`)}
     float j = (1.0 + d.x) * (1.0 + d.y) - d.z * d.z;
     vec3 normal = normalize(vec3(h.y * d.z - h.x * (1.0 + d.y), max(j, 0.05), h.x * d.z - h.y * (1.0 + d.x)));
 

@@ -3,18 +3,18 @@
 shader_type spatial;
 render_mode skip_vertex_transform;
 
-uniform sampler2DArray displacement; // of a tile: Dx, height, Dz, foam
+uniform sampler2DArray displacement; // of a cascade: Dx, height, Dz, foam
 uniform sampler2DArray slopes;       // h_x, h_z, D_xx, D_zz, as bytes of which 128 is zero
 uniform sampler2DArray moments;      // D_xz, variances of h_x and h_z within the texel
-uniform int tiles = 0;
-uniform vec4 tile_place_0;           // xy: where the camera is in its texture; zw: cosine and sine of its turn over its side
-uniform vec4 tile_place_1;
-uniform vec4 tile_place_2;
-uniform vec4 tile_place_3;
-uniform vec4 tile_scale_0;           // x: texels a metre; y: what slopes count in; z: variances; w: variance of all its slopes
-uniform vec4 tile_scale_1;
-uniform vec4 tile_scale_2;
-uniform vec4 tile_scale_3;
+uniform int cascades = 0;
+uniform vec4 cascade_place_0;           // xy: where the camera is in its texture; zw: cosine and sine of its turn over its side
+uniform vec4 cascade_place_1;
+uniform vec4 cascade_place_2;
+uniform vec4 cascade_place_3;
+uniform vec4 cascade_scale_0;           // x: texels a metre; y: what slopes count in; z: variances; w: variance of all its slopes
+uniform vec4 cascade_scale_1;
+uniform vec4 cascade_scale_2;
+uniform vec4 cascade_scale_3;
 uniform vec3 viewer;                 // the camera, in the world
 uniform vec4 grid;                   // xy: the grid's corner; z: metres a step; w: steps along a patch
 uniform vec4 grid_shape;             // xy: its middle; z: steps along its side; w: the level of the finest patches
@@ -29,40 +29,40 @@ uniform vec4 foam_colour : hint_color = vec4(0.86, 0.9, 0.92, 1.0);
 varying vec2 rest;   // where the water rests
 varying vec3 place;  // where it is drawn
 
-vec4 place_of_tile(int tile) {
-	if (tile == 0) return tile_place_0;
-	if (tile == 1) return tile_place_1;
-	if (tile == 2) return tile_place_2;
-	return tile_place_3;
+vec4 place_of_cascade(int cascade) {
+	if (cascade == 0) return cascade_place_0;
+	if (cascade == 1) return cascade_place_1;
+	if (cascade == 2) return cascade_place_2;
+	return cascade_place_3;
 }
 
-vec4 scale_of_tile(int tile) {
-	if (tile == 0) return tile_scale_0;
-	if (tile == 1) return tile_scale_1;
-	if (tile == 2) return tile_scale_2;
-	return tile_scale_3;
+vec4 scale_of_cascade(int cascade) {
+	if (cascade == 0) return cascade_scale_0;
+	if (cascade == 1) return cascade_scale_1;
+	if (cascade == 2) return cascade_scale_2;
+	return cascade_scale_3;
 }
 
-vec2 place_in_tile(vec4 tile, vec2 at) {
-	return tile.xy + vec2(tile.z * at.x + tile.w * at.y, tile.z * at.y - tile.w * at.x);
+vec2 place_in_cascade(vec4 cascade, vec2 at) {
+	return cascade.xy + vec2(cascade.z * at.x + cascade.w * at.y, cascade.z * at.y - cascade.w * at.x);
 }
 
-// A tile leaves before its waves are shorter than what is looked through: at the last levels.
+// A cascade leaves before its waves are shorter than what is looked through: at the last levels.
 float weight_of_mip(float mip) {
 	return clamp(spacing.z - 1.0 - mip, 0.0, 1.0);
 }
 
-// The sum of what the tiles hold at a vertex. Mips depend on the rest position alone, so that patches which share the vertex agree.
+// The sum of what the cascades hold at a vertex. Mips depend on the rest position alone, so that patches which share the vertex agree.
 vec3 displaced(vec2 index, sampler2DArray maps) {
 	vec2 at = grid.xy + index * grid.z;
 	vec2 from_centre = abs(at - fade.xy);
 	float left = clamp((fade.z - max(from_centre.x, from_centre.y)) * fade.w, 0.0, 1.0);
 	float step_m = max(spacing.y, length(vec3(at.x, viewer.y, at.y)) * spacing.x);
 	vec3 moved = vec3(0.0);
-	for (int tile = 0; tile < tiles; tile++) {
-		float mip = max(log2(step_m * scale_of_tile(tile).x) - 0.5, 0.0);
+	for (int cascade = 0; cascade < cascades; cascade++) {
+		float mip = max(log2(step_m * scale_of_cascade(cascade).x) - 0.5, 0.0);
 		float weight = weight_of_mip(mip);
-		if (weight > 0.0) moved += weight * textureLod(maps, vec3(place_in_tile(place_of_tile(tile), at), float(tile)), mip).xyz;
+		if (weight > 0.0) moved += weight * textureLod(maps, vec3(place_in_cascade(place_of_cascade(cascade), at), float(cascade)), mip).xyz;
 	}
 	return moved * left;
 }
@@ -119,13 +119,13 @@ void fragment() {
 	float variance = 0.0;
 	float foam = 0.0;
 	float narrow_m = sqrt(min(dot(dFdx(rest), dFdx(rest)), dot(dFdy(rest), dFdy(rest)))); // of the pixel's piece of sea
-	for (int tile = 0; tile < tiles; tile++) {
-		vec4 scale = scale_of_tile(tile);
+	for (int cascade = 0; cascade < cascades; cascade++) {
+		vec4 scale = scale_of_cascade(cascade);
 		if (weight_of_mip(log2(max(narrow_m * scale.x, 1.0))) <= 0.0) {
 			variance += scale.w; // all of its waves are smaller than the pixel
 			continue;
 		}
-		vec3 uv = vec3(place_in_tile(place_of_tile(tile), rest), float(tile));
+		vec3 uv = vec3(place_in_cascade(place_of_cascade(cascade), rest), float(cascade));
 		vec4 slope = (texture(slopes, uv) * (255.0 / 127.0) - 128.0 / 127.0) * scale.y;
 		vec4 moment = texture(moments, uv);
 		h += slope.xy;

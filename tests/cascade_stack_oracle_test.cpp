@@ -1,4 +1,4 @@
-// Each tile of a stack against the sum of its waves by definition: turned lattices, shared bands, draws of its own.
+// Each cascade of a stack against the sum of its waves by definition: turned lattices, shared bands, draws of its own.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 #include "pelagic/sim/ocean.hpp"
 #include "pelagic/sim/spectrum/amplitudes.hpp"
 #include "pelagic/sim/spectrum/wave_noise.hpp"
-#include "pelagic/sim/tile_plan.hpp"
+#include "pelagic/sim/cascade_plan.hpp"
 #include "pelagic/tests/oracle/sea_oracle.hpp"
 
 namespace pelagic {
@@ -22,22 +22,22 @@ namespace {
 
 using std::numbers::pi;
 
-/// One wave of a tile, along the world's axes.
+/// One wave of a cascade, along the world's axes.
 struct OracleWave {
     double kx, kz;
     std::complex<double> height;  ///< h~ at the moment
 };
 
 /// The mean of the spectrum over that part of a cell of wave vectors which is in the band, times the part: 40 x 40 places.
-double energy_of_cell(const SeaState& sea, const TilePlan& tile, int m, int n) {
+double energy_of_cell(const SeaState& sea, const CascadePlan& cascade, int m, int n) {
     constexpr int places = 40;
     double sum = 0;
     for (int row = 0; row < places; ++row) {
         for (int column = 0; column < places; ++column) {
-            const auto [kx, kz] = tile.lattice.in_world((m + (column + 0.5) / places - 0.5) * tile.spacing(),
-                                                        (n + (row + 0.5) / places - 0.5) * tile.spacing());
+            const auto [kx, kz] = cascade.lattice.in_world((m + (column + 0.5) / places - 0.5) * cascade.spacing(),
+                                                        (n + (row + 0.5) / places - 0.5) * cascade.spacing());
             const double k = std::hypot(kx, kz);
-            if (k >= tile.least_k && k < tile.most_k) sum += oracle::density(sea, kx, kz);
+            if (k >= cascade.least_k && k < cascade.most_k) sum += oracle::density(sea, kx, kz);
         }
     }
     return sum / (places * places);
@@ -48,18 +48,18 @@ double frequency(double k, double loop_period_s) {
     return std::max(1.0, std::round(omega * loop_period_s / (2 * pi))) * 2 * pi / loop_period_s;
 }
 
-std::vector<OracleWave> waves_of(const SeaState& sea, const TilePlan& tile, double time_s) {
-    const int last = tile.resolution / 2 - 1;
+std::vector<OracleWave> waves_of(const SeaState& sea, const CascadePlan& cascade, double time_s) {
+    const int last = cascade.resolution / 2 - 1;
     const auto drawn = [&](int m, int n) {
-        const GaussianPair xi = gaussian_pair(sea.seed, tile.number, m, n);
-        return std::complex<double>(xi.re, xi.im) / 2.0 * std::sqrt(energy_of_cell(sea, tile, m, n)) * tile.spacing();
+        const GaussianPair xi = gaussian_pair(sea.seed, cascade.number, m, n);
+        return std::complex<double>(xi.re, xi.im) / 2.0 * std::sqrt(energy_of_cell(sea, cascade, m, n)) * cascade.spacing();
     };
     std::vector<OracleWave> waves;
     for (int n = -last; n <= last; ++n) {
         for (int m = -last; m <= last; ++m) {
-            const auto [kx, kz] = tile.lattice.in_world(m * tile.spacing(), n * tile.spacing());
-            const double k = std::hypot(kx, kz), reach = tile.spacing();
-            if (k + reach < tile.least_k || k - reach > tile.most_k || k == 0) continue;
+            const auto [kx, kz] = cascade.lattice.in_world(m * cascade.spacing(), n * cascade.spacing());
+            const double k = std::hypot(kx, kz), reach = cascade.spacing();
+            if (k + reach < cascade.least_k || k - reach > cascade.most_k || k == 0) continue;
             const double phase = frequency(k, sea.loop_period_s) * time_s;
             waves.push_back(
                 {kx, kz, drawn(m, n) * std::polar(1.0, -phase) + std::conj(drawn(-m, -n)) * std::polar(1.0, phase)});
@@ -69,25 +69,25 @@ std::vector<OracleWave> waves_of(const SeaState& sea, const TilePlan& tile, doub
 }
 
 // The library takes a cell's mean from 8 x 8 places where a band's end cuts it, and from 4 x 4 elsewhere near k = 0. On the flank
-// below the peak, where all waves of so small a coarsest tile are, the spectrum doubles within a cell: they are within 5 % there, half
+// below the peak, where all waves of so small a coarsest cascade are, the spectrum doubles within a cell: they are within 5 % there, half
 // of that in amplitude. A wrong sign, turn or draw is off by 100 %.
-TEST(TileStack, EveryTileHoldsTheSumOfItsWaves) {
+TEST(CascadeStack, EveryCascadeHoldsTheSumOfItsWaves) {
     const SeaState sea{.cascades = 3, .resolution = 32, .wind_direction_rad = 0.7, .choppiness = 0.9, .seed = 5};
     const double time_s = 12.34;
     Ocean ocean(sea, {.executor = make_serial_executor()});
     const Frame& frame = ocean.frame_at(time_s);
-    const std::vector<TilePlan> plans = plan_tiles(sea);
-    ASSERT_EQ(frame.tiles.size(), 3u);
+    const std::vector<CascadePlan> plans = plan_cascades(sea);
+    ASSERT_EQ(frame.cascades.size(), 3u);
     std::mt19937 random(3);
     for (std::size_t number = 0; number < plans.size(); ++number) {
-        const Tile& tile = frame.tiles[number];
-        EXPECT_EQ(tile.lattice.side_m, plans[number].lattice.side_m);
-        EXPECT_EQ(tile.lattice.is_turned(), number > 0);
+        const Cascade& cascade = frame.cascades[number];
+        EXPECT_EQ(cascade.lattice.side_m, plans[number].lattice.side_m);
+        EXPECT_EQ(cascade.lattice.is_turned(), number > 0);
         const std::vector<OracleWave> waves = waves_of(sea, plans[number], time_s);
         double off = 0, all = 0;
         for (int texel = 0; texel < 40; ++texel) {
             const int i = static_cast<int>(random() % 32), j = static_cast<int>(random() % 32);
-            const auto [x, z] = tile.lattice.in_world(i * tile.texel_m(), j * tile.texel_m());
+            const auto [x, z] = cascade.lattice.in_world(i * cascade.texel_m(), j * cascade.texel_m());
             double height = 0, dx = 0, dz = 0;
             for (const OracleWave& wave : waves) {
                 const std::complex<double> here = wave.height * std::polar(1.0, wave.kx * x + wave.kz * z);
@@ -96,12 +96,12 @@ TEST(TileStack, EveryTileHoldsTheSumOfItsWaves) {
                 dx += sea.choppiness * wave.kx / k * -here.imag();
                 dz += sea.choppiness * wave.kz / k * -here.imag();
             }
-            const double d[] = {tile.height.at(i, j) - height, tile.dx.at(i, j) - dx, tile.dz.at(i, j) - dz};
+            const double d[] = {cascade.height.at(i, j) - height, cascade.dx.at(i, j) - dx, cascade.dz.at(i, j) - dz};
             for (const double part : d) off += part * part;
             all += height * height + dx * dx + dz * dz;
         }
         ASSERT_GT(all, 0);
-        EXPECT_LT(std::sqrt(off / all), 0.03) << "tile " << number;
+        EXPECT_LT(std::sqrt(off / all), 0.03) << "cascade " << number;
         RecordProperty("off_" + std::to_string(number), std::to_string(std::sqrt(off / all)));
     }
 }
@@ -110,16 +110,16 @@ std::size_t octave(double k) { return static_cast<std::size_t>(std::log2(k) + 20
 
 /// Which octaves the energy of a cell of wave vectors comes from, and which parts of it: what stands at the cell's middle is that
 /// of the whole cell, as far as it is in the band.
-std::map<std::size_t, double> octaves_of_cell(const TileWaves& waves, int m, int n) {
+std::map<std::size_t, double> octaves_of_cell(const CascadeWaves& waves, int m, int n) {
     constexpr int places = 12;
-    const TilePlan& tile = waves.tile();
+    const CascadePlan& cascade = waves.cascade();
     std::map<std::size_t, double> parts;
     double all = 0;
     for (int row = 0; row < places; ++row) {
         for (int column = 0; column < places; ++column) {
             const double k =
-                tile.spacing() * std::hypot(m + (column + 0.5) / places - 0.5, n + (row + 0.5) / places - 0.5);
-            if (k < tile.least_k || k >= tile.most_k) continue;
+                cascade.spacing() * std::hypot(m + (column + 0.5) / places - 0.5, n + (row + 0.5) / places - 0.5);
+            if (k < cascade.least_k || k >= cascade.most_k) continue;
             const double energy = waves.spectrum().radial_density(k) / k;
             parts[octave(k)] += energy;
             all += energy;
@@ -129,24 +129,24 @@ std::map<std::size_t, double> octaves_of_cell(const TileWaves& waves, int m, int
     return parts;
 }
 
-// No energy twice and none lost: of the height, of the slope, and of each octave, whatever the tiles.
-TEST(TileStack, BandsShareThePlaneOfWaveNumbers) {
+// No energy twice and none lost: of the height, of the slope, and of each octave, whatever the cascades.
+TEST(CascadeStack, BandsShareThePlaneOfWaveNumbers) {
     for (const double wind_speed_mps : {3.0, 12.0, 25.0}) {
         for (const auto& [cascades, resolution] : {std::pair{1, 256}, {2, 128}, {3, 64}, {3, 128}, {4, 128}}) {
             const SeaState sea{.cascades = cascades, .resolution = resolution, .wind_speed_mps = wind_speed_mps};
-            const std::vector<TilePlan> plans = plan_tiles(sea);
+            const std::vector<CascadePlan> plans = plan_cascades(sea);
             ASSERT_EQ(static_cast<int>(plans.size()), cascades);
             EXPECT_EQ(plans.front().least_k, 0);
             std::vector<double> held(40), model(40);
             for (std::size_t i = 0; i < plans.size(); ++i) {
-                const TilePlan& tile = plans[i];
-                const double texels = 2 * pi / tile.most_k / (tile.lattice.side_m / resolution);
+                const CascadePlan& cascade = plans[i];
+                const double texels = 2 * pi / cascade.most_k / (cascade.lattice.side_m / resolution);
                 EXPECT_GE(texels, 3 - 1e-9);
                 if (i > 0) {
-                    EXPECT_EQ(tile.least_k, plans[i - 1].most_k);
-                    EXPECT_GE(tile.least_k / tile.spacing(), 6 - 1e-9);
+                    EXPECT_EQ(cascade.least_k, plans[i - 1].most_k);
+                    EXPECT_GE(cascade.least_k / cascade.spacing(), 6 - 1e-9);
                 }
-                const TileWaves waves(sea, tile);
+                const CascadeWaves waves(sea, cascade);
                 for (int n = 0; n < resolution / 2; ++n) {
                     for (int m = n == 0 ? 1 : 0; m < resolution / 2; ++m) {
                         const auto [plus, minus] = waves.variances(m, n);
@@ -156,8 +156,8 @@ TEST(TileStack, BandsShareThePlaneOfWaveNumbers) {
                     }
                 }
                 // The model over the same band: the midpoint rule in log k, in steps of 0.1 %.
-                for (double k = std::max(tile.least_k, 1e-5); k < tile.most_k; k *= 1.001) {
-                    const double next = std::min(k * 1.001, tile.most_k), middle = (k + next) / 2;
+                for (double k = std::max(cascade.least_k, 1e-5); k < cascade.most_k; k *= 1.001) {
+                    const double next = std::min(k * 1.001, cascade.most_k), middle = (k + next) / 2;
                     model[octave(middle)] += waves.spectrum().radial_density(middle) * (next - k);
                 }
             }
@@ -179,14 +179,14 @@ TEST(TileStack, BandsShareThePlaneOfWaveNumbers) {
 }
 
 /// Correlation of the heights of two points that are (x, z) apart, in the mean over time and place: from what this seed drew.
-double correlation(const std::vector<TileWaves>& tiles, double x, double z) {
+double correlation(const std::vector<CascadeWaves>& cascades, double x, double z) {
     double together = 0, all = 0;
-    for (const TileWaves& waves : tiles) {
-        const TilePlan& tile = waves.tile();
-        const int half = tile.resolution / 2;
+    for (const CascadeWaves& waves : cascades) {
+        const CascadePlan& cascade = waves.cascade();
+        const int half = cascade.resolution / 2;
         for (int n = 0; n < half; ++n) {
             for (int m = n == 0 ? 1 : -half + 1; m < half; ++m) {
-                const auto [kx, kz] = tile.lattice.in_world(m * tile.spacing(), n * tile.spacing());
+                const auto [kx, kz] = cascade.lattice.in_world(m * cascade.spacing(), n * cascade.spacing());
                 const OppositeWaves pair = waves.pair(m, n).plus;
                 together += pair.drawn_square() * std::cos(kx * x + kz * z);
                 all += pair.drawn_square();
@@ -197,21 +197,21 @@ double correlation(const std::vector<TileWaves>& tiles, double x, double z) {
 }
 
 double largest_correlation(SeaState sea) {
-    std::vector<TileWaves> tiles;
-    for (const TilePlan& tile : plan_tiles(sea)) tiles.emplace_back(sea, tile);
+    std::vector<CascadeWaves> cascades;
+    for (const CascadePlan& cascade : plan_cascades(sea)) cascades.emplace_back(sea, cascade);
     double most = 0;
     for (double lag_m = 200; lag_m <= 900; lag_m += 50)
         for (int direction = 0; direction < 8; ++direction) {
             const double angle = direction * pi / 8;
-            most = std::max(most, correlation(tiles, lag_m * std::cos(angle), lag_m * std::sin(angle)));
+            most = std::max(most, correlation(cascades, lag_m * std::cos(angle), lag_m * std::sin(angle)));
         }
     return most;
 }
 
-// From above a sea shows no pattern that comes again. Waves of one tile of 250 m do, wholly, after 250 m.
-TEST(TileStack, HeightsComeAgainNowhereWithin900Metres) {
+// From above a sea shows no pattern that comes again. Waves of one cascade of 250 m do, wholly, after 250 m.
+TEST(CascadeStack, HeightsComeAgainNowhereWithin900Metres) {
     SeaState sea = sea_preset_named("moderate")->sea;
-    sea.resolution = 64;  // what matters are the long waves; the coarsest tile is as wide
+    sea.resolution = 64;  // what matters are the long waves; the coarsest cascade is as wide
     const double stack = largest_correlation(sea);
     EXPECT_LT(stack, 0.25);
     sea.patch_size_m = 250;

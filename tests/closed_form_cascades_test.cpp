@@ -1,5 +1,5 @@
-// Seas of few waves on tiles: texels against sums in long double with libm, and the closed-form evaluators against frames.
-#include "pelagic/sim/closed_form_tiles.hpp"
+// Seas of few waves on cascades: texels against sums in long double with libm, and the closed-form evaluators against frames.
+#include "pelagic/sim/closed_form_cascades.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@
 #include "pelagic/sim/spectrum/wave_list.hpp"
 #include "pelagic/sim/statistics.hpp"
 #include "pelagic/sim/surface_query.hpp"
-#include "pelagic/sim/tile_plan.hpp"
+#include "pelagic/sim/cascade_plan.hpp"
 
 namespace pelagic {
 namespace {
@@ -27,7 +27,7 @@ using Long = long double;
 constexpr Long two_pi = 2 * std::numbers::pi_v<Long>;
 
 const SeaState moderate{.waves = WaveModel::analytic, .choppiness = 1};
-const SeaState on_one_tile{.waves = WaveModel::analytic,
+const SeaState on_one_cascade{.waves = WaveModel::analytic,
                            .resolution = 256,
                            .patch_size_m = 300,
                            .wind_direction_rad = 0.4,
@@ -56,11 +56,11 @@ struct Oracle {
     Long height = 0, dx = 0, dz = 0;
 };
 
-/// The waves of one tile where texel (i, j) rests, from the definition: whole wave numbers, whole periods.
-Oracle sum_of(const std::vector<LatticeWave>& waves, const SeaState& sea, const TilePlan& tile, Long time_s, int i,
+/// The waves of one cascade where texel (i, j) rests, from the definition: whole wave numbers, whole periods.
+Oracle sum_of(const std::vector<LatticeWave>& waves, const SeaState& sea, const CascadePlan& cascade, Long time_s, int i,
               int j) {
     Oracle sum;
-    const Long n = tile.resolution, side = tile.lattice.side_m;
+    const Long n = cascade.resolution, side = cascade.lattice.side_m;
     for (const LatticeWave& wave : waves) {
         const Long steps = std::hypot(Long(wave.at.m), Long(wave.at.n));
         const Long periods =
@@ -70,62 +70,62 @@ Oracle sum_of(const std::vector<LatticeWave>& waves, const SeaState& sea, const 
         sum.height += wave.amplitude_m * std::cos(phase);
         const Long moved = -Long(sea.choppiness) * wave.amplitude_m * std::sin(phase) / steps;
         const Long along = moved * wave.at.m, across = moved * wave.at.n;
-        sum.dx += tile.lattice.cosine * along - tile.lattice.sine * across;
-        sum.dz += tile.lattice.sine * along + tile.lattice.cosine * across;
+        sum.dx += cascade.lattice.cosine * along - cascade.lattice.sine * across;
+        sum.dz += cascade.lattice.sine * along + cascade.lattice.cosine * across;
     }
     return sum;
 }
 
 // A frame's transforms are within 3e-7 of the largest wave's sum; phases are rounded to 2^-32 of a turn, times a harmonic of
 // up to 300.
-TEST(AnalyticTiles, TexelsAreTheSumOfTheirWaves) {
-    for (const SeaState& sea : {moderate, on_one_tile, crowded}) {
+TEST(AnalyticCascades, TexelsAreTheSumOfTheirWaves) {
+    for (const SeaState& sea : {moderate, on_one_cascade, crowded}) {
         ASSERT_EQ(check(sea), "");
-        const std::vector<TilePlan> plans = plan_tiles(sea);
-        const double bound = 1e-6 * amplitudes_of(waves_of_tiles(sea));
+        const std::vector<CascadePlan> plans = plan_cascades(sea);
+        const double bound = 1e-6 * amplitudes_of(waves_of_cascades(sea));
         Ocean ocean(sea, everything());
         std::size_t waves_seen = 0;
         for (const double time_s : {0.0, 12.34, -77.7}) {
             const Frame& frame = ocean.frame_at(time_s);
-            for (std::size_t tile = 0; tile < plans.size(); ++tile) {
-                const std::vector<LatticeWave> waves = lattice_waves(sea, plans[tile]);
+            for (std::size_t cascade = 0; cascade < plans.size(); ++cascade) {
+                const std::vector<LatticeWave> waves = lattice_waves(sea, plans[cascade]);
                 waves_seen += waves.size();
-                for (int j = 0; j < plans[tile].resolution; j += 7) {
-                    for (int i = 0; i < plans[tile].resolution; i += 5) {
-                        const Oracle expected = sum_of(waves, sea, plans[tile], time_s, i, j);
-                        ASSERT_NEAR(frame.tiles[tile].height.at(i, j), static_cast<double>(expected.height), bound);
-                        ASSERT_NEAR(frame.tiles[tile].dx.at(i, j), static_cast<double>(expected.dx), bound);
-                        ASSERT_NEAR(frame.tiles[tile].dz.at(i, j), static_cast<double>(expected.dz), bound);
+                for (int j = 0; j < plans[cascade].resolution; j += 7) {
+                    for (int i = 0; i < plans[cascade].resolution; i += 5) {
+                        const Oracle expected = sum_of(waves, sea, plans[cascade], time_s, i, j);
+                        ASSERT_NEAR(frame.cascades[cascade].height.at(i, j), static_cast<double>(expected.height), bound);
+                        ASSERT_NEAR(frame.cascades[cascade].dx.at(i, j), static_cast<double>(expected.dx), bound);
+                        ASSERT_NEAR(frame.cascades[cascade].dz.at(i, j), static_cast<double>(expected.dz), bound);
                     }
                 }
             }
         }
-        EXPECT_EQ(waves_seen, 3 * waves_of_tiles(sea).waves.size());
+        EXPECT_EQ(waves_seen, 3 * waves_of_cascades(sea).waves.size());
     }
 }
 
-TEST(AnalyticTiles, SomeWavesMeet) {
+TEST(AnalyticCascades, SomeWavesMeet) {
     std::set<std::pair<int, int>> places;
-    const auto waves = lattice_waves(crowded, plan_tiles(crowded)[0]);
+    const auto waves = lattice_waves(crowded, plan_cascades(crowded)[0]);
     for (const LatticeWave& wave : waves) places.insert({wave.at.m, wave.at.n});
     EXPECT_EQ(waves.size(), 64u);
     EXPECT_LT(places.size(), 60u);
 }
 
 // 1e-5 of the amplitudes is what is promised; velocities are as much of the sum of A w.
-TEST(AnalyticTiles, TheClosedFormSaysWhatTexelsSay) {
-    for (const SeaState& sea : {on_one_tile, crowded}) {
-        const PlaneWaves waves = waves_of_tiles(sea);
+TEST(AnalyticCascades, TheClosedFormSaysWhatTexelsSay) {
+    for (const SeaState& sea : {on_one_cascade, crowded}) {
+        const PlaneWaves waves = waves_of_cascades(sea);
         const AnalyticSurface water(waves);
         double rises = 0;
         for (const PlaneWave& wave : waves.waves)
             rises += static_cast<double>(two_pi) * wave.frequency_hz * wave.amplitude_m;
         Ocean ocean(sea, everything());
         for (const double time_s : {3.0, 1e5}) {
-            const Tile& tile = ocean.frame_at(time_s).tiles[0];
-            for (int j = 0; j < tile.resolution(); j += 9) {
-                std::vector<double> x, z(static_cast<std::size_t>(tile.resolution()), j * tile.texel_m());
-                for (int i = 0; i < tile.resolution(); ++i) x.push_back(i * tile.texel_m());
+            const Cascade& cascade = ocean.frame_at(time_s).cascades[0];
+            for (int j = 0; j < cascade.resolution(); j += 9) {
+                std::vector<double> x, z(static_cast<std::size_t>(cascade.resolution()), j * cascade.texel_m());
+                for (int i = 0; i < cascade.resolution(); ++i) x.push_back(i * cascade.texel_m());
                 std::vector<float> said[6];
                 for (auto& each : said) each.resize(x.size());
                 water.sample_rest(time_s, {x, z},
@@ -135,9 +135,9 @@ TEST(AnalyticTiles, TheClosedFormSaysWhatTexelsSay) {
                                    .velocity_x_mps = said[3],
                                    .velocity_y_mps = said[4],
                                    .velocity_z_mps = said[5]});
-                const PlaneView* planes[] = {&tile.height,     &tile.dx,         &tile.dz,
-                                             &tile.velocity_x, &tile.velocity_y, &tile.velocity_z};
-                for (int i = 0; i < tile.resolution(); ++i)
+                const PlaneView* planes[] = {&cascade.height,     &cascade.dx,         &cascade.dz,
+                                             &cascade.velocity_x, &cascade.velocity_y, &cascade.velocity_z};
+                for (int i = 0; i < cascade.resolution(); ++i)
                     for (std::size_t plane = 0; plane < 6; ++plane)
                         ASSERT_NEAR(planes[plane]->at(i, j), said[plane][static_cast<std::size_t>(i)],
                                     1e-5 * (plane < 3 ? amplitudes_of(waves) : rises))
@@ -149,16 +149,16 @@ TEST(AnalyticTiles, TheClosedFormSaysWhatTexelsSay) {
 
 // Between texels a frame is bilinear. A wave of k and texels of d is then off by (k d)^2 / 8 of its amplitude along each
 // axis at most, (k_x^2 + k_z^2) d^2 / 8; its displacement by as much, on slopes of 0.4.
-TEST(AnalyticTiles, QueriesMeetTheClosedForm) {
-    for (const SeaState& sea : {moderate, on_one_tile}) {
+TEST(AnalyticCascades, QueriesMeetTheClosedForm) {
+    for (const SeaState& sea : {moderate, on_one_cascade}) {
         double bound = SurfaceQuery::default_tolerance_m;
-        for (const TilePlan& tile : plan_tiles(sea)) {
-            const double texel = static_cast<double>(two_pi) / tile.resolution;
-            for (const LatticeWave& wave : lattice_waves(sea, tile))
+        for (const CascadePlan& cascade : plan_cascades(sea)) {
+            const double texel = static_cast<double>(two_pi) / cascade.resolution;
+            for (const LatticeWave& wave : lattice_waves(sea, cascade))
                 bound += 1.6 * wave.amplitude_m * std::pow(wave.at.steps() * texel, 2) / 8;
         }
-        EXPECT_LT(bound, 0.12 * significant_height_m(waves_of_tiles(sea))) << "all waves at their worst at once";
-        const AnalyticSurface water(waves_of_tiles(sea));
+        EXPECT_LT(bound, 0.12 * significant_height_m(waves_of_cascades(sea))) << "all waves at their worst at once";
+        const AnalyticSurface water(waves_of_cascades(sea));
         std::mt19937 random(3);
         std::vector<double> x, z;
         for (int i = 0; i < 1000; ++i) {
@@ -181,8 +181,8 @@ TEST(AnalyticTiles, QueriesMeetTheClosedForm) {
     }
 }
 
-TEST(AnalyticTiles, WavesHardlyChangeOnTheDefaultTiles) {
-    const PlaneWaves asked = plane_waves_of(analytic_sea_of(moderate)), held = waves_of_tiles(moderate);
+TEST(AnalyticCascades, WavesHardlyChangeOnTheDefaultCascades) {
+    const PlaneWaves asked = plane_waves_of(analytic_sea_of(moderate)), held = waves_of_cascades(moderate);
     ASSERT_EQ(held.waves.size(), asked.waves.size());
     double squares = 0, turned = 0;
     for (const PlaneWave& wave : held.waves) {
@@ -206,7 +206,7 @@ TEST(AnalyticTiles, WavesHardlyChangeOnTheDefaultTiles) {
 
 // Gerstner's (1802) water in deep water: each particle goes round a circle as wide as the wave is high, once a period, all
 // with the same delay along the wave; the shape travels at sqrt(g / k).
-TEST(AnalyticTiles, OneWaveIsGerstnersTrochoid) {
+TEST(AnalyticCascades, OneWaveIsGerstnersTrochoid) {
     const SeaState sea{.waves = WaveModel::analytic,
                        .resolution = 128,
                        .patch_size_m = 200,
@@ -215,7 +215,7 @@ TEST(AnalyticTiles, OneWaveIsGerstnersTrochoid) {
                        .wave_count = 1,
                        .longest_wave_m = 50,
                        .wave_strength = 2};
-    const PlaneWave wave = waves_of_tiles(sea).waves.at(0);
+    const PlaneWave wave = waves_of_cascades(sea).waves.at(0);
     const double a = wave.amplitude_m, k = static_cast<double>(two_pi) * wave.turns_per_m();
     EXPECT_GT(k * a, 0.3);
     const double way_x = wave.turns_per_m_x / wave.turns_per_m(), way_z = wave.turns_per_m_z / wave.turns_per_m();
@@ -223,14 +223,14 @@ TEST(AnalyticTiles, OneWaveIsGerstnersTrochoid) {
     EXPECT_NEAR(speed, std::sqrt(9.80665 / k), 0.01 * speed) << "600 s hold a hundred periods";
     Ocean ocean(sea, everything());
     for (const double time_s : {0.0, 2.5, 17.0}) {
-        const Tile& tile = ocean.frame_at(time_s).tiles[0];
+        const Cascade& cascade = ocean.frame_at(time_s).cascades[0];
         for (int j = 0; j < 128; j += 5) {
             for (int i = 0; i < 128; i += 3) {
-                const double moved = tile.dx.at(i, j) * way_x + tile.dz.at(i, j) * way_z,
-                             height = tile.height.at(i, j);
-                EXPECT_NEAR(tile.dx.at(i, j) * way_z - tile.dz.at(i, j) * way_x, 0, 1e-6 * a) << "along the wave";
+                const double moved = cascade.dx.at(i, j) * way_x + cascade.dz.at(i, j) * way_z,
+                             height = cascade.height.at(i, j);
+                EXPECT_NEAR(cascade.dx.at(i, j) * way_z - cascade.dz.at(i, j) * way_x, 0, 1e-6 * a) << "along the wave";
                 ASSERT_NEAR(std::hypot(moved, height), a, 2e-6 * a);
-                const double delay = k * (i * tile.texel_m() * way_x + j * tile.texel_m() * way_z - speed * time_s) +
+                const double delay = k * (i * cascade.texel_m() * way_x + j * cascade.texel_m() * way_z - speed * time_s) +
                                      static_cast<double>(two_pi) * wave.phase_turns;
                 ASSERT_NEAR(std::remainder(std::atan2(-moved, height) - delay, static_cast<double>(two_pi)), 0, 4e-6);
             }
@@ -238,11 +238,11 @@ TEST(AnalyticTiles, OneWaveIsGerstnersTrochoid) {
     }
 }
 
-TEST(AnalyticTiles, PresetsAreTheSeasOfTheirNames) {
+TEST(AnalyticCascades, PresetsAreTheSeasOfTheirNames) {
     for (const AnalyticPreset& preset : analytic_presets()) {
-        const SeaPreset* const on_tiles = sea_preset_named(preset.name);
-        ASSERT_NE(on_tiles, nullptr) << preset.name;
-        const AnalyticSea sea = analytic_sea_of(on_tiles->sea);
+        const SeaPreset* const on_cascades = sea_preset_named(preset.name);
+        ASSERT_NE(on_cascades, nullptr) << preset.name;
+        const AnalyticSea sea = analytic_sea_of(on_cascades->sea);
         EXPECT_EQ(sea.choppiness, preset.sea.choppiness);
         ASSERT_EQ(sea.waves.size(), preset.sea.waves.size());
         for (std::size_t i = 0; i < sea.waves.size(); ++i) {
@@ -254,12 +254,12 @@ TEST(AnalyticTiles, PresetsAreTheSeasOfTheirNames) {
     }
 }
 
-TEST(AnalyticTiles, TheyGrowWithStrengthWithoutAJump) {
+TEST(AnalyticCascades, TheyGrowWithStrengthWithoutAJump) {
     double before = 0;
     for (int i = 0; i <= 40; ++i) {
         SeaState sea = moderate;
         sea.wave_strength = i / 20.0;
-        const double height = significant_height_m(waves_of_tiles(sea));
+        const double height = significant_height_m(waves_of_cascades(sea));
         EXPECT_GT(height, before);
         if (i > 0) {
             EXPECT_LT(height - before, 0.165) << "1.5 twentieths of 2.2 m, the steepest of a smoothstep";
@@ -268,10 +268,10 @@ TEST(AnalyticTiles, TheyGrowWithStrengthWithoutAJump) {
     }
 }
 
-TEST(AnalyticTiles, ReportsSayTheHeightThatFramesHave) {
-    for (const SeaState& sea : {moderate, on_one_tile}) {
+TEST(AnalyticCascades, ReportsSayTheHeightThatFramesHave) {
+    for (const SeaState& sea : {moderate, on_one_cascade}) {
         const SeaReport report = report_on(sea);
-        const double held = significant_height_m(waves_of_tiles(sea));
+        const double held = significant_height_m(waves_of_cascades(sea));
         EXPECT_NEAR(report.expected.significant_wave_height_m, held, 1e-9);
         EXPECT_NEAR(report.drawn_significant_wave_height_m, held, 1e-9) << "no seed draws them";
         EXPECT_NEAR(*report.expected.model_significant_wave_height_m, significant_height_m(analytic_sea_of(sea)),
@@ -292,16 +292,16 @@ TEST(AnalyticTiles, ReportsSayTheHeightThatFramesHave) {
 }
 
 // Weather blends the energy of each wave: A = sqrt((1 - s) A0^2 + s A1^2), s = u^2 (3 - 2u), with length, way and phase as they are.
-TEST(AnalyticTiles, WeatherTurnsOneIntoAnotherWaveByWave) {
-    SeaState before = on_one_tile, after = on_one_tile;
+TEST(AnalyticCascades, WeatherTurnsOneIntoAnotherWaveByWave) {
+    SeaState before = on_one_cascade, after = on_one_cascade;
     before.wave_strength = 0.3;
     after.wave_strength = 1.4;
-    PlaneWaves waves = waves_of_tiles(before);
-    const PlaneWaves last = waves_of_tiles(after);
+    PlaneWaves waves = waves_of_cascades(before);
+    const PlaneWaves last = waves_of_cascades(after);
     const double u = 0.25, s = u * u * (3 - 2 * u);
     std::set<std::pair<int, int>> lines;
     for (std::size_t i = 0; i < waves.waves.size(); ++i) {
-        const LatticePlace at = lattice_waves(before, plan_tiles(before)[0])[i].at;
+        const LatticePlace at = lattice_waves(before, plan_cascades(before)[0])[i].at;
         lines.insert({at.n < 0 ? -at.m : at.m, std::abs(at.n)});
         const double a = waves.waves[i].amplitude_m, b = last.waves[i].amplitude_m;
         waves.waves[i].amplitude_m = std::sqrt((1 - s) * a * a + s * b * b);
@@ -310,24 +310,24 @@ TEST(AnalyticTiles, WeatherTurnsOneIntoAnotherWaveByWave) {
     Ocean ocean(Forecast{.first = before, .changes = {{.sea = after, .from_s = 10, .over_s = 40}}}, everything());
     const Frame& frame = ocean.frame_at(20);
     EXPECT_NEAR(frame.figures.significant_wave_height_m, significant_height_m(waves), 1e-6);
-    const Tile& tile = frame.tiles[0];
+    const Cascade& cascade = frame.cascades[0];
     const AnalyticSurface water(waves);
     std::vector<double> x, z;
     for (int i = 0; i < 256; ++i) {
-        x.push_back(i * tile.texel_m());
-        z.push_back((i * 37 % 256) * tile.texel_m());
+        x.push_back(i * cascade.texel_m());
+        z.push_back((i * 37 % 256) * cascade.texel_m());
     }
     std::vector<float> height(x.size()), sideways(x.size());
     water.sample_rest(20, {x, z}, {.height_m = height, .sideways_x_m = sideways});
     for (int i = 0; i < 256; ++i) {
-        ASSERT_NEAR(tile.height.at(i, i * 37 % 256), height[static_cast<std::size_t>(i)],
+        ASSERT_NEAR(cascade.height.at(i, i * 37 % 256), height[static_cast<std::size_t>(i)],
                     1e-5 * amplitudes_of(waves));
-        ASSERT_NEAR(tile.dx.at(i, i * 37 % 256), sideways[static_cast<std::size_t>(i)], 1e-5 * amplitudes_of(waves));
+        ASSERT_NEAR(cascade.dx.at(i, i * 37 % 256), sideways[static_cast<std::size_t>(i)], 1e-5 * amplitudes_of(waves));
     }
     EXPECT_EQ(hash_of(ocean.frame_at(60)), hash_of(Ocean(after, everything()).frame_at(60)));
 }
 
-TEST(AnalyticTiles, NeverFold) {
+TEST(AnalyticCascades, NeverFold) {
     SeaState intense = moderate;
     intense.wave_strength = 2;
     Ocean ocean(intense, everything());
@@ -345,7 +345,7 @@ TEST(AnalyticTiles, NeverFold) {
     EXPECT_EQ(std::count(converged.begin(), converged.end(), 0), 0);
 }
 
-TEST(ClosedFormTiles, AnyOrderOfTimesGivesTheSameBits) {
+TEST(ClosedFormCascades, AnyOrderOfTimesGivesTheSameBits) {
     for (const SeaState& sea : {moderate, pond}) {
         Ocean ocean(sea, everything());
         std::map<double, std::uint64_t> forwards;
@@ -359,7 +359,7 @@ TEST(ClosedFormTiles, AnyOrderOfTimesGivesTheSameBits) {
     }
 }
 
-TEST(ClosedFormTiles, SaysWhatItCanNotTake) {
+TEST(ClosedFormCascades, SaysWhatItCanNotTake) {
     const auto with = [](SeaState sea, auto change) {
         change(sea);
         return check(sea);
@@ -385,7 +385,7 @@ TEST(ClosedFormTiles, SaysWhatItCanNotTake) {
               "wave_height_m is 20, needs at most 4.05 where waves is exp-sine with so many octaves");
 }
 
-TEST(ClosedFormTiles, ALiveOceanKeepsToItsKindOfWaves) {
+TEST(ClosedFormCascades, ALiveOceanKeepsToItsKindOfWaves) {
     Ocean sea({.resolution = 128}, everything());
     sea.schedule_sea(moderate);  // a spectrum and an analytic sea are both sums of waves
     sea.complete_sea();
@@ -424,14 +424,14 @@ Long pond_height(const std::vector<LatticeOctave>& octaves, const SeaState& sea,
 
 // The kernel is within 1e-6 of the octaves' heights (exp_sine_test.cpp); `shown` is rounded to floats, and octaves are moved
 // by each other's rounding.
-TEST(PondTile, TexelsAreTheSumOfTheirOctaves) {
-    const TilePlan tile = plan_tiles(pond)[0];
-    const std::vector<LatticeOctave> octaves = lattice_octaves(pond, tile);
+TEST(PondCascade, TexelsAreTheSumOfTheirOctaves) {
+    const CascadePlan cascade = plan_cascades(pond)[0];
+    const std::vector<LatticeOctave> octaves = lattice_octaves(pond, cascade);
     double heights = 0;
     for (const LatticeOctave& octave : octaves) heights += octave.octave.height_m;
     Ocean ocean(pond, everything());
     for (const double time_s : {0.0, 12.34, 1e6}) {
-        const Tile& found = ocean.frame_at(time_s).tiles[0];
+        const Cascade& found = ocean.frame_at(time_s).cascades[0];
         for (int j = 0; j < 64; j += 3)
             for (int i = 0; i < 64; ++i) {
                 ASSERT_NEAR(
@@ -444,24 +444,24 @@ TEST(PondTile, TexelsAreTheSumOfTheirOctaves) {
     }
 }
 
-TEST(PondTile, TheClosedFormSaysWhatTexelsSay) {
-    const ExpSineWater water = ExpSineWater::of(octaves_of_tile(pond));
+TEST(PondCascade, TheClosedFormSaysWhatTexelsSay) {
+    const ExpSineWater water = ExpSineWater::of(octaves_of_cascade(pond));
     Ocean ocean(pond, everything());
-    const Tile& tile = ocean.frame_at(4).tiles[0];
-    const std::vector<float> footprint(64, static_cast<float>(tile.texel_m()));
+    const Cascade& cascade = ocean.frame_at(4).cascades[0];
+    const std::vector<float> footprint(64, static_cast<float>(cascade.texel_m()));
     for (int j = 0; j < 64; j += 5) {
-        std::vector<double> x, z(64, (j - 128) * tile.texel_m());  // it repeats
-        for (int i = 0; i < 64; ++i) x.push_back((i + 64) * tile.texel_m());
+        std::vector<double> x, z(64, (j - 128) * cascade.texel_m());  // it repeats
+        for (int i = 0; i < 64; ++i) x.push_back((i + 64) * cascade.texel_m());
         std::vector<float> height(64), rise(64);
         water.sample(4, {x, z}, {.height_m = height, .rise_mps = rise}, footprint);
         for (std::size_t i = 0; i < 64; ++i) {
-            ASSERT_NEAR(tile.height.at(static_cast<int>(i), j), height[i], 1e-6 * 0.05);
-            ASSERT_NEAR(tile.velocity_y.at(static_cast<int>(i), j), rise[i], 1e-5);
+            ASSERT_NEAR(cascade.height.at(static_cast<int>(i), j), height[i], 1e-6 * 0.05);
+            ASSERT_NEAR(cascade.velocity_y.at(static_cast<int>(i), j), rise[i], 1e-5);
         }
     }
 }
 
-TEST(PondTile, ReportsSayWhatFramesHave) {
+TEST(PondCascade, ReportsSayWhatFramesHave) {
     for (const double drag : {0.0, 0.38}) {
         SeaState sea = pond;
         sea.resolution = 256;
@@ -472,15 +472,15 @@ TEST(PondTile, ReportsSayWhatFramesHave) {
         for (int frame = 0; frame < 8; ++frame) {
             const Frame& now = ocean.frame_at(frame * 23.7);
             squares += std::pow(measured_significant_wave_height_m(now), 2) / 8;
-            const Tile& tile = now.tiles[0];
-            EXPECT_EQ(tile.whitecap_jacobian, Tile::no_whitecaps);
-            for (std::size_t texel = 3; texel < tile.displacement_rgba16f.size(); texel += 4)
-                ASSERT_EQ(tile.displacement_rgba16f[texel], 0) << "foam";
+            const Cascade& cascade = now.cascades[0];
+            EXPECT_EQ(cascade.whitecap_jacobian, Cascade::no_whitecaps);
+            for (std::size_t texel = 3; texel < cascade.displacement_rgba16f.size(); texel += 4)
+                ASSERT_EQ(cascade.displacement_rgba16f[texel], 0) << "foam";
             for (int j = 0; j < 256; ++j)
                 for (int i = 0; i < 256; ++i) {
-                    const double x = (tile.height.at((i + 1) % 256, j) - tile.height.at((i + 255) % 256, j)) / 2,
-                                 z = (tile.height.at(i, (j + 1) % 256) - tile.height.at(i, (j + 255) % 256)) / 2;
-                    slopes += (x * x + z * z) / (tile.texel_m() * tile.texel_m()) / (8 * 65536);
+                    const double x = (cascade.height.at((i + 1) % 256, j) - cascade.height.at((i + 255) % 256, j)) / 2,
+                                 z = (cascade.height.at(i, (j + 1) % 256) - cascade.height.at(i, (j + 255) % 256)) / 2;
+                    slopes += (x * x + z * z) / (cascade.texel_m() * cascade.texel_m()) / (8 * 65536);
                 }
         }
         // Octaves that don't move each other are independent, but for the few that share a place of the lattice, within what
@@ -501,7 +501,7 @@ TEST(PondTile, ReportsSayWhatFramesHave) {
 }
 
 // Every option at the edges of its range makes frames of finite numbers, or is refused.
-TEST(ClosedFormTiles, EdgesOfRangesGiveFiniteFrames) {
+TEST(ClosedFormCascades, EdgesOfRangesGiveFiniteFrames) {
     for (const SeaState& base : {moderate, pond}) {
         int taken = 0;
         for (const SeaStateField& field : sea_state_fields()) {
@@ -518,10 +518,10 @@ TEST(ClosedFormTiles, EdgesOfRangesGiveFiniteFrames) {
                 Ocean ocean(sea, everything());
                 for (const double time_s : {0.0, 0.7 * sea.loop_period_s}) {
                     const Frame& frame = ocean.frame_at(time_s);
-                    for (const Tile& tile : frame.tiles)
+                    for (const Cascade& cascade : frame.cascades)
                         for (int j = 0; j < 32; ++j)
                             for (int i = 0; i < 32; ++i)
-                                for (const PlaneView* plane : {&tile.dx, &tile.height, &tile.dz, &tile.velocity_y})
+                                for (const PlaneView* plane : {&cascade.dx, &cascade.height, &cascade.dz, &cascade.velocity_y})
                                     ASSERT_TRUE(std::isfinite(plane->at(i, j))) << field.name << " " << edge;
                     ASSERT_TRUE(frame.figures.roughness >= 0 && frame.figures.roughness <= 1) << field.name;
                 }

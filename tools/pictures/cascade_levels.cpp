@@ -1,4 +1,4 @@
-#include "pelagic/tools/pictures/tile_levels.hpp"
+#include "pelagic/tools/pictures/cascade_levels.hpp"
 
 #include <algorithm>
 #include <array>
@@ -18,16 +18,16 @@ float level_of(float texels) {
     return static_cast<float>(exponent) + mantissa - 1;
 }
 
-Level level_0(const Tile& tile) {
-    const auto n = static_cast<std::size_t>(tile.resolution());
+Level level_0(const Cascade& cascade) {
+    const auto n = static_cast<std::size_t>(cascade.resolution());
     Level texels(n * n);
     std::vector<float> dx(n), height(n), dz(n);
     for (std::size_t j = 0; j < n; ++j) {
-        tile.dx.copy_row(static_cast<int>(j), dx.data());
-        tile.height.copy_row(static_cast<int>(j), height.data());
-        tile.dz.copy_row(static_cast<int>(j), dz.data());
+        cascade.dx.copy_row(static_cast<int>(j), dx.data());
+        cascade.height.copy_row(static_cast<int>(j), height.data());
+        cascade.dz.copy_row(static_cast<int>(j), dz.data());
         for (std::size_t i = 0; i < n; ++i)
-            texels[j * n + i] = {dx[i], height[i], dz[i], static_cast<float>(tile.foam_r8[j * n + i]) / 255};
+            texels[j * n + i] = {dx[i], height[i], dz[i], static_cast<float>(cascade.foam_r8[j * n + i]) / 255};
     }
     return texels;
 }
@@ -56,37 +56,37 @@ void add(SurfaceSlopes& sum, const SurfaceSlopes& slopes, double part) {
 
 }  // namespace
 
-void TileLevels::take(const Tile& tile) {
-    tile_ = tile;
-    levels_ = {level_0(tile)};
-    for (int level = 1; level < mip_levels(tile.resolution()); ++level)
-        levels_.push_back(reduced(levels_.back(), static_cast<std::size_t>(tile.resolution() >> level)));
+void CascadeLevels::take(const Cascade& cascade) {
+    cascade_ = cascade;
+    levels_ = {level_0(cascade)};
+    for (int level = 1; level < mip_levels(cascade.resolution()); ++level)
+        levels_.push_back(reduced(levels_.back(), static_cast<std::size_t>(cascade.resolution() >> level)));
 }
 
-TileSample TileLevels::at(double x_m, double z_m, float footprint_m) const {
-    const TileLattice::Place place = tile_.lattice.in_tile(x_m, z_m);
-    const double u = place.along / tile_.lattice.side_m, v = place.across / tile_.lattice.side_m;
+CascadeSample CascadeLevels::at(double x_m, double z_m, float footprint_m) const {
+    const CascadeLattice::Place place = cascade_.lattice.in_cascade(x_m, z_m);
+    const double u = place.along / cascade_.lattice.side_m, v = place.across / cascade_.lattice.side_m;
     const auto part_u = static_cast<float>(u - std::floor(u)), part_v = static_cast<float>(v - std::floor(v));
     const float level =
-        std::min(level_of(footprint_m / static_cast<float>(tile_.texel_m())), static_cast<float>(levels_.size() - 1));
+        std::min(level_of(footprint_m / static_cast<float>(cascade_.texel_m())), static_cast<float>(levels_.size() - 1));
     const int finer = static_cast<int>(level);
     const float coarser_part = level - static_cast<float>(finer);
-    TileSample sample;
+    CascadeSample sample;
     add_level(sample, part_u, part_v, finer, 1 - coarser_part);
     if (coarser_part > 0) add_level(sample, part_u, part_v, finer + 1, coarser_part);
     return sample;
 }
 
 // Texels rest at whole numbers of level 0, and in the middle of their four in each next one.
-void TileLevels::add_level(TileSample& sum, float u, float v, int level, float weight) const {
-    const int side = tile_.resolution() >> level;
+void CascadeLevels::add_level(CascadeSample& sum, float u, float v, int level, float weight) const {
+    const int side = cascade_.resolution() >> level;
     const float first = 0.5f - 0.5f / static_cast<float>(1 << level);
     const float x = u * static_cast<float>(side) - first, y = v * static_cast<float>(side) - first;
     const int column = static_cast<int>(std::floor(x)), row = static_cast<int>(std::floor(y));
     const float right = x - static_cast<float>(column), lower = y - static_cast<float>(row);
     const Level& texels = levels_[static_cast<std::size_t>(level)];
-    const auto slopes = tile_.level_of(tile_.slopes_rgba8, level),
-               moments = tile_.level_of(tile_.moments_rgba8, level);
+    const auto slopes = cascade_.level_of(cascade_.slopes_rgba8, level),
+               moments = cascade_.level_of(cascade_.moments_rgba8, level);
     glm::vec4 mean(0);
     for (const int j : {0, 1})
         for (const int i : {0, 1}) {
@@ -94,7 +94,7 @@ void TileLevels::add_level(TileSample& sum, float u, float v, int level, float w
             const int wrapped = ((row + j) & (side - 1)) * side + ((column + i) & (side - 1));
             const auto texel = static_cast<std::size_t>(wrapped);
             mean += part * texels[texel];
-            add(sum.slopes, slopes_of_texel(slopes[texel], moments[texel], tile_.slope_ranges),
+            add(sum.slopes, slopes_of_texel(slopes[texel], moments[texel], cascade_.slope_ranges),
                 static_cast<double>(part));
         }
     sum.displacement += glm::vec3(mean);

@@ -1,4 +1,4 @@
-// A cell of a tile in double, for searches in plain code.
+// A cell of a cascade in double, for searches in plain code.
 #pragma once
 
 #include <algorithm>
@@ -26,13 +26,13 @@ struct CubicWeightsInDouble {
 /// most, and those of the slopes to 3/2 of the differences from texel to texel.
 inline constexpr double most_cubic_value = 25.0 / 16, most_cubic_slope = 15.0 / 8;
 
-class TileCell {
+class CascadeCell {
    public:
     struct Value {
-        double value, along_u, along_v;  ///< slopes along the tile's axes, a texel long
+        double value, along_u, along_v;  ///< slopes along the cascade's axes, a texel long
     };
 
-    TileCell(const SurfaceTexels& texels, int i, int j, Interpolation interpolation) : interpolation_(interpolation) {
+    CascadeCell(const SurfaceTexels& texels, int i, int j, Interpolation interpolation) : interpolation_(interpolation) {
         const int first = interpolation == Interpolation::cubic ? -1 : 0, side = 2 - 2 * first;
         for (int b = 0; b < side; ++b)
             for (int a = 0; a < side; ++a)

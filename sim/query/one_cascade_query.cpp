@@ -2,13 +2,13 @@
 // at a time. Where the surface may lie over itself, and where the steps did not arrive, all cells that could be drawn
 // at the point are looked at, in double and in closed form, by Newton's steps if they are cubic; that is plain code, compiled once.
 // The map is of the linear surface: a fold that only the cubic one has is lost, whose sheets are close together.
-#include "pelagic/sim/query/one_tile_query.hpp"
+#include "pelagic/sim/query/one_cascade_query.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "pelagic/sim/query/foam_at.hpp"
-#include "pelagic/sim/query/tile_cell.hpp"
+#include "pelagic/sim/query/cascade_cell.hpp"
 #include "pelagic/sim/surface/fold_map.hpp"
 #include "pelagic/sim/surface/surface_texels.hpp"
 
@@ -57,7 +57,7 @@ void solve_cell(Vector a, Vector b, Vector c, Vector d, Take take) {
 
 }  // namespace
 
-struct OneTileQuery::Sheet {
+struct OneCascadeQuery::Sheet {
     bool found = false;
     int cell_x = 0, cell_z = 0;
     float u = 0, v = 0;
@@ -65,16 +65,16 @@ struct OneTileQuery::Sheet {
     float error = 0;  ///< texels
 };
 
-OneTileQuery::OneTileQuery(const Tile& tile, const Kernels& kernels, const SurfaceQueryOptions& options)
+OneCascadeQuery::OneCascadeQuery(const Cascade& cascade, const Kernels& kernels, const SurfaceQueryOptions& options)
     : kernels_(kernels),
-      tile_(tile),
+      cascade_(cascade),
       interpolation_(options.interpolation),
-      texel_m_(tile.texel_m()),
+      texel_m_(cascade.texel_m()),
       target_(static_cast<float>(std::clamp(options.tolerance_m * query_aim / texel_m_, least_target, most_target))) {
 }
 
-void OneTileQuery::place(PointChunk& chunk) const {
-    const int resolution = tile_.resolution();
+void OneCascadeQuery::place(PointChunk& chunk) const {
+    const int resolution = cascade_.resolution();
     PointChunk::World& world = chunk.world[0];
     for (std::size_t i = 0; i < chunk.padded; ++i) {
         split_place(chunk.x[i] / texel_m_, resolution, world.cell_x[i], world.u[i]);
@@ -82,10 +82,10 @@ void OneTileQuery::place(PointChunk& chunk) const {
     }
 }
 
-void OneTileQuery::find_rest_points(PointChunk& chunk) const {
+void OneCascadeQuery::find_rest_points(PointChunk& chunk) const {
     PointChunk::World& world = chunk.world[0];
     const bool is_cubic = interpolation_ == Interpolation::cubic;
-    const InvertSurfaceJob job{.surface = texels_of(tile_),
+    const InvertSurfaceJob job{.surface = texels_of(cascade_),
                                .texels_per_m = static_cast<float>(1 / texel_m_),
                                .target = target_,
                                .count = chunk.padded,
@@ -95,8 +95,8 @@ void OneTileQuery::find_rest_points(PointChunk& chunk) const {
     kernels_.invert_surface.linear(job);
     if (is_cubic) kernels_.invert_surface.cubic(job);
 
-    const std::uint8_t* folds = tile_.folds.data();
-    const int resolution = tile_.resolution();
+    const std::uint8_t* folds = cascade_.folds.data();
+    const int resolution = cascade_.resolution();
     for (std::size_t i = 0; i < chunk.count; ++i) {
         const auto square = static_cast<unsigned>(world.cell_z[i] * resolution + world.cell_x[i]);
         const bool may_be_folded = (folds[square / 8] >> square % 8 & 1) != 0;
@@ -113,10 +113,10 @@ void OneTileQuery::find_rest_points(PointChunk& chunk) const {
     for (std::size_t i = 0; i < chunk.count; ++i) chunk.error[i] *= static_cast<float>(texel_m_);
 }
 
-void OneTileQuery::read(const SampleSurfaceJob::Outputs& outputs, PointChunk& chunk) const {
+void OneCascadeQuery::read(const SampleSurfaceJob::Outputs& outputs, PointChunk& chunk) const {
     const auto& kernel = kernels_.sample_surface;
     (interpolation_ == Interpolation::cubic ? kernel.cubic : kernel.linear)(
-        {.surface = texels_of(tile_),
+        {.surface = texels_of(cascade_),
          .two_texels_m = static_cast<float>(2 * texel_m_),
          .jacobian_factor = static_cast<float>(1 / (4 * texel_m_ * texel_m_)),
          .count = chunk.padded,
@@ -124,19 +124,19 @@ void OneTileQuery::read(const SampleSurfaceJob::Outputs& outputs, PointChunk& ch
          .out = outputs});
 }
 
-void OneTileQuery::read_foam(const PointChunk& chunk, std::span<float> foam) const {
+void OneCascadeQuery::read_foam(const PointChunk& chunk, std::span<float> foam) const {
     const PointChunk::World& rest = chunk.rest;
     for (std::size_t i = 0; i < foam.size(); ++i)
-        foam[i] = static_cast<float>(foam_at(tile_, rest.cell_x[i], rest.cell_z[i], static_cast<double>(rest.u[i]),
+        foam[i] = static_cast<float>(foam_at(cascade_, rest.cell_x[i], rest.cell_z[i], static_cast<double>(rest.u[i]),
                                              static_cast<double>(rest.v[i])));
 }
 
 // A cell (i, j) can be drawn at the point only if it rests within the largest displacement of it.
-OneTileQuery::Sheet OneTileQuery::highest_sheet(int cell_x, double u, int cell_z, double v) const {
-    const SurfaceTexels surface = texels_of(tile_);
+OneCascadeQuery::Sheet OneCascadeQuery::highest_sheet(int cell_x, double u, int cell_z, double v) const {
+    const SurfaceTexels surface = texels_of(cascade_);
     const double texels_per_m = 1 / texel_m_;
-    const double reach_x = tile_.bounds.sideways_x_max_m * texels_per_m + edge;
-    const double reach_z = tile_.bounds.sideways_z_max_m * texels_per_m + edge;
+    const double reach_x = cascade_.bounds.sideways_x_max_m * texels_per_m + edge;
+    const double reach_z = cascade_.bounds.sideways_z_max_m * texels_per_m + edge;
     const auto first_x = static_cast<int>(floor_of(u - reach_x)), last_x = static_cast<int>(floor_of(u + reach_x));
     const auto first_z = static_cast<int>(floor_of(v - reach_z)), last_z = static_cast<int>(floor_of(v + reach_z));
 
@@ -189,22 +189,22 @@ OneTileQuery::Sheet OneTileQuery::highest_sheet(int cell_x, double u, int cell_z
 }
 
 // In each cell Newton's steps begin at the middles of its quarters. What they find is a rest point if it is in the cell.
-OneTileQuery::Sheet OneTileQuery::highest_cubic_sheet(int cell_x, double u, int cell_z, double v) const {
-    const SurfaceTexels surface = texels_of(tile_);
+OneCascadeQuery::Sheet OneCascadeQuery::highest_cubic_sheet(int cell_x, double u, int cell_z, double v) const {
+    const SurfaceTexels surface = texels_of(cascade_);
     const double texels_per_m = 1 / texel_m_;
-    const double reach_x = tile_.bounds.sideways_x_max_m * most_cubic_value * texels_per_m + edge;
-    const double reach_z = tile_.bounds.sideways_z_max_m * most_cubic_value * texels_per_m + edge;
+    const double reach_x = cascade_.bounds.sideways_x_max_m * most_cubic_value * texels_per_m + edge;
+    const double reach_z = cascade_.bounds.sideways_z_max_m * most_cubic_value * texels_per_m + edge;
     const auto first_x = static_cast<int>(floor_of(u - reach_x)), last_x = static_cast<int>(floor_of(u + reach_x));
     const auto first_z = static_cast<int>(floor_of(v - reach_z)), last_z = static_cast<int>(floor_of(v + reach_z));
     const double enough = target_ * same_cubic;
 
     Sheet highest;
     double least_off = 0;
-    const auto look_at = [&](int i, int j, const TileCell& cell, double along_x, double along_z) {
+    const auto look_at = [&](int i, int j, const CascadeCell& cell, double along_x, double along_z) {
         /// From the point that is asked about, in texels, and what that changes by.
         Vector off{}, along_u{}, along_v{};
         const auto look = [&] {
-            const TileCell::Value dx = cell.at(surface.dx, along_x, along_z),
+            const CascadeCell::Value dx = cell.at(surface.dx, along_x, along_z),
                                   dz = cell.at(surface.dz, along_x, along_z);
             off = {i + along_x - u + dx.value * texels_per_m, j + along_z - v + dz.value * texels_per_m};
             along_u = {1 + dx.along_u * texels_per_m, dz.along_u * texels_per_m};
@@ -234,7 +234,7 @@ OneTileQuery::Sheet OneTileQuery::highest_cubic_sheet(int cell_x, double u, int 
     };
     for (int j = first_z; j <= last_z; ++j)
         for (int i = first_x; i <= last_x; ++i) {
-            const TileCell cell(surface, cell_x + i, cell_z + j, Interpolation::cubic);
+            const CascadeCell cell(surface, cell_x + i, cell_z + j, Interpolation::cubic);
             const auto may_reach = [&](const float* plane, double from) {
                 const auto [least, most] = cell.range(plane);
                 return from + least * texels_per_m <= edge && from + 1 + most * texels_per_m >= -edge;

@@ -1,4 +1,4 @@
-// Frames of several tiles through the C interface: which tile is where, what its texels mean, what is written into a host's
+// Frames of several cascades through the C interface: which cascade is where, what its texels mean, what is written into a host's
 // memory. The truth is the surface that the planes themselves describe: their Fourier series, by a slow sum in double.
 #include <algorithm>
 #include <array>
@@ -11,7 +11,7 @@
 #include <string>
 
 #include "pelagic/tests/capi_sea.hpp"
-#include "pelagic/tests/capi_tile_sum.h"
+#include "pelagic/tests/capi_cascade_sum.h"
 
 namespace pelagic {
 namespace {
@@ -29,7 +29,7 @@ pelagic_ocean_options serial_options(const COceanExecutor& serial) {
     return options;
 }
 
-class CInterfaceTiles : public testing::Test {
+class CInterfaceCascades : public testing::Test {
    protected:
     COceanExecutor serial = executor_of(PELAGIC_EXECUTOR_SERIAL);
 
@@ -39,12 +39,12 @@ class CInterfaceTiles : public testing::Test {
         EXPECT_EQ(pelagic_ocean_complete(ocean, &frame), PELAGIC_OK) << pelagic_last_error();
         return frame;
     }
-    static std::vector<pelagic_tile> tiles_of(const pelagic_ocean* ocean, const pelagic_frame& frame) {
-        std::vector<pelagic_tile> tiles(static_cast<std::size_t>(frame.tile_count), sized<pelagic_tile>());
-        for (std::int32_t i = 0; i < frame.tile_count; ++i)
-            EXPECT_EQ(pelagic_ocean_tile(ocean, i, &tiles[static_cast<std::size_t>(i)]), PELAGIC_OK)
+    static std::vector<pelagic_cascade> cascades_of(const pelagic_ocean* ocean, const pelagic_frame& frame) {
+        std::vector<pelagic_cascade> cascades(static_cast<std::size_t>(frame.cascade_count), sized<pelagic_cascade>());
+        for (std::int32_t i = 0; i < frame.cascade_count; ++i)
+            EXPECT_EQ(pelagic_ocean_cascade(ocean, i, &cascades[static_cast<std::size_t>(i)]), PELAGIC_OK)
                 << pelagic_last_error();
-        return tiles;
+        return cascades;
     }
 };
 
@@ -54,9 +54,9 @@ struct HostTextures {
     alignas(64) std::uint16_t halves[4 * texels];
     std::uint32_t slopes[chain], moments[chain];
 
-    pelagic_texture_targets targets(std::uint32_t tile_count, const std::uint32_t (&offset)[12]) {
+    pelagic_texture_targets targets(std::uint32_t cascade_count, const std::uint32_t (&offset)[12]) {
         auto out = sized<pelagic_texture_targets>();
-        out.tile_count = tile_count;
+        out.cascade_count = cascade_count;
         out.displacement_rgba16f = halves;
         for (int level = 0; level < 6; ++level) {
             out.slopes_rgba8[level] = slopes + offset[level];
@@ -66,10 +66,10 @@ struct HostTextures {
     }
 };
 
-TEST_F(CInterfaceTiles, TexturesGoIntoMemoryOfTheHosts) {
+TEST_F(CInterfaceCascades, TexturesGoIntoMemoryOfTheHosts) {
     const COcean usual = ocean_of(stack_sea(3), serial.get()), elsewhere = ocean_of(stack_sea(3), serial.get());
     const pelagic_frame frame = complete(usual.get(), 4);
-    const std::vector<pelagic_tile> expected = tiles_of(usual.get(), frame);
+    const std::vector<pelagic_cascade> expected = cascades_of(usual.get(), frame);
     std::vector<HostTextures> memory(3);
     std::vector<pelagic_texture_targets> targets;
     for (std::size_t i = 0; i < 3; ++i)
@@ -79,19 +79,19 @@ TEST_F(CInterfaceTiles, TexturesGoIntoMemoryOfTheHosts) {
     ASSERT_EQ(pelagic_ocean_schedule_into(elsewhere.get(), 4, targets.data()), PELAGIC_OK) << pelagic_last_error();
     EXPECT_EQ(pelagic_ocean_schedule_into(elsewhere.get(), 5, targets.data()), PELAGIC_WRONG_ORDER);
     ASSERT_EQ(pelagic_ocean_complete(elsewhere.get(), &shown), PELAGIC_OK) << pelagic_last_error();
-    const std::vector<pelagic_tile> tiles = tiles_of(elsewhere.get(), shown);
+    const std::vector<pelagic_cascade> cascades = cascades_of(elsewhere.get(), shown);
     EXPECT_EQ(shown.displacement_rgba16f, nullptr);
     for (std::size_t i = 0; i < 3; ++i) {
         EXPECT_EQ(std::memcmp(memory[i].halves, expected[i].displacement_rgba16f, sizeof memory[i].halves), 0) << i;
         EXPECT_EQ(std::memcmp(memory[i].slopes, expected[i].slopes_rgba8, sizeof memory[i].slopes), 0) << i;
         EXPECT_EQ(std::memcmp(memory[i].moments, expected[i].moments_rgba8, sizeof memory[i].moments), 0) << i;
-        EXPECT_TRUE(!tiles[i].displacement_rgba16f && !tiles[i].slopes_rgba8 && !tiles[i].moments_rgba8);
+        EXPECT_TRUE(!cascades[i].displacement_rgba16f && !cascades[i].slopes_rgba8 && !cascades[i].moments_rgba8);
     }
 
-    targets[0].tile_count = 2;
+    targets[0].cascade_count = 2;
     expect_invalid(pelagic_ocean_schedule_into(elsewhere.get(), 5, targets.data()),
-                   "targets.tile_count is 2, needs 3, with as many structs one after the other");
-    targets[0].tile_count = 3;
+                   "targets.cascade_count is 2, needs 3, with as many structs one after the other");
+    targets[0].cascade_count = 3;
     targets[1].moments_rgba8[2] = nullptr;
     expect_invalid(pelagic_ocean_schedule_into(elsewhere.get(), 5, targets.data()),
                    "targets: moments_rgba8 lacks level 2, needs 6 levels");
@@ -103,21 +103,21 @@ bool is_same(const pelagic_plane& a, const pelagic_plane& b) {
            a.row_stride == b.row_stride && a.block_stride == b.block_stride;
 }
 
-TEST_F(CInterfaceTiles, TheFrameItselfShowsTheCoarsest) {
+TEST_F(CInterfaceCascades, TheFrameItselfShowsTheCoarsest) {
     const COcean ocean = ocean_of(stack_sea(3), serial.get());
     auto info = sized<pelagic_ocean_info>();
     ASSERT_EQ(pelagic_ocean_describe(ocean.get(), &info), PELAGIC_OK);
-    EXPECT_EQ(info.tile_count, 3);
+    EXPECT_EQ(info.cascade_count, 3);
     EXPECT_EQ(info.resolution, 32);
     const pelagic_frame frame = complete(ocean.get(), 3);
-    ASSERT_EQ(frame.tile_count, 3);
-    const std::vector<pelagic_tile> tiles = tiles_of(ocean.get(), frame);
+    ASSERT_EQ(frame.cascade_count, 3);
+    const std::vector<pelagic_cascade> cascades = cascades_of(ocean.get(), frame);
     EXPECT_EQ(frame.resolution, 32);
-    EXPECT_EQ(frame.patch_size_m, tiles[0].side_m);
-    EXPECT_EQ(frame.displacement_rgba16f, tiles[0].displacement_rgba16f);
-    EXPECT_TRUE(is_same(frame.dx, tiles[0].dx) && is_same(frame.height, tiles[0].height) &&
-                is_same(frame.dz, tiles[0].dz) && is_same(frame.velocity_x, tiles[0].velocity_x) &&
-                is_same(frame.velocity_y, tiles[0].velocity_y) && is_same(frame.velocity_z, tiles[0].velocity_z));
+    EXPECT_EQ(frame.patch_size_m, cascades[0].side_m);
+    EXPECT_EQ(frame.displacement_rgba16f, cascades[0].displacement_rgba16f);
+    EXPECT_TRUE(is_same(frame.dx, cascades[0].dx) && is_same(frame.height, cascades[0].height) &&
+                is_same(frame.dz, cascades[0].dz) && is_same(frame.velocity_x, cascades[0].velocity_x) &&
+                is_same(frame.velocity_y, cascades[0].velocity_y) && is_same(frame.velocity_z, cascades[0].velocity_z));
     EXPECT_NE(frame.velocity_x.data, nullptr);
     EXPECT_EQ(frame.gradient_rgba8, nullptr);
     EXPECT_EQ(frame.gradient_levels, 0);
@@ -125,18 +125,18 @@ TEST_F(CInterfaceTiles, TheFrameItselfShowsTheCoarsest) {
     EXPECT_LE(frame.roughness, 1);
     pelagic_bounds sum{};
     for (std::size_t i = 0; i < 3; ++i) {
-        const pelagic_tile& tile = tiles[i];
-        EXPECT_EQ(tile.resolution, 32);
-        EXPECT_NEAR(tile.cosine * tile.cosine + tile.sine * tile.sine, 1, 1e-15);
+        const pelagic_cascade& cascade = cascades[i];
+        EXPECT_EQ(cascade.resolution, 32);
+        EXPECT_NEAR(cascade.cosine * cascade.cosine + cascade.sine * cascade.sine, 1, 1e-15);
         if (i > 0) {
-            EXPECT_LT(tile.side_m, tiles[i - 1].side_m);
-            EXPECT_NE(tile.sine, tiles[i - 1].sine);
+            EXPECT_LT(cascade.side_m, cascades[i - 1].side_m);
+            EXPECT_NE(cascade.sine, cascades[i - 1].sine);
         }
-        EXPECT_EQ(tile.gradient_rgba8, nullptr);
-        ASSERT_EQ(tile.levels, 6);
+        EXPECT_EQ(cascade.gradient_rgba8, nullptr);
+        ASSERT_EQ(cascade.levels, 6);
         std::uint32_t offset = 0;
         for (int level = 0; level < 6; ++level) {
-            EXPECT_EQ(tile.level_offset[level], offset);
+            EXPECT_EQ(cascade.level_offset[level], offset);
             offset += 1024u >> 2 * level;
         }
         const auto highest = [&](const pelagic_plane& plane, double sign) {
@@ -145,14 +145,14 @@ TEST_F(CInterfaceTiles, TheFrameItselfShowsTheCoarsest) {
                 most = std::max(most, static_cast<float>(sign) * texel_of(plane, texel % 32, texel / 32));
             return most;
         };
-        EXPECT_EQ(tile.bounds.height_max_m, highest(tile.height, 1));
-        EXPECT_EQ(tile.bounds.height_min_m, -highest(tile.height, -1));
-        EXPECT_EQ(tile.bounds.sideways_x_max_m, std::max(highest(tile.dx, 1), highest(tile.dx, -1)));
-        EXPECT_EQ(tile.bounds.sideways_z_max_m, std::max(highest(tile.dz, 1), highest(tile.dz, -1)));
-        sum.height_min_m += tile.bounds.height_min_m;
-        sum.height_max_m += tile.bounds.height_max_m;
-        sum.sideways_x_max_m += tile.bounds.sideways_x_max_m;
-        sum.sideways_z_max_m += tile.bounds.sideways_z_max_m;
+        EXPECT_EQ(cascade.bounds.height_max_m, highest(cascade.height, 1));
+        EXPECT_EQ(cascade.bounds.height_min_m, -highest(cascade.height, -1));
+        EXPECT_EQ(cascade.bounds.sideways_x_max_m, std::max(highest(cascade.dx, 1), highest(cascade.dx, -1)));
+        EXPECT_EQ(cascade.bounds.sideways_z_max_m, std::max(highest(cascade.dz, 1), highest(cascade.dz, -1)));
+        sum.height_min_m += cascade.bounds.height_min_m;
+        sum.height_max_m += cascade.bounds.height_max_m;
+        sum.sideways_x_max_m += cascade.bounds.sideways_x_max_m;
+        sum.sideways_z_max_m += cascade.bounds.sideways_z_max_m;
     }
     EXPECT_FLOAT_EQ(frame.bounds.height_min_m, sum.height_min_m);
     EXPECT_FLOAT_EQ(frame.bounds.height_max_m, sum.height_max_m);
@@ -160,13 +160,13 @@ TEST_F(CInterfaceTiles, TheFrameItselfShowsTheCoarsest) {
     EXPECT_FLOAT_EQ(frame.bounds.sideways_z_max_m, sum.sideways_z_max_m);
 }
 
-TEST_F(CInterfaceTiles, WhatIsInATileIsAQuestionOfOptions) {
+TEST_F(CInterfaceCascades, WhatIsInACascadeIsAQuestionOfOptions) {
     for (const bool is_asked : {false, true}) {
         pelagic_ocean_options options = serial_options(serial);
         options.slopes = options.gradients = is_asked;
         const COcean one = ocean_of(small_sea(32), options), two = ocean_of(stack_sea(2), options);
         const pelagic_frame frame = complete(one.get(), 1), stack = complete(two.get(), 1);
-        const std::vector<pelagic_tile> alone = tiles_of(one.get(), frame), tiles = tiles_of(two.get(), stack);
+        const std::vector<pelagic_cascade> alone = cascades_of(one.get(), frame), cascades = cascades_of(two.get(), stack);
         ASSERT_EQ(alone.size(), 1u);
         EXPECT_EQ(alone[0].side_m, 250);
         EXPECT_EQ(alone[0].cosine, 1);
@@ -178,42 +178,42 @@ TEST_F(CInterfaceTiles, WhatIsInATileIsAQuestionOfOptions) {
         EXPECT_EQ(alone[0].slopes_rgba8 != nullptr, is_asked);
         EXPECT_EQ(alone[0].moments_rgba8 != nullptr, is_asked);
         EXPECT_EQ(stack.gradient_levels, is_asked ? 6 : 0);
-        for (const pelagic_tile& tile : tiles) {
-            EXPECT_EQ(tile.gradient_rgba8 != nullptr, is_asked);
-            EXPECT_NE(tile.slopes_rgba8, nullptr);
-            EXPECT_NE(tile.moments_rgba8, nullptr);
-            EXPECT_EQ(tile.velocity_y.data, nullptr);
+        for (const pelagic_cascade& cascade : cascades) {
+            EXPECT_EQ(cascade.gradient_rgba8 != nullptr, is_asked);
+            EXPECT_NE(cascade.slopes_rgba8, nullptr);
+            EXPECT_NE(cascade.moments_rgba8, nullptr);
+            EXPECT_EQ(cascade.velocity_y.data, nullptr);
         }
     }
 }
 
-TEST_F(CInterfaceTiles, ATileThatIsNotThereIsNamed) {
+TEST_F(CInterfaceCascades, ACascadeThatIsNotThereIsNamed) {
     const COcean one = ocean_of(small_sea(), serial.get()), two = ocean_of(stack_sea(2), serial.get());
     complete(one.get(), 0), complete(two.get(), 0);
-    pelagic_tile tile, untouched;
-    std::memset(&tile, 0xAB, sizeof tile);
-    tile.struct_size = sizeof tile;
-    std::memcpy(&untouched, &tile, sizeof tile);
-    expect_invalid(pelagic_ocean_tile(one.get(), 1, &tile), "index is 1, needs 0");
-    expect_invalid(pelagic_ocean_tile(two.get(), 2, &tile), "index is 2, needs 0 to 1");
-    expect_invalid(pelagic_ocean_tile(two.get(), -1, &tile), "index is -1, needs 0 to 1");
-    expect_invalid(pelagic_ocean_tile(two.get(), INT32_MIN, &tile), "index is -2147483648, needs 0 to 1");
-    EXPECT_EQ(std::memcmp(&tile, &untouched, sizeof tile), 0);
+    pelagic_cascade cascade, untouched;
+    std::memset(&cascade, 0xAB, sizeof cascade);
+    cascade.struct_size = sizeof cascade;
+    std::memcpy(&untouched, &cascade, sizeof cascade);
+    expect_invalid(pelagic_ocean_cascade(one.get(), 1, &cascade), "index is 1, needs 0");
+    expect_invalid(pelagic_ocean_cascade(two.get(), 2, &cascade), "index is 2, needs 0 to 1");
+    expect_invalid(pelagic_ocean_cascade(two.get(), -1, &cascade), "index is -1, needs 0 to 1");
+    expect_invalid(pelagic_ocean_cascade(two.get(), INT32_MIN, &cascade), "index is -2147483648, needs 0 to 1");
+    EXPECT_EQ(std::memcmp(&cascade, &untouched, sizeof cascade), 0);
     const pelagic_sea lone = small_sea(32), more = stack_sea(3);
     expect_invalid(pelagic_ocean_schedule_sea(two.get(), &lone), "cascades is 1, needs 2, as the ocean was built");
     expect_invalid(pelagic_ocean_schedule_sea(two.get(), &more), "cascades is 3, needs 2, as the ocean was built");
 }
 
-TEST_F(CInterfaceTiles, AreThoseOfTheFrameCompletedLast) {
+TEST_F(CInterfaceCascades, AreThoseOfTheFrameCompletedLast) {
     const COcean ocean = ocean_of(stack_sea(2), serial.get());
     const pelagic_frame first = complete(ocean.get(), 1);
-    const pelagic_tile before = tiles_of(ocean.get(), first)[1];
+    const pelagic_cascade before = cascades_of(ocean.get(), first)[1];
     const float height = texel_of(before.height, 3, 4);
     ASSERT_EQ(pelagic_ocean_schedule(ocean.get(), 2), PELAGIC_OK);
-    EXPECT_TRUE(is_same(tiles_of(ocean.get(), first)[1].height, before.height)) << "while the next is computed";
+    EXPECT_TRUE(is_same(cascades_of(ocean.get(), first)[1].height, before.height)) << "while the next is computed";
     auto second = sized<pelagic_frame>();
     ASSERT_EQ(pelagic_ocean_complete(ocean.get(), &second), PELAGIC_OK);
-    EXPECT_NE(texel_of(tiles_of(ocean.get(), second)[1].height, 3, 4), height);
+    EXPECT_NE(texel_of(cascades_of(ocean.get(), second)[1].height, 3, 4), height);
     EXPECT_EQ(texel_of(before.height, 3, 4), height) << "views of the frame before are still valid";
 
     // Another sea has other sides; the frame that is shown is still of the old one.
@@ -221,10 +221,10 @@ TEST_F(CInterfaceTiles, AreThoseOfTheFrameCompletedLast) {
     storm.wind_speed_mps = 25;
     ASSERT_EQ(pelagic_ocean_schedule_sea(ocean.get(), &storm), PELAGIC_OK);
     ASSERT_EQ(pelagic_ocean_complete_sea(ocean.get()), PELAGIC_OK);
-    EXPECT_EQ(tiles_of(ocean.get(), second)[0].side_m, first.patch_size_m);
+    EXPECT_EQ(cascades_of(ocean.get(), second)[0].side_m, first.patch_size_m);
     const pelagic_frame third = complete(ocean.get(), 3);
     EXPECT_GT(third.patch_size_m, first.patch_size_m);
-    EXPECT_EQ(tiles_of(ocean.get(), third)[0].side_m, third.patch_size_m);
+    EXPECT_EQ(cascades_of(ocean.get(), third)[0].side_m, third.patch_size_m);
 }
 
 // ---- What texels mean --------------------------------------------------------------------------------------------
@@ -272,10 +272,10 @@ class Series {
     std::vector<std::complex<double>> amplitudes_;
 };
 
-/// The surface of a tile's waves.
-class ExactTile {
+/// The surface of a cascade's waves.
+class ExactCascade {
    public:
-    explicit ExactTile(const pelagic_tile& tile) : tile_(tile), dx_(tile.dx), height_(tile.height), dz_(tile.dz) {}
+    explicit ExactCascade(const pelagic_cascade& cascade) : cascade_(cascade), dx_(cascade.dx), height_(cascade.height), dz_(cascade.dz) {}
 
     struct Derivatives {
         double by_x, by_z;
@@ -290,12 +290,12 @@ class ExactTile {
 
    private:
     Derivatives derivatives(const Series& series, double x, double z) const {
-        const double c = tile_.cosine, s = tile_.sine, side_m = tile_.side_m;
+        const double c = cascade_.cosine, s = cascade_.sine, side_m = cascade_.side_m;
         const auto [value, along, across] = series.at((c * x + s * z) / side_m, (c * z - s * x) / side_m);
         return {(c * along - s * across) / side_m, (s * along + c * across) / side_m};
     }
 
-    pelagic_tile tile_;
+    pelagic_cascade cascade_;
     Series dx_, height_, dz_;
 };
 
@@ -305,13 +305,13 @@ double degrees_between(const double (&a)[3], const double (&b)[3]) {
 }
 
 // Bounds as in slopes_test.cpp: normals of the summed texture are within 2 degrees, Jacobians within 0.03, rms.
-TEST_F(CInterfaceTiles, SlopesDecodedAsTheHeaderSaysAddUpToTheSurface) {
+TEST_F(CInterfaceCascades, SlopesDecodedAsTheHeaderSaysAddUpToTheSurface) {
     pelagic_sea sea = stack_sea(4, 64);
     sea.wind_direction_rad = 0.7;
     const COcean ocean = ocean_of(sea, serial.get());
     const pelagic_frame frame = complete(ocean.get(), 5);
-    const std::vector<pelagic_tile> tiles = tiles_of(ocean.get(), frame);
-    const std::vector<ExactTile> exact_tiles(tiles.begin(), tiles.end());
+    const std::vector<pelagic_cascade> cascades = cascades_of(ocean.get(), frame);
+    const std::vector<ExactCascade> exact_cascades(cascades.begin(), cascades.end());
     std::mt19937 random(3);
     std::uniform_real_distribution<double> place(-3000, 3000);
     double normal_squares = 0, jacobian_squares = 0, slope_squares = 0, jacobian_variance = 0, curl = 0, shear = 0;
@@ -319,9 +319,9 @@ TEST_F(CInterfaceTiles, SlopesDecodedAsTheHeaderSaysAddUpToTheSurface) {
     for (int p = 0; p < points; ++p) {
         const double x = place(random), z = place(random);
         double sum[8] = {}, exact[8] = {}, normal[3], exact_normal[3];
-        for (std::size_t t = 0; t < tiles.size(); ++t) {
-            add_slopes(&tiles[t], x, z, sum);
-            const std::array<double, 6> slopes = exact_tiles[t].slopes(x, z);
+        for (std::size_t t = 0; t < cascades.size(); ++t) {
+            add_slopes(&cascades[t], x, z, sum);
+            const std::array<double, 6> slopes = exact_cascades[t].slopes(x, z);
             for (std::size_t i = 0; i < 5; ++i) exact[i] += slopes[i];
             curl += (slopes[4] - slopes[5]) * (slopes[4] - slopes[5]);
             shear += slopes[4] * slopes[4];
@@ -351,27 +351,27 @@ TEST_F(CInterfaceTiles, SlopesDecodedAsTheHeaderSaysAddUpToTheSurface) {
     RecordProperty("jacobian_variance", std::to_string(jacobian_variance));
 }
 
-/// The same tile with one level of its slopes as if it were all.
-pelagic_tile level_of(pelagic_tile tile, int level) {
-    tile.slopes_rgba8 += tile.level_offset[level];
-    tile.moments_rgba8 += tile.level_offset[level];
-    tile.resolution >>= level;
-    return tile;
+/// The same cascade with one level of its slopes as if it were all.
+pelagic_cascade level_of(pelagic_cascade cascade, int level) {
+    cascade.slopes_rgba8 += cascade.level_offset[level];
+    cascade.moments_rgba8 += cascade.level_offset[level];
+    cascade.resolution >>= level;
+    return cascade;
 }
 
-// Over a whole tile waves go up as much as down, and the last level is one texel of the whole: what varied between the texels of
+// Over a whole cascade waves go up as much as down, and the last level is one texel of the whole: what varied between the texels of
 // a finer level varies within it. Of level 1, because level 0 is sharper for the filter's sake (docs/equations.md).
-TEST_F(CInterfaceTiles, TheLastLevelHasNoSlopeAndTheVarianceOfAll) {
+TEST_F(CInterfaceCascades, TheLastLevelHasNoSlopeAndTheVarianceOfAll) {
     const COcean ocean = ocean_of(stack_sea(3), serial.get());
-    for (const pelagic_tile& tile : tiles_of(ocean.get(), complete(ocean.get(), 3))) {
+    for (const pelagic_cascade& cascade : cascades_of(ocean.get(), complete(ocean.get(), 3))) {
         double whole[8] = {};
-        const pelagic_tile last = level_of(tile, tile.levels - 1), first = level_of(tile, 1);
+        const pelagic_cascade last = level_of(cascade, cascade.levels - 1), first = level_of(cascade, 1);
         ASSERT_EQ(last.resolution, 1);
         add_slopes(&last, 0, 0, whole);
-        for (int i = 0; i < 5; ++i) EXPECT_LT(std::fabs(whole[i]), 0.501 * tile.slope_range / 127) << "half a step";
+        for (int i = 0; i < 5; ++i) EXPECT_LT(std::fabs(whole[i]), 0.501 * cascade.slope_range / 127) << "half a step";
         double squares[3] = {};
         for (int texel = 0; texel < 256; ++texel) {
-            pelagic_tile one = first;
+            pelagic_cascade one = first;
             one.slopes_rgba8 += texel, one.moments_rgba8 += texel, one.resolution = 1;
             double sum[8] = {};
             add_slopes(&one, 0, 0, sum);
@@ -379,29 +379,29 @@ TEST_F(CInterfaceTiles, TheLastLevelHasNoSlopeAndTheVarianceOfAll) {
             squares[1] += (sum[1] * sum[1] + sum[6]) / 256;
             squares[2] += (sum[0] * sum[1] + sum[7]) / 256;
         }
-        EXPECT_GT(squares[0], 10 * tile.variance_range / 255);
+        EXPECT_GT(squares[0], 10 * cascade.variance_range / 255);
         // Half a step of the last texel, and what the rounding of all others leaves in the mean.
-        for (int i = 0; i < 3; ++i) EXPECT_NEAR(whole[5 + i], squares[i], 0.6 * tile.variance_range / 127) << i;
+        for (int i = 0; i < 3; ++i) EXPECT_NEAR(whole[5 + i], squares[i], 0.6 * cascade.variance_range / 127) << i;
     }
 }
 
-/// A plane of the tile where (x, z) rests, bilinear, as pelagic.h says.
-double bilinear(const pelagic_tile& tile, const pelagic_plane& plane, double x, double z) {
-    const double u = (tile.cosine * x + tile.sine * z) / tile.side_m * tile.resolution;
-    const double v = (tile.cosine * z - tile.sine * x) / tile.side_m * tile.resolution;
-    const int i = static_cast<int>(std::floor(u)), j = static_cast<int>(std::floor(v)), mask = tile.resolution - 1;
+/// A plane of the cascade where (x, z) rests, bilinear, as pelagic.h says.
+double bilinear(const pelagic_cascade& cascade, const pelagic_plane& plane, double x, double z) {
+    const double u = (cascade.cosine * x + cascade.sine * z) / cascade.side_m * cascade.resolution;
+    const double v = (cascade.cosine * z - cascade.sine * x) / cascade.side_m * cascade.resolution;
+    const int i = static_cast<int>(std::floor(u)), j = static_cast<int>(std::floor(v)), mask = cascade.resolution - 1;
     const double a = u - i, b = v - j;
     const auto texel = [&](int right, int below) { return texel_of(plane, (i + right) & mask, (j + below) & mask); };
     return (1 - b) * ((1 - a) * texel(0, 0) + a * texel(1, 0)) + b * ((1 - a) * texel(0, 1) + a * texel(1, 1));
 }
 
 // Without folds there is one water over each place, and a query finds it.
-TEST_F(CInterfaceTiles, AQueryFindsTheSumOfTilesWhereItIsDrawn) {
+TEST_F(CInterfaceCascades, AQueryFindsTheSumOfCascadesWhereItIsDrawn) {
     pelagic_sea sea = stack_sea(3);
     sea.choppiness = 0.3;
     const COcean ocean = ocean_of(sea, serial.get());
     const pelagic_frame frame = complete(ocean.get(), 2);
-    const std::vector<pelagic_tile> tiles = tiles_of(ocean.get(), frame);
+    const std::vector<pelagic_cascade> cascades = cascades_of(ocean.get(), frame);
     constexpr std::size_t count = 200;
     std::vector<double> x(count), z(count), heights(count);
     std::mt19937 random(8);
@@ -409,10 +409,10 @@ TEST_F(CInterfaceTiles, AQueryFindsTheSumOfTilesWhereItIsDrawn) {
     for (std::size_t p = 0; p < count; ++p) {
         const double rest_x = place(random), rest_z = place(random);
         x[p] = rest_x, z[p] = rest_z;
-        for (const pelagic_tile& tile : tiles) {
-            x[p] += bilinear(tile, tile.dx, rest_x, rest_z);
-            z[p] += bilinear(tile, tile.dz, rest_x, rest_z);
-            heights[p] += bilinear(tile, tile.height, rest_x, rest_z);
+        for (const pelagic_cascade& cascade : cascades) {
+            x[p] += bilinear(cascade, cascade.dx, rest_x, rest_z);
+            z[p] += bilinear(cascade, cascade.dz, rest_x, rest_z);
+            heights[p] += bilinear(cascade, cascade.height, rest_x, rest_z);
         }
     }
     std::vector<float> found(count);
@@ -426,7 +426,7 @@ TEST_F(CInterfaceTiles, AQueryFindsTheSumOfTilesWhereItIsDrawn) {
 
 // ---- A host's memory ---------------------------------------------------------------------------------------------
 
-/// All that a tile of a stack has.
+/// All that a cascade of a stack has.
 struct StackArrays {
     explicit StackArrays(std::size_t side)
         : planes(6, std::vector<float>(side * side)), halves(4 * side * side), chain((4 * side * side - 1) / 3) {
@@ -454,15 +454,15 @@ struct StackArrays {
     std::vector<std::uint32_t> chain, gradients, slopes, moments;
 };
 
-TEST_F(CInterfaceTiles, ACopyHasEachTileInItsOwnBuffers) {
+TEST_F(CInterfaceCascades, ACopyHasEachCascadeInItsOwnBuffers) {
     pelagic_ocean_options options = serial_options(serial);
     options.velocities = options.gradients = 1;
     const COcean ocean = ocean_of(stack_sea(3), options);
     std::vector<StackArrays> arrays(3, StackArrays(32)), computed = arrays;
     std::vector<pelagic_frame_buffers> copies, to;
-    for (StackArrays& tile : arrays) copies.push_back(tile.view());
-    for (StackArrays& tile : computed) to.push_back(tile.view());
-    copies[0].tile_count = to[0].tile_count = 3;
+    for (StackArrays& cascade : arrays) copies.push_back(cascade.view());
+    for (StackArrays& cascade : computed) to.push_back(cascade.view());
+    copies[0].cascade_count = to[0].cascade_count = 3;
 
     const pelagic_frame frame = complete(ocean.get(), 4);
     ASSERT_EQ(pelagic_ocean_copy(ocean.get(), copies.data()), PELAGIC_OK) << pelagic_last_error();
@@ -470,46 +470,46 @@ TEST_F(CInterfaceTiles, ACopyHasEachTileInItsOwnBuffers) {
     ASSERT_EQ(pelagic_ocean_frame_at(ocean.get(), 4, to.data(), &bounds), PELAGIC_OK) << pelagic_last_error();
     EXPECT_EQ(arrays, computed);
     EXPECT_EQ(std::memcmp(&bounds, &frame.bounds, sizeof bounds), 0);
-    const std::vector<pelagic_tile> tiles = tiles_of(ocean.get(), frame);
+    const std::vector<pelagic_cascade> cascades = cascades_of(ocean.get(), frame);
     for (std::size_t t = 0; t < 3; ++t) {
-        const pelagic_tile& tile = tiles[t];
+        const pelagic_cascade& cascade = cascades[t];
         const StackArrays& copy = arrays[t];
-        const pelagic_plane* planes[6] = {&tile.dx,         &tile.height,     &tile.dz,
-                                          &tile.velocity_x, &tile.velocity_y, &tile.velocity_z};
+        const pelagic_plane* planes[6] = {&cascade.dx,         &cascade.height,     &cascade.dz,
+                                          &cascade.velocity_x, &cascade.velocity_y, &cascade.velocity_z};
         for (std::size_t p = 0; p < 6; ++p)
             for (int texel = 0; texel < 1024; ++texel)
                 ASSERT_EQ(copy.planes[p][static_cast<std::size_t>(texel)],
                           texel_of(*planes[p], texel % 32, texel / 32));
-        EXPECT_EQ(std::memcmp(tile.displacement_rgba16f, copy.halves.data(), 2 * copy.halves.size()), 0);
-        EXPECT_EQ(std::memcmp(tile.gradient_rgba8, copy.gradients.data(), 4 * copy.chain.size()), 0);
-        EXPECT_EQ(std::memcmp(tile.slopes_rgba8, copy.slopes.data(), 4 * copy.chain.size()), 0);
-        EXPECT_EQ(std::memcmp(tile.moments_rgba8, copy.moments.data(), 4 * copy.chain.size()), 0);
+        EXPECT_EQ(std::memcmp(cascade.displacement_rgba16f, copy.halves.data(), 2 * copy.halves.size()), 0);
+        EXPECT_EQ(std::memcmp(cascade.gradient_rgba8, copy.gradients.data(), 4 * copy.chain.size()), 0);
+        EXPECT_EQ(std::memcmp(cascade.slopes_rgba8, copy.slopes.data(), 4 * copy.chain.size()), 0);
+        EXPECT_EQ(std::memcmp(cascade.moments_rgba8, copy.moments.data(), 4 * copy.chain.size()), 0);
     }
     EXPECT_NE(arrays[0], arrays[1]);
 }
 
-// Before the first complete() frame_at() shows its frame, which tiles tell of, too.
-TEST_F(CInterfaceTiles, OfFrameAtMayBeTakenBeforeOneIsCompleted) {
+// Before the first complete() frame_at() shows its frame, which cascades tell of, too.
+TEST_F(CInterfaceCascades, OfFrameAtMayBeTakenBeforeOneIsCompleted) {
     const COcean ocean = ocean_of(stack_sea(2), serial.get());
     pelagic_frame_buffers nothing[2] = {sized<pelagic_frame_buffers>(), sized<pelagic_frame_buffers>()};
-    nothing[0].tile_count = 2;
+    nothing[0].cascade_count = 2;
     ASSERT_EQ(pelagic_ocean_frame_at(ocean.get(), 4, nothing, nullptr), PELAGIC_OK) << pelagic_last_error();
-    auto tile = sized<pelagic_tile>();
-    ASSERT_EQ(pelagic_ocean_tile(ocean.get(), 1, &tile), PELAGIC_OK) << pelagic_last_error();
+    auto cascade = sized<pelagic_cascade>();
+    ASSERT_EQ(pelagic_ocean_cascade(ocean.get(), 1, &cascade), PELAGIC_OK) << pelagic_last_error();
     const COcean other = ocean_of(stack_sea(2), serial.get());
-    const pelagic_tile expected = tiles_of(other.get(), complete(other.get(), 4))[1];
-    EXPECT_EQ(std::memcmp(tile.slopes_rgba8, expected.slopes_rgba8, 4 * 1024), 0);
+    const pelagic_cascade expected = cascades_of(other.get(), complete(other.get(), 4))[1];
+    EXPECT_EQ(std::memcmp(cascade.slopes_rgba8, expected.slopes_rgba8, 4 * 1024), 0);
 }
 
-TEST_F(CInterfaceTiles, BuffersThatDoNotFitAreNamed) {
+TEST_F(CInterfaceCascades, BuffersThatDoNotFitAreNamed) {
     const COcean ocean = ocean_of(stack_sea(2), serial_options(serial));
     complete(ocean.get(), 0);
     std::vector<StackArrays> arrays(2, StackArrays(32));
     const auto expect_line = [&](const std::string& line, void (*change)(pelagic_frame_buffers*)) {
         pelagic_frame_buffers buffers[2] = {arrays[0].view(), arrays[1].view()};
-        buffers[0].tile_count = 2;
-        for (pelagic_frame_buffers& tile : buffers)
-            tile.gradient_rgba8 = nullptr, tile.velocity_x = tile.velocity_y = tile.velocity_z = nullptr;
+        buffers[0].cascade_count = 2;
+        for (pelagic_frame_buffers& cascade : buffers)
+            cascade.gradient_rgba8 = nullptr, cascade.velocity_x = cascade.velocity_y = cascade.velocity_z = nullptr;
         change(buffers);
         if (line.empty()) {
             EXPECT_EQ(pelagic_ocean_copy(ocean.get(), buffers), PELAGIC_OK) << pelagic_last_error();
@@ -527,13 +527,13 @@ TEST_F(CInterfaceTiles, BuffersThatDoNotFitAreNamed) {
     // Of the first version, which may be any number of bytes long where there is no second one.
     expect_line("buffers.struct_size is " + odd + ", needs " + size + ", the size of the struct",
                 [](auto* buffers) { buffers[0].struct_size -= 1; });
-    expect_line("buffers[1].tile_count is 2, needs 0", [](auto* buffers) { buffers[1].tile_count = 2; });
+    expect_line("buffers[1].cascade_count is 2, needs 0", [](auto* buffers) { buffers[1].cascade_count = 2; });
     for (const std::uint32_t count : {0u, 1u, 3u}) {
         pelagic_frame_buffers alone = arrays[0].view();  // what is behind it is nobody's
-        alone.tile_count = count;
+        alone.cascade_count = count;
         expect_invalid(
             pelagic_ocean_copy(ocean.get(), &alone),
-            "buffers.tile_count is " + std::to_string(count) + ", needs 2, with as many structs one after the other");
+            "buffers.cascade_count is " + std::to_string(count) + ", needs 2, with as many structs one after the other");
     }
     expect_line("height has 1023 elements, needs 1024",
                 [](auto* buffers) { buffers[1].plane_count = 1023, buffers[1].dx = nullptr; });

@@ -1,4 +1,4 @@
-// A frame of several tiles that no ocean made: waves of several oceans of one tile each, turned against one another.
+// A frame of several cascades that no ocean made: waves of several oceans of one cascade each, turned against one another.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 
 namespace pelagic {
 
-class TileStack {
+class CascadeStack {
    public:
     struct Part {
         SeaState sea;
@@ -21,24 +21,24 @@ class TileStack {
         double factor = 1;  ///< of all displacements
     };
 
-    TileStack(const std::vector<Part>& parts, double time_s, Isa isa = choose_isa()) {
+    CascadeStack(const std::vector<Part>& parts, double time_s, Isa isa = choose_isa()) {
         for (const Part& part : parts) {
             Ocean ocean(part.sea, {.executor = make_serial_executor(), .isa = isa, .velocities = true});
-            add(ocean.frame_at(time_s).tiles[0], part);
+            add(ocean.frame_at(time_s).cascades[0], part);
         }
         finish(parts.front().sea, isa);
     }
-    TileStack(const TileStack&) = delete;
-    TileStack& operator=(const TileStack&) = delete;
+    CascadeStack(const CascadeStack&) = delete;
+    CascadeStack& operator=(const CascadeStack&) = delete;
 
     const Frame& frame() const { return frame_; }
 
-    /// Seas of one wind each whose tiles have texels of the longest waves of the next, much as the bands of one sea.
-    static std::vector<Part> of_scales(std::size_t tiles, double wind_speed_mps, double choppiness,
+    /// Seas of one wind each whose cascades have texels of the longest waves of the next, much as the bands of one sea.
+    static std::vector<Part> of_scales(std::size_t cascades, double wind_speed_mps, double choppiness,
                                        std::uint32_t seed, int resolution = 128) {
         std::vector<Part> parts;
         double side_m = 1000 * wind_speed_mps * wind_speed_mps / 144, wind_mps = wind_speed_mps;
-        for (std::size_t i = 0; i < tiles; ++i) {
+        for (std::size_t i = 0; i < cascades; ++i) {
             parts.push_back({.sea = {.resolution = resolution,
                                      .patch_size_m = side_m,
                                      .wind_speed_mps = wind_mps,
@@ -53,10 +53,10 @@ class TileStack {
     }
 
    private:
-    void add(const Tile& from, const Part& part) {
+    void add(const Cascade& from, const Part& part) {
         const int n = from.resolution();
-        Tile tile;
-        tile.lattice = {
+        Cascade cascade;
+        cascade.lattice = {
             .side_m = from.lattice.side_m, .cosine = std::cos(part.turn_rad), .sine = std::sin(part.turn_rad)};
         const std::size_t floats = static_cast<std::size_t>(n / from.height.block_columns) *
                                    static_cast<std::size_t>(from.height.block_stride);
@@ -77,43 +77,43 @@ class TileStack {
                         const_cast<float*>(plane.data)[at] = static_cast<float>(part.factor * value);
                     };
                     const auto moved =
-                        tile.lattice.in_world(static_cast<double>(x.data[at]), static_cast<double>(z.data[at]));
+                        cascade.lattice.in_world(static_cast<double>(x.data[at]), static_cast<double>(z.data[at]));
                     set(to_x, moved.along);
                     set(to_y, static_cast<double>(y.data[at]));
                     set(to_z, moved.across);
                 }
             }
         };
-        turned(from.dx, from.height, from.dz, tile.dx, tile.height, tile.dz);
-        turned(from.velocity_x, from.velocity_y, from.velocity_z, tile.velocity_x, tile.velocity_y, tile.velocity_z);
-        FrameBounds& bounds = tile.bounds;
+        turned(from.dx, from.height, from.dz, cascade.dx, cascade.height, cascade.dz);
+        turned(from.velocity_x, from.velocity_y, from.velocity_z, cascade.velocity_x, cascade.velocity_y, cascade.velocity_z);
+        FrameBounds& bounds = cascade.bounds;
         for (int j = 0; j < n; ++j) {
             for (int i = 0; i < n; ++i) {
-                bounds.height_min_m = std::min(bounds.height_min_m, tile.height.at(i, j));
-                bounds.height_max_m = std::max(bounds.height_max_m, tile.height.at(i, j));
-                bounds.sideways_x_max_m = std::max(bounds.sideways_x_max_m, std::fabs(tile.dx.at(i, j)));
-                bounds.sideways_z_max_m = std::max(bounds.sideways_z_max_m, std::fabs(tile.dz.at(i, j)));
+                bounds.height_min_m = std::min(bounds.height_min_m, cascade.height.at(i, j));
+                bounds.height_max_m = std::max(bounds.height_max_m, cascade.height.at(i, j));
+                bounds.sideways_x_max_m = std::max(bounds.sideways_x_max_m, std::fabs(cascade.dx.at(i, j)));
+                bounds.sideways_z_max_m = std::max(bounds.sideways_z_max_m, std::fabs(cascade.dz.at(i, j)));
             }
         }
         frame_.bounds.height_min_m += bounds.height_min_m;
         frame_.bounds.height_max_m += bounds.height_max_m;
         frame_.bounds.sideways_x_max_m += bounds.sideways_x_max_m;
         frame_.bounds.sideways_z_max_m += bounds.sideways_z_max_m;
-        tiles_.push_back(tile);
+        cascades_.push_back(cascade);
     }
 
     void finish(const SeaState& sea, Isa isa) {
         std::vector<SqueezeMap*> maps;
-        for (const Tile& tile : tiles_) maps.push_back(&squeeze_.emplace_back(tile.resolution()));
-        SqueezeMap::update(tiles_, maps, kernels_for(isa));
+        for (const Cascade& cascade : cascades_) maps.push_back(&squeeze_.emplace_back(cascade.resolution()));
+        SqueezeMap::update(cascades_, maps, kernels_for(isa));
         frame_.sea = sea;
         frame_.isa = isa;
-        frame_.tiles = tiles_;
+        frame_.cascades = cascades_;
     }
 
     std::deque<AlignedBuffer<float>> planes_;
     std::deque<SqueezeMap> squeeze_;
-    std::vector<Tile> tiles_;
+    std::vector<Cascade> cascades_;
     Frame frame_;
 };
 

@@ -1,17 +1,17 @@
-#include "pelagic/sim/surface/tile_sum.hpp"
+#include "pelagic/sim/surface/cascade_sum.hpp"
 
 #include <cmath>
 
 namespace pelagic {
 
-Displacement displacement_of(const Tile& tile, double x_m, double z_m) {
-    const TileLattice::Place place = tile.lattice.in_tile(x_m, z_m);
-    const double texels_per_m = tile.resolution() / tile.lattice.side_m;
+Displacement displacement_of(const Cascade& cascade, double x_m, double z_m) {
+    const CascadeLattice::Place place = cascade.lattice.in_cascade(x_m, z_m);
+    const double texels_per_m = cascade.resolution() / cascade.lattice.side_m;
     const double x = place.along * texels_per_m, z = place.across * texels_per_m;
     const double column = std::floor(x), row = std::floor(z);
     const double right = x - column, down = z - row;
     // The resolution is a power of two, so a mask wraps negative texels too.
-    const int mask = tile.resolution() - 1;
+    const int mask = cascade.resolution() - 1;
     const int i0 = static_cast<int>(static_cast<long long>(column) & mask), i1 = (i0 + 1) & mask;
     const int j0 = static_cast<int>(static_cast<long long>(row) & mask), j1 = (j0 + 1) & mask;
     const auto between = [&](const PlaneView& plane) {
@@ -20,13 +20,13 @@ Displacement displacement_of(const Tile& tile, double x_m, double z_m) {
         const double lower = at(i0, j1) + right * (at(i1, j1) - at(i0, j1));
         return upper + down * (lower - upper);
     };
-    return {between(tile.dx), between(tile.height), between(tile.dz)};
+    return {between(cascade.dx), between(cascade.height), between(cascade.dz)};
 }
 
 Displacement displacement_of(const Frame& frame, double x_m, double z_m) {
     Displacement sum;
-    for (const Tile& tile : frame.tiles) {
-        const Displacement part = displacement_of(tile, x_m, z_m);
+    for (const Cascade& cascade : frame.cascades) {
+        const Displacement part = displacement_of(cascade, x_m, z_m);
         sum.dx += part.dx;
         sum.height += part.height;
         sum.dz += part.dz;

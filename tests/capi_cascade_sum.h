@@ -1,23 +1,23 @@
-/* docs/library.md's way of adding tiles, as a host would write it in C. */
-#ifndef PELAGIC_TESTS_CAPI_TILE_SUM_H
-#define PELAGIC_TESTS_CAPI_TILE_SUM_H
+/* docs/library.md's way of adding cascades, as a host would write it in C. */
+#ifndef PELAGIC_TESTS_CAPI_CASCADE_SUM_H
+#define PELAGIC_TESTS_CAPI_CASCADE_SUM_H
 
 #include <math.h>
 #include <pelagic/pelagic.h>
 
-/* Adds what a tile says about the water that rests at (x, z), as a GPU's filter reads it: h_x, h_z, D_xx, D_zz, D_xz, and the
+/* Adds what a cascade says about the water that rests at (x, z), as a GPU's filter reads it: h_x, h_z, D_xx, D_zz, D_xz, and the
  * variances var_xx, var_zz, cov_xz. */
-static inline void add_slopes(const pelagic_tile* tile, double x, double z, double sum[8]) {
-    const int n = tile->resolution;
-    const double u = (tile->cosine * x + tile->sine * z) * n / tile->side_m;
-    const double v = (tile->cosine * z - tile->sine * x) * n / tile->side_m;
+static inline void add_slopes(const pelagic_cascade* cascade, double x, double z, double sum[8]) {
+    const int n = cascade->resolution;
+    const double u = (cascade->cosine * x + cascade->sine * z) * n / cascade->side_m;
+    const double v = (cascade->cosine * z - cascade->sine * x) * n / cascade->side_m;
     for (int part = 0; part < 32; ++part) {
         const int byte = part % 8; /* of one of the four texels around */
         const double i = floor(u) + part / 8 % 2, j = floor(v) + part / 16;
         const size_t texel = (size_t)((int64_t)j & (n - 1)) * (size_t)n + (size_t)((int64_t)i & (n - 1));
-        const uint32_t word = (byte < 4 ? tile->slopes_rgba8 : tile->moments_rgba8)[texel];
+        const uint32_t word = (byte < 4 ? cascade->slopes_rgba8 : cascade->moments_rgba8)[texel];
         const int value = (int)(word >> byte % 4 * 8 & 255);
-        const double range = byte < 5 ? tile->slope_range : tile->variance_range;
+        const double range = byte < 5 ? cascade->slope_range : cascade->variance_range;
         const double amount = byte == 5 || byte == 6 ? value / 255.0 : (value - 128) / 127.0;
         sum[byte] += (1 - fabs(u - i)) * (1 - fabs(v - j)) * range * amount;
     }

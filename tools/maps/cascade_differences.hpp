@@ -1,11 +1,11 @@
-// How a tile's surface changes from texel to texel, in plain C++ with the bits of sim/kernels/gradients.kernel.hpp.
+// How a cascade's surface changes from texel to texel, in plain C++ with the bits of sim/kernels/gradients.kernel.hpp.
 #pragma once
 
 #include <cmath>
 #include <cstddef>
 #include <vector>
 
-#include "pelagic/sim/tile.hpp"
+#include "pelagic/sim/cascade.hpp"
 
 namespace pelagic::tools {
 
@@ -41,7 +41,7 @@ class NeighbourRows {
         plane_.copy_row(row, rows_.data() + side());
         plane_.copy_row((row + 1) % n, rows_.data() + 2 * side());
     }
-    /// Along the tile's own axes.
+    /// Along the cascade's own axes.
     Difference at(std::size_t column) const {
         const std::size_t n = side(), last = n - 1;  // a power of two, less one
         const float *above = rows_.data(), *here = above + n, *below = here + n;
@@ -55,18 +55,18 @@ class NeighbourRows {
     std::vector<float> rows_;
 };
 
-/// Calls take(differences) for each texel, row by row from row 0. The tile repeats, so its edges have neighbours.
+/// Calls take(differences) for each texel, row by row from row 0. The cascade repeats, so its edges have neighbours.
 template <class Take>
-void for_each_difference(const Tile& tile, Take take) {
-    const auto cosine = static_cast<float>(tile.lattice.cosine), sine = static_cast<float>(tile.lattice.sine);
+void for_each_difference(const Cascade& cascade, Take take) {
+    const auto cosine = static_cast<float>(cascade.lattice.cosine), sine = static_cast<float>(cascade.lattice.sine);
     const auto in_world = [&](Difference along) -> Difference {
-        if (!tile.lattice.is_turned()) return along;
+        if (!cascade.lattice.is_turned()) return along;
         return {along.x * cosine - along.z * sine, along.x * sine + along.z * cosine};
     };
-    NeighbourRows dx(tile.dx), height(tile.height), dz(tile.dz);
-    for (int row = 0; row < tile.resolution(); ++row) {
+    NeighbourRows dx(cascade.dx), height(cascade.height), dz(cascade.dz);
+    for (int row = 0; row < cascade.resolution(); ++row) {
         for (NeighbourRows* plane : {&dx, &height, &dz}) plane->go_to_row(row);
-        for (std::size_t column = 0; column < static_cast<std::size_t>(tile.resolution()); ++column)
+        for (std::size_t column = 0; column < static_cast<std::size_t>(cascade.resolution()); ++column)
             take(TexelDifferences{in_world(dx.at(column)), in_world(height.at(column)), in_world(dz.at(column))});
     }
 }

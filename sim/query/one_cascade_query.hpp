@@ -1,4 +1,4 @@
-// Queries of a frame of one tile.
+// Queries of a frame of one cascade.
 #pragma once
 
 #include "pelagic/sim/query/point_chunk.hpp"
@@ -6,16 +6,16 @@
 
 namespace pelagic {
 
-class OneTileQuery {
+class OneCascadeQuery {
    public:
-    OneTileQuery(const Tile& tile, const Kernels& kernels, const SurfaceQueryOptions& options);
+    OneCascadeQuery(const Cascade& cascade, const Kernels& kernels, const SurfaceQueryOptions& options);
 
     /// Each point of a chunk becomes a cell of the patch and a place in it.
     void place(PointChunk& chunk) const;
     void find_rest_points(PointChunk& chunk) const;
     /// Reads the frame at the rest points.
     void read(const SampleSurfaceJob::Outputs& outputs, PointChunk& chunk) const;
-    /// \param foam  of the chunk's points \pre the tile has foam
+    /// \param foam  of the chunk's points \pre the cascade has foam
     void read_foam(const PointChunk& chunk, std::span<float> foam) const;
 
    private:
@@ -25,7 +25,7 @@ class OneTileQuery {
     Sheet highest_cubic_sheet(int cell_x, double u, int cell_z, double v) const;
 
     const Kernels& kernels_;
-    const Tile& tile_;
+    const Cascade& cascade_;
     Interpolation interpolation_;
     double texel_m_;
     float target_;  ///< where the search stops, in texels

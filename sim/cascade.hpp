@@ -50,11 +50,11 @@ constexpr std::size_t mip_offset(int resolution, int level) {
     return all - from_here;
 }
 
-/// Where the texels of a tile rest. Its lattice may be turned against the world: texel (i, j), N being the resolution,
+/// Where the texels of a cascade rest. Its lattice may be turned against the world: texel (i, j), N being the resolution,
 /// rests at x = (c i - s j) L/N, z = (s i + c j) L/N, c and s being the turn's cosine and sine. What the texels hold is in the
 /// world's axes, whatever the turn.
-struct TileLattice {
-    double side_m = 0;            ///< L, the tile repeats after this length along both of its axes
+struct CascadeLattice {
+    double side_m = 0;            ///< L, the cascade repeats after this length along both of its axes
     double cosine = 1, sine = 0;  ///< of the turn, from +x towards +z
 
     bool is_turned() const { return sine != 0; }
@@ -62,16 +62,16 @@ struct TileLattice {
     struct Place {
         double along, across;
     };
-    /// A place of the world along the tile's own axes, metres.
-    Place in_tile(double x_m, double z_m) const { return {cosine * x_m + sine * z_m, cosine * z_m - sine * x_m}; }
+    /// A place of the world along the cascade's own axes, metres.
+    Place in_cascade(double x_m, double z_m) const { return {cosine * x_m + sine * z_m, cosine * z_m - sine * x_m}; }
     /// The other way round: x and z.
     Place in_world(double along_m, double across_m) const {
         return {cosine * along_m - sine * across_m, sine * along_m + cosine * across_m};
     }
 };
 
-/// How much a tile squeezes the water together, for queries of frames with several tiles (surface/squeeze_map.hpp).
-struct TileSqueeze {
+/// How much a cascade squeezes the water together, for queries of frames with several cascades (surface/squeeze_map.hpp).
+struct CascadeSqueeze {
     static constexpr int one = 160;  ///< bytes are parts of this; the largest byte means that or anything more
 
     /// By blocks of 2 x 2 cells, (N/2)^2 of them; then of 4 x 4, and so on to one byte for all.
@@ -88,37 +88,37 @@ struct TileSqueeze {
     bool empty() const { return blocks.empty(); }
 };
 
-/// What a tile of one frame holds, as views into the ocean that made it.
-struct Tile {
-    TileLattice lattice;
+/// What a cascade of one frame holds, as views into the ocean that made it.
+struct Cascade {
+    CascadeLattice lattice;
     PlaneView dx, height, dz;  ///< metres, in the world's axes
     /// How fast the water drawn at a texel moves: the derivatives of dx, height and dz in time, metres a second. No data
     /// unless OceanOptions::velocities.
     PlaneView velocity_x, velocity_y, velocity_z;
     /// Where the surface may lie over itself, for surface queries (surface/fold_map.hpp). Empty unless
-    /// OceanOptions::queries, and where a frame has several tiles.
+    /// OceanOptions::queries, and where a frame has several cascades.
     std::span<const std::uint8_t> folds;
-    TileSqueeze squeeze;  ///< instead of folds, where a frame has several tiles
+    CascadeSqueeze squeeze;  ///< instead of folds, where a frame has several cascades
     /// resolution^2 texels of four IEEE half floats: Dx, height, Dz, foam (0 none to 1 covered). Rows are tight.
     std::span<const std::uint16_t> displacement_rgba16f;
     /// The chain of mip_levels() levels, one texel a word: normal x, normal z, Jacobian, smoothness from the lowest
-    /// byte up (VR Ocean, equations 50 and 51); level m starts at mip_offset(resolution, m). Of the tile alone: normals of a
-    /// sum are no sums of normals. Empty in a frame of several tiles unless OceanOptions::gradients.
+    /// byte up (VR Ocean, equations 50 and 51); level m starts at mip_offset(resolution, m). Of the cascade alone: normals of a
+    /// sum are no sums of normals. Empty in a frame of several cascades unless OceanOptions::gradients.
     std::span<const std::uint32_t> gradient_rgba8;
-    /// Two chains like it, of slopes that add to other tiles' and of how much they vary within a texel: slope_sum.hpp says
-    /// what the bytes mean and how to get a normal. Empty in a frame of one tile unless OceanOptions::slopes.
+    /// Two chains like it, of slopes that add to other cascades' and of how much they vary within a texel: slope_sum.hpp says
+    /// what the bytes mean and how to get a normal. Empty in a frame of one cascade unless OceanOptions::slopes.
     std::span<const std::uint32_t> slopes_rgba8, moments_rgba8;
     SlopeRanges slope_ranges;
     /// The chain of mip_levels() levels of foam, one byte a texel, 0 none to 255 covered: what breaks now and what is left of
     /// earlier. Empty unless OceanOptions::foam. As a part of 1 it is the fourth of the half floats.
     std::span<const std::uint8_t> foam_r8;
-    /// Of h_x plus of h_z over the whole tile, as the chains' last level has it, also where they are in memory of the host's
+    /// Of h_x plus of h_z over the whole cascade, as the chains' last level has it, also where they are in memory of the host's
     /// (texture_targets.hpp); 0 without slopes.
     double slope_variance = 0;
     FrameBounds bounds;  ///< exact, not estimates
-    /// Water of the Jacobian J of the tile makes foam of clamp(1/2 + (whitecap_jacobian - J) / whitecap_ramp, 0, 1): as much of it,
-    /// in the mean over time and while it lasts, as whitecaps cover in that wind (spectrum/whitecaps.hpp), tiles together.
-    /// no_whitecaps where the tile makes none.
+    /// Water of the Jacobian J of the cascade makes foam of clamp(1/2 + (whitecap_jacobian - J) / whitecap_ramp, 0, 1): as much of it,
+    /// in the mean over time and while it lasts, as whitecaps cover in that wind (spectrum/whitecaps.hpp), cascades together.
+    /// no_whitecaps where the cascade makes none.
     float whitecap_jacobian = 0;
     float whitecap_ramp = 1;  ///< above 0
     static constexpr float no_whitecaps = -10;

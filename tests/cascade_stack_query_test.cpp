@@ -1,4 +1,4 @@
-// Queries of several tiles held against an oracle that looks everywhere, in double.
+// Queries of several cascades held against an oracle that looks everywhere, in double.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,21 +16,21 @@
 #include "pelagic/tests/oracle/stack_oracle.hpp"
 #include "pelagic/tests/query_points.hpp"
 #include "pelagic/tests/sanitized.hpp"
-#include "pelagic/tests/tile_stack.hpp"
+#include "pelagic/tests/cascade_stack.hpp"
 
 namespace pelagic {
 namespace {
 
 double significant_wave_height_m(const Frame& frame) {
     double variance = 0;
-    for (const Tile& tile : frame.tiles) {
+    for (const Cascade& cascade : frame.cascades) {
         double sum = 0;
-        for (int texel = 0; texel < tile.resolution() * tile.resolution(); ++texel) {
+        for (int texel = 0; texel < cascade.resolution() * cascade.resolution(); ++texel) {
             const double height =
-                static_cast<double>(tile.height.at(texel % tile.resolution(), texel / tile.resolution()));
+                static_cast<double>(cascade.height.at(texel % cascade.resolution(), texel / cascade.resolution()));
             sum += height * height;
         }
-        variance += sum / (tile.resolution() * tile.resolution());
+        variance += sum / (cascade.resolution() * cascade.resolution());
     }
     return 4 * std::sqrt(variance);
 }
@@ -73,13 +73,13 @@ std::size_t expect_as_oracle(const Frame& frame, const Points& points, bool is_f
     return folded;
 }
 
-TEST(TileStackQuery, AnswersAsTheOracleForTwoToFourTurnedTiles) {
-    for (const std::size_t tiles : {2, 3, 4}) {
+TEST(CascadeStackQuery, AnswersAsTheOracleForTwoToFourTurnedCascades) {
+    for (const std::size_t cascades : {2, 3, 4}) {
         for (const double wind_mps : {5.0, 12.0, 25.0}) {
             for (const double choppiness : {0.0, 0.8, 1.0}) {
-                SCOPED_TRACE(std::to_string(tiles) + " tiles, " + std::to_string(wind_mps) + " m/s, choppiness " +
+                SCOPED_TRACE(std::to_string(cascades) + " cascades, " + std::to_string(wind_mps) + " m/s, choppiness " +
                              std::to_string(choppiness));
-                const TileStack stack(TileStack::of_scales(tiles, wind_mps, choppiness, 5, 64), 3.7);
+                const CascadeStack stack(CascadeStack::of_scales(cascades, wind_mps, choppiness, 5, 64), 3.7);
                 expect_as_oracle(stack.frame(), random_points(is_sanitized ? 10 : 600, 3000, 4), false);
             }
         }
@@ -87,17 +87,17 @@ TEST(TileStackQuery, AnswersAsTheOracleForTwoToFourTurnedTiles) {
 }
 
 /// The same with its displacements several times as large: it folds.
-std::vector<TileStack::Part> exaggerated(std::vector<TileStack::Part> parts, double factor) {
-    for (TileStack::Part& part : parts) part.factor *= factor;
+std::vector<CascadeStack::Part> exaggerated(std::vector<CascadeStack::Part> parts, double factor) {
+    for (CascadeStack::Part& part : parts) part.factor *= factor;
     return parts;
 }
 
-TEST(TileStackQuery, OfSheetsOverOneAnotherTheHighestCounts) {
+TEST(CascadeStackQuery, OfSheetsOverOneAnotherTheHighestCounts) {
     std::size_t folded = 0;
-    for (const std::size_t tiles : {2, 3, 4}) {
+    for (const std::size_t cascades : {2, 3, 4}) {
         for (const double factor : {6.0, 12.0, 20.0}) {
-            SCOPED_TRACE(std::to_string(tiles) + " tiles, " + std::to_string(factor) + " times as steep");
-            const TileStack stack(exaggerated(TileStack::of_scales(tiles, 12, 1, 9, 32), factor), 2);
+            SCOPED_TRACE(std::to_string(cascades) + " cascades, " + std::to_string(factor) + " times as steep");
+            const CascadeStack stack(exaggerated(CascadeStack::of_scales(cascades, 12, 1, 9, 32), factor), 2);
             folded += expect_as_oracle(stack.frame(), random_points(is_sanitized ? 5 : 300, 300, 6), true);
         }
     }
@@ -105,13 +105,13 @@ TEST(TileStackQuery, OfSheetsOverOneAnotherTheHighestCounts) {
 }
 
 /// Bits don't depend on the batch, the order, the thread or the instruction set.
-TEST(TileStackQuery, AnswersHaveTheSameBitsHoweverTheyAreAsked) {
+TEST(CascadeStackQuery, AnswersHaveTheSameBitsHoweverTheyAreAsked) {
     const std::size_t count = 1000;
     const Points points = random_points(count, 2000, 8);
     for (const double factor : {1.0, 4.0}) {
         std::vector<Samples> of_isas;
         for (const Isa isa : isas_here()) {
-            const TileStack stack(exaggerated(TileStack::of_scales(4, 12, 1, 2, 32), factor), 5, isa);
+            const CascadeStack stack(exaggerated(CascadeStack::of_scales(4, 12, 1, 2, 32), factor), 5, isa);
             const SurfaceQuery query(stack.frame());
             Samples together(count);
             query.sample(points.view(), together.view());
@@ -136,8 +136,8 @@ TEST(TileStackQuery, AnswersHaveTheSameBitsHoweverTheyAreAsked) {
     }
 }
 
-TEST(TileStackQuery, APlaceThatIsNoneIsNotConverged) {
-    const TileStack stack(TileStack::of_scales(3, 12, 1, 2, 32), 5);
+TEST(CascadeStackQuery, APlaceThatIsNoneIsNotConverged) {
+    const CascadeStack stack(CascadeStack::of_scales(3, 12, 1, 2, 32), 5);
     const double infinity = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
     const Points points{{infinity, -infinity, nan, 0, 1e300, 3, 1e9}, {0, 0, 0, nan, 0, 4, -1e9}};
     Samples samples(7);
@@ -151,8 +151,8 @@ TEST(TileStackQuery, APlaceThatIsNoneIsNotConverged) {
     EXPECT_TRUE(samples.converged[6]) << "a million kilometres away";
 }
 
-TEST(TileStackQuery, ErrorIsHonestWhereTheToleranceIsBeyondFloat) {
-    const TileStack stack(TileStack::of_scales(3, 12, 1, 2, 32), 5);
+TEST(CascadeStackQuery, ErrorIsHonestWhereTheToleranceIsBeyondFloat) {
+    const CascadeStack stack(CascadeStack::of_scales(3, 12, 1, 2, 32), 5);
     const Points points = random_points(500, 1000, 5);
     Samples samples(500);
     SurfaceQuery(stack.frame(), 1e-12).sample(points.view(), samples.view());
@@ -162,16 +162,16 @@ TEST(TileStackQuery, ErrorIsHonestWhereTheToleranceIsBeyondFloat) {
     }
 }
 
-TEST(TileStackQuery, SaysThatAFrameOfSeveralTilesLacksWhatQueriesNeed) {
+TEST(CascadeStackQuery, SaysThatAFrameOfSeveralCascadesLacksWhatQueriesNeed) {
     Ocean plain({.cascades = 3, .resolution = 32}, {.executor = make_serial_executor()});
     EXPECT_THROW(SurfaceQuery(plain.frame_at(0)), std::invalid_argument);
     Ocean asked({.cascades = 3, .resolution = 32}, {.executor = make_serial_executor(), .queries = true});
     const SurfaceQuery query(asked.frame_at(0));
-    EXPECT_EQ(query.texel_m(), asked.frame_at(0).tiles[2].texel_m());
+    EXPECT_EQ(query.texel_m(), asked.frame_at(0).cascades[2].texel_m());
 }
 
-/// What a sea of the default tiles asks its queries, from calm to storm; every preset.
-TEST(TileStackQuery, AnswersAsTheOracleOnEveryPreset) {
+/// What a sea of the default cascades asks its queries, from calm to storm; every preset.
+TEST(CascadeStackQuery, AnswersAsTheOracleOnEveryPreset) {
     unsigned seed = 0;
     for (const SeaPreset& preset : sea_presets()) {
         SCOPED_TRACE(preset.name);
@@ -185,12 +185,12 @@ TEST(TileStackQuery, AnswersAsTheOracleOnEveryPreset) {
     EXPECT_GT(seed, 5u);
 }
 
-TEST(TileStackQuery, WhereTheSqueezeMapSaysSoThereIsOneSheet) {
+TEST(CascadeStackQuery, WhereTheSqueezeMapSaysSoThereIsOneSheet) {
     std::size_t proven = 0, folded = 0;
     for (const double factor : {8.0, 24.0, 40.0}) {
-        std::vector<TileStack::Part> parts = TileStack::of_scales(2, 12, 1, 4, 32);
+        std::vector<CascadeStack::Part> parts = CascadeStack::of_scales(2, 12, 1, 4, 32);
         parts[0].factor = factor;
-        const TileStack stack(parts, 5);
+        const CascadeStack stack(parts, 5);
         const oracle::Stack oracle(stack.frame());
         const Points points = random_points(is_sanitized ? 200 : 1500, 1000, 2);
         for (std::size_t i = 0; i < points.x.size(); ++i) {
@@ -199,15 +199,15 @@ TEST(TileStackQuery, WhereTheSqueezeMapSaysSoThereIsOneSheet) {
             for (const oracle::StackSheet& sheet : sheets) {
                 int sum = 0;
                 bool is_within = true;
-                for (const Tile& tile : stack.frame().tiles) {
-                    const auto [along, across] = tile.lattice.in_tile(sheet.x_m, sheet.z_m);
-                    const int half = tile.resolution() / 2;
+                for (const Cascade& cascade : stack.frame().cascades) {
+                    const auto [along, across] = cascade.lattice.in_cascade(sheet.x_m, sheet.z_m);
+                    const int half = cascade.resolution() / 2;
                     const auto block = [&](double place_m) {
-                        return static_cast<int>(std::floor(place_m / tile.texel_m() / 2)) & (half - 1);
+                        return static_cast<int>(std::floor(place_m / cascade.texel_m() / 2)) & (half - 1);
                     };
-                    sum += tile.squeeze.around[static_cast<std::size_t>(block(across) * half + block(along))];
-                    const bool is_last = &tile == &stack.frame().tiles.back();
-                    is_within &= sum <= TileSqueeze::one * (1 - (is_last ? SqueezeMap::least_slack_of_all
+                    sum += cascade.squeeze.around[static_cast<std::size_t>(block(across) * half + block(along))];
+                    const bool is_last = &cascade == &stack.frame().cascades.back();
+                    is_within &= sum <= CascadeSqueeze::one * (1 - (is_last ? SqueezeMap::least_slack_of_all
                                                                          : SqueezeMap::least_slack));
                 }
                 proven += is_within;
@@ -250,14 +250,14 @@ std::optional<BruteForceHit> brute_force_hit(const SurfaceQuery& query, const Su
     return {};
 }
 
-TEST(TileStackRay, FirstHitIsTheOneOfSmallSteps) {
+TEST(CascadeStackRay, FirstHitIsTheOneOfSmallSteps) {
     int hits = 0, misses = 0, from_below = 0;
-    for (const std::size_t tiles : {2, 3, 4}) {
+    for (const std::size_t cascades : {2, 3, 4}) {
         for (const double choppiness : {0.8, 1.0}) {
-            const TileStack stack(TileStack::of_scales(tiles, 12, choppiness, 3, 32), 6);
+            const CascadeStack stack(CascadeStack::of_scales(cascades, 12, choppiness, 3, 32), 6);
             const SurfaceQuery query(stack.frame());
             const double top_m = static_cast<double>(stack.frame().bounds.height_max_m);
-            std::mt19937 random(static_cast<unsigned>(tiles));
+            std::mt19937 random(static_cast<unsigned>(cascades));
             std::uniform_real_distribution<double> sideways(-1, 1);
             for (int i = 0; i < (is_sanitized ? 5 : 60); ++i) {
                 const double angle = 3.14159 * sideways(random), down = i % 5 == 0 ? 0 : 0.2 * sideways(random);
@@ -283,11 +283,11 @@ TEST(TileStackRay, FirstHitIsTheOneOfSmallSteps) {
 }
 
 // What lets rays skip: between any two places the heights may differ by so much and no more, and it is no idle bound.
-TEST(TileStackRay, HeightsDifferByNoMoreThanTheBound) {
+TEST(CascadeStackRay, HeightsDifferByNoMoreThanTheBound) {
     for (const double factor : {1.0, 6.0}) {
-        const TileStack stack(exaggerated(TileStack::of_scales(3, 12, 1, 3, 32), factor), 6);
+        const CascadeStack stack(exaggerated(CascadeStack::of_scales(3, 12, 1, 3, 32), factor), 6);
         const SurfaceQuery query(stack.frame());
-        const HeightChange change(stack.frame().tiles);
+        const HeightChange change(stack.frame().cascades);
         std::mt19937 random(5);
         std::uniform_real_distribution<double> sideways(-1, 1);
         double closest = 0;

@@ -1,0 +1,19 @@
+// A frame that no ocean made: one cascade, which a test fills in.
+#pragma once
+
+#include "pelagic/sim/frame.hpp"
+
+namespace pelagic {
+
+struct OneCascadeFrame {
+    OneCascadeFrame() { frame.cascades = {&cascade, 1}; }
+    OneCascadeFrame(const OneCascadeFrame&) = delete;
+    OneCascadeFrame& operator=(const OneCascadeFrame&) = delete;
+
+    void set_bounds(const FrameBounds& bounds) { frame.bounds = cascade.bounds = bounds; }
+
+    Cascade cascade;
+    Frame frame;
+};
+
+}  // namespace pelagic
