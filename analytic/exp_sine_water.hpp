@@ -83,7 +83,7 @@ class ExpSineWater {
    public:
     /// Throws std::invalid_argument with check(sea)'s line, or for an instruction set that this CPU lacks.
     explicit ExpSineWater(const ExpSineSea& sea, std::optional<Isa> isa = {});
-    /// Of octaves that were moved onto a lattice, for instance. \pre 1 to 64 finite ones (asserted)
+    /// Of octaves that were moved onto a grid, for instance. \pre 1 to 64 finite ones (asserted)
     static ExpSineWater of(std::vector<ExpSineOctave> octaves, std::optional<Isa> isa = {});
     ~ExpSineWater();
     ExpSineWater(ExpSineWater&&) noexcept;

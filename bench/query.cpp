@@ -37,7 +37,7 @@ struct Scene {
           x(count),
           z(count) {
         std::mt19937 random(1);
-        const double side_m = frame.cascades[0].lattice.side_m;
+        const double side_m = frame.cascades[0].grid.side_m;
         std::uniform_real_distribution<double> anywhere(-side_m, 2 * side_m);
         const double spacing = frame.cascades.back().texel_m() / 4;
         for (std::size_t i = 0; i < count; ++i) {

@@ -135,7 +135,7 @@ pelagic_frame c_frame_of(const Frame& frame) {
     const Cascade& first = frame.cascades.front();
     write_surface(first, out);
     out.time_s = frame.time_s;
-    out.patch_size_m = first.lattice.side_m;
+    out.patch_size_m = first.grid.side_m;
     if (!first.gradient_rgba8.empty()) {
         out.gradient_levels = mip_levels(first.resolution());
         write_offsets(first.resolution(), out.gradient_offset);
@@ -151,9 +151,9 @@ pelagic_frame c_frame_of(const Frame& frame) {
 pelagic_cascade c_cascade_of(const Cascade& cascade) {
     pelagic_cascade out{};
     write_surface(cascade, out);
-    out.side_m = cascade.lattice.side_m;
-    out.cosine = cascade.lattice.cosine;
-    out.sine = cascade.lattice.sine;
+    out.side_m = cascade.grid.side_m;
+    out.cosine = cascade.grid.cosine;
+    out.sine = cascade.grid.sine;
     out.slopes_rgba8 = cascade.slopes_rgba8.data();
     out.moments_rgba8 = cascade.moments_rgba8.data();
     out.slope_range = cascade.slope_ranges.slope;

@@ -660,7 +660,7 @@ PELAGIC_API pelagic_status pelagic_rain_defaults(pelagic_rain* rain);
 /* It rains so from the next tick on, until another rain is set. Saved with the water. */
 PELAGIC_API pelagic_status pelagic_ocean_set_rain(pelagic_ocean* ocean, const pelagic_rain* rain);
 
-/* What adds to the cascades where water is drawn, at x = rest x + Dx, z alike. Texel (i, j) of the world's lattice stands at
+/* What adds to the cascades where water is drawn, at x = rest x + Dx, z alike. Texel (i, j) of the world's grid stands at
  * x = i texel_m, z = j texel_m, in column i mod N of row j mod N; the grid has first_x <= i < first_x + N. */
 typedef struct pelagic_dynamic_waves_view {
     uint32_t struct_size;
@@ -743,7 +743,7 @@ PELAGIC_API pelagic_status pelagic_ocean_shore_hash(const pelagic_ocean* ocean, 
  * ocean. It is set on the thread that calls the ocean's functions, and what it is then counts from the next schedule on. */
 typedef struct pelagic_input pelagic_input;
 
-/* A batch of Gerstner waves in deep water. Each goes to the nearest place of the lattice of the cascade that takes waves of its length,
+/* A batch of Gerstner waves in deep water. Each goes to the nearest place of the grid of the cascade that takes waves of its length,
  * with a whole number of periods in a loop. */
 typedef struct pelagic_waves {
     uint32_t struct_size;
@@ -834,7 +834,7 @@ typedef struct pelagic_samples {
     uint32_t reserved; /* 0 */
     float* height_m;
     float *normal_x, *normal_y, *normal_z; /* unit normal of the displaced surface */
-    float* jacobian;                       /* 1 at rest, small at sharp crests, negative where turned over */
+    float* jacobian;                       /* 1 at rest, small at sharp crests, negative where overturned */
     float *velocity_x_mps, *velocity_y_mps, *velocity_z_mps; /* of the water there; with the velocities option */
     float* error_m;                                          /* how far sideways of the point the sample is drawn */
     uint8_t* converged;                                      /* 1 if that is within the tolerance */

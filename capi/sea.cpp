@@ -75,7 +75,7 @@ SeaState one_cascade(SeaState sea, double side_m) {
 }
 
 /// Four peak wavelengths, or so, instead of sixteen: a cascade that stands alone needs the short waves too.
-double lone_side_m(const SeaState& sea) { return plan_cascades(sea).front().lattice.side_m / 4; }
+double lone_side_m(const SeaState& sea) { return plan_cascades(sea).front().grid.side_m / 4; }
 
 std::string preset_names() {
     std::string names;

@@ -41,7 +41,7 @@ Ripple ripple_of(const pelagic_ripple* pointer) {
 
 pelagic_input_rows c_rows_of(const InputRows& rows) {
     const InputMoment& moment = rows.moment;
-    const CascadeLattice& lattice = rows.lattice();
+    const CascadeGrid& grid = rows.grid();
     pelagic_input_rows out{};
     out.struct_size = sizeof out;
     out.cascade = static_cast<std::int32_t>(rows.cascade);
@@ -49,9 +49,9 @@ pelagic_input_rows c_rows_of(const InputRows& rows) {
     out.loop_period_s = moment.loop_period_s;
     out.loop_turns = moment.loop_turns;
     out.is_tick = moment.place == 0 ? 0 : 1;
-    out.side_m = lattice.side_m;
-    out.cosine = lattice.cosine;
-    out.sine = lattice.sine;
+    out.side_m = grid.side_m;
+    out.cosine = grid.cosine;
+    out.sine = grid.sine;
     out.resolution = moment.resolution;
     out.first_row = static_cast<std::int32_t>(rows.first_row);
     out.row_count = static_cast<std::int32_t>(rows.row_count);

@@ -89,11 +89,11 @@ void place_below(SceneBlock& block, const DrawInput& input, const SeaFacts& sea,
     place_crests(block, sea, viewer);
     block.caustic_row[0].w = static_cast<float>(caustics.depth_m);
     if (caustics.side_m > 0) {
-        const CascadeLattice lattice{caustics.side_m, caustics.cosine, caustics.sine};
-        const CascadeLattice::Place at = lattice.in_cascade(viewer.x, viewer.y);
-        const auto part = [&](double value) { return value / lattice.side_m - std::floor(value / lattice.side_m); };
-        block.caustic_place = {part(at.along), part(at.across), lattice.cosine / lattice.side_m,
-                               lattice.sine / lattice.side_m};
+        const CascadeGrid grid{caustics.side_m, caustics.cosine, caustics.sine};
+        const CascadeGrid::Place at = grid.in_cascade(viewer.x, viewer.y);
+        const auto part = [&](double value) { return value / grid.side_m - std::floor(value / grid.side_m); };
+        block.caustic_place = {part(at.along), part(at.across), grid.cosine / grid.side_m,
+                               grid.sine / grid.side_m};
     }
 }
 

@@ -66,7 +66,7 @@ double blur_of(const Frame& frame, const Cascade& cascade, double depth_m) {
     double variance = frame.figures.unresolved_slopes.total();
     for (const Cascade* finer = &cascade + 1; finer < frame.cascades.data() + frame.cascades.size(); ++finer)
         variance += finer->slope_variance;
-    return depth_m * (1 - 1 / water_index) * std::sqrt(0.5 * variance) / (cascade.lattice.side_m / side);
+    return depth_m * (1 - 1 / water_index) * std::sqrt(0.5 * variance) / (cascade.grid.side_m / side);
 }
 
 }  // namespace
@@ -148,9 +148,9 @@ struct CausticsBaker::State {
         making.options = options;
         const Cascade& chosen = cascade_for(frame, options.depth_m);
         cascade = chosen;
-        making.lattice = cascade.lattice;
+        making.grid = cascade.grid;
         const glm::vec3 sun = as_high_as_needed(options.sun);
-        const auto c = static_cast<float>(cascade.lattice.cosine), s = static_cast<float>(cascade.lattice.sine);
+        const auto c = static_cast<float>(cascade.grid.cosine), s = static_cast<float>(cascade.grid.sine);
         sun_in_cascade = {c * sun.x + s * sun.z, sun.y, c * sun.z - s * sun.x};
         const double sigma = std::min(blur_of(frame, chosen, options.depth_m), most_radius / 2.5);
         float sum = 0;
@@ -176,7 +176,7 @@ struct CausticsBaker::State {
                 rows[2 * plane + k].resize(static_cast<std::size_t>(n));
                 planes[plane]->copy_row((upper + static_cast<int>(k)) % n, rows[2 * plane + k].data());
             }
-        const auto c = static_cast<float>(cascade.lattice.cosine), s = static_cast<float>(cascade.lattice.sine);
+        const auto c = static_cast<float>(cascade.grid.cosine), s = static_cast<float>(cascade.grid.sine);
         for (int i = 0; i < side; ++i) {
             const double x = static_cast<double>(i) * n / side;
             const auto left = static_cast<std::size_t>(x), right = (left + 1) % static_cast<std::size_t>(n);
@@ -193,7 +193,7 @@ struct CausticsBaker::State {
     /// Where rays through row j meet the plane, from where they would through flat water; and how much light each cell takes in:
     /// its area as the sun sees it.
     void refract_row(int j) {
-        const auto step = static_cast<float>(cascade.lattice.side_m / side);
+        const auto step = static_cast<float>(cascade.grid.side_m / side);
         const auto depth = static_cast<float>(making.options.depth_m);
         const glm::vec3 flat = refracted(sun_in_cascade, {0, 1, 0});
         for (int i = 0; i < side; ++i) {

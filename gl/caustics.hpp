@@ -39,8 +39,8 @@ struct Caustics {
     CausticsOptions options;
     /// What all cells take in, over what a level cascade does: 1 but for what folds of the surface hide. The texels are divided by it.
     double light = 1;
-    CascadeLattice
-        lattice;  ///< of the cascade that made it: texel (i, j)'s middle is (i + 1/2, j + 1/2) side_m / side along its axes
+    CascadeGrid
+        grid;  ///< of the cascade that made it: texel (i, j)'s middle is (i + 1/2, j + 1/2) side_m / side along its axes
     /// Half floats, level after level, each the box mean of the one before. A texel is where light came through the surface had
     /// it been flat: a place on the floor is looked up as seen along the sun's ray in flat water.
     std::vector<std::uint16_t> halves;

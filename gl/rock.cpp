@@ -13,7 +13,7 @@ namespace {
 constexpr int around = 192, down = 96;
 constexpr float pi = 3.14159265f;
 
-/// [-1, 1], the same for a corner of the lattice each time.
+/// [-1, 1], the same for a corner of the grid each time.
 float value_at(glm::ivec3 corner) {
     std::uint32_t h = static_cast<std::uint32_t>(corner.x) * 0x8da6b343u ^
                       static_cast<std::uint32_t>(corner.y) * 0xd8163841u ^

@@ -51,10 +51,10 @@ void place_cascades(SceneBlock& block, const SeaFacts& facts, glm::dvec2 viewer)
     const double half_texel = 0.5 / facts.resolution;
     for (std::size_t i = 0; i < facts.cascades.size(); ++i) {
         const CascadeFacts& cascade = facts.cascades[i];
-        const double side = cascade.lattice.side_m;
-        const CascadeLattice::Place at = cascade.lattice.in_cascade(viewer.x, viewer.y);
+        const double side = cascade.grid.side_m;
+        const CascadeGrid::Place at = cascade.grid.in_cascade(viewer.x, viewer.y);
         block.cascade_place[i] = {fraction(at.along / side + half_texel), fraction(at.across / side + half_texel),
-                               cascade.lattice.cosine / side, cascade.lattice.sine / side};
+                               cascade.grid.cosine / side, cascade.grid.sine / side};
         const double noise_m = noise_sides * side;
         block.tile_noise[i] = {fraction(at.along / noise_m), fraction(at.across / noise_m), 1 / noise_sides, 0};
         // A texel of that mip is as long as the longest waves.
@@ -184,11 +184,11 @@ SeaFacts facts_of(const Frame& frame) {
                              .first_z = frame.dynamic_waves.first_z}};
     // A finer cascade's waves are those that have less than three texels of the coarser one (sim/spectrum/bands.cpp), or so few of which
     // there are that it takes more of them (sim/cascade_plan.hpp).
-    double longest_wave_m = frame.cascades[0].lattice.side_m;
+    double longest_wave_m = frame.cascades[0].grid.side_m;
     for (const Cascade& cascade : frame.cascades) {
         if (frame.sea.waves == WaveModel::analytic && !facts.cascades.empty())
-            longest_wave_m = std::max(longest_wave_m, cascade.lattice.side_m / steps_of_few_waves);
-        facts.cascades.push_back({.lattice = cascade.lattice,
+            longest_wave_m = std::max(longest_wave_m, cascade.grid.side_m / steps_of_few_waves);
+        facts.cascades.push_back({.grid = cascade.grid,
                                .ranges = cascade.slope_ranges,
                                .longest_wave_m = longest_wave_m,
                                .slope_variance = static_cast<float>(cascade.slope_variance),

@@ -34,7 +34,7 @@ struct SceneBlock {
     std::array<glm::vec4, 3> caustic_row{};
     std::array<glm::vec4, 2> foam_streaks{};
     glm::vec4 foam_kind{};
-    std::array<glm::vec4, 8> bump_lattice{}, bump_place{};
+    std::array<glm::vec4, 8> bump_grid{}, bump_place{};
     std::array<glm::vec4, 2> bump_turn{};
     glm::vec4 bump_kind{};
     std::array<glm::vec4, 24> pond_wave{};
@@ -47,7 +47,7 @@ struct SceneBlock {
 
 /// What stays of a cascade when its texels are in a texture.
 struct CascadeFacts {
-    CascadeLattice lattice;
+    CascadeGrid grid;
     SlopeRanges ranges;
     double longest_wave_m = 0;
     float slope_variance = 0;  ///< of all its waves, both axes: what its last mip has averaged away
@@ -87,7 +87,7 @@ struct SeaFacts {
     DynamicWaveFacts dynamic_waves{};
 
     const CascadeFacts& finest_cascade() const { return cascades.back(); }
-    double texel_m(const CascadeFacts& cascade) const { return cascade.lattice.side_m / resolution; }
+    double texel_m(const CascadeFacts& cascade) const { return cascade.grid.side_m / resolution; }
 };
 
 /// The light of a baked sky, as sky.hpp has it.

@@ -306,7 +306,7 @@ void SeaRenderer::set_caustics(const Caustics& caustics) {
         gl.TexSubImage2D(GL_TEXTURE_2D, level, 0, 0, side, side, GL_RED, GL_HALF_FLOAT, halves);
         halves += side * side;
     }
-    s.caustic_facts = {caustics.lattice.side_m, caustics.lattice.cosine, caustics.lattice.sine,
+    s.caustic_facts = {caustics.grid.side_m, caustics.grid.cosine, caustics.grid.sine,
                        caustics.options.depth_m};
 }
 

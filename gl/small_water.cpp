@@ -56,12 +56,12 @@ void place_octaves(SceneBlock& block, const SeaFacts& facts, glm::dvec2 viewer) 
     const Octaves kind = octaves_of(facts.surface, sea.wind_speed_mps);
     const double squeeze = 1 / kind.crest_length;
     double squares = 0;
-    for (std::size_t i = 0; i < block.bump_lattice.size(); ++i)
+    for (std::size_t i = 0; i < block.bump_grid.size(); ++i)
         squares += std::pow(kind.slope_growth, 2. * static_cast<double>(i));
     const double first_slope =
         std::sqrt(kind.slope_square / (squares * noise_slope_square * 0.5 * (1 + squeeze * squeeze)));
-    for (std::size_t i = 0; i < block.bump_lattice.size(); ++i) {
-        // A little less than half, so that no two lattices share their lines; they fan out around the wind.
+    for (std::size_t i = 0; i < block.bump_grid.size(); ++i) {
+        // A little less than half, so that no two grids share their lines; they fan out around the wind.
         const double cell_m = kind.largest_m * std::pow(0.47, i);
         const double angle = sea.wind_direction_rad + 0.9 * (fraction(static_cast<double>(i) * golden) - 0.5) * 2;
         const double c = std::cos(angle), s = std::sin(angle);
@@ -72,7 +72,7 @@ void place_octaves(SceneBlock& block, const SeaFacts& facts, glm::dvec2 viewer) 
         const double along = (c * viewer.x + s * viewer.y) / cell_m - periods * period_cells * loop_part(facts);
         const double across = squeeze * (c * viewer.y - s * viewer.x) / cell_m;
         const auto cell = [](double place) { return fraction(std::floor(place) / period_cells) * period_cells; };
-        block.bump_lattice[i] = {c, s, 1 / cell_m, first_slope * std::pow(kind.slope_growth, i) * cell_m};
+        block.bump_grid[i] = {c, s, 1 / cell_m, first_slope * std::pow(kind.slope_growth, i) * cell_m};
         block.bump_place[i] = {fraction(along), fraction(across), cell(along), cell(across)};
         const double changes = std::max(1., std::round(kind.turning * turns));
         block.bump_turn[i / 4][static_cast<int>(i % 4)] = static_cast<float>(fraction(changes * loop_part(facts)));

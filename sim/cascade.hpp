@@ -50,14 +50,14 @@ constexpr std::size_t mip_offset(int resolution, int level) {
     return all - from_here;
 }
 
-/// Where the texels of a cascade rest. Its lattice may be turned against the world: texel (i, j), N being the resolution,
+/// Where the texels of a cascade rest. Its grid may be rotated against the world: texel (i, j), N being the resolution,
 /// rests at x = (c i - s j) L/N, z = (s i + c j) L/N, c and s being the turn's cosine and sine. What the texels hold is in the
 /// world's axes, whatever the turn.
-struct CascadeLattice {
+struct CascadeGrid {
     double side_m = 0;            ///< L, the cascade repeats after this length along both of its axes
     double cosine = 1, sine = 0;  ///< of the turn, from +x towards +z
 
-    bool is_turned() const { return sine != 0; }
+    bool is_rotated() const { return sine != 0; }
 
     struct Place {
         double along, across;
@@ -90,7 +90,7 @@ struct CascadeSqueeze {
 
 /// What a cascade of one frame holds, as views into the ocean that made it.
 struct Cascade {
-    CascadeLattice lattice;
+    CascadeGrid grid;
     PlaneView dx, height, dz;  ///< metres, in the world's axes
     /// How fast the water drawn at a texel moves: the derivatives of dx, height and dz in time, metres a second. No data
     /// unless OceanOptions::velocities.
@@ -126,7 +126,7 @@ struct Cascade {
     bool makes_whitecaps() const { return whitecap_jacobian != no_whitecaps; }
 
     int resolution() const { return height.resolution; }
-    double texel_m() const { return lattice.side_m / resolution(); }
+    double texel_m() const { return grid.side_m / resolution(); }
     std::span<const std::uint32_t> gradient_level(int level) const { return level_of(gradient_rgba8, level); }
     /// One level of any of the chains.
     template <class Texel>

@@ -10,12 +10,12 @@
 namespace pelagic {
 
 /// Few waves want many texels, or what lies between them is a facet: each wave of an analytic sea is in the finest cascade of a stack
-/// that has so many steps of its lattice between it and k = 0, unless it has less than three texels of the one above.
+/// that has so many steps of its grid between it and k = 0, unless it has less than three texels of the one above.
 inline constexpr double steps_of_few_waves = 8;
 
 /// One cascade. Its wave vectors are (2 pi / side)(m, n) along the cascade's own axes, m and n from -N/2 to N/2 - 1.
 struct CascadePlan {
-    CascadeLattice lattice;
+    CascadeGrid grid;
     int resolution = 0;  ///< N
     int number = 0;      ///< in the stack, 0 is the coarsest; cascades draw their waves independently of one another
     /// Its waves have least_k <= |k| < most_k, rad/m. A cell of wave vectors that an end cuts holds the share inside.
@@ -26,7 +26,7 @@ struct CascadePlan {
     /// Waves shorter than a metre break without white water.
     bool makes_whitecaps() const { return least_k < 6.28318530717958647693; }
 
-    double spacing() const { return 6.28318530717958647693 / lattice.side_m; }  ///< dk in rad/m
+    double spacing() const { return 6.28318530717958647693 / grid.side_m; }  ///< dk in rad/m
     bool is_banded() const { return least_k > 0 || most_k < std::numeric_limits<double>::infinity(); }
 };
 
@@ -43,7 +43,7 @@ struct WaveReach {
 /// The cascades of a sea, the coarsest first. \pre check(sea) is empty
 std::vector<CascadePlan> plan_cascades(const SeaState& sea);
 
-/// The same on cascades that reach farther: lattices and bands are those of `reach` and of whatever else the sea says about cascades,
+/// The same on cascades that reach farther: grids and bands are those of `reach` and of whatever else the sea says about cascades,
 /// and the last band ends where this sea's own does.
 std::vector<CascadePlan> plan_cascades(const SeaState& sea, const WaveReach& reach);
 

@@ -2,8 +2,8 @@
 //
 //   const AnalyticSurface water(waves_of_cascades(sea));  // the water of ocean.frame_at(t), between its texels too
 //
-// A cascade holds waves of its lattice alone, with whole periods in a loop. Each wave goes to the nearest place of the
-// lattice of the cascade whose band it is in, and keeps amplitude and phase: on the default cascades that changes a length by
+// A cascade holds waves of its grid alone, with whole periods in a loop. Each wave goes to the nearest place of the
+// grid of the cascade whose band it is in, and keeps amplitude and phase: on the default cascades that changes a length by
 // 2 %, at most 7, and turns a wave by three degrees at most. A frequency is that of the new wave, in deep water, but
 // with as many periods in a loop as is nearest.
 #pragma once

@@ -7,7 +7,7 @@
 namespace pelagic {
 
 /// A grid of the sea whose height adds to that of the cascades, where water is drawn: at x = rest x + Dx, z alike. Texel (i, j) of the
-/// world's lattice stands at x = i texel_m, z = j texel_m and is kept in column i mod N of row j mod N; the grid has first_x <= i <
+/// world's grid stands at x = i texel_m, z = j texel_m and is kept in column i mod N of row j mod N; the grid has first_x <= i <
 /// first_x + N. Waves fade towards its edges, where they are 0.
 struct DynamicWavesView {
     int resolution = 0;  ///< N, a power of two; 0: the ocean has no such water

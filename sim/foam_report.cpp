@@ -25,7 +25,7 @@ FoamReport report_on_foam(const Frame& frame) {
                       .whitecap_cover = whitecap_cover(frame.sea),
                       .cascades = {}};
     for (const Cascade& cascade : frame.cascades) {
-        const DriftTexels loop = drift_a_loop(figures, cascade.lattice, cascade.resolution(), clock);
+        const DriftTexels loop = drift_a_loop(figures, cascade.grid, cascade.resolution(), clock);
         report.cascades.push_back({.makes_whitecaps = cascade.makes_whitecaps(),
                                 .columns_a_loop = loop.x,
                                 .rows_a_loop = loop.z,

@@ -4,7 +4,7 @@
 //   forecast.changes.push_back({.sea = storm, .from_s = 60, .over_s = 20});
 //   Ocean ocean(forecast);
 //
-// Each wave of the lattice keeps its draw, and its energy goes over from one sea to the next:
+// Each wave of the grid keeps its draw, and its energy goes over from one sea to the next:
 //
 //   E = (1 - s) E0 + s E1,  s = u^2 (3 - 2u),  u = (t - from) / over in [0, 1]
 //

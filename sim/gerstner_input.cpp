@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "pelagic/sim/kernels/kernels.hpp"
-#include "pelagic/sim/sources/input_lattice.hpp"
+#include "pelagic/sim/sources/input_grid.hpp"
 #include "pelagic/simd/aligned_buffer.hpp"
 #include "pelagic/simd/det_math.hpp"
 #include "pelagic/simd/float_environment.hpp"
@@ -22,7 +22,7 @@ constexpr double two_pi = 6.28318530717958647693;
 /// A wave as a cascade has it.
 struct Held {
     std::size_t cascade;
-    LatticePlace at;
+    GridIndex at;
     std::uint32_t harmonic;
     PlaneWave wave;
     double direction_x, direction_z;
@@ -53,12 +53,12 @@ struct GerstnerInput::State {
         for (const AnalyticWave& wave : asked.waves) {
             const auto cascade = input_cascade_of(1 / wave.wavelength_m, moment);
             if (!cascade || wave.amplitude_m == 0) continue;
-            const CascadeLattice& lattice = moment.lattices[*cascade];
+            const CascadeGrid& grid = moment.grids[*cascade];
             const auto [sine, cosine] = det::sine_cosine_of_turns(wave.direction_rad / two_pi);
-            const LatticePlace at = nearest_place(lattice, cosine / wave.wavelength_m, sine / wave.wavelength_m);
-            if (at == LatticePlace{} || !is_on_lattice(at, moment.resolution)) continue;
-            const auto [x, z] = turns_per_m_of(lattice, at);
-            const double turns_per_m = at.steps() / lattice.side_m;
+            const GridIndex at = nearest_place(grid, cosine / wave.wavelength_m, sine / wave.wavelength_m);
+            if (at == GridIndex{} || !is_on_grid(at, moment.resolution)) continue;
+            const auto [x, z] = turns_per_m_of(grid, at);
+            const double turns_per_m = at.steps() / grid.side_m;
             const std::uint32_t harmonic = input_harmonic(turns_per_m, moment.loop_period_s);
             make_columns(held.size(), at.m);
             held.push_back({*cascade,
@@ -91,7 +91,7 @@ struct GerstnerInput::State {
     }
 
     /// h = A cos(a + b) and D = -choppiness A k/|k| sin(a + b), where b is a's wave's angle at the row's first texel.
-    LatticeWaveRow row_of(std::size_t wave, std::size_t place, std::size_t row) const {
+    GridWaveRow row_of(std::size_t wave, std::size_t place, std::size_t row) const {
         const Held& of = held[wave];
         const det::SineCosine& start = starts[place][wave];
         const det::SineCosine& down = part_of_turn(static_cast<std::int64_t>(row) * of.at.n);
@@ -109,9 +109,9 @@ struct GerstnerInput::State {
     }
 
     /// In time: angles fall by w a second, and so cos becomes w sin, and sin -w cos.
-    static LatticeWaveRow derivative_of(const LatticeWaveRow& row, double frequency_hz) {
+    static GridWaveRow derivative_of(const GridWaveRow& row, double frequency_hz) {
         const float omega = static_cast<float>(two_pi * frequency_hz);
-        LatticeWaveRow derivative = row;
+        GridWaveRow derivative = row;
         for (std::size_t field = 0; field < input_fields; ++field) {
             derivative.of_cosine[field] = -omega * row.of_sine[field];
             derivative.of_sine[field] = omega * row.of_cosine[field];
@@ -172,7 +172,7 @@ double GerstnerInput::largest_slope(std::size_t cascade) const {
 void GerstnerInput::add(const InputRows& rows) const {
     const Kernels& kernels = kernels_for(rows.moment.isa);
     const bool with_velocities = !rows.velocity_x.empty();
-    std::array<LatticeWaveRow, most_waves> waves, derivatives;
+    std::array<GridWaveRow, most_waves> waves, derivatives;
     for (std::size_t row = 0; row < rows.row_count; ++row) {
         std::size_t count = 0;
         for (std::size_t i = 0; i < state_->held.size(); ++i) {
@@ -182,7 +182,7 @@ void GerstnerInput::add(const InputRows& rows) const {
             if (with_velocities) derivatives[count] = State::derivative_of(waves[count], held.wave.frequency_hz);
             ++count;
         }
-        const auto add_to = [&](const std::array<LatticeWaveRow, most_waves>& of, std::span<float> x,
+        const auto add_to = [&](const std::array<GridWaveRow, most_waves>& of, std::span<float> x,
                                 std::span<float> y, std::span<float> z) {
             kernels.add_waves(
                 {.waves = of.data(),

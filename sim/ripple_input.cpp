@@ -8,7 +8,7 @@
 
 #include "pelagic/message/refusal.hpp"
 #include "pelagic/sim/kernels/kernels.hpp"
-#include "pelagic/sim/sources/input_lattice.hpp"
+#include "pelagic/sim/sources/input_grid.hpp"
 #include "pelagic/simd/aligned_buffer.hpp"
 #include "pelagic/simd/float_environment.hpp"
 
@@ -57,14 +57,14 @@ struct RippleInput::State {
         held = {};
         const auto cascade = input_cascade_of(1 / shown.wavelength_m, moment);
         if (!cascade || shown.amplitude_m == 0) return;
-        const CascadeLattice& lattice = moment.lattices[*cascade];
-        const double half_m = lattice.side_m / 2;
+        const CascadeGrid& grid = moment.grids[*cascade];
+        const double half_m = grid.side_m / 2;
         harmonic = input_harmonic(1 / shown.wavelength_m, moment.loop_period_s);
         held = {*cascade, harmonic / moment.loop_period_s, shown.reach_m > 0 ? std::min(shown.reach_m, half_m) : half_m};
         const std::size_t n = static_cast<std::size_t>(moment.resolution);
         if (along_squared.size() != n) along_squared = AlignedBuffer<float>(n);
-        texel_m = lattice.side_m / moment.resolution;
-        const auto [along, across] = lattice.in_cascade(shown.x_m, shown.z_m);
+        texel_m = grid.side_m / moment.resolution;
+        const auto [along, across] = grid.in_cascade(shown.x_m, shown.z_m);
         middle_row = across / texel_m;
         for (std::size_t i = 0; i < n; ++i) along_squared[i] = squared_way(static_cast<double>(i), along / texel_m);
     }

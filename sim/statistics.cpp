@@ -34,10 +34,10 @@ struct Moments {
     }
 };
 
-// Bands 5 % wide from the longest wave of the lattice up to the shortest.
+// Bands 5 % wide from the longest wave of the grid up to the shortest.
 constexpr double band_ratio = 1.05;
 
-/// What one pass over all cascades' lattices finds: every figure of this file comes from these.
+/// What one pass over all cascades' grids finds: every figure of this file comes from these.
 struct GridSums {
     double lowest_band_hz = 0;
     Moments expected;                 ///< the mean over all seeds
@@ -115,7 +115,7 @@ void add_cascade(const SeaState& sea, const CascadePlan& cascade, Draws draws, G
     // amplitude counts twice in the variance.
     const auto add_pair = [&](const OppositeDensities& variances, const OppositeDensities& of_wind, int m, int n,
                               double k, Variances& of_shell) {
-        const auto [kx, kz] = cascade.lattice.in_world(m * cascade.spacing(), n * cascade.spacing());
+        const auto [kx, kz] = cascade.grid.in_world(m * cascade.spacing(), n * cascade.spacing());
         sums.expected.add(2 * variances.along, 2 * variances.against, kx / k, kz / k);
         const double expected = 2 * (variances.along + variances.against);
         const double k_along = kx * wind.cosine + kz * wind.sine, k_across = kz * wind.cosine - kx * wind.sine;
@@ -153,14 +153,14 @@ void add_cascade(const SeaState& sea, const CascadePlan& cascade, Draws draws, G
             sums.add_drawn(omega / two_pi, loop_harmonic(omega, sea.loop_period_s), here.drawn, here.drawn_swell);
         }
     }
-    sums.cascades.push_back({cascade.lattice.side_m, cascade.resolution, slopes});
+    sums.cascades.push_back({cascade.grid.side_m, cascade.resolution, slopes});
 }
 
 /// Adds a pond's octaves, as independent as phases of their own make them.
 void add_pond(const SeaState& sea, const CascadePlan& cascade, GridSums& sums) {
     const auto wind = det::sine_cosine_of_turns(sea.wind_direction_rad / two_pi);
     SlopeVariance slopes;
-    for (const LatticeOctave& moved : lattice_octaves(sea, cascade)) {
+    for (const GridOctave& moved : grid_octaves(sea, cascade)) {
         const ExpSineOctave& octave = moved.octave;
         const double x = octave.turns_per_m_x / octave.turns_per_m(), z = octave.turns_per_m_z / octave.turns_per_m();
         const double variance = moved.height_variance();
@@ -174,13 +174,13 @@ void add_pond(const SeaState& sea, const CascadePlan& cascade, GridSums& sums) {
         slopes.upwind += steep * (along * along);
         slopes.crosswind += steep * (1 - along * along);
     }
-    sums.cascades.push_back({cascade.lattice.side_m, cascade.resolution, slopes});
+    sums.cascades.push_back({cascade.grid.side_m, cascade.resolution, slopes});
 }
 
 GridSums sums_over(const SeaState& sea, std::span<const CascadePlan> plan, Draws draws) {
     GridSums sums;
     if (sea.waves == WaveModel::exp_sine) {
-        sums.lowest_band_hz = ripple_frequency_hz(1 / plan.front().lattice.side_m);
+        sums.lowest_band_hz = ripple_frequency_hz(1 / plan.front().grid.side_m);
         add_pond(sea, plan.front(), sums);
         return sums;
     }
@@ -342,12 +342,12 @@ std::vector<std::string> warnings_from(const SeaState& sea, std::span<const Casc
                            " of the sea's waves are shorter than the cascades' texels hold and left out, of Hs " +
                            short_text(*waves.model_significant_wave_height_m) + " m " +
                            short_text(waves.significant_wave_height_m) + " m is left: raise the resolution");
-    if (coarsest.lattice.side_m < 2 * peak_wavelength_m)
-        warnings.push_back("the patch of " + number_text(coarsest.lattice.side_m) +
+    if (coarsest.grid.side_m < 2 * peak_wavelength_m)
+        warnings.push_back("the patch of " + number_text(coarsest.grid.side_m) +
                            " m is shorter than two peak wavelengths (" + short_text(2 * peak_wavelength_m) +
                            " m): it holds few of the largest waves, or none, so each seed is higher or lower" +
                            height_beside_model());
-    if (const double shortest = 2 * finest.lattice.side_m / finest.resolution; peak_wavelength_m < 2 * shortest)
+    if (const double shortest = 2 * finest.grid.side_m / finest.resolution; peak_wavelength_m < 2 * shortest)
         warnings.push_back("the grid's shortest wave of " + short_text(shortest) +
                            " m is longer than half the peak wavelength (" + short_text(peak_wavelength_m) +
                            " m): raise the resolution or shrink the patch");
@@ -397,7 +397,7 @@ SeaReport report_on(const SeaState& sea) {
 
 double repeat_length_m(const SeaState& sea) {
     const DefaultFloatEnvironment environment;
-    return plan_cascades(sea).front().lattice.side_m;
+    return plan_cascades(sea).front().grid.side_m;
 }
 
 WaveDirections directions_of_moment(double a, double b) {

@@ -67,7 +67,7 @@ struct SurfaceSamples {
     /// Linear: slopes by central differences at texels, bilinear between them, smooth, as textures show it.
     std::span<float> normal_x = {}, normal_y = {}, normal_z = {};
     /// The same slopes' (1 + Dx,x)(1 + Dz,z) - Dx,z Dz,x: 1 at rest, small at sharp crests, negative (and the normal
-    /// points down) where the sheet is turned over. Not clamped.
+    /// points down) where the sheet is overturned. Not clamped.
     std::span<float> jacobian = {};
     /// How the water that is there now moves: the displacement's derivative in time at the fixed rest point.
     std::span<float> velocity_x_mps = {}, velocity_y_mps = {}, velocity_z_mps = {};

@@ -30,7 +30,7 @@ struct InputMoment {
     /// 0 for a frame, 1 for a tick, which is begun after the frame that needs it and may be made in the same run. What add() needs of
     /// a moment is kept in one of two places.
     std::size_t place = 0;
-    std::span<const CascadeLattice> lattices = {};  ///< of the cascades, the coarsest first
+    std::span<const CascadeGrid> grids = {};  ///< of the cascades, the coarsest first
     int resolution = 0;                          ///< of each
     Isa isa = {};                                ///< that computes
 };
@@ -45,7 +45,7 @@ struct InputRows {
     /// Their derivatives in time. Empty unless OceanOptions::velocities, and in ticks.
     std::span<float> velocity_x, velocity_y, velocity_z;
 
-    const CascadeLattice& lattice() const { return moment.lattices[cascade]; }
+    const CascadeGrid& grid() const { return moment.grids[cascade]; }
     std::size_t resolution() const { return static_cast<std::size_t>(moment.resolution); }
     /// One row of a field.
     std::span<float> row_of(std::span<float> field, std::size_t row) const {

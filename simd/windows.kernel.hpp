@@ -14,8 +14,8 @@ namespace pelagic::kernels {
 ///
 /// fours_loaded   quarter q is plane[places[4 q] ...]
 /// lane_in_all    each quarter filled with its lane k
-/// lanes_turned   lane j of a quarter is its lane lanes[j] % 4
-/// fours_turned   rows of four quarters become columns
+/// lanes_rotated   lane j of a quarter is its lane lanes[j] % 4
+/// fours_rotated   rows of four quarters become columns
 #if defined(__AVX512F__)
 template <HasLanes<16> Arch>
 PELAGIC_INLINE xsimd::batch<float, Arch> fours_loaded(const float* plane, const std::uint32_t* places) {
@@ -29,12 +29,12 @@ PELAGIC_INLINE xsimd::batch<std::int32_t, Arch> lane_in_all(xsimd::batch<std::in
     return _mm512_shuffle_epi32(of, static_cast<_MM_PERM_ENUM>(k * 0x55));
 }
 template <HasLanes<16> Arch>
-PELAGIC_INLINE xsimd::batch<float, Arch> lanes_turned(xsimd::batch<float, Arch> of,
+PELAGIC_INLINE xsimd::batch<float, Arch> lanes_rotated(xsimd::batch<float, Arch> of,
                                                       xsimd::batch<std::int32_t, Arch> lanes) {
     return _mm512_permutevar_ps(of, lanes);
 }
 template <HasLanes<16> Arch>
-PELAGIC_INLINE void fours_turned(xsimd::batch<float, Arch> (&fours)[4]) {
+PELAGIC_INLINE void fours_rotated(xsimd::batch<float, Arch> (&fours)[4]) {
     const __m512 ab_low = _mm512_unpacklo_ps(fours[0], fours[1]), ab_high = _mm512_unpackhi_ps(fours[0], fours[1]);
     const __m512 cd_low = _mm512_unpacklo_ps(fours[2], fours[3]), cd_high = _mm512_unpackhi_ps(fours[2], fours[3]);
     fours[0] = _mm512_shuffle_ps(ab_low, cd_low, _MM_SHUFFLE(1, 0, 1, 0));
@@ -54,12 +54,12 @@ PELAGIC_INLINE xsimd::batch<std::int32_t, Arch> lane_in_all(xsimd::batch<std::in
     return _mm256_shuffle_epi32(of, k * 0x55);
 }
 template <HasLanes<8> Arch>
-PELAGIC_INLINE xsimd::batch<float, Arch> lanes_turned(xsimd::batch<float, Arch> of,
+PELAGIC_INLINE xsimd::batch<float, Arch> lanes_rotated(xsimd::batch<float, Arch> of,
                                                       xsimd::batch<std::int32_t, Arch> lanes) {
     return _mm256_permutevar_ps(of, lanes);
 }
 template <HasLanes<8> Arch>
-PELAGIC_INLINE void fours_turned(xsimd::batch<float, Arch> (&fours)[4]) {
+PELAGIC_INLINE void fours_rotated(xsimd::batch<float, Arch> (&fours)[4]) {
     const __m256 ab_low = _mm256_unpacklo_ps(fours[0], fours[1]), ab_high = _mm256_unpackhi_ps(fours[0], fours[1]);
     const __m256 cd_low = _mm256_unpacklo_ps(fours[2], fours[3]), cd_high = _mm256_unpackhi_ps(fours[2], fours[3]);
     fours[0] = _mm256_shuffle_ps(ab_low, cd_low, _MM_SHUFFLE(1, 0, 1, 0));
@@ -78,7 +78,7 @@ PELAGIC_INLINE xsimd::batch<std::int32_t, Arch> lane_in_all(xsimd::batch<std::in
     return _mm_shuffle_epi32(of, k * 0x55);
 }
 template <HasLanes<4> Arch>
-PELAGIC_INLINE xsimd::batch<float, Arch> lanes_turned(xsimd::batch<float, Arch> of,
+PELAGIC_INLINE xsimd::batch<float, Arch> lanes_rotated(xsimd::batch<float, Arch> of,
                                                       xsimd::batch<std::int32_t, Arch> lanes) {
     // Bytes 4 l, 4 l + 1, 4 l + 2, 4 l + 3 of each lane l.
     const __m128i first = _mm_and_si128(_mm_slli_epi32(lanes, 2), _mm_set1_epi32(12));
@@ -87,7 +87,7 @@ PELAGIC_INLINE xsimd::batch<float, Arch> lanes_turned(xsimd::batch<float, Arch> 
     return _mm_castsi128_ps(_mm_shuffle_epi8(_mm_castps_si128(of), bytes));
 }
 template <HasLanes<4> Arch>
-PELAGIC_INLINE void fours_turned(xsimd::batch<float, Arch> (&fours)[4]) {
+PELAGIC_INLINE void fours_rotated(xsimd::batch<float, Arch> (&fours)[4]) {
     __m128 a = fours[0], b = fours[1], c = fours[2], d = fours[3];
     _MM_TRANSPOSE4_PS(a, b, c, d);
     fours[0] = a, fours[1] = b, fours[2] = c, fours[3] = d;
@@ -102,7 +102,7 @@ PELAGIC_INLINE xsimd::batch<std::int32_t, Arch> lane_in_all(xsimd::batch<std::in
     return vdupq_laneq_s32(of, k);
 }
 template <class Arch>
-PELAGIC_INLINE xsimd::batch<float, Arch> lanes_turned(xsimd::batch<float, Arch> of,
+PELAGIC_INLINE xsimd::batch<float, Arch> lanes_rotated(xsimd::batch<float, Arch> of,
                                                       xsimd::batch<std::int32_t, Arch> lanes) {
     // Bytes 4 l, 4 l + 1, 4 l + 2, 4 l + 3 of each lane l.
     const int32x4_t first = vandq_s32(vshlq_n_s32(lanes, 2), vdupq_n_s32(12));
@@ -110,7 +110,7 @@ PELAGIC_INLINE xsimd::batch<float, Arch> lanes_turned(xsimd::batch<float, Arch> 
     return vreinterpretq_f32_u8(vqtbl1q_u8(vreinterpretq_u8_f32(of), vreinterpretq_u8_s32(bytes)));
 }
 template <class Arch>
-PELAGIC_INLINE void fours_turned(xsimd::batch<float, Arch> (&fours)[4]) {
+PELAGIC_INLINE void fours_rotated(xsimd::batch<float, Arch> (&fours)[4]) {
     const float32x4x2_t ab = vtrnq_f32(fours[0], fours[1]), cd = vtrnq_f32(fours[2], fours[3]);
     fours[0] = vcombine_f32(vget_low_f32(ab.val[0]), vget_low_f32(cd.val[0]));
     fours[1] = vcombine_f32(vget_low_f32(ab.val[1]), vget_low_f32(cd.val[1]));

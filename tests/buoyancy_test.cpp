@@ -34,7 +34,7 @@ class StillWater {
         const PlaneView plane{zero_.data(), n, n, n, 0};
         water_.frame.isa = choose_isa();
         Cascade& cascade = water_.cascade;
-        cascade.lattice.side_m = 64;
+        cascade.grid.side_m = 64;
         cascade.dx = cascade.height = cascade.dz = plane;
         cascade.velocity_x = cascade.velocity_y = cascade.velocity_z = plane;
         folds_.update(cascade, kernels_for(choose_isa()));

@@ -77,9 +77,9 @@ TEST(CInterfaceInside, CascadesAreThoseOfTheCppInterface) {
             c.struct_size = sizeof c;
             ASSERT_EQ(pelagic_ocean_cascade(made, static_cast<int32_t>(t), &c), PELAGIC_OK);
             const Cascade& cascade = frame.cascades[t];
-            EXPECT_EQ(c.side_m, cascade.lattice.side_m);
-            EXPECT_EQ(c.cosine, cascade.lattice.cosine);
-            EXPECT_EQ(c.sine, cascade.lattice.sine);
+            EXPECT_EQ(c.side_m, cascade.grid.side_m);
+            EXPECT_EQ(c.cosine, cascade.grid.cosine);
+            EXPECT_EQ(c.sine, cascade.grid.sine);
             EXPECT_EQ(c.slope_range, cascade.slope_ranges.slope);
             EXPECT_EQ(c.variance_range, cascade.slope_ranges.variance);
             EXPECT_EQ(c.whitecap_jacobian, cascade.whitecap_jacobian);
@@ -182,7 +182,7 @@ TEST(CInterfaceInside, AnOlderHostHasOneCascadeOfAQuarterOfTheCoarsestSide) {
         EXPECT_EQ(today.patch_size_m, 0);
         EXPECT_EQ(today.cascades, 0);
         EXPECT_EQ(older.resolution, 256);
-        EXPECT_EQ(older.patch_size_m, plan_cascades(preset.sea).front().lattice.side_m / 4) << preset.name;
+        EXPECT_EQ(older.patch_size_m, plan_cascades(preset.sea).front().grid.side_m / 4) << preset.name;
         EXPECT_EQ(older.wind_speed_mps, today.wind_speed_mps);
         EXPECT_EQ(older.swell_height_m, today.swell_height_m);
 

@@ -56,8 +56,8 @@ class CascadeStack {
     void add(const Cascade& from, const Part& part) {
         const int n = from.resolution();
         Cascade cascade;
-        cascade.lattice = {
-            .side_m = from.lattice.side_m, .cosine = std::cos(part.turn_rad), .sine = std::sin(part.turn_rad)};
+        cascade.grid = {
+            .side_m = from.grid.side_m, .cosine = std::cos(part.turn_rad), .sine = std::sin(part.turn_rad)};
         const std::size_t floats = static_cast<std::size_t>(n / from.height.block_columns) *
                                    static_cast<std::size_t>(from.height.block_stride);
         const auto turned = [&](const PlaneView& x, const PlaneView& y, const PlaneView& z, PlaneView& to_x,
@@ -77,7 +77,7 @@ class CascadeStack {
                         const_cast<float*>(plane.data)[at] = static_cast<float>(part.factor * value);
                     };
                     const auto moved =
-                        cascade.lattice.in_world(static_cast<double>(x.data[at]), static_cast<double>(z.data[at]));
+                        cascade.grid.in_world(static_cast<double>(x.data[at]), static_cast<double>(z.data[at]));
                     set(to_x, moved.along);
                     set(to_y, static_cast<double>(y.data[at]));
                     set(to_z, moved.across);

@@ -1,4 +1,4 @@
-// Each cascade of a stack against the sum of its waves by definition: turned lattices, shared bands, draws of its own.
+// Each cascade of a stack against the sum of its waves by definition: turned grids, shared bands, draws of its own.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -34,7 +34,7 @@ double energy_of_cell(const SeaState& sea, const CascadePlan& cascade, int m, in
     double sum = 0;
     for (int row = 0; row < places; ++row) {
         for (int column = 0; column < places; ++column) {
-            const auto [kx, kz] = cascade.lattice.in_world((m + (column + 0.5) / places - 0.5) * cascade.spacing(),
+            const auto [kx, kz] = cascade.grid.in_world((m + (column + 0.5) / places - 0.5) * cascade.spacing(),
                                                         (n + (row + 0.5) / places - 0.5) * cascade.spacing());
             const double k = std::hypot(kx, kz);
             if (k >= cascade.least_k && k < cascade.most_k) sum += oracle::density(sea, kx, kz);
@@ -57,7 +57,7 @@ std::vector<OracleWave> waves_of(const SeaState& sea, const CascadePlan& cascade
     std::vector<OracleWave> waves;
     for (int n = -last; n <= last; ++n) {
         for (int m = -last; m <= last; ++m) {
-            const auto [kx, kz] = cascade.lattice.in_world(m * cascade.spacing(), n * cascade.spacing());
+            const auto [kx, kz] = cascade.grid.in_world(m * cascade.spacing(), n * cascade.spacing());
             const double k = std::hypot(kx, kz), reach = cascade.spacing();
             if (k + reach < cascade.least_k || k - reach > cascade.most_k || k == 0) continue;
             const double phase = frequency(k, sea.loop_period_s) * time_s;
@@ -81,13 +81,13 @@ TEST(CascadeStack, EveryCascadeHoldsTheSumOfItsWaves) {
     std::mt19937 random(3);
     for (std::size_t number = 0; number < plans.size(); ++number) {
         const Cascade& cascade = frame.cascades[number];
-        EXPECT_EQ(cascade.lattice.side_m, plans[number].lattice.side_m);
-        EXPECT_EQ(cascade.lattice.is_turned(), number > 0);
+        EXPECT_EQ(cascade.grid.side_m, plans[number].grid.side_m);
+        EXPECT_EQ(cascade.grid.is_rotated(), number > 0);
         const std::vector<OracleWave> waves = waves_of(sea, plans[number], time_s);
         double off = 0, all = 0;
         for (int texel = 0; texel < 40; ++texel) {
             const int i = static_cast<int>(random() % 32), j = static_cast<int>(random() % 32);
-            const auto [x, z] = cascade.lattice.in_world(i * cascade.texel_m(), j * cascade.texel_m());
+            const auto [x, z] = cascade.grid.in_world(i * cascade.texel_m(), j * cascade.texel_m());
             double height = 0, dx = 0, dz = 0;
             for (const OracleWave& wave : waves) {
                 const std::complex<double> here = wave.height * std::polar(1.0, wave.kx * x + wave.kz * z);
@@ -140,7 +140,7 @@ TEST(CascadeStack, BandsShareThePlaneOfWaveNumbers) {
             std::vector<double> held(40), model(40);
             for (std::size_t i = 0; i < plans.size(); ++i) {
                 const CascadePlan& cascade = plans[i];
-                const double texels = 2 * pi / cascade.most_k / (cascade.lattice.side_m / resolution);
+                const double texels = 2 * pi / cascade.most_k / (cascade.grid.side_m / resolution);
                 EXPECT_GE(texels, 3 - 1e-9);
                 if (i > 0) {
                     EXPECT_EQ(cascade.least_k, plans[i - 1].most_k);
@@ -186,7 +186,7 @@ double correlation(const std::vector<CascadeWaves>& cascades, double x, double z
         const int half = cascade.resolution / 2;
         for (int n = 0; n < half; ++n) {
             for (int m = n == 0 ? 1 : -half + 1; m < half; ++m) {
-                const auto [kx, kz] = cascade.lattice.in_world(m * cascade.spacing(), n * cascade.spacing());
+                const auto [kx, kz] = cascade.grid.in_world(m * cascade.spacing(), n * cascade.spacing());
                 const OppositeWaves pair = waves.pair(m, n).plus;
                 together += pair.drawn_square() * std::cos(kx * x + kz * z);
                 all += pair.drawn_square();

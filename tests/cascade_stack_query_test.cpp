@@ -200,7 +200,7 @@ TEST(CascadeStackQuery, WhereTheSqueezeMapSaysSoThereIsOneSheet) {
                 int sum = 0;
                 bool is_within = true;
                 for (const Cascade& cascade : stack.frame().cascades) {
-                    const auto [along, across] = cascade.lattice.in_cascade(sheet.x_m, sheet.z_m);
+                    const auto [along, across] = cascade.grid.in_cascade(sheet.x_m, sheet.z_m);
                     const int half = cascade.resolution() / 2;
                     const auto block = [&](double place_m) {
                         return static_cast<int>(std::floor(place_m / cascade.texel_m() / 2)) & (half - 1);

@@ -22,7 +22,7 @@ struct HandMadeSea {
         for (int j = 0; j < n; ++j)
             for (int i = 0; i < n; ++i)
                 height[std::size_t(j) * n + i] = static_cast<float>(height_of(i * side_m / n));
-        cascade.lattice.side_m = side_m;
+        cascade.grid.side_m = side_m;
         cascade.dx = cascade.dz = plane(flat);
         cascade.height = plane(height);
         frame.cascades = {&cascade, 1};
@@ -133,11 +133,11 @@ TEST(Caustics, ComeFromTheCascadeWhoseWavesFocusThere) {
     double side_before_m = 0;
     for (const double depth_m : {0.5, 5.0, 60.0}) {
         baker.schedule(frame, {.depth_m = depth_m});
-        const double side_m = baker.complete().lattice.side_m;
+        const double side_m = baker.complete().grid.side_m;
         EXPECT_GE(side_m, side_before_m) << "deeper water wants longer waves";
         side_before_m = side_m;
     }
-    EXPECT_GT(side_before_m, frame.cascades.back().lattice.side_m);
+    EXPECT_GT(side_before_m, frame.cascades.back().grid.side_m);
     EXPECT_THROW(baker.schedule(frame, {.depth_m = 0}), std::invalid_argument);
     EXPECT_EQ(gl::check(gl::CausticsOptions{.depth_m = -1}), "depth_m is -1, needs [0.001, 1000]");
 }

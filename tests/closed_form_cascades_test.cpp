@@ -34,7 +34,7 @@ const SeaState on_one_cascade{.waves = WaveModel::analytic,
                            .choppiness = 0.9,
                            .longest_wave_m = 90,
                            .shortest_wave_m = 5};
-/// So many waves on so small a lattice that some meet.
+/// So many waves on so small a grid that some meet.
 const SeaState crowded{.waves = WaveModel::analytic,
                        .resolution = 64,
                        .patch_size_m = 100,
@@ -57,11 +57,11 @@ struct Oracle {
 };
 
 /// The waves of one cascade where texel (i, j) rests, from the definition: whole wave numbers, whole periods.
-Oracle sum_of(const std::vector<LatticeWave>& waves, const SeaState& sea, const CascadePlan& cascade, Long time_s, int i,
+Oracle sum_of(const std::vector<GridWave>& waves, const SeaState& sea, const CascadePlan& cascade, Long time_s, int i,
               int j) {
     Oracle sum;
-    const Long n = cascade.resolution, side = cascade.lattice.side_m;
-    for (const LatticeWave& wave : waves) {
+    const Long n = cascade.resolution, side = cascade.grid.side_m;
+    for (const GridWave& wave : waves) {
         const Long steps = std::hypot(Long(wave.at.m), Long(wave.at.n));
         const Long periods =
             std::max(Long(1), std::round(std::sqrt(9.80665L * two_pi * steps / side) * sea.loop_period_s / two_pi));
@@ -70,8 +70,8 @@ Oracle sum_of(const std::vector<LatticeWave>& waves, const SeaState& sea, const 
         sum.height += wave.amplitude_m * std::cos(phase);
         const Long moved = -Long(sea.choppiness) * wave.amplitude_m * std::sin(phase) / steps;
         const Long along = moved * wave.at.m, across = moved * wave.at.n;
-        sum.dx += cascade.lattice.cosine * along - cascade.lattice.sine * across;
-        sum.dz += cascade.lattice.sine * along + cascade.lattice.cosine * across;
+        sum.dx += cascade.grid.cosine * along - cascade.grid.sine * across;
+        sum.dz += cascade.grid.sine * along + cascade.grid.cosine * across;
     }
     return sum;
 }
@@ -88,7 +88,7 @@ TEST(AnalyticCascades, TexelsAreTheSumOfTheirWaves) {
         for (const double time_s : {0.0, 12.34, -77.7}) {
             const Frame& frame = ocean.frame_at(time_s);
             for (std::size_t cascade = 0; cascade < plans.size(); ++cascade) {
-                const std::vector<LatticeWave> waves = lattice_waves(sea, plans[cascade]);
+                const std::vector<GridWave> waves = grid_waves(sea, plans[cascade]);
                 waves_seen += waves.size();
                 for (int j = 0; j < plans[cascade].resolution; j += 7) {
                     for (int i = 0; i < plans[cascade].resolution; i += 5) {
@@ -106,8 +106,8 @@ TEST(AnalyticCascades, TexelsAreTheSumOfTheirWaves) {
 
 TEST(AnalyticCascades, SomeWavesMeet) {
     std::set<std::pair<int, int>> places;
-    const auto waves = lattice_waves(crowded, plan_cascades(crowded)[0]);
-    for (const LatticeWave& wave : waves) places.insert({wave.at.m, wave.at.n});
+    const auto waves = grid_waves(crowded, plan_cascades(crowded)[0]);
+    for (const GridWave& wave : waves) places.insert({wave.at.m, wave.at.n});
     EXPECT_EQ(waves.size(), 64u);
     EXPECT_LT(places.size(), 60u);
 }
@@ -154,7 +154,7 @@ TEST(AnalyticCascades, QueriesMeetTheClosedForm) {
         double bound = SurfaceQuery::default_tolerance_m;
         for (const CascadePlan& cascade : plan_cascades(sea)) {
             const double texel = static_cast<double>(two_pi) / cascade.resolution;
-            for (const LatticeWave& wave : lattice_waves(sea, cascade))
+            for (const GridWave& wave : grid_waves(sea, cascade))
                 bound += 1.6 * wave.amplitude_m * std::pow(wave.at.steps() * texel, 2) / 8;
         }
         EXPECT_LT(bound, 0.12 * significant_height_m(waves_of_cascades(sea))) << "all waves at their worst at once";
@@ -280,7 +280,7 @@ TEST(AnalyticCascades, ReportsSayTheHeightThatFramesHave) {
         const Frame& frame = ocean.frame_at(9);
         EXPECT_NEAR(frame.figures.significant_wave_height_m, held, 1e-9);
         EXPECT_NEAR(measured_significant_wave_height_m(frame), held, 1e-5 * held)
-            << "waves of a lattice are independent";
+            << "waves of a grid are independent";
     }
     SeaState other_seed = moderate;
     other_seed.seed = 99;
@@ -301,7 +301,7 @@ TEST(AnalyticCascades, WeatherTurnsOneIntoAnotherWaveByWave) {
     const double u = 0.25, s = u * u * (3 - 2 * u);
     std::set<std::pair<int, int>> lines;
     for (std::size_t i = 0; i < waves.waves.size(); ++i) {
-        const LatticePlace at = lattice_waves(before, plan_cascades(before)[0])[i].at;
+        const GridIndex at = grid_waves(before, plan_cascades(before)[0])[i].at;
         lines.insert({at.n < 0 ? -at.m : at.m, std::abs(at.n)});
         const double a = waves.waves[i].amplitude_m, b = last.waves[i].amplitude_m;
         waves.waves[i].amplitude_m = std::sqrt((1 - s) * a * a + s * b * b);
@@ -405,10 +405,10 @@ TEST(ClosedFormCascades, ALiveOceanKeepsToItsKindOfWaves) {
 }
 
 /// The heights of a pond's octaves, each shown as much as texels can, by libm.
-Long pond_height(const std::vector<LatticeOctave>& octaves, const SeaState& sea, Long time_s, Long x, Long z) {
+Long pond_height(const std::vector<GridOctave>& octaves, const SeaState& sea, Long time_s, Long x, Long z) {
     const Long mean = 1.26606587775200833559824462521471753760767031135496L / std::numbers::e_v<Long>;  // I0(1) / e
     Long height = 0;
-    for (const LatticeOctave& moved : octaves) {
+    for (const GridOctave& moved : octaves) {
         const ExpSineOctave& octave = moved.octave;
         const Long turns = octave.turns_per_m_x * x + octave.turns_per_m_z * z -
                            moved.harmonic * time_s / sea.loop_period_s + octave.phase_turns;
@@ -426,9 +426,9 @@ Long pond_height(const std::vector<LatticeOctave>& octaves, const SeaState& sea,
 // by each other's rounding.
 TEST(PondCascade, TexelsAreTheSumOfTheirOctaves) {
     const CascadePlan cascade = plan_cascades(pond)[0];
-    const std::vector<LatticeOctave> octaves = lattice_octaves(pond, cascade);
+    const std::vector<GridOctave> octaves = grid_octaves(pond, cascade);
     double heights = 0;
-    for (const LatticeOctave& octave : octaves) heights += octave.octave.height_m;
+    for (const GridOctave& octave : octaves) heights += octave.octave.height_m;
     Ocean ocean(pond, everything());
     for (const double time_s : {0.0, 12.34, 1e6}) {
         const Cascade& found = ocean.frame_at(time_s).cascades[0];
@@ -483,7 +483,7 @@ TEST(PondCascade, ReportsSayWhatFramesHave) {
                     slopes += (x * x + z * z) / (cascade.texel_m() * cascade.texel_m()) / (8 * 65536);
                 }
         }
-        // Octaves that don't move each other are independent, but for the few that share a place of the lattice, within what
+        // Octaves that don't move each other are independent, but for the few that share a place of the grid, within what
         // eight frames tell; dragged ones are gathered on crests.
         const double allowed = drag == 0 ? 0.05 : 0.12;
         const SeaReport report = report_on(sea);

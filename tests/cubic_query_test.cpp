@@ -40,7 +40,7 @@ class PlaneWave {
             return PlaneView{plane.data(), side, side, side, 0};
         };
         water_.frame.isa = choose_isa();
-        water_.cascade.lattice.side_m = side * texel_m;
+        water_.cascade.grid.side_m = side * texel_m;
         water_.cascade.dx = view(zero_), water_.cascade.height = view(height_), water_.cascade.dz = view(zero_);
         water_.set_bounds({-amplitude_m, amplitude_m, 0, 0});
         folds_.update(water_.cascade, kernels_for(choose_isa()));

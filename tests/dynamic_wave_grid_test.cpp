@@ -260,7 +260,7 @@ TEST(DynamicWavesGridRefuses, NumbersThatAreNoneAndHugeOnes) {
 }
 
 /// omega dt of Verlet's waves of two texels along an axis: sin(omega dt / 2) = courant.
-double turned_by_shortest(const DynamicWavesOptions& options) {
+double rotated_by_shortest(const DynamicWavesOptions& options) {
     return 2 * std::asin(DynamicWaveGrid::courant_number(options));
 }
 
@@ -270,7 +270,7 @@ double turned_by_shortest(const DynamicWavesOptions& options) {
 /// 2 decay dt v^2, v = A omega dt. Both are equal at A^3 = s^3 / (3 pi decay dt (omega dt)^2): 16 s for the waves of two texels, which
 /// stay where they are, so that no border takes them. Six times the rms, A / sqrt 2.
 double verlets_unrest_m(const DynamicWavesOptions& options) {
-    const double tick = 1.0 / options.ticks_per_s, turned = turned_by_shortest(options);
+    const double tick = 1.0 / options.ticks_per_s, turned = rotated_by_shortest(options);
     const double in_smallest = std::cbrt(1 / (3 * std::numbers::pi * options.decay_per_s * tick * turned * turned));
     return 6 / std::sqrt(2.0) * in_smallest * static_cast<double>(BorderDamping::smallest);
 }
@@ -463,7 +463,7 @@ TEST(DynamicWavesGridLasts, ThroughRoundsOfSourcesThatComeAndGo) {
             if (in_double) {
                 // Each of a tick's four roundings pushes a texel by 2^-24 of its height at most, at random from tick to tick, and the
                 // waves of two texels, which carry nothing away, make a height of a push by 1 / (omega dt).
-                const double pushed = 4 * 0x1p-24 * std::sqrt(quiet_squares) / turned_by_shortest(options);
+                const double pushed = 4 * 0x1p-24 * std::sqrt(quiet_squares) / rotated_by_shortest(options);
                 EXPECT_LT(in_double->farthest_from(pool.grid), pushed);
                 EXPECT_LT(pushed, 0.01 * in_double->highest_m()) << "what is left is no rounding";
             }

@@ -150,8 +150,8 @@ class ReadCascade {
     ReadCascade(const std::filesystem::path& folder, const nlohmann::json& layout)
         : n_(layout.at("resolution")),
           side_m_(layout.at("side_m")),
-          cosine_(layout.at("turn").at("cosine")),
-          sine_(layout.at("turn").at("sine")) {
+          cosine_(layout.at("rotation").at("cosine")),
+          sine_(layout.at("rotation").at("sine")) {
         const std::string mark = layout.at("in_file_names");
         const auto file = folder / ("displacement_" + (mark.empty() ? "" : mark + "_") + "0000.exr");
         for (std::size_t i = 0; i < 3; ++i) {

@@ -186,13 +186,13 @@ TEST(ExportedFoam, SeaJsonAndInfoSayHowItIsRememberedAndDrifts) {
     EXPECT_NEAR(said["drift_direction_deg"].get<double>(), std::atan2(z, x) * 180 / 3.14159265358979323846, 1e-9);
     for (std::size_t i = 0; i < 4; ++i) {
         const Cascade& cascade = frame.cascades[i];
-        const CascadeLattice::Place a_loop = cascade.lattice.in_cascade(8 * x, 8 * z);
+        const CascadeGrid::Place a_loop = cascade.grid.in_cascade(8 * x, 8 * z);
         const json& of_cascade = said["cascades"][i];
         const double columns = of_cascade["columns_a_loop"], rows = of_cascade["rows_a_loop"];
         EXPECT_NEAR(columns, a_loop.along / cascade.texel_m(), 0.5001);
         EXPECT_NEAR(rows, a_loop.across / cascade.texel_m(), 0.5001);
         EXPECT_NEAR(of_cascade["drift_mps"].get<double>(), std::hypot(columns, rows) * cascade.texel_m() / 8, 1e-12);
-        EXPECT_EQ(of_cascade["side_m"], cascade.lattice.side_m);
+        EXPECT_EQ(of_cascade["side_m"], cascade.grid.side_m);
     }
 
     const std::string table = run({"info"}).out;

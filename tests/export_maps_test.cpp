@@ -45,14 +45,14 @@ struct Truth {
 
 Truth truth_at(const Cascade& cascade, int i, int j) {
     const int n = cascade.resolution();
-    const CascadeLattice& lattice = cascade.lattice;
+    const CascadeGrid& grid = cascade.grid;
     const auto slopes = [&](const PlaneView& plane) {
         const auto at = [&](int a, int b) { return static_cast<double>(plane.at((a + n) % n, (b + n) % n)); };
         const double along = (at(i + 1, j) - at(i - 1, j)) / (2 * cascade.texel_m());
         const double across = (at(i, j + 1) - at(i, j - 1)) / (2 * cascade.texel_m());
-        return lattice.in_world(along, across);  // of x and z
+        return grid.in_world(along, across);  // of x and z
     };
-    const CascadeLattice::Place dx = slopes(cascade.dx), h = slopes(cascade.height), dz = slopes(cascade.dz);
+    const CascadeGrid::Place dx = slopes(cascade.dx), h = slopes(cascade.height), dz = slopes(cascade.dz);
     const Vector along_x{1 + dx.along, h.along, dz.along}, along_z{dx.across, h.across, 1 + dz.across};
     const Vector normal{along_z.y * along_x.z - along_z.z * along_x.y, along_z.z * along_x.x - along_z.x * along_x.z,
                         along_z.x * along_x.y - along_z.y * along_x.x};
@@ -180,7 +180,7 @@ TEST_P(ExportedMaps, DecodedBySeaJsonAreTheFrame) {
             for (int row = 0; row < pixels.height; ++row)
                 for (int column = 0; column < pixels.width; ++column) {
                     const Vector rest = places.at(column, row);
-                    const CascadeLattice::Place place = cascade.lattice.in_cascade(rest.x, rest.z);
+                    const CascadeGrid::Place place = cascade.grid.in_cascade(rest.x, rest.z);
                     const double i = place.along / cascade.texel_m(), j = place.across / cascade.texel_m();
                     ASSERT_NEAR(i, column, 1e-6);
                     ASSERT_NEAR(j, std::round(j), 1e-6);
@@ -299,7 +299,7 @@ struct Planes {
     Cascade cascade() const {
         const auto view = [](const std::vector<float>& plane) { return PlaneView{plane.data(), 16, 16, 16, 0}; };
         Cascade cascade;
-        cascade.lattice.side_m = 32;
+        cascade.grid.side_m = 32;
         cascade.dx = view(dx), cascade.height = view(height), cascade.dz = view(dz);
         return cascade;
     }

@@ -214,8 +214,8 @@ TEST(ExrFiles, SayWhatTheyAre) {
         EXPECT_EQ(attribute<int>(header, "pelagic:cascade"), number / 3);
         EXPECT_EQ(attribute<double>(header, "pelagic:time_s"), time_s);
         EXPECT_EQ(attribute<double>(header, "pelagic:side_m"), cascade.at("side_m"));
-        EXPECT_EQ(attribute<double>(header, "pelagic:turn_cosine"), cascade.at("turn").at("cosine"));
-        EXPECT_EQ(attribute<double>(header, "pelagic:turn_sine"), cascade.at("turn").at("sine"));
+        EXPECT_EQ(attribute<double>(header, "pelagic:rotation_cosine"), cascade.at("rotation").at("cosine"));
+        EXPECT_EQ(attribute<double>(header, "pelagic:rotation_sine"), cascade.at("rotation").at("sine"));
         EXPECT_EQ(attribute<std::string>(header, "pelagic:axes"), "+x east, +y up, +z south");
         for (const char* none : {"capDate", "owner", "worldToCamera", "worldToNDC", "Software"})
             EXPECT_EQ(header.find(none), header.end()) << none;
@@ -231,7 +231,7 @@ TEST(ExrFiles, LayersSayWhatTheyAreByName) {
     export_to(folder.path(), {"--pack", "layers"});
     Imf::MultiPartInputFile file((folder / "sea_0003.exr").c_str());
     EXPECT_EQ(attribute<std::string>(file.header(0), "pelagic:foam_c1:channels"), "foam = Y");
-    EXPECT_EQ(attribute<double>(file.header(0), "pelagic:foam_c1:side_m"), expected().cascade(1).lattice.side_m);
+    EXPECT_EQ(attribute<double>(file.header(0), "pelagic:foam_c1:side_m"), expected().cascade(1).grid.side_m);
     EXPECT_EQ(attribute<int>(file.header(0), "pelagic:frame"), 3);
 }
 

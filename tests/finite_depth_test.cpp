@@ -41,7 +41,7 @@ ComplexField transformed(const PlaneView& plane) {
 /// Of each wave vector of a cascade.
 struct CascadeSpectrum {
     explicit CascadeSpectrum(const Cascade& cascade)
-        : n(cascade.resolution()), spacing(2 * pi / cascade.lattice.side_m), lattice(cascade.lattice) {}
+        : n(cascade.resolution()), spacing(2 * pi / cascade.grid.side_m), grid(cascade.grid) {}
 
     /// Calls visit(element, kx, kz) with wave vectors along the world's axes, but for k = 0.
     template <class Visit>
@@ -49,7 +49,7 @@ struct CascadeSpectrum {
         for (int j = 0; j < n; ++j) {
             for (int i = 0; i < n; ++i) {
                 if (i == 0 && j == 0) continue;
-                const auto [kx, kz] = lattice.in_world(oracle::wave_number(static_cast<std::size_t>(i), n) * spacing,
+                const auto [kx, kz] = grid.in_world(oracle::wave_number(static_cast<std::size_t>(i), n) * spacing,
                                                        oracle::wave_number(static_cast<std::size_t>(j), n) * spacing);
                 visit(static_cast<std::size_t>(j * n + i), kx, kz);
             }
@@ -58,7 +58,7 @@ struct CascadeSpectrum {
 
     int n;
     double spacing;
-    CascadeLattice lattice;
+    CascadeGrid grid;
 };
 
 TEST(FiniteDepth, OrbitRatioIsTheHyperbolicCotangentUpToTwenty) {

@@ -56,7 +56,7 @@ std::vector<std::vector<int>> replayed(const SeaState& sea, std::int64_t tick) {
         for (std::size_t t = 0; t < foam.size(); ++t) {
             const Cascade& cascade = frame.cascades[t];
             const int n = cascade.resolution();
-            const DriftTexels drift = drift_of(frame.figures, cascade.lattice, n, clock, number);
+            const DriftTexels drift = drift_of(frame.figures, cascade.grid, n, clock, number);
             const std::vector<int> fresh = foam_in_halves(cascade), before = foam[t];
             foam[t] = fresh;
             if (before.empty()) continue;
@@ -253,12 +253,12 @@ TEST(FoamDrift, IsAsFastAsWindAndWavesOverAThousandTicks) {
             ++fine_cascades;
             double texels_x = 0, texels_z = 0;
             for (int tick = 501; tick <= 1500; ++tick) {
-                const DriftTexels step = drift_of(frame.figures, cascade.lattice, cascade.resolution(), clock, tick);
+                const DriftTexels step = drift_of(frame.figures, cascade.grid, cascade.resolution(), clock, tick);
                 texels_x += step.x;
                 texels_z += step.z;
             }
-            const CascadeLattice::Place way =
-                cascade.lattice.in_world(texels_x * cascade.texel_m(), texels_z * cascade.texel_m());
+            const CascadeGrid::Place way =
+                cascade.grid.in_world(texels_x * cascade.texel_m(), texels_z * cascade.texel_m());
             const double seconds = 1000 * clock.tick_s(), speed = std::hypot(drift_x, drift_z);
             EXPECT_NEAR(way.along / seconds, drift_x, 0.02 * speed);
             EXPECT_NEAR(way.across / seconds, drift_z, 0.02 * speed);
@@ -285,13 +285,13 @@ TEST(FoamDrift, IsWholeTexelsALoop) {
     SeaFigures figures;
     figures.foam_drift_x_mps = 0.37;
     figures.foam_drift_z_mps = -0.21;
-    const CascadeLattice lattice{.side_m = 10, .cosine = 0.6, .sine = 0.8};
+    const CascadeGrid grid{.side_m = 10, .cosine = 0.6, .sine = 0.8};
     for (const double period : {0.1, 7.3, 200.0}) {
         const TickClock clock(period);
-        const DriftTexels loop = drift_a_loop(figures, lattice, 64, clock);
+        const DriftTexels loop = drift_a_loop(figures, grid, 64, clock);
         int x = 0, z = 0;
         for (int tick = -5; tick < clock.ticks_a_loop() - 5; ++tick) {
-            const DriftTexels step = drift_of(figures, lattice, 64, clock, tick);
+            const DriftTexels step = drift_of(figures, grid, 64, clock, tick);
             x += step.x;
             z += step.z;
         }

@@ -15,7 +15,7 @@
 namespace pelagic {
 namespace {
 
-// A gale and a storm, so that much is white. Finer cascades are turned against the world.
+// A gale and a storm, so that much is white. Finer cascades are rotated against the world.
 const SeaState gale{.cascades = 4, .resolution = 32, .wind_speed_mps = 20, .wind_direction_rad = 0.7};
 const SeaState storm_on_one_cascade{
     .resolution = 64, .patch_size_m = 120, .wind_speed_mps = 25, .wind_direction_rad = 2.5};
@@ -39,12 +39,12 @@ Points random_points(std::size_t count) {
     return points;
 }
 
-/// As Cascade and CascadeLattice say: the largest of what the cascades hold around the rest point.
+/// As Cascade and CascadeGrid say: the largest of what the cascades hold around the rest point.
 double foam_by_texels(const Frame& frame, double rest_x_m, double rest_z_m) {
     double largest = 0;
     for (const Cascade& cascade : frame.cascades) {
         const int n = cascade.resolution();
-        const CascadeLattice::Place place = cascade.lattice.in_cascade(rest_x_m, rest_z_m);
+        const CascadeGrid::Place place = cascade.grid.in_cascade(rest_x_m, rest_z_m);
         const double u = place.along / cascade.texel_m(), v = place.across / cascade.texel_m();
         double foam = 0;
         for (const int right : {0, 1}) {

@@ -86,7 +86,7 @@ TEST(GlDynamicWaves, ShadersReadWhatSampleSays) {
 
         gl::SeaFacts facts;
         facts.cascades.resize(1);
-        facts.cascades[0].lattice.side_m = 100;
+        facts.cascades[0].grid.side_m = 100;
         facts.resolution = 64;
         facts.dynamic_waves = {Grid::n, grid.surface().texel_m, first_x, first_z};
         const glm::dvec2 viewer = grid.middle() + glm::dvec2(1.7, 0.6);

@@ -61,7 +61,7 @@ class FoamScene : public GlScene {
 /// One cascade's foam at a rest point, bilinear, a part of 1.
 double foam_at(const Cascade& cascade, double x_m, double z_m) {
     const int n = cascade.resolution();
-    const CascadeLattice::Place at = cascade.lattice.in_cascade(x_m, z_m);
+    const CascadeGrid::Place at = cascade.grid.in_cascade(x_m, z_m);
     const double u = at.along / cascade.texel_m(), v = at.across / cascade.texel_m();
     const double i = std::floor(u), j = std::floor(v);
     const auto texel = [&](double column, double row) {

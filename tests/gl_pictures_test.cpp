@@ -158,7 +158,7 @@ double correlation(const std::vector<double>& light, int side, int dx, int dy) {
 TEST(GlTiling, TheDefaultCascadesRepeatNowhereWithinWhatTheEyeCompares) {
     constexpr int pixels = 256;
     GlScene scene({.quality = "low", .samples = 4, .writes = gl::PixelKind::radiance});
-    const double coarsest_m = scene.ocean.frame_at(3).cascades[0].lattice.side_m;
+    const double coarsest_m = scene.ocean.frame_at(3).cascades[0].grid.side_m;
     const double pixel_m = 2 * coarsest_m / pixels;
     // Without foam: a few white pixels would weigh more than all waves.
     const std::vector<float> seen = scene.light_from_above(scene.ocean.frame_at(3), pixels, 2 * coarsest_m);

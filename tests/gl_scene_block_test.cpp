@@ -24,7 +24,7 @@ TEST(SceneBlock, KnowsTheLongestWavesOfEachCascade) {
         const gl::SeaFacts facts = gl::facts_of(ocean.frame_at(0));
         const std::vector<CascadePlan> plans = plan_cascades(sea);
         ASSERT_EQ(facts.cascades.size(), plans.size());
-        EXPECT_EQ(facts.cascades[0].longest_wave_m, plans[0].lattice.side_m);
+        EXPECT_EQ(facts.cascades[0].longest_wave_m, plans[0].grid.side_m);
         for (std::size_t i = 1; i < plans.size(); ++i) {
             const double longest_m = 2 * std::numbers::pi / plans[i].least_k;
             EXPECT_GE(facts.cascades[i].longest_wave_m, longest_m * (1 - 1e-12)) << preset.name << ", cascade " << i;
@@ -40,10 +40,10 @@ TEST(SceneBlock, PlacesAViewerInEachTurnedCascade) {
     const gl::SeaFacts facts = gl::facts_of(ocean.frame_at(0));
     DrawList list;
     for (std::size_t i = 0; i < facts.cascades.size(); ++i) {
-        const CascadeLattice& lattice = facts.cascades[i].lattice;
+        const CascadeGrid& grid = facts.cascades[i].grid;
         for (const double cascades : {0.0, 1e6}) {
-            const CascadeLattice::Place at =
-                lattice.in_world((cascades + 0.25) * lattice.side_m, (3 * cascades + 0.5) * lattice.side_m);
+            const CascadeGrid::Place at =
+                grid.in_world((cascades + 0.25) * grid.side_m, (3 * cascades + 0.5) * grid.side_m);
             const gl::SceneBlock block =
                 gl::scene_block_of({.eyes = {}, .viewer_m = {at.along, 5, at.across}, .list = &list}, facts, {}, {});
             // In double a metre is known to 1e-6 there, in cascades of 3 m.

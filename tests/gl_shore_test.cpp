@@ -196,7 +196,7 @@ class FourLargeCascades {
     explicit FourLargeCascades(const Frame& of) : frame(of), cascades_(4, of.cascades[0]) {
         for (std::size_t i = 0; i < cascades_.size(); ++i) {
             const double turn = 0.7 * static_cast<double>(i);
-            cascades_[i].lattice = {1100 + 170.0 * static_cast<double>(i), std::cos(turn), std::sin(turn)};
+            cascades_[i].grid = {1100 + 170.0 * static_cast<double>(i), std::cos(turn), std::sin(turn)};
         }
         frame.cascades = cascades_;
     }

@@ -37,7 +37,7 @@ TEST(GlSurface, HasEachCascadeAloneInItsPlaceAndTurned) {
         SCOPED_TRACE("cascade " + std::to_string(alone));
         std::vector<Cascade> cascades(all.cascades.begin(), all.cascades.end());
         for (std::size_t i = 0; i < cascades.size(); ++i) {
-            cascades[i].lattice.side_m = 128;
+            cascades[i].grid.side_m = 128;
             if (i != alone) cascades[i].displacement_rgba16f = calm;
         }
         Frame frame = all;

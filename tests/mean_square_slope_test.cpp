@@ -70,15 +70,15 @@ TEST(MeanSquareSlope, WhatIsLeftIsNeverNegative) {
 TEST(MeanSquareSlope, OfATurnedCascadeIsThatOfItsWavesInTheWorld) {
     std::mt19937 random(4);
     const auto number = [&] { return static_cast<double>(random()) / 4294967296.0 - 0.5; };
-    const CascadeLattice lattice{.side_m = 1, .cosine = std::cos(0.9), .sine = std::sin(0.9)};
+    const CascadeGrid grid{.side_m = 1, .cosine = std::cos(0.9), .sine = std::sin(0.9)};
     SlopeMoments in_cascade, in_world;
     for (int i = 0; i < 30; ++i) {
         const double square = number() + 0.5, along = number(), across = number();
         in_cascade.add_wave(square, along, across);
-        const CascadeLattice::Place wave = lattice.in_world(along, across);
+        const CascadeGrid::Place wave = grid.in_world(along, across);
         in_world.add_wave(square, wave.along, wave.across);
     }
-    const SlopeMoments turned = in_cascade.in_world(lattice);
+    const SlopeMoments turned = in_cascade.in_world(grid);
     EXPECT_NEAR(turned.xx, in_world.xx, 1e-12);
     EXPECT_NEAR(turned.zz, in_world.zz, 1e-12);
     EXPECT_NEAR(turned.xz, in_world.xz, 1e-12);
@@ -99,7 +99,7 @@ SlopeVariance shown_slopes(const Frame& frame) {
                 };
                 const double along = (h(i + 1, j) - h(i - 1, j)) / (2 * cascade.texel_m());
                 const double across = (h(i, j + 1) - h(i, j - 1)) / (2 * cascade.texel_m());
-                const auto [x, z] = cascade.lattice.in_world(along, across);
+                const auto [x, z] = cascade.grid.in_world(along, across);
                 up += std::pow(c * x + s * z, 2);
                 cross += std::pow(c * z - s * x, 2);
             }

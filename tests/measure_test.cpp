@@ -189,7 +189,7 @@ TEST(Measure, OneWaveHasItsFrequencyLengthAndDirection) {
     EXPECT_NEAR(most / all, 1, 1e-9);
 }
 
-// Its cascades are turned against each other, and each holds a band of the waves.
+// Its cascades are rotated against each other, and each holds a band of the waves.
 TEST(Measure, SeveralCascadesTogetherHoldWhatTheSeedDrew) {
     const TemporaryFolder folder;
     export_to(folder / "out", {"--cascades", "3", "--resolution", "32", "--loop-period", "60", "--loop-frames", "60",
@@ -213,7 +213,7 @@ TEST(Measure, SeveralCascadesTogetherHoldWhatTheSeedDrew) {
     EXPECT_NE(outcome.out.find("images of 2 of the sea's 3 cascades"), std::string::npos) << outcome.out;
 }
 
-/// A wave (m, n) of a cascade's lattice at a time, by its dispersion in deep water rounded to the loop.
+/// A wave (m, n) of a cascade's grid at a time, by its dispersion in deep water rounded to the loop.
 std::vector<float> wave_of(const CascadePlan& cascade, int m, int n, double amplitude_m, double time_s,
                            double loop_period_s) {
     const double k = cascade.spacing() * std::hypot(m, n);
@@ -231,8 +231,8 @@ std::vector<float> wave_of(const CascadePlan& cascade, int m, int n, double ampl
 // Two cascades, the finer one turned by 40 degrees: energies add, and directions are the world's.
 TEST(Measure, WavesOfSeveralCascadesAddInTheWorldsAxes) {
     const double turn = 40 * pi / 180, loop_s = 30;
-    const CascadePlan coarse{.lattice = {.side_m = 200}, .resolution = 16, .most_k = 0.2};
-    const CascadePlan fine{.lattice = {.side_m = 30, .cosine = std::cos(turn), .sine = std::sin(turn)},
+    const CascadePlan coarse{.grid = {.side_m = 200}, .resolution = 16, .most_k = 0.2};
+    const CascadePlan fine{.grid = {.side_m = 30, .cosine = std::cos(turn), .sine = std::sin(turn)},
                         .resolution = 16,
                         .number = 1,
                         .least_k = 0.2};

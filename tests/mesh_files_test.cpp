@@ -53,7 +53,7 @@ void expect_the_sea(const Frame& frame, const Mesh& mesh) {
     }
 }
 
-TEST(SeaMesh, ACascadesOwnLatticeIsTheSea) {
+TEST(SeaMesh, ACascadesOwnGridIsTheSea) {
     Ocean ocean = ocean_of(one_cascade);
     const Frame& frame = ocean.frame_at(3);
     const Mesh mesh = mesh_of(frame, {100, 32});
@@ -72,7 +72,7 @@ TEST(SeaMesh, WavesThatStepsCantShowAreLeftOut) {
     const std::vector<CascadePlan> plans = plan_cascades({.cascades = 3, .resolution = 32});
     for (std::size_t cascade = 1; cascade < 3; ++cascade) {
         const double longest_step_m =
-            1.5 * plans[cascade].lattice.side_m / 32;  // two of them for a wave of three texels
+            1.5 * plans[cascade].grid.side_m / 32;  // two of them for a wave of three texels
         EXPECT_EQ(cascades_shown_by(longest_step_m * 0.999, plans), cascade + 1);
         EXPECT_EQ(cascades_shown_by(longest_step_m * 1.001, plans), cascade);
     }

@@ -140,7 +140,7 @@ TEST(WaveHeight, OfJonswapEndsAtAFullyDevelopedSea) {
         for (const double fetch : {1e2, 1e3, 1e4, 0.5 * limit_m, limit_m, 1e5, 5e5, 1e6, 2e6}) {
             if (fetch > 2e6) continue;
             const SeaState sea{.wind_speed_mps = speed, .fetch_m = fetch, .depth_m = 11000};
-            const WaveSpectrum spectrum(sea, {.lattice = {.side_m = 1000}, .resolution = 16});
+            const WaveSpectrum spectrum(sea, {.grid = {.side_m = 1000}, .resolution = 16});
             const double height = 4 * std::sqrt(integral_over_wave_numbers(spectrum, sea));
             EXPECT_LT(height, 0.2855 * unit) << speed << " m/s, " << fetch << " m";
             if (fetch < limit_m) continue;
@@ -149,7 +149,7 @@ TEST(WaveHeight, OfJonswapEndsAtAFullyDevelopedSea) {
             // The same bits as at the limit: more fetch adds nothing.
             SeaState at_limit = sea;
             at_limit.fetch_m = effective_fetch_m(sea);
-            EXPECT_EQ(WaveSpectrum(at_limit, {.lattice = {.side_m = 1000}, .resolution = 16}).variance(),
+            EXPECT_EQ(WaveSpectrum(at_limit, {.grid = {.side_m = 1000}, .resolution = 16}).variance(),
                       spectrum.variance());
         }
         // TMA: a depth takes from the same sea.

@@ -116,7 +116,7 @@ void expect_finite(SeaState sea) {
         const Frame& frame = ocean.frame_at(time_s);
         const std::string fault = fault_of(frame);
         ASSERT_EQ(fault, "") << text_of(sea);
-        ASSERT_EQ(fault_of_answers(SurfaceQuery(frame), frame.cascades[0].lattice.side_m), "") << text_of(sea);
+        ASSERT_EQ(fault_of_answers(SurfaceQuery(frame), frame.cascades[0].grid.side_m), "") << text_of(sea);
     }
 }
 

@@ -184,7 +184,7 @@ TEST(SeaReport, MeanPeriodsOfJonswapAreItsIntegrals) {
     }
     const SeaReport report = report_on(sea);
     EXPECT_NEAR(report.expected_periods.tm01_s / (2 * pi * m0 / m1), 1,
-                0.005);  // cells of the lattice are wide at the peak
+                0.005);  // cells of the grid are wide at the peak
     EXPECT_NEAR(report.expected_periods.tm02_s / (2 * pi * std::sqrt(m0 / m2)), 1,
                 0.01);  // and capillaries are faster
 }
@@ -205,7 +205,7 @@ TEST(SeaReport, PeaksOfWindSeaAndSwellAreApart) {
     wind.swell_height_m = 0;
     const SeaReport of_wind = report_on(wind);
     EXPECT_EQ(report.wind_sea->peak_period_s, of_wind.expected.peak_period_s);
-    // Few waves of the lattice make the swell's peak, so a seed's is within an eighth of the model's, and the mean of eight closer.
+    // Few waves of the grid make the swell's peak, so a seed's is within an eighth of the model's, and the mean of eight closer.
     double swell_s = 0, wind_s = 0;
     for (std::uint32_t seed = 60; seed < 68; ++seed) {
         SeaState drawn = sea;

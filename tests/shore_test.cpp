@@ -146,7 +146,7 @@ TEST(Shore, GoesOnOutsideItsRectangleAsItsEdgeIs) {
 
 /// Bilinear in a cascade, by its definition.
 double cascade_at(const Cascade& cascade, const PlaneView& plane, double x, double z) {
-    const auto [along, across] = cascade.lattice.in_cascade(x, z);
+    const auto [along, across] = cascade.grid.in_cascade(x, z);
     const double u = along / cascade.texel_m(), v = across / cascade.texel_m(), i = std::floor(u), j = std::floor(v);
     const int n = cascade.resolution();
     const auto at = [&](double column, double row) {

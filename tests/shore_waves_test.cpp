@@ -370,7 +370,7 @@ TEST(ShoreWaves, HaveTheEnergyOfTheCoarsestCascade) {
         const CascadePlan cascade = plan_cascades(sea).front();
         const WaveSpectrum spectrum(sea, cascade);
         double expected = 0, found = 0, x = 0, z = 0;
-        const double most_k = std::min(cascade.most_k, pi * cascade.resolution / cascade.lattice.side_m);
+        const double most_k = std::min(cascade.most_k, pi * cascade.resolution / cascade.grid.side_m);
         constexpr int steps = 20000;
         for (int i = 0; i < steps; ++i) {
             const double k = (i + 0.5) / steps * most_k;

@@ -36,7 +36,7 @@ struct Wave {
     double number() const { return std::hypot(kx, kz); }
 };
 
-/// Waves on a square lattice that is turned in the world.
+/// Waves on a square grid that is turned in the world.
 struct WaveCascade {
     int resolution;
     double side_m, angle_rad;
@@ -44,7 +44,7 @@ struct WaveCascade {
     double mean_square_slope;
 };
 
-/// Random waves of `least_steps` to N/3 steps of the lattice in a side, each octave as steep as every other, from everywhere.
+/// Random waves of `least_steps` to N/3 steps of the grid in a side, each octave as steep as every other, from everywhere.
 WaveCascade random_cascade(int resolution, double side_m, double angle_rad, double least_steps, double mean_square_slope,
                      std::mt19937& random) {
     constexpr int count = 80;
@@ -82,7 +82,7 @@ SurfaceSlopes exact_slopes(const WaveCascade& cascade, double choppiness, double
     return sum;
 }
 
-/// The waves' surface at the lattice, by naive sums.
+/// The waves' surface at the grid, by naive sums.
 CascadePlanes planes_of(const WaveCascade& cascade, double choppiness) {
     const double c = std::cos(cascade.angle_rad), s = std::sin(cascade.angle_rad);
     const double texel = cascade.side_m / cascade.resolution;
@@ -192,15 +192,15 @@ TEST(SlopeSum, TurnedCascadesAreNearTheExactSurface) {
 
 /// All waves that a cascade of a sea holds at t = 0: h = sum of h0 e^{ikx} and its conjugate.
 WaveCascade waves_of(const SeaState& sea, const CascadePlan& plan) {
-    const CascadeLattice& lattice = plan.lattice;
-    WaveCascade cascade{plan.resolution, lattice.side_m, std::atan2(lattice.sine, lattice.cosine), {}, 0};
+    const CascadeGrid& grid = plan.grid;
+    WaveCascade cascade{plan.resolution, grid.side_m, std::atan2(grid.sine, grid.cosine), {}, 0};
     const CascadeWaves waves(sea, plan);
     const int half = plan.resolution / 2;
     for (int n = -half; n < half; ++n) {
         for (int m = -half; m < half; ++m) {
             const std::complex<double> h0 = waves.amplitude(m, n);
             if (h0 == 0.0) continue;
-            const auto [kx, kz] = lattice.in_world(m * plan.spacing(), n * plan.spacing());
+            const auto [kx, kz] = grid.in_world(m * plan.spacing(), n * plan.spacing());
             cascade.waves.push_back({kx, kz, 2.0 * h0});
         }
     }
@@ -572,9 +572,9 @@ TEST_P(SlopesOnEachIsa, GradientsWithoutHalvesAreTheSame) {
 
 CascadePlanes planes_of(const Cascade& cascade) {
     CascadePlanes planes{cascade.resolution(),
-                      cascade.lattice.side_m,
-                      static_cast<float>(cascade.lattice.cosine),
-                      static_cast<float>(cascade.lattice.sine),
+                      cascade.grid.side_m,
+                      static_cast<float>(cascade.grid.cosine),
+                      static_cast<float>(cascade.grid.sine),
                       {},
                       {},
                       {},
@@ -656,7 +656,7 @@ TEST(SlopesOfFrames, MakeTheHalvesAndTheHashOfSeveralCascades) {
         slots.cascade(t).dx.data = slots.buffers(t).surface.data();
         slots.cascade(t).height.data = slots.buffers(t).surface.data() + surface_height * kernels.lanes;
         slots.cascade(t).dz.data = slots.buffers(t).surface.data() + surface_dz * kernels.lanes;
-        slots.cascade(t).lattice = {waves[t].side_m, std::cos(waves[t].angle_rad), std::sin(waves[t].angle_rad)};
+        slots.cascade(t).grid = {waves[t].side_m, std::cos(waves[t].angle_rad), std::sin(waves[t].angle_rad)};
         slots.cascade(t).slope_ranges = slope_ranges(waves[t].mean_square_slope, waves[t].mean_square_slope);
         slots.cascade(t).whitecap_jacobian = 0.7f;
         slots.cascade(t).whitecap_ramp = 0.2f;

@@ -23,7 +23,7 @@ constexpr double gravity = 9.80665;
 
 /// One cascade of the sea's waves, without surface tension.
 CascadePlan cascade_of(const SeaState& sea) {
-    return {.lattice = {.side_m = sea.patch_size_m > 0 ? sea.patch_size_m : 250}, .resolution = resolution_of(sea)};
+    return {.grid = {.side_m = sea.patch_size_m > 0 ? sea.patch_size_m : 250}, .resolution = resolution_of(sea)};
 }
 WaveSpectrum spectrum_of(const SeaState& sea) { return WaveSpectrum(sea, cascade_of(sea)); }
 
@@ -178,10 +178,10 @@ TEST(Depth, FrequenciesAtAPointAreThoseOfTheSpectrum) {
                     squares += variance * variance;
                 }
             const double deviation = std::sqrt(squares / 16);
-            // Three deviations, and what the lattice's sum is beside the integral.
+            // Three deviations, and what the grid's sum is beside the integral.
             EXPECT_NEAR(measured[band], expected, 3 * deviation + std::fabs(sum - expected))
                 << band << " in " << depth;
-            EXPECT_NEAR(sum, expected, 0.08 * expected) << "a band is few rings of the lattice wide";
+            EXPECT_NEAR(sum, expected, 0.08 * expected) << "a band is few rings of the grid wide";
             EXPECT_LT(deviation, 0.06 * expected);
         }
     }

@@ -44,7 +44,7 @@ class Crumpled {
             return size;
         };
         water.frame.isa = choose_isa();
-        water.cascade.lattice.side_m = n;
+        water.cascade.grid.side_m = n;
         water.cascade.dx = plane(dx_);
         water.cascade.height = plane(height_);
         water.cascade.dz = plane(dz_);

@@ -157,7 +157,7 @@ class Exaggerated {
         }
         water_.frame.sea = frame.sea;
         water_.frame.isa = frame.isa;
-        water_.cascade.lattice = cascade.lattice;
+        water_.cascade.grid = cascade.grid;
         FrameBounds bounds = cascade.bounds;
         bounds.sideways_x_max_m *= factor;
         bounds.sideways_z_max_m *= factor;
@@ -247,7 +247,7 @@ class Trochoid {
         zero_.assign(dx_.size(), 0.f);
         const auto view = [](const std::vector<float>& plane) { return PlaneView{plane.data(), n, n, n, 0}; };
         water_.frame.isa = choose_isa();
-        water_.cascade.lattice.side_m = patch_m;
+        water_.cascade.grid.side_m = patch_m;
         water_.cascade.dx = view(dx_), water_.cascade.height = view(height_), water_.cascade.dz = view(zero_);
         water_.set_bounds({-amplitude, amplitude, a, 0});
         folds_.update(water_.cascade, kernels);
@@ -304,7 +304,7 @@ TEST(SurfaceQuery, FindsTheTopOfALoopKnownInClosedForm) {
             << points.x[i];
     }
     EXPECT_GT(inside, 100u);
-    EXPECT_GT(turned, 100u) << "the top of a loop is a sheet that is turned over";
+    EXPECT_GT(turned, 100u) << "the top of a loop is a sheet that is overturned";
 }
 
 // The library's phase is a fraction of the loop in steps of 2^-32; differences over 1 ms leave an error of

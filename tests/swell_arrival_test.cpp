@@ -168,10 +168,10 @@ TEST(SwellArrival, LongWavesComeBeforeShortOnes) {
     std::vector<std::complex<double>> whole;
     {
         const Cascade& cascade = ocean.frame_at(steady_s).cascades[0];
-        const double spacing = two_pi / cascade.lattice.side_m;
+        const double spacing = two_pi / cascade.grid.side_m;
         for (int steps = 2; steps < 24; steps += 2) {
             // Along the swell, as the cascade's axes lie.
-            const CascadeLattice::Place along = cascade.lattice.in_cascade(std::cos(0.6), std::sin(0.6));
+            const CascadeGrid::Place along = cascade.grid.in_cascade(std::cos(0.6), std::sin(0.6));
             const int m = static_cast<int>(std::lround(steps * along.along));
             const int n = static_cast<int>(std::lround(steps * along.across));
             const double omega = angular_frequency(spacing * std::hypot(m, n), swell.depth_m);

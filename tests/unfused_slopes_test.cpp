@@ -29,15 +29,15 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST_P(UnfusedSlopesOnEachIsa, GiveTheBitsOfTheFusedJobs) {
     const auto [isa, n] = GetParam();
-    for (const bool is_turned : {false, true}) {
-        const unfused::CascadePlanes planes = is_turned ? noise(n, 0.8f, -0.6f) : noise(n, 1, 0);
+    for (const bool is_rotated : {false, true}) {
+        const unfused::CascadePlanes planes = is_rotated ? noise(n, 0.8f, -0.6f) : noise(n, 1, 0);
         // Some values are beyond these ranges.
         const SlopeRanges ranges{0.5f, 0.1f};
         const unfused::CascadeSlopes fused = slopes_by(kernels_for(isa), planes, ranges);
         const unfused::CascadeSlopes apart = unfused::slopes_of(planes, ranges);
-        EXPECT_EQ(fused.slopes, apart.slopes) << "turned " << is_turned;
-        EXPECT_EQ(fused.moments, apart.moments) << "turned " << is_turned;
-        EXPECT_EQ(fused.halves, apart.halves) << "turned " << is_turned;
+        EXPECT_EQ(fused.slopes, apart.slopes) << "turned " << is_rotated;
+        EXPECT_EQ(fused.moments, apart.moments) << "turned " << is_rotated;
+        EXPECT_EQ(fused.halves, apart.halves) << "turned " << is_rotated;
     }
 }
 

@@ -25,7 +25,7 @@ struct NamedSea {
     SeaState sea;
 };
 
-/// Jobs of several rows, of one, and of all; a stack whose lattices are turned, and a pond.
+/// Jobs of several rows, of one, and of all; a stack whose grids are turned, and a pond.
 std::vector<NamedSea> seas() {
     return {{"stack", {.cascades = 3, .resolution = 64, .wind_speed_mps = 12, .loop_period_s = 30}},
             {"smallest", {.resolution = 16, .patch_size_m = 40, .wind_speed_mps = 6, .loop_period_s = 30}},

@@ -94,17 +94,17 @@ Told told_of(const AnalyticWave& wave, std::span<const Cascade> cascades) {
     Told told;
     for (std::size_t i = 0; i < cascades.size(); ++i) {
         const double texels = wave.wavelength_m / cascades[i].texel_m();
-        const double steps = cascades[i].lattice.side_m / wave.wavelength_m;
+        const double steps = cascades[i].grid.side_m / wave.wavelength_m;
         const bool above_has_none =
             told.cascade < 0 || wave.wavelength_m <= 3 * cascades[static_cast<std::size_t>(told.cascade)].texel_m();
         if (texels > (cascades.size() == 1 ? 2 : 3) && (steps >= 8 || above_has_none)) told.cascade = static_cast<int>(i);
     }
     if (told.cascade < 0) return told;
-    const CascadeLattice& lattice = cascades[static_cast<std::size_t>(told.cascade)].lattice;
-    const double turn = std::atan2(lattice.sine, lattice.cosine), steps = lattice.side_m / wave.wavelength_m;
+    const CascadeGrid& grid = cascades[static_cast<std::size_t>(told.cascade)].grid;
+    const double turn = std::atan2(grid.sine, grid.cosine), steps = grid.side_m / wave.wavelength_m;
     told.m = std::round(steps * std::cos(wave.direction_rad - turn));
     told.n = std::round(steps * std::sin(wave.direction_rad - turn));
-    const double k = two_pi / lattice.side_m * std::hypot(told.m, told.n);
+    const double k = two_pi / grid.side_m * std::hypot(told.m, told.n);
     told.omega = two_pi / loop_s * std::max(1.0, std::round(std::sqrt(9.80665 * k) * loop_s / two_pi));
     return told;
 }
@@ -112,13 +112,13 @@ Told told_of(const AnalyticWave& wave, std::span<const Cascade> cascades) {
 /// The sum at a texel, in double.
 SixFields closed_form(const AnalyticSea& sea, std::span<const Cascade> cascades, std::size_t cascade, int i, int j, double t) {
     SixFields sum;
-    const CascadeLattice& lattice = cascades[cascade].lattice;
+    const CascadeGrid& grid = cascades[cascade].grid;
     const double n = cascades[cascade].resolution();
     for (const AnalyticWave& wave : sea.waves) {
         const Told told = told_of(wave, cascades);
         if (told.cascade != static_cast<int>(cascade)) continue;
         const double steps = std::hypot(told.m, told.n);
-        const auto [x, z] = lattice.in_world(told.m / steps, told.n / steps);
+        const auto [x, z] = grid.in_world(told.m / steps, told.n / steps);
         const double angle = two_pi * (told.m * i + told.n * j) / n - told.omega * t + wave.phase_rad;
         const double a = wave.amplitude_m, sideways = sea.choppiness * a;
         sum.of[0] -= sideways * x * std::sin(angle);
@@ -171,8 +171,8 @@ TEST(WaveInput, AWaveGoesToTheCascadeThatShowsItBest) {
         const Told told = told_of(wave, frame.cascades);
         ASSERT_EQ(input->held().waves.size(), told.cascade < 0 ? 0U : 1U) << wavelength;
         if (told.cascade < 0) continue;
-        const CascadeLattice& lattice = frame.cascades[static_cast<std::size_t>(told.cascade)].lattice;
-        const auto [x, z] = lattice.in_world(told.m / lattice.side_m, told.n / lattice.side_m);
+        const CascadeGrid& grid = frame.cascades[static_cast<std::size_t>(told.cascade)].grid;
+        const auto [x, z] = grid.in_world(told.m / grid.side_m, told.n / grid.side_m);
         EXPECT_NEAR(input->held().waves[0].turns_per_m_x, x, 1e-12) << wavelength;
         EXPECT_NEAR(input->held().waves[0].turns_per_m_z, z, 1e-12) << wavelength;
         ++held;
@@ -228,8 +228,8 @@ TEST(WaveInput, RingsAreTheirClosedFormAndEndBeforeTheyMeetTheirNeighbours) {
             const Frame &a = ocean.frame_at(t), &b = pure.frame_at(t);
             const auto home = static_cast<std::size_t>(told_of({.wavelength_m = asked.wavelength_m}, a.cascades).cascade);
             ASSERT_EQ(input->held().cascade, home);
-            const CascadeLattice& lattice = a.cascades[home].lattice;
-            const double half = lattice.side_m / 2;
+            const CascadeGrid& grid = a.cascades[home].grid;
+            const double half = grid.side_m / 2;
             const double reach = asked.reach_m > 0 ? std::min(asked.reach_m, half) : half;
             EXPECT_EQ(input->held().reach_m, reach);
             const double omega =
@@ -238,9 +238,9 @@ TEST(WaveInput, RingsAreTheirClosedFormAndEndBeforeTheyMeetTheirNeighbours) {
             double largest = 0;
             int untouched = 0;
             for_differences(a, b, [&](std::size_t cascade, std::size_t plane, double difference, int i, int j) {
-                const auto [x, z] = lattice.in_world(a.cascades[home].texel_m() * i, a.cascades[home].texel_m() * j);
-                const auto [u, v] = lattice.in_cascade(x - asked.x_m, z - asked.z_m);
-                const double r = std::hypot(std::remainder(u, lattice.side_m), std::remainder(v, lattice.side_m));
+                const auto [x, z] = grid.in_world(a.cascades[home].texel_m() * i, a.cascades[home].texel_m() * j);
+                const auto [u, v] = grid.in_cascade(x - asked.x_m, z - asked.z_m);
+                const double r = std::hypot(std::remainder(u, grid.side_m), std::remainder(v, grid.side_m));
                 if (cascade != home || (plane != 1 && plane != 4) || r >= reach * (1 + 1e-6)) {
                     ASSERT_EQ(difference, 0) << cascade << ' ' << plane << ' ' << i << ' ' << j;
                     untouched += cascade == home && plane == 1;
@@ -564,11 +564,11 @@ TEST(WaveInput, FollowsTheCascadesOfAnotherSea) {
     const auto rings = ripple({.wavelength_m = 9, .amplitude_m = 0.4});
     Ocean ocean(stack, with({waves, rings})),
         fresh(storm, with({gerstner(), ripple({.wavelength_m = 9, .amplitude_m = 0.4})}));
-    const double side = ocean.frame_at(1).cascades[0].lattice.side_m;
+    const double side = ocean.frame_at(1).cascades[0].grid.side_m;
     ocean.schedule_sea(storm);
     ocean.complete_sea();
     const Frame& frame = ocean.frame_at(2);
-    EXPECT_NE(frame.cascades[0].lattice.side_m, side);
+    EXPECT_NE(frame.cascades[0].grid.side_m, side);
     EXPECT_EQ(hash_of(frame), hash_of(fresh.frame_at(2)));
 }
 
@@ -594,7 +594,7 @@ TEST(WaveInput, IsToldTheTimeOfFramesAndTicks) {
         EXPECT_EQ(tick.place, 1U);
         EXPECT_NEAR(tick.time_s, 3 * loop_s + 5.0 - 0.1 * static_cast<double>(29 - i), 1e-9);
         EXPECT_NEAR(tick.loop_turns * 0x1p-32, (tick.time_s - 3 * loop_s) / loop_s, 1e-9);
-        EXPECT_EQ(tick.lattices.size(), 4U);
+        EXPECT_EQ(tick.grids.size(), 4U);
         EXPECT_EQ(tick.resolution, 64);
         EXPECT_EQ(tick.loop_period_s, loop_s);
     }

@@ -112,15 +112,15 @@ TEST(Forecast, SeaInBetweenGoesFromOneToTheOther) {
     for (const double part : {0.1, 0.5, 0.9}) EXPECT_EQ(check(sea_between(north, west, part)), "");
 }
 
-TEST(CascadePlan, SeasThatTurnIntoOneAnotherShareLatticesAndBands) {
+TEST(CascadePlan, SeasThatTurnIntoOneAnotherShareGridsAndBands) {
     WaveReach reach = WaveReach::of(calm);
     reach.extend_to(WaveReach::of(storm));
     const auto of_calm = plan_cascades(calm, reach), of_storm = plan_cascades(storm, reach);
-    EXPECT_GE(of_storm.front().lattice.side_m, plan_cascades(storm).front().lattice.side_m);
+    EXPECT_GE(of_storm.front().grid.side_m, plan_cascades(storm).front().grid.side_m);
     ASSERT_EQ(of_calm.size(), of_storm.size());
     for (std::size_t cascade = 0; cascade < of_calm.size(); ++cascade) {
-        EXPECT_EQ(of_calm[cascade].lattice.side_m, of_storm[cascade].lattice.side_m);
-        EXPECT_EQ(of_calm[cascade].lattice.sine, of_storm[cascade].lattice.sine);
+        EXPECT_EQ(of_calm[cascade].grid.side_m, of_storm[cascade].grid.side_m);
+        EXPECT_EQ(of_calm[cascade].grid.sine, of_storm[cascade].grid.sine);
         EXPECT_EQ(of_calm[cascade].least_k, of_storm[cascade].least_k);
         if (cascade + 1 < of_calm.size()) {
             EXPECT_EQ(of_calm[cascade].most_k, of_storm[cascade].most_k);

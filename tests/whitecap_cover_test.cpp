@@ -22,7 +22,7 @@ constexpr double seconds_between = 0.57;
 double foam_at(const Cascade& cascade, double rest_x_m, double rest_z_m) {
     if (!cascade.makes_whitecaps()) return 0;
     const int n = cascade.resolution();
-    const CascadeLattice::Place place = cascade.lattice.in_cascade(rest_x_m, rest_z_m);
+    const CascadeGrid::Place place = cascade.grid.in_cascade(rest_x_m, rest_z_m);
     const double u = place.along / cascade.texel_m(), v = place.across / cascade.texel_m();
     const int i = static_cast<int>(std::floor(u)), j = static_cast<int>(std::floor(v));
     const double s = u - i, t = v - j;

@@ -434,7 +434,7 @@ class Viewer {
         start_caustics(frame);
         shown_time_s_ = frame.time_s;
         figures_.cascade_sides_m.clear();
-        for (const Cascade& cascade : frame.cascades) figures_.cascade_sides_m.push_back(cascade.lattice.side_m);
+        for (const Cascade& cascade : frame.cascades) figures_.cascade_sides_m.push_back(cascade.grid.side_m);
         figures_.significant_wave_height_m = frame.figures.significant_wave_height_m;
         picture_.follow(settings_.camera, unmetered_ev_, passed_s);
         figures_.ev = picture_.ev();

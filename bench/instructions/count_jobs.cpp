@@ -41,7 +41,7 @@ SeaState sea_of(Cascades cascades) {
 void count_queries(const std::string& sea, const Frame& frame) {
     constexpr std::size_t points = 4096;
     std::mt19937 random(1);
-    const double side_m = frame.cascades[0].lattice.side_m;
+    const double side_m = frame.cascades[0].grid.side_m;
     std::vector<double> x(points), z(points);
     for (std::vector<double>* const axis : {&x, &z})
         for (double& at : *axis) at = side_m * 3 * (static_cast<double>(random()) / 4294967296.0) - side_m;

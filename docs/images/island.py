@@ -12,7 +12,7 @@ GRID = [[random.random() for _ in range(64)] for _ in range(64)]
 
 
 def noise(x, y):
-    """Value noise in [0, 1], smooth between a lattice of random values."""
+    """Value noise in [0, 1], smooth between a grid of random values."""
     i, j = int(x), int(y)
     fx, fy = x - i, y - j
     fx, fy = fx * fx * (3 - 2 * fx), fy * fy * (3 - 2 * fy)

@@ -20,7 +20,7 @@ int main() {
         std::printf("%.4f s: hash %016llx, buoys at %.3f %.3f %.3f m, cascades of", frame.time_s,
                     static_cast<unsigned long long>(hash_of(frame)), heights[0], heights[1], heights[2]);
         // Where a renderer would upload a cascade's textures: displacement_rgba16f, slopes_rgba8 and moments_rgba8.
-        for (const pelagic::Cascade& cascade : frame.cascades) std::printf(" %g", cascade.lattice.side_m);
+        for (const pelagic::Cascade& cascade : frame.cascades) std::printf(" %g", cascade.grid.side_m);
         std::printf(" m\n");
     }
 }

@@ -236,13 +236,13 @@ void SeaDrawing::set_uniforms(const Frame& frame, const QuadtreeGrid& grid, glm:
     set("cascades", Value(static_cast<std::int64_t>(frame.cascades.size())));
     for (std::size_t i = 0; i < frame.cascades.size(); ++i) {
         const Cascade& cascade = frame.cascades[i];
-        const double side = cascade.lattice.side_m;
-        const CascadeLattice::Place at = cascade.lattice.in_cascade(viewer.x, viewer.y);
+        const double side = cascade.grid.side_m;
+        const CascadeGrid::Place at = cascade.grid.in_cascade(viewer.x, viewer.y);
         const std::string number = std::to_string(i);
         // A texture's texels have their middles half a texel further than where they rest.
         set(("cascade_place_" + number).c_str(),
             Value(floats(fraction(at.along / side + 0.5 / resolution), fraction(at.across / side + 0.5 / resolution),
-                         cascade.lattice.cosine / side, cascade.lattice.sine / side)));
+                         cascade.grid.cosine / side, cascade.grid.sine / side)));
         set(("cascade_scale_" + number).c_str(), Value(floats(1 / cascade.texel_m(), cascade.slope_ranges.slope,
                                                            cascade.slope_ranges.variance, cascade.slope_variance)));
     }

@@ -4,7 +4,7 @@
 uniform sampler2D caustics;
 #endif
 
-// Three turned rows of crests: half-rectified cosines, their sum cubed so that lines are thin. Of cosines c with
+// Three rotated rows of crests: half-rectified cosines, their sum cubed so that lines are thin. Of cosines c with
 // independent phases the mean of (c1 + c2 + c3)^3 is 3 <c^3> + 18 <c^2><c> + 6 <c>^3 = 2.2625.
 float rows_of_crests(vec2 at) {
     vec3 phase = vec3(dot(at, caustic_row[0].xy), dot(at, caustic_row[1].xy), dot(at, caustic_row[2].xy)) +

@@ -2,7 +2,7 @@
 // stands between the eyes: far from the world's origin a float has no millimetres left, near the viewer it has. y is up.
 // Laid out as gl/scene_block.hpp.
 //
-// The sea is a sum of CASCADES square cascades of waves, the coarsest first; each repeats, each may be turned, and each is a layer
+// The sea is a sum of CASCADES square cascades of waves, the coarsest first; each repeats, each may be rotated, and each is a layer
 // of the textures.
 
 // SHADING is how much a pixel may cost: a headset draws nine million of them, 72 times a second.
@@ -81,7 +81,7 @@ layout(std140) uniform Scene {
     highp vec4 foam_streaks[2];   // along and across the wind, near and far: xy 1/m, zw where the viewer is; they drift
     highp vec4 foam_kind;         // x: so many cascades, the coarsest, make foam; y: how softly streaks gather old foam; z: height of
                                   // fresh foam, m; w: how much of it far windrows gather
-    highp vec4 bump_lattice[8];   // of small water's octaves: xy cosine and sine of the turn; z: cells a metre; w: height
+    highp vec4 bump_grid[8];   // of small water's octaves: xy cosine and sine of the turn; z: cells a metre; w: height
     highp vec4 bump_place[8];     // where the viewer is in it: xy in the cell, zw which cell
     highp vec4 bump_turn[2];      // how far gradients have turned, turns
     highp vec4 bump_kind;         // x: how much longer crests are than waves, as a factor below 1; y: coast: foam on crests, pond:

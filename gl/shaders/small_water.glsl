@@ -24,7 +24,7 @@ uint mixed_bits(uint bits) {
     return (word >> 22u) ^ word;
 }
 
-// A corner's gradient turns as time goes on: waves rise and fall where they are. The lattice repeats after 64 cells.
+// A corner's gradient turns as time goes on: waves rise and fall where they are. The grid repeats after 64 cells.
 vec2 turning_gradient(ivec2 corner, int octave, float turn) {
     uvec2 wrapped = uvec2(corner & 63);
     float angle = 6.2831853 * (float(mixed_bits(wrapped.x + 64u * wrapped.y + 4096u * uint(octave)) >> 8u) / 16777216.0 + turn);
@@ -58,16 +58,16 @@ const float half_wave_cells = 0.75;
 Bumps sum_of_octaves(vec2 at, float apart_m, float rough) {
     Bumps sum = Bumps(0.0, vec2(0.0), 0.0, 1.0);
     for (int i = 0; i < octaves; ++i) {
-        vec4 lattice = bump_lattice[i];  // xy: cosine and sine of its turn; z: cells a metre; w: height
+        vec4 grid = bump_grid[i];  // xy: cosine and sine of its turn; z: cells a metre; w: height
         vec4 place = bump_place[i];
-        float height = lattice.w * rough, squeeze = bump_kind.x;
-        float steepness = height * lattice.z;
-        float shown = shown_in(half_wave_cells / lattice.z, apart_m);
+        float height = grid.w * rough, squeeze = bump_kind.x;
+        float steepness = height * grid.z;
+        float shown = shown_in(half_wave_cells / grid.z, apart_m);
         sum.left += (1.0 - shown * shown) * steepness * steepness * noise_slope_square * 0.5 * (1.0 + squeeze * squeeze);
         if (shown <= 0.0) continue;
         vec2 warp = bump_kind.zw;
         vec2 moved = at + warp * sum.height;
-        vec2 row = lattice.xy * lattice.z;
+        vec2 row = grid.xy * grid.z;
         vec2 p = vec2(row.x * moved.x + row.y * moved.y, squeeze * (row.x * moved.y - row.y * moved.x));
         vec3 n = turning_noise(p + place.xy, ivec2(place.zw), i, bump_turn[i / 4][i % 4]);
 #if SURFACE == COAST

@@ -6,7 +6,7 @@ uniform highp sampler2DArray moments;  // D_xz, variance of h_x, of h_z, covaria
 uniform sampler2D detail;              // slopes of ripples, noise for gusts and foam, how much of the slopes this mip still holds
 
 // The piece of sea that a pixel covers, metres at rest: near the horizon it is long and thin, which mips, being square, would blur to
-// nothing. So it is looked at in four places, the rooks of a turned square, over 1.33 of its sides, the same on every driver,
+// nothing. So it is looked at in four places, the rooks of a rotated square, over 1.33 of its sides, the same on every driver,
 // unlike their anisotropic filters. Each look takes a mip half as wide as the piece: the mip as wide as the piece is an average of two by two
 // texels, which folds waves of three texels back with half their height, and a glint would weave them into a cloth.
 struct Footprint {
@@ -210,7 +210,7 @@ vec4 layer_of_ripples(int layer, vec2 at, Footprint pixel) {
 }
 
 // The slopes of a layer, turned back into the world.
-vec2 turned_back(int layer, vec2 slopes) {
+vec2 rotated_back(int layer, vec2 slopes) {
     vec2 row = detail_turn[layer].zw;  // cosine and sine
     return vec2(row.x * slopes.x - row.y * slopes.y, row.y * slopes.x + row.x * slopes.y);
 }
@@ -232,11 +232,11 @@ void add_water_between_texels(vec2 at, Footprint pixel, inout Waves seen) {
     float gust = gust_at(at);
     vec4 a = layer_of_ripples(0, at, pixel);
 #if SHADING == HEADSET
-    vec2 slopes = turned_back(0, a.xy) * sqrt(2.0);
+    vec2 slopes = rotated_back(0, a.xy) * sqrt(2.0);
     float shown = a.w;
 #else
     vec4 b = layer_of_ripples(1, at, pixel);
-    vec2 slopes = turned_back(0, a.xy) + turned_back(1, b.xy);
+    vec2 slopes = rotated_back(0, a.xy) + rotated_back(1, b.xy);
     float shown = 0.5 * (a.w + b.w);
 #endif
     float mean_square = water_backscattering.w;

@@ -158,8 +158,8 @@ void add_cascade(py::module_& module) {
     add_chain(cascade, "foam", &Cascade::foam_r8, "foam=True");
     add(cascade, "resolution", of_cascade(+[](const Cascade& of) { return of.resolution(); }));
     add(cascade, "levels", of_cascade(+[](const Cascade& of) { return mip_levels(of.resolution()); }));
-    add(cascade, "patch_size_m", of_cascade(+[](const Cascade& of) { return of.lattice.side_m; }));
-    add(cascade, "turn", of_cascade(+[](const Cascade& of) { return std::pair(of.lattice.cosine, of.lattice.sine); }));
+    add(cascade, "patch_size_m", of_cascade(+[](const Cascade& of) { return of.grid.side_m; }));
+    add(cascade, "rotation", of_cascade(+[](const Cascade& of) { return std::pair(of.grid.cosine, of.grid.sine); }));
     add(cascade, "slope_range", of_cascade(+[](const Cascade& of) { return of.slope_ranges.slope; }));
     add(cascade, "variance_range", of_cascade(+[](const Cascade& of) { return of.slope_ranges.variance; }));
     add(cascade, "bounds", of_cascade(+[](const Cascade& of) { return of.bounds; }));

@@ -238,7 +238,7 @@ py::dict query(const FrameHandle& handle, py::handle points, py::handle z, py::h
     const auto reader = handle.read();
     const SurfaceQuery surface(handle.frame, options_of(tolerance_m, interpolation));
     const Places places = places_of(points, z);
-    warn_of_span(places, handle.frame.cascades.front().lattice.side_m);
+    warn_of_span(places, handle.frame.cascades.front().grid.side_m);
     AnswerArrays arrays(Fields(asked), places.shape, places.x.size(), surface.has_velocities(), surface.has_foam());
     const SurfaceSamples samples = arrays.samples(0);
     surface.check(samples);  // before other threads run
@@ -370,7 +370,7 @@ py::array_t<float> displaced(const FrameHandle& handle, py::handle points, py::h
 float resting_foam(const Frame& frame, double x_m, double z_m) {
     double most = 0;
     for (const Cascade& cascade : frame.cascades) {
-        const CascadeLattice::Place place = cascade.lattice.in_cascade(x_m, z_m);
+        const CascadeGrid::Place place = cascade.grid.in_cascade(x_m, z_m);
         const double x = place.along / cascade.texel_m(), z = place.across / cascade.texel_m();
         const double column = std::floor(x), row = std::floor(z);
         most = std::max(most, foam_at(cascade, static_cast<std::int64_t>(column), static_cast<std::int64_t>(row), x - column,

@@ -23,7 +23,7 @@ using Planes = PlaneView Cascade::*[3];
 /// One cascade, as many points read it.
 class RestCascade {
    public:
-    explicit RestCascade(const Cascade& cascade) : cascade_(cascade), texels_per_m_(cascade.resolution() / cascade.lattice.side_m) {
+    explicit RestCascade(const Cascade& cascade) : cascade_(cascade), texels_per_m_(cascade.resolution() / cascade.grid.side_m) {
         const PlaneView& plane = cascade.height;
         for (int i = 0; i < plane.resolution; ++i)
             columns_.push_back(i / plane.block_columns * plane.block_stride + i % plane.block_columns);
@@ -36,7 +36,7 @@ class RestCascade {
     };
 
     Cell cell_at(double x_m, double z_m) const {
-        const CascadeLattice::Place place = cascade_.lattice.in_cascade(x_m, z_m);
+        const CascadeGrid::Place place = cascade_.grid.in_cascade(x_m, z_m);
         const double x = place.along * texels_per_m_, z = place.across * texels_per_m_;
         const double column = std::floor(x), row = std::floor(z);
         const auto i = static_cast<std::int64_t>(column), j = static_cast<std::int64_t>(row);

@@ -21,7 +21,7 @@ class Answers(TypedDict, total=False):
 
     height: NDArray[np.float32]  #: metres
     normal: NDArray[np.float32]  #: (..., 3), of length 1
-    jacobian: NDArray[np.float32]  #: 1 at rest, small at sharp crests, negative where the sheet is turned over
+    jacobian: NDArray[np.float32]  #: 1 at rest, small at sharp crests, negative where the sheet is overturned
     velocity: NDArray[np.float32]  #: (..., 3), m/s, of the water that is there; with Ocean(velocities=True)
     foam: NDArray[np.float32]  #: 0 to 1; with Ocean(foam=True)
     converged: NDArray[np.bool_]  #: the error is within the tolerance
@@ -62,7 +62,7 @@ class Bounds:
 class Cascade:
     """One square of waves of a frame, which repeats over the whole sea; displacements of a frame's cascades add.
 
-    Element [j, i] rests at x = (c i - s j) L/N, z = (s i + c j) L/N, c and s being `turn`, L `patch_size_m` and N `resolution`. What
+    Element [j, i] rests at x = (c i - s j) L/N, z = (s i + c j) L/N, c and s being `rotation`, L `patch_size_m` and N `resolution`. What
     is called a view is read-only memory of the ocean's; the others are copies, yours to write.
     """
 
@@ -120,7 +120,7 @@ class Cascade:
     def patch_size_m(self) -> float:
         """L, after which the cascade repeats along its axes."""
     @property
-    def turn(self) -> Tuple[float, float]:
+    def rotation(self) -> Tuple[float, float]:
         """Cosine and sine of the turn of its axes against the world's, from +x towards +z."""
     @property
     def slope_range(self) -> float:

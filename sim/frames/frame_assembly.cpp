@@ -93,7 +93,7 @@ void FrameAssembly::begin_tick() {
     for (std::size_t cascade = 0; cascade < sources_.size(); ++cascade) {
         Cascade& at_tick = foam_->cascade(cascade);
         sources_[cascade]->begin(Pass::tick, moment, at_tick);
-        const DriftTexels drift = drift_of(figures, at_tick.lattice, resolution(), clock(), number);
+        const DriftTexels drift = drift_of(figures, at_tick.grid, resolution(), clock(), number);
         foam_->set_drift(cascade, drift.x, drift.z);
     }
     begin_inputs(Pass::tick, clock().time_s(number), moment.time_s);
@@ -205,7 +205,7 @@ std::size_t FrameAssembly::bytes() const {
 void FrameAssembly::begin_inputs(Pass pass, double time_s, double time_in_loop_s) {
     if (inputs_.empty()) return;
     for (std::size_t cascade = 0; cascade < cascade_count(); ++cascade)
-        inputs_.set_lattice(pass, cascade, cascade_of(pass, cascade).lattice);
+        inputs_.set_grid(pass, cascade, cascade_of(pass, cascade).grid);
     inputs_.begin(pass, time_s, time_in_loop_s, weather_.forecast().first.loop_period_s);
     for (std::size_t cascade = 0; cascade < cascade_count(); ++cascade) inputs_.begin_cascade(pass, cascade, cascade_of(pass, cascade));
 }

@@ -44,16 +44,16 @@ void FoamHistory::tick_rows(std::size_t cascade, std::size_t job) {
     CascadeMemory& memory = cascades_[cascade];
     if (memory.ticks_to_fade == 0) return;  // both maps are empty
     const int n = slots_.resolution();
-    const CascadeLattice& lattice = memory.at_tick.lattice;
+    const CascadeGrid& grid = memory.at_tick.grid;
     // The derivatives are those of the stage that makes the half floats.
     const bool is_one = cascades_.size() == 1;
     const double near = is_one ? 0.5 : SlopesJob::near_weight, far = is_one ? 0 : SlopesJob::far_weight;
     kernels_.foam_tick({.surface = slots_.buffers(cascade).surface.data(),
                         .resolution = static_cast<std::size_t>(n),
                         .block_stride = column_block_floats(n, kernels_.lanes),
-                        .cosine = static_cast<float>(lattice.cosine),
-                        .sine = static_cast<float>(lattice.sine),
-                        .difference_factor = static_cast<float>(near / (lattice.side_m / n)),
+                        .cosine = static_cast<float>(grid.cosine),
+                        .sine = static_cast<float>(grid.sine),
+                        .difference_factor = static_cast<float>(near / (grid.side_m / n)),
                         .far_over_near = static_cast<float>(far / near),
                         .source = foam_source(memory.at_tick),
                         .before = memory.maps[1 - newest_].data(),

@@ -32,7 +32,7 @@ class FoamHistory final : public History {
     void restore(std::span<const std::uint8_t> bytes) override;
     std::size_t bytes() const override;
 
-    /// The cascade at the tick to come: its lattice and what is white there.
+    /// The cascade at the tick to come: its grid and what is white there.
     Cascade& cascade(std::size_t cascade) { return cascades_[cascade].at_tick; }
     /// How far its foam drifts in that tick, along the cascade's axes, in texels of any sign. \pre cascade() says what is white
     void set_drift(std::size_t cascade, int texels_x, int texels_z);

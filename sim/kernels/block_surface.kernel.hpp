@@ -15,7 +15,7 @@ struct Differences {
     xsimd::batch<float, Arch> x, z;
 };
 
-/// Axes of a cascade that is turned against the world: a texel's place along the cascade's x axis counts `cosine` along the
+/// Axes of a cascade that is rotated against the world: a texel's place along the cascade's x axis counts `cosine` along the
 /// world's x and `sine` along its z. Differences along the cascade's axes become those along the world's.
 template <class Arch>
 struct Turned {

@@ -132,7 +132,7 @@ inline void gradients_of(const GradientsJob& job, const Surface& surface) {
     const std::size_t n = job.resolution;
     const std::size_t rows = n < GradientsJob::cascade_rows ? n : GradientsJob::cascade_rows;
     const std::size_t columns = n < GradientsJob::cascade_columns ? n : GradientsJob::cascade_columns;
-    const bool is_turned = job.sine != 0 || job.cosine != 1;
+    const bool is_rotated = job.sine != 0 || job.cosine != 1;
     const Turned<Arch> turned{V(job.cosine), V(job.sine)};
     const auto texels = [&](int level) {
         return job.levels[level] + (job.first_row >> level) * (n >> level) + (job.first_column >> level);
@@ -149,7 +149,7 @@ inline void gradients_of(const GradientsJob& job, const Surface& surface) {
     // next ones meanwhile.
     for (std::size_t row = 0; row < rows; row += 2) {
         const std::size_t z = job.first_row + row;
-        if (is_turned)
+        if (is_rotated)
             normals_of_rows<Arch>(job, surface, turned, z, columns, normals);
         else
             normals_of_rows<Arch>(job, surface, NotTurned{}, z, columns, normals);

@@ -11,16 +11,16 @@ struct PartBounds;
 /// Three fields of a row: dx, height and dz, or their derivatives in time.
 inline constexpr std::size_t input_fields = 3;
 
-/// A wave of a cascade's lattice along a row of texels: field f of column i gets
+/// A wave of a cascade's grid along a row of texels: field f of column i gets
 ///   of_cosine[f] cos(2 pi m i / N) + of_sine[f] sin(2 pi m i / N).
-struct LatticeWaveRow {
+struct GridWaveRow {
     const float *cosine, *sine;  ///< of the columns, N each
     float of_cosine[input_fields], of_sine[input_fields];
 };
 
 /// Waves are added in their order.
 struct AddWavesJob {
-    const LatticeWaveRow* waves;
+    const GridWaveRow* waves;
     std::size_t count;
     std::size_t columns;        ///< N
     float* rows[input_fields];  ///< N each; alias no input

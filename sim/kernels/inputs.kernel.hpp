@@ -1,4 +1,4 @@
-// Waves that hosts add: waves of a lattice and rings along a row of texels, and rows into the blocks of a surface.
+// Waves that hosts add: waves of a grid and rings along a row of texels, and rows into the blocks of a surface.
 #pragma once
 
 #include <xsimd/xsimd.hpp>
@@ -19,7 +19,7 @@ void add_waves(const AddWavesJob& job) {
         V dx = V::load_aligned(job.rows[0] + column), height = V::load_aligned(job.rows[1] + column),
           dz = V::load_aligned(job.rows[2] + column);
         for (std::size_t i = 0; i < job.count; ++i) {
-            const LatticeWaveRow& wave = job.waves[i];
+            const GridWaveRow& wave = job.waves[i];
             const V cosine = V::load_aligned(wave.cosine + column), sine = V::load_aligned(wave.sine + column);
             dx = dx + (V(wave.of_cosine[0]) * cosine + V(wave.of_sine[0]) * sine);
             height = height + (V(wave.of_cosine[1]) * cosine + V(wave.of_sine[1]) * sine);

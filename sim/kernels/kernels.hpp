@@ -39,7 +39,7 @@ struct EvolveRowsJob {
 /// (a + c, b + d, b - d, c - a) as equation 22 packs it, each of a, b, c, d becomes
 ///   sign sqrt((1 - s) before^2 + s after^2),
 /// so that energies go over and draws stay; where the signs differ, as of waves that no draw is behind, (1 - s) before + s after.
-/// Both have the waves of the same lattice.
+/// Both have the waves of the same grid.
 struct BlendWavesJob {
     /// A square of the least amplitude that a sea has, 1e-20 m, leaves the range of floats. A power of two changes no bit.
     static constexpr float scale = 0x1p32f;
@@ -77,7 +77,7 @@ struct ColumnsFinalizeJob {
     const FftTables* fft;
     float choppiness;
     float cosine,
-        sine;  ///< of the angle by which the cascade's axes are turned; sideways parts leave in the world's axes
+        sine;  ///< of the angle by which the cascade's axes are rotated; sideways parts leave in the world's axes
     PartBounds* bounds;
 };
 
@@ -118,7 +118,7 @@ struct GradientsJob {
     float* averages;                         ///< of level 3, for MipLevelJob
     std::size_t average_stride;
     float cosine = 1,
-          sine = 0;  ///< of the angle by which the cascade's axes are turned in the world, from +x towards +z;
+          sine = 0;  ///< of the angle by which the cascade's axes are rotated in the world, from +x towards +z;
                      ///< displacement, normals and J are along the world's axes
 };
 
@@ -286,7 +286,7 @@ struct FindSqueezeJob {
 
     SurfaceTexels surface;
     float texels_per_m;           ///< N / L
-    float cosine, sine;           ///< of the cascade's lattice
+    float cosine, sine;           ///< of the cascade's grid
     float one;                    ///< the byte that means 1
     std::size_t first_row, rows;  ///< even
     std::uint8_t* blocks;         ///< (N/2)^2, tight rows; those of these rows are written
@@ -317,7 +317,7 @@ inline constexpr std::size_t most_cascades = 4;
 /// One cascade of a stack as queries read it. A point that is drawn d metres from where it rests rests at world - d.
 struct StackCascade {
     SurfaceTexels surface;
-    float along, across;  ///< the lattice's cosine and sine, times N / L
+    float along, across;  ///< the grid's cosine and sine, times N / L
     CellPlaces world;     ///< of each point, along the cascade's own axes
     const float* part =
         nullptr;  ///< of the cascade's displacement that counts at each point; of all cascades or none: null, all of it

@@ -247,7 +247,7 @@ void slopes(const SlopesJob& job) {
             slope_rows<Arch, FoamRows>(job, surface, turn, job.first_row + row, columns, level_1.row(row / 2),
                                        level_1.plane_stride(), texels(0).from(row, 0), texels(1).from(row / 2, 0));
     };
-    const auto turned_rows = [&](const auto& turn) {
+    const auto rotated_rows = [&](const auto& turn) {
         if (!job.rgba16f)
             all_rows.template operator()<NoFoamRows>(turn);
         else if (!job.foam.remembered)
@@ -256,9 +256,9 @@ void slopes(const SlopesJob& job) {
             all_rows.template operator()<ShownFoamRows<Arch, SlopesJob::cascade_columns>>(turn);
     };
     if (job.sine != 0 || job.cosine != 1)
-        turned_rows(Turned<Arch>{V(job.cosine), V(job.sine)});
+        rotated_rows(Turned<Arch>{V(job.cosine), V(job.sine)});
     else
-        turned_rows(NotTurned{});
+        rotated_rows(NotTurned{});
 
     make_slope_level<Arch>(rows / 4, columns / 4, level_1, level_2, job.variance_factor, texels(2));
     make_slope_level<Arch>(rows / 8, columns / 8, level_2, level_3, job.variance_factor, texels(3));

@@ -13,10 +13,10 @@ namespace pelagic::kernels {
 
 /// A vector along the cascade's own axes, W at a time.
 template <class Arch>
-struct LatticeVectors {
+struct GridVectors {
     xsimd::batch<float, Arch> along, across;
 
-    PELAGIC_INLINE LatticeVectors operator-(const LatticeVectors& other) const {
+    PELAGIC_INLINE GridVectors operator-(const GridVectors& other) const {
         return {along - other.along, across - other.across};
     }
 };
@@ -32,7 +32,7 @@ struct SqueezeOfCells {
     using V = xsimd::batch<float, Arch>;
     V least_even = V(1e30f), most_apart_squared = V(0.f);
 
-    PELAGIC_INLINE void look(const LatticeVectors<Arch>& edge, const LatticeVectors<Arch>& side, V& most_even,
+    PELAGIC_INLINE void look(const GridVectors<Arch>& edge, const GridVectors<Arch>& side, V& most_even,
                              V& most_turn) {
         const V even = edge.along + side.across, difference = edge.along - side.across;
         const V shear = edge.across + side.along, turn = edge.across - side.along;
@@ -57,7 +57,7 @@ PELAGIC_INLINE float largest_of(xsimd::batch<float, Arch> values) {
 template <class Arch>
 struct TexelRows {
     using V = xsimd::batch<float, Arch>;
-    LatticeVectors<Arch> sideways[3];
+    GridVectors<Arch> sideways[3];
     V height[3];
 
     PELAGIC_INLINE TexelRows(const SurfaceTexels& surface, std::size_t column, const int* row_places, V cosine,
@@ -77,7 +77,7 @@ struct TexelRows {
 template <class Arch>
 void find_squeeze(const FindSqueezeJob& job) {
     using V = xsimd::batch<float, Arch>;
-    using Vectors = LatticeVectors<Arch>;
+    using Vectors = GridVectors<Arch>;
     constexpr std::size_t lanes = V::size;
     const SurfaceTexels& surface = job.surface;
     const std::size_t n = static_cast<std::size_t>(surface.resolution);

@@ -131,10 +131,10 @@ class CellReader {
             for (std::size_t plane = 0; plane < Planes; ++plane) {
                 const V first = fours_loaded<Arch>(planes[plane], first_[row] + k);
                 const V second = fours_loaded<Arch>(planes[plane], second_[row] + k);
-                texels[plane].at[row][k] = lanes_turned<Arch>(xsimd::select(is_second_[k], second, first), lanes_[k]);
+                texels[plane].at[row][k] = lanes_rotated<Arch>(xsimd::select(is_second_[k], second, first), lanes_[k]);
             }
         }
-        for (std::size_t plane = 0; plane < Planes; ++plane) fours_turned<Arch>(texels[plane].at[row]);
+        for (std::size_t plane = 0; plane < Planes; ++plane) fours_rotated<Arch>(texels[plane].at[row]);
     }
 
     alignas(64) static constexpr std::int32_t lane_numbers[16] = {0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};

@@ -16,7 +16,7 @@ constexpr double surroundings = 1.5;
 constexpr double least_slack = 0.02, least_cubic_slack = 0.3;
 
 // Of the finest texel: sheets that rest nearer together than some of this are not told apart. Boxes of this size are searched
-// whether they can be proven or not, because a sheet that is turned over can't.
+// whether they can be proven or not, because a sheet that is overturned can't.
 constexpr double same_sheet = 1.0 / 128;
 constexpr double small_surroundings = 2;
 
@@ -48,8 +48,8 @@ CellPlace place_in(const SearchCascade& cascade, const StackPoint& point, std::s
 
 SearchCascade::SearchCascade(const Cascade& cascade, Interpolation interpolated)
     : texels(texels_of(cascade)),
-      along(cascade.lattice.cosine / cascade.texel_m()),
-      across(cascade.lattice.sine / cascade.texel_m()),
+      along(cascade.grid.cosine / cascade.texel_m()),
+      across(cascade.grid.sine / cascade.texel_m()),
       texels_per_m(1 / cascade.texel_m()),
       interpolation(interpolated),
       squeeze(cascade.squeeze) {

@@ -27,7 +27,7 @@ struct SearchCascade {
     SearchCascade() = default;
 
     SurfaceTexels texels;
-    double along, across;  ///< the lattice's cosine and sine, times texels a metre
+    double along, across;  ///< the grid's cosine and sine, times texels a metre
     double texels_per_m;
     Interpolation interpolation;
     CascadeSqueeze squeeze;  ///< its largest displacement and its stretch are those of the interpolated surface

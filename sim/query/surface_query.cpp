@@ -69,7 +69,7 @@ SurfaceQuery::SurfaceQuery(const Frame& frame, const SurfaceQueryOptions& option
       options_(options),
       tolerance_m_(static_cast<float>(options.tolerance_m)) {
     assert(options.tolerance_m > 0);
-    assert(frame.cascades.size() > 1 || !frame.cascades.front().lattice.is_turned());
+    assert(frame.cascades.size() > 1 || !frame.cascades.front().grid.is_rotated());
     const bool is_one = frame.cascades.size() == 1;
     for (const Cascade& cascade : frame.cascades)
         if (is_one ? cascade.folds.empty() : cascade.squeeze.empty())

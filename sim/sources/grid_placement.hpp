@@ -1,4 +1,4 @@
-// Where a grid of texels lies that follows somebody. Texel i of the world's lattice stands at i texel_m and is kept in column
+// Where a grid of texels lies that follows somebody. Texel i of the world's grid stands at i texel_m and is kept in column
 // i mod N of a torus, so a grid that moves keeps what it still covers where it is.
 #pragma once
 

@@ -24,7 +24,7 @@ PackedWave packed(const OppositeWaves& waves) {
 
 /// What the paper's central differences, equation 45, make of a wave number, 1/m. \param periods  in a side of the cascade
 double central_difference(const CascadePlan& cascade, int periods) {
-    const double texel_m = cascade.lattice.side_m / cascade.resolution;
+    const double texel_m = cascade.grid.side_m / cascade.resolution;
     return det::sine_cosine_of_turns(static_cast<double>(periods) / cascade.resolution).sine / texel_m;
 }
 
@@ -37,7 +37,7 @@ struct ShownSlope {
 /// \param periods  of the wave in a side of the cascade
 ShownSlope shown_slope(const CascadePlan& cascade, int periods) {
     if (!cascade.is_banded()) return {central_difference(cascade, periods), 1};  // texels count as they are
-    const double texel_m = cascade.lattice.side_m / cascade.resolution;
+    const double texel_m = cascade.grid.side_m / cascade.resolution;
     const auto [sine, cosine] = det::sine_cosine_of_turns(static_cast<double>(periods) / cascade.resolution);
     // Stage `slopes`; the mean of ((1 - u) a + u b)^2 over u is (a^2 + a b + b^2)/3.
     const double near = SlopesJob::near_weight * sine, far = SlopesJob::far_weight * (2 * sine * cosine);
@@ -111,7 +111,7 @@ LineFigures bake_spectrum_line(const SeaState& sea, const CascadeWaves& waves, c
     };
     const double fold_z = fold_derivative(shown_z, n);
     const WindDrift usual = usual_foam_drift(sea);
-    const CascadeLattice::Place foam_drift = cascade.lattice.in_cascade(usual.x_mps, usual.z_mps);
+    const CascadeGrid::Place foam_drift = cascade.grid.in_cascade(usual.x_mps, usual.z_mps);
     const double mirrors = n == 0 ? 1 : 2;  // line 0 holds its own
     LineFigures all;
     float* wave = out.block(line / out.lanes) + line % out.lanes;

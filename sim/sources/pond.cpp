@@ -39,7 +39,7 @@ void store_row(const float* values, std::size_t count, std::size_t first, float*
 }
 
 /// The turns of an octave at the origin: its phase less harmonic times fraction, exact.
-double start_of(const LatticeOctave& octave, LoopFraction fraction) {
+double start_of(const GridOctave& octave, LoopFraction fraction) {
     const std::uint64_t gone = std::uint64_t{octave.harmonic * fraction.turns} << 32;
     return static_cast<double>(static_cast<std::int64_t>(turned(1, octave.octave.phase_turns) - gone)) * 0x1p-64;
 }
@@ -74,7 +74,7 @@ void Pond::begin(Pass pass, const SeaMoment& moment, Cascade& cascade) {
     std::vector<double>& starts = starts_[pass];
     starts.resize(waves_.octaves.size());
     for (std::size_t i = 0; i < starts.size(); ++i) starts[i] = start_of(waves_.octaves[i], fraction);
-    cascade.lattice = waves_.plan.lattice;
+    cascade.grid = waves_.plan.grid;
     cascade.whitecap_jacobian = Cascade::no_whitecaps;
     cascade.whitecap_ramp = 1;
     cascade.slope_ranges = waves_.slope_ranges;
@@ -91,7 +91,7 @@ void Pond::fill_row(Pass pass, std::size_t row) {
     std::array<double, row_part> z;
     std::array<float, row_part> footprint;
     z.fill(static_cast<double>(row));
-    footprint.fill(static_cast<float>(waves_.plan.lattice.side_m / resolution_));
+    footprint.fill(static_cast<float>(waves_.plan.grid.side_m / resolution_));
     static constexpr std::array<float, row_part> none{};
     RowPart part;
     RowBounds bounds{3.4e38f, -3.4e38f};
@@ -139,11 +139,11 @@ void Pond::add_spectrum_stage(JobGraph& graph) {
 Pond::Waves Pond::waves_of(const SeaState& sea, const CascadePlan& plan) {
     Waves waves{.plan = plan,
                 .loop_period_s = sea.loop_period_s,
-                .octaves = lattice_octaves(sea, plan),
+                .octaves = grid_octaves(sea, plan),
                 .terms = {},
                 .slope_ranges = {}};
-    std::erase_if(waves.octaves, [](const LatticeOctave& octave) { return octave.shown == 0; });
-    for (const LatticeOctave& octave : waves.octaves) {
+    std::erase_if(waves.octaves, [](const GridOctave& octave) { return octave.shown == 0; });
+    for (const GridOctave& octave : waves.octaves) {
         ExpSineTerms terms = exp_sine_terms_of(octave.octave);
         terms.phase = {static_cast<double>(octave.at.m) / plan.resolution,
                        static_cast<double>(octave.at.n) / plan.resolution};
@@ -155,12 +155,12 @@ Pond::Waves Pond::waves_of(const SeaState& sea, const CascadePlan& plan) {
 }
 
 LineFigures Pond::figures_of(const Waves& waves) {
-    const double texel_m = waves.plan.lattice.side_m / waves.plan.resolution;
+    const double texel_m = waves.plan.grid.side_m / waves.plan.resolution;
     const auto difference = [&](int periods) {  // what central differences over texels make of a wave number
         return det::sine_cosine_of_turns(static_cast<double>(periods) / waves.plan.resolution).sine / texel_m;
     };
     LineFigures figures;
-    for (const LatticeOctave& octave : waves.octaves) {
+    for (const GridOctave& octave : waves.octaves) {
         const double shown = octave.shown * octave.shown;
         figures.height_variance += octave.height_variance();
         figures.mean_square_slope += shown * octave.slope_variance();
@@ -180,7 +180,7 @@ LineFigures Pond::adopt_spectrum(std::size_t, std::size_t) {
 
 std::size_t Pond::bytes() const {
     return sizeof(Pond) + columns_.capacity() * sizeof(double) + row_bounds_.capacity() * sizeof(RowBounds) +
-           waves_.octaves.capacity() * sizeof(LatticeOctave) + waves_.terms.capacity() * sizeof(ExpSineTerms);
+           waves_.octaves.capacity() * sizeof(GridOctave) + waves_.terms.capacity() * sizeof(ExpSineTerms);
 }
 
 }  // namespace pelagic

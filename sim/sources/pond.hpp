@@ -1,4 +1,4 @@
-// Octaves of exp(sin - 1) on the lattice of one cascade (analytic/exp_sine_water.hpp, sim/spectrum/wave_list.hpp): a stage that
+// Octaves of exp(sin - 1) on the grid of one cascade (analytic/exp_sine_water.hpp, sim/spectrum/wave_list.hpp): a stage that
 // sums them at each texel. Octaves that move those after them are no sum of waves that a transform could make.
 //
 //   spectrum (on demand) -> octaves
@@ -35,7 +35,7 @@ class Pond final : public SeaSource {
     void begin_spectrum(const SeaState& sea, const CascadePlan& plan, double whitecap_cover) override;
     /// It has one sea at a time: Forecast lets none of its kind turn into another.
     LineFigures adopt_spectrum(std::size_t number, std::size_t place) override;
-    const CascadeLattice& lattice() const override { return waves_.plan.lattice; }
+    const CascadeGrid& grid() const override { return waves_.plan.grid; }
     void drop_spectrum() override { bake_.reset(); }
     void set_aside() override { bake_.swap(aside_); }
     void forget_seas() override {}
@@ -45,7 +45,7 @@ class Pond final : public SeaSource {
     struct Waves {
         CascadePlan plan;
         double loop_period_s = 1;
-        std::vector<LatticeOctave> octaves;
+        std::vector<GridOctave> octaves;
         std::vector<ExpSineTerms> terms;
         SlopeRanges slope_ranges;
     };

@@ -39,7 +39,7 @@ SeaBed::SeaBed(const ShoreOptions& options) : x_m(options.corner_x_m), z_m(optio
         for (int i = 0; i < columns; ++i)
             depth_m[at(i, j)] = 0 - height_at(options, i * samples_a_texel, j * samples_a_texel);
 
-    // On a whole lattice the columns and rows of a plane's least squares don't mix.
+    // On a whole grid the columns and rows of a plane's least squares don't mix.
     double along_x = 0, along_z = 0, squares_x = 0, squares_z = 0;
     for (int j = 0; j < rows; ++j)
         for (int i = 0; i < columns; ++i) {

@@ -1,4 +1,4 @@
-// The floor of a shore on the lattice of what frames show of it.
+// The floor of a shore on the grid of what frames show of it.
 #pragma once
 
 #include <cstddef>

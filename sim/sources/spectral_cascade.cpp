@@ -111,8 +111,8 @@ void SpectralCascade::begin(Pass pass, const SeaMoment& moment, Cascade& cascade
     shown.after = &after;
     shown.part = static_cast<float>(moment.part);
     shown.choppiness = static_cast<float>(before.choppiness);
-    shown.cosine = static_cast<float>(lattice_.cosine);
-    shown.sine = static_cast<float>(lattice_.sine);
+    shown.cosine = static_cast<float>(grid_.cosine);
+    shown.sine = static_cast<float>(grid_.sine);
     shown.first_frequency = static_cast<float>(two_pi / loop_period_s_);
     shown.fraction = loop_fraction(moment.time_s, loop_period_s_);
     shown.parts.clear();
@@ -133,7 +133,7 @@ void SpectralCascade::begin(Pass pass, const SeaMoment& moment, Cascade& cascade
         look = look_of(figures, choppiness, between_both(before.whitecap_cover, after.whitecap_cover));
     }
     shown.is_blend = shown.part != 0 || !shown.parts.empty();
-    cascade.lattice = lattice_;
+    cascade.grid = grid_;
     cascade.whitecap_jacobian = look.whitecaps.jacobian;
     cascade.whitecap_ramp = look.whitecaps.ramp;
     cascade.slope_ranges = look.slope_ranges;
@@ -168,7 +168,7 @@ LineFigures SpectralCascade::adopt_spectrum(std::size_t number, std::size_t plac
     FiguresByBand by_band;
     for (const FiguresByBand& line : bake_->lines_by_band) by_band += line;
     const SeaState& sea = bake_->sea;
-    lattice_ = bake_->plan.lattice;
+    grid_ = bake_->plan.grid;
     loop_period_s_ = sea.loop_period_s;
     const Look look = look_of(all, sea.choppiness, bake_->whitecap_cover);
     seas_[place].emplace(Waves{number, sea.choppiness, bake_->whitecap_cover, std::move(bake_->spectrum), all,

@@ -1,4 +1,4 @@
-// Waves of a spectrum on the lattice of one cascade: the stages that turn the spectrum into displacement.
+// Waves of a spectrum on the grid of one cascade: the stages that turn the spectrum into displacement.
 //
 //   spectrum (on demand) -> evolve+rows -> columns+finalize
 //
@@ -42,7 +42,7 @@ class SpectralCascade final : public SeaSource {
     void begin_spectrum(const SeaState& sea, const CascadePlan& plan, double whitecap_cover) override;
     LineFigures adopt_spectrum(std::size_t number, std::size_t place) override;
     const FiguresByBand* figures_by_band(std::size_t place) const override { return &seas_[place]->by_band; }
-    const CascadeLattice& lattice() const override { return lattice_; }
+    const CascadeGrid& grid() const override { return grid_; }
     void drop_spectrum() override { bake_.reset(); }
     void set_aside() override { bake_.swap(aside_); }
     void forget_seas() override { seas_ = {}; }
@@ -81,7 +81,7 @@ class SpectralCascade final : public SeaSource {
     };
     const Waves& waves_of(std::size_t number) const;
     std::array<std::optional<Waves>, SeaShelf::places> seas_;
-    CascadeLattice lattice_;       ///< of frames to come, and so is
+    CascadeGrid grid_;       ///< of frames to come, and so is
     double loop_period_s_ = 1;  ///< this: a pass in flight has its own
 
     /// What a pass evaluates.
@@ -92,7 +92,7 @@ class SpectralCascade final : public SeaSource {
         std::vector<float> parts;  ///< of each band while a swell from afar comes; else empty
         bool is_idle = false;      ///< ticks are for whitecaps alone
         float choppiness = 0;
-        float cosine = 1, sine = 0;  ///< of the lattice
+        float cosine = 1, sine = 0;  ///< of the grid
         float first_frequency = 0;   ///< of the loop, radians a second
         LoopFraction fraction;
         AlignedBuffer<float> blended;  ///< as PackedSpectrum::waves, where one sea turns into another

@@ -51,10 +51,10 @@ WaveInputs::WaveInputs(List inputs, FrameSlots& slots, Isa isa, bool has_velocit
         if (!inputs_[i]) throw std::invalid_argument(name_of_input(i) + " is null, needs an input");
     if (inputs_.empty()) return;
     for (const Pass pass : {Pass::tick, Pass::frame}) {
-        lattices_[pass].resize(slots.cascade_count());
+        grids_[pass].resize(slots.cascade_count());
         adds_[pass].resize(slots.cascade_count());
         moments_[pass].place = pass == Pass::frame ? 0 : 1;
-        moments_[pass].lattices = lattices_[pass];
+        moments_[pass].grids = grids_[pass];
         moments_[pass].resolution = slots.resolution();
         moments_[pass].isa = isa;
     }

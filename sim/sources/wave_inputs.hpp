@@ -30,9 +30,9 @@ class WaveInputs {
     /// stands: without inputs the source's own.
     StageId add_stage(JobGraph& graph, Pass pass, std::size_t cascade, const FilledBy& filled);
 
-    /// What the next run of the pass's stages adds. First the lattices, as the sources have begun the cascades; last what becomes of
+    /// What the next run of the pass's stages adds. First the grids, as the sources have begun the cascades; last what becomes of
     /// each cascade, whose slopes are as steep as both.
-    void set_lattice(Pass pass, std::size_t cascade, const CascadeLattice& lattice) { lattices_[pass][cascade] = lattice; }
+    void set_grid(Pass pass, std::size_t cascade, const CascadeGrid& grid) { grids_[pass][cascade] = grid; }
     void begin(Pass pass, double time_s, double time_in_loop_s, double loop_period_s);
     void begin_cascade(Pass pass, std::size_t cascade, Cascade& at);
 
@@ -52,7 +52,7 @@ class WaveInputs {
     List inputs_;
     bool has_velocities_;
     OfEachPass<InputMoment> moments_;
-    OfEachPass<std::vector<CascadeLattice>> lattices_;
+    OfEachPass<std::vector<CascadeGrid>> grids_;
     OfEachPass<std::vector<std::uint8_t>> adds_;  ///< to the cascade
     std::vector<PartBounds> bounds_;              ///< of each job of each cascade's frame
 };

@@ -111,9 +111,9 @@ Weather::Sums Weather::Sums::between(const Sums& before, const Sums& after, doub
     return sums;
 }
 
-Weather::Sums Weather::Sums::of(const LineFigures& figures, const CascadeLattice& lattice) {
-    const CascadeLattice::Place stokes = lattice.in_world(figures.stokes_x, figures.stokes_z);
-    return {figures.height_variance, figures.slopes.in_world(lattice), stokes.along, stokes.across};
+Weather::Sums Weather::Sums::of(const LineFigures& figures, const CascadeGrid& grid) {
+    const CascadeGrid::Place stokes = grid.in_world(figures.stokes_x, figures.stokes_z);
+    return {figures.height_variance, figures.slopes.in_world(grid), stokes.along, stokes.across};
 }
 
 /// Each band's waves by their own part; the wind has that of the swell's peak, as in sea_at().
@@ -167,12 +167,12 @@ void Weather::adopt(Sources sources) {
     std::vector<Sums> by_band;
     for (const auto& source : sources) {
         const LineFigures added = source->adopt_spectrum(baked_number_, place);
-        sums += Sums::of(added, source->lattice());
+        sums += Sums::of(added, source->grid());
         const FiguresByBand* const bands = source->figures_by_band(place);
         if (!bands) continue;
         by_band.resize(std::max(by_band.size(), bands->end()));
         for (std::size_t band = bands->first(); band < bands->end(); ++band)
-            by_band[band] += Sums::of(bands->at(band), source->lattice());
+            by_band[band] += Sums::of(bands->at(band), source->grid());
     }
     const WindDrift wind = wind_drift(baked);
     sums.drift_x_mps += wind.x_mps;

@@ -74,7 +74,7 @@ class Weather {
         Sums& operator+=(const Sums& other);
         static Sums between(const Sums& before, const Sums& after, double part);
         /// The drift is Stokes'.
-        static Sums of(const LineFigures& figures, const CascadeLattice& lattice);
+        static Sums of(const LineFigures& figures, const CascadeGrid& grid);
     };
     struct Baked {
         Sums sums;

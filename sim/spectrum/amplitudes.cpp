@@ -12,7 +12,7 @@ namespace {
 // Waves below this many metres are none: nobody can see an atom's width, but denormal floats slow every transform.
 constexpr double least_amplitude_m = 1e-20;
 
-// In steps of the lattice. Within half a diagonal of its middle lies all of a cell.
+// In steps of the grid. Within half a diagonal of its middle lies all of a cell.
 constexpr double half_diagonal = 0.7071067811865476;
 
 // A spectrum falls as k^-4, which the middle of a cell m steps away tells within 0.7 / m^2 of the cell's mean.
@@ -25,7 +25,7 @@ constexpr int points_of_cut_cell = 8;
 // The model has no energy at k = 0, and no direction.
 constexpr double least_steps = 1e-3;
 
-bool stands_before(const LatticeWave& a, const LatticeWave& b) {
+bool stands_before(const GridWave& a, const GridWave& b) {
     return std::pair(a.at.n, a.at.m) < std::pair(b.at.n, b.at.m);
 }
 
@@ -35,7 +35,7 @@ CascadeWaves::CascadeWaves(const SeaState& sea, const CascadePlan& cascade) : se
     if (sea.waves == WaveModel::spectrum) {
         spectrum_.emplace(sea, cascade);
     } else {
-        list_ = lattice_waves(sea, cascade);
+        list_ = grid_waves(sea, cascade);
         std::stable_sort(list_.begin(), list_.end(), stands_before);
     }
 }
@@ -50,7 +50,7 @@ CascadeWaves::MirroredVariances CascadeWaves::variances(int m, int n) const {
 CascadeWaves::MirroredVariances CascadeWaves::point_variances(double m, double n) const {
     const double spacing = cascade_.spacing();
     const double along = m * spacing, across = n * spacing;
-    const auto [c, s] = std::pair(cascade_.lattice.cosine, cascade_.lattice.sine);
+    const auto [c, s] = std::pair(cascade_.grid.cosine, cascade_.grid.sine);
     const WaveSpectrum::Shell shell = spectrum_->shell(std::sqrt(along * along + across * across));
     return {spectrum_->amplitude_variances(shell, c * along - s * across, s * along + c * across),
             spectrum_->amplitude_variances(shell, -c * along - s * across, c * across - s * along)};
@@ -103,7 +103,7 @@ double CascadeWaves::drawn_square(double variance, int m, int n) const {
 
 /// The sum of those at a place.
 Wave CascadeWaves::listed(int m, int n) const {
-    const LatticeWave wanted{.at = {m, n}, .amplitude_m = 0, .phase_turns = 0};
+    const GridWave wanted{.at = {m, n}, .amplitude_m = 0, .phase_turns = 0};
     Wave wave;
     for (auto at = std::lower_bound(list_.begin(), list_.end(), wanted, stands_before);
          at != list_.end() && at->at == wanted.at; ++at)

@@ -14,7 +14,7 @@
 
 namespace pelagic {
 
-/// A wave of the lattice.
+/// A wave of the grid.
 struct Wave {
     std::complex<double> amplitude;  ///< h0, metres
     double variance = 0;             ///< E|h0|^2, m^2
@@ -75,7 +75,7 @@ class CascadeWaves {
     std::uint32_t seed_;
     CascadePlan cascade_;
     std::optional<WaveSpectrum> spectrum_;  ///< none: the list has all waves
-    std::vector<LatticeWave> list_;         ///< by place
+    std::vector<GridWave> list_;         ///< by place
 };
 
 }  // namespace pelagic

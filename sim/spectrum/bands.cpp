@@ -20,7 +20,7 @@ constexpr double papers_side_m = 250;
 constexpr double peak_waves = 16;
 constexpr double least_side_m = 1, most_side_m = 1e5;
 
-/// A wave has at least so many texels, and a cascade's longest so many steps of the lattice between it and k = 0, so that its
+/// A wave has at least so many texels, and a cascade's longest so many steps of the grid between it and k = 0, so that its
 /// directions are many.
 constexpr double texels_a_wave = 3;
 constexpr double steps_a_band = 6;
@@ -35,8 +35,8 @@ constexpr double shortest_wave_m = 0.02;
 /// more.
 constexpr double most_of_slopes = 0.9;
 
-/// Lattices are turned against each other by this part of a quarter turn, which meets no earlier one: the golden ratio's.
-constexpr double turn_a_cascade = 0.25 * 0.6180339887498949;
+/// Grids are rotated against each other by this part of a quarter turn, which meets no earlier one: the golden ratio's.
+constexpr double rotation_a_cascade = 0.25 * 0.6180339887498949;
 
 /// Two digits are enough for a side. `up`: not less than the value.
 double short_number(double value, bool up) {
@@ -67,7 +67,7 @@ constexpr double margin_of_shortest = 4.0 / 3;
 
 WaveSpectrum spectrum_of_stack(const SeaState& sea) {
     return {sea,
-            {.lattice = {.side_m = papers_side_m}, .resolution = resolution_of(sea), .has_surface_tension = true}};
+            {.grid = {.side_m = papers_side_m}, .resolution = resolution_of(sea), .has_surface_tension = true}};
 }
 
 std::vector<CascadePlan> with_few_waves(std::vector<CascadePlan> cascades) {
@@ -101,9 +101,9 @@ std::vector<CascadePlan> plan_stack(const SeaState& sea, const WaveReach& reach,
     std::vector<CascadePlan> cascades;
     double side_m = coarsest_m, least_k = 0;
     for (int number = 0; number < count; ++number) {
-        const det::SineCosine turn = det::sine_cosine_of_turns(turn_a_cascade * number);
+        const det::SineCosine turn = det::sine_cosine_of_turns(rotation_a_cascade * number);
         const double most_k = two_pi * n / (texels_a_wave * side_m);
-        cascades.push_back({.lattice = {.side_m = side_m, .cosine = turn.cosine, .sine = turn.sine},
+        cascades.push_back({.grid = {.side_m = side_m, .cosine = turn.cosine, .sine = turn.sine},
                          .resolution = n,
                          .number = number,
                          .least_k = least_k,
@@ -138,7 +138,7 @@ std::vector<CascadePlan> plan_cascades(const SeaState& sea, const WaveReach& rea
     if (is_stack(sea) && sea.waves == WaveModel::analytic) return with_few_waves(plan_stack(sea, reach, own.end_k));
     if (is_stack(sea)) return plan_stack(sea, reach, own.end_k);
     const double chosen_m = sea.waves == WaveModel::exp_sine ? pond_side_m(sea) : papers_side_m;
-    return {{.lattice = {.side_m = sea.patch_size_m > 0 ? sea.patch_size_m : chosen_m},
+    return {{.grid = {.side_m = sea.patch_size_m > 0 ? sea.patch_size_m : chosen_m},
              .resolution = resolution_of(sea)}};
 }
 

@@ -29,8 +29,8 @@ SlopeMoments& SlopeMoments::operator+=(const SlopeMoments& other) {
 
 SlopeMoments SlopeMoments::operator*(double weight) const { return {xx * weight, zz * weight, xz * weight}; }
 
-SlopeMoments SlopeMoments::in_world(const CascadeLattice& lattice) const {
-    const double c = lattice.cosine, s = lattice.sine, both = 2 * c * s * xz;
+SlopeMoments SlopeMoments::in_world(const CascadeGrid& grid) const {
+    const double c = grid.cosine, s = grid.sine, both = 2 * c * s * xz;
     return {c * c * xx - both + s * s * zz, s * s * xx + both + c * c * zz, c * s * (xx - zz) + (c * c - s * s) * xz};
 }
 
@@ -52,7 +52,7 @@ SlopeVariance unresolved_slopes(const SlopeVariance& resolved, double wind_speed
 
 SlopeVariance slopes_left(const SeaState& sea, const SlopeVariance& resolved) {
     if (sea.waves != WaveModel::exp_sine) return unresolved_slopes(resolved, sea.wind_speed_mps);
-    return hidden_slopes(sea, lattice_octaves(sea, plan_cascades(sea).front()));
+    return hidden_slopes(sea, grid_octaves(sea, plan_cascades(sea).front()));
 }
 
 double roughness_of(const SeaState& sea, const SlopeVariance& unresolved) {

@@ -18,7 +18,7 @@ struct SlopeMoments {
     SlopeMoments operator*(double weight) const;  ///< of waves with so much of their energy
 
     /// Those of a cascade, along its own axes, along the world's.
-    SlopeMoments in_world(const CascadeLattice& lattice) const;
+    SlopeMoments in_world(const CascadeGrid& grid) const;
     /// Along a wind and across it. \pre the axes are the world's
     SlopeVariance around(double wind_direction_rad) const;
 };

@@ -24,7 +24,7 @@ constexpr std::array quantiles = {3, 6, 0, 5, 2, 7, 1, 4};
 // Waves are drawn as if they were waves of a cascade that no stack has.
 constexpr int shore_draws = 1000;
 
-/// Wave numbers of a cascade: as far as its lattice reaches where a band has no end.
+/// Wave numbers of a cascade: as far as its grid reaches where a band has no end.
 struct Reach {
     double least_k, most_k;
     explicit Reach(const CascadePlan& cascade)
@@ -110,10 +110,10 @@ std::vector<ShoreWave> drawn_waves(const SeaState& sea, const CascadePlan& coars
 
 std::vector<ShoreWave> listed_waves(const SeaState& sea, const CascadePlan& coarsest) {
     std::vector<ShoreWave> waves;
-    for (const LatticeWave& wave : lattice_waves(sea, coarsest)) {
+    for (const GridWave& wave : grid_waves(sea, coarsest)) {
         const double length = wave.at.steps();
         if (!(length > 0)) continue;
-        const auto [x, z] = coarsest.lattice.in_world(wave.at.m / length, wave.at.n / length);
+        const auto [x, z] = coarsest.grid.in_world(wave.at.m / length, wave.at.n / length);
         const std::uint32_t harmonic =
             loop_harmonic(angular_frequency(length * coarsest.spacing(), deep_water), sea.loop_period_s);
         waves.push_back({.amplitude_m = wave.amplitude_m,
@@ -139,7 +139,7 @@ std::vector<ShoreWave> shore_waves(const SeaState& sea, const CascadePlan& coars
 
 DepthPart::DepthPart(const SeaState& sea, const CascadePlan& cascade) {
     if (sea.waves == WaveModel::analytic) {
-        for (const LatticeWave& wave : lattice_waves(sea, cascade))
+        for (const GridWave& wave : grid_waves(sea, cascade))
             if (const double k = wave.at.steps() * cascade.spacing(); k > 0)
                 bands_.push_back({angular_frequency(k, deep_water), 0.5 * wave.amplitude_m * wave.amplitude_m, 1});
     } else {

@@ -71,7 +71,7 @@ WaveSpectrum::WaveSpectrum(const SeaState& sea, const CascadePlan& cascade)
     swell_z_ = swell.sine;
 
     // A = A_fft^2 A_spatial^2 with A_fft = N^(-1/4), A_spatial = e / L: VR Ocean, equations 4 and 5.
-    const double spatial = euler_e / cascade.lattice.side_m;
+    const double spatial = euler_e / cascade.grid.side_m;
     paper_scale_ = spatial * spatial / std::sqrt(static_cast<double>(cascade.resolution));
 
     const double speed = sea.wind_speed_mps;

@@ -28,13 +28,13 @@ inline constexpr double full_development = 17000;
 /// The fetch that counts for `jonswap`, metres: fetch_m, at most full_development U^2 / g.
 double effective_fetch_m(const SeaState& sea);
 
-/// The spectrum of one sea on the lattice of one of its cascades. Construction does the slow part; calls are const and thread-safe.
+/// The spectrum of one sea on the grid of one of its cascades. Construction does the slow part; calls are const and thread-safe.
 class WaveSpectrum {
    public:
     /// \pre check(sea) is empty
     WaveSpectrum(const SeaState& sea, const CascadePlan& cascade);
 
-    /// E|h0(k)|^2 in m^2 at the wave vector (kx, kz) in rad/m of the cascade's lattice. \pre k is not 0
+    /// E|h0(k)|^2 in m^2 at the wave vector (kx, kz) in rad/m of the cascade's grid. \pre k is not 0
     double amplitude_variance(double kx, double kz) const;
 
     /// What all waves of one wave number share, which is most of the work:

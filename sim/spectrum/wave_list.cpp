@@ -67,30 +67,30 @@ std::string check_analytic(const SeaState& sea) {
 
 }  // namespace
 
-LatticePlace nearest_place(const CascadeLattice& lattice, double turns_per_m_x, double turns_per_m_z) {
-    const auto [along, across] = lattice.in_cascade(turns_per_m_x, turns_per_m_z);
+GridIndex nearest_place(const CascadeGrid& grid, double turns_per_m_x, double turns_per_m_z) {
+    const auto [along, across] = grid.in_cascade(turns_per_m_x, turns_per_m_z);
     const auto nearest = [&](double turns_per_m) {
-        return static_cast<int>(std::floor(turns_per_m * lattice.side_m + 0.5));
+        return static_cast<int>(std::floor(turns_per_m * grid.side_m + 0.5));
     };
     return {nearest(along), nearest(across)};
 }
 
-CascadeLattice::Place turns_per_m_of(const CascadeLattice& lattice, const LatticePlace& at) {
-    return lattice.in_world(at.m / lattice.side_m, at.n / lattice.side_m);
+CascadeGrid::Place turns_per_m_of(const CascadeGrid& grid, const GridIndex& at) {
+    return grid.in_world(at.m / grid.side_m, at.n / grid.side_m);
 }
 
-double LatticePlace::steps() const { return std::sqrt(static_cast<double>(m) * m + static_cast<double>(n) * n); }
+double GridIndex::steps() const { return std::sqrt(static_cast<double>(m) * m + static_cast<double>(n) * n); }
 
-std::complex<double> LatticeWave::half_amplitude() const {
+std::complex<double> GridWave::half_amplitude() const {
     const auto [sine, cosine] = det::sine_cosine_of_turns(phase_turns);
     return {0.5 * amplitude_m * cosine, 0.5 * amplitude_m * sine};
 }
 
-double LatticeOctave::height_variance() const {
+double GridOctave::height_variance() const {
     return exp_sine_variance * (octave.height_m * octave.height_m) * (shown * shown);
 }
 
-double LatticeOctave::slope_variance() const {
+double GridOctave::slope_variance() const {
     const double steepness = two_pi * octave.turns_per_m() * octave.height_m;
     return exp_sine_slope_variance * (steepness * steepness);
 }
@@ -117,14 +117,14 @@ AnalyticSea analytic_sea_of(const SeaState& sea) {
     return sea.wave_height_m > 0 ? with_significant_height(std::move(asked), sea.wave_height_m) : asked;
 }
 
-std::vector<LatticeWave> lattice_waves(const SeaState& sea, const CascadePlan& cascade) {
+std::vector<GridWave> grid_waves(const SeaState& sea, const CascadePlan& cascade) {
     const DefaultFloatEnvironment environment;
     const int nyquist = cascade.resolution / 2;
-    std::vector<LatticeWave> waves;
+    std::vector<GridWave> waves;
     for (const PlaneWave& wave : plane_waves_of(analytic_sea_of(sea)).waves) {
         const double k = two_pi * wave.turns_per_m();
         if (k < cascade.least_k || k >= cascade.most_k) continue;
-        const LatticePlace at = nearest_place(cascade.lattice, wave.turns_per_m_x, wave.turns_per_m_z);
+        const GridIndex at = nearest_place(cascade.grid, wave.turns_per_m_x, wave.turns_per_m_z);
         if (std::max(std::abs(at.m), std::abs(at.n)) >= nyquist) continue;
         waves.push_back({at, wave.amplitude_m, wave.phase_turns});
     }
@@ -135,8 +135,8 @@ PlaneWaves waves_of_cascades(const SeaState& sea) {
     const DefaultFloatEnvironment environment;
     PlaneWaves held{.waves = {}, .choppiness = sea.choppiness};
     for (const CascadePlan& cascade : plan_cascades(sea)) {
-        for (const LatticeWave& wave : lattice_waves(sea, cascade)) {
-            const auto [x, z] = turns_per_m_of(cascade.lattice, wave.at);
+        for (const GridWave& wave : grid_waves(sea, cascade)) {
+            const auto [x, z] = turns_per_m_of(cascade.grid, wave.at);
             const double omega = angular_frequency(wave.at.steps() * cascade.spacing(), deep_water);
             held.waves.push_back({.amplitude_m = wave.amplitude_m,
                                   .turns_per_m_x = x,
@@ -166,14 +166,14 @@ ExpSineSea exp_sine_sea_of(const SeaState& sea) {
     return asked;
 }
 
-std::vector<LatticeOctave> lattice_octaves(const SeaState& sea, const CascadePlan& cascade) {
+std::vector<GridOctave> grid_octaves(const SeaState& sea, const CascadePlan& cascade) {
     const DefaultFloatEnvironment environment;
-    const double texel_m = cascade.lattice.side_m / cascade.resolution;
-    std::vector<LatticeOctave> octaves;
+    const double texel_m = cascade.grid.side_m / cascade.resolution;
+    std::vector<GridOctave> octaves;
     for (const ExpSineOctave& asked : octaves_of(exp_sine_sea_of(sea))) {
-        const LatticePlace at = nearest_place(cascade.lattice, asked.turns_per_m_x, asked.turns_per_m_z);
-        LatticeOctave moved{.at = at, .harmonic = 0, .octave = asked, .shown = 0};
-        const auto [x, z] = turns_per_m_of(cascade.lattice, at);
+        const GridIndex at = nearest_place(cascade.grid, asked.turns_per_m_x, asked.turns_per_m_z);
+        GridOctave moved{.at = at, .harmonic = 0, .octave = asked, .shown = 0};
+        const auto [x, z] = turns_per_m_of(cascade.grid, at);
         moved.octave.turns_per_m_x = x;
         moved.octave.turns_per_m_z = z;
         const double per_m = moved.octave.turns_per_m();
@@ -187,14 +187,14 @@ std::vector<LatticeOctave> lattice_octaves(const SeaState& sea, const CascadePla
 
 std::vector<ExpSineOctave> octaves_of_cascade(const SeaState& sea) {
     std::vector<ExpSineOctave> octaves;
-    for (const LatticeOctave& moved : lattice_octaves(sea, plan_cascades(sea).front())) octaves.push_back(moved.octave);
+    for (const GridOctave& moved : grid_octaves(sea, plan_cascades(sea).front())) octaves.push_back(moved.octave);
     return octaves;
 }
 
-SlopeVariance hidden_slopes(const SeaState& sea, std::span<const LatticeOctave> octaves) {
+SlopeVariance hidden_slopes(const SeaState& sea, std::span<const GridOctave> octaves) {
     const auto [sine, cosine] = det::sine_cosine_of_turns(sea.wind_direction_rad / two_pi);
     SlopeVariance hidden;
-    for (const LatticeOctave& moved : octaves) {
+    for (const GridOctave& moved : octaves) {
         const ExpSineOctave& octave = moved.octave;
         const double part = (1 - moved.shown * moved.shown) * moved.slope_variance();
         const double along = (octave.turns_per_m_x * cosine + octave.turns_per_m_z * sine) / octave.turns_per_m();

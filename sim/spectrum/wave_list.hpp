@@ -1,4 +1,4 @@
-// The waves of a sea that has no spectrum, but a list of them, on the lattices of its cascades.
+// The waves of a sea that has no spectrum, but a list of them, on the grids of its cascades.
 #pragma once
 
 #include <complex>
@@ -18,20 +18,20 @@ namespace pelagic {
 inline constexpr Water deep_water(1e7);
 
 /// The wave vector (2 pi / L)(m, n) of a cascade.
-struct LatticePlace {
+struct GridIndex {
     int m = 0, n = 0;
 
-    bool operator==(const LatticePlace&) const = default;
+    bool operator==(const GridIndex&) const = default;
     double steps() const;  ///< its length, in 2 pi / L
 };
 
 /// The one nearest to a wave vector, which is given by its turns a metre along the world's axes; and the other way round.
-LatticePlace nearest_place(const CascadeLattice& lattice, double turns_per_m_x, double turns_per_m_z);
-CascadeLattice::Place turns_per_m_of(const CascadeLattice& lattice, const LatticePlace& at);
+GridIndex nearest_place(const CascadeGrid& grid, double turns_per_m_x, double turns_per_m_z);
+CascadeGrid::Place turns_per_m_of(const CascadeGrid& grid, const GridIndex& at);
 
-/// A wave of an analytic sea on a cascade's lattice.
-struct LatticeWave {
-    LatticePlace at;
+/// A wave of an analytic sea on a cascade's grid.
+struct GridWave {
+    GridIndex at;
     double amplitude_m, phase_turns;
 
     /// h0: h = 2 Re h0 e^{i (k.x - w t)}
@@ -39,11 +39,11 @@ struct LatticeWave {
 };
 
 /// The waves of one of plan_cascades(sea). Two may be at one place. \pre check(sea) is empty and sea.waves is analytic
-std::vector<LatticeWave> lattice_waves(const SeaState& sea, const CascadePlan& cascade);
+std::vector<GridWave> grid_waves(const SeaState& sea, const CascadePlan& cascade);
 
-/// An octave of a pond on its cascade's lattice.
-struct LatticeOctave {
-    LatticePlace at;
+/// An octave of a pond on its cascade's grid.
+struct GridOctave {
+    GridIndex at;
     std::uint32_t harmonic;  ///< periods in a loop
     ExpSineOctave octave;    ///< as moved there
     double shown;            ///< what of it texels can show; the rest is hidden
@@ -54,10 +54,10 @@ struct LatticeOctave {
 };
 
 /// \pre check(sea) is empty, sea.waves is exp_sine, and `cascade` is that of plan_cascades(sea)
-std::vector<LatticeOctave> lattice_octaves(const SeaState& sea, const CascadePlan& cascade);
+std::vector<GridOctave> grid_octaves(const SeaState& sea, const CascadePlan& cascade);
 
 /// Mean square slope of what the cascade's texels hide of a pond's octaves, along the wind and across it.
-SlopeVariance hidden_slopes(const SeaState& sea, std::span<const LatticeOctave> octaves);
+SlopeVariance hidden_slopes(const SeaState& sea, std::span<const GridOctave> octaves);
 
 /// Longest and shortest wave that a sea asks for, m. \pre sea.waves is no spectrum
 double longest_wave_of(const SeaState& sea);

@@ -5,8 +5,8 @@
 namespace pelagic {
 
 Displacement displacement_of(const Cascade& cascade, double x_m, double z_m) {
-    const CascadeLattice::Place place = cascade.lattice.in_cascade(x_m, z_m);
-    const double texels_per_m = cascade.resolution() / cascade.lattice.side_m;
+    const CascadeGrid::Place place = cascade.grid.in_cascade(x_m, z_m);
+    const double texels_per_m = cascade.resolution() / cascade.grid.side_m;
     const double x = place.along * texels_per_m, z = place.across * texels_per_m;
     const double column = std::floor(x), row = std::floor(z);
     const double right = x - column, down = z - row;

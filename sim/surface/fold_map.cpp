@@ -25,7 +25,7 @@ FoldMap::FoldMap(int resolution, const HostMemory& memory)
 void FoldMap::find(const Cascade& cascade, const Kernels& kernels, std::size_t job) {
     assert(cascade.resolution() == resolution_);
     assert(static_cast<std::size_t>(cascade.height.block_columns) >= kernels.lanes);
-    const double texel_m = cascade.lattice.side_m / resolution_;
+    const double texel_m = cascade.grid.side_m / resolution_;
     kernels.find_folds({.surface = texels_of(cascade),
                         .texel_m = static_cast<float>(texel_m),
                         .most_area = static_cast<float>(most_jacobian * texel_m * texel_m),
@@ -36,7 +36,7 @@ void FoldMap::find(const Cascade& cascade, const Kernels& kernels, std::size_t j
 
 void FoldMap::mark(const Cascade& cascade) {
     const SurfaceTexels surface = texels_of(cascade);
-    const double texels_per_m = resolution_ / cascade.lattice.side_m;
+    const double texels_per_m = resolution_ / cascade.grid.side_m;
     std::fill_n(squares_.data(), squares_.size(), std::uint8_t{0});
     for (std::size_t byte = 0; byte < cells_.size(); ++byte) {
         for (unsigned rest = cells_[byte]; rest != 0; rest &= rest - 1) {

@@ -22,7 +22,7 @@ struct SlopeMaps {
     int resolution;
     std::size_t block_stride;     ///< floats between column blocks
     double side_m;                ///< of the cascade
-    double cosine = 1, sine = 0;  ///< how its axes are turned, GradientsJob
+    double cosine = 1, sine = 0;  ///< how its axes are rotated, GradientsJob
     SlopeRanges ranges;           ///< positive
     std::uint16_t* rgba16f;       ///< 4 N^2, null if nobody wants them
     ShownFoam foam;               ///< with them

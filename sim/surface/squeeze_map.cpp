@@ -32,8 +32,8 @@ void SqueezeMap::find(const Cascade& cascade, const Kernels& kernels, std::size_
     assert(static_cast<std::size_t>(cascade.height.block_columns) >= kernels.lanes);
     kernels.find_squeeze({.surface = texels_of(cascade),
                           .texels_per_m = static_cast<float>(1 / cascade.texel_m()),
-                          .cosine = static_cast<float>(cascade.lattice.cosine),
-                          .sine = static_cast<float>(cascade.lattice.sine),
+                          .cosine = static_cast<float>(cascade.grid.cosine),
+                          .sine = static_cast<float>(cascade.grid.sine),
                           .one = CascadeSqueeze::one,
                           .first_row = job * rows_per_job,
                           .rows = rows_per_job,

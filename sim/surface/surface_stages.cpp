@@ -96,8 +96,8 @@ ShownFoam SurfaceStages::shown_foam() {
 
 void SurfaceStages::gradients_mipmaps(std::size_t piece) {
     const auto roughness = static_cast<float>(slots_.frame().figures.roughness);
-    const CascadeLattice& lattice = slots_.cascade(cascade_).lattice;
-    const double two_texels_m = 2 * lattice.side_m / resolution_;
+    const CascadeGrid& grid = slots_.cascade(cascade_).grid;
+    const double two_texels_m = 2 * grid.side_m / resolution_;
     const Pieces all = pieces_of(resolution_);
     const TextureTargets& textures = slots_.textures(cascade_);
     GradientsJob job{.surface = slots_.buffers(cascade_).surface.data(),
@@ -114,8 +114,8 @@ void SurfaceStages::gradients_mipmaps(std::size_t piece) {
                      .levels = {},
                      .averages = gradient_averages_->level(GradientsJob::cascade_levels),
                      .average_stride = gradient_averages_->stride(GradientsJob::cascade_levels),
-                     .cosine = static_cast<float>(lattice.cosine),
-                     .sine = static_cast<float>(lattice.sine)};
+                     .cosine = static_cast<float>(grid.cosine),
+                     .sine = static_cast<float>(grid.sine)};
     for (int level = 0; level <= GradientsJob::cascade_levels; ++level)
         job.levels[level] = textures.gradient_rgba8[static_cast<std::size_t>(level)];
     kernels_.gradients(job);
@@ -137,9 +137,9 @@ SlopeMaps SurfaceStages::slope_maps() {
     return {.surface = slots_.buffers(cascade_).surface.data(),
             .resolution = resolution_,
             .block_stride = column_block_floats(resolution_, kernels_.lanes),
-            .side_m = cascade.lattice.side_m,
-            .cosine = cascade.lattice.cosine,
-            .sine = cascade.lattice.sine,
+            .side_m = cascade.grid.side_m,
+            .cosine = cascade.grid.cosine,
+            .sine = cascade.grid.sine,
             .ranges = cascade.slope_ranges,
             .rgba16f = slopes_make_halves() ? textures.displacement_rgba16f : nullptr,
             .foam = shown_foam(),

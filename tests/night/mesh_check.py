@@ -30,12 +30,12 @@ def read(operator, name):
     return mesh
 
 
-def places_of(mesh, is_turned=True):
+def places_of(mesh, is_rotated=True):
     """In Pelagic's axes: importers that know that y is up turn it to Blender's z."""
     drawn = mesh.evaluated_get(bpy.context.evaluated_depsgraph_get())
     vertices = [drawn.matrix_world @ vertex.co for vertex in drawn.to_mesh().vertices]
     drawn.to_mesh_clear()
-    return [(v.x, v.z, -v.y) if is_turned else (v.x, v.y, v.z) for v in vertices]
+    return [(v.x, v.z, -v.y) if is_rotated else (v.x, v.y, v.z) for v in vertices]
 
 
 def check_look(mesh, frame, places, colour, has_normals):
@@ -65,14 +65,14 @@ def check_look(mesh, frame, places, colour, has_normals):
 
 for frame in (0, frames - 1):
     # Colours of OBJ and PLY are sRGB to Blender, those of glTF are linear by its specification.
-    for operator, name, colour, is_turned in (("wm.obj_import", f"mesh_{frame:04}.obj", "color_srgb", True),
+    for operator, name, colour, is_rotated in (("wm.obj_import", f"mesh_{frame:04}.obj", "color_srgb", True),
                                               ("import_mesh.ply", f"mesh_{frame:04}.ply", "color_srgb", False),
                                               ("import_scene.gltf", f"mesh_{frame:04}.glb", "color", True)):
         print(operator, name)
         mesh = read(operator, name)
-        places = places_of(mesh, is_turned)
+        places = places_of(mesh, is_rotated)
         compare(pelagic, folder, frame, places)
-        check_look(mesh, frame, places, colour, has_normals=is_turned)  # Blender 3.4 reads no normals of PLY
+        check_look(mesh, frame, places, colour, has_normals=is_rotated)  # Blender 3.4 reads no normals of PLY
 
 print("modifier Mesh Cache, mesh.mdd")
 mesh = read("wm.obj_import", "mesh_0000.obj")

@@ -24,9 +24,9 @@ std::vector<double> plane_of(const PlaneView& view) {
 Stack::Stack(const Frame& frame, Interpolation interpolation) {
     for (const Cascade& cascade : frame.cascades) {
         Layer layer{.n = cascade.resolution(),
-                    .texel_m = cascade.lattice.side_m / cascade.resolution(),
-                    .cosine = cascade.lattice.cosine,
-                    .sine = cascade.lattice.sine,
+                    .texel_m = cascade.grid.side_m / cascade.resolution(),
+                    .cosine = cascade.grid.cosine,
+                    .sine = cascade.grid.sine,
                     .dx = plane_of(cascade.dx),
                     .height = plane_of(cascade.height),
                     .dz = plane_of(cascade.dz),

@@ -8,8 +8,8 @@ import pytest
 
 
 def at_points(array, cascade, x, z):
-    """Bilinear and periodic on a cascade's own lattice, in double."""
-    cosine, sine = cascade.turn
+    """Bilinear and periodic on a cascade's own grid, in double."""
+    cosine, sine = cascade.rotation
     step = cascade.patch_size_m / cascade.resolution
     u, v = (cosine * x + sine * z) / step, (cosine * z - sine * x) / step
     i, j = np.floor(u).astype(int), np.floor(v).astype(int)

@@ -75,11 +75,11 @@ class Cascade {
     Along along(const std::vector<float>& plane, std::size_t x, std::size_t z) const {
         const auto at = [&](std::size_t i, std::size_t j) { return plane[j % n_ * n_ + i % n_]; };
         constexpr auto far_weight = static_cast<float>(SlopesJob::far_weight / SlopesJob::near_weight);
-        const Along lattice = {(at(x + 1, z) - at(x + n_ - 1, z)) + far_weight * (at(x + 2, z) - at(x + n_ - 2, z)),
+        const Along grid = {(at(x + 1, z) - at(x + n_ - 1, z)) + far_weight * (at(x + 2, z) - at(x + n_ - 2, z)),
                                (at(x, z + 1) - at(x, z + n_ - 1)) + far_weight * (at(x, z + 2) - at(x, z + n_ - 2))};
-        if (planes_.sine == 0 && planes_.cosine == 1) return lattice;
-        return {lattice.x * planes_.cosine - lattice.z * planes_.sine,
-                lattice.x * planes_.sine + lattice.z * planes_.cosine};
+        if (planes_.sine == 0 && planes_.cosine == 1) return grid;
+        return {grid.x * planes_.cosine - grid.z * planes_.sine,
+                grid.x * planes_.sine + grid.z * planes_.cosine};
     }
 
     const CascadePlanes& planes_;

@@ -113,7 +113,7 @@ Cell cell_of(const ImageFile& file, const ImagePart& part, const Frame& frame, c
     MapPicture shown = picture_of(map, cell);
     const std::string side = number_text(map.side), channels = map.channels == 1 ? " channel of " : " channels of ";
     Cell result{std::move(shown.picture),
-                {file.name, rounded_text(cascade.lattice.side_m, 3) + " m, " + side + " x " + side,
+                {file.name, rounded_text(cascade.grid.side_m, 3) + " m, " + side + " x " + side,
                  number_text(map.channels) + channels + sample_text(map.sample)}};
     if (is_floating(map.sample))
         result.texts.push_back(rounded_text(static_cast<double>(shown.least), 3) + " to " +

@@ -75,9 +75,9 @@ void add_map(std::vector<ExrAttribute>& attributes, const ImagePart& part, const
     add("map", std::string(name_of(part.map)));
     add("channels", text_of(channel_meanings(part.map, options)));
     add("cascade", part.cascade);
-    add("side_m", cascade.lattice.side_m);
-    add("turn_cosine", cascade.lattice.cosine);
-    add("turn_sine", options.up_axis == UpAxis::z ? 0 - cascade.lattice.sine : cascade.lattice.sine);
+    add("side_m", cascade.grid.side_m);
+    add("rotation_cosine", cascade.grid.cosine);
+    add("rotation_sine", options.up_axis == UpAxis::z ? 0 - cascade.grid.sine : cascade.grid.sine);
 }
 
 ExrPart empty_part(const ImagePart& of, const Frame& frame, int number, const FrameTimes& times,

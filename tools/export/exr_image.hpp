@@ -11,7 +11,7 @@ namespace pelagic::tools {
 ///
 /// Attributes: `wrapmodes` and `framesPerSecond` as OpenEXR knows them; `pelagic:frame`, `pelagic:time_s`,
 /// `pelagic:loop_period_s`, `pelagic:axes`, `pelagic:rows`; and of the map `pelagic:map`, `pelagic:cascade`, `pelagic:side_m`,
-/// `pelagic:turn_cosine`, `pelagic:turn_sine`, `pelagic:channels`, as `pelagic:foam_c1:cascade` and so on where a part has layers.
+/// `pelagic:rotation_cosine`, `pelagic:rotation_sine`, `pelagic:channels`, as `pelagic:foam_c1:cascade` and so on where a part has layers.
 ExrFile exr_file(const ImageFile& file, const Frame& frame, int number, const ExportOptions& options);
 
 }  // namespace pelagic::tools

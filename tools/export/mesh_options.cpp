@@ -91,7 +91,7 @@ MeshOptions MeshFlags::resolve(const ResolvedSea& sea, const FrameTimes& times) 
     MeshOptions options{.formats = formats_in(*formats_), .patch = {}};
     SeaPatch& patch = options.patch;
     patch.side_m =
-        size_ ? number_in("--mesh-size", *size_, 0.001, 1e6, "metres in [0.001, 1e6]") : plans.front().lattice.side_m;
+        size_ ? number_in("--mesh-size", *size_, 0.001, 1e6, "metres in [0.001, 1e6]") : plans.front().grid.side_m;
     patch.steps = steps_ ? whole_number_in("--mesh-steps", *steps_, 1, 2048) : plans.front().resolution;
     patch.cascades = cascades_shown_by(patch.side_m / patch.steps, plans);
     check_sequences(options, times);

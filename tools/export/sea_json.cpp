@@ -172,14 +172,14 @@ Json waves_as_json(const SeaState& sea, const SeaReport& report, double measured
     return json;
 }
 
-double repeats_after_m(const ResolvedSea& sea) { return plan_cascades(forecast_of(sea)).front().lattice.side_m; }
+double repeats_after_m(const ResolvedSea& sea) { return plan_cascades(forecast_of(sea)).front().grid.side_m; }
 
 Json foam_as_json(const Frame& frame) {
     const FoamReport report = report_on_foam(frame);
     Json cascades = Json::array();
     for (std::size_t i = 0; i < report.cascades.size(); ++i) {
         const CascadeFoam& cascade = report.cascades[i];
-        cascades.push_back({{"side_m", frame.cascades[i].lattice.side_m},
+        cascades.push_back({{"side_m", frame.cascades[i].grid.side_m},
                          {"makes_whitecaps", cascade.makes_whitecaps},
                          {"columns_a_loop", cascade.columns_a_loop},
                          {"rows_a_loop", cascade.rows_a_loop},

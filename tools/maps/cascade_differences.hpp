@@ -22,7 +22,7 @@ struct WorldVector {
 struct TexelDifferences {
     Difference dx, height, dz;
 
-    /// The surface's normal, upright where it isn't turned over; its y is the Jacobian. VR Ocean, equations 45 to 48, times
+    /// The surface's normal, upright where it isn't overturned; its y is the Jacobian. VR Ocean, equations 45 to 48, times
     /// (2 L/N)^2. \param two_texels_m  2 L/N
     WorldVector normal(float two_texels_m) const {
         const float j_xx = two_texels_m + dx.x, j_zz = two_texels_m + dz.z;
@@ -58,9 +58,9 @@ class NeighbourRows {
 /// Calls take(differences) for each texel, row by row from row 0. The cascade repeats, so its edges have neighbours.
 template <class Take>
 void for_each_difference(const Cascade& cascade, Take take) {
-    const auto cosine = static_cast<float>(cascade.lattice.cosine), sine = static_cast<float>(cascade.lattice.sine);
+    const auto cosine = static_cast<float>(cascade.grid.cosine), sine = static_cast<float>(cascade.grid.sine);
     const auto in_world = [&](Difference along) -> Difference {
-        if (!cascade.lattice.is_turned()) return along;
+        if (!cascade.grid.is_rotated()) return along;
         return {along.x * cosine - along.z * sine, along.x * sine + along.z * cosine};
     };
     NeighbourRows dx(cascade.dx), height(cascade.height), dz(cascade.dz);

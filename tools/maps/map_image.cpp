@@ -75,7 +75,7 @@ Pixels own_bytes(const Cascade& cascade, MapKind map, int level, const MapOption
     return pixels;
 }
 
-void turn_rows_over(MapImage& image) {
+void overturn_rows(MapImage& image) {
     const auto side = static_cast<std::ptrdiff_t>(image.side);
     const auto row = static_cast<std::ptrdiff_t>(image.pixels.size()) / side;
     for (std::ptrdiff_t above = 0, below = side - 1; above < below; ++above, --below)
@@ -105,7 +105,7 @@ std::vector<MapImage> map_levels(const Cascade& cascade, MapKind map, int first_
             image.pixels = own_bytes(cascade, map, level, options);
         else
             image.pixels = stored(map == MapKind::normal && level > 0 ? normalised(values) : values, map, sample);
-        if (options.rows == FirstRow::bottom) turn_rows_over(image);
+        if (options.rows == FirstRow::bottom) overturn_rows(image);
         images.push_back(std::move(image));
     }
     return images;
@@ -128,7 +128,7 @@ MapImage dynamic_waves_map_image(const DynamicWavesView& water, const MapOptions
         }
     const Sample sample = options.sample_of(MapKind::dynamic_waves);
     MapImage image{values.side, values.channels, sample, stored(values, MapKind::dynamic_waves, sample)};
-    if (options.rows == FirstRow::bottom) turn_rows_over(image);
+    if (options.rows == FirstRow::bottom) overturn_rows(image);
     return image;
 }
 

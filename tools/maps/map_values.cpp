@@ -41,10 +41,10 @@ std::vector<float> vectors(const std::array<PlaneView, 3>& planes, const MapOpti
 
 float two_texels_m(const Cascade& cascade) { return static_cast<float>(2 * cascade.texel_m()); }
 
-/// Unit vectors along the columns, up or down the image, and up out of the water. Where the surface is turned over they lie flat:
+/// Unit vectors along the columns, up or down the image, and up out of the water. Where the surface is overturned they lie flat:
 /// a normal map can't point down.
 std::vector<float> normals(const Cascade& cascade, const MapOptions& options) {
-    const auto cosine = static_cast<float>(cascade.lattice.cosine), sine = static_cast<float>(cascade.lattice.sine);
+    const auto cosine = static_cast<float>(cascade.grid.cosine), sine = static_cast<float>(cascade.grid.sine);
     const bool rows_go_up = options.rows == FirstRow::bottom, green_grows_up = options.normal_y == NormalY::up;
     const float green = rows_go_up == green_grows_up ? 1.f : -1.f;
     std::vector<float> values;

@@ -105,19 +105,19 @@ double sign_of_z(UpAxis up) { return up == UpAxis::z ? -1 : 1; }
 
 /// Where the texels of a cascade rest: x and the other axis are sums of what a column and a row give.
 Json cascade_as_json(const CascadePlan& cascade, const MapOptions& options) {
-    const CascadeLattice& lattice = cascade.lattice;
-    const double texel_m = lattice.side_m / cascade.resolution, sign = sign_of_z(options.up_axis);
+    const CascadeGrid& grid = cascade.grid;
+    const double texel_m = grid.side_m / cascade.resolution, sign = sign_of_z(options.up_axis);
     const auto place = [&](double column_m, double row_m) -> Json {
         const RowPlaces rows(row_m, cascade.resolution, options.rows);
         return {{"column", column_m + 0.0}, {"row", rows.a_row + 0.0}, {"offset", rows.offset + 0.0}};  // not -0
     };
     const std::string other = other_axis(options.up_axis);
     Json json = {{"in_file_names", cascade.number == 0 ? "" : "c" + std::to_string(cascade.number)},
-                 {"side_m", lattice.side_m},
+                 {"side_m", grid.side_m},
                  {"resolution", cascade.resolution},
-                 {"turn", {{"cosine", lattice.cosine}, {"sine", sign * lattice.sine + 0.0}}},
-                 {"x_m", place(lattice.cosine * texel_m, -lattice.sine * texel_m)},
-                 {other + "_m", place(sign * lattice.sine * texel_m, sign * lattice.cosine * texel_m)}};
+                 {"rotation", {{"cosine", grid.cosine}, {"sine", sign * grid.sine + 0.0}}},
+                 {"x_m", place(grid.cosine * texel_m, -grid.sine * texel_m)},
+                 {other + "_m", place(sign * grid.sine * texel_m, sign * grid.cosine * texel_m)}};
     if (cascade.least_k > 0) json["longest_wave_m"] = two_pi / cascade.least_k;
     if (cascade.is_banded()) json["shortest_wave_m"] = two_pi / cascade.most_k;
     return json;
@@ -152,7 +152,7 @@ Json channels_as_json(const MapOptions& options, bool has_dynamic_waves) {
 Json layout_as_json(const Forecast& forecast, const MapOptions& options) {
     const std::vector<CascadePlan> plans = plan_cascades(forecast);
     const CascadePlan& first = plans.front();
-    const double n = first.resolution, side_m = first.lattice.side_m, texel_m = side_m / n;
+    const double n = first.resolution, side_m = first.grid.side_m, texel_m = side_m / n;
     const RowPlaces rows(sign_of_z(options.up_axis) * texel_m, first.resolution, options.rows);
     Json cascades = Json::array();
     for (const CascadePlan& plan : plans) cascades.push_back(cascade_as_json(plan, options));
@@ -168,7 +168,7 @@ Json layout_as_json(const Forecast& forecast, const MapOptions& options) {
             {"alpha_is_opacity", false}};
 }
 
-Json dynamic_waves_layout_as_json(const GridPlace& grid, const MapOptions& options) {
+Json dynamic_waves_layout_as_json(const GridRecord& grid, const MapOptions& options) {
     const double sign = sign_of_z(options.up_axis), texel_m = grid.texel_m;
     const RowPlaces rows(sign * texel_m, grid.resolution, options.rows);
     const double first_row_m = sign * static_cast<double>(grid.first_z) * texel_m;
@@ -186,13 +186,13 @@ std::string pixel_meaning() {
   displacement  R, G, B = Dx, height, Dz in metres, as they are; with --axes z-up Dx, Dy, height
   gradient      a byte's part of 255 is c: normal x = 2R - 1, normal z = 2G - 1 (z-up: y), Jacobian J = 2B - 1, which
                 was clamped to [-1, 1], each within 1/255; smoothness = A, no opacity. The normal's y is
-                sqrt(1 - x^2 - z^2), below 0 where J is: there the surface is turned over
+                sqrt(1 - x^2 - z^2), below 0 where J is: there the surface is overturned
   normal        an ordinary normal map, of the cascade's own axes: right, up the image (--normal-y down: down it) and out
                 of the water are 2R - 1, 2G - 1, 2B - 1; floats are the values themselves. Unit vectors at every level;
-                where the surface is turned over they lie flat, B = 0 out of the water
+                where the surface is overturned they lie flat, B = 0 out of the water
   foam          one channel: 0 none, 1 covered with foam, what breaks now and what is left of 2.9 seconds before
   velocity      of the point that is drawn, along x, y, z, metres a second; for motion blur
-  jacobian      one channel: J, not clamped; below 1 pressed together, below 0 turned over
+  jacobian      one channel: J, not clamped; below 1 pressed together, below 0 overturned
   slope         R, G = dh/dx, dh/dz (z-up: dh/dy) of the heights over the rest places
   dynamic_waves         with --events: R, G, B = height, how fast it rises (m/s), foam (1 covered) of the dynamic waves, floats;
                 its height adds to the cascades' where water is drawn. sea.json says where the grid lies (dynamic_waves)

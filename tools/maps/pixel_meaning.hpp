@@ -29,14 +29,14 @@ std::vector<ChannelMeaning> channel_meanings(MapKind map, const MapOptions& opti
 nlohmann::ordered_json channels_as_json(const MapOptions& options, bool has_dynamic_waves);
 
 /// Where a dynamic-wave grid lies: its lowest texels, of which texel i stands at i texel_m.
-struct GridPlace {
+struct GridRecord {
     int resolution = 0;
     double texel_m = 0;
     std::int64_t first_x = 0, first_z = 0;
 };
 
 /// {"resolution", "texel_m", "first_x", "first_z", "x_m_of_column", "z_m_of_row" (with z up "y_m_of_row")}.
-nlohmann::ordered_json dynamic_waves_layout_as_json(const GridPlace& grid, const MapOptions& options);
+nlohmann::ordered_json dynamic_waves_layout_as_json(const GridRecord& grid, const MapOptions& options);
 
 /// Where a texel rests and is sampled: {"axes", "x_m_of_column", "z_m_of_row" (with z up "y_m_of_row"), "u_of_column", ...}, each as a scale and an
 /// offset of its number from 0.

@@ -81,7 +81,7 @@ StoredHeights stored_heights(const Json& record, const std::filesystem::path& pl
     const auto refuse = [&](const std::string& what) { return InputError(place.string() + ": " + what); };
     if (const Json& rows = value_of(value_of(record, "export"), "rows"); !rows.is_null()) {
         if (rows != "top" && rows != "bottom") throw refuse("export's rows are neither top nor bottom");
-        stored.rows_turned_over = rows == "bottom";
+        stored.overturned_rows = rows == "bottom";
     }
     const Json& channels = value_of(value_of(record, "channels"), "displacement");
     if (channels.is_null()) return stored;
@@ -213,7 +213,7 @@ std::vector<float> ExportReader::heights(std::size_t frame, std::size_t cascade)
         }();
         const auto side = static_cast<std::size_t>(resolution);
         for (std::size_t j = 0; j < side; ++j) {
-            const std::size_t row = stored_.rows_turned_over ? side - 1 - j : j;
+            const std::size_t row = stored_.overturned_rows ? side - 1 - j : j;
             for (std::size_t i = 0; i < side; ++i) heights[j * side + i] = stored_.metres * pixels[row * side + i];
         }
     } catch (const FileError&) {

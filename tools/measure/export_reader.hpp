@@ -18,7 +18,7 @@ OutputFolder open_export(const std::string& option, const std::filesystem::path&
 struct StoredHeights {
     std::size_t channel = 1;        ///< of three
     float metres = 1;               ///< that a pixel's 1 stands for
-    bool rows_turned_over = false;  ///< the image's last row is the cascade's first
+    bool overturned_rows = false;  ///< the image's last row is the cascade's first
 };
 
 /// Throws InputError where the folder holds no export that can be measured, and FileError where a file can't be read: one line

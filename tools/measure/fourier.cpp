@@ -12,7 +12,7 @@ namespace {
 using Complex = std::complex<double>;
 
 /// e^{-2 pi i turns}.
-Complex turned_back(double turns) {
+Complex rotated_back(double turns) {
     const auto at = det::sine_cosine_of_turns(turns);
     return {at.cosine, -at.sine};
 }
@@ -26,7 +26,7 @@ Complex product(Complex a, Complex b) {
 std::vector<Complex> half_a_turn(std::size_t n) {
     std::vector<Complex> factors(n / 2);
     for (std::size_t p = 0; p < factors.size(); ++p)
-        factors[p] = turned_back(static_cast<double>(p) / static_cast<double>(n));
+        factors[p] = rotated_back(static_cast<double>(p) / static_cast<double>(n));
     return factors;
 }
 
@@ -57,7 +57,7 @@ void by_chirp(std::span<Complex> values) {
     const std::size_t n = values.size(), padded = std::bit_ceil(2 * n - 1);
     std::vector<Complex> chirp(n);  // e^{-pi i p^2 / n}; p^2 counts modulo 2 n
     for (std::size_t p = 0; p < n; ++p)
-        chirp[p] = turned_back(static_cast<double>(p * p % (2 * n)) / static_cast<double>(2 * n));
+        chirp[p] = rotated_back(static_cast<double>(p * p % (2 * n)) / static_cast<double>(2 * n));
     std::vector<Complex> input(padded), response(padded);
     for (std::size_t p = 0; p < n; ++p) {
         input[p] = product(values[p], chirp[p]);

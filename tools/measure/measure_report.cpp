@@ -142,7 +142,7 @@ Json measure_export(const std::filesystem::path& folder) {
                       {"one_loop", is_one_loop}};
     json["cascades"] = Json::array();
     for (const CascadePlan& cascade : reader.cascades())
-        json["cascades"].push_back({{"side_m", cascade.lattice.side_m}, {"resolution", cascade.resolution}});
+        json["cascades"].push_back({{"side_m", cascade.grid.side_m}, {"resolution", cascade.resolution}});
     json["cascades_there"] = plan_cascades(sea).size();
     json["method"] = {{"by_frequency", found.frequency_method}};
     json["waves"] = figures_json(found, sea, report);

@@ -256,7 +256,7 @@ MeasuredWaves measured_waves(std::span<const WaveMeasurement> cascades) {
         assert(cascade.added_ == series.frames);
         variance += cascade.variances_ / static_cast<double>(cascade.added_);
         const WaveMeasurement::Running its_running = cascade.running();
-        const auto world = cascade.series_.cascade.lattice.in_world(its_running.x, its_running.z);
+        const auto world = cascade.series_.cascade.grid.in_world(its_running.x, its_running.z);
         running += its_running.variance;
         running_x += world.along;
         running_z += world.across;

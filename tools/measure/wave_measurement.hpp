@@ -47,7 +47,7 @@ struct MeasuredWaves {
     std::vector<SpectrumPoint>
         by_frequency;  ///< mean over the points, in bands of 8 %; empty for fewer than 16 frames
     std::vector<SpectrumPoint> by_harmonic;  ///< by_frequency before its bands are joined
-    /// Mean over some frames, in rings as wide as a cascade's lattice is fine. Rings that the end of a cascade's band cuts are left out.
+    /// Mean over some frames, in rings as wide as a cascade's grid is fine. Rings that the end of a cascade's band cuts are left out.
     std::vector<SpectrumPoint> by_wave_number;
     std::string frequency_method;  ///< how by_frequency was estimated, for people
 };

@@ -11,7 +11,7 @@ namespace pelagic::tools {
 double foam_of(const Frame& frame, glm::dvec2 rest) {
     double most = 0;
     for (const Cascade& cascade : frame.cascades) {
-        const CascadeLattice::Place place = cascade.lattice.in_cascade(rest.x, rest.y);
+        const CascadeGrid::Place place = cascade.grid.in_cascade(rest.x, rest.y);
         const double x = place.along / cascade.texel_m(), z = place.across / cascade.texel_m();
         const double column = std::floor(x), row = std::floor(z);
         most = std::max(most, foam_at(cascade, static_cast<std::int64_t>(column), static_cast<std::int64_t>(row),
@@ -22,7 +22,7 @@ double foam_of(const Frame& frame, glm::dvec2 rest) {
 
 std::size_t cascades_shown_by(double step_m, std::span<const CascadePlan> plans) {
     const auto is_shown = [&](const CascadePlan& plan) {
-        return 3 * plan.lattice.side_m / plan.resolution >= 2 * step_m;
+        return 3 * plan.grid.side_m / plan.resolution >= 2 * step_m;
     };
     std::size_t count = 1;
     while (count < plans.size() && is_shown(plans[count])) ++count;
@@ -30,8 +30,8 @@ std::size_t cascades_shown_by(double step_m, std::span<const CascadePlan> plans)
 }
 
 glm::vec2 texture_coordinates_of(const Cascade& coarsest, glm::dvec2 rest) {
-    const CascadeLattice::Place place = coarsest.lattice.in_cascade(rest.x, rest.y);
-    const double side_m = coarsest.lattice.side_m, half_m = coarsest.texel_m() / 2;  // a texel lies in its middle
+    const CascadeGrid::Place place = coarsest.grid.in_cascade(rest.x, rest.y);
+    const double side_m = coarsest.grid.side_m, half_m = coarsest.texel_m() / 2;  // a texel lies in its middle
     return glm::dvec2((place.along + half_m) / side_m, 1 - (place.across + half_m) / side_m);
 }
 

@@ -64,8 +64,8 @@ void CascadeLevels::take(const Cascade& cascade) {
 }
 
 CascadeSample CascadeLevels::at(double x_m, double z_m, float footprint_m) const {
-    const CascadeLattice::Place place = cascade_.lattice.in_cascade(x_m, z_m);
-    const double u = place.along / cascade_.lattice.side_m, v = place.across / cascade_.lattice.side_m;
+    const CascadeGrid::Place place = cascade_.grid.in_cascade(x_m, z_m);
+    const double u = place.along / cascade_.grid.side_m, v = place.across / cascade_.grid.side_m;
     const auto part_u = static_cast<float>(u - std::floor(u)), part_v = static_cast<float>(v - std::floor(v));
     const float level =
         std::min(level_of(footprint_m / static_cast<float>(cascade_.texel_m())), static_cast<float>(levels_.size() - 1));

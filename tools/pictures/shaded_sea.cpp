@@ -195,7 +195,7 @@ GridPoint ShadedSea::State::point_at(const glm::vec2& at) const {
                    0.5f * (1 - seen.at.y) * static_cast<float>(fineness * height)};
     point.depth = seen.depth;
     const SurfaceNormal normal = normal_of(slopes);
-    // Where the sheet is turned over one sees its other side, in foam.
+    // Where the sheet is overturned one sees its other side, in foam.
     const glm::vec3 upward(normal.x, std::max(normal.y, 0.05), normal.z);
     point.light = water_light(
         {.normal = glm::normalize(upward),

@@ -99,9 +99,9 @@ val figures_of(const SeaFigures& figures) {
 
 val cascade_of(const Cascade& cascade) {
     val object = val::object();
-    object.set("sideM", cascade.lattice.side_m);
-    object.set("cosine", cascade.lattice.cosine);
-    object.set("sine", cascade.lattice.sine);
+    object.set("sideM", cascade.grid.side_m);
+    object.set("cosine", cascade.grid.cosine);
+    object.set("sine", cascade.grid.sine);
     object.set("resolution", cascade.resolution());
     object.set("slopeRange", cascade.slope_ranges.slope);
     object.set("varianceRange", cascade.slope_ranges.variance);

@@ -218,7 +218,7 @@ export interface CascadeAbout {
   /** L / N. */
   readonly texelM: number;
   /**
-   * Its lattice is turned against the world, from +x towards +z: texel (i, j) rests at x = (c i - s j) L/N, z = (s i + c j) L/N, c and s
+   * Its grid is rotated against the world, from +x towards +z: texel (i, j) rests at x = (c i - s j) L/N, z = (s i + c j) L/N, c and s
    * being cosine and sine. What texels hold is in the world's axes.
    */
   readonly rotationRad: number;
@@ -311,7 +311,7 @@ export interface Answers {
   heightM: Float32Array;
   /** x, y, z of the unit normal of the displaced surface. */
   normal: Float32Array;
-  /** 1 at rest, small at sharp crests, negative where the sheet is turned over. */
+  /** 1 at rest, small at sharp crests, negative where the sheet is overturned. */
   jacobian: Float32Array;
   /** How far sideways from the given point the sampled one is drawn, and 1 if that is within the tolerance. */
   errorM: Float32Array;

@@ -13,7 +13,7 @@ class Cascade:
     def __init__(self, layout, pixels):
         self.side = layout["side_m"]
         self.n = layout["resolution"]
-        self.cosine, self.sine = layout["turn"]["cosine"], layout["turn"]["sine"]
+        self.cosine, self.sine = layout["rotation"]["cosine"], layout["rotation"]["sine"]
         self.texel = self.side / self.n
         self.levels = [[(pixels[4 * i], pixels[4 * i + 1], pixels[4 * i + 2]) for i in range(self.n * self.n)]]
         n = self.n
@@ -32,7 +32,7 @@ class Cascade:
 
 
 def displacement(cascades, x, z):
-    """The sum of the cascades, bilinear on each one's lattice. \\param cascades  (cascade, level) that count"""
+    """The sum of the cascades, bilinear on each one's grid. \\param cascades  (cascade, level) that count"""
     dx = dy = dz = 0.0
     for cascade, level in cascades:
         n = cascade.n >> level

@@ -41,7 +41,7 @@ const drawn = [x, 0, z];
 for (const cascade of sea.layout.cascades) {
   const mark = cascade.in_file_names ? `${cascade.in_file_names}_` : "";
   const texture = displacement(`displacement_${mark}0000.ktx2`);
-  const { cosine: c, sine: s } = cascade.turn;
+  const { cosine: c, sine: s } = cascade.rotation;
   const u = (c * x + s * z) / cascade.side_m + 0.5 / cascade.resolution;
   const v = (c * z - s * x) / cascade.side_m + 0.5 / cascade.resolution;
   bilinear(texture, u, v).forEach((value, axis) => (drawn[axis] += value));

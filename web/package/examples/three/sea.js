@@ -63,7 +63,7 @@ const uniforms = {
   slopes: { value: slopes },
   moments: { value: moments },
   // What each cascade needs to be laid over the world: side, turn, and what its bytes count in.
-  lattice: { value: frame.cascades.map((cascade) => new THREE.Vector3(cascade.sideM, cascade.cosine, cascade.sine)) },
+  grid: { value: frame.cascades.map((cascade) => new THREE.Vector3(cascade.sideM, cascade.cosine, cascade.sine)) },
   ranges: { value: frame.cascades.map((cascade) => new THREE.Vector2(cascade.slopeRange, cascade.varianceRange)) },
   whitecaps: { value: frame.cascades.map((cascade) => new THREE.Vector2(cascade.makesWhitecaps ? cascade.whitecapJacobian : -10, cascade.whitecapRamp)) },
   unresolved: { value: frame.figures.unresolvedSlopes.upwind + frame.figures.unresolvedSlopes.crosswind },

@@ -13,8 +13,8 @@ const skyColour = `
 // `body` for each cascade; a shader may index its samplers by constants only.
 const forEachCascade = (count, body) => Array.from({ length: count }, (_, cascade) => `{ ${body.replaceAll('CASCADE', cascade)} }`).join('\n');
 
-const lattices = (count) => `
-  uniform vec3 lattice[${count}];  // side, cosine and sine of the turn
+const grids = (count) => `
+  uniform vec3 grid[${count}];  // side, cosine and sine of the turn
   // A place at rest as coordinates of the cascade's maps; texel 0 rests at the origin.
   vec2 placeIn(vec3 cascade, vec2 rest, ivec2 texels) {
     return vec2(cascade.y * rest.x + cascade.z * rest.y, cascade.y * rest.y - cascade.z * rest.x) / cascade.x + 0.5 / vec2(texels);
@@ -44,16 +44,16 @@ const vertexShader = (count) => `
   varying vec3 place;
   varying vec2 rest;
   varying float foam;
-  ${lattices(count)}
+  ${grids(count)}
   void main() {
     rest = position.xz + cameraPosition.xz;
     float distance = length(position.xz);
     vec3 moved = vec3(0.0);
     foam = 0.0;
     ${forEachCascade(count, `
-      vec4 texel = textureLod(displacement[CASCADE], placeIn(lattice[CASCADE], rest, textureSize(displacement[CASCADE], 0)), 0.0);
+      vec4 texel = textureLod(displacement[CASCADE], placeIn(grid[CASCADE], rest, textureSize(displacement[CASCADE], 0)), 0.0);
       // Waves shorter than the mesh's own steps fade with distance: their slopes stay.
-      moved += texel.xyz * (1.0 - smoothstep(2.0, 8.0, distance / lattice[CASCADE].x));
+      moved += texel.xyz * (1.0 - smoothstep(2.0, 8.0, distance / grid[CASCADE].x));
       foam = max(foam, texel.w);`)}
     place = vec3(rest.x, 0.0, rest.y) + moved;
     gl_Position = projectionMatrix * viewMatrix * vec4(place, 1.0);
@@ -67,7 +67,7 @@ const fragmentShader = (count) => `
   varying vec2 rest;
   varying float foam;
   ${skyColour}
-  ${lattices(count)}
+  ${grids(count)}
   const float zero = 128.0 / 127.0, one = 255.0 / 127.0;  // a byte b is (b - 128)/127
 
   void main() {
@@ -76,7 +76,7 @@ const fragmentShader = (count) => `
     vec3 d = vec3(0.0);  // D_xx, D_zz, D_xz
     float variance = unresolved, white = 0.0;
     ${forEachCascade(count, `
-      vec2 at = placeIn(lattice[CASCADE], rest, textureSize(slopes[CASCADE], 0));
+      vec2 at = placeIn(grid[CASCADE], rest, textureSize(slopes[CASCADE], 0));
       vec4 slope = (texture2D(slopes[CASCADE], at) * one - zero) * ranges[CASCADE].x, moment = texture2D(moments[CASCADE], at);
       vec3 own = vec3(slope.zw, (moment.x * one - zero) * ranges[CASCADE].x);
       h += slope.xy;

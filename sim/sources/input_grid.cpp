@@ -1,4 +1,4 @@
-#include "pelagic/sim/sources/input_lattice.hpp"
+#include "pelagic/sim/sources/input_grid.hpp"
 
 #include <algorithm>
 #include <cstdlib>
@@ -17,18 +17,18 @@ constexpr double texels_a_wave = 3, texels_of_one_cascade = 2;
 }  // namespace
 
 std::optional<std::size_t> input_cascade_of(double turns_per_m, const InputMoment& moment) {
-    const auto& lattices = moment.lattices;
-    const double texels = lattices.size() == 1 ? texels_of_one_cascade : texels_a_wave;
-    for (std::size_t cascade = 0; cascade < lattices.size(); ++cascade) {
-        const double shortest = moment.resolution / (texels * lattices[cascade].side_m);
-        const bool is_last = cascade + 1 == lattices.size();
-        const double end = is_last ? shortest : std::min(shortest, steps_of_few_waves / lattices[cascade + 1].side_m);
+    const auto& grids = moment.grids;
+    const double texels = grids.size() == 1 ? texels_of_one_cascade : texels_a_wave;
+    for (std::size_t cascade = 0; cascade < grids.size(); ++cascade) {
+        const double shortest = moment.resolution / (texels * grids[cascade].side_m);
+        const bool is_last = cascade + 1 == grids.size();
+        const double end = is_last ? shortest : std::min(shortest, steps_of_few_waves / grids[cascade + 1].side_m);
         if (turns_per_m < end) return cascade;
     }
     return {};
 }
 
-bool is_on_lattice(const LatticePlace& at, int resolution) {
+bool is_on_grid(const GridIndex& at, int resolution) {
     return std::max(std::abs(at.m), std::abs(at.n)) < resolution / 2;
 }
 

@@ -10,12 +10,12 @@
 
 namespace pelagic {
 
-/// The finest cascade with steps_of_few_waves of its lattice between the wave and k = 0, or the first that has three texels of it. None
+/// The finest cascade with steps_of_few_waves of its grid between the wave and k = 0, or the first that has three texels of it. None
 /// if none has (two, where there is one cascade).
 std::optional<std::size_t> input_cascade_of(double turns_per_m, const InputMoment& moment);
 
 /// Neither N/2 nor beyond, along either axis.
-bool is_on_lattice(const LatticePlace& at, int resolution);
+bool is_on_grid(const GridIndex& at, int resolution);
 
 /// Periods in a loop, in deep water.
 std::uint32_t input_harmonic(double turns_per_m, double loop_period_s);
