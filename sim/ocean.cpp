@@ -196,7 +196,7 @@ struct Ocean::State {
         if (shore) throw std::invalid_argument("the sea can't change, needs an ocean without a shore");
     }
 
-    DynamicWaveFrames& dynamic_waves() {
+    DynamicWaveFrames& needed_dynamic_waves() {
         if (!dynamic_waves)
             throw std::invalid_argument("the ocean has no dynamic waves, needs one with OceanOptions::dynamic_waves");
         return *dynamic_waves;
@@ -226,13 +226,13 @@ struct Ocean::State {
     }
     /// All of a frame's buffers, before anything of it can fail: drop_frame() turns all of them back.
     void turn() {
-        if (dynamic_waves) local->turn();
+        if (dynamic_waves) dynamic_waves->turn();
         if (shore) shore->turn();
         frames.turn();
     }
     /// \pre turn() for this frame
     void drop_frame() {
-        if (dynamic_waves) local->drop_frame();
+        if (dynamic_waves) dynamic_waves->drop_frame();
         if (shore) shore->drop_frame();
         frames.drop_frame();
         frames.forget();
@@ -396,23 +396,23 @@ void Ocean::restore_history(std::span<const std::uint8_t> saved) {
     state_->frames.restore_history(saved);
 }
 
-void Ocean::disturb(const Disturbance& disturbance) { state_->dynamic_waves().disturb(disturbance); }
-std::uint32_t Ocean::add_source(const Disturbance& source) { return state_->dynamic_waves().add_source(source); }
+void Ocean::disturb(const Disturbance& disturbance) { state_->needed_dynamic_waves().disturb(disturbance); }
+std::uint32_t Ocean::add_source(const Disturbance& source) { return state_->needed_dynamic_waves().add_source(source); }
 void Ocean::set_source(std::uint32_t number, const Disturbance& source) {
-    state_->dynamic_waves().set_source(number, source);
+    state_->needed_dynamic_waves().set_source(number, source);
 }
-void Ocean::remove_source(std::uint32_t number) { state_->dynamic_waves().remove_source(number); }
-void Ocean::follow(double x_m, double z_m) { state_->dynamic_waves().follow(x_m, z_m); }
-void Ocean::set_rain(const Rain& rain) { state_->dynamic_waves().set_rain(rain); }
+void Ocean::remove_source(std::uint32_t number) { state_->needed_dynamic_waves().remove_source(number); }
+void Ocean::follow(double x_m, double z_m) { state_->needed_dynamic_waves().follow(x_m, z_m); }
+void Ocean::set_rain(const Rain& rain) { state_->needed_dynamic_waves().set_rain(rain); }
 
 std::vector<std::uint8_t> Ocean::saved_water() const {
     assert(!state_->frame_in_flight && "complete() the frame in flight first");
-    return state_->dynamic_waves().saved();
+    return state_->needed_dynamic_waves().saved();
 }
 
 void Ocean::restore_water(std::span<const std::uint8_t> saved) {
     assert(!state_->frame_in_flight && "complete() the frame in flight first");
-    state_->dynamic_waves().restore(saved);
+    state_->needed_dynamic_waves().restore(saved);
 }
 
 std::size_t Ocean::cascade_count() const { return state_->frames.cascade_count(); }

@@ -17,7 +17,7 @@ namespace {
 // More than a clock counts: 2^40 loops of less than 2^20 ticks.
 constexpr std::int64_t most_ticks = std::int64_t{1} << 60;
 
-std::size_t cascades_of(const SeaState& sea) { return static_cast<std::size_t>(cascades_of(sea)); }
+std::size_t cascade_count_of(const SeaState& sea) { return static_cast<std::size_t>(cascades_of(sea)); }
 
 /// One cascade always has gradients, several always have slopes.
 FrameExtras completed(FrameExtras extras, std::size_t cascades) {
@@ -31,8 +31,8 @@ FrameExtras completed(FrameExtras extras, std::size_t cascades) {
 FrameAssembly::FrameAssembly(const Forecast& forecast, Isa isa, const FrameExtras& wanted, WaveInputs::List inputs)
     : isa_(isa),
       weather_(forecast),
-      extras_(completed(wanted, cascades_of(forecast.first))),
-      slots_(cascades_of(forecast.first), resolution_of(forecast.first), kernels_for(isa).lanes, extras_),
+      extras_(completed(wanted, cascade_count_of(forecast.first))),
+      slots_(cascade_count_of(forecast.first), resolution_of(forecast.first), kernels_for(isa).lanes, extras_),
       folds_(slots_, kernels_for(isa)),
       inputs_(std::move(inputs), slots_, isa, extras_.velocities) {
     for (std::size_t cascade = 0; cascade < slots_.cascade_count(); ++cascade) {
