@@ -23,7 +23,7 @@ struct AnalyticWater { vec3 displacement; vec3 normal; float jacobian; };
 AnalyticWater analytic_water(vec2 rest_m, float time_s) {
     vec3 moved = vec3(0.0);
     vec2 slope = vec2(0.0);
-    vec3 squeeze = vec3(0.0);  // derivatives of the sideways displacement: xx, xz, zz
+    vec3 squeeze = vec3(0.0);  // derivatives of the horizontal displacement: xx, xz, zz
     for (int i = 0; i < analytic_waves; ++i) {
         vec4 wave = analytic_wave[i];      // way, turns a metre, amplitude
         vec2 turn = analytic_turn[i];      // turns at the origin, turns a second

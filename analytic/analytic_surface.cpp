@@ -29,8 +29,8 @@ GerstnerTerms terms_of(const PlaneWave& wave, double choppiness) {
             .turns_per_m_x = rounded(wave.turns_per_m_x),
             .turns_per_m_z = rounded(wave.turns_per_m_z),
             .height = rounded(a),
-            .sideways_x = rounded(-moved * x),
-            .sideways_z = rounded(-moved * z),
+            .horizontal_x = rounded(-moved * x),
+            .horizontal_z = rounded(-moved * z),
             .slope_x = rounded(-a * k * x),
             .slope_z = rounded(-a * k * z),
             .squeeze_xx = rounded(-moved * k * x * x),
@@ -114,7 +114,7 @@ void AnalyticSurface::sample_points(bool in_world, double time_s, const Analytic
     for (std::size_t i = 0; i < terms_.size(); ++i)
         starts[i] = turns_at_origin(waves_.waves[i].phase_turns, waves_.waves[i].frequency_hz, time_s);
 
-    const AnswerArrays<10> arrays{samples.height_m,      samples.sideways_x_m,   samples.sideways_z_m,
+    const AnswerArrays<10> arrays{samples.height_m,      samples.horizontal_x_m,   samples.horizontal_z_m,
                                   samples.normal_x,      samples.normal_y,       samples.normal_z,
                                   samples.jacobian,      samples.velocity_x_mps, samples.velocity_y_mps,
                                   samples.velocity_z_mps};
@@ -127,7 +127,7 @@ void AnalyticSurface::sample_points(bool in_world, double time_s, const Analytic
                         .count = group.count,
                         .x = group.x,
                         .z = group.z,
-                        .out = {.height = out[0], .sideways_x = out[1], .sideways_z = out[2]},
+                        .out = {.height = out[0], .horizontal_x = out[1], .horizontal_z = out[2]},
                         .contraction = contraction_,
                         .curvature = curvature_,
                         .target_m = static_cast<float>(search_target_m),

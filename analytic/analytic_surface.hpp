@@ -38,7 +38,7 @@ struct AnalyticPoints {
 struct AnalyticSamples {
     std::span<float> height_m = {};
     /// D: the water is drawn so far from where it rests.
-    std::span<float> sideways_x_m = {}, sideways_z_m = {};
+    std::span<float> horizontal_x_m = {}, horizontal_z_m = {};
     /// Unit normal of the displaced surface, (hz Dz,x - hx (1 + Dz,z), J, hx Dx,z - hz (1 + Dx,x)) over its length.
     std::span<float> normal_x = {}, normal_y = {}, normal_z = {};
     /// J = (1 + Dx,x)(1 + Dz,z) - Dx,z Dz,x: 1 at rest, less at crests, never below 0.6.
@@ -62,7 +62,7 @@ class AnalyticSurface {
     /// The water that rests at the points. \pre time_s is finite; spans are as long as the points or empty (asserted)
     void sample_rest(double time_s, const AnalyticPoints& rest, const AnalyticSamples& samples) const;
 
-    /// The water that is drawn at the points: its rest point is the point less `sideways`.
+    /// The water that is drawn at the points: its rest point is the point less `horizontal`.
     void sample(double time_s, const AnalyticPoints& world, const AnalyticSamples& samples) const;
 
     const PlaneWaves& waves() const { return waves_; }

@@ -104,7 +104,7 @@ pelagic_plane plane_of(const PlaneView& view) {
 }
 
 pelagic_bounds bounds_of(const FrameBounds& bounds) {
-    return {bounds.height_min_m, bounds.height_max_m, bounds.sideways_x_max_m, bounds.sideways_z_max_m};
+    return {bounds.height_min_m, bounds.height_max_m, bounds.horizontal_x_max_m, bounds.horizontal_z_max_m};
 }
 
 /// Where the levels of a chain begin, in texels.

@@ -339,8 +339,8 @@ typedef struct pelagic_plane {
 typedef struct pelagic_bounds {
     float height_min_m;
     float height_max_m;
-    float sideways_x_max_m; /* largest |Dx| */
-    float sideways_z_max_m; /* largest |Dz| */
+    float horizontal_x_max_m; /* largest |Dx| */
+    float horizontal_z_max_m; /* largest |Dz| */
 } pelagic_bounds;
 
 /* A frame is a stack of cascades, the coarsest first, and shows the first of them itself: all there is where cascade_count is 1. Then
@@ -836,7 +836,7 @@ typedef struct pelagic_samples {
     float *normal_x, *normal_y, *normal_z; /* unit normal of the displaced surface */
     float* jacobian;                       /* 1 at rest, small at sharp crests, negative where overturned */
     float *velocity_x_mps, *velocity_y_mps, *velocity_z_mps; /* of the water there; with the velocities option */
-    float* error_m;                                          /* how far sideways of the point the sample is drawn */
+    float* error_m;                                          /* how far horizontally of the point the sample is drawn */
     uint8_t* converged;                                      /* 1 if that is within the tolerance */
     /* Newer than the fields above. How much of the water is white, 0 to 1; with the foam option. */
     float* foam;

@@ -16,7 +16,7 @@ NodeCulling::NodeCulling(const Frustum& view, const QuadtreeGrid& grid, const Bo
         along_z_[p] = plane.z;
         middle_[p] = plane.y * middle_m + plane.w;
         const auto reach_of = [&](double node_m) {
-            const glm::dvec2 half = node_m * boxes.cull_scale / 2 + boxes.sideways_m;
+            const glm::dvec2 half = node_m * boxes.cull_scale / 2 + boxes.horizontal_m;
             return size.x * half.x + size.y * half_height_m + size.z * half.y;
         };
         // A few units in the last place of the largest part of any sum.

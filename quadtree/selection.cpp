@@ -28,11 +28,11 @@ void check_position(const char* name, const double* values, int count) {
 
 void check_bounds(const SurfaceBounds& b) {
     const bool ok = std::isfinite(b.height_min_m) && std::isfinite(b.height_max_m) &&
-                    b.height_min_m <= b.height_max_m && std::isfinite(b.sideways_x_max_m) &&
-                    b.sideways_x_max_m >= 0 && std::isfinite(b.sideways_z_max_m) && b.sideways_z_max_m >= 0;
+                    b.height_min_m <= b.height_max_m && std::isfinite(b.horizontal_x_max_m) &&
+                    b.horizontal_x_max_m >= 0 && std::isfinite(b.horizontal_z_max_m) && b.horizontal_z_max_m >= 0;
     if (!ok)
         throw std::invalid_argument(
-            "bounds need finite metres, height_min_m <= height_max_m and sideways distances of 0 or more");
+            "bounds need finite metres, height_min_m <= height_max_m and horizontal distances of 0 or more");
 }
 
 constexpr std::size_t most_views = 32;
@@ -112,7 +112,7 @@ void Selection::walk(const SurfaceBounds& bounds) {
     // Rest level included: the waves fade out.
     const BoxesOfNodes boxes{.low_m = std::min(bounds.height_min_m, 0.0),
                              .high_m = std::max(bounds.height_max_m, 0.0),
-                             .sideways_m = {bounds.sideways_x_max_m, bounds.sideways_z_max_m},
+                             .horizontal_m = {bounds.horizontal_x_max_m, bounds.horizontal_z_max_m},
                              .cull_scale = options_.cull_scale};
     culling_.clear();
     for (const Frustum& frustum : frusta_) culling_.emplace_back(frustum, list_.grid, boxes);

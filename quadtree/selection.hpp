@@ -26,20 +26,20 @@ namespace pelagic {
 struct SurfaceBounds {
     double height_min_m = 0;
     double height_max_m = 0;
-    double sideways_x_max_m = 0;  ///< largest |Dx|
-    double sideways_z_max_m = 0;
+    double horizontal_x_max_m = 0;  ///< largest |Dx|
+    double horizontal_z_max_m = 0;
 
     constexpr SurfaceBounds() = default;
-    constexpr SurfaceBounds(double height_min, double height_max, double sideways_x_max, double sideways_z_max)
+    constexpr SurfaceBounds(double height_min, double height_max, double horizontal_x_max, double horizontal_z_max)
         : height_min_m(height_min),
           height_max_m(height_max),
-          sideways_x_max_m(sideways_x_max),
-          sideways_z_max_m(sideways_z_max) {}
+          horizontal_x_max_m(horizontal_x_max),
+          horizontal_z_max_m(horizontal_z_max) {}
     /// A frame's bounds, or whatever else has members of these names: the quadtree does not know the sea.
     template <class Extremes>
-    requires requires(const Extremes& e) { e.height_min_m, e.height_max_m, e.sideways_x_max_m, e.sideways_z_max_m; }
+    requires requires(const Extremes& e) { e.height_min_m, e.height_max_m, e.horizontal_x_max_m, e.horizontal_z_max_m; }
     constexpr SurfaceBounds(const Extremes& e)
-        : SurfaceBounds(e.height_min_m, e.height_max_m, e.sideways_x_max_m, e.sideways_z_max_m) {}
+        : SurfaceBounds(e.height_min_m, e.height_max_m, e.horizontal_x_max_m, e.horizontal_z_max_m) {}
 };
 
 struct SelectionInput {

@@ -36,8 +36,8 @@ struct PlaneView {
 struct FrameBounds {
     float height_min_m = 0;
     float height_max_m = 0;
-    float sideways_x_max_m = 0;  ///< largest |Dx|
-    float sideways_z_max_m = 0;  ///< largest |Dz|
+    float horizontal_x_max_m = 0;  ///< largest |Dx|
+    float horizontal_z_max_m = 0;  ///< largest |Dz|
 };
 
 /// Levels in a gradient chain: resolution, resolution / 2, ..., 1.
@@ -78,7 +78,7 @@ struct CascadeSqueeze {
     std::span<const std::uint8_t> blocks;
     /// (N/2)^2: the most around a block, as far as other rest points of the same place can be.
     std::span<const std::uint8_t> around;
-    float largest_m = 0;  ///< of the sideways displacements
+    float largest_m = 0;  ///< of the horizontal displacements
     float stretch = 0;    ///< two rest points' displacements differ by at most this times their distance
     float steepness = 0;  ///< and their heights by this times their distance
 

@@ -19,7 +19,7 @@ namespace pelagic {
 /// Before its waves are moved. \pre check(sea) is empty and sea.waves is analytic
 AnalyticSea analytic_sea_of(const SeaState& sea);
 
-/// As the cascades hold it: heights and sideways displacements at texels are those of the frame within 1e-6 of the sum of the
+/// As the cascades hold it: heights and horizontal displacements at texels are those of the frame within 1e-6 of the sum of the
 /// amplitudes. Waves of less than two texels of the finest cascade (three, in a stack) are left out. \pre the same
 PlaneWaves waves_of_cascades(const SeaState& sea);
 

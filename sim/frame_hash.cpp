@@ -54,8 +54,8 @@ std::uint64_t hash_of(const Frame& frame) {
             XXH3_64bits_update(&state, cascade.slopes_rgba8.data(), cascade.slopes_rgba8.size_bytes());
             XXH3_64bits_update(&state, cascade.moments_rgba8.data(), cascade.moments_rgba8.size_bytes());
         }
-        const float bounds[] = {cascade.bounds.height_min_m, cascade.bounds.height_max_m, cascade.bounds.sideways_x_max_m,
-                                cascade.bounds.sideways_z_max_m};
+        const float bounds[] = {cascade.bounds.height_min_m, cascade.bounds.height_max_m, cascade.bounds.horizontal_x_max_m,
+                                cascade.bounds.horizontal_z_max_m};
         XXH3_64bits_update(&state, bounds, sizeof bounds);
     }
     return XXH3_64bits_digest(&state);

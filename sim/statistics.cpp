@@ -145,11 +145,11 @@ void add_cascade(const SeaState& sea, const CascadePlan& cascade, Draws draws, G
             if (m > 0 && n > 0) add_pair(variances.minus, of_wind.minus, -m, n, k, here);
             if (!(here.expected > 0)) continue;
             const double omega = angular_frequency(k, water);
-            const double sideways = sea.choppiness * orbit_ratio(k, water.depth_m) * k;
+            const double horizontal = sea.choppiness * orbit_ratio(k, water.depth_m) * k;
             sums.add_expected(omega / two_pi, here.expected);
-            sums.expected_convergence += here.expected * (sideways * sideways);
+            sums.expected_convergence += here.expected * (horizontal * horizontal);
             if (!(here.drawn > 0)) continue;
-            sums.drawn_convergence += here.drawn * (sideways * sideways);
+            sums.drawn_convergence += here.drawn * (horizontal * horizontal);
             sums.add_drawn(omega / two_pi, loop_harmonic(omega, sea.loop_period_s), here.drawn, here.drawn_swell);
         }
     }

@@ -48,7 +48,7 @@ std::span<const Interpolation> interpolations();
 
 struct SurfaceQueryOptions {
     /// Largest error of a converged point, positive, metres. The search aims at a 64th of it, because on a steep face a step
-    /// sideways is a larger one in height, and at no less than float can tell.
+    /// horizontal is a larger one in height, and at no less than float can tell.
     double tolerance_m = 1e-3;
     Interpolation interpolation = Interpolation::linear;
 };
@@ -71,7 +71,7 @@ struct SurfaceSamples {
     std::span<float> jacobian = {};
     /// How the water that is there now moves: the displacement's derivative in time at the fixed rest point.
     std::span<float> velocity_x_mps = {}, velocity_y_mps = {}, velocity_z_mps = {};
-    /// How far sideways from the given point the sampled one is drawn.
+    /// How far horizontal from the given point the sampled one is drawn.
     std::span<float> error_m = {};
     std::span<std::uint8_t> converged = {};  ///< 1 if the error is within the tolerance
     /// How much of the water there is white, 0 to 1: the largest of the cascades' foam at the rest point, bilinear between texels.

@@ -73,8 +73,8 @@ Places random_places(std::size_t count, double reach_m, unsigned seed = 1) {
 
 enum Kind {
     height,
-    sideways_x,
-    sideways_z,
+    horizontal_x,
+    horizontal_z,
     normal_x,
     normal_y,
     normal_z,
@@ -170,8 +170,8 @@ TEST_P(AnalyticOnEachIsa, WaterOfAWorldPointIsDrawnThere) {
         const Answers said = in_world(water, 55, places);
         Places rest;
         for (std::size_t i = 0; i < places.x.size(); ++i) {
-            rest.x.push_back(places.x[i] - double{said.of[sideways_x][i]});
-            rest.z.push_back(places.z[i] - double{said.of[sideways_z][i]});
+            rest.x.push_back(places.x[i] - double{said.of[horizontal_x][i]});
+            rest.z.push_back(places.z[i] - double{said.of[horizontal_z][i]});
         }
         for (std::size_t i = 0; i < places.x.size(); ++i) {
             const Truth t = truth(sea, 55, rest.x[i], rest.z[i]);
@@ -300,11 +300,11 @@ TEST_F(Trochoid, IsGerstnersAndItsWaterGoesRoundInCircles) {
     for (int i = 0; i < 40; ++i) {
         const double t = 0.13 * i, phase = k * 3.3 - w * t;
         const Answers at = at_rest(water, t, places);
-        EXPECT_NEAR(at.of[sideways_x][0], -surface_a_m * std::sin(phase), 1e-6 * surface_a_m);
+        EXPECT_NEAR(at.of[horizontal_x][0], -surface_a_m * std::sin(phase), 1e-6 * surface_a_m);
         EXPECT_NEAR(at.of[height][0], surface_a_m * std::cos(phase), 1e-6 * surface_a_m);
-        EXPECT_NEAR(std::hypot(at.of[sideways_x][0], at.of[height][0]), surface_a_m, 1e-6 * surface_a_m);
+        EXPECT_NEAR(std::hypot(at.of[horizontal_x][0], at.of[height][0]), surface_a_m, 1e-6 * surface_a_m);
         EXPECT_NEAR(std::hypot(at.of[velocity_x][0], at.of[velocity_y][0]), surface_a_m * w, 1e-6 * surface_a_m * w);
-        EXPECT_EQ(at.of[sideways_z][0], 0);
+        EXPECT_EQ(at.of[horizontal_z][0], 0);
     }
 }
 
@@ -322,7 +322,7 @@ TEST_F(Trochoid, HasTheSameJacobianEverywhereOnALayer) {
             return double(up.of[kind][2] - up.of[kind][0] + down.of[kind][2] - down.of[kind][0]) / (4 * step);
         };
         const auto d_b = [&](Kind kind) { return double(up.of[kind][1] - down.of[kind][1]) / (2 * step); };
-        const double found = (1 + d_a(sideways_x)) * (1 + d_b(height)) - d_b(sideways_x) * d_a(height);
+        const double found = (1 + d_a(horizontal_x)) * (1 + d_b(height)) - d_b(horizontal_x) * d_a(height);
         EXPECT_NEAR(found, right, 3e-5);
     }
 }

@@ -147,17 +147,17 @@ TEST_F(CInterfaceCascades, TheFrameItselfShowsTheCoarsest) {
         };
         EXPECT_EQ(cascade.bounds.height_max_m, highest(cascade.height, 1));
         EXPECT_EQ(cascade.bounds.height_min_m, -highest(cascade.height, -1));
-        EXPECT_EQ(cascade.bounds.sideways_x_max_m, std::max(highest(cascade.dx, 1), highest(cascade.dx, -1)));
-        EXPECT_EQ(cascade.bounds.sideways_z_max_m, std::max(highest(cascade.dz, 1), highest(cascade.dz, -1)));
+        EXPECT_EQ(cascade.bounds.horizontal_x_max_m, std::max(highest(cascade.dx, 1), highest(cascade.dx, -1)));
+        EXPECT_EQ(cascade.bounds.horizontal_z_max_m, std::max(highest(cascade.dz, 1), highest(cascade.dz, -1)));
         sum.height_min_m += cascade.bounds.height_min_m;
         sum.height_max_m += cascade.bounds.height_max_m;
-        sum.sideways_x_max_m += cascade.bounds.sideways_x_max_m;
-        sum.sideways_z_max_m += cascade.bounds.sideways_z_max_m;
+        sum.horizontal_x_max_m += cascade.bounds.horizontal_x_max_m;
+        sum.horizontal_z_max_m += cascade.bounds.horizontal_z_max_m;
     }
     EXPECT_FLOAT_EQ(frame.bounds.height_min_m, sum.height_min_m);
     EXPECT_FLOAT_EQ(frame.bounds.height_max_m, sum.height_max_m);
-    EXPECT_FLOAT_EQ(frame.bounds.sideways_x_max_m, sum.sideways_x_max_m);
-    EXPECT_FLOAT_EQ(frame.bounds.sideways_z_max_m, sum.sideways_z_max_m);
+    EXPECT_FLOAT_EQ(frame.bounds.horizontal_x_max_m, sum.horizontal_x_max_m);
+    EXPECT_FLOAT_EQ(frame.bounds.horizontal_z_max_m, sum.horizontal_z_max_m);
 }
 
 TEST_F(CInterfaceCascades, WhatIsInACascadeIsAQuestionOfOptions) {

@@ -40,7 +40,7 @@ class Findings {
     }
     void bounds(const pelagic_bounds& bounds) {
         for (const float bound :
-             {bounds.height_min_m, bounds.height_max_m, bounds.sideways_x_max_m, bounds.sideways_z_max_m})
+             {bounds.height_min_m, bounds.height_max_m, bounds.horizontal_x_max_m, bounds.horizontal_z_max_m})
             number("bound", static_cast<double>(bound));
     }
     const std::string& what() const { return what_; }

@@ -91,14 +91,14 @@ class CascadeStack {
             for (int i = 0; i < n; ++i) {
                 bounds.height_min_m = std::min(bounds.height_min_m, cascade.height.at(i, j));
                 bounds.height_max_m = std::max(bounds.height_max_m, cascade.height.at(i, j));
-                bounds.sideways_x_max_m = std::max(bounds.sideways_x_max_m, std::fabs(cascade.dx.at(i, j)));
-                bounds.sideways_z_max_m = std::max(bounds.sideways_z_max_m, std::fabs(cascade.dz.at(i, j)));
+                bounds.horizontal_x_max_m = std::max(bounds.horizontal_x_max_m, std::fabs(cascade.dx.at(i, j)));
+                bounds.horizontal_z_max_m = std::max(bounds.horizontal_z_max_m, std::fabs(cascade.dz.at(i, j)));
             }
         }
         frame_.bounds.height_min_m += bounds.height_min_m;
         frame_.bounds.height_max_m += bounds.height_max_m;
-        frame_.bounds.sideways_x_max_m += bounds.sideways_x_max_m;
-        frame_.bounds.sideways_z_max_m += bounds.sideways_z_max_m;
+        frame_.bounds.horizontal_x_max_m += bounds.horizontal_x_max_m;
+        frame_.bounds.horizontal_z_max_m += bounds.horizontal_z_max_m;
         cascades_.push_back(cascade);
     }
 

@@ -258,10 +258,10 @@ TEST(CascadeStackRay, FirstHitIsTheOneOfSmallSteps) {
             const SurfaceQuery query(stack.frame());
             const double top_m = static_cast<double>(stack.frame().bounds.height_max_m);
             std::mt19937 random(static_cast<unsigned>(cascades));
-            std::uniform_real_distribution<double> sideways(-1, 1);
+            std::uniform_real_distribution<double> horizontal(-1, 1);
             for (int i = 0; i < (is_sanitized ? 5 : 60); ++i) {
-                const double angle = 3.14159 * sideways(random), down = i % 5 == 0 ? 0 : 0.2 * sideways(random);
-                const SurfaceRay ray{{500 * sideways(random), 1.2 * top_m * sideways(random), 500 * sideways(random)},
+                const double angle = 3.14159 * horizontal(random), down = i % 5 == 0 ? 0 : 0.2 * horizontal(random);
+                const SurfaceRay ray{{500 * horizontal(random), 1.2 * top_m * horizontal(random), 500 * horizontal(random)},
                                      {2 * std::cos(angle), 2 * down, 2 * std::sin(angle)},
                                      300};
                 const std::optional<BruteForceHit> expected = brute_force_hit(query, ray);
@@ -289,12 +289,12 @@ TEST(CascadeStackRay, HeightsDifferByNoMoreThanTheBound) {
         const SurfaceQuery query(stack.frame());
         const HeightChange change(stack.frame().cascades);
         std::mt19937 random(5);
-        std::uniform_real_distribution<double> sideways(-1, 1);
+        std::uniform_real_distribution<double> horizontal(-1, 1);
         double closest = 0;
         for (int i = 0; i < (is_sanitized ? 500 : 5000); ++i) {
-            const double distance_m = std::exp(-7 * std::fabs(sideways(random))) * 50,
-                         angle = 3.14159 * sideways(random);
-            const double x = 1000 * sideways(random), z = 1000 * sideways(random);
+            const double distance_m = std::exp(-7 * std::fabs(horizontal(random))) * 50,
+                         angle = 3.14159 * horizontal(random);
+            const double x = 1000 * horizontal(random), z = 1000 * horizontal(random);
             const double xs[] = {x, x + distance_m * std::cos(angle)}, zs[] = {z, z + distance_m * std::sin(angle)};
             float height[2];
             query.sample({xs, zs}, {.height_m = height});

@@ -130,8 +130,8 @@ TEST(AnalyticCascades, TheClosedFormSaysWhatTexelsSay) {
                 for (auto& each : said) each.resize(x.size());
                 water.sample_rest(time_s, {x, z},
                                   {.height_m = said[0],
-                                   .sideways_x_m = said[1],
-                                   .sideways_z_m = said[2],
+                                   .horizontal_x_m = said[1],
+                                   .horizontal_z_m = said[2],
                                    .velocity_x_mps = said[3],
                                    .velocity_y_mps = said[4],
                                    .velocity_z_mps = said[5]});
@@ -317,12 +317,12 @@ TEST(AnalyticCascades, WeatherTurnsOneIntoAnotherWaveByWave) {
         x.push_back(i * cascade.texel_m());
         z.push_back((i * 37 % 256) * cascade.texel_m());
     }
-    std::vector<float> height(x.size()), sideways(x.size());
-    water.sample_rest(20, {x, z}, {.height_m = height, .sideways_x_m = sideways});
+    std::vector<float> height(x.size()), horizontal(x.size());
+    water.sample_rest(20, {x, z}, {.height_m = height, .horizontal_x_m = horizontal});
     for (int i = 0; i < 256; ++i) {
         ASSERT_NEAR(cascade.height.at(i, i * 37 % 256), height[static_cast<std::size_t>(i)],
                     1e-5 * amplitudes_of(waves));
-        ASSERT_NEAR(cascade.dx.at(i, i * 37 % 256), sideways[static_cast<std::size_t>(i)], 1e-5 * amplitudes_of(waves));
+        ASSERT_NEAR(cascade.dx.at(i, i * 37 % 256), horizontal[static_cast<std::size_t>(i)], 1e-5 * amplitudes_of(waves));
     }
     EXPECT_EQ(hash_of(ocean.frame_at(60)), hash_of(Ocean(after, everything()).frame_at(60)));
 }

@@ -26,7 +26,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// One cascade of a plane wave without sideways displacement, of `m` and `n` waves along its axes.
+/// One cascade of a plane wave without horizontal displacement, of `m` and `n` waves along its axes.
 class PlaneWave {
    public:
     static constexpr int side = 32;

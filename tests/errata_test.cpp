@@ -84,7 +84,7 @@ TEST(Errata, NormalsFromTheHeightAloneAreDegreesOff) {
     EXPECT_GT(most, 3);
 }
 
-// One wave h = a cos(kx - phase) moved sideways by -lambda a sin: x -> x + Dx is a trochoid, whose tangent along x is
+// One wave h = a cos(kx - phase) moved horizontally by -lambda a sin: x -> x + Dx is a trochoid, whose tangent along x is
 // (1 + Dx', h', 0), so its normal is (-h', 1 + Dx', 0) over their length. Through the kernel, on every instruction set.
 class NormalOnEachIsa : public OnEachIsa {};
 INSTANTIATE_TEST_SUITE_P(Isas, NormalOnEachIsa, testing::ValuesIn(isas_here()), isa_test_name);

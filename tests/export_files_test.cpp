@@ -346,7 +346,7 @@ TEST(ExportedFiles, SeaJsonSaysWhatPixelsMean) {
             float height[1], normal_x[1], normal_z[1], jacobian[1];
             water.sample({x, z},
                          {.height_m = height, .normal_x = normal_x, .normal_z = normal_z, .jacobian = jacobian});
-            // A millimetre sideways, the query's tolerance, changes less than that here: texels are 8 m apart.
+            // A millimetre horizontal, the query's tolerance, changes less than that here: texels are 8 m apart.
             EXPECT_NEAR(value_of(displacement, "height", numbers), height[0], 1e-3);
             const double half_a_byte = 1 / 255.0 + 1e-3;
             EXPECT_NEAR(value_of(gradient, "normal_x", parts), normal_x[0], half_a_byte);

@@ -1,4 +1,4 @@
-// Waves that feel the ground move water farther sideways than up and down: orbits are Airy's ellipses.
+// Waves that feel the ground move water farther horizontally than up and down: orbits are Airy's ellipses.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -90,27 +90,27 @@ TEST(FiniteDepth, SwellsOrbitHasAirysAxes) {
                      .swell_spread_rad = pi / 180,
                      .loop_period_s = 5 * period_s},
                     {.executor = make_serial_executor(), .velocities = true});
-        Complex sideways, up, sideways_speed, up_speed;
+        Complex horizontal, up, horizontal_speed, up_speed;
         constexpr int times = 160;
         for (int i = 0; i < times; ++i) {
             const double turns = 5.0 * i / times;
             const Cascade& cascade = ocean.frame_at(turns * period_s).cascades[0];
             const Complex turn = std::polar(1.0 / times, -2 * pi * turns);
-            sideways += turn * static_cast<double>(cascade.dx.at(5, 3));
+            horizontal += turn * static_cast<double>(cascade.dx.at(5, 3));
             up += turn * static_cast<double>(cascade.height.at(5, 3));
-            sideways_speed += turn * static_cast<double>(cascade.velocity_x.at(5, 3));
+            horizontal_speed += turn * static_cast<double>(cascade.velocity_x.at(5, 3));
             up_speed += turn * static_cast<double>(cascade.velocity_y.at(5, 3));
         }
         const double airy = 1 / std::tanh(k * depth);
         ASSERT_GT(std::abs(up), 0.01);
-        EXPECT_NEAR(std::abs(sideways) / std::abs(up), airy, 0.01 * airy) << depth;
-        EXPECT_NEAR(std::abs(sideways_speed) / std::abs(up_speed), airy, 0.01 * airy) << depth;
-        EXPECT_NEAR(std::fabs(std::arg(sideways / up)), pi / 2, 0.01) << "an ellipse, not a line";
+        EXPECT_NEAR(std::abs(horizontal) / std::abs(up), airy, 0.01 * airy) << depth;
+        EXPECT_NEAR(std::abs(horizontal_speed) / std::abs(up_speed), airy, 0.01 * airy) << depth;
+        EXPECT_NEAR(std::fabs(std::arg(horizontal / up)), pi / 2, 0.01) << "an ellipse, not a line";
     }
 }
 
 // Every wave of a sea, wave by wave: D = i choppiness coth(k d) k/|k| h, and the same of velocities.
-TEST(FiniteDepth, EachWaveMovesSidewaysAsAiryHasIt) {
+TEST(FiniteDepth, EachWaveMovesHorizontalAsAiryHasIt) {
     for (const double depth : {6.0, 20.0, 4000.0}) {
         const SeaState sea{.cascades = 2, .resolution = 64, .depth_m = depth, .choppiness = 0.8};
         Ocean ocean(sea, {.executor = make_serial_executor(), .velocities = true});

@@ -117,14 +117,14 @@ TEST_P(FrameOnEachIsa, BoundsAreThePlanesExtremes) {
         for (int i = 0; i < frame.cascades[0].resolution(); ++i) {
             bounds.height_min_m = std::min(bounds.height_min_m, frame.cascades[0].height.at(i, j));
             bounds.height_max_m = std::max(bounds.height_max_m, frame.cascades[0].height.at(i, j));
-            bounds.sideways_x_max_m = std::max(bounds.sideways_x_max_m, std::fabs(frame.cascades[0].dx.at(i, j)));
-            bounds.sideways_z_max_m = std::max(bounds.sideways_z_max_m, std::fabs(frame.cascades[0].dz.at(i, j)));
+            bounds.horizontal_x_max_m = std::max(bounds.horizontal_x_max_m, std::fabs(frame.cascades[0].dx.at(i, j)));
+            bounds.horizontal_z_max_m = std::max(bounds.horizontal_z_max_m, std::fabs(frame.cascades[0].dz.at(i, j)));
         }
     }
     EXPECT_EQ(frame.bounds.height_min_m, bounds.height_min_m);
     EXPECT_EQ(frame.bounds.height_max_m, bounds.height_max_m);
-    EXPECT_EQ(frame.bounds.sideways_x_max_m, bounds.sideways_x_max_m);
-    EXPECT_EQ(frame.bounds.sideways_z_max_m, bounds.sideways_z_max_m);
+    EXPECT_EQ(frame.bounds.horizontal_x_max_m, bounds.horizontal_x_max_m);
+    EXPECT_EQ(frame.bounds.horizontal_z_max_m, bounds.horizontal_z_max_m);
 }
 
 // Imath's half is what OpenEXR rounds with: to nearest even.

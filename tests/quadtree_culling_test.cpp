@@ -230,7 +230,7 @@ TEST_F(Culling, LosesNothingOfEitherEye) {
 Box box_of(const QuadtreeGrid& grid, const BoxesOfNodes& boxes, int level, int x, int z) {
     const double side = grid.patch_size_m(level);
     const glm::dvec2 centre = glm::dvec2(grid.corner) * grid.step_m + side * glm::dvec2(x + 0.5, z + 0.5);
-    const glm::dvec2 half = side * boxes.cull_scale / 2 + boxes.sideways_m;
+    const glm::dvec2 half = side * boxes.cull_scale / 2 + boxes.horizontal_m;
     return {{centre.x, (boxes.low_m + boxes.high_m) / 2, centre.y},
             {half.x, (boxes.high_m - boxes.low_m) / 2, half.y}};
 }

@@ -56,8 +56,8 @@ inline SelectionInput random_viewer(Random& random, double size_m, int number) {
 /// A static sea in closed form, gentle enough that no triangle of it can turn over: see `steepest`.
 struct SineSea {
     double height_m = 2;
-    double sideways_m = 1;
-    /// Lipschitz bound of the sideways displacement with the longest wave 40 m: the sum of amplitudes times wave
+    double horizontal_m = 1;
+    /// Lipschitz bound of the horizontal displacement with the longest wave 40 m: the sum of amplitudes times wave
     /// numbers. A triangle turns over only if it exceeds 1/2.
     static constexpr double shortest_wave_m = 40;
 
@@ -65,10 +65,10 @@ struct SineSea {
         constexpr double turn = 2 * std::numbers::pi;
         const double a = turn * (rest.x * 0.8 + rest.y * 0.6) / shortest_wave_m;
         const double b = turn * (rest.x * -0.5 + rest.y * 0.7) / 97 + 1;
-        return {sideways_m * std::cos(a), height_m * (0.5 * std::sin(a) + 0.5 * std::sin(b)),
-                sideways_m * std::cos(b)};
+        return {horizontal_m * std::cos(a), height_m * (0.5 * std::sin(a) + 0.5 * std::sin(b)),
+                horizontal_m * std::cos(b)};
     }
-    SurfaceBounds bounds() const { return {-height_m, height_m, sideways_m, sideways_m}; }
+    SurfaceBounds bounds() const { return {-height_m, height_m, horizontal_m, horizontal_m}; }
 };
 
 inline std::vector<glm::dvec3> patch_positions(const QuadtreeGrid& grid, const PatchInstance& patch,

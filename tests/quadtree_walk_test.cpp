@@ -130,7 +130,7 @@ class MeshHeight {
 
 // A pop would be as high as what a coarser grid misses: up to the wave's whole height, 4 m.
 TEST_P(EachWalk, TheSurfaceChangesByLessThanAMillimetreAStep) {
-    const SineSea sea{.height_m = 2, .sideways_m = 0};
+    const SineSea sea{.height_m = 2, .horizontal_m = 0};
     Random random(10);
     std::vector<glm::dvec2> points;
     for (int i = 0; i < 100; ++i) {

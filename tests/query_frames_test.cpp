@@ -89,7 +89,7 @@ TEST(CInterfaceQueryFrames, WhatAReaderHoldsNeverChanges) {
                 const float number = number_of(reader);
                 for (int look = 0; look < 3000; ++look) {
                     const FrameBounds bounds = reader.query()->bounds();
-                    changed += bounds.height_min_m != number || bounds.sideways_z_max_m != number;
+                    changed += bounds.height_min_m != number || bounds.horizontal_z_max_m != number;
                     std::atomic_signal_fence(std::memory_order_seq_cst);
                 }
                 ++reads;

@@ -298,7 +298,7 @@ TEST(Crests, AreSharpAndTheJacobianIsLeastOnThem) {
     }
 }
 
-TEST(Crests, WithoutChoppinessNothingMovesSideways) {
+TEST(Crests, WithoutChoppinessNothingMovesHorizontal) {
     Ocean ocean = ocean_of({.resolution = 64, .patch_size_m = 250, .choppiness = 0});
     const Frame& frame = ocean.frame_at(1.7);
     for (int j = 0; j < 64; ++j) {

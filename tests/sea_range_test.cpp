@@ -56,8 +56,8 @@ std::string fault_of(const Cascade& cascade) {
         }
     }
     const FrameBounds& bounds = cascade.bounds;
-    if (bounds.height_min_m != least || bounds.height_max_m != most || bounds.sideways_x_max_m != most_dx ||
-        bounds.sideways_z_max_m != most_dz)
+    if (bounds.height_min_m != least || bounds.height_max_m != most || bounds.horizontal_x_max_m != most_dx ||
+        bounds.horizontal_z_max_m != most_dz)
         return "bounds are not the extremes";
     for (const std::uint16_t half : cascade.displacement_rgba16f)
         if (!is_finite_half(half)) return "a half is not finite";

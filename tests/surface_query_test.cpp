@@ -139,7 +139,7 @@ TEST(SurfaceQuery, HeightsNormalsAndJacobiansAreThoseOfTheOracleFromCalmToStorm)
     EXPECT_GE(all, is_sanitized ? 0u : 1'000'000u);
 }
 
-/// A frame with its sideways displacement several times as large: breaking everywhere, in tangled sheets.
+/// A frame with its horizontal displacement several times as large: breaking everywhere, in tangled sheets.
 class Exaggerated {
    public:
     Exaggerated(const Frame& frame, float factor, const Kernels& kernels)
@@ -159,8 +159,8 @@ class Exaggerated {
         water_.frame.isa = frame.isa;
         water_.cascade.grid = cascade.grid;
         FrameBounds bounds = cascade.bounds;
-        bounds.sideways_x_max_m *= factor;
-        bounds.sideways_z_max_m *= factor;
+        bounds.horizontal_x_max_m *= factor;
+        bounds.horizontal_z_max_m *= factor;
         water_.set_bounds(bounds);
         folds_.update(water_.cascade, kernels);
     }
@@ -290,7 +290,7 @@ TEST(SurfaceQuery, FindsTheTopOfALoopKnownInClosedForm) {
     Samples samples(points.x.size());
     SurfaceQuery(trochoid.frame()).sample(points.view(), samples.view());
     // Between texels the curve is straight: off by at most the second derivative times an eighth of a texel squared,
-    // sideways (a k^2) and up (A k^2); sideways costs the slope, whose largest value here is below 10, away from the edges.
+    // horizontal (a k^2) and up (A k^2); horizontal costs the slope, whose largest value here is below 10, away from the edges.
     const double texel_m = Trochoid::patch_m / Trochoid::n;
     const double off = texel_m * texel_m / 8 * Trochoid::k * Trochoid::k;
     std::size_t inside = 0, turned = 0;

@@ -52,11 +52,11 @@ TEST_F(SurfaceRayTest, StraightDownMeetsTheHeightThere) {
 
 TEST_F(SurfaceRayTest, FirstHitIsTheOneOfSmallSteps) {
     std::mt19937 random(2);
-    std::uniform_real_distribution<double> sideways(-1, 1), height(-4, 4), steepness(-0.3, 0.3);
+    std::uniform_real_distribution<double> horizontal(-1, 1), height(-4, 4), steepness(-0.3, 0.3);
     int hits = 0, from_below = 0;
     for (int i = 0; i < (is_sanitized ? 60 : 300); ++i) {
-        const double angle = 3.14159 * sideways(random);
-        const SurfaceRay ray{{200 * sideways(random), height(random), 200 * sideways(random)},
+        const double angle = 3.14159 * horizontal(random);
+        const SurfaceRay ray{{200 * horizontal(random), height(random), 200 * horizontal(random)},
                              {std::cos(angle), i % 10 ? steepness(random) : 0.0, std::sin(angle)},
                              60};
         const double length = std::hypot(1, ray.direction[1]);

@@ -157,8 +157,8 @@ TEST_P(TransformOnEachIsa, ColumnsTurnHalfAPlaneIntoRealFieldsTimesChoppiness) {
                 const float* out = data.data() + block * block_floats + z * surface_components * lanes() + lane;
                 expected.height_min = std::min(expected.height_min, out[surface_height * lanes()]);
                 expected.height_max = std::max(expected.height_max, out[surface_height * lanes()]);
-                expected.sideways_x_max = std::max(expected.sideways_x_max, std::fabs(out[surface_dx * lanes()]));
-                expected.sideways_z_max = std::max(expected.sideways_z_max, std::fabs(out[surface_dz * lanes()]));
+                expected.horizontal_x_max = std::max(expected.horizontal_x_max, std::fabs(out[surface_dx * lanes()]));
+                expected.horizontal_z_max = std::max(expected.horizontal_z_max, std::fabs(out[surface_dz * lanes()]));
             }
             if (lane % 3 != 0) continue;
             const auto value = [&](std::size_t n, LineComponent re, LineComponent im) {
@@ -166,19 +166,19 @@ TEST_P(TransformOnEachIsa, ColumnsTurnHalfAPlaneIntoRealFieldsTimesChoppiness) {
                 return std::complex<double>(at[re * lanes()], at[im * lanes()]);
             };
             // P = -(Dx + i Dz) belongs to kz; to -kz the conjugate of -(Dx - i Dz), which is R over i.
-            Line height(size()), sideways(size());
+            Line height(size()), horizontal(size());
             height[0] = value(0, height_re, height_im);
-            sideways[0] = value(0, p_re, p_im);
+            horizontal[0] = value(0, p_re, p_im);
             for (std::size_t n = 1; n < size() / 2; ++n) {
                 height[n] = value(n, height_re, height_im);
                 height[size() - n] = std::conj(height[n]);
-                sideways[n] = value(n, p_re, p_im);
-                sideways[size() - n] = std::conj(std::complex<double>(0, -1) * value(n, r_re, r_im));
+                horizontal[n] = value(n, p_re, p_im);
+                horizontal[size() - n] = std::conj(std::complex<double>(0, -1) * value(n, r_re, r_im));
             }
             const double largest = 4 * std::sqrt(2.0 * static_cast<double>(size()));
             for (const std::size_t z : outputs_to_check(size())) {
                 const float* out = data.data() + block * block_floats + z * surface_components * lanes() + lane;
-                const std::complex<double> h = naive_inverse_dft(height, z), d = -naive_inverse_dft(sideways, z);
+                const std::complex<double> h = naive_inverse_dft(height, z), d = -naive_inverse_dft(horizontal, z);
                 ASSERT_NEAR(out[surface_height * lanes()], h.real(), tolerance * largest) << z;
                 ASSERT_NEAR(out[surface_dx * lanes()], choppiness * d.real(), tolerance * largest) << z;
                 ASSERT_NEAR(out[surface_dz * lanes()], choppiness * d.imag(), tolerance * largest) << z;
@@ -187,8 +187,8 @@ TEST_P(TransformOnEachIsa, ColumnsTurnHalfAPlaneIntoRealFieldsTimesChoppiness) {
     }
     EXPECT_EQ(bounds.height_min, expected.height_min);
     EXPECT_EQ(bounds.height_max, expected.height_max);
-    EXPECT_EQ(bounds.sideways_x_max, expected.sideways_x_max);
-    EXPECT_EQ(bounds.sideways_z_max, expected.sideways_z_max);
+    EXPECT_EQ(bounds.horizontal_x_max, expected.horizontal_x_max);
+    EXPECT_EQ(bounds.horizontal_z_max, expected.horizontal_z_max);
 }
 
 // Whatever the order in which lanes meet them, zeros of both signs count as one zero.
@@ -202,7 +202,7 @@ TEST_P(TransformOnEachIsa, BoundsOfAStillSeaArePositiveZeros) {
                                 .cosine = 1,
                                 .sine = 0,
                                 .bounds = &bounds});
-    for (const float bound : {bounds.height_min, bounds.height_max, bounds.sideways_x_max, bounds.sideways_z_max}) {
+    for (const float bound : {bounds.height_min, bounds.height_max, bounds.horizontal_x_max, bounds.horizontal_z_max}) {
         EXPECT_EQ(bound, 0.f);
         EXPECT_FALSE(std::signbit(bound));
     }

@@ -120,13 +120,13 @@ SixFields closed_form(const AnalyticSea& sea, std::span<const Cascade> cascades,
         const double steps = std::hypot(told.m, told.n);
         const auto [x, z] = grid.in_world(told.m / steps, told.n / steps);
         const double angle = two_pi * (told.m * i + told.n * j) / n - told.omega * t + wave.phase_rad;
-        const double a = wave.amplitude_m, sideways = sea.choppiness * a;
-        sum.of[0] -= sideways * x * std::sin(angle);
+        const double a = wave.amplitude_m, horizontal = sea.choppiness * a;
+        sum.of[0] -= horizontal * x * std::sin(angle);
         sum.of[1] += a * std::cos(angle);
-        sum.of[2] -= sideways * z * std::sin(angle);
-        sum.of[3] += sideways * told.omega * x * std::cos(angle);
+        sum.of[2] -= horizontal * z * std::sin(angle);
+        sum.of[3] += horizontal * told.omega * x * std::cos(angle);
         sum.of[4] += a * told.omega * std::sin(angle);
-        sum.of[5] += sideways * told.omega * z * std::cos(angle);
+        sum.of[5] += horizontal * told.omega * z * std::cos(angle);
     }
     return sum;
 }
@@ -196,8 +196,8 @@ TEST(WaveInput, SaysWhichWavesItHolds) {
         const auto one = [&](int field) { return std::span<float>(told + field, 1); };
         water.sample_rest(t, {x, z},
                           {.height_m = one(1),
-                           .sideways_x_m = one(0),
-                           .sideways_z_m = one(2),
+                           .horizontal_x_m = one(0),
+                           .horizontal_z_m = one(2),
                            .velocity_x_mps = one(3),
                            .velocity_y_mps = one(4),
                            .velocity_z_mps = one(5)});
@@ -363,13 +363,13 @@ TEST(WaveInput, BoundsAreThoseOfTheSum) {
             for (int i = 0; i < 64; ++i) {
                 exact.height_min_m = std::min(exact.height_min_m, cascade.height.at(i, j));
                 exact.height_max_m = std::max(exact.height_max_m, cascade.height.at(i, j));
-                exact.sideways_x_max_m = std::max(exact.sideways_x_max_m, std::fabs(cascade.dx.at(i, j)));
-                exact.sideways_z_max_m = std::max(exact.sideways_z_max_m, std::fabs(cascade.dz.at(i, j)));
+                exact.horizontal_x_max_m = std::max(exact.horizontal_x_max_m, std::fabs(cascade.dx.at(i, j)));
+                exact.horizontal_z_max_m = std::max(exact.horizontal_z_max_m, std::fabs(cascade.dz.at(i, j)));
             }
         EXPECT_EQ(cascade.bounds.height_min_m, exact.height_min_m);
         EXPECT_EQ(cascade.bounds.height_max_m, exact.height_max_m);
-        EXPECT_EQ(cascade.bounds.sideways_x_max_m, exact.sideways_x_max_m);
-        EXPECT_EQ(cascade.bounds.sideways_z_max_m, exact.sideways_z_max_m);
+        EXPECT_EQ(cascade.bounds.horizontal_x_max_m, exact.horizontal_x_max_m);
+        EXPECT_EQ(cascade.bounds.horizontal_z_max_m, exact.horizontal_z_max_m);
         sums.height_max_m += exact.height_max_m;
     }
     EXPECT_EQ(frame.bounds.height_max_m, sums.height_max_m);

@@ -480,7 +480,7 @@ INSTANTIATE_TEST_SUITE_P(Changes, WeatherMoves,
                                          Turn{"StormToCalm", storm, calm, 10}, swell_comes_from_afar()),
                          [](const auto& changed) { return changed.param.name; });
 
-// Of all heights and all sideways displacements of a cascade, at 72 frames a second.
+// Of all heights and all horizontal displacements of a cascade, at 72 frames a second.
 TEST_P(WeatherMoves, NoMoreFromFrameToFrameThanTheLargerSea) {
     const Turn& turn = GetParam();
     const double frame_s = 1.0 / 72, loop_s = calm.loop_period_s;

@@ -52,8 +52,8 @@ Json info_json(const ResolvedSea& resolved, const ComputeOptions& compute) {
     json["first_frame"] = {{"hash", hex_text(hash_of(frame))},
                            {"height_min_m", frame.bounds.height_min_m},
                            {"height_max_m", frame.bounds.height_max_m},
-                           {"sideways_x_max_m", frame.bounds.sideways_x_max_m},
-                           {"sideways_z_max_m", frame.bounds.sideways_z_max_m}};
+                           {"horizontal_x_max_m", frame.bounds.horizontal_x_max_m},
+                           {"horizontal_z_max_m", frame.bounds.horizontal_z_max_m}};
     json["warnings"] = report.warnings;
     json["computing"] = {{"isa", name_of(ocean.isa())},          {"isas_here", isas},
                          {"executor", ocean.executor().name()},  {"threads", ocean.executor().thread_limit()},

@@ -22,7 +22,7 @@ struct GerstnerTerms {
     WavePhase phase;
     float turns_per_m_x, turns_per_m_z;        ///< as in `phase`
     float height;                              ///< cosine: A, m
-    float sideways_x, sideways_z;              ///< sine: -choppiness A k_x/|k|, m
+    float horizontal_x, horizontal_z;              ///< sine: -choppiness A k_x/|k|, m
     float slope_x, slope_z;                    ///< sine: -A k_x
     float squeeze_xx, squeeze_xz, squeeze_zz;  ///< cosine: derivatives of the displacement, -choppiness A k_x k_z/|k|
     float rise;                                ///< sine: A w, m/s
@@ -32,7 +32,7 @@ struct GerstnerTerms {
 /// Arrays of answers. Normal and Jacobian, or the velocity, are null together where nobody wants them.
 struct WaveAnswers {
     float* height;
-    float *sideways_x, *sideways_z;
+    float *horizontal_x, *horizontal_z;
     float *normal_x = nullptr, *normal_y = nullptr, *normal_z = nullptr, *jacobian = nullptr;
     float *velocity_x = nullptr, *velocity_y = nullptr, *velocity_z = nullptr;
 };

@@ -1,4 +1,4 @@
-// Sums of waves that move water sideways too, and the search for the water that is drawn at a point.
+// Sums of waves that move water horizontally too, and the search for the water that is drawn at a point.
 #pragma once
 
 #include <cstddef>
@@ -30,13 +30,13 @@ struct GerstnerPoints {
 
 /// Displacement and its derivatives along x and z.
 template <class Arch>
-struct SidewaysSum {
+struct HorizontalSum {
     using V = xsimd::batch<float, Arch>;
     V x = V(0.f), z = V(0.f), xx = V(0.f), xz = V(0.f), zz = V(0.f);
 
     PELAGIC_INLINE void add(const GerstnerTerms& wave, const Rotation<Arch>& at) {
-        x = x + V(wave.sideways_x) * at.sine;
-        z = z + V(wave.sideways_z) * at.sine;
+        x = x + V(wave.horizontal_x) * at.sine;
+        z = z + V(wave.horizontal_z) * at.sine;
         xx = xx + V(wave.squeeze_xx) * at.cosine;
         xz = xz + V(wave.squeeze_xz) * at.cosine;
         zz = zz + V(wave.squeeze_zz) * at.cosine;
@@ -52,7 +52,7 @@ PELAGIC_INLINE void search_rest(const GerstnerJob& job, GerstnerPoints<Arch>& at
     for (int step = 0; step < job.most_steps; ++step) {
         const auto open = error_left > V(job.target_m);
         if (!xsimd::any(open)) return;
-        SidewaysSum<Arch> d;
+        HorizontalSum<Arch> d;
         for (int i = 0; i < job.wave_count; ++i) d.add(job.waves[i], at.rotation(job.waves[i], i));
 
         // Where the water of this rest point is drawn, less the given point.
@@ -77,7 +77,7 @@ PELAGIC_INLINE void gerstner_points(const GerstnerJob& job, std::size_t at) {
     GerstnerPoints<Arch> points{{job.waves, job.starts, job.wave_count, job.x + at, job.z + at}};
     if constexpr (InWorld) search_rest<Arch>(job, points);
 
-    SidewaysSum<Arch> d;
+    HorizontalSum<Arch> d;
     V height(0.f), slope_x(0.f), slope_z(0.f), rise(0.f), drift_x(0.f), drift_z(0.f);
     for (int i = 0; i < job.wave_count; ++i) {
         const GerstnerTerms& wave = job.waves[i];
@@ -97,8 +97,8 @@ PELAGIC_INLINE void gerstner_points(const GerstnerJob& job, std::size_t at) {
 
     const WaveAnswers& out = job.out;
     height.store_unaligned(out.height + at);
-    d.x.store_unaligned(out.sideways_x + at);
-    d.z.store_unaligned(out.sideways_z + at);
+    d.x.store_unaligned(out.horizontal_x + at);
+    d.z.store_unaligned(out.horizontal_z + at);
     if constexpr (Normals) {
         const V j_xx = V(1.f) + d.xx, j_zz = V(1.f) + d.zz;
         const V n_x = slope_z * d.xz - slope_x * j_zz;

@@ -66,11 +66,11 @@ FftwFrame::FftwFrame(const SeaState& sea, Isa isa, FftwArrangement arrangement, 
       mip_averages_(sea.resolution),
       plans_(std::make_unique<Plans>()) {
     if (arrangement == FftwArrangement::packed) {
-        sideways_spectrum_ = AlignedBuffer<float>(2 * texels_);
-        sideways_ = AlignedBuffer<float>(2 * texels_);
+        horizontal_spectrum_ = AlignedBuffer<float>(2 * texels_);
+        horizontal_ = AlignedBuffer<float>(2 * texels_);
         const int n = sea.resolution;
         plans_->all = {real_plan(size_, height_spectrum_.data(), plane(1), planning),
-                       fftwf_plan_dft_2d(n, n, numbers(sideways_spectrum_.data()), numbers(sideways_.data()),
+                       fftwf_plan_dft_2d(n, n, numbers(horizontal_spectrum_.data()), numbers(horizontal_.data()),
                                          FFTW_BACKWARD, flags_of(planning))};
     } else {
         dx_spectrum_ = AlignedBuffer<float>(height_spectrum_.size());
@@ -82,7 +82,7 @@ FftwFrame::FftwFrame(const SeaState& sea, Isa isa, FftwArrangement arrangement, 
     for (const fftwf_plan plan : std::span(plans_->all).first(arrangement == FftwArrangement::packed ? 2 : 3))
         if (!plan) throw std::runtime_error("FFTW has no plan for N = " + std::to_string(sea.resolution));
     // Planning writes to the arrays.
-    for (AlignedBuffer<float>* spectrum : {&height_spectrum_, &sideways_spectrum_, &dx_spectrum_, &dz_spectrum_})
+    for (AlignedBuffer<float>* spectrum : {&height_spectrum_, &horizontal_spectrum_, &dx_spectrum_, &dz_spectrum_})
         std::fill(spectrum->data(), spectrum->data() + spectrum->size(), 0.f);
 
     bake_spectrum();
@@ -134,13 +134,13 @@ void FftwFrame::evolve(std::uint32_t fraction) {
                           .fraction = fraction,
                           .is_one_row = row == 0,
                           .height = {},
-                          .sideways = {},
+                          .horizontal = {},
                           .dx = {},
                           .dz = {}};
         for (std::size_t i = 0; i < 2; ++i) {
             job.height[i] = height_spectrum_.data() + rows[i] * 2 * (half + 1);
             if (arrangement_ == FftwArrangement::packed) {
-                job.sideways[i] = sideways_spectrum_.data() + rows[i] * 2 * size_;
+                job.horizontal[i] = horizontal_spectrum_.data() + rows[i] * 2 * size_;
                 continue;
             }
             job.dx[i] = dx_spectrum_.data() + rows[i] * 2 * (half + 1);
@@ -188,7 +188,7 @@ const PeerFrame& FftwFrame::frame_at(double time_s) {
     evolve(loop_fraction(time_s, sea_.loop_period_s).turns);
     for (const fftwf_plan plan : plans_->all)
         if (plan) fftwf_execute(plan);
-    own_kernels_.finalize({.sideways = arrangement_ == FftwArrangement::packed ? sideways_.data() : nullptr,
+    own_kernels_.finalize({.horizontal = arrangement_ == FftwArrangement::packed ? horizontal_.data() : nullptr,
                            .texels = texels_,
                            .choppiness = static_cast<float>(sea_.choppiness),
                            .dx = plane(0),

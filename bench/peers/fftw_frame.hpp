@@ -66,7 +66,7 @@ class FftwFrame {
     AlignedBuffer<float> waves_;
     AlignedBuffer<std::uint32_t> harmonics_;
     AlignedBuffer<float> height_spectrum_;
-    AlignedBuffer<float> sideways_spectrum_, sideways_;  ///< of the packed arrangement
+    AlignedBuffer<float> horizontal_spectrum_, horizontal_;  ///< of the packed arrangement
     AlignedBuffer<float> dx_spectrum_, dz_spectrum_;     ///< of the separate one
     AlignedBuffer<float> planes_;                        ///< dx, height, dz
     MipAverages mip_averages_;

@@ -23,13 +23,13 @@ struct FftwEvolveJob {
     std::uint32_t fraction;
     bool is_one_row;
     float* height[2];    ///< rows kz and -kz of N/2 + 1 numbers
-    float* sideways[2];  ///< packed: rows of N numbers of Dx + i Dz
+    float* horizontal[2];  ///< packed: rows of N numbers of Dx + i Dz
     float* dx[2];        ///< separate: rows of N/2 + 1 numbers, as height
     float* dz[2];
 };
 
 struct FftwFinalizeJob {
-    const float* sideways;  ///< Dx + i Dz, or null: then dx and dz hold the transforms' results
+    const float* horizontal;  ///< Dx + i Dz, or null: then dx and dz hold the transforms' results
     std::size_t texels;
     float choppiness;
     float *dx, *height, *dz;

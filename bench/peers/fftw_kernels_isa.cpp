@@ -63,8 +63,8 @@ void evolve(const FftwEvolveJob& job, Store store_waves) {
 void evolve_packed(const FftwEvolveJob& job) {
     evolve(job, [&](std::size_t sign, std::size_t x, const Complex<Arch>& dx, const Complex<Arch>& dz) {
         // Dx + i Dz of the wave, and of its mirror image: conj(Dx) + i conj(Dz).
-        store(job.sideways[sign], x, {dx.re - dz.im, dx.im + dz.re});
-        store_negatives(job.sideways[1 - sign], 2 * job.half_size, x, {dx.re + dz.im, dz.re - dx.im});
+        store(job.horizontal[sign], x, {dx.re - dz.im, dx.im + dz.re});
+        store_negatives(job.horizontal[1 - sign], 2 * job.half_size, x, {dx.re + dz.im, dz.re - dx.im});
     });
 }
 
@@ -79,11 +79,11 @@ void finalize(const FftwFinalizeJob& job) {
     const V factor(job.choppiness);
     V least(3.4e38f), most(-3.4e38f), most_x(0.f), most_z(0.f);
     for (std::size_t i = 0; i < job.texels; i += V::size) {
-        Pair<Arch> sideways{V::load_unaligned(job.dx + i), V::load_unaligned(job.dz + i)};
-        if (job.sideways)
-            sideways = deinterleaved<Arch>(V::load_unaligned(job.sideways + 2 * i),
-                                           V::load_unaligned(job.sideways + 2 * i + V::size));
-        const V dx = sideways.first * factor, dz = sideways.second * factor;
+        Pair<Arch> horizontal{V::load_unaligned(job.dx + i), V::load_unaligned(job.dz + i)};
+        if (job.horizontal)
+            horizontal = deinterleaved<Arch>(V::load_unaligned(job.horizontal + 2 * i),
+                                           V::load_unaligned(job.horizontal + 2 * i + V::size));
+        const V dx = horizontal.first * factor, dz = horizontal.second * factor;
         dx.store_unaligned(job.dx + i);
         dz.store_unaligned(job.dz + i);
         const V height = V::load_unaligned(job.height + i);

@@ -21,7 +21,7 @@ using paper::Complex;
 using paper::Fields;
 using paper::GradientTexel;
 using paper::PackedWave;
-using paper::Sideways;
+using paper::Horizontal;
 
 constexpr std::uint32_t largest_resolution = 2048;  // of a SeaState
 constexpr float two_pi = 2 * std::numbers::pi_v<float>;
@@ -31,9 +31,9 @@ Complex operator-(Complex a, Complex b) { return {a.re - b.re, a.im - b.im}; }
 Complex operator*(Complex a, float b) { return {a.re * b, a.im * b}; }
 Complex operator*(Complex a, Complex b) { return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re}; }
 
-Sideways operator+(Sideways a, Sideways b) { return {a.x + b.x, a.z + b.z}; }
-Sideways operator-(Sideways a, Sideways b) { return {a.x - b.x, a.z - b.z}; }
-Sideways operator*(Sideways a, Complex b) { return {a.x * b, a.z * b}; }
+Horizontal operator+(Horizontal a, Horizontal b) { return {a.x + b.x, a.z + b.z}; }
+Horizontal operator-(Horizontal a, Horizontal b) { return {a.x - b.x, a.z - b.z}; }
+Horizontal operator*(Horizontal a, Complex b) { return {a.x * b, a.z * b}; }
 
 /// e^{i angle}, to 1e-7, of an angle of at most some turns. Quarter turns come off in two parts, the first with few
 /// bits so that its product is exact (Cody and Waite); the polynomials are those of Cephes' sinf and cosf (Moshier).
@@ -71,18 +71,18 @@ inline std::uint32_t bit_reverse(std::uint32_t index, int bits) {
 /// A row or column of both spectra.
 struct Line {
     Complex* height;
-    Sideways* sideways;
+    Horizontal* horizontal;
 };
 
 /// The stack buffers of equation 38: a line and what its stages swap it with.
 struct LineBuffers {
     Complex height_local[largest_resolution];
-    Sideways sideways_local[largest_resolution];
+    Horizontal horizontal_local[largest_resolution];
     Complex height_temp[largest_resolution];
-    Sideways sideways_temp[largest_resolution];
+    Horizontal horizontal_temp[largest_resolution];
 
-    Line local() { return {height_local, sideways_local}; }
-    Line temp() { return {height_temp, sideways_temp}; }
+    Line local() { return {height_local, horizontal_local}; }
+    Line temp() { return {height_temp, horizontal_temp}; }
 };
 
 /// All butterfly stages of one line whose local buffers hold it in bit-reversed order (3.6.2, 3.6.3, 3.6.6). Returns
@@ -105,10 +105,10 @@ Line transform(LineBuffers& buffers, std::uint32_t resolution) {
             const Complex height_b = local.height[b] * twiddle;
             temp.height[a] = height_a + height_b;
             temp.height[b] = height_a - height_b;
-            const Sideways sideways_a = local.sideways[a];
-            const Sideways sideways_b = local.sideways[b] * twiddle;
-            temp.sideways[a] = sideways_a + sideways_b;
-            temp.sideways[b] = sideways_a - sideways_b;
+            const Horizontal horizontal_a = local.horizontal[a];
+            const Horizontal horizontal_b = local.horizontal[b] * twiddle;
+            temp.horizontal[a] = horizontal_a + horizontal_b;
+            temp.horizontal[b] = horizontal_a - horizontal_b;
         }
         std::swap(local, temp);
     }
@@ -148,7 +148,7 @@ PaperFrame::PaperFrame(const SeaState& sea)
     orbit_ratios_.resize(texels, 1);
     for (Fields* fields : {&a_, &b_}) {
         fields->height.resize(texels);
-        fields->sideways.resize(texels);
+        fields->horizontal.resize(texels);
     }
     chain_.resize(chain_texels);
     for (std::vector<float>* plane : {&outputs_.dx, &outputs_.height, &outputs_.dz}) plane->resize(texels);
@@ -217,7 +217,7 @@ void PaperFrame::evolve(std::uint32_t index) {
     wave_z *= inverse_length;
 
     const Complex swapped_conjugate = {height.im, -height.re};  // -i h, equation 30
-    a_.sideways[index] = {swapped_conjugate * wave_x, swapped_conjugate * wave_z};
+    a_.horizontal[index] = {swapped_conjugate * wave_x, swapped_conjugate * wave_z};
 }
 
 void PaperFrame::horizontal_pass(std::uint32_t row) {
@@ -226,12 +226,12 @@ void PaperFrame::horizontal_pass(std::uint32_t row) {
     for (std::uint32_t i = 0; i < resolution_; ++i) {
         const std::uint32_t source = first + bit_reverse(i, log_resolution_);
         buffers.height_local[i] = a_.height[source];
-        buffers.sideways_local[i] = a_.sideways[source];
+        buffers.horizontal_local[i] = a_.horizontal[source];
     }
     const Line result = transform(buffers, resolution_);
     for (std::uint32_t i = 0; i < resolution_; ++i) {
         b_.height[first + i] = result.height[i];
-        b_.sideways[first + i] = result.sideways[i];
+        b_.horizontal[first + i] = result.horizontal[i];
     }
 }
 
@@ -241,12 +241,12 @@ void PaperFrame::vertical_pass(std::uint32_t column) {
     for (std::uint32_t r = 0; r < resolution_; ++r) {
         const std::uint32_t source = column + (bit_reverse(r, log_resolution_) << log_resolution_);
         buffers.height_local[r] = b_.height[source];
-        buffers.sideways_local[r] = b_.sideways[source];
+        buffers.horizontal_local[r] = b_.horizontal[source];
     }
     const Line result = transform(buffers, resolution_);
     for (std::uint32_t r = 0; r < resolution_; ++r) {
         a_.height[column + (r << log_resolution_)] = result.height[r];
-        a_.sideways[column + (r << log_resolution_)] = result.sideways[r];
+        a_.horizontal[column + (r << log_resolution_)] = result.horizontal[r];
     }
 }
 
@@ -256,9 +256,9 @@ void PaperFrame::finalize(std::uint32_t index) {
     const std::uint32_t y = index >> log_resolution_;
     const float sign = ((x + y) & 1) == 0 ? 1.f : -1.f;
 
-    const float dx = -a_.sideways[index].x.re * choppiness_ * sign;
+    const float dx = -a_.horizontal[index].x.re * choppiness_ * sign;
     const float height = a_.height[index].re * sign;
-    const float dz = -a_.sideways[index].z.re * choppiness_ * sign;
+    const float dz = -a_.horizontal[index].z.re * choppiness_ * sign;
     outputs_.dx[index] = dx;
     outputs_.height[index] = height;
     outputs_.dz[index] = dz;

@@ -27,7 +27,7 @@ struct Complex {
 };
 
 /// The paper's four-component displacement: Dx and Dz as complex numbers.
-struct Sideways {
+struct Horizontal {
     Complex x, z;
 };
 
@@ -44,7 +44,7 @@ struct GradientTexel {
 /// Both spectra, later both surfaces, N * N each.
 struct Fields {
     std::vector<Complex> height;
-    std::vector<Sideways> sideways;
+    std::vector<Horizontal> horizontal;
 };
 
 struct Outputs {

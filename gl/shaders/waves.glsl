@@ -35,7 +35,7 @@ Footprint footprint_of(vec2 at) {
 // How the surface changes along the world's x and z at rest, and the mean square of the slopes that the pixel averages away.
 struct Slopes {
     vec2 h;          // of the height
-    vec3 d;          // of the sideways displacement: D_xx, D_zz, D_xz
+    vec3 d;          // of the horizontal displacement: D_xx, D_zz, D_xz
     float variance;  // of h, both axes
 };
 

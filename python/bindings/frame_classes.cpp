@@ -97,8 +97,8 @@ std::uint64_t checked_foam_hash(const FrameHandle& handle) {
 
 std::string text_of(const FrameBounds& bounds) {
     return "Bounds(height_min_m=" + number_text(bounds.height_min_m) + ", height_max_m=" + number_text(bounds.height_max_m) +
-           ", sideways_x_max_m=" + number_text(bounds.sideways_x_max_m) +
-           ", sideways_z_max_m=" + number_text(bounds.sideways_z_max_m) + ")";
+           ", horizontal_x_max_m=" + number_text(bounds.horizontal_x_max_m) +
+           ", horizontal_z_max_m=" + number_text(bounds.horizontal_z_max_m) + ")";
 }
 
 /// Of the frame's cascades, read as long as their memory is there.
@@ -138,8 +138,8 @@ void add_bounds(py::module_& module) {
     py::class_<FrameBounds> bounds(module, "Bounds", doc_of("Bounds"));
     add(bounds, "height_min_m", [](const FrameBounds& of) { return of.height_min_m; });
     add(bounds, "height_max_m", [](const FrameBounds& of) { return of.height_max_m; });
-    add(bounds, "sideways_x_max_m", [](const FrameBounds& of) { return of.sideways_x_max_m; });
-    add(bounds, "sideways_z_max_m", [](const FrameBounds& of) { return of.sideways_z_max_m; });
+    add(bounds, "horizontal_x_max_m", [](const FrameBounds& of) { return of.horizontal_x_max_m; });
+    add(bounds, "horizontal_z_max_m", [](const FrameBounds& of) { return of.horizontal_z_max_m; });
     bounds.def("__repr__", &text_of);
 }
 

@@ -25,7 +25,7 @@ class Answers(TypedDict, total=False):
     velocity: NDArray[np.float32]  #: (..., 3), m/s, of the water that is there; with Ocean(velocities=True)
     foam: NDArray[np.float32]  #: 0 to 1; with Ocean(foam=True)
     converged: NDArray[np.bool_]  #: the error is within the tolerance
-    error: NDArray[np.float32]  #: how far sideways from the point the sampled one is, metres
+    error: NDArray[np.float32]  #: how far horizontally from the point the sampled one is, metres
 
 class Resting(TypedDict, total=False):
     """What a frame does to points of water, n of them; velocity and foam only of oceans that have them."""
@@ -53,10 +53,10 @@ class Bounds:
     def height_max_m(self) -> float:
         """The highest crest."""
     @property
-    def sideways_x_max_m(self) -> float:
+    def horizontal_x_max_m(self) -> float:
         """The largest |Dx|."""
     @property
-    def sideways_z_max_m(self) -> float:
+    def horizontal_z_max_m(self) -> float:
         """The largest |Dz|."""
 
 class Cascade:
@@ -74,7 +74,7 @@ class Cascade:
         """(N, N), a copy, metres."""
     @property
     def dx(self) -> NDArray[np.float32]:
-        """(N, N), a copy: how far sideways the point is drawn from where it rests, metres."""
+        """(N, N), a copy: how far horizontally the point is drawn from where it rests, metres."""
     @property
     def dz(self) -> NDArray[np.float32]:
         """As dx, along z."""

@@ -112,8 +112,8 @@ const Frame& FrameAssembly::end_frame() {
             has_inputs ? inputs_.bounds(cascade) : sources_[cascade]->end_frame();
         frame.bounds.height_min_m += bounds.height_min_m;
         frame.bounds.height_max_m += bounds.height_max_m;
-        frame.bounds.sideways_x_max_m += bounds.sideways_x_max_m;
-        frame.bounds.sideways_z_max_m += bounds.sideways_z_max_m;
+        frame.bounds.horizontal_x_max_m += bounds.horizontal_x_max_m;
+        frame.bounds.horizontal_z_max_m += bounds.horizontal_z_max_m;
     }
     frame.bounds.height_min_m += frame.dynamic_waves.height_min_m + frame.shore.height_min_m;
     frame.bounds.height_max_m += frame.dynamic_waves.height_max_m + frame.shore.height_max_m;

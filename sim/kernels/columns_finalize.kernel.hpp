@@ -80,9 +80,9 @@ inline Finish transform_columns(const FftTables& fft, float* data, HalfPlane hal
     return finish_columns<Arch, 4>(data, fft, finish);
 }
 
-/// The sideways pair: P above, R with its parts exchanged below.
+/// The horizontal pair: P above, R with its parts exchanged below.
 template <class Arch>
-struct SidewaysHalfPlane {
+struct HorizontalHalfPlane {
     using V = xsimd::batch<float, Arch>;
     PELAGIC_INLINE Complex<Arch> zero() const { return wave(0); }
     PELAGIC_INLINE Complex<Arch> wave(std::size_t n) const { return {line(n, p_re), line(n, p_im)}; }
@@ -93,12 +93,12 @@ struct SidewaysHalfPlane {
     const float* block;
 };
 
-/// From a transformed sideways pair, which is minus the displacement along the cascade's axes, to the displacement along the
+/// From a transformed horizontal pair, which is minus the displacement along the cascade's axes, to the displacement along the
 /// world's, times lambda.
 template <class Arch, bool Turned>
-struct FinishSideways {
+struct FinishHorizontal {
     using V = xsimd::batch<float, Arch>;
-    FinishSideways(const ColumnsFinalizeJob& job, float* to, V x_so_far, V z_so_far)
+    FinishHorizontal(const ColumnsFinalizeJob& job, float* to, V x_so_far, V z_so_far)
         : straight(0.f - (Turned ? job.choppiness * job.cosine : job.choppiness)),
           crossed(0.f - job.choppiness * job.sine),
           block(to),
@@ -119,18 +119,18 @@ struct FinishSideways {
 };
 
 template <class Arch, bool Turned>
-inline void sideways_columns(const ColumnsFinalizeJob& job, float* workspace) {
+inline void horizontal_columns(const ColumnsFinalizeJob& job, float* workspace) {
     using V = xsimd::batch<float, Arch>;
     V most_x(0.f), most_z(0.f);
     for (float* block : job.blocks) {
         if (!block) continue;
-        const auto finished = transform_columns<Arch>(*job.fft, workspace, SidewaysHalfPlane<Arch>{block},
-                                                      FinishSideways<Arch, Turned>(job, block, most_x, most_z));
+        const auto finished = transform_columns<Arch>(*job.fft, workspace, HorizontalHalfPlane<Arch>{block},
+                                                      FinishHorizontal<Arch, Turned>(job, block, most_x, most_z));
         most_x = finished.most_x;
         most_z = finished.most_z;
     }
-    job.bounds->sideways_x_max = most_lane<Arch>(most_x);
-    job.bounds->sideways_z_max = most_lane<Arch>(most_z);
+    job.bounds->horizontal_x_max = most_lane<Arch>(most_x);
+    job.bounds->horizontal_z_max = most_lane<Arch>(most_z);
 }
 
 /// The heights of two column blocks as a + i b. Both are real, so conj(a) + i conj(b) is the mirror; at kz = 0 their
@@ -184,16 +184,16 @@ inline void height_columns(const ColumnsFinalizeJob& job, float* workspace) {
 template <class Arch>
 void columns_finalize(const ColumnsFinalizeJob& job) {
     float* const workspace = PELAGIC_STACK_FLOATS(workspace_floats<Arch>(*job.fft));
-    // Heights first: they land where only heights were, so the sideways fields of the lines are still whole.
+    // Heights first: they land where only heights were, so the horizontal fields of the lines are still whole.
     if (job.blocks[1])
         height_columns<Arch, true>(job, workspace);
     else
         height_columns<Arch, false>(job, workspace);
 
     if (job.sine == 0)
-        sideways_columns<Arch, false>(job, workspace);
+        horizontal_columns<Arch, false>(job, workspace);
     else
-        sideways_columns<Arch, true>(job, workspace);
+        horizontal_columns<Arch, true>(job, workspace);
 }
 
 }  // namespace pelagic::kernels

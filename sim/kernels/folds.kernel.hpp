@@ -10,7 +10,7 @@
 
 namespace pelagic::kernels {
 
-/// W texels of two rows that follow each other, both sideways components: along x, then along z.
+/// W texels of two rows that follow each other, both horizontal components: along x, then along z.
 template <class Arch>
 struct TexelPairs {
     using V = xsimd::batch<float, Arch>;

@@ -66,10 +66,10 @@ struct BlendArrivingWavesJob {
 
 /// Extremes of a part of a frame, in metres; merged in any order they give the same bits.
 struct PartBounds {
-    float height_min, height_max, sideways_x_max, sideways_z_max;
+    float height_min, height_max, horizontal_x_max, horizontal_z_max;
 };
 
-/// Stages `columns` and `finalize`: the transforms along z of two column blocks, sideways parts times lambda (VR
+/// Stages `columns` and `finalize`: the transforms along z of two column blocks, horizontal parts times lambda (VR
 /// Ocean, equation 44; no sign correction, because the transforms work in FFT order), and the extremes of both.
 /// Stack: 8 N W bytes.
 struct ColumnsFinalizeJob {
@@ -77,7 +77,7 @@ struct ColumnsFinalizeJob {
     const FftTables* fft;
     float choppiness;
     float cosine,
-        sine;  ///< of the angle by which the cascade's axes are rotated; sideways parts leave in the world's axes
+        sine;  ///< of the angle by which the cascade's axes are rotated; horizontal parts leave in the world's axes
     PartBounds* bounds;
 };
 

@@ -57,7 +57,7 @@ PELAGIC_INLINE float largest_of(xsimd::batch<float, Arch> values) {
 template <class Arch>
 struct TexelRows {
     using V = xsimd::batch<float, Arch>;
-    GridVectors<Arch> sideways[3];
+    GridVectors<Arch> horizontal[3];
     V height[3];
 
     PELAGIC_INLINE TexelRows(const SurfaceTexels& surface, std::size_t column, const int* row_places, V cosine,
@@ -67,7 +67,7 @@ struct TexelRows {
         for (int r = 0; r < 3; ++r) {
             const V dx = V::load_unaligned(surface.dx + place + row_places[r]);
             const V dz = V::load_unaligned(surface.dz + place + row_places[r]);
-            sideways[r] = {cosine * dx + sine * dz, cosine * dz - sine * dx};
+            horizontal[r] = {cosine * dx + sine * dz, cosine * dz - sine * dx};
             height[r] = V::load_unaligned(surface.height + place + row_places[r]);
         }
     }
@@ -94,9 +94,9 @@ void find_squeeze(const FindSqueezeJob& job) {
             Vectors edges[3];
             V rises[3];
             for (int r = 0; r < 3; ++r) {
-                const Vectors& row = here.sideways[r];
-                edges[r] = Vectors{lanes_behind<1, Arch>(row.along, behind.sideways[r].along),
-                                   lanes_behind<1, Arch>(row.across, behind.sideways[r].across)} -
+                const Vectors& row = here.horizontal[r];
+                edges[r] = Vectors{lanes_behind<1, Arch>(row.along, behind.horizontal[r].along),
+                                   lanes_behind<1, Arch>(row.across, behind.horizontal[r].across)} -
                            row;
                 displacement = xsimd::max(displacement, row.along * row.along + row.across * row.across);
                 const V rise = lanes_behind<1, Arch>(here.height[r], behind.height[r]) - here.height[r];
@@ -104,8 +104,8 @@ void find_squeeze(const FindSqueezeJob& job) {
             }
             SqueezeOfCells<Arch> cells;
             for (int r = 0; r < 2; ++r) {
-                const Vectors side = here.sideways[r + 1] - here.sideways[r];
-                const Vectors behind_side = behind.sideways[r + 1] - behind.sideways[r];
+                const Vectors side = here.horizontal[r + 1] - here.horizontal[r];
+                const Vectors behind_side = behind.horizontal[r + 1] - behind.horizontal[r];
                 const Vectors next_side{lanes_behind<1, Arch>(side.along, behind_side.along),
                                         lanes_behind<1, Arch>(side.across, behind_side.across)};
                 for (int e = r; e < r + 2; ++e) {

@@ -71,7 +71,7 @@ class StackSearch {
                 cells_[t].load(cascade.surface, texels, place.x, place.z);
             else
                 cells_[t].follow(cascade.surface, texels, place.x, place.z);
-            const Sideways<Arch> dx = cells_[t].dx(place.u, place.v, V(1.f)),
+            const Horizontal<Arch> dx = cells_[t].dx(place.u, place.v, V(1.f)),
                                  dz = cells_[t].dz(place.u, place.v, V(1.f));
             const CountedPart<Arch, HasParts> counted(cascade, at);
             const V along = counted.of(V(cascade.along)), across = counted.of(V(cascade.across));

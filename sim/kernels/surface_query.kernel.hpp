@@ -230,25 +230,25 @@ class CubicPlace {
     CubicWeights<Arch> u_, v_;
 };
 
-/// One sideways component inside a cell, in texels: its value and its slopes.
+/// One horizontal component inside a cell, in texels: its value and its slopes.
 template <class Arch>
-struct Sideways {
+struct Horizontal {
     using V = xsimd::batch<float, Arch>;
     V value, along_u, along_v;
 
-    PELAGIC_INLINE Sideways(const Corners<Arch>& c, V u, V v, V texels_per_m) {
+    PELAGIC_INLINE Horizontal(const Corners<Arch>& c, V u, V v, V texels_per_m) {
         const V low = between<Arch>(c.v00, c.v10, u), high = between<Arch>(c.v01, c.v11, u);
         value = between<Arch>(low, high, v) * texels_per_m;
         along_u = between<Arch>(c.v10 - c.v00, c.v11 - c.v01, v) * texels_per_m;
         along_v = (high - low) * texels_per_m;
     }
-    PELAGIC_INLINE Sideways(const CellSlopes<Arch>& cell, V texels_per_m)
+    PELAGIC_INLINE Horizontal(const CellSlopes<Arch>& cell, V texels_per_m)
         : value(cell.value * texels_per_m),
           along_u(cell.x * (V(0.5f) * texels_per_m)),
           along_v(cell.z * (V(0.5f) * texels_per_m)) {}
 };
 
-/// The sideways displacement at the corners of W cells. A search's last steps stay inside of them, and load nothing.
+/// The horizontal displacement at the corners of W cells. A search's last steps stay inside of them, and load nothing.
 template <class Arch>
 class LinearCells {
     using V = xsimd::batch<float, Arch>;
@@ -260,8 +260,8 @@ class LinearCells {
         dx_ = cell.corners(surface.dx);
         dz_ = cell.corners(surface.dz);
     }
-    PELAGIC_INLINE Sideways<Arch> dx(V u, V v, V texels_per_m) const { return {dx_, u, v, texels_per_m}; }
-    PELAGIC_INLINE Sideways<Arch> dz(V u, V v, V texels_per_m) const { return {dz_, u, v, texels_per_m}; }
+    PELAGIC_INLINE Horizontal<Arch> dx(V u, V v, V texels_per_m) const { return {dx_, u, v, texels_per_m}; }
+    PELAGIC_INLINE Horizontal<Arch> dz(V u, V v, V texels_per_m) const { return {dz_, u, v, texels_per_m}; }
 
    private:
     Corners<Arch> dx_, dz_;
@@ -277,10 +277,10 @@ class CubicCells {
     PELAGIC_INLINE void load(const SurfaceTexels& surface, const TexelPlaces<Arch>& places, I x, I z) {
         CellReader<Arch>(places, x, z).read({surface.dx, surface.dz}, texels_);
     }
-    PELAGIC_INLINE Sideways<Arch> dx(V u, V v, V texels_per_m) const {
+    PELAGIC_INLINE Horizontal<Arch> dx(V u, V v, V texels_per_m) const {
         return {CubicPlace<Arch>(u, v).slopes(texels_[0]), texels_per_m};
     }
-    PELAGIC_INLINE Sideways<Arch> dz(V u, V v, V texels_per_m) const {
+    PELAGIC_INLINE Horizontal<Arch> dz(V u, V v, V texels_per_m) const {
         return {CubicPlace<Arch>(u, v).slopes(texels_[1]), texels_per_m};
     }
 
@@ -351,7 +351,7 @@ class Inversion {
             cells_.load(job.surface, places, x_, z_);
         else
             cells_.follow(job.surface, places, x_, z_);
-        const Sideways<Arch> dx = cells_.dx(u_, v_, V(job.texels_per_m)), dz = cells_.dz(u_, v_, V(job.texels_per_m));
+        const Horizontal<Arch> dx = cells_.dx(u_, v_, V(job.texels_per_m)), dz = cells_.dz(u_, v_, V(job.texels_per_m));
 
         // How far the displaced point is from where it should be, in texels.
         const V off_x = xsimd::to_float(x_ - world_x_) + (u_ - world_u_) + dx.value;

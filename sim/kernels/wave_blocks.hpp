@@ -6,7 +6,7 @@
 //   lines    [column block][kz][component][lane = x]            evolve+rows writes, columns+finalize reads
 //   surface  [column block][z][component][lane = x]             columns+finalize writes; lies where the lines lay
 //
-// Lines hold three complex fields: the height h and the sideways pair P = -(Dx + i Dz), R = -i (Dx - i Dz). The signs
+// Lines hold three complex fields: the height h and the horizontal pair P = -(Dx + i Dz), R = -i (Dx - i Dz). The signs
 // spare negations on the way: a column of P for kz >= 0 and of conj(R / i), R with its parts exchanged, for kz < 0 is
 // the whole spectrum of -(Dx + i Dz), so one complex transform yields both, and choppiness takes the minus. The
 // heights of two columns share another transform; which two shows in the last bits, so it is always x and x + 16,

@@ -135,8 +135,8 @@ void OneCascadeQuery::read_foam(const PointChunk& chunk, std::span<float> foam) 
 OneCascadeQuery::Sheet OneCascadeQuery::highest_sheet(int cell_x, double u, int cell_z, double v) const {
     const SurfaceTexels surface = texels_of(cascade_);
     const double texels_per_m = 1 / texel_m_;
-    const double reach_x = cascade_.bounds.sideways_x_max_m * texels_per_m + edge;
-    const double reach_z = cascade_.bounds.sideways_z_max_m * texels_per_m + edge;
+    const double reach_x = cascade_.bounds.horizontal_x_max_m * texels_per_m + edge;
+    const double reach_z = cascade_.bounds.horizontal_z_max_m * texels_per_m + edge;
     const auto first_x = static_cast<int>(floor_of(u - reach_x)), last_x = static_cast<int>(floor_of(u + reach_x));
     const auto first_z = static_cast<int>(floor_of(v - reach_z)), last_z = static_cast<int>(floor_of(v + reach_z));
 
@@ -192,8 +192,8 @@ OneCascadeQuery::Sheet OneCascadeQuery::highest_sheet(int cell_x, double u, int 
 OneCascadeQuery::Sheet OneCascadeQuery::highest_cubic_sheet(int cell_x, double u, int cell_z, double v) const {
     const SurfaceTexels surface = texels_of(cascade_);
     const double texels_per_m = 1 / texel_m_;
-    const double reach_x = cascade_.bounds.sideways_x_max_m * most_cubic_value * texels_per_m + edge;
-    const double reach_z = cascade_.bounds.sideways_z_max_m * most_cubic_value * texels_per_m + edge;
+    const double reach_x = cascade_.bounds.horizontal_x_max_m * most_cubic_value * texels_per_m + edge;
+    const double reach_z = cascade_.bounds.horizontal_z_max_m * most_cubic_value * texels_per_m + edge;
     const auto first_x = static_cast<int>(floor_of(u - reach_x)), last_x = static_cast<int>(floor_of(u + reach_x));
     const auto first_z = static_cast<int>(floor_of(v - reach_z)), last_z = static_cast<int>(floor_of(v + reach_z));
     const double enough = target_ * same_cubic;

@@ -9,7 +9,7 @@
 
 namespace pelagic {
 
-/// The search aims at this part of the tolerance, because on a steep face a step sideways is a larger one in height.
+/// The search aims at this part of the tolerance, because on a steep face a horizontal step is a larger one in height.
 inline constexpr double query_aim = 1.0 / 64;
 
 /// Texels from the origin beyond which doubles can't tell them apart.

@@ -3,7 +3,7 @@
 //
 //   spectrum (on demand) -> octaves
 //
-// Nothing moves sideways. Velocities are those of the surface, straight up and down.
+// Nothing moves horizontally. Velocities are those of the surface, straight up and down.
 #pragma once
 
 #include <cstddef>

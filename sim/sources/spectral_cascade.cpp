@@ -145,10 +145,10 @@ FrameBounds SpectralCascade::end_frame() {
     for (const PartBounds& part : part_bounds_) {
         all.height_min = std::min(all.height_min, part.height_min);
         all.height_max = std::max(all.height_max, part.height_max);
-        all.sideways_x_max = std::max(all.sideways_x_max, part.sideways_x_max);
-        all.sideways_z_max = std::max(all.sideways_z_max, part.sideways_z_max);
+        all.horizontal_x_max = std::max(all.horizontal_x_max, part.horizontal_x_max);
+        all.horizontal_z_max = std::max(all.horizontal_z_max, part.horizontal_z_max);
     }
-    return {all.height_min, all.height_max, all.sideways_x_max, all.sideways_z_max};
+    return {all.height_min, all.height_max, all.horizontal_x_max, all.horizontal_z_max};
 }
 
 void SpectralCascade::begin_spectrum(const SeaState& sea, const CascadePlan& plan, double whitecap_cover) {

@@ -161,10 +161,10 @@ FrameBounds WaveInputs::bounds(std::size_t cascade) const {
     for (std::size_t job = 1; job < jobs(); ++job) {
         all.height_min = std::min(all.height_min, parts[job].height_min);
         all.height_max = std::max(all.height_max, parts[job].height_max);
-        all.sideways_x_max = std::max(all.sideways_x_max, parts[job].sideways_x_max);
-        all.sideways_z_max = std::max(all.sideways_z_max, parts[job].sideways_z_max);
+        all.horizontal_x_max = std::max(all.horizontal_x_max, parts[job].horizontal_x_max);
+        all.horizontal_z_max = std::max(all.horizontal_z_max, parts[job].horizontal_z_max);
     }
-    return {all.height_min, all.height_max, all.sideways_x_max, all.sideways_z_max};
+    return {all.height_min, all.height_max, all.horizontal_x_max, all.horizontal_z_max};
 }
 
 std::size_t WaveInputs::bytes() const {

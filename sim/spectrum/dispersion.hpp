@@ -34,7 +34,7 @@ double group_velocity(double k, const Water& water);
 /// 2 omega k in deep water (Stokes 1847). It grows as the mean square. \pre k > 0
 double stokes_drift(double k, const Water& water);
 
-/// How many times farther sideways than up a wave of small amplitude moves the water at the surface, coth(k d), at most 20 (Airy 1845; Lamb
+/// How many times farther horizontally than up a wave of small amplitude moves the water at the surface, coth(k d), at most 20 (Airy 1845; Lamb
 /// 1932, article 229). Exactly 1 where no double tells the depth from infinity, k depth over 20. \pre k > 0
 double orbit_ratio(double k, double depth_m);
 

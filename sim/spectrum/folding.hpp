@@ -1,6 +1,6 @@
 // How much a surface folds, in the mean over time and place: which Jacobians there are, and how fast they change.
 //
-// With the derivatives of the sideways displacement, over texels as the cascade is drawn, let
+// With the derivatives of the horizontal displacement, over texels as the cascade is drawn, let
 //
 //   u = (Dx,x + Dz,z) / 2,  v = (Dx,x - Dz,z) / 2,  w = (Dx,z + Dz,x) / 2,  so that  J = (1 + u)^2 - v^2 - w^2
 //

@@ -31,11 +31,11 @@ def compare(pelagic, folder, frame_number, places, bits=24):
     frame = json.loads((Path(folder) / "sea.json").read_text())["frames"][frame_number]
     heights = [row["height"] for row in ask(pelagic, folder, frame_number, places)]
     worst = max(abs(y - height) for (_, y, _), height in zip(places, heights))
-    # Queries are within 8 micrometres of an oracle. A place is a 32-bit float: half a step at the far end sideways, which
+    # Queries are within 8 micrometres of an oracle. A place is a 32-bit float: half a step at the far end horizontal, which
     # is as much in height on a slope of 1, and half a step more for a program that turns the mesh.
     farthest = max(max(abs(x), abs(z)) for x, _, z in places)
     bound = 8e-6 + float_step(farthest)
-    if bits < 24:  # Godot 3 cuts what it can't hold: a step of height, and a step sideways on a slope of 1
+    if bits < 24:  # Godot 3 cuts what it can't hold: a step of height, and a step horizontal on a slope of 1
         bound += 2 * float_step(max(-frame["height_min_m"], frame["height_max_m"])) * 2 ** (24 - bits)
     print(f"frame {frame_number}: {len(places)} vertices, at most {worst:.2g} m from query's height (bound {bound:.2g})")
     assert worst < bound

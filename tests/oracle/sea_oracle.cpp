@@ -209,10 +209,10 @@ Fields fields_at(const SeaState& sea, double time_s) {
             const double length = std::hypot(kx, kz);
             if (length == 0) continue;
             const double kd = 2 * pi / sea.patch_size_m * length * sea.depth_m;
-            const double orbit = std::min(20.0, 1 / std::tanh(kd));  // Airy: sideways over up and down
-            const Complex sideways = Complex(0, sea.choppiness * orbit) * waves[j * side + i];
-            along_x[j * side + i] = kx / length * sideways;
-            along_z[j * side + i] = kz / length * sideways;
+            const double orbit = std::min(20.0, 1 / std::tanh(kd));  // Airy: horizontal over up and down
+            const Complex horizontal = Complex(0, sea.choppiness * orbit) * waves[j * side + i];
+            along_x[j * side + i] = kx / length * horizontal;
+            along_z[j * side + i] = kz / length * horizontal;
         }
     }
     const auto transform = n <= 64 ? naive_inverse_dft : inverse_fft;

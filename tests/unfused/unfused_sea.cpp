@@ -212,8 +212,8 @@ void UnfusedSea::finalize() {
         dz_[i] = dz_[i] * factor;
         bounds.height_min_m = std::min(bounds.height_min_m, height_[i]);
         bounds.height_max_m = std::max(bounds.height_max_m, height_[i]);
-        bounds.sideways_x_max_m = std::max(bounds.sideways_x_max_m, std::fabs(dx_[i]));
-        bounds.sideways_z_max_m = std::max(bounds.sideways_z_max_m, std::fabs(dz_[i]));
+        bounds.horizontal_x_max_m = std::max(bounds.horizontal_x_max_m, std::fabs(dx_[i]));
+        bounds.horizontal_z_max_m = std::max(bounds.horizontal_z_max_m, std::fabs(dz_[i]));
     }
     cascade_.bounds = bounds;
 }

@@ -383,7 +383,7 @@ test('the boat lies on the native program\'s water', async () => {
   const heights = rows.map(row => row.height);
   assert.equal(heights.length, 15);
   const mean = heights.reduce((sum, height) => sum + height, 0) / heights.length;
-  // Two searches of the surface, each within a millimetre sideways.
+  // Two searches of the surface, each within a millimetre horizontal.
   assert.ok(Math.abs(pose.height - mean) < 2e-3, `${pose.height} against ${mean}`);
   assert.ok(Math.abs(mean) > 0.01, 'flat water would say nothing');
   // Its keel's line goes through the water at bow and stern as well as a plane can.

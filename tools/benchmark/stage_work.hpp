@@ -27,7 +27,7 @@ inline double transform_flops(int n) { return 1.5 * 5 * (std::bit_width(static_c
 /// \param job         one of a frame without queries and velocities
 /// \param resolution  texels along a side of each cascade
 inline StageWork work_of(std::string_view job, int resolution) {
-    // Half a wave a texel: 16 for the rotation, shared by two, 6 for the height, 8 for the sideways pair.
+    // Half a wave a texel: 16 for the rotation, shared by two, 6 for the height, 8 for the horizontal pair.
     if (job == "evolve+rows") return {0.5 * 22 + transform_flops(resolution), 11 + 12};
     // Choppiness: two products.
     if (job == "columns+finalize") return {2 + transform_flops(resolution), 12 + 12};

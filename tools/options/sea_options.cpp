@@ -33,7 +33,7 @@ constexpr std::array sea_flags = {
     SeaFlag{"fetch", "fetch_m",
             "how far the wind has blown over water, in metres (jonswap); more than 17,000 U^2 / g adds nothing"},
     SeaFlag{"depth", "depth_m", "water depth in metres; waves over 0.6 of it break"},
-    SeaFlag{"choppiness", "choppiness", "sideways motion that sharpens crests"},
+    SeaFlag{"choppiness", "choppiness", "horizontal motion that sharpens crests"},
     SeaFlag{"roughness", "roughness",
             "of the water between texels; wind: what the waves of the grid lack of a sea's slopes"},
     SeaFlag{"small-waves", "small_waves",

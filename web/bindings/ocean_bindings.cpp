@@ -74,8 +74,8 @@ val bounds_of(const FrameBounds& bounds) {
     val object = val::object();
     object.set("heightMinM", bounds.height_min_m);
     object.set("heightMaxM", bounds.height_max_m);
-    object.set("sidewaysXMaxM", bounds.sideways_x_max_m);
-    object.set("sidewaysZMaxM", bounds.sideways_z_max_m);
+    object.set("horizontalXMaxM", bounds.horizontal_x_max_m);
+    object.set("horizontalZMaxM", bounds.horizontal_z_max_m);
     return object;
 }
 

@@ -25,7 +25,7 @@ export interface SeaOptions {
   fetchM?: number;
   /** Depth of the water, metres: [0.01, 11000]. Default 4000. */
   depthM?: number;
-  /** Sideways motion that sharpens crests: [0, 1]. Default 0.8. */
+  /** Horizontal motion that sharpens crests: [0, 1]. Default 0.8. */
   choppiness?: number;
   /** Of the water between texels: [0, 1], or -1: from the wind. Default -1. */
   roughness?: number;
@@ -152,8 +152,8 @@ export class Ocean {
 export interface Bounds {
   heightMinM: number;
   heightMaxM: number;
-  sidewaysXMaxM: number;
-  sidewaysZMaxM: number;
+  horizontalXMaxM: number;
+  horizontalZMaxM: number;
 }
 
 /** Mean squares of slopes, along the wind and across. */
@@ -313,7 +313,7 @@ export interface Answers {
   normal: Float32Array;
   /** 1 at rest, small at sharp crests, negative where the sheet is overturned. */
   jacobian: Float32Array;
-  /** How far sideways from the given point the sampled one is drawn, and 1 if that is within the tolerance. */
+  /** How far horizontal from the given point the sampled one is drawn, and 1 if that is within the tolerance. */
   errorM: Float32Array;
   converged: Uint8Array;
   /** x, y, z of how the water there moves. With OceanOptions.velocities. */

@@ -60,8 +60,8 @@ export class Camera {
   /** Right, up and ahead, metres. */
   move([right, up, ahead]) {
     const direction = this.ahead();
-    const sideways = [-Math.sin(this.heading), 0, Math.cos(this.heading)];
-    for (let axis = 0; axis < 3; ++axis) this.eye[axis] += right * sideways[axis] + ahead * direction[axis];
+    const horizontal = [-Math.sin(this.heading), 0, Math.cos(this.heading)];
+    for (let axis = 0; axis < 3; ++axis) this.eye[axis] += right * horizontal[axis] + ahead * direction[axis];
     this.eye[1] = clamp(this.eye[1] + up, lowestM, highestM);
   }
 
