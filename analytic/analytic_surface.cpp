@@ -36,7 +36,7 @@ GerstnerTerms terms_of(const PlaneWave& wave, double choppiness) {
             .squeeze_xx = rounded(-moved * k * x * x),
             .squeeze_xz = rounded(-moved * k * x * z),
             .squeeze_zz = rounded(-moved * k * z * z),
-            .rise = rounded(a * speed),
+            .vertical_velocity = rounded(a * speed),
             .drift_x = rounded(moved * speed * x),
             .drift_z = rounded(moved * speed * z)};
 }

@@ -159,7 +159,7 @@ void ExpSineWater::sample(double time_s, const AnalyticPoints& points, const Exp
         starts[i] = turns_at_origin(octaves_[i].phase_turns, octaves_[i].frequency_hz, time_s);
 
     const AnswerArrays<6> arrays{samples.height_m, samples.normal_x, samples.normal_y,
-                                 samples.normal_z, samples.rise_mps, samples.slope_variance};
+                                 samples.normal_z, samples.vertical_velocity_mps, samples.slope_variance};
     const bool slopes = arrays.wants_any(1, 6);
     for_each_group(points.x, points.z, arrays, analytic_group, [&](const PointGroup<6>& group) {
         float* const* out = group.answers.data();

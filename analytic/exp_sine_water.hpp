@@ -67,7 +67,7 @@ inline constexpr double exp_sine_variance = 0.09157631048788914, exp_sine_slope_
 struct ExpSineSamples {
     std::span<float> height_m = {};
     std::span<float> normal_x = {}, normal_y = {}, normal_z = {};
-    std::span<float> rise_mps = {};  ///< dh/dt at the point
+    std::span<float> vertical_velocity_mps = {};  ///< dh/dt at the point
     /// Mean square slope of what the footprint hides: roughness, alpha^2 of GGX. The octaves' own, without what
     /// dragging adds.
     std::span<float> slope_variance = {};

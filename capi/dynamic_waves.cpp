@@ -158,7 +158,7 @@ pelagic_status pelagic_ocean_dynamic_waves(const pelagic_ocean* ocean, pelagic_d
         out.first_z = dynamic_waves.first_z;
         out.texel_m = dynamic_waves.texel_m;
         out.height_m = dynamic_waves.height_m.data();
-        out.rise_mps = dynamic_waves.rise_mps.data();
+        out.vertical_velocity_mps = dynamic_waves.vertical_velocity_mps.data();
         out.foam = dynamic_waves.foam.data();
         out.height_min_m = dynamic_waves.height_min_m;
         out.height_max_m = dynamic_waves.height_max_m;

@@ -668,7 +668,7 @@ typedef struct pelagic_dynamic_waves_view {
     int64_t first_x, first_z;
     double texel_m;
     const float* height_m; /* N^2, 0 at the grid's edges */
-    const float* rise_mps; /* N^2: its vertical velocity at the frame's moment; what is added at once brings none */
+    const float* vertical_velocity_mps; /* N^2: its vertical velocity at the frame's moment; what is added at once brings none */
     const uint8_t* foam;   /* N^2 */
     float height_min_m, height_max_m;
 } pelagic_dynamic_waves_view;
@@ -710,7 +710,7 @@ typedef struct pelagic_shore_options {
 PELAGIC_API pelagic_status pelagic_shore_defaults(pelagic_shore_options* options);
 
 /* Where water is drawn at a place of the rectangle, cascade t counts with its part there and height_m adds to the sum. Texel (i, j) stands
- * at x_m + i texel_m, z_m + j texel_m, in element j * columns + i. Between texels height_m and rise_mps are cubic (Keys 1981, the 4 x 4
+ * at x_m + i texel_m, z_m + j texel_m, in element j * columns + i. Between texels height_m and vertical_velocity_mps are cubic (Keys 1981, the 4 x 4
  * texels around; those of the edge again beyond it), all else is bilinear. Beyond the rectangle depths and parts are those of the nearest
  * place of its edge, and the height is 0, as on the edge. */
 typedef struct pelagic_shore_surface {
@@ -722,7 +722,7 @@ typedef struct pelagic_shore_surface {
     const float* depth_m;        /* of still water; below 0 on land */
     const uint32_t* parts_rgba8; /* of cascade t in byte t from the lowest up, 255 for 1 */
     const float* height_m;
-    const float* rise_mps; /* how fast it rises */
+    const float* vertical_velocity_mps; /* vertical velocity */
     const float* reach_m;  /* how high the waves that are passing reach: sand below it is wet */
     const uint8_t* foam;   /* of waves that break */
     float height_min_m, height_max_m; /* bounds of the height, between texels too */

@@ -69,7 +69,7 @@ pelagic_status pelagic_ocean_shore(const pelagic_ocean* ocean, pelagic_shore_sur
         out.depth_m = shore.depth_m.data();
         out.parts_rgba8 = shore.parts_rgba8.data();
         out.height_m = shore.height_m.data();
-        out.rise_mps = shore.rise_mps.data();
+        out.vertical_velocity_mps = shore.vertical_velocity_mps.data();
         out.reach_m = shore.reach_m.data();
         out.foam = shore.foam.data();
         out.height_min_m = shore.height_min_m;

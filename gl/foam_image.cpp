@@ -81,7 +81,7 @@ class Streaks {
         : ridges_{GradientNoise(3, 7, engine), GradientNoise(5, 17, engine), GradientNoise(9, 37, engine),
                   GradientNoise(17, 73, engine)},
           bend_{GradientNoise(4, 5, engine), GradientNoise(13, 19, engine)},
-          breaks_(9, 7, engine),
+          breaking_(9, 7, engine),
           warp_{GradientNoise(9, 5, engine), GradientNoise(9, 5, engine)},
           fine_warp_{GradientNoise(31, 13, engine), GradientNoise(31, 13, engine)},
           patches_{GradientNoise(4, 3, engine), GradientNoise(11, 7, engine)} {}
@@ -89,7 +89,7 @@ class Streaks {
     glm::vec4 texel(glm::vec2 place) const {
         constexpr std::array weights = {0.30f, 0.28f, 0.24f, 0.18f};
         const glm::vec2 bent = place + glm::vec2(0, 0.05f * bend_[0].at(place) + 0.012f * bend_[1].at(place));
-        float ridge = 0.22f * breaks_.at(place);
+        float ridge = 0.22f * breaking_.at(place);
         for (std::size_t size = 0; size < ridges_.size(); ++size)
             ridge += weights[size] * (1 - std::min(1.f, 3.f * std::abs(ridges_[size].at(bent))));
         const auto warp = [&](std::size_t axis) {
@@ -101,7 +101,7 @@ class Streaks {
    private:
     std::array<GradientNoise, 4> ridges_;
     std::array<GradientNoise, 2> bend_;
-    GradientNoise breaks_;
+    GradientNoise breaking_;
     std::array<GradientNoise, 2> warp_, fine_warp_, patches_;
 };
 

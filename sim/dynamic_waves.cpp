@@ -40,7 +40,7 @@ class DynamicWaveTexels {
         return {.height_m = static_cast<double>(water_.height_m[here]),
                 .slope_x = (height(x + 1, z) - height(x - 1, z)) * half,
                 .slope_z = (height(x, z + 1) - height(x, z - 1)) * half,
-                .rise_mps = static_cast<double>(water_.rise_mps[here]),
+                .vertical_velocity_mps = static_cast<double>(water_.vertical_velocity_mps[here]),
                 .foam = static_cast<double>(water_.foam[here]) * (1.0 / 255)};
     }
 
@@ -55,7 +55,7 @@ class DynamicWaveTexels {
 DynamicWavesSample between(const DynamicWavesSample& a, const DynamicWavesSample& b, double part) {
     const auto mixed = [&](double DynamicWavesSample::*member) { return a.*member + part * (b.*member - a.*member); };
     return {mixed(&DynamicWavesSample::height_m), mixed(&DynamicWavesSample::slope_x), mixed(&DynamicWavesSample::slope_z),
-            mixed(&DynamicWavesSample::rise_mps), mixed(&DynamicWavesSample::foam)};
+            mixed(&DynamicWavesSample::vertical_velocity_mps), mixed(&DynamicWavesSample::foam)};
 }
 
 }  // namespace
@@ -97,7 +97,7 @@ std::uint64_t dynamic_waves_hash_of(const Frame& frame) {
     const std::int64_t place[] = {water.resolution, water.first_x, water.first_z};
     XXH3_64bits_update(&state, place, sizeof place);
     XXH3_64bits_update(&state, water.height_m.data(), water.height_m.size_bytes());
-    XXH3_64bits_update(&state, water.rise_mps.data(), water.rise_mps.size_bytes());
+    XXH3_64bits_update(&state, water.vertical_velocity_mps.data(), water.vertical_velocity_mps.size_bytes());
     XXH3_64bits_update(&state, water.foam.data(), water.foam.size_bytes());
     return XXH3_64bits_digest(&state);
 }

@@ -40,7 +40,7 @@ std::string check(const DynamicWavesOptions& options);
 struct DynamicWavesSample {
     double height_m = 0;
     double slope_x = 0, slope_z = 0;
-    double rise_mps = 0;
+    double vertical_velocity_mps = 0;
     double foam = 0;  ///< 0 to 1
 };
 

@@ -15,7 +15,7 @@ struct DynamicWavesView {
     std::int64_t first_x = 0, first_z = 0;
     std::span<const float> height_m;  ///< N^2
     /// The same: the vertical velocity at the moment that is shown, to (omega tick)^2 / 3 of a wave's. What is added at once brings none.
-    std::span<const float> rise_mps;
+    std::span<const float> vertical_velocity_mps;
     std::span<const std::uint8_t> foam;  ///< the same
     float height_min_m = 0, height_max_m = 0;
 

@@ -113,7 +113,7 @@ void RippleInput::add(const InputRows& rows) const {
                             .waves_per_m = static_cast<float>(1 / ripple.wavelength_m),
                             .start = state_->starts[rows.moment.place],
                             .amplitude = static_cast<float>(ripple.amplitude_m),
-                            .rise = static_cast<float>(two_pi * state_->held.frequency_hz * ripple.amplitude_m),
+                            .vertical_velocity = static_cast<float>(two_pi * state_->held.frequency_hz * ripple.amplitude_m),
                             .heights = rows.row_of(rows.height, row).data(),
                             .rises = rows.velocity_y.empty() ? nullptr : rows.row_of(rows.velocity_y, row).data()});
     }

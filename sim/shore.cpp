@@ -92,7 +92,7 @@ ShoreSample sample(const ShoreSurface& shore, double x_m, double z_m) {
     sample.slope_x = height.along_x;
     sample.slope_z = height.along_z;
     sample.velocity_x_mps = x_mps;
-    sample.rise_mps = at.cubic(shore.rise_mps).value;
+    sample.vertical_velocity_mps = at.cubic(shore.vertical_velocity_mps).value;
     sample.velocity_z_mps = z_mps;
     sample.reach_m = metres(shore.reach_m);
     sample.foam = at.foam();
@@ -108,7 +108,7 @@ std::uint64_t shore_hash_of(const Frame& frame) {
     add(shore.depth_m);
     add(shore.parts_rgba8);
     add(shore.height_m);
-    add(shore.rise_mps);
+    add(shore.vertical_velocity_mps);
     add(shore.potential_m2ps);
     add(shore.reach_m);
     add(shore.foam);

@@ -42,7 +42,7 @@ std::string warning_about(const ShoreOptions& options, const SeaState& sea);
 /// A shore at a place.
 struct ShoreSample {
     double depth_m = 0;  ///< of still water; below 0 on land
-    double height_m = 0, slope_x = 0, slope_z = 0, rise_mps = 0, reach_m = 0;
+    double height_m = 0, slope_x = 0, slope_z = 0, vertical_velocity_mps = 0, reach_m = 0;
     double velocity_x_mps = 0, velocity_z_mps = 0;  ///< of the long waves' water, by linear theory
     double foam = 0;                                ///< 0 to 1
     double parts[4] = {1, 1, 1, 1};                 ///< of the cascades

@@ -77,7 +77,7 @@ class WindPart {
    public:
     WindPart(const SeaState& sea, const CascadePlan& cascade, const CascadeWaves& all)
         : waves_(without_swell(sea), cascade),
-          kept_(all.spectrum().kept_by_breaking() / waves_.spectrum().kept_by_breaking()) {}
+          kept_(all.spectrum().kept_after_breaking() / waves_.spectrum().kept_after_breaking()) {}
 
     CascadeWaves::MirroredVariances variances(int m, int n) const {
         const CascadeWaves::MirroredVariances own = waves_.variances(m, n);
@@ -195,7 +195,7 @@ std::string short_text(double value) { return rounded_text(value, 3); }
 struct ModelWaves {
     SpectralPeak peak;
     std::optional<double> significant_wave_height_m;  ///< none for phillips-paper
-    double kept_by_breaking = 1;
+    double kept_after_breaking = 1;
     int left_out = 0;  ///< waves of a list that no cascade holds
 };
 
@@ -222,7 +222,7 @@ ModelWaves model_waves_of(const SeaState& sea, std::span<const CascadePlan> plan
     const WaveSpectrum spectrum(sea, plan.front());
     ModelWaves asked{.peak = peak_of(spectrum, sea),
                      .significant_wave_height_m = {},
-                     .kept_by_breaking = spectrum.kept_by_breaking()};
+                     .kept_after_breaking = spectrum.kept_after_breaking()};
     if (spectrum.is_physical()) asked.significant_wave_height_m = 4 * std::sqrt(spectrum.variance());
     return asked;
 }
@@ -331,7 +331,7 @@ std::vector<std::string> warnings_from(const SeaState& sea, std::span<const Casc
                short_text(*waves.model_significant_wave_height_m) + " m";
     };
     std::vector<std::string> warnings;
-    if (const double kept = asked.kept_by_breaking; kept < 1) {
+    if (const double kept = asked.kept_after_breaking; kept < 1) {
         const double height = highest_over_depth * sea.depth_m;
         warnings.push_back("in " + number_text(sea.depth_m) + " m of water waves break: of Hs " +
                            short_text(height / std::sqrt(kept)) + " m " + short_text(height) +

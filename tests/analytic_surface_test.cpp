@@ -405,10 +405,10 @@ TEST(AnalyticExample, ABuoyOnARisingSea) {
         const AnalyticSea& rough = analytic_preset_named("analytic-intense")->sea;
         const AnalyticSurface water(morphed(calm, rough, time_s / 60));  // rises within a minute
         const double x = 12, z = -3;
-        float height_m, rise_mps;
-        water.sample(time_s, {{&x, 1}, {&z, 1}}, {.height_m = {&height_m, 1}, .velocity_y_mps = {&rise_mps, 1}});
+        float height_m, vertical_velocity_mps;
+        water.sample(time_s, {{&x, 1}, {&z, 1}}, {.height_m = {&height_m, 1}, .velocity_y_mps = {&vertical_velocity_mps, 1}});
         seen.push_back(height_m);
-        EXPECT_LE(std::fabs(rise_mps), 5);
+        EXPECT_LE(std::fabs(vertical_velocity_mps), 5);
     }
     EXPECT_EQ(seen.size(), 3u);
     EXPECT_NE(seen[0], seen[2]);

@@ -64,7 +64,7 @@ void look_at(const pelagic_cascade& cascade, Findings& found) {
 void look_at(const pelagic_dynamic_waves_view& dynamic_waves, Findings& found) {
     const auto texels = static_cast<std::size_t>(dynamic_waves.resolution) * static_cast<std::size_t>(dynamic_waves.resolution);
     found.floats("dynamic waves height", dynamic_waves.height_m, texels);
-    found.floats("dynamic waves rise", dynamic_waves.rise_mps, texels);
+    found.floats("dynamic waves vertical velocity", dynamic_waves.vertical_velocity_mps, texels);
     found.number("dynamic waves texel", dynamic_waves.texel_m);
     found.number("dynamic waves bound", static_cast<double>(dynamic_waves.height_min_m));
     found.number("dynamic waves bound", static_cast<double>(dynamic_waves.height_max_m));
@@ -74,7 +74,7 @@ void look_at(const pelagic_shore_surface& shore, Findings& found) {
     const auto texels = static_cast<std::size_t>(shore.columns) * static_cast<std::size_t>(shore.rows);
     found.floats("shore depth", shore.depth_m, texels);
     found.floats("shore height", shore.height_m, texels);
-    found.floats("shore rise", shore.rise_mps, texels);
+    found.floats("shore rise", shore.vertical_velocity_mps, texels);
     found.floats("shore reach", shore.reach_m, texels);
     found.number("shore texel", shore.texel_m);
     found.number("parts_change_per_m", static_cast<double>(shore.parts_change_per_m));

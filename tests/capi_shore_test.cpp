@@ -83,7 +83,7 @@ TEST_F(CInterfaceShore, IsTheSameAsInCPlusPlus) {
     EXPECT_TRUE(same(surface.depth_m, frame.shore.depth_m));
     EXPECT_TRUE(same(surface.parts_rgba8, frame.shore.parts_rgba8));
     EXPECT_TRUE(same(surface.height_m, frame.shore.height_m));
-    EXPECT_TRUE(same(surface.rise_mps, frame.shore.rise_mps));
+    EXPECT_TRUE(same(surface.vertical_velocity_mps, frame.shore.vertical_velocity_mps));
     EXPECT_TRUE(same(surface.potential_m2ps, frame.shore.potential_m2ps));
     EXPECT_TRUE(same(surface.reach_m, frame.shore.reach_m));
     EXPECT_TRUE(same(surface.foam, frame.shore.foam));

@@ -115,7 +115,7 @@ TEST(CInterfaceInputs, AWaveIsItsClosedForm) {
 
 TEST(CInterfaceInputs, ACallbackAddsWhatABatchDoes) {
     const OneWave wave;
-    // Its heights and how fast they rise, in C's own words.
+    // Its heights and vertical velocity, in C's own words.
     const auto add = [](void* user, const pelagic_input_rows* rows) {
         const auto& told = *static_cast<const OneWave*>(user);
         const int n = rows->resolution;

@@ -453,7 +453,7 @@ TEST(PondCascade, TheClosedFormSaysWhatTexelsSay) {
         std::vector<double> x, z(64, (j - 128) * cascade.texel_m());  // it repeats
         for (int i = 0; i < 64; ++i) x.push_back((i + 64) * cascade.texel_m());
         std::vector<float> height(64), rise(64);
-        water.sample(4, {x, z}, {.height_m = height, .rise_mps = rise}, footprint);
+        water.sample(4, {x, z}, {.height_m = height, .vertical_velocity_mps = rise}, footprint);
         for (std::size_t i = 0; i < 64; ++i) {
             ASSERT_NEAR(cascade.height.at(static_cast<int>(i), j), height[i], 1e-6 * 0.05);
             ASSERT_NEAR(cascade.velocity_y.at(static_cast<int>(i), j), rise[i], 1e-5);

@@ -176,7 +176,7 @@ TEST(DynamicWavesWaves, OfVerletKeepTheMeanLevel) {
 }
 
 struct Shown {
-    std::vector<double> height_m, rise_mps;  ///< rows and columns of the torus
+    std::vector<double> height_m, vertical_velocity_mps;  ///< rows and columns of the torus
 };
 
 /// What a frame shows `part` of the way from the tick before to the last one.
@@ -216,7 +216,7 @@ TEST(DynamicWavesWaves, RiseAsFastAsTheyDoAtTheMomentThatIsShown) {
             double worst = 0;
             for (std::int64_t x = 0; x < options.resolution; ++x) {
                 const double rise = wave.amplitude * omega * std::sin(wave.phase(x, 0, time_s));
-                worst = std::max(worst, std::fabs(water.rise_mps[static_cast<std::size_t>(x)] - rise));
+                worst = std::max(worst, std::fabs(water.vertical_velocity_mps[static_cast<std::size_t>(x)] - rise));
             }
             const double turned = omega * tick, bound = std::fabs(3 * part * part - 1) / 6 * turned * turned + 1e-4;
             EXPECT_LT(worst / (wave.amplitude * omega), bound) << part << (is_verlet ? " Verlet" : " spectral");
@@ -236,7 +236,7 @@ TEST(DynamicWavesWaves, OfWhatIsAddedBeginAtRest) {
     const double fastest = 1.5 * drop_m * 9.80665 * std::sqrt(pi) * pool.grid.tick_s();
     for (int tick = 0; tick < 2; ++tick, pool.tick())
         for (const double part : {0.0, 0.5, 1.0}) {
-            const double rise = shown(pool.grid, part).rise_mps[0];
+            const double rise = shown(pool.grid, part).vertical_velocity_mps[0];
             EXPECT_LE(rise, 0) << tick << ' ' << part;
             EXPECT_GT(rise, -(tick + 1) * fastest) << tick << ' ' << part;
         }

@@ -389,7 +389,7 @@ TEST_F(ExportEvents, AreTheSameWhateverTimesWereAskedForBefore) {
     options.water.resolution = 64;
     const auto copied = [](const DynamicWavesView& water) {
         return std::pair(std::vector<float>(water.height_m.begin(), water.height_m.end()),
-                         std::vector<float>(water.rise_mps.begin(), water.rise_mps.end()));
+                         std::vector<float>(water.vertical_velocity_mps.begin(), water.vertical_velocity_mps.end()));
     };
     const auto alone = [&](double time_s) {
         return copied(EventPlayer(options, make_serial_executor(), {}).at(time_s));

@@ -40,7 +40,7 @@ class Grid {
                 foam_[place] = is_edge ? std::uint8_t{0} : static_cast<std::uint8_t>(foam(x - first_x, z - first_z));
             }
         surface_.height_m = heights_;
-        surface_.rise_mps = rises_;
+        surface_.vertical_velocity_mps = rises_;
         surface_.foam = foam_;
     }
     const DynamicWavesView& surface() const { return surface_; }

@@ -27,7 +27,7 @@ struct HandmadeShore {
         const std::size_t texels = static_cast<std::size_t>(wide * high);
         depth_m.assign(texels, 10);
         height_m.assign(texels, 0);
-        rise_mps.assign(texels, 0);
+        vertical_velocity_mps.assign(texels, 0);
         reach_m.assign(texels, 0);
         parts_rgba8.assign(texels, 0xFFFFFFFFu);
         foam.assign(texels, 0);
@@ -55,8 +55,8 @@ struct HandmadeShore {
                 .depth_m = depth_m,
                 .parts_rgba8 = parts_rgba8,
                 .height_m = height_m,
-                .rise_mps = rise_mps,
-                .potential_m2ps = rise_mps,
+                .vertical_velocity_mps = vertical_velocity_mps,
+                .potential_m2ps = vertical_velocity_mps,
                 .reach_m = reach_m,
                 .foam = foam,
                 .height_min_m = *least,
@@ -66,7 +66,7 @@ struct HandmadeShore {
     glm::dvec2 corner;
     int columns, rows;
     double texel_m;
-    std::vector<float> depth_m, height_m, rise_mps, reach_m;
+    std::vector<float> depth_m, height_m, vertical_velocity_mps, reach_m;
     std::vector<std::uint32_t> parts_rgba8;
     std::vector<std::uint8_t> foam;
 };
@@ -261,7 +261,7 @@ TEST_F(GlShore, DynamicWavesAddsToIt) {
                 static_cast<float>(3 * std::exp(-(from_x * from_x + from_z * from_z) / 200));
         }
     dynamic_waves.height_m = heights;
-    dynamic_waves.rise_mps = rises;
+    dynamic_waves.vertical_velocity_mps = rises;
     dynamic_waves.foam = foam;
     dynamic_waves.height_max_m = 3;
     upload(scene, large.frame);

@@ -174,7 +174,7 @@ TEST(Shore, IsWhatQueriesTell) {
         ShoreSample here;
         for (int step = 0; step < 60; ++step) {
             here = sample(frame.shore, x, z);
-            x = q_x, z = q_z, height = here.height_m, rise = here.rise_mps;
+            x = q_x, z = q_z, height = here.height_m, rise = here.vertical_velocity_mps;
             x_mps = here.velocity_x_mps, z_mps = here.velocity_z_mps;
             for (std::size_t t = 0; t < frame.cascades.size(); ++t) {
                 const Cascade& cascade = frame.cascades[t];
@@ -186,16 +186,16 @@ TEST(Shore, IsWhatQueriesTell) {
                 z_mps += here.parts[t] * cascade_at(cascade, cascade.velocity_z, q_x, q_z);
             }
         }
-        float found_height, found_rise, found_x_mps, found_z_mps, jacobian;
+        float found_height, found_vertical_velocity, found_x_mps, found_z_mps, jacobian;
         query.sample({{&x, 1}, {&z, 1}}, {.height_m = {&found_height, 1},
                                           .jacobian = {&jacobian, 1},
                                           .velocity_x_mps = {&found_x_mps, 1},
-                                          .velocity_y_mps = {&found_rise, 1},
+                                          .velocity_y_mps = {&found_vertical_velocity, 1},
                                           .velocity_z_mps = {&found_z_mps, 1}});
         // Near a fold another sheet may be the higher one.
         if (jacobian < 0.3f) continue;
         EXPECT_NEAR(static_cast<double>(found_height), height, 2e-4) << x << " " << z;
-        EXPECT_NEAR(static_cast<double>(found_rise), rise, 2e-3) << x << " " << z;
+        EXPECT_NEAR(static_cast<double>(found_vertical_velocity), rise, 2e-3) << x << " " << z;
         EXPECT_NEAR(static_cast<double>(found_x_mps), x_mps, 2e-3) << x << " " << z;
         EXPECT_NEAR(static_cast<double>(found_z_mps), z_mps, 2e-3) << x << " " << z;
         in_fade += here.parts[0] > 0.05 && here.parts[0] < 0.95;
@@ -227,7 +227,7 @@ TEST(Shore, CountsPartsOfFoldedCascadesToo) {
                    .depth_m = flat,
                    .parts_rgba8 = parts,
                    .height_m = flat,
-                   .rise_mps = flat,
+                   .vertical_velocity_mps = flat,
                    .potential_m2ps = flat,
                    .reach_m = flat,
                    .foam = no_foam};
@@ -266,7 +266,7 @@ TEST(Shore, RisesAsItsHeightChanges) {
     double squares = 0, errors = 0;
     for (std::size_t i = 0; i < before.size(); ++i) {
         const double change = static_cast<double>(after[i] - before[i]) / (2 * dt);
-        const double error = change - static_cast<double>(shore.rise_mps[i]);
+        const double error = change - static_cast<double>(shore.vertical_velocity_mps[i]);
         squares += change * change;
         errors += error * error;
     }

@@ -77,7 +77,7 @@ TEST(Depth, FactorIsOneToTheBitWhereNoDoubleTells) {
 TEST(Depth, LeavesTheSaturationRangeOverWaveNumbers) {
     const SeaState sea{.spectrum = SpectrumModel::pierson_moskowitz, .wind_speed_mps = 30, .depth_m = 15};
     const WaveSpectrum spectrum = spectrum_of(sea);
-    ASSERT_EQ(spectrum.kept_by_breaking(), 1);
+    ASSERT_EQ(spectrum.kept_after_breaking(), 1);
     // exp(-0.74 (g/(V w))^4) is 0.99 at three times g/V.
     const double k = wave_number(3 * gravity / 30, 15);
     ASSERT_LT(std::tanh(k * 15), 0.95);
@@ -158,7 +158,7 @@ TEST(Depth, FrequenciesAtAPointAreThoseOfTheSpectrum) {
                            .depth_m = depth,
                            .loop_period_s = 60};
         const WaveSpectrum spectrum = spectrum_of(sea);
-        ASSERT_EQ(spectrum.kept_by_breaking(), 1);
+        ASSERT_EQ(spectrum.kept_after_breaking(), 1);
         // From half the peak frequency up to the shortest wave that the grid holds in all directions, 26 m.
         const std::vector<int> harmonics = {5, 8, 10, 13};
         const std::vector<double> measured = measured_bands(sea, harmonics, 64);

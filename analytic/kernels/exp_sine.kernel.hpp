@@ -62,7 +62,7 @@ class ExpSinePoints {
         const V gain = amplitude * wave * c, by_phase = drag * (c * c - s);
         slope_x_ = slope_x_ + gain * phase_x;
         slope_z_ = slope_z_ + gain * phase_z;
-        rise_ = rise_ + gain * phase_t;
+        vertical_velocity_ = vertical_velocity_ + gain * phase_t;
         x_x_ = x_x_ - way_x * (by_phase * phase_x);
         x_z_ = x_z_ - way_x * (by_phase * phase_z);
         x_t_ = x_t_ - way_x * (by_phase * phase_t);
@@ -82,14 +82,14 @@ class ExpSinePoints {
         (slope_x_ * down).store_unaligned(out.normal_x + at);
         up.store_unaligned(out.normal_y + at);
         (slope_z_ * down).store_unaligned(out.normal_z + at);
-        rise_.store_unaligned(out.rise + at);
+        vertical_velocity_.store_unaligned(out.vertical_velocity + at);
         hidden_.store_unaligned(out.slope_variance + at);
     }
 
    private:
     PointPhases<Arch> phases_;
     V footprint_;
-    V height_ = V(0.f), slope_x_ = V(0.f), slope_z_ = V(0.f), rise_ = V(0.f), hidden_ = V(0.f);
+    V height_ = V(0.f), slope_x_ = V(0.f), slope_z_ = V(0.f), vertical_velocity_ = V(0.f), hidden_ = V(0.f);
     /// Where the point has been moved to, less where it is; derivatives of where it is now along x, along z and in
     /// time.
     V off_x_ = V(0.f), off_z_ = V(0.f);

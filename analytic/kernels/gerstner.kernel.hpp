@@ -89,7 +89,7 @@ PELAGIC_INLINE void gerstner_points(const GerstnerJob& job, std::size_t at) {
             slope_z = slope_z + V(wave.slope_z) * r.sine;
         }
         if constexpr (Velocities) {
-            rise = rise + V(wave.rise) * r.sine;
+            rise = rise + V(wave.vertical_velocity) * r.sine;
             drift_x = drift_x + V(wave.drift_x) * r.cosine;
             drift_z = drift_z + V(wave.drift_z) * r.cosine;
         }

@@ -58,7 +58,7 @@ vec4 streaks_at(int size, vec2 at, float pixel_m) {
 #endif
 
 // How much of the foam at a place is fresh. Of ages that are as many of each, so is a half.
-float part_that_breaks(float part, float mean) { return mix(smoothstep(0.4, 1.0, part), 0.5, mean); }
+float breaking_fraction(float part, float mean) { return mix(smoothstep(0.4, 1.0, part), 0.5, mean); }
 
 // `crests`: part that is white of small water, or of dynamic waves.
 Foam foam_at(vec2 at, float distance_m, float crests, vec3 to_eye) {
@@ -74,7 +74,7 @@ Foam foam_at(vec2 at, float distance_m, float crests, vec3 to_eye) {
 #ifdef DYNAMIC_WAVES
     there = with_foam_of(there, crests, log2(max(pixel.wide_m * dynamic_waves_place.w, 1e-3)), 1.0);
 #endif
-    float amount = there.part, freshness = part_that_breaks(there.part, there.mean), thickest = there.thick;
+    float amount = there.part, freshness = breaking_fraction(there.part, there.mean), thickest = there.thick;
 #else
     float amount = crests, freshness = 1.0, thickest = 1.0;
 #endif

@@ -57,7 +57,7 @@ DynamicWaveFrames::DynamicWaveFrames(const DynamicWavesOptions& options, Isa isa
     const auto n = static_cast<std::size_t>(options.resolution);
     for (Slot& slot : slots_) {
         slot.height = AlignedBuffer<float>(n * n, memory);
-        slot.rise = AlignedBuffer<float>(n * n, memory);
+        slot.vertical_velocity = AlignedBuffer<float>(n * n, memory);
         slot.foam = AlignedBuffer<std::uint8_t>(n * n, memory);
         slot.lowest.resize(n);
         slot.highest.resize(n);
@@ -196,7 +196,7 @@ bool DynamicWaveFrames::is_done() const { return !frame_in_flight_ || !run_in_fl
 void DynamicWaveFrames::show_rows(std::size_t item) {
     Slot& slot = slots_[back_];
     grid_.show(part_, item,
-               {slot.height.data(), slot.rise.data(), slot.foam.data(), slot.lowest.data(), slot.highest.data()});
+               {slot.height.data(), slot.vertical_velocity.data(), slot.foam.data(), slot.lowest.data(), slot.highest.data()});
 }
 
 DynamicWavesView DynamicWaveFrames::surface() const {
@@ -206,7 +206,7 @@ DynamicWavesView DynamicWaveFrames::surface() const {
             .first_x = grid_.first_x(),
             .first_z = grid_.first_z(),
             .height_m = {slot.height.data(), slot.height.size()},
-            .rise_mps = {slot.rise.data(), slot.rise.size()},
+            .vertical_velocity_mps = {slot.vertical_velocity.data(), slot.vertical_velocity.size()},
             .foam = {slot.foam.data(), slot.foam.size()},
             .height_min_m = *std::min_element(slot.lowest.begin(), slot.lowest.end()),
             .height_max_m = *std::max_element(slot.highest.begin(), slot.highest.end())};
@@ -253,7 +253,7 @@ std::size_t DynamicWaveFrames::bytes() const {
     std::size_t bytes = sizeof(DynamicWaveFrames) + grid_.bytes() + commands_.capacity() * sizeof(Command) +
                         numbers_.capacity() * sizeof(std::uint32_t);
     for (const Slot& slot : slots_)
-        bytes += slot.height.bytes() + slot.rise.bytes() + slot.foam.bytes() +
+        bytes += slot.height.bytes() + slot.vertical_velocity.bytes() + slot.foam.bytes() +
                  (slot.lowest.capacity() + slot.highest.capacity()) * sizeof(float);
     return bytes;
 }

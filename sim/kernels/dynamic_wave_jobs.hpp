@@ -77,7 +77,7 @@ struct DynamicFoamJob {
     std::uint8_t* has_foam;  ///< a byte a row
 };
 
-/// What a frame shows of rows, faded towards the edges: heights on the straight way from `before` to `now`, and how fast they rise at
+/// What a frame shows of rows, faded towards the edges: heights on the straight way from `before` to `now`, and vertical velocity at
 /// `part` of it, the derivative of the parabola through the ways of the last two ticks.
 struct TickInterpolationJob {
     const float *before, *now;  ///< texel (0, 0)
@@ -87,7 +87,7 @@ struct TickInterpolationJob {
     float part;  ///< of the way
     float ticks_per_s;
     const float *shown_x, *shown_z;  ///< of each column and row of the torus
-    float *height, *rise;            ///< N^2, in rows of N
+    float *height, *vertical_velocity;            ///< N^2, in rows of N
     float *lowest, *highest;         ///< of each row's heights
 };
 

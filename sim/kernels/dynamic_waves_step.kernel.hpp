@@ -200,7 +200,7 @@ void interpolate_ticks(const TickInterpolationJob& job) {
             const V height = (from + part * way) * shown;
             height.store_aligned(job.height + z * n + x);
             const V rise = way + from_middle * (way - V::load_aligned(way_before + x));
-            ((rise * ticks_per_s) * shown).store_aligned(job.rise + z * n + x);
+            ((rise * ticks_per_s) * shown).store_aligned(job.vertical_velocity + z * n + x);
             low = xsimd::min(low, height);
             high = xsimd::max(high, height);
         }

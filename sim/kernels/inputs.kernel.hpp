@@ -50,7 +50,7 @@ void add_ripple(const AddRippleJob& job) {
         (V::load_aligned(job.heights + column) + V(job.amplitude) * (envelope * at.cosine))
             .store_aligned(job.heights + column);
         if (job.rises)
-            (V::load_aligned(job.rises + column) + V(job.rise) * (envelope * at.sine))
+            (V::load_aligned(job.rises + column) + V(job.vertical_velocity) * (envelope * at.sine))
                 .store_aligned(job.rises + column);
     }
 }

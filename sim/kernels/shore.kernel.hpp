@@ -41,7 +41,7 @@ void shore_rows(const ShoreRowsJob& job) {
             const std::size_t at = g * group + lane;
             if (!job.has_waves[g]) {
                 none.store_aligned(job.height + at);
-                none.store_aligned(job.rise + at);
+                none.store_aligned(job.vertical_velocity + at);
                 none.store_aligned(job.potential + at);
                 none.store_aligned(job.reach + at);
                 for (std::size_t i = 0; i < lanes; ++i) job.foam[at + i] = 0;
@@ -62,7 +62,7 @@ void shore_rows(const ShoreRowsJob& job) {
             const V sharpness = V::load_aligned(job.sharpness + at), stands = left * envelope;
             const V height = h + sharpness * (h * h - q * q);
             height.store_aligned(job.height + at);
-            (h_t + (sharpness + sharpness) * (h * h_t - q * q_t)).store_aligned(job.rise + at);
+            (h_t + (sharpness + sharpness) * (h * h_t - q * q_t)).store_aligned(job.vertical_velocity + at);
             (left * sum.potential).store_aligned(job.potential + at);
             (stands + sharpness * (stands * stands)).store_aligned(job.reach + at);
             low = xsimd::min(low, height);

@@ -28,7 +28,7 @@ struct ShoreRowsJob {
     const float* breaking_envelope;  ///< of each texel, above 0
     const float* sharpness;          ///< s, 1/m
     std::size_t first_group, groups;
-    float *height, *rise, *potential, *reach;  ///< of each texel
+    float *height, *vertical_velocity, *potential, *reach;  ///< of each texel
     std::uint8_t* foam;
     float *lowest, *highest;  ///< of the heights, with 0
 };

@@ -157,7 +157,7 @@ void SurfaceQuery::add_water_of_place(const SurfaceSamples& samples, const Point
                 dynamic_waves.slope_x += height.along_x;
                 dynamic_waves.slope_z += height.along_z;
                 if (wants_velocity(samples)) {
-                    dynamic_waves.rise_mps += shore.cubic(frame_.shore.rise_mps).value;
+                    dynamic_waves.vertical_velocity_mps += shore.cubic(frame_.shore.vertical_velocity_mps).value;
                     const auto [x_mps, z_mps] = shore.velocity();
                     add(samples.velocity_x_mps, at, x_mps);
                     add(samples.velocity_z_mps, at, z_mps);
@@ -166,7 +166,7 @@ void SurfaceQuery::add_water_of_place(const SurfaceSamples& samples, const Point
             }
         }
         add(samples.height_m, at, dynamic_waves.height_m);
-        add(samples.velocity_y_mps, at, dynamic_waves.rise_mps);
+        add(samples.velocity_y_mps, at, dynamic_waves.vertical_velocity_mps);
         if (!samples.foam.empty()) samples.foam[at] = std::max(samples.foam[at], static_cast<float>(dynamic_waves.foam));
         if (!wants_normal(samples) || (dynamic_waves.slope_x == 0 && dynamic_waves.slope_z == 0)) continue;
         const double y = static_cast<double>(chunk.normal_y[i]);

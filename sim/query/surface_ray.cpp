@@ -109,7 +109,7 @@ double crossing_in(const RayWalk& walk, Crossing crossing, bool below, double to
 class FreeSteps {
    public:
     FreeSteps(const SurfaceQuery& query, const RayWalk& walk, double step_m)
-        : ground_(walk.along_ground()), rise_(walk.upwards()), step_m_(step_m), unsure_m_(2 * query.tolerance_m()) {
+        : ground_(walk.along_ground()), vertical_velocity_(walk.upwards()), step_m_(step_m), unsure_m_(2 * query.tolerance_m()) {
         const DynamicWavesView& dynamic_waves = query.frame().dynamic_waves;
         const ShoreSurface& shore = query.frame().shore;
         if (query.frame().cascades.size() > 1)
@@ -123,7 +123,7 @@ class FreeSteps {
     std::size_t first_places() const { return change_ ? 1 : near_places; }
     double from(double clearance_m, double most) const {
         if (!change_) return 0;
-        return std::floor(change_->free_distance(sure(clearance_m), ground_, rise_, most * step_m_) / step_m_);
+        return std::floor(change_->free_distance(sure(clearance_m), ground_, vertical_velocity_, most * step_m_) / step_m_);
     }
     /// Between two places: all of them from the first, or half from either.
     bool are_free(double steps, double first_m, double second_m) const {
@@ -132,11 +132,11 @@ class FreeSteps {
 
    private:
     bool is_free(double steps, double clearance_m) const {
-        return change_->is_free(sure(clearance_m), ground_, rise_, steps * step_m_);
+        return change_->is_free(sure(clearance_m), ground_, vertical_velocity_, steps * step_m_);
     }
     double sure(double clearance_m) const { return std::fabs(clearance_m) - unsure_m_; }
 
-    double ground_, rise_, step_m_;
+    double ground_, vertical_velocity_, step_m_;
     double unsure_m_;  ///< a clearance may be off by this
     std::optional<HeightChange> change_;
 };

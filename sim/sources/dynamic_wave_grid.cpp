@@ -291,7 +291,7 @@ void DynamicWaveGrid::show(float part, std::size_t item, const Shown& to) const 
                          .shown_x = shown_[0].data(),
                          .shown_z = shown_[1].data(),
                          .height = to.height_m,
-                         .rise = to.rise_mps,
+                         .vertical_velocity = to.vertical_velocity_mps,
                          .lowest = to.lowest_m,
                          .highest = to.highest_m});
     std::copy_n(foam_.data() + first * n(), rows_an_item * n(), to.foam + first * n());

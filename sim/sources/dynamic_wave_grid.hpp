@@ -72,7 +72,7 @@ class DynamicWaveGrid {
     /// run side by side. \pre no tick is in flight
     static constexpr std::size_t rows_an_item = 16;
     struct Shown {
-        float *height_m, *rise_mps;
+        float *height_m, *vertical_velocity_mps;
         std::uint8_t* foam;
         float *lowest_m, *highest_m;
     };

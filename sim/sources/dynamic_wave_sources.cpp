@@ -98,35 +98,35 @@ void DynamicWaveSources::disturb(const Disturbance& disturbance) {
 void DynamicWaveSources::set(std::uint32_t number, const Disturbance& source, std::int64_t ticks) {
     if (const std::string reason = check(source); !reason.empty()) throw std::invalid_argument(reason);
     const auto at =
-        std::lower_bound(lasting_.begin(), lasting_.end(), number,
-                         [](const Lasting& known, std::uint32_t wanted) { return known.number < wanted; });
-    if (at != lasting_.end() && at->number == number) {
+        std::lower_bound(sources_.begin(), sources_.end(), number,
+                         [](const Source& known, std::uint32_t wanted) { return known.number < wanted; });
+    if (at != sources_.end() && at->number == number) {
         *at = {number, source, ticks};
         return;
     }
-    need_room("the number of sources", lasting_.size());
-    lasting_.insert(at, {number, source, ticks});
+    need_room("the number of sources", sources_.size());
+    sources_.insert(at, {number, source, ticks});
 }
 
 void DynamicWaveSources::remove(std::uint32_t number) {
-    std::erase_if(lasting_, [number](const Lasting& source) { return source.number == number; });
+    std::erase_if(sources_, [number](const Source& source) { return source.number == number; });
 }
 
 bool DynamicWaveSources::has(std::uint32_t number) const {
-    return std::binary_search(lasting_.begin(), lasting_.end(),
-                              Lasting{.number = number, .disturbance = {}, .since = 0},
-                              [](const Lasting& a, const Lasting& b) { return a.number < b.number; });
+    return std::binary_search(sources_.begin(), sources_.end(),
+                              Source{.number = number, .disturbance = {}, .since = 0},
+                              [](const Source& a, const Source& b) { return a.number < b.number; });
 }
 
 std::vector<std::uint32_t> DynamicWaveSources::numbers() const {
     std::vector<std::uint32_t> numbers;
-    for (const Lasting& source : lasting_) numbers.push_back(source.number);
+    for (const Source& source : sources_) numbers.push_back(source.number);
     return numbers;
 }
 
 void DynamicWaveSources::begin_tick(const GridPlacement& placement, std::int64_t ticks, double tick_s) {
     tick_ = ticks;
-    for (const Lasting& source : lasting_) {
+    for (const Source& source : sources_) {
         Disturbance moved = source.disturbance;
         const double since_s = static_cast<double>(ticks - source.since) * tick_s;
         moved.x_m += since_s * moved.velocity_x_mps;
@@ -252,14 +252,14 @@ void DynamicWaveSources::end_tick() {
 }
 
 std::size_t DynamicWaveSources::saved_bytes() const {
-    return sizeof(SavedHeader) + (lasting_.size() + waiting_.size()) * sizeof(SavedSource);
+    return sizeof(SavedHeader) + (sources_.size() + waiting_.size()) * sizeof(SavedSource);
 }
 
 void DynamicWaveSources::save(std::span<std::uint8_t> bytes) const {
     assert(bytes.size() == saved_bytes());
     const Rain& rain = rain_.rain();
     const SavedHeader header = {next_number_,
-                                static_cast<std::int64_t>(lasting_.size()),
+                                static_cast<std::int64_t>(sources_.size()),
                                 static_cast<std::int64_t>(waiting_.size()),
                                 static_cast<std::int64_t>(settled_),
                                 rain.drops_per_m2_s,
@@ -272,7 +272,7 @@ void DynamicWaveSources::save(std::span<std::uint8_t> bytes) const {
         std::memcpy(to, &saved, sizeof saved);
         to += sizeof saved;
     };
-    for (const Lasting& source : lasting_) put(saved_source(source.number, source.since, source.disturbance));
+    for (const Source& source : sources_) put(saved_source(source.number, source.since, source.disturbance));
     for (const Disturbance& disturbance : waiting_) put(saved_source(0, 0, disturbance));
 }
 
@@ -306,7 +306,7 @@ DynamicWaveSources DynamicWaveSources::restored(std::span<const std::uint8_t> by
             throw std::invalid_argument(refusal("a saved source's number", saved.number, "more than the one before"));
         if (saved.since < 0 || saved.since > ticks)
             throw std::invalid_argument(refusal("a saved source's tick", saved.since, "one of the water's"));
-        sources.lasting_.push_back({static_cast<std::uint32_t>(saved.number), disturbance_of(saved), saved.since});
+        sources.sources_.push_back({static_cast<std::uint32_t>(saved.number), disturbance_of(saved), saved.since});
         last = saved.number;
     }
     for (std::int64_t i = 0; i < header.waiting; ++i) sources.waiting_.push_back(disturbance_of(next()));
@@ -315,7 +315,7 @@ DynamicWaveSources DynamicWaveSources::restored(std::span<const std::uint8_t> by
 }
 
 std::size_t DynamicWaveSources::bytes() const {
-    return lasting_.capacity() * sizeof(Lasting) + waiting_.capacity() * sizeof(Disturbance) +
+    return sources_.capacity() * sizeof(Source) + waiting_.capacity() * sizeof(Disturbance) +
            splashes_.capacity() * sizeof(Splash) + profiles_.capacity() * sizeof(float) + rain_.bytes();
 }
 

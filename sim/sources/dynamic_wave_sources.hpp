@@ -51,7 +51,7 @@ class DynamicWaveSources {
     std::size_t bytes() const;
 
    private:
-    struct Lasting {
+    struct Source {
         std::uint32_t number;
         Disturbance disturbance;
         std::int64_t since;  ///< ticks that were over when it was set
@@ -73,7 +73,7 @@ class DynamicWaveSources {
                     AtTexel at_texel) const;
 
     std::uint32_t next_number_ = 1;
-    std::vector<Lasting> lasting_;      ///< by number
+    std::vector<Source> sources_;      ///< by number
     std::vector<Disturbance> waiting_;  ///< for the tick to come
     std::size_t settled_ = 0;           ///< of these, the first ones
     std::vector<Splash> splashes_;      ///< of the tick in flight

@@ -111,7 +111,7 @@ void Pond::fill_row(Pass pass, std::size_t row) {
         store(none.data(), buffers.surface, surface_dx);
         store(none.data(), buffers.surface, surface_dz);
         if (with_velocities) {
-            store(part.rise.data(), buffers.velocity, surface_height);
+            store(part.vertical_velocity.data(), buffers.velocity, surface_height);
             store(none.data(), buffers.velocity, surface_dx);
             store(none.data(), buffers.velocity, surface_dz);
         }

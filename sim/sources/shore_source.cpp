@@ -130,7 +130,7 @@ ShoreSource::ShoreSource(const ShoreOptions& options, const SeaState& sea, const
     const std::size_t items = (has_waves_.size() + groups_an_item - 1) / groups_an_item;
     for (Slot& slot : slots_) {
         slot.height = AlignedBuffer<float>(bed_.texels(), memory);
-        slot.rise = AlignedBuffer<float>(bed_.texels(), memory);
+        slot.vertical_velocity = AlignedBuffer<float>(bed_.texels(), memory);
         slot.potential = AlignedBuffer<float>(bed_.texels(), memory);
         slot.reach = AlignedBuffer<float>(bed_.texels(), memory);
         slot.foam = AlignedBuffer<std::uint8_t>(bed_.texels(), memory);
@@ -415,7 +415,7 @@ void ShoreSource::rows(std::size_t item) {
                          .first_group = first,
                          .groups = std::min(groups_an_item, has_waves_.size() - first),
                          .height = slot.height.data(),
-                         .rise = slot.rise.data(),
+                         .vertical_velocity = slot.vertical_velocity.data(),
                          .potential = slot.potential.data(),
                          .reach = slot.reach.data(),
                          .foam = slot.foam.data(),
@@ -437,7 +437,7 @@ ShoreSurface ShoreSource::end_frame() {
             .depth_m = {depth_.data(), texels},
             .parts_rgba8 = {parts_.data(), texels},
             .height_m = {slot.height.data(), texels},
-            .rise_mps = {slot.rise.data(), texels},
+            .vertical_velocity_mps = {slot.vertical_velocity.data(), texels},
             .potential_m2ps = {slot.potential.data(), texels},
             .reach_m = {slot.reach.data(), texels},
             .foam = {slot.foam.data(), texels},
@@ -452,7 +452,7 @@ std::size_t ShoreSource::bytes() const {
                         sharpness_.bytes() + depth_.bytes() + parts_.bytes() +
                         waves_.size() * (sizeof(ShoreWave) + sizeof(ShoreRowsJob::Moment));
     for (const Slot& slot : slots_)
-        bytes += slot.height.bytes() + slot.rise.bytes() + slot.potential.bytes() + slot.reach.bytes() +
+        bytes += slot.height.bytes() + slot.vertical_velocity.bytes() + slot.potential.bytes() + slot.reach.bytes() +
                  slot.foam.bytes() + (slot.lowest.size() + slot.highest.size()) * sizeof(float);
     return bytes;
 }

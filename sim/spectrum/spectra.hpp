@@ -58,7 +58,7 @@ class WaveSpectrum {
 
     /// The part of the energy that breaking leaves: less than 1 where the waves that wind and swell would make are higher than
     /// highest_over_depth of the depth.
-    double kept_by_breaking() const { return kept_; }
+    double kept_after_breaking() const { return kept_; }
 
     const Water& water() const { return water_; }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pelagic/sim/spectrum/lasting_foam.hpp"
+#include "pelagic/sim/spectrum/foam_accumulation.hpp"
 #include "pelagic/sim/cascade.hpp"
 #include "pelagic/simd/det_math.hpp"
 
@@ -34,8 +34,8 @@ double cover_of_each(double cover, int cascades) { return cascades == 1 ? cover 
 WhitecapThreshold whitecap_threshold(const FoldMoments& moments, double choppiness, double cover, double tick_s) {
     const FoldDistribution jacobians(moments, choppiness);
     if (!(jacobians.deviation >= least_deviation)) return {.jacobian = Cascade::no_whitecaps, .ramp = 1};
-    constexpr double ramp = LastingFoam::ramp_deviations;
-    const double level = LastingFoam(moments.frequency_radps(), tick_s).level_of(cover);
+    constexpr double ramp = FoamAccumulation::ramp_deviations;
+    const double level = FoamAccumulation(moments.frequency_radps(), tick_s).level_of(cover);
     const double none = jacobians.below_mean(level - ramp / 2), all = jacobians.below_mean(level + ramp / 2);
     return {.jacobian = static_cast<float>((none + all) / 2),
             .ramp = static_cast<float>(std::max(none - all, least_ramp * ramp * jacobians.deviation))};

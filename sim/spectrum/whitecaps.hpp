@@ -21,7 +21,7 @@ struct WhitecapThreshold {
     float ramp;      ///< from no foam to all of it; above 0
 };
 
-/// The threshold at which foam that lasts (lasting_foam.hpp) covers that part of the sea, in the mean over time and place; crests
+/// The threshold at which foam that lasts (foam_accumulation.hpp) covers that part of the sea, in the mean over time and place; crests
 /// that fold most are white, whatever the choppiness. Takes microseconds.
 /// \param tick_s  between two moments at which foam is made, about 0.1
 /// \pre cover is in (0, 0.4]

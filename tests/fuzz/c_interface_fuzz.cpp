@@ -390,13 +390,13 @@ void any_water(const pelagic_ocean* ocean, Bytes& bytes) {
     must_be_a_status(of_dynamic_waves);
     if (of_dynamic_waves == PELAGIC_OK && dynamic_waves.struct_size == sizeof dynamic_waves) {
         const auto last = static_cast<std::size_t>(dynamic_waves.resolution) * static_cast<std::size_t>(dynamic_waves.resolution) - 1;
-        sum += dynamic_waves.height_m[last] + dynamic_waves.rise_mps[last] + dynamic_waves.foam[last];
+        sum += dynamic_waves.height_m[last] + dynamic_waves.vertical_velocity_mps[last] + dynamic_waves.foam[last];
     }
     const pelagic_status of_shore = pelagic_ocean_shore(ocean, &shore);
     must_be_a_status(of_shore);
     if (of_shore == PELAGIC_OK && shore.struct_size == sizeof shore) {
         const auto last = static_cast<std::size_t>(shore.columns) * static_cast<std::size_t>(shore.rows) - 1;
-        sum += shore.height_m[last] + shore.rise_mps[last] + shore.reach_m[last] + shore.foam[last] +
+        sum += shore.height_m[last] + shore.vertical_velocity_mps[last] + shore.reach_m[last] + shore.foam[last] +
                shore.depth_m[last] + shore.potential_m2ps[last] + static_cast<double>(shore.parts_rgba8[last]);
     }
     if (sum != sum) std::abort();  // no number has come in, and none may come out

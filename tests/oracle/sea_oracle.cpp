@@ -117,7 +117,7 @@ double swell_radial(const SeaState& sea, double k) {
 }
 
 /// What breaking leaves: Simpson's rule over log k, where the depth may tell.
-double kept_by_breaking(const SeaState& sea) {
+double kept_after_breaking(const SeaState& sea) {
     if (sea.depth_m > 100 || sea.spectrum == SpectrumModel::phillips_paper) return 1;
     const double first = std::log(1e-4), last = std::log(1e4);
     constexpr int steps = 2000;
@@ -138,7 +138,7 @@ double unbroken_density(const SeaState& sea, double kx, double kz) {
            k;
 }
 
-/// \param kept  kept_by_breaking(sea)
+/// \param kept  kept_after_breaking(sea)
 Complex amplitude(const SeaState& sea, double kept, int m, int n) {
     const int nyquist = sea.resolution / 2;
     if ((m == 0 && n == 0) || m == -nyquist || n == -nyquist) return 0;
@@ -173,16 +173,16 @@ double frequency_density(const SeaState& sea, double w) {
 }
 
 double density(const SeaState& sea, double kx, double kz) {
-    return kept_by_breaking(sea) * unbroken_density(sea, kx, kz);
+    return kept_after_breaking(sea) * unbroken_density(sea, kx, kz);
 }
 
-Complex initial_amplitude(const SeaState& sea, int m, int n) { return amplitude(sea, kept_by_breaking(sea), m, n); }
+Complex initial_amplitude(const SeaState& sea, int m, int n) { return amplitude(sea, kept_after_breaking(sea), m, n); }
 
 ComplexField spectrum_at(const SeaState& sea, double time_s) {
     const int n = sea.resolution;
     const std::size_t side = static_cast<std::size_t>(n);
     const double turns_of_loop = time_s / sea.loop_period_s;
-    const double kept = kept_by_breaking(sea);
+    const double kept = kept_after_breaking(sea);
     ComplexField waves(side * side);
     for (std::size_t j = 0; j < side; ++j) {
         for (std::size_t i = 0; i < side; ++i) {

@@ -43,7 +43,7 @@ class FrameCopy {
         frame_.cascades = cascades_;
         if (!needed.dynamic_waves) return;
         copy_if(true, dynamic_height_m_, frame_.dynamic_waves.height_m);
-        copy_if(true, dynamic_rise_mps_, frame_.dynamic_waves.rise_mps);
+        copy_if(true, dynamic_vertical_velocity_mps_, frame_.dynamic_waves.vertical_velocity_mps);
         copy_if(true, dynamic_foam_, frame_.dynamic_waves.foam);
     }
     FrameCopy(const FrameCopy&) = delete;
@@ -91,7 +91,7 @@ class FrameCopy {
     Frame frame_;
     std::vector<Cascade> cascades_;
     std::vector<Copies> copies_;
-    std::vector<float> dynamic_height_m_, dynamic_rise_mps_;
+    std::vector<float> dynamic_height_m_, dynamic_vertical_velocity_mps_;
     std::vector<std::uint8_t> dynamic_foam_;
 };
 

@@ -122,7 +122,7 @@ MapImage dynamic_waves_map_image(const DynamicWavesView& water, const MapOptions
     for (std::size_t j = 0; j < side; ++j)
         for (std::size_t i = 0; i < side; ++i) {
             const std::size_t texel = in_torus(water.first_z, j) * side + in_torus(water.first_x, i);
-            for (const float value : {water.height_m[texel] * factor, water.rise_mps[texel] * factor,
+            for (const float value : {water.height_m[texel] * factor, water.vertical_velocity_mps[texel] * factor,
                                       static_cast<float>(water.foam[texel]) / 255})
                 values.values.push_back(value);
         }

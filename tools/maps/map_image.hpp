@@ -26,7 +26,7 @@ MapImage map_image(const Cascade& cascade, MapKind map, int level, const MapOpti
 std::vector<MapImage> map_levels(const Cascade& cascade, MapKind map, int first_level, int levels,
                                  const MapOptions& options);
 
-/// Dynamic waves: heights, how fast they rise, foam; rows and columns from the grid's lowest texel on, along z and x.
+/// Dynamic waves: heights, vertical velocity, foam; rows and columns from the grid's lowest texel on, along z and x.
 MapImage dynamic_waves_map_image(const DynamicWavesView& water, const MapOptions& options);
 
 /// Whether any image of this process holds +-65504, the largest half, for a value beyond that. Any thread.

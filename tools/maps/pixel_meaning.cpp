@@ -194,7 +194,7 @@ std::string pixel_meaning() {
   velocity      of the point that is drawn, along x, y, z, metres a second; for motion blur
   jacobian      one channel: J, not clamped; below 1 pressed together, below 0 overturned
   slope         R, G = dh/dx, dh/dz (z-up: dh/dy) of the heights over the rest places
-  dynamic_waves         with --events: R, G, B = height, how fast it rises (m/s), foam (1 covered) of the dynamic waves, floats;
+  dynamic_waves         with --events: R, G, B = height, vertical velocity (m/s), foam (1 covered) of the dynamic waves, floats;
                 its height adds to the cascades' where water is drawn. sea.json says where the grid lies (dynamic_waves)
   place         N texels a side, L metres: column i, row j rests at x = i L/N, z = j L/N and is drawn at
                 (x + Dx, height, z + Dz). Row 0 is the upper edge of the image and z = 0 (--rows bottom: the last row is

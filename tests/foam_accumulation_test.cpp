@@ -1,5 +1,5 @@
 // The formula of foam that lasts against foam itself, over sums of many waves in time.
-#include "pelagic/sim/spectrum/lasting_foam.hpp"
+#include "pelagic/sim/spectrum/foam_accumulation.hpp"
 
 #include <gtest/gtest.h>
 
@@ -49,7 +49,7 @@ class RandomWaves {
     double rate_ = 0;
 };
 
-TEST(LastingFoam, CoversWhatTheFormulaSays) {
+TEST(FoamAccumulation, CoversWhatTheFormulaSays) {
     for (const double frequency_radps : {0.7, 2.0, 7.0}) {
         for (const double level : {1.5, 2.5}) {
             if (is_sanitized && (frequency_radps != 2 || level != 1.5)) continue;
@@ -59,12 +59,12 @@ TEST(LastingFoam, CoversWhatTheFormulaSays) {
                 RandomWaves waves(frequency_radps, sea);
                 double foam = 0, sum = 0;
                 for (int tick = -30; tick < ticks; ++tick) {
-                    const double source = 0.5 + (waves.next() - level) / LastingFoam::ramp_deviations;
-                    foam = std::max(std::clamp(source, 0.0, 1.0), foam - 1 / LastingFoam::fading_ticks);
+                    const double source = 0.5 + (waves.next() - level) / FoamAccumulation::ramp_deviations;
+                    foam = std::max(std::clamp(source, 0.0, 1.0), foam - 1 / FoamAccumulation::fading_ticks);
                     if (tick >= 0) sum += foam;
                 }
                 measured += sum / ticks / seas;
-                expected += LastingFoam(waves.rate_radps(), tick_s).cover(level) / seas;
+                expected += FoamAccumulation(waves.rate_radps(), tick_s).cover(level) / seas;
             }
             // Crossings come in groups, which the formula leaves out: 0.93 where they are rare and waves short, 1.05 where not.
             EXPECT_NEAR(measured / expected, 1, 0.1) << frequency_radps << " rad/s, level " << level;
@@ -72,20 +72,20 @@ TEST(LastingFoam, CoversWhatTheFormulaSays) {
     }
 }
 
-TEST(LastingFoam, IsTheSourceAloneWhereNothingMoves) {
+TEST(FoamAccumulation, IsTheSourceAloneWhereNothingMoves) {
     for (const double level : {1.0, 2.0, 3.0, 4.0}) {
         double source = 0;
         for (int i = 0; i < 1000; ++i)
-            source += part_above(level + LastingFoam::ramp_deviations * ((i + 0.5) / 1000 - 0.5)) / 1000;
+            source += part_above(level + FoamAccumulation::ramp_deviations * ((i + 0.5) / 1000 - 0.5)) / 1000;
         // Crossings count as chance, so some meet: half of a twentieth, which is how much the ramp holds at level 1.
-        EXPECT_NEAR(LastingFoam(1e-6, tick_s).cover(level) / source, 1, 0.025) << level;
+        EXPECT_NEAR(FoamAccumulation(1e-6, tick_s).cover(level) / source, 1, 0.025) << level;
     }
 }
 
-TEST(LastingFoam, HasALevelForEveryCover) {
+TEST(FoamAccumulation, HasALevelForEveryCover) {
     for (double frequency_radps = 0.01; frequency_radps < 60; frequency_radps *= 3)
         for (double cover = 1e-12; cover <= 0.4; cover *= 3) {
-            const LastingFoam foam(frequency_radps, tick_s);
+            const FoamAccumulation foam(frequency_radps, tick_s);
             const double level = foam.level_of(cover);
             EXPECT_NEAR(foam.cover(level) / cover, 1, 2e-3) << frequency_radps << " rad/s";
             EXPECT_GT(foam.cover(level - 0.1), cover);

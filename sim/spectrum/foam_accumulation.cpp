@@ -1,4 +1,4 @@
-#include "pelagic/sim/spectrum/lasting_foam.hpp"
+#include "pelagic/sim/spectrum/foam_accumulation.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 
 namespace pelagic {
 
-static_assert(LastingFoam::fading_ticks == 255.0 / FoamTickJob::fade);
+static_assert(FoamAccumulation::fading_ticks == 255.0 / FoamTickJob::fade);
 
 namespace {
 
@@ -34,12 +34,12 @@ double rarity(double cover) { return std::sqrt(-2 * det::log(cover)); }
 
 }  // namespace
 
-LastingFoam::LastingFoam(double frequency_radps, double tick_s) : half_turn_of_tick_(frequency_radps * tick_s / 2) {
+FoamAccumulation::FoamAccumulation(double frequency_radps, double tick_s) : half_turn_of_tick_(frequency_radps * tick_s / 2) {
     const double fall = ramp_deviations / (fading_ticks * tick_s * frequency_radps);
     crossings_ = density(fall) / fall + (1 - part_above(fall));
 }
 
-double LastingFoam::cover(double level) const {
+double FoamAccumulation::cover(double level) const {
     const double r = level * half_turn_of_tick_;
     const double seen = r < 1e-3 ? 1 : 2.50662827463100050242 * (0.5 - part_above(r)) / r;
     const double all_white = part_above(level + ramp_deviations / 2);
@@ -53,7 +53,7 @@ double LastingFoam::cover(double level) const {
 }
 
 // Secants; the line is nearly straight.
-double LastingFoam::level_of(double wanted) const {
+double FoamAccumulation::level_of(double wanted) const {
     const double goal = rarity(wanted);
     double last = 1, level = 3;
     double last_rarity = rarity(cover(last));

@@ -18,7 +18,7 @@
 
 namespace pelagic {
 
-class LastingFoam {
+class FoamAccumulation {
    public:
     /// s. A crest that rises above z does so by about 1/z, and by more than s in exp(-s z) of all cases: a third of the crests that
     /// make foam have a white core in light winds (z = 3.6), six of ten in a storm (1.7), and the others' edges are no harder.
@@ -27,7 +27,7 @@ class LastingFoam {
     static constexpr double fading_ticks = 255.0 / 9;
 
     /// \param frequency_radps  w, above 0
-    LastingFoam(double frequency_radps, double tick_s);
+    FoamAccumulation(double frequency_radps, double tick_s);
 
     /// Part of the sea under foam in the mean. \param level  z_w, in [0, 9]
     double cover(double level) const;
