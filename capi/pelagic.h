@@ -842,7 +842,7 @@ typedef struct pelagic_samples {
     float* foam;
 } pelagic_samples;
 
-/* Asks the frame completed last; of sheets over one another the highest counts. Any thread, any number
+/* Asks the frame completed last; of intersections over one another the highest counts. Any thread, any number
  * at once; allocates nothing, never waits. The bits depend on the frame, the point, the tolerance and the interpolation alone.
  * PELAGIC_INVALID_ARGUMENT if the ocean has no queries, or no velocities or foam and they are wanted; PELAGIC_WRONG_ORDER before
  * the first frame. */

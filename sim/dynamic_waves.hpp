@@ -48,7 +48,7 @@ struct DynamicWavesSample {
 /// outside, and where x or z is no number.
 DynamicWavesSample sample(const DynamicWavesView& water, double x_m, double z_m);
 
-/// XXH3 of the grid's place, heights, rises and foam, little-endian; 0 of a frame without one. hash_of() has none of it.
+/// XXH3 of the grid's place, heights, vertical velocities and foam, little-endian; 0 of a frame without one. hash_of() has none of it.
 std::uint64_t dynamic_waves_hash_of(const Frame& frame);
 
 }  // namespace pelagic

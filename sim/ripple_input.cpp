@@ -115,7 +115,7 @@ void RippleInput::add(const InputRows& rows) const {
                             .amplitude = static_cast<float>(ripple.amplitude_m),
                             .vertical_velocity = static_cast<float>(two_pi * state_->held.frequency_hz * ripple.amplitude_m),
                             .heights = rows.row_of(rows.height, row).data(),
-                            .rises = rows.velocity_y.empty() ? nullptr : rows.row_of(rows.velocity_y, row).data()});
+                            .vertical_velocities = rows.velocity_y.empty() ? nullptr : rows.row_of(rows.velocity_y, row).data()});
     }
 }
 

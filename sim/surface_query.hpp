@@ -5,7 +5,7 @@
 //   water.sample({.x = xs, .z = zs}, {.height_m = heights});
 //
 // The surface is what a GPU draws: between texels each displacement is bilinear, and the rest point q is drawn at
-// q + D(q), D being the sum of the cascades' displacements. A query looks for the rest point that is drawn at the given (x, z) and reads the frame there. Where sheets
+// q + D(q), D being the sum of the cascades' displacements. A query looks for the rest point that is drawn at the given (x, z) and reads the frame there. Where intersections
 // lie over one another (breaking crests at high choppiness) the highest one counts.
 //
 // Linear interpolation attenuates short waves. A wave with k radians a texel along one axis keeps (2 + cos k) / 3 of its variance,
@@ -67,7 +67,7 @@ struct SurfaceSamples {
     /// Linear: slopes by central differences at texels, bilinear between them, smooth, as textures show it.
     std::span<float> normal_x = {}, normal_y = {}, normal_z = {};
     /// The same slopes' (1 + Dx,x)(1 + Dz,z) - Dx,z Dz,x: 1 at rest, small at sharp crests, negative (and the normal
-    /// points down) where the sheet is overturned. Not clamped.
+    /// points down) where the surface is overturned. Not clamped.
     std::span<float> jacobian = {};
     /// How the water that is there now moves: the displacement's derivative in time at the fixed rest point.
     std::span<float> velocity_x_mps = {}, velocity_y_mps = {}, velocity_z_mps = {};

@@ -28,7 +28,7 @@ std::string check(const SurfaceRay& ray, const Frame& frame);
 
 /// The first place where the ray passes through the surface, from above or from below; none within its reach.
 ///
-/// The surface is the linear one, which is drawn, also where the query is cubic: its highest sheet, as SurfaceQuery gives it; where a crest hangs over, its front is a wall. The ray is
+/// The surface is the linear one, which is drawn, also where the query is cubic: its highest intersection, as SurfaceQuery gives it; where a crest hangs over, its front is a wall. The ray is
 /// looked at every half texel of the finest cascade along the ground between the lowest and the highest water, but where the
 /// waters around are proven to stay away from it; so no crest or trough is missed through which it passes for half such a
 /// texel (along the ground) or longer; one that it only grazes may be. The distance is within the query's tolerance, or 1e-9 of itself where that is more.

@@ -38,34 +38,34 @@ double significant_wave_height_m(const Frame& frame) {
 /// Height within 1 mm + 1e-4 Hs; normals, Jacobians and velocities within 2e-3 where the surface isn't folded: the search
 /// stops 16 micrometres away, of the finest texels' 26 mm, over which slopes change by less than 1. Near a fold's edge
 /// the rest point moves much faster than what is drawn.
-std::size_t expect_as_oracle(const Frame& frame, const Points& points, bool is_folded) {
+std::size_t expect_as_oracle(const Frame& frame, const Points& points, bool is_overturned) {
     const oracle::Stack stack(frame);
     Samples samples(points.x.size());
     SurfaceQuery(frame).sample(points.view(), samples.view());
     const double bound = 1e-3 + 1e-4 * significant_wave_height_m(frame);
     std::size_t folded = 0;
     for (std::size_t i = 0; i < points.x.size(); ++i) {
-        const std::vector<oracle::StackSheet> sheets = stack.sheets_at(points.x[i], points.z[i]);
-        EXPECT_FALSE(sheets.empty()) << "the oracle misses " << points.x[i] << ", " << points.z[i];
-        if (sheets.empty()) continue;
-        folded += sheets.size() > 1;
-        // A point has an odd number of sheets: a map that moves no point further than a bound has the degree 1. Of an even number the
+        const std::vector<oracle::StackIntersection> intersections = stack.intersections_at(points.x[i], points.z[i]);
+        EXPECT_FALSE(intersections.empty()) << "the oracle misses " << points.x[i] << ", " << points.z[i];
+        if (intersections.empty()) continue;
+        folded += intersections.size() > 1;
+        // A point has an odd number of intersections: a map that moves no point further than a bound has the degree 1. Of an even number the
         // oracle's Newton missed one beside a fold's edge; an answer above those that it found is that one, within its own error.
-        if (sheets.size() % 2 == 0 && static_cast<double>(samples.height[i]) > sheets.front().height_m + bound) {
+        if (intersections.size() % 2 == 0 && static_cast<double>(samples.height[i]) > intersections.front().height_m + bound) {
             EXPECT_LE(samples.error[i], SurfaceQuery::default_tolerance_m);
             continue;
         }
-        EXPECT_LE(std::fabs(static_cast<double>(samples.height[i]) - sheets.front().height_m), bound)
-            << points.x[i] << ", " << points.z[i] << " of " << sheets.size() << " sheets";
+        EXPECT_LE(std::fabs(static_cast<double>(samples.height[i]) - intersections.front().height_m), bound)
+            << points.x[i] << ", " << points.z[i] << " of " << intersections.size() << " intersections";
         EXPECT_TRUE(samples.converged[i]) << points.x[i] << ", " << points.z[i] << ": " << samples.error[i];
-        if (is_folded) continue;
+        if (is_overturned) continue;
         EXPECT_LE(samples.error[i], 2e-5f) << "a 64th of the tolerance is the aim";
-        const oracle::SurfaceFacts facts = stack.facts_at(sheets.front().x_m, sheets.front().z_m);
+        const oracle::SurfaceFacts facts = stack.facts_at(intersections.front().x_m, intersections.front().z_m);
         EXPECT_NEAR(samples.normal_x[i], facts.normal_x, 2e-3);
         EXPECT_NEAR(samples.normal_y[i], facts.normal_y, 2e-3);
         EXPECT_NEAR(samples.normal_z[i], facts.normal_z, 2e-3);
         EXPECT_NEAR(samples.jacobian[i], facts.jacobian, 2e-3);
-        const oracle::Stack::Vector velocity = stack.velocity_at(sheets.front().x_m, sheets.front().z_m);
+        const oracle::Stack::Vector velocity = stack.velocity_at(intersections.front().x_m, intersections.front().z_m);
         EXPECT_NEAR(samples.velocity_x[i], velocity.x, 1e-3);
         EXPECT_NEAR(samples.velocity_y[i], velocity.y, 1e-3);
         EXPECT_NEAR(samples.velocity_z[i], velocity.z, 1e-3);
@@ -194,13 +194,13 @@ TEST(CascadeStackQuery, WhereTheSqueezeMapSaysSoThereIsOneSheet) {
         const oracle::Stack oracle(stack.frame());
         const Points points = random_points(is_sanitized ? 200 : 1500, 1000, 2);
         for (std::size_t i = 0; i < points.x.size(); ++i) {
-            const std::vector<oracle::StackSheet> sheets = oracle.sheets_at(points.x[i], points.z[i]);
-            folded += sheets.size() > 1;
-            for (const oracle::StackSheet& sheet : sheets) {
+            const std::vector<oracle::StackIntersection> intersections = oracle.intersections_at(points.x[i], points.z[i]);
+            folded += intersections.size() > 1;
+            for (const oracle::StackIntersection& intersection : intersections) {
                 int sum = 0;
                 bool is_within = true;
                 for (const Cascade& cascade : stack.frame().cascades) {
-                    const auto [along, across] = cascade.grid.in_cascade(sheet.x_m, sheet.z_m);
+                    const auto [along, across] = cascade.grid.in_cascade(intersection.x_m, intersection.z_m);
                     const int half = cascade.resolution() / 2;
                     const auto block = [&](double place_m) {
                         return static_cast<int>(std::floor(place_m / cascade.texel_m() / 2)) & (half - 1);
@@ -211,7 +211,7 @@ TEST(CascadeStackQuery, WhereTheSqueezeMapSaysSoThereIsOneSheet) {
                                                                          : SqueezeMap::least_slack));
                 }
                 proven += is_within;
-                ASSERT_TRUE(!is_within || sheets.size() == 1) << points.x[i] << ", " << points.z[i];
+                ASSERT_TRUE(!is_within || intersections.size() == 1) << points.x[i] << ", " << points.z[i];
             }
         }
     }

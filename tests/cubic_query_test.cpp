@@ -173,28 +173,28 @@ TEST(CubicQuery, OfTheDefaultSeaHeightsAndSlopesAreThoseOfItsWaves) {
 
 /// As in cascade_stack_query_test.cpp: heights within the tolerance on faces of 1 : 1 and float's rounding of some metres; the others
 /// where the surface isn't folded.
-void expect_as_oracle(const Frame& frame, const Points& points, bool is_folded, std::size_t& folded) {
+void expect_as_oracle(const Frame& frame, const Points& points, bool is_overturned, std::size_t& folded) {
     const oracle::Stack stack(frame, Interpolation::cubic);
     Samples samples(points.x.size());
     SurfaceQuery(frame, {.interpolation = Interpolation::cubic}).sample(points.view(), samples.view());
     const double coarsest_m =
         frame.cascades.size() == 1 ? frame.cascades.front().texel_m() : 0;  // a search in texels ends at 4e-6
     for (std::size_t i = 0; i < points.x.size(); ++i) {
-        const std::vector<oracle::StackSheet> sheets = stack.sheets_at(points.x[i], points.z[i]);
-        ASSERT_FALSE(sheets.empty()) << "the oracle misses " << points.x[i] << ", " << points.z[i];
-        folded += sheets.size() > 1;
+        const std::vector<oracle::StackIntersection> intersections = stack.intersections_at(points.x[i], points.z[i]);
+        ASSERT_FALSE(intersections.empty()) << "the oracle misses " << points.x[i] << ", " << points.z[i];
+        folded += intersections.size() > 1;
         EXPECT_TRUE(samples.converged[i]) << points.x[i] << ", " << points.z[i] << ": " << samples.error[i];
-        const double off = std::fabs(static_cast<double>(samples.height[i]) - sheets.front().height_m);
-        EXPECT_LE(off, 2e-3) << points.x[i] << ", " << points.z[i] << " of " << sheets.size() << " sheets";
-        if (is_folded) continue;
+        const double off = std::fabs(static_cast<double>(samples.height[i]) - intersections.front().height_m);
+        EXPECT_LE(off, 2e-3) << points.x[i] << ", " << points.z[i] << " of " << intersections.size() << " intersections";
+        if (is_overturned) continue;
         EXPECT_LE(static_cast<double>(samples.error[i]), 2e-5 + 5e-6 * coarsest_m)
             << "a 64th of the tolerance is the aim";
-        const oracle::SurfaceFacts facts = stack.facts_at(sheets.front().x_m, sheets.front().z_m);
+        const oracle::SurfaceFacts facts = stack.facts_at(intersections.front().x_m, intersections.front().z_m);
         EXPECT_NEAR(samples.normal_x[i], facts.normal_x, 2e-3);
         EXPECT_NEAR(samples.normal_y[i], facts.normal_y, 2e-3);
         EXPECT_NEAR(samples.normal_z[i], facts.normal_z, 2e-3);
         EXPECT_NEAR(samples.jacobian[i], facts.jacobian, 2e-3);
-        const oracle::Stack::Vector velocity = stack.velocity_at(sheets.front().x_m, sheets.front().z_m);
+        const oracle::Stack::Vector velocity = stack.velocity_at(intersections.front().x_m, intersections.front().z_m);
         EXPECT_NEAR(samples.velocity_x[i], velocity.x, 1e-3);
         EXPECT_NEAR(samples.velocity_y[i], velocity.y, 1e-3);
         EXPECT_NEAR(samples.velocity_z[i], velocity.z, 1e-3);

@@ -87,7 +87,7 @@ struct QueryPoints {
 };
 
 /// A sea that folds, and one that does not.
-const SeaState folded_sea{.spectrum = SpectrumModel::phillips_paper,
+const SeaState overturning_sea{.spectrum = SpectrumModel::phillips_paper,
                           .resolution = 64,
                           .patch_size_m = 250,
                           .wind_speed_mps = 20,
@@ -226,7 +226,7 @@ TEST(Determinism, OceansMayBeDestroyedInFlight) {
 }
 
 TEST(Determinism, ASeaThatCanBeAskedIsTheSameSea) {
-    for (const SeaState& sea : {folded_sea, smooth_sea, sea_of_cascades, analytic_sea_state, pond})
+    for (const SeaState& sea : {overturning_sea, smooth_sea, sea_of_cascades, analytic_sea_state, pond})
         for (const Host& host : hosts())
             EXPECT_EQ(hash_of(queryable_ocean(sea, choose_isa(), host.executor)->frame_at(7)), hash_at(sea, 7))
                 << host.name;
@@ -252,7 +252,7 @@ TEST(Determinism, FoamIsTheSameOnEveryInstructionSetExecutorAndThreadCount) {
 
 TEST(Determinism, EveryInstructionSetGivesTheSameAnswers) {
     const QueryPoints points(20000);
-    for (const SeaState& sea : {folded_sea, smooth_sea, sea_of_cascades, analytic_sea_state, pond}) {
+    for (const SeaState& sea : {overturning_sea, smooth_sea, sea_of_cascades, analytic_sea_state, pond}) {
         for (const Interpolation interpolation : {Interpolation::linear, Interpolation::cubic}) {
             const std::uint64_t expected = answers_at(sea, 3, isas_here().front(), points, interpolation).hash();
             for (const Isa isa : isas_here())
@@ -263,10 +263,10 @@ TEST(Determinism, EveryInstructionSetGivesTheSameAnswers) {
 
 TEST(Determinism, AnAnswerDependsOnNoOtherPointOfTheBatch) {
     const QueryPoints points(1000);
-    for (const auto& [sea, interpolation] : {std::pair{folded_sea, Interpolation::linear},
+    for (const auto& [sea, interpolation] : {std::pair{overturning_sea, Interpolation::linear},
                                              {smooth_sea, Interpolation::linear},
                                              {sea_of_cascades, Interpolation::linear},
-                                             {folded_sea, Interpolation::cubic},
+                                             {overturning_sea, Interpolation::cubic},
                                              {sea_of_cascades, Interpolation::cubic}}) {
         const auto ocean = queryable_ocean(sea);
         const SurfaceQuery query(ocean->frame_at(3), {.interpolation = interpolation});
@@ -300,7 +300,7 @@ TEST(Determinism, AnAnswerDependsOnNoOtherPointOfTheBatch) {
 
 TEST(Determinism, EveryExecutorAndThreadCountGivesTheSameAnswers) {
     const QueryPoints points(30001);
-    const auto ocean = queryable_ocean(folded_sea);
+    const auto ocean = queryable_ocean(overturning_sea);
     const SurfaceQuery query(ocean->frame_at(3));
     Answers expected(points.x.size());
     query.sample(points.view(), expected.view());
@@ -316,7 +316,7 @@ TEST(Determinism, EveryExecutorAndThreadCountGivesTheSameAnswers) {
 
 // The frame before is asked while the next one is computed; whoever asks waits for nobody.
 TEST(Determinism, EightThreadsAskWhileFramesRun) {
-    const SeaState& sea = folded_sea;
+    const SeaState& sea = overturning_sea;
     const QueryPoints points(is_sanitized ? 200 : 2000);
     const auto executor = make_thread_executor(3);
     const auto ocean = queryable_ocean(sea, choose_isa(), executor);
@@ -350,7 +350,7 @@ TEST(Determinism, EightThreadsAskWhileFramesRun) {
 TEST(Determinism, RaysHitTheSameBitsOnEveryInstructionSet) {
     std::vector<double> expected;
     for (const Isa isa : isas_here()) {
-        const auto ocean = queryable_ocean(folded_sea, isa);
+        const auto ocean = queryable_ocean(overturning_sea, isa);
         const SurfaceQuery query(ocean->frame_at(3));
         std::vector<double> hits;
         for (int i = 0; i < 100; ++i) {
@@ -369,12 +369,12 @@ TEST(Determinism, TheHostsFloatingPointEnvironmentDoesNotReachTheSea) {
         .spectrum = SpectrumModel::phillips, .resolution = 64, .patch_size_m = 250, .wind_speed_mps = 2};
     const std::uint64_t expected = hash_at(sea, 5);
     const QueryPoints points(2000);
-    const std::uint64_t expected_answers = answers_at(folded_sea, 5, choose_isa(), points).hash();
+    const std::uint64_t expected_answers = answers_at(overturning_sea, 5, choose_isa(), points).hash();
 #if !defined(__wasm__)  // which has one way to round
     for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
         std::fesetround(mode);
         const std::uint64_t hash = hash_at(sea, 5);
-        const std::uint64_t answered = answers_at(folded_sea, 5, choose_isa(), points).hash();
+        const std::uint64_t answered = answers_at(overturning_sea, 5, choose_isa(), points).hash();
         EXPECT_EQ(std::fegetround(), mode);
         std::fesetround(FE_TONEAREST);
         EXPECT_EQ(hash, expected);
@@ -487,7 +487,7 @@ TEST(Determinism, GoldenHashesNeverChange) {
         }
     }
     // Foam that lasts, of four cascades and of one.
-    for (const auto& [name, sea] : {std::pair{"foam-cascades", sea_of_cascades}, {"foam-folded", folded_sea}}) {
+    for (const auto& [name, sea] : {std::pair{"foam-cascades", sea_of_cascades}, {"foam-folded", overturning_sea}}) {
         Ocean ocean(sea, {.executor = make_serial_executor(), .foam = true});
         std::ostringstream hash;
         hash << std::hex << foam_hash_of(ocean.frame_at(12.34));
@@ -496,7 +496,7 @@ TEST(Determinism, GoldenHashesNeverChange) {
     }
     // Answers to queries, velocities included.
     const QueryPoints points(5000);
-    for (const auto& [name, sea] : {std::pair{"queries-folded", folded_sea},
+    for (const auto& [name, sea] : {std::pair{"queries-folded", overturning_sea},
                                     {"queries-smooth", smooth_sea},
                                     {"queries-cascades", sea_of_cascades},
                                     {"queries-analytic", analytic_sea_state},

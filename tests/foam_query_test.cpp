@@ -72,11 +72,11 @@ TEST(FoamQuery, IsTheLargestOfTheCascadesAtTheRestPoint) {
         int asked = 0, white = 0;
         double largest_error = 0;
         for (std::size_t i = 0; i < foam.size(); ++i) {
-            const auto sheets = stack.sheets_at(points.x[i], points.z[i]);
+            const auto intersections = stack.intersections_at(points.x[i], points.z[i]);
             // Near a fold's edge the rest point moves much faster than what is drawn.
-            if (sheets.size() != 1 || jacobian[i] < 0.2f) continue;
+            if (intersections.size() != 1 || jacobian[i] < 0.2f) continue;
             ++asked;
-            const double expected = foam_by_texels(frame, sheets[0].x_m, sheets[0].z_m);
+            const double expected = foam_by_texels(frame, intersections[0].x_m, intersections[0].z_m);
             white += expected > 0.1;
             largest_error = std::max(largest_error, std::fabs(static_cast<double>(foam[i]) - expected));
         }

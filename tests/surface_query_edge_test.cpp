@@ -1,5 +1,5 @@
-// Points exactly on the edge between two cells, under many sheets: rounding must not let them fall between the two, down to
-// the next lower sheet.
+// Points exactly on the edge between two cells, under many intersections: rounding must not let them fall between the two, down to
+// the next lower intersection.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -91,7 +91,7 @@ TEST(SurfaceQueryEdges, APointOnAnEdgeIsOnOneOfItsCells) {
         std::vector<float> height(x.size());
         query.sample({x, z}, {.height_m = height});
         asked += x.size();
-        // The highest sheet counts, so no answer is below a sheet that is there; its height is told in floats.
+        // The highest intersection counts, so no answer is below a intersection that is there; its height is told in floats.
         for (std::size_t point = 0; point < x.size(); ++point) lower += height[point] < on_edge[point] - 1e-4;
     }
     EXPECT_EQ(lower, 0u) << "of " << asked;

@@ -59,7 +59,7 @@ Points random_points(std::size_t count, double reach_m, unsigned seed) {
 }
 
 /// Points in the squares of the world where the surface may be folded.
-Points points_in_folds(const Frame& frame, std::size_t count, unsigned seed) {
+Points points_where_overturned(const Frame& frame, std::size_t count, unsigned seed) {
     const std::size_t n = static_cast<std::size_t>(frame.cascades[0].resolution());
     std::vector<std::size_t> squares;
     for (std::size_t square = 0; square < n * n; ++square)
@@ -84,7 +84,7 @@ std::unique_ptr<Ocean> ocean_of(const SeaState& sea, Isa isa = choose_isa()) {
 
 struct Worst {
     double height_m = 0, normal = 0, jacobian = 0, error_m = 0;
-    std::size_t folded = 0;  ///< points under more than one sheet
+    std::size_t folded = 0;  ///< points under more than one intersection
 };
 
 /// Height within 1 mm + 1e-4 Hs: the tolerance in position, on faces that are never steeper than 1 : 1 outside of folds,
@@ -95,13 +95,13 @@ void expect_as_oracle(const Frame& frame, const oracle::Surface& surface, const 
     SurfaceQuery(frame).sample(points.view(), samples.view());
     const double bound = 1e-3 + 1e-4 * measured_significant_wave_height_m(frame);
     for (std::size_t i = 0; i < points.x.size(); ++i) {
-        const std::vector<oracle::Sheet> sheets = surface.sheets_at(points.x[i], points.z[i]);
-        ASSERT_FALSE(sheets.empty()) << "the oracle misses " << points.x[i] << ", " << points.z[i];
-        worst.folded += sheets.size() > 1;
-        const double off = std::fabs(samples.height[i] - sheets.front().height);
-        ASSERT_LE(off, bound) << points.x[i] << ", " << points.z[i] << " of " << sheets.size() << " sheets";
+        const std::vector<oracle::Intersection> intersections = surface.intersections_at(points.x[i], points.z[i]);
+        ASSERT_FALSE(intersections.empty()) << "the oracle misses " << points.x[i] << ", " << points.z[i];
+        worst.folded += intersections.size() > 1;
+        const double off = std::fabs(samples.height[i] - intersections.front().height);
+        ASSERT_LE(off, bound) << points.x[i] << ", " << points.z[i] << " of " << intersections.size() << " intersections";
         ASSERT_TRUE(samples.converged[i]) << points.x[i] << ", " << points.z[i];
-        const oracle::SurfaceFacts facts = surface.facts_at(sheets.front().rest);
+        const oracle::SurfaceFacts facts = surface.facts_at(intersections.front().rest);
         worst.height_m = std::max(worst.height_m, off);
         worst.error_m = std::max(worst.error_m, static_cast<double>(samples.error[i]));
         worst.jacobian = std::max(worst.jacobian, std::fabs(samples.jacobian[i] - facts.jacobian));
@@ -139,7 +139,7 @@ TEST(SurfaceQuery, HeightsNormalsAndJacobiansAreThoseOfTheOracleFromCalmToStorm)
     EXPECT_GE(all, is_sanitized ? 0u : 1'000'000u);
 }
 
-/// A frame with its horizontal displacement several times as large: breaking everywhere, in tangled sheets.
+/// A frame with its horizontal displacement several times as large: breaking everywhere, in tangled intersections.
 class Exaggerated {
    public:
     Exaggerated(const Frame& frame, float factor, const Kernels& kernels)
@@ -186,7 +186,7 @@ TEST(SurfaceQuery, OfSheetsOverOneAnotherTheHighestCounts) {
         const Frame& frame = ocean->frame_at(seed);
         const oracle::Surface surface(frame, sea.patch_size_m);
         Worst worst;
-        expect_as_oracle(frame, surface, points_in_folds(frame, is_sanitized ? 500 : 20000, seed), worst);
+        expect_as_oracle(frame, surface, points_where_overturned(frame, is_sanitized ? 500 : 20000, seed), worst);
         expect_as_oracle(frame, surface, random_points(is_sanitized ? 500 : 20000, 1000, seed), worst);
         folded += worst.folded;
     }
@@ -218,7 +218,7 @@ TEST(SurfaceQuery, TheFoldMapHoldsEveryPointUnderSeveralSheets) {
     const double texel_m = sea.patch_size_m / sea.resolution;
     std::size_t folded = 0;
     for (std::size_t i = 0; i < points.x.size(); ++i) {
-        if (surface.sheets_at(points.x[i], points.z[i]).size() < 2) continue;
+        if (surface.intersections_at(points.x[i], points.z[i]).size() < 2) continue;
         ++folded;
         const auto square_of = [&](double along) {
             return static_cast<std::size_t>(static_cast<int>(std::floor(along / texel_m)) & (sea.resolution - 1));
@@ -304,7 +304,7 @@ TEST(SurfaceQuery, FindsTheTopOfALoopKnownInClosedForm) {
             << points.x[i];
     }
     EXPECT_GT(inside, 100u);
-    EXPECT_GT(turned, 100u) << "the top of a loop is a sheet that is overturned";
+    EXPECT_GT(turned, 100u) << "the top of a loop is a intersection that is overturned";
 }
 
 // The library's phase is a fraction of the loop in steps of 2^-32; differences over 1 ms leave an error of
@@ -335,7 +335,7 @@ TEST(SurfaceQuery, VelocityIsTheOraclesDifferenceInTime) {
         Samples samples(points.x.size(), true);
         SurfaceQuery(frame).sample(points.view(), samples.view());
         for (std::size_t i = 0; i < points.x.size(); ++i) {
-            const oracle::RestPoint rest = surface.sheets_at(points.x[i], points.z[i]).front().rest;
+            const oracle::RestPoint rest = surface.intersections_at(points.x[i], points.z[i]).front().rest;
             // Water moves at some metres a second, and velocity changes by less than 3 per second over a metre.
             ASSERT_NEAR(samples.velocity_x[i], surface.value_at(x, rest), 2e-4);
             ASSERT_NEAR(samples.velocity_y[i], surface.value_at(y, rest), 2e-4);
@@ -357,7 +357,7 @@ TEST_P(SurfaceQueryOnEachIsa, AnswersAsTheOracleForEveryResolution) {
         Samples samples(points.x.size());
         SurfaceQuery(frame).sample(points.view(), samples.view());
         for (std::size_t i = 0; i < points.x.size(); ++i)
-            ASSERT_NEAR(samples.height[i], surface.sheets_at(points.x[i], points.z[i]).front().height, 1e-3) << n;
+            ASSERT_NEAR(samples.height[i], surface.intersections_at(points.x[i], points.z[i]).front().height, 1e-3) << n;
     }
 }
 

@@ -24,7 +24,7 @@ class SurfaceRayTest : public testing::Test {
           query_(frame_),
           surface_(frame_, sea_.patch_size_m) {}
 
-    double height_at(double x, double z) const { return surface_.sheets_at(x, z).front().height; }
+    double height_at(double x, double z) const { return surface_.intersections_at(x, z).front().height; }
 
     SeaState sea_{.resolution = 64, .patch_size_m = 128, .wind_speed_mps = 12, .choppiness = 1};
     Ocean ocean_;

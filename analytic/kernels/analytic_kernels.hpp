@@ -25,7 +25,7 @@ struct GerstnerTerms {
     float horizontal_x, horizontal_z;              ///< sine: -choppiness A k_x/|k|, m
     float slope_x, slope_z;                    ///< sine: -A k_x
     float squeeze_xx, squeeze_xz, squeeze_zz;  ///< cosine: derivatives of the displacement, -choppiness A k_x k_z/|k|
-    float rise;                                ///< sine: A w, m/s
+    float vertical_velocity;                                ///< sine: A w, m/s
     float drift_x, drift_z;                    ///< cosine: choppiness A w k_x/|k|, m/s
 };
 
@@ -68,7 +68,7 @@ struct ExpSineTerms {
 struct ExpSineAnswers {
     float* height;
     float *normal_x = nullptr, *normal_y = nullptr, *normal_z = nullptr;
-    float* rise = nullptr;
+    float* vertical_velocity = nullptr;
     float* slope_variance = nullptr;
 };
 

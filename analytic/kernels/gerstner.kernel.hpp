@@ -78,7 +78,7 @@ PELAGIC_INLINE void gerstner_points(const GerstnerJob& job, std::size_t at) {
     if constexpr (InWorld) search_rest<Arch>(job, points);
 
     HorizontalSum<Arch> d;
-    V height(0.f), slope_x(0.f), slope_z(0.f), rise(0.f), drift_x(0.f), drift_z(0.f);
+    V height(0.f), slope_x(0.f), slope_z(0.f), vertical_velocity(0.f), drift_x(0.f), drift_z(0.f);
     for (int i = 0; i < job.wave_count; ++i) {
         const GerstnerTerms& wave = job.waves[i];
         const Rotation<Arch> r = InWorld ? points.rotation(wave, i) : rotation_of_turns<Arch>(points.phases.of(i));
@@ -89,7 +89,7 @@ PELAGIC_INLINE void gerstner_points(const GerstnerJob& job, std::size_t at) {
             slope_z = slope_z + V(wave.slope_z) * r.sine;
         }
         if constexpr (Velocities) {
-            rise = rise + V(wave.vertical_velocity) * r.sine;
+            vertical_velocity = vertical_velocity + V(wave.vertical_velocity) * r.sine;
             drift_x = drift_x + V(wave.drift_x) * r.cosine;
             drift_z = drift_z + V(wave.drift_z) * r.cosine;
         }
@@ -112,7 +112,7 @@ PELAGIC_INLINE void gerstner_points(const GerstnerJob& job, std::size_t at) {
     }
     if constexpr (Velocities) {
         drift_x.store_unaligned(out.velocity_x + at);
-        rise.store_unaligned(out.velocity_y + at);
+        vertical_velocity.store_unaligned(out.velocity_y + at);
         drift_z.store_unaligned(out.velocity_z + at);
     }
 }

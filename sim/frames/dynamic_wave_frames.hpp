@@ -59,7 +59,7 @@ class DynamicWaveFrames {
 
    private:
     struct Slot {
-        AlignedBuffer<float> height, rise;
+        AlignedBuffer<float> height, vertical_velocity;
         AlignedBuffer<std::uint8_t> foam;
         std::int64_t first_x = 0, first_z = 0;
         std::vector<float> lowest, highest;

@@ -199,8 +199,8 @@ void interpolate_ticks(const TickInterpolationJob& job) {
             const V shown = V::load_aligned(job.shown_x + x) * shown_z;
             const V height = (from + part * way) * shown;
             height.store_aligned(job.height + z * n + x);
-            const V rise = way + from_middle * (way - V::load_aligned(way_before + x));
-            ((rise * ticks_per_s) * shown).store_aligned(job.vertical_velocity + z * n + x);
+            const V vertical_velocity = way + from_middle * (way - V::load_aligned(way_before + x));
+            ((vertical_velocity * ticks_per_s) * shown).store_aligned(job.vertical_velocity + z * n + x);
             low = xsimd::min(low, height);
             high = xsimd::max(high, height);
         }

@@ -35,9 +35,9 @@ struct AddRippleJob {
     float half_wave;        ///< m
     float waves_per_m;      ///< 1 / wavelength
     std::uint32_t start;    ///< turns in the middle, 2^32 are one
-    float amplitude, rise;  ///< m, and m/s: amplitude times angular frequency
+    float amplitude, vertical_velocity;  ///< m, and m/s: amplitude times angular frequency
     float* heights;
-    float* rises;  ///< null: nobody wants them
+    float* vertical_velocities;  ///< null: nobody wants them
 };
 
 /// Adds rows to those of a surface (wave_blocks.hpp), if all values are within `most`; else nothing is written.

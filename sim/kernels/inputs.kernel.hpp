@@ -49,9 +49,9 @@ void add_ripple(const AddRippleJob& job) {
         const Rotation<Arch> at = rotation_of_turns<Arch>(same_bits<U>(half_turns + half_turns) + U(job.start));
         (V::load_aligned(job.heights + column) + V(job.amplitude) * (envelope * at.cosine))
             .store_aligned(job.heights + column);
-        if (job.rises)
-            (V::load_aligned(job.rises + column) + V(job.vertical_velocity) * (envelope * at.sine))
-                .store_aligned(job.rises + column);
+        if (job.vertical_velocities)
+            (V::load_aligned(job.vertical_velocities + column) + V(job.vertical_velocity) * (envelope * at.sine))
+                .store_aligned(job.vertical_velocities + column);
     }
 }
 

@@ -7,7 +7,7 @@
 //   m |q' - q| <= |C(q') - C(q)| <= d + 2 (e_k + e_(k+1) + ...),      C(q) = q + D_0(q) + ... + D_(k-1)(q)
 //
 // and no cascade's height changes by more than g_i |q' - q|, nor by more than from its lowest to its highest. Folds are no exception:
-// it holds for every sheet.
+// it holds for every intersection.
 //
 // At a shore cascades count with parts a_i <= 1 of places, which change by c a metre at most: d (1 + c (e_0 + e_1 + ...)) takes d's place
 // then, and each height changes by another c d of the largest |height| of its cascade: a h - a' h' = a (h - h') + (a - a') h'.

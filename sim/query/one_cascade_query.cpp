@@ -1,7 +1,7 @@
 // Two ways to a rest point. Nearly everywhere it is the only one (fold_map.hpp), and a kernel steps towards it, W points
 // at a time. Where the surface may lie over itself, and where the steps did not arrive, all cells that could be drawn
 // at the point are looked at, in double and in closed form, by Newton's steps if they are cubic; that is plain code, compiled once.
-// The map is of the linear surface: a fold that only the cubic one has is lost, whose sheets are close together.
+// The map is of the linear surface: a fold that only the cubic one has is lost, whose intersections are close together.
 #include "pelagic/sim/query/one_cascade_query.hpp"
 
 #include <algorithm>
@@ -57,7 +57,7 @@ void solve_cell(Vector a, Vector b, Vector c, Vector d, Take take) {
 
 }  // namespace
 
-struct OneCascadeQuery::Sheet {
+struct OneCascadeQuery::Intersection {
     bool found = false;
     int cell_x = 0, cell_z = 0;
     float u = 0, v = 0;
@@ -99,16 +99,16 @@ void OneCascadeQuery::find_rest_points(PointChunk& chunk) const {
     const int resolution = cascade_.resolution();
     for (std::size_t i = 0; i < chunk.count; ++i) {
         const auto square = static_cast<unsigned>(world.cell_z[i] * resolution + world.cell_x[i]);
-        const bool may_be_folded = (folds[square / 8] >> square % 8 & 1) != 0;
-        if (chunk.error[i] <= target_ && !may_be_folded) continue;
-        const Sheet sheet = is_cubic ? highest_cubic_sheet(world.cell_x[i], world.u[i], world.cell_z[i], world.v[i])
-                                     : highest_sheet(world.cell_x[i], world.u[i], world.cell_z[i], world.v[i]);
-        if (!sheet.found) continue;  // the error says how good the steps' end is
-        chunk.rest.cell_x[i] = sheet.cell_x;
-        chunk.rest.cell_z[i] = sheet.cell_z;
-        chunk.rest.u[i] = sheet.u;
-        chunk.rest.v[i] = sheet.v;
-        chunk.error[i] = sheet.error;
+        const bool may_be_overturned = (folds[square / 8] >> square % 8 & 1) != 0;
+        if (chunk.error[i] <= target_ && !may_be_overturned) continue;
+        const Intersection intersection = is_cubic ? highest_cubic_intersection(world.cell_x[i], world.u[i], world.cell_z[i], world.v[i])
+                                     : highest_intersection(world.cell_x[i], world.u[i], world.cell_z[i], world.v[i]);
+        if (!intersection.found) continue;  // the error says how good the steps' end is
+        chunk.rest.cell_x[i] = intersection.cell_x;
+        chunk.rest.cell_z[i] = intersection.cell_z;
+        chunk.rest.u[i] = intersection.u;
+        chunk.rest.v[i] = intersection.v;
+        chunk.error[i] = intersection.error;
     }
     for (std::size_t i = 0; i < chunk.count; ++i) chunk.error[i] *= static_cast<float>(texel_m_);
 }
@@ -132,7 +132,7 @@ void OneCascadeQuery::read_foam(const PointChunk& chunk, std::span<float> foam) 
 }
 
 // A cell (i, j) can be drawn at the point only if it rests within the largest displacement of it.
-OneCascadeQuery::Sheet OneCascadeQuery::highest_sheet(int cell_x, double u, int cell_z, double v) const {
+OneCascadeQuery::Intersection OneCascadeQuery::highest_intersection(int cell_x, double u, int cell_z, double v) const {
     const SurfaceTexels surface = texels_of(cascade_);
     const double texels_per_m = 1 / texel_m_;
     const double reach_x = cascade_.bounds.horizontal_x_max_m * texels_per_m + edge;
@@ -154,7 +154,7 @@ OneCascadeQuery::Sheet OneCascadeQuery::highest_sheet(int cell_x, double u, int 
         return low + along_z * (high - low);
     };
 
-    Sheet highest;
+    Intersection highest;
     for (int j = first_z; j <= last_z; ++j) {
         Vector v00 = corner(first_x, j), v01 = corner(first_x, j + 1);
         for (int i = first_x; i <= last_x; ++i) {
@@ -189,7 +189,7 @@ OneCascadeQuery::Sheet OneCascadeQuery::highest_sheet(int cell_x, double u, int 
 }
 
 // In each cell Newton's steps begin at the middles of its quarters. What they find is a rest point if it is in the cell.
-OneCascadeQuery::Sheet OneCascadeQuery::highest_cubic_sheet(int cell_x, double u, int cell_z, double v) const {
+OneCascadeQuery::Intersection OneCascadeQuery::highest_cubic_intersection(int cell_x, double u, int cell_z, double v) const {
     const SurfaceTexels surface = texels_of(cascade_);
     const double texels_per_m = 1 / texel_m_;
     const double reach_x = cascade_.bounds.horizontal_x_max_m * most_cubic_value * texels_per_m + edge;
@@ -198,7 +198,7 @@ OneCascadeQuery::Sheet OneCascadeQuery::highest_cubic_sheet(int cell_x, double u
     const auto first_z = static_cast<int>(floor_of(v - reach_z)), last_z = static_cast<int>(floor_of(v + reach_z));
     const double enough = target_ * same_cubic;
 
-    Sheet highest;
+    Intersection highest;
     double least_off = 0;
     const auto look_at = [&](int i, int j, const CascadeCell& cell, double along_x, double along_z) {
         /// From the point that is asked about, in texels, and what that changes by.

@@ -19,10 +19,10 @@ class OneCascadeQuery {
     void read_foam(const PointChunk& chunk, std::span<float> foam) const;
 
    private:
-    struct Sheet;
+    struct Intersection;
 
-    Sheet highest_sheet(int cell_x, double u, int cell_z, double v) const;
-    Sheet highest_cubic_sheet(int cell_x, double u, int cell_z, double v) const;
+    Intersection highest_intersection(int cell_x, double u, int cell_z, double v) const;
+    Intersection highest_cubic_intersection(int cell_x, double u, int cell_z, double v) const;
 
     const Kernels& kernels_;
     const Cascade& cascade_;

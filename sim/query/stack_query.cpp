@@ -104,12 +104,12 @@ void StackQuery::search(PointChunk& chunk, std::size_t point) const {
     }
     const Offset stepped{static_cast<double>(chunk.offset_x[point]), static_cast<double>(chunk.offset_z[point])};
     const bool has_arrived = chunk.error[point] <= static_cast<float>(target_m_);
-    const StackSheet sheet = StackSearch({search_cascades_.data(), cascades_.size()}, target_m_)
-                                 .highest_sheet(where, has_arrived ? &stepped : nullptr);
-    if (!sheet.found) return;  // the error says how good the steps' end is
-    chunk.offset_x[point] = static_cast<float>(sheet.offset.x);
-    chunk.offset_z[point] = static_cast<float>(sheet.offset.z);
-    chunk.error[point] = static_cast<float>(sheet.error_m);
+    const StackIntersection intersection = StackSearch({search_cascades_.data(), cascades_.size()}, target_m_)
+                                 .highest_intersection(where, has_arrived ? &stepped : nullptr);
+    if (!intersection.found) return;  // the error says how good the steps' end is
+    chunk.offset_x[point] = static_cast<float>(intersection.offset.x);
+    chunk.offset_z[point] = static_cast<float>(intersection.offset.z);
+    chunk.error[point] = static_cast<float>(intersection.error_m);
 }
 
 void StackQuery::read(const SampleSurfaceJob::Outputs& outputs, PointChunk& chunk) const {

@@ -15,9 +15,9 @@ constexpr double surroundings = 1.5;
 // Boxes below this slack are cut further: Newton's steps would lead far away.
 constexpr double least_slack = 0.02, least_cubic_slack = 0.3;
 
-// Of the finest texel: sheets that rest nearer together than some of this are not told apart. Boxes of this size are searched
-// whether they can be proven or not, because a sheet that is overturned can't.
-constexpr double same_sheet = 1.0 / 128;
+// Of the finest texel: intersections that rest nearer together than some of this are not told apart. Boxes of this size are searched
+// whether they can be proven or not, because a intersection that is overturned can't.
+constexpr double same_intersection = 1.0 / 128;
 constexpr double small_surroundings = 2;
 
 // Metres. Displacements are floats, whose last digits are larger; Newton's steps in double go on to here.
@@ -78,7 +78,7 @@ struct StackSearch::Box {
 };
 
 /// What was found so far.
-struct StackSearch::Sheets {
+struct StackSearch::Intersections {
     static constexpr std::size_t most_kept = 16;
 
     void add(const StackSearch& search, const StackPoint& point, Offset offset, double error) {
@@ -92,7 +92,7 @@ struct StackSearch::Sheets {
 
     std::array<Offset, most_kept> kept;
     std::size_t count = 0;
-    StackSheet highest;
+    StackIntersection highest;
 };
 
 StackSearch::Drawn StackSearch::drawn_at(const StackPoint& point, Offset offset) const {
@@ -200,8 +200,8 @@ bool StackSearch::step_towards(const StackPoint& point, Offset& offset) const {
     return best_distance <= target_m_ * same;
 }
 
-void StackSearch::look_into(const StackPoint& point, const Box& box, Sheets& sheets) const {
-    const double small = same_sheet / cascades_.back().texels_per_m;
+void StackSearch::look_into(const StackPoint& point, const Box& box, Intersections& intersections) const {
+    const double small = same_intersection / cascades_.back().texels_per_m;
     const double enough = cascades_.front().interpolation == Interpolation::cubic ? least_cubic_slack : least_slack;
     // Each level of the search leaves at most three boxes behind.
     std::array<Box, 128> waiting;
@@ -219,16 +219,16 @@ void StackSearch::look_into(const StackPoint& point, const Box& box, Sheets& she
         const bool is_small = here.half <= small;
         if (is_small || slack_within(point, here.centre, here.half * surroundings, cascades_.size(), true) >= enough) {
             const double near = is_small ? small_surroundings : surroundings;
-            if (sheets.has_one_in(here, near)) continue;
+            if (intersections.has_one_in(here, near)) continue;
             Offset found = here.centre;
             if (step_towards(point, found)) {
-                sheets.add(*this, point, found, drawn_at(point, found).distance());
+                intersections.add(*this, point, found, drawn_at(point, found).distance());
                 if (here.contains(found, near)) continue;
             }
         }
         if (here.half <= target_m_ || count + 4 > waiting.size()) {
             // A fold's edge: as near as the search is to tell.
-            if (drawn.distance() <= target_m_) sheets.add(*this, point, here.centre, drawn.distance());
+            if (drawn.distance() <= target_m_) intersections.add(*this, point, here.centre, drawn.distance());
             continue;
         }
         const double half = here.half / 2;
@@ -237,20 +237,20 @@ void StackSearch::look_into(const StackPoint& point, const Box& box, Sheets& she
     }
 }
 
-StackSheet StackSearch::highest_sheet(const StackPoint& point, const Offset* known) const {
-    Sheets sheets;
+StackIntersection StackSearch::highest_intersection(const StackPoint& point, const Offset* known) const {
+    Intersections intersections;
     Box box{{}, 0};
     if (known) {
         Offset exact = *known;
         if (step_towards(point, exact)) {
-            sheets.add(*this, point, exact, drawn_at(point, exact).distance());
+            intersections.add(*this, point, exact, drawn_at(point, exact).distance());
             box = around_known(point, exact);
         }
     }
-    if (sheets.count == 0)
+    if (intersections.count == 0)
         for (const SearchCascade& cascade : cascades_) box.half += cascade.squeeze.largest_m;
-    if (box.half > 0) look_into(point, box, sheets);
-    return sheets.highest;
+    if (box.half > 0) look_into(point, box, intersections);
+    return intersections.highest;
 }
 
 }  // namespace pelagic

@@ -7,7 +7,7 @@
 // for everybody; nothing is allocated.
 //
 // The maps are of the linear surface. A cubic one's slopes are sums of those of the cells around, with weights that may exceed 1: it
-// is cut until the squeezes of those cells leave plenty. That is no proof, and sheets of a fold that the linear surface has not are
+// is cut until the squeezes of those cells leave plenty. That is no proof, and intersections of a fold that the linear surface has not are
 // lost; they are close together.
 #pragma once
 
@@ -46,7 +46,7 @@ struct Offset {
     double x = 0, z = 0;
 };
 
-struct StackSheet {
+struct StackIntersection {
     bool found = false;
     Offset offset;
     double height_m = 0;
@@ -58,13 +58,13 @@ class StackSearch {
     /// \param target_m  how near is near enough
     StackSearch(std::span<const SearchCascade> cascades, double target_m) : cascades_(cascades), target_m_(target_m) {}
 
-    /// The highest of the sheets over a point.
+    /// The highest of the intersections over a point.
     /// \param known  where one of them rests, or null
-    StackSheet highest_sheet(const StackPoint& point, const Offset* known) const;
+    StackIntersection highest_intersection(const StackPoint& point, const Offset* known) const;
 
    private:
     struct Drawn;
-    struct Sheets;
+    struct Intersections;
     struct Box;
 
     Drawn drawn_at(const StackPoint& point, Offset offset) const;
@@ -74,7 +74,7 @@ class StackSearch {
     double squeeze_within(const StackPoint& point, std::size_t cascade, Offset centre, double reach) const;
     Box around_known(const StackPoint& point, Offset known) const;
     bool step_towards(const StackPoint& point, Offset& offset) const;
-    void look_into(const StackPoint& point, const Box& box, Sheets& sheets) const;
+    void look_into(const StackPoint& point, const Box& box, Intersections& intersections) const;
 
     std::span<const SearchCascade> cascades_;
     double target_m_;

@@ -23,11 +23,11 @@ constexpr std::size_t rows_a_job = 4;
 
 /// What the kernel says of a part of a row. Heights alone are half the work.
 struct RowPart {
-    alignas(64) std::array<float, row_part> height, normal_x, normal_y, normal_z, rise, slope_variance;
+    alignas(64) std::array<float, row_part> height, normal_x, normal_y, normal_z, vertical_velocity, slope_variance;
 
     ExpSineAnswers answers(bool with_velocities) {
         if (!with_velocities) return {.height = height.data()};
-        return {height.data(), normal_x.data(), normal_y.data(), normal_z.data(), rise.data(), slope_variance.data()};
+        return {height.data(), normal_x.data(), normal_y.data(), normal_z.data(), vertical_velocity.data(), slope_variance.data()};
     }
 };
 

@@ -99,7 +99,7 @@ class ShoreSource {
     std::unique_ptr<Bake> bake_;
 
     struct Slot {
-        AlignedBuffer<float> height, rise, potential, reach;
+        AlignedBuffer<float> height, vertical_velocity, potential, reach;
         AlignedBuffer<std::uint8_t> foam;
         std::vector<float> lowest, highest;
     };

@@ -1,6 +1,6 @@
 // Where the surface may lie over itself.
 //
-// The displacement takes the patch once around itself, so sheets that are overturned and sheets that are not come in
+// The displacement takes the patch once around itself, so intersections that are overturned and intersections that are not come in
 // pairs but for one: where several rest points are drawn at one world point, one of them lies in a cell whose Jacobian
 // is negative. Whatever the cells that turn over are drawn on covers every such world point, and nothing far from it.
 // Everywhere else the rest point of a world point is the only one, and a search that finds one has found it.

@@ -165,17 +165,17 @@ SurfaceFacts Stack::facts_at(double x_m, double z_m) const {
     return {x / length, y / length, z / length, y};
 }
 
-std::vector<StackSheet> Stack::sheets_at(double x_m, double z_m) const {
-    std::vector<StackSheet> sheets;
-    look_inside(x_m, z_m, x_m, z_m, reach_m_, sheets);
-    std::sort(sheets.begin(), sheets.end(),
-              [](const StackSheet& a, const StackSheet& b) { return a.height_m > b.height_m; });
-    return sheets;
+std::vector<StackIntersection> Stack::intersections_at(double x_m, double z_m) const {
+    std::vector<StackIntersection> intersections;
+    look_inside(x_m, z_m, x_m, z_m, reach_m_, intersections);
+    std::sort(intersections.begin(), intersections.end(),
+              [](const StackIntersection& a, const StackIntersection& b) { return a.height_m > b.height_m; });
+    return intersections;
 }
 
 // The square of rest points from (x - half, z - half) to (x + half, z + half).
 void Stack::look_inside(double point_x, double point_z, double x, double z, double half,
-                        std::vector<StackSheet>& sheets) const {
+                        std::vector<StackIntersection>& intersections) const {
     Range drawn_x{x - half, x + half}, drawn_z{z - half, z + half};
     for (const Layer& layer : layers_) {
         const double u = layer.along(x, z), v = layer.across(x, z);
@@ -187,16 +187,16 @@ void Stack::look_inside(double point_x, double point_z, double x, double z, doub
     }
     const auto is_off = [](double p, Range range) { return p < range.least - 1e-9 || p > range.most + 1e-9; };
     if (is_off(point_x, drawn_x) || is_off(point_z, drawn_z)) return;
-    if (half <= layers_.back().texel_m * finest) return refine(point_x, point_z, x, z, half, sheets);
+    if (half <= layers_.back().texel_m * finest) return refine(point_x, point_z, x, z, half, intersections);
     const double quarter = half / 2;
     for (const double to_x : {-quarter, quarter})
         for (const double to_z : {-quarter, quarter})
-            look_inside(point_x, point_z, x + to_x, z + to_z, quarter, sheets);
+            look_inside(point_x, point_z, x + to_x, z + to_z, quarter, intersections);
 }
 
 // Newton's method with numeric derivatives.
 void Stack::refine(double point_x, double point_z, double x, double z, double half,
-                   std::vector<StackSheet>& sheets) const {
+                   std::vector<StackIntersection>& intersections) const {
     const double begin_x = x, begin_z = z;
     const auto off = [&](double at_x, double at_z) {
         const Vector d = displacement_at(at_x, at_z);
@@ -218,9 +218,9 @@ void Stack::refine(double point_x, double point_z, double x, double z, double ha
     }
     const Vector here = off(x, z);
     if (std::hypot(here.x, here.z) > 1e-9) return;
-    for (const StackSheet& sheet : sheets)  // found before, from the next square
-        if (std::fabs(sheet.x_m - x) < 1e-6 && std::fabs(sheet.z_m - z) < 1e-6) return;
-    sheets.push_back({x, z, here.y});
+    for (const StackIntersection& intersection : intersections)  // found before, from the next square
+        if (std::fabs(intersection.x_m - x) < 1e-6 && std::fabs(intersection.z_m - z) < 1e-6) return;
+    intersections.push_back({x, z, here.y});
 }
 
 }  // namespace pelagic::oracle

@@ -12,7 +12,7 @@
 namespace pelagic::oracle {
 
 /// A rest point of the world, metres, and the height that is drawn from it.
-struct StackSheet {
+struct StackIntersection {
     double x_m, z_m, height_m;
 };
 
@@ -20,8 +20,8 @@ class Stack {
    public:
     explicit Stack(const Frame& frame, Interpolation interpolation = Interpolation::linear);
 
-    /// All sheets over a point of the world, highest first.
-    std::vector<StackSheet> sheets_at(double x_m, double z_m) const;
+    /// All intersections over a point of the world, highest first.
+    std::vector<StackIntersection> intersections_at(double x_m, double z_m) const;
     /// From slopes by central differences at texels, bilinear between them, turned into the world's axes and added up. Cubic: from
     /// differences of interpolated values over a small part of a texel.
     SurfaceFacts facts_at(double rest_x_m, double rest_z_m) const;
@@ -54,9 +54,9 @@ class Stack {
     Vector sum(double x_m, double z_m, const std::vector<double> Layer::*x, const std::vector<double> Layer::*y,
                const std::vector<double> Layer::*z) const;
     void look_inside(double point_x, double point_z, double x, double z, double half,
-                     std::vector<StackSheet>& sheets) const;
+                     std::vector<StackIntersection>& intersections) const;
     void refine(double point_x, double point_z, double x, double z, double half,
-                std::vector<StackSheet>& sheets) const;
+                std::vector<StackIntersection>& intersections) const;
 
     std::vector<Layer> layers_;
     double reach_m_ = 0;

@@ -84,34 +84,34 @@ Surface::Corner Surface::drawn(const Candidate& cell, double u, double v) const 
     return {cell.i + u + value_at(planes_.dx, rest) / texel_m_, cell.j + v + value_at(planes_.dz, rest) / texel_m_};
 }
 
-std::vector<Sheet> Surface::sheets_at(double x_m, double z_m) const {
+std::vector<Intersection> Surface::intersections_at(double x_m, double z_m) const {
     double x = x_m / texel_m_, z = z_m / texel_m_;
     x -= std::floor(x / n_) * n_;
     z -= std::floor(z / n_) * n_;
     const std::size_t square = static_cast<std::size_t>(static_cast<int>(z) % n_ * n_ + static_cast<int>(x) % n_);
-    std::vector<Sheet> sheets;
+    std::vector<Intersection> intersections;
     for (std::size_t c = first_[square]; c < first_[square + 1]; ++c)
-        look_inside(candidates_[c], {x, z}, 0, 0, 1, sheets);
-    std::sort(sheets.begin(), sheets.end(), [](const Sheet& a, const Sheet& b) { return a.height > b.height; });
-    return sheets;
+        look_inside(candidates_[c], {x, z}, 0, 0, 1, intersections);
+    std::sort(intersections.begin(), intersections.end(), [](const Intersection& a, const Intersection& b) { return a.height > b.height; });
+    return intersections;
 }
 
 // The part of a cell from (u, v) to (u + size, v + size). A bilinear piece lies between its corners.
 void Surface::look_inside(const Candidate& cell, Corner point, double u, double v, double size,
-                          std::vector<Sheet>& sheets) const {
+                          std::vector<Intersection>& intersections) const {
     const Corner a = drawn(cell, u, v), b = drawn(cell, u + size, v), c = drawn(cell, u, v + size),
                  d = drawn(cell, u + size, v + size);
     const auto apart = [](double p, std::initializer_list<double> values) {
         return p < std::min(values) - 1e-9 || p > std::max(values) + 1e-9;
     };
     if (apart(point.x, {a.x, b.x, c.x, d.x}) || apart(point.z, {a.z, b.z, c.z, d.z})) return;
-    if (size <= finest) return refine(cell, point, u + size / 2, v + size / 2, sheets);
+    if (size <= finest) return refine(cell, point, u + size / 2, v + size / 2, intersections);
     for (int quarter = 0; quarter < 4; ++quarter)
-        look_inside(cell, point, u + quarter % 2 * size / 2, v + quarter / 2 * size / 2, size / 2, sheets);
+        look_inside(cell, point, u + quarter % 2 * size / 2, v + quarter / 2 * size / 2, size / 2, intersections);
 }
 
 // Newton's method with a numeric derivative, exact for a bilinear piece.
-void Surface::refine(const Candidate& cell, Corner point, double u, double v, std::vector<Sheet>& sheets) const {
+void Surface::refine(const Candidate& cell, Corner point, double u, double v, std::vector<Intersection>& intersections) const {
     for (int step = 0; step < 40; ++step) {
         const Corner here = drawn(cell, u, v);
         const double off_x = here.x - point.x, off_z = here.z - point.z;
@@ -130,11 +130,11 @@ void Surface::refine(const Candidate& cell, Corner point, double u, double v, st
     const auto is_inside = [](double t) { return t >= -1e-9 && t <= 1 + 1e-9; };
     if (!is_inside(u) || !is_inside(v)) return;
     const RestPoint rest{cell.i, cell.j, u, v};
-    for (const Sheet& sheet : sheets)  // found before, from the next piece or the next cell
-        if (std::fabs(sheet.rest.i + sheet.rest.u - cell.i - u) < 1e-6 &&
-            std::fabs(sheet.rest.j + sheet.rest.v - cell.j - v) < 1e-6)
+    for (const Intersection& intersection : intersections)  // found before, from the next piece or the next cell
+        if (std::fabs(intersection.rest.i + intersection.rest.u - cell.i - u) < 1e-6 &&
+            std::fabs(intersection.rest.j + intersection.rest.v - cell.j - v) < 1e-6)
             return;
-    sheets.push_back({rest, value_at(planes_.height, rest)});
+    intersections.push_back({rest, value_at(planes_.height, rest)});
 }
 
 }  // namespace pelagic::oracle

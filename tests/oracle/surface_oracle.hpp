@@ -16,7 +16,7 @@ struct RestPoint {
 };
 
 /// One of the rest points that are drawn at a world point.
-struct Sheet {
+struct Intersection {
     RestPoint rest;
     double height;
 };
@@ -29,8 +29,8 @@ class Surface {
    public:
     Surface(const Frame& frame, double patch_size_m);
 
-    /// All sheets over a world point, highest first.
-    std::vector<Sheet> sheets_at(double x_m, double z_m) const;
+    /// All intersections over a world point, highest first.
+    std::vector<Intersection> intersections_at(double x_m, double z_m) const;
 
     /// Bilinear between texels.
     double value_at(const Plane& plane, const RestPoint& rest) const;
@@ -48,8 +48,8 @@ class Surface {
     };
     Corner drawn(const Candidate& cell, double u, double v) const;
     void look_inside(const Candidate& cell, Corner point, double u, double v, double size,
-                     std::vector<Sheet>& sheets) const;
-    void refine(const Candidate& cell, Corner point, double u, double v, std::vector<Sheet>& sheets) const;
+                     std::vector<Intersection>& intersections) const;
+    void refine(const Candidate& cell, Corner point, double u, double v, std::vector<Intersection>& intersections) const;
 
     int n_;
     double texel_m_;

@@ -55,7 +55,7 @@ std::vector<Channel> channels_of(MapKind map, const MapOptions& options) {
         case MapKind::slope: return {{"dh_dx", "1", {}}, {is_z_up ? "dh_dy" : "dh_dz", "1", {}}};
         case MapKind::foam: return {{"foam", "1", {}, one_sign}};
         case MapKind::dynamic_waves:
-            return {{"height", "m", in_metres}, {"rise", "m/s", in_metres}, {"foam", "1", {}, one_sign}};
+            return {{"height", "m", in_metres}, {"vertical_velocity", "m/s", in_metres}, {"foam", "1", {}, one_sign}};
     }
     return {};
 }
