@@ -23,7 +23,7 @@ struct AnalyticWater { vec3 displacement; vec3 normal; float jacobian; };
 AnalyticWater analytic_water(vec2 rest_m, float time_s) {
     vec3 moved = vec3(0.0);
     vec2 slope = vec2(0.0);
-    vec3 squeeze = vec3(0.0);  // derivatives of the horizontal displacement: xx, xz, zz
+    vec3 contraction = vec3(0.0);  // derivatives of the horizontal displacement: xx, xz, zz
     for (int i = 0; i < analytic_waves; ++i) {
         vec4 wave = analytic_wave[i];      // way, turns a metre, amplitude
         vec2 turn = analytic_turn[i];      // turns at the origin, turns a second
@@ -32,9 +32,9 @@ AnalyticWater analytic_water(vec2 rest_m, float time_s) {
         moved.xz -= analytic_choppiness * wave.w * s * wave.xy;
         moved.y += wave.w * c;
         slope -= steepness * s * wave.xy;
-        squeeze -= analytic_choppiness * steepness * c * vec3(wave.x * wave.xy, wave.y * wave.y);
+        contraction -= analytic_choppiness * steepness * c * vec3(wave.x * wave.xy, wave.y * wave.y);
     }
-    float xx = 1.0 + squeeze.x, xz = squeeze.y, zz = 1.0 + squeeze.z, jacobian = xx * zz - xz * xz;
+    float xx = 1.0 + contraction.x, xz = contraction.y, zz = 1.0 + contraction.z, jacobian = xx * zz - xz * xz;
     vec3 normal = vec3(slope.y * xz - slope.x * zz, jacobian, slope.x * xz - slope.y * xx);
     return AnalyticWater(moved, normalize(normal), jacobian);
 }

@@ -33,9 +33,9 @@ GerstnerTerms terms_of(const PlaneWave& wave, double choppiness) {
             .horizontal_z = rounded(-moved * z),
             .slope_x = rounded(-a * k * x),
             .slope_z = rounded(-a * k * z),
-            .squeeze_xx = rounded(-moved * k * x * x),
-            .squeeze_xz = rounded(-moved * k * x * z),
-            .squeeze_zz = rounded(-moved * k * z * z),
+            .contraction_xx = rounded(-moved * k * x * x),
+            .contraction_xz = rounded(-moved * k * x * z),
+            .contraction_zz = rounded(-moved * k * z * z),
             .vertical_velocity = rounded(a * speed),
             .drift_x = rounded(moved * speed * x),
             .drift_z = rounded(moved * speed * z)};

@@ -54,12 +54,12 @@ Octaves octaves_of(Surface surface, double wind_mps) {
 void place_octaves(SceneBlock& block, const SeaFacts& facts, glm::dvec2 viewer) {
     const SeaState& sea = facts.sea;
     const Octaves kind = octaves_of(facts.surface, sea.wind_speed_mps);
-    const double squeeze = 1 / kind.crest_length;
+    const double contraction = 1 / kind.crest_length;
     double squares = 0;
     for (std::size_t i = 0; i < block.bump_grid.size(); ++i)
         squares += std::pow(kind.slope_growth, 2. * static_cast<double>(i));
     const double first_slope =
-        std::sqrt(kind.slope_square / (squares * noise_slope_square * 0.5 * (1 + squeeze * squeeze)));
+        std::sqrt(kind.slope_square / (squares * noise_slope_square * 0.5 * (1 + contraction * contraction)));
     for (std::size_t i = 0; i < block.bump_grid.size(); ++i) {
         // A little less than half, so that no two grids share their lines; they fan out around the wind.
         const double cell_m = kind.largest_m * std::pow(0.47, i);
@@ -70,19 +70,19 @@ void place_octaves(SceneBlock& block, const SeaFacts& facts, glm::dvec2 viewer) 
         const double speed = kind.drift * turns * 2 * cell_m / sea.loop_period_s;
         const double periods = std::round(speed * sea.loop_period_s / (period_cells * cell_m));
         const double along = (c * viewer.x + s * viewer.y) / cell_m - periods * period_cells * loop_part(facts);
-        const double across = squeeze * (c * viewer.y - s * viewer.x) / cell_m;
+        const double across = contraction * (c * viewer.y - s * viewer.x) / cell_m;
         const auto cell = [](double place) { return fraction(std::floor(place) / period_cells) * period_cells; };
         block.bump_grid[i] = {c, s, 1 / cell_m, first_slope * std::pow(kind.slope_growth, i) * cell_m};
         block.bump_place[i] = {fraction(along), fraction(across), cell(along), cell(across)};
         const double changes = std::max(1., std::round(kind.turning * turns));
         block.bump_turn[i / 4][static_cast<int>(i % 4)] = static_cast<float>(fraction(changes * loop_part(facts)));
     }
-    block.bump_kind = {squeeze, 0, 0, 0};
+    block.bump_kind = {contraction, 0, 0, 0};
     if (facts.surface != Surface::coast) return;
     // Foam on crests from 5 m/s on, all that there is at 15.
     const double foam = std::clamp((sea.wind_speed_mps - 5) / 10, 0., 1.);
     const double warp = 0.9;  // metres along the wind for a metre of height
-    block.bump_kind = {squeeze, foam, -warp * std::cos(sea.wind_direction_rad),
+    block.bump_kind = {contraction, foam, -warp * std::cos(sea.wind_direction_rad),
                        -warp * std::sin(sea.wind_direction_rad)};
     block.waves.x = 4 * static_cast<float>(0.21 * first_slope * kind.largest_m * 1.2);
 }

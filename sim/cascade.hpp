@@ -70,8 +70,8 @@ struct CascadeGrid {
     }
 };
 
-/// How much a cascade squeezes the water together, for queries of frames with several cascades (surface/squeeze_map.hpp).
-struct CascadeSqueeze {
+/// How much a cascade contracts the water together, for queries of frames with several cascades (surface/contraction_map.hpp).
+struct ContractionBound {
     static constexpr int one = 160;  ///< bytes are parts of this; the largest byte means that or anything more
 
     /// By blocks of 2 x 2 cells, (N/2)^2 of them; then of 4 x 4, and so on to one byte for all.
@@ -98,7 +98,7 @@ struct Cascade {
     /// Where the surface may lie over itself, for surface queries (surface/fold_map.hpp). Empty unless
     /// OceanOptions::queries, and where a frame has several cascades.
     std::span<const std::uint8_t> folds;
-    CascadeSqueeze squeeze;  ///< instead of folds, where a frame has several cascades
+    ContractionBound contraction;  ///< instead of folds, where a frame has several cascades
     /// resolution^2 texels of four IEEE half floats: Dx, height, Dz, foam (0 none to 1 covered). Rows are tight.
     std::span<const std::uint16_t> displacement_rgba16f;
     /// The chain of mip_levels() levels, one texel a word: normal x, normal z, Jacobian, smoothness from the lowest

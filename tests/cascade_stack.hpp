@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "pelagic/sim/ocean.hpp"
-#include "pelagic/sim/surface/squeeze_map.hpp"
+#include "pelagic/sim/surface/contraction_map.hpp"
 #include "pelagic/simd/aligned_buffer.hpp"
 
 namespace pelagic {
@@ -103,16 +103,16 @@ class CascadeStack {
     }
 
     void finish(const SeaState& sea, Isa isa) {
-        std::vector<SqueezeMap*> maps;
-        for (const Cascade& cascade : cascades_) maps.push_back(&squeeze_.emplace_back(cascade.resolution()));
-        SqueezeMap::update(cascades_, maps, kernels_for(isa));
+        std::vector<ContractionMap*> maps;
+        for (const Cascade& cascade : cascades_) maps.push_back(&contraction_.emplace_back(cascade.resolution()));
+        ContractionMap::update(cascades_, maps, kernels_for(isa));
         frame_.sea = sea;
         frame_.isa = isa;
         frame_.cascades = cascades_;
     }
 
     std::deque<AlignedBuffer<float>> planes_;
-    std::deque<SqueezeMap> squeeze_;
+    std::deque<ContractionMap> contraction_;
     std::vector<Cascade> cascades_;
     Frame frame_;
 };

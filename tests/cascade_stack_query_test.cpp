@@ -185,7 +185,7 @@ TEST(CascadeStackQuery, AnswersAsTheOracleOnEveryPreset) {
     EXPECT_GT(seed, 5u);
 }
 
-TEST(CascadeStackQuery, WhereTheSqueezeMapSaysSoThereIsOneSheet) {
+TEST(CascadeStackQuery, WhereTheContractionMapSaysSoThereIsOneSheet) {
     std::size_t proven = 0, folded = 0;
     for (const double factor : {8.0, 24.0, 40.0}) {
         std::vector<CascadeStack::Part> parts = CascadeStack::of_scales(2, 12, 1, 4, 32);
@@ -205,10 +205,10 @@ TEST(CascadeStackQuery, WhereTheSqueezeMapSaysSoThereIsOneSheet) {
                     const auto block = [&](double place_m) {
                         return static_cast<int>(std::floor(place_m / cascade.texel_m() / 2)) & (half - 1);
                     };
-                    sum += cascade.squeeze.around[static_cast<std::size_t>(block(across) * half + block(along))];
+                    sum += cascade.contraction.around[static_cast<std::size_t>(block(across) * half + block(along))];
                     const bool is_last = &cascade == &stack.frame().cascades.back();
-                    is_within &= sum <= CascadeSqueeze::one * (1 - (is_last ? SqueezeMap::least_slack_of_all
-                                                                         : SqueezeMap::least_slack));
+                    is_within &= sum <= ContractionBound::one * (1 - (is_last ? ContractionMap::least_slack_of_all
+                                                                         : ContractionMap::least_slack));
                 }
                 proven += is_within;
                 ASSERT_TRUE(!is_within || intersections.size() == 1) << points.x[i] << ", " << points.z[i];

@@ -240,16 +240,16 @@ TEST(Shore, CountsPartsOfFoldedCascadesToo) {
     std::vector<float> height(x.size()), normal(x.size()), expected_height(x.size()), expected_normal(x.size());
     SurfaceQuery(frame).sample({x, z}, {.height_m = height, .normal_x = normal});
     SurfaceQuery(expected.frame()).sample({x, z}, {.height_m = expected_height, .normal_x = expected_normal});
-    double squeezed = 0;
-    for (const Cascade& cascade : expected.frame().cascades) squeezed += cascade.squeeze.most();
+    double contracted = 0;
+    for (const Cascade& cascade : expected.frame().cascades) contracted += cascade.contraction.most();
     int differ = 0;
     for (std::size_t i = 0; i < x.size(); ++i) {
         // On a fold's edge a rounding decides which sheet there is.
         differ +=
             !(std::fabs(height[i] - expected_height[i]) < 2e-3f && std::fabs(normal[i] - expected_normal[i]) < 2e-2f);
     }
-    // Cascades that squeeze away more than all may fold, so that the steps alone would prove nothing.
-    EXPECT_GT(squeezed, 1.3);
+    // Cascades that contraction away more than all may fold, so that the steps alone would prove nothing.
+    EXPECT_GT(contracted, 1.3);
     EXPECT_LE(differ, 6);
 }
 

@@ -512,13 +512,13 @@ TEST(WaveInput, TicksOfFoamChangeNothingElse) {
 TEST(WaveInput, TicksOfFoamHaveIt) {
     SeaState sea = one_cascade;
     sea.wind_speed_mps = 8;
-    const auto squeeze = callback([](const InputRows& rows) {
+    const auto contraction = callback([](const InputRows& rows) {
         if (rows.moment.place == 0) return;
         for (std::size_t row = 0; row < rows.row_count; ++row)
             for (std::size_t i = 16; i < 48; ++i)  // -0.95 of each texel's way: water comes together there
                 rows.dx[row * 64 + i] = -0.95f * 1.25f * (static_cast<float>(i) - 31.5f);
     });
-    OceanOptions options = with({squeeze}), pure_options = with({});
+    OceanOptions options = with({contraction}), pure_options = with({});
     options.foam = pure_options.foam = true;
     Ocean ocean(sea, options), pure(sea, pure_options);
     const Frame &a = ocean.frame_at(4.02), &b = pure.frame_at(4.02);
@@ -526,9 +526,9 @@ TEST(WaveInput, TicksOfFoamHaveIt) {
     int white = 0, more = 0;
     for (std::size_t j = 0; j < 64; ++j)
         for (std::size_t i = 0; i < 64; ++i) {
-            const bool is_squeezed = i > 18 && i < 45;
-            white += is_squeezed && a.cascades[0].foam_r8[j * 64 + i] > 200;
-            more += !is_squeezed && i != 15 && i != 16 && i != 17 && i != 18 && i != 45 && i != 46 && i != 47 &&
+            const bool is_contracting = i > 18 && i < 45;
+            white += is_contracting && a.cascades[0].foam_r8[j * 64 + i] > 200;
+            more += !is_contracting && i != 15 && i != 16 && i != 17 && i != 18 && i != 45 && i != 46 && i != 47 &&
                     i != 48 && a.cascades[0].foam_r8[j * 64 + i] != b.cascades[0].foam_r8[j * 64 + i];
         }
     EXPECT_GT(white, 64 * 20);

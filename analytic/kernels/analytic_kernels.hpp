@@ -24,7 +24,7 @@ struct GerstnerTerms {
     float height;                              ///< cosine: A, m
     float horizontal_x, horizontal_z;              ///< sine: -choppiness A k_x/|k|, m
     float slope_x, slope_z;                    ///< sine: -A k_x
-    float squeeze_xx, squeeze_xz, squeeze_zz;  ///< cosine: derivatives of the displacement, -choppiness A k_x k_z/|k|
+    float contraction_xx, contraction_xz, contraction_zz;  ///< cosine: derivatives of the displacement, -choppiness A k_x k_z/|k|
     float vertical_velocity;                                ///< sine: A w, m/s
     float drift_x, drift_z;                    ///< cosine: choppiness A w k_x/|k|, m/s
 };

@@ -37,9 +37,9 @@ struct HorizontalSum {
     PELAGIC_INLINE void add(const GerstnerTerms& wave, const Rotation<Arch>& at) {
         x = x + V(wave.horizontal_x) * at.sine;
         z = z + V(wave.horizontal_z) * at.sine;
-        xx = xx + V(wave.squeeze_xx) * at.cosine;
-        xz = xz + V(wave.squeeze_xz) * at.cosine;
-        zz = zz + V(wave.squeeze_zz) * at.cosine;
+        xx = xx + V(wave.contraction_xx) * at.cosine;
+        xz = xz + V(wave.contraction_xz) * at.cosine;
+        zz = zz + V(wave.contraction_zz) * at.cosine;
     }
 };
 

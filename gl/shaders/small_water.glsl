@@ -60,22 +60,22 @@ Bumps sum_of_octaves(vec2 at, float apart_m, float rough) {
     for (int i = 0; i < octaves; ++i) {
         vec4 grid = bump_grid[i];  // xy: cosine and sine of its turn; z: cells a metre; w: height
         vec4 place = bump_place[i];
-        float height = grid.w * rough, squeeze = bump_kind.x;
+        float height = grid.w * rough, contraction = bump_kind.x;
         float steepness = height * grid.z;
         float shown = shown_in(half_wave_cells / grid.z, apart_m);
-        sum.left += (1.0 - shown * shown) * steepness * steepness * noise_slope_square * 0.5 * (1.0 + squeeze * squeeze);
+        sum.left += (1.0 - shown * shown) * steepness * steepness * noise_slope_square * 0.5 * (1.0 + contraction * contraction);
         if (shown <= 0.0) continue;
         vec2 warp = bump_kind.zw;
         vec2 moved = at + warp * sum.height;
         vec2 row = grid.xy * grid.z;
-        vec2 p = vec2(row.x * moved.x + row.y * moved.y, squeeze * (row.x * moved.y - row.y * moved.x));
+        vec2 p = vec2(row.x * moved.x + row.y * moved.y, contraction * (row.x * moved.y - row.y * moved.x));
         vec3 n = turning_noise(p + place.xy, ivec2(place.zw), i, bump_turn[i / 4][i % 4]);
 #if SURFACE == COAST
         float ridge = sqrt(n.x * n.x + 0.0009);
         sum.crest *= i < 2 ? 1.0 - smoothstep(0.03, i == 0 ? 0.10 : 0.22, ridge) * shown : 1.0;
         n = vec3(0.18 - ridge, -n.x / ridge * n.yz);
 #endif
-        vec2 g = vec2(row.x * n.y - squeeze * row.y * n.z, row.y * n.y + squeeze * row.x * n.z) * (height * shown);
+        vec2 g = vec2(row.x * n.y - contraction * row.y * n.z, row.y * n.y + contraction * row.x * n.z) * (height * shown);
         sum.gradient += g + sum.gradient * dot(warp, g);
         sum.height += height * shown * n.x;
     }

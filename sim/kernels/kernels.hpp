@@ -271,17 +271,17 @@ struct FindFoldsJob {
 };
 
 /// Extremes of a part of a cascade.
-struct SqueezeExtremes {
+struct ContractionExtremes {
     float displacement_squared;  ///< largest Dx^2 + Dz^2
     float stretch;               ///< what no slope matrix makes a vector grow by more than
     float steepness_squared;     ///< largest square of the height's gradient
 };
 
-/// How much a cascade squeezes the water together at most, by blocks of 2 x 2 cells: minus the least eigenvalue of the
+/// How much a cascade contracts the water together at most, by blocks of 2 x 2 cells: minus the least eigenvalue of the
 /// symmetric part of its slopes, or 0, times `one`, rounded up; the largest byte means that or anything more. Inside
 /// a cell the slopes lie between those at its corners, and the least eigenvalue is a concave function of them, so it is
 /// least at a corner. Blocks of the surface have a multiple of W columns.
-struct FindSqueezeJob {
+struct FindContractionJob {
     static constexpr std::size_t most_resolution = 2048;
 
     SurfaceTexels surface;
@@ -290,11 +290,11 @@ struct FindSqueezeJob {
     float one;                    ///< the byte that means 1
     std::size_t first_row, rows;  ///< even
     std::uint8_t* blocks;         ///< (N/2)^2, tight rows; those of these rows are written
-    SqueezeExtremes* extremes;    ///< of these rows
+    ContractionExtremes* extremes;    ///< of these rows
 };
 
 /// The largest byte within `reach` of each along both axes; the square of bytes repeats.
-struct SpreadSqueezeJob {
+struct SpreadContractionJob {
     static constexpr std::size_t most_side = 1024;  ///< half of the largest resolution
 
     const std::uint8_t* from;  ///< side^2
@@ -305,7 +305,7 @@ struct SpreadSqueezeJob {
 };
 
 /// The largest byte of each 2 x 2.
-struct HalveSqueezeJob {
+struct HalveContractionJob {
     const std::uint8_t* from;  ///< 4 side^2
     std::size_t side;
     std::uint8_t* to;  ///< side^2
@@ -374,9 +374,9 @@ struct Kernels {
     void (*find_folds)(const FindFoldsJob&);
     ByInterpolation<InvertSurfaceJob> invert_surface;
     ByInterpolation<SampleSurfaceJob> sample_surface;
-    void (*find_squeeze)(const FindSqueezeJob&);
-    void (*spread_squeeze)(const SpreadSqueezeJob&);
-    void (*halve_squeeze)(const HalveSqueezeJob&);
+    void (*find_contraction)(const FindContractionJob&);
+    void (*spread_contraction)(const SpreadContractionJob&);
+    void (*halve_contraction)(const HalveContractionJob&);
     ByInterpolation<InvertStackJob> invert_stack;
     ByInterpolation<SampleStackJob> sample_stack;
     void (*dynamic_columns)(const DynamicColumnsJob&);

@@ -14,7 +14,7 @@
 #include "pelagic/sim/kernels/mipmaps.kernel.hpp"
 #include "pelagic/sim/kernels/shore.kernel.hpp"
 #include "pelagic/sim/kernels/slopes.kernel.hpp"
-#include "pelagic/sim/kernels/squeeze.kernel.hpp"
+#include "pelagic/sim/kernels/contraction.kernel.hpp"
 #include "pelagic/sim/kernels/stack_query.kernel.hpp"
 #include "pelagic/sim/kernels/surface_query.kernel.hpp"
 
@@ -43,9 +43,9 @@ const Kernels PELAGIC_TABLE(PELAGIC_ISA_NAME) = {
      kernels::invert_surface<xsimd::PELAGIC_ISA_ARCH, kernels::Cubic>},
     {kernels::sample_surface<xsimd::PELAGIC_ISA_ARCH, kernels::Linear>,
      kernels::sample_surface<xsimd::PELAGIC_ISA_ARCH, kernels::Cubic>},
-    kernels::find_squeeze<xsimd::PELAGIC_ISA_ARCH>,
-    kernels::spread_squeeze<xsimd::PELAGIC_ISA_ARCH>,
-    kernels::halve_squeeze<xsimd::PELAGIC_ISA_ARCH>,
+    kernels::find_contraction<xsimd::PELAGIC_ISA_ARCH>,
+    kernels::spread_contraction<xsimd::PELAGIC_ISA_ARCH>,
+    kernels::halve_contraction<xsimd::PELAGIC_ISA_ARCH>,
     {kernels::invert_stack<xsimd::PELAGIC_ISA_ARCH, kernels::Linear>,
      kernels::invert_stack<xsimd::PELAGIC_ISA_ARCH, kernels::Cubic>},
     {kernels::sample_stack<xsimd::PELAGIC_ISA_ARCH, kernels::Linear>,

@@ -6,7 +6,7 @@
 namespace pelagic {
 namespace {
 
-/// Below this, rounding of the squeezes counts.
+/// Below this, rounding of the contracts counts.
 constexpr double least_slack = 1e-3;
 
 /// Part of a free distance that may be given away.
@@ -17,18 +17,18 @@ constexpr double near_enough = 1.0 / 32;
 HeightChange::HeightChange(std::span<const Cascade> cascades, double dynamic_waves_range_m, double parts_change_per_m)
     : count_(cascades.size()), dynamic_waves_range_m_(dynamic_waves_range_m) {
     double slack = 1, further_m = 0;
-    for (const Cascade& cascade : cascades) further_m += 2 * static_cast<double>(cascade.squeeze.largest_m);
+    for (const Cascade& cascade : cascades) further_m += 2 * static_cast<double>(cascade.contraction.largest_m);
     for (std::size_t i = 0; i < count_; ++i) {
         const Cascade& cascade = cascades[i];
-        parts_[i] = {.steepness = static_cast<double>(cascade.squeeze.steepness),
+        parts_[i] = {.steepness = static_cast<double>(cascade.contraction.steepness),
                      .range_m = static_cast<double>(cascade.bounds.height_max_m - cascade.bounds.height_min_m),
                      .slack = slack,
                      .further_m = further_m};
-        stretch_ += parts_change_per_m * static_cast<double>(cascade.squeeze.largest_m);
+        stretch_ += parts_change_per_m * static_cast<double>(cascade.contraction.largest_m);
         highest_per_m_ += parts_change_per_m * static_cast<double>(std::max(std::fabs(cascade.bounds.height_min_m),
                                                                             std::fabs(cascade.bounds.height_max_m)));
-        slack -= cascade.squeeze.most();
-        further_m = std::max(0.0, further_m - 2 * static_cast<double>(cascade.squeeze.largest_m));
+        slack -= cascade.contraction.most();
+        further_m = std::max(0.0, further_m - 2 * static_cast<double>(cascade.contraction.largest_m));
     }
     parts_[count_] = {.steepness = 0, .range_m = 0, .slack = slack, .further_m = 0};
 }

@@ -1,5 +1,5 @@
 // As for one cascade there are two ways to a rest point. A kernel steps towards one, W points at a time, and one byte of each cascade
-// says whether it is the only one (squeeze_map.hpp). Where they don't, and where the steps did not arrive, stack_search.hpp
+// says whether it is the only one (contraction_map.hpp). Where they don't, and where the steps did not arrive, stack_search.hpp
 // looks at all.
 #include "pelagic/sim/query/stack_query.hpp"
 
@@ -8,18 +8,18 @@
 
 #include "pelagic/sim/query/foam_at.hpp"
 #include "pelagic/sim/query/shore_parts.hpp"
-#include "pelagic/sim/surface/squeeze_map.hpp"
+#include "pelagic/sim/surface/contraction_map.hpp"
 
 namespace pelagic {
 namespace {
 
 // Metres. Of the offset, and of the finest texel: beyond the most, a false rest point might be taken for a true one.
 constexpr double least_target = 1e-6, most_target = 1.0 / 64;
-static_assert(most_target < SqueezeMap::margin);
+static_assert(most_target < ContractionMap::margin);
 
-// Bytes that the cascades' squeezes add up to at most, rounded down.
-constexpr int most_but_last = static_cast<int>(CascadeSqueeze::one * (1 - SqueezeMap::least_slack));
-constexpr int most_of_all = static_cast<int>(CascadeSqueeze::one * (1 - SqueezeMap::least_slack_of_all));
+// Bytes that the cascades' contracts add up to at most, rounded down.
+constexpr int most_but_last = static_cast<int>(ContractionBound::one * (1 - ContractionMap::least_slack));
+constexpr int most_of_all = static_cast<int>(ContractionBound::one * (1 - ContractionMap::least_slack_of_all));
 static_assert(most_of_all < 255, "the largest byte must fail");
 
 }  // namespace
@@ -32,7 +32,7 @@ StackQuery::StackQuery(const Frame& frame, const Kernels& kernels, const Surface
       finest_texel_m_(cascades_.back().texel_m()) {
     for (std::size_t t = 0; t < cascades_.size(); ++t) {
         search_cascades_[t] = SearchCascade(cascades_[t], interpolation_);
-        reach_m_ += static_cast<double>(search_cascades_[t].squeeze.largest_m);
+        reach_m_ += static_cast<double>(search_cascades_[t].contraction.largest_m);
     }
     target_m_ =
         std::clamp(options.tolerance_m * query_aim, least_target * (1 + reach_m_), most_target * finest_texel_m_);
@@ -87,7 +87,7 @@ void StackQuery::find_rest_points(PointChunk& chunk) const {
 bool StackQuery::is_only_one(const PointChunk& chunk, std::size_t point) const {
     int sum = 0;
     for (std::size_t t = 0; t < cascades_.size(); ++t) {
-        sum += search_cascades_[t].squeeze.around[static_cast<std::size_t>(chunk.blocks[t][point])];
+        sum += search_cascades_[t].contraction.around[static_cast<std::size_t>(chunk.blocks[t][point])];
         if (sum > (t + 1 < cascades_.size() ? most_but_last : most_of_all)) return false;
     }
     return true;

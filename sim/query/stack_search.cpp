@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "pelagic/sim/query/cascade_cell.hpp"
-#include "pelagic/sim/surface/squeeze_map.hpp"
+#include "pelagic/sim/surface/contraction_map.hpp"
 
 namespace pelagic {
 namespace {
@@ -52,10 +52,10 @@ SearchCascade::SearchCascade(const Cascade& cascade, Interpolation interpolated)
       across(cascade.grid.sine / cascade.texel_m()),
       texels_per_m(1 / cascade.texel_m()),
       interpolation(interpolated),
-      squeeze(cascade.squeeze) {
+      contraction(cascade.contraction) {
     if (interpolation == Interpolation::linear) return;
-    squeeze.largest_m *= static_cast<float>(most_cubic_value);
-    squeeze.stretch *= static_cast<float>(most_cubic_slope * square_root_of_2);  // slopes along two axes
+    contraction.largest_m *= static_cast<float>(most_cubic_value);
+    contraction.stretch *= static_cast<float>(most_cubic_slope * square_root_of_2);  // slopes along two axes
 }
 
 /// Where an offset's rest point is drawn, from the point that is asked about, metres.
@@ -126,8 +126,8 @@ double StackSearch::height_at(const StackPoint& point, Offset offset) const {
     return height;
 }
 
-/// The most that a cascade squeezes on a square of its own axes, `reach` texels to all sides of a place.
-double StackSearch::squeeze_within(const StackPoint& point, std::size_t number, Offset centre, double reach) const {
+/// The most that a cascade contracts on a square of its own axes, `reach` texels to all sides of a place.
+double StackSearch::contraction_within(const StackPoint& point, std::size_t number, Offset centre, double reach) const {
     const SearchCascade& cascade = cascades_[number];
     const CellPlace place = place_in(cascade, point, number, centre);
     const int n = cascade.texels.resolution;
@@ -136,7 +136,7 @@ double StackSearch::squeeze_within(const StackPoint& point, std::size_t number, 
     const int first_j = place.j + static_cast<int>(std::floor(place.v - reach));
     const int last_j = place.j + static_cast<int>(std::floor(place.v + reach));
     // Two blocks along each axis, at most, of the finest level where that is enough.
-    const std::uint8_t* blocks = cascade.squeeze.blocks.data();
+    const std::uint8_t* blocks = cascade.contraction.blocks.data();
     int shift = 1, side = n / 2;
     while (side > 1 && ((last_i >> shift) - (first_i >> shift) > 1 || (last_j >> shift) - (first_j >> shift) > 1)) {
         blocks += side * side;
@@ -147,7 +147,7 @@ double StackSearch::squeeze_within(const StackPoint& point, std::size_t number, 
     const int upper = (first_j >> shift & (side - 1)) * side, lower = (last_j >> shift & (side - 1)) * side;
     const int most = std::max(std::max(blocks[upper + left], blocks[upper + right]),
                               std::max(blocks[lower + left], blocks[lower + right]));
-    return most == 255 ? 1e9 : static_cast<double>(most) / CascadeSqueeze::one;
+    return most == 255 ? 1e9 : static_cast<double>(most) / ContractionBound::one;
 }
 
 /// What the first of the cascades leave of 1 within a circle, or on a square of the world.
@@ -159,21 +159,21 @@ double StackSearch::slack_within(const StackPoint& point, Offset centre, double 
         const double around = cascade.interpolation == Interpolation::cubic ? 1 : 0;
         const double texels =
             reach_m * (is_square ? std::fabs(cascade.along) + std::fabs(cascade.across) : cascade.texels_per_m) + around;
-        slack -= squeeze_within(point, t, centre, texels);
+        slack -= contraction_within(point, t, centre, texels);
     }
     return slack;
 }
 
-/// Where others can be if one is known: the chain of squeeze_map.hpp, as far as it goes here. Empty if there is no other.
+/// Where others can be if one is known: the chain of contraction_map.hpp, as far as it goes here. Empty if there is no other.
 StackSearch::Box StackSearch::around_known(const StackPoint& point, Offset known) const {
     double rest_m = target_m_;
-    for (const SearchCascade& cascade : cascades_) rest_m += 2 * cascade.squeeze.largest_m;
+    for (const SearchCascade& cascade : cascades_) rest_m += 2 * cascade.contraction.largest_m;
     double reach_m = rest_m;
     for (std::size_t t = 0; t < cascades_.size(); ++t) {
         const double slack = slack_within(point, known, reach_m, t + 1, false);
-        rest_m -= 2 * cascades_[t].squeeze.largest_m;
+        rest_m -= 2 * cascades_[t].contraction.largest_m;
         if (t + 1 == cascades_.size()) {
-            if (slack >= SqueezeMap::least_slack_of_all) return {known, 0};
+            if (slack >= ContractionMap::least_slack_of_all) return {known, 0};
         } else if (slack > 0) {
             reach_m = std::min(reach_m, rest_m / slack);
         }
@@ -213,8 +213,8 @@ void StackSearch::look_into(const StackPoint& point, const Box& box, Intersectio
         const double radius = here.half * square_root_of_2;
         double most = radius + target_m_;
         for (std::size_t t = 0; t < cascades_.size(); ++t)
-            most += std::min(static_cast<double>(cascades_[t].squeeze.stretch) * radius,
-                             static_cast<double>(cascades_[t].squeeze.largest_m) + drawn.displacement[t]);
+            most += std::min(static_cast<double>(cascades_[t].contraction.stretch) * radius,
+                             static_cast<double>(cascades_[t].contraction.largest_m) + drawn.displacement[t]);
         if (drawn.distance() > most) continue;
         const bool is_small = here.half <= small;
         if (is_small || slack_within(point, here.centre, here.half * surroundings, cascades_.size(), true) >= enough) {
@@ -248,7 +248,7 @@ StackIntersection StackSearch::highest_intersection(const StackPoint& point, con
         }
     }
     if (intersections.count == 0)
-        for (const SearchCascade& cascade : cascades_) box.half += cascade.squeeze.largest_m;
+        for (const SearchCascade& cascade : cascades_) box.half += cascade.contraction.largest_m;
     if (box.half > 0) look_into(point, box, intersections);
     return intersections.highest;
 }

@@ -1,13 +1,13 @@
 // The exact search for queries of several cascades: all rest points that are drawn at a place, in double, by branch and bound.
 //
-// surface/squeeze_map.hpp says why a box holds at most one of them where the cascades squeeze little, and how far from a known
+// surface/contraction_map.hpp says why a box holds at most one of them where the cascades contraction little, and how far from a known
 // one others can be. A box is left out if it is drawn too far away: from its centre c, no cascade's displacement changes by more
 // than its stretch times the distance, nor by more than |D_i(c)| and the largest |D_i| together. Where a box holds at most one, or
 // is small, Newton's steps find it. What is neither is cut in four, down to the search's tolerance. Plain code, compiled once
 // for everybody; nothing is allocated.
 //
 // The maps are of the linear surface. A cubic one's slopes are sums of those of the cells around, with weights that may exceed 1: it
-// is cut until the squeezes of those cells leave plenty. That is no proof, and intersections of a fold that the linear surface has not are
+// is cut until the contracts of those cells leave plenty. That is no proof, and intersections of a fold that the linear surface has not are
 // lost; they are close together.
 #pragma once
 
@@ -30,7 +30,7 @@ struct SearchCascade {
     double along, across;  ///< the grid's cosine and sine, times texels a metre
     double texels_per_m;
     Interpolation interpolation;
-    CascadeSqueeze squeeze;  ///< its largest displacement and its stretch are those of the interpolated surface
+    ContractionBound contraction;  ///< its largest displacement and its stretch are those of the interpolated surface
 };
 
 /// Where a point of the world is along the axes of each cascade: a cell, and where in it.
@@ -71,7 +71,7 @@ class StackSearch {
     double height_at(const StackPoint& point, Offset offset) const;
     double slack_within(const StackPoint& point, Offset centre, double reach_m, std::size_t cascades,
                         bool is_square) const;
-    double squeeze_within(const StackPoint& point, std::size_t cascade, Offset centre, double reach) const;
+    double contraction_within(const StackPoint& point, std::size_t cascade, Offset centre, double reach) const;
     Box around_known(const StackPoint& point, Offset known) const;
     bool step_towards(const StackPoint& point, Offset& offset) const;
     void look_into(const StackPoint& point, const Box& box, Intersections& intersections) const;

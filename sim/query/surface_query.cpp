@@ -72,7 +72,7 @@ SurfaceQuery::SurfaceQuery(const Frame& frame, const SurfaceQueryOptions& option
     assert(frame.cascades.size() > 1 || !frame.cascades.front().grid.is_rotated());
     const bool is_one = frame.cascades.size() == 1;
     for (const Cascade& cascade : frame.cascades)
-        if (is_one ? cascade.folds.empty() : cascade.squeeze.empty())
+        if (is_one ? cascade.folds.empty() : cascade.contraction.empty())
             throw std::invalid_argument("the frame can't be queried, needs an ocean with OceanOptions::queries");
 }
 

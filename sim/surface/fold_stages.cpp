@@ -16,11 +16,11 @@ void FoldStages::add_to(JobGraph& graph, std::span<const StageId> surfaces_done)
             if (is_one)
                 buffers.folds->find(slots_.cascade(cascade), kernels_, job);
             else
-                buffers.squeeze->find(slots_.cascade(cascade), kernels_, job);
+                buffers.contraction->find(slots_.cascade(cascade), kernels_, job);
         };
         const CascadeBuffers& buffers = slots_.buffers(cascade);
         cells_done.push_back(graph.add({.name = stage_name("folds", cascade),
-                                        .count = is_one ? buffers.folds->jobs() : buffers.squeeze->jobs(),
+                                        .count = is_one ? buffers.folds->jobs() : buffers.contraction->jobs(),
                                         .waits_for = {surfaces_done[cascade]},
                                         .body = for_each_item(find),
                                         .stack_bytes = stack_margin}));
@@ -41,10 +41,10 @@ void FoldStages::add_to(JobGraph& graph, std::span<const StageId> surfaces_done)
 }
 
 void FoldStages::spread(std::size_t cascade) {
-    std::array<const SqueezeMap*, most_cascades> maps;
+    std::array<const ContractionMap*, most_cascades> maps;
     const std::size_t count = slots_.cascade_count();
-    for (std::size_t i = 0; i < count; ++i) maps[i] = &*slots_.buffers(i).squeeze;
-    slots_.buffers(cascade).squeeze->spread(slots_.cascade(cascade), {maps.data(), count}, cascade,
+    for (std::size_t i = 0; i < count; ++i) maps[i] = &*slots_.buffers(i).contraction;
+    slots_.buffers(cascade).contraction->spread(slots_.cascade(cascade), {maps.data(), count}, cascade,
                                          slots_.cascade(count - 1).texel_m(), kernels_);
 }
 

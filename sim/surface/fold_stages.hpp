@@ -10,7 +10,7 @@
 
 namespace pelagic {
 
-/// The stages of a frame. One cascade has a fold map. Several have a squeeze map each, whose second stages wait for the first ones
+/// The stages of a frame. One cascade has a fold map. Several have a contraction map each, whose second stages wait for the first ones
 /// of all: how far one cascade must look depends on how far the others move the water.
 class FoldStages {
    public:

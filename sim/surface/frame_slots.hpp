@@ -10,7 +10,7 @@
 
 #include "pelagic/sim/frame.hpp"
 #include "pelagic/sim/surface/fold_map.hpp"
-#include "pelagic/sim/surface/squeeze_map.hpp"
+#include "pelagic/sim/surface/contraction_map.hpp"
 #include "pelagic/sim/texture_targets.hpp"
 #include "pelagic/simd/aligned_buffer.hpp"
 
@@ -36,7 +36,7 @@ struct CascadeBuffers {
     AlignedBuffer<float> surface;       ///< lines at first, see kernels/wave_blocks.hpp
     AlignedBuffer<float> velocity;      ///< the same for the derivative in time, if wanted
     std::optional<FoldMap> folds;       ///< of one cascade, if wanted
-    std::optional<SqueezeMap> squeeze;  ///< of several
+    std::optional<ContractionMap> contraction;  ///< of several
     AlignedBuffer<std::uint16_t> rgba16f;
     AlignedBuffer<std::uint32_t> rgba8;            ///< gradients, if wanted
     AlignedBuffer<std::uint32_t> slopes, moments;  ///< if wanted

@@ -1,6 +1,6 @@
 // The displaced surface of a sum of cascades in double, by looking everywhere: a square of rest points is left out only if the
 // box around all that it is drawn on, from the cascades' own values, lies off the point; the rest is cut in four down to a part
-// of the finest texel. Knows nothing of squeeze maps, slopes or how far from the point a search may begin.
+// of the finest texel. Knows nothing of contraction maps, slopes or how far from the point a search may begin.
 #pragma once
 
 #include <vector>

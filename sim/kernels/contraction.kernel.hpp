@@ -24,11 +24,11 @@ struct GridVectors {
 /// What W columns of cells do at most to the water in them, times twice the length of a texel.
 ///
 /// At a corner, where the edges along the two axes meet: the slopes G are an even part t, a turn w and a part of size r
-/// that stretches one way as much as it squeezes the other. The least eigenvalue of G's symmetric part is t - r, and no
+/// that stretches one way as much as it contracts the other. The least eigenvalue of G's symmetric part is t - r, and no
 /// vector grows by more than |t| + |w| + r. The extremes of each over several corners bound what those are at any of them,
 /// and leave one square root for all.
 template <class Arch>
-struct SqueezeOfCells {
+struct ContractionOfCells {
     using V = xsimd::batch<float, Arch>;
     V least_even = V(1e30f), most_apart_squared = V(0.f);
 
@@ -41,7 +41,7 @@ struct SqueezeOfCells {
         most_even = xsimd::max(most_even, xsimd::abs(even));
         most_turn = xsimd::max(most_turn, xsimd::abs(turn));
     }
-    PELAGIC_INLINE V squeeze() const { return square_root<Arch>(most_apart_squared) - least_even; }
+    PELAGIC_INLINE V contraction() const { return square_root<Arch>(most_apart_squared) - least_even; }
 };
 
 template <class Arch>
@@ -75,7 +75,7 @@ struct TexelRows {
 
 /// Two rows of cells at a time, whose blocks of 2 x 2 become a byte each.
 template <class Arch>
-void find_squeeze(const FindSqueezeJob& job) {
+void find_contraction(const FindContractionJob& job) {
     using V = xsimd::batch<float, Arch>;
     using Vectors = GridVectors<Arch>;
     constexpr std::size_t lanes = V::size;
@@ -85,7 +85,7 @@ void find_squeeze(const FindSqueezeJob& job) {
     const V scale(0.5f * job.one * job.texels_per_m), up(0.999f), most_byte(255.f);
     V displacement(0.f), even(0.f), turn(0.f), apart_squared(0.f), steepness(0.f);
     for (std::size_t z = job.first_row; z < job.first_row + job.rows; z += 2) {
-        alignas(64) std::int32_t columns[FindSqueezeJob::most_resolution];
+        alignas(64) std::int32_t columns[FindContractionJob::most_resolution];
         int row_places[3];
         for (std::size_t r = 0; r < 3; ++r) row_places[r] = static_cast<int>((z + r) & (n - 1)) * surface.row_stride;
         TexelRows<Arch> here(surface, 0, row_places, cosine, sine);
@@ -102,7 +102,7 @@ void find_squeeze(const FindSqueezeJob& job) {
                 const V rise = lanes_behind<1, Arch>(here.height[r], behind.height[r]) - here.height[r];
                 rises[r] = rise * rise;
             }
-            SqueezeOfCells<Arch> cells;
+            ContractionOfCells<Arch> cells;
             for (int r = 0; r < 2; ++r) {
                 const Vectors side = here.horizontal[r + 1] - here.horizontal[r];
                 const Vectors behind_side = behind.horizontal[r + 1] - behind.horizontal[r];
@@ -120,7 +120,7 @@ void find_squeeze(const FindSqueezeJob& job) {
             here = behind;
             apart_squared = xsimd::max(apart_squared, cells.most_apart_squared);
             // Rounded up; what is more than a byte holds is the most that it holds.
-            xsimd::to_int(xsimd::min(xsimd::max(cells.squeeze(), V(0.f)) * scale + up, most_byte))
+            xsimd::to_int(xsimd::min(xsimd::max(cells.contraction(), V(0.f)) * scale + up, most_byte))
                 .store_aligned(columns + x);
         }
         std::uint8_t* const blocks = job.blocks + z / 2 * (n / 2);
@@ -153,11 +153,11 @@ PELAGIC_INLINE void largest_ahead(std::uint8_t* bytes, std::size_t count, std::s
 }
 
 template <class Arch>
-void spread_squeeze(const SpreadSqueezeJob& job) {
+void spread_contraction(const SpreadContractionJob& job) {
     const std::size_t n = job.side, width = 2 * job.reach + 1, padded = n + 2 * job.reach;
     for (std::size_t z = 0; z < padded; ++z) {
         const std::uint8_t* const from = job.from + ((z + n - job.reach) & (n - 1)) * n;
-        std::uint8_t row[2 * SpreadSqueezeJob::most_side];
+        std::uint8_t row[2 * SpreadContractionJob::most_side];
         for (std::size_t x = 0; x < job.reach; ++x) {
             row[x] = from[n - job.reach + x];
             row[job.reach + n + x] = from[x];
@@ -172,7 +172,7 @@ void spread_squeeze(const SpreadSqueezeJob& job) {
 
 /// Each byte the largest of 2 x 2.
 template <class Arch>
-void halve_squeeze(const HalveSqueezeJob& job) {
+void halve_contraction(const HalveContractionJob& job) {
     for (std::size_t z = 0; z < job.side; ++z) {
         const std::uint8_t *const upper = job.from + 4 * z * job.side, *const lower = upper + 2 * job.side;
         for (std::size_t x = 0; x < job.side; ++x) {

@@ -1,4 +1,4 @@
-#include "pelagic/sim/surface/squeeze_map.hpp"
+#include "pelagic/sim/surface/contraction_map.hpp"
 
 #include <algorithm>
 #include <array>
@@ -18,7 +18,7 @@ std::size_t blocks_of(int resolution) { return static_cast<std::size_t>(resoluti
 
 }  // namespace
 
-SqueezeMap::SqueezeMap(int resolution, const HostMemory& memory)
+ContractionMap::ContractionMap(int resolution, const HostMemory& memory)
     : resolution_(resolution),
       blocks_((4 * blocks_of(resolution) - 1) / 3, memory),
       around_(blocks_of(resolution), memory),
@@ -27,27 +27,27 @@ SqueezeMap::SqueezeMap(int resolution, const HostMemory& memory)
     static_assert(rows_per_job % 2 == 0);
 }
 
-void SqueezeMap::find(const Cascade& cascade, const Kernels& kernels, std::size_t job) {
+void ContractionMap::find(const Cascade& cascade, const Kernels& kernels, std::size_t job) {
     assert(cascade.resolution() == resolution_);
     assert(static_cast<std::size_t>(cascade.height.block_columns) >= kernels.lanes);
-    kernels.find_squeeze({.surface = texels_of(cascade),
+    kernels.find_contraction({.surface = texels_of(cascade),
                           .texels_per_m = static_cast<float>(1 / cascade.texel_m()),
                           .cosine = static_cast<float>(cascade.grid.cosine),
                           .sine = static_cast<float>(cascade.grid.sine),
-                          .one = CascadeSqueeze::one,
+                          .one = ContractionBound::one,
                           .first_row = job * rows_per_job,
                           .rows = rows_per_job,
                           .blocks = blocks_.data(),
                           .extremes = &extremes_[job]});
 }
 
-double SqueezeMap::largest_m() const {
+double ContractionMap::largest_m() const {
     float squared = 0;
-    for (const SqueezeExtremes& part : extremes_) squared = std::max(squared, part.displacement_squared);
+    for (const ContractionExtremes& part : extremes_) squared = std::max(squared, part.displacement_squared);
     return std::sqrt(static_cast<double>(squared)) * rounding;
 }
 
-void SqueezeMap::spread(Cascade& cascade, std::span<const SqueezeMap* const> maps, std::size_t number,
+void ContractionMap::spread(Cascade& cascade, std::span<const ContractionMap* const> maps, std::size_t number,
                         double finest_texel_m, const Kernels& kernels) {
     // The file's r_i, with what a search may be off.
     double reach_m = 0, rest_m = margin * finest_texel_m;
@@ -60,13 +60,13 @@ void SqueezeMap::spread(Cascade& cascade, std::span<const SqueezeMap* const> map
     std::size_t side = static_cast<std::size_t>(resolution_) / 2;
     const std::uint8_t* from = blocks_.data();
     for (std::size_t finer = side; finer > 1; finer /= 2) {
-        kernels.halve_squeeze(
+        kernels.halve_contraction(
             {.from = from, .side = finer / 2, .to = const_cast<std::uint8_t*>(from) + finer * finer});
         from += finer * finer;
     }
     const double reach = std::ceil(reach_m / (2 * cascade.texel_m()));
     if (reach < static_cast<double>(side) / 2)
-        kernels.spread_squeeze({.from = blocks_.data(),
+        kernels.spread_contraction({.from = blocks_.data(),
                                 .side = side,
                                 .reach = static_cast<std::size_t>(reach),
                                 .scratch = scratch_.data(),
@@ -75,20 +75,20 @@ void SqueezeMap::spread(Cascade& cascade, std::span<const SqueezeMap* const> map
         std::fill_n(around_.data(), around_.size(), *from);
 
     float stretch = 0, steepness_squared = 0;
-    for (const SqueezeExtremes& part : extremes_) {
+    for (const ContractionExtremes& part : extremes_) {
         stretch = std::max(stretch, part.stretch);
         steepness_squared = std::max(steepness_squared, part.steepness_squared);
     }
-    cascade.squeeze = {.blocks = {blocks_.data(), blocks_.size()},
+    cascade.contraction = {.blocks = {blocks_.data(), blocks_.size()},
                     .around = {around_.data(), around_.size()},
                     .largest_m = static_cast<float>(largest_m()),
                     .stretch = static_cast<float>(static_cast<double>(stretch) * rounding),
                     .steepness = static_cast<float>(std::sqrt(static_cast<double>(steepness_squared)) * rounding)};
 }
 
-void SqueezeMap::update(std::span<Cascade> cascades, std::span<SqueezeMap* const> maps, const Kernels& kernels) {
+void ContractionMap::update(std::span<Cascade> cascades, std::span<ContractionMap* const> maps, const Kernels& kernels) {
     const DefaultFloatEnvironment environment;
-    std::array<const SqueezeMap*, most_cascades> all;
+    std::array<const ContractionMap*, most_cascades> all;
     for (std::size_t i = 0; i < cascades.size(); ++i) {
         for (std::size_t job = 0; job < maps[i]->jobs(); ++job) maps[i]->find(cascades[i], kernels, job);
         all[i] = maps[i];

@@ -27,7 +27,7 @@
 namespace pelagic {
 
 /// The map of one cascade.
-class SqueezeMap {
+class ContractionMap {
    public:
     /// Rows of cells that one job looks at.
     static constexpr std::size_t rows_per_job = 16;
@@ -37,19 +37,19 @@ class SqueezeMap {
     /// Of the finest cascade's texel: more than a query's search for a rest point may be off.
     static constexpr double margin = 0.125;
 
-    explicit SqueezeMap(int resolution, const HostMemory& memory = {});
+    explicit ContractionMap(int resolution, const HostMemory& memory = {});
 
     /// Stage `folds`: looks at cells. Rows of different jobs may be looked at side by side.
     void find(const Cascade& cascade, const Kernels& kernels, std::size_t job);
     std::size_t jobs() const { return extremes_.size(); }
-    /// Stage `folds tail`, when that is done for all cascades: the rest of it. Sets cascade.squeeze, a view into the map.
+    /// Stage `folds tail`, when that is done for all cascades: the rest of it. Sets cascade.contraction, a view into the map.
     /// \param maps   of all cascades, the coarsest first
     /// \param number  of this map among them
-    void spread(Cascade& cascade, std::span<const SqueezeMap* const> maps, std::size_t number, double finest_texel_m,
+    void spread(Cascade& cascade, std::span<const ContractionMap* const> maps, std::size_t number, double finest_texel_m,
                 const Kernels& kernels);
 
     /// All of it, for cascades that no ocean made.
-    static void update(std::span<Cascade> cascades, std::span<SqueezeMap* const> maps, const Kernels& kernels);
+    static void update(std::span<Cascade> cascades, std::span<ContractionMap* const> maps, const Kernels& kernels);
 
     std::size_t bytes() const { return blocks_.bytes() + around_.bytes() + scratch_.bytes(); }
 
@@ -58,7 +58,7 @@ class SqueezeMap {
 
     int resolution_;
     AlignedBuffer<std::uint8_t> blocks_, around_, scratch_;
-    std::vector<SqueezeExtremes> extremes_;  ///< of each job
+    std::vector<ContractionExtremes> extremes_;  ///< of each job
 };
 
 }  // namespace pelagic
