@@ -20,14 +20,14 @@ std::string literal(double value) {
 constexpr const char* functions = R"(
 struct AnalyticWater { vec3 displacement; vec3 normal; float jacobian; };
 
-AnalyticWater analytic_water(vec2 rest_m, float time_s) {
+AnalyticWater analytic_water(vec2 reference_m, float time_s) {
     vec3 moved = vec3(0.0);
     vec2 slope = vec2(0.0);
     vec3 contraction = vec3(0.0);  // derivatives of the horizontal displacement: xx, xz, zz
     for (int i = 0; i < analytic_waves; ++i) {
         vec4 wave = analytic_wave[i];      // way, turns a metre, amplitude
         vec2 turn = analytic_turn[i];      // turns at the origin, turns a second
-        float phase = 6.2831853 * fract(dot(wave.xy, rest_m) * wave.z - turn.y * time_s + turn.x);
+        float phase = 6.2831853 * fract(dot(wave.xy, reference_m) * wave.z - turn.y * time_s + turn.x);
         float s = sin(phase), c = cos(phase), steepness = 6.2831853 * wave.z * wave.w;
         moved.xz -= analytic_choppiness * wave.w * s * wave.xy;
         moved.y += wave.w * c;

@@ -17,9 +17,9 @@ struct GlslOrigin {
 /// `precision highp float`:
 ///
 ///   struct AnalyticWater { vec3 displacement; vec3 normal; float jacobian; };  metres, unit
-///   AnalyticWater analytic_water(vec2 rest_m, float time_s)                    both from `origin` on
+///   AnalyticWater analytic_water(vec2 reference_m, float time_s)                    both from `origin` on
 ///
-/// The same displacement and normal as AnalyticSurface::sample_rest() to 1e-3 of the sum of the amplitudes.
+/// The same displacement and normal as AnalyticSurface::sample_undisplaced() to 1e-3 of the sum of the amplitudes.
 /// Throws std::invalid_argument with check(sea)'s line. \pre the origin is finite
 std::string analytic_glsl(const AnalyticSea& sea, const GlslOrigin& origin = {});
 std::string analytic_glsl(const PlaneWaves& sea, const GlslOrigin& origin = {});

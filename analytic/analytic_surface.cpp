@@ -49,7 +49,7 @@ const Sea& checked(const Sea& sea) {
 
 // The search for q with q + D(q) = p. Let s = choppiness sum k A, at most 0.4, and M = choppiness sum k^2 A:
 // everywhere
-// |D'| <= s and |D''| <= M. A rest point that is drawn a distance r off goes on
+// |D'| <= s and |D''| <= M. A reference point that is drawn a distance r off goes on
 //
 // * by the fixed point, q - off: off' = D(q - off) - D(q), so r' <= s r;
 // * by Newton, q - (1 + D')^-1 off, a step of at most r / (1 - s): r' <= M/2 (r / (1 - s))^2 by Taylor's theorem.
@@ -98,7 +98,7 @@ AnalyticSurface::~AnalyticSurface() = default;
 AnalyticSurface::AnalyticSurface(AnalyticSurface&&) noexcept = default;
 AnalyticSurface& AnalyticSurface::operator=(AnalyticSurface&&) noexcept = default;
 
-void AnalyticSurface::sample_rest(double time_s, const AnalyticPoints& rest, const AnalyticSamples& samples) const {
+void AnalyticSurface::sample_undisplaced(double time_s, const AnalyticPoints& rest, const AnalyticSamples& samples) const {
     sample_points(false, time_s, rest, samples);
 }
 
@@ -136,7 +136,7 @@ void AnalyticSurface::sample_points(bool in_world, double time_s, const Analytic
             job.out.normal_x = out[3], job.out.normal_y = out[4], job.out.normal_z = out[5],
             job.out.jacobian = out[6];
         if (velocities) job.out.velocity_x = out[7], job.out.velocity_y = out[8], job.out.velocity_z = out[9];
-        (in_world ? kernels_->gerstner_in_world : kernels_->gerstner_at_rest)(job);
+        (in_world ? kernels_->gerstner_in_world : kernels_->gerstner_undisplaced)(job);
     });
 }
 

@@ -10,7 +10,7 @@
 //
 // Bits depend on the sea, the time and the point alone: not on other points, nor their order, nor the thread, nor the
 // instruction set. The same time gives the same bits however it was reached, and any finite time keeps its accuracy: the
-// turns of a wave are an exact product of two doubles (wave_phase.hpp). Heights of rest points are within 1e-6 of the
+// turns of a wave are an exact product of two doubles (wave_phase.hpp). Heights of reference points are within 1e-6 of the
 // sum of the amplitudes up to 1e6 of the shortest wavelength from the origin.
 #pragma once
 
@@ -60,9 +60,9 @@ class AnalyticSurface {
     AnalyticSurface& operator=(AnalyticSurface&&) noexcept;
 
     /// The water that rests at the points. \pre time_s is finite; spans are as long as the points or empty (asserted)
-    void sample_rest(double time_s, const AnalyticPoints& rest, const AnalyticSamples& samples) const;
+    void sample_undisplaced(double time_s, const AnalyticPoints& rest, const AnalyticSamples& samples) const;
 
-    /// The water that is drawn at the points: its rest point is the point less `horizontal`.
+    /// The water that is drawn at the points: its reference point is the point less `horizontal`.
     void sample(double time_s, const AnalyticPoints& world, const AnalyticSamples& samples) const;
 
     const PlaneWaves& waves() const { return waves_; }

@@ -66,7 +66,7 @@ void time_surface(benchmark::State& state, const AnalyticSea& sea, Isa isa, bool
         if (in_world)
             water.sample(time_s += 1.0 / 72, {scene.x, scene.z}, samples);
         else
-            water.sample_rest(time_s += 1.0 / 72, {scene.x, scene.z}, samples);
+            water.sample_undisplaced(time_s += 1.0 / 72, {scene.x, scene.z}, samples);
         benchmark::ClobberMemory();
     }
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(count));

@@ -7,7 +7,7 @@
 //   D = w D(rest) + (1 - w) (D(rest - o) + D(rest + o)) / 2
 //
 // With w = 0 it lies on the coarser level's surface, with w = 1 in its own place; w is the patch's inner weight, or the
-// weight of the edge on which the vertex lies, which both patches of that edge know. The rest position never moves.
+// weight of the edge on which the vertex lies, which both patches of that edge know. The reference position never moves.
 #pragma once
 
 #include <algorithm>
@@ -57,7 +57,7 @@ inline glm::ivec2 coarser_offset(const PatchInstance& patch, int i, int j) {
     return {odd_i ? 1 : 0, odd_j ? 1 : 0};
 }
 
-/// Where the vertex is drawn, metres. `displacement` maps a rest position to glm::dvec3(Dx, height, Dz), the sum of all cascades.
+/// Where the vertex is drawn, metres. `displacement` maps a reference position to glm::dvec3(Dx, height, Dz), the sum of all cascades.
 template <class Displacement>
 glm::dvec3 patch_vertex(const QuadtreeGrid& grid, const PatchInstance& patch, int i, int j,
                         const Displacement& displacement) {

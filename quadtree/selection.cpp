@@ -109,7 +109,7 @@ Selection::Views Selection::views_that_see(const Node& node) const {
 }
 
 void Selection::walk(const SurfaceBounds& bounds) {
-    // Rest level included: the waves fade out.
+    // Reference level included: the waves fade out.
     const BoxesOfNodes boxes{.low_m = std::min(bounds.height_min_m, 0.0),
                              .high_m = std::max(bounds.height_max_m, 0.0),
                              .horizontal_m = {bounds.horizontal_x_max_m, bounds.horizontal_z_max_m},

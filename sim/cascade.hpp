@@ -76,10 +76,10 @@ struct ContractionBound {
 
     /// By blocks of 2 x 2 cells, (N/2)^2 of them; then of 4 x 4, and so on to one byte for all.
     std::span<const std::uint8_t> blocks;
-    /// (N/2)^2: the most around a block, as far as other rest points of the same place can be.
+    /// (N/2)^2: the most around a block, as far as other reference points of the same place can be.
     std::span<const std::uint8_t> around;
     float largest_m = 0;  ///< of the horizontal displacements
-    float stretch = 0;    ///< two rest points' displacements differ by at most this times their distance
+    float stretch = 0;    ///< two reference points' displacements differ by at most this times their distance
     float steepness = 0;  ///< and their heights by this times their distance
 
     /// The most of all blocks.

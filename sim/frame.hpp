@@ -28,7 +28,7 @@ struct SeaFigures {
 };
 
 /// One frame, which says what it is: whoever draws it or asks it needs nothing else about the sea.
-/// The point of water that rests at (x, z) is drawn at (x + Dx, height, z + Dz), each the sum of what the cascades hold there.
+/// The point of water that has the reference position (x, z) is drawn at (x + Dx, height, z + Dz), each the sum of what the cascades hold there.
 /// Views stay valid until the ocean schedules the second frame after this one.
 struct Frame {
     double time_s = 0;

@@ -4,8 +4,8 @@
 //   const SurfaceQuery water(ocean.complete());
 //   water.sample({.x = xs, .z = zs}, {.height_m = heights});
 //
-// The surface is what a GPU draws: between texels each displacement is bilinear, and the rest point q is drawn at
-// q + D(q), D being the sum of the cascades' displacements. A query looks for the rest point that is drawn at the given (x, z) and reads the frame there. Where intersections
+// The surface is what a GPU draws: between texels each displacement is bilinear, and the reference point q is drawn at
+// q + D(q), D being the sum of the cascades' displacements. A query looks for the reference point that is drawn at the given (x, z) and reads the frame there. Where intersections
 // lie over one another (breaking crests at high choppiness) the highest one counts.
 //
 // Linear interpolation attenuates short waves. A wave with k radians a texel along one axis keeps (2 + cos k) / 3 of its variance,
@@ -69,12 +69,12 @@ struct SurfaceSamples {
     /// The same slopes' (1 + Dx,x)(1 + Dz,z) - Dx,z Dz,x: 1 at rest, small at sharp crests, negative (and the normal
     /// points down) where the surface is overturned. Not clamped.
     std::span<float> jacobian = {};
-    /// How the water that is there now moves: the displacement's derivative in time at the fixed rest point.
+    /// How the water that is there now moves: the displacement's derivative in time at the fixed reference point.
     std::span<float> velocity_x_mps = {}, velocity_y_mps = {}, velocity_z_mps = {};
     /// How far horizontal from the given point the sampled one is drawn.
     std::span<float> error_m = {};
     std::span<std::uint8_t> converged = {};  ///< 1 if the error is within the tolerance
-    /// How much of the water there is white, 0 to 1: the largest of the cascades' foam at the rest point, bilinear between texels.
+    /// How much of the water there is white, 0 to 1: the largest of the cascades' foam at the reference point, bilinear between texels.
     std::span<float> foam = {};
 };
 

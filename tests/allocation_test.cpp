@@ -113,7 +113,7 @@ TEST(Allocation, SeasInClosedFormAllocateNothingWhenAsked) {
     std::vector<double> x(1003, 1.5), z(1003, -2);
     std::vector<float> height(1003), normal(1003);
     const long before = allocations;
-    sea.sample_rest(1, {x, z}, {.height_m = height, .normal_x = normal});
+    sea.sample_undisplaced(1, {x, z}, {.height_m = height, .normal_x = normal});
     sea.sample(1, {x, z}, {.height_m = height, .velocity_y_mps = normal});
     pond.sample(1, {x, z}, {.height_m = height, .normal_x = normal}, normal);
     pond.first_hit(1, {0, 2, 0}, {1, -0.3, 0.2}, 50);

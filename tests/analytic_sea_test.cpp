@@ -84,7 +84,7 @@ TEST(AnalyticSea, IsNormalisedToASignificantHeight) {
         z.push_back(i / 200 * 19.1);
     }
     std::vector<float> heights(x.size());
-    water.sample_rest(0, {x, z}, {.height_m = heights});
+    water.sample_undisplaced(0, {x, z}, {.height_m = heights});
     double squares = 0;
     for (const float h : heights) squares += double{h} * h;
     EXPECT_NEAR(4 * std::sqrt(squares / 40000), 1.25, 0.025);
@@ -157,7 +157,7 @@ TEST(AnalyticMorph, MovesTheSurfaceByTheChangeOfAmplitudesAloneAnywhere) {
         for (int frame = 0; frame <= 200; ++frame) {
             const AnalyticSurface water(morphed(from, to, frame / 200.0));
             EXPECT_LE(steepness_of(water.waves()), steepness_of(to));
-            water.sample_rest(1000, {x, z}, {.height_m = now});
+            water.sample_undisplaced(1000, {x, z}, {.height_m = now});
             for (std::size_t i = 0; frame > 0 && i < 64; ++i)
                 EXPECT_LE(std::fabs(now[i] - before[i]), 1.5 / 200 * change_m + 1e-5);
             before = now;

@@ -25,7 +25,7 @@ double rounded(Long value) { return static_cast<double>(value); }
 
 struct Truth {
     Long height = 0, x = 0, z = 0;  // displacement
-    Long slope_x = 0, slope_z = 0;  // of the height over rest points
+    Long slope_x = 0, slope_z = 0;  // of the height over reference points
     Long xx = 0, xz = 0, zz = 0;    // derivatives of the displacement
     Long velocity[3] = {};
     Long jacobian() const { return (1 + xx) * (1 + zz) - xz * xz; }
@@ -97,9 +97,9 @@ struct Answers {
     std::vector<std::vector<float>> of;
 };
 
-Answers at_rest(const AnalyticSurface& water, double time_s, const Places& places) {
+Answers sample_undisplaced(const AnalyticSurface& water, double time_s, const Places& places) {
     Answers answers(places.x.size());
-    water.sample_rest(time_s, places.view(), answers.view());
+    water.sample_undisplaced(time_s, places.view(), answers.view());
     return answers;
 }
 
@@ -146,7 +146,7 @@ TEST_P(AnalyticOnEachIsa, IsTheSumOfItsWaves) {
         for (const auto& [reach_m, time_s] :
              {std::pair(100.0, 0.0), {100.0, -7654.3}, {1e6 * double(shortest), 1e6}}) {
             const Places places = random_places(150, reach_m);
-            const Answers said = at_rest(water, time_s, places);
+            const Answers said = sample_undisplaced(water, time_s, places);
             for (std::size_t i = 0; i < places.x.size(); ++i) {
                 const Truth t = truth(sea, time_s, places.x[i], places.z[i]);
                 const Long n[3] = {t.slope_z * t.xz - t.slope_x * (1 + t.zz), t.jacobian(),
@@ -198,7 +198,7 @@ TEST(AnalyticSearch, EndsAfterAsManyStepsAsItsProofSays) {
 // What FNV-1a of the bits is here, it is on every instruction set, compiler and processor.
 TEST_P(AnalyticOnEachIsa, GivesTheGoldenBits) {
     const AnalyticSurface water(sixty_four_waves(), GetParam());
-    EXPECT_EQ(at_rest(water, 1234.5, random_places(1003, 5000)).hash(), 13589754078015390544u);
+    EXPECT_EQ(sample_undisplaced(water, 1234.5, random_places(1003, 5000)).hash(), 13589754078015390544u);
     EXPECT_EQ(in_world(water, 1234.5, random_places(1003, 5000)).hash(), 7045321192955639590u);
 }
 
@@ -273,7 +273,7 @@ TEST(AnalyticPhysics, WavesRunAtTheSpeedOfDeepWater) {
         const Places places = random_places(100, wavelength_m);
         Places ahead = places;
         for (double& x : ahead.x) x += wavelength_m / period_s * 3;
-        const Answers before = at_rest(water, 0, places), after = at_rest(water, 3, ahead);
+        const Answers before = sample_undisplaced(water, 0, places), after = sample_undisplaced(water, 3, ahead);
         // Five digits of the period: over 3 s the crest is within 1e-5 of 3 s / period of its place.
         for (std::size_t i = 0; i < places.x.size(); ++i)
             EXPECT_NEAR(after.of[height][i], before.of[height][i],
@@ -299,7 +299,7 @@ TEST_F(Trochoid, IsGerstnersAndItsWaterGoesRoundInCircles) {
     const Places places{{3.3}, {-8}};
     for (int i = 0; i < 40; ++i) {
         const double t = 0.13 * i, phase = k * 3.3 - w * t;
-        const Answers at = at_rest(water, t, places);
+        const Answers at = sample_undisplaced(water, t, places);
         EXPECT_NEAR(at.of[horizontal_x][0], -surface_a_m * std::sin(phase), 1e-6 * surface_a_m);
         EXPECT_NEAR(at.of[height][0], surface_a_m * std::cos(phase), 1e-6 * surface_a_m);
         EXPECT_NEAR(std::hypot(at.of[horizontal_x][0], at.of[height][0]), surface_a_m, 1e-6 * surface_a_m);
@@ -316,8 +316,8 @@ TEST_F(Trochoid, HasTheSameJacobianEverywhereOnALayer) {
     const double right = 1 - 0.38 * 0.38 * std::exp(-2 * k * b);
     for (int i = 0; i < 50; ++i) {
         const double a = 0.77 * i, t = 0.31 * i;
-        const Answers up = at_rest(above, t, {{a - step, a, a + step}, {0, 0, 0}}),
-                      down = at_rest(below, t, {{a - step, a, a + step}, {0, 0, 0}});
+        const Answers up = sample_undisplaced(above, t, {{a - step, a, a + step}, {0, 0, 0}}),
+                      down = sample_undisplaced(below, t, {{a - step, a, a + step}, {0, 0, 0}});
         const auto d_a = [&](Kind kind) {
             return double(up.of[kind][2] - up.of[kind][0] + down.of[kind][2] - down.of[kind][0]) / (4 * step);
         };
@@ -334,8 +334,8 @@ TEST_F(Trochoid, SurfaceIsFree) {
     for (int i = 0; i < 50; ++i) {
         const Places places{{0.9 * i}, {0}};
         const double t = 0.17 * i;
-        const Answers before = at_rest(water, t - step, places), at = at_rest(water, t, places),
-                      after = at_rest(water, t + step, places);
+        const Answers before = sample_undisplaced(water, t - step, places), at = sample_undisplaced(water, t, places),
+                      after = sample_undisplaced(water, t + step, places);
         const double a_x = (after.of[velocity_x][0] - before.of[velocity_x][0]) / (2 * step);
         const double a_y = (after.of[velocity_y][0] - before.of[velocity_y][0]) / (2 * step);
         // Across the normal. Central differences over 1/64 s lose (w / 64)^2 / 6 = 1.2e-4 of the acceleration, k A g.
@@ -346,7 +346,7 @@ TEST_F(Trochoid, SurfaceIsFree) {
 TEST(AnalyticDerivatives, NormalsStandOnTheDrawnSurfaceAndWaterMovesAsItIsDrawn) {
     const AnalyticSea sea = intense();
     const Places places = random_places(60, 500);
-    const Answers said = at_rest(AnalyticSurface(sea), 12, places);
+    const Answers said = sample_undisplaced(AnalyticSurface(sea), 12, places);
     const Long step = 1e-5L;
     const auto drawn = [&](Long t, Long x, Long z) {
         const Truth at = truth(sea, t, x, z);

@@ -67,7 +67,7 @@ void float_in_still_water(FloatingBox& box, double seconds) {
 
 /// Displaces its weight within 0.1 %, and neither moves up or down nor turns. It may still drift: drag that grows with
 /// the velocity squared takes forever.
-void expect_rest(const FloatingBox& box) {
+void expect_reference(const FloatingBox& box) {
     EXPECT_NEAR(box.displaced_kg() / box.options().mass_kg, 1, 1e-3);
     EXPECT_LT(std::fabs(box.state().velocity_mps.y), 1e-3);
     EXPECT_LT(glm::length(box.state().spin_radps), 1e-3);
@@ -82,7 +82,7 @@ TEST(Buoyancy, ABoxAtRestDisplacesItsWeightAndFloatsLevel) {
         box.state().position_m.y += 0.5;
         box.state().orientation = turned(10 * degree, {0.6, 0, 0.8});
         float_in_still_water(box, 60);
-        expect_rest(box);
+        expect_reference(box);
         EXPECT_LT(heel_rad(box), 0.05 * degree);
         EXPECT_NEAR(box.heave_m(), 0, 1e-3);
     }
@@ -111,7 +111,7 @@ TEST(Buoyancy, ATiltedBoxRightsItselfIfItsMetacentricHeightIsPositive) {
         FloatingBox box(options);
         box.state().orientation = turned(5 * degree, {1, 0, 0});
         float_in_still_water(box, 200);  // it hardly wants to
-        expect_rest(box);
+        expect_reference(box);
         EXPECT_LT(heel_rad(box), 0.1 * degree) << density;
     }
 }
@@ -124,7 +124,7 @@ TEST(Buoyancy, WithANegativeMetacentricHeightItLiesAtTheAngleOfLoll) {
         FloatingBox box(options);
         box.state().orientation = turned(1 * degree, {1, 0, 0});
         float_in_still_water(box, 200);
-        expect_rest(box);
+        expect_reference(box);
         // Wall-sided formula GZ = sin(heel) (GM + BM/2 tan^2(heel)): zero at tan^2 = -2 GM/BM, as long as neither
         // deck nor bottom crosses the waterline. 12 columns have a BM that is 1/144 too small, a degree here; with
         // their own BM a twentieth of a degree is left for coming to rest.
@@ -143,7 +143,7 @@ TEST(Buoyancy, ABoxOnItsShortSideRollsOntoItsLongOne) {
     FloatingBox box(options);
     box.state().orientation = turned(1 * degree, {1, 0, 0});
     float_in_still_water(box, 120);
-    expect_rest(box);
+    expect_reference(box);
     EXPECT_NEAR(heel_rad(box), 90 * degree, 0.1 * degree);
 }
 
@@ -157,7 +157,7 @@ TEST(Buoyancy, BallastTurnsABoxThatIsUpsideDown) {
     FloatingBox box(options);
     box.state().orientation = turned(175 * degree, {1, 0, 0});
     float_in_still_water(box, 120);
-    expect_rest(box);
+    expect_reference(box);
     EXPECT_LT(heel_rad(box), 0.1 * degree);
 }
 

@@ -5,7 +5,7 @@
 #include <math.h>
 #include <pelagic/pelagic.h>
 
-/* Adds what a cascade says about the water that rests at (x, z), as a GPU's filter reads it: h_x, h_z, D_xx, D_zz, D_xz, and the
+/* Adds what a cascade says about the water that has the reference position (x, z), as a GPU's filter reads it: h_x, h_z, D_xx, D_zz, D_xz, and the
  * variances var_xx, var_zz, cov_xz. */
 static inline void add_slopes(const pelagic_cascade* cascade, double x, double z, double sum[8]) {
     const int n = cascade->resolution;

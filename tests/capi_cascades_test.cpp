@@ -407,12 +407,12 @@ TEST_F(CInterfaceCascades, AQueryFindsTheSumOfCascadesWhereItIsDrawn) {
     std::mt19937 random(8);
     std::uniform_real_distribution<double> place(-3000, 3000);
     for (std::size_t p = 0; p < count; ++p) {
-        const double rest_x = place(random), rest_z = place(random);
-        x[p] = rest_x, z[p] = rest_z;
+        const double reference_x = place(random), reference_z = place(random);
+        x[p] = reference_x, z[p] = reference_z;
         for (const pelagic_cascade& cascade : cascades) {
-            x[p] += bilinear(cascade, cascade.dx, rest_x, rest_z);
-            z[p] += bilinear(cascade, cascade.dz, rest_x, rest_z);
-            heights[p] += bilinear(cascade, cascade.height, rest_x, rest_z);
+            x[p] += bilinear(cascade, cascade.dx, reference_x, reference_z);
+            z[p] += bilinear(cascade, cascade.dz, reference_x, reference_z);
+            heights[p] += bilinear(cascade, cascade.height, reference_x, reference_z);
         }
     }
     std::vector<float> found(count);

@@ -37,7 +37,7 @@ double significant_wave_height_m(const Frame& frame) {
 
 /// Height within 1 mm + 1e-4 Hs; normals, Jacobians and velocities within 2e-3 where the surface isn't folded: the search
 /// stops 16 micrometres away, of the finest texels' 26 mm, over which slopes change by less than 1. Near a fold's edge
-/// the rest point moves much faster than what is drawn.
+/// the reference point moves much faster than what is drawn.
 std::size_t expect_as_oracle(const Frame& frame, const Points& points, bool is_overturned) {
     const oracle::Stack stack(frame);
     Samples samples(points.x.size());

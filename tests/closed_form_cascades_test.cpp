@@ -128,7 +128,7 @@ TEST(AnalyticCascades, TheClosedFormSaysWhatTexelsSay) {
                 for (int i = 0; i < cascade.resolution(); ++i) x.push_back(i * cascade.texel_m());
                 std::vector<float> said[6];
                 for (auto& each : said) each.resize(x.size());
-                water.sample_rest(time_s, {x, z},
+                water.sample_undisplaced(time_s, {x, z},
                                   {.height_m = said[0],
                                    .horizontal_x_m = said[1],
                                    .horizontal_z_m = said[2],
@@ -318,7 +318,7 @@ TEST(AnalyticCascades, WeatherTurnsOneIntoAnotherWaveByWave) {
         z.push_back((i * 37 % 256) * cascade.texel_m());
     }
     std::vector<float> height(x.size()), horizontal(x.size());
-    water.sample_rest(20, {x, z}, {.height_m = height, .horizontal_x_m = horizontal});
+    water.sample_undisplaced(20, {x, z}, {.height_m = height, .horizontal_x_m = horizontal});
     for (int i = 0; i < 256; ++i) {
         ASSERT_NEAR(cascade.height.at(i, i * 37 % 256), height[static_cast<std::size_t>(i)],
                     1e-5 * amplitudes_of(waves));

@@ -1,4 +1,4 @@
-// Foam at any point, and copied: against an oracle that knows bytes and rest points, in double.
+// Foam at any point, and copied: against an oracle that knows bytes and reference points, in double.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -39,12 +39,12 @@ Points random_points(std::size_t count) {
     return points;
 }
 
-/// As Cascade and CascadeGrid say: the largest of what the cascades hold around the rest point.
-double foam_by_texels(const Frame& frame, double rest_x_m, double rest_z_m) {
+/// As Cascade and CascadeGrid say: the largest of what the cascades hold around the reference point.
+double foam_by_texels(const Frame& frame, double reference_x_m, double reference_z_m) {
     double largest = 0;
     for (const Cascade& cascade : frame.cascades) {
         const int n = cascade.resolution();
-        const CascadeGrid::Place place = cascade.grid.in_cascade(rest_x_m, rest_z_m);
+        const CascadeGrid::Place place = cascade.grid.in_cascade(reference_x_m, reference_z_m);
         const double u = place.along / cascade.texel_m(), v = place.across / cascade.texel_m();
         double foam = 0;
         for (const int right : {0, 1}) {
@@ -73,7 +73,7 @@ TEST(FoamQuery, IsTheLargestOfTheCascadesAtTheRestPoint) {
         double largest_error = 0;
         for (std::size_t i = 0; i < foam.size(); ++i) {
             const auto intersections = stack.intersections_at(points.x[i], points.z[i]);
-            // Near a fold's edge the rest point moves much faster than what is drawn.
+            // Near a fold's edge the reference point moves much faster than what is drawn.
             if (intersections.size() != 1 || jacobian[i] < 0.2f) continue;
             ++asked;
             const double expected = foam_by_texels(frame, intersections[0].x_m, intersections[0].z_m);

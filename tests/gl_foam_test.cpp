@@ -58,7 +58,7 @@ class FoamScene : public GlScene {
     std::vector<std::uint8_t> bytes_, none_;
 };
 
-/// One cascade's foam at a rest point, bilinear, a part of 1.
+/// One cascade's foam at a reference point, bilinear, a part of 1.
 double foam_at(const Cascade& cascade, double x_m, double z_m) {
     const int n = cascade.resolution();
     const CascadeGrid::Place at = cascade.grid.in_cascade(x_m, z_m);
@@ -75,7 +75,7 @@ double foam_at(const Cascade& cascade, double x_m, double z_m) {
     return std::lerp(upper, lower, v - j) / 255;
 }
 
-/// Mean of the largest of the cascades' foam over a square of rest points around the origin.
+/// Mean of the largest of the cascades' foam over a square of reference points around the origin.
 double cover_by_maps(const Frame& frame, double side_m) {
     constexpr int points = 700;
     double sum = 0;

@@ -92,20 +92,20 @@ double height_drawn_at(const Frame& frame, double x, double z) {
         parts[cascade] = between(shore, x, z, 1.0, [&](std::size_t texel) {
             return static_cast<double>(shore.parts_rgba8[texel] >> 8 * cascade & 255) / 255;
         });
-    double rest_x = x, rest_z = z;
+    double reference_x = x, reference_z = z;
     for (int step = 0; step < 60; ++step) {
         double dx = 0, dz = 0;
         for (std::size_t cascade = 0; cascade < frame.cascades.size(); ++cascade) {
-            const Displacement way = displacement_of(frame.cascades[cascade], rest_x, rest_z);
+            const Displacement way = displacement_of(frame.cascades[cascade], reference_x, reference_z);
             dx += parts[cascade] * way.dx;
             dz += parts[cascade] * way.dz;
         }
-        rest_x += 0.7 * (x - dx - rest_x);
-        rest_z += 0.7 * (z - dz - rest_z);
+        reference_x += 0.7 * (x - dx - reference_x);
+        reference_z += 0.7 * (z - dz - reference_z);
     }
     double height = sample(shore, x, z).height_m;
     for (std::size_t cascade = 0; cascade < frame.cascades.size(); ++cascade)
-        height += parts[cascade] * displacement_of(frame.cascades[cascade], rest_x, rest_z).height;
+        height += parts[cascade] * displacement_of(frame.cascades[cascade], reference_x, reference_z).height;
     return height;
 }
 

@@ -162,7 +162,7 @@ TEST_P(EachWalk, TheSurfaceChangesByLessThanAMillimetreAStep) {
     }
 }
 
-// Rest positions by level: a patch of level 2 and finer lies on the world's own raster of its size, so the same place
+// Reference positions by level: a patch of level 2 and finer lies on the world's own raster of its size, so the same place
 // is always covered by the same patch, and its vertices are the same doubles.
 TEST_P(EachWalk, NoVertexThatStaysInTheMeshMoves) {
     Selection selection(options());

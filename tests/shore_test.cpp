@@ -158,7 +158,7 @@ double cascade_at(const Cascade& cascade, const PlaneView& plane, double x, doub
     return above + (v - j) * (below - above);
 }
 
-// The surface by its definition: rest points forward, where q + sum of part(p) D(q) = p.
+// The surface by its definition: reference points forward, where q + sum of part(p) D(q) = p.
 TEST(Shore, IsWhatQueriesTell) {
     Ocean ocean(breeze, with_bay());
     const Frame& frame = ocean.frame_at(4.2);

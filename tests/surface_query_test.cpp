@@ -335,7 +335,7 @@ TEST(SurfaceQuery, VelocityIsTheOraclesDifferenceInTime) {
         Samples samples(points.x.size(), true);
         SurfaceQuery(frame).sample(points.view(), samples.view());
         for (std::size_t i = 0; i < points.x.size(); ++i) {
-            const oracle::RestPoint rest = surface.intersections_at(points.x[i], points.z[i]).front().rest;
+            const oracle::ReferencePoint rest = surface.intersections_at(points.x[i], points.z[i]).front().rest;
             // Water moves at some metres a second, and velocity changes by less than 3 per second over a metre.
             ASSERT_NEAR(samples.velocity_x[i], surface.value_at(x, rest), 2e-4);
             ASSERT_NEAR(samples.velocity_y[i], surface.value_at(y, rest), 2e-4);

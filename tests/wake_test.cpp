@@ -84,7 +84,7 @@ TEST(Wake, ABoxThatGoesByRocksAnother) {
     const auto heave_of_the_other = [](bool goes_by) {
         std::vector<FloatingBox> boxes = {FloatingBox(launch)};
         if (goes_by) boxes.emplace_back(launch);
-        if (goes_by) boxes[1].state().position_m = {-16, boxes[1].rest_height_m(), 7};
+        if (goes_by) boxes[1].state().position_m = {-16, boxes[1].floating_height_m(), 7};
         std::vector<double> heave;
         sail(boxes, 14, [&](double time_s) {
             heave.push_back(boxes[0].heave_m());

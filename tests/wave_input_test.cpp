@@ -194,7 +194,7 @@ TEST(WaveInput, SaysWhichWavesItHolds) {
         const double x[] = {80.0 / 64 * i}, z[] = {80.0 / 64 * j};
         float told[6];
         const auto one = [&](int field) { return std::span<float>(told + field, 1); };
-        water.sample_rest(t, {x, z},
+        water.sample_undisplaced(t, {x, z},
                           {.height_m = one(1),
                            .horizontal_x_m = one(0),
                            .horizontal_z_m = one(2),
@@ -212,7 +212,7 @@ TEST(WaveInput, SaysWhichWavesItHolds) {
         height += static_cast<double>(c.cascades[i].height.at(0, 0)) - static_cast<double>(d.cascades[i].height.at(0, 0));
     const double origin[] = {0};
     float told[1];
-    AnalyticSurface(input->held()).sample_rest(t, {origin, origin}, {.height_m = told});
+    AnalyticSurface(input->held()).sample_undisplaced(t, {origin, origin}, {.height_m = told});
     EXPECT_NEAR(height, told[0], float_m);
 }
 

@@ -18,11 +18,11 @@ namespace {
 /// Foam lasts for three; frames are between ticks, mostly.
 constexpr double seconds_between = 0.57;
 
-/// Foam of a cascade at a rest point, bilinear between texels; part of the place that is covered.
-double foam_at(const Cascade& cascade, double rest_x_m, double rest_z_m) {
+/// Foam of a cascade at a reference point, bilinear between texels; part of the place that is covered.
+double foam_at(const Cascade& cascade, double reference_x_m, double reference_z_m) {
     if (!cascade.makes_whitecaps()) return 0;
     const int n = cascade.resolution();
-    const CascadeGrid::Place place = cascade.grid.in_cascade(rest_x_m, rest_z_m);
+    const CascadeGrid::Place place = cascade.grid.in_cascade(reference_x_m, reference_z_m);
     const double u = place.along / cascade.texel_m(), v = place.across / cascade.texel_m();
     const int i = static_cast<int>(std::floor(u)), j = static_cast<int>(std::floor(v));
     const double s = u - i, t = v - j;
@@ -35,7 +35,7 @@ double foam_at(const Cascade& cascade, double rest_x_m, double rest_z_m) {
            255;
 }
 
-/// The mean of the most foam of the cascades: over so many seeds, frames of each, and rest points.
+/// The mean of the most foam of the cascades: over so many seeds, frames of each, and reference points.
 double mean_cover(SeaState sea, int seeds, int frames) {
     // Places that fill a square evenly (Roberts 2018), other ones in each frame.
     constexpr int places = 10'000;

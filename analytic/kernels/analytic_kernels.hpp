@@ -45,7 +45,7 @@ struct GerstnerJob {
     std::size_t count;
     const double *x, *z;
     WaveAnswers out;
-    /// Of the search for rest points: analytic_surface.cpp proves what follows from these three.
+    /// Of the search for reference points: analytic_surface.cpp proves what follows from these three.
     float contraction;  ///< a fixed-point step leaves at most this part of an error
     float curvature;    ///< a Newton step leaves at most this, 1/m, times the error's square
     float target_m;
@@ -85,7 +85,7 @@ struct ExpSineJob {
 
 struct AnalyticKernels {
     std::size_t lanes;
-    void (*gerstner_at_rest)(const GerstnerJob&);   ///< points are rest points
+    void (*gerstner_undisplaced)(const GerstnerJob&);   ///< points are reference points
     void (*gerstner_in_world)(const GerstnerJob&);  ///< points are where the water is drawn
     void (*exp_sine)(const ExpSineJob&);
 };

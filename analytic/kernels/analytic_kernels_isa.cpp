@@ -12,7 +12,7 @@ extern const AnalyticKernels PELAGIC_TABLE(PELAGIC_ISA_NAME);
 
 const AnalyticKernels PELAGIC_TABLE(PELAGIC_ISA_NAME) = {
     xsimd::batch<float, xsimd::PELAGIC_ISA_ARCH>::size,
-    kernels::gerstner_at_rest<xsimd::PELAGIC_ISA_ARCH>,
+    kernels::gerstner_undisplaced<xsimd::PELAGIC_ISA_ARCH>,
     kernels::gerstner_in_world<xsimd::PELAGIC_ISA_ARCH>,
     kernels::exp_sine<xsimd::PELAGIC_ISA_ARCH>,
 };

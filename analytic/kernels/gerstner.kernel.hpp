@@ -43,10 +43,10 @@ struct HorizontalSum {
     }
 };
 
-/// Looks for the rest points of W world points. A point's steps depend on itself alone: lanes that are done keep
+/// Looks for the reference points of W world points. A point's steps depend on itself alone: lanes that are done keep
 /// their bits.
 template <class Arch>
-PELAGIC_INLINE void search_rest(const GerstnerJob& job, GerstnerPoints<Arch>& at) {
+PELAGIC_INLINE void search_reference(const GerstnerJob& job, GerstnerPoints<Arch>& at) {
     using V = xsimd::batch<float, Arch>;
     V error_left(1e30f);
     for (int step = 0; step < job.most_steps; ++step) {
@@ -55,7 +55,7 @@ PELAGIC_INLINE void search_rest(const GerstnerJob& job, GerstnerPoints<Arch>& at
         HorizontalSum<Arch> d;
         for (int i = 0; i < job.wave_count; ++i) d.add(job.waves[i], at.rotation(job.waves[i], i));
 
-        // Where the water of this rest point is drawn, less the given point.
+        // Where the water of this reference point is drawn, less the given point.
         const V off_x = d.x - at.back_x, off_z = d.z - at.back_z;
         const V error = square_root<Arch>(off_x * off_x + off_z * off_z);
         const V j_xx = V(1.f) + d.xx, j_zz = V(1.f) + d.zz;
@@ -75,7 +75,7 @@ template <class Arch, bool InWorld, bool Normals, bool Velocities>
 PELAGIC_INLINE void gerstner_points(const GerstnerJob& job, std::size_t at) {
     using V = xsimd::batch<float, Arch>;
     GerstnerPoints<Arch> points{{job.waves, job.starts, job.wave_count, job.x + at, job.z + at}};
-    if constexpr (InWorld) search_rest<Arch>(job, points);
+    if constexpr (InWorld) search_reference<Arch>(job, points);
 
     HorizontalSum<Arch> d;
     V height(0.f), slope_x(0.f), slope_z(0.f), vertical_velocity(0.f), drift_x(0.f), drift_z(0.f);
@@ -132,7 +132,7 @@ PELAGIC_INLINE void gerstner(const GerstnerJob& job) {
 }
 
 template <class Arch>
-void gerstner_at_rest(const GerstnerJob& job) {
+void gerstner_undisplaced(const GerstnerJob& job) {
     gerstner<Arch, false>(job);
 }
 

@@ -53,14 +53,14 @@ FloatingBox::FloatingBox(const BoxOptions& options)
     face_m2_ = {size_m_.y * size_m_.z, size_m_.z * size_m_.x, size_m_.x * size_m_.y};
     added_mass_kg_ = {plate_added_mass_kg(size_m_.y, size_m_.z), plate_added_mass_kg(size_m_.z, size_m_.x),
                       plate_added_mass_kg(size_m_.x, size_m_.y)};
-    submerged_at_rest_ = options.mass_kg / (water_density_kgpm3 * face_m2_.y * size_m_.y);
-    rest_height_m_ = size_m_.y / 2 + options.centre_of_mass_m - submerged_at_rest_ * size_m_.y;
-    state_.position_m.y = rest_height_m_;
+    submerged_afloat_ = options.mass_kg / (water_density_kgpm3 * face_m2_.y * size_m_.y);
+    floating_height_m_ = size_m_.y / 2 + options.centre_of_mass_m - submerged_afloat_ * size_m_.y;
+    state_.position_m.y = floating_height_m_;
     wave_damping_ = 2 * options.heave_damping * heave_frequency_radps() * (options.mass_kg + heave_added_mass_kg());
     cut_columns();
 }
 
-double FloatingBox::heave_added_mass_kg() const { return submerged_at_rest_ * added_mass_kg_.y; }
+double FloatingBox::heave_added_mass_kg() const { return submerged_afloat_ * added_mass_kg_.y; }
 
 double FloatingBox::heave_frequency_radps() const {
     return std::sqrt(water_density_kgpm3 * gravity_mps2 * face_m2_.y / (options_.mass_kg + heave_added_mass_kg()));
@@ -86,7 +86,7 @@ glm::dvec3 FloatingBox::column_middle(std::size_t column) const {
 
 void FloatingBox::append_places(HullWater& hull) const {
     // Where a column crosses the surface: on average as far up as the box floats at rest.
-    const glm::dvec3 waterline = upward_ * ((submerged_at_rest_ - 0.5) * size_m_[along_]);
+    const glm::dvec3 waterline = upward_ * ((submerged_afloat_ - 0.5) * size_m_[along_]);
     for (std::size_t column = 0; column < column_count(); ++column) {
         const glm::dvec3 place = state_.position_m + column_middle(column) + waterline;
         hull.x.push_back(place.x);
@@ -121,7 +121,7 @@ void FloatingBox::move(const HullWater& hull, std::size_t first, double step_s) 
         const glm::dvec3 in_box = relative * axes_;  // transposed times
         const glm::dvec3 drag =
             axes_ * (0.5 * water_density_kgpm3 * options_.drag_coefficient * face_m2_ * glm::abs(in_box) * in_box) +
-            wave_damping_ / submerged_at_rest_ * relative.y * up;
+            wave_damping_ / submerged_afloat_ * relative.y * up;
         const glm::dvec3 pressure = box_kg * (gravity_mps2 * up + acceleration);
         const glm::dvec3 push = share * wet * (pressure + drag);
         force += push;

@@ -83,8 +83,8 @@ class FloatingBox {
     BoxState& state() { return state_; }
     const BoxState& state() const { return state_; }
 
-    double rest_height_m() const { return rest_height_m_; }  ///< of the centre of mass above still water, upright
-    double heave_m() const { return state_.position_m.y - rest_height_m_; }
+    double floating_height_m() const { return floating_height_m_; }  ///< of the centre of mass above still water, upright
+    double heave_m() const { return state_.position_m.y - floating_height_m_; }
     double displaced_kg() const { return displaced_kg_; }  ///< water, at the last step
     double heave_added_mass_kg() const;                    ///< at rest, upright
     /// Mean under the box, at the last step.
@@ -103,7 +103,7 @@ class FloatingBox {
     BoxOptions options_;
     BoxState state_;
     glm::dvec3 size_m_, face_m2_, added_mass_kg_, inertia_kgm2_;
-    double submerged_at_rest_, rest_height_m_, wave_damping_;
+    double submerged_afloat_, floating_height_m_, wave_damping_;
     double displaced_kg_ = 0;
     std::optional<glm::dvec3> water_velocity_mps_;  ///< mean under the box, at the step before
 

@@ -1,4 +1,4 @@
-// A patch of the quadtree: rest positions from integers, displacement from the texture, the morph between levels.
+// A patch of the quadtree: reference positions from integers, displacement from the texture, the morph between levels.
 // The same as quadtree/patch_vertex.hpp, and the two must stay the same.
 #ifdef MULTIVIEW
 #extension GL_OVR_multiview2 : require
@@ -64,7 +64,7 @@ struct Moved {
     vec2 slopes;
 };
 
-// The sum of what the cascades hold there. Mips and weights depend on the rest position alone, so that every patch that has this
+// The sum of what the cascades hold there. Mips and weights depend on the reference position alone, so that every patch that has this
 // vertex takes the same ones. A mip grows with distance as the vertices' spacing does; half a level below it, because waves
 // of a few vertices still count.
 Moved displaced(ivec2 index) {

@@ -183,7 +183,7 @@ void add_frame(py::module_& module) {
     frame.def("measured_significant_wave_height_m", on_frame(&measured_significant_wave_height_m),
               doc_of("Frame.measured_significant_wave_height_m"));
     add_questions(frame);
-    add_resting_points(frame);
+    add_reference_points(frame);
 }
 
 }  // namespace

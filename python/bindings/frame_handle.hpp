@@ -39,6 +39,6 @@ void add_questions(FrameClass& frame);
 
 using OceanClass = pybind11::class_<SharedOcean, std::shared_ptr<SharedOcean>>;
 void add_series(OceanClass& ocean);
-void add_resting_points(FrameClass& frame);  ///< at_rest
+void add_reference_points(FrameClass& frame);  ///< sample_undisplaced
 
 }  // namespace pelagic::python

@@ -341,7 +341,7 @@ py::dict rays(const FrameHandle& handle, py::handle origins, py::handle directio
 }
 
 /// Where water rests that is to be looked at there, without a search.
-Places rest_places_of(py::handle points, py::handle z) {
+Places reference_places_of(py::handle points, py::handle z) {
     constexpr double most_m = 1e9;  // as for rays
     Places places = places_of(points, z);
     for (std::size_t i = 0; i < places.x.size(); ++i)
@@ -353,7 +353,7 @@ Places rest_places_of(py::handle points, py::handle z) {
 
 py::array_t<float> displaced(const FrameHandle& handle, py::handle points, py::handle z) {
     const auto reader = handle.read();
-    const Places places = rest_places_of(points, z);
+    const Places places = reference_places_of(points, z);
     py::array_t<float> array(with(places.shape, 3));
     float* out = array.mutable_data();
     const py::gil_scoped_release others_run;
@@ -366,7 +366,7 @@ py::array_t<float> displaced(const FrameHandle& handle, py::handle points, py::h
     return array;
 }
 
-/// Foam of the water that rests at (x, z): the largest of the cascades', as a query has it.
+/// Foam of the water that has the reference position (x, z): the largest of the cascades', as a query has it.
 float resting_foam(const Frame& frame, double x_m, double z_m) {
     double most = 0;
     for (const Cascade& cascade : frame.cascades) {
@@ -382,7 +382,7 @@ float resting_foam(const Frame& frame, double x_m, double z_m) {
 py::array_t<float> displaced_foam(const FrameHandle& handle, py::handle points, py::handle z) {
     const auto reader = handle.read();
     need_foam(handle.frame);
-    const Places places = rest_places_of(points, z);
+    const Places places = reference_places_of(points, z);
     py::array_t<float> array(places.shape);
     float* const out = array.mutable_data();
     const py::gil_scoped_release others_run;

@@ -27,7 +27,7 @@ class Answers(TypedDict, total=False):
     converged: NDArray[np.bool_]  #: the error is within the tolerance
     error: NDArray[np.float32]  #: how far horizontally from the point the sampled one is, metres
 
-class Resting(TypedDict, total=False):
+class UndisplacedSamples(TypedDict, total=False):
     """What a frame does to points of water, n of them; velocity and foam only of oceans that have them."""
 
     displacement: NDArray[np.float32]  #: (n, 3), metres from where each rests to where it is drawn
@@ -191,7 +191,7 @@ class Frame:
         """(..., 3): where water that rests at the points is drawn, for meshes."""
     def displaced_foam(self, points: ArrayLike, z: Optional[ArrayLike] = None) -> NDArray[np.float32]:
         """(...): how much foam that water has, 0 to 1. With Ocean(foam=True)."""
-    def at_rest(self, points: ArrayLike) -> Resting:
+    def sample_undisplaced(self, points: ArrayLike) -> UndisplacedSamples:
         """The same and velocities in one go, for meshes of many vertices that move every frame. Points are (n, 2), within 1e9 m."""
 
 class Ocean:

@@ -227,7 +227,7 @@ struct CellPlaces {
     float *u, *v;
 };
 
-/// Which rest point is drawn at a given world point: the q of q + D(q) = p, D being bilinear or cubic between texels. Newton's
+/// Which reference point is drawn at a given world point: the q of q + D(q) = p, D being bilinear or cubic between texels. Newton's
 /// steps with the slopes of the cell; where they don't hold (far away, or near a fold) q - (q + D(q) - p) instead.
 /// A lane that has come within `target` stays as it is, so no lane depends on its neighbours.
 struct InvertSurfaceJob {
@@ -244,7 +244,7 @@ struct InvertSurfaceJob {
     float* error;        ///< remaining distance in texels
 };
 
-/// The surface at rest points. Linear: everything bilinear between texels, slopes from central differences at texels. Cubic:
+/// The surface at reference points. Linear: everything bilinear between texels, slopes from central differences at texels. Cubic:
 /// products of Catmull and Rom's cubics, and their derivatives. Blocks of the surface have a multiple of W columns.
 struct SampleSurfaceJob {
     struct Outputs {

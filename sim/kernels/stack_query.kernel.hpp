@@ -48,7 +48,7 @@ struct CountedPart {
     PELAGIC_INLINE V of(V value) const { return HasParts ? part * value : value; }
 };
 
-/// W searches for a rest point.
+/// W searches for a reference point.
 template <class Arch, class Interpolation, bool HasParts>
 class StackSearch {
     using V = xsimd::batch<float, Arch>;

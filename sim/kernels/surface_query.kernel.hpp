@@ -310,7 +310,7 @@ class FollowedCells : public Cells {
     I x_, z_;
 };
 
-/// What kernels of queries are compiled for: how a value is read between texels, which cells a search for a rest point reads, and
+/// What kernels of queries are compiled for: how a value is read between texels, which cells a search for a reference point reads, and
 /// whether it begins at the point itself or where an earlier search ended.
 struct Linear {
     template <class Arch>
@@ -327,7 +327,7 @@ struct Cubic {
     static constexpr bool begins_at_the_point = false;
 };
 
-/// W searches for a rest point.
+/// W searches for a reference point.
 template <class Arch, class Interpolation>
 class Inversion {
     using V = xsimd::batch<float, Arch>;

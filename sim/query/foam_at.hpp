@@ -8,7 +8,7 @@
 
 namespace pelagic {
 
-/// 0 to 1, bilinear between texels, at the rest point that is (u, v) into a cell, both in [0, 1]. Cells may lie any number of
+/// 0 to 1, bilinear between texels, at the reference point that is (u, v) into a cell, both in [0, 1]. Cells may lie any number of
 /// cascades away. Plain code, so the same bits everywhere.
 /// \pre the cascade has foam
 inline double foam_at(const Cascade& cascade, std::int64_t cell_x, std::int64_t cell_z, double u, double v) {

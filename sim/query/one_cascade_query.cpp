@@ -1,4 +1,4 @@
-// Two ways to a rest point. Nearly everywhere it is the only one (fold_map.hpp), and a kernel steps towards it, W points
+// Two ways to a reference point. Nearly everywhere it is the only one (fold_map.hpp), and a kernel steps towards it, W points
 // at a time. Where the surface may lie over itself, and where the steps did not arrive, all cells that could be drawn
 // at the point are looked at, in double and in closed form, by Newton's steps if they are cubic; that is plain code, compiled once.
 // The map is of the linear surface: a fold that only the cubic one has is lost, whose intersections are close together.
@@ -15,7 +15,7 @@
 namespace pelagic {
 namespace {
 
-// Texels. Float tells places some texels away to 1e-6; beyond the most, a false rest point might be taken for a true
+// Texels. Float tells places some texels away to 1e-6; beyond the most, a false reference point might be taken for a true
 // one outside of the fold map's margin.
 constexpr double least_target = 4e-6, most_target = 1.0 / 64;
 static_assert(most_target < FoldMap::margin);
@@ -82,7 +82,7 @@ void OneCascadeQuery::place(PointChunk& chunk) const {
     }
 }
 
-void OneCascadeQuery::find_rest_points(PointChunk& chunk) const {
+void OneCascadeQuery::find_reference_points(PointChunk& chunk) const {
     PointChunk::World& world = chunk.world[0];
     const bool is_cubic = interpolation_ == Interpolation::cubic;
     const InvertSurfaceJob job{.surface = texels_of(cascade_),
@@ -188,7 +188,7 @@ OneCascadeQuery::Intersection OneCascadeQuery::highest_intersection(int cell_x, 
     return highest;
 }
 
-// In each cell Newton's steps begin at the middles of its quarters. What they find is a rest point if it is in the cell.
+// In each cell Newton's steps begin at the middles of its quarters. What they find is a reference point if it is in the cell.
 OneCascadeQuery::Intersection OneCascadeQuery::highest_cubic_intersection(int cell_x, double u, int cell_z, double v) const {
     const SurfaceTexels surface = texels_of(cascade_);
     const double texels_per_m = 1 / texel_m_;

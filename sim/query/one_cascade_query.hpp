@@ -12,8 +12,8 @@ class OneCascadeQuery {
 
     /// Each point of a chunk becomes a cell of the patch and a place in it.
     void place(PointChunk& chunk) const;
-    void find_rest_points(PointChunk& chunk) const;
-    /// Reads the frame at the rest points.
+    void find_reference_points(PointChunk& chunk) const;
+    /// Reads the frame at the reference points.
     void read(const SampleSurfaceJob::Outputs& outputs, PointChunk& chunk) const;
     /// \param foam  of the chunk's points \pre the cascade has foam
     void read_foam(const PointChunk& chunk, std::span<float> foam) const;

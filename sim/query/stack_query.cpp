@@ -1,4 +1,4 @@
-// As for one cascade there are two ways to a rest point. A kernel steps towards one, W points at a time, and one byte of each cascade
+// As for one cascade there are two ways to a reference point. A kernel steps towards one, W points at a time, and one byte of each cascade
 // says whether it is the only one (contraction_map.hpp). Where they don't, and where the steps did not arrive, stack_search.hpp
 // looks at all.
 #include "pelagic/sim/query/stack_query.hpp"
@@ -13,7 +13,7 @@
 namespace pelagic {
 namespace {
 
-// Metres. Of the offset, and of the finest texel: beyond the most, a false rest point might be taken for a true one.
+// Metres. Of the offset, and of the finest texel: beyond the most, a false reference point might be taken for a true one.
 constexpr double least_target = 1e-6, most_target = 1.0 / 64;
 static_assert(most_target < ContractionMap::margin);
 
@@ -64,7 +64,7 @@ StackCascade StackQuery::stack_cascade(std::size_t cascade, PointChunk& chunk) c
             .part = shore_ ? chunk.part[cascade] : nullptr};
 }
 
-void StackQuery::find_rest_points(PointChunk& chunk) const {
+void StackQuery::find_reference_points(PointChunk& chunk) const {
     InvertStackJob job{.cascades = {},
                        .cascade_count = cascades_.size(),
                        .target = static_cast<float>(target_m_),

@@ -15,7 +15,7 @@ class StackQuery {
     StackQuery(const Frame& frame, const Kernels& kernels, const SurfaceQueryOptions& options);
 
     void place(PointChunk& chunk) const;
-    void find_rest_points(PointChunk& chunk) const;
+    void find_reference_points(PointChunk& chunk) const;
     void read(const SampleSurfaceJob::Outputs& outputs, PointChunk& chunk) const;
     void read_foam(const PointChunk& chunk, std::span<float> foam) const;
 
@@ -30,7 +30,7 @@ class StackQuery {
     const ShoreSurface& shore_;
     std::array<SearchCascade, most_cascades> search_cascades_;
     double finest_texel_m_;
-    double reach_m_ = 0;  ///< no rest point is farther away from what is drawn there
+    double reach_m_ = 0;  ///< no reference point is farther away from what is drawn there
     double target_m_;     ///< where the search stops
 };
 

@@ -9,7 +9,7 @@
 namespace pelagic {
 namespace {
 
-// A box is proven with some of what is around it, so that a rest point just outside of it is not looked for again.
+// A box is proven with some of what is around it, so that a reference point just outside of it is not looked for again.
 constexpr double surroundings = 1.5;
 
 // Boxes below this slack are cut further: Newton's steps would lead far away.
@@ -58,7 +58,7 @@ SearchCascade::SearchCascade(const Cascade& cascade, Interpolation interpolated)
     contraction.stretch *= static_cast<float>(most_cubic_slope * square_root_of_2);  // slopes along two axes
 }
 
-/// Where an offset's rest point is drawn, from the point that is asked about, metres.
+/// Where an offset's reference point is drawn, from the point that is asked about, metres.
 struct StackSearch::Drawn {
     double x, z;
     double x_x = 1, x_z = 0, z_x = 0, z_z = 1;         ///< slopes along the world's axes
@@ -166,16 +166,16 @@ double StackSearch::slack_within(const StackPoint& point, Offset centre, double 
 
 /// Where others can be if one is known: the chain of contraction_map.hpp, as far as it goes here. Empty if there is no other.
 StackSearch::Box StackSearch::around_known(const StackPoint& point, Offset known) const {
-    double rest_m = target_m_;
-    for (const SearchCascade& cascade : cascades_) rest_m += 2 * cascade.contraction.largest_m;
-    double reach_m = rest_m;
+    double reference_m = target_m_;
+    for (const SearchCascade& cascade : cascades_) reference_m += 2 * cascade.contraction.largest_m;
+    double reach_m = reference_m;
     for (std::size_t t = 0; t < cascades_.size(); ++t) {
         const double slack = slack_within(point, known, reach_m, t + 1, false);
-        rest_m -= 2 * cascades_[t].contraction.largest_m;
+        reference_m -= 2 * cascades_[t].contraction.largest_m;
         if (t + 1 == cascades_.size()) {
             if (slack >= ContractionMap::least_slack_of_all) return {known, 0};
         } else if (slack > 0) {
-            reach_m = std::min(reach_m, rest_m / slack);
+            reach_m = std::min(reach_m, reference_m / slack);
         }
     }
     return {known, reach_m};

@@ -1,4 +1,4 @@
-// The exact search for queries of several cascades: all rest points that are drawn at a place, in double, by branch and bound.
+// The exact search for queries of several cascades: all reference points that are drawn at a place, in double, by branch and bound.
 //
 // surface/contraction_map.hpp says why a box holds at most one of them where the cascades contraction little, and how far from a known
 // one others can be. A box is left out if it is drawn too far away: from its centre c, no cascade's displacement changes by more

@@ -107,7 +107,7 @@ void SurfaceQuery::sample(const SurfacePoints& points, const SurfaceSamples& sam
             chunk.padded = (chunk.count + kernels_->lanes - 1) / kernels_->lanes * kernels_->lanes;
             take(points, chunk);
             query.place(chunk);
-            query.find_rest_points(chunk);
+            query.find_reference_points(chunk);
             query.read(outputs_wanted(samples, chunk), chunk);
             if (!samples.foam.empty()) {
                 const std::span<float> foam = samples.foam.subspan(first, chunk.count);

@@ -50,12 +50,12 @@ double ContractionMap::largest_m() const {
 void ContractionMap::spread(Cascade& cascade, std::span<const ContractionMap* const> maps, std::size_t number,
                         double finest_texel_m, const Kernels& kernels) {
     // The file's r_i, with what a search may be off.
-    double reach_m = 0, rest_m = margin * finest_texel_m;
+    double reach_m = 0, reference_m = margin * finest_texel_m;
     for (std::size_t i = maps.size(); i-- > 0;) {
-        rest_m += 2 * maps[i]->largest_m();
-        if (i == number) reach_m = rest_m / (i == 0 ? 1 : least_slack);
+        reference_m += 2 * maps[i]->largest_m();
+        if (i == number) reach_m = reference_m / (i == 0 ? 1 : least_slack);
     }
-    reach_m = std::min(reach_m, rest_m);
+    reach_m = std::min(reach_m, reference_m);
 
     std::size_t side = static_cast<std::size_t>(resolution_) / 2;
     const std::uint8_t* from = blocks_.data();

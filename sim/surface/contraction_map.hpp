@@ -1,8 +1,8 @@
 // Where a sum of cascades can't lie over itself.
 //
-// A rest point q is drawn at F(q) = q + sum of D_i(q). Let -s_i be the least eigenvalue of the symmetric part of cascade i's
+// A reference point q is drawn at F(q) = q + sum of D_i(q). Let -s_i be the least eigenvalue of the symmetric part of cascade i's
 // slopes, or 0 if that is positive. Where 1 - sum s_i >= m > 0 on a convex set, (F(q') - F(q)) . (q' - q) >= m |q' - q|^2 on it:
-// at most one of its points is drawn at any place. How far from a rest point q can another one q' of the same place be? Let
+// at most one of its points is drawn at any place. How far from a reference point q can another one q' of the same place be? Let
 // e_i be the largest |D_i|, and the cascades be sorted, the coarsest first.
 //
 //   F(q') = F(q), so q' - q = sum of D_i(q) - D_i(q'):                          |q' - q| <= r_0 = 2 (e_0 + e_1 + ...)
@@ -32,9 +32,9 @@ class ContractionMap {
     /// Rows of cells that one job looks at.
     static constexpr std::size_t rows_per_job = 16;
     /// What cascades but the last must leave of 1, and what all must leave: there a small error of the search is a larger one
-    /// of the rest point.
+    /// of the reference point.
     static constexpr double least_slack = 0.3, least_slack_of_all = 0.05;
-    /// Of the finest cascade's texel: more than a query's search for a rest point may be off.
+    /// Of the finest cascade's texel: more than a query's search for a reference point may be off.
     static constexpr double margin = 0.125;
 
     explicit ContractionMap(int resolution, const HostMemory& memory = {});

@@ -1,9 +1,9 @@
 // Where the surface may lie over itself.
 //
 // The displacement takes the patch once around itself, so intersections that are overturned and intersections that are not come in
-// pairs but for one: where several rest points are drawn at one world point, one of them lies in a cell whose Jacobian
+// pairs but for one: where several reference points are drawn at one world point, one of them lies in a cell whose Jacobian
 // is negative. Whatever the cells that turn over are drawn on covers every such world point, and nothing far from it.
-// Everywhere else the rest point of a world point is the only one, and a search that finds one has found it.
+// Everywhere else the reference point of a world point is the only one, and a search that finds one has found it.
 #pragma once
 
 #include <cstddef>
@@ -22,7 +22,7 @@ class FoldMap {
     static constexpr std::size_t rows_per_job = 16;
     /// Cells that nearly turn over count too: there a small error horizontal is a large one in height.
     static constexpr double most_jacobian = 0.05;
-    /// Texels around what such cells are drawn on: more than a query's search for a rest point may be off.
+    /// Texels around what such cells are drawn on: more than a query's search for a reference point may be off.
     static constexpr double margin = 0.125;
 
     explicit FoldMap(int resolution, const HostMemory& memory = {});

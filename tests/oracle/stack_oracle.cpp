@@ -173,7 +173,7 @@ std::vector<StackIntersection> Stack::intersections_at(double x_m, double z_m) c
     return intersections;
 }
 
-// The square of rest points from (x - half, z - half) to (x + half, z + half).
+// The square of reference points from (x - half, z - half) to (x + half, z + half).
 void Stack::look_inside(double point_x, double point_z, double x, double z, double half,
                         std::vector<StackIntersection>& intersections) const {
     Range drawn_x{x - half, x + half}, drawn_z{z - half, z + half};

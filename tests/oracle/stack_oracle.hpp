@@ -1,4 +1,4 @@
-// The displaced surface of a sum of cascades in double, by looking everywhere: a square of rest points is left out only if the
+// The displaced surface of a sum of cascades in double, by looking everywhere: a square of reference points is left out only if the
 // box around all that it is drawn on, from the cascades' own values, lies off the point; the rest is cut in four down to a part
 // of the finest texel. Knows nothing of contraction maps, slopes or how far from the point a search may begin.
 #pragma once
@@ -11,7 +11,7 @@
 
 namespace pelagic::oracle {
 
-/// A rest point of the world, metres, and the height that is drawn from it.
+/// A reference point of the world, metres, and the height that is drawn from it.
 struct StackIntersection {
     double x_m, z_m, height_m;
 };
@@ -24,13 +24,13 @@ class Stack {
     std::vector<StackIntersection> intersections_at(double x_m, double z_m) const;
     /// From slopes by central differences at texels, bilinear between them, turned into the world's axes and added up. Cubic: from
     /// differences of interpolated values over a small part of a texel.
-    SurfaceFacts facts_at(double rest_x_m, double rest_z_m) const;
+    SurfaceFacts facts_at(double reference_x_m, double reference_z_m) const;
 
     struct Vector {
         double x, y, z;
     };
-    Vector displacement_at(double rest_x_m, double rest_z_m) const;
-    Vector velocity_at(double rest_x_m, double rest_z_m) const;
+    Vector displacement_at(double reference_x_m, double reference_z_m) const;
+    Vector velocity_at(double reference_x_m, double reference_z_m) const;
 
    private:
     struct Range {

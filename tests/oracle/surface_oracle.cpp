@@ -58,7 +58,7 @@ Surface::Surface(const Frame& frame, double patch_size_m)
     }
 }
 
-double Surface::value_at(const Plane& plane, const RestPoint& rest) const {
+double Surface::value_at(const Plane& plane, const ReferencePoint& rest) const {
     const auto at = [&](int i, int j) {
         return plane[static_cast<std::size_t>(((j % n_ + n_) % n_) * n_ + (i % n_ + n_) % n_)];
     };
@@ -66,7 +66,7 @@ double Surface::value_at(const Plane& plane, const RestPoint& rest) const {
     return (1 - v) * ((1 - u) * at(i, j) + u * at(i + 1, j)) + v * ((1 - u) * at(i, j + 1) + u * at(i + 1, j + 1));
 }
 
-SurfaceFacts Surface::facts_at(const RestPoint& rest) const {
+SurfaceFacts Surface::facts_at(const ReferencePoint& rest) const {
     const double dx_x = value_at(slopes_[0], rest), h_x = value_at(slopes_[1], rest),
                  dz_x = value_at(slopes_[2], rest);
     const double dx_z = value_at(slopes_[3], rest), h_z = value_at(slopes_[4], rest),
@@ -80,7 +80,7 @@ SurfaceFacts Surface::facts_at(const RestPoint& rest) const {
 }
 
 Surface::Corner Surface::drawn(const Candidate& cell, double u, double v) const {
-    const RestPoint rest{cell.i, cell.j, u, v};
+    const ReferencePoint rest{cell.i, cell.j, u, v};
     return {cell.i + u + value_at(planes_.dx, rest) / texel_m_, cell.j + v + value_at(planes_.dz, rest) / texel_m_};
 }
 
@@ -129,7 +129,7 @@ void Surface::refine(const Candidate& cell, Corner point, double u, double v, st
     if (std::hypot(here.x - point.x, here.z - point.z) > 1e-9) return;
     const auto is_inside = [](double t) { return t >= -1e-9 && t <= 1 + 1e-9; };
     if (!is_inside(u) || !is_inside(v)) return;
-    const RestPoint rest{cell.i, cell.j, u, v};
+    const ReferencePoint rest{cell.i, cell.j, u, v};
     for (const Intersection& intersection : intersections)  // found before, from the next piece or the next cell
         if (std::fabs(intersection.rest.i + intersection.rest.u - cell.i - u) < 1e-6 &&
             std::fabs(intersection.rest.j + intersection.rest.v - cell.j - v) < 1e-6)

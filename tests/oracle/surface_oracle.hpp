@@ -1,4 +1,4 @@
-// The displaced surface of a frame in double, by looking everywhere: bilinear between texels, every rest point that is
+// The displaced surface of a frame in double, by looking everywhere: bilinear between texels, every reference point that is
 // drawn at a world point. Knows nothing of fold maps, Newton's steps from the point, or closed forms.
 #pragma once
 
@@ -9,15 +9,15 @@
 
 namespace pelagic::oracle {
 
-/// A rest point, in texels from the origin of the patch: the cell and where in it.
-struct RestPoint {
+/// A reference point, in texels from the origin of the patch: the cell and where in it.
+struct ReferencePoint {
     int i, j;
     double u, v;
 };
 
-/// One of the rest points that are drawn at a world point.
+/// One of the reference points that are drawn at a world point.
 struct Intersection {
-    RestPoint rest;
+    ReferencePoint rest;
     double height;
 };
 
@@ -33,9 +33,9 @@ class Surface {
     std::vector<Intersection> intersections_at(double x_m, double z_m) const;
 
     /// Bilinear between texels.
-    double value_at(const Plane& plane, const RestPoint& rest) const;
+    double value_at(const Plane& plane, const ReferencePoint& rest) const;
     /// From slopes by central differences at texels, bilinear between them.
-    SurfaceFacts facts_at(const RestPoint& rest) const;
+    SurfaceFacts facts_at(const ReferencePoint& rest) const;
     const Displacement& displacement() const { return planes_; }
 
    private:

@@ -46,7 +46,7 @@ def test_resting_points_are_told_all_at_once(places):
     points = places.reshape(-1, 2)
     with pelagic.Ocean(pelagic.preset("rough"), foam=True, velocities=True) as ocean:
         frame = ocean.frame_at(3)
-        water = frame.at_rest(points)
+        water = frame.sample_undisplaced(points)
         assert {name: (array.dtype.str, array.shape) for name, array in water.items()} == {
             "displacement": ("<f4", (2000, 3)), "velocity": ("<f4", (2000, 3)), "foam": ("<f4", (2000,))}
         drawn = water["displacement"] + np.stack([points[:, 0], np.zeros(2000), points[:, 1]], -1)
@@ -56,9 +56,9 @@ def test_resting_points_are_told_all_at_once(places):
         np.testing.assert_allclose(water["velocity"], moving, rtol=0, atol=5e-3)  # a millimetre aside it is another
         for wrong in ([1.0, 2.0], [[1.0, 2.0, 3.0]], [[np.nan, 0.0]], [[0.0, 2e9]]):
             with pytest.raises(ValueError, match="^points.* needs"):
-                frame.at_rest(wrong)
+                frame.sample_undisplaced(wrong)
     with pelagic.Ocean(pelagic.preset("rough")) as ocean:
-        assert list(ocean.frame_at(3).at_rest(points)) == ["displacement"]
+        assert list(ocean.frame_at(3).sample_undisplaced(points)) == ["displacement"]
 
 
 def test_a_query_finds_the_water_that_is_drawn_there(places):

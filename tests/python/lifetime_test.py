@@ -65,7 +65,7 @@ def test_a_frame_that_is_over_says_so(small):
         for ask in (lambda: frame.hash, lambda: frame.foam_hash, lambda: frame.displacement, lambda: frame.height, lambda: frame.cascades,
                     lambda: cascade.displacement, lambda: cascade.dx, lambda: cascade.foam, lambda: cascade.bounds, lambda: cascade.gradient_level(1),
                     lambda: frame.query([[0, 0]]), lambda: frame.rays([0, 9, 0], [0, -1, 0], 20), lambda: frame.displaced([[0, 0]]),
-                    lambda: frame.displaced_foam([[0, 0]]), lambda: frame.at_rest([[0, 0]]), frame.measured_significant_wave_height_m):
+                    lambda: frame.displaced_foam([[0, 0]]), lambda: frame.sample_undisplaced([[0, 0]]), frame.measured_significant_wave_height_m):
             with pytest.raises(pelagic.StaleFrame, match="holds a later one"):
                 ask()
         assert frame.time_s == 1 and frame.sea == small and frame.bounds.height_max_m > 0  # what it said about itself

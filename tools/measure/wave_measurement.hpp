@@ -1,7 +1,7 @@
 // What waves a series of planes of heights holds, found out from the heights alone, but for directions: two frames tell a wave that
 // runs along k from one against it once its frequency is known, and that comes from the dispersion relation.
 //
-// Heights are those of rest points, which move horizontally with the sea (Lagrangian). There a sea is a plain sum of its waves, so
+// Heights are those of reference points, which move horizontally with the sea (Lagrangian). There a sea is a plain sum of its waves, so
 // spectra are those of the model; a gauge at a fixed place of the world would see crests sharpened, as harmonics of the peak.
 #pragma once
 

@@ -20,7 +20,7 @@ class CascadeLevels {
     /// Copies what it needs but for the slopes: the cascade's views stay valid until the last at(). \pre it has slopes and foam
     void take(const Cascade& cascade);
 
-    /// The mean around a rest point. \param footprint_m  the width of what is asked about
+    /// The mean around a reference point. \param footprint_m  the width of what is asked about
     CascadeSample at(double x_m, double z_m, float footprint_m) const;
 
    private:

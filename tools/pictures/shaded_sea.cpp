@@ -20,13 +20,13 @@ namespace {
 constexpr double two_pi = 6.28318530717958647693;
 /// Samples of a pixel along each axis.
 constexpr int fineness = 2;
-/// How much wider and lower than the picture the grid of rest points is, for waves move points out of it and into it.
+/// How much wider and lower than the picture the grid of reference points is, for waves move points out of it and into it.
 constexpr float margin_aside = 1.3f, margin_below = 1.5f;
 // 40 and 12 degrees.
 constexpr double vertical_view_turns = 40. / 360, down_turns = 12. / 360;
 /// The view against the wind, and the sun against the view, both to the right: 25, 20 and 30 degrees.
 constexpr double view_aside_turns = 25. / 360, sun_aside_turns = 20. / 360, sun_up_turns = 30. / 360;
-/// In wavelengths of the peak: the last row of rest points, and where haze has taken half of the contrast.
+/// In wavelengths of the peak: the last row of reference points, and where haze has taken half of the contrast.
 constexpr float farthest = 120, hazy = 50;
 
 /// Unit vectors and what they are turned by, with the bits of every machine.
@@ -54,14 +54,14 @@ struct View {
     }
 };
 
-/// A rest point where it is drawn.
+/// A reference point where it is drawn.
 struct GridPoint {
     glm::vec2 pixel{0};                                    ///< in samples from the upper left corner
     float depth = std::numeric_limits<float>::infinity();  ///< infinite: behind the eye, and not drawn
     glm::vec3 light{0};
 };
 
-/// What the rest points of one row cover, so that a band of the picture looks at few rows.
+/// What the reference points of one row cover, so that a band of the picture looks at few rows.
 struct Extent {
     float top = std::numeric_limits<float>::infinity(), bottom = -std::numeric_limits<float>::infinity();
 };
@@ -134,7 +134,7 @@ ShadedSea::State::State(const SeaState& sea, int picture_width, int picture_heig
     pixels.resize(sample_count / (fineness * fineness) * 4);
 
     const auto bands = static_cast<std::size_t>((height * fineness + lines_a_band - 1) / lines_a_band);
-    const StageId placed = graph.add({.name = "rest points",
+    const StageId placed = graph.add({.name = "reference points",
                                       .count = extents.size(),
                                       .batch = 8,
                                       .body = [this](std::size_t begin, std::size_t end) {

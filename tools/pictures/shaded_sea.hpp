@@ -1,6 +1,6 @@
 // A picture of the sea for who wants to know what an export holds: drawn on the CPU, without GL, in a fraction of a second.
 //
-// A grid of rest points, about one for each pixel of the picture, is moved by the sum of the cascades and drawn with a depth
+// A grid of reference points, about one for each pixel of the picture, is moved by the sum of the cascades and drawn with a depth
 // buffer. Light: what a smooth sky and a sun leave on a rough water surface (GGX, Walter et al. 2007; Schlick 1994), whose
 // roughness is the variance of the slopes that a pixel does not show (LEAN mapping, Olano and Baker 2010), and white foam.
 #pragma once

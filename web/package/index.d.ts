@@ -186,7 +186,7 @@ export interface FrameAbout {
 }
 
 /**
- * The point of water that rests at (x, z) is drawn at (x + Dx, height, z + Dz), each the sum of what the cascades hold there.
+ * The point of water that has the reference position (x, z) is drawn at (x + Dx, height, z + Dz), each the sum of what the cascades hold there.
  * Valid until the second schedule() after its own, and until dispose(); later it throws.
  */
 export class Frame implements FrameAbout {

@@ -144,7 +144,7 @@ def play(object, folder, baked):
     settings, frames = object.pelagic, baked["frames"]
     settings.is_baked = True
     if not grid.has_resolution(object.data, settings.resolution):
-        grid.fill(object.data, settings.resolution, sea_object.rest_of(settings).vertices.astype(numpy.float32))
+        grid.fill(object.data, settings.resolution, sea_object.reference_of(settings).vertices.astype(numpy.float32))
     remove_modifier(object)
     cache = object.modifiers.new(modifier_name, "MESH_CACHE")
     cache.cache_format = "PC2"
@@ -154,7 +154,7 @@ def play(object, folder, baked):
     while object.modifiers[0] != cache:  # before those that the artist put there
         with bpy.context.temp_override(object=object):
             bpy.ops.object.modifier_move_up(modifier=modifier_name)
-    grid.set_attribute(object.data, "rest_position", "FLOAT_VECTOR", "vector", sea_object.rest_of(settings).position)
+    grid.set_attribute(object.data, "rest_position", "FLOAT_VECTOR", "vector", sea_object.reference_of(settings).position)
     # The mesh itself stands still from now on, and an attribute of one moment would stay.
     grid.set_attribute(object.data, "foam", "FLOAT", "value", None)
     grid.set_attribute(object.data, "velocity", "FLOAT_VECTOR", "vector", None)

@@ -4,7 +4,7 @@ Pelagic's y is up, x east, z south; Blender's z is up. (x, y, z) there is (x, -z
 import numpy
 
 
-def rest_points(size, resolution, place):
+def reference_points(size, resolution, place):
     """x and z in Pelagic's axes, in double: vertex i + j (resolution + 1) lies i faces along +X and j along +Y."""
     steps = (numpy.arange(resolution + 1) / resolution - 0.5) * size
     points = numpy.empty(((resolution + 1) ** 2, 2))
@@ -13,9 +13,9 @@ def rest_points(size, resolution, place):
     return points
 
 
-def rest_vertices(size, resolution, place):
+def reference_vertices(size, resolution, place):
     """Where they lie in Blender while the sea is flat, in double."""
-    points = rest_points(size, resolution, place)
+    points = reference_points(size, resolution, place)
     return numpy.column_stack([points[:, 0], -points[:, 1], numpy.zeros(len(points))])
 
 

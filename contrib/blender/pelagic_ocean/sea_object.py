@@ -22,7 +22,7 @@ class OceanKey(typing.NamedTuple):
 
 oceans = {}
 kept = {}  # by scenes' names, the keys of oceans that they use
-rests = {}  # the last few squares of rest points
+rests = {}  # the last few squares of reference points
 
 
 class Moved(typing.NamedTuple):
@@ -128,21 +128,21 @@ def square_of(settings):
     return typed(settings.size), settings.resolution, tuple(typed(part) for part in settings.place)
 
 
-class Rest(typing.NamedTuple):
+class Reference(typing.NamedTuple):
     """Where the vertices of a square rest, a row each."""
     points: numpy.ndarray    # x and z of Pelagic's world, in double
     vertices: numpy.ndarray  # in Blender, in double: around the origin, whatever the place in the sea
     position: numpy.ndarray  # the same in the sea: the attribute rest_position, float32
 
 
-def rest_of(settings):
+def reference_of(settings):
     square = square_of(settings)
     if square not in rests:
         if len(rests) >= 8:
             rests.pop(next(iter(rests)))
         size, resolution, _ = square
-        rests[square] = Rest(grid.rest_points(*square), grid.rest_vertices(size, resolution, (0, 0)),
-                             grid.rest_vertices(*square).astype(numpy.float32))
+        rests[square] = Reference(grid.reference_points(*square), grid.reference_vertices(size, resolution, (0, 0)),
+                             grid.reference_vertices(*square).astype(numpy.float32))
     return rests[square]
 
 
@@ -150,9 +150,9 @@ def moved(settings, time_s):
     """The sea's points at a time. Raises ValueError with one line for options that make no sea."""
     if library.problem:
         raise ValueError(library.problem)
-    rest = rest_of(settings)
+    rest = reference_of(settings)
     frame = ocean_of(settings).frame_at(time_s)
-    water = frame.at_rest(rest.points)
+    water = frame.sample_undisplaced(rest.points)
     vertices = (rest.vertices + grid.from_pelagic(water["displacement"])).astype(numpy.float32)
     velocity = grid.from_pelagic(water["velocity"]) * numpy.float32(settings.speed) if settings.velocity else None
     return Moved(vertices, water["foam"] if settings.foam else None, velocity, frame)
@@ -171,7 +171,7 @@ def update(object, scene, settings):
     note_error(object, "")
     if not grid.has_resolution(object.data, settings.resolution):
         grid.fill(object.data, settings.resolution, now.vertices)
-    grid.write(object.data, rest_of(settings).position, now.vertices, now.foam, now.velocity)
+    grid.write(object.data, reference_of(settings).position, now.vertices, now.foam, now.velocity)
     return key_of(settings)
 
 

@@ -52,7 +52,7 @@ float weight_of_mip(float mip) {
 	return clamp(spacing.z - 1.0 - mip, 0.0, 1.0);
 }
 
-// The sum of what the cascades hold at a vertex. Mips depend on the rest position alone, so that patches which share the vertex agree.
+// The sum of what the cascades hold at a vertex. Mips depend on the reference position alone, so that patches which share the vertex agree.
 vec3 displaced(vec2 index, sampler2DArray maps) {
 	vec2 at = grid.xy + index * grid.z;
 	vec2 from_centre = abs(at - fade.xy);

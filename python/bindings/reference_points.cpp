@@ -21,9 +21,9 @@ using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
 using Planes = PlaneView Cascade::*[3];
 
 /// One cascade, as many points read it.
-class RestCascade {
+class ReferenceCascade {
    public:
-    explicit RestCascade(const Cascade& cascade) : cascade_(cascade), texels_per_m_(cascade.resolution() / cascade.grid.side_m) {
+    explicit ReferenceCascade(const Cascade& cascade) : cascade_(cascade), texels_per_m_(cascade.resolution() / cascade.grid.side_m) {
         const PlaneView& plane = cascade.height;
         for (int i = 0; i < plane.resolution; ++i)
             columns_.push_back(i / plane.block_columns * plane.block_stride + i % plane.block_columns);
@@ -73,7 +73,7 @@ constexpr Planes displacements = {&Cascade::dx, &Cascade::height, &Cascade::dz};
 constexpr Planes velocities = {&Cascade::velocity_x, &Cascade::velocity_y, &Cascade::velocity_z};
 constexpr double farthest_m = 1e9;  // at which doubles tell micrometres apart
 
-py::dict at_rest(const FrameHandle& handle, const Doubles& points) {
+py::dict sample_undisplaced(const FrameHandle& handle, const Doubles& points) {
     const auto reader = handle.read();
     if (points.ndim() != 2 || points.shape(1) != 2)
         throw std::invalid_argument("points has another shape, needs (n, 2): x and z of each point");
@@ -86,14 +86,14 @@ py::dict at_rest(const FrameHandle& handle, const Doubles& points) {
     const double* at = points.data();
     {
         const py::gil_scoped_release others_run;
-        const std::vector<RestCascade> cascades(handle.frame.cascades.begin(), handle.frame.cascades.end());
+        const std::vector<ReferenceCascade> cascades(handle.frame.cascades.begin(), handle.frame.cascades.end());
         for (py::ssize_t point = 0; point < count; ++point, at += 2) {
             if (!(std::fabs(at[0]) <= farthest_m && std::fabs(at[1]) <= farthest_m))
                 throw std::invalid_argument(refusal("points[" + number_text(point) + "]",
                                                     number_text(at[0]) + ", " + number_text(at[1]), "metres in [-1e9, 1e9]"));
             double sum[3] = {}, speed[3] = {}, most_foam = 0;
-            for (const RestCascade& cascade : cascades) {
-                const RestCascade::Cell cell = cascade.cell_at(at[0], at[1]);
+            for (const ReferenceCascade& cascade : cascades) {
+                const ReferenceCascade::Cell cell = cascade.cell_at(at[0], at[1]);
                 cascade.add(displacements, cell, sum);
                 if (has_velocities) cascade.add(velocities, cell, speed);
                 if (has_foam) most_foam = std::max(most_foam, cascade.foam(cell));
@@ -113,6 +113,6 @@ py::dict at_rest(const FrameHandle& handle, const Doubles& points) {
 
 }  // namespace
 
-void add_resting_points(FrameClass& frame) { frame.def("at_rest", &at_rest, py::arg("points"), doc_of("Frame.at_rest")); }
+void add_reference_points(FrameClass& frame) { frame.def("sample_undisplaced", &sample_undisplaced, py::arg("points"), doc_of("Frame.at_rest")); }
 
 }  // namespace pelagic::python
