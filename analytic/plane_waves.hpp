@@ -1,5 +1,5 @@
 // Waves by what their phases are made of: what an AnalyticSea comes down to, and what one is whose waves were moved onto
-// the grids of cascades (sim/closed_form_cascades.hpp).
+// the grids of cascades (sim/analytic_cascades.hpp).
 #pragma once
 
 #include <string>

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "pelagic/analytic/analytic_surface.hpp"
-#include "pelagic/analytic/exp_sine_water.hpp"
+#include "pelagic/analytic/pond_waves.hpp"
 
 namespace pelagic {
 namespace {
@@ -72,9 +72,9 @@ void time_surface(benchmark::State& state, const AnalyticSea& sea, Isa isa, bool
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(count));
 }
 
-void time_exp_sine(benchmark::State& state, Isa isa, Wanted wanted) {
+void time_pond(benchmark::State& state, Isa isa, Wanted wanted) {
     Scene scene;
-    const ExpSineWater water({}, isa);
+    const PondWaves water({}, isa);
     const AnalyticSamples of = samples_in(scene, wanted);
     double time_s = 0;
     for (auto _ : state) {
@@ -84,9 +84,9 @@ void time_exp_sine(benchmark::State& state, Isa isa, Wanted wanted) {
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(count));
 }
 
-void time_exp_sine_ray(benchmark::State& state, Isa isa) {
+void time_pond_ray(benchmark::State& state, Isa isa) {
     const Scene scene;
-    const ExpSineWater water({}, isa);
+    const PondWaves water({}, isa);
     std::size_t i = 0;
     for (auto _ : state) {
         i = (i + 1) % count;
@@ -108,9 +108,9 @@ void register_all() {
             RegisterBenchmark(("world/" + what + on + "intense").c_str(), time_surface,
                               sea_of("analytic-intense", 16), isa, true, wanted);
             if (wanted != Wanted::everything)
-                RegisterBenchmark(("exp-sine/" + what + on + "24").c_str(), time_exp_sine, isa, wanted);
+                RegisterBenchmark(("pond/" + what + on + "24").c_str(), time_pond, isa, wanted);
         }
-        RegisterBenchmark(("exp-sine/ray" + on + "24").c_str(), time_exp_sine_ray, isa)
+        RegisterBenchmark(("pond/ray" + on + "24").c_str(), time_pond_ray, isa)
             ->Unit(benchmark::kMicrosecond);
     }
 }

@@ -113,7 +113,7 @@ enum {
 enum {
     PELAGIC_WAVES_SPECTRUM = 0,
     PELAGIC_WAVES_ANALYTIC = 1,
-    PELAGIC_WAVES_EXP_SINE = 2
+    PELAGIC_WAVES_POND = 2
 };
 
 enum {
@@ -151,7 +151,7 @@ typedef struct pelagic_sea {
      * it has one cascade. */
     int32_t cascades;
     uint32_t reserved_1; /* 0 */
-    /* Which waves: PELAGIC_WAVES_... A pond (exp-sine) is one cascade. What follows is of the others than a spectrum, which alone
+    /* Which waves: PELAGIC_WAVES_... A pond (pond) is one cascade. What follows is of the others than a spectrum, which alone
      * has spectrum, spreading, fetch_m, depth_m, small_waves, alignment, swell and seed. */
     int32_t waves;
     int32_t wave_count;     /* waves, or octaves of a pond; 1 to 64. 0: 16 or 24 */

@@ -17,7 +17,7 @@ static_assert(PELAGIC_SPECTRUM_PIERSON_MOSKOWITZ == static_cast<int>(SpectrumMod
 static_assert(PELAGIC_SPECTRUM_JONSWAP == static_cast<int>(SpectrumModel::jonswap));
 static_assert(PELAGIC_WAVES_SPECTRUM == static_cast<int>(WaveModel::spectrum));
 static_assert(PELAGIC_WAVES_ANALYTIC == static_cast<int>(WaveModel::analytic));
-static_assert(PELAGIC_WAVES_EXP_SINE == static_cast<int>(WaveModel::exp_sine));
+static_assert(PELAGIC_WAVES_POND == static_cast<int>(WaveModel::pond));
 static_assert(PELAGIC_SPREADING_PAPER == static_cast<int>(SpreadingModel::paper));
 static_assert(PELAGIC_SPREADING_COSINE_2S == static_cast<int>(SpreadingModel::cosine_2s));
 static_assert(PELAGIC_SPREADING_HASSELMANN == static_cast<int>(SpreadingModel::hasselmann));

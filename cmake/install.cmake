@@ -52,10 +52,10 @@ foreach(name IN LISTS packages)
 endforeach()
 
 set(message_headers numeric_field)
-set(analytic_headers analytic_glsl analytic_sea analytic_surface exp_sine_water plane_waves)
+set(analytic_headers analytic_glsl analytic_sea analytic_surface pond_waves plane_waves)
 set(jobs_headers chrome_trace executor job_graph sliced_executor trace)
 set(simd_headers host_memory isa)
-set(sim_headers closed_form_cascades disturbance foam_report forecast frame frame_buffers gerstner_input dynamic_waves_view dynamic_waves ocean rain ripple_input sea_state shore shore_surface slope_sum slope_variance statistics surface_query
+set(sim_headers analytic_cascades disturbance foam_report forecast frame frame_buffers gerstner_input dynamic_waves_view dynamic_waves ocean rain ripple_input sea_state shore shore_surface slope_sum slope_variance statistics surface_query
                 surface_query_jobs surface_ray texture_targets tick_clock cascade cascade_plan wave_input)
 set(quadtree_headers camera draw_list frustum level_map node_culling patch_mesh patch_vertex quadtree_options selection skirt stitching)
 set(gl_headers caustics display errors exposure frame_textures functions headless_context host_scene light_meter light_presets objects pixel_ring render_target sea_floor

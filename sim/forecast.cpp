@@ -32,7 +32,7 @@ std::string difference(const SeaState& first, const SeaState& sea, std::size_t n
     };
     if (first.waves != sea.waves) return refused("waves", name_of(sea.waves), std::string(name_of(first.waves)));
     // Octaves that move one another have no energies to blend.
-    if (sea.waves == WaveModel::exp_sine)
+    if (sea.waves == WaveModel::pond)
         return refusal(of_change("waves", number), name_of(sea.waves),
                        "spectrum or analytic: a pond does not change");
     if (has_papers_spectrum(first) != has_papers_spectrum(sea))

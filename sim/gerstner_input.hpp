@@ -2,7 +2,7 @@
 //
 // A cascade holds waves of its grid alone, with whole periods in a loop. Each wave goes to the nearest place of the grid of the
 // finest cascade that has eight steps of its grid or more between it and k = 0, unless it has less than three texels of the one above:
-// as those of an analytic sea (closed_form_cascades.hpp). It keeps amplitude and phase, and runs as the wave that it has become does in deep
+// as those of an analytic sea (analytic_cascades.hpp). It keeps amplitude and phase, and runs as the wave that it has become does in deep
 // water, but with as many periods in a loop as is nearest.
 #pragma once
 

@@ -343,7 +343,7 @@ void Ocean::schedule_sea(const SeaState& sea) {
     if (resolution_of(sea) != resolution())
         throw std::invalid_argument(
             refusal("resolution", resolution_of(sea), number_text(resolution()) + ", as the ocean was built"));
-    if ((sea.waves == WaveModel::exp_sine) != (this->sea().waves == WaveModel::exp_sine))
+    if ((sea.waves == WaveModel::pond) != (this->sea().waves == WaveModel::pond))
         throw std::invalid_argument(refusal("waves", name_of(sea.waves),
                                             std::string(name_of(this->sea().waves)) + ", as the ocean was built"));
     state_->end_bake();

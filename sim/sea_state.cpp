@@ -8,8 +8,8 @@
 namespace pelagic {
 namespace {
 
-constexpr std::array all_waves = {WaveModel::spectrum, WaveModel::analytic, WaveModel::exp_sine};
-constexpr std::array<std::string_view, all_waves.size()> wave_names = {"spectrum", "analytic", "exp-sine"};
+constexpr std::array all_waves = {WaveModel::spectrum, WaveModel::analytic, WaveModel::pond};
+constexpr std::array<std::string_view, all_waves.size()> wave_names = {"spectrum", "analytic", "pond"};
 
 constexpr std::array models = {SpectrumModel::phillips_paper, SpectrumModel::phillips,
                                SpectrumModel::pierson_moskowitz, SpectrumModel::jonswap};
@@ -63,7 +63,7 @@ bool has_papers_spectrum(const SeaState& sea) {
 }
 
 bool is_cascade_for_good(const SeaState& sea) {
-    return sea.patch_size_m > 0 || has_papers_spectrum(sea) || sea.waves == WaveModel::exp_sine;
+    return sea.patch_size_m > 0 || has_papers_spectrum(sea) || sea.waves == WaveModel::pond;
 }
 
 int cascades_of(const SeaState& sea) {
@@ -118,7 +118,7 @@ std::string check(const SeaState& sea) {
     if (sea.cascades > 1) {
         if (sea.patch_size_m > 0) return refusal("cascades", sea.cascades, "1 where the side of the cascade is given");
         if (is_papers) return refusal("cascades", sea.cascades, "1 where the spectrum is phillips-paper");
-        if (sea.waves == WaveModel::exp_sine) return refusal("cascades", sea.cascades, "1 where waves is exp-sine");
+        if (sea.waves == WaveModel::pond) return refusal("cascades", sea.cascades, "1 where waves is pond");
         if (sea.resolution != 0 && sea.resolution < least_resolution_of_stacks)
             return refusal("cascades", sea.cascades, "1 where the resolution is " + number_text(sea.resolution));
     }

@@ -12,10 +12,10 @@
 namespace pelagic {
 
 /// Which waves there are: those of a wind's spectrum; up to 64 waves of an analytic sea (analytic/analytic_sea.hpp); a pond's octaves
-/// of exp(sin - 1) (analytic/exp_sine_water.hpp).
-enum class WaveModel { spectrum, analytic, exp_sine };
+/// of exp(sin - 1) (analytic/pond_waves.hpp).
+enum class WaveModel { spectrum, analytic, pond };
 
-/// "spectrum", "analytic" or "exp-sine".
+/// "spectrum", "analytic" or "pond".
 std::string_view name_of(WaveModel);
 std::optional<WaveModel> wave_model_named(std::string_view name);
 std::span<const WaveModel> wave_models();

@@ -55,7 +55,7 @@ std::string check(const ShoreOptions& options) {
 
 std::string check(const ShoreOptions& options, const SeaState& sea) {
     if (std::string reason = check(options); !reason.empty()) return reason;
-    if (sea.waves == WaveModel::exp_sine)
+    if (sea.waves == WaveModel::pond)
         return refusal("waves", name_of(sea.waves), "spectrum or analytic where there is a shore");
     if (has_papers_spectrum(sea))
         return refusal("spectrum", name_of(sea.spectrum), "one with a physical height where there is a shore");

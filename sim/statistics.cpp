@@ -161,7 +161,7 @@ void add_pond(const SeaState& sea, const CascadePlan& cascade, GridSums& sums) {
     const auto wind = det::sine_cosine_of_turns(sea.wind_direction_rad / two_pi);
     SlopeVariance slopes;
     for (const GridOctave& moved : grid_octaves(sea, cascade)) {
-        const ExpSineOctave& octave = moved.octave;
+        const PondOctave& octave = moved.octave;
         const double x = octave.turns_per_m_x / octave.turns_per_m(), z = octave.turns_per_m_z / octave.turns_per_m();
         const double variance = moved.height_variance();
         if (!(variance > 0)) continue;
@@ -179,7 +179,7 @@ void add_pond(const SeaState& sea, const CascadePlan& cascade, GridSums& sums) {
 
 GridSums sums_over(const SeaState& sea, std::span<const CascadePlan> plan, Draws draws) {
     GridSums sums;
-    if (sea.waves == WaveModel::exp_sine) {
+    if (sea.waves == WaveModel::pond) {
         sums.lowest_band_hz = ripple_frequency_hz(1 / plan.front().grid.side_m);
         add_pond(sea, plan.front(), sums);
         return sums;
@@ -200,13 +200,13 @@ struct ModelWaves {
 };
 
 ModelWaves model_waves_of_list(const SeaState& sea) {
-    if (sea.waves == WaveModel::exp_sine) {
+    if (sea.waves == WaveModel::pond) {
         double squares = 0;
-        const std::vector<ExpSineOctave> octaves = octaves_of(exp_sine_sea_of(sea));
-        for (const ExpSineOctave& octave : octaves) squares += octave.height_m * octave.height_m;
-        const ExpSineOctave& first = octaves.front();
+        const std::vector<PondOctave> octaves = octaves_of(pond_sea_of(sea));
+        for (const PondOctave& octave : octaves) squares += octave.height_m * octave.height_m;
+        const PondOctave& first = octaves.front();
         return {.peak = {two_pi * first.turns_per_m(), two_pi * first.frequency_hz},
-                .significant_wave_height_m = 4 * std::sqrt(exp_sine_variance * squares)};
+                .significant_wave_height_m = 4 * std::sqrt(pond_variance * squares)};
     }
     const PlaneWaves asked = plane_waves_of(analytic_sea_of(sea));
     const auto highest =

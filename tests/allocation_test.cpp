@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "pelagic/analytic/analytic_surface.hpp"
-#include "pelagic/analytic/exp_sine_water.hpp"
+#include "pelagic/analytic/pond_waves.hpp"
 #include "pelagic/quadtree/selection.hpp"
 #include "pelagic/sim/gerstner_input.hpp"
 #include "pelagic/sim/ocean.hpp"
@@ -63,7 +63,7 @@ TEST(Allocation, NeitherQueriesNorFramesThatCanBeAskedAllocate) {
                           .wind_speed_mps = 20,
                           .choppiness = 1};
     const SeaState steep_cascades{.cascades = 4, .resolution = 64, .wind_speed_mps = 50, .choppiness = 1};
-    const SeaState pond{.waves = WaveModel::exp_sine, .resolution = 128};
+    const SeaState pond{.waves = WaveModel::pond, .resolution = 128};
     for (const auto& [executor, sea] : {std::pair{make_serial_executor(), folded},
                                         {make_thread_executor(3), folded},
                                         {make_serial_executor(), steep_cascades},
@@ -109,7 +109,7 @@ TEST(Allocation, WavesOfHostsAllocateNothingInFrames) {
 
 TEST(Allocation, SeasInClosedFormAllocateNothingWhenAsked) {
     const AnalyticSurface sea(analytic_preset_named("analytic-intense")->sea);
-    const ExpSineWater pond({});
+    const PondWaves pond({});
     std::vector<double> x(1003, 1.5), z(1003, -2);
     std::vector<float> height(1003), normal(1003);
     const long before = allocations;

@@ -75,7 +75,7 @@ const std::map<std::string, Words> tries = {
     {"shortest-wave", {"--waves", "analytic", "--shortest-wave", "3"}},
     {"wave-strength", {"--waves", "analytic", "--wave-strength", "0.5"}},
     {"wave-height", {"--waves", "analytic", "--wave-height", "2"}},
-    {"wave-drag", {"--waves", "exp-sine", "--wave-drag", "0.2"}},
+    {"wave-drag", {"--waves", "pond", "--wave-drag", "0.2"}},
     {"events", {"--events", the_events}},
     {"events-side", {"--events", the_events, "--events-side", "80"}},
     {"events-resolution", {"--events", the_events, "--events-resolution", "128"}},

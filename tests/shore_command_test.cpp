@@ -128,8 +128,8 @@ TEST(ShoreCommand, NamesWhatAShoreNeeds) {
              ", needs heights in metres (metres_a_sample is 41666.666666666664, needs [0.001, 10000])\n"},
         {{"--floor", file, "--shore", "--patch-size", "250"},
          "pelagic: --cascades is 1, needs 2 to 4 where there is a shore, which takes the coarsest cascade's waves\n"},
-        {{"--floor", file, "--shore", "--waves", "exp-sine"},
-         "pelagic: --waves is exp-sine, needs spectrum or analytic where there is a shore\n"},
+        {{"--floor", file, "--shore", "--waves", "pond"},
+         "pelagic: --waves is pond, needs spectrum or analytic where there is a shore\n"},
     };
     for (const auto& [arguments, line] : cases) {
         const Outcome run = query(folder, "0,0\n", arguments);

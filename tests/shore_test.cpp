@@ -480,8 +480,8 @@ TEST(Shore, RefusesWhatItCantBe) {
 
     EXPECT_EQ(check(bay(), SeaState{.patch_size_m = 100}),
               "cascades is 1, needs 2 to 4 where there is a shore, which takes the coarsest cascade's waves");
-    EXPECT_EQ(check(bay(), SeaState{.waves = WaveModel::exp_sine}),
-              "waves is exp-sine, needs spectrum or analytic where there is a shore");
+    EXPECT_EQ(check(bay(), SeaState{.waves = WaveModel::pond}),
+              "waves is pond, needs spectrum or analytic where there is a shore");
     EXPECT_THROW(Ocean(SeaState{.resolution = 32, .patch_size_m = 100}, with_bay()), std::invalid_argument);
     Forecast changing{.first = breeze};
     changing.changes.push_back({.sea = breeze, .from_s = 5, .over_s = 5});

@@ -30,7 +30,7 @@ std::vector<NamedSea> seas() {
     return {{"stack", {.cascades = 3, .resolution = 64, .wind_speed_mps = 12, .loop_period_s = 30}},
             {"smallest", {.resolution = 16, .patch_size_m = 40, .wind_speed_mps = 6, .loop_period_s = 30}},
             {"one-cascade", {.resolution = 128, .patch_size_m = 150, .wind_speed_mps = 12, .loop_period_s = 30}},
-            {"pond", {.waves = WaveModel::exp_sine, .resolution = 64, .loop_period_s = 30}}};
+            {"pond", {.waves = WaveModel::pond, .resolution = 64, .loop_period_s = 30}}};
 }
 
 /// Some of the waves are for each of the cascades.

@@ -102,7 +102,7 @@ Json sea_for_people(const Json& sea) {
         if (key == "alignment") return is_spectrum && sea.at("spreading") == "paper";
         if (key.starts_with("swell_")) return has_swell;
         if (key == "wave_strength") return waves == "analytic";
-        if (key == "wave_drag") return waves == "exp-sine";
+        if (key == "wave_drag") return waves == "pond";
         if (key == "patch_size_m") return sea.at(key) > 0;
         if (key == "wave_count" || key == "longest_wave_m" || key == "shortest_wave_m" || key == "wave_height_m")
             return !is_spectrum && sea.at(key) > 0;

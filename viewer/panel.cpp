@@ -41,7 +41,7 @@ void choose_preset(SeaState& sea) {
         if (!ImGui::Selectable(std::string(preset.name).c_str())) continue;
         const SeaState before = sea;
         sea = preset.sea;
-        if ((before.waves == WaveModel::exp_sine) != (sea.waves == WaveModel::exp_sine)) continue;
+        if ((before.waves == WaveModel::pond) != (sea.waves == WaveModel::pond)) continue;
         sea.resolution = before.resolution;  // the textures stay
         sea.cascades = before.cascades;
         sea.patch_size_m = before.patch_size_m;
@@ -53,7 +53,7 @@ void choose_preset(SeaState& sea) {
 /// What the wind does not say of the waves.
 void choose_waves(SeaState& sea) {
     if (sea.waves == WaveModel::analytic) slide(sliders::strength, sea.wave_strength);
-    if (sea.waves == WaveModel::exp_sine) slide(sliders::drag, sea.wave_drag);
+    if (sea.waves == WaveModel::pond) slide(sliders::drag, sea.wave_drag);
 }
 
 /// How many cascades the sea is a sum of, unless the side of the only one was given or the model knows no other.

@@ -246,7 +246,7 @@ class Viewer {
     bool ocean_takes(const SeaState& sea) const {
         return !options_.shore && cascades_of(sea) == static_cast<int>(ocean_->cascade_count()) &&
                resolution_of(sea) == ocean_->resolution() &&
-               (sea.waves == WaveModel::exp_sine) == (ocean_->sea().waves == WaveModel::exp_sine);
+               (sea.waves == WaveModel::pond) == (ocean_->sea().waves == WaveModel::pond);
     }
 
     void fill_ocean(const std::vector<SeaChange>& changes = {}) {

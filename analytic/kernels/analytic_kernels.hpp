@@ -53,7 +53,7 @@ struct GerstnerJob {
 };
 
 /// One octave of exp(sin - 1) waves.
-struct ExpSineTerms {
+struct PondTerms {
     WavePhase phase;
     float way_x, way_z;      ///< unit vector along which it runs
     float turns_per_m;       ///< |k| / 2 pi
@@ -65,7 +65,7 @@ struct ExpSineTerms {
 };
 
 /// All but the height are null together where nobody wants them.
-struct ExpSineAnswers {
+struct PondAnswers {
     float* height;
     float *normal_x = nullptr, *normal_y = nullptr, *normal_z = nullptr;
     float* vertical_velocity = nullptr;
@@ -73,21 +73,21 @@ struct ExpSineAnswers {
 };
 
 /// `count` points, a multiple of analytic_group.
-struct ExpSineJob {
-    const ExpSineTerms* octaves;
+struct PondJob {
+    const PondTerms* octaves;
     const double* starts;
     int octave_count;
     std::size_t count;
     const double *x, *z;
     const float* footprint;  ///< m, or null: 0
-    ExpSineAnswers out;
+    PondAnswers out;
 };
 
 struct AnalyticKernels {
     std::size_t lanes;
     void (*gerstner_undisplaced)(const GerstnerJob&);   ///< points are reference points
     void (*gerstner_in_world)(const GerstnerJob&);  ///< points are where the water is drawn
-    void (*exp_sine)(const ExpSineJob&);
+    void (*pond)(const PondJob&);
 };
 
 /// \pre runs_here(isa)

@@ -1,6 +1,6 @@
 // Compiled once for each instruction set, as sim/kernels/kernels_isa.cpp. Only kernels may be included here, because
 // the linker keeps one copy of an inline function for everyone, and it might be this one.
-#include "pelagic/analytic/kernels/exp_sine.kernel.hpp"
+#include "pelagic/analytic/kernels/pond.kernel.hpp"
 #include "pelagic/analytic/kernels/gerstner.kernel.hpp"
 
 #define PELAGIC_JOINED(a, b) a##b
@@ -14,7 +14,7 @@ const AnalyticKernels PELAGIC_TABLE(PELAGIC_ISA_NAME) = {
     xsimd::batch<float, xsimd::PELAGIC_ISA_ARCH>::size,
     kernels::gerstner_undisplaced<xsimd::PELAGIC_ISA_ARCH>,
     kernels::gerstner_in_world<xsimd::PELAGIC_ISA_ARCH>,
-    kernels::exp_sine<xsimd::PELAGIC_ISA_ARCH>,
+    kernels::pond<xsimd::PELAGIC_ISA_ARCH>,
 };
 
 }  // namespace pelagic

@@ -113,6 +113,6 @@ py::dict sample_undisplaced(const FrameHandle& handle, const Doubles& points) {
 
 }  // namespace
 
-void add_reference_points(FrameClass& frame) { frame.def("sample_undisplaced", &sample_undisplaced, py::arg("points"), doc_of("Frame.at_rest")); }
+void add_reference_points(FrameClass& frame) { frame.def("sample_undisplaced", &sample_undisplaced, py::arg("points"), doc_of("Frame.sample_undisplaced")); }
 
 }  // namespace pelagic::python

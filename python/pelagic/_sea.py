@@ -41,7 +41,7 @@ class Sea:
     """
 
     waves: str = "spectrum"
-    """Which waves: those of a wind's "spectrum", up to 64 waves of an "analytic" sea, or a pond's octaves, "exp-sine"."""
+    """Which waves: those of a wind's "spectrum", up to 64 waves of an "analytic" sea, or a pond's octaves, "pond"."""
     spectrum: str = "jonswap"
     """"jonswap", "pierson-moskowitz", "phillips" or "phillips-paper"."""
     spreading: str = "paper"

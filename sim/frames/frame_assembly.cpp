@@ -211,7 +211,7 @@ void FrameAssembly::begin_inputs(Pass pass, double time_s, double time_in_loop_s
 }
 
 std::unique_ptr<SeaSource> FrameAssembly::source_of(WaveModel waves, std::size_t cascade) {
-    if (waves == WaveModel::exp_sine) return std::make_unique<Pond>(slots_, cascade, isa_, extras_);
+    if (waves == WaveModel::pond) return std::make_unique<Pond>(slots_, cascade, isa_, extras_);
     return std::make_unique<SpectralCascade>(slots_, cascade, kernels_for(isa_), extras_);
 }
 

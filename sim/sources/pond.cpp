@@ -5,7 +5,7 @@
 #include <cstring>
 #include <utility>
 
-#include "pelagic/analytic/exp_sine_terms.hpp"
+#include "pelagic/analytic/pond_terms.hpp"
 #include "pelagic/analytic/wave_phase.hpp"
 #include "pelagic/sim/kernels/wave_blocks.hpp"
 #include "pelagic/sim/surface/item_stage.hpp"
@@ -25,7 +25,7 @@ constexpr std::size_t rows_a_job = 4;
 struct RowPart {
     alignas(64) std::array<float, row_part> height, normal_x, normal_y, normal_z, vertical_velocity, slope_variance;
 
-    ExpSineAnswers answers(bool with_velocities) {
+    PondAnswers answers(bool with_velocities) {
         if (!with_velocities) return {.height = height.data()};
         return {height.data(), normal_x.data(), normal_y.data(), normal_z.data(), vertical_velocity.data(), slope_variance.data()};
     }
@@ -96,7 +96,7 @@ void Pond::fill_row(Pass pass, std::size_t row) {
     RowPart part;
     RowBounds bounds{3.4e38f, -3.4e38f};
     for (std::size_t first = 0; first < n; first += count) {
-        kernels_.exp_sine({.octaves = waves_.terms.data(),
+        kernels_.pond({.octaves = waves_.terms.data(),
                            .starts = starts_[pass].data(),
                            .octave_count = static_cast<int>(waves_.terms.size()),
                            .count = count,
@@ -144,7 +144,7 @@ Pond::Waves Pond::waves_of(const SeaState& sea, const CascadePlan& plan) {
                 .slope_ranges = {}};
     std::erase_if(waves.octaves, [](const GridOctave& octave) { return octave.shown == 0; });
     for (const GridOctave& octave : waves.octaves) {
-        ExpSineTerms terms = exp_sine_terms_of(octave.octave);
+        PondTerms terms = pond_terms_of(octave.octave);
         terms.phase = {static_cast<double>(octave.at.m) / plan.resolution,
                        static_cast<double>(octave.at.n) / plan.resolution};
         waves.terms.push_back(terms);
@@ -165,7 +165,7 @@ LineFigures Pond::figures_of(const Waves& waves) {
         figures.height_variance += octave.height_variance();
         figures.mean_square_slope += shown * octave.slope_variance();
         const double height = octave.octave.height_m;
-        figures.slopes.add_wave(exp_sine_slope_variance * (height * height) * shown, difference(octave.at.m),
+        figures.slopes.add_wave(pond_slope_variance * (height * height) * shown, difference(octave.at.m),
                                 difference(octave.at.n));
     }
     return figures;
@@ -180,7 +180,7 @@ LineFigures Pond::adopt_spectrum(std::size_t, std::size_t) {
 
 std::size_t Pond::bytes() const {
     return sizeof(Pond) + columns_.capacity() * sizeof(double) + row_bounds_.capacity() * sizeof(RowBounds) +
-           waves_.octaves.capacity() * sizeof(GridOctave) + waves_.terms.capacity() * sizeof(ExpSineTerms);
+           waves_.octaves.capacity() * sizeof(GridOctave) + waves_.terms.capacity() * sizeof(PondTerms);
 }
 
 }  // namespace pelagic

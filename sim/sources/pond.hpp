@@ -1,4 +1,4 @@
-// Octaves of exp(sin - 1) on the grid of one cascade (analytic/exp_sine_water.hpp, sim/spectrum/wave_list.hpp): a stage that
+// Octaves of exp(sin - 1) on the grid of one cascade (analytic/pond_waves.hpp, sim/spectrum/wave_list.hpp): a stage that
 // sums them at each texel. Octaves that move those after them are no sum of waves that a transform could make.
 //
 //   spectrum (on demand) -> octaves
@@ -46,7 +46,7 @@ class Pond final : public SeaSource {
         CascadePlan plan;
         double loop_period_s = 1;
         std::vector<GridOctave> octaves;
-        std::vector<ExpSineTerms> terms;
+        std::vector<PondTerms> terms;
         SlopeRanges slope_ranges;
     };
     struct RowBounds {

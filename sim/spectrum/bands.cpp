@@ -137,7 +137,7 @@ std::vector<CascadePlan> plan_cascades(const SeaState& sea, const WaveReach& rea
 std::vector<CascadePlan> plan_cascades(const SeaState& sea, const WaveReach& reach, const WaveReach& own) {
     if (is_stack(sea) && sea.waves == WaveModel::analytic) return with_few_waves(plan_stack(sea, reach, own.end_k));
     if (is_stack(sea)) return plan_stack(sea, reach, own.end_k);
-    const double chosen_m = sea.waves == WaveModel::exp_sine ? pond_side_m(sea) : papers_side_m;
+    const double chosen_m = sea.waves == WaveModel::pond ? pond_side_m(sea) : papers_side_m;
     return {{.grid = {.side_m = sea.patch_size_m > 0 ? sea.patch_size_m : chosen_m},
              .resolution = resolution_of(sea)}};
 }

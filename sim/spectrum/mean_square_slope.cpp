@@ -51,7 +51,7 @@ SlopeVariance unresolved_slopes(const SlopeVariance& resolved, double wind_speed
 }
 
 SlopeVariance slopes_left(const SeaState& sea, const SlopeVariance& resolved) {
-    if (sea.waves != WaveModel::exp_sine) return unresolved_slopes(resolved, sea.wind_speed_mps);
+    if (sea.waves != WaveModel::pond) return unresolved_slopes(resolved, sea.wind_speed_mps);
     return hidden_slopes(sea, grid_octaves(sea, plan_cascades(sea).front()));
 }
 

@@ -15,7 +15,7 @@ constexpr double two_pi = 6.28318530717958647693;
 // What a sea has that asks for nothing: the presets' waves, and the default pond's octaves.
 constexpr AnalyticFamily family;
 constexpr double family_ratio = family.longest_m / family.shortest_m;
-constexpr ExpSineSea pond;
+constexpr PondSea pond;
 constexpr double pond_ratio = 45;  // pond.growth^(pond.octaves - 1)
 
 /// Of an analytic sea (analytic_wave_fields()).
@@ -26,7 +26,7 @@ constexpr double pond_waves = 6;
 
 double or_chosen(double value, double chosen) { return value > 0 ? value : chosen; }
 
-bool is_pond(const SeaState& sea) { return sea.waves == WaveModel::exp_sine; }
+bool is_pond(const SeaState& sea) { return sea.waves == WaveModel::pond; }
 
 int count_of(const SeaState& sea) {
     if (sea.wave_count != 0) return sea.wave_count;
@@ -40,7 +40,7 @@ double turns_of(double rad) {
 }
 
 std::string check_pond(const SeaState& sea) {
-    const ExpSineSea asked = exp_sine_sea_of(sea);
+    const PondSea asked = pond_sea_of(sea);
     if (asked.growth > 4)
         return refusal("wave_count", asked.octaves,
                        "more octaves from longest_wave_m " + number_text(longest_wave_of(sea)) +
@@ -49,7 +49,7 @@ std::string check_pond(const SeaState& sea) {
     if (asked.height_m > 10)
         return refusal("wave_height_m", sea.wave_height_m,
                        "at most " + rounded_text(sea.wave_height_m * 10 / asked.height_m, 3) +
-                           " where waves is exp-sine with so many octaves");
+                           " where waves is pond with so many octaves");
     return one_line(check(asked));
 }
 
@@ -87,12 +87,12 @@ std::complex<double> GridWave::half_amplitude() const {
 }
 
 double GridOctave::height_variance() const {
-    return exp_sine_variance * (octave.height_m * octave.height_m) * (shown * shown);
+    return pond_variance * (octave.height_m * octave.height_m) * (shown * shown);
 }
 
 double GridOctave::slope_variance() const {
     const double steepness = two_pi * octave.turns_per_m() * octave.height_m;
-    return exp_sine_slope_variance * (steepness * steepness);
+    return pond_slope_variance * (steepness * steepness);
 }
 
 double longest_wave_of(const SeaState& sea) {
@@ -148,10 +148,10 @@ PlaneWaves waves_of_cascades(const SeaState& sea) {
     return held;
 }
 
-ExpSineSea exp_sine_sea_of(const SeaState& sea) {
+PondSea pond_sea_of(const SeaState& sea) {
     const DefaultFloatEnvironment environment;
     const double longest_m = longest_wave_of(sea), ratio = longest_m / shortest_wave_of(sea);
-    ExpSineSea asked{.octaves = count_of(sea),
+    PondSea asked{.octaves = count_of(sea),
                      .height_m = pond.height_m / pond.wavelength_m * longest_m,
                      .wavelength_m = longest_m,
                      .direction_rad = two_pi * turns_of(sea.wind_direction_rad),
@@ -160,8 +160,8 @@ ExpSineSea exp_sine_sea_of(const SeaState& sea) {
     if (asked.octaves > 1) asked.growth = det::pow(ratio, 1.0 / (asked.octaves - 1));
     if (sea.wave_height_m > 0) {
         double squares = 0;
-        for (const ExpSineOctave& octave : octaves_of(asked)) squares += octave.height_m * octave.height_m;
-        asked.height_m *= sea.wave_height_m / (4 * std::sqrt(exp_sine_variance * squares));
+        for (const PondOctave& octave : octaves_of(asked)) squares += octave.height_m * octave.height_m;
+        asked.height_m *= sea.wave_height_m / (4 * std::sqrt(pond_variance * squares));
     }
     return asked;
 }
@@ -170,7 +170,7 @@ std::vector<GridOctave> grid_octaves(const SeaState& sea, const CascadePlan& cas
     const DefaultFloatEnvironment environment;
     const double texel_m = cascade.grid.side_m / cascade.resolution;
     std::vector<GridOctave> octaves;
-    for (const ExpSineOctave& asked : octaves_of(exp_sine_sea_of(sea))) {
+    for (const PondOctave& asked : octaves_of(pond_sea_of(sea))) {
         const GridIndex at = nearest_place(cascade.grid, asked.turns_per_m_x, asked.turns_per_m_z);
         GridOctave moved{.at = at, .harmonic = 0, .octave = asked, .shown = 0};
         const auto [x, z] = turns_per_m_of(cascade.grid, at);
@@ -185,8 +185,8 @@ std::vector<GridOctave> grid_octaves(const SeaState& sea, const CascadePlan& cas
     return octaves;
 }
 
-std::vector<ExpSineOctave> octaves_of_cascade(const SeaState& sea) {
-    std::vector<ExpSineOctave> octaves;
+std::vector<PondOctave> octaves_of_cascade(const SeaState& sea) {
+    std::vector<PondOctave> octaves;
     for (const GridOctave& moved : grid_octaves(sea, plan_cascades(sea).front())) octaves.push_back(moved.octave);
     return octaves;
 }
@@ -195,7 +195,7 @@ SlopeVariance hidden_slopes(const SeaState& sea, std::span<const GridOctave> oct
     const auto [sine, cosine] = det::sine_cosine_of_turns(sea.wind_direction_rad / two_pi);
     SlopeVariance hidden;
     for (const GridOctave& moved : octaves) {
-        const ExpSineOctave& octave = moved.octave;
+        const PondOctave& octave = moved.octave;
         const double part = (1 - moved.shown * moved.shown) * moved.slope_variance();
         const double along = (octave.turns_per_m_x * cosine + octave.turns_per_m_z * sine) / octave.turns_per_m();
         hidden.upwind += part * (along * along);

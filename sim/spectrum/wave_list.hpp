@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "pelagic/sim/closed_form_cascades.hpp"
+#include "pelagic/sim/analytic_cascades.hpp"
 #include "pelagic/sim/slope_variance.hpp"
 #include "pelagic/sim/spectrum/dispersion.hpp"
 #include "pelagic/sim/cascade_plan.hpp"
@@ -45,7 +45,7 @@ std::vector<GridWave> grid_waves(const SeaState& sea, const CascadePlan& cascade
 struct GridOctave {
     GridIndex at;
     std::uint32_t harmonic;  ///< periods in a loop
-    ExpSineOctave octave;    ///< as moved there
+    PondOctave octave;    ///< as moved there
     double shown;            ///< what of it texels can show; the rest is hidden
 
     /// Mean squares of what is shown of its height, m^2, and of all its slope.
@@ -53,7 +53,7 @@ struct GridOctave {
     double slope_variance() const;
 };
 
-/// \pre check(sea) is empty, sea.waves is exp_sine, and `cascade` is that of plan_cascades(sea)
+/// \pre check(sea) is empty, sea.waves is pond, and `cascade` is that of plan_cascades(sea)
 std::vector<GridOctave> grid_octaves(const SeaState& sea, const CascadePlan& cascade);
 
 /// Mean square slope of what the cascade's texels hide of a pond's octaves, along the wind and across it.

@@ -21,7 +21,7 @@ def test_frames_have_the_golden_hashes(options):
     assert seen == {name: int(GOLDEN[name], 16) for name in seen}
     # All that there are, but for those of other questions than frames.
     assert {name for name in GOLDEN if name not in seen} == {
-        "foam-folded", "foam-cascades", "queries-analytic", "queries-exp-sine", "queries-folded", "queries-smooth", "queries-cascades"}
+        "foam-folded", "foam-cascades", "queries-analytic", "queries-pond", "queries-folded", "queries-smooth", "queries-cascades"}
 
 
 def test_foam_has_the_golden_hash():

@@ -8,7 +8,7 @@ for (const spreading of ['cosine-2s', 'hasselmann', 'donelan-banner']) seas[`spr
 seas['shallow-64'] = { ...oneCascade, depthM: 8 };
 seas['breaking-swell-64'] = { ...oneCascade, depthM: 2, swellHeightM: 1, swellDirectionRad: 2 };
 seas['analytic-64'] = { waves: 'analytic', resolution: 64, choppiness: 1 };
-seas['exp-sine-64'] = { waves: 'exp-sine', resolution: 64 };
+seas['pond-64'] = { waves: 'pond', resolution: 64 };
 seas['small-waves-64'] = { ...oneCascade, smallWaves: 0.8 };
 for (const preset of ['calm', 'moderate', 'rough', 'storm']) seas[`preset-${preset}`] = { preset };
 

@@ -24,7 +24,7 @@ for (const [where, create, threads] of [['here', createOcean, 1], ['here', creat
 test('every golden frame is compared', () => {
   const known = golden.trim().split('\n').map((line) => line.split(' ')[0]);
   assert.deepEqual(known.filter((name) => !goldenNames.includes(name)),
-                   ['foam-folded', 'queries-analytic', 'queries-exp-sine', 'queries-folded', 'queries-smooth', 'queries-cascades']);
+                   ['foam-folded', 'queries-analytic', 'queries-pond', 'queries-folded', 'queries-smooth', 'queries-cascades']);
 });
 
 // Halves are rounded from the planes, which an own reader of halves sees.
@@ -147,7 +147,7 @@ test('what is wrong is refused by one line that says what would do', async () =>
     [{ spectrum: 'phillips-paper', swellHeightM: 1 }, 'swellHeightM is 1, needs 0 where the spectrum is phillips-paper'],
     [{ wind_speed_mps: 9 }, 'there is no option wind_speed_mps, needs windSpeedMps'],
     [{ windspeed: 9 }, 'there is no option windspeed, needs windSpeedMps'],
-    [{ waves: 'exp_sine' }, 'waves is "exp_sine", needs spectrum, analytic or exp-sine (the nearest is exp-sine)'],
+    [{ waves: 'pond' }, 'waves is "pond", needs spectrum, analytic or pond (the nearest is pond)'],
     [{ queries: 1 }, 'queries is 1, needs true or false'],
     [{ threads: 0 }, 'threads is 0, needs a whole number from 1 to 64'],
     [{ threads: '2' }, 'threads is "2", needs a whole number from 1 to 64'],

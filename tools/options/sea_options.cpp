@@ -47,7 +47,7 @@ constexpr std::array sea_flags = {
     SeaFlag{"swell-spread", "swell_spread_rad", "standard deviation of the swell's directions"},
     SeaFlag{"loop-period", "loop_period_s", "the sea repeats exactly after this time, in seconds"},
     SeaFlag{"seed", "seed", "which sea of this kind"},
-    SeaFlag{"wave-count", "wave_count", "waves of an analytic sea, octaves of a pond (waves analytic, exp-sine)"},
+    SeaFlag{"wave-count", "wave_count", "waves of an analytic sea, octaves of a pond (waves analytic, pond)"},
     SeaFlag{"longest-wave", "longest_wave_m", "their longest, in metres"},
     SeaFlag{"shortest-wave", "shortest_wave_m", "their shortest, in metres"},
     SeaFlag{"wave-strength", "wave_strength", "of an analytic sea: 0 calm, 1 moderate, 2 intense"},

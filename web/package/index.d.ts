@@ -6,7 +6,7 @@ export interface SeaOptions {
   /** A named sea to start from; presets() has all. */
   preset?: string;
   /** Which waves there are: those of a wind's spectrum, up to 64 waves that morph, a pond's. Default "spectrum". */
-  waves?: 'spectrum' | 'analytic' | 'exp-sine';
+  waves?: 'spectrum' | 'analytic' | 'pond';
   /** Default "jonswap". */
   spectrum?: 'phillips-paper' | 'phillips' | 'pierson-moskowitz' | 'jonswap';
   /** How waves spread around the wind. Default "paper". */

@@ -72,7 +72,7 @@ export class Panel {
     const asPreset = preset => Object.fromEntries(Object.entries(preset[group]).filter(([name]) => !kept.includes(name)));
     select.addEventListener('change', () => {
       const preset = presets.find(one => one.name === select.value);
-      if (preset) this.change(group === 'sea' && preset.sea.waves === 'exp-sine' ? preset.sea : asPreset(preset));
+      if (preset) this.change(group === 'sea' && preset.sea.waves === 'pond' ? preset.sea : asPreset(preset));
     });
     this.followers.push(settings => {
       const is = preset => Object.entries(asPreset(preset)).every(([name, value]) => settings[name] === value);
@@ -95,8 +95,8 @@ export class Panel {
       const value = option === 'cascades' && settings.cascades === 0 ? 4 : settings[option];
       input.value = value * scale;
       output.value = text(value * scale);
-      row.hidden = (option === 'waveStrength' && settings.waves !== 'analytic') || (option === 'waveDrag' && settings.waves !== 'exp-sine') ||
-        (option === 'cascades' && settings.waves === 'exp-sine');
+      row.hidden = (option === 'waveStrength' && settings.waves !== 'analytic') || (option === 'waveDrag' && settings.waves !== 'pond') ||
+        (option === 'cascades' && settings.waves === 'pond');
     });
     return row;
   }

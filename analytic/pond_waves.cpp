@@ -1,4 +1,4 @@
-#include "pelagic/analytic/exp_sine_water.hpp"
+#include "pelagic/analytic/pond_waves.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "pelagic/analytic/exp_sine_terms.hpp"
+#include "pelagic/analytic/pond_terms.hpp"
 #include "pelagic/analytic/point_groups.hpp"
 #include "pelagic/analytic/wave_phase.hpp"
 #include "pelagic/message/refusal.hpp"
@@ -25,16 +25,16 @@ constexpr double mean_exp = 0.46575960759364043;  // I0(1) / e
 constexpr double shortest_wavelength_m = 1e-3;    // where water is smooth
 
 constexpr std::array fields = {
-    NumericField<ExpSineSea>{"octaves", &ExpSineSea::octaves, 1, most_analytic_waves, "1 to 64"},
-    NumericField<ExpSineSea>{"height_m", &ExpSineSea::height_m, 0, 10, "(0, 10]", Among::above_least},
-    NumericField<ExpSineSea>{"wavelength_m", &ExpSineSea::wavelength_m, 0.01, 1000, "[0.01, 1000]"},
-    NumericField<ExpSineSea>{"direction_rad", &ExpSineSea::direction_rad, -two_pi, two_pi, "[-2 pi, 2 pi]"},
-    NumericField<ExpSineSea>{"growth", &ExpSineSea::growth, 1, 4, "[1, 4]"},
-    NumericField<ExpSineSea>{"decay", &ExpSineSea::decay, 0, 1, "(0, 1]", Among::above_least},
-    NumericField<ExpSineSea>{"drag", &ExpSineSea::drag, 0, 1, "[0, 1]"},
+    NumericField<PondSea>{"octaves", &PondSea::octaves, 1, most_analytic_waves, "1 to 64"},
+    NumericField<PondSea>{"height_m", &PondSea::height_m, 0, 10, "(0, 10]", Among::above_least},
+    NumericField<PondSea>{"wavelength_m", &PondSea::wavelength_m, 0.01, 1000, "[0.01, 1000]"},
+    NumericField<PondSea>{"direction_rad", &PondSea::direction_rad, -two_pi, two_pi, "[-2 pi, 2 pi]"},
+    NumericField<PondSea>{"growth", &PondSea::growth, 1, 4, "[1, 4]"},
+    NumericField<PondSea>{"decay", &PondSea::decay, 0, 1, "(0, 1]", Among::above_least},
+    NumericField<PondSea>{"drag", &PondSea::drag, 0, 1, "[0, 1]"},
 };
 
-double last_wavelength_m(const ExpSineSea& sea) {
+double last_wavelength_m(const PondSea& sea) {
     double wavelength_m = sea.wavelength_m;
     for (int i = 1; i < sea.octaves; ++i) wavelength_m /= sea.growth;
     return wavelength_m;
@@ -58,14 +58,14 @@ std::optional<Stretch> between_heights(double y, double way_y, double lowest, do
 
 }  // namespace
 
-std::string check(const ExpSineSea& sea) {
+std::string check(const PondSea& sea) {
     if (const std::string reason = check_fields(sea, fields); !reason.empty()) return reason;
     if (const double last_m = last_wavelength_m(sea); last_m < shortest_wavelength_m)
         return refusal("the last octave's wavelength_m", last_m, "0.001 at least: fewer octaves, or less growth");
     return {};
 }
 
-double ExpSineOctave::turns_per_m() const {
+double PondOctave::turns_per_m() const {
     return std::sqrt(turns_per_m_x * turns_per_m_x + turns_per_m_z * turns_per_m_z);
 }
 
@@ -79,11 +79,11 @@ double shown_part(double wavelength_m, double footprint_m) {
     return 1 - t * t * (3 - 2 * t);
 }
 
-std::vector<ExpSineOctave> octaves_of(const ExpSineSea& sea) {
+std::vector<PondOctave> octaves_of(const PondSea& sea) {
     const DefaultFloatEnvironment environment;
     double sum = 0, part = 1;
     for (int i = 0; i < sea.octaves; ++i, part *= sea.decay) sum += part;
-    std::vector<ExpSineOctave> octaves;
+    std::vector<PondOctave> octaves;
     double wavelength_m = sea.wavelength_m;
     part = 1;
     for (int i = 0; i < sea.octaves; ++i, part *= sea.decay, wavelength_m /= sea.growth) {
@@ -98,7 +98,7 @@ std::vector<ExpSineOctave> octaves_of(const ExpSineSea& sea) {
     return octaves;
 }
 
-ExpSineTerms exp_sine_terms_of(const ExpSineOctave& octave) {
+PondTerms pond_terms_of(const PondOctave& octave) {
     const double per_m = octave.turns_per_m();
     const auto rounded = [](double value) { return static_cast<float>(value); };
     return {.phase = {octave.turns_per_m_x, octave.turns_per_m_z},
@@ -114,42 +114,42 @@ ExpSineTerms exp_sine_terms_of(const ExpSineOctave& octave) {
 
 namespace {
 
-const ExpSineSea& checked(const ExpSineSea& sea) {
+const PondSea& checked(const PondSea& sea) {
     if (const std::string reason = check(sea); !reason.empty()) throw std::invalid_argument(reason);
     return sea;
 }
 
 }  // namespace
 
-ExpSineWater::ExpSineWater(const ExpSineSea& sea, std::optional<Isa> isa)
-    : ExpSineWater(isa, octaves_of(checked(sea))) {}
+PondWaves::PondWaves(const PondSea& sea, std::optional<Isa> isa)
+    : PondWaves(isa, octaves_of(checked(sea))) {}
 
-ExpSineWater ExpSineWater::of(std::vector<ExpSineOctave> octaves, std::optional<Isa> isa) {
+PondWaves PondWaves::of(std::vector<PondOctave> octaves, std::optional<Isa> isa) {
     return {isa, std::move(octaves)};
 }
 
-ExpSineWater::ExpSineWater(std::optional<Isa> isa, std::vector<ExpSineOctave> octaves)
+PondWaves::PondWaves(std::optional<Isa> isa, std::vector<PondOctave> octaves)
     : octaves_(std::move(octaves)), height_m_(0) {
     assert(!octaves_.empty() && octaves_.size() <= most_analytic_waves);
     const DefaultFloatEnvironment environment;
     kernels_ = &analytic_kernels_for(choose_isa(isa));
     double most_turns_per_m = 0;
-    for (const ExpSineOctave& octave : octaves_) {
-        terms_.push_back(exp_sine_terms_of(octave));
+    for (const PondOctave& octave : octaves_) {
+        terms_.push_back(pond_terms_of(octave));
         height_m_ += octave.height_m;
         most_turns_per_m = std::max(most_turns_per_m, octave.turns_per_m());
     }
     shortest_m_ = 1 / most_turns_per_m;
 }
 
-ExpSineWater::~ExpSineWater() = default;
-ExpSineWater::ExpSineWater(ExpSineWater&&) noexcept = default;
-ExpSineWater& ExpSineWater::operator=(ExpSineWater&&) noexcept = default;
+PondWaves::~PondWaves() = default;
+PondWaves::PondWaves(PondWaves&&) noexcept = default;
+PondWaves& PondWaves::operator=(PondWaves&&) noexcept = default;
 
-double ExpSineWater::lowest_m() const { return height_m_ * (least_exp - mean_exp); }
-double ExpSineWater::highest_m() const { return height_m_ * (1 - mean_exp); }
+double PondWaves::lowest_m() const { return height_m_ * (least_exp - mean_exp); }
+double PondWaves::highest_m() const { return height_m_ * (1 - mean_exp); }
 
-void ExpSineWater::sample(double time_s, const AnalyticPoints& points, const ExpSineSamples& samples,
+void PondWaves::sample(double time_s, const AnalyticPoints& points, const PondSamples& samples,
                           std::span<const float> footprint_m) const {
     assert(std::isfinite(time_s));
     assert(footprint_m.empty() || footprint_m.size() == points.x.size());
@@ -170,7 +170,7 @@ void ExpSineWater::sample(double time_s, const AnalyticPoints& points, const Exp
                 tail[i] = footprint_m[std::min(group.first + i, footprint_m.size() - 1)];
             footprint = tail;
         }
-        ExpSineJob job{.octaves = terms_.data(),
+        PondJob job{.octaves = terms_.data(),
                        .starts = starts.data(),
                        .octave_count = static_cast<int>(terms_.size()),
                        .count = group.count,
@@ -179,11 +179,11 @@ void ExpSineWater::sample(double time_s, const AnalyticPoints& points, const Exp
                        .footprint = footprint,
                        .out = {.height = out[0]}};
         if (slopes) job.out = {out[0], out[1], out[2], out[3], out[4], out[5]};
-        kernels_->exp_sine(job);
+        kernels_->pond(job);
     });
 }
 
-std::optional<ExpSineHit> ExpSineWater::first_hit(double time_s, std::array<double, 3> origin_m,
+std::optional<PondHit> PondWaves::first_hit(double time_s, std::array<double, 3> origin_m,
                                                   std::array<double, 3> direction, double reach_m) const {
     const DefaultFloatEnvironment environment;
     const auto [dx, dy, dz] = direction;
@@ -226,7 +226,7 @@ std::optional<ExpSineHit> ExpSineWater::first_hit(double time_s, std::array<doub
     }
     const double distance_m = from_m + step_m / 2;
     if (distance_m > stretch->to_m) return {};
-    return ExpSineHit{distance_m, {along(distance_m, 0), along(distance_m, 1), along(distance_m, 2)}};
+    return PondHit{distance_m, {along(distance_m, 0), along(distance_m, 1), along(distance_m, 2)}};
 }
 
 }  // namespace pelagic

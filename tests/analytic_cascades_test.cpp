@@ -1,5 +1,5 @@
 // Seas of few waves on cascades: texels against sums in long double with libm, and the closed-form evaluators against frames.
-#include "pelagic/sim/closed_form_cascades.hpp"
+#include "pelagic/sim/analytic_cascades.hpp"
 
 #include <gtest/gtest.h>
 
@@ -42,7 +42,7 @@ const SeaState crowded{.waves = WaveModel::analytic,
                        .longest_wave_m = 90,
                        .shortest_wave_m = 20,
                        .wave_strength = 0};
-const SeaState pond{.waves = WaveModel::exp_sine, .resolution = 64, .wind_direction_rad = 1};
+const SeaState pond{.waves = WaveModel::pond, .resolution = 64, .wind_direction_rad = 1};
 
 OceanOptions everything() { return {.executor = make_serial_executor(), .queries = true, .velocities = true}; }
 
@@ -345,7 +345,7 @@ TEST(AnalyticCascades, NeverFold) {
     EXPECT_EQ(std::count(converged.begin(), converged.end(), 0), 0);
 }
 
-TEST(ClosedFormCascades, AnyOrderOfTimesGivesTheSameBits) {
+TEST(AnalyticCascades, AnyOrderOfTimesGivesTheSameBits) {
     for (const SeaState& sea : {moderate, pond}) {
         Ocean ocean(sea, everything());
         std::map<double, std::uint64_t> forwards;
@@ -359,7 +359,7 @@ TEST(ClosedFormCascades, AnyOrderOfTimesGivesTheSameBits) {
     }
 }
 
-TEST(ClosedFormCascades, SaysWhatItCanNotTake) {
+TEST(AnalyticCascades, SaysWhatItCanNotTake) {
     const auto with = [](SeaState sea, auto change) {
         change(sea);
         return check(sea);
@@ -377,15 +377,15 @@ TEST(ClosedFormCascades, SaysWhatItCanNotTake) {
               "swell_height_m is 1, needs 0 where waves is analytic");
     EXPECT_EQ(with(moderate, [](SeaState& sea) { sea.wave_count = 65; }),
               "wave_count is 65, needs 1 to 64, or 0: chosen");
-    EXPECT_EQ(with(pond, [](SeaState& sea) { sea.cascades = 2; }), "cascades is 2, needs 1 where waves is exp-sine");
+    EXPECT_EQ(with(pond, [](SeaState& sea) { sea.cascades = 2; }), "cascades is 2, needs 1 where waves is pond");
     EXPECT_EQ(with(pond, [](SeaState& sea) { sea.wave_count = 2; }),
               "wave_count is 2, needs more octaves from longest_wave_m 1.2 to shortest_wave_m 0.02667: each at "
               "least a quarter of the one before");
     EXPECT_EQ(with(pond, [](SeaState& sea) { sea.wave_height_m = 20; }),
-              "wave_height_m is 20, needs at most 4.05 where waves is exp-sine with so many octaves");
+              "wave_height_m is 20, needs at most 4.05 where waves is pond with so many octaves");
 }
 
-TEST(ClosedFormCascades, ALiveOceanKeepsToItsKindOfWaves) {
+TEST(AnalyticCascades, ALiveOceanKeepsToItsKindOfWaves) {
     Ocean sea({.resolution = 128}, everything());
     sea.schedule_sea(moderate);  // a spectrum and an analytic sea are both sums of waves
     sea.complete_sea();
@@ -400,7 +400,7 @@ TEST(ClosedFormCascades, ALiveOceanKeepsToItsKindOfWaves) {
         small.schedule_sea({.resolution = 64, .patch_size_m = 10});
         FAIL();
     } catch (const std::invalid_argument& refused) {
-        EXPECT_STREQ(refused.what(), "waves is spectrum, needs exp-sine, as the ocean was built");
+        EXPECT_STREQ(refused.what(), "waves is spectrum, needs pond, as the ocean was built");
     }
 }
 
@@ -409,7 +409,7 @@ Long pond_height(const std::vector<GridOctave>& octaves, const SeaState& sea, Lo
     const Long mean = 1.26606587775200833559824462521471753760767031135496L / std::numbers::e_v<Long>;  // I0(1) / e
     Long height = 0;
     for (const GridOctave& moved : octaves) {
-        const ExpSineOctave& octave = moved.octave;
+        const PondOctave& octave = moved.octave;
         const Long turns = octave.turns_per_m_x * x + octave.turns_per_m_z * z -
                            moved.harmonic * time_s / sea.loop_period_s + octave.phase_turns;
         const Long phase = two_pi * turns, wave = std::exp(std::sin(phase) - 1);
@@ -422,7 +422,7 @@ Long pond_height(const std::vector<GridOctave>& octaves, const SeaState& sea, Lo
     return height;
 }
 
-// The kernel is within 1e-6 of the octaves' heights (exp_sine_test.cpp); `shown` is rounded to floats, and octaves are moved
+// The kernel is within 1e-6 of the octaves' heights (pond_waves_test.cpp); `shown` is rounded to floats, and octaves are moved
 // by each other's rounding.
 TEST(PondCascade, TexelsAreTheSumOfTheirOctaves) {
     const CascadePlan cascade = plan_cascades(pond)[0];
@@ -445,7 +445,7 @@ TEST(PondCascade, TexelsAreTheSumOfTheirOctaves) {
 }
 
 TEST(PondCascade, TheClosedFormSaysWhatTexelsSay) {
-    const ExpSineWater water = ExpSineWater::of(octaves_of_cascade(pond));
+    const PondWaves water = PondWaves::of(octaves_of_cascade(pond));
     Ocean ocean(pond, everything());
     const Cascade& cascade = ocean.frame_at(4).cascades[0];
     const std::vector<float> footprint(64, static_cast<float>(cascade.texel_m()));
@@ -501,7 +501,7 @@ TEST(PondCascade, ReportsSayWhatFramesHave) {
 }
 
 // Every option at the edges of its range makes frames of finite numbers, or is refused.
-TEST(ClosedFormCascades, EdgesOfRangesGiveFiniteFrames) {
+TEST(AnalyticCascades, EdgesOfRangesGiveFiniteFrames) {
     for (const SeaState& base : {moderate, pond}) {
         int taken = 0;
         for (const SeaStateField& field : sea_state_fields()) {

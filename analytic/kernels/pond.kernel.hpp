@@ -38,15 +38,15 @@ PELAGIC_INLINE xsimd::batch<float, Arch> shown_part(xsimd::batch<float, Arch> ha
 
 /// W points on their way through the octaves. Without `Slopes` the height alone, and no derivative is computed.
 template <class Arch, bool Slopes>
-class ExpSinePoints {
+class PondPoints {
     using V = xsimd::batch<float, Arch>;
 
    public:
-    PELAGIC_INLINE ExpSinePoints(const ExpSineJob& job, std::size_t at)
+    PELAGIC_INLINE PondPoints(const PondJob& job, std::size_t at)
         : phases_(job.octaves, job.starts, job.octave_count, job.x + at, job.z + at),
           footprint_(job.footprint ? V::load_unaligned(job.footprint + at) : V(0.f)) {}
 
-    PELAGIC_INLINE void add(const ExpSineTerms& octave, int i) {
+    PELAGIC_INLINE void add(const PondTerms& octave, int i) {
         const V way_x(octave.way_x), way_z(octave.way_z), k(octave.k);
         const V moved_turns = (way_x * off_x_ + way_z * off_z_) * V(octave.turns_per_m);
         const auto [s, c] = rotation_of_turns<Arch>(phases_.of(i) + phase_of_turns<Arch>(moved_turns));
@@ -74,7 +74,7 @@ class ExpSinePoints {
         hidden_ = hidden_ + (V(1.f) - shown * shown) * (steepness * steepness * V(0.107634645f));
     }
 
-    PELAGIC_INLINE void store(const ExpSineAnswers& out, std::size_t at) const {
+    PELAGIC_INLINE void store(const PondAnswers& out, std::size_t at) const {
         height_.store_unaligned(out.height + at);
         if constexpr (!Slopes) return;
         const V length = square_root<Arch>(slope_x_ * slope_x_ + V(1.f) + slope_z_ * slope_z_);
@@ -98,20 +98,20 @@ class ExpSinePoints {
 
 /// A group at once: an octave waits for those before it, and meanwhile the other registers go on.
 template <class Arch, bool Slopes, std::size_t... Registers>
-PELAGIC_FLATTEN void exp_sine_groups(const ExpSineJob& job, std::index_sequence<Registers...>) {
+PELAGIC_FLATTEN void pond_groups(const PondJob& job, std::index_sequence<Registers...>) {
     constexpr std::size_t lanes = xsimd::batch<float, Arch>::size;
     for (std::size_t at = 0; at < job.count; at += analytic_group) {
-        ExpSinePoints<Arch, Slopes> points[] = {{job, at + Registers * lanes}...};
+        PondPoints<Arch, Slopes> points[] = {{job, at + Registers * lanes}...};
         for (int i = 0; i < job.octave_count; ++i) (points[Registers].add(job.octaves[i], i), ...);
         (points[Registers].store(job.out, at + Registers * lanes), ...);
     }
 }
 
 template <class Arch>
-void exp_sine(const ExpSineJob& job) {
+void pond(const PondJob& job) {
     const std::make_index_sequence<analytic_group / xsimd::batch<float, Arch>::size> registers;
-    if (job.out.normal_x) return exp_sine_groups<Arch, true>(job, registers);
-    exp_sine_groups<Arch, false>(job, registers);
+    if (job.out.normal_x) return pond_groups<Arch, true>(job, registers);
+    pond_groups<Arch, false>(job, registers);
 }
 
 }  // namespace pelagic::kernels

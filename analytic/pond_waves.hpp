@@ -22,11 +22,11 @@
 
 namespace pelagic {
 
-struct ExpSineJob;
-struct ExpSineTerms;
+struct PondJob;
+struct PondTerms;
 
 /// Ranges are checked by check().
-struct ExpSineSea {
+struct PondSea {
     int octaves = 24;           ///< [1, 64]
     double height_m = 0.05;     ///< sum of the octaves' a; a sum of crests is 0.53 of it high. (0, 10]
     double wavelength_m = 1.2;  ///< of the first octave; [0.01, 1000]
@@ -38,10 +38,10 @@ struct ExpSineSea {
 
 /// Empty if usable, else the first bad field: "octaves is 65, needs 1 to 64". The last octave may be no shorter than
 /// 1 mm.
-std::string check(const ExpSineSea& sea);
+std::string check(const PondSea& sea);
 
 /// One of its octaves.
-struct ExpSineOctave {
+struct PondOctave {
     double turns_per_m_x, turns_per_m_z;  ///< k / 2 pi, 1/m
     double frequency_hz;
     double phase_turns;
@@ -52,7 +52,7 @@ struct ExpSineOctave {
 };
 
 /// The octaves in their order, the longest first. \pre check(sea) is empty
-std::vector<ExpSineOctave> octaves_of(const ExpSineSea& sea);
+std::vector<PondOctave> octaves_of(const PondSea& sea);
 
 /// Frequency of waves of gravity and surface tension, sqrt(g k + 7.4e-5 k^3) / 2 pi.
 double ripple_frequency_hz(double turns_per_m);
@@ -62,9 +62,9 @@ double shown_part(double wavelength_m, double footprint_m);
 
 /// Means over all phases of (exp(sin p - 1) - I0(1)/e)^2, I0(2)/e^2 - (I0(1)/e)^2, and of the square of its derivative,
 /// I1(2) / (2 e^2).
-inline constexpr double exp_sine_variance = 0.09157631048788914, exp_sine_slope_variance = 0.10763464462446883;
+inline constexpr double pond_variance = 0.09157631048788914, pond_slope_variance = 0.10763464462446883;
 
-struct ExpSineSamples {
+struct PondSamples {
     std::span<float> height_m = {};
     std::span<float> normal_x = {}, normal_y = {}, normal_z = {};
     std::span<float> vertical_velocity_mps = {};  ///< dh/dt at the point
@@ -73,27 +73,27 @@ struct ExpSineSamples {
     std::span<float> slope_variance = {};
 };
 
-struct ExpSineHit {
+struct PondHit {
     double distance_m;  ///< from the origin
     std::array<double, 3> position_m;
 };
 
 /// Const methods may be called from any number of threads at once. They allocate nothing and wait for nothing.
-class ExpSineWater {
+class PondWaves {
    public:
     /// Throws std::invalid_argument with check(sea)'s line, or for an instruction set that this CPU lacks.
-    explicit ExpSineWater(const ExpSineSea& sea, std::optional<Isa> isa = {});
+    explicit PondWaves(const PondSea& sea, std::optional<Isa> isa = {});
     /// Of octaves that were moved onto a grid, for instance. \pre 1 to 64 finite ones (asserted)
-    static ExpSineWater of(std::vector<ExpSineOctave> octaves, std::optional<Isa> isa = {});
-    ~ExpSineWater();
-    ExpSineWater(ExpSineWater&&) noexcept;
-    ExpSineWater& operator=(ExpSineWater&&) noexcept;
+    static PondWaves of(std::vector<PondOctave> octaves, std::optional<Isa> isa = {});
+    ~PondWaves();
+    PondWaves(PondWaves&&) noexcept;
+    PondWaves& operator=(PondWaves&&) noexcept;
 
     /// \param footprint_m  how far apart samples lie at each point, a pixel's size on the water, or empty: everything is
     ///                     told. An octave fades from where that is 0.4 of half its wavelength to where it is the whole
     ///                     half: height and normal are of what is left, slope_variance is of the rest.
     /// \pre time_s is finite; spans are as long as the points or empty (asserted)
-    void sample(double time_s, const AnalyticPoints& points, const ExpSineSamples& samples,
+    void sample(double time_s, const AnalyticPoints& points, const PondSamples& samples,
                 std::span<const float> footprint_m = {}) const;
 
     /// The first place where a ray from above meets the water, none within its reach. It is looked at only between
@@ -101,19 +101,19 @@ class ExpSineWater {
     /// which it passes for less may be missed.
     /// The place is within 1e-6 m along the ray, or 1e-12 of the distance where that is more.
     /// \param direction  of any length but 0 \pre finite numbers (asserted)
-    std::optional<ExpSineHit> first_hit(double time_s, std::array<double, 3> origin_m,
+    std::optional<PondHit> first_hit(double time_s, std::array<double, 3> origin_m,
                                         std::array<double, 3> direction, double reach_m) const;
 
     double lowest_m() const;
     double highest_m() const;
-    const std::vector<ExpSineOctave>& octaves() const { return octaves_; }
+    const std::vector<PondOctave>& octaves() const { return octaves_; }
 
    private:
-    ExpSineWater(std::optional<Isa> isa, std::vector<ExpSineOctave> octaves);
+    PondWaves(std::optional<Isa> isa, std::vector<PondOctave> octaves);
 
-    std::vector<ExpSineOctave> octaves_;
+    std::vector<PondOctave> octaves_;
     const AnalyticKernels* kernels_;
-    std::vector<ExpSineTerms> terms_;
+    std::vector<PondTerms> terms_;
     double height_m_, shortest_m_;
 };
 

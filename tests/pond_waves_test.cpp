@@ -1,5 +1,5 @@
 // Octaves of exp(sin - 1) against their sum in long double with libm.
-#include "pelagic/analytic/exp_sine_water.hpp"
+#include "pelagic/analytic/pond_waves.hpp"
 
 #include <algorithm>
 #include <array>
@@ -22,7 +22,7 @@ const Long mean_exp = 1.26606587775200833559824462521471753760767031135496L / st
 double rounded(Long value) { return static_cast<double>(value); }
 
 /// The height alone, as the header has it: slopes are found from its differences.
-Long height_of(const ExpSineSea& sea, Long time_s, Long x, Long z) {
+Long height_of(const PondSea& sea, Long time_s, Long x, Long z) {
     Long parts = 0, part = 1;
     for (int i = 0; i < sea.octaves; ++i, part *= sea.decay) parts += part;
     Long height = 0, wavelength = sea.wavelength_m;
@@ -55,20 +55,20 @@ struct Places {
 enum Kind { height, normal_x, normal_y, normal_z, rise, variance, kinds };
 
 struct Answers {
-    Answers(const ExpSineWater& water, double time_s, const Places& places, const std::vector<float>& footprint = {})
+    Answers(const PondWaves& water, double time_s, const Places& places, const std::vector<float>& footprint = {})
         : of(kinds, std::vector<float>(places.x.size())) {
         water.sample(time_s, places.view(), {of[0], of[1], of[2], of[3], of[4], of[5]}, footprint);
     }
     std::vector<std::vector<float>> of;
 };
 
-class ExpSineOnEachIsa : public testing::TestWithParam<Isa> {};
-INSTANTIATE_TEST_SUITE_P(Isas, ExpSineOnEachIsa, testing::ValuesIn(isas_here()), isa_test_name);
+class PondOnEachIsa : public testing::TestWithParam<Isa> {};
+INSTANTIATE_TEST_SUITE_P(Isas, PondOnEachIsa, testing::ValuesIn(isas_here()), isa_test_name);
 
 // One octave is exp(sin - 1) itself: sine, exponential and their last products are each within 2^-23.
-TEST_P(ExpSineOnEachIsa, ExponentialIsWithinAFewStepsOfAFloat) {
-    const ExpSineSea sea{.octaves = 1, .height_m = 1, .wavelength_m = 1};
-    const ExpSineWater water(sea, GetParam());
+TEST_P(PondOnEachIsa, ExponentialIsWithinAFewStepsOfAFloat) {
+    const PondSea sea{.octaves = 1, .height_m = 1, .wavelength_m = 1};
+    const PondWaves water(sea, GetParam());
     const Places places(2000, 10);
     const Answers said(water, 0, places);
     for (std::size_t i = 0; i < places.x.size(); ++i)
@@ -77,9 +77,9 @@ TEST_P(ExpSineOnEachIsa, ExponentialIsWithinAFewStepsOfAFloat) {
 
 // What drags the later octaves carries the roundings of the earlier ones on: up to ten times as much as an octave has
 // by itself.
-TEST_P(ExpSineOnEachIsa, IsTheSumOfItsOctavesWithTrueDerivatives) {
-    const ExpSineSea sea;
-    const ExpSineWater water(sea, GetParam());
+TEST_P(PondOnEachIsa, IsTheSumOfItsOctavesWithTrueDerivatives) {
+    const PondSea sea;
+    const PondWaves water(sea, GetParam());
     const Places places(120, 1000);
     const double t = 321.5;
     const Answers said(water, t, places);
@@ -99,19 +99,19 @@ TEST_P(ExpSineOnEachIsa, IsTheSumOfItsOctavesWithTrueDerivatives) {
     }
 }
 
-TEST_P(ExpSineOnEachIsa, GivesTheGoldenBits) {
+TEST_P(PondOnEachIsa, GivesTheGoldenBits) {
     const Places places(501, 100);
     std::vector<float> footprint;
     for (int i = 0; i < 501; ++i) footprint.push_back(0.001f * static_cast<float>(i % 50));
-    const Answers said(ExpSineWater({}, GetParam()), 77, places, footprint);
+    const Answers said(PondWaves({}, GetParam()), 77, places, footprint);
     std::uint64_t hash = 0xcbf29ce484222325;
     for (const auto& array : said.of)
         for (const float value : array) hash = (hash ^ std::bit_cast<std::uint32_t>(value)) * 0x100000001b3;
     EXPECT_EQ(hash, 14251735415318672993u);
 }
 
-TEST(ExpSine, StaysWithinItsBoundsAndAroundZero) {
-    const ExpSineWater water({});
+TEST(Pond, StaysWithinItsBoundsAndAroundZero) {
+    const PondWaves water({});
     const Answers said(water, 5, Places(20000, 500));
     double sum = 0;
     for (const float h : said.of[height]) {
@@ -120,13 +120,13 @@ TEST(ExpSine, StaysWithinItsBoundsAndAroundZero) {
         sum += h;
     }
     // Dragging gathers waves on crests, so that the mean is not quite that of each octave.
-    EXPECT_NEAR(sum / 20000, 0, 0.05 * ExpSineSea{}.height_m);
+    EXPECT_NEAR(sum / 20000, 0, 0.05 * PondSea{}.height_m);
 }
 
 // Without dragging, octaves add up independently, and what a footprint hides of their slopes is in the variance: in
 // the sum nothing is lost. 20000 places tell a mean square within 3 %.
-TEST(ExpSine, NormalsWidenWithTheFootprintAndNoSlopeIsLost) {
-    const ExpSineWater water(ExpSineSea{.drag = 0});
+TEST(Pond, NormalsWidenWithTheFootprintAndNoSlopeIsLost) {
+    const PondWaves water(PondSea{.drag = 0});
     const Places places(20000, 500);
     const auto mean_square_slope = [&](const Answers& said) {
         double sum = 0;
@@ -148,9 +148,9 @@ TEST(ExpSine, NormalsWidenWithTheFootprintAndNoSlopeIsLost) {
     EXPECT_EQ(flat.of[height][7], 0);
 }
 
-TEST(ExpSine, RaysMeetTheFirstWaterInTheirWay) {
-    const ExpSineSea sea;
-    const ExpSineWater water(sea);
+TEST(Pond, RaysMeetTheFirstWaterInTheirWay) {
+    const PondSea sea;
+    const PondWaves water(sea);
     std::mt19937 random(9);
     const auto one = [&] { return static_cast<double>(random()) * 0x1p-32; };
     for (int i = 0; i < 60; ++i) {
@@ -180,13 +180,13 @@ TEST(ExpSine, RaysMeetTheFirstWaterInTheirWay) {
     EXPECT_NEAR(water.first_hit(3, {2, 1, 5}, {0, -7, 0}, 2)->distance_m, 1 - rounded(height_of(sea, 3, 2, 5)), 2e-6);
 }
 
-TEST(ExpSine, NamesTheFirstBadNumber) {
-    EXPECT_EQ(check(ExpSineSea{}), "");
-    EXPECT_EQ(check(ExpSineSea{.octaves = 65}), "octaves is 65, needs 1 to 64");
-    EXPECT_EQ(check(ExpSineSea{.height_m = 0}), "height_m is 0, needs (0, 10]");
-    EXPECT_EQ(check(ExpSineSea{.drag = std::nan("")}), "drag is nan, needs [0, 1]");
-    EXPECT_EQ(check(ExpSineSea{.octaves = 64}).substr(0, 34), "the last octave's wavelength_m is ");
-    EXPECT_THROW(ExpSineWater(ExpSineSea{.decay = 2}), std::invalid_argument);
+TEST(Pond, NamesTheFirstBadNumber) {
+    EXPECT_EQ(check(PondSea{}), "");
+    EXPECT_EQ(check(PondSea{.octaves = 65}), "octaves is 65, needs 1 to 64");
+    EXPECT_EQ(check(PondSea{.height_m = 0}), "height_m is 0, needs (0, 10]");
+    EXPECT_EQ(check(PondSea{.drag = std::nan("")}), "drag is nan, needs [0, 1]");
+    EXPECT_EQ(check(PondSea{.octaves = 64}).substr(0, 34), "the last octave's wavelength_m is ");
+    EXPECT_THROW(PondWaves(PondSea{.decay = 2}), std::invalid_argument);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Seas of few waves (SeaState::waves analytic and exp-sine) as they are asked for, and as the cascades of a frame hold them:
+// Seas of few waves (SeaState::waves analytic and pond) as they are asked for, and as the cascades of a frame hold them:
 //
 //   const AnalyticSurface water(waves_of_cascades(sea));  // the water of ocean.frame_at(t), between its texels too
 //
@@ -10,7 +10,7 @@
 
 #include <vector>
 
-#include "pelagic/analytic/exp_sine_water.hpp"
+#include "pelagic/analytic/pond_waves.hpp"
 #include "pelagic/analytic/plane_waves.hpp"
 #include "pelagic/sim/sea_state.hpp"
 
@@ -23,11 +23,11 @@ AnalyticSea analytic_sea_of(const SeaState& sea);
 /// amplitudes. Waves of less than two texels of the finest cascade (three, in a stack) are left out. \pre the same
 PlaneWaves waves_of_cascades(const SeaState& sea);
 
-/// Before its octaves are moved. \pre check(sea) is empty and sea.waves is exp_sine
-ExpSineSea exp_sine_sea_of(const SeaState& sea);
+/// Before its octaves are moved. \pre check(sea) is empty and sea.waves is pond
+PondSea pond_sea_of(const SeaState& sea);
 
 /// As its cascade holds them. The cascade shows them with a footprint of a texel: what that hides of their slopes is the frame's
 /// roughness. \pre the same
-std::vector<ExpSineOctave> octaves_of_cascade(const SeaState& sea);
+std::vector<PondOctave> octaves_of_cascade(const SeaState& sea);
 
 }  // namespace pelagic
